@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: MIT
+# What `cmake --install` puts where, and the package that `find_package(graze)` finds there. Each component has an export of
+# its own, so that graze::geometry can be had on a machine that has GLM and nothing else.
+include(CMakePackageConfigHelpers)
+set(graze_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/graze")
+
+install(DIRECTORY graze/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/graze" FILES_MATCHING PATTERN "*.hpp")
+install(TARGETS graze_geometry EXPORT graze_geometry_targets)
+install(EXPORT graze_geometry_targets NAMESPACE graze:: DESTINATION "${graze_package_dir}"
+        FILE graze-geometry-targets.cmake)
+if(TARGET graze_graze)
+  install(TARGETS graze_graze EXPORT graze_graze_targets)
+  install(EXPORT graze_graze_targets NAMESPACE graze:: DESTINATION "${graze_package_dir}"
+          FILE graze-graze-targets.cmake)
+endif()
+if(TARGET graze_cli)
+  if(BUILD_SHARED_LIBS)
+    set_target_properties(graze_cli PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+  endif()
+  install(TARGETS graze_cli)
+endif()
+install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
+configure_package_config_file(
+  cmake/graze-config.cmake.in "${PROJECT_BINARY_DIR}/graze-config.cmake" INSTALL_DESTINATION "${graze_package_dir}"
+  NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/graze-config-version.cmake" COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/graze-config.cmake" "${PROJECT_BINARY_DIR}/graze-config-version.cmake"
+        DESTINATION "${graze_package_dir}")

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: MIT
+# Compiles a target the way graze compiles its own sources: C++20 without extensions, all warnings. Everything is PRIVATE, so
+# nothing of it reaches a project that uses graze.
+function(graze_own target)
+  set_target_properties(${target} PROPERTIES CXX_STANDARD 20 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
+  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+      # GCC 12 takes `"text" + std::string` for an overlapping copy (GCC bug 105651, fixed in 13).
+      target_compile_options(${target} PRIVATE -Wno-restrict)
+    endif()
+    if(GRAZE_WERROR)
+      target_compile_options(${target} PRIVATE -Werror)
+    endif()
+  endif()
+endfunction()

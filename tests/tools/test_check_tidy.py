@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: MIT
+import json
+import shutil
+import unittest
+
+from project_tree import LICENSE, TreeTest
+
+from check_tidy import findings
+
+
+@unittest.skipUnless(shutil.which("clang-tidy"), "clang-tidy is not installed")
+class CheckTidy(TreeTest):
+    def setUp(self):
+        super().setUp()
+        self.write(".clang-tidy", "Checks: '-*,readability-container-size-empty'\nWarningsAsErrors: '*'\n")
+        self.write("apps/main.cpp", f"{LICENSE}int main() {{}}\n")
+        self.write("build/lint/compile_commands.json", json.dumps([{
+            "directory": str(self.tree), "command": f"g++ -std=c++20 -c '{self.tree}/apps/main.cpp'",
+            "file": str(self.tree / "apps/main.cpp")}]))
+
+    def test_files_are_looked_at_once_and_again_when_they_change(self):
+        self.assertIn("1 files, 1 of them changed, 0 findings", self.run_tool("check_tidy.py")[1])
+        self.assertIn("1 files, 0 of them changed, 0 findings", self.run_tool("check_tidy.py")[1])
+        self.write("apps/main.cpp", f"{LICENSE}#include <vector>\nint main() {{ return std::vector<int>().size() == 0; }}\n")
+        status, said = self.run_tool("check_tidy.py")
+        self.assertIn("apps/main.cpp:3:21: error:", said)
+        self.assertIn("1 files, 1 of them changed, 1 findings", said)
+        self.assertEqual(status, 1)
+
+    def test_a_file_that_no_target_compiles_is_found(self):
+        self.write("apps/forgotten.cpp", LICENSE)
+        status, said = self.run_tool("check_tidy.py")
+        self.assertIn("apps/forgotten.cpp:1: is in no target", said)
+        self.assertEqual(status, 1)
+
+
+class Findings(unittest.TestCase):
+    def test_paths_are_relative_and_notes_stay_with_their_finding(self):
+        text = "9 warnings\n/p/a.hpp:1:2: error: one [x]\n/p/a.hpp:3:4: note: why\n/p/b.cpp:5:6: warning: two [y]\n"
+        self.assertEqual(findings("/p", text), ["a.hpp:1:2: error: one [x]\na.hpp:3:4: note: why", "b.cpp:5:6: warning: two [y]"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: MIT
+"""Checks the shape of the house: who may include whom, that everything has its mirror test, that headers stand alone."""
+
+import argparse
+import shutil
+import sys
+from pathlib import Path
+
+from compile_headers import compile_headers
+from project_files import ROOT, includes, project_files
+
+# Lower ones first: a file includes its own layer and those before it. Folders outside of graze/ may include all of them.
+LAYERS = ["math", "shape", "query", "broad", "scene", "io"]
+# graze::geometry: these need GLM alone, and reach it through one file.
+GEOMETRY = LAYERS[:3]
+GLM_DOOR = Path("graze/math/vec.hpp")
+MAX_LINES = 450
+
+SPDX = "SPDX-License-Identifier: MIT"
+SOURCES = [".hpp", ".cpp", ".py", ".sh", ".cmake", ".cmake.in", "CMakeLists.txt", "dev", ".ci/run"]
+
+# Headers without a test file of their own: the test file that covers them, and why it is another's.
+TESTED_ELSEWHERE = {
+    "graze/broad/pair.hpp": ("tests/broad/pairs_test.cpp", "a struct without functions: it is what overlapping_pairs gives"),
+    "graze/scene/relations.hpp": ("tests/scene/scene_test.cpp", "instances of relation(), which Scene::pairs calls"),
+}
+
+
+def layer_of(path):
+    """The layer of a file under graze/<layer>/, or None."""
+    return path.parts[1] if len(path.parts) == 3 and path.parts[0] == "graze" and path.parts[1] in LAYERS else None
+
+
+def include_problem(root, path, name, quoted):
+    """What is wrong with `#include name` in the file `path`, or None."""
+    layer = layer_of(path)
+    if name.startswith("glm/") and path.parts[0] == "graze" and path != GLM_DOOR:
+        return f"includes GLM ({name}); only {GLM_DOOR} may, include that"
+    if not name.startswith("graze/"):
+        third_party = not quoted and ("/" in name or "." in name) and not name.startswith("glm/")
+        if layer in GEOMETRY and third_party:
+            return f"includes {name}, but graze::geometry ({', '.join(GEOMETRY)}) may need GLM alone"
+        return None
+    if not (root / name).is_file():
+        return f"includes {name}, which does not exist"
+    if layer is None:
+        return None
+    included = layer_of(Path(name))
+    if included is None:
+        return f"includes {name}, which stands above every layer"
+    if LAYERS.index(included) > LAYERS.index(layer):
+        return f"includes upwards: {name}; {layer} may include {', '.join(LAYERS[: LAYERS.index(layer) + 1])}"
+    return None
+
+
+def check_includes(root, sources):
+    problems = []
+    for path in sources:
+        if path.suffix not in (".hpp", ".cpp"):
+            continue
+        for line, name, quoted in includes((root / path).read_text(encoding="utf-8")):
+            problem = include_problem(root, path, name, quoted)
+            if problem:
+                problems.append(f"{path}:{line}: {problem}")
+    return problems
+
+
+def check_text(root, sources):
+    problems = []
+    for path in sources:
+        lines = (root / path).read_text(encoding="utf-8").splitlines()
+        if not any(SPDX in line for line in lines[:2]):
+            problems.append(f"{path}:1: the first line (the second after #!) must say {SPDX}")
+        if len(lines) > MAX_LINES:
+            problems.append(f"{path}:{MAX_LINES + 1}: has {len(lines)} lines; split it by operation, {MAX_LINES} are the limit")
+    return problems
+
+
+def check_mirror_tests(root, sources, tested_elsewhere):
+    problems = []
+    layered = [path for path in sources if path.suffix in (".hpp", ".cpp") and layer_of(path)]
+    for path in layered:
+        test = Path("tests") / layer_of(path) / f"{path.stem}_test.cpp"
+        other = tested_elsewhere.get(str(path.with_suffix(".hpp")))
+        if other and (root / test).is_file():
+            problems.append(f"tools/check_layers.py:1: {path} has {test} now; remove its row from TESTED_ELSEWHERE")
+        elif other and not (root / other[0]).is_file():
+            problems.append(f"tools/check_layers.py:1: {path} is to be tested by {other[0]}, which does not exist")
+        elif not other and not (root / test).is_file():
+            problems.append(f"{path}:1: has no mirror test; write {test}")
+    known = {str(path) for path in layered}
+    problems += [f"tools/check_layers.py:1: TESTED_ELSEWHERE names {name}, which does not exist"
+                 for name in tested_elsewhere if name not in known]
+    return problems, len(layered)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--root", type=Path, default=ROOT, help="the project's folder")
+    parser.add_argument("--compiler", default="g++", help="compiles the headers alone (default: g++)")
+    options = parser.parse_args()
+    root = options.root.resolve()
+
+    sources = project_files(root, SOURCES)
+    problems = check_includes(root, sources) + check_text(root, sources)
+    mirror_problems, mirrored = check_mirror_tests(root, sources, TESTED_ELSEWHERE if root == ROOT else {})
+    problems += mirror_problems
+    compiled = 0
+    if shutil.which(options.compiler):
+        header_problems, compiled = compile_headers(root, options.compiler)
+        problems += header_problems
+    else:
+        problems.append(f"tools/check_layers.py:1: there is no {options.compiler} to compile the headers with")
+    for problem in problems:
+        print(problem, file=sys.stderr)
+    print(f"layers: {len(sources)} files read, {mirrored} sources with mirror tests, {compiled} headers compiled alone, "
+          f"{len(problems)} problems")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: MIT
+"""Remembers which checks passed on which contents, so that a check is only repeated where something changed."""
+
+import hashlib
+import os
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from project_files import include_closure
+
+
+class ContentCache:
+    """A folder with one empty file per passed check, named by the hash of everything that the check depends on."""
+
+    def __init__(self, folder):
+        self._folder = Path(folder)
+        self._folder.mkdir(parents=True, exist_ok=True)
+
+    def run(self, checks, work):
+        """Calls `work(item)` in parallel for each (item, key) of `checks` whose key has not passed yet. `work` gives what
+        is wrong as a text, empty when nothing is. Returns the failed items with their texts, and how many calls it took."""
+        due = [(item, key) for item, key in checks if not (self._folder / key).exists()]
+        with ThreadPoolExecutor(os.cpu_count()) as threads:
+            texts = list(threads.map(lambda check: work(check[0]), due))
+        for (_, key), text in zip(due, texts):
+            if not text:
+                (self._folder / key).touch()
+        return [(item, text) for (item, _), text in zip(due, texts) if text], len(due)
+
+
+def content_key(root, path, *settings):
+    """The hash of a source file, of all that it includes of the project, and of the settings of the check."""
+    digest = hashlib.sha256()
+    for setting in settings:
+        digest.update(str(setting).encode() + b"\0")
+    for part in include_closure(root, path):
+        digest.update(str(part).encode() + b"\0" + (Path(root) / part).read_bytes() + b"\0")
+    return digest.hexdigest()
