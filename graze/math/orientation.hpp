@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include <graze/math/rounding.hpp>
+#include <graze/math/vec.hpp>
+
+namespace graze {
+
+/// The sign (-1, 0, 1) of the exact sum of the terms. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast
+/// Robust Geometric Predicates" (1997), section 2.4: the terms are added one by one into a list of doubles that overlap
+/// nowhere, so the last one that is not zero carries the sign. Exact while nothing over- or underflows.
+template <std::size_t Count>
+int sign_of_sum(const std::array<double, Count>& terms) {
+  std::array<double, Count> parts{};
+  std::size_t used = 0;
+  for (double carry : terms) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < used; ++i) {
+      const Rounded sum = two_sum(carry, parts[i]);
+      if (sum.error != 0) parts[kept++] = sum.error;
+      carry = sum.value;
+    }
+    if (carry != 0) parts[kept++] = carry;
+    used = kept;
+  }
+  if (used == 0) return 0;
+  return parts[used - 1] > 0 ? 1 : -1;
+}
+
+/// Which way the path a, b, c turns: 1 counter-clockwise (y up), -1 clockwise, 0 straight on or back. The exact sign of
+/// (a - c) x (b - c): a double evaluation decides unless it is within its error bound (Shewchuk 1997, section 4.2),
+/// then the six products of the expanded determinant are summed exactly. For coordinates that are zero or of magnitude
+/// 1e-140 to 1e140: outside, products leave the range of double.
+template <class T>
+int orientation(const Vec<2, T>& a, const Vec<2, T>& b, const Vec<2, T>& c) {
+  const Vec<2, double> p = wide<2, T>(a);
+  const Vec<2, double> q = wide<2, T>(b);
+  const Vec<2, double> r = wide<2, T>(c);
+  const double left = (p.x - r.x) * (q.y - r.y);
+  const double right = (p.y - r.y) * (q.x - r.x);
+  const double determinant = left - right;
+  constexpr double bound = 4 * std::numeric_limits<double>::epsilon();
+  if (std::fabs(determinant) > bound * (std::fabs(left) + std::fabs(right))) return determinant > 0 ? 1 : -1;
+  std::array<double, 12> terms{};
+  std::size_t count = 0;
+  const auto add_product = [&](double x, double y) {
+    const Rounded product = two_product(x, y);
+    terms[count++] = product.error;
+    terms[count++] = product.value;
+  };
+  add_product(p.x, q.y);
+  add_product(-p.x, r.y);
+  add_product(-r.x, q.y);
+  add_product(-p.y, q.x);
+  add_product(p.y, r.x);
+  add_product(r.y, q.x);
+  return sign_of_sum(terms);
+}
+
+}  // namespace graze

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Sums and products rounded in a chosen direction, for results that promise to contain something.
+// Exact results stay exact; anything else moves to the neighbouring double on the safe side.
+// Error-free transformations: Knuth, TAOCP 2 (1969), 4.2.2, and Dekker, Numer. Math. 18 (1971).
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include <graze/math/vec.hpp>
+
+namespace graze {
+
+/// A rounded result together with the exact rounding error: `value + error` is the true result.
+struct Rounded {
+  double value;
+  double error;
+};
+
+/// a + b with its error. Exact unless the sum overflows.
+inline Rounded two_sum(double a, double b) {
+  const double sum = a + b;
+  const double b_part = sum - a;
+  const double a_part = sum - b_part;
+  return {sum, (a - a_part) + (b - b_part)};
+}
+
+/// a * b with its error. Exact unless the product over- or underflows.
+inline Rounded two_product(double a, double b) {
+  const double product = a * b;
+  return {product, std::fma(a, b, -product)};
+}
+
+/// a * b - c * d within two epsilon of itself, however much of the products cancels; exactly negated when the products
+/// change places. Exact zero is found exactly. Products must neither over- nor underflow.
+inline double difference_of_products(double a, double b, double c, double d) {
+  const Rounded first = two_product(a, b);
+  const Rounded second = two_product(c, d);
+  const Rounded difference = two_sum(first.value, -second.value);
+  return difference.value + (difference.error + (first.error - second.error));
+}
+
+/// The cross product with every coordinate known to two epsilon of itself, so that the direction holds even for vectors
+/// that are almost parallel, where `cross` gives mostly rounding. In 2D a number.
+inline double accurate_cross(const Vec<2, double>& a, const Vec<2, double>& b) {
+  return difference_of_products(a.x, b.y, a.y, b.x);
+}
+
+inline Vec<3, double> accurate_cross(const Vec<3, double>& a, const Vec<3, double>& b) {
+  return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+          difference_of_products(a.x, b.y, a.y, b.x)};
+}
+
+/// The neighbouring double above; infinities stay.
+inline double next_up(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
+
+/// The neighbouring double below; infinities stay.
+inline double next_down(double x) { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
+
+/// The least double that is not below a + b.
+inline double add_up(double a, double b) {
+  const Rounded sum = two_sum(a, b);
+  const bool overflow = std::isinf(sum.value) && std::isfinite(a) && std::isfinite(b);
+  return sum.error > 0 || overflow ? next_up(sum.value) : sum.value;
+}
+
+/// The greatest double that is not above a + b.
+inline double add_down(double a, double b) { return -add_up(-a, -b); }
+
+/// The rounding error of a smaller product can have bits below the last of all doubles, 2^-1074: `two_product` may lose
+/// it. A product spans at most 106 bits.
+inline constexpr double least_product_with_error = 0x1p-969;
+
+/// A double that is not below a * b: the least one, except that a product below `least_product_with_error` may come out
+/// one step higher.
+inline double multiply_up(double a, double b) {
+  const Rounded product = two_product(a, b);
+  const bool error_lost = std::fabs(product.value) < least_product_with_error && a != 0 && b != 0;
+  return product.error > 0 || error_lost ? next_up(product.value) : product.value;
+}
+
+/// The least T that is not below x.
+template <Scalar T>
+T round_up(double x) {
+  const T rounded = static_cast<T>(x);
+  return static_cast<double>(rounded) < x ? std::nextafter(rounded, std::numeric_limits<T>::infinity()) : rounded;
+}
+
+/// The greatest T that is not above x.
+template <Scalar T>
+T round_down(double x) {
+  return -round_up<T>(-x);
+}
+
+}  // namespace graze

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Vectors and matrices. The only file of graze that includes GLM.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+
+#include <glm/geometric.hpp>
+#include <glm/mat2x2.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace graze {
+
+/// The dimension of space, 2 or 3.
+using Dim = glm::length_t;
+
+/// A point or direction. The qualifier is spelled out so that a user's GLM macros cannot change our layout.
+template <Dim N, class T = float>
+using Vec = glm::vec<N, T, glm::packed_highp>;
+
+/// A square matrix, stored by columns: `matrix[j]` is column j.
+template <Dim N, class T = float>
+using Mat = glm::mat<N, N, T, glm::packed_highp>;
+
+static_assert(sizeof(Vec<2, float>) == 8 && alignof(Vec<2, float>) == 4);
+static_assert(sizeof(Vec<3, float>) == 12 && alignof(Vec<3, float>) == 4);
+static_assert(sizeof(Vec<3, double>) == 24 && alignof(Vec<3, double>) == 8);
+
+/// The numbers shapes are stored in.
+template <class T>
+concept Scalar = std::same_as<T, float> || std::same_as<T, double>;
+
+/// The same vector in double, the type that queries calculate in. Exact.
+template <Dim N, class T>
+constexpr Vec<N, double> wide(const Vec<N, T>& v) {
+  return Vec<N, double>(v);
+}
+
+/// The same matrix in double. Exact.
+template <Dim N, class T>
+constexpr Mat<N, double> wide_matrix(const Mat<N, T>& m) {
+  Mat<N, double> result;
+  for (Dim j = 0; j < N; ++j) result[j] = wide<N, T>(m[j]);
+  return result;
+}
+
+/// The unit vector along coordinate axis `i`.
+template <Dim N, class T = double>
+constexpr Vec<N, T> unit_axis(Dim i) {
+  Vec<N, T> axis(T(0));
+  axis[i] = T(1);
+  return axis;
+}
+
+/// `v` turned a quarter turn counter-clockwise.
+template <class T>
+constexpr Vec<2, T> perpendicular(const Vec<2, T>& v) {
+  return {-v.y, v.x};
+}
+
+/// The z component of the 3D cross product: positive when `b` lies counter-clockwise of `a`.
+template <class T>
+constexpr T cross_2d(const Vec<2, T>& a, const Vec<2, T>& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+template <Dim N, class T>
+constexpr T length_squared(const Vec<N, T>& v) {
+  return dot(v, v);
+}
+
+/// The largest absolute coordinate; NaN counts as nothing.
+template <Dim N, class T>
+constexpr T max_abs(const Vec<N, T>& v) {
+  T largest = T(0);
+  for (Dim i = 0; i < N; ++i) {
+    const T size = v[i] < T(0) ? -v[i] : v[i];
+    if (size > largest) largest = size;
+  }
+  return largest;
+}
+
+/// The sum of the absolute coordinates.
+template <Dim N, class T>
+constexpr T sum_abs(const Vec<N, T>& v) {
+  T sum = T(0);
+  for (Dim i = 0; i < N; ++i) sum += v[i] < T(0) ? -v[i] : v[i];
+  return sum;
+}
+
+/// True when every coordinate is neither infinite nor NaN.
+template <Dim N, class T>
+bool is_finite(const Vec<N, T>& v) {
+  for (Dim i = 0; i < N; ++i) {
+    if (!std::isfinite(v[i])) return false;
+  }
+  return true;
+}
+
+}  // namespace graze

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <string_view>
+#include <type_traits>
+
+#include <graze/math/vec.hpp>
+
+namespace graze {
+
+/// An axis-aligned box: all x with min <= x <= max in every coordinate. Flat boxes (min == max somewhere) are valid.
+/// Bounds of unbounded shapes have infinite corners, bounds of nothing have min = +infinity and max = -infinity:
+/// both work in every comparison below, though `is_valid` accepts neither as a shape.
+template <Dim N, class T = float>
+struct Aabb {
+  Vec<N, T> min = Vec<N, T>(T(-1));
+  Vec<N, T> max = Vec<N, T>(T(1));
+
+  /// The box around `center`; each half extent is zero or more.
+  static Aabb from_center(const Vec<N, T>& center, const Vec<N, T>& half_extents) {
+    return {center - half_extents, center + half_extents};
+  }
+
+  /// The box between two opposite corners, in any order.
+  static Aabb from_corners(const Vec<N, T>& a, const Vec<N, T>& b) {
+    Aabb box{a, a};
+    box.grow(b);
+    return box;
+  }
+
+  /// The box that contains nothing.
+  static Aabb nothing() {
+    constexpr T infinity = std::numeric_limits<T>::infinity();
+    return {Vec<N, T>(infinity), Vec<N, T>(-infinity)};
+  }
+
+  /// The box that contains everything.
+  static Aabb everything() {
+    constexpr T infinity = std::numeric_limits<T>::infinity();
+    return {Vec<N, T>(-infinity), Vec<N, T>(infinity)};
+  }
+
+  /// Halved before adding, so that no finite box overflows.
+  Vec<N, T> center() const { return min * T(0.5) + max * T(0.5); }
+  Vec<N, T> half_extents() const { return max * T(0.5) - min * T(0.5); }
+
+  /// Extends the box to contain a point.
+  void grow(const Vec<N, T>& point) {
+    for (Dim i = 0; i < N; ++i) {
+      if (point[i] < min[i]) min[i] = point[i];
+      if (point[i] > max[i]) max[i] = point[i];
+    }
+  }
+
+  /// Extends the box to contain another.
+  void grow(const Aabb& other) {
+    for (Dim i = 0; i < N; ++i) {
+      if (other.min[i] < min[i]) min[i] = other.min[i];
+      if (other.max[i] > max[i]) max[i] = other.max[i];
+    }
+  }
+
+  friend bool operator==(const Aabb&, const Aabb&) = default;
+};
+
+template <class T = float>
+using Rect = Aabb<2, T>;
+
+template <Dim N, class T>
+std::string_view defect(const Aabb<N, T>& box) {
+  if (!is_finite(box.min)) return "has a min that is not finite";
+  if (!is_finite(box.max)) return "has a max that is not finite";
+  for (Dim i = 0; i < N; ++i) {
+    if (box.min[i] > box.max[i]) return "has a min above its max";
+  }
+  return "";
+}
+
+template <Dim N, class T>
+Vec<N, double> support(const Aabb<N, T>& box, const std::type_identity_t<Vec<N, double>>& direction) {
+  Vec<N, double> corner;
+  for (Dim i = 0; i < N; ++i) corner[i] = static_cast<double>(direction[i] > 0 ? box.max[i] : box.min[i]);
+  return corner;
+}
+
+/// True when the box contains no point: its min is above its max in some coordinate.
+template <Dim N, class T>
+bool is_nothing(const Aabb<N, T>& box) {
+  for (Dim i = 0; i < N; ++i) {
+    if (box.min[i] > box.max[i]) return true;
+  }
+  return false;
+}
+
+/// True when the boxes, neither of them `is_nothing`, share a point; touching counts. Exact. False when a coordinate is
+/// NaN.
+template <Dim N, class T>
+bool boxes_overlap(const Aabb<N, T>& a, const Aabb<N, T>& b) {
+  for (Dim i = 0; i < N; ++i) {
+    if (!(a.min[i] <= b.max[i] && b.min[i] <= a.max[i])) return false;
+  }
+  return true;
+}
+
+}  // namespace graze

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <string_view>
+#include <type_traits>
+
+#include <graze/math/pose.hpp>
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/shape/aabb.hpp>
+
+namespace graze {
+
+/// An oriented box: all center + axes * u with |u[i]| <= half_extents[i]. The columns of `axes` are its axes,
+/// orthonormal up to rounding. The set is taken as stored, without making the axes orthonormal again: what you see is
+/// what is tested. Zero half extents are valid.
+template <Dim N, class T = float>
+struct Obb {
+  Vec<N, T> center = Vec<N, T>(T(0));
+  Vec<N, T> half_extents = Vec<N, T>(T(1));
+  Mat<N, T> axes = Mat<N, T>(T(1));
+};
+
+template <class T = float>
+using OrientedRect = Obb<2, T>;
+
+/// The deviation of a matrix' columns from orthonormal: the largest |dot(column i, column j) - (i == j)|.
+template <Dim N, class T>
+double orthonormal_error(const Mat<N, T>& axes) {
+  double error = 0;
+  for (Dim i = 0; i < N; ++i) {
+    for (Dim j = i; j < N; ++j) {
+      const double deviation = std::fabs(dot(wide<N, T>(axes[i]), wide<N, T>(axes[j])) - (i == j ? 1.0 : 0.0));
+      if (!(deviation <= error)) error = deviation;
+    }
+  }
+  return error;
+}
+
+template <Dim N, class T>
+std::string_view defect(const Obb<N, T>& box) {
+  if (!is_finite(box.center)) return "has a center that is not finite";
+  if (!is_finite(box.half_extents)) return "has half_extents that are not finite";
+  for (Dim i = 0; i < N; ++i) {
+    if (box.half_extents[i] < T(0)) return "has a negative half extent";
+    if (!is_finite<N, T>(box.axes[i])) return "has axes that are not finite";
+  }
+  if (!(orthonormal_error<N, T>(box.axes) <= tolerance::orthonormal)) {
+    return "has axes that are not orthonormal (unit length, at right angles)";
+  }
+  return "";
+}
+
+/// The vectors from the center to the middles of the faces: column i is axes[i] * half_extents[i].
+template <Dim N, class T>
+Mat<N, double> half_edges(const Obb<N, T>& box) {
+  Mat<N, double> edges;
+  for (Dim i = 0; i < N; ++i) edges[i] = wide<N, T>(box.axes[i]) * static_cast<double>(box.half_extents[i]);
+  return edges;
+}
+
+template <Dim N, class T>
+Vec<N, double> support(const Obb<N, T>& box, const std::type_identity_t<Vec<N, double>>& direction) {
+  Vec<N, double> corner = wide<N, T>(box.center);
+  const Mat<N, double> edges = half_edges(box);
+  for (Dim i = 0; i < N; ++i) corner += dot(edges[i], direction) > 0 ? edges[i] : -edges[i];
+  return corner;
+}
+
+template <Dim N, class T>
+Obb<N, T> transformed(const Obb<N, T>& box, const Pose<N, T>& pose) {
+  return {transformed(box.center, pose), box.half_extents, rotated<N, T>(box.axes, pose)};
+}
+
+/// The oriented box that equals an axis-aligned one, up to the rounding of its center and half extents.
+template <Dim N, class T>
+Obb<N, double> oriented(const Aabb<N, T>& box) {
+  const Vec<N, double> min = wide<N, T>(box.min);
+  const Vec<N, double> max = wide<N, T>(box.max);
+  return {min * 0.5 + max * 0.5, max * 0.5 - min * 0.5, Mat<N, double>(1.0)};
+}
+
+/// An axis-aligned box that is turned becomes an oriented one.
+template <Dim N, class T>
+Obb<N, T> transformed(const Aabb<N, T>& box, const Pose<N, T>& pose) {
+  const Obb<N, double> upright = oriented(box);
+  return transformed(Obb<N, T>{Vec<N, T>(upright.center), Vec<N, T>(upright.half_extents), Mat<N, T>(T(1))}, pose);
+}
+
+}  // namespace graze

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+#include <graze/math/pose.hpp>
+#include <graze/math/vec.hpp>
+
+namespace graze {
+
+/// All x with dot(normal, x) = offset: a plane, in 2D a line. The normal has any length but zero.
+template <Dim N, class T = float>
+struct Plane {
+  Vec<N, T> normal = unit_axis<N, T>(1);
+  T offset = T(0);
+};
+
+template <Dim N, class T>
+std::string_view defect(const Plane<N, T>& plane) {
+  if (!is_finite(plane.normal)) return "has a normal that is not finite";
+  if (max_abs(plane.normal) == T(0)) return "has a normal of length zero";
+  if (!std::isfinite(plane.offset)) return "has an offset that is not finite";
+  return "";
+}
+
+template <Dim N, class T>
+Plane<N, T> transformed(const Plane<N, T>& plane, const Pose<N, T>& pose) {
+  const Vec<N, T> normal = rotated<N, T>(plane.normal, pose);
+  return {normal,
+          static_cast<T>(static_cast<double>(plane.offset) + dot(wide<N, T>(normal), wide<N, T>(pose.position)))};
+}
+
+namespace detail {
+template <Dim N, class T>
+Plane<N, T> plane_at(const Vec<N, double>& normal, const Vec<N, T>& point) {
+  const Plane<N, T> plane{Vec<N, T>(normal), static_cast<T>(dot(normal, wide<N, T>(point)))};
+  if (!defect(plane).empty()) {
+    throw std::invalid_argument(
+        "plane_through: the points are too close together or too far away for the normal and "
+        "offset to be numbers of their type");
+  }
+  return plane;
+}
+}  // namespace detail
+
+/// The plane through three points, its normal on the side from which they run counter-clockwise, of length twice their
+/// triangle's area. Points on one line determine none, and a normal or offset that T cannot hold is none:
+/// std::invalid_argument.
+template <class T>
+Plane<3, T> plane_through(const Vec<3, T>& a, const Vec<3, T>& b, const Vec<3, T>& c) {
+  const Vec<3, double> normal = cross(wide<3, T>(b) - wide<3, T>(a), wide<3, T>(c) - wide<3, T>(a));
+  if (max_abs(normal) == 0) throw std::invalid_argument("plane_through: the three points lie on one line");
+  return detail::plane_at<3, T>(normal, a);
+}
+
+/// The line through two points; its normal points to the left of the way from a to b and is as long as that way.
+/// Equal points determine none, and an offset that T cannot hold is none: std::invalid_argument.
+template <class T>
+Plane<2, T> plane_through(const Vec<2, T>& a, const Vec<2, T>& b) {
+  if (a == b) throw std::invalid_argument("plane_through: the two points are equal");
+  return detail::plane_at<2, T>(perpendicular(wide<2, T>(b) - wide<2, T>(a)), a);
+}
+
+}  // namespace graze

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: MIT
+// Every shape, for property tests: a generator of random, often degenerate and often touching ones, and C++ source to
+// paste when a test fails. A new shape adds one Entry here.
+//
+//   RC_GTEST_PROP(Sphere, ..., (const Sphere<2, float>& sphere))      one shape by itself
+//   const auto [a, b] = *any_pair<Sphere<2, float>, Obb<2, float>>()  two that share numbers and points
+//   const AnyShape<3, double> shape = *any_shape<3, double>()         any of the types
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <graze/math/pose.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/bounds.hpp>
+#include <graze/shape/any_shape.hpp>
+#include <graze/shape/shape.hpp>
+
+#include "catalogue/numbers.hpp"
+#include "catalogue/to_source.hpp"
+
+namespace graze::test {
+
+/// The four spaces, for TYPED_TEST_SUITE: a test body reads TypeParam::dimension and TypeParam::scalar.
+using Spaces = testing::Types<Space<2, float>, Space<3, float>, Space<2, double>, Space<3, double>>;
+
+/// What the catalogue knows of a type: its name, its fields in the order of braces, and `any(source)`, a generator of
+/// valid values. Types without public fields have `source(value)` instead, the expression that makes the value. A
+/// convex shape has `point_in(shape, w)`: for each w with coordinates in [-1, 1] a point of the shape, up to rounding,
+/// found without `support`.
+template <class S>
+struct Entry;
+
+template <class S>
+concept Catalogued = requires {
+  Entry<S>::name;
+};
+
+/// An S in braces of values from these generators.
+template <class S, class... Fields>
+rc::Gen<S> aggregate(const rc::Gen<Fields>&... fields) {
+  return rc::gen::apply([](const Fields&... values) { return S{values...}; }, fields...);
+}
+
+template <Dim N, class T>
+struct Entry<Vec<N, T>> {
+  static constexpr std::string_view name = "Vec";
+  static rc::Gen<Vec<N, T>> any(const Source<N, T>& from) { return from.point; }
+  static Vec<N, double> point_in(const Vec<N, T>& point, const Vec<N, double>&) { return wide<N, T>(point); }
+  static std::string source(const Vec<N, T>& point) { return type_source<N, T>(name) + initializer(point); }
+};
+
+template <Dim N, class T>
+struct Entry<Segment<N, T>> {
+  static constexpr std::string_view name = "Segment";
+  static constexpr auto fields = std::tuple(&Segment<N, T>::start, &Segment<N, T>::end);
+  static auto any(const Source<N, T>& from) { return aggregate<Segment<N, T>>(from.point, from.point); }
+  static Vec<N, double> point_in(const Segment<N, T>& segment, const Vec<N, double>& w) {
+    return wide<N, T>(segment.start) * (0.5 - w[0] / 2) + wide<N, T>(segment.end) * (0.5 + w[0] / 2);
+  }
+};
+
+template <Dim N, class T>
+struct Entry<Ray<N, T>> {
+  static constexpr std::string_view name = "Ray";
+  static constexpr auto fields = std::tuple(&Ray<N, T>::origin, &Ray<N, T>::direction);
+  static auto any(const Source<N, T>& from) { return aggregate<Ray<N, T>>(from.point, from.direction); }
+};
+
+template <Dim N, class T>
+struct Entry<Sphere<N, T>> {
+  static constexpr std::string_view name = "Sphere";
+  static constexpr auto fields = std::tuple(&Sphere<N, T>::center, &Sphere<N, T>::radius);
+  static auto any(const Source<N, T>& from) { return aggregate<Sphere<N, T>>(from.point, from.size); }
+  static Vec<N, double> point_in(const Sphere<N, T>& sphere, const Vec<N, double>& w) {
+    return wide<N, T>(sphere.center) + w * (static_cast<double>(sphere.radius) / std::fmax(1, length(w)));
+  }
+};
+
+template <Dim N, class T>
+struct Entry<Aabb<N, T>> {
+  static constexpr std::string_view name = "Aabb";
+  static constexpr auto fields = std::tuple(&Aabb<N, T>::min, &Aabb<N, T>::max);
+  static auto any(const Source<N, T>& from) {
+    return rc::gen::apply(&Aabb<N, T>::from_corners, from.point, from.point);
+  }
+  static Vec<N, double> point_in(const Aabb<N, T>& box, const Vec<N, double>& w) {
+    return wide<N, T>(box.min) * (0.5 - w / 2.0) + wide<N, T>(box.max) * (0.5 + w / 2.0);
+  }
+};
+
+template <Dim N, class T>
+struct Entry<Obb<N, T>> {
+  static constexpr std::string_view name = "Obb";
+  static constexpr auto fields = std::tuple(&Obb<N, T>::center, &Obb<N, T>::half_extents, &Obb<N, T>::axes);
+  static auto any(const Source<N, T>& from) {
+    return aggregate<Obb<N, T>>(from.point, vector_of<N, T>(from.size), any_rotation<N, T>());
+  }
+  static Vec<N, double> point_in(const Obb<N, T>& box, const Vec<N, double>& w) {
+    return wide<N, T>(box.center) + wide_matrix<N, T>(box.axes) * (wide<N, T>(box.half_extents) * w);
+  }
+};
+
+/// Through a point of the source, up to rounding of the offset.
+template <template <Dim, class> class S, Dim N, class T>
+rc::Gen<S<N, T>> any_level(const Source<N, T>& from) {
+  return rc::gen::apply(
+      [](const Vec<N, T>& normal, const Vec<N, T>& point) {
+        return S<N, T>{normal, static_cast<T>(dot(wide<N, T>(normal), wide<N, T>(point))) + T(0)};  // no minus zero
+      },
+      from.direction, from.point);
+}
+
+template <Dim N, class T>
+struct Entry<Plane<N, T>> {
+  static constexpr std::string_view name = "Plane";
+  static constexpr auto fields = std::tuple(&Plane<N, T>::normal, &Plane<N, T>::offset);
+  static auto any(const Source<N, T>& from) { return any_level<Plane, N, T>(from); }
+};
+
+template <Dim N, class T>
+struct Entry<HalfSpace<N, T>> {
+  static constexpr std::string_view name = "HalfSpace";
+  static constexpr auto fields = std::tuple(&HalfSpace<N, T>::normal, &HalfSpace<N, T>::offset);
+  static auto any(const Source<N, T>& from) { return any_level<HalfSpace, N, T>(from); }
+};
+
+template <Dim N, class T>
+struct Entry<Triangle<N, T>> {
+  static constexpr std::string_view name = "Triangle";
+  static constexpr auto fields = std::tuple(&Triangle<N, T>::a, &Triangle<N, T>::b, &Triangle<N, T>::c);
+  static auto any(const Source<N, T>& from) { return aggregate<Triangle<N, T>>(from.point, from.point, from.point); }
+  static Vec<N, double> point_in(const Triangle<N, T>& triangle, const Vec<N, double>& w) {
+    const double along = 0.5 + w[0] / 2;
+    const double up = (0.5 + w[1] / 2) * along;
+    return wide<N, T>(triangle.a) * (1 - along) + wide<N, T>(triangle.b) * (along - up) + wide<N, T>(triangle.c) * up;
+  }
+};
+
+template <Dim N, class T>
+struct Entry<Capsule<N, T>> {
+  static constexpr std::string_view name = "Capsule";
+  static constexpr auto fields = std::tuple(&Capsule<N, T>::a, &Capsule<N, T>::b, &Capsule<N, T>::radius);
+  static auto any(const Source<N, T>& from) { return aggregate<Capsule<N, T>>(from.point, from.point, from.size); }
+  static Vec<N, double> point_in(const Capsule<N, T>& capsule, const Vec<N, double>& w) {
+    const Vec<N, double> center = Entry<Segment<N, T>>::point_in(axis(capsule), w);
+    return Entry<Sphere<N, double>>::point_in({center, static_cast<double>(capsule.radius)}, w);
+  }
+};
+
+/// One to `count` values, which shrink in number too.
+template <class S>
+rc::Gen<std::vector<S>> some(std::size_t count, const rc::Gen<S>& any) {
+  return rc::gen::mapcat(choice(count),
+                         [any](std::size_t more) { return rc::gen::container<std::vector<S>>(1 + more, any); });
+}
+
+/// Hulls of one to eight points.
+template <Dim N, class T>
+struct Entry<Polytope<N, T>> {
+  static constexpr std::string_view name = "Polytope";
+  static rc::Gen<Polytope<N, T>> any(const Source<N, T>& from) {
+    return rc::gen::map(some<Vec<N, T>>(8, from.point),
+                        [](const std::vector<Vec<N, T>>& points) { return convex_hull<N, T>(points); });
+  }
+  static Vec<N, double> point_in(const Polytope<N, T>& polytope, const Vec<N, double>& w) {
+    const std::size_t count = polytope.vertices().size();
+    const auto pick = static_cast<std::size_t>((0.5 + w[0] / 2) * 0.999 * static_cast<double>(count));
+    const Vec<N, T>& next = polytope.vertices()[(pick + 1) % count];
+    return Entry<Segment<N, T>>::point_in({polytope.vertices()[pick], next}, Vec<N, double>(w[1]));
+  }
+  static std::string source(const Polytope<N, T>& polytope) {
+    std::string points;
+    for (const Vec<N, T>& vertex : polytope.vertices()) points += (points.empty() ? "" : ", ") + initializer(vertex);
+    return type_source<N, T>("convex_hull") + "(std::vector<" + type_source<N, T>("Vec") + ">{" + points + "})";
+  }
+};
+
+/// Any shape from a source, with compounds nested at most `depth` deep.
+template <Dim N, class T>
+rc::Gen<AnyShape<N, T>> any_shape_from(const Source<N, T>& from, int depth = 2);
+
+/// The C++ source of a value: an expression that can be pasted into a test (using namespace graze).
+template <Catalogued S>
+std::string to_source(const S& value);
+
+template <Dim N, class T>
+std::string to_source(const AnyShape<N, T>& shape) {
+  return std::visit([](const auto& held) { return to_source(held); }, shape);
+}
+
+/// No part to three parts of any type.
+template <Dim N, class T>
+struct Entry<Compound<N, T>> {
+  static constexpr std::string_view name = "Compound";
+  static rc::Gen<Compound<N, T>> any(const Source<N, T>& from, int depth = 2) {
+    const rc::Gen<AnyShape<N, T>> part = any_shape_from<N, T>(from, depth - 1);
+    return rc::gen::mapcat(choice(4), [part](std::size_t count) {
+      return rc::gen::map(rc::gen::container<std::vector<AnyShape<N, T>>>(count, part),
+                          [](std::vector<AnyShape<N, T>> parts) { return compound_of<N, T>(std::move(parts)); });
+    });
+  }
+  static std::string source(const Compound<N, T>& compound) {
+    std::string parts;
+    for (const Part<N, T>& part : compound.parts) parts += (parts.empty() ? "" : ", ") + to_source(part.shape);
+    return type_source<N, T>("compound_of") + "({" + parts + "})";
+  }
+};
+
+template <Dim N, class T>
+struct Entry<Pose<N, T>> {
+  static constexpr std::string_view name = "Pose";
+  static constexpr auto fields = std::tuple(&Pose<N, T>::rotation, &Pose<N, T>::position);
+  static auto any(const Source<N, T>& from) { return aggregate<Pose<N, T>>(any_rotation<N, T>(), from.point); }
+};
+
+template <template <Dim, class> class S, Dim N, class T>
+std::string fields_source(const S<N, T>& value) {
+  const auto join = [&value](auto... fields) {
+    std::string text;
+    ((text += (text.empty() ? "" : ", ") + initializer(value.*fields)), ...);
+    return text;
+  };
+  return type_source<N, T>(Entry<S<N, T>>::name) + "{" + std::apply(join, Entry<S<N, T>>::fields) + "}";
+}
+
+template <Catalogued S>
+std::string to_source(const S& value) {
+  if constexpr (requires { Entry<S>::source(value); }) {
+    return Entry<S>::source(value);
+  } else {
+    return fields_source(value);
+  }
+}
+
+/// The alternatives of AnyShape by index, the later ones shrinking to the earlier ones.
+template <Dim N, class T>
+rc::Gen<AnyShape<N, T>> any_shape_from(const Source<N, T>& from, int depth) {
+  using Any = AnyShape<N, T>;
+  constexpr std::size_t simple = std::variant_size_v<Any> - 1;  // the last is the compound
+  static_assert(std::is_same_v<std::variant_alternative_t<simple, Any>, Compound<N, T>>);
+  const auto widen = [](auto shape) { return Any(std::move(shape)); };
+  return rc::gen::mapcat(choice(depth > 0 ? simple + 1 : simple), [=](std::size_t index) {
+    if (index == simple) return rc::Gen<Any>(rc::gen::map(Entry<Compound<N, T>>::any(from, depth), widen));
+    return [&]<std::size_t... Indices>(std::index_sequence<Indices...>) {
+      const std::array<rc::Gen<Any>, simple> all = {
+          rc::gen::map(Entry<std::variant_alternative_t<Indices, Any>>::any(from), widen)...};
+      return all[index];
+    }
+    (std::make_index_sequence<simple>());
+  });
+}
+
+template <Dim N, class T>
+struct Entry<AnyShape<N, T>> {
+  static constexpr std::string_view name = "AnyShape";
+  static auto any(const Source<N, T>& from) { return any_shape_from<N, T>(from); }
+  static std::string source(const AnyShape<N, T>& shape) { return to_source<N, T>(shape); }
+};
+
+/// The space of a shape or a pose.
+template <class S>
+struct SpaceOf : ShapeTraits<S> {};
+template <Dim N, class T>
+struct SpaceOf<Pose<N, T>> : Space<N, T> {};
+
+template <class S>
+using SourceFor = Source<SpaceOf<S>::dimension, typename SpaceOf<S>::scalar>;
+
+/// A shape or pose of this type.
+template <Catalogued S>
+rc::Gen<S> any() {
+  return rc::gen::mapcat(any_source<SpaceOf<S>::dimension, typename SpaceOf<S>::scalar>(),
+                         [](const SourceFor<S>& from) { return rc::Gen<S>(Entry<S>::any(from)); });
+}
+
+/// A shape of any type, compounds with two levels included.
+template <Dim N, class T>
+rc::Gen<AnyShape<N, T>> any_shape() {
+  return any<AnyShape<N, T>>();
+}
+
+template <Dim N, class T>
+rc::Gen<Pose<N, T>> any_pose() {
+  return any<Pose<N, T>>();
+}
+
+/// Two shapes made of the same kind of numbers, which often share points: a fair part of them touch or overlap.
+template <Catalogued A, Catalogued B>
+rc::Gen<std::pair<A, B>> any_pair() {
+  return rc::gen::mapcat(any_source<SpaceOf<A>::dimension, typename SpaceOf<A>::scalar>(),
+                         [](const SourceFor<A>& from) {
+                           return rc::gen::pair(rc::Gen<A>(Entry<A>::any(from)), rc::Gen<B>(Entry<B>::any(from)));
+                         });
+}
+
+/// Calls visit(std::type_identity<S>()) for every alternative S of AnyShape.
+template <Dim N, class T, class Visit>
+void for_each_shape_type(Visit visit) {
+  [&]<class... S>(std::type_identity<std::variant<S...>>) {
+    (visit(std::type_identity<S>()), ...);
+  }(std::type_identity<AnyShape<N, T>>());
+}
+
+/// Runs `property` (a function of catalogued types, or one that draws its values by `*any_...()`) as RC_GTEST_PROP
+/// does, inside any test: in TYPED_TEST, for instance. A failure prints the smallest case found as C++ source.
+template <class Property>
+void check_property(Property&& property) {
+  rc::detail::checkGTest(std::forward<Property>(property));
+}
+
+}  // namespace graze::test
+
+template <graze::test::Catalogued S>
+struct rc::Arbitrary<S> {
+  static rc::Gen<S> arbitrary() { return graze::test::any<S>(); }
+};
+
+// Failure messages find these by the argument's namespace.
+namespace graze {
+template <test::Catalogued S>
+std::ostream& operator<<(std::ostream& out, const S& value) {
+  return out << test::to_source(value);
+}
+}  // namespace graze
+
+namespace glm {
+template <graze::Dim N, graze::Scalar T>
+std::ostream& operator<<(std::ostream& out, const graze::Vec<N, T>& value) {
+  return out << graze::test::to_source(value);
+}
+}  // namespace glm

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// Numbers that callers should not send but do, put into every place of every shape.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string_view>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include <graze/math/vec.hpp>
+#include <graze/shape/shape.hpp>
+
+#include "../catalogue.hpp"
+
+namespace graze::test {
+
+template <class T>
+using limits = std::numeric_limits<T>;
+
+template <class T>
+inline constexpr std::array<T, 11> nasty_values = {limits<T>::quiet_NaN(),
+                                                   limits<T>::infinity(),
+                                                   -limits<T>::infinity(),
+                                                   limits<T>::max(),
+                                                   limits<T>::lowest(),
+                                                   T(-1),
+                                                   T(1),
+                                                   T(0),
+                                                   -T(0),
+                                                   limits<T>::denorm_min(),
+                                                   -limits<T>::denorm_min()};
+
+/// Writes one number of a field: the field itself, a coordinate, or an entry of a matrix by columns.
+template <Scalar T>
+void set_number(T& field, Dim, T value) {
+  field = value;
+}
+template <Dim N, class T>
+void set_number(Vec<N, T>& field, Dim index, T value) {
+  field[index] = value;
+}
+template <Dim N, class T>
+void set_number(Mat<N, T>& field, Dim index, T value) {
+  field[index / N][index % N] = value;
+}
+
+/// Replaces every number of `shape` in turn by every nasty value and compares `defect` with what is expected: one
+/// function of (value, index) for each field, in the fields' order. Counts the cases.
+template <class S, class... Expected>
+std::size_t expect_defects(const S& shape, const Expected&... expected) {
+  using T = scalar_of<S>;
+  std::size_t cases = 0;
+  const auto replace_in = [&](auto field, const auto& expected_defect) {
+    constexpr std::size_t count = sizeof(shape.*field) / sizeof(T);
+    for (Dim index = 0; index < static_cast<Dim>(count); ++index) {
+      for (const T value : nasty_values<T>) {
+        S changed = shape;
+        set_number(changed.*field, index, value);
+        EXPECT_EQ(defect(changed), expected_defect(value, index)) << to_source(changed);
+        EXPECT_EQ(is_valid(changed), expected_defect(value, index).empty()) << to_source(changed);
+        ++cases;
+      }
+    }
+  };
+  std::apply([&](auto... fields) { (replace_in(fields, expected), ...); }, Entry<S>::fields);
+  return cases;
+}
+
+/// A field whose numbers must be finite, and may be anything else.
+inline auto finite(std::string_view otherwise) {
+  return [otherwise](auto value, Dim) { return std::isfinite(value) ? std::string_view() : otherwise; };
+}
+
+/// A size: finite, and not below zero (minus zero is not).
+inline auto finite_size(std::string_view not_finite, std::string_view negative) {
+  return [=](auto value, Dim) {
+    if (!std::isfinite(value)) return not_finite;
+    return value < 0 ? negative : std::string_view();
+  };
+}
+
+/// A direction whose coordinates are zero but for one: finite, and that one not zero.
+inline auto direction_along(Dim axis, std::string_view not_finite, std::string_view zero) {
+  return [=](auto value, Dim index) {
+    if (!std::isfinite(value)) return not_finite;
+    return index == axis && value == 0 ? zero : std::string_view();
+  };
+}
+
+}  // namespace graze::test

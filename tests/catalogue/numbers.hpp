@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+// Random numbers, points, directions and rotations for tests: of one kind at a time, so that shapes made of them meet,
+// touch, coincide and degenerate often. All of them shrink to few and small decimals.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <rapidcheck.h>
+
+#include <graze/math/pose.hpp>
+#include <graze/math/vec.hpp>
+
+namespace graze::test {
+
+/// Numbers simpler than x, the simplest first: zero, fewer decimals, smaller, positive. None is longer or larger than
+/// x, so that shrinking ends.
+template <class T>
+std::vector<T> simpler(T x) {
+  std::vector<T> candidates;
+  if (x == T(0)) return candidates;
+  candidates.push_back(T(0));
+  const auto offer = [&candidates, x](double value) {
+    const T candidate = static_cast<T>(value);
+    if (candidate != x && candidate != T(0)) candidates.push_back(candidate);
+  };
+  const double value = static_cast<double>(x);
+  for (const double step : {1.0, 10.0, 100.0, 1000.0}) offer(std::trunc(value * step) / step);
+  if (value == std::trunc(value)) {
+    offer(std::trunc(value / 2));
+    offer(value - std::copysign(1.0, value));
+  }
+  if (value < 0) offer(-value);
+  return candidates;
+}
+
+/// A generator of whatever `draw(random)` makes, regardless of RapidCheck's size, shrinking to simpler numbers.
+template <class T, class Draw>
+rc::Gen<T> drawn(Draw draw) {
+  return [draw](const rc::Random& random, int) {
+    rc::Random engine(random);
+    return rc::shrinkable::shrinkRecur(static_cast<T>(draw(engine)),
+                                       [](T x) { return rc::seq::fromContainer(simpler(x)); });
+  };
+}
+
+/// A uniform number in [low, high).
+inline double between(rc::Random& random, double low, double high) {
+  return low + (high - low) * (static_cast<double>(random.next() >> 11U) * 0x1p-53);
+}
+
+/// A uniform whole number in [low, high].
+inline double whole(rc::Random& random, int low, int high) { return std::floor(between(random, low, high + 1.0)); }
+
+/// A uniform choice among `count` things, which shrinks to the first.
+inline rc::Gen<std::size_t> choice(std::size_t count) {
+  return drawn<std::size_t>([count](rc::Random& random) { return static_cast<std::size_t>(random.next() % count); });
+}
+
+/// The kinds of numbers a test case is made of; one case uses one kind throughout.
+enum class Kind {
+  grid,     ///< Small whole numbers: exact touching, many coincidences.
+  nudged,   ///< The same, some of them a few ulp off: almost touching.
+  uniform,  ///< -10 to 10.
+  scales,   ///< 1e-6 to 1e6, both signs.
+  far,      ///< Within 10 of 1e6: small shapes far from the origin.
+};
+inline constexpr std::array<Kind, 5> kinds = {Kind::grid, Kind::nudged, Kind::uniform, Kind::scales, Kind::far};
+
+/// A whole number in [low, high], in about one case of two up to three ulp off; zero is off by an ulp of one, for
+/// denormal numbers are another matter.
+template <class T>
+T nudged(rc::Random& random, int low, int high) {
+  const T x = static_cast<T>(whole(random, low, high));
+  const auto ulps = static_cast<T>(whole(random, -3, 3));
+  const bool off = whole(random, 0, 1) == 1;
+  const T ulp = std::numeric_limits<T>::epsilon() * (x == T(0) ? T(1) : std::exp2(std::floor(std::log2(std::fabs(x)))));
+  return off ? x + ulps * ulp : x;
+}
+
+template <class T>
+T draw_coordinate(Kind kind, rc::Random& random) {
+  switch (kind) {
+    case Kind::grid:
+      return static_cast<T>(whole(random, -4, 4));
+    case Kind::nudged:
+      return nudged<T>(random, -4, 4);
+    case Kind::uniform:
+      return static_cast<T>(between(random, -10, 10));
+    case Kind::scales:
+      return static_cast<T>(std::pow(10, between(random, -6, 6)) * (whole(random, 0, 1) == 0 ? 1 : -1));
+    case Kind::far:
+      return static_cast<T>(1e6 + between(random, -10, 10));
+  }
+  return T(0);
+}
+
+/// Zero in at least one case of five.
+template <class T>
+T draw_size(Kind kind, rc::Random& random) {
+  if (whole(random, 1, 5) == 1) return T(0);
+  switch (kind) {
+    case Kind::grid:
+      return static_cast<T>(whole(random, 0, 3));
+    case Kind::nudged:
+      return nudged<T>(random, 1, 3);
+    case Kind::scales:
+      return static_cast<T>(std::pow(10, between(random, -6, 6)));
+    default:
+      return static_cast<T>(between(random, 0, 5));
+  }
+}
+
+/// One coordinate of a direction: zero in one case of three, so that a direction along an axis is common.
+template <class T>
+T draw_slope(Kind kind, rc::Random& random) {
+  if (whole(random, 1, 3) == 1) return T(0);
+  switch (kind) {
+    case Kind::grid:
+      return static_cast<T>(whole(random, -2, 2));
+    case Kind::far:
+      return static_cast<T>(between(random, -1, 1));
+    default:
+      return draw_coordinate<T>(kind, random);
+  }
+}
+
+/// A vector whose coordinates come from one generator.
+template <Dim N, class T>
+rc::Gen<Vec<N, T>> vector_of(const rc::Gen<T>& coordinate) {
+  if constexpr (N == 2) {
+    return rc::gen::apply([](T x, T y) { return Vec<2, T>(x, y); }, coordinate, coordinate);
+  } else {
+    return rc::gen::apply([](T x, T y, T z) { return Vec<3, T>(x, y, z); }, coordinate, coordinate, coordinate);
+  }
+}
+
+/// What the shapes of one test case are made of.
+template <Dim N, class T>
+struct Source {
+  rc::Gen<Vec<N, T>> point;
+  rc::Gen<T> size;               ///< Zero or more.
+  rc::Gen<Vec<N, T>> direction;  ///< Not zero, of any length.
+};
+
+/// Numbers of one kind, each drawn on its own.
+template <Dim N, class T>
+Source<N, T> source_of(Kind kind) {
+  return {
+      vector_of<N, T>(drawn<T>([kind](rc::Random& random) { return draw_coordinate<T>(kind, random); })),
+      drawn<T>([kind](rc::Random& random) { return draw_size<T>(kind, random); }),
+      rc::gen::suchThat(vector_of<N, T>(drawn<T>([kind](rc::Random& random) { return draw_slope<T>(kind, random); })),
+                        [](const Vec<N, T>& direction) { return max_abs(direction) > T(0); })};
+}
+
+/// A source whose points are, in one case of two, one of two points or the middle between them: corners, centers and
+/// ends coincide, and three of them lie on a line.
+template <Dim N, class T>
+Source<N, T> sharing(const Source<N, T>& source, const Vec<N, T>& p, const Vec<N, T>& q) {
+  const Vec<N, T> middle = p * T(0.5) + q * T(0.5);
+  Source<N, T> shared = source;
+  shared.point = rc::gen::weightedOneOf<Vec<N, T>>(
+      {{4, source.point}, {2, rc::gen::just(p)}, {1, rc::gen::just(q)}, {1, rc::gen::just(middle)}});
+  return shared;
+}
+
+/// A source for one test case: its shapes share a kind of numbers, and often points.
+template <Dim N, class T>
+rc::Gen<Source<N, T>> any_source() {
+  return rc::gen::mapcat(choice(kinds.size()), [](std::size_t kind) {
+    const Source<N, T> source = source_of<N, T>(kinds[kind]);
+    return rc::gen::apply([source](const Vec<N, T>& p, const Vec<N, T>& q) { return sharing<N, T>(source, p, q); },
+                          source.point, source.point);
+  });
+}
+
+/// The matrix rounded to T, without negative zeros.
+template <Dim N, class T>
+Mat<N, T> rounded(const Mat<N, double>& matrix) {
+  Mat<N, T> result;
+  for (Dim j = 0; j < N; ++j) result[j] = Vec<N, T>(matrix[j]) + T(0);
+  return result;
+}
+
+/// Quarter turns.
+inline rc::Gen<double> any_quarter() {
+  return rc::gen::map(drawn<int>([](rc::Random& random) { return whole(random, -1, 2); }),
+                      [](int quarters) { return 90.0 * quarters; });
+}
+
+/// Degrees: quarter turns, almost quarter turns (1e-8 to 1e-6 radians off), and any angle.
+inline rc::Gen<double> any_degrees() {
+  const rc::Gen<double> off = drawn<double>([](rc::Random& random) {
+    return std::pow(10, between(random, -8, -6)) * (180 / 3.14159265358979323846) * whole(random, -1, 1);
+  });
+  return rc::gen::oneOf(any_quarter(), drawn<double>([](rc::Random& random) { return between(random, -180, 180); }),
+                        rc::gen::apply([](double quarter, double rest) { return quarter + rest; }, any_quarter(), off));
+}
+
+/// A proper rotation: exact to the last bit at quarter turns about the axes, else orthonormal up to rounding.
+template <Dim N, class T>
+rc::Gen<Mat<N, T>> any_rotation() {
+  if constexpr (N == 2) {
+    return rc::gen::map(any_degrees(), [](double degrees) { return rounded<2, T>(rotation_matrix(degrees)); });
+  } else {
+    // Euler's angles about z, x, z reach all 24 rotations of the cube.
+    const auto quarters = rc::gen::apply(
+        [](double a, double b, double c) {
+          const Vec<3, double> z = unit_axis<3>(2);
+          return rounded<3, T>(rotation_matrix(z, a) * rotation_matrix(unit_axis<3>(0), b) * rotation_matrix(z, c));
+        },
+        any_quarter(), any_quarter(), any_quarter());
+    const auto about = [](const rc::Gen<Vec<3, double>>& any_axis) {
+      return rc::gen::apply(
+          [](const Vec<3, double>& axis, double degrees) { return rounded<3, T>(rotation_matrix(axis, degrees)); },
+          any_axis, any_degrees());
+    };
+    return rc::gen::oneOf(quarters, about(source_of<3, double>(Kind::grid).direction),
+                          about(source_of<3, double>(Kind::uniform).direction));
+  }
+}
+
+}  // namespace graze::test
