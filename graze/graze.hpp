@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Everything below io: shapes, queries, many things at once, scenes. Files are read by <graze/io/scene_file.hpp>.
+#pragma once
+
+#include <graze/broad/brute_force.hpp>
+#include <graze/broad/pairs.hpp>
+#include <graze/query/bounds.hpp>
+#include <graze/query/convex_parts.hpp>
+#include <graze/query/distance_squared.hpp>
+#include <graze/query/epa.hpp>
+#include <graze/query/gjk.hpp>
+#include <graze/query/intersects.hpp>
+#include <graze/query/outline.hpp>
+#include <graze/query/relation.hpp>
+#include <graze/query/transformed.hpp>
+#include <graze/scene/scene.hpp>
+#include <graze/shape/any_shape.hpp>

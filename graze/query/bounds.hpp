@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// bounds(shape): the smallest axis-aligned box in T that contains the shape, rounded outward: never smaller than the
+// shape, exact where the numbers allow it. A user's convex shape gets the generic form at the end.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <graze/math/rounding.hpp>
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/shape/any_shape.hpp>
+#include <graze/shape/shape.hpp>
+
+namespace graze {
+
+template <Dim N, class T>
+Aabb<N, T> bounds(const Vec<N, T>& point) {
+  return {point, point};
+}
+
+template <Dim N, class T>
+Aabb<N, T> bounds(const Segment<N, T>& segment) {
+  return Aabb<N, T>::from_corners(segment.start, segment.end);
+}
+
+/// Infinite on the sides that the ray runs to.
+template <Dim N, class T>
+Aabb<N, T> bounds(const Ray<N, T>& ray) {
+  Aabb<N, T> box{ray.origin, ray.origin};
+  for (Dim i = 0; i < N; ++i) {
+    if (ray.direction[i] > T(0)) box.max[i] = std::numeric_limits<T>::infinity();
+    if (ray.direction[i] < T(0)) box.min[i] = -std::numeric_limits<T>::infinity();
+  }
+  return box;
+}
+
+namespace detail {
+/// `box` extended by `radius` on all sides, rounded outward.
+template <Dim N, class T>
+Aabb<N, T> inflated(Aabb<N, T> box, T radius) {
+  for (Dim i = 0; i < N; ++i) {
+    box.min[i] = round_down<T>(add_down(static_cast<double>(box.min[i]), -static_cast<double>(radius)));
+    box.max[i] = round_up<T>(add_up(static_cast<double>(box.max[i]), static_cast<double>(radius)));
+  }
+  return box;
+}
+}  // namespace detail
+
+template <Dim N, class T>
+Aabb<N, T> bounds(const Sphere<N, T>& sphere) {
+  return detail::inflated(Aabb<N, T>{sphere.center, sphere.center}, sphere.radius);
+}
+
+template <Dim N, class T>
+Aabb<N, T> bounds(const Aabb<N, T>& box) {
+  return box;
+}
+
+/// Along coordinate i the box reaches sum_j |axes[j][i]| * half_extents[j] from its center.
+template <Dim N, class T>
+Aabb<N, T> bounds(const Obb<N, T>& box) {
+  Aabb<N, T> result;
+  for (Dim i = 0; i < N; ++i) {
+    double reach = 0;
+    for (Dim j = 0; j < N; ++j) {
+      const double slope = std::fabs(static_cast<double>(box.axes[j][i]));
+      reach = add_up(reach, multiply_up(slope, static_cast<double>(box.half_extents[j])));
+    }
+    const double center = static_cast<double>(box.center[i]);
+    result.min[i] = round_down<T>(add_down(center, -reach));
+    result.max[i] = round_up<T>(add_up(center, reach));
+  }
+  return result;
+}
+
+namespace detail {
+/// The coordinate that a plane is perpendicular to, or -1: only then is the plane bounded anywhere.
+template <Dim N, class T>
+Dim only_axis(const Vec<N, T>& normal) {
+  Dim axis = -1;
+  for (Dim i = 0; i < N; ++i) {
+    if (normal[i] == T(0)) continue;
+    if (axis >= 0) return -1;
+    axis = i;
+  }
+  return axis;
+}
+
+/// Where a plane perpendicular to axis i crosses it, enclosed: the quotient is rounded to nearest, then stepped both
+/// ways unless the division was certainly exact.
+template <Dim N, class T>
+std::pair<T, T> crossing(const Plane<N, T>& plane, Dim axis) {
+  const double slope = static_cast<double>(plane.normal[axis]);  // not zero: the axis was chosen so
+  const double offset = static_cast<double>(plane.offset);
+  const double quotient = offset / slope;
+  const bool remainder_known = std::fabs(offset) >= least_product_with_error;
+  const bool exact = offset == 0 || (remainder_known && std::fma(quotient, slope, -offset) == 0);
+  return {round_down<T>(exact ? quotient : next_down(quotient)), round_up<T>(exact ? quotient : next_up(quotient))};
+}
+}  // namespace detail
+
+/// Infinite, but across the axis of a plane that is perpendicular to one.
+template <Dim N, class T>
+Aabb<N, T> bounds(const Plane<N, T>& plane) {
+  Aabb<N, T> box = Aabb<N, T>::everything();
+  const Dim axis = detail::only_axis(plane.normal);
+  if (axis < 0) return box;
+  std::tie(box.min[axis], box.max[axis]) = detail::crossing(plane, axis);
+  return box;
+}
+
+/// Infinite, but for one side of a half-space whose plane is perpendicular to an axis.
+template <Dim N, class T>
+Aabb<N, T> bounds(const HalfSpace<N, T>& solid) {
+  Aabb<N, T> box = Aabb<N, T>::everything();
+  const Dim axis = detail::only_axis(solid.normal);
+  if (axis < 0) return box;
+  const auto [low, high] = detail::crossing(boundary(solid), axis);
+  if (solid.normal[axis] > T(0)) {
+    box.max[axis] = high;
+  } else {
+    box.min[axis] = low;
+  }
+  return box;
+}
+
+template <Dim N, class T>
+Aabb<N, T> bounds(const Triangle<N, T>& triangle) {
+  Aabb<N, T> box = Aabb<N, T>::from_corners(triangle.a, triangle.b);
+  box.grow(triangle.c);
+  return box;
+}
+
+template <Dim N, class T>
+Aabb<N, T> bounds(const Capsule<N, T>& capsule) {
+  return detail::inflated(bounds(axis(capsule)), capsule.radius);
+}
+
+template <Dim N, class T>
+Aabb<N, T> bounds(const Polytope<N, T>& polytope) {
+  Aabb<N, T> box = Aabb<N, T>::nothing();
+  for (const Vec<N, T>& vertex : polytope.vertices()) box.grow(vertex);
+  return box;
+}
+
+/// The box that contains nothing, for a compound without parts.
+template <Dim N, class T>
+Aabb<N, T> bounds(const Compound<N, T>& compound) {
+  Aabb<N, T> box = Aabb<N, T>::nothing();
+  for (const Part<N, T>& part : compound.parts) box.grow(part.box);
+  return box;
+}
+
+template <Dim N, class T>
+Aabb<N, T> bounds(const AnyShape<N, T>& shape) {
+  return std::visit([](const auto& held) { return bounds(held); }, shape);
+}
+
+/// A user's convex shape: its supports along the axes, widened by the rounding that `support` may have suffered.
+template <Convex S>
+Aabb<dimension_of<S>, scalar_of<S>> bounds(const S& shape) {
+  constexpr Dim N = dimension_of<S>;
+  using T = scalar_of<S>;
+  Aabb<N, T> box;
+  for (Dim i = 0; i < N; ++i) {
+    const double high = static_cast<double>(support(shape, unit_axis<N, T>(i))[i]);
+    const double low = static_cast<double>(support(shape, -unit_axis<N, T>(i))[i]);
+    const double slack = tolerance::convex_in<T> * std::fmax(std::fabs(high), std::fabs(low));
+    box.min[i] = round_down<T>(low - slack);
+    box.max[i] = round_up<T>(high + slack);
+  }
+  return box;
+}
+
+/// A box grown by more than the rounding that `relation` may call touching (math/tolerance.hpp): shapes whose grown
+/// boxes do not overlap are apart for certain. Infinite and empty boxes stay.
+template <Dim N, class T>
+Aabb<N, T> touching_bounds(Aabb<N, T> box) {
+  double size = 0;
+  for (Dim i = 0; i < N; ++i) {
+    for (const T side : {box.min[i], box.max[i]}) {
+      if (std::isfinite(side)) size = std::fmax(size, std::fabs(static_cast<double>(side)));
+    }
+  }
+  const double slack = tolerance::box_slack * size;
+  for (Dim i = 0; i < N; ++i) {
+    box.min[i] = round_down<T>(static_cast<double>(box.min[i]) - slack);
+    box.max[i] = round_up<T>(static_cast<double>(box.max[i]) + slack);
+  }
+  return box;
+}
+
+/// The union of shapes; moves them in and calculates the box of each.
+template <Dim N, class T>
+Compound<N, T> compound_of(std::vector<AnyShape<N, T>> shapes) {
+  Compound<N, T> compound;
+  compound.parts.reserve(shapes.size());
+  for (AnyShape<N, T>& shape : shapes) {
+    const Aabb<N, T> box = bounds(shape);
+    compound.parts.push_back({std::move(shape), box});
+  }
+  return compound;
+}
+
+}  // namespace graze

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// The penetration depth of any two convex shapes: the length of the least translation that parts them.
+// van den Bergen, "Proximity queries and penetration depth computation on 3D game objects" (2001), section 4.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/gjk.hpp>
+#include <graze/query/growing_hull.hpp>
+#include <graze/query/status.hpp>
+#include <graze/query/wide_support.hpp>
+#include <graze/shape/shape.hpp>
+
+namespace graze {
+
+/// The depth of two convex shapes that meet, enclosed: lower <= depth <= upper, up to `resolution`.
+template <Dim N>
+struct EpaResult {
+  double lower = 0;  ///< A ball of this radius around the origin is in the set of differences a - b.
+  double upper = std::numeric_limits<double>::infinity();  ///< Moving b by `normal` * upper parts the shapes.
+  double resolution = 0;  ///< The rounding of support points: both bounds may be off by it.
+  Vec<N, double> normal = unit_axis<N>(0);
+  Status status = Status::converged;
+  int iterations = 0;
+};
+
+/// When an answer about a threshold is enough: stops as soon as lower > threshold or upper <= threshold, by more than
+/// rounding.
+struct EpaOptions {
+  double threshold = std::numeric_limits<double>::quiet_NaN();  ///< NaN: go on until the bounds meet.
+};
+
+namespace detail {
+
+inline constexpr int epa_iteration_limit = 128;
+
+/// Collects the bounds of an expanding polytope.
+template <class Differences>
+class Expansion {
+ public:
+  static constexpr Dim N = Differences::dimension;
+  using Point = Vec<N, double>;
+
+  Expansion(Differences& differences, const EpaOptions& options) : differences_(differences), options_(options) {}
+
+  EpaResult<N> run(const Simplex<N>& simplex) {
+    std::optional<std::vector<Point>> points = spanning_points(simplex);
+    if (points) expand(GrowingHull<N>(*points));
+    result_.resolution = differences_.resolution();
+    return result_;
+  }
+
+ private:
+  /// The support point along a unit direction; its height bounds the depth from above, whatever the direction.
+  Point probe(const Point& direction) {
+    const Point point = differences_.support(direction);
+    const double height = std::max(dot(direction, point), 0.0);
+    if (height < result_.upper) {
+      result_.upper = height;
+      result_.normal = direction;
+    }
+    return point;
+  }
+
+  /// Points whose hull holds the simplex and has an inside, or nothing if the difference set is so flat that the depth
+  /// is within rounding: then the upper bound says so. Across the span of the points so far, both extremes are added.
+  std::optional<std::vector<Point>> spanning_points(const Simplex<N>& simplex) {
+    std::vector<Point> points(simplex.points.begin(),
+                              simplex.points.begin() + static_cast<std::ptrdiff_t>(simplex.size));
+    Frame<N> frame;
+    for (std::size_t i = 1; i < simplex.size; ++i) frame.add(points[i] - points[0], differences_.resolution());
+    while (!frame.is_full()) {
+      const Point across = frame.across();
+      const Point high = probe(across);
+      const Point low = probe(-across);
+      if (result_.upper <= differences_.resolution()) return std::nullopt;
+      points.push_back(high);
+      points.push_back(low);
+      if (!frame.add(high - low, 0)) return std::nullopt;
+    }
+    return points;
+  }
+
+  /// Pushes the hull's face nearest to the origin outward until it is a face of the difference set itself.
+  void expand(GrowingHull<N> hull) {
+    for (; result_.iterations < epa_iteration_limit; ++result_.iterations) {
+      const auto face = hull.nearest_face();
+      if (!face) break;
+      const Point point = probe(face->normal);
+      const double resolution = differences_.resolution();
+      result_.lower = std::min(std::max({face->height, result_.lower, 0.0}), result_.upper);
+      if (result_.lower > options_.threshold + resolution || result_.upper <= options_.threshold) return;
+      if (result_.upper - result_.lower <= tolerance::gjk_relative_gap * result_.upper + resolution) return;
+      if (!hull.insert(point, *face)) break;
+    }
+    result_.status = Status::best_bound;
+  }
+
+  Differences& differences_;
+  EpaOptions options_;
+  EpaResult<N> result_;
+};
+
+}  // namespace detail
+
+/// The depth of two convex shapes that meet, given the simplex with which `gjk` found that they do. Flat sets of
+/// differences, such as those of two triangles in one plane, have depth 0. At most 128 steps; if they, or the numbers'
+/// precision, end before the bounds meet, the status says so.
+template <Convex A, SameDimension<A> B>
+EpaResult<dimension_of<A>> epa(const A& a, const B& b, const detail::Simplex<dimension_of<A>>& simplex,
+                               const EpaOptions& options = {}) {
+  detail::Difference<A, B> differences(a, b);
+  for (Dim i = 0; i < dimension_of<A>; ++i) differences.support(unit_axis<dimension_of<A>>(i));  // for the resolution
+  return detail::Expansion<detail::Difference<A, B>>(differences, options).run(simplex);
+}
+
+}  // namespace graze

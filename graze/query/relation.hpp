@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// relation(a, b): apart, touching or overlapping, for any two shapes of one space; the verdict under `intersects`.
+//
+// What decides it. C: a closed form. S: the supports along the plane's normal, a closed form for every convex shape. P:
+// part by part. G: GJK, then EPA. A point is a sphere of radius zero. The lower left half is the upper right one,
+// swapped.
+//
+//               segment ray sphere aabb obb plane half-space triangle capsule polytope compound user's
+//   point          C     C    C     C    C    S       S         G        C       G        P       G
+//   segment        C     C    C     C    C    S       S         G        C       G        P       G
+//   ray                  C    C     C    C    C       C         G        C       G        P       G
+//   sphere                    C     C    C    S       S         G        C       G        P       G
+//   aabb                            C    C    S       S         G        C       G        P       G
+//   obb                                  C    S       S         G        C       G        P       G
+//   plane                                     C       C         S        S       S        P       S
+//   half-space                                        C         S        S       S        P       S
+//   triangle                                                    G        G       G        P       G
+//   capsule                                                              C       G        P       G
+//   polytope                                                                     G        P       G
+//   compound                                                                              P       P
+//
+// Where the forms are: segments, spheres, boxes, capsules in relation_bounded.hpp; rays, planes, half-spaces in
+// relation_unbounded.hpp; G in relation_convex.hpp.
+//
+// Exact: aabb and point against aabb, points among themselves. The rest calculates in double and calls `touching` what
+// is nearer to touching than rounding can tell: C a few epsilon of the pair's own size, however far from the origin; S
+// and G a few epsilon of the largest coordinate (of T for a user's shape that calculates in T). Coordinates of
+// magnitude 1e-140 to 1e140: outside, squares leave the range of double.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <concepts>
+#include <variant>
+
+#include <graze/math/vec.hpp>
+#include <graze/query/bounds.hpp>
+#include <graze/query/relation_bounded.hpp>
+#include <graze/query/relation_convex.hpp>
+#include <graze/query/relation_unbounded.hpp>
+#include <graze/query/verdict.hpp>
+#include <graze/shape/any_shape.hpp>
+#include <graze/shape/shape.hpp>
+
+namespace graze {
+
+namespace detail {
+
+template <class A, class B>
+concept HasClosedForm = requires(const A& a, const B& b) {
+  closed_form(a, b);
+};
+
+template <class S>
+inline constexpr bool is_point = false;
+template <Dim N, class T>
+inline constexpr bool is_point<Vec<N, T>> = true;
+
+template <class S>
+inline constexpr bool is_compound = false;
+template <Dim N, class T>
+inline constexpr bool is_compound<Compound<N, T>> = true;
+
+template <class S>
+inline constexpr bool is_any_shape = false;
+template <Dim N, class T>
+inline constexpr bool is_any_shape<AnyShape<N, T>> = true;
+
+template <class A, class B>
+Relation decide(const A& a, const B& b);
+
+/// The closest of the parts decides; parts whose boxes are apart beyond all rounding are skipped.
+template <Dim N, class T, class S>
+Relation relation_of_parts(const Compound<N, T>& compound, const S& shape) {
+  const Aabb<N, T> box = touching_bounds(bounds(shape));
+  Relation closest = Relation::apart;
+  for (const Part<N, T>& part : compound.parts) {
+    if (closest == Relation::overlapping) break;
+    if (boxes_overlap(touching_bounds(part.box), box)) closest = std::max(closest, decide(part.shape, shape));
+  }
+  return closest;
+}
+
+/// The verdict, without asking whether the shapes are valid: nonsense may get a nonsensical verdict, but it ends, and
+/// NaN is apart from everything.
+template <class A, class B>
+Relation decide(const A& a, const B& b) {
+  if constexpr (is_any_shape<A>) {
+    return std::visit([&b](const auto& held) { return decide(held, b); }, a);
+  } else if constexpr (is_any_shape<B>) {
+    return std::visit([&a](const auto& held) { return decide(a, held); }, b);
+  } else if constexpr (is_compound<A>) {
+    return relation_of_parts(a, b);
+  } else if constexpr (is_compound<B>) {
+    return relation_of_parts(b, a);
+  } else if constexpr (is_point<A> && is_point<B>) {
+    return a == b ? Relation::touching : Relation::apart;
+  } else if constexpr (is_point<A>) {
+    return decide(Sphere<dimension_of<A>, scalar_of<A>>{a, 0}, b);
+  } else if constexpr (is_point<B>) {
+    return decide(a, Sphere<dimension_of<B>, scalar_of<B>>{b, 0});
+  } else if constexpr (HasClosedForm<A, B>) {
+    return closed_form(a, b);
+  } else if constexpr (HasClosedForm<B, A>) {
+    return closed_form(b, a);
+  } else {
+    return relation_of_convex_ordered(a, b);
+  }
+}
+
+/// A user's type need not have `defect`; then it is taken to be valid.
+template <class S>
+bool is_valid_if_known(const S& shape) {
+  if constexpr (requires { defect(shape); }) return is_valid(shape);
+  return true;
+}
+
+}  // namespace detail
+
+/// How two valid shapes (asserted) of the same dimension and number type lie to each other. Swapping the arguments
+/// changes nothing. A compound is the union of its parts; one without parts is apart from everything.
+template <Shape A, SameSpace<A> B>
+Relation relation(const A& a, const B& b) {
+  assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));
+  return detail::decide(a, b);
+}
+
+}  // namespace graze

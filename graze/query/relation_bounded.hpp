@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// The closed forms of relation.hpp for segments, spheres, boxes and capsules. Include relation.hpp.
+#pragma once
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/distance_squared.hpp>
+#include <graze/query/verdict.hpp>
+#include <graze/query/zonotope.hpp>
+#include <graze/shape/aabb.hpp>
+#include <graze/shape/capsule.hpp>
+#include <graze/shape/obb.hpp>
+#include <graze/shape/segment.hpp>
+#include <graze/shape/sphere.hpp>
+
+namespace graze::detail {
+
+// ---- Distance of cores against a reach. The distance can be off by epsilons of the vectors that it is calculated
+// from: those between the two cores and those along them.
+
+template <Dim N, class T>
+Vec<N, double> reference(const Vec<N, T>& point) {
+  return wide<N, T>(point);
+}
+
+template <Dim N, class T>
+double extent(const Vec<N, T>&) {
+  return 0;
+}
+
+template <Dim N, class T>
+Vec<N, double> reference(const Segment<N, T>& segment) {
+  return wide<N, T>(segment.start);
+}
+
+template <Dim N, class T>
+double extent(const Segment<N, T>& segment) {
+  return sum_abs(wide<N, T>(segment.end) - wide<N, T>(segment.start));
+}
+
+template <Dim N, class T>
+Vec<N, double> reference(const Aabb<N, T>& box) {
+  return wide<N, T>(box.min);
+}
+
+template <Dim N, class T>
+double extent(const Aabb<N, T>& box) {
+  return sum_abs(wide<N, T>(box.max) - wide<N, T>(box.min));
+}
+
+template <Dim N, class T>
+Vec<N, double> reference(const Obb<N, T>& box) {
+  return wide<N, T>(box.center);
+}
+
+template <Dim N, class T>
+double extent(const Obb<N, T>& box) {
+  return 2 * sum_abs(wide<N, T>(box.half_extents));
+}
+
+/// The verdict on two cores widened by `reach` in all. Where rounding hides whether the widened shapes touch, the cores
+/// may still cross deeply: `relation_of_cores` is asked. Swapping the cores changes no bit.
+template <class A, class B, class RelationOfCores>
+Relation relation_of_widened(const A& core_a, const B& core_b, double reach, const RelationOfCores& relation_of_cores) {
+  const double between = sum_abs(reference(core_b) - reference(core_a));
+  const double slack = tolerance::rounding * (between + (extent(core_a) + extent(core_b)) + reach);
+  const Relation verdict = verdict_on_distance(distance_squared(core_a, core_b), reach, slack);
+  if (verdict == Relation::touching && relation_of_cores() == Relation::overlapping) return Relation::overlapping;
+  return verdict;
+}
+
+/// Points against points and segments have no depth.
+constexpr Relation never_overlapping() { return Relation::touching; }
+
+/// Exact.
+template <Dim N, class T>
+Relation relation_of_boxes(const Aabb<N, T>& a, const Aabb<N, T>& b) {
+  Relation verdict = Relation::overlapping;
+  for (Dim i = 0; i < N; ++i) {
+    if (!(a.min[i] <= b.max[i] && b.min[i] <= a.max[i])) return Relation::apart;
+    if (a.min[i] == b.max[i] || b.min[i] == a.max[i]) verdict = Relation::touching;
+  }
+  return verdict;
+}
+
+// ---- Segment against ...
+
+/// In 3D two segments touch at most; in 2D they overlap when they cross.
+template <Dim N, class T>
+Relation closed_form(const Segment<N, T>& a, const Segment<N, T>& b) {
+  return relation_of_widened(a, b, 0, [&] {
+    const bool can_cross = N == 2 && a.start != a.end && b.start != b.end;
+    return can_cross ? relation_of_zonotopes(zonotope(a), zonotope(b)) : Relation::touching;
+  });
+}
+
+template <Dim N, class T>
+Relation closed_form(const Segment<N, T>& segment, const Sphere<N, T>& sphere) {
+  return relation_of_widened(sphere.center, segment, static_cast<double>(sphere.radius), never_overlapping);
+}
+
+template <Dim N, class T>
+Relation closed_form(const Segment<N, T>& segment, const Aabb<N, T>& box) {
+  return relation_of_zonotopes(zonotope(segment), zonotope(box));
+}
+
+template <Dim N, class T>
+Relation closed_form(const Segment<N, T>& segment, const Obb<N, T>& box) {
+  return relation_of_zonotopes(zonotope(segment), zonotope(box));
+}
+
+template <Dim N, class T>
+Relation closed_form(const Segment<N, T>& segment, const Capsule<N, T>& capsule) {
+  return relation_of_widened(segment, axis(capsule), static_cast<double>(capsule.radius),
+                             [&] { return closed_form(segment, axis(capsule)); });
+}
+
+// ---- Sphere against ...
+
+template <Dim N, class T>
+Relation closed_form(const Sphere<N, T>& a, const Sphere<N, T>& b) {
+  const double reach = static_cast<double>(a.radius) + static_cast<double>(b.radius);
+  return relation_of_widened(a.center, b.center, reach, never_overlapping);
+}
+
+template <Dim N, class T>
+Relation closed_form(const Sphere<N, T>& sphere, const Aabb<N, T>& box) {
+  const Relation core = relation_of_boxes(Aabb<N, T>{sphere.center, sphere.center}, box);
+  if (core == Relation::overlapping || sphere.radius == T(0)) return core;
+  // A sum of squares of differences, each rounded relative to itself: no larger than the radius where it matters.
+  const double radius = static_cast<double>(sphere.radius);
+  return verdict_on_distance(distance_squared(sphere.center, box), radius, tolerance::rounding * radius);
+}
+
+template <Dim N, class T>
+Relation closed_form(const Sphere<N, T>& sphere, const Obb<N, T>& box) {
+  return relation_of_widened(sphere.center, box, static_cast<double>(sphere.radius),
+                             [&] { return relation_of_zonotopes(zonotope(sphere.center), zonotope(box)); });
+}
+
+template <Dim N, class T>
+Relation closed_form(const Sphere<N, T>& sphere, const Capsule<N, T>& capsule) {
+  const double reach = static_cast<double>(sphere.radius) + static_cast<double>(capsule.radius);
+  return relation_of_widened(sphere.center, axis(capsule), reach, never_overlapping);
+}
+
+// ---- Box against ...
+
+template <Dim N, class T>
+Relation closed_form(const Aabb<N, T>& a, const Aabb<N, T>& b) {
+  return relation_of_boxes(a, b);
+}
+
+template <Dim N, class T>
+Relation closed_form(const Aabb<N, T>& a, const Obb<N, T>& b) {
+  return relation_of_zonotopes(zonotope(a), zonotope(b));
+}
+
+template <Dim N, class T>
+Relation closed_form(const Aabb<N, T>& box, const Capsule<N, T>& capsule) {
+  return relation_of_widened(axis(capsule), box, static_cast<double>(capsule.radius),
+                             [&] { return closed_form(axis(capsule), box); });
+}
+
+template <Dim N, class T>
+Relation closed_form(const Obb<N, T>& a, const Obb<N, T>& b) {
+  return relation_of_zonotopes(zonotope(a), zonotope(b));
+}
+
+template <Dim N, class T>
+Relation closed_form(const Obb<N, T>& box, const Capsule<N, T>& capsule) {
+  return relation_of_widened(axis(capsule), box, static_cast<double>(capsule.radius),
+                             [&] { return closed_form(axis(capsule), box); });
+}
+
+// ---- Capsule against capsule
+
+template <Dim N, class T>
+Relation closed_form(const Capsule<N, T>& a, const Capsule<N, T>& b) {
+  const double reach = static_cast<double>(a.radius) + static_cast<double>(b.radius);
+  return relation_of_widened(axis(a), axis(b), reach, [&] { return closed_form(axis(a), axis(b)); });
+}
+
+}  // namespace graze::detail

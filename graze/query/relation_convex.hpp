@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// relation.hpp for any two convex shapes without a closed form: GJK, then EPA where they meet. Include relation.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <variant>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/epa.hpp>
+#include <graze/query/gjk.hpp>
+#include <graze/query/verdict.hpp>
+#include <graze/query/wide_support.hpp>
+#include <graze/shape/any_shape.hpp>
+#include <graze/shape/shape.hpp>
+
+namespace graze::detail {
+
+/// Whether two cores that meet, for all that the distance says, do so with depth.
+template <Convex A, Convex B>
+Relation relation_of_meeting(const A& a, const B& b, const GjkResult<dimension_of<A>>& distance) {
+  const EpaResult<dimension_of<A>> depth = epa(a, b, distance.simplex, EpaOptions{0});
+  return depth.lower > depth.resolution ? Relation::overlapping : Relation::touching;
+}
+
+/// The cores' distance against the sum of their radii.
+template <Convex A, Convex B>
+Relation relation_of_convex(const A& a, const B& b) {
+  const auto& core_a = core(a);
+  const auto& core_b = core(b);
+  const double reach = core_radius(a) + core_radius(b);
+  const GjkResult<dimension_of<A>> distance = gjk(core_a, core_b, GjkOptions{reach});
+  const double slack = distance.resolution + tolerance::rounding * reach;
+  if (!(distance.upper >= 0) || distance.lower > reach + slack) return Relation::apart;
+  if (distance.upper < reach - slack) return Relation::overlapping;
+  if (distance.lower > slack) return Relation::touching;
+  return relation_of_meeting(core_a, core_b, distance);
+}
+
+// ---- An order of shapes, so that swapped arguments take the same path.
+
+/// By type: the place in AnyShape, users' types last.
+template <class S, class... Shapes>
+constexpr std::size_t place_among(const std::variant<Shapes...>*) {
+  std::size_t place = 0;
+  (void)((std::is_same_v<S, Shapes> ? true : (++place, false)) || ...);
+  return place;
+}
+
+template <Shape S>
+inline constexpr std::size_t type_place =
+    place_among<S>(static_cast<const AnyShape<dimension_of<S>, scalar_of<S>>*>(nullptr));
+
+template <class Points>
+bool corners_come_first(const Points& a, const Points& b) {
+  using Point = typename Points::value_type;
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), [](const Point& p, const Point& q) {
+    for (Dim i = 0; i < Point::length(); ++i) {
+      if (p[i] != q[i]) return p[i] < q[i];
+    }
+    return false;
+  });
+}
+
+template <Dim N, class T>
+bool comes_first(const Triangle<N, T>& a, const Triangle<N, T>& b) {
+  return corners_come_first(a.vertices(), b.vertices());
+}
+
+template <Dim N, class T>
+bool comes_first(const Polytope<N, T>& a, const Polytope<N, T>& b) {
+  return corners_come_first(a.vertices(), b.vertices());
+}
+
+/// Users' types by where they reach along the axes; if all of that is equal, so are they for all we can see.
+template <Convex A, Convex B>
+bool comes_first(const A& a, const B& b) {
+  constexpr Dim N = dimension_of<A>;
+  for (Dim i = 0; i < N; ++i) {
+    for (const double sign : {-1.0, 1.0}) {
+      const Vec<N, double> direction = unit_axis<N>(i) * sign;
+      const Vec<N, double> on_a = wide_support(a, direction);
+      const Vec<N, double> on_b = wide_support(b, direction);
+      for (Dim k = 0; k < N; ++k) {
+        if (on_a[k] != on_b[k]) return on_a[k] < on_b[k];
+      }
+    }
+  }
+  return true;
+}
+
+/// The same for swapped arguments.
+template <Convex A, Convex B>
+Relation relation_of_convex_ordered(const A& a, const B& b) {
+  constexpr std::size_t first = type_place<A>;
+  constexpr std::size_t second = type_place<B>;
+  const bool in_order = first != second ? first < second : comes_first(a, b);
+  return in_order ? relation_of_convex(a, b) : relation_of_convex(b, a);
+}
+
+}  // namespace graze::detail

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// How queries look at any convex shape: as a core that has corners, widened by a radius, always in double.
+#pragma once
+
+#include <algorithm>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/shape/capsule.hpp>
+#include <graze/shape/segment.hpp>
+#include <graze/shape/shape.hpp>
+#include <graze/shape/sphere.hpp>
+
+namespace graze::detail {
+
+/// The support point in double. A shape that calculates in float gets a direction of moderate length, whatever ours is.
+template <Convex S>
+Vec<dimension_of<S>, double> wide_support(const S& shape, const Vec<dimension_of<S>, double>& direction) {
+  constexpr Dim N = dimension_of<S>;
+  if constexpr (SupportsIn<S, N, double>) {
+    return support(shape, direction);
+  } else {
+    using T = scalar_of<S>;
+    return wide<N, T>(support(shape, Vec<N, T>(direction / max_abs(direction))));  // queries never ask along zero
+  }
+}
+
+/// How far the support points of a shape may be off, relative to the largest coordinate.
+template <Convex S>
+inline constexpr double support_error =
+    SupportsIn<S, dimension_of<S>, double> ? tolerance::convex : tolerance::convex_in<scalar_of<S>>;
+
+// A round shape is its core widened by a radius: GJK is exact on cores in finitely many steps, on round surfaces never.
+
+template <Convex S>
+const S& core(const S& shape) {
+  return shape;
+}
+
+template <Convex S>
+double core_radius(const S&) {
+  return 0;
+}
+
+template <Dim N, class T>
+Vec<N, T> core(const Sphere<N, T>& sphere) {
+  return sphere.center;
+}
+
+template <Dim N, class T>
+double core_radius(const Sphere<N, T>& sphere) {
+  return static_cast<double>(sphere.radius);
+}
+
+template <Dim N, class T>
+Segment<N, T> core(const Capsule<N, T>& capsule) {
+  return axis(capsule);
+}
+
+template <Dim N, class T>
+double core_radius(const Capsule<N, T>& capsule) {
+  return static_cast<double>(capsule.radius);
+}
+
+/// The set of differences a - b of two convex shapes (Minkowski), known by its support points.
+template <Convex A, Convex B>
+class Difference {
+ public:
+  static constexpr Dim dimension = dimension_of<A>;
+  using Point = Vec<dimension, double>;
+
+  Difference(const A& a, const B& b) : a_(a), b_(b) {}
+
+  /// Remembers the largest coordinate met: the rounding of the difference is relative to it.
+  Point support(const Point& direction) {
+    const Point on_a = wide_support(a_, direction);
+    const Point on_b = wide_support(b_, -direction);
+    largest_ = std::max({largest_, max_abs(on_a), max_abs(on_b)});
+    return on_a - on_b;
+  }
+
+  /// What cannot be resolved: distances below it are zero for all we know.
+  double resolution() const { return std::max(support_error<A>, support_error<B>) * largest_; }
+
+ private:
+  const A& a_;
+  const B& b_;
+  double largest_ = 0;
+};
+
+}  // namespace graze::detail

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <graze/query/bounds.hpp>
+#include <graze/scene/scene.hpp>
+
+#include "catalogue.hpp"
+
+namespace graze {
+namespace {
+
+using World = Scene<2, double>;
+using Ball = Sphere<2, double>;
+
+std::string message_of(const auto& call) {
+  try {
+    call();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Scene, HandsBackWhatWasAdded) {
+  World scene;
+  const ObjectId id = scene.add(Ball{{1, 2}, 3}, {.name = "ball", .layer = 4, .mask = only_layer(4), .user = 77});
+  ASSERT_TRUE(scene.contains(id));
+  const Object<2, double>& object = scene.object(id);
+  EXPECT_EQ(std::get<Ball>(object.shape).radius, 3);
+  EXPECT_EQ(object.box, (Aabb<2, double>{{-2, -1}, {4, 5}}));
+  EXPECT_EQ(object.name, "ball");
+  EXPECT_EQ(object.layer, 4);
+  EXPECT_EQ(object.mask, only_layer(4));
+  EXPECT_EQ(object.user, 77U);
+  EXPECT_EQ(scene.find("ball"), id);
+  EXPECT_EQ(scene.find("bell"), std::nullopt);
+  EXPECT_EQ(scene.find(""), std::nullopt);
+  EXPECT_EQ(scene.size(), 1U);
+}
+
+TEST(Scene, FindsPairsInOrderOfAdding) {
+  World scene;
+  const ObjectId a = scene.add(Ball{{0, 0}, 1});
+  const ObjectId b = scene.add(Ball{{5, 0}, 1});
+  const ObjectId c = scene.add(Ball{{2, 0}, 1});  // touches a
+  const ObjectId d = scene.add(HalfSpace<2, double>{{0, 1}, 0});
+  EXPECT_EQ(scene.pairs(), (std::vector<ObjectPair>{{a, c}, {a, d}, {b, d}, {c, d}}));
+}
+
+TEST(Scene, TestsExactlyWhatOnlyTheBoxesSuggest) {
+  World scene;
+  const ObjectId a = scene.add(Ball{{0, 0}, 1});
+  const ObjectId b = scene.add(Ball{{1.5, 1.5}, 1});
+  EXPECT_EQ(scene.candidates(), (std::vector<ObjectPair>{{a, b}}));
+  EXPECT_TRUE(scene.pairs().empty());
+}
+
+TEST(Scene, AsksBothMasks) {
+  World scene;
+  const Layer walls = scene.layer("walls");
+  const Layer ghosts = scene.layer("ghosts");
+  EXPECT_EQ(scene.layer("walls"), walls);
+  EXPECT_EQ(scene.layer_names(), (std::vector<std::string>{"walls", "ghosts"}));
+  const ObjectId wall = scene.add(Ball{}, {.layer = walls});
+  const ObjectId ghost = scene.add(Ball{}, {.layer = ghosts, .mask = only_layer(ghosts)});
+  const ObjectId other_ghost = scene.add(Ball{}, {.layer = ghosts});
+  EXPECT_EQ(scene.pairs(), (std::vector<ObjectPair>{{wall, other_ghost}, {ghost, other_ghost}}));
+}
+
+TEST(Scene, AStaleIdIsAnErrorAndNeverAnotherObject) {
+  World scene;
+  const ObjectId first = scene.add(Ball{}, {.name = "first"});
+  scene.remove(first);
+  const ObjectId second = scene.add(Ball{}, {.name = "second"});
+  EXPECT_EQ(second.index, first.index);  // the place is used again
+  EXPECT_FALSE(scene.contains(first));
+  EXPECT_THROW(scene.object(first), std::out_of_range);
+  EXPECT_THROW(scene.remove(first), std::out_of_range);
+  EXPECT_THROW(scene.move(first, Ball{}), std::out_of_range);
+  EXPECT_EQ(scene.find("first"), std::nullopt);
+  EXPECT_EQ(scene.object(second).name, "second");
+  EXPECT_THROW(scene.object(ObjectId{99, 0}), std::out_of_range);
+}
+
+TEST(Scene, MoveReplacesTheShapeAndItsBox) {
+  World scene;
+  const ObjectId a = scene.add(Ball{{0, 0}, 1});
+  const ObjectId b = scene.add(Ball{{9, 0}, 1});
+  EXPECT_TRUE(scene.pairs().empty());
+  scene.move(b, Aabb<2, double>{{1, 0}, {2, 1}});
+  EXPECT_EQ(scene.pairs(), (std::vector<ObjectPair>{{a, b}}));
+  EXPECT_EQ(scene.object(b).box, (Aabb<2, double>{{1, 0}, {2, 1}}));
+}
+
+TEST(Scene, ARefusedAddNamesTheFactAndChangesNothing) {
+  World scene;
+  const ObjectId a = scene.add(Ball{}, {.name = "a"});
+  EXPECT_EQ(message_of([&] {
+              scene.add(Ball{{0, 0}, -1}, {.name = "b"});
+            }),
+            "Scene: object \"b\", a sphere, has a negative radius");
+  EXPECT_EQ(message_of([&] { scene.add(Ball{}, {.name = "a"}); }), "Scene: there is already an object \"a\"");
+  EXPECT_EQ(message_of([&] { scene.add(Ball{}, {.layer = 64}); }),
+            "Scene: layer 64 of the object does not exist; layers are 0 to 63");
+  EXPECT_EQ(message_of([&] {
+              scene.move(a, Ball{{std::numeric_limits<double>::quiet_NaN(), 0}, 1});
+            }),
+            "Scene: object \"a\", a sphere, has a center that is not finite");
+  EXPECT_EQ(scene.size(), 1U);
+  EXPECT_EQ(scene.find("b"), std::nullopt);
+  EXPECT_EQ(std::get<Ball>(scene.object(a).shape).center, (Vec<2, double>(0)));
+  const ObjectId b = scene.add(Ball{}, {.name = "b"});
+  EXPECT_EQ(b.index, 1U);
+}
+
+TEST(Scene, HasSixtyFourLayersAndSaysSo) {
+  World scene;
+  for (int i = 0; i < 64; ++i) scene.layer("layer " + std::to_string(i));
+  EXPECT_EQ(message_of([&] { scene.layer("wolf"); }),
+            "Scene: layer \"wolf\" is one too many; a scene has at most 64 layers");
+  EXPECT_EQ(scene.layer("layer 63"), 63);
+}
+
+template <Dim N, class T>
+void check_pairs_against_all_pairs() {
+  const auto shapes = *rc::gen::container<std::vector<AnyShape<N, T>>>(any_shape<N, T>());
+  Scene<N, T> scene;
+  std::vector<ObjectId> ids;
+  for (const AnyShape<N, T>& shape : shapes) ids.push_back(scene.add(shape));
+  std::vector<ObjectPair> expected;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    for (std::size_t j = i + 1; j < shapes.size(); ++j) {
+      if (relation(shapes[i], shapes[j]) != Relation::apart) expected.push_back({ids[i], ids[j]});
+    }
+  }
+  RC_ASSERT(scene.pairs() == expected);
+}
+
+RC_GTEST_PROP(Scene, PairsAreThoseOfEveryObjectWithEveryOther2f, ()) { check_pairs_against_all_pairs<2, float>(); }
+RC_GTEST_PROP(Scene, PairsAreThoseOfEveryObjectWithEveryOther3f, ()) { check_pairs_against_all_pairs<3, float>(); }
+RC_GTEST_PROP(Scene, PairsAreThoseOfEveryObjectWithEveryOther2d, ()) { check_pairs_against_all_pairs<2, double>(); }
+RC_GTEST_PROP(Scene, PairsAreThoseOfEveryObjectWithEveryOther3d, ()) { check_pairs_against_all_pairs<3, double>(); }
+
+RC_GTEST_PROP(Scene, SurvivesAnySequenceOfAddsMovesAndRemoves, (const std::vector<std::uint32_t>& steps)) {
+  World scene;
+  std::vector<std::pair<ObjectId, double>> alive;  // the oracle: each ball's radius
+  std::set<ObjectId> dead;
+  for (const std::uint32_t step : steps) {
+    const double radius = step % 100;
+    if (step % 3 == 0 || alive.empty()) {
+      const ObjectId id = scene.add(Ball{{0, 0}, radius},
+                                    {.name = step % 2 == 0 ? "" : "n" + std::to_string(alive.size() + dead.size())});
+      RC_ASSERT(!dead.contains(id));
+      alive.emplace_back(id, radius);
+    } else if (auto& [id, held] = alive[step % alive.size()]; step % 3 == 1) {
+      scene.move(id, Ball{{0, 0}, radius});
+      held = radius;
+    } else {
+      scene.remove(id);
+      dead.insert(id);
+      alive.erase(alive.begin() + static_cast<std::ptrdiff_t>(step % alive.size()));
+    }
+  }
+  RC_ASSERT(scene.size() == alive.size());
+  RC_ASSERT(scene.ids().size() == alive.size());
+  for (const auto& [id, radius] : alive) RC_ASSERT(std::get<Ball>(scene.object(id).shape).radius == radius);
+  for (const ObjectId id : dead) RC_ASSERT(!scene.contains(id));
+  RC_ASSERT(scene.pairs().size() == alive.size() * (alive.empty() ? 0 : alive.size() - 1) / 2);
+}
+
+}  // namespace
+}  // namespace graze
