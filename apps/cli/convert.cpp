@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <memory>
+#include <ostream>
+#include <string>
+
+#include <graze/io/in_quotes.hpp>
+#include <graze/io/json_scene.hpp>
+
+#include "command.hpp"
+#include "input.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "usage.hpp"
+
+namespace graze::cli {
+namespace {
+
+struct ConvertArguments {
+  std::string input;
+  std::string output;
+};
+
+void require_json_name(const std::string& output) {
+  if (is_standard_stream(output)) return;
+  std::string extension = std::filesystem::path(output).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  if (extension == ".json") return;
+  throw UsageError("graze cannot write " + io::in_quotes(output) +
+                   "; it writes graze's JSON, to a name that ends in .json or to - for the standard output");
+}
+
+ExitCode run_convert(const ConvertArguments& arguments) {
+  require_json_name(arguments.output);
+  Progress reading("reading the scene");
+  const io::SceneFile file = read_input(arguments.input);
+  reading.stop();
+  say_omissions(file);
+  Progress writing("writing the scene");
+  if (is_standard_stream(arguments.output)) writing.stop();  // the data may be going to the same terminal
+  write_output(arguments.output, [&](std::ostream& out) { io::write_json_scene(out, file); });
+  return done;
+}
+
+constexpr const char* footer = R"(IN and OUT may be the same file. Numbers survive bit for bit.
+
+Examples:
+  graze convert level.tmx level.json
+  graze convert chip.csv - | gzip > chip.json.gz
+
+Exit codes: 0 done; 2 wrong usage; 3 bad input, or an output that cannot be written)";
+
+}  // namespace
+
+Command add_convert(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("convert", "Write a scene in graze's own JSON");
+  const auto arguments = std::make_shared<ConvertArguments>();
+  app->add_option("IN", arguments->input, "Scene file, or - for the standard input")->required()->type_name("");
+  app->add_option("OUT", arguments->output, "File to write, ending in .json, or - for the standard output")
+      ->required()
+      ->type_name("");
+  app->footer(footer);
+  return {app, [arguments] { return run_convert(*arguments); }};
+}
+
+}  // namespace graze::cli

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "output.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <cstring>
+#include <functional>
+#include <ostream>
+#include <streambuf>
+#include <string>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <graze/io/atomic_file.hpp>
+#include <graze/io/output_error.hpp>
+
+namespace graze::cli {
+namespace {
+
+/// A buffer before the standard output that says, unlike the library's, what went wrong with a write.
+class StandardOutput final : public std::streambuf {
+ public:
+  StandardOutput() { make_room(); }
+
+ protected:
+  int_type overflow(int_type character) override {
+    write_out();
+    if (traits_type::eq_int_type(character, traits_type::eof())) return traits_type::not_eof(character);
+    return sputc(traits_type::to_char_type(character));
+  }
+
+  int sync() override {
+    write_out();
+    return 0;
+  }
+
+ private:
+  void make_room() { setp(buffer_.data(), buffer_.data() + buffer_.size()); }
+
+  void write_out() {
+    const char* next = pbase();
+    const char* const end = pptr();
+    make_room();  // before a failure: what could not be written is not tried again
+    while (next != end) {
+      const ssize_t count = ::write(STDOUT_FILENO, next, static_cast<std::size_t>(end - next));
+      if (count >= 0) {
+        next += count;
+      } else if (errno == EPIPE) {
+        throw ClosedPipe{};
+      } else if (errno != EINTR) {
+        throw io::OutputError(fmt::format("the standard output cannot be written: {}", std::strerror(errno)));
+      }
+    }
+  }
+
+  std::array<char, 65536> buffer_{};
+};
+
+}  // namespace
+
+bool is_standard_stream(const std::string& name) { return name == "-"; }
+
+void write_output(const std::string& target, const std::function<void(std::ostream&)>& write) {
+  if (!is_standard_stream(target)) {
+    io::write_atomically(target, write);
+    return;
+  }
+  StandardOutput buffer;
+  std::ostream out(&buffer);
+  out.exceptions(std::ios::badbit);  // makes the stream hand on what its buffer throws
+  write(out);
+  out.flush();
+}
+
+}  // namespace graze::cli

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <bit>
+#include <iterator>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <graze/io/in_quotes.hpp>
+#include <graze/io/json_scene.hpp>
+#include <graze/io/json_shape_writer.hpp>
+#include <graze/io/output_error.hpp>
+#include <graze/io/utf8.hpp>
+
+namespace graze::io {
+namespace {
+
+/// RFC 8259, section 7: quotes, backslashes and control characters must be escaped; all else may stand as it is.
+std::string json_string(std::string_view text) {
+  if (find_invalid_utf8(text) != std::string_view::npos || text.find('\0') != std::string_view::npos) {
+    throw OutputError(fmt::format("the name {} is not UTF-8 text, so a scene file cannot hold it", in_quotes(text)));
+  }
+  std::string result = "\"";
+  for (const char character : text) {
+    if (character == '"' || character == '\\') {
+      result += '\\';
+      result += character;
+    } else if (static_cast<unsigned char>(character) < 0x20) {
+      fmt::format_to(std::back_inserter(result), "\\u{:04x}", static_cast<unsigned>(character));
+    } else {
+      result += character;
+    }
+  }
+  return result + '"';
+}
+
+std::string json_strings(const std::vector<std::string>& texts) {
+  std::string result = "[";
+  for (const std::string& text : texts) result += (result.size() == 1 ? "" : ", ") + json_string(text);
+  return result + ']';
+}
+
+/// Names for all layers that a scene uses, by number. Programs may use layers by number alone; a file calls all by
+/// name. Empty when nothing but the defaults is used.
+template <Dim N>
+std::vector<std::string> names_of_layers(const Scene<N, double>& scene) {
+  std::vector<std::string> names = scene.layer_names();
+  std::size_t needed = 0;
+  for (const ObjectId id : scene.ids()) {
+    const Object<N, double>& object = scene.object(id);
+    const bool is_default = object.layer == 0 && object.mask == all_layers;
+    if (!is_default || !names.empty()) needed = std::max(needed, std::size_t{object.layer} + 1);
+    if (object.mask != all_layers) needed = std::max(needed, static_cast<std::size_t>(std::bit_width(object.mask)));
+  }
+  while (names.size() < needed) {
+    std::string name = fmt::format("layer {}", names.size());
+    while (std::find(names.begin(), names.end(), name) != names.end()) name += '\'';
+    names.push_back(name);
+  }
+  return names;
+}
+
+std::vector<std::string> names_in_mask(LayerMask mask, const std::vector<std::string>& layers) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if ((mask & only_layer(static_cast<Layer>(i))) != 0) names.push_back(layers[i]);
+  }
+  return names;
+}
+
+template <Dim N>
+void append_object(std::string& out, const Object<N, double>& object, const std::vector<std::string>& layers) {
+  out += "    {";
+  if (!object.name.empty()) out += "\"name\": " + json_string(object.name) + ", ";
+  try {
+    append_json_shape<N>(out, object.shape);
+  } catch (const OutputError& error) {
+    throw OutputError(fmt::format("object {}: {}", in_quotes(object.name), error.what()));
+  }
+  if (!layers.empty()) out += ", \"layer\": " + json_string(layers[object.layer]);
+  if (object.mask != all_layers) out += ", \"mask\": " + json_strings(names_in_mask(object.mask, layers));
+  if (object.user != 0) fmt::format_to(std::back_inserter(out), ", \"user\": {}", object.user);
+  out += '}';
+}
+
+template <Dim N>
+void write(std::ostream& out, const Scene<N, double>& scene, YAxis y_axis) {
+  constexpr std::size_t chunk = 1U << 16U;
+  const std::vector<std::string> layers = names_of_layers(scene);
+  std::string text = fmt::format("{{\n  \"schema\": \"{}\",\n  \"dimension\": {},\n", json_scene_schema, N);
+  if (N == 2 && y_axis == YAxis::down) text += "  \"y_axis\": \"down\",\n";
+  if (!layers.empty()) text += "  \"layers\": " + json_strings(layers) + ",\n";
+  text += "  \"objects\": [";
+  bool first = true;
+  for (const ObjectId id : scene.ids()) {
+    text += first ? "\n" : ",\n";
+    first = false;
+    append_object(text, scene.object(id), layers);
+    if (text.size() < chunk) continue;
+    out << text;
+    text.clear();
+  }
+  out << text << (first ? "]\n}\n" : "\n  ]\n}\n");
+}
+
+}  // namespace
+
+void write_json_scene(std::ostream& out, const SceneFile& file) {
+  std::visit([&](const auto& scene) { write(out, scene, file.y_axis); }, file.scene);
+}
+
+}  // namespace graze::io

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// What a check of a scene found, written for people or for programs. The formats are documented in docs/cli.md.
+#pragma once
+
+#include <cstddef>
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <graze/math/vec.hpp>
+#include <graze/query/relation.hpp>
+
+namespace graze::io {
+
+enum class ReportFormat { table, json, ndjson, csv };
+
+/// Whether a table is coloured with terminal codes.
+enum class Colours { off, on };
+
+/// What is known before the first pair.
+struct ReportHead {
+  std::string source;
+  Dim dimension = 2;
+  std::size_t objects = 0;
+};
+
+/// Two objects that touch or overlap, by name.
+struct ReportedPair {
+  std::string_view a;
+  std::string_view b;
+  Relation relation = Relation::touching;
+};
+
+/// What is known after the last pair.
+struct ReportSummary {
+  std::size_t pairs = 0;       ///< Pairs reported.
+  std::size_t candidates = 0;  ///< Pairs tested exactly, because their boxes overlap.
+  double seconds = 0;          ///< The search, without reading and writing.
+};
+
+/// Writes one report: `write` for every pair in order, then `finish` once. JSON, NDJSON and CSV are written as the
+/// pairs come; a table needs all of them for its columns, so the names must live until `finish`. Names are quoted or
+/// escaped as the format needs it, whatever bytes they hold. Virtual because the format is chosen at run time; a call
+/// per pair is nothing beside the test of the pair.
+class ReportWriter {
+ public:
+  virtual ~ReportWriter() = default;
+  virtual void write(const ReportedPair& pair) = 0;
+  virtual void finish(const ReportSummary& summary) = 0;
+
+ protected:
+  ReportWriter() = default;
+  ReportWriter(const ReportWriter&) = delete;
+  ReportWriter& operator=(const ReportWriter&) = delete;
+};
+
+/// Begins a report on `out`, which must outlive the writer. Only a table has colours.
+std::unique_ptr<ReportWriter> begin_report(std::ostream& out, ReportFormat format, const ReportHead& head,
+                                           Colours colours = Colours::off);
+
+/// The sentence that closes a table: "2 pairs; 5 objects, 3 candidates, 0.001 seconds".
+std::string summary_line(const ReportHead& head, const ReportSummary& summary);
+
+}  // namespace graze::io

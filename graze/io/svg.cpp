@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <graze/io/svg.hpp>
+#include <graze/io/svg_flat.hpp>
+#include <graze/io/svg_legend.hpp>
+#include <graze/io/svg_object.hpp>
+#include <graze/io/svg_solid.hpp>
+#include <graze/io/svg_stage.hpp>
+#include <graze/io/svg_style.hpp>
+#include <graze/io/svg_subject.hpp>
+#include <graze/io/svg_text.hpp>
+
+namespace graze::io {
+namespace {
+
+constexpr std::array<std::string_view, 3> axis_names = {"x", "y", "z"};
+
+template <Dim N>
+svg::Summary summary_of(const SceneFile& file, const svg::Subject<N>& subject, const svg::Stage<N>& stage) {
+  svg::Summary summary;
+  summary.source = file.source;
+  summary.dimension = N;
+  for (const svg::Touches& touches : subject.touches) ++(touches.count > 0 ? summary.touching : summary.free);
+  summary.too_far = stage.too_far;
+  return summary;
+}
+
+template <Dim N>
+std::vector<svg::Axis> axes_of(const View<N>& view) {
+  std::vector<svg::Axis> axes;
+  axes.reserve(N);
+  for (Dim i = 0; i < N; ++i) {
+    axes.push_back({std::string(axis_names[static_cast<std::size_t>(i)]), seen(unit_axis<N>(i), view)});
+  }
+  return axes;
+}
+
+/// The page, and on it the card that the scene is drawn on.
+std::string page(const svg::Frame& frame) {
+  const Vec<2, double> size = frame.card.max - frame.card.min;
+  const std::string card = fmt::format(R"(x="{}" y="{}" width="{}" height="{}" rx="8")", svg::number(frame.card.min.x),
+                                       svg::number(frame.card.min.y), svg::number(size.x), svg::number(size.y));
+  return fmt::format(R"(<clipPath id="edge"><rect {0}/></clipPath>
+<rect class="page" width="100%" height="100%"/>
+<rect class="card" {0}/>
+)",
+                     card);
+}
+
+std::string opening(const svg::Frame& frame) {
+  return fmt::format(R"(<?xml version="1.0" encoding="UTF-8"?>
+<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" viewBox="0 0 {0} {1}">
+)",
+                     svg::number(svg::picture_width), svg::number(frame.height));
+}
+
+/// A word where there is nothing to see, so that nobody waits for more to appear.
+std::string empty_note(const svg::Frame& frame) {
+  const Vec<2, double> middle = frame.card.center();
+  return fmt::format("<text class=\"small\" x=\"{}\" y=\"{}\">nothing to draw</text>\n", svg::number(middle.x),
+                     svg::number(middle.y));
+}
+
+template <Dim N>
+std::string picture(const SceneFile& file, const Scene<N, double>& scene, std::span<const ObjectPair> touching) {
+  const svg::Subject<N> subject = svg::subject_of<N>(scene, touching);
+  const svg::Stage<N> stage = svg::stage_for<N>(subject, file.y_axis);
+  const svg::Detail detail = svg::detail_for(scene.size());
+  svg::Summary summary = summary_of<N>(file, subject, stage);
+  summary.pairs = touching.size();
+
+  std::string text = opening(stage.frame);
+  const std::string left_out = svg::omission(detail, scene.size());
+  if (!left_out.empty()) text += fmt::format("<!-- {} -->\n", left_out);
+  text += svg::style_sheet(detail, N) + page(stage.frame) + svg::header(summary);
+  text += "<g id=\"objects\" class=\"shapes\" clip-path=\"url(#edge)\">\n";
+  if constexpr (N == 2) {
+    text += svg::paint_flat(subject, stage, detail);
+  } else {
+    text += svg::paint_solid(subject, stage, detail);
+  }
+  text += "</g>\n<g id=\"labels\">\n" + svg::name_labels<N>(subject, stage, detail) + "</g>\n";
+  if (stage.drawn.empty()) text += empty_note(stage.frame);
+  return text + svg::footer(stage.frame, axes_of(stage.view)) + "</svg>\n";
+}
+
+}  // namespace
+
+void write_svg(std::ostream& out, const SceneFile& file, std::span<const ObjectPair> touching) {
+  const std::string text =
+      std::visit([&]<Dim N>(const Scene<N, double>& scene) { return picture<N>(file, scene, touching); }, file.scene);
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+}
+
+}  // namespace graze::io

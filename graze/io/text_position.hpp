@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include <graze/io/input_error.hpp>
+
+namespace graze::io {
+
+/// A place in a text as editors count it: both from 1, columns in characters (UTF-8 sequences), lines ended by LF.
+struct TextPosition {
+  std::size_t line = 1;
+  std::size_t column = 1;
+
+  friend bool operator==(const TextPosition&, const TextPosition&) = default;
+};
+
+/// The place of a byte; an offset beyond the end counts as the end. Reads the text up to there, so it is for messages
+/// only.
+TextPosition position_of(std::string_view text, std::size_t offset);
+
+/// The error "source: line 3, column 7: message".
+InputError error_at(std::string_view text, std::string_view source, std::size_t offset, std::string_view message);
+
+}  // namespace graze::io

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include <graze/io/scene_file.hpp>
+
+namespace graze::io {
+
+/// Reads the objects of a Tiled map, XML (.tmx) or JSON (.tmj); y points down, lengths are pixels. External tilesets
+/// and templates are looked up relative to the file that names them, the map's from `folder`. Throws InputError.
+SceneFile parse_tiled_map(std::string_view text, const std::string& source, const std::filesystem::path& folder);
+
+}  // namespace graze::io

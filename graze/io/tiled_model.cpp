@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <graze/io/in_quotes.hpp>
+#include <graze/io/text_position.hpp>
+#include <graze/io/tiled_model.hpp>
+
+namespace graze::io {
+namespace {
+
+void require_not_negative(std::optional<double> size, std::string_view field, const TiledObject& object,
+                          const TiledText& file) {
+  if (!size || *size >= 0) return;
+  fail_at(file, object.offset, fmt::format("{} has the {} {}; it must be 0 or more", described(object), field, *size));
+}
+
+}  // namespace
+
+void fail_at(const TiledText& file, std::size_t offset, const std::string& fact) {
+  throw error_at(file.text, file.name, offset, fact);
+}
+
+void require_group_depth(std::size_t depth, const TiledText& file, std::size_t offset) {
+  if (depth <= max_tiled_group_depth) return;
+  fail_at(file, offset, fmt::format("this group is nested deeper than {} groups; flatten them", max_tiled_group_depth));
+}
+
+std::optional<TiledAlignment> tiled_alignment(std::string_view name) {
+  static constexpr std::array<std::pair<std::string_view, std::array<double, 2>>, 9> names{{
+      {"topleft", {0, 0}},
+      {"top", {0.5, 0}},
+      {"topright", {1, 0}},
+      {"left", {0, 0.5}},
+      {"center", {0.5, 0.5}},
+      {"right", {1, 0.5}},
+      {"bottomleft", {0, 1}},
+      {"bottom", {0.5, 1}},
+      {"bottomright", {1, 1}},
+  }};
+  const auto* const found =
+      std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.first == name; });
+  if (found == names.end()) return std::nullopt;
+  return TiledAlignment{{found->second[0], found->second[1]}};
+}
+
+void count_omission(std::vector<Omission>& omissions, std::string_view what, std::size_t count) {
+  if (count == 0) return;
+  const auto known =
+      std::find_if(omissions.begin(), omissions.end(), [&](const Omission& omission) { return omission.what == what; });
+  if (known != omissions.end()) {
+    known->count += count;
+  } else {
+    omissions.push_back({std::string(what), count});
+  }
+}
+
+void require_sound(const TiledObject& object, const TiledText& file) {
+  require_not_negative(object.width, "width", object, file);
+  require_not_negative(object.height, "height", object, file);
+  const bool polygon = object.outline == TiledOutline::polygon;
+  if ((polygon || object.outline == TiledOutline::polyline) && object.points.size() < 2) {
+    fail_at(file, object.offset,
+            fmt::format("the {} of {} has {} point{}; it needs at least 2", polygon ? "polygon" : "polyline",
+                        described(object), object.points.size(), object.points.size() == 1 ? "" : "s"));
+  }
+}
+
+void require_sound(const TiledTileset& tileset, const TiledText& file) {
+  const auto require_size = [&](std::optional<double> size, const std::string& what) {
+    if (!size || *size >= 0) return;
+    fail_at(file, tileset.offset, fmt::format("the {} is {}; it must be 0 or more", what, *size));
+  };
+  require_size(tileset.tile_width, "tilewidth of the tileset");
+  require_size(tileset.tile_height, "tileheight of the tileset");
+  for (const auto& [id, tile] : tileset.tiles) {
+    const double width = tile.width.value_or(0);
+    const double height = tile.height.value_or(0);
+    if (width >= 0 && height >= 0) continue;
+    fail_at(file, tileset.offset, fmt::format("tile {} is {} x {}; both sizes must be 0 or more", id, width, height));
+  }
+  if (tileset.first_gid == 0)
+    fail_at(file, tileset.offset, "the tileset has the firstgid 0; tiles are numbered from 1");
+}
+
+void fail_for_kind(const TiledText& file, std::size_t offset, std::string_view found, std::string_view needed) {
+  const bool other_kind = found == "map" || found == "tileset" || found == "template";
+  const std::string what =
+      other_kind ? fmt::format("a Tiled {}", found) : fmt::format("of the kind {}", in_quotes(found));
+  const std::string_view way_out = needed != "map" ? "check the reference to it"
+                                   : other_kind    ? "give the map (.tmx or .tmj) that uses it"
+                                                   : "give a .tmx or .tmj file";
+  fail_at(file, offset, fmt::format("the file is {}, but a Tiled {} is needed; {}", what, needed, way_out));
+}
+
+std::string described(const TiledObject& object) {
+  std::string text = "the object";
+  if (object.name && !object.name->empty()) text = "object " + in_quotes(*object.name);
+  if (object.id) text += fmt::format(" (id {})", *object.id);
+  return text;
+}
+
+}  // namespace graze::io

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: MIT
+"""`graze check`: the formats, what is reported, where to."""
+
+import csv
+import io
+import json
+import unittest
+import xml.etree.ElementTree
+
+from graze_program import ROOT, TILE_LAYER, YARD, YARD_PAIRS, CommandLineTest
+
+SPHERES_3D = {
+    "schema": "graze.scene/1",
+    "dimension": 3,
+    "objects": [{"name": f"s{i}", "type": "sphere", "center": [i, 0, 0], "radius": 0.5} for i in range(3)],
+}
+
+
+class Check(CommandLineTest):
+    def pairs_of(self, report_format, *arguments, **options):
+        """What the program reports, read back from a format."""
+        text, _ = self.succeed("check", "--format", report_format, *arguments, **options)
+        if report_format == "csv":
+            rows = list(csv.reader(io.StringIO(text)))
+            self.assertEqual(rows[0], ["a", "b", "relation"])
+            return [tuple(row) for row in rows[1:]]
+        if report_format == "table":
+            lines = text.splitlines()
+            if len(lines) == 1:
+                return []
+            self.assertEqual(lines[0].split(), ["A", "B", "RELATION"])
+            return [tuple(line.split()) for line in lines[1 : lines.index("")]]
+        found = json.loads(text)["pairs"] if report_format == "json" else map(json.loads, text.splitlines())
+        return [(pair["a"], pair["b"], pair["relation"]) for pair in found]
+
+    def test_every_format_tells_the_same_pairs(self):
+        scene = self.yard()
+        for report_format in ("table", "json", "ndjson", "csv"):
+            with self.subTest(report_format):
+                self.assertEqual(self.pairs_of(report_format, scene), YARD_PAIRS)
+                self.assertEqual(self.pairs_of(report_format, scene, "--interior"), [("crate", "ball", "overlapping")])
+
+    def test_formats_agree_on_the_bundled_scenes(self):
+        for name in ("platform_level.tmx", "workshop.json"):
+            with self.subTest(name):
+                scene = ROOT / "data" / name
+                pairs = self.pairs_of("json", scene)
+                self.assertGreater(len(pairs), 10)
+                self.assertEqual(pairs, self.pairs_of("ndjson", scene))
+                self.assertEqual(pairs, self.pairs_of("csv", scene))
+                self.assertEqual(pairs, self.pairs_of("json", scene), "a second run differs")
+                overlapping = [pair for pair in pairs if pair[2] == "overlapping"]
+                self.assertEqual(overlapping, self.pairs_of("csv", scene, "--interior"))
+
+    def test_json_has_the_documented_fields(self):
+        scene = self.yard()
+        document = json.loads(self.succeed("check", "--format", "json", scene)[0])
+        self.assertEqual(list(document), ["schema", "scene", "dimension", "objects", "pairs", "summary"])
+        self.assertEqual(document["schema"], "graze.check/1")
+        self.assertEqual(document["scene"], str(scene))
+        self.assertEqual((document["dimension"], document["objects"]), (2, 4))
+        self.assertEqual(list(document["summary"]), ["pairs", "candidates", "seconds"])
+        self.assertEqual((document["summary"]["pairs"], document["summary"]["candidates"]), (3, 3))
+        self.assertGreaterEqual(document["summary"]["seconds"], 0)
+
+    def test_3d_scenes_say_so(self):
+        document = json.loads(self.succeed("check", "--format", "json", self.write("s.json", SPHERES_3D))[0])
+        self.assertEqual(document["dimension"], 3)
+        self.assertEqual([(pair["a"], pair["b"]) for pair in document["pairs"]], [("s0", "s1"), ("s1", "s2")])
+
+    def test_the_table_closes_with_a_summary_and_nothing_is_said_beside_it(self):
+        text, said = self.succeed("check", self.yard())
+        self.assertRegex(text, r"\n3 pairs; 4 objects, 3 candidates, \d+\.\d{3} seconds\n\Z")
+        self.assertEqual(said, "")
+
+    def test_formats_without_a_summary_have_it_on_the_error_stream(self):
+        for report_format in ("ndjson", "csv"):
+            _, said = self.succeed("check", "--format", report_format, self.yard())
+            self.assertRegex(said, r"\Agraze: 3 pairs; 4 objects, 3 candidates, [0-9.]+ seconds\n\Z")
+
+    def test_a_scene_without_contacts_is_reported_in_every_format(self):
+        scene = self.write("empty.json", {"schema": "graze.scene/1", "dimension": 2, "objects": []})
+        for report_format in ("table", "json", "ndjson", "csv"):
+            with self.subTest(report_format):
+                self.assertEqual(self.pairs_of(report_format, scene), [])
+
+    def test_difficult_names_come_back_from_every_format(self):
+        names = ['a "quoted", name', "two\nlines\r\ttab", "Prüfstück 球 🎱", "\x1b[31mred\x1b[0m", "back\\slash"]
+        boxes = [{"name": name, "type": "aabb", "min": [0, 0], "max": [1, 1]} for name in names]
+        scene = self.write("names.json", YARD | {"objects": boxes})
+        expected = [(a, b, "overlapping") for i, a in enumerate(names) for b in names[i + 1 :]]
+        for report_format in ("json", "ndjson"):
+            self.assertEqual(self.pairs_of(report_format, scene), expected)
+        text, _ = self.succeed("check", "--format", "csv", scene)
+        rows = list(csv.reader(io.StringIO(text, newline="")))
+        self.assertEqual([tuple(row) for row in rows[1:]], expected)
+
+    def test_a_table_shows_no_control_characters_of_names(self):
+        names = ("\x1b]0;title\x07", "\u202eabc")
+        boxes = [{"name": name, "type": "aabb", "min": [0, 0], "max": [1, 1]} for name in names]
+        text, _ = self.succeed("check", self.write("names.json", YARD | {"objects": boxes}))
+        self.assertNotIn("\x1b", text)
+        self.assertNotIn("\u202e", text)
+        self.assertIn("\\x1b]0;title\\x07  \\u{202e}abc  overlapping\n", text)
+
+    def test_contact_is_a_failure_only_when_asked(self):
+        scene = self.yard()
+        apart = self.write("apart.json", YARD | {"objects": YARD["objects"][2:]})
+        touching = self.write("touching.json", YARD | {"objects": YARD["objects"][:2]})
+        self.succeed("check", scene)
+        self.succeed("check", "--fail-on-contact", scene, code=1)
+        self.succeed("check", "--fail-on-contact", apart)
+        self.succeed("check", "--fail-on-contact", touching, code=1)
+        self.succeed("check", "--fail-on-contact", "--interior", touching)
+
+    def test_the_standard_input_is_read_whatever_its_format(self):
+        scene = self.yard().read_bytes()
+        self.assertEqual(self.pairs_of("csv", "-", input=scene), YARD_PAIRS)
+        boxes = b"id,min_x,min_y,max_x,max_y\na,0,0,1,1\nb,1,0,2,1\n"
+        self.assertEqual(self.pairs_of("json", "-", input=boxes), [("a", "b", "touching")])
+        document = json.loads(self.succeed("check", "--format", "json", "-", input=scene)[0])
+        self.assertEqual(document["scene"], "-")
+
+    def test_relative_references_of_the_standard_input_start_at_the_working_directory(self):
+        level = (ROOT / "data" / "platform_level.tmx").read_bytes()
+        from_input = self.pairs_of("csv", "-", input=level, cwd=ROOT / "data")
+        self.assertEqual(from_input, self.pairs_of("csv", ROOT / "data" / "platform_level.tmx"))
+
+    def test_a_report_goes_to_a_file_and_its_summary_to_the_error_stream(self):
+        report = self.folder / "report.json"
+        text, said = self.succeed("check", "--format", "json", "--output", report, self.yard())
+        self.assertEqual(text, "")
+        self.assertIn("3 pairs; 4 objects", said)
+        self.assertEqual(json.loads(report.read_text())["summary"]["pairs"], 3)
+        self.assert_no_litter("report.json", "yard.json")
+
+    def test_output_to_a_hyphen_is_the_standard_output(self):
+        self.assertEqual(self.pairs_of("csv", "--output", "-", self.yard()), YARD_PAIRS)
+
+    def test_the_picture_is_xml_that_names_the_objects(self):
+        picture = self.folder / "picture.svg"
+        text, _ = self.succeed("check", "--svg", picture, self.yard())
+        self.assertIn("3 pairs;", text)
+        root = xml.etree.ElementTree.parse(picture).getroot()
+        self.assertEqual(root.tag, "{http://www.w3.org/2000/svg}svg")
+        self.assertIn("lamp", picture.read_text())
+
+    def test_the_picture_goes_to_the_standard_output_when_the_report_does_not(self):
+        text, _ = self.succeed("check", "--svg", "-", "--output", self.folder / "report", self.yard())
+        self.assertEqual(xml.etree.ElementTree.fromstring(text).tag, "{http://www.w3.org/2000/svg}svg")
+        self.refused("check", "--svg", "-", self.yard(), code=2, says="--svg - needs --output FILE")
+
+    def test_outputs_that_would_overwrite_each_other_or_the_scene_are_refused(self):
+        scene = self.yard()
+        before = scene.read_bytes()
+        file = self.folder / "file"
+        same_file = f"{self.folder}/./file"
+        self.refused("check", scene, "--svg", file, "--output", same_file, code=2, says="name the same file")
+        self.refused("check", scene, "--output", scene, code=2, says="would be overwritten")
+        self.refused("check", scene, "--svg", f"{self.folder}/./yard.json", code=2, says="would be overwritten")
+        self.assertEqual(scene.read_bytes(), before)
+
+    def test_what_was_not_read_is_said_in_every_format(self):
+        scene = self.write("layers.tmx", TILE_LAYER)
+        for report_format in ("table", "json", "ndjson", "csv"):
+            with self.subTest(report_format):
+                _, said = self.succeed("check", "--format", report_format, scene)
+                self.assertIn("graze: not read: 1 x tile layer\n", said)
+
+
+if __name__ == "__main__":
+    unittest.main()

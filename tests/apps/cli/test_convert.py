@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: MIT
+"""`graze convert`."""
+
+import csv
+import io
+import json
+import unittest
+
+from graze_program import ROOT, TILE_LAYER, CommandLineTest
+
+
+class Convert(CommandLineTest):
+    def pairs_of(self, scene):
+        return list(csv.reader(io.StringIO(self.succeed("check", "--format", "csv", scene)[0])))
+
+    def test_what_was_converted_has_the_same_contacts(self):
+        for name in ("platform_level.tmx", "workshop.json"):
+            with self.subTest(name):
+                converted = self.folder / "converted.json"
+                self.succeed("convert", ROOT / "data" / name, converted)
+                self.assertEqual(json.loads(converted.read_text())["schema"], "graze.scene/1")
+                self.assertEqual(self.pairs_of(converted), self.pairs_of(ROOT / "data" / name))
+
+    def test_converting_twice_changes_nothing_more(self):
+        once, twice = self.folder / "once.json", self.folder / "twice.json"
+        self.succeed("convert", ROOT / "data" / "platform_level.tmx", once)
+        self.succeed("convert", once, twice)
+        self.assertEqual(once.read_bytes(), twice.read_bytes())
+
+    def test_input_and_output_may_be_the_same_file(self):
+        scene = self.write("boxes.json", "id,min_x,min_y,max_x,max_y\na,0,0,1,1\n")  # told by content, not by name
+        self.succeed("convert", scene, scene)
+        self.assertEqual(json.loads(scene.read_text())["objects"][0]["name"], "a")
+        self.assert_no_litter("boxes.json")
+
+    def test_hyphens_are_the_standard_streams(self):
+        text, _ = self.succeed("convert", "-", "-", input=self.yard().read_bytes())
+        self.assertEqual([one["name"] for one in json.loads(text)["objects"]], ["ground", "crate", "ball", "lamp"])
+
+    def test_numbers_survive_bit_for_bit(self):
+        numbers = ["0.1", "-0.0", "5e-324", "1.7976931348623157e+308", "0.30000000000000004", "123456789.12345679"]
+        boxes = "".join(f"b{i},{number},0,1.7976931348623157e308,1\n" for i, number in enumerate(numbers))
+        text, _ = self.succeed("convert", "-", "-", input=f"id,min_x,min_y,max_x,max_y\n{boxes}".encode())
+        found = [one["min"][0] for one in json.loads(text)["objects"]]
+        self.assertEqual([float(number).hex() for number in numbers], [float(number).hex() for number in found])
+
+    def test_what_is_not_carried_over_is_said(self):
+        _, said = self.succeed("convert", self.write("layers.tmx", TILE_LAYER), "-")
+        self.assertIn("graze: not read: 1 x tile layer\n", said)
+
+    def test_names_that_promise_another_format_are_refused(self):
+        scene = self.yard()
+        for name in ("out.csv", "out.tmx", "out", "json"):
+            says = ["it writes graze's JSON", ".json", f'{name}"']
+            self.refused("convert", scene, self.folder / name, code=2, says=says)
+        self.assert_no_litter("yard.json")
+        self.succeed("convert", scene, self.folder / "OUT.JSON")
+
+    def test_an_existing_file_survives_input_that_is_refused(self):
+        kept = self.write("kept.json", "precious")
+        self.refused("convert", self.write("broken.json", '{"schema": '), kept, says="broken.json")
+        self.assertEqual(kept.read_text(), "precious")
+        self.assert_no_litter("broken.json", "kept.json")
+
+
+if __name__ == "__main__":
+    unittest.main()

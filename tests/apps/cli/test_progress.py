@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: MIT
+"""The progress line: on a terminal, for work of over a second, and gone at the end."""
+
+import json
+import subprocess
+import time
+import unittest
+
+from graze_program import PROGRAM, YARD, CommandLineTest, Terminal, environment
+
+ERASE = "\r\x1b[K"
+
+
+class Progress(CommandLineTest):
+    def check_slow_input(self, seconds, streams, command=("check", "--format", "csv", "-"), **variables):
+        """Runs the program on a scene that comes after so many seconds."""
+
+        def feed(process):
+            time.sleep(seconds)
+            process.stdin.write(json.dumps(YARD).encode())
+            process.stdin.close()
+
+        shown = Terminal([PROGRAM, *command], streams, stdin=subprocess.PIPE, during=feed, env=environment(**variables))
+        self.assertEqual(shown.code, 0)
+        return shown
+
+    def test_long_work_shows_a_line_and_takes_it_away(self):
+        shown = self.check_slow_input(2, ("stderr",))
+        self.assertIn("reading the scene ... 1 s", shown.text)
+        self.assertIn(ERASE, shown.text)
+        self.assertRegex(shown.screen(), r"\Agraze: 3 pairs; 4 objects, 3 candidates, [0-9.]+ seconds\r?\n\Z")
+        self.assertNotIn("reading", shown.piped["stdout"])
+
+    def test_short_work_shows_none(self):
+        shown = self.check_slow_input(0, ("stderr",))
+        self.assertNotIn("reading", shown.text)
+        self.assertNotIn("\x1b[K", shown.text)
+
+    def test_pipes_and_dumb_terminals_get_none(self):
+        self.assertNotIn("reading", self.check_slow_input(1.5, ("stdout",)).piped["stderr"])
+        self.assertNotIn("reading", self.check_slow_input(1.5, ("stderr",), TERM="dumb").text)
+
+    def test_without_colours_the_line_is_there_all_the_same(self):
+        self.assertIn("reading the scene", self.check_slow_input(1.5, ("stderr",), NO_COLOR="1").text)
+
+    def test_every_command_shows_it(self):
+        for command in (("info", "-"), ("convert", "-", str(self.folder / "out.json"))):
+            with self.subTest(command):
+                self.assertIn("reading the scene", self.check_slow_input(1.5, ("stderr",), command).text)
+
+    def test_an_error_comes_after_the_line_is_gone(self):
+        def feed(process):
+            time.sleep(1.5)
+            process.stdin.close()
+
+        shown = Terminal([PROGRAM, "check", "-"], ("stderr",), stdin=subprocess.PIPE, during=feed, env=environment())
+        self.assertEqual(shown.code, 3)
+        self.assertIn("reading the scene", shown.text)
+        self.assertTrue(shown.screen().startswith("graze: error: standard input"), shown.screen())
+
+    def test_the_search_shows_how_far_it_is(self):
+        # Polytopes that all overlap: millions of pairs that take a while each.
+        points = [[x, y, z + 0.1 * x * y] for x in (0, 1, 2) for y in (0, 1, 2) for z in (0, 1, 2)]
+        objects = [{"type": "polytope", "points": points} for _ in range(1800)]
+        scene = self.write("s.json", {"schema": "graze.scene/1", "dimension": 3, "objects": objects})
+        command = [PROGRAM, "check", "--format", "csv", "--output", "/dev/null", str(scene)]
+        shown = Terminal(command, ("stderr",), env=environment())
+        self.assertEqual(shown.code, 0)
+        self.assertRegex(shown.text, r"testing pairs \[=* *\] +\d+ % \d+ s")
+        self.assertIn("graze: 1619100 pairs;", shown.screen())
+
+
+if __name__ == "__main__":
+    unittest.main()

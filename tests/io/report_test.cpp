@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <rapidcheck/gtest.h>
+
+#include <graze/io/report.hpp>
+
+namespace graze::io {
+namespace {
+
+const ReportHead head{"yard.json", 2, 3};
+const ReportSummary summary{2, 5, 0.25};
+
+/// A report of the given pairs, with the summary above.
+std::string report(ReportFormat format, const std::vector<ReportedPair>& pairs, Colours colours = Colours::off) {
+  std::ostringstream out;
+  const auto writer = begin_report(out, format, head, colours);
+  for (const ReportedPair& pair : pairs) writer->write(pair);
+  writer->finish(summary);
+  return out.str();
+}
+
+const std::vector<ReportedPair> two_pairs{{"ball", "ground", Relation::touching},
+                                          {"ground", "wall", Relation::overlapping}};
+
+TEST(Report, as_json_holds_the_head_the_pairs_and_the_summary) {
+  const std::string text = report(ReportFormat::json, two_pairs);
+  EXPECT_EQ(text, R"({
+  "schema": "graze.check/1",
+  "scene": "yard.json",
+  "dimension": 2,
+  "objects": 3,
+  "pairs": [
+    {"a": "ball", "b": "ground", "relation": "touching"},
+    {"a": "ground", "b": "wall", "relation": "overlapping"}
+  ],
+  "summary": {"pairs": 2, "candidates": 5, "seconds": 0.250000}
+}
+)");
+  EXPECT_EQ(nlohmann::json::parse(text)["pairs"].size(), 2U);
+}
+
+TEST(Report, as_json_of_no_pair_is_a_whole_document) {
+  const auto document = nlohmann::json::parse(report(ReportFormat::json, {}));
+  EXPECT_TRUE(document["pairs"].is_array());
+  EXPECT_TRUE(document["pairs"].empty());
+}
+
+TEST(Report, as_ndjson_is_one_object_per_line) {
+  EXPECT_EQ(report(ReportFormat::ndjson, two_pairs), R"({"a": "ball", "b": "ground", "relation": "touching"}
+{"a": "ground", "b": "wall", "relation": "overlapping"}
+)");
+  EXPECT_EQ(report(ReportFormat::ndjson, {}), "");
+}
+
+TEST(Report, as_csv_has_a_header_and_quotes_what_needs_it) {
+  const std::vector<ReportedPair> pairs{{"a,b", "say \"hi\"", Relation::touching},
+                                        {"two\nlines", "plain", Relation::overlapping}};
+  EXPECT_EQ(report(ReportFormat::csv, pairs),
+            "a,b,relation\n\"a,b\",\"say \"\"hi\"\"\",touching\n\"two\nlines\",plain,overlapping\n");
+  EXPECT_EQ(report(ReportFormat::csv, {}), "a,b,relation\n");
+}
+
+TEST(Report, as_a_table_has_aligned_columns_and_a_closing_line) {
+  EXPECT_EQ(report(ReportFormat::table, two_pairs),
+            "A       B       RELATION\n"
+            "ball    ground  touching\n"
+            "ground  wall    overlapping\n"
+            "\n"
+            "2 pairs; 3 objects, 5 candidates, 0.250 seconds\n");
+  EXPECT_EQ(report(ReportFormat::table, {}), "2 pairs; 3 objects, 5 candidates, 0.250 seconds\n");
+}
+
+TEST(Report, as_a_table_aligns_wide_and_escaped_names) {
+  const std::vector<ReportedPair> pairs{{"球", "x", Relation::touching}, {"\x1b[1m", "x", Relation::touching}};
+  const std::string text = report(ReportFormat::table, pairs);
+  EXPECT_EQ(text.find('\x1b'), std::string::npos);
+  EXPECT_NE(text.find("\n球       x  touching\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n\\x1b[1m  x  touching\n"), std::string::npos) << text;
+}
+
+TEST(Report, colours_only_a_table_and_ends_each_colour) {
+  EXPECT_EQ(report(ReportFormat::table, {{"a", "b", Relation::overlapping}}, Colours::on),
+            "\x1b[1mA  B  RELATION\x1b[0m\n"
+            "a  b  \x1b[33moverlapping\x1b[0m\n"
+            "\n"
+            "2 pairs; 3 objects, 5 candidates, 0.250 seconds\n");
+  for (const ReportFormat format : {ReportFormat::json, ReportFormat::ndjson, ReportFormat::csv}) {
+    EXPECT_EQ(report(format, two_pairs, Colours::on), report(format, two_pairs));
+  }
+}
+
+TEST(Report, streams_json_lines_and_csv_before_the_end) {
+  for (const ReportFormat format : {ReportFormat::json, ReportFormat::ndjson, ReportFormat::csv}) {
+    std::ostringstream out;
+    const auto writer = begin_report(out, format, head);
+    writer->write(two_pairs[0]);
+    EXPECT_NE(out.str().find("ball"), std::string::npos);
+  }
+}
+
+TEST(Report, replaces_bytes_in_json_that_are_not_utf8) {
+  const auto line = nlohmann::json::parse(report(ReportFormat::ndjson, {{"a\xff", "\x01\"\\", Relation::touching}}));
+  EXPECT_EQ(line["a"], "a\xef\xbf\xbd");
+  EXPECT_EQ(line["b"], "\x01\"\\");
+}
+
+TEST(SummaryLine, uses_the_singular_for_one) {
+  EXPECT_EQ(summary_line({"x", 3, 1}, {1, 1, 0}), "1 pair; 1 object, 1 candidate, 0.000 seconds");
+}
+
+/// Splits one line of CSV into its fields, by the rules of RFC 4180; it ends with the text.
+std::vector<std::string> fields_of(const std::string& text) {
+  std::vector<std::string> fields{""};
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') {
+      if (quoted && i + 1 < text.size() && text[i + 1] == '"') {
+        fields.back() += text[++i];
+      } else {
+        quoted = !quoted;
+      }
+    } else if (text[i] == ',' && !quoted) {
+      fields.emplace_back();
+    } else {
+      fields.back() += text[i];
+    }
+  }
+  return fields;
+}
+
+RC_GTEST_PROP(Report, as_csv_gives_back_any_name, (const std::string& a, const std::string& b)) {
+  const std::string text = report(ReportFormat::csv, {{a, b, Relation::touching}});
+  const std::string first_line = "a,b,relation\n";
+  RC_ASSERT(text.starts_with(first_line) && text.ends_with('\n'));
+  const std::string line = text.substr(first_line.size(), text.size() - first_line.size() - 1);
+  RC_ASSERT(fields_of(line) == (std::vector<std::string>{a, b, "touching"}));
+}
+
+}  // namespace
+}  // namespace graze::io

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <graze/io/svg_labels.hpp>
+
+#include "svg_picture.hpp"
+
+namespace graze::io::svg {
+namespace {
+
+const Aabb<2, double> card{{0, 0}, {1000, 500}};
+
+/// Where the names ended up, as "name x y".
+std::vector<std::string> places(const std::vector<Label>& labels) {
+  const SvgPicture picture = parsed_fragment(placed_labels(labels, card));
+  std::vector<std::string> result;
+  for (const pugi::xml_node& text : picture.root().children("text")) {
+    result.push_back(std::string(text.child_value()) + " " + text.attribute("x").value() + " " +
+                     text.attribute("y").value());
+  }
+  return result;
+}
+
+using Places = std::vector<std::string>;
+
+TEST(SvgLabels, stand_in_the_middle_of_a_box_that_is_large_enough) {
+  EXPECT_EQ(places({{"crate", {{100, 100}, {200, 150}}}}), (Places{"crate 150 129"}));
+}
+
+TEST(SvgLabels, stand_above_a_small_box) {
+  // 15 high, 4 off the box: its middle lies 11.5 above, the baseline 4 below that.
+  EXPECT_EQ(places({{"crate", {{100, 100}, {110, 110}}}}), (Places{"crate 105 92.5"}));
+}
+
+TEST(SvgLabels, stand_elsewhere_when_the_best_place_is_taken) {
+  const Label small{"a", {{100, 100}, {110, 110}}};
+  const Label obstacle{"", {{104, 80}, {140, 97}}};
+  const Places found = places({small, obstacle});
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found[0], "a 117.72 109");  // to the right
+}
+
+TEST(SvgLabels, may_lie_on_a_larger_thing) {
+  EXPECT_EQ(places({{"crate", {{100, 100}, {110, 110}}}, {"ground", {{0, 0}, {1000, 500}}}}),
+            (Places{"crate 105 92.5", "ground 500 254"}));
+}
+
+TEST(SvgLabels, do_not_cover_a_smaller_thing_in_the_middle_of_a_larger) {
+  const Places found = places({{"ground", {{0, 0}, {1000, 500}}}, {"crate", {{450, 200}, {550, 300}}}});
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_NE(found[0], "ground 500 254");
+  EXPECT_EQ(found[1], "crate 500 254");
+}
+
+TEST(SvgLabels, that_fit_nowhere_are_left_out) {
+  EXPECT_EQ(places({{std::string(500, 'x'), {{100, 100}, {110, 110}}}}), Places{});
+  const Label same{"ab", {{500, 250}, {501, 251}}};
+  EXPECT_EQ(places({same, same, same, same, same, same}).size(), 2U);  // above and below; beside would overlap above
+}
+
+TEST(SvgLabels, are_escaped) { EXPECT_EQ(places({{"<a&b>", {{100, 100}, {200, 150}}}}), (Places{"<a&b> 150 129"})); }
+
+TEST(SvgLabels, estimate_wide_characters_as_wide) {
+  EXPECT_DOUBLE_EQ(text_width("abcd", 10), 24.8);
+  EXPECT_DOUBLE_EQ(text_width("球球", 10), 24.8);
+}
+
+}  // namespace
+}  // namespace graze::io::svg
