@@ -22,6 +22,7 @@ SOURCES = [".hpp", ".cpp", ".py", ".sh", ".cmake", ".cmake.in", "CMakeLists.txt"
 # Headers without a test file of their own: the test file that covers them, and why it is another's.
 TESTED_ELSEWHERE = {
     "graze/broad/pair.hpp": ("tests/broad/pairs_test.cpp", "a struct without functions: it is what overlapping_pairs gives"),
+    "graze/query/status.hpp": ("tests/query/gjk_test.cpp", "an enum without functions: it is how gjk and epa end"),
     "graze/scene/relations.hpp": ("tests/scene/scene_test.cpp", "instances of relation(), which Scene::pairs calls"),
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// relation(AnyShape, AnyShape) meets every pair of types in every space: compiled once in relations.cpp, for everyone above.
+// relation(AnyShape, AnyShape) meets every pair of types in every space: compiled once in relations.cpp, for everyone
+// above.
 #pragma once
 
 #include <graze/query/relation.hpp>
