@@ -9,7 +9,9 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
+#include <functional>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -36,65 +38,69 @@ namespace graze::test {
 /// The four spaces, for TYPED_TEST_SUITE: a test body reads TypeParam::dimension and TypeParam::scalar.
 using Spaces = testing::Types<Space<2, float>, Space<3, float>, Space<2, double>, Space<3, double>>;
 
-/// What the catalogue knows of a type: its name, its fields in the order of braces, and `any(source)`, a generator of
-/// valid values. Types without public fields have `source(value)` instead, the expression that makes the value. A
+/// What the catalogue knows of a type: its name, its fields in the order of braces, and `draw(source)`, which makes a
+/// random valid value. Types without public fields have `source(value)` instead, the expression that makes the value. A
 /// convex shape has `point_in(shape, w)`: for each w with coordinates in [-1, 1] a point of the shape, up to rounding,
 /// found without `support`.
 template <class S>
 struct Entry;
+
+/// Gives an entry `any(source)`, the generator that calls `draw`. One `exec` for each type instead of a tower of maps
+/// and tuples: it compiles several times faster.
+template <class S, Dim N, class T>
+struct Generated {
+  static rc::Gen<S> any(const Source<N, T>& from) {
+    return rc::gen::exec([from] { return Entry<S>::draw(from); });
+  }
+};
 
 template <class S>
 concept Catalogued = requires {
   Entry<S>::name;
 };
 
-/// An S in braces of values from these generators.
-template <class S, class... Fields>
-rc::Gen<S> aggregate(const rc::Gen<Fields>&... fields) {
-  return rc::gen::apply([](const Fields&... values) { return S{values...}; }, fields...);
-}
-
 template <Dim N, class T>
-struct Entry<Vec<N, T>> {
+struct Entry<Vec<N, T>> : Generated<Vec<N, T>, N, T> {
   static constexpr std::string_view name = "Vec";
-  static rc::Gen<Vec<N, T>> any(const Source<N, T>& from) { return from.point; }
+  static Vec<N, T> draw(const Source<N, T>& from) { return *from.point; }
   static Vec<N, double> point_in(const Vec<N, T>& point, const Vec<N, double>&) { return wide<N, T>(point); }
   static std::string source(const Vec<N, T>& point) { return type_source<N, T>(name) + initializer(point); }
 };
 
 template <Dim N, class T>
-struct Entry<Segment<N, T>> {
+struct Entry<Segment<N, T>> : Generated<Segment<N, T>, N, T> {
   static constexpr std::string_view name = "Segment";
   static constexpr auto fields = std::tuple(&Segment<N, T>::start, &Segment<N, T>::end);
-  static auto any(const Source<N, T>& from) { return aggregate<Segment<N, T>>(from.point, from.point); }
+  static Segment<N, T> draw(const Source<N, T>& from) { return {*from.point, *from.point}; }
   static Vec<N, double> point_in(const Segment<N, T>& segment, const Vec<N, double>& w) {
     return wide<N, T>(segment.start) * (0.5 - w[0] / 2) + wide<N, T>(segment.end) * (0.5 + w[0] / 2);
   }
 };
 
 template <Dim N, class T>
-struct Entry<Ray<N, T>> {
+struct Entry<Ray<N, T>> : Generated<Ray<N, T>, N, T> {
   static constexpr std::string_view name = "Ray";
   static constexpr auto fields = std::tuple(&Ray<N, T>::origin, &Ray<N, T>::direction);
-  static auto any(const Source<N, T>& from) { return aggregate<Ray<N, T>>(from.point, from.direction); }
+  static Ray<N, T> draw(const Source<N, T>& from) { return {*from.point, *from.direction}; }
 };
 
 template <Dim N, class T>
-struct Entry<Sphere<N, T>> {
+struct Entry<Sphere<N, T>> : Generated<Sphere<N, T>, N, T> {
   static constexpr std::string_view name = "Sphere";
   static constexpr auto fields = std::tuple(&Sphere<N, T>::center, &Sphere<N, T>::radius);
-  static auto any(const Source<N, T>& from) { return aggregate<Sphere<N, T>>(from.point, from.size); }
+  static Sphere<N, T> draw(const Source<N, T>& from) { return {*from.point, *from.size}; }
   static Vec<N, double> point_in(const Sphere<N, T>& sphere, const Vec<N, double>& w) {
     return wide<N, T>(sphere.center) + w * (static_cast<double>(sphere.radius) / std::fmax(1, length(w)));
   }
 };
 
 template <Dim N, class T>
-struct Entry<Aabb<N, T>> {
+struct Entry<Aabb<N, T>> : Generated<Aabb<N, T>, N, T> {
   static constexpr std::string_view name = "Aabb";
   static constexpr auto fields = std::tuple(&Aabb<N, T>::min, &Aabb<N, T>::max);
-  static auto any(const Source<N, T>& from) {
-    return rc::gen::apply(&Aabb<N, T>::from_corners, from.point, from.point);
+  static Aabb<N, T> draw(const Source<N, T>& from) {
+    const Vec<N, T> corner = *from.point;
+    return Aabb<N, T>::from_corners(corner, *from.point);
   }
   static Vec<N, double> point_in(const Aabb<N, T>& box, const Vec<N, double>& w) {
     return wide<N, T>(box.min) * (0.5 - w / 2.0) + wide<N, T>(box.max) * (0.5 + w / 2.0);
@@ -102,46 +108,43 @@ struct Entry<Aabb<N, T>> {
 };
 
 template <Dim N, class T>
-struct Entry<Obb<N, T>> {
+struct Entry<Obb<N, T>> : Generated<Obb<N, T>, N, T> {
   static constexpr std::string_view name = "Obb";
   static constexpr auto fields = std::tuple(&Obb<N, T>::center, &Obb<N, T>::half_extents, &Obb<N, T>::axes);
-  static auto any(const Source<N, T>& from) {
-    return aggregate<Obb<N, T>>(from.point, vector_of<N, T>(from.size), any_rotation<N, T>());
+  static Obb<N, T> draw(const Source<N, T>& from) {
+    return {*from.point, *vector_of<N, T>(from.size), *any_rotation<N, T>()};
   }
   static Vec<N, double> point_in(const Obb<N, T>& box, const Vec<N, double>& w) {
     return wide<N, T>(box.center) + wide_matrix<N, T>(box.axes) * (wide<N, T>(box.half_extents) * w);
   }
 };
 
-/// Through a point of the source, up to rounding of the offset.
+/// A plane, or half-space, through a point of the source, up to rounding of the offset.
 template <template <Dim, class> class S, Dim N, class T>
-rc::Gen<S<N, T>> any_level(const Source<N, T>& from) {
-  return rc::gen::apply(
-      [](const Vec<N, T>& normal, const Vec<N, T>& point) {
-        return S<N, T>{normal, static_cast<T>(dot(wide<N, T>(normal), wide<N, T>(point))) + T(0)};  // no minus zero
-      },
-      from.direction, from.point);
+S<N, T> draw_level(const Source<N, T>& from) {
+  const Vec<N, T> normal = *from.direction;
+  return {normal, static_cast<T>(dot(wide<N, T>(normal), wide<N, T>(*from.point))) + T(0)};  // never minus zero
 }
 
 template <Dim N, class T>
-struct Entry<Plane<N, T>> {
+struct Entry<Plane<N, T>> : Generated<Plane<N, T>, N, T> {
   static constexpr std::string_view name = "Plane";
   static constexpr auto fields = std::tuple(&Plane<N, T>::normal, &Plane<N, T>::offset);
-  static auto any(const Source<N, T>& from) { return any_level<Plane, N, T>(from); }
+  static Plane<N, T> draw(const Source<N, T>& from) { return draw_level<Plane, N, T>(from); }
 };
 
 template <Dim N, class T>
-struct Entry<HalfSpace<N, T>> {
+struct Entry<HalfSpace<N, T>> : Generated<HalfSpace<N, T>, N, T> {
   static constexpr std::string_view name = "HalfSpace";
   static constexpr auto fields = std::tuple(&HalfSpace<N, T>::normal, &HalfSpace<N, T>::offset);
-  static auto any(const Source<N, T>& from) { return any_level<HalfSpace, N, T>(from); }
+  static HalfSpace<N, T> draw(const Source<N, T>& from) { return draw_level<HalfSpace, N, T>(from); }
 };
 
 template <Dim N, class T>
-struct Entry<Triangle<N, T>> {
+struct Entry<Triangle<N, T>> : Generated<Triangle<N, T>, N, T> {
   static constexpr std::string_view name = "Triangle";
   static constexpr auto fields = std::tuple(&Triangle<N, T>::a, &Triangle<N, T>::b, &Triangle<N, T>::c);
-  static auto any(const Source<N, T>& from) { return aggregate<Triangle<N, T>>(from.point, from.point, from.point); }
+  static Triangle<N, T> draw(const Source<N, T>& from) { return {*from.point, *from.point, *from.point}; }
   static Vec<N, double> point_in(const Triangle<N, T>& triangle, const Vec<N, double>& w) {
     const double along = 0.5 + w[0] / 2;
     const double up = (0.5 + w[1] / 2) * along;
@@ -150,31 +153,21 @@ struct Entry<Triangle<N, T>> {
 };
 
 template <Dim N, class T>
-struct Entry<Capsule<N, T>> {
+struct Entry<Capsule<N, T>> : Generated<Capsule<N, T>, N, T> {
   static constexpr std::string_view name = "Capsule";
   static constexpr auto fields = std::tuple(&Capsule<N, T>::a, &Capsule<N, T>::b, &Capsule<N, T>::radius);
-  static auto any(const Source<N, T>& from) { return aggregate<Capsule<N, T>>(from.point, from.point, from.size); }
+  static Capsule<N, T> draw(const Source<N, T>& from) { return {*from.point, *from.point, *from.size}; }
   static Vec<N, double> point_in(const Capsule<N, T>& capsule, const Vec<N, double>& w) {
     const Vec<N, double> center = Entry<Segment<N, T>>::point_in(axis(capsule), w);
     return Entry<Sphere<N, double>>::point_in({center, static_cast<double>(capsule.radius)}, w);
   }
 };
 
-/// One to `count` values, which shrink in number too.
-template <class S>
-rc::Gen<std::vector<S>> some(std::size_t count, const rc::Gen<S>& any) {
-  return rc::gen::mapcat(choice(count),
-                         [any](std::size_t more) { return rc::gen::container<std::vector<S>>(1 + more, any); });
-}
-
 /// Hulls of one to eight points.
 template <Dim N, class T>
-struct Entry<Polytope<N, T>> {
+struct Entry<Polytope<N, T>> : Generated<Polytope<N, T>, N, T> {
   static constexpr std::string_view name = "Polytope";
-  static rc::Gen<Polytope<N, T>> any(const Source<N, T>& from) {
-    return rc::gen::map(some<Vec<N, T>>(8, from.point),
-                        [](const std::vector<Vec<N, T>>& points) { return convex_hull<N, T>(points); });
-  }
+  static Polytope<N, T> draw(const Source<N, T>& from) { return convex_hull<N, T>(*some<Vec<N, T>>(8, from.point)); }
   static Vec<N, double> point_in(const Polytope<N, T>& polytope, const Vec<N, double>& w) {
     const std::size_t count = polytope.vertices().size();
     const auto pick = static_cast<std::size_t>((0.5 + w[0] / 2) * 0.999 * static_cast<double>(count));
@@ -188,9 +181,9 @@ struct Entry<Polytope<N, T>> {
   }
 };
 
-/// Any shape from a source, with compounds nested at most `depth` deep.
+/// A shape of any type from a source, with compounds nested at most `depth` deep.
 template <Dim N, class T>
-rc::Gen<AnyShape<N, T>> any_shape_from(const Source<N, T>& from, int depth = 2);
+AnyShape<N, T> draw_shape(const Source<N, T>& from, int depth = 2);
 
 /// The C++ source of a value: an expression that can be pasted into a test (using namespace graze).
 template <Catalogued S>
@@ -203,14 +196,13 @@ std::string to_source(const AnyShape<N, T>& shape) {
 
 /// No part to three parts of any type.
 template <Dim N, class T>
-struct Entry<Compound<N, T>> {
+struct Entry<Compound<N, T>> : Generated<Compound<N, T>, N, T> {
   static constexpr std::string_view name = "Compound";
-  static rc::Gen<Compound<N, T>> any(const Source<N, T>& from, int depth = 2) {
-    const rc::Gen<AnyShape<N, T>> part = any_shape_from<N, T>(from, depth - 1);
-    return rc::gen::mapcat(choice(4), [part](std::size_t count) {
-      return rc::gen::map(rc::gen::container<std::vector<AnyShape<N, T>>>(count, part),
-                          [](std::vector<AnyShape<N, T>> parts) { return compound_of<N, T>(std::move(parts)); });
-    });
+  static Compound<N, T> draw(const Source<N, T>& from, int depth = 2) {
+    const std::size_t count = *choice(4);
+    std::vector<AnyShape<N, T>> parts;
+    for (std::size_t i = 0; i < count; ++i) parts.push_back(draw_shape<N, T>(from, depth - 1));
+    return compound_of<N, T>(std::move(parts));
   }
   static std::string source(const Compound<N, T>& compound) {
     std::string parts;
@@ -220,10 +212,10 @@ struct Entry<Compound<N, T>> {
 };
 
 template <Dim N, class T>
-struct Entry<Pose<N, T>> {
+struct Entry<Pose<N, T>> : Generated<Pose<N, T>, N, T> {
   static constexpr std::string_view name = "Pose";
   static constexpr auto fields = std::tuple(&Pose<N, T>::rotation, &Pose<N, T>::position);
-  static auto any(const Source<N, T>& from) { return aggregate<Pose<N, T>>(any_rotation<N, T>(), from.point); }
+  static Pose<N, T> draw(const Source<N, T>& from) { return {*any_rotation<N, T>(), *from.point}; }
 };
 
 template <template <Dim, class> class S, Dim N, class T>
@@ -245,28 +237,35 @@ std::string to_source(const S& value) {
   }
 }
 
-/// The alternatives of AnyShape by index, the later ones shrinking to the earlier ones.
+/// The place of compounds in AnyShape: the last.
 template <Dim N, class T>
-rc::Gen<AnyShape<N, T>> any_shape_from(const Source<N, T>& from, int depth) {
+inline constexpr std::size_t compound_index = std::variant_size_v<AnyShape<N, T>> - 1;
+
+/// A shape of the type at `index` in AnyShape.
+template <Dim N, class T>
+AnyShape<N, T> draw_shape_at(std::size_t index, const Source<N, T>& from, int depth = 2) {
   using Any = AnyShape<N, T>;
-  constexpr std::size_t simple = std::variant_size_v<Any> - 1;  // the last is the compound
-  static_assert(std::is_same_v<std::variant_alternative_t<simple, Any>, Compound<N, T>>);
-  const auto widen = [](auto shape) { return Any(std::move(shape)); };
-  return rc::gen::mapcat(choice(depth > 0 ? simple + 1 : simple), [=](std::size_t index) {
-    if (index == simple) return rc::Gen<Any>(rc::gen::map(Entry<Compound<N, T>>::any(from, depth), widen));
-    return [&]<std::size_t... Indices>(std::index_sequence<Indices...>) {
-      const std::array<rc::Gen<Any>, simple> all = {
-          rc::gen::map(Entry<std::variant_alternative_t<Indices, Any>>::any(from), widen)...};
-      return all[index];
-    }
-    (std::make_index_sequence<simple>());
-  });
+  static_assert(std::is_same_v<std::variant_alternative_t<compound_index<N, T>, Any>, Compound<N, T>>);
+  if (index == compound_index<N, T>) return Entry<Compound<N, T>>::draw(from, depth);
+  Any shape;
+  [&]<std::size_t... Indices>(std::index_sequence<Indices...>) {
+    const auto draw = [&]<class S>(std::type_identity<S>) { shape = Entry<S>::draw(from); };
+    ((index == Indices ? draw(std::type_identity<std::variant_alternative_t<Indices, Any>>()) : void()), ...);
+  }
+  (std::make_index_sequence<compound_index<N, T>>());
+  return shape;
 }
 
 template <Dim N, class T>
-struct Entry<AnyShape<N, T>> {
+AnyShape<N, T> draw_shape(const Source<N, T>& from, int depth) {
+  const std::size_t types = depth > 0 ? compound_index<N, T> + 1 : compound_index<N, T>;
+  return draw_shape_at<N, T>(*choice(types), from, depth);
+}
+
+template <Dim N, class T>
+struct Entry<AnyShape<N, T>> : Generated<AnyShape<N, T>, N, T> {
   static constexpr std::string_view name = "AnyShape";
-  static auto any(const Source<N, T>& from) { return any_shape_from<N, T>(from); }
+  static AnyShape<N, T> draw(const Source<N, T>& from) { return draw_shape<N, T>(from); }
   static std::string source(const AnyShape<N, T>& shape) { return to_source<N, T>(shape); }
 };
 
@@ -276,14 +275,17 @@ struct SpaceOf : ShapeTraits<S> {};
 template <Dim N, class T>
 struct SpaceOf<Pose<N, T>> : Space<N, T> {};
 
-template <class S>
-using SourceFor = Source<SpaceOf<S>::dimension, typename SpaceOf<S>::scalar>;
-
 /// A shape or pose of this type.
 template <Catalogued S>
 rc::Gen<S> any() {
-  return rc::gen::mapcat(any_source<SpaceOf<S>::dimension, typename SpaceOf<S>::scalar>(),
-                         [](const SourceFor<S>& from) { return rc::Gen<S>(Entry<S>::any(from)); });
+  return rc::gen::exec(
+      [] { return Entry<S>::draw(draw_source<SpaceOf<S>::dimension, typename SpaceOf<S>::scalar>()); });
+}
+
+/// A shape of any type from a source: `Entry<S>::any(source)` for AnyShape.
+template <Dim N, class T>
+rc::Gen<AnyShape<N, T>> any_shape_from(const Source<N, T>& from) {
+  return Entry<AnyShape<N, T>>::any(from);
 }
 
 /// A shape of any type, compounds with two levels included.
@@ -300,11 +302,16 @@ rc::Gen<Pose<N, T>> any_pose() {
 /// Two shapes made of the same kind of numbers, which often share points: a fair part of them touch or overlap.
 template <Catalogued A, Catalogued B>
 rc::Gen<std::pair<A, B>> any_pair() {
-  return rc::gen::mapcat(any_source<SpaceOf<A>::dimension, typename SpaceOf<A>::scalar>(),
-                         [](const SourceFor<A>& from) {
-                           return rc::gen::pair(rc::Gen<A>(Entry<A>::any(from)), rc::Gen<B>(Entry<B>::any(from)));
-                         });
+  return rc::gen::exec([] {
+    const auto from = draw_source<SpaceOf<A>::dimension, typename SpaceOf<A>::scalar>();
+    A a = Entry<A>::draw(from);
+    return std::pair<A, B>(std::move(a), Entry<B>::draw(from));
+  });
 }
+
+/// Runs `property`, which draws its values by `*any_...()`, as RC_GTEST_PROP does, inside any test: in TYPED_TEST, for
+/// instance. A failure prints the smallest case found as C++ source.
+inline void check_property(const std::function<void()>& property) { rc::detail::checkGTest(property); }
 
 /// Calls visit(std::type_identity<S>()) for every alternative S of AnyShape.
 template <Dim N, class T, class Visit>
@@ -314,11 +321,26 @@ void for_each_shape_type(Visit visit) {
   }(std::type_identity<AnyShape<N, T>>());
 }
 
-/// Runs `property` (a function of catalogued types, or one that draws its values by `*any_...()`) as RC_GTEST_PROP
-/// does, inside any test: in TYPED_TEST, for instance. A failure prints the smallest case found as C++ source.
-template <class Property>
-void check_property(Property&& property) {
-  rc::detail::checkGTest(std::forward<Property>(property));
+/// A shape of the type at `index` in AnyShape.
+template <Dim N, class T>
+rc::Gen<AnyShape<N, T>> any_shape_at(std::size_t index) {
+  return rc::gen::exec([index] { return draw_shape_at<N, T>(index, draw_source<N, T>()); });
+}
+
+/// Checks `property(shape)` for random shapes of every type of AnyShape that it can be called with:
+/// `[]<Convex S>(const S& shape) { ... }` is not called with planes.
+template <Dim N, class T, class Property>
+void check_every_type(Property property) {
+  std::size_t index = 0;
+  for_each_shape_type<N, T>([&]<class S>(std::type_identity<S>) {
+    if constexpr (std::invocable<Property, const S&>) {
+      check_property([index, &property] {
+        const AnyShape<N, T> shape = *any_shape_at<N, T>(index);
+        property(std::get<S>(shape));
+      });
+    }
+    ++index;
+  });
 }
 
 }  // namespace graze::test

@@ -132,11 +132,22 @@ T draw_slope(Kind kind, rc::Random& random) {
 /// A vector whose coordinates come from one generator.
 template <Dim N, class T>
 rc::Gen<Vec<N, T>> vector_of(const rc::Gen<T>& coordinate) {
-  if constexpr (N == 2) {
-    return rc::gen::apply([](T x, T y) { return Vec<2, T>(x, y); }, coordinate, coordinate);
-  } else {
-    return rc::gen::apply([](T x, T y, T z) { return Vec<3, T>(x, y, z); }, coordinate, coordinate, coordinate);
-  }
+  return rc::gen::exec([coordinate] {
+    Vec<N, T> vector;
+    for (Dim i = 0; i < N; ++i) vector[i] = *coordinate;
+    return vector;
+  });
+}
+
+/// One to `count` values.
+template <class S>
+rc::Gen<std::vector<S>> some(std::size_t count, const rc::Gen<S>& any) {
+  return rc::gen::exec([count, any] {
+    const std::size_t more = *choice(count);
+    std::vector<S> values;
+    for (std::size_t i = 0; i <= more; ++i) values.push_back(*any);
+    return values;
+  });
 }
 
 /// What the shapes of one test case are made of.
@@ -168,14 +179,13 @@ Source<N, T> sharing(const Source<N, T>& source, const Vec<N, T>& p, const Vec<N
   return shared;
 }
 
-/// A source for one test case: its shapes share a kind of numbers, and often points.
+/// A source for one test case: its shapes share a kind of numbers, and often points. To be called where `*generator`
+/// may be.
 template <Dim N, class T>
-rc::Gen<Source<N, T>> any_source() {
-  return rc::gen::mapcat(choice(kinds.size()), [](std::size_t kind) {
-    const Source<N, T> source = source_of<N, T>(kinds[kind]);
-    return rc::gen::apply([source](const Vec<N, T>& p, const Vec<N, T>& q) { return sharing<N, T>(source, p, q); },
-                          source.point, source.point);
-  });
+Source<N, T> draw_source() {
+  const Source<N, T> source = source_of<N, T>(kinds[*choice(kinds.size())]);
+  const Vec<N, T> p = *source.point;
+  return sharing<N, T>(source, p, *source.point);
 }
 
 /// The matrix rounded to T, without negative zeros.
@@ -186,42 +196,30 @@ Mat<N, T> rounded(const Mat<N, double>& matrix) {
   return result;
 }
 
-/// Quarter turns.
-inline rc::Gen<double> any_quarter() {
-  return rc::gen::map(drawn<int>([](rc::Random& random) { return whole(random, -1, 2); }),
-                      [](int quarters) { return 90.0 * quarters; });
-}
-
 /// Degrees: quarter turns, almost quarter turns (1e-8 to 1e-6 radians off), and any angle.
 inline rc::Gen<double> any_degrees() {
-  const rc::Gen<double> off = drawn<double>([](rc::Random& random) {
-    return std::pow(10, between(random, -8, -6)) * (180 / 3.14159265358979323846) * whole(random, -1, 1);
+  return drawn<double>([](rc::Random& random) {
+    const double quarter = 90 * whole(random, -1, 2);
+    const double off = std::pow(10, between(random, -8, -6)) * (180 / 3.14159265358979323846);
+    const std::array<double, 3> choices = {quarter, quarter + off * whole(random, -1, 1), between(random, -180, 180)};
+    return choices[static_cast<std::size_t>(whole(random, 0, 2))];
   });
-  return rc::gen::oneOf(any_quarter(), drawn<double>([](rc::Random& random) { return between(random, -180, 180); }),
-                        rc::gen::apply([](double quarter, double rest) { return quarter + rest; }, any_quarter(), off));
 }
 
-/// A proper rotation: exact to the last bit at quarter turns about the axes, else orthonormal up to rounding.
+/// A proper rotation: exact to the last bit at quarter turns about the axes, else orthonormal up to rounding. In space
+/// Euler's angles about z, x, z: their quarter turns reach all 24 rotations of the cube.
 template <Dim N, class T>
 rc::Gen<Mat<N, T>> any_rotation() {
-  if constexpr (N == 2) {
-    return rc::gen::map(any_degrees(), [](double degrees) { return rounded<2, T>(rotation_matrix(degrees)); });
-  } else {
-    // Euler's angles about z, x, z reach all 24 rotations of the cube.
-    const auto quarters = rc::gen::apply(
-        [](double a, double b, double c) {
-          const Vec<3, double> z = unit_axis<3>(2);
-          return rounded<3, T>(rotation_matrix(z, a) * rotation_matrix(unit_axis<3>(0), b) * rotation_matrix(z, c));
-        },
-        any_quarter(), any_quarter(), any_quarter());
-    const auto about = [](const rc::Gen<Vec<3, double>>& any_axis) {
-      return rc::gen::apply(
-          [](const Vec<3, double>& axis, double degrees) { return rounded<3, T>(rotation_matrix(axis, degrees)); },
-          any_axis, any_degrees());
-    };
-    return rc::gen::oneOf(quarters, about(source_of<3, double>(Kind::grid).direction),
-                          about(source_of<3, double>(Kind::uniform).direction));
-  }
+  return rc::gen::exec([] {
+    const rc::Gen<double> degrees = any_degrees();
+    if constexpr (N == 2) {
+      return rounded<2, T>(rotation_matrix(*degrees));
+    } else {
+      Mat<3, double> rotation(1.0);
+      for (const Dim axis : {2, 0, 2}) rotation = rotation_matrix(unit_axis<3>(axis), *degrees) * rotation;
+      return rounded<3, T>(rotation);
+    }
+  });
 }
 
 }  // namespace graze::test

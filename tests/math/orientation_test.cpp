@@ -122,7 +122,7 @@ TYPED_TEST_SUITE(OrientationIn, Scalars);
 TYPED_TEST(OrientationIn, IsExactForAnyThreePoints) {
   using Point = Vec<2, TypeParam>;
   test::check_property([] {
-    const auto from = *test::any_source<2, TypeParam>();
+    const auto from = test::draw_source<2, TypeParam>();
     const Point a = *from.point;
     const Point b = *from.point;
     const Point c = *from.point;

@@ -106,7 +106,8 @@ TYPED_TEST_SUITE(PoseIn, test::Spaces);
 TYPED_TEST(PoseIn, KeepsDistances) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
-  test::check_property([](const Pose<N, T>& pose) {
+  test::check_property([] {
+    const Pose<N, T> pose = *test::any<Pose<N, T>>();
     const auto [a, b] = *test::any_pair<Vec<N, T>, Vec<N, T>>();
     const Vec<N, double> before = wide<N, T>(b) - wide<N, T>(a);
     const Vec<N, double> after = wide<N, T>(transformed(b, pose)) - wide<N, T>(transformed(a, pose));
@@ -119,7 +120,9 @@ TYPED_TEST(PoseIn, KeepsDistances) {
 TYPED_TEST(PoseIn, ImageOfADifferenceIsTheDifferenceOfTheImages) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
-  test::check_property([](const Pose<N, T>& pose, const Vec<N, T>& a) {
+  test::check_property([] {
+    const Pose<N, T> pose = *test::any<Pose<N, T>>();
+    const Vec<N, T> a = *test::any<Vec<N, T>>();
     const Vec<N, double> turned = wide<N, T>(rotated<N, T>(a, pose));
     const Vec<N, double> moved = wide<N, T>(transformed(a, pose)) - wide<N, T>(pose.position);
     const double size = static_cast<double>(max_abs(a) + max_abs(pose.position));

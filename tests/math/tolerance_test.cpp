@@ -21,7 +21,7 @@ using Rational = boost::multiprecision::cpp_rational;
 TEST(Tolerance, EpsilonIsTheSpacingAboveOne) { EXPECT_EQ(1 + tolerance::epsilon, std::nextafter(1.0, 2.0)); }
 
 RC_GTEST_PROP(Tolerance, RoundingCoversATripleProductOfDifferences, ()) {
-  const auto from = *test::any_source<3, double>();
+  const auto from = test::draw_source<3, double>();
   const Vec<3, double> a = *from.point;
   const Vec<3, double> b = *from.point;
   const Vec<3, double> e = *from.direction;

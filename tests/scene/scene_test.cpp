@@ -130,7 +130,7 @@ TEST(Scene, HasSixtyFourLayersAndSaysSo) {
 
 template <Dim N, class T>
 void check_pairs_against_all_pairs() {
-  const auto shapes = *rc::gen::container<std::vector<AnyShape<N, T>>>(any_shape<N, T>());
+  const auto shapes = *rc::gen::container<std::vector<AnyShape<N, T>>>(test::any_shape<N, T>());
   Scene<N, T> scene;
   std::vector<ObjectId> ids;
   for (const AnyShape<N, T>& shape : shapes) ids.push_back(scene.add(shape));

@@ -63,7 +63,7 @@ def run_graze(*arguments, **options):
     for stream in ("stdout", "stderr"):
         options.setdefault(stream, subprocess.PIPE)
     options.setdefault("env", environment())
-    command = [PROGRAM, *map(os.fspath, arguments)]
+    command = [options.pop("program", PROGRAM), *map(os.fspath, arguments)]
     return subprocess.run(command, timeout=TIMEOUT_SECONDS, check=False, **options)
 
 

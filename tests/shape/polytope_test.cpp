@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <graze/shape/polytope.hpp>
+
+#include "../catalogue/nasty.hpp"
+
+namespace graze {
+namespace {
+
+using Rational = boost::multiprecision::cpp_rational;
+
+template <Dim N, class T>
+std::vector<Vec<N, T>> corners(const Polytope<N, T>& polytope) {
+  return {polytope.vertices().begin(), polytope.vertices().end()};
+}
+
+/// Twice the signed area of a triangle, exactly.
+template <class T>
+Rational area(const Vec<2, T>& a, const Vec<2, T>& b, const Vec<2, T>& c) {
+  return (Rational(b.x) - Rational(a.x)) * (Rational(c.y) - Rational(a.y)) -
+         (Rational(b.y) - Rational(a.y)) * (Rational(c.x) - Rational(a.x));
+}
+
+TEST(Polytope, DefaultsToThePointAtTheOrigin) {
+  EXPECT_EQ(corners(Polytope<3>{}), (std::vector<Vec<3, float>>{{0, 0, 0}}));
+  EXPECT_TRUE(is_valid(Polytope<2>{}));
+  EXPECT_EQ(support(Polytope<2>{}, {1, 1}), (Vec<2, double>(0, 0)));
+}
+
+TEST(Polytope, HullInThePlaneRunsCounterClockwiseFromTheLeastCorner) {
+  const std::vector<Vec<2, float>> points{{1, 1}, {2, 2}, {0, 2}, {2, 0}, {0, 0}, {1, 0}, {0, 1}};
+  EXPECT_EQ(corners(convex_hull<2, float>(points)), (std::vector<Vec<2, float>>{{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
+}
+
+TEST(Polytope, HullForgetsDuplicates) {
+  const std::vector<Vec<2, double>> points{{0, 0}, {1, 0}, {0, 1}, {1, 0}, {0, 0}, {0, 1}, {-0.0, 0}};
+  EXPECT_EQ(corners(convex_hull<2, double>(points)), (std::vector<Vec<2, double>>{{0, 0}, {1, 0}, {0, 1}}));
+}
+
+TEST(Polytope, HullOfPointsOnALineIsItsTwoEnds) {
+  const std::vector<Vec<2, float>> points{{1, 2}, {3, 6}, {2, 4}, {-1, -2}, {0, 0}};
+  EXPECT_EQ(corners(convex_hull<2, float>(points)), (std::vector<Vec<2, float>>{{-1, -2}, {3, 6}}));
+}
+
+TEST(Polytope, HullOfOnePointIsThatPoint) {
+  const std::vector<Vec<2, float>> flat{{7, 8}, {7, 8}, {7, 8}};
+  EXPECT_EQ(corners(convex_hull<2, float>(flat)), (std::vector<Vec<2, float>>{{7, 8}}));
+  const std::vector<Vec<3, double>> deep{{7, 8, 9}};
+  EXPECT_EQ(corners(convex_hull<3, double>(deep)), deep);
+}
+
+TEST(Polytope, HullKeepsACornerThatSticksOutByOneBit) {
+  const double below = std::nextafter(1.0, 0.0);
+  const double above = std::nextafter(1.0, 2.0);
+  const auto hull_with = [](double y) {
+    return corners(convex_hull<2, double>(std::vector<Vec<2, double>>{{0, 0}, {3, 0}, {3, 1}, {1, y}, {0, 1}})).size();
+  };
+  EXPECT_EQ(hull_with(below), 4u);
+  EXPECT_EQ(hull_with(1), 4u);
+  EXPECT_EQ(hull_with(above), 5u);
+}
+
+TEST(Polytope, HullInSpaceKeepsTheDistinctPointsSorted) {
+  const std::vector<Vec<3, float>> points{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
+  EXPECT_EQ(corners(convex_hull<3, float>(points)),
+            (std::vector<Vec<3, float>>{{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}}));
+}
+
+TEST(Polytope, HullWorksUpToTheLargestFloat) {
+  const float huge = std::numeric_limits<float>::max();
+  const std::vector<Vec<2, float>> points{{huge, huge}, {-huge, huge}, {0, 0}, {-huge, -huge}, {huge, -huge}};
+  EXPECT_EQ(corners(convex_hull<2, float>(points)),
+            (std::vector<Vec<2, float>>{{-huge, -huge}, {huge, -huge}, {huge, huge}, {-huge, huge}}));
+}
+
+TEST(Polytope, HullOfNoPointsIsRefusedWithTheReason) {
+  try {
+    convex_hull<2, float>({});
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(std::string(error.what()), "convex_hull: there are no points");
+  }
+}
+
+TEST(Polytope, CopiesShareTheirVertices) {
+  const std::vector<Vec<2, float>> points{{0, 0}, {1, 0}, {0, 1}};
+  const Polytope<2> original = convex_hull<2, float>(points);
+  const Polytope<2> copy = original;  // NOLINT(performance-unnecessary-copy-initialization)
+  EXPECT_EQ(copy.vertices().data(), original.vertices().data());
+}
+
+TEST(Polytope, HasItsFarthestVertexAsSupport) {
+  const std::vector<Vec<2, float>> points{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  const Polytope<2> square = convex_hull<2, float>(points);
+  EXPECT_EQ(support(square, {1, 0.1}), (Vec<2, double>(2, 2)));
+  EXPECT_EQ(support(square, {-1e-9, 1e-10}), (Vec<2, double>(0, 2)));
+  EXPECT_EQ(support(square, {0, -5}), (Vec<2, double>(0, 0)));  // of equally far ones the first
+}
+
+TEST(Polytope, MovesWithItsVerticesAndStaysSorted) {
+  const std::vector<Vec<2, double>> points{{0, 0}, {2, 0}, {0, 1}};
+  const Polytope<2, double> moved = transformed(convex_hull<2, double>(points), {rotation_matrix(90), {10, 0}});
+  EXPECT_EQ(corners(moved), (std::vector<Vec<2, double>>{{9, 0}, {10, 0}, {10, 2}}));
+}
+
+template <class S>
+class PolytopeIn : public testing::Test {};
+TYPED_TEST_SUITE(PolytopeIn, test::Spaces);
+
+TYPED_TEST(PolytopeIn, RefusesEveryNumberThatIsNotFiniteWithTheReason) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (Dim i = 0; i < N; ++i) {
+      for (const T value : test::nasty_values<T>) {
+        std::vector<Vec<N, T>> points{unit_axis<N, T>(0), unit_axis<N, T>(1), Vec<N, T>(T(2))};
+        points[k][i] = value;
+        try {
+          EXPECT_TRUE(is_valid(convex_hull<N, T>(points)));
+          EXPECT_TRUE(std::isfinite(value)) << points[k];
+        } catch (const std::invalid_argument& error) {
+          EXPECT_FALSE(std::isfinite(value)) << points[k];
+          EXPECT_EQ(std::string(error.what()), "convex_hull: a point has a coordinate that is not finite");
+        }
+      }
+    }
+  }
+}
+
+TYPED_TEST(PolytopeIn, HullDoesNotDependOnTheOrderOfPoints) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  test::check_property([] {
+    std::vector<Vec<N, T>> points = *test::some<Vec<N, T>>(12, test::draw_source<N, T>().point);
+    const std::vector<Vec<N, T>> expected = corners(convex_hull<N, T>(points));
+    std::reverse(points.begin(), points.end());
+    RC_ASSERT((corners(convex_hull<N, T>(points))) == expected);
+    std::rotate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2), points.end());
+    RC_ASSERT((corners(convex_hull<N, T>(points))) == expected);
+    RC_ASSERT((corners(convex_hull<N, T>(expected))) == expected);
+  });
+}
+
+template <class T>
+class PolygonIn : public testing::Test {};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(PolygonIn, Scalars);
+
+TYPED_TEST(PolygonIn, HullIsStrictlyConvexAndContainsItsPointsExactly) {
+  using Point = Vec<2, TypeParam>;
+  test::check_property([] {
+    const std::vector<Point> points = *test::some<Point>(16, test::draw_source<2, TypeParam>().point);
+    const std::vector<Point> hull = corners(convex_hull<2, TypeParam>(points));
+    for (const Point& corner : hull) RC_ASSERT(std::find(points.begin(), points.end(), corner) != points.end());
+    if (hull.size() < 3) {
+      // A point or a segment: everything lies on the line between the ends, and within their box.
+      for (const Point& point : points) {
+        RC_ASSERT(area(hull.front(), hull.back(), point) == 0);
+        RC_ASSERT(Rational(dot(wide<2, TypeParam>(point) - wide<2, TypeParam>(hull.front()),
+                               wide<2, TypeParam>(point) - wide<2, TypeParam>(hull.back()))) <= 0);
+      }
+      return;
+    }
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+      const Point& a = hull[i];
+      const Point& b = hull[(i + 1) % hull.size()];
+      RC_ASSERT(area(a, b, hull[(i + 2) % hull.size()]) > 0);
+      for (const Point& point : points) RC_ASSERT(area(a, b, point) >= 0);
+    }
+  });
+}
+
+}  // namespace
+}  // namespace graze
