@@ -102,58 +102,79 @@ double distance_squared(const Vec<N, T>& point, const Aabb<N, T>& box) {
   return sum;
 }
 
-/// The squared distance from the box is a convex function of the place on the segment, quadratic between the places
-/// where the segment crosses a face's plane. Its derivative tells which piece holds the minimum.
-template <Dim N, class T>
-double distance_squared(const Segment<N, T>& segment, const Aabb<N, T>& box) {
-  // Both are seen from the segment's start, so that no rounding grows with the distance from zero.
-  const Vec<N, double> start = wide<N, T>(segment.start);
-  const Aabb<N, double> solid{wide<N, T>(box.min) - start, wide<N, T>(box.max) - start};
-  const Vec<N, double> edge = wide<N, T>(segment.end) - start;
-  // Half the derivative at t, and the half second derivative just after t.
-  const auto slope_at = [&](double t, double& curvature) {
-    double slope = 0;
-    curvature = 0;
+namespace detail {
+
+/// The squared distance of a box from the points t * edge, 0 <= t <= 1: a convex function of t, quadratic between the
+/// knots, where the segment crosses a face's plane. Its derivative tells which piece holds the minimum.
+template <Dim N>
+class DistanceAlongSegment {
+ public:
+  DistanceAlongSegment(const Vec<N, double>& edge, const Aabb<N, double>& box) : edge_(edge), box_(box) {
     for (Dim i = 0; i < N; ++i) {
-      const double x = t * edge[i];
-      const double outside = x < solid.min[i] ? x - solid.min[i] : x > solid.max[i] ? x - solid.max[i] : 0.0;
-      slope += outside * edge[i];
-      if (outside != 0) curvature += edge[i] * edge[i];
+      if (edge[i] == 0) continue;
+      for (const double face : {box.min[i], box.max[i]}) insert_knot(face / edge[i]);
+    }
+    knots_[count_++] = 1.0;
+  }
+
+  double least() const {
+    double best = value_at(0.0);
+    double begin = 0;
+    for (std::size_t k = 0; k < count_; ++k) {
+      // On the piece [begin, end] the slope is linear: its zero is a candidate. Pieces beyond the zero cannot be
+      // better.
+      const double end = knots_[k];
+      const double middle = 0.5 * (begin + end);
+      const Slope slope = slope_at(middle);
+      const double zero = slope.change > 0 ? std::clamp(middle - slope.value / slope.change, begin, end) : middle;
+      best = std::min({best, value_at(zero), value_at(end)});
+      if (slope.value > 0 && zero > begin) break;
+      begin = end;
+    }
+    return best;
+  }
+
+ private:
+  /// Half the derivative at a place, and how fast it changes there.
+  struct Slope {
+    double value = 0;
+    double change = 0;
+  };
+
+  double value_at(double t) const { return distance_squared(edge_ * t, box_); }
+
+  Slope slope_at(double t) const {
+    Slope slope;
+    for (Dim i = 0; i < N; ++i) {
+      const double x = t * edge_[i];
+      const double outside = x < box_.min[i] ? x - box_.min[i] : x > box_.max[i] ? x - box_.max[i] : 0.0;
+      slope.value += outside * edge_[i];
+      if (outside != 0) slope.change += edge_[i] * edge_[i];
     }
     return slope;
-  };
-  const auto value_at = [&](double t) { return distance_squared(edge * t, solid); };
-
-  std::array<double, 2 * static_cast<std::size_t>(N) + 1> knots{};
-  std::size_t count = 0;
-  const auto insert_in_order = [&](double t) {
-    std::size_t place = count++;
-    for (; place > 0 && knots[place - 1] > t; --place) knots[place] = knots[place - 1];
-    knots[place] = t;
-  };
-  for (Dim i = 0; i < N; ++i) {
-    if (edge[i] == 0) continue;
-    for (const double face : {solid.min[i], solid.max[i]}) {
-      const double t = face / edge[i];
-      if (t > 0 && t < 1) insert_in_order(t);
-    }
   }
-  knots[count++] = 1.0;
 
-  double best = value_at(0.0);
-  double begin = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    // On the piece [begin, end] the slope is linear: its zero is a candidate. Pieces beyond the zero cannot be better.
-    const double end = knots[k];
-    double curvature = 0;
-    const double middle = 0.5 * (begin + end);
-    const double slope = slope_at(middle, curvature);
-    const double zero = curvature > 0 ? std::clamp(middle - slope / curvature, begin, end) : middle;
-    best = std::min({best, value_at(zero), value_at(end)});
-    if (slope > 0 && zero > begin) break;
-    begin = end;
+  void insert_knot(double t) {
+    if (!(t > 0 && t < 1)) return;
+    std::size_t place = count_++;
+    for (; place > 0 && knots_[place - 1] > t; --place) knots_[place] = knots_[place - 1];
+    knots_[place] = t;
   }
-  return best;
+
+  Vec<N, double> edge_;
+  Aabb<N, double> box_;
+  std::array<double, 2 * static_cast<std::size_t>(N) + 1> knots_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace detail
+
+/// Both are seen from the segment's start, so that no rounding grows with the distance from zero.
+template <Dim N, class T>
+double distance_squared(const Segment<N, T>& segment, const Aabb<N, T>& box) {
+  const Vec<N, double> start = wide<N, T>(segment.start);
+  const Aabb<N, double> seen{wide<N, T>(box.min) - start, wide<N, T>(box.max) - start};
+  return detail::DistanceAlongSegment<N>(wide<N, T>(segment.end) - start, seen).least();
 }
 
 /// Starting from the clamped projections on the axes, two steps of projected descent take up what the axes lack of

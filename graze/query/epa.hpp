@@ -23,7 +23,8 @@ template <Dim N>
 struct EpaResult {
   double lower = 0;  ///< A ball of this radius around the origin is in the set of differences a - b.
   double upper = std::numeric_limits<double>::infinity();  ///< Moving b by `normal` * upper parts the shapes.
-  double resolution = 0;  ///< The rounding of support points: both bounds may be off by it.
+  double gap = 0;         ///< Proved distance along some direction, if the shapes turn out not to meet.
+  double resolution = 0;  ///< The rounding of support points: all bounds may be off by it.
   Vec<N, double> normal = unit_axis<N>(0);
   Status status = Status::converged;
   int iterations = 0;
@@ -59,7 +60,9 @@ class Expansion {
   /// The support point along a unit direction; its height bounds the depth from above, whatever the direction.
   Point probe(const Point& direction) {
     const Point point = differences_.support(direction);
-    const double height = std::max(dot(direction, point), 0.0);
+    const double signed_height = dot(direction, point);
+    result_.gap = std::max(result_.gap, -signed_height);
+    const double height = std::max(signed_height, 0.0);
     if (height < result_.upper) {
       result_.upper = height;
       result_.normal = direction;
@@ -78,27 +81,32 @@ class Expansion {
       const Point across = frame.across();
       const Point high = probe(across);
       const Point low = probe(-across);
-      if (result_.upper <= differences_.resolution()) return std::nullopt;
       points.push_back(high);
       points.push_back(low);
-      if (!frame.add(high - low, 0)) return std::nullopt;
+      if (!frame.add(high - low, differences_.resolution())) return std::nullopt;
     }
     return points;
   }
 
-  /// Pushes the hull's face nearest to the origin outward until it is a face of the difference set itself.
+  /// Pushes the hull's face nearest to the origin outward until it is a face of the difference set itself. A face that
+  /// the origin lies outside of comes first: the shapes may not meet after all.
   void expand(GrowingHull<N> hull) {
     for (; result_.iterations < epa_iteration_limit; ++result_.iterations) {
       const auto face = hull.nearest_face();
       if (!face) break;
       const Point point = probe(face->normal);
       const double resolution = differences_.resolution();
+      if (result_.gap > resolution) return;
       result_.lower = std::min(std::max({face->height, result_.lower, 0.0}), result_.upper);
-      if (result_.lower > options_.threshold + resolution || result_.upper <= options_.threshold) return;
-      if (result_.upper - result_.lower <= tolerance::gjk_relative_gap * result_.upper + resolution) return;
+      if (face->height >= -resolution && is_answered(resolution)) return;
       if (!hull.insert(point, *face)) break;
     }
     result_.status = Status::best_bound;
+  }
+
+  bool is_answered(double resolution) const {
+    if (result_.lower > options_.threshold + resolution || result_.upper <= options_.threshold) return true;
+    return result_.upper - result_.lower <= tolerance::gjk_relative_gap * result_.upper + resolution;
   }
 
   Differences& differences_;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
@@ -59,10 +60,29 @@ void prove_distance(Differences& differences, const Simplex<Differences::dimensi
   result.resolution = differences.resolution();
 }
 
+/// How often in a row a step may bring nothing that can be measured.
+inline constexpr int gjk_stall_limit = 8;
+
+/// The next nearest point. Beside a long edge, a step along it may be too small to make the distance smaller, and yet
+/// turn the direction towards a corner that does: so a new corner is taken if it makes the distance no larger. None
+/// when it does, or when that has not helped for some time.
+template <Dim N>
+std::optional<NearestOnSimplex<N>> gjk_step(const Simplex<N>& extended, const Vec<N, double>& nearest, int& stalls) {
+  const double before = dot(nearest, nearest);
+  const NearestOnSimplex<N> found = nearest_to_origin(extended);
+  if (found.distance_squared < before) {
+    stalls = 0;
+    return found;
+  }
+  const NearestOnSimplex<N> sideways = nearest_with_last_corner(extended);
+  const bool is_as_near = sideways.distance_squared <= before * (1 + tolerance::rounding);
+  if (!is_as_near || ++stalls > gjk_stall_limit) return std::nullopt;
+  return sideways;
+}
+
 /// Each step asks for the point of the difference set farthest against the nearest one found. That point bounds the
-/// distance from below; the simplex of such points, reduced to the face that matters, from above. Every step that goes
-/// on makes the simplex' distance strictly smaller, so none repeats; without progress the bounds at hand are the
-/// answer.
+/// distance from below; the simplex of such points, reduced to the face that matters, from above. Without progress the
+/// bounds at hand are the answer.
 template <class Differences>
 GjkResult<Differences::dimension> gjk_on(Differences& differences, const GjkOptions& options) {
   constexpr Dim N = Differences::dimension;
@@ -70,6 +90,7 @@ GjkResult<Differences::dimension> gjk_on(Differences& differences, const GjkOpti
   Vec<N, double> nearest = differences.support(unit_axis<N>(0));
   result.simplex.push(nearest);
   Simplex<N> extended = result.simplex;
+  int stalls = 0;
   const auto bounds_meet = [&] {
     const double wanted = std::isnan(options.threshold) ? tolerance::gjk_relative_gap * result.upper : 0;
     return result.upper - result.lower <= wanted + result.resolution;
@@ -91,10 +112,10 @@ GjkResult<Differences::dimension> gjk_on(Differences& differences, const GjkOpti
     if (++result.iterations == gjk_iteration_limit || is_corner_of(result.simplex, next)) break;
     extended = result.simplex;
     extended.push(next);
-    const NearestOnSimplex<N> found = nearest_to_origin(extended);
-    if (!(found.distance_squared < dot(nearest, nearest))) break;
-    nearest = found.point;
-    result.simplex = found.face;
+    const std::optional<NearestOnSimplex<N>> found = gjk_step(extended, nearest, stalls);
+    if (!found) break;
+    nearest = found->point;
+    result.simplex = found->face;
   }
   prove_distance(differences, extended, result);
   if (!bounds_meet()) result.status = Status::best_bound;

@@ -114,7 +114,7 @@ class GrowingHull<3> {
   using Point = Vec<3, double>;
 
   /// The hull of points that do not all lie in one plane.
-  explicit GrowingHull(const std::vector<Point>& points) : points_(points) {
+  explicit GrowingHull(std::vector<Point> points) : points_(std::move(points)) {
     const auto start = largest_tetrahedron();
     if (!start) return;
     const auto [a, b, c, d] = *start;

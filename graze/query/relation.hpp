@@ -30,6 +30,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <concepts>
 #include <variant>
 
@@ -66,6 +67,66 @@ inline constexpr bool is_any_shape = false;
 template <Dim N, class T>
 inline constexpr bool is_any_shape<AnyShape<N, T>> = true;
 
+// ---- NaN if any number of the shape is: comparisons drop a NaN as easily as not, sums keep it. A polytope holds none;
+// a user's type is not looked into.
+
+template <class S>
+double numbers_of(const S&) {
+  return 0;
+}
+
+template <Dim N, class T>
+double numbers_of(const Vec<N, T>& v) {
+  return sum_abs(wide<N, T>(v));
+}
+
+template <Dim N, class T>
+double numbers_of(const Segment<N, T>& segment) {
+  return numbers_of(segment.start) + numbers_of(segment.end);
+}
+
+template <Dim N, class T>
+double numbers_of(const Ray<N, T>& ray) {
+  return numbers_of(ray.origin) + numbers_of(ray.direction);
+}
+
+template <Dim N, class T>
+double numbers_of(const Sphere<N, T>& sphere) {
+  return numbers_of(sphere.center) + static_cast<double>(sphere.radius);
+}
+
+template <Dim N, class T>
+double numbers_of(const Aabb<N, T>& box) {
+  return numbers_of(box.min) + numbers_of(box.max);
+}
+
+template <Dim N, class T>
+double numbers_of(const Obb<N, T>& box) {
+  double sum = numbers_of(box.center) + numbers_of(box.half_extents);
+  for (Dim i = 0; i < N; ++i) sum += numbers_of<N, T>(box.axes[i]);
+  return sum;
+}
+
+template <Dim N, class T>
+double numbers_of(const Plane<N, T>& plane) {
+  return numbers_of(plane.normal) + static_cast<double>(plane.offset);
+}
+
+template <Dim N, class T>
+double numbers_of(const HalfSpace<N, T>& solid) {
+  return numbers_of(boundary(solid));
+}
+
+template <Dim N, class T>
+double numbers_of(const Triangle<N, T>& triangle) {
+  return numbers_of(triangle.a) + numbers_of(triangle.b) + numbers_of(triangle.c);
+}
+
+template <Dim N, class T>
+double numbers_of(const Capsule<N, T>& capsule) {
+  return numbers_of(axis(capsule)) + static_cast<double>(capsule.radius);
+}
+
 template <class A, class B>
 Relation decide(const A& a, const B& b);
 
@@ -99,6 +160,8 @@ Relation decide(const A& a, const B& b) {
     return decide(Sphere<dimension_of<A>, scalar_of<A>>{a, 0}, b);
   } else if constexpr (is_point<B>) {
     return decide(a, Sphere<dimension_of<B>, scalar_of<B>>{b, 0});
+  } else if (std::isnan(numbers_of(a) + numbers_of(b))) {
+    return Relation::apart;
   } else if constexpr (HasClosedForm<A, B>) {
     return closed_form(a, b);
   } else if constexpr (HasClosedForm<B, A>) {

@@ -18,10 +18,12 @@
 
 namespace graze::detail {
 
-/// Whether two cores that meet, for all that the distance says, do so with depth.
+/// Whether two cores that meet, for all that the distance says, do so with depth; or are farther apart than `reach`
+/// after all.
 template <Convex A, Convex B>
-Relation relation_of_meeting(const A& a, const B& b, const GjkResult<dimension_of<A>>& distance) {
+Relation relation_of_meeting(const A& a, const B& b, const GjkResult<dimension_of<A>>& distance, double reach) {
   const EpaResult<dimension_of<A>> depth = epa(a, b, distance.simplex, EpaOptions{0});
+  if (depth.gap > reach + depth.resolution) return Relation::apart;
   return depth.lower > depth.resolution ? Relation::overlapping : Relation::touching;
 }
 
@@ -36,7 +38,7 @@ Relation relation_of_convex(const A& a, const B& b) {
   if (!(distance.upper >= 0) || distance.lower > reach + slack) return Relation::apart;
   if (distance.upper < reach - slack) return Relation::overlapping;
   if (distance.lower > slack) return Relation::touching;
-  return relation_of_meeting(core_a, core_b, distance);
+  return relation_of_meeting(core_a, core_b, distance, reach);
 }
 
 // ---- An order of shapes, so that swapped arguments take the same path.

@@ -2,10 +2,13 @@
 // The point of a simplex nearest to the origin.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
+#include <optional>
 
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
@@ -55,6 +58,9 @@ class SimplexSearch {
 
   explicit SimplexSearch(const Simplex<N>& simplex) : simplex_(simplex) {}
 
+  /// Only faces with this corner.
+  SimplexSearch(const Simplex<N>& simplex, std::size_t corner) : simplex_(simplex), corner_(corner) {}
+
   NearestOnSimplex<N> run() {
     const std::size_t size = simplex_.size;
     for (std::size_t i = 0; i < size; ++i) offer(simplex_.points[i], {i});
@@ -77,6 +83,7 @@ class SimplexSearch {
   void offer(const Point& point, const std::size_t (&corners)[Count]) {
     const double candidate = dot(point, point);
     if (!(candidate < best_.distance_squared)) return;
+    if (corner_ && std::find(std::begin(corners), std::end(corners), *corner_) == std::end(corners)) return;
     best_.point = point;
     best_.distance_squared = candidate;
     best_.face.size = 0;
@@ -135,6 +142,7 @@ class SimplexSearch {
   }
 
   const Simplex<N>& simplex_;
+  std::optional<std::size_t> corner_;
   NearestOnSimplex<N> best_;
 };
 
@@ -160,6 +168,12 @@ void for_each_perpendicular(const Simplex<N>& simplex, const Visit& visit) {
 template <Dim N>
 NearestOnSimplex<N> nearest_to_origin(const Simplex<N>& simplex) {
   return SimplexSearch<N>(simplex).run();
+}
+
+/// Of the faces that have the last corner.
+template <Dim N>
+NearestOnSimplex<N> nearest_with_last_corner(const Simplex<N>& simplex) {
+  return SimplexSearch<N>(simplex, simplex.size - 1).run();
 }
 
 }  // namespace graze::detail

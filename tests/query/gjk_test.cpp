@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iostream>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <graze/query/gjk.hpp>
+#include <graze/shape/any_shape.hpp>
+
+#include "catalogue.hpp"
+#include "exact.hpp"
+#include "query/user_shapes.hpp"
+
+namespace graze::test {
+namespace {
+
+constexpr int limit = detail::gjk_iteration_limit;
+
+template <Dim N>
+void expect_distance(const GjkResult<N>& result, double expected) {
+  EXPECT_LE(result.lower, expected + result.resolution);
+  EXPECT_GE(result.upper, expected - result.resolution);
+  EXPECT_LE(result.upper - result.lower, 1e-12 * result.upper + result.resolution);
+  EXPECT_EQ(result.status, Status::converged);
+  EXPECT_LE(result.iterations, limit);
+}
+
+// ---- By hand
+
+TEST(Gjk, FindsDistancesComputedByHand) {
+  using V2 = Vec<2, double>;
+  using V3 = Vec<3, double>;
+  expect_distance(gjk(V2(0, 0), V2(3, 4)), 5);
+  expect_distance(gjk(Aabb<2, double>{{-1, -1}, {1, 1}}, Triangle<2, double>{{4, 5}, {9, 5}, {4, 9}}), 5);
+  expect_distance(gjk(Segment<2, double>{{-2, 0}, {2, 0}}, Segment<2, double>{{-1, 3}, {1, 3}}), 3);
+  expect_distance(gjk(Segment<3, double>{{-1, 0, 0}, {1, 0, 0}}, Segment<3, double>{{0, -1, 2}, {0, 1, 2}}), 2);
+  expect_distance(gjk(Triangle<3, float>{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, Vec<3, float>{1, 1, 7}), 7);
+  expect_distance(gjk(Aabb<3, double>{{0, 0, 0}, {1, 1, 1}}, V3(2, 3, 3)), 3);
+  expect_distance(gjk(Obb<3, double>{{0, 0, 0}, {1, 2, 3}, Mat<3, double>(1.0)}, V3(3, 5, 9)), 7);
+}
+
+TEST(Gjk, GivesTheSeparationFromTheSecondToTheFirst) {
+  const auto result = gjk(Vec<2, double>(1, 2), Aabb<2, double>{{3, 0}, {5, 9}});
+  EXPECT_EQ(result.separation, (Vec<2, double>(-2, 0)));
+  EXPECT_EQ(result.upper, 2);
+}
+
+TEST(Gjk, OfShapesThatMeetIsZero) {
+  const Aabb<3, double> box{{-1, -1, -1}, {1, 1, 1}};
+  const std::vector<AnyShape<3, double>> others = {Vec<3, double>(0.5, 0.25, 0.125), Vec<3, double>(1, 1, 1), box,
+                                                   Aabb<3, double>{{1, 1, 1}, {2, 2, 2}},
+                                                   Segment<3, double>{{-5, 0.5, 0.25}, {5, 0.5, 0.25}}};
+  for (const auto& other : others) {
+    const auto distance = std::visit(
+        [&](const auto& held) {
+          if constexpr (Convex<std::decay_t<decltype(held)>>) return gjk(box, held);
+          return GjkResult<3>{};
+        },
+        other);
+    EXPECT_EQ(distance.lower, 0) << other;
+    EXPECT_LE(distance.upper, distance.resolution) << other;
+  }
+}
+
+TEST(Gjk, WithAThresholdStopsAsSoonAsItKnows) {
+  const Sphere<3, double> ball{{0, 0, 0}, 1};
+  const Sphere<3, double> other{{10, 2, 3}, 1};
+  const auto far = gjk(ball, other, GjkOptions{1.0});
+  const auto near = gjk(ball, other, GjkOptions{100.0});
+  EXPECT_GT(far.lower, 1.0);
+  EXPECT_LT(near.upper, 100.0);
+  EXPECT_LT(far.iterations, gjk(ball, other).iterations);
+  EXPECT_EQ(near.iterations, 0);
+}
+
+// ---- Users' shapes
+
+template <class T>
+class GjkOfUsersShapes : public ::testing::Test {};
+using Numbers = ::testing::Types<float, double>;
+TYPED_TEST_SUITE(GjkOfUsersShapes, Numbers);
+
+TYPED_TEST(GjkOfUsersShapes, FindsDistancesComputedByHand) {
+  using T = TypeParam;
+  const user::Ellipsoid<T> egg{{0, 0, 0}, {3, 2, 1}};
+  const user::Superellipsoid<T> soap{{10, 0, 0}, {2, 1, 1}};
+  const user::Cylinder<T> can{{0, 0, 10}, 1, 2};
+  const user::Cone<T> hat{{0, 0, 3}, 2, 4};
+  expect_distance(gjk(egg, soap), 5);                                               // 10 - 2 - 3
+  expect_distance(gjk(egg, can), 7);                                                // 10 - 2 - 1
+  expect_distance(gjk(hat, can), 1);                                                // tip at 7, lid at 8
+  expect_distance(gjk(egg, hat), 2);                                                // base at 3
+  expect_distance(gjk(can, user::Cylinder<T>{{3, 4, 10}, 2, 1}), 2);                // 5 - 1 - 2
+  expect_distance(gjk(can, user::Cylinder<T>{{3, 4, 20}, 2, 4}), std::sqrt(20.0));  // 2 aside, 4 above
+  expect_distance(gjk(egg, Vec<3, T>(0, 9, 0)), 7);
+  expect_distance(gjk(Aabb<3, T>{{-1, -1, -9}, {1, 1, -4}}, egg), 3);
+}
+
+TYPED_TEST(GjkOfUsersShapes, EnclosesTheDistanceOfBallsAnywhere) {
+  int most = 0;
+  check_property([&most] {
+    using T = TypeParam;
+    const auto point = vector_of<3, double>(drawn<double>([](rc::Random& random) { return between(random, -9, 9); }));
+    const Vec<3, T> p(*point);
+    const Vec<3, T> q(*point);
+    const Vec<3, double> off = wide<3, T>(q) - wide<3, T>(p);
+    const double distance = std::max(0.0, std::sqrt(dot(off, off)) - 3);
+    const auto result = gjk(user::Ellipsoid<T>{p, {1, 1, 1}}, user::Ellipsoid<T>{q, {2, 2, 2}});
+    RC_ASSERT(result.lower <= distance + result.resolution);
+    RC_ASSERT(result.upper >= distance - result.resolution);
+    RC_ASSERT(result.upper - result.lower <= 0.25 * static_cast<double>(std::sqrt(std::numeric_limits<T>::epsilon())));
+    RC_ASSERT(result.iterations <= limit);
+    most = std::max(most, result.iterations);
+  });
+  std::cout << "at most " << most << " steps for balls\n";
+}
+
+// ---- Against the oracle
+
+template <class SpaceType>
+class GjkAgreement : public ::testing::Test {};
+using Spaces = ::testing::Types<Space<2, double>, Space<3, float>, Space<3, double>>;
+TYPED_TEST_SUITE(GjkAgreement, Spaces);
+
+TYPED_TEST(GjkAgreement, EnclosesTheExactDistanceOfPolytopes) {
+  constexpr Dim N = TypeParam::dimension;
+  using Hull = Polytope<N, typename TypeParam::scalar>;
+  int most = 0;
+  check_property([&most] {
+    const auto [a, b] = *any_pair<Hull, Hull>();
+    const ExactVerdict truth = solid_verdict(solid(a), solid(b), Measure::distance);
+    const double distance = std::max(0.0, truth.gap);
+    const auto result = gjk(a, b);
+    RC_TAG(truth.relation == Relation::apart ? "apart" : "meeting");
+    RC_ASSERT(result.lower <= distance + result.resolution);
+    RC_ASSERT(result.upper >= distance - result.resolution);
+    RC_ASSERT(result.iterations <= limit);
+    most = std::max(most, result.iterations);
+  });
+  std::cout << "at most " << most << " steps for polytopes\n";
+}
+
+// ---- Nasty values
+
+TEST(Gjk, EndsOnShapesThatAreNone) {
+  const Aabb<3, double> box{{-1, -1, -1}, {1, 1, 1}};
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double x : {nan, infinity, -infinity, 1e300, 1e150, -1e150, 5e-324, 0.0}) {
+    const user::Liar<double> liar{{x, 1, x}};
+    EXPECT_LE(gjk(liar, box).iterations, limit) << x;
+    EXPECT_LE(gjk(box, liar).iterations, limit) << x;
+    EXPECT_LE(gjk(liar, liar).iterations, limit) << x;
+  }
+  EXPECT_LE(gjk(user::Chaos{}, box).iterations, limit);
+  EXPECT_LE(gjk(user::Chaos{}, Vec<3, double>(5, 5, 5)).iterations, limit);
+}
+
+TEST(Gjk, WorksFromTheSmallestToTheLargestPromisedCoordinates) {
+  for (const double scale : {1e-140, 1e-100, 1e100, 1e140}) {
+    const Aabb<3, double> box{Vec<3, double>(-scale), Vec<3, double>(scale)};
+    expect_distance(gjk(box, Vec<3, double>(2, 3, 3) * scale), 3 * scale);
+  }
+}
+
+}  // namespace
+}  // namespace graze::test

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+#include "query/pairs_instances.hpp"
+
+namespace graze::test {
+
+using Any = AnyShape<2, double>;
+template Relation relation_of<2, double>(const Any&, const Any&);
+template ExactVerdict true_verdict<2, double>(const Any&, const Any&, Relation);
+
+}  // namespace graze::test

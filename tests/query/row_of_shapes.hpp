@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// One shape of each type that reaches from x = -1 to x = 1 (unbounded ones: only to one side) and does so on the x
+// axis: whatever touches whatever, it does so at one known point.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <graze/math/vec.hpp>
+#include <graze/query/bounds.hpp>
+#include <graze/shape/any_shape.hpp>
+
+namespace graze::test {
+
+/// The type with this place in AnyShape: a point at (side, 0), or a shape that ends at x = side, seen from the other
+/// side; `side` is 1 or -1. `size` scales it about the origin.
+template <Dim N, class T>
+AnyShape<N, T> row_shape(std::size_t type, T side, T size = T(1)) {
+  using V = Vec<N, T>;
+  const V end = unit_axis<N, T>(0) * (side * size);
+  const V up = unit_axis<N, T>(1) * size;
+  Mat<N, T> quarter_turn(T(1));
+  quarter_turn[0] = unit_axis<N, T>(1);
+  quarter_turn[1] = -unit_axis<N, T>(0);
+  V tall(size);
+  tall[0] = 2 * size;
+  std::vector<V> corners{end, -end};
+  for (Dim i = 1; i < N; ++i) {
+    corners.push_back(unit_axis<N, T>(i) * size);
+    corners.push_back(unit_axis<N, T>(i) * -size);
+  }
+  const std::array<AnyShape<N, T>, 11> simple = {
+      end,
+      Segment<N, T>{-end, end},
+      Ray<N, T>{end, -end},
+      Sphere<N, T>{V(T(0)), size},
+      Aabb<N, T>{V(-size), V(size)},
+      Obb<N, T>{V(T(0)), tall, quarter_turn},
+      Plane<N, T>{end, size * size},
+      HalfSpace<N, T>{end, size * size},
+      Triangle<N, T>{end, -end + up, -end - up},
+      Capsule<N, T>{up, -up, size},
+      convex_hull<N, T>(corners),
+  };
+  if (type < simple.size()) return simple[type];
+  return compound_of<N, T>({simple[3], Sphere<N, T>{end * T(-3), size}});
+}
+
+inline constexpr std::size_t row_types = shape_type_names.size();
+
+}  // namespace graze::test
