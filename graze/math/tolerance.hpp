@@ -17,11 +17,6 @@ inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// epsilon / 2 each; doubled, because the magnitudes are themselves estimated in double.
 inline constexpr double rounding = 8 * epsilon;
 
-/// Edges closer to parallel than this (sine of the angle) leave the direction of their cross product, known to
-/// epsilon / sine, worse than the angle itself: such a direction can still prove two shapes apart, but says nothing
-/// about depth.
-inline constexpr double parallel = 1.5e-8;
-
 /// How far an oriented box's axes may be from orthonormal. Float rotations stay within it though a thousand of them are
 /// multiplied without care (measured: 7e-5); a matrix with scale or shear, the usual mistake, does not.
 inline constexpr double orthonormal = 1e-4;

@@ -24,8 +24,9 @@
 //
 // Exact: aabb and point against aabb, points among themselves. The rest calculates in double and calls `touching` what
 // is nearer to touching than rounding can tell: C a few epsilon of the pair's own size, however far from the origin; S
-// and G a few epsilon of the largest coordinate (of T for a user's shape that calculates in T). Coordinates of
-// magnitude 1e-140 to 1e140: outside, squares leave the range of double.
+// and G a few epsilon of the largest coordinate (of T for a user's shape that calculates in T). Rays, planes and
+// half-spaces whose directions are parallel up to a few epsilon are taken as parallel. Coordinates of magnitude 1e-140
+// to 1e140: outside, squares leave the range of double.
 #pragma once
 
 #include <algorithm>

@@ -39,11 +39,6 @@ RC_GTEST_PROP(Tolerance, RoundingCoversATripleProductOfDifferences, ()) {
   RC_ASSERT(abs(error) <= Rational(tolerance::rounding) * Rational(magnitude));
 }
 
-TEST(Tolerance, ParallelIsWhereACrossProductIsAsUncertainAsItsAngle) {
-  EXPECT_LE(tolerance::epsilon / tolerance::parallel, tolerance::parallel);
-  EXPECT_GT(tolerance::epsilon / (tolerance::parallel / 2), tolerance::parallel / 2);
-}
-
 TEST(Tolerance, OrthonormalAcceptsAThousandFloatRotationsMultiplied) {
   // The same one each time, so that its own error adds up.
   const Mat<3, float> step = Mat<3, float>(rotation_matrix(Vec<3, double>(1, 2, 3), 37));

@@ -37,7 +37,8 @@ double number_from_environment(const char* name, double otherwise) {
   return text != nullptr ? std::strtod(text, nullptr) : otherwise;
 }
 
-/// The band in which graze may say touching, in units of the sizes that relation.hpp names.
+/// The band in which graze may say touching, in units of the sizes that relation.hpp names: "a few epsilon" of a sum of
+/// several lengths, and those of at most three coordinates each.
 constexpr double band = 128 * std::numeric_limits<double>::epsilon();
 
 /// Squares of anything smaller leave the range of double.
@@ -61,7 +62,11 @@ struct Tally {
   std::size_t other_verdicts = 0;  ///< Within the band.
   double worst = 0;                ///< The largest gap or depth called touching, in units of the band's size.
   std::string worst_case;
+  std::size_t failures = 0;
 };
+
+/// A run that has failed this often says no more.
+constexpr std::size_t most_failures = 5;
 
 template <Dim N, class T>
 std::string describe(const AnyShape<N, T>& a, const AnyShape<N, T>& b) {
@@ -73,7 +78,10 @@ template <Dim N, class T>
 void check(const AnyPair<N, T>& pair, Tally& tally) {
   const auto& [a, b] = pair;
   const Relation claim = relation_of<N, T>(a, b);
-  EXPECT_EQ(name_of((relation_of<N, T>(b, a))), name_of(claim)) << "swapped: " << describe<N, T>(a, b);
+  if (relation_of<N, T>(b, a) != claim) {
+    ++tally.failures;
+    ADD_FAILURE() << name_of(claim) << ", but not in the other order: " << describe<N, T>(a, b);
+  }
   const ExactVerdict truth = true_verdict<N, T>(a, b, claim);
   ++tally.cases;
   if (truth.relation != Relation::apart) ++tally.hits;
@@ -83,6 +91,7 @@ void check(const AnyPair<N, T>& pair, Tally& tally) {
   const double error = std::fabs(truth.gap) / size;
   ++tally.other_verdicts;
   if (claim != Relation::touching || !(error <= band)) {
+    ++tally.failures;
     ADD_FAILURE() << name_of(claim) << " is " << name_of(truth.relation) << " by " << truth.gap << ", " << error
                   << " of the size: " << describe<N, T>(a, b);
   }
@@ -112,16 +121,6 @@ AnyShape<N, T> draw(std::size_t type, const Source<N, T>& source, const rc::Rand
 }
 
 enum class CaseKind { uniform, grid, scales, far, shared_points, border, nearly_parallel };
-
-constexpr std::array<std::pair<CaseKind, std::string_view>, 7> case_kinds = {{
-    {CaseKind::uniform, "uniform"},
-    {CaseKind::grid, "grid"},
-    {CaseKind::scales, "scales"},
-    {CaseKind::far, "far from the origin"},
-    {CaseKind::shared_points, "shared points"},
-    {CaseKind::border, "at the border"},
-    {CaseKind::nearly_parallel, "nearly parallel, at the border"},
-}};
 
 /// Makes the cases of one kind for one pair of types.
 template <Dim N, class T>
@@ -229,9 +228,8 @@ Tally check_all(CaseKind kind, std::size_t count, std::uint64_t seed) {
   for (std::size_t a = 0; a < types; ++a) {
     for (std::size_t b = a; b < types; ++b) {
       CaseMaker<N, T> maker(a, b, seed + a * types + b);
-      for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t i = 0; i < count && tally.failures < most_failures; ++i) {
         for (const AnyPair<N, T>& pair : maker.make(kind)) check<N, T>(pair, tally);
-        if (std::getenv("GRAZE_ALL") == nullptr && ::testing::Test::HasFailure()) return tally;
       }
     }
   }
@@ -239,27 +237,33 @@ Tally check_all(CaseKind kind, std::size_t count, std::uint64_t seed) {
 }
 
 template <class SpaceType>
-class Agreement : public ::testing::Test {};
+class Agreement : public ::testing::Test {
+ public:
+  static void run(CaseKind kind) {
+    constexpr Dim N = SpaceType::dimension;
+    using T = typename SpaceType::scalar;
+    const auto count = static_cast<std::size_t>(std::ceil(20 * number_from_environment("GRAZE_TEST_SCALE", 1)));
+    const auto seed = static_cast<std::uint64_t>(number_from_environment("GRAZE_TEST_SEED", 1));
+    const Tally tally = check_all<N, T>(kind, count, seed);
+    std::cout << "seed " << seed << ": " << tally.cases << " cases, " << 100 * tally.hits / tally.cases << " % hits, "
+              << tally.other_verdicts << " called touching within the band, at most " << tally.worst
+              << " of the size\n";
+    if (!tally.worst_case.empty()) std::cout << "the worst: " << tally.worst_case << "\n";
+    EXPECT_GE(tally.hits * 5, tally.cases) << "too few hits to prove anything";
+    EXPECT_LE(tally.hits * 5, tally.cases * 4) << "too many hits to prove anything";
+  }
+};
+
 using Spaces = ::testing::Types<Space<2, float>, Space<2, double>, Space<3, float>, Space<3, double>>;
 TYPED_TEST_SUITE(Agreement, Spaces);
 
-TYPED_TEST(Agreement, WithTheExactOracleOnEveryPairOfTypes) {
-  constexpr Dim N = TypeParam::dimension;
-  using T = typename TypeParam::scalar;
-  const auto count = static_cast<std::size_t>(std::max(1.0, 20 * number_from_environment("GRAZE_TEST_SCALE", 1)));
-  const auto seed = static_cast<std::uint64_t>(number_from_environment("GRAZE_TEST_SEED", 1));
-  for (const auto& [kind, name] : case_kinds) {
-    const Tally tally = check_all<N, T>(kind, count, seed);
-    std::cout << N << "D " << (sizeof(T) == 4 ? "float" : "double") << ", " << name << ", seed " << seed << ": "
-              << tally.cases << " cases, " << 100 * tally.hits / tally.cases << " % hits, " << tally.other_verdicts
-              << " within the band, at most " << tally.worst << " of the size" << std::endl;
-    if (!tally.worst_case.empty()) std::cout << "  worst: " << tally.worst_case << std::endl;
-    if (std::getenv("GRAZE_ALL") != nullptr) continue;
-    ASSERT_FALSE(this->HasFailure()) << "kind of cases: " << name << ", seed " << seed;
-    EXPECT_GE(tally.hits * 5, tally.cases) << name;
-    EXPECT_LE(tally.hits * 5, tally.cases * 4) << name;
-  }
-}
+TYPED_TEST(Agreement, OnUniformNumbers) { TestFixture::run(CaseKind::uniform); }
+TYPED_TEST(Agreement, OnSmallWholeNumbers) { TestFixture::run(CaseKind::grid); }
+TYPED_TEST(Agreement, OnNumbersOfAllSizes) { TestFixture::run(CaseKind::scales); }
+TYPED_TEST(Agreement, FarFromTheOrigin) { TestFixture::run(CaseKind::far); }
+TYPED_TEST(Agreement, OnShapesThatShareCorners) { TestFixture::run(CaseKind::shared_points); }
+TYPED_TEST(Agreement, WhereTheVerdictChanges) { TestFixture::run(CaseKind::border); }
+TYPED_TEST(Agreement, WhereTheVerdictOfNearlyParallelEdgesChanges) { TestFixture::run(CaseKind::nearly_parallel); }
 
 }  // namespace
 }  // namespace graze::test

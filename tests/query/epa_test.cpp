@@ -70,6 +70,15 @@ TEST(Epa, MovingTheSecondShapeByTheDepthPartsThem) {
   EXPECT_NEAR(result.normal.y * result.upper, 0, 1e-12);
 }
 
+TEST(Epa, SaysWhenTheShapesDoNotMeetAfterAll) {
+  const Aabb<3, double> box{{-1, -1, -1}, {1, 1, 1}};
+  const auto result = epa(box, Vec<3, double>(0, 0, 1.5), gjk(box, Vec<3, double>(0, 0, 1.5)).simplex);
+  EXPECT_EQ(result.gap, 0.5);
+  EXPECT_EQ(result.lower, 0);
+  EXPECT_EQ(result.upper, 0);
+  EXPECT_EQ(depth_of(box, Vec<3, double>(0, 0, 0.5)).gap, 0);
+}
+
 TEST(Epa, WithAThresholdStopsAsSoonAsItKnows) {
   const user::Ellipsoid<double> egg{{0, 0, 0}, {3, 2, 1}};
   const user::Ellipsoid<double> other{{1, 1, 0}, {1, 3, 2}};

@@ -77,6 +77,15 @@ TEST(Gjk, WithAThresholdStopsAsSoonAsItKnows) {
   EXPECT_EQ(near.iterations, 0);
 }
 
+// The first step is too small to make the distance smaller, but its direction leads to the right corner of the box.
+TEST(Gjk, IsNotStoppedByAStepTooSmallToMeasure) {
+  const Aabb<3, float> box{{0.006993956F, -6949.267F, 0.0014318873F}, {300995.75F, 9.423732e-06F, 0.0030424062F}};
+  const Triangle<3, float> triangle{{305732.03F, -33222.582F, -556.97394F},
+                                    {305732.03F, -24121.977F, -0.016510185F},
+                                    {300995.75F, -6949.2676F, 0.0018096385F}};
+  expect_distance(gjk(box, triangle), 0.00048828125);
+}
+
 // ---- Users' shapes
 
 template <class T>

@@ -41,6 +41,26 @@ TEST(RelationOfConvex, SmallGapsBesideAnEdgeAreGaps) {
       Relation::apart);
 }
 
+// Was touching, by a gap of 5e-4: beside a long edge a step of GJK was too small to measure, and taken for the last.
+TEST(RelationOfConvex, GapsBesideLongEdgesAreGaps) {
+  expect(Aabb<3, float>{{0.006993956F, -6949.267F, 0.0014318873F}, {300995.75F, 9.423732e-06F, 0.0030424062F}},
+         Triangle<3, float>{{305732.03F, -33222.582F, -556.97394F},
+                            {305732.03F, -24121.977F, -0.016510185F},
+                            {300995.75F, -6949.2676F, 0.0018096385F}},
+         Relation::apart);
+  // GJK's bounds stay apart here; the growing hull of EPA finds the plane between the two.
+  expect(
+      Obb<3, double>{{0.3559726824682347, 1928.308723330378, 5.646087751201691},
+                     {0, 1.1119045197822864e-05, 0.003543851543096086},
+                     {{0.7012304061114889, 0.7129347217976657, 4.0314334852129876e-08},
+                      {-0.7129347217976663, 0.7012304061114895, 3.096008396565483e-14},
+                      {-2.826961532795475e-08, -2.8741510812413423e-08, 0.9999999999999992}}},
+      convex_hull<3, double>(std::vector<Vec<3, double>>{{-269317.31039057544, 6791.291313754358, -735.2994211280464},
+                                                         {0.35499524341569866, 6570.613497431325, 5.681293321629049},
+                                                         {0.3559647471203878, 1928.3087235754128, 5.642552961239492}}),
+      Relation::apart);
+}
+
 // Were touching: the origin is inside the last tetrahedron, but so near to a thin face that GJK ended on the face.
 TEST(RelationOfConvex, SmallDepthsBehindAThinFaceAreDepths) {
   expect(Obb<3, float>{{3.9813945e-06F, -0.07550284F, 39.21928F},

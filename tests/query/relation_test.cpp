@@ -2,7 +2,6 @@
 // relation(a, b) by hand: every pair of types apart, touching, overlapping, contained, identical and degenerate, in
 // both orders, in four spaces. The oracle is asked too: it has to agree with the hand.
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,7 +21,7 @@ namespace graze::test {
 namespace {
 
 template <class SpaceType>
-class RelationOf : public ::testing::Test {
+class RelationTable : public ::testing::Test {
  public:
   static constexpr Dim N = SpaceType::dimension;
   using T = typename SpaceType::scalar;
@@ -100,9 +99,9 @@ class RelationOf : public ::testing::Test {
 };
 
 using Spaces = ::testing::Types<Space<2, float>, Space<2, double>, Space<3, float>, Space<3, double>>;
-TYPED_TEST_SUITE(RelationOf, Spaces);
+TYPED_TEST_SUITE(RelationTable, Spaces);
 
-TYPED_TEST(RelationOf, ShapesSideBySideIsApartTouchingOrOverlapping) {
+TYPED_TEST(RelationTable, SideBySideShapesAreApartTouchingOrOverlapping) {
   using Fixture = TestFixture;
   for (std::size_t a = 0; a < row_types; ++a) {
     for (std::size_t b = 0; b < row_types; ++b) {
@@ -117,7 +116,7 @@ TYPED_TEST(RelationOf, ShapesSideBySideIsApartTouchingOrOverlapping) {
   }
 }
 
-TYPED_TEST(RelationOf, AShapeInsideOfASolidIsOverlapping) {
+TYPED_TEST(RelationTable, AShapeInsideASolidOverlapsIt) {
   using Fixture = TestFixture;
   for (std::size_t a = 0; a < row_types; ++a) {
     for (std::size_t b = 0; b < row_types; ++b) {
@@ -129,7 +128,7 @@ TYPED_TEST(RelationOf, AShapeInsideOfASolidIsOverlapping) {
   }
 }
 
-TYPED_TEST(RelationOf, IdenticalShapesIsOverlappingIfTheyHaveAnInside) {
+TYPED_TEST(RelationTable, IdenticalShapesOverlapIfTheyHaveAnInside) {
   using Fixture = TestFixture;
   for (std::size_t a = 0; a < row_types; ++a) {
     const auto shape = Fixture::row(a, 1);
@@ -137,7 +136,7 @@ TYPED_TEST(RelationOf, IdenticalShapesIsOverlappingIfTheyHaveAnInside) {
   }
 }
 
-TYPED_TEST(RelationOf, ShapesShrunkToAPointIsThatOfThePoint) {
+TYPED_TEST(RelationTable, ShapesShrunkToAPointAreThatPoint) {
   using Fixture = TestFixture;
   const auto points = Fixture::points();
   for (const auto& point : points) {
@@ -154,7 +153,7 @@ TYPED_TEST(RelationOf, ShapesShrunkToAPointIsThatOfThePoint) {
   }
 }
 
-TYPED_TEST(RelationOf, ShapesShrunkToASegmentIsThatOfTheSegment) {
+TYPED_TEST(RelationTable, ShapesShrunkToASegmentAreThatSegment) {
   using Fixture = TestFixture;
   const auto segments = Fixture::segments();
   for (const auto& segment : segments) {
@@ -172,7 +171,7 @@ TYPED_TEST(RelationOf, ShapesShrunkToASegmentIsThatOfTheSegment) {
   }
 }
 
-TYPED_TEST(RelationOf, ACompoundWithoutPartsAndAnythingIsApart) {
+TYPED_TEST(RelationTable, ACompoundWithoutPartsIsApartFromEverything) {
   using Fixture = TestFixture;
   for (std::size_t a = 0; a < row_types; ++a) {
     Fixture::expect(Fixture::row(a, 1), Fixture::nothing(), Relation::apart);
@@ -306,7 +305,7 @@ std::vector<std::pair<std::pair<AnyShape<3, T>, AnyShape<3, T>>, Relation>> rows
   };
 }
 
-TYPED_TEST(RelationOf, ShapesComputedByHandIsAsComputed) {
+TYPED_TEST(RelationTable, ShapesComputedByHandAreAsComputed) {
   using Number = typename TypeParam::scalar;
   if constexpr (TypeParam::dimension == 2) {
     for (const auto& [pair, expected] : rows_of_the_plane<Number>()) this->expect(pair.first, pair.second, expected);
