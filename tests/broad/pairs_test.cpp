@@ -53,7 +53,7 @@ TYPED_TEST(PairsTest, FindThePairsOfAHandMadeRow) {
 TYPED_TEST(PairsTest, TreeEqualsBruteForceInEveryWorld) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
-  for (const std::size_t count : {0, 1, 2, 9, 64, 65, 700}) {
+  for (const std::size_t count : {0U, 1U, 2U, 9U, 64U, 65U, 700U}) {
     for (const auto& world : test::box_worlds<N, T>(count, 20261121 + count)) {
       SCOPED_TRACE(world.name + ", " + std::to_string(count) + " boxes");
       const std::vector<Pair> expected = overlapping_pairs(world.boxes, by_brute_force);
