@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
@@ -31,10 +32,19 @@ int sign_of_sum(const std::array<double, Count>& terms) {
   return parts[used - 1] > 0 ? 1 : -1;
 }
 
+/// The sign of a - b for two exact products. Rounding is monotonous, so the rounded values decide unless they are
+/// equal.
+inline int sign_of_difference(const Rounded& a, const Rounded& b) {
+  if (a.value != b.value) return a.value > b.value ? 1 : -1;
+  if (a.error != b.error) return a.error > b.error ? 1 : -1;
+  return 0;
+}
+
 /// Which way the path a, b, c turns: 1 counter-clockwise (y up), -1 clockwise, 0 straight on or back. The exact sign of
-/// (a - c) x (b - c): a double evaluation decides unless it is within its error bound (Shewchuk 1997, section 4.2),
-/// then the six products of the expanded determinant are summed exactly. For coordinates that are zero or of magnitude
-/// 1e-140 to 1e140: outside, products leave the range of double.
+/// (a - c) x (b - c): a double evaluation decides unless it is within its error bound (Shewchuk 1997, section 4.2);
+/// where the differences are exact, as those of neighbours on a grid, their two products are compared exactly; else the
+/// six products of the expanded determinant are summed exactly. For coordinates that are zero or of magnitude 1e-140 to
+/// 1e140: outside, products leave the range of double.
 template <class T>
 int orientation(const Vec<2, T>& a, const Vec<2, T>& b, const Vec<2, T>& c) {
   const Vec<2, double> p = wide<2, T>(a);
@@ -45,6 +55,13 @@ int orientation(const Vec<2, T>& a, const Vec<2, T>& b, const Vec<2, T>& c) {
   const double determinant = left - right;
   constexpr double bound = 4 * std::numeric_limits<double>::epsilon();
   if (std::fabs(determinant) > bound * (std::fabs(left) + std::fabs(right))) return determinant > 0 ? 1 : -1;
+  const Rounded px = two_sum(p.x, -r.x);
+  const Rounded py = two_sum(p.y, -r.y);
+  const Rounded qx = two_sum(q.x, -r.x);
+  const Rounded qy = two_sum(q.y, -r.y);
+  if (px.error == 0 && py.error == 0 && qx.error == 0 && qy.error == 0) {
+    return sign_of_difference(two_product(px.value, qy.value), two_product(py.value, qx.value));
+  }
   std::array<double, 12> terms{};
   std::size_t count = 0;
   const auto add_product = [&](double x, double y) {

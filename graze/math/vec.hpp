@@ -2,6 +2,7 @@
 // Vectors and matrices. The only file of graze that includes GLM.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -79,8 +80,7 @@ template <Dim N, class T>
 constexpr T max_abs(const Vec<N, T>& v) {
   T largest = T(0);
   for (Dim i = 0; i < N; ++i) {
-    const T size = v[i] < T(0) ? -v[i] : v[i];
-    if (size > largest) largest = size;
+    largest = std::max(largest, std::max(v[i], -v[i]));
   }
   return largest;
 }
@@ -89,7 +89,7 @@ constexpr T max_abs(const Vec<N, T>& v) {
 template <Dim N, class T>
 constexpr T sum_abs(const Vec<N, T>& v) {
   T sum = T(0);
-  for (Dim i = 0; i < N; ++i) sum += v[i] < T(0) ? -v[i] : v[i];
+  for (Dim i = 0; i < N; ++i) sum += std::max(v[i], -v[i]);
   return sum;
 }
 

@@ -5,7 +5,9 @@
 #include <stdexcept>
 #include <string_view>
 
+#include <graze/math/orientation.hpp>
 #include <graze/math/pose.hpp>
+#include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze {
@@ -43,15 +45,25 @@ Plane<N, T> plane_at(const Vec<N, double>& normal, const Vec<N, T>& point) {
   }
   return plane;
 }
+
+/// Exact: on one line are points whose shadows on the three coordinate planes are.
+template <class T>
+bool are_on_one_line(const Vec<3, T>& a, const Vec<3, T>& b, const Vec<3, T>& c) {
+  for (Dim i = 0; i < 3; ++i) {
+    const auto shadow = [i](const Vec<3, T>& v) { return Vec<2, T>(v[(i + 1) % 3], v[(i + 2) % 3]); };
+    if (orientation(shadow(a), shadow(b), shadow(c)) != 0) return false;
+  }
+  return true;
+}
 }  // namespace detail
 
 /// The plane through three points, its normal on the side from which they run counter-clockwise, of length twice their
-/// triangle's area. Points on one line determine none, and a normal or offset that T cannot hold is none:
-/// std::invalid_argument.
+/// triangle's area. Points on one line, which is decided exactly, determine none, and a normal or offset that T cannot
+/// hold is none: std::invalid_argument.
 template <class T>
 Plane<3, T> plane_through(const Vec<3, T>& a, const Vec<3, T>& b, const Vec<3, T>& c) {
-  const Vec<3, double> normal = cross(wide<3, T>(b) - wide<3, T>(a), wide<3, T>(c) - wide<3, T>(a));
-  if (max_abs(normal) == 0) throw std::invalid_argument("plane_through: the three points lie on one line");
+  if (detail::are_on_one_line(a, b, c)) throw std::invalid_argument("plane_through: the three points lie on one line");
+  const Vec<3, double> normal = accurate_cross(wide<3, T>(b) - wide<3, T>(a), wide<3, T>(c) - wide<3, T>(a));
   return detail::plane_at<3, T>(normal, a);
 }
 

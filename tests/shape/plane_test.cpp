@@ -75,6 +75,20 @@ TEST(Plane, ThroughPointsOnALineIsRefusedWithTheReason) {
   }
 }
 
+TEST(Plane, ThroughPointsOfOneLineIsRefusedThoughTheirCrossProductRoundsToSomething) {
+  const Vec<3, double> v(0.1, 0.7, 0.3);
+  ASSERT_NE(cross(v * 2.0 - v, v * 4.0 - v), (Vec<3, double>(0.0))) << "the usual check would do";
+  EXPECT_THROW(plane_through(v, Vec<3, double>(v * 2.0), Vec<3, double>(v * 4.0)), std::invalid_argument);
+}
+
+TEST(Plane, ThroughPointsThatAreAlmostOnOneLineHasTheRightNormal) {
+  // (1, 0, 0) x (1, 2^-52, 0) = (0, 0, 2^-52).
+  const double little = 0x1p-52;
+  const Plane<3, double> plane =
+      plane_through(Vec<3, double>(0, 0, 0), Vec<3, double>(1, 0, 0), Vec<3, double>(1, little, 0));
+  EXPECT_EQ(plane.normal, (Vec<3, double>(0, 0, little)));
+}
+
 TEST(Plane, ThroughEqualPointsIsRefusedWithTheReason) {
   try {
     plane_through(Vec<2, float>(1, 2), Vec<2, float>(1, 2));
