@@ -17,9 +17,30 @@ inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// epsilon / 2 each; doubled, because the magnitudes are themselves estimated in double.
 inline constexpr double rounding = 8 * epsilon;
 
+/// The same for quick tests whose verdicts must never contradict the careful ones that decide within it: plain cross
+/// products and their products with coordinates (under 12 epsilon), and twice the careful test's own band (16), with
+/// room to spare.
+inline constexpr double coarse = 8 * rounding;
+
+/// The same for a sum of up to twenty terms added in twice the precision of double: twenty errors of an addition, each
+/// rounded as often, relative to the largest partial sum; doubled.
+inline constexpr double twofold_rounding = 512 * epsilon * epsilon;
+
+/// The smallest sphere around points is found when the farthest point's squared distance exceeds its squared radius by
+/// no more than this, relatively: both are sums of three squares of differences, with up to five roundings.
+inline constexpr double sphere_gap = 4 * epsilon;
+
 /// How far an oriented box's axes may be from orthonormal. Float rotations stay within it though a thousand of them are
 /// multiplied without care (measured: 7e-5); a matrix with scale or shear, the usual mistake, does not.
 inline constexpr double orthonormal = 1e-4;
+
+/// The quick test of boxes leaves to the careful one what is closer to touching than this times the skew of the axes
+/// times the size: its own error is 10, see BoxFilter.
+inline constexpr double box_filter = 16;
+
+/// The quick test of two segments leaves to the careful one what is closer to touching than this times the size: its
+/// own error is the rounding of a few products divided by the least sine squared that it takes on, 1/64.
+inline constexpr double segment_filter = 4096 * epsilon;
 
 /// GJK stops when its upper and lower bounds on the distance agree to this, relative to the upper bound.
 inline constexpr double gjk_relative_gap = 1e-12;
@@ -35,5 +56,11 @@ inline constexpr double box_slack = 256 * epsilon;
 /// Support functions of a user's shape may calculate in T: the band for their answers.
 template <Scalar T>
 inline constexpr double convex_in = 32.0 * static_cast<double>(std::numeric_limits<T>::epsilon());
+
+/// A point is on a set without thickness, which hardly any point of T is exactly, when it is nearer than this, relative
+/// to the largest coordinate. The point of T nearest to a plane is off by up to sqrt(3) / 2 epsilon; one that was
+/// calculated in T with a handful of roundings by several.
+template <Scalar T>
+inline constexpr double surface = 8.0 * static_cast<double>(std::numeric_limits<T>::epsilon());
 
 }  // namespace graze::tolerance

@@ -23,8 +23,9 @@ template <Dim N>
 struct EpaResult {
   double lower = 0;  ///< A ball of this radius around the origin is in the set of differences a - b.
   double upper = std::numeric_limits<double>::infinity();  ///< Moving b by `normal` * upper parts the shapes.
-  double gap = 0;         ///< Proved distance along some direction, if the shapes turn out not to meet.
-  double resolution = 0;  ///< The rounding of support points: all bounds may be off by it.
+  double gap = 0;             ///< Proved distance along some direction, if the shapes turn out not to meet.
+  double resolution = 0;      ///< The rounding of support points: all bounds may be off by it.
+  bool holds_origin = false;  ///< The shapes meet: no face of a polytope in the set of differences parts it from zero.
   Vec<N, double> normal = unit_axis<N>(0);
   Status status = Status::converged;
   int iterations = 0;
@@ -98,7 +99,8 @@ class Expansion {
       const double resolution = differences_.resolution();
       if (result_.gap > resolution) return;
       result_.lower = std::min(std::max({face->height, result_.lower, 0.0}), result_.upper);
-      if (face->height >= -resolution && is_answered(resolution)) return;
+      result_.holds_origin = face->height >= -resolution;
+      if (result_.holds_origin && is_answered(resolution)) return;
       if (!hull.insert(point, *face)) break;
     }
     result_.status = Status::best_bound;

@@ -6,21 +6,21 @@
 // swapped.
 //
 //               segment ray sphere aabb obb plane half-space triangle capsule polytope compound user's
-//   point          C     C    C     C    C    S       S         G        C       G        P       G
-//   segment        C     C    C     C    C    S       S         G        C       G        P       G
-//   ray                  C    C     C    C    C       C         G        C       G        P       G
-//   sphere                    C     C    C    S       S         G        C       G        P       G
-//   aabb                            C    C    S       S         G        C       G        P       G
-//   obb                                  C    S       S         G        C       G        P       G
+//   point          C     C    C     C    C    S       S         C        C       G        P       G
+//   segment        C     C    C     C    C    S       S         C        C       G        P       G
+//   ray                  C    C     C    C    C       C         C        C       G        P       G
+//   sphere                    C     C    C    S       S         C        C       G        P       G
+//   aabb                            C    C    S       S         C        C       G        P       G
+//   obb                                  C    S       S         C        C       G        P       G
 //   plane                                     C       C         S        S       S        P       S
 //   half-space                                        C         S        S       S        P       S
-//   triangle                                                    G        G       G        P       G
+//   triangle                                                    C        C       G        P       G
 //   capsule                                                              C       G        P       G
 //   polytope                                                                     G        P       G
 //   compound                                                                              P       P
 //
 // Where the forms are: segments, spheres, boxes, capsules in relation_bounded.hpp; rays, planes, half-spaces in
-// relation_unbounded.hpp; G in relation_convex.hpp.
+// relation_unbounded.hpp; triangles in relation_triangle.hpp; G in relation_convex.hpp.
 //
 // Exact: aabb and point against aabb, points among themselves. The rest calculates in double and calls `touching` what
 // is nearer to touching than rounding can tell: C a few epsilon of the pair's own size, however far from the origin; S
@@ -39,6 +39,7 @@
 #include <graze/query/bounds.hpp>
 #include <graze/query/relation_bounded.hpp>
 #include <graze/query/relation_convex.hpp>
+#include <graze/query/relation_triangle.hpp>
 #include <graze/query/relation_unbounded.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/shape/any_shape.hpp>
@@ -67,6 +68,21 @@ template <class S>
 inline constexpr bool is_any_shape = false;
 template <Dim N, class T>
 inline constexpr bool is_any_shape<AnyShape<N, T>> = true;
+
+// ---- The shapes whose closed forms among themselves see NaN for what it is.
+
+template <class S>
+inline constexpr bool sees_nan = false;
+template <Dim N, class T>
+inline constexpr bool sees_nan<Segment<N, T>> = true;
+template <Dim N, class T>
+inline constexpr bool sees_nan<Sphere<N, T>> = true;
+template <Dim N, class T>
+inline constexpr bool sees_nan<Aabb<N, T>> = true;
+template <Dim N, class T>
+inline constexpr bool sees_nan<Obb<N, T>> = true;
+template <Dim N, class T>
+inline constexpr bool sees_nan<Capsule<N, T>> = true;
 
 // ---- NaN if any number of the shape is: comparisons drop a NaN as easily as not, sums keep it. A polytope holds none;
 // a user's type is not looked into.
@@ -161,7 +177,7 @@ Relation decide(const A& a, const B& b) {
     return decide(Sphere<dimension_of<A>, scalar_of<A>>{a, 0}, b);
   } else if constexpr (is_point<B>) {
     return decide(a, Sphere<dimension_of<B>, scalar_of<B>>{b, 0});
-  } else if (std::isnan(numbers_of(a) + numbers_of(b))) {
+  } else if (!(sees_nan<A> && sees_nan<B>)&&std::isnan(numbers_of(a) + numbers_of(b))) {
     return Relation::apart;
   } else if constexpr (HasClosedForm<A, B>) {
     return closed_form(a, b);

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The closed forms of relation.hpp for segments, spheres, boxes and capsules. Include relation.hpp.
+// The closed forms of relation.hpp for segments, spheres, boxes and capsules. Include relation.hpp. Each is right for
+// NaN too: apart.
 #pragma once
+
+#include <optional>
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/box_filter.hpp>
 #include <graze/query/distance_squared.hpp>
+#include <graze/query/segment_filter.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/query/zonotope.hpp>
 #include <graze/shape/aabb.hpp>
@@ -58,10 +63,38 @@ double extent(const Obb<N, T>& box) {
   return 2 * sum_abs(wide<N, T>(box.half_extents));
 }
 
+// ---- The quick answer for cores that have a filter.
+
+template <class A, class B>
+std::optional<Relation> filter_of_cores(const A&, const B&, double) {
+  return std::nullopt;
+}
+
+template <Dim N, class T>
+std::optional<Relation> filter_of_cores(const Vec<N, T>& center, const Obb<N, T>& box, double reach) {
+  return filter_of_ball(center, box, reach);
+}
+
+template <Dim N, class T>
+std::optional<Relation> filter_of_cores(const Segment<N, T>& a, const Segment<N, T>& b, double reach) {
+  return filter_of_segments(a, b, reach);
+}
+
+template <Dim N, class T>
+std::optional<Relation> filter_of_cores(const Segment<N, T>& segment, const Aabb<N, T>& box, double reach) {
+  return filter_of_widened(box, segment, reach);
+}
+
+template <Dim N, class T>
+std::optional<Relation> filter_of_cores(const Segment<N, T>& segment, const Obb<N, T>& box, double reach) {
+  return filter_of_widened(box, segment, reach);
+}
+
 /// The verdict on two cores widened by `reach` in all. Where rounding hides whether the widened shapes touch, the cores
 /// may still cross deeply: `relation_of_cores` is asked. Swapping the cores changes no bit.
 template <class A, class B, class RelationOfCores>
 Relation relation_of_widened(const A& core_a, const B& core_b, double reach, const RelationOfCores& relation_of_cores) {
+  if (const auto verdict = filter_of_cores(core_a, core_b, reach)) return *verdict;
   const double between = sum_abs(reference(core_b) - reference(core_a));
   const double slack = tolerance::rounding * (between + (extent(core_a) + extent(core_b)) + reach);
   const Relation verdict = verdict_on_distance(distance_squared(core_a, core_b), reach, slack);
@@ -83,6 +116,13 @@ Relation relation_of_boxes(const Aabb<N, T>& a, const Aabb<N, T>& b) {
   return verdict;
 }
 
+/// A box against a box or a segment.
+template <class Box, class Other>
+Relation relation_with_box(const Box& box, const Other& other) {
+  if (const auto verdict = filter_of_box(box, other)) return *verdict;
+  return relation_of_zonotopes(zonotope(box), zonotope(other));
+}
+
 // ---- Segment against ...
 
 /// In 3D two segments touch at most; in 2D they overlap when they cross.
@@ -101,12 +141,12 @@ Relation closed_form(const Segment<N, T>& segment, const Sphere<N, T>& sphere) {
 
 template <Dim N, class T>
 Relation closed_form(const Segment<N, T>& segment, const Aabb<N, T>& box) {
-  return relation_of_zonotopes(zonotope(segment), zonotope(box));
+  return relation_with_box(box, segment);
 }
 
 template <Dim N, class T>
 Relation closed_form(const Segment<N, T>& segment, const Obb<N, T>& box) {
-  return relation_of_zonotopes(zonotope(segment), zonotope(box));
+  return relation_with_box(box, segment);
 }
 
 template <Dim N, class T>
@@ -125,6 +165,7 @@ Relation closed_form(const Sphere<N, T>& a, const Sphere<N, T>& b) {
 
 template <Dim N, class T>
 Relation closed_form(const Sphere<N, T>& sphere, const Aabb<N, T>& box) {
+  if (!(sphere.radius >= T(0))) return Relation::apart;
   const Relation core = relation_of_boxes(Aabb<N, T>{sphere.center, sphere.center}, box);
   if (core == Relation::overlapping || sphere.radius == T(0)) return core;
   // A sum of squares of differences, each rounded relative to itself: no larger than the radius where it matters.
@@ -153,7 +194,7 @@ Relation closed_form(const Aabb<N, T>& a, const Aabb<N, T>& b) {
 
 template <Dim N, class T>
 Relation closed_form(const Aabb<N, T>& a, const Obb<N, T>& b) {
-  return relation_of_zonotopes(zonotope(a), zonotope(b));
+  return relation_with_box(a, b);
 }
 
 template <Dim N, class T>
@@ -164,7 +205,7 @@ Relation closed_form(const Aabb<N, T>& box, const Capsule<N, T>& capsule) {
 
 template <Dim N, class T>
 Relation closed_form(const Obb<N, T>& a, const Obb<N, T>& b) {
-  return relation_of_zonotopes(zonotope(a), zonotope(b));
+  return relation_with_box(a, b);
 }
 
 template <Dim N, class T>

@@ -18,13 +18,14 @@
 
 namespace graze::detail {
 
-/// Whether two cores that meet, for all that the distance says, do so with depth; or are farther apart than `reach`
-/// after all.
+/// Whether two cores that meet, for all that the distance says, do so with depth, be it only that of their radii; or
+/// are farther apart than `reach` after all.
 template <Convex A, Convex B>
 Relation relation_of_meeting(const A& a, const B& b, const GjkResult<dimension_of<A>>& distance, double reach) {
   const EpaResult<dimension_of<A>> depth = epa(a, b, distance.simplex, EpaOptions{0});
   if (depth.gap > reach + depth.resolution) return Relation::apart;
-  return depth.lower > depth.resolution ? Relation::overlapping : Relation::touching;
+  const bool is_deep = depth.lower > depth.resolution || (depth.holds_origin && reach > depth.resolution);
+  return is_deep ? Relation::overlapping : Relation::touching;
 }
 
 /// The cores' distance against the sum of their radii.

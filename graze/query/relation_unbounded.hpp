@@ -12,6 +12,7 @@
 #include <graze/query/bounds.hpp>
 #include <graze/query/relation_bounded.hpp>
 #include <graze/query/relation_convex.hpp>
+#include <graze/query/relation_triangle.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/query/wide_support.hpp>
 #include <graze/shape/half_space.hpp>
@@ -199,6 +200,10 @@ Aabb<N, double> seen_from(const Vec<N, double>& origin, const Aabb<N, T>& box) {
 template <Dim N, class T>
 Obb<N, double> seen_from(const Vec<N, double>& origin, const Obb<N, T>& box) {
   return {wide<N, T>(box.center) - origin, wide<N, T>(box.half_extents), wide_matrix<N, T>(box.axes)};
+}
+template <Dim N, class T>
+Triangle<N, double> seen_from(const Vec<N, double>& origin, const Triangle<N, T>& triangle) {
+  return {wide<N, T>(triangle.a) - origin, wide<N, T>(triangle.b) - origin, wide<N, T>(triangle.c) - origin};
 }
 template <Dim N, class T>
 Capsule<N, double> seen_from(const Vec<N, double>& origin, const Capsule<N, T>& capsule) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 
 namespace graze {
@@ -35,6 +36,13 @@ constexpr Relation verdict_on_distance(double distance_squared, double reach, do
   if (!(distance_squared <= far * far)) return Relation::apart;
   const double near = reach - slack;
   return near > 0 && distance_squared < near * near ? Relation::overlapping : Relation::touching;
+}
+
+/// The verdict on a squared distance, unless `slack`, which is taken generously, leaves it open.
+constexpr std::optional<Relation> clear_verdict(double distance_squared, double reach, double slack) {
+  const Relation verdict = verdict_on_distance(distance_squared, reach, slack);
+  if (verdict == Relation::touching) return std::nullopt;
+  return verdict;
 }
 
 }  // namespace detail

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every tolerance has a reason; these tests hold it to that reason.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -63,6 +64,24 @@ TEST(Tolerance, GjkCanReachItsGapAboveTheNoiseOfSupports) {
 TEST(Tolerance, BoxSlackExceedsTheBandOfEveryVerdict) {
   EXPECT_GT(tolerance::box_slack, 2 * tolerance::convex);
   EXPECT_GT(tolerance::box_slack, 2 * tolerance::rounding);
+}
+
+RC_GTEST_PROP(Tolerance, SurfaceCoversAPointOfASegmentCalculatedInFloat, ()) {
+  const auto from = test::draw_source<3, float>();
+  const Vec<3, float> start = *from.point;
+  const Vec<3, float> end = *from.point;
+  const float share = static_cast<float>(*rc::gen::inRange(0, 101)) / 100;
+  const Vec<3, float> middle = start * (1 - share) + end * share;
+  const double part = static_cast<double>(share);
+  const Vec<3, double> exact = wide<3, float>(start) + (wide<3, float>(end) - wide<3, float>(start)) * part;
+  const Vec<3, double> off = wide<3, float>(middle) - exact;
+  const auto largest = static_cast<double>(std::max(max_abs(start), max_abs(end)));
+  RC_ASSERT(std::sqrt(dot(off, off)) <= tolerance::surface<float> * largest);
+}
+
+TEST(Tolerance, SurfaceIsWiderThanTheBandsInDouble) {
+  EXPECT_GE(tolerance::surface<double>, tolerance::rounding);
+  EXPECT_EQ(tolerance::surface<float>, 8 * 0x1p-23);
 }
 
 TEST(Tolerance, UsersShapesGetTheBandOfTheirOwnNumbers) {

@@ -55,6 +55,48 @@ TEST(DistanceSquared, OfBoxesIsAsComputedByHand) {
   EXPECT_EQ(distance_squared(Segment<3, double>{{2, 3, 3}, {2, 3, 3}}, box), 9);
 }
 
+TEST(DistanceSquared, OfTrianglesIsAsComputedByHand) {
+  using V3 = Vec<3, double>;
+  using S3 = Segment<3, double>;
+  const Triangle<3, double> triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+  EXPECT_EQ(distance_squared(V3(1, 1, 3), triangle), 9);
+  EXPECT_EQ(distance_squared(V3(1, -3, 4), triangle), 25);
+  EXPECT_EQ(distance_squared(V3(4, 4, 1), triangle), 9);
+  EXPECT_EQ(distance_squared(V3(-3, -4, 0), triangle), 25);
+  EXPECT_EQ(distance_squared(V3(1, 1, 0), triangle), 0);
+  EXPECT_EQ(distance_squared(S3{{1, 1, -1}, {1, 1, 7}}, triangle), 0);
+  EXPECT_EQ(distance_squared(S3{{-9, 1, 3}, {9, 1, 3}}, triangle), 9);
+  EXPECT_EQ(distance_squared(S3{{-9, -3, 4}, {9, -3, 4}}, triangle), 25);
+  EXPECT_EQ(distance_squared(S3{{1, 1, 2}, {1, 1, 9}}, triangle), 4);
+  const Triangle<2, float> flat{{0, 0}, {4, 0}, {0, 4}};
+  EXPECT_EQ(distance_squared(Vec<2, float>(1, 1), flat), 0);
+  EXPECT_EQ(distance_squared(Vec<2, float>(5, 5), flat), 18);
+  EXPECT_EQ(distance_squared(Segment<2, float>{{1, 1}, {2, 1}}, flat), 0);
+  EXPECT_EQ(distance_squared(Segment<2, float>{{5, -3}, {5, 3}}, flat), 1);
+}
+
+// A foot outside of a needle is easily taken for one inside, and the way back to the needle is long.
+TEST(DistanceSquared, OfANeedleIsMeasuredToOneOfItsPoints) {
+  for (const double half_width : {1e-3, 1e-8, 1e-12, 1e-16, 0.0}) {
+    const Triangle<3, double> needle{{0, 0, 0}, {1, half_width, 0}, {1, -half_width, 0}};
+    EXPECT_NEAR(std::sqrt(distance_squared(Vec<3, double>(-0.3, 0, 0.4), needle)), 0.5, 1e-15);
+    EXPECT_NEAR(std::sqrt(distance_squared(Vec<3, double>(0.7, 0, 0.4), needle)), 0.4, 1e-15);
+    EXPECT_NEAR(std::sqrt(distance_squared(Segment<3, double>{{-0.3, -1, 0.4}, {-0.3, 1, 0.4}}, needle)), 0.5, 1e-15);
+  }
+}
+
+// The square of the mutual perpendicular's length is above all doubles, or below.
+TEST(DistanceSquared, OfVeryLargeAndVerySmallShapesIsThatOfMediumOnes) {
+  for (const double size : {0x1p-460, 1.0, 0x1p460}) {
+    const auto at = [size](double x, double y, double z) { return Vec<3, double>(x, y, z) * size; };
+    const Segment<3, double> along{at(-1, 0, 0), at(1, 0, 0)};
+    const Triangle<3, double> triangle{at(0, 0, 0), at(4, 0, 0), at(0, 4, 0)};
+    EXPECT_EQ(distance_squared(along, Segment<3, double>{at(0, -1, 2), at(0, 1, 2)}), 4 * size * size);
+    EXPECT_EQ(distance_squared(at(1, 1, 3), triangle), 9 * size * size);
+    EXPECT_EQ(distance_squared(Segment<3, double>{at(1, 1, -1), at(1, 1, 7)}, triangle), 0);
+  }
+}
+
 // Both crossed, and both were once given a distance of 2e-4 and more: the determinant of the two lines was mostly
 // rounding, so the crossing was taken to lie outside.
 TEST(DistanceSquared, OfSegmentsThatCrossAtAlmostNoAngleIsZero) {
@@ -92,6 +134,10 @@ TEST(DistanceSquared, IsWithinAFewEpsilonOfTheExactOne) {
   expect_exact<Vec<3, double>, Obb<3, double>>(16);
   expect_exact<Segment<2, float>, Obb<2, float>>(16);
   expect_exact<Segment<3, double>, Obb<3, double>>(16);
+  expect_exact<Vec<2, float>, Triangle<2, float>>(16);
+  expect_exact<Vec<3, double>, Triangle<3, double>>(16);
+  expect_exact<Segment<2, double>, Triangle<2, double>>(16);
+  expect_exact<Segment<3, double>, Triangle<3, double>>(16);
 }
 
 TEST(DistanceSquared, OfSwappedSegmentsIsTheSameToTheBit) {

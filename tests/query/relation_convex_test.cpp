@@ -19,7 +19,7 @@ template <class A, class B>
 void expect(const A& a, const B& b, Relation expected) {
   EXPECT_EQ(name_of(relation(a, b)), name_of(expected)) << to_source(a) << ", " << to_source(b);
   EXPECT_EQ(name_of(relation(b, a)), name_of(expected)) << "swapped: " << to_source(a) << ", " << to_source(b);
-  const ExactVerdict truth = simple_verdict(a, b, Measure::distance);
+  const ExactVerdict truth = exact_verdict_of(a, b, Measure::distance);
   EXPECT_EQ(name_of(truth.relation), name_of(expected)) << "oracle: " << to_source(a) << ", " << to_source(b);
 }
 
@@ -92,6 +92,15 @@ TEST(RelationOfConvex, TheRadiusIsComparedToTheLastDigit) {
                                          {-3.1066621618338726, -4.497722939715272, -6.323435980690174},
                                          {-2.2819748559851356, -4.4720688105128925, -0.9087122838403696}}),
          Relation::overlapping);
+}
+
+TEST(RelationOfConvex, ASmallRadiusIsDepthEnoughThoughTheDistanceOfLongCoresIsHardToFind) {
+  // The capsule's axis begins in a corner of the thin box: the depth is the radius.
+  const Aabb<3, double> box{{0, 0, 0}, {0.0005111603167539062, 49, 1038}};
+  const Capsule<3, double> capsule{
+      {0.0005111603167539062, 49, 1038}, {-1.2, 51620, 4.45034418751834e-05}, 2.8768816333705592e-06};
+  EXPECT_EQ(detail::relation_of_convex(box, capsule), Relation::overlapping);
+  EXPECT_EQ(detail::relation_of_convex(capsule, box), Relation::overlapping);
 }
 
 TEST(RelationOfConvex, PolytopesTouchAtCornersEdgesAndFaces) {
