@@ -4,7 +4,11 @@
 
 #include <graze/broad/brute_force.hpp>
 #include <graze/broad/pairs.hpp>
+#include <graze/query/bounding.hpp>
 #include <graze/query/bounds.hpp>
+#include <graze/query/closest_boundary_point.hpp>
+#include <graze/query/closest_point.hpp>
+#include <graze/query/contains.hpp>
 #include <graze/query/convex_parts.hpp>
 #include <graze/query/distance_squared.hpp>
 #include <graze/query/epa.hpp>
@@ -12,6 +16,7 @@
 #include <graze/query/intersects.hpp>
 #include <graze/query/outline.hpp>
 #include <graze/query/relation.hpp>
+#include <graze/query/signed_distance.hpp>
 #include <graze/query/transformed.hpp>
 #include <graze/scene/scene.hpp>
 #include <graze/shape/any_shape.hpp>

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+// contains(shape, point): whether a point belongs to a shape, its surface included.
+//
+// What decides it, and from how far outside a point is still contained (nothing inside is ever missed):
+//
+//   point, aabb                     comparisons              nothing: exact
+//   sphere, capsule, obb            closed form in double    a few epsilon of the pair's own size, wherever it is
+//   half-space                      closed form in double    a few epsilon of the largest coordinate
+//   triangle, polytope, in 2D       exact orientations       a few epsilon of the pair's own size
+//   polytope in 3D                  GJK, then EPA            a few epsilon of the largest coordinate
+//   user's convex shape             GJK, then EPA            the same, but epsilon of T if its `support` uses T
+//   segment, ray, plane,            closed form in double    tolerance::surface<T>, 8 epsilon of T, of the largest
+//     triangle in 3D                                           coordinate
+//   compound                        part by part             that of the part
+//
+// Epsilon is that of double but where T is named. Hardly any point of T lies on a set without thickness exactly, hence
+// the tolerance there. A solid thinner than the tolerance (a flat box, a capsule of radius 1e-9 at coordinate 1 in
+// float) is tested as if it were as thick as that. A point with a NaN is in nothing. Coordinates are zero or of
+// magnitude 1e-140 to 1e140: outside, squares leave the range of double.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <variant>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/bounds.hpp>
+#include <graze/query/distance_squared.hpp>
+#include <graze/query/surface_point.hpp>
+#include <graze/query/surface_point_box.hpp>
+#include <graze/query/surface_point_convex.hpp>
+#include <graze/shape/any_shape.hpp>
+#include <graze/shape/shape.hpp>
+
+namespace graze {
+
+/// The points that a shape is made of.
+template <Shape S>
+using PointOf = Vec<dimension_of<S>, scalar_of<S>>;
+
+/// A point in the space of S, and of its number type.
+template <class P, class S>
+concept PointIn = Shape<S> && std::same_as<P, PointOf<S>>;
+
+namespace detail {
+
+/// Whether a point at this squared distance from a set is on it for all that T can resolve, when the set is `thickness`
+/// thick at least on either side of its middle.
+template <Scalar T>
+bool is_within_surface(double distance_squared, double largest_coordinate, double thickness = 0) {
+  const double reach = tolerance::surface<T> * largest_coordinate - thickness;
+  return reach >= 0 && distance_squared <= reach * reach;
+}
+
+// ---- Sets without thickness
+
+template <Dim N, class T>
+bool holds(const Vec<N, T>& shape, const Vec<N, T>& point) {
+  return shape == point;
+}
+
+template <Dim N, class T>
+bool holds(const Segment<N, T>& segment, const Vec<N, T>& point) {
+  const double largest = static_cast<double>(std::max(max_abs(segment.start), max_abs(segment.end)));
+  return is_within_surface<T>(squared(foot_on(segment, wide<N, T>(point))), largest);
+}
+
+template <Dim N, class T>
+bool holds(const Ray<N, T>& ray, const Vec<N, T>& point) {
+  const double largest = static_cast<double>(std::max(max_abs(ray.origin), max_abs(point)));
+  return is_within_surface<T>(squared(foot_on(ray, wide<N, T>(point))), largest);
+}
+
+template <Dim N, class T>
+bool holds(const Plane<N, T>& plane, const Vec<N, T>& point) {
+  const Vec<N, double> normal = wide<N, T>(plane.normal);
+  const double height = height_over(plane, wide<N, T>(point));
+  const auto largest = static_cast<double>(max_abs(point));
+  return is_within_surface<T>(height * height / dot(normal, normal),
+                              largest);  // a valid normal is not zero
+}
+
+template <class T>
+bool holds(const Triangle<3, T>& triangle, const Vec<3, T>& point) {
+  const double distance = surface_point(triangle, wide<3, T>(point)).distance;
+  const T largest = std::max({max_abs(triangle.a), max_abs(triangle.b), max_abs(triangle.c)});
+  return is_within_surface<T>(distance * distance, static_cast<double>(largest));
+}
+
+// ---- Solids
+
+template <Dim N, class T>
+bool holds(const Sphere<N, T>& sphere, const Vec<N, T>& point) {
+  const Vec<N, double> off = wide<N, T>(point) - wide<N, T>(sphere.center);
+  const auto radius = static_cast<double>(sphere.radius);
+  const double reach = radius + tolerance::rounding * (sum_abs(off) + radius);
+  return dot(off, off) <= reach * reach;
+}
+
+template <Dim N, class T>
+bool holds(const Aabb<N, T>& box, const Vec<N, T>& point) {
+  for (Dim i = 0; i < N; ++i) {
+    if (!(box.min[i] <= point[i] && point[i] <= box.max[i])) return false;
+  }
+  return true;
+}
+
+/// Projected on axes that are orthonormal up to tolerance::orthonormal = e, a point of the box is at most e (|u_0| +
+/// ... ) off its place u, and that sum is at most sqrt(N) (1 + e) times its distance from the center: what is farther
+/// in or out than that needs no closer look.
+template <Dim N, class T>
+bool holds(const Obb<N, T>& box, const Vec<N, T>& point) {
+  const Vec<N, double> p = wide<N, T>(point);
+  const Vec<N, double> off = p - wide<N, T>(box.center);
+  const Vec<N, double> halves = wide<N, T>(box.half_extents);
+  const double size = static_cast<double>(max_abs(box.center)) + sum_abs(off) + sum_abs(halves);
+  const double margin = 2 * (2 * tolerance::orthonormal * sum_abs(off) + tolerance::surface<T> * size);
+  double beyond = -std::numeric_limits<double>::infinity();
+  for (Dim i = 0; i < N; ++i) {
+    beyond = std::max(beyond, std::fabs(dot(off, wide<N, T>(box.axes[i]))) - halves[i]);
+  }
+  if (beyond > margin) return false;
+  if (beyond < -margin) return true;
+  const PlaceInBox<N> nearest = place_in(box, p);
+  const double distance_squared = dot(nearest.off, nearest.off);
+  const double slack = slack_of(box, p);
+  if (distance_squared <= slack * slack) return true;
+  return is_within_surface<T>(distance_squared, largest_coordinate(box), thickness_of(box));
+}
+
+template <Dim N, class T>
+bool holds(const HalfSpace<N, T>& solid, const Vec<N, T>& point) {
+  const double magnitude = dot(abs(wide<N, T>(solid.normal)), abs(wide<N, T>(point)));
+  const double slack = tolerance::convex * (magnitude + std::fabs(static_cast<double>(solid.offset)));
+  return height_over(boundary(solid), wide<N, T>(point)) <= slack;
+}
+
+/// However thin, a capsule is a ball around each point of its axis: it is the axis that the tolerance is for.
+template <Dim N, class T>
+bool holds(const Capsule<N, T>& capsule, const Vec<N, T>& point) {
+  const Vec<N, double> p = wide<N, T>(point);
+  const Vec<N, double> start = wide<N, T>(capsule.a);
+  const auto radius = static_cast<double>(capsule.radius);
+  const double extent = sum_abs(wide<N, T>(capsule.b) - start);
+  const double reach = radius + tolerance::rounding * (sum_abs(p - start) + extent + radius);
+  const double distance_squared = squared(foot_on(axis(capsule), p));
+  if (distance_squared <= reach * reach) return true;
+  const T largest = std::max(max_abs(capsule.a), max_abs(capsule.b));
+  return is_within_surface<T>(distance_squared, static_cast<double>(largest));
+}
+
+/// The distance of the middle from the nearest edge: zero if the polygon is flat.
+template <class T>
+double thickness_of(Corners<T> corners) {
+  const Vec<2, double> middle = middle_of(corners);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec<2, T>& next = corners[i + 1 < corners.size() ? i + 1 : 0];
+    const Vec<2, double> edge = wide<2, T>(next) - wide<2, T>(corners[i]);
+    const double area = std::fabs(cross_2d<double>(edge, middle - wide<2, T>(corners[i])));
+    const double length = std::sqrt(dot(edge, edge));
+    least = std::min(least, length > 0 ? area / length : 0.0);
+  }
+  return least;
+}
+
+template <class T>
+bool polygon_holds(Corners<T> corners, const Vec<2, T>& point) {
+  const Vec<2, double> p = wide<2, T>(point);
+  const double distance = surface_point_of<T>(corners, p).distance;
+  if (distance <= 0) return true;
+  double own_size = 0;
+  double largest = 0;
+  for (const Vec<2, T>& corner : corners) {
+    own_size = std::max(own_size, sum_abs(p - wide<2, T>(corner)));
+    largest = std::max(largest, static_cast<double>(max_abs(corner)));
+  }
+  if (distance <= tolerance::rounding * own_size) return true;
+  // The thickness takes longer, and is asked for next to the polygon only.
+  const bool is_near = is_within_surface<T>(distance * distance, largest);
+  return is_near && is_within_surface<T>(distance * distance, largest, thickness_of<T>(corners));
+}
+
+template <class T>
+bool holds(const Triangle<2, T>& triangle, const Vec<2, T>& point) {
+  return polygon_holds<T>(counter_clockwise(triangle), point);
+}
+
+template <class T>
+bool holds(const Polytope<2, T>& polygon, const Vec<2, T>& point) {
+  return polygon_holds<T>(polygon.vertices(), point);
+}
+
+// ---- Any convex shape
+
+/// How far the middle of a shape is from its surface.
+template <Convex S>
+double thickness_of(const S& shape) {
+  const Vec<dimension_of<S>, double> middle = middle_of(shape);
+  return epa(middle, shape, gjk(middle, shape).simplex).lower;
+}
+
+/// For a point that is not in the shape: whether it is on it, for all that T can resolve.
+template <Convex S>
+bool is_on_thin(const S& shape, const PointOf<S>& point) {
+  constexpr Dim N = dimension_of<S>;
+  using T = scalar_of<S>;
+  const double distance = surface_point_outside(shape, wide<N, T>(point)).distance;
+  const Aabb<N, T> box = bounds(shape);
+  const auto largest = static_cast<double>(std::max(max_abs(box.min), max_abs(box.max)));
+  const bool is_near = is_within_surface<T>(distance * distance, largest);
+  return is_near && is_within_surface<T>(distance * distance, largest, thickness_of(shape));
+}
+
+template <Convex S>
+bool holds(const S& shape, const PointOf<S>& point) {
+  const auto distance = gjk(point, shape, GjkOptions{0});
+  if (!(distance.upper >= 0)) return false;  // NaN
+  if (distance.lower > distance.resolution) return is_on_thin(shape, point);
+  const auto depth = epa(point, shape, distance.simplex, EpaOptions{0});
+  return !(depth.gap > depth.resolution) || is_on_thin(shape, point);
+}
+
+// ---- Shapes of shapes
+
+template <Dim N, class T>
+bool holds(const Compound<N, T>& compound, const Vec<N, T>& point);
+
+template <Dim N, class T>
+bool holds(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
+  return std::visit([&point](const auto& held) { return holds(held, point); }, shape);
+}
+
+/// No part in the box holds a point that is farther from it than this; and if the point is, its distance from any part
+/// is more than the difference.
+template <Dim N, class T>
+double forgiven_outside(const Aabb<N, T>& box, const Vec<N, T>& point) {
+  double largest = static_cast<double>(max_abs(point));
+  for (Dim i = 0; i < N; ++i) {
+    for (const T side : {box.min[i], box.max[i]}) {
+      if (std::isfinite(side)) largest = std::max(largest, std::fabs(static_cast<double>(side)));
+    }
+  }
+  return (tolerance::surface<T> + tolerance::box_slack) * largest;
+}
+
+template <Dim N, class T>
+bool holds(const Compound<N, T>& compound, const Vec<N, T>& point) {
+  return std::any_of(compound.parts.begin(), compound.parts.end(), [&point](const Part<N, T>& part) {
+    const double forgiven = forgiven_outside(part.box, point);
+    return distance_squared(point, part.box) <= forgiven * forgiven && holds(part.shape, point);
+  });
+}
+
+/// Whether the query may go on: a user's type need not have `defect`; then it is taken to be valid.
+template <Shape S>
+bool is_accepted(const S& shape) {
+  if constexpr (requires { defect(shape); }) return is_valid(shape);
+  return true;
+}
+
+}  // namespace detail
+
+/// True when the point belongs to the closed set: on the surface counts. For any valid shape (asserted), up to the
+/// bands in the table above. A compound is the union of its parts.
+template <Shape S, PointIn<S> P = PointOf<S>>
+bool contains(const S& shape, const P& point) {
+  assert(detail::is_accepted(shape));
+  return detail::holds(shape, point);
+}
+
+}  // namespace graze

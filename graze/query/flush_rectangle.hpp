@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Rotating calipers: the rectangles around a convex polygon that have a side along one of its edges. The smallest
+// rectangle by area is among them (Freeman and Shapira, "Determining the minimum-area encasing rectangle", 1975).
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+
+#include <graze/math/vec.hpp>
+
+namespace graze::detail {
+
+/// A pointer that walks the corners of a convex polygon, counter-clockwise, without end. Differences of corners are
+/// exact up to one rounding, wherever the polygon lies, and scaled.
+template <class T>
+struct CornerWalk {
+  std::span<const Vec<2, T>> corners;
+  double scale;
+  std::size_t corner = 0;  ///< Where the pointer is.
+  std::size_t steps = 0;   ///< How far it has come.
+
+  std::size_t next() const { return corner + 1 < corners.size() ? corner + 1 : 0; }
+  void step() {
+    corner = next();
+    ++steps;
+  }
+
+  Vec<2, double> to(std::size_t other) const {
+    return (wide<2, T>(corners[other]) - wide<2, T>(corners[corner])) * scale;
+  }
+
+  /// On to the first corner, at least `least_steps` from the start, after which the polygon turns back along
+  /// `direction`; at most one round more.
+  void advance(std::size_t least_steps, const Vec<2, double>& direction) {
+    while (steps < least_steps) step();
+    while (steps < least_steps + corners.size() && dot(to(next()), direction) > 0) step();
+  }
+};
+
+/// A vector along the edge between two corners that are not the same, with its larger coordinate 1: its direction is
+/// that of the edge up to one rounding, however short the edge. Corners farther apart than the largest double have
+/// none.
+template <class T>
+Vec<2, double> edge_direction(const Vec<2, T>& from, const Vec<2, T>& to) {
+  const Vec<2, double> edge = wide<2, T>(to) - wide<2, T>(from);
+  return edge / max_abs(edge);
+}
+
+/// The unit vector along the edge of a convex polygon (corners counter-clockwise, no three on a line, at least two)
+/// whose flush rectangle has the least `measure(width, height)`, the width along the edge; the first of equal ones.
+/// Lengths are scaled. Toussaint, "Solving geometric problems with the rotating calipers" (1983): linear time.
+template <class T, class Measure>
+Vec<2, double> best_flush_direction(std::span<const Vec<2, T>> corners, double scale, Measure measure) {
+  Vec<2, double> best(1, 0);
+  double least = std::numeric_limits<double>::infinity();
+  CornerWalk<T> start{corners, scale};
+  CornerWalk<T> right = start;
+  CornerWalk<T> top = start;
+  CornerWalk<T> left = start;
+  for (; start.steps < corners.size(); start.step()) {
+    const Vec<2, double> edge = edge_direction(corners[start.corner], corners[start.next()]);
+    const Vec<2, double> along = edge / std::sqrt(dot(edge, edge));  // at least 1
+    right.advance(start.steps + 1, along);
+    top.advance(right.steps, perpendicular(along));
+    left.advance(top.steps, -along);
+    const double width = dot(left.to(right.corner), along);
+    const double height = dot(start.to(top.corner), perpendicular(along));
+    const double size = measure(width, height);
+    if (size < least) {
+      least = size;
+      best = along;
+    }
+  }
+  return best;
+}
+
+}  // namespace graze::detail

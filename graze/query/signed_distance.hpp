@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// signed_distance(shape, point): how far a point is from a shape's surface, negative inside.
+//
+//   sphere, capsule, aabb, obb, half-space     closed form; negative inside
+//   triangle, polytope, in 2D                  closed form; negative inside
+//   polytope in 3D, user's convex shape        GJK outside; EPA inside: minus the depth
+//   point, segment, ray, triangle in 3D        closed form; zero or more, for they have no inside
+//   plane                                      closed form; positive on the side that the normal points to
+//   compound                                   the least over its parts, planes positive on both sides
+//
+// In units of length, whatever the length of a normal. Calculated in double, rounded to T. The error before rounding is
+// a few epsilon of double of the pair's own size, but a few epsilon of the largest coordinate for half-spaces,
+// polytopes in 3D and users' shapes (of T where `support` calculates in T), and of the distance itself for points,
+// boxes and, up to the square of epsilon, planes. GJK and EPA may stop 1e-12 of the distance early. For shapes with an
+// inside, signed_distance(shape, point) <= 0 is the same question as contains(shape, point).
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include <graze/math/vec.hpp>
+#include <graze/query/contains.hpp>
+#include <graze/query/distance_squared.hpp>
+#include <graze/query/surface_point.hpp>
+#include <graze/query/surface_point_box.hpp>
+#include <graze/query/surface_point_convex.hpp>
+#include <graze/shape/any_shape.hpp>
+#include <graze/shape/shape.hpp>
+
+namespace graze {
+
+namespace detail {
+
+/// The signed distance in double. What `contains` lets pass has none, and what it does not has some.
+template <Shape S>
+double signed_distance_of(const S& shape, const PointOf<S>& point) {
+  const double distance = surface_point(shape, wide<dimension_of<S>, scalar_of<S>>(point)).distance;
+  if (!has_inside<S>) return distance;
+  const bool is_inside = distance < 0 || holds(shape, point);
+  return is_inside ? std::min(distance, 0.0) : std::max(distance, std::numeric_limits<double>::denorm_min());
+}
+
+template <Dim N, class T>
+double signed_distance_of(const Compound<N, T>& compound, const Vec<N, T>& point);
+
+template <Dim N, class T>
+double signed_distance_of(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
+  return std::visit([&point](const auto& held) { return signed_distance_of(held, point); }, shape);
+}
+
+/// As a part of a compound a plane has no negative side: it holds nothing there.
+template <Dim N, class T>
+double distance_of_part(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
+  const double distance = signed_distance_of(shape, point);
+  return std::holds_alternative<Plane<N, T>>(shape) ? std::fabs(distance) : distance;
+}
+
+template <Dim N, class T>
+struct DecidingPart {
+  const Part<N, T>* part = nullptr;
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+/// The part with the least signed distance, the first of several. Parts whose boxes are farther away are skipped.
+template <Dim N, class T>
+DecidingPart<N, T> deciding_part(const Compound<N, T>& compound, const Vec<N, T>& point) {
+  DecidingPart<N, T> best;
+  for (const Part<N, T>& part : compound.parts) {
+    const double far = std::max(best.distance, 0.0) + forgiven_outside(part.box, point);
+    if (distance_squared(point, part.box) > far * far) continue;
+    const double distance = distance_of_part(part.shape, point);
+    if (distance < best.distance) best = {&part, distance};
+  }
+  return best;
+}
+
+template <Dim N, class T>
+double signed_distance_of(const Compound<N, T>& compound, const Vec<N, T>& point) {
+  return deciding_part(compound, point).distance;
+}
+
+}  // namespace detail
+
+/// The distance of a point from the surface of a valid shape (asserted), with the sign of the table above. Of a
+/// compound: exact outside; inside the depth in its deepest part, which where parts overlap may be less than the way
+/// out of them all; +infinity without parts.
+template <Shape S, PointIn<S> P = PointOf<S>>
+scalar_of<S> signed_distance(const S& shape, const P& point) {
+  assert(detail::is_accepted(shape));
+  using T = scalar_of<S>;
+  const double distance = detail::signed_distance_of(shape, point);
+  const T rounded = static_cast<T>(distance) + T(0);  // never minus zero
+  return distance > 0 && rounded == T(0) ? std::numeric_limits<T>::denorm_min() : rounded;
+}
+
+}  // namespace graze

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+// The point of a shape's surface nearest to a given point, in double: what closest_point.hpp,
+// closest_boundary_point.hpp and signed_distance.hpp round. Closed forms; boxes are in surface_point_box.hpp, polytopes
+// in 3D and users' types in surface_point_convex.hpp. Include one of those three.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <type_traits>
+
+#include <graze/math/orientation.hpp>
+#include <graze/math/rounding.hpp>
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/shape/capsule.hpp>
+#include <graze/shape/half_space.hpp>
+#include <graze/shape/plane.hpp>
+#include <graze/shape/polytope.hpp>
+#include <graze/shape/ray.hpp>
+#include <graze/shape/segment.hpp>
+#include <graze/shape/sphere.hpp>
+#include <graze/shape/triangle.hpp>
+
+namespace graze::detail {
+
+/// Of a set without inside `point` is the set's point nearest to p, and `inner` the same.
+template <Dim N>
+struct SurfacePoint {
+  Vec<N, double> point;
+  Vec<N, double> inner;  ///< Where the shape is about as thick as it is
+                         ///< anywhere: rounding goes towards it.
+  double distance = 0;   ///< Of p: negative inside, or the side of a plane.
+};
+
+/// `v` at length 1, however small it is; `fallback` if it is zero.
+template <Dim N>
+Vec<N, double> unit_or(const Vec<N, double>& v, const Vec<N, double>& fallback) {
+  const double size = max_abs(v);
+  if (!(size > 0)) return fallback;
+  const Vec<N, double> scaled = v / size;
+  return scaled / std::sqrt(dot(scaled, scaled));
+}
+
+/// Whether a shape has an inside, however thin.
+template <class S>
+inline constexpr bool has_inside = true;
+template <Dim N, class T>
+inline constexpr bool has_inside<Vec<N, T>> = false;
+template <Dim N, class T>
+inline constexpr bool has_inside<Segment<N, T>> = false;
+template <Dim N, class T>
+inline constexpr bool has_inside<Ray<N, T>> = false;
+template <Dim N, class T>
+inline constexpr bool has_inside<Plane<N, T>> = false;
+template <class T>
+inline constexpr bool has_inside<Triangle<3, T>> = false;
+
+// ---- Points, segments, rays
+
+/// The nearest point of a line, and the vector from it to p: not their difference, but calculated from vectors between
+/// p and the shape, so that it is right far from the origin too.
+template <Dim N>
+struct Foot {
+  Vec<N, double> point;
+  Vec<N, double> off;
+};
+
+template <Dim N>
+double squared(const Foot<N>& foot) {
+  return dot(foot.off, foot.off);
+}
+
+/// Ericson, Real-Time Collision Detection (2005), 5.1.2, seen from the nearer end. Equal ends are never divided by:
+/// then `along` is zero.
+template <Dim N, class T>
+Foot<N> foot_on(const Segment<N, T>& segment, const Vec<N, double>& p) {
+  const Vec<N, double> start = wide<N, T>(segment.start);
+  const Vec<N, double> end = wide<N, T>(segment.end);
+  const Vec<N, double> edge = end - start;
+  const double along = dot(p - start, edge);
+  const double whole = dot(edge, edge);
+  if (!(along > 0)) return {start, p - start};
+  if (!(along < whole)) return {end, p - end};
+  const double share = along / whole;  // whole > along > 0
+  if (share <= 0.5) return {start + edge * share, p - start - edge * share};
+  return {end - edge * (1 - share), p - end + edge * (1 - share)};
+}
+
+template <Dim N, class T>
+Foot<N> foot_on(const Ray<N, T>& ray, const Vec<N, double>& p) {
+  const Vec<N, double> origin = wide<N, T>(ray.origin);
+  const Vec<N, double> direction = wide<N, T>(ray.direction);
+  const double along = dot(p - origin, direction);
+  if (!(along > 0)) return {origin, p - origin};
+  const double share = along / dot(direction, direction);  // a valid direction is not zero
+  return {origin + direction * share, p - origin - direction * share};
+}
+
+template <Dim N>
+SurfacePoint<N> without_inside(const Foot<N>& foot) {
+  return {foot.point, foot.point, std::sqrt(squared(foot))};
+}
+
+template <Dim N, class T>
+SurfacePoint<N> surface_point(const Vec<N, T>& point, const Vec<N, double>& p) {
+  return without_inside<N>({wide<N, T>(point), p - wide<N, T>(point)});
+}
+
+template <Dim N, class T>
+SurfacePoint<N> surface_point(const Segment<N, T>& segment, const Vec<N, double>& p) {
+  return without_inside(foot_on(segment, p));
+}
+
+template <Dim N, class T>
+SurfacePoint<N> surface_point(const Ray<N, T>& ray, const Vec<N, double>& p) {
+  return without_inside(foot_on(ray, p));
+}
+
+// ---- Spheres, capsules
+
+/// From the center of the sphere: the point in direction x.
+template <Dim N, class T>
+SurfacePoint<N> surface_point(const Sphere<N, T>& sphere, const Vec<N, double>& p) {
+  const Vec<N, double> center = wide<N, T>(sphere.center);
+  const Vec<N, double> off = p - center;
+  const auto radius = static_cast<double>(sphere.radius);
+  return {center + unit_or(off, unit_axis<N>(0)) * radius, center, std::sqrt(dot(off, off)) - radius};
+}
+
+/// A direction at right angles to `edge`, always the same; x if the edge is zero.
+inline Vec<2, double> across(const Vec<2, double>& edge) { return unit_or(perpendicular(edge), unit_axis<2>(0)); }
+
+inline Vec<3, double> across(const Vec<3, double>& edge) {
+  const Vec<3, double> size = abs(edge);
+  const Dim least = size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;
+  return unit_or(cross(edge, unit_axis<3>(least)), unit_axis<3>(0));
+}
+
+/// `off` less what leans along `edge` (not zero). Zero if hardly anything is left: then it was all rounding.
+template <Dim N>
+Vec<N, double> straightened(const Vec<N, double>& off, const Vec<N, double>& edge) {
+  const double whole = dot(edge, edge);
+  const Vec<N, double> once = off - edge * (dot(off, edge) / whole);
+  const Vec<N, double> twice = once - edge * (dot(once, edge) / whole);
+  return dot(twice, twice) > 0.25 * dot(once, once) ? twice : Vec<N, double>(0.0);
+}
+
+/// From the axis of a capsule: a point straight across. Beside the axis the vector from the foot may lean along it by
+/// roundings as large as itself, so it is straightened.
+template <Dim N, class T>
+SurfacePoint<N> surface_point(const Capsule<N, T>& capsule, const Vec<N, double>& p) {
+  const Foot<N> foot = foot_on(axis(capsule), p);
+  const auto radius = static_cast<double>(capsule.radius);
+  const Vec<N, double> edge = wide<N, T>(capsule.b) - wide<N, T>(capsule.a);
+  const bool is_at_end = foot.point == wide<N, T>(capsule.a) || foot.point == wide<N, T>(capsule.b);
+  const Vec<N, double> off = is_at_end ? foot.off : straightened(foot.off, edge);
+  return {foot.point + unit_or(off, across(edge)) * radius, foot.point, std::sqrt(dot(off, off)) - radius};
+}
+
+// ---- Planes, half-spaces
+
+/// dot(normal, p) - offset; for doubles with the rounding of every product and sum added up, so that little is lost
+/// where they cancel. The products of floats are exact as they are.
+template <Dim N, class T>
+double height_over(const Plane<N, T>& plane, const Vec<N, double>& p) {
+  const Vec<N, double> normal = wide<N, T>(plane.normal);
+  const auto offset = static_cast<double>(plane.offset);
+  if constexpr (std::same_as<T, float>) return dot(normal, p) - offset;
+  Rounded sum{-offset, 0};
+  for (Dim i = 0; i < N; ++i) {
+    const Rounded product = two_product(normal[i], p[i]);
+    const Rounded next = two_sum(sum.value, product.value);
+    sum = {next.value, sum.error + (next.error + product.error)};
+  }
+  return sum.value + sum.error;
+}
+
+/// The foot of the perpendicular, dropped twice: the rounding of the first is as large as p, that of the second as the
+/// foot.
+template <Dim N, class T>
+SurfacePoint<N> surface_point(const Plane<N, T>& plane, const Vec<N, double>& p) {
+  const Vec<N, double> normal = wide<N, T>(plane.normal);
+  const double squared_length = dot(normal, normal);  // a valid normal is not zero
+  const double height = height_over(plane, p);
+  const Vec<N, double> near = p - normal * (height / squared_length);
+  const Vec<N, double> foot = near - normal * (height_over(plane, near) / squared_length);
+  return {foot, foot, height / std::sqrt(squared_length)};
+}
+
+/// As deep as one wants: as deep inside as the foot is far from the origin.
+template <Dim N, class T>
+SurfacePoint<N> surface_point(const HalfSpace<N, T>& solid, const Vec<N, double>& p) {
+  SurfacePoint<N> result = surface_point(boundary(solid), p);
+  result.inner = result.point - unit_or(wide<N, T>(solid.normal), unit_axis<N>(0)) * max_abs(result.point);
+  return result;
+}
+
+// ---- Triangles in space, polygons
+
+/// The nearer of two feet, the first if both are as near.
+template <Dim N>
+Foot<N> nearer(const Foot<N>& first, const Foot<N>& second) {
+  return squared(second) < squared(first) ? second : first;
+}
+
+/// The nearest of the three edges and, if it is above the inside, of the face: every candidate is a point of the
+/// triangle up to rounding, so that needles, segments and points come out right, where barycentric coordinates divide
+/// by an area of zero (Ericson 5.1.5).
+template <class T>
+SurfacePoint<3> surface_point(const Triangle<3, T>& triangle, const Vec<3, double>& p) {
+  using Edge = Segment<3, T>;
+  Foot<3> nearest = foot_on(Edge{triangle.a, triangle.b}, p);
+  nearest = nearer(nearest, foot_on(Edge{triangle.b, triangle.c}, p));
+  nearest = nearer(nearest, foot_on(Edge{triangle.c, triangle.a}, p));
+  const Vec<3, double> a = wide<3, T>(triangle.a);
+  const Vec<3, double> b = wide<3, T>(triangle.b);
+  const Vec<3, double> c = wide<3, T>(triangle.c);
+  const Vec<3, double> normal = accurate_cross(b - a, c - a);
+  const double squared_length = dot(normal, normal);
+  const auto is_left_of = [&](const Vec<3, double>& from, const Vec<3, double>& to) {
+    return dot(normal, cross(to - from, p - from)) > 0;
+  };
+  if (squared_length > 0 && is_left_of(a, b) && is_left_of(b, c) && is_left_of(c, a)) {
+    const Vec<3, double> off = normal * (dot(normal, p - a) / squared_length);
+    nearest = nearer(nearest, {p - off, off});
+  }
+  return without_inside(nearest);
+}
+
+/// A convex polygon's corners, counter-clockwise, none on the line between its neighbours: or one or two points.
+template <class T>
+using Corners = std::span<const Vec<2, T>>;
+
+/// Counter-clockwise; on one line they stay as they are.
+template <class T>
+std::array<Vec<2, T>, 3> counter_clockwise(const Triangle<2, T>& triangle) {
+  if (orientation(triangle.a, triangle.b, triangle.c) < 0) return {triangle.a, triangle.c, triangle.b};
+  return triangle.vertices();
+}
+
+/// The mean of the corners; subtracted from one first, so that it is right far from the origin too.
+template <Dim N, class T>
+Vec<N, double> middle_of(std::span<const Vec<N, T>> points) {
+  const Vec<N, double> first = wide<N, T>(points.front());
+  Vec<N, double> sum(0.0);
+  for (const Vec<N, T>& point : points) sum += wide<N, T>(point) - first;
+  return first + sum / static_cast<double>(points.size());  // never empty
+}
+
+/// The nearest edge, from either side, the first of several; inside is what lies left of every edge of a polygon that
+/// has an area, which `orientation` decides exactly.
+template <class T>
+SurfacePoint<2> surface_point_of(Corners<T> corners, const Vec<2, double>& p) {
+  const std::size_t count = corners.size();
+  Foot<2> nearest{p, Vec<2, double>(std::numeric_limits<double>::infinity())};
+  bool is_inside = count > 3 || (count == 3 && orientation(corners[0], corners[1], corners[2]) != 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Segment<2, T> edge{corners[i], corners[i + 1 < count ? i + 1 : 0]};
+    nearest = nearer(nearest, foot_on(edge, p));
+    is_inside = is_inside && orientation(wide<2, T>(edge.start), wide<2, T>(edge.end), p) >= 0;
+  }
+  const double distance = std::sqrt(squared(nearest));
+  return {nearest.point, middle_of(corners), is_inside ? -distance : distance};
+}
+
+template <class T>
+SurfacePoint<2> surface_point(const Triangle<2, T>& triangle, const Vec<2, double>& p) {
+  return surface_point_of<T>(counter_clockwise(triangle), p);
+}
+
+template <class T>
+SurfacePoint<2> surface_point(const Polytope<2, T>& polygon, const Vec<2, double>& p) {
+  return surface_point_of<T>(polygon.vertices(), p);
+}
+
+}  // namespace graze::detail

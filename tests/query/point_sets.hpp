@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// Sets of points that are hard to bound, and what "contains" means for them exactly.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include <rapidcheck.h>
+
+#include <graze/math/vec.hpp>
+#include <graze/shape/obb.hpp>
+#include <graze/shape/sphere.hpp>
+
+#include "../catalogue.hpp"
+#include "../exact/numbers.hpp"
+
+namespace graze::test {
+
+/// What the points of a set have to do with each other.
+enum class Arrangement {
+  any,          ///< Points of one kind of numbers, some of them the same or in the middle of two.
+  line,         ///< Steps along a line, up to the rounding of the coordinates.
+  cospherical,  ///< All at one distance from a lattice point, exactly.
+  cluster,      ///< A few steps of the number type around one point.
+  offset,       ///< A set of size 1, ten million from the origin.
+};
+
+/// Steps of the number type around x, which is not zero.
+template <class T>
+T stepped(T x, double steps) {
+  return x + static_cast<T>(steps) * std::numeric_limits<T>::epsilon() * std::exp2(std::floor(std::log2(std::fabs(x))));
+}
+
+template <Dim N, class T>
+Vec<N, T> draw_cospherical(rc::Random& random) {
+  // 7^2 = 2^2 + 3^2 + 6^2, 25^2 = 7^2 + 24^2 = 15^2 + 20^2.
+  const std::array<std::array<T, 3>, 3> corners = {{{2, 3, 6}, {7, 0, 0}, {-7, 0, 0}}};
+  const std::array<std::array<T, 3>, 3> flat_corners = {{{7, 24, 0}, {15, 20, 0}, {25, 0, 0}}};
+  std::array<T, 3> corner = (N == 3 ? corners : flat_corners)[static_cast<std::size_t>(whole(random, 0, 2))];
+  std::rotate(corner.begin(), corner.begin() + static_cast<std::ptrdiff_t>(whole(random, 0, N - 1)),
+              corner.begin() + N);
+  Vec<N, T> point;
+  for (Dim i = 0; i < N; ++i) {
+    const T sign = whole(random, 0, 1) == 0 ? T(1) : T(-1);
+    point[i] = T(3) + sign * corner[static_cast<std::size_t>(i)];
+  }
+  return point;
+}
+
+/// A uniform number in [0, 1) that does not shrink.
+inline rc::Gen<double> any_fraction() {
+  return rc::gen::noShrink(drawn<double>([](rc::Random& random) { return between(random, 0, 1); }));
+}
+
+/// One to `most` points of one arrangement, often some of them twice. To be called where `*generator` may be.
+template <Dim N, class T>
+std::vector<Vec<N, T>> draw_points(std::size_t most) {
+  const auto arrangement = static_cast<Arrangement>(*choice(5));
+  const Source<N, T> source = draw_source<N, T>();
+  if (arrangement == Arrangement::any) return *some<Vec<N, T>>(most, source.point);
+  const Vec<N, T> start = *source.point;
+  const Vec<N, T> step = *source.direction;
+  return *some<Vec<N, T>>(most, rc::gen::exec([=] {
+                            const auto number = [](int low, int high) {
+                              return *drawn<double>([=](rc::Random& random) { return whole(random, low, high); });
+                            };
+                            Vec<N, T> point = start;
+                            switch (arrangement) {
+                              case Arrangement::line:
+                                return start + step * static_cast<T>(number(-5, 5));
+                              case Arrangement::cospherical:
+                                return *rc::gen::noShrink(rc::Gen<Vec<N, T>>([](const rc::Random& random, int) {
+                                  rc::Random engine(random);
+                                  return rc::shrinkable::just(draw_cospherical<N, T>(engine));
+                                }));
+                              case Arrangement::cluster:
+                                for (Dim i = 0; i < N; ++i)
+                                  point[i] = stepped<T>(start[i] == T(0) ? T(1) : start[i], number(-3, 3));
+                                return point;
+                              default:
+                                for (Dim i = 0; i < N; ++i) point[i] = static_cast<T>(1e7 + *any_fraction());
+                                return point;
+                            }
+                          }));
+}
+
+/// Whether the sphere as stored contains the point, exactly.
+template <Dim N, class T>
+bool contains_exactly(const Sphere<N, T>& sphere, const Vec<N, T>& point) {
+  const RationalVec<N> to_point = exact(point) - exact(sphere.center);
+  const Rational radius = exact(static_cast<double>(sphere.radius));
+  return radius >= 0 && dot(to_point, to_point) <= radius * radius;
+}
+
+inline Rational determinant(const RationalVec<2>& a, const RationalVec<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
+inline Rational determinant(const RationalVec<3>& a, const RationalVec<3>& b, const RationalVec<3>& c) {
+  return dot(a, cross(b, c));
+}
+
+/// The determinant of the axes of a box with column `column` replaced by `v`.
+template <Dim N, class T>
+Rational replaced_determinant(const Obb<N, T>& box, Dim column, const RationalVec<N>& v) {
+  const auto axis = [&](Dim i) { return i == column ? v : exact<N, T>(box.axes[i]); };
+  if constexpr (N == 2) {
+    return determinant(axis(0), axis(1));
+  } else {
+    return determinant(axis(0), axis(1), axis(2));
+  }
+}
+
+/// Whether the box as stored, center + axes * u with |u[i]| <= half_extents[i], contains the point, exactly: u by
+/// Cramer's rule.
+template <Dim N, class T>
+bool contains_exactly(const Obb<N, T>& box, const Vec<N, T>& point) {
+  const Rational whole_determinant = replaced_determinant<N, T>(box, 0, exact<N, T>(box.axes[0]));
+  const RationalVec<N> to_point = exact(point) - exact(box.center);
+  for (Dim i = 0; i < N; ++i) {
+    const Rational reach = abs(replaced_determinant<N, T>(box, i, to_point));
+    if (reach > exact(static_cast<double>(box.half_extents[i])) * abs(whole_determinant)) return false;
+  }
+  return true;
+}
+
+template <Dim N, class T>
+bool contains_exactly(const Aabb<N, T>& box, const Vec<N, T>& point) {
+  for (Dim i = 0; i < N; ++i) {
+    if (!(box.min[i] <= point[i] && point[i] <= box.max[i])) return false;
+  }
+  return true;
+}
+
+template <class Volume, Dim N, class T>
+bool contains_all(const Volume& volume, const std::vector<Vec<N, T>>& points) {
+  return std::all_of(points.begin(), points.end(), [&](const Vec<N, T>& p) { return contains_exactly(volume, p); });
+}
+
+/// The largest absolute coordinate of points.
+template <Dim N, class T>
+double largest_coordinate(const std::vector<Vec<N, T>>& points) {
+  double largest = 0;
+  for (const Vec<N, T>& point : points) largest = std::max(largest, static_cast<double>(max_abs(point)));
+  return largest;
+}
+
+}  // namespace graze::test
