@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Every shape, for property tests: a generator of random, often degenerate and often touching ones, and C++ source to
-// paste when a test fails. A new shape adds one Entry here.
+// paste when a test fails. A new shape adds one Entry here, and one line in catalogue/instances.hpp.
 //
-//   RC_GTEST_PROP(Sphere, ..., (const Sphere<2, float>& sphere))      one shape by itself
+//   const Sphere<2, float> sphere = *any<Sphere<2, float>>()          one shape by itself
 //   const auto [a, b] = *any_pair<Sphere<2, float>, Obb<2, float>>()  two that share numbers and points
 //   const AnyShape<3, double> shape = *any_shape<3, double>()         any of the types
 #pragma once
@@ -46,7 +46,7 @@ template <class S>
 struct Entry;
 
 /// Gives an entry `any(source)`, the generator that calls `draw`. One `exec` for each type instead of a tower of maps
-/// and tuples: it compiles several times faster.
+/// and tuples: it compiles several times faster. `any<S>()` below compiles faster still.
 template <class S, Dim N, class T>
 struct Generated {
   static rc::Gen<S> any(const Source<N, T>& from) {
@@ -241,11 +241,15 @@ std::string to_source(const S& value) {
 template <Dim N, class T>
 inline constexpr std::size_t compound_index = std::variant_size_v<AnyShape<N, T>> - 1;
 
+/// Stands for any type where an index in AnyShape is asked for.
+inline constexpr std::size_t any_type = std::variant_npos;
+
 /// A shape of the type at `index` in AnyShape.
 template <Dim N, class T>
 AnyShape<N, T> draw_shape_at(std::size_t index, const Source<N, T>& from, int depth = 2) {
   using Any = AnyShape<N, T>;
   static_assert(std::is_same_v<std::variant_alternative_t<compound_index<N, T>, Any>, Compound<N, T>>);
+  if (index == any_type) return draw_shape<N, T>(from, depth);
   if (index == compound_index<N, T>) return Entry<Compound<N, T>>::draw(from, depth);
   Any shape;
   [&]<std::size_t... Indices>(std::index_sequence<Indices...>) {
@@ -275,43 +279,105 @@ struct SpaceOf : ShapeTraits<S> {};
 template <Dim N, class T>
 struct SpaceOf<Pose<N, T>> : Space<N, T> {};
 
-/// A shape or pose of this type.
-template <Catalogued S>
-rc::Gen<S> any() {
-  return rc::gen::exec(
-      [] { return Entry<S>::draw(draw_source<SpaceOf<S>::dimension, typename SpaceOf<S>::scalar>()); });
-}
-
-/// A shape of any type from a source: `Entry<S>::any(source)` for AnyShape.
-template <Dim N, class T>
-rc::Gen<AnyShape<N, T>> any_shape_from(const Source<N, T>& from) {
-  return Entry<AnyShape<N, T>>::any(from);
-}
-
 /// A shape of any type, compounds with two levels included.
 template <Dim N, class T>
 rc::Gen<AnyShape<N, T>> any_shape() {
-  return any<AnyShape<N, T>>();
+  return rc::gen::exec([] { return draw_shape<N, T>(draw_source<N, T>()); });
+}
+
+/// A shape of the type at `index` in AnyShape.
+template <Dim N, class T>
+rc::Gen<AnyShape<N, T>> any_shape_at(std::size_t index) {
+  return rc::gen::exec([index] { return draw_shape_at<N, T>(index, draw_source<N, T>()); });
+}
+
+/// A shape of the type at `index` in AnyShape, of any type by default, from a source.
+template <Dim N, class T>
+rc::Gen<AnyShape<N, T>> any_shape_from(const Source<N, T>& from, std::size_t index = any_type) {
+  return rc::gen::exec([from, index] { return draw_shape_at<N, T>(index, from); });
 }
 
 template <Dim N, class T>
 rc::Gen<Pose<N, T>> any_pose() {
-  return any<Pose<N, T>>();
+  return rc::gen::exec([] { return Entry<Pose<N, T>>::draw(draw_source<N, T>()); });
+}
+
+template <Dim N, class T>
+using AnyPair = std::pair<AnyShape<N, T>, AnyShape<N, T>>;
+
+/// Two shapes of the types at these places in AnyShape, made of the same kind of numbers.
+template <Dim N, class T>
+rc::Gen<AnyPair<N, T>> any_pair_at(std::size_t first, std::size_t second) {
+  return rc::gen::exec([first, second] {
+    const Source<N, T> from = draw_source<N, T>();
+    AnyShape<N, T> a = draw_shape_at<N, T>(first, from);
+    return AnyPair<N, T>(std::move(a), draw_shape_at<N, T>(second, from));
+  });
+}
+
+/// The place of a type in AnyShape; `any_type` for AnyShape itself.
+template <class S>
+inline constexpr std::size_t shape_index = [] {
+  using Any = AnyShape<SpaceOf<S>::dimension, typename SpaceOf<S>::scalar>;
+  return []<std::size_t... Indices>(std::index_sequence<Indices...>) {
+    std::size_t index = any_type;
+    ((index = std::is_same_v<S, std::variant_alternative_t<Indices, Any>> ? Indices : index), ...);
+    return index;
+  }
+  (std::make_index_sequence<std::variant_size_v<Any>>());
+}();
+
+/// What a shape holds, or the shape itself.
+template <class S>
+const S& held(const AnyShape<SpaceOf<S>::dimension, typename SpaceOf<S>::scalar>& shape) {
+  if constexpr (shape_index<S> == any_type) {
+    return shape;
+  } else {
+    return std::get<S>(shape);
+  }
+}
+
+/// `*` draws a value, as it does from a generator. Shapes are drawn as AnyShape: RapidCheck's templates take the
+/// compiler a good part of a second for every type, and so they are needed once for each space.
+template <class S>
+struct Drawing {
+  S operator*() const {
+    return held<S>(*any_shape_at<SpaceOf<S>::dimension, typename SpaceOf<S>::scalar>(shape_index<S>));
+  }
+};
+
+template <Dim N, class T>
+struct Drawing<Pose<N, T>> {
+  Pose<N, T> operator*() const { return *any_pose<N, T>(); }
+};
+
+template <class A, class B>
+struct Drawing<std::pair<A, B>> {
+  std::pair<A, B> operator*() const {
+    const auto pair = *any_pair_at<SpaceOf<A>::dimension, typename SpaceOf<A>::scalar>(shape_index<A>, shape_index<B>);
+    return {held<A>(pair.first), held<B>(pair.second)};
+  }
+};
+
+/// A shape or pose of this type.
+template <Catalogued S>
+Drawing<S> any() {
+  return {};
 }
 
 /// Two shapes made of the same kind of numbers, which often share points: a fair part of them touch or overlap.
 template <Catalogued A, Catalogued B>
-rc::Gen<std::pair<A, B>> any_pair() {
-  return rc::gen::exec([] {
-    const auto from = draw_source<SpaceOf<A>::dimension, typename SpaceOf<A>::scalar>();
-    A a = Entry<A>::draw(from);
-    return std::pair<A, B>(std::move(a), Entry<B>::draw(from));
-  });
+Drawing<std::pair<A, B>> any_pair() {
+  return {};
 }
 
 /// Runs `property`, which draws its values by `*any_...()`, as RC_GTEST_PROP does, inside any test: in TYPED_TEST, for
 /// instance. A failure prints the smallest case found as C++ source.
+#ifdef GRAZE_TEST_CATALOGUE
+void check_property(const std::function<void()>& property);
+#else
 inline void check_property(const std::function<void()>& property) { rc::detail::checkGTest(property); }
+#endif
 
 /// Calls visit(std::type_identity<S>()) for every alternative S of AnyShape.
 template <Dim N, class T, class Visit>
@@ -321,34 +387,18 @@ void for_each_shape_type(Visit visit) {
   }(std::type_identity<AnyShape<N, T>>());
 }
 
-/// A shape of the type at `index` in AnyShape.
-template <Dim N, class T>
-rc::Gen<AnyShape<N, T>> any_shape_at(std::size_t index) {
-  return rc::gen::exec([index] { return draw_shape_at<N, T>(index, draw_source<N, T>()); });
-}
-
 /// Checks `property(shape)` for random shapes of every type of AnyShape that it can be called with:
 /// `[]<Convex S>(const S& shape) { ... }` is not called with planes.
 template <Dim N, class T, class Property>
 void check_every_type(Property property) {
-  std::size_t index = 0;
   for_each_shape_type<N, T>([&]<class S>(std::type_identity<S>) {
     if constexpr (std::invocable<Property, const S&>) {
-      check_property([index, &property] {
-        const AnyShape<N, T> shape = *any_shape_at<N, T>(index);
-        property(std::get<S>(shape));
-      });
+      check_property([&property] { property(*any<S>()); });
     }
-    ++index;
   });
 }
 
 }  // namespace graze::test
-
-template <graze::test::Catalogued S>
-struct rc::Arbitrary<S> {
-  static rc::Gen<S> arbitrary() { return graze::test::any<S>(); }
-};
 
 // Failure messages find these by the argument's namespace.
 namespace graze {
@@ -364,3 +414,13 @@ std::ostream& operator<<(std::ostream& out, const graze::Vec<N, T>& value) {
   return out << graze::test::to_source(value);
 }
 }  // namespace glm
+
+// Compiled once in the library graze_test_catalogue; a test compiled without it compiles what it needs by itself.
+#ifdef GRAZE_TEST_CATALOGUE
+#include "catalogue/instances.hpp"
+GRAZE_TEST_NUMBERS(extern)
+GRAZE_TEST_SPACE(extern, 2, float)
+GRAZE_TEST_SPACE(extern, 3, float)
+GRAZE_TEST_SPACE(extern, 2, double)
+GRAZE_TEST_SPACE(extern, 3, double)
+#endif

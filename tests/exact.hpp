@@ -137,4 +137,20 @@ ExactVerdict exact_verdict(const AnyShape<N, T>& a, const AnyShape<N, T>& b, Mea
       a, b);
 }
 
+/// The true verdict on two valid shapes of any types; `exact_verdict` is compiled once for each space.
+template <class A, class B>
+ExactVerdict exact_verdict_of(const A& a, const B& b, Measure measure = Measure::depth) {
+  constexpr Dim N = dimension_of<A>;
+  using T = scalar_of<A>;
+  return exact_verdict<N, T>(AnyShape<N, T>(a), AnyShape<N, T>(b), measure);
+}
+
+// Compiled once in the library graze_test_catalogue; a test compiled without it compiles what it needs by itself.
+#ifdef GRAZE_TEST_CATALOGUE
+extern template ExactVerdict exact_verdict(const AnyShape<2, float>&, const AnyShape<2, float>&, Measure);
+extern template ExactVerdict exact_verdict(const AnyShape<3, float>&, const AnyShape<3, float>&, Measure);
+extern template ExactVerdict exact_verdict(const AnyShape<2, double>&, const AnyShape<2, double>&, Measure);
+extern template ExactVerdict exact_verdict(const AnyShape<3, double>&, const AnyShape<3, double>&, Measure);
+#endif
+
 }  // namespace graze::test

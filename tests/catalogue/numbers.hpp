@@ -38,13 +38,17 @@ std::vector<T> simpler(T x) {
   return candidates;
 }
 
+template <class T>
+rc::Shrinkable<T> shrinking_to_simpler(T value) {
+  return rc::shrinkable::shrinkRecur(value, [](T x) { return rc::seq::fromContainer(simpler(x)); });
+}
+
 /// A generator of whatever `draw(random)` makes, regardless of RapidCheck's size, shrinking to simpler numbers.
 template <class T, class Draw>
 rc::Gen<T> drawn(Draw draw) {
   return [draw](const rc::Random& random, int) {
     rc::Random engine(random);
-    return rc::shrinkable::shrinkRecur(static_cast<T>(draw(engine)),
-                                       [](T x) { return rc::seq::fromContainer(simpler(x)); });
+    return shrinking_to_simpler(static_cast<T>(draw(engine)));
   };
 }
 

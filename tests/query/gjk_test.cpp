@@ -141,7 +141,7 @@ TYPED_TEST(GjkAgreement, EnclosesTheExactDistanceOfPolytopes) {
   int most = 0;
   check_property([&most] {
     const auto [a, b] = *any_pair<Hull, Hull>();
-    const ExactVerdict truth = solid_verdict(solid(a), solid(b), Measure::distance);
+    const ExactVerdict truth = exact_verdict_of(a, b, Measure::distance);
     const double distance = std::max(0.0, truth.gap);
     const auto result = gjk(a, b);
     RC_TAG(truth.relation == Relation::apart ? "apart" : "meeting");

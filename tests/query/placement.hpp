@@ -13,7 +13,7 @@
 #include <graze/query/bounds.hpp>
 #include <graze/shape/any_shape.hpp>
 
-#include "catalogue/numbers.hpp"
+#include "catalogue.hpp"
 
 namespace graze::test {
 
@@ -136,9 +136,6 @@ template <Dim N, class T>
 Vec<N, double> point_of(const AnyShape<N, T>& shape, rc::Random& random) {
   return std::visit(PointOf<N, T>{random}, shape);
 }
-
-template <Dim N, class T>
-using AnyPair = std::pair<AnyShape<N, T>, AnyShape<N, T>>;
 
 /// b moved so that a point of it lies on a point of a.
 template <Dim N, class T>

@@ -19,7 +19,7 @@ template <class A, class B>
 void expect(const A& a, const B& b, Relation expected) {
   EXPECT_EQ(name_of(relation(a, b)), name_of(expected)) << to_source(a) << ", " << to_source(b);
   EXPECT_EQ(name_of(relation(b, a)), name_of(expected)) << "swapped: " << to_source(a) << ", " << to_source(b);
-  const ExactVerdict truth = simple_verdict(a, b, Measure::distance);
+  const ExactVerdict truth = exact_verdict_of(a, b, Measure::distance);
   EXPECT_EQ(name_of(truth.relation), name_of(expected)) << "oracle: " << to_source(a) << ", " << to_source(b);
 }
 
@@ -92,7 +92,7 @@ void expect_generic_agrees() {
     const Relation closed = relation(a, b);
     const Relation generic = detail::relation_of_convex(a, b);
     if (closed == generic) return;
-    const ExactVerdict truth = simple_verdict(a, b, Measure::depth);
+    const ExactVerdict truth = exact_verdict_of(a, b, Measure::depth);
     RC_LOG() << "closed: " << name_of(closed) << ", generic: " << name_of(generic) << ", gap " << truth.gap << "\n";
     RC_ASSERT(closed == Relation::touching || generic == Relation::touching || truth.relation == Relation::touching);
     RC_ASSERT(std::fabs(truth.gap) <= 128 * tolerance::epsilon * truth.largest);

@@ -18,7 +18,7 @@ template <class A, class B>
 void expect(const A& a, const B& b, Relation expected) {
   EXPECT_EQ(name_of(relation(a, b)), name_of(expected)) << to_source(a) << ", " << to_source(b);
   EXPECT_EQ(name_of(relation(b, a)), name_of(expected)) << "swapped: " << to_source(a) << ", " << to_source(b);
-  const ExactVerdict truth = simple_verdict(a, b, Measure::distance);
+  const ExactVerdict truth = exact_verdict_of(a, b, Measure::distance);
   EXPECT_EQ(name_of(truth.relation), name_of(expected)) << "oracle: " << to_source(a) << ", " << to_source(b);
 }
 

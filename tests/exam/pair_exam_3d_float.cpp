@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+#include "exam/pair_exam_instances.hpp"
+
+namespace graze::exam {
+
+template PairTally examine_pair<3, float>(std::size_t, std::size_t, const Settings&, FailureLog&);
+
+}  // namespace graze::exam

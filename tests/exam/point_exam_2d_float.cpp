@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+#include "exam/point_exam_instances.hpp"
+
+namespace graze::exam {
+
+template PointTally examine_points<2, float>(std::size_t, const Settings&, FailureLog&);
+
+}  // namespace graze::exam

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "exam/report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "exam/rival.hpp"
+
+namespace graze::exam {
+namespace {
+
+constexpr std::array<SpaceName, 4> spaces = {{{2, "float"}, {2, "double"}, {3, "float"}, {3, "double"}}};
+
+std::string row(const std::vector<std::string>& cells) { return fmt::format("| {} |\n", fmt::join(cells, " | ")); }
+
+std::string head(const std::vector<std::string>& cells) {
+  std::string line = row(cells) + "|---";
+  for (std::size_t i = 1; i < cells.size(); ++i) line += "|--:";
+  return line + "|\n";
+}
+
+/// Three digits, and a plain 0.
+std::string rounded(double x) { return x == 0 ? "0" : fmt::format("{:.2g}", x); }
+
+std::string percent(std::size_t part, std::size_t whole) {
+  if (whole == 0) return "-";
+  const double share = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+  return part == 0 ? "0" : fmt::format("{:.{}f} %", share, share < 1 ? 2 : 0);
+}
+
+std::string compiler() {
+#ifdef __clang__
+  return "Clang " __clang_version__;
+#else
+  return "GCC " __VERSION__;
+#endif
+}
+
+std::string circumstances(const Results& results, const Settings& settings) {
+  std::size_t cases = 0;
+  for (const PairTally& tally : results.pairs) cases += tally.cases;
+  for (const PointTally& tally : results.points) cases += tally.cases;
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::string text = fmt::format("{:%Y-%m-%d}, {}, seed {}, {} cases per pair of types and space", fmt::gmtime(now),
+                                 compiler(), settings.seed, settings.cases);
+  if (settings.seconds > 0) text += fmt::format(", but at most {} seconds for each", settings.seconds);
+  if (!settings.pairs.empty()) text += fmt::format(", only those named \"{}\"", settings.pairs);
+  return text + fmt::format("; {} cases in all.\n\n", cases);
+}
+
+/// What the tallies of one name are in each space; those that were not run are empty.
+template <class Tally>
+using BySpace = std::array<Tally, spaces.size()>;
+
+/// In the order in which the names first come.
+template <class Tally, class NameOf>
+std::vector<std::pair<std::string, BySpace<Tally>>> by_name(const std::vector<Tally>& tallies, NameOf name_of) {
+  std::vector<std::pair<std::string, BySpace<Tally>>> rows;
+  for (const Tally& tally : tallies) {
+    const auto same = [&](const auto& row) { return row.first == name_of(tally); };
+    auto found = std::find_if(rows.begin(), rows.end(), same);
+    if (found == rows.end()) found = rows.insert(rows.end(), {name_of(tally), {}});
+    const auto place = std::find_if(spaces.begin(), spaces.end(), [&](const SpaceName& space) {
+      return space.dimension == tally.space.dimension && space.scalar == tally.space.scalar;
+    });
+    found->second[static_cast<std::size_t>(place - spaces.begin())] = tally;
+  }
+  return rows;
+}
+
+/// The larger of the values in 2D and 3D, in float and in double.
+template <class Tally>
+std::string worst_of(const BySpace<Tally>& tallies, double Tally::*error) {
+  return fmt::format("{} / {}", rounded(std::max(tallies[0].*error, tallies[2].*error)),
+                     rounded(std::max(tallies[1].*error, tallies[3].*error)));
+}
+
+template <class Tally>
+std::size_t sum_of(const BySpace<Tally>& tallies, std::size_t Tally::*count) {
+  std::size_t sum = 0;
+  for (const Tally& tally : tallies) sum += tally.*count;
+  return sum;
+}
+
+std::string point_table(const std::vector<PointTally>& tallies) {
+  std::string text =
+      "### Point queries\n\n"
+      "The worst errors in float / double, in ulp: epsilon of the type times the largest coordinate of shape, point\n"
+      "and answer. *Wrong*: `contains` beyond its band, or an answer that the shape does not contain. *Forgiven*: how\n"
+      "far off the surface a point was at most whose signed distance was given as zero; `signed_distance` is the "
+      "error\n"
+      "of the others. Points of shapes with sharp corners, which the promise excepts, are left out in 2D; in 3D the "
+      "worst\n"
+      "error of the polytopes is that of such needles.\n\n";
+  text += head({"shape", "cases", "held", "wrong", "forgiven", "`signed_distance`", "`closest_point`",
+                "`closest_boundary_point`"});
+  for (const auto& [name, tally] : by_name(tallies, [](const PointTally& one) { return one.shape; })) {
+    const std::size_t cases = sum_of(tally, &PointTally::cases);
+    text += row({name, std::to_string(cases), percent(sum_of(tally, &PointTally::held), cases),
+                 std::to_string(sum_of(tally, &PointTally::wrong)), worst_of(tally, &PointTally::forgiven),
+                 worst_of(tally, &PointTally::distance), worst_of(tally, &PointTally::closest),
+                 worst_of(tally, &PointTally::boundary)});
+  }
+  return text + "\n";
+}
+
+std::string pair_table(const std::vector<PairTally>& tallies) {
+  std::string text =
+      "### Pairs\n\n"
+      "*In band*: called touching though apart or overlapping, by no more than documented; *worst*: by how much at "
+      "most,\n"
+      "in epsilon of double times the size, in 2D float, 2D double, 3D float and 3D double. *Outside*: cases that the\n"
+      "documentation leaves out (numbers too small to square, unbounded shapes parallel up to rounding).\n\n";
+  text += head({"pair", "cases", "hits", "wrong", "outside", "in band", "worst 2D f", "2D d", "3D f", "3D d"});
+  for (const auto& [name, tally] : by_name(tallies, [](const PairTally& one) { return one.pair; })) {
+    const std::size_t cases = sum_of(tally, &PairTally::cases);
+    std::vector<std::string> cells = {name,
+                                      std::to_string(cases),
+                                      percent(sum_of(tally, &PairTally::hits), cases),
+                                      std::to_string(sum_of(tally, &PairTally::wrong)),
+                                      std::to_string(sum_of(tally, &PairTally::outside)),
+                                      percent(sum_of(tally, &PairTally::in_band), cases)};
+    for (const PairTally& one : tally) cells.push_back(one.cases == 0 ? "-" : rounded(one.worst));
+    text += row(cells);
+  }
+  return text + "\n";
+}
+
+// ---- Side by side
+
+std::string cell(const RivalTally& tally) {
+  if (tally.cases == 0) return "";
+  return fmt::format("{} + {}, {}", tally.false_yes, tally.false_no, tally.touching_missed);
+}
+
+template <class T>
+std::vector<std::string_view> rival_names() {
+  std::vector<std::string_view> names{"graze"};
+  for (const Rival<T>& rival : rivals<T>()) names.push_back(rival.name);
+  return names;
+}
+
+using RivalSums = std::map<std::string_view, RivalTally>;
+
+std::string kind_table(const std::vector<std::string_view>& names, RivalSums& sums) {
+  std::string text = "Wrong answers by kind of case:\n\n";
+  std::vector<std::string> cells{"kind"};
+  cells.insert(cells.end(), names.begin(), names.end());
+  text += head(cells);
+  for (std::size_t kind = 0; kind < test::case_kind_count; ++kind) {
+    cells = {std::string(test::case_kind_names[kind])};
+    for (const std::string_view name : names)
+      cells.push_back(percent(sums[name].wrong_of_kind[kind], sums[name].cases_of_kind[kind]));
+    text += row(cells);
+  }
+  return text + "\n";
+}
+
+template <class T>
+std::string rival_tables(const std::vector<PairTally>& tallies) {
+  const std::vector<std::string_view> names = rival_names<T>();
+  const std::string_view scalar = space_name<3, T>().scalar;
+  RivalSums sums;
+  std::string text = fmt::format("### Side by side, 3D {}\n\n", scalar);
+  std::vector<std::string> cells{"pair", "cases", "touching"};
+  cells.insert(cells.end(), names.begin(), names.end());
+  text += head(cells);
+  const auto add_row = [&](const std::string& name, const RivalSums& of_pair) {
+    const RivalTally& own = of_pair.at("graze");
+    cells = {name, std::to_string(own.cases), std::to_string(own.touching)};
+    for (const std::string_view rival : names) cells.push_back(of_pair.count(rival) > 0 ? cell(of_pair.at(rival)) : "");
+    text += row(cells);
+  };
+  for (const PairTally& tally : tallies) {
+    if (tally.space.dimension != 3 || tally.space.scalar != scalar || tally.rivals.empty()) continue;
+    add_row(tally.pair, tally.rivals);
+    for (const auto& [name, of_pair] : tally.rivals) sums[name] += of_pair;
+  }
+  if (sums.empty()) return "";
+  add_row("**all that it has**", sums);
+  return text + "\n" + kind_table(names, sums);
+}
+
+constexpr std::string_view rival_introduction =
+    "Each program was asked the same cases of the pairs that it has. A cell is *wrong yes + wrong no, touching "
+    "missed*:\n"
+    "wrong is an answer where gap or depth are more than 1e-6 (float) or 1e-12 (double) of the largest coordinate, and "
+    "the\n"
+    "last number says how many of the exactly touching cases were called apart. Shapes without size are among the "
+    "cases:\n"
+    "spheres of radius zero, flat boxes, triangles that are segments or points.\n\n";
+
+}  // namespace
+
+std::string markdown(const Results& results, const Settings& settings) {
+  std::string text = circumstances(results, settings);
+  if (!results.points.empty()) text += point_table(results.points);
+  if (!results.pairs.empty()) text += pair_table(results.pairs);
+  const std::string compared = rival_tables<float>(results.pairs) + rival_tables<double>(results.pairs);
+  if (!compared.empty()) text += std::string(rival_introduction) + compared;
+  return text;
+}
+
+void write_page(const std::string& path, const std::string& text) {
+  std::string page = text;
+  if (std::ifstream old{path}; old) {
+    const std::string held{std::istreambuf_iterator<char>(old), {}};
+    const std::size_t begin = held.find("<!-- exam: begin");
+    const std::size_t end = held.find("<!-- exam: end");
+    if (begin != std::string::npos && end != std::string::npos && begin < end) {
+      const std::size_t after_mark = held.find('\n', begin) + 1;
+      page = held.substr(0, after_mark) + "\n" + text + held.substr(end);
+    }
+  }
+  std::ofstream file(path);
+  file << page;
+  if (!file.flush()) throw std::runtime_error("cannot write " + path);
+}
+
+}  // namespace graze::exam
