@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Checks that the documentation is true. The README and docs/*.md are read:
+"""Checks that the documentation is true. The README and all pages in docs/ are read:
 
 - ```sh blocks are run, command by command; in ```console blocks the lines after "$ " are run, and what the page shows
   below them is compared with the output, "..." standing for anything. All of it happens in a copy of the project, with the
   program `graze` of the release build. `./dev COMMAND` is only looked up. What cannot be run is marked ```text.
-- A block below <!-- file: PATH --> is that file, one below <!-- from: PATH --> consecutive lines of it.
+- A block below <!-- file: PATH --> is that file, one below <!-- from: PATH --> consecutive lines of it, one below
+  <!-- output: PATH --> what that program prints, which check_recipe.py compares.
 - Links to files and headings lead somewhere.
 """
 
@@ -28,7 +29,7 @@ _DEV = re.compile(r"^\./dev\b\s*(\S*)(.*)$")
 
 
 def pages_of(root):
-    return [path for path in project_files(root, [".md"]) if path.parent in (Path("."), Path("docs"))]
+    return [path for path in project_files(root, [".md"]) if len(path.parts) == 1 or path.parts[0] == "docs"]
 
 
 def without_license_line(text):
@@ -40,6 +41,8 @@ def source_problem(root, block):
     kind, name = block.source
     if not (root / name).is_file():
         return f"shows {name}, which does not exist"
+    if kind == "output":
+        return None
     text = (root / name).read_text(encoding="utf-8")
     if kind == "file":
         return None if block.code in (text, without_license_line(text)) else f"is not what {name} holds"

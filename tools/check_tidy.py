@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Runs clang-tidy on every source file of the build's compile commands, and through them on the headers. A file is looked at
-again only when it, something that it includes of the project, its command, or the configuration has changed."""
+"""Runs clang-tidy on every source file of the build's compile commands, and through them on the headers; on the tests only
+when asked, for they are as long again as everything else. A file is looked at again only when it, something that it includes
+of the project, its command, or the configuration has changed."""
 
 import argparse
 import json
@@ -32,6 +33,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--root", type=Path, default=ROOT, help="the project's folder")
     parser.add_argument("--build", type=Path, help="where compile_commands.json is (default: build/lint)")
+    parser.add_argument("--tests", action="store_true", help="the tests too")
     options = parser.parse_args()
     root = options.root.resolve()
     build = (options.build or root / "build" / "lint").resolve()
@@ -39,7 +41,8 @@ def main():
     version = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=True).stdout
     configuration = [(root / path).read_text(encoding="utf-8") for path in project_files(root, [".clang-tidy"])]
     commands = compile_commands(root, build)
-    checks = [(path, content_key(root, path, version, configuration, command)) for path, command in commands.items()]
+    checks = [(path, content_key(root, path, version, configuration, command)) for path, command in commands.items()
+              if options.tests or path.parts[0] != "tests"]
 
     def tidy(path):
         done = subprocess.run(["clang-tidy", "--quiet", "-p", build, root / path], capture_output=True, text=True,
@@ -53,7 +56,7 @@ def main():
     missing = [path for path in project_files(root, [".cpp"]) if path not in commands and "consumer" not in path.parts]
     for path in missing:
         print(f"{path}:1: is in no target, so nothing compiles it", file=sys.stderr)
-    print(f"tidy: {len(commands)} files, {looked_at} of them changed, {len(found) + len(missing)} findings")
+    print(f"tidy: {len(checks)} files, {looked_at} of them changed, {len(found) + len(missing)} findings")
     return 1 if failed or missing else 0
 
 

@@ -5,7 +5,7 @@ import re
 from dataclasses import dataclass
 
 _FENCE = re.compile(r"^( *)(```+)(\S*)[^`]*$")
-_SOURCE = re.compile(r"^\s*<!--\s*(file|from):\s*(\S+)\s*-->\s*$")
+_SOURCE = re.compile(r"^\s*<!--\s*(file|from|output):\s*(\S+)\s*-->\s*$")
 _LINK = re.compile(r"\]\(<?([^)\s>]+)>?(?:\s+\"[^\"]*\")?\)|<(?:img|a)\b[^>]*?\b(?:src|href)=\"([^\"]+)\"")
 _HEADING = re.compile(r"^#{1,6}\s+(.*?)\s*#*$")
 
@@ -13,7 +13,7 @@ _HEADING = re.compile(r"^#{1,6}\s+(.*?)\s*#*$")
 @dataclass
 class Block:
     """A fenced code block. `line` is that of its first line of code; `source` is what a comment right above the fence,
-    <!-- file: PATH --> or <!-- from: PATH -->, says that it shows."""
+    <!-- file: PATH -->, <!-- from: PATH --> or <!-- output: PATH -->, says that it shows."""
 
     line: int
     language: str

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: MIT
+// One query at a time: `intersects` for every pair of bounded primitives in 3D, beside FCL (double), Bullet (float)
+// and, for oriented boxes, a plain separating-axis test in float. A thousand random pairs each, a third to two thirds
+// of them hits, all in cache. Every peer's answers are compared with graze's before anything is timed; a peer that
+// disagrees on pairs that are not closer than rounding is reported by name, with the count.
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
+#include <BulletCollision/CollisionShapes/btTriangleShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
+#include <benchmark/benchmark.h>
+#include <fcl/narrowphase/collision.h>
+
+#include <graze/math/pose.hpp>
+#include <graze/query/intersects.hpp>
+
+namespace {
+
+using graze::Dim;
+using graze::Mat;
+using graze::Vec;
+
+constexpr std::size_t pair_count = 1024;
+
+// ---- Random shapes of about unit size
+
+class Random {
+ public:
+  double number(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+
+  Vec<3, double> vector(double size) { return {number(-size, size), number(-size, size), number(-size, size)}; }
+
+  Mat<3, double> rotation() {
+    Vec<3, double> axis = vector(1);
+    while (dot(axis, axis) > 1 || dot(axis, axis) < 0.01) axis = vector(1);
+    return graze::rotation_matrix(axis / std::sqrt(dot(axis, axis)), number(0, 360));
+  }
+
+ private:
+  std::mt19937 engine_{20261121};
+};
+
+template <class T>
+Mat<3, T> narrow(const Mat<3, double>& m) {
+  Mat<3, T> result;
+  for (Dim i = 0; i < 3; ++i) result[i] = Vec<3, T>(m[i]);
+  return result;
+}
+
+template <class T>
+void draw(Random& random, Vec<3, T>& point) {
+  point = Vec<3, T>(random.vector(0.9));
+}
+template <class T>
+void draw(Random& random, graze::Segment<3, T>& segment) {
+  const Vec<3, double> start = random.vector(0.8);
+  segment = {Vec<3, T>(start), Vec<3, T>(start + random.vector(1.5))};
+}
+template <class T>
+void draw(Random& random, graze::Ray<3, T>& ray) {
+  ray = {Vec<3, T>(random.vector(2)), Vec<3, T>(random.vector(1))};
+}
+template <class T>
+void draw(Random& random, graze::Sphere<3, T>& sphere) {
+  sphere = {Vec<3, T>(random.vector(1)), static_cast<T>(random.number(0.3, 1))};
+}
+template <class T>
+void draw(Random& random, graze::Aabb<3, T>& box) {
+  box = graze::Aabb<3, T>::from_center(Vec<3, T>(random.vector(1)), Vec<3, T>(abs(random.vector(1))));
+}
+template <class T>
+void draw(Random& random, graze::Obb<3, T>& box) {
+  box = {Vec<3, T>(random.vector(1)), Vec<3, T>(abs(random.vector(1))), narrow<T>(random.rotation())};
+}
+template <class T>
+void draw(Random& random, graze::Triangle<3, T>& triangle) {
+  const Vec<3, double> a = random.vector(0.7);
+  triangle = {Vec<3, T>(a), Vec<3, T>(a + random.vector(1.5)), Vec<3, T>(a + random.vector(1.5))};
+}
+template <class T>
+void draw(Random& random, graze::Capsule<3, T>& capsule) {
+  const Vec<3, double> a = random.vector(1);
+  capsule = {Vec<3, T>(a), Vec<3, T>(a + random.vector(1)), static_cast<T>(random.number(0.2, 0.6))};
+}
+template <class T>
+void draw(Random& random, graze::Plane<3, T>& plane) {
+  plane = {Vec<3, T>(random.vector(1)), static_cast<T>(random.number(-0.5, 0.5))};
+}
+
+/// The pairs, and what graze says to them.
+template <class A, class B>
+struct Work {
+  std::vector<std::pair<A, B>> pairs = std::vector<std::pair<A, B>>(pair_count);
+  std::vector<bool> answers;
+
+  Work() {
+    Random random;
+    for (auto& [a, b] : pairs) {
+      draw(random, a);
+      draw(random, b);
+      answers.push_back(intersects(a, b));
+    }
+  }
+
+  std::size_t hits() const { return static_cast<std::size_t>(std::count(answers.begin(), answers.end(), true)); }
+};
+
+// ---- The same shapes for the peers
+
+struct FclShape {
+  std::shared_ptr<fcl::CollisionGeometryd> geometry;
+  fcl::Transform3d pose = fcl::Transform3d::Identity();
+};
+
+fcl::Vector3d fcl_vector(const Vec<3, double>& v) { return {v.x, v.y, v.z}; }
+
+FclShape fcl_shape(const graze::Sphere<3, double>& sphere) {
+  FclShape shape{std::make_shared<fcl::Sphered>(sphere.radius)};
+  shape.pose.translation() = fcl_vector(sphere.center);
+  return shape;
+}
+
+FclShape fcl_shape(const graze::Obb<3, double>& box) {
+  const Vec<3, double> sides = 2.0 * box.half_extents;
+  FclShape shape{std::make_shared<fcl::Boxd>(fcl_vector(sides))};
+  for (Dim i = 0; i < 3; ++i) shape.pose.linear().col(static_cast<int>(i)) = fcl_vector(box.axes[i]);
+  shape.pose.translation() = fcl_vector(box.center);
+  return shape;
+}
+
+using FclTriangle = std::array<fcl::Vector3d, 3>;
+
+FclTriangle fcl_shape(const graze::Triangle<3, double>& triangle) {
+  return {fcl_vector(triangle.a), fcl_vector(triangle.b), fcl_vector(triangle.c)};
+}
+
+/// FCL's capsules stand along z.
+FclShape fcl_shape(const graze::Capsule<3, double>& capsule) {
+  const fcl::Vector3d way = fcl_vector(capsule.b - capsule.a);
+  FclShape shape{std::make_shared<fcl::Capsuled>(capsule.radius, way.norm())};
+  shape.pose.linear() = Eigen::Quaterniond::FromTwoVectors(fcl::Vector3d::UnitZ(), way).toRotationMatrix();
+  shape.pose.translation() = 0.5 * fcl_vector(capsule.a + capsule.b);
+  return shape;
+}
+
+bool fcl_intersects(const FclShape& a, const FclShape& b) {
+  static const fcl::CollisionRequestd request;
+  fcl::CollisionResultd result;
+  return fcl::collide(a.geometry.get(), a.pose, b.geometry.get(), b.pose, request, result) > 0;
+}
+
+/// FCL knows triangles as parts of meshes only: these are the tests that it runs on them.
+bool fcl_intersects(const FclShape& solid, const FclTriangle& triangle) {
+  static const fcl::detail::GJKSolver_libccdd solver;
+  const auto test = [&](const auto& geometry) {
+    return solver.shapeTriangleIntersect(geometry, solid.pose, triangle[0], triangle[1], triangle[2], nullptr, nullptr,
+                                         nullptr);
+  };
+  switch (solid.geometry->getNodeType()) {
+    case fcl::GEOM_SPHERE:
+      return test(static_cast<const fcl::Sphered&>(*solid.geometry));
+    case fcl::GEOM_BOX:
+      return test(static_cast<const fcl::Boxd&>(*solid.geometry));
+    default:
+      return test(static_cast<const fcl::Capsuled&>(*solid.geometry));
+  }
+}
+
+bool fcl_intersects(const FclTriangle& triangle, const FclShape& solid) { return fcl_intersects(solid, triangle); }
+
+bool fcl_intersects(const FclTriangle& a, const FclTriangle& b) {
+  return fcl::detail::Intersectd::intersect_Triangle(a[0], a[1], a[2], b[0], b[1], b[2]);
+}
+
+struct BulletShape {
+  std::unique_ptr<btConvexShape> geometry;
+  btTransform pose = btTransform::getIdentity();
+};
+
+btVector3 bullet_vector(const Vec<3, float>& v) { return {v.x, v.y, v.z}; }
+
+BulletShape bullet_shape(const graze::Sphere<3, float>& sphere) {
+  BulletShape shape{std::make_unique<btSphereShape>(sphere.radius)};
+  shape.pose.setOrigin(bullet_vector(sphere.center));
+  return shape;
+}
+
+BulletShape bullet_shape(const graze::Obb<3, float>& box) {
+  BulletShape shape{std::make_unique<btBoxShape>(bullet_vector(box.half_extents))};
+  shape.geometry->setMargin(0);
+  const auto& m = box.axes;
+  shape.pose.setBasis(btMatrix3x3(m[0].x, m[1].x, m[2].x, m[0].y, m[1].y, m[2].y, m[0].z, m[1].z, m[2].z));
+  shape.pose.setOrigin(bullet_vector(box.center));
+  return shape;
+}
+
+/// The distance of the shapes without their margins; that of a sphere is its radius.
+bool bullet_intersects(const BulletShape& a, const BulletShape& b) {
+  btGjkEpaSolver2::sResults results;
+  const btVector3 guess = b.pose.getOrigin() - a.pose.getOrigin();
+  if (!btGjkEpaSolver2::Distance(a.geometry.get(), a.pose, b.geometry.get(), b.pose, guess, results)) return true;
+  return results.distance <= a.geometry->getMargin() + b.geometry->getMargin();
+}
+
+/// The plain test, with the usual constant against parallel edges.
+bool plain_intersects(const graze::Obb<3, float>& a, const graze::Obb<3, float>& b) {
+  constexpr float skew = 1e-6F;
+  std::array<std::array<float, 3>, 3> turn;
+  std::array<std::array<float, 3>, 3> size;
+  std::array<float, 3> t;
+  const Vec<3, float> between = b.center - a.center;
+  for (Dim i = 0; i < 3; ++i) {
+    const auto r = static_cast<std::size_t>(i);
+    t[r] = dot(between, a.axes[i]);
+    for (Dim j = 0; j < 3; ++j) {
+      const auto c = static_cast<std::size_t>(j);
+      turn[r][c] = dot(a.axes[i], b.axes[j]);
+      size[r][c] = std::fabs(turn[r][c]) + skew;
+    }
+  }
+  const std::array<float, 3> half_a{a.half_extents.x, a.half_extents.y, a.half_extents.z};
+  const std::array<float, 3> half_b{b.half_extents.x, b.half_extents.y, b.half_extents.z};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const float reach = half_b[0] * size[i][0] + half_b[1] * size[i][1] + half_b[2] * size[i][2];
+    if (std::fabs(t[i]) > half_a[i] + reach) return false;
+  }
+  for (std::size_t j = 0; j < 3; ++j) {
+    const float reach = half_a[0] * size[0][j] + half_a[1] * size[1][j] + half_a[2] * size[2][j];
+    if (std::fabs(t[0] * turn[0][j] + t[1] * turn[1][j] + t[2] * turn[2][j]) > half_b[j] + reach) return false;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t i1 = (i + 1) % 3;
+    const std::size_t i2 = (i + 2) % 3;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::size_t j1 = (j + 1) % 3;
+      const std::size_t j2 = (j + 2) % 3;
+      const float reach_a = half_a[i1] * size[i2][j] + half_a[i2] * size[i1][j];
+      const float reach_b = half_b[j1] * size[i][j2] + half_b[j2] * size[i][j1];
+      if (std::fabs(t[i2] * turn[i1][j] - t[i1] * turn[i2][j]) > reach_a + reach_b) return false;
+    }
+  }
+  return true;
+}
+
+// ---- Timing
+
+/// Times `decide(first, second)` over pairs of anything that stands for the pairs of `work`.
+template <class Pairs, class Decide>
+void time_pairs(const std::string& name, const std::vector<bool>& answers, std::shared_ptr<const Pairs> pairs,
+                Decide decide) {
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i < pairs->size(); ++i) {
+    if (decide((*pairs)[i].first, (*pairs)[i].second) != answers[i]) ++differing;
+  }
+  if (differing > 0)
+    std::printf("%s differs from graze on %zu of %zu pairs\n", name.c_str(), differing, answers.size());
+  benchmark::RegisterBenchmark(name.c_str(), [pairs, decide](benchmark::State& state) {
+    for (auto _ : state) {
+      for (const auto& [a, b] : *pairs) benchmark::DoNotOptimize(decide(a, b));
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(pairs->size()));
+    state.counters["ns"] =
+        benchmark::Counter(1e-9 * static_cast<double>(pairs->size()),
+                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  });
+}
+
+template <class A, class B>
+void time_graze(const std::string& name, const Work<A, B>& work) {
+  auto pairs = std::make_shared<const std::vector<std::pair<A, B>>>(work.pairs);
+  time_pairs(name, work.answers, pairs, [](const A& a, const B& b) { return intersects(a, b); });
+}
+
+template <class A, class B>
+void time_fcl(const std::string& name, const Work<A, B>& work) {
+  using First = decltype(fcl_shape(work.pairs[0].first));
+  using Second = decltype(fcl_shape(work.pairs[0].second));
+  auto pairs = std::make_shared<std::vector<std::pair<First, Second>>>();
+  for (const auto& [a, b] : work.pairs) pairs->emplace_back(fcl_shape(a), fcl_shape(b));
+  time_pairs<std::vector<std::pair<First, Second>>>(
+      name, work.answers, pairs, [](const First& a, const Second& b) { return fcl_intersects(a, b); });
+}
+
+template <class A, class B>
+void time_bullet(const std::string& name, const Work<A, B>& work) {
+  auto pairs = std::make_shared<std::vector<std::pair<BulletShape, BulletShape>>>();
+  for (const auto& [a, b] : work.pairs) pairs->emplace_back(bullet_shape(a), bullet_shape(b));
+  time_pairs<std::vector<std::pair<BulletShape, BulletShape>>>(name, work.answers, pairs, bullet_intersects);
+}
+
+template <template <Dim, class> class A, template <Dim, class> class B>
+void register_pair(const std::string& pair) {
+  const Work<A<3, float>, B<3, float>> in_float;
+  const Work<A<3, double>, B<3, double>> in_double;
+  const std::string hits = " (" + std::to_string(100 * in_double.hits() / pair_count) + " % hits)";
+  time_graze(pair + hits + "/graze/float", in_float);
+  time_graze(pair + hits + "/graze/double", in_double);
+  if constexpr (requires { fcl_shape(in_double.pairs[0].first), fcl_shape(in_double.pairs[0].second); }) {
+    time_fcl(pair + hits + "/FCL/double", in_double);
+  }
+  if constexpr (requires { bullet_shape(in_float.pairs[0].first), bullet_shape(in_float.pairs[0].second); }) {
+    time_bullet(pair + hits + "/Bullet/float", in_float);
+  }
+  if constexpr (requires { plain_intersects(in_float.pairs[0].first, in_float.pairs[0].second); }) {
+    auto pairs = std::make_shared<const std::vector<std::pair<A<3, float>, B<3, float>>>>(in_float.pairs);
+    time_pairs(pair + hits + "/plain/float", in_float.answers, pairs, plain_intersects);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace graze;
+  register_pair<Vec, Sphere>("point, sphere");
+  register_pair<Vec, Aabb>("point, aabb");
+  register_pair<Sphere, Sphere>("sphere, sphere");
+  register_pair<Sphere, Aabb>("sphere, aabb");
+  register_pair<Aabb, Aabb>("aabb, aabb");
+  register_pair<Sphere, Obb>("sphere, obb");
+  register_pair<Sphere, Capsule>("sphere, capsule");
+  register_pair<Sphere, Plane>("sphere, plane");
+  register_pair<Sphere, Triangle>("sphere, triangle");
+  register_pair<Segment, Segment>("segment, segment");
+  register_pair<Segment, Sphere>("segment, sphere");
+  register_pair<Segment, Aabb>("segment, aabb");
+  register_pair<Segment, Obb>("segment, obb");
+  register_pair<Segment, Triangle>("segment, triangle");
+  register_pair<Ray, Sphere>("ray, sphere");
+  register_pair<Ray, Aabb>("ray, aabb");
+  register_pair<Ray, Obb>("ray, obb");
+  register_pair<Ray, Triangle>("ray, triangle");
+  register_pair<Aabb, Obb>("aabb, obb");
+  register_pair<Aabb, Plane>("aabb, plane");
+  register_pair<Aabb, Triangle>("aabb, triangle");
+  register_pair<Aabb, Capsule>("aabb, capsule");
+  register_pair<Obb, Obb>("obb, obb");
+  register_pair<Obb, Plane>("obb, plane");
+  register_pair<Obb, Triangle>("obb, triangle");
+  register_pair<Obb, Capsule>("obb, capsule");
+  register_pair<Triangle, Triangle>("triangle, triangle");
+  register_pair<Triangle, Capsule>("triangle, capsule");
+  register_pair<Capsule, Capsule>("capsule, capsule");
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
