@@ -165,7 +165,7 @@ Relation closed_form(const Sphere<N, T>& a, const Sphere<N, T>& b) {
 
 template <Dim N, class T>
 Relation closed_form(const Sphere<N, T>& sphere, const Aabb<N, T>& box) {
-  if (!(sphere.radius >= T(0))) return Relation::apart;
+  if (!(sphere.radius >= T(0)) || !boxes_overlap(box, box)) return Relation::apart;  // NaN
   const Relation core = relation_of_boxes(Aabb<N, T>{sphere.center, sphere.center}, box);
   if (core == Relation::overlapping || sphere.radius == T(0)) return core;
   // A sum of squares of differences, each rounded relative to itself: no larger than the radius where it matters.
