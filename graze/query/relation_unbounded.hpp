@@ -141,7 +141,9 @@ inline Vec<3, double> lifted(const Vec<3, double>& v) { return v; }
 template <Dim N, class T>
 Vec<3, double> direction_of(const Ray<N, T>& ray) {
   const Vec<N, double> direction = wide<N, T>(ray.direction);
-  return lifted(direction * std::ldexp(1.0, -std::ilogb(max_abs(direction))));  // a valid direction is not zero
+  int exponent = 0;  // of a coordinate between 1/2 and 1; of nonsense, such as a zero direction, 0
+  (void)std::frexp(max_abs(direction), &exponent);
+  return lifted(direction * std::ldexp(1.0, 1 - exponent));
 }
 
 /// Parallel rays meet if they lie on one line and one runs towards the other's origin.
