@@ -47,6 +47,13 @@ inline constexpr bool inner_is_near<Obb<N, T>> = true;
 template <Dim N, class T>
 inline constexpr bool inner_is_near<HalfSpace<N, T>> = true;
 
+/// The nearest point of T. Not to be inlined: with it, GCC 12 at -O3 joins the rounding with the question whether a
+/// sphere holds what came of it, and answers for another point.
+template <Scalar T, Dim N>
+[[gnu::noinline]] Vec<N, T> nearest_of(const Vec<N, double>& point) {
+  return Vec<N, T>(point);
+}
+
 /// One step of T's rounding at a point.
 template <Scalar T, Dim N>
 double step_at(const Vec<N, double>& point) {
@@ -61,10 +68,10 @@ PointOf<S> settled_inwards(const S& shape, const SurfacePoint<dimension_of<S>>& 
   const Vec<N, double> inward = at.inner - at.point;
   const double first = std::max(step_at<T>(at.point), step_at<T>(at.inner)) / max_abs(inward);
   for (double share = first; share > 0 && share < 1; share *= 2) {
-    const PointOf<S> candidate(at.point + inward * share);
+    const PointOf<S> candidate = nearest_of<T>(at.point + inward * share);
     if (holds(shape, candidate)) return candidate;
   }
-  return PointOf<S>(at.inner);
+  return nearest_of<T>(at.inner);
 }
 
 /// The nearest of the points around `center` on a grid of this step that the shape holds.
@@ -78,7 +85,7 @@ std::optional<PointOf<S>> settled_around(const S& shape, const Vec<dimension_of<
     Vec<N, double> way;
     int digits = i;
     for (Dim k = 0; k < N; ++k, digits /= 3) way[k] = digits % 3 - 1;
-    const PointOf<S> candidate(center + way * step);
+    const PointOf<S> candidate = nearest_of<scalar_of<S>>(center + way * step);
     const Vec<N, double> off = wide<N, scalar_of<S>>(candidate) - center;
     if (!(dot(off, off) < least) || !holds(shape, candidate)) continue;
     least = dot(off, off);
@@ -93,13 +100,13 @@ template <Shape S>
 PointOf<S> settled(const S& shape, const SurfacePoint<dimension_of<S>>& first) {
   constexpr Dim N = dimension_of<S>;
   using T = scalar_of<S>;
-  const PointOf<S> rounded(first.point);
+  const PointOf<S> rounded = nearest_of<T>(first.point);
   if (holds(shape, rounded)) return rounded;
   if constexpr (inner_is_near<S>) {
     return settled_inwards(shape, first);
   } else {
     const SurfacePoint<N> second = surface_point(shape, first.point);
-    const PointOf<S> again(second.point);
+    const PointOf<S> again = nearest_of<T>(second.point);
     if (!has_inside<S> || holds(shape, again)) return again;
     for (const double steps : {1.0, 2.0, 4.0}) {
       const auto candidate = settled_around(shape, second.point, steps * step_at<T>(second.point));

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "exact.hpp"
+#include "exact/certificate_instances.hpp"
 
 template graze::test::ExactVerdict graze::test::exact_verdict(const AnyShape<2, double>&, const AnyShape<2, double>&,
                                                               Measure);
+template graze::test::GapBounds graze::test::gap_bounds(const AnyShape<2, double>&, const AnyShape<2, double>&,
+                                                        Relation);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "exact.hpp"
+#include "exact/certificate_instances.hpp"
 
 template graze::test::ExactVerdict graze::test::exact_verdict(const AnyShape<2, float>&, const AnyShape<2, float>&,
                                                               Measure);
+template graze::test::GapBounds graze::test::gap_bounds(const AnyShape<2, float>&, const AnyShape<2, float>&, Relation);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // graze_exam: hard cases for every pair of types and every point query, in four spaces, put to graze, to the exact
-// oracle and to other libraries. The tables go to standard output or a page, wrong answers to a file; the status is 1
-// if there were any.
+// oracle and to other libraries. The tables go to standard output or a page, cases that fail to a file of regressions;
+// the status is 1 if there were any.
 #include <atomic>
 #include <cstddef>
 #include <cstdio>
@@ -56,7 +56,7 @@ class Progress {
 /// Each task has a place of its own for its result, so that the tables do not depend on the number of threads.
 class Exam {
  public:
-  explicit Exam(const Settings& settings) : settings_(settings), failures_(settings.failures) {
+  explicit Exam(const Settings& settings) : settings_(settings), regressions_(settings.regressions) {
     constexpr std::size_t types = shape_type_names.size();
     constexpr std::size_t most = 4 * types * (types + 1) / 2;
     results_.pairs.reserve(most);  // tasks keep references
@@ -84,7 +84,7 @@ class Exam {
 
   bool is_empty() const { return tasks_.empty(); }
   const Results& results() const { return results_; }
-  const FailureLog& failures() const { return failures_; }
+  const RegressionLog& regressions() const { return regressions_; }
 
  private:
   template <Dim N, class T>
@@ -94,12 +94,12 @@ class Exam {
     for (std::size_t a = 0; a < types; ++a) {
       for (std::size_t b = a; b < types; ++b) {
         add(space + pair_name(a, b), results_.pairs,
-            [this, a, b] { return examine_pair<N, T>(a, b, settings_, failures_); });
+            [this, a, b] { return examine_pair<N, T>(a, b, settings_, regressions_); });
       }
     }
     for (std::size_t type = 0; type + 1 < types; ++type) {  // compounds, the last, are their parts
       add(space + std::string(shape_type_names[type]) + " and points", results_.points,
-          [this, type] { return examine_points<N, T>(type, settings_, failures_); });
+          [this, type] { return examine_points<N, T>(type, settings_, regressions_); });
     }
   }
 
@@ -111,7 +111,7 @@ class Exam {
   }
 
   Settings settings_;
-  FailureLog failures_;
+  RegressionLog regressions_;
   Results results_;
   std::vector<Task> tasks_;
 };
@@ -130,9 +130,9 @@ int run(const Settings& settings) {
   } else {
     write_page(settings.output, tables);
   }
-  const std::size_t wrong = exam.failures().count();
+  const std::size_t wrong = exam.regressions().failures();
   if (wrong == 0) return 0;
-  fmt::print(stderr, "graze_exam: {} wrong answers, see {}\n", wrong, settings.failures);
+  fmt::print(stderr, "graze_exam: {} cases failed, see {}\n", wrong, settings.regressions);
   return 1;
 }
 

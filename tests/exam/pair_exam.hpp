@@ -11,13 +11,13 @@
 
 namespace graze::exam {
 
-/// Puts cases of all kinds, in turn, to graze in both orders, to the oracle and, in 3D, to the rivals. The types by
+/// Puts cases of all kinds, in turn, to graze in both orders, to the judges and, in 3D, to the rivals. The types by
 /// their places in AnyShape.
 template <Dim N, class T>
-PairTally examine_pair(std::size_t a, std::size_t b, const Settings& settings, FailureLog& failures);
+PairTally examine_pair(std::size_t a, std::size_t b, const Settings& settings, RegressionLog& regressions);
 
 /// Puts shapes of one type and points to contains, closest_point, closest_boundary_point and signed_distance.
 template <Dim N, class T>
-PointTally examine_points(std::size_t type, const Settings& settings, FailureLog& failures);
+PointTally examine_points(std::size_t type, const Settings& settings, RegressionLog& regressions);
 
 }  // namespace graze::exam

@@ -3,6 +3,6 @@
 
 namespace graze::exam {
 
-template PairTally examine_pair<2, double>(std::size_t, std::size_t, const Settings&, FailureLog&);
+template PairTally examine_pair<2, double>(std::size_t, std::size_t, const Settings&, RegressionLog&);
 
 }  // namespace graze::exam

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -15,11 +17,14 @@
 #include <graze/shape/any_shape.hpp>
 
 #include "catalogue.hpp"
+#include "exact/certificate.hpp"
 #include "exam/pair_exam.hpp"
 #include "exam/rival.hpp"
 #include "exam/stopwatch.hpp"
 #include "query/case_maker.hpp"
+#include "query/case_variations.hpp"
 #include "query/pairs.hpp"
+#include "query/regressions.hpp"
 #include "query/verdict_band.hpp"
 
 namespace graze::exam {
@@ -43,50 +48,62 @@ class PairExam {
  public:
   using Pair = test::AnyPair<N, T>;
 
-  PairExam(std::size_t a, std::size_t b, FailureLog& failures) : a_(a), b_(b), failures_(failures) {
+  PairExam(std::size_t a, std::size_t b, RegressionLog& regressions) : a_(a), b_(b), regressions_(regressions) {
     tally_.space = space_name<N, T>();
     tally_.pair = pair_name(a, b);
   }
 
-  void put(const Pair& pair, test::CaseKind kind) {
+  /// Puts a case to graze, and returns what graze and the judge say.
+  test::Finding put(const Pair& pair) {
     const auto& [a, b] = pair;
     const Relation claim = test::relation_of<N, T>(a, b);
-    const test::ExactVerdict truth = test::true_verdict<N, T>(a, b, claim);
+    const test::Finding finding = judge(pair, claim);
     ++tally_.cases;
-    if (truth.relation != Relation::apart) ++tally_.hits;
-    judge(pair, claim, truth);
-    if (test::relation_of<N, T>(b, a) != claim) fail(pair, claim, truth, "not so in the other order");
+    if (finding.truth != Relation::apart) ++tally_.hits;
+    const bool is_symmetrical = test::relation_of<N, T>(b, a) == claim;
+    if (finding.judgement == test::Judgement::wrong || !is_symmetrical) {
+      ++tally_.wrong;
+      regressions_.add_failure(row(pair, finding.truth));
+    } else if (finding.judgement == test::Judgement::outside_range) {
+      ++tally_.outside;
+    } else if (finding.judgement == test::Judgement::within_band) {
+      ++tally_.in_band;
+      const double error = finding.relative_gap / std::numeric_limits<double>::epsilon();
+      if (error > tally_.worst) hardest_ = row(pair, finding.truth);
+      tally_.worst = std::max(tally_.worst, error);
+    }
+    return finding;
+  }
+
+  /// The same for the rivals, in space.
+  void put_to_rivals(const Pair& pair, test::CaseKind kind, Relation truth) {
     if constexpr (N == 3) {
-      if (is_rigid<T>(a) && is_rigid<T>(b)) ask_rivals(pair, kind, truth.relation, claim != Relation::apart);
+      if (!is_rigid<T>(pair.first) || !is_rigid<T>(pair.second)) return;
+      ask_rivals(pair, kind, truth, test::relation_of<N, T>(pair.first, pair.second) != Relation::apart);
     }
   }
 
   const PairTally& tally() const { return tally_; }
 
+  /// The row of the case with the largest error within the band; empty if there was none.
+  const std::string& hardest() const { return hardest_; }
+
  private:
-  void judge(const Pair& pair, Relation claim, const test::ExactVerdict& truth) {
-    switch (test::judge(claim, truth, a_, b_)) {
-      case test::Judgement::right:
-        return;
-      case test::Judgement::outside_range:
-        ++tally_.outside;
-        return;
-      case test::Judgement::within_band:
-        ++tally_.in_band;
-        tally_.worst =
-            std::max(tally_.worst, test::relative_gap(truth, a_, b_) / std::numeric_limits<double>::epsilon());
-        return;
-      case test::Judgement::wrong:
-        fail(pair, claim, truth, "beyond the band");
+  /// By a certificate if there is one.
+  test::Finding judge(const Pair& pair, Relation claim) {
+    const test::GapBounds proved = test::gap_bounds<N, T>(pair.first, pair.second, claim);
+    if (const std::optional<test::Finding> finding = test::finding(claim, proved, a_, b_)) {
+      ++tally_.certified;
+      return *finding;
     }
+    const test::ExactVerdict truth = test::true_verdict<N, T>(pair.first, pair.second, claim);
+    const test::Judgement judgement = test::judge(claim, truth, a_, b_);
+    const bool has_gap = judgement == test::Judgement::within_band;
+    return {judgement, truth.relation, has_gap ? test::relative_gap(truth, a_, b_) : 0};
   }
 
-  /// One row: the true relation, the shapes, and what graze said.
-  void fail(const Pair& pair, Relation claim, const test::ExactVerdict& truth, const std::string& why) {
-    ++tally_.wrong;
-    failures_.add("{Relation::" + std::string(name_of(truth.relation)) + ", " + test::to_source<N, T>(pair.first) +
-                  ", " + test::to_source<N, T>(pair.second) + "},  // by " + test::literal(truth.gap) + ", said " +
-                  std::string(name_of(claim)) + ": " + why);
+  static std::string row(const Pair& pair, Relation truth) {
+    return test::regression_row<N, T>("relation", pair.first, pair.second, name_of(truth));
   }
 
   /// graze, too, is asked for no more than yes or no here.
@@ -122,20 +139,30 @@ class PairExam {
 
   std::size_t a_;
   std::size_t b_;
-  FailureLog& failures_;
+  RegressionLog& regressions_;
   PairTally tally_;
+  std::string hardest_;
 };
 
+/// A case that was made with care is worth as many cheap relatives. Only it is put to the rivals.
+inline constexpr std::size_t variations_of_each = 19;
+
 template <Dim N, class T>
-PairTally examine_pair(std::size_t a, std::size_t b, const Settings& settings, FailureLog& failures) {
+PairTally examine_pair(std::size_t a, std::size_t b, const Settings& settings, RegressionLog& regressions) {
   constexpr std::uint64_t seeds_apart = 1000;
-  PairExam<N, T> exam(a, b, failures);
-  test::CaseMaker<N, T> maker(a, b, settings.seed * seeds_apart + a * shape_type_names.size() + b);
+  const std::uint64_t seed = settings.seed * seeds_apart + a * shape_type_names.size() + b;
+  PairExam<N, T> exam(a, b, regressions);
+  test::CaseMaker<N, T> maker(a, b, seed);
+  test::CaseVariations<N, T> variations(seed);
   const Stopwatch watch;
   for (std::size_t turn = 0; exam.tally().cases < settings.cases && watch.is_within(settings.seconds); ++turn) {
     const auto kind = static_cast<test::CaseKind>(turn % test::case_kind_count);
-    for (const test::AnyPair<N, T>& pair : maker.make(kind)) exam.put(pair, kind);
+    for (const test::AnyPair<N, T>& pair : maker.make(kind)) {
+      exam.put_to_rivals(pair, kind, exam.put(pair).truth);
+      for (std::size_t i = 0; i < variations_of_each; ++i) exam.put(variations.vary(pair));
+    }
   }
+  if (settings.keeps_hardest && !exam.hardest().empty()) regressions.add(exam.hardest());
   return exam.tally();
 }
 

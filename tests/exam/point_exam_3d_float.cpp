@@ -3,6 +3,6 @@
 
 namespace graze::exam {
 
-template PointTally examine_points<3, float>(std::size_t, const Settings&, FailureLog&);
+template PointTally examine_points<3, float>(std::size_t, const Settings&, RegressionLog&);
 
 }  // namespace graze::exam

@@ -52,14 +52,26 @@ std::string compiler() {
 
 std::string circumstances(const Results& results, const Settings& settings) {
   std::size_t cases = 0;
-  for (const PairTally& tally : results.pairs) cases += tally.cases;
+  std::size_t pair_cases = 0;
+  std::size_t certified = 0;
+  for (const PairTally& tally : results.pairs) {
+    pair_cases += tally.cases;
+    certified += tally.certified;
+  }
   for (const PointTally& tally : results.points) cases += tally.cases;
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::string text = fmt::format("{:%Y-%m-%d}, {}, seed {}, {} cases per pair of types and space", fmt::gmtime(now),
-                                 compiler(), settings.seed, settings.cases);
+  std::string text = fmt::format(
+      "{:%Y-%m-%d}, {}, seed {}, {} cases per pair of types and space, {} per shape and "
+      "space for point queries",
+      fmt::gmtime(now), compiler(), settings.seed, settings.cases, settings.points);
   if (settings.seconds > 0) text += fmt::format(", but at most {} seconds for each", settings.seconds);
   if (!settings.pairs.empty()) text += fmt::format(", only those named \"{}\"", settings.pairs);
-  return text + fmt::format("; {} cases in all.\n\n", cases);
+  text += fmt::format("; {} cases in all.", pair_cases + cases);
+  if (pair_cases > 0) {
+    text += fmt::format(" Of those of pairs {:.2f} % were judged by a certificate, the others by the oracle.",
+                        100.0 * static_cast<double>(certified) / static_cast<double>(pair_cases));
+  }
+  return text + "\n\n";
 }
 
 /// What the tallies of one name are in each space; those that were not run are empty.
@@ -100,20 +112,23 @@ std::string point_table(const std::vector<PointTally>& tallies) {
   std::string text =
       "### Point queries\n\n"
       "The worst errors in float / double, in ulp: epsilon of the type times the largest coordinate of shape, point\n"
-      "and answer. *Wrong*: `contains` beyond its band, or an answer that the shape does not contain. *Forgiven*: how\n"
-      "far off the surface a point was at most whose signed distance was given as zero; `signed_distance` is the "
-      "error\n"
-      "of the others. Points of shapes with sharp corners, which the promise excepts, are left out in 2D; in 3D the "
-      "worst\n"
-      "error of the polytopes is that of such needles.\n\n";
+      "and answer. *Wrong*: an answer beyond the bounds above, or one that the shape does not contain. *Forgiven*: "
+      "the\n"
+      "error of `signed_distance` for points that are outside and yet contained; that of the others has a column of "
+      "its\n"
+      "own. Triangles in 2D and polytopes that are more than 3 times longer than thick have corners that the promise "
+      "on\n"
+      "points excepts: *needles* is their worst error, which is divided by how many times longer than thick they are "
+      "in\n"
+      "the columns before.\n\n";
   text += head({"shape", "cases", "held", "wrong", "forgiven", "`signed_distance`", "`closest_point`",
-                "`closest_boundary_point`"});
+                "`closest_boundary_point`", "needles"});
   for (const auto& [name, tally] : by_name(tallies, [](const PointTally& one) { return one.shape; })) {
     const std::size_t cases = sum_of(tally, &PointTally::cases);
     text += row({name, std::to_string(cases), percent(sum_of(tally, &PointTally::held), cases),
                  std::to_string(sum_of(tally, &PointTally::wrong)), worst_of(tally, &PointTally::forgiven),
                  worst_of(tally, &PointTally::distance), worst_of(tally, &PointTally::closest),
-                 worst_of(tally, &PointTally::boundary)});
+                 worst_of(tally, &PointTally::boundary), worst_of(tally, &PointTally::needle)});
   }
   return text + "\n";
 }
@@ -124,12 +139,15 @@ std::string pair_table(const std::vector<PairTally>& tallies) {
       "*In band*: called touching though apart or overlapping, by no more than documented; *worst*: by how much at "
       "most,\n"
       "in epsilon of double times the size, in 2D float, 2D double, 3D float and 3D double. *Outside*: cases that the\n"
-      "documentation leaves out (numbers too small to square, unbounded shapes parallel up to rounding).\n\n";
-  text += head({"pair", "cases", "hits", "wrong", "outside", "in band", "worst 2D f", "2D d", "3D f", "3D d"});
+      "documentation leaves out (numbers too small to square, unbounded shapes parallel up to rounding). *Certified*:\n"
+      "judged by a certificate.\n\n";
+  text +=
+      head({"pair", "cases", "certified", "hits", "wrong", "outside", "in band", "worst 2D f", "2D d", "3D f", "3D d"});
   for (const auto& [name, tally] : by_name(tallies, [](const PairTally& one) { return one.pair; })) {
     const std::size_t cases = sum_of(tally, &PairTally::cases);
     std::vector<std::string> cells = {name,
                                       std::to_string(cases),
+                                      percent(sum_of(tally, &PairTally::certified), cases),
                                       percent(sum_of(tally, &PairTally::hits), cases),
                                       std::to_string(sum_of(tally, &PairTally::wrong)),
                                       std::to_string(sum_of(tally, &PairTally::outside)),
@@ -196,13 +214,14 @@ std::string rival_tables(const std::vector<PairTally>& tallies) {
 }
 
 constexpr std::string_view rival_introduction =
-    "Each program was asked the same cases of the pairs that it has. A cell is *wrong yes + wrong no, touching "
-    "missed*:\n"
-    "wrong is an answer where gap or depth are more than 1e-6 (float) or 1e-12 (double) of the largest coordinate, and "
-    "the\n"
-    "last number says how many of the exactly touching cases were called apart. Shapes without size are among the "
-    "cases:\n"
-    "spheres of radius zero, flat boxes, triangles that are segments or points.\n\n";
+    "Each program was asked the same cases of the pairs that it has, of those that are no variations of others. A cell "
+    "is\n"
+    "*wrong yes + wrong no, touching missed*: wrong is an answer where gap or depth are more than 1e-6 (float) or "
+    "1e-12\n"
+    "(double) of the largest coordinate, and the last number says how many of the exactly touching cases were called\n"
+    "apart. Shapes without size are among the cases: spheres of radius zero, flat boxes, triangles that are segments "
+    "or\n"
+    "points.\n\n";
 
 }  // namespace
 

@@ -11,11 +11,14 @@ std::variant<Settings, int> read_settings(int argc, const char* const* argv) {
   CLI::App app("Puts hard cases to graze, to the exact oracle and to other libraries, and counts wrong answers.",
                "graze_exam");
   app.add_option("--cases", settings.cases, "cases per pair of types and space")->capture_default_str();
+  app.add_option("--points", settings.points, "cases per shape and space for point queries")->capture_default_str();
   app.add_option("--seed", settings.seed, "other cases")->capture_default_str();
   app.add_option("--pairs", settings.pairs, "only pairs whose name holds this, such as \"3D float obb, triangle\"");
   app.add_option("--seconds", settings.seconds, "stop each pair after this time; 0 for never")->capture_default_str();
   app.add_option("--output", settings.output, "write the tables to this file, between its marks if it has them");
-  app.add_option("--failures", settings.failures, "add wrong answers to this file")->capture_default_str();
+  app.add_option("--regressions", settings.regressions, "add the cases that fail to this file, as rows")
+      ->capture_default_str();
+  app.add_flag("--keep-hardest", settings.keeps_hardest, "add the hardest right case of each pair and shape, too");
   app.add_option("--jobs", settings.jobs, "threads")->check(CLI::Range(1, 1024))->take_last()->capture_default_str();
   try {
     app.parse(argc, argv);

@@ -1,50 +1,70 @@
 // SPDX-License-Identifier: MIT
-// What the exam is asked to do, where it reports wrong answers, and who it tells how far it is.
+// What the exam is asked to do, and where it keeps the cases that failed.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
 #include <mutex>
+#include <set>
+#include <stdexcept>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <variant>
 
 namespace graze::exam {
 
 struct Settings {
-  std::size_t cases = 1'000'000;  ///< Per pair of types and space, and per shape for point queries.
+  std::size_t cases = 1'000'000;  ///< Per pair of types and space.
+  std::size_t points = 100'000;   ///< Cases per shape and space for point queries, all of them put to the oracle.
   std::uint64_t seed = 1;
   double seconds = 0;  ///< Each pair stops after this; 0 for never.
   std::string pairs;   ///< Only pairs whose name, such as "3D float obb, triangle", holds this.
   std::string output;  ///< The page that the tables go to; standard output if empty.
-  std::string failures = "tests/exam/failures.txt";
+  std::string regressions = "tests/exam/regressions.csv";
+  bool keeps_hardest = false;  ///< Adds the hardest case of each pair and shape to the regressions, though right.
   std::size_t jobs = 1;
 };
 
 /// What the command line asks for; or, where help was asked for and given or an error was reported, the exit status.
 std::variant<Settings, int> read_settings(int argc, const char* const* argv);
 
-/// Wrong answers, as lines of C++ source at the end of a file, which is made by the first one.
-class FailureLog {
+/// Rows at the end of a file of regressions, none of them twice; the first one makes the file.
+class RegressionLog {
  public:
-  explicit FailureLog(std::string path) : path_(std::move(path)) {}
-
-  void add(std::string_view line) {
-    const std::lock_guard<std::mutex> lock(one_at_a_time_);
-    if (!file_.is_open()) file_.open(path_, std::ios::app);
-    file_ << line << '\n' << std::flush;
-    ++count_;
+  explicit RegressionLog(std::string path) : path_(std::move(path)) {
+    std::ifstream file(path_);
+    for (std::string line; std::getline(file, line);) rows_.insert(line);
   }
 
-  std::size_t count() const { return count_; }
+  /// A case that failed.
+  void add_failure(const std::string& row) {
+    const std::lock_guard<std::mutex> lock(one_at_a_time_);
+    ++failures_;
+    write(row);
+  }
+
+  /// A case that did not, but is worth keeping.
+  void add(const std::string& row) {
+    const std::lock_guard<std::mutex> lock(one_at_a_time_);
+    write(row);
+  }
+
+  std::size_t failures() const { return failures_; }
 
  private:
+  void write(const std::string& row) {
+    if (!rows_.insert(row).second) return;
+    if (!file_.is_open()) file_.open(path_, std::ios::app);
+    file_ << row << '\n';
+    if (!file_.flush()) throw std::runtime_error("cannot write " + path_);
+  }
+
   std::string path_;
   std::mutex one_at_a_time_;
+  std::set<std::string> rows_;
   std::ofstream file_;
-  std::size_t count_ = 0;
+  std::size_t failures_ = 0;
 };
 
 }  // namespace graze::exam

@@ -66,6 +66,7 @@ struct PairTally {
   SpaceName space{};
   std::string pair;
   std::size_t cases = 0;
+  std::size_t certified = 0;  ///< Judged by a certificate; the others by the oracle.
   std::size_t hits = 0;
   std::size_t in_band = 0;  ///< Called touching within the documented band, though apart or overlapping.
   std::size_t outside = 0;  ///< Beyond what is documented: numbers that squares cannot hold, almost parallel rays.
@@ -80,12 +81,12 @@ struct PointTally {
   std::string shape;
   std::size_t cases = 0;
   std::size_t held = 0;
-  std::size_t wrong = 0;  ///< `contains` beyond its band, or an answer that the shape does not contain.
-  std::size_t sharp = 0;  ///< Next to corners too sharp for the promise on points.
-  double forgiven = 0;    ///< How far outside a point was that was contained, and had a distance of zero.
+  std::size_t wrong = 0;  ///< Any answer beyond its bound, or one that the shape does not contain.
+  double forgiven = 0;    ///< Of the distance of points that are outside, but contained.
   double distance = 0;    ///< Of the others.
-  double closest = 0;
+  double closest = 0;     ///< Of needles, divided by how many times longer than thick they are; so `boundary`.
   double boundary = 0;
+  double needle = 0;  ///< The larger of both, of needles, not divided.
 };
 
 }  // namespace graze::exam

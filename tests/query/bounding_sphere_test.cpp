@@ -303,8 +303,8 @@ TEST(BoundingSphere, OfManyPointsContainsThemAndTheFastOneIsHardlyLarger) {
       EXPECT_LE(fast.radius, 1.05F * smallest.radius);
       EXPECT_NEAR(smallest.radius, 1, 0.02);
     };
-    check(cloud<2>(20'000, on_surface));
-    check(cloud<3>(20'000, on_surface));
+    check(cloud<2>(5'000, on_surface));
+    check(cloud<3>(5'000, on_surface));
   }
 }
 

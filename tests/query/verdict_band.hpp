@@ -2,13 +2,16 @@
 // How far a verdict of graze may be from the true one, as relation.hpp documents it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 #include <graze/query/verdict.hpp>
 
+#include "exact/certificate.hpp"
 #include "exact/unbounded.hpp"
 
 namespace graze::test {
@@ -31,9 +34,20 @@ inline bool is_relative_to_own_size(std::size_t type_a, std::size_t type_b) {
 /// What a claim is worth.
 enum class Judgement { right, within_band, outside_range, wrong };
 
-/// The gap or depth of a pair of these types, by their places in AnyShape, relative to the size in the documentation.
+/// The place of rays in AnyShape.
+inline constexpr std::size_t ray_type = 2;
+
+/// The size that the documentation names for a pair of these types, by their places in AnyShape. Where it is the
+/// largest coordinate, those of a ray beside the other shape count, which are no larger than its origin's and the
+/// pair's own size together.
+inline double documented_size(double own_size, double largest, std::size_t type_a, std::size_t type_b) {
+  if (is_relative_to_own_size(type_a, type_b)) return own_size;
+  return type_a == ray_type || type_b == ray_type ? std::max(own_size, largest) : largest;
+}
+
+/// The gap or depth of such a pair relative to that size.
 inline double relative_gap(const ExactVerdict& truth, std::size_t type_a, std::size_t type_b) {
-  return std::fabs(truth.gap) / (is_relative_to_own_size(type_a, type_b) ? truth.own_size : truth.largest);
+  return std::fabs(truth.gap) / documented_size(truth.own_size, truth.largest, type_a, type_b);
 }
 
 /// `truth` with gap and sizes where it differs from the claim. `apart` and `overlapping` are promises: only `touching`
@@ -44,6 +58,27 @@ inline Judgement judge(Relation claim, const ExactVerdict& truth, std::size_t ty
   if (truth.is_nearly_parallel || underflows) return Judgement::outside_range;
   const bool is_within = claim == Relation::touching && relative_gap(truth, type_a, type_b) <= verdict_band;
   return is_within ? Judgement::within_band : Judgement::wrong;
+}
+
+/// A claim that was judged.
+struct Finding {
+  Judgement judgement;
+  Relation truth;
+  double relative_gap;  ///< At least the true one, as above; 0 if the claim is right.
+};
+
+/// What a certificate says of a claim: none if it leaves the relation open, or proves the claim wrong, or nearly so;
+/// then the oracle is to be asked.
+inline std::optional<Finding> finding(Relation claim, const GapBounds& proved, std::size_t type_a, std::size_t type_b) {
+  const std::optional<Relation> truth = proved.relation();
+  if (!truth) return std::nullopt;
+  if (*truth == claim) return Finding{Judgement::right, claim, 0};
+  if (claim != Relation::touching || proved.may_be_parallel) return std::nullopt;
+  const double gap = *truth == Relation::apart ? proved.high : -proved.low;
+  const double relative = gap / documented_size(proved.own_size, proved.largest, type_a, type_b);
+  // Gaps that might be below the least size are not judged by it; anything less than a finite number is no proof.
+  if (!(gap > 1e10 * least_size) || !(relative <= verdict_band)) return std::nullopt;
+  return Finding{Judgement::within_band, *truth, relative};
 }
 
 }  // namespace graze::test

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Quick proofs of how far apart two shapes are, or how deep they overlap: a direction proves that they come no nearer,
+// a point of each, or a simplex of differences around the origin, that they come that near. Both are found by a search
+// that is not trusted, and checked in numbers that carry a bound on their error. What they leave open is for
+// exact_verdict, which takes a hundred times longer.
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include <graze/query/verdict.hpp>
+#include <graze/shape/any_shape.hpp>
+
+namespace graze::test {
+
+/// What is proved of a pair's gap: the distance, or minus the depth.
+struct GapBounds {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool is_overlapping = false;   ///< Depth is more than zero.
+  bool may_be_parallel = false;  ///< Unbounded directions may be nearly parallel, see ExactVerdict.
+  double own_size = 0;           ///< At most the sizes of ExactVerdict.
+  double largest = 0;
+
+  /// None if the bounds leave more than one.
+  std::optional<Relation> relation() const {
+    if (low > 0) return Relation::apart;
+    if (is_overlapping) return Relation::overlapping;
+    if (low == 0 && high == 0) return Relation::touching;
+    return std::nullopt;
+  }
+};
+
+/// Bounds on the gap of two valid shapes, close enough to tell whether `claim` is right if that can be had.
+template <Dim N, class T>
+GapBounds gap_bounds(const AnyShape<N, T>& a, const AnyShape<N, T>& b, Relation claim);
+
+extern template GapBounds gap_bounds(const AnyShape<2, float>&, const AnyShape<2, float>&, Relation);
+extern template GapBounds gap_bounds(const AnyShape<3, float>&, const AnyShape<3, float>&, Relation);
+extern template GapBounds gap_bounds(const AnyShape<2, double>&, const AnyShape<2, double>&, Relation);
+extern template GapBounds gap_bounds(const AnyShape<3, double>&, const AnyShape<3, double>&, Relation);
+
+}  // namespace graze::test

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// The cases that the exam kept: those on which graze once failed, and the hardest of every pair that it did not.
+#include "query/regressions.hpp"
+
+#include <array>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <graze/math/vec.hpp>
+#include <graze/query/verdict.hpp>
+#include <graze/shape/any_shape.hpp>
+
+#include "catalogue.hpp"
+#include "exact.hpp"
+#include "query/pairs.hpp"
+#include "query/point_answers.hpp"
+#include "query/point_judgement.hpp"
+#include "query/verdict_band.hpp"
+
+namespace graze::test {
+namespace {
+
+std::string root() {
+  const char* folder = std::getenv("GRAZE_ROOT");
+  return folder != nullptr ? folder : ".";
+}
+
+template <Dim N, class T>
+void expect_right_relation(const Regression& row) {
+  const AnyShape<N, T> a = shape_from<N, T>(row.a);
+  const AnyShape<N, T> b = shape_from<N, T>(row.b);
+  const Relation claim = relation_of<N, T>(a, b);
+  EXPECT_EQ((relation_of<N, T>(b, a)), claim);
+  const ExactVerdict truth = exact_verdict<N, T>(a, b);
+  EXPECT_EQ(name_of(truth.relation), row.expected);
+  EXPECT_NE(judge(claim, truth, a.index(), b.index()), Judgement::wrong) << "said " << name_of(claim);
+}
+
+template <Dim N, class T>
+void expect_right_point(const Regression& row) {
+  const AnyShape<N, T> any = shape_from<N, T>(row.a);
+  const Vec<N, T> point = std::get<Vec<N, T>>(shape_from<N, T>(row.b));
+  const PointAnswers<N, T> given = answers<N, T>(any, point);
+  EXPECT_TRUE((answers<N, T>(any, given.closest).contained));
+  EXPECT_TRUE((answers<N, T>(any, given.boundary).contained));
+  std::visit(
+      [&](const auto& shape) {
+        if constexpr (!has_parts<std::decay_t<decltype(shape)>>) {
+          const PointErrors errors = point_errors(shape, point, given);
+          EXPECT_EQ(number_text(errors.truth), row.expected);
+          EXPECT_TRUE(errors.are_within_bounds<T>())
+              << errors.forgiven << " (forgiven), " << errors.distance << " (distance), " << errors.closest
+              << " (closest point), " << errors.boundary << " (boundary point), times as long as thick "
+              << errors.slenderness;
+        } else {
+          ADD_FAILURE() << "compounds are their parts";
+        }
+      },
+      any);
+}
+
+/// Whether the row is of this space; then it is checked.
+template <Dim N, class T>
+bool is_checked(const Regression& row) {
+  if (row.space != space_text<N, T>()) return false;
+  if (row.query == "relation") {
+    expect_right_relation<N, T>(row);
+  } else if (row.query == "point") {
+    expect_right_point<N, T>(row);
+  } else {
+    ADD_FAILURE() << "no query is named \"" << row.query << "\"";
+  }
+  return true;
+}
+
+TEST(Regressions, EveryCaseThatTheExamKeptIsAnsweredWithinItsBound) {
+  const std::vector<Regression> rows = read_regressions(root() + "/tests/exam/regressions.csv");
+  EXPECT_GT(rows.size(), 250U) << "one for most pairs and spaces at least";
+  for (const Regression& row : rows) {
+    SCOPED_TRACE(row.query + "," + row.space + "," + row.a + "," + row.b + "," + row.expected);
+    EXPECT_TRUE((is_checked<2, float>(row) || is_checked<2, double>(row) || is_checked<3, float>(row) ||
+                 is_checked<3, double>(row)));
+  }
+}
+
+TEST(Regressions, ARowReadsBackAsTheSameShapesOfEveryType) {
+  check_property([] {
+    const AnyShape<3, float> shape = *any_shape<3, float>();
+    RC_LOG() << to_source<3, float>(shape) << "\n";
+    const std::string text = shape_text<3, float>(shape);
+    RC_ASSERT((to_source<3, float>(shape_from<3, float>(text)) == to_source<3, float>(shape)));
+  });
+}
+
+TEST(Regressions, AShapeIsItsNameAndItsNumbers) {
+  using Sphere2 = Sphere<2, double>;
+  EXPECT_EQ((shape_text<2, double>(Sphere2{{0.1, -2}, 3})), "sphere 0.1 -2 3");
+  const AnyShape<2, double> both = compound_of<2, double>({Sphere2{{1, 2}, 3}, Vec<2, double>{4, 5}});
+  EXPECT_EQ((shape_text<2, double>(both)), "compound 2 sphere 1 2 3 point 4 5");
+  EXPECT_THROW((shape_from<2, double>("circle 1 2 3")), std::runtime_error);
+  EXPECT_THROW((shape_from<2, double>("sphere 1 2 x")), std::runtime_error);
+  EXPECT_THROW((shape_from<2, double>("sphere 1 2")), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace graze::test
