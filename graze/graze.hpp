@@ -3,7 +3,9 @@
 #pragma once
 
 #include <graze/broad/brute_force.hpp>
+#include <graze/broad/executor.hpp>
 #include <graze/broad/pairs.hpp>
+#include <graze/broad/worlds.hpp>
 #include <graze/query/bounding.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/closest_boundary_point.hpp>

@@ -10,18 +10,25 @@
 #include <graze/shape/aabb.hpp>
 
 namespace graze {
+namespace detail {
+
+/// Adds the pairs of box `a` with the boxes from `first` on.
+template <Dim N, class T>
+void add_brute_force_pairs(const Aabb<N, T>& box, std::uint32_t a, std::span<const Aabb<N, T>> boxes,
+                           std::uint32_t first, std::vector<Pair>& pairs) {
+  if (is_nothing(box)) return;
+  for (std::uint32_t b = first; b < boxes.size(); ++b) {
+    if (boxes_overlap(box, boxes[b]) && !is_nothing(boxes[b])) pairs.push_back({a, b});
+  }
+}
+
+}  // namespace detail
 
 /// Every pair of boxes that share a point, ascending. A box with min above max contains nothing and overlaps none.
 template <Dim N, class T>
 std::vector<Pair> brute_force_pairs(std::span<const Aabb<N, T>> boxes) {
   std::vector<Pair> pairs;
-  const auto count = static_cast<std::uint32_t>(boxes.size());
-  for (std::uint32_t a = 0; a < count; ++a) {
-    if (is_nothing(boxes[a])) continue;
-    for (std::uint32_t b = a + 1; b < count; ++b) {
-      if (boxes_overlap(boxes[a], boxes[b]) && !is_nothing(boxes[b])) pairs.push_back({a, b});
-    }
-  }
+  for (std::uint32_t a = 0; a < boxes.size(); ++a) detail::add_brute_force_pairs(boxes[a], a, boxes, a + 1, pairs);
   return pairs;
 }
 
@@ -30,10 +37,7 @@ template <Dim N, class T>
 std::vector<Pair> brute_force_pairs(std::span<const Aabb<N, T>> boxes_a, std::span<const Aabb<N, T>> boxes_b) {
   std::vector<Pair> pairs;
   for (std::uint32_t a = 0; a < boxes_a.size(); ++a) {
-    if (is_nothing(boxes_a[a])) continue;
-    for (std::uint32_t b = 0; b < boxes_b.size(); ++b) {
-      if (boxes_overlap(boxes_a[a], boxes_b[b]) && !is_nothing(boxes_b[b])) pairs.push_back({a, b});
-    }
+    detail::add_brute_force_pairs(boxes_a[a], a, boxes_b, 0, pairs);
   }
   return pairs;
 }

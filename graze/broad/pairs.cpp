@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -10,114 +11,201 @@
 #include <utility>
 #include <vector>
 
-#include <graze/broad/box_tree.hpp>
 #include <graze/broad/brute_force.hpp>
+#include <graze/broad/pair_search.hpp>
 #include <graze/broad/pairs.hpp>
 
 namespace graze {
 namespace {
 
-// Below this many boxes the double loop beats building a tree.
-constexpr std::size_t brute_force_limit = 64;
+constexpr std::array methods{PairMethod::automatic, PairMethod::brute_force, PairMethod::tree};
 
-template <Dim N, class T>
-void require_numbers(std::span<const Aabb<N, T>> boxes) {
-  if (boxes.size() > std::numeric_limits<std::uint32_t>::max()) {
+// Below this many boxes the double loop beats building a tree.
+constexpr std::size_t brute_force_limit = 32;
+
+void require_countable(std::size_t boxes) {
+  if (boxes > std::numeric_limits<std::uint32_t>::max()) {
     throw std::length_error("overlapping_pairs: there are more than 2^32 - 1 boxes");
   }
-  for (std::size_t k = 0; k < boxes.size(); ++k) {
-    for (Dim i = 0; i < N; ++i) {
-      if (std::isnan(boxes[k].min[i]) || std::isnan(boxes[k].max[i])) {
+}
+
+template <class T>
+void require_margin(double margin) {
+  if (!(margin >= 0 && std::isfinite(static_cast<T>(margin)))) {
+    throw std::invalid_argument("overlapping_pairs: the margin is " + std::to_string(margin) +
+                                "; it must be zero or more, and finite");
+  }
+}
+
+/// Boxes without NaN, grown by a margin.
+template <Dim N, class T>
+class Grown {
+ public:
+  Grown(std::span<const Aabb<N, T>> boxes, double margin) : boxes_(boxes) {
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      if (has_nan(boxes[k])) {
         throw std::invalid_argument("overlapping_pairs: box " + std::to_string(k) + " has a coordinate that is NaN");
       }
     }
+    if (margin == 0) return;
+    larger_.assign(boxes.begin(), boxes.end());
+    boxes_ = larger_;
+    for (Aabb<N, T>& box : larger_) {
+      if (!is_nothing(box)) box = {box.min - static_cast<T>(margin), box.max + static_cast<T>(margin)};
+    }
   }
-}
 
-/// Boxes that a tree can sort by their centers, and those that reach to infinity, which would only bloat its nodes.
-struct Sorted {
-  std::vector<std::uint32_t> finite;
-  std::vector<std::uint32_t> infinite;
+  std::span<const Aabb<N, T>> boxes() const { return boxes_; }
+
+ private:
+  static bool has_nan(const Aabb<N, T>& box) {
+    for (Dim i = 0; i < N; ++i) {
+      if (std::isnan(box.min[i]) || std::isnan(box.max[i])) return true;
+    }
+    return false;
+  }
+
+  std::span<const Aabb<N, T>> boxes_;
+  std::vector<Aabb<N, T>> larger_;
 };
 
+/// Gives the pairs away before they become many. `itself`: of one set, each pair once.
 template <Dim N, class T>
-Sorted sorted_by_extent(std::span<const Aabb<N, T>> boxes) {
-  Sorted sorted;
-  for (std::uint32_t k = 0; k < boxes.size(); ++k) {
-    if (is_nothing(boxes[k])) continue;
-    const bool finite = is_finite(boxes[k].min) && is_finite(boxes[k].max);
-    (finite ? sorted.finite : sorted.infinite).push_back(k);
-  }
-  return sorted;
-}
-
-template <Dim N, class T>
-std::vector<Pair> tree_pairs(std::span<const Aabb<N, T>> boxes) {
-  Sorted sorted = sorted_by_extent(boxes);
+void visit_brute_force_pairs(std::span<const Aabb<N, T>> boxes_a, std::span<const Aabb<N, T>> boxes_b, bool itself,
+                             const PairVisitor& visit) {
+  constexpr std::size_t enough = 1024;
   std::vector<Pair> pairs;
-  const auto add = [&pairs](std::uint32_t i, std::uint32_t j) { pairs.push_back({std::min(i, j), std::max(i, j)}); };
-  for (std::size_t i = 0; i < sorted.infinite.size(); ++i) {
-    const Aabb<N, T>& box = boxes[sorted.infinite[i]];
-    for (std::size_t j = i + 1; j < sorted.infinite.size(); ++j) {
-      if (boxes_overlap(box, boxes[sorted.infinite[j]])) add(sorted.infinite[i], sorted.infinite[j]);
-    }
-    for (const std::uint32_t k : sorted.finite) {
-      if (boxes_overlap(box, boxes[k])) add(sorted.infinite[i], k);
-    }
+  for (std::uint32_t a = 0; a < boxes_a.size(); ++a) {
+    detail::add_brute_force_pairs(boxes_a[a], a, boxes_b, itself ? a + 1 : 0, pairs);
+    if (pairs.size() < enough) continue;
+    if (!visit(pairs)) return;
+    pairs.clear();
   }
-  detail::BoxTree<N, T>(boxes, std::move(sorted.finite)).visit_pairs(add);
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+  if (!pairs.empty()) visit(pairs);
 }
 
-template <Dim N, class T>
-std::vector<Pair> tree_pairs(std::span<const Aabb<N, T>> boxes_a, std::span<const Aabb<N, T>> boxes_b) {
-  Sorted sorted_a = sorted_by_extent(boxes_a);
-  Sorted sorted_b = sorted_by_extent(boxes_b);
-  std::vector<Pair> pairs;
-  const auto add = [&pairs](std::uint32_t a, std::uint32_t b) { pairs.push_back({a, b}); };
-  const auto add_overlaps = [&](std::span<const std::uint32_t> from_a, std::span<const std::uint32_t> from_b) {
-    for (const std::uint32_t a : from_a) {
-      for (const std::uint32_t b : from_b) {
-        if (boxes_overlap(boxes_a[a], boxes_b[b])) add(a, b);
-      }
-    }
-  };
-  add_overlaps(sorted_a.infinite, sorted_b.infinite);
-  add_overlaps(sorted_a.infinite, sorted_b.finite);
-  add_overlaps(sorted_a.finite, sorted_b.infinite);
-  const detail::BoxTree<N, T> tree_b(boxes_b, std::move(sorted_b.finite));
-  detail::BoxTree<N, T>(boxes_a, std::move(sorted_a.finite)).visit_pairs(tree_b, add);
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
-
-bool use_brute_force(const PairOptions& options, std::size_t count) {
-  if (options.method == PairMethod::automatic) return count <= brute_force_limit;
-  return options.method == PairMethod::brute_force;
+/// Refuses what has no answer, and chooses the method.
+template <class T>
+PairMethod checked_method(const PairOptions& options, std::size_t count_a, std::size_t count_b) {
+  require_countable(std::max(count_a, count_b));
+  require_margin<T>(options.margin);
+  if (options.method != PairMethod::automatic) return options.method;
+  return std::min(count_a, count_b) <= brute_force_limit ? PairMethod::brute_force : PairMethod::tree;
 }
 
 }  // namespace
 
+std::string_view name_of(PairMethod method) {
+  switch (method) {
+    case PairMethod::automatic:
+      return "automatic";
+    case PairMethod::brute_force:
+      return "brute_force";
+    case PairMethod::tree:
+      return "tree";
+  }
+  return "unknown";
+}
+
+std::optional<PairMethod> pair_method_named(std::string_view name) {
+  for (const PairMethod method : methods) {
+    if (name_of(method) == name) return method;
+  }
+  return std::nullopt;
+}
+
+std::span<const PairMethod> all_pair_methods() { return methods; }
+
+template <Dim N, class T>
+PairFinder<N, T>::PairFinder() : search_(std::make_unique<detail::PairSearch<N, T>>()) {}
+template <Dim N, class T>
+PairFinder<N, T>::~PairFinder() = default;
+template <Dim N, class T>
+PairFinder<N, T>::PairFinder(PairFinder&& other) noexcept = default;
+template <Dim N, class T>
+PairFinder<N, T>& PairFinder<N, T>::operator=(PairFinder&& other) noexcept = default;
+
+template <Dim N, class T>
+std::span<const Pair> PairFinder<N, T>::find(std::span<const Aabb<N, T>> boxes, const PairOptions& options) {
+  search_->method = checked_method<T>(options, boxes.size(), boxes.size());
+  if (search_->method == PairMethod::tree) return search_->find(boxes, nullptr, options);
+  const Grown<N, T> grown(boxes, options.margin);
+  return search_->keep(brute_force_pairs(grown.boxes()));
+}
+
+template <Dim N, class T>
+std::span<const Pair> PairFinder<N, T>::find(std::span<const Aabb<N, T>> boxes_a, std::span<const Aabb<N, T>> boxes_b,
+                                             const PairOptions& options) {
+  search_->method = checked_method<T>(options, boxes_a.size(), boxes_b.size());
+  if (search_->method == PairMethod::tree) return search_->find(boxes_a, &boxes_b, options);
+  const Grown<N, T> grown_a(boxes_a, options.margin);
+  const Grown<N, T> grown_b(boxes_b, options.margin);
+  return search_->keep(brute_force_pairs(grown_a.boxes(), grown_b.boxes()));
+}
+
+template <Dim N, class T>
+void PairFinder<N, T>::visit(std::span<const Aabb<N, T>> boxes, const PairVisitor& visitor,
+                             const PairOptions& options) {
+  search_->method = checked_method<T>(options, boxes.size(), boxes.size());
+  if (search_->method == PairMethod::tree) return search_->visit(boxes, nullptr, options, visitor);
+  const Grown<N, T> grown(boxes, options.margin);
+  visit_brute_force_pairs(grown.boxes(), grown.boxes(), true, visitor);
+}
+
+template <Dim N, class T>
+void PairFinder<N, T>::visit(std::span<const Aabb<N, T>> boxes_a, std::span<const Aabb<N, T>> boxes_b,
+                             const PairVisitor& visitor, const PairOptions& options) {
+  search_->method = checked_method<T>(options, boxes_a.size(), boxes_b.size());
+  if (search_->method == PairMethod::tree) return search_->visit(boxes_a, &boxes_b, options, visitor);
+  const Grown<N, T> grown_a(boxes_a, options.margin);
+  const Grown<N, T> grown_b(boxes_b, options.margin);
+  visit_brute_force_pairs(grown_a.boxes(), grown_b.boxes(), false, visitor);
+}
+
+template <Dim N, class T>
+PairMethod PairFinder<N, T>::method() const {
+  return search_->method;
+}
+
+template <Dim N, class T>
+std::size_t PairFinder<N, T>::bytes() const {
+  return search_->bytes();
+}
+
 template <Dim N, class T>
 std::vector<Pair> overlapping_pairs(std::span<const Aabb<N, T>> boxes, const PairOptions& options) {
-  require_numbers(boxes);
-  return use_brute_force(options, boxes.size()) ? brute_force_pairs(boxes) : tree_pairs(boxes);
+  PairFinder<N, T> finder;
+  const std::span<const Pair> pairs = finder.find(boxes, options);
+  return {pairs.begin(), pairs.end()};
 }
 
 template <Dim N, class T>
 std::vector<Pair> overlapping_pairs(std::span<const Aabb<N, T>> boxes_a, std::span<const Aabb<N, T>> boxes_b,
                                     const PairOptions& options) {
-  require_numbers(boxes_a);
-  require_numbers(boxes_b);
-  const bool brute_force = use_brute_force(options, std::min(boxes_a.size(), boxes_b.size()));
-  return brute_force ? brute_force_pairs(boxes_a, boxes_b) : tree_pairs(boxes_a, boxes_b);
+  PairFinder<N, T> finder;
+  const std::span<const Pair> pairs = finder.find(boxes_a, boxes_b, options);
+  return {pairs.begin(), pairs.end()};
 }
 
-#define GRAZE_INSTANTIATE(N, T)                                                                                \
-  template std::vector<Pair> overlapping_pairs<N, T>(std::span<const Aabb<N, T>>, const PairOptions&);         \
-  template std::vector<Pair> overlapping_pairs<N, T>(std::span<const Aabb<N, T>>, std::span<const Aabb<N, T>>, \
-                                                     const PairOptions&);
+template <Dim N, class T>
+void visit_overlapping_pairs(std::span<const Aabb<N, T>> boxes, const PairVisitor& visit, const PairOptions& options) {
+  PairFinder<N, T>().visit(boxes, visit, options);
+}
+
+template <Dim N, class T>
+void visit_overlapping_pairs(std::span<const Aabb<N, T>> boxes_a, std::span<const Aabb<N, T>> boxes_b,
+                             const PairVisitor& visit, const PairOptions& options) {
+  PairFinder<N, T>().visit(boxes_a, boxes_b, visit, options);
+}
+
+#define GRAZE_INSTANTIATE(N, T)                                                                                     \
+  template class PairFinder<N, T>;                                                                                  \
+  template std::vector<Pair> overlapping_pairs<N, T>(std::span<const Aabb<N, T>>, const PairOptions&);              \
+  template std::vector<Pair> overlapping_pairs<N, T>(std::span<const Aabb<N, T>>, std::span<const Aabb<N, T>>,      \
+                                                     const PairOptions&);                                           \
+  template void visit_overlapping_pairs<N, T>(std::span<const Aabb<N, T>>, const PairVisitor&, const PairOptions&); \
+  template void visit_overlapping_pairs<N, T>(std::span<const Aabb<N, T>>, std::span<const Aabb<N, T>>,             \
+                                              const PairVisitor&, const PairOptions&);
 
 GRAZE_INSTANTIATE(2, float)
 GRAZE_INSTANTIATE(3, float)

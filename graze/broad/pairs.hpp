@@ -2,9 +2,15 @@
 // All overlapping pairs of many boxes at once.
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
+#include <graze/broad/executor.hpp>
 #include <graze/broad/pair.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
@@ -15,21 +21,39 @@ namespace graze {
 enum class PairMethod {
   automatic,    ///< By the number of boxes.
   brute_force,  ///< Every box against every other: the oracle of the rest, and the best for a few dozen.
-  tree,         ///< A balanced tree of boxes, built anew and then met with itself.
+  tree,         ///< Blocks of neighbouring boxes in a tree that is built anew and met with itself, block by block.
+};
+
+/// The name of a method, as the command line spells it.
+std::string_view name_of(PairMethod method);
+
+/// The method of that name, if there is one.
+std::optional<PairMethod> pair_method_named(std::string_view name);
+
+/// All methods, in the order of the enumeration.
+std::span<const PairMethod> all_pair_methods();
+
+/// In which order pairs are given.
+enum class PairOrder {
+  sorted,  ///< Ascending by a, then b.
+  any,     ///< As they are found: quicker, and the same on every machine for the same boxes and method.
 };
 
 struct PairOptions {
+  const Executor* executor = nullptr;  ///< Who runs parallel work; none means default_executor().
+  PairOrder order = PairOrder::sorted;
+  double margin = 0;  ///< Every box is first grown by this much on every side, in the boxes' own arithmetic; >= 0.
   PairMethod method = PairMethod::automatic;
 };
 
-/// Every pair of boxes that share a point (touching counts), once, with a < b, in ascending order. Comparisons are
-/// exact. Infinite boxes are welcome, boxes that contain nothing (min above max) overlap none. Throws
-/// std::invalid_argument when a coordinate is NaN, std::length_error beyond 2^32 - 1 boxes. Instantiated for 2D and 3D,
-/// float and double.
+/// Every pair of boxes that share a point (touching counts), once, with a < b. Comparisons are exact. Infinite boxes
+/// are welcome, boxes that contain nothing (min above max) overlap none. Throws std::invalid_argument when a coordinate
+/// is NaN or the margin is negative, infinite or NaN, std::length_error beyond 2^32 - 1 boxes. Instantiated for 2D and
+/// 3D, float and double.
 template <Dim N, class T>
 std::vector<Pair> overlapping_pairs(std::span<const Aabb<N, T>> boxes, const PairOptions& options = {});
 
-/// Every pair of a box of one set (index a) and a box of another (index b) that share a point, in ascending order.
+/// Every pair of a box of one set (index a) and a box of another (index b) that share a point.
 template <Dim N, class T>
 std::vector<Pair> overlapping_pairs(std::span<const Aabb<N, T>> boxes_a, std::span<const Aabb<N, T>> boxes_b,
                                     const PairOptions& options = {});
@@ -40,10 +64,61 @@ std::vector<Pair> overlapping_pairs(const std::vector<Aabb<N, T>>& boxes, const 
   return overlapping_pairs(std::span<const Aabb<N, T>>(boxes), options);
 }
 
-template <Dim N, class T>
-std::vector<Pair> overlapping_pairs(const std::vector<Aabb<N, T>>& boxes_a, const std::vector<Aabb<N, T>>& boxes_b,
+// The allocator is deduced so that options in braces are not taken for a second set.
+template <Dim N, class T, class Allocator>
+std::vector<Pair> overlapping_pairs(const std::vector<Aabb<N, T>>& boxes_a,
+                                    const std::vector<Aabb<N, T>, Allocator>& boxes_b,
                                     const PairOptions& options = {}) {
   return overlapping_pairs(std::span<const Aabb<N, T>>(boxes_a), std::span<const Aabb<N, T>>(boxes_b), options);
 }
+
+/// Takes pairs by the block; false asks for no more.
+using PairVisitor = std::function<bool(std::span<const Pair>)>;
+
+/// The same pairs, given to a visitor by the block instead of stored: what is held at a time does not grow with their
+/// number. They come in the order in which they are found, whatever options.order says; the visitor is called from this
+/// thread alone.
+template <Dim N, class T>
+void visit_overlapping_pairs(std::span<const Aabb<N, T>> boxes, const PairVisitor& visit,
+                             const PairOptions& options = {});
+
+template <Dim N, class T>
+void visit_overlapping_pairs(std::span<const Aabb<N, T>> boxes_a, std::span<const Aabb<N, T>> boxes_b,
+                             const PairVisitor& visit, const PairOptions& options = {});
+
+namespace detail {
+template <Dim N, class T>
+class PairSearch;
+}
+
+/// overlapping_pairs for boxes that move: keeps its memory from frame to frame. Answers depend on nothing but the boxes
+/// of the call.
+template <Dim N, class T>
+class PairFinder {
+ public:
+  PairFinder();
+  ~PairFinder();
+  PairFinder(PairFinder&& other) noexcept;
+  PairFinder& operator=(PairFinder&& other) noexcept;
+
+  /// As overlapping_pairs. The pairs stay until the next call.
+  std::span<const Pair> find(std::span<const Aabb<N, T>> boxes, const PairOptions& options = {});
+  std::span<const Pair> find(std::span<const Aabb<N, T>> boxes_a, std::span<const Aabb<N, T>> boxes_b,
+                             const PairOptions& options = {});
+
+  /// As visit_overlapping_pairs. What an earlier call has found is lost.
+  void visit(std::span<const Aabb<N, T>> boxes, const PairVisitor& visitor, const PairOptions& options = {});
+  void visit(std::span<const Aabb<N, T>> boxes_a, std::span<const Aabb<N, T>> boxes_b, const PairVisitor& visitor,
+             const PairOptions& options = {});
+
+  /// The method that the last call used: never `automatic`, unless there was no call.
+  PairMethod method() const;
+
+  /// The memory that is held, in bytes, without the pairs themselves.
+  std::size_t bytes() const;
+
+ private:
+  std::unique_ptr<detail::PairSearch<N, T>> search_;
+};
 
 }  // namespace graze

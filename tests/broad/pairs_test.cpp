@@ -2,10 +2,9 @@
 #include <algorithm>
 #include <limits>
 #include <random>
+#include <span>
 #include <stdexcept>
 #include <string>
-#include <tuple>
-#include <type_traits>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -14,6 +13,8 @@
 #include <graze/broad/pairs.hpp>
 
 #include "box_worlds.hpp"
+#include "simd_targets.hpp"
+#include "thread_executor.hpp"
 
 namespace graze {
 namespace {
@@ -29,8 +30,8 @@ struct In {
 using Spaces = testing::Types<In<2, float>, In<3, float>, In<2, double>, In<3, double>>;
 TYPED_TEST_SUITE(PairsTest, Spaces);
 
-constexpr PairOptions by_tree{PairMethod::tree};
-constexpr PairOptions by_brute_force{PairMethod::brute_force};
+constexpr PairOptions by_tree{.method = PairMethod::tree};
+constexpr PairOptions by_brute_force{.method = PairMethod::brute_force};
 
 TYPED_TEST(PairsTest, FindThePairsOfAHandMadeRow) {
   constexpr Dim N = TypeParam::dimension;
@@ -53,27 +54,64 @@ TYPED_TEST(PairsTest, FindThePairsOfAHandMadeRow) {
 TYPED_TEST(PairsTest, TreeEqualsBruteForceInEveryWorld) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
-  for (const std::size_t count : {0U, 1U, 2U, 9U, 64U, 65U, 700U}) {
+  PairFinder<N, T> finder;  // the same memory for all
+  for (const std::size_t count : {0U, 1U, 2U, 9U, 64U, 65U, 700U, 2500U}) {
     for (const auto& world : test::box_worlds<N, T>(count, 20261121 + count)) {
       SCOPED_TRACE(world.name + ", " + std::to_string(count) + " boxes");
-      const std::vector<Pair> expected = overlapping_pairs(world.boxes, by_brute_force);
+      const std::vector<Pair> expected = brute_force_pairs(std::span<const Aabb<N, T>>(world.boxes));
       EXPECT_EQ(overlapping_pairs(world.boxes, by_tree), expected);
-      EXPECT_EQ(overlapping_pairs(world.boxes), expected);
-      EXPECT_TRUE(std::is_sorted(expected.begin(), expected.end()));
+      const std::span<const Pair> found = finder.find(world.boxes);
+      EXPECT_TRUE(std::equal(found.begin(), found.end(), expected.begin(), expected.end()));
     }
   }
+}
+
+/// The pairs are the same, and in the same order, whoever finds them.
+template <Dim N, class T>
+void expect_same_from_everyone(const std::vector<Aabb<N, T>>& boxes) {
+  const PairOptions as_found{.executor = &serial_executor(), .order = PairOrder::any, .method = PairMethod::tree};
+  const std::vector<Pair> expected = overlapping_pairs(boxes, as_found);
+  std::vector<Pair> sorted = expected;
+  std::sort(sorted.begin(), sorted.end());
+  for (const std::size_t threads : {1U, 2U, 7U}) {
+    const test::ThreadExecutor executor(threads);
+    PairOptions options = as_found;
+    options.executor = &executor;
+    EXPECT_EQ(overlapping_pairs(boxes, options), expected) << threads << " threads";
+    options.order = PairOrder::sorted;
+    EXPECT_EQ(overlapping_pairs(boxes, options), sorted) << threads << " threads";
+  }
+  for (const std::int64_t target : test::simd_targets()) {
+    const test::ForcedTarget forced(target);
+    EXPECT_EQ(overlapping_pairs(boxes, as_found), expected) << hwy::TargetName(target);
+    EXPECT_EQ(overlapping_pairs(boxes, by_tree), sorted) << hwy::TargetName(target);
+  }
+}
+
+TYPED_TEST(PairsTest, NeitherThreadsNorInstructionSetsChangeAnything) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  for (const auto& world : test::box_worlds<N, T>(1000, 17)) {
+    SCOPED_TRACE(world.name);
+    expect_same_from_everyone(world.boxes);
+  }
+  // Enough for many tasks, of which each finds a part.
+  expect_same_from_everyone(test::box_worlds<N, T>(20'000, 18).front().boxes);
 }
 
 TYPED_TEST(PairsTest, BetweenTwoSetsTreeEqualsBruteForceInEveryWorld) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
-  const auto worlds_a = test::box_worlds<N, T>(500, 1);
-  const auto worlds_b = test::box_worlds<N, T>(90, 2);
-  for (std::size_t i = 0; i < worlds_a.size(); ++i) {
-    SCOPED_TRACE(worlds_a[i].name);
-    const std::vector<Pair> expected = overlapping_pairs(worlds_a[i].boxes, worlds_b[i].boxes, by_brute_force);
-    EXPECT_EQ(overlapping_pairs(worlds_a[i].boxes, worlds_b[i].boxes, by_tree), expected);
-    EXPECT_EQ(overlapping_pairs(worlds_a[i].boxes, worlds_b[i].boxes), expected);
+  const auto worlds_a = test::box_worlds<N, T>(2000, 1);
+  for (const std::size_t count : {0U, 1U, 90U, 700U}) {  // trees of all heights
+    const auto worlds_b = test::box_worlds<N, T>(count, 2);
+    for (std::size_t i = 0; i < worlds_a.size(); ++i) {
+      SCOPED_TRACE(worlds_a[i].name + ", " + std::to_string(count));
+      const std::span<const Aabb<N, T>> a = worlds_a[i].boxes;
+      const std::span<const Aabb<N, T>> b = worlds_b[i].boxes;
+      EXPECT_EQ(overlapping_pairs(a, b, by_tree), brute_force_pairs(a, b));
+      EXPECT_EQ(overlapping_pairs(b, a), brute_force_pairs(b, a));
+    }
   }
 }
 
@@ -89,6 +127,76 @@ TYPED_TEST(PairsTest, TwoSetsAreThePairsOfTheirUnionAcross) {
   }
   EXPECT_FALSE(expected.empty());
   EXPECT_EQ(overlapping_pairs(first, second), expected);
+}
+
+TYPED_TEST(PairsTest, AVisitorSeesEveryPairOnceInBlocks) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  for (const auto& world : test::box_worlds<N, T>(3000, 6)) {
+    SCOPED_TRACE(world.name);
+    const std::span<const Aabb<N, T>> boxes = world.boxes;
+    for (const PairOptions& options : {PairOptions{}, by_brute_force}) {
+      std::vector<Pair> seen;
+      const PairVisitor add = [&seen](std::span<const Pair> pairs) {
+        EXPECT_FALSE(pairs.empty());
+        seen.insert(seen.end(), pairs.begin(), pairs.end());
+        return true;
+      };
+      visit_overlapping_pairs(boxes, add, options);
+      std::sort(seen.begin(), seen.end());
+      EXPECT_EQ(seen, overlapping_pairs(boxes));
+      seen.clear();
+      visit_overlapping_pairs(boxes.first(1000), boxes.last(1500), add, options);
+      std::sort(seen.begin(), seen.end());
+      EXPECT_EQ(seen, overlapping_pairs(boxes.first(1000), boxes.last(1500)));
+    }
+  }
+}
+
+TYPED_TEST(PairsTest, AVisitorThatHasEnoughIsLeftAlone) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  const std::vector<Aabb<N, T>> boxes(4000);  // eight million pairs
+  for (const PairOptions& options : {PairOptions{}, by_brute_force}) {
+    int calls = 0;
+    std::size_t pairs_seen = 0;
+    visit_overlapping_pairs<N, T>(
+        boxes,
+        [&](std::span<const Pair> pairs) {
+          ++calls;
+          pairs_seen += pairs.size();
+          return false;
+        },
+        options);
+    EXPECT_EQ(calls, 1);
+    EXPECT_LT(pairs_seen, 300'000U);
+  }
+}
+
+TYPED_TEST(PairsTest, AMarginIsAddedOnEverySideOfEveryBox) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  for (const auto& world : test::box_worlds<N, T>(700, 8)) {
+    SCOPED_TRACE(world.name);
+    std::vector<Aabb<N, T>> larger = world.boxes;
+    for (auto& box : larger) {
+      if (!is_nothing(box)) box = {box.min - T(0.25), box.max + T(0.25)};
+    }
+    const std::vector<Pair> expected = brute_force_pairs(std::span<const Aabb<N, T>>(larger));
+    EXPECT_EQ(overlapping_pairs(world.boxes, {.margin = 0.25, .method = PairMethod::tree}), expected);
+    EXPECT_EQ(overlapping_pairs(world.boxes, {.margin = 0.25, .method = PairMethod::brute_force}), expected);
+  }
+}
+
+TYPED_TEST(PairsTest, MarginsThatAreNoneAreRefused) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  const std::vector<Aabb<N, T>> boxes(3);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double margin : {-1.0, infinity, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(overlapping_pairs(boxes, {.margin = margin}), std::invalid_argument) << margin;
+    EXPECT_THROW(overlapping_pairs(boxes, boxes, {.margin = margin}), std::invalid_argument) << margin;
+  }
 }
 
 TYPED_TEST(PairsTest, ShufflingTheBoxesRenamesThePairs) {
@@ -111,27 +219,62 @@ TYPED_TEST(PairsTest, ShufflingTheBoxesRenamesThePairs) {
 TYPED_TEST(PairsTest, AllBoxesAtOnePointGiveAllPairs) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
-  const std::vector<Aabb<N, T>> boxes(300);
-  EXPECT_EQ(overlapping_pairs(boxes, by_tree).size(), 300U * 299U / 2U);
+  const std::vector<Aabb<N, T>> boxes(3000);
+  const std::vector<Pair> pairs = overlapping_pairs(boxes);
+  ASSERT_EQ(pairs.size(), 4'498'500U);
+  EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end()));
+  EXPECT_EQ(std::adjacent_find(pairs.begin(), pairs.end()), pairs.end());
 }
 
 TYPED_TEST(PairsTest, NaNIsRefusedWithTheIndexOfItsBox) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
-  for (Dim axis = 0; axis < N; ++axis) {
-    for (const bool at_max : {false, true}) {
-      std::vector<Aabb<N, T>> boxes(5);
-      (at_max ? boxes[3].max : boxes[3].min)[axis] = std::numeric_limits<T>::quiet_NaN();
-      try {
-        overlapping_pairs(boxes);
-        FAIL() << "NaN was accepted";
-      } catch (const std::invalid_argument& error) {
-        EXPECT_NE(std::string(error.what()).find("box 3 has a coordinate that is NaN"), std::string::npos)
-            << error.what();
+  for (const std::size_t count : {5U, 500U}) {
+    for (Dim axis = 0; axis < N; ++axis) {
+      for (const bool at_max : {false, true}) {
+        std::vector<Aabb<N, T>> boxes(count);
+        (at_max ? boxes[3].max : boxes[3].min)[axis] = std::numeric_limits<T>::quiet_NaN();
+        try {
+          overlapping_pairs(boxes);
+          FAIL() << "NaN was accepted";
+        } catch (const std::invalid_argument& error) {
+          EXPECT_NE(std::string(error.what()).find("box 3 has a coordinate that is NaN"), std::string::npos)
+              << error.what();
+        }
+        EXPECT_THROW(overlapping_pairs(std::vector<Aabb<N, T>>(200), boxes), std::invalid_argument);
       }
-      EXPECT_THROW(overlapping_pairs(std::vector<Aabb<N, T>>(2), boxes), std::invalid_argument);
     }
   }
+}
+
+TEST(Pairs, MethodsAreKnownByName) {
+  for (const PairMethod method : all_pair_methods()) EXPECT_EQ(pair_method_named(name_of(method)), method);
+  EXPECT_FALSE(pair_method_named("guess").has_value());
+  EXPECT_EQ(name_of(PairMethod::brute_force), "brute_force");
+}
+
+TEST(Pairs, AFinderSaysWhatItDidAndWhatItHolds) {
+  PairFinder<2, float> finder;
+  EXPECT_EQ(finder.method(), PairMethod::automatic);
+  EXPECT_EQ(finder.bytes(), 0U);
+  finder.find(std::vector<Rect<float>>(2));
+  EXPECT_EQ(finder.method(), PairMethod::brute_force);
+  finder.find(test::box_worlds<2, float>(20'000, 1).front().boxes);
+  EXPECT_EQ(finder.method(), PairMethod::tree);
+  EXPECT_GT(finder.bytes(), 20'000U * 20U);  // at the least a copy of the boxes and their ids
+  PairFinder<2, float> moved = std::move(finder);
+  EXPECT_EQ(moved.method(), PairMethod::tree);
+}
+
+TEST(Pairs, MemoryIsModestAndStaysFromFrameToFrame) {
+  PairFinder<3, float> finder;
+  const PairOptions options{.executor = &serial_executor()};
+  const auto boxes = test::box_worlds<3, float>(200'000, 4).front().boxes;
+  for (int frame = 0; frame < 3; ++frame) finder.find(boxes, options);  // two buffers change places now and then
+  const std::size_t bytes = finder.bytes();
+  EXPECT_LT(bytes, boxes.size() * 160);
+  for (int frame = 0; frame < 3; ++frame) finder.find(boxes, options);
+  EXPECT_EQ(finder.bytes(), bytes);
 }
 
 }  // namespace

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+// Compiled once per instruction set: Highway includes this file anew for each.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+#include <graze/broad/block_kernels.hpp>
+
+// Few enough to compile in seconds: of instruction sets that differ in nothing that is used here, the older one.
+// Vectors whose length is known at run time only cannot be held in arrays, as they are below.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "graze/broad/block_kernels.cpp"
+#include <hwy/foreach_target.h>  // must come before highway.h
+#include <hwy/highway.h>
+
+#include <graze/broad/simd_lanes-inl.hpp>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::detail::HWY_NAMESPACE {
+namespace {
+
+/// The same coordinate of consecutive boxes, `stride` numbers apart in memory.
+template <Dim N, class T>
+HWY_INLINE Lanes<T> coordinate_of_boxes(const T* first) {
+  constexpr int stride = 2 * N;
+  using Index = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+  const hn::RebindToSigned<Tag<T>> di;
+  return hn::GatherIndex(Tag<T>(), first, hn::Mul(hn::Iota(di, Index{0}), hn::Set(di, Index{stride})));
+}
+
+template <Dim N, class T>
+HWY_INLINE void survey_one(const Aabb<N, T>& box, std::size_t position, Survey<N, T>& survey) {
+  bool finite = true;
+  bool nothing = false;
+  for (Dim i = 0; i < N; ++i) {
+    if (std::isnan(box.min[i]) || std::isnan(box.max[i])) {
+      survey.first_nan = std::min(survey.first_nan, position);
+      return;
+    }
+    finite = finite && std::isfinite(box.min[i]) && std::isfinite(box.max[i]);
+    nothing = nothing || box.min[i] > box.max[i];
+  }
+  if (finite && !nothing) survey.centers.grow(box.center());
+}
+
+template <Dim N, class T>
+Survey<N, T> survey_boxes(const Aabb<N, T>* boxes, std::size_t count) {
+  static_assert(sizeof(Aabb<N, T>) == 2 * N * sizeof(T));
+  const Tag<T> d;
+  const auto half = hn::Set(d, T(0.5));
+  const auto largest = hn::Set(d, std::numeric_limits<T>::max());
+  Lanes<T> low[N];
+  Lanes<T> high[N];
+  for (Dim i = 0; i < N; ++i) {
+    low[i] = hn::Set(d, std::numeric_limits<T>::infinity());
+    high[i] = hn::Neg(low[i]);
+  }
+  Survey<N, T> survey;
+  std::size_t k = 0;
+  for (; k + lanes_of<T> <= count; k += lanes_of<T>) {
+    Lanes<T> center[N];
+    auto usual = hn::FirstN(d, lanes_of<T>);
+    for (Dim i = 0; i < N; ++i) {
+      const auto min = coordinate_of_boxes<N>(&boxes[k].min[i]);
+      const auto max = coordinate_of_boxes<N>(&boxes[k].max[i]);
+      usual = hn::And(usual, hn::And(hn::Le(min, max), hn::And(hn::Ge(min, hn::Neg(largest)), hn::Le(max, largest))));
+      center[i] = hn::Add(hn::Mul(min, half), hn::Mul(max, half));
+    }
+    if (HWY_LIKELY(hn::AllTrue(d, usual))) {
+      for (Dim i = 0; i < N; ++i) {
+        low[i] = hn::Min(low[i], center[i]);
+        high[i] = hn::Max(high[i], center[i]);
+      }
+    } else {
+      for (std::size_t j = k; j < k + lanes_of<T>; ++j) survey_one(boxes[j], j, survey);
+    }
+  }
+  for (; k < count; ++k) survey_one(boxes[k], k, survey);
+  for (Dim i = 0; i < N; ++i) {
+    survey.centers.min[i] = std::min(survey.centers.min[i], hn::GetLane(hn::MinOfLanes(d, low[i])));
+    survey.centers.max[i] = std::max(survey.centers.max[i], hn::GetLane(hn::MaxOfLanes(d, high[i])));
+  }
+  return survey;
+}
+
+/// Numbers the cells of centers, a vector at a time.
+template <Dim N, class T>
+class CellNumbers {
+ public:
+  using Half = hn::Rebind<std::int32_t, Tag<T>>;
+  using Cells = hn::Vec<Half>;
+
+  HWY_INLINE explicit CellNumbers(const CellGrid<N, T>& grid) {
+    for (Dim i = 0; i < N; ++i) {
+      origin_[i] = hn::Set(Tag<T>(), grid.origin[i]);
+      scale_[i] = hn::Set(Tag<T>(), grid.cells_per_unit[i]);
+      last_[i] = hn::Set(Half(), static_cast<std::int32_t>(grid.cells[i]) - 1);
+      bits_[i] = std::countr_zero(grid.cells[i]);
+    }
+  }
+
+  HWY_INLINE Cells operator()(const Lanes<T>* center) const {
+    const Half d;
+    const auto one = hn::Set(d, 1);
+    Cells number = along(center, N - 1);
+    for (Dim i = N - 1; i-- > 0;) {
+      // Every other row runs backwards: in a row of 2^k cells, cell c becomes c XOR (2^k - 1).
+      const auto backwards = hn::And(hn::Neg(hn::And(number, one)), last_[i]);
+      number = hn::Add(hn::ShiftLeftSame(number, bits_[i]), hn::Xor(along(center, i), backwards));
+    }
+    return number;
+  }
+
+ private:
+  HWY_INLINE Cells along(const Lanes<T>* center, Dim i) const {
+    const auto place = hn::Mul(hn::Sub(center[i], origin_[i]), scale_[i]);
+    return hn::Min(truncated(place), last_[i]);
+  }
+  static HWY_INLINE Cells truncated(hn::Vec<Tag<float>> place) { return hn::ConvertTo(Half(), place); }
+  static HWY_INLINE Cells truncated(hn::Vec<Tag<double>> place) { return hn::DemoteTo(Half(), place); }
+
+  Lanes<T> origin_[N];
+  Lanes<T> scale_[N];
+  Cells last_[N];
+  int bits_[N];
+};
+
+template <Dim N, class T>
+HWY_INLINE std::uint16_t cell_of_box(const Aabb<N, T>& box, const CellGrid<N, T>& grid, T largest,
+                                     std::uint16_t unusual) {
+  for (Dim i = 0; i < N; ++i) {
+    const T extent = box.max[i] - box.min[i];
+    if (!(extent >= 0 && extent <= largest && std::isfinite(extent))) return unusual;
+  }
+  return cell_of(box.center(), grid);
+}
+
+template <Dim N, class T>
+void cells_of_boxes(const Aabb<N, T>* boxes, std::size_t count, const CellGrid<N, T>& grid, T largest,
+                    std::uint16_t unusual, std::uint16_t* cell) {
+  const Tag<T> d;
+  const CellNumbers<N, T> numbers(grid);
+  const auto half = hn::Set(d, T(0.5));
+  const auto most = hn::Set(d, std::min(largest, std::numeric_limits<T>::max()));
+  std::size_t k = 0;
+  for (; k + lanes_of<T> <= count; k += lanes_of<T>) {
+    Lanes<T> center[N];
+    auto usual = hn::FirstN(d, lanes_of<T>);
+    for (Dim i = 0; i < N; ++i) {
+      const auto min = coordinate_of_boxes<N>(&boxes[k].min[i]);
+      const auto max = coordinate_of_boxes<N>(&boxes[k].max[i]);
+      usual = hn::And(usual, hn::And(hn::Le(min, max), hn::Le(hn::Sub(max, min), most)));
+      center[i] = hn::Add(hn::Mul(min, half), hn::Mul(max, half));
+    }
+    if (HWY_LIKELY(hn::AllTrue(d, usual))) {
+      const typename CellNumbers<N, T>::Half di;
+      hn::StoreU(hn::DemoteTo(hn::Rebind<std::uint16_t, Tag<T>>(), numbers(center)),
+                 hn::Rebind<std::uint16_t, decltype(di)>(), cell + k);
+    } else {
+      for (std::size_t j = k; j < k + lanes_of<T>; ++j) cell[j] = cell_of_box(boxes[j], grid, largest, unusual);
+    }
+  }
+  for (; k < count; ++k) cell[k] = cell_of_box(boxes[k], grid, largest, unusual);
+}
+
+template <Dim N, class T>
+HWY_INLINE Lanes<T> center_at(const BoxArrays<N, T>& boxes, Dim i, std::size_t k) {
+  const Tag<T> d;
+  const auto half = hn::Set(d, T(0.5));
+  return hn::Add(hn::Mul(hn::LoadU(d, boxes.min[i] + k), half), hn::Mul(hn::LoadU(d, boxes.max[i] + k), half));
+}
+
+template <Dim N, class T>
+Aabb<N, T> center_bounds(const BoxArrays<N, T>& boxes, std::size_t count) {
+  const Tag<T> d;
+  Aabb<N, T> bounds;
+  for (Dim i = 0; i < N; ++i) {
+    auto low = hn::Set(d, std::numeric_limits<T>::infinity());
+    auto high = hn::Neg(low);
+    std::size_t k = 0;
+    for (; k + lanes_of<T> <= count; k += lanes_of<T>) {
+      const auto center = center_at(boxes, i, k);
+      low = hn::Min(low, center);
+      high = hn::Max(high, center);
+    }
+    bounds.min[i] = hn::GetLane(hn::MinOfLanes(d, low));
+    bounds.max[i] = hn::GetLane(hn::MaxOfLanes(d, high));
+    for (; k < count; ++k) {
+      const T center = boxes.min[i][k] * T(0.5) + boxes.max[i][k] * T(0.5);
+      bounds.min[i] = std::min(bounds.min[i], center);
+      bounds.max[i] = std::max(bounds.max[i], center);
+    }
+  }
+  return bounds;
+}
+
+template <Dim N, class T>
+void cells_in_arrays(const BoxArrays<N, T>& boxes, std::size_t count, const CellGrid<N, T>& grid, std::uint16_t* cell) {
+  const CellNumbers<N, T> numbers(grid);
+  std::size_t k = 0;
+  for (; k + lanes_of<T> <= count; k += lanes_of<T>) {
+    Lanes<T> center[N];
+    for (Dim i = 0; i < N; ++i) center[i] = center_at(boxes, i, k);
+    const typename CellNumbers<N, T>::Half di;
+    hn::StoreU(hn::DemoteTo(hn::Rebind<std::uint16_t, Tag<T>>(), numbers(center)),
+               hn::Rebind<std::uint16_t, decltype(di)>(), cell + k);
+  }
+  for (; k < count; ++k) {
+    Vec<N, T> center;
+    for (Dim i = 0; i < N; ++i) center[i] = boxes.min[i][k] * T(0.5) + boxes.max[i][k] * T(0.5);
+    cell[k] = cell_of(center, grid);
+  }
+}
+
+/// Indices as gathers want them.
+HWY_INLINE auto indices_for(float /*unused*/, const std::uint16_t* order) {
+  using D = Tag<float>;
+  return hn::PromoteTo(hn::Rebind<std::int32_t, D>(), hn::LoadU(hn::Rebind<std::uint16_t, D>(), order));
+}
+HWY_INLINE auto indices_for(double /*unused*/, const std::uint16_t* order) {
+  using D = Tag<double>;
+  const auto narrow = hn::PromoteTo(hn::Rebind<std::int32_t, D>(), hn::LoadU(hn::Rebind<std::uint16_t, D>(), order));
+  return hn::PromoteTo(hn::Rebind<std::int64_t, D>(), narrow);
+}
+
+template <Dim N, class T>
+void fill_blocks(const BoxArrays<N, T>& boxes, const std::uint16_t* order, std::size_t count, Block<N, T>* blocks,
+                 std::uint32_t* ids) {
+  const Tag<T> d;
+  for (std::size_t k = 0; k < count; ++k) ids[k] = boxes.ids[order[k]];
+  std::size_t start = 0;
+  for (; start + block_size <= count; start += block_size) {
+    Block<N, T>& block = blocks[start / block_size];
+    for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
+      const auto from = indices_for(T(), order + start + lane);
+      for (Dim i = 0; i < N; ++i) {
+        hn::Store(hn::GatherIndex(d, boxes.min[i], from), d, block.min[i] + lane);
+        hn::Store(hn::GatherIndex(d, boxes.max[i], from), d, block.max[i] + lane);
+      }
+    }
+  }
+  if (start == count) return;
+  Block<N, T>& block = blocks[start / block_size];
+  for (Dim i = 0; i < N; ++i) {
+    std::fill(block.min[i], block.min[i] + block_size, std::numeric_limits<T>::quiet_NaN());
+    std::fill(block.max[i], block.max[i] + block_size, std::numeric_limits<T>::quiet_NaN());
+    for (std::size_t k = start; k < count; ++k) {
+      block.min[i][k - start] = boxes.min[i][order[k]];
+      block.max[i][k - start] = boxes.max[i][order[k]];
+    }
+  }
+}
+
+template <Dim N, class T>
+void close_level(const Block<N, T>* blocks, std::size_t count, Block<N, T>* above) {
+  const Tag<T> d;
+  const auto infinity = hn::Set(d, std::numeric_limits<T>::infinity());
+  for (std::size_t k = 0; k < count; ++k) {
+    Block<N, T>& parent = above[k / block_size];
+    const std::size_t lane = k % block_size;
+    for (Dim i = 0; i < N; ++i) {
+      auto low = infinity;
+      auto high = hn::Neg(infinity);
+      for (std::uint32_t j = 0; j < block_size; j += lanes_of<T>) {
+        const auto min = hn::Load(d, blocks[k].min[i] + j);
+        const auto max = hn::Load(d, blocks[k].max[i] + j);
+        const auto full = hn::Eq(min, min);
+        low = hn::Min(low, hn::IfThenElse(full, min, infinity));
+        high = hn::Max(high, hn::IfThenElse(full, max, hn::Neg(infinity)));
+      }
+      parent.min[i][lane] = hn::GetLane(hn::MinOfLanes(d, low));
+      parent.max[i][lane] = hn::GetLane(hn::MaxOfLanes(d, high));
+    }
+  }
+  const std::size_t last = (count - 1) / block_size;
+  for (Dim i = 0; i < N; ++i) {
+    for (std::size_t lane = (count - 1) % block_size + 1; lane < block_size; ++lane) {
+      above[last].min[i][lane] = std::numeric_limits<T>::quiet_NaN();
+      above[last].max[i][lane] = std::numeric_limits<T>::quiet_NaN();
+    }
+  }
+}
+
+template <Dim N, class T>
+BlockKernels<N, T> kernels() {
+  return {hwy::TargetName(HWY_TARGET), survey_boxes<N, T>, cells_of_boxes<N, T>, center_bounds<N, T>,
+          cells_in_arrays<N, T>,       fill_blocks<N, T>,  close_level<N, T>};
+}
+
+}  // namespace
+
+const AllBlockKernels& all_block_kernels() {
+  static const AllBlockKernels all{kernels<2, float>(), kernels<3, float>(), kernels<2, double>(),
+                                   kernels<3, double>()};
+  return all;
+}
+
+}  // namespace graze::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace graze::detail {
+namespace {
+HWY_EXPORT(all_block_kernels);
+}
+
+std::int64_t block_kernel_targets() { return HWY_TARGETS; }
+
+template <Dim N, class T>
+const BlockKernels<N, T>& block_kernels() {
+  const AllBlockKernels& all = HWY_DYNAMIC_DISPATCH(all_block_kernels)();
+  if constexpr (std::is_same_v<T, float>) {
+    if constexpr (N == 2) return all.flat_float;
+    if constexpr (N == 3) return all.solid_float;
+  } else {
+    if constexpr (N == 2) return all.flat_double;
+    if constexpr (N == 3) return all.solid_double;
+  }
+}
+
+template const BlockKernels<2, float>& block_kernels();
+template const BlockKernels<3, float>& block_kernels();
+template const BlockKernels<2, double>& block_kernels();
+template const BlockKernels<3, double>& block_kernels();
+
+}  // namespace graze::detail
+#endif

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// The inner loops of building a block tree, once for every set of vector instructions that the compiler knows. Which
+// one runs is chosen at run time, and makes no difference to any answer: nothing here rounds differently from lane to
+// lane.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <graze/broad/block.hpp>
+#include <graze/broad/cell_grid.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/shape/aabb.hpp>
+
+namespace graze::detail {
+
+/// What a pass over boxes finds out. Boxes that contain nothing or reach to infinity are left out of the bounds.
+template <Dim N, class T>
+struct Survey {
+  static constexpr std::size_t none = SIZE_MAX;
+
+  Aabb<N, T> centers = Aabb<N, T>::nothing();
+  std::size_t first_nan = none;  // the position of the first box with a NaN
+};
+
+/// Boxes side by side in arrays of any length, and who they are.
+template <Dim N, class T>
+struct BoxArrays {
+  T* min[N];
+  T* max[N];
+  std::uint32_t* ids;
+};
+
+template <Dim N, class T>
+struct BlockKernels {
+  /// The name of the instruction set.
+  const char* target;
+
+  Survey<N, T> (*survey)(const Aabb<N, T>* boxes, std::size_t count);
+
+  /// The cell of every box's center. A box larger than `largest` on some axis, infinite or empty gets `unusual`.
+  void (*cells)(const Aabb<N, T>* boxes, std::size_t count, const CellGrid<N, T>& grid, T largest,
+                std::uint16_t unusual, std::uint16_t* cell);
+
+  /// The bounds of the centers of boxes in arrays.
+  Aabb<N, T> (*center_bounds)(const BoxArrays<N, T>& boxes, std::size_t count);
+
+  /// The cell of every center of boxes in arrays.
+  void (*array_cells)(const BoxArrays<N, T>& boxes, std::size_t count, const CellGrid<N, T>& grid, std::uint16_t* cell);
+
+  /// Fills blocks with the boxes at order[0], order[1], ..., and pads the last block with NaN.
+  void (*fill)(const BoxArrays<N, T>& boxes, const std::uint16_t* order, std::size_t count, Block<N, T>* blocks,
+               std::uint32_t* ids);
+
+  /// Stores the bounds of each block in its lane of the level above, where lanes beyond the last become NaN.
+  void (*close)(const Block<N, T>* blocks, std::size_t count, Block<N, T>* above);
+};
+
+/// The kernels of one instruction set.
+struct AllBlockKernels {
+  BlockKernels<2, float> flat_float;
+  BlockKernels<3, float> solid_float;
+  BlockKernels<2, double> flat_double;
+  BlockKernels<3, double> solid_double;
+};
+
+/// The instruction sets that kernels are compiled for, in Highway's bits.
+std::int64_t block_kernel_targets();
+
+/// The kernels for this machine. Instantiated for 2D and 3D, float and double.
+template <Dim N, class T>
+const BlockKernels<N, T>& block_kernels();
+
+}  // namespace graze::detail

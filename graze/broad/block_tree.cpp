@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <mutex>
+#include <numeric>
+
+#include <graze/broad/block_kernels.hpp>
+#include <graze/broad/block_tree.hpp>
+#include <graze/broad/crowd.hpp>
+#include <graze/broad/prefetch.hpp>
+
+namespace graze::detail {
+namespace {
+
+constexpr std::size_t crowd_size = 64;  // a fine cell with more boxes is divided again
+constexpr std::uint32_t row_cells = 8;  // as many fine cells in a row hold a block, which is about a cube then
+constexpr std::size_t most_cells = run_limit / block_size * 2 * row_cells;
+
+}  // namespace
+
+/// The boxes of one run in arrays, and their order.
+template <Dim N, class T>
+class BlockTree<N, T>::Scratch {
+ public:
+  Scratch() {
+    for (Dim i = 0; i < N; ++i) {
+      arrays.min[i] = coordinates_[i];
+      arrays.max[i] = coordinates_[N + i];
+    }
+    arrays.ids = ids_;
+  }
+
+  BoxArrays<N, T> arrays;
+  std::uint16_t order[run_limit];
+  std::uint16_t cells[run_limit];
+  std::uint16_t spare[run_limit];
+
+  /// Centers of the boxes, for sort_crowd.
+  struct Centers {
+    const BoxArrays<N, T>& boxes;
+
+    Vec<N, T> operator()(std::uint16_t k) const {
+      Vec<N, T> center;
+      for (Dim i = 0; i < N; ++i) center[i] = boxes.min[i][k] * T(0.5) + boxes.max[i][k] * T(0.5);
+      return center;
+    }
+    void prefetch(std::uint16_t /*k*/) const {}  // they are at hand
+  };
+
+  /// Copies boxes into the arrays.
+  void load(std::span<const Aabb<N, T>> boxes, T margin, const std::uint32_t* ids, std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k) {
+      const Aabb<N, T>& box = boxes[ids[k]];
+      prefetch(&boxes[ids[std::min(k + prefetch_distance, count - 1)]]);
+      for (Dim i = 0; i < N; ++i) {
+        coordinates_[i][k] = box.min[i] - margin;
+        coordinates_[N + i][k] = box.max[i] + margin;
+      }
+      ids_[k] = ids[k];
+    }
+  }
+
+  /// Orders the boxes by the cells of a grid over them: columns as wide as a block, cut finely along their length.
+  void sort(std::size_t count) {
+    const BlockKernels<N, T>& kernels = block_kernels<N, T>();
+    const Aabb<N, T> bounds = kernels.center_bounds(arrays, count);
+    const CellGrid<N, T> grid = with_finer_rows(grid_over(bounds, count / block_size), bounds, row_cells);
+    const std::size_t cell_count = grid.count();
+    kernels.array_cells(arrays, count, grid, cells);
+    std::fill(ends_, ends_ + cell_count, std::uint16_t{0});
+    for (std::size_t k = 0; k < count; ++k) ++ends_[cells[k]];
+    std::uint16_t next = 0;
+    bool crowded = false;
+    for (std::size_t c = 0; c < cell_count; ++c) {
+      crowded = crowded || ends_[c] > crowd_size;
+      next = static_cast<std::uint16_t>(next + std::exchange(ends_[c], next));
+    }
+    for (std::size_t k = 0; k < count; ++k) order[ends_[cells[k]]++] = static_cast<std::uint16_t>(k);
+    if (!crowded) return;
+    std::size_t begin = 0;
+    for (std::size_t c = 0; c < cell_count; ++c) {
+      sort_crowd<N, T>(order + begin, ends_[c] - begin, crowd_size, Centers{arrays}, cells + begin, spare + begin);
+      begin = ends_[c];
+    }
+  }
+
+ private:
+  alignas(64) T coordinates_[2 * N][run_limit];
+  std::uint32_t ids_[run_limit];
+  std::uint16_t ends_[most_cells];  // of every cell in the order
+};
+
+/// Scratches for as many threads as ask for one.
+template <Dim N, class T>
+class BlockTree<N, T>::ScratchPool {
+ public:
+  std::unique_ptr<Scratch> take() {
+    const std::lock_guard lock(mutex_);
+    if (free_.empty()) return std::make_unique<Scratch>();
+    std::unique_ptr<Scratch> scratch = std::move(free_.back());
+    free_.pop_back();
+    return scratch;
+  }
+  void give_back(std::unique_ptr<Scratch> scratch) {
+    const std::lock_guard lock(mutex_);
+    free_.push_back(std::move(scratch));
+  }
+  std::size_t bytes() const { return free_.size() * sizeof(Scratch); }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Scratch>> free_;
+};
+
+template <Dim N, class T>
+BlockTree<N, T>::BlockTree() : scratches_(std::make_unique<ScratchPool>()) {}
+
+template <Dim N, class T>
+BlockTree<N, T>::~BlockTree() = default;
+
+/// Makes room for all levels.
+template <Dim N, class T>
+void BlockTree<N, T>::lay_out() {
+  level_first_.assign(1, 0);
+  std::size_t blocks = 0;
+  for (const SpatialRun& run : order_.runs()) blocks += (run.count + block_size - 1) / block_size;
+  if (blocks == 0) return;
+  ids_.require(blocks * block_size);
+  level_first_.push_back(blocks);
+  do {
+    blocks = (blocks + block_size - 1) / block_size;
+    level_first_.push_back(level_first_.back() + blocks);
+  } while (blocks > 1);
+  constexpr std::size_t room_to_raise = 8;  // 2^32 boxes make eight levels
+  blocks_.require(level_first_.back() + room_to_raise);
+}
+
+template <Dim N, class T>
+void BlockTree<N, T>::close(std::size_t level, const Executor& executor) {
+  constexpr std::size_t blocks_per_task = 64 * block_size;  // so that no two tasks share a block above
+  const std::size_t count = level_size(level);
+  executor.parallel_for((count + blocks_per_task - 1) / blocks_per_task, [&](std::size_t task) {
+    const std::size_t first = task * blocks_per_task;
+    block_kernels<N, T>().close(this->level(level) + first, std::min(blocks_per_task, count - first),
+                                blocks_.data() + level_first_[level + 1] + first / block_size);
+  });
+}
+
+template <Dim N, class T>
+void BlockTree<N, T>::fill_run(std::span<const Aabb<N, T>> boxes, T margin, const SpatialRun& run,
+                               std::size_t first_block, Scratch& scratch) {
+  scratch.load(boxes, margin, order_.order() + run.first, run.count);
+  if (run.finite) {
+    scratch.sort(run.count);
+  } else {
+    std::iota(scratch.order, scratch.order + run.count, std::uint16_t{0});
+  }
+  block_kernels<N, T>().fill(scratch.arrays, scratch.order, run.count, blocks_.data() + first_block,
+                             ids_.data() + first_block * block_size);
+}
+
+template <Dim N, class T>
+void BlockTree<N, T>::build(std::span<const Aabb<N, T>> boxes, T margin, const Executor& executor) {
+  order_.sort(boxes, executor);
+  lay_out();
+  if (height() == 0) return;
+  const std::span<const SpatialRun> runs = order_.runs();
+  std::vector<std::size_t> first_block(1, 0);
+  for (const SpatialRun& run : runs) {
+    first_block.push_back(first_block.back() + (run.count + block_size - 1) / block_size);
+  }
+  constexpr std::size_t runs_per_task = 4;
+  executor.parallel_for((runs.size() + runs_per_task - 1) / runs_per_task, [&](std::size_t task) {
+    std::unique_ptr<Scratch> scratch = scratches_->take();
+    const std::size_t last = std::min(runs.size(), (task + 1) * runs_per_task);
+    for (std::size_t k = task * runs_per_task; k < last; ++k) {
+      fill_run(boxes, margin, runs[k], first_block[k], *scratch);
+    }
+    scratches_->give_back(std::move(scratch));
+  });
+  for (std::size_t k = 0; k + 1 < height(); ++k) close(k, executor);
+}
+
+template <Dim N, class T>
+void BlockTree<N, T>::raise(std::size_t wanted) {
+  while (height() < wanted) {
+    level_first_.push_back(level_first_.back() + 1);
+    close(height() - 2, serial_executor());
+  }
+}
+
+template <Dim N, class T>
+std::size_t BlockTree<N, T>::bytes() const {
+  return order_.bytes() + blocks_.bytes() + ids_.bytes() + scratches_->bytes();
+}
+
+template class BlockTree<2, float>;
+template class BlockTree<3, float>;
+template class BlockTree<2, double>;
+template class BlockTree<3, double>;
+
+}  // namespace graze::detail

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+namespace graze::detail {
+
+/// Memory that begins at a cache line, which is also the widest vector; where it is large, at a large page of the
+/// system, as far as the system has such. Throws std::bad_alloc.
+void* allocate_pages(std::size_t bytes);
+void release_pages(void* memory, std::size_t bytes) noexcept;
+
+/// Memory for values that are written before they are read: nothing is initialised, and growing keeps only what is
+/// asked for.
+template <class Value>
+class Buffer {
+  static_assert(std::is_trivially_copyable_v<Value> && std::is_trivially_destructible_v<Value>);
+
+ public:
+  Buffer() = default;
+  Buffer(Buffer&& other) noexcept
+      : data_(std::exchange(other.data_, nullptr)), capacity_(std::exchange(other.capacity_, 0)) {}
+  Buffer& operator=(Buffer&& other) noexcept {
+    std::swap(data_, other.data_);
+    std::swap(capacity_, other.capacity_);
+    return *this;
+  }
+  ~Buffer() { release(); }
+
+  /// Room for `count` values; what was there is lost when the room has to grow.
+  void require(std::size_t count) {
+    if (count <= capacity_) return;
+    release();
+    data_ = allocate(count);
+    capacity_ = count;
+  }
+
+  /// Room for `count` values, half more at least when it has to grow; the first `kept` values stay.
+  void extend(std::size_t count, std::size_t kept) {
+    if (count <= capacity_) return;
+    Buffer larger;
+    const std::size_t half_more = capacity_ + capacity_ / 2;
+    larger.require(count > half_more ? count : half_more);
+    if (kept > 0) std::memcpy(static_cast<void*>(larger.data_), data_, kept * sizeof(Value));
+    *this = std::move(larger);
+  }
+
+  Value* data() { return data_; }
+  const Value* data() const { return data_; }
+  Value& operator[](std::size_t i) { return data_[i]; }
+  const Value& operator[](std::size_t i) const { return data_[i]; }
+
+  std::size_t capacity() const { return capacity_; }
+  std::size_t bytes() const { return capacity_ * sizeof(Value); }
+
+ private:
+  static Value* allocate(std::size_t count) { return static_cast<Value*>(allocate_pages(count * sizeof(Value))); }
+  void release() {
+    if (data_ != nullptr) release_pages(data_, bytes());
+    data_ = nullptr;
+    capacity_ = 0;
+  }
+
+  Value* data_ = nullptr;
+  std::size_t capacity_ = 0;
+};
+
+}  // namespace graze::detail

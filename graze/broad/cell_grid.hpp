@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include <graze/math/vec.hpp>
+#include <graze/shape/aabb.hpp>
+
+namespace graze::detail {
+
+/// A regular grid over centers, whose cells are numbered along a snake: each cell shares a face with the next.
+template <Dim N, class T>
+struct CellGrid {
+  Vec<N, T> origin = Vec<N, T>(T(0));
+  Vec<N, T> cells_per_unit = Vec<N, T>(T(0));
+  std::uint32_t cells[N];  // powers of two
+
+  std::uint32_t count() const {
+    std::uint32_t product = 1;
+    for (Dim i = 0; i < N; ++i) product *= cells[i];
+    return product;
+  }
+};
+
+/// Fits the cells along one axis to the bounds: one only where they are too flat, or too wide, to be divided.
+template <Dim N, class T>
+void fit_cells(CellGrid<N, T>& grid, const Aabb<N, T>& bounds, Dim axis) {
+  const T extent = bounds.max[axis] - bounds.min[axis];
+  grid.cells_per_unit[axis] = static_cast<T>(grid.cells[axis]) / extent;
+  if (std::isfinite(extent) && std::isfinite(grid.cells_per_unit[axis])) return;
+  grid.cells[axis] = 1;
+  grid.cells_per_unit[axis] = T(0);
+}
+
+/// A grid over finite bounds with at least `wanted` cells, less than twice as many, or with one, where the bounds are a
+/// point. Cells are as near to cubes as halving allows. Divisions by two only: the same grid on every machine.
+template <Dim N, class T>
+CellGrid<N, T> grid_over(const Aabb<N, T>& bounds, std::size_t wanted) {
+  CellGrid<N, T> grid;
+  Vec<N, T> side = bounds.half_extents();
+  for (Dim i = 0; i < N; ++i) grid.cells[i] = 1;
+  for (std::size_t cells = 1; cells < wanted; cells *= 2) {
+    Dim widest = 0;
+    for (Dim i = 1; i < N; ++i) {
+      if (side[i] > side[widest]) widest = i;
+    }
+    if (!(side[widest] > 0)) break;
+    side[widest] *= T(0.5);
+    grid.cells[widest] *= 2;
+  }
+  grid.origin = bounds.min;
+  for (Dim i = 0; i < N; ++i) fit_cells(grid, bounds, i);
+  return grid;
+}
+
+/// The same grid with every row of cells, along which the snake moves, cut into `times` as many; a power of two.
+template <Dim N, class T>
+CellGrid<N, T> with_finer_rows(CellGrid<N, T> grid, const Aabb<N, T>& bounds, std::uint32_t times) {
+  Dim row = 0;
+  while (row < N - 1 && grid.cells[row] == 1) ++row;
+  grid.cells[row] *= times;
+  fit_cells(grid, bounds, row);
+  return grid;
+}
+
+/// The number of the cell of a point within the bounds of the grid.
+template <Dim N, class T>
+std::uint16_t cell_of(const Vec<N, T>& point, const CellGrid<N, T>& grid) {
+  std::uint32_t number = 0;
+  for (Dim i = N; i-- > 0;) {
+    const T place = (point[i] - grid.origin[i]) * grid.cells_per_unit[i];
+    std::uint32_t along = static_cast<std::uint32_t>(place);
+    if (along > grid.cells[i] - 1) along = grid.cells[i] - 1;
+    if ((number & 1U) != 0) along ^= grid.cells[i] - 1;
+    number = number * grid.cells[i] + along;
+  }
+  return static_cast<std::uint16_t>(number);
+}
+
+}  // namespace graze::detail

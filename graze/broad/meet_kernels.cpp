@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// Compiled once per instruction set: Highway includes this file anew for each.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+#include <graze/broad/meet_kernels.hpp>
+
+// Few enough to compile in seconds: of instruction sets that differ in nothing that is used here, the older one.
+// Vectors whose length is known at run time only cannot be held in arrays, as they are below.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "graze/broad/meet_kernels.cpp"
+#include <hwy/foreach_target.h>  // must come before highway.h
+#include <hwy/highway.h>
+
+#include <graze/broad/simd_lanes-inl.hpp>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::detail::HWY_NAMESPACE {
+namespace {
+
+/// One bit per lane.
+template <class T, class Mask>
+HWY_INLINE std::uint32_t bits_of(const Mask& mask) {
+  std::uint64_t bits = 0;
+  hn::StoreMaskBits(Tag<T>(), mask, reinterpret_cast<std::uint8_t*>(&bits));
+  return static_cast<std::uint32_t>(bits) & ((1U << lanes_of<T>)-1U);
+}
+
+/// A box that every lane is compared with.
+template <Dim N, class T>
+struct OneBox {
+  Lanes<T> min[N];
+  Lanes<T> max[N];
+
+  HWY_INLINE OneBox(const Block<N, T>& block, std::uint32_t lane) {
+    for (Dim i = 0; i < N; ++i) {
+      min[i] = hn::Set(Tag<T>(), block.min[i][lane]);
+      max[i] = hn::Set(Tag<T>(), block.max[i][lane]);
+    }
+  }
+};
+
+/// The lanes of a block that the box touches, one bit each.
+template <Dim N, class T>
+HWY_INLINE std::uint32_t touched_lanes(const OneBox<N, T>& box, const Block<N, T>& block) {
+  const Tag<T> d;
+  std::uint32_t touched = 0;
+  for (std::uint32_t k = 0; k < vectors_of<T>; ++k) {
+    const std::uint32_t at = k * lanes_of<T>;
+    auto mask =
+        hn::And(hn::Le(hn::Load(d, block.min[0] + at), box.max[0]), hn::Ge(hn::Load(d, block.max[0] + at), box.min[0]));
+    for (Dim i = 1; i < N; ++i) {
+      mask = hn::And(mask, hn::And(hn::Le(hn::Load(d, block.min[i] + at), box.max[i]),
+                                   hn::Ge(hn::Load(d, block.max[i] + at), box.min[i])));
+    }
+    touched |= bits_of<T>(mask) << at;
+  }
+  return touched;
+}
+
+/// The lanes after `lane`.
+HWY_INLINE std::uint32_t lanes_after(std::uint32_t lane) { return 0xFFFEU << lane & 0xFFFFU; }
+
+template <Dim N, class T>
+std::size_t descend_pairs(const Block<N, T>* a, const Block<N, T>* b, bool itself, const BlockPair* pairs,
+                          std::size_t count, BlockPair* out) {
+  std::size_t found = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto [at_a, at_b] = pairs[k];
+    const bool same = itself && at_a == at_b;
+    const Block<N, T>& block_b = b[at_b];
+    for (std::uint32_t row = 0; row < block_size; ++row) {
+      std::uint32_t touched = touched_lanes(OneBox<N, T>(a[at_a], row), block_b);
+      if (same) touched &= lanes_after(row) | 1U << row;
+      for (; touched != 0; touched &= touched - 1) {
+        out[found++] = {at_a * block_size + row,
+                        at_b * block_size + static_cast<std::uint32_t>(std::countr_zero(touched))};
+      }
+    }
+  }
+  return found;
+}
+
+/// Boxes, each with the lanes of a block that it touches. Lists of them are gone through without branches that depend
+/// on what is found: a wrong guess costs more than the comparisons.
+struct Touches {
+  static constexpr std::size_t most = std::size_t{block_pairs_at_once} * block_size;
+  static constexpr std::size_t slack = block_size;  // whole vectors are stored, of which some lanes count
+
+  std::uint32_t box[most + slack];    // the place of the box: its block and lane
+  std::uint32_t block[most + slack];  // the block of the others
+  std::uint32_t lanes[most + slack];  // those that it touches
+  std::size_t count = 0;
+
+  HWY_INLINE void add(std::uint32_t box_place, std::uint32_t other_block, std::uint32_t touched) {
+    box[count] = box_place;
+    block[count] = other_block;
+    lanes[count] = touched;
+    count += touched != 0 ? 1U : 0U;
+  }
+};
+
+/// Adds the boxes of block a that the mask has, as candidates.
+HWY_INLINE void add_rows(std::uint32_t at_a, std::uint32_t at_b, std::uint32_t rows, Touches& list) {
+#if HWY_TARGET <= HWY_AVX3
+  const hn::CappedTag<std::uint32_t, block_size> d;
+  const auto bits = static_cast<std::uint16_t>(rows);
+  const auto mask = hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&bits));
+  const auto box = hn::Add(hn::Iota(d, 0U), hn::Set(d, at_a * block_size));
+  hn::StoreU(hn::Compress(box, mask), d, list.box + list.count);
+  hn::StoreU(hn::Set(d, at_b), d, list.block + list.count);
+  list.count += static_cast<std::size_t>(std::popcount(rows));
+#else
+  for (; rows != 0; rows &= rows - 1, ++list.count) {
+    list.box[list.count] = at_a * block_size + static_cast<std::uint32_t>(std::countr_zero(rows));
+    list.block[list.count] = at_b;
+  }
+#endif
+}
+
+/// Every two boxes of a block.
+template <Dim N, class T>
+HWY_INLINE void meet_itself(const Block<N, T>& block, std::uint32_t at, Touches& touches) {
+  for (std::uint32_t row = 0; row + 1 < block_size; ++row) {
+    touches.add(at * block_size + row, at, touched_lanes(OneBox<N, T>(block, row), block) & lanes_after(row));
+  }
+}
+
+/// Turns touches into pairs: the first lane of each, then the second of those that have one, and so on.
+template <class MakePair>
+HWY_INLINE Pair* write_pairs(Touches& touches, const std::uint32_t* ids_a, const std::uint32_t* ids_b,
+                             const MakePair& make_pair, Pair* out) {
+  for (std::size_t k = 0; k < touches.count; ++k) touches.box[k] = ids_a[touches.box[k]];
+  while (touches.count > 0) {
+    const std::size_t count = std::exchange(touches.count, 0);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::uint32_t lanes = touches.lanes[k];
+      const std::uint32_t block = touches.block[k];
+      const std::uint32_t id = touches.box[k];
+      out[k] = make_pair(id, ids_b[block * block_size + static_cast<std::uint32_t>(std::countr_zero(lanes))]);
+      touches.add(id, block, lanes & (lanes - 1));
+    }
+    out += count;
+  }
+  return out;
+}
+
+template <Dim N, class T>
+std::size_t meet_pairs(const Block<N, T>* a, const std::uint32_t* ids_a, const Block<N, T>* b,
+                       const std::uint32_t* ids_b, const Block<N, T>* above, bool itself, const BlockPair* pairs,
+                       std::size_t count, Pair* out) {
+  Touches candidates;
+  Touches touches;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto [at_a, at_b] = pairs[k];
+    if (itself && at_a == at_b) {
+      meet_itself(a[at_a], at_a, touches);
+      continue;
+    }
+    // Of the boxes of a, those that touch the bounds of b.
+    const OneBox<N, T> bounds(above[at_b / block_size], at_b % block_size);
+    add_rows(at_a, at_b, touched_lanes(bounds, a[at_a]), candidates);
+  }
+  for (std::size_t k = 0; k < candidates.count; ++k) {
+    const std::uint32_t box = candidates.box[k];
+    const std::uint32_t block = candidates.block[k];
+    const OneBox<N, T> one(a[box / block_size], box % block_size);
+    touches.add(box, block, touched_lanes(one, b[block]));
+  }
+  Pair* end = nullptr;
+  if (itself) {
+    // In arithmetic, because compilers make a branch of min and max, and every second guess at it is wrong.
+    const auto ascending = [](std::uint32_t i, std::uint32_t j) {
+      const std::uint32_t exchange = (i ^ j) & (0U - static_cast<std::uint32_t>(j < i));
+      return Pair{i ^ exchange, j ^ exchange};
+    };
+    end = write_pairs(touches, ids_a, ids_b, ascending, out);
+  } else {
+    end = write_pairs(
+        touches, ids_a, ids_b,
+        [](std::uint32_t i, std::uint32_t j) {
+          return Pair{i, j};
+        },
+        out);
+  }
+  return static_cast<std::size_t>(end - out);
+}
+
+template <Dim N, class T>
+MeetKernels<N, T> kernels() {
+  return {descend_pairs<N, T>, meet_pairs<N, T>};
+}
+
+}  // namespace
+
+const AllMeetKernels& all_meet_kernels() {
+  static const AllMeetKernels all{kernels<2, float>(), kernels<3, float>(), kernels<2, double>(), kernels<3, double>()};
+  return all;
+}
+
+}  // namespace graze::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace graze::detail {
+namespace {
+HWY_EXPORT(all_meet_kernels);
+}
+
+template <Dim N, class T>
+const MeetKernels<N, T>& meet_kernels() {
+  const AllMeetKernels& all = HWY_DYNAMIC_DISPATCH(all_meet_kernels)();
+  if constexpr (std::is_same_v<T, float>) {
+    if constexpr (N == 2) return all.flat_float;
+    if constexpr (N == 3) return all.solid_float;
+  } else {
+    if constexpr (N == 2) return all.flat_double;
+    if constexpr (N == 3) return all.solid_double;
+  }
+}
+
+template const MeetKernels<2, float>& meet_kernels();
+template const MeetKernels<3, float>& meet_kernels();
+template const MeetKernels<2, double>& meet_kernels();
+template const MeetKernels<3, double>& meet_kernels();
+
+}  // namespace graze::detail
+#endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The inner loops of meeting two block trees, once for every set of vector instructions that the compiler knows, as in
+// block_kernels.hpp.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <graze/broad/block.hpp>
+#include <graze/broad/pair.hpp>
+#include <graze/math/vec.hpp>
+
+namespace graze::detail {
+
+template <Dim N, class T>
+struct MeetKernels {
+  /// The pairs of child blocks to compare, for `count` pairs of blocks of boxes of blocks; `a` and `b` hold these.
+  /// `out` has room for 256 per pair. Returns how many there are.
+  std::size_t (*descend)(const Block<N, T>* a, const Block<N, T>* b, bool itself, const BlockPair* pairs,
+                         std::size_t count, BlockPair* out);
+
+  /// The overlapping boxes of `count` pairs of blocks of boxes. `above` holds the bounds of the blocks of b. `out` has
+  /// room for 256 per pair. Returns how many there are. `itself`: one tree with itself, pairs have a < b.
+  std::size_t (*meet)(const Block<N, T>* a, const std::uint32_t* ids_a, const Block<N, T>* b,
+                      const std::uint32_t* ids_b, const Block<N, T>* above, bool itself, const BlockPair* pairs,
+                      std::size_t count, Pair* out);
+};
+
+/// The kernels of one instruction set.
+struct AllMeetKernels {
+  MeetKernels<2, float> flat_float;
+  MeetKernels<3, float> solid_float;
+  MeetKernels<2, double> flat_double;
+  MeetKernels<3, double> solid_double;
+};
+
+/// The kernels for this machine. Instantiated for 2D and 3D, float and double.
+template <Dim N, class T>
+const MeetKernels<N, T>& meet_kernels();
+
+}  // namespace graze::detail

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include <graze/broad/meet_kernels.hpp>
+#include <graze/broad/pair_search.hpp>
+
+namespace graze::detail {
+namespace {
+
+constexpr std::size_t most_children = std::size_t{block_size} * block_size;  // of a pair of blocks
+
+}  // namespace
+
+/// What one task finds, and its memory.
+template <Dim N, class T>
+struct PairSearch<N, T>::Found {
+  Buffer<BlockPair> blocks;
+  Buffer<Pair> pairs;
+  std::size_t count = 0;
+
+  std::span<const Pair> all() const { return {pairs.data(), count}; }
+};
+
+template <Dim N, class T>
+PairSearch<N, T>::PairSearch() = default;
+template <Dim N, class T>
+PairSearch<N, T>::~PairSearch() = default;
+
+template <Dim N, class T>
+void PairSearch<N, T>::build(Boxes boxes_a, const Boxes* boxes_b, T margin, const Executor& executor) {
+  tree_a_.build(boxes_a, margin, executor);
+  other_ = &tree_a_;
+  if (boxes_b == nullptr) return;
+  tree_b_.build(*boxes_b, margin, executor);
+  other_ = &tree_b_;
+  if (tree_a_.height() == 0 || tree_b_.height() == 0) return;
+  tree_a_.raise(tree_b_.height());
+  tree_b_.raise(tree_a_.height());
+}
+
+/// Finds the pairs of blocks of level 1 that may hold pairs of boxes.
+template <Dim N, class T>
+void PairSearch<N, T>::descend() {
+  meeting_count_ = 0;
+  if (tree_a_.height() == 0 || other_->height() == 0) return;
+  meetings_.require(1);
+  meetings_[0] = {0, 0};
+  meeting_count_ = 1;
+  for (std::size_t level = tree_a_.height() - 1; level > 1; --level) {
+    constexpr std::size_t step = 64;
+    std::size_t children = 0;
+    for (std::size_t k = 0; k < meeting_count_; k += step) {
+      const std::size_t parents = std::min(step, meeting_count_ - k);
+      spare_meetings_.extend(children + parents * most_children, children);
+      children += meet_kernels<N, T>().descend(tree_a_.level(level), other_->level(level), other_ == &tree_a_,
+                                               meetings_.data() + k, parents, spare_meetings_.data() + children);
+    }
+    std::swap(meetings_, spare_meetings_);
+    meeting_count_ = children;
+  }
+}
+
+/// Adds the pairs of boxes below pairs of blocks of level 1.
+template <Dim N, class T>
+void PairSearch<N, T>::meet(std::span<const BlockPair> parents, Found& found) const {
+  const MeetKernels<N, T>& kernels = meet_kernels<N, T>();
+  const bool itself = other_ == &tree_a_;
+  constexpr std::size_t parents_at_once = 16;
+  found.blocks.require(parents_at_once * most_children);
+  for (std::size_t k = 0; k < parents.size(); k += parents_at_once) {
+    const std::size_t blocks = kernels.descend(tree_a_.level(1), other_->level(1), itself, parents.data() + k,
+                                               std::min(parents_at_once, parents.size() - k), found.blocks.data());
+    for (std::size_t j = 0; j < blocks; j += block_pairs_at_once) {
+      found.pairs.extend(found.count + block_pairs_at_once * most_children, found.count);
+      found.count +=
+          kernels.meet(tree_a_.level(0), tree_a_.ids(), other_->level(0), other_->ids(), other_->level(1), itself,
+                       found.blocks.data() + j, std::min<std::size_t>(block_pairs_at_once, blocks - j),
+                       found.pairs.data() + found.count);
+    }
+  }
+}
+
+template <Dim N, class T>
+std::span<const Pair> PairSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options) {
+  const Executor& executor = options.executor != nullptr ? *options.executor : default_executor();
+  build(boxes_a, boxes_b, static_cast<T>(options.margin), executor);
+  descend();
+  // As many tasks as there is work for, not as there are threads: so the order of pairs is the same for any.
+  constexpr std::size_t least_meetings = 64;
+  constexpr std::size_t most_tasks = 64;
+  const std::size_t tasks = std::clamp<std::size_t>(meeting_count_ / least_meetings, 1, most_tasks);
+  while (found_.size() < tasks) found_.push_back(std::make_unique<Found>());
+  executor.parallel_for(tasks, [&](std::size_t task) {
+    const std::size_t first = task * meeting_count_ / tasks;
+    const std::size_t last = (task + 1) * meeting_count_ / tasks;
+    found_[task]->count = 0;
+    meet({meetings_.data() + first, last - first}, *found_[task]);
+  });
+  std::vector<std::span<const Pair>> pieces;
+  std::size_t count = 0;
+  for (std::size_t task = 0; task < tasks; ++task) {
+    pieces.push_back(found_[task]->all());
+    count += pieces.back().size();
+  }
+  pairs_.require(count);
+  if (options.order == PairOrder::sorted) {
+    sort_.sort(pieces, boxes_a.size(), boxes_b != nullptr ? boxes_b->size() : boxes_a.size(), executor, pairs_.data());
+  } else {
+    std::size_t at = 0;
+    for (const auto& piece : pieces) {
+      if (!piece.empty()) std::memcpy(pairs_.data() + at, piece.data(), piece.size_bytes());
+      at += piece.size();
+    }
+  }
+  return {pairs_.data(), count};
+}
+
+template <Dim N, class T>
+void PairSearch<N, T>::visit(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options,
+                             const PairVisitor& visitor) {
+  const Executor& executor = options.executor != nullptr ? *options.executor : default_executor();
+  build(boxes_a, boxes_b, static_cast<T>(options.margin), executor);
+  descend();
+  // Wave by wave, so that no more is held than the pairs of one wave.
+  constexpr std::size_t meetings_per_task = 4;
+  constexpr std::size_t tasks_per_wave = 32;
+  while (found_.size() < tasks_per_wave) found_.push_back(std::make_unique<Found>());
+  for (std::size_t wave = 0; wave < meeting_count_; wave += meetings_per_task * tasks_per_wave) {
+    executor.parallel_for(tasks_per_wave, [&](std::size_t task) {
+      const std::size_t first = std::min(meeting_count_, wave + task * meetings_per_task);
+      const std::size_t last = std::min(meeting_count_, first + meetings_per_task);
+      found_[task]->count = 0;
+      meet({meetings_.data() + first, last - first}, *found_[task]);
+    });
+    for (std::size_t task = 0; task < tasks_per_wave; ++task) {
+      if (found_[task]->count > 0 && !visitor(found_[task]->all())) return;
+    }
+  }
+}
+
+template <Dim N, class T>
+std::span<const Pair> PairSearch<N, T>::keep(std::span<const Pair> pairs) {
+  pairs_.require(pairs.size());
+  std::copy(pairs.begin(), pairs.end(), pairs_.data());
+  return {pairs_.data(), pairs.size()};
+}
+
+template <Dim N, class T>
+std::size_t PairSearch<N, T>::bytes() const {
+  std::size_t result = tree_a_.bytes() + tree_b_.bytes() + meetings_.bytes() + spare_meetings_.bytes() + sort_.bytes();
+  for (const auto& found : found_) result += found->blocks.bytes() + found->pairs.bytes();
+  return result;
+}
+
+template class PairSearch<2, float>;
+template class PairSearch<3, float>;
+template class PairSearch<2, double>;
+template class PairSearch<3, double>;
+
+}  // namespace graze::detail

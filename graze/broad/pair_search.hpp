@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <graze/broad/block_tree.hpp>
+#include <graze/broad/buffer.hpp>
+#include <graze/broad/pair_sort.hpp>
+#include <graze/broad/pairs.hpp>
+
+namespace graze::detail {
+
+/// The method `tree`: two block trees, or one and itself, are met from the top down to pairs of blocks above the boxes;
+/// these are cut into tasks, each of which finds its pairs.
+template <Dim N, class T>
+class PairSearch {
+ public:
+  using Boxes = std::span<const Aabb<N, T>>;
+
+  PairSearch();
+  ~PairSearch();
+
+  /// The pairs of one set, where `boxes_b` is null, or between two. What was found stays until the next call.
+  std::span<const Pair> find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options);
+
+  /// The same pairs, in the order in which they are found, to a visitor, without holding more than a few blocks of
+  /// them.
+  void visit(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options, const PairVisitor& visitor);
+
+  /// Holds pairs that were found in another way.
+  std::span<const Pair> keep(std::span<const Pair> pairs);
+
+  PairMethod method = PairMethod::automatic;  // the last one used
+
+  std::size_t bytes() const;
+
+ private:
+  void build(Boxes boxes_a, const Boxes* boxes_b, T margin, const Executor& executor);
+  void descend();
+  struct Found;
+  void meet(std::span<const BlockPair> parents, Found& found) const;
+
+  BlockTree<N, T> tree_a_;
+  BlockTree<N, T> tree_b_;
+  const BlockTree<N, T>* other_ = nullptr;  // the tree that tree_a_ is met with
+  Buffer<BlockPair> meetings_;              // pairs of blocks above the boxes
+  Buffer<BlockPair> spare_meetings_;
+  std::size_t meeting_count_ = 0;
+  std::vector<std::unique_ptr<Found>> found_;
+  PairSort sort_;
+  Buffer<Pair> pairs_;
+};
+
+}  // namespace graze::detail

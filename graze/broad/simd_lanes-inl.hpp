@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Vectors as kernels use them. Included once for each instruction set, hence no ordinary guard.
+#if defined(GRAZE_BROAD_SIMD_LANES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BROAD_SIMD_LANES_INL_HPP
+#undef GRAZE_BROAD_SIMD_LANES_INL_HPP
+#else
+#define GRAZE_BROAD_SIMD_LANES_INL_HPP
+#endif
+
+#include <cstdint>
+
+#include <hwy/highway.h>
+
+#include <graze/broad/block.hpp>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::detail::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// As many lanes as the machine has, at most a block's.
+template <class T>
+using Tag = hn::CappedTag<T, block_size>;
+
+template <class T>
+using Lanes = hn::Vec<Tag<T>>;
+
+template <class T>
+constexpr std::uint32_t lanes_of = static_cast<std::uint32_t>(hn::MaxLanes(Tag<T>()));
+
+/// How many vectors make a block.
+template <class T>
+constexpr std::uint32_t vectors_of = block_size / lanes_of<T>;
+
+}  // namespace graze::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include <graze/broad/block_kernels.hpp>
+#include <graze/broad/crowd.hpp>
+#include <graze/broad/prefetch.hpp>
+#include <graze/broad/spatial_order.hpp>
+
+namespace graze::detail {
+namespace {
+
+constexpr std::size_t chunk_size = 1U << 16U;  // boxes that one task looks at
+constexpr std::size_t boxes_per_cell = 1024;   // between this and twice as many, if boxes are spread evenly
+constexpr std::size_t most_cells = 4096;
+
+// Classes of sizes: 0 are the usual ones, sorted by cells; each further class reaches four times as far, but for the
+// last, which holds what is infinite.
+constexpr std::size_t class_count = 16;
+
+std::size_t chunks_of(std::size_t count) { return (count + chunk_size - 1) / chunk_size; }
+
+template <Dim N, class T>
+T extent_of(const Aabb<N, T>& box) {
+  T extent = box.max[0] - box.min[0];
+  for (Dim i = 1; i < N; ++i) extent = std::max(extent, box.max[i] - box.min[i]);
+  return extent;
+}
+
+template <Dim N, class T>
+std::size_t class_of(const Aabb<N, T>& box, T usual) {
+  const T extent = extent_of(box);
+  if (!(is_finite(box.min) && is_finite(box.max))) return class_count - 1;
+  std::size_t result = 0;
+  for (T limit = usual; extent > limit && result < class_count - 2; limit *= T(4)) ++result;
+  return result;
+}
+
+/// Centers of boxes, for sort_crowd.
+template <Dim N, class T>
+struct Centers {
+  std::span<const Aabb<N, T>> boxes;
+
+  Vec<N, T> operator()(std::uint32_t i) const { return boxes[i].center(); }
+  void prefetch(std::uint32_t i) const { detail::prefetch(&boxes[i]); }
+};
+
+}  // namespace
+
+/// What the order is cut into: the cells of the usual boxes, one bucket for each further class, one for what is left
+/// out.
+template <Dim N, class T>
+struct SpatialOrder<N, T>::Buckets {
+  CellGrid<N, T> grid;
+  T usual = 0;
+  std::size_t cells = 1;
+
+  std::size_t of_class(std::size_t k) const { return cells + k - 1; }
+  std::size_t left_out() const { return cells + class_count - 1; }
+  std::size_t count() const { return cells + class_count; }
+};
+
+template <Dim N, class T>
+void SpatialOrder<N, T>::survey(std::span<const Aabb<N, T>> boxes, const Executor& executor) {
+  std::vector<Survey<N, T>> surveys(chunks_of(boxes.size()));
+  executor.parallel_for(surveys.size(), [&](std::size_t chunk) {
+    const std::size_t first = chunk * chunk_size;
+    surveys[chunk] = block_kernels<N, T>().survey(boxes.data() + first, std::min(chunk_size, boxes.size() - first));
+  });
+  centers_ = Aabb<N, T>::nothing();
+  for (std::size_t chunk = 0; chunk < surveys.size(); ++chunk) {
+    if (surveys[chunk].first_nan != Survey<N, T>::none) {
+      throw std::invalid_argument("overlapping_pairs: box " +
+                                  std::to_string(chunk * chunk_size + surveys[chunk].first_nan) +
+                                  " has a coordinate that is NaN");
+    }
+    centers_.grow(surveys[chunk].centers);
+  }
+  if (is_nothing(centers_)) centers_ = {Vec<N, T>(T(0)), Vec<N, T>(T(0))};
+}
+
+/// The largest extent that counts as usual: what sixteen boxes take up where they are spread evenly, for so large is a
+/// block anyway, or twice what is common among the smaller ones.
+template <Dim N, class T>
+T SpatialOrder<N, T>::usual_size(std::span<const Aabb<N, T>> boxes) const {
+  constexpr std::size_t most_samples = 1024;
+  const std::size_t stride = std::max<std::size_t>(1, boxes.size() / most_samples);
+  std::vector<T> extents;
+  extents.reserve(boxes.size() / stride + 1);
+  for (std::size_t k = 0; k < boxes.size(); k += stride) {
+    if (!is_nothing(boxes[k]) && std::isfinite(extent_of(boxes[k]))) extents.push_back(extent_of(boxes[k]));
+  }
+  if (extents.empty()) return T(0);
+  const auto quarter = extents.begin() + static_cast<std::ptrdiff_t>(extents.size() / 4);
+  std::nth_element(extents.begin(), quarter, extents.end());
+  const CellGrid<N, T> blocks = grid_over(centers_, boxes.size() / block_size + 1);
+  T block = std::numeric_limits<T>::infinity();
+  for (Dim i = 0; i < N; ++i) {
+    if (blocks.cells[i] > 1) block = std::min(block, T(1) / blocks.cells_per_unit[i]);
+  }
+  return std::isfinite(block) ? std::max(block, T(2) * *quarter) : T(2) * *quarter;
+}
+
+template <Dim N, class T>
+void SpatialOrder<N, T>::find_cells(std::span<const Aabb<N, T>> boxes, const Buckets& buckets,
+                                    const Executor& executor) {
+  cells_.require(boxes.size());
+  counts_.assign(chunks_of(boxes.size()) * buckets.count(), 0);
+  constexpr auto unusual = std::numeric_limits<std::uint16_t>::max();
+  executor.parallel_for(chunks_of(boxes.size()), [&](std::size_t chunk) {
+    const std::size_t first = chunk * chunk_size;
+    const std::size_t last = std::min(first + chunk_size, boxes.size());
+    std::uint32_t* const counts = counts_.data() + chunk * buckets.count();
+    std::uint16_t* const cells = cells_.data();
+    block_kernels<N, T>().cells(boxes.data() + first, last - first, buckets.grid, buckets.usual, unusual,
+                                cells + first);
+    for (std::size_t k = first; k < last; ++k) {
+      if (cells[k] == unusual) {
+        const std::size_t size_class = is_nothing(boxes[k]) ? class_count : class_of(boxes[k], buckets.usual);
+        cells[k] = static_cast<std::uint16_t>(buckets.of_class(size_class));
+      }
+      ++counts[cells[k]];
+    }
+  });
+}
+
+template <Dim N, class T>
+void SpatialOrder<N, T>::scatter(std::span<const Aabb<N, T>> boxes, const Buckets& buckets, const Executor& executor) {
+  const std::size_t chunks = chunks_of(boxes.size());
+  ends_.assign(buckets.count(), 0);
+  std::uint32_t next = 0;
+  for (std::size_t bucket = 0; bucket < buckets.count(); ++bucket) {
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+      std::uint32_t& count = counts_[chunk * buckets.count() + bucket];
+      next += std::exchange(count, next);
+    }
+    ends_[bucket] = next;
+  }
+  order_.require(boxes.size());
+  executor.parallel_for(chunks, [&](std::size_t chunk) {
+    const std::size_t first = chunk * chunk_size;
+    const std::size_t last = std::min(first + chunk_size, boxes.size());
+    std::uint32_t* const places = counts_.data() + chunk * buckets.count();
+    for (std::size_t k = first; k < last; ++k) order_[places[cells_[k]]++] = static_cast<std::uint32_t>(k);
+  });
+}
+
+template <Dim N, class T>
+void SpatialOrder<N, T>::divide_crowds(std::span<const Aabb<N, T>> boxes, const Buckets& buckets,
+                                       const Executor& executor) {
+  std::vector<std::size_t> crowds;
+  for (std::size_t bucket = 0; bucket < buckets.of_class(class_count - 1); ++bucket) {
+    const std::size_t begin = bucket == 0 ? 0 : ends_[bucket - 1];
+    if (ends_[bucket] - begin > run_limit) crowds.push_back(bucket);
+  }
+  if (crowds.empty()) return;
+  spare_.require(boxes.size());
+  executor.parallel_for(crowds.size(), [&](std::size_t k) {
+    const std::size_t begin = crowds[k] == 0 ? 0 : ends_[crowds[k] - 1];
+    sort_crowd<N, T>(order_.data() + begin, ends_[crowds[k]] - begin, boxes_per_cell, Centers<N, T>{boxes},
+                     cells_.data() + begin, spare_.data() + begin);
+  });
+}
+
+template <Dim N, class T>
+void SpatialOrder<N, T>::sort(std::span<const Aabb<N, T>> boxes, const Executor& executor) {
+  survey(boxes, executor);
+  Buckets buckets;
+  buckets.usual = usual_size(boxes);
+  buckets.grid = grid_over(centers_, std::min(most_cells / 2, boxes.size() / (2 * boxes_per_cell) + 1));
+  buckets.cells = buckets.grid.count();
+  find_cells(boxes, buckets, executor);
+  scatter(boxes, buckets, executor);
+  divide_crowds(boxes, buckets, executor);
+  cut_runs(buckets);
+}
+
+/// Adds a stretch of the order, as equal runs where it is too long for one.
+template <Dim N, class T>
+void SpatialOrder<N, T>::add_runs(std::size_t first, std::size_t count, bool finite) {
+  const std::size_t pieces = (count + run_limit - 1) / run_limit;
+  for (std::size_t k = 0; k < pieces; ++k) {
+    const std::size_t begin = k * count / pieces;
+    runs_.push_back({first + begin, (k + 1) * count / pieces - begin, finite});
+  }
+}
+
+template <Dim N, class T>
+void SpatialOrder<N, T>::cut_runs(const Buckets& buckets) {
+  runs_.clear();
+  std::size_t first = 0;
+  const auto flush = [&](std::size_t end, bool finite) {
+    add_runs(first, end - first, finite);
+    first = end;
+  };
+  for (std::size_t bucket = 0; bucket + 1 < buckets.count(); ++bucket) {
+    const std::size_t end = ends_[bucket];
+    const bool is_class = bucket >= buckets.cells;
+    // Cells with few boxes share a run with the next; classes of sizes do not.
+    if (end - first > run_limit / 2 && first < (bucket == 0 ? 0 : ends_[bucket - 1])) flush(ends_[bucket - 1], true);
+    if (end - first >= boxes_per_cell / 2 || is_class || bucket + 1 == buckets.cells) {
+      flush(end, bucket != buckets.of_class(class_count - 1));
+    }
+  }
+}
+
+template <Dim N, class T>
+std::size_t SpatialOrder<N, T>::bytes() const {
+  return cells_.bytes() + order_.bytes() + spare_.bytes() + counts_.capacity() * sizeof(counts_[0]) +
+         ends_.capacity() * sizeof(ends_[0]);
+}
+
+template class SpatialOrder<2, float>;
+template class SpatialOrder<3, float>;
+template class SpatialOrder<2, double>;
+template class SpatialOrder<3, double>;
+
+}  // namespace graze::detail

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <graze/broad/buffer.hpp>
+#include <graze/broad/cell_grid.hpp>
+#include <graze/broad/executor.hpp>
+#include <graze/shape/aabb.hpp>
+
+namespace graze::detail {
+
+/// Neighbouring boxes in a row: where they stand in the order.
+struct SpatialRun {
+  std::size_t first = 0;
+  std::size_t count = 0;  // at most run_limit
+  bool finite = true;
+};
+
+/// How long a run can be.
+inline constexpr std::size_t run_limit = 4096;
+
+/// A coarse order of boxes in space, cut into runs of a thousand or two that lie close together. It comes from a
+/// counting sort by the cells of a grid over all centers; cells that stay crowded are divided again, so that clusters
+/// cost little more than even worlds. Boxes much larger than most would spoil the neighbourhoods of small ones: they
+/// stand in runs of their own, by powers of four of their size, and the infinite ones in a last one. Boxes that contain
+/// nothing are left out.
+template <Dim N, class T>
+class SpatialOrder {
+ public:
+  /// Sorts anew, in memory that is kept. Throws std::invalid_argument with the position of the first box that has a
+  /// NaN.
+  void sort(std::span<const Aabb<N, T>> boxes, const Executor& executor);
+
+  std::span<const SpatialRun> runs() const { return runs_; }
+
+  /// Positions of boxes, run by run.
+  const std::uint32_t* order() const { return order_.data(); }
+
+  /// The memory that is held.
+  std::size_t bytes() const;
+
+ private:
+  struct Buckets;
+
+  void survey(std::span<const Aabb<N, T>> boxes, const Executor& executor);
+  T usual_size(std::span<const Aabb<N, T>> boxes) const;
+  void find_cells(std::span<const Aabb<N, T>> boxes, const Buckets& buckets, const Executor& executor);
+  void scatter(std::span<const Aabb<N, T>> boxes, const Buckets& buckets, const Executor& executor);
+  void divide_crowds(std::span<const Aabb<N, T>> boxes, const Buckets& buckets, const Executor& executor);
+
+  void cut_runs(const Buckets& buckets);
+  void add_runs(std::size_t first, std::size_t count, bool finite);
+
+  Aabb<N, T> centers_;
+  std::vector<SpatialRun> runs_;
+  Buffer<std::uint16_t> cells_;
+  Buffer<std::uint32_t> order_;
+  Buffer<std::uint32_t> spare_;
+  std::vector<std::uint32_t> counts_;  // of every cell in every chunk, then where its next box goes
+  std::vector<std::size_t> ends_;      // of every cell in the order
+};
+
+}  // namespace graze::detail

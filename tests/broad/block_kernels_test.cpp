@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// The kernels of every instruction set of this machine, and those for none at all, against plain loops, bit for bit.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <graze/broad/block_kernels.hpp>
+
+#include "box_arrays.hpp"
+#include "box_worlds.hpp"
+#include "simd_targets.hpp"
+
+namespace graze::detail {
+namespace {
+
+template <Dim N, class T>
+struct In {
+  static constexpr Dim dimension = N;
+  using scalar = T;
+};
+
+template <class Space>
+class BlockKernelsTest : public testing::Test {
+ protected:
+  /// Calls test(kernels) for each instruction set.
+  template <class Test>
+  void for_every_target(const Test& test) {
+    for (const std::int64_t target : test::simd_targets()) {
+      const test::ForcedTarget forced(target);
+      const auto& kernels = block_kernels<Space::dimension, typename Space::scalar>();
+      SCOPED_TRACE(kernels.target);
+      test(kernels);
+    }
+  }
+};
+
+using Spaces = testing::Types<In<2, float>, In<3, float>, In<2, double>, In<3, double>>;
+TYPED_TEST_SUITE(BlockKernelsTest, Spaces);
+
+template <class Value>
+bool same_bits(const Value& a, const Value& b) {
+  return std::memcmp(&a, &b, sizeof(Value)) == 0;
+}
+
+TEST(SimdTargets, AreTriedFromNoneToTheBestOfThisMachine) {
+  const std::vector<std::int64_t> targets = test::simd_targets();
+  for (const std::int64_t target : targets) {
+    const test::ForcedTarget forced(target);
+    EXPECT_STREQ((block_kernels<3, float>().target), hwy::TargetName(target));
+  }
+  EXPECT_TRUE(targets.back() == HWY_SCALAR || targets.back() == HWY_EMU128) << hwy::TargetName(targets.back());
+}
+
+TYPED_TEST(BlockKernelsTest, SurveyFindsTheBoundsOfCentersAndTheFirstNaN) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  for (auto& world : test::box_worlds<N, T>(133, 3)) {
+    SCOPED_TRACE(world.name);
+    Aabb<N, T> expected = Aabb<N, T>::nothing();
+    for (const auto& box : world.boxes) {
+      if (is_finite(box.min) && is_finite(box.max) && !is_nothing(box)) expected.grow(box.center());
+    }
+    this->for_every_target([&](const auto& kernels) {
+      const Survey<N, T> survey = kernels.survey(world.boxes.data(), world.boxes.size());
+      EXPECT_TRUE(same_bits(survey.centers, expected));
+      EXPECT_EQ(survey.first_nan, (Survey<N, T>::none));
+    });
+    world.boxes[77].max[N - 1] = std::numeric_limits<T>::quiet_NaN();
+    world.boxes[41].min[0] = std::numeric_limits<T>::quiet_NaN();
+    this->for_every_target([&](const auto& kernels) {
+      EXPECT_EQ(kernels.survey(world.boxes.data(), world.boxes.size()).first_nan, 41U);
+      EXPECT_EQ(kernels.survey(world.boxes.data() + 42, world.boxes.size() - 42).first_nan, 35U);
+    });
+  }
+}
+
+TYPED_TEST(BlockKernelsTest, CellsAreThoseOfCentersAndUnusualBoxesAreToldApart) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  constexpr std::uint16_t unusual = 0xFFFF;
+  for (const auto& world : test::box_worlds<N, T>(133, 4)) {
+    SCOPED_TRACE(world.name);
+    Aabb<N, T> centers = Aabb<N, T>::nothing();
+    for (const auto& box : world.boxes) {
+      if (is_finite(box.min) && is_finite(box.max) && !is_nothing(box)) centers.grow(box.center());
+    }
+    const CellGrid<N, T> grid = grid_over(centers, 200);
+    const T largest = T(1.5);
+    std::vector<std::uint16_t> expected;
+    for (const auto& box : world.boxes) {
+      bool usual = is_finite(box.min) && is_finite(box.max);
+      for (Dim i = 0; i < N; ++i) usual = usual && box.min[i] <= box.max[i] && box.max[i] - box.min[i] <= largest;
+      expected.push_back(usual ? cell_of(box.center(), grid) : unusual);
+    }
+    this->for_every_target([&](const auto& kernels) {
+      std::vector<std::uint16_t> cells(world.boxes.size());
+      kernels.cells(world.boxes.data(), world.boxes.size(), grid, largest, unusual, cells.data());
+      EXPECT_EQ(cells, expected);
+    });
+  }
+}
+
+TYPED_TEST(BlockKernelsTest, ArraysAreBoundedAndSortedIntoCellsAsBoxesAre) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  const auto boxes = test::box_worlds<N, T>(133, 5).front().boxes;
+  const test::OwnedBoxArrays<N, T> arrays(boxes);
+  Aabb<N, T> bounds = Aabb<N, T>::nothing();
+  for (const auto& box : boxes) bounds.grow(box.center());
+  const CellGrid<N, T> grid = grid_over(bounds, 100);
+  this->for_every_target([&](const auto& kernels) {
+    EXPECT_TRUE(same_bits(kernels.center_bounds(*arrays, boxes.size()), bounds));
+    std::vector<std::uint16_t> cells(boxes.size());
+    kernels.array_cells(*arrays, boxes.size(), grid, cells.data());
+    for (std::size_t k = 0; k < boxes.size(); ++k) EXPECT_EQ(cells[k], cell_of(boxes[k].center(), grid));
+  });
+}
+
+TYPED_TEST(BlockKernelsTest, BlocksAreFilledInOrderPaddedAndBounded) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  for (const auto& world : test::box_worlds<N, T>(37, 6)) {
+    SCOPED_TRACE(world.name);
+    const test::OwnedBoxArrays<N, T> arrays(world.boxes);
+    std::vector<std::uint16_t> order(world.boxes.size());
+    for (std::uint16_t k = 0; k < order.size(); ++k) order[k] = static_cast<std::uint16_t>(order.size() - 1 - k);
+    this->for_every_target([&](const auto& kernels) {
+      std::vector<Block<N, T>> blocks(3);
+      std::vector<std::uint32_t> ids(3 * block_size);
+      kernels.fill(*arrays, order.data(), order.size(), blocks.data(), ids.data());
+      std::vector<Block<N, T>> above(1);
+      kernels.close(blocks.data(), blocks.size(), above.data());
+      for (std::size_t k = 0; k < 3 * block_size; ++k) {
+        const Block<N, T>& block = blocks[k / block_size];
+        for (Dim i = 0; i < N; ++i) {
+          if (k < order.size()) {
+            EXPECT_TRUE(same_bits(block.min[i][k % block_size], world.boxes[order[k]].min[i]));
+            EXPECT_TRUE(same_bits(block.max[i][k % block_size], world.boxes[order[k]].max[i]));
+          } else {
+            EXPECT_TRUE(std::isnan(block.min[i][k % block_size]) && std::isnan(block.max[i][k % block_size]));
+          }
+        }
+        if (k < order.size()) {
+          EXPECT_EQ(ids[k], 1000U + order[k]);
+        }
+      }
+      for (std::size_t lane = 0; lane < block_size; ++lane) {
+        Aabb<N, T> bounds = Aabb<N, T>::nothing();
+        for (std::size_t k = lane * block_size; k < std::min(order.size(), (lane + 1) * block_size); ++k) {
+          bounds.grow(world.boxes[order[k]]);
+        }
+        for (Dim i = 0; i < N; ++i) {
+          if (lane < 3) {
+            EXPECT_EQ(above[0].min[i][lane], bounds.min[i]);
+            EXPECT_EQ(above[0].max[i][lane], bounds.max[i]);
+          } else {
+            EXPECT_TRUE(std::isnan(above[0].min[i][lane]) && std::isnan(above[0].max[i][lane]));
+          }
+        }
+      }
+    });
+  }
+}
+
+}  // namespace
+}  // namespace graze::detail

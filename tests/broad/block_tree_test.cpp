@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <graze/broad/block_tree.hpp>
+
+#include "box_worlds.hpp"
+
+namespace graze::detail {
+namespace {
+
+/// The box in a lane, or nothing where there is none.
+template <Dim N, class T>
+Aabb<N, T> lane_of(const Block<N, T>* blocks, std::size_t position) {
+  const Block<N, T>& block = blocks[position / block_size];
+  Aabb<N, T> box;
+  for (Dim i = 0; i < N; ++i) {
+    box.min[i] = block.min[i][position % block_size];
+    box.max[i] = block.max[i][position % block_size];
+  }
+  return std::isnan(box.min[0]) ? Aabb<N, T>::nothing() : box;
+}
+
+template <Dim N, class T>
+void expect_sound(const BlockTree<N, T>& tree, const std::vector<Aabb<N, T>>& boxes) {
+  std::vector<int> seen(boxes.size());
+  ASSERT_GE(tree.height(), 2U);
+  EXPECT_EQ(tree.level_size(tree.height() - 1), 1U);
+  for (std::size_t k = 0; k < tree.level_size(0) * block_size; ++k) {
+    const Aabb<N, T> box = lane_of(tree.level(0), k);
+    if (is_nothing(box)) continue;
+    EXPECT_EQ(box, boxes[tree.ids()[k]]);
+    ++seen[tree.ids()[k]];
+  }
+  for (std::size_t k = 0; k < boxes.size(); ++k) EXPECT_EQ(seen[k], is_nothing(boxes[k]) ? 0 : 1) << "box " << k;
+  for (std::size_t level = 1; level < tree.height(); ++level) {
+    for (std::size_t k = 0; k < tree.level_size(level) * block_size; ++k) {
+      Aabb<N, T> bounds = Aabb<N, T>::nothing();
+      for (std::size_t j = 0; k < tree.level_size(level - 1) && j < block_size; ++j) {
+        bounds.grow(lane_of(tree.level(level - 1), k * block_size + j));
+      }
+      EXPECT_EQ(lane_of(tree.level(level), k), bounds) << "lane " << k << " of level " << level;
+    }
+  }
+}
+
+TEST(BlockTree, HoldsEveryBoxOnceAndEveryLevelBoundsTheOneBelow) {
+  for (const std::size_t count : {1U, 16U, 17U, 256U, 257U, 6000U}) {
+    BlockTree<3, float> solid;
+    for (const auto& world : test::box_worlds<3, float>(count, 21)) {
+      if (count == 1 && world.name.find("empty") != std::string::npos) continue;
+      SCOPED_TRACE(world.name + ", " + std::to_string(count));
+      solid.build(world.boxes, 0, default_executor());  // over and over in the same memory
+      expect_sound(solid, world.boxes);
+    }
+    BlockTree<2, double> flat;
+    for (const auto& world : test::box_worlds<2, double>(count, 22)) {
+      if (count == 1 && world.name.find("empty") != std::string::npos) continue;
+      SCOPED_TRACE(world.name + ", " + std::to_string(count));
+      flat.build(world.boxes, 0, serial_executor());
+      expect_sound(flat, world.boxes);
+    }
+  }
+}
+
+TEST(BlockTree, OfNothingHasNoLevels) {
+  BlockTree<2, float> tree;
+  tree.build({}, 0, serial_executor());
+  EXPECT_EQ(tree.height(), 0U);
+  const std::vector<Rect<float>> nothings(100, Rect<float>::nothing());
+  tree.build(nothings, 0, serial_executor());
+  EXPECT_EQ(tree.height(), 0U);
+}
+
+TEST(BlockTree, GrowsBoxesByTheMargin) {
+  const std::vector<Rect<float>> boxes{{{0, 1}, {2, 3}}};
+  BlockTree<2, float> tree;
+  tree.build(boxes, 0.5F, serial_executor());
+  EXPECT_EQ(lane_of(tree.level(0), 0), (Rect<float>{{-0.5F, 0.5F}, {2.5F, 3.5F}}));
+}
+
+TEST(BlockTree, CanBeRaised) {
+  const std::vector<Rect<float>> boxes{{{0, 1}, {2, 3}}};
+  BlockTree<2, float> tree;
+  tree.build(boxes, 0, serial_executor());
+  EXPECT_EQ(tree.height(), 2U);
+  tree.raise(5);
+  EXPECT_EQ(tree.height(), 5U);
+  expect_sound(tree, boxes);
+  tree.raise(3);  // is higher already
+  EXPECT_EQ(tree.height(), 5U);
+}
+
+TEST(BlockTree, NeighboursShareBlocks) {
+  test::Numbers numbers(5);
+  std::vector<Aabb<3, float>> boxes;
+  for (int k = 0; k < 30'000; ++k) {
+    boxes.push_back(Aabb<3, float>::from_center(numbers.point<3, float>(0, 60), Vec<3>(0.0F)));
+  }
+  BlockTree<3, float> tree;
+  tree.build(boxes, 0, serial_executor());
+  double volume = 0;
+  for (std::size_t k = 0; k < tree.level_size(0); ++k) {
+    const Aabb<3, float> bounds = lane_of(tree.level(1), k);
+    const Vec<3> side = bounds.max - bounds.min;
+    volume += static_cast<double>(side.x) * static_cast<double>(side.y) * static_cast<double>(side.z);
+  }
+  // Blocks of points that fill space would have its volume in all; twice as much is what a snake costs.
+  EXPECT_LT(volume, 2.0 * 60 * 60 * 60);
+}
+
+}  // namespace
+}  // namespace graze::detail

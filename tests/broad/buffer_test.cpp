@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include <graze/broad/buffer.hpp>
+
+namespace graze::detail {
+namespace {
+
+TEST(Buffer, StartsEmptyAndHoldsWhatWasAskedFor) {
+  Buffer<std::uint32_t> buffer;
+  EXPECT_EQ(buffer.capacity(), 0U);
+  EXPECT_EQ(buffer.bytes(), 0U);
+  buffer.require(10);
+  EXPECT_EQ(buffer.capacity(), 10U);
+  EXPECT_EQ(buffer.bytes(), 40U);
+  buffer.require(3);  // there is room already
+  EXPECT_EQ(buffer.capacity(), 10U);
+}
+
+TEST(Buffer, BeginsAtACacheLineOrALargePage) {
+  Buffer<std::uint8_t> small;
+  small.require(1);
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(small.data()) % 64, 0U);
+  Buffer<std::uint8_t> large;
+  large.require(std::size_t{5} << 20U);
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(large.data()) % (1U << 21U), 0U);
+  large[(std::size_t{5} << 20U) - 1] = 7;  // the last byte is ours
+  EXPECT_EQ(large[(std::size_t{5} << 20U) - 1], 7);
+}
+
+TEST(Buffer, ExtendingKeepsTheFirstValues) {
+  Buffer<int> buffer;
+  buffer.require(4);
+  std::iota(buffer.data(), buffer.data() + 4, 1);
+  buffer.extend(5, 3);
+  EXPECT_EQ(buffer.capacity(), 6U);  // half more
+  EXPECT_EQ(buffer[0], 1);
+  EXPECT_EQ(buffer[1], 2);
+  EXPECT_EQ(buffer[2], 3);
+  buffer.extend(100, 2);
+  EXPECT_EQ(buffer.capacity(), 100U);
+  EXPECT_EQ(buffer[1], 2);
+}
+
+TEST(Buffer, MovesWithItsMemory) {
+  Buffer<int> first;
+  first.require(2);
+  first[0] = 42;
+  const int* const memory = first.data();
+  Buffer<int> second = std::move(first);
+  EXPECT_EQ(second.data(), memory);
+  Buffer<int> third;
+  third = std::move(second);
+  EXPECT_EQ(third.data(), memory);
+  EXPECT_EQ(third[0], 42);
+  EXPECT_EQ(third.capacity(), 2U);
+}
+
+}  // namespace
+}  // namespace graze::detail

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <hwy/targets.h>
+
+#include <graze/broad/block_kernels.hpp>
+
+namespace graze::test {
+
+/// The instruction sets of this machine that the kernels were compiled for, the best first, the last none at all.
+inline std::vector<std::int64_t> simd_targets() {
+  std::vector<std::int64_t> targets;
+  const std::int64_t all = hwy::SupportedTargets() & detail::block_kernel_targets();
+  for (std::int64_t rest = all; rest != 0; rest &= rest - 1) targets.push_back(rest & -rest);
+  return targets;
+}
+
+/// While it lives, kernels are those of one instruction set.
+class ForcedTarget {
+ public:
+  explicit ForcedTarget(std::int64_t target) { force(target); }
+  ~ForcedTarget() { force(0); }
+  ForcedTarget(const ForcedTarget&) = delete;
+  ForcedTarget& operator=(const ForcedTarget&) = delete;
+
+ private:
+  static void force(std::int64_t targets) {
+    hwy::SetSupportedTargetsForTest(targets);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+};
+
+}  // namespace graze::test
