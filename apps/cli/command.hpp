@@ -27,5 +27,7 @@ struct Command {
 Command add_check(CLI::App& program);
 Command add_info(CLI::App& program);
 Command add_convert(CLI::App& program);
+Command add_bench(CLI::App& program);
+Command add_generate(CLI::App& program);
 
 }  // namespace graze::cli

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -10,6 +7,7 @@
 #include <graze/io/json_scene.hpp>
 
 #include "command.hpp"
+#include "file_ending.hpp"
 #include "input.hpp"
 #include "output.hpp"
 #include "progress.hpp"
@@ -25,10 +23,7 @@ struct ConvertArguments {
 
 void require_json_name(const std::string& output) {
   if (is_standard_stream(output)) return;
-  std::string extension = std::filesystem::path(output).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  if (extension == ".json") return;
+  if (file_ending(output) == ".json") return;
   throw UsageError("graze cannot write " + io::in_quotes(output) +
                    "; it writes graze's JSON, to a name that ends in .json or to - for the standard output");
 }

@@ -32,6 +32,8 @@ Examples:
   graze check --interior --format csv chip.csv > overlaps.csv
   graze info level.tmx
   graze convert level.tmx level.json
+  graze bench --generate brownian:1M
+  graze generate 2d:heavy:100k --output boxes.csv
 
 Exit codes: 0 done; 1 contact found, with check --fail-on-contact; 2 wrong usage;
 3 bad input, or an output that cannot be written; 70 a fault of graze itself)";
@@ -62,7 +64,8 @@ ExitCode run(int argc, const char* const* argv) {
   program.set_help_flag("-h,--help", "Print this help and exit");
   program.set_version_flag("--version", "graze " GRAZE_VERSION, "Print the version and exit");
   program.footer(footer);
-  const std::array<Command, 3> commands{add_check(program), add_info(program), add_convert(program)};
+  const std::array<Command, 5> commands{add_check(program), add_info(program), add_convert(program), add_bench(program),
+                                        add_generate(program)};
   for (const Command& command : commands) command.app->group("Commands");
   try {
     program.parse(argc, argv);

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace graze::cli {
+
+/// The ending of a file's name with its dot, in lower case: ".json"; empty when there is none.
+std::string file_ending(const std::string& name);
+
+}  // namespace graze::cli
