@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// Who races: graze and other libraries, behind one small interface. Each library is one file, peer_<name>.cpp.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <graze/broad/pair.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/shape/aabb.hpp>
+
+namespace graze::race {
+
+/// One way to find all overlapping pairs, at work on the frames of one scene. Virtual: who races is chosen at run time.
+template <Dim N, class T>
+class Contestant {
+ public:
+  Contestant() = default;
+  virtual ~Contestant() = default;
+  Contestant(const Contestant&) = delete;
+  Contestant& operator=(const Contestant&) = delete;
+
+  /// Every overlapping pair of the boxes (touching counts), once, with a < b, in any order. The boxes are those of the
+  /// frame before, moved a little, and as many. The pairs stay until the next call. This is what is timed.
+  virtual std::span<const Pair> find(std::span<const Aabb<N, T>> boxes) = 0;
+};
+
+enum class Side { graze, peer };
+
+/// A contestant before it starts.
+template <Dim N, class T>
+struct Entrant {
+  std::string name;      ///< What tables and charts call it.
+  std::string settings;  ///< Version, and how it is used.
+  Side side = Side::peer;
+  std::size_t threads = 1;
+  std::size_t most_boxes = std::numeric_limits<std::size_t>::max();
+  std::string why_no_more;  ///< The reason for most_boxes.
+  /// Makes it ready for frames like this one. Not timed: what moves from frame to frame is built here.
+  std::function<std::unique_ptr<Contestant<N, T>>(std::span<const Aabb<N, T>>)> prepare;
+};
+
+template <Dim N, class T>
+using Entrants = std::vector<Entrant<N, T>>;
+
+/// Each adds the library's contestants to the field, if it has any for this space. Those that can run on several
+/// threads enter once with one thread and, where `threads` is more, once with so many.
+template <Dim N, class T>
+void enter_graze(Entrants<N, T>& field, std::size_t threads);
+template <Dim N, class T>
+void enter_boost(Entrants<N, T>& field);
+template <Dim N, class T>
+void enter_embree(Entrants<N, T>& field, std::size_t threads);
+template <Dim N, class T>
+void enter_cgal(Entrants<N, T>& field);
+template <Dim N, class T>
+void enter_bullet(Entrants<N, T>& field);
+template <Dim N, class T>
+void enter_fcl(Entrants<N, T>& field);
+template <Dim N, class T>
+void enter_box2d(Entrants<N, T>& field);
+template <Dim N, class T>
+void enter_geos(Entrants<N, T>& field);
+
+/// All of them, graze first.
+template <Dim N, class T>
+Entrants<N, T> all_entrants(std::size_t threads) {
+  Entrants<N, T> field;
+  enter_graze(field, threads);
+  enter_boost(field);
+  enter_embree(field, threads);
+  enter_cgal(field);
+  enter_bullet(field);
+  enter_fcl(field);
+  enter_box2d(field);
+  enter_geos(field);
+  return field;
+}
+
+/// The pair of two indices that come in any order.
+inline Pair ascending(std::size_t i, std::size_t j) {
+  const auto a = static_cast<std::uint32_t>(i);
+  const auto b = static_cast<std::uint32_t>(j);
+  return a < b ? Pair{a, b} : Pair{b, a};
+}
+
+}  // namespace graze::race

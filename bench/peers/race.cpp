@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "race.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <graze/broad/pairs.hpp>
+
+namespace graze::race {
+namespace {
+
+/// The frames of a round are held in memory, at most so many bytes of them.
+constexpr std::size_t most_frame_bytes = std::size_t{3} << 30U;
+
+/// Lines on stderr; the last one is written over where it is a terminal.
+class Progress {
+ public:
+  void now(const std::string& text) const {
+    if (is_terminal_) fmt::print(stderr, "\r\x1b[K{}", text);
+  }
+  void line(const std::string& text) const { fmt::print(stderr, "{}{}\n", is_terminal_ ? "\r\x1b[K" : "", text); }
+
+ private:
+  bool is_terminal_ = isatty(STDERR_FILENO) == 1;
+};
+
+/// How an answer differs from the right one, which is sorted; empty when it does not.
+std::string difference(std::span<const Pair> answer, const std::vector<Pair>& right) {
+  std::vector<Pair> sorted(answer.begin(), answer.end());
+  std::sort(sorted.begin(), sorted.end());
+  if (sorted == right) return "";
+  std::vector<Pair> missing;
+  std::vector<Pair> surplus;
+  std::set_difference(right.begin(), right.end(), sorted.begin(), sorted.end(), std::back_inserter(missing));
+  std::set_difference(sorted.begin(), sorted.end(), right.begin(), right.end(), std::back_inserter(surplus));
+  std::string text = fmt::format("{} pairs missing, {} too many", missing.size(), surplus.size());
+  if (!missing.empty()) text += fmt::format("; ({}, {}) is missing", missing[0].a, missing[0].b);
+  if (!surplus.empty()) text += fmt::format("; ({}, {}) is too many", surplus[0].a, surplus[0].b);
+  return text;
+}
+
+double at(const std::vector<double>& ascending, double part) {
+  const double place = part * static_cast<double>(ascending.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, ascending.size() - 1);
+  return ascending[below] + (place - static_cast<double>(below)) * (ascending[above] - ascending[below]);
+}
+
+/// One contestant at one count, with its times so far.
+template <Dim N, class T>
+struct Runner {
+  const Entrant<N, T>* entrant = nullptr;
+  Timing timing;
+  std::vector<double> times;
+  double seconds = 0;
+
+  bool is_out() const { return !timing.why_not.empty(); }
+
+  void finish() {
+    if (is_out() || times.empty()) return;
+    std::sort(times.begin(), times.end());
+    timing.frames = times.size();
+    timing.median = at(times, 0.5);
+    timing.spread = (at(times, 0.75) - at(times, 0.25)) / 2 / timing.median;
+  }
+};
+
+/// The frames of one round with graze's answers to the first and the last.
+template <Dim N, class T>
+struct Round {
+  std::vector<std::vector<Aabb<N, T>>> frames;
+  std::vector<Pair> first_pairs;
+  std::vector<Pair> last_pairs;
+};
+
+/// Why an entrant sits out a count; empty when it runs. Peers that were too slow at the count before do, but for the
+/// two fastest of them, without whom there would be nothing to compare with.
+template <Dim N, class T>
+std::string reason_to_sit_out(const Entrant<N, T>& entrant, std::size_t count, const Heat* previous, double slowest) {
+  if (count > entrant.most_boxes) return entrant.why_no_more;
+  if (previous == nullptr || entrant.side == Side::graze) return "";
+  for (const Timing& timing : previous->timings) {
+    if (timing.name == entrant.name && timing.frames == 0) return timing.why_not;
+  }
+  const Timing* before = timing_of(*previous, entrant.name);
+  const Timing* graze = judged(*previous, 1);
+  if (before == nullptr || graze == nullptr || before->median <= slowest * graze->median) return "";
+  const auto quicker = std::count_if(previous->timings.begin(), previous->timings.end(), [before](const Timing& other) {
+    return other.side == Side::peer && other.threads == 1 && other.frames > 0 && other.median < before->median;
+  });
+  if (quicker < 2) return "";
+  return fmt::format("{:.0f} times as long as graze at {}", before->median / graze->median, previous->count);
+}
+
+template <Dim N, class T>
+class CourseRace {
+ public:
+  CourseRace(const Course& course, const Settings& settings, Outcome& outcome)
+      : settings_(settings), outcome_(outcome), result_{course, {}} {
+    const auto is_wanted = [&settings](const Entrant<N, T>& entrant) {
+      const auto holds = [&entrant](const std::string& part) { return entrant.name.find(part) != std::string::npos; };
+      return entrant.side == Side::graze || settings.peers.empty() ||
+             std::any_of(settings.peers.begin(), settings.peers.end(), holds);
+    };
+    for (Entrant<N, T>& entrant : all_entrants<N, T>(settings.threads)) {
+      if (is_wanted(entrant)) entrants_.push_back(std::move(entrant));
+    }
+  }
+
+  CourseResult run() {
+    if (!result_.course.world) {
+      run_heat(0);
+      return result_;
+    }
+    for (const std::size_t count : settings_.counts) {
+      if (count <= most_boxes_on(result_.course)) run_heat(count);
+    }
+    if (result_.heats.empty()) run_heat(most_boxes_on(result_.course));
+    return result_;
+  }
+
+ private:
+  void run_heat(std::size_t count) {
+    Frames<N, T> frames(result_.course, count, settings_.seed);
+    Heat heat;
+    heat.count = frames.boxes().size();
+    std::vector<Runner<N, T>> runners = line_up(heat.count);
+    for (std::size_t round_number = 0; round_number < settings_.rounds; ++round_number) {
+      const Round<N, T> round = record(frames);
+      if (round_number == 0) heat.pairs = round.first_pairs.size();
+      // Each round begins with another contestant, so that none always follows the same one.
+      for (std::size_t k = 0; k < runners.size(); ++k) {
+        Runner<N, T>& runner = runners[(k + round_number) % runners.size()];
+        if (runner.is_out() || runner.seconds >= settings_.seconds) continue;
+        progress_.now(fmt::format("{}, {} boxes, round {} of {}: {}", title_of(result_.course), heat.count,
+                                  round_number + 1, settings_.rounds, runner.entrant->name));
+        run_round(runner, round, heat.count);
+      }
+      frames.step();
+    }
+    for (Runner<N, T>& runner : runners) {
+      runner.finish();
+      heat.timings.push_back(runner.timing);
+    }
+    tell(heat);
+    result_.heats.push_back(std::move(heat));
+  }
+
+  std::vector<Runner<N, T>> line_up(std::size_t count) const {
+    const Heat* previous = result_.heats.empty() ? nullptr : &result_.heats.back();
+    std::vector<Runner<N, T>> runners;
+    for (const Entrant<N, T>& entrant : entrants_) {
+      Runner<N, T> runner;
+      runner.entrant = &entrant;
+      runner.timing.name = entrant.name;
+      runner.timing.settings = entrant.settings;
+      runner.timing.side = entrant.side;
+      runner.timing.threads = entrant.threads;
+      runner.timing.why_not = reason_to_sit_out(entrant, count, previous, settings_.slowest);
+      runners.push_back(std::move(runner));
+    }
+    return runners;
+  }
+
+  Round<N, T> record(Frames<N, T>& frames) const {
+    const std::size_t bytes = std::max<std::size_t>(1, frames.boxes().size_bytes());
+    const std::size_t timed = std::clamp<std::size_t>(most_frame_bytes / bytes, 1, settings_.frames);
+    Round<N, T> round;
+    for (std::size_t i = 0; i <= timed; ++i) {
+      if (i > 0) frames.step();
+      round.frames.emplace_back(frames.boxes().begin(), frames.boxes().end());
+    }
+    round.first_pairs = overlapping_pairs(round.frames.front());
+    round.last_pairs = overlapping_pairs(round.frames.back());
+    return round;
+  }
+
+  void run_round(Runner<N, T>& runner, const Round<N, T>& round, std::size_t count) {
+    using Clock = std::chrono::steady_clock;
+    const std::unique_ptr<Contestant<N, T>> contestant = runner.entrant->prepare(round.frames.front());
+    if (!is_right(runner, contestant->find(round.frames.front()), round.first_pairs, count)) return;
+    std::span<const Pair> pairs;
+    std::size_t done = 1;
+    for (; done < round.frames.size() && runner.seconds < settings_.seconds; ++done) {
+      const Clock::time_point start = Clock::now();
+      pairs = contestant->find(round.frames[done]);
+      const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+      runner.times.push_back(seconds * 1000);
+      runner.seconds += seconds;
+    }
+    if (done == round.frames.size()) is_right(runner, pairs, round.last_pairs, count);
+  }
+
+  bool is_right(Runner<N, T>& runner, std::span<const Pair> answer, const std::vector<Pair>& right, std::size_t count) {
+    const std::string how = difference(answer, right);
+    if (how.empty()) return true;
+    runner.timing.why_not = "wrong answer";
+    outcome_.differences.push_back(
+        fmt::format("{}, {} boxes: {}: {}", title_of(result_.course), count, runner.entrant->name, how));
+    progress_.line("WRONG " + outcome_.differences.back());
+    return false;
+  }
+
+  void tell(const Heat& heat) const {
+    const Timing* graze = judged(heat, 1);
+    const Timing* peer = fastest(heat, Side::peer, 1);
+    if (graze == nullptr) return;
+    std::string text = fmt::format("{}: {} boxes, {} pairs, graze {:.4g} ms", title_of(result_.course), heat.count,
+                                   heat.pairs, graze->median);
+    if (peer != nullptr) text += fmt::format(", {} {:.4g} ms: {:.1f}", peer->name, peer->median, ratio_of(heat, 1));
+    progress_.line(text);
+  }
+
+  const Settings& settings_;
+  Outcome& outcome_;
+  Progress progress_;
+  Entrants<N, T> entrants_;
+  CourseResult result_;
+};
+
+template <Dim N>
+CourseResult run_course(const Course& course, const Settings& settings, Outcome& outcome) {
+  if (course.is_double) return CourseRace<N, double>(course, settings, outcome).run();
+  return CourseRace<N, float>(course, settings, outcome).run();
+}
+
+}  // namespace
+
+Outcome run_race(const Settings& settings) {
+  Outcome outcome;
+  for (const Course& course : settings.courses) {
+    outcome.results.push_back(course.dimension == 2 ? run_course<2>(course, settings, outcome)
+                                                    : run_course<3>(course, settings, outcome));
+  }
+  return outcome;
+}
+
+}  // namespace graze::race

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <fstream>
+#include <functional>
+#include <set>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+namespace graze::race {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+std::string row(const Cells& cells) { return fmt::format("| {} |\n", fmt::join(cells, " | ")); }
+
+/// The first column holds words, the others numbers.
+std::string head(const Cells& cells) {
+  std::string rule = "|---|";
+  for (std::size_t i = 1; i < cells.size(); ++i) rule += "--:|";
+  return row(cells) + rule + "\n";
+}
+
+/// Three digits that count: "0.0123", "1.23", "12.3", "1,234".
+std::string milliseconds(double value) {
+  if (value >= 1000) return grouped(static_cast<std::size_t>(std::lround(value)));
+  const int digits = value <= 0 ? 0 : 2 - static_cast<int>(std::floor(std::log10(value)));
+  return fmt::format("{:.{}f}", value, std::clamp(digits, 0, 6));
+}
+
+/// Without rounding up to a target: 9.98 is "9.9".
+std::string ratio_text(double ratio) { return fmt::format("{:.1f}", std::floor(ratio * 10) / 10); }
+
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown processor";
+}
+
+std::string introduction(const Settings& settings) {
+  const std::time_t now = std::time(nullptr);
+  std::string text = "# Benchmarks: all overlapping pairs\n\n";
+  text +=
+      "Every contestant gets the same boxes in the same run, frame by frame, and finds all overlapping pairs, touching "
+      "ones too. Every answer was compared with graze's, pair by pair, before it was timed. The times are milliseconds "
+      "per frame, from boxes to the list of pairs: the median, and half of what lies between the quartiles, in per "
+      "cent. Making the boxes and comparing the answers is not in them; what a library keeps from frame to frame (a "
+      "tree whose boxes are moved, memory) is made before. All boxes have moved between two frames, except those from "
+      "files: there, whoever keeps a tree has nothing to do to it. graze gives its pairs sorted, the others as they "
+      "find them. Only ratios within one run count: machines "
+      "differ and are noisy.\n\n";
+  text += "| | |\n|---|---|\n";
+  text += row({"Machine", fmt::format("{}, {} cores", processor(), std::thread::hardware_concurrency())});
+  text += row({"Compiler", fmt::format("{}, {}", GRAZE_PEERS_COMPILER, GRAZE_PEERS_FLAGS)});
+  text += row({"Date", fmt::format("{:%Y-%m-%d}", fmt::gmtime(now))});
+  text += row({"Command", fmt::format("`{}`", settings.command)});
+  text += row({"Threads", settings.threads == 1 ? std::string("one each")
+                                                : fmt::format("one each; where a name says so, {}", settings.threads)});
+  return text + "\n";
+}
+
+std::string contestants(const Outcome& outcome) {
+  std::string text = "## Who, and how\n\n";
+  text += "The best settings that were found; what else was tried is said in `bench/peers`, one file for each.\n\n";
+  text += "| contestant | how |\n|---|---|\n";
+  std::set<std::string> told;
+  for (const CourseResult& result : outcome.results) {
+    for (const Heat& heat : result.heats) {
+      for (const Timing& timing : heat.timings) {
+        if (timing.threads == 1 && told.insert(timing.name).second) text += row({timing.name, timing.settings});
+      }
+    }
+  }
+  return text + "\n";
+}
+
+bool is_under_target(const Course& course, const Heat& heat) {
+  const double ratio = ratio_of(heat, 1);
+  return ratio > 0 && ratio < target_of(course, heat.count);
+}
+
+/// "10.3", with a mark and the target where it is under that; a dash where there was nobody to compare with.
+std::string verdict(const Course& course, const Heat& heat) {
+  const double ratio = ratio_of(heat, 1);
+  if (ratio == 0) return "-";
+  if (!is_under_target(course, heat)) return ratio_text(ratio);
+  return fmt::format("{} (< {:g})", ratio_text(ratio), target_of(course, heat.count));
+}
+
+std::set<std::size_t> all_counts(const Outcome& outcome) {
+  std::set<std::size_t> counts;
+  for (const CourseResult& result : outcome.results) {
+    for (const Heat& heat : result.heats) {
+      if (result.course.world) counts.insert(heat.count);
+    }
+  }
+  return counts;
+}
+
+std::string targets(const Outcome& outcome) {
+  const std::set<std::size_t> counts = all_counts(outcome);
+  std::string text = "## How many times as long the fastest peer takes\n\n";
+  text +=
+      "As `overlapping_pairs` with one thread, sorted, all memory anew. The targets: 10 for brownian, cluster and "
+      "lattice, 6 for heavy, line and giants, both from 100,000 to a million boxes; 6 for files; 2 for everything "
+      "else. "
+      "A ratio under its target is marked with it.\n\n";
+  Cells cells = {"scene"};
+  for (const std::size_t count : counts) cells.push_back(grouped(count));
+  text += head(cells);
+  for (const CourseResult& result : outcome.results) {
+    if (!result.course.world) continue;
+    cells = {title_of(result.course)};
+    for (const std::size_t count : counts) {
+      const auto heat = std::find_if(result.heats.begin(), result.heats.end(),
+                                     [count](const Heat& candidate) { return candidate.count == count; });
+      cells.push_back(heat == result.heats.end() ? "" : verdict(result.course, *heat));
+    }
+    text += row(cells);
+  }
+  for (const CourseResult& result : outcome.results) {
+    if (result.course.world || result.heats.empty()) continue;
+    const Heat& heat = result.heats.front();
+    text +=
+        fmt::format("\n{}, {} boxes: {}\n", title_of(result.course), grouped(heat.count), verdict(result.course, heat));
+  }
+  return text + "\n";
+}
+
+std::string under_target(const Outcome& outcome) {
+  std::string lines;
+  for (const CourseResult& result : outcome.results) {
+    for (const Heat& heat : result.heats) {
+      if (!is_under_target(result.course, heat)) continue;
+      const Timing& peer = *fastest(heat, Side::peer, 1);
+      lines += fmt::format("- {}, {} boxes: {} of {:g}; {} takes {} ms, graze {} ms\n", title_of(result.course),
+                           grouped(heat.count), ratio_text(ratio_of(heat, 1)), target_of(result.course, heat.count),
+                           peer.name, milliseconds(peer.median), milliseconds(judged(heat, 1)->median));
+    }
+  }
+  return "### Under target\n\n" + (lines.empty() ? "None of the above.\n" : lines) + "\n";
+}
+
+std::string differences(const Outcome& outcome) {
+  if (outcome.differences.empty()) return "";
+  std::string text = "### Wrong answers\n\n";
+  for (const std::string& difference : outcome.differences) text += fmt::format("- {}\n", difference);
+  return text + "\n";
+}
+
+std::string cell(const Timing& timing, bool is_fastest) {
+  if (timing.frames == 0) return fmt::format("not run: {}", timing.why_not.empty() ? "out of time" : timing.why_not);
+  const std::string time = milliseconds(timing.median);
+  return fmt::format("{} ±{:.0f} %", is_fastest ? "**" + time + "**" : time, timing.spread * 100);
+}
+
+/// One row of the table of a course: a name, and what there is to say of each heat.
+std::string line(const std::string& name, const CourseResult& result,
+                 const std::function<std::string(const Heat&)>& say) {
+  Cells cells = {name};
+  for (const Heat& heat : result.heats) cells.push_back(say(heat));
+  return row(cells);
+}
+
+std::string ratio_cell(const Timing* graze, const Timing* peer) {
+  return graze == nullptr || peer == nullptr ? "-" : ratio_text(peer->median / graze->median);
+}
+
+std::string ratio_lines(const CourseResult& result, std::size_t threads) {
+  std::string text;
+  for (const Timing& graze : result.heats.front().timings) {
+    const bool is_judged = &graze == judged(result.heats.front(), threads);
+    if (graze.side != Side::graze || (graze.threads > 1 && !is_judged)) continue;
+    text += line("fastest peer / " + graze.name, result, [&graze](const Heat& heat) {
+      return ratio_cell(timing_of(heat, graze.name), fastest(heat, Side::peer, graze.threads));
+    });
+  }
+  if (threads == 1) return text;
+  return text + line(fmt::format("graze, 1 thread / {} threads", threads), result,
+                     [threads](const Heat& heat) { return ratio_cell(judged(heat, threads), judged(heat, 1)); });
+}
+
+std::string table(const CourseResult& result, std::size_t threads) {
+  std::string text = fmt::format("### {}\n\n", title_of(result.course));
+  Cells cells = {"boxes"};
+  for (const Heat& heat : result.heats) cells.push_back(grouped(heat.count));
+  text += head(cells);
+  text += line("pairs", result, [](const Heat& heat) { return grouped(heat.pairs); });
+  const std::vector<Timing>& timings = result.heats.front().timings;
+  for (std::size_t i = 0; i < timings.size(); ++i) {
+    text += line(timings[i].name, result, [i](const Heat& heat) {
+      const Timing& timing = heat.timings[i];
+      return cell(timing, &timing == fastest(heat, Side::peer, 1));
+    });
+  }
+  return text + ratio_lines(result, threads) + "\n";
+}
+
+}  // namespace
+
+std::string grouped(std::size_t number) {
+  std::string text = std::to_string(number);
+  for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
+  return text;
+}
+
+std::string markdown(const Outcome& outcome, const Settings& settings, const std::string& chart) {
+  std::string text = introduction(settings);
+  if (!chart.empty()) text += fmt::format("![Milliseconds per frame over the number of boxes]({})\n\n", chart);
+  text += targets(outcome) + under_target(outcome) + differences(outcome) + contestants(outcome);
+  text += "## Milliseconds per frame\n\nThe fastest peer with one thread is in bold.\n\n";
+  for (const CourseResult& result : outcome.results) {
+    if (!result.heats.empty()) text += table(result, settings.threads);
+  }
+  text.pop_back();  // one line break at the end is enough
+  return text;
+}
+
+}  // namespace graze::race

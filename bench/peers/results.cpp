@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "results.hpp"
+
+namespace graze::race {
+
+const Timing* timing_of(const Heat& heat, const std::string& name) {
+  for (const Timing& timing : heat.timings) {
+    if (timing.name == name && timing.frames > 0) return &timing;
+  }
+  return nullptr;
+}
+
+const Timing* fastest(const Heat& heat, Side side, std::size_t threads) {
+  const Timing* best = nullptr;
+  for (const Timing& timing : heat.timings) {
+    const bool counts = timing.side == side && timing.threads <= threads && timing.frames > 0;
+    if (counts && (best == nullptr || timing.median < best->median)) best = &timing;
+  }
+  return best;
+}
+
+// Of graze's contestants the plain function enters first.
+const Timing* judged(const Heat& heat, std::size_t threads) {
+  for (const Timing& timing : heat.timings) {
+    if (timing.side == Side::graze && timing.threads == threads) return timing.frames > 0 ? &timing : nullptr;
+  }
+  return nullptr;
+}
+
+double ratio_of(const Heat& heat, std::size_t threads) {
+  const Timing* graze = judged(heat, threads);
+  const Timing* peer = fastest(heat, Side::peer, threads);
+  return graze == nullptr || peer == nullptr ? 0 : peer->median / graze->median;
+}
+
+}  // namespace graze::race

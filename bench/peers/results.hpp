@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// What a race leaves behind.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "contestant.hpp"
+#include "course.hpp"
+
+namespace graze::race {
+
+/// How one contestant did at one count.
+struct Timing {
+  std::string name;
+  std::string settings;
+  Side side = Side::peer;
+  std::size_t threads = 1;
+  std::size_t frames = 0;  ///< How many were timed; 0 when it did not run.
+  std::string why_not;     ///< Then the reason.
+  double median = 0;       ///< Milliseconds per frame.
+  double spread = 0;       ///< Half of what lies between the quartiles, relative to the median.
+};
+
+struct Heat {
+  std::size_t count = 0;  ///< Of boxes.
+  std::size_t pairs = 0;  ///< In the first frame.
+  std::vector<Timing> timings;
+};
+
+struct CourseResult {
+  Course course;
+  std::vector<Heat> heats;  ///< By ascending count.
+};
+
+/// The timing of that name, or null when it did not run.
+const Timing* timing_of(const Heat& heat, const std::string& name);
+
+/// The fastest contestant of that side that uses at most so many threads, or null when none ran.
+const Timing* fastest(const Heat& heat, Side side, std::size_t threads);
+
+/// What graze is judged by: plain overlapping_pairs, with so many threads. Null when it did not run.
+const Timing* judged(const Heat& heat, std::size_t threads);
+
+/// How many times as long as the judged one the fastest peer takes, with so many threads; 0 when either did not run.
+double ratio_of(const Heat& heat, std::size_t threads);
+
+}  // namespace graze::race
