@@ -25,14 +25,6 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 namespace {
 
-/// One bit per lane.
-template <class T, class Mask>
-HWY_INLINE std::uint32_t bits_of(const Mask& mask) {
-  std::uint64_t bits = 0;
-  hn::StoreMaskBits(Tag<T>(), mask, reinterpret_cast<std::uint8_t*>(&bits));
-  return static_cast<std::uint32_t>(bits) & ((1U << lanes_of<T>)-1U);
-}
-
 /// A box that every lane is compared with.
 template <Dim N, class T>
 struct OneBox {

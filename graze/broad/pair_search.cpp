@@ -88,7 +88,7 @@ std::span<const Pair> PairSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_b
   build(boxes_a, boxes_b, static_cast<T>(options.margin), executor);
   descend();
   // As many tasks as there is work for, not as there are threads: so the order of pairs is the same for any.
-  constexpr std::size_t least_meetings = 64;
+  constexpr std::size_t least_meetings = 128;
   constexpr std::size_t most_tasks = 64;
   const std::size_t tasks = std::clamp<std::size_t>(meeting_count_ / least_meetings, 1, most_tasks);
   while (found_.size() < tasks) found_.push_back(std::make_unique<Found>());

@@ -6,6 +6,7 @@
 
 #include <graze/broad/buffer.hpp>
 #include <graze/broad/pair_sort.hpp>
+#include <graze/broad/sort_kernels.hpp>
 
 namespace graze::detail {
 namespace {
@@ -13,101 +14,79 @@ namespace {
 constexpr std::size_t most_buckets = 1024;
 constexpr std::uint32_t least_bits = 8;  // a bucket holds at least so many first indices, as a power of two
 
-/// Sorts by one digit of the second index, from one place to another.
-void sort_by_digit(const Pair* from, std::size_t count, std::uint32_t shift, Pair* to) {
+/// Memory to sort a bucket in.
+struct Spare {
+  Buffer<Pair> pairs;
+  Buffer<std::uint32_t> seconds;      // second indices by row, then the same sorted
+  std::vector<std::uint32_t> begins;  // of rows
+  std::vector<std::uint32_t> next;    // the place of the next one of a row
+  std::vector<std::uint64_t> bits;    // of second indices
+};
+
+/// Sorts by one digit, from one place to another.
+void sort_by_digit(const std::uint32_t* from, std::size_t count, std::uint32_t shift, std::uint32_t* to) {
   std::array<std::uint32_t, 257> ends{};
-  for (std::size_t k = 0; k < count; ++k) ++ends[(from[k].b >> shift & 0xFFU) + 1];
+  for (std::size_t k = 0; k < count; ++k) ++ends[(from[k] >> shift & 0xFFU) + 1];
   for (std::size_t d = 0; d < 256; ++d) ends[d + 1] += ends[d];
-  for (std::size_t k = 0; k < count; ++k) to[ends[from[k].b >> shift & 0xFFU]++] = from[k];
+  for (std::size_t k = 0; k < count; ++k) to[ends[from[k] >> shift & 0xFFU]++] = from[k];
 }
 
-/// Sorts pairs of one first index by the second: few by insertion, many of a small range by a bit for each.
-void sort_row(Pair* pairs, std::size_t count, std::size_t limit_b, Pair* spare, std::vector<std::uint64_t>& bits) {
-  constexpr std::size_t few = 24;
+/// Sorts many numbers below a limit, none of which comes twice. `to` is memory for as many.
+void sort_numbers(std::uint32_t* numbers, std::size_t count, std::size_t limit, std::uint32_t* to,
+                  std::vector<std::uint64_t>& bits) {
   constexpr std::size_t many = 96;
-  constexpr std::size_t dense = 32;  // a word of bits for two pairs
-  if (count <= few) {
-    for (std::size_t k = 1; k < count; ++k) {
-      const Pair pair = pairs[k];
-      std::size_t at = k;
-      for (; at > 0 && pairs[at - 1].b > pair.b; --at) pairs[at] = pairs[at - 1];
-      pairs[at] = pair;
-    }
-  } else if (count * dense >= limit_b) {
-    bits.assign(limit_b / 64 + 1, 0);
-    for (std::size_t k = 0; k < count; ++k) bits[pairs[k].b / 64] |= std::uint64_t{1} << pairs[k].b % 64;
-    std::size_t at = 0;
+  constexpr std::size_t dense = 32;  // a word of bits for two numbers
+  if (count * dense >= limit) {
+    bits.assign(limit / 64 + 1, 0);
+    for (std::size_t k = 0; k < count; ++k) bits[numbers[k] / 64] |= std::uint64_t{1} << numbers[k] % 64;
     for (std::size_t word = 0; word < bits.size(); ++word) {
-      for (std::uint64_t rest = bits[word]; rest != 0; rest &= rest - 1, ++at) {
-        pairs[at].b = static_cast<std::uint32_t>(word * 64 + static_cast<std::size_t>(std::countr_zero(rest)));
+      for (std::uint64_t rest = bits[word]; rest != 0; rest &= rest - 1) {
+        *numbers++ = static_cast<std::uint32_t>(word * 64 + static_cast<std::size_t>(std::countr_zero(rest)));
       }
     }
   } else if (count <= many) {
-    std::sort(pairs, pairs + count, [](const Pair& p, const Pair& q) { return p.b < q.b; });
+    std::sort(numbers, numbers + count);
   } else {
-    for (std::uint32_t shift = 0; limit_b >> shift != 0 && shift < 32; shift += 16) {
-      sort_by_digit(pairs, count, shift, spare);
-      sort_by_digit(spare, count, shift + 8, pairs);
+    for (std::uint32_t shift = 0; shift < 32 && limit >> shift != 0; shift += 16) {
+      sort_by_digit(numbers, count, shift, to);
+      sort_by_digit(to, count, shift + 8, numbers);
     }
   }
 }
 
-/// Both indices as one number: a single comparison instead of two, of which the first is anybody's guess.
-std::uint64_t rank(const Pair& pair) {
-  if constexpr (std::endian::native == std::endian::little) return std::rotl(std::bit_cast<std::uint64_t>(pair), 32);
-  return std::uint64_t{pair.a} << 32U | pair.b;
-}
-
-Pair pair_of(std::uint64_t rank) {
-  return {static_cast<std::uint32_t>(rank >> 32U), static_cast<std::uint32_t>(rank & 0xFFFFFFFFU)};
-}
-
-/// Sorts pairs that are sorted by the first index, where few share one: most are in their places already, so that an
-/// insertion sort seldom guesses wrong.
-void sort_short_rows(Pair* pairs, std::size_t count) {
-  std::uint64_t before = count > 0 ? rank(pairs[0]) : 0;
-  for (std::size_t k = 1; k < count; ++k) {
-    const std::uint64_t here = rank(pairs[k]);
-    if (before <= here) {
-      before = here;
-      continue;
-    }
-    std::size_t at = k;  // `before` stays the greatest so far
-    do {
-      pairs[at] = pairs[at - 1];
-      --at;
-    } while (at > 0 && rank(pairs[at - 1]) > here);
-    pairs[at] = pair_of(here);
-  }
-}
-
-/// Sorts a bucket whose first indices are 2^bits in a row. `spare` is memory for as many pairs.
-void sort_bucket(Pair* pairs, std::size_t count, std::uint32_t bits, std::size_t limit_b, Pair* spare,
-                 std::vector<std::uint32_t>& ends, std::vector<std::uint64_t>& row_bits) {
+/// Sorts a bucket whose first indices are 2^bits in a row: by rows, then each row by second indices.
+void sort_bucket(Pair* pairs, std::size_t count, std::uint32_t bits, std::size_t limit_b, Spare& spare) {
   if (count < std::size_t{1} << bits >> 4U) {  // few pairs of many boxes: counting would take longer
     std::sort(pairs, pairs + count);
     return;
   }
-  std::copy(pairs, pairs + count, spare);
-  const std::uint32_t low = (1U << bits) - 1;
-  ends.assign(std::size_t{1} << bits, 0);
-  for (std::size_t k = 0; k < count; ++k) ++ends[spare[k].a & low];
-  std::uint32_t next = 0;
+  const std::uint32_t rows = 1U << bits;
+  const std::uint32_t row_mask = rows - 1;
+  const std::uint32_t first = pairs[0].a & ~row_mask;
+  spare.begins.assign(rows + 1, 0);
+  for (std::size_t k = 0; k < count; ++k) ++spare.begins[(pairs[k].a & row_mask) + 1];
   std::uint32_t longest = 0;
-  for (std::uint32_t& end : ends) {
-    longest = std::max(longest, end);
-    next += std::exchange(end, next);
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    longest = std::max(longest, spare.begins[row + 1]);
+    spare.begins[row + 1] += spare.begins[row];
   }
-  for (std::size_t k = 0; k < count; ++k) pairs[ends[spare[k].a & low]++] = spare[k];
-  constexpr std::uint32_t short_row = 16;
-  if (longest <= short_row) {
-    sort_short_rows(pairs, count);
-    return;
+  spare.next.assign(spare.begins.begin(), spare.begins.end() - 1);
+  spare.pairs.require(count);
+  spare.seconds.require(2 * (count + short_row));
+  std::uint32_t* const seconds = spare.seconds.data();
+  for (std::size_t k = 0; k < count; ++k) {
+    spare.pairs[k] = pairs[k];
+    seconds[spare.next[pairs[k].a & row_mask]++] = pairs[k].b;
   }
-  std::size_t begin = 0;
-  for (const std::uint32_t end : ends) {
-    if (end - begin > 1) sort_row(pairs + begin, end - begin, limit_b, spare, row_bits);
-    begin = end;
+  std::fill(seconds + count, seconds + count + short_row, 0U);
+  sort_kernels().place(spare.pairs.data(), count, row_mask, spare.begins.data(), seconds, pairs);
+  if (longest <= short_row) return;
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    const std::uint32_t begin = spare.begins[row];
+    const std::uint32_t end = spare.begins[row + 1];
+    if (end - begin <= short_row) continue;
+    sort_numbers(seconds + begin, end - begin, limit_b, seconds + count + short_row, spare.bits);
+    for (std::uint32_t k = begin; k < end; ++k) pairs[k] = {first + row, seconds[k]};
   }
 }
 
@@ -136,13 +115,10 @@ void PairSort::sort(std::span<const std::span<const Pair>> pieces, std::size_t l
   });
   constexpr std::size_t buckets_per_task = 16;
   executor.parallel_for((buckets + buckets_per_task - 1) / buckets_per_task, [&](std::size_t task) {
-    std::vector<std::uint32_t> ends;
-    std::vector<std::uint64_t> row_bits;
-    Buffer<Pair> spare;
+    Spare spare;
     for (std::size_t k = task * buckets_per_task; k < std::min(buckets, (task + 1) * buckets_per_task); ++k) {
       const std::size_t begin = k == 0 ? 0 : ends_[k - 1];
-      spare.require(ends_[k] - begin);
-      sort_bucket(out + begin, ends_[k] - begin, bits, limit_b, spare.data(), ends, row_bits);
+      if (ends_[k] > begin) sort_bucket(out + begin, ends_[k] - begin, bits, limit_b, spare);
     }
   });
 }

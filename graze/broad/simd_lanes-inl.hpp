@@ -32,6 +32,14 @@ constexpr std::uint32_t lanes_of = static_cast<std::uint32_t>(hn::MaxLanes(Tag<T
 template <class T>
 constexpr std::uint32_t vectors_of = block_size / lanes_of<T>;
 
+/// One bit per lane.
+template <class T, class Mask>
+HWY_INLINE std::uint32_t bits_of(const Mask& mask) {
+  std::uint64_t bits = 0;
+  hn::StoreMaskBits(Tag<T>(), mask, reinterpret_cast<std::uint8_t*>(&bits));
+  return static_cast<std::uint32_t>(bits) & ((1U << lanes_of<T>)-1U);
+}
+
 }  // namespace graze::detail::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Compiled once per instruction set: Highway includes this file anew for each.
+#include <bit>
+
+#include <graze/broad/sort_kernels.hpp>
+
+// As in block_kernels.cpp.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "graze/broad/sort_kernels.cpp"
+#include <hwy/foreach_target.h>  // must come before highway.h
+#include <hwy/highway.h>
+
+#include <graze/broad/simd_lanes-inl.hpp>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::detail::HWY_NAMESPACE {
+namespace {
+
+static_assert(short_row == block_size, "a row is compared like a block");
+
+void place_pairs(const Pair* pairs, std::size_t count, std::uint32_t row_mask, const std::uint32_t* begins,
+                 const std::uint32_t* seconds, Pair* out) {
+  const Tag<std::uint32_t> d;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Pair pair = pairs[k];
+    const std::uint32_t row = pair.a & row_mask;
+    const std::uint32_t begin = begins[row];
+    const std::uint32_t length = begins[row + 1] - begin;
+    if (HWY_UNLIKELY(length > short_row)) continue;
+    const auto second = hn::Set(d, pair.b);
+    std::uint32_t smaller = 0;
+    for (std::uint32_t at = 0; at < short_row; at += lanes_of<std::uint32_t>) {
+      smaller |= bits_of<std::uint32_t>(hn::Lt(hn::LoadU(d, seconds + begin + at), second)) << at;
+    }
+    const auto rank = static_cast<std::uint32_t>(std::popcount(smaller & ((1U << length) - 1U)));
+    out[begin + rank] = pair;
+  }
+}
+
+}  // namespace
+
+const SortKernels& all_sort_kernels() {
+  static const SortKernels all{place_pairs};
+  return all;
+}
+
+}  // namespace graze::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace graze::detail {
+namespace {
+HWY_EXPORT(all_sort_kernels);
+}
+
+const SortKernels& sort_kernels() { return HWY_DYNAMIC_DISPATCH(all_sort_kernels)(); }
+
+}  // namespace graze::detail
+#endif

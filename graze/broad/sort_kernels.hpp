@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The inner loop of sorting pairs, once for every set of vector instructions that the compiler knows, as in
+// block_kernels.hpp.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <graze/broad/pair.hpp>
+
+namespace graze::detail {
+
+/// A row of so many pairs, of one first index, is sorted by counting for each how many have a smaller second index.
+inline constexpr std::uint32_t short_row = 16;
+
+struct SortKernels {
+  /// Puts pairs in their places. The row of a pair is `a & row_mask`; its row begins at begins[row] and ends before
+  /// begins[row + 1], where `seconds` has the second indices of the row in any order, and `out` wants the pairs sorted.
+  /// `seconds` can be read 16 numbers further than the last row. Pairs of rows that are not short are left out.
+  void (*place)(const Pair* pairs, std::size_t count, std::uint32_t row_mask, const std::uint32_t* begins,
+                const std::uint32_t* seconds, Pair* out);
+};
+
+/// The kernels for this machine.
+const SortKernels& sort_kernels();
+
+}  // namespace graze::detail

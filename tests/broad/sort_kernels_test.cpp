@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <graze/broad/sort_kernels.hpp>
+
+#include "simd_targets.hpp"
+
+namespace graze::detail {
+namespace {
+
+TEST(SortKernels, PutPairsOfShortRowsInTheirPlacesAndLeaveOutTheOthers) {
+  constexpr std::uint32_t rows = 32;
+  constexpr Pair untouched{7, 7};
+  std::mt19937 random(5);
+  std::vector<Pair> sorted;
+  std::vector<std::uint32_t> begins = {0};
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    const std::uint32_t length = row < 20 ? row : 0;  // 17 to 19 are not short
+    for (std::uint32_t k = 0; k < length; ++k) sorted.push_back({64 + row, 0xFFFFFFFFU - 1000 * (length - k)});
+    begins.push_back(static_cast<std::uint32_t>(sorted.size()));
+  }
+  std::vector<std::uint32_t> seconds;
+  for (const Pair& pair : sorted) seconds.push_back(pair.b);
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    std::shuffle(seconds.begin() + begins[row], seconds.begin() + begins[row + 1], random);
+  }
+  seconds.resize(seconds.size() + short_row);
+  std::vector<Pair> pairs = sorted;
+  std::shuffle(pairs.begin(), pairs.end(), random);
+  std::vector<Pair> expected = sorted;
+  for (std::uint32_t k = begins[17]; k < begins[20]; ++k) expected[k] = untouched;
+  for (const std::int64_t target : test::simd_targets()) {
+    const test::ForcedTarget forced(target);
+    std::vector<Pair> placed(sorted.size(), untouched);
+    sort_kernels().place(pairs.data(), pairs.size(), rows - 1, begins.data(), seconds.data(), placed.data());
+    EXPECT_EQ(placed, expected) << hwy::TargetName(target);
+  }
+}
+
+}  // namespace
+}  // namespace graze::detail
