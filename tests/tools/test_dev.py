@@ -36,9 +36,21 @@ class DevTest(TreeTest):
         self.assertIn("exam", done.stderr)
 
     def test_commands_without_arguments_refuse_them(self):
+        done = self.dev("clean", "all")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("clean takes no arguments, but was given: all", done.stderr)
+
+    def test_one_benchmark_runs_with_its_options_and_an_unknown_one_is_told_the_known_ones(self):
+        self.write("bench/bounding.cpp", "")
+        for name in ("bounding", "graze_peers"):
+            self.write_program(f"build/bench/bench/{name}", 'echo "$(basename "$0"): $*"')
         done = self.dev("bench", "fast")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("bench takes no arguments, but was given: fast", done.stderr)
+        self.assertIn("there is no benchmark 'fast'; they are: bounding graze_peers", done.stderr)
+        self.assertEqual(self.dev("bench", "bounding", "--quick").stdout, "bounding: --quick\n")
+        everything = self.dev("bench").stdout
+        self.assertIn("bounding: \n", everything)
+        self.assertIn("--markdown docs/benchmarks.md", everything)
 
     def test_the_exam_is_built_alone_and_gets_the_options_after_the_number_of_jobs(self):
         self.write_program("build/exam/bin/graze_exam", 'for word in "$@"; do echo "[$word]"; done')
