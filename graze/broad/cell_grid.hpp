@@ -32,6 +32,7 @@ void fit_cells(CellGrid<N, T>& grid, const Aabb<N, T>& bounds, Dim axis) {
   if (std::isfinite(extent) && std::isfinite(grid.cells_per_unit[axis])) return;
   grid.cells[axis] = 1;
   grid.cells_per_unit[axis] = T(0);
+  grid.origin[axis] = T(0);  // from where no finite point is infinitely far
 }
 
 /// A grid over finite bounds with at least `wanted` cells, less than twice as many, or with one, where the bounds are a

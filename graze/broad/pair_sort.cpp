@@ -12,7 +12,8 @@ namespace graze::detail {
 namespace {
 
 constexpr std::size_t most_buckets = 1024;
-constexpr std::uint32_t least_bits = 8;  // a bucket holds at least so many first indices, as a power of two
+constexpr std::size_t pairs_per_bucket = 1024;
+constexpr std::uint32_t most_bits = 8;  // of first indices in a bucket, where buckets are few enough
 
 /// Memory to sort a bucket in.
 struct Spare {
@@ -94,7 +95,13 @@ void sort_bucket(Pair* pairs, std::size_t count, std::uint32_t bits, std::size_t
 
 void PairSort::sort(std::span<const std::span<const Pair>> pieces, std::size_t limit_a, std::size_t limit_b,
                     const Executor& executor, Pair* out) {
-  const auto bits = std::max(least_bits, static_cast<std::uint32_t>(std::bit_width(limit_a / most_buckets)));
+  std::size_t total = 0;
+  for (const auto& piece : pieces) total += piece.size();
+  // So many first indices in a bucket that its pairs fit the first caches, but not more buckets than those have room
+  // for.
+  const auto fitting = static_cast<std::uint32_t>(std::bit_width(limit_a * pairs_per_bucket / (total + 1)));
+  const auto bits =
+      std::max(std::min(most_bits, fitting), static_cast<std::uint32_t>(std::bit_width(limit_a / most_buckets)));
   const std::size_t buckets = (limit_a >> bits) + 1;
   places_.assign(pieces.size() * buckets, 0);
   executor.parallel_for(pieces.size(), [&](std::size_t piece) {
