@@ -51,7 +51,7 @@ HWY_INLINE void survey_one(const Aabb<N, T>& box, std::size_t position, Survey<N
 
 template <Dim N, class T>
 Survey<N, T> survey_boxes(const Aabb<N, T>* boxes, std::size_t count) {
-  static_assert(sizeof(Aabb<N, T>) == 2 * N * sizeof(T));
+  static_assert(sizeof(Aabb<N, T>) == std::size_t{2} * N * sizeof(T));
   const Tag<T> d;
   const auto half = hn::Set(d, T(0.5));
   const auto largest = hn::Set(d, std::numeric_limits<T>::max());
@@ -142,6 +142,7 @@ HWY_INLINE std::uint16_t cell_of_box(const Aabb<N, T>& box, const CellGrid<N, T>
 }
 
 template <Dim N, class T>
+// NOLINTNEXTLINE(readability-function-size): arrays, one by one, as the loop needs them
 void cells_of_boxes(const Aabb<N, T>* boxes, std::size_t count, const CellGrid<N, T>& grid, T largest,
                     std::uint16_t unusual, std::uint16_t* cell) {
   const Tag<T> d;

@@ -136,7 +136,7 @@ void BlockTree<N, T>::lay_out() {
 
 template <Dim N, class T>
 void BlockTree<N, T>::close(std::size_t level, const Executor& executor) {
-  constexpr std::size_t blocks_per_task = 64 * block_size;  // so that no two tasks share a block above
+  constexpr std::size_t blocks_per_task = std::size_t{64} * block_size;  // so that no two tasks share a block above
   const std::size_t count = level_size(level);
   executor.parallel_for((count + blocks_per_task - 1) / blocks_per_task, [&](std::size_t task) {
     const std::size_t first = task * blocks_per_task;

@@ -29,7 +29,7 @@ class BlockTree {
   void build(std::span<const Aabb<N, T>> boxes, T margin, const Executor& executor);
 
   /// Adds levels of a single block on top until there are so many.
-  void raise(std::size_t height);
+  void raise(std::size_t wanted);
 
   /// How many levels there are: at least two, or none, when no box contains anything.
   std::size_t height() const { return level_first_.size() - 1; }

@@ -19,6 +19,7 @@ namespace graze::detail {
 /// indices. Where almost all lie in one cell of a grid, an ordinary sort along the widest axis takes the place of more
 /// grids, so that the time is bounded by n log n for any centers.
 template <Dim N, class T, class Index, class Center>
+// NOLINTNEXTLINE(readability-function-size): with the memory to sort in
 void sort_crowd(Index* order, std::size_t count, std::size_t small, const Center& center, std::uint16_t* cells,
                 Index* spare) {
   if (count <= small) return;

@@ -61,6 +61,7 @@ HWY_INLINE std::uint32_t touched_lanes(const OneBox<N, T>& box, const Block<N, T
 HWY_INLINE std::uint32_t lanes_after(std::uint32_t lane) { return 0xFFFEU << lane & 0xFFFFU; }
 
 template <Dim N, class T>
+// NOLINTNEXTLINE(readability-function-size): arrays, one by one, as the loop needs them
 std::size_t descend_pairs(const Block<N, T>* a, const Block<N, T>* b, bool itself, const BlockPair* pairs,
                           std::size_t count, BlockPair* out) {
   std::size_t found = 0;
@@ -145,6 +146,7 @@ HWY_INLINE Pair* write_pairs(Touches& touches, const std::uint32_t* ids_a, const
 }
 
 template <Dim N, class T>
+// NOLINTNEXTLINE(readability-function-size): arrays, one by one, as the loop needs them
 std::size_t meet_pairs(const Block<N, T>* a, const std::uint32_t* ids_a, const Block<N, T>* b,
                        const std::uint32_t* ids_b, const Block<N, T>* above, bool itself, const BlockPair* pairs,
                        std::size_t count, Pair* out) {

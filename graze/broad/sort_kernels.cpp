@@ -20,6 +20,7 @@ namespace {
 
 static_assert(short_row == block_size, "a row is compared like a block");
 
+// NOLINTNEXTLINE(readability-function-size): arrays, one by one, as the loop needs them
 void place_pairs(const Pair* pairs, std::size_t count, std::uint32_t row_mask, const std::uint32_t* begins,
                  const std::uint32_t* seconds, Pair* out) {
   const Tag<std::uint32_t> d;

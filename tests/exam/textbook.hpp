@@ -216,6 +216,7 @@ std::pair<T, T> interval(const std::array<T, 3>& places, const std::array<T, 3>&
 
 /// Two segments in the plane of the axes i, j.
 template <class T>
+// NOLINTNEXTLINE(readability-function-size): two edges and two axes
 bool edges_cross(const Vec3<T>& p, const Vec3<T>& p_end, const Vec3<T>& q, const Vec3<T>& q_end, Dim i, Dim j) {
   const auto side = [i, j](const Vec3<T>& from, const Vec3<T>& to, const Vec3<T>& point) {
     return (to[i] - from[i]) * (point[j] - from[j]) - (to[j] - from[j]) * (point[i] - from[i]);
