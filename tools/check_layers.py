@@ -24,6 +24,7 @@ TESTED_ELSEWHERE = {
     "graze/broad/block.hpp": ("tests/broad/block_tree_test.cpp", "structs without functions: what the tree is made of"),
     "graze/broad/pair.hpp": ("tests/broad/pairs_test.cpp", "a struct without functions: it is what overlapping_pairs gives"),
     "graze/broad/pair_search.hpp": ("tests/broad/pairs_test.cpp", "the method behind overlapping_pairs"),
+    "graze/broad/simd_choice.hpp": ("tests/broad/block_kernels_test.cpp", "one macro, whose sets the tests force one by one"),
     "graze/broad/simd_lanes-inl.hpp": ("tests/broad/block_kernels_test.cpp", "names for vectors, which all kernels use"),
     "graze/broad/prefetch.hpp": ("tests/broad/crowd_test.cpp", "changes nothing but the time"),
     "graze/query/status.hpp": ("tests/query/gjk_test.cpp", "an enum without functions: it is how gjk and epa end"),

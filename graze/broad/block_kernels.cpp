@@ -9,10 +9,7 @@
 #include <utility>
 
 #include <graze/broad/block_kernels.hpp>
-
-// Few enough to compile in seconds: of instruction sets that differ in nothing that is used here, the older one.
-// Vectors whose length is known at run time only cannot be held in arrays, as they are below.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#include <graze/broad/simd_choice.hpp>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/broad/block_kernels.cpp"

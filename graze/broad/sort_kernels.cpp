@@ -2,10 +2,8 @@
 // Compiled once per instruction set: Highway includes this file anew for each.
 #include <bit>
 
+#include <graze/broad/simd_choice.hpp>
 #include <graze/broad/sort_kernels.hpp>
-
-// As in block_kernels.cpp.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/broad/sort_kernels.cpp"
