@@ -12,7 +12,6 @@
 
 #include <rapidcheck.h>
 
-#include <graze/math/pose.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze::test {
@@ -60,6 +59,16 @@ inline double between(rc::Random& random, double low, double high) {
 /// A uniform whole number in [low, high].
 inline double whole(rc::Random& random, int low, int high) { return std::floor(between(random, low, high + 1.0)); }
 
+/// A number of 2^low to 2^(high + 1), every power of two as likely as the next. No power function has a part in it:
+/// their last bits differ between machines, and with them what a seed leads to.
+inline double of_any_magnitude(rc::Random& random, int low, int high) {
+  const double exponent = whole(random, low, high);
+  return std::ldexp(between(random, 1, 2), static_cast<int>(exponent));
+}
+
+/// 1e-6 to 2e6.
+inline double of_any_magnitude(rc::Random& random) { return of_any_magnitude(random, -20, 20); }
+
 /// A uniform choice among `count` things, which shrinks to the first.
 inline rc::Gen<std::size_t> choice(std::size_t count) {
   return drawn<std::size_t>([count](rc::Random& random) { return static_cast<std::size_t>(random.next() % count); });
@@ -70,7 +79,7 @@ enum class Kind {
   grid,     ///< Small whole numbers: exact touching, many coincidences.
   nudged,   ///< The same, some of them a few ulp off: almost touching.
   uniform,  ///< -10 to 10.
-  scales,   ///< 1e-6 to 1e6, both signs.
+  scales,   ///< 1e-6 to 2e6, both signs.
   far,      ///< Within 10 of 1e6: small shapes far from the origin.
 };
 inline constexpr std::array<Kind, 5> kinds = {Kind::grid, Kind::nudged, Kind::uniform, Kind::scales, Kind::far};
@@ -96,7 +105,7 @@ T draw_coordinate(Kind kind, rc::Random& random) {
     case Kind::uniform:
       return static_cast<T>(between(random, -10, 10));
     case Kind::scales:
-      return static_cast<T>(std::pow(10, between(random, -6, 6)) * (whole(random, 0, 1) == 0 ? 1 : -1));
+      return static_cast<T>(whole(random, 0, 1) == 0 ? of_any_magnitude(random) : -of_any_magnitude(random));
     case Kind::far:
       return static_cast<T>(1e6 + between(random, -10, 10));
   }
@@ -113,7 +122,7 @@ T draw_size(Kind kind, rc::Random& random) {
     case Kind::nudged:
       return nudged<T>(random, 1, 3);
     case Kind::scales:
-      return static_cast<T>(std::pow(10, between(random, -6, 6)));
+      return static_cast<T>(of_any_magnitude(random));
     default:
       return static_cast<T>(between(random, 0, 5));
   }
@@ -200,14 +209,27 @@ Mat<N, T> rounded(const Mat<N, double>& matrix) {
   return result;
 }
 
-/// Degrees: quarter turns, almost quarter turns (1e-8 to 1e-6 radians off), and any angle.
-inline rc::Gen<double> any_degrees() {
+/// Quarter turns, almost quarter turns (1e-8 to 4e-6 radians off), and any turn. Whole numbers count quarter turns.
+inline rc::Gen<double> any_turn() {
   return drawn<double>([](rc::Random& random) {
-    const double quarter = 90 * whole(random, -1, 2);
-    const double off = std::pow(10, between(random, -8, -6)) * (180 / 3.14159265358979323846);
-    const std::array<double, 3> choices = {quarter, quarter + off * whole(random, -1, 1), between(random, -180, 180)};
-    return choices[static_cast<std::size_t>(whole(random, 0, 2))];
+    const double quarters = whole(random, -1, 2);
+    const double kind = whole(random, 0, 2);
+    if (kind == 0) return quarters;
+    if (kind == 1) return between(random, -2, 2);
+    const double off = of_any_magnitude(random, -27, -20);
+    return quarters + off * whole(random, -1, 1);
   });
+}
+
+/// Cosine and sine of a turn, with nothing but what every machine rounds alike. In between quarter turns it is of about
+/// that angle.
+inline Vec<2, double> direction_of(double turn) {
+  const double quarters = std::floor(turn + 0.5);
+  const double half_tangent = (turn - quarters) * 0.828125;  // of an eighth of a turn: 0.414
+  const double scale = 1 / (1 + half_tangent * half_tangent);
+  Vec<2, double> direction((1 - half_tangent * half_tangent) * scale, 2 * half_tangent * scale);
+  for (int k = 0; k < (static_cast<int>(quarters) + 4) % 4; ++k) direction = {-direction.y, direction.x};
+  return direction;
 }
 
 /// A proper rotation: exact to the last bit at quarter turns about the axes, else orthonormal up to rounding. In space
@@ -215,12 +237,22 @@ inline rc::Gen<double> any_degrees() {
 template <Dim N, class T>
 rc::Gen<Mat<N, T>> any_rotation() {
   return rc::gen::exec([] {
-    const rc::Gen<double> degrees = any_degrees();
+    const rc::Gen<double> turns = any_turn();
     if constexpr (N == 2) {
-      return rounded<2, T>(rotation_matrix(*degrees));
+      const Vec<2, double> turn = direction_of(*turns);
+      return rounded<2, T>(Mat<2, double>(turn, Vec<2, double>(-turn.y, turn.x)));
     } else {
       Mat<3, double> rotation(1.0);
-      for (const Dim axis : {2, 0, 2}) rotation = rotation_matrix(unit_axis<3>(axis), *degrees) * rotation;
+      for (const Dim axis : {2, 0, 2}) {
+        const Vec<2, double> turn = direction_of(*turns);
+        const Dim next = (axis + 1) % 3;
+        const Dim last = (axis + 2) % 3;
+        Mat<3, double> step(1.0);
+        step[next][next] = step[last][last] = turn.x;
+        step[next][last] = turn.y;
+        step[last][next] = -turn.y;
+        rotation = step * rotation;
+      }
       return rounded<3, T>(rotation);
     }
   });
