@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -60,13 +61,24 @@ constexpr std::array<std::pair<std::string_view, PairOrder>, 2> orders{
 constexpr std::size_t usual_frames = 10;
 constexpr NumberRange thread_range{1, 1024};
 
-/// Above this many boxes the double loop runs only for those who ask for it by name: it would be seconds for a frame.
-constexpr std::size_t brute_force_limit = 10000;
+/// Above so many boxes a method runs only for those who ask for it by name: it would be seconds for a frame.
+std::size_t usual_limit(PairMethod method) {
+  switch (method) {
+    case PairMethod::brute_force:
+      return 10'000;
+    case PairMethod::dense:
+      return 50'000;
+    case PairMethod::automatic:
+    case PairMethod::tree:
+      break;
+  }
+  return std::numeric_limits<std::size_t>::max();
+}
 
 /// What is to be measured, whatever the boxes are.
 struct Plan {
   std::vector<PairMethod> methods;
-  bool has_brute_force_by_name = false;
+  std::vector<PairMethod> by_name;
   PairOptions options;
   std::unique_ptr<Executor> own_executor;
   std::optional<std::size_t> frames;
@@ -91,7 +103,7 @@ Plan plan_of(const BenchArguments& arguments) {
     } else {
       const PairMethod method = read_method(name);
       add(method);
-      if (method == PairMethod::brute_force) plan.has_brute_force_by_name = true;
+      plan.by_name.push_back(method);
     }
   }
   if (plan.methods.empty()) add(PairMethod::automatic);
@@ -130,10 +142,10 @@ class Measurement {
  public:
   Measurement(const Plan& plan, BenchReport& report) : plan_(plan), report_(report) {
     for (const PairMethod method : plan.methods) {
-      const bool is_too_slow = method == PairMethod::brute_force && report.boxes > brute_force_limit;
-      if (is_too_slow && !plan.has_brute_force_by_name) {
-        report.skipped.push_back(
-            {name_of(method), fmt::format("{} boxes are more than {}", report.boxes, brute_force_limit)});
+      const std::size_t limit = usual_limit(method);
+      const bool is_by_name = std::find(plan.by_name.begin(), plan.by_name.end(), method) != plan.by_name.end();
+      if (report.boxes > limit && !is_by_name) {
+        report.skipped.push_back({name_of(method), fmt::format("{} boxes are more than {}", report.boxes, limit)});
         continue;
       }
       runs_.push_back({method, PairFinder<N, T>()});

@@ -18,6 +18,9 @@ struct alignas(64) Block {
   T max[N][block_size];
 };
 
+/// Stands for the box of a lane without one.
+inline constexpr std::uint32_t no_box = 0xFFFF'FFFF;
+
 /// How many pairs of blocks are compared in one go.
 inline constexpr std::uint32_t block_pairs_at_once = 32;
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <graze/broad/block_kernels.hpp>
+#include <graze/broad/prefetch.hpp>
 #include <graze/broad/simd_choice.hpp>
 
 #undef HWY_TARGET_INCLUDE
@@ -228,6 +229,14 @@ HWY_INLINE auto indices_for(double /*unused*/, const std::uint16_t* order) {
 }
 
 template <Dim N, class T>
+void fill_with_nan(Block<N, T>& block) {
+  for (Dim i = 0; i < N; ++i) {
+    std::fill(block.min[i], block.min[i] + block_size, std::numeric_limits<T>::quiet_NaN());
+    std::fill(block.max[i], block.max[i] + block_size, std::numeric_limits<T>::quiet_NaN());
+  }
+}
+
+template <Dim N, class T>
 void fill_blocks(const BoxArrays<N, T>& boxes, const std::uint16_t* order, std::size_t count, Block<N, T>* blocks,
                  std::uint32_t* ids) {
   const Tag<T> d;
@@ -244,15 +253,67 @@ void fill_blocks(const BoxArrays<N, T>& boxes, const std::uint16_t* order, std::
     }
   }
   if (start == count) return;
+  std::fill(ids + count, ids + start + block_size, no_box);
   Block<N, T>& block = blocks[start / block_size];
+  fill_with_nan(block);
   for (Dim i = 0; i < N; ++i) {
-    std::fill(block.min[i], block.min[i] + block_size, std::numeric_limits<T>::quiet_NaN());
-    std::fill(block.max[i], block.max[i] + block_size, std::numeric_limits<T>::quiet_NaN());
     for (std::size_t k = start; k < count; ++k) {
       block.min[i][k - start] = boxes.min[i][order[k]];
       block.max[i][k - start] = boxes.max[i][order[k]];
     }
   }
+}
+
+/// Whether the first lanes have boxes that contain something.
+template <Dim N, class T>
+HWY_INLINE bool are_boxes(const Block<N, T>& block, std::uint32_t lanes) {
+  const Tag<T> d;
+  std::uint32_t boxes = 0;
+  for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
+    auto is_box = hn::FirstN(d, lanes_of<T>);
+    for (Dim i = 0; i < N; ++i) {
+      is_box = hn::And(is_box, hn::Le(hn::Load(d, block.min[i] + lane), hn::Load(d, block.max[i] + lane)));
+    }
+    boxes |= bits_of<T>(is_box) << lane;
+  }
+  return boxes == (1U << lanes) - 1U;
+}
+
+template <Dim N, class T>
+HWY_INLINE void grow(Block<N, T>& block, T margin) {
+  const Tag<T> d;
+  const auto by = hn::Set(d, margin);
+  for (Dim i = 0; i < N; ++i) {
+    for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
+      hn::Store(hn::Sub(hn::Load(d, block.min[i] + lane), by), d, block.min[i] + lane);
+      hn::Store(hn::Add(hn::Load(d, block.max[i] + lane), by), d, block.max[i] + lane);
+    }
+  }
+}
+
+template <Dim N, class T>
+// NOLINTNEXTLINE(readability-function-size): arrays, one by one, as the loop needs them
+bool refill_blocks(const Aabb<N, T>* boxes, T margin, const std::uint32_t* ids, std::size_t count,
+                   Block<N, T>* blocks) {
+  constexpr std::size_t ahead = 2 * block_size;  // boxes on their way
+  const std::uint32_t* const end = ids + count * block_size;
+  for (std::size_t k = 0; k < count; ++k, ids += block_size) {
+    Block<N, T>& block = blocks[k];
+    const std::uint32_t* const next = end - ids > std::ptrdiff_t{ahead} ? ids + ahead : ids;
+    if (HWY_UNLIKELY(ids[block_size - 1] == no_box)) fill_with_nan(block);
+    std::uint32_t lanes = 0;
+    for (; lanes < block_size && ids[lanes] != no_box; ++lanes) {
+      const Aabb<N, T>& box = boxes[ids[lanes]];
+      prefetch(boxes + (next[lanes] != no_box ? next[lanes] : ids[lanes]));
+      for (Dim i = 0; i < N; ++i) {
+        block.min[i][lanes] = box.min[i];
+        block.max[i][lanes] = box.max[i];
+      }
+    }
+    if (!are_boxes(block, lanes)) return false;
+    if (margin != T(0)) grow(block, margin);
+  }
+  return true;
 }
 
 template <Dim N, class T>
@@ -288,7 +349,7 @@ void close_level(const Block<N, T>* blocks, std::size_t count, Block<N, T>* abov
 template <Dim N, class T>
 BlockKernels<N, T> kernels() {
   return {hwy::TargetName(HWY_TARGET), survey_boxes<N, T>, cells_of_boxes<N, T>, center_bounds<N, T>,
-          cells_in_arrays<N, T>,       fill_blocks<N, T>,  close_level<N, T>};
+          cells_in_arrays<N, T>,       fill_blocks<N, T>,  refill_blocks<N, T>,  close_level<N, T>};
 }
 
 }  // namespace

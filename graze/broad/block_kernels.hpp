@@ -48,9 +48,13 @@ struct BlockKernels {
   /// The cell of every center of boxes in arrays.
   void (*array_cells)(const BoxArrays<N, T>& boxes, std::size_t count, const CellGrid<N, T>& grid, std::uint16_t* cell);
 
-  /// Fills blocks with the boxes at order[0], order[1], ..., and pads the last block with NaN.
+  /// Fills blocks with the boxes at order[0], order[1], ..., and pads the last block with NaN, its ids with no_box.
   void (*fill)(const BoxArrays<N, T>& boxes, const std::uint16_t* order, std::size_t count, Block<N, T>* blocks,
                std::uint32_t* ids);
+
+  /// Fills `count` blocks anew with the boxes that `ids` names, each grown by `margin`. False if one of them has a NaN
+  /// or contains nothing.
+  bool (*refill)(const Aabb<N, T>* boxes, T margin, const std::uint32_t* ids, std::size_t count, Block<N, T>* blocks);
 
   /// Stores the bounds of each block in its lane of the level above, where lanes beyond the last become NaN.
   void (*close)(const Block<N, T>* blocks, std::size_t count, Block<N, T>* above);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 #include <numeric>
 
@@ -11,8 +12,9 @@
 namespace graze::detail {
 namespace {
 
-constexpr std::size_t crowd_size = 64;  // a fine cell with more boxes is divided again
-constexpr std::uint32_t row_cells = 8;  // as many fine cells in a row hold a block, which is about a cube then
+constexpr std::size_t crowd_size = 64;      // a fine cell with more boxes is divided again
+constexpr std::uint32_t row_cells = 8;      // as many fine cells in a row hold a block, which is about a cube then
+constexpr std::size_t sample_stride = 128;  // blocks, of which one is looked at before all are refilled
 constexpr std::size_t most_cells = run_limit / block_size * 2 * row_cells;
 
 }  // namespace
@@ -160,6 +162,7 @@ void BlockTree<N, T>::fill_run(std::span<const Aabb<N, T>> boxes, T margin, cons
 
 template <Dim N, class T>
 void BlockTree<N, T>::build(std::span<const Aabb<N, T>> boxes, T margin, const Executor& executor) {
+  box_count_ = 0;
   order_.sort(boxes, executor);
   lay_out();
   if (height() == 0) return;
@@ -177,7 +180,63 @@ void BlockTree<N, T>::build(std::span<const Aabb<N, T>> boxes, T margin, const E
     }
     scratches_->give_back(std::move(scratch));
   });
+  std::size_t held = 0;
+  for (const SpatialRun& run : runs) held += run.count;
+  if (held == boxes.size()) box_count_ = held;
   for (std::size_t k = 0; k + 1 < height(); ++k) close(k, executor);
+  remember_spread();
+}
+
+template <Dim N, class T>
+void BlockTree<N, T>::remember_spread() {
+  built_height_ = height();
+  spread_.take_as_usual(level(1), level_size(0));
+  spread_when_built_ = spread_.of(level(1), 0, level_size(0));
+  sample_when_built_ = 0;
+  for (std::size_t k = 0; k < level_size(0); k += sample_stride) sample_when_built_ += spread_.of(level(1), k);
+  lost_ = 0;
+}
+
+/// Looks at a few blocks, for boxes that have nothing in common with the last ones.
+template <Dim N, class T>
+bool BlockTree<N, T>::has_drifted(std::span<const Aabb<N, T>> boxes, T margin) const {
+  std::uint64_t sample = 0;
+  Block<N, T> block;
+  Block<N, T> bounds;
+  for (std::size_t k = 0; k < level_size(0); k += sample_stride) {
+    if (!block_kernels<N, T>().refill(boxes.data(), margin, ids_.data() + k * block_size, 1, &block)) return true;
+    block_kernels<N, T>().close(&block, 1, &bounds);
+    sample += spread_.of(&bounds, 0);
+  }
+  return sample > sample_when_built_ + sample_when_built_ / 2;
+}
+
+template <Dim N, class T>
+bool BlockTree<N, T>::refit(std::span<const Aabb<N, T>> boxes, T margin, const Executor& executor) {
+  if (boxes.empty() || boxes.size() != box_count_ || lost_ > spread_when_built_ || has_drifted(boxes, margin)) {
+    return false;
+  }
+  level_first_.resize(built_height_ + 1);
+  constexpr std::size_t blocks_per_task = std::size_t{16} * block_size;  // no two tasks share a block above
+  const std::size_t count = level_size(0);
+  std::atomic<std::uint64_t> spread = 0;
+  std::atomic<bool> are_boxes = true;
+  executor.parallel_for((count + blocks_per_task - 1) / blocks_per_task, [&](std::size_t task) {
+    const std::size_t first = task * blocks_per_task;
+    const std::size_t some = std::min(blocks_per_task, count - first);
+    Block<N, T>* const blocks = blocks_.data() + first;
+    Block<N, T>* const above = blocks_.data() + level_first_[1] + first / block_size;
+    if (!block_kernels<N, T>().refill(boxes.data(), margin, ids_.data() + first * block_size, some, blocks)) {
+      are_boxes = false;
+      return;
+    }
+    block_kernels<N, T>().close(blocks, some, above);
+    spread += spread_.of(above, 0, some);
+  });
+  if (!are_boxes || spread > spread_when_built_ + spread_when_built_ / 2) return false;
+  if (spread > spread_when_built_) lost_ += spread - spread_when_built_;
+  for (std::size_t k = 1; k + 1 < height(); ++k) close(k, executor);
+  return true;
 }
 
 template <Dim N, class T>

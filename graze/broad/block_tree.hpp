@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <graze/broad/block.hpp>
+#include <graze/broad/block_spread.hpp>
 #include <graze/broad/buffer.hpp>
 #include <graze/broad/executor.hpp>
 #include <graze/broad/spatial_order.hpp>
@@ -17,7 +18,7 @@
 namespace graze::detail {
 
 /// Boxes sorted so that neighbours in space share a block of sixteen, the blocks again in blocks of sixteen, and so on
-/// up to a single one. Built anew for each set of boxes, in memory that is kept.
+/// up to a single one. Built anew for each set of boxes, or refitted to boxes that have moved, in memory that is kept.
 template <Dim N, class T>
 class BlockTree {
  public:
@@ -27,6 +28,11 @@ class BlockTree {
   /// Takes the boxes, each grown by `margin`, but those that contain nothing. Throws std::invalid_argument with the
   /// position of the first box that has a NaN.
   void build(std::span<const Aabb<N, T>> boxes, T margin, const Executor& executor);
+
+  /// Takes boxes in the order of the last ones, as many, without sorting them anew: quick, and good while they have
+  /// moved little. False, with nothing to be relied upon, where that would not do: boxes have come, gone or moved so
+  /// far that sorting pays, or one has a NaN or contains nothing.
+  bool refit(std::span<const Aabb<N, T>> boxes, T margin, const Executor& executor);
 
   /// Adds levels of a single block on top until there are so many.
   void raise(std::size_t wanted);
@@ -52,12 +58,22 @@ class BlockTree {
   void fill_run(std::span<const Aabb<N, T>> boxes, T margin, const SpatialRun& run, std::size_t first_block,
                 Scratch& scratch);
   void close(std::size_t level, const Executor& executor);
+  void remember_spread();
+  bool has_drifted(std::span<const Aabb<N, T>> boxes, T margin) const;
 
   SpatialOrder<N, T> order_;
   Buffer<Block<N, T>> blocks_;  // level after level
   std::vector<std::size_t> level_first_ = {0};
   Buffer<std::uint32_t> ids_;
   std::unique_ptr<ScratchPool> scratches_;
+
+  // What the order was worth when it was made, and what has been lost since.
+  std::size_t box_count_ = 0;  // of the last build, if all of its boxes are in the tree
+  std::size_t built_height_ = 0;
+  BlockSpread<N, T> spread_;
+  std::uint64_t spread_when_built_ = 0;
+  std::uint64_t sample_when_built_ = 0;
+  std::uint64_t lost_ = 0;
 };
 
 }  // namespace graze::detail

@@ -2,6 +2,7 @@
 // The plain double loop: too slow for many boxes, too simple to be wrong. The judge of every other method.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,6 +12,14 @@
 
 namespace graze {
 namespace detail {
+
+template <Dim N, class T>
+bool has_nan(const Aabb<N, T>& box) {
+  for (Dim i = 0; i < N; ++i) {
+    if (std::isnan(box.min[i]) || std::isnan(box.max[i])) return true;
+  }
+  return false;
+}
 
 /// Adds the pairs of box `a` with the boxes from `first` on.
 template <Dim N, class T>

@@ -184,9 +184,72 @@ std::size_t meet_pairs(const Block<N, T>* a, const std::uint32_t* ids_a, const B
   return static_cast<std::size_t>(end - out);
 }
 
+/// Calls use(row, block, lanes) for every row of a and block of b that touch.
+template <Dim N, class T, class Use>
+// NOLINTNEXTLINE(readability-function-size): arrays, one by one, as the loop needs them
+HWY_INLINE void for_each_touch(const Block<N, T>* a, const Block<N, T>* b, std::size_t blocks_of_b, bool itself,
+                               Rows rows, const Use& use) {
+  for (std::uint32_t row = rows.first; row < rows.last; ++row) {
+    const OneBox<N, T> one(a[row / block_size], row % block_size);
+    std::uint32_t counted = itself ? lanes_after(row % block_size) : 0xFFFFU;
+    for (std::uint32_t k = itself ? row / block_size : 0; k < blocks_of_b; ++k) {
+      use(row, k, touched_lanes(one, b[k]) & counted);
+      counted = 0xFFFFU;
+    }
+  }
+}
+
+template <Dim N, class T>
+std::size_t count_rows(const Block<N, T>* a, const Block<N, T>* b, std::size_t blocks_of_b, bool itself, Rows rows) {
+  std::size_t count = 0;
+  for_each_touch(a, b, blocks_of_b, itself, rows, [&count](std::uint32_t, std::uint32_t, std::uint32_t lanes) {
+    count += static_cast<std::size_t>(std::popcount(lanes));
+  });
+  return count;
+}
+
+/// Writes the pairs of one box with lanes of a block, whose first box is `base`. Where vectors can, it stores as many
+/// as a block has.
+HWY_INLINE Pair* write_row(std::uint32_t box, std::uint32_t base, std::uint32_t lanes, Pair* out) {
+#if HWY_TARGET <= HWY_AVX3
+  static_assert(sizeof(Pair) == sizeof(std::uint64_t) && std::endian::native == std::endian::little);
+  const hn::CappedTag<std::uint64_t, block_size / 2> d;
+  const auto first = hn::Set(d, box | std::uint64_t{base} << 32U);
+  for (std::uint32_t half = 0; half < 2; ++half, lanes >>= block_size / 2) {
+    const auto bits = static_cast<std::uint8_t>(lanes);
+    const auto lane = hn::ShiftLeft<32>(hn::Iota(d, std::uint64_t{half} * (block_size / 2)));
+    const auto pairs = hn::Compress(hn::Add(first, lane), hn::LoadMaskBits(d, &bits));
+    hn::StoreU(pairs, d, reinterpret_cast<std::uint64_t*>(out));
+    out += std::popcount(bits);
+  }
+#else
+  for (; lanes != 0; lanes &= lanes - 1) {
+    *out++ = {box, base + static_cast<std::uint32_t>(std::countr_zero(lanes))};
+  }
+#endif
+  return out;
+}
+
+template <Dim N, class T>
+// NOLINTNEXTLINE(readability-function-size): arrays, one by one, as the loop needs them
+void meet_rows(const Block<N, T>* a, const Block<N, T>* b, std::size_t blocks_of_b, bool itself, Rows rows,
+               std::span<Pair> out) {
+  Pair* next = out.data();
+  const Pair* const end = next + out.size();
+  for_each_touch(a, b, blocks_of_b, itself, rows, [&](std::uint32_t row, std::uint32_t block, std::uint32_t lanes) {
+    if (lanes == 0) return;
+    if (HWY_LIKELY(end - next >= std::ptrdiff_t{block_size})) {
+      next = write_row(row, block * block_size, lanes, next);
+    } else {
+      Pair last[2 * block_size];
+      next = std::copy(last, write_row(row, block * block_size, lanes, last), next);
+    }
+  });
+}
+
 template <Dim N, class T>
 MeetKernels<N, T> kernels() {
-  return {descend_pairs<N, T>, meet_pairs<N, T>};
+  return {descend_pairs<N, T>, meet_pairs<N, T>, count_rows<N, T>, meet_rows<N, T>};
 }
 
 }  // namespace

@@ -5,12 +5,19 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include <graze/broad/block.hpp>
 #include <graze/broad/pair.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze::detail {
+
+/// The boxes from `first` to before `last`.
+struct Rows {
+  std::uint32_t first;
+  std::uint32_t last;
+};
 
 template <Dim N, class T>
 struct MeetKernels {
@@ -24,6 +31,15 @@ struct MeetKernels {
   std::size_t (*meet)(const Block<N, T>* a, const std::uint32_t* ids_a, const Block<N, T>* b,
                       const std::uint32_t* ids_b, const Block<N, T>* above, bool itself, const BlockPair* pairs,
                       std::size_t count, Pair* out);
+
+  /// How many boxes of b the rows of a overlap; `itself`: of those that come later. Here boxes stand in their blocks in
+  /// their own order.
+  std::size_t (*count_rows)(const Block<N, T>* a, const Block<N, T>* b, std::size_t blocks_of_b, bool itself,
+                            Rows rows);
+
+  /// Writes these pairs, ascending, to `out`, which has room for as many and no more.
+  void (*meet_rows)(const Block<N, T>* a, const Block<N, T>* b, std::size_t blocks_of_b, bool itself, Rows rows,
+                    std::span<Pair> out);
 };
 
 /// The kernels of one instruction set.

@@ -30,10 +30,10 @@ PairSearch<N, T>::~PairSearch() = default;
 
 template <Dim N, class T>
 void PairSearch<N, T>::build(Boxes boxes_a, const Boxes* boxes_b, T margin, const Executor& executor) {
-  tree_a_.build(boxes_a, margin, executor);
+  if (!tree_a_.refit(boxes_a, margin, executor)) tree_a_.build(boxes_a, margin, executor);
   other_ = &tree_a_;
   if (boxes_b == nullptr) return;
-  tree_b_.build(*boxes_b, margin, executor);
+  if (!tree_b_.refit(*boxes_b, margin, executor)) tree_b_.build(*boxes_b, margin, executor);
   other_ = &tree_b_;
   if (tree_a_.height() == 0 || tree_b_.height() == 0) return;
   tree_a_.raise(tree_b_.height());
@@ -83,7 +83,8 @@ void PairSearch<N, T>::meet(std::span<const BlockPair> parents, Found& found) co
 }
 
 template <Dim N, class T>
-std::span<const Pair> PairSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options) {
+std::span<const Pair> PairSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options,
+                                             const PairRoom& room) {
   const Executor& executor = options.executor != nullptr ? *options.executor : default_executor();
   build(boxes_a, boxes_b, static_cast<T>(options.margin), executor);
   descend();
@@ -104,17 +105,17 @@ std::span<const Pair> PairSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_b
     pieces.push_back(found_[task]->all());
     count += pieces.back().size();
   }
-  pairs_.require(count);
+  Pair* const pairs = room(count);
   if (options.order == PairOrder::sorted) {
-    sort_.sort(pieces, boxes_a.size(), boxes_b != nullptr ? boxes_b->size() : boxes_a.size(), executor, pairs_.data());
+    sort_.sort(pieces, boxes_a.size(), boxes_b != nullptr ? boxes_b->size() : boxes_a.size(), executor, pairs);
   } else {
     std::size_t at = 0;
     for (const auto& piece : pieces) {
-      if (!piece.empty()) std::memcpy(pairs_.data() + at, piece.data(), piece.size_bytes());
+      if (!piece.empty()) std::memcpy(pairs + at, piece.data(), piece.size_bytes());
       at += piece.size();
     }
   }
-  return {pairs_.data(), count};
+  return {pairs, count};
 }
 
 template <Dim N, class T>
@@ -138,13 +139,6 @@ void PairSearch<N, T>::visit(Boxes boxes_a, const Boxes* boxes_b, const PairOpti
       if (found_[task]->count > 0 && !visitor(found_[task]->all())) return;
     }
   }
-}
-
-template <Dim N, class T>
-std::span<const Pair> PairSearch<N, T>::keep(std::span<const Pair> pairs) {
-  pairs_.require(pairs.size());
-  std::copy(pairs.begin(), pairs.end(), pairs_.data());
-  return {pairs_.data(), pairs.size()};
 }
 
 template <Dim N, class T>

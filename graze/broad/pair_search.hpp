@@ -8,6 +8,7 @@
 
 #include <graze/broad/block_tree.hpp>
 #include <graze/broad/buffer.hpp>
+#include <graze/broad/pair_room.hpp>
 #include <graze/broad/pair_sort.hpp>
 #include <graze/broad/pairs.hpp>
 
@@ -23,17 +24,12 @@ class PairSearch {
   PairSearch();
   ~PairSearch();
 
-  /// The pairs of one set, where `boxes_b` is null, or between two. What was found stays until the next call.
-  std::span<const Pair> find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options);
+  /// The pairs of one set, where `boxes_b` is null, or between two, into the room that is given for them.
+  std::span<const Pair> find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options, const PairRoom& room);
 
   /// The same pairs, in the order in which they are found, to a visitor, without holding more than a few blocks of
   /// them.
   void visit(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options, const PairVisitor& visitor);
-
-  /// Holds pairs that were found in another way.
-  std::span<const Pair> keep(std::span<const Pair> pairs);
-
-  PairMethod method = PairMethod::automatic;  // the last one used
 
   std::size_t bytes() const;
 
@@ -51,7 +47,6 @@ class PairSearch {
   std::size_t meeting_count_ = 0;
   std::vector<std::unique_ptr<Found>> found_;
   PairSort sort_;
-  Buffer<Pair> pairs_;
 };
 
 }  // namespace graze::detail

@@ -19,9 +19,10 @@ namespace graze {
 
 /// How pairs are found. The answer never depends on it.
 enum class PairMethod {
-  automatic,    ///< By the number of boxes.
-  brute_force,  ///< Every box against every other: the oracle of the rest, and the best for a few dozen.
-  tree,         ///< Blocks of neighbouring boxes in a tree that is built anew and met with itself, block by block.
+  automatic,    ///< By the number of boxes, and whether most of a few of them overlap.
+  brute_force,  ///< Every box against every other in a plain double loop: the oracle of the rest.
+  dense,        ///< The same by vectors: the best for hundreds of boxes, or where most overlap.
+  tree,         ///< Blocks of neighbouring boxes in a tree that is met with itself, block by block.
 };
 
 /// The name of a method, as the command line spells it.
@@ -36,7 +37,7 @@ std::span<const PairMethod> all_pair_methods();
 /// In which order pairs are given.
 enum class PairOrder {
   sorted,  ///< Ascending by a, then b.
-  any,     ///< As they are found: quicker, and the same on every machine for the same boxes and method.
+  any,     ///< As they are found: quicker, and the same on every machine for the same calls.
 };
 
 struct PairOptions {
@@ -86,13 +87,9 @@ template <Dim N, class T>
 void visit_overlapping_pairs(std::span<const Aabb<N, T>> boxes_a, std::span<const Aabb<N, T>> boxes_b,
                              const PairVisitor& visit, const PairOptions& options = {});
 
-namespace detail {
-template <Dim N, class T>
-class PairSearch;
-}
-
-/// overlapping_pairs for boxes that move: keeps its memory from frame to frame. Answers depend on nothing but the boxes
-/// of the call.
+/// overlapping_pairs for boxes that move: keeps its memory from frame to frame, and where the boxes lie, which it does
+/// not have to find out again while as many have moved a little. The pairs depend on the boxes of the call alone; so
+/// does their order if it is `sorted`, and on the calls before if it is `any`.
 template <Dim N, class T>
 class PairFinder {
  public:
@@ -118,7 +115,8 @@ class PairFinder {
   std::size_t bytes() const;
 
  private:
-  std::unique_ptr<detail::PairSearch<N, T>> search_;
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
 }  // namespace graze

@@ -147,9 +147,7 @@ TYPED_TEST(BlockKernelsTest, BlocksAreFilledInOrderPaddedAndBounded) {
             EXPECT_TRUE(std::isnan(block.min[i][k % block_size]) && std::isnan(block.max[i][k % block_size]));
           }
         }
-        if (k < order.size()) {
-          EXPECT_EQ(ids[k], 1000U + order[k]);
-        }
+        EXPECT_EQ(ids[k], k < order.size() ? 1000U + order[k] : no_box);
       }
       for (std::size_t lane = 0; lane < block_size; ++lane) {
         Aabb<N, T> bounds = Aabb<N, T>::nothing();
@@ -167,6 +165,54 @@ TYPED_TEST(BlockKernelsTest, BlocksAreFilledInOrderPaddedAndBounded) {
       }
     });
   }
+}
+
+TYPED_TEST(BlockKernelsTest, BlocksAreRefilledAsTheirIdsSay) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  const std::vector<Aabb<N, T>> boxes = test::box_worlds<N, T>(40, 8).front().boxes;
+  std::vector<std::uint32_t> ids(3 * block_size, no_box);
+  for (std::uint32_t k = 0; k < block_size; ++k) ids[k] = 39 - 2 * k;
+  for (std::uint32_t k = 0; k < 5; ++k) ids[block_size + k] = 2 * k;
+  for (std::uint32_t k = 0; k < 15; ++k) ids[2 * block_size + k] = 10 + 2 * k;
+  this->for_every_target([&](const auto& kernels) {
+    for (const T margin : {T(0), T(0.25)}) {
+      std::vector<Block<N, T>> blocks(3);
+      EXPECT_TRUE(kernels.refill(boxes.data(), margin, ids.data(), 3, blocks.data()));
+      for (std::size_t k = 0; k < ids.size(); ++k) {
+        const Block<N, T>& block = blocks[k / block_size];
+        for (Dim i = 0; i < N; ++i) {
+          const T min = block.min[i][k % block_size];
+          const T max = block.max[i][k % block_size];
+          if (ids[k] == no_box) {
+            EXPECT_TRUE(std::isnan(min) && std::isnan(max)) << k;
+          } else {
+            EXPECT_EQ(min, boxes[ids[k]].min[i] - margin);
+            EXPECT_EQ(max, boxes[ids[k]].max[i] + margin);
+          }
+        }
+      }
+    }
+  });
+}
+
+TYPED_TEST(BlockKernelsTest, ARefillRefusesWhatIsNoBox) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  std::vector<Aabb<N, T>> boxes = test::box_worlds<N, T>(40, 9).front().boxes;
+  std::vector<std::uint32_t> ids(2 * block_size, no_box);
+  for (std::uint32_t k = 0; k < 20; ++k) ids[k] = k;
+  this->for_every_target([&](const auto& kernels) {
+    std::vector<Block<N, T>> blocks(2);
+    for (const std::size_t spoilt : {0U, 15U, 16U, 19U, 20U}) {  // the last is in no block
+      const Aabb<N, T> good = boxes[spoilt];
+      boxes[spoilt].max[N - 1] = std::numeric_limits<T>::quiet_NaN();
+      EXPECT_EQ(kernels.refill(boxes.data(), T(0), ids.data(), 2, blocks.data()), spoilt == 20) << spoilt;
+      boxes[spoilt].max[N - 1] = boxes[spoilt].min[N - 1] - T(0.125);  // a margin does not make it a box
+      EXPECT_EQ(kernels.refill(boxes.data(), T(1), ids.data(), 2, blocks.data()), spoilt == 20) << spoilt;
+      boxes[spoilt] = good;
+    }
+  });
 }
 
 }  // namespace

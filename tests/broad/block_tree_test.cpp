@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -92,6 +95,79 @@ TEST(BlockTree, CanBeRaised) {
   expect_sound(tree, boxes);
   tree.raise(3);  // is higher already
   EXPECT_EQ(tree.height(), 5U);
+}
+
+/// Moves every box a little, each on its own way.
+template <Dim N, class T>
+void stir(std::vector<Aabb<N, T>>& boxes, double step, test::Numbers& numbers) {
+  for (Aabb<N, T>& box : boxes) {
+    const Vec<N, T> by = numbers.point<N, T>(-step, step);
+    box = {box.min + by, box.max + by};
+  }
+}
+
+TEST(BlockTree, TakesBoxesThatHaveMovedInTheOrderOfTheLast) {
+  test::Numbers numbers(6);
+  for (const std::size_t count : {1U, 16U, 17U, 300U, 6000U}) {
+    std::vector<Aabb<3, float>> boxes = test::box_worlds<3, float>(count, 23).front().boxes;
+    BlockTree<3, float> tree;
+    EXPECT_FALSE(tree.refit(boxes, 0, serial_executor())) << "there is no order yet";
+    tree.build(boxes, 0, serial_executor());
+    tree.raise(5);
+    const std::vector<std::uint32_t> order(tree.ids(), tree.ids() + tree.level_size(0) * block_size);
+    for (int frame = 0; frame < 3; ++frame) {
+      stir(boxes, 0.01, numbers);
+      ASSERT_TRUE(tree.refit(boxes, 0, default_executor())) << count;
+      expect_sound(tree, boxes);
+      EXPECT_TRUE(std::equal(order.begin(), order.end(), tree.ids()));
+    }
+  }
+}
+
+TEST(BlockTree, RefitsToBoxesGrownByAMargin) {
+  std::vector<Rect<float>> boxes{{{0, 1}, {2, 3}}};
+  BlockTree<2, float> tree;
+  tree.build(boxes, 0, serial_executor());
+  boxes[0] = {{0, 1}, {2, 2.5F}};
+  ASSERT_TRUE(tree.refit(boxes, 0.5F, serial_executor()));
+  EXPECT_EQ(lane_of(tree.level(1), 0), (Rect<float>{{-0.5F, 0.5F}, {2.5F, 3}}));
+}
+
+TEST(BlockTree, DoesNotRefitWhatIsBetterSortedAnew) {
+  const std::vector<Aabb<3, float>> boxes = test::box_worlds<3, float>(20'000, 24).front().boxes;
+  BlockTree<3, float> tree;
+  tree.build(boxes, 0, serial_executor());
+  EXPECT_FALSE(tree.refit(std::span(boxes).first(19'999), 0, serial_executor()));
+  std::vector<Aabb<3, float>> others = boxes;
+  std::reverse(others.begin(), others.end());
+  EXPECT_FALSE(tree.refit(others, 0, serial_executor()));
+  others = boxes;
+  for (std::size_t k = 0; k < others.size(); k += 100)
+    others[k] = boxes[others.size() - 1 - k];  // one of a hundred jumps
+  EXPECT_FALSE(tree.refit(others, 0, serial_executor()));
+  others = boxes;
+  others[777].min.y = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(tree.refit(others, 0, serial_executor()));
+  EXPECT_TRUE(tree.refit(boxes, 0, serial_executor()));
+  expect_sound(tree, boxes);
+  others[777] = Aabb<3, float>::nothing();
+  EXPECT_FALSE(tree.refit(others, 0, serial_executor()));
+  tree.build(others, 0, serial_executor());
+  EXPECT_FALSE(tree.refit(others, 0, serial_executor())) << "what contains nothing may come back";
+}
+
+TEST(BlockTree, SlowDriftIsSortedAnewInTheEnd) {
+  test::Numbers numbers(7);
+  std::vector<Aabb<3, float>> boxes = test::box_worlds<3, float>(5000, 25).front().boxes;
+  BlockTree<3, float> tree;
+  tree.build(boxes, 0, serial_executor());
+  int frames = 0;
+  for (; frames < 1000; ++frames) {
+    stir(boxes, 0.2, numbers);
+    if (!tree.refit(boxes, 0, serial_executor())) break;
+  }
+  EXPECT_GT(frames, 2);
+  EXPECT_LT(frames, 100);
 }
 
 TEST(BlockTree, NeighboursShareBlocks) {

@@ -258,7 +258,7 @@ TEST(Pairs, AFinderSaysWhatItDidAndWhatItHolds) {
   EXPECT_EQ(finder.method(), PairMethod::automatic);
   EXPECT_EQ(finder.bytes(), 0U);
   finder.find(std::vector<Rect<float>>(2));
-  EXPECT_EQ(finder.method(), PairMethod::brute_force);
+  EXPECT_EQ(finder.method(), PairMethod::dense);
   finder.find(test::box_worlds<2, float>(20'000, 1).front().boxes);
   EXPECT_EQ(finder.method(), PairMethod::tree);
   EXPECT_GT(finder.bytes(), 20'000U * 20U);  // at the least a copy of the boxes and their ids

@@ -13,7 +13,7 @@ HEADING = ["METHOD", "CHOSEN", "MEDIAN", "ms", "FASTEST", "ms", "SLOWEST", "ms",
            "FLOOR"]
 COLUMNS = ["method", "chosen", "median_ms", "fastest_ms", "slowest_ms", "pairs", "bytes", "ns_per_box", "floor_ms",
            "times_floor"]
-METHODS = ("automatic", "brute_force", "tree")
+METHODS = ("automatic", "brute_force", "dense", "tree")
 
 
 def recording(frames, boxes=None):

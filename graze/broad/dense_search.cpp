@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <graze/broad/brute_force.hpp>
+#include <graze/broad/dense_search.hpp>
+#include <graze/broad/executor.hpp>
+
+namespace graze::detail {
+namespace {
+
+std::size_t blocks_of(std::size_t boxes) { return (boxes + block_size - 1) / block_size; }
+
+/// Puts boxes into blocks in their own order, each grown by a margin; NaN where a box contains nothing.
+template <Dim N, class T>
+void fill(std::span<const Aabb<N, T>> boxes, T margin, Buffer<Block<N, T>>& blocks) {
+  blocks.require(blocks_of(boxes.size()));
+  constexpr T nan = std::numeric_limits<T>::quiet_NaN();
+  for (std::size_t k = 0; k < blocks_of(boxes.size()) * block_size; ++k) {
+    Block<N, T>& block = blocks[k / block_size];
+    const bool is_box = k < boxes.size() && !is_nothing(boxes[k]);
+    if (k < boxes.size() && has_nan(boxes[k])) {
+      throw std::invalid_argument("overlapping_pairs: box " + std::to_string(k) + " has a coordinate that is NaN");
+    }
+    for (Dim i = 0; i < N; ++i) {
+      block.min[i][k % block_size] = is_box ? boxes[k].min[i] - margin : nan;
+      block.max[i][k % block_size] = is_box ? boxes[k].max[i] + margin : nan;
+    }
+  }
+}
+
+}  // namespace
+
+template <Dim N, class T>
+void DenseSearch<N, T>::take(Boxes boxes_a, const Boxes* boxes_b, T margin) {
+  itself_ = boxes_b == nullptr;
+  rows_ = boxes_a.size();
+  columns_ = itself_ ? rows_ : boxes_b->size();
+  fill(boxes_a, margin, blocks_a_);
+  if (!itself_) fill(*boxes_b, margin, blocks_b_);
+}
+
+template <Dim N, class T>
+std::size_t DenseSearch<N, T>::count(Rows rows) const {
+  const Buffer<Block<N, T>>& others = itself_ ? blocks_a_ : blocks_b_;
+  return meet_kernels<N, T>().count_rows(blocks_a_.data(), others.data(), blocks_of(columns_), itself_, rows);
+}
+
+template <Dim N, class T>
+void DenseSearch<N, T>::meet(Rows rows, std::span<Pair> out) const {
+  const Buffer<Block<N, T>>& others = itself_ ? blocks_a_ : blocks_b_;
+  meet_kernels<N, T>().meet_rows(blocks_a_.data(), others.data(), blocks_of(columns_), itself_, rows, out);
+}
+
+/// Twice over all comparisons: to count, and to write where the pairs belong. Where pairs are many, that is less than
+/// to write them twice.
+template <Dim N, class T>
+std::span<const Pair> DenseSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options,
+                                              const PairRoom& room) {
+  take(boxes_a, boxes_b, static_cast<T>(options.margin));
+  const Executor& executor = options.executor != nullptr ? *options.executor : default_executor();
+  constexpr std::size_t comparisons_per_task = std::size_t{1} << 20U;
+  constexpr std::size_t most_tasks = 64;
+  const std::size_t tasks = std::clamp<std::size_t>(rows_ * columns_ / comparisons_per_task, 1, most_tasks);
+  const auto rows_of = [&](std::size_t task) {
+    return Rows{static_cast<std::uint32_t>(task * rows_ / tasks),
+                static_cast<std::uint32_t>((task + 1) * rows_ / tasks)};
+  };
+  std::vector<std::size_t> ends(tasks);
+  executor.parallel_for(tasks, [&](std::size_t task) { ends[task] = count(rows_of(task)); });
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  const std::span<Pair> pairs(room(ends.back()), ends.back());
+  executor.parallel_for(tasks, [&](std::size_t task) {
+    const std::size_t begin = task == 0 ? 0 : ends[task - 1];
+    meet(rows_of(task), pairs.subspan(begin, ends[task] - begin));
+  });
+  return pairs;
+}
+
+template <Dim N, class T>
+void DenseSearch<N, T>::visit(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options,
+                              const PairVisitor& visitor) {
+  take(boxes_a, boxes_b, static_cast<T>(options.margin));
+  constexpr std::size_t pairs_at_once = std::size_t{1} << 16U;
+  const std::size_t step = std::max<std::size_t>(1, pairs_at_once / (columns_ + 1));
+  std::vector<Pair> pairs;
+  for (std::size_t row = 0; row < rows_; row += step) {
+    const Rows rows{static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(std::min(rows_, row + step))};
+    pairs.resize(count(rows));
+    meet(rows, pairs);
+    if (!pairs.empty() && !visitor(pairs)) return;
+  }
+}
+
+template class DenseSearch<2, float>;
+template class DenseSearch<3, float>;
+template class DenseSearch<2, double>;
+template class DenseSearch<3, double>;
+
+}  // namespace graze::detail

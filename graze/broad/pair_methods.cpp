@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <graze/broad/brute_force.hpp>
+#include <graze/broad/pair_methods.hpp>
+
+namespace graze::detail {
+namespace {
+
+void require_countable(std::size_t boxes) {
+  if (boxes > std::numeric_limits<std::uint32_t>::max()) {
+    throw std::length_error("overlapping_pairs: there are more than 2^32 - 1 boxes");
+  }
+}
+
+template <class T>
+void require_margin(double margin) {
+  if (!(margin >= 0 && std::isfinite(static_cast<T>(margin)))) {
+    throw std::invalid_argument("overlapping_pairs: the margin is " + std::to_string(margin) +
+                                "; it must be zero or more, and finite");
+  }
+}
+
+/// Boxes without NaN, grown by a margin.
+template <Dim N, class T>
+class Grown {
+ public:
+  Grown(std::span<const Aabb<N, T>> boxes, double margin) : boxes_(boxes) {
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      if (has_nan(boxes[k])) {
+        throw std::invalid_argument("overlapping_pairs: box " + std::to_string(k) + " has a coordinate that is NaN");
+      }
+    }
+    if (margin == 0) return;
+    larger_.assign(boxes.begin(), boxes.end());
+    boxes_ = larger_;
+    for (Aabb<N, T>& box : larger_) {
+      if (!is_nothing(box)) box = {box.min - static_cast<T>(margin), box.max + static_cast<T>(margin)};
+    }
+  }
+
+  std::span<const Aabb<N, T>> boxes() const { return boxes_; }
+
+ private:
+  std::span<const Aabb<N, T>> boxes_;
+  std::vector<Aabb<N, T>> larger_;
+};
+
+/// Gives the pairs away before they become many. `itself`: of one set, each pair once.
+template <Dim N, class T>
+void visit_brute_force_pairs(std::span<const Aabb<N, T>> boxes_a, std::span<const Aabb<N, T>> boxes_b, bool itself,
+                             const PairVisitor& visit) {
+  constexpr std::size_t enough = 1024;
+  std::vector<Pair> pairs;
+  for (std::uint32_t a = 0; a < boxes_a.size(); ++a) {
+    add_brute_force_pairs(boxes_a[a], a, boxes_b, itself ? a + 1 : 0, pairs);
+    if (pairs.size() < enough) continue;
+    if (!visit(pairs)) return;
+    pairs.clear();
+  }
+  if (!pairs.empty()) visit(pairs);
+}
+
+/// Calls use(boxes_a, boxes_b, itself) with both sets grown.
+template <Dim N, class T, class Use>
+auto with_grown(std::span<const Aabb<N, T>> boxes_a, const std::span<const Aabb<N, T>>* boxes_b, double margin,
+                const Use& use) {
+  const Grown<N, T> grown_a(boxes_a, margin);
+  if (boxes_b == nullptr) return use(grown_a.boxes(), grown_a.boxes(), true);
+  return use(grown_a.boxes(), Grown<N, T>(*boxes_b, margin).boxes(), false);
+}
+
+/// Refuses what has no answer, and chooses the method.
+template <Dim N, class T>
+PairMethod checked_method(const PairOptions& options, std::span<const Aabb<N, T>> boxes_a,
+                          const std::span<const Aabb<N, T>>* boxes_b) {
+  require_countable(std::max(boxes_a.size(), boxes_b != nullptr ? boxes_b->size() : 0));
+  require_margin<T>(options.margin);
+  if (options.method != PairMethod::automatic) return options.method;
+  return is_for_dense<N, T>(boxes_a, boxes_b) ? PairMethod::dense : PairMethod::tree;
+}
+
+}  // namespace
+
+template <Dim N, class T>
+bool is_for_dense(std::type_identity_t<std::span<const Aabb<N, T>>> boxes_a,
+                  const std::type_identity_t<std::span<const Aabb<N, T>>>* boxes_b) {
+  const std::span<const Aabb<N, T>> others = boxes_b != nullptr ? *boxes_b : boxes_a;
+  // Nanoseconds, roughly, on a machine of 2024: only the time depends on them.
+  constexpr double per_comparison = 0.3;
+  constexpr double per_pair_of_dense = 0.8;
+  constexpr double per_box_of_tree = 50;
+  constexpr double per_pair_of_tree = 12;
+  const double comparisons =
+      static_cast<double>(boxes_a.size()) * static_cast<double>(others.size()) / (boxes_b != nullptr ? 1 : 2);
+  const double boxes = static_cast<double>(boxes_a.size() + (boxes_b != nullptr ? others.size() : 0));
+  if (comparisons * per_comparison <= boxes * per_box_of_tree / 2) return true;  // however many overlap
+  constexpr std::size_t samples = 24;
+  const std::size_t step_a = boxes_a.size() / samples + 1;
+  const std::size_t step_b = others.size() / samples + 1;
+  std::size_t tried = 0;
+  std::size_t overlapping = 0;
+  for (std::size_t a = 0; a < boxes_a.size(); a += step_a) {
+    for (std::size_t b = boxes_b != nullptr ? 0 : a + step_b; b < others.size(); b += step_b) {
+      ++tried;
+      overlapping += boxes_overlap(boxes_a[a], others[b]) ? 1U : 0U;
+    }
+  }
+  const double pairs =
+      comparisons * static_cast<double>(overlapping) / static_cast<double>(std::max<std::size_t>(tried, 1));
+  return comparisons * per_comparison + pairs * per_pair_of_dense <= boxes * per_box_of_tree + pairs * per_pair_of_tree;
+}
+
+template <Dim N, class T>
+std::span<const Pair> PairMethods<N, T>::find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options,
+                                              const PairRoom& room) {
+  last_ = checked_method(options, boxes_a, boxes_b);
+  if (last_ == PairMethod::tree) return tree_.find(boxes_a, boxes_b, options, room);
+  if (last_ == PairMethod::dense) return dense_.find(boxes_a, boxes_b, options, room);
+  const std::vector<Pair> pairs =
+      with_grown(boxes_a, boxes_b, options.margin, [](const Boxes& grown_a, const Boxes& grown_b, bool itself) {
+        return itself ? brute_force_pairs(grown_a) : brute_force_pairs(grown_a, grown_b);
+      });
+  Pair* const first = room(pairs.size());
+  std::copy(pairs.begin(), pairs.end(), first);
+  return {first, pairs.size()};
+}
+
+template <Dim N, class T>
+void PairMethods<N, T>::visit(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options,
+                              const PairVisitor& visitor) {
+  last_ = checked_method(options, boxes_a, boxes_b);
+  if (last_ == PairMethod::tree) return tree_.visit(boxes_a, boxes_b, options, visitor);
+  if (last_ == PairMethod::dense) return dense_.visit(boxes_a, boxes_b, options, visitor);
+  with_grown(boxes_a, boxes_b, options.margin, [&](const Boxes& grown_a, const Boxes& grown_b, bool itself) {
+    visit_brute_force_pairs(grown_a, grown_b, itself, visitor);
+  });
+}
+
+#define GRAZE_INSTANTIATE(N, T)     \
+  template class PairMethods<N, T>; \
+  template bool is_for_dense<N, T>(std::span<const Aabb<N, T>>, const std::span<const Aabb<N, T>>*);
+
+GRAZE_INSTANTIATE(2, float)
+GRAZE_INSTANTIATE(3, float)
+GRAZE_INSTANTIATE(2, double)
+GRAZE_INSTANTIATE(3, double)
+
+#undef GRAZE_INSTANTIATE
+
+}  // namespace graze::detail
