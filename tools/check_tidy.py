@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Runs clang-tidy on every source file of the build's compile commands, and through them on the headers; on the tests only
-when asked, for they are as long again as everything else. A file is looked at again only when it, something that it includes
-of the project, its command, or the configuration has changed."""
+"""Runs clang-tidy on the sources of the library and the program and on the examples that include all headers; on tests,
+benchmarks and recipes only when asked, for they take four times as long as everything else. A file is looked at again only
+when it, something that it includes of the project, its command, or the configuration has changed."""
 
 import argparse
 import json
@@ -23,6 +23,11 @@ def compile_commands(root, build):
             if Path(entry["file"]).is_relative_to(root) and not Path(entry["file"]).is_relative_to(root / "build")}
 
 
+def is_looked_at_always(path):
+    """What others include or run. Headers that no source of the library includes are seen through the examples."""
+    return path.parts[0] in ("graze", "apps") or path.parent == Path("examples")
+
+
 def findings(root, text):
     """clang-tidy's findings, each once, with paths relative to the project."""
     starts = [match.start() for match in _FINDING.finditer(text)] + [len(text)]
@@ -33,7 +38,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--root", type=Path, default=ROOT, help="the project's folder")
     parser.add_argument("--build", type=Path, help="where compile_commands.json is (default: build/lint)")
-    parser.add_argument("--tests", action="store_true", help="the tests too")
+    parser.add_argument("--all", action="store_true", help="tests, benchmarks and recipes too")
     options = parser.parse_args()
     root = options.root.resolve()
     build = (options.build or root / "build" / "lint").resolve()
@@ -42,7 +47,7 @@ def main():
     configuration = [(root / path).read_text(encoding="utf-8") for path in project_files(root, [".clang-tidy"])]
     commands = compile_commands(root, build)
     checks = [(path, content_key(root, path, version, configuration, command)) for path, command in commands.items()
-              if options.tests or path.parts[0] != "tests"]
+              if options.all or is_looked_at_always(path)]
 
     def tidy(path):
         # The commands may be another compiler's, with warnings that clang has never heard of.

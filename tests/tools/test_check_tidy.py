@@ -27,14 +27,15 @@ class CheckTidy(TreeTest):
         self.assertIn("1 files, 1 of them changed, 1 findings", said)
         self.assertEqual(status, 1)
 
-    def test_the_tests_are_looked_at_only_when_asked(self):
+    def test_tests_benchmarks_and_recipes_are_looked_at_only_when_asked(self):
         commands = json.loads((self.tree / "build/lint/compile_commands.json").read_text(encoding="utf-8"))
-        self.write("tests/some_test.cpp", f"{LICENSE}int some() {{ return 1; }}\n")
-        commands.append({"directory": str(self.tree), "command": f"g++ -std=c++20 -c '{self.tree}/tests/some_test.cpp'",
-                         "file": str(self.tree / "tests/some_test.cpp")})
+        for path in ("tests/some_test.cpp", "bench/some.cpp", "examples/cookbook/some.cpp", "examples/some.cpp"):
+            self.write(path, f"{LICENSE}int some() {{ return 1; }}\n")
+            commands.append({"directory": str(self.tree), "command": f"g++ -std=c++20 -c '{self.tree}/{path}'",
+                             "file": str(self.tree / path)})
         self.write("build/lint/compile_commands.json", json.dumps(commands))
-        self.assertIn("1 files, 1 of them changed, 0 findings", self.run_tool("check_tidy.py")[1])
-        self.assertIn("2 files, 1 of them changed, 0 findings", self.run_tool("check_tidy.py", "--tests")[1])
+        self.assertIn("2 files, 2 of them changed, 0 findings", self.run_tool("check_tidy.py")[1])
+        self.assertIn("5 files, 3 of them changed, 0 findings", self.run_tool("check_tidy.py", "--all")[1])
 
     def test_a_file_that_no_target_compiles_is_found(self):
         self.write("apps/forgotten.cpp", LICENSE)
