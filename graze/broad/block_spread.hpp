@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -58,7 +57,7 @@ class BlockSpread {
     return std::isnan(extent) ? std::numeric_limits<T>::infinity() : extent;
   }
 
-  std::array<double, N> per_extent_{};
+  Vec<N, double> per_extent_ = Vec<N, double>(0.0);
   double most_ = 0;  // no block meets more than there are
 };
 
