@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One query at a time: `intersects` for every pair of bounded primitives in 3D, beside FCL (double), Bullet (float)
-// and, for oriented boxes, the textbook's separating-axis test in float. A thousand random pairs each, a third to two
-// thirds of them hits, all in cache. Every peer's answers are compared with graze's before anything is timed; a peer
-// that disagrees on pairs that are not closer than rounding is reported by name, with the count.
+// One query at a time: `intersects` for pairs of primitives in 3D, beside FCL (double), Bullet (float) and, for
+// oriented boxes, the textbook's separating-axis test in float; and the point queries of each primitive. A thousand
+// random pairs each, in cache. Every peer's answers are compared with graze's before anything is timed; a peer that
+// disagrees is reported by name, with the count.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -24,7 +24,11 @@
 #include <fcl/narrowphase/collision.h>
 
 #include <graze/math/pose.hpp>
+#include <graze/query/closest_boundary_point.hpp>
+#include <graze/query/closest_point.hpp>
+#include <graze/query/contains.hpp>
 #include <graze/query/intersects.hpp>
+#include <graze/query/signed_distance.hpp>
 
 #include "../tests/exam/textbook.hpp"
 
@@ -99,6 +103,10 @@ void draw(Random& random, graze::Capsule<3, T>& capsule) {
 template <class T>
 void draw(Random& random, graze::Plane<3, T>& plane) {
   plane = {Vec<3, T>(random.vector(1)), static_cast<T>(random.number(-0.5, 0.5))};
+}
+template <class T>
+void draw(Random& random, graze::HalfSpace<3, T>& solid) {
+  solid = {Vec<3, T>(random.vector(1)), static_cast<T>(random.number(-0.5, 0.5))};
 }
 
 /// The pairs, and what graze says to them.
@@ -218,6 +226,12 @@ bool bullet_intersects(const BulletShape& a, const BulletShape& b) {
 
 // ---- Timing
 
+void count_pairs(benchmark::State& state, std::size_t pairs) {
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(pairs));
+  state.counters["ns"] = benchmark::Counter(
+      1e-9 * static_cast<double>(pairs), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
 /// Times `decide(first, second)` over pairs of anything that stands for the pairs of `work`.
 template <class Pairs, class Decide>
 void time_pairs(const std::string& name, const std::vector<bool>& answers, std::shared_ptr<const Pairs> pairs,
@@ -232,10 +246,7 @@ void time_pairs(const std::string& name, const std::vector<bool>& answers, std::
     for (auto _ : state) {
       for (const auto& [a, b] : *pairs) benchmark::DoNotOptimize(decide(a, b));
     }
-    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(pairs->size()));
-    state.counters["ns"] =
-        benchmark::Counter(1e-9 * static_cast<double>(pairs->size()),
-                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    count_pairs(state, pairs->size());
   });
 }
 
@@ -282,6 +293,35 @@ void register_pair(const std::string& pair) {
   }
 }
 
+/// Times `query(shape, point)`; there is nothing to compare it with.
+template <class S, class Query>
+void time_query(const std::string& name, const std::shared_ptr<const Work<S, graze::Vec<3, graze::scalar_of<S>>>>& work,
+                Query query) {
+  benchmark::RegisterBenchmark(name.c_str(), [work, query](benchmark::State& state) {
+    for (auto _ : state) {
+      for (const auto& [shape, point] : work->pairs) benchmark::DoNotOptimize(query(shape, point));
+    }
+    count_pairs(state, work->pairs.size());
+  });
+}
+
+template <class S>
+void register_point_queries(const std::string& shape, const std::string& number) {
+  const auto work = std::make_shared<const Work<S, graze::Vec<3, graze::scalar_of<S>>>>();
+  const std::string end = "(" + shape + ", point)/graze/" + number;
+  time_query<S>("contains" + end, work, [](const auto& s, const auto& p) { return contains(s, p); });
+  time_query<S>("closest_point" + end, work, [](const auto& s, const auto& p) { return closest_point(s, p); });
+  time_query<S>("closest_boundary_point" + end, work,
+                [](const auto& s, const auto& p) { return closest_boundary_point(s, p); });
+  time_query<S>("signed_distance" + end, work, [](const auto& s, const auto& p) { return signed_distance(s, p); });
+}
+
+template <template <Dim, class> class S>
+void register_point(const std::string& shape) {
+  register_point_queries<S<3, float>>(shape, "float");
+  register_point_queries<S<3, double>>(shape, "double");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -315,6 +355,31 @@ int main(int argc, char** argv) {
   register_pair<Triangle, Triangle>("triangle, triangle");
   register_pair<Triangle, Capsule>("triangle, capsule");
   register_pair<Capsule, Capsule>("capsule, capsule");
+  register_pair<Vec, Obb>("point, obb");
+  register_pair<Vec, Plane>("point, plane");
+  register_pair<Vec, Triangle>("point, triangle");
+  register_pair<Vec, Capsule>("point, capsule");
+  register_pair<Segment, Ray>("segment, ray");
+  register_pair<Segment, Plane>("segment, plane");
+  register_pair<Segment, Capsule>("segment, capsule");
+  register_pair<Ray, Ray>("ray, ray");
+  register_pair<Ray, Plane>("ray, plane");
+  register_pair<Ray, Capsule>("ray, capsule");
+  register_pair<Sphere, HalfSpace>("sphere, half-space");
+  register_pair<Aabb, HalfSpace>("aabb, half-space");
+  register_pair<Obb, HalfSpace>("obb, half-space");
+  register_pair<Plane, Plane>("plane, plane");
+  register_pair<Plane, Triangle>("plane, triangle");
+  register_pair<Plane, Capsule>("plane, capsule");
+  register_point<Segment>("segment");
+  register_point<Ray>("ray");
+  register_point<Sphere>("sphere");
+  register_point<Aabb>("aabb");
+  register_point<Obb>("obb");
+  register_point<Plane>("plane");
+  register_point<HalfSpace>("half-space");
+  register_point<Triangle>("triangle");
+  register_point<Capsule>("capsule");
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();

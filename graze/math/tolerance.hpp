@@ -42,6 +42,21 @@ inline constexpr double box_filter = 16;
 /// own error is the rounding of a few products divided by the least sine squared that it takes on, 1/64.
 inline constexpr double segment_filter = 4096 * epsilon;
 
+/// The quick comparison of a squared distance with a squared reach, in T, leaves to the careful one what differs by
+/// less than this times their sum: that one's own band is 22 epsilon of double of it, the squares' error 4 epsilon of
+/// T.
+template <Scalar T>
+inline constexpr T squares = T(32) * std::numeric_limits<T>::epsilon();
+
+/// The quick test of a ray and a ball leaves to the careful one squared distances that differ from the squared radius
+/// by less than this times the sum of the squares of the center's distance from the origin and the radius: its own
+/// error is 10 epsilon of it, the careful test's band 300.
+inline constexpr double ray_filter = 1024 * epsilon;
+
+/// The quick test of a triangle and a ball leaves to the careful one squared distances that differ from the squared
+/// radius by less than this times the sum of all squares: its own error is 3500 epsilon, the careful test's band 200.
+inline constexpr double triangle_filter = 8192 * epsilon;
+
 /// GJK stops when its upper and lower bounds on the distance agree to this, relative to the upper bound.
 inline constexpr double gjk_relative_gap = 1e-12;
 
@@ -49,9 +64,17 @@ inline constexpr double gjk_relative_gap = 1e-12;
 /// four roundings, their difference and the projection on a unit normal about as many again.
 inline constexpr double convex = 32 * epsilon;
 
+/// An edge that makes less than this angle with a plane may lie on either side of it: far above the few epsilon by
+/// which the plane's normal is rounded, and where both sides are tried, nothing is lost but time.
+inline constexpr double extreme_edge = 1e-12;
+
 /// Boxes are grown by this, relative to their largest coordinate, before boxes that miss each other are taken as proof
 /// that their shapes do: more than any verdict's rounding band, relative to the same coordinate.
 inline constexpr double box_slack = 256 * epsilon;
+
+/// A ray enters a box when it is in all slabs at once, up to this, relative to the t at which it leaves: each t is a
+/// difference and a quotient, so two of them are wrong by under 2 epsilon together; doubled.
+inline constexpr double ray_slabs = 4 * epsilon;
 
 /// Support functions of a user's shape may calculate in T: the band for their answers.
 template <Scalar T>

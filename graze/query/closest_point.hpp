@@ -20,6 +20,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <variant>
 
 #include <graze/math/vec.hpp>
@@ -94,6 +95,21 @@ std::optional<PointOf<S>> settled_around(const S& shape, const Vec<dimension_of<
   return best;
 }
 
+/// Whether a shape holds the nearest point of T to one of its surface points.
+template <Shape S>
+bool holds_rounded(const S& shape, const SurfacePoint<dimension_of<S>>&, const PointOf<S>& rounded) {
+  return holds(shape, rounded);
+}
+
+/// In float rounding takes one eighth of the tolerance at most, and what double was off by, calculating from afar,
+/// less.
+template <class T>
+bool holds_rounded(const Triangle<3, T>& triangle, const SurfacePoint<3>& at, const Vec<3, T>& rounded) {
+  const double reach = tolerance::surface<T> * largest_coordinate(triangle);
+  if (std::is_same_v<T, float> && tolerance::rounding * at.distance <= 0.5 * reach) return true;
+  return is_on(triangle, rounded);
+}
+
 /// A surface point, or one that is not quite on the surface, as a point of T that the shape holds. A first answer that
 /// was calculated from far away is improved by asking again from there.
 template <Shape S>
@@ -101,7 +117,7 @@ PointOf<S> settled(const S& shape, const SurfacePoint<dimension_of<S>>& first) {
   constexpr Dim N = dimension_of<S>;
   using T = scalar_of<S>;
   const PointOf<S> rounded = nearest_of<T>(first.point);
-  if (holds(shape, rounded)) return rounded;
+  if (holds_rounded(shape, first, rounded)) return rounded;
   if constexpr (inner_is_near<S>) {
     return settled_inwards(shape, first);
   } else {

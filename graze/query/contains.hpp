@@ -33,6 +33,7 @@
 #include <graze/query/surface_point.hpp>
 #include <graze/query/surface_point_box.hpp>
 #include <graze/query/surface_point_convex.hpp>
+#include <graze/query/triangle_filter.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/shape.hpp>
 
@@ -85,10 +86,25 @@ bool holds(const Plane<N, T>& plane, const Vec<N, T>& point) {
 }
 
 template <class T>
-bool holds(const Triangle<3, T>& triangle, const Vec<3, T>& point) {
+double largest_coordinate(const Triangle<3, T>& triangle) {
+  return static_cast<double>(std::max(std::max(max_abs(triangle.a), max_abs(triangle.b)), max_abs(triangle.c)));
+}
+
+/// For a point near the triangle.
+template <class T>
+bool is_on(const Triangle<3, T>& triangle, const Vec<3, T>& point) {
   const double distance = surface_point(triangle, wide<3, T>(point)).distance;
-  const T largest = std::max({max_abs(triangle.a), max_abs(triangle.b), max_abs(triangle.c)});
-  return is_within_surface<T>(distance * distance, static_cast<double>(largest));
+  return is_within_surface<T>(distance * distance, largest_coordinate(triangle));
+}
+
+template <class T>
+bool holds(const Triangle<3, T>& triangle, const Vec<3, T>& point) {
+  const Vec<3, double> corner = wide<3, T>(triangle.a);
+  const double reach = tolerance::surface<T> * largest_coordinate(triangle);
+  const auto quick = filter_of_triangle_and_ball(corner - wide<3, T>(point), wide<3, T>(triangle.b) - corner,
+                                                 wide<3, T>(triangle.c) - corner, reach);
+  if (quick) return *quick != Relation::apart;
+  return is_on(triangle, point);
 }
 
 // ---- Solids
@@ -123,13 +139,17 @@ bool holds(const Obb<N, T>& box, const Vec<N, T>& point) {
   for (Dim i = 0; i < N; ++i) {
     beyond = std::max(beyond, std::fabs(dot(off, wide<N, T>(box.axes[i]))) - halves[i]);
   }
-  if (beyond > margin) return false;
+  if (!(beyond <= margin) || std::isnan(margin)) return false;  // NaN
   if (beyond < -margin) return true;
+  const double beyond_true_faces = beyond_faces(box, p);
+  if (beyond_true_faces <= 0) return true;
+  const double slack = slack_of(box, p);
+  const double largest = largest_coordinate(box);
+  if (beyond_true_faces > 2 * std::max(slack, tolerance::surface<T> * largest - thickness_of(box))) return false;
   const PlaceInBox<N> nearest = place_in(box, p);
   const double distance_squared = dot(nearest.off, nearest.off);
-  const double slack = slack_of(box, p);
   if (distance_squared <= slack * slack) return true;
-  return is_within_surface<T>(distance_squared, largest_coordinate(box), thickness_of(box));
+  return is_within_surface<T>(distance_squared, largest, thickness_of(box));
 }
 
 template <Dim N, class T>

@@ -13,11 +13,10 @@
 namespace graze::detail {
 
 /// A pointer that walks the corners of a convex polygon, counter-clockwise, without end. Differences of corners are
-/// exact up to one rounding, wherever the polygon lies, and scaled.
+/// exact up to one rounding, wherever the polygon lies.
 template <class T>
 struct CornerWalk {
   std::span<const Vec<2, T>> corners;
-  double scale;
   std::size_t corner = 0;  ///< Where the pointer is.
   std::size_t steps = 0;   ///< How far it has come.
 
@@ -27,9 +26,7 @@ struct CornerWalk {
     ++steps;
   }
 
-  Vec<2, double> to(std::size_t other) const {
-    return (wide<2, T>(corners[other]) - wide<2, T>(corners[corner])) * scale;
-  }
+  Vec<2, double> to(std::size_t other) const { return wide<2, T>(corners[other]) - wide<2, T>(corners[corner]); }
 
   /// On to the first corner, at least `least_steps` from the start, after which the polygon turns back along
   /// `direction`; at most one round more.
@@ -48,32 +45,43 @@ Vec<2, double> edge_direction(const Vec<2, T>& from, const Vec<2, T>& to) {
   return edge / max_abs(edge);
 }
 
+/// A vector along the edge after a corner, whose square is in the range of double. Long edges, nearly all, are taken as
+/// they are; divisions would take longer than all the rest.
+template <class T>
+Vec<2, double> moderate_edge(const CornerWalk<T>& walk, double scale) {
+  const Vec<2, double> edge = walk.to(walk.next()) * scale;
+  return max_abs(edge) > 0x1p-400 ? edge : edge_direction(walk.corners[walk.corner], walk.corners[walk.next()]);
+}
+
 /// The unit vector along the edge of a convex polygon (corners counter-clockwise, no three on a line, at least two)
 /// whose flush rectangle has the least `measure(width, height)`, the width along the edge; the first of equal ones.
-/// Lengths are scaled. Toussaint, "Solving geometric problems with the rotating calipers" (1983): linear time.
+/// Lengths are multiplied by `scale`, which makes the largest about 1. Toussaint, "Solving geometric problems with the
+/// rotating calipers" (1983): linear time.
 template <class T, class Measure>
 Vec<2, double> best_flush_direction(std::span<const Vec<2, T>> corners, double scale, Measure measure) {
-  Vec<2, double> best(1, 0);
+  std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
-  CornerWalk<T> start{corners, scale};
+  CornerWalk<T> start{corners};
   CornerWalk<T> right = start;
   CornerWalk<T> top = start;
   CornerWalk<T> left = start;
   for (; start.steps < corners.size(); start.step()) {
-    const Vec<2, double> edge = edge_direction(corners[start.corner], corners[start.next()]);
-    const Vec<2, double> along = edge / std::sqrt(dot(edge, edge));  // at least 1
-    right.advance(start.steps + 1, along);
-    top.advance(right.steps, perpendicular(along));
-    left.advance(top.steps, -along);
-    const double width = dot(left.to(right.corner), along);
-    const double height = dot(start.to(top.corner), perpendicular(along));
+    const Vec<2, double> edge = moderate_edge(start, scale);
+    right.advance(start.steps + 1, edge);
+    top.advance(right.steps, perpendicular(edge));
+    left.advance(top.steps, -edge);
+    const double per_length = scale / std::sqrt(dot(edge, edge));  // not zero: corners are distinct
+    const double width = dot(left.to(right.corner), edge) * per_length;
+    const double height = dot(start.to(top.corner), perpendicular(edge)) * per_length;
     const double size = measure(width, height);
     if (size < least) {
       least = size;
-      best = along;
+      best = start.corner;
     }
   }
-  return best;
+  if (corners.size() < 2) return unit_axis<2>(0);
+  const Vec<2, double> edge = edge_direction(corners[best], corners[best + 1 < corners.size() ? best + 1 : 0]);
+  return edge / std::sqrt(dot(edge, edge));  // at least 1
 }
 
 }  // namespace graze::detail

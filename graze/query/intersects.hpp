@@ -12,7 +12,7 @@ namespace graze {
 /// has an algorithm, and swapping the arguments changes nothing. The error is that of `relation`, which also tells
 /// touching from overlapping.
 template <Shape A, SameSpace<A> B>
-bool intersects(const A& a, const B& b) {
+inline bool intersects(const A& a, const B& b) {
   return relation(a, b) != Relation::apart;
 }
 

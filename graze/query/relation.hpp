@@ -2,11 +2,11 @@
 // relation(a, b): apart, touching or overlapping, for any two shapes of one space; the verdict under `intersects`.
 //
 // What decides it. C: a closed form. S: the supports along the plane's normal, a closed form for every convex shape. P:
-// part by part. G: GJK, then EPA. A point is a sphere of radius zero. The lower left half is the upper right one,
-// swapped.
+// part by part. G: GJK, then EPA. C/G: C in 2D, G in 3D. A point is a sphere of radius zero. The lower left half is the
+// upper right one, swapped.
 //
 //               segment ray sphere aabb obb plane half-space triangle capsule polytope compound user's
-//   point          C     C    C     C    C    S       S         C        C       G        P       G
+//   point          C     C    C     C    C    S       S         C        C      C/G       P       G
 //   segment        C     C    C     C    C    S       S         C        C       G        P       G
 //   ray                  C    C     C    C    C       C         C        C       G        P       G
 //   sphere                    C     C    C    S       S         C        C       G        P       G
@@ -20,7 +20,8 @@
 //   compound                                                                              P       P
 //
 // Where the forms are: segments, spheres, boxes, capsules in relation_bounded.hpp; rays, planes, half-spaces in
-// relation_unbounded.hpp; triangles in relation_triangle.hpp; G in relation_convex.hpp.
+// relation_unbounded.hpp; triangles in relation_triangle.hpp; a point and a polygon in relation_polygon.hpp; G in
+// relation_convex.hpp.
 //
 // Exact: aabb and point against aabb, points among themselves. The rest calculates in double and calls `touching` what
 // is nearer to touching than rounding can tell: C a few epsilon of the pair's own size, however far from the origin; S
@@ -37,8 +38,10 @@
 
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
+#include <graze/query/nan_check.hpp>
 #include <graze/query/relation_bounded.hpp>
 #include <graze/query/relation_convex.hpp>
+#include <graze/query/relation_polygon.hpp>
 #include <graze/query/relation_triangle.hpp>
 #include <graze/query/relation_unbounded.hpp>
 #include <graze/query/verdict.hpp>
@@ -69,80 +72,24 @@ inline constexpr bool is_any_shape = false;
 template <Dim N, class T>
 inline constexpr bool is_any_shape<AnyShape<N, T>> = true;
 
-// ---- The shapes whose closed forms among themselves see NaN for what it is.
+// ---- Whether the closed form of two shapes sees NaN for what it is.
+
+template <template <Dim, class> class Type, class S>
+inline constexpr bool is_a = false;
+template <template <Dim, class> class Type, Dim N, class T>
+inline constexpr bool is_a<Type, Type<N, T>> = true;
 
 template <class S>
-inline constexpr bool sees_nan = false;
-template <Dim N, class T>
-inline constexpr bool sees_nan<Segment<N, T>> = true;
-template <Dim N, class T>
-inline constexpr bool sees_nan<Sphere<N, T>> = true;
-template <Dim N, class T>
-inline constexpr bool sees_nan<Aabb<N, T>> = true;
-template <Dim N, class T>
-inline constexpr bool sees_nan<Obb<N, T>> = true;
-template <Dim N, class T>
-inline constexpr bool sees_nan<Capsule<N, T>> = true;
-
-// ---- NaN if any number of the shape is: comparisons drop a NaN as easily as not, sums keep it. A polytope holds none;
-// a user's type is not looked into.
-
+inline constexpr bool is_ball_or_box = is_a<Sphere, S> || is_a<Aabb, S> || is_a<Obb, S>;
 template <class S>
-double numbers_of(const S&) {
-  return 0;
-}
+inline constexpr bool is_core = is_ball_or_box<S> || is_a<Segment, S> || is_a<Capsule, S>;
+template <class S>
+inline constexpr bool is_filtered = is_a<Sphere, S> || is_a<Segment, S> || is_a<Triangle, S>;
 
-template <Dim N, class T>
-double numbers_of(const Vec<N, T>& v) {
-  return sum_abs(wide<N, T>(v));
-}
-
-template <Dim N, class T>
-double numbers_of(const Segment<N, T>& segment) {
-  return numbers_of(segment.start) + numbers_of(segment.end);
-}
-
-template <Dim N, class T>
-double numbers_of(const Ray<N, T>& ray) {
-  return numbers_of(ray.origin) + numbers_of(ray.direction);
-}
-
-template <Dim N, class T>
-double numbers_of(const Sphere<N, T>& sphere) {
-  return numbers_of(sphere.center) + static_cast<double>(sphere.radius);
-}
-
-template <Dim N, class T>
-double numbers_of(const Aabb<N, T>& box) {
-  return numbers_of(box.min) + numbers_of(box.max);
-}
-
-template <Dim N, class T>
-double numbers_of(const Obb<N, T>& box) {
-  double sum = numbers_of(box.center) + numbers_of(box.half_extents);
-  for (Dim i = 0; i < N; ++i) sum += numbers_of<N, T>(box.axes[i]);
-  return sum;
-}
-
-template <Dim N, class T>
-double numbers_of(const Plane<N, T>& plane) {
-  return numbers_of(plane.normal) + static_cast<double>(plane.offset);
-}
-
-template <Dim N, class T>
-double numbers_of(const HalfSpace<N, T>& solid) {
-  return numbers_of(boundary(solid));
-}
-
-template <Dim N, class T>
-double numbers_of(const Triangle<N, T>& triangle) {
-  return numbers_of(triangle.a) + numbers_of(triangle.b) + numbers_of(triangle.c);
-}
-
-template <Dim N, class T>
-double numbers_of(const Capsule<N, T>& capsule) {
-  return numbers_of(axis(capsule)) + static_cast<double>(capsule.radius);
-}
+template <class A, class B>
+inline constexpr bool sees_nan = (is_core<A> && is_core<B>) || (is_point<A> && is_a<Aabb, B>) ||
+                                 ((is_a<Plane, A> || is_a<HalfSpace, A>)&&is_ball_or_box<B>) ||
+                                 (dimension_of<A> == 3 && is_filtered<A> && is_a<Triangle, B>);
 
 template <class A, class B>
 Relation decide(const A& a, const B& b);
@@ -159,10 +106,19 @@ Relation relation_of_parts(const Compound<N, T>& compound, const S& shape) {
   return closest;
 }
 
-/// The verdict, without asking whether the shapes are valid: nonsense may get a nonsensical verdict, but it ends, and
-/// NaN is apart from everything.
+/// A verdict, but apart if any number is NaN. That is asked last, and seldom: most pairs are apart anyway.
 template <class A, class B>
-Relation decide(const A& a, const B& b) {
+inline Relation unless_nan(const A& a, const B& b, Relation verdict) {
+  if constexpr (sees_nan<A, B> || sees_nan<B, A>) return verdict;
+  if (verdict == Relation::apart || hold_nan(a, b)) return Relation::apart;
+  return verdict;
+}
+
+/// The verdict, without asking whether the shapes are valid: nonsense may get a nonsensical verdict, but it ends, and
+/// NaN is apart from everything. Said to be inline, as all on the way to `intersects`: else compilers call a function
+/// for what is a few comparisons.
+template <class A, class B>
+inline Relation decide(const A& a, const B& b) {
   if constexpr (is_any_shape<A>) {
     return std::visit([&b](const auto& held) { return decide(held, b); }, a);
   } else if constexpr (is_any_shape<B>) {
@@ -173,17 +129,16 @@ Relation decide(const A& a, const B& b) {
     return relation_of_parts(b, a);
   } else if constexpr (is_point<A> && is_point<B>) {
     return a == b ? Relation::touching : Relation::apart;
-  } else if constexpr (is_point<A>) {
+  } else if constexpr (is_point<A> && !HasClosedForm<A, B>) {
     return decide(Sphere<dimension_of<A>, scalar_of<A>>{a, 0}, b);
-  } else if constexpr (is_point<B>) {
+  } else if constexpr (is_point<B> && !HasClosedForm<B, A>) {
     return decide(a, Sphere<dimension_of<B>, scalar_of<B>>{b, 0});
-  } else if (!(sees_nan<A> && sees_nan<B>)&&std::isnan(numbers_of(a) + numbers_of(b))) {
-    return Relation::apart;
   } else if constexpr (HasClosedForm<A, B>) {
-    return closed_form(a, b);
+    return unless_nan(a, b, closed_form(a, b));
   } else if constexpr (HasClosedForm<B, A>) {
-    return closed_form(b, a);
+    return unless_nan(a, b, closed_form(b, a));
   } else {
+    if (hold_nan(a, b)) return Relation::apart;
     return relation_of_convex_ordered(a, b);
   }
 }
@@ -200,7 +155,7 @@ bool is_valid_if_known(const S& shape) {
 /// How two valid shapes (asserted) of the same dimension and number type lie to each other. Swapping the arguments
 /// changes nothing. A compound is the union of its parts; one without parts is apart from everything.
 template <Shape A, SameSpace<A> B>
-Relation relation(const A& a, const B& b) {
+inline Relation relation(const A& a, const B& b) {
   assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));
   return detail::decide(a, b);
 }

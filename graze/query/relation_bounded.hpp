@@ -7,6 +7,7 @@
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/ball_filter.hpp>
 #include <graze/query/box_filter.hpp>
 #include <graze/query/distance_squared.hpp>
 #include <graze/query/segment_filter.hpp>
@@ -105,15 +106,17 @@ Relation relation_of_widened(const A& core_a, const B& core_b, double reach, con
 /// Points against points and segments have no depth.
 constexpr Relation never_overlapping() { return Relation::touching; }
 
-/// Exact.
+/// Exact. All is compared before anything is decided: a branch that guesses wrong costs more than six comparisons.
 template <Dim N, class T>
-Relation relation_of_boxes(const Aabb<N, T>& a, const Aabb<N, T>& b) {
-  Relation verdict = Relation::overlapping;
+[[gnu::always_inline]] inline Relation relation_of_boxes(const Aabb<N, T>& a, const Aabb<N, T>& b) {
+  unsigned meets = 1;
+  unsigned is_deep = 1;
   for (Dim i = 0; i < N; ++i) {
-    if (!(a.min[i] <= b.max[i] && b.min[i] <= a.max[i])) return Relation::apart;
-    if (a.min[i] == b.max[i] || b.min[i] == a.max[i]) verdict = Relation::touching;
+    meets &= static_cast<unsigned>(a.min[i] <= b.max[i]) & static_cast<unsigned>(b.min[i] <= a.max[i]);
+    is_deep &= static_cast<unsigned>(a.min[i] < b.max[i]) & static_cast<unsigned>(b.min[i] < a.max[i]);
   }
-  return verdict;
+  if (meets == 0) return Relation::apart;
+  return is_deep != 0 ? Relation::overlapping : Relation::touching;
 }
 
 /// A box against a box or a segment.
@@ -158,19 +161,38 @@ Relation closed_form(const Segment<N, T>& segment, const Capsule<N, T>& capsule)
 // ---- Sphere against ...
 
 template <Dim N, class T>
-Relation closed_form(const Sphere<N, T>& a, const Sphere<N, T>& b) {
+[[gnu::noinline]] Relation careful_closed_form(const Sphere<N, T>& a, const Sphere<N, T>& b) {
   const double reach = static_cast<double>(a.radius) + static_cast<double>(b.radius);
   return relation_of_widened(a.center, b.center, reach, never_overlapping);
 }
 
 template <Dim N, class T>
-Relation closed_form(const Sphere<N, T>& sphere, const Aabb<N, T>& box) {
+[[gnu::always_inline]] inline Relation closed_form(const Sphere<N, T>& a, const Sphere<N, T>& b) {
+  if (const auto verdict = filter_of_balls(a.center, b.center, a.radius + b.radius)) return *verdict;
+  return careful_closed_form(a, b);
+}
+
+/// For a sphere that nearly touches, or is too small or large to square in T. A sum of squares of differences, each
+/// rounded relative to itself: the error is no larger than the radius where it matters.
+template <Dim N, class T>
+[[gnu::noinline]] Relation careful_closed_form(const Sphere<N, T>& sphere, const Aabb<N, T>& box) {
   if (!(sphere.radius >= T(0)) || !boxes_overlap(box, box)) return Relation::apart;  // NaN
   const Relation core = relation_of_boxes(Aabb<N, T>{sphere.center, sphere.center}, box);
   if (core == Relation::overlapping || sphere.radius == T(0)) return core;
-  // A sum of squares of differences, each rounded relative to itself: no larger than the radius where it matters.
   const double radius = static_cast<double>(sphere.radius);
   return verdict_on_distance(distance_squared(sphere.center, box), radius, tolerance::rounding * radius);
+}
+
+template <Dim N, class T>
+[[gnu::always_inline]] inline Relation closed_form(const Sphere<N, T>& sphere, const Aabb<N, T>& box) {
+  if (const auto verdict = filter_of_ball(sphere.center, box, sphere.radius)) return *verdict;
+  return careful_closed_form(sphere, box);
+}
+
+/// A point against a box: exact.
+template <Dim N, class T>
+[[gnu::always_inline]] inline Relation closed_form(const Vec<N, T>& point, const Aabb<N, T>& box) {
+  return relation_of_boxes(Aabb<N, T>{point, point}, box);
 }
 
 template <Dim N, class T>
@@ -188,7 +210,7 @@ Relation closed_form(const Sphere<N, T>& sphere, const Capsule<N, T>& capsule) {
 // ---- Box against ...
 
 template <Dim N, class T>
-Relation closed_form(const Aabb<N, T>& a, const Aabb<N, T>& b) {
+[[gnu::always_inline]] inline Relation closed_form(const Aabb<N, T>& a, const Aabb<N, T>& b) {
   return relation_of_boxes(a, b);
 }
 

@@ -19,7 +19,9 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/distance_squared.hpp>
+#include <graze/query/nan_check.hpp>
 #include <graze/query/triangle_axes.hpp>
+#include <graze/query/triangle_filter.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/capsule.hpp>
@@ -293,20 +295,85 @@ Relation relation_to_widened(const Core& core, const Triangle<N, double>& triang
 // ---- The pairs
 
 template <Dim N, class T>
-Relation closed_form(const Segment<N, T>& segment, const Triangle<N, T>& triangle) {
+Aabb<N, T> box_around(const Segment<N, T>& segment) {
+  return {min(segment.start, segment.end), max(segment.start, segment.end)};
+}
+
+template <Dim N, class T>
+Aabb<N, T> box_around(const Triangle<N, T>& triangle) {
+  return {min(min(triangle.a, triangle.b), triangle.c), max(max(triangle.a, triangle.b), triangle.c)};
+}
+
+template <class T>
+Corners3 wide_corners(const Triangle<3, T>& triangle) {
+  return {wide<3, T>(triangle.a), wide<3, T>(triangle.b), wide<3, T>(triangle.c)};
+}
+
+inline std::optional<Relation> filter_of_sized(const Corners3& a, const Corners3& b, const SizesOfPair& sizes) {
+  return filter_of_triangles(a, b, sizes);
+}
+inline std::optional<Relation> filter_of_sized(const Corners3& a, const Segment<3, double>& b,
+                                               const SizesOfPair& sizes) {
+  return filter_of_triangle_and_segment(a, b.start, b.end, sizes);
+}
+
+template <class T>
+Segment<3, double> wide_corners(const Segment<3, T>& segment) {
+  return {wide<3, T>(segment.start), wide<3, T>(segment.end)};
+}
+
+/// The quick answer in space, from differences of corners. Boxes that miss each other are exact.
+template <class T, class S>
+std::optional<Relation> filter_of_corners(const Triangle<3, T>& triangle, const S& other) {
+  const Aabb<3, T> box = box_around(triangle);
+  const Aabb<3, T> other_box = box_around(other);
+  if (!boxes_overlap(box, other_box)) return Relation::apart;
+  const Vec<3, double> sides = wide<3, T>(box.max) - wide<3, T>(box.min);
+  const Vec<3, double> other_sides = wide<3, T>(other_box.max) - wide<3, T>(other_box.min);
+  const Vec<3, double> joint = wide<3, T>(max(box.max, other_box.max)) - wide<3, T>(min(box.min, other_box.min));
+  const SizesOfPair sizes{std::max(std::max(joint.x, joint.y), joint.z), sides.x + sides.y + sides.z,
+                          other_sides.x + other_sides.y + other_sides.z};
+  if (!is_of_moderate_size(sizes.extent)) return std::nullopt;
+  return filter_of_sized(wide_corners(triangle), wide_corners(other), sizes);
+}
+
+template <Dim N, class T>
+[[gnu::noinline]] Relation careful_closed_form(const Segment<N, T>& segment, const Triangle<N, T>& triangle) {
+  if (hold_nan(segment, triangle)) return Relation::apart;
   const Vec<N, double> start = wide<N, T>(segment.start);
   const Vec<N, double> half = 0.5 * (wide<N, T>(segment.end) - start);
   return relation_of_seen<N>(Segment<N, double>{-half, half}, seen_triangle(start, half, triangle));
 }
 
+template <Dim N, class T>
+Relation closed_form(const Segment<N, T>& segment, const Triangle<N, T>& triangle) {
+  if constexpr (N == 3) {
+    if (const auto verdict = filter_of_corners(triangle, segment)) return *verdict;
+  }
+  return careful_closed_form(segment, triangle);
+}
+
 /// In 3D a point touches at most.
 template <Dim N, class T>
-Relation closed_form(const Sphere<N, T>& sphere, const Triangle<N, T>& triangle) {
+[[gnu::noinline]] Relation careful_closed_form(const Sphere<N, T>& sphere, const Triangle<N, T>& triangle) {
+  if (hold_nan(sphere, triangle)) return Relation::apart;
   const Vec<N, double> zero(0.0);
   const auto seen = seen_triangle(wide<N, T>(sphere.center), zero, triangle);
   return relation_to_widened<N>(zero, seen, static_cast<double>(sphere.radius), [&] {
     return N == 3 ? Relation::touching : relation_of_seen<N>(Segment<N, double>{zero, zero}, seen);
   });
+}
+
+template <Dim N, class T>
+Relation closed_form(const Sphere<N, T>& sphere, const Triangle<N, T>& triangle) {
+  if constexpr (N == 3) {
+    const Vec<3, double> corner = wide<3, T>(triangle.a);
+    const auto verdict =
+        filter_of_triangle_and_ball(corner - wide<3, T>(sphere.center), wide<3, T>(triangle.b) - corner,
+                                    wide<3, T>(triangle.c) - corner, static_cast<double>(sphere.radius));
+    if (verdict) return *verdict;
+  }
+  return careful_closed_form(sphere, triangle);
 }
 
 template <Dim N, class T>
@@ -325,11 +392,19 @@ Relation closed_form(const Obb<N, T>& box, const Triangle<N, T>& triangle) {
 
 /// Seen from the least of their coordinates, which is the same for swapped triangles.
 template <Dim N, class T>
-Relation closed_form(const Triangle<N, T>& a, const Triangle<N, T>& b) {
-  const Vec<N, T> least = min(min(min(a.a, a.b), a.c), min(min(b.a, b.b), b.c));
-  const Vec<N, double> reference = wide<N, T>(least);
+[[gnu::noinline]] Relation careful_closed_form(const Triangle<N, T>& a, const Triangle<N, T>& b) {
+  if (hold_nan(a, b)) return Relation::apart;
+  const Vec<N, double> reference = wide<N, T>(min(box_around(a).min, box_around(b).min));
   const Vec<N, double> zero(0.0);
   return relation_of_seen<N>(seen_triangle(reference, zero, a), seen_triangle(reference, zero, b));
+}
+
+template <Dim N, class T>
+Relation closed_form(const Triangle<N, T>& a, const Triangle<N, T>& b) {
+  if constexpr (N == 3) {
+    if (const auto verdict = filter_of_corners(a, b)) return *verdict;
+  }
+  return careful_closed_form(a, b);
 }
 
 template <Dim N, class T>

@@ -9,6 +9,7 @@
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/ball_filter.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/relation_bounded.hpp>
 #include <graze/query/relation_convex.hpp>
@@ -39,6 +40,50 @@ Heights heights_over(const Plane<N, T>& plane, const S& shape) {
   const double offset = static_cast<double>(plane.offset);
   const double magnitude = dot(abs(normal), max(abs(lowest), abs(highest))) + std::fabs(offset);
   return {dot(normal, lowest) - offset, dot(normal, highest) - offset, support_error<S> * magnitude};
+}
+
+// The same for balls and boxes from their centers: no support point is made. The error is as small, and if any number
+// is NaN, so are both heights.
+
+template <Dim N, class T>
+Heights heights_over(const Plane<N, T>& plane, const Sphere<N, T>& sphere) {
+  const Vec<N, double> normal = wide<N, T>(plane.normal);
+  const Vec<N, double> center = wide<N, T>(sphere.center);
+  const double offset = static_cast<double>(plane.offset);
+  const double height = dot(normal, center) - offset;
+  const double reach = static_cast<double>(sphere.radius) * std::sqrt(dot(normal, normal));
+  const double magnitude = dot(abs(normal), abs(center)) + (reach + std::fabs(offset));
+  return {height - reach, height + reach, tolerance::convex * magnitude};
+}
+
+template <Dim N, class T>
+Heights heights_over(const Plane<N, T>& plane, const Aabb<N, T>& box) {
+  const Vec<N, double> normal = wide<N, T>(plane.normal);
+  const Vec<N, double> low = wide<N, T>(box.min);
+  const Vec<N, double> high = wide<N, T>(box.max);
+  const double offset = static_cast<double>(plane.offset);
+  const double height = 0.5 * dot(normal, low + high) - offset;
+  const double reach = 0.5 * dot(abs(normal), high - low);
+  const double magnitude = dot(abs(normal), max(abs(low), abs(high))) + std::fabs(offset);
+  return {height - reach, height + reach, tolerance::convex * magnitude};
+}
+
+template <Dim N, class T>
+Heights heights_over(const Plane<N, T>& plane, const Obb<N, T>& box) {
+  const Vec<N, double> normal = wide<N, T>(plane.normal);
+  const Vec<N, double> center = wide<N, T>(box.center);
+  const double offset = static_cast<double>(plane.offset);
+  const double height = dot(normal, center) - offset;
+  Vec<N, double> farthest = abs(center);
+  double reach = 0;
+  for (Dim i = 0; i < N; ++i) {
+    const Vec<N, double> axis = wide<N, T>(box.axes[i]);
+    const auto half = static_cast<double>(box.half_extents[i]);
+    reach += std::fabs(dot(normal, axis)) * half;
+    farthest += abs(axis) * half;
+  }
+  const double magnitude = dot(abs(normal), farthest) + std::fabs(offset);
+  return {height - reach, height + reach, tolerance::convex * magnitude};
 }
 
 /// A ray that is not parallel to the plane is infinitely high on the side that it runs to.
@@ -175,12 +220,46 @@ Relation closed_form(const Ray<N, T>& a, const Ray<N, T>& b) {
   return std::min(along, verdict_on_gap(std::fabs(dot(w, n)), slack));
 }
 
-/// From a ray's origin, how far along it anything inside a bounded box can be met, and a little farther.
+// ---- The largest absolute coordinates of vectors from a point to a shape, up to rounding.
+
+template <Dim N, class T, Convex S>
+Vec<N, double> farthest_from(const Vec<N, T>& point, const S& shape) {
+  const Aabb<N, T> box = bounds(shape);
+  return max(abs(wide<N, T>(box.min) - wide<N, T>(point)), abs(wide<N, T>(box.max) - wide<N, T>(point)));
+}
 template <Dim N, class T>
-Vec<N, double> reach_to(const Ray<N, T>& ray, const Aabb<N, T>& box) {
-  const Vec<N, double> origin = wide<N, T>(ray.origin);
+Vec<N, double> farthest_from(const Vec<N, T>& point, const Segment<N, T>& segment) {
+  return max(abs(wide<N, T>(segment.start) - wide<N, T>(point)), abs(wide<N, T>(segment.end) - wide<N, T>(point)));
+}
+template <Dim N, class T>
+Vec<N, double> farthest_from(const Vec<N, T>& point, const Sphere<N, T>& sphere) {
+  return abs(wide<N, T>(sphere.center) - wide<N, T>(point)) + static_cast<double>(sphere.radius);
+}
+template <Dim N, class T>
+Vec<N, double> farthest_from(const Vec<N, T>& point, const Aabb<N, T>& box) {
+  return max(abs(wide<N, T>(box.min) - wide<N, T>(point)), abs(wide<N, T>(box.max) - wide<N, T>(point)));
+}
+template <Dim N, class T>
+Vec<N, double> farthest_from(const Vec<N, T>& point, const Obb<N, T>& box) {
+  Vec<N, double> farthest = abs(wide<N, T>(box.center) - wide<N, T>(point));
+  for (Dim i = 0; i < N; ++i) farthest += abs(wide<N, T>(box.axes[i])) * static_cast<double>(box.half_extents[i]);
+  return farthest;
+}
+template <Dim N, class T>
+Vec<N, double> farthest_from(const Vec<N, T>& point, const Triangle<N, T>& triangle) {
+  return max(farthest_from(point, Segment<N, T>{triangle.a, triangle.b}),
+             abs(wide<N, T>(triangle.c) - wide<N, T>(point)));
+}
+template <Dim N, class T>
+Vec<N, double> farthest_from(const Vec<N, T>& point, const Capsule<N, T>& capsule) {
+  return farthest_from(point, axis(capsule)) + static_cast<double>(capsule.radius);
+}
+
+/// From a ray's origin, how far along it anything inside a bounded shape can be met, and a little farther.
+template <Dim N, class T, class S>
+Vec<N, double> reach_to(const Ray<N, T>& ray, const S& shape) {
   const Vec<N, double> direction = wide<N, T>(ray.direction);
-  const Vec<N, double> farthest = max(abs(wide<N, T>(box.min) - origin), abs(wide<N, T>(box.max) - origin));
+  const Vec<N, double> farthest = farthest_from(ray.origin, shape);
   const double reach = 1.25 * std::sqrt(dot(farthest, farthest));
   return direction * (reach / std::sqrt(dot(direction, direction)));  // a valid direction is not zero
 }
@@ -215,7 +294,7 @@ Capsule<N, double> seen_from(const Vec<N, double>& origin, const Capsule<N, T>& 
 template <Dim N, class T, Convex S>
 Relation closed_form(const Ray<N, T>& ray, const S& shape) {
   const Vec<N, double> origin = wide<N, T>(ray.origin);
-  const Vec<N, double> reach = reach_to(ray, bounds(shape));
+  const Vec<N, double> reach = reach_to(ray, shape);
   if constexpr (requires { seen_from(origin, shape); }) {
     return closed_form(Segment<N, double>{Vec<N, double>(0.0), reach}, seen_from(origin, shape));
   } else {
@@ -223,10 +302,22 @@ Relation closed_form(const Ray<N, T>& ray, const S& shape) {
   }
 }
 
+/// A ball meets the ray at once, or nearly, or not.
+template <Dim N, class T>
+Relation closed_form(const Ray<N, T>& ray, const Sphere<N, T>& sphere) {
+  const Vec<N, double> to_center = wide<N, T>(sphere.center) - wide<N, T>(ray.origin);
+  const auto verdict =
+      filter_of_ray_and_ball<N>(wide<N, T>(ray.direction), to_center, static_cast<double>(sphere.radius));
+  if (verdict) return *verdict;
+  const Vec<N, double> zero(0.0);
+  return closed_form(Segment<N, double>{zero, reach_to(ray, sphere)},
+                     Sphere<N, double>{to_center, static_cast<double>(sphere.radius)});
+}
+
 template <Dim N, class T>
 Relation closed_form(const Segment<N, T>& segment, const Ray<N, T>& ray) {
   const Segment<N, double> seen = seen_from(wide<N, T>(ray.origin), segment);
-  return closed_form(seen, Segment<N, double>{Vec<N, double>(0.0), reach_to(ray, bounds(segment))});
+  return closed_form(seen, Segment<N, double>{Vec<N, double>(0.0), reach_to(ray, segment)});
 }
 
 }  // namespace graze::detail

@@ -40,6 +40,8 @@ struct SurfacePoint {
 /// `v` at length 1, however small it is; `fallback` if it is zero.
 template <Dim N>
 Vec<N, double> unit_or(const Vec<N, double>& v, const Vec<N, double>& fallback) {
+  const double squared = dot(v, v);
+  if (squared > 0x1p-900 && squared < 0x1p900) return v / std::sqrt(squared);  // no square is lost
   const double size = max_abs(v);
   if (!(size > 0)) return fallback;
   const Vec<N, double> scaled = v / size;
@@ -68,6 +70,7 @@ template <Dim N>
 struct Foot {
   Vec<N, double> point;
   Vec<N, double> off;
+  double share = 0;  // of a segment that lies before it
 };
 
 template <Dim N>
@@ -85,10 +88,10 @@ Foot<N> foot_on(const Segment<N, T>& segment, const Vec<N, double>& p) {
   const double along = dot(p - start, edge);
   const double whole = dot(edge, edge);
   if (!(along > 0)) return {start, p - start};
-  if (!(along < whole)) return {end, p - end};
+  if (!(along < whole)) return {end, p - end, 1};
   const double share = along / whole;  // whole > along > 0
-  if (share <= 0.5) return {start + edge * share, p - start - edge * share};
-  return {end - edge * (1 - share), p - end + edge * (1 - share)};
+  if (share <= 0.5) return {start + edge * share, p - start - edge * share, share};
+  return {end - edge * (1 - share), p - end + edge * (1 - share), share};
 }
 
 template <Dim N, class T>
@@ -202,11 +205,34 @@ SurfacePoint<N> surface_point(const HalfSpace<N, T>& solid, const Vec<N, double>
 
 // ---- Triangles in space, polygons
 
-/// The nearer of two feet, the first if both are as near.
+/// The nearest of feet, the first of several. Seen from far away, their distances are the same up to rounding; so which
+/// is nearer is read off the vector between their places, which are seen from a corner of the shape.
 template <Dim N>
-Foot<N> nearer(const Foot<N>& first, const Foot<N>& second) {
-  return squared(second) < squared(first) ? second : first;
-}
+class NearestFoot {
+ public:
+  void offer(const Foot<N>& foot, const Vec<N, double>& place) {
+    if (is_empty_ || dot(place - place_, foot.off + foot_.off) > 0) {
+      foot_ = foot;
+      place_ = place;
+      is_empty_ = false;
+    }
+  }
+
+  /// The foot on an edge, seen from a corner.
+  template <class T>
+  void offer(const Segment<N, T>& edge, const Vec<N, double>& corner, const Vec<N, double>& p) {
+    const Foot<N> foot = foot_on(edge, p);
+    const Vec<N, double> start = wide<N, T>(edge.start);
+    offer(foot, start - corner + (wide<N, T>(edge.end) - start) * foot.share);
+  }
+
+  const Foot<N>& get() const { return foot_; }
+
+ private:
+  Foot<N> foot_{Vec<N, double>(0.0), Vec<N, double>(0.0)};
+  Vec<N, double> place_ = Vec<N, double>(0.0);
+  bool is_empty_ = true;
+};
 
 /// The nearest of the three edges and, if it is above the inside, of the face: every candidate is a point of the
 /// triangle up to rounding, so that needles, segments and points come out right, where barycentric coordinates divide
@@ -214,10 +240,11 @@ Foot<N> nearer(const Foot<N>& first, const Foot<N>& second) {
 template <class T>
 SurfacePoint<3> surface_point(const Triangle<3, T>& triangle, const Vec<3, double>& p) {
   using Edge = Segment<3, T>;
-  Foot<3> nearest = foot_on(Edge{triangle.a, triangle.b}, p);
-  nearest = nearer(nearest, foot_on(Edge{triangle.b, triangle.c}, p));
-  nearest = nearer(nearest, foot_on(Edge{triangle.c, triangle.a}, p));
   const Vec<3, double> a = wide<3, T>(triangle.a);
+  NearestFoot<3> nearest;
+  nearest.offer(Edge{triangle.a, triangle.b}, a, p);
+  nearest.offer(Edge{triangle.b, triangle.c}, a, p);
+  nearest.offer(Edge{triangle.c, triangle.a}, a, p);
   const Vec<3, double> b = wide<3, T>(triangle.b);
   const Vec<3, double> c = wide<3, T>(triangle.c);
   const Vec<3, double> normal = accurate_cross(b - a, c - a);
@@ -227,9 +254,9 @@ SurfacePoint<3> surface_point(const Triangle<3, T>& triangle, const Vec<3, doubl
   };
   if (squared_length > 0 && is_left_of(a, b) && is_left_of(b, c) && is_left_of(c, a)) {
     const Vec<3, double> off = normal * (dot(normal, p - a) / squared_length);
-    nearest = nearer(nearest, {p - off, off});
+    return without_inside<3>({p - off, off});
   }
-  return without_inside(nearest);
+  return without_inside(nearest.get());
 }
 
 /// A convex polygon's corners, counter-clockwise, none on the line between its neighbours: or one or two points.
@@ -257,15 +284,16 @@ Vec<N, double> middle_of(std::span<const Vec<N, T>> points) {
 template <class T>
 SurfacePoint<2> surface_point_of(Corners<T> corners, const Vec<2, double>& p) {
   const std::size_t count = corners.size();
-  Foot<2> nearest{p, Vec<2, double>(std::numeric_limits<double>::infinity())};
+  const Vec<2, double> corner = wide<2, T>(corners[0]);
+  NearestFoot<2> nearest;
   bool is_inside = count > 3 || (count == 3 && orientation(corners[0], corners[1], corners[2]) != 0);
   for (std::size_t i = 0; i < count; ++i) {
     const Segment<2, T> edge{corners[i], corners[i + 1 < count ? i + 1 : 0]};
-    nearest = nearer(nearest, foot_on(edge, p));
+    nearest.offer(edge, corner, p);
     is_inside = is_inside && orientation(wide<2, T>(edge.start), wide<2, T>(edge.end), p) >= 0;
   }
-  const double distance = std::sqrt(squared(nearest));
-  return {nearest.point, middle_of(corners), is_inside ? -distance : distance};
+  const double distance = std::sqrt(squared(nearest.get()));
+  return {nearest.get().point, middle_of(corners), is_inside ? -distance : distance};
 }
 
 template <class T>

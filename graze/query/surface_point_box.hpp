@@ -42,42 +42,66 @@ struct PlaceInBox {
   Vec<N, double> off;  ///< From there to the point.
 };
 
-/// Projected descent, axis by axis: each round shrinks what the axes lack of being orthonormal by that lack, until
-/// nothing but rounding is left; five are enough for a box as oblique as is allowed.
+/// Projected descent along all axes at once (Jacobi's method, with the steps clamped): each round shrinks what the axes
+/// lack of being orthonormal by twice that lack at most, until nothing but rounding is left; five are enough for a box
+/// as oblique as is allowed.
 template <Dim N, class T>
 PlaceInBox<N> place_in(const Obb<N, T>& box, const Vec<N, double>& p) {
   constexpr int rounds = 5;
+  constexpr double shrinks_to = 4 * tolerance::orthonormal;
   const Mat<N, double> axes = wide_matrix<N, T>(box.axes);
+  const Vec<N, double> half = wide<N, T>(box.half_extents);
   Mat<N, double> across;  // a valid axis is not zero
   for (Dim i = 0; i < N; ++i) across[i] = axes[i] / dot(axes[i], axes[i]);
   PlaceInBox<N> result;
   result.off = p - wide<N, T>(box.center);
   const double noise = tolerance::epsilon * sum_abs(result.off);
   for (int round = 0; round < rounds; ++round) {
-    double change = 0;
+    Vec<N, double> step;
     for (Dim i = 0; i < N; ++i) {
-      const auto half = static_cast<double>(box.half_extents[i]);
-      const double step = std::clamp(result.place[i] + dot(result.off, across[i]), -half, half) - result.place[i];
-      result.off -= axes[i] * step;
-      result.place[i] += step;
-      change = std::max(change, std::fabs(step));
+      const double wanted = result.place[i] + dot(result.off, across[i]);
+      step[i] = std::min(std::max(wanted, -half[i]), half[i]) - result.place[i];
     }
-    if (change <= noise) break;
+    result.place += step;
+    for (Dim i = 0; i < N; ++i) result.off -= axes[i] * step[i];
+    if (sum_abs(step) * shrinks_to <= noise) break;
   }
   return result;
 }
 
-/// Column i is the outward normal of the face at +half_extents[i], scaled so that it gives a point's i-th place: the
-/// rows of the inverse of the axes.
-inline Mat<2, double> face_normals(const Mat<2, double>& axes) {
-  const double determinant = cross_2d<double>(axes[0], axes[1]);  // about 1 or -1 in a valid box
-  return {-perpendicular<double>(axes[1]) / determinant, perpendicular<double>(axes[0]) / determinant};
+/// The rows of the adjoint matrix of a box's axes, as columns: the determinant, about 1 or -1 in a valid box, times
+/// what gives a point's place.
+inline Mat<2, double> adjoint_columns(const Mat<2, double>& axes) {
+  return {-perpendicular<double>(axes[1]), perpendicular<double>(axes[0])};
 }
 
-inline Mat<3, double> face_normals(const Mat<3, double>& axes) {
-  const Vec<3, double> first = cross(axes[1], axes[2]);
-  const double determinant = dot(first, axes[0]);  // about 1 or -1 in a valid box
-  return {first / determinant, cross(axes[2], axes[0]) / determinant, cross(axes[0], axes[1]) / determinant};
+inline Mat<3, double> adjoint_columns(const Mat<3, double>& axes) {
+  return {cross(axes[1], axes[2]), cross(axes[2], axes[0]), cross(axes[0], axes[1])};
+}
+
+/// Column i is the outward normal of the face at +half_extents[i], scaled so that it gives a point's i-th place: the
+/// rows of the inverse of the axes.
+template <Dim N>
+Mat<N, double> face_normals(const Mat<N, double>& axes) {
+  Mat<N, double> normals = adjoint_columns(axes);
+  const double determinant = dot(normals[0], axes[0]);
+  for (Dim i = 0; i < N; ++i) normals[i] /= determinant;
+  return normals;
+}
+
+/// How far a point lies beyond the faces of a box, up to 3e-4 of itself and what rounding hides; zero or less: inside.
+template <Dim N, class T>
+double beyond_faces(const Obb<N, T>& box, const Vec<N, double>& p) {
+  const Mat<N, double> axes = wide_matrix<N, T>(box.axes);
+  const Mat<N, double> normals = adjoint_columns(axes);
+  const double determinant = std::fabs(dot(normals[0], axes[0]));
+  const Vec<N, double> off = p - wide<N, T>(box.center);
+  double beyond = -std::numeric_limits<double>::infinity();
+  for (Dim i = 0; i < N; ++i) {
+    const double half = static_cast<double>(box.half_extents[i]);
+    beyond = std::max(beyond, std::fabs(dot(normals[i], off)) - half * determinant);
+  }
+  return beyond;
 }
 
 /// The largest coordinate of any point of a box.

@@ -185,6 +185,21 @@ TEST(ClosestPoint, OfNonsenseEnds) {
   }
 }
 
+TEST(ClosestPoint, OfASmallShapeIsRightFromFarAway) {
+  // The squared distances to all of its points are the same up to rounding.
+  for (const double side : {1.0, 1e-2, 1e-4}) {
+    for (const double distance : {1e3, 1e6, 1e9}) {
+      SCOPED_TRACE(testing::Message() << side << " from " << distance);
+      const Triangle<3, double> triangle{{0, 0, 0}, {side, 0, 0}, {0, side, 0}};
+      EXPECT_NEAR(max_abs(closest_point(triangle, D3(-distance, side / 4, distance)) - D3(0, side / 4, 0)), 0, 1e-15);
+      const Triangle<2, double> flat{{0, 0}, {side, 0}, {0, side}};
+      EXPECT_NEAR(max_abs(closest_point(flat, D2(-distance, side / 4)) - D2(0, side / 4)), 0, 1e-15);
+      const auto square = convex_hull<2, double>(std::array{D2(0, 0), D2(side, 0), D2(side, side), D2(0, side)});
+      EXPECT_NEAR(max_abs(closest_point(square, D2(distance, side / 4)) - D2(side, side / 4)), 0, 1e-15);
+    }
+  }
+}
+
 // ---- Users' shapes
 
 TEST(ClosestPoint, OfAUsersShapeIsFoundByItsSupportPoints) {
