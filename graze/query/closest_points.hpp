@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: MIT
+// closest_points(a, b): how far apart any two shapes of one space are, where they are nearest, and in which direction.
+//
+// What finds them. C: a closed form. S: the supports along the plane's normal, a closed form for every convex shape. P:
+// part by part. G: GJK.
+//
+//               segment ray sphere aabb obb plane half-space triangle capsule polytope compound user's
+//   point          C     C    C     C    C    S       S         C        C       G        P       G
+//   segment        C     C    C     C    C    S       S         C        C       G        P       G
+//   ray                  C    C     C    C    C       C         C        C       G        P       G
+//   sphere                    C     C    C    S       S         C        C       G        P       G
+//   aabb                            C    C    S       S         C        C       G        P       G
+//   obb                                  C    S       S         C        C       G        P       G
+//   plane                                     C       C         S        S       S        P       S
+//   half-space                                        C         S        S       S        P       S
+//   triangle                                                    C        C       G        P       G
+//   capsule                                                              C       G        P       G
+//   polytope                                                                     G        P       G
+//   compound                                                                              P       P
+//
+// relation(a, b) decides whether the two meet: the distance is 0 if and only if they touch or overlap, and then both
+// points are the same point of both shapes. A round shape is its core (a center or an axis) and a radius; a shape
+// without radius is its own core. The normal leads from the nearest point of a's core to that of b's, also when shapes
+// of which one is round meet; it is zero when the cores meet, and when planes or half-spaces meet,
+// and may be where the cores are apart by less than the error.
+//
+// Of several nearest points always the same. Swapping the arguments swaps the points and negates the normal, and
+// changes no bit of anything else. A compound is its nearest part, the first of several (of two compounds the pair
+// whose part of the lesser one is first, as shape_order.hpp sorts them); without parts it is infinitely far from
+// everything, and its points are NaN.
+//
+// `error` bounds the error of the distance before it is rounded to T: C a few epsilon of double of the pair's own size,
+// however far from the origin; S and G a few epsilon of the largest coordinate (of T for a user's shape that calculates
+// in T); G what is left between the bounds that GJK has proved, and the status says if that is more than 1e-12 of the
+// distance. The points are rounded to T: to half an ulp of their coordinates they are in their shapes, and the distance
+// of each other; but of shapes a million times longer than thick that meet, G may give a point that is 1e-9 of their
+// size beside them. Coordinates of magnitude 1e-140 to 1e140. Directions of rays and planes that are parallel up to a
+// few epsilon are taken as parallel.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <variant>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/bounds.hpp>
+#include <graze/query/closest_convex.hpp>
+#include <graze/query/closest_cores.hpp>
+#include <graze/query/closest_unbounded.hpp>
+#include <graze/query/distance_squared.hpp>
+#include <graze/query/proximity.hpp>
+#include <graze/query/relation.hpp>
+#include <graze/query/shape_order.hpp>
+#include <graze/shape/any_shape.hpp>
+#include <graze/shape/shape.hpp>
+
+namespace graze {
+
+namespace detail {
+
+/// An apart candidate is never as near as one that meets, even if its distance is below all doubles.
+template <Dim N>
+bool is_nearer(const Proximity<N, double>& candidate, const Proximity<N, double>& nearest) {
+  if (candidate.relation == Relation::apart || nearest.relation == Relation::apart) {
+    if (candidate.relation != nearest.relation) return nearest.relation == Relation::apart;
+  }
+  return candidate.distance < nearest.distance;
+}
+
+// ---- From cores to shapes
+
+/// A common point of two shapes whose cores are this far apart: in the middle of what both reach of the way between.
+inline double common_share(double distance, double radius_a, double radius_b) {
+  return 0.5 * (std::max(0.0, distance - radius_b) + std::min(distance, radius_a));
+}
+
+struct Radii {
+  double a;
+  double b;
+};
+
+/// The answer for two shapes, given the nearest points of their cores, seen from `reference`.
+template <Dim N>
+Proximity<N, double> widened(const ClosestPair<N>& cores, const Vec<N, double>& reference, const Radii& radii,
+                             Relation relation) {
+  const double distance = std::sqrt(cores.squared);
+  Proximity<N, double> result;
+  result.relation = relation;
+  result.normal = unit_or(cores.between, Vec<N, double>(0.0));
+  if (relation == Relation::apart) {
+    result.distance = std::max(0.0, distance - (radii.a + radii.b));
+    result.point_a = reference + (cores.on_a + result.normal * radii.a);
+    result.point_b = reference + (cores.on_b - result.normal * radii.b);
+    return result;
+  }
+  result.distance = 0;
+  const Vec<N, double> way = result.normal * common_share(distance, radii.a, radii.b);
+  result.point_a = result.point_b = reference + (cores.on_a + way);
+  return result;
+}
+
+/// The same of cores that meet.
+template <Dim N>
+Proximity<N, double> widened_meeting(const ClosestPair<N>& cores, const Vec<N, double>& reference, Relation relation) {
+  return meeting_at<N>(reference + (cores.on_a + cores.between * 0.5), relation);
+}
+
+// ---- Closed forms of bounded shapes and rays
+
+template <class S>
+inline constexpr bool is_ray = false;
+template <Dim N, class T>
+inline constexpr bool is_ray<Ray<N, T>> = true;
+
+template <Dim N, class T>
+const Ray<N, T>& core(const Ray<N, T>& ray) {
+  return ray;
+}
+template <Dim N, class T>
+double core_radius(const Ray<N, T>&) {
+  return 0;
+}
+
+/// The stored point that a pair is seen from.
+template <Dim N, class T>
+Vec<N, double> reference(const Ray<N, T>& ray) {
+  return wide<N, T>(ray.origin);
+}
+template <Dim N, class T>
+Vec<N, double> reference(const Triangle<N, T>& triangle) {
+  return wide<N, T>(triangle.a);
+}
+
+template <Dim N, class T>
+Vec<N, double> seen_from(const Vec<N, double>& origin, const Vec<N, T>& point) {
+  return wide<N, T>(point) - origin;
+}
+
+/// A shape whose core has the features of core_features.hpp.
+template <class S>
+concept HasSimpleCore = is_ray<S> || requires(const S& shape, const Vec<dimension_of<S>, double>& origin) {
+  seen_from(origin, core(shape));
+};
+
+/// A core in double. A ray is cut where nothing of the other shape is beside it any more.
+template <class Core, class Other>
+auto seen_beside(const Vec<dimension_of<Core>, double>& origin, const Core& core, const Other& other) {
+  if constexpr (is_ray<Core>) {
+    const Vec<dimension_of<Core>, double> start = reference(core) - origin;
+    return Segment<dimension_of<Core>, double>{start, start + reach_to(core, bounds(other))};
+  } else {
+    return seen_from(origin, core);
+  }
+}
+
+/// Where round shapes meet, their cores may be apart: they are asked.
+template <HasSimpleCore A, HasSimpleCore B>
+Proximity<dimension_of<A>, double> proximity_of_simple(const A& a, const B& b, Relation relation) {
+  constexpr Dim N = dimension_of<A>;
+  const auto& core_a = core(a);
+  const auto& core_b = core(b);
+  const Radii radii{core_radius(a), core_radius(b)};
+  const bool is_decided = relation == Relation::apart || (radii.a == 0 && radii.b == 0);
+  const Relation of_cores = is_decided ? relation : decide(core_a, core_b);
+  const Vec<N, double> origin = reference(core_a);
+  const auto seen_a = seen_beside(origin, core_a, core_b);
+  const auto seen_b = seen_beside(origin, core_b, core_a);
+  const double size = size_around_zero(seen_a) + size_around_zero(seen_b);
+  Proximity<N, double> result = of_cores == Relation::apart
+                                    ? widened(closest_of_apart(seen_a, seen_b, size), origin, radii, relation)
+                                    : widened_meeting(closest_of_meeting(seen_a, seen_b, size), origin, relation);
+  result.error = tolerance::rounding * (size + (radii.a + radii.b));
+  return result;
+}
+
+/// Of boxes along the axes the gaps alone are calculated, wherever they are.
+template <Dim N, class T>
+Proximity<N, double> proximity_of_simple(const Aabb<N, T>& a, const Aabb<N, T>& b, Relation relation) {
+  const Vec<N, double> zero(0.0);
+  const ClosestPair<N> pair = closest_of_boxes(seen_from(zero, a), seen_from(zero, b));
+  Proximity<N, double> result =
+      relation == Relation::apart ? widened(pair, zero, {0, 0}, relation) : widened_meeting(pair, zero, relation);
+  result.error = tolerance::rounding * sum_abs(pair.between);
+  return result;
+}
+
+/// Two rays have a form of their own: neither can be cut before it is known where they are nearest.
+template <Dim N, class T>
+Proximity<N, double> proximity_of_rays(const Ray<N, T>& a, const Ray<N, T>& b, Relation relation) {
+  const ClosestPair<3> in_space = closest_of_rays(a, b);
+  const ClosestPair<N> pair{Vec<N, double>(in_space.on_a), Vec<N, double>(in_space.on_b),
+                            Vec<N, double>(in_space.between), in_space.squared};
+  const Vec<N, double> origin = wide<N, T>(a.origin);
+  Proximity<N, double> result =
+      relation == Relation::apart ? widened(pair, origin, {0, 0}, relation) : widened_meeting(pair, origin, relation);
+  result.error = tolerance::rounding * sum_abs(wide<N, T>(b.origin) - origin);
+  return result;
+}
+
+// ---- Everything else that is convex
+
+/// What `relation` cannot resolve: it may have looked at more of the shapes than the way to the nearest points did.
+template <Convex A, Convex B>
+double resolution_of_convex(const A& a, const B& b) {
+  const auto largest = [](const auto& box) {
+    return static_cast<double>(std::max(max_abs(box.min), max_abs(box.max)));
+  };
+  return std::max(support_error<A>, support_error<B>) * std::max(largest(bounds(a)), largest(bounds(b)));
+}
+
+template <Convex A, Convex B>
+Proximity<dimension_of<A>, double> proximity_of_convex(const A& a, const B& b, Relation relation) {
+  constexpr Dim N = dimension_of<A>;
+  const Radii radii{core_radius(a), core_radius(b)};
+  const ConvexCores<N> cores = closest_of_convex(core(a), core(b));
+  const bool has_radius = radii.a > 0 || radii.b > 0;
+  const bool are_apart =
+      relation == Relation::apart || (has_radius && cores.closest.squared > cores.error * cores.error);
+  const Vec<N, double> zero(0.0);
+  Proximity<N, double> result =
+      are_apart ? widened(cores.closest, zero, radii, relation) : widened_meeting(cores.closest, zero, relation);
+  if (relation == Relation::apart) result.status = cores.status;
+  result.error = cores.error + tolerance::rounding * (radii.a + radii.b);
+  if (relation == Relation::touching) result.error = std::max(result.error, resolution_of_convex(a, b));
+  return result;
+}
+
+template <Dim N, class T, Convex B>
+Proximity<N, double> proximity_of_convex(const Ray<N, T>& ray, const B& b, Relation relation) {
+  const Vec<N, double> origin = wide<N, T>(ray.origin);
+  return proximity_of_convex(Segment<N, double>{origin, origin + reach_to(ray, bounds(b))}, b, relation);
+}
+
+// ---- Any two shapes
+
+template <class S>
+inline constexpr bool is_level = false;
+template <Dim N, class T>
+inline constexpr bool is_level<Plane<N, T>> = true;
+template <Dim N, class T>
+inline constexpr bool is_level<HalfSpace<N, T>> = true;
+
+/// Of two simple shapes in the order of AnyShape.
+template <class A, class B>
+Proximity<dimension_of<A>, double> proximity_in_order(const A& a, const B& b, Relation relation) {
+  if constexpr (is_level<A> && is_level<B>) {
+    return proximity_of_levels(a, b, relation);
+  } else if constexpr (is_ray<A> && is_level<B>) {
+    return proximity_of_ray(a, b, relation);
+  } else if constexpr (is_level<B>) {
+    return exchanged(proximity_to_level(b, a, relation));
+  } else if constexpr (is_level<A>) {
+    return proximity_to_level(a, b, relation);
+  } else if constexpr (is_ray<A> && is_ray<B>) {
+    return proximity_of_rays(a, b, relation);
+  } else if constexpr (HasSimpleCore<A> && HasSimpleCore<B>) {
+    return proximity_of_simple(a, b, relation);
+  } else {
+    return proximity_of_convex(a, b, relation);
+  }
+}
+
+/// With the error as the verdict leaves it: overlapping is certain, but touching is what `relation` says of shapes that
+/// are apart by less than the rounding of its longest calculations, which is a few times ours.
+template <class A, class B>
+Proximity<dimension_of<A>, double> proximity_in_order(const A& a, const B& b) {
+  constexpr double slack_of_touching = tolerance::coarse / tolerance::rounding;
+  const Relation relation = decide(a, b);
+  Proximity<dimension_of<A>, double> result = proximity_in_order(a, b, relation);
+  if (relation == Relation::touching) result.error *= slack_of_touching;
+  if (relation == Relation::overlapping) result.error = 0;
+  return result;
+}
+
+/// Whether a comes before b, or is the same.
+template <class A, class B>
+bool is_in_order(const A& a, const B& b) {
+  if constexpr (type_place<A> != type_place<B>) {
+    return type_place<A> < type_place<B>;
+  } else if constexpr (std::is_same_v<A, B> && requires { compare(a, b); }) {
+    return compare(a, b) <= 0;
+  } else {
+    return comes_first(a, b);  // users' types
+  }
+}
+
+template <class A, class B>
+Proximity<dimension_of<A>, double> proximity(const A& a, const B& b);
+
+/// Whether boxes are farther apart than this.
+template <Dim N, class T>
+bool are_farther_apart(const Aabb<N, T>& a, const Aabb<N, T>& b, double distance) {
+  double squared = 0;
+  for (Dim i = 0; i < N; ++i) {
+    const double above = static_cast<double>(a.min[i]) - static_cast<double>(b.max[i]);
+    const double below = static_cast<double>(b.min[i]) - static_cast<double>(a.max[i]);
+    const double gap = std::max({above, below, 0.0});
+    squared += gap * gap;
+  }
+  return squared > distance * distance;
+}
+
+/// The nearest part, the first of several; parts whose boxes are farther away beyond all rounding are skipped.
+template <Dim N, class T, class S>
+Proximity<N, double> proximity_of_parts(const Compound<N, T>& compound, const S& shape) {
+  const Aabb<N, T> box = touching_bounds(bounds(shape));
+  Proximity<N, double> nearest;
+  for (const Part<N, T>& part : compound.parts) {
+    if (nearest.relation == Relation::overlapping) break;
+    if (are_farther_apart(touching_bounds(part.box), box, nearest.distance)) continue;
+    const Proximity<N, double> candidate = proximity(part.shape, shape);
+    const Relation relation = std::max(nearest.relation, candidate.relation);
+    if (is_nearer(candidate, nearest)) nearest = candidate;
+    nearest.relation = relation;
+  }
+  return nearest;
+}
+
+template <class A, class B>
+Proximity<dimension_of<A>, double> proximity(const A& a, const B& b) {
+  if constexpr (is_any_shape<A>) {
+    return std::visit([&b](const auto& held) { return proximity(held, b); }, a);
+  } else if constexpr (is_any_shape<B>) {
+    return std::visit([&a](const auto& held) { return proximity(a, held); }, b);
+  } else if constexpr (is_compound<A> && is_compound<B>) {
+    return is_in_order(a, b) ? proximity_of_parts(a, b) : exchanged(proximity_of_parts(b, a));
+  } else if constexpr (is_compound<A>) {
+    return proximity_of_parts(a, b);
+  } else if constexpr (is_compound<B>) {
+    return exchanged(proximity_of_parts(b, a));
+  } else if constexpr (type_place<A> != type_place<B>) {
+    if constexpr (type_place<A> < type_place<B>) {
+      return proximity_in_order(a, b);
+    } else {
+      return exchanged(proximity_in_order(b, a));
+    }
+  } else {
+    return is_in_order(a, b) ? proximity_in_order(a, b) : exchanged(proximity_in_order(b, a));
+  }
+}
+
+}  // namespace detail
+
+/// The nearest points of two valid shapes (asserted) of the same dimension and number type, as described above.
+template <Shape A, SameSpace<A> B>
+Proximity<dimension_of<A>, scalar_of<A>> closest_points(const A& a, const B& b) {
+  assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));
+  return detail::rounded<scalar_of<A>>(detail::proximity(a, b));
+}
+
+}  // namespace graze

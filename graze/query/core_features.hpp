@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+// The corners, edges and nearest points of the cores that closest points are found on: points, segments, boxes and
+// triangles in double, all seen from near the pair, so that no rounding grows with the distance from zero.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include <graze/math/orientation.hpp>
+#include <graze/math/rounding.hpp>
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/distance_squared.hpp>
+#include <graze/query/surface_point.hpp>
+#include <graze/query/surface_point_box.hpp>
+#include <graze/shape/aabb.hpp>
+#include <graze/shape/obb.hpp>
+#include <graze/shape/segment.hpp>
+#include <graze/shape/shape.hpp>
+#include <graze/shape/triangle.hpp>
+
+namespace graze::detail {
+
+// ---- foot_on(core, p): the core's point nearest to p, and the vector from there to p. Segments have theirs in
+// surface_point.hpp.
+
+template <Dim N>
+Foot<N> foot_on(const Vec<N, double>& core, const Vec<N, double>& p) {
+  return {core, p - core};
+}
+
+template <Dim N>
+Foot<N> foot_on(const Aabb<N, double>& box, const Vec<N, double>& p) {
+  const Vec<N, double> inside = clamp(p, box.min, box.max);
+  return {inside, p - inside};
+}
+
+template <Dim N>
+Foot<N> foot_on(const Obb<N, double>& box, const Vec<N, double>& p) {
+  const PlaceInBox<N> nearest = place_in(box, p);
+  return {box.center + box.axes * nearest.place, nearest.off};
+}
+
+/// The first if both are as near.
+template <Dim N>
+Foot<N> nearer_foot(const Foot<N>& first, const Foot<N>& second) {
+  return squared(second) < squared(first) ? second : first;
+}
+
+template <Dim N>
+Foot<N> foot_on_sides(const Triangle<N, double>& triangle, const Vec<N, double>& p) {
+  using Side = Segment<N, double>;
+  const Foot<N> first = nearer_foot(foot_on(Side{triangle.a, triangle.b}, p), foot_on(Side{triangle.b, triangle.c}, p));
+  return nearer_foot(first, foot_on(Side{triangle.c, triangle.a}, p));
+}
+
+inline Foot<2> foot_on(const Triangle<2, double>& triangle, const Vec<2, double>& p) {
+  const int turn = orientation(triangle.a, triangle.b, triangle.c);
+  const auto is_inside_of = [&](const Vec<2, double>& from, const Vec<2, double>& to) {
+    return turn * orientation(from, to, p) >= 0;
+  };
+  if (turn != 0 && is_inside_of(triangle.a, triangle.b) && is_inside_of(triangle.b, triangle.c) &&
+      is_inside_of(triangle.c, triangle.a)) {
+    return {p, Vec<2, double>(0.0)};
+  }
+  return foot_on_sides(triangle, p);
+}
+
+/// The nearest of the feet on the sides and, if it is inside, on the plane. With edges u, v from a corner, w from it to
+/// p and n = u x v that foot is at s u + t v with s n^2 = (w x v) . n, t n^2 = (u x w) . n: a point of the triangle
+/// even where a needle's s and t are rounded much, and then a side is as near.
+inline Foot<3> foot_on(const Triangle<3, double>& triangle, const Vec<3, double>& p) {
+  const Foot<3> on_sides = foot_on_sides(triangle, p);
+  const Vec<3, double> u = triangle.b - triangle.a;
+  const Vec<3, double> v = triangle.c - triangle.a;
+  const Vec<3, double> w = p - triangle.a;
+  const Vec<3, double> n = cross_of_directions(u, v);
+  const Vec<3, double> n0 = of_unit_size(n);  // in place of one n, or n^2 leaves the range of double
+  const double whole = dot(n, n0);
+  if (!(whole > 0)) return on_sides;
+  const double s = dot(cross_of_directions(w, v), n0) / whole;
+  const double t = dot(cross_of_directions(u, w), n0) / whole;
+  if (!(s >= 0 && t >= 0 && s + t <= 1)) return on_sides;
+  const Vec<3, double> across = u * s + v * t;
+  return nearer_foot(on_sides, {triangle.a + across, w - across});
+}
+
+// ---- Boxes as a center and the vectors from it to the middles of the faces
+
+template <Dim N>
+struct BoxFrame {
+  Vec<N, double> center;
+  Mat<N, double> half_edges;
+};
+
+template <Dim N>
+BoxFrame<N> frame_of(const Aabb<N, double>& box) {
+  BoxFrame<N> frame{box.center(), Mat<N, double>(1.0)};
+  const Vec<N, double> half_extents = box.half_extents();
+  for (Dim i = 0; i < N; ++i) frame.half_edges[i] *= half_extents[i];
+  return frame;
+}
+
+template <Dim N>
+BoxFrame<N> frame_of(const Obb<N, double>& box) {
+  return {box.center, half_edges(box)};
+}
+
+template <class Core>
+concept BoxCore = requires(const Core& core) {
+  frame_of(core);
+};
+
+// ---- corner_points(core)
+
+template <Dim N>
+std::array<Vec<N, double>, 1> corner_points(const Vec<N, double>& point) {
+  return {point};
+}
+
+template <Dim N>
+std::array<Vec<N, double>, 2> corner_points(const Segment<N, double>& segment) {
+  return {segment.start, segment.end};
+}
+
+template <Dim N>
+std::array<Vec<N, double>, 3> corner_points(const Triangle<N, double>& triangle) {
+  return triangle.vertices();
+}
+
+/// Corner number k is the one on the far side of axis i if bit i of k is set.
+template <BoxCore Box>
+auto corner_points(const Box& box) {
+  const auto frame = frame_of(box);
+  constexpr Dim N = dimension_of<Box>;
+  std::array<Vec<N, double>, std::size_t{1} << N> corners;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    corners[k] = frame.center;
+    for (Dim i = 0; i < N; ++i) corners[k] += (k >> i & 1U) != 0 ? frame.half_edges[i] : -frame.half_edges[i];
+  }
+  return corners;
+}
+
+/// Those of a box along the axes are exact.
+template <Dim N>
+std::array<Vec<N, double>, std::size_t{1} << N> corner_points(const Aabb<N, double>& box) {
+  std::array<Vec<N, double>, std::size_t{1} << N> corners;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    for (Dim i = 0; i < N; ++i) corners[k][i] = (k >> i & 1U) != 0 ? box.max[i] : box.min[i];
+  }
+  return corners;
+}
+
+/// A bound on the sum of the absolute coordinates of every point.
+template <class Core>
+double size_around_zero(const Core& core) {
+  double size = 0;
+  for (const auto& corner : corner_points(core)) size = std::max(size, sum_abs(corner));
+  return size;
+}
+
+// ---- Edges: the vectors along them, one for all that are parallel; and the segments themselves
+
+template <Dim N>
+std::array<Vec<N, double>, 1> edge_vectors(const Segment<N, double>& segment) {
+  return {segment.end - segment.start};
+}
+
+template <Dim N>
+std::array<Vec<N, double>, 3> edge_vectors(const Triangle<N, double>& triangle) {
+  return {triangle.b - triangle.a, triangle.c - triangle.b, triangle.a - triangle.c};
+}
+
+template <Dim N>
+std::array<Vec<N, double>, static_cast<std::size_t>(N)> edge_vectors(const BoxFrame<N>& box) {
+  std::array<Vec<N, double>, static_cast<std::size_t>(N)> edges;
+  for (Dim i = 0; i < N; ++i) edges[static_cast<std::size_t>(i)] = box.half_edges[i] * 2.0;
+  return edges;
+}
+
+/// Whether going along `way` leads against `direction`, by more than rounding.
+template <Dim N>
+bool leads_back(const Vec<N, double>& way, const Vec<N, double>& direction) {
+  return dot(way, direction) < -tolerance::extreme_edge * sum_abs(way) * sum_abs(direction);
+}
+
+/// Calls `visit` with the edges along edge_vectors(core)[index] that no other point of the core lies before, as seen
+/// along `direction` (at right angles to these edges); two or more where rounding cannot tell which of them. With a
+/// zero direction, all of them.
+template <Dim N, class Visit>
+void visit_foremost_edges(const Segment<N, double>& segment, std::size_t, const Vec<N, double>&, const Visit& visit) {
+  visit(segment);
+}
+
+template <Dim N, class Visit>
+void visit_foremost_edges(const Triangle<N, double>& triangle, std::size_t index, const Vec<N, double>& direction,
+                          const Visit& visit) {
+  const std::array<Vec<N, double>, 3> corners = triangle.vertices();
+  const Vec<N, double>& start = corners[index];
+  if (!leads_back(start - corners[(index + 2) % 3], direction)) {
+    visit(Segment<N, double>{start, corners[(index + 1) % 3]});
+  }
+}
+
+template <Dim N, class Visit>
+void visit_foremost_edges(const BoxFrame<N>& box, std::size_t index, const Vec<N, double>& direction,
+                          const Visit& visit) {
+  const auto along = static_cast<Dim>(index);
+  for (unsigned sides = 0; sides < 1U << (N - 1); ++sides) {
+    Vec<N, double> middle = box.center;
+    bool is_foremost = true;
+    unsigned bits = sides;
+    for (Dim i = 0; i < N; ++i) {
+      if (i == along) continue;
+      const Vec<N, double> way = (bits & 1U) != 0 ? box.half_edges[i] : -box.half_edges[i];
+      bits >>= 1U;
+      middle += way;
+      is_foremost = is_foremost && !leads_back(way, direction);
+    }
+    if (is_foremost) visit(Segment<N, double>{middle - box.half_edges[along], middle + box.half_edges[along]});
+  }
+}
+
+/// A core as the functions of edges take it: boxes by their frames.
+template <class Core>
+const Core& with_edges(const Core& core) {
+  return core;
+}
+template <BoxCore Box>
+auto with_edges(const Box& box) {
+  return frame_of(box);
+}
+
+/// Points have no edges, and nothing but themselves to be nearest.
+template <class Core>
+concept HasEdges = requires(const Core& core) {
+  edge_vectors(with_edges(core));
+};
+
+/// Calls `visit` with every edge.
+template <HasEdges Core, class Visit>
+void visit_edges(const Core& core, const Visit& visit) {
+  const auto& edged = with_edges(core);
+  const auto vectors = edge_vectors(edged);
+  for (std::size_t i = 0; i < vectors.size(); ++i) visit_foremost_edges(edged, i, vectors[i] * 0.0, visit);
+}
+
+// ---- The heights of a core along a direction, in units of its length
+
+struct Span {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+};
+
+template <Dim N, class Core>
+Span span_along(const Vec<N, double>& direction, const Core& core) {
+  Span span;
+  for (const Vec<N, double>& corner : corner_points(core)) {
+    const double height = dot(direction, corner);
+    span.low = std::min(span.low, height);
+    span.high = std::max(span.high, height);
+  }
+  return span;
+}
+
+template <Dim N>
+Span span_along(const Vec<N, double>& direction, const BoxFrame<N>& box) {
+  const double middle = dot(direction, box.center);
+  double reach = 0;
+  for (Dim i = 0; i < N; ++i) reach += std::fabs(dot(direction, box.half_edges[i]));
+  return {middle - reach, middle + reach};
+}
+
+}  // namespace graze::detail

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// What closest_points(a, b) answers.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include <graze/math/vec.hpp>
+#include <graze/query/status.hpp>
+#include <graze/query/verdict.hpp>
+
+namespace graze {
+
+/// How near two shapes are to each other, and where. Default: infinitely far from nothing.
+template <Dim N, class T = float>
+struct Proximity {
+  T distance = std::numeric_limits<T>::infinity();  ///< 0 if and only if the shapes touch or overlap.
+  Vec<N, T> point_a = Vec<N, T>(std::numeric_limits<T>::quiet_NaN());  ///< Of a, nearest to b; or of both.
+  Vec<N, T> point_b = Vec<N, T>(std::numeric_limits<T>::quiet_NaN());  ///< Of b, nearest to a; or the same.
+  Vec<N, T> normal = Vec<N, T>(T(0));   ///< Of length 1, from a to b; or zero, see closest_points.hpp.
+  Relation relation = Relation::apart;  ///< What relation(a, b) says.
+  Status status = Status::converged;    ///< Always `converged` for closed forms.
+  double error = 0;                     ///< How far `distance` may be off, its rounding to T left out.
+
+  friend bool operator==(const Proximity&, const Proximity&) = default;
+};
+
+namespace detail {
+
+/// The same of (b, a). Subtracted from zero, so that a zero keeps its sign.
+template <Dim N, class T>
+Proximity<N, T> exchanged(Proximity<N, T> proximity) {
+  std::swap(proximity.point_a, proximity.point_b);
+  proximity.normal = Vec<N, T>(T(0)) - proximity.normal;
+  return proximity;
+}
+
+/// A distance in T, which is zero for shapes that meet and for no others.
+template <Scalar T>
+T rounded_distance(double distance, Relation relation) {
+  if (relation != Relation::apart) return T(0);
+  return std::max(static_cast<T>(distance), std::numeric_limits<T>::denorm_min());
+}
+
+template <Scalar T, Dim N>
+Proximity<N, T> rounded(const Proximity<N, double>& exact) {
+  return {rounded_distance<T>(exact.distance, exact.relation),
+          Vec<N, T>(exact.point_a) + T(0),  // never minus zero
+          Vec<N, T>(exact.point_b) + T(0),
+          Vec<N, T>(exact.normal) + T(0),
+          exact.relation,
+          exact.status,
+          exact.error};
+}
+
+}  // namespace detail
+}  // namespace graze
