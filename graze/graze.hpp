@@ -3,15 +3,19 @@
 #pragma once
 
 #include <graze/broad/brute_force.hpp>
+#include <graze/broad/brute_force_pairs.hpp>
 #include <graze/broad/executor.hpp>
+#include <graze/broad/orthtree.hpp>
 #include <graze/broad/pairs.hpp>
 #include <graze/broad/worlds.hpp>
 #include <graze/query/bounding.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/closest_boundary_point.hpp>
 #include <graze/query/closest_point.hpp>
+#include <graze/query/closest_points.hpp>
 #include <graze/query/contains.hpp>
 #include <graze/query/convex_parts.hpp>
+#include <graze/query/distance.hpp>
 #include <graze/query/distance_squared.hpp>
 #include <graze/query/epa.hpp>
 #include <graze/query/gjk.hpp>

@@ -1,54 +1,112 @@
 // SPDX-License-Identifier: MIT
-// The plain double loop: too slow for many boxes, too simple to be wrong. The judge of every other method.
 #pragma once
 
-#include <cmath>
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include <graze/broad/pair.hpp>
+#include <graze/broad/key_table.hpp>
+#include <graze/broad/region.hpp>
+#include <graze/broad/spatial_index.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/distance_squared.hpp>
 #include <graze/shape/aabb.hpp>
+#include <graze/shape/ray.hpp>
 
 namespace graze {
-namespace detail {
 
-template <Dim N, class T>
-bool has_nan(const Aabb<N, T>& box) {
-  for (Dim i = 0; i < N; ++i) {
-    if (std::isnan(box.min[i]) || std::isnan(box.max[i])) return true;
+/// A SpatialIndex that looks at every box every time: the judge of the others, and quick enough for a few dozen.
+/// Queries visit in ascending order of the keys.
+template <Dim N, class T = float>
+class BruteForce {
+ public:
+  using Box = Aabb<N, T>;
+
+  Key insert(const Box& box) {
+    detail::require_box(box);
+    const std::uint32_t slot = keys_.prepare();
+    if (slot == boxes_.size()) boxes_.push_back(box);
+    boxes_[slot] = box;
+    return keys_.take();
   }
-  return false;
-}
 
-/// Adds the pairs of box `a` with the boxes from `first` on.
-template <Dim N, class T>
-void add_brute_force_pairs(const Aabb<N, T>& box, std::uint32_t a, std::span<const Aabb<N, T>> boxes,
-                           std::uint32_t first, std::vector<Pair>& pairs) {
-  if (is_nothing(box)) return;
-  for (std::uint32_t b = first; b < boxes.size(); ++b) {
-    if (boxes_overlap(box, boxes[b]) && !is_nothing(boxes[b])) pairs.push_back({a, b});
+  void update(const Key& key, const Box& box) {
+    const std::uint32_t slot = keys_.slot_of(key);
+    detail::require_box(box);
+    boxes_[slot] = box;
+    keys_.count_change();
   }
-}
 
-}  // namespace detail
+  void erase(const Key& key) { keys_.release(keys_.slot_of(key)); }
 
-/// Every pair of boxes that share a point, ascending. A box with min above max contains nothing and overlaps none.
-template <Dim N, class T>
-std::vector<Pair> brute_force_pairs(std::span<const Aabb<N, T>> boxes) {
-  std::vector<Pair> pairs;
-  for (std::uint32_t a = 0; a < boxes.size(); ++a) detail::add_brute_force_pairs(boxes[a], a, boxes, a + 1, pairs);
-  return pairs;
-}
-
-/// The same between two sets.
-template <Dim N, class T>
-std::vector<Pair> brute_force_pairs(std::span<const Aabb<N, T>> boxes_a, std::span<const Aabb<N, T>> boxes_b) {
-  std::vector<Pair> pairs;
-  for (std::uint32_t a = 0; a < boxes_a.size(); ++a) {
-    detail::add_brute_force_pairs(boxes_a[a], a, boxes_b, 0, pairs);
+  void clear() {
+    for (std::uint32_t slot = 0; slot < keys_.slots(); ++slot) {
+      if (keys_.is_taken(slot)) keys_.release(slot);
+    }
   }
-  return pairs;
-}
+
+  bool contains(const Key& key) const { return keys_.contains(key); }
+  const Box& box(const Key& key) const { return boxes_[keys_.slot_of(key)]; }
+  std::size_t size() const { return keys_.size(); }
+
+  /// The memory that is held, in bytes.
+  std::size_t bytes() const { return keys_.bytes() + boxes_.capacity() * sizeof(Box); }
+
+  template <RegionIn<N, T> R, VisitorOf<Key> Visit>
+  void query(const R& region, Visit&& visit) const {
+    const detail::RegionProbe<R> probe(region);
+    detail::GuardedVisit guarded(visit, keys_);
+    for (std::uint32_t slot = 0; slot < keys_.slots(); ++slot) {
+      if (keys_.is_taken(slot) && probe.meets(boxes_[slot]) && !guarded(keys_.key_of(slot))) return;
+    }
+  }
+
+  template <VisitorOf<Key, double> Visit>
+  void ray_cast(const Ray<N, T>& ray, Visit&& visit) const {
+    detail::require_ray(ray);
+    std::vector<Hit> hits;
+    for (std::uint32_t slot = 0; slot < keys_.slots(); ++slot) {
+      if (!keys_.is_taken(slot)) continue;
+      if (const auto t = detail::entry_of(ray, boxes_[slot])) hits.push_back({*t, keys_.key_of(slot)});
+    }
+    std::sort(hits.begin(), hits.end());
+    detail::GuardedVisit guarded(visit, keys_);
+    for (const Hit& hit : hits) {
+      if (!guarded(hit.key, hit.t)) return;
+    }
+  }
+
+  std::vector<Neighbour> nearest(const Vec<N, T>& point, std::size_t k) const {
+    detail::require_point(point);
+    detail::NearestKeys nearest(std::min(k, size()));
+    for (std::uint32_t slot = 0; slot < keys_.slots() && k > 0; ++slot) {
+      if (keys_.is_taken(slot)) nearest.offer({keys_.key_of(slot), distance_squared(point, boxes_[slot])});
+    }
+    return nearest.sorted();
+  }
+
+  template <VisitorOf<Key, Key> Visit>
+  void pairs(Visit&& visit) const {
+    detail::GuardedVisit guarded(visit, keys_);
+    for (std::uint32_t a = 0; a < keys_.slots(); ++a) {
+      for (std::uint32_t b = a + 1; b < keys_.slots() && keys_.is_taken(a); ++b) {
+        if (!keys_.is_taken(b) || !boxes_overlap(boxes_[a], boxes_[b])) continue;
+        if (!guarded(keys_.key_of(a), keys_.key_of(b))) return;
+      }
+    }
+  }
+
+ private:
+  struct Hit {
+    double t;
+    Key key;
+
+    friend auto operator<=>(const Hit&, const Hit&) = default;
+  };
+
+  detail::KeyTable keys_;
+  std::vector<Box> boxes_;  // by slot
+};
 
 }  // namespace graze

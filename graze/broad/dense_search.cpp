@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <graze/broad/brute_force.hpp>
+#include <graze/broad/brute_force_pairs.hpp>
 #include <graze/broad/dense_search.hpp>
 #include <graze/broad/executor.hpp>
 

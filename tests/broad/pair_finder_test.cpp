@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <hwy/highway.h>
 
-#include <graze/broad/brute_force.hpp>
+#include <graze/broad/brute_force_pairs.hpp>
 #include <graze/broad/pairs.hpp>
 
 #include "box_worlds.hpp"

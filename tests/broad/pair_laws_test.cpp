@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <graze/broad/brute_force.hpp>
+#include <graze/broad/brute_force_pairs.hpp>
 #include <graze/broad/pairs.hpp>
 
 #include "thread_executor.hpp"

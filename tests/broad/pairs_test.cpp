@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include <graze/broad/brute_force.hpp>
+#include <graze/broad/brute_force_pairs.hpp>
 #include <graze/broad/pairs.hpp>
 
 #include "box_worlds.hpp"

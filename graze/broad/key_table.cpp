@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <atomic>
+#include <stdexcept>
+#include <string>
+
+#include <graze/broad/key_table.hpp>
+
+namespace graze::detail {
+namespace {
+
+/// The one piece of global state in graze: without a number of its own an index could not tell its keys from another's.
+/// No answer depends on it. Zero is left to keys made by default.
+std::uint32_t new_owner() {
+  static std::atomic<std::uint32_t> owners{0};
+  const std::uint32_t owner = owners.fetch_add(1, std::memory_order_relaxed) + 1;
+  return owner == 0 ? new_owner() : owner;
+}
+
+}  // namespace
+
+KeyTable::KeyTable(std::uint32_t most) : most_(most), owner_(new_owner()) {}
+
+std::uint32_t KeyTable::prepare() {
+  if (!free_.empty()) return free_.back();
+  if (generations_.size() == most_) {
+    throw std::length_error("SpatialIndex: it is full; it holds " + std::to_string(most_) + " boxes at most");
+  }
+  if (generations_.size() == generations_.capacity()) {
+    const std::size_t room = std::max<std::size_t>(16, 2 * generations_.size());
+    free_.reserve(room);
+    generations_.reserve(room);
+  }
+  return slots();
+}
+
+Key KeyTable::take() noexcept {
+  std::uint32_t slot = slots();
+  if (free_.empty()) {
+    generations_.push_back(0);
+  } else {
+    slot = free_.back();
+    free_.pop_back();
+  }
+  ++generations_[slot];
+  ++size_;
+  ++changes_;
+  return key_of(slot);
+}
+
+void KeyTable::release(std::uint32_t slot) noexcept {
+  --size_;
+  ++changes_;
+  if (++generations_[slot] != 0) free_.push_back(slot);
+}
+
+std::uint32_t KeyTable::slot_of(const Key& key) const {
+  if (contains(key)) return key.index;
+  const std::string name = "SpatialIndex: the key (index " + std::to_string(key.index) + ", generation " +
+                           std::to_string(key.generation) + ") ";
+  if (key == Key{}) throw std::out_of_range(name + "was made by default; only insert gives keys");
+  if (key.owner != owner_) throw std::out_of_range(name + "was given by another index");
+  throw std::out_of_range(name + "names no box any more; it was erased");
+}
+
+}  // namespace graze::detail

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace graze {
+
+/// Names a box of a spatial index for as long as it is held there. The key of a box that was erased, one that another
+/// index gave out, and a key made by default are errors when they are used, never another box. Ordered by index, which
+/// is a place that is used again. A copy of an index answers to the keys of the original.
+struct Key {
+  std::uint32_t index = 0;
+  std::uint32_t generation = 0;  ///< Odd in every key that is given out.
+  std::uint32_t owner = 0;       ///< Tells the keys of one index from those of others. Says nothing else.
+
+  friend auto operator<=>(const Key&, const Key&) = default;
+};
+
+namespace detail {
+
+/// Which slots of an index are taken, and by which key.
+class KeyTable {
+ public:
+  /// With more than `most` slots the table is full.
+  explicit KeyTable(std::uint32_t most = std::numeric_limits<std::uint32_t>::max());
+
+  /// The slot that `take` will take. After it `take` cannot fail; throws std::length_error when the table is full.
+  std::uint32_t prepare();
+
+  /// Takes the slot that `prepare` named.
+  Key take() noexcept;
+
+  /// Frees a slot that is taken. A slot whose generations are used up is never taken again.
+  void release(std::uint32_t slot) noexcept;
+
+  bool contains(const Key& key) const {
+    return key.owner == owner_ && key.index < generations_.size() && (key.generation & 1U) != 0 &&
+           generations_[key.index] == key.generation;
+  }
+
+  /// The slot of a key. Throws std::out_of_range, naming the key, when it names none.
+  std::uint32_t slot_of(const Key& key) const;
+
+  bool is_taken(std::uint32_t slot) const { return (generations_[slot] & 1U) != 0; }
+  Key key_of(std::uint32_t slot) const { return {slot, generations_[slot], owner_}; }
+
+  /// How many slots were ever taken: all slots are below it.
+  std::uint32_t slots() const { return static_cast<std::uint32_t>(generations_.size()); }
+  std::size_t size() const { return size_; }
+
+  /// Counts changes, so that whoever visits can see that there was one. `take` and `release` count themselves.
+  std::uint64_t changes() const { return changes_; }
+  void count_change() { ++changes_; }
+
+  /// The memory that is held, in bytes.
+  std::size_t bytes() const { return (generations_.capacity() + free_.capacity()) * sizeof(std::uint32_t); }
+
+ private:
+  std::vector<std::uint32_t> generations_;  // odd: taken
+  std::vector<std::uint32_t> free_;         // room for all slots, so that `release` cannot fail
+  std::size_t size_ = 0;
+  std::uint64_t changes_ = 0;
+  std::uint32_t most_;
+  std::uint32_t owner_;
+};
+
+}  // namespace detail
+}  // namespace graze

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// What a spatial index can be asked about, and how it prunes by it.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include <graze/math/rounding.hpp>
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/bounds.hpp>
+#include <graze/query/intersects.hpp>
+#include <graze/shape/aabb.hpp>
+#include <graze/shape/shape.hpp>
+
+namespace graze {
+
+/// Any shape is a region: point, segment, ray, box, sphere, oriented box, capsule, plane, half-space, triangle,
+/// polytope, compound, and every type of a user's with `support`. The pruning rests on its box: an unbounded region
+/// costs more.
+template <class R, Dim N, class T>
+concept RegionIn = SameSpace<R, Aabb<N, T>> && requires(const R& region) {
+  { bounds(region) } -> std::same_as<Aabb<N, T>>;
+};
+
+namespace detail {
+
+template <Dim N, class T>
+bool has_nan_coordinate(const Aabb<N, T>& box) {
+  for (Dim i = 0; i < N; ++i) {
+    if (std::isnan(box.min[i]) || std::isnan(box.max[i])) return true;
+  }
+  return false;
+}
+
+/// The largest absolute value among the finite coordinates.
+template <Dim N, class T>
+double finite_size(const Aabb<N, T>& box) {
+  double size = 0;
+  for (Dim i = 0; i < N; ++i) {
+    for (const T side : {box.min[i], box.max[i]}) {
+      const double magnitude = std::fabs(static_cast<double>(side));
+      if (magnitude < std::numeric_limits<double>::infinity() && magnitude > size) size = magnitude;
+    }
+  }
+  return size;
+}
+
+/// boxes_overlap without a branch, for where the answer is hard to predict.
+template <Dim N, class T>
+bool boxes_overlap_at_once(const Aabb<N, T>& a, const Aabb<N, T>& b) {
+  unsigned apart = 0;
+  for (Dim i = 0; i < N; ++i) {
+    apart |= static_cast<unsigned>(!(a.min[i] <= b.max[i])) | static_cast<unsigned>(!(b.min[i] <= a.max[i]));
+  }
+  return apart == 0;
+}
+
+/// The box that two boxes share; nothing, when they share none.
+template <Dim N, class T>
+Aabb<N, T> shared_box(const Aabb<N, T>& a, const Aabb<N, T>& b) {
+  Aabb<N, T> shared;
+  for (Dim i = 0; i < N; ++i) {
+    shared.min[i] = a.min[i] > b.min[i] ? a.min[i] : b.min[i];
+    shared.max[i] = a.max[i] < b.max[i] ? a.max[i] : b.max[i];
+  }
+  return shared;
+}
+
+/// A region during one query. A box meets it when `intersects(region, box)` says so. Of a box with infinite sides the
+/// part within the region's bounds is asked; where that is still infinite, the bounds decide. Throws
+/// std::invalid_argument for a region with a defect.
+template <Shape R>
+class RegionProbe {
+ public:
+  static constexpr Dim N = dimension_of<R>;
+  using T = scalar_of<R>;
+  using Box = Aabb<N, T>;
+
+  explicit RegionProbe(const R& region) : region_(region), bounds_(bounds(region)) {
+    if constexpr (requires { defect(region); }) {
+      if (!is_valid(region)) throw std::invalid_argument("SpatialIndex: the region " + std::string(defect(region)));
+    }
+    if (has_nan_coordinate(bounds_))
+      throw std::invalid_argument("SpatialIndex: the region has a coordinate that is not a number");
+    slack_ = band * finite_size(bounds_);
+  }
+
+  /// False only if no box within this one meets the region. The box is finite, or that of a single object.
+  bool may_meet(const Box& box) const {
+    const double slack = slack_ + band * finite_size(box);
+    for (Dim i = 0; i < N; ++i) {
+      const double above = static_cast<double>(box.min[i]) - static_cast<double>(bounds_.max[i]);
+      const double below = static_cast<double>(bounds_.min[i]) - static_cast<double>(box.max[i]);
+      if (!(above <= slack && below <= slack)) return false;  // a region that is empty gives NaN or infinity
+    }
+    return true;
+  }
+
+  /// For a box that may meet the region by its bounds: whether it may by the region itself. Dearer, and worth it where
+  /// much is at stake.
+  bool may_meet_closely(const Box& box) const {
+    return !is_nothing(box) && intersects(region_, inflated(box, round_up<T>(slack_ + band * finite_size(box))));
+  }
+
+  bool meets(const Box& box) const {
+    if (!may_meet(box)) return false;
+    if (is_valid(box)) return intersects(region_, box);
+    const Box near = shared_box(box, bounds_);
+    return is_valid(near) ? intersects(region_, near) : !is_nothing(near);
+  }
+
+ private:
+  /// More than the band in which `intersects` calls touching what is apart; a user's shape may calculate in T.
+  static constexpr double band =
+      SupportsIn<R, N, double> || !SupportsIn<R, N, T> ? tolerance::box_slack : 4 * tolerance::convex_in<T>;
+
+  const R& region_;
+  Box bounds_;
+  double slack_ = 0;
+};
+
+/// A box is asked exactly. It may have infinite sides; with min above max it contains nothing, and nothing meets it.
+template <Dim M, class U>
+class RegionProbe<Aabb<M, U>> {
+ public:
+  using Box = Aabb<M, U>;
+
+  explicit RegionProbe(const Box& region) : region_(region) {
+    if (has_nan_coordinate(region))
+      throw std::invalid_argument("SpatialIndex: the region has a coordinate that is not a number");
+    if (is_nothing(region)) region_.min = Vec<M, U>(std::numeric_limits<U>::quiet_NaN());  // overlaps no box at all
+  }
+
+  bool may_meet(const Box& box) const { return boxes_overlap_at_once(region_, box); }
+  bool may_meet_closely(const Box&) const { return true; }  // nothing is closer than may_meet
+  bool meets(const Box& box) const { return boxes_overlap_at_once(region_, box); }
+
+ private:
+  Box region_;
+};
+
+}  // namespace detail
+}  // namespace graze

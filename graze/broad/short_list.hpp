@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace graze::detail {
+
+/// A stack that lives on the stack while it holds no more than `Room` elements, and allocates only beyond: what a
+/// traversal keeps in mind, whose bound is seldom reached.
+template <class Element, std::size_t Room>
+class ShortList {
+  static_assert(std::is_trivially_copyable_v<Element>);
+
+ public:
+  ShortList() = default;
+  ShortList(const ShortList&) = delete;
+  ShortList& operator=(const ShortList&) = delete;
+
+  bool empty() const { return size_ == 0; }
+  std::size_t size() const { return size_; }
+  Element* begin() { return room_ == Room ? here_.data() : elsewhere_.data(); }
+  Element* end() { return begin() + size_; }
+
+  void push(const Element& element) {
+    if (size_ == room_) grow();
+    *end() = element;
+    ++size_;
+  }
+
+  /// The same under a condition, without a branch on it.
+  void push_if(bool condition, const Element& element) {
+    if (size_ == room_) grow();
+    *end() = element;
+    size_ += condition ? 1U : 0U;
+  }
+
+  Element pop() {
+    --size_;
+    return *end();
+  }
+
+ private:
+  void grow() {
+    std::vector<Element> larger(2 * room_);
+    std::copy(begin(), end(), larger.begin());
+    elsewhere_ = std::move(larger);
+    room_ *= 2;
+  }
+
+  std::array<Element, Room> here_;  // NOLINT(*-member-init): only what was pushed is read
+  std::vector<Element> elsewhere_;
+  std::size_t size_ = 0;
+  std::size_t room_ = Room;
+};
+
+/// A heap on a ShortList: `pop` gives the element that comes before all others.
+template <class Element, std::size_t Room, class Before>
+class ShortHeap {
+ public:
+  bool empty() const { return elements_.empty(); }
+
+  void push(const Element& element) {
+    elements_.push(element);
+    std::push_heap(elements_.begin(), elements_.end(), after_);
+  }
+
+  Element pop() {
+    std::pop_heap(elements_.begin(), elements_.end(), after_);
+    return elements_.pop();
+  }
+
+ private:
+  struct After {
+    bool operator()(const Element& a, const Element& b) const { return Before{}(b, a); }
+  };
+
+  ShortList<Element, Room> elements_;
+  After after_;
+};
+
+}  // namespace graze::detail

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// What every index of moving boxes can do. BruteForce, Orthtree (QuadTree, Octree) model it; one typed test holds each
+// of them to BruteForce.
+//
+//   insert(box) -> Key        Throws std::invalid_argument for a box with a NaN or with min above max; infinite sides
+//                             are welcome. std::length_error beyond 2^32 - 1 boxes.
+//   update(key, box)          The box is now this one. Throws like insert and box.
+//   erase(key)                The key is never valid again. Throws like box.
+//   box(key), contains(key)   box throws std::out_of_range for the key of an erased box, of another index, or none.
+//   size(), clear()
+//   query(region, visit)      visit(key) for every box that meets the region (region.hpp), once.
+//   ray_cast(ray, visit)      visit(key, t) for every box that the ray enters, in order of t, equal ones by key. The
+//   ray
+//                             is inside of the box from origin + t * direction on; t = 0 when it starts there.
+//   nearest(point, k)         The k boxes nearest to the point, or all: by distance, equal ones by key.
+//   pairs(visit)              visit(a, b) for every two boxes that share a point, once, ascending, a < b.
+//
+// A call that throws leaves the index as it was. A visitor returns nothing, or a bool: false ends the visit. In what
+// order query visits is up to the index, but the same sequence of calls gives the same order on every machine. Reading
+// is const, allocates next to nothing, and is safe from many threads at once; writing is for one. A visitor may not
+// change the index that it visits: std::logic_error. What a visitor throws passes through. Queries throw
+// std::invalid_argument when they are asked about nonsense: a region, ray or point with a NaN, a negative radius.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <graze/broad/key_table.hpp>
+#include <graze/broad/region.hpp>
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/shape/aabb.hpp>
+#include <graze/shape/ray.hpp>
+#include <graze/shape/sphere.hpp>
+
+namespace graze {
+
+/// A box by its distance from a point, squared, as `distance_squared(point, box)` has it: 0 when the point is inside.
+struct Neighbour {
+  Key key;
+  double distance_squared = 0;
+
+  friend bool operator==(const Neighbour&, const Neighbour&) = default;
+};
+
+/// Called with these values it returns nothing, or whether to go on.
+template <class V, class... Values>
+concept VisitorOf = std::invocable<V&, Values...> &&(std::same_as<std::invoke_result_t<V&, Values...>, void> ||
+                                                     std::same_as<std::invoke_result_t<V&, Values...>, bool>);
+
+/// See the top of this file.
+template <class I>
+concept SpatialIndex = requires(I& index, const I& reading, const Key& key, bool (*visit)(Key),
+                                bool (*visit_hit)(Key, double), bool (*visit_pair)(Key, Key)) {
+  typename I::Box;
+  { index.insert(typename I::Box{}) } -> std::same_as<Key>;
+  { index.update(key, typename I::Box{}) } -> std::same_as<void>;
+  { index.erase(key) } -> std::same_as<void>;
+  { index.clear() } -> std::same_as<void>;
+  { reading.contains(key) } -> std::same_as<bool>;
+  { reading.box(key) } -> std::convertible_to<typename I::Box>;
+  { reading.size() } -> std::same_as<std::size_t>;
+  reading.query(typename I::Box{}, visit);
+  reading.query(Sphere<dimension_of<typename I::Box>, scalar_of<typename I::Box>>{}, visit);
+  reading.ray_cast(Ray<dimension_of<typename I::Box>, scalar_of<typename I::Box>>{}, visit_hit);
+  { reading.nearest(decltype(I::Box::min){}, std::size_t{}) } -> std::same_as<std::vector<Neighbour>>;
+  reading.pairs(visit_pair);
+};
+
+/// How many boxes of an index meet a region.
+template <SpatialIndex I, class R>
+std::size_t count(const I& index, const R& region) {
+  std::size_t found = 0;
+  index.query(region, [&found](Key) { ++found; });
+  return found;
+}
+
+namespace detail {
+
+template <Dim N, class T>
+void require_box(const Aabb<N, T>& box) {
+  if (has_nan_coordinate(box))
+    throw std::invalid_argument("SpatialIndex: the box has a coordinate that is not a number");
+  if (is_nothing(box)) throw std::invalid_argument("SpatialIndex: the box has a min above its max");
+  constexpr T infinity = std::numeric_limits<T>::infinity();
+  for (Dim i = 0; i < N; ++i) {
+    if (box.min[i] < infinity && box.max[i] > -infinity) continue;
+    throw std::invalid_argument(
+        "SpatialIndex: the box lies at infinity; its min must be below +infinity, its max above -infinity");
+  }
+}
+
+template <Dim N, class T>
+void require_ray(const Ray<N, T>& ray) {
+  if (!is_valid(ray)) throw std::invalid_argument("SpatialIndex: the ray " + std::string(defect(ray)));
+}
+
+template <Dim N, class T>
+void require_point(const Vec<N, T>& point) {
+  if (!is_finite(point)) throw std::invalid_argument("SpatialIndex: the point has a coordinate that is not finite");
+}
+
+/// A visitor that answers whether to go on, and sees to it that it leaves the index alone.
+template <class Visit>
+class GuardedVisit {
+ public:
+  GuardedVisit(Visit& visit, const KeyTable& keys) : visit_(visit), keys_(keys), changes_(keys.changes()) {}
+
+  template <class... Values>
+  bool operator()(const Values&... values) {
+    bool goes_on = true;
+    if constexpr (std::is_void_v<std::invoke_result_t<Visit&, const Values&...>>) {
+      visit_(values...);
+    } else {
+      goes_on = visit_(values...);
+    }
+    if (keys_.changes() != changes_) {
+      throw std::logic_error(
+          "SpatialIndex: a visitor changed the index that it visits; keep the keys and change it afterwards");
+    }
+    return goes_on;
+  }
+
+ private:
+  Visit& visit_;
+  const KeyTable& keys_;
+  std::uint64_t changes_;
+};
+
+/// The t at which a ray enters a box, 0 when it starts inside; none when it misses the box, or t is beyond all numbers.
+/// Each t is off by two roundings, so a ray that passes a corner by that much enters. Never later for a box that
+/// contains another: differences, quotients and maxima are rounded monotonically.
+template <Dim N, class T>
+std::optional<double> entry_of(const Ray<N, T>& ray, const Aabb<N, T>& box) {
+  double enter = 0;
+  double leave = std::numeric_limits<double>::infinity();
+  for (Dim i = 0; i < N; ++i) {
+    if (ray.direction[i] == T(0)) {
+      if (!(box.min[i] <= ray.origin[i] && ray.origin[i] <= box.max[i])) return std::nullopt;
+      continue;
+    }
+    const double origin = static_cast<double>(ray.origin[i]);
+    const double direction = static_cast<double>(ray.direction[i]);
+    const double low = static_cast<double>(box.min[i]);
+    const double high = static_cast<double>(box.max[i]);
+    enter = std::max(enter, ((direction > 0 ? low : high) - origin) / direction);
+    leave = std::min(leave, ((direction > 0 ? high : low) - origin) / direction);
+  }
+  if (!(enter <= leave * (1 + tolerance::ray_slabs)) || std::isinf(enter)) return std::nullopt;
+  return enter;
+}
+
+/// The k nearest of all that were offered.
+class NearestKeys {
+ public:
+  explicit NearestKeys(std::size_t k) : k_(k) { nearest_.reserve(k); }
+
+  /// No box that is farther away is among them any more.
+  double reach() const {
+    return nearest_.size() < k_ ? std::numeric_limits<double>::infinity() : nearest_.front().distance_squared;
+  }
+
+  /// With k of zero nothing is offered.
+  void offer(const Neighbour& candidate) {
+    if (nearest_.size() == k_) {
+      if (!comes_first(candidate, nearest_.front())) return;
+      std::pop_heap(nearest_.begin(), nearest_.end(), comes_first);
+      nearest_.back() = candidate;
+    } else {
+      nearest_.push_back(candidate);
+    }
+    std::push_heap(nearest_.begin(), nearest_.end(), comes_first);
+  }
+
+  /// Ends the search.
+  std::vector<Neighbour> sorted() {
+    std::sort_heap(nearest_.begin(), nearest_.end(), comes_first);
+    return std::move(nearest_);
+  }
+
+ private:
+  static bool comes_first(const Neighbour& a, const Neighbour& b) {
+    return a.distance_squared != b.distance_squared ? a.distance_squared < b.distance_squared : a.key < b.key;
+  }
+
+  std::size_t k_;
+  std::vector<Neighbour> nearest_;  // a heap, the farthest in front
+};
+
+}  // namespace detail
+}  // namespace graze

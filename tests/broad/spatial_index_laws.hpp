@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+// Every index answers as BruteForce does, whatever came before, and refuses what it must. A new index adds one line to
+// Indexes. Instantiated for the plane in spatial_index_laws_2d_test.cpp, for space in spatial_index_laws_3d_test.cpp.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <graze/broad/brute_force.hpp>
+#include <graze/broad/orthtree.hpp>
+#include <graze/broad/spatial_index.hpp>
+
+#include "index_operations.hpp"
+
+namespace graze::test {
+
+template <Dim N>
+using Indexes = testing::Types<                   //
+    BruteForce<N, float>, BruteForce<N, double>,  //
+    Orthtree<N, float>, Orthtree<N, double>>;
+
+/// An index of that type, with the smallest settings that it has for odd numbers: a few boxes, then, make a tall tree.
+template <class I>
+I index_number(int number) {
+  if constexpr (requires { I(OrthtreeOptions{}); }) {
+    constexpr std::array<OrthtreeOptions, 4> options = {{{8, 16}, {1, 6}, {2, 3}, {3, 0}}};
+    return I(options[static_cast<std::size_t>(number) % options.size()]);
+  } else {
+    return I();
+  }
+}
+
+/// What an exception says.
+std::string message_of(const auto& call) {
+  try {
+    call();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// The cube of size 1 at a place on the first axis.
+template <class I>
+typename I::Box cube(int place) {
+  typename I::Box box;
+  box.min *= 0;
+  box.min[0] = static_cast<scalar_of<typename I::Box>>(place);
+  box.max = box.min + scalar_of<typename I::Box>(1);
+  return box;
+}
+
+/// Cubes in a row, two units from one to the next.
+template <class I>
+std::vector<Key> insert_row(I& index, int length) {
+  std::vector<Key> keys;
+  for (int k = 0; k < length; ++k) keys.push_back(index.insert(cube<I>(2 * k)));
+  return keys;
+}
+
+template <class I>
+class SpatialIndexLaws : public testing::Test {};
+TYPED_TEST_SUITE_P(SpatialIndexLaws);
+
+TYPED_TEST_P(SpatialIndexLaws, AnySequenceOfOperationsAnswersAsBruteForceDoes) {
+  static_assert(SpatialIndex<TypeParam>);
+  EXPECT_TRUE(rc::check([] {
+    const double unit = *rc::gen::element(1.0, 0.1, 1e5);
+    Trial<TypeParam>(index_number<TypeParam>(*rc::gen::inRange(0, 4)), unit).run(*any_steps());
+  }));
+}
+
+TYPED_TEST_P(SpatialIndexLaws, AKeyIsAnErrorOnceItsBoxIsGoneOrInAnotherIndex) {
+  TypeParam index;
+  const Key key = index.insert(cube<TypeParam>(0));
+  index.erase(key);
+  const Key newcomer = index.insert(cube<TypeParam>(7));
+  EXPECT_EQ(newcomer.index, key.index);  // the place is used again
+  EXPECT_EQ(message_of([&] { index.update(key, cube<TypeParam>(1)); }),
+            "SpatialIndex: the key (index 0, generation 1) names no box any more; it was erased");
+  TypeParam other;
+  const Key foreign = other.insert(cube<TypeParam>(0));
+  EXPECT_EQ(message_of([&] { index.erase(foreign); }),
+            "SpatialIndex: the key (index 0, generation 1) was given by another index");
+  EXPECT_EQ(message_of([&] { index.box(Key{}); }),
+            "SpatialIndex: the key (index 0, generation 0) was made by default; only insert gives keys");
+  for (const Key& bad : {key, foreign, Key{}}) {
+    EXPECT_FALSE(index.contains(bad));
+    EXPECT_THROW(index.update(bad, cube<TypeParam>(1)), std::out_of_range);
+    EXPECT_THROW(index.erase(bad), std::out_of_range);
+    EXPECT_THROW(index.box(bad), std::out_of_range);
+  }
+  EXPECT_EQ(index.box(newcomer), cube<TypeParam>(7));
+  EXPECT_EQ(index.size(), 1U);
+}
+
+TYPED_TEST_P(SpatialIndexLaws, ACopyLivesByItselfAndAnswersToTheSameKeys) {
+  TypeParam index;
+  const std::vector<Key> keys = insert_row(index, 20);
+  TypeParam copy = index;
+  index.erase(keys[3]);
+  index.update(keys[4], cube<TypeParam>(100));
+  EXPECT_EQ(copy.size(), 20U);
+  EXPECT_EQ(copy.box(keys[3]), cube<TypeParam>(6));
+  EXPECT_EQ(count(copy, cube<TypeParam>(8)), 1U);
+  EXPECT_EQ(count(index, cube<TypeParam>(8)), 0U);
+}
+
+TYPED_TEST_P(SpatialIndexLaws, ABoxThatIsNoneIsRefusedAndNothingIsLost) {
+  using Box = typename TypeParam::Box;
+  using T = scalar_of<Box>;
+  TypeParam index;
+  const std::vector<Key> keys = insert_row(index, 20);
+  Box nan = cube<TypeParam>(0);
+  nan.max[0] = std::numeric_limits<T>::quiet_NaN();
+  Box swapped = cube<TypeParam>(0);
+  std::swap(swapped.min[1], swapped.max[1]);
+  Box at_infinity = cube<TypeParam>(0);
+  at_infinity.min[1] = at_infinity.max[1] = std::numeric_limits<T>::infinity();
+  const auto insert = [&index](const Box& box) { return message_of([&] { index.insert(box); }); };
+  EXPECT_EQ(insert(nan), "SpatialIndex: the box has a coordinate that is not a number");
+  EXPECT_EQ(insert(swapped), "SpatialIndex: the box has a min above its max");
+  EXPECT_EQ(insert(at_infinity),
+            "SpatialIndex: the box lies at infinity; its min must be below +infinity, its max above -infinity");
+  for (const Box& bad : {nan, swapped, at_infinity}) {
+    EXPECT_THROW(index.update(keys[0], bad), std::invalid_argument);
+  }
+  EXPECT_EQ(index.size(), 20U);
+  for (int k = 0; k < 20; ++k) EXPECT_EQ(index.box(keys[static_cast<std::size_t>(k)]), cube<TypeParam>(2 * k));
+  EXPECT_EQ(index.insert(cube<TypeParam>(0)).index, 20U);
+}
+
+TYPED_TEST_P(SpatialIndexLaws, ABoxWithInfiniteSidesIsFoundWhereItReaches) {
+  using Box = typename TypeParam::Box;
+  using T = scalar_of<Box>;
+  TypeParam index;
+  insert_row(index, 20);
+  Box half = cube<TypeParam>(50);
+  half.max[0] = std::numeric_limits<T>::infinity();
+  const Key key = index.insert(half);
+  const Key everything = index.insert(Box::everything());
+  const auto found = [&index](const auto& region) {
+    std::vector<Key> keys;
+    index.query(region, [&keys](Key k) { keys.push_back(k); });
+    return keys;
+  };
+  using Point = decltype(half.min);
+  Point far = half.min;
+  far[0] = T(1e9);
+  EXPECT_EQ(found(far), (std::vector{key, everything}));
+  EXPECT_EQ((found(Sphere<dimension_of<Box>, T>{far, T(3)})), (std::vector{key, everything}));
+  EXPECT_EQ(found(-far), std::vector{everything});
+  EXPECT_EQ(index.nearest(far, 1), (std::vector<Neighbour>{{key, 0}}));
+}
+
+TYPED_TEST_P(SpatialIndexLaws, AQuestionAboutNonsenseIsRefused) {
+  using Box = typename TypeParam::Box;
+  using T = scalar_of<Box>;
+  constexpr Dim N = dimension_of<Box>;
+  TypeParam index;
+  insert_row(index, 3);
+  constexpr T nan = std::numeric_limits<T>::quiet_NaN();
+  const auto ignore = [](auto...) {};
+  Box box = cube<TypeParam>(0);
+  box.min[1] = nan;
+  EXPECT_THROW(index.query(box, ignore), std::invalid_argument);
+  EXPECT_EQ(message_of([&] {
+              index.query(Sphere<N, T>{Vec<N, T>(T(0)), T(-1)}, ignore);
+            }),
+            "SpatialIndex: the region has a negative radius");
+  EXPECT_THROW(index.nearest(Vec<N, T>(nan), 1), std::invalid_argument);
+  EXPECT_EQ(message_of([&] {
+              index.ray_cast(Ray<N, T>{Vec<N, T>(T(0)), Vec<N, T>(T(0))}, ignore);
+            }),
+            "SpatialIndex: the ray has a direction of length zero");
+}
+
+TYPED_TEST_P(SpatialIndexLaws, TheVisitorEndsAVisitAndItsExceptionPassesThrough) {
+  using Box = typename TypeParam::Box;
+  TypeParam index;
+  insert_row(index, 30);
+  int visits = 0;
+  index.query(Box::everything(), [&visits](Key) { return ++visits < 7; });
+  EXPECT_EQ(visits, 7);
+  visits = 0;
+  const auto fail = [&visits](auto...) {
+    ++visits;
+    throw std::runtime_error("enough");
+  };
+  const Ray<dimension_of<Box>, scalar_of<Box>> along{cube<TypeParam>(0).min};
+  EXPECT_THROW(index.query(Box::everything(), fail), std::runtime_error);
+  EXPECT_THROW(index.ray_cast(along, fail), std::runtime_error);
+  index.insert(cube<TypeParam>(0));
+  EXPECT_THROW(index.pairs(fail), std::runtime_error);
+  EXPECT_EQ(visits, 3);
+  EXPECT_EQ(count(index, Box::everything()), 31U);
+}
+
+TYPED_TEST_P(SpatialIndexLaws, AVisitorThatChangesTheIndexIsAnError) {
+  using Box = typename TypeParam::Box;
+  TypeParam index;
+  const std::vector<Key> keys = insert_row(index, 30);
+  const char* const message =
+      "SpatialIndex: a visitor changed the index that it visits; keep the keys and change it afterwards";
+  EXPECT_EQ(message_of([&] { index.query(Box::everything(), [&](Key) { index.insert(cube<TypeParam>(3)); }); }),
+            message);
+  EXPECT_EQ(
+      message_of([&] { index.query(Box::everything(), [&](Key key) { index.update(key, cube<TypeParam>(9)); }); }),
+      message);
+  EXPECT_EQ(message_of([&] { index.query(Box::everything(), [&](Key) { index.clear(); }); }), message);
+  EXPECT_EQ(index.size(), 0U);
+  EXPECT_FALSE(index.contains(keys[5]));
+}
+
+TYPED_TEST_P(SpatialIndexLaws, RaysMeetBoxesInOrderAndEqualOnesByKey) {
+  using Box = typename TypeParam::Box;
+  constexpr Dim N = dimension_of<Box>;
+  using T = scalar_of<Box>;
+  TypeParam index;
+  const Key far = index.insert(cube<TypeParam>(8));
+  const Key near = index.insert(cube<TypeParam>(2));
+  const Key twin = index.insert(cube<TypeParam>(2));
+  index.insert(cube<TypeParam>(-5));
+  Ray<N, T> ray{Vec<N, T>(T(0)), Vec<N, T>(T(0))};
+  ray.direction[0] = T(2);
+  std::vector<std::pair<Key, double>> hits;
+  index.ray_cast(ray, [&hits](Key key, double t) { hits.emplace_back(key, t); });
+  EXPECT_EQ(hits, (std::vector<std::pair<Key, double>>{{near, 1}, {twin, 1}, {far, 4}}));
+  const Key around = index.insert({Vec<N, T>(T(-1)), Vec<N, T>(T(9))});
+  hits.clear();
+  index.ray_cast(ray, [&hits](Key key, double t) {
+    hits.emplace_back(key, t);
+    return false;
+  });
+  EXPECT_EQ(hits, (std::vector<std::pair<Key, double>>{{around, 0}}));
+}
+
+TYPED_TEST_P(SpatialIndexLaws, TheNearestComeByDistanceAndEqualOnesByKey) {
+  using Box = typename TypeParam::Box;
+  TypeParam index;
+  const std::vector<Key> keys = insert_row(index, 4);  // from 0, 2, 4, 6 on
+  auto from = cube<TypeParam>(3).min;
+  using Neighbours = std::vector<Neighbour>;
+  EXPECT_EQ(index.nearest(from, 3), (Neighbours{{keys[1], 0}, {keys[2], 1}, {keys[0], 4}}));
+  EXPECT_EQ(index.nearest(cube<TypeParam>(5).min, 2), (Neighbours{{keys[2], 0}, {keys[3], 1}}));
+  from[0] = static_cast<scalar_of<Box>>(3.5);
+  EXPECT_EQ(index.nearest(from, 2), (Neighbours{{keys[1], 0.25}, {keys[2], 0.25}}));
+  EXPECT_EQ(index.nearest(from, 9).size(), 4U);
+  EXPECT_TRUE(index.nearest(from, 0).empty());
+  index.clear();
+  EXPECT_TRUE(index.nearest(from, 5).empty());
+}
+
+TYPED_TEST_P(SpatialIndexLaws, ThePlacesOfErasedBoxesAreUsedAgain) {
+  TypeParam index;
+  for (int round = 0; round < 50; ++round) {
+    const std::vector<Key> keys = insert_row(index, 40);
+    for (const Key& key : keys) EXPECT_LT(key.index, 40U);
+    for (std::size_t k = 0; k < keys.size(); ++k) index.erase(keys[k * 7 % keys.size()]);
+    EXPECT_EQ(index.size(), 0U);
+  }
+}
+
+REGISTER_TYPED_TEST_SUITE_P(SpatialIndexLaws, AnySequenceOfOperationsAnswersAsBruteForceDoes,
+                            AKeyIsAnErrorOnceItsBoxIsGoneOrInAnotherIndex, ACopyLivesByItselfAndAnswersToTheSameKeys,
+                            ABoxThatIsNoneIsRefusedAndNothingIsLost, ABoxWithInfiniteSidesIsFoundWhereItReaches,
+                            AQuestionAboutNonsenseIsRefused, TheVisitorEndsAVisitAndItsExceptionPassesThrough,
+                            AVisitorThatChangesTheIndexIsAnError, RaysMeetBoxesInOrderAndEqualOnesByKey,
+                            TheNearestComeByDistanceAndEqualOnesByKey, ThePlacesOfErasedBoxesAreUsedAgain);
+
+}  // namespace graze::test
