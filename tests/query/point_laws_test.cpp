@@ -20,22 +20,43 @@
 #include "query/numbers_of.hpp"
 #include "query/placement.hpp"
 #include "query/point_answers.hpp"
+#include "query/point_judgement.hpp"
 #include "query/points.hpp"
 
 namespace graze::test {
 namespace {
 
-/// What is allowed beside rounding to T: the tolerance of thin shapes, and the
-/// widest band in double.
+/// The largest coordinate of a shape and a point, with those of parts whose bounds are lost in infinite ones.
 template <Dim N, class T>
-double allowed(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
-  double size =
-      std::max(size_of<N, T>({shape, point}), static_cast<double>(max_abs(answers<N, T>(shape, point).boundary)));
+double whole_size_of(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
+  double size = size_of<N, T>({shape, point});
   if (const auto* ray = std::get_if<Ray<N, T>>(&shape)) {
     size = std::max(size, static_cast<double>(max_abs(ray->origin)));
   }
+  if (const auto* compound = std::get_if<Compound<N, T>>(&shape)) {
+    for (const Part<N, T>& part : compound->parts) size = std::max(size, whole_size_of<N, T>(part.shape, point));
+  }
+  return size;
+}
+
+/// How many times further off answers may be next to a shape's sharp corners.
+template <Dim N, class T>
+double sharpness_of(const AnyShape<N, T>& shape) {
+  if (const auto* compound = std::get_if<Compound<N, T>>(&shape)) {
+    double sharpest = 1;
+    for (const Part<N, T>& part : compound->parts) sharpest = std::max(sharpest, sharpness_of<N, T>(part.shape));
+    return sharpest;
+  }
+  return std::visit([](const auto& held) { return slenderness(held); }, shape);
+}
+
+/// What is allowed beside rounding to T: the tolerance of thin shapes, and the widest band in double.
+template <Dim N, class T>
+double allowed(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
+  const double size =
+      std::max(whole_size_of<N, T>(shape, point), static_cast<double>(max_abs(answers<N, T>(shape, point).boundary)));
   const double ulps_of_t = 4 * static_cast<double>(std::numeric_limits<T>::epsilon());
-  return (tolerance::surface<T> + 64 * tolerance::epsilon + ulps_of_t) * size;
+  return (tolerance::surface<T> + 64 * tolerance::epsilon + ulps_of_t) * size * sharpness_of<N, T>(shape);
 }
 
 template <Dim N, class T>
