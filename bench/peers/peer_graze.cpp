@@ -64,9 +64,9 @@ void enter_with(Entrants<N, T>& field, std::size_t threads) {
   };
   enter("graze overlapping_pairs", "the defaults: method picked from the data, pairs sorted, all memory anew",
         [executor](Boxes) { return std::make_unique<FreeFunction<N, T>>(executor); });
-  enter("graze PairFinder", "memory kept from frame to frame, pairs sorted",
+  enter("graze PairFinder", "memory, and the order of boxes while it serves, kept from frame to frame, pairs sorted",
         [executor](Boxes) { return std::make_unique<Finder<N, T>>(executor, PairOrder::sorted); });
-  enter("graze PairFinder, any order", "memory kept from frame to frame, pairs as they are found",
+  enter("graze PairFinder, any order", "the same, pairs as they are found",
         [executor](Boxes) { return std::make_unique<Finder<N, T>>(executor, PairOrder::any); });
 }
 

@@ -218,7 +218,8 @@ class CourseRace {
     if (graze == nullptr) return;
     std::string text = fmt::format("{}: {} boxes, {} pairs, graze {:.4g} ms", title_of(result_.course), heat.count,
                                    heat.pairs, graze->median);
-    if (peer != nullptr) text += fmt::format(", {} {:.4g} ms: {:.1f}", peer->name, peer->median, ratio_of(heat, 1));
+    if (peer != nullptr)
+      text += fmt::format(", {} {:.4g} ms: {:.1f}", peer->name, peer->median, peer->median / graze->median);
     progress_.line(text);
   }
 

@@ -27,10 +27,4 @@ const Timing* judged(const Heat& heat, std::size_t threads) {
   return nullptr;
 }
 
-double ratio_of(const Heat& heat, std::size_t threads) {
-  const Timing* graze = judged(heat, threads);
-  const Timing* peer = fastest(heat, Side::peer, threads);
-  return graze == nullptr || peer == nullptr ? 0 : peer->median / graze->median;
-}
-
 }  // namespace graze::race

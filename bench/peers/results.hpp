@@ -43,7 +43,4 @@ const Timing* fastest(const Heat& heat, Side side, std::size_t threads);
 /// What graze is judged by: plain overlapping_pairs, with so many threads. Null when it did not run.
 const Timing* judged(const Heat& heat, std::size_t threads);
 
-/// How many times as long as the judged one the fastest peer takes, with so many threads; 0 when either did not run.
-double ratio_of(const Heat& heat, std::size_t threads);
-
 }  // namespace graze::race
