@@ -295,7 +295,7 @@ template <Dim N, class T>
 // NOLINTNEXTLINE(readability-function-size): arrays, one by one, as the loop needs them
 bool refill_blocks(const Aabb<N, T>* boxes, T margin, const std::uint32_t* ids, std::size_t count,
                    Block<N, T>* blocks) {
-  constexpr std::size_t ahead = 2 * block_size;  // boxes on their way
+  constexpr std::size_t ahead = std::size_t{2} * block_size;  // boxes on their way
   const std::uint32_t* const end = ids + count * block_size;
   for (std::size_t k = 0; k < count; ++k, ids += block_size) {
     Block<N, T>& block = blocks[k];
