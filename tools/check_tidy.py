@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Runs clang-tidy on the sources of the library and the program and on the examples that include all headers; on tests,
-benchmarks and recipes only when asked, for they take four times as long as everything else. A file is looked at again only
+benchmarks and recipes only when asked, for they are several times as many files. A file is looked at again only
 when it, something that it includes of the project, its command, or the configuration has changed."""
 
 import argparse

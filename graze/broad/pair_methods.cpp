@@ -92,7 +92,7 @@ template <Dim N, class T>
 bool is_for_dense(std::type_identity_t<std::span<const Aabb<N, T>>> boxes_a,
                   const std::type_identity_t<std::span<const Aabb<N, T>>>* boxes_b) {
   const std::span<const Aabb<N, T>> others = boxes_b != nullptr ? *boxes_b : boxes_a;
-  // Nanoseconds, roughly, on a machine of 2024: only the time depends on them.
+  // Nanoseconds, roughly. Only the time depends on them, no answer.
   constexpr double per_comparison = 0.3;
   constexpr double per_pair_of_dense = 0.8;
   constexpr double per_box_of_tree = 50;
