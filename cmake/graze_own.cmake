@@ -14,3 +14,9 @@ function(graze_own target)
     endif()
   endif()
 endfunction()
+
+# The same for what is compiled once and run often, which a build that does not optimise its tests may optimise yet.
+function(graze_own_often_run target)
+  graze_own(${target})
+  target_compile_options(${target} PRIVATE ${GRAZE_OFTEN_RUN_OPTIONS})
+endfunction()

@@ -1,143 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The oracle: exact_verdict(a, b) for any two shapes, on the sets exactly as stored, in rational numbers. It shares no
-// formula with graze.
+// The oracle: exact_verdict(a, b) for any two shapes, on the sets exactly as stored, in rational numbers. It is
+// compiled once for each space, in exact_*.cpp: its templates take longer than the tests.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <type_traits>
-#include <variant>
-
 #include <graze/math/vec.hpp>
-#include <graze/query/verdict.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/shape.hpp>
 
-#include "exact/difference.hpp"
-#include "exact/numbers.hpp"
-#include "exact/solid.hpp"
-#include "exact/unbounded.hpp"
+#include "exact/verdict.hpp"
 
 namespace graze::test {
-
-/// What to find out: depths and sizes take longer than distances.
-enum class Measure {
-  distance,  ///< The sizes are left out, and for shapes that overlap the gap is any negative number.
-  depth,     ///< Everything.
-};
-
-/// The nearest points of the cores decide, or, where the cores meet, whether they do with depth.
-template <Dim N>
-ExactVerdict solid_verdict(const DifferenceSet<N>& differences, const Rational& reach, Measure measure) {
-  const NearestDifference<N> nearest = differences.nearest();
-  ExactVerdict result{Relation::touching, 0, 0, 0, false};
-  if (is_zero(nearest.sum)) {
-    if (reach == 0 && !differences.holds_origin_inside(nearest)) return result;
-    result.relation = Relation::overlapping;
-    result.gap = measure == Measure::depth ? -(to_double(reach) + differences.depth())
-                                           : -std::numeric_limits<double>::infinity();
-    return result;
-  }
-  const Integer length = nearest.weight * differences.unit();
-  const Rational squared(dot(nearest.sum, nearest.sum), length * length);
-  const Rational beyond = squared - reach * reach;
-  if (beyond == 0) return result;
-  // d - r = (d^2 - r^2) / (d + r), without cancellation.
-  result.gap = static_cast<double>(wide_of(beyond) / (sqrt(wide_of(squared)) + wide_of(reach)));
-  result.relation = beyond > 0 ? Relation::apart : Relation::overlapping;
-  return result;
-}
-
-template <Dim N>
-ExactVerdict solid_verdict(const Solid<N>& a, const Solid<N>& b, Measure measure) {
-  const DifferenceSet<N> differences(a, b);
-  const Rational reach = a.radius + b.radius;
-  ExactVerdict result = solid_verdict(differences, reach, measure);
-  if (measure == Measure::distance) return result;
-  result.largest = std::max(to_double(largest_coordinate(a)), to_double(largest_coordinate(b)));
-  for (const RationalVec<N>& on_a : a.corners) {
-    for (const RationalVec<N>& on_b : b.corners) {
-      const Rational size = largest_coordinate<N>(on_a - on_b) + reach;
-      result.own_size = std::max(result.own_size, to_double(size));
-    }
-  }
-  return result;
-}
-
-template <class S>
-inline constexpr bool is_level = false;
-template <Dim N, class T>
-inline constexpr bool is_level<Plane<N, T>> = true;
-template <Dim N, class T>
-inline constexpr bool is_level<HalfSpace<N, T>> = true;
-
-template <class S>
-inline constexpr bool has_parts = false;
-template <Dim N, class T>
-inline constexpr bool has_parts<Compound<N, T>> = true;
 
 /// The true verdict on two valid shapes.
 template <Dim N, class T>
 ExactVerdict exact_verdict(const AnyShape<N, T>& a, const AnyShape<N, T>& b, Measure measure = Measure::depth);
 
-/// The verdict of two simple shapes of one space.
-template <class A, class B>
-ExactVerdict simple_verdict(const A& a, const B& b, Measure measure) {
-  if constexpr (is_level<A> && is_level<B>) {
-    return level_verdict(level(a), level(b));
-  } else if constexpr (is_level<B>) {
-    return simple_verdict(b, a, measure);
-  } else if constexpr (is_level<A> && is_ray<B>) {
-    return level_verdict(level(a), b);
-  } else if constexpr (is_level<A>) {
-    return level_verdict(level(a), solid(b));
-  } else if constexpr (is_ray<A> && is_ray<B>) {
-    const auto [first, second] = cut_rays(a, b);
-    ExactVerdict result = solid_verdict(first, second, measure);
-    const auto rest_squared = compare_directions<dimension_of<A>>(exact(a.direction), exact(b.direction)).second;
-    result.is_nearly_parallel = is_barely(rest_squared, dot(exact(b.direction), exact(b.direction)));
-    return result;
-  } else if constexpr (is_ray<A>) {
-    const auto other = solid(b);
-    return solid_verdict(solid_beside(a, other), other, measure);
-  } else if constexpr (is_ray<B>) {
-    return simple_verdict(b, a, measure);
-  } else {
-    return solid_verdict(solid(a), solid(b), measure);
-  }
-}
-
-/// The verdict of the nearest or deepest part.
-template <Dim N, class T>
-ExactVerdict parts_verdict(const Compound<N, T>& compound, const AnyShape<N, T>& shape, Measure measure) {
-  ExactVerdict nearest;
-  for (const Part<N, T>& part : compound.parts) {
-    const ExactVerdict verdict = exact_verdict<N, T>(part.shape, shape, measure);
-    nearest.relation = std::max(nearest.relation, verdict.relation);
-    nearest.gap = std::min(nearest.gap, verdict.gap);
-    nearest.own_size = std::max(nearest.own_size, verdict.own_size);
-    nearest.largest = std::max(nearest.largest, verdict.largest);
-    nearest.is_nearly_parallel = nearest.is_nearly_parallel || verdict.is_nearly_parallel;
-  }
-  return nearest;
-}
-
-template <Dim N, class T>
-ExactVerdict exact_verdict(const AnyShape<N, T>& a, const AnyShape<N, T>& b, Measure measure) {
-  return std::visit(
-      [&](const auto& held_a, const auto& held_b) -> ExactVerdict {
-        if constexpr (has_parts<std::decay_t<decltype(held_a)>>) {
-          return parts_verdict(held_a, b, measure);
-        } else if constexpr (has_parts<std::decay_t<decltype(held_b)>>) {
-          return parts_verdict(held_b, a, measure);
-        } else {
-          return simple_verdict(held_a, held_b, measure);
-        }
-      },
-      a, b);
-}
-
-/// The true verdict on two valid shapes of any types; `exact_verdict` is compiled once for each space.
+/// The true verdict on two valid shapes of any types.
 template <class A, class B>
 ExactVerdict exact_verdict_of(const A& a, const B& b, Measure measure = Measure::depth) {
   constexpr Dim N = dimension_of<A>;
@@ -145,12 +23,9 @@ ExactVerdict exact_verdict_of(const A& a, const B& b, Measure measure = Measure:
   return exact_verdict<N, T>(AnyShape<N, T>(a), AnyShape<N, T>(b), measure);
 }
 
-// Compiled once in the library graze_test_catalogue; a test compiled without it compiles what it needs by itself.
-#ifdef GRAZE_TEST_CATALOGUE
 extern template ExactVerdict exact_verdict(const AnyShape<2, float>&, const AnyShape<2, float>&, Measure);
 extern template ExactVerdict exact_verdict(const AnyShape<3, float>&, const AnyShape<3, float>&, Measure);
 extern template ExactVerdict exact_verdict(const AnyShape<2, double>&, const AnyShape<2, double>&, Measure);
 extern template ExactVerdict exact_verdict(const AnyShape<3, double>&, const AnyShape<3, double>&, Measure);
-#endif
 
 }  // namespace graze::test

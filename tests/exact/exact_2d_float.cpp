@@ -1,7 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "exact.hpp"
 #include "exact/certificate_instances.hpp"
+#include "exact/holds_instances.hpp"
+#include "exact/point_instances.hpp"
+#include "exact/verdict_instances.hpp"
 
-template graze::test::ExactVerdict graze::test::exact_verdict(const AnyShape<2, float>&, const AnyShape<2, float>&,
-                                                              Measure);
-template graze::test::GapBounds graze::test::gap_bounds(const AnyShape<2, float>&, const AnyShape<2, float>&, Relation);
+namespace graze::test {
+
+template ExactVerdict exact_verdict(const AnyShape<2, float>&, const AnyShape<2, float>&, Measure);
+template GapBounds gap_bounds(const AnyShape<2, float>&, const AnyShape<2, float>&, Relation);
+template double exact_signed_distance(const AnyShape<2, float>&, const Vec<2, float>&);
+template double exact_distance(const Vec<2, float>&, const Vec<2, float>&);
+template double exact_miss(const AnyShape<2, float>&, const Vec<2, float>&, const Vec<2, float>&);
+template bool contains_exactly(const Sphere<2, float>&, const Vec<2, float>&);
+template bool contains_exactly(const Obb<2, float>&, const Vec<2, float>&);
+
+}  // namespace graze::test

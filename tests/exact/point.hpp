@@ -1,76 +1,38 @@
 // SPDX-License-Identifier: MIT
-// The exact answers to point queries: how far a point is from a shape as
-// stored, and which of the shape's points is nearest.
+// The exact answers to point queries, in rational numbers: how far a point is from a shape as stored, and how far a
+// claimed nearest point is from the true one. Compiled once for each space, in exact_*.cpp.
 #pragma once
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <type_traits>
 
 #include <graze/math/vec.hpp>
 #include <graze/shape/any_shape.hpp>
 
-#include "exact.hpp"
-#include "exact/difference.hpp"
-#include "exact/numbers.hpp"
-#include "exact/solid.hpp"
-#include "exact/unbounded.hpp"
-
 namespace graze::test {
 
-template <Dim N>
-using WideVec = std::array<Wide, static_cast<std::size_t>(N)>;
+/// The distance, or minus the depth; for planes positive on the normal's side. Compounds are to be asked part by part:
+/// otherwise std::invalid_argument.
+template <Dim N, class T>
+double exact_signed_distance(const AnyShape<N, T>& shape, const Vec<N, T>& point);
 
-template <Dim N>
-WideVec<N> wide_vector(const RationalVec<N>& v) {
-  WideVec<N> result;
-  for (std::size_t i = 0; i < N; ++i) result[i] = wide_of(v[i]);
-  return result;
-}
+/// The distance of two points, rounded once.
+template <Dim N, class T>
+double exact_distance(const Vec<N, T>& a, const Vec<N, T>& b);
 
-/// The nearest point of a convex solid that does not hold p: that of its core,
-/// and from there the radius towards p.
-template <Dim N>
-WideVec<N> nearest_in(const Solid<N>& solid, const RationalVec<N>& p) {
-  const DifferenceSet<N> differences(hull_of<N>({p}), solid);
-  const NearestDifference<N> nearest = differences.nearest();
-  WideVec<N> off;
-  for (std::size_t i = 0; i < N; ++i) off[i] = wide_of(Rational(nearest.sum[i], nearest.weight * differences.unit()));
-  const WideVec<N> on_core = wide_vector<N>(p) - off;
-  if (solid.radius == 0) return on_core;
-  return on_core + off * Wide(wide_of(solid.radius) / sqrt(dot(off, off)));
-}
+/// How far `given` is from the point of the shape that is nearest to `point`, which the shape does not hold. Compounds
+/// as above.
+template <Dim N, class T>
+double exact_miss(const AnyShape<N, T>& shape, const Vec<N, T>& point, const Vec<N, T>& given);
 
-/// The foot of the perpendicular on a plane.
-template <Dim N>
-WideVec<N> foot_on(const ExactLevel<N>& level, const RationalVec<N>& p) {
-  const Rational height = dot(level.normal, p) - level.offset;
-  return wide_vector<N>(p - level.normal * Rational(height / dot(level.normal, level.normal)));
-}
-
-/// The distance, or minus the depth; for planes positive on the normal's side.
-template <class S, Dim N, class T>
-double exact_signed_distance(const S& shape, const Vec<N, T>& point) {
-  if constexpr (std::is_same_v<S, Plane<N, T>>) {
-    const ExactLevel<N> plane = level(shape);
-    const Wide height = wide_of(dot(plane.normal, exact(point)) - plane.offset);
-    return static_cast<double>(height / sqrt(wide_of(dot(plane.normal, plane.normal))));
-  } else {
-    return simple_verdict(point, shape, Measure::depth).gap;
-  }
-}
-
-/// For a point that the shape does not hold.
-template <class S, Dim N, class T>
-WideVec<N> exact_closest_point(const S& shape, const Vec<N, T>& point) {
-  if constexpr (is_level<S>) {
-    return foot_on<N>(level(shape), exact(point));
-  } else if constexpr (is_ray<S>) {
-    return nearest_in<N>(solid_beside(shape, solid(point)), exact(point));
-  } else {
-    return nearest_in<N>(solid(shape), exact(point));
-  }
-}
+extern template double exact_signed_distance(const AnyShape<2, float>&, const Vec<2, float>&);
+extern template double exact_distance(const Vec<2, float>&, const Vec<2, float>&);
+extern template double exact_miss(const AnyShape<2, float>&, const Vec<2, float>&, const Vec<2, float>&);
+extern template double exact_signed_distance(const AnyShape<3, float>&, const Vec<3, float>&);
+extern template double exact_distance(const Vec<3, float>&, const Vec<3, float>&);
+extern template double exact_miss(const AnyShape<3, float>&, const Vec<3, float>&, const Vec<3, float>&);
+extern template double exact_signed_distance(const AnyShape<2, double>&, const Vec<2, double>&);
+extern template double exact_distance(const Vec<2, double>&, const Vec<2, double>&);
+extern template double exact_miss(const AnyShape<2, double>&, const Vec<2, double>&, const Vec<2, double>&);
+extern template double exact_signed_distance(const AnyShape<3, double>&, const Vec<3, double>&);
+extern template double exact_distance(const Vec<3, double>&, const Vec<3, double>&);
+extern template double exact_miss(const AnyShape<3, double>&, const Vec<3, double>&, const Vec<3, double>&);
 
 }  // namespace graze::test

@@ -10,22 +10,13 @@
 #include <utility>
 
 #include <graze/math/vec.hpp>
-#include <graze/query/verdict.hpp>
 #include <graze/shape/any_shape.hpp>
 
 #include "exact/numbers.hpp"
 #include "exact/solid.hpp"
+#include "exact/verdict.hpp"
 
 namespace graze::test {
-
-/// An exact verdict, and how near to the border it is.
-struct ExactVerdict {
-  Relation relation = Relation::apart;
-  double gap = std::numeric_limits<double>::infinity();  ///< The distance, or minus the depth, rounded once.
-  double own_size = 0;                                   ///< The largest coordinate of a difference of the two.
-  double largest = 0;                                    ///< The largest coordinate of either.
-  bool is_nearly_parallel = false;  ///< Unbounded directions are not parallel, but rounding cannot tell.
-};
 
 /// The sine below which `is_nearly_parallel`.
 inline constexpr double nearly_parallel_sine = 64 * std::numeric_limits<double>::epsilon();
@@ -80,11 +71,6 @@ Solid<N> solid_beside(const Ray<N, T>& ray, const Solid<N>& other) {
   }
   return cut_ray<N>(origin, direction, Rational(2 * reach));
 }
-
-template <class S>
-inline constexpr bool is_ray = false;
-template <Dim N, class T>
-inline constexpr bool is_ray<Ray<N, T>> = true;
 
 /// The places nearest to each other on the lines of two rays, as multiples of the directions; none if parallel.
 template <Dim N>

@@ -12,6 +12,7 @@
 #include <graze/shape/any_shape.hpp>
 
 #include "catalogue.hpp"
+#include "exact/kinds.hpp"
 #include "exam/pair_exam.hpp"
 #include "exam/stopwatch.hpp"
 #include "query/case_maker.hpp"

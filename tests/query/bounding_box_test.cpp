@@ -10,7 +10,7 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/query/bounding_box.hpp>
 
-#include "point_sets.hpp"
+#include "query/point_sets.hpp"
 
 namespace graze {
 namespace {

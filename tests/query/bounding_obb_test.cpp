@@ -14,7 +14,8 @@
 #include <graze/math/pose.hpp>
 #include <graze/query/bounding_obb.hpp>
 
-#include "point_sets.hpp"
+#include "exact/holds_instances.hpp"
+#include "query/point_sets.hpp"
 
 namespace graze::test {
 namespace {

@@ -14,7 +14,8 @@
 #include <graze/query/bounding_sphere.hpp>
 #include <graze/shape/polytope.hpp>
 
-#include "point_sets.hpp"
+#include "exact/numbers.hpp"
+#include "query/point_sets.hpp"
 
 namespace graze::test {
 namespace {

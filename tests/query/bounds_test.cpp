@@ -10,7 +10,7 @@
 
 #include <graze/query/bounds.hpp>
 
-#include "../catalogue.hpp"
+#include "catalogue.hpp"
 
 namespace own {
 

@@ -113,7 +113,7 @@ void expect_exact(double allowed) {
   double worst = 0;
   check_property([&] {
     const auto [a, b] = *any_pair<A, B>();
-    const ExactVerdict truth = solid_verdict(solid(a), solid(b), Measure::depth);
+    const ExactVerdict truth = exact_verdict_of(a, b);
     const double found = std::sqrt(distance_squared(a, b));
     RC_ASSERT(std::isfinite(found));
     const double error = std::fabs(found - std::max(0.0, truth.gap));

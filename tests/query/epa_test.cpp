@@ -12,7 +12,7 @@
 #include <graze/shape/any_shape.hpp>
 
 #include "catalogue.hpp"
-#include "exact.hpp"
+#include "exact/verdict_instances.hpp"
 #include "query/user_shapes.hpp"
 
 namespace graze::test {

@@ -8,7 +8,7 @@
 
 #include <graze/query/extreme_points.hpp>
 
-#include "point_sets.hpp"
+#include "query/point_sets.hpp"
 
 namespace graze {
 namespace {

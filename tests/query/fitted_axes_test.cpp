@@ -10,7 +10,7 @@
 #include <graze/query/fitted_axes.hpp>
 #include <graze/shape/obb.hpp>
 
-#include "point_sets.hpp"
+#include "query/point_sets.hpp"
 
 namespace graze {
 namespace {

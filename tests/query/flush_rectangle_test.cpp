@@ -11,7 +11,7 @@
 #include <graze/query/flush_rectangle.hpp>
 #include <graze/query/hull_corners.hpp>
 
-#include "point_sets.hpp"
+#include "query/point_sets.hpp"
 
 namespace graze {
 namespace {

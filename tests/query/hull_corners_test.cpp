@@ -11,7 +11,7 @@
 #include <graze/query/hull_corners.hpp>
 #include <graze/shape/polytope.hpp>
 
-#include "point_sets.hpp"
+#include "query/point_sets.hpp"
 
 namespace graze {
 namespace {

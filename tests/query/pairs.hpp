@@ -7,7 +7,7 @@
 #include <graze/query/verdict.hpp>
 #include <graze/shape/any_shape.hpp>
 
-#include "exact/unbounded.hpp"
+#include "exact/verdict.hpp"
 
 namespace graze::test {
 

@@ -14,6 +14,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/shape/any_shape.hpp>
 
+#include "exact/kinds.hpp"
 #include "exact/point.hpp"
 #include "query/placement.hpp"
 #include "query/point_answers.hpp"
@@ -95,13 +96,6 @@ double slenderness(const Polytope<N, T>& polytope) {
   return slenderness_of<N, T>({polytope.vertices().begin(), polytope.vertices().end()});
 }
 
-template <Dim N, class T>
-double length_from(const WideVec<N>& from, const Vec<N, T>& to) {
-  WideVec<N> off;
-  for (std::size_t i = 0; i < N; ++i) off[i] = from[i] - Wide(static_cast<double>(to[static_cast<Dim>(i)]));
-  return static_cast<double>(sqrt(dot(off, off)));
-}
-
 /// The largest finite coordinate of shape, point and answer, in units of epsilon.
 template <class S, Dim N, class T>
 double unit_of(const S& shape, const Vec<N, T>& point, const Vec<N, T>& answer) {
@@ -133,7 +127,7 @@ template <class S, Dim N, class T>
 PointErrors point_errors(const S& shape, const Vec<N, T>& point, const PointAnswers<N, T>& given) {
   constexpr bool is_plane = std::is_same_v<S, Plane<N, T>>;
   PointErrors errors;
-  errors.truth = exact_signed_distance(shape, point);
+  errors.truth = exact_signed_distance<N, T>(shape, point);
   const double outside = is_plane ? std::fabs(errors.truth) : errors.truth;
   const double unit = unit_of(shape, point, given.boundary);
   if (!given.contained) errors.is_held_rightly = outside > 0;
@@ -141,7 +135,7 @@ PointErrors point_errors(const S& shape, const Vec<N, T>& point, const PointAnsw
   if (given.contained) errors.is_held_rightly = outside <= PointBounds<T>::forgiven * unit;
   errors.slenderness = slenderness(shape);
   const double off = std::fabs(static_cast<double>(given.distance) - errors.truth) / unit;
-  const double way = length_from<N>(wide_vector<N>(exact(point)), given.boundary);
+  const double way = exact_distance(point, given.boundary);
   const double boundary = std::fabs(way - std::fabs(errors.truth)) / unit;
   if (given.contained && errors.truth > 0) {
     errors.forgiven = off;
@@ -150,7 +144,7 @@ PointErrors point_errors(const S& shape, const Vec<N, T>& point, const PointAnsw
   }
   errors.boundary = boundary;
   if (errors.truth > 0 && given.closest != point) {
-    errors.closest = length_from<N>(exact_closest_point(shape, point), given.closest) / unit;
+    errors.closest = exact_miss<N, T>(shape, point, given.closest) / unit;
   }
   return errors;
 }

@@ -12,11 +12,9 @@
 #include <rapidcheck.h>
 
 #include <graze/math/vec.hpp>
-#include <graze/shape/obb.hpp>
-#include <graze/shape/sphere.hpp>
 
-#include "../catalogue.hpp"
-#include "../exact/numbers.hpp"
+#include "catalogue.hpp"
+#include "exact/holds.hpp"
 
 namespace graze::test {
 
@@ -86,51 +84,6 @@ std::vector<Vec<N, T>> draw_points(std::size_t most) {
                                 return point;
                             }
                           }));
-}
-
-/// Whether the sphere as stored contains the point, exactly.
-template <Dim N, class T>
-bool contains_exactly(const Sphere<N, T>& sphere, const Vec<N, T>& point) {
-  const RationalVec<N> to_point = exact(point) - exact(sphere.center);
-  const Rational radius = exact(static_cast<double>(sphere.radius));
-  return radius >= 0 && dot(to_point, to_point) <= radius * radius;
-}
-
-inline Rational determinant(const RationalVec<2>& a, const RationalVec<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
-inline Rational determinant(const RationalVec<3>& a, const RationalVec<3>& b, const RationalVec<3>& c) {
-  return dot(a, cross(b, c));
-}
-
-/// The determinant of the axes of a box with column `column` replaced by `v`.
-template <Dim N, class T>
-Rational replaced_determinant(const Obb<N, T>& box, Dim column, const RationalVec<N>& v) {
-  const auto axis = [&](Dim i) { return i == column ? v : exact<N, T>(box.axes[i]); };
-  if constexpr (N == 2) {
-    return determinant(axis(0), axis(1));
-  } else {
-    return determinant(axis(0), axis(1), axis(2));
-  }
-}
-
-/// Whether the box as stored, center + axes * u with |u[i]| <= half_extents[i], contains the point, exactly: u by
-/// Cramer's rule.
-template <Dim N, class T>
-bool contains_exactly(const Obb<N, T>& box, const Vec<N, T>& point) {
-  const Rational whole_determinant = replaced_determinant<N, T>(box, 0, exact<N, T>(box.axes[0]));
-  const RationalVec<N> to_point = exact(point) - exact(box.center);
-  for (Dim i = 0; i < N; ++i) {
-    const Rational reach = abs(replaced_determinant<N, T>(box, i, to_point));
-    if (reach > exact(static_cast<double>(box.half_extents[i])) * abs(whole_determinant)) return false;
-  }
-  return true;
-}
-
-template <Dim N, class T>
-bool contains_exactly(const Aabb<N, T>& box, const Vec<N, T>& point) {
-  for (Dim i = 0; i < N; ++i) {
-    if (!(box.min[i] <= point[i] && point[i] <= box.max[i])) return false;
-  }
-  return true;
 }
 
 template <class Volume, Dim N, class T>

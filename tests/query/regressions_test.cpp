@@ -18,6 +18,7 @@
 
 #include "catalogue.hpp"
 #include "exact.hpp"
+#include "exact/kinds.hpp"
 #include "query/pairs.hpp"
 #include "query/point_answers.hpp"
 #include "query/point_judgement.hpp"

@@ -60,7 +60,7 @@ TEST(RelationPolygon, IsTrueForAnyOrderOfCornersAndAgreesWithContains) {
     const auto [any_triangle, point] = *any_pair<T2, D2>();
     const Relation verdict = relation(point, any_triangle);
     for (const T2& same : orders_of(any_triangle)) RC_ASSERT(relation(same, point) == verdict);
-    const ExactVerdict truth = simple_verdict(point, any_triangle, Measure::depth);
+    const ExactVerdict truth = exact_verdict_of(point, any_triangle, Measure::depth);
     if (truth.relation == Relation::overlapping) RC_ASSERT(verdict == Relation::overlapping);
     if (truth.relation == Relation::touching) RC_ASSERT(verdict == Relation::touching);
     if (verdict != Relation::apart) RC_ASSERT(contains(any_triangle, point));

@@ -69,7 +69,7 @@ void expect_generic_agrees() {
     const Relation closed = relation(a, b);
     const Relation generic = detail::relation_of_convex(a, b);
     if (closed == generic) return;
-    const ExactVerdict truth = simple_verdict(a, b, Measure::depth);
+    const ExactVerdict truth = exact_verdict_of(a, b, Measure::depth);
     RC_LOG() << "closed: " << name_of(closed) << ", generic: " << name_of(generic) << ", gap " << truth.gap << "\n";
     RC_ASSERT(closed == Relation::touching || generic == Relation::touching || truth.relation == Relation::touching);
     RC_ASSERT(std::fabs(truth.gap) <= 128 * tolerance::epsilon * truth.largest);

@@ -30,7 +30,7 @@ void expect(const A& a, const B& b, Relation expected) {
       EXPECT_EQ(name_of(relation(same_b, same_a)), name_of(expected)) << to_source(same_b) << ", " << to_source(same_a);
     }
   }
-  const ExactVerdict truth = simple_verdict(a, b, Measure::distance);
+  const ExactVerdict truth = exact_verdict_of(a, b, Measure::distance);
   EXPECT_EQ(name_of(truth.relation), name_of(expected)) << "oracle: " << to_source(a) << ", " << to_source(b);
 }
 

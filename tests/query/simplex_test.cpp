@@ -9,7 +9,7 @@
 #include <graze/query/simplex.hpp>
 
 #include "catalogue.hpp"
-#include "exact.hpp"
+#include "exact/verdict_instances.hpp"
 
 namespace graze::test {
 namespace {

@@ -11,7 +11,7 @@
 
 #include <graze/query/transformed.hpp>
 
-#include "../catalogue.hpp"
+#include "catalogue.hpp"
 
 namespace graze {
 namespace {

@@ -57,7 +57,7 @@ void expect_quick_verdicts_are_true(const rc::Gen<S>& any_other) {
     const double extent = std::max(detail::extent_around_zero(other), detail::extent_around_zero(triangle));
     const std::optional<Relation> quick = detail::QuickAxes<S>(other, triangle, tolerance::coarse * extent).verdict();
     if (!quick) return;
-    RC_ASSERT(*quick == simple_verdict(other, triangle, Measure::distance).relation);
+    RC_ASSERT(*quick == exact_verdict_of(other, triangle, Measure::distance).relation);
   });
 }
 

@@ -89,7 +89,7 @@ void expect_true_verdicts() {
       if (quick) verdict = quick;
     }
     if (!verdict) return;
-    const ExactVerdict truth = simple_verdict(b, a, Measure::depth);
+    const ExactVerdict truth = exact_verdict_of(b, a, Measure::depth);
     RC_ASSERT(*verdict == truth.relation);
   });
 }

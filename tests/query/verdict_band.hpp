@@ -12,7 +12,7 @@
 #include <graze/query/verdict.hpp>
 
 #include "exact/certificate.hpp"
-#include "exact/unbounded.hpp"
+#include "exact/verdict.hpp"
 
 namespace graze::test {
 

@@ -8,7 +8,7 @@
 #include <graze/query/zonotope.hpp>
 
 #include "catalogue.hpp"
-#include "exact.hpp"
+#include "exact/verdict_instances.hpp"
 
 namespace graze::test {
 namespace {

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Which shapes the oracle takes apart, and which reach to infinity.
+#pragma once
+
+#include <graze/shape/any_shape.hpp>
+
+namespace graze::test {
+
+template <class S>
+inline constexpr bool is_level = false;
+template <Dim N, class T>
+inline constexpr bool is_level<Plane<N, T>> = true;
+template <Dim N, class T>
+inline constexpr bool is_level<HalfSpace<N, T>> = true;
+
+template <class S>
+inline constexpr bool is_ray = false;
+template <Dim N, class T>
+inline constexpr bool is_ray<Ray<N, T>> = true;
+
+template <class S>
+inline constexpr bool has_parts = false;
+template <Dim N, class T>
+inline constexpr bool has_parts<Compound<N, T>> = true;
+
+}  // namespace graze::test
