@@ -51,6 +51,7 @@ class KeyTable {
   /// How many slots were ever taken: all slots are below it.
   std::uint32_t slots() const { return static_cast<std::uint32_t>(generations_.size()); }
   std::size_t size() const { return size_; }
+  std::uint32_t owner() const { return owner_; }
 
   /// Counts changes, so that whoever visits can see that there was one. `take` and `release` count themselves.
   std::uint64_t changes() const { return changes_; }

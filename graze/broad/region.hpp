@@ -25,6 +25,21 @@ concept RegionIn = SameSpace<R, Aabb<N, T>> && requires(const R& region) {
   { bounds(region) } -> std::same_as<Aabb<N, T>>;
 };
 
+/// A region that boxes meet already where rounding may have the last word: no shape is missed that `intersects` says
+/// touches the region, as long as its box holds it. For a first look, before shapes are asked themselves.
+template <Shape R>
+struct Generous {
+  const R& region;
+};
+
+template <Shape R>
+struct ShapeTraits<Generous<R>> : Space<dimension_of<R>, scalar_of<R>> {};
+
+template <Shape R>
+Aabb<dimension_of<R>, scalar_of<R>> bounds(const Generous<R>& generous) {
+  return bounds(generous.region);
+}
+
 namespace detail {
 
 template <Dim N, class T>
@@ -120,6 +135,23 @@ class RegionProbe {
   const R& region_;
   Box bounds_;
   double slack_ = 0;
+};
+
+/// Everything as for the region itself, but that a box may lie off by the slack. A box with infinite sides is met if
+/// its bounds may.
+template <Shape R>
+class RegionProbe<Generous<R>> {
+ public:
+  using Box = typename RegionProbe<R>::Box;
+
+  explicit RegionProbe(const Generous<R>& generous) : probe_(generous.region) {}
+
+  bool may_meet(const Box& box) const { return probe_.may_meet(box); }
+  bool may_meet_closely(const Box& box) const { return probe_.may_meet_closely(box); }
+  bool meets(const Box& box) const { return may_meet(box) && (!is_valid(box) || may_meet_closely(box)); }
+
+ private:
+  RegionProbe<R> probe_;
 };
 
 /// A box is asked exactly. It may have infinite sides; with min above max it contains nothing, and nothing meets it.

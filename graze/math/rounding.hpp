@@ -4,8 +4,11 @@
 // Error-free transformations: Knuth, TAOCP 2 (1969), 4.2.2, and Dekker, Numer. Math. 18 (1971).
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include <graze/math/vec.hpp>
 
@@ -51,11 +54,22 @@ inline Vec<3, double> accurate_cross(const Vec<3, double>& a, const Vec<3, doubl
           difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
-/// The neighbouring double above; infinities stay.
-inline double next_up(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
+/// The neighbouring number above, that of minus infinity the lowest finite one; plus infinity and NaN stay. What
+/// std::nextafter gives, whose calls take most of the time of bounds.
+template <Scalar T>
+T next_up(T x) {
+  using Bits = std::conditional_t<sizeof(T) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;
+  if (!(x < std::numeric_limits<T>::infinity())) return x;
+  if (x == T(0)) return std::numeric_limits<T>::denorm_min();
+  const auto bits = std::bit_cast<Bits>(x);  // ordered by magnitude
+  return std::bit_cast<T>(x > T(0) ? bits + 1 : bits - 1);
+}
 
-/// The neighbouring double below; infinities stay.
-inline double next_down(double x) { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
+/// The neighbouring number below, likewise.
+template <Scalar T>
+T next_down(T x) {
+  return -next_up(-x);
+}
 
 /// The least double that is not below a + b.
 inline double add_up(double a, double b) {
@@ -83,7 +97,7 @@ inline double multiply_up(double a, double b) {
 template <Scalar T>
 T round_up(double x) {
   const T rounded = static_cast<T>(x);
-  return static_cast<double>(rounded) < x ? std::nextafter(rounded, std::numeric_limits<T>::infinity()) : rounded;
+  return static_cast<double>(rounded) < x ? next_up(rounded) : rounded;
 }
 
 /// The greatest T that is not above x.

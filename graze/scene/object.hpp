@@ -11,21 +11,38 @@
 
 namespace graze {
 
-/// Names an object of a scene for as long as it lives. The generation makes the id of a removed object an error
-/// when it is used again, never another object. Ordered by index.
+/// Names an object of a scene for as long as it lives. The id of an object that was removed, one that another scene
+/// gave out, and one made by default are errors when they are used, never another object. Ordered by index, which is a
+/// place that is used again. Copies and snapshots of a scene answer to the ids of the original.
 struct ObjectId {
   std::uint32_t index = 0;
-  std::uint32_t generation = 0;
+  std::uint32_t generation = 0;  ///< Odd in every id that is given out.
+  std::uint32_t owner = 0;       ///< Tells the ids of one scene from those of others. Says nothing else.
 
   friend auto operator<=>(const ObjectId&, const ObjectId&) = default;
 };
 
+/// Two objects of a scene, that of the lower index as `a`.
+struct ObjectPair {
+  ObjectId a;
+  ObjectId b;
+
+  friend auto operator<=>(const ObjectPair&, const ObjectPair&) = default;
+};
+
+/// Whether an object goes about.
+enum class Mobility : std::uint8_t {
+  moving,
+  fixed,  ///< Part of the world: two fixed objects are never a pair. It may be moved all the same.
+};
+
 /// What a caller may say about an object beside its shape.
 struct ObjectOptions {
-  std::string name = {};        ///< Unique in the scene, or empty for none.
-  Layer layer = 0;              ///< The layer it is on.
-  LayerMask mask = all_layers;  ///< The layers it can touch.
-  std::uint64_t user = 0;       ///< The caller's own; graze does not look at it.
+  std::string name = {};                 ///< Unique in the scene, or empty for none.
+  Layer layer = 0;                       ///< The layer it is on.
+  LayerMask mask = all_layers;           ///< The layers it can touch.
+  std::uint64_t user = 0;                ///< The caller's own; graze does not look at it.
+  Mobility mobility = Mobility::moving;  ///< Whether it can be a pair with what is fixed.
 };
 
 /// An object of a scene.
@@ -37,6 +54,14 @@ struct Object {
   Layer layer;
   LayerMask mask;
   std::uint64_t user;
+  Mobility mobility;
 };
+
+/// Whether two objects are asked about at all: both masks admit the other's layer, and not both are fixed.
+template <Dim N, class T>
+bool may_touch(const Object<N, T>& a, const Object<N, T>& b) {
+  if (a.mobility == Mobility::fixed && b.mobility == Mobility::fixed) return false;
+  return filters_admit(a.layer, a.mask, b.layer, b.mask);
+}
 
 }  // namespace graze

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cstdint>
-#include <limits>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include <graze/broad/pairs.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/scene/scene.hpp>
 
@@ -28,6 +25,14 @@ void require_valid(const AnyShape<N, T>& shape, const std::string& name) {
 
 }  // namespace
 
+/// Room for the slot was made before.
+template <Dim N, class T>
+void Scene<N, T>::note(std::uint32_t slot, const Aabb<N, T>& box) noexcept {
+  index_.note(slot);
+  keeper_.note(slot, box);
+  pairs_.reset();
+}
+
 template <Dim N, class T>
 ObjectId Scene<N, T>::add(AnyShape<N, T> shape, ObjectOptions options) {
   require_valid(shape, options.name);
@@ -35,78 +40,69 @@ ObjectId Scene<N, T>::add(AnyShape<N, T> shape, ObjectOptions options) {
     throw std::invalid_argument("Scene: layer " + std::to_string(options.layer) + " of " + named(options.name) +
                                 " does not exist; layers are 0 to " + std::to_string(max_layers - 1));
   }
-  if (find(options.name)) throw std::invalid_argument("Scene: there is already an object \"" + options.name + "\"");
-  if (slots_.size() == std::numeric_limits<std::uint32_t>::max()) throw std::length_error("Scene: it is full");
+  if (this->find(options.name)) {
+    throw std::invalid_argument("Scene: there is already an object \"" + options.name + "\"");
+  }
 
   // Everything that can throw comes before the first change that would show.
+  const std::uint32_t slot = ids_.prepare();
+  const std::size_t slots = std::max<std::size_t>(slot + std::size_t{1}, objects_.size());
+  index_.reserve(slots);
+  keeper_.reserve(slots);
+  objects_.grow(slots);
+  std::optional<Object<N, T>>& place = objects_.change(slot);
   const Aabb<N, T> box = bounds(shape);
-  if (free_.empty()) {
-    // Room for every slot in the free list, so that a later remove cannot fail.
-    if (free_.capacity() <= slots_.size()) free_.reserve(2 * slots_.size() + 16);
-    slots_.emplace_back();
-    free_.push_back(static_cast<std::uint32_t>(slots_.size() - 1));
-  }
-  const std::uint32_t index = free_.back();
-  Slot& slot = slots_[index];
-  const ObjectId id{index, slot.generation};
-  if (!options.name.empty()) by_name_.emplace(options.name, id);
-  free_.pop_back();
-  slot.object.emplace(
-      Object<N, T>{std::move(shape), box, std::move(options.name), options.layer, options.mask, options.user});
-  ++size_;
+  if (!options.name.empty()) names_.change().emplace(options.name, ObjectId{slot, 0, 0});
+  const Key key = ids_.take();
+  const ObjectId id{key.index, key.generation, key.owner};
+  if (!options.name.empty()) names_.change().find(options.name)->second = id;
+  place.emplace(Object<N, T>{std::move(shape), box, std::move(options.name), options.layer, options.mask, options.user,
+                             options.mobility});
+  note(slot, box);
   return id;
 }
 
 template <Dim N, class T>
 void Scene<N, T>::move(ObjectId id, AnyShape<N, T> shape) {
-  require_valid(shape, object(id).name);
+  require_valid(shape, this->object(id).name);
   const Aabb<N, T> box = bounds(shape);
-  Object<N, T>& moved = *slots_[id.index].object;
+  Object<N, T>& moved = *objects_.change(id.index);
   moved.shape = std::move(shape);
   moved.box = box;
+  note(id.index, box);
+}
+
+template <Dim N, class T>
+void Scene<N, T>::move(std::span<const ObjectMove<N, T>> moves) {
+  // Of all types only compounds can fail to be copied: everything that can throw comes first.
+  std::vector<AnyShape<N, T>> compounds;
+  for (const ObjectMove<N, T>& each : moves) {
+    require_valid(each.shape, this->object(each.id).name);
+    objects_.change(each.id.index);
+    if (std::holds_alternative<Compound<N, T>>(each.shape)) compounds.push_back(each.shape);
+  }
+  auto next_compound = compounds.begin();
+  for (const ObjectMove<N, T>& each : moves) {
+    const std::uint32_t slot = each.id.index;
+    Object<N, T>& moved = *objects_.change(slot);
+    if (std::holds_alternative<Compound<N, T>>(each.shape)) {
+      moved.shape = std::move(*next_compound++);
+    } else {
+      moved.shape = each.shape;
+    }
+    moved.box = bounds(moved.shape);
+    note(slot, moved.box);
+  }
 }
 
 template <Dim N, class T>
 void Scene<N, T>::remove(ObjectId id) {
-  const std::string& name = object(id).name;
-  if (!name.empty()) by_name_.erase(name);
-  Slot& slot = slots_[id.index];
-  slot.object.reset();
-  --size_;
-  // A slot whose generations are used up is retired: an id must never come back to life.
-  if (++slot.generation != 0) free_.push_back(id.index);
-}
-
-template <Dim N, class T>
-bool Scene<N, T>::contains(ObjectId id) const {
-  return id.index < slots_.size() && slots_[id.index].object && slots_[id.index].generation == id.generation;
-}
-
-template <Dim N, class T>
-const Object<N, T>& Scene<N, T>::object(ObjectId id) const {
-  if (!contains(id)) {
-    throw std::out_of_range("Scene: the id (index " + std::to_string(id.index) + ", generation " +
-                            std::to_string(id.generation) + ") names no object; it was removed or is of another scene");
-  }
-  return *slots_[id.index].object;
-}
-
-template <Dim N, class T>
-std::optional<ObjectId> Scene<N, T>::find(std::string_view name) const {
-  if (name.empty()) return std::nullopt;
-  const auto found = by_name_.find(std::string(name));
-  if (found == by_name_.end()) return std::nullopt;
-  return found->second;
-}
-
-template <Dim N, class T>
-std::vector<ObjectId> Scene<N, T>::ids() const {
-  std::vector<ObjectId> result;
-  result.reserve(size_);
-  for (std::uint32_t index = 0; index < slots_.size(); ++index) {
-    if (slots_[index].object) result.push_back({index, slots_[index].generation});
-  }
-  return result;
+  this->object(id);
+  std::optional<Object<N, T>>& place = objects_.change(id.index);
+  if (!place->name.empty()) names_.change().erase(place->name);
+  place.reset();
+  ids_.release(id.index);
+  note(id.index, Aabb<N, T>::nothing());
 }
 
 template <Dim N, class T>
@@ -122,27 +118,16 @@ Layer Scene<N, T>::layer(std::string_view name) {
 }
 
 template <Dim N, class T>
-std::vector<ObjectPair> Scene<N, T>::candidates() const {
-  const std::vector<ObjectId> all = ids();
-  std::vector<Aabb<N, T>> boxes;
-  boxes.reserve(all.size());
-  for (const ObjectId id : all) boxes.push_back(touching_bounds(slots_[id.index].object->box));
-  std::vector<ObjectPair> result;
-  for (const Pair& pair : overlapping_pairs(boxes)) {
-    const Object<N, T>& a = *slots_[all[pair.a].index].object;
-    const Object<N, T>& b = *slots_[all[pair.b].index].object;
-    if (filters_admit(a.layer, a.mask, b.layer, b.mask)) result.push_back({all[pair.a], all[pair.b]});
-  }
-  return result;
-}
-
-template <Dim N, class T>
-std::vector<ObjectPair> Scene<N, T>::pairs() const {
-  std::vector<ObjectPair> result = candidates();
-  std::erase_if(result, [this](const ObjectPair& pair) {
-    return relation(slots_[pair.a.index].object->shape, slots_[pair.b.index].object->shape) == Relation::apart;
-  });
-  return result;
+const SceneEvents& Scene<N, T>::update(const Executor& executor) {
+  const std::vector<Pair>& found = keeper_.update(objects_, index_, executor);
+  std::vector<ObjectPair> touching;
+  touching.reserve(found.size());
+  for (const Pair& pair : found) touching.push_back({this->id_of(pair.a), this->id_of(pair.b)});
+  auto known = std::make_shared<const std::vector<ObjectPair>>(touching);
+  events_ = events_between(touching_, touching);
+  touching_ = std::move(touching);
+  pairs_ = std::move(known);
+  return events_;
 }
 
 template class Scene<2, float>;

@@ -1,35 +1,36 @@
 // SPDX-License-Identifier: MIT
+// A world of shapes that come, move and go.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <string>
+#include <memory>
+#include <span>
 #include <string_view>
-#include <unordered_map>
-#include <utility>
 #include <vector>
 
+#include <graze/broad/executor.hpp>
 #include <graze/math/vec.hpp>
-#include <graze/scene/filter.hpp>
+#include <graze/scene/events.hpp>
 #include <graze/scene/object.hpp>
-#include <graze/scene/relations.hpp>
+#include <graze/scene/pair_keeper.hpp>
+#include <graze/scene/scene_view.hpp>
 #include <graze/shape/any_shape.hpp>
 
 namespace graze {
 
-/// Two objects of a scene, the one added first as `a`.
-struct ObjectPair {
-  ObjectId a;
-  ObjectId b;
-
-  friend auto operator<=>(const ObjectPair&, const ObjectPair&) = default;
+/// One of many objects to be moved at once.
+template <Dim N, class T = float>
+struct ObjectMove {
+  ObjectId id;
+  AnyShape<N, T> shape;  ///< Where it is now.
 };
 
-/// Shapes with names, layers and lifetimes. Reading is const and safe from many threads at once; writing is for one.
-/// A call that throws leaves the scene as it was. Instantiated for 2D and 3D, float and double.
+/// Shapes with names, layers and lifetimes; what can be asked of them is in SceneView. Reading is const and safe from
+/// many threads at once; writing is for one, while none reads. A call that throws leaves the scene as it was. Nothing
+/// needs tuning: each `update` finds pairs anew or mends those it knows, as less work is to do, and queries catch up
+/// with what has moved by themselves. No answer depends on that. Instantiated for 2D and 3D, float and double.
 template <Dim N, class T = float>
-class Scene {
+class Scene : public SceneView<N, T> {
  public:
   /// Adds an object. Throws std::invalid_argument, naming the fact, when the shape is not valid (see `defect`),
   /// the name is taken or the layer is not below `max_layers`.
@@ -38,46 +39,41 @@ class Scene {
   /// Replaces an object's shape. Throws like `add` and `object`.
   void move(ObjectId id, AnyShape<N, T> shape);
 
+  /// Replaces the shapes of many objects, or of none if it throws. Of an object that is named twice, the last shape
+  /// counts.
+  void move(std::span<const ObjectMove<N, T>> moves);
+
   /// Removes an object; its id is never valid again. Throws like `object`.
   void remove(ObjectId id);
-
-  /// True while the id names an object.
-  bool contains(ObjectId id) const;
-
-  /// The object. Throws std::out_of_range when the id names none (any more).
-  const Object<N, T>& object(ObjectId id) const;
-
-  /// The object of that name, if there is one. Empty names are not found.
-  std::optional<ObjectId> find(std::string_view name) const;
-
-  /// All ids in the order of their index, which is the order of adding while nothing is removed.
-  std::vector<ObjectId> ids() const;
-
-  std::size_t size() const { return size_; }
 
   /// The layer of that name; made if there is none yet. Throws std::length_error beyond `max_layers`.
   Layer layer(std::string_view name);
 
-  /// The names of the layers made so far, by number.
-  const std::vector<std::string>& layer_names() const { return layer_names_; }
+  /// Finds the pairs that touch now, and what has changed since the last update, or since the scene was empty. `pairs`
+  /// is but a copy from then on, until the next change. The events stay until the next update.
+  const SceneEvents& update(const Executor& executor = default_executor());
 
-  /// All pairs whose boxes overlap and whose filters admit each other: what is worth an exact test. Ascending.
-  std::vector<ObjectPair> candidates() const;
+  /// What the last update found.
+  const SceneEvents& events() const { return events_; }
 
-  /// All pairs that touch or overlap and whose filters admit each other, exactly tested. Ascending.
-  std::vector<ObjectPair> pairs() const;
+  /// The scene as it is now, for readers that keep it while this one goes on: costs a pointer for every 64 objects, and
+  /// what changes afterwards is copied first. Answers to the same ids.
+  std::shared_ptr<const SceneView<N, T>> snapshot() { return this->share(); }
 
  private:
-  struct Slot {
-    std::optional<Object<N, T>> object;
-    std::uint32_t generation = 0;
-  };
+  using View = SceneView<N, T>;
+  using View::ids_;
+  using View::index_;
+  using View::layer_names_;
+  using View::names_;
+  using View::objects_;
+  using View::pairs_;
 
-  std::vector<Slot> slots_;
-  std::vector<std::uint32_t> free_;
-  std::unordered_map<std::string, ObjectId> by_name_;
-  std::vector<std::string> layer_names_;
-  std::size_t size_ = 0;
+  void note(std::uint32_t slot, const Aabb<N, T>& box) noexcept;
+
+  detail::PairKeeper<N, T> keeper_;
+  std::vector<ObjectPair> touching_;  // at the last update
+  SceneEvents events_;                // of the last update
 };
 
 extern template class Scene<2, float>;

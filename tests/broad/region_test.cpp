@@ -7,6 +7,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <graze/broad/region.hpp>
+#include <graze/query/bounds.hpp>
 #include <graze/query/intersects.hpp>
 
 #include "../query/user_shapes.hpp"
@@ -33,6 +34,34 @@ void expect_sound(const R& region, const Aabb<dimension_of<R>, scalar_of<R>>& bo
   const auto larger = around(box, corner);
   RC_ASSERT(probe.may_meet(box) && probe.may_meet_closely(box));
   RC_ASSERT(probe.may_meet(larger) && probe.may_meet_closely(larger));
+}
+
+/// No shape that touches a generous region is missed by its box.
+template <class R, class S>
+void check_generous_region() {
+  EXPECT_TRUE(rc::check([] {
+    const auto [region, shape] = *test::any_pair<R, S>();
+    if (!intersects(region, shape)) return;
+    const Generous<R> generous{region};
+    const RegionProbe<Generous<R>> probe(generous);
+    RC_ASSERT(probe.meets(bounds(shape)));
+    RC_ASSERT(probe.may_meet(bounds(shape)));
+  }));
+}
+
+TEST(Region, AGenerousOneIsMetByTheBoxesOfAllThatTouchesIt) {
+  check_generous_region<Segment<2, double>, Ray<2, double>>();
+  check_generous_region<Sphere<3, float>, Triangle<3, float>>();
+  check_generous_region<Obb<3, double>, Obb<3, double>>();
+  // Just beyond rounding apart for boxes, and yet within the band of the pair.
+  const Segment<2, double> region{{-1, 0}, {0, 0}};
+  const Ray<2, double> ray{{0x1p-52, 0}, {1, 0}};
+  ASSERT_TRUE(intersects(region, ray));
+  const RegionProbe<Aabb<2, double>> strict(bounds(region));
+  const RegionProbe<Generous<Segment<2, double>>> generous(Generous<Segment<2, double>>{region});
+  EXPECT_FALSE(strict.meets(bounds(ray)));
+  EXPECT_TRUE(generous.meets(bounds(ray)));
+  EXPECT_FALSE(generous.meets({{0x1p-30, 0}, {1, 1}}));
 }
 
 template <class R>

@@ -82,13 +82,44 @@ RC_GTEST_PROP(Rounding, TwoProductIsExact, ()) {
 }
 
 TEST(Rounding, NextUpAndNextDownAreNeighboursAndInfinitiesStay) {
-  EXPECT_EQ(next_up(1), 1 + ulp);
-  EXPECT_EQ(next_down(1), 1 - ulp / 2);
-  EXPECT_EQ(next_up(0), tiny);
-  EXPECT_EQ(next_down(0), -tiny);
+  EXPECT_EQ(next_up(1.0), 1 + ulp);
+  EXPECT_EQ(next_down(1.0), 1 - ulp / 2);
+  EXPECT_EQ(next_up(0.0), tiny);
+  EXPECT_EQ(next_down(0.0), -tiny);
   EXPECT_EQ(next_up(huge), infinity);
   EXPECT_EQ(next_up(infinity), infinity);
   EXPECT_EQ(next_down(-infinity), -infinity);
+}
+
+/// Any pattern of bits, which may be infinite or not a number.
+template <class T, class Bits>
+void expect_neighbours_of(Bits bits) {
+  const T x = std::bit_cast<T>(bits);
+  const T above = std::nextafter(x, std::numeric_limits<T>::infinity());
+  const T below = std::nextafter(x, -std::numeric_limits<T>::infinity());
+  if (std::isnan(x)) {
+    RC_ASSERT(std::isnan(next_up(x)) && std::isnan(next_down(x)));
+  } else {
+    RC_ASSERT(std::bit_cast<Bits>(next_up(x)) == std::bit_cast<Bits>(above));
+    RC_ASSERT(std::bit_cast<Bits>(next_down(x)) == std::bit_cast<Bits>(below));
+  }
+}
+
+RC_GTEST_PROP(Rounding, NeighboursOfFloatsAreThoseOfTheLibrary, (std::uint32_t bits)) {
+  expect_neighbours_of<float>(bits);
+}
+RC_GTEST_PROP(Rounding, NeighboursOfDoublesAreThoseOfTheLibrary, ()) {
+  expect_neighbours_of<double>(*drawn<std::uint64_t>([](rc::Random& random) { return random.next(); }));
+}
+
+TEST(Rounding, NeighboursOfTheOutermostNumbersAreThoseOfTheLibrary) {
+  for (const float x : {0.0F, -0.0F, 1.0F, -1.0F, std::numeric_limits<float>::max(),
+                        std::numeric_limits<float>::lowest(), std::numeric_limits<float>::denorm_min(),
+                        -std::numeric_limits<float>::denorm_min(), std::numeric_limits<float>::min(),
+                        std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()}) {
+    EXPECT_EQ(next_up(x), std::nextafter(x, std::numeric_limits<float>::infinity())) << x;
+    EXPECT_EQ(next_down(x), std::nextafter(x, -std::numeric_limits<float>::infinity())) << x;
+  }
 }
 
 TEST(Rounding, AddUpLeavesExactSumsAndStepsOverOthers) {

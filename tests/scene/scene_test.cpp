@@ -18,6 +18,7 @@ namespace {
 
 using World = Scene<2, double>;
 using Ball = Sphere<2, double>;
+using V2 = Vec<2, double>;
 
 std::string message_of(const auto& call) {
   try {
@@ -86,7 +87,98 @@ TEST(Scene, AStaleIdIsAnErrorAndNeverAnotherObject) {
   EXPECT_THROW(scene.move(first, Ball{}), std::out_of_range);
   EXPECT_EQ(scene.find("first"), std::nullopt);
   EXPECT_EQ(scene.object(second).name, "second");
-  EXPECT_THROW(scene.object(ObjectId{99, 0}), std::out_of_range);
+}
+
+TEST(Scene, AnIdThatIsNotOfThisSceneIsAnError) {
+  World scene;
+  World other;
+  scene.add(Ball{}, {.name = "mine"});
+  const ObjectId foreign = other.add(Ball{});
+  EXPECT_FALSE(scene.contains(foreign));
+  EXPECT_FALSE(scene.contains(ObjectId{}));
+  EXPECT_EQ(message_of([&] { scene.object(foreign); }),
+            "Scene: the id (index 0, generation 1) was given by another scene");
+  EXPECT_EQ(message_of([&] { scene.remove(ObjectId{}); }),
+            "Scene: the id (index 0, generation 0) was made by default; only add gives ids");
+  const ObjectId gone = scene.add(Ball{});
+  scene.remove(gone);
+  EXPECT_EQ(message_of([&] { scene.move(gone, Ball{}); }),
+            "Scene: the id (index 1, generation 1) names no object any more; it was removed");
+  EXPECT_EQ(scene.size(), 1U);
+}
+
+TEST(Scene, ACopyAnswersToTheSameIdsAndGoesItsOwnWay) {
+  World scene;
+  const ObjectId a = scene.add(Ball{{0, 0}, 1}, {.name = "a"});
+  const ObjectId b = scene.add(Ball{{1, 0}, 1});
+  scene.update();
+  World copy = scene;
+  copy.remove(a);
+  EXPECT_EQ(copy.update().ended, (std::vector<ObjectPair>{{a, b}}));
+  EXPECT_EQ(scene.object(a).name, "a");
+  EXPECT_EQ(scene.pairs(), (std::vector<ObjectPair>{{a, b}}));
+  EXPECT_EQ(scene.overlapping(V2(0, 0)), (std::vector<ObjectId>{a, b}));
+  EXPECT_EQ(copy.overlapping(V2(0, 0)), (std::vector<ObjectId>{b}));
+}
+
+TEST(Scene, ManyObjectsMoveTogetherOrNotAtAll) {
+  World scene;
+  const ObjectId a = scene.add(Ball{{0, 0}, 1});
+  const ObjectId b = scene.add(Ball{{5, 0}, 1});
+  using Move = ObjectMove<2, double>;
+  EXPECT_THROW(scene.move(std::vector<Move>{{a, Ball{{3, 0}, 1}}, {b, Ball{{3, 0}, -1}}}), std::invalid_argument);
+  EXPECT_THROW(scene.move(std::vector<Move>{{a, Ball{{3, 0}, 1}}, {ObjectId{}, Ball{}}}), std::out_of_range);
+  EXPECT_EQ(std::get<Ball>(scene.object(a).shape).center, V2(0, 0));
+  EXPECT_TRUE(scene.pairs().empty());
+  scene.move(std::vector<Move>{{a, Ball{{9, 0}, 1}}, {b, Ball{{3, 0}, 1}}, {a, Ball{{2, 0}, 1}}});
+  EXPECT_EQ(scene.pairs(), (std::vector<ObjectPair>{{a, b}}));
+}
+
+TEST(Scene, TellsWhatBeganWhatStaysAndWhatEnded) {
+  World scene;
+  using Pairs = std::vector<ObjectPair>;
+  const ObjectId wall = scene.add(HalfSpace<2, double>{{0, 1}, 0}, {.mobility = Mobility::fixed});
+  const ObjectId floor = scene.add(Aabb<2, double>{{0, -1}, {9, 1}}, {.mobility = Mobility::fixed});
+  const ObjectId ball = scene.add(Ball{{2, 5}, 1});
+  EXPECT_TRUE(scene.update().began.empty());  // wall and floor overlap, but both are fixed
+  scene.move(ball, Ball{{2, 2}, 1});
+  EXPECT_EQ(scene.update().began, (Pairs{{floor, ball}}));
+  scene.move(ball, Ball{{2, 0.5}, 1});
+  EXPECT_EQ(scene.update().began, (Pairs{{wall, ball}}));
+  EXPECT_EQ(scene.events().stayed, (Pairs{{floor, ball}}));
+  EXPECT_EQ(scene.update().stayed, (Pairs{{wall, ball}, {floor, ball}}));
+  scene.remove(floor);
+  const ObjectId other = scene.add(Ball{{2, 0.5}, 1});
+  EXPECT_EQ(other.index, floor.index);
+  scene.update();
+  EXPECT_EQ(scene.events().began, (Pairs{{wall, other}, {other, ball}}));
+  EXPECT_EQ(scene.events().stayed, (Pairs{{wall, ball}}));
+  EXPECT_EQ(scene.events().ended, (Pairs{{floor, ball}}));
+}
+
+TEST(Scene, ASnapshotStaysWhileTheSceneMovesOn) {
+  World scene;
+  const ObjectId a = scene.add(Ball{{0, 0}, 1}, {.name = "a"});
+  const ObjectId b = scene.add(Ball{{1, 0}, 1}, {.name = "b"});
+  scene.update();
+  const auto before = scene.snapshot();
+  scene.remove(a);
+  scene.move(b, Ball{{9, 9}, 1});
+  const ObjectId c = scene.add(Ball{{9, 9}, 1}, {.name = "c"});
+  const auto after = scene.snapshot();
+  scene.remove(c);
+
+  EXPECT_EQ(before->size(), 2U);
+  EXPECT_EQ(before->find("a"), a);
+  EXPECT_EQ(before->object(a).name, "a");
+  EXPECT_EQ(before->pairs(), (std::vector<ObjectPair>{{a, b}}));
+  EXPECT_EQ(before->overlapping(V2(0.5, 0)), (std::vector<ObjectId>{a, b}));
+  EXPECT_EQ(before->nearest({9, 9}, 1).front().id, b);
+  EXPECT_FALSE(before->contains(c));
+  EXPECT_EQ(after->find("a"), std::nullopt);
+  EXPECT_EQ(after->overlapping(V2(9, 9)), (std::vector<ObjectId>{c, b}));
+  EXPECT_TRUE(after->overlapping(V2(0.5, 0)).empty());
+  EXPECT_EQ(scene.overlapping(V2(9, 9)), (std::vector<ObjectId>{b}));
 }
 
 TEST(Scene, MoveReplacesTheShapeAndItsBox) {

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+#include <variant>
+
+#include <graze/broad/pairs.hpp>
+#include <graze/broad/region.hpp>
+#include <graze/query/bounds.hpp>
+#include <graze/query/signed_distance.hpp>
+#include <graze/scene/scene_view.hpp>
+
+namespace graze {
+namespace {
+
+template <Dim N, class T>
+void require_region(const AnyShape<N, T>& region) {
+  const std::string_view fault = defect(region);
+  if (fault.empty()) return;
+  throw std::invalid_argument("Scene: the region, a " + std::string(type_name<N, T>(region)) + ", " +
+                              std::string(fault));
+}
+
+/// How far a point is from a shape; 0 inside of solids.
+template <Dim N, class T>
+T distance_from(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
+  const T signed_value = signed_distance(shape, point);
+  return std::holds_alternative<Plane<N, T>>(shape) ? std::fabs(signed_value) : std::max(T(0), signed_value);
+}
+
+/// Of a and b, the nearer one; of equal ones that with the lower id.
+template <class T>
+bool is_nearer(const NearObject<T>& a, const NearObject<T>& b) {
+  return a.distance != b.distance ? a.distance < b.distance : a.id < b.id;
+}
+
+}  // namespace
+
+template <Dim N, class T>
+std::shared_ptr<const SceneView<N, T>> SceneView<N, T>::share() {
+  auto view = std::make_shared<SceneView>();
+  view->ids_ = ids_;
+  view->layer_names_ = layer_names_;
+  view->pairs_ = pairs_;
+  view->index_ = index_.share(objects_);
+  view->objects_ = objects_.share();
+  view->names_ = names_.share();
+  return view;
+}
+
+template <Dim N, class T>
+const Object<N, T>& SceneView<N, T>::object(ObjectId id) const {
+  if (contains(id)) return in_slot(id.index);
+  const std::string name =
+      "Scene: the id (index " + std::to_string(id.index) + ", generation " + std::to_string(id.generation) + ") ";
+  if (id == ObjectId{}) throw std::out_of_range(name + "was made by default; only add gives ids");
+  if (id.owner != ids_.owner()) throw std::out_of_range(name + "was given by another scene");
+  throw std::out_of_range(name + "names no object any more; it was removed");
+}
+
+template <Dim N, class T>
+std::optional<ObjectId> SceneView<N, T>::find(std::string_view name) const {
+  if (name.empty()) return std::nullopt;
+  const auto found = names_->find(std::string(name));
+  if (found == names_->end()) return std::nullopt;
+  return found->second;
+}
+
+template <Dim N, class T>
+std::vector<ObjectId> SceneView<N, T>::ids() const {
+  std::vector<ObjectId> result;
+  result.reserve(size());
+  for (std::uint32_t slot = 0; slot < ids_.slots(); ++slot) {
+    if (ids_.is_taken(slot)) result.push_back(id_of(slot));
+  }
+  return result;
+}
+
+template <Dim N, class T>
+std::vector<ObjectPair> SceneView<N, T>::candidates() const {
+  std::vector<Aabb<N, T>> boxes(ids_.slots(), Aabb<N, T>::nothing());
+  for (std::uint32_t slot = 0; slot < ids_.slots(); ++slot) {
+    if (ids_.is_taken(slot)) boxes[slot] = touching_bounds(in_slot(slot).box);
+  }
+  std::vector<ObjectPair> result;
+  for (const Pair& pair : overlapping_pairs(boxes)) {
+    if (may_touch(in_slot(pair.a), in_slot(pair.b))) result.push_back({id_of(pair.a), id_of(pair.b)});
+  }
+  return result;
+}
+
+template <Dim N, class T>
+std::vector<ObjectPair> SceneView<N, T>::pairs() const {
+  if (pairs_) return *pairs_;
+  std::vector<ObjectPair> result = candidates();
+  std::erase_if(result, [this](const ObjectPair& pair) {
+    return relation(in_slot(pair.a.index).shape, in_slot(pair.b.index).shape) == Relation::apart;
+  });
+  return result;
+}
+
+template <Dim N, class T>
+std::vector<ObjectId> SceneView<N, T>::cull(const AnyShape<N, T>& region, LayerMask layers) const {
+  require_region(region);
+  std::vector<ObjectId> result;
+  const detail::SlotIndex<N, T>& index = this->index();
+  index.tree().query(Generous<AnyShape<N, T>>{region}, [&](const Key& key) {
+    const std::uint32_t slot = index.slot_of(key);
+    if ((layers & only_layer(in_slot(slot).layer)) != 0) result.push_back(id_of(slot));
+  });
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+template <Dim N, class T>
+std::vector<ObjectId> SceneView<N, T>::overlapping(const AnyShape<N, T>& region, LayerMask layers) const {
+  std::vector<ObjectId> result = cull(region, layers);
+  std::erase_if(result,
+                [&](const ObjectId& id) { return relation(region, in_slot(id.index).shape) == Relation::apart; });
+  return result;
+}
+
+template <Dim N, class T>
+std::vector<NearObject<T>> SceneView<N, T>::nearest(const Vec<N, T>& point, std::size_t count, LayerMask layers) const {
+  if (!is_finite(point)) throw std::invalid_argument("Scene: the point has a coordinate that is not finite");
+  std::vector<NearObject<T>> result;
+  if (count == 0) return result;
+  const detail::SlotIndex<N, T>& index = this->index();
+  // Boxes come by distance, which is no more than that of what is in them: once the last of them is farther off than
+  // the last object wanted, no other can be nearer.
+  for (std::size_t asked = 2 * std::min(count, size()) + 4;; asked *= 2) {
+    const std::vector<Neighbour> boxes = index.tree().nearest(point, std::min(asked, size()));
+    result.clear();
+    for (const Neighbour& box : boxes) {
+      const std::uint32_t slot = index.slot_of(box.key);
+      if ((layers & only_layer(in_slot(slot).layer)) == 0) continue;
+      const T distance = distance_from<N, T>(in_slot(slot).shape, point);
+      if (distance < std::numeric_limits<T>::infinity()) result.push_back({id_of(slot), distance});
+    }
+    std::sort(result.begin(), result.end(), is_nearer<T>);
+    if (result.size() > count) result.resize(count);
+    if (asked >= size()) return result;
+    // Rounded as distances are, so that one that is just as far is not left out.
+    const T reached = static_cast<T>(std::sqrt(boxes.back().distance_squared));
+    if (result.size() == count && reached > result.back().distance) return result;
+  }
+}
+
+template class SceneView<2, float>;
+template class SceneView<3, float>;
+template class SceneView<2, double>;
+template class SceneView<3, double>;
+
+}  // namespace graze

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// What can be read of a scene: of one that lives on, and of a snapshot that stays as it is.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include <graze/broad/key_table.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/scene/filter.hpp>
+#include <graze/scene/object.hpp>
+#include <graze/scene/object_index.hpp>
+#include <graze/scene/relations.hpp>
+#include <graze/scene/shared_slots.hpp>
+#include <graze/scene/shared_value.hpp>
+#include <graze/shape/any_shape.hpp>
+
+namespace graze {
+
+/// An object by its distance from a point.
+template <class T = float>
+struct NearObject {
+  ObjectId id;
+  T distance;  ///< 0 when the point is in the object.
+
+  friend bool operator==(const NearObject&, const NearObject&) = default;
+};
+
+/// Objects with names, layers and places. All of it is const and safe from many threads at once, as long as none writes
+/// to the scene; a snapshot has nobody who could. Queries that look for objects take a mask: only objects on its layers
+/// are found. Instantiated for 2D and 3D, float and double.
+template <Dim N, class T = float>
+class SceneView {
+ public:
+  /// True while the id names an object.
+  bool contains(ObjectId id) const { return ids_.contains({id.index, id.generation, id.owner}); }
+
+  /// The object. Throws std::out_of_range, saying what is wrong with the id, when it names none.
+  const Object<N, T>& object(ObjectId id) const;
+
+  /// The object of that name, if there is one. Empty names are not found.
+  std::optional<ObjectId> find(std::string_view name) const;
+
+  /// All ids, ascending: in the order of adding while nothing is removed.
+  std::vector<ObjectId> ids() const;
+
+  std::size_t size() const { return ids_.size(); }
+
+  /// The names of the layers made so far, by number.
+  const std::vector<std::string>& layer_names() const { return layer_names_; }
+
+  /// All pairs whose boxes overlap and that may touch: what is worth an exact test. Ascending.
+  std::vector<ObjectPair> candidates() const;
+
+  /// All pairs that touch or overlap and may, exactly tested. Ascending.
+  std::vector<ObjectPair> pairs() const;
+
+  /// The objects that touch or overlap a region, which may be any shape, exactly tested. Ascending. Throws
+  /// std::invalid_argument when the region is not valid.
+  std::vector<ObjectId> overlapping(const AnyShape<N, T>& region, LayerMask layers = all_layers) const;
+
+  /// The objects whose boxes touch or overlap a region, such as what a camera sees: quicker, and never fewer than
+  /// `overlapping`. Ascending. Throws like it.
+  std::vector<ObjectId> cull(const AnyShape<N, T>& region, LayerMask layers = all_layers) const;
+
+  /// The `count` objects nearest to a point, or all if there are fewer: by distance, equal ones by id. The distance is
+  /// that of the shape, of a compound that of its nearest part; an empty one is infinitely far and never found. Throws
+  /// std::invalid_argument when the point is not finite.
+  std::vector<NearObject<T>> nearest(const Vec<N, T>& point, std::size_t count, LayerMask layers = all_layers) const;
+
+ protected:
+  using Names = std::unordered_map<std::string, ObjectId>;
+
+  /// All of this as it is now, for reading.
+  std::shared_ptr<const SceneView> share();
+
+  ObjectId id_of(std::uint32_t slot) const {
+    const Key key = ids_.key_of(slot);
+    return {key.index, key.generation, key.owner};
+  }
+
+  const Object<N, T>& in_slot(std::uint32_t slot) const { return *objects_[slot]; }
+  const detail::SlotIndex<N, T>& index() const { return index_.over(objects_); }
+
+  detail::KeyTable ids_;
+  detail::SharedSlots<Object<N, T>> objects_;  // by slot: the index of an id
+  detail::SharedValue<Names> names_;
+  std::vector<std::string> layer_names_;
+  detail::ObjectIndex<N, T> index_;
+  std::shared_ptr<const std::vector<ObjectPair>> pairs_;  // if they are known
+};
+
+extern template class SceneView<2, float>;
+extern template class SceneView<3, float>;
+extern template class SceneView<2, double>;
+extern template class SceneView<3, double>;
+
+}  // namespace graze

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include <graze/query/bounds.hpp>
+#include <graze/scene/object_index.hpp>
+
+namespace graze::detail {
+namespace {
+
+using Index = ObjectIndex<2, double>;
+using Slots = Index::Slots;
+using Box = Aabb<2, double>;
+
+/// Slots, and an index that is told of every change.
+struct World {
+  Slots slots;
+  Index index;
+
+  void set(std::uint32_t slot, const std::optional<AnyShape<2, double>>& shape) {
+    slots.grow(slot + std::size_t{1});
+    index.reserve(slots.size());
+    auto& place = slots.change(slot);
+    place.reset();
+    if (shape) place.emplace(Object<2, double>{*shape, bounds(*shape), "", 0, all_layers, 0, Mobility::moving});
+    index.note(slot);
+  }
+
+  std::set<std::uint32_t> in(const Box& region) const { return in(index, region); }
+
+  std::set<std::uint32_t> in(const Index& asked, const Box& region) const {
+    const SlotIndex<2, double>& current = asked.over(slots);
+    std::set<std::uint32_t> found;
+    current.tree().query(region, [&](const Key& key) { found.insert(current.slot_of(key)); });
+    return found;
+  }
+};
+
+using Found = std::set<std::uint32_t>;
+const Box everywhere{{-1e9, -1e9}, {1e9, 1e9}};
+
+TEST(ObjectIndex, CatchesUpWithWhatHasComeMovedAndGone) {
+  World world;
+  EXPECT_TRUE(world.in(everywhere).empty());
+  world.set(0, Box{{0, 0}, {1, 1}});
+  world.set(3, Box{{5, 5}, {6, 6}});
+  EXPECT_EQ(world.in(everywhere), (Found{0, 3}));
+  EXPECT_EQ(world.in({{0, 0}, {2, 2}}), (Found{0}));
+  world.set(0, Box{{8, 8}, {9, 9}});
+  world.set(3, std::nullopt);
+  world.set(4, Box{{1, 1}, {2, 2}});
+  EXPECT_EQ(world.in({{0, 0}, {2, 2}}), (Found{4}));
+  EXPECT_EQ(world.in(everywhere), (Found{0, 4}));
+}
+
+TEST(ObjectIndex, AnObjectThatIsReplacedBeforeAnyoneAsksIsThereOnce) {
+  World world;
+  world.set(0, Box{{0, 0}, {1, 1}});
+  world.set(0, std::nullopt);
+  world.set(0, Box{{5, 5}, {6, 6}});
+  EXPECT_EQ(world.in(everywhere), (Found{0}));
+  EXPECT_EQ(world.index.over(world.slots).tree().size(), 1U);
+}
+
+TEST(ObjectIndex, WhatHasNoPointsIsNotIn) {
+  World world;
+  world.set(0, Compound<2, double>{});
+  world.set(1, HalfSpace<2, double>{{0, 1}, 0});
+  EXPECT_EQ(world.in(everywhere), (Found{1}));
+  world.set(1, Compound<2, double>{});
+  EXPECT_TRUE(world.in(everywhere).empty());
+}
+
+TEST(ObjectIndex, WhatWasSharedStaysAndACopyGoesItsOwnWay) {
+  World world;
+  world.set(0, Box{{0, 0}, {1, 1}});
+  const Index shared = world.index.share(world.slots);
+  const World copy = world;
+  world.set(0, Box{{5, 5}, {6, 6}});
+  EXPECT_EQ(world.in({{4, 4}, {9, 9}}), (Found{0}));
+  EXPECT_EQ(world.in(shared, {{0, 0}, {2, 2}}), (Found{0}));
+  EXPECT_EQ(copy.in({{0, 0}, {2, 2}}), (Found{0}));
+  World moved = std::move(world);
+  EXPECT_EQ(moved.in({{4, 4}, {9, 9}}), (Found{0}));
+}
+
+}  // namespace
+}  // namespace graze::detail

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Both ways of keeping pairs against all pairs, from update to update.
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <graze/query/bounds.hpp>
+#include <graze/scene/pair_keeper.hpp>
+#include <graze/scene/relations.hpp>
+
+#include "catalogue.hpp"
+
+namespace graze::detail {
+namespace {
+
+/// Slots with what an update needs of a scene.
+template <Dim N, class T>
+struct World {
+  SharedSlots<Object<N, T>> slots;
+  ObjectIndex<N, T> index;
+  PairKeeper<N, T> keeper;
+
+  void set(std::uint32_t slot, const std::optional<AnyShape<N, T>>& shape, const ObjectOptions& options = {}) {
+    slots.grow(slot + std::size_t{1});
+    index.reserve(slots.size());
+    keeper.reserve(slots.size());
+    auto& place = slots.change(slot);
+    place.reset();
+    Aabb<N, T> box = Aabb<N, T>::nothing();
+    if (shape) {
+      box = bounds(*shape);
+      place.emplace(Object<N, T>{*shape, box, "", options.layer, options.mask, 0, options.mobility});
+    }
+    index.note(slot);
+    keeper.note(slot, box);
+  }
+
+  std::vector<Pair> every_pair() const {
+    std::vector<Pair> pairs;
+    for (std::uint32_t a = 0; a < slots.size(); ++a) {
+      for (std::uint32_t b = a + 1; b < slots.size(); ++b) {
+        if (!slots[a] || !slots[b] || !may_touch(*slots[a], *slots[b])) continue;
+        if (relation(slots[a]->shape, slots[b]->shape) != Relation::apart) pairs.push_back({a, b});
+      }
+    }
+    return pairs;
+  }
+
+  std::vector<Pair> update(PairPlan plan) { return keeper.update(slots, index, serial_executor(), plan); }
+};
+
+using Flat = World<2, double>;
+using Ball = Sphere<2, double>;
+
+TEST(PairKeeper, KnowsNothingOfAnEmptyWorld) {
+  Flat world;
+  EXPECT_TRUE(world.update(PairPlan::automatic).empty());
+  EXPECT_TRUE(world.keeper.is_current());
+}
+
+TEST(PairKeeper, MendsWhatIsAroundAnObjectThatMovesComesOrGoes) {
+  Flat world;
+  for (std::uint32_t i = 0; i < 5; ++i) world.set(i, Ball{{2.0 * i, 0}, 1});
+  EXPECT_EQ(world.update(PairPlan::anew), (std::vector<Pair>{{0, 1}, {1, 2}, {2, 3}, {3, 4}}));
+  world.set(2, Ball{{0, 1}, 1});
+  EXPECT_FALSE(world.keeper.is_current());
+  EXPECT_EQ(world.update(PairPlan::mend), (std::vector<Pair>{{0, 1}, {0, 2}, {3, 4}}));
+  world.set(4, std::nullopt);
+  EXPECT_EQ(world.update(PairPlan::mend), (std::vector<Pair>{{0, 1}, {0, 2}}));
+  world.set(4, HalfSpace<2, double>{{0, 1}, -1});
+  EXPECT_EQ(world.update(PairPlan::mend), (std::vector<Pair>{{0, 1}, {0, 2}, {0, 4}, {1, 4}, {3, 4}}));
+}
+
+TEST(PairKeeper, ACopyGoesOnByItself) {
+  Flat world;
+  world.set(0, Ball{{0, 0}, 1});
+  world.set(1, Ball{{1, 0}, 1});
+  world.update(PairPlan::anew);
+  Flat copy = world;
+  copy.set(1, Ball{{9, 0}, 1});
+  EXPECT_TRUE(copy.update(PairPlan::automatic).empty());
+  EXPECT_EQ(world.update(PairPlan::automatic), (std::vector<Pair>{{0, 1}}));
+}
+
+template <Dim N, class T>
+void check_every_plan() {
+  World<N, T> world;
+  const std::size_t rounds = *rc::gen::inRange<std::size_t>(1, 5);
+  for (std::size_t round = 0; round < rounds; ++round) {
+    const auto shapes = *test::some<AnyShape<N, T>>(12, test::any_shape<N, T>());
+    for (const AnyShape<N, T>& shape : shapes) {
+      const auto slot = static_cast<std::uint32_t>(*rc::gen::inRange(0, 16));
+      const int kind = *rc::gen::inRange(0, 8);
+      const ObjectOptions options{.layer = static_cast<Layer>(kind % 2),
+                                  .mask = kind == 1 ? only_layer(1) : all_layers,
+                                  .mobility = kind < 4 ? Mobility::moving : Mobility::fixed};
+      world.set(slot, kind == 7 ? std::nullopt : std::optional(shape), options);
+    }
+    const std::vector<Pair> truth = world.every_pair();
+    for (const PairPlan plan : {PairPlan::automatic, PairPlan::anew}) {
+      World<N, T> copy = world;
+      RC_ASSERT(copy.update(plan) == truth);
+    }
+    RC_ASSERT(world.update(PairPlan::mend) == truth);
+  }
+}
+
+RC_GTEST_PROP(PairKeeper, AnyPlanFindsAllPairs2f, ()) { check_every_plan<2, float>(); }
+RC_GTEST_PROP(PairKeeper, AnyPlanFindsAllPairs3d, ()) { check_every_plan<3, double>(); }
+
+}  // namespace
+}  // namespace graze::detail

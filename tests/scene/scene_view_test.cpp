@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// What is asked of a scene, against asking every object.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <graze/query/closest_point.hpp>
+#include <graze/query/signed_distance.hpp>
+#include <graze/scene/scene.hpp>
+#include <graze/scene/scene_view.hpp>
+
+#include "catalogue.hpp"
+
+namespace graze {
+namespace {
+
+using World = Scene<2, double>;
+using Ball = Sphere<2, double>;
+using V2 = Vec<2, double>;
+using Ids = std::vector<ObjectId>;
+
+TEST(SceneView, OfAnEmptySceneFindsNothing) {
+  const World scene;
+  EXPECT_TRUE(scene.ids().empty());
+  EXPECT_TRUE(scene.pairs().empty());
+  EXPECT_TRUE(scene.overlapping(Ball{{0, 0}, 9}).empty());
+  EXPECT_TRUE(scene.cull(Ball{{0, 0}, 9}).empty());
+  EXPECT_TRUE(scene.nearest({0, 0}, 3).empty());
+}
+
+TEST(SceneView, OverlappingIsExactAndCullAsksBoxes) {
+  World scene;
+  const ObjectId touching = scene.add(Ball{{2, 0}, 1});
+  const ObjectId at_its_corner = scene.add(Ball{{1.9, 1.9}, 1});
+  const ObjectId away = scene.add(Ball{{9, 0}, 1});
+  const ObjectId floor = scene.add(HalfSpace<2, double>{{0, 1}, -0.5});
+  const Ball region{{0, 0}, 1};
+  EXPECT_EQ(scene.overlapping(region), (Ids{touching, floor}));
+  EXPECT_EQ(scene.cull(Aabb<2, double>{{-1, -1}, {1, 1}}), (Ids{touching, at_its_corner, floor}));
+  EXPECT_EQ(scene.overlapping(Segment<2, double>{{-9, 0}, {9, 0}}), (Ids{touching, away}));
+}
+
+TEST(SceneView, OnlyTheLayersAskedForAreFound) {
+  World scene;
+  const ObjectId low = scene.add(Ball{{0, 0}, 1}, {.layer = 2});
+  const ObjectId high = scene.add(Ball{{0, 0}, 2}, {.layer = 5});
+  EXPECT_EQ(scene.overlapping(V2(0, 0), only_layer(2)), (Ids{low}));
+  EXPECT_EQ(scene.cull(V2(0, 0), only_layer(5)), (Ids{high}));
+  EXPECT_EQ(scene.nearest({0, 0}, 9, only_layer(5)), (std::vector<NearObject<double>>{{high, 0}}));
+  EXPECT_TRUE(scene.overlapping(V2(0, 0), only_layer(3)).empty());
+}
+
+TEST(SceneView, TheNearestComeByTheirShapesAndEqualOnesById) {
+  World scene;
+  const ObjectId corner = scene.add(Triangle<2, double>{{4, 4}, {9, 4}, {4, 9}});
+  const ObjectId left = scene.add(Ball{{-3, 0}, 1});
+  const ObjectId right = scene.add(Ball{{3, 0}, 1});
+  const ObjectId plane = scene.add(Plane<2, double>{{0, 1}, -1});
+  const ObjectId nothing = scene.add(Compound<2, double>{});
+  EXPECT_EQ(scene.nearest({0, 0}, 3), (std::vector<NearObject<double>>{{plane, 1}, {left, 2}, {right, 2}}));
+  EXPECT_EQ(scene.nearest({0, 0}, 9).size(), 4U);
+  EXPECT_EQ(scene.nearest({0, -3}, 1), (std::vector<NearObject<double>>{{plane, 2}}));  // from below, too
+  EXPECT_EQ(scene.nearest({5, 5}, 1), (std::vector<NearObject<double>>{{corner, 0}}));
+  EXPECT_TRUE(scene.nearest({0, 0}, 0).empty());
+  EXPECT_TRUE(scene.contains(nothing));
+}
+
+TEST(SceneView, NonsenseIsRefused) {
+  World scene;
+  scene.add(Ball{});
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(scene.overlapping(Ball{{0, 0}, -1}), std::invalid_argument);
+  EXPECT_THROW(scene.cull(Ball{{nan, 0}, 1}), std::invalid_argument);
+  EXPECT_THROW(scene.nearest({nan, 0}, 1), std::invalid_argument);
+  EXPECT_THROW(scene.nearest({nan, 0}, 0), std::invalid_argument);
+}
+
+// Each thread may be the first that asks after a change: the index catches up once.
+TEST(SceneView, ManyThreadsMayAskAtOnce) {
+  World scene;
+  std::vector<ObjectId> ids;
+  for (int i = 0; i < 200; ++i) ids.push_back(scene.add(Ball{{i, 0}, 0.75}));
+  for (int round = 0; round < 20; ++round) {
+    for (int i = round; i < 200; i += 7) scene.move(ids[static_cast<std::size_t>(i)], Ball{{i, round % 2}, 0.75});
+    const World& reading = scene;
+    const Ids expected = World(scene).overlapping(Ball{{50, 0.5}, 20});
+    std::vector<Ids> found(4);
+    std::vector<std::thread> threads;
+    for (Ids& mine : found) threads.emplace_back([&] { mine = reading.overlapping(Ball{{50, 0.5}, 20}); });
+    for (std::thread& thread : threads) thread.join();
+    for (const Ids& mine : found) EXPECT_EQ(mine, expected);
+  }
+}
+
+template <Dim N, class T>
+void check_against_every_object() {
+  Scene<N, T> scene;
+  for (int round = 0; round < 3; ++round) {
+    for (const AnyShape<N, T>& shape : *test::some<AnyShape<N, T>>(10, test::any_shape<N, T>())) {
+      const Ids ids = scene.ids();
+      if (ids.empty() || *rc::gen::inRange(0, 3) > 0) {
+        scene.add(shape);
+      } else if (const ObjectId id = ids[*rc::gen::inRange<std::size_t>(0, 1000) % ids.size()];
+                 *rc::gen::inRange(0, 2) > 0) {
+        scene.move(id, shape);
+      } else {
+        scene.remove(id);
+      }
+    }
+    const AnyShape<N, T> region = *test::any_shape<N, T>();
+    const Vec<N, T> point = *test::any<Vec<N, T>>();
+    Ids overlapping;
+    std::vector<NearObject<T>> nearest;
+    for (const ObjectId id : scene.ids()) {
+      const AnyShape<N, T>& shape = scene.object(id).shape;
+      if (relation(region, shape) != Relation::apart) overlapping.push_back(id);
+      const T distance = signed_distance(shape, point);
+      const T off = std::holds_alternative<Plane<N, T>>(shape) ? std::fabs(distance) : std::max(distance, T(0));
+      if (off < std::numeric_limits<T>::infinity()) nearest.push_back({id, off});
+    }
+    for (const ObjectId id : scene.ids()) RC_LOG() << test::to_source<N, T>(scene.object(id).shape) << "\n";
+    RC_LOG() << "region " << test::to_source<N, T>(region) << "\n";
+    RC_ASSERT(scene.overlapping(region) == overlapping);
+    const Ids seen = scene.cull(region);
+    RC_ASSERT(std::includes(seen.begin(), seen.end(), overlapping.begin(), overlapping.end()));
+    std::stable_sort(nearest.begin(), nearest.end(),
+                     [](const auto& a, const auto& b) { return a.distance < b.distance; });
+    const std::size_t count = *rc::gen::inRange<std::size_t>(0, 8);
+    nearest.resize(std::min(nearest.size(), count));
+    RC_ASSERT(scene.nearest(point, count) == nearest);
+    RC_ASSERT(scene.snapshot()->overlapping(region) == overlapping);
+  }
+}
+
+RC_GTEST_PROP(SceneView, AnswersAsEveryObjectDoes2f, ()) { check_against_every_object<2, float>(); }
+RC_GTEST_PROP(SceneView, AnswersAsEveryObjectDoes3f, ()) { check_against_every_object<3, float>(); }
+RC_GTEST_PROP(SceneView, AnswersAsEveryObjectDoes2d, ()) { check_against_every_object<2, double>(); }
+RC_GTEST_PROP(SceneView, AnswersAsEveryObjectDoes3d, ()) { check_against_every_object<3, double>(); }
+
+}  // namespace
+}  // namespace graze
