@@ -76,6 +76,7 @@ class Graze {
     keys_.reserve(boxes.size());
     for (const Box& box : boxes) keys_.push_back(index_.insert(box));
   }
+  void build_at_once(const std::vector<Box>& boxes) { keys_ = index_.assign(boxes, graze::serial_executor()); }
   void move(std::size_t k, const Box& box) { index_.update(keys_[k], box); }
   template <class Visit>
   void query(const Box& region, const Visit& visit) const {
@@ -91,7 +92,7 @@ class Graze {
   }
   double nearest(const Point& point, std::size_t k) const { return index_.nearest(point, k).back().distance_squared; }
 
- protected:
+ private:
   Index empty_;
   Index index_;
   std::vector<graze::Key> keys_;
@@ -108,7 +109,7 @@ struct BvhWithMargin : Graze<graze::Bvh<3>> {
 
 struct BvhAtOnce : Graze<graze::Bvh<3>> {
   static constexpr const char* name = "graze Bvh, built at once";
-  void build(const std::vector<Box>& boxes) { keys_ = index_.assign(boxes, graze::serial_executor()); }
+  void build(const std::vector<Box>& boxes) { build_at_once(boxes); }
 };
 
 struct Octree : Graze<graze::Octree<>> {

@@ -35,10 +35,10 @@ class BvhChild {
   std::uint32_t code_ = none;
 };
 
-/// Places 2 k and 2 k + 1 are those of node k. In 3D with floats a node is as large as a cache line, and holds all that
-/// a query asks before it goes on below.
+/// Places 2 k and 2 k + 1 are those of node k. In 3D with floats a node is a cache line, and holds all that a query
+/// asks before it goes on below.
 template <Dim N, class T>
-struct BvhNode {
+struct alignas(N == 3 && sizeof(T) == 4 ? 64 : alignof(T)) BvhNode {
   std::array<Aabb<N, T>, 2> boxes;  ///< Each contains all that hangs in the place.
   std::array<BvhChild, 2> children;
   std::uint32_t place = 0;  ///< Where the node hangs itself.
@@ -59,6 +59,9 @@ inline constexpr bool is_out_of_balance(std::uint64_t part, std::uint64_t whole)
 
 /// The height of the tallest Bvh: floor(31 log(2) / log(5/4)).
 inline constexpr std::size_t bvh_height_limit = 96;
+
+/// The second children of a path down, and the one that comes next: what a walk that goes down first keeps in mind.
+inline constexpr std::size_t bvh_path = bvh_height_limit + 1;
 
 /// A leaf before it has its place.
 template <Dim N, class T>

@@ -22,9 +22,6 @@
 
 namespace graze::detail {
 
-/// The second children of a path down, and the one that comes next: a walk that goes down first never allocates.
-inline constexpr std::size_t bvh_path = bvh_height_limit + 1;
-
 /// Calls visit(slot) for every box in the tree that `probe` (a RegionProbe, or what counts as one) says is met, until
 /// it returns false. Returns whether it never did.
 template <Dim N, class T, class Probe, class Visit>
@@ -55,16 +52,17 @@ bool visit_met(const BvhTree<N, T>& tree, const Probe& probe, const Visit& visit
 }
 
 /// What a walk in order of rank still has to look at: a node, or a box by its slot. A rank is the t at which a ray
-/// enters, or a distance.
+/// enters, or a distance. Without initial values, so that room for many costs nothing.
 struct BvhRanked {
-  double rank = std::numeric_limits<double>::infinity();
-  BvhChild child;
+  double rank;
+  std::uint32_t index;
+  bool is_box;
 
   /// A node before boxes of the same rank: it may hold one that comes before them.
   struct Before {
     bool operator()(const BvhRanked& a, const BvhRanked& b) const {
       if (a.rank != b.rank) return a.rank < b.rank;
-      return a.child.is_leaf() != b.child.is_leaf() ? b.child.is_leaf() : a.child.index() < b.child.index();
+      return a.is_box != b.is_box ? b.is_box : a.index < b.index;
     }
   };
 };
@@ -72,22 +70,24 @@ struct BvhRanked {
 /// All that a walk still has to look at. The one that came last is apart from the heap: mostly it comes next.
 class BvhFront {
  public:
-  bool empty() const { return last_.child.is_none() && others_.empty(); }
+  bool empty() const { return !has_last_ && others_.empty(); }
 
   void push(const BvhRanked& one) {
-    if (!last_.child.is_none()) others_.push(last_);
+    if (has_last_) others_.push(last_);
     last_ = one;
+    has_last_ = true;
   }
 
   BvhRanked pop() {
-    const bool last_is_next = others_.empty() || !(last_.child.is_none() || BvhRanked::Before{}(others_.top(), last_));
-    const BvhRanked next = last_is_next ? last_ : others_.pop();
-    if (last_is_next) last_ = {};
-    return next;
+    const bool last_is_next = has_last_ && (others_.empty() || BvhRanked::Before{}(last_, others_.top()));
+    if (!last_is_next) return others_.pop();
+    has_last_ = false;
+    return last_;
   }
 
  private:
-  BvhRanked last_;
+  BvhRanked last_{};
+  bool has_last_ = false;
   ShortHeap<BvhRanked, 2 * bvh_path, BvhRanked::Before> others_;
 };
 
@@ -97,22 +97,23 @@ template <Dim N, class T, class Probe, class Visit>
 void visit_along(const BvhTree<N, T>& tree, const Probe& ray, const Visit& visit) {
   BvhFront open;
   const auto look_at_leaf = [&](std::uint32_t slot) {
-    if (const auto t = ray.entry(tree.box(slot))) open.push({*t, BvhChild::leaf(slot)});
+    if (const auto t = ray.entry(tree.box(slot))) open.push({*t, slot, true});
   };
   for (const std::uint32_t slot : tree.infinite()) look_at_leaf(slot);
   const auto look = [&](std::optional<double> soonest, BvhChild child) {
     if (!soonest) return;
     if (child.is_leaf()) return look_at_leaf(child.index());
-    open.push({*soonest, child});
+    tree.prefetch(child.index());
+    open.push({*soonest, child.index(), false});
   };
   if (!tree.child(0).is_none()) look(0.0, tree.child(0));
   while (!open.empty()) {
     const BvhRanked next = open.pop();
-    if (next.child.is_leaf()) {
-      if (!visit(next.child.index(), next.rank)) return;
+    if (next.is_box) {
+      if (!visit(next.index, next.rank)) return;
       continue;
     }
-    const BvhNode<N, T>& node = tree.node(next.child.index());
+    const BvhNode<N, T>& node = tree.node(next.index);
     const std::array soonest = {ray.soonest(node.boxes[0]), ray.soonest(node.boxes[1])};
     const std::size_t far = soonest[0] < soonest[1] ? 1 : 0;
     look(soonest[far], node.children[far]);
@@ -128,14 +129,17 @@ void visit_near(const BvhTree<N, T>& tree, const Vec<N, T>& point, const Offer& 
   const bool leaves_are_exact = tree.margin() == 0;
   const auto look = [&](double distance, BvhChild child) {
     if (distance > reach()) return;
-    if (!child.is_leaf()) return open.push({distance, child});
+    if (!child.is_leaf()) {
+      tree.prefetch(child.index());
+      return open.push({distance, child.index(), false});
+    }
     offer(child.index(), leaves_are_exact ? distance : distance_squared(point, tree.box(child.index())));
   };
   if (!tree.child(0).is_none()) look(distance_squared(point, tree.bounds(0)), tree.child(0));
   while (!open.empty()) {
     const BvhRanked next = open.pop();
     if (next.rank > reach()) return;
-    const BvhNode<N, T>& node = tree.node(next.child.index());
+    const BvhNode<N, T>& node = tree.node(next.index);
     const std::array distances = {distance_squared(point, node.boxes[0]), distance_squared(point, node.boxes[1])};
     const std::size_t near = distances[1] < distances[0] ? 1 : 0;
     look(distances[near], node.children[near]);
@@ -166,10 +170,10 @@ class RayProbe {
     double enter = 0;
     double leave = std::numeric_limits<double>::infinity();
     for (Dim i = 0; i < N; ++i) {
-      const double at_min = (static_cast<double>(bounds.min[i]) - origin_[i]) * inverse_[i];
-      const double at_max = (static_cast<double>(bounds.max[i]) - origin_[i]) * inverse_[i];
-      enter = std::max(enter, std::min(at_min, at_max));
-      leave = std::min(leave, std::max(at_min, at_max));
+      const T near = inverse_[i] < 0 ? bounds.max[i] : bounds.min[i];
+      const T far = inverse_[i] < 0 ? bounds.min[i] : bounds.max[i];
+      enter = std::max(enter, (static_cast<double>(near) - origin_[i]) * inverse_[i]);
+      leave = std::min(leave, (static_cast<double>(far) - origin_[i]) * inverse_[i]);
     }
     if (!(enter <= leave * (1 + tolerance::ray_bounds) + smallest)) return std::nullopt;
     return std::min(enter, std::numeric_limits<double>::max()) * (1 - tolerance::ray_bounds) - smallest;

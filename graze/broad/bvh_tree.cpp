@@ -9,6 +9,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <graze/broad/box_cover.hpp>
@@ -67,6 +68,7 @@ void BvhTree<N, T>::insert(std::uint32_t slot, const Box& box) {
     prepare_node();
     boxes_[slot] = box;
     attach(slot, grown(box), root_place);
+    count_change();
   } else {
     infinite_.push_back(slot);
     boxes_[slot] = box;
@@ -92,6 +94,7 @@ void BvhTree<N, T>::update(std::uint32_t slot, const Box& box) {
   const std::uint32_t top = detach(slot, &fat);
   attach(slot, fat, top);
   tighten_above(top);
+  count_change();
 }
 
 template <Dim N, class T>
@@ -300,6 +303,48 @@ void BvhTree<N, T>::remove_from_list(std::uint32_t slot) noexcept {
 }
 
 // ---- Building anew
+
+/// Neighbours drift apart in memory, up to twice as long a query (bench/bvh.cpp): now and then they are brought
+/// together again. A change pays for one node.
+template <Dim N, class T>
+void BvhTree<N, T>::count_change() noexcept {
+  if (++changes_ <= nodes_.size()) return;
+  changes_ = 0;
+  renumber();
+}
+
+/// Gives nodes their numbers in the order in which a walk meets them that goes down first. Not where memory is lacking.
+template <Dim N, class T>
+void BvhTree<N, T>::renumber() noexcept {
+  if (child(root_place).is_none() || child(root_place).is_leaf()) return;
+  std::vector<Node> fresh;
+  try {
+    fresh.reserve(count(child(root_place)));
+    indices_.reserve(bvh_path);
+  } catch (const std::bad_alloc&) {
+    return;
+  }
+  fresh.push_back(nodes_[0]);
+  indices_.push_back(root_place);
+  while (!indices_.empty()) {
+    const std::uint32_t place = indices_.back();
+    indices_.pop_back();
+    BvhChild& child = fresh[place / 2].children[place % 2];
+    Node& node = fresh.emplace_back(nodes_[child.index()]);
+    node.place = place;
+    const auto index = static_cast<std::uint32_t>(fresh.size() - 1);
+    child = BvhChild::node(index);
+    for (const std::uint32_t side : {1U, 0U}) {
+      if (node.children[side].is_leaf()) {
+        places_[node.children[side].index()] = 2 * index + side;
+      } else {
+        indices_.push_back(2 * index + side);
+      }
+    }
+  }
+  nodes_ = std::move(fresh);
+  spare_.clear();
+}
 
 /// Where memory is lacking the tree below the place stays as it is until the next change.
 template <Dim N, class T>

@@ -9,6 +9,7 @@
 
 #include <graze/broad/bvh_build.hpp>
 #include <graze/broad/executor.hpp>
+#include <graze/broad/prefetch.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 
@@ -17,8 +18,8 @@ namespace graze::detail {
 /// The boxes of a Bvh by slot, and the binary tree over them. A leaf is one box, grown by the margin. A new leaf goes
 /// down to where it adds the least surface (Catto 2019, "Dynamic bounding volume hierarchies"), one that moves goes up
 /// as far as it must and down from there. What breaks the rule of balance (is_out_of_balance) is built anew, by which
-/// the height is bounded and the tree stays nearly as good as one built at once (measured: a query looks at 1.0 to 1.4
-/// times as many boxes after any number of changes).
+/// the height is bounded and the tree stays nearly as good as one built at once: measured on 100,000 boxes that were
+/// inserted, moved and inserted again, a query looks at 1.0 to 1.4 times as many.
 ///
 /// Boxes with infinite sides are in a list beside the tree, whose boxes are all finite.
 template <Dim N, class T>
@@ -46,6 +47,8 @@ class BvhTree {
   /// The first place of node 0, the crown, holds the tree; its second is empty for ever.
   const Node& crown() const { return nodes_[0]; }
   const Node& node(std::uint32_t index) const { return nodes_[index]; }
+  /// Asks for a node that will be looked at soon.
+  void prefetch(std::uint32_t index) const { detail::prefetch(&nodes_[index].boxes[0]); }
   BvhChild child(std::uint32_t place) const { return nodes_[place / 2].children[place % 2]; }
   const Box& bounds(std::uint32_t place) const { return nodes_[place / 2].boxes[place % 2]; }
 
@@ -70,6 +73,8 @@ class BvhTree {
   std::uint32_t detach(std::uint32_t slot, const Box* target) noexcept;
   void tighten_above(std::uint32_t place);
   void remove_from_list(std::uint32_t slot) noexcept;
+  void count_change() noexcept;
+  void renumber() noexcept;
   void rebuild(std::uint32_t place) noexcept;
   void gather(std::uint32_t place);
 
@@ -79,6 +84,7 @@ class BvhTree {
   std::vector<Box> boxes_;             // by slot, as they are
   std::vector<std::uint32_t> places_;  // by slot: in the tree, or in the list
   std::vector<std::uint32_t> infinite_;
+  std::size_t changes_ = 0;             // since the nodes were numbered
   std::vector<BvhLeaf<N, T>> leaves_;   // for one rebuild
   std::vector<std::uint32_t> indices_;  // for one rebuild
 };

@@ -59,6 +59,21 @@ TEST(BvhQuery, EndsWhenTheVisitorDoes) {
   EXPECT_TRUE(visit_met(tree, everything, [](std::uint32_t) { return true; }));
 }
 
+TEST(BvhQuery, AFrontGivesTheLowestRankAndNodesBeforeBoxes) {
+  BvhFront front;
+  for (const double rank : {3.0, 1.0, 2.0, 2.0, 5.0}) front.push({rank, 7, true});
+  front.push({2, 9, false});
+  front.push({2, 4, true});
+  std::vector<std::pair<double, std::uint32_t>> popped;
+  while (!front.empty()) {
+    const BvhRanked next = front.pop();
+    popped.emplace_back(next.rank, next.index);
+    if (popped.size() == 2) front.push({0.5, 1, true});
+  }
+  EXPECT_EQ(popped, (std::vector<std::pair<double, std::uint32_t>>{
+                        {1, 7}, {2, 9}, {0.5, 1}, {2, 4}, {2, 7}, {2, 7}, {3, 7}, {5, 7}}));
+}
+
 /// A ray that counts the bounds it is shown.
 struct CountingRay {
   RayProbe<3, double> probe;
