@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <utility>
@@ -168,6 +169,10 @@ std::size_t split_many(std::span<BvhLeaf<N, T>> leaves, const Spread<T>& spread)
 
 template <Dim N, class T>
 std::size_t split(std::span<BvhLeaf<N, T>> leaves) {
+  if (leaves.size() == 2) {
+    if (leaves[1].slot < leaves[0].slot) std::swap(leaves[0], leaves[1]);
+    return 1;
+  }
   const Spread<T> spread = spread_of<N, T>(leaves);
   return leaves.size() <= few ? split_few(leaves, spread.axis) : split_many(leaves, spread);
 }
@@ -199,7 +204,7 @@ void BvhBuilder<N, T>::build_from(  // NOLINT(misc-no-recursion)
     }
   };
   if (leaves.size() > worth_a_task) {
-    executor_.parallel_for(2, build_side);
+    executor_.parallel_for(2, std::ref(build_side));  // by reference, which allocates nothing
   } else {
     build_side(0);
     build_side(1);

@@ -119,22 +119,22 @@ void BvhTree<N, T>::fill(std::span<const Box> boxes, std::span<const std::uint32
   const std::size_t slot_count = slots.empty() ? 0 : *std::max_element(slots.begin(), slots.end()) + std::size_t{1};
   boxes_.resize(slot_count);
   places_.resize(slot_count);
+  std::vector<BvhLeaf<N, T>> leaves;
+  leaves.reserve(boxes.size());
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     boxes_[slots[k]] = boxes[k];
     if (is_valid(boxes[k])) {
-      leaves_.push_back({grown(boxes[k]), slots[k]});
+      leaves.push_back({grown(boxes[k]), slots[k]});
     } else {
       places_[slots[k]] = static_cast<std::uint32_t>(infinite_.size());
       infinite_.push_back(slots[k]);
     }
   }
-  if (leaves_.empty()) return;
-  nodes_.resize(leaves_.size());
-  indices_.resize(leaves_.size() - 1);
-  std::iota(indices_.begin(), indices_.end(), std::uint32_t{1});
-  BvhBuilder<N, T>(nodes_.data(), indices_, places_.data(), executor).build(leaves_, root_place);
-  leaves_.clear();
-  indices_.clear();
+  if (leaves.empty()) return;
+  nodes_.resize(leaves.size());
+  std::vector<std::uint32_t> indices(leaves.size() - 1);
+  std::iota(indices.begin(), indices.end(), std::uint32_t{1});
+  BvhBuilder<N, T>(nodes_.data(), indices, places_.data(), executor).build(leaves, root_place);
 }
 
 template <Dim N, class T>
@@ -367,6 +367,10 @@ void BvhTree<N, T>::rebuild(std::uint32_t place) noexcept {
   BvhBuilder<N, T>(nodes_.data(), indices_, places_.data(), serial_executor()).build(leaves_, place);
   leaves_.clear();
   indices_.clear();
+  if (place == root_place) {  // comes seldom, and would hold room for all for ever
+    leaves_.shrink_to_fit();
+    indices_.shrink_to_fit();
+  }
 }
 
 /// The leaves and the nodes below a place.
