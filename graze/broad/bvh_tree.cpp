@@ -91,6 +91,10 @@ void BvhTree<N, T>::update(std::uint32_t slot, const Box& box) {
   boxes_[slot] = box;
   if (stays(slot, box)) return;
   const Box fat = grown(box);
+  if (settles(places_[slot], fat)) {
+    nodes_[places_[slot] / 2].boxes[places_[slot] % 2] = fat;
+    return tighten_above(places_[slot]);
+  }
   const std::uint32_t top = detach(slot, &fat);
   attach(slot, fat, top);
   tighten_above(top);
@@ -169,6 +173,18 @@ bool BvhTree<N, T>::stays(std::uint32_t slot, const Box& box) const {
     if (static_cast<double>(leaf.max[i]) - static_cast<double>(box.max[i]) > room) return false;
   }
   return true;
+}
+
+/// Whether a leaf may keep its place with this box, because a small group around it contains the box: what is lost so
+/// costs a query no more than a look at each of the group.
+template <Dim N, class T>
+bool BvhTree<N, T>::settles(std::uint32_t place, const Box& box) const {
+  constexpr std::uint32_t small_group = 16;
+  while (place != root_place && nodes_[place / 2].count <= small_group) {
+    place = nodes_[place / 2].place;
+    if (covers(bounds(place), box)) return true;
+  }
+  return false;
 }
 
 /// A node that is not in the tree, in front of the others; sees to it that all may be there.
