@@ -154,7 +154,10 @@ TEST(BvhTree, StaysLowInAnyOrderOfInsertion) {
 
 TEST(BvhTree, StaysLowWhenAllMoveToOneSide) {
   Held held;
-  for (std::uint32_t k = 0; k < many; ++k) held.set(k, unit_square(2 * (k % 64), 2 * (k / 64)));
+  for (std::uint32_t k = 0; k < many; ++k) {
+    const std::uint32_t row = k / 64;
+    held.set(k, unit_square(2 * (k % 64), 2 * row));
+  }
   for (std::uint32_t k = 0; k < many; ++k) held.set(k, unit_square(1e5 + 2.0 * k, 0));
   expect_low(held, "all moved away in a row");
   for (std::uint32_t k = 0; k < many; ++k) held.set(k, unit_square(-7, -7));
@@ -208,6 +211,17 @@ TEST(BvhTree, StaysAsGoodAsNewWhileEverythingDrifts) {
       expect_as_good_as_new(held);
     }
   }
+}
+
+TEST(BvhTree, StaysAsGoodAsNewWhileEverythingJumpsAbout) {
+  constexpr std::uint32_t count = 400;
+  Held held;
+  test::Numbers numbers(17);
+  for (std::uint32_t call = 0; call < 10 * count; ++call) {
+    held.set(call % count, unit_square(numbers.between(0, 80), numbers.between(0, 80)));
+  }
+  EXPECT_EQ(held.inspect().fault(), "");
+  expect_as_good_as_new(held);
 }
 
 /// Nothing is lost, and nothing grows.
