@@ -320,11 +320,11 @@ void BvhTree<N, T>::remove_from_list(std::uint32_t slot) noexcept {
 
 // ---- Building anew
 
-/// Neighbours drift apart in memory, up to twice as long a query (bench/bvh.cpp): now and then they are brought
-/// together again. A change pays for one node.
+/// Neighbours drift apart in memory, which can make a query half as slow again: now and then they are brought together.
+/// A change pays for four nodes.
 template <Dim N, class T>
 void BvhTree<N, T>::count_change() noexcept {
-  if (++changes_ <= nodes_.size()) return;
+  if (++changes_ <= nodes_.size() / 4) return;
   changes_ = 0;
   renumber();
 }
