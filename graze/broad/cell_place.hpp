@@ -50,15 +50,6 @@ bool fits(const CellPlace<N>& place, const Aabb<N, T>& box) {
   return sticks_out == 0;
 }
 
-/// Aabb::grow without branches, for boxes without NaN.
-template <Dim N, class T>
-void grow_at_once(Aabb<N, T>& bounds, const Aabb<N, T>& box) {
-  for (Dim i = 0; i < N; ++i) {
-    bounds.min[i] = box.min[i] < bounds.min[i] ? box.min[i] : bounds.min[i];
-    bounds.max[i] = box.max[i] > bounds.max[i] ? box.max[i] : bounds.max[i];
-  }
-}
-
 template <Dim N>
 bool contains_center(const CellPlace<N>& place, const Vec<N, double>& center) {
   for (Dim i = 0; i < N; ++i) {
@@ -96,14 +87,6 @@ CellPlace<N> doubled_place(const CellPlace<N>& place, const Vec<N, double>& targ
   CellPlace<N> result{place.center, place.half * 2, place.level - 1, no_index};
   for (Dim i = 0; i < N; ++i) result.center[i] += target[i] >= place.center[i] ? place.half : -place.half;
   return result;
-}
-
-template <Dim N, class T>
-bool covers(const Aabb<N, T>& bounds, const Aabb<N, T>& box) {
-  for (Dim i = 0; i < N; ++i) {
-    if (box.min[i] < bounds.min[i] || box.max[i] > bounds.max[i]) return false;
-  }
-  return true;
 }
 
 /// Whether a root contains another and is not much larger.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <graze/broad/box_cover.hpp>
 #include <graze/broad/cell_place.hpp>
 #include <graze/broad/cell_tree.hpp>
 #include <graze/shape/shape.hpp>

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <graze/broad/cell_tree.hpp>
+#include <graze/broad/index_pairs.hpp>
 #include <graze/broad/key_table.hpp>
-#include <graze/broad/pairs.hpp>
 #include <graze/broad/region.hpp>
 #include <graze/broad/short_list.hpp>
 #include <graze/broad/spatial_index.hpp>
@@ -153,19 +153,8 @@ class Orthtree {
   /// By the batch method, which is quicker than any walk through a tree; holds all pairs while it visits them.
   template <VisitorOf<Key, Key> Visit>
   void pairs(Visit&& visit) const {
-    std::vector<Box> boxes;
-    std::vector<Key> keys;
-    boxes.reserve(size());
-    keys.reserve(size());
-    for (std::uint32_t slot = 0; slot < keys_.slots(); ++slot) {
-      if (!keys_.is_taken(slot)) continue;
-      boxes.push_back(tree_.box(slot));
-      keys.push_back(keys_.key_of(slot));
-    }
-    detail::GuardedVisit guarded(visit, keys_);
-    for (const Pair& pair : overlapping_pairs(boxes)) {
-      if (!guarded(keys[pair.a], keys[pair.b])) return;
-    }
+    detail::visit_index_pairs(
+        keys_, [this](std::uint32_t slot) { return tree_.box(slot); }, visit);
   }
 
   /// visit(OrthtreeCell) for every cell, parents before their children.

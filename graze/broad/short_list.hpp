@@ -64,6 +64,9 @@ class ShortHeap {
  public:
   bool empty() const { return elements_.empty(); }
 
+  /// What `pop` would give.
+  const Element& top() { return *elements_.begin(); }
+
   void push(const Element& element) {
     elements_.push(element);
     std::push_heap(elements_.begin(), elements_.end(), after_);

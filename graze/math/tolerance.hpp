@@ -76,6 +76,10 @@ inline constexpr double box_slack = 256 * epsilon;
 /// difference and a quotient, so two of them are wrong by under 2 epsilon together; doubled.
 inline constexpr double ray_slabs = 4 * epsilon;
 
+/// Bounds of many boxes are entered by a ray up to this, relatively, if one of the boxes is: their t are products with
+/// an inverse, wrong by under 2 epsilon, those of the boxes by 1 epsilon and held to `ray_slabs`.
+inline constexpr double ray_bounds = 8 * epsilon;
+
 /// Support functions of a user's shape may calculate in T: the band for their answers.
 template <Scalar T>
 inline constexpr double convex_in = 32.0 * static_cast<double>(std::numeric_limits<T>::epsilon());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every index answers as BruteForce does, whatever came before, and refuses what it must. A new index adds one line to
-// Indexes. Instantiated for the plane in spatial_index_laws_2d_test.cpp, for space in spatial_index_laws_3d_test.cpp.
+// Indexes. Instantiated in four files, spatial_index_laws_*_test.cpp, which compile at the same time.
 #pragma once
 
 #include <array>
@@ -14,6 +14,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <graze/broad/brute_force.hpp>
+#include <graze/broad/bvh.hpp>
 #include <graze/broad/orthtree.hpp>
 #include <graze/broad/spatial_index.hpp>
 
@@ -21,16 +22,20 @@
 
 namespace graze::test {
 
-template <Dim N>
-using Indexes = testing::Types<                   //
-    BruteForce<N, float>, BruteForce<N, double>,  //
-    Orthtree<N, float>, Orthtree<N, double>>;
+template <Dim N, class T>
+using Indexes = testing::Types<  //
+    BruteForce<N, T>,            //
+    Orthtree<N, T>,              //
+    Bvh<N, T>>;
 
-/// An index of that type, with the smallest settings that it has for odd numbers: a few boxes, then, make a tall tree.
+/// An index of that type; the number picks its settings. Small capacities make tall trees of a few boxes.
 template <class I>
 I index_number(int number) {
   if constexpr (requires { I(OrthtreeOptions{}); }) {
     constexpr std::array<OrthtreeOptions, 4> options = {{{8, 16}, {1, 6}, {2, 3}, {3, 0}}};
+    return I(options[static_cast<std::size_t>(number) % options.size()]);
+  } else if constexpr (requires { I(BvhOptions{}); }) {
+    constexpr std::array<BvhOptions, 4> options = {{{0}, {0.5}, {3}, {1e6}}};
     return I(options[static_cast<std::size_t>(number) % options.size()]);
   } else {
     return I();

@@ -6,7 +6,8 @@
 namespace graze::test {
 namespace {
 
-INSTANTIATE_TYPED_TEST_SUITE_P(InPlane, SpatialIndexLaws, Indexes<2>);
+using Tested = Indexes<2, double>;
+INSTANTIATE_TYPED_TEST_SUITE_P(InPlaneInDouble, SpatialIndexLaws, Tested);
 
 }  // namespace
 }  // namespace graze::test

@@ -6,7 +6,8 @@
 namespace graze::test {
 namespace {
 
-INSTANTIATE_TYPED_TEST_SUITE_P(InSpace, SpatialIndexLaws, Indexes<3>);
+using Tested = Indexes<3, float>;
+INSTANTIATE_TYPED_TEST_SUITE_P(InSpaceInFloat, SpatialIndexLaws, Tested);
 
 }  // namespace
 }  // namespace graze::test

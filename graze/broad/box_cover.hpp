@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <graze/math/vec.hpp>
+#include <graze/shape/aabb.hpp>
+
+namespace graze::detail {
+
+template <Dim N, class T>
+bool covers(const Aabb<N, T>& bounds, const Aabb<N, T>& box) {
+  for (Dim i = 0; i < N; ++i) {
+    if (box.min[i] < bounds.min[i] || box.max[i] > bounds.max[i]) return false;
+  }
+  return true;
+}
+
+/// Aabb::grow without branches, for boxes without NaN.
+template <Dim N, class T>
+void grow_at_once(Aabb<N, T>& bounds, const Aabb<N, T>& box) {
+  for (Dim i = 0; i < N; ++i) {
+    bounds.min[i] = box.min[i] < bounds.min[i] ? box.min[i] : bounds.min[i];
+    bounds.max[i] = box.max[i] > bounds.max[i] ? box.max[i] : bounds.max[i];
+  }
+}
+
+template <Dim N, class T>
+Aabb<N, T> box_around(Aabb<N, T> a, const Aabb<N, T>& b) {
+  grow_at_once(a, b);
+  return a;
+}
+
+/// What a query pays for a box, up to a factor: the chance that a random line meets it, which is as its surface, in 2D
+/// its circumference (Goldsmith and Salmon 1987, "Automatic creation of object hierarchies for ray tracing"). Infinite
+/// or NaN where the sides are so long that the product has no number.
+template <Dim N, class T>
+double surface_of(const Aabb<N, T>& box) {
+  Vec<N, double> side;
+  for (Dim i = 0; i < N; ++i) side[i] = static_cast<double>(box.max[i]) - static_cast<double>(box.min[i]);
+  if constexpr (N == 2) return side[0] + side[1];
+  if constexpr (N == 3) return side[0] * side[1] + side[1] * side[2] + side[2] * side[0];
+}
+
+}  // namespace graze::detail

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// What a Bvh has beyond other indexes. Its answers are held to BruteForce's in spatial_index_laws.hpp.
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <graze/broad/brute_force.hpp>
+#include <graze/broad/bvh.hpp>
+#include <graze/shape/sphere.hpp>
+
+#include "box_worlds.hpp"
+#include "thread_executor.hpp"
+
+namespace graze {
+namespace {
+
+template <class Index, class R>
+std::vector<std::uint32_t> found(const Index& index, const R& region) {
+  std::vector<std::uint32_t> indices;
+  index.query(region, [&indices](Key key) { indices.push_back(key.index); });
+  std::sort(indices.begin(), indices.end());
+  return indices;
+}
+
+template <class Index>
+std::vector<std::pair<std::uint32_t, double>> hits(const Index& index, const Ray<3>& ray) {
+  std::vector<std::pair<std::uint32_t, double>> result;
+  index.ray_cast(ray, [&result](Key key, double t) { result.emplace_back(key.index, t); });
+  return result;
+}
+
+template <class Index>
+std::vector<std::pair<std::uint32_t, double>> nearest(const Index& index, const Vec<3>& point, std::size_t k) {
+  std::vector<std::pair<std::uint32_t, double>> result;
+  for (const Neighbour& neighbour : index.nearest(point, k)) {
+    result.emplace_back(neighbour.key.index, neighbour.distance_squared);
+  }
+  return result;
+}
+
+std::vector<Aabb<3>> some_boxes(std::size_t count, std::uint64_t seed) {
+  test::Numbers numbers(seed);
+  std::vector<Aabb<3>> boxes;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto size = static_cast<float>(k % 50 == 0 ? numbers.between(1, 30) : numbers.between(0, 1));
+    const Vec<3> low = numbers.point<3, float>(0, 40);
+    boxes.push_back({low, low + size});
+  }
+  boxes[count / 2].max.y = std::numeric_limits<float>::infinity();
+  return boxes;
+}
+
+/// The same questions, and the same answers.
+void expect_agreement(const Bvh<3>& bvh, const BruteForce<3>& judge, std::uint64_t seed) {
+  test::Numbers numbers(seed);
+  for (int question = 0; question < 40; ++question) {
+    const Vec<3> a = numbers.point<3, float>(-5, 45);
+    const Vec<3> b = numbers.point<3, float>(-5, 45);
+    EXPECT_EQ(found(bvh, Aabb<3>::from_center(a, Vec<3>(3))), found(judge, Aabb<3>::from_center(a, Vec<3>(3))));
+    EXPECT_EQ(found(bvh, Sphere<3>{a, 4}), found(judge, Sphere<3>{a, 4}));
+    EXPECT_EQ(hits(bvh, {a, b - a}), hits(judge, {a, b - a}));
+    EXPECT_EQ(nearest(bvh, a, 12), nearest(judge, a, 12));
+  }
+}
+
+TEST(Bvh, AssignGivesKeysInTheOrderOfTheBoxes) {
+  Bvh<3> bvh;
+  const Key old = bvh.insert({});
+  const std::vector<Aabb<3>> boxes = some_boxes(1000, 1);
+  const std::vector<Key> keys = bvh.assign(boxes);
+  ASSERT_EQ(keys.size(), 1000U);
+  EXPECT_EQ(bvh.size(), 1000U);
+  EXPECT_FALSE(bvh.contains(old));
+  for (std::size_t k = 0; k < keys.size(); ++k) EXPECT_EQ(bvh.box(keys[k]), boxes[k]);
+  BruteForce<3> judge;
+  for (const Aabb<3>& box : boxes) judge.insert(box);
+  expect_agreement(bvh, judge, 2);
+  EXPECT_TRUE(bvh.assign({}).empty());
+  EXPECT_EQ(bvh.size(), 0U);
+  EXPECT_FALSE(bvh.contains(keys[0]));
+}
+
+TEST(Bvh, AnswersInTheSameOrderHoweverManyThreadsBuiltIt) {
+  const std::vector<Aabb<3>> boxes = some_boxes(20'000, 3);
+  const auto order = [&boxes](const Executor& executor) {
+    Bvh<3> bvh;
+    bvh.assign(boxes, executor);
+    std::vector<std::uint32_t> visited;
+    bvh.query(Aabb<3>::everything(), [&visited](Key key) { visited.push_back(key.index); });
+    return visited;
+  };
+  const std::vector<std::uint32_t> expected = order(serial_executor());
+  EXPECT_EQ(expected.size(), boxes.size());
+  EXPECT_EQ(order(test::ThreadExecutor(2)), expected);
+  EXPECT_EQ(order(test::ThreadExecutor(8)), expected);
+}
+
+TEST(Bvh, AssignThatFailsChangesNothing) {
+  struct Unable final : Executor {
+    void parallel_for(std::size_t, const std::function<void(std::size_t)>&) const override {
+      throw std::runtime_error("no threads");
+    }
+    std::size_t concurrency() const override { return 1; }
+  };
+  Bvh<3> bvh;
+  const Key key = bvh.insert({});
+  std::vector<Aabb<3>> boxes = some_boxes(10'000, 4);
+  EXPECT_THROW(bvh.assign(boxes, Unable()), std::runtime_error);
+  boxes[77].min.x = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW(bvh.assign(boxes), std::invalid_argument);
+  EXPECT_EQ(bvh.size(), 1U);
+  EXPECT_EQ(bvh.box(key), Aabb<3>{});
+  EXPECT_EQ(count(bvh, Vec<3>(0, 0, 0)), 1U);
+}
+
+TEST(Bvh, ABoxAssignedIsUpdatedAndErasedLikeAnyOther) {
+  Bvh<3> bvh({.margin = 0.5});
+  BruteForce<3> judge;
+  std::vector<Aabb<3>> boxes = some_boxes(600, 5);
+  std::vector<Key> keys = bvh.assign(boxes);
+  std::vector<Key> judge_keys;
+  for (const Aabb<3>& box : boxes) judge_keys.push_back(judge.insert(box));
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    const float step = k % 3 == 0 ? 0.3F : 7.0F;
+    boxes[k] = {boxes[k].min + step, boxes[k].max + step};
+    bvh.update(keys[k], boxes[k]);
+    judge.update(judge_keys[k], boxes[k]);
+    if (k % 5 != 0) continue;
+    bvh.erase(keys[k]);
+    judge.erase(judge_keys[k]);
+  }
+  expect_agreement(bvh, judge, 6);
+  EXPECT_EQ(bvh.options().margin, 0.5);
+}
+
+/// As a game would have it for hours: come, move, go, ask; at last nothing is left.
+TEST(Bvh, ASoakLosesNothingAndReturnsToZero) {
+  Bvh<3> bvh({.margin = 0.2});
+  BruteForce<3> judge;
+  std::vector<std::pair<Key, Key>> keys;
+  test::Numbers numbers(7);
+  for (int call = 0; call < 20'000; ++call) {
+    const Vec<3> low = numbers.point<3, float>(0, 40);
+    const Aabb<3> box{low, low + static_cast<float>(numbers.between(0, 2))};
+    const auto pick = static_cast<std::size_t>(numbers.between(0, 1) * static_cast<double>(keys.size()));
+    const double dice = numbers.between(0, 3);
+    if (keys.size() < 300 && (dice < 1 || keys.empty())) {
+      keys.emplace_back(bvh.insert(box), judge.insert(box));
+    } else if (dice < 2 || keys.size() < 100) {
+      bvh.update(keys[pick].first, box);
+      judge.update(keys[pick].second, box);
+    } else {
+      bvh.erase(keys[pick].first);
+      judge.erase(keys[pick].second);
+      keys[pick] = keys.back();
+      keys.pop_back();
+    }
+    if (call % 2000 == 0) expect_agreement(bvh, judge, static_cast<std::uint64_t>(call));
+  }
+  EXPECT_EQ(bvh.size(), keys.size());
+  for (const auto& [key, judge_key] : keys) bvh.erase(key);
+  EXPECT_EQ(bvh.size(), 0U);
+  EXPECT_EQ(count(bvh, Aabb<3>::everything()), 0U);
+}
+
+TEST(Bvh, SaysHowMuchMemoryItHolds) {
+  Bvh<3> bvh;
+  bvh.assign(some_boxes(10'000, 8));
+  EXPECT_LT(bvh.bytes(), std::size_t{10'000} * 200);
+  EXPECT_GT(bvh.bytes(), std::size_t{10'000} * 90);  // a node and a box
+}
+
+}  // namespace
+}  // namespace graze

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "spatial_index_laws.hpp"
+
+namespace graze::test {
+namespace {
+
+using Tested = Indexes<3, double>;
+INSTANTIATE_TYPED_TEST_SUITE_P(InSpaceInDouble, SpatialIndexLaws, Tested);
+
+}  // namespace
+}  // namespace graze::test
