@@ -99,6 +99,31 @@ TEST(SceneView, ManyThreadsMayAskAtOnce) {
   }
 }
 
+// Readers keep a snapshot each while the scene goes on; an update uses the threads of oneTBB.
+TEST(SceneView, ThreadsMayReadASnapshotWhileTheSceneMovesOn) {
+  World scene;
+  std::vector<ObjectId> ids;
+  for (int i = 0; i < 3000; ++i) ids.push_back(scene.add(Ball{{i, 0}, 0.75}));
+  for (int round = 0; round < 4; ++round) {
+    scene.update();
+    const auto snapshot = scene.snapshot();
+    const Ids expected = snapshot->overlapping(Ball{{50, 0.5}, 20});
+    std::vector<std::thread> readers;
+    for (int reader = 0; reader < 2; ++reader) {
+      readers.emplace_back([&] {
+        for (int time = 0; time < 20; ++time) EXPECT_EQ(snapshot->overlapping(Ball{{50, 0.5}, 20}), expected);
+        EXPECT_EQ(snapshot->pairs().size(), 2999U - static_cast<std::size_t>(round));
+      });
+    }
+    for (const ObjectId id : ids) scene.move(id, Ball{{static_cast<double>(id.index), 3.0 * round}, 0.75});
+    scene.remove(ids.back());
+    ids.pop_back();
+    scene.update();
+    EXPECT_EQ(scene.pairs().size(), ids.size() - 1);
+    for (std::thread& reader : readers) reader.join();
+  }
+}
+
 template <Dim N, class T>
 void check_against_every_object() {
   Scene<N, T> scene;
