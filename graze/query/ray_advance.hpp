@@ -4,13 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/gjk.hpp>
 #include <graze/query/ray_sight.hpp>
-#include <graze/query/relation_unbounded.hpp>
+#include <graze/query/simplex.hpp>
+#include <graze/query/status.hpp>
+#include <graze/query/surface_point.hpp>
 #include <graze/query/wide_support.hpp>
 #include <graze/shape/shape.hpp>
 
@@ -50,43 +54,138 @@ double band_of_miss(const S& shape, const Path<dimension_of<S>>& path) {
   constexpr Dim N = dimension_of<S>;
   const auto box = bounds(shape);
   const Vec<N, double> largest = max(abs(wide<N, scalar_of<S>>(box.min)), abs(wide<N, scalar_of<S>>(box.max)));
-  return 64 * support_error<S> * (sum_abs(path.origin) + sum_abs(largest) + core_radius(shape));
+  return 64 * support_error<S> * (sum_abs(path.origin) + sum_abs(largest) + core_radius(shape) + path.far);
 }
 
-/// Moves a point along the path, each time to the plane that GJK has found between it and the shape: Newton's method on
-/// the distance, which is a convex function of t, so it never gets past the first touch (van den Bergen, "Ray casting
-/// against general convex objects with application to continuous collision detection", 2004, with a support of its own
-/// for each plane). Ends where the shape is as near as support points can tell, or is not met, or at the step limit,
-/// with the distance that is left as the error. A path that is known to touch ends where it is nearest.
+/// Where a point that moves along a path has got to.
+template <Convex S>
+class Advance {
+ public:
+  static constexpr Dim N = dimension_of<S>;
+
+  Advance(const S& shape, const Path<N>& path) : shape_(shape), path_(path), point_(path.origin) {}
+
+  const Vec<N, double>& point() const { return point_; }
+
+  /// Moves on to the plane across `normal` (any length but zero), over which the point is `height` high, so that
+  /// nothing before it is in the shape. The end of the path if that comes first, or if the plane is not approached.
+  std::optional<Sighting<N>> move_to(const Vec<N, double>& normal, double height) {
+    const double approach = -dot(normal, path_.direction);
+    if (!(approach > 0)) return missed_by(height);
+    touch_.normal = normal;
+    const double next = touch_.t + height / approach;
+    touch_.t = std::min(next, path_.t_max);
+    point_ = path_.origin + path_.direction * touch_.t;
+    if (next > path_.t_max) return missed_by((next - path_.t_max) * approach);
+    return std::nullopt;
+  }
+
+  double t() const { return touch_.t; }
+
+  /// The point is this near to the shape.
+  Sighting<N> arrived(double error, Status status = Status::converged) {
+    touch_.point = point_;
+    touch_.error = error;
+    touch_.status = status;
+    return {Sight::hits, touch_};
+  }
+
+ private:
+  Sighting<N> missed_by(double height) {
+    Sighting<N> result = arrived(height);
+    result.sight = height > band_of_miss(shape_, path_) ? Sight::misses : Sight::unclear;
+    return result;
+  }
+
+  const S& shape_;
+  const Path<N>& path_;
+  Vec<N, double> point_;
+  Touch<N> touch_;
+};
+
+/// Moves along the path, each time to the plane that GJK has found between the point and the shape: Newton's method on
+/// the distance, which is a convex function of t, so it never gets past the first touch. Ends where the shape is as
+/// near as support points can tell, or is not met, or at the step limit, with the distance that is left as the error.
+template <Convex S>
+Sighting<dimension_of<S>> advance_by_distance(const S& shape, const Path<dimension_of<S>>& path) {
+  Advance<S> advance(shape, path);
+  double error = 0;
+  for (int step = 0; step < ray_step_limit; ++step) {
+    const Barrier<dimension_of<S>> barrier = barrier_at(shape, advance.point());
+    error = barrier.gap + barrier.resolution;
+    if (!(barrier.height > barrier.resolution)) return advance.arrived(error);
+    const double before = advance.t();
+    if (const auto end = advance.move_to(barrier.normal, barrier.height)) return *end;
+    if (advance.t() == before) return advance.arrived(error);
+  }
+  return advance.arrived(error, Status::best_bound);
+}
+
+/// A few points of a shape, seen from another that moves: GJK's simplex, but what belongs to the shape stays as it is.
+template <Dim N>
+class CornersInSight {
+ public:
+  /// False if it is there already.
+  bool add(const Vec<N, double>& corner) {
+    if (is_corner_of(corners_, corner)) return false;
+    corners_.push(corner);
+    return true;
+  }
+
+  /// The vector from the nearest point of their hull. Those that have no part in it are forgotten.
+  Vec<N, double> nearest_to(const Vec<N, double>& point) {
+    Simplex<N> seen;
+    for (std::size_t i = 0; i < corners_.size; ++i) seen.push(point - corners_.points[i]);
+    const NearestOnSimplex<N> found = nearest_to_origin(seen);
+    Simplex<N> kept;
+    for (std::size_t i = 0; i < corners_.size; ++i) {
+      if (is_corner_of(found.face, seen.points[i]) && kept.size < found.face.size) kept.push(corners_.points[i]);
+    }
+    corners_ = kept;
+    return found.point;
+  }
+
+ private:
+  Simplex<N> corners_;
+};
+
+/// The same without waiting for GJK: the point moves as soon as a plane is found that allows it, and the simplex with
+/// it (van den Bergen, "Ray casting against general convex objects with application to continuous collision detection",
+/// 2004). None where neither the point nor the simplex gets on.
+template <Convex S>
+std::optional<Sighting<dimension_of<S>>> advance_at_once(const S& shape, const Path<dimension_of<S>>& path) {
+  constexpr Dim N = dimension_of<S>;
+  const auto& inner = core(shape);
+  const double radius = core_radius(shape);
+  Advance<S> advance(shape, path);
+  CornersInSight<N> corners;
+  Vec<N, double> nearest = path.origin - wide_support(inner, -path.direction);
+  double largest = max_abs(path.origin);
+  for (int step = 0; step < ray_step_limit; ++step) {
+    const double distance = std::sqrt(dot(nearest, nearest));
+    const double resolution = support_error<S> * largest + tolerance::rounding * radius;
+    if (distance <= radius + resolution) return advance.arrived(std::max(0.0, distance - radius) + resolution);
+    const Vec<N, double> corner = wide_support(inner, nearest);
+    largest = std::max({largest, max_abs(corner), max_abs(advance.point())});
+    const Vec<N, double> normal = nearest / distance;  // over radius + resolution
+    const double height = dot(normal, advance.point() - corner) - radius;
+    const bool is_moving = height > resolution;
+    if (is_moving) {
+      if (const auto end = advance.move_to(normal, height)) return end;
+    }
+    if (!corners.add(corner) && !is_moving) return std::nullopt;
+    const Vec<N, double> next = corners.nearest_to(advance.point());
+    if (!is_moving && !(dot(next, next) < dot(nearest, nearest))) return std::nullopt;
+    nearest = next;
+  }
+  return std::nullopt;
+}
+
+/// Where a path first touches any convex shape. One that is known to touch ends where it is nearest.
 template <Convex S>
 Sighting<dimension_of<S>> advance_to(const S& shape, const Path<dimension_of<S>>& path) {
-  constexpr Dim N = dimension_of<S>;
-  Sighting<N> result{Sight::hits, {0, path.origin}};
-  Touch<N>& touch = result.touch;
-  const auto miss_by = [&](double distance) {
-    result.sight = distance > band_of_miss(shape, path) ? Sight::misses : Sight::unclear;
-    return result;
-  };
-  for (int step = 0; step < ray_step_limit; ++step) {
-    touch.point = path.origin + path.direction * touch.t;
-    const Barrier<N> barrier = barrier_at(shape, touch.point);
-    touch.error = barrier.gap + barrier.resolution;
-    if (!(barrier.height > barrier.resolution)) return result;
-    const double approach = -dot(barrier.normal, path.direction);
-    if (!(approach > 0)) return miss_by(barrier.height);
-    touch.normal = barrier.normal;
-    const double next = touch.t + barrier.height / approach;
-    if (next > path.t_max) {
-      const double missing = (next - path.t_max) * approach;
-      touch.t = path.t_max;
-      touch.point = path.origin + path.direction * path.t_max;
-      return miss_by(missing);
-    }
-    if (next == touch.t) return result;
-    touch.t = next;
-  }
-  touch.status = Status::best_bound;
-  return result;
+  if (const auto result = advance_at_once(shape, path)) return *result;
+  return advance_by_distance(shape, path);
 }
 
 }  // namespace graze::detail

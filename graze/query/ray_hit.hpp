@@ -24,7 +24,7 @@ struct RayHit {
 /// Which end of the ray's way through a shape is asked for.
 enum class RaySide {
   entry,  ///< The first point of the shape.
-  exit,   ///< The last one: where the ray leaves the shape for good.
+  exit,   ///< The last one, if the ray leaves the shape.
 };
 
 struct RayOptions {

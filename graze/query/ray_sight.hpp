@@ -13,18 +13,21 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/ray_hit.hpp>
+#include <graze/query/verdict.hpp>
 #include <graze/shape/capsule.hpp>
 #include <graze/shape/sphere.hpp>
 
 namespace graze::detail {
 
 /// All points origin + t * direction with 0 <= t <= t_max. No coordinate of the direction leaves the range in which its
-/// square is a number, and t_max may be infinite.
+/// square is a number, and t_max may be infinite. `far` is how long the path is for `relation`, whose rounding grows
+/// with it: zero for rays, which it cuts off behind the shape.
 template <Dim N>
 struct Path {
   Vec<N, double> origin;
   Vec<N, double> direction;
   double t_max;
+  double far = 0;
 };
 
 /// Whether a path touches a shape.
@@ -108,9 +111,10 @@ Touch<N> touch_of_ball(const Sphere<N, double>& ball, const BallPassage<N>& pass
 /// ball along the ray is off it by 2^-41 of the size at least, for the square of its distance exceeds radius^2 by the
 /// square of that.
 template <Dim N>
-Sighting<N> sight_of(const Sphere<N, double>& ball, const Vec<N, double>& direction, double t_max) {
+[[gnu::always_inline]] inline Sighting<N> sight_of(const Sphere<N, double>& ball, const Path<N>& path) {
+  const auto& [origin, direction, t_max, far] = path;
   const double squared_radius = ball.radius * ball.radius;
-  const double squares = dot(ball.center, ball.center) + squared_radius;
+  const double squares = dot(ball.center, ball.center) + squared_radius + far * far;
   const BallPassage<N> passage(direction, ball.center, squared_radius);
   const double band = tolerance::ray_filter * squares;
   if (passage.depth < -band) return missed<N>();
@@ -126,8 +130,8 @@ Sighting<N> sight_of(const Sphere<N, double>& ball, const Vec<N, double>& direct
 /// How far a path from zero is from a segment, squared, unless they are within 7 degrees of parallel; after
 /// filter_of_segments, but in units of the direction.
 template <Dim N>
-std::optional<Relation> filter_of_path(const Capsule<N, double>& capsule, const Vec<N, double>& direction,
-                                       double t_max) {
+std::optional<Relation> filter_of_path(const Capsule<N, double>& capsule, const Path<N>& path) {
+  const auto& [origin, direction, t_max, far] = path;
   constexpr double least_sine_squared = 1.0 / 64;
   const Vec<N, double> edge = capsule.b - capsule.a;
   const double uu = dot(direction, direction);
@@ -142,7 +146,7 @@ std::optional<Relation> filter_of_path(const Capsule<N, double>& capsule, const 
   const double on_axis = std::clamp(share, 0.0, 1.0);
   if (on_axis != share) s = std::clamp((uv * on_axis + uw) / uu, 0.0, t_max);
   const Vec<N, double> between = direction * s - (edge * on_axis + capsule.a);
-  const double size = sum_abs(direction) * s + sum_abs(edge) + sum_abs(capsule.a) + capsule.radius;
+  const double size = sum_abs(direction) * s + sum_abs(edge) + sum_abs(capsule.a) + capsule.radius + far;
   return clear_verdict(dot(between, between), capsule.radius, tolerance::segment_filter * size);
 }
 
@@ -183,11 +187,11 @@ Touch<N> touch_of_capsule(const Capsule<N, double>& capsule, const Vec<N, double
 }
 
 template <Dim N>
-Sighting<N> sight_of(const Capsule<N, double>& capsule, const Vec<N, double>& direction, double t_max) {
-  const std::optional<Relation> verdict = filter_of_path(capsule, direction, t_max);
+Sighting<N> sight_of(const Capsule<N, double>& capsule, const Path<N>& path) {
+  const std::optional<Relation> verdict = filter_of_path(capsule, path);
   if (!verdict) return unsettled<N>();
   if (*verdict == Relation::apart) return missed<N>();
-  return {Sight::hits, touch_of_capsule(capsule, direction, t_max)};
+  return {Sight::hits, touch_of_capsule(capsule, path.direction, path.t_max)};
 }
 
 }  // namespace graze::detail

@@ -28,7 +28,8 @@ namespace graze::detail {
 // ---- Points, segments, rays: sets that most rays miss and the others only just touch, which `relation` decides
 
 template <Dim N>
-Sighting<N> sight_of(const Vec<N, double>& point, const Vec<N, double>& direction, double t_max) {
+Sighting<N> sight_of(const Vec<N, double>& point, const Path<N>& path) {
+  const auto& [zero, direction, t_max, far] = path;
   const double t = std::clamp(dot(point, direction) / dot(direction, direction), 0.0, t_max);
   return {Sight::unclear, {t, point, Vec<N, double>(0.0), tolerance::rounding * sum_abs(point)}};
 }
@@ -67,7 +68,8 @@ Sighting<N> sight_of_edge(const Vec<N, double>& start, const Vec<N, double>& edg
 }
 
 template <Dim N>
-Sighting<N> sight_of(const Segment<N, double>& segment, const Vec<N, double>& direction, double t_max) {
+Sighting<N> sight_of(const Segment<N, double>& segment, const Path<N>& path) {
+  const auto& [zero, direction, t_max, far] = path;
   const double whole = dot(direction, direction);
   const double start = dot(segment.start, direction) / whole;
   const double end = dot(segment.end, direction) / whole;
@@ -79,7 +81,8 @@ Sighting<N> sight_of(const Segment<N, double>& segment, const Vec<N, double>& di
 
 /// Of a ray that starts farther along and comes against the path, all until its origin is beside it.
 template <Dim N>
-Sighting<N> sight_of(const Ray<N, double>& ray, const Vec<N, double>& direction, double t_max) {
+Sighting<N> sight_of(const Ray<N, double>& ray, const Path<N>& path) {
+  const auto& [zero, direction, t_max, far] = path;
   const double origin = std::clamp(dot(ray.origin, direction) / dot(direction, direction), 0.0, t_max);
   const double size = sum_abs(ray.origin);
   const Beside beside = dot(ray.direction, direction) > 0 ? Beside{origin, t_max, size} : Beside{0, origin, size};
@@ -98,10 +101,11 @@ Sighting<N> sight_of(const Ray<N, double>& ray, const Vec<N, double>& direction,
 /// With S the size of the corners, D of the direction and E of the edges, the three signs are trusted from
 /// tolerance::ray_side S D E on: then the ray passes that far from the edges, relative to S. A ray is called steep if
 /// the sine of its angle with the plane is at least 2^-10; along it, 2^-30 of S is 2^-40 of S away from the plane.
-inline Sighting<3> sight_of(const Triangle<3, double>& triangle, const Vec<3, double>& direction, double t_max) {
+inline Sighting<3> sight_of(const Triangle<3, double>& triangle, const Path<3>& path) {
+  const auto& [zero, direction, t_max, far] = path;
   const Vec<3, double> first = triangle.b - triangle.a;
   const Vec<3, double> second = triangle.c - triangle.a;
-  const double size = std::max(sum_abs(triangle.a), std::max(sum_abs(triangle.b), sum_abs(triangle.c)));
+  const double size = far + std::max(sum_abs(triangle.a), std::max(sum_abs(triangle.b), sum_abs(triangle.c)));
   const double edges = sum_abs(first) + sum_abs(second);
   const double band = tolerance::ray_side * size * sum_abs(direction) * edges;
   const double ab = dot(direction, cross(triangle.a, first));
@@ -195,11 +199,11 @@ template <class T>
 Sighting<2> sight_of_polygon(Corners<T> corners, double far, const Path<2>& path) {
   const std::size_t count = corners.size();
   const auto corner = [&](std::size_t i) { return wide<2, T>(corners[i]) - path.origin; };
-  if (count == 1) return sight_of(corner(0), path.direction, path.t_max);
-  if (count == 2) return sight_of(Segment<2, double>{corner(0), corner(1)}, path.direction, path.t_max);
+  if (count == 1) return sight_of(corner(0), path);
+  if (count == 2) return sight_of(Segment<2, double>{corner(0), corner(1)}, path);
   double size = 0;
   for (std::size_t i = 0; i < count; ++i) size = std::max(size, sum_abs(corner(i)));
-  EdgeCrossings crossings(tolerance::ray_side * (size + far));
+  EdgeCrossings crossings(tolerance::ray_side * (size + far + path.far));
   Vec<2, double> from = corner(count - 1);
   for (std::size_t i = 0; i < count; ++i) {
     const Vec<2, double> to = corner(i);
@@ -211,10 +215,10 @@ Sighting<2> sight_of_polygon(Corners<T> corners, double far, const Path<2>& path
   return result;
 }
 
-inline Sighting<2> sight_of(const Triangle<2, double>& triangle, const Vec<2, double>& direction, double t_max) {
+inline Sighting<2> sight_of(const Triangle<2, double>& triangle, const Path<2>& path) {
   if (orientation(triangle.a, triangle.b, triangle.c) == 0) return unsettled<2>();
   const std::array<Vec<2, double>, 3> corners = counter_clockwise(triangle);
-  return sight_of_polygon<double>(corners, 0, {Vec<2, double>(0.0), direction, t_max});
+  return sight_of_polygon<double>(corners, 0, {Vec<2, double>(0.0), path.direction, path.t_max, path.far});
 }
 
 // ---- Planes and half-spaces, where they are stored

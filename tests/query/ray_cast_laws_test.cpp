@@ -63,6 +63,24 @@ class RayCastLaw : public ::testing::Test {
     return hit_of<dimension, Number>(drawn.shape, drawn.ray, drawn.t_max, options);
   }
 
+  static bool needs_gjk(const Any& shape) {
+    if (const auto* compound = std::get_if<Compound<dimension, Number>>(&shape)) {
+      return std::any_of(compound->parts.begin(), compound->parts.end(),
+                         [](const Part<dimension, Number>& part) { return needs_gjk(part.shape); });
+    }
+    return dimension == 3 && std::holds_alternative<Polytope<dimension, Number>>(shape);
+  }
+
+  /// Hits and misses are those of `relation`; GJK may hit what is nearer than its error.
+  static void expect_same(const Hit& hit, const Any& shape, const Any& path, Relation relation) {
+    const bool is_same = hit.has_value() == (relation != Relation::apart);
+    if (is_same || !hit || !needs_gjk(shape)) {
+      RC_ASSERT(is_same);
+    } else {
+      RC_ASSERT((true_verdict<dimension, Number>(shape, path, Relation::apart).gap <= hit->error));
+    }
+  }
+
   static Vec<dimension, double> point_at(const Case& drawn, double t) {
     return wide<dimension, Number>(drawn.ray.origin) + wide<dimension, Number>(drawn.ray.direction) * t;
   }
@@ -82,7 +100,7 @@ TYPED_TEST(RayCastLaw, ARayHitsWhatItIntersects) {
     auto drawn = TestFixture::draw_case();
     drawn.t_max = TestFixture::infinity;
     const Relation relation = relation_of<TypeParam::dimension, typename TypeParam::scalar>(drawn.shape, drawn.ray);
-    RC_ASSERT(TestFixture::cast(drawn).has_value() == (relation != Relation::apart));
+    TestFixture::expect_same(TestFixture::cast(drawn), drawn.shape, drawn.ray, relation);
   });
 }
 
@@ -95,7 +113,7 @@ TYPED_TEST(RayCastLaw, ASegmentHitsWhatItIntersects) {
     const Segment<N, T> segment{drawn.ray.origin, drawn.ray.origin + drawn.ray.direction * length};
     RC_LOG() << to_source(segment) << "\n";
     const Relation relation = relation_of<N, T>(drawn.shape, segment);
-    RC_ASSERT((hit_of<N, T>(drawn.shape, segment).has_value()) == (relation != Relation::apart));
+    TestFixture::expect_same(hit_of<N, T>(drawn.shape, segment), drawn.shape, segment, relation);
   });
 }
 
@@ -155,7 +173,8 @@ TYPED_TEST(RayCastLaw, TheRayIsNowhereInsideBeforeTheEntryOrAfterTheExit) {
     RC_ASSERT(entry.has_value());
     const double past = TestFixture::slack_at(drawn, *exit);
     for (const double factor : {1.001, 1.5, 4.0}) {
-      const Vec<N, double> after = TestFixture::point_at(drawn, static_cast<double>(exit->t) * factor);
+      const double t = std::min(static_cast<double>(exit->t) * factor, static_cast<double>(drawn.t_max));
+      const Vec<N, double> after = TestFixture::point_at(drawn, t);
       const double rounding = 64 * tolerance::epsilon * (max_abs(after) + size_of<N, T>({drawn.shape, drawn.ray}));
       RC_ASSERT((height_of<N, T>(drawn.shape, after)) >= -(past + rounding));
     }
