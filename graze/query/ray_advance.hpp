@@ -105,20 +105,23 @@ class Advance {
 
 /// Moves along the path, each time to the plane that GJK has found between the point and the shape: Newton's method on
 /// the distance, which is a convex function of t, so it never gets past the first touch. Ends where the shape is as
-/// near as support points can tell, or is not met, or at the step limit, with the distance that is left as the error.
+/// near as support points can tell, or is not met, or at the step limit, with the distance that is left as the error;
+/// what is farther than that, and yet finds no plane between, is unclear.
 template <Convex S>
 Sighting<dimension_of<S>> advance_by_distance(const S& shape, const Path<dimension_of<S>>& path) {
   Advance<S> advance(shape, path);
-  double error = 0;
+  Barrier<dimension_of<S>> barrier;
   for (int step = 0; step < ray_step_limit; ++step) {
-    const Barrier<dimension_of<S>> barrier = barrier_at(shape, advance.point());
-    error = barrier.gap + barrier.resolution;
-    if (!(barrier.height > barrier.resolution)) return advance.arrived(error);
+    barrier = barrier_at(shape, advance.point());
+    if (!(barrier.height > barrier.resolution)) break;
     const double before = advance.t();
     if (const auto end = advance.move_to(barrier.normal, barrier.height)) return *end;
-    if (advance.t() == before) return advance.arrived(error);
+    if (advance.t() == before) break;
   }
-  return advance.arrived(error, Status::best_bound);
+  const bool has_arrived = barrier.gap <= 2 * barrier.resolution;
+  auto result = advance.arrived(barrier.gap + barrier.resolution, has_arrived ? Status::converged : Status::best_bound);
+  if (!has_arrived) result.sight = Sight::unclear;
+  return result;
 }
 
 /// A few points of a shape, seen from another that moves: GJK's simplex, but what belongs to the shape stays as it is.

@@ -6,7 +6,8 @@
 //   sphere, capsule, aabb, obb, triangle, polytope in 2D     closed form
 //   plane, half-space                                        closed form
 //   point, segment, ray                                      closed form
-//   polytope in 3D, user's convex shape                      GJK, a few steps
+//   polytope in 3D, user's convex shape                      GJK, a few steps; so rays along a triangle's plane in 3D,
+//                                                              and nearly along a capsule's axis
 //   compound                                                 part by part
 //
 // Whether there is a hit is what intersects(shape, ray) says, and for a segment intersects(shape, segment): all that

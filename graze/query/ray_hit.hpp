@@ -15,7 +15,7 @@ struct RayHit {
   T t = T(0);                          ///< In units of the ray's direction.
   Vec<N, T> point = Vec<N, T>(T(0));   ///< origin + t * direction, put onto the surface.
   Vec<N, T> normal = Vec<N, T>(T(0));  ///< Of length 1, out of the shape; see ray_cast.hpp.
-  Status status = Status::converged;   ///< Always `converged` for closed forms.
+  Status status = Status::converged;   ///< `best_bound` where GJK could not get nearer.
   double error = 0;                    ///< How far the hit may be off, its rounding to T left out; see ray_cast.hpp.
 
   friend bool operator==(const RayHit&, const RayHit&) = default;
