@@ -115,7 +115,7 @@ Sighting<dimension_of<S>> advance_by_distance(const S& shape, const Path<dimensi
     barrier = barrier_at(shape, advance.point());
     if (!(barrier.height > barrier.resolution)) break;
     const double before = advance.t();
-    if (const auto end = advance.move_to(barrier.normal, barrier.height)) return *end;
+    if (const auto end = advance.move_to(barrier.normal, barrier.height - barrier.resolution / 2)) return *end;
     if (advance.t() == before) break;
   }
   const bool has_arrived = barrier.gap <= 2 * barrier.resolution;
@@ -174,7 +174,7 @@ std::optional<Sighting<dimension_of<S>>> advance_at_once(const S& shape, const P
     const double height = dot(normal, advance.point() - corner) - radius;
     const bool is_moving = height > resolution;
     if (is_moving) {
-      if (const auto end = advance.move_to(normal, height)) return end;
+      if (const auto end = advance.move_to(normal, height - resolution / 2)) return end;
     }
     if (!corners.add(corner) && !is_moving) return std::nullopt;
     const Vec<N, double> next = corners.nearest_to(advance.point());

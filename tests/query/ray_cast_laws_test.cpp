@@ -175,7 +175,7 @@ TYPED_TEST(RayCastLaw, TheRayIsNowhereInsideBeforeTheEntryOrAfterTheExit) {
     }
     const auto exit = TestFixture::cast(drawn, at_exit);
     if (!exit || !std::isfinite(exit->t)) return;
-    RC_ASSERT(entry.has_value());
+    RC_ASSERT(entry.has_value() || TestFixture::needs_gjk(drawn.shape));  // which may touch within its error alone
     const double past = TestFixture::slack_at(drawn, *exit);
     for (const double factor : {1.001, 1.5, 4.0}) {
       const double t = std::min(static_cast<double>(exit->t) * factor, static_cast<double>(drawn.t_max));
