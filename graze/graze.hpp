@@ -22,6 +22,7 @@
 #include <graze/query/gjk.hpp>
 #include <graze/query/intersects.hpp>
 #include <graze/query/outline.hpp>
+#include <graze/query/ray_cast.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/query/signed_distance.hpp>
 #include <graze/query/transformed.hpp>

@@ -80,6 +80,13 @@ inline constexpr double ray_slabs = 4 * epsilon;
 /// an inverse, wrong by under 2 epsilon, those of the boxes by 1 epsilon and held to `ray_slabs`.
 inline constexpr double ray_bounds = 8 * epsilon;
 
+/// A ray cast leaves to `relation` the rays that pass the edge of a shape's shadow nearer than this times its size,
+/// seen from the origin: over a hundred times the band of `relation`, and its own error is a few epsilon.
+inline constexpr double ray_side = 4096 * epsilon;
+
+/// And those that end, or start behind the shape, nearer than this times its size, where it is round: see sight_of.
+inline constexpr double ray_end = 0x1p-20;
+
 /// Support functions of a user's shape may calculate in T: the band for their answers.
 template <Scalar T>
 inline constexpr double convex_in = 32.0 * static_cast<double>(std::numeric_limits<T>::epsilon());

@@ -1,0 +1,425 @@
+// SPDX-License-Identifier: MIT
+// ray_cast(shape, ray, t_max): where a ray first meets a shape, or where it leaves it; and the same for a segment.
+//
+// What finds it:
+//
+//   sphere, capsule, aabb, obb, triangle, polytope in 2D     closed form
+//   plane, half-space                                        closed form
+//   point, segment, ray                                      closed form
+//   polytope in 3D, user's convex shape                      GJK, a few steps; so rays along a triangle's plane in 3D,
+//                                                              and nearly along a capsule's axis
+//   compound                                                 part by part
+//
+// Whether there is a hit is what intersects(shape, ray) says, and for a segment intersects(shape, segment): all that
+// nearly touches is decided by them. So a ray through the common edge or corner of two triangles hits both. Only GJK
+// may find a hit where they find none, nearer than its `error`. For a finite t_max it is what they would say of the
+// path up to there, in double.
+//
+// The normal points out of the shape, against the ray; on a set without thickness, to the side that the ray comes from.
+// A ray that starts in a shape hits it at t = 0, and a ray that runs along a set without thickness where that begins;
+// both have the normal against the ray's direction. At an exit the normal points out of the shape with the ray.
+//
+// `error` is a length: before it is rounded to T, the point is no farther than that from the shape's surface and from
+// the ray, and before t the ray is nowhere deeper than that inside the shape. A few epsilon of double of the vectors
+// from the origin to the shape and along it, however far from zero, for closed forms; of the largest coordinate for
+// planes, half-spaces and what GJK finds (of T for a user's shape that calculates in T), where `status` says if it is
+// more. t is as exact as that allows: at a grazing angle the way along the ray is longer. Coordinates of magnitude
+// 1e-140 to 1e140, directions of any size; t may overflow or underflow T.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <variant>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/bounds.hpp>
+#include <graze/query/closest_points.hpp>
+#include <graze/query/nan_check.hpp>
+#include <graze/query/ray_advance.hpp>
+#include <graze/query/ray_hit.hpp>
+#include <graze/query/ray_sight.hpp>
+#include <graze/query/ray_sight_box.hpp>
+#include <graze/query/ray_sight_flat.hpp>
+#include <graze/query/relation.hpp>
+#include <graze/shape/any_shape.hpp>
+#include <graze/shape/shape.hpp>
+
+namespace graze {
+
+namespace detail {
+
+template <Dim N, class T>
+Ray<N, double> seen_from(const Vec<N, double>& origin, const Ray<N, T>& ray) {
+  return {wide<N, T>(ray.origin) - origin, wide<N, T>(ray.direction)};
+}
+
+/// A shape with a closed form in double that sees it from the ray's origin.
+template <class S>
+concept HasRaySight = requires(const S& shape, const Path<dimension_of<S>>& path) {
+  sight_of(seen_from(path.origin, shape), path);
+};
+
+template <class S>
+concept HasLevelSight = is_a<Plane, S> || is_a<HalfSpace, S>;
+
+// ---- What the path is, as `relation` is asked about it
+
+template <Dim N, class T>
+struct AskAboutSegment {
+  template <class S>
+  Relation operator()(const S& shape) const {
+    return decide(shape, segment);
+  }
+
+  const Segment<N, T>& segment;
+};
+
+/// A ray up to t_max: all of it if it ends behind the shape, or else a segment, from its own origin where the
+/// shape can be seen from there.
+template <Dim N, class T>
+struct AskAboutRay {
+  template <class S>
+  Relation operator()(const S& shape) const {
+    const Vec<N, double> end = path.direction * path.t_max;
+    if (!is_finite(end)) return decide(shape, ray);
+    if constexpr (Convex<S>) {
+      const Vec<N, double> reach = reach_to(ray, shape);
+      if (dot(end, path.direction) > dot(reach, path.direction)) return decide(shape, ray);
+    }
+    if constexpr (HasRaySight<S>) {
+      return decide(seen_from(path.origin, shape), Segment<N, double>{Vec<N, double>(0.0), end});
+    } else if constexpr (HasLevelSight<S>) {
+      return closed_form(shape, Segment<N, double>{path.origin, path.origin + end});
+    } else {
+      return relation_of_convex(Segment<N, double>{path.origin, path.origin + end}, shape);
+    }
+  }
+
+  const Ray<N, T>& ray;
+  const Path<N>& path;
+};
+
+// ---- One simple shape
+
+/// What the shape's closed form says, its points where they belong.
+template <class S>
+[[gnu::always_inline]] inline Sighting<dimension_of<S>> sight(const S& shape, const Path<dimension_of<S>>& path) {
+  constexpr Dim N = dimension_of<S>;
+  if constexpr (HasRaySight<S>) {
+    Sighting<N> result = sight_of(seen_from(path.origin, shape), path);
+    result.touch.point += path.origin;
+    return result;
+  } else if constexpr (HasLevelSight<S>) {
+    return sight_of_level(shape, path);
+  } else if constexpr (N == 2 && is_a<Polytope, S>) {
+    Sighting<N> result = sight_of_polygon<scalar_of<S>>(shape.vertices(), sum_abs(path.origin), path);
+    result.touch.point += path.origin;
+    return result;
+  } else {
+    return advance_to(shape, path);
+  }
+}
+
+/// Where an unclear path touches, if `relation` says that it does.
+template <class S, class Ask>
+Sighting<dimension_of<S>> settled(const S& shape, const Path<dimension_of<S>>& path, const Ask& ask,
+                                  const Sighting<dimension_of<S>>& unclear) {
+  constexpr Dim N = dimension_of<S>;
+  if (ask(shape) == Relation::apart) return missed<N>();
+  Sighting<N> result = unclear;
+  if constexpr (Convex<S>) {
+    if (!unclear.is_touch_known) {
+      if constexpr (HasRaySight<S>) {
+        result = advance_to(seen_from(path.origin, shape),
+                            {path.origin - path.origin, path.direction, path.t_max, path.far});
+        result.touch.point += path.origin;
+      } else {
+        result = advance_to(shape, path);
+      }
+    }
+  }
+  result.sight = Sight::hits;
+  return result;
+}
+
+/// A touch, or that the path misses.
+template <class S, class Ask>
+Sighting<dimension_of<S>> entry(const S& shape, const Path<dimension_of<S>>& path, const Ask& ask) {
+  const Sighting<dimension_of<S>> result = sight(shape, path);
+  return result.sight == Sight::unclear ? settled(shape, path, ask, result) : result;
+}
+
+/// A power of two that t can not reach before the path has left the shape; exact, so that turning the path round is.
+template <class S>
+double beyond(const S& shape, const Path<dimension_of<S>>& path) {
+  constexpr Dim N = dimension_of<S>;
+  const Ray<N, double> ray{path.origin, path.direction};
+  const Aabb<N, scalar_of<S>> box = bounds(shape);
+  const Vec<N, double> reach =
+      reach_to(ray, Aabb<N, double>{wide<N, scalar_of<S>>(box.min), wide<N, scalar_of<S>>(box.max)});
+  int exponent = 0;
+  (void)std::frexp(max_abs(reach) / max_abs(path.direction), &exponent);
+  return std::ldexp(1.0, exponent + 1);
+}
+
+/// The entry of the path turned round, from where it has left the shape.
+template <class S, class Ask>
+Sighting<dimension_of<S>> last_touch(const S& shape, const Path<dimension_of<S>>& path, const Ask& ask) {
+  constexpr Dim N = dimension_of<S>;
+  if constexpr (HasRaySight<S>) {
+    const auto seen = seen_from(path.origin, shape);
+    const double last = beyond(seen, {Vec<N, double>(0.0), path.direction, path.t_max});
+    const Path<N> back{path.direction * last, -path.direction, last, path.far};
+    Sighting<N> result = entry(seen, back, [&](const auto&) { return ask(shape); });
+    result.touch.t = last - result.touch.t;
+    result.touch.point += path.origin;
+    return result;
+  } else {
+    const double last = beyond(shape, path);
+    const Path<N> back{path.origin + path.direction * last, -path.direction, last, path.far};
+    Sighting<N> result = entry(shape, back, ask);
+    result.touch.t = last - result.touch.t;
+    return result;
+  }
+}
+
+/// Where the path leaves a shape that it has entered, which may be after its end.
+template <class S, class Ask>
+Sighting<dimension_of<S>> exit(const S& shape, const Path<dimension_of<S>>& path, const Ask& ask) {
+  const Sighting<dimension_of<S>> last = last_touch(shape, path, ask);
+  if (last.sight == Sight::misses || last.touch.t <= path.t_max) return last;
+  return entry(shape, path, ask).sight == Sight::misses ? missed<dimension_of<S>>() : last;
+}
+
+/// Never left: where a path leaves for good is then infinitely far away.
+template <Dim N>
+Sighting<N> never() {
+  return {Sight::hits, {std::numeric_limits<double>::infinity()}};
+}
+
+/// A path meets a plane once, and leaves it there, but for one that runs along it.
+template <Dim N, class T, class Ask>
+Sighting<N> exit(const Plane<N, T>& plane, const Path<N>& path, const Ask& ask) {
+  Sighting<N> result = entry(plane, path, ask);
+  if (result.sight == Sight::hits && is_along(plane, path)) return never<N>();
+  result.touch.normal = -result.touch.normal;
+  return result;
+}
+
+/// A half-space is left if the path climbs, and never if not.
+template <Dim N, class T, class Ask>
+Sighting<N> exit(const HalfSpace<N, T>& solid, const Path<N>& path, const Ask& ask) {
+  if (ask(solid) == Relation::apart) return missed<N>();
+  const Vec<N, double> normal = wide<N, T>(solid.normal);
+  if (!(dot(normal, path.direction) > 0) || is_along(boundary(solid), path)) return never<N>();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Sighting<N> result{Sight::hits, touch_of_plane(boundary(solid), Path<N>{path.origin, path.direction, infinity})};
+  result.touch.normal = normal;
+  return result;
+}
+
+/// A ray on the same line is left at its origin, or never if it runs the same way; any other where it is met.
+template <Dim N, class T, class Ask>
+Sighting<N> exit(const Ray<N, T>& target, const Path<N>& path, const Ask& ask) {
+  Sighting<N> result = entry(target, path, ask);
+  if (result.sight == Sight::misses) return result;
+  result.touch.normal = -result.touch.normal;
+  const Vec<3, double> d = direction_of(Ray<N, double>{path.origin, path.direction});
+  const Vec<3, double> e = direction_of(target);
+  const double lengths = std::sqrt(length_squared(d) * length_squared(e));
+  if (std::sqrt(length_squared(accurate_cross(d, e))) > tolerance::rounding * lengths) return result;
+  if (dot(d, e) > 0) return never<N>();
+  const Vec<N, double> end = wide<N, T>(target.origin);
+  const Sighting<N> at_end = sight_of(end - path.origin, path);
+  result.touch = {at_end.touch.t, end, Vec<N, double>(0.0), result.touch.error};
+  return result;
+}
+
+/// A box's own coordinates, where the point is on a side or was rounded out of the box.
+template <Dim N, class T>
+[[gnu::always_inline]] inline void put_on_surface(Touch<N>& touch, const Aabb<N, T>& box) {
+  const Vec<N, double> min = wide<N, T>(box.min);
+  const Vec<N, double> max = wide<N, T>(box.max);
+  touch.point.x = coordinate_on(touch.normal.x, touch.point.x, min.x, max.x);
+  touch.point.y = coordinate_on(touch.normal.y, touch.point.y, min.y, max.y);
+  if constexpr (N == 3) touch.point.z = coordinate_on(touch.normal.z, touch.point.z, min.z, max.z);
+}
+
+// ---- Any shape
+
+template <class S, class Ask>
+Sighting<dimension_of<S>> find_hit(const S& shape, const Path<dimension_of<S>>& path, RaySide side, const Ask& ask) {
+  if (side == RaySide::exit) return exit(shape, path, ask);
+  return entry(shape, path, ask);
+}
+
+template <Dim N, class T, class Ask>
+Sighting<N> find_hit(const Aabb<N, T>& box, const Path<N>& path, RaySide side, const Ask& ask) {
+  Sighting<N> result = side == RaySide::exit ? exit(box, path, ask) : entry(box, path, ask);
+  if (result.sight == Sight::hits) put_on_surface(result.touch, box);
+  return result;
+}
+
+template <Dim N, class T, class Ask>
+Sighting<N> find_hit(const AnyShape<N, T>& shape, const Path<N>& path, RaySide side, const Ask& ask);
+
+/// Whether the path passes a part's box by far. The box of an unbounded part is never passed.
+template <Dim N, class T>
+bool passes_by(const Aabb<N, T>& box, const Path<N>& path) {
+  if (!is_finite(box.min) || !is_finite(box.max)) return false;
+  const PathAtBox beside = path_at(seen_from(path.origin, box), path.direction, path.far);
+  return slabs_of<N>(beside, tolerance::ray_side).are_missed(path.t_max);
+}
+
+/// The nearest entry, or the farthest exit; of several the first part's. Once a part is hit, only what comes before
+/// that is of interest.
+template <Dim N, class T, class Ask>
+Sighting<N> find_hit(const Compound<N, T>& compound, const Path<N>& path, RaySide side, const Ask& ask) {
+  Sighting<N> best = missed<N>();
+  Path<N> rest = path;
+  for (const Part<N, T>& part : compound.parts) {
+    if (passes_by(touching_bounds(part.box), rest)) continue;
+    const Sighting<N> found = find_hit(part.shape, rest, side, ask);
+    if (found.sight == Sight::misses) continue;
+    const double ahead = side == RaySide::entry ? best.touch.t - found.touch.t : found.touch.t - best.touch.t;
+    if (best.sight == Sight::hits && !(ahead > 0)) continue;
+    best = found;
+    if (side == RaySide::entry) rest.t_max = found.touch.t;
+  }
+  return best;
+}
+
+template <Dim N, class T, class Ask>
+Sighting<N> find_hit(const AnyShape<N, T>& shape, const Path<N>& path, RaySide side, const Ask& ask) {
+  return std::visit([&](const auto& held) { return find_hit(held, path, side, ask); }, shape);
+}
+
+// ---- To and from T
+
+/// A direction that can be squared, and how many times as long it is: a power of two, so that nothing is rounded.
+template <Dim N, class T>
+struct Usable {
+  explicit Usable(const Ray<N, T>& given) : ray(given) {
+    if constexpr (std::is_same_v<T, double>) {
+      const double size = max_abs(given.direction);
+      if (size > 0x1p-400 && size < 0x1p400) return;
+      int exponent = 0;
+      (void)std::frexp(size, &exponent);
+      for (Dim i = 0; i < N; ++i) ray.direction[i] = std::ldexp(given.direction[i], -exponent);
+      scale = std::ldexp(1.0, -exponent / 2);
+      rest = std::ldexp(1.0, -exponent - (-exponent / 2));
+    }
+  }
+
+  /// The same place in units of the usable direction, and back: in two steps, since the scale may be beyond a double.
+  double to_usable(double t) const { return t / scale / rest; }
+  double from_usable(double t) const { return t * scale * rest; }
+
+  Ray<N, T> ray;
+  double scale = 1;
+  double rest = 1;
+};
+
+/// The normal where the shape has none to give: against the ray at an entry, with it at an exit.
+template <Dim N>
+Vec<N, double> default_normal(const Vec<N, double>& direction, RaySide side) {
+  return unit_or(side == RaySide::entry ? -direction : direction, Vec<N, double>(0.0));
+}
+
+template <Dim N, Scalar T>
+[[gnu::always_inline]] inline RayHit<N, T> rounded(const Touch<N>& touch, double t, const Vec<N, double>& direction,
+                                                   RaySide side) {
+  const double squared = dot(touch.normal, touch.normal);
+  const Vec<N, double> normal = squared > 0x1p-900 && squared < 0x1p900
+                                    ? touch.normal / std::sqrt(squared)  // no square is lost
+                                    : unit_or(touch.normal, default_normal(direction, side));
+  return {static_cast<T>(t) + T(0),  // never minus zero
+          Vec<N, T>(touch.point) + T(0), Vec<N, T>(normal) + T(0), touch.status, touch.error};
+}
+
+/// The careful way for whatever needs it.
+template <class S, class Ask>
+[[gnu::noinline]] Sighting<dimension_of<S>> find_carefully(const S& shape, const Path<dimension_of<S>>& path,
+                                                           RaySide side, const Ask& ask) {
+  const Sighting<dimension_of<S>> result = find_hit(shape, path, side, ask);
+  const bool is_in_time = result.touch.t <= path.t_max && result.touch.t < std::numeric_limits<double>::infinity();
+  return side == RaySide::entry || is_in_time ? result : missed<dimension_of<S>>();
+}
+
+/// The hit in T, for a direction that is not zero; `to_t` makes T of the path's t. Most rays take the short way, on
+/// which nothing leaves the registers: copies of what was just written to memory would take longer than the closed
+/// forms.
+template <class S, class Ask, class ToT>
+[[gnu::always_inline]] inline auto cast_along(const S& shape, const Path<dimension_of<S>>& path, RaySide side,
+                                              const Ask& ask, const ToT& to_t) {
+  constexpr Dim N = dimension_of<S>;
+  using T = scalar_of<S>;
+  using Hit = std::optional<RayHit<N, T>>;
+  if constexpr (HasRaySight<S> || HasLevelSight<S>) {
+    if (side == RaySide::entry) {
+      Sighting<N> quick = sight(shape, path);
+      if (quick.sight == Sight::misses) return Hit();
+      if (quick.sight == Sight::hits) {
+        if constexpr (is_a<Aabb, S>) put_on_surface(quick.touch, shape);
+        return Hit(rounded<N, T>(quick.touch, to_t(quick.touch.t), path.direction, side));
+      }
+    }
+  }
+  const Sighting<N> found = find_carefully(shape, path, side, ask);
+  if (found.sight == Sight::misses) return Hit();
+  return Hit(rounded<N, T>(found.touch, to_t(found.touch.t), path.direction, side));
+}
+
+}  // namespace detail
+
+/// The space that a shape lives in, for the arguments that go with it.
+template <Shape S>
+using RayIn = Ray<dimension_of<S>, scalar_of<S>>;
+template <Shape S>
+using SegmentIn = Segment<dimension_of<S>, scalar_of<S>>;
+template <Shape S>
+using RayHitOn = RayHit<dimension_of<S>, scalar_of<S>>;
+
+/// Where a valid ray (asserted) first meets a valid shape (asserted), or leaves it for good, at a t from 0 to t_max;
+/// none if it does not. A ray that starts in the shape has its first point there, t = 0; one that never leaves, as in a
+/// half-space, has no exit. The direction has any length but zero, and t is in units of it. A compound is the union of
+/// its parts; its exit is the last of theirs. A negative t_max has no hits. The cheaper sibling is `intersects`.
+template <Shape S>
+std::optional<RayHitOn<S>> ray_cast(const S& shape, const RayIn<S>& ray,
+                                    scalar_of<S> t_max = std::numeric_limits<scalar_of<S>>::infinity(),
+                                    RayOptions options = {}) {
+  constexpr Dim N = dimension_of<S>;
+  using T = scalar_of<S>;
+  assert(detail::is_valid_if_known(shape) && is_valid(ray));
+  if (!(t_max >= T(0)) || std::isnan(detail::numbers_of(ray))) return std::nullopt;
+  const detail::Usable<N, T> usable(ray);
+  const detail::Path<N> path{wide<N, T>(ray.origin), wide<N, T>(usable.ray.direction),
+                             usable.to_usable(static_cast<double>(t_max))};
+  return detail::cast_along(shape, path, options.side, detail::AskAboutRay<N, T>{usable.ray, path},
+                            [&](double t) { return std::min(usable.from_usable(t), static_cast<double>(t_max)); });
+}
+
+/// The same for a segment from its start, at t = 0, to its end, at t = 1. If the ends are equal, a hit is an entry with
+/// a normal of zero.
+template <Shape S>
+std::optional<RayHitOn<S>> ray_cast(const S& shape, const SegmentIn<S>& segment, RayOptions options = {}) {
+  constexpr Dim N = dimension_of<S>;
+  using T = scalar_of<S>;
+  assert(detail::is_valid_if_known(shape) && is_valid(segment));
+  const detail::AskAboutSegment<N, T> ask{segment};
+  const Vec<N, double> start = wide<N, T>(segment.start);
+  const Vec<N, double> edge = wide<N, T>(segment.end) - start;
+  if (max_abs(edge) == 0) {
+    if (options.side == RaySide::exit || ask(shape) == Relation::apart) return std::nullopt;
+    return detail::rounded<N, T>({0, start}, 0, edge, options.side);
+  }
+  return detail::cast_along(shape, detail::Path<N>{start, edge, 1, sum_abs(edge)}, options.side, ask,
+                            [](double t) { return t; });
+}
+
+}  // namespace graze

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// The closed forms of ray_cast.hpp for balls and capsules, and what all its closed forms give. Include ray_cast.hpp.
+//
+// A closed form sees the shape from the ray's origin, in double, so that rounding does not grow with the distance from
+// zero. It settles all rays but those which nearly touch, and for those says where they would: `relation` decides.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/ray_hit.hpp>
+#include <graze/query/verdict.hpp>
+#include <graze/shape/capsule.hpp>
+#include <graze/shape/sphere.hpp>
+
+namespace graze::detail {
+
+/// All points origin + t * direction with 0 <= t <= t_max. No coordinate of the direction leaves the range in which its
+/// square is a number, and t_max may be infinite. `far` is how long the path is for `relation`, whose rounding grows
+/// with it: zero for rays, which it cuts off behind the shape.
+template <Dim N>
+struct Path {
+  Vec<N, double> origin;
+  Vec<N, double> direction;
+  double t_max;
+  double far = 0;
+};
+
+/// Whether a path touches a shape.
+enum class Sight {
+  misses,  ///< By more than what `relation` would call touching.
+  hits,    ///< In exact arithmetic, too.
+  unclear,
+};
+
+/// What a closed form says of a path from zero.
+template <Dim N>
+struct Sighting {
+  Sight sight = Sight::misses;
+  Touch<N> touch{};            ///< If the path hits, or if it is unclear but touches after all.
+  bool is_touch_known = true;  ///< False where the closed form does not know where the path would touch.
+};
+
+template <Dim N>
+Sighting<N> missed() {
+  return {};
+}
+
+/// Unclear, and the touch to be found by advance_to.
+template <Dim N>
+Sighting<N> unsettled() {
+  return {Sight::unclear, {}, false};
+}
+
+// ---- Balls
+
+/// Where the line t * direction enters a ball that it meets, up to rounding. Seen along the ray, the center is off it
+/// by the vector l = center - direction * middle; calculated so, l is right for a small ball far away, where the
+/// textbook's b^2 - 4 a c is rounding alone (Haines, Guenther, Akenine-Moeller, "Precision improvements for ray/sphere
+/// intersection", 2019).
+template <Dim N>
+struct BallPassage {
+  BallPassage(const Vec<N, double>& direction, const Vec<N, double>& center, double squared_radius)
+      : whole(dot(direction, direction)),
+        middle(dot(center, direction) / whole),  // a valid direction is not zero
+        off(center - direction * middle),
+        depth(squared_radius - dot(off, off)),
+        half(std::sqrt(std::max(0.0, depth) / whole)) {}
+
+  double enter() const { return middle - half; }
+  double exit() const { return middle + half; }
+  /// From the center to where the line enters.
+  Vec<N, double> spoke(const Vec<N, double>& direction) const { return -(off + direction * half); }
+
+  double whole;
+  double middle;
+  Vec<N, double> off;
+  double depth;  ///< The square of half the chord's length, negative for lines that miss.
+  double half;
+};
+
+/// The normal of a round shape along a spoke, which is rounded by `error`. Against the ray, even so; none if the shape
+/// is not larger than the rounding.
+template <Dim N>
+Vec<N, double> normal_along(const Vec<N, double>& spoke, const Vec<N, double>& direction, double error) {
+  const double along = dot(spoke, direction);
+  const Vec<N, double> against = along > 0 ? spoke - direction * (along / dot(direction, direction)) : spoke;
+  const double length = std::sqrt(dot(against, against));
+  return length > error ? against / length : Vec<N, double>(0.0);
+}
+
+/// The touch on a ball. The origin is inside if the line entered before it.
+template <Dim N>
+Touch<N> touch_of_ball(const Sphere<N, double>& ball, const BallPassage<N>& passage, const Vec<N, double>& direction,
+                       double t_max) {
+  Touch<N> touch;
+  touch.error = tolerance::rounding * (sum_abs(ball.center) + ball.radius);
+  if (!(passage.enter() >= 0)) return touch;
+  touch.t = std::min(passage.enter(), t_max);
+  touch.normal = normal_along(passage.spoke(direction), direction, touch.error);
+  touch.point = ball.center + touch.normal * ball.radius;
+  return touch;
+}
+
+/// With size^2 = |center|^2 + radius^2: where the squares differ by more than tolerance::ray_filter of size^2, half the
+/// chord is at least 2^-21 of the size and known to 2^-28 of it. A point that is still 2^-20 of the size away from the
+/// ball along the ray is off it by 2^-41 of the size at least, for the square of its distance exceeds radius^2 by the
+/// square of that.
+template <Dim N>
+[[gnu::always_inline]] inline Sighting<N> sight_of(const Sphere<N, double>& ball, const Path<N>& path) {
+  const auto& [origin, direction, t_max, far] = path;
+  const double squared_radius = ball.radius * ball.radius;
+  const double squares = dot(ball.center, ball.center) + squared_radius + far * far;
+  const BallPassage<N> passage(direction, ball.center, squared_radius);
+  const double band = tolerance::ray_filter * squares;
+  if (passage.depth < -band) return missed<N>();
+  const double end_slack = tolerance::ray_end * std::sqrt(squares / passage.whole);
+  const bool is_chord = passage.depth > band;
+  if (is_chord && (passage.exit() < -end_slack || passage.enter() > t_max + end_slack)) return missed<N>();
+  const bool is_hit = is_chord && passage.exit() > end_slack && passage.enter() < t_max - end_slack;
+  return {is_hit ? Sight::hits : Sight::unclear, touch_of_ball(ball, passage, direction, t_max)};
+}
+
+// ---- Capsules
+
+/// How far a path from zero is from a segment, squared, unless they are within 7 degrees of parallel; after
+/// filter_of_segments, but in units of the direction.
+template <Dim N>
+std::optional<Relation> filter_of_path(const Capsule<N, double>& capsule, const Path<N>& path) {
+  const auto& [origin, direction, t_max, far] = path;
+  constexpr double least_sine_squared = 1.0 / 64;
+  const Vec<N, double> edge = capsule.b - capsule.a;
+  const double uu = dot(direction, direction);
+  const double vv = dot(edge, edge);
+  const double uv = dot(direction, edge);
+  const double uw = dot(direction, capsule.a);
+  const double vw = dot(edge, capsule.a);
+  const double det = uu * vv - uv * uv;
+  if (!(det > least_sine_squared * (uu * vv))) return std::nullopt;  // so uu, vv and det are not zero
+  double s = std::clamp((uw * vv - vw * uv) / det, 0.0, t_max);
+  const double share = (uv * s - vw) / vv;
+  const double on_axis = std::clamp(share, 0.0, 1.0);
+  if (on_axis != share) s = std::clamp((uv * on_axis + uw) / uu, 0.0, t_max);
+  const Vec<N, double> between = direction * s - (edge * on_axis + capsule.a);
+  const double size = sum_abs(direction) * s + sum_abs(edge) + sum_abs(capsule.a) + capsule.radius + far;
+  return clear_verdict(dot(between, between), capsule.radius, tolerance::segment_filter * size);
+}
+
+/// Whether zero is inside a capsule whose axis is not a point.
+template <Dim N>
+bool holds_zero(const Capsule<N, double>& capsule) {
+  const Vec<N, double> edge = capsule.b - capsule.a;
+  const double share = std::clamp(-dot(capsule.a, edge) / dot(edge, edge), 0.0, 1.0);
+  const Vec<N, double> off = capsule.a + edge * share;
+  return dot(off, off) <= capsule.radius * capsule.radius;
+}
+
+/// The touch of a path that is known to hit and is not nearly parallel to the axis: on the tube, which is a ball as
+/// seen along the axis, if that is between the two ends, else on the ball around the nearer end.
+template <Dim N>
+Touch<N> touch_of_capsule(const Capsule<N, double>& capsule, const Vec<N, double>& direction, double t_max) {
+  Touch<N> touch;
+  touch.error = tolerance::rounding * (sum_abs(capsule.a) + sum_abs(capsule.b) + capsule.radius);
+  if (holds_zero(capsule)) return touch;
+  const Vec<N, double> edge = capsule.b - capsule.a;
+  const double whole = dot(edge, edge);
+  const auto across = [&](const Vec<N, double>& v) { return v - edge * (dot(v, edge) / whole); };
+  const Vec<N, double> direction_across = across(direction);
+  const BallPassage<N> tube(direction_across, across(capsule.a), capsule.radius * capsule.radius);
+  const double enter = std::clamp(tube.enter(), 0.0, t_max);
+  const double place = dot(direction * enter - capsule.a, edge) / whole;
+  if (!(place >= 0 && place <= 1)) {
+    const Sphere<N, double> end{place < 0 ? capsule.a : capsule.b, capsule.radius};
+    Touch<N> on_end =
+        touch_of_ball(end, BallPassage<N>(direction, end.center, end.radius * end.radius), direction, t_max);
+    on_end.error = touch.error;
+    return on_end;
+  }
+  touch.t = enter;
+  touch.normal = normal_along(tube.spoke(direction_across), direction, touch.error);
+  touch.point = capsule.a + edge * place + touch.normal * capsule.radius;
+  return touch;
+}
+
+template <Dim N>
+Sighting<N> sight_of(const Capsule<N, double>& capsule, const Path<N>& path) {
+  const std::optional<Relation> verdict = filter_of_path(capsule, path);
+  if (!verdict) return unsettled<N>();
+  if (*verdict == Relation::apart) return missed<N>();
+  return {Sight::hits, touch_of_capsule(capsule, path.direction, path.t_max)};
+}
+
+}  // namespace graze::detail

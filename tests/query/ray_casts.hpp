@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What graze says about rays and any shape: compiled once for each space, in ray_casts_*.cpp.
+#pragma once
+
+#include <optional>
+
+#include <graze/math/vec.hpp>
+#include <graze/query/ray_hit.hpp>
+#include <graze/shape/any_shape.hpp>
+
+namespace graze::test {
+
+/// ray_cast(shape, ray, t_max, options).
+template <Dim N, class T>
+std::optional<RayHit<N, T>> hit_of(const AnyShape<N, T>& shape, const Ray<N, T>& ray, T t_max, RayOptions options = {});
+
+/// ray_cast(shape, segment, options).
+template <Dim N, class T>
+std::optional<RayHit<N, T>> hit_of(const AnyShape<N, T>& shape, const Segment<N, T>& segment, RayOptions options = {});
+
+/// The signed distance of a point in double: of a compound the least of its parts', of sets without thickness positive.
+template <Dim N, class T>
+double height_of(const AnyShape<N, T>& shape, const Vec<N, double>& point);
+
+}  // namespace graze::test

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <graze/query/ray_sight_box.hpp>
+
+namespace graze::detail {
+namespace {
+
+using Point = Vec<3, double>;
+using Box = Aabb<3, double>;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+template <Dim N>
+Path<N> path(const Vec<N, double>& direction, double t_max) {
+  return {Vec<N, double>(0.0), direction, t_max};
+}
+
+TEST(RaySightBox, IsClearBeyondRoundingAndUnclearWithin) {
+  const auto sight = [](double height, double t_max) {
+    return sight_of(Box{{4, height - 1, -1}, {6, height + 1, 1}}, path(Point(2, 0, 0), t_max)).sight;
+  };
+  EXPECT_EQ(sight(0.999, infinity), Sight::hits);
+  EXPECT_EQ(sight(1.001, infinity), Sight::misses);
+  EXPECT_EQ(sight(1, infinity), Sight::unclear);
+  EXPECT_EQ(sight(0, 2), Sight::unclear);
+  EXPECT_EQ(sight(0, 2.001), Sight::hits);
+  EXPECT_EQ(sight(0, 1.999), Sight::misses);
+}
+
+TEST(RaySightBox, OfAFlatBoxIsClearWhereItIsCrossed) {
+  const Sighting<3> crossed = sight_of(Box{{4, -1, -1}, {4, 1, 1}}, path(Point(2, 0.25, 0), infinity));
+  EXPECT_EQ(crossed.sight, Sight::hits);
+  EXPECT_EQ(crossed.touch.t, 2);
+  EXPECT_EQ(crossed.touch.point, Point(4, 0.5, 0));
+}
+
+TEST(RaySightBox, RunsAlongASideWithEitherZero) {
+  for (const double zero : {0.0, -0.0}) {
+    const Sighting<3> along = sight_of(Box{{4, 0, -1}, {6, 1, 1}}, path(Point(2, zero, zero), infinity));
+    EXPECT_EQ(along.sight, Sight::unclear);
+    EXPECT_EQ(along.touch.t, 2);
+    EXPECT_EQ(along.touch.normal, Point(-1, 0, 0));
+  }
+}
+
+TEST(RaySightBox, WorksInThePlane) {
+  const Sighting<2> hit = sight_of(Aabb<2, double>{{-1, 3}, {1, 5}}, path(Vec<2, double>(0.1, 2), infinity));
+  EXPECT_EQ(hit.sight, Sight::hits);
+  EXPECT_EQ(hit.touch.t, 1.5);
+  EXPECT_EQ(hit.touch.normal, (Vec<2, double>(0, -1)));
+}
+
+TEST(RaySightBox, TakesAxesAsTheyAreStored) {
+  // The first axis leans: the box is all (u + v / 1024, v, w), and its side u = -1 is met where x = -1 + y / 1024.
+  Mat<3, double> axes(1.0);
+  axes[1] = Point(0x1p-10, 1, 0);
+  const Obb<3, double> box{{4, 0, 0}, {1, 2, 1}, axes};
+  const Sighting<3> hit = sight_of(box, path(Point(1, 0.25, 0), infinity));
+  EXPECT_EQ(hit.sight, Sight::hits);
+  EXPECT_NEAR(hit.touch.t, 3 / (1 - 0.25 * 0x1p-10), 1e-15);
+  EXPECT_NEAR(hit.touch.normal.y / hit.touch.normal.x, -0x1p-10, 1e-18);
+}
+
+TEST(RaySightBox, TakesAxesThatAreMirrored) {
+  Mat<3, double> axes(1.0);
+  axes[0] = Point(-1, 0, 0);
+  const Sighting<3> hit = sight_of(Obb<3, double>{{4, 0, 0}, {1, 2, 1}, axes}, path(Point(1, 0.25, 0), infinity));
+  EXPECT_EQ(hit.sight, Sight::hits);
+  EXPECT_EQ(hit.touch.t, 3);
+  EXPECT_EQ(hit.touch.point, Point(3, 0.75, 0));
+  EXPECT_EQ(hit.touch.normal, Point(-1, 0, 0));
+}
+
+TEST(RaySightBox, NanIsNeverHit) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(sight_of(Box{{nan, -1, -1}, {6, 1, 1}}, path(Point(1, 0, 0), infinity)).sight, Sight::hits);
+  EXPECT_NE(sight_of(Box{{4, -1, -1}, {6, nan, 1}}, path(Point(1, 0, 0), infinity)).sight, Sight::hits);
+  EXPECT_NE(sight_of(Box{{4, -1, -1}, {6, 1, nan}}, path(Point(1, 0, 0), infinity)).sight, Sight::hits);
+}
+
+}  // namespace
+}  // namespace graze::detail

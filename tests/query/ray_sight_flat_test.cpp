@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <graze/query/ray_sight_flat.hpp>
+
+namespace graze::detail {
+namespace {
+
+using Point = Vec<3, double>;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+template <Dim N>
+Path<N> path(const Vec<N, double>& direction, double t_max) {
+  return {Vec<N, double>(0.0), direction, t_max};
+}
+
+TEST(RaySightFlat, OfASegmentIsWhereTheLinesAreNearest) {
+  const Sighting<3> crossing = sight_of(Segment<3, double>{{4, -1, 0}, {4, 2, 0}}, path(Point(2, 0, 0), infinity));
+  EXPECT_EQ(crossing.sight, Sight::unclear);
+  EXPECT_EQ(crossing.touch.t, 2);
+  const Sighting<3> along = sight_of(Segment<3, double>{{6, 0, 0}, {3, 0, 0}}, path(Point(2, 0, 0), infinity));
+  EXPECT_EQ(along.touch.t, 1.5);
+  EXPECT_EQ(along.touch.normal, Point(0.0));
+}
+
+TEST(RaySightFlat, OfARayThatComesAgainstThePathIsWhereThePathStarts) {
+  EXPECT_EQ(sight_of(Ray<3, double>{{6, 0, 0}, {-3, 0, 0}}, path(Point(2, 0, 0), infinity)).touch.t, 0);
+  EXPECT_EQ(sight_of(Ray<3, double>{{6, 0, 0}, {3, 0, 0}}, path(Point(2, 0, 0), infinity)).touch.t, 3);
+}
+
+TEST(RaySightFlat, OfATriangleIsClearInsideOutsideAndInTime) {
+  const Triangle<3, double> triangle{{4, -1, -1}, {4, 2, -1}, {4, -1, 2}};
+  const auto sight = [&](const Point& direction, double t_max) {
+    return sight_of(triangle, path(direction, t_max)).sight;
+  };
+  EXPECT_EQ(sight({2, 0, 0}, infinity), Sight::hits);
+  EXPECT_EQ(sight({-2, 0, 0}, infinity), Sight::misses);
+  EXPECT_EQ(sight({2, 1, 1}, infinity), Sight::misses);
+  EXPECT_EQ(sight({2, 0, 0}, 1.999), Sight::misses);
+  EXPECT_EQ(sight({2, 0, 0}, 2.0), Sight::unclear);
+  EXPECT_EQ(sight({4, -1, 0}, infinity), Sight::unclear);   // an edge
+  EXPECT_EQ(sight({4, -1, -1}, infinity), Sight::unclear);  // a corner
+  EXPECT_EQ(sight({4, 0.5, 0.5}, infinity), Sight::unclear);
+  EXPECT_EQ(sight_of(triangle, path(Point(2, 0, 0), infinity)).touch.t, 2);
+  EXPECT_EQ(sight_of(triangle, path(Point(4, -1, -1), infinity)).touch.t, 1);
+}
+
+TEST(RaySightFlat, OfATriangleInItsPlaneIsLeftOpen) {
+  const Triangle<3, double> triangle{{4, -1, 0}, {4, 1, 0}, {6, 0, 0}};
+  EXPECT_EQ(sight_of(triangle, path(Point(1, 0, 0), infinity)).sight, Sight::unclear);
+  EXPECT_FALSE(sight_of(triangle, path(Point(1, 0, 0), infinity)).is_touch_known);
+}
+
+TEST(RaySightFlat, OfAPolygonClipsByItsEdges) {
+  const std::array<Vec<2, double>, 4> corners{{{4, -1}, {5, -1}, {5, 1}, {3, 1}}};
+  const auto sight = [&](const Vec<2, double>& direction, double t_max) {
+    return sight_of_polygon<double>(corners, 0, path(direction, t_max));
+  };
+  const Sighting<2> hit = sight({2, 0}, infinity);
+  EXPECT_EQ(hit.sight, Sight::hits);
+  EXPECT_EQ(hit.touch.t, 1.75);
+  EXPECT_EQ(sight({2, 1}, infinity).sight, Sight::misses);
+  EXPECT_EQ(sight({2, 0}, 1.75).sight, Sight::unclear);
+  EXPECT_EQ(sight({3, 1}, infinity).sight, Sight::unclear);  // the upper left corner
+  EXPECT_EQ(sight({-1, 0}, infinity).sight, Sight::misses);
+}
+
+TEST(RaySightFlat, OfPlanesAndHalfSpacesIsUnclearNearTheEndOnly) {
+  const Plane<3, float> plane{{2, 0, 0}, 6};
+  const HalfSpace<3, float> solid{{-2, 0, 0}, -6};
+  const auto beside = [](double t_max) { return Path<3>{{1, 5, 5}, {1, 0, 0}, t_max}; };
+  for (const double t_max : {2.001, infinity}) {
+    EXPECT_EQ(sight_of_level(plane, beside(t_max)).sight, Sight::hits);
+    EXPECT_EQ(sight_of_level(solid, beside(t_max)).sight, Sight::hits);
+    EXPECT_EQ(sight_of_level(solid, beside(t_max)).touch.t, 2);
+  }
+  EXPECT_EQ(sight_of_level(plane, beside(2)).sight, Sight::unclear);
+  EXPECT_EQ(sight_of_level(solid, beside(2)).sight, Sight::unclear);
+  EXPECT_EQ(sight_of_level(plane, beside(1.999)).sight, Sight::misses);
+  EXPECT_EQ(sight_of_level(solid, beside(1.999)).sight, Sight::misses);
+}
+
+}  // namespace
+}  // namespace graze::detail
