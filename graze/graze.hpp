@@ -14,6 +14,7 @@
 #include <graze/query/closest_boundary_point.hpp>
 #include <graze/query/closest_point.hpp>
 #include <graze/query/closest_points.hpp>
+#include <graze/query/contact.hpp>
 #include <graze/query/contains.hpp>
 #include <graze/query/convex_parts.hpp>
 #include <graze/query/distance.hpp>
@@ -21,6 +22,7 @@
 #include <graze/query/epa.hpp>
 #include <graze/query/gjk.hpp>
 #include <graze/query/intersects.hpp>
+#include <graze/query/manifold.hpp>
 #include <graze/query/outline.hpp>
 #include <graze/query/ray_cast.hpp>
 #include <graze/query/relation.hpp>

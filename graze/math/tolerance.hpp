@@ -64,6 +64,15 @@ inline constexpr double gjk_relative_gap = 1e-12;
 /// four roundings, their difference and the projection on a unit normal about as many again.
 inline constexpr double convex = 32 * epsilon;
 
+/// Nearest points that are farther apart than this, relative to the size of the pair, show the direction of the least
+/// translation that parts two round shapes: it is turned by rounding by less than 1e-9, and no depth sees the square of
+/// that.
+inline constexpr double known_direction = 1e-5;
+
+/// Faces and edges that are turned by less than this against a contact's normal, or each other, are laid flat on each
+/// other in a manifold: more than normals are rounded by, and what it hides of a depth is that of a hair on a house.
+inline constexpr double aligned = 1e-5;
+
 /// An edge that makes less than this angle with a plane may lie on either side of it: far above the few epsilon by
 /// which the plane's normal is rounded, and where both sides are tried, nothing is lost but time.
 inline constexpr double extreme_edge = 1e-12;

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// contact(a, b): how deep two shapes that meet are in each other, where, and which way out is the shortest.
+//
+// What finds it. C: a closed form. S: the supports along the plane's normal, a closed form for every convex shape. P:
+// part by part. G: GJK where the cores are apart, EPA where they meet.
+//
+//               segment ray sphere aabb obb plane half-space triangle capsule polytope compound user's
+//   point          C     C    C     C    C    S       S         C        C       G        P       G
+//   segment        C     C    C     C    C    S       S         C        C       G        P       G
+//   ray                  C    C     C    C    C       C         C        C       G        P       G
+//   sphere                    C     C    C    S       S         C        C       G        P       G
+//   aabb                            C    C    S       S         C        C       G        P       G
+//   obb                                  C    S       S         C        C       G        P       G
+//   plane                                     C       C         S        S       S        P       S
+//   half-space                                        C         S        S       S        P       S
+//   triangle                                                    C        C       G        P       G
+//   capsule                                                              C       G        P       G
+//   polytope                                                                     G        P       G
+//   compound                                                                              P       P
+//
+// relation(a, b) decides whether there is a contact. Moving b by normal * depth is the least translation that leaves
+// the shapes touching, at point_a, which point_b comes to lie on. A round shape is its core (a center or an axis) and a
+// radius. Cores that are apart are parted along the vector between their nearest points; cores that meet along the
+// normal of the nearest face of the set of differences a - b, which is a face of one of them or spanned by an edge of
+// each. Of directions that are as good up to rounding: normals of faces before pairs of edges, those of a before those
+// of b, coordinate axes and boxes' axes in their order, forward before backward.
+//
+// Shapes whose differences fill no volume (in 2D: no area) only touch: their depth is 0, and the normal is at right
+// angles to them all: that of the plane of two triangles or segments that lie in one plane, straight across two
+// segments on one line, and x for a point on a point. For the same reason x for the centers of concentric spheres, and
+// straight across for capsules whose axes lie on one line.
+//
+// Planes that cross, half-spaces unless they face each other, and a ray that runs on into a half-space or crosses
+// another boundary for good cannot be parted: depth is infinite, the normal zero, both points a common one.
+//
+// A compound is its deepest part, the first of several; where parts overlap, the way out of one may lead deeper into
+// another. Swapping the arguments swaps the points and negates the normal, and changes no bit of anything else; but
+// for two equal shapes, of which none is the first.
+//
+// `error` bounds the error of the depth before it is rounded to T, and what is left of the shapes' overlap, or the gap
+// between them, after the move: C a few epsilon of double of the pair's own size, however far from the origin (rays: of
+// the larger of the size of the other shape and its distance from the ray's origin); S and G a few epsilon of the
+// largest coordinate (of T for a user's shape that calculates in T); G also what is left between the bounds that GJK or
+// EPA has proved, and the status says if that is more than 1e-12 of the depth. Coordinates of magnitude 1e-140 to
+// 1e140.
+#pragma once
+
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <variant>
+
+#include <graze/math/vec.hpp>
+#include <graze/query/bounds.hpp>
+#include <graze/query/closest_points.hpp>
+#include <graze/query/penetration.hpp>
+#include <graze/query/penetration_convex.hpp>
+#include <graze/query/penetration_cores.hpp>
+#include <graze/query/penetration_unbounded.hpp>
+#include <graze/query/relation.hpp>
+#include <graze/query/status.hpp>
+#include <graze/shape/any_shape.hpp>
+#include <graze/shape/shape.hpp>
+
+namespace graze {
+
+/// How deep two shapes are in each other, and where.
+template <Dim N, class T = float>
+struct Contact {
+  Vec<N, T> point = Vec<N, T>(T(0));    ///< In the middle between the two below.
+  Vec<N, T> normal = Vec<N, T>(T(0));   ///< Of length 1, from a to b; or zero if nothing parts them.
+  T depth = T(0);                       ///< How far b has to go along the normal.
+  Vec<N, T> point_a = Vec<N, T>(T(0));  ///< Of a's surface, deepest in b: point_b + normal * depth.
+  Vec<N, T> point_b = Vec<N, T>(T(0));  ///< Of b's surface, deepest in a.
+  Status status = Status::converged;    ///< Always `converged` for closed forms.
+  double error = 0;                     ///< How far `depth` may be off, its rounding to T left out.
+
+  friend bool operator==(const Contact&, const Contact&) = default;
+};
+
+namespace detail {
+
+template <Scalar T, Dim N>
+Contact<N, T> rounded_contact(const Penetration<N>& exact) {
+  const Vec<N, double> middle = exact.point_a * 0.5 + exact.point_b * 0.5;
+  return {Vec<N, T>(middle) + T(0),  // never minus zero
+          Vec<N, T>(exact.normal) + T(0),
+          static_cast<T>(exact.depth),
+          Vec<N, T>(exact.point_a) + T(0),
+          Vec<N, T>(exact.point_b) + T(0),
+          exact.status,
+          exact.error};
+}
+
+/// Of two simple shapes that meet, in the order of AnyShape.
+template <class A, class B>
+Penetration<dimension_of<A>> penetration_in_order(const A& a, const B& b) {
+  if constexpr (is_level<A> && is_level<B>) {
+    return penetration_of_levels(a, b);
+  } else if constexpr (is_ray<A> && is_level<B>) {
+    return penetration_of_ray(a, b);
+  } else if constexpr (is_level<B>) {
+    return exchanged(penetration_in_level(b, a));
+  } else if constexpr (is_level<A>) {
+    return penetration_in_level(a, b);
+  } else if constexpr (is_ray<A> && is_ray<B>) {
+    return penetration_of_rays(a, b);
+  } else if constexpr (HasSimpleCore<A> && HasSimpleCore<B>) {
+    return penetration_of_simple(a, b);
+  } else {
+    return penetration_of_convex(a, b);
+  }
+}
+
+template <class A, class B>
+std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b);
+
+template <Dim N>
+std::optional<Penetration<N>> exchanged(std::optional<Penetration<N>> penetration) {
+  if (penetration) penetration = exchanged(*penetration);
+  return penetration;
+}
+
+/// The deepest part, the first of several.
+template <Dim N, class T, class S>
+std::optional<Penetration<N>> penetration_of_parts(const Compound<N, T>& compound, const S& shape) {
+  const Aabb<N, T> box = touching_bounds(bounds(shape));
+  std::optional<Penetration<N>> deepest;
+  for (const Part<N, T>& part : compound.parts) {
+    if (!boxes_overlap(touching_bounds(part.box), box)) continue;
+    const std::optional<Penetration<N>> candidate = penetration(part.shape, shape);
+    if (candidate && (!deepest || candidate->depth > deepest->depth)) deepest = candidate;
+  }
+  return deepest;
+}
+
+template <class A, class B>
+std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b) {
+  if constexpr (is_any_shape<A>) {
+    return std::visit([&b](const auto& held) { return penetration(held, b); }, a);
+  } else if constexpr (is_any_shape<B>) {
+    return std::visit([&a](const auto& held) { return penetration(a, held); }, b);
+  } else if constexpr (is_compound<A> && is_compound<B>) {
+    return is_in_order(a, b) ? penetration_of_parts(a, b) : exchanged(penetration_of_parts(b, a));
+  } else if constexpr (is_compound<A>) {
+    return penetration_of_parts(a, b);
+  } else if constexpr (is_compound<B>) {
+    return exchanged(penetration_of_parts(b, a));
+  } else {
+    if (decide(a, b) == Relation::apart) return std::nullopt;
+    if constexpr (type_place<A> < type_place<B>) {
+      return penetration_in_order(a, b);
+    } else if constexpr (type_place<A> > type_place<B>) {
+      return exchanged(penetration_in_order(b, a));
+    } else {
+      return is_in_order(a, b) ? penetration_in_order(a, b) : exchanged(penetration_in_order(b, a));
+    }
+  }
+}
+
+}  // namespace detail
+
+/// The contact of two valid shapes (asserted) of the same dimension and number type, as described above; none if they
+/// are apart. Cheaper where only that is asked: `intersects`.
+template <Shape A, SameSpace<A> B>
+std::optional<Contact<dimension_of<A>, scalar_of<A>>> contact(const A& a, const B& b) {
+  assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));
+  const auto found = detail::penetration(a, b);
+  if (!found) return std::nullopt;
+  return detail::rounded_contact<scalar_of<A>>(*found);
+}
+
+}  // namespace graze

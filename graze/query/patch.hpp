@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// The face of a core that looks most along a direction, as a few numbered corners: what manifold.hpp lays on each
+// other. In double, seen from near the pair.
+//
+// Numbers of features: corners of boxes by bits, bit i for the far side of axis i; of segments, triangles and polygons
+// in the order of their points; of polytopes in space as vertices() has them. Sides of boxes 2 * axis, and one more for
+// the far one. Edges of boxes in space 4 * axis and bits for the sides of the next axis and the one after it; of
+// triangles and polygons by their first corner; of polytopes in space by both corners. The one face of a triangle, the
+// only edge of a segment: 0.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/core_features.hpp>
+#include <graze/query/parting_axis.hpp>
+#include <graze/query/surface_point.hpp>
+#include <graze/query/surface_point_box.hpp>
+#include <graze/shape/aabb.hpp>
+#include <graze/shape/obb.hpp>
+#include <graze/shape/segment.hpp>
+#include <graze/shape/triangle.hpp>
+
+namespace graze::detail {
+
+/// A convex polygon in space, in the plane an edge; or, where a core has no more to offer, an edge or a point.
+template <Dim N>
+struct Patch {
+  static constexpr std::size_t most_corners = N == 2 ? 2 : 8;
+
+  std::array<Vec<N, double>, most_corners> corners;  ///< In order around the face, either way.
+  std::array<std::uint32_t, most_corners> vertices;  ///< Their numbers.
+  std::array<std::uint32_t, most_corners> edges;     ///< Of the edge from each corner to the next.
+  std::size_t size = 0;                              ///< 0: without bounds.
+  std::uint32_t face = 0;
+  Vec<N, double> normal = Vec<N, double>(0.0);  ///< Of length 1, outward; zero if it is no face.
+
+  void add(const Vec<N, double>& corner, std::uint32_t vertex, std::uint32_t edge) {
+    corners[size] = corner;
+    vertices[size] = vertex;
+    edges[size++] = edge;
+  }
+};
+
+// ---- patch_of(core, direction); of faces that look along the direction as much, up to rounding, the first.
+
+template <Dim N>
+Patch<N> patch_of(const Vec<N, double>& point, const Vec<N, double>&) {
+  Patch<N> patch;
+  patch.add(point, 0, 0);
+  return patch;
+}
+
+/// In the plane a segment has two sides; the normal is that of the one that looks along the direction.
+template <Dim N>
+Patch<N> patch_of(const Segment<N, double>& segment, const Vec<N, double>& direction) {
+  Patch<N> patch;
+  patch.add(segment.start, 0, 0);
+  patch.add(segment.end, 1, 0);
+  if constexpr (N == 2) {
+    const Vec<2, double> normal = unit_or(perpendicular(segment.end - segment.start), Vec<2, double>(0.0));
+    patch.normal = dot(normal, direction) < 0 ? -normal : normal;
+  }
+  return patch;
+}
+
+inline Patch<3> patch_of(const Triangle<3, double>& triangle, const Vec<3, double>& direction) {
+  Patch<3> patch;
+  const auto corners = triangle.vertices();
+  for (std::uint32_t i = 0; i < 3; ++i) patch.add(corners[i], i, i);
+  const Vec<3, double> normal = unit_or(face_directions(triangle)[0], Vec<3, double>(0.0));
+  patch.normal = dot(normal, direction) < 0 ? -normal : normal;
+  return patch;
+}
+
+template <Dim N>
+bool is_aligned(const Vec<N, double>& a, const Vec<N, double>& b) {
+  const Vec<N, double> turn = a - b;
+  return dot(turn, turn) <= tolerance::aligned * tolerance::aligned;
+}
+
+/// How much more a later face has to look along a direction, as a cosine, to be preferred.
+inline bool looks_more(double candidate, double best) { return candidate > best + tolerance::aligned; }
+
+/// The edges of a convex polygon whose corners `corner(0)`, ..., `corner(count - 1)` run either way round.
+template <class Corner>
+class PolygonEdges {
+ public:
+  PolygonEdges(std::size_t count, const Corner& corner) : count_(count), corner_(corner) {
+    for (std::size_t i = 2; i < count; ++i) {
+      area_ += cross_2d<double>(corner(i - 1) - corner(0), corner(i) - corner(0));
+    }
+  }
+
+  /// The one that looks most along a direction: one of the two at the farthest corner. Of a flat polygon, which has two
+  /// sides, the longer one. Corners that hardly turn are passed.
+  Patch<2> along(const Vec<2, double>& direction) const {
+    std::size_t farthest = 0;
+    for (std::size_t i = 1; i < count_; ++i) {
+      if (dot(corner_(i), direction) > dot(corner_(farthest), direction)) farthest = i;
+    }
+    const std::size_t before = last_before(farthest);
+    const bool is_after_better =
+        area_ == 0 ? sum_abs(way_from(farthest)) > sum_abs(way_from(before))
+                   : looks_more(dot(normal_of(farthest), direction), dot(normal_of(before), direction));
+    return extended(is_after_better ? farthest : before, direction);
+  }
+
+ private:
+  std::size_t next_after(std::size_t i) const { return i + 1 < count_ ? i + 1 : 0; }
+  std::size_t last_before(std::size_t i) const { return i > 0 ? i - 1 : count_ - 1; }
+  Vec<2, double> way_from(std::size_t i) const { return corner_(next_after(i)) - corner_(i); }
+
+  Vec<2, double> normal_of(std::size_t i) const {
+    const Vec<2, double> right = unit_or(-perpendicular<double>(way_from(i)), Vec<2, double>(0.0));
+    return area_ < 0 ? -right : right;
+  }
+
+  Patch<2> extended(std::size_t edge, const Vec<2, double>& direction) const {
+    Patch<2> patch;
+    patch.normal = normal_of(edge);
+    std::size_t first = edge;
+    std::size_t last = next_after(edge);
+    const auto goes_on = [&](std::size_t i) { return area_ != 0 && is_aligned(normal_of(i), patch.normal); };
+    while (last_before(first) != last && goes_on(last_before(first))) first = last_before(first);
+    while (next_after(last) != first && goes_on(last)) last = next_after(last);
+    patch.face = static_cast<std::uint32_t>(first);
+    patch.add(corner_(first), patch.face, patch.face);
+    patch.add(corner_(last), static_cast<std::uint32_t>(last), patch.face);
+    if (area_ == 0 && dot(patch.normal, direction) < 0) patch.normal = -patch.normal;
+    return patch;
+  }
+
+  std::size_t count_;
+  const Corner& corner_;
+  double area_ = 0;
+};
+
+inline Patch<2> patch_of(const Triangle<2, double>& triangle, const Vec<2, double>& direction) {
+  const auto corners = triangle.vertices();
+  const auto corner = [&](std::size_t i) { return corners[i]; };
+  return PolygonEdges(3, corner).along(direction);
+}
+
+/// The axis whose faces look most along a direction, and their normal of length 1 on that side.
+template <Dim N>
+struct BoxSide {
+  Dim axis = 0;
+  bool is_far = false;
+  Vec<N, double> normal;
+};
+
+template <Dim N>
+BoxSide<N> side_along(const Mat<N, double>& normals, const Vec<N, double>& direction) {
+  BoxSide<N> side;
+  double best = -1;
+  for (Dim i = 0; i < N; ++i) {
+    const double height = dot(normals[i], direction);
+    if (!looks_more(std::fabs(height), best)) continue;
+    best = std::fabs(height);
+    side = {i, height > 0, height > 0 ? normals[i] : -normals[i]};
+  }
+  side.normal /= std::sqrt(dot(side.normal, side.normal));  // about 1 already
+  return side;
+}
+
+// A side without length or width is no face.
+
+inline Patch<2> patch_of_box(const BoxFrame<2>& box, const BoxSide<2>& side) {
+  Patch<2> patch;
+  patch.face = static_cast<std::uint32_t>(2 * side.axis + (side.is_far ? 1 : 0));
+  patch.normal = side.normal;
+  const Dim along = 1 - side.axis;
+  const Vec<2, double> middle = box.center + box.half_edges[side.axis] * (side.is_far ? 1.0 : -1.0);
+  const std::uint32_t bit = (side.is_far ? 1U : 0U) << static_cast<unsigned>(side.axis);
+  patch.add(middle - box.half_edges[along], bit, patch.face);
+  patch.add(middle + box.half_edges[along], bit | 1U << static_cast<unsigned>(along), patch.face);
+  if (max_abs(box.half_edges[along]) == 0) patch.normal = Vec<2, double>(0.0);
+  return patch;
+}
+
+/// Around the side, with the next axis as x and the one after it as y.
+inline Patch<3> patch_of_box(const BoxFrame<3>& box, const BoxSide<3>& side) {
+  Patch<3> patch;
+  const auto axis = static_cast<std::uint32_t>(side.axis);
+  const std::uint32_t x = (axis + 1) % 3;
+  const std::uint32_t y = (axis + 2) % 3;
+  const std::uint32_t far = side.is_far ? 1 : 0;
+  patch.face = 2 * axis + far;
+  patch.normal = side.normal;
+  const Vec<3, double> middle = box.center + box.half_edges[side.axis] * (side.is_far ? 1.0 : -1.0);
+  const Vec<3, double> right = box.half_edges[static_cast<Dim>(x)];
+  const Vec<3, double> up = box.half_edges[static_cast<Dim>(y)];
+  // An edge along x has as bits its sides of y and of `axis`, one along y those of `axis` and of x.
+  patch.add(middle - right - up, far << axis, 4 * x + 2 * far);
+  patch.add(middle + right - up, far << axis | 1U << x, 4 * y + far + 2);
+  patch.add(middle + right + up, far << axis | 1U << x | 1U << y, 4 * x + 1 + 2 * far);
+  patch.add(middle - right + up, far << axis | 1U << y, 4 * y + far);
+  if (max_abs(right) == 0 || max_abs(up) == 0) patch.normal = Vec<3, double>(0.0);
+  return patch;
+}
+
+template <Dim N>
+Patch<N> patch_of(const Aabb<N, double>& box, const Vec<N, double>& direction) {
+  return patch_of_box(frame_of(box), side_along<N>(Mat<N, double>(1.0), direction));
+}
+
+template <Dim N>
+Patch<N> patch_of(const Obb<N, double>& box, const Vec<N, double>& direction) {
+  return patch_of_box(frame_of(box), side_along<N>(face_normals(box.axes), direction));
+}
+
+}  // namespace graze::detail

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// Two boxes of any kind, of which at least one is oriented: parting_axis.hpp with what boxes make quicker, and the
+// points of their contact from the faces and edges that the axis belongs to. Include contact.hpp.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/closest_cores.hpp>
+#include <graze/query/core_features.hpp>
+#include <graze/query/manifold_points.hpp>
+#include <graze/query/parting_axis.hpp>
+#include <graze/query/patch.hpp>
+#include <graze/query/penetration.hpp>
+#include <graze/shape/aabb.hpp>
+#include <graze/shape/obb.hpp>
+#include <graze/shape/segment.hpp>
+
+namespace graze::detail {
+
+/// A box as a search for an axis wants it.
+template <Dim N>
+struct BoxSides {
+  BoxFrame<N> frame;
+  Mat<N, double> directions;  ///< Of the edges, of length about 1.
+  Mat<N, double> normals;     ///< Of the faces, of length 1.
+};
+
+template <Dim N>
+BoxSides<N> sides_of(const Aabb<N, double>& box) {
+  return {frame_of(box), Mat<N, double>(1.0), Mat<N, double>(1.0)};
+}
+
+template <Dim N>
+BoxSides<N> sides_of(const Obb<N, double>& box) {
+  BoxSides<N> sides{frame_of(box), box.axes, adjoint_columns(box.axes)};
+  for (Dim i = 0; i < N; ++i) sides.normals[i] /= std::sqrt(dot(sides.normals[i], sides.normals[i]));  // about 1
+  return sides;
+}
+
+/// The axis, and what it is the normal of: the face of one box, or two edges.
+template <Dim N>
+struct BoxesAxis {
+  PartingAxis<N> axis;
+  bool is_of_b = false;
+  std::optional<std::array<Dim, 2>> edges;
+};
+
+/// A face of a box reaches as far as its own half edge; an axis across an edge leaves that edge out. Pairs of edges are
+/// compared by squares: the root is taken of the winner alone.
+template <Dim N>
+class BoxesSearch {
+ public:
+  BoxesSearch(const BoxSides<N>& a, const BoxSides<N>& b, double size)
+      : a_(a), b_(b), between_(b.frame.center - a.frame.center), margin_(tolerance::rounding * size) {}
+
+  BoxesAxis<N> run() {
+    for (Dim i = 0; i < N; ++i) try_face(a_, b_, i);
+    const double best_of_a = best_.axis.gap;
+    for (Dim i = 0; i < N; ++i) try_face(b_, a_, i);
+    best_.is_of_b = best_.axis.gap > best_of_a;
+    if constexpr (N == 3) {
+      for (Dim i = 0; i < N; ++i) {
+        for (Dim j = 0; j < N; ++j) try_edges(i, j);
+      }
+    }
+    return best_;
+  }
+
+ private:
+  void try_face(const BoxSides<N>& own, const BoxSides<N>& other, Dim i) {
+    const Vec<N, double>& normal = own.normals[i];
+    double reach = std::fabs(dot(normal, own.frame.half_edges[i]));
+    for (Dim j = 0; j < N; ++j) reach += std::fabs(dot(normal, other.frame.half_edges[j]));
+    const double ahead = dot(normal, between_);
+    const double gap = std::fabs(ahead) - reach;
+    if (gap > best_.axis.gap + margin_) best_.axis = {ahead >= 0 ? normal : -normal, gap};
+  }
+
+  void try_edges(Dim i, Dim j) {
+    const Vec<3, double> across_both = cross_of_directions(a_.directions[i], b_.directions[j]);
+    const double squared = dot(across_both, across_both);
+    if (!(squared > 0)) return;
+    const double reach = reach_without(a_.frame, i, across_both) + reach_without(b_.frame, j, across_both);
+    const double ahead = dot(across_both, between_);
+    const double gap = std::fabs(ahead) - reach;  // times the axis' length
+    const double least = best_.axis.gap + margin_;
+    const bool is_better =
+        gap >= 0 ? least < 0 || gap * gap > least * least * squared : least < 0 && gap * gap < least * least * squared;
+    if (!is_better) return;
+    const double length = std::sqrt(squared);
+    best_.axis = {across_both * ((ahead >= 0 ? 1.0 : -1.0) / length), gap / length};
+    best_.edges = {i, j};
+  }
+
+  static double reach_without(const BoxFrame<3>& box, Dim i, const Vec<3, double>& axis) {
+    return std::fabs(dot(axis, box.half_edges[(i + 1) % 3])) + std::fabs(dot(axis, box.half_edges[(i + 2) % 3]));
+  }
+
+  const BoxSides<N>& a_;
+  const BoxSides<N>& b_;
+  Vec<N, double> between_;
+  double margin_;
+  BoxesAxis<N> best_;
+};
+
+/// The edge along `axis` that is farthest along a direction.
+inline Segment<3, double> farthest_edge(const BoxFrame<3>& box, Dim axis, const Vec<3, double>& direction) {
+  Vec<3, double> middle = box.center;
+  for (const Dim i : {(axis + 1) % 3, (axis + 2) % 3}) {
+    middle += dot(box.half_edges[i], direction) < 0 ? -box.half_edges[i] : box.half_edges[i];
+  }
+  return {middle - box.half_edges[axis], middle + box.half_edges[axis]};
+}
+
+/// Where the lines of the two edges are nearest; none of edges without length.
+inline std::optional<SurfacePair<3>> pair_on_edges(const BoxFrame<3>& a, const BoxFrame<3>& b,
+                                                   const BoxesAxis<3>& found) {
+  const Segment<3, double> edge_a = farthest_edge(a, (*found.edges)[0], found.axis.normal);
+  const Segment<3, double> edge_b = farthest_edge(b, (*found.edges)[1], -found.axis.normal);
+  const std::optional<Places> places = perpendicular_places(edge_a, edge_b);
+  if (!places) return std::nullopt;
+  SurfacePair<3> pair{};
+  pair.point_a = edge_a.start + (edge_a.end - edge_a.start) * places->on_a;
+  pair.point_b = edge_b.start + (edge_b.end - edge_b.start) * places->on_b;
+  return pair;
+}
+
+template <Dim N>
+double size_of_box(const BoxFrame<N>& box) {
+  double size = sum_abs(box.center);
+  for (Dim i = 0; i < N; ++i) size += sum_abs(box.half_edges[i]);
+  return size;
+}
+
+/// The penetration of two boxes, seen from near the pair, but for its points.
+template <Dim N>
+struct BoxesContact {
+  BoxesAxis<N> axis;
+  double size;  ///< Of both boxes.
+  Penetration<N> found;
+};
+
+template <class A, class B>
+BoxesContact<dimension_of<A>> contact_of_boxes(const A& a, const B& b) {
+  constexpr Dim N = dimension_of<A>;
+  const BoxSides<N> sides_a = sides_of(a);
+  const BoxSides<N> sides_b = sides_of(b);
+  BoxesContact<N> result;
+  result.size = size_of_box(sides_a.frame) + size_of_box(sides_b.frame);
+  result.axis = BoxesSearch<N>(sides_a, sides_b, result.size).run();
+  const double gap = result.axis.axis.gap;
+  result.found.normal = result.axis.axis.normal;
+  result.found.depth = std::max(0.0, -gap);
+  result.found.error = std::max(0.0, gap) + 2 * tolerance::rounding * result.size;
+  return result;
+}
+
+/// The deepest of the points that lie over the face that the axis is normal to; the first of several.
+template <Dim N>
+std::optional<SurfacePair<N>> deepest_on_face(const FacingPatches<N>& facing, const BoxesContact<N>& contact) {
+  const Vec<N, double>& normal = contact.found.normal;
+  const double slack = tolerance::coarse * contact.size;
+  const bool is_of_b = contact.axis.is_of_b;
+  const SurfacePairs<N> pairs =
+      is_of_b ? pairs_over(exchanged(facing), -normal, slack) : pairs_over(facing, normal, slack);
+  if (pairs.size == 0) return std::nullopt;
+  std::size_t deepest = 0;
+  for (std::size_t i = 1; i < pairs.size; ++i) {
+    if (pairs.pairs[i].depth > pairs.pairs[deepest].depth) deepest = i;
+  }
+  return is_of_b ? exchanged(pairs.pairs[deepest]) : pairs.pairs[deepest];
+}
+
+/// Where the boxes touch once b has been moved out of a.
+template <class A, class B>
+SurfacePair<dimension_of<A>> touching_pair(const A& a, const B& b, const FacingPatches<dimension_of<A>>& facing,
+                                           const BoxesContact<dimension_of<A>>& contact) {
+  constexpr Dim N = dimension_of<A>;
+  std::optional<SurfacePair<N>> pair;
+  if (!contact.axis.edges) {
+    const Vec<N, double>& own = contact.axis.is_of_b ? facing.b.normal : facing.a.normal;
+    if (max_abs(own) > 0) pair = deepest_on_face(facing, contact);
+  } else if constexpr (N == 3) {
+    pair = pair_on_edges(frame_of(a), frame_of(b), contact.axis);
+  }
+  if (pair) return *pair;
+  const ClosestPair<N> cores = points_along(a, b, contact.axis.axis, contact.size);
+  SurfacePair<N> result{};
+  result.point_a = cores.on_a;
+  result.point_b = cores.on_b;
+  return result;
+}
+
+template <class A, class B>
+FacingPatches<dimension_of<A>> facing_boxes(const A& a, const B& b, const BoxesContact<dimension_of<A>>& contact) {
+  return {patch_of(a, contact.found.normal), patch_of(b, -contact.found.normal), 0, 0};
+}
+
+template <class A, class B>
+Penetration<dimension_of<A>> penetration_of_boxes(const A& a, const B& b) {
+  BoxesContact<dimension_of<A>> contact = contact_of_boxes(a, b);
+  const auto pair = touching_pair(a, b, facing_boxes(a, b, contact), contact);
+  contact.found.point_a = pair.point_a;
+  contact.found.point_b = pair.point_b;
+  return contact.found;
+}
+
+/// The points of a manifold.
+template <class A, class B>
+SurfacePairs<dimension_of<A>> pairs_of_boxes(const A& a, const B& b, const BoxesContact<dimension_of<A>>& contact) {
+  constexpr Dim N = dimension_of<A>;
+  const double slack = tolerance::coarse * contact.size;
+  const FacingPatches<N> facing = facing_boxes(a, b, contact);
+  const SurfacePairs<N> pairs = face_pairs(facing, contact.found.normal, slack);
+  if (pairs.size > 0) return pairs;
+  const SurfacePair<N> pair = touching_pair(a, b, facing, contact);
+  Penetration<N> alone = contact.found;
+  alone.point_a = pair.point_a;
+  alone.point_b = pair.point_b;
+  return single_pair(facing, alone, slack);
+}
+
+}  // namespace graze::detail

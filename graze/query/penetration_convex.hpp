@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// The depth of any two convex shapes, from nothing but their support functions: GJK where the cores are apart, EPA
+// where they meet. Include contact.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/closest_convex.hpp>
+#include <graze/query/closest_points.hpp>
+#include <graze/query/epa.hpp>
+#include <graze/query/gjk.hpp>
+#include <graze/query/penetration.hpp>
+#include <graze/query/penetration_cores.hpp>
+#include <graze/query/surface_point.hpp>
+#include <graze/query/wide_support.hpp>
+#include <graze/shape/ray.hpp>
+#include <graze/shape/segment.hpp>
+#include <graze/shape/shape.hpp>
+
+namespace graze::detail {
+
+/// A convex shape somewhere else.
+template <Convex S>
+struct Shifted {
+  const S& shape;
+  Vec<dimension_of<S>, double> way;
+};
+
+template <Convex S>
+Vec<dimension_of<S>, double> support(const Shifted<S>& shifted, const Vec<dimension_of<S>, double>& direction) {
+  return wide_support(shifted.shape, direction) + shifted.way;
+}
+
+/// It is as inaccurate as ever.
+template <Convex S>
+inline constexpr double support_error<Shifted<S>> = support_error<S>;
+
+/// Where two cores touch once b has been moved out of a.
+template <Convex A, Convex B>
+ClosestPair<dimension_of<A>> points_after(const A& a, const B& b, const Vec<dimension_of<A>, double>& way) {
+  ClosestPair<dimension_of<A>> pair = closest_of_convex(a, Shifted<B>{b, way}).closest;
+  pair.on_b -= way;
+  return pair;
+}
+
+/// Cores that are apart by more than GJK's resolution. Support points tell how much less than their distance is left
+/// along the vector between the nearest points.
+template <Convex A, Convex B>
+Penetration<dimension_of<A>> penetration_of_convex_apart(const A& a, const B& b, const Radii& radii) {
+  constexpr Dim N = dimension_of<A>;
+  const ConvexCores<N> cores = closest_of_convex(a, b);
+  const double distance = std::sqrt(cores.closest.squared);
+  const PartingAxis<N> between{unit_or(cores.closest.between, unit_axis<N>(0)), distance};
+  Penetration<N> result = widened_along(between, cores.closest, radii);
+  result.status = cores.status;
+  const double proved = dot(between.normal, wide_support(b, -between.normal) - wide_support(a, between.normal));
+  result.error += std::max(0.0, distance - proved) + cores.error;
+  return result;
+}
+
+/// Cores that meet, or do so up to GJK's resolution.
+template <Convex A, Convex B>
+Penetration<dimension_of<A>> penetration_of_convex_meeting(const A& a, const B& b,
+                                                           const GjkResult<dimension_of<A>>& distance,
+                                                           const Radii& radii) {
+  constexpr Dim N = dimension_of<A>;
+  const EpaResult<N> depth = epa(a, b, distance.simplex);
+  const PartingAxis<N> axis{depth.normal, -depth.upper};
+  Penetration<N> result = widened_along(axis, points_after(a, b, depth.normal * depth.upper), radii);
+  result.status = depth.status;
+  result.error += std::max(0.0, depth.upper - depth.lower) + depth.gap + depth.resolution;
+  return result;
+}
+
+template <Convex A, Convex B>
+Penetration<dimension_of<A>> penetration_of_convex(const A& a, const B& b) {
+  const auto& core_a = core(a);
+  const auto& core_b = core(b);
+  const Radii radii{core_radius(a), core_radius(b)};
+  const GjkResult<dimension_of<A>> distance = gjk(core_a, core_b);
+  const bool are_apart = (radii.a > 0 || radii.b > 0) && distance.lower > distance.resolution;
+  Penetration<dimension_of<A>> result = are_apart ? penetration_of_convex_apart(core_a, core_b, radii)
+                                                  : penetration_of_convex_meeting(core_a, core_b, distance, radii);
+  result.error += tolerance::rounding * (radii.a + radii.b);
+  return result;
+}
+
+template <Dim N, class T, Convex B>
+Penetration<N> penetration_of_convex(const Ray<N, T>& ray, const B& b) {
+  return penetration_of_convex(cut_for_depth(ray, b), b);
+}
+
+}  // namespace graze::detail

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// What graze says about the contact of any two shapes: compiled once for each space, in contacts_*.cpp, because
+// hundreds of pairs take their time.
+#pragma once
+
+#include <optional>
+
+#include <graze/math/vec.hpp>
+#include <graze/query/contact.hpp>
+#include <graze/query/penetration.hpp>
+#include <graze/shape/any_shape.hpp>
+
+namespace graze::test {
+
+/// contact(a, b).
+template <Dim N, class T>
+std::optional<Contact<N, T>> contact_of(const AnyShape<N, T>& a, const AnyShape<N, T>& b);
+
+/// What contact(a, b) rounds to T.
+template <Dim N, class T>
+std::optional<detail::Penetration<N>> penetration_of(const AnyShape<N, T>& a, const AnyShape<N, T>& b);
+
+}  // namespace graze::test

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+#include "query/contacts_instances.hpp"
+
+namespace graze::test {
+
+using Any = AnyShape<2, double>;
+template std::optional<Contact<2, double>> contact_of<2, double>(const Any&, const Any&);
+template std::optional<detail::Penetration<2>> penetration_of<2, double>(const Any&, const Any&);
+
+}  // namespace graze::test

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+#include "query/contacts_instances.hpp"
+
+namespace graze::test {
+
+using Any = AnyShape<2, float>;
+template std::optional<Contact<2, float>> contact_of<2, float>(const Any&, const Any&);
+template std::optional<detail::Penetration<2>> penetration_of<2, float>(const Any&, const Any&);
+
+}  // namespace graze::test

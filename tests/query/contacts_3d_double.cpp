@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+#include "query/contacts_instances.hpp"
+
+namespace graze::test {
+
+using Any = AnyShape<3, double>;
+template std::optional<Contact<3, double>> contact_of<3, double>(const Any&, const Any&);
+template std::optional<detail::Penetration<3>> penetration_of<3, double>(const Any&, const Any&);
+
+}  // namespace graze::test

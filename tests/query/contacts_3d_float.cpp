@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+#include "query/contacts_instances.hpp"
+
+namespace graze::test {
+
+using Any = AnyShape<3, float>;
+template std::optional<Contact<3, float>> contact_of<3, float>(const Any&, const Any&);
+template std::optional<detail::Penetration<3>> penetration_of<3, float>(const Any&, const Any&);
+
+}  // namespace graze::test

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// What graze says about the manifold of any two shapes: compiled once for each space, in manifolds_*.cpp, because
+// hundreds of pairs take their time.
+#pragma once
+
+#include <graze/math/vec.hpp>
+#include <graze/query/manifold.hpp>
+#include <graze/shape/any_shape.hpp>
+
+namespace graze::test {
+
+/// manifold(a, b).
+template <Dim N, class T>
+Manifold<N, T> manifold_of(const AnyShape<N, T>& a, const AnyShape<N, T>& b);
+
+}  // namespace graze::test

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <graze/math/pose.hpp>
+#include <graze/query/patch_polytope.hpp>
+
+#include "catalogue.hpp"
+
+namespace graze::detail {
+namespace {
+
+using V2 = Vec<2, double>;
+using V3 = Vec<3, double>;
+
+const V3 zero(0.0);
+
+Polytope<3, double> hull(const std::vector<V3>& points) { return convex_hull<3, double>(points); }
+
+const auto house = hull({{0, 0, 0},
+                         {4, 0, 0},
+                         {4, 4, 0},
+                         {0, 4, 0},
+                         {0, 0, 3},
+                         {4, 0, 3},
+                         {4, 4, 3},
+                         {0, 4, 3},
+                         {2, 2, 5},
+                         {2, 2, 0},
+                         {2, 0, 0}});  // with points inside the floor and on its rim
+
+/// The corners of the patch, in any order.
+std::set<std::vector<double>> corner_set(const Patch<3>& patch) {
+  std::set<std::vector<double>> corners;
+  for (std::size_t i = 0; i < patch.size; ++i) {
+    corners.insert({patch.corners[i].x, patch.corners[i].y, patch.corners[i].z});
+  }
+  return corners;
+}
+
+TEST(PatchOfPolytope, IsTheWholeFaceWithoutPointsInsideOrOnItsRim) {
+  const Patch<3> floor_patch = patch_of_polytope(house, zero, V3(0, 0, -1));
+  EXPECT_EQ(floor_patch.normal, V3(0, 0, -1));
+  EXPECT_EQ(corner_set(floor_patch), (std::set<std::vector<double>>{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}));
+  const Patch<3> wall = patch_of_polytope(house, zero, V3(1, 0.01, -0.02));
+  EXPECT_EQ(wall.normal, V3(1, 0, 0));
+  EXPECT_EQ(wall.size, 4U);
+}
+
+TEST(PatchOfPolytope, NamesItsCornersByTheirPlaces) {
+  const Patch<3> patch = patch_of_polytope(house, V3(1, 1, 1), V3(0, 0, -1));
+  for (std::size_t i = 0; i < patch.size; ++i) {
+    EXPECT_EQ(house.vertices()[patch.vertices[i]] - V3(1, 1, 1), patch.corners[i]);
+  }
+  EXPECT_EQ(std::set<std::uint32_t>(patch.edges.begin(), patch.edges.begin() + 4).size(), 4U);
+}
+
+TEST(PatchOfPolytope, OfASlopeIsItsTriangle) {
+  const Patch<3> roof = patch_of_polytope(house, zero, V3(0, -2, 2) / std::sqrt(8.0));
+  EXPECT_NEAR(length(roof.normal - V3(0, -1, 1) * std::sqrt(0.5)), 0, 1e-15);
+  EXPECT_EQ(corner_set(roof), (std::set<std::vector<double>>{{0, 0, 3}, {4, 0, 3}, {2, 2, 5}}));
+}
+
+TEST(PatchOfPolytope, IsAFaceOfTheHullWhateverTheDirection) {
+  test::check_property([] {
+    const auto polytope = *test::any<Polytope<3, double>>();
+    const auto way = *test::any<Ray<3, double>>();
+    const V3 direction = unit_or(way.direction, V3(0, 0, 1));
+    const Patch<3> patch = patch_of_polytope(polytope, zero, direction);
+    RC_ASSERT(patch.size > 0U);
+    if (max_abs(patch.normal) == 0) return;
+    RC_LOG() << test::to_source(polytope) << " along " << test::to_source(direction) << "\n";
+    double size = 0;
+    for (const V3& vertex : polytope.vertices()) size = std::max(size, sum_abs(vertex - patch.corners[0]));
+    for (const V3& vertex : polytope.vertices()) {
+      RC_ASSERT(dot(patch.normal, vertex - patch.corners[0]) <= 2 * tolerance::aligned * size);
+    }
+  });
+}
+
+TEST(PatchOfPolytope, OfFlatPolytopesIsWhatThereIs) {
+  EXPECT_EQ(patch_of_polytope(hull({{1, 2, 3}}), zero, V3(1, 0, 0)).size, 1U);
+  EXPECT_EQ(patch_of_polytope(hull({{1, 2, 3}, {4, 5, 6}, {2, 3, 4}}), zero, V3(1, 0, 0)).size, 2U);
+  const Patch<3> flat = patch_of_polytope(hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), zero, V3(0, 0, 1));
+  EXPECT_EQ(flat.size, 3U);
+  EXPECT_EQ(flat.normal, V3(0, 0, 1));
+}
+
+TEST(PatchOfPolytope, OfMoreThanEightCornersKeepsEight) {
+  std::vector<V3> disc{{0, 0, -1}};
+  for (int i = 0; i < 40; ++i) {
+    const V2 turn = cosine_sine_of_degrees(9 * i);
+    disc.emplace_back(turn.x, turn.y, 0);
+  }
+  EXPECT_EQ(patch_of_polytope(hull(disc), zero, V3(0, 0, 1)).size, 8U);
+}
+
+TEST(PatchOfPolytope, InThePlaneIsAnEdge) {
+  const auto polygon = convex_hull<2, double>(std::vector<V2>{{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+  const Patch<2> patch = patch_of_polytope(polygon, V2(1, 1), V2(1, 0.5));
+  EXPECT_EQ(patch.normal, V2(1, 0));
+  EXPECT_EQ(patch.corners[0], V2(3, -1));
+  EXPECT_EQ(patch.corners[1], V2(3, 3));
+  // A corner that hardly turns ends no side: that of the contact may be before it or after it.
+  const auto bent = convex_hull<2, double>(std::vector<V2>{{0, 0}, {4, 0}, {4 + 1e-9, 2}, {4, 4}, {0, 4}});
+  EXPECT_EQ(patch_of_polytope(bent, V2(0, 0), V2(1, 0)).corners[0], V2(4, 0));
+  EXPECT_EQ(patch_of_polytope(bent, V2(0, 0), V2(1, 0)).corners[1], V2(4, 4));
+  const auto point = convex_hull<2, double>(std::vector<V2>{{1, 1}});
+  EXPECT_EQ(patch_of_polytope(point, V2(0, 0), V2(1, 0)).size, 1U);
+}
+
+}  // namespace
+}  // namespace graze::detail
