@@ -102,8 +102,7 @@ std::vector<ObjectPair> SceneView<N, T>::pairs() const {
 }
 
 template <Dim N, class T>
-std::vector<ObjectId> SceneView<N, T>::cull(const AnyShape<N, T>& region, LayerMask layers) const {
-  require_region(region);
+std::vector<ObjectId> SceneView<N, T>::near(const AnyShape<N, T>& region, LayerMask layers) const {
   std::vector<ObjectId> result;
   const detail::SlotIndex<N, T>& index = this->index();
   index.tree().query(Generous<AnyShape<N, T>>{region}, [&](const Key& key) {
@@ -112,6 +111,12 @@ std::vector<ObjectId> SceneView<N, T>::cull(const AnyShape<N, T>& region, LayerM
   });
   std::sort(result.begin(), result.end());
   return result;
+}
+
+template <Dim N, class T>
+std::vector<ObjectId> SceneView<N, T>::cull(const AnyShape<N, T>& region, LayerMask layers) const {
+  require_region(region);
+  return near(region, layers);
 }
 
 template <Dim N, class T>

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 
 #include <graze/broad/key_table.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/ray_hit.hpp>
 #include <graze/scene/filter.hpp>
 #include <graze/scene/object.hpp>
 #include <graze/scene/object_index.hpp>
@@ -30,6 +32,15 @@ struct NearObject {
   T distance;  ///< 0 when the point is in the object.
 
   friend bool operator==(const NearObject&, const NearObject&) = default;
+};
+
+/// An object that a ray hits, and where.
+template <Dim N, class T = float>
+struct ObjectHit {
+  ObjectId id;
+  RayHit<N, T> hit;
+
+  friend bool operator==(const ObjectHit&, const ObjectHit&) = default;
 };
 
 /// Objects with names, layers and places. All of it is const and safe from many threads at once, as long as none writes
@@ -74,6 +85,16 @@ class SceneView {
   /// std::invalid_argument when the point is not finite.
   std::vector<NearObject<T>> nearest(const Vec<N, T>& point, std::size_t count, LayerMask layers = all_layers) const;
 
+  /// The object that a ray hits first, of equal ones that of the lowest id; none beyond `t_max`, in units of the ray's
+  /// direction: with 1, a segment. A ray that starts in an object hits it at t = 0 (query/ray_cast.hpp). Throws
+  /// std::invalid_argument when the ray is not valid or t_max is negative or NaN.
+  std::optional<ObjectHit<N, T>> ray_cast(const Ray<N, T>& ray, T t_max = std::numeric_limits<T>::infinity(),
+                                          LayerMask layers = all_layers) const;
+
+  /// All objects that a ray hits, each where it hits it first, in order of t, equal ones by id. Throws like ray_cast.
+  std::vector<ObjectHit<N, T>> ray_cast_all(const Ray<N, T>& ray, T t_max = std::numeric_limits<T>::infinity(),
+                                            LayerMask layers = all_layers) const;
+
  protected:
   using Names = std::unordered_map<std::string, ObjectId>;
 
@@ -87,6 +108,9 @@ class SceneView {
 
   const Object<N, T>& in_slot(std::uint32_t slot) const { return *objects_[slot]; }
   const detail::SlotIndex<N, T>& index() const { return index_.over(objects_); }
+
+  /// The objects on these layers whose boxes a region meets, rounding allowed for. Ascending.
+  std::vector<ObjectId> near(const AnyShape<N, T>& region, LayerMask layers) const;
 
   detail::KeyTable ids_;
   detail::SharedSlots<Object<N, T>> objects_;  // by slot: the index of an id

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Rays in a scene.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <graze/math/rounding.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/ray_cast.hpp>
+#include <graze/scene/scene_view.hpp>
+#include <graze/shape/any_shape.hpp>
+
+namespace graze {
+namespace {
+
+template <Dim N, class T>
+void require_ray(const Ray<N, T>& ray, T t_max) {
+  if (!is_valid(ray)) throw std::invalid_argument("Scene: the ray " + std::string(defect(ray)));
+  if (!(t_max >= T(0))) throw std::invalid_argument("Scene: t_max is negative or not a number");
+}
+
+template <Dim N, class T>
+bool comes_first(const ObjectHit<N, T>& a, const ObjectHit<N, T>& b) {
+  return a.hit.t != b.hit.t ? a.hit.t < b.hit.t : a.id < b.id;
+}
+
+/// The way of a ray up to t_max, as a region: a segment, or all of the ray where its end is beyond all numbers.
+template <Dim N, class T>
+AnyShape<N, T> way_of(const Ray<N, T>& ray, T t_max) {
+  const Vec<N, double> end = wide<N, T>(ray.origin) + wide<N, T>(ray.direction) * static_cast<double>(next_up(t_max));
+  const Segment<N, T> segment{ray.origin, Vec<N, T>(end)};
+  if (is_valid(segment)) return segment;
+  return ray;
+}
+
+}  // namespace
+
+template <Dim N, class T>
+std::optional<ObjectHit<N, T>> SceneView<N, T>::ray_cast(const Ray<N, T>& ray, T t_max, LayerMask layers) const {
+  require_ray(ray, t_max);
+  std::optional<ObjectHit<N, T>> best;
+  const auto try_object = [&](const ObjectId& id) {
+    if (best && best->id == id) return;
+    // Not only up to the best hit: which of two nearly equal ones is first must not depend on which was found first.
+    const auto hit = graze::ray_cast(in_slot(id.index).shape, ray, t_max);
+    if (!hit) return;
+    const ObjectHit<N, T> found{id, *hit};
+    if (!best || comes_first(found, *best)) best = found;
+  };
+  // Boxes come in the order in which the ray enters them, so that most are never looked at.
+  const detail::SlotIndex<N, T>& index = this->index();
+  index.tree().ray_cast(ray, [&](const Key& key, double t) {
+    if (t > static_cast<double>(best ? best->hit.t : t_max)) return false;
+    const std::uint32_t slot = index.slot_of(key);
+    if ((layers & only_layer(in_slot(slot).layer)) != 0) try_object(id_of(slot));
+    return true;
+  });
+  // A ray may touch a shape up to rounding whose box it misses by as much.
+  for (const ObjectId& id : near(way_of(ray, best ? best->hit.t : t_max), layers)) try_object(id);
+  return best;
+}
+
+template <Dim N, class T>
+std::vector<ObjectHit<N, T>> SceneView<N, T>::ray_cast_all(const Ray<N, T>& ray, T t_max, LayerMask layers) const {
+  require_ray(ray, t_max);
+  std::vector<ObjectHit<N, T>> result;
+  for (const ObjectId& id : near(way_of(ray, t_max), layers)) {
+    if (const auto hit = graze::ray_cast(in_slot(id.index).shape, ray, t_max)) result.push_back({id, *hit});
+  }
+  std::sort(result.begin(), result.end(), comes_first<N, T>);
+  return result;
+}
+
+#define GRAZE_INSTANTIATE(N, T)                                                                            \
+  template std::optional<ObjectHit<N, T>> SceneView<N, T>::ray_cast(const Ray<N, T>&, T, LayerMask) const; \
+  template std::vector<ObjectHit<N, T>> SceneView<N, T>::ray_cast_all(const Ray<N, T>&, T, LayerMask) const;
+GRAZE_INSTANTIATE(2, float)
+GRAZE_INSTANTIATE(3, float)
+GRAZE_INSTANTIATE(2, double)
+GRAZE_INSTANTIATE(3, double)
+#undef GRAZE_INSTANTIATE
+
+}  // namespace graze

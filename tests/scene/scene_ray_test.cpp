@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Rays in a scene, against casting at every object.
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <graze/query/ray_cast.hpp>
+#include <graze/scene/scene.hpp>
+
+#include "catalogue.hpp"
+
+namespace graze {
+namespace {
+
+using World = Scene<2, double>;
+using Ball = Sphere<2, double>;
+using Way = Ray<2, double>;
+
+std::vector<ObjectId> ids_of(const std::vector<ObjectHit<2, double>>& hits) {
+  std::vector<ObjectId> ids;
+  for (const auto& each : hits) ids.push_back(each.id);
+  return ids;
+}
+
+TEST(SceneRay, HitsObjectsInOrder) {
+  World scene;
+  const ObjectId far = scene.add(Ball{{9, 0}, 1});
+  const ObjectId near = scene.add(Ball{{4, 0}, 1}, {.layer = 3});
+  scene.add(Ball{{6, 1.5}, 1});
+  const ObjectId behind_all = scene.add(HalfSpace<2, double>{{-1, 0}, -20});
+  const Way ray{{0, 0}, {2, 0}};
+  const auto first = scene.ray_cast(ray);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->id, near);
+  EXPECT_EQ(first->hit.t, 1.5);
+  EXPECT_EQ(first->hit.point, (Vec<2, double>(3, 0)));
+  EXPECT_EQ(first->hit.normal, (Vec<2, double>(-1, 0)));
+  EXPECT_EQ(ids_of(scene.ray_cast_all(ray)), (std::vector<ObjectId>{near, far, behind_all}));
+  EXPECT_EQ(ids_of(scene.ray_cast_all(ray, 4)), (std::vector<ObjectId>{near, far}));
+  EXPECT_EQ(scene.ray_cast(ray, 100, only_layer(0))->id, far);
+  EXPECT_FALSE(scene.ray_cast(ray, 1));
+  EXPECT_FALSE(scene.ray_cast(Way{{0, 0}, {-1, 0}}));
+}
+
+TEST(SceneRay, AmongEqualHitsTheLowestIdIsFirst) {
+  World scene;
+  const ObjectId first = scene.add(Aabb<2, double>{{2, -1}, {3, 1}});
+  const ObjectId second = scene.add(Aabb<2, double>{{2, -5}, {9, 5}});
+  const auto hits = scene.ray_cast_all(Way{{0, 0}, {1, 0}});
+  EXPECT_EQ(ids_of(hits), (std::vector<ObjectId>{first, second}));
+  EXPECT_EQ(scene.ray_cast(Way{{0, 0}, {1, 0}})->id, first);
+  EXPECT_EQ(scene.ray_cast(Way{{2.5, 0}, {1, 0}})->hit.t, 0);  // from inside
+}
+
+TEST(SceneRay, NonsenseIsRefused) {
+  const World scene;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(scene.ray_cast(Way{{0, 0}, {0, 0}}), std::invalid_argument);
+  EXPECT_THROW(scene.ray_cast(Way{{nan, 0}, {1, 0}}), std::invalid_argument);
+  EXPECT_THROW(scene.ray_cast(Way{{0, 0}, {1, 0}}, -1), std::invalid_argument);
+  EXPECT_THROW(scene.ray_cast_all(Way{{0, 0}, {1, 0}}, nan), std::invalid_argument);
+  EXPECT_FALSE(scene.ray_cast(Way{{0, 0}, {1, 0}}));
+  EXPECT_TRUE(scene.ray_cast_all(Way{{0, 0}, {1, 0}}).empty());
+}
+
+template <Dim N, class T>
+void check_against_every_object() {
+  Scene<N, T> scene;
+  for (const AnyShape<N, T>& shape : *test::some<AnyShape<N, T>>(12, test::any_shape<N, T>())) scene.add(shape);
+  const Ray<N, T> ray = *test::any<Ray<N, T>>();
+  const T t_max = *rc::gen::element(std::numeric_limits<T>::infinity(), T(1), T(0));
+  std::vector<ObjectHit<N, T>> expected;
+  for (const ObjectId id : scene.ids()) {
+    RC_LOG() << test::to_source<N, T>(scene.object(id).shape) << "\n";
+    if (const auto hit = ray_cast(scene.object(id).shape, ray, t_max)) expected.push_back({id, *hit});
+  }
+  RC_LOG() << test::to_source(ray) << ", " << t_max << "\n";
+  std::stable_sort(expected.begin(), expected.end(), [](const auto& a, const auto& b) { return a.hit.t < b.hit.t; });
+  RC_ASSERT(scene.ray_cast_all(ray, t_max) == expected);
+  const auto first = scene.ray_cast(ray, t_max);
+  RC_ASSERT(first.has_value() == !expected.empty());
+  if (first) RC_ASSERT(first->id == expected.front().id && first->hit.t == expected.front().hit.t);
+}
+
+RC_GTEST_PROP(SceneRay, HitsWhatEveryObjectSays2f, ()) { check_against_every_object<2, float>(); }
+RC_GTEST_PROP(SceneRay, HitsWhatEveryObjectSays3f, ()) { check_against_every_object<3, float>(); }
+RC_GTEST_PROP(SceneRay, HitsWhatEveryObjectSays2d, ()) { check_against_every_object<2, double>(); }
+RC_GTEST_PROP(SceneRay, HitsWhatEveryObjectSays3d, ()) { check_against_every_object<3, double>(); }
+
+}  // namespace
+}  // namespace graze
