@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Many things that move: which pairs touch, what is near the player, and what an id is worth after a removal.
+// Many things that move: what began to touch and what no longer does, what is near the player, what a shot hits, and
+// what an id is worth after a removal.
 #include <cstdio>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
-#include <graze/broad/pairs.hpp>
 #include <graze/scene/scene.hpp>
 
 #include "picture.hpp"
@@ -23,15 +22,16 @@ int main(int argc, char** argv) {
   for (int i = 0; i < 200; ++i) coins.push_back(scene.add(coin_at(i, 0)));
   for (int frame = 0; frame < 3; ++frame) {
     for (int i = 0; i < 200; ++i) scene.move(coins[static_cast<std::size_t>(i)], coin_at(i, frame));
-    std::printf("frame %d: %zu of %d pairs worth a test, %zu touch\n", frame, scene.candidates().size(), 200 * 199 / 2,
-                scene.pairs().size());
+    const graze::SceneEvents& events = scene.update();
+    std::printf("frame %d: of %d pairs %zu touch; %zu began to, %zu have ended\n", frame, 200 * 199 / 2,
+                scene.pairs().size(), events.began.size(), events.ended.size());
   }
 
-  // What is near the player: the boxes of all things against the box of a region.
-  const std::vector<graze::Aabb<2>> region{graze::Aabb<2>::from_center({20, 9}, {6, 4})};
-  std::vector<graze::Aabb<2>> boxes;
-  for (const graze::ObjectId id : scene.ids()) boxes.push_back(scene.object(id).box);
-  std::printf("near the player: %zu coins\n", graze::overlapping_pairs(region, boxes).size());
+  const graze::Aabb<2> region = graze::Aabb<2>::from_center({20, 9}, {6, 4});
+  std::printf("near the player: %zu coins\n", scene.overlapping(region).size());
+  const graze::Segment<2> shot{{20, 9}, {20, 20}};
+  const auto hit = scene.ray_cast(graze::ray_between(shot.start, shot.end), graze::length(shot));
+  std::printf("the shot hits coin %u at (%.2f, %.2f)\n", hit->id.index, hit->hit.point.x, hit->hit.point.y);
 
   scene.remove(coins[7]);
   const graze::ObjectId newcomer = scene.add(graze::Aabb<2>{{20, 20}, {23, 22}}, {.name = "crate"});
@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
 
   cookbook::Picture<2> picture("coins in frame 2");
   for (const graze::ObjectId id : scene.ids()) picture.add(scene.object(id).shape, scene.object(id).name);
-  picture.draw(region.front(), "near the player");
+  picture.draw(region, "near the player");
+  picture.draw(graze::Segment<2>{shot.start, hit->hit.point}, "shot");
   return picture.save(argc, argv);
 }
