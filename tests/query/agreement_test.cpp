@@ -4,10 +4,7 @@
 // promises: only `touching` may stand for something else.
 //
 // GRAZE_TEST_SCALE multiplies the number of cases (default 1), GRAZE_TEST_SEED chooses others.
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <iostream>
 #include <string>
 #include <variant>
@@ -19,18 +16,13 @@
 #include <graze/shape/any_shape.hpp>
 
 #include "catalogue.hpp"
-#include "query/case_maker.hpp"
+#include "query/every_pair.hpp"
 #include "query/pairs.hpp"
 #include "query/placement.hpp"
 #include "query/verdict_band.hpp"
 
 namespace graze::test {
 namespace {
-
-double number_from_environment(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text != nullptr ? std::strtod(text, nullptr) : otherwise;
-}
 
 /// What a run has seen.
 struct Tally {
@@ -77,32 +69,18 @@ void check(const AnyPair<N, T>& pair, Tally& tally) {
   }
 }
 
-template <Dim N, class T>
-Tally check_all(CaseKind kind, std::size_t count, std::uint64_t seed) {
-  constexpr std::size_t types = std::variant_size_v<AnyShape<N, T>>;
-  Tally tally;
-  for (std::size_t a = 0; a < types; ++a) {
-    for (std::size_t b = a; b < types; ++b) {
-      CaseMaker<N, T> maker(a, b, seed + a * types + b);
-      for (std::size_t i = 0; i < count && tally.failures < most_failures; ++i) {
-        for (const AnyPair<N, T>& pair : maker.make(kind)) check<N, T>(pair, tally);
-      }
-    }
-  }
-  return tally;
-}
-
 template <class SpaceType>
 class Agreement : public ::testing::Test {
  public:
   static void run(CaseKind kind) {
     constexpr Dim N = SpaceType::dimension;
     using T = typename SpaceType::scalar;
-    const auto count = static_cast<std::size_t>(std::ceil(20 * number_from_environment("GRAZE_TEST_SCALE", 1)));
-    const auto seed = static_cast<std::uint64_t>(number_from_environment("GRAZE_TEST_SEED", 1));
-    const Tally tally = check_all<N, T>(kind, count, seed);
-    std::cout << "seed " << seed << ": " << tally.cases << " cases, " << 100 * tally.hits / tally.cases << " % hits, "
-              << tally.other_verdicts << " called touching within the band, at most " << tally.worst
+    Tally tally;
+    for_each_case<N, T>(
+        kind, number_of_cases(20), [&tally](const AnyPair<N, T>& pair) { check<N, T>(pair, tally); },
+        [&tally] { return tally.failures < most_failures; });
+    std::cout << "seed " << seed_of_cases() << ": " << tally.cases << " cases, " << 100 * tally.hits / tally.cases
+              << " % hits, " << tally.other_verdicts << " called touching within the band, at most " << tally.worst
               << " of the size\n";
     if (!tally.worst_case.empty()) std::cout << "the worst: " << tally.worst_case << "\n";
     EXPECT_GE(tally.hits * 5, tally.cases) << "too few hits to prove anything";

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <iostream>
 #include <limits>
 #include <optional>
@@ -23,18 +22,13 @@
 
 #include "catalogue.hpp"
 #include "exact.hpp"
-#include "query/case_maker.hpp"
 #include "query/case_variations.hpp"
+#include "query/every_pair.hpp"
 #include "query/pairs.hpp"
 #include "query/verdict_band.hpp"
 
 namespace graze::test {
 namespace {
-
-double number_from_environment(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text != nullptr ? std::strtod(text, nullptr) : otherwise;
-}
 
 struct Count {
   std::size_t cases = 0;
@@ -100,8 +94,8 @@ TYPED_TEST_SUITE(Certificate, AllSpaces);
 TYPED_TEST(Certificate, NeverContradictsTheOracleAndLeavesLittleOpen) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
-  const auto turns = static_cast<std::size_t>(std::ceil(14 * number_from_environment("GRAZE_TEST_SCALE", 1)));
-  const auto seed = static_cast<std::uint64_t>(number_from_environment("GRAZE_TEST_SEED", 1));
+  const std::size_t turns = number_of_cases(14);
+  const std::uint64_t seed = seed_of_cases();
   Count all;
   for (std::size_t a = 0; a < shape_type_names.size(); ++a) {
     for (std::size_t b = a; b < shape_type_names.size(); ++b) {

@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <iostream>
 #include <limits>
 #include <optional>
@@ -26,19 +24,14 @@
 
 #include "catalogue.hpp"
 #include "exact.hpp"
-#include "query/case_maker.hpp"
 #include "query/contacts.hpp"
+#include "query/every_pair.hpp"
 #include "query/pairs.hpp"
 #include "query/placement.hpp"
 #include "query/verdict_band.hpp"
 
 namespace graze::test {
 namespace {
-
-double number_from_environment(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text != nullptr ? std::strtod(text, nullptr) : otherwise;
-}
 
 /// What a run has seen: the largest errors, each in units of what it is relative to.
 struct Tally {
@@ -171,33 +164,19 @@ class PairCheck {
   double size_ = 0;
 };
 
-template <Dim N, class T>
-Tally check_all(CaseKind kind, std::size_t count, std::uint64_t seed) {
-  constexpr std::size_t types = std::variant_size_v<AnyShape<N, T>>;
-  Tally tally;
-  for (std::size_t a = 0; a < types; ++a) {
-    for (std::size_t b = a; b < types; ++b) {
-      CaseMaker<N, T> maker(a, b, seed + a * types + b);
-      for (std::size_t i = 0; i < count && tally.failures < most_failures; ++i) {
-        for (const AnyPair<N, T>& pair : maker.make(kind)) PairCheck<N, T>(pair, tally).run();
-      }
-    }
-  }
-  return tally;
-}
-
 template <class SpaceType>
 class ContactAgreement : public ::testing::Test {
  public:
   static void run(CaseKind kind) {
     constexpr Dim N = SpaceType::dimension;
     using T = typename SpaceType::scalar;
-    const auto count = static_cast<std::size_t>(std::ceil(3 * number_from_environment("GRAZE_TEST_SCALE", 1)));
-    const auto seed = static_cast<std::uint64_t>(number_from_environment("GRAZE_TEST_SEED", 1));
-    const Tally tally = check_all<N, T>(kind, count, seed);
-    std::cout << "seed " << seed << ": " << tally.cases << " cases, " << tally.meeting << " meet; depths are off by "
-              << tally.depth << " epsilon at most and say so up to " << tally.claimed << ", points by " << tally.points
-              << ", moves by " << tally.left << "\n"
+    Tally tally;
+    for_each_case<N, T>(
+        kind, number_of_cases(3), [&tally](const AnyPair<N, T>& pair) { PairCheck<N, T>(pair, tally).run(); },
+        [&tally] { return tally.failures < most_failures; });
+    std::cout << "seed " << seed_of_cases() << ": " << tally.cases << " cases, " << tally.meeting
+              << " meet; depths are off by " << tally.depth << " epsilon at most and say so up to " << tally.claimed
+              << ", points by " << tally.points << ", moves by " << tally.left << "\n"
               << "the worst depth: " << tally.worst_depth << "\nthe worst points: " << tally.worst_points
               << "\nthe worst move: " << tally.worst_left << "\n";
     EXPECT_GE(tally.meeting * 8, tally.cases) << "too few meet to prove anything";

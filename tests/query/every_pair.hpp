@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Cases of one kind for every pair of types, as many and from the seed that the environment asks for: GRAZE_TEST_SCALE
+// multiplies their number (default 1), GRAZE_TEST_SEED chooses others.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <variant>
+
+#include <graze/math/vec.hpp>
+#include <graze/shape/any_shape.hpp>
+
+#include "query/case_maker.hpp"
+
+namespace graze::test {
+
+inline double number_from_environment(const char* name, double otherwise) {
+  const char* text = std::getenv(name);
+  return text != nullptr ? std::strtod(text, nullptr) : otherwise;
+}
+
+inline std::uint64_t seed_of_cases() {
+  return static_cast<std::uint64_t>(number_from_environment("GRAZE_TEST_SEED", 1));
+}
+
+/// So many times `usual`, and at least one.
+inline std::size_t number_of_cases(double usual) {
+  return static_cast<std::size_t>(std::ceil(usual * number_from_environment("GRAZE_TEST_SCALE", 1)));
+}
+
+/// Calls check(pair) for the cases of `count` makings for each two types. `goes_on()` is asked before each making.
+template <Dim N, class T, class Check, class GoesOn>
+void for_each_case(CaseKind kind, std::size_t count, const Check& check, const GoesOn& goes_on) {
+  constexpr std::size_t types = std::variant_size_v<AnyShape<N, T>>;
+  for (std::size_t a = 0; a < types; ++a) {
+    for (std::size_t b = a; b < types; ++b) {
+      CaseMaker<N, T> maker(a, b, seed_of_cases() + a * types + b);
+      for (std::size_t i = 0; i < count && goes_on(); ++i) {
+        for (const AnyPair<N, T>& pair : maker.make(kind)) check(pair);
+      }
+    }
+  }
+}
+
+}  // namespace graze::test
