@@ -9,9 +9,9 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <graze/io/printable.hpp>
+#include <graze/io/quoting.hpp>
 #include <graze/io/report.hpp>
 
 namespace graze::io {
@@ -29,25 +29,9 @@ std::string_view relation_name(Relation relation) {
   return "overlapping";
 }
 
-/// A JSON string with its quotes; bytes that are not UTF-8 become U+FFFD.
-std::string json_string(std::string_view text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
 std::string json_pair(const ReportedPair& pair) {
   return fmt::format(R"({{"a": {}, "b": {}, "relation": "{}"}})", json_string(pair.a), json_string(pair.b),
                      relation_name(pair.relation));
-}
-
-/// A field quoted as RFC 4180 wants it: in quotes when it holds a separator, and quotes doubled.
-std::string csv_field(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string quoted = "\"";
-  for (const char character : text) {
-    if (character == '"') quoted += '"';
-    quoted += character;
-  }
-  return quoted + '"';
 }
 
 class JsonReport final : public ReportWriter {

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <graze/io/found.hpp>
+#include <graze/scene/scene.hpp>
+
+#include "command.hpp"
+#include "input.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "terminal.hpp"
+#include "usage.hpp"
+
+namespace graze::cli {
+namespace {
+
+using io::FoundDetail;
+using io::ReportFormat;
+
+/// The command line as it was given.
+struct QueryArguments {
+  std::string scene;
+  std::string format = "table";
+  std::string output = "-";
+  std::optional<std::string> point;
+  std::optional<std::string> box;
+  std::optional<std::string> sphere;
+  std::optional<std::string> ray;
+  std::optional<std::size_t> nearest;
+  std::optional<double> t_max;
+  std::optional<std::string> layer;
+  bool only_first = false;
+};
+
+constexpr std::array<std::pair<std::string_view, ReportFormat>, 4> formats{{{"table", ReportFormat::table},
+                                                                            {"json", ReportFormat::json},
+                                                                            {"ndjson", ReportFormat::ndjson},
+                                                                            {"csv", ReportFormat::csv}}};
+
+/// Refuses no question, two at once, and what goes with another one.
+void require_one_question(const QueryArguments& arguments) {
+  const int questions = int{arguments.point.has_value()} + int{arguments.box.has_value()} +
+                        int{arguments.sphere.has_value()} + int{arguments.ray.has_value()};
+  if (questions != 1) {
+    throw UsageError(questions == 0 ? "there is no question; give one of --point, --box, --sphere and --ray"
+                                    : "these are several questions; give one of --point, --box, --sphere and --ray");
+  }
+  if (arguments.nearest && !arguments.point) throw UsageError("--nearest needs --point: nearest to what?");
+  if (arguments.t_max && !arguments.ray) throw UsageError("--t-max needs --ray");
+  if (arguments.only_first && !arguments.ray) throw UsageError("--first needs --ray");
+}
+
+/// "1,2.5,-3" as numbers, so many of them.
+std::vector<double> numbers_in(const std::string& option, const std::string& text, std::size_t count,
+                               const std::string& meaning) {
+  std::vector<double> numbers;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (true) {
+    double number = 0;
+    const auto [stop, error] = std::from_chars(at, end, number);
+    if (error != std::errc() || (stop != end && *stop != ',')) {
+      throw UsageError(option + " " + io::in_quotes(text) + " is not a list of numbers with commas between them");
+    }
+    numbers.push_back(number);
+    if (stop == end) break;
+    at = stop + 1;
+  }
+  if (numbers.size() != count) {
+    throw UsageError(fmt::format("{} {} has {} number{}; it takes {}", option, io::in_quotes(text), numbers.size(),
+                                 numbers.size() == 1 ? "" : "s", meaning));
+  }
+  return numbers;
+}
+
+template <Dim N>
+Vec<N, double> vector_at(const std::vector<double>& numbers, std::size_t first) {
+  Vec<N, double> v;
+  for (Dim i = 0; i < N; ++i) v[i] = numbers[first + static_cast<std::size_t>(i)];
+  return v;
+}
+
+template <Dim N>
+std::vector<double> coordinates(const Vec<N, double>& v) {
+  std::vector<double> numbers;
+  for (Dim i = 0; i < N; ++i) numbers.push_back(v[i]);
+  return numbers;
+}
+
+/// One question to a scene of either dimension.
+template <Dim N>
+class Query {
+ public:
+  Query(const QueryArguments& arguments, const Scene<N, double>& scene) : arguments_(arguments), scene_(scene) {
+    if (arguments.layer) layers_ = mask_of(*arguments.layer);
+  }
+
+  void ask(io::FoundReport& report) const {
+    if (arguments_.ray) return ask_ray(report);
+    if (arguments_.nearest) {
+      report.detail = FoundDetail::distance;
+      for (const auto& [id, distance] : scene_.nearest(point(), *arguments_.nearest, layers_)) {
+        report.objects.push_back(found(id, distance));
+      }
+      return;
+    }
+    for (const ObjectId id : scene_.overlapping(region(), layers_)) report.objects.push_back(found(id, 0));
+  }
+
+ private:
+  static constexpr bool is_flat = N == 2;
+
+  LayerMask mask_of(const std::string& name) const {
+    const std::vector<std::string>& known = scene_.layer_names();
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      if (known[i] == name) return only_layer(static_cast<Layer>(i));
+    }
+    const std::vector<std::string_view> words(known.begin(), known.end());
+    throw UsageError("--layer " + io::in_quotes(name) + " is not in the scene" + io::did_you_mean(name, words));
+  }
+
+  io::FoundObject found(const ObjectId& id, double number) const {
+    const Object<N, double>& object = scene_.object(id);
+    return {object.name, type_name<N, double>(object.shape), number};
+  }
+
+  Vec<N, double> point() const {
+    const auto numbers = numbers_in("--point", *arguments_.point, N, is_flat ? "x,y" : "x,y,z");
+    return vector_at<N>(numbers, 0);
+  }
+
+  AnyShape<N, double> region() const {
+    if (arguments_.point) return point();
+    if (arguments_.box) {
+      const auto numbers = numbers_in("--box", *arguments_.box, 2 * N, is_flat ? "x,y,x,y" : "x,y,z,x,y,z");
+      return Aabb<N, double>::from_corners(vector_at<N>(numbers, 0), vector_at<N>(numbers, N));
+    }
+    const auto numbers = numbers_in("--sphere", *arguments_.sphere, N + 1, is_flat ? "x,y,radius" : "x,y,z,radius");
+    return Sphere<N, double>{vector_at<N>(numbers, 0), numbers[N]};
+  }
+
+  void ask_ray(io::FoundReport& report) const {
+    const auto numbers = numbers_in(
+        "--ray", *arguments_.ray, 2 * N,
+        is_flat ? "x,y of its origin and x,y of its direction" : "x,y,z of its origin and x,y,z of its direction");
+    const Ray<N, double> ray{vector_at<N>(numbers, 0), vector_at<N>(numbers, N)};
+    const double t_max = arguments_.t_max.value_or(std::numeric_limits<double>::infinity());
+    report.detail = FoundDetail::hit;
+    std::vector<ObjectHit<N, double>> hits;
+    if (arguments_.only_first) {
+      if (const auto first = scene_.ray_cast(ray, t_max, layers_)) hits.push_back(*first);
+    } else {
+      hits = scene_.ray_cast_all(ray, t_max, layers_);
+    }
+    for (const auto& [id, hit] : hits) {
+      io::FoundObject object = found(id, hit.t);
+      object.point = coordinates<N>(hit.point);
+      object.normal = coordinates<N>(hit.normal);
+      report.objects.push_back(std::move(object));
+    }
+  }
+
+  const QueryArguments& arguments_;
+  const Scene<N, double>& scene_;
+  LayerMask layers_ = all_layers;
+};
+
+template <Dim N>
+io::FoundReport answer(const QueryArguments& arguments, const std::string& source, const Scene<N, double>& scene) {
+  io::FoundReport report;
+  report.head = {source, N, scene.size()};
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    Query<N>(arguments, scene).ask(report);
+  } catch (const std::invalid_argument& error) {  // a radius below zero, a ray without a direction, what is not finite
+    throw UsageError(error.what());
+  }
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
+}
+
+ExitCode run_query(const QueryArguments& arguments) {
+  const ReportFormat format = chosen("--format", arguments.format, formats);
+  require_one_question(arguments);
+  Progress progress("reading the scene");
+  const io::SceneFile file = read_input(arguments.scene);
+  progress.stop();
+  say_omissions(file);
+  const io::FoundReport report = std::visit(
+      [&]<Dim N>(const Scene<N, double>& scene) { return answer<N>(arguments, file.source, scene); }, file.scene);
+  const bool is_shown = is_standard_stream(arguments.output);
+  write_output(arguments.output, [&](std::ostream& out) {
+    const bool on_terminal = is_shown && is_terminal(Stream::output);
+    io::write_found(out, format, report, on_terminal ? colours_for(Stream::output) : io::Colours::off);
+  });
+  const bool has_summary = format == ReportFormat::table || format == ReportFormat::json;
+  if (!has_summary || !is_shown) say(io::summary_line(report));
+  return done;
+}
+
+constexpr const char* footer =
+    R"(One question at a time. Objects come in the scene's order, the nearest by distance, hits
+of a ray by t, which counts in lengths of its direction. Shapes contain their surface.
+
+Examples:
+  graze query level.tmx --point 120,64
+  graze query level.tmx --point 120,64 --nearest 3
+  graze query workshop.json --box 0,0,0,2,2,2 --layer tools
+  graze query workshop.json --ray 0,0,1,1,0,0 --first --format json
+
+Exit codes: 0 done; 2 wrong usage; 3 bad input, or an output that cannot be written)";
+
+}  // namespace
+
+Command add_query(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("query", "Find the objects at a point, in a region, on a ray, or near");
+  const auto arguments = std::make_shared<QueryArguments>();
+  const auto add = [app](const char* name, auto& value, const char* help, const char* type) {
+    app->add_option(name, value, help)->type_name(type)->take_last();
+  };
+  app->add_option("SCENE", arguments->scene, "Scene file, or - for the standard input")->required()->type_name("");
+  add("--point", arguments->point, "What contains this point", "X,Y[,Z]");
+  add("--nearest", arguments->nearest, "With --point: the K objects nearest to it", "K");
+  add("--box", arguments->box, "What touches the box between two corners", "CORNER,CORNER");
+  add("--sphere", arguments->sphere, "What touches this sphere, in 2D a circle", "CENTER,RADIUS");
+  add("--ray", arguments->ray, "What a ray hits, in order", "ORIGIN,DIRECTION");
+  add("--t-max", arguments->t_max, "With --ray: no hit beyond this t; 1 for a segment", "T");
+  app->add_flag("--first", arguments->only_first, "With --ray: only the first hit");
+  add("--layer", arguments->layer, "Only objects on this layer", "NAME");
+  add("--format", arguments->format, "table (the default), json, ndjson or csv", "FORMAT");
+  add("--output", arguments->output, "Write the answer to a file instead of the standard output", "FILE");
+  app->footer(footer);
+  return {app, [arguments] { return run_query(*arguments); }};
+}
+
+}  // namespace graze::cli

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <ostream>
+
+#include <fmt/format.h>
+
+#include <graze/io/found.hpp>
+#include <graze/io/printable.hpp>
+#include <graze/io/quoting.hpp>
+
+namespace graze::io {
+namespace {
+
+std::string_view number_name(FoundDetail detail) { return detail == FoundDetail::distance ? "distance" : "t"; }
+
+/// "1, 2.5, -3"
+std::string listed(const std::vector<double>& numbers, std::string_view separator) {
+  return fmt::format("{}", fmt::join(numbers, separator));
+}
+
+std::string json_object(const FoundReport& report, const FoundObject& object) {
+  std::string text = fmt::format(R"({{"name": {}, "type": "{}")", json_string(object.name), object.type);
+  if (report.detail != FoundDetail::none) {
+    text += fmt::format(R"(, "{}": {})", number_name(report.detail), object.number);
+  }
+  if (report.detail == FoundDetail::hit) {
+    text += fmt::format(R"(, "point": [{}], "normal": [{}])", listed(object.point, ", "), listed(object.normal, ", "));
+  }
+  return text + "}";
+}
+
+void write_json(std::ostream& out, const FoundReport& report) {
+  out << fmt::format(
+      "{{\n  \"schema\": \"graze.query/1\",\n  \"scene\": {},\n  \"dimension\": {},\n  \"objects\": {},\n  \"found\": "
+      "[",
+      json_string(report.head.source), report.head.dimension, report.head.objects);
+  bool is_first = true;
+  for (const FoundObject& object : report.objects) {
+    out << (is_first ? "\n    " : ",\n    ") << json_object(report, object);
+    is_first = false;
+  }
+  out << (is_first ? "]" : "\n  ]")
+      << fmt::format(",\n  \"summary\": {{\"found\": {}, \"seconds\": {:.6f}}}\n}}\n", report.objects.size(),
+                     report.seconds);
+}
+
+void write_csv(std::ostream& out, const FoundReport& report) {
+  const bool is_flat = report.head.dimension == 2;
+  out << "name,type";
+  if (report.detail != FoundDetail::none) out << ',' << number_name(report.detail);
+  if (report.detail == FoundDetail::hit)
+    out << (is_flat ? ",x,y,normal_x,normal_y" : ",x,y,z,normal_x,normal_y,normal_z");
+  out << '\n';
+  for (const FoundObject& object : report.objects) {
+    out << csv_field(object.name) << ',' << object.type;
+    if (report.detail != FoundDetail::none) out << fmt::format(",{}", object.number);
+    if (report.detail == FoundDetail::hit) out << ',' << listed(object.point, ",") << ',' << listed(object.normal, ",");
+    out << '\n';
+  }
+}
+
+using Row = std::vector<std::string>;
+
+Row head_row(FoundDetail detail) {
+  if (detail == FoundDetail::none) return {"NAME", "TYPE"};
+  if (detail == FoundDetail::distance) return {"NAME", "TYPE", "DISTANCE"};
+  return {"NAME", "TYPE", "T", "POINT", "NORMAL"};
+}
+
+Row row_of(const FoundReport& report, const FoundObject& object) {
+  Row row{printable(object.name), std::string(object.type)};
+  if (report.detail != FoundDetail::none) row.push_back(fmt::format("{:.6g}", object.number));
+  if (report.detail != FoundDetail::hit) return row;
+  for (const std::vector<double>* numbers : {&object.point, &object.normal}) {
+    std::string text;
+    for (const double number : *numbers) text += fmt::format("{}{:.6g}", text.empty() ? "" : ", ", number);
+    row.push_back(text);
+  }
+  return row;
+}
+
+/// Columns as wide as their widest text; the last has no blanks behind it.
+void write_table(std::ostream& out, const FoundReport& report, Colours colours) {
+  if (!report.objects.empty()) {
+    std::vector<Row> rows{head_row(report.detail)};
+    for (const FoundObject& object : report.objects) rows.push_back(row_of(report, object));
+    std::vector<std::size_t> widths(rows.front().size(), 0);
+    for (const Row& row : rows) {
+      for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], display_columns(row[i]));
+    }
+    for (std::size_t number = 0; number < rows.size(); ++number) {
+      const bool is_bold = number == 0 && colours == Colours::on;
+      if (is_bold) out << "\x1b[1m";
+      for (std::size_t i = 0; i < rows[number].size(); ++i) {
+        out << rows[number][i];
+        if (i + 1 < widths.size()) out << std::string(widths[i] + 2 - display_columns(rows[number][i]), ' ');
+      }
+      out << (is_bold ? "\x1b[0m\n" : "\n");
+    }
+    out << '\n';
+  }
+  out << summary_line(report) << '\n';
+}
+
+}  // namespace
+
+void write_found(std::ostream& out, ReportFormat format, const FoundReport& report, Colours colours) {
+  switch (format) {
+    case ReportFormat::json:
+      return write_json(out, report);
+    case ReportFormat::ndjson:
+      for (const FoundObject& object : report.objects) out << json_object(report, object) << '\n';
+      return;
+    case ReportFormat::csv:
+      return write_csv(out, report);
+    case ReportFormat::table:
+      break;
+  }
+  write_table(out, report, colours);
+}
+
+std::string summary_line(const FoundReport& report) {
+  return fmt::format("{} found; {} object{}, {:.3f} seconds", report.objects.size(), report.head.objects,
+                     report.head.objects == 1 ? "" : "s", report.seconds);
+}
+
+}  // namespace graze::io
