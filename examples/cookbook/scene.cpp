@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
 
   const graze::Aabb<2> region = graze::Aabb<2>::from_center({20, 9}, {6, 4});
   std::printf("near the player: %zu coins\n", scene.overlapping(region).size());
-  const graze::Segment<2> shot{{20, 9}, {20, 20}};
+  const graze::Segment<2> shot{{-3, 2}, {36, 14}};
   const auto hit = scene.ray_cast(graze::ray_between(shot.start, shot.end), 1);
   std::printf("the shot hits coin %u at (%.2f, %.2f)\n", hit->id.index, hit->hit.point.x, hit->hit.point.y);
 
