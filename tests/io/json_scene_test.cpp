@@ -107,9 +107,11 @@ RC_GTEST_PROP(JsonScene, NamesLayersMasksAndUserNumbersSurvive, (std::vector<std
   }
   const Scene<2, double> again = read_back(scene);
   RC_ASSERT(again.size() == scene.size());
-  for (const ObjectId id : scene.ids()) {
-    const Object<2, double>& before = scene.object(id);
-    const Object<2, double>& after = again.object(id);
+  const std::vector<ObjectId> ids = scene.ids();
+  const std::vector<ObjectId> ids_again = again.ids();
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const Object<2, double>& before = scene.object(ids[i]);
+    const Object<2, double>& after = again.object(ids_again[i]);
     if (!before.name.empty()) RC_ASSERT(after.name == before.name);
     RC_ASSERT(after.layer == before.layer);
     RC_ASSERT(after.mask == before.mask);

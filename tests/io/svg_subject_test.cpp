@@ -68,7 +68,7 @@ TEST_F(SvgSubject, refuses_pairs_of_objects_that_are_not_there) {
     (void)subject_of<2>(scene, pairs);
     FAIL() << "nothing was thrown";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "write_svg: a touching pair names object 1 (generation 0), which is not in the scene");
+    EXPECT_STREQ(error.what(), "write_svg: a touching pair names object 1 (generation 1), which is not in the scene");
   }
 }
 

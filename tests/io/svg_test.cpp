@@ -238,6 +238,8 @@ TEST(Svg, keeps_pictures_of_many_objects_small) {
   Scene<3, double> space;
   std::vector<ObjectPair> flat_pairs;
   std::vector<ObjectPair> space_pairs;
+  ObjectId before_a;
+  ObjectId before_b;
   for (int i = 0; i < 100'000; ++i) {
     const int row = i / 400;
     const double x = i % 400;
@@ -245,8 +247,10 @@ TEST(Svg, keeps_pictures_of_many_objects_small) {
     const std::string name = "a rather long name of an object " + std::to_string(i);
     const ObjectId a = flat.add(Aabb<2, double>{{x, y}, {x + 0.7, y + 0.7}}, {.name = name});
     const ObjectId b = space.add(Aabb<3, double>{{x, y, 0}, {x + 0.7, y + 0.7, 0.7}}, {.name = name});
-    if (i % 20 == 1) flat_pairs.push_back({{a.index - 1, 0}, a});
-    if (i % 20 == 1) space_pairs.push_back({{b.index - 1, 0}, b});
+    if (i % 20 == 1) flat_pairs.push_back({before_a, a});
+    if (i % 20 == 1) space_pairs.push_back({before_b, b});
+    before_a = a;
+    before_b = b;
   }
   const std::string flat_text = svg_text<2>(std::move(flat), flat_pairs);
   const std::string space_text = svg_text<3>(std::move(space), space_pairs);
