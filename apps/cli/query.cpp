@@ -98,8 +98,8 @@ Vec<N, double> vector_at(const std::vector<double>& numbers, std::size_t first) 
 
 template <Dim N>
 std::vector<double> coordinates(const Vec<N, double>& v) {
-  std::vector<double> numbers;
-  for (Dim i = 0; i < N; ++i) numbers.push_back(v[i]);
+  std::vector<double> numbers(static_cast<std::size_t>(N));
+  for (Dim i = 0; i < N; ++i) numbers[static_cast<std::size_t>(i)] = v[i];
   return numbers;
 }
 
@@ -125,6 +125,7 @@ class Query {
 
  private:
   static constexpr bool is_flat = N == 2;
+  static constexpr std::size_t two_vectors = 2 * static_cast<std::size_t>(N);
 
   LayerMask mask_of(const std::string& name) const {
     const std::vector<std::string>& known = scene_.layer_names();
@@ -148,7 +149,7 @@ class Query {
   AnyShape<N, double> region() const {
     if (arguments_.point) return point();
     if (arguments_.box) {
-      const auto numbers = numbers_in("--box", *arguments_.box, 2 * N, is_flat ? "x,y,x,y" : "x,y,z,x,y,z");
+      const auto numbers = numbers_in("--box", *arguments_.box, two_vectors, is_flat ? "x,y,x,y" : "x,y,z,x,y,z");
       return Aabb<N, double>::from_corners(vector_at<N>(numbers, 0), vector_at<N>(numbers, N));
     }
     const auto numbers = numbers_in("--sphere", *arguments_.sphere, N + 1, is_flat ? "x,y,radius" : "x,y,z,radius");
@@ -157,7 +158,7 @@ class Query {
 
   void ask_ray(io::FoundReport& report) const {
     const auto numbers = numbers_in(
-        "--ray", *arguments_.ray, 2 * N,
+        "--ray", *arguments_.ray, two_vectors,
         is_flat ? "x,y of its origin and x,y of its direction" : "x,y,z of its origin and x,y,z of its direction");
     const Ray<N, double> ray{vector_at<N>(numbers, 0), vector_at<N>(numbers, N)};
     const double t_max = arguments_.t_max.value_or(std::numeric_limits<double>::infinity());

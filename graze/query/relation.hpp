@@ -160,8 +160,8 @@ inline Relation relation(const A& a, const B& b) {
   return detail::decide(a, b);
 }
 
-/// The same for any two shapes: every pair of types at once, and therefore not inline, so that `extern template` can keep
-/// it from being compiled everywhere.
+/// The same for any two shapes: every pair of types at once, and therefore not inline, so that `extern template` can
+/// keep it from being compiled everywhere.
 template <Dim N, class T>
 Relation relation(const AnyShape<N, T>& a, const AnyShape<N, T>& b) {
   assert(is_valid(a) && is_valid(b));
