@@ -99,16 +99,15 @@ class PolygonEdges {
   }
 
   /// The one that looks most along a direction: one of the two at the farthest corner. Of a flat polygon, which has two
-  /// sides, the longer one. Corners that hardly turn are passed.
+  /// sides, the longest: it is as long as the polygon. Corners that hardly turn are passed.
   Patch<2> along(const Vec<2, double>& direction) const {
+    if (area_ == 0) return extended(longest(), direction);
     std::size_t farthest = 0;
     for (std::size_t i = 1; i < count_; ++i) {
       if (dot(corner_(i), direction) > dot(corner_(farthest), direction)) farthest = i;
     }
     const std::size_t before = last_before(farthest);
-    const bool is_after_better =
-        area_ == 0 ? sum_abs(way_from(farthest)) > sum_abs(way_from(before))
-                   : looks_more(dot(normal_of(farthest), direction), dot(normal_of(before), direction));
+    const bool is_after_better = looks_more(dot(normal_of(farthest), direction), dot(normal_of(before), direction));
     return extended(is_after_better ? farthest : before, direction);
   }
 
@@ -116,6 +115,14 @@ class PolygonEdges {
   std::size_t next_after(std::size_t i) const { return i + 1 < count_ ? i + 1 : 0; }
   std::size_t last_before(std::size_t i) const { return i > 0 ? i - 1 : count_ - 1; }
   Vec<2, double> way_from(std::size_t i) const { return corner_(next_after(i)) - corner_(i); }
+
+  std::size_t longest() const {
+    std::size_t longest = 0;
+    for (std::size_t i = 1; i < count_; ++i) {
+      if (sum_abs(way_from(i)) > sum_abs(way_from(longest))) longest = i;
+    }
+    return longest;
+  }
 
   Vec<2, double> normal_of(std::size_t i) const {
     const Vec<2, double> right = unit_or(-perpendicular<double>(way_from(i)), Vec<2, double>(0.0));

@@ -164,5 +164,16 @@ TEST(Manifold, OfUsersShapesAndRaysIsThePointOfTheContact) {
   EXPECT_EQ(manifold(Plane<3, double>{{0, 0, 1}, 1}, Plane<3, double>{{1, 0, 1}, 1}).size, 1U);
 }
 
+TEST(Manifold, OfAFlatTriangleHasTheDeepestPoint) {
+  const Triangle<2, double> flat{{-1, 0}, {2, -1}, {0.5, -0.5}};
+  const Triangle<2, double> across{{0.25, -1}, {1.25, -4}, {0.25, 1}};
+  const auto deepest = contact(flat, across);
+  ASSERT_TRUE(deepest);
+  const auto found = manifold(flat, across);
+  double depth = 0;
+  for (std::size_t i = 0; i < found.size; ++i) depth = std::max(depth, found.points[i].depth);
+  EXPECT_NEAR(depth, deepest->depth, 1e-14);
+}
+
 }  // namespace
 }  // namespace graze::test

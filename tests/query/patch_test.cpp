@@ -82,6 +82,18 @@ TEST(PatchOf, OfSidesThatLookAlongAsMuchIsTheFirst) {
   for (const double noise : {-1e-9, 0.0, 1e-9}) EXPECT_EQ(patch_of(box, V3(1, 1 + noise, 0)).face, 1U);
 }
 
+TEST(PatchOfTriangle, InThePlaneOfAFlatOneIsAllOfIt) {
+  // The third corner is in the middle of the other two, and the farthest along the direction is any of them.
+  const Triangle<2, double> flat{{-4, 0}, {4, 0}, {0, 0}};
+  for (const V2 direction : {V2(0, 1), V2(0, -1), V2(1e-17, 1), V2(-1e-17, 1), V2(1, 0)}) {
+    const Patch<2> patch = patch_of(flat, direction);
+    ASSERT_EQ(patch.size, 2U);
+    EXPECT_EQ(std::min(patch.corners[0].x, patch.corners[1].x), -4);
+    EXPECT_EQ(std::max(patch.corners[0].x, patch.corners[1].x), 4);
+    EXPECT_GE(dot(patch.normal, direction), 0);
+  }
+}
+
 TEST(PatchOf, ATriangleLooksBothWays) {
   const Triangle<3, double> triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
   EXPECT_EQ(patch_of(triangle, V3(1, 0, 0.1)).normal, V3(0, 0, 1));
