@@ -91,6 +91,8 @@ GjkResult<Differences::dimension> gjk_on(Differences& differences, const GjkOpti
   result.simplex.push(nearest);
   Simplex<N> extended = result.simplex;
   int stalls = 0;
+  // As much beyond the threshold as whoever compares with it wants to see: less would leave the verdict open.
+  const auto margin = [&] { return result.resolution + tolerance::rounding * options.threshold; };
   const auto bounds_meet = [&] {
     const double wanted = std::isnan(options.threshold) ? tolerance::gjk_relative_gap * result.upper : 0;
     return result.upper - result.lower <= wanted + result.resolution;
@@ -103,11 +105,11 @@ GjkResult<Differences::dimension> gjk_on(Differences& differences, const GjkOpti
       result.lower = 0;
       return result;
     }
-    if (result.upper < options.threshold - result.resolution) return result;
+    if (result.upper < options.threshold - margin()) return result;
     const Vec<N, double> next = differences.support(-nearest);
     result.resolution = differences.resolution();
     result.lower = std::max(result.lower, dot(nearest, next) / result.upper);  // upper > resolution >= 0
-    if (result.lower > options.threshold + result.resolution) return result;
+    if (result.lower > options.threshold + margin()) return result;
     if (bounds_meet()) return result;
     if (++result.iterations == gjk_iteration_limit || is_corner_of(result.simplex, next)) break;
     extended = result.simplex;

@@ -94,6 +94,17 @@ TEST(RelationOfConvex, TheRadiusIsComparedToTheLastDigit) {
          Relation::overlapping);
 }
 
+// The first bounds are just beyond the resolution, and not yet beyond what a verdict wants to see.
+TEST(RelationOfConvex, BoundsThatLeaveTheVerdictOpenAreMadeCloser) {
+  using V2 = Vec<2, double>;
+  const Capsule<2, double> capsule{{1, -4}, {-3, -3.9999847412109375}, 1};
+  const Polytope<2, double> corner = convex_hull<2, double>(std::vector<V2>{{-4.00000000000003, -4}});
+  EXPECT_EQ(relation(capsule, corner), Relation::apart);  // by 1e-10
+  const Polytope<2, double> house = convex_hull<2, double>(std::vector<V2>{
+      {-3.9375, -0x1p-45}, {0.0625, -1 - 0x1p-45}, {1.0625, -0x1p-45}, {2.0625, 4 - 0x1p-45}, {-0.9375, 4 - 0x1p-45}});
+  EXPECT_EQ(relation(Sphere<2, double>{{-1, -1 + 0x1p-52}, 1}, house), Relation::overlapping);
+}
+
 TEST(RelationOfConvex, ASmallRadiusIsDepthEnoughThoughTheDistanceOfLongCoresIsHardToFind) {
   // The capsule's axis begins in a corner of the thin box: the depth is the radius.
   const Aabb<3, double> box{{0, 0, 0}, {0.0005111603167539062, 49, 1038}};
