@@ -3,6 +3,7 @@
 #include <charconv>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -42,7 +43,7 @@ struct QueryArguments {
   std::optional<std::string> box;
   std::optional<std::string> sphere;
   std::optional<std::string> ray;
-  std::optional<std::size_t> nearest;
+  std::optional<std::int64_t> nearest;  // signed, so that a negative one is seen
   std::optional<double> t_max;
   std::optional<std::string> layer;
   bool only_first = false;
@@ -62,6 +63,9 @@ void require_one_question(const QueryArguments& arguments) {
                                     : "these are several questions; give one of --point, --box, --sphere and --ray");
   }
   if (arguments.nearest && !arguments.point) throw UsageError("--nearest needs --point: nearest to what?");
+  if (arguments.nearest && *arguments.nearest < 1) {
+    throw UsageError(fmt::format("--nearest {} is no number of objects; it must be 1 or more", *arguments.nearest));
+  }
   if (arguments.t_max && !arguments.ray) throw UsageError("--t-max needs --ray");
   if (arguments.only_first && !arguments.ray) throw UsageError("--first needs --ray");
 }
@@ -115,7 +119,8 @@ class Query {
     if (arguments_.ray) return ask_ray(report);
     if (arguments_.nearest) {
       report.detail = FoundDetail::distance;
-      for (const auto& [id, distance] : scene_.nearest(point(), *arguments_.nearest, layers_)) {
+      const auto count = static_cast<std::size_t>(*arguments_.nearest);
+      for (const auto& [id, distance] : scene_.nearest(point(), count, layers_)) {
         report.objects.push_back(found(id, distance));
       }
       return;

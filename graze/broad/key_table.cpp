@@ -23,7 +23,7 @@ KeyTable::KeyTable(std::uint32_t most) : most_(most), owner_(new_owner()) {}
 
 std::uint32_t KeyTable::prepare() {
   if (!free_.empty()) return free_.back();
-  if (generations_.size() == most_) {
+  if (is_full()) {
     throw std::length_error("SpatialIndex: it is full; it holds " + std::to_string(most_) + " boxes at most");
   }
   if (generations_.size() == generations_.capacity()) {

@@ -37,6 +37,9 @@ class KeyTable {
   /// Frees a slot that is taken. A slot whose generations are used up is never taken again.
   void release(std::uint32_t slot) noexcept;
 
+  /// Whether `prepare` would throw that it is full.
+  bool is_full() const { return free_.empty() && generations_.size() == most_; }
+
   bool contains(const Key& key) const {
     return key.owner == owner_ && key.index < generations_.size() && (key.generation & 1U) != 0 &&
            generations_[key.index] == key.generation;

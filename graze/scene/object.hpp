@@ -11,6 +11,9 @@
 
 namespace graze {
 
+/// As many objects a scene can hold; its index holds no more.
+inline constexpr std::uint32_t max_objects = std::uint32_t{1} << 29U;
+
 /// Names an object of a scene for as long as it lives. The id of an object that was removed, one that another scene
 /// gave out, and one made by default are errors when they are used, never another object. Ordered by index, which is a
 /// place that is used again. Copies and snapshots of a scene answer to the ids of the original.

@@ -10,8 +10,8 @@
 namespace graze::detail {
 namespace {
 
-/// With more than one object changed of so many, all boxes are met with each other: the batch method takes some ten
-/// times less for an object than a question to the index (bench/scene.cpp).
+/// With more than one object changed of so many, all boxes are met with each other: a question to the index costs far
+/// more than a box does in the batch method.
 constexpr std::size_t mended_share = 16;
 
 /// Exact tests, and questions to the index, per task.

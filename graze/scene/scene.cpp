@@ -43,6 +43,9 @@ ObjectId Scene<N, T>::add(AnyShape<N, T> shape, ObjectOptions options) {
   if (this->find(options.name)) {
     throw std::invalid_argument("Scene: there is already an object \"" + options.name + "\"");
   }
+  if (ids_.is_full()) {
+    throw std::length_error("Scene: it is full; it holds " + std::to_string(max_objects) + " objects at most");
+  }
 
   // Everything that can throw comes before the first change that would show.
   const std::uint32_t slot = ids_.prepare();

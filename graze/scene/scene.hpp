@@ -33,7 +33,7 @@ template <Dim N, class T = float>
 class Scene : public SceneView<N, T> {
  public:
   /// Adds an object. Throws std::invalid_argument, naming the fact, when the shape is not valid (see `defect`),
-  /// the name is taken or the layer is not below `max_layers`.
+  /// the name is taken or the layer is not below `max_layers`; std::length_error beyond `max_objects`.
   ObjectId add(AnyShape<N, T> shape, ObjectOptions options = {});
 
   /// Replaces an object's shape. Throws like `add` and `object`.

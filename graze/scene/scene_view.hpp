@@ -112,7 +112,7 @@ class SceneView {
   /// The objects on these layers whose boxes a region meets, rounding allowed for. Ascending.
   std::vector<ObjectId> near(const AnyShape<N, T>& region, LayerMask layers) const;
 
-  detail::KeyTable ids_;
+  detail::KeyTable ids_{max_objects};
   detail::SharedSlots<Object<N, T>> objects_;  // by slot: the index of an id
   detail::SharedValue<Names> names_;
   std::vector<std::string> layer_names_;

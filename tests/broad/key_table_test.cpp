@@ -58,6 +58,7 @@ TEST(KeyTable, IsFullAtItsLimitAndRecovers) {
     FAIL() << "no error";
   } catch (const std::length_error& error) {
     EXPECT_EQ(std::string(error.what()), "SpatialIndex: it is full; it holds 2 boxes at most");
+    EXPECT_TRUE(table.is_full());
   }
   EXPECT_EQ(table.size(), 2U);
   table.release(1);

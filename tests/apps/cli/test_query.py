@@ -76,6 +76,8 @@ class Query(CommandLineTest):
         self.wrong("there is no question", scene)
         self.wrong("several questions", scene, "--point", "0,0", "--box", "0,0,1,1")
         self.wrong("nearest to what?", scene, "--box", "0,0,1,1", "--nearest", "3")
+        for count in ("-3", "0"):
+            self.wrong(f"--nearest {count} is no number of objects", scene, "--point", "0,0", "--nearest", count)
         self.wrong("--t-max needs --ray", scene, "--point", "0,0", "--t-max", "3")
         self.wrong("--first needs --ray", scene, "--point", "0,0", "--first")
         self.wrong('--point "0,0,0" has 3 numbers; it takes x,y', scene, "--point", "0,0,0")
