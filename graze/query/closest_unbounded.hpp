@@ -163,10 +163,9 @@ struct UnitPlane {
 };
 
 template <Dim N, class T>
-UnitPlane unit_plane(const Plane<N, T>& plane) {
-  const Vec<N, double> normal = wide<N, T>(plane.normal);
-  const double length = std::sqrt(dot(normal, normal));  // a valid normal is not zero
-  return {lifted(normal) / length, static_cast<double>(plane.offset) / length};
+UnitPlane lifted_plane(const Plane<N, T>& plane) {
+  const Plane<N, double> unit = unit_plane(plane);
+  return {lifted(unit.normal), unit.offset};
 }
 
 inline Vec<3, double> foot_of_origin(const UnitPlane& plane) { return plane.normal * plane.offset; }
@@ -214,8 +213,8 @@ auto boundary_of(const Level& level) {
 template <class A, class B>
 Proximity<dimension_of<A>, double> proximity_of_levels(const A& a, const B& b, Relation relation) {
   constexpr Dim N = dimension_of<A>;
-  const UnitPlane plane_a = unit_plane(boundary_of(a));
-  const UnitPlane plane_b = unit_plane(boundary_of(b));
+  const UnitPlane plane_a = lifted_plane(boundary_of(a));
+  const UnitPlane plane_b = lifted_plane(boundary_of(b));
   const Parallel planes = compare_planes(boundary_of(a), boundary_of(b));
   Proximity<N, double> result;
   if (relation == Relation::apart) {

@@ -159,17 +159,6 @@ Outline outline(const Polytope<N, T>& polytope, const View<N>& view = {}) {
   return outline_of_hull<N>(points, view);
 }
 
-/// The same plane, its normal of length 1. Nothing over- or underflows but the offset, which is infinite when the plane
-/// is farther away than doubles reach.
-template <Dim N, class T>
-Plane<N, double> unit_plane(const Plane<N, T>& plane) {
-  // By the largest coordinate first, so that the squares stay in range.
-  const double size = static_cast<double>(max_abs(plane.normal));  // not zero in a valid plane
-  const Vec<N, double> scaled = wide<N, T>(plane.normal) / size;
-  const double length = std::sqrt(dot(scaled, scaled));
-  return {scaled / length, static_cast<double>(plane.offset) / size / length};
-}
-
 /// The piece of a ray inside a box, in the ray's direction; none when the ray misses it. Slabs (Kay and Kajiya 1986),
 /// with rays along a slab decided by comparison.
 template <Dim N, class T>

@@ -119,8 +119,8 @@ double way_out(bool face_the_same_way) {
 template <class A, class B>
 Penetration<dimension_of<A>> penetration_of_levels(const A& a, const B& b) {
   constexpr Dim N = dimension_of<A>;
-  const UnitPlane plane_a = unit_plane(boundary_of(a));
-  const UnitPlane plane_b = unit_plane(boundary_of(b));
+  const UnitPlane plane_a = lifted_plane(boundary_of(a));
+  const UnitPlane plane_b = lifted_plane(boundary_of(b));
   const Parallel planes = compare_planes(boundary_of(a), boundary_of(b));
   if (!planes.parallel || (!is_plane<A> && !is_plane<B> && planes.same_way)) {
     return inseparable_at(Vec<N, double>(common_point_of_levels<A, B>(plane_a, plane_b, planes.parallel)));

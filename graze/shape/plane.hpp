@@ -34,6 +34,17 @@ Plane<N, T> transformed(const Plane<N, T>& plane, const Pose<N, T>& pose) {
           static_cast<T>(static_cast<double>(plane.offset) + dot(wide<N, T>(normal), wide<N, T>(pose.position)))};
 }
 
+/// The same plane, its normal of length 1. Nothing over- or underflows but the offset, which is infinite when the plane
+/// is farther away than doubles reach.
+template <Dim N, class T>
+Plane<N, double> unit_plane(const Plane<N, T>& plane) {
+  // By the largest coordinate first, so that the squares stay in range.
+  const double size = static_cast<double>(max_abs(plane.normal));  // not zero in a valid plane
+  const Vec<N, double> scaled = wide<N, T>(plane.normal) / size;
+  const double length = std::sqrt(dot(scaled, scaled));
+  return {scaled / length, static_cast<double>(plane.offset) / size / length};
+}
+
 namespace detail {
 template <Dim N, class T>
 Plane<N, T> plane_at(const Vec<N, double>& normal, const Vec<N, T>& point) {
