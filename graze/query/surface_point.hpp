@@ -183,15 +183,29 @@ double height_over(const Plane<N, T>& plane, const Vec<N, double>& p) {
   return sum.value + sum.error;
 }
 
+/// The axis along which a vector is longest, the first of several.
+template <Dim N>
+Dim longest_axis(const Vec<N, double>& v) {
+  Dim longest = 0;
+  for (Dim i = 1; i < N; ++i) {
+    if (std::fabs(v[i]) > std::fabs(v[longest])) longest = i;
+  }
+  return longest;
+}
+
 /// The foot of the perpendicular, dropped twice: the rounding of the first is as large as p, that of the second as the
-/// foot.
+/// foot. What remains is taken from the coordinate that the plane is steepest in, which the others determine: so the
+/// foot is on the plane as closely as those can tell, also where it should be zero.
 template <Dim N, class T>
 SurfacePoint<N> surface_point(const Plane<N, T>& plane, const Vec<N, double>& p) {
   const Vec<N, double> normal = wide<N, T>(plane.normal);
   const double squared_length = dot(normal, normal);  // a valid normal is not zero
   const double height = height_over(plane, p);
   const Vec<N, double> near = p - normal * (height / squared_length);
-  const Vec<N, double> foot = near - normal * (height_over(plane, near) / squared_length);
+  Vec<N, double> foot = near - normal * (height_over(plane, near) / squared_length);
+  const Dim steepest = longest_axis(normal);
+  foot[steepest] = 0;
+  foot[steepest] = -height_over(plane, foot) / normal[steepest];
   return {foot, foot, height / std::sqrt(squared_length)};
 }
 
