@@ -14,9 +14,9 @@
 #include <variant>
 #include <vector>
 
+#include <graze/broad/relations.hpp>
 #include <graze/io/report.hpp>
 #include <graze/io/svg.hpp>
-#include <graze/scene/relations.hpp>
 
 #include "command.hpp"
 #include "input.hpp"

@@ -3,9 +3,9 @@
 #include <iterator>
 #include <utility>
 
+#include <graze/broad/relations.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/scene/pair_keeper.hpp>
-#include <graze/scene/relations.hpp>
 
 namespace graze::detail {
 namespace {

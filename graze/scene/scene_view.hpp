@@ -13,12 +13,12 @@
 #include <vector>
 
 #include <graze/broad/key_table.hpp>
+#include <graze/broad/relations.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/ray_hit.hpp>
 #include <graze/scene/filter.hpp>
 #include <graze/scene/object.hpp>
 #include <graze/scene/object_index.hpp>
-#include <graze/scene/relations.hpp>
 #include <graze/scene/shared_slots.hpp>
 #include <graze/scene/shared_value.hpp>
 #include <graze/shape/any_shape.hpp>

@@ -17,7 +17,7 @@
 #include "box_worlds.hpp"
 #include "simd_targets.hpp"
 
-namespace graze::detail {
+namespace graze::detail::block_kernels_test {
 namespace {
 
 template <Dim N, class T>
@@ -216,4 +216,4 @@ TYPED_TEST(BlockKernelsTest, ARefillRefusesWhatIsNoBox) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::block_kernels_test

@@ -6,7 +6,7 @@
 
 #include <graze/broad/block_spread.hpp>
 
-namespace graze::detail {
+namespace graze::detail::block_spread_test {
 namespace {
 
 /// Bounds of blocks, a lane each.
@@ -64,4 +64,4 @@ TEST(BlockSpread, OfBlocksThatAreAtInfinityIsTheirNumber) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::block_spread_test

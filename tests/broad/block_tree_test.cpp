@@ -12,7 +12,7 @@
 
 #include "box_worlds.hpp"
 
-namespace graze::detail {
+namespace graze::detail::block_tree_test {
 namespace {
 
 /// The box in a lane, or nothing where there is none.
@@ -189,4 +189,4 @@ TEST(BlockTree, NeighboursShareBlocks) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::block_tree_test

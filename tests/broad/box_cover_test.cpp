@@ -5,7 +5,7 @@
 
 #include <graze/broad/box_cover.hpp>
 
-namespace graze::detail {
+namespace graze::detail::box_cover_test {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -33,4 +33,4 @@ TEST(BoxCover, MeasuresHalfTheSurface) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::box_cover_test

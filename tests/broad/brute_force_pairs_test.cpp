@@ -6,7 +6,7 @@
 
 #include <graze/broad/brute_force_pairs.hpp>
 
-namespace graze {
+namespace graze::brute_force_pairs_test {
 namespace {
 
 using Box = Aabb<2, float>;
@@ -26,4 +26,4 @@ TEST(BruteForcePairs, BetweenTwoSetsKeepsEachSetsOwnIndices) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::brute_force_pairs_test

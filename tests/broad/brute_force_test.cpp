@@ -8,7 +8,7 @@
 #include <graze/broad/brute_force.hpp>
 #include <graze/shape/sphere.hpp>
 
-namespace graze {
+namespace graze::brute_force_test {
 namespace {
 
 using Index = BruteForce<2, double>;
@@ -64,4 +64,4 @@ TEST(BruteForce, UpdatesAndErases) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::brute_force_test

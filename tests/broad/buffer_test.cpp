@@ -7,7 +7,7 @@
 
 #include <graze/broad/buffer.hpp>
 
-namespace graze::detail {
+namespace graze::detail::buffer_test {
 namespace {
 
 TEST(Buffer, StartsEmptyAndHoldsWhatWasAskedFor) {
@@ -61,4 +61,4 @@ TEST(Buffer, MovesWithItsMemory) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::buffer_test

@@ -19,7 +19,7 @@
 #include "bvh_checks.hpp"
 #include "thread_executor.hpp"
 
-namespace graze::detail {
+namespace graze::detail::bvh_build_test {
 namespace {
 
 /// A tree of its own, with nodes 1 and up below place 0.
@@ -128,4 +128,4 @@ RC_GTEST_PROP(BvhBuild, MakesASoundTreeOfAnyBoxes, ()) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::bvh_build_test

@@ -17,7 +17,7 @@
 #include "box_worlds.hpp"
 #include "bvh_checks.hpp"
 
-namespace graze::detail {
+namespace graze::detail::bvh_query_test {
 namespace {
 
 /// A row of unit cubes with gaps, inserted one by one from one end to the other.
@@ -152,4 +152,4 @@ TEST(BvhQuery, APathOfTheTallestTreeFitsItsList) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::bvh_query_test

@@ -17,7 +17,7 @@
 #include "box_worlds.hpp"
 #include "thread_executor.hpp"
 
-namespace graze {
+namespace graze::bvh_test {
 namespace {
 
 template <class Index, class R>
@@ -177,4 +177,4 @@ TEST(Bvh, SaysHowMuchMemoryItHolds) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::bvh_test

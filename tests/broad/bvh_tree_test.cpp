@@ -17,7 +17,7 @@
 #include "box_worlds.hpp"
 #include "bvh_checks.hpp"
 
-namespace graze::detail {
+namespace graze::detail::bvh_tree_test {
 namespace {
 
 using Tree = BvhTree<2, float>;
@@ -298,4 +298,4 @@ TEST(BvhTree, BringsNeighboursTogetherInMemoryAfterAQuarterAsManyChangesAsBoxes)
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::bvh_tree_test

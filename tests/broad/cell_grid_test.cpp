@@ -7,7 +7,7 @@
 
 #include <graze/broad/cell_grid.hpp>
 
-namespace graze::detail {
+namespace graze::detail::cell_grid_test {
 namespace {
 
 using Box = Aabb<3, float>;
@@ -92,4 +92,4 @@ TEST(CellGrid, TheFarCornerLiesInACell) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::cell_grid_test

@@ -6,7 +6,7 @@
 
 #include <graze/broad/cell_place.hpp>
 
-namespace graze::detail {
+namespace graze::detail::cell_place_test {
 namespace {
 
 constexpr CellPlace<2> unit{{0, 0}, 1, 5, 9};
@@ -78,4 +78,4 @@ TEST(RootPlace, DoesNotOverflow) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::cell_place_test

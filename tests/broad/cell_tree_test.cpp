@@ -13,7 +13,7 @@
 
 #include <graze/broad/cell_tree.hpp>
 
-namespace graze::detail {
+namespace graze::detail::cell_tree_test {
 namespace {
 
 using Tree = CellTree<2, float>;
@@ -127,4 +127,4 @@ TEST(CellTree, DoesNotGrowWithTheNumberOfCalls) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::cell_tree_test

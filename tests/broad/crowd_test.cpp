@@ -11,7 +11,7 @@
 
 #include "box_worlds.hpp"
 
-namespace graze::detail {
+namespace graze::detail::crowd_test {
 namespace {
 
 template <Dim N>
@@ -96,4 +96,4 @@ TEST(Crowd, OfAFewIsLeftAsItIs) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::crowd_test

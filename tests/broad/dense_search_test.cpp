@@ -17,7 +17,7 @@
 #include "simd_targets.hpp"
 #include "thread_executor.hpp"
 
-namespace graze::detail {
+namespace graze::detail::dense_search_test {
 namespace {
 
 template <Dim N, class T>
@@ -115,4 +115,4 @@ TEST(DenseSearch, RefusesNaN) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::dense_search_test

@@ -8,7 +8,7 @@
 
 #include <graze/broad/entry_pool.hpp>
 
-namespace graze::detail {
+namespace graze::detail::entry_pool_test {
 namespace {
 
 using Pool = EntryPool<2, float>;
@@ -88,4 +88,4 @@ RC_GTEST_PROP(EntryPool, RemovalPutsTheLastInTheHoleAndSaysWhich, (const std::ve
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::entry_pool_test

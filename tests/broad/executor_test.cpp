@@ -10,7 +10,7 @@
 
 #include <graze/broad/executor.hpp>
 
-namespace graze {
+namespace graze::executor_test {
 namespace {
 
 void expect_every_task_once(const Executor& executor) {
@@ -78,4 +78,4 @@ TEST(Executor, MayBeUsedFromWithinATask) {
 TEST(Executor, RefusesNoThreads) { EXPECT_THROW(limited_executor(0), std::invalid_argument); }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::executor_test

@@ -7,7 +7,7 @@
 
 #include <graze/broad/index_pairs.hpp>
 
-namespace graze::detail {
+namespace graze::detail::index_pairs_test {
 namespace {
 
 TEST(IndexPairs, SkipsSlotsThatAreFreeAndNamesTheOthersByTheirKeys) {
@@ -33,4 +33,4 @@ TEST(IndexPairs, SkipsSlotsThatAreFreeAndNamesTheOthersByTheirKeys) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::index_pairs_test

@@ -8,7 +8,7 @@
 
 #include <graze/broad/key_table.hpp>
 
-namespace graze::detail {
+namespace graze::detail::key_table_test {
 namespace {
 
 Key take(KeyTable& table) {
@@ -77,4 +77,4 @@ TEST(KeyTable, CountsChanges) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::key_table_test

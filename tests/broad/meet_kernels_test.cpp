@@ -15,7 +15,7 @@
 #include "box_worlds.hpp"
 #include "simd_targets.hpp"
 
-namespace graze::detail {
+namespace graze::detail::meet_kernels_test {
 namespace {
 
 template <Dim N, class T>
@@ -87,4 +87,4 @@ TYPED_TEST(MeetKernelsTest, MeetingsAreThoseOfPlainLoops) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::meet_kernels_test

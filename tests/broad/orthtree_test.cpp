@@ -12,7 +12,7 @@
 
 #include <graze/broad/orthtree.hpp>
 
-namespace graze {
+namespace graze::orthtree_test {
 namespace {
 
 using Cell2 = OrthtreeCell<2, float>;
@@ -187,4 +187,4 @@ TEST(Orthtree, SaysHowMuchMemoryItHolds) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::orthtree_test

@@ -17,7 +17,7 @@
 #include "simd_targets.hpp"
 #include "thread_executor.hpp"
 
-namespace graze {
+namespace graze::pair_finder_test {
 namespace {
 
 template <Dim N, class T>
@@ -133,4 +133,4 @@ TEST(PairFinder, TakesAnotherMarginInEveryFrame) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::pair_finder_test

@@ -13,7 +13,7 @@
 
 #include "thread_executor.hpp"
 
-namespace graze {
+namespace graze::pair_laws_test {
 namespace {
 
 /// min_x, extent_x, min_y, ...: extents may be negative, which is an empty box.
@@ -62,4 +62,4 @@ RC_GTEST_PROP(PairLaws, InSpaceInFloat, ()) { expect_lawful<3, float>(*rc::gen::
 RC_GTEST_PROP(PairLaws, InSpaceInDouble, ()) { expect_lawful<3, double>(*rc::gen::inRange(2, 20)); }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::pair_laws_test

@@ -7,7 +7,7 @@
 #include <graze/broad/pair_methods.hpp>
 #include <graze/broad/worlds.hpp>
 
-namespace graze::detail {
+namespace graze::detail::pair_methods_test {
 namespace {
 
 std::vector<Aabb<3, float>> boxes_of(World world, std::size_t count) {
@@ -62,4 +62,4 @@ TEST(PairMethods, RemembersWhatItChose) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::pair_methods_test

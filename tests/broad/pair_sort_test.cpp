@@ -9,7 +9,7 @@
 
 #include <graze/broad/pair_sort.hpp>
 
-namespace graze::detail {
+namespace graze::detail::pair_sort_test {
 namespace {
 
 /// Shuffles the pairs, cuts them into pieces, sorts, and compares with std::sort.
@@ -74,4 +74,4 @@ TEST(PairSort, OfTheLargestIndices) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::pair_sort_test

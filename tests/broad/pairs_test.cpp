@@ -16,7 +16,7 @@
 #include "simd_targets.hpp"
 #include "thread_executor.hpp"
 
-namespace graze {
+namespace graze::pairs_test {
 namespace {
 
 template <class Space>
@@ -278,4 +278,4 @@ TEST(Pairs, MemoryIsModestAndStaysFromFrameToFrame) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::pairs_test

@@ -13,7 +13,7 @@
 #include "../query/user_shapes.hpp"
 #include "catalogue.hpp"
 
-namespace graze {
+namespace graze::region_test {
 namespace {
 
 using detail::RegionProbe;
@@ -130,4 +130,4 @@ TEST(Region, OfABoxWithInfiniteSidesThePartNearTheRegionCounts) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::region_test

@@ -5,7 +5,7 @@
 
 #include <graze/broad/short_list.hpp>
 
-namespace graze::detail {
+namespace graze::detail::short_list_test {
 namespace {
 
 TEST(ShortList, GivesBackWhatWasPushedLastBeyondItsRoomToo) {
@@ -34,4 +34,4 @@ TEST(ShortHeap, GivesTheFirstInItsOrder) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::short_list_test

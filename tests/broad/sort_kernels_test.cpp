@@ -11,7 +11,7 @@
 
 #include "simd_targets.hpp"
 
-namespace graze::detail {
+namespace graze::detail::sort_kernels_test {
 namespace {
 
 TEST(SortKernels, PutPairsOfShortRowsInTheirPlacesAndLeaveOutTheOthers) {
@@ -44,4 +44,4 @@ TEST(SortKernels, PutPairsOfShortRowsInTheirPlacesAndLeaveOutTheOthers) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::sort_kernels_test

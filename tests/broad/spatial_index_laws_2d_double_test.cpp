@@ -3,11 +3,11 @@
 
 #include "spatial_index_laws.hpp"
 
-namespace graze::test {
+namespace graze::test::spatial_index_laws_2d_double_test {
 namespace {
 
 using Tested = Indexes<2, double>;
 INSTANTIATE_TYPED_TEST_SUITE_P(InPlaneInDouble, SpatialIndexLaws, Tested);
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::spatial_index_laws_2d_double_test

@@ -14,7 +14,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze {
+namespace graze::spatial_index_test {
 namespace {
 
 using detail::entry_of;
@@ -98,4 +98,4 @@ TEST(NearestKeys, KeepsTheFirstOfAll) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::spatial_index_test

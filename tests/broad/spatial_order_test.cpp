@@ -10,7 +10,7 @@
 
 #include "box_worlds.hpp"
 
-namespace graze::detail {
+namespace graze::detail::spatial_order_test {
 namespace {
 
 template <Dim N, class T>
@@ -99,4 +99,4 @@ TEST(SpatialOrder, RefusesNaNByPosition) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::spatial_order_test

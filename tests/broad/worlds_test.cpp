@@ -17,7 +17,7 @@
 #include <graze/broad/pairs.hpp>
 #include <graze/broad/worlds.hpp>
 
-namespace graze {
+namespace graze::worlds_test {
 namespace {
 
 constexpr std::size_t thousands = 5000;
@@ -368,4 +368,4 @@ INSTANTIATE_TEST_SUITE_P(EveryWorld, WorldHashes,
                          });
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::worlds_test

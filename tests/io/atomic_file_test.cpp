@@ -15,7 +15,7 @@
 #include "scene_text.hpp"
 #include "tiled_folder.hpp"
 
-namespace graze::io {
+namespace graze::io::atomic_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -151,4 +151,4 @@ TEST(AtomicFile, AFullDiskIsNoticed) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::atomic_file_test

@@ -12,7 +12,7 @@
 
 #include "scene_text.hpp"
 
-namespace graze::io {
+namespace graze::io::csv_boxes_test {
 namespace {
 
 using Scene2 = Scene<2, double>;
@@ -152,4 +152,4 @@ TEST(CsvBoxes, ARealChipIsReadWhole) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::csv_boxes_test

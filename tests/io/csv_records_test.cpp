@@ -9,7 +9,7 @@
 
 #include "scene_text.hpp"
 
-namespace graze::io {
+namespace graze::io::csv_records_test {
 namespace {
 
 using Table = std::vector<std::vector<std::string>>;
@@ -83,4 +83,4 @@ RC_GTEST_PROP(CsvRecords, WhateverIsQuotedComesBack, (const std::vector<std::str
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::csv_records_test

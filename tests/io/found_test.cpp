@@ -6,7 +6,7 @@
 
 #include <graze/io/found.hpp>
 
-namespace graze::io {
+namespace graze::io::found_test {
 namespace {
 
 std::string written(ReportFormat format, const FoundReport& report, Colours colours = Colours::off) {
@@ -75,4 +75,4 @@ TEST(Found, ATableHidesWhatATerminalWouldObeyAndMayBeBold) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::found_test

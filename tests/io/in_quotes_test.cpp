@@ -5,7 +5,7 @@
 
 #include <graze/io/in_quotes.hpp>
 
-namespace graze::io {
+namespace graze::io::in_quotes_test {
 namespace {
 
 TEST(InQuotes, ShortTextStandsAsItIs) {
@@ -26,4 +26,4 @@ TEST(InQuotes, LongTextIsCutBetweenCharacters) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::in_quotes_test

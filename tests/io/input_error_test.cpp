@@ -6,7 +6,7 @@
 #include <graze/io/input_error.hpp>
 #include <graze/io/output_error.hpp>
 
-namespace graze::io {
+namespace graze::io::input_error_test {
 namespace {
 
 TEST(InputError, CarriesItsMessageAndIsNotAnOutputError) {
@@ -16,4 +16,4 @@ TEST(InputError, CarriesItsMessageAndIsNotAnOutputError) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::input_error_test

@@ -10,7 +10,7 @@
 
 #include "scene_text.hpp"
 
-namespace graze::io {
+namespace graze::io::json_document_test {
 namespace {
 
 std::string parse_error(const std::string& text) {
@@ -123,4 +123,4 @@ TEST(JsonDocument, TextThatIsNotUtf8IsAnError) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::json_document_test

@@ -9,7 +9,7 @@
 
 #include "scene_text.hpp"
 
-namespace graze::io {
+namespace graze::io::json_fields_test {
 namespace {
 
 /// Calls `ask` with the fields of an object, which stands as object 3 "ball" in the messages.
@@ -98,4 +98,4 @@ TEST(JsonFields, AnElementIsNamedByItsIndex) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::json_fields_test

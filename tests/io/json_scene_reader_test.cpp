@@ -12,7 +12,7 @@
 
 #include "scene_text.hpp"
 
-namespace graze::io {
+namespace graze::io::json_scene_reader_test {
 namespace {
 
 using Scene2 = Scene<2, double>;
@@ -190,4 +190,4 @@ TEST(JsonSceneReader, TheJsonSchemaHasTheSameFieldsAroundTheShapes) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::json_scene_reader_test

@@ -20,7 +20,7 @@
 #include "scene_text.hpp"
 #include "shape_bits.hpp"
 
-namespace graze::io {
+namespace graze::io::json_scene_test {
 namespace {
 
 template <Dim N>
@@ -162,4 +162,4 @@ TEST(JsonScene, EightTimesAsManyObjectsTakeAboutEightTimesAsLong) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::json_scene_test

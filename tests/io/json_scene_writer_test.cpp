@@ -9,7 +9,7 @@
 #include <graze/io/output_error.hpp>
 #include <graze/query/bounds.hpp>
 
-namespace graze::io {
+namespace graze::io::json_scene_writer_test {
 namespace {
 
 using Scene2 = Scene<2, double>;
@@ -105,4 +105,4 @@ TEST(JsonSceneWriter, WhatTheFormatCannotHoldIsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::json_scene_writer_test

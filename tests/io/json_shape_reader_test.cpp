@@ -14,7 +14,7 @@
 #include "scene_text.hpp"
 #include "shape_bits.hpp"
 
-namespace graze::io {
+namespace graze::io::json_shape_reader_test {
 namespace {
 
 using V2 = Vec<2, double>;
@@ -192,4 +192,4 @@ TEST(JsonShapeReader, WrongRotationsAreNamed) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::json_shape_reader_test

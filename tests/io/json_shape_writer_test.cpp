@@ -10,7 +10,7 @@
 #include <graze/io/shape_fields.hpp>
 #include <graze/query/bounds.hpp>
 
-namespace graze::io {
+namespace graze::io::json_shape_writer_test {
 namespace {
 
 template <Dim N>
@@ -60,4 +60,4 @@ TEST(JsonShapeWriter, CompoundsDeeperThanTheFormatAllowsAreRefused) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::json_shape_writer_test

@@ -6,7 +6,7 @@
 #include <graze/io/input_error.hpp>
 #include <graze/io/output_error.hpp>
 
-namespace graze::io {
+namespace graze::io::output_error_test {
 namespace {
 
 TEST(OutputError, CarriesItsMessageAndIsNotAnInputError) {
@@ -16,4 +16,4 @@ TEST(OutputError, CarriesItsMessageAndIsNotAnInputError) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::output_error_test

@@ -6,7 +6,7 @@
 
 #include <graze/io/printable.hpp>
 
-namespace graze::io {
+namespace graze::io::printable_test {
 namespace {
 
 TEST(Printable, leaves_ordinary_text_as_it_is) {
@@ -54,4 +54,4 @@ RC_GTEST_PROP(Printable, gives_text_that_is_printable_already, (const std::strin
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::printable_test

@@ -3,7 +3,7 @@
 
 #include <graze/io/quoting.hpp>
 
-namespace graze::io {
+namespace graze::io::quoting_test {
 namespace {
 
 TEST(JsonString, EscapesWhatJsonWants) {
@@ -23,4 +23,4 @@ TEST(CsvField, IsQuotedWhereItHoldsASeparator) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::quoting_test

@@ -18,7 +18,7 @@
 #include "scene_text.hpp"
 #include "tiled_folder.hpp"
 
-namespace graze::io {
+namespace graze::io::recording_test {
 namespace {
 
 template <Dim N>
@@ -295,4 +295,4 @@ TEST_F(Recording, WritingStopsWhenTheStreamHasFailed) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::recording_test

@@ -9,7 +9,7 @@
 
 #include <graze/io/report.hpp>
 
-namespace graze::io {
+namespace graze::io::report_test {
 namespace {
 
 const ReportHead head{"yard.json", 2, 3};
@@ -142,4 +142,4 @@ RC_GTEST_PROP(Report, as_csv_gives_back_any_name, (const std::string& a, const s
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::report_test

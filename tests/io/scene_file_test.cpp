@@ -13,7 +13,7 @@
 #include "scene_text.hpp"
 #include "tiled_folder.hpp"
 
-namespace graze::io {
+namespace graze::io::scene_file_test {
 namespace {
 
 SceneFile parse(const std::string& text) { return parse_scene(text, "a file", "."); }
@@ -104,4 +104,4 @@ TEST(SceneFile, TheWorkshopHoldsEveryTypeOfShapeAndSomeDozensOfPairs) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::scene_file_test

@@ -12,7 +12,7 @@
 
 #include "scene_text.hpp"
 
-namespace graze::io {
+namespace graze::io::shape_fields_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -89,4 +89,4 @@ TEST(ShapeFields, TheDocumentationNamesEveryFieldInItsTypesRow) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::shape_fields_test

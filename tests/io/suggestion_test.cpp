@@ -7,7 +7,7 @@
 
 #include <graze/io/suggestion.hpp>
 
-namespace graze::io {
+namespace graze::io::suggestion_test {
 namespace {
 
 constexpr std::array<std::string_view, 3> names = {"center", "radius", "half_extents"};
@@ -44,4 +44,4 @@ TEST(Suggestion, AMessageNamesTheNearestOrAll) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::suggestion_test

@@ -12,7 +12,7 @@
 
 #include <graze/io/summary.hpp>
 
-namespace graze::io {
+namespace graze::io::summary_test {
 namespace {
 
 SceneFile file_of(AnyScene scene) { return {std::move(scene), "yard.json", "graze.scene/1", YAxis::up, {}}; }
@@ -133,4 +133,4 @@ RC_GTEST_PROP(Summary, has_every_size_in_the_bin_it_belongs_to, (const std::vect
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::summary_test

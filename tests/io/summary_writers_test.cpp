@@ -7,7 +7,7 @@
 
 #include <graze/io/summary.hpp>
 
-namespace graze::io {
+namespace graze::io::summary_writers_test {
 namespace {
 
 SceneSummary yard() {
@@ -104,4 +104,4 @@ TEST(SummaryJson, has_null_where_there_is_nothing_bounded) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::summary_writers_test

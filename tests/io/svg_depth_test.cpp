@@ -8,7 +8,7 @@
 
 #include <graze/io/svg_depth.hpp>
 
-namespace graze::io::svg {
+namespace graze::io::svg::svg_depth_test {
 namespace {
 
 using Order = std::vector<std::size_t>;
@@ -95,4 +95,4 @@ RC_GTEST_PROP(SvgDepth, paints_every_thing_once_and_grid_boxes_in_a_correct_orde
 }
 
 }  // namespace
-}  // namespace graze::io::svg
+}  // namespace graze::io::svg::svg_depth_test

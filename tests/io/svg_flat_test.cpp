@@ -9,7 +9,7 @@
 
 #include "svg_picture.hpp"
 
-namespace graze::io::svg {
+namespace graze::io::svg::svg_flat_test {
 namespace {
 
 /// The pieces that a shape is drawn with, in a scene that a box of 1080 x 540 frames: one pixel per unit, the origin at
@@ -85,4 +85,4 @@ TEST(SvgFlat, paints_unbounded_shapes_first_and_small_ones_last) {
 }
 
 }  // namespace
-}  // namespace graze::io::svg
+}  // namespace graze::io::svg::svg_flat_test

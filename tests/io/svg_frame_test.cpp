@@ -5,7 +5,7 @@
 
 #include <graze/io/svg_frame.hpp>
 
-namespace graze::io::svg {
+namespace graze::io::svg::svg_frame_test {
 namespace {
 
 TEST(SvgFrame, shows_wide_content_from_side_to_side) {
@@ -81,4 +81,4 @@ TEST(SvgFrame, round_lengths_are_one_two_or_five_times_a_power_of_ten) {
 }
 
 }  // namespace
-}  // namespace graze::io::svg
+}  // namespace graze::io::svg::svg_frame_test

@@ -8,7 +8,7 @@
 
 #include "svg_picture.hpp"
 
-namespace graze::io::svg {
+namespace graze::io::svg::svg_labels_test {
 namespace {
 
 const Aabb<2, double> card{{0, 0}, {1000, 500}};
@@ -69,4 +69,4 @@ TEST(SvgLabels, estimate_wide_characters_as_wide) {
 }
 
 }  // namespace
-}  // namespace graze::io::svg
+}  // namespace graze::io::svg::svg_labels_test

@@ -8,7 +8,7 @@
 
 #include "svg_picture.hpp"
 
-namespace graze::io::svg {
+namespace graze::io::svg::svg_legend_test {
 namespace {
 
 Summary any_summary() {
@@ -89,4 +89,4 @@ TEST(SvgLegend, shows_where_the_axes_point) {
 }
 
 }  // namespace
-}  // namespace graze::io::svg
+}  // namespace graze::io::svg::svg_legend_test

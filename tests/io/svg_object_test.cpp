@@ -8,7 +8,7 @@
 
 #include "svg_picture.hpp"
 
-namespace graze::io::svg {
+namespace graze::io::svg::svg_object_test {
 namespace {
 
 /// A ball "<one>" that touches a box "two", and a ball without a name.
@@ -74,4 +74,4 @@ TEST_F(SvgObject, has_its_name_in_the_picture_when_it_has_one) {
 }
 
 }  // namespace
-}  // namespace graze::io::svg
+}  // namespace graze::io::svg::svg_object_test

@@ -6,7 +6,7 @@
 
 #include <graze/io/svg_pen.hpp>
 
-namespace graze::io::svg {
+namespace graze::io::svg::svg_pen_test {
 namespace {
 
 /// One pixel per unit; (0, 0) is drawn at (60, 648), y up.
@@ -79,4 +79,4 @@ TEST(SvgPen, starts_anew_when_its_work_is_taken) {
 }
 
 }  // namespace
-}  // namespace graze::io::svg
+}  // namespace graze::io::svg::svg_pen_test

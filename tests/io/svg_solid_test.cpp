@@ -9,7 +9,7 @@
 
 #include "svg_picture.hpp"
 
-namespace graze::io::svg {
+namespace graze::io::svg::svg_solid_test {
 namespace {
 
 struct Painted {
@@ -105,4 +105,4 @@ TEST(SvgSolid, paints_what_stands_on_the_ground_over_it) {
 }
 
 }  // namespace
-}  // namespace graze::io::svg
+}  // namespace graze::io::svg::svg_solid_test

@@ -8,7 +8,7 @@
 #include <graze/io/svg_stage.hpp>
 #include <graze/query/bounds.hpp>
 
-namespace graze::io::svg {
+namespace graze::io::svg::svg_stage_test {
 namespace {
 
 template <Dim N>
@@ -106,4 +106,4 @@ TEST(SvgStage, visits_the_parts_of_compounds_at_all_depths) {
 }
 
 }  // namespace
-}  // namespace graze::io::svg
+}  // namespace graze::io::svg::svg_stage_test

@@ -8,7 +8,7 @@
 
 #include "svg_picture.hpp"
 
-namespace graze::io::svg {
+namespace graze::io::svg::svg_style_test {
 namespace {
 
 TEST(SvgStyle, shows_less_of_each_object_the_more_there_are) {
@@ -73,4 +73,4 @@ TEST(SvgStyle, keeps_lines_as_wide_as_they_are_when_the_picture_is_enlarged) {
 }
 
 }  // namespace
-}  // namespace graze::io::svg
+}  // namespace graze::io::svg::svg_style_test

@@ -7,7 +7,7 @@
 
 #include <graze/io/svg_subject.hpp>
 
-namespace graze::io::svg {
+namespace graze::io::svg::svg_subject_test {
 namespace {
 
 /// Six balls in a row: "a", "b", one without a name, "c", "d", "e".
@@ -73,4 +73,4 @@ TEST_F(SvgSubject, refuses_pairs_of_objects_that_are_not_there) {
 }
 
 }  // namespace
-}  // namespace graze::io::svg
+}  // namespace graze::io::svg::svg_subject_test

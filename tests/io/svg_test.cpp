@@ -17,7 +17,7 @@
 
 #include "svg_picture.hpp"
 
-namespace graze::io {
+namespace graze::io::svg_test {
 namespace {
 
 /// The points that a drawn element goes through or, of discs and boxes, reaches.
@@ -301,4 +301,4 @@ RC_GTEST_PROP(Svg, marks_exactly_the_objects_of_random_pairs,
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::svg_test

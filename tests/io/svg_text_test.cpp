@@ -8,7 +8,7 @@
 
 #include <graze/io/svg_text.hpp>
 
-namespace graze::io::svg {
+namespace graze::io::svg::svg_text_test {
 namespace {
 
 TEST(SvgText, escapes_what_xml_gives_a_meaning_to) {
@@ -75,4 +75,4 @@ RC_GTEST_PROP(SvgText, escaped_bytes_of_any_kind_are_well_formed_xml, (const std
 }
 
 }  // namespace
-}  // namespace graze::io::svg
+}  // namespace graze::io::svg::svg_text_test

@@ -3,7 +3,7 @@
 
 #include <graze/io/text_position.hpp>
 
-namespace graze::io {
+namespace graze::io::text_position_test {
 namespace {
 
 TEST(TextPosition, LinesAndColumnsCountFromOne) {
@@ -32,4 +32,4 @@ TEST(TextPosition, AnErrorNamesSourceAndPlace) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::text_position_test

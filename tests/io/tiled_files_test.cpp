@@ -11,7 +11,7 @@
 
 #include "tiled_folder.hpp"
 
-namespace graze::io {
+namespace graze::io::tiled_files_test {
 namespace {
 
 constexpr std::string_view sheet =
@@ -231,4 +231,4 @@ TEST(TiledFiles, TellsXmlFromJsonByTheText) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::tiled_files_test

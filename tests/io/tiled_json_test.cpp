@@ -9,7 +9,7 @@
 #include <graze/io/input_error.hpp>
 #include <graze/io/tiled_json.hpp>
 
-namespace graze::io {
+namespace graze::io::tiled_json_test {
 namespace {
 
 using Point = Vec<2, double>;
@@ -183,4 +183,4 @@ TEST(TiledJson, RefusesDeepNesting) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::tiled_json_test

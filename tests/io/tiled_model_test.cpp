@@ -8,7 +8,7 @@
 #include <graze/io/input_error.hpp>
 #include <graze/io/tiled_model.hpp>
 
-namespace graze::io {
+namespace graze::io::tiled_model_test {
 namespace {
 
 const TiledText file{"level.tmx", "<map>\n <object/>\n</map>"};
@@ -109,4 +109,4 @@ TEST(TiledModel, LimitsHowDeepGroupsAreNested) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::tiled_model_test

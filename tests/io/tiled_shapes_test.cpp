@@ -12,7 +12,7 @@
 #include <graze/io/tiled_shapes.hpp>
 #include <graze/query/bounds.hpp>
 
-namespace graze::io {
+namespace graze::io::tiled_shapes_test {
 namespace {
 
 using Point = Vec<2, double>;
@@ -210,4 +210,4 @@ TEST(TiledShapes, LeavesOutText) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::tiled_shapes_test

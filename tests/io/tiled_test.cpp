@@ -13,14 +13,14 @@
 
 #include <gtest/gtest.h>
 
+#include <graze/broad/relations.hpp>
 #include <graze/io/input_error.hpp>
 #include <graze/io/json_scene.hpp>
 #include <graze/io/tiled.hpp>
-#include <graze/scene/relations.hpp>
 
 #include "tiled_folder.hpp"
 
-namespace graze::io {
+namespace graze::io::tiled_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -321,4 +321,4 @@ TEST(Tiled, FindsTheKnownPairsOfSandbox) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::tiled_test

@@ -9,7 +9,7 @@
 #include <graze/io/input_error.hpp>
 #include <graze/io/tiled_xml.hpp>
 
-namespace graze::io {
+namespace graze::io::tiled_xml_test {
 namespace {
 
 using Point = Vec<2, double>;
@@ -205,4 +205,4 @@ TEST(TiledXml, DoesNotExpandEntities) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::tiled_xml_test

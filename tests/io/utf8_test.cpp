@@ -9,7 +9,7 @@
 
 #include "scene_text.hpp"
 
-namespace graze::io {
+namespace graze::io::utf8_test {
 namespace {
 
 constexpr std::size_t none = std::string_view::npos;
@@ -72,4 +72,4 @@ TEST(Utf8, BytesThatAreNoTextAreNamedWithTheirPlace) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::utf8_test

@@ -12,7 +12,7 @@
 
 #include "../catalogue.hpp"
 
-namespace graze {
+namespace graze::orientation_test {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -144,4 +144,4 @@ TYPED_TEST(OrientationIn, IsExactForPointsAFewUlpFromALine) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::orientation_test

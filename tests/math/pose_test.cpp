@@ -9,7 +9,7 @@
 
 #include "../catalogue.hpp"
 
-namespace graze {
+namespace graze::pose_test {
 namespace {
 
 template <Dim N>
@@ -144,4 +144,4 @@ TYPED_TEST(PoseIn, CatalogueRotationsAreProper) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::pose_test

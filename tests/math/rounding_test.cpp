@@ -15,7 +15,7 @@
 
 #include "../catalogue/numbers.hpp"
 
-namespace graze {
+namespace graze::rounding_test {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -220,4 +220,4 @@ RC_GTEST_PROP(Rounding, RoundUpIsTheLeastFloatNotBelow, ()) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::rounding_test

@@ -14,7 +14,7 @@
 
 #include "../catalogue.hpp"
 
-namespace graze {
+namespace graze::tolerance_test {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -90,4 +90,4 @@ TEST(Tolerance, UsersShapesGetTheBandOfTheirOwnNumbers) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::tolerance_test

@@ -7,7 +7,7 @@
 
 #include <graze/math/vec.hpp>
 
-namespace graze {
+namespace graze::vec_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -86,4 +86,4 @@ TEST(Vec, IsFiniteNeedsEveryCoordinateFinite) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::vec_test

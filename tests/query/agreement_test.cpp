@@ -21,7 +21,7 @@
 #include "query/placement.hpp"
 #include "query/verdict_band.hpp"
 
-namespace graze::test {
+namespace graze::test::agreement_test {
 namespace {
 
 /// What a run has seen.
@@ -100,4 +100,4 @@ TYPED_TEST(Agreement, WhereTheVerdictChanges) { TestFixture::run(CaseKind::borde
 TYPED_TEST(Agreement, WhereTheVerdictOfNearlyParallelEdgesChanges) { TestFixture::run(CaseKind::nearly_parallel); }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::agreement_test

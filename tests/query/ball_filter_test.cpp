@@ -8,7 +8,7 @@
 #include <graze/query/ball_filter.hpp>
 #include <graze/query/distance_squared.hpp>
 
-namespace graze {
+namespace graze::ball_filter_test {
 namespace {
 
 template <class T>
@@ -106,4 +106,4 @@ TEST(BallFilter, HasNoAnswerForNaN) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::ball_filter_test

@@ -12,7 +12,7 @@
 
 #include "query/point_sets.hpp"
 
-namespace graze {
+namespace graze::bounding_box_test {
 namespace {
 
 TEST(BoundingBox, ReachesFromTheLeastToTheLargestCoordinates) {
@@ -74,4 +74,4 @@ TEST(BoundingBox, GivesTheSmallestSetsALocalFrameToo) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::bounding_box_test

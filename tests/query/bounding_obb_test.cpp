@@ -17,7 +17,7 @@
 #include "exact/holds_instances.hpp"
 #include "query/point_sets.hpp"
 
-namespace graze::test {
+namespace graze::test::bounding_obb_test {
 namespace {
 
 /// The area of the smallest rectangle around points not all equal, exactly: of those with a side along the line through
@@ -48,9 +48,9 @@ Rational exact_least_area(const std::vector<Vec<2, T>>& points) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::bounding_obb_test
 
-namespace graze {
+namespace graze::bounding_obb_test {
 namespace {
 
 using test::contains_all;
@@ -198,7 +198,7 @@ TYPED_TEST(BoundingRectangleIn, HasTheLeastAreaUpToRounding) {
         16 * tolerance::epsilon * size;
     const Rational area =
         exact(static_cast<double>(box.half_extents.x)) * exact(static_cast<double>(box.half_extents.y));
-    const Rational least = test::exact_least_area(points) / 4;
+    const Rational least = test::bounding_obb_test::exact_least_area(points) / 4;
     RC_ASSERT(area <= least + exact(growth) * exact(2 * size + growth));
   });
 }
@@ -237,4 +237,4 @@ TEST(BoundingObb, OfManyPointsInATurnedBoxIsAboutThatBox) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::bounding_obb_test

@@ -17,7 +17,7 @@
 #include "exact/numbers.hpp"
 #include "query/point_sets.hpp"
 
-namespace graze::test {
+namespace graze::test::bounding_sphere_test {
 namespace {
 
 /// The center of the sphere through affinely independent points within their span, in rational numbers: by
@@ -74,9 +74,9 @@ Rational exact_radius_squared(std::vector<Vec<N, T>> points) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::bounding_sphere_test
 
-namespace graze {
+namespace graze::bounding_sphere_test {
 namespace {
 
 using test::contains_all;
@@ -195,7 +195,7 @@ TYPED_TEST(BoundingSphereIn, ContainsEveryPointExactlyAndIsTheSmallest) {
     RC_ASSERT(contains_all(sphere, points));
     const Rational excess = exact(allowed_excess(sphere));
     const Rational reduced = exact(static_cast<double>(sphere.radius)) - excess;
-    const Rational least = test::exact_radius_squared<N, T>(points);
+    const Rational least = test::bounding_sphere_test::exact_radius_squared<N, T>(points);
     RC_ASSERT(reduced <= 0 || reduced * reduced <= least);
   });
 }
@@ -310,4 +310,4 @@ TEST(BoundingSphere, OfManyPointsContainsThemAndTheFastOneIsHardlyLarger) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::bounding_sphere_test

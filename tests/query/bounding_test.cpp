@@ -16,7 +16,7 @@
 
 #include "../catalogue/nasty.hpp"
 
-namespace graze {
+namespace graze::bounding_test {
 namespace {
 
 /// The message with which a function refuses points, or nothing.
@@ -85,4 +85,4 @@ TYPED_TEST(BoundingIn, TakesSpansAndVectorsAndWhatConvertsToASpan) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::bounding_test

@@ -32,7 +32,7 @@ graze::Vec<2, T> support(const Ellipse<T>& ellipse, const graze::Vec<2, T>& dire
 // A template with one parameter: the space is read off the support function.
 static_assert(graze::Convex<own::Ellipse<float>> && graze::Convex<own::Ellipse<double>>);
 
-namespace graze {
+namespace graze::bounds_test {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -311,4 +311,4 @@ TYPED_TEST(BoundsOfOwnShape, ContainItWithinItsTolerance) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::bounds_test

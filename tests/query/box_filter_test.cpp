@@ -10,7 +10,7 @@
 #include <graze/query/box_filter.hpp>
 #include <graze/query/relation_bounded.hpp>
 
-namespace graze {
+namespace graze::box_filter_test {
 namespace {
 
 constexpr std::uint32_t seed = 20261121;
@@ -234,4 +234,4 @@ TEST(BoxFilter, CallsNothingOverlappingThatHoldsNaN) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::box_filter_test

@@ -27,7 +27,7 @@
 #include "query/pairs.hpp"
 #include "query/verdict_band.hpp"
 
-namespace graze::test {
+namespace graze::test::certificate_test {
 namespace {
 
 struct Count {
@@ -138,4 +138,4 @@ TEST(CertificateOfOverlap, NeedsAnInside) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::certificate_test

@@ -8,7 +8,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze::detail {
+namespace graze::detail::clipped_patch_test {
 namespace {
 
 using V2 = Vec<2, double>;
@@ -94,4 +94,4 @@ TEST(ClippedPatch, InThePlaneIsCutAtTheEndsOfTheEdge) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::clipped_patch_test

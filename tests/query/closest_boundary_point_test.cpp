@@ -10,7 +10,7 @@
 #include "catalogue.hpp"
 #include "query/user_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::closest_boundary_point_test {
 namespace {
 
 using V2 = Vec<2, float>;
@@ -104,4 +104,4 @@ TEST(ClosestBoundaryPoint, OfAUsersShapeIsItsNearestSurface) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::closest_boundary_point_test

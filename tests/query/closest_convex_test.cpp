@@ -10,7 +10,7 @@
 
 #include "query/user_shapes.hpp"
 
-namespace graze::detail {
+namespace graze::detail::closest_convex_test {
 namespace {
 
 using V3 = Vec<3, double>;
@@ -101,4 +101,4 @@ TEST(ClosestOfConvex, EndsForWhatIsNoShape) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::closest_convex_test

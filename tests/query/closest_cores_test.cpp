@@ -9,7 +9,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze::detail {
+namespace graze::detail::closest_cores_test {
 namespace {
 
 using V3 = Vec<3, double>;
@@ -131,4 +131,4 @@ TEST(ClosestOfMeeting, FindsAPointOfBoth) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::closest_cores_test

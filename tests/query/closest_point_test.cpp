@@ -13,7 +13,7 @@
 #include "catalogue.hpp"
 #include "query/user_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::closest_point_test {
 namespace {
 
 using V2 = Vec<2, float>;
@@ -122,6 +122,19 @@ TEST(ClosestPoint, OnBoxesOfZeroExtentStaysOnTheirFaceEdgeOrPoint) {
   EXPECT_EQ(closest_point(Aabb<3>{{1, 2, 3}, {1, 2, 3}}, V3(9, 9, 7)), V3(1, 2, 3));
 }
 
+// Was a hair off zero, and zero is the only coordinate that a line through the origin allows there.
+TEST(ClosestPoint, OfAPlaneThroughTheOriginIsOnItFromAHairAway) {
+  for (const double height : {0x1p-52, 0x1p-60, 1e-200, 3e-16}) {
+    for (const double length : {-2.9999999999999987, 1.0, 0.1, 7e5}) {
+      const Plane<2, double> line{{0, length}, 0};
+      EXPECT_EQ(closest_point(line, Vec<2, double>{0, height}), (Vec<2, double>{0, 0})) << height << ", " << length;
+      const Plane<3, double> slope{{length, 3 * length, -length / 7}, 0};
+      const Vec<3, double> point{height, -height / 3, 2 * height};
+      EXPECT_TRUE(contains(slope, closest_point(slope, point))) << height << ", " << length;
+    }
+  }
+}
+
 TEST(ClosestPoint, TakesNormalsAndDirectionsOfAnyLength) {
   for (const float length : {1e-15F, 1e-3F, 1e3F, 1e15F}) {
     EXPECT_EQ(closest_point(Plane<2>{{0, length}, 2 * length}, V2(3, 7)), V2(3, 2)) << length;
@@ -214,4 +227,4 @@ TEST(ClosestPoint, OfAUsersShapeIsFoundByItsSupportPoints) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::closest_point_test

@@ -12,7 +12,7 @@
 #include "query/row_of_shapes.hpp"
 #include "query/user_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::closest_points_test {
 namespace {
 
 using V2 = Vec<2, double>;
@@ -192,4 +192,4 @@ TEST(ClosestPoints, OfASliverAndABoxAreInBoth) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::closest_points_test

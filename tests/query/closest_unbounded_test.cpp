@@ -7,7 +7,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze::detail {
+namespace graze::detail::closest_unbounded_test {
 namespace {
 
 using V2 = Vec<2, double>;
@@ -105,4 +105,4 @@ TEST(SeenBeside, CutsARayBehindWhatItIsCutFor) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::closest_unbounded_test

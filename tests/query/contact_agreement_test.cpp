@@ -30,7 +30,7 @@
 #include "query/placement.hpp"
 #include "query/verdict_band.hpp"
 
-namespace graze::test {
+namespace graze::test::contact_agreement_test {
 namespace {
 
 /// What a run has seen: the largest errors, each in units of what it is relative to.
@@ -194,4 +194,4 @@ TYPED_TEST(ContactAgreement, WhereTheVerdictChanges) { TestFixture::run(CaseKind
 TYPED_TEST(ContactAgreement, OfNearlyParallelEdges) { TestFixture::run(CaseKind::nearly_parallel); }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::contact_agreement_test

@@ -26,7 +26,7 @@
 #include "query/point_answers.hpp"
 #include "query/row_of_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::contact_laws_test {
 namespace {
 
 template <class SpaceType>
@@ -204,4 +204,4 @@ TYPED_TEST(ContactLaw, NanAndExtremesGetAnAnswer) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::contact_laws_test

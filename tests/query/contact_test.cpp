@@ -15,7 +15,7 @@
 #include "query/row_of_shapes.hpp"
 #include "query/user_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::contact_test {
 namespace {
 
 using V2 = Vec<2, double>;
@@ -172,4 +172,4 @@ TEST(Contact, FarFromTheOriginIsAsGoodAsNearIt) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::contact_test

@@ -14,7 +14,7 @@
 #include "query/row_of_shapes.hpp"
 #include "query/user_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::contains_test {
 namespace {
 
 using V2 = Vec<2, float>;
@@ -230,4 +230,4 @@ static_assert(!CanAsk<Sphere<3, double>, V3>);
 static_assert(!CanAsk<Triangle<2, double>, D3>);
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::contains_test

@@ -14,7 +14,7 @@
 
 #include <graze/query/convex_parts.hpp>
 
-namespace graze {
+namespace graze::convex_parts_test {
 namespace {
 
 using Point = Vec<2, double>;
@@ -297,4 +297,4 @@ RC_GTEST_PROP(ConvexParts, CoversStarShapedPolygons, ()) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::convex_parts_test

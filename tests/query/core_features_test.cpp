@@ -8,7 +8,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze::detail {
+namespace graze::detail::core_features_test {
 namespace {
 
 using V3 = Vec<3, double>;
@@ -110,4 +110,4 @@ TEST(VisitForemostEdges, LeavesOutWhatLiesBehind) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::core_features_test

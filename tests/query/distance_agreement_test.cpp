@@ -27,7 +27,7 @@
 #include "query/proximities.hpp"
 #include "query/verdict_band.hpp"
 
-namespace graze::test {
+namespace graze::test::distance_agreement_test {
 namespace {
 
 /// What a run has seen: the largest errors, each in units of what it is relative to.
@@ -173,4 +173,4 @@ TYPED_TEST(DistanceAgreement, WhereTheVerdictChanges) { TestFixture::run(CaseKin
 TYPED_TEST(DistanceAgreement, OfNearlyParallelEdges) { TestFixture::run(CaseKind::nearly_parallel); }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::distance_agreement_test

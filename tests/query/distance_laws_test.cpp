@@ -27,7 +27,7 @@
 #include "query/proximities.hpp"
 #include "query/row_of_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::distance_laws_test {
 
 /// The core of a shape as nothing but a support function, so that no closed form is chosen for it.
 template <Dim N, class T>
@@ -271,4 +271,4 @@ TYPED_TEST(DistanceLaw, NanAndExtremesGetAnAnswer) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::distance_laws_test

@@ -10,7 +10,7 @@
 #include "catalogue.hpp"
 #include "exact.hpp"
 
-namespace graze::test {
+namespace graze::test::distance_squared_test {
 namespace {
 
 TEST(DistanceSquared, OfPointsAndSegmentsIsAsComputedByHand) {
@@ -152,4 +152,4 @@ TEST(DistanceSquared, OfSwappedSegmentsIsTheSameToTheBit) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::distance_squared_test

@@ -9,7 +9,7 @@
 #include "query/proximities.hpp"
 #include "query/user_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::distance_test {
 namespace {
 
 using V2 = Vec<2, float>;
@@ -70,4 +70,4 @@ TEST(Distance, TakesAUsersShape) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::distance_test

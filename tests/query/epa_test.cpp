@@ -15,7 +15,7 @@
 #include "exact/verdict_instances.hpp"
 #include "query/user_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::epa_test {
 namespace {
 
 constexpr int limit = detail::epa_iteration_limit;
@@ -155,4 +155,4 @@ TEST(Epa, EndsOnShapesThatAreNone) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::epa_test

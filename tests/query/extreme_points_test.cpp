@@ -10,7 +10,7 @@
 
 #include "query/point_sets.hpp"
 
-namespace graze {
+namespace graze::extreme_points_test {
 namespace {
 
 TEST(ExtremePoints, InThePlaneAreFarthestAlongTheAxesAndDiagonals) {
@@ -54,4 +54,4 @@ TYPED_TEST(ExtremePointsIn, ReachTheSidesOfTheBox) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::extreme_points_test

@@ -12,7 +12,7 @@
 
 #include "query/point_sets.hpp"
 
-namespace graze {
+namespace graze::fitted_axes_test {
 namespace {
 
 using Points = std::vector<Vec<3, double>>;
@@ -73,4 +73,4 @@ RC_GTEST_PROP(FittedAxes, AreRightHandedAndNeverWorseThanTheCoordinateAxesOnFewP
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::fitted_axes_test

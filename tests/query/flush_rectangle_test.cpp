@@ -13,7 +13,7 @@
 
 #include "query/point_sets.hpp"
 
-namespace graze {
+namespace graze::flush_rectangle_test {
 namespace {
 
 double area(double width, double height) { return width * height; }
@@ -85,4 +85,4 @@ RC_GTEST_PROP(FlushRectangle, HasTheLeastAreaOfAllEdges, ()) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::flush_rectangle_test

@@ -15,7 +15,7 @@
 #include "exact.hpp"
 #include "query/user_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::gjk_test {
 namespace {
 
 constexpr int limit = detail::gjk_iteration_limit;
@@ -177,4 +177,4 @@ TEST(Gjk, WorksFromTheSmallestToTheLargestPromisedCoordinates) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::gjk_test

@@ -8,7 +8,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze::test {
+namespace graze::test::growing_hull_test {
 namespace {
 
 using V2 = Vec<2, double>;
@@ -103,4 +103,4 @@ TEST(GrowingHull, HoldsEveryPointPutIn) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::growing_hull_test

@@ -13,7 +13,7 @@
 
 #include "query/point_sets.hpp"
 
-namespace graze {
+namespace graze::hull_corners_test {
 namespace {
 
 template <class T>
@@ -76,4 +76,4 @@ TYPED_TEST(HullCornersIn, OfManyPointsAreThoseOfThePolygonAroundThem) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::hull_corners_test

@@ -6,7 +6,7 @@
 #include "catalogue.hpp"
 #include "query/user_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::intersects_test {
 namespace {
 
 TEST(Intersects, CountsTouching) {
@@ -63,4 +63,4 @@ TEST(Intersects, IsRelationOtherThanApart) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::intersects_test

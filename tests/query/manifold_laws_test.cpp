@@ -22,7 +22,7 @@
 #include "query/placement.hpp"
 #include "query/proximities.hpp"
 
-namespace graze::test {
+namespace graze::test::manifold_laws_test {
 namespace {
 
 template <class SpaceType>
@@ -223,4 +223,4 @@ TEST(ManifoldOfBoxes, KeepsItsIdsWhileItSlides) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::manifold_laws_test

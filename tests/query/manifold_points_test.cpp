@@ -11,7 +11,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze::detail {
+namespace graze::detail::manifold_points_test {
 namespace {
 
 using V3 = Vec<3, double>;
@@ -91,4 +91,4 @@ TEST(SpanningChoice, TakesTheFirstOfPointsThatAreAsGoodButForNoise) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::manifold_points_test

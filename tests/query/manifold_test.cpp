@@ -14,7 +14,7 @@
 #include "query/placement.hpp"
 #include "query/user_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::manifold_test {
 namespace {
 
 using V2 = Vec<2, double>;
@@ -176,4 +176,4 @@ TEST(Manifold, OfAFlatTriangleHasTheDeepestPoint) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::manifold_test

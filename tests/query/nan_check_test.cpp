@@ -5,7 +5,7 @@
 
 #include <graze/query/nan_check.hpp>
 
-namespace graze {
+namespace graze::nan_check_test {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -38,4 +38,4 @@ TEST(NanCheck, TakesNothingElseForNaN) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::nan_check_test

@@ -8,7 +8,7 @@
 
 #include "query/user_shapes.hpp"
 
-namespace graze::detail {
+namespace graze::detail::nearest_on_hull_test {
 namespace {
 
 using D3 = Vec<3, double>;
@@ -64,4 +64,4 @@ TEST(NearestOnHull, ComesCloseOnACurvedSurface) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::nearest_on_hull_test

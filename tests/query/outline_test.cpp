@@ -37,7 +37,7 @@ graze::Vec<3, float> support(const Ball&, const graze::Vec<3, float>& direction)
 
 }  // namespace someone
 
-namespace graze {
+namespace graze::outline_test {
 namespace {
 
 using Points = std::vector<Vec<2, double>>;
@@ -108,15 +108,6 @@ TEST(Outline, is_a_convex_shape_itself) {
 }
 
 TEST(Outline, of_points_is_empty_without_points) { EXPECT_TRUE(outline_of_hull<2>({}, View<2>{}).core.empty()); }
-
-TEST(UnitPlane, has_a_normal_of_length_one_whatever_its_scale) {
-  for (const double scale : {1.0, 1e-300, 1e300}) {
-    const Plane<2, double> unit = unit_plane(Plane<2, double>{{3 * scale, 4 * scale}, 10 * scale});
-    EXPECT_NEAR(unit.normal.x, 0.6, 1e-15);
-    EXPECT_NEAR(unit.normal.y, 0.8, 1e-15);
-    EXPECT_NEAR(unit.offset, 2, 1e-14);
-  }
-}
 
 const Aabb<2, double> sheet{{0, 0}, {4, 2}};
 
@@ -254,4 +245,4 @@ RC_GTEST_PROP(Outline, reaches_as_far_as_the_shape_in_every_direction_of_the_pla
 RC_GTEST_PROP(Outline, reaches_as_far_as_the_shape_in_every_direction_of_a_view_of_space, ()) { check_all_shapes<3>(); }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::outline_test

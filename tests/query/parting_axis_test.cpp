@@ -8,7 +8,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze::detail {
+namespace graze::detail::parting_axis_test {
 namespace {
 
 using V2 = Vec<2, double>;
@@ -88,4 +88,4 @@ TEST(PartingAxis, DependsOnNoSize) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::parting_axis_test

@@ -12,7 +12,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze::detail {
+namespace graze::detail::patch_polytope_test {
 namespace {
 
 using V2 = Vec<2, double>;
@@ -115,4 +115,4 @@ TEST(PatchOfPolytope, InThePlaneIsAnEdge) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::patch_polytope_test

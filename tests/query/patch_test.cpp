@@ -12,7 +12,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze::detail {
+namespace graze::detail::patch_test {
 namespace {
 
 using V2 = Vec<2, double>;
@@ -140,4 +140,4 @@ TEST(PatchOf, PointsAndSegmentsAreThemselves) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::patch_test

@@ -10,7 +10,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze::detail {
+namespace graze::detail::penetration_boxes_test {
 namespace {
 
 using V3 = Vec<3, double>;
@@ -71,4 +71,4 @@ TEST(BoxesSearch, IsTheLeastOfAllAxes) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::penetration_boxes_test

@@ -11,7 +11,7 @@
 #include "catalogue.hpp"
 #include "query/user_shapes.hpp"
 
-namespace graze::detail {
+namespace graze::detail::penetration_convex_test {
 namespace {
 
 using V3 = Vec<3, double>;
@@ -72,4 +72,4 @@ TEST(PenetrationOfConvex, OfARayIsThatOfItsBeginning) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::penetration_convex_test

@@ -9,7 +9,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze::detail {
+namespace graze::detail::penetration_cores_test {
 namespace {
 
 using V3 = Vec<3, double>;
@@ -68,4 +68,4 @@ TEST(PenetrationOfSimple, OfCapsulesWhoseAxesAlmostTouchIsAcrossBoth) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::penetration_cores_test

@@ -5,7 +5,7 @@
 
 #include <graze/query/penetration.hpp>
 
-namespace graze::detail {
+namespace graze::detail::penetration_test {
 namespace {
 
 using V2 = Vec<2, double>;
@@ -32,4 +32,4 @@ TEST(Penetration, MovedByAnOriginMovesThePointsAlone) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::penetration_test

@@ -9,7 +9,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze::detail {
+namespace graze::detail::penetration_unbounded_test {
 namespace {
 
 using V2 = Vec<2, double>;
@@ -98,4 +98,4 @@ TEST(PenetrationOfRays, InSpaceOrOnOneLineIsNone) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::penetration_unbounded_test

@@ -3,7 +3,7 @@
 
 #include "query/point_agreement.hpp"
 
-namespace graze::test {
+namespace graze::test::point_agreement_2d_double_test {
 namespace {
 
 TEST(PointAgreementInThePlane, InDoubleEveryAnswerIsWithinItsBandOfTheExactOne) {
@@ -11,4 +11,4 @@ TEST(PointAgreementInThePlane, InDoubleEveryAnswerIsWithinItsBandOfTheExactOne) 
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::point_agreement_2d_double_test

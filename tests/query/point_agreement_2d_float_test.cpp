@@ -3,7 +3,7 @@
 
 #include "query/point_agreement.hpp"
 
-namespace graze::test {
+namespace graze::test::point_agreement_2d_float_test {
 namespace {
 
 TEST(PointAgreementInThePlane, InFloatEveryAnswerIsWithinAFewUlpOfTheExactOne) {
@@ -11,4 +11,4 @@ TEST(PointAgreementInThePlane, InFloatEveryAnswerIsWithinAFewUlpOfTheExactOne) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::point_agreement_2d_float_test

@@ -3,7 +3,7 @@
 
 #include "query/point_agreement.hpp"
 
-namespace graze::test {
+namespace graze::test::point_agreement_3d_float_test {
 namespace {
 
 TEST(PointAgreementInSpace, InFloatEveryAnswerIsWithinAFewUlpOfTheExactOne) {
@@ -11,4 +11,4 @@ TEST(PointAgreementInSpace, InFloatEveryAnswerIsWithinAFewUlpOfTheExactOne) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::point_agreement_3d_float_test

@@ -23,7 +23,7 @@
 #include "query/point_judgement.hpp"
 #include "query/points.hpp"
 
-namespace graze::test {
+namespace graze::test::point_laws_test {
 namespace {
 
 /// The largest coordinate of a shape and a point, with those of parts whose bounds are lost in infinite ones.
@@ -208,4 +208,4 @@ TYPED_TEST(PointLaw, ACompoundIsItsNearestPart) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::point_laws_test

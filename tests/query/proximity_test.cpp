@@ -6,7 +6,7 @@
 
 #include <graze/query/proximity.hpp>
 
-namespace graze::detail {
+namespace graze::detail::proximity_test {
 namespace {
 
 TEST(Proximity, IsInfinitelyFarFromNothingByDefault) {
@@ -43,4 +43,4 @@ TEST(Rounded, TakesEveryNumberToTheNearestOfItsType) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::proximity_test

@@ -8,7 +8,7 @@
 #include <graze/query/ray_advance.hpp>
 #include <graze/shape/polytope.hpp>
 
-namespace graze::detail {
+namespace graze::detail::ray_advance_test {
 namespace {
 
 using Point = Vec<3, double>;
@@ -58,4 +58,4 @@ TEST(RayAdvance, GrazesARoundShape) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::ray_advance_test

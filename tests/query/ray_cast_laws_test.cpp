@@ -21,7 +21,7 @@
 #include "query/placement.hpp"
 #include "query/ray_casts.hpp"
 
-namespace graze::test {
+namespace graze::test::ray_cast_laws_test {
 namespace {
 
 constexpr RayOptions at_exit{RaySide::exit};
@@ -314,4 +314,4 @@ TYPED_TEST(RayCastLaw, RigidMotionsChangeNothingBeyondRounding) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::ray_cast_laws_test

@@ -16,7 +16,7 @@
 #include "query/ray_casts.hpp"
 #include "query/row_of_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::ray_cast_test {
 
 /// A ball that is known by its support points alone.
 struct Blob {
@@ -293,4 +293,4 @@ TEST(RayCast, NanAndExtremesGetAnAnswer) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::ray_cast_test

@@ -6,7 +6,7 @@
 
 #include <graze/query/ray_sight_box.hpp>
 
-namespace graze::detail {
+namespace graze::detail::ray_sight_box_test {
 namespace {
 
 using Point = Vec<3, double>;
@@ -82,4 +82,4 @@ TEST(RaySightBox, NanIsNeverHit) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::ray_sight_box_test

@@ -7,7 +7,7 @@
 
 #include <graze/query/ray_sight_flat.hpp>
 
-namespace graze::detail {
+namespace graze::detail::ray_sight_flat_test {
 namespace {
 
 using Point = Vec<3, double>;
@@ -85,4 +85,4 @@ TEST(RaySightFlat, OfPlanesAndHalfSpacesIsUnclearNearTheEndOnly) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::ray_sight_flat_test

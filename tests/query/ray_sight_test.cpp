@@ -6,7 +6,7 @@
 
 #include <graze/query/ray_sight.hpp>
 
-namespace graze::detail {
+namespace graze::detail::ray_sight_test {
 namespace {
 
 using Point = Vec<3, double>;
@@ -71,4 +71,4 @@ TEST(RaySight, OfACapsuleLeavesNearlyParallelRaysOpen) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::ray_sight_test

@@ -24,7 +24,7 @@
 #include "query/point_judgement.hpp"
 #include "query/verdict_band.hpp"
 
-namespace graze::test {
+namespace graze::test::regressions_test {
 namespace {
 
 std::string root() {
@@ -110,4 +110,4 @@ TEST(Regressions, AShapeIsItsNameAndItsNumbers) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::regressions_test

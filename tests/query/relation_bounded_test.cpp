@@ -11,7 +11,7 @@
 #include "catalogue.hpp"
 #include "exact.hpp"
 
-namespace graze::test {
+namespace graze::test::relation_bounded_test {
 namespace {
 
 /// graze's verdict, in both orders, and the oracle's.
@@ -130,4 +130,4 @@ TEST(RelationBounded, BoxesAndCapsulesAreAsTheGenericAnswerHasThem) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::relation_bounded_test

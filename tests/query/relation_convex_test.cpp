@@ -12,7 +12,7 @@
 #include "exact.hpp"
 #include "query/user_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::relation_convex_test {
 namespace {
 
 template <class A, class B>
@@ -250,4 +250,4 @@ TEST(ComesFirst, OrdersShapesOfOneTypeByTheirCorners) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::relation_convex_test

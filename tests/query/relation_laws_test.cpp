@@ -20,7 +20,7 @@
 #include "query/placement.hpp"
 #include "query/row_of_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::relation_laws_test {
 namespace {
 
 template <class SpaceType>
@@ -179,4 +179,4 @@ TYPED_TEST(RelationLaw, InfinitiesAndExtremesGetAVerdict) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::relation_laws_test

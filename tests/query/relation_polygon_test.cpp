@@ -12,7 +12,7 @@
 #include "exact.hpp"
 #include "query/orders_of.hpp"
 
-namespace graze::test {
+namespace graze::test::relation_polygon_test {
 namespace {
 
 using D2 = Vec<2, double>;
@@ -68,4 +68,4 @@ TEST(RelationPolygon, IsTrueForAnyOrderOfCornersAndAgreesWithContains) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::relation_polygon_test

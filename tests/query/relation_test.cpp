@@ -17,7 +17,7 @@
 #include "query/placement.hpp"
 #include "query/row_of_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::relation_test {
 namespace {
 
 template <class SpaceType>
@@ -315,4 +315,4 @@ TYPED_TEST(RelationTable, ShapesComputedByHandAreAsComputed) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::relation_test

@@ -13,7 +13,7 @@
 #include "exact.hpp"
 #include "query/orders_of.hpp"
 
-namespace graze::test {
+namespace graze::test::relation_triangle_laws_test {
 namespace {
 
 using T3 = Triangle<3, double>;
@@ -83,4 +83,4 @@ TEST(RelationTriangleLaw, IsAsTheGenericAnswerHasIt) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::relation_triangle_laws_test

@@ -14,7 +14,7 @@
 #include "exact.hpp"
 #include "query/orders_of.hpp"
 
-namespace graze::test {
+namespace graze::test::relation_triangle_test {
 namespace {
 
 using V3 = Vec<3, double>;
@@ -229,4 +229,4 @@ TEST(RelationTriangle, EverySizeWithinThePromiseWillDo) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::relation_triangle_test

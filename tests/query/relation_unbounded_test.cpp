@@ -11,7 +11,7 @@
 #include "exact.hpp"
 #include "query/user_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::relation_unbounded_test {
 namespace {
 
 template <class A, class B>
@@ -94,4 +94,4 @@ TEST(RelationUnbounded, LevelsOverlapUnlessTheyAreParallel) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::relation_unbounded_test

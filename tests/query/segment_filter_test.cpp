@@ -9,7 +9,7 @@
 #include <graze/query/distance_squared.hpp>
 #include <graze/query/segment_filter.hpp>
 
-namespace graze {
+namespace graze::segment_filter_test {
 namespace {
 
 template <Dim N>
@@ -72,4 +72,4 @@ TEST(SegmentFilter, CallsNothingOverlappingThatHoldsNaN) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::segment_filter_test

@@ -9,7 +9,7 @@
 #include "catalogue.hpp"
 #include "query/row_of_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::shape_order_test {
 namespace {
 
 using detail::compare;
@@ -56,4 +56,4 @@ TEST(ShapeOrder, IsReversedByExchangingTheShapes) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::shape_order_test

@@ -11,7 +11,7 @@
 #include "catalogue.hpp"
 #include "query/user_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::signed_distance_test {
 namespace {
 
 using V2 = Vec<2, float>;
@@ -127,4 +127,4 @@ TEST(SignedDistance, OfAUsersShapeIsWhatItsSupportPointsSay) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::signed_distance_test

@@ -11,7 +11,7 @@
 #include "catalogue.hpp"
 #include "exact/verdict_instances.hpp"
 
-namespace graze::test {
+namespace graze::test::simplex_test {
 namespace {
 
 template <Dim N>
@@ -108,4 +108,4 @@ TEST(ForEachPerpendicular, VisitsCornersEdgesAndTriangles) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::simplex_test

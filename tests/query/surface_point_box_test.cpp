@@ -6,7 +6,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/surface_point_box.hpp>
 
-namespace graze::test {
+namespace graze::test::surface_point_box_test {
 namespace {
 
 using D2 = Vec<2, double>;
@@ -45,4 +45,4 @@ TEST(SurfacePointBox, APlaceBeyondACornerIsTheCorner) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::surface_point_box_test

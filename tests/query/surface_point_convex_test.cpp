@@ -11,7 +11,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze::test {
+namespace graze::test::surface_point_convex_test {
 namespace {
 
 using D3 = Vec<3, double>;
@@ -63,4 +63,4 @@ TEST(SurfacePointConvex, TheMiddleOfAHullIsInsideUnlessItIsFlat) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::surface_point_convex_test

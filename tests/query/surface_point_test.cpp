@@ -8,7 +8,7 @@
 #include <graze/math/pose.hpp>
 #include <graze/query/surface_point.hpp>
 
-namespace graze::test {
+namespace graze::test::surface_point_test {
 namespace {
 
 using D2 = Vec<2, double>;
@@ -73,4 +73,4 @@ TEST(SurfacePoint, StraightenedVectorsStandAtRightAnglesOrVanish) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::surface_point_test

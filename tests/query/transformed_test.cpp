@@ -13,7 +13,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze {
+namespace graze::transformed_test {
 namespace {
 
 template <class S, Dim N, class T>
@@ -150,4 +150,4 @@ TYPED_TEST(TransformedIn, KeepsTheBoxesOfACompoundAroundItsParts) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::transformed_test

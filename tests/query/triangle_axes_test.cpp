@@ -11,7 +11,7 @@
 #include "catalogue.hpp"
 #include "exact.hpp"
 
-namespace graze::test {
+namespace graze::test::triangle_axes_test {
 namespace {
 
 using V3 = Vec<3, double>;
@@ -95,4 +95,4 @@ TEST(QuickAxes, AreRightOrSilent) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::triangle_axes_test

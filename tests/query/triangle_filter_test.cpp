@@ -17,7 +17,7 @@
 #include "exact.hpp"
 #include "query/orders_of.hpp"
 
-namespace graze::test {
+namespace graze::test::triangle_filter_test {
 namespace {
 
 using V3 = Vec<3, double>;
@@ -159,4 +159,4 @@ TEST(TriangleFilter, NeverContradictsTheCarefulFormOfBalls) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::triangle_filter_test

@@ -5,7 +5,7 @@
 
 #include <graze/query/verdict.hpp>
 
-namespace graze::detail {
+namespace graze::detail::verdict_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -55,4 +55,4 @@ TEST(VerdictOnDistance, OfNanIsApart) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::verdict_test

@@ -8,7 +8,7 @@
 
 #include "query/user_shapes.hpp"
 
-namespace graze::detail {
+namespace graze::detail::wide_support_test {
 namespace {
 
 using V3 = Vec<3, double>;
@@ -55,4 +55,4 @@ TEST(Difference, IsSpannedByBothSupports) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::wide_support_test

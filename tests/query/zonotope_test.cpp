@@ -10,7 +10,7 @@
 #include "catalogue.hpp"
 #include "exact/verdict_instances.hpp"
 
-namespace graze::test {
+namespace graze::test::zonotope_test {
 namespace {
 
 template <class A, class B>
@@ -89,4 +89,4 @@ TEST(CrossOfDirections, IsExactInDirectionForAlmostParallelEdges) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::zonotope_test

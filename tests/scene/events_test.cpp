@@ -10,7 +10,7 @@
 
 #include <graze/scene/events.hpp>
 
-namespace graze {
+namespace graze::events_test {
 namespace {
 
 using Pairs = std::vector<ObjectPair>;
@@ -64,4 +64,4 @@ RC_GTEST_PROP(SceneEvents, AreTheDifferencesOfTwoSets,
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::events_test

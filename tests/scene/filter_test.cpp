@@ -3,7 +3,7 @@
 
 #include <graze/scene/filter.hpp>
 
-namespace graze {
+namespace graze::filter_test {
 namespace {
 
 TEST(Filter, AMaskHasOneBitForEachLayer) {
@@ -35,4 +35,4 @@ TEST(Filter, SwappingTheObjectsChangesNothing) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::filter_test

@@ -9,7 +9,7 @@
 #include <graze/query/bounds.hpp>
 #include <graze/scene/object_index.hpp>
 
-namespace graze::detail {
+namespace graze::detail::object_index_test {
 namespace {
 
 using Index = ObjectIndex<2, double>;
@@ -89,4 +89,4 @@ TEST(ObjectIndex, WhatWasSharedStaysAndACopyGoesItsOwnWay) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::object_index_test

@@ -3,7 +3,7 @@
 
 #include <graze/scene/object.hpp>
 
-namespace graze {
+namespace graze::object_test {
 namespace {
 
 TEST(ObjectId, IsOrderedByIndexThenGeneration) {
@@ -37,4 +37,4 @@ TEST(ObjectOptions, DefaultToAnUnnamedObjectThatTouchesEverything) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::object_test

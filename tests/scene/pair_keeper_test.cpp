@@ -8,13 +8,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <graze/broad/relations.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/scene/pair_keeper.hpp>
-#include <graze/scene/relations.hpp>
 
 #include "catalogue.hpp"
 
-namespace graze::detail {
+namespace graze::detail::pair_keeper_test {
 namespace {
 
 /// Slots with what an update needs of a scene.
@@ -113,4 +113,4 @@ RC_GTEST_PROP(PairKeeper, AnyPlanFindsAllPairs2f, ()) { check_every_plan<2, floa
 RC_GTEST_PROP(PairKeeper, AnyPlanFindsAllPairs3d, ()) { check_every_plan<3, double>(); }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::pair_keeper_test

@@ -14,7 +14,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze {
+namespace graze::scene_ray_test {
 namespace {
 
 using World = Scene<2, double>;
@@ -93,4 +93,4 @@ RC_GTEST_PROP(SceneRay, HitsWhatEveryObjectSays2d, ()) { check_against_every_obj
 RC_GTEST_PROP(SceneRay, HitsWhatEveryObjectSays3d, ()) { check_against_every_object<3, double>(); }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::scene_ray_test

@@ -13,7 +13,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze {
+namespace graze::scene_test {
 namespace {
 
 using World = Scene<2, double>;
@@ -268,4 +268,4 @@ RC_GTEST_PROP(Scene, SurvivesAnySequenceOfAddsMovesAndRemoves, (const std::vecto
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::scene_test

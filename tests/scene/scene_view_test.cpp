@@ -18,7 +18,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze {
+namespace graze::scene_view_test {
 namespace {
 
 using World = Scene<2, double>;
@@ -170,4 +170,4 @@ RC_GTEST_PROP(SceneView, AnswersAsEveryObjectDoes2d, ()) { check_against_every_o
 RC_GTEST_PROP(SceneView, AnswersAsEveryObjectDoes3d, ()) { check_against_every_object<3, double>(); }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::scene_view_test

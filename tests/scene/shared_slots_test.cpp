@@ -12,7 +12,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze::detail {
+namespace graze::detail::shared_slots_test {
 namespace {
 
 using Slots = SharedSlots<std::string>;
@@ -89,4 +89,4 @@ RC_GTEST_PROP(SharedSlots, SharedStatesNeverChange, ()) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::shared_slots_test

@@ -5,7 +5,7 @@
 
 #include <graze/scene/shared_value.hpp>
 
-namespace graze::detail {
+namespace graze::detail::shared_value_test {
 namespace {
 
 TEST(SharedValue, ACopyThatWasSharedStaysAsItIs) {
@@ -44,4 +44,4 @@ TEST(SharedValue, AnOrdinaryCopyGoesItsOwnWay) {
 }
 
 }  // namespace
-}  // namespace graze::detail
+}  // namespace graze::detail::shared_value_test

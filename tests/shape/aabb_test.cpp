@@ -10,7 +10,7 @@
 
 #include "../catalogue/nasty.hpp"
 
-namespace graze {
+namespace graze::aabb_test {
 namespace {
 
 static_assert(std::is_same_v<Rect<double>, Aabb<2, double>> && std::is_same_v<Rect<>, Aabb<2>>);
@@ -148,4 +148,4 @@ TEST(Aabb, HasACornerAsSupport) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::aabb_test

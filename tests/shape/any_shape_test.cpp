@@ -13,7 +13,7 @@
 
 #include "../catalogue.hpp"
 
-namespace graze {
+namespace graze::any_shape_test {
 namespace {
 
 static_assert(dimension_of<AnyShape<2, float>> == 2 && std::is_same_v<scalar_of<AnyShape<3, double>>, double>);
@@ -100,4 +100,4 @@ TEST(AnyShape, PrintsAsTheShapeItHolds) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::any_shape_test

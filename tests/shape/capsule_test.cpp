@@ -5,7 +5,7 @@
 
 #include "../catalogue/nasty.hpp"
 
-namespace graze {
+namespace graze::capsule_test {
 namespace {
 
 template <class S>
@@ -61,4 +61,4 @@ TEST(Capsule, MovesWithItsEndsAndKeepsItsRadius) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::capsule_test

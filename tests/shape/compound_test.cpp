@@ -10,7 +10,7 @@
 
 #include "../catalogue/nasty.hpp"
 
-namespace graze {
+namespace graze::compound_test {
 namespace {
 
 template <class S>
@@ -84,4 +84,4 @@ TYPED_TEST(CompoundIn, HasTheBoxesOfItsPartsInsideItsBounds) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::compound_test

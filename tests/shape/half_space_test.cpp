@@ -5,7 +5,7 @@
 
 #include "../catalogue/nasty.hpp"
 
-namespace graze {
+namespace graze::half_space_test {
 namespace {
 
 template <class S>
@@ -41,4 +41,4 @@ TEST(HalfSpace, MovesWithItsPlane) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::half_space_test

@@ -10,7 +10,7 @@
 
 #include "../catalogue/nasty.hpp"
 
-namespace graze {
+namespace graze::obb_test {
 namespace {
 
 static_assert(std::is_same_v<OrientedRect<double>, Obb<2, double>> && std::is_same_v<OrientedRect<>, Obb<2>>);
@@ -118,4 +118,4 @@ TEST(Obb, ATurnedAabbBecomesOne) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::obb_test

@@ -10,7 +10,7 @@
 
 #include "../catalogue/nasty.hpp"
 
-namespace graze {
+namespace graze::plane_test {
 namespace {
 
 template <class S>
@@ -125,5 +125,14 @@ TEST(Plane, TurnsItsNormalAndShiftsItsOffset) {
   EXPECT_EQ(moved.offset, -14);
 }
 
+TEST(UnitPlane, has_a_normal_of_length_one_whatever_its_scale) {
+  for (const double scale : {1.0, 1e-300, 1e300}) {
+    const Plane<2, double> unit = unit_plane(Plane<2, double>{{3 * scale, 4 * scale}, 10 * scale});
+    EXPECT_NEAR(unit.normal.x, 0.6, 1e-15);
+    EXPECT_NEAR(unit.normal.y, 0.8, 1e-15);
+    EXPECT_NEAR(unit.offset, 2, 1e-14);
+  }
+}
+
 }  // namespace
-}  // namespace graze
+}  // namespace graze::plane_test

@@ -9,7 +9,7 @@
 
 #include "../catalogue/nasty.hpp"
 
-namespace graze {
+namespace graze::point_test {
 namespace {
 
 static_assert(Convex<Vec<2, float>> && dimension_of<Vec<3, double>> == 3);
@@ -38,4 +38,4 @@ TEST(Point, IsItsOwnSupport) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::point_test

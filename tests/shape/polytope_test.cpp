@@ -14,7 +14,7 @@
 
 #include "../catalogue/nasty.hpp"
 
-namespace graze {
+namespace graze::polytope_test {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -181,4 +181,4 @@ TYPED_TEST(PolygonIn, HullIsStrictlyConvexAndContainsItsPointsExactly) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::polytope_test

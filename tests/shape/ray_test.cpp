@@ -9,7 +9,7 @@
 
 #include "../catalogue/nasty.hpp"
 
-namespace graze {
+namespace graze::ray_test {
 namespace {
 
 template <class S>
@@ -63,4 +63,4 @@ TEST(Ray, TurnsItsDirectionAndMovesItsOrigin) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::ray_test

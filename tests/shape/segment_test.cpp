@@ -7,7 +7,7 @@
 
 #include "../catalogue/nasty.hpp"
 
-namespace graze {
+namespace graze::segment_test {
 namespace {
 
 template <class S>
@@ -65,4 +65,4 @@ TEST(Segment, MovesWithBothEnds) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::segment_test

@@ -41,7 +41,7 @@ float support(const Crooked&, const graze::Vec<2, float>& direction) { return di
 
 }  // namespace own
 
-namespace graze {
+namespace graze::shape_test {
 namespace {
 
 static_assert(Convex<own::Square> && dimension_of<own::Square> == 2 && std::is_same_v<scalar_of<own::Square>, float>);
@@ -165,4 +165,4 @@ TYPED_TEST(EveryShape, HasSupportsOnOppositeSides) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::shape_test

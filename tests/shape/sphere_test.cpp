@@ -8,7 +8,7 @@
 
 #include "../catalogue/nasty.hpp"
 
-namespace graze {
+namespace graze::sphere_test {
 namespace {
 
 static_assert(std::is_same_v<Circle<double>, Sphere<2, double>> && std::is_same_v<Circle<>, Sphere<2>>);
@@ -55,4 +55,4 @@ TEST(Sphere, MovesWithItsCenterAndKeepsItsRadius) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::sphere_test

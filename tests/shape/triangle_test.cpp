@@ -5,7 +5,7 @@
 
 #include "../catalogue/nasty.hpp"
 
-namespace graze {
+namespace graze::triangle_test {
 namespace {
 
 template <class S>
@@ -53,4 +53,4 @@ TEST(Triangle, MovesWithItsVertices) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::triangle_test

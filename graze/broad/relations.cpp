@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <graze/scene/relations.hpp>
+#include <graze/broad/relations.hpp>
 
 namespace graze {
 
