@@ -8,6 +8,7 @@
 #include <graze/broad/executor.hpp>
 #include <graze/broad/orthtree.hpp>
 #include <graze/broad/pairs.hpp>
+#include <graze/broad/touching_pairs.hpp>
 #include <graze/broad/worlds.hpp>
 #include <graze/query/bounding.hpp>
 #include <graze/query/bounds.hpp>

@@ -28,7 +28,10 @@ TESTED_ELSEWHERE = {
     "graze/broad/simd_choice.hpp": ("tests/broad/block_kernels_test.cpp", "one macro, whose sets the tests force one by one"),
     "graze/broad/simd_lanes-inl.hpp": ("tests/broad/block_kernels_test.cpp", "names for vectors, which all kernels use"),
     "graze/broad/prefetch.hpp": ("tests/broad/crowd_test.cpp", "changes nothing but the time"),
-    "graze/broad/relations.hpp": ("tests/scene/scene_test.cpp", "instances of relation(), which Scene::pairs calls"),
+    "graze/broad/relations.hpp": ("tests/broad/touching_pairs_test.cpp", "instances of relation(), for all who ask it"),
+    "graze/broad/touch_boxes-inl.hpp": ("tests/broad/touch_kernels_test.cpp", "what the kernels are made of"),
+    "graze/broad/touch_lanes-inl.hpp": ("tests/broad/touch_kernels_test.cpp", "what the kernels are made of"),
+    "graze/broad/touch_round-inl.hpp": ("tests/broad/touch_kernels_test.cpp", "what the kernels are made of"),
     "graze/query/ray_hit.hpp": ("tests/query/ray_cast_test.cpp", "structs without functions: what ray_cast is asked and gives"),
     "graze/query/status.hpp": ("tests/query/gjk_test.cpp", "an enum without functions: it is how gjk and epa end"),
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <limits>
+#include <type_traits>
 
 #include <graze/math/vec.hpp>
 
@@ -41,6 +42,18 @@ inline constexpr double box_filter = 16;
 /// The quick test of two segments leaves to the careful one what is closer to touching than this times the size: its
 /// own error is the rounding of a few products divided by the least sine squared that it takes on, 1/64.
 inline constexpr double segment_filter = 4096 * epsilon;
+
+/// What kernels add to the skew that they measure of axes, both in T: the measure is rounded 4 times, and the 6 skew
+/// that box_filter has to spare hold the 24 roundings of a gap, each half an epsilon.
+template <Scalar T>
+inline constexpr T measured_skew = T(8) * std::numeric_limits<T>::epsilon();
+
+/// Kernels leave to the careful test segments that are closer to touching than this times the size: what they say is
+/// proved by two points, or by a direction, up to 12 epsilon of T; and the careful test's own band, of double, is
+/// within that of segment_filter.
+template <Scalar T>
+inline constexpr T segment_lanes = std::is_same_v<T, float> ? T(64 * std::numeric_limits<float>::epsilon())
+                                                            : T(segment_filter);
 
 /// The quick comparison of a squared distance with a squared reach, in T, leaves to the careful one what differs by
 /// less than this times their sum: that one's own band is 22 epsilon of double of it, the squares' error 4 epsilon of

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
 
-#include <graze/broad/relations.hpp>
+#include <graze/broad/touching_pairs.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/scene/pair_keeper.hpp>
 
@@ -27,15 +28,17 @@ void in_blocks(std::size_t count, const Executor& executor, const Work& work) {
 /// Leaves those candidates that touch.
 template <Dim N, class T>
 void keep_touching(const SharedSlots<Object<N, T>>& slots, const Executor& executor, std::vector<Pair>& candidates) {
-  std::vector<char> touches(candidates.size());  // not bool: neighbours are written by different threads
+  std::vector<Relation> relations(candidates.size());
   in_blocks(candidates.size(), executor, [&](std::size_t first, std::size_t last) {
+    std::array<ShapePair<N, T>, task_size> shapes;
     for (std::size_t i = first; i < last; ++i) {
-      touches[i] = relation(slots[candidates[i].a]->shape, slots[candidates[i].b]->shape) != Relation::apart;
+      shapes[i - first] = {&slots[candidates[i].a]->shape, &slots[candidates[i].b]->shape};
     }
+    relations_of<N, T>({shapes.data(), last - first}, relations.data() + first);
   });
   std::size_t kept = 0;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (touches[i] != 0) candidates[kept++] = candidates[i];
+    if (relations[i] != Relation::apart) candidates[kept++] = candidates[i];
   }
   candidates.resize(kept);
 }

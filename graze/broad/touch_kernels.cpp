@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Compiled once per instruction set: Highway includes this file anew for each.
+#include <limits>
+#include <type_traits>
+
+#include <graze/broad/simd_choice.hpp>
+#include <graze/broad/touch_kernels.hpp>
+#include <graze/math/tolerance.hpp>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "graze/broad/touch_kernels.cpp"
+#include <hwy/foreach_target.h>  // must come before highway.h
+#include <hwy/highway.h>
+
+#include <graze/broad/touch_boxes-inl.hpp>
+#include <graze/broad/touch_lanes-inl.hpp>
+#include <graze/broad/touch_round-inl.hpp>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::detail::HWY_NAMESPACE {
+namespace {
+
+/// Calls verdict_of(a, b) for the shapes of each vector of pairs.
+template <class T, class A, class B>
+void kernel(const T* const* a, const T* const* b, std::size_t groups, GroupVerdict* verdicts) {
+  for (std::size_t group = 0; group < groups; ++group) {
+    std::uint32_t apart = 0;
+    std::uint32_t overlapping = 0;
+    for (std::uint32_t k = 0; k < vectors_of<T>; ++k, a += lanes_of<T>, b += lanes_of<T>) {
+      const LaneVerdict<T> verdict = verdict_of(A(a), B(b));
+      apart |= bits_of<T>(verdict.apart) << k * lanes_of<T>;
+      overlapping |= bits_of<T>(verdict.overlapping) << k * lanes_of<T>;
+    }
+    verdicts[group] = {static_cast<std::uint16_t>(apart), static_cast<std::uint16_t>(overlapping)};
+  }
+}
+
+template <Dim N, class T>
+TouchKernels<T> kernels() {
+  using Sphere = LaneSphere<N, T>;
+  using Aabb = LaneAabb<N, T>;
+  using Obb = LaneObb<N, T>;
+  using Capsule = LaneCapsule<N, T>;
+  return {{kernel<T, Sphere, Sphere>, kernel<T, Sphere, Aabb>, kernel<T, Sphere, Obb>, kernel<T, Sphere, Capsule>,
+           kernel<T, Aabb, Aabb>, kernel<T, Aabb, Obb>, kernel<T, Aabb, Capsule>, kernel<T, Obb, Obb>,
+           kernel<T, Obb, Capsule>, kernel<T, Capsule, Capsule>}};
+}
+
+}  // namespace
+
+const AllTouchKernels& all_touch_kernels() {
+  static_assert(touch_group == block_size && touch_kinds == 10);
+  static const AllTouchKernels all{kernels<2, float>(), kernels<3, float>(), kernels<2, double>(),
+                                   kernels<3, double>()};
+  return all;
+}
+
+}  // namespace graze::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace graze::detail {
+namespace {
+HWY_EXPORT(all_touch_kernels);
+}
+
+template <Dim N, class T>
+const TouchKernels<T>& touch_kernels() {
+  const AllTouchKernels& all = HWY_DYNAMIC_DISPATCH(all_touch_kernels)();
+  if constexpr (std::is_same_v<T, float>) {
+    return N == 2 ? all.flat_float : all.solid_float;
+  } else {
+    return N == 2 ? all.flat_double : all.solid_double;
+  }
+}
+
+template const TouchKernels<float>& touch_kernels<2, float>();
+template const TouchKernels<float>& touch_kernels<3, float>();
+template const TouchKernels<double>& touch_kernels<2, double>();
+template const TouchKernels<double>& touch_kernels<3, double>();
+
+}  // namespace graze::detail
+#endif

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// Many verdicts at once are those of single calls: for every pair of types, on cases of which verdicts are hard, with
+// every set of vector instructions that this machine has.
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <graze/broad/executor.hpp>
+#include <graze/broad/relations.hpp>
+#include <graze/broad/touching_pairs.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/shape/any_shape.hpp>
+
+#include "catalogue.hpp"
+#include "query/every_pair.hpp"
+#include "simd_targets.hpp"
+#include "thread_executor.hpp"
+
+namespace graze::touching_pairs_test {
+namespace {
+
+/// Shapes two by two, and the pairs that they are.
+template <Dim N, class T>
+struct Cases {
+  std::vector<AnyShape<N, T>> shapes;
+  std::vector<Pair> pairs;
+
+  void add(const AnyShape<N, T>& a, const AnyShape<N, T>& b) {
+    if (!is_valid(a) || !is_valid(b)) return;
+    const auto at = static_cast<std::uint32_t>(shapes.size());
+    shapes.insert(shapes.end(), {a, b});
+    pairs.push_back({at, at + 1});
+    pairs.push_back({at + 1, at});
+  }
+};
+
+template <Dim N, class T>
+Cases<N, T> cases_of(test::CaseKind kind, double usual) {
+  Cases<N, T> cases;
+  test::for_each_case<N, T>(
+      kind, test::number_of_cases(usual), [&cases](const auto& pair) { cases.add(pair.first, pair.second); },
+      [] { return true; });
+  return cases;
+}
+
+template <Dim N, class T>
+std::vector<Relation> single_calls(const std::vector<AnyShape<N, T>>& shapes, const std::vector<Pair>& pairs) {
+  std::vector<Relation> result;
+  for (const Pair& pair : pairs) result.push_back(relation(shapes[pair.a], shapes[pair.b]));
+  return result;
+}
+
+template <class Space>
+class TouchingPairs : public testing::Test {
+ protected:
+  static constexpr Dim dimension = Space::dimension;
+  using scalar = typename Space::scalar;
+};
+TYPED_TEST_SUITE(TouchingPairs, test::Spaces);
+
+TYPED_TEST(TouchingPairs, AreThoseOfSingleCallsForEveryTwoTypesAndInstructionSet) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  for (std::size_t kind = 0; kind < test::case_kind_count; ++kind) {
+    SCOPED_TRACE(std::string(test::case_kind_names[kind]));
+    const Cases<N, T> cases = cases_of<N, T>(static_cast<test::CaseKind>(kind), 12);
+    const std::vector<Relation> expected = single_calls(cases.shapes, cases.pairs);
+    for (const std::int64_t target : test::simd_targets()) {
+      const test::ForcedTarget forced(target);
+      const std::vector<Relation> found =
+          relations(std::span<const AnyShape<N, T>>(cases.shapes), std::span<const Pair>(cases.pairs));
+      ASSERT_EQ(found.size(), expected.size());
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        ASSERT_EQ(name_of(found[i]), name_of(expected[i]))
+            << hwy::TargetName(target) << ": " << test::to_source(cases.shapes[cases.pairs[i].a]) << ", "
+            << test::to_source(cases.shapes[cases.pairs[i].b]);
+      }
+    }
+  }
+}
+
+/// Shapes of one type from the cases, next to each other.
+template <class S, Dim N, class T>
+void expect_those_of_single_calls(const Cases<N, T>& cases) {
+  std::vector<S> shapes;
+  for (const AnyShape<N, T>& shape : cases.shapes) {
+    if (const S* held = std::get_if<S>(&shape)) shapes.push_back(*held);
+  }
+  std::vector<Pair> candidates;
+  std::vector<Pair> expected;
+  for (std::uint32_t i = 0; i < shapes.size(); ++i) {
+    for (std::uint32_t j = i + 1; j < shapes.size() && j < i + 9; ++j) {
+      candidates.push_back({i, j});
+      if (relation(shapes[i], shapes[j]) != Relation::apart) expected.push_back({i, j});
+    }
+  }
+  EXPECT_GT(expected.size(), 0U);
+  for (const std::int64_t target : test::simd_targets()) {
+    const test::ForcedTarget forced(target);
+    EXPECT_EQ(touching_pairs(shapes, candidates), expected) << hwy::TargetName(target);
+  }
+}
+
+TYPED_TEST(TouchingPairs, OfShapesOfOneTypeAreTheSame) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  for (const test::CaseKind kind : {test::CaseKind::uniform, test::CaseKind::grid, test::CaseKind::nearly_parallel}) {
+    const Cases<N, T> cases = cases_of<N, T>(kind, 12);
+    expect_those_of_single_calls<Sphere<N, T>>(cases);
+    expect_those_of_single_calls<Aabb<N, T>>(cases);
+    expect_those_of_single_calls<Obb<N, T>>(cases);
+    expect_those_of_single_calls<Capsule<N, T>>(cases);
+  }
+}
+
+TYPED_TEST(TouchingPairs, DoNotDependOnTheExecutor) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  const Cases<N, T> cases = cases_of<N, T>(test::CaseKind::uniform, 12);
+  std::vector<Pair> candidates;  // enough for several tasks
+  for (std::uint32_t step = 1; step < 12; ++step) {
+    for (std::uint32_t i = 0; i + step < cases.shapes.size(); ++i) candidates.push_back({i, i + step});
+  }
+  const std::vector<Pair> alone = touching_pairs(cases.shapes, candidates, {.executor = &serial_executor()});
+  EXPECT_GT(alone.size(), 100U);
+  EXPECT_LT(alone.size(), candidates.size());
+  const test::ThreadExecutor threads(3);
+  EXPECT_EQ(touching_pairs(cases.shapes, candidates, {.executor = &threads}), alone);
+  EXPECT_EQ(touching_pairs(cases.shapes, candidates), alone);
+}
+
+TEST(TouchingPairs, OfNoCandidatesAreNone) {
+  EXPECT_TRUE(touching_pairs(std::vector<Sphere<3>>(2), std::vector<Pair>{}).empty());
+  EXPECT_TRUE(touching_pairs(std::vector<AnyShape<2>>{}, std::vector<Pair>{}).empty());
+}
+
+TEST(TouchingPairs, RefuseAPairWhoseShapeIsNotThere) {
+  const std::vector<Obb<3>> boxes(3);
+  const std::vector<Pair> pairs{{0, 1}, {1, 3}};
+  try {
+    touching_pairs(boxes, pairs);
+    FAIL() << "nothing was thrown";
+  } catch (const std::out_of_range& error) {
+    EXPECT_STREQ(error.what(), "touching_pairs: pair 1 names shape 3, but there are only 3");
+  }
+}
+
+}  // namespace
+}  // namespace graze::touching_pairs_test
