@@ -7,19 +7,21 @@
 #include <stdexcept>
 #include <string>
 
+#include <graze/broad/frustum_filter.hpp>
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/intersects.hpp>
 #include <graze/shape/aabb.hpp>
+#include <graze/shape/frustum.hpp>
 #include <graze/shape/shape.hpp>
 
 namespace graze {
 
 /// Any shape is a region: point, segment, ray, box, sphere, oriented box, capsule, plane, half-space, triangle,
-/// polytope, compound, and every type of a user's with `support`. The pruning rests on its box: an unbounded region
-/// costs more.
+/// polytope, compound, frustum, and every type of a user's with `support`. The pruning rests on its box: an unbounded
+/// region costs more.
 template <class R, Dim N, class T>
 concept RegionIn = SameSpace<R, Aabb<N, T>> && requires(const R& region) {
   { bounds(region) } -> std::same_as<Aabb<N, T>>;
@@ -84,6 +86,19 @@ Aabb<N, T> shared_box(const Aabb<N, T>& a, const Aabb<N, T>& b) {
   return shared;
 }
 
+/// What settles most boxes before `intersects` is asked: for most regions nothing but their bounds.
+template <class R>
+struct RegionFilter {
+  static constexpr bool exists = false;
+  explicit RegionFilter(const R&) {}
+};
+
+template <Dim N, class T>
+struct RegionFilter<Frustum<N, T>> : FrustumFilter<N> {
+  static constexpr bool exists = true;
+  using FrustumFilter<N>::FrustumFilter;
+};
+
 /// A region during one query. A box meets it when `intersects(region, box)` says so. Of a box with infinite sides the
 /// part within the region's bounds is asked; where that is still infinite, the bounds decide. Throws
 /// std::invalid_argument for a region with a defect.
@@ -94,7 +109,7 @@ class RegionProbe {
   using T = scalar_of<R>;
   using Box = Aabb<N, T>;
 
-  explicit RegionProbe(const R& region) : region_(region), bounds_(bounds(region)) {
+  explicit RegionProbe(const R& region) : region_(region), bounds_(bounds(region)), filter_(region) {
     if constexpr (requires { defect(region); }) {
       if (!is_valid(region)) throw std::invalid_argument("SpatialIndex: the region " + std::string(defect(region)));
     }
@@ -105,7 +120,7 @@ class RegionProbe {
 
   /// False only if no box within this one meets the region. The box is finite, or that of a single object.
   bool may_meet(const Box& box) const {
-    const double slack = slack_ + band * finite_size(box);
+    const double slack = slack_with(box);
     for (Dim i = 0; i < N; ++i) {
       const double above = static_cast<double>(box.min[i]) - static_cast<double>(bounds_.max[i]);
       const double below = static_cast<double>(bounds_.min[i]) - static_cast<double>(box.max[i]);
@@ -117,14 +132,19 @@ class RegionProbe {
   /// For a box that may meet the region by its bounds: whether it may by the region itself. Dearer, and worth it where
   /// much is at stake.
   bool may_meet_closely(const Box& box) const {
-    return !is_nothing(box) && intersects(region_, inflated(box, round_up<T>(slack_ + band * finite_size(box))));
+    if (is_nothing(box)) return false;
+    if constexpr (RegionFilter<R>::exists) {
+      return !filter_.part(box, slack_with(box));
+    } else {
+      return intersects(region_, inflated(box, round_up<T>(slack_with(box))));
+    }
   }
 
   bool meets(const Box& box) const {
     if (!may_meet(box)) return false;
-    if (is_valid(box)) return intersects(region_, box);
+    if (is_valid(box)) return meets_finite(box);
     const Box near = shared_box(box, bounds_);
-    return is_valid(near) ? intersects(region_, near) : !is_nothing(near);
+    return is_valid(near) ? meets_finite(near) : !is_nothing(near);
   }
 
  private:
@@ -132,9 +152,20 @@ class RegionProbe {
   static constexpr double band =
       SupportsIn<R, N, double> || !SupportsIn<R, N, T> ? tolerance::box_slack : 4 * tolerance::convex_in<T>;
 
+  double slack_with(const Box& box) const { return slack_ + band * finite_size(box); }
+
+  bool meets_finite(const Box& box) const {
+    if constexpr (RegionFilter<R>::exists) {
+      if (filter_.part(box, slack_with(box))) return false;
+      if (filter_.share_point(box, slack_with(box))) return true;
+    }
+    return intersects(region_, box);
+  }
+
   const R& region_;
   Box bounds_;
   double slack_ = 0;
+  RegionFilter<R> filter_;
 };
 
 /// Everything as for the region itself, but that a box may lie off by the slack. A box with infinite sides is met if

@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat2x2.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -24,7 +25,7 @@ using Dim = glm::length_t;
 template <Dim N, class T = float>
 using Vec = glm::vec<N, T, glm::packed_highp>;
 
-/// A square matrix, stored by columns: `matrix[j]` is column j.
+/// A square matrix, stored by columns: `matrix[j]` is column j. Of N + 1 columns where points are projected.
 template <Dim N, class T = float>
 using Mat = glm::mat<N, N, T, glm::packed_highp>;
 

@@ -14,6 +14,7 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/frustum.hpp>
 #include <graze/shape/shape.hpp>
 
 namespace graze {
@@ -145,6 +146,13 @@ template <Dim N, class T>
 Aabb<N, T> bounds(const Polytope<N, T>& polytope) {
   Aabb<N, T> box = Aabb<N, T>::nothing();
   for (const Vec<N, T>& vertex : polytope.vertices()) box.grow(vertex);
+  return box;
+}
+
+template <Dim N, class T>
+Aabb<N, T> bounds(const Frustum<N, T>& frustum) {
+  Aabb<N, T> box = Aabb<N, T>::nothing();
+  for (const Vec<N, T>& corner : frustum.corners) box.grow(corner);
   return box;
 }
 

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/capsule.hpp>
+#include <graze/shape/frustum.hpp>
 #include <graze/shape/half_space.hpp>
 #include <graze/shape/obb.hpp>
 #include <graze/shape/plane.hpp>
@@ -77,6 +79,13 @@ T numbers_of(const Triangle<N, T>& triangle) {
 template <Dim N, class T>
 T numbers_of(const Capsule<N, T>& capsule) {
   return numbers_of(axis(capsule)) + std::fabs(capsule.radius);
+}
+
+template <Dim N, class T>
+T numbers_of(const Frustum<N, T>& frustum) {
+  T sum = numbers_of(frustum.corners[0]);
+  for (std::size_t k = 1; k < frustum.corners.size(); ++k) sum += numbers_of(frustum.corners[k]);
+  return sum;
 }
 
 template <class A, class B>

@@ -15,12 +15,9 @@
 namespace graze {
 namespace {
 
-template <Dim N, class T>
-void require_region(const AnyShape<N, T>& region) {
-  const std::string_view fault = defect(region);
+void require_region(std::string_view type, std::string_view fault) {
   if (fault.empty()) return;
-  throw std::invalid_argument("Scene: the region, a " + std::string(type_name<N, T>(region)) + ", " +
-                              std::string(fault));
+  throw std::invalid_argument("Scene: the region, a " + std::string(type) + ", " + std::string(fault));
 }
 
 /// How far a point is from a shape; 0 inside of solids.
@@ -102,10 +99,11 @@ std::vector<ObjectPair> SceneView<N, T>::pairs() const {
 }
 
 template <Dim N, class T>
-std::vector<ObjectId> SceneView<N, T>::near(const AnyShape<N, T>& region, LayerMask layers) const {
+template <class R>
+std::vector<ObjectId> SceneView<N, T>::near(const R& region, LayerMask layers) const {
   std::vector<ObjectId> result;
   const detail::SlotIndex<N, T>& index = this->index();
-  index.tree().query(Generous<AnyShape<N, T>>{region}, [&](const Key& key) {
+  index.tree().query(Generous<R>{region}, [&](const Key& key) {
     const std::uint32_t slot = index.slot_of(key);
     if ((layers & only_layer(in_slot(slot).layer)) != 0) result.push_back(id_of(slot));
   });
@@ -115,8 +113,14 @@ std::vector<ObjectId> SceneView<N, T>::near(const AnyShape<N, T>& region, LayerM
 
 template <Dim N, class T>
 std::vector<ObjectId> SceneView<N, T>::cull(const AnyShape<N, T>& region, LayerMask layers) const {
-  require_region(region);
+  require_region(type_name<N, T>(region), defect(region));
   return near(region, layers);
+}
+
+template <Dim N, class T>
+std::vector<ObjectId> SceneView<N, T>::cull(const Frustum<N, T>& frustum, LayerMask layers) const {
+  require_region("frustum", defect(frustum));
+  return near(frustum, layers);
 }
 
 template <Dim N, class T>
@@ -153,9 +157,13 @@ std::vector<NearObject<T>> SceneView<N, T>::nearest(const Vec<N, T>& point, std:
   }
 }
 
-template class SceneView<2, float>;
-template class SceneView<3, float>;
-template class SceneView<2, double>;
-template class SceneView<3, double>;
+#define GRAZE_INSTANTIATE(N, T)   \
+  template class SceneView<N, T>; \
+  template std::vector<ObjectId> SceneView<N, T>::near(const AnyShape<N, T>&, LayerMask) const;
+GRAZE_INSTANTIATE(2, float)
+GRAZE_INSTANTIATE(3, float)
+GRAZE_INSTANTIATE(2, double)
+GRAZE_INSTANTIATE(3, double)
+#undef GRAZE_INSTANTIATE
 
 }  // namespace graze

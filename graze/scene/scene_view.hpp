@@ -22,6 +22,7 @@
 #include <graze/scene/shared_slots.hpp>
 #include <graze/scene/shared_value.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/frustum.hpp>
 
 namespace graze {
 
@@ -76,9 +77,13 @@ class SceneView {
   /// std::invalid_argument when the region is not valid.
   std::vector<ObjectId> overlapping(const AnyShape<N, T>& region, LayerMask layers = all_layers) const;
 
-  /// The objects whose boxes touch or overlap a region, such as what a camera sees: quicker, and never fewer than
-  /// `overlapping`. Ascending. Throws like it.
+  /// The objects whose boxes touch or overlap a region: quicker, and never fewer than `overlapping`. Ascending. Throws
+  /// like it.
   std::vector<ObjectId> cull(const AnyShape<N, T>& region, LayerMask layers = all_layers) const;
+
+  /// The same for what a camera sees (shape/frustum.hpp: frustum_of). What touches it exactly says
+  /// `overlapping(convex_hull<N, T>(frustum.corners))`.
+  std::vector<ObjectId> cull(const Frustum<N, T>& frustum, LayerMask layers = all_layers) const;
 
   /// The `count` objects nearest to a point, or all if there are fewer: by distance, equal ones by id. The distance is
   /// that of the shape, of a compound that of its nearest part; an empty one is infinitely far and never found. Throws
@@ -110,7 +115,8 @@ class SceneView {
   const detail::SlotIndex<N, T>& index() const { return index_.over(objects_); }
 
   /// The objects on these layers whose boxes a region meets, rounding allowed for. Ascending.
-  std::vector<ObjectId> near(const AnyShape<N, T>& region, LayerMask layers) const;
+  template <class R>
+  std::vector<ObjectId> near(const R& region, LayerMask layers) const;
 
   detail::KeyTable ids_{max_objects};
   detail::SharedSlots<Object<N, T>> objects_;  // by slot: the index of an id

@@ -27,6 +27,7 @@ TEST(NanCheck, FindsANaNInAnyNumber) {
   EXPECT_TRUE(detail::hold_nan(HalfSpace<2>{spoiled, 1}, plain));
   EXPECT_TRUE(detail::hold_nan(Triangle<2>{plain, plain, spoiled}, plain));
   EXPECT_TRUE(detail::hold_nan(Capsule<2>{plain, plain, nan}, plain));
+  EXPECT_TRUE(detail::hold_nan(Frustum<2>{{{plain, plain, plain, spoiled}}}, plain));
 }
 
 TEST(NanCheck, TakesNothingElseForNaN) {

@@ -11,11 +11,15 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <graze/broad/region.hpp>
 #include <graze/query/closest_point.hpp>
+#include <graze/query/intersects.hpp>
 #include <graze/query/signed_distance.hpp>
 #include <graze/scene/scene.hpp>
 #include <graze/scene/scene_view.hpp>
+#include <graze/shape/pick.hpp>
 
+#include "../cameras.hpp"
 #include "catalogue.hpp"
 
 namespace graze::scene_view_test {
@@ -45,6 +49,25 @@ TEST(SceneView, OverlappingIsExactAndCullAsksBoxes) {
   EXPECT_EQ(scene.overlapping(region), (Ids{touching, floor}));
   EXPECT_EQ(scene.cull(Aabb<2, double>{{-1, -1}, {1, 1}}), (Ids{touching, at_its_corner, floor}));
   EXPECT_EQ(scene.overlapping(Segment<2, double>{{-9, 0}, {9, 0}}), (Ids{touching, away}));
+}
+
+TEST(SceneView, ACameraSeesTheObjectsInItsFrustum) {
+  Scene<3, float> scene;
+  const ObjectId ahead = scene.add(Sphere<3>{{0, 0, 5}, 1}, {.layer = 3});
+  const ObjectId beside = scene.add(Sphere<3>{{7, 0, 5}, 1.5F});
+  scene.add(Sphere<3>{{9, 0, 5}, 1.5F});  // within the bounds of the frustum
+  scene.add(Sphere<3>{{0, 0, -5}, 1});    // behind
+  const ObjectId floor = scene.add(HalfSpace<3>{{0, 1, 0}, -2});
+  Frustum<3> frustum;  // upwards from the origin, as wide to either side as it is high
+  for (std::size_t k = 0; k < 8; ++k) frustum.corners[k] *= k < 4 ? 1.0F : 10.0F;
+  for (std::size_t k = 0; k < 4; ++k) frustum.corners[k].z = 1;
+  EXPECT_EQ(scene.cull(frustum), (Ids{ahead, beside, floor}));
+  EXPECT_EQ(scene.cull(frustum, only_layer(3)), (Ids{ahead}));
+  EXPECT_EQ(scene.snapshot()->cull(frustum).size(), 3U);
+  EXPECT_EQ((scene.overlapping(convex_hull<3, float>(frustum.corners))), (Ids{ahead, beside, floor}));
+  EXPECT_EQ(scene.ray_cast(pick_ray(Mat<4, float>(1), {0, 0}))->id, ahead);
+  frustum.corners[2].y = std::numeric_limits<float>::infinity();
+  EXPECT_THROW(scene.cull(frustum), std::invalid_argument);
 }
 
 TEST(SceneView, OnlyTheLayersAskedForAreFound) {
@@ -124,6 +147,23 @@ TEST(SceneView, ThreadsMayReadASnapshotWhileTheSceneMovesOn) {
   }
 }
 
+/// Of all objects those whose boxes meet the frustum, up to rounding, and no others.
+template <Dim N, class T>
+void check_what_a_camera_sees(const Scene<N, T>& scene) {
+  const Frustum<N, T> frustum = test::any_frustum<N, T>(test::draw_source<N, T>());
+  if (!is_valid(frustum)) return;
+  RC_LOG() << test::to_source(frustum) << "\n";
+  const detail::RegionProbe<Generous<Frustum<N, T>>> probe(Generous<Frustum<N, T>>{frustum});
+  Ids expected;
+  for (const ObjectId id : scene.ids()) {
+    const Aabb<N, T>& box = scene.object(id).box;
+    const bool is_seen = !is_nothing(box) && probe.meets(touching_bounds(box));
+    if (is_seen) expected.push_back(id);
+    if (is_valid(box) && intersects(frustum, box)) RC_ASSERT(is_seen);
+  }
+  RC_ASSERT(scene.cull(frustum) == expected);
+}
+
 template <Dim N, class T>
 void check_against_every_object() {
   Scene<N, T> scene;
@@ -161,6 +201,7 @@ void check_against_every_object() {
     nearest.resize(std::min(nearest.size(), count));
     RC_ASSERT(scene.nearest(point, count) == nearest);
     RC_ASSERT(scene.snapshot()->overlapping(region) == overlapping);
+    check_what_a_camera_sees(scene);
   }
 }
 

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// What in the world a place on the screen may be.
+#pragma once
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include <graze/math/rounding.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/shape/clip_space.hpp>
+#include <graze/shape/ray.hpp>
+
+namespace graze {
+
+/// Where in the device's coordinates a place in a window is: pixels count from its upper left corner to the right and
+/// down, the middle of the first one is at (0.5, 0.5); the device's go from -1 to 1, to the right and up. Throws
+/// std::invalid_argument when the window has no area.
+template <class T>
+Vec<2, T> device_point(const Vec<2, T>& pixel, const Vec<2, T>& window_size) {
+  if (!(window_size.x > T(0) && window_size.y > T(0))) {
+    throw std::invalid_argument("device_point: the window has no area; its width and height must be above zero");
+  }
+  const Vec<2, double> share = wide<2, T>(pixel) / wide<2, T>(window_size);
+  return Vec<2, T>(Vec<2, double>(2 * share.x - 1, 1 - 2 * share.y));
+}
+
+namespace detail {
+
+template <Dim N, class T>
+ClipSpace<N> clip_space_for_picking(const Mat<N + 1, T>& view_projection, const Vec<2, T>& device,
+                                    std::string_view function) {
+  const ClipSpace<N> clip(view_projection);
+  const std::string name(function);
+  if (!clip.has_finite_numbers()) throw std::invalid_argument(name + ": the matrix has a number that is not finite");
+  if (!is_finite(device)) throw std::invalid_argument(name + ": the point has a coordinate that is not finite");
+  return clip;
+}
+
+}  // namespace detail
+
+/// All that a camera in space shows at one point of the device: the ray from the near plane on, its direction of length
+/// 1, so that t is a distance. Calculated in double, rounded to T. Throws std::invalid_argument for numbers that are
+/// not finite and for a matrix that shows no line there. A projection without a far plane is as good as any.
+template <class T>
+Ray<3, T> pick_ray(const Mat<4, T>& view_projection, const std::type_identity_t<Vec<2, T>>& device,
+                   ClipDepth depth = ClipDepth::minus_one_to_one) {
+  const auto clip = detail::clip_space_for_picking<3, T>(view_projection, device, "pick_ray");
+  const auto column = clip.level(0, static_cast<double>(device.x));
+  const auto row = clip.level(1, static_cast<double>(device.y));
+  const auto near_plane = clip.level(2, detail::near_depth(depth));
+  Vec<3, double> direction = accurate_cross(column.normal, row.normal);
+  const bool depth_grows = detail::near_depth(depth) < detail::far_depth(depth);
+  if ((dot(near_plane.normal, direction) > 0) != depth_grows) direction = -direction;
+  direction /= std::sqrt(length_squared(direction));
+  const Vec<3, double> origin = detail::meeting_point({column, row, near_plane});
+  const Ray<3, T> ray{Vec<3, T>(origin) + T(0), Vec<3, T>(direction) + T(0)};  // never minus zero
+  if (!defect(ray).empty()) throw std::invalid_argument("pick_ray: the matrix is not that of a camera");
+  return ray;
+}
+
+/// The point that a camera in the plane shows at one point of the device. Calculated and refused likewise.
+template <class T>
+Vec<2, T> pick_point(const Mat<3, T>& view_projection, const std::type_identity_t<Vec<2, T>>& device) {
+  const auto clip = detail::clip_space_for_picking<2, T>(view_projection, device, "pick_point");
+  const auto column = clip.level(0, static_cast<double>(device.x));
+  const auto row = clip.level(1, static_cast<double>(device.y));
+  const Vec<2, T> point = Vec<2, T>(detail::meeting_point({column, row})) + T(0);
+  if (!is_finite(point)) throw std::invalid_argument("pick_point: the matrix is not that of a camera");
+  return point;
+}
+
+}  // namespace graze
