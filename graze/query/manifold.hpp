@@ -3,7 +3,7 @@
 // needs so that a box stands on a floor and does not topple.
 //
 // The normal and the depth are those of contact(a, b), and so is who decides whether there is a contact. If a face of
-// one shape looks along the normal (of a's, if both do), the face of the other that looks most against it is laid over
+// one shape looks along the normal (a's, if both do, but a plane's before all), the face of the other that looks most against it is laid over
 // it and cut at its sides and at its surface; every corner of what is left is a contact of its own depth along the
 // normal. Two parallel edges (of capsules and segments, in space) give the ends of what they share; all else gives the
 // point of `contact` alone. So a ball has one point; a capsule two where it lies; boxes, triangles and polytopes up to

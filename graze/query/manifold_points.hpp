@@ -140,10 +140,12 @@ SurfacePairs<N> single_pair(const FacingPatches<N>& facing, const Penetration<N>
   return result;
 }
 
-/// The face that looks along the normal carries the points, that of a if both do; none if no face does.
+/// The face that looks along the normal carries the points, that of a if both do, but a plane's in any case: it has no
+/// corners to be laid on another. None if no face does.
 template <Dim N>
 SurfacePairs<N> face_pairs(const FacingPatches<N>& facing, const Vec<N, double>& normal, double slack) {
-  if (is_face_along(facing.a, normal)) return pairs_over(facing, normal, slack);
+  const bool b_is_unbounded = facing.b.size == 0;
+  if (is_face_along(facing.a, normal) && !b_is_unbounded) return pairs_over(facing, normal, slack);
   SurfacePairs<N> result;
   if (!is_face_along(facing.b, -normal)) return result;
   result = pairs_over(exchanged(facing), -normal, slack);

@@ -126,6 +126,28 @@ TEST(Manifold, OfPolytopesAndTrianglesIsThatOfTheirFaces) {
   expect_manifold<3>(HalfSpace<3, double>{{0, 0, 2}, 2}, roof, {0, 0, 1}, corners);
 }
 
+// All that has a face, or a side, on a plane that is crossed from either side: the plane has no corners of its own.
+TEST(Manifold, OnAPlaneIsThatOfTheWholeFaceWhateverHasIt) {
+  const std::vector<Expected<3>> corners{{{1, 1, 0}, 0.25}, {{3, 1, 0}, 0.25}, {{1, 2, 0}, 0.25}, {{3, 2, 0}, 0.25}};
+  const Obb<3, double> crate{{2, 1.5, 0.75}, {1, 0.5, 1}};
+  const AnyShape<3, double> box = Aabb<3, double>{{1, 1, -0.25}, {3, 2, 1.75}};
+  for (const auto& shape : {box, AnyShape<3, double>(crate), AnyShape<3, double>(compound_of<3, double>({crate}))}) {
+    expect_manifold<3>(HalfSpace<3, double>{{0, 0, 1}, 0}, shape, {0, 0, 1}, corners);
+    expect_manifold<3>(Plane<3, double>{{0, 0, 4}, 0}, shape, {0, 0, 1}, corners);
+  }
+  const std::vector<Expected<2>> ends{{{1, 0}, 0.25}, {{3, 0}, 0.25}};
+  const std::vector<Vec<2, double>> points{{1, -0.25}, {3, -0.25}, {2, 9}};
+  for (const AnyShape<2, double>& shape : {AnyShape<2, double>(Aabb<2, double>{{1, -0.25}, {3, 2}}),
+                                           AnyShape<2, double>(Obb<2, double>{{2, 0.75}, {1, 1}}),
+                                           AnyShape<2, double>(Segment<2, double>{{1, -0.25}, {3, -0.25}}),
+                                           AnyShape<2, double>(Triangle<2, double>{points[0], points[1], points[2]}),
+                                           AnyShape<2, double>(Capsule<2, double>{{1, 0.75}, {3, 0.75}, 1}),
+                                           AnyShape<2, double>(convex_hull<2, double>(points))}) {
+    expect_manifold<2>(HalfSpace<2, double>{{0, 1}, 0}, shape, {0, 1}, ends);
+    expect_manifold<2>(shape, HalfSpace<2, double>{{0, 1}, 0}, {0, -1}, {{{1, -0.25}, 0.25}, {{3, -0.25}, 0.25}});
+  }
+}
+
 TEST(Manifold, InThePlaneIsTheEndsOfWhatTheSidesShare) {
   const Aabb<2, double> floor_box{{0, 0}, {4, 1}};
   expect_manifold<2>(floor_box, Aabb<2, double>{{3, 0.75}, {6, 3}}, {0, 1}, {{{3, 1}, 0.25}, {{4, 1}, 0.25}});
