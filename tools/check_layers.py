@@ -19,7 +19,8 @@ MAX_LINES = 450
 SPDX = "SPDX-License-Identifier: MIT"
 SOURCES = [".hpp", ".cpp", ".py", ".sh", ".cmake", ".cmake.in", "CMakeLists.txt", "dev", ".ci/run"]
 
-# Headers without a test file of their own: the test file that covers them, and why it is another's.
+# Headers, and sources of another name than their header, without a test file of their own: the test file that covers them,
+# and why it is another's.
 TESTED_ELSEWHERE = {
     "graze/broad/block.hpp": ("tests/broad/block_tree_test.cpp", "structs without functions: what the tree is made of"),
     "graze/broad/pair.hpp": ("tests/broad/pairs_test.cpp", "a struct without functions: it is what overlapping_pairs gives"),
@@ -34,6 +35,9 @@ TESTED_ELSEWHERE = {
     "graze/broad/touch_round-inl.hpp": ("tests/broad/touch_kernels_test.cpp", "what the kernels are made of"),
     "graze/query/ray_hit.hpp": ("tests/query/ray_cast_test.cpp", "structs without functions: what ray_cast is asked and gives"),
     "graze/query/status.hpp": ("tests/query/gjk_test.cpp", "an enum without functions: it is how gjk and epa end"),
+    "graze/scene/manifolds.hpp": ("tests/scene/scene_contacts_test.cpp", "instances of manifold(), which contacts calls"),
+    "graze/scene/manifolds_2d.cpp": ("tests/scene/scene_contacts_test.cpp", "the same"),
+    "graze/scene/manifolds_3d.cpp": ("tests/scene/scene_contacts_test.cpp", "the same"),
 }
 
 
@@ -92,7 +96,7 @@ def check_mirror_tests(root, sources, tested_elsewhere):
     layered = [path for path in sources if path.suffix in (".hpp", ".cpp") and layer_of(path)]
     for path in layered:
         test = Path("tests") / layer_of(path) / f"{path.stem}_test.cpp"
-        other = tested_elsewhere.get(str(path.with_suffix(".hpp")))
+        other = tested_elsewhere.get(str(path.with_suffix(".hpp"))) or tested_elsewhere.get(str(path))
         if other and (root / test).is_file():
             problems.append(f"tools/check_layers.py:1: {path} has {test} now; remove its row from TESTED_ELSEWHERE")
         elif other and not (root / other[0]).is_file():

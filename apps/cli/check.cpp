@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -14,12 +15,16 @@
 #include <variant>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include <graze/broad/relations.hpp>
 #include <graze/io/report.hpp>
 #include <graze/io/svg.hpp>
+#include <graze/scene/manifolds.hpp>
 
 #include "command.hpp"
 #include "input.hpp"
+#include "nearness.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "terminal.hpp"
@@ -28,6 +33,8 @@
 namespace graze::cli {
 namespace {
 
+using io::PairDetail;
+using io::ReportedPair;
 using io::ReportFormat;
 using Clock = std::chrono::steady_clock;
 
@@ -38,6 +45,8 @@ struct CheckArguments {
   std::string output = "-";
   std::optional<std::string> svg;
   bool only_interior = false;
+  bool contacts = false;
+  std::optional<double> within;
   bool fail_on_contact = false;
 };
 
@@ -52,6 +61,21 @@ bool name_same_file(const std::string& a, const std::string& b) {
   if (std::filesystem::equivalent(a, b, error)) return true;
   return std::filesystem::absolute(a, error).lexically_normal() ==
          std::filesystem::absolute(b, error).lexically_normal();
+}
+
+/// Refuses a distance that is none, and what does not go together.
+void require_one_report(const CheckArguments& arguments) {
+  if (!arguments.within) return;
+  if (!(*arguments.within >= 0 && std::isfinite(*arguments.within))) {
+    throw UsageError(fmt::format("--within {} is no distance; it must be 0 or more", *arguments.within));
+  }
+  if (arguments.contacts) throw UsageError("--within tells distances and --contacts depths; give one of the two");
+  if (arguments.only_interior) throw UsageError("--within and --interior exclude each other; give one of the two");
+}
+
+PairDetail detail_of(const CheckArguments& arguments) {
+  if (arguments.within) return PairDetail::distance;
+  return arguments.contacts ? PairDetail::contacts : PairDetail::none;
 }
 
 /// Refuses what would mix two outputs, or overwrite the scene with its report.
@@ -71,7 +95,11 @@ void require_separate_files(const CheckArguments& arguments) {
 class Check {
  public:
   Check(const CheckArguments& arguments, ReportFormat format, const io::SceneFile& file, Progress& progress)
-      : arguments_(arguments), format_(format), file_(file), progress_(progress), head_{file.source, 2, 0} {
+      : arguments_(arguments),
+        format_(format),
+        file_(file),
+        progress_(progress),
+        head_{file.source, 2, 0, detail_of(arguments)} {
     std::visit(
         [this]<Dim N>(const Scene<N, double>& scene) {
           head_.dimension = N;
@@ -102,6 +130,13 @@ class Check {
   std::span<const ObjectPair> touching() const { return touching_; }
 
  private:
+  template <Dim N>
+  static std::vector<double> coordinates(const Vec<N, double>& v) {
+    std::vector<double> numbers(static_cast<std::size_t>(N));
+    for (Dim i = 0; i < N; ++i) numbers[static_cast<std::size_t>(i)] = v[i];
+    return numbers;
+  }
+
   /// Blocks of candidates are tested, then written and flushed, so that whoever reads the report gets pairs while the
   /// search goes on, and so that the time of the search is told from that of writing.
   template <Dim N>
@@ -109,19 +144,22 @@ class Check {
     constexpr std::size_t block = 1024;
     Clock::time_point start = Clock::now();
     progress_.begin("looking for candidates");
-    const std::vector<ObjectPair> candidates = scene.candidates();
+    const std::vector<ObjectPair> candidates = scene.candidates(arguments_.within.value_or(0));
     summary_.candidates = candidates.size();
     progress_.begin("testing pairs", candidates.size());
-    std::vector<Relation> relations;
+    std::vector<ReportedPair> found;
     for (std::size_t first = 0; first < candidates.size(); first += block) {
       const std::size_t last = std::min(first + block, candidates.size());
-      relations.clear();
+      found.clear();
       for (std::size_t i = first; i < last; ++i) {
-        relations.push_back(relation(scene.object(candidates[i].a).shape, scene.object(candidates[i].b).shape));
+        if (auto pair = tested(scene, candidates[i])) {
+          found.push_back(std::move(*pair));
+          touching_.push_back(candidates[i]);
+        }
         progress_.advance(i + 1);
       }
       summary_.seconds += std::chrono::duration<double>(Clock::now() - start).count();
-      write(scene, std::span(candidates).subspan(first, last - first), relations, writer);
+      for (const ReportedPair& pair : found) writer.write(pair);
       out.flush();
       start = Clock::now();
     }
@@ -129,17 +167,31 @@ class Check {
     summary_.pairs = touching_.size();
   }
 
-  /// Writes those of the tested pairs that were asked for, and keeps them for the picture.
+  /// What is to be told of a candidate, if it is one of those that were asked for.
   template <Dim N>
-  void write(const Scene<N, double>& scene, std::span<const ObjectPair> pairs, std::span<const Relation> relations,
-             io::ReportWriter& writer) {
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const bool wanted = arguments_.only_interior ? relations[i] == Relation::overlapping  //
-                                                   : relations[i] != Relation::apart;
-      if (!wanted) continue;
-      writer.write({scene.object(pairs[i].a).name, scene.object(pairs[i].b).name, relations[i]});
-      touching_.push_back(pairs[i]);
+  std::optional<ReportedPair> tested(const Scene<N, double>& scene, const ObjectPair& candidate) const {
+    const Object<N, double>& a = scene.object(candidate.a);
+    const Object<N, double>& b = scene.object(candidate.b);
+    ReportedPair pair{a.name, b.name};
+    if (arguments_.within) {
+      const Nearness nearness = nearness_of(a.shape, b.shape);
+      pair.relation = nearness.relation;
+      pair.distance = nearness.distance;
+      if (!(pair.distance <= *arguments_.within)) return std::nullopt;
+      return pair;
     }
+    pair.relation = relation(a.shape, b.shape);
+    const bool wanted = arguments_.only_interior ? pair.relation == Relation::overlapping  //
+                                                 : pair.relation != Relation::apart;
+    if (!wanted) return std::nullopt;
+    if (arguments_.contacts) {
+      const Manifold<N, double> touch = manifold(a.shape, b.shape);
+      pair.normal = coordinates(touch.normal);
+      for (const ManifoldPoint<N, double>& each : touch.contacts()) {
+        pair.contacts.push_back({coordinates(each.point), each.depth});
+      }
+    }
+    return pair;
   }
 
   const CheckArguments& arguments_;
@@ -153,6 +205,7 @@ class Check {
 
 ExitCode run_check(const CheckArguments& arguments) {
   const ReportFormat format = chosen("--format", arguments.format, formats);
+  require_one_report(arguments);
   require_separate_files(arguments);
   Progress progress("reading the scene");
   const io::SceneFile file = read_input(arguments.scene);
@@ -176,10 +229,13 @@ ExitCode run_check(const CheckArguments& arguments) {
 constexpr const char* footer =
     R"(SCENE is a scene in graze's JSON, boxes in CSV, or a Tiled map (.tmx, .tmj); told apart
 by content. Pairs come in the scene's order. Shapes that touch without overlapping count.
+A pair with several contact points has a row for each of them in a table and in CSV.
 
 Examples:
   graze check level.tmx
   graze check --interior --format csv chip.csv > overlaps.csv
+  graze check --contacts --format json level.tmx
+  graze check --within 0.5 machine.json
   graze check --output report.json --format json --svg picture.svg level.tmx
   generate | graze check --fail-on-contact -
 
@@ -196,6 +252,10 @@ Command add_check(CLI::App& program) {
       ->type_name("FORMAT")
       ->take_last();
   app->add_flag("--interior", arguments->only_interior, "Report only pairs whose interiors overlap");
+  app->add_flag("--contacts", arguments->contacts, "Tell how deep, along which normal and at which points pairs touch");
+  app->add_option("--within", arguments->within, "Report all pairs that are no farther apart than this, and how far")
+      ->type_name("DISTANCE")
+      ->take_last();
   app->add_option("--svg", arguments->svg, "Draw the scene and its contacts, - for the standard output")
       ->type_name("FILE")
       ->take_last();

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <ostream>
 
 #include <fmt/format.h>
@@ -7,6 +6,7 @@
 #include <graze/io/found.hpp>
 #include <graze/io/printable.hpp>
 #include <graze/io/quoting.hpp>
+#include <graze/io/text_table.hpp>
 
 namespace graze::io {
 namespace {
@@ -59,44 +59,27 @@ void write_csv(std::ostream& out, const FoundReport& report) {
   }
 }
 
-using Row = std::vector<std::string>;
-
-Row head_row(FoundDetail detail) {
-  if (detail == FoundDetail::none) return {"NAME", "TYPE"};
-  if (detail == FoundDetail::distance) return {"NAME", "TYPE", "DISTANCE"};
-  return {"NAME", "TYPE", "T", "POINT", "NORMAL"};
+TableRow head_row(FoundDetail detail) {
+  if (detail == FoundDetail::none) return {{"NAME"}, {"TYPE"}};
+  if (detail == FoundDetail::distance) return {{"NAME"}, {"TYPE"}, {"DISTANCE"}};
+  return {{"NAME"}, {"TYPE"}, {"T"}, {"POINT"}, {"NORMAL"}};
 }
 
-Row row_of(const FoundReport& report, const FoundObject& object) {
-  Row row{printable(object.name), std::string(object.type)};
-  if (report.detail != FoundDetail::none) row.push_back(fmt::format("{:.6g}", object.number));
+TableRow row_of(const FoundReport& report, const FoundObject& object) {
+  TableRow row{{printable(object.name)}, {std::string(object.type)}};
+  if (report.detail != FoundDetail::none) row.push_back({short_number(object.number)});
   if (report.detail != FoundDetail::hit) return row;
-  for (const std::vector<double>* numbers : {&object.point, &object.normal}) {
-    std::string text;
-    for (const double number : *numbers) text += fmt::format("{}{:.6g}", text.empty() ? "" : ", ", number);
-    row.push_back(text);
-  }
+  row.push_back({short_numbers(object.point)});
+  row.push_back({short_numbers(object.normal)});
   return row;
 }
 
-/// Columns as wide as their widest text; the last has no blanks behind it.
 void write_table(std::ostream& out, const FoundReport& report, Colours colours) {
   if (!report.objects.empty()) {
-    std::vector<Row> rows{head_row(report.detail)};
+    std::vector<TableRow> rows;
+    rows.reserve(report.objects.size());
     for (const FoundObject& object : report.objects) rows.push_back(row_of(report, object));
-    std::vector<std::size_t> widths(rows.front().size(), 0);
-    for (const Row& row : rows) {
-      for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], display_columns(row[i]));
-    }
-    for (std::size_t number = 0; number < rows.size(); ++number) {
-      const bool is_bold = number == 0 && colours == Colours::on;
-      if (is_bold) out << "\x1b[1m";
-      for (std::size_t i = 0; i < rows[number].size(); ++i) {
-        out << rows[number][i];
-        if (i + 1 < widths.size()) out << std::string(widths[i] + 2 - display_columns(rows[number][i]), ' ');
-      }
-      out << (is_bold ? "\x1b[0m\n" : "\n");
-    }
+    write_table(out, head_row(report.detail), rows, colours);
     out << '\n';
   }
   out << summary_line(report) << '\n';

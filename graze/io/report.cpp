@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <ostream>
@@ -29,14 +30,37 @@ std::string_view relation_name(Relation relation) {
   return "overlapping";
 }
 
-std::string json_pair(const ReportedPair& pair) {
-  return fmt::format(R"({{"a": {}, "b": {}, "relation": "{}"}})", json_string(pair.a), json_string(pair.b),
-                     relation_name(pair.relation));
+/// How deep two objects are in each other: as deep as at the deepest of their contacts.
+double depth_of(const ReportedPair& pair) {
+  double depth = 0;
+  for (const ReportedContact& contact : pair.contacts) depth = std::max(depth, contact.depth);
+  return depth;
+}
+
+/// JSON has no infinity.
+std::string json_number(double number) { return std::isfinite(number) ? fmt::format("{}", number) : "null"; }
+
+std::string json_contacts(const ReportedPair& pair) {
+  std::string text = fmt::format(R"(, "depth": {}, "normal": [{}], "contacts": [)", json_number(depth_of(pair)),
+                                 fmt::join(pair.normal, ", "));
+  for (std::size_t i = 0; i < pair.contacts.size(); ++i) {
+    text += fmt::format(R"({}{{"point": [{}], "depth": {}}})", i == 0 ? "" : ", ",
+                        fmt::join(pair.contacts[i].point, ", "), json_number(pair.contacts[i].depth));
+  }
+  return text + "]";
+}
+
+std::string json_pair(const ReportedPair& pair, PairDetail detail) {
+  std::string text = fmt::format(R"({{"a": {}, "b": {}, "relation": "{}")", json_string(pair.a), json_string(pair.b),
+                                 relation_name(pair.relation));
+  if (detail == PairDetail::distance) text += fmt::format(R"(, "distance": {})", json_number(pair.distance));
+  if (detail == PairDetail::contacts) text += json_contacts(pair);
+  return text + "}";
 }
 
 class JsonReport final : public ReportWriter {
  public:
-  JsonReport(std::ostream& out, const ReportHead& head) : out_(out) {
+  JsonReport(std::ostream& out, const ReportHead& head) : out_(out), detail_(head.detail) {
     out_ << fmt::format(
         "{{\n  \"schema\": \"graze.check/1\",\n  \"scene\": {},\n  \"dimension\": {},\n  \"objects\": {},\n  "
         "\"pairs\": [",
@@ -44,7 +68,7 @@ class JsonReport final : public ReportWriter {
   }
 
   void write(const ReportedPair& pair) override {
-    out_ << (first_ ? "\n    " : ",\n    ") << json_pair(pair);
+    out_ << (first_ ? "\n    " : ",\n    ") << json_pair(pair, detail_);
     first_ = false;
   }
 
@@ -56,83 +80,93 @@ class JsonReport final : public ReportWriter {
 
  private:
   std::ostream& out_;
+  PairDetail detail_;
   bool first_ = true;
 };
 
 class NdjsonReport final : public ReportWriter {
  public:
-  explicit NdjsonReport(std::ostream& out) : out_(out) {}
+  NdjsonReport(std::ostream& out, PairDetail detail) : out_(out), detail_(detail) {}
 
-  void write(const ReportedPair& pair) override { out_ << json_pair(pair) << '\n'; }
+  void write(const ReportedPair& pair) override { out_ << json_pair(pair, detail_) << '\n'; }
   void finish(const ReportSummary&) override {}
 
  private:
   std::ostream& out_;
+  PairDetail detail_;
 };
 
 class CsvReport final : public ReportWriter {
  public:
-  explicit CsvReport(std::ostream& out) : out_(out) { out_ << "a,b,relation\n"; }
+  CsvReport(std::ostream& out, const ReportHead& head) : out_(out), detail_(head.detail) {
+    out_ << "a,b,relation";
+    if (detail_ == PairDetail::distance) out_ << ",distance";
+    if (detail_ == PairDetail::contacts) {
+      out_ << (head.dimension == 2 ? ",depth,x,y,normal_x,normal_y" : ",depth,x,y,z,normal_x,normal_y,normal_z");
+    }
+    out_ << '\n';
+  }
 
   void write(const ReportedPair& pair) override {
-    out_ << csv_field(pair.a) << ',' << csv_field(pair.b) << ',' << relation_name(pair.relation) << '\n';
+    const std::string names =
+        fmt::format("{},{},{}", csv_field(pair.a), csv_field(pair.b), relation_name(pair.relation));
+    if (detail_ == PairDetail::none) out_ << names << '\n';
+    if (detail_ == PairDetail::distance) out_ << fmt::format("{},{}\n", names, pair.distance);
+    if (detail_ != PairDetail::contacts) return;
+    for (const ReportedContact& contact : pair.contacts) {
+      out_ << fmt::format("{},{},{},{}\n", names, contact.depth, fmt::join(contact.point, ","),
+                          fmt::join(pair.normal, ","));
+    }
   }
   void finish(const ReportSummary&) override {}
 
  private:
   std::ostream& out_;
+  PairDetail detail_;
 };
 
-/// Bold for the head; cyan and yellow are told apart by the colour-blind as well.
-struct Palette {
-  std::string_view head;
-  std::string_view touching;
-  std::string_view overlapping;
-  std::string_view end;
-};
-
-constexpr Palette no_colours{};
-constexpr Palette terminal_colours{"\x1b[1m", "\x1b[36m", "\x1b[33m", "\x1b[0m"};
+/// Cyan and yellow are told apart by the colour-blind as well.
+std::string_view colour_of(Relation relation) {
+  if (relation == Relation::apart) return "";
+  return relation == Relation::overlapping ? "\x1b[33m" : "\x1b[36m";
+}
 
 class TableReport final : public ReportWriter {
  public:
-  TableReport(std::ostream& out, ReportHead head, const Palette& palette)
-      : out_(out), head_(std::move(head)), palette_(palette) {}
+  TableReport(std::ostream& out, ReportHead head, Colours colours)
+      : out_(out), head_(std::move(head)), colours_(colours) {}
 
-  void write(const ReportedPair& pair) override { pairs_.push_back(pair); }
+  void write(const ReportedPair& pair) override {
+    const TableRow start{{printable(pair.a)},
+                         {printable(pair.b)},
+                         {std::string(relation_name(pair.relation)), colour_of(pair.relation)}};
+    if (head_.detail != PairDetail::contacts) rows_.push_back(start);
+    if (head_.detail == PairDetail::distance) rows_.back().push_back({short_number(pair.distance)});
+    if (head_.detail != PairDetail::contacts) return;
+    for (const ReportedContact& contact : pair.contacts) {
+      rows_.push_back(start);
+      rows_.back().push_back({short_number(contact.depth)});
+      rows_.back().push_back({short_numbers(contact.point)});
+      rows_.back().push_back({short_numbers(pair.normal)});
+    }
+  }
 
   void finish(const ReportSummary& summary) override {
-    if (!pairs_.empty()) write_rows();
+    TableRow columns{{"A"}, {"B"}, {"RELATION"}};
+    if (head_.detail == PairDetail::distance) columns.push_back({"DISTANCE"});
+    if (head_.detail == PairDetail::contacts) columns.insert(columns.end(), {{"DEPTH"}, {"POINT"}, {"NORMAL"}});
+    if (!rows_.empty()) {
+      write_table(out_, columns, rows_, colours_);
+      out_ << '\n';
+    }
     out_ << summary_line(head_, summary) << '\n';
   }
 
  private:
-  void write_rows() {
-    std::size_t width_a = 1;
-    std::size_t width_b = 1;
-    for (const ReportedPair& pair : pairs_) {
-      width_a = std::max(width_a, display_columns(printable(pair.a)));
-      width_b = std::max(width_b, display_columns(printable(pair.b)));
-    }
-    out_ << palette_.head << padded("A", width_a) << padded("B", width_b) << "RELATION" << palette_.end << '\n';
-    for (const ReportedPair& pair : pairs_) {
-      const bool overlaps = pair.relation == Relation::overlapping;
-      out_ << padded(printable(pair.a), width_a) << padded(printable(pair.b), width_b)
-           << (overlaps ? palette_.overlapping : palette_.touching) << relation_name(pair.relation) << palette_.end
-           << '\n';
-    }
-    out_ << '\n';
-  }
-
-  static std::string padded(std::string text, std::size_t width) {
-    text.append(width + 2 - display_columns(text), ' ');
-    return text;
-  }
-
   std::ostream& out_;
   ReportHead head_;
-  const Palette& palette_;
-  std::vector<ReportedPair> pairs_;
+  Colours colours_;
+  std::vector<TableRow> rows_;
 };
 
 std::string counted(std::size_t count, std::string_view noun) {
@@ -147,13 +181,13 @@ std::unique_ptr<ReportWriter> begin_report(std::ostream& out, ReportFormat forma
     case ReportFormat::json:
       return std::make_unique<JsonReport>(out, head);
     case ReportFormat::ndjson:
-      return std::make_unique<NdjsonReport>(out);
+      return std::make_unique<NdjsonReport>(out, head.detail);
     case ReportFormat::csv:
-      return std::make_unique<CsvReport>(out);
+      return std::make_unique<CsvReport>(out, head);
     case ReportFormat::table:
       break;
   }
-  return std::make_unique<TableReport>(out, head, colours == Colours::on ? terminal_colours : no_colours);
+  return std::make_unique<TableReport>(out, head, colours);
 }
 
 std::string summary_line(const ReportHead& head, const ReportSummary& summary) {

@@ -7,7 +7,9 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include <graze/io/text_table.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/relation.hpp>
 
@@ -15,21 +17,35 @@ namespace graze::io {
 
 enum class ReportFormat { table, json, ndjson, csv };
 
-/// Whether a table is coloured with terminal codes.
-enum class Colours { off, on };
+/// What is told of each pair beside its relation.
+enum class PairDetail {
+  none,
+  contacts,  ///< Along which normal, how deep and where.
+  distance,
+};
 
 /// What is known before the first pair.
 struct ReportHead {
   std::string source;
   Dim dimension = 2;
   std::size_t objects = 0;
+  PairDetail detail = PairDetail::none;
 };
 
-/// Two objects that touch or overlap, by name.
+/// A point at which two objects touch, and how deep they are in each other there: infinitely, if nothing parts them.
+struct ReportedContact {
+  std::vector<double> point;
+  double depth = 0;
+};
+
+/// Two objects by name. Vectors have as many coordinates as the scene.
 struct ReportedPair {
   std::string_view a;
   std::string_view b;
   Relation relation = Relation::touching;
+  double distance = 0;                         ///< For PairDetail::distance.
+  std::vector<double> normal = {};             ///< For PairDetail::contacts: from a to b, or zero.
+  std::vector<ReportedContact> contacts = {};  ///< For PairDetail::contacts: at least one.
 };
 
 /// What is known after the last pair.
@@ -40,9 +56,10 @@ struct ReportSummary {
 };
 
 /// Writes one report: `write` for every pair in order, then `finish` once. JSON, NDJSON and CSV are written as the
-/// pairs come; a table needs all of them for its columns, so the names must live until `finish`. Names are quoted or
-/// escaped as the format needs it, whatever bytes they hold. Virtual because the format is chosen at run time; a call
-/// per pair is nothing beside the test of the pair.
+/// pairs come; a table needs all of them for its columns, so the names must live until `finish`. In a table and in CSV
+/// a pair has a row for each of its contacts. Names are quoted or escaped as the format needs it, whatever bytes they
+/// hold, and numbers are as short as they can be read back, but for those of a table. Virtual because the format is
+/// chosen at run time; a call per pair is nothing beside the test of the pair.
 class ReportWriter {
  public:
   virtual ~ReportWriter() = default;

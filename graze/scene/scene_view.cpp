@@ -8,6 +8,7 @@
 
 #include <graze/broad/pairs.hpp>
 #include <graze/broad/region.hpp>
+#include <graze/math/tolerance.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/signed_distance.hpp>
 #include <graze/scene/scene_view.hpp>
@@ -76,13 +77,19 @@ std::vector<ObjectId> SceneView<N, T>::ids() const {
 }
 
 template <Dim N, class T>
-std::vector<ObjectPair> SceneView<N, T>::candidates() const {
+std::vector<ObjectPair> SceneView<N, T>::candidates(double margin) const {
+  if (!(margin >= 0 && std::isfinite(margin))) {
+    throw std::invalid_argument("Scene: the margin of candidates is negative or not finite");
+  }
+  // Each box takes half of it; touching_bounds has room for the rounding of coordinates, the factor for that of
+  // margins.
+  const PairOptions options{.margin = margin * (0.5 + tolerance::convex_in<T>)};
   std::vector<Aabb<N, T>> boxes(ids_.slots(), Aabb<N, T>::nothing());
   for (std::uint32_t slot = 0; slot < ids_.slots(); ++slot) {
     if (ids_.is_taken(slot)) boxes[slot] = touching_bounds(in_slot(slot).box);
   }
   std::vector<ObjectPair> result;
-  for (const Pair& pair : overlapping_pairs(boxes)) {
+  for (const Pair& pair : overlapping_pairs(boxes, options)) {
     if (may_touch(in_slot(pair.a), in_slot(pair.b))) result.push_back({id_of(pair.a), id_of(pair.b)});
   }
   return result;

@@ -12,9 +12,11 @@
 #include <unordered_map>
 #include <vector>
 
+#include <graze/broad/executor.hpp>
 #include <graze/broad/key_table.hpp>
 #include <graze/broad/relations.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/manifold.hpp>
 #include <graze/query/ray_hit.hpp>
 #include <graze/scene/filter.hpp>
 #include <graze/scene/object.hpp>
@@ -44,6 +46,15 @@ struct ObjectHit {
   friend bool operator==(const ObjectHit&, const ObjectHit&) = default;
 };
 
+/// Two objects that touch or overlap, and where.
+template <Dim N, class T = float>
+struct ObjectContact {
+  ObjectPair pair;
+  Manifold<N, T> manifold;  ///< From pair.a to pair.b; at least one point.
+
+  friend bool operator==(const ObjectContact&, const ObjectContact&) = default;
+};
+
 /// Objects with names, layers and places. All of it is const and safe from many threads at once, as long as none writes
 /// to the scene; a snapshot has nobody who could. Queries that look for objects take a mask: only objects on its layers
 /// are found. Instantiated for 2D and 3D, float and double.
@@ -67,11 +78,16 @@ class SceneView {
   /// The names of the layers made so far, by number.
   const std::vector<std::string>& layer_names() const { return layer_names_; }
 
-  /// All pairs whose boxes overlap and that may touch: what is worth an exact test. Ascending.
-  std::vector<ObjectPair> candidates() const;
+  /// All pairs whose boxes overlap, or are no farther apart than `margin` along any axis, and that may touch: what is
+  /// worth an exact test. Ascending. Throws std::invalid_argument for a margin that is negative or not finite.
+  std::vector<ObjectPair> candidates(double margin = 0) const;
 
   /// All pairs that touch or overlap and may, exactly tested. Ascending.
   std::vector<ObjectPair> pairs() const;
+
+  /// Where the pairs touch, in the order of `pairs`: along which normal, how deep, at which points and on which
+  /// features of the two, as query/manifold.hpp has it. Throws what the executor throws.
+  std::vector<ObjectContact<N, T>> contacts(const Executor& executor = default_executor()) const;
 
   /// The objects that touch or overlap a region, which may be any shape, exactly tested. Ascending. Throws
   /// std::invalid_argument when the region is not valid.

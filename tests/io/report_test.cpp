@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -81,6 +82,58 @@ TEST(Report, as_a_table_aligns_wide_and_escaped_names) {
   EXPECT_EQ(text.find('\x1b'), std::string::npos);
   EXPECT_NE(text.find("\n球       x  touching\n"), std::string::npos) << text;
   EXPECT_NE(text.find("\n\\x1b[1m  x  touching\n"), std::string::npos) << text;
+}
+
+/// The report of a scene in the plane with one pair, of which more is told.
+std::string detailed(ReportFormat format, PairDetail detail, const ReportedPair& pair) {
+  std::ostringstream out;
+  const auto writer = begin_report(out, format, {"yard.json", 2, 3, detail});
+  writer->write(pair);
+  writer->finish(summary);
+  return out.str();
+}
+
+const ReportedPair standing{"ground", "crate", Relation::overlapping, 0, {0, 1}, {{{-1, 0.125}, 0.25}, {{1, 0}, 0.1}}};
+
+TEST(Report, tells_contacts_in_every_format) {
+  EXPECT_EQ(detailed(ReportFormat::ndjson, PairDetail::contacts, standing),
+            R"({"a": "ground", "b": "crate", "relation": "overlapping", "depth": 0.25, "normal": [0, 1], "contacts": )"
+            R"([{"point": [-1, 0.125], "depth": 0.25}, {"point": [1, 0], "depth": 0.1}]})"
+            "\n");
+  const auto document = nlohmann::json::parse(detailed(ReportFormat::json, PairDetail::contacts, standing));
+  EXPECT_EQ(document["schema"], "graze.check/1");
+  EXPECT_EQ(document["pairs"][0]["contacts"][1]["depth"], 0.1);
+  EXPECT_EQ(detailed(ReportFormat::csv, PairDetail::contacts, standing),
+            "a,b,relation,depth,x,y,normal_x,normal_y\n"
+            "ground,crate,overlapping,0.25,-1,0.125,0,1\n"
+            "ground,crate,overlapping,0.1,1,0,0,1\n");
+  EXPECT_EQ(detailed(ReportFormat::table, PairDetail::contacts, standing),
+            "A       B      RELATION     DEPTH  POINT      NORMAL\n"
+            "ground  crate  overlapping  0.25   -1, 0.125  0, 1\n"
+            "ground  crate  overlapping  0.1    1, 0       0, 1\n"
+            "\n"
+            "2 pairs; 3 objects, 5 candidates, 0.250 seconds\n");
+}
+
+TEST(Report, tells_a_depth_without_end_as_json_can) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const ReportedPair crossing{"a", "b", Relation::overlapping, 0, {0, 0}, {{{1, 2}, infinity}}};
+  const auto line = nlohmann::json::parse(detailed(ReportFormat::ndjson, PairDetail::contacts, crossing));
+  EXPECT_TRUE(line["depth"].is_null());
+  EXPECT_TRUE(line["contacts"][0]["depth"].is_null());
+  EXPECT_NE(detailed(ReportFormat::csv, PairDetail::contacts, crossing).find(",inf,1,2,0,0\n"), std::string::npos);
+}
+
+TEST(Report, tells_distances_in_every_format) {
+  const ReportedPair near{"a", "b", Relation::apart, 0.5};
+  EXPECT_EQ(detailed(ReportFormat::ndjson, PairDetail::distance, near),
+            "{\"a\": \"a\", \"b\": \"b\", \"relation\": \"apart\", \"distance\": 0.5}\n");
+  EXPECT_EQ(detailed(ReportFormat::csv, PairDetail::distance, near), "a,b,relation,distance\na,b,apart,0.5\n");
+  EXPECT_EQ(detailed(ReportFormat::table, PairDetail::distance, near),
+            "A  B  RELATION  DISTANCE\n"
+            "a  b  apart     0.5\n"
+            "\n"
+            "2 pairs; 3 objects, 5 candidates, 0.250 seconds\n");
 }
 
 TEST(Report, colours_only_a_table_and_ends_each_colour) {

@@ -103,6 +103,73 @@ class Check(CommandLineTest):
         self.assertNotIn("\u202e", text)
         self.assertIn("\\x1b]0;title\\x07  \\u{202e}abc  overlapping\n", text)
 
+    def test_contacts_tell_depth_normal_and_points_in_every_format(self):
+        scene = self.yard()
+        document = json.loads(self.succeed("check", "--contacts", "--format", "json", scene)[0])
+        self.assertEqual(document["schema"], "graze.check/1")
+        ground_crate, _, crate_ball = document["pairs"]
+        self.assertEqual(list(crate_ball), ["a", "b", "relation", "depth", "normal", "contacts"])
+        self.assertEqual(crate_ball["depth"], 0.5)
+        self.assertEqual(crate_ball["normal"], [1, 0])
+        self.assertEqual(crate_ball["contacts"], [{"point": [1.75, 1], "depth": 0.5}])
+        self.assertEqual(ground_crate["normal"], [0, 1])
+        self.assertEqual(sorted(contact["point"] for contact in ground_crate["contacts"]), [[0, 0], [2, 0]])
+        lines = self.succeed("check", "--contacts", "--format", "ndjson", scene)[0].splitlines()
+        self.assertEqual([json.loads(line) for line in lines], document["pairs"])
+        rows = list(csv.reader(io.StringIO(self.succeed("check", "--contacts", "--format", "csv", scene)[0])))
+        self.assertEqual(rows[0], ["a", "b", "relation", "depth", "x", "y", "normal_x", "normal_y"])
+        self.assertEqual(len(rows), 1 + sum(len(pair["contacts"]) for pair in document["pairs"]))
+        self.assertEqual(rows[-1], ["crate", "ball", "overlapping", "0.5", "1.75", "1", "1", "0"])
+        table = self.succeed("check", "--contacts", "--interior", scene)[0].splitlines()
+        self.assertEqual(table[:2], ["A      B     RELATION     DEPTH  POINT    NORMAL",
+                                     "crate  ball  overlapping  0.5    1.75, 1  1, 0"])
+
+    def test_contacts_in_space_have_three_coordinates(self):
+        scene = self.write("s.json", SPHERES_3D)
+        rows = list(csv.reader(io.StringIO(self.succeed("check", "--contacts", "--format", "csv", scene)[0])))
+        self.assertEqual(rows[0][3:], ["depth", "x", "y", "z", "normal_x", "normal_y", "normal_z"])
+        self.assertEqual(rows[1], ["s0", "s1", "touching", "0", "0.5", "0", "0", "1", "0", "0"])
+
+    def test_a_depth_without_end_is_null(self):
+        solids = [{"name": name, "type": "half_space", "normal": normal, "offset": 0}
+                  for name, normal in (("left", [1, 0]), ("below", [0, 1]))]
+        scene = self.write("crossing.json", YARD | {"objects": solids})
+        (pair,) = json.loads(self.succeed("check", "--contacts", "--format", "json", scene)[0])["pairs"]
+        self.assertEqual((pair["depth"], pair["normal"]), (None, [0, 0]))
+
+    def test_a_clearance_reports_all_that_is_nearer_and_how_far_it_is(self):
+        scene = self.yard()
+        touching = [list(pair) + ["0"] for pair in YARD_PAIRS]
+        def within(distance, *options):
+            text, _ = self.succeed("check", "--within", distance, "--format", "csv", *options, scene)
+            rows = list(csv.reader(io.StringIO(text)))
+            self.assertEqual(rows[0], ["a", "b", "relation", "distance"])
+            return rows[1:]
+        self.assertEqual(within("0"), touching)
+        self.assertEqual(within("5.499"), touching)
+        self.assertEqual(within("5.5"), touching + [["crate", "lamp", "apart", "5.5"]])
+        everything = within("1e9")
+        self.assertEqual([row[:2] for row in everything], [["ground", "crate"], ["ground", "ball"], ["ground", "lamp"],
+                                                           ["crate", "ball"], ["crate", "lamp"], ["ball", "lamp"]])
+        self.assertEqual(everything[2][2:], ["apart", "7.5"])
+        self.assertAlmostEqual(float(everything[5][3]), (2.5**2 + 7**2) ** 0.5 - 1.5, places=12)
+        (_, _, _, near) = json.loads(self.succeed("check", "--within", "5.75", "--format", "json", scene)[0])["pairs"]
+        self.assertEqual(near, {"a": "crate", "b": "lamp", "relation": "apart", "distance": 5.5})
+        self.assertIn("crate   lamp   apart        5.5\n", self.succeed("check", "--within", "5.75", scene)[0])
+
+    def test_a_clearance_is_a_failure_when_asked(self):
+        apart = self.write("apart.json", YARD | {"objects": YARD["objects"][1::2]})  # crate and lamp
+        self.succeed("check", "--fail-on-contact", "--within", "5", apart)
+        self.succeed("check", "--fail-on-contact", "--within", "6", apart, code=1)
+
+    def test_a_clearance_that_is_none_and_reports_that_exclude_each_other_are_refused(self):
+        scene = self.yard()
+        self.refused("check", "--within", "-1", scene, code=2, says="--within -1 is no distance; it must be 0 or more")
+        self.refused("check", "--within", "inf", scene, code=2, says="it must be 0 or more")
+        self.refused("check", "--within", "near", scene, code=2, says="--within")
+        self.refused("check", "--within", "1", "--contacts", scene, code=2, says="give one of the two")
+        self.refused("check", "--within", "1", "--interior", scene, code=2, says="give one of the two")
+
     def test_contact_is_a_failure_only_when_asked(self):
         scene = self.yard()
         apart = self.write("apart.json", YARD | {"objects": YARD["objects"][2:]})

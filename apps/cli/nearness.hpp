@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// How near two shapes of a scene are to each other: compiled by itself, because distance(AnyShape, AnyShape) meets
+// every pair of types.
+#pragma once
+
+#include <graze/math/vec.hpp>
+#include <graze/query/relation.hpp>
+#include <graze/shape/any_shape.hpp>
+
+namespace graze::cli {
+
+/// The distance is 0 if and only if the shapes are not apart.
+struct Nearness {
+  Relation relation = Relation::apart;
+  double distance = 0;
+};
+
+template <Dim N>
+Nearness nearness_of(const AnyShape<N, double>& a, const AnyShape<N, double>& b);
+
+extern template Nearness nearness_of<2>(const AnyShape<2, double>&, const AnyShape<2, double>&);
+extern template Nearness nearness_of<3>(const AnyShape<3, double>&, const AnyShape<3, double>&);
+
+}  // namespace graze::cli

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// Where the objects of a scene touch, against asking for the manifold of every two of them.
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <graze/broad/executor.hpp>
+#include <graze/scene/manifolds.hpp>
+#include <graze/scene/scene.hpp>
+
+#include "catalogue.hpp"
+
+namespace graze {
+namespace {
+
+using World = Scene<2, double>;
+using Box = Aabb<2, double>;
+using V2 = Vec<2, double>;
+using Pairs = std::vector<ObjectPair>;
+
+TEST(SceneContacts, SayHowDeepAndWhereFromTheFirstToTheSecond) {
+  World scene;
+  const ObjectId floor = scene.add(HalfSpace<2, double>{{0, 1}, 0}, {.mobility = Mobility::fixed});
+  const ObjectId crate = scene.add(Box{{1, -0.25}, {3, 2}});
+  const ObjectId ball = scene.add(Sphere<2, double>{{3.5, 1}, 1});
+  scene.add(Sphere<2, double>{{9, 9}, 1});
+  const std::vector<ObjectContact<2, double>> contacts = scene.contacts();
+  ASSERT_EQ(contacts.size(), 3U);
+  EXPECT_EQ(contacts[0].pair, (ObjectPair{floor, crate}));
+  EXPECT_EQ(contacts[0].manifold.normal, V2(0, 1));
+  ASSERT_EQ(contacts[0].manifold.size, 2U);
+  for (const ManifoldPoint<2, double>& corner : contacts[0].manifold.contacts()) EXPECT_EQ(corner.depth, 0.25);
+  EXPECT_NE(contacts[0].manifold.points[0].id, contacts[0].manifold.points[1].id);
+  EXPECT_EQ(contacts[1].pair, (ObjectPair{floor, ball}));
+  EXPECT_EQ(contacts[1].manifold.points[0].depth, 0);
+  EXPECT_EQ(contacts[1].manifold.points[0].point, V2(3.5, 0));
+  EXPECT_EQ(contacts[2].pair, (ObjectPair{crate, ball}));
+  EXPECT_EQ(contacts[2].manifold.normal, V2(1, 0));
+  EXPECT_EQ(contacts[2].manifold.points[0].depth, 0.5);
+}
+
+TEST(SceneContacts, KeepTheirIdsWhileThingsLieOnEachOther) {
+  World scene;
+  scene.add(Box{{0, 0}, {9, 1}});
+  const ObjectId crate = scene.add(Box{{1, 0.875}, {3, 2}});
+  const auto ids_of = [&scene] {
+    std::vector<ContactId> ids;
+    const std::vector<ObjectContact<2, double>> contacts = scene.contacts();
+    for (const auto& point : contacts.at(0).manifold.contacts()) ids.push_back(point.id);
+    return ids;
+  };
+  const std::vector<ContactId> before = ids_of();
+  scene.move(crate, Box{{4, 0.75}, {6, 2}});
+  EXPECT_EQ(before.size(), 2U);
+  EXPECT_EQ(ids_of(), before);
+}
+
+TEST(SceneContacts, OfASnapshotStayWhileTheSceneMovesOn) {
+  World scene;
+  const ObjectId a = scene.add(Box{{0, 0}, {2, 2}});
+  const ObjectId b = scene.add(Box{{1, 0}, {3, 2}});
+  scene.update();
+  const auto snapshot = scene.snapshot();
+  const auto before = scene.contacts();
+  scene.move(b, Box{{9, 0}, {11, 2}});
+  EXPECT_TRUE(scene.contacts().empty());
+  EXPECT_EQ(snapshot->contacts(), before);
+  EXPECT_EQ(before.at(0).pair, (ObjectPair{a, b}));
+}
+
+TEST(SceneContacts, AreNoneWhereMasksForbidTouching) {
+  World scene;
+  scene.add(Box{}, {.layer = 1, .mask = only_layer(2)});
+  scene.add(Box{}, {.layer = 1});
+  EXPECT_TRUE(scene.contacts().empty());
+  EXPECT_TRUE(World().contacts().empty());
+}
+
+TEST(SceneContacts, CandidatesWithAMarginReachFarther) {
+  World scene;
+  const ObjectId a = scene.add(Box{{0, 0}, {1, 1}});
+  const ObjectId b = scene.add(Box{{1.5, 0}, {2, 1}});
+  const ObjectId c = scene.add(Box{{0, 3}, {1, 4}});
+  EXPECT_EQ(scene.candidates(), Pairs{});
+  EXPECT_EQ(scene.candidates(0.49), Pairs{});
+  EXPECT_EQ(scene.candidates(0.5), (Pairs{{a, b}}));
+  EXPECT_EQ(scene.candidates(2), (Pairs{{a, b}, {a, c}, {b, c}}));
+  for (const double bad : {-1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(scene.candidates(bad), std::invalid_argument);
+  }
+}
+
+template <Dim N, class T>
+void check_against_every_pair() {
+  const auto shapes = *test::some<AnyShape<N, T>>(12, test::any_shape<N, T>());
+  Scene<N, T> scene;
+  for (const AnyShape<N, T>& shape : shapes) scene.add(shape);
+  for (const AnyShape<N, T>& shape : shapes) RC_LOG() << test::to_source<N, T>(shape) << "\n";
+  std::vector<ObjectContact<N, T>> expected;
+  const std::vector<ObjectId> ids = scene.ids();
+  for (std::size_t a = 0; a < ids.size(); ++a) {
+    for (std::size_t b = a + 1; b < ids.size(); ++b) {
+      const Manifold<N, T> found = manifold(shapes[a], shapes[b]);
+      if (found.size > 0) expected.push_back({{ids[a], ids[b]}, found});
+    }
+  }
+  RC_ASSERT(scene.contacts() == expected);
+  RC_ASSERT(scene.contacts(serial_executor()) == expected);
+}
+
+RC_GTEST_PROP(SceneContacts, AreTheManifoldsOfAllPairs2f, ()) { check_against_every_pair<2, float>(); }
+RC_GTEST_PROP(SceneContacts, AreTheManifoldsOfAllPairs3f, ()) { check_against_every_pair<3, float>(); }
+RC_GTEST_PROP(SceneContacts, AreTheManifoldsOfAllPairs2d, ()) { check_against_every_pair<2, double>(); }
+RC_GTEST_PROP(SceneContacts, AreTheManifoldsOfAllPairs3d, ()) { check_against_every_pair<3, double>(); }
+
+/// No two boxes that are as near as the margin along every axis are missed, however large the margin is for them.
+RC_GTEST_PROP(SceneContacts, CandidatesMissNoBoxesWithinTheMargin, ()) {
+  const auto shapes =
+      *test::some<AnyShape<2, float>>(8, test::any_shape_at<2, float>(test::shape_index<Aabb<2, float>>));
+  Scene<2, float> scene;
+  for (const AnyShape<2, float>& shape : shapes) scene.add(shape);
+  const std::vector<ObjectId> ids = scene.ids();
+  for (std::size_t a = 0; a < ids.size(); ++a) {
+    for (std::size_t b = a + 1; b < ids.size(); ++b) {
+      const Aabb<2, float>& first = scene.object(ids[a]).box;
+      const Aabb<2, float>& second = scene.object(ids[b]).box;
+      double margin = 0;
+      for (Dim i = 0; i < 2; ++i) {
+        margin = std::max(margin, static_cast<double>(first.min[i]) - static_cast<double>(second.max[i]));
+        margin = std::max(margin, static_cast<double>(second.min[i]) - static_cast<double>(first.max[i]));
+      }
+      RC_LOG() << first << " " << second << "\n";
+      const Pairs found = scene.candidates(margin);
+      RC_ASSERT(std::find(found.begin(), found.end(), ObjectPair{ids[a], ids[b]}) != found.end());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace graze
