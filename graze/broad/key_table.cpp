@@ -3,6 +3,7 @@
 #include <atomic>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <graze/broad/key_table.hpp>
 
@@ -52,6 +53,43 @@ void KeyTable::release(std::uint32_t slot) noexcept {
   --size_;
   ++changes_;
   if (++generations_[slot] != 0) free_.push_back(slot);
+}
+
+void KeyTable::plan(std::span<const Key> next, std::span<const Key> free) {
+  if (!generations_.empty()) throw std::logic_error("SpatialIndex: keys are planned before anything is inserted");
+  const std::size_t places = next.size() + free.size();
+  if (places > most_) throw std::length_error("SpatialIndex: more keys are planned than it holds");
+  std::vector<std::uint32_t> generations(places);
+  std::vector<bool> is_named(places, false);
+  const auto enter = [&](const Key& key, unsigned last_bit, std::uint32_t generation) {
+    if (key.index >= places || is_named[key.index] || (key.generation & 1U) != last_bit) {
+      throw std::invalid_argument("SpatialIndex: the key (index " + std::to_string(key.index) + ", generation " +
+                                  std::to_string(key.generation) + ") cannot be planned");
+    }
+    is_named[key.index] = true;
+    generations[key.index] = generation;
+  };
+  for (const Key& key : free) enter(key, 0, key.generation);
+  for (const Key& key : next) enter(key, 1, key.generation - 1);
+  std::vector<std::uint32_t> stack;
+  stack.reserve(generations.capacity());
+  for (const Key& key : free) {
+    if (key.generation != 0) stack.push_back(key.index);
+  }
+  for (std::size_t i = next.size(); i-- > 0;) stack.push_back(next[i].index);
+  generations_ = std::move(generations);
+  free_ = std::move(stack);
+}
+
+std::vector<Key> KeyTable::free_keys() const {
+  std::vector<bool> is_listed(generations_.size(), false);
+  for (const std::uint32_t slot : free_) is_listed[slot] = true;
+  std::vector<Key> keys;
+  for (std::uint32_t slot = 0; slot < slots(); ++slot) {
+    if (!is_taken(slot) && !is_listed[slot]) keys.push_back(key_of(slot));  // used up
+  }
+  for (const std::uint32_t slot : free_) keys.push_back(key_of(slot));
+  return keys;
 }
 
 std::uint32_t KeyTable::slot_of(const Key& key) const {

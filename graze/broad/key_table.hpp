@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace graze {
@@ -36,6 +37,15 @@ class KeyTable {
 
   /// Frees a slot that is taken. A slot whose generations are used up is never taken again.
   void release(std::uint32_t slot) noexcept;
+
+  /// For a table that never held anything: it comes to be as if the keys `next`, in this order, were the next that
+  /// `take` gives, and then places that became free, used again from the back. Of a free one the generation is even,
+  /// and zero where all are used up. Owners do not count. Throws std::logic_error when the table is not new;
+  /// std::invalid_argument unless the places are the first ones, each once, and generations are odd and even.
+  void plan(std::span<const Key> next, std::span<const Key> free);
+
+  /// The places that are free, as `plan` takes them.
+  std::vector<Key> free_keys() const;
 
   /// Whether `prepare` would throw that it is full.
   bool is_full() const { return free_.empty() && generations_.size() == most_; }

@@ -234,6 +234,8 @@ double JsonValue::number() const {
 
 std::uint64_t JsonValue::whole() const { return document_->nodes_[index_].payload; }
 
+bool JsonValue::boolean() const { return document_->nodes_[index_].payload != 0; }
+
 std::string_view JsonValue::text() const { return document_->text_of(document_->nodes_[index_]); }
 
 std::size_t JsonValue::size() const { return document_->nodes_[index_].size; }

@@ -38,6 +38,8 @@ class JsonValue {
   double number() const;
   /// The value of a `whole`.
   std::uint64_t whole() const;
+  /// The value of a `boolean`.
+  bool boolean() const;
   /// The value of a `text`.
   std::string_view text() const;
 

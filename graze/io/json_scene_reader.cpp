@@ -14,6 +14,7 @@
 #include <graze/io/in_quotes.hpp>
 #include <graze/io/json_document.hpp>
 #include <graze/io/json_fields.hpp>
+#include <graze/io/json_ids.hpp>
 #include <graze/io/json_scene.hpp>
 #include <graze/io/json_shape_reader.hpp>
 #include <graze/io/suggestion.hpp>
@@ -21,8 +22,9 @@
 namespace graze::io {
 namespace {
 
-constexpr std::array<std::string_view, 5> scene_fields = {"schema", "dimension", "y_axis", "layers", "objects"};
-constexpr std::array<std::string_view, 4> object_fields = {"name", "layer", "mask", "user"};
+constexpr std::array<std::string_view, 6> scene_fields = {"schema", "dimension",  "y_axis",
+                                                          "layers", "vacant_ids", "objects"};
+constexpr std::array<std::string_view, 6> object_fields = {"id", "name", "layer", "mask", "fixed", "user"};
 
 /// The layer of objects that name none in a file where others do.
 constexpr std::string_view default_layer = "default";
@@ -71,6 +73,12 @@ YAxis read_y_axis(const JsonFields& scene, Dim dimension) {
   throw scene.error("y_axis", fmt::format("is {}; it must be \"up\" or \"down\"", in_quotes(direction)));
 }
 
+bool read_flag(JsonValue value, const JsonFieldName& name, const JsonPlace& place) {
+  if (value.kind() == JsonKind::boolean) return value.boolean();
+  throw place.error(value.offset(),
+                    fmt::format("\"{}\" is {}; it must be true or false", name.name, kind_name(value.kind())));
+}
+
 /// Reads the objects of one file into a scene.
 template <Dim N>
 class ObjectReader {
@@ -78,6 +86,8 @@ class ObjectReader {
   explicit ObjectReader(const JsonFields& scene) : document_place_(scene.place()), objects_(scene.array("objects")) {
     read_layers(scene);
     collect_names();
+    const SavedIds ids = read_saved_ids(scene);
+    if (!ids.next.empty() || !ids.vacant.empty()) scene_.plan_ids(ids.next, ids.vacant);
   }
 
   Scene<N, double> read() {
@@ -157,6 +167,9 @@ class ObjectReader {
       options.layer = layer_number(object, default_layer, place);
     }
     if (const auto mask = object.find("mask")) options.mask = read_mask(*mask, place);
+    if (const auto fixed = object.find("fixed"); fixed && read_flag(*fixed, {"fixed"}, place)) {
+      options.mobility = Mobility::fixed;
+    }
     if (const auto user = object.find("user")) options.user = read_whole(*user, {"user"}, place);
     return options;
   }

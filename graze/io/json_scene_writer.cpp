@@ -72,9 +72,21 @@ std::vector<std::string> names_in_mask(LayerMask mask, const std::vector<std::st
   return names;
 }
 
+std::string json_id(const ObjectId& id) { return fmt::format("[{}, {}]", id.index, id.generation); }
+
+/// Whether the ids are not those that reading gives anyway: of first generation, in the order of objects.
 template <Dim N>
-void append_object(std::string& out, const Object<N, double>& object, const std::vector<std::string>& layers) {
-  out += "    {";
+bool has_ids_of_its_own(const Scene<N, double>& scene) {
+  if (!scene.vacant_ids().empty()) return true;
+  const std::vector<ObjectId> ids = scene.ids();
+  return std::any_of(ids.begin(), ids.end(), [](const ObjectId& id) { return id.generation != 1; });
+}
+
+/// An object as a line. `id` is empty or its id with a comma.
+template <Dim N>
+void append_object(std::string& out, const std::string& id, const Object<N, double>& object,
+                   const std::vector<std::string>& layers) {
+  out += "    {" + id;
   if (!object.name.empty()) out += "\"name\": " + json_string(object.name) + ", ";
   try {
     append_json_shape<N>(out, object.shape);
@@ -83,6 +95,7 @@ void append_object(std::string& out, const Object<N, double>& object, const std:
   }
   if (!layers.empty()) out += ", \"layer\": " + json_string(layers[object.layer]);
   if (object.mask != all_layers) out += ", \"mask\": " + json_strings(names_in_mask(object.mask, layers));
+  if (object.mobility == Mobility::fixed) out += ", \"fixed\": true";
   if (object.user != 0) fmt::format_to(std::back_inserter(out), ", \"user\": {}", object.user);
   out += '}';
 }
@@ -94,12 +107,18 @@ void write(std::ostream& out, const Scene<N, double>& scene, YAxis y_axis) {
   std::string text = fmt::format("{{\n  \"schema\": \"{}\",\n  \"dimension\": {},\n", json_scene_schema, N);
   if (N == 2 && y_axis == YAxis::down) text += "  \"y_axis\": \"down\",\n";
   if (!layers.empty()) text += "  \"layers\": " + json_strings(layers) + ",\n";
+  const bool with_ids = has_ids_of_its_own(scene);
+  if (const std::vector<ObjectId> vacant = scene.vacant_ids(); !vacant.empty()) {
+    text += "  \"vacant_ids\": [";
+    for (const ObjectId& id : vacant) text += (id == vacant.front() ? "" : ", ") + json_id(id);
+    text += "],\n";
+  }
   text += "  \"objects\": [";
   bool first = true;
   for (const ObjectId id : scene.ids()) {
     text += first ? "\n" : ",\n";
     first = false;
-    append_object(text, scene.object(id), layers);
+    append_object(text, with_ids ? "\"id\": " + json_id(id) + ", " : "", scene.object(id), layers);
     if (text.size() < chunk) continue;
     out << text;
     text.clear();

@@ -66,6 +66,17 @@ ObjectId Scene<N, T>::add(AnyShape<N, T> shape, ObjectOptions options) {
 }
 
 template <Dim N, class T>
+void Scene<N, T>::plan_ids(std::span<const ObjectId> next, std::span<const ObjectId> vacant) {
+  const auto keys = [](std::span<const ObjectId> ids) {
+    std::vector<Key> result;
+    result.reserve(ids.size());
+    for (const ObjectId& id : ids) result.push_back({id.index, id.generation, id.owner});
+    return result;
+  };
+  ids_.plan(keys(next), keys(vacant));
+}
+
+template <Dim N, class T>
 void Scene<N, T>::move(ObjectId id, AnyShape<N, T> shape) {
   require_valid(shape, this->object(id).name);
   const Aabb<N, T> box = bounds(shape);

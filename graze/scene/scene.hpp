@@ -36,6 +36,12 @@ class Scene : public SceneView<N, T> {
   /// the name is taken or the layer is not below `max_layers`; std::length_error beyond `max_objects`.
   ObjectId add(AnyShape<N, T> shape, ObjectOptions options = {});
 
+  /// Makes a scene go on as a saved one did, whose ids have then a meaning here: the objects added next get the indexes
+  /// and generations of `next` in this order, and then the places of removed objects are used again as `vacant` says
+  /// (see SceneView::vacant_ids). Throws std::logic_error when an object was ever added; std::invalid_argument unless
+  /// the indexes are 0, 1, ..., each once, and generations odd in `next` and even in `vacant`.
+  void plan_ids(std::span<const ObjectId> next, std::span<const ObjectId> vacant);
+
   /// Replaces an object's shape. Throws like `add` and `object`.
   void move(ObjectId id, AnyShape<N, T> shape);
 

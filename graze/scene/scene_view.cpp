@@ -67,6 +67,20 @@ std::optional<ObjectId> SceneView<N, T>::find(std::string_view name) const {
 }
 
 template <Dim N, class T>
+std::optional<ObjectId> SceneView<N, T>::find(std::uint32_t index, std::uint32_t generation) const {
+  const ObjectId id{index, generation, ids_.owner()};
+  if (!contains(id)) return std::nullopt;
+  return id;
+}
+
+template <Dim N, class T>
+std::vector<ObjectId> SceneView<N, T>::vacant_ids() const {
+  std::vector<ObjectId> result;
+  for (const Key& key : ids_.free_keys()) result.push_back({key.index, key.generation, key.owner});
+  return result;
+}
+
+template <Dim N, class T>
 std::vector<ObjectId> SceneView<N, T>::ids() const {
   std::vector<ObjectId> result;
   result.reserve(size());

@@ -70,6 +70,13 @@ class SceneView {
   /// The object of that name, if there is one. Empty names are not found.
   std::optional<ObjectId> find(std::string_view name) const;
 
+  /// The object of this index and generation, by which a saved scene knows it, if it lives.
+  std::optional<ObjectId> find(std::uint32_t index, std::uint32_t generation) const;
+
+  /// The places of removed objects: their index, and a generation that is even. They are used again from the back, but
+  /// for those of generation 0, which are used up.
+  std::vector<ObjectId> vacant_ids() const;
+
   /// All ids, ascending: in the order of adding while nothing is removed.
   std::vector<ObjectId> ids() const;
 

@@ -3,6 +3,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -74,6 +75,63 @@ TEST(KeyTable, CountsChanges) {
   table.count_change();
   table.release(0);
   EXPECT_EQ(table.changes(), 3U);
+}
+
+TEST(KeyTable, GoesOnAsAnotherDidIfThatIsPlanned) {
+  KeyTable table;
+  for (int k = 0; k < 5; ++k) take(table);
+  table.release(1);
+  table.release(3);
+  EXPECT_EQ(take(table).index, 3U);
+  table.release(0);
+  const std::vector<Key> free = table.free_keys();
+  std::vector<Key> taken;
+  for (std::uint32_t slot = 0; slot < table.slots(); ++slot) {
+    if (table.is_taken(slot)) taken.push_back(table.key_of(slot));
+  }
+  KeyTable copy;
+  copy.plan(taken, free);
+  EXPECT_EQ(copy.size(), 0U);
+  for (const Key& key : taken) {
+    EXPECT_FALSE(copy.contains({key.index, key.generation, copy.owner()}));
+    EXPECT_EQ(copy.prepare(), key.index);
+    EXPECT_EQ(copy.take(), (Key{key.index, key.generation, copy.owner()}));
+  }
+  EXPECT_EQ(copy.size(), table.size());
+  for (int k = 0; k < 4; ++k) {
+    const Key key = take(table);
+    const Key same = take(copy);
+    EXPECT_EQ(same.index, key.index);
+    EXPECT_EQ(same.generation, key.generation);
+  }
+}
+
+TEST(KeyTable, ReleasesWhatWasPlannedAsEverythingElse) {
+  KeyTable table;
+  const std::vector<Key> next = {{2, 7, 0}, {0, 1, 0}};
+  const std::vector<Key> free = {{1, 0, 0}};  // used up
+  table.plan(next, free);
+  take(table);
+  take(table);
+  for (const std::uint32_t slot : {2U, 0U}) table.release(slot);
+  EXPECT_EQ(table.free_keys(), (std::vector<Key>{{1, 0, table.owner()}, {2, 8, table.owner()}, {0, 2, table.owner()}}));
+  EXPECT_EQ(take(table), (Key{0, 3, table.owner()}));
+  EXPECT_EQ(take(table), (Key{2, 9, table.owner()}));
+  EXPECT_EQ(take(table).index, 3U);  // and never 1
+}
+
+TEST(KeyTable, RefusesAPlanThatIsNone) {
+  const auto plan = [](std::vector<Key> next, std::vector<Key> free) { KeyTable().plan(next, free); };
+  EXPECT_NO_THROW(plan({{0, 1, 0}}, {{1, 2, 0}}));
+  EXPECT_THROW(plan({{0, 1, 0}, {0, 3, 0}}, {}), std::invalid_argument);  // twice
+  EXPECT_THROW(plan({{0, 1, 0}}, {{0, 2, 0}}), std::invalid_argument);    // taken and free
+  EXPECT_THROW(plan({{1, 1, 0}}, {}), std::invalid_argument);             // nobody has 0
+  EXPECT_THROW(plan({{0, 2, 0}}, {}), std::invalid_argument);
+  EXPECT_THROW(plan({}, {{0, 1, 0}}), std::invalid_argument);
+  KeyTable used;
+  take(used);
+  used.release(0);
+  EXPECT_THROW(used.plan({}, {}), std::logic_error);
 }
 
 }  // namespace

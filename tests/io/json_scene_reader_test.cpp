@@ -169,6 +169,16 @@ TEST(JsonSceneReader, WrongObjectFieldsAreNamed) {
   }
 }
 
+TEST(JsonSceneReader, WhatIsFixedIsNoPairWithWhatIsFixed) {
+  const Scene2 scene = read_2d(
+      scene_2d("{" + dot + R"(, "fixed": true}, {)" + dot + R"(, "fixed": true}, {)" + dot + R"(, "fixed": false})"));
+  EXPECT_EQ(scene.object(scene.ids()[0]).mobility, Mobility::fixed);
+  EXPECT_EQ(scene.object(scene.ids()[2]).mobility, Mobility::moving);
+  EXPECT_EQ(scene.pairs().size(), 2U);
+  EXPECT_EQ(refusal(scene_2d("{" + dot + R"(, "fixed": 1})")),
+            "a.json: line 1, column 104: object 0: \"fixed\" is a number; it must be true or false");
+}
+
 TEST(JsonSceneReader, ThePlaceOfAMistakeIsCountedInTheWholeFile) {
   EXPECT_EQ(refusal("{\"schema\": \"graze.scene/1\",\n\"dimension\": 2, \"objects\": [\n" + ("{" + dot + "},\n") +
                     R"({"name": "ball", "type": "sphere", "center": [1, 2], "raduis": 2}]})"),
@@ -179,12 +189,13 @@ TEST(JsonSceneReader, TheJsonSchemaHasTheSameFieldsAroundTheShapes) {
   const auto schema = nlohmann::json::parse(text_of(project_file("data/scene.schema.json")));
   std::vector<std::string> document_fields;
   for (const auto& entry : schema.at("properties").items()) document_fields.push_back(entry.key());
-  EXPECT_EQ(document_fields, (std::vector<std::string>{"dimension", "layers", "objects", "schema", "y_axis"}));
+  EXPECT_EQ(document_fields,
+            (std::vector<std::string>{"dimension", "layers", "objects", "schema", "vacant_ids", "y_axis"}));
   std::vector<std::string> object_fields;
   for (const auto& entry : schema.at("$defs").at("object_options").at("properties").items()) {
     object_fields.push_back(entry.key());
   }
-  EXPECT_EQ(object_fields, (std::vector<std::string>{"layer", "mask", "name", "user"}));
+  EXPECT_EQ(object_fields, (std::vector<std::string>{"fixed", "id", "layer", "mask", "name", "user"}));
   EXPECT_EQ(schema.at("properties").at("schema").at("const"), json_scene_schema);
   EXPECT_EQ(schema.at("properties").at("layers").at("maxItems"), max_layers);
 }
