@@ -26,6 +26,7 @@ struct Command {
 /// Each adds its subcommand to the program.
 Command add_check(CLI::App& program);
 Command add_query(CLI::App& program);
+Command add_simulate(CLI::App& program);
 Command add_info(CLI::App& program);
 Command add_convert(CLI::App& program);
 Command add_bench(CLI::App& program);

@@ -65,8 +65,9 @@ ExitCode run(int argc, const char* const* argv) {
   program.set_help_flag("-h,--help", "Print this help and exit");
   program.set_version_flag("--version", "graze " GRAZE_VERSION, "Print the version and exit");
   program.footer(footer);
-  const std::array<Command, 6> commands{add_check(program),   add_query(program), add_info(program),
-                                        add_convert(program), add_bench(program), add_generate(program)};
+  const std::array<Command, 7> commands{add_check(program),   add_query(program),   add_simulate(program),
+                                        add_info(program),    add_convert(program), add_bench(program),
+                                        add_generate(program)};
   for (const Command& command : commands) command.app->group("Commands");
   try {
     program.parse(argc, argv);

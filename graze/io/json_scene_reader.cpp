@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::array<std::string_view, 6> scene_fields = {"schema", "dimension",  "y_axis",
                                                           "layers", "vacant_ids", "objects"};
-constexpr std::array<std::string_view, 6> object_fields = {"id", "name", "layer", "mask", "fixed", "user"};
+constexpr std::array<std::string_view, 7> object_fields = {"id", "name", "layer", "mask", "fixed", "user", "velocity"};
 
 /// The layer of objects that name none in a file where others do.
 constexpr std::string_view default_layer = "default";
@@ -90,9 +90,11 @@ class ObjectReader {
     if (!ids.next.empty() || !ids.vacant.empty()) scene_.plan_ids(ids.next, ids.vacant);
   }
 
-  Scene<N, double> read() {
+  /// Gives the scene and leaves the velocities, which no scene has.
+  AnyScene read(std::vector<ObjectVelocity>& velocities) {
     std::size_t index = 0;
     for (const JsonValue object : objects_.items()) add(object, index++);
+    velocities = std::move(velocities_);
     return std::move(scene_);
   }
 
@@ -152,7 +154,12 @@ class ObjectReader {
     ObjectOptions options = read_options(object, place);
     if (options.name.empty()) options.name = name_for_unnamed(index);
     try {
-      scene_.add(std::move(shape), std::move(options));
+      const ObjectId id = scene_.add(std::move(shape), std::move(options));
+      if (const auto velocity = object.find("velocity")) {
+        const Vec<N, double> read = read_vector<N>(*velocity, {"velocity"}, place);
+        Vec<3, double>& kept = velocities_.emplace_back(ObjectVelocity{id, Vec<3, double>(0)}).velocity;
+        for (Dim i = 0; i < N; ++i) kept[i] = read[i];
+      }
     } catch (const std::invalid_argument& refusal) {
       throw place.error(object.offset(), refusal.what());
     }
@@ -205,6 +212,7 @@ class ObjectReader {
   const JsonPlace& document_place_;
   JsonValue objects_;
   Scene<N, double> scene_;
+  std::vector<ObjectVelocity> velocities_;
   std::unordered_map<std::string_view, std::size_t> index_by_name_;
   bool uses_layers_ = false;
   bool layers_are_listed_ = false;
@@ -223,11 +231,9 @@ SceneFile read_json_scene(const JsonDocument& document) {
   scene.allow_only(scene_fields);
   const Dim dimension = read_dimension(scene);
   const YAxis y_axis = read_y_axis(scene, dimension);
-  const auto objects = [&]() -> AnyScene {
-    if (dimension == 2) return ObjectReader<2>(scene).read();
-    return ObjectReader<3>(scene).read();
-  };
-  return {objects(), document.source(), std::string(json_scene_schema), y_axis, {}};
+  std::vector<ObjectVelocity> velocities;
+  AnyScene objects = dimension == 2 ? ObjectReader<2>(scene).read(velocities) : ObjectReader<3>(scene).read(velocities);
+  return {std::move(objects), document.source(), std::string(json_scene_schema), y_axis, {}, std::move(velocities)};
 }
 
 SceneFile parse_json_scene(std::string_view text, const std::string& source) {

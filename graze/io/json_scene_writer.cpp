@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <bit>
+#include <cstdint>
 #include <iterator>
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -82,11 +84,23 @@ bool has_ids_of_its_own(const Scene<N, double>& scene) {
   return std::any_of(ids.begin(), ids.end(), [](const ObjectId& id) { return id.generation != 1; });
 }
 
-/// An object as a line. `id` is empty or its id with a comma.
 template <Dim N>
-void append_object(std::string& out, const std::string& id, const Object<N, double>& object,
+std::string json_velocity(const Vec<3, double>& velocity) {
+  std::string text = ", \"velocity\": [";
+  for (Dim i = 0; i < N; ++i) text += (i > 0 ? ", " : "") + fmt::format("{}", velocity[i] + 0.0);  // never minus zero
+  return text + ']';
+}
+
+/// What a file says of an object that a scene does not: the fields before and after the others, with their commas.
+struct Around {
+  std::string before;
+  std::string after;
+};
+
+template <Dim N>
+void append_object(std::string& out, const Around& around, const Object<N, double>& object,
                    const std::vector<std::string>& layers) {
-  out += "    {" + id;
+  out += "    {" + around.before;
   if (!object.name.empty()) out += "\"name\": " + json_string(object.name) + ", ";
   try {
     append_json_shape<N>(out, object.shape);
@@ -97,15 +111,15 @@ void append_object(std::string& out, const std::string& id, const Object<N, doub
   if (object.mask != all_layers) out += ", \"mask\": " + json_strings(names_in_mask(object.mask, layers));
   if (object.mobility == Mobility::fixed) out += ", \"fixed\": true";
   if (object.user != 0) fmt::format_to(std::back_inserter(out), ", \"user\": {}", object.user);
-  out += '}';
+  out += around.after + '}';
 }
 
 template <Dim N>
-void write(std::ostream& out, const Scene<N, double>& scene, YAxis y_axis) {
+void write(std::ostream& out, const Scene<N, double>& scene, const SceneFile& file) {
   constexpr std::size_t chunk = 1U << 16U;
   const std::vector<std::string> layers = names_of_layers(scene);
   std::string text = fmt::format("{{\n  \"schema\": \"{}\",\n  \"dimension\": {},\n", json_scene_schema, N);
-  if (N == 2 && y_axis == YAxis::down) text += "  \"y_axis\": \"down\",\n";
+  if (N == 2 && file.y_axis == YAxis::down) text += "  \"y_axis\": \"down\",\n";
   if (!layers.empty()) text += "  \"layers\": " + json_strings(layers) + ",\n";
   const bool with_ids = has_ids_of_its_own(scene);
   if (const std::vector<ObjectId> vacant = scene.vacant_ids(); !vacant.empty()) {
@@ -113,12 +127,17 @@ void write(std::ostream& out, const Scene<N, double>& scene, YAxis y_axis) {
     for (const ObjectId& id : vacant) text += (id == vacant.front() ? "" : ", ") + json_id(id);
     text += "],\n";
   }
+  std::unordered_map<std::uint32_t, std::string> velocities;  // by the index of an id
+  for (const ObjectVelocity& each : file.velocities) velocities[each.id.index] = json_velocity<N>(each.velocity);
   text += "  \"objects\": [";
   bool first = true;
   for (const ObjectId id : scene.ids()) {
     text += first ? "\n" : ",\n";
     first = false;
-    append_object(text, with_ids ? "\"id\": " + json_id(id) + ", " : "", scene.object(id), layers);
+    Around around;
+    if (with_ids) around.before = "\"id\": " + json_id(id) + ", ";
+    if (const auto velocity = velocities.find(id.index); velocity != velocities.end()) around.after = velocity->second;
+    append_object(text, around, scene.object(id), layers);
     if (text.size() < chunk) continue;
     out << text;
     text.clear();
@@ -129,7 +148,7 @@ void write(std::ostream& out, const Scene<N, double>& scene, YAxis y_axis) {
 }  // namespace
 
 void write_json_scene(std::ostream& out, const SceneFile& file) {
-  std::visit([&](const auto& scene) { write(out, scene, file.y_axis); }, file.scene);
+  std::visit([&](const auto& scene) { write(out, scene, file); }, file.scene);
 }
 
 }  // namespace graze::io

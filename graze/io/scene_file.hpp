@@ -26,13 +26,20 @@ struct Omission {
 /// Which way y grows on a picture of a 2D scene.
 enum class YAxis { up, down };
 
+/// How an object moves, in units per second; z is 0 in 2D.
+struct ObjectVelocity {
+  ObjectId id;
+  Vec<3, double> velocity;
+};
+
 /// A scene with what a file says around it.
 struct SceneFile {
   AnyScene scene;
-  std::string source;               ///< The file's name as the user gave it, for messages and reports.
-  std::string format;               ///< "graze.scene/1", "csv", "tiled"
-  YAxis y_axis = YAxis::up;         ///< Tiled maps: down.
-  std::vector<Omission> omissions;  ///< In the order of first appearance.
+  std::string source;                           ///< The file's name as the user gave it, for messages and reports.
+  std::string format;                           ///< "graze.scene/1", "csv", "tiled"
+  YAxis y_axis = YAxis::up;                     ///< Tiled maps: down.
+  std::vector<Omission> omissions;              ///< In the order of first appearance.
+  std::vector<ObjectVelocity> velocities = {};  ///< Of the objects that have one.
 };
 
 /// Reads a scene file: our JSON, CSV of boxes, or a Tiled map in XML or JSON, told apart by content, not by name.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// transformed(shape, pose) for shapes that hold other shapes; simple shapes have it beside their definition.
+// transformed(shape, pose) for shapes that hold other shapes, which simple shapes have beside their definition; and
+// translated(shape, offset).
 #pragma once
 
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -27,6 +29,22 @@ Compound<N, T> transformed(const Compound<N, T>& compound, const Pose<N, T>& pos
 template <Dim N, class T>
 AnyShape<N, T> transformed(const AnyShape<N, T>& shape, const Pose<N, T>& pose) {
   return std::visit([&pose](const auto& held) -> AnyShape<N, T> { return transformed(held, pose); }, shape);
+}
+
+/// The image under a translation, which leaves a box along the axes what it is.
+template <Dim N, class T>
+AnyShape<N, T> translated(const AnyShape<N, T>& shape, const std::type_identity_t<Vec<N, T>>& offset) {
+  if (const auto* const box = std::get_if<Aabb<N, T>>(&shape)) {
+    const Vec<N, double> wide_offset = wide<N, T>(offset);
+    return Aabb<N, T>{Vec<N, T>(wide<N, T>(box->min) + wide_offset), Vec<N, T>(wide<N, T>(box->max) + wide_offset)};
+  }
+  if (const auto* const compound = std::get_if<Compound<N, T>>(&shape)) {
+    std::vector<AnyShape<N, T>> moved;
+    moved.reserve(compound->parts.size());
+    for (const Part<N, T>& part : compound->parts) moved.push_back(translated<N, T>(part.shape, offset));
+    return compound_of<N, T>(std::move(moved));
+  }
+  return transformed(shape, Pose<N, T>{.position = offset});
 }
 
 }  // namespace graze

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <sstream>
 #include <string>
 #include <utility>
 #include <variant>
@@ -179,6 +180,20 @@ TEST(JsonSceneReader, WhatIsFixedIsNoPairWithWhatIsFixed) {
             "a.json: line 1, column 104: object 0: \"fixed\" is a number; it must be true or false");
 }
 
+TEST(JsonSceneReader, VelocitiesComeBesideTheSceneAndAreWrittenAgain) {
+  const std::string text = scene_2d("{" + dot + "}, {" + dot + R"(, "velocity": [1, -2.5]})");
+  const SceneFile file = parse_json_scene(text, "a.json");
+  ASSERT_EQ(file.velocities.size(), 1U);
+  EXPECT_EQ(file.velocities[0].id, std::get<Scene2>(file.scene).ids()[1]);
+  EXPECT_EQ(file.velocities[0].velocity, (Vec<3, double>(1, -2.5, 0)));
+  std::ostringstream out;
+  write_json_scene(out, file);
+  EXPECT_NE(out.str().find(R"([0, 0], "velocity": [1, -2.5]})"), std::string::npos) << out.str();
+  EXPECT_EQ(parse_json_scene(out.str(), "b.json").velocities.size(), 1U);
+  EXPECT_NE(refusal(scene_2d("{" + dot + R"(, "velocity": [1]})")).find(R"("velocity" has 1 number)"),
+            std::string::npos);
+}
+
 TEST(JsonSceneReader, ThePlaceOfAMistakeIsCountedInTheWholeFile) {
   EXPECT_EQ(refusal("{\"schema\": \"graze.scene/1\",\n\"dimension\": 2, \"objects\": [\n" + ("{" + dot + "},\n") +
                     R"({"name": "ball", "type": "sphere", "center": [1, 2], "raduis": 2}]})"),
@@ -195,7 +210,7 @@ TEST(JsonSceneReader, TheJsonSchemaHasTheSameFieldsAroundTheShapes) {
   for (const auto& entry : schema.at("$defs").at("object_options").at("properties").items()) {
     object_fields.push_back(entry.key());
   }
-  EXPECT_EQ(object_fields, (std::vector<std::string>{"fixed", "id", "layer", "mask", "name", "user"}));
+  EXPECT_EQ(object_fields, (std::vector<std::string>{"fixed", "id", "layer", "mask", "name", "user", "velocity"}));
   EXPECT_EQ(schema.at("properties").at("schema").at("const"), json_scene_schema);
   EXPECT_EQ(schema.at("properties").at("layers").at("maxItems"), max_layers);
 }

@@ -149,5 +149,31 @@ TYPED_TEST(TransformedIn, KeepsTheBoxesOfACompoundAroundItsParts) {
   });
 }
 
+TEST(Transformed, ATranslationLeavesAnUprightBoxWhatItIs) {
+  const Vec<2, float> offset(10, -1);
+  const AnyShape<2, float> box = Rect<>{{0, 0}, {2, 4}};
+  EXPECT_EQ(test::to_source(translated(box, offset)), "Aabb<2, float>{{10, -1}, {12, 3}}");
+  const AnyShape<2, float> compound = compound_of<2, float>({box, Circle<>{{2, 0}, 1}});
+  const AnyShape<2, float> moved = translated(compound, offset);
+  const auto& parts = std::get<Compound<2, float>>(moved).parts;
+  EXPECT_EQ(test::to_source(parts[0].shape), "Aabb<2, float>{{10, -1}, {12, 3}}");
+  EXPECT_EQ(test::to_source(parts[1].shape), "Sphere<2, float>{{12, -1}, 1}");
+  EXPECT_EQ(parts[1].box, (Rect<>{{11, -2}, {13, 0}}));
+}
+
+TYPED_TEST(TransformedIn, ATranslationIsAPoseThatDoesNotTurn) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  test::check_property([] {
+    const AnyShape<N, T> shape = *test::any_shape<N, T>();
+    const Vec<N, T> offset = *test::any<Vec<N, T>>();
+    const AnyShape<N, T> moved = translated(shape, offset);
+    RC_ASSERT(moved.index() == shape.index());
+    if (std::holds_alternative<Aabb<N, T>>(shape) || std::holds_alternative<Compound<N, T>>(shape)) return;
+    RC_ASSERT(
+        (test::to_source<N, T>(moved) == test::to_source<N, T>(transformed(shape, Pose<N, T>{.position = offset}))));
+  });
+}
+
 }  // namespace
 }  // namespace graze::transformed_test

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <graze/io/frame_report.hpp>
+#include <graze/io/input_error.hpp>
+#include <graze/query/transformed.hpp>
+#include <graze/scene/scene.hpp>
+
+#include "command.hpp"
+#include "input.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "terminal.hpp"
+#include "usage.hpp"
+
+namespace graze::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// The command line as it was given.
+struct SimulateArguments {
+  std::string scene;
+  std::string output = "-";
+  std::optional<std::int64_t> frames;  // signed, so that a negative one is seen
+  double seconds_per_frame = 1.0 / 60;
+};
+
+void require_sensible(const SimulateArguments& arguments) {
+  if (!arguments.frames) throw UsageError("there is no --frames; say how many times the objects are to be moved");
+  if (*arguments.frames < 1) {
+    throw UsageError(fmt::format("--frames {} is no number of frames; it must be 1 or more", *arguments.frames));
+  }
+  if (!(arguments.seconds_per_frame > 0 && std::isfinite(arguments.seconds_per_frame))) {
+    throw UsageError(
+        fmt::format("--seconds-per-frame {} is no length of time; it must be above 0", arguments.seconds_per_frame));
+  }
+}
+
+/// What is told when all is done.
+struct Totals {
+  std::size_t began = 0;
+  std::size_t ended = 0;
+  double seconds = 0;  ///< To move and to find pairs, without reading and writing.
+};
+
+/// A scene whose objects move straight on.
+template <Dim N>
+class Simulation {
+ public:
+  Simulation(const Scene<N, double>& scene, const io::SceneFile& file, double seconds_per_frame)
+      : scene_(scene), source_(file.source), seconds_per_frame_(seconds_per_frame) {
+    for (const io::ObjectVelocity& each : file.velocities) {
+      movers_.push_back({each.id, scene.object(each.id).shape, each.velocity});
+    }
+  }
+
+  /// Where things are in a frame is calculated from where they were in frame 0, so that no rounding adds up.
+  io::FrameReport frame(std::size_t number) {
+    const Clock::time_point start = Clock::now();
+    const double seconds = static_cast<double>(number) * seconds_per_frame_;
+    if (number > 0) move_by(seconds, number);
+    const SceneEvents& events = scene_.update();
+    totals_.began += events.began.size();
+    totals_.ended += events.ended.size();
+    totals_.seconds += std::chrono::duration<double>(Clock::now() - start).count();
+    return {number, seconds, events.began.size() + events.stayed.size(), names(events.began), names(events.ended)};
+  }
+
+  const Totals& totals() const { return totals_; }
+
+ private:
+  struct Mover {
+    ObjectId id;
+    AnyShape<N, double> shape;  // in frame 0
+    Vec<3, double> velocity;
+  };
+
+  void move_by(double seconds, std::size_t number) {
+    std::vector<ObjectMove<N, double>> moves;
+    moves.reserve(movers_.size());
+    try {
+      for (const Mover& mover : movers_) {
+        Vec<N, double> offset;
+        for (Dim i = 0; i < N; ++i) offset[i] = mover.velocity[i] * seconds;
+        moves.push_back({mover.id, translated<N, double>(mover.shape, offset)});
+      }
+      scene_.move(moves);
+    } catch (const std::invalid_argument& refusal) {  // beyond all numbers
+      throw io::InputError(fmt::format("{}: in frame {}: {}", source_, number, refusal.what()));
+    }
+  }
+
+  std::vector<io::NamePair> names(const std::vector<ObjectPair>& pairs) const {
+    std::vector<io::NamePair> result;
+    result.reserve(pairs.size());
+    for (const ObjectPair& pair : pairs) result.emplace_back(scene_.object(pair.a).name, scene_.object(pair.b).name);
+    return result;
+  }
+
+  Scene<N, double> scene_;
+  std::string source_;
+  double seconds_per_frame_;
+  std::vector<Mover> movers_;
+  Totals totals_;
+};
+
+ExitCode run_simulate(const SimulateArguments& arguments) {
+  require_sensible(arguments);
+  Progress reading("reading the scene");
+  const io::SceneFile file = read_input(arguments.scene);
+  reading.stop();
+  say_omissions(file);
+
+  const auto frames = static_cast<std::size_t>(*arguments.frames);
+  Totals totals;
+  std::size_t objects = 0;
+  Progress progress("simulating");
+  write_output(arguments.output, [&](std::ostream& out) {
+    // Lines that come are progress enough.
+    if (is_standard_stream(arguments.output) && is_terminal(Stream::output)) progress.stop();
+    progress.begin("simulating", frames);
+    std::visit(
+        [&]<Dim N>(const Scene<N, double>& scene) {
+          Simulation<N> simulation(scene, file, arguments.seconds_per_frame);
+          for (std::size_t number = 0; number <= frames && out; ++number) {
+            io::write_frame(out, simulation.frame(number));
+            out.flush();
+            progress.advance(number);
+          }
+          totals = simulation.totals();
+          objects = scene.size();
+        },
+        file.scene);
+  });
+  progress.stop();
+  say(fmt::format("{} frames; {} objects, {} moving, {} contacts began, {} ended, {:.3f} seconds", frames, objects,
+                  file.velocities.size(), totals.began, totals.ended, totals.seconds));
+  return done;
+}
+
+constexpr const char* footer =
+    R"(Objects with a "velocity" in the scene file move straight on; nothing stops them. Frame 0 is the
+scene as it is. Each frame is a line of JSON: which pairs began to touch, and which no longer do.
+
+Examples:
+  graze simulate --frames 600 yard.json > events.ndjson
+  graze simulate --frames 10 --seconds-per-frame 0.5 yard.json
+
+Exit codes: 0 done; 2 wrong usage; 3 bad input, or an output that cannot be written)";
+
+}  // namespace
+
+Command add_simulate(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("simulate", "Move the objects of a scene and tell what begins to touch");
+  const auto arguments = std::make_shared<SimulateArguments>();
+  const auto add = [app](const char* name, auto& value, const char* help, const char* type) {
+    app->add_option(name, value, help)->type_name(type)->take_last();
+  };
+  app->add_option("SCENE", arguments->scene, "Scene file, or - for the standard input")->required()->type_name("");
+  add("--frames", arguments->frames, "How many times the objects are moved", "N");
+  add("--seconds-per-frame", arguments->seconds_per_frame, "How far apart frames are; 1/60 if left out", "SECONDS");
+  add("--output", arguments->output, "Write the frames to a file instead of the standard output", "FILE");
+  app->footer(footer);
+  return {app, [arguments] { return run_simulate(*arguments); }};
+}
+
+}  // namespace graze::cli
