@@ -32,8 +32,9 @@ int main() {
   CountingOctree index;
   graze::Bvh<3> judge;
   for (int i = 0; i < 1000; ++i) {
-    const graze::Vec<3> corner(static_cast<float>(i % 10), static_cast<float>(i / 10 % 10),
-                               static_cast<float>(i / 100));
+    const int row = i / 10 % 10;
+    const int floor = i / 100;
+    const graze::Vec<3> corner(static_cast<float>(i % 10), static_cast<float>(row), static_cast<float>(floor));
     index.insert({corner, corner + 0.5F});
     judge.insert({corner, corner + 0.5F});
   }

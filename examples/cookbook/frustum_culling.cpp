@@ -25,7 +25,8 @@ graze::Mat<3> camera_at(const graze::Vec<2>& eye, const graze::Vec<2>& ahead, fl
 int main(int argc, char** argv) {
   graze::Scene<2> town;
   for (int i = 0; i < 300; ++i) {
-    const graze::Vec<2> corner(static_cast<float>(i % 20 * 3 + i * 7 % 3), static_cast<float>(i / 20 * 3 + i * 5 % 2));
+    const int row = i / 20;
+    const graze::Vec<2> corner(static_cast<float>(i % 20 * 3 + i * 7 % 3), static_cast<float>(row * 3 + i * 5 % 2));
     town.add(graze::Aabb<2>{corner, corner + 1.5F});
   }
   const graze::Mat<3> camera = camera_at({8.3F, 6.1F}, {0.8F, 0.6F}, 40);
