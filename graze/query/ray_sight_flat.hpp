@@ -172,7 +172,10 @@ class EdgeCrossings {
     if (!(std::max(earliest_enter_, 0.0) <= exit)) return missed<2>();
     if (is_along_) return unsettled<2>();
     Sighting<2> result{Sight::unclear, {}};
-    const bool is_hit = latest_enter_ <= std::min(earliest_exit_, t_max) && earliest_exit_ >= 0;
+    // Past a corner the ray may leave before it enters, for all that rounding tells: far from where the sides say, if
+    // they are nearly parallel to it.
+    if (latest_enter_ > earliest_exit_) return unsettled<2>();
+    const bool is_hit = latest_enter_ <= t_max && earliest_exit_ >= 0;
     if (is_hit) result.sight = Sight::hits;
     if (!(enter_ >= 0)) return result;
     result.touch.t = std::min(enter_, exit);
@@ -199,8 +202,12 @@ template <class T>
 Sighting<2> sight_of_polygon(Corners<T> corners, double far, const Path<2>& path) {
   const std::size_t count = corners.size();
   const auto corner = [&](std::size_t i) { return wide<2, T>(corners[i]) - path.origin; };
-  if (count == 1) return sight_of(corner(0), path);
-  if (count == 2) return sight_of(Segment<2, double>{corner(0), corner(1)}, path);
+  if (count <= 2) {
+    Sighting<2> result =
+        count == 1 ? sight_of(corner(0), path) : sight_of(Segment<2, double>{corner(0), corner(1)}, path);
+    result.touch.error += tolerance::convex * far;
+    return result;
+  }
   double size = 0;
   for (std::size_t i = 0; i < count; ++i) size = std::max(size, sum_abs(corner(i)));
   EdgeCrossings crossings(tolerance::ray_side * (size + far + path.far));
@@ -211,7 +218,7 @@ Sighting<2> sight_of_polygon(Corners<T> corners, double far, const Path<2>& path
     from = to;
   }
   Sighting<2> result = crossings.sighting(path.direction, path.t_max);
-  result.touch.error = tolerance::rounding * (size + far);
+  result.touch.error = tolerance::rounding * size + tolerance::convex * far;
   return result;
 }
 

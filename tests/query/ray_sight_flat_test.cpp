@@ -69,6 +69,27 @@ TEST(RaySightFlat, OfAPolygonClipsByItsEdges) {
   EXPECT_EQ(sight({-1, 0}, infinity).sight, Sight::misses);
 }
 
+/// The sides of its corner are nearly parallel to the path, which passes it by a rounding: where it crosses their lines
+/// is thousands of times farther from the corner than the error says.
+TEST(RaySightFlat, OfAPolygonWhoseCornerIsBarelyPassedIsLeftOpen) {
+  const Vec<2, double> start(43.69407653808594, 1.1748249471118409e-06);
+  const Triangle<2, double> needle{{0, 0}, {-219, 0}, {44, -12722}};
+  const Vec<2, double> way = (needle.c - start) * 2.0;
+  const Sighting<2> passing = sight_of(seen_from(start, needle), path(way, 1));
+  EXPECT_EQ(passing.sight, Sight::unclear);
+  EXPECT_FALSE(passing.is_touch_known);
+}
+
+TEST(RaySightFlat, OfAPolygonWithoutAreaIsAsWrongAsWhatDecidesIt) {
+  const std::array<Vec<2, double>, 2> flat{{{5, -1}, {5, 1}}};
+  const Sighting<2> near = sight_of_polygon<double>(flat, 0, path(Vec<2, double>(2, 0), infinity));
+  const Sighting<2> far = sight_of_polygon<double>(flat, 1e6, path(Vec<2, double>(2, 0), infinity));
+  EXPECT_EQ(near.touch.t, 2.5);
+  EXPECT_EQ(far.touch.t, 2.5);
+  EXPECT_LT(near.touch.error, 1e-13);
+  EXPECT_GE(far.touch.error, tolerance::convex * 1e6);
+}
+
 TEST(RaySightFlat, OfPlanesAndHalfSpacesIsUnclearNearTheEndOnly) {
   const Plane<3, float> plane{{2, 0, 0}, 6};
   const HalfSpace<3, float> solid{{-2, 0, 0}, -6};
