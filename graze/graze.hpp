@@ -27,6 +27,7 @@
 #include <graze/query/outline.hpp>
 #include <graze/query/ray_cast.hpp>
 #include <graze/query/relation.hpp>
+#include <graze/query/shape_cast.hpp>
 #include <graze/query/signed_distance.hpp>
 #include <graze/query/transformed.hpp>
 #include <graze/scene/scene.hpp>

@@ -8,3 +8,8 @@ template std::optional<Contact<2, double>> contact_of<2, double>(const Any&, con
 template std::optional<detail::Penetration<2>> penetration_of<2, double>(const Any&, const Any&);
 
 }  // namespace graze::test
+
+namespace graze {
+template std::optional<detail::Penetration<2>> detail::penetration(const AnyShape<2, double>&,
+                                                                   const AnyShape<2, double>&);
+}  // namespace graze

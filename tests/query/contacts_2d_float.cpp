@@ -8,3 +8,8 @@ template std::optional<Contact<2, float>> contact_of<2, float>(const Any&, const
 template std::optional<detail::Penetration<2>> penetration_of<2, float>(const Any&, const Any&);
 
 }  // namespace graze::test
+
+namespace graze {
+template std::optional<detail::Penetration<2>> detail::penetration(const AnyShape<2, float>&,
+                                                                   const AnyShape<2, float>&);
+}  // namespace graze

@@ -8,3 +8,8 @@ template std::optional<Contact<3, double>> contact_of<3, double>(const Any&, con
 template std::optional<detail::Penetration<3>> penetration_of<3, double>(const Any&, const Any&);
 
 }  // namespace graze::test
+
+namespace graze {
+template std::optional<detail::Penetration<3>> detail::penetration(const AnyShape<3, double>&,
+                                                                   const AnyShape<3, double>&);
+}  // namespace graze

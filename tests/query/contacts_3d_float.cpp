@@ -8,3 +8,8 @@ template std::optional<Contact<3, float>> contact_of<3, float>(const Any&, const
 template std::optional<detail::Penetration<3>> penetration_of<3, float>(const Any&, const Any&);
 
 }  // namespace graze::test
+
+namespace graze {
+template std::optional<detail::Penetration<3>> detail::penetration(const AnyShape<3, float>&,
+                                                                   const AnyShape<3, float>&);
+}  // namespace graze

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// What shape_cast(a, motion, b) and time_of_impact answer.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include <graze/math/rounding.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/penetration.hpp>
+#include <graze/query/status.hpp>
+
+namespace graze {
+
+/// When two shapes of which one moves, or both, first touch, and where.
+template <Dim N, class T = float>
+struct Impact {
+  T t = T(0);                          ///< From 0, the start of the motion, to 1, its end; rounded down.
+  Vec<N, T> point = Vec<N, T>(T(0));   ///< Where they touch at t.
+  Vec<N, T> normal = Vec<N, T>(T(0));  ///< Of length 1, from a to b; or zero, as contact.hpp says, at t = 0.
+  Status status = Status::converged;   ///< `best_bound`: they do not touch before t, and maybe only after it.
+  double error = 0;                    ///< A length: see shape_cast.hpp and time_of_impact.hpp.
+
+  friend bool operator==(const Impact&, const Impact&) = default;
+};
+
+namespace detail {
+
+/// An impact in double.
+template <Dim N>
+struct Strike {
+  double t = 0;
+  Vec<N, double> point = Vec<N, double>(0.0);
+  Vec<N, double> normal = Vec<N, double>(0.0);
+  Status status = Status::converged;
+  double error = 0;
+};
+
+/// Down, so that t is not behind the touch by what T cannot tell.
+template <Scalar T, Dim N>
+Impact<N, T> rounded_impact(const Strike<N>& exact) {
+  return {std::max(T(0), round_down<T>(exact.t)) + T(0),  // never minus zero
+          Vec<N, T>(exact.point) + T(0), Vec<N, T>(exact.normal) + T(0), exact.status, exact.error};
+}
+
+/// Shapes that meet before anything moves.
+template <Dim N>
+Strike<N> strike_at_start(const Penetration<N>& contact) {
+  return {0, contact.point_a * 0.5 + contact.point_b * 0.5, contact.normal, contact.status, contact.error};
+}
+
+/// The first of two that is earlier.
+template <Dim N>
+void keep_earlier(std::optional<Strike<N>>& first, const std::optional<Strike<N>>& other) {
+  if (other && (!first || other->t < first->t)) first = other;
+}
+
+}  // namespace detail
+}  // namespace graze

@@ -1,0 +1,424 @@
+// SPDX-License-Identifier: MIT
+// shape_cast(a, motion, b): when a shape that moves along a vector, without turning, first touches another, and where.
+//
+// What finds it. C: a closed form. S: the supports along the plane's normal, a closed form for every convex shape. P:
+// part by part. G: GJK, a few steps.
+//
+//               segment ray sphere aabb obb plane half-space triangle capsule polytope compound user's
+//   point          C     C    C     C    C    S       S         C        C      C/G       P       G
+//   segment        G     G    C     G    G    S       S         G        G       G        P       G
+//   ray                  C    C     G    G    S       S         G        G       G        P       G
+//   sphere                    C     C    G    S       S         G        C       G        P       G
+//   aabb                            C    G    S       S         G        G       G        P       G
+//   obb                                  G    S       S         G        G       G        P       G
+//   plane                                     S       S         S        S       S        P       S
+//   half-space                                        S         S        S       S        P       S
+//   triangle                                                    G        G       G        P       G
+//   capsule                                                              G       G        P       G
+//   polytope                                                                     G        P       G
+//   compound                                                                              P       P
+//
+// A point is what ray_cast.hpp says of the ray from it along `motion`, with t_max = 1 (C/G: C in 2D, G in 3D). Any two
+// shapes are a ray from zero and the set of differences b - a: a sphere and a capsule make a capsule, two boxes a box,
+// a sphere and a box a box with round edges, and of any two convex shapes the set has support points.
+//
+// Shapes that meet at the start, as relation(a, b) says, have their contact(a, b) as the impact, at t = 0. Later the
+// normal is that of a plane that has a on one side at t, and b on the other, and a has moved towards it. Shapes that
+// touch all along a face or an edge do so at one of many points, each as near to both as closest_points.hpp says. A
+// compound is its first part to be touched.
+//
+// `error` is a length: at t, before it is rounded to T, the shapes are no farther apart than that, and before t nowhere
+// deeper in each other. A few epsilon of double of the coordinates as seen from a or b, the motion's included, for the
+// bounded shapes of the closed forms and those without curved faces of their own; of the largest coordinate for planes,
+// half-spaces, polytopes and users' shapes (of T for those that calculate in T). `status` says if GJK could not get
+// that near. At a grazing angle t is less exact than the distance. Coordinates of magnitude 1e-140 to 1e140.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <optional>
+#include <type_traits>
+#include <variant>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/bounds.hpp>
+#include <graze/query/closest_points.hpp>
+#include <graze/query/contact.hpp>
+#include <graze/query/impact.hpp>
+#include <graze/query/nan_check.hpp>
+#include <graze/query/obstacle.hpp>
+#include <graze/query/ray_cast.hpp>
+#include <graze/query/relation.hpp>
+#include <graze/shape/any_shape.hpp>
+#include <graze/shape/shape.hpp>
+
+namespace graze {
+
+namespace detail {
+
+// ---- Points
+
+/// ray_cast(shape, ray, 1) before t is rounded, for a direction that is not zero.
+template <class S, class T>
+std::optional<RayHit<dimension_of<S>, double>> hit_in_double(const S& shape, const Ray<dimension_of<S>, T>& ray) {
+  constexpr Dim N = dimension_of<S>;
+  const Usable<N, T> usable(ray);
+  const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(usable.ray.direction), usable.to_usable(1.0)};
+  const Sighting<N> found = find_carefully(shape, path, RaySide::entry, AskAboutRay<N, T>{usable.ray, path});
+  if (found.sight == Sight::misses) return std::nullopt;
+  const double t = std::min(1.0, usable.from_usable(found.touch.t));
+  return rounded<N, double>(found.touch, t, path.direction, RaySide::entry);
+}
+
+template <Dim N>
+std::optional<Strike<N>> strike_of_hit(const std::optional<RayHit<N, double>>& hit) {
+  if (!hit) return std::nullopt;
+  return Strike<N>{hit->t, hit->point, -hit->normal, hit->status, hit->error};
+}
+
+// ---- Planes and half-spaces: the gap along the normal is all that counts, and it shrinks evenly
+
+template <class A, class B>
+std::optional<Strike<dimension_of<A>>> strike_at_level(const A& a, const Vec<dimension_of<A>, double>& motion,
+                                                       const B& b) {
+  constexpr Dim N = dimension_of<A>;
+  const Proximity<N, double> gap = proximity_in_order(a, b, Relation::apart);
+  const double approach = dot(gap.normal, motion);
+  const double error = gap.error + tolerance::rounding * sum_abs(motion);
+  if (!(approach > 0) || gap.distance - approach > error) return std::nullopt;
+  const double t = std::min(1.0, gap.distance / approach);
+  const bool moves_with_a = is_level<B> && !is_level<A>;
+  return Strike<N>{t, moves_with_a ? gap.point_a + motion * t : gap.point_b, gap.normal, Status::converged, error};
+}
+
+// ---- Rays
+
+/// In front of both origins: where the two lines cross, which they do at one t, unless they are parallel or move in
+/// their common plane. With w from the origin of a to that of b and n = u x v, at t = (w . n) / (m . n).
+template <Dim N, class T>
+std::optional<Strike<N>> strike_of_lines(const Ray<N, T>& a, const Vec<N, double>& motion, const Ray<N, T>& b) {
+  const Vec<3, double> u = direction_of(a);
+  const Vec<3, double> v = direction_of(b);
+  const Vec<3, double> w = lifted(wide<N, T>(b.origin) - wide<N, T>(a.origin));
+  const Vec<3, double> m = lifted(motion);
+  const Vec<3, double> n = accurate_cross(u, v);
+  const double whole = dot(n, n);
+  const double approach = dot(m, n);
+  if (!(whole > 0) || approach == 0) return std::nullopt;
+  const double t = dot(w, n) / approach;
+  if (!(t >= 0 && t <= 1)) return std::nullopt;
+  const Vec<3, double> between = w - m * t;
+  const double on_a = dot(accurate_cross(between, v), n) / whole;
+  const double on_b = dot(accurate_cross(between, u), n) / whole;
+  if (!(on_a >= 0 && on_b >= 0)) return std::nullopt;
+  const Vec<N, double> point = wide<N, T>(b.origin) + Vec<N, double>(v * on_b);
+  const double size = sum_abs(w) + sum_abs(m) + sum_abs(v) * on_b + sum_abs(u) * on_a;
+  return Strike<N>{t, point, unit_or(Vec<N, double>(approach > 0 ? n : -n), Vec<N, double>(0.0)), Status::converged,
+                   tolerance::coarse * size};
+}
+
+/// The first touch is that of an origin and a ray, or in space of two inner points. Where the rays are not in one
+/// plane, the normal is at right angles to both.
+template <Dim N, class T>
+std::optional<Strike<N>> strike_of_rays(const Ray<N, T>& a, const Vec<N, double>& motion, const Ray<N, T>& b) {
+  std::optional<Strike<N>> first = strike_of_hit(hit_in_double(b, Ray<N, T>{a.origin, Vec<N, T>(motion)}));
+  std::optional<Strike<N>> other = strike_of_hit(hit_in_double(a, Ray<N, T>{b.origin, Vec<N, T>(-motion)}));
+  if (other) {
+    other->normal = -other->normal;
+    other->point = wide<N, T>(b.origin);
+  }
+  keep_earlier(first, other);
+  if constexpr (N == 3) {
+    keep_earlier(first, strike_of_lines(a, motion, b));
+    if (first) {
+      const Vec<N, double> across = unit_or(accurate_cross(direction_of(a), direction_of(b)), Vec<N, double>(0.0));
+      const double approach = dot(across, motion);
+      if (std::fabs(approach) > tolerance::coarse * sum_abs(motion)) first->normal = approach > 0 ? across : -across;
+    }
+  }
+  return first;
+}
+
+/// The box that a shape's points pass which sees the other one stand still.
+template <class S>
+Aabb<dimension_of<S>, double> swept_box(const S& shape, const Vec<dimension_of<S>, double>& motion) {
+  constexpr Dim N = dimension_of<S>;
+  const auto box = bounds(shape);
+  Aabb<N, double> swept{wide<N, scalar_of<S>>(box.min), wide<N, scalar_of<S>>(box.max)};
+  swept.grow(Aabb<N, double>{swept.min + motion, swept.max + motion});
+  return swept;
+}
+
+/// A core in double; a ray is cut where nothing is beside it any more of a shape that moves.
+template <class Core, class Other>
+auto seen_beside_moving(const Vec<dimension_of<Core>, double>& origin, const Core& core, const Other& other,
+                        const Vec<dimension_of<Core>, double>& motion) {
+  if constexpr (is_ray<Core>) {
+    using Number = scalar_of<Core>;
+    constexpr Dim N = dimension_of<Core>;
+    const Ray<N, double> ray{wide<N, Number>(core.origin), wide<N, Number>(core.direction)};
+    const Vec<N, double> start = ray.origin - origin;
+    return Segment<N, double>{start, start + reach_to(ray, swept_box(other, motion))};
+  } else {
+    return seen_from(origin, core);
+  }
+}
+
+// ---- Shapes with simple cores, seen from one of them
+
+template <class A, class B>
+concept HasObstacle = requires(const A& a, const B& b) {
+  obstacle_of(a, b, 0.0);
+};
+
+/// Where a core that moves first touches another, both widened by radii; the point is not yet known.
+template <class A, class B>
+std::optional<RayHit<dimension_of<A>, double>> hit_of_cores(const A& a, const Vec<dimension_of<A>, double>& motion,
+                                                            const B& b, double radius) {
+  constexpr Dim N = dimension_of<A>;
+  const Ray<N, double> ray{Vec<N, double>(0.0), motion};
+  if constexpr (HasObstacle<A, B>) {
+    return hit_in_double(obstacle_of(a, b, radius), ray);
+  } else {
+    return hit_in_double(Obstacle<N, double>{ConvexView<N>(a), ConvexView<N>(b), ray.origin, radius}, ray);
+  }
+}
+
+template <Dim N>
+ClosestPair<N> closest_of_touching(const Aabb<N, double>& a, const Aabb<N, double>& b, double) {
+  return closest_of_boxes(a, b);
+}
+template <class A, class B>
+ClosestPair<dimension_of<A>> closest_of_touching(const A& a, const B& b, double size) {
+  return closest_of_apart(a, b, size);
+}
+
+/// Where GJK could not get on, as between slivers: from where it had to stop, moves on to the plane across the way
+/// between the nearest points of both cores, as advance_by_distance does, but those of the closed forms.
+template <class A, class B>
+std::optional<RayHit<dimension_of<A>, double>> advance_by_features(const A& a,
+                                                                   const Vec<dimension_of<A>, double>& motion,
+                                                                   const B& b, double radius,
+                                                                   RayHit<dimension_of<A>, double> hit) {
+  constexpr Dim N = dimension_of<A>;
+  for (int step = 0; step < ray_step_limit; ++step) {
+    const auto moved_a = seen_from(motion * -hit.t, a);
+    const double size = size_around_zero(moved_a) + size_around_zero(b);
+    const ClosestPair<N> nearest = closest_of_touching(moved_a, b, size);
+    const double distance = std::max(0.0, std::sqrt(nearest.squared) - radius);
+    const double resolution = tolerance::coarse * (size + radius);
+    hit.error = distance + resolution;
+    hit.status = distance <= resolution ? Status::converged : Status::best_bound;
+    if (hit.status == Status::converged) return hit;
+    const Vec<N, double> normal = unit_or(nearest.between, Vec<N, double>(0.0));
+    const double height = span_along(normal, b).low - span_along(normal, moved_a).high - radius;
+    const double approach = dot(normal, motion);
+    if (!(height > resolution / 2)) return hit;
+    if (!(height - approach * (1 - hit.t) <= resolution)) return std::nullopt;  // nor does it come near till the end
+    const double next = std::min(1.0, hit.t + (height - resolution / 2) / approach);
+    if (!(next > hit.t)) return hit;
+    hit.t = next;
+    hit.normal = -normal;
+  }
+  return hit;
+}
+
+/// The direction between two cores that are apart, of which the motion goes on along no part backward; else
+/// `otherwise`.
+template <Dim N>
+Vec<N, double> normal_between(const Vec<N, double>& between, const Vec<N, double>& motion,
+                              const Vec<N, double>& otherwise) {
+  const Vec<N, double> way = motion / max_abs(motion);  // which is not zero, but its square may be
+  const double back = dot(between, way);
+  return unit_or(back < 0 ? between - way * (back / dot(way, way)) : between, otherwise);
+}
+
+/// The impact of two cores widened by radii, from the hit and their nearest points at its t. GJK's planes are proved to
+/// part the shapes, up to rounding; the spokes of round obstacles are rounded by as much as their centers, and the way
+/// between the cores is known better. It also is where there was no plane to find, since the shapes are as good as
+/// touching at the start.
+template <Dim N>
+Strike<N> strike_between(const RayHit<N, double>& hit, const ClosestPair<N>& nearest, const Vec<N, double>& motion,
+                         const Radii& radii, bool is_proved) {
+  const bool are_apart = radii.a + radii.b > hit.error;
+  const Vec<N, double> between = normal_between(nearest.between, motion, -hit.normal);
+  const bool is_between = hit.t == 0 || (are_apart && !is_proved);
+  const Vec<N, double> normal = is_between ? between : -hit.normal;
+  const Vec<N, double> point = nearest.on_b - (are_apart ? between : normal) * radii.b;
+  const double rounding = tolerance::rounding * (radii.a + radii.b + sum_abs(motion));
+  return {hit.t, point, normal, hit.status, hit.error + rounding};
+}
+
+template <HasSimpleCore A, HasSimpleCore B>
+std::optional<Strike<dimension_of<A>>> strike_of_simple(const A& a, const Vec<dimension_of<A>, double>& motion,
+                                                        const B& b) {
+  constexpr Dim N = dimension_of<A>;
+  const auto& core_a = core(a);
+  const auto& core_b = core(b);
+  const Vec<N, double> origin = reference(core_a);
+  const auto seen_a = seen_beside_moving(origin, core_a, core_b, -motion);
+  const auto seen_b = seen_beside_moving(origin, core_b, core_a, motion);
+  const Radii radii{core_radius(a), core_radius(b)};
+  auto hit = hit_of_cores(seen_a, motion, seen_b, radii.a + radii.b);
+  if (hit && hit->status != Status::converged) {
+    hit = advance_by_features(seen_a, motion, seen_b, radii.a + radii.b, *hit);
+  }
+  if (!hit) return std::nullopt;
+  const auto moved_a = seen_from(motion * -hit->t, seen_a);
+  const double size = size_around_zero(moved_a) + size_around_zero(seen_b);
+  const ClosestPair<N> nearest = closest_of_touching(moved_a, seen_b, size);
+  constexpr bool is_proved = !HasObstacle<decltype(seen_a), decltype(seen_b)>;
+  Strike<N> strike = strike_between(*hit, nearest, motion, radii, is_proved);
+  strike.point += origin;
+  strike.error += tolerance::rounding * size;
+  return strike;
+}
+
+// ---- Everything else that is convex
+
+/// An obstacle's a, where it has moved to, and its b, in the numbers that their supports are calculated in.
+template <Dim N, Scalar Number>
+struct MovedView {
+  ConvexView<N> view;
+  Vec<N, double> motion;
+};
+
+template <Dim N, Scalar Number>
+Vec<N, double> support(const MovedView<N, Number>& moved, const std::type_identity_t<Vec<N, double>>& direction) {
+  return moved.view.support(direction) + moved.motion;
+}
+
+template <Dim N>
+inline constexpr double support_error<MovedView<N, float>> = tolerance::convex_in<float>;
+
+template <Convex A, Convex B>
+std::optional<Strike<dimension_of<A>>> strike_of_convex(const A& a, const Vec<dimension_of<A>, double>& motion,
+                                                        const B& b) {
+  constexpr Dim N = dimension_of<A>;
+  using Number = SupportNumber<A, B>;
+  const auto& core_a = core(a);
+  const auto& core_b = core(b);
+  const ConvexView<N> view_a(core_a);
+  const ConvexView<N> view_b(core_b);
+  const Vec<N, double> place = view_a.support(motion);
+  const Obstacle<N, Number> obstacle{view_a, view_b, place, core_radius(a) + core_radius(b)};
+  const auto hit = hit_in_double(obstacle, Ray<N, double>{place, motion});
+  if (!hit) return std::nullopt;
+  const ConvexCores<N> nearest = closest_of_convex(MovedView<N, Number>{view_a, motion * hit->t},
+                                                   MovedView<N, Number>{view_b, Vec<N, double>(0.0)});
+  return strike_between(*hit, nearest.closest, motion, {core_radius(a), core_radius(b)}, true);
+}
+
+/// A ray is cut first.
+template <class A, class B>
+std::optional<Strike<dimension_of<A>>> strike_past_ray(const A& a, const Vec<dimension_of<A>, double>& motion,
+                                                       const B& b) {
+  const Vec<dimension_of<A>, double> zero(0.0);
+  if constexpr (is_ray<A>) {
+    return strike_of_convex(seen_beside_moving(zero, a, b, -motion), motion, b);
+  } else if constexpr (is_ray<B>) {
+    return strike_of_convex(a, motion, seen_beside_moving(zero, b, a, motion));
+  } else {
+    return strike_of_convex(a, motion, b);
+  }
+}
+
+// ---- Any two shapes
+
+/// Of two simple shapes that are apart, in the order of AnyShape.
+template <class A, class B>
+std::optional<Strike<dimension_of<A>>> strike_in_order(const A& a, const Vec<dimension_of<A>, double>& motion,
+                                                       const B& b) {
+  constexpr Dim N = dimension_of<A>;
+  using T = scalar_of<A>;
+  if constexpr (is_point<A>) {
+    return strike_of_hit(hit_in_double(b, Ray<N, T>{a, Vec<N, T>(motion)}));
+  } else if constexpr (is_level<A> || is_level<B>) {
+    return strike_at_level(a, motion, b);
+  } else if constexpr (is_ray<A> && is_ray<B>) {
+    return strike_of_rays(a, motion, b);
+  } else if constexpr (HasSimpleCore<A> && HasSimpleCore<B>) {
+    return strike_of_simple(a, motion, b);
+  } else {
+    return strike_past_ray(a, motion, b);
+  }
+}
+
+/// The same where b comes first: it moves the other way past a, which then goes along with it.
+template <class A, class B>
+std::optional<Strike<dimension_of<A>>> strike_exchanged(const A& a, const Vec<dimension_of<A>, double>& motion,
+                                                        const B& b) {
+  auto strike = strike_in_order(b, -motion, a);
+  if (strike) {
+    strike->point += motion * strike->t;
+    strike->normal = Vec<dimension_of<A>, double>(0.0) - strike->normal;
+  }
+  return strike;
+}
+
+template <class A, class B>
+std::optional<Strike<dimension_of<A>>> strike(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b);
+
+/// The first part to touch the shape, the first of several. `cast(part)` casts one, and what is left of the way once a
+/// part has touched is all that counts for the others; `motion` is that of the parts as the shape sees them.
+template <Dim N, class T, class S, class Cast>
+std::optional<Strike<N>> strike_of_parts(const Compound<N, T>& compound, const Vec<N, double>& motion, const S& shape,
+                                         const Cast& cast) {
+  std::optional<Strike<N>> first;
+  const auto box = touching_bounds(bounds(shape));
+  const double slack = tolerance::box_slack * sum_abs(motion);  // what rounding makes of the way
+  const Aabb<N, double> target{wide<N, T>(box.min) - slack, wide<N, T>(box.max) + slack};
+  for (const Part<N, T>& part : compound.parts) {
+    const Vec<N, double> way = first ? motion * first->t : motion;
+    if (boxes_overlap(touching_bounds(swept_box(part.box, way)), target)) keep_earlier(first, cast(part.shape));
+  }
+  return first;
+}
+
+/// Of shapes that are apart, for a motion that is not zero.
+template <class A, class B>
+std::optional<Strike<dimension_of<A>>> strike(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b) {
+  if constexpr (is_any_shape<A>) {
+    return std::visit([&](const auto& held) { return strike(held, motion, b); }, a);
+  } else if constexpr (is_any_shape<B>) {
+    return std::visit([&](const auto& held) { return strike(a, motion, held); }, b);
+  } else if constexpr (is_compound<A>) {
+    return strike_of_parts(a, motion, b, [&](const auto& part) { return strike(part, motion, b); });
+  } else if constexpr (is_compound<B>) {
+    return strike_of_parts(b, -motion, a, [&](const auto& part) { return strike(a, motion, part); });
+  } else if constexpr (type_place<A> < type_place<B>) {
+    return strike_in_order(a, motion, b);
+  } else if constexpr (type_place<A> > type_place<B>) {
+    return strike_exchanged(a, motion, b);
+  } else {
+    return is_in_order(a, b) ? strike_in_order(a, motion, b) : strike_exchanged(a, motion, b);
+  }
+}
+
+}  // namespace detail
+
+/// The first touch of a valid shape (asserted) that moves by `motion`, from t = 0 to t = 1, and another of the same
+/// space that stays; none if there is none. Touching counts, also at the start and at the end; a motion of zero touches
+/// what it touches already. t is never after the first touch and no earlier than the error explains. Swapping the
+/// shapes and turning the motion round moves the point along with them, negates the normal and changes nothing else. A
+/// compound is the union of its parts. A motion with a NaN touches nothing.
+template <Shape A, SameSpace<A> B>
+std::optional<Impact<dimension_of<A>, scalar_of<A>>> shape_cast(const A& a,
+                                                                const Vec<dimension_of<A>, scalar_of<A>>& motion,
+                                                                const B& b) {
+  constexpr Dim N = dimension_of<A>;
+  using T = scalar_of<A>;
+  assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));
+  if (!is_finite(motion)) return std::nullopt;
+  if (const auto contact = detail::penetration(a, b)) {
+    return detail::rounded_impact<T>(detail::strike_at_start(*contact));
+  }
+  if (max_abs(motion) == T(0)) return std::nullopt;
+  const auto strike = detail::strike(a, wide<N, T>(motion), b);
+  if (!strike) return std::nullopt;
+  return detail::rounded_impact<T>(*strike);
+}
+
+}  // namespace graze

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: MIT
+// Laws of shape_cast on random pairs of every type and random motions: what the exact oracle says of the shapes on
+// their way, what a cast must agree with, and what must not change it.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/query/contact.hpp>
+#include <graze/query/wide_support.hpp>
+#include <graze/shape/any_shape.hpp>
+
+#include "catalogue.hpp"
+#include "exact.hpp"
+#include "query/contacts.hpp"
+#include "query/numbers_of.hpp"
+#include "query/pairs.hpp"
+#include "query/placement.hpp"
+#include "query/ray_casts.hpp"
+#include "query/shape_casts.hpp"
+
+namespace graze::test {
+namespace {
+
+/// The same shape in double. Exact.
+template <Dim N, class T>
+struct Widener {
+  using Any = AnyShape<N, double>;
+
+  static Vec<N, double> wide_of(const Vec<N, T>& v) { return wide<N, T>(v); }
+  static double wide_of(T x) { return static_cast<double>(x); }
+  static Mat<N, double> wide_of(const Mat<N, T>& m) { return wide_matrix<N, T>(m); }
+
+  template <template <Dim, class> class S>
+  Any operator()(const S<N, T>& shape) const {
+    return std::apply([&](auto... fields) { return S<N, double>{wide_of(shape.*fields)...}; }, Entry<S<N, T>>::fields);
+  }
+  Any operator()(const Vec<N, T>& point) const { return wide<N, T>(point); }
+  Any operator()(const Polytope<N, T>& polytope) const {
+    std::vector<Vec<N, double>> points;
+    for (const Vec<N, T>& vertex : polytope.vertices()) points.push_back(wide<N, T>(vertex));
+    return convex_hull<N, double>(points);
+  }
+  Any operator()(const Compound<N, T>& compound) const {
+    std::vector<Any> parts;
+    for (const Part<N, T>& part : compound.parts) parts.push_back(std::visit(*this, part.shape));
+    return compound_of<N, double>(std::move(parts));
+  }
+};
+
+template <class SpaceType>
+class ShapeCastLaw : public ::testing::Test {
+ public:
+  static constexpr Dim dimension = SpaceType::dimension;
+  using Number = typename SpaceType::scalar;
+  using Any = AnyShape<dimension, Number>;
+  using Point = Vec<dimension, Number>;
+
+  static constexpr double epsilon = static_cast<double>(std::numeric_limits<Number>::epsilon());
+
+  struct Case {
+    Any a;
+    Point motion;
+    Any b;
+  };
+
+  /// In three of four cases a point of a, often of an edge or a corner, is aimed at one of b, and comes there in the
+  /// middle of the way or at its end.
+  static Case draw_case() {
+    auto [a, b] = *any_pair<Any, Any>();
+    Point motion = *any<Point>();
+    const std::uint64_t seed = *choice(std::size_t{1} << 31U);
+    rc::Random random(seed);
+    const Vec<dimension, double> between = point_of(b, random) - point_of(a, random);
+    if (seed % 4 != 0 && is_finite(between)) motion = Point(between * (seed % 4 == 1 ? 1.0 : 2.0));
+    RC_LOG() << "(" << to_source<dimension, Number>(a) << ", " << to_source<dimension, Number>(Any(motion)) << ", "
+             << to_source<dimension, Number>(b) << ")\n";
+    return {std::move(a), motion, std::move(b)};
+  }
+
+  static std::optional<detail::Strike<dimension>> strike(const Case& drawn) {
+    const auto found = strike_of<dimension, Number>(drawn.a, drawn.motion, drawn.b);
+    if (found) RC_LOG() << "t = " << literal(found->t) << ", error " << found->error << "\n";
+    return found;
+  }
+
+  /// The largest coordinate of a shape, or of any part of it.
+  static double extent(const Any& shape) {
+    double largest = size_of<dimension, Number>({shape, shape});
+    if (const auto* compound = std::get_if<Compound<dimension, Number>>(&shape)) {
+      for (const auto& part : compound->parts) largest = std::max(largest, extent(part.shape));
+    }
+    return largest;
+  }
+
+  /// The largest coordinate that there is on the way.
+  static double size(const Case& drawn) {
+    return std::max(extent(drawn.a), extent(drawn.b)) + static_cast<double>(sum_abs(drawn.motion));
+  }
+
+  /// The exact gap at t, negative if there is depth; right up to the rounding of the place there. Zero for unbounded
+  /// shapes that rounding cannot tell from parallel ones, whatever they do far away.
+  static double gap_at(const Case& drawn, double t) {
+    const auto wide_a = std::visit(Widener<dimension, Number>(), drawn.a);
+    const auto wide_b = std::visit(Widener<dimension, Number>(), drawn.b);
+    const auto there = moved<dimension, double>(wide_a, wide<dimension, Number>(drawn.motion) * t);
+    const ExactVerdict verdict = exact_verdict<dimension, double>(there, wide_b, Measure::depth);
+    return verdict.is_nearly_parallel ? 0 : verdict.gap;
+  }
+
+  /// What rounding the place of the first shape does to the gap.
+  static double place_error(const Case& drawn) { return 8 * tolerance::epsilon * size(drawn); }
+
+  static bool is_level(const Any& shape) {
+    return std::holds_alternative<Plane<dimension, Number>>(shape) ||
+           std::holds_alternative<HalfSpace<dimension, Number>>(shape);
+  }
+
+  static bool has_normal(const Any& shape) {
+    return std::visit([](const auto& held) { return Convex<std::decay_t<decltype(held)>>; }, shape);
+  }
+
+  static double radius_of(const Any& shape) {
+    return std::visit(
+        [](const auto& held) {
+          if constexpr (Convex<std::decay_t<decltype(held)>>) {
+            return detail::core_radius(held);
+          } else {
+            return 0.0;
+          }
+        },
+        shape);
+  }
+
+  static double height(const Any& shape, const Vec<dimension, double>& direction) {
+    return std::visit(
+        [&direction](const auto& held) {
+          if constexpr (Convex<std::decay_t<decltype(held)>>) {
+            return dot(direction, detail::wide_support(held, direction));
+          } else {
+            return 0.0;
+          }
+        },
+        shape);
+  }
+};
+
+using Spaces = ::testing::Types<Space<2, float>, Space<2, double>, Space<3, float>, Space<3, double>>;
+TYPED_TEST_SUITE(ShapeCastLaw, Spaces);
+
+TYPED_TEST(ShapeCastLaw, ShapesThatMeetHaveTheirContactAndOthersNone) {
+  check_property([] {
+    constexpr Dim N = TypeParam::dimension;
+    using T = typename TypeParam::scalar;
+    const auto drawn = TestFixture::draw_case();
+    const auto contact = contact_of<N, T>(drawn.a, drawn.b);
+    const auto impact = impact_of<N, T>(drawn.a, drawn.motion, drawn.b);
+    if (contact) {
+      RC_ASSERT(impact.has_value());
+      RC_ASSERT(*impact == (Impact<N, T>{T(0), contact->point, contact->normal, contact->status, contact->error}));
+    }
+    const auto resting = impact_of<N, T>(drawn.a, Vec<N, T>(T(0)), drawn.b);
+    RC_ASSERT(resting.has_value() == contact.has_value());
+  });
+}
+
+TYPED_TEST(ShapeCastLaw, AtTheImpactTheShapesTouchAndBeforeItTheyAreApart) {
+  check_property([] {
+    const auto drawn = TestFixture::draw_case();
+    const auto found = TestFixture::strike(drawn);
+    if (!found || found->t == 0) return;
+    const double slack = found->error + TestFixture::place_error(drawn);
+    const double gap = TestFixture::gap_at(drawn, found->t);
+    RC_LOG() << "gap " << gap << ", allowed " << slack << "\n";
+    const bool is_near = found->error <= 4096 * tolerance::epsilon * TestFixture::size(drawn);
+    RC_ASSERT(is_near || found->status == Status::best_bound);
+    RC_ASSERT(std::fabs(gap) <= slack);
+    for (const double share : {0.25, 0.75, 0.999}) RC_ASSERT(TestFixture::gap_at(drawn, found->t * share) >= -slack);
+  });
+}
+
+TYPED_TEST(ShapeCastLaw, WithoutImpactTheShapesAreApartAllAlongTheWay) {
+  check_property([] {
+    const auto drawn = TestFixture::draw_case();
+    if (TestFixture::strike(drawn)) return;
+    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
+      RC_ASSERT(TestFixture::gap_at(drawn, t) >= -TestFixture::place_error(drawn));
+  });
+}
+
+TYPED_TEST(ShapeCastLaw, TheNormalPartsTheShapesAtTheImpactAndIsNotAgainstTheMotion) {
+  check_property([] {
+    constexpr Dim N = TypeParam::dimension;
+    using T = typename TypeParam::scalar;
+    const auto drawn = TestFixture::draw_case();
+    const auto found = TestFixture::strike(drawn);
+    if (!found || found->t == 0) return;
+    const Vec<N, double> motion = wide<N, T>(drawn.motion);
+    RC_LOG() << "normal " << to_source<N, double>(AnyShape<N, double>(found->normal)) << "\n";
+    RC_ASSERT(std::fabs(length(found->normal) - 1) <= 8 * tolerance::epsilon);
+    RC_ASSERT(dot(found->normal, motion) >= -8 * tolerance::epsilon * sum_abs(motion));
+    if (!TestFixture::has_normal(drawn.a) || !TestFixture::has_normal(drawn.b)) return;
+    const double from_a = TestFixture::height(drawn.a, found->normal) + dot(motion, found->normal) * found->t;
+    const double to_b = -TestFixture::height(drawn.b, -found->normal);
+    RC_LOG() << "gap along it " << to_b - from_a << "\n";
+    // Between cores that are as far apart as their radii, the normal is turned by as much as rounding moves them.
+    const double rounding = found->error + TestFixture::place_error(drawn);
+    const double radius = TestFixture::radius_of(drawn.a) + TestFixture::radius_of(drawn.b);
+    const double turn = radius > 0 ? std::min(1.0, rounding / radius) : 0.0;
+    RC_ASSERT(to_b - from_a >= -(rounding + turn * TestFixture::size(drawn)));
+  });
+}
+
+TYPED_TEST(ShapeCastLaw, ThePointIsOnBothShapes) {
+  check_property([] {
+    constexpr Dim N = TypeParam::dimension;
+    using T = typename TypeParam::scalar;
+    const auto drawn = TestFixture::draw_case();
+    const auto found = TestFixture::strike(drawn);
+    if (!found || found->t == 0) return;
+    // Of slivers GJK may give a point beside them, see closest_points.hpp.
+    const double slack = 4 * (found->error + TestFixture::place_error(drawn)) + 1e-9 * TestFixture::size(drawn);
+    RC_LOG() << "point " << to_source<N, double>(AnyShape<N, double>(found->point)) << "\n";
+    const Vec<N, double> on_a = found->point - wide<N, T>(drawn.motion) * found->t;
+    const double from_a = height_of<N, T>(drawn.a, on_a);
+    const double from_b = height_of<N, T>(drawn.b, found->point);
+    RC_LOG() << from_a << " and " << from_b << " off, allowed " << slack << "\n";
+    RC_ASSERT(std::fabs(from_a) <= slack);
+    RC_ASSERT(std::fabs(from_b) <= slack);
+  });
+}
+
+TYPED_TEST(ShapeCastLaw, SwappedShapesMoveTheOtherWayAndMeetAtTheSameTime) {
+  check_property([] {
+    constexpr Dim N = TypeParam::dimension;
+    using T = typename TypeParam::scalar;
+    const auto drawn = TestFixture::draw_case();
+    const auto one = TestFixture::strike(drawn);
+    const auto other = TestFixture::strike({drawn.b, -drawn.motion, drawn.a});
+    RC_ASSERT(one.has_value() == other.has_value());
+    if (!one) return;
+    RC_ASSERT(one->t == other->t);
+    RC_ASSERT(one->error == other->error);
+    if (to_source<N, T>(drawn.a) == to_source<N, T>(drawn.b)) return;  // none of them is the first
+    RC_ASSERT(one->normal == -other->normal);
+    const Vec<N, double> way = wide<N, T>(drawn.motion) * one->t;
+    RC_ASSERT(max_abs(one->point - way - other->point) <= TestFixture::place_error(drawn));
+  });
+}
+
+TYPED_TEST(ShapeCastLaw, APointIsCastAsARay) {
+  check_property([] {
+    constexpr Dim N = TypeParam::dimension;
+    using T = typename TypeParam::scalar;
+    const auto drawn = TestFixture::draw_case();
+    const Vec<N, T> point = *any<Vec<N, T>>();
+    RC_PRE(max_abs(drawn.motion) > T(0));
+    RC_PRE((relation_of<N, T>(point, drawn.b) == Relation::apart));
+    const auto hit = hit_of<N, T>(drawn.b, Ray<N, T>{point, drawn.motion}, T(1));
+    const auto impact = impact_of<N, T>(point, drawn.motion, drawn.b);
+    RC_ASSERT(hit.has_value() == impact.has_value());
+    if (!hit) return;
+    RC_ASSERT(impact->t <= hit->t);
+    RC_ASSERT(std::fabs(impact->t - hit->t) <= std::numeric_limits<T>::epsilon());
+    if (std::is_same_v<T, double>) RC_ASSERT(impact->t == hit->t);
+    RC_ASSERT(impact->error == hit->error);
+  });
+}
+
+TYPED_TEST(ShapeCastLaw, ScalingByAPowerOfTwoChangesNoTime) {
+  check_property([] {
+    constexpr Dim N = TypeParam::dimension;
+    using T = typename TypeParam::scalar;
+    const auto drawn = TestFixture::draw_case();
+    const auto factor = std::ldexp(T(1), *rc::gen::inRange(-20, 21));
+    const auto one = TestFixture::strike(drawn);
+    const auto other =
+        TestFixture::strike({scaled<N, T>(drawn.a, factor), drawn.motion * factor, scaled<N, T>(drawn.b, factor)});
+    RC_ASSERT(one.has_value() == other.has_value());
+    if (!one) return;
+    RC_ASSERT(one->t == other->t);
+    RC_ASSERT(one->normal == other->normal);
+  });
+}
+
+TYPED_TEST(ShapeCastLaw, ACompoundTouchesWhenItsFirstPartDoes) {
+  check_property([] {
+    constexpr Dim N = TypeParam::dimension;
+    using T = typename TypeParam::scalar;
+    const auto drawn = TestFixture::draw_case();
+    auto second = drawn;
+    second.b = *any_shape<N, T>();
+    auto both = drawn;
+    both.b = compound_of<N, T>({drawn.b, second.b});
+    const auto one = TestFixture::strike(drawn);
+    const auto two = TestFixture::strike(second);
+    const auto first = TestFixture::strike(both);
+    RC_ASSERT(first.has_value() == (one || two));
+    if (!first) return;
+    for (const auto& found : {one, two, first}) {
+      if (found && found->status == Status::best_bound) return;  // a bound may be better for a shorter way
+    }
+    const double never = 2;
+    RC_ASSERT(first->t == std::min(one ? one->t : never, two ? two->t : never));
+  });
+}
+
+}  // namespace
+}  // namespace graze::test

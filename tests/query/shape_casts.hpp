@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What graze says about moving shapes of any two types: compiled once for each space, in shape_casts_*.cpp.
+#pragma once
+
+#include <optional>
+
+#include <graze/math/vec.hpp>
+#include <graze/query/impact.hpp>
+#include <graze/query/proximity.hpp>
+#include <graze/shape/any_shape.hpp>
+
+namespace graze::test {
+
+/// shape_cast(a, motion, b).
+template <Dim N, class T>
+std::optional<Impact<N, T>> impact_of(const AnyShape<N, T>& a, const Vec<N, T>& motion, const AnyShape<N, T>& b);
+
+/// What that is rounded from.
+template <Dim N, class T>
+std::optional<detail::Strike<N>> strike_of(const AnyShape<N, T>& a, const Vec<N, T>& motion, const AnyShape<N, T>& b);
+
+}  // namespace graze::test
