@@ -28,6 +28,15 @@ struct BvhOptions {
   double margin = 0;
 };
 
+/// A group of boxes of a Bvh, for pictures and for the curious.
+template <Dim N, class T>
+struct BvhCell {
+  Aabb<N, T> box;     ///< Contains all boxes of the group.
+  int depth;          ///< That of all boxes has 0.
+  std::size_t count;  ///< How many boxes the group has.
+  bool is_leaf;       ///< A single box, perhaps grown by the margin.
+};
+
 /// A SpatialIndex (spatial_index.hpp says what its members do) that groups boxes two by two, groups likewise, and keeps
 /// the bounds of each: a bounding volume hierarchy. It asks nothing about where the boxes are or how large, and cannot
 /// degenerate: whatever comes, moves and goes, it has at most log(n) / log(5/4) levels, about 3.1 log2(n), and it sees
@@ -131,7 +140,30 @@ class Bvh {
         keys_, [this](std::uint32_t slot) { return tree_.box(slot); }, visit);
   }
 
+  /// visit(BvhCell) for every group, the whole before its parts. Boxes with infinite sides are in none.
+  template <VisitorOf<BvhCell<N, T>> Visit>
+  void visit_cells(Visit&& visit) const {
+    detail::GuardedVisit guarded(visit, keys_);
+    detail::ShortList<Place, detail::bvh_path> open;
+    if (!tree_.child(0).is_none()) open.push({0, 0});
+    while (!open.empty()) {
+      const Place at = open.pop();
+      const detail::BvhChild child = tree_.child(at.place);
+      const std::size_t count = child.is_leaf() ? 1 : tree_.node(child.index()).count;
+      if (!guarded(BvhCell<N, T>{tree_.bounds(at.place), at.depth, count, child.is_leaf()})) return;
+      if (child.is_leaf()) continue;
+      open.push({2 * child.index() + 1, at.depth + 1});
+      open.push({2 * child.index(), at.depth + 1});
+    }
+  }
+
  private:
+  /// Where a group hangs, and how deep.
+  struct Place {
+    std::uint32_t place;
+    int depth;
+  };
+
   using Tree = detail::BvhTree<N, T>;
 
   static void release_all(detail::KeyTable& keys) {

@@ -12,6 +12,7 @@
 #include <hwy/highway.h>
 
 #include <graze/broad/block.hpp>
+#include <graze/broad/simd_wasm_doubles-inl.hpp>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <bit>
 #include <limits>
 #include <utility>
 
@@ -11,6 +10,7 @@
 #include <graze/io/json_document.hpp>
 #include <graze/io/text_position.hpp>
 #include <graze/io/utf8.hpp>
+#include <graze/math/bit_cast.hpp>
 
 namespace graze::io {
 namespace {
@@ -157,7 +157,7 @@ class JsonDocument::Builder {
     return true;
   }
 
-  bool real(double value) { return scalar(JsonKind::number, std::bit_cast<std::uint64_t>(value)); }
+  bool real(double value) { return scalar(JsonKind::number, bit_cast<std::uint64_t>(value)); }
 
   bool text(const std::string& value) {
     append(JsonKind::text, static_cast<std::uint32_t>(value.size()), document_.characters_.size());
@@ -229,7 +229,7 @@ std::size_t JsonValue::offset() const { return document_->nodes_[index_].offset;
 
 double JsonValue::number() const {
   const JsonDocument::Node& node = document_->nodes_[index_];
-  return node.kind == JsonKind::whole ? static_cast<double>(node.payload) : std::bit_cast<double>(node.payload);
+  return node.kind == JsonKind::whole ? static_cast<double>(node.payload) : bit_cast<double>(node.payload);
 }
 
 std::uint64_t JsonValue::whole() const { return document_->nodes_[index_].payload; }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
@@ -17,6 +16,7 @@
 #include <graze/io/input_error.hpp>
 #include <graze/io/output_error.hpp>
 #include <graze/io/recording.hpp>
+#include <graze/math/bit_cast.hpp>
 
 namespace graze::io {
 namespace {
@@ -49,8 +49,8 @@ std::size_t place_of(Dim axis) { return number_bytes * static_cast<std::size_t>(
 Aabb<3, float> read_box(const char* bytes) {
   Aabb<3, float> box;
   for (Dim i = 0; i < 3; ++i) {
-    box.min[i] = std::bit_cast<float>(read_bits(bytes + place_of(i)));
-    box.max[i] = std::bit_cast<float>(read_bits(bytes + corner_bytes + place_of(i)));
+    box.min[i] = bit_cast<float>(read_bits(bytes + place_of(i)));
+    box.max[i] = bit_cast<float>(read_bits(bytes + corner_bytes + place_of(i)));
   }
   return box;
 }
@@ -59,8 +59,8 @@ template <Dim N>
 void write_box(char* bytes, const Aabb<N, float>& box) {
   std::fill_n(bytes, box_bytes, '\0');
   for (Dim i = 0; i < N; ++i) {
-    write_bits(bytes + place_of(i), std::bit_cast<std::uint32_t>(box.min[i]));
-    write_bits(bytes + corner_bytes + place_of(i), std::bit_cast<std::uint32_t>(box.max[i]));
+    write_bits(bytes + place_of(i), bit_cast<std::uint32_t>(box.min[i]));
+    write_bits(bytes + corner_bytes + place_of(i), bit_cast<std::uint32_t>(box.max[i]));
   }
 }
 

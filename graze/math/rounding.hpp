@@ -4,12 +4,12 @@
 // Error-free transformations: Knuth, TAOCP 2 (1969), 4.2.2, and Dekker, Numer. Math. 18 (1971).
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
 
+#include <graze/math/bit_cast.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze {
@@ -61,8 +61,8 @@ T next_up(T x) {
   using Bits = std::conditional_t<sizeof(T) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;
   if (!(x < std::numeric_limits<T>::infinity())) return x;
   if (x == T(0)) return std::numeric_limits<T>::denorm_min();
-  const auto bits = std::bit_cast<Bits>(x);  // ordered by magnitude
-  return std::bit_cast<T>(x > T(0) ? bits + 1 : bits - 1);
+  const auto bits = bit_cast<Bits>(x);  // ordered by magnitude
+  return bit_cast<T>(x > T(0) ? bits + 1 : bits - 1);
 }
 
 /// The neighbouring number below, likewise.

@@ -59,7 +59,7 @@ struct Farthest {
 };
 
 template <Dim N, class Points>
-Farthest farthest_from(const Vec<N, double>& center, const Points& points) {
+Farthest farthest_point(const Vec<N, double>& center, const Points& points) {
   Farthest farthest;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double squared = length_squared<N, double>(points[i] - center);
@@ -122,7 +122,7 @@ Ball<N> ball_with(FewPoints<N>& support, const Vec<N, double>& touched) {
       if ((subset >> i & 1U) != 0 && corners.size() <= static_cast<std::size_t>(N)) corners.push_back(all[i]);
     }
     const Vec<N, double> center = equidistant_center(corners);
-    const double radius_squared = farthest_from(center, all).distance_squared;
+    const double radius_squared = farthest_point(center, all).distance_squared;
     if (radius_squared < best.radius_squared) {
       best = {center, radius_squared};
       support = corners;
@@ -148,7 +148,7 @@ Vec<N, double> smallest_ball_center(const Points& points) {
   double reach = std::numeric_limits<double>::infinity();
   double largest = -1;
   for (int without_growth = 0; without_growth < most_passes_without_growth; ++without_growth) {
-    const Farthest farthest = farthest_from(ball.center, points);
+    const Farthest farthest = farthest_point(ball.center, points);
     if (farthest.distance_squared < reach) {
       reach = farthest.distance_squared;
       best = ball.center;
@@ -234,7 +234,7 @@ Sphere<N, T> covering_sphere(std::span<const Vec<N, T>> points, const LocalFrame
                              const Vec<N, double>& local_center) {
   Sphere<N, T> sphere{Vec<N, T>(frame.world(local_center)), T(0)};
   const LocalPoints<N, T> around_center{points, {wide<N, T>(sphere.center), frame.scale}};
-  const double squared = farthest_from(Vec<N, double>(0.0), around_center).distance_squared;
+  const double squared = farthest_point(Vec<N, double>(0.0), around_center).distance_squared;
   const double nearly = squared * (1 - tolerance::rounding);
   sphere.radius = round_down<T>(std::sqrt(nearly) / frame.scale);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -292,7 +292,7 @@ Sphere<N, T> bounding_sphere_fast(std::span<const Vec<N, T>> points) {
     const auto indices = detail::extreme_points(local.points);
     for (std::size_t i = 0; i < few.size(); ++i) few[i] = local[indices[i]];
     const Vec<N, double> center = detail::smallest_ball_center<N>(few);
-    return detail::grown_ball_center<N>({center, detail::farthest_from(center, few).distance_squared}, local);
+    return detail::grown_ball_center<N>({center, detail::farthest_point(center, few).distance_squared}, local);
   });
 }
 
