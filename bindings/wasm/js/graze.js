@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// graze for JavaScript. graze.d.ts says what everything means.
+import { Core } from "./core.js";
+import loadModule from "./graze_wasm.js";
+import { indexClasses } from "./indexes.js";
+import { pairFinderClass, pairFunctions } from "./pairs.js";
+import { queries } from "./queries.js";
+import { sceneParts } from "./scene.js";
+
+/** Ids have 29 bits for the place. */
+const places = 2 ** 29;
+
+/** Node reads files, and does not fetch them; its modules are named where no bundler for browsers looks for them. */
+async function readFromDisk() {
+  const { readFile } = await import(/* @vite-ignore */ /* webpackIgnore: true */ ["node:fs", "promises"].join("/"));
+  return readFile(new URL("graze_wasm.wasm", import.meta.url));
+}
+
+const isNode = () => typeof process === "object" && process.versions?.node !== undefined;
+
+export async function createGraze({ wasmBinary, locateFile } = {}) {
+  const options = {};
+  if (locateFile) options.locateFile = locateFile;
+  if (wasmBinary) options.wasmBinary = wasmBinary;
+  else if (isNode() && !locateFile) options.wasmBinary = await readFromDisk();
+  const module = await loadModule(options);
+  const core = new Core(module);
+  return Object.freeze({
+    version: module.version(),
+    ...queries(core),
+    ...pairFunctions(core),
+    PairFinder: pairFinderClass(core),
+    ...indexClasses(core),
+    ...sceneParts(core),
+    slotOf: (id) => id % places,
+    get memoryBytes() {
+      return module.HEAPU8.length;
+    },
+    get usedBytes() {
+      return module.usedBytes();
+    },
+  });
+}
+
+export default createGraze;

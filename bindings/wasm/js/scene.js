@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// Scenes, made in memory or read from files.
+import { Held, knownDimension, Reader, rowsOf, wholeNumber } from "./core.js";
+import { layersText, pointText, rayText, textOf } from "./text.js";
+
+/** What is said of an object beside its shape, as C++ reads it. */
+function optionsText({ fixed, ...rest } = {}) {
+  return textOf({ ...rest, fixed: fixed ? 1 : undefined }, "options");
+}
+
+/** The numbers of the layers in a mask of two halves. */
+function layersOf(low, high) {
+  if (low === 0xffffffff && high === 0xffffffff) return "all";
+  const layers = [];
+  for (let i = 0; i < 64; ++i) {
+    if (Math.floor((i < 32 ? low : high) / 2 ** (i % 32)) % 2 === 1) layers.push(i);
+  }
+  return layers;
+}
+
+/** What changes a scene. */
+class ChangingScene extends Held {
+  add(shape, options) {
+    return this.core.checked(this.handle.add(textOf(shape, "shape"), optionsText(options)));
+  }
+
+  addMany(shapes, options) {
+    this.core.checked(this.handle.addMany(textOf(shapes, "shapes"), optionsText(options)));
+    return this.core.answer().slice();
+  }
+
+  #addRows(method, rows, width, role, options) {
+    const count = rowsOf(rows, width, role);
+    this.core.give([rows]);
+    this.core.checked(this.handle[method](count, optionsText(options)));
+    return this.core.answer().slice();
+  }
+
+  addBoxes(boxes, options) {
+    return this.#addRows("addBoxes", boxes, 2 * this.dimension, "boxes", options);
+  }
+
+  addSpheres(spheres, options) {
+    return this.#addRows("addSpheres", spheres, this.dimension + 1, "spheres", options);
+  }
+
+  move(id, shape) {
+    this.core.checked(this.handle.move(id, textOf(shape, "shape")));
+  }
+
+  #moveRows(method, ids, rows, width, role) {
+    const count = rowsOf(rows, width, role);
+    if (count !== ids.length) throw new Error(`${role}: there are ${count} for ${ids.length} ids`);
+    this.core.give([ids, rows]);
+    this.core.checked(this.handle[method](count));
+  }
+
+  translate(ids, offsets) {
+    this.#moveRows("translate", ids, offsets, this.dimension, "offsets");
+  }
+
+  place(ids, positions) {
+    this.#moveRows("place", ids, positions, this.dimension, "positions");
+  }
+
+  moveBoxes(ids, boxes) {
+    this.#moveRows("moveBoxes", ids, boxes, 2 * this.dimension, "boxes");
+  }
+
+  moveSpheres(ids, spheres) {
+    this.#moveRows("moveSpheres", ids, spheres, this.dimension + 1, "spheres");
+  }
+
+  remove(id) {
+    this.core.checked(this.handle.remove(id));
+  }
+
+  layer(name) {
+    return this.core.checked(this.handle.layer(name));
+  }
+
+  update() {
+    this.core.checked(this.handle.update());
+    const [began, stayed] = this.core.answer();
+    const pairs = this.core.answer().subarray(2);
+    return {
+      began: pairs.slice(0, 2 * began),
+      stayed: pairs.slice(2 * began, 2 * (began + stayed)),
+      ended: pairs.slice(2 * (began + stayed)),
+    };
+  }
+}
+
+/** And what is asked of it. */
+class Scene extends ChangingScene {
+  constructor(core, handle) {
+    super(core, handle);
+    const { source, format, yAxis, dimension, omissions } = this.#head();
+    Object.assign(this, { source, format, yAxis, dimension, omissions });
+  }
+
+  /** Asks a question of C++. */
+  #ask(name, ...values) {
+    return this.core.checked(this.core.module[`scene${name}`](this.handle, ...values));
+  }
+
+  /** Asks one whose answer is a list of numbers. */
+  #list(name, ...values) {
+    this.#ask(name, ...values);
+    return this.core.answer().slice();
+  }
+
+  #read(name, ...values) {
+    this.#ask(name, ...values);
+    return new Reader(this.core.answer(), this.dimension);
+  }
+
+  #head() {
+    return JSON.parse(this.#ask("Head"));
+  }
+
+  get size() {
+    return this.#ask("Size");
+  }
+
+  get layerNames() {
+    return this.#head().layers;
+  }
+
+  pairs() {
+    return this.#list("Pairs");
+  }
+
+  candidates() {
+    return this.#list("Candidates");
+  }
+
+  contains(id) {
+    return this.#ask("Contains", id);
+  }
+
+  object(id) {
+    const { user, ...said } = JSON.parse(this.#ask("Object", id));
+    const answer = new Reader(this.core.answer(), this.dimension);
+    const box = answer.box();
+    return { ...said, user: BigInt(user), box, mask: layersOf(answer.number(), answer.number()) };
+  }
+
+  find(name) {
+    return this.#list("Find", name)[0] ?? null;
+  }
+
+  ids() {
+    return this.#list("Ids");
+  }
+
+  boxes(ids) {
+    if (ids !== undefined) this.core.give([ids]);
+    return this.#list("Boxes", ids?.length ?? 0, ids === undefined);
+  }
+
+  overlapping(region, { layers } = {}) {
+    return this.#list("Overlapping", textOf(region, "region"), layersText(layers));
+  }
+
+  cull(region, { layers } = {}) {
+    return this.#list("Cull", textOf(region, "region"), layersText(layers));
+  }
+
+  nearest(point, count, { layers } = {}) {
+    const answer = this.#read("Nearest", pointText(point), wholeNumber(count, "count"), layersText(layers));
+    const found = [];
+    while (!answer.isAtEnd) found.push({ id: answer.number(), distance: answer.number() });
+    return found;
+  }
+
+  rayCast(ray, { tMax = Infinity, layers } = {}) {
+    const answer = this.#read("RayCast", rayText(ray), tMax, layersText(layers));
+    return answer.isAtEnd ? null : { id: answer.number(), ...answer.hit() };
+  }
+
+  rayCastAll(ray, { tMax = Infinity, layers } = {}) {
+    const answer = this.#read("RayCastAll", rayText(ray), tMax, layersText(layers));
+    const hits = [];
+    while (!answer.isAtEnd) hits.push({ id: answer.number(), ...answer.hit() });
+    return hits;
+  }
+
+  check({ interior = false } = {}) {
+    return JSON.parse(this.#ask("CheckReport", interior));
+  }
+
+  checkPairs({ interior = false } = {}) {
+    this.#ask("CheckPairs", interior);
+    const [candidates, seconds] = this.core.answer();
+    const numbers = this.core.answer().subarray(2);
+    const count = numbers.length / 3;
+    const ids = new Float64Array(2 * count);
+    const relations = new Uint8Array(count);
+    for (let i = 0; i < count; ++i) {
+      ids[2 * i] = numbers[3 * i];
+      ids[2 * i + 1] = numbers[3 * i + 1];
+      relations[i] = numbers[3 * i + 2];
+    }
+    return { ids, relations, candidates, seconds };
+  }
+
+  info() {
+    return JSON.parse(this.#ask("Info"));
+  }
+
+  toJson() {
+    return this.#ask("ToJson");
+  }
+}
+
+export function sceneParts(core) {
+  const make = (dimension) => core.checked(core.module.Scene.make(knownDimension(dimension)));
+  return {
+    Scene: class extends Scene {
+      constructor(dimension) {
+        super(core, make(dimension));
+      }
+    },
+
+    readScene(content, name = "scene", files = {}) {
+      try {
+        for (const [path, held] of Object.entries(files)) core.checked(core.module.addSceneFile(path, held));
+        return new Scene(core, core.checked(core.module.Scene.read(content, name)));
+      } finally {
+        core.checked(core.module.removeSceneFiles());
+      }
+    },
+  };
+}

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "drawing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include <emscripten/bind.h>
+
+#include <graze/query/growing_hull.hpp>
+#include <graze/query/outline.hpp>
+
+#include "bridge.hpp"
+#include "hull_surface.hpp"
+#include "shape_text.hpp"
+
+namespace graze::wasm {
+namespace {
+
+using std::numbers::pi;
+
+/// Adds an outline, its round corners cut into pieces, as one convex polygon.
+void add_outline(Drawing<2>& drawing, const Outline& outline, int circle) {
+  std::vector<std::uint32_t> places;
+  const std::size_t count = outline.core.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec<2, double>& corner = outline.core[i];
+    if (outline.radius == 0) {
+      places.push_back(drawing.add(corner));
+      continue;
+    }
+    const Vec<2, double> in = corner - outline.core[(i + count - 1) % count];
+    const Vec<2, double> out = outline.core[(i + 1) % count] - corner;
+    const double first = count == 1 ? 0 : std::atan2(-in.x, in.y);  // of the outward normal (y, -x)
+    double last = count == 1 ? 2 * pi : std::atan2(-out.x, out.y);
+    if (last < first) last += 2 * pi;
+    const int steps = std::max(1, static_cast<int>(std::ceil((last - first) / (2 * pi) * circle)));
+    for (int k = 0; k < steps + (count == 1 ? 0 : 1); ++k) {
+      const double angle = first + (last - first) * k / steps;
+      places.push_back(drawing.add(corner + Vec<2, double>(std::cos(angle), std::sin(angle)) * outline.radius));
+    }
+  }
+  for (std::size_t i = 0; i < places.size() && places.size() > 1; ++i) {
+    if (i > 1) drawing.triangles.insert(drawing.triangles.end(), {places[0], places[i - 1], places[i]});
+    if (i + 1 == places.size() && i == 1) continue;  // the way back of a single line
+    drawing.lines.insert(drawing.lines.end(), {places[i], places[(i + 1) % places.size()]});
+  }
+}
+
+/// Adds a ball whose upper and lower half are drawn apart along `axis` from `a` to `b`: a capsule, or where both are
+/// one point a sphere.
+void add_round(Drawing<3>& drawing, const Capsule<3, double>& capsule, int circle) {
+  const Vec<3, double> along = capsule.b - capsule.a;
+  detail::Frame<3> frame;
+  if (!frame.add(along, 0)) frame.add(unit_axis<3>(2), 0);
+  const Vec<3, double> right = frame.across();
+  frame.add(right, 0);
+  const Vec<3, double> up = frame.across();  // at right angles to both, up to its sign
+  const Vec<3, double> axis = cross(right, up);
+  const bool forward = dot(axis, along) >= 0;
+  const int half_rings = std::max(2, circle / 4);
+  const int rings = 2 * half_rings + 2;
+  const auto first = static_cast<std::uint32_t>(drawing.corners.size());
+  for (int ring = 0; ring < rings; ++ring) {
+    const bool is_upper = ring > half_rings;
+    const double latitude = ((is_upper ? ring - 1 : ring) - half_rings) * pi / 2 / half_rings;
+    const Vec<3, double>& center = is_upper == forward ? capsule.b : capsule.a;
+    for (int k = 0; k < circle; ++k) {
+      const double longitude = 2 * pi * k / circle;
+      const Vec<3, double> out = (right * std::cos(longitude) + up * std::sin(longitude)) * std::cos(latitude);
+      drawing.add(center + (out + axis * std::sin(latitude)) * capsule.radius);
+    }
+  }
+  for (int ring = 0; ring + 1 < rings; ++ring) {
+    for (int k = 0; k < circle; ++k) {
+      const auto at = [&](int r, int c) { return first + static_cast<std::uint32_t>(r * circle + c % circle); };
+      // The first ring and the last are the poles.
+      if (ring > 0) drawing.triangles.insert(drawing.triangles.end(), {at(ring, k), at(ring, k + 1), at(ring + 1, k)});
+      if (ring + 2 < rings) {
+        drawing.triangles.insert(drawing.triangles.end(), {at(ring, k + 1), at(ring + 1, k + 1), at(ring + 1, k)});
+      }
+    }
+  }
+}
+
+/// Adds shapes of one dimension to a drawing.
+template <Dim N>
+class Brush {
+ public:
+  Brush(Drawing<N>& drawing, const DrawingOptions<N>& options) : drawing_(drawing), options_(options) {}
+
+  void draw(const AnyShape<N, double>& shape) const {
+    std::visit([this](const auto& held) { (*this)(held); }, shape);
+  }
+
+  void operator()(const Compound<N, double>& compound) const {
+    for (const Part<N, double>& part : compound.parts) draw(part.shape);
+  }
+
+  template <class S>
+  void operator()(const S& shape) const {
+    constexpr bool is_unbounded = std::is_same_v<S, Ray<N, double>> || std::is_same_v<S, Plane<N, double>> ||
+                                  std::is_same_v<S, HalfSpace<N, double>>;
+    if constexpr (is_unbounded) {
+      if (options_.within) draw_within(shape, *options_.within);
+    } else if constexpr (N == 2) {
+      add_outline(drawing_, outline(shape), options_.circle);
+    } else {
+      draw_solid(shape);
+    }
+  }
+
+ private:
+  template <class S>
+  void draw_within(const S& shape, const Aabb<N, double>& box) const {
+    if constexpr (N == 2) {
+      add_outline(drawing_, outline(shape, View<2>(), box), options_.circle);
+    } else if constexpr (std::is_same_v<S, Ray<3, double>>) {
+      if (const auto piece = cut(shape, box)) draw_solid(*piece);
+    } else if constexpr (std::is_same_v<S, Plane<3, double>>) {
+      add_flat_hull(drawing_, cut(shape, box), shape.normal);
+    } else {
+      const Plane<3, double> sheet = boundary(shape);
+      add_flat_hull(drawing_, cut(sheet, box), sheet.normal);
+    }
+  }
+
+  void draw_solid(const Vec<3, double>& point) const { drawing_.add(point); }
+  void draw_solid(const Segment<3, double>& s) const { add_hull(drawing_, std::array{s.start, s.end}); }
+  void draw_solid(const Triangle<3, double>& t) const { add_hull(drawing_, t_corners(t)); }
+  void draw_solid(const Polytope<3, double>& p) const { add_hull(drawing_, p.vertices()); }
+  void draw_solid(const Sphere<3, double>& s) const { draw_solid(Capsule<3, double>{s.center, s.center, s.radius}); }
+  void draw_solid(const Capsule<3, double>& c) const { add_round(drawing_, c, options_.circle); }
+  void draw_solid(const Aabb<3, double>& box) const { draw_box(box); }
+  void draw_solid(const Obb<3, double>& box) const { draw_box(box); }
+
+  template <class Box>
+  void draw_box(const Box& box) const {
+    std::array<Vec<3, double>, 8> corners;
+    for (std::uint32_t i = 0; i < 8; ++i) corners[i] = detail::box_corner(box, i);
+    add_hull(drawing_, corners);
+  }
+
+  static std::array<Vec<3, double>, 3> t_corners(const Triangle<3, double>& t) { return {t.a, t.b, t.c}; }
+
+  Drawing<N>& drawing_;
+  const DrawingOptions<N>& options_;
+};
+
+template <Dim N>
+Drawing<N> drawn(const AnyShape<N, double>& shape, const DrawingOptions<N>& options) {
+  Drawing<N> drawing;
+  Brush<N>(drawing, options).draw(shape);
+  return drawing;
+}
+
+/// The numbers of corners, of triangles' corners and of lines' ends, then all of them. The box to cut off at is a
+/// shape, or an empty text.
+void drawing_answer(int dimension, std::string shape, std::string within, int circle) {
+  in_dimension(dimension, [&](auto n) {
+    DrawingOptions<n> options;
+    if (!within.empty()) options.within = std::get<Aabb<n, double>>(shape_of<n>(within, "within"));
+    if (circle < 3 || circle > 4096) throw std::invalid_argument("corners: a circle has 3 to 4096 corners");
+    options.circle = circle;
+    const Drawing<n> drawing = drawing_of(shape_of<n>(shape, "shape"), options);
+    for (const std::size_t size : {drawing.corners.size(), drawing.triangles.size(), drawing.lines.size()}) {
+      answer().push_back(static_cast<double>(size));
+    }
+    for (const Vec<n, double>& corner : drawing.corners) put<n>(corner);
+    answer().insert(answer().end(), drawing.triangles.begin(), drawing.triangles.end());
+    answer().insert(answer().end(), drawing.lines.begin(), drawing.lines.end());
+  });
+}
+
+}  // namespace
+
+Drawing<2> drawing_of(const AnyShape<2, double>& shape, const DrawingOptions<2>& options) {
+  return drawn(shape, options);
+}
+Drawing<3> drawing_of(const AnyShape<3, double>& shape, const DrawingOptions<3>& options) {
+  return drawn(shape, options);
+}
+
+EMSCRIPTEN_BINDINGS(graze_drawing) { emscripten::function("drawing", &Guarded<&drawing_answer>::call); }
+
+}  // namespace graze::wasm

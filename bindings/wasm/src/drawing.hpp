@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Shapes as corners, triangles and lines.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <graze/math/vec.hpp>
+#include <graze/shape/aabb.hpp>
+#include <graze/shape/any_shape.hpp>
+
+namespace graze::wasm {
+
+/// Triangles and lines name corners by their places.
+template <Dim N>
+struct Drawing {
+  std::vector<Vec<N, double>> corners;
+  std::vector<std::uint32_t> triangles;  ///< Three each, counter-clockwise from outside.
+  std::vector<std::uint32_t> lines;      ///< Two each.
+
+  /// Adds a corner and gives its place.
+  std::uint32_t add(const Vec<N, double>& corner) {
+    corners.push_back(corner);
+    return static_cast<std::uint32_t>(corners.size() - 1);
+  }
+};
+
+/// How round shapes are cut into pieces, and unbounded ones cut off.
+template <Dim N>
+struct DrawingOptions {
+  std::optional<Aabb<N, double>> within;  ///< Where there is none, unbounded shapes are not drawn.
+  int circle = 64;                        ///< Corners of a whole circle.
+};
+
+/// In 2D filled shapes and their outlines, in 3D surfaces and edges. For pictures: right up to rounding, and round
+/// shapes lie inside of the true ones.
+Drawing<2> drawing_of(const AnyShape<2, double>& shape, const DrawingOptions<2>& options);
+Drawing<3> drawing_of(const AnyShape<3, double>& shape, const DrawingOptions<3>& options);
+
+}  // namespace graze::wasm

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The files around a scene, in a file system that is nothing but memory.
+#pragma once
+
+#include <string>
+
+#include <graze/io/scene_file.hpp>
+
+namespace graze::wasm {
+
+/// Lays a file where a scene that is read next finds it. Throws std::invalid_argument for a path that is not relative,
+/// or leads far up.
+void add_scene_file(std::string path, std::string content);
+
+void remove_scene_files();
+
+/// Reads a scene that may refer to those files. Throws io::InputError.
+io::SceneFile scene_of_text(const std::string& content, const std::string& name);
+
+}  // namespace graze::wasm

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+// Scenes: what is asked of them. scenes.cpp has what changes them.
+#include <chrono>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <emscripten/bind.h>
+#include <fmt/format.h>
+
+#include <graze/io/json_scene.hpp>
+#include <graze/io/quoting.hpp>
+#include <graze/io/report.hpp>
+#include <graze/io/summary.hpp>
+#include <graze/scene/relations.hpp>
+#include <graze/scene/scene.hpp>
+
+#include "scenes.hpp"
+#include "shape_text.hpp"
+
+namespace graze::wasm {
+namespace {
+
+void put_pairs(const std::vector<ObjectPair>& pairs) {
+  answer().reserve(2 * pairs.size());
+  for (const ObjectPair& pair : pairs) {
+    put_id(pair.a);
+    put_id(pair.b);
+  }
+}
+
+void put_ids(const std::vector<ObjectId>& ids) {
+  for (const ObjectId id : ids) put_id(id);
+}
+
+void pairs(SceneHandle& self) {
+  self.visit([](const auto& scene) { put_pairs(scene.pairs()); });
+}
+
+void candidates(SceneHandle& self) {
+  self.visit([](const auto& scene) { put_pairs(scene.candidates()); });
+}
+
+void ids(SceneHandle& self) {
+  self.visit([](const auto& scene) { put_ids(scene.ids()); });
+}
+
+bool contains_id(SceneHandle& self, double id) {
+  return self.visit([&](const auto& scene) { return scene.contains(self.id_of(id)); });
+}
+
+/// The boxes of the objects whose ids the input holds, or of all.
+void boxes(SceneHandle& self, std::size_t count, bool all) {
+  self.visit([&]<Dim N>(const Scene<N, double>& scene) {
+    if (all) {
+      for (const ObjectId id : scene.ids()) put<N>(scene.object(id).box);
+      return;
+    }
+    for (const double id : input<double>(count)) put<N>(scene.object(self.id_of(id)).box);
+  });
+}
+
+/// Shape, name, layer, user and mobility as text; the box and the mask's lower and upper half are the answer.
+std::string object(SceneHandle& self, double id) {
+  return self.visit([&]<Dim N>(const Scene<N, double>& scene) {
+    const Object<N, double>& found = scene.object(self.id_of(id));
+    put<N>(found.box);
+    answer().push_back(static_cast<double>(found.mask & 0xffffffffU));
+    answer().push_back(static_cast<double>(found.mask >> 32U));
+    return fmt::format(R"({{"shape": {}, "name": {}, "layer": {}, "user": "{}", "fixed": {}}})",
+                       text_of<N>(found.shape), io::json_string(found.name), found.layer, found.user,
+                       found.mobility == Mobility::fixed);
+  });
+}
+
+/// Its id, if there is one.
+void find(SceneHandle& self, std::string name) {
+  self.visit([&](const auto& scene) {
+    if (const auto id = scene.find(name)) put_id(*id);
+  });
+}
+
+/// What the scene is called, how it is to be seen, and its layers.
+std::string head(SceneHandle& self) {
+  return self.visit([&]<Dim N>(const Scene<N, double>& scene) {
+    std::string layers;
+    for (const std::string& name : scene.layer_names()) layers += (layers.empty() ? "" : ", ") + io::json_string(name);
+    std::string omissions;
+    for (const io::Omission& each : self.file.omissions) {
+      omissions += fmt::format(R"({}{{"what": {}, "count": {}}})", omissions.empty() ? "" : ", ",
+                               io::json_string(each.what), each.count);
+    }
+    return fmt::format(
+        R"({{"source": {}, "format": {}, "yAxis": "{}", "dimension": {}, "layers": [{}], "omissions": [{}]}})",
+        io::json_string(self.file.source), io::json_string(self.file.format),
+        self.file.y_axis == io::YAxis::down ? "down" : "up", N, layers, omissions);
+  });
+}
+
+std::size_t size(SceneHandle& self) {
+  return self.visit([](const auto& scene) { return scene.size(); });
+}
+
+void overlapping(SceneHandle& self, std::string region, std::string layers) {
+  self.visit([&]<Dim N>(const Scene<N, double>& scene) {
+    put_ids(scene.overlapping(shape_of<N>(region, "region"), mask_of_words(layers, scene.layer_names())));
+  });
+}
+
+void cull(SceneHandle& self, std::string region, std::string layers) {
+  self.visit([&]<Dim N>(const Scene<N, double>& scene) {
+    put_ids(scene.cull(shape_of<N>(region, "region"), mask_of_words(layers, scene.layer_names())));
+  });
+}
+
+void nearest(SceneHandle& self, std::string point, std::size_t count, std::string layers) {
+  self.visit([&]<Dim N>(const Scene<N, double>& scene) {
+    const auto from = std::get<Vec<N, double>>(shape_of<N>(point, "point"));
+    for (const NearObject<double>& near : scene.nearest(from, count, mask_of_words(layers, scene.layer_names()))) {
+      put_id(near.id);
+      answer().push_back(near.distance);
+    }
+  });
+}
+
+/// For each hit: id, t, point, normal, status, error.
+template <Dim N>
+void put_hit(const ObjectHit<N, double>& found) {
+  put_id(found.id);
+  answer().push_back(found.hit.t);
+  put<N>(found.hit.point);
+  put<N>(found.hit.normal);
+  answer().push_back(found.hit.status == Status::converged ? 0 : 1);
+  answer().push_back(found.hit.error);
+}
+
+void ray_cast_scene(SceneHandle& self, std::string ray, double t_max, std::string layers) {
+  self.visit([&]<Dim N>(const Scene<N, double>& scene) {
+    const auto hit = scene.ray_cast(ray_of<N>(ray), t_max, mask_of_words(layers, scene.layer_names()));
+    if (hit) put_hit<N>(*hit);
+  });
+}
+
+void ray_cast_all(SceneHandle& self, std::string ray, double t_max, std::string layers) {
+  self.visit([&]<Dim N>(const Scene<N, double>& scene) {
+    for (const auto& hit : scene.ray_cast_all(ray_of<N>(ray), t_max, mask_of_words(layers, scene.layer_names()))) {
+      put_hit<N>(hit);
+    }
+  });
+}
+
+/// Calls found(pair, relation) for every pair that touches, or overlaps where only that is wanted.
+template <Dim N, class Found>
+io::ReportSummary check(const Scene<N, double>& scene, bool only_interior, const Found& found) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  io::ReportSummary summary;
+  const std::vector<ObjectPair> worth_testing = scene.candidates();
+  summary.candidates = worth_testing.size();
+  for (const ObjectPair& pair : worth_testing) {
+    const Relation verdict = relation(scene.object(pair.a).shape, scene.object(pair.b).shape);
+    if (verdict == Relation::apart || (only_interior && verdict != Relation::overlapping)) continue;
+    found(pair, verdict);
+    ++summary.pairs;
+  }
+  summary.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return summary;
+}
+
+/// The report that the command line writes.
+std::string check_report(SceneHandle& self, bool only_interior) {
+  return self.visit([&]<Dim N>(const Scene<N, double>& scene) {
+    std::ostringstream out;
+    const auto writer = io::begin_report(out, io::ReportFormat::json, {self.file.source, N, scene.size()});
+    writer->finish(check(scene, only_interior, [&](const ObjectPair& pair, Relation verdict) {
+      writer->write({scene.object(pair.a).name, scene.object(pair.b).name, verdict});
+    }));
+    return out.str();
+  });
+}
+
+/// The number of candidates, the seconds, then for each pair both ids and the relation.
+void check_pairs(SceneHandle& self, bool only_interior) {
+  self.visit([&]<Dim N>(const Scene<N, double>& scene) {
+    answer().resize(2);
+    const io::ReportSummary summary = check(scene, only_interior, [](const ObjectPair& pair, Relation verdict) {
+      put_id(pair.a);
+      put_id(pair.b);
+      answer().push_back(static_cast<double>(verdict));
+    });
+    answer()[0] = static_cast<double>(summary.candidates);
+    answer()[1] = summary.seconds;
+  });
+}
+
+std::string info(SceneHandle& self) {
+  std::ostringstream out;
+  io::write_summary_json(out, io::summarise(self.file));
+  return out.str();
+}
+
+std::string to_json(SceneHandle& self) {
+  std::ostringstream out;
+  io::write_json_scene(out, self.file);
+  return out.str();
+}
+
+/// A method that only asks: embind wants each on the class of its own registration, hence functions that take the
+/// scene.
+template <auto question>
+constexpr auto asked = &Guarded<question>::call;
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(graze_scene_questions) {
+  using emscripten::function;
+  function("scenePairs", asked<&pairs>);
+  function("sceneCandidates", asked<&candidates>);
+  function("sceneIds", asked<&ids>);
+  function("sceneContains", asked<&contains_id>);
+  function("sceneBoxes", asked<&boxes>);
+  function("sceneObject", asked<&object>);
+  function("sceneFind", asked<&find>);
+  function("sceneHead", asked<&head>);
+  function("sceneSize", asked<&size>);
+  function("sceneOverlapping", asked<&overlapping>);
+  function("sceneCull", asked<&cull>);
+  function("sceneNearest", asked<&nearest>);
+  function("sceneRayCast", asked<&ray_cast_scene>);
+  function("sceneRayCastAll", asked<&ray_cast_all>);
+  function("sceneCheckReport", asked<&check_report>);
+  function("sceneCheckPairs", asked<&check_pairs>);
+  function("sceneInfo", asked<&info>);
+  function("sceneToJson", asked<&to_json>);
+}
+
+}  // namespace graze::wasm

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// Scenes: what changes them. scene_questions.cpp has what is asked of them.
+#include "scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <emscripten/bind.h>
+#include <fmt/format.h>
+
+#include <graze/io/in_quotes.hpp>
+#include <graze/scene/scene.hpp>
+
+#include "scene_files.hpp"
+#include "shape_text.hpp"
+#include "translated.hpp"
+
+namespace graze::wasm {
+namespace {
+
+SceneHandle* make_scene(int dimension) {
+  auto handle = std::make_unique<SceneHandle>();
+  handle->file.format = "graze.scene/1";
+  in_dimension(dimension, [&](auto n) { handle->file.scene = Scene<n, double>(); });
+  return handle.release();  // embind owns it
+}
+
+SceneHandle* read_scene_text(std::string content, std::string name) {
+  auto handle = std::make_unique<SceneHandle>(SceneHandle{scene_of_text(content, name)});
+  handle->visit([&](const auto& scene) {
+    const auto ids = scene.ids();
+    if (!ids.empty()) handle->owner = ids.front().owner;
+  });
+  return handle.release();  // embind owns it
+}
+
+/// Adds all shapes or none; the answer has their ids.
+template <Dim N>
+void add_all(SceneHandle& self, Scene<N, double>& scene, std::vector<AnyShape<N, double>> shapes,
+             const ObjectOptions& options) {
+  std::vector<ObjectId> ids;
+  try {
+    for (AnyShape<N, double>& shape : shapes) ids.push_back(scene.add(std::move(shape), options));
+  } catch (...) {
+    for (const ObjectId id : ids) scene.remove(id);
+    throw;
+  }
+  for (const ObjectId id : ids) put_id(id);
+  if (!ids.empty()) self.owner = ids.front().owner;
+}
+
+double add(SceneHandle& self, std::string shape, std::string options) {
+  const ObjectWords words(options);
+  return self.visit([&]<Dim N>(Scene<N, double>& scene) {
+    const ObjectId id = scene.add(shape_of<N>(shape, "shape"), words.in(scene));
+    self.owner = id.owner;
+    return packed_id(id.index, id.generation);
+  });
+}
+
+void add_many(SceneHandle& self, std::string shapes, std::string options) {
+  const ObjectWords words(options);
+  self.visit([&]<Dim N>(Scene<N, double>& scene) {
+    std::vector<AnyShape<N, double>> parsed = shapes_of<N>(shapes);
+    add_all(self, scene, std::move(parsed), words.in(scene));
+  });
+}
+
+/// How shapes of one type stand in the input.
+enum class Row { boxes, spheres };
+
+template <Dim N>
+constexpr std::size_t numbers_in(Row row) {
+  return static_cast<std::size_t>(row == Row::boxes ? 2 * N : N + 1);
+}
+
+template <Dim N>
+AnyShape<N, double> shape_in_row(Row row, std::span<const double> numbers, std::size_t index) {
+  if (row == Row::boxes) return box_at<N>(numbers, index);
+  const auto own = numbers.subspan(index * numbers_in<N>(row), numbers_in<N>(row));
+  return Sphere<N, double>{vector_at<N>(own, 0), own.back()};
+}
+
+/// A defect is told with the place of its shape; Scene would not know it.
+template <Dim N>
+void require_valid_rows(Row row, std::span<const double> numbers, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const AnyShape<N, double> shape = shape_in_row<N>(row, numbers, i);
+    if (is_valid(shape)) continue;
+    throw std::invalid_argument(fmt::format("{} {} {}", row == Row::boxes ? "box" : "sphere", i, defect(shape)));
+  }
+}
+
+template <Row row>
+void add_rows(SceneHandle& self, std::size_t count, std::string options) {
+  const ObjectWords words(options);
+  self.visit([&]<Dim N>(Scene<N, double>& scene) {
+    const auto numbers = input<double>(count * numbers_in<N>(row));
+    require_valid_rows<N>(row, numbers, count);
+    std::vector<AnyShape<N, double>> shapes;
+    shapes.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) shapes.push_back(shape_in_row<N>(row, numbers, i));
+    add_all(self, scene, std::move(shapes), words.in(scene));
+  });
+}
+
+void move_one(SceneHandle& self, double id, std::string shape) {
+  self.visit([&]<Dim N>(Scene<N, double>& scene) { scene.move(self.id_of(id), shape_of<N>(shape, "shape")); });
+}
+
+/// Moves many objects: the input holds their ids, then so many numbers for each, of which `next` makes the shape that
+/// it is now.
+template <Dim N, class Next>
+void move_many(SceneHandle& self, Scene<N, double>& scene, std::size_t count, std::size_t width, const Next& next) {
+  const auto numbers = input<double>(count * (1 + width));
+  std::vector<ObjectMove<N, double>> moves;
+  moves.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const ObjectId id = self.id_of(numbers[i]);
+    moves.push_back({id, next(scene.object(id), numbers.subspan(count), i)});
+  }
+  scene.move(std::span<const ObjectMove<N, double>>(moves));
+}
+
+void translate(SceneHandle& self, std::size_t count) {
+  self.visit([&]<Dim N>(Scene<N, double>& scene) {
+    move_many(self, scene, count, static_cast<std::size_t>(N),
+              [](const Object<N, double>& object, std::span<const double> numbers, std::size_t i) {
+                return translated<N>(object.shape, vector_at<N>(numbers, i));
+              });
+  });
+}
+
+void place(SceneHandle& self, std::size_t count) {
+  self.visit([&]<Dim N>(Scene<N, double>& scene) {
+    move_many(self, scene, count, static_cast<std::size_t>(N),
+              [](const Object<N, double>& object, std::span<const double> numbers, std::size_t i) {
+                if (!is_valid(object.box)) {
+                  throw std::invalid_argument(fmt::format(
+                      "place: object {} {} has no finite bounds, so it has no center", i, io::in_quotes(object.name)));
+                }
+                return placed<N>(object.shape, object.box, vector_at<N>(numbers, i));
+              });
+  });
+}
+
+template <Row row>
+void move_rows(SceneHandle& self, std::size_t count) {
+  self.visit([&]<Dim N>(Scene<N, double>& scene) {
+    const std::size_t width = numbers_in<N>(row);
+    require_valid_rows<N>(row, input<double>(count * (1 + width)).subspan(count), count);
+    move_many(self, scene, count, width, [](const Object<N, double>&, std::span<const double> numbers, std::size_t i) {
+      return shape_in_row<N>(row, numbers, i);
+    });
+  });
+}
+
+void remove(SceneHandle& self, double id) {
+  self.visit([&](auto& scene) { scene.remove(self.id_of(id)); });
+}
+
+int layer(SceneHandle& self, std::string name) {
+  return self.visit([&](auto& scene) { return static_cast<int>(scene.layer(name)); });
+}
+
+/// The numbers of pairs that began and that stayed, then the pairs that began, stayed and ended.
+void update(SceneHandle& self) {
+  self.visit([](auto& scene) {
+    const SceneEvents& events = scene.update();
+    answer().push_back(static_cast<double>(events.began.size()));
+    answer().push_back(static_cast<double>(events.stayed.size()));
+    for (const auto* const list : {&events.began, &events.stayed, &events.ended}) {
+      for (const ObjectPair& pair : *list) {
+        put_id(pair.a);
+        put_id(pair.b);
+      }
+    }
+  });
+}
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(graze_scenes) {
+  using namespace emscripten;  // NOLINT(google-build-using-namespace): as embind is written
+  class_<SceneHandle>("Scene")
+      .class_function("make", &Guarded<&make_scene>::call, allow_raw_pointers())
+      .class_function("read", &Guarded<&read_scene_text>::call, allow_raw_pointers())
+      .function("add", &Guarded<&add>::call)
+      .function("addMany", &Guarded<&add_many>::call)
+      .function("addBoxes", &Guarded<&add_rows<Row::boxes>>::call)
+      .function("addSpheres", &Guarded<&add_rows<Row::spheres>>::call)
+      .function("move", &Guarded<&move_one>::call)
+      .function("translate", &Guarded<&translate>::call)
+      .function("place", &Guarded<&place>::call)
+      .function("moveBoxes", &Guarded<&move_rows<Row::boxes>>::call)
+      .function("moveSpheres", &Guarded<&move_rows<Row::spheres>>::call)
+      .function("remove", &Guarded<&remove>::call)
+      .function("layer", &Guarded<&layer>::call)
+      .function("update", &Guarded<&update>::call);
+  function("addSceneFile", &Guarded<&add_scene_file>::call);
+  function("removeSceneFiles", &Guarded<&remove_scene_files>::call);
+}
+
+}  // namespace graze::wasm

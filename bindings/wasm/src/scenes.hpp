@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// A scene as JavaScript holds it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include <graze/io/scene_file.hpp>
+#include <graze/scene/filter.hpp>
+#include <graze/scene/object.hpp>
+
+#include "bridge.hpp"
+
+namespace graze::wasm {
+
+/// A scene of either dimension with what its file says around it, and who gave out its ids, which JavaScript is not
+/// bothered with.
+struct SceneHandle {
+  io::SceneFile file;
+  std::uint32_t owner = 0;
+
+  ObjectId id_of(double id) const {
+    const UnpackedId unpacked = unpacked_id(id);
+    return {unpacked.index, unpacked.generation, owner};
+  }
+
+  /// Calls visit(scene) with the scene of its dimension.
+  template <class Visit>
+  auto visit(const Visit& visitor) {
+    return std::visit(visitor, file.scene);
+  }
+};
+
+template <class S>
+inline constexpr Dim dimension_in = 0;
+template <Dim N>
+inline constexpr Dim dimension_in<Scene<N, double>> = N;
+
+/// The dimension of the scene that a generic visitor was given.
+template <class S>
+inline constexpr Dim dimension_of_scene = dimension_in<std::remove_cvref_t<S>>;
+
+inline void put_id(ObjectId id) { answer().push_back(packed_id(id.index, id.generation)); }
+
+/// What a JSON text says of an object beside its shape, names of layers not looked up yet.
+class ObjectWords {
+ public:
+  /// Throws io::InputError.
+  explicit ObjectWords(const std::string& text);
+
+  /// For this scene, in which layers of unknown names are made, unless the name of the object is taken already, of
+  /// which `add` will speak.
+  template <Dim N>
+  ObjectOptions in(Scene<N, double>& scene) const;
+
+ private:
+  using LayerWord = std::variant<std::string, Layer>;
+
+  ObjectOptions options_;
+  LayerWord layer_ = Layer{0};
+  std::vector<LayerWord> mask_;
+  bool has_mask_ = false;
+};
+
+/// The mask of a JSON array of names and numbers of layers; all of them for an empty text. Throws std::invalid_argument
+/// for a name that is not among `names`, io::InputError for other nonsense.
+LayerMask mask_of_words(const std::string& text, const std::vector<std::string>& names);
+
+}  // namespace graze::wasm
