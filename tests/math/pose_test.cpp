@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -71,6 +72,22 @@ TEST(Pose, SmallAnglesKeepTheirRelativePrecision) {
   const double radians_per_degree = std::acos(-1.0) / 180;
   EXPECT_DOUBLE_EQ(cosine_sine_of_degrees(1e-9).y, 1e-9 * radians_per_degree);
   EXPECT_NEAR(cosine_sine_of_degrees(90 + 1e-9).x, -1e-9 * radians_per_degree, 1e-25 + 90 * 0x1p-53);
+}
+
+TEST(Pose, CosineAndSineAreRightToTheLastBitButOne) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  for (int k = -10000; k <= 10000; ++k) {
+    const double angle = k * (std::numbers::pi / 4) / 10000;
+    const Vec<2, double> found = detail::cosine_sine_of_small(angle);
+    EXPECT_NEAR(found.x, std::cos(angle), epsilon / 2) << angle;
+    EXPECT_NEAR(found.y, std::sin(angle), epsilon * std::fabs(angle)) << angle;
+  }
+}
+
+TEST(Pose, CosineAndSineAreTheSameOnEveryMachine) {
+  const Vec<2, double> turn = cosine_sine_of_degrees(30.37);
+  EXPECT_EQ(turn.x, 0x1.b9be1ad50b5c2p-1);
+  EXPECT_EQ(turn.y, 0x1.02dba7a5a6ff5p-1);
 }
 
 TEST(Pose, RotationInThePlaneIsCounterClockwise) {
