@@ -22,6 +22,12 @@ HWY_API Vec128<double, N> Set(Simd<double, N, 0>, double value) {
   return {wasm_f64x2_splat(value)};
 }
 
+/// Highway's own gives the bits of a double as a whole number.
+template <std::size_t N>
+HWY_API double GetLane(Vec128<double, N> v) {
+  return wasm_f64x2_extract_lane(v.raw, 0);
+}
+
 template <std::size_t N>
 HWY_API Vec128<double, N> operator+(Vec128<double, N> a, Vec128<double, N> b) {
   return {wasm_f64x2_add(a.raw, b.raw)};

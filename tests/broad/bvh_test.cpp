@@ -169,6 +169,64 @@ TEST(Bvh, ASoakLosesNothingAndReturnsToZero) {
   EXPECT_EQ(count(bvh, Aabb<3>::everything()), 0U);
 }
 
+/// All groups, those that are no leaves with the two that follow.
+template <Dim N, class T>
+std::vector<BvhCell<N, T>> cells_of(const Bvh<N, T>& tree) {
+  std::vector<BvhCell<N, T>> cells;
+  tree.visit_cells([&cells](const auto& cell) { cells.push_back(cell); });
+  return cells;
+}
+
+TEST(Bvh, TellsItsGroupsTheWholeBeforeItsParts) {
+  Bvh<2> tree({.margin = 0.5});
+  EXPECT_TRUE(cells_of(tree).empty());
+  tree.insert({{0, 0}, {1, 1}});
+  ASSERT_EQ(cells_of(tree).size(), 1U);
+  EXPECT_TRUE(cells_of(tree)[0].is_leaf);
+  EXPECT_EQ(cells_of(tree)[0].box, (Aabb<2>{{-0.5F, -0.5F}, {1.5F, 1.5F}}));
+  tree.insert({{10, 0}, {11, 1}});
+  tree.insert({{0, 0}, {std::numeric_limits<float>::infinity(), 1}});
+  const auto cells = cells_of(tree);
+  ASSERT_EQ(cells.size(), 3U);
+  EXPECT_EQ(cells[0].count, 2U);
+  EXPECT_EQ(cells[0].depth, 0);
+  EXPECT_FALSE(cells[0].is_leaf);
+  EXPECT_EQ(cells[0].box, (Aabb<2>{{-0.5F, -0.5F}, {11.5F, 1.5F}}));
+  EXPECT_TRUE(cells[1].is_leaf && cells[2].is_leaf);
+  EXPECT_EQ(cells[1].depth, 1);
+}
+
+TEST(Bvh, GroupsCountAndContainWhatIsInThem) {
+  Bvh<3> tree;
+  const auto worlds = test::box_worlds<3, float>(1000, 5);
+  for (const Aabb<3>& box : worlds.front().boxes) tree.insert(box);
+  const auto cells = cells_of(tree);
+  ASSERT_EQ(cells.size(), 1999U);
+  std::vector<std::size_t> open;  // groups that the next ones may belong to
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    while (!open.empty() && cells[open.back()].depth >= cells[i].depth) open.pop_back();
+    if (!open.empty()) {
+      EXPECT_EQ(cells[open.back()].depth + 1, cells[i].depth);
+      EXPECT_EQ(detail::shared_box(cells[open.back()].box, cells[i].box), cells[i].box);
+    }
+    if (cells[i].is_leaf) {
+      EXPECT_EQ(cells[i].count, 1U);
+    } else {
+      EXPECT_EQ(cells[i].count, cells[i + 1].count + cells[i + 2 * cells[i + 1].count].count);
+    }
+    open.push_back(i);
+  }
+}
+
+TEST(Bvh, AVisitOfGroupsEndsWhenItsVisitorSaysSo) {
+  Bvh<2> tree;
+  for (int k = 0; k < 10; ++k) tree.insert({Vec<2>(static_cast<float>(k)), Vec<2>(static_cast<float>(k + 1))});
+  int visits = 0;
+  tree.visit_cells([&visits](const auto&) { return ++visits < 3; });
+  EXPECT_EQ(visits, 3);
+  EXPECT_THROW(tree.visit_cells([&tree](const auto&) { tree.clear(); }), std::logic_error);
+}
+
 TEST(Bvh, SaysHowMuchMemoryItHolds) {
   Bvh<3> bvh;
   bvh.assign(some_boxes(10'000, 8));

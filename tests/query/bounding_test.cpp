@@ -12,6 +12,8 @@
 #include <gtest/gtest.h>
 
 #include <graze/query/bounding.hpp>
+#include <graze/query/intersects.hpp>
+#include <graze/shape/ray.hpp>
 #include <graze/shape/shape.hpp>
 
 #include "../catalogue/nasty.hpp"
@@ -82,6 +84,16 @@ TYPED_TEST(BoundingIn, TakesSpansAndVectorsAndWhatConvertsToASpan) {
   EXPECT_EQ(bounding_sphere(points).radius, (bounding_sphere<N, T>(array).radius));
   EXPECT_EQ(bounding_sphere_fast(span).radius, (bounding_sphere_fast<N, T>(points).radius));
   EXPECT_EQ(bounding_obb(span).half_extents, (bounding_obb<N, T>(array).half_extents));
+}
+
+// Both have helpers that ask what is farthest from a point, and once had one name for them.
+TYPED_TEST(BoundingIn, LivesInOneProgramWithTheRelationsOfRays) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  const std::vector<Vec<N, T>> points{Vec<N, T>(T(-1)), Vec<N, T>(T(1))};
+  const Ray<N, T> ray{unit_axis<N, T>(0) * T(9), unit_axis<N, T>(0) * T(-1)};
+  EXPECT_TRUE(intersects(bounding_sphere(points), ray));
+  EXPECT_TRUE(intersects(bounding_obb(points), ray));
 }
 
 }  // namespace
