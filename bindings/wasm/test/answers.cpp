@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+// Writes what this machine's graze answers, for the tests of the module to compare with, into a folder:
+//
+//   queries.ndjson                  a line for each pair of shapes: both, a point, a ray, and all answers about them
+//   pairs_2d_float.boxes, .pairs    100,000 boxes as they lie in memory, and their pairs; likewise 3d and double
+//   indexes.json                    what trees answer about boxes, and their cells
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <graze/broad/bvh.hpp>
+#include <graze/broad/orthtree.hpp>
+#include <graze/broad/pairs.hpp>
+#include <graze/broad/worlds.hpp>
+#include <graze/io/json_shape_writer.hpp>
+#include <graze/query/closest_boundary_point.hpp>
+#include <graze/query/closest_point.hpp>
+#include <graze/query/closest_points.hpp>
+#include <graze/query/contact.hpp>
+#include <graze/query/contains.hpp>
+#include <graze/query/distance.hpp>
+#include <graze/query/manifold.hpp>
+#include <graze/query/ray_cast.hpp>
+#include <graze/query/signed_distance.hpp>
+#include <graze/scene/relations.hpp>
+
+#include "catalogue.hpp"
+
+namespace graze::test {
+namespace {
+
+/// Numbers as JSON, each so that it reads back with every bit, and what JSON has no number for as text.
+class Numbers {
+ public:
+  void put(double number) {
+    text_ += text_.empty() ? "" : ", ";
+    if (std::isnan(number)) {
+      text_ += "\"NaN\"";
+    } else if (std::isinf(number)) {
+      text_ += number > 0 ? "\"Infinity\"" : "\"-Infinity\"";
+    } else {
+      text_ += number == 0 && std::signbit(number) ? std::string("-0.0") : fmt::format("{}", number);
+    }
+  }
+
+  template <Dim N>
+  void put(const Vec<N, double>& vector) {
+    for (Dim i = 0; i < N; ++i) put(vector[i]);
+  }
+
+  template <Dim N>
+  void put(const Aabb<N, double>& box) {
+    put<N>(box.min);
+    put<N>(box.max);
+  }
+
+  std::string list() const { return '[' + text_ + ']'; }
+
+ private:
+  std::string text_;
+};
+
+/// What is asked about together.
+template <Dim N>
+struct Case {
+  AnyShape<N, double> a;
+  AnyShape<N, double> b;
+  Vec<N, double> point;
+  Ray<N, double> ray;
+};
+
+template <Dim N>
+Case<N> draw_case(std::size_t first, std::size_t second) {
+  const Source<N, double> from = draw_source<N, double>();
+  return {draw_shape_at<N, double>(first, from), draw_shape_at<N, double>(second, from), *from.point,
+          Ray<N, double>{*from.point, *from.direction}};
+}
+
+template <Dim N>
+void answer_pair(const AnyShape<N, double>& a, const AnyShape<N, double>& b, Numbers& out) {
+  out.put(static_cast<double>(relation(a, b)));
+  out.put(distance(a, b));
+  const Proximity<N, double> near = closest_points(a, b);
+  out.put(near.distance);
+  out.put<N>(near.point_a);
+  out.put<N>(near.point_b);
+  out.put<N>(near.normal);
+  out.put(near.error);
+  if (const auto found = contact(a, b)) {
+    out.put<N>(found->point);
+    out.put<N>(found->point_a);
+    out.put<N>(found->point_b);
+    out.put<N>(found->normal);
+    out.put(found->depth);
+    out.put(found->error);
+  }
+  const Manifold<N, double> touching = manifold(a, b);
+  out.put<N>(touching.normal);
+  out.put(touching.error);
+  for (const ManifoldPoint<N, double>& point : touching.contacts()) {
+    out.put<N>(point.point);
+    out.put<N>(point.point_a);
+    out.put<N>(point.point_b);
+    out.put(point.depth);
+  }
+}
+
+template <Dim N>
+void answer_shape(const Case<N>& asked, Numbers& out) {
+  for (const RaySide side : {RaySide::entry, RaySide::exit}) {
+    const auto hit = ray_cast(asked.a, asked.ray, std::numeric_limits<double>::infinity(), RayOptions{side});
+    if (!hit) continue;
+    out.put(hit->t);
+    out.put<N>(hit->point);
+    out.put<N>(hit->normal);
+    out.put(hit->error);
+  }
+  out.put(contains(asked.a, asked.point) ? 1 : 0);
+  out.put<N>(closest_point(asked.a, asked.point));
+  out.put<N>(closest_boundary_point(asked.a, asked.point));
+  out.put(signed_distance(asked.a, asked.point));
+  out.put<N>(bounds(asked.a));
+}
+
+template <Dim N>
+std::string text_of(const AnyShape<N, double>& shape) {
+  std::string text = "{";
+  io::append_json_shape<N>(text, shape);
+  return text + '}';
+}
+
+/// Every two types of shapes, several times.
+template <Dim N>
+void write_queries(std::ostream& out) {
+  constexpr std::size_t types = std::variant_size_v<AnyShape<N, double>>;
+  constexpr int rounds = 8;
+  rc::Random random(20261121 + static_cast<std::uint64_t>(N));
+  for (std::size_t k = 0; k < types * types * rounds; ++k) {
+    const auto gen = rc::gen::exec([k] { return draw_case<N>(k % types, k / types % types); });
+    const Case<N> asked = gen(random.split(), 50).value();
+    Numbers answers;
+    answer_pair<N>(asked.a, asked.b, answers);
+    answer_shape<N>(asked, answers);
+    out << fmt::format("{{\"a\": {}, \"b\": {}, \"point\": {}, \"ray\": {}, \"answers\": {}}}\n", text_of<N>(asked.a),
+                       text_of<N>(asked.b), text_of<N>(asked.point), text_of<N>(asked.ray), answers.list());
+  }
+}
+
+template <class T>
+void write_bytes(const std::filesystem::path& path, std::span<const T> values) {
+  std::ofstream out(path, std::ios::binary);
+  out.write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(values.size_bytes()));
+  if (!out) throw std::runtime_error(path.string() + " cannot be written");
+}
+
+template <Dim N, class T>
+void write_pairs(const std::filesystem::path& folder) {
+  const MovingBoxes<N, T> world(World::brownian, 100000, 7);
+  const std::vector<Pair> pairs = overlapping_pairs(world.boxes());
+  const std::string name = fmt::format("pairs_{}d_{}", N, std::is_same_v<T, float> ? "float" : "double");
+  write_bytes(folder / (name + ".boxes"), world.boxes());
+  write_bytes(folder / (name + ".pairs"), std::span<const Pair>(pairs));
+}
+
+/// The answers of an index about the boxes of a world that moved once: the places of keys, in the order in which they
+/// come.
+template <class Index>
+std::string answers_of(Index index) {
+  using Box = typename Index::Box;
+  constexpr Dim N = dimension_of<Box>;
+  MovingBoxes<N, double> world(World::heavy, 2000, 7);
+  Numbers boxes;
+  std::vector<Key> keys;
+  for (const Box& box : world.boxes()) {
+    boxes.put<N>(box);
+    keys.push_back(index.insert(box));
+  }
+  world.step();
+  Numbers moved;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    moved.put<N>(world.boxes()[i]);
+    index.update(keys[i], world.boxes()[i]);
+  }
+  const Box all = world.bounds();
+  const Sphere<N, double> region{all.center(), max_abs(all.half_extents()) / 3};
+  Numbers found;
+  index.query(region, [&found](const Key& key) { found.put(key.index); });
+  Numbers hits;
+  index.ray_cast(Ray<N, double>{all.min, all.max - all.min}, [&hits](const Key& key, double t) {
+    hits.put(key.index);
+    hits.put(t);
+  });
+  Numbers near;
+  for (const Neighbour& each : index.nearest(all.center(), 20)) {
+    near.put(each.key.index);
+    near.put(each.distance_squared);
+  }
+  Numbers cells;
+  index.visit_cells([&cells](const auto& cell) {
+    cells.put<N>(cell.box);
+    for (const double number : {double(cell.depth), double(cell.count), double(cell.is_leaf)}) cells.put(number);
+  });
+  return fmt::format(
+      "{{\"dimension\": {}, \"boxes\": {}, \"moved\": {}, \"region\": {}, \"ray\": {}, \"center\": {}, \"found\": {}, "
+      "\"hits\": {}, \"near\": {}, \"cells\": {}}}",
+      N, boxes.list(), moved.list(), text_of<N>(region), text_of<N>(Ray<N, double>{all.min, all.max - all.min}),
+      text_of<N>(all.center()), found.list(), hits.list(), near.list(), cells.list());
+}
+
+void write_all(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  std::ofstream queries(folder / "queries.ndjson");
+  write_queries<2>(queries);
+  write_queries<3>(queries);
+  write_pairs<2, float>(folder);
+  write_pairs<3, float>(folder);
+  write_pairs<2, double>(folder);
+  write_pairs<3, double>(folder);
+  std::ofstream indexes(folder / "indexes.json");
+  indexes << fmt::format("{{\"QuadTree\": {}, \"Octree\": {}, \"Bvh2\": {}, \"Bvh3\": {}}}\n",
+                         answers_of(QuadTree<double>(OrthtreeOptions{.capacity = 4, .max_depth = 8})),
+                         answers_of(Octree<double>(OrthtreeOptions{.capacity = 4, .max_depth = 8})),
+                         answers_of(Bvh<2, double>()), answers_of(Bvh<3, double>(BvhOptions{.margin = 0.5})));
+  if (!queries || !indexes) throw std::runtime_error(folder.string() + ": writing failed");
+}
+
+}  // namespace
+}  // namespace graze::test
+
+int main(int count, char** arguments) {
+  if (count != 2) {
+    std::cerr << "usage: graze_answers FOLDER\n";
+    return 2;
+  }
+  try {
+    graze::test::write_all(arguments[1]);
+  } catch (const std::exception& error) {
+    std::cerr << "graze_answers: " << error.what() << '\n';
+    return 1;
+  }
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { setTimeout } from "node:timers/promises";
+import { join } from "node:path";
+import { before, test } from "node:test";
+import { setFlagsFromString } from "node:v8";
+import { runInNewContext } from "node:vm";
+
+import { loadGraze, root } from "./native.mjs";
+
+let graze;
+
+before(async () => {
+  graze = await loadGraze();
+});
+
+/** Uses a bit of everything, and gives it back, or leaves it to be found. */
+function useEverything(givesBack) {
+  const scene = new graze.Scene(3);
+  scene.addSpheres(Float32Array.from({ length: 4000 }, (_, i) => (i % 4 === 3 ? 1 : (i * 7919) % 20)));
+  scene.update();
+  const file = graze.readScene(readFileSync(join(root, "data/workshop.json")), "workshop");
+  file.check();
+  const tree = new graze.Octree();
+  tree.insertMany(Float64Array.from({ length: 6000 }, (_, i) => i % 50 + (i % 6 > 2 ? 100 : 0)));
+  const bvh = new graze.Bvh(2);
+  bvh.insert({ min: [0, 0], max: [1, 1] });
+  const finder = new graze.PairFinder(3, 1000);
+  finder.find();
+  assert.throws(() => graze.readScene("nonsense"), Error);
+  assert.throws(() => scene.add({ type: "sphere" }), Error);
+  graze.overlappingPairs(new Float32Array(6000), 3);
+  if (givesBack) for (const held of [scene, file, tree, bvh, finder]) held.delete();
+}
+
+test("what is deleted gives back its memory", () => {
+  for (let i = 0; i < 3; ++i) useEverything(true);  // buffers are kept
+  const before = graze.usedBytes;
+  for (let i = 0; i < 20; ++i) useEverything(true);
+  assert.equal(graze.usedBytes, before);
+  assert.ok(graze.memoryBytes > graze.usedBytes);
+});
+
+test("what is forgotten gives back its memory some time", async () => {
+  setFlagsFromString("--expose-gc");
+  const collect = runInNewContext("gc");
+  useEverything(true);
+  const before = graze.usedBytes;
+  useEverything(false);
+  assert.ok(graze.usedBytes > before);
+  for (let i = 0; i < 100 && graze.usedBytes > before; ++i) {
+    await setTimeout(10);
+    collect();
+  }
+  assert.equal(graze.usedBytes, before);
+});
+
+test("what is deleted says so when it is used", () => {
+  const scene = new graze.Scene(2);
+  scene.delete();
+  for (const use of [() => scene.size, () => scene.update(), () => scene.delete(), () => scene.pairs()]) {
+    assert.throws(use, /^Error: this object was deleted$/);
+  }
+});

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+import assert from "node:assert/strict";
+import { before, test } from "node:test";
+
+import { assertSameBits, loadGraze, nativeAnswers } from "./native.mjs";
+
+let graze;
+let native;
+
+before(async () => {
+  graze = await loadGraze();
+  native = nativeAnswers();
+});
+
+const relations = ["apart", "touching", "overlapping"];
+
+const hasNumbers = (shape) => /\d/.test(JSON.stringify(shape));
+
+function pairAnswers(a, b) {
+  const near = graze.closestPoints(a, b);
+  assert.equal(near.relation, graze.relation(a, b));
+  assert.equal(graze.intersects(a, b), near.relation !== "apart");
+  const found = graze.contact(a, b);
+  const touching = graze.manifold(a, b);
+  return [
+    relations.indexOf(near.relation),
+    graze.distance(a, b),
+    near.distance,
+    ...near.pointA,
+    ...near.pointB,
+    ...near.normal,
+    near.error,
+    ...(found ? [...found.point, ...found.pointA, ...found.pointB, ...found.normal, found.depth, found.error] : []),
+    ...touching.normal,
+    touching.error,
+    ...touching.points.flatMap((each) => [...each.point, ...each.pointA, ...each.pointB, each.depth]),
+  ];
+}
+
+function shapeAnswers(shape, point, ray) {
+  const hits = [graze.rayCast(shape, ray), graze.rayCast(shape, ray, { side: "exit" })];
+  const box = graze.bounds(shape);
+  return [
+    ...hits.filter((hit) => hit).flatMap((hit) => [hit.t, ...hit.point, ...hit.normal, hit.error]),
+    graze.contains(shape, point) ? 1 : 0,
+    ...graze.closestPoint(shape, point),
+    ...graze.closestBoundaryPoint(shape, point),
+    graze.signedDistance(shape, point),
+    ...box.min,
+    ...box.max,
+  ];
+}
+
+test("every query answers about thousands of pairs of shapes as it does natively, bit for bit", () => {
+  const lines = native("queries.ndjson").toString().trimEnd().split("\n");
+  assert.ok(lines.length >= 2000);
+  const seen = { apart: 0, touching: 0, overlapping: 0 };
+  for (const line of lines) {
+    const { a, b, point, ray, answers } = JSON.parse(line);
+    // A compound without parts has no vectors to tell the dimension by.
+    if (!hasNumbers(a) && !hasNumbers(b)) continue;
+    const ours = [...pairAnswers(a, b), ...shapeAnswers(a, point.position, ray)];
+    const compared = hasNumbers(a) ? answers.length : answers.length - 2 * point.position.length;
+    assertSameBits(ours.slice(0, hasNumbers(a) ? ours.length : compared), answers.slice(0, compared), () => line);
+    seen[graze.relation(a, b)] += 1;
+  }
+  for (const [relation, count] of Object.entries(seen)) assert.ok(count > 100, `${relation}: ${count} times`);
+});
+
+test("shapes come back as graze holds them", () => {
+  assert.deepEqual(graze.normalised({ type: "aabb", center: [1, 2], half_extents: [1, 0.5] }), {
+    type: "aabb",
+    min: [0, 1.5],
+    max: [2, 2.5],
+  });
+  const { axes } = graze.normalised({ type: "obb", center: [0, 0], half_extents: [1, 1], angle: 90 });
+  assert.deepEqual(axes.flat().map((number) => number + 0), [0, 1, -1, 0]);
+});
+
+test("negative zero keeps its sign on the way in and out", () => {
+  assert.ok(Object.is(graze.bounds({ type: "point", position: [-0, 1] }).min[0], -0));
+  assert.ok(Object.is(graze.normalised({ type: "point", position: [-0, 1] }).position[0], -0));
+});
+
+test("vectors may be typed arrays", () => {
+  const sphere = { type: "sphere", center: new Float32Array([1, 2, 3]), radius: 1 };
+  assert.equal(graze.distance(sphere, { type: "point", position: new Float64Array([1, 2, 6]) }), 2);
+});
+
+test("bounding volumes hold all points, however these are given", () => {
+  const square = [[0, 0], [4, 0], [4, 4], [0, 4]];
+  const inRow = new Float32Array(square.flat());
+  assert.deepEqual(graze.boundingSphere(square).center, [2, 2]);
+  assert.ok(Math.abs(graze.boundingSphere(inRow, 2).radius - Math.sqrt(8)) < 1e-14);
+  assert.ok(graze.boundingSphereFast(square).radius >= Math.sqrt(8));
+  assert.deepEqual(graze.boundingBox(inRow, 2), { type: "aabb", min: [0, 0], max: [4, 4] });
+  assert.deepEqual(graze.boundingObb(square).half_extents, [2, 2]);
+  assert.deepEqual(graze.convexHull([...square, [2, 2]]).points, square);
+});
+
+test("errors are of type Error, with the library's message and without a place in a text that nobody wrote", () => {
+  const point = { type: "point", position: [0, 0] };
+  const thrown = (call, message) => assert.throws(call, (error) => error instanceof Error && error.message === message);
+  thrown(() => graze.distance({ type: "sphere", center: [0, 0], raduis: 1 }, point),
+    'a: unknown field "raduis"; did you mean "radius"?');
+  thrown(() => graze.distance(point, { type: "sphere", center: [0, 0], radius: -1 }), 'b: "radius" is -1; it must not be negative');
+  thrown(() => graze.contains(point, [NaN, 0]), 'point: "position"[0] is NaN; numbers must be finite');
+  thrown(() => graze.convexHull([], 2), "convex_hull: there are no points");
+  thrown(() => graze.convexHull(new Float32Array(5), 2), "points: 5 numbers are not a multiple of 2");
+  thrown(() => graze.boundingSphere([[0, 0], [0, 0, 0]]), "points: one has 3 numbers; this set has dimension 2");
+  thrown(() => graze.rayCast(point, { origin: [0, 0], direction: [0, 0] }), 'ray: "direction" is zero, which points nowhere; any other length will do');
+  assert.throws(() => graze.relation(point, { type: "point", position: [0, 0, 0] }), /^Error: b: .*3 numbers/);
+});
+
+test("an error leaves no trace: the next call answers", () => {
+  assert.throws(() => graze.distance(null, null), Error);
+  assert.equal(graze.distance({ type: "point", position: [0, 0] }, { type: "point", position: [3, 4] }), 5);
+});

@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: MIT
+export default { base: "./", build: { target: "esnext", modulePreload: false } };
