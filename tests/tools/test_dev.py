@@ -26,7 +26,7 @@ class DevTest(TreeTest):
     def test_help_names_every_command(self):
         done = self.dev("help")
         self.assertEqual(done.returncode, 0)
-        for command in ("demo", "test", "lint", "bench", "exam", "clean", "help"):
+        for command in ("demo", "test", "lint", "bench", "exam", "web", "clean", "help"):
             self.assertRegex(done.stdout, rf"(?m)^  {command}\b")
 
     def test_an_unknown_command_is_told_the_known_ones(self):
@@ -65,6 +65,41 @@ class DevTest(TreeTest):
     def test_the_exam_fails_when_an_answer_was_wrong(self):
         self.write_program("build/exam/bin/graze_exam", "exit 1")
         self.assertEqual(self.dev("exam").returncode, 1)
+
+    def write_node(self, version, summary):
+        self.write_program("bin/node", f'if [ "$1" = -p ]; then echo {version}; else printf "{summary}"; fi')
+        self.write("build/pugixml/src/pugixml.cpp", "")
+
+    def test_web_builds_the_module_and_says_where_it_is(self):
+        self.write_node(18, "")
+        done = self.dev("web", "wasm")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("cmake --build --preset web", done.stderr)
+        self.assertRegex(done.stdout, r"^the module: /.*/build/web/package\n$")
+
+    def test_web_refuses_an_old_node_and_other_words(self):
+        self.write_node(16, "")
+        self.assertIn("node is version 16; at least 18 is needed", self.dev("web").stderr)
+        done = self.dev("web", "tests")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("web takes the word wasm or test, but was given: tests", done.stderr)
+
+    def test_web_counts_the_tests_of_module_and_viewer(self):
+        self.write_node(20, "# pass 3\\n# fail 0\\n")
+        self.write_program("bin/npm", 'if [ "$3" = test ]; then printf "i pass 4\\ni fail 0\\n"; fi')
+        self.assertIn("web: 3 tests passed\n", self.dev("web", "test").stdout)
+        self.write("viewer/package.json", "{}")
+        done = self.dev("web", "test")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("web: 7 tests passed\n", done.stdout)
+
+    def test_web_fails_when_a_test_fails_or_none_came_to_an_end(self):
+        self.write_node(20, "# pass 3\\n# fail 1\\n")
+        done = self.dev("web", "test")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("web: 1 of 4 tests failed", done.stderr)
+        self.write_node(20, "")
+        self.assertIn("the tests of wasm did not come to an end", self.dev("web", "test").stderr)
 
 
 if __name__ == "__main__":
