@@ -2,7 +2,13 @@
 #include "bridge.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <emscripten/bind.h>
 #include <fmt/format.h>

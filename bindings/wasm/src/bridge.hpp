@@ -8,7 +8,8 @@
 #include <cstdint>
 #include <exception>
 #include <span>
-#include <string>
+#include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 #include <graze/math/vec.hpp>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Quad trees, octrees and bounding volume hierarchies, of either dimension behind one class.
+#include <cstddef>
+#include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
 #include <type_traits>
 #include <variant>

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 // All overlapping pairs of many boxes: from the input at once, and from boxes that stay in the module's memory.
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Questions about one shape or two. Yes and no, and enumerations, are results; everything else is in the answer.
-#include <optional>
+#include <cstddef>
+#include <span>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include <emscripten/bind.h>
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Scenes: what is asked of them. scenes.cpp has what changes them.
 #include <chrono>
-#include <cstdint>
-#include <limits>
-#include <memory>
+#include <cstddef>
 #include <sstream>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <emscripten/bind.h>

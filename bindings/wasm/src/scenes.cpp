@@ -2,9 +2,7 @@
 // Scenes: what changes them. scene_questions.cpp has what is asked of them.
 #include "scenes.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <stdexcept>

@@ -4,8 +4,9 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
+#include <type_traits>
 #include <variant>
+#include <vector>
 
 #include <graze/io/scene_file.hpp>
 #include <graze/scene/filter.hpp>
@@ -26,7 +27,7 @@ struct SceneHandle {
     return {unpacked.index, unpacked.generation, owner};
   }
 
-  /// Calls visit(scene) with the scene of its dimension.
+  /// Calls visitor(scene) with the scene of its dimension.
   template <class Visit>
   auto visit(const Visit& visitor) {
     return std::visit(visitor, file.scene);

@@ -28,8 +28,8 @@ Ray<N, double> ray_of(const std::string& text);
 template <Dim N>
 std::string text_of(const AnyShape<N, double>& shape);
 
-/// Calls function() and takes line and column out of what it throws, if that is an io::InputError of a text of one line
-/// that is called `role`.
+/// Throws io::InputError with the message, less line and column where it is about a text of one line that is called
+/// `role`.
 [[noreturn]] void rethrow_without_place(const std::string& message, std::string_view role);
 
 }  // namespace graze::wasm

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// What graze.d.ts promises is there.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { before, test } from "node:test";
+
+import { loadGraze, packageFolder } from "./native.mjs";
+
+const types = readFileSync(join(packageFolder, "graze.d.ts"), "utf8");
+
+/** The names of an interface's members. */
+function membersOf(name) {
+  const body = new RegExp(`^export interface ${name}\\b[^{]*\\{\\n([^]*?)^\\}`, "m").exec(types)[1];
+  return [...body.matchAll(/^ {2}(?:readonly )?(\w+)(?=[(<:?])/gm)].map((match) => match[1]);
+}
+
+/** The names of an object's members, inherited ones too. */
+function membersAt(object) {
+  const names = new Set();
+  for (let at = object; at && at !== Object.prototype; at = Object.getPrototypeOf(at)) {
+    for (const name of Object.getOwnPropertyNames(at)) names.add(name);
+  }
+  return names;
+}
+
+let graze;
+
+before(async () => {
+  graze = await loadGraze();
+});
+
+const objects = {
+  Graze: () => graze,
+  Scene: () => new graze.Scene(2),
+  SpatialIndex: () => new graze.QuadTree(),
+  PairFinder: () => new graze.PairFinder(2, 1),
+};
+
+for (const [name, make] of Object.entries(objects)) {
+  test(`everything that the types say of ${name} is there`, () => {
+    const wanted = membersOf(name);
+    assert.ok(wanted.length > 5);
+    const found = membersAt(make());
+    assert.deepEqual(wanted.filter((member) => !found.has(member)), []);
+  });
+}
+
+test("everything in the module has a type", () => {
+  const known = new Set(membersOf("Graze"));
+  assert.deepEqual(Object.keys(graze).filter((name) => !known.has(name)), []);
+});
