@@ -44,6 +44,31 @@ HWY_API Vec128<double, N> operator*(Vec128<double, N> a, Vec128<double, N> b) {
 }
 
 template <std::size_t N>
+HWY_API Vec128<double, N> operator/(Vec128<double, N> a, Vec128<double, N> b) {
+  return {wasm_f64x2_div(a.raw, b.raw)};
+}
+
+template <std::size_t N>
+HWY_API Vec128<double, N> MulAdd(Vec128<double, N> a, Vec128<double, N> b, Vec128<double, N> added) {
+  return a * b + added;
+}
+
+template <std::size_t N>
+HWY_API Vec128<double, N> NegMulAdd(Vec128<double, N> a, Vec128<double, N> b, Vec128<double, N> from) {
+  return from - a * b;
+}
+
+template <std::size_t N>
+HWY_API Vec128<double, N> Abs(Vec128<double, N> v) {
+  return {wasm_f64x2_abs(v.raw)};
+}
+
+template <std::size_t N>
+HWY_API Vec128<double, N> Sqrt(Vec128<double, N> v) {
+  return {wasm_f64x2_sqrt(v.raw)};
+}
+
+template <std::size_t N>
 HWY_API Vec128<double, N> Min(Vec128<double, N> a, Vec128<double, N> b) {
   return {wasm_f64x2_min(a.raw, b.raw)};
 }

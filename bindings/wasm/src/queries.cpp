@@ -8,6 +8,7 @@
 
 #include <emscripten/bind.h>
 
+#include <graze/broad/relations.hpp>
 #include <graze/query/bounding.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/closest_boundary_point.hpp>
@@ -19,7 +20,6 @@
 #include <graze/query/manifold.hpp>
 #include <graze/query/ray_cast.hpp>
 #include <graze/query/signed_distance.hpp>
-#include <graze/scene/relations.hpp>
 #include <graze/shape/polytope.hpp>
 
 #include "bridge.hpp"

@@ -23,6 +23,7 @@
 #include <graze/broad/bvh.hpp>
 #include <graze/broad/orthtree.hpp>
 #include <graze/broad/pairs.hpp>
+#include <graze/broad/relations.hpp>
 #include <graze/broad/worlds.hpp>
 #include <graze/io/json_shape_writer.hpp>
 #include <graze/query/closest_boundary_point.hpp>
@@ -34,7 +35,6 @@
 #include <graze/query/manifold.hpp>
 #include <graze/query/ray_cast.hpp>
 #include <graze/query/signed_distance.hpp>
-#include <graze/scene/relations.hpp>
 
 #include "catalogue.hpp"
 
