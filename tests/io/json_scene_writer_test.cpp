@@ -84,7 +84,7 @@ TEST(JsonSceneWriter, RemovedObjectsAreNotWritten) {
   scene.remove(first);
   const std::string text = written(file_of(std::move(scene)));
   EXPECT_EQ(text.find("\"a\""), std::string::npos);
-  EXPECT_NE(text.find("[\n    {\"name\": \"b\""), std::string::npos);
+  EXPECT_NE(text.find("[\n    {\"id\": [1, 1], \"name\": \"b\""), std::string::npos);
 }
 
 TEST(JsonSceneWriter, WhatTheFormatCannotHoldIsRefusedByName) {
