@@ -118,7 +118,7 @@ class ShapeCastLaw : public ::testing::Test {
   }
 
   /// What rounding the place of the first shape does to the gap.
-  static double place_error(const Case& drawn) { return 8 * tolerance::epsilon * size(drawn); }
+  static double place_error(const Case& drawn) { return 32 * tolerance::epsilon * size(drawn); }
 
   static bool is_level(const Any& shape) {
     return std::holds_alternative<Plane<dimension, Number>>(shape) ||
