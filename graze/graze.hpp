@@ -29,6 +29,7 @@
 #include <graze/query/relation.hpp>
 #include <graze/query/shape_cast.hpp>
 #include <graze/query/signed_distance.hpp>
+#include <graze/query/time_of_impact.hpp>
 #include <graze/query/transformed.hpp>
 #include <graze/scene/scene.hpp>
 #include <graze/shape/any_shape.hpp>

@@ -109,6 +109,10 @@ inline constexpr double ray_side = 4096 * epsilon;
 /// And those that end, or start behind the shape, nearer than this times its size, where it is round: see sight_of.
 inline constexpr double ray_end = 0x1p-20;
 
+/// Moving shapes have come to touch when they are nearer than this, relative to their size and way: under what a float
+/// can tell of a place by a thousand times, and far enough above rounding that no step towards it is lost in that.
+inline constexpr double impact = 0x1p-36;
+
 /// Support functions of a user's shape may calculate in T: the band for their answers.
 template <Scalar T>
 inline constexpr double convex_in = 32.0 * static_cast<double>(std::numeric_limits<T>::epsilon());

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <type_traits>
+
+#include <graze/math/pose.hpp>
+#include <graze/math/vec.hpp>
+
+namespace graze {
+
+/// How far something turns: in the plane an angle in radians, counter-clockwise when y points up; in space a vector
+/// along the axis, as long as the angle, right-handed.
+template <Dim N, class T = float>
+using Turn = std::conditional_t<N == 2, T, Vec<N, T>>;
+
+/// A rigid motion in time, at constant velocities, from t = 0 to t = 1: the center goes straight on, and everything
+/// turns about it evenly. Default: rest.
+template <Dim N, class T = float>
+struct Motion {
+  Vec<N, T> linear = Vec<N, T>(T(0));  ///< The way of the center.
+  Turn<N, T> angular = Turn<N, T>(0);  ///< The whole turn, of any size.
+  Vec<N, T> center = Vec<N, T>(T(0));  ///< Where the center is at t = 0.
+};
+
+/// True when every number is neither infinite nor NaN.
+template <Dim N, class T>
+bool is_finite(const Motion<N, T>& motion) {
+  if constexpr (N == 2) {
+    return is_finite(motion.linear) && is_finite(motion.center) && std::isfinite(motion.angular);
+  } else {
+    return is_finite(motion.linear) && is_finite(motion.center) && is_finite(motion.angular);
+  }
+}
+
+/// Cosine (x) and sine (y) of an angle in radians, to two epsilon where it is under a million: with nothing but what
+/// every machine rounds alike. The rest of quarter turns is at most 0.79: its powers over factorials end at 1e-19.
+inline Vec<2, double> cosine_sine(double angle) {
+  constexpr double quarter = 0x1.921fb54400000p+0;        // of pi * 2: 33 bits, so that products with it are exact
+  constexpr double quarter_rest = 0x1.0b4611a626331p-34;  // what they leave of it
+  constexpr int last = 19;
+  const double quarters = std::nearbyint(angle / (quarter + quarter_rest));
+  const double rest = (angle - quarters * quarter) - quarters * quarter_rest;
+  const double squared = rest * rest;
+  double sine = 1;
+  double cosine = 1;
+  for (int k = last; k >= 3; k -= 2) {  // sin x = x (1 - x^2 / (2 3) (1 - x^2 / (4 5) (...))), cos alike
+    sine = 1 - squared / (k * (k - 1)) * sine;
+    cosine = 1 - squared / ((k - 1) * (k - 2)) * cosine;
+  }
+  const Vec<2, double> first(cosine, rest * sine);
+  const auto turns = static_cast<int>(std::fmod(quarters, 4.0));
+  switch ((turns + 4) % 4) {
+    case 0:
+      return first;
+    case 1:
+      return {-first.y, first.x};
+    case 2:
+      return -first;
+    default:
+      return {first.y, -first.x};
+  }
+}
+
+/// The turn as a matrix.
+inline Mat<2, double> rotation_of(double angle) {
+  const Vec<2, double> turn = cosine_sine(angle);
+  return Mat<2, double>(turn, perpendicular(turn));
+}
+
+/// Rodrigues' formula; a turn of zero has no axis and needs none.
+inline Mat<3, double> rotation_of(const Vec<3, double>& turn) {
+  const double angle = std::sqrt(dot(turn, turn));
+  if (angle == 0) return Mat<3, double>(1.0);
+  const Vec<3, double> axis = turn / angle;
+  const Vec<2, double> by = cosine_sine(angle);
+  Mat<3, double> result;
+  for (Dim j = 0; j < 3; ++j) {
+    const Vec<3, double> column = unit_axis<3>(j);
+    result[j] = by.x * column + by.y * cross(axis, column) + (1 - by.x) * axis[j] * axis;
+  }
+  return result;
+}
+
+/// Where a motion has brought everything at t: x goes from where it was at t = 0 to rotation * x + position.
+template <Dim N, class T>
+Pose<N, double> pose_at(const Motion<N, T>& motion, double t) {
+  const Mat<N, double> rotation = rotation_of(Turn<N, double>(motion.angular) * t);
+  const Vec<N, double> center = wide<N, T>(motion.center);
+  return {rotation, center + wide<N, T>(motion.linear) * t - rotation * center};
+}
+
+namespace detail {
+
+inline double turn_of(const Mat<2, double>& rotation) {
+  return std::atan2(rotation[0].y - rotation[1].x, rotation[0].x + rotation[1].y);
+}
+
+/// With R = cos + sin [n x] + (1 - cos) n n^T: the skew part is sin n, but vanishes for half turns; from a quarter turn
+/// on the axis is taken from the symmetric part, whose largest column does not.
+inline Vec<3, double> turn_of(const Mat<3, double>& rotation) {
+  const Mat<3, double>& r = rotation;
+  const Vec<3, double> skew(r[1].z - r[2].y, r[2].x - r[0].z, r[0].y - r[1].x);  // 2 sin n
+  const double twice_sine = std::sqrt(dot(skew, skew));
+  const double twice_cosine = r[0].x + r[1].y + r[2].z - 1;
+  const double angle = std::atan2(twice_sine, twice_cosine);
+  if (twice_cosine > 0) return twice_sine > 0 ? skew * (angle / twice_sine) : Vec<3, double>(0.0);
+  Vec<3, double> axis(0.0);
+  for (Dim j = 0; j < 3; ++j) {
+    const Vec<3, double> row(r[0][j], r[1][j], r[2][j]);
+    Vec<3, double> column = (r[j] + row) * 0.5;
+    column[j] -= twice_cosine * 0.5;
+    if (dot(column, column) > dot(axis, axis)) axis = column;
+  }
+  axis /= std::sqrt(dot(axis, axis));  // at least (1 - cos) / sqrt 3 long
+  return axis * (dot(axis, skew) < 0 ? -angle : angle);
+}
+
+}  // namespace detail
+
+/// The motion that takes a body from one pose to another: its origin goes straight, and it turns the shorter way, by at
+/// most half a turn. Shapes are to be given as they are at `start`: transformed(shape, start). The rotations are
+/// orthonormal up to rounding, and the motion ends at `end` up to rounding.
+template <Dim N, class T>
+Motion<N, T> motion_between(const Pose<N, T>& start, const Pose<N, T>& end) {
+  const Mat<N, double> turned = wide_matrix<N, T>(end.rotation) * transpose(wide_matrix<N, T>(start.rotation));
+  return {Vec<N, T>(wide<N, T>(end.position) - wide<N, T>(start.position)), Turn<N, T>(detail::turn_of(turned)),
+          start.position};
+}
+
+}  // namespace graze

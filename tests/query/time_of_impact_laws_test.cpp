@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// Laws of time_of_impact on random pairs and motions: what the exact oracle says of the shapes at the impact and at
+// many times before it.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+#include <gtest/gtest.h>
+
+#include <graze/math/motion.hpp>
+#include <graze/math/tolerance.hpp>
+#include <graze/query/transformed.hpp>
+#include <graze/shape/any_shape.hpp>
+
+#include "catalogue.hpp"
+#include "exact.hpp"
+#include "query/pairs.hpp"
+#include "query/placement.hpp"
+#include "query/times_of_impact.hpp"
+
+namespace graze::test {
+namespace {
+
+/// Plain turns of a few radians, about a center near the shapes.
+inline double any_angle(rc::Random& random) { return between(random, -3, 3); }
+template <Dim N, class T>
+Turn<N, T> turn_about(rc::Random& random) {
+  if constexpr (N == 2) {
+    return static_cast<T>(any_angle(random));
+  } else {
+    const double x = any_angle(random);
+    const double y = any_angle(random);
+    return Vec<3, T>(Vec<3, double>(x, y, any_angle(random)));
+  }
+}
+
+template <class SpaceType>
+class TimeOfImpactLaw : public ::testing::Test {
+ public:
+  static constexpr Dim dimension = SpaceType::dimension;
+  using Number = typename SpaceType::scalar;
+  using Any = AnyShape<dimension, Number>;
+  using Wide = AnyShape<dimension, double>;
+  using Point = Vec<dimension, Number>;
+  using Case = Moving<dimension, Number>;
+
+  /// A point of a is aimed at one of b; one case of four stands still but for one of them.
+  static Case draw_case() {
+    auto [a, b] = *any_pair<Any, Any>();
+    const std::uint64_t seed = *choice(std::size_t{1} << 31U);
+    rc::Random random(seed);
+    RC_PRE((may_move<dimension, Number>(a, b)));
+    const auto on_a = point_of(a, random);
+    const auto on_b = point_of(b, random);
+    Case drawn{a, {}, b, {}};
+    drawn.motion_a = {Point((on_b - on_a) * between(random, 0.5, 2)), turn_about<dimension, Number>(random),
+                      Point(on_a)};
+    if (seed % 4 != 0) {
+      drawn.motion_b = {Point((on_a - on_b) * between(random, 0, 1)), turn_about<dimension, Number>(random),
+                        Point(on_b)};
+    }
+    RC_PRE((relation_of<dimension, Number>(a, b) == Relation::apart));
+    RC_LOG() << to_source<dimension, Number>(a) << ", " << source(drawn.motion_a) << ", "
+             << to_source<dimension, Number>(b) << ", " << source(drawn.motion_b) << "\n";
+    return drawn;
+  }
+
+  static std::string source(const Motion<dimension, Number>& motion) {
+    return "{" + initializer(motion.linear) + ", " + initializer(motion.angular) + ", " + initializer(motion.center) +
+           "}";
+  }
+
+  /// Far from the origin, poses are rounded by epsilon of that, and of every turn.
+  static double size(const Case& drawn) {
+    const auto of_motion = [](const Motion<dimension, Number>& motion) {
+      return static_cast<double>(sum_abs(motion.linear)) + 4 * static_cast<double>(sum_abs(motion.center));
+    };
+    return 4 * size_of<dimension, Number>({drawn.a, drawn.b}) + of_motion(drawn.motion_a) + of_motion(drawn.motion_b);
+  }
+
+  static Wide place_at(const Any& shape, const Motion<dimension, Number>& motion, double t) {
+    const Pose<dimension, double> pose = pose_at(motion, t);
+    return std::visit(
+        [&pose](const auto& held) -> Wide {
+          using S = std::decay_t<decltype(held)>;
+          if constexpr (std::is_same_v<S, Polytope<dimension, Number>>) {
+            std::vector<Vec<dimension, double>> points;
+            for (const Point& vertex : held.vertices()) points.push_back(wide<dimension, Number>(vertex));
+            return transformed(convex_hull<dimension, double>(points), pose);
+          } else if constexpr (std::is_same_v<S, Point>) {
+            return transformed(wide<dimension, Number>(held), pose);
+          } else if constexpr (std::is_same_v<S, Compound<dimension, Number>>) {
+            return Compound<dimension, double>();
+          } else {
+            return transformed(widened(held), pose);
+          }
+        },
+        shape);
+  }
+
+  template <template <Dim, class> class S>
+  static S<dimension, double> widened(const S<dimension, Number>& shape) {
+    const auto wide_of = []<class Field>(const Field& field) {
+      if constexpr (std::is_same_v<Field, Number>) {
+        return static_cast<double>(field);
+      } else if constexpr (std::is_same_v<Field, Point>) {
+        return wide<dimension, Number>(field);
+      } else {
+        return wide_matrix<dimension, Number>(field);
+      }
+    };
+    return std::apply([&](auto... fields) { return S<dimension, double>{wide_of(shape.*fields)...}; },
+                      Entry<S<dimension, Number>>::fields);
+  }
+
+  /// The exact gap at t, up to the rounding of both places.
+  static double gap_at(const Case& drawn, double t) {
+    return exact_verdict<dimension, double>(place_at(drawn.a, drawn.motion_a, t), place_at(drawn.b, drawn.motion_b, t),
+                                            Measure::depth)
+        .gap;
+  }
+};
+
+using MovingSpaces = ::testing::Types<Space<2, float>, Space<3, double>>;
+TYPED_TEST_SUITE(TimeOfImpactLaw, MovingSpaces);
+
+TYPED_TEST(TimeOfImpactLaw, AtTheImpactTheShapesTouchAndBeforeItTheyAreApart) {
+  check_property([] {
+    const auto drawn = TestFixture::draw_case();
+    const auto found = strike_of(drawn);
+    const double rounding = 64 * tolerance::epsilon * TestFixture::size(drawn);
+    const double end = found ? found->t : 1.0;
+    for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 0.9999, 1.0}) {
+      const double gap = TestFixture::gap_at(drawn, end * share);
+      RC_LOG() << "gap " << gap << " at " << literal(end * share) << "\n";
+      RC_ASSERT(gap >= -rounding);
+    }
+    if (!found) return;
+    RC_LOG() << "error " << found->error << "\n";
+    RC_ASSERT(TestFixture::gap_at(drawn, found->t) <= found->error + rounding);
+    const bool is_near = found->error <= 1e-9 * TestFixture::size(drawn);
+    RC_ASSERT(is_near || found->status == Status::best_bound);
+  });
+}
+
+TYPED_TEST(TimeOfImpactLaw, SwappedShapesMeetAtTheSameTime) {
+  check_property([] {
+    const auto drawn = TestFixture::draw_case();
+    const auto one = strike_of(drawn);
+    auto swapped = drawn;
+    std::swap(swapped.a, swapped.b);
+    std::swap(swapped.motion_a, swapped.motion_b);
+    const auto other = strike_of(swapped);
+    RC_ASSERT(one.has_value() == other.has_value());
+    if (!one) return;
+    RC_ASSERT(one->t == other->t);
+    RC_ASSERT(one->error == other->error);
+    RC_ASSERT(one->normal == -other->normal);
+    RC_ASSERT(one->point == other->point);
+  });
+}
+
+TYPED_TEST(TimeOfImpactLaw, HalfTheMotionTakesTwiceTheTime) {
+  check_property([] {
+    using T = typename TypeParam::scalar;
+    const auto drawn = TestFixture::draw_case();
+    auto slower = drawn;
+    for (auto* motion : {&slower.motion_a, &slower.motion_b}) {
+      motion->linear *= T(0.5);
+      motion->angular *= T(0.5);
+    }
+    const auto found = strike_of(drawn);
+    const auto later = strike_of(slower);
+    // The slower one's target is smaller, so it may be past what the other one takes for a touch.
+    if (!found || !later || found->t > 0.499) return;
+    // Both are as near to the touch as their errors say: at each one's time the other has touched, or is as near.
+    RC_LOG() << literal(found->t) << " and " << literal(later->t) << "\n";
+    const double rounding = 64 * tolerance::epsilon * TestFixture::size(drawn);
+    RC_ASSERT(TestFixture::gap_at(drawn, later->t / 2) <= later->error + rounding);
+    RC_ASSERT(TestFixture::gap_at(slower, found->t * 2) <= found->error + rounding);
+  });
+}
+
+}  // namespace
+}  // namespace graze::test

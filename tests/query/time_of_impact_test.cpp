@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// Times of impact that can be calculated by hand, and what has gone wrong elsewhere.
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <graze/query/shape_cast.hpp>
+#include <graze/query/time_of_impact.hpp>
+
+#include "query/user_shapes.hpp"
+
+namespace graze::test {
+namespace {
+
+using Point = Vec<3, double>;
+using Ball = Sphere<3, double>;
+using Course = Motion<3, double>;
+using Found = std::optional<Impact<3, double>>;
+
+constexpr double pi = 3.14159265358979323846;
+const Course rest;
+
+/// `speed` is how fast the shapes approach when they touch: what the error, a length, makes of t.
+void expect_impact(const Found& found, double t, const Point& normal, double speed, const std::string& what) {
+  ASSERT_TRUE(found.has_value()) << what;
+  EXPECT_EQ(found->status, Status::converged) << what;
+  EXPECT_LT(found->error, 1e-9) << what;
+  EXPECT_LE(found->t, t + 1e-15) << what;
+  EXPECT_NEAR(found->t, t, 1.1 * found->error / speed) << what;
+  for (Dim i = 0; i < 3; ++i) EXPECT_NEAR(found->normal[i], normal[i], 1e-8) << what;
+}
+
+TEST(TimeOfImpact, FindsWhenATurningRodStrikes) {
+  const Segment<3, double> rod{{0, 0, 0}, {4, 0, 0}};
+  const Course quarter_turn{{}, {0, 0, pi / 2}, {}};
+  expect_impact(time_of_impact(rod, quarter_turn, Plane<3, double>{{0, 2, 0}, 4}, rest), 1.0 / 3, {0, 1, 0},
+                4 * std::cos(pi / 6) * pi / 2, "its end a plane");
+  // A ball of radius 1 at (2, 2 sqrt 3): the rod is 30 degrees short of its center's direction when it touches.
+  expect_impact(time_of_impact(rod, quarter_turn, Ball{{1, std::sqrt(3.0), 0}, 1}, rest), 1.0 / 3,
+                {-0.5, std::sqrt(0.75), 0}, std::sqrt(3.0) * pi / 2, "a ball");
+  EXPECT_FALSE(time_of_impact(rod, quarter_turn, Ball{{0, 5.1, 0}, 1}, rest).has_value());
+  EXPECT_FALSE(time_of_impact(rod, quarter_turn, Ball{{0, -1.1, 0}, 1}, rest).has_value());
+}
+
+TEST(TimeOfImpact, FindsWhenATurningPlaneStrikes) {
+  const Course turning{{}, {0, 0, 1}, {}};
+  const double t = std::atan(0.5);
+  const auto found = time_of_impact(Point(4, 2, 0), rest, Plane<3, double>{{0, 1, 0}, 0}, turning);
+  expect_impact(found, t, {std::sin(t), -std::cos(t), 0}, std::sqrt(20.0), "a point");
+  const auto swapped = time_of_impact(HalfSpace<3, double>{{0, 3, 0}, 0}, turning, Point(4, 2, 0), rest);
+  expect_impact(swapped, t, {-std::sin(t), std::cos(t), 0}, std::sqrt(20.0), "a half-space");
+}
+
+TEST(TimeOfImpact, FindsWhenACornerOfATurningBoxStrikes) {
+  // A cube of half extent 1 turns by an eighth while it comes; its edge is foremost at the end of the turn.
+  const Obb<3, double> box{{0, 0, 0}, {1, 1, 1}};
+  const Course course{{4, 0, 0}, {0, 0, pi / 4}, {}};
+  const double gap = 4;
+  const auto found = time_of_impact(box, course, HalfSpace<3, double>{{-1, 0, 0}, -1 - gap}, rest);
+  ASSERT_TRUE(found.has_value());
+  const double foremost = 4 * found->t + std::cos(pi / 4 * found->t) + std::sin(pi / 4 * found->t);
+  EXPECT_NEAR(foremost, 1 + gap, 1.1 * found->error);
+  EXPECT_LE(foremost, 1 + gap);
+  EXPECT_NEAR(found->point.x, 1 + gap, 2 * found->error);
+}
+
+TEST(TimeOfImpact, OfBothShapesOnlyTheRelativeMotionCounts) {
+  const Ball ball{};
+  const Ball target{{12, 0, 0}, 1};
+  expect_impact(time_of_impact(ball, {{8, 0, 0}, {}, {}}, target, {{-12, 0, 0}, {}, {}}), 0.5, {1, 0, 0}, 20, "both");
+  EXPECT_FALSE(time_of_impact(ball, {{8, 0, 0}, {}, {}}, target, {{8, 0, 0}, {}, {}}).has_value());
+  // Two boxes on one turning table never meet.
+  const Course table{{5, 0, 0}, {0, 0, 20}, {3, 3, 3}};
+  const Obb<3, double> box{};
+  const Obb<3, double> other{{2.001, 0, 0}, {1, 1, 1}};
+  EXPECT_FALSE(time_of_impact(box, table, other, table).has_value());
+}
+
+TEST(TimeOfImpact, WithoutTurnsIsThatOfAShapeCast) {
+  const Obb<3, double> box{};
+  const Capsule<3, double> bar{{5, 1, -3}, {6, 0, 4}, 0.5};
+  const auto cast = shape_cast(box, {8, 1, 0.5}, bar);
+  const auto found = time_of_impact(box, {{8, 1, 0.5}, {}, {}}, bar, rest);
+  ASSERT_TRUE(cast.has_value() && found.has_value());
+  EXPECT_LE(found->t, cast->t + 1e-15);
+  EXPECT_NEAR(found->t, cast->t, found->error);
+  for (Dim i = 0; i < 3; ++i) EXPECT_NEAR(found->normal[i], cast->normal[i], 1e-6);
+}
+
+TEST(TimeOfImpact, ABoxThatSpinsFastIsNotMissed) {
+  // A thin blade that turns ten times while it passes a ball: a test of a few poses in between sees nothing.
+  const Obb<3, double> blade{{0, 0, 0}, {3, 0.01, 0.5}};
+  const auto found = time_of_impact(blade, {{0, 0, 0}, {0, 0, 20 * pi}, {}}, Ball{{0, 2, 0}, 0.1}, rest);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->status, Status::converged);
+  // The side of the blade, 0.01 off its axis, touches the ball of radius 0.1 at a distance of 2: sin = 0.11 / 2.
+  EXPECT_NEAR(found->t, (pi / 2 - std::asin(0.055)) / (20 * pi), 1e-10);
+}
+
+/// Elsewhere a bullet that starts beside a wall, or whose steps run out, has its tunnel; here the time at the limit is
+/// before the touch all the same, and the status says so.
+TEST(TimeOfImpact, SaysWhatIsProvedWhenTheStepsRunOut) {
+  const Obb<3, double> top{{0, 0, 0}, {1, 1, 1}};
+  const auto found = time_of_impact(top, {{3, 0, 0}, {0, 0, 1e4}, {}}, Ball{{5, 0, 0}, 1}, rest);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->status, Status::best_bound);
+  EXPECT_GE(found->t, (4 - std::sqrt(3.0)) / 3 - 1e-9);  // the balls that they turn in touch
+  EXPECT_LE(found->t, (4 - std::sqrt(2.0)) / 3 + 1e-3);  // the edges strike as soon as they can, so often do they pass
+  EXPECT_GT(found->error, 0);
+}
+
+TEST(TimeOfImpact, CountsTouchesAtTheStartAndAtTheEnd) {
+  const Ball ball{};
+  const auto start = time_of_impact(ball, {{-1, 0, 0}, {1, 2, 3}, {}}, Ball{{2, 0, 0}, 1}, rest);
+  ASSERT_TRUE(start.has_value());
+  EXPECT_EQ(start->t, 0);
+  EXPECT_EQ(start->normal, Point(1, 0, 0));
+  expect_impact(time_of_impact(ball, {{3, 0, 0}, {}, {}}, Ball{{5, 0, 0}, 1}, rest), 1, {1, 0, 0}, 3, "the end");
+  EXPECT_FALSE(time_of_impact(ball, {{2.999, 0, 0}, {}, {}}, Ball{{5, 0, 0}, 1}, rest).has_value());
+  EXPECT_FALSE(time_of_impact(ball, rest, Ball{{2.001, 0, 0}, 1}, rest).has_value());
+}
+
+TEST(TimeOfImpact, TakesShapesOfOnesOwnAndFloats) {
+  const user::Cylinder<float> can{{0, 0, 0}, 1, 2};
+  const Motion<3> fall{{0, 0, -10}, {3.1415927F, 0, 0}, {0, 0, 0}};
+  const auto found = time_of_impact(can, fall, HalfSpace<3>{{0, 0, 1}, -5}, {});
+  ASSERT_TRUE(found.has_value());
+  const double angle = static_cast<double>(found->t) * 3.1415927;
+  const double lowest =
+      -10.0 * static_cast<double>(found->t) - 2 * std::fabs(std::cos(angle)) - std::fabs(std::sin(angle));
+  EXPECT_NEAR(lowest, -5, found->error + 1e-5);
+}
+
+TEST(TimeOfImpact, MotionsThatAreNotFiniteTouchNothing) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(time_of_impact(Ball{}, {{infinity, 0, 0}, {}, {}}, Ball{{5, 0, 0}, 1}, rest).has_value());
+  EXPECT_FALSE(time_of_impact(Ball{}, rest, Ball{{5, 0, 0}, 1}, {{}, {0, NAN, 0}, {}}).has_value());
+}
+
+TEST(TimeOfImpact, TheLeastBetweenTwoGapsIsThatOfTheParabola) {
+  EXPECT_EQ(detail::least_between(1, 2, 0), 1);
+  EXPECT_EQ(detail::least_between(2, 1, 0), 1);
+  EXPECT_EQ(detail::least_between(1, 1, 2), 0.5);  // 1 - 2 s + 2 s^2 at s = 1/2
+  EXPECT_EQ(detail::least_between(4, 0, 1), 0);    // 4 - 5 s + s^2 falls all the way
+}
+
+}  // namespace
+}  // namespace graze::test

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What graze says about shapes of any two types that move and turn: compiled once for each space that is tested, in
+// times_of_impact_*.cpp.
+#pragma once
+
+#include <optional>
+
+#include <graze/math/motion.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/impact.hpp>
+#include <graze/shape/any_shape.hpp>
+
+namespace graze::test {
+
+/// Two shapes and how they move.
+template <Dim N, class T>
+struct Moving {
+  AnyShape<N, T> a;
+  Motion<N, T> motion_a;
+  AnyShape<N, T> b;
+  Motion<N, T> motion_b;
+};
+
+/// Whether there is a time_of_impact for two such shapes.
+template <Dim N, class T>
+bool may_move(const AnyShape<N, T>& a, const AnyShape<N, T>& b);
+
+/// time_of_impact(a, motion_a, b, motion_b).
+template <Dim N, class T>
+std::optional<Impact<N, T>> impact_of(const Moving<N, T>& moving);
+
+/// What that is rounded from, of shapes that are apart.
+template <Dim N, class T>
+std::optional<detail::Strike<N>> strike_of(const Moving<N, T>& moving);
+
+}  // namespace graze::test
