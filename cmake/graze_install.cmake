@@ -18,6 +18,8 @@ if(TARGET graze_cli)
     set_target_properties(graze_cli PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
   endif()
   install(TARGETS graze_cli)
+  # The page that `graze view` fills in, if `./dev web` has built it.
+  install(FILES "${PROJECT_SOURCE_DIR}/build/web/viewer/report.html" DESTINATION "${CMAKE_INSTALL_DATADIR}/graze" OPTIONAL)
 endif()
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 

@@ -25,6 +25,7 @@ struct Command {
 
 /// Each adds its subcommand to the program.
 Command add_check(CLI::App& program);
+Command add_view(CLI::App& program);
 Command add_query(CLI::App& program);
 Command add_simulate(CLI::App& program);
 Command add_info(CLI::App& program);

@@ -30,6 +30,7 @@ constexpr const char* footer = R"(Run `graze COMMAND --help` for the options of 
 Examples:
   graze check level.tmx
   graze check --interior --format csv chip.csv > overlaps.csv
+  graze view --html level.html level.tmx
   graze query level.tmx --point 120,64
   graze info level.tmx
   graze convert level.tmx level.json
@@ -65,9 +66,9 @@ ExitCode run(int argc, const char* const* argv) {
   program.set_help_flag("-h,--help", "Print this help and exit");
   program.set_version_flag("--version", "graze " GRAZE_VERSION, "Print the version and exit");
   program.footer(footer);
-  const std::array<Command, 7> commands{add_check(program),   add_query(program),   add_simulate(program),
-                                        add_info(program),    add_convert(program), add_bench(program),
-                                        add_generate(program)};
+  const std::array<Command, 8> commands{add_check(program),    add_view(program),    add_query(program),
+                                        add_simulate(program), add_info(program),    add_convert(program),
+                                        add_bench(program),    add_generate(program)};
   for (const Command& command : commands) command.app->group("Commands");
   try {
     program.parse(argc, argv);

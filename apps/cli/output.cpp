@@ -5,16 +5,20 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
+#include <filesystem>
 #include <functional>
 #include <ostream>
 #include <streambuf>
 #include <string>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <graze/io/atomic_file.hpp>
 #include <graze/io/output_error.hpp>
+
+#include "usage.hpp"
 
 namespace graze::cli {
 namespace {
@@ -61,6 +65,19 @@ class StandardOutput final : public std::streambuf {
 }  // namespace
 
 bool is_standard_stream(const std::string& name) { return name == "-"; }
+
+bool name_same_file(const std::string& a, const std::string& b) {
+  if (is_standard_stream(a) || is_standard_stream(b)) return a == b;
+  std::error_code error;
+  if (std::filesystem::equivalent(a, b, error)) return true;
+  return std::filesystem::absolute(a, error).lexically_normal() ==
+         std::filesystem::absolute(b, error).lexically_normal();
+}
+
+void require_not_overwritten(const std::string& scene, const std::string& output) {
+  if (is_standard_stream(output) || !name_same_file(output, scene)) return;
+  throw UsageError("the scene " + io::in_quotes(output) + " would be overwritten; name another file to write to");
+}
 
 void write_output(const std::string& target, const std::function<void(std::ostream&)>& write) {
   if (!is_standard_stream(target)) {

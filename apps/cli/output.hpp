@@ -14,6 +14,12 @@ struct ClosedPipe {};
 /// True for the name of the standard output (or input): "-".
 bool is_standard_stream(const std::string& name);
 
+/// True when two names lead to the same file, or to the same standard stream.
+bool name_same_file(const std::string& a, const std::string& b);
+
+/// Throws UsageError when what is written to `output` would take the place of the scene that is read.
+void require_not_overwritten(const std::string& scene, const std::string& output);
+
 /// Calls `write` with a stream to the target: "-" for the standard output, otherwise a file, which keeps its old
 /// content unless everything has been written (see write_atomically). Throws OutputError, and ClosedPipe out of
 /// `write`.

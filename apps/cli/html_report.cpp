@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "html_report.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <ostream>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <graze/io/in_quotes.hpp>
+#include <graze/io/input_error.hpp>
+#include <graze/io/json_scene.hpp>
+#include <graze/io/quoting.hpp>
+
+namespace graze::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// In the template, the element that is to hold the data; it closes right behind.
+constexpr std::string_view data_place = R"(<script type="application/json" id="graze-report">)";
+
+constexpr const char* template_variable = "GRAZE_REPORT_TEMPLATE";
+
+/// The folder of the running program; empty where the system does not say.
+fs::path program_folder() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  return error ? fs::path() : program.parent_path();
+}
+
+std::vector<fs::path> places_to_look() {
+  if (const char* const named = std::getenv(template_variable); named != nullptr && *named != '\0') return {named};
+  const fs::path folder = program_folder();
+  if (folder.empty()) return {};
+  return {(folder / "../share/graze/report.html").lexically_normal(),
+          (folder / "../../web/viewer/report.html").lexically_normal()};
+}
+
+/// JSON that stands in an HTML page: "<" occurs in strings only, where its code means the same, and without it nothing
+/// ends the element or begins a comment.
+void write_for_html(std::ostream& out, std::string_view json) {
+  for (std::size_t from = 0; from < json.size();) {
+    const std::size_t next = std::min(json.find('<', from), json.size());
+    out << json.substr(from, next - from);
+    if (next < json.size()) out << "\\u003c";
+    from = next + 1;
+  }
+}
+
+}  // namespace
+
+std::string read_report_template() {
+  const std::vector<fs::path> places = places_to_look();
+  for (const fs::path& place : places) {
+    std::ifstream in(place, std::ios::binary);
+    if (!in) continue;
+    std::string page{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    if (page.find(data_place) != std::string::npos) return page;
+    throw io::InputError(
+        fmt::format("{} is no template of a report: it has no place for data; run `./dev web` to "
+                    "build one",
+                    io::in_quotes(place.string())));
+  }
+  std::string looked;
+  for (const fs::path& place : places) {
+    looked += fmt::format("{}{}", looked.empty() ? "" : " and ", io::in_quotes(place.string()));
+  }
+  throw io::InputError(
+      fmt::format("there is no template for HTML reports{}{}; run `./dev web` to build it, or name one "
+                  "in the environment as {}",
+                  looked.empty() ? "" : " at ", looked, template_variable));
+}
+
+HtmlReport::HtmlReport(std::string page, const io::ReportHead& head)
+    : page_(std::move(page)), writer_(io::begin_report(check_, io::ReportFormat::json, head)) {}
+
+void HtmlReport::finish(std::ostream& out, const io::SceneFile& file, const io::ReportSummary& summary) {
+  writer_->finish(summary);
+  std::ostringstream scene;
+  io::write_json_scene(scene, file);
+  const std::string_view page = page_;
+  const std::size_t place = page.find(data_place) + data_place.size();
+  out << page.substr(0, place);
+  // The scene as text in a string: JavaScript's numbers would not hold all that its fields may.
+  write_for_html(out, fmt::format("{{\"source\": {},\n\"scene\": {}", io::json_string(file.source),
+                                  io::json_string(scene.view())));
+  write_for_html(out, ",\n\"check\": ");
+  write_for_html(out, check_.view());
+  out << "}\n" << page.substr(place);
+}
+
+}  // namespace graze::cli

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include <graze/io/report.hpp>
+
+#include "command.hpp"
+#include "html_report.hpp"
+#include "input.hpp"
+#include "output.hpp"
+#include "page_server.hpp"
+#include "progress.hpp"
+#include "scene_check.hpp"
+#include "terminal.hpp"
+#include "usage.hpp"
+
+namespace graze::cli {
+namespace {
+
+/// The command line as it was given.
+struct ViewArguments {
+  std::string scene;
+  std::optional<std::string> html;
+};
+
+/// Checks the scene and writes the page; gives the sentence that sums up what was found.
+std::string write_view(std::ostream& out, std::string page, const io::SceneFile& file) {
+  Progress progress("looking for candidates");
+  SceneCheck check(file, {}, progress);
+  HtmlReport report(std::move(page), check.head());
+  check.run([&](const io::ReportedPair& pair) { report.add(pair); }, [] {});
+  progress.begin("writing the page");
+  report.finish(out, file, check.summary());
+  progress.stop();
+  return io::summary_line(check.head(), check.summary());
+}
+
+[[noreturn]] void serve(std::string page) {
+  PageServer server(std::move(page));
+  write_output("-", [&](std::ostream& out) { out << server.address() << '\n'; });
+  say("open this address in a browser; Ctrl+C ends the program");
+  server.serve();
+}
+
+ExitCode run_view(const ViewArguments& arguments) {
+  if (arguments.html) require_not_overwritten(arguments.scene, *arguments.html);
+  std::string page = read_report_template();
+  Progress progress("reading the scene");
+  const io::SceneFile file = read_input(arguments.scene);
+  progress.stop();
+  say_omissions(file);
+  if (arguments.html) {
+    std::string summary;
+    write_output(*arguments.html, [&](std::ostream& out) { summary = write_view(out, std::move(page), file); });
+    say(summary);
+    return done;
+  }
+  std::ostringstream filled;
+  say(write_view(filled, std::move(page), file));
+  serve(std::move(filled).str());
+}
+
+constexpr const char* footer =
+    R"(SCENE is a scene in graze's JSON, boxes in CSV, or a Tiled map (.tmx, .tmj); told apart
+by content. The page holds everything that it needs and opens without a network. Without
+--html it is shown at an address of this machine only, until the program is ended.
+
+Examples:
+  graze view level.tmx
+  graze view --html level.html level.tmx
+
+Exit codes: 0 done; 2 wrong usage; 3 bad input, or an output that cannot be written)";
+
+}  // namespace
+
+Command add_view(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("view", "Show a scene and what touches what in the browser");
+  const auto arguments = std::make_shared<ViewArguments>();
+  app->add_option("SCENE", arguments->scene, "Scene file, or - for the standard input")->required()->type_name("");
+  app->add_option("--html", arguments->html, "Write the page to a file, - for the standard output")
+      ->type_name("FILE")
+      ->take_last();
+  app->footer(footer);
+  return {app, [arguments] { return run_view(*arguments); }};
+}
+
+}  // namespace graze::cli
