@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+import type { Chapter } from "../chapter";
+import { bounding } from "./bounding";
+import { broadPhase } from "./broad_phase";
+import { closestPoints } from "./closest_points";
+import { intersections } from "./intersections";
+import { rays } from "./rays";
+import { sceneView } from "./scene_view";
+import { trees } from "./trees";
+
+/** In the order of the tabs; the first opens by itself. */
+export const chapters: readonly Chapter[] = [intersections, closestPoints, rays, bounding, trees, broadPhase, sceneView];

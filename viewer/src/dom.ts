@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Elements of the page, made in one expression. Text is always set as text: names from files are never read as HTML.
+
+type Child = Node | string;
+type Attributes = Record<string, string | number | boolean | ((event: Event) => void)>;
+
+/** An element with attributes, listeners (`onclick`) and children. `false` leaves an attribute out. */
+export function element<Tag extends keyof HTMLElementTagNameMap>(
+  tag: Tag,
+  attributes: Attributes = {},
+  ...children: Child[]
+): HTMLElementTagNameMap[Tag] {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (typeof value === "function") made.addEventListener(name.slice(2), value);
+    else if (value === true) made.setAttribute(name, "");
+    else if (value !== false) made.setAttribute(name, String(value));
+  }
+  made.append(...children);
+  return made;
+}
+
+/** The element that the page is sure to have. */
+export function required<Type extends HTMLElement>(id: string, type: new () => Type): Type {
+  const found = document.getElementById(id);
+  if (!(found instanceof type)) throw new Error(`the page has no element #${id}`);
+  return found;
+}

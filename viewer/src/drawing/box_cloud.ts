@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// Very many boxes in one call to the graphics card. Their coordinates lie as the engine has them: min, then max.
+import * as THREE from "three";
+
+import type { Palette } from "../theme";
+import { paintShader, paintUniforms, setPalette, type PaintUniforms } from "./paint";
+
+export interface BoxCloudLook {
+  /** Opacity of the faces; 0 draws edges only. */
+  readonly fill: number;
+  /** Opacity of the edges. */
+  readonly edge: number;
+  /** Width of the edges, in pixels; 1.7 if left out. */
+  readonly width?: number;
+}
+
+const vertexShader = /* glsl */ `
+  attribute vec3 corner;
+  attribute float paint;
+  #ifdef IS_FLAT
+    attribute vec2 low;
+    attribute vec2 high;
+  #else
+    attribute vec3 low;
+    attribute vec3 high;
+  #endif
+  varying vec3 vCorner;
+  varying vec3 vNormal;
+  varying float vPaint;
+  void main() {
+    #ifdef IS_FLAT
+      vec3 place = vec3(mix(low, high, corner.xy), 0.0);
+    #else
+      vec3 place = mix(low, high, corner);
+    #endif
+    vCorner = corner;
+    vNormal = normal;
+    vPaint = paint;
+    gl_Position = abs(paint - 4.0) < 0.5 ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * modelViewMatrix * vec4(place, 1.0);
+  }
+`;
+
+const fragmentShader = /* glsl */ `
+  ${paintShader}
+  uniform float fillOpacity;
+  uniform float edgeOpacity;
+  uniform float edgeWidth;
+  varying vec3 vCorner;
+  varying vec3 vNormal;
+  varying float vPaint;
+  // How many pixels away the nearest edge of this face is.
+  float pixelsToEdge() {
+    vec3 inside = min(vCorner, 1.0 - vCorner);
+    vec3 pixels = inside / max(fwidth(vCorner), vec3(1e-6));
+    pixels += step(vec3(0.5), abs(vNormal)) * 1e6;
+    return min(pixels.x, min(pixels.y, pixels.z));
+  }
+  // About how wide this face is seen; across it nothing changes, which counts as a factor of 1.
+  float pixelsWide(vec3 perPixel) {
+    vec3 wide = mix(1.0 / max(perPixel, vec3(1e-6)), vec3(1.0), step(vec3(0.5), abs(vNormal)));
+    return sqrt(wide.x * wide.y * wide.z);
+  }
+  void main() {
+    // A box of a few pixels would be nothing but edges: it is filled in a colour between instead.
+    float fade = edgeWidth > 1.0 ? smoothstep(3.0, 16.0, pixelsWide(fwidth(vCorner))) : 1.0;
+    float edge = fade * (1.0 - smoothstep(max(0.0, edgeWidth - 1.0), edgeWidth, pixelsToEdge()));
+    vec3 fill = mix(fillOf(vPaint), strokeOf(vPaint), max(0.4 * (1.0 - fade), 0.6 * fade * hatch(vPaint)));
+    #ifdef IS_FLAT
+      float alpha = mix(mix(0.9 * edgeOpacity, fillOpacity, fade), edgeOpacity, edge);
+    #else
+      fill *= lightOn(vNormal);
+      float alpha = mix(fillOpacity, edgeOpacity, edge);
+    #endif
+    if (alpha < 0.01) discard;
+    gl_FragColor = vec4(mix(fill, strokeOf(vPaint), edge), alpha);
+    #include <colorspace_fragment>
+  }
+`;
+
+export class BoxCloud {
+  readonly object: THREE.Mesh;
+  readonly #geometry = new THREE.InstancedBufferGeometry();
+  readonly #uniforms: PaintUniforms;
+  readonly #dimension: 2 | 3;
+  #boxes = new THREE.InstancedInterleavedBuffer(new Float32Array(0), 1);
+  #paints = new THREE.InstancedBufferAttribute(new Uint8Array(0), 1);
+
+  constructor(dimension: 2 | 3, palette: Palette, look: BoxCloudLook) {
+    this.#dimension = dimension;
+    const isFlat = dimension === 2;
+    this.#uniforms = {
+      ...paintUniforms(palette),
+      fillOpacity: { value: look.fill },
+      edgeOpacity: { value: look.edge },
+      edgeWidth: { value: look.width ?? 1.7 },
+    };
+    const one = isFlat ? new THREE.PlaneGeometry(1, 1) : new THREE.BoxGeometry(1, 1, 1);
+    const corners = Float32Array.from(one.getAttribute("position").array, (value) => value + 0.5);
+    this.#geometry.setIndex(one.getIndex());
+    this.#geometry.setAttribute("corner", new THREE.BufferAttribute(corners, 3));
+    this.#geometry.setAttribute("normal", one.getAttribute("normal"));
+    const isOpaque = look.fill === 1;
+    const material = new THREE.ShaderMaterial({
+      uniforms: this.#uniforms,
+      vertexShader,
+      fragmentShader,
+      defines: isFlat ? { IS_FLAT: "" } : {},
+      transparent: !isOpaque,
+      depthWrite: isOpaque && !isFlat,
+      depthTest: !isFlat,
+      side: isOpaque && !isFlat ? THREE.FrontSide : THREE.DoubleSide,
+    });
+    this.object = new THREE.Mesh(this.#geometry, material);
+    this.object.frustumCulled = false;
+    this.resize(0);
+  }
+
+  get count(): number {
+    return this.#paints.array.length;
+  }
+
+  /** Where the boxes' coordinates go, 2 N numbers each; call `boxesChanged` afterwards. */
+  get boxes(): Float32Array {
+    return this.#boxes.array as Float32Array;
+  }
+
+  /** One paint for each box; call `paintsChanged` afterwards. */
+  get paints(): Uint8Array {
+    return this.#paints.array as Uint8Array;
+  }
+
+  /** Makes room for so many boxes, whose coordinates are then to be set. */
+  resize(count: number): void {
+    this.#boxes = new THREE.InstancedInterleavedBuffer(new Float32Array(count * 2 * this.#dimension), 2 * this.#dimension);
+    this.#paints = new THREE.InstancedBufferAttribute(new Uint8Array(count), 1);
+    this.#boxes.setUsage(THREE.DynamicDrawUsage);
+    this.#paints.setUsage(THREE.DynamicDrawUsage);
+    const part = (offset: number): THREE.InterleavedBufferAttribute => {
+      return new THREE.InterleavedBufferAttribute(this.#boxes, this.#dimension, offset);
+    };
+    this.#geometry.dispose();
+    this.#geometry.setAttribute("low", part(0));
+    this.#geometry.setAttribute("high", part(this.#dimension));
+    this.#geometry.setAttribute("paint", this.#paints);
+    this.#geometry.instanceCount = count;
+    this.object.visible = count > 0;
+  }
+
+  boxesChanged(): void {
+    this.#boxes.needsUpdate = true;
+  }
+
+  paintsChanged(): void {
+    this.#paints.needsUpdate = true;
+  }
+
+  setPalette(palette: Palette): void {
+    setPalette(this.#uniforms, palette);
+  }
+}

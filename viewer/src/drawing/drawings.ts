@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+import type { Drawing, Graze, OutlineOptions, Shape } from "graze";
+
+/** What to draw of a shape: one drawing, or one for each part of a compound, so that round parts stay round. */
+export function drawingsOf(graze: Graze, shape: Shape, options: OutlineOptions): Drawing[] {
+  if (shape.type === "compound") return shape.parts.flatMap((part) => drawingsOf(graze, part, options));
+  return [graze.drawing(shape, options)];
+}
+
+/** Corners of a whole circle, fewer the more shapes there are. */
+export function cornersFor(shapes: number, dimension: 2 | 3): number {
+  if (dimension === 2) return shapes > 5000 ? 16 : shapes > 500 ? 32 : 72;
+  return shapes > 5000 ? 8 : shapes > 500 ? 16 : 40;
+}

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// The grid behind the shapes. In the plane it fills what is seen, and its step follows the zoom: 1, 2 or 5 times a power of ten.
+import * as THREE from "three";
+
+import type { Extent, Stage } from "../stage";
+
+/** About so many pixels between two lines of the plane's grid. */
+const pixelsBetweenLines = 60;
+
+export class Grid {
+  readonly #stage: Stage;
+  readonly #lines = new THREE.LineSegments(
+    new THREE.BufferGeometry(),
+    new THREE.LineBasicMaterial({ vertexColors: true, depthWrite: false }),
+  );
+
+  /** Lies behind all that the stage's world holds, until the stage is cleared. */
+  constructor(stage: Stage, floor?: Extent) {
+    this.#stage = stage;
+    this.#lines.frustumCulled = false;
+    this.#lines.renderOrder = -1;
+    stage.world.add(this.#lines);
+    const draw = (): void => (floor === undefined ? this.#drawPlane() : this.#drawFloor(floor));
+    if (floor === undefined) stage.onView(draw);
+    stage.onTheme(draw);
+    draw();
+  }
+
+  #drawPlane(): void {
+    const seen = this.#stage.seenPlane();
+    const step = niceStep(pixelsBetweenLines / this.#stage.pixelsPerUnit);
+    this.#draw(seen, step, 0);
+  }
+
+  #drawFloor(floor: Extent): void {
+    const width = Math.max((floor.max[0] ?? 0) - (floor.min[0] ?? 0), (floor.max[1] ?? 0) - (floor.min[1] ?? 0));
+    this.#draw(floor, niceStep(width / 14 || 1), floor.min[2] ?? 0);
+  }
+
+  #draw(extent: Extent, step: number, height: number): void {
+    const positions: number[] = [];
+    const colours: number[] = [];
+    const grid = new THREE.Color(this.#stage.palette.grid).toArray();
+    const axis = new THREE.Color(this.#stage.palette.axis).toArray();
+    for (const across of [0, 1]) {
+      const along = 1 - across;
+      const [low, high] = [extent.min[along] ?? 0, extent.max[along] ?? 0];
+      const last = Math.floor((extent.max[across] ?? 0) / step);
+      for (let i = Math.ceil((extent.min[across] ?? 0) / step); i <= last; ++i) {
+        for (const end of [low, high]) positions.push(...(across === 0 ? [i * step, end] : [end, i * step]), height);
+        colours.push(...(i === 0 ? axis : grid), ...(i === 0 ? axis : grid));
+      }
+    }
+    this.#lines.geometry.dispose();
+    this.#lines.geometry = new THREE.BufferGeometry();
+    this.#lines.geometry.setAttribute("position", new THREE.Float32BufferAttribute(positions, 3));
+    this.#lines.geometry.setAttribute("color", new THREE.Float32BufferAttribute(colours, 3));
+    this.#stage.invalidate();
+  }
+}
+
+/** The least of 1, 2, 5, 10, ... (and their parts) that is no less than the step. */
+function niceStep(step: number): number {
+  const power = 10 ** Math.floor(Math.log10(step));
+  return power * ([1, 2, 5].find((factor) => factor * power >= step) ?? 10);
+}

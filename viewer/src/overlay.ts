@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// What is drawn over the stage in lines of even width: answers, labels, and handles that a pointer or the arrow keys move.
+import type { Point2, Stage } from "./stage";
+
+export type Tone = "answer" | "second" | "third" | "touching-line" | "free-line" | "faint" | "ink";
+
+export type Mark =
+  | {
+      readonly kind: "line";
+      readonly points: readonly (readonly number[])[];
+      readonly tone: Tone;
+      readonly dashed?: boolean;
+      readonly thin?: boolean;
+      readonly arrow?: boolean;
+    }
+  | { readonly kind: "dot"; readonly at: readonly number[]; readonly tone: Tone; readonly hollow?: boolean }
+  | { readonly kind: "label"; readonly at: readonly number[]; readonly text: string; readonly tone: Tone; readonly shift?: Point2 };
+
+export interface Handle {
+  readonly key: string;
+  readonly label: string;
+  readonly at: Point2;
+  /** A grip is an invisible ring about a shape's centre, which only the keyboard needs. */
+  readonly kind?: "handle" | "grip";
+  readonly onMove: (to: Point2) => void;
+  readonly onFocus?: () => void;
+}
+
+const svg = "http://www.w3.org/2000/svg";
+
+export class Overlay {
+  readonly #root: SVGSVGElement;
+  readonly #marks: SVGGElement;
+  readonly #handleGroup: SVGGElement;
+  readonly #stage: Stage;
+  #drawn: readonly Mark[] = [];
+  #handles = new Map<string, { handle: Handle; circle: SVGCircleElement }>();
+
+  constructor(root: SVGSVGElement, stage: Stage) {
+    this.#root = root;
+    this.#stage = stage;
+    stage.afterView = () => this.#place();
+    this.#marks = root.appendChild(document.createElementNS(svg, "g"));
+    this.#handleGroup = root.appendChild(document.createElementNS(svg, "g"));
+  }
+
+  clear(): void {
+    this.draw([]);
+    this.setHandles([]);
+  }
+
+  draw(marks: readonly Mark[]): void {
+    this.#drawn = marks;
+    this.#drawMarks();
+  }
+
+  /** Handles of the same key stay the same elements, so that a drag or the focus goes on. */
+  setHandles(handles: readonly Handle[]): void {
+    const wanted = new Set(handles.map((handle) => handle.key));
+    for (const [key, { circle }] of this.#handles) {
+      if (wanted.has(key)) continue;
+      circle.remove();
+      this.#handles.delete(key);
+    }
+    for (const handle of handles) {
+      const known = this.#handles.get(handle.key);
+      if (known !== undefined) known.handle = handle;
+      else this.#handles.set(handle.key, { handle, circle: this.#makeHandle(handle) });
+      const circle = this.#handles.get(handle.key)?.circle;
+      if (circle !== undefined) this.#placeHandle(handle, circle);
+    }
+  }
+
+  focusHandle(key: string): void {
+    this.#handles.get(key)?.circle.focus();
+  }
+
+  #place(): void {
+    this.#drawMarks();
+    for (const { handle, circle } of this.#handles.values()) this.#placeHandle(handle, circle);
+  }
+
+  #drawMarks(): void {
+    this.#marks.replaceChildren(...this.#drawn.flatMap((mark) => this.#elementsOf(mark)));
+  }
+
+  #elementsOf(mark: Mark): SVGElement[] {
+    const colour = `var(--${mark.tone})`;
+    if (mark.kind === "line") return this.#lineOf(mark, colour);
+    if (mark.kind === "dot") {
+      const [cx, cy] = this.#stage.toPixels(mark.at);
+      if (mark.hollow === true) return [shape("circle", { cx, cy, r: 4.5, class: "hollow", stroke: colour })];
+      return [shape("circle", { cx, cy, r: 4.5, class: "dot", fill: colour })];
+    }
+    const [x, y] = this.#stage.toPixels(mark.at);
+    const [right, down] = mark.shift ?? [0, -12];
+    const text = shape("text", { x: x + right, y: y + down, fill: colour });
+    text.textContent = mark.text;
+    return [text];
+  }
+
+  #lineOf(mark: Extract<Mark, { kind: "line" }>, colour: string): SVGElement[] {
+    const places = mark.points.map((point) => this.#stage.toPixels(point));
+    const style = `line${mark.dashed === true ? " dashed" : ""}${mark.thin === true ? " thin" : ""}`;
+    const drawn: SVGElement[] = [shape("polyline", { class: style, stroke: colour, points: places.map((at) => at.join(",")).join(" ") })];
+    const [before, end] = places.slice(-2);
+    if (mark.arrow === true && before !== undefined && end !== undefined) drawn.push(arrowHead(before, end, colour));
+    return drawn;
+  }
+
+  #placeHandle(handle: Handle, circle: SVGCircleElement): void {
+    const [x, y] = this.#stage.toPixels(handle.at);
+    circle.setAttribute("cx", String(x));
+    circle.setAttribute("cy", String(y));
+  }
+
+  #makeHandle(handle: Handle): SVGCircleElement {
+    const isGrip = handle.kind === "grip";
+    const circle = shape("circle", { class: isGrip ? "grip" : "handle", r: isGrip ? 10 : 6.5, tabindex: 0, role: "button" });
+    circle.setAttribute("aria-label", `${handle.label}; arrow keys move it`);
+    circle.dataset["key"] = handle.key;
+    const current = (): Handle => this.#handles.get(handle.key)?.handle ?? handle;
+    circle.addEventListener("focus", () => current().onFocus?.());
+    circle.addEventListener("pointerdown", (event) => {
+      circle.setPointerCapture(event.pointerId);
+      event.preventDefault();
+      circle.focus();
+    });
+    circle.addEventListener("pointermove", (event) => {
+      if (circle.hasPointerCapture(event.pointerId)) current().onMove(this.#stage.planePoint(event));
+    });
+    circle.addEventListener("keydown", (event) => {
+      const step = this.#arrowStep(event);
+      if (step === undefined) return;
+      event.preventDefault();
+      event.stopPropagation();
+      const [x, y] = current().at;
+      current().onMove([x + step[0], y + step[1]]);
+    });
+    if (isGrip) circle.style.pointerEvents = "none";
+    this.#handleGroup.append(circle);
+    return circle;
+  }
+
+  /** Arrow keys move by four pixels, with Shift by forty, with Alt by one. */
+  #arrowStep(event: KeyboardEvent): Point2 | undefined {
+    const way = arrowWays[event.key];
+    if (way === undefined) return undefined;
+    const pixels = event.shiftKey ? 40 : event.altKey ? 1 : 4;
+    const origin = this.#root.getBoundingClientRect();
+    const from = this.#stage.planePoint({ clientX: origin.left, clientY: origin.top });
+    const to = this.#stage.planePoint({ clientX: origin.left + way[0] * pixels, clientY: origin.top + way[1] * pixels });
+    return [to[0] - from[0], to[1] - from[1]];
+  }
+}
+
+const arrowWays: Readonly<Record<string, Point2>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
+function shape<Tag extends keyof SVGElementTagNameMap>(
+  tag: Tag,
+  attributes: Record<string, string | number>,
+): SVGElementTagNameMap[Tag] {
+  const made = document.createElementNS(svg, tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
+  return made;
+}
+
+function arrowHead(before: Point2, end: Point2, colour: string): SVGElement {
+  const angle = Math.atan2(end[1] - before[1], end[0] - before[0]);
+  const corner = (turn: number): string => {
+    return `${end[0] - 10 * Math.cos(angle + turn)},${end[1] - 10 * Math.sin(angle + turn)}`;
+  };
+  return shape("polygon", { points: `${end.join(",")} ${corner(0.42)} ${corner(-0.42)}`, fill: colour });
+}

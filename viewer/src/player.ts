@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Play, pause and single steps.
+import { button, row } from "./panel";
+import type { Stage } from "./stage";
+
+/** Steps are this long in the world, however long they take to calculate. */
+export const stepSeconds = 1 / 60;
+
+export class Player {
+  readonly root: HTMLElement;
+  readonly #stage: Stage;
+  readonly #step: () => void;
+  readonly #play: HTMLButtonElement;
+  #isPlaying: boolean;
+
+  constructor(stage: Stage, isPlaying: boolean, step: () => void) {
+    this.#stage = stage;
+    this.#step = step;
+    this.#isPlaying = isPlaying;
+    this.#play = button("", () => this.toggle(), "Space");
+    this.#play.id = "play";
+    const single = button("Step", () => this.stepOnce(), "Full stop");
+    single.id = "step";
+    this.root = row(this.#play, single);
+    this.#label();
+    stage.animate(() => {
+      if (this.#isPlaying) this.#step();
+      return this.#isPlaying;
+    });
+  }
+
+  get isPlaying(): boolean {
+    return this.#isPlaying;
+  }
+
+  toggle(): void {
+    this.#isPlaying = !this.#isPlaying;
+    this.#label();
+    this.#stage.invalidate();
+  }
+
+  stepOnce(): void {
+    if (this.#isPlaying) this.toggle();
+    this.#step();
+    this.#stage.invalidate();
+  }
+
+  onKey(event: KeyboardEvent): boolean {
+    const onButton = event.target instanceof HTMLButtonElement;
+    if (event.key === " " && !onButton) this.toggle();
+    else if (event.key === ".") this.stepOnce();
+    else return false;
+    return true;
+  }
+
+  #label(): void {
+    this.#play.textContent = this.#isPlaying ? "❚❚ Pause" : "▶ Play";
+  }
+}

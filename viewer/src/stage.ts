@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+// The place where everything is drawn: one canvas, a flat view (orthographic, y up) and a deep one (perspective, z up).
+import * as THREE from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+
+import type { Palette, Theme } from "./theme";
+
+export type Point2 = readonly [number, number];
+
+/** What a view shows when it opens, or after "fit": a box in the plane or in space. */
+export interface Extent {
+  readonly min: readonly number[];
+  readonly max: readonly number[];
+}
+
+export class Stage {
+  readonly canvas: HTMLCanvasElement;
+  /** What a chapter draws; emptied when the next one opens. */
+  readonly world = new THREE.Group();
+  /** Called whenever the view has moved, whatever is open; what lies over the drawing follows. */
+  afterView: (() => void) | undefined;
+
+  readonly #renderer: THREE.WebGLRenderer;
+  readonly #scene = new THREE.Scene();
+  readonly #flat = new THREE.OrthographicCamera(-1, 1, 1, -1, -1000, 1000);
+  readonly #deep = new THREE.PerspectiveCamera(38, 1, 0.1, 1000);
+  readonly #theme: Theme;
+  #controls: OrbitControls;
+  #isFlat = true;
+  #extent: Extent = { min: [-1, -1], max: [1, 1] };
+  #yDown = false;
+  #queued = false;
+  #onFrame: ((now: number) => boolean) | undefined;
+  #onView: (() => void)[] = [];
+  #onTheme: (() => void)[] = [];
+
+  constructor(canvas: HTMLCanvasElement, theme: Theme) {
+    this.canvas = canvas;
+    this.#theme = theme;
+    this.#renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: false });
+    this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.#scene.add(this.world);
+    this.#deep.up.set(0, 0, 1);
+    this.#controls = this.#controlsFor(this.#flat);
+    theme.onChange(() => {
+      for (const listener of this.#onTheme) listener();
+      this.invalidate();
+    });
+    new ResizeObserver(() => this.#resize()).observe(canvas.parentElement ?? canvas);
+    this.#resize();
+  }
+
+  get palette(): Palette {
+    return this.#theme.palette;
+  }
+
+  get isFlat(): boolean {
+    return this.#isFlat;
+  }
+
+  get extent(): Extent {
+    return this.#extent;
+  }
+
+  /** Takes away all that the last chapter drew and heard. */
+  clear(): void {
+    this.clearDrawing();
+    this.#onFrame = undefined;
+    this.canvas.style.cursor = "";
+  }
+
+  /** Takes away what was drawn, and those who follow the view and the theme for its sake. */
+  clearDrawing(): void {
+    this.world.traverse((object) => {
+      if (object instanceof THREE.Mesh || object instanceof THREE.Line || object instanceof THREE.Points) {
+        object.geometry.dispose();
+        for (const material of [object.material].flat()) material.dispose();
+      }
+    });
+    this.world.clear();
+    this.#onView = [];
+    this.#onTheme = [];
+  }
+
+  /** Looks at the plane, from above. */
+  showFlat(extent: Extent, yDown = false): void {
+    this.#isFlat = true;
+    this.#yDown = yDown;
+    this.#extent = extent;
+    this.#replaceControls(this.#flat);
+    this.fit();
+  }
+
+  /** Looks at space from a corner; z is up. */
+  showDeep(extent: Extent): void {
+    this.#isFlat = false;
+    this.#extent = extent;
+    this.#replaceControls(this.#deep);
+    this.fit();
+  }
+
+  /** Shows all of the extent, or all of another one. */
+  fit(extent: Extent = this.#extent): void {
+    const [minX = 0, minY = 0, minZ = 0] = extent.min;
+    const [maxX = 0, maxY = 0, maxZ = 0] = extent.max;
+    const center = new THREE.Vector3((minX + maxX) / 2, (minY + maxY) / 2, this.#isFlat ? 0 : (minZ + maxZ) / 2);
+    const size = new THREE.Vector3(maxX - minX, maxY - minY, this.#isFlat ? 0 : maxZ - minZ);
+    if (this.#isFlat) this.#fitFlat(center, size);
+    else this.#fitDeep(center, size);
+    this.#controls.target.copy(center);
+    this.#controls.update();
+    this.#viewChanged();
+  }
+
+  /** How many pixels a unit of the plane takes. */
+  get pixelsPerUnit(): number {
+    return (this.#flat.zoom * this.#height) / (this.#flat.top - this.#flat.bottom);
+  }
+
+  /** The point of the plane under the pointer. */
+  planePoint(event: { clientX: number; clientY: number }): Point2 {
+    const point = this.#normalised(event).unproject(this.#flat);
+    return [point.x, point.y];
+  }
+
+  /** The line of sight under the pointer, in space. */
+  sightLine(event: { clientX: number; clientY: number }): { origin: THREE.Vector3; direction: THREE.Vector3 } {
+    const caster = new THREE.Raycaster();
+    const point = this.#normalised(event);
+    caster.setFromCamera(new THREE.Vector2(point.x, point.y), this.#deep);
+    return caster.ray;
+  }
+
+  /** Where a point is seen, in pixels of the stage. */
+  toPixels(point: readonly number[]): Point2 {
+    const seen = new THREE.Vector3(point[0], point[1], point[2] ?? 0).project(this.#camera);
+    return [((seen.x + 1) / 2) * this.#width, ((1 - seen.y) / 2) * this.#height];
+  }
+
+  /** The part of the plane that is seen. */
+  seenPlane(): Extent {
+    const a = new THREE.Vector3(-1, -1, 0).unproject(this.#flat);
+    const b = new THREE.Vector3(1, 1, 0).unproject(this.#flat);
+    return { min: [Math.min(a.x, b.x), Math.min(a.y, b.y)], max: [Math.max(a.x, b.x), Math.max(a.y, b.y)] };
+  }
+
+  /** Whether dragging moves the view; off while a shape is dragged. */
+  set movesView(moves: boolean) {
+    this.#controls.enabled = moves;
+  }
+
+  zoomBy(factor: number): void {
+    if (this.#isFlat) {
+      this.#flat.zoom *= factor;
+      this.#flat.updateProjectionMatrix();
+    } else {
+      const target = this.#controls.target;
+      this.#deep.position.sub(target).divideScalar(factor).add(target);
+    }
+    this.#controls.update();
+    this.#viewChanged();
+  }
+
+  /** Turns the view in space; moves it in the plane. Steps are in tenths of what is seen. */
+  nudge(right: number, up: number): void {
+    const offset = this.#camera.position.clone().sub(this.#controls.target);
+    if (this.#isFlat) {
+      const step = (this.#flat.top - this.#flat.bottom) / this.#flat.zoom / 10;
+      const move = new THREE.Vector3(right * step, (this.#yDown ? -up : up) * step, 0);
+      this.#controls.target.add(move);
+      this.#flat.position.add(move);
+    } else {
+      const turned = new THREE.Spherical().setFromVector3(new THREE.Vector3(offset.x, offset.z, -offset.y));
+      turned.theta += right * 0.15;
+      turned.phi = Math.min(Math.PI - 0.05, Math.max(0.05, turned.phi - up * 0.15));
+      const back = new THREE.Vector3().setFromSpherical(turned);
+      this.#deep.position.copy(this.#controls.target).add(new THREE.Vector3(back.x, -back.z, back.y));
+    }
+    this.#controls.update();
+    this.#viewChanged();
+  }
+
+  /** Called before each picture while something moves; it says whether there is a next one. */
+  animate(frame: (now: number) => boolean): void {
+    this.#onFrame = frame;
+    this.invalidate();
+  }
+
+  /** Called when the view has moved or the canvas has another size. */
+  onView(listener: () => void): void {
+    this.#onView.push(listener);
+  }
+
+  onTheme(listener: () => void): void {
+    this.#onTheme.push(listener);
+  }
+
+  /** Draws again, soon and once. */
+  invalidate(): void {
+    if (this.#queued) return;
+    this.#queued = true;
+    requestAnimationFrame((now) => {
+      this.#queued = false;
+      const goesOn = this.#onFrame?.(now) ?? false;
+      this.#scene.background = new THREE.Color(this.palette.ground);
+      this.#renderer.render(this.#scene, this.#camera);
+      if (goesOn) this.invalidate();
+    });
+  }
+
+  get #camera(): THREE.OrthographicCamera | THREE.PerspectiveCamera {
+    return this.#isFlat ? this.#flat : this.#deep;
+  }
+
+  get #width(): number {
+    return Math.max(1, this.canvas.clientWidth);
+  }
+
+  get #height(): number {
+    return Math.max(1, this.canvas.clientHeight);
+  }
+
+  #normalised(event: { clientX: number; clientY: number }): THREE.Vector3 {
+    const place = this.canvas.getBoundingClientRect();
+    const x = ((event.clientX - place.left) / place.width) * 2 - 1;
+    return new THREE.Vector3(x, 1 - ((event.clientY - place.top) / place.height) * 2, 0);
+  }
+
+  #fitFlat(center: THREE.Vector3, size: THREE.Vector3): void {
+    const margin = 1.08;
+    const aspect = this.#width / this.#height;
+    const half = (Math.max(size.y, size.x / aspect, Number.MIN_VALUE * 1e10) / 2) * margin || 1;
+    const flip = this.#yDown ? -1 : 1;
+    Object.assign(this.#flat, { left: -half * aspect, right: half * aspect, top: half * flip, bottom: -half * flip, zoom: 1 });
+    this.#flat.position.set(center.x, center.y, 100);
+    this.#flat.updateProjectionMatrix();
+  }
+
+  /** As near as all corners of the extent are still seen. */
+  #fitDeep(center: THREE.Vector3, size: THREE.Vector3): void {
+    const radius = size.length() / 2 || 1;
+    const back = new THREE.Vector3(-0.62, -0.92, 0.62).normalize();
+    const right = new THREE.Vector3(0, 0, 1).cross(back).normalize();
+    const up = back.clone().cross(right);
+    const tangent = Math.tan(THREE.MathUtils.degToRad(this.#deep.fov / 2));
+    const aspect = this.#width / this.#height;
+    let distance = radius * 0.1;
+    for (let which = 0; which < 8; ++which) {
+      const signs = new THREE.Vector3((which & 1) - 0.5, ((which >> 1) & 1) - 0.5, ((which >> 2) & 1) - 0.5);
+      const corner = size.clone().multiply(signs);
+      const beside = Math.max(Math.abs(corner.dot(right)) / aspect, Math.abs(corner.dot(up)));
+      distance = Math.max(distance, corner.dot(back) + (beside / tangent) * 1.05);
+    }
+    this.#deep.near = radius / 100;
+    this.#deep.far = distance + radius * 40;
+    this.#deep.position.copy(center).add(back.multiplyScalar(distance));
+    this.#deep.updateProjectionMatrix();
+  }
+
+  #resize(): void {
+    this.#renderer.setSize(this.#width, this.#height, false);
+    const aspect = this.#width / this.#height;
+    const half = this.#flat.top;
+    this.#flat.left = -Math.abs(half) * aspect;
+    this.#flat.right = Math.abs(half) * aspect;
+    this.#flat.updateProjectionMatrix();
+    this.#deep.aspect = aspect;
+    this.#deep.updateProjectionMatrix();
+    this.#viewChanged();
+  }
+
+  #controlsFor(camera: THREE.Camera): OrbitControls {
+    const controls = new OrbitControls(camera, this.canvas);
+    controls.enableDamping = false;
+    controls.addEventListener("change", () => this.#viewChanged());
+    if (camera === this.#flat) {
+      controls.enableRotate = false;
+      controls.mouseButtons = { LEFT: THREE.MOUSE.PAN, MIDDLE: THREE.MOUSE.DOLLY, RIGHT: THREE.MOUSE.PAN };
+      controls.touches = { ONE: THREE.TOUCH.PAN, TWO: THREE.TOUCH.DOLLY_PAN };
+      controls.zoomToCursor = true;
+    }
+    return controls;
+  }
+
+  #replaceControls(camera: THREE.Camera): void {
+    this.#controls.dispose();
+    this.#controls = this.#controlsFor(camera);
+  }
+
+  #viewChanged(): void {
+    this.afterView?.();
+    for (const listener of this.#onView) listener();
+    this.invalidate();
+  }
+}
