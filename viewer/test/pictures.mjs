@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Takes the pictures of docs/pictures/viewer_*.png: `npm run pictures`, then look at them.
+import { openBrowser, openPage, root, serveViewer } from "./browser.mjs";
+
+/** Where much is drawn, so that no picture has more than 200 kB. */
+const small = { viewport: { width: 940, height: 600 } };
+
+const views = [
+  ["intersections", "#intersections?selected=3", {}],
+  ["closest_points", "#closest-points", {}],
+  ["rays", "#rays?mode=fan", {}],
+  ["bounding_volumes", "#bounding-volumes", {}],
+  ["quad_tree", "#trees?play=no", {}],
+  ["octree", "#trees?play=no&dimension=3&count=60&radius=0.6", small],
+  ["broad_phase", "#broad-phase?play=no&count=1500&crowd=0.15", small],
+  ["scene", "#scene?example=workshop", {}],
+  ["scene_2d", "#scene?example=platform+level&select=giant+slime", {}],
+  ["dark", "#intersections?show=manifold", { colorScheme: "dark" }],
+  ["phone", "#trees?play=no", { viewport: { width: 390, height: 760 } }],
+];
+
+const only = process.argv.slice(2);
+const folder = process.env.GRAZE_PICTURES ?? `${root}docs/pictures/`;
+const [browser, server] = await Promise.all([openBrowser(), serveViewer()]);
+for (const [name, hash, options] of views) {
+  if (only.length > 0 && !only.includes(name)) continue;
+  const { page, heard } = await openPage(browser, `${server.address}${hash}`, { viewport: { width: 1100, height: 660 }, ...options });
+  for (let i = 0; i < 8 && hash.includes("play=no"); ++i) await page.keyboard.press(".");
+  await page.waitForTimeout(500);
+  await page.screenshot({ path: `${folder}viewer_${name}.png` });
+  for (const complaint of heard.complaints) console.error(`${name}: ${complaint}`);
+  await page.close();
+}
+await browser.close();
+server.close();

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// The chapters of the playground in a real browser.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+
+import { colourAt, drag, figure, numberIn, openBrowser, openPage, placeOf, serveViewer } from "./browser.mjs";
+
+let browser, server;
+before(async () => {
+  [browser, server] = await Promise.all([openBrowser(), serveViewer()]);
+});
+after(async () => {
+  await browser?.close();
+  server?.close();
+});
+
+/** Runs a test on a page of its own, which must not complain. */
+async function on(hash, body, options) {
+  const { page, heard } = await openPage(browser, `${server.address}${hash}`, options);
+  try {
+    await body(page, heard);
+    assert.deepEqual(heard.complaints, []);
+  } finally {
+    await page.close();
+  }
+}
+
+const chapters = ["intersections", "closest-points", "rays", "bounding-volumes", "trees", "broad-phase", "scene"];
+const twoCircles = "#intersections?shapes=sphere:-2,0,1;sphere:2,0,1";
+const isOrange = ([red, green, blue]) => red > 200 && red - blue > 60 && green > blue;
+
+test("every tab opens without complaints, fills the panel and asks nobody but its own address", async () => {
+  await on("", async (page, heard) => {
+    assert.deepEqual(await page.locator("#tabs a").evaluateAll((tabs) => tabs.map((tab) => tab.dataset.chapter)), chapters);
+    for (const chapter of chapters) {
+      await page.click(`#tabs a[data-chapter="${chapter}"]`);
+      await page.waitForSelector(`html[data-chapter="${chapter}"]`);
+      assert.ok((await page.locator("#panel .figures dd").count()) >= 3, chapter);
+      await page.waitForTimeout(150);
+    }
+    assert.ok(heard.requests.length > 2);
+    for (const request of heard.requests) assert.match(request, new RegExp(`^(${server.address}|data:)`));
+  });
+});
+
+test("a drag makes a pair touch and light up, and dragging on parts it again", async () => {
+  await on(twoCircles, async (page) => {
+    assert.equal(await figure(page, "pairs"), "0");
+    const [left, right] = [await placeOf(page, "shape-0"), await placeOf(page, "shape-1")];
+    const middle = { x: right.x + 20, y: right.y + 13 };
+    assert.ok(!isOrange(await colourAt(page, middle)));
+    const near = { x: left.x + 0.6 * (right.x - left.x), y: left.y };
+    await drag(page, left, near);
+    assert.equal(await figure(page, "pairs"), "1");
+    assert.match(await page.locator("#pairs").textContent(), /circle 1 · circle 2overlapping/);
+    assert.ok(isOrange(await colourAt(page, middle)), String(await colourAt(page, middle)));
+    await drag(page, near, left);
+    assert.equal(await figure(page, "pairs"), "0");
+  });
+});
+
+test("circles that touch in a point count as a pair, with depth 0", async () => {
+  await on("#intersections?shapes=sphere:-1,0,1;sphere:1,0,1", async (page) => {
+    assert.equal(await figure(page, "pairs"), "1");
+    assert.match(await page.locator("#pairs").textContent(), /touching/);
+    assert.equal(await page.locator("#overlay text").textContent(), "0");
+  });
+});
+
+test("the link restores what is seen, also after a drag", async () => {
+  await on(twoCircles, async (page) => {
+    const left = await placeOf(page, "shape-0");
+    await drag(page, left, { x: left.x + 40, y: left.y - 60 });
+    await page.waitForTimeout(400);
+    const moved = await placeOf(page, "shape-0");
+    const link = page.url();
+    assert.notEqual(link, `${server.address}${twoCircles}`);
+    await page.goto("about:blank");
+    await page.goto(link);
+    await page.waitForSelector("html[data-chapter]");
+    const again = await placeOf(page, "shape-0");
+    assert.ok(Math.hypot(again.x - moved.x, again.y - moved.y) < 1, `${again.x},${again.y} is not ${moved.x},${moved.y}`);
+  });
+});
+
+test("a link that is no scene opens the usual one", async () => {
+  await on("#intersections?shapes=sphere:0,0,-1;nonsense", async (page) => {
+    assert.equal(await figure(page, "objects"), "8");
+  });
+});
+
+test("everything works from the keyboard: a chapter, a shape that moves and is removed, help", async () => {
+  await on("#rays", async (page) => {
+    await page.keyboard.press("1");
+    await page.waitForSelector('html[data-chapter="intersections"]');
+    await page.locator('#overlay circle[data-key="shape-1"]').focus();
+    const before = await placeOf(page, "shape-1");
+    await page.keyboard.press("Shift+ArrowRight");
+    const moved = await placeOf(page, "shape-1");
+    assert.ok(Math.abs(moved.x - before.x - 40) < 1.5, `${moved.x - before.x}`);
+    await page.keyboard.press("Delete");
+    assert.equal(await figure(page, "objects"), "7");
+    await page.keyboard.press("?");
+    assert.ok(await page.locator("#help-dialog").isVisible());
+    await page.keyboard.press("Escape");
+    assert.ok(!(await page.locator("#help-dialog").isVisible()));
+  });
+});
+
+test("a probe inside a circle is contained, and its distance is negative", async () => {
+  await on("#closest-points?shapes=sphere:0,0,2&x=0.5&y=0", async (page) => {
+    assert.equal(await figure(page, "contains"), "1");
+    assert.equal(await figure(page, "distance"), "\u22121.500");
+  });
+});
+
+test("a ray hits one wall first, and both in order", async () => {
+  const walls = "shapes=segment:1,-1,1,1;segment:3,-1,3,1&x=0&y=0&to-x=1&to-y=0";
+  await on(`#rays?mode=first&${walls}`, async (page) => {
+    assert.equal(await figure(page, "hits"), "1");
+    assert.equal(await figure(page, "t"), "1.000");
+    await page.getByRole("button", { name: "All hits" }).click();
+    assert.equal(await figure(page, "hits"), "2");
+  });
+});
+
+test("bounding volumes of three points have the sizes of the textbook", async () => {
+  await on("#bounding-volumes?points=0,0;2,0;0,2", async (page) => {
+    const area = async (id) => Number((await figure(page, id)).split(" ")[0]);
+    assert.equal(await area("box"), 4);
+    assert.equal(await area("hull"), 2);
+    assert.ok(Math.abs((await area("sphere")) - 2 * Math.PI) < 0.001);
+  });
+});
+
+test("a quad tree is cut where capacity says, and a hierarchy finds the same boxes", async () => {
+  await on("#trees?play=no&count=200&capacity=32&depth=8&radius=0.5", async (page) => {
+    const [coarse, found] = [await numberIn(page, "cells"), await numberIn(page, "found")];
+    assert.ok(found > 0);
+    await page.getByRole("slider", { name: "Capacity of a cell" }).fill("1");
+    assert.ok((await numberIn(page, "cells")) > 2 * coarse);
+    assert.equal(await numberIn(page, "found"), found);
+    await page.getByRole("button", { name: "Bvh" }).click();
+    assert.equal(await numberIn(page, "found"), found);
+  });
+});
+
+for (const dimension of [2, 3]) {
+  test(`all methods find the same pairs of moving boxes in ${dimension}D, step by step`, async () => {
+    await on(`#broad-phase?play=no&count=400&crowd=3&dimension=${dimension}`, async (page) => {
+      const start = await numberIn(page, "pairs");
+      assert.ok(start > 100);
+      for (let i = 0; i < 20; ++i) await page.keyboard.press(".");
+      const found = await numberIn(page, "pairs");
+      assert.notEqual(found, start);
+      for (const method of ["Tree", "Dense", "Brute force"]) {
+        await page.getByRole("button", { name: method }).click();
+        assert.equal(await numberIn(page, "pairs"), found, method);
+      }
+      await page.getByRole("button", { name: /more/ }).click();
+      assert.equal(await numberIn(page, "boxes"), 1400);
+    });
+  });
+}
+
+test("play goes on by itself and pauses", async () => {
+  await on("#broad-phase?count=300&crowd=3", async (page) => {
+    const before = await numberIn(page, "pairs");
+    await page.waitForFunction((old) => document.querySelector("#figure-pairs").textContent !== String(old), before);
+    await page.click("#play");
+    const paused = await numberIn(page, "pairs");
+    await page.waitForTimeout(300);
+    assert.equal(await numberIn(page, "pairs"), paused);
+  });
+});
+
+test("a phone's width holds everything, in the dark too", async () => {
+  const phone = { viewport: { width: 360, height: 740 }, colorScheme: "dark" };
+  for (const chapter of chapters) {
+    await on(`#${chapter}?play=no`, async (page) => {
+      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360, chapter);
+      assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
+      assert.ok((await page.locator("#stage").boundingBox()).height > 200);
+    }, phone);
+  }
+});

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// Scenes from files, in the viewer and in reports of one file: what the page counts is what the program counts.
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { once } from "node:events";
+import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { basename } from "node:path";
+import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
+
+import { figure, graze, numberIn, openBrowser, openPage, program, root, serveViewer, viewer } from "./browser.mjs";
+
+let browser, server, folder;
+before(async () => {
+  [browser, server] = await Promise.all([openBrowser(), serveViewer()]);
+  folder = `${await mkdtemp(`${tmpdir()}/graze-viewer-`)}/`;
+});
+after(async () => {
+  await browser?.close();
+  server?.close();
+  await rm(folder, { recursive: true });
+});
+
+const files = {
+  workshop: ["workshop.json"],
+  level: ["platform_level.tmx", "platform_props.tsx", "platform_tiles.tsx", "templates/coin.tx", "templates/crate.tx", "templates/spike.tx"],
+};
+
+async function openScene(paths, body) {
+  const { page, heard } = await openPage(browser, `${server.address}#scene`);
+  try {
+    if (paths.length > 0) {
+      await page.setInputFiles("#scene-file", paths);
+      await page.waitForFunction((name) => document.querySelector("#figure-source")?.textContent === name, basename(paths[0]));
+    }
+    await body(page);
+    assert.deepEqual(heard.complaints, []);
+  } finally {
+    await page.close();
+  }
+}
+
+/** The page counts what `graze check` counts. */
+async function assertSameCounts(page, path) {
+  const report = JSON.parse(graze("check", "--format", "json", path));
+  assert.equal(await numberIn(page, "pairs"), report.summary.pairs);
+  assert.equal(await numberIn(page, "objects"), report.objects);
+  assert.equal(await numberIn(page, "candidates"), report.summary.candidates);
+  return report;
+}
+
+for (const [name, [scene, ...others]] of Object.entries(files)) {
+  test(`the counts of ${scene} are those of the program`, async () => {
+    const paths = [scene, ...others].map((file) => `${root}data/${file}`);
+    await openScene(paths, async (page) => {
+      const report = await assertSameCounts(page, paths[0]);
+      const first = page.locator("#pair-list button").first();
+      assert.equal(await first.textContent(), `${report.pairs[0].a} · ${report.pairs[0].b}${report.pairs[0].relation}`, name);
+    });
+  });
+}
+
+test("twenty thousand boxes from a table open, and their counts are those of the program", async () => {
+  const path = `${folder}boxes.csv`;
+  graze("generate", "2d:brownian:20k", "--output", path);
+  await openScene([path], (page) => assertSameCounts(page, path));
+});
+
+test("a pair that is chosen in the list is selected in the scene, and so is what the search finds", async () => {
+  await openScene([], async (page) => {
+    await page.locator("#pair-list button").first().click();
+    assert.equal(await page.locator("#inspector").count(), 2);
+    await page.fill("#search", "rafter 3");
+    await page.getByRole("button", { name: /^rafter 3/ }).first().click();
+    assert.match(await page.locator("#inspector").textContent(), /^rafter 3type/);
+    await page.keyboard.press("z");
+    await page.waitForTimeout(400);
+    assert.match(page.url(), /select=rafter\+3/);
+  });
+});
+
+test("an object that is pressed on the drawing is selected in the list", async () => {
+  const path = `${folder}two.json`;
+  const box = (name, x) => ({ name, type: "aabb", min: [x, 0], max: [x + 1, 1] });
+  await writeFile(path, JSON.stringify({ schema: "graze.scene/1", dimension: 2, objects: [box("left", 0), box("right", 3)] }));
+  await openScene([path], async (page) => {
+    const stage = await page.locator("#canvas").boundingBox();
+    await page.mouse.click(stage.x + stage.width * 0.15, stage.y + stage.height / 2);
+    assert.match(await page.locator("#inspector").textContent(), /^lefttype/);
+    assert.equal(await page.locator('.list [aria-current="true"]').first().textContent(), "leftaabb");
+  });
+});
+
+test("a bad file is refused in words that help, and what was shown stays", async () => {
+  const path = `${folder}bad.json`;
+  const objects = [{ name: "ball", type: "sphere", center: [0, 0], raduis: 1 }];
+  await writeFile(path, JSON.stringify({ schema: "graze.scene/1", dimension: 2, objects }));
+  await openScene([], async (page) => {
+    await page.setInputFiles("#scene-file", path);
+    const message = page.locator("#scene-error");
+    await message.waitFor();
+    assert.match(await message.textContent(), /bad\.json: line 1, column \d+: object 0 "ball": unknown field "raduis"; did you mean "radius"\?/);
+    assert.equal(await figure(page, "source"), "workshop.json");
+  });
+});
+
+test("a report of one file opens from disk with nothing beside it, whatever names hold", async () => {
+  const name = "</script><script>window.broken=1</script><!--";
+  const ball = (key, x) => ({ name: key, type: "sphere", center: [x, 0, 0], radius: 1, user: 9007199254740993 });
+  const text = JSON.stringify({ schema: "graze.scene/1", dimension: 3, objects: [ball(name, 0), ball("b", 1), ball("c", 5)] });
+  await writeFile(`${folder}names.json`, text);
+  graze("view", `${folder}names.json`, "--html", `${folder}names.html`);
+  const { page, heard } = await openPage(browser, pathToFileURL(`${folder}names.html`).href);
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.chapter), "scene");
+  assert.equal(await figure(page, "objects"), "3");
+  assert.equal(await figure(page, "pairs"), "1");
+  assert.equal(await page.locator("#pair-list button").first().textContent(), `${name} · boverlapping`);
+  assert.equal(await page.evaluate(() => window.broken), undefined);
+  assert.deepEqual(heard.complaints, []);
+  assert.deepEqual(heard.requests.filter((url) => !/^(file|data|blob):/.test(url)), []);
+  await page.close();
+});
+
+test("a served report is the same page, until the program is ended", async () => {
+  const child = spawn(program(), ["view", `${root}data/workshop.json`], { env: { ...process.env, GRAZE_REPORT_TEMPLATE: `${viewer}report.html` } });
+  try {
+    const [line] = await once(child.stdout, "data");
+    const { page, heard } = await openPage(browser, String(line).trim());
+    assert.equal(await figure(page, "objects"), "345");
+    assert.deepEqual(heard.complaints, []);
+    await page.close();
+  } finally {
+    child.kill();
+  }
+});
+
+test("a report of check holds the pairs that were asked for", async () => {
+  const scene = `${root}data/platform_level.tmx`;
+  const report = JSON.parse(graze("check", "--interior", "--format", "json", scene));
+  graze("check", "--interior", "--output", `${folder}level.txt`, "--html", `${folder}level.html`, scene);
+  const { page, heard } = await openPage(browser, pathToFileURL(`${folder}level.html`).href);
+  assert.equal(await numberIn(page, "pairs"), report.summary.pairs);
+  assert.equal(await numberIn(page, "objects"), report.objects);
+  await page.click('#tabs a[data-chapter="intersections"]');
+  await page.waitForSelector('html[data-chapter="intersections"]');
+  assert.equal(await figure(page, "objects"), "8");
+  assert.deepEqual(heard.complaints, []);
+  assert.ok((await readFile(`${folder}level.html`)).length < 8_000_000);
+  await page.close();
+});
