@@ -3,13 +3,13 @@
 // needs so that a box stands on a floor and does not topple.
 //
 // The normal and the depth are those of contact(a, b), and so is who decides whether there is a contact. If a face of
-// one shape looks along the normal (a's, if both do, but a plane's before all), the face of the other that looks most against it is laid over
-// it and cut at its sides and at its surface; every corner of what is left is a contact of its own depth along the
-// normal. Two parallel edges (of capsules and segments, in space) give the ends of what they share; all else gives the
-// point of `contact` alone. So a ball has one point; a capsule two where it lies; boxes, triangles and polytopes up to
-// four, of more those that span the patch: the deepest, the farthest from it, and on either side of the line between
-// them the one that makes the largest triangle. Rays and users' shapes, which have no faces to speak of, and pairs that
-// no translation parts have the point of `contact`.
+// one shape looks along the normal (a's, if both do, but a plane's before all), the face of the other that looks most
+// against it is laid over it and cut at its sides and at its surface; every corner of what is left is a contact of its
+// own depth along the normal. Two parallel edges (of capsules and segments, in space) give the ends of what they share;
+// all else gives the point of `contact` alone. So a ball has one point; a capsule two where it lies; boxes, triangles
+// and polytopes up to four, of more those that span the patch: the deepest, the farthest from it, and on either side of
+// the line between them the one that makes the largest triangle. Rays and users' shapes, which have no faces to speak
+// of, and pairs that no translation parts have the point of `contact`.
 //
 // Each point has an id: which corner, edge or face of a, and which of b, it lies on. It stays the same from frame to
 // frame as long as the shapes keep lying on each other the same way, so that a solver can go on with the impulses of

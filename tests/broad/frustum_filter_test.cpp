@@ -18,7 +18,7 @@
 
 #include "../cameras.hpp"
 
-namespace graze {
+namespace graze::frustum_filter_test {
 namespace {
 
 using detail::FrustumFilter;
@@ -155,4 +155,4 @@ RC_GTEST_PROP(FrustumFilter, EveryIndexFindsWhatTheFrustumMeets, ()) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::frustum_filter_test

@@ -7,7 +7,7 @@
 
 #include <graze/io/frame_report.hpp>
 
-namespace graze::io {
+namespace graze::io::frame_report_test {
 namespace {
 
 std::string line(const FrameReport& report) {
@@ -30,4 +30,4 @@ TEST(FrameReport, KeepsNamesWhateverBytesTheyHold) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::frame_report_test

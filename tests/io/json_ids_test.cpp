@@ -14,7 +14,7 @@
 
 #include "scene_text.hpp"
 
-namespace graze::io {
+namespace graze::io::json_ids_test {
 namespace {
 
 using World = Scene<2, double>;
@@ -128,4 +128,4 @@ RC_GTEST_PROP(JsonIds, LiveOnInASceneThatWasSaved, ()) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::json_ids_test

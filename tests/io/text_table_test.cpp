@@ -7,7 +7,7 @@
 
 #include <graze/io/text_table.hpp>
 
-namespace graze::io {
+namespace graze::io::text_table_test {
 namespace {
 
 std::string table(const TableRow& head, const std::vector<TableRow>& rows, Colours colours = Colours::off) {
@@ -45,4 +45,4 @@ TEST(TextTable, NumbersHaveSixDigits) {
 }
 
 }  // namespace
-}  // namespace graze::io
+}  // namespace graze::io::text_table_test

@@ -5,9 +5,8 @@
 
 #include <graze/math/bit_cast.hpp>
 
+namespace graze::bit_cast_test {
 namespace {
-
-using graze::bit_cast;
 
 TEST(BitCast, GivesTheBitsOfANumber) {
   static_assert(bit_cast<std::uint32_t>(1.0F) == 0x3f800000U);
@@ -21,3 +20,4 @@ TEST(BitCast, GivesTheNumberOfTheBits) {
 }
 
 }  // namespace
+}  // namespace graze::bit_cast_test

@@ -6,7 +6,7 @@
 
 #include <graze/math/motion.hpp>
 
-namespace graze::test {
+namespace graze::test::motion_test {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
@@ -86,4 +86,4 @@ TEST(Motion, IsFiniteIfEveryNumberIs) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::motion_test

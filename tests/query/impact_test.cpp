@@ -6,7 +6,7 @@
 
 #include <graze/query/impact.hpp>
 
-namespace graze::test {
+namespace graze::test::impact_test {
 namespace {
 
 TEST(Impact, RoundsItsTimeDownAndItsNumbersToNearest) {
@@ -51,4 +51,4 @@ TEST(Impact, OfSeveralTheEarliestIsKeptAndOfEqualOnesTheFirst) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::impact_test

@@ -10,7 +10,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze::test {
+namespace graze::test::obstacle_test {
 namespace {
 
 using Point = Vec<3, double>;
@@ -99,4 +99,4 @@ TEST(Obstacle, RaysMeetARoundedBoxWhereGjkFindsIt) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::obstacle_test

@@ -28,7 +28,7 @@
 #include "query/ray_casts.hpp"
 #include "query/shape_casts.hpp"
 
-namespace graze::test {
+namespace graze::test::shape_cast_laws_test {
 namespace {
 
 /// The same shape in double. Exact.
@@ -315,4 +315,4 @@ TYPED_TEST(ShapeCastLaw, ACompoundTouchesWhenItsFirstPartDoes) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::shape_cast_laws_test

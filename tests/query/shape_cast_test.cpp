@@ -19,7 +19,7 @@
 #include "query/shape_casts.hpp"
 #include "query/user_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::shape_cast_test {
 namespace {
 
 using Point = Vec<3, double>;
@@ -257,4 +257,4 @@ TEST(ShapeCast, NonsenseEnds) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::shape_cast_test

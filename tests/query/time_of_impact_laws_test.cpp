@@ -20,7 +20,7 @@
 #include "query/placement.hpp"
 #include "query/times_of_impact.hpp"
 
-namespace graze::test {
+namespace graze::test::time_of_impact_laws_test {
 namespace {
 
 /// Plain turns of a few radians, about a center near the shapes.
@@ -184,4 +184,4 @@ TYPED_TEST(TimeOfImpactLaw, HalfTheMotionTakesTwiceTheTime) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::time_of_impact_laws_test

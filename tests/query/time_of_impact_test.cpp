@@ -12,7 +12,7 @@
 
 #include "query/user_shapes.hpp"
 
-namespace graze::test {
+namespace graze::test::time_of_impact_test {
 namespace {
 
 using Point = Vec<3, double>;
@@ -148,4 +148,4 @@ TEST(TimeOfImpact, TheLeastBetweenTwoGapsIsThatOfTheParabola) {
 }
 
 }  // namespace
-}  // namespace graze::test
+}  // namespace graze::test::time_of_impact_test

@@ -15,7 +15,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze {
+namespace graze::scene_contacts_test {
 namespace {
 
 using World = Scene<2, double>;
@@ -142,4 +142,4 @@ RC_GTEST_PROP(SceneContacts, CandidatesMissNoBoxesWithinTheMargin, ()) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::scene_contacts_test

@@ -5,7 +5,7 @@
 
 #include <graze/shape/clip_space.hpp>
 
-namespace graze {
+namespace graze::clip_space_test {
 namespace {
 
 using detail::ClipPlane;
@@ -67,4 +67,4 @@ TEST(ClipSpace, ParallelPlanesShareNoPoint) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::clip_space_test

@@ -18,7 +18,7 @@
 #include "../cameras.hpp"
 #include "../catalogue/nasty.hpp"
 
-namespace graze {
+namespace graze::frustum_test {
 namespace {
 
 using V = Vec<3, double>;
@@ -203,4 +203,4 @@ RC_GTEST_PROP(Frustum, HoldsWhatTheMatrixPutsOnTheScreen, ()) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::frustum_test

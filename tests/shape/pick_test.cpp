@@ -14,7 +14,7 @@
 
 #include "catalogue.hpp"
 
-namespace graze {
+namespace graze::pick_test {
 namespace {
 
 using V3 = Vec<3, double>;
@@ -130,4 +130,4 @@ RC_GTEST_PROP(Pick, ARayIsSeenAsThePointThatWasPicked, ()) {
 }
 
 }  // namespace
-}  // namespace graze
+}  // namespace graze::pick_test
