@@ -24,6 +24,7 @@
 #include <graze/query/gjk.hpp>
 #include <graze/query/intersects.hpp>
 #include <graze/query/manifold.hpp>
+#include <graze/query/mass_properties.hpp>
 #include <graze/query/outline.hpp>
 #include <graze/query/ray_cast.hpp>
 #include <graze/query/relation.hpp>
