@@ -388,13 +388,30 @@ std::optional<Strike<dimension_of<A>>> strike(const A& a, const Vec<dimension_of
     return strike_of_parts(a, motion, b, [&](const auto& part) { return strike(part, motion, b); });
   } else if constexpr (is_compound<B>) {
     return strike_of_parts(b, -motion, a, [&](const auto& part) { return strike(a, motion, part); });
-  } else if constexpr (type_place<A> < type_place<B>) {
-    return strike_in_order(a, motion, b);
-  } else if constexpr (type_place<A> > type_place<B>) {
-    return strike_exchanged(a, motion, b);
   } else {
-    return is_in_order(a, b) ? strike_in_order(a, motion, b) : strike_exchanged(a, motion, b);
+    if (hold_nan(a, b)) return std::nullopt;
+    if constexpr (type_place<A> < type_place<B>) {
+      return strike_in_order(a, motion, b);
+    } else if constexpr (type_place<A> > type_place<B>) {
+      return strike_exchanged(a, motion, b);
+    } else {
+      return is_in_order(a, b) ? strike_in_order(a, motion, b) : strike_exchanged(a, motion, b);
+    }
   }
+}
+
+/// shape_cast for shapes that need not be valid.
+template <class A, class B>
+std::optional<Impact<dimension_of<A>, scalar_of<A>>> impact_of(const A& a,
+                                                               const Vec<dimension_of<A>, scalar_of<A>>& motion,
+                                                               const B& b) {
+  using T = scalar_of<A>;
+  if (!is_finite(motion)) return std::nullopt;
+  if (const auto contact = penetration(a, b)) return rounded_impact<T>(strike_at_start(*contact));
+  if (max_abs(motion) == T(0)) return std::nullopt;
+  const auto found = strike(a, wide<dimension_of<A>, T>(motion), b);
+  if (!found) return std::nullopt;
+  return rounded_impact<T>(*found);
 }
 
 }  // namespace detail
@@ -403,22 +420,13 @@ std::optional<Strike<dimension_of<A>>> strike(const A& a, const Vec<dimension_of
 /// space that stays; none if there is none. Touching counts, also at the start and at the end; a motion of zero touches
 /// what it touches already. t is never after the first touch and no earlier than the error explains. Swapping the
 /// shapes and turning the motion round moves the point along with them, negates the normal and changes nothing else. A
-/// compound is the union of its parts. A motion with a NaN touches nothing.
+/// compound is the union of its parts. A shape or a motion with a NaN touches nothing.
 template <Shape A, SameSpace<A> B>
 std::optional<Impact<dimension_of<A>, scalar_of<A>>> shape_cast(const A& a,
                                                                 const Vec<dimension_of<A>, scalar_of<A>>& motion,
                                                                 const B& b) {
-  constexpr Dim N = dimension_of<A>;
-  using T = scalar_of<A>;
   assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));
-  if (!is_finite(motion)) return std::nullopt;
-  if (const auto contact = detail::penetration(a, b)) {
-    return detail::rounded_impact<T>(detail::strike_at_start(*contact));
-  }
-  if (max_abs(motion) == T(0)) return std::nullopt;
-  const auto strike = detail::strike(a, wide<N, T>(motion), b);
-  if (!strike) return std::nullopt;
-  return detail::rounded_impact<T>(*strike);
+  return detail::impact_of(a, motion, b);
 }
 
 }  // namespace graze

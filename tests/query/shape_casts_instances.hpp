@@ -22,7 +22,7 @@ namespace graze::test {
 
 template <Dim N, class T>
 std::optional<Impact<N, T>> impact_of(const AnyShape<N, T>& a, const Vec<N, T>& motion, const AnyShape<N, T>& b) {
-  return shape_cast(a, motion, b);
+  return detail::impact_of(a, motion, b);
 }
 
 template <Dim N, class T>
