@@ -52,7 +52,7 @@ struct BenchArguments {
   std::string format = "table";
 };
 
-constexpr std::array<std::pair<std::string_view, BenchFormat>, 3> formats{
+constexpr std::array<std::pair<std::string_view, BenchFormat>, 3> bench_formats{
     {{"table", BenchFormat::table}, {"json", BenchFormat::json}, {"csv", BenchFormat::csv}}};
 
 constexpr std::array<std::pair<std::string_view, PairOrder>, 2> orders{
@@ -297,7 +297,7 @@ BenchReport measured(const BenchArguments& arguments, const Plan& plan) {
 }
 
 ExitCode run_bench(const BenchArguments& arguments) {
-  const BenchFormat format = chosen("--format", arguments.format, formats);
+  const BenchFormat format = chosen("--format", arguments.format, bench_formats);
   const Plan plan = plan_of(arguments);
   const BenchReport report = measured(arguments, plan);
   for (const SkippedMethod& one : report.skipped) {
@@ -307,7 +307,7 @@ ExitCode run_bench(const BenchArguments& arguments) {
   return done;
 }
 
-constexpr const char* footer =
+constexpr const char* bench_footer =
     R"(FILE is a scene, of which the boxes of its objects count, or a recording that ends in .aabbs.
 A world is made by --generate: brownian, heavy, cluster, line, plane, lattice, giants or
 point, after it a colon and the number of boxes, before it 2d: for the plane.
@@ -344,7 +344,7 @@ Command add_bench(CLI::App& program) {
       ->type_name("N")
       ->take_last();
   app->add_option("--format", arguments->format, "table (the default), json or csv")->type_name("FORMAT")->take_last();
-  app->footer(footer);
+  app->footer(bench_footer);
   return {app, [arguments] { return run_bench(*arguments); }};
 }
 

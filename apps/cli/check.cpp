@@ -40,7 +40,7 @@ struct CheckArguments {
   bool fail_on_contact = false;
 };
 
-constexpr std::array<std::pair<std::string_view, ReportFormat>, 4> formats{{{"table", ReportFormat::table},
+constexpr std::array<std::pair<std::string_view, ReportFormat>, 4> check_formats{{{"table", ReportFormat::table},
                                                                             {"json", ReportFormat::json},
                                                                             {"ndjson", ReportFormat::ndjson},
                                                                             {"csv", ReportFormat::csv}}};
@@ -79,7 +79,7 @@ void require_separate_files(const CheckArguments& arguments) {
 /// Writes the report while pairs are found, and gives them to the page as well, if there is to be one.
 void write_report(std::ostream& out, const CheckArguments& arguments, SceneCheck& check, Progress& progress,
                   HtmlReport* html) {
-  const ReportFormat format = chosen("--format", arguments.format, formats);
+  const ReportFormat format = chosen("--format", arguments.format, check_formats);
   const bool on_terminal = is_standard_stream(arguments.output) && is_terminal(Stream::output);
   const auto colours = on_terminal ? colours_for(Stream::output) : io::Colours::off;
   const std::unique_ptr<io::ReportWriter> writer = io::begin_report(out, format, check.head(), colours);
@@ -101,7 +101,7 @@ void say_summary(const CheckArguments& arguments, const SceneCheck& check) {
 }
 
 ExitCode run_check(const CheckArguments& arguments) {
-  static_cast<void>(chosen("--format", arguments.format, formats));  // refused before anything is read
+  static_cast<void>(chosen("--format", arguments.format, check_formats));  // refused before anything is read
   require_one_report(arguments.pairs);
   require_separate_files(arguments);
   std::string page = arguments.html ? read_report_template() : "";
@@ -128,7 +128,7 @@ ExitCode run_check(const CheckArguments& arguments) {
   return !check.touching().empty() && arguments.fail_on_contact ? contact_found : done;
 }
 
-constexpr const char* footer =
+constexpr const char* check_footer =
     R"(SCENE is a scene in graze's JSON, boxes in CSV, or a Tiled map (.tmx, .tmj); told apart
 by content. Pairs come in the scene's order. Shapes that touch without overlapping count.
 A pair with several contact points has a row for each of them in a table and in CSV.
@@ -171,7 +171,7 @@ Command add_check(CLI::App& program) {
       ->type_name("FILE")
       ->take_last();
   app->add_flag("--fail-on-contact", arguments->fail_on_contact, "End with exit code 1 when a pair is reported");
-  app->footer(footer);
+  app->footer(check_footer);
   return {app, [arguments] { return run_check(*arguments); }};
 }
 

@@ -40,7 +40,7 @@ ExitCode run_convert(const ConvertArguments& arguments) {
   return done;
 }
 
-constexpr const char* footer = R"(IN and OUT may be the same file. Numbers survive bit for bit.
+constexpr const char* convert_footer = R"(IN and OUT may be the same file. Numbers survive bit for bit.
 
 Examples:
   graze convert level.tmx level.json
@@ -57,7 +57,7 @@ Command add_convert(CLI::App& program) {
   app->add_option("OUT", arguments->output, "File to write, ending in .json, or - for the standard output")
       ->required()
       ->type_name("");
-  app->footer(footer);
+  app->footer(convert_footer);
   return {app, [arguments] { return run_convert(*arguments); }};
 }
 

@@ -49,16 +49,16 @@ struct Order {
   std::string output;
 };
 
-constexpr std::array<std::pair<std::string_view, WorldFormat>, 3> formats{
+constexpr std::array<std::pair<std::string_view, WorldFormat>, 3> generate_formats{
     {{"csv", WorldFormat::csv}, {"json", WorldFormat::json}, {"aabbs", WorldFormat::aabbs}}};
 
 /// The format of --format, or the one that the file's name ends in; CSV for the standard output.
 WorldFormat format_of(const GenerateArguments& arguments) {
   std::optional<WorldFormat> asked;
-  if (arguments.format) asked = chosen("--format", *arguments.format, formats);
+  if (arguments.format) asked = chosen("--format", *arguments.format, generate_formats);
   if (is_standard_stream(arguments.output)) return asked.value_or(WorldFormat::csv);
   const std::string ending = file_ending(arguments.output);
-  for (const auto& [name, format] : formats) {
+  for (const auto& [name, format] : generate_formats) {
     if (ending != "." + std::string(name)) continue;
     if (!asked || *asked == format) return format;
     throw UsageError(fmt::format("{} ends in {}, but --format says {}; leave one of them out",
@@ -173,7 +173,7 @@ ExitCode run_generate(const GenerateArguments& arguments) {
   return done;
 }
 
-constexpr const char* footer =
+constexpr const char* generate_footer =
     R"(WORLD is brownian, heavy, cluster, line, plane, lattice, giants or point, after it a colon
 and the number of boxes, before it 2d: for the plane. The same seed makes the same boxes.
 
@@ -202,7 +202,7 @@ Command add_generate(CLI::App& program) {
   app->add_option("--format", arguments->format, "csv, json or aabbs; if not given, what the file's name ends in")
       ->type_name("FORMAT")
       ->take_last();
-  app->footer(footer);
+  app->footer(generate_footer);
   return {app, [arguments] { return run_generate(*arguments); }};
 }
 

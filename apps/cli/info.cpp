@@ -25,11 +25,11 @@ struct InfoArguments {
   std::string format = "table";
 };
 
-constexpr std::array<std::pair<std::string_view, InfoFormat>, 2> formats{
+constexpr std::array<std::pair<std::string_view, InfoFormat>, 2> info_formats{
     {{"table", InfoFormat::table}, {"json", InfoFormat::json}}};
 
 ExitCode run_info(const InfoArguments& arguments) {
-  const InfoFormat format = chosen("--format", arguments.format, formats);
+  const InfoFormat format = chosen("--format", arguments.format, info_formats);
   Progress progress("reading the scene");
   const io::SceneSummary summary = io::summarise(read_input(arguments.scene));
   progress.stop();
@@ -43,7 +43,7 @@ ExitCode run_info(const InfoArguments& arguments) {
   return done;
 }
 
-constexpr const char* footer = R"(Sizes are the largest extents of the objects' boxes.
+constexpr const char* info_footer = R"(Sizes are the largest extents of the objects' boxes.
 
 Examples:
   graze info level.tmx
@@ -59,7 +59,7 @@ Command add_info(CLI::App& program) {
   const auto arguments = std::make_shared<InfoArguments>();
   app->add_option("SCENE", arguments->scene, "Scene file, or - for the standard input")->required()->type_name("");
   app->add_option("--format", arguments->format, "table (the default) or json")->type_name("FORMAT")->take_last();
-  app->footer(footer);
+  app->footer(info_footer);
   return {app, [arguments] { return run_info(*arguments); }};
 }
 

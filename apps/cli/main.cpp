@@ -25,7 +25,7 @@
 namespace graze::cli {
 namespace {
 
-constexpr const char* footer = R"(Run `graze COMMAND --help` for the options of a command.
+constexpr const char* program_footer = R"(Run `graze COMMAND --help` for the options of a command.
 
 Examples:
   graze check level.tmx
@@ -65,7 +65,7 @@ ExitCode run(int argc, const char* const* argv) {
   formatter->label("REQUIRED", "");
   program.set_help_flag("-h,--help", "Print this help and exit");
   program.set_version_flag("--version", "graze " GRAZE_VERSION, "Print the version and exit");
-  program.footer(footer);
+  program.footer(program_footer);
   const std::array<Command, 8> commands{add_check(program),    add_view(program),    add_query(program),
                                         add_simulate(program), add_info(program),    add_convert(program),
                                         add_bench(program),    add_generate(program)};

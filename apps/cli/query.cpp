@@ -22,6 +22,7 @@
 #include <graze/scene/scene.hpp>
 
 #include "command.hpp"
+#include "coordinates.hpp"
 #include "input.hpp"
 #include "output.hpp"
 #include "progress.hpp"
@@ -49,7 +50,7 @@ struct QueryArguments {
   bool only_first = false;
 };
 
-constexpr std::array<std::pair<std::string_view, ReportFormat>, 4> formats{{{"table", ReportFormat::table},
+constexpr std::array<std::pair<std::string_view, ReportFormat>, 4> query_formats{{{"table", ReportFormat::table},
                                                                             {"json", ReportFormat::json},
                                                                             {"ndjson", ReportFormat::ndjson},
                                                                             {"csv", ReportFormat::csv}}};
@@ -90,20 +91,6 @@ std::vector<double> numbers_in(const std::string& option, const std::string& tex
     throw UsageError(fmt::format("{} {} has {} number{}; it takes {}", option, io::in_quotes(text), numbers.size(),
                                  numbers.size() == 1 ? "" : "s", meaning));
   }
-  return numbers;
-}
-
-template <Dim N>
-Vec<N, double> vector_at(const std::vector<double>& numbers, std::size_t first) {
-  Vec<N, double> v;
-  for (Dim i = 0; i < N; ++i) v[i] = numbers[first + static_cast<std::size_t>(i)];
-  return v;
-}
-
-template <Dim N>
-std::vector<double> coordinates(const Vec<N, double>& v) {
-  std::vector<double> numbers(static_cast<std::size_t>(N));
-  for (Dim i = 0; i < N; ++i) numbers[static_cast<std::size_t>(i)] = v[i];
   return numbers;
 }
 
@@ -176,8 +163,8 @@ class Query {
     }
     for (const auto& [id, hit] : hits) {
       io::FoundObject object = found(id, hit.t);
-      object.point = coordinates<N>(hit.point);
-      object.normal = coordinates<N>(hit.normal);
+      object.point = coordinates(hit.point);
+      object.normal = coordinates(hit.normal);
       report.objects.push_back(std::move(object));
     }
   }
@@ -202,7 +189,7 @@ io::FoundReport answer(const QueryArguments& arguments, const std::string& sourc
 }
 
 ExitCode run_query(const QueryArguments& arguments) {
-  const ReportFormat format = chosen("--format", arguments.format, formats);
+  const ReportFormat format = chosen("--format", arguments.format, query_formats);
   require_one_question(arguments);
   Progress progress("reading the scene");
   const io::SceneFile file = read_input(arguments.scene);
@@ -220,7 +207,7 @@ ExitCode run_query(const QueryArguments& arguments) {
   return done;
 }
 
-constexpr const char* footer =
+constexpr const char* query_footer =
     R"(One question at a time. Objects come in the scene's order, the nearest by distance, hits
 of a ray by t, which counts in lengths of its direction. Shapes contain their surface.
 
@@ -251,7 +238,7 @@ Command add_query(CLI::App& program) {
   add("--layer", arguments->layer, "Only objects on this layer", "NAME");
   add("--format", arguments->format, "table (the default), json, ndjson or csv", "FORMAT");
   add("--output", arguments->output, "Write the answer to a file instead of the standard output", "FILE");
-  app->footer(footer);
+  app->footer(query_footer);
   return {app, [arguments] { return run_query(*arguments); }};
 }
 

@@ -9,6 +9,7 @@
 #include <graze/broad/touching_pairs.hpp>
 #include <graze/scene/manifolds.hpp>
 
+#include "coordinates.hpp"
 #include "nearness.hpp"
 
 namespace graze::cli {
@@ -26,13 +27,6 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 PairDetail detail_of(const CheckedPairs& wanted) {
   if (wanted.within) return PairDetail::distance;
   return wanted.contacts ? PairDetail::contacts : PairDetail::none;
-}
-
-template <Dim N>
-std::vector<double> coordinates(const Vec<N, double>& v) {
-  std::vector<double> numbers(static_cast<std::size_t>(N));
-  for (Dim i = 0; i < N; ++i) numbers[static_cast<std::size_t>(i)] = v[i];
-  return numbers;
 }
 
 /// The relation of every candidate.

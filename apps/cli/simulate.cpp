@@ -152,7 +152,7 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
   return done;
 }
 
-constexpr const char* footer =
+constexpr const char* simulate_footer =
     R"(Objects with a "velocity" in the scene file move straight on; nothing stops them. Frame 0 is the
 scene as it is. Each frame is a line of JSON: which pairs began to touch, and which no longer do.
 
@@ -174,7 +174,7 @@ Command add_simulate(CLI::App& program) {
   add("--frames", arguments->frames, "How many times the objects are moved", "N");
   add("--seconds-per-frame", arguments->seconds_per_frame, "How far apart frames are; 1/60 if left out", "SECONDS");
   add("--output", arguments->output, "Write the frames to a file instead of the standard output", "FILE");
-  app->footer(footer);
+  app->footer(simulate_footer);
   return {app, [arguments] { return run_simulate(*arguments); }};
 }
 

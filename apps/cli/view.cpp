@@ -64,7 +64,7 @@ ExitCode run_view(const ViewArguments& arguments) {
   serve(std::move(filled).str());
 }
 
-constexpr const char* footer =
+constexpr const char* view_footer =
     R"(SCENE is a scene in graze's JSON, boxes in CSV, or a Tiled map (.tmx, .tmj); told apart
 by content. The page holds everything that it needs and opens without a network. Without
 --html it is shown at an address of this machine only, until the program is ended.
@@ -84,7 +84,7 @@ Command add_view(CLI::App& program) {
   app->add_option("--html", arguments->html, "Write the page to a file, - for the standard output")
       ->type_name("FILE")
       ->take_last();
-  app->footer(footer);
+  app->footer(view_footer);
   return {app, [arguments] { return run_view(*arguments); }};
 }
 

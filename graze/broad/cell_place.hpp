@@ -99,18 +99,18 @@ bool is_as_good(const CellPlace<N>& root, const CellPlace<N>& other) {
 }
 
 /// The middle of a range and half its length, kept from overflow.
-struct Range {
+struct AxisRange {
   double center;
   double half;
 };
 
-inline Range range_between(double low, double high) { return {low * 0.5 + high * 0.5, high * 0.5 - low * 0.5}; }
+inline AxisRange range_between(double low, double high) { return {low * 0.5 + high * 0.5, high * 0.5 - low * 0.5}; }
 
 template <Dim N, class Ranges>
 CellPlace<N> place_over(const Ranges& ranges) {
   CellPlace<N> place;
   for (Dim i = 0; i < N; ++i) {
-    const Range range = ranges(i);
+    const AxisRange range = ranges(i);
     place.center[i] = range.center;
     place.half = std::max(place.half, range.half);
   }
@@ -120,7 +120,7 @@ CellPlace<N> place_over(const Ranges& ranges) {
 /// The square for a root: around all boxes; or, where a few far away would cost more levels than there are, around the
 /// middle seven eighths of the centers along each axis and as much again.
 template <Dim N, class T>
-CellPlace<N> root_place(const std::vector<Aabb<N, T>>& boxes, const OrthtreeOptions& options) {
+CellPlace<N> place_of_root(const std::vector<Aabb<N, T>>& boxes, const OrthtreeOptions& options) {
   Aabb<N, T> all = Aabb<N, T>::nothing();
   for (const Aabb<N, T>& box : boxes) all.grow(box);
   const CellPlace<N> whole = place_over<N>(
@@ -132,8 +132,8 @@ CellPlace<N> root_place(const std::vector<Aabb<N, T>>& boxes, const OrthtreeOpti
     std::nth_element(centers.begin(), centers.begin() + skipped, centers.end());
     const double low = centers[static_cast<std::size_t>(skipped)];
     std::nth_element(centers.begin(), centers.end() - 1 - skipped, centers.end());
-    const Range range = range_between(low, *(centers.end() - 1 - skipped));
-    return Range{range.center, 2 * range.half};
+    const AxisRange range = range_between(low, *(centers.end() - 1 - skipped));
+    return AxisRange{range.center, 2 * range.half};
   });
   if (!(middle.half > 0)) return whole;  // all centers are one: the boxes' own size is as good as any
   const double leaves = static_cast<double>(boxes.size()) / static_cast<double>(options.capacity);

@@ -338,7 +338,7 @@ void CellTree<N, T>::refit(double margin) {
   }
   changes_since_refit_ = 0;
   if (finite.empty()) return;
-  CellPlace<N> place = root_place(finite, options_);
+  CellPlace<N> place = place_of_root(finite, options_);
   if (has_root()) place.half *= margin;
   if (has_root() && is_as_good(places_[root], place)) return;
   CellTree fresh(options_);

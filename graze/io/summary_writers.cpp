@@ -66,7 +66,7 @@ void add_counts(Block& block, const std::vector<Count>& counts) {
   for (const Count& count : counts) block.add(count.name, fmt::format("{:>{}}", count.objects, width));
 }
 
-std::string point(const std::vector<double>& coordinates) {
+std::string listed(const std::vector<double>& coordinates) {
   std::string text;
   for (const double coordinate : coordinates) text += fmt::format("{}{}", text.empty() ? "" : ", ", coordinate);
   return text;
@@ -74,8 +74,8 @@ std::string point(const std::vector<double>& coordinates) {
 
 void add_space(Block& block, const SceneSummary& summary) {
   if (summary.bounds) {
-    block.add("from", point(summary.bounds->min));
-    block.add("to", point(summary.bounds->max));
+    block.add("from", listed(summary.bounds->min));
+    block.add("to", listed(summary.bounds->max));
   }
   if (summary.unbounded != 0) block.add("unbounded", fmt::format("{}", summary.unbounded));
   if (summary.empty != 0) block.add("empty", fmt::format("{}", summary.empty));

@@ -43,6 +43,12 @@ class CheckTidy(TreeTest):
         self.assertIn("apps/forgotten.cpp:1: is in no target", said)
         self.assertEqual(status, 1)
 
+    def test_what_another_toolchain_compiles_is_not_missed(self):
+        self.write("bindings/wasm/src/module.cpp", LICENSE)
+        status, said = self.run_tool("check_tidy.py")
+        self.assertIn("0 findings", said)
+        self.assertEqual(status, 0)
+
 
 class Findings(unittest.TestCase):
     def test_paths_are_relative_and_notes_stay_with_their_finding(self):
