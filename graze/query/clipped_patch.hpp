@@ -47,12 +47,13 @@ class ClippedPatch {
   ClippedPatch(const Patch<N>& incident, const Patch<N>& reference)
       : reference_(reference), incident_face_(face_of(incident)) {
     const Feature over = face_of(reference);
-    for (std::size_t i = 0; i < incident.size; ++i) {
-      corners_[size_++] = {incident.corners[i],
-                           over,
-                           {FeatureKind::vertex, incident.vertices[i]},
-                           over,
-                           {FeatureKind::edge, incident.edges[i]}};
+    size_ = std::min(incident.size, Patch<N>::most_corners);  // never less than size, but GCC 12 warns without
+    for (std::size_t i = 0; i < size_; ++i) {
+      corners_[i] = {incident.corners[i],
+                     over,
+                     {FeatureKind::vertex, incident.vertices[i]},
+                     over,
+                     {FeatureKind::edge, incident.edges[i]}};
     }
   }
 
