@@ -29,8 +29,8 @@ constexpr std::size_t corner_bytes = 4 * number_bytes;
 constexpr std::size_t box_bytes = 2 * corner_bytes;
 constexpr std::size_t head_bytes = 2 * name_bytes + 4 * number_bytes + box_bytes;
 constexpr std::size_t boxes_per_block = 4096;
-constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
-constexpr std::array<std::string_view, 3> axes = {"x", "y", "z"};
+constexpr std::size_t largest_count = std::numeric_limits<std::int32_t>::max();
+constexpr std::array<std::string_view, 3> axis_letters = {"x", "y", "z"};
 
 /// Four bytes, the lowest first, whatever the machine's own order is.
 std::uint32_t read_bits(const char* bytes) {
@@ -67,7 +67,7 @@ void write_box(char* bytes, const Aabb<N, float>& box) {
 /// What makes a box useless, or nothing.
 std::string fault_of(const Aabb<3, float>& box) {
   for (Dim i = 0; i < 3; ++i) {
-    const std::string_view axis = axes[static_cast<std::size_t>(i)];
+    const std::string_view axis = axis_letters[static_cast<std::size_t>(i)];
     for (const auto& [end, value] : {std::pair{"min", box.min[i]}, std::pair{"max", box.max[i]}}) {
       if (!std::isfinite(value)) return fmt::format("{}_{} is {}; it must be a finite number", end, axis, value);
     }
@@ -145,8 +145,8 @@ void require_count(std::size_t count, std::size_t limit, std::string_view what) 
 
 std::array<char, head_bytes> encoded(const RecordingHead& head) {
   if (head.frames == 0) throw OutputError("a recording cannot hold 0 frames; at least 1");
-  require_count(head.boxes, most, "boxes");
-  require_count(head.frames, most + 1, "frames");
+  require_count(head.boxes, largest_count, "boxes");
+  require_count(head.frames, largest_count + 1, "frames");
   std::array<char, head_bytes> bytes{};
   write_name(bytes.data(), head.scene);
   write_name(bytes.data() + name_bytes, head.objects_type);
