@@ -147,12 +147,12 @@ std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b) 
     return penetration_of_parts(a, b);
   } else if constexpr (is_compound<B>) {
     return exchanged(penetration_of_parts(b, a));
+  } else if constexpr (type_place<A> > type_place<B>) {
+    return exchanged(penetration(b, a));
   } else {
     if (decide(a, b) == Relation::apart) return std::nullopt;
     if constexpr (type_place<A> < type_place<B>) {
       return penetration_in_order(a, b);
-    } else if constexpr (type_place<A> > type_place<B>) {
-      return exchanged(penetration_in_order(b, a));
     } else {
       return is_in_order(a, b) ? penetration_in_order(a, b) : exchanged(penetration_in_order(b, a));
     }

@@ -255,12 +255,12 @@ std::optional<WideManifold<dimension_of<A>>> wide_manifold(const A& a, const B& 
     return manifold_of_parts(a, b);
   } else if constexpr (is_compound<B>) {
     return exchanged(manifold_of_parts(b, a));
+  } else if constexpr (type_place<A> > type_place<B>) {
+    return exchanged(wide_manifold(b, a));
   } else {
     if (decide(a, b) == Relation::apart) return std::nullopt;
     if constexpr (type_place<A> < type_place<B>) {
       return manifold_in_order(a, b);
-    } else if constexpr (type_place<A> > type_place<B>) {
-      return exchanged(manifold_in_order(b, a));
     } else {
       return is_in_order(a, b) ? manifold_in_order(a, b) : exchanged(manifold_in_order(b, a));
     }
