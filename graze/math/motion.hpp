@@ -2,17 +2,12 @@
 #pragma once
 
 #include <cmath>
-#include <type_traits>
 
 #include <graze/math/pose.hpp>
+#include <graze/math/rotation.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze {
-
-/// How far something turns: in the plane an angle in radians, counter-clockwise when y points up; in space a vector
-/// along the axis, as long as the angle, right-handed.
-template <Dim N, class T = float>
-using Turn = std::conditional_t<N == 2, T, Vec<N, T>>;
 
 /// A rigid motion in time, at constant velocities, from t = 0 to t = 1: the center goes straight on, and everything
 /// turns about it evenly. Default: rest.
@@ -31,55 +26,6 @@ bool is_finite(const Motion<N, T>& motion) {
   } else {
     return is_finite(motion.linear) && is_finite(motion.center) && is_finite(motion.angular);
   }
-}
-
-/// Cosine (x) and sine (y) of an angle in radians, to two epsilon where it is under a million: with nothing but what
-/// every machine rounds alike. The rest of quarter turns is at most 0.79: its powers over factorials end at 1e-19.
-inline Vec<2, double> cosine_sine(double angle) {
-  constexpr double quarter = 0x1.921fb54400000p+0;        // of pi * 2: 33 bits, so that products with it are exact
-  constexpr double quarter_rest = 0x1.0b4611a626331p-34;  // what they leave of it
-  constexpr int last = 19;
-  const double quarters = std::nearbyint(angle / (quarter + quarter_rest));
-  const double rest = (angle - quarters * quarter) - quarters * quarter_rest;
-  const double squared = rest * rest;
-  double sine = 1;
-  double cosine = 1;
-  for (int k = last; k >= 3; k -= 2) {  // sin x = x (1 - x^2 / (2 3) (1 - x^2 / (4 5) (...))), cos alike
-    sine = 1 - squared / (k * (k - 1)) * sine;
-    cosine = 1 - squared / ((k - 1) * (k - 2)) * cosine;
-  }
-  const Vec<2, double> first(cosine, rest * sine);
-  const auto turns = static_cast<int>(std::fmod(quarters, 4.0));
-  switch ((turns + 4) % 4) {
-    case 0:
-      return first;
-    case 1:
-      return {-first.y, first.x};
-    case 2:
-      return -first;
-    default:
-      return {first.y, -first.x};
-  }
-}
-
-/// The turn as a matrix.
-inline Mat<2, double> rotation_of(double angle) {
-  const Vec<2, double> turn = cosine_sine(angle);
-  return Mat<2, double>(turn, perpendicular(turn));
-}
-
-/// Rodrigues' formula; a turn of zero has no axis and needs none.
-inline Mat<3, double> rotation_of(const Vec<3, double>& turn) {
-  const double angle = std::sqrt(dot(turn, turn));
-  if (angle == 0) return Mat<3, double>(1.0);
-  const Vec<3, double> axis = turn / angle;
-  const Vec<2, double> by = cosine_sine(angle);
-  Mat<3, double> result;
-  for (Dim j = 0; j < 3; ++j) {
-    const Vec<3, double> column = unit_axis<3>(j);
-    result[j] = by.x * column + by.y * cross(axis, column) + (1 - by.x) * axis[j] * axis;
-  }
-  return result;
 }
 
 /// Where a motion has brought everything at t: x goes from where it was at t = 0 to rotation * x + position.

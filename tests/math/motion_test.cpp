@@ -11,18 +11,6 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-TEST(Motion, CosineAndSineAreRightToTwoEpsilon) {
-  for (int i = -4000; i <= 4000; ++i) {
-    const double angle = i * 0.0123456789;
-    const Vec<2, double> found = cosine_sine(angle);
-    EXPECT_NEAR(found.x, std::cos(angle), 5e-16) << angle;
-    EXPECT_NEAR(found.y, std::sin(angle), 5e-16) << angle;
-  }
-  EXPECT_NEAR(cosine_sine(1e6).x, std::cos(1e6), 1e-15);
-  EXPECT_NEAR(cosine_sine(-1e6).y, std::sin(-1e6), 1e-15);
-  EXPECT_EQ(cosine_sine(0), (Vec<2, double>{1, 0}));
-}
-
 TEST(Motion, RestsByDefault) {
   const Pose<3, double> pose = pose_at(Motion<3>(), 0.5);
   EXPECT_EQ(pose.position, (Vec<3, double>{0, 0, 0}));
