@@ -9,6 +9,7 @@
 
 #include <graze/math/orientation.hpp>
 #include <graze/math/rounding.hpp>
+#include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze {
@@ -38,14 +39,68 @@ void add_determinant(const Vec<3, double>& a, const Vec<3, double>& b, const Vec
   }
 }
 
+/// det(a, b, c) of vectors whose coordinates are sums of two doubles, the second under an epsilon of the first, within
+/// `twofold_rounding` of the sum of its six products' absolute values.
+inline double twofold_determinant(const std::array<std::array<Rounded, 3>, 3>& rows) {
+  const auto times = [](const Rounded& a, const Rounded& b) {
+    const Rounded product = two_product(a.value, b.value);
+    return Rounded{product.value, product.error + (a.value * b.error + a.error * b.value)};
+  };
+  Rounded total{0, 0};
+  const auto add = [&total](const Rounded& term) {
+    const Rounded sum = two_sum(total.value, term.value);
+    total = {sum.value, total.error + (sum.error + term.error)};
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    const Rounded& a = rows[0][i];
+    add(times(times(rows[1][j], rows[2][k]), a));
+    add(times(times(rows[1][k], rows[2][j]), {-a.value, -a.error}));
+  }
+  return total.value + total.error;
+}
+
+/// The sign of det(a - o, b - o, c - o), where rounding hides it from doubles: exactly. `magnitude`, not zero, is the
+/// sum of its six products' absolute values.
+inline int sign_of_determinant(const std::array<Vec<3, double>, 3>& points, const Vec<3, double>& origin,
+                               double magnitude) {
+  bool are_exact = true;
+  std::array<std::array<Rounded, 3>, 3> rows{};
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (Dim i = 0; i < 3; ++i) {
+      const Rounded difference = two_sum(points[row][i], -origin[i]);
+      are_exact = are_exact && difference.error == 0;
+      rows[row][static_cast<std::size_t>(i)] = difference;
+    }
+  }
+  std::size_t count = 0;
+  if (are_exact) {
+    std::array<double, 24> terms{};
+    add_determinant(points[0] - origin, points[1] - origin, points[2] - origin, terms, count);
+    return sign_of_sum(terms);
+  }
+  constexpr double least = 0x1p-600;  // above it, errors of products that are lost are far below the bound
+  const double twofold = twofold_determinant(rows);
+  if (magnitude > least && std::fabs(twofold) > tolerance::twofold_rounding * magnitude) return twofold > 0 ? 1 : -1;
+  // det(a - o, b - o, c - o) = det(a, b, c) - det(o, b, c) - det(a, o, c) - det(a, b, o)
+  std::array<double, 96> terms{};
+  add_determinant(points[0], points[1], points[2], terms, count);
+  add_determinant(-origin, points[1], points[2], terms, count);
+  add_determinant(points[0], -origin, points[2], terms, count);
+  add_determinant(points[0], points[1], -origin, terms, count);
+  return sign_of_sum(terms);
+}
+
 }  // namespace detail
 
 /// 1 when d lies on that side of the plane through a, b, c from which these run counter-clockwise, -1 on the other
 /// side, 0 when the four lie on one plane. The exact sign of dot(a - d, cross(b - d, c - d)), negated: a double
 /// evaluation decides unless it is within its error bound (Shewchuk, "Adaptive Precision Floating-Point Arithmetic and
 /// Fast Robust Geometric Predicates", 1997, section 4.3); where the differences are exact, as those of neighbours on a
-/// grid, one determinant is summed exactly; else the four of the expanded one. For coordinates that are zero or of
-/// magnitude 1e-90 to 1e90: outside, products leave the range of double.
+/// grid, one determinant is summed exactly; else it is evaluated in twice the precision of double, and only if that
+/// does not decide, the four of the expanded one are summed exactly. For coordinates that are zero or of magnitude
+/// 1e-90 to 1e90: outside, products leave the range of double.
 template <class T>
 int orientation(const Vec<3, T>& a, const Vec<3, T>& b, const Vec<3, T>& c, const Vec<3, T>& d) {
   const Vec<3, double> wide_d = wide<3, T>(d);
@@ -64,24 +119,8 @@ int orientation(const Vec<3, T>& a, const Vec<3, T>& b, const Vec<3, T>& c, cons
   // The first error bound of that paper is (7 + 56 u) u with u half an epsilon; ours has the products in another order.
   constexpr double bound = 8 * std::numeric_limits<double>::epsilon();
   if (std::fabs(determinant) > bound * magnitude) return determinant > 0 ? -1 : 1;
-
-  bool are_exact = true;
-  for (const Vec<3, double>& point : points) {
-    for (Dim i = 0; i < 3; ++i) are_exact = are_exact && two_sum(point[i], -wide_d[i]).error == 0;
-  }
-  std::size_t count = 0;
-  if (are_exact) {
-    std::array<double, 24> terms{};
-    detail::add_determinant(off[0], off[1], off[2], terms, count);
-    return -sign_of_sum(terms);
-  }
-  // det(a - d, b - d, c - d) = det(a, b, c) - det(d, b, c) - det(a, d, c) - det(a, b, d)
-  std::array<double, 96> terms{};
-  detail::add_determinant(points[0], points[1], points[2], terms, count);
-  detail::add_determinant(-wide_d, points[1], points[2], terms, count);
-  detail::add_determinant(points[0], -wide_d, points[2], terms, count);
-  detail::add_determinant(points[0], points[1], -wide_d, terms, count);
-  return -sign_of_sum(terms);
+  if (magnitude == 0) return 0;  // as on a plane of the grid: one of the factors of each product is zero, exactly
+  return -detail::sign_of_determinant(points, wide_d, magnitude);
 }
 
 }  // namespace graze

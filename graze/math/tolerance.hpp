@@ -70,6 +70,19 @@ inline constexpr double ray_filter = 1024 * epsilon;
 /// radius by less than this times the sum of all squares: its own error is 3500 epsilon, the careful test's band 200.
 inline constexpr double triangle_filter = 8192 * epsilon;
 
+/// The height of a point above a plane through three others, all with coordinates up to 1 that are wrong by half an
+/// epsilon, the normal as long as the cross product of two edges, is off by less than this times the sum of the edges'
+/// largest coordinates: by 66 epsilon of that from the normal (36), the points (6) and the dot products (24), and by
+/// 1 of what the edges themselves are wrong by.
+inline constexpr double hull_plane = 128 * epsilon;
+
+/// A point is dropped as one inside a hull of some points where it is inside by this of its distance from their middle:
+/// far above the rounding of that, 2^-20 by `hull_core_depth`, and far less than what is gained by dropping points.
+inline constexpr double hull_core = 1e-6;
+
+/// Provided that no face of that hull is nearer to the middle than this, relative to the box around the points.
+inline constexpr double hull_core_depth = 0x1p-20;
+
 /// GJK stops when its upper and lower bounds on the distance agree to this, relative to the upper bound.
 inline constexpr double gjk_relative_gap = 1e-12;
 

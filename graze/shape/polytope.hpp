@@ -2,17 +2,20 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#include <graze/math/orientation.hpp>
 #include <graze/math/pose.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/shape/hull_input.hpp>
+#include <graze/shape/hull_vertices.hpp>
+#include <graze/shape/lexicographic.hpp>
+#include <graze/shape/monotone_chain.hpp>
 
 namespace graze {
 
@@ -24,7 +27,8 @@ class Polytope {
   Polytope() : Polytope(std::vector<Vec<N, T>>{Vec<N, T>(T(0))}) {}
 
   /// At least one. In 2D the corners in counter-clockwise order (y up), none of them on the line between its
-  /// neighbours; in 3D the distinct points that the hull was made of, in lexicographic order.
+  /// neighbours; in 3D in lexicographic order the corners: no point that lies in the hull of the others. Of a polytope
+  /// that was `transformed`, in 3D the moved corners, one of which rounding may have put into the hull of the others.
   std::span<const Vec<N, T>> vertices() const { return *vertices_; }
 
  private:
@@ -33,6 +37,8 @@ class Polytope {
 
   template <Dim M, class U>
   friend Polytope<M, U> convex_hull(std::type_identity_t<std::span<const Vec<M, U>>> points);
+  template <Dim M, class U>
+  friend Polytope<M, U> transformed(const Polytope<M, U>& polytope, const Pose<M, U>& pose);
 
   // Shared, because a hull is built once and copied into scenes, parts and snapshots many times; it never changes.
   std::shared_ptr<const std::vector<Vec<N, T>>> vertices_;
@@ -41,45 +47,31 @@ class Polytope {
 namespace detail {
 
 template <Dim N, class T>
-bool lexicographically_less(const Vec<N, T>& a, const Vec<N, T>& b) {
-  for (Dim i = 0; i < N; ++i) {
-    if (a[i] != b[i]) return a[i] < b[i];
-  }
-  return false;
-}
-
-/// The corners of the hull of sorted distinct points. Andrew, "Another efficient algorithm for convex hulls in two
-/// dimensions" (1979), with an exact orientation test: no corner is lost to rounding.
-template <class T>
-std::vector<Vec<2, T>> monotone_chain(const std::vector<Vec<2, T>>& points) {
-  if (points.size() < 3) return points;
-  std::vector<Vec<2, T>> hull;
-  const auto extend = [&hull](const Vec<2, T>& point, std::size_t fixed) {
-    while (hull.size() > fixed && orientation(hull[hull.size() - 2], hull.back(), point) <= 0) hull.pop_back();
-    hull.push_back(point);
-  };
-  for (const Vec<2, T>& point : points) extend(point, 1);
-  const std::size_t lower = hull.size();
-  for (auto point = points.rbegin() + 1; point != points.rend(); ++point) extend(*point, lower);
-  hull.pop_back();
-  return hull;
+void sort_and_forget_duplicates(std::vector<Vec<N, T>>& points) {
+  std::sort(points.begin(), points.end(), lexicographically_less<N, T>);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
 }
 
 }  // namespace detail
 
-/// The convex hull of points in any order, duplicates allowed. One point, points on a line, or in 3D on a plane, give a
-/// flat polytope, which is valid. No points, or a coordinate that is not finite: std::invalid_argument.
+/// The convex hull of points in any order, duplicates allowed; which of them are corners is decided exactly. One point,
+/// points on a line, or in 3D on a plane, give a flat polytope, which is valid. No points, or a coordinate that is not
+/// finite: std::invalid_argument. For coordinates that are zero or of magnitude 1e-90 to 1e90; in 3D for all, but of
+/// points that differ by less than 1e-179 of the largest coordinate only one may count. More than 2^32 - 1 points in
+/// 3D: std::length_error.
 template <Dim N, class T>
 Polytope<N, T> convex_hull(std::type_identity_t<std::span<const Vec<N, T>>> points) {
-  if (points.empty()) throw std::invalid_argument("convex_hull: there are no points");
-  for (const Vec<N, T>& point : points) {
-    if (!is_finite(point)) throw std::invalid_argument("convex_hull: a point has a coordinate that is not finite");
+  detail::check_hull_points<N, T>("convex_hull", points);
+  std::vector<Vec<N, T>> corners;
+  if constexpr (N == 2) {
+    corners.assign(points.begin(), points.end());
+    detail::sort_and_forget_duplicates<N, T>(corners);
+    corners = detail::monotone_chain(corners, [](const Vec<2, T>& point) { return point; });
+  } else {
+    for (const std::uint32_t vertex : detail::hull_vertices<T>(points)) corners.push_back(points[vertex]);
+    detail::sort_and_forget_duplicates<N, T>(corners);
   }
-  std::vector<Vec<N, T>> sorted(points.begin(), points.end());
-  std::sort(sorted.begin(), sorted.end(), detail::lexicographically_less<N, T>);
-  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-  if constexpr (N == 2) sorted = detail::monotone_chain(sorted);
-  return Polytope<N, T>(std::move(sorted));
+  return Polytope<N, T>(std::move(corners));
 }
 
 /// A polytope cannot be built with a defect.
@@ -107,7 +99,14 @@ Polytope<N, T> transformed(const Polytope<N, T>& polytope, const Pose<N, T>& pos
   std::vector<Vec<N, T>> moved;
   moved.reserve(polytope.vertices().size());
   for (const Vec<N, T>& vertex : polytope.vertices()) moved.push_back(transformed(vertex, pose));
-  return convex_hull<N, T>(moved);
+  if constexpr (N == 2) {
+    return convex_hull<N, T>(moved);
+  } else {
+    // Who moves thousands of polytopes does not want to pay for as many hulls.
+    detail::check_hull_points<N, T>("transformed", moved);
+    detail::sort_and_forget_duplicates<N, T>(moved);
+    return Polytope<N, T>(std::move(moved));
+  }
 }
 
 }  // namespace graze

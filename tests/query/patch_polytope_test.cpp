@@ -32,7 +32,7 @@ const auto house = hull({{0, 0, 0},
                          {0, 4, 3},
                          {2, 2, 5},
                          {2, 2, 0},
-                         {2, 0, 0}});  // with points inside the floor and on its rim
+                         {2, 0, 0}});  // those inside the floor and on its rim are no corners
 
 /// The corners of the patch, in any order.
 std::set<std::vector<double>> corner_set(const Patch<3>& patch) {

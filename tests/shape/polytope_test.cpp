@@ -70,10 +70,24 @@ TEST(Polytope, HullKeepsACornerThatSticksOutByOneBit) {
   EXPECT_EQ(hull_with(above), 5u);
 }
 
-TEST(Polytope, HullInSpaceKeepsTheDistinctPointsSorted) {
+TEST(Polytope, HullInSpaceHasItsCornersSorted) {
   const std::vector<Vec<3, float>> points{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
   EXPECT_EQ(corners(convex_hull<3, float>(points)),
             (std::vector<Vec<3, float>>{{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}}));
+}
+
+TEST(Polytope, HullInSpaceForgetsWhatIsInsideOrInTheMiddleOfAFaceOrEdge) {
+  const std::vector<Vec<3, double>> tetrahedron{{0, 0, 0}, {0, 0, 4}, {0, 4, 0}, {4, 0, 0}};
+  std::vector<Vec<3, double>> points{{1, 1, 1}, {0, 1, 1}, {0, 0, 2}, {1, 1, 2}, {2, 2, 0}};
+  points.insert(points.end(), tetrahedron.begin(), tetrahedron.end());
+  EXPECT_EQ(corners(convex_hull<3, double>(points)), tetrahedron);
+}
+
+TEST(Polytope, HullInSpaceOfFlatPointsIsFlat) {
+  const std::vector<Vec<3, float>> level{{1, 1, 2}, {0, 0, 2}, {2, 0, 2}, {0, 2, 2}, {1, 0, 2}, {1, 1, 2}};
+  EXPECT_EQ(corners(convex_hull<3, float>(level)), (std::vector<Vec<3, float>>{{0, 0, 2}, {0, 2, 2}, {2, 0, 2}}));
+  const std::vector<Vec<3, float>> line{{1, 2, 3}, {3, 6, 9}, {2, 4, 6}, {-1, -2, -3}};
+  EXPECT_EQ(corners(convex_hull<3, float>(line)), (std::vector<Vec<3, float>>{{-1, -2, -3}, {3, 6, 9}}));
 }
 
 TEST(Polytope, HullWorksUpToTheLargestFloat) {
@@ -111,6 +125,18 @@ TEST(Polytope, MovesWithItsVerticesAndStaysSorted) {
   const std::vector<Vec<2, double>> points{{0, 0}, {2, 0}, {0, 1}};
   const Polytope<2, double> moved = transformed(convex_hull<2, double>(points), {rotation_matrix(90), {10, 0}});
   EXPECT_EQ(corners(moved), (std::vector<Vec<2, double>>{{9, 0}, {10, 0}, {10, 2}}));
+}
+
+TEST(Polytope, MovesInSpaceWithItsCorners) {
+  const std::vector<Vec<3, double>> points{{0, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const auto hull = convex_hull<3, double>(points);
+  EXPECT_EQ(corners(transformed(hull, {rotation_matrix({0, 0, 1}, 90), {0, 0, 5}})),
+            (std::vector<Vec<3, double>>{{-1, 0, 5}, {0, 0, 5}, {0, 0, 6}, {0, 2, 5}}));
+  // Two of them become one.
+  EXPECT_EQ(corners(transformed(hull, {Mat<3, double>(1), {1e30, 0, 0}})),
+            (std::vector<Vec<3, double>>{{1e30, 0, 0}, {1e30, 0, 1}, {1e30, 1, 0}}));
+  const Pose<3, double> too_far{Mat<3, double>(std::numeric_limits<double>::max()), {0, 0, 0}};
+  EXPECT_THROW(transformed(hull, too_far), std::invalid_argument);
 }
 
 template <class S>

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// hull_candidates(frame): the points that may be corners of a hull. Most of many points are deep inside, which the hull
+// of a few of them tells at a glance.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/shape/hull_frame.hpp>
+#include <graze/shape/quickhull.hpp>
+
+namespace graze::detail {
+
+/// A solid inside the hull of some points, made to be asked what it holds in constant time. Seen from a middle, on a
+/// cube around it, the hull's surface in direction (1, u, v) is at the distance 1 / f(u, v), where f, the largest of
+/// (n.x + n.y u + n.z v) / offset over the faces, is convex. So what is interpolated between values of f on a lattice
+/// is nowhere below f, and what is nearer than one by it is inside.
+class HullCore {
+ public:
+  /// Of places in a frame whose box has these half extents. The places are moved to a grid, on which planes are exact,
+  /// and the hull then loses as much all around. Holds nothing where that leaves no middle to speak of, or would not
+  /// pay: most of the places are corners.
+  HullCore(std::span<const HullPoint> sample, const Vec<3, double>& half_extents)
+      : to_units_(1.0 / max(half_extents, Vec<3, double>(1 / steps))) {
+    std::vector<Vec<3, double>> on_grid;
+    on_grid.reserve(sample.size());
+    for (const HullPoint& point : sample) {
+      Vec<3, double>& place = on_grid.emplace_back();
+      for (Dim i = 0; i < 3; ++i) place[i] = std::round(point.place[i] * steps);
+    }
+    const HullFrame<double> frame(on_grid);
+    const Quickhull<double> hull(frame, all_points(frame));
+    if (hull.base().size() < 4 || hull.corners().size() > sample.size() / 2) {
+      return;
+    }
+    Vec<3, double> sum(0.0);
+    for (const HullPoint& corner : hull.corners()) sum += on_grid[corner.index];
+    for (Dim i = 0; i < 3; ++i) middle_[i] = std::round(sum[i] / static_cast<double>(hull.corners().size()));
+    for (const auto& face : hull.faces()) {
+      if (!face.is_alive) continue;
+      const auto corner = [&](std::size_t i) { return on_grid[hull.corners()[face.corners[i]].index] - middle_; };
+      cut(corner(0), corner(1), corner(2));
+    }
+    middle_ /= steps;
+    holds_something_ = true;
+  }
+
+  bool holds_something() const { return holds_something_; }
+
+  /// True only for what is strictly inside the hull.
+  bool holds(const Vec<3, double>& place) const {
+    const Vec<3, double> way = (place - middle_) * to_units_;
+    const Vec<3, double> size(std::fabs(way.x), std::fabs(way.y), std::fabs(way.z));
+    const Dim axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
+    const double distance = size[axis];
+    if (!(distance > 0) || !holds_something_) return false;
+    const std::size_t side = 2 * static_cast<std::size_t>(axis) + (way[axis] > 0 ? 1 : 0);
+    const double to_cells = 0.5 * cells / distance;
+    const double u = way[(axis + 1) % 3] * to_cells + 0.5 * cells;
+    const double v = way[(axis + 2) % 3] * to_cells + 0.5 * cells;
+    const auto column = std::min(cells - 1, static_cast<std::int32_t>(u));
+    const auto row = std::min(cells - 1, static_cast<std::int32_t>(v));
+    const double* corner = &inverse_[number_of(side, column, row)];
+    const double right = u - column;
+    const double up = v - row;
+    const double below = corner[0] + right * (corner[1] - corner[0]);
+    const double above = corner[cells + 1] + right * (corner[cells + 2] - corner[cells + 1]);
+    return distance * (below + up * (above - below)) < 1 - tolerance::hull_core;
+  }
+
+ private:
+  static constexpr std::int32_t cells = 8;  // along each side of the cube
+  static constexpr double steps = 0x1p14;   // of the grid, in 1
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  static std::size_t number_of(std::size_t side, std::int32_t column, std::int32_t row) {
+    return (side * (cells + 1) + static_cast<std::size_t>(row)) * (cells + 1) + static_cast<std::size_t>(column);
+  }
+
+  /// Takes away what is outside of a face, or nearer to it than a step in each coordinate. In steps, from the middle.
+  void cut(const Vec<3, double>& a, const Vec<3, double>& b, const Vec<3, double>& c) {
+    const Vec<3, double> normal = cross(b - a, c - a);
+    const double size = sum_abs(normal);
+    const double depth = dot(normal, a) - size;
+    const bool is_deep = depth > tolerance::hull_core_depth * steps * size;
+    const Vec<3, double> rise = normal * steps / to_units_;
+    for (std::size_t side = 0; side < 6; ++side) {
+      const auto axis = static_cast<Dim>(side / 2);
+      const double ahead = side % 2 == 1 ? rise[axis] : -rise[axis];
+      for (std::int32_t row = 0; row <= cells; ++row) {
+        for (std::int32_t column = 0; column <= cells; ++column) {
+          const double height = ahead + rise[(axis + 1) % 3] * (2.0 * column / cells - 1) +
+                                rise[(axis + 2) % 3] * (2.0 * row / cells - 1);
+          double& inverse = inverse_[number_of(side, column, row)];
+          inverse = std::max(inverse, is_deep ? height / depth : infinity);
+        }
+      }
+    }
+  }
+
+  Vec<3, double> to_units_;
+  Vec<3, double> middle_ = Vec<3, double>(0.0);
+  std::array<double, 6UL * (cells + 1) * (cells + 1)> inverse_{};  // f
+  bool holds_something_ = false;
+};
+
+/// Some of the points of a frame, the same ones each time.
+template <class T>
+std::vector<HullPoint> sample_of(const HullFrame<T>& frame, std::size_t count) {
+  std::vector<HullPoint> sample;
+  sample.reserve(count);
+  std::uint64_t state = 1;  // Knuth's linear congruential generator, TAOCP 2, 3.3.4
+  for (std::size_t i = 0; i < count; ++i) {
+    state = state * 6364136223846793005U + 1442695040888963407U;
+    sample.push_back(frame.at(static_cast<std::uint32_t>(((state >> 32U) * frame.size()) >> 32U)));
+  }
+  return sample;
+}
+
+/// The points of a frame but for some that are strictly inside the hull of others.
+template <class T>
+std::vector<HullPoint> hull_candidates(const HullFrame<T>& frame) {
+  constexpr std::uint32_t many = 4000;
+  if (frame.size() < many) return all_points(frame);
+  const double root = std::cbrt(static_cast<double>(frame.size()));
+  const HullCore core(sample_of(frame, static_cast<std::size_t>(2 * root * root)), frame.half_extents());
+  if (!core.holds_something()) return all_points(frame);
+  std::vector<HullPoint> result;
+  for (std::uint32_t i = 0; i < frame.size(); ++i) {
+    const HullPoint point = frame.at(i);
+    if (!core.holds(point.place)) result.push_back(point);
+  }
+  return result;
+}
+
+}  // namespace graze::detail

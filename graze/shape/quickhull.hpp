@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <graze/math/rounding.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/shape/hull_frame.hpp>
+#include <graze/shape/plane.hpp>
+
+namespace graze::detail {
+
+/// Grows a convex hull in space by the point that is farthest outside of a face, face by face. Barber, Dobkin,
+/// Huhdanpaa, "The Quickhull Algorithm for Convex Hulls" (1996), with exact tests of sides instead of their tolerances:
+/// a point outside a face is strictly outside, so the faces that see it are a disk, none of the new ones is degenerate,
+/// and each point that is still outside sees one of these.
+///
+/// The points outside of a face lie together on one stack, those of the newest faces on top, and the newest face grows
+/// first: so memory is read and written in rows, and what is left of older faces is close at hand.
+template <class T>
+class Quickhull {
+ public:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  /// A half-edge is 4 * face + side; side i runs from corner i to the next, counter-clockwise seen from outside.
+  struct Face {
+    HullPlane plane;
+    std::array<std::uint32_t, 3> corners{};  ///< Places in `corners`.
+    std::array<std::uint32_t, 3> twins{};    ///< The half-edge the other way, of the neighbour.
+    std::size_t first = 0;                   ///< Of the points that see it, on the stack.
+    std::size_t last = 0;                    ///< Behind them.
+    std::size_t farthest = 0;                ///< Of these, roughly.
+    bool is_alive = true;
+    bool is_waiting = false;  ///< To grow.
+    bool sees = false;        ///< The point that is being added.
+  };
+
+  /// Of the candidates, some points of the frame, at least one, that none of its corners is missing from. The frame
+  /// must outlive the hull.
+  Quickhull(const HullFrame<T>& frame, std::vector<HullPoint> candidates)
+      : frame_(frame), undecided_(std::move(candidates)) {
+    find_base();
+    if (base_size_ < 4) return;
+    begin();
+    while (!waiting_.empty()) {
+      const std::uint32_t face = waiting_.back();
+      waiting_.pop_back();
+      faces_[face].is_waiting = false;
+      if (faces_[face].is_alive) {
+        grow(face);
+      } else {
+        free_.push_back(face);
+      }
+    }
+  }
+
+  /// Places of points that span what all of them span: one that all are at, two on the line they are on, three on the
+  /// plane they are on, or four. Exactly.
+  std::span<const std::uint32_t> base() const { return {base_.data(), base_size_}; }
+
+  const HullFrame<T>& frame() const { return frame_; }
+
+  /// Those that are alive are the surface of the hull, none if all points lie on one plane: triangles that share their
+  /// edges two by two, none of them without area. Flat parts of the surface come in several.
+  std::span<const Face> faces() const { return faces_; }
+
+  /// What corners of faces are in the list of points; some of them may be in the middle of a flat part or of an edge.
+  std::span<const HullPoint> corners() const { return corners_; }
+
+  std::uint32_t twin(std::uint32_t half_edge) const { return faces_[half_edge / 4].twins[half_edge % 4]; }
+  std::uint32_t origin(std::uint32_t half_edge) const { return faces_[half_edge / 4].corners[half_edge % 4]; }
+
+  /// Around its face.
+  static std::uint32_t next(std::uint32_t half_edge) { return half_edge % 4 == 2 ? half_edge - 2 : half_edge + 1; }
+
+  /// Whether the faces on both sides of a half-edge are on different planes, exactly.
+  bool is_bent(std::uint32_t half_edge) const {
+    const Face& face = faces_[half_edge / 4];
+    const HullPoint& beyond = corners_[origin(next(next(twin(half_edge))))];
+    if (face.plane.height(beyond.place) < -face.plane.doubt) return true;
+    return !frame_.is_exact() && frame_.orientation_of(indices_of(face), beyond.index) != 0;
+  }
+
+ private:
+  struct HorizonEdge {
+    std::uint32_t from;
+    std::uint32_t beyond;  ///< The half-edge of the face that stays.
+  };
+
+  std::array<std::uint32_t, 3> indices_of(const Face& face) const {
+    return {corners_[face.corners[0]].index, corners_[face.corners[1]].index, corners_[face.corners[2]].index};
+  }
+
+  bool is_outside(const Face& face, const HullPoint& point) const {
+    const double height = face.plane.height(point.place);
+    if (height > face.plane.doubt) return true;
+    if (height <= -face.plane.doubt) return false;
+    return frame_.orientation_of(indices_of(face), point.index) > 0;
+  }
+
+  /// A point for which `counts` holds, the one for which `measure` is largest if it does for that one; none if it holds
+  /// for none.
+  template <class Measure, class Counts>
+  std::uint32_t farthest_by(const Measure& measure, const Counts& counts) const {
+    std::uint32_t best = undecided_.front().index;
+    double largest = -1;
+    for (const HullPoint& point : undecided_) {
+      const double size = measure(point.place);
+      if (!(size > largest)) continue;
+      largest = size;
+      best = point.index;
+    }
+    if (counts(best)) return best;
+    const auto other =
+        std::find_if(undecided_.begin(), undecided_.end(), [&](const HullPoint& point) { return counts(point.index); });
+    return other == undecided_.end() ? none : other->index;
+  }
+
+  void add_to_base(std::uint32_t index) { base_[base_size_++] = index; }
+
+  void find_base() {
+    const auto [a, b] = frame_.ends();
+    add_to_base(a);
+    if (frame_.point(a) == frame_.point(b)) return;
+    add_to_base(b);
+    const Vec<3, double> origin = frame_.at(a).place;
+    const Vec<3, double> edge = frame_.at(b).place - origin;
+    const auto across = [&](const Vec<3, double>& place) {
+      const Vec<3, double> normal = cross(edge, place - origin);
+      return dot(normal, normal);
+    };
+    const std::uint32_t c = farthest_by(across, [&, a = a, b = b](std::uint32_t i) {
+      return !are_on_one_line(frame_.point(a), frame_.point(b), frame_.point(i));
+    });
+    if (c == none) return;
+    add_to_base(c);
+    const HullPlane plane = frame_.plane(frame_.at(a), frame_.at(b), frame_.at(c));
+    const std::uint32_t d = farthest_by([&](const Vec<3, double>& place) { return std::fabs(plane.height(place)); },
+                                        [&](std::uint32_t i) {
+                                          return frame_.orientation_of({base_[0], base_[1], base_[2]}, i) != 0;
+                                        });
+    if (d == none) return;
+    add_to_base(d);
+    if (frame_.orientation_of({base_[0], base_[1], base_[2]}, d) > 0) std::swap(base_[1], base_[2]);
+  }
+
+  /// A tetrahedron, and the points that are outside of its faces.
+  void begin() {
+    for (const std::uint32_t index : base_) corners_.push_back(frame_.at(index));
+    // The last corner is on the inner side of the first three.
+    add_face({0, 1, 2}, {4, 8, 12});
+    add_face({1, 0, 3}, {0, 14, 9});
+    add_face({2, 1, 3}, {1, 6, 13});
+    add_face({0, 2, 3}, {2, 10, 5});
+    new_faces_ = {0, 1, 2, 3};
+    deal();
+  }
+
+  std::uint32_t add_face(const std::array<std::uint32_t, 3>& corners, const std::array<std::uint32_t, 3>& twins) {
+    auto place = static_cast<std::uint32_t>(faces_.size());
+    if (!free_.empty()) {
+      place = free_.back();
+      free_.pop_back();
+    } else {
+      constexpr std::size_t most = none / 4;
+      if (faces_.size() == most) throw std::length_error("the convex hull has more than 2^30 triangles");
+      faces_.emplace_back();
+    }
+    Face face;
+    face.corners = corners;
+    face.twins = twins;
+    face.plane = frame_.plane(corners_[corners[0]], corners_[corners[1]], corners_[corners[2]]);
+    faces_[place] = face;
+    return place;
+  }
+
+  /// Puts each of the undecided points on the stack, with others of the first of the new faces that it is outside of,
+  /// or forgets it.
+  void deal() {
+    if (outside_.size() < used_ + undecided_.size())
+      outside_.resize(std::max(used_ + undecided_.size(), outside_.size() * 3 / 2));
+    for (const std::uint32_t place : new_faces_) {
+      if (undecided_.empty()) return;
+      Face& face = faces_[place];
+      take_outside(face);
+      if (face.first == face.last) continue;
+      face.is_waiting = true;
+      waiting_.push_back(place);
+    }
+  }
+
+  /// Moves the undecided points that are outside of a face to the stack.
+  void take_outside(Face& face) {
+    const HullPlane plane = face.plane;
+    double largest = -std::numeric_limits<double>::infinity();
+    std::size_t last = used_;
+    std::size_t kept = 0;
+    for (const HullPoint point : undecided_) {
+      const double height = plane.height(point.place);
+      bool is_above = height > plane.doubt;
+      if (!is_above && height > -plane.doubt) is_above = frame_.orientation_of(indices_of(face), point.index) > 0;
+      // Both are written and one is kept: a branch would be guessed wrong every other time.
+      outside_[last] = point;
+      undecided_[kept] = point;
+      last += is_above ? 1 : 0;
+      kept += is_above ? 0 : 1;
+      if (is_above && height > largest) {
+        largest = height;
+        face.farthest = last - 1;
+      }
+    }
+    undecided_.resize(kept);
+    face.first = used_;
+    face.last = last;
+    used_ = last;
+  }
+
+  /// Adds the farthest of the points outside a face, the last one waiting.
+  void grow(std::uint32_t face) {
+    const std::size_t top = faces_[face].first;
+    const HullPoint point = outside_[faces_[face].farthest];
+    outside_[faces_[face].farthest] = outside_[--faces_[face].last];
+    find_horizon(face, point);
+    undecided_.clear();
+    for (const std::uint32_t seen : seen_) {
+      Face& old = faces_[seen];
+      undecided_.insert(undecided_.end(), outside_.begin() + static_cast<std::ptrdiff_t>(old.first),
+                        outside_.begin() + static_cast<std::ptrdiff_t>(old.last));
+      old.is_alive = false;
+      if (!old.is_waiting) free_.push_back(seen);
+    }
+    used_ = top;  // what lies above is of faces that are gone
+    add_cone(point);
+    deal();
+  }
+
+  /// The faces that see a point, and the edges around them, in order.
+  void find_horizon(std::uint32_t face, const HullPoint& point) {
+    std::uint32_t start = none;
+    seen_.assign(1, face);
+    faces_[face].sees = true;
+    for (std::size_t k = 0; k < seen_.size(); ++k) {
+      const std::array<std::uint32_t, 3> twins = faces_[seen_[k]].twins;
+      for (std::uint32_t side = 0; side < 3; ++side) {
+        Face& other = faces_[twins[side] / 4];
+        if (other.sees) continue;
+        if (is_outside(other, point)) {
+          other.sees = true;
+          seen_.push_back(twins[side] / 4);
+        } else {
+          start = 4 * seen_[k] + side;
+        }
+      }
+    }
+    horizon_.clear();
+    std::uint32_t edge = start;
+    do {
+      horizon_.push_back({origin(edge), twin(edge)});
+      edge = next(edge);
+      while (faces_[twin(edge) / 4].sees) edge = next(twin(edge));
+    } while (edge != start);
+  }
+
+  /// Faces from all edges of the horizon to a point.
+  void add_cone(const HullPoint& point) {
+    const auto tip = static_cast<std::uint32_t>(corners_.size());
+    corners_.push_back(point);
+    new_faces_.clear();
+    for (std::size_t i = 0; i < horizon_.size(); ++i) {
+      const HorizonEdge& edge = horizon_[i];
+      const std::uint32_t to = horizon_[i + 1 == horizon_.size() ? 0 : i + 1].from;
+      const std::uint32_t face = add_face({edge.from, to, tip}, {edge.beyond, none, none});
+      faces_[edge.beyond / 4].twins[edge.beyond % 4] = 4 * face;
+      new_faces_.push_back(face);
+    }
+    for (std::size_t i = 0; i < new_faces_.size(); ++i) {
+      const std::uint32_t following = new_faces_[i + 1 == new_faces_.size() ? 0 : i + 1];
+      faces_[new_faces_[i]].twins[1] = 4 * following + 2;
+      faces_[following].twins[2] = 4 * new_faces_[i] + 1;
+    }
+  }
+
+  const HullFrame<T>& frame_;
+  std::vector<HullPoint> undecided_;
+  std::array<std::uint32_t, 4> base_{};
+  std::size_t base_size_ = 0;
+  std::vector<HullPoint> corners_;
+  std::vector<Face> faces_;
+  std::vector<std::uint32_t> free_;     // places of faces that are gone
+  std::vector<std::uint32_t> waiting_;  // faces that had points outside when they were made, the newest last
+  std::vector<HullPoint> outside_;      // the stack of these points, in the order of `waiting_`
+  std::size_t used_ = 0;                // of that stack
+  std::vector<std::uint32_t> seen_;
+  std::vector<std::uint32_t> new_faces_;
+  std::vector<HorizonEdge> horizon_;
+};
+
+}  // namespace graze::detail
