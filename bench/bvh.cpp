@@ -23,6 +23,7 @@
 #include <embree3/rtcore.h>
 
 #include <graze/broad/bvh.hpp>
+#include <graze/broad/grid.hpp>
 #include <graze/broad/orthtree.hpp>
 #include <graze/broad/worlds.hpp>
 
@@ -114,6 +115,10 @@ struct BvhAtOnce : Graze<graze::Bvh<3>> {
 
 struct Octree : Graze<graze::Octree<>> {
   static constexpr const char* name = "graze Octree";
+};
+
+struct Grid : Graze<graze::Grid<3>> {
+  static constexpr const char* name = "graze Grid";
 };
 
 /// With its own margin, which it needs to be quick, and for one ray at a time: it does not stop at the first box.
@@ -431,6 +436,7 @@ int main(int argc, char** argv) {
     require_the_same<BvhWithMargin>(course, expected);
     require_the_same<BvhAtOnce>(course, expected);
     require_the_same<Octree>(course, expected);
+    require_the_same<Grid>(course, expected);
     require_the_same<Bullet>(course, expected);
     require_the_same<Boost>(course, expected);
     require_the_same<Embree>(course, expected);
@@ -440,6 +446,7 @@ int main(int argc, char** argv) {
     add<BvhWithMargin>(count);
     add<BvhAtOnce>(count);
     add<Octree>(count);
+    add<Grid>(count);
     add<Bullet>(count);
     add<Boost>(count);
     add<Embree>(count);

@@ -6,6 +6,7 @@
 #include <graze/broad/brute_force_pairs.hpp>
 #include <graze/broad/bvh.hpp>
 #include <graze/broad/executor.hpp>
+#include <graze/broad/grid.hpp>
 #include <graze/broad/orthtree.hpp>
 #include <graze/broad/pairs.hpp>
 #include <graze/broad/touching_pairs.hpp>

@@ -34,7 +34,7 @@ class CellTree {
 
   static constexpr std::uint32_t children = 1U << static_cast<unsigned>(N);
   static constexpr std::uint32_t outside = 0;  ///< The list of the boxes outside of the root, as a cell without bounds.
-  static constexpr std::uint32_t root = 1;     ///< Exists when has_root().
+  static constexpr std::uint32_t root = 1;     ///< Exists when has_root(); one of root_count().
   static constexpr int depth_limit = 32;
 
   /// Throws std::invalid_argument for options beyond their limits.
@@ -50,6 +50,7 @@ class CellTree {
   const Box& box(std::uint32_t slot) const { return pool_[positions_[slot]].box; }
 
   bool has_root() const { return cells_.size() > root; }
+  std::uint32_t root_count() const { return has_root() ? 1 : 0; }
   const Cell<N, T>& cell(std::uint32_t index) const { return cells_[index]; }
   const CellPlace<N>& place(std::uint32_t index) const { return places_[index]; }
   const EntryPool<N, T>& pool() const { return pool_; }

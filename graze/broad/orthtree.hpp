@@ -7,13 +7,13 @@
 #include <vector>
 
 #include <graze/broad/cell_tree.hpp>
+#include <graze/broad/cell_walk.hpp>
 #include <graze/broad/index_pairs.hpp>
 #include <graze/broad/key_table.hpp>
 #include <graze/broad/region.hpp>
 #include <graze/broad/short_list.hpp>
 #include <graze/broad/spatial_index.hpp>
 #include <graze/math/vec.hpp>
-#include <graze/query/distance_squared.hpp>
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/ray.hpp>
 
@@ -86,67 +86,22 @@ class Orthtree {
   void query(const R& region, Visit&& visit) const {
     const detail::RegionProbe<R> probe(region);
     detail::GuardedVisit guarded(visit, keys_);
-    const auto meets = [&probe](const Box& box) { return probe.meets(box); };
-    const auto visit_slot = [&](std::uint32_t slot) { return guarded(keys_.key_of(slot)); };
-    detail::ShortList<std::uint32_t, room> open;
-    if (tree_.has_root()) open.push(Tree::root);
-    open.push(Tree::outside);
-    while (!open.empty()) {
-      const detail::Cell<N, T>& cell = tree_.cell(open.pop());
-      if (!tree_.pool().visit_where(cell.entries, meets, visit_slot)) return;
-      if (cell.first_child == detail::no_index || !probe.may_meet_closely(cell.bounds)) continue;
-      for (std::uint32_t child = cell.first_child; child < cell.first_child + Tree::children; ++child) {
-        open.push_if(probe.may_meet(tree_.cell(child).bounds), child);
-      }
-    }
+    detail::visit_cells_met(tree_, probe, [&](std::uint32_t slot) { return guarded(keys_.key_of(slot)); });
   }
 
   template <VisitorOf<Key, double> Visit>
   void ray_cast(const Ray<N, T>& ray, Visit&& visit) const {
     detail::require_ray(ray);
     detail::GuardedVisit guarded(visit, keys_);
-    detail::ShortHeap<Hit, room, typename Hit::Sooner> open;
-    const auto push_entry = [&](const detail::Entry<N, T>& entry) {
-      if (const auto t = detail::entry_of(ray, entry.box)) open.push({*t, true, entry.slot});
-    };
-    tree_.pool().for_each(tree_.cell(Tree::outside).entries, push_entry);
-    if (tree_.has_root()) open.push({0, false, Tree::root});
-    while (!open.empty()) {
-      const Hit next = open.pop();
-      if (next.is_box) {
-        if (!guarded(keys_.key_of(next.index), next.t)) return;
-        continue;
-      }
-      const detail::Cell<N, T>& cell = tree_.cell(next.index);
-      tree_.pool().for_each(cell.entries, push_entry);
-      if (cell.first_child == detail::no_index) continue;
-      for (std::uint32_t child = cell.first_child; child < cell.first_child + Tree::children; ++child) {
-        if (const auto t = detail::entry_of(ray, tree_.cell(child).bounds)) open.push({*t, false, child});
-      }
-    }
+    detail::visit_cells_along(tree_, ray, [&](std::uint32_t slot, double t) { return guarded(keys_.key_of(slot), t); });
   }
 
   std::vector<Neighbour> nearest(const Vec<N, T>& point, std::size_t k) const {
     detail::require_point(point);
     if (k == 0 || size() == 0) return {};
     detail::NearestKeys nearest(std::min(k, size()));
-    const auto offer = [&](const detail::Entry<N, T>& entry) {
-      nearest.offer({keys_.key_of(entry.slot), distance_squared(point, entry.box)});
-    };
-    tree_.pool().for_each(tree_.cell(Tree::outside).entries, offer);
-    detail::ShortHeap<NearCell, room, typename NearCell::Nearer> open;
-    if (tree_.has_root()) open.push({0, Tree::root});
-    while (!open.empty()) {
-      const NearCell next = open.pop();
-      if (next.distance_squared > nearest.reach()) break;
-      const detail::Cell<N, T>& cell = tree_.cell(next.index);
-      tree_.pool().for_each(cell.entries, offer);
-      if (cell.first_child == detail::no_index) continue;
-      for (std::uint32_t child = cell.first_child; child < cell.first_child + Tree::children; ++child) {
-        const double distance = distance_squared(point, tree_.cell(child).bounds);
-        if (distance <= nearest.reach()) open.push({distance, child});
-      }
-    }
+    const auto offer = [&](std::uint32_t slot, double distance) { nearest.offer({keys_.key_of(slot), distance}); };
+    detail::visit_cells_near(tree_, point, offer, [&nearest] { return nearest.reach(); });
     return nearest.sorted();
   }
 
@@ -161,7 +116,7 @@ class Orthtree {
   template <VisitorOf<OrthtreeCell<N, T>> Visit>
   void visit_cells(Visit&& visit) const {
     detail::GuardedVisit guarded(visit, keys_);
-    detail::ShortList<std::uint32_t, room> open;
+    detail::ShortList<std::uint32_t, detail::cell_walk_room> open;
     if (tree_.has_root()) open.push(Tree::root);
     while (!open.empty()) {
       const std::uint32_t index = open.pop();
@@ -179,33 +134,6 @@ class Orthtree {
 
   /// Positions of boxes fit 32 bits even if each has a block of eight to itself.
   static constexpr std::uint32_t most = std::uint32_t{1} << 29U;
-
-  /// What a query keeps in mind without allocating: the brothers of a path down through 32 levels of a quad tree.
-  static constexpr std::size_t room = 128;
-
-  /// A box, by its slot, or a cell that the ray enters.
-  struct Hit {
-    double t;
-    bool is_box;
-    std::uint32_t index;
-
-    /// A cell before boxes with the same t: it may hold one that comes before them.
-    struct Sooner {
-      bool operator()(const Hit& a, const Hit& b) const {
-        if (a.t != b.t) return a.t < b.t;
-        return a.is_box != b.is_box ? b.is_box : a.index < b.index;
-      }
-    };
-  };
-
-  struct NearCell {
-    double distance_squared;
-    std::uint32_t index;
-
-    struct Nearer {
-      bool operator()(const NearCell& a, const NearCell& b) const { return a.distance_squared < b.distance_squared; }
-    };
-  };
 
   detail::KeyTable keys_;
   Tree tree_;

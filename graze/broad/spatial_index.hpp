@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every index of moving boxes can do. BruteForce, Orthtree (QuadTree, Octree) and Bvh model it; one typed test
-// holds each of them to BruteForce.
+// What every index of moving boxes can do. BruteForce, Grid, Orthtree (QuadTree, Octree) and Bvh model it; one typed
+// test holds each of them to BruteForce.
 //
 //   insert(box) -> Key        Throws std::invalid_argument for a box with a NaN or with min above max; infinite sides
 //                             are welcome. std::length_error beyond 2^32 - 1 boxes.

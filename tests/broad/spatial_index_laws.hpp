@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every index answers as BruteForce does, whatever came before, and refuses what it must. A new index adds one line to
-// Indexes. Instantiated in four files, spatial_index_laws_*_test.cpp, which compile at the same time.
+// Indexes. Instantiated in six files, spatial_index_laws_*_test.cpp, which compile at the same time: Grid in two of its
+// own.
 #pragma once
 
 #include <array>
@@ -15,6 +16,7 @@
 
 #include <graze/broad/brute_force.hpp>
 #include <graze/broad/bvh.hpp>
+#include <graze/broad/grid.hpp>
 #include <graze/broad/orthtree.hpp>
 #include <graze/broad/spatial_index.hpp>
 
@@ -33,6 +35,9 @@ template <class I>
 I index_number(int number) {
   if constexpr (requires { I(OrthtreeOptions{}); }) {
     constexpr std::array<OrthtreeOptions, 4> options = {{{8, 16}, {1, 6}, {2, 3}, {3, 0}}};
+    return I(options[static_cast<std::size_t>(number) % options.size()]);
+  } else if constexpr (requires { I(GridOptions{}); }) {
+    constexpr std::array<GridOptions, 4> options = {{{0}, {0.5}, {3}, {1e6}}};
     return I(options[static_cast<std::size_t>(number) % options.size()]);
   } else if constexpr (requires { I(BvhOptions{}); }) {
     constexpr std::array<BvhOptions, 4> options = {{{0}, {0.5}, {3}, {1e6}}};
