@@ -31,6 +31,11 @@ struct GridCell {
 /// hierarchical grid, with a level of its own for every size of boxes, each twice that of the one before. Each box is
 /// in one cell of one level. Only cells that hold boxes exist, wherever they are; boxes that are infinite, or as large
 /// as numbers get, are kept in a list, and found like the others.
+///
+/// An Orthtree has small cells where there are many boxes, a Grid the same ones everywhere. It is filled in the time of
+/// an Orthtree, or, where boxes crowd together, in half of it, moves boxes as fast, and takes up to a fifth longer to
+/// answer. A Bvh answers rays sooner than either, and takes three times as long to fill box by box (100,000 boxes in
+/// space; bench/bvh.cpp).
 template <Dim N, class T = float>
 class Grid {
  public:
