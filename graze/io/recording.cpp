@@ -203,6 +203,13 @@ bool RecordingReader::next(std::vector<Aabb<N, float>>& boxes) {
   return true;
 }
 
+void RecordingReader::seek(std::size_t frame) {
+  if (frame > head_.frames) throw std::out_of_range("RecordingReader::seek: the recording has no such frame");
+  in_.clear();  // also after a frame that could not be read
+  in_.seekg(static_cast<std::streamoff>(head_bytes + std::uint64_t{frame} * head_.boxes * box_bytes));
+  next_frame_ = frame;
+}
+
 template <Dim N>
 void write_recording(std::ostream& out, const RecordingHead& head,
                      const std::function<std::span<const Aabb<N, float>>(std::size_t)>& boxes_of) {

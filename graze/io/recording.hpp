@@ -35,7 +35,8 @@ struct RecordingHead {
   Dim dimension() const { return world.min.z == 0 && world.max.z == 0 ? 2 : 3; }
 };
 
-/// Reads a recording frame by frame; only a block of a frame is in memory beside the boxes that are asked for.
+/// Reads a recording frame by frame, in any order; only a block of a frame is in memory beside the boxes that are asked
+/// for.
 class RecordingReader {
  public:
   /// Opens a regular file and reads its head. Throws InputError, also when the file's size is not what the head
@@ -49,6 +50,9 @@ class RecordingReader {
   /// z in a 2D recording; std::logic_error when N is not the recording's dimension.
   template <Dim N>
   bool next(std::vector<Aabb<N, float>>& boxes);
+
+  /// Goes to a frame, which `next` then gives; head().frames is the end. Throws std::out_of_range beyond it.
+  void seek(std::size_t frame);
 
  private:
   std::string source_;

@@ -107,6 +107,33 @@ TEST_F(Recording, WhatWasWrittenIsReadFrameByFrame) {
   EXPECT_EQ(all_frames<3>(reader), two_frames());
 }
 
+TEST_F(Recording, FramesAreReadInAnyOrder) {
+  folder_.write("r.aabbs", text_of_recording(head_of_two(), two_frames()));
+  RecordingReader reader(path());
+  std::vector<Aabb<3, float>> boxes;
+  for (const std::size_t frame : {1U, 0U, 0U, 1U}) {
+    reader.seek(frame);
+    ASSERT_TRUE(reader.next<3>(boxes));
+    EXPECT_EQ(boxes, two_frames()[frame]) << frame;
+  }
+  EXPECT_FALSE(reader.next<3>(boxes)) << "the last frame was read";
+  reader.seek(0);
+  EXPECT_EQ(all_frames<3>(reader), two_frames());
+  reader.seek(2);
+  EXPECT_FALSE(reader.next<3>(boxes)) << "this is the end";
+  EXPECT_THROW(reader.seek(3), std::out_of_range);
+}
+
+TEST_F(Recording, AfterAFrameThatCannotBeReadOthersCan) {
+  folder_.write("r.aabbs", with(text_of_recording(head_of_two(), two_frames()), place_of_boxes, bytes_of(nan)));
+  RecordingReader reader(path());
+  std::vector<Aabb<3, float>> boxes;
+  EXPECT_THROW(reader.next<3>(boxes), InputError);
+  reader.seek(1);
+  ASSERT_TRUE(reader.next<3>(boxes));
+  EXPECT_EQ(boxes, two_frames()[1]);
+}
+
 TEST_F(Recording, HasTheBytesOfTheFormat) {
   std::string expected = "falling boxes" + std::string(115, '\0') + "Cube" + std::string(124, '\0');
   expected += bytes_of(2U) + bytes_of(1U) + std::string(8, '\0');
