@@ -162,6 +162,29 @@ export interface RayHit {
   error: number;
 }
 
+/** When shapes that move first touch, and where. */
+export interface Impact {
+  /** From 0, the start of the motion, to 1, its end; never after the first touch. */
+  t: number;
+  /** Where they touch at t. */
+  point: Point;
+  /** From a to b; of length 1, or 0 where shapes that meet at the start have none. */
+  normal: Point;
+  status: Status;
+  /** How far apart the shapes may still be at t, a length. */
+  error: number;
+}
+
+/** From t = 0 to t = 1 the center goes straight on, and everything turns about it evenly. What is left out is zero. */
+export interface Motion {
+  /** The way of the center. */
+  linear?: Vector;
+  /** The whole turn: in 2D an angle in radians, in 3D a vector along the axis, as long as the angle. */
+  angular?: number | Vector;
+  /** Where the center is at t = 0. */
+  center?: Vector;
+}
+
 /** A ray as an argument; `type` may be left out. */
 export interface RayLike {
   type?: "ray";
@@ -238,6 +261,30 @@ export interface PairFinder<A extends Numbers = Numbers> {
 
   /** The memory that is held, in bytes, without boxes and pairs. */
   readonly bytes: number;
+
+  delete(): void;
+}
+
+// ---- Recordings
+
+/** Boxes that move, frame by frame, from a file in Broadmark's format `.aabbs`: docs/cli.md says what it holds. */
+export interface Recording {
+  readonly dimension: Dimension;
+  /** The name that it was read under. */
+  readonly source: string;
+  /** What the file calls the scene, and its objects. */
+  readonly scene: string;
+  readonly objectsType: string;
+  /** How many boxes every frame has. */
+  readonly count: number;
+  /** How many frames there are, at least one. */
+  readonly frames: number;
+  /** Holds all boxes of all frames. */
+  readonly world: Box;
+
+  /** The boxes of a frame, the first of which is 0, 2 N numbers each: min, then max. Frames may be asked for in any order;
+   * an Error says which box is none. */
+  boxes(frame: number): Float32Array;
 
   delete(): void;
 }
@@ -445,6 +492,10 @@ export interface Scene {
   /** The objects' shapes are now these spheres, N + 1 numbers each. */
   moveSpheres(ids: Float64Array, spheres: Numbers): void;
   remove(id: ObjectId): void;
+  /** Moves the objects that have a velocity to where they are so many seconds after what the file says, as
+   * `graze simulate` does: by where they were when it was read, whatever has moved them since. All of them or, with an
+   * Error, none. */
+  moveToTime(seconds: number): void;
 
   /** Finds the pairs that touch now, and what has changed since the last update. */
   update(): SceneEvents;
@@ -457,6 +508,8 @@ export interface Scene {
   object(id: ObjectId): SceneObject;
   find(name: string): ObjectId | null;
   ids(): Float64Array;
+  /** The objects to which the file gives a velocity, in units per second. */
+  velocities(): { id: ObjectId; velocity: Point }[];
   /** The boxes of these objects, or of all in the order of `ids`: 2 N numbers each. */
   boxes(ids?: Float64Array): Float64Array;
   /** The number of the layer of that name; made if there is none yet. */
@@ -498,6 +551,13 @@ export interface Graze {
   contact(a: Shape, b: Shape): Contact | null;
   manifold(a: Shape, b: Shape): Manifold;
 
+  /** The first touch of a, which moves by `motion` without turning, and b, which stays; null if there is none. For every
+   * two shapes. */
+  shapeCast(a: Shape, motion: Vector, b: Shape): Impact | null;
+  /** The first touch of shapes that move and turn: two convex ones, or one and a plane or half-space. A motion that is left
+   * out is rest. */
+  timeOfImpact(a: Shape, motionA: Motion, b: Shape, motionB?: Motion): Impact | null;
+
   rayCast(shape: Shape, ray: RayLike, options?: RayCastOptions): RayHit | null;
   contains(shape: Shape, point: Vector): boolean;
   closestPoint(shape: Shape, point: Vector): Point;
@@ -530,6 +590,10 @@ export interface Graze {
     options?: PairOptions,
   ): Uint32Array;
 
+  /** Those of the candidates, pairs a0, b0, a1, b1, ... of places in `shapes`, that touch or overlap, in their order: the
+   * answers of `intersects`, for many pairs at once. */
+  touchingPairs(shapes: readonly Shape[], candidates: Uint32Array): Uint32Array;
+
   readonly PairFinder: {
     new (dimension: Dimension, count: number, scalar?: "float"): PairFinder<Float32Array>;
     new (dimension: Dimension, count: number, scalar: "double"): PairFinder<Float64Array>;
@@ -541,6 +605,9 @@ export interface Graze {
   readonly Scene: new (dimension: Dimension) => Scene;
   /** Reads graze's own JSON, CSV of boxes, or a map of Tiled; told apart by content. `name` stands in messages. */
   readScene(content: string | Uint8Array, name?: string, files?: SceneFiles): Scene;
+
+  /** Reads a recording of moving boxes. `name` stands in messages. */
+  readRecording(content: Uint8Array, name?: string): Recording;
 
   /** An object's place: a small number that is used again when the object is gone, good as an index into an array. */
   slotOf(id: ObjectId | Key): number;

@@ -48,7 +48,9 @@ macro(graze_provide_package method package)
     graze_headers_of(hwy hwy::hwy hwy)
     # One instruction set, known when compiling: nothing is chosen at run time, and so nothing of Highway is linked.
     set_property(TARGET hwy::hwy PROPERTY INTERFACE_COMPILE_DEFINITIONS HWY_COMPILE_ONLY_STATIC)
-    set_property(TARGET hwy::hwy PROPERTY INTERFACE_COMPILE_OPTIONS -msimd128)
+    # The vectors are Highway's alone: em++ 3.1.6 makes others by itself out of doubles side by side, and of some of those
+    # code with another answer (two points that pass each other far apart then touched in time_of_impact, at -O2).
+    set_property(TARGET hwy::hwy PROPERTY INTERFACE_COMPILE_OPTIONS -msimd128 -fno-slp-vectorize)
   elseif("${package}" STREQUAL pugixml)
     graze_compile_pugixml()
   endif()

@@ -75,6 +75,20 @@ export function wholeNumber(value, role, least = 0) {
   throw new Error(`${role}: ${value} is not a whole number of at least ${least}`);
 }
 
+/** A vector of so many finite numbers. */
+export function numbersOf(vector, length, role) {
+  const isRow = ArrayBuffer.isView(vector) || Array.isArray(vector);
+  if (!isRow || vector.length !== length) {
+    throw new Error(`${role}: ${isRow ? `it has ${vector.length} numbers` : "it is no vector"}; it must have ${length}`);
+  }
+  return Array.from(vector, (value) => finiteNumber(value, role));
+}
+
+export function finiteNumber(value, role) {
+  if (Number.isFinite(value)) return value;
+  throw new Error(`${role}: it is ${value}; numbers must be finite`);
+}
+
 /** Two or three. */
 export function knownDimension(dimension) {
   if (dimension === 2 || dimension === 3) return dimension;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // graze for JavaScript. graze.d.ts says what everything means.
+import { casts } from "./casts.js";
 import { Core } from "./core.js";
 import loadModule from "./graze_wasm.js";
 import { indexClasses } from "./indexes.js";
 import { pairFinderClass, pairFunctions } from "./pairs.js";
 import { queries } from "./queries.js";
+import { recordingParts } from "./recordings.js";
 import { sceneParts } from "./scene.js";
 
 /** Ids have 29 bits for the place. */
@@ -28,10 +30,12 @@ export async function createGraze({ wasmBinary, locateFile } = {}) {
   return Object.freeze({
     version: module.version(),
     ...queries(core),
+    ...casts(core),
     ...pairFunctions(core),
     PairFinder: pairFinderClass(core),
     ...indexClasses(core),
     ...sceneParts(core),
+    ...recordingParts(core),
     slotOf: (id) => id % places,
     get memoryBytes() {
       return module.HEAPU8.length;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // All overlapping pairs of many boxes.
 import { Held, knownDimension, rowsOf, wholeNumber } from "./core.js";
+import { dimensionOf, textOf } from "./text.js";
 
 function isSorted(order) {
   if (order !== "sorted" && order !== "any") throw new Error(`order: it is ${order}; it must be sorted or any`);
@@ -22,13 +23,21 @@ export function pairFunctions(core) {
     }
     const wanted = { dimension, isDouble: isInDoubles, sorted: isSorted(order), margin, method };
     core.give(lists, !isInDoubles);
-    const pairs = core.checked(core.module.overlappingPairs(wanted, counts[0], counts[1] ?? -1));
+    return taken(core.checked(core.module.overlappingPairs(wanted, counts[0], counts[1] ?? -1)));
+  };
+  const taken = (pairs) => {
     const first = core.module.pairsAddress() / 4;
     const found = core.module.HEAPU32.slice(first, first + 2 * pairs);
     core.module.releasePairs();
     return found;
   };
   return {
+    touchingPairs(shapes, candidates) {
+      if (!(candidates instanceof Uint32Array)) throw new Error("candidates: must be a Uint32Array");
+      const count = rowsOf(candidates, 2, "candidates");
+      core.give([candidates]);
+      return taken(core.checked(core.module.touchingPairs(dimensionOf(shapes), textOf(shapes, "shapes"), count)));
+    },
     overlappingPairs: (boxes, dimension, options) => find([boxes], dimension, options),
     overlappingPairsBetween: (boxesA, boxesB, dimension, options) => find([boxesA, boxesB], dimension, options),
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Scenes, made in memory or read from files.
-import { Held, knownDimension, Reader, rowsOf, wholeNumber } from "./core.js";
+import { finiteNumber, Held, knownDimension, Reader, rowsOf, wholeNumber } from "./core.js";
 import { layersText, pointText, rayText, textOf } from "./text.js";
 
 /** What is said of an object beside its shape, as C++ reads it. */
@@ -69,6 +69,10 @@ class ChangingScene extends Held {
 
   moveSpheres(ids, spheres) {
     this.#moveRows("moveSpheres", ids, spheres, this.dimension + 1, "spheres");
+  }
+
+  moveToTime(seconds) {
+    this.core.checked(this.handle.moveToTime(finiteNumber(seconds, "seconds")));
   }
 
   remove(id) {
@@ -144,6 +148,13 @@ class Scene extends ChangingScene {
     const answer = new Reader(this.core.answer(), this.dimension);
     const box = answer.box();
     return { ...said, user: BigInt(user), box, mask: layersOf(answer.number(), answer.number()) };
+  }
+
+  velocities() {
+    const answer = this.#read("Velocities");
+    const movers = [];
+    while (!answer.isAtEnd) movers.push({ id: answer.number(), velocity: answer.vector() });
+    return movers;
   }
 
   find(name) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All overlapping pairs of many boxes: from the input at once, and from boxes that stay in the module's memory.
+// All overlapping pairs of many boxes: from the input at once, and from boxes that stay in the module's memory. Then
+// the exact test of many pairs of shapes.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -11,10 +12,14 @@
 #include <vector>
 
 #include <emscripten/bind.h>
+#include <fmt/format.h>
 
 #include <graze/broad/pairs.hpp>
+#include <graze/broad/touching_pairs.hpp>
+#include <graze/shape/any_shape.hpp>
 
 #include "bridge.hpp"
+#include "shape_text.hpp"
 
 namespace graze::wasm {
 namespace {
@@ -67,6 +72,28 @@ std::size_t overlapping_pairs_of(Wanted wanted, std::size_t count_a, double coun
   in_dimension(wanted.dimension, [&](auto n) {
     found_at_once = wanted.is_double ? pairs_in_input<n, double>(count_a, count_b, options)
                                      : pairs_in_input<n, float>(count_a, count_b, options);
+  });
+  return found_at_once.size();
+}
+
+/// The place of a shape that JavaScript names. Throws std::out_of_range as touching_pairs does.
+std::uint32_t place_of(double number, std::size_t shapes) {
+  if (number >= 0 && number < static_cast<double>(shapes)) return static_cast<std::uint32_t>(number);
+  throw std::out_of_range(fmt::format("candidates: there is no shape {}; there are {}", number, shapes));
+}
+
+/// Of the candidates, whose places are in the input, finds those that touch. Gives the number of pairs.
+std::size_t touching_pairs_of(int dimension, std::string shapes, std::size_t count) {
+  found_at_once = {};
+  in_dimension(dimension, [&](auto n) {
+    const std::vector<AnyShape<n, double>> parsed = shapes_of<n>(shapes);
+    const std::span<const double> places = input<double>(2 * count);
+    std::vector<Pair> candidates;
+    candidates.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      candidates.push_back({place_of(places[2 * i], parsed.size()), place_of(places[2 * i + 1], parsed.size())});
+    }
+    found_at_once = touching_pairs<n, double>(parsed, candidates);
   });
   return found_at_once.size();
 }
@@ -153,6 +180,7 @@ EMSCRIPTEN_BINDINGS(graze_pairs) {
       .field("margin", &Wanted::margin)
       .field("method", &Wanted::method);
   function("overlappingPairs", &Guarded<&overlapping_pairs_of>::call);
+  function("touchingPairs", &Guarded<&touching_pairs_of>::call);
   function("pairsAddress", &pairs_address);
   function("releasePairs", &release_pairs);
   class_<AnyPairFinder>("PairFinder")

@@ -75,6 +75,19 @@ std::string object(SceneHandle& self, double id) {
   });
 }
 
+/// The ids and velocities of the objects that move by themselves.
+void velocities(SceneHandle& self) {
+  self.visit([&]<Dim N>(const Scene<N, double>& scene) {
+    const auto* const movers = std::get_if<std::vector<Mover<N>>>(&self.movers);
+    if (movers == nullptr) return;
+    for (const Mover<N>& mover : *movers) {
+      if (!scene.contains(mover.id)) continue;
+      put_id(mover.id);
+      put<N>(mover.velocity);
+    }
+  });
+}
+
 /// Its id, if there is one.
 void find(SceneHandle& self, std::string name) {
   self.visit([&](const auto& scene) {
@@ -222,6 +235,7 @@ EMSCRIPTEN_BINDINGS(graze_scene_questions) {
   function("sceneContains", asked<&contains_id>);
   function("sceneBoxes", asked<&boxes>);
   function("sceneObject", asked<&object>);
+  function("sceneVelocities", asked<&velocities>);
   function("sceneFind", asked<&find>);
   function("sceneHead", asked<&head>);
   function("sceneSize", asked<&size>);

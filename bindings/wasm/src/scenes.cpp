@@ -8,12 +8,14 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <emscripten/bind.h>
 #include <fmt/format.h>
 
 #include <graze/io/in_quotes.hpp>
+#include <graze/query/transformed.hpp>
 #include <graze/scene/scene.hpp>
 
 #include "scene_files.hpp"
@@ -30,11 +32,21 @@ SceneHandle* make_scene(int dimension) {
   return handle.release();  // embind owns it
 }
 
+template <Dim N>
+std::vector<Mover<N>> movers_of(const io::SceneFile& file, const Scene<N, double>& scene) {
+  std::vector<Mover<N>> movers;
+  for (const io::ObjectVelocity& each : file.velocities) {
+    movers.push_back({each.id, scene.object(each.id).shape, Vec<N, double>(each.velocity)});
+  }
+  return movers;
+}
+
 SceneHandle* read_scene_text(std::string content, std::string name) {
   auto handle = std::make_unique<SceneHandle>(SceneHandle{scene_of_text(content, name)});
-  handle->visit([&](const auto& scene) {
+  handle->visit([&]<Dim N>(const Scene<N, double>& scene) {
     const auto ids = scene.ids();
     if (!ids.empty()) handle->owner = ids.front().owner;
+    handle->movers = movers_of<N>(handle->file, scene);
   });
   return handle.release();  // embind owns it
 }
@@ -160,6 +172,20 @@ void move_rows(SceneHandle& self, std::size_t count) {
   });
 }
 
+/// Where a mover is follows from where it was, so that no rounding adds up, as `graze simulate` has it.
+void move_to_time(SceneHandle& self, double seconds) {
+  self.visit([&]<Dim N>(Scene<N, double>& scene) {
+    std::vector<ObjectMove<N, double>> moves;
+    if (const auto* const movers = std::get_if<std::vector<Mover<N>>>(&self.movers)) {
+      for (const Mover<N>& mover : *movers) {
+        if (!scene.contains(mover.id)) continue;
+        moves.push_back({mover.id, graze::translated<N, double>(mover.shape, mover.velocity * seconds)});
+      }
+    }
+    scene.move(std::span<const ObjectMove<N, double>>(moves));
+  });
+}
+
 void remove(SceneHandle& self, double id) {
   self.visit([&](auto& scene) { scene.remove(self.id_of(id)); });
 }
@@ -199,6 +225,7 @@ EMSCRIPTEN_BINDINGS(graze_scenes) {
       .function("place", &Guarded<&place>::call)
       .function("moveBoxes", &Guarded<&move_rows<Row::boxes>>::call)
       .function("moveSpheres", &Guarded<&move_rows<Row::spheres>>::call)
+      .function("moveToTime", &Guarded<&move_to_time>::call)
       .function("remove", &Guarded<&remove>::call)
       .function("layer", &Guarded<&layer>::call)
       .function("update", &Guarded<&update>::call);

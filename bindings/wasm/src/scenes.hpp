@@ -9,18 +9,29 @@
 #include <vector>
 
 #include <graze/io/scene_file.hpp>
+#include <graze/math/vec.hpp>
 #include <graze/scene/filter.hpp>
 #include <graze/scene/object.hpp>
+#include <graze/shape/any_shape.hpp>
 
 #include "bridge.hpp"
 
 namespace graze::wasm {
+
+/// An object that moves by itself, as it was when its file was read.
+template <Dim N>
+struct Mover {
+  ObjectId id;
+  AnyShape<N, double> shape;
+  Vec<N, double> velocity;
+};
 
 /// A scene of either dimension with what its file says around it, and who gave out its ids, which JavaScript is not
 /// bothered with.
 struct SceneHandle {
   io::SceneFile file;
   std::uint32_t owner = 0;
+  std::variant<std::vector<Mover<2>>, std::vector<Mover<3>>> movers = {};
 
   ObjectId id_of(double id) const {
     const UnpackedId unpacked = unpacked_id(id);

@@ -2,8 +2,10 @@
 // Writes what this machine's graze answers, for the tests of the module to compare with, into a folder:
 //
 //   queries.ndjson                  a line for each pair of shapes: both, a point, a ray, and all answers about them
+//   touching_2d.json, _3d.json      shapes, candidate pairs of them, and those that touch
 //   pairs_2d_float.boxes, .pairs    100,000 boxes as they lie in memory, and their pairs; likewise 3d and double
 //   indexes.json                    what trees answer about boxes, and their cells
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +13,7 @@
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -24,6 +27,7 @@
 #include <graze/broad/orthtree.hpp>
 #include <graze/broad/pairs.hpp>
 #include <graze/broad/relations.hpp>
+#include <graze/broad/touching_pairs.hpp>
 #include <graze/broad/worlds.hpp>
 #include <graze/io/json_shape_writer.hpp>
 #include <graze/query/closest_boundary_point.hpp>
@@ -34,8 +38,10 @@
 #include <graze/query/distance.hpp>
 #include <graze/query/manifold.hpp>
 #include <graze/query/ray_cast.hpp>
+#include <graze/query/shape_cast.hpp>
 #include <graze/query/signed_distance.hpp>
 
+#include "../src/moving_pair.hpp"
 #include "catalogue.hpp"
 
 namespace graze::test {
@@ -135,6 +141,36 @@ void answer_shape(const Case<N>& asked, Numbers& out) {
 }
 
 template <Dim N>
+void put_impact(const std::optional<Impact<N, double>>& found, Numbers& out) {
+  if (!found) return;
+  out.put(found->t);
+  out.put<N>(found->point);
+  out.put<N>(found->normal);
+  out.put(found->error);
+}
+
+/// The first shape moves along the ray's direction; then both move and turn. -1 for shapes that cannot.
+template <Dim N>
+void answer_casts(const Case<N>& asked, Numbers& out) {
+  const Vec<N, double>& way = asked.ray.direction;
+  put_impact<N>(shape_cast(asked.a, way, asked.b), out);
+  Motion<N, double> first{way, {}, asked.point};
+  Motion<N, double> second{-way, {}, way};
+  if constexpr (N == 2) {
+    first.angular = 1;
+    second.angular = way.x;
+  } else {
+    first.angular = {1, 0, -2};
+    second.angular = way;
+  }
+  try {
+    put_impact<N>(wasm::impact_of_moving<N>(asked.a, first, asked.b, second), out);
+  } catch (const std::invalid_argument&) {
+    out.put(-1);
+  }
+}
+
+template <Dim N>
 std::string text_of(const AnyShape<N, double>& shape) {
   std::string text = "{";
   io::append_json_shape<N>(text, shape);
@@ -153,8 +189,11 @@ void write_queries(std::ostream& out) {
     Numbers answers;
     answer_pair<N>(asked.a, asked.b, answers);
     answer_shape<N>(asked, answers);
-    out << fmt::format("{{\"a\": {}, \"b\": {}, \"point\": {}, \"ray\": {}, \"answers\": {}}}\n", text_of<N>(asked.a),
-                       text_of<N>(asked.b), text_of<N>(asked.point), text_of<N>(asked.ray), answers.list());
+    Numbers casts;
+    answer_casts<N>(asked, casts);
+    out << fmt::format("{{\"a\": {}, \"b\": {}, \"point\": {}, \"ray\": {}, \"answers\": {}, \"casts\": {}}}\n",
+                       text_of<N>(asked.a), text_of<N>(asked.b), text_of<N>(asked.point), text_of<N>(asked.ray),
+                       answers.list(), casts.list());
   }
 }
 
@@ -172,6 +211,37 @@ void write_pairs(const std::filesystem::path& folder) {
   const std::string name = fmt::format("pairs_{}d_{}", N, std::is_same_v<T, float> ? "float" : "double");
   write_bytes(folder / (name + ".boxes"), world.boxes());
   write_bytes(folder / (name + ".pairs"), std::span<const Pair>(pairs));
+}
+
+/// Shapes of every type as they come, every two of which are a candidate that are not too far from each other in the
+/// row.
+template <Dim N>
+void write_touching(std::ostream& out) {
+  constexpr std::size_t types = std::variant_size_v<AnyShape<N, double>>;
+  constexpr std::size_t count = 600;
+  constexpr std::size_t partners = 40;
+  rc::Random random(20261122 + static_cast<std::uint64_t>(N));
+  std::vector<AnyShape<N, double>> shapes;
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto gen = rc::gen::exec([i] { return draw_case<N>(i % types, 0); });
+    shapes.push_back(gen(random.split(), 50).value().a);
+    text += (i > 0 ? ", " : "") + text_of<N>(shapes.back());
+  }
+  std::vector<Pair> candidates;
+  for (std::uint32_t a = 0; a < count; ++a) {
+    for (std::uint32_t b = a + 1; b < std::min(count, a + partners); ++b) candidates.push_back({a, b});
+  }
+  const auto list = [](const std::vector<Pair>& pairs) {
+    Numbers numbers;
+    for (const Pair& pair : pairs) {
+      numbers.put(pair.a);
+      numbers.put(pair.b);
+    }
+    return numbers.list();
+  };
+  out << fmt::format("{{\"shapes\": [{}], \"candidates\": {}, \"touching\": {}}}\n", text, list(candidates),
+                     list(touching_pairs<N, double>(shapes, candidates)));
 }
 
 /// The answers of an index about the boxes of a world that moved once: the places of keys, in the order in which they
@@ -224,6 +294,10 @@ void write_all(const std::filesystem::path& folder) {
   std::ofstream queries(folder / "queries.ndjson");
   write_queries<2>(queries);
   write_queries<3>(queries);
+  std::ofstream flat(folder / "touching_2d.json");
+  write_touching<2>(flat);
+  std::ofstream deep(folder / "touching_3d.json");
+  write_touching<3>(deep);
   write_pairs<2, float>(folder);
   write_pairs<3, float>(folder);
   write_pairs<2, double>(folder);
@@ -233,7 +307,7 @@ void write_all(const std::filesystem::path& folder) {
                          answers_of(QuadTree<double>(OrthtreeOptions{.capacity = 4, .max_depth = 8})),
                          answers_of(Octree<double>(OrthtreeOptions{.capacity = 4, .max_depth = 8})),
                          answers_of(Bvh<2, double>()), answers_of(Bvh<3, double>(BvhOptions{.margin = 0.5})));
-  if (!queries || !indexes) throw std::runtime_error(folder.string() + ": writing failed");
+  if (!queries || !flat || !deep || !indexes) throw std::runtime_error(folder.string() + ": writing failed");
 }
 
 }  // namespace

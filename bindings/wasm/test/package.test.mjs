@@ -25,8 +25,8 @@ test("npm packs the module, its types, its page and its licence, and nothing els
   const packed = pack();
   assert.equal(packed.name, "graze");
   assert.deepEqual(packed.files.map(({ path }) => path).sort(), [
-    "LICENSE", "README.md", "core.js", "graze.d.ts", "graze.js", "graze_wasm.js", "graze_wasm.wasm", "indexes.js",
-    "package.json", "pairs.js", "queries.js", "scene.js", "text.js",
+    "LICENSE", "README.md", "casts.js", "core.js", "graze.d.ts", "graze.js", "graze_wasm.js", "graze_wasm.wasm", "indexes.js",
+    "package.json", "pairs.js", "queries.js", "recordings.js", "scene.js", "text.js",
   ]);
 });
 

@@ -43,6 +43,22 @@ for (const { dimension, scalar, type } of spaces) {
   });
 }
 
+for (const dimension of [2, 3]) {
+  test(`of many candidates in ${dimension}D those touch that touch natively`, () => {
+    const { shapes, candidates, touching } = JSON.parse(native(`touching_${dimension}d.json`));
+    assert.ok(touching.length > 2000 && touching.length < 0.9 * candidates.length, `${touching.length}`);
+    assert.deepEqual([...graze.touchingPairs(shapes, Uint32Array.from(candidates))], touching);
+  });
+}
+
+test("candidates that name no shape are refused", () => {
+  const ball = { type: "sphere", center: [0, 0], radius: 1 };
+  assert.throws(() => graze.touchingPairs([ball, ball], new Uint32Array([0, 2])), /^Error: candidates: there is no shape 2; there are 2$/);
+  assert.throws(() => graze.touchingPairs([ball], new Uint32Array(3)), /3 numbers are not a multiple of 2/);
+  assert.throws(() => graze.touchingPairs([ball], [0, 0]), /must be a Uint32Array/);
+  assert.deepEqual([...graze.touchingPairs([], new Uint32Array(0))], []);
+});
+
 const row = new Float32Array([0, 0, 1, 1, /**/ 1, 0, 2, 1, /**/ 2.5, 0, 3, 1]);
 
 test("every method finds the pairs of three boxes by hand, with and without a margin", () => {

@@ -51,17 +51,34 @@ function shapeAnswers(shape, point, ray) {
   ];
 }
 
+const impactAnswers = (impact) => (impact ? [impact.t, ...impact.point, ...impact.normal, impact.error] : []);
+
+function castAnswers(a, b, point, { direction }) {
+  const isFlat = point.length === 2;
+  const back = direction.map((value) => -value);
+  const first = { linear: direction, angular: isFlat ? 1 : [1, 0, -2], center: point };
+  const second = { linear: back, angular: isFlat ? direction[0] : direction, center: direction };
+  const cast = impactAnswers(graze.shapeCast(a, direction, b));
+  try {
+    return [...cast, ...impactAnswers(graze.timeOfImpact(a, first, b, second))];
+  } catch (error) {
+    assert.match(error.message, /^timeOfImpact: one shape must be convex/);
+    return [...cast, -1];
+  }
+}
+
 test("every query answers about thousands of pairs of shapes as it does natively, bit for bit", () => {
   const lines = native("queries.ndjson").toString().trimEnd().split("\n");
   assert.ok(lines.length >= 2000);
   const seen = { apart: 0, touching: 0, overlapping: 0 };
   for (const line of lines) {
-    const { a, b, point, ray, answers } = JSON.parse(line);
+    const { a, b, point, ray, answers, casts } = JSON.parse(line);
     // A compound without parts has no vectors to tell the dimension by.
     if (!hasNumbers(a) && !hasNumbers(b)) continue;
     const ours = [...pairAnswers(a, b), ...shapeAnswers(a, point.position, ray)];
     const compared = hasNumbers(a) ? answers.length : answers.length - 2 * point.position.length;
     assertSameBits(ours.slice(0, hasNumbers(a) ? ours.length : compared), answers.slice(0, compared), () => line);
+    assertSameBits(castAnswers(a, b, point.position, ray), casts, () => line);
     seen[graze.relation(a, b)] += 1;
   }
   for (const [relation, count] of Object.entries(seen)) assert.ok(count > 100, `${relation}: ${count} times`);
@@ -115,4 +132,34 @@ test("errors are of type Error, with the library's message and without a place i
 test("an error leaves no trace: the next call answers", () => {
   assert.throws(() => graze.distance(null, null), Error);
   assert.equal(graze.distance({ type: "point", position: [0, 0] }, { type: "point", position: [3, 4] }), 5);
+});
+
+test("a ball that flies at a wall touches it when its side does", () => {
+  const ball = { type: "sphere", center: [0, 0], radius: 1 };
+  const wall = { type: "aabb", min: [5, -3], max: [6, 3] };
+  const { t, point, normal } = graze.shapeCast(ball, [8, 0], wall);
+  assert.deepEqual({ t, point, normal: normal.map((value) => value + 0) }, { t: 0.5, point: [5, 0], normal: [1, 0] });
+  assert.equal(graze.shapeCast(ball, [3, 0], wall), null);
+  assert.equal(graze.shapeCast(ball, [-8, 0], wall), null);
+});
+
+test("a plank that turns a quarter about its middle strikes what is beside it on the way", () => {
+  const plank = { type: "obb", center: [0, 0], half_extents: [2, 0] };
+  const nail = { type: "point", position: [0, 1] };
+  const impact = graze.timeOfImpact(plank, { angular: Math.PI }, nail);
+  assert.ok(Math.abs(impact.t - 0.5) < 1e-9, String(impact.t));
+  assert.ok(impact.t <= 0.5);
+  assert.equal(graze.timeOfImpact(plank, { angular: 1 }, nail), null);
+});
+
+test("motions that are none are refused with their name", () => {
+  const ball = { type: "sphere", center: [0, 0], radius: 1 };
+  const refused = (call, message) => assert.throws(call, (error) => error instanceof Error && message.test(error.message));
+  refused(() => graze.shapeCast(ball, [1, 2, 3], ball), /^motion: it has 3 numbers; it must have 2$/);
+  refused(() => graze.shapeCast(ball, 1, ball), /^motion: it is no vector; it must have 2$/);
+  refused(() => graze.shapeCast(ball, [NaN, 0], ball), /^motion: it is NaN; numbers must be finite$/);
+  refused(() => graze.timeOfImpact(ball, { linear: [1] }, ball), /^motionA\.linear: it has 1 numbers; it must have 2$/);
+  refused(() => graze.timeOfImpact(ball, {}, ball, { turn: 1 }), /^motionB: unknown field "turn"; the fields are/);
+  refused(() => graze.timeOfImpact(ball, { angular: [1] }, ball), /^motionA\.angular: it is 1; numbers must be finite$/);
+  refused(() => graze.timeOfImpact({ type: "compound", parts: [ball] }, {}, ball), /these are a compound and a sphere$/);
 });

@@ -91,6 +91,41 @@ test("boxes that are turned by angles have the same axes, bit for bit", () => {
   }
 });
 
+test("objects that have a velocity are, second by second, where graze simulate has them", () => {
+  const path = join(folder, "moving.json");
+  const objects = Array.from({ length: 60 }, (_, i) => ({
+    name: `o${i}`,
+    ...[
+      { type: "sphere", center: [i % 9, i / 7], radius: 0.5 },
+      { type: "aabb", min: [i % 8, i / 9], max: [(i % 8) + 0.7, i / 9 + 0.4] },
+      { type: "obb", center: [i % 7, i / 8], half_extents: [0.6, 0.2], angle: 7 * i },
+    ][i % 3],
+    ...(i % 4 === 0 ? {} : { velocity: [Math.sin(i) / 3, 0.1 * (i % 5)] }),
+  }));
+  writeFileSync(path, JSON.stringify({ schema: "graze.scene/1", dimension: 2, objects }));
+  const lines = cli("simulate", path, "--frames", "40", "--seconds-per-frame", "0.25").trimEnd().split("\n");
+  const scene = graze.readScene(readFileSync(path), path);
+  assert.equal(scene.velocities().length, 45);
+  assert.deepEqual(scene.velocities()[0], { id: scene.find("o1"), velocity: [Math.sin(1) / 3, 0.1] });
+  const names = (pairs) => Array.from({ length: pairs.length / 2 }, (_, i) => [2 * i, 2 * i + 1].map((k) => scene.object(pairs[k]).name));
+  let changes = 0;
+  lines.forEach((line, frame) => {
+    scene.moveToTime(frame * 0.25);
+    const { began, stayed, ended } = scene.update();
+    const told = JSON.parse(line);
+    assert.deepEqual({ began: names(began), ended: names(ended), touching: (began.length + stayed.length) / 2 },
+      { began: told.began, ended: told.ended, touching: told.touching }, `frame ${frame}`);
+    changes += frame === 0 ? 0 : told.began.length + told.ended.length;
+  });
+  assert.ok(changes > 50, `${changes}`);
+  scene.remove(scene.find("o1"));
+  scene.moveToTime(0);
+  assert.equal(scene.velocities().length, 44);
+  assert.deepEqual(scene.object(scene.find("o2")).shape.center, [2, 0.25]);
+  assert.throws(() => scene.moveToTime(Infinity), /seconds: it is Infinity; numbers must be finite/);
+  scene.delete();
+});
+
 test("a scene's head is at hand", () => {
   const scene = scenes["data/platform_level.tmx"]();
   assert.equal(scene.dimension, 2);

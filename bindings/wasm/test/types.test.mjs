@@ -30,11 +30,16 @@ before(async () => {
   graze = await loadGraze();
 });
 
+/** A recording of one frame with one box, which is a point at zero. */
+const oneBox = new Uint8Array(304 + 32);
+oneBox[256] = 1;
+
 const objects = {
   Graze: () => graze,
   Scene: () => new graze.Scene(2),
   SpatialIndex: () => new graze.QuadTree(),
   PairFinder: () => new graze.PairFinder(2, 1),
+  Recording: () => graze.readRecording(oneBox, "one"),
 };
 
 for (const [name, make] of Object.entries(objects)) {
