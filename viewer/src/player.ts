@@ -10,18 +10,21 @@ export class Player {
   readonly root: HTMLElement;
   readonly #stage: Stage;
   readonly #step: () => void;
+  readonly #single: () => void;
   readonly #play: HTMLButtonElement;
   #isPlaying: boolean;
 
-  constructor(stage: Stage, isPlaying: boolean, step: () => void) {
+  /** `single` is what the button for one step does; a step if left out. */
+  constructor(stage: Stage, isPlaying: boolean, step: () => void, single = step) {
     this.#stage = stage;
     this.#step = step;
+    this.#single = single;
     this.#isPlaying = isPlaying;
     this.#play = button("", () => this.toggle(), "Space");
     this.#play.id = "play";
-    const single = button("Step", () => this.stepOnce(), "Full stop");
-    single.id = "step";
-    this.root = row(this.#play, single);
+    const one = button("Step", () => this.stepOnce(), "Full stop");
+    one.id = "step";
+    this.root = row(this.#play, one);
     this.#label();
     stage.animate(() => {
       if (this.#isPlaying) this.#step();
@@ -41,7 +44,7 @@ export class Player {
 
   stepOnce(): void {
     if (this.#isPlaying) this.toggle();
-    this.#step();
+    this.#single();
     this.#stage.invalidate();
   }
 

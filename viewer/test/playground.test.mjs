@@ -124,6 +124,26 @@ test("a ray hits one wall first, and both in order", async () => {
   });
 });
 
+test("a moving ball stops where it first touches a wall, by itself and by turning", async () => {
+  const wall = "shapes=aabb:2,-3,3,3&x=-2&y=0&to-x=4&to-y=0";
+  await on(`#rays?mode=cast&moving=sphere&size=1&${wall}`, async (page) => {
+    // The ball has radius 0.8: it touches after 3.2 of 6.
+    assert.equal(await figure(page, "t"), "0.5333");
+    assert.equal(await figure(page, "hits"), "1");
+    await page.getByRole("slider", { name: "Size" }).fill("0.5");
+    assert.equal(await figure(page, "t"), "0.6000");
+    await page.getByRole("slider", { name: "Turn on the way" }).fill("180");
+    assert.equal(await figure(page, "t"), "0.6000");
+    await page.getByRole("button", { name: "oriented box" }).first().click();
+    await page.waitForFunction(() => document.querySelector("#figure-t").textContent !== "0.6000");
+    assert.match(await page.locator("#caption").textContent(), /^The oriented box touches box at t = 0\.\d+$/);
+    const target = await placeOf(page, "target");
+    await drag(page, target, { x: target.x - 180, y: target.y });
+    assert.equal(await figure(page, "t"), "–");
+    await page.waitForFunction(() => location.hash.includes("mode=cast") && location.hash.includes("turn=180"));
+  });
+});
+
 test("bounding volumes of three points have the sizes of the textbook", async () => {
   await on("#bounding-volumes?points=0,0;2,0;0,2", async (page) => {
     const area = async (id) => Number((await figure(page, id)).split(" ")[0]);

@@ -41,6 +41,16 @@ async function openScene(paths, body) {
   }
 }
 
+/** The boxes of a frame of a recording in the plane, as a table. */
+function tableOf(bytes, frame) {
+  const count = bytes.readInt32LE(256);
+  const rows = Array.from({ length: count }, (_, i) => {
+    const at = 304 + 32 * (frame * count + i);
+    return [`b${i}`, ...[0, 4, 16, 20].map((offset) => bytes.readFloatLE(at + offset))].join(",");
+  });
+  return ["id,min_x,min_y,max_x,max_y", ...rows].join("\n");
+}
+
 /** The page counts what `graze check` counts. */
 async function assertSameCounts(page, path) {
   const report = JSON.parse(graze("check", "--format", "json", path));
@@ -65,6 +75,62 @@ test("twenty thousand boxes from a table open, and their counts are those of the
   const path = `${folder}boxes.csv`;
   graze("generate", "2d:brownian:20k", "--output", path);
   await openScene([path], (page) => assertSameCounts(page, path));
+});
+
+test("a recording opens, and every frame has the pairs that the program finds in its boxes", async () => {
+  const path = `${folder}moving.aabbs`;
+  graze("generate", "2d:brownian:800", "--frames", "4", "--output", path);
+  const bytes = await readFile(path);
+  await openScene([path], async (page) => {
+    assert.equal(await numberIn(page, "objects"), 800);
+    const found = [];
+    for (const frame of [0, 3, 1]) {
+      await page.getByRole("slider", { name: "Frame", exact: true }).fill(String(frame));
+      assert.match(await page.locator("#frames").textContent(), new RegExp(`${frame} of 3`));
+      await writeFile(`${folder}frame.csv`, tableOf(bytes, frame));
+      const { summary } = JSON.parse(graze("check", "--format", "json", `${folder}frame.csv`));
+      assert.equal(await numberIn(page, "pairs"), summary.pairs, `frame ${frame}`);
+      found.push(summary.pairs);
+    }
+    assert.ok(new Set(found).size > 1, String(found));
+    await page.locator("#canvas").focus();
+    await page.keyboard.press(".");
+    assert.match(await page.locator("#frames").textContent(), /2 of 3/);
+    await page.keyboard.press(",");
+    await page.keyboard.press(",");
+    assert.equal(await numberIn(page, "pairs"), found[0]);
+    await page.getByRole("button", { name: "Play" }).click();
+    await page.waitForFunction(() => !document.querySelector("#frames").textContent.includes("0 of 3"));
+  });
+});
+
+test("a recording that is cut off is refused in words that help", async () => {
+  const path = `${folder}cut.aabbs`;
+  graze("generate", "2d:brownian:10", "--frames", "3", "--output", path);
+  await writeFile(path, (await readFile(path)).subarray(0, 500));
+  await openScene([], async (page) => {
+    await page.setInputFiles("#scene-file", path);
+    await page.locator("#scene-error").waitFor();
+    assert.match(await page.locator("#scene-error").textContent(), /^cut\.aabbs: holds 500 bytes, but its head promises 304 bytes and 3 frames of 10/);
+    assert.equal(await figure(page, "source"), "workshop.json");
+  });
+});
+
+test("objects with velocities touch frame by frame as graze simulate says", async () => {
+  const lines = graze("simulate", `${root}data/crossing.json`, "--frames", "200").trimEnd().split("\n").map((line) => JSON.parse(line));
+  const { page, heard } = await openPage(browser, `${server.address}#scene?example=crossing&frame=169`);
+  assert.equal(await numberIn(page, "pairs"), lines[169].touching);
+  assert.ok(lines[169].touching > 0);
+  const [[a, b]] = lines[169].began;
+  assert.ok((await page.locator("#pair-list button").allTextContents()).includes(`${a} · ${b}touching`) ||
+    (await page.locator("#pair-list button").allTextContents()).includes(`${a} · ${b}overlapping`), `${a} · ${b}`);
+  for (const frame of [0, 54, 200]) {
+    await page.getByRole("slider", { name: "Frame", exact: true }).fill(String(frame));
+    assert.equal(await numberIn(page, "pairs"), lines[frame].touching, `frame ${frame}`);
+  }
+  await page.waitForFunction(() => location.hash.includes("frame=200"));
+  assert.deepEqual(heard.complaints, []);
+  await page.close();
 });
 
 test("a pair that is chosen in the list is selected in the scene, and so is what the search finds", async () => {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rays and casts: what a ray hits first, all that it hits in order, and what a lamp would light.
+// Rays and casts: what a ray hits first, all that it hits in order, what a lamp would light, and where a shape that moves
+// first touches something.
 import * as THREE from "three";
 
 import type { Chapter, ChapterContext, OpenChapter } from "../chapter";
@@ -14,6 +15,7 @@ import { heading, lengthOf, minus, plus, shapeNames, sideways, times, type FlatT
 import { shapesOfText, textOfShapes } from "../shapes/text";
 import { numberOf, wordOf } from "../state";
 import type { Point2 } from "../stage";
+import { MovingShape, movingTypes, type MovingType } from "./moving_shape";
 
 const usualShapes =
   "aabb:-1.4,1.1,0.2,2.5;obb:2.7,1.4,0.9,0.5,35;sphere:0.9,-1.6,0.75;triangle:2.7,-2.6,4.3,-1.9,3.1,-0.7;" +
@@ -22,8 +24,10 @@ const usualShapes =
 
 const addable: readonly FlatType[] = ["sphere", "aabb", "obb", "triangle", "capsule", "polytope", "segment", "plane", "half_space", "compound"];
 const fanLimits = { least: 12, most: 1440, usual: 720 } as const;
+const sizeLimits = { least: 0.05, most: 1.5, usual: 0.45 } as const;
+const turnLimits = { least: -360, most: 360, usual: 0 } as const;
 
-type Mode = "first" | "all" | "fan";
+type Mode = "first" | "all" | "fan" | "cast";
 
 interface Hit {
   readonly point: Point2;
@@ -42,6 +46,7 @@ class Rays implements OpenChapter {
   #target: Point2;
   #mode: Mode;
   #rays: number;
+  readonly #moving: MovingShape;
 
   constructor(context: ChapterContext) {
     this.#context = context;
@@ -52,8 +57,13 @@ class Rays implements OpenChapter {
     this.#origin = [coordinate("x", -3.4), coordinate("y", -0.25)];
     this.#target = [coordinate("to-x", -2.3), coordinate("to-y", -0.15)];
     if (lengthOf(minus(this.#target, this.#origin)) === 0) this.#target = plus(this.#origin, [1, 0]);
-    this.#mode = wordOf(parameters, "mode", ["first", "all", "fan"]);
+    this.#mode = wordOf(parameters, "mode", ["first", "all", "fan", "cast"]);
     this.#rays = Math.round(numberOf(parameters, "rays", fanLimits));
+    this.#moving = new MovingShape(context, {
+      type: wordOf(parameters, "moving", movingTypes),
+      size: numberOf(parameters, "size", sizeLimits),
+      turn: numberOf(parameters, "turn", turnLimits),
+    });
     this.#lit.frustumCulled = false;
     stage.world.add(this.#lit);
     const shapes = shapesOfText(parameters.get("shapes") ?? "") ?? shapesOfText(usualShapes) ?? [];
@@ -67,7 +77,12 @@ class Rays implements OpenChapter {
   parameters(): URLSearchParams {
     const [x, y, toX, toY] = [...this.#origin, ...this.#target].map((value) => String(rounded(value)));
     const shapes = textOfShapes(this.#editor.shapes);
-    return new URLSearchParams({ mode: this.#mode, x: x ?? "", y: y ?? "", "to-x": toX ?? "", "to-y": toY ?? "", rays: String(this.#rays), shapes });
+    const { type, size, turn } = this.#moving.look;
+    const parameters = new URLSearchParams({ mode: this.#mode, x: x ?? "", y: y ?? "", "to-x": toX ?? "", "to-y": toY ?? "" });
+    const own = this.#mode === "cast" ? { moving: type, size: rounded(size), turn: rounded(turn) } : { rays: this.#rays };
+    for (const [name, value] of Object.entries(own)) parameters.set(name, String(value));
+    parameters.set("shapes", shapes);
+    return parameters;
   }
 
   onKey(event: KeyboardEvent): boolean {
@@ -94,6 +109,7 @@ class Rays implements OpenChapter {
         this.#draw();
       },
     };
+    if (this.#mode === "cast") return [{ ...origin, label: "Start of the shape" }, { ...target, label: "End of its way" }];
     return this.#mode === "fan" ? [origin] : [origin, target];
   }
 
@@ -114,6 +130,13 @@ class Rays implements OpenChapter {
   }
 
   #draw(): void {
+    if (this.#mode === "cast") this.#drawCast();
+    else this.#drawRays();
+    this.#context.changed();
+  }
+
+  #drawRays(): void {
+    this.#moving.hide();
     const start = performance.now();
     const isFan = this.#mode === "fan";
     const headings = isFan ? Array.from({ length: this.#rays }, (_, i) => heading((360 * i) / this.#rays)) : [];
@@ -132,7 +155,22 @@ class Rays implements OpenChapter {
     this.#figures.set("time", "Time of all rays", duration(spent));
     this.#list(isFan ? [] : hits);
     this.#context.say(isFan ? `${countText(this.#rays)} rays see ${places.size} shapes` : `${places.size} hit`);
-    this.#context.changed();
+  }
+
+  /** The shape at its start, on its way, and where it first touches something. */
+  #drawCast(): void {
+    const { shapes } = this.#editor;
+    const { impacts, refused, spent } = this.#moving.cast(this.#origin, this.#target, shapes);
+    const first = impacts[0];
+    this.#light([]);
+    this.#editor.draw(shapes.map((_, place) => (place === first?.place ? Paint.touching : Paint.free)), this.#moving.draw(first));
+    this.#figures.set("rays", "Shapes asked", countText(shapes.length - refused));
+    this.#figures.set("hits", "Shapes in the way", String(impacts.length));
+    this.#figures.set("t", "Time of the first touch", first === undefined ? "–" : measure(first.t));
+    this.#figures.set("time", "Time of all casts", duration(spent));
+    this.#list(impacts);
+    const end = first === undefined ? "touches nothing" : `touches ${this.#editor.nameOf(first.place)} at t = ${measure(first.t)}`;
+    this.#context.say(`The ${shapeNames[this.#moving.look.type]} ${end}${refused > 0 ? `; ${refused} cannot be asked while it turns` : ""}`);
   }
 
   /** What the fan reaches, as triangles about its start. */
@@ -183,23 +221,47 @@ class Rays implements OpenChapter {
   }
 
   #fillPanel(): void {
-    const mode = choice<Mode>("What is asked", [["first", "First hit"], ["all", "All hits"], ["fan", "Lamp"]], this.#mode, (word) => {
+    const modes = [["first", "First hit"], ["all", "All hits"], ["fan", "Lamp"], ["cast", "Moving shape"]] as const;
+    const showsFor = (): void => {
+      lamp.hidden = this.#mode !== "fan";
+      cast.hidden = this.#mode !== "cast";
+    };
+    const mode = choice<Mode>("What is asked", modes, this.#mode, (word) => {
       this.#mode = word;
+      showsFor();
       this.#draw();
     });
+    const lamp = slider({
+      label: "Rays of the lamp", ...fanLimits, step: 12, value: this.#rays, text: countText,
+      onInput: (value) => {
+        this.#rays = value;
+        this.#draw();
+      },
+    });
+    const cast = this.#castControls();
+    showsFor();
     this.#context.panel.append(
       element("h2", {}, "Rays and casts"),
-      element("p", { class: "lead" }, "Drag the start of the ray and its direction. A lamp sends rays all round; each stops at the first shape, and what they reach is lit."),
+      element("p", { class: "lead" }, "Drag the start of the ray and its direction. A lamp sends rays all round; each stops at the first shape, and what they reach is lit. A moving shape, which may turn on its way, stops where it first touches something."),
       mode,
       this.#figures.root,
-      section("Hits", this.#hitList, slider({
-        label: "Rays of the lamp", ...fanLimits, step: 12, value: this.#rays, text: countText,
-        onInput: (value) => {
-          this.#rays = value;
-          this.#draw();
-        },
-      })),
+      section("Hits", this.#hitList, lamp, cast),
       section("Add", row(...addable.map((type) => button(shapeNames[type], () => this.#editor.add(type))))),
+    );
+  }
+
+  #castControls(): HTMLElement {
+    const change = (look: Partial<MovingShape["look"]>): void => {
+      this.#moving.look = { ...this.#moving.look, ...look };
+      this.#draw();
+    };
+    const { type, size, turn } = this.#moving.look;
+    return element(
+      "div",
+      {},
+      choice<MovingType>("The moving shape", movingTypes.map((word) => [word, shapeNames[word]] as const), type, (word) => change({ type: word })),
+      slider({ label: "Size", least: sizeLimits.least, most: sizeLimits.most, step: 0.05, value: size, text: measure, onInput: (value) => change({ size: value }) }),
+      slider({ label: "Turn on the way", least: turnLimits.least, most: turnLimits.most, step: 15, value: turn, text: (value) => `${value}°`, onInput: (value) => change({ turn: value }) }),
     );
   }
 }

@@ -6,11 +6,13 @@ import { messageOf } from "../engine";
 import { count as countText, counted, milliseconds } from "../numbers";
 import type { Mark } from "../overlay";
 import { button, Figures, row, section, toggle } from "../panel";
+import { FrameControls } from "../scene/frame_controls";
 import { examples, isReport, reportedSource, sourceOf } from "../scene/files";
 import { inspect } from "../scene/inspector";
 import { SceneDrawing } from "../scene/scene_drawing";
 import { SceneModel, type SceneSource } from "../scene/scene_model";
 import { VirtualList } from "../scene/virtual_list";
+import { numberOf } from "../state";
 
 /** How near to an object the pointer has to be in the plane, in pixels. */
 const pointerReach = 5;
@@ -25,9 +27,11 @@ class SceneView implements OpenChapter {
   readonly #objectList: VirtualList;
   readonly #pairList: VirtualList;
   readonly #inspector = element("div");
+  readonly #figures = new Figures();
   #example = "";
   #model: SceneModel | undefined;
   #drawing: SceneDrawing | undefined;
+  #frames: FrameControls | undefined;
   #matches: number[] = [];
   #pairMatches: number[] = [];
   #selected: number[] = [];
@@ -43,7 +47,7 @@ class SceneView implements OpenChapter {
     const buttons = Object.keys(examples).map((name) => button(`Example: ${name}`, () => this.#openExample(name)));
     context.panel.append(
       element("h2", {}, "Scene"),
-      element("p", { class: "lead" }, "Drop a scene file on the page: graze's JSON, a CSV table of boxes, or a Tiled map together with the files it refers to. It stays on this machine."),
+      element("p", { class: "lead" }, "Drop a scene file on the page: graze's JSON, a CSV table of boxes, a Tiled map together with the files it refers to, or a recording (.aabbs). It stays on this machine."),
       row(button("Open a file…", () => chooser.click()), ...buttons),
       chooser,
       this.#content,
@@ -54,11 +58,14 @@ class SceneView implements OpenChapter {
     else this.#openExample(wanted !== null && wanted in examples ? wanted : "workshop");
     const named = context.parameters.getAll("select").flatMap((name) => this.#model?.placeNamed(name) ?? []);
     if (named.length > 0) this.#select(named);
+    const frame = numberOf(context.parameters, "frame", { least: 0, most: 1e9, usual: 0 });
+    this.#frames?.show(frame);
   }
 
   parameters(): URLSearchParams {
     const parameters = new URLSearchParams();
     if (this.#example !== "") parameters.set("example", this.#example);
+    if (this.#frames !== undefined) parameters.set("frame", String(this.#frames.frame));
     for (const place of this.#selected) parameters.append("select", this.#model?.objects[place]?.name ?? "");
     return parameters;
   }
@@ -67,7 +74,7 @@ class SceneView implements OpenChapter {
     if (event.key === "Escape") this.#select([]);
     else if (event.key === "z" && this.#selected.length > 0) this.#zoomTo(this.#selected.at(-1) ?? 0);
     else if (event.key === "/") this.#search.focus();
-    else return false;
+    else return this.#frames?.onKey(event) === true;
     return true;
   }
 
@@ -103,6 +110,7 @@ class SceneView implements OpenChapter {
     this.#model?.close();
     overlay.clear();
     stage.clearDrawing();
+    stage.animate(() => false);
     this.#model = model;
     this.#selected = [];
     this.#search.value = "";
@@ -110,8 +118,33 @@ class SceneView implements OpenChapter {
     this.#fillPanel(model);
     this.#filter();
     this.#select([]);
+  }
+
+  /** Shows a frame; one that is no good leaves what was there. */
+  #showFrame(frame: number): void {
+    const model = this.#model;
+    if (model === undefined) return;
+    try {
+      model.showFrame(frame);
+    } catch (error) {
+      this.#refuse(messageOf(error));
+      return;
+    }
+    this.#drawing?.move(new Set(Array.from(model.timeline?.movers ?? [], (id) => model.placeOf(id) ?? -1)));
+    this.#showPairs();
+    this.#showSelection(model);
+  }
+
+  /** After the pairs have changed. */
+  #showPairs(): void {
+    const model = this.#model;
+    if (model === undefined) return;
+    this.#figures.set("pairs", "Pairs that touch", countText(model.pairs.length));
+    this.#figures.set("candidates", "Candidates by their boxes", countText(model.candidates));
+    this.#figures.set("time", "Time of the search", milliseconds(model.seconds * 1000));
     const touching = counted(model.pairs.length, "pair");
     this.#context.say(`${model.name}: ${counted(model.objects.length, "object")}, ${touching}`);
+    this.#filterPairs(model);
   }
 
   #refuse(message: string): void {
@@ -121,12 +154,10 @@ class SceneView implements OpenChapter {
   }
 
   #fillPanel(model: SceneModel): void {
-    const figures = new Figures();
-    figures.set("source", "File", model.name);
-    figures.set("objects", "Objects", countText(model.objects.length));
-    figures.set("pairs", "Pairs that touch", countText(model.pairs.length));
-    figures.set("candidates", "Candidates by their boxes", countText(model.candidates));
-    figures.set("time", "Time of the search", milliseconds(model.seconds * 1000));
+    this.#figures.set("source", "File", model.name);
+    this.#figures.set("objects", "Objects", countText(model.objects.length));
+    const { timeline } = model;
+    this.#frames = timeline && new FrameControls(this.#context.stage, timeline, (frame) => this.#showFrame(frame));
     const omissions = model.scene.omissions.map(({ what, count }) => `${count} × ${what}`).join(", ");
     const layers = model.layers.map((layer) =>
       toggle(layer, true, (on) => {
@@ -137,7 +168,8 @@ class SceneView implements OpenChapter {
       }),
     );
     this.#content.replaceChildren(
-      figures.root,
+      this.#figures.root,
+      ...(this.#frames === undefined ? [] : [this.#frames.root]),
       ...(omissions === "" ? [] : [element("p", { class: "lead", id: "omissions" }, `Not read: ${omissions}.`)]),
       section("Selected", this.#inspector),
       section("Pairs", this.#pairList.root),
@@ -150,16 +182,25 @@ class SceneView implements OpenChapter {
   #filter(): void {
     const model = this.#model;
     if (model === undefined) return;
-    const text = this.#search.value.trim().toLowerCase();
-    const fits = (place: number): boolean => text === "" || (model.objects[place]?.name.toLowerCase().includes(text) ?? false);
+    const fits = this.#searched(model);
     this.#matches = [...model.objects.keys()].filter((place) => !model.isHidden(place) && fits(place));
+    this.#objectList.setCount(this.#matches.length);
+    this.#showPairs();
+  }
+
+  #filterPairs(model: SceneModel): void {
+    const fits = this.#searched(model);
     this.#pairMatches = [...model.pairs.keys()].filter((index) => {
       const pair = model.pairs[index];
       if (pair === undefined || model.isHidden(pair.a) || model.isHidden(pair.b)) return false;
       return fits(pair.a) || fits(pair.b);
     });
-    this.#objectList.setCount(this.#matches.length);
     this.#pairList.setCount(this.#pairMatches.length);
+  }
+
+  #searched(model: SceneModel): (place: number) => boolean {
+    const text = this.#search.value.trim().toLowerCase();
+    return (place) => text === "" || (model.objects[place]?.name.toLowerCase().includes(text) ?? false);
   }
 
   #objectRow(index: number): ReturnType<typeof rowOf> {
@@ -186,11 +227,16 @@ class SceneView implements OpenChapter {
     const model = this.#model;
     if (model === undefined) return;
     this.#selected = places;
+    this.#showSelection(model);
+    const shown = this.#matches.indexOf(places[0] ?? -1);
+    if (shown >= 0) this.#objectList.scrollTo(shown);
+  }
+
+  #showSelection(model: SceneModel): void {
+    const places = this.#selected;
     this.#drawing?.paint(new Set(places));
     this.#objectList.refresh();
     this.#pairList.refresh();
-    const shown = this.#matches.indexOf(places[0] ?? -1);
-    if (shown >= 0) this.#objectList.scrollTo(shown);
     const actions = { select: (place: number) => this.#select([place]), zoomTo: (place: number) => this.#zoomTo(place) };
     this.#inspector.replaceChildren(
       ...(places.length === 0

@@ -82,6 +82,34 @@ export class MeshDrawing {
     this.#paintLines();
   }
 
+  /** Shows these shapes, by their places among all, where they are now. False, and nothing is changed, if one now has
+   * another number of triangles or lines. */
+  replace(shapes: ReadonlyMap<number, readonly Drawing[]>): boolean {
+    const surface = this.#surface?.geometry;
+    const positions = surface?.getAttribute("position");
+    if (surface === undefined || positions === undefined) return false;
+    for (const [shape, drawings] of shapes) {
+      const span = this.#spans[shape];
+      const corners = drawings.reduce((sum, drawing) => sum + drawing.triangles.length, 0);
+      const lines = drawings.reduce((sum, drawing) => sum + drawing.lines.length / 2, 0);
+      if (span?.corners !== corners || span.lines !== lines) return false;
+    }
+    const normals = this.#dimension === 3 ? surface.getAttribute("normal") : undefined;
+    const ends = this.#lineBuffer("instanceStart", "position");
+    for (const [shape, drawings] of shapes) {
+      let corner = this.#spans[shape]?.corner ?? 0;
+      let end = 2 * (this.#spans[shape]?.line ?? 0);
+      for (const drawing of drawings) {
+        const first = corner;
+        for (const own of drawing.triangles) this.#copy(drawing, own, positions.array as Float32Array, corner++);
+        if (normals !== undefined) writeNormals(drawing, positions.array as Float32Array, normals.array as Float32Array, first);
+        for (const own of drawing.lines) if (ends !== undefined) this.#copy(drawing, own, ends.array as Float32Array, end++);
+      }
+    }
+    for (const changed of [positions, normals, ends]) if (changed !== undefined) changed.needsUpdate = true;
+    return true;
+  }
+
   /** One for each shape. Quick: no geometry is made again. */
   setPaints(paints: Uint8Array): void {
     this.#paints = paints;
@@ -151,17 +179,12 @@ export class MeshDrawing {
     return mesh;
   }
 
-  /**
-   * Flat faces where a drawing has edges; where it has none it is round, and corners get the mean of their triangles.
-   */
   #normals(shapes: readonly (readonly Drawing[])[], positions: Float32Array): Float32Array {
     const normals = new Float32Array(positions.length);
     let first = 0;
     for (const drawing of shapes.flat()) {
-      const last = first + drawing.triangles.length;
-      for (let corner = first; corner < last; corner += 3) writeFaceNormal(positions, normals, corner * 3);
-      if (drawing.lines.length === 0) smooth(drawing, normals, first);
-      first = last;
+      writeNormals(drawing, positions, normals, first);
+      first += drawing.triangles.length;
     }
     return normals;
   }
@@ -192,13 +215,16 @@ export class MeshDrawing {
     return wide;
   }
 
-  #paintLines(): void {
+  /** The numbers of an attribute of all lines, six for each: of wide lines, or of thin ones. */
+  #lineBuffer(wide: string, thin: string): THREE.InterleavedBuffer | THREE.BufferAttribute | undefined {
     const lines = this.#lines;
-    if (lines === undefined) return;
-    const attribute =
-      lines instanceof LineSegments2 ? lines.geometry.getAttribute("instanceColorStart") : lines.geometry.getAttribute("color");
-    if (attribute === undefined) return;
-    const buffer = attribute instanceof THREE.InterleavedBufferAttribute ? attribute.data : attribute;
+    const attribute = lines?.geometry.getAttribute(lines instanceof LineSegments2 ? wide : thin);
+    return attribute instanceof THREE.InterleavedBufferAttribute ? attribute.data : (attribute as THREE.BufferAttribute | undefined);
+  }
+
+  #paintLines(): void {
+    const buffer = this.#lineBuffer("instanceColorStart", "color");
+    if (buffer === undefined) return;
     const strokes = strokeColours(this.#palette);
     this.#spans.forEach((span, shape) => {
       const stroke = strokes[this.#paints[shape] ?? 0] ?? [0, 0, 0];
@@ -217,6 +243,15 @@ export class MeshDrawing {
 function strokeColours(palette: Palette): number[][] {
   const names = ["free-line", "touching-line", "answer", "faint", "ground", "free-line", "touching-line"] as const;
   return names.map((name) => new THREE.Color(palette[name]).toArray());
+}
+
+/**
+ * Flat faces where a drawing has edges; where it has none it is round, and corners get the mean of their triangles.
+ */
+function writeNormals(drawing: Drawing, positions: Float32Array, normals: Float32Array, first: number): void {
+  const last = first + drawing.triangles.length;
+  for (let corner = first; corner < last; corner += 3) writeFaceNormal(positions, normals, corner * 3);
+  if (drawing.lines.length === 0) smooth(drawing, normals, first);
 }
 
 function writeFaceNormal(positions: Float32Array, normals: Float32Array, at: number): void {

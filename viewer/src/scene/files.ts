@@ -6,12 +6,14 @@ import levelTiles from "../../../data/platform_tiles.tsx?raw";
 import coin from "../../../data/templates/coin.tx?raw";
 import crate from "../../../data/templates/crate.tx?raw";
 import spike from "../../../data/templates/spike.tx?raw";
+import crossing from "../../../data/crossing.json?raw";
 import workshop from "../../../data/workshop.json?raw";
 import type { CheckReport } from "graze";
 import type { SceneSource } from "./scene_model";
 
 export const examples: Readonly<Record<string, SceneSource>> = {
   workshop: { name: "workshop.json", content: workshop },
+  crossing: { name: "crossing.json", content: crossing },
   "platform level": {
     name: "platform_level.tmx",
     content: levelMap,
@@ -25,7 +27,7 @@ export const examples: Readonly<Record<string, SceneSource>> = {
   },
 };
 
-const scenes = /\.(json|csv|tmx|tmj|xml)$/i;
+const scenes = /\.(json|csv|tmx|tmj|xml|aabbs)$/i;
 
 /** The scene among files that were dropped together; the others may be what a Tiled map refers to. */
 export async function sourceOf(files: readonly File[]): Promise<SceneSource> {
@@ -35,6 +37,7 @@ export async function sourceOf(files: readonly File[]): Promise<SceneSource> {
   const texts = new Map<string, string>();
   for (const file of others) texts.set(file.name, await file.text());
   const content = new Uint8Array(await scene.arrayBuffer());
+  if (others.length === 0) return { name: scene.name, content };
   const all = [new TextDecoder().decode(content), ...texts.values()].join("\n");
   const named = [...texts].flatMap(([name, text]) => pathsOf(name, all).map((path) => [path, text] as const));
   return { name: scene.name, content, files: Object.fromEntries(named) };

@@ -21,6 +21,8 @@ export class SceneDrawing {
   readonly #selection: MeshDrawing;
   readonly #boxPlaces: number[] = [];
   readonly #meshPlaces: number[] = [];
+  /** The ids of the boxes. */
+  #boxIds = new Float64Array(0);
 
   constructor(graze: Graze, stage: Stage, model: SceneModel) {
     [this.#graze, this.#stage, this.#model] = [graze, stage, model];
@@ -36,8 +38,21 @@ export class SceneDrawing {
     this.#selection.object.renderOrder = 2;
     stage.world.add(this.#meshes.object, this.#cloud.object, this.#selection.object);
     model.objects.forEach((object, place) => (object.type === "aabb" ? this.#boxPlaces : this.#meshPlaces).push(place));
+    this.#boxIds = Float64Array.from(this.#boxPlaces, (place) => model.id(place));
     this.#fill();
     stage.onTheme(() => [this.#cloud, this.#meshes, this.#selection].forEach((part) => part.setPalette(stage.palette)));
+  }
+
+  /** Draws objects where they are now; all boxes are looked at in any case. */
+  move(places: ReadonlySet<number>): void {
+    if (this.#boxPlaces.length > 0) {
+      this.#cloud.boxes.set(this.#model.scene.boxes(this.#boxIds));
+      this.#cloud.boxesChanged();
+    }
+    const moved = [...this.#meshPlaces.keys()].filter((index) => places.has(this.#meshPlaces[index] ?? -1));
+    const drawings = new Map(moved.map((index) => [index, this.#drawingsOf(this.#meshPlaces[index] ?? 0, this.#corners)]));
+    if (drawings.size > 0 && !this.#meshes.replace(drawings)) this.#fillMeshes();
+    this.#stage.invalidate();
   }
 
   /** Colours all anew: what is selected, hidden, touching. */
@@ -60,15 +75,19 @@ export class SceneDrawing {
     return { min: clip(min, this.extent.min), max: clip(max, this.extent.max) };
   }
 
+  get #corners(): number {
+    return cornersFor(this.#meshPlaces.length, this.#model.dimension);
+  }
+
   #fill(): void {
-    const none = new Set<number>();
-    const paints = this.#model.paints(none);
     this.#cloud.resize(this.#boxPlaces.length);
-    if (this.#boxPlaces.length > 0) {
-      this.#cloud.boxes.set(this.#model.scene.boxes(Float64Array.from(this.#boxPlaces, (place) => this.#model.id(place))));
-      this.#cloud.paints.set(this.#boxPlaces.map((place) => paints[place] ?? 0));
-    }
-    const corners = cornersFor(this.#meshPlaces.length, this.#model.dimension);
+    if (this.#boxPlaces.length > 0) this.#cloud.boxes.set(this.#model.scene.boxes(this.#boxIds));
+    this.#fillMeshes();
+  }
+
+  #fillMeshes(): void {
+    const corners = this.#corners;
+    const paints = this.#model.paints(new Set());
     const drawings = this.#meshPlaces.map((place) => this.#drawingsOf(place, corners));
     this.#meshes.set(drawings, Uint8Array.from(this.#meshPlaces, (place) => paints[place] ?? 0));
   }

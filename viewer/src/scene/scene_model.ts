@@ -3,6 +3,7 @@
 import type { CheckReport, Graze, Relation, Scene, SceneFiles, Shape } from "graze";
 
 import { Paint, paintOf } from "../drawing/paint";
+import { openRecording, timelineOf, type Timeline } from "./timeline";
 
 export interface SceneSource {
   readonly name: string;
@@ -24,40 +25,63 @@ export interface ListedPair {
   readonly relation: Relation;
 }
 
+/** What touches, and how it was found. */
+interface Found {
+  readonly pairs: readonly ListedPair[];
+  readonly candidates: number;
+  readonly seconds: number;
+}
+
 export class SceneModel {
   readonly scene: Scene;
   readonly name: string;
   readonly objects: readonly ListedObject[];
   readonly ids: Float64Array;
-  readonly pairs: readonly ListedPair[];
-  readonly candidates: number;
-  readonly seconds: number;
   readonly layers: readonly string[];
   readonly hiddenLayers = new Set<string>();
+  /** How the objects move, if they do. */
+  readonly timeline: Timeline | undefined;
   readonly #touching: Uint8Array;
   readonly #placesById: Map<number, number>;
+  #found: Found;
 
   /** Throws with the engine's message when the file is no scene. */
   constructor(graze: Graze, source: SceneSource) {
-    this.scene = graze.readScene(source.content, source.name, source.files ?? {});
+    const { scene, timeline } = opened(graze, source);
+    this.scene = scene;
+    this.timeline = timeline;
     this.name = source.name;
     this.ids = this.scene.ids();
     this.#placesById = new Map(Array.from(this.ids, (id, place) => [id, place]));
     this.objects = listed(this.scene.toJson());
-    const found = source.check === undefined ? this.#checked() : this.#reported(source.check);
-    this.pairs = found.pairs;
-    this.candidates = found.candidates;
-    this.seconds = found.seconds;
     this.layers = [...new Set(this.objects.map((object) => object.layer))];
     this.#touching = new Uint8Array(this.objects.length);
-    for (const { a, b } of this.pairs) {
-      this.#touching[a] = 1;
-      this.#touching[b] = 1;
-    }
+    this.#found = source.check === undefined ? this.#checked() : this.#reported(source.check);
+    this.#mark();
   }
 
   get dimension(): 2 | 3 {
     return this.scene.dimension;
+  }
+
+  get pairs(): readonly ListedPair[] {
+    return this.#found.pairs;
+  }
+
+  get candidates(): number {
+    return this.#found.candidates;
+  }
+
+  /** That finding the pairs took. */
+  get seconds(): number {
+    return this.#found.seconds;
+  }
+
+  /** Moves the objects to where they are in a frame, and finds what touches there. */
+  showFrame(frame: number): void {
+    this.timeline?.show(frame);
+    this.#found = this.#checked();
+    this.#mark();
   }
 
   shape(place: number): Shape {
@@ -105,10 +129,19 @@ export class SceneModel {
   }
 
   close(): void {
+    this.timeline?.close();
     this.scene.delete();
   }
 
-  #checked(): { pairs: ListedPair[]; candidates: number; seconds: number } {
+  #mark(): void {
+    this.#touching.fill(0);
+    for (const { a, b } of this.pairs) {
+      this.#touching[a] = 1;
+      this.#touching[b] = 1;
+    }
+  }
+
+  #checked(): Found {
     const { ids, relations, candidates, seconds } = this.scene.checkPairs();
     const pairs = Array.from(relations, (relation, i): ListedPair => {
       const place = (index: number): number => this.placeOf(ids[index] ?? -1) ?? 0;
@@ -117,11 +150,18 @@ export class SceneModel {
     return { pairs, candidates, seconds };
   }
 
-  #reported(check: CheckReport): { pairs: ListedPair[]; candidates: number; seconds: number } {
+  #reported(check: CheckReport): Found {
     const places = new Map(this.objects.map((object, place) => [object.name, place]));
     const pairs = check.pairs.map(({ a, b, relation }) => ({ a: places.get(a) ?? 0, b: places.get(b) ?? 0, relation }));
     return { pairs, candidates: check.summary.candidates, seconds: check.summary.seconds };
   }
+}
+
+/** A scene, or a recording, which is known by its name: its bytes have no mark. */
+function opened(graze: Graze, { name, content, files }: SceneSource): { scene: Scene; timeline: Timeline | undefined } {
+  if (/\.aabbs$/i.test(name) && typeof content !== "string") return openRecording(graze, content, name);
+  const scene = graze.readScene(content, name, files ?? {});
+  return { scene, timeline: timelineOf(scene) };
 }
 
 /** All names, types and layers at once: asking for each object by itself takes seconds for a large scene. */
