@@ -4,7 +4,8 @@
 - a program examples/cookbook/NAME.cpp, at most 60 lines of it, built as cookbook_NAME;
 - a picture docs/pictures/cookbook/NAME.svg, which the program draws, byte for byte;
 - a page docs/cookbook/NAME.md, which shows the program (check_docs.py compares it), the picture and, below
-  <!-- output: examples/cookbook/NAME.cpp -->, what the program prints;
+  <!-- output: examples/cookbook/NAME.cpp -->, what the program prints; and a link to the tab of the viewer that shows its
+  shapes, http://localhost:8000/#TAB?STATE (the viewer's tests follow it);
 - a link from the index docs/cookbook/README.md to the page.
 """
 
@@ -20,6 +21,7 @@ from project_files import ROOT
 
 _TIMEOUT_SECONDS = 120
 _MAX_LINES = 60
+_VIEWER = "http://localhost:8000/#"
 
 
 def run(program):
@@ -63,6 +65,8 @@ def problems_of(root, name, program):
         problems.append(f"{page_path}:{output.line}: shows another output\n{difference(output.code, printed)}")
     if f"../pictures/cookbook/{name}.svg" not in (target for _, target in page.links):
         problems.append(f"{page_path} does not show {picture_path}")
+    if not any(target.startswith(_VIEWER) for _, target in page.links):
+        problems.append(f"{page_path} has no link to the viewer, which would begin with {_VIEWER}")
     index = read_page((root / "docs/cookbook/README.md").read_text(encoding="utf-8"))
     if f"{name}.md" not in (target for _, target in index.links):
         problems.append(f"docs/cookbook/README.md does not link to {name}.md")

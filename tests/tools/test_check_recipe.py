@@ -6,6 +6,7 @@ from project_tree import LICENSE, TreeTest
 SOURCE = "examples/cookbook/two.cpp"
 PAGE = f"""# Two
 ![Two](../pictures/cookbook/two.svg)
+[Live](http://localhost:8000/#rays)
 
 <!-- file: {SOURCE} -->
 ```cpp
@@ -46,7 +47,7 @@ class CheckRecipe(TreeTest):
 
     def test_the_page_must_show_what_the_program_prints(self):
         self.write("docs/cookbook/two.md", PAGE.replace("1 = 2", "1 = 3"))
-        self.assert_problem("docs/cookbook/two.md:11: shows another output")
+        self.assert_problem("docs/cookbook/two.md:12: shows another output")
         self.write("docs/cookbook/two.md", PAGE.replace("output:", "result:"))
         self.assert_problem("does not show what its program prints")
 
@@ -55,6 +56,10 @@ class CheckRecipe(TreeTest):
         self.assert_problem("does not show its program")
         self.write("docs/cookbook/two.md", PAGE.replace("two.svg", "one.svg"))
         self.assert_problem("does not show docs/pictures/cookbook/two.svg")
+
+    def test_the_page_must_link_to_the_viewer(self):
+        self.write("docs/cookbook/two.md", PAGE.replace("localhost:8000/#", "localhost:8000/"))
+        self.assert_problem("docs/cookbook/two.md has no link to the viewer")
 
     def test_the_picture_must_be_what_the_program_draws(self):
         self.write("docs/pictures/cookbook/two.svg", "<svg></svg>")

@@ -48,6 +48,7 @@ async function start(): Promise<void> {
       if (caption.textContent !== text) caption.textContent = text;
     };
     open = chapter.open({ graze, stage, overlay, panel, parameters, changed, say });
+    changed();
     document.documentElement.dataset["chapter"] = chapter.id;
   };
 

@@ -118,11 +118,14 @@ class Intersections implements OpenChapter {
     const contact = graze.contact(a, b);
     if (contact === null) return [];
     const from = contact.pointB as unknown as Point2;
+    const dot: Mark = { kind: "dot", at: from, tone: "touching-line" };
+    // Nothing parts lines that cross, however far they are moved.
+    if (!Number.isFinite(contact.depth)) return [dot, { kind: "label", at: from, text: "∞", tone: "touching-line", shift: [0, -10] }];
     const depth = Math.max(contact.depth, 26 / stage.pixelsPerUnit);
     const tip = plus(from, times(contact.normal as unknown as Point2, depth));
     return [
       { kind: "line", points: [from, tip], tone: "touching-line", arrow: true },
-      { kind: "dot", at: from, tone: "touching-line" },
+      dot,
       { kind: "label", at: tip, text: measure(contact.depth), tone: "touching-line", shift: [0, -10] },
     ];
   }
