@@ -16,15 +16,27 @@ export type Mark =
   | { readonly kind: "dot"; readonly at: readonly number[]; readonly tone: Tone; readonly hollow?: boolean }
   | { readonly kind: "label"; readonly at: readonly number[]; readonly text: string; readonly tone: Tone; readonly shift?: Point2 };
 
-export interface Handle {
+interface HandleBase {
   readonly key: string;
   readonly label: string;
-  readonly at: Point2;
   /** A grip is an invisible ring about a shape's centre, which only the keyboard needs. */
   readonly kind?: "handle" | "grip";
-  readonly onMove: (to: Point2) => void;
   readonly onFocus?: () => void;
 }
+
+export interface Handle extends HandleBase {
+  readonly at: Point2;
+  readonly onMove: (to: Point2) => void;
+}
+
+/** A handle of the plane or of space, where it moves as far from the eye as it is or, `isLevel`, as high. */
+export interface SpaceHandle extends HandleBase {
+  readonly at: readonly number[];
+  readonly isLevel?: boolean;
+  readonly onMoveInSpace: (to: readonly number[]) => void;
+}
+
+type AnyHandle = Handle | SpaceHandle;
 
 const svg = "http://www.w3.org/2000/svg";
 
@@ -34,7 +46,7 @@ export class Overlay {
   readonly #handleGroup: SVGGElement;
   readonly #stage: Stage;
   #drawn: readonly Mark[] = [];
-  #handles = new Map<string, { handle: Handle; circle: SVGCircleElement }>();
+  #handles = new Map<string, { handle: AnyHandle; circle: SVGCircleElement }>();
 
   constructor(root: SVGSVGElement, stage: Stage) {
     this.#root = root;
@@ -55,7 +67,7 @@ export class Overlay {
   }
 
   /** Handles of the same key stay the same elements, so that a drag or the focus goes on. */
-  setHandles(handles: readonly Handle[]): void {
+  setHandles(handles: readonly AnyHandle[]): void {
     const wanted = new Set(handles.map((handle) => handle.key));
     for (const [key, { circle }] of this.#handles) {
       if (wanted.has(key)) continue;
@@ -108,18 +120,18 @@ export class Overlay {
     return drawn;
   }
 
-  #placeHandle(handle: Handle, circle: SVGCircleElement): void {
+  #placeHandle(handle: AnyHandle, circle: SVGCircleElement): void {
     const [x, y] = this.#stage.toPixels(handle.at);
     circle.setAttribute("cx", String(x));
     circle.setAttribute("cy", String(y));
   }
 
-  #makeHandle(handle: Handle): SVGCircleElement {
+  #makeHandle(handle: AnyHandle): SVGCircleElement {
     const isGrip = handle.kind === "grip";
     const circle = shape("circle", { class: isGrip ? "grip" : "handle", r: isGrip ? 10 : 6.5, tabindex: 0, role: "button" });
     circle.setAttribute("aria-label", `${handle.label}; arrow keys move it`);
     circle.dataset["key"] = handle.key;
-    const current = (): Handle => this.#handles.get(handle.key)?.handle ?? handle;
+    const current = (): AnyHandle => this.#handles.get(handle.key)?.handle ?? handle;
     circle.addEventListener("focus", () => current().onFocus?.());
     circle.addEventListener("pointerdown", (event) => {
       circle.setPointerCapture(event.pointerId);
@@ -127,30 +139,25 @@ export class Overlay {
       circle.focus();
     });
     circle.addEventListener("pointermove", (event) => {
-      if (circle.hasPointerCapture(event.pointerId)) current().onMove(this.#stage.planePoint(event));
+      if (circle.hasPointerCapture(event.pointerId)) this.#move(current(), event);
     });
     circle.addEventListener("keydown", (event) => {
-      const step = this.#arrowStep(event);
+      const step = arrowStep(event);
       if (step === undefined) return;
       event.preventDefault();
       event.stopPropagation();
-      const [x, y] = current().at;
-      current().onMove([x + step[0], y + step[1]]);
+      const { left, top } = this.#root.getBoundingClientRect();
+      const [x, y] = this.#stage.toPixels(current().at);
+      this.#move(current(), { clientX: left + x + step[0], clientY: top + y + step[1] });
     });
     if (isGrip) circle.style.pointerEvents = "none";
     this.#handleGroup.append(circle);
     return circle;
   }
 
-  /** Arrow keys move by four pixels, with Shift by forty, with Alt by one. */
-  #arrowStep(event: KeyboardEvent): Point2 | undefined {
-    const way = arrowWays[event.key];
-    if (way === undefined) return undefined;
-    const pixels = event.shiftKey ? 40 : event.altKey ? 1 : 4;
-    const origin = this.#root.getBoundingClientRect();
-    const from = this.#stage.planePoint({ clientX: origin.left, clientY: origin.top });
-    const to = this.#stage.planePoint({ clientX: origin.left + way[0] * pixels, clientY: origin.top + way[1] * pixels });
-    return [to[0] - from[0], to[1] - from[1]];
+  #move(handle: AnyHandle, to: { clientX: number; clientY: number }): void {
+    if ("onMoveInSpace" in handle) handle.onMoveInSpace(this.#stage.pointAt(to, handle.at, handle.isLevel));
+    else handle.onMove(this.#stage.planePoint(to));
   }
 }
 
@@ -160,6 +167,14 @@ const arrowWays: Readonly<Record<string, Point2>> = {
   ArrowUp: [0, -1],
   ArrowDown: [0, 1],
 };
+
+/** Arrow keys move by four pixels, with Shift by forty, with Alt by one. */
+function arrowStep(event: KeyboardEvent): Point2 | undefined {
+  const way = arrowWays[event.key];
+  if (way === undefined) return undefined;
+  const pixels = event.shiftKey ? 40 : event.altKey ? 1 : 4;
+  return [way[0] * pixels, way[1] * pixels];
+}
 
 function shape<Tag extends keyof SVGElementTagNameMap>(
   tag: Tag,

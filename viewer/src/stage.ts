@@ -58,6 +58,10 @@ export class Stage {
     return this.#isFlat;
   }
 
+  get isYDown(): boolean {
+    return this.#isFlat && this.#yDown;
+  }
+
   get extent(): Extent {
     return this.#extent;
   }
@@ -129,6 +133,23 @@ export class Stage {
     const point = this.#normalised(event);
     caster.setFromCamera(new THREE.Vector2(point.x, point.y), this.#deep);
     return caster.ray;
+  }
+
+  /** The point under the pointer as far away as another: in space on the plane through it that faces the eye or, `level`, on
+   * the level one. Where that is seen from its edge, the other point itself. */
+  pointAt(event: { clientX: number; clientY: number }, through: readonly number[], level = false): number[] {
+    if (this.#isFlat) return [...this.planePoint(event)];
+    const place = new THREE.Vector3(through[0], through[1], through[2] ?? 0);
+    const normal = level ? new THREE.Vector3(0, 0, 1) : this.#deep.getWorldDirection(new THREE.Vector3());
+    const plane = new THREE.Plane().setFromNormalAndCoplanarPoint(normal, place);
+    const { origin, direction } = this.sightLine(event);
+    return (new THREE.Ray(origin, direction).intersectPlane(plane, new THREE.Vector3()) ?? place).toArray();
+  }
+
+  /** The same for a place in pixels of the stage. */
+  pointAtPixels([x, y]: Point2, through: readonly number[], level = false): number[] {
+    const { left, top } = this.canvas.getBoundingClientRect();
+    return this.pointAt({ clientX: left + x, clientY: top + y }, through, level);
   }
 
   /** Where a point is seen, in pixels of the stage. */

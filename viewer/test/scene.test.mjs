@@ -9,7 +9,7 @@ import { basename } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 
-import { figure, graze, numberIn, openBrowser, openPage, program, root, serveViewer, viewer } from "./browser.mjs";
+import { drag, figure, graze, numberIn, openBrowser, openPage, placeOf, program, root, serveViewer, viewer } from "./browser.mjs";
 
 let browser, server, folder;
 before(async () => {
@@ -163,6 +163,38 @@ test("a pair that is chosen in the list is selected in the scene, and so is what
     await page.keyboard.press("z");
     await page.waitForTimeout(400);
     assert.match(page.url(), /select=rafter\+3/);
+  });
+});
+
+test("an object in space is moved, resized and turned by handles and by keys, and what it touches follows", async () => {
+  const path = `${folder}space.json`;
+  const objects = [
+    { name: "ball", type: "sphere", center: [0, 0, 0], radius: 1 },
+    { name: "plank", type: "obb", center: [4, 0, 0], half_extents: [2, 0.5, 0.5] },
+  ];
+  await writeFile(path, JSON.stringify({ schema: "graze.scene/1", dimension: 3, objects }));
+  await openScene([path], async (page) => {
+    assert.equal(await numberIn(page, "pairs"), 0);
+    await page.getByRole("button", { name: /^ball/ }).first().click();
+    const [ball, size] = [await placeOf(page, "move"), await placeOf(page, "size")];
+    await drag(page, size, { x: ball.x + 2 * (size.x - ball.x), y: ball.y });
+    const radius = async () => Number((await page.locator("#inspector #figure-radius").textContent()));
+    assert.ok(Math.abs((await radius()) - 2) < 0.06, String(await radius()));
+    assert.equal(await numberIn(page, "pairs"), 1);
+    await page.keyboard.press("<");
+    assert.ok((await radius()) < 1.95);
+    assert.equal(await numberIn(page, "pairs"), 0);
+
+    await page.getByRole("button", { name: /^plank/ }).first().click();
+    const axis = () => page.locator('#inspector dd[id="figure-axes 1"]').textContent();
+    const [plank, turn, before] = [await placeOf(page, "move"), await placeOf(page, "turn"), await axis()];
+    await drag(page, turn, { x: plank.x + 46, y: plank.y });
+    assert.notEqual(await axis(), before);
+    for (let i = 0; i < 18; ++i) await page.keyboard.press("[");
+    await page.locator('#overlay circle[data-key="move"]').focus();
+    for (let i = 0; i < 60 && (await numberIn(page, "pairs")) === 0; ++i) await page.keyboard.press("Shift+ArrowLeft");
+    const { x } = await placeOf(page, "move");
+    assert.ok(x < plank.x, `${x}`);
   });
 });
 

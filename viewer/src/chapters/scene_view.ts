@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Scene view: a scene from a file, its objects and what touches what.
+import type { Shape } from "graze";
+
 import type { Chapter, ChapterContext, OpenChapter } from "../chapter";
 import { element } from "../dom";
 import { messageOf } from "../engine";
@@ -9,6 +11,7 @@ import { button, Figures, row, section, toggle } from "../panel";
 import { FrameControls } from "../scene/frame_controls";
 import { examples, isReport, reportedSource, sourceOf } from "../scene/files";
 import { inspect } from "../scene/inspector";
+import { editByKey, Grasp, handlesOf } from "../scene/object_handles";
 import { SceneDrawing } from "../scene/scene_drawing";
 import { SceneModel, type SceneSource } from "../scene/scene_model";
 import { VirtualList } from "../scene/virtual_list";
@@ -35,6 +38,7 @@ class SceneView implements OpenChapter {
   #matches: number[] = [];
   #pairMatches: number[] = [];
   #selected: number[] = [];
+  #grasp = new Grasp();
 
   constructor(context: ChapterContext) {
     this.#context = context;
@@ -74,7 +78,7 @@ class SceneView implements OpenChapter {
     if (event.key === "Escape") this.#select([]);
     else if (event.key === "z" && this.#selected.length > 0) this.#zoomTo(this.#selected.at(-1) ?? 0);
     else if (event.key === "/") this.#search.focus();
-    else return this.#frames?.onKey(event) === true;
+    else return this.#editByKey(event.key) || this.#frames?.onKey(event) === true;
     return true;
   }
 
@@ -115,9 +119,31 @@ class SceneView implements OpenChapter {
     this.#selected = [];
     this.#search.value = "";
     this.#drawing = new SceneDrawing(graze, stage, model);
+    stage.onView(() => this.#showHandles());
     this.#fillPanel(model);
     this.#filter();
     this.#select([]);
+  }
+
+  #editByKey(key: string): boolean {
+    const [place] = this.#selected;
+    if (this.#model === undefined || place === undefined || this.#selected.length > 1) return false;
+    return editByKey(this.#model, place, key, (edited, shape) => this.#edit(edited, shape));
+  }
+
+  /** Gives an object another shape; one that the engine refuses leaves what was there. */
+  #edit(place: number, shape: Shape): void {
+    const model = this.#model;
+    if (model === undefined) return;
+    try {
+      model.replace(place, shape);
+    } catch (error) {
+      this.#refuse(messageOf(error));
+      return;
+    }
+    this.#drawing?.move(new Set([place]));
+    this.#showPairs();
+    this.#showSelection(model);
   }
 
   /** Shows a frame; one that is no good leaves what was there. */
@@ -227,6 +253,7 @@ class SceneView implements OpenChapter {
     const model = this.#model;
     if (model === undefined) return;
     this.#selected = places;
+    this.#grasp = new Grasp();
     this.#showSelection(model);
     const shown = this.#matches.indexOf(places[0] ?? -1);
     if (shown >= 0) this.#objectList.scrollTo(shown);
@@ -262,6 +289,16 @@ class SceneView implements OpenChapter {
     const contact = a === undefined || b === undefined ? null : this.#context.graze.contact(model.shape(a), model.shape(b));
     const dots: Mark[] = contact === null ? [] : [{ kind: "dot", at: contact.point, tone: "touching-line" }];
     this.#context.overlay.draw([...labels, ...dots]);
+    this.#showHandles();
+  }
+
+  /** One object that is selected can be taken hold of. */
+  #showHandles(): void {
+    const { stage, overlay } = this.#context;
+    const [place] = this.#selected;
+    const model = this.#model;
+    if (model === undefined || place === undefined || this.#selected.length > 1) overlay.setHandles([]);
+    else overlay.setHandles(handlesOf(stage, model, place, this.#grasp, (edited, shape) => this.#edit(edited, shape)));
   }
 
   #zoomTo(place: number): void {

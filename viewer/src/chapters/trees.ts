@@ -11,7 +11,7 @@ import { Grid } from "../drawing/grid";
 import { Paint } from "../drawing/paint";
 import { MovingBoxes } from "../moving_boxes";
 import { count as countText, duration, milliseconds } from "../numbers";
-import type { Handle, Mark } from "../overlay";
+import type { Handle, Mark, SpaceHandle } from "../overlay";
 import { choice, Figures, section, slider, toggle } from "../panel";
 import { Player, stepSeconds } from "../player";
 import { circleAbout, circlesOfBall } from "../drawing/circles";
@@ -176,7 +176,7 @@ class Trees implements OpenChapter {
     this.#figures.set("query-time", "Time of the query", this.#player?.isPlaying === true ? "–" : duration(timeOf(() => this.#index.query(this.#region()))));
     this.#figures.set("time", "Moving all boxes", milliseconds(this.#chart.median));
     overlay.draw(this.#queryMarks(found.length));
-    overlay.setHandles(this.#dimension === 2 ? this.#handles() : []);
+    overlay.setHandles(this.#dimension === 2 ? this.#handles() : this.#handles().map(levelled));
     stage.invalidate();
   }
 
@@ -258,6 +258,11 @@ class Trees implements OpenChapter {
       ),
     );
   }
+}
+
+/** In space a handle stays at the height of zero. */
+function levelled({ at, onMove, ...rest }: Handle): SpaceHandle {
+  return { ...rest, at: [...at, 0], isLevel: true, onMoveInSpace: ([x = 0, y = 0]) => onMove([x, y]) };
 }
 
 export const trees: Chapter = {

@@ -133,6 +133,13 @@ export class SceneModel {
     this.scene.delete();
   }
 
+  /** Puts another shape in the place of an object's, and finds what touches then. */
+  replace(place: number, shape: Shape): void {
+    this.scene.move(this.id(place), shape);
+    this.#found = this.#checked();
+    this.#mark();
+  }
+
   #mark(): void {
     this.#touching.fill(0);
     for (const { a, b } of this.pairs) {
