@@ -41,9 +41,9 @@ struct CheckArguments {
 };
 
 constexpr std::array<std::pair<std::string_view, ReportFormat>, 4> check_formats{{{"table", ReportFormat::table},
-                                                                            {"json", ReportFormat::json},
-                                                                            {"ndjson", ReportFormat::ndjson},
-                                                                            {"csv", ReportFormat::csv}}};
+                                                                                  {"json", ReportFormat::json},
+                                                                                  {"ndjson", ReportFormat::ndjson},
+                                                                                  {"csv", ReportFormat::csv}}};
 
 /// Refuses a distance that is none, and what does not go together.
 void require_one_report(const CheckedPairs& pairs) {

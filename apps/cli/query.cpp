@@ -51,9 +51,9 @@ struct QueryArguments {
 };
 
 constexpr std::array<std::pair<std::string_view, ReportFormat>, 4> query_formats{{{"table", ReportFormat::table},
-                                                                            {"json", ReportFormat::json},
-                                                                            {"ndjson", ReportFormat::ndjson},
-                                                                            {"csv", ReportFormat::csv}}};
+                                                                                  {"json", ReportFormat::json},
+                                                                                  {"ndjson", ReportFormat::ndjson},
+                                                                                  {"csv", ReportFormat::csv}}};
 
 /// Refuses no question, two at once, and what goes with another one.
 void require_one_question(const QueryArguments& arguments) {
