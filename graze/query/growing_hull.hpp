@@ -14,7 +14,8 @@
 
 #include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
-#include <graze/shape/polytope.hpp>
+#include <graze/shape/lexicographic.hpp>
+#include <graze/shape/monotone_chain.hpp>
 
 namespace graze::detail {
 

@@ -66,7 +66,7 @@ Polytope<N, T> convex_hull(std::type_identity_t<std::span<const Vec<N, T>>> poin
   if constexpr (N == 2) {
     corners.assign(points.begin(), points.end());
     detail::sort_and_forget_duplicates<N, T>(corners);
-    corners = detail::monotone_chain(corners, [](const Vec<2, T>& point) { return point; });
+    corners = detail::monotone_chain(corners);
   } else {
     for (const std::uint32_t vertex : detail::hull_vertices<T>(points)) corners.push_back(points[vertex]);
     detail::sort_and_forget_duplicates<N, T>(corners);
