@@ -35,5 +35,6 @@
 #include <graze/query/transformed.hpp>
 #include <graze/scene/scene.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/convex_mesh.hpp>
 #include <graze/shape/frustum.hpp>
 #include <graze/shape/pick.hpp>

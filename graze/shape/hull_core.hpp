@@ -63,9 +63,8 @@ class HullCore {
     const double distance = size[axis];
     if (!(distance > 0) || !holds_something_) return false;
     const std::size_t side = 2 * static_cast<std::size_t>(axis) + (way[axis] > 0 ? 1 : 0);
-    const double to_cells = 0.5 * cells / distance;
-    const double u = way[(axis + 1) % 3] * to_cells + 0.5 * cells;
-    const double v = way[(axis + 2) % 3] * to_cells + 0.5 * cells;
+    const double u = (way[(axis + 1) % 3] / distance + 1) * (0.5 * cells);
+    const double v = (way[(axis + 2) % 3] / distance + 1) * (0.5 * cells);
     const auto column = std::min(cells - 1, static_cast<std::int32_t>(u));
     const auto row = std::min(cells - 1, static_cast<std::int32_t>(v));
     const double* corner = &inverse_[number_of(side, column, row)];

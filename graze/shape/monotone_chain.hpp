@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include <graze/math/orientation.hpp>
@@ -9,11 +10,11 @@
 
 namespace graze::detail {
 
-/// The corners, counter-clockwise from the first, of the hull of things that lie at distinct points of the plane,
-/// `place(thing)`, and are sorted lexicographically by these. Andrew, "Another efficient algorithm for convex hulls in
-/// two dimensions" (1979), with an exact orientation test: no corner is lost to rounding.
-template <class Thing, class Place>
-std::vector<Thing> monotone_chain(const std::vector<Thing>& things, const Place& place) {
+/// The corners, counter-clockwise from the first, of the hull of things that are distinct points of the plane, or lie
+/// at such, `place(thing)`, and are sorted lexicographically by these. Andrew, "Another efficient algorithm for convex
+/// hulls in two dimensions" (1979), with an exact orientation test: no corner is lost to rounding.
+template <class Thing, class Place = std::identity>
+std::vector<Thing> monotone_chain(const std::vector<Thing>& things, const Place& place = {}) {
   if (things.size() < 3) return things;
   std::vector<Thing> hull;
   const auto extend = [&](const Thing& thing, std::size_t fixed) {

@@ -32,7 +32,7 @@ TEST(HullVertices, OfAGridAreTheCornersOfItsBox) {
   std::vector<Vec<3, float>> points;
   for (const float x : {2.0F, 0.0F, 1.0F}) {
     for (const float y : {1.0F, 0.0F, 2.0F}) {
-      for (const float z : {0.0F, 2.0F, 1.0F}) points.push_back({x, y, z});
+      for (const float z : {0.0F, 2.0F, 1.0F}) points.emplace_back(x, y, z);
     }
   }
   EXPECT_EQ(vertices_of(points),
@@ -142,6 +142,7 @@ TYPED_TEST(HullVerticesIn, AreTheSameForManyPointsWithoutThoseInside) {
   for (const Crowd crowd : {Crowd::grid, Crowd::sphere, Crowd::box, Crowd::needle}) {
     rc::Random random(static_cast<std::uint64_t>(crowd));
     std::vector<Vec<3, T>> points;
+    points.reserve(5000);
     for (int i = 0; i < 5000; ++i) points.push_back(draw_member<T>(crowd, random));
     // A thousand at a time nothing is dropped.
     std::vector<Vec<3, T>> expected;
