@@ -38,6 +38,7 @@ TESTED_ELSEWHERE = {
     "graze/broad/simd_wasm_doubles-inl.hpp": ("bindings/wasm/test/pairs.test.mjs", "compiled for WebAssembly only"),
     "graze/query/ray_hit.hpp": ("tests/query/ray_cast_test.cpp", "structs without functions: what ray_cast is asked and gives"),
     "graze/query/status.hpp": ("tests/query/gjk_test.cpp", "an enum without functions: it is how gjk and epa end"),
+    "graze/scene/single_queries.hpp": ("tests/scene/plain_scene_test.cpp", "instances of what PlainScene asks"),
     "graze/shape/hull_input.hpp": ("tests/shape/polytope_test.cpp", "what convex_hull refuses"),
     "graze/shape/lexicographic.hpp": ("tests/shape/polytope_test.cpp", "the order of a polytope's vertices"),
     "graze/shape/monotone_chain.hpp": ("tests/shape/polytope_test.cpp", "convex_hull in the plane"),

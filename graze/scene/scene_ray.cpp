@@ -12,6 +12,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/ray_cast.hpp>
 #include <graze/scene/scene_view.hpp>
+#include <graze/scene/single_queries.hpp>
 #include <graze/shape/any_shape.hpp>
 
 namespace graze {
@@ -75,9 +76,11 @@ std::vector<ObjectHit<N, T>> SceneView<N, T>::ray_cast_all(const Ray<N, T>& ray,
   return result;
 }
 
-#define GRAZE_INSTANTIATE(N, T)                                                                            \
-  template std::optional<ObjectHit<N, T>> SceneView<N, T>::ray_cast(const Ray<N, T>&, T, LayerMask) const; \
-  template std::vector<ObjectHit<N, T>> SceneView<N, T>::ray_cast_all(const Ray<N, T>&, T, LayerMask) const;
+// The last is what single_queries.hpp promises.
+#define GRAZE_INSTANTIATE(N, T)                                                                              \
+  template std::optional<ObjectHit<N, T>> SceneView<N, T>::ray_cast(const Ray<N, T>&, T, LayerMask) const;   \
+  template std::vector<ObjectHit<N, T>> SceneView<N, T>::ray_cast_all(const Ray<N, T>&, T, LayerMask) const; \
+  template std::optional<RayHit<N, T>> ray_cast(const AnyShape<N, T>&, const Ray<N, T>&, T, RayOptions);
 GRAZE_INSTANTIATE(2, float)
 GRAZE_INSTANTIATE(3, float)
 GRAZE_INSTANTIATE(2, double)

@@ -12,6 +12,7 @@
 #include <graze/query/bounds.hpp>
 #include <graze/query/signed_distance.hpp>
 #include <graze/scene/scene_view.hpp>
+#include <graze/scene/single_queries.hpp>
 
 namespace graze {
 namespace {
@@ -181,6 +182,17 @@ std::vector<NearObject<T>> SceneView<N, T>::nearest(const Vec<N, T>& point, std:
 #define GRAZE_INSTANTIATE(N, T)   \
   template class SceneView<N, T>; \
   template std::vector<ObjectId> SceneView<N, T>::near(const AnyShape<N, T>&, LayerMask) const;
+GRAZE_INSTANTIATE(2, float)
+GRAZE_INSTANTIATE(3, float)
+GRAZE_INSTANTIATE(2, double)
+GRAZE_INSTANTIATE(3, double)
+#undef GRAZE_INSTANTIATE
+
+// What single_queries.hpp promises.
+#define GRAZE_INSTANTIATE(N, T)                                                    \
+  template T signed_distance(const AnyShape<N, T>&, const Vec<N, T>&);             \
+  template bool meets_generously(const AnyShape<N, T>& region, const Aabb<N, T>&); \
+  template bool meets_generously(const Frustum<N, T>& region, const Aabb<N, T>&);
 GRAZE_INSTANTIATE(2, float)
 GRAZE_INSTANTIATE(3, float)
 GRAZE_INSTANTIATE(2, double)

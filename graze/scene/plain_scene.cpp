@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include <graze/broad/pairs.hpp>
+#include <graze/broad/relations.hpp>
+#include <graze/math/tolerance.hpp>
+#include <graze/query/bounds.hpp>
+#include <graze/scene/manifolds.hpp>
+#include <graze/scene/plain_scene.hpp>
+#include <graze/scene/single_queries.hpp>
+
+namespace graze {
+namespace {
+
+void require(bool is_right, const char* fact) {
+  if (!is_right) throw std::invalid_argument(std::string("PlainScene: ") + fact);
+}
+
+bool is_on(LayerMask layers, Layer layer) { return (layers & only_layer(layer)) != 0; }
+
+/// How far a point is from a shape; 0 inside of solids.
+template <Dim N, class T>
+T distance_from(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
+  const T distance = signed_distance(shape, point);
+  return std::holds_alternative<Plane<N, T>>(shape) ? std::fabs(distance) : std::max(distance, T(0));
+}
+
+}  // namespace
+
+template <Dim N, class T>
+Object<N, T>& PlainScene<N, T>::at(ObjectId id) {
+  const auto found = objects_.find(id);
+  if (found == objects_.end()) throw std::out_of_range("PlainScene: the id names no object");
+  return found->second;
+}
+
+template <Dim N, class T>
+ObjectId PlainScene<N, T>::add(AnyShape<N, T> shape, ObjectOptions options) {
+  require(is_valid(shape), "the shape is not valid");
+  require(options.layer < max_layers, "there is no such layer");
+  require(!find(options.name), "there is already an object of this name");
+  ids_.prepare();
+  const Key key = ids_.take();
+  const ObjectId id{key.index, key.generation, key.owner};
+  const Aabb<N, T> box = bounds(shape);
+  objects_.insert({id, Object<N, T>{std::move(shape), box, std::move(options.name), options.layer, options.mask,
+                                    options.user, options.mobility}});
+  return id;
+}
+
+template <Dim N, class T>
+void PlainScene<N, T>::plan_ids(std::span<const ObjectId> next, std::span<const ObjectId> vacant) {
+  const auto keys = [](std::span<const ObjectId> ids) {
+    std::vector<Key> result;
+    for (const ObjectId& id : ids) result.push_back({id.index, id.generation, id.owner});
+    return result;
+  };
+  ids_.plan(keys(next), keys(vacant));
+}
+
+template <Dim N, class T>
+void PlainScene<N, T>::move(ObjectId id, AnyShape<N, T> shape) {
+  Object<N, T>& moved = at(id);
+  require(is_valid(shape), "the shape is not valid");
+  moved.box = bounds(shape);
+  moved.shape = std::move(shape);
+}
+
+template <Dim N, class T>
+void PlainScene<N, T>::move(std::span<const ObjectMove<N, T>> moves) {
+  for (const auto& [id, shape] : moves) {
+    at(id);
+    require(is_valid(shape), "a shape is not valid");
+  }
+  for (const auto& [id, shape] : moves) move(id, shape);
+}
+
+template <Dim N, class T>
+void PlainScene<N, T>::remove(ObjectId id) {
+  at(id);
+  objects_.erase(id);
+  ids_.release(id.index);
+}
+
+template <Dim N, class T>
+Layer PlainScene<N, T>::layer(std::string_view name) {
+  const auto known = std::find(layer_names_.begin(), layer_names_.end(), name);
+  const auto number = static_cast<Layer>(known - layer_names_.begin());
+  if (known != layer_names_.end()) return number;
+  if (layer_names_.size() == max_layers) throw std::length_error("PlainScene: there are too many layers");
+  layer_names_.emplace_back(name);
+  return number;
+}
+
+template <Dim N, class T>
+SceneEvents PlainScene<N, T>::update() {
+  std::vector<ObjectPair> touching = pairs();
+  SceneEvents events = events_between(touching_, touching);
+  touching_ = std::move(touching);
+  return events;
+}
+
+template <Dim N, class T>
+std::optional<ObjectId> PlainScene<N, T>::find(std::string_view name) const {
+  if (name.empty()) return std::nullopt;
+  const auto found =
+      std::find_if(objects_.begin(), objects_.end(), [name](const auto& each) { return each.second.name == name; });
+  if (found == objects_.end()) return std::nullopt;
+  return found->first;
+}
+
+template <Dim N, class T>
+std::vector<ObjectPair> PlainScene<N, T>::candidates(double margin) const {
+  require(margin >= 0 && std::isfinite(margin), "the margin is negative or not finite");
+  std::vector<Aabb<N, T>> boxes;
+  std::vector<ObjectId> ids;
+  for (const auto& [id, object] : objects_) {
+    boxes.push_back(touching_bounds(object.box));
+    ids.push_back(id);
+  }
+  const PairOptions options{.margin = margin * (0.5 + tolerance::convex_in<T>), .method = PairMethod::brute_force};
+  std::vector<ObjectPair> result;
+  for (const Pair& pair : overlapping_pairs(boxes, options)) {
+    const ObjectPair found{ids[pair.a], ids[pair.b]};
+    if (may_touch(objects_.at(found.a), objects_.at(found.b))) result.push_back(found);
+  }
+  return result;
+}
+
+/// The boxes are looked at first: a thousand objects are half a million pairs.
+template <Dim N, class T>
+std::vector<ObjectPair> PlainScene<N, T>::pairs() const {
+  std::vector<ObjectPair> result = candidates();
+  std::erase_if(result, [this](const ObjectPair& pair) {
+    return relation(objects_.at(pair.a).shape, objects_.at(pair.b).shape) == Relation::apart;
+  });
+  return result;
+}
+
+template <Dim N, class T>
+std::vector<ObjectContact<N, T>> PlainScene<N, T>::contacts() const {
+  std::vector<ObjectContact<N, T>> result;
+  for (const ObjectPair& pair : pairs()) {
+    result.push_back({pair, manifold(objects_.at(pair.a).shape, objects_.at(pair.b).shape)});
+  }
+  return result;
+}
+
+template <Dim N, class T>
+std::vector<ObjectId> PlainScene<N, T>::overlapping(const AnyShape<N, T>& region, LayerMask layers) const {
+  require(is_valid(region), "the region is not valid");
+  std::vector<ObjectId> result;
+  for (const auto& [id, object] : objects_) {
+    if (is_on(layers, object.layer) && relation(region, object.shape) != Relation::apart) result.push_back(id);
+  }
+  return result;
+}
+
+template <Dim N, class T>
+template <class R>
+std::vector<ObjectId> PlainScene<N, T>::near(const R& region, LayerMask layers) const {
+  require(is_valid(region), "the region is not valid");
+  std::vector<ObjectId> result;
+  for (const auto& [id, object] : objects_) {
+    if (!is_on(layers, object.layer) || is_nothing(object.box)) continue;
+    if (meets_generously(region, touching_bounds(object.box))) result.push_back(id);
+  }
+  return result;
+}
+
+template <Dim N, class T>
+std::vector<ObjectId> PlainScene<N, T>::cull(const AnyShape<N, T>& region, LayerMask layers) const {
+  return near(region, layers);
+}
+
+template <Dim N, class T>
+std::vector<ObjectId> PlainScene<N, T>::cull(const Frustum<N, T>& frustum, LayerMask layers) const {
+  return near(frustum, layers);
+}
+
+template <Dim N, class T>
+std::vector<NearObject<T>> PlainScene<N, T>::nearest(const Vec<N, T>& point, std::size_t count,
+                                                     LayerMask layers) const {
+  require(is_finite(point), "the point is not finite");
+  std::vector<NearObject<T>> result;
+  for (const auto& [id, object] : objects_) {
+    const T distance =
+        is_on(layers, object.layer) ? distance_from<N, T>(object.shape, point) : std::numeric_limits<T>::infinity();
+    if (distance < std::numeric_limits<T>::infinity()) result.push_back({id, distance});
+  }
+  std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.distance < b.distance; });
+  if (result.size() > count) result.resize(count);
+  return result;
+}
+
+template <Dim N, class T>
+std::vector<ObjectHit<N, T>> PlainScene<N, T>::ray_cast_all(const Ray<N, T>& ray, T t_max, LayerMask layers) const {
+  require(is_valid(ray), "the ray is not valid");
+  require(t_max >= T(0), "t_max is negative or not a number");
+  std::vector<ObjectHit<N, T>> result;
+  for (const auto& [id, object] : objects_) {
+    if (!is_on(layers, object.layer)) continue;
+    if (const auto hit = graze::ray_cast(object.shape, ray, t_max)) result.push_back({id, *hit});
+  }
+  std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.hit.t < b.hit.t; });
+  return result;
+}
+
+template <Dim N, class T>
+std::optional<ObjectHit<N, T>> PlainScene<N, T>::ray_cast(const Ray<N, T>& ray, T t_max, LayerMask layers) const {
+  const std::vector<ObjectHit<N, T>> hits = ray_cast_all(ray, t_max, layers);
+  if (hits.empty()) return std::nullopt;
+  return hits.front();
+}
+
+template class PlainScene<2, float>;
+template class PlainScene<3, float>;
+template class PlainScene<2, double>;
+template class PlainScene<3, double>;
+
+}  // namespace graze
