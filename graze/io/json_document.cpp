@@ -195,7 +195,7 @@ class JsonDocument::Builder {
     const TextPosition first = position_of(document_.text_, twice->second);
     throw document_.error((twice + 1)->second,
                           fmt::format("field {} appears twice in one object, first in line {}, column {}",
-                                      in_quotes(twice->first), first.line, first.column));
+                                      in_quotes(twice->first), first.line + document_.first_line_ - 1, first.column));
   }
 
   JsonDocument& document_;
@@ -206,17 +206,17 @@ class JsonDocument::Builder {
   std::vector<std::pair<std::string_view, std::uint32_t>> keys_;
 };
 
-JsonDocument::JsonDocument(std::string_view text, std::string source)
-    : text_(without_byte_order_mark(text)), source_(std::move(source)) {
+JsonDocument::JsonDocument(std::string_view text, std::string source, std::size_t first_line)
+    : text_(without_byte_order_mark(text)), source_(std::move(source)), first_line_(first_line) {
   if (text_.size() >= std::numeric_limits<std::uint32_t>::max()) {
     throw InputError(source_ + ": larger than 4 GiB, the most that one JSON file may have");
   }
-  require_utf8(text_, source_);
+  require_utf8(text_, source_, first_line_);
   Builder(*this).parse();
 }
 
 InputError JsonDocument::error(std::size_t offset, std::string_view message) const {
-  return error_at(text_, source_, offset, message);
+  return error_at(text_, source_, offset, message, first_line_);
 }
 
 std::string_view JsonDocument::text_of(const Node& node) const {

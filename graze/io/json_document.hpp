@@ -75,8 +75,9 @@ class JsonDocument {
   /// How many arrays and objects may be open inside each other.
   static constexpr std::size_t max_depth = 128;
 
-  /// Throws InputError with line and column. A byte order mark is allowed. `source` names the text in messages.
-  JsonDocument(std::string_view text, std::string source);
+  /// Throws InputError with line and column. A byte order mark is allowed. `source` names the text in messages, and its
+  /// first line has the number `first_line`: of newline-delimited JSON, each line is a document.
+  JsonDocument(std::string_view text, std::string source, std::size_t first_line = 1);
   JsonDocument(const JsonDocument&) = delete;
   JsonDocument& operator=(const JsonDocument&) = delete;
   JsonDocument(JsonDocument&&) = delete;
@@ -111,6 +112,7 @@ class JsonDocument {
   std::string source_;
   std::vector<Node> nodes_;
   std::string characters_;  ///< All texts, unescaped, one behind the other.
+  std::size_t first_line_;
 };
 
 /// An array's elements, for a range-based for.

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <cerrno>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 #include <graze/io/csv_boxes.hpp>
 #include <graze/io/input_error.hpp>
@@ -14,29 +10,12 @@
 #include <graze/io/scene_file.hpp>
 #include <graze/io/tiled.hpp>
 #include <graze/io/utf8.hpp>
+#include <graze/io/whole_file.hpp>
 
 namespace graze::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// All that a file holds, read until its end: a pipe has no size to ask for, and a stated size is not to be trusted.
-std::string read_whole_file(const fs::path& path) {
-  const std::string source = path.string();
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::status_known(status)) throw InputError(source + ": cannot be read: " + error.message());
-  if (!fs::exists(status)) throw InputError(source + ": there is no such file");
-  if (fs::is_directory(status)) throw InputError(source + ": this is a folder; give the scene file in it");
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw InputError(source + ": cannot be opened: " + std::generic_category().message(errno));
-  std::string text;
-  char chunk[1U << 16U];
-  while (in.read(chunk, sizeof chunk) || in.gcount() > 0) text.append(chunk, static_cast<std::size_t>(in.gcount()));
-  if (in.bad()) throw InputError(source + ": reading failed: " + std::generic_category().message(errno));
-  return text;
-}
 
 /// Tiled writes its own version into every map, and "type": "map" since 1.0.
 bool is_tiled_map(JsonValue root) {
@@ -53,7 +32,7 @@ SceneFile parse_json(std::string_view text, const std::string& source, const fs:
 }  // namespace
 
 SceneFile read_scene(const fs::path& path) {
-  const std::string text = read_whole_file(path);
+  const std::string text = read_whole_file(path, "the scene file");
   return parse_scene(text, path.string(), path.parent_path());
 }
 

@@ -16,9 +16,11 @@ TextPosition position_of(std::string_view text, std::size_t offset) {
           1 + static_cast<std::size_t>(std::count_if(line.begin(), line.end(), begins_character))};
 }
 
-InputError error_at(std::string_view text, std::string_view source, std::size_t offset, std::string_view message) {
+InputError error_at(std::string_view text, std::string_view source, std::size_t offset, std::string_view message,
+                    std::size_t first_line) {
   const TextPosition position = position_of(text, offset);
-  return InputError(fmt::format("{}: line {}, column {}: {}", source, position.line, position.column, message));
+  return InputError(
+      fmt::format("{}: line {}, column {}: {}", source, position.line + first_line - 1, position.column, message));
 }
 
 }  // namespace graze::io

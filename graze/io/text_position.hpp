@@ -21,7 +21,8 @@ struct TextPosition {
 /// only.
 TextPosition position_of(std::string_view text, std::size_t offset);
 
-/// The error "source: line 3, column 7: message".
-InputError error_at(std::string_view text, std::string_view source, std::size_t offset, std::string_view message);
+/// The error "source: line 3, column 7: message", where the text begins in line `first_line` of its source.
+InputError error_at(std::string_view text, std::string_view source, std::size_t offset, std::string_view message,
+                    std::size_t first_line = 1);
 
 }  // namespace graze::io

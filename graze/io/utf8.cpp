@@ -76,13 +76,14 @@ std::string_view without_byte_order_mark(std::string_view text) {
   return text.starts_with(mark) ? text.substr(mark.size()) : text;
 }
 
-void require_utf8(std::string_view text, const std::string& source) {
+void require_utf8(std::string_view text, const std::string& source, std::size_t first_line) {
   const std::size_t invalid = find_invalid_utf8(text);
   const std::size_t zero = text.find('\0');
   if (invalid == std::string_view::npos && zero == std::string_view::npos) return;
   const std::size_t first = std::min(invalid, zero);
   throw error_at(text, source, first,
-                 fmt::format("byte 0x{:02X} is not text in UTF-8; save the file as UTF-8", byte_at(text, first)));
+                 fmt::format("byte 0x{:02X} is not text in UTF-8; save the file as UTF-8", byte_at(text, first)),
+                 first_line);
 }
 
 }  // namespace graze::io

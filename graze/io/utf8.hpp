@@ -18,7 +18,7 @@ std::size_t find_invalid_utf8(std::string_view text);
 std::string_view without_byte_order_mark(std::string_view text);
 
 /// Throws InputError, naming the place, unless all of `text` is UTF-8 without zero bytes. `source` names it in
-/// messages.
-void require_utf8(std::string_view text, const std::string& source);
+/// messages, where the text begins in its line `first_line`.
+void require_utf8(std::string_view text, const std::string& source, std::size_t first_line = 1);
 
 }  // namespace graze::io

@@ -117,6 +117,16 @@ TEST(JsonDocument, NestingIsLimitedWithoutRecursion) {
   EXPECT_EQ(message, "a.json: line 1, column 129: nested deeper than 128 levels, which no scene needs");
 }
 
+TEST(JsonDocument, MayBeALaterLineOfItsSource) {
+  const auto error_in_line_7 = [](const std::string& text) {
+    return error_of([&text] { JsonDocument(text, "a.json", 7); });
+  };
+  EXPECT_EQ(error_in_line_7("[1,").substr(0, 23), "a.json: line 7, column ");
+  EXPECT_EQ(error_in_line_7("[\"\xFF\"]").substr(0, 24), "a.json: line 7, column 3");
+  EXPECT_EQ(error_in_line_7("{\"a\": 1, \"a\": 2}"),
+            "a.json: line 7, column 10: field \"a\" appears twice in one object, first in line 7, column 2");
+}
+
 TEST(JsonDocument, TextThatIsNotUtf8IsAnError) {
   EXPECT_EQ(parse_error("[\"\xFF\"]").find("a.json: line 1, column 3: byte 0xFF is not text in UTF-8"), 0U);
   EXPECT_EQ(parse_error(std::string("[1]\0", 4)).find("a.json: line 1, column 4: byte 0x00"), 0U);

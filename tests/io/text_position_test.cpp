@@ -29,6 +29,8 @@ TEST(TextPosition, AnOffsetBeyondTheEndIsTheEnd) {
 TEST(TextPosition, AnErrorNamesSourceAndPlace) {
   EXPECT_STREQ(error_at("a\nbc", "level.json", 3, "this is wrong").what(),
                "level.json: line 2, column 2: this is wrong");
+  EXPECT_STREQ(error_at("a\nbc", "level.json", 3, "this is wrong", 5).what(),
+               "level.json: line 6, column 2: this is wrong");
 }
 
 }  // namespace
