@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <iterator>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <graze/io/query_log.hpp>
+#include <graze/io/recorded_scene.hpp>
+#include <graze/io/shape_numbers.hpp>
+
+namespace graze::io {
+namespace {
+
+/// Gives a call a shape, or what is wrong with it: an invalid one cannot be written.
+template <Dim N, class T>
+void give(LoggedCall<N>& call, const AnyShape<N, T>& shape) {
+  const std::string_view fault = defect(shape);
+  if (!fault.empty()) {
+    call.fault = fmt::format("a {} {}", type_name<N, T>(shape), fault);
+  } else {
+    call.shapes.push_back(with_numbers<double, N, T>(shape));
+  }
+}
+
+template <Dim N, class T>
+LoggedCall<N> call_with(CallKind kind, const AnyShape<N, T>& shape, LayerMask layers) {
+  LoggedCall<N> call{.kind = kind, .layers = layers};
+  give(call, shape);
+  return call;
+}
+
+template <Dim N, class T>
+LoggedCall<N> ray_call(CallKind kind, const Ray<N, T>& ray, T t_max, LayerMask layers) {
+  LoggedCall<N> call = call_with<N, T>(kind, ray, layers);
+  call.t_max = static_cast<double>(t_max);
+  const bool is_number = t_max > -std::numeric_limits<T>::infinity();
+  if (!is_number) call.fault = fmt::format("a t_max that is {}", call.t_max);
+  return call;
+}
+
+/// Whether ids are other than those that adding the objects gives anyway.
+template <Dim N, class T>
+bool has_ids_of_its_own(const Scene<N, T>& scene) {
+  const std::vector<ObjectId> ids = scene.ids();
+  return !scene.vacant_ids().empty() ||
+         std::any_of(ids.begin(), ids.end(), [](const ObjectId& id) { return id.generation != 1; });
+}
+
+}  // namespace
+
+template <Dim N, class T>
+RecordedScene<N, T>::RecordedScene(std::ostream& log, Scene<N, T> scene) : scene_(std::move(scene)), log_(&log) {
+  *log_ << log_head(N, number_type_of<T>) << '\n';
+  write_past();
+  log_->flush();
+}
+
+/// The calls that make the scene what it is.
+template <Dim N, class T>
+void RecordedScene<N, T>::write_past() {
+  const std::vector<ObjectId> ids = scene_.ids();
+  const std::vector<ObjectId> vacant = scene_.vacant_ids();
+  if (!ids.empty()) ids_.learn_from(ids.front());
+  if (!vacant.empty()) ids_.learn_from(vacant.front());
+  const auto note = [this](const LoggedCall<N>& call, const LoggedAnswer& answer) {
+    write(call);
+    write(answer);
+  };
+  if (has_ids_of_its_own(scene_)) {
+    LoggedCall<N> plan{.kind = CallKind::plan_ids};
+    for (const ObjectId& id : ids) plan.ids.push_back(ids_.logged(id));
+    for (const ObjectId& id : vacant) plan.vacant_ids.push_back(ids_.logged(id));
+    note(plan, {});
+  }
+  Layer number = 0;
+  for (const std::string& name : scene_.layer_names()) note({.kind = CallKind::layer, .name = name}, logged(number++));
+  for (const ObjectId& id : ids) {
+    const Object<N, T>& object = scene_.object(id);
+    note({.kind = CallKind::add,
+          .shapes = {with_numbers<double, N, T>(object.shape)},
+          .options = {object.name, object.layer, object.mask, object.user, object.mobility}},
+         logged(id));
+  }
+  const SceneEvents& last = scene_.events();
+  std::vector<ObjectPair> touching;
+  std::merge(last.began.begin(), last.began.end(), last.stayed.begin(), last.stayed.end(),
+             std::back_inserter(touching));
+  if (touching.empty()) return;
+  if (touching != scene_.pairs()) {
+    throw std::logic_error("RecordedScene: the scene has changed since its last update; update it before");
+  }
+  note({.kind = CallKind::update}, logged(SceneEvents{touching, {}, {}}));
+}
+
+template <Dim N, class T>
+void RecordedScene<N, T>::write(const LoggedCall<N>& call) const {
+  *log_ << call_line(call) + '\n';
+}
+
+template <Dim N, class T>
+void RecordedScene<N, T>::write(const LoggedAnswer& answer) const {
+  *log_ << answer_line(ids_.logged(answer)) + '\n';
+}
+
+template <Dim N, class T>
+template <class Act>
+decltype(auto) RecordedScene<N, T>::record(const LoggedCall<N>& call, const Act& act) const {
+  const std::lock_guard<std::mutex> lock(one_call_);
+  write(call);
+  log_->flush();
+  const auto perform = [&]() -> decltype(auto) {
+    try {
+      return act();
+    } catch (const std::exception& error) {
+      write(LoggedAnswer{.refusal = error.what()});
+      throw;
+    } catch (...) {  // an executor may throw anything
+      write(LoggedAnswer{.refusal = "an exception of an unknown type"});
+      throw;
+    }
+  };
+  if constexpr (std::is_void_v<decltype(act())>) {
+    perform();
+    write(LoggedAnswer{});
+  } else {
+    decltype(auto) result = perform();
+    write(logged(result));
+    return result;
+  }
+}
+
+template <Dim N, class T>
+ObjectId RecordedScene<N, T>::add(AnyShape<N, T> shape, ObjectOptions options) {
+  LoggedCall<N> call{.kind = CallKind::add, .options = options};
+  give(call, shape);
+  return record(call, [&] {
+    const ObjectId id = scene_.add(std::move(shape), std::move(options));
+    ids_.learn_from(id);
+    return id;
+  });
+}
+
+template <Dim N, class T>
+void RecordedScene<N, T>::plan_ids(std::span<const ObjectId> next, std::span<const ObjectId> vacant) {
+  LoggedCall<N> call{.kind = CallKind::plan_ids};
+  for (const ObjectId& id : next) call.ids.push_back({id.index, id.generation, logged_scene});
+  for (const ObjectId& id : vacant) call.vacant_ids.push_back({id.index, id.generation, logged_scene});
+  record(call, [&] { scene_.plan_ids(next, vacant); });
+}
+
+template <Dim N, class T>
+void RecordedScene<N, T>::move(ObjectId id, AnyShape<N, T> shape) {
+  LoggedCall<N> call{.kind = CallKind::move, .ids = {ids_.logged(id)}};
+  give(call, shape);
+  record(call, [&] { scene_.move(id, std::move(shape)); });
+}
+
+template <Dim N, class T>
+void RecordedScene<N, T>::move(std::span<const ObjectMove<N, T>> moves) {
+  LoggedCall<N> call{.kind = CallKind::move_many};
+  for (const ObjectMove<N, T>& each : moves) {
+    call.ids.push_back(ids_.logged(each.id));
+    give(call, each.shape);
+  }
+  record(call, [&] { scene_.move(moves); });
+}
+
+template <Dim N, class T>
+void RecordedScene<N, T>::remove(ObjectId id) {
+  record({.kind = CallKind::remove, .ids = {ids_.logged(id)}}, [&] { scene_.remove(id); });
+}
+
+template <Dim N, class T>
+Layer RecordedScene<N, T>::layer(std::string_view name) {
+  return record({.kind = CallKind::layer, .name = std::string(name)}, [&] { return scene_.layer(name); });
+}
+
+template <Dim N, class T>
+const SceneEvents& RecordedScene<N, T>::update(const Executor& executor) {
+  return record({.kind = CallKind::update}, [&]() -> const SceneEvents& { return scene_.update(executor); });
+}
+
+template <Dim N, class T>
+std::optional<ObjectId> RecordedScene<N, T>::find(std::string_view name) const {
+  return record({.kind = CallKind::find, .name = std::string(name)}, [&] { return scene_.find(name); });
+}
+
+template <Dim N, class T>
+std::vector<ObjectPair> RecordedScene<N, T>::candidates(double margin) const {
+  LoggedCall<N> call{.kind = CallKind::candidates, .margin = margin};
+  if (!std::isfinite(margin)) call.fault = fmt::format("a margin that is {}", margin);
+  return record(call, [&] { return scene_.candidates(margin); });
+}
+
+template <Dim N, class T>
+std::vector<ObjectPair> RecordedScene<N, T>::pairs() const {
+  return record({.kind = CallKind::pairs}, [&] { return scene_.pairs(); });
+}
+
+template <Dim N, class T>
+std::vector<ObjectContact<N, T>> RecordedScene<N, T>::contacts(const Executor& executor) const {
+  return record({.kind = CallKind::contacts}, [&] { return scene_.contacts(executor); });
+}
+
+template <Dim N, class T>
+std::vector<ObjectId> RecordedScene<N, T>::overlapping(const AnyShape<N, T>& region, LayerMask layers) const {
+  return record(call_with(CallKind::overlapping, region, layers), [&] { return scene_.overlapping(region, layers); });
+}
+
+template <Dim N, class T>
+std::vector<ObjectId> RecordedScene<N, T>::cull(const AnyShape<N, T>& region, LayerMask layers) const {
+  return record(call_with(CallKind::cull, region, layers), [&] { return scene_.cull(region, layers); });
+}
+
+template <Dim N, class T>
+std::vector<ObjectId> RecordedScene<N, T>::cull(const Frustum<N, T>& frustum, LayerMask layers) const {
+  LoggedCall<N> call{.kind = CallKind::cull_frustum, .layers = layers};
+  for (const Vec<N, T>& corner : frustum.corners) call.corners.push_back(Vec<N, double>(corner));
+  if (!is_valid(frustum)) call.fault = fmt::format("a frustum {}", defect(frustum));
+  return record(call, [&] { return scene_.cull(frustum, layers); });
+}
+
+template <Dim N, class T>
+std::vector<NearObject<T>> RecordedScene<N, T>::nearest(const Vec<N, T>& point, std::size_t count,
+                                                        LayerMask layers) const {
+  LoggedCall<N> call = call_with<N, T>(CallKind::nearest, point, layers);
+  call.count = count;
+  return record(call, [&] { return scene_.nearest(point, count, layers); });
+}
+
+template <Dim N, class T>
+std::optional<ObjectHit<N, T>> RecordedScene<N, T>::ray_cast(const Ray<N, T>& ray, T t_max, LayerMask layers) const {
+  return record(ray_call(CallKind::ray_cast, ray, t_max, layers), [&] { return scene_.ray_cast(ray, t_max, layers); });
+}
+
+template <Dim N, class T>
+std::vector<ObjectHit<N, T>> RecordedScene<N, T>::ray_cast_all(const Ray<N, T>& ray, T t_max, LayerMask layers) const {
+  return record(ray_call(CallKind::ray_cast_all, ray, t_max, layers),
+                [&] { return scene_.ray_cast_all(ray, t_max, layers); });
+}
+
+template class RecordedScene<2, float>;
+template class RecordedScene<3, float>;
+template class RecordedScene<2, double>;
+template class RecordedScene<3, double>;
+
+}  // namespace graze::io

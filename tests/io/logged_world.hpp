@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// Random lives of a scene, for the tests of query logs.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <graze/io/query_log.hpp>
+#include <graze/io/recorded_scene.hpp>
+
+#include "cameras.hpp"
+#include "catalogue.hpp"
+
+namespace graze::io {
+
+/// Asks a scene all kinds of questions about random shapes.
+template <Dim N, class T>
+void ask_at_random(const RecordedScene<N, T>& scene) {
+  const AnyShape<N, T> region = *test::any_shape<N, T>();
+  const LayerMask layers = *rc::gen::element(all_layers, LayerMask{1}, LayerMask{2}, LayerMask{0});
+  switch (*rc::gen::inRange(0, 8)) {
+    case 0:
+      scene.overlapping(region, layers);
+      break;
+    case 1:
+      scene.cull(region, layers);
+      break;
+    case 2:
+      scene.nearest(*test::any<Vec<N, T>>(), *rc::gen::inRange<std::size_t>(0, 5), layers);
+      break;
+    case 3:
+      scene.ray_cast(*test::any<Ray<N, T>>(), *rc::gen::element(T(1), std::numeric_limits<T>::infinity()), layers);
+      break;
+    case 4:
+      scene.ray_cast_all(*test::any<Ray<N, T>>(), *rc::gen::element(T(1), std::numeric_limits<T>::infinity()), layers);
+      break;
+    case 5:
+      scene.contacts();
+      break;
+    case 6:
+      scene.candidates(*rc::gen::element(0.0, 0.5, 3.0));
+      break;
+    default:
+      scene.pairs();
+      scene.find(*rc::gen::element<std::string>("a", "b", ""));
+  }
+}
+
+/// Adds, moves and removes objects at random; some calls are refused.
+template <Dim N, class T>
+void change_at_random(RecordedScene<N, T>& scene, std::vector<ObjectId>& ids) {
+  const AnyShape<N, T> shape = *test::any_shape<N, T>();
+  const int act = *rc::gen::inRange(0, 8);
+  if (act < 3 || ids.empty()) {
+    const auto name = *rc::gen::element<std::string>("", "", "", "a", "b");
+    const auto layer = *rc::gen::element<Layer>(0, 1, 1, 64);
+    const auto mask = *rc::gen::element(all_layers, LayerMask{1});
+    const auto mobility = *rc::gen::element(Mobility::moving, Mobility::fixed);
+    ids.push_back(scene.add(shape, {name, layer, mask, 7, mobility}));
+    return;
+  }
+  const auto any_id = [&ids] { return ids[*rc::gen::inRange<std::size_t>(0, ids.size())]; };  // removed ones too
+  if (act < 5) {
+    scene.move(any_id(), shape);
+  } else if (act < 6) {
+    std::vector<ObjectMove<N, T>> moves;
+    for (int i = 0; i < 3; ++i) moves.push_back({any_id(), *test::any_shape<N, T>()});
+    scene.move(moves);
+  } else if (act < 7) {
+    scene.remove(any_id());
+  } else {
+    scene.layer(*rc::gen::element<std::string>("walls", "ghosts"));
+  }
+}
+
+/// The log of such a life.
+template <Dim N, class T>
+std::string random_log(int length) {
+  std::ostringstream log;
+  RecordedScene<N, T> scene(log);
+  std::vector<ObjectId> ids;
+  for (int i = 0; i < length; ++i) {
+    try {
+      change_at_random(scene, ids);
+    } catch (const std::logic_error&) {  // stands in the log
+    }
+    if (*rc::gen::inRange(0, 3) == 0) scene.update();
+    if (*rc::gen::inRange(0, 2) == 0) ask_at_random(scene);
+  }
+  return log.str();
+}
+
+}  // namespace graze::io

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <graze/io/output_error.hpp>
+#include <graze/io/query_log.hpp>
+#include <graze/io/recorded_scene.hpp>
+#include <graze/io/replay.hpp>
+
+namespace graze::io::recorded_scene_test {
+namespace {
+
+using Ball = Sphere<2, double>;
+using World = RecordedScene<2, double>;
+
+const std::string head = "{\"schema\": \"graze.log/1\", \"dimension\": 2, \"numbers\": \"double\"}\n";
+
+std::size_t differences_in(const std::string& text) {
+  const auto log = std::get<QueryLog<2>>(parse_query_log(text, "log"));
+  return replay(log, library_targets<2>(log.numbers)).differing;
+}
+
+TEST(RecordedScene, WritesEachCallAndItsAnswer) {
+  std::ostringstream log;
+  World scene(log);
+  const ObjectId ball = scene.add(Ball{{0, 0}, 1}, {.name = "ball"});
+  const ObjectId wall = scene.add(Aabb<2, double>{{1, -1}, {2, 1}});
+  EXPECT_EQ(scene.update().began, (std::vector<ObjectPair>{{ball, wall}}));
+  EXPECT_EQ(scene.find("ball"), ball);
+  EXPECT_EQ(scene.ray_cast({{-2, 0}, {1, 0}})->hit.t, 1);
+  scene.remove(ball);
+  EXPECT_EQ(log.str(),
+            head + R"({"call": "add", "name": "ball", "shape": {"type": "sphere", "center": [0, 0], "radius": 1}}
+{"answer": [[0, 1]]}
+{"call": "add", "shape": {"type": "aabb", "min": [1, -1], "max": [2, 1]}}
+{"answer": [[1, 1]]}
+{"call": "update"}
+{"answer": [["began", [0, 1], [1, 1]]]}
+{"call": "find", "name": "ball"}
+{"answer": [[0, 1]]}
+{"call": "ray_cast", "shape": {"type": "ray", "origin": [-2, 0], "direction": [1, 0]}}
+{"answer": [[[0, 1], 1, -1, 0, -1, 0]]}
+{"call": "remove", "id": [0, 1]}
+{"answer": []}
+)");
+  EXPECT_EQ(scene.scene().size(), 1U);
+}
+
+TEST(RecordedScene, WritesWhyACallWasRefused) {
+  std::ostringstream log;
+  World scene(log);
+  Scene<2, double> other;
+  EXPECT_THROW(scene.remove(ObjectId{}), std::out_of_range);
+  EXPECT_THROW(scene.remove(other.add(Ball{})), std::out_of_range);
+  EXPECT_THROW(scene.add(Ball{{0, 0}, -1}), std::invalid_argument);
+  EXPECT_THROW(scene.ray_cast({{0, 0}, {1, 0}}, std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
+  EXPECT_THROW(scene.ray_cast({{0, 0}, {1, 0}}, -1), std::invalid_argument);
+  EXPECT_THROW(scene.candidates(std::numeric_limits<double>::infinity()), std::invalid_argument);
+  EXPECT_EQ(log.str(), head + R"({"call": "remove", "id": null}
+{"refused": "Scene: the id (index 0, generation 0) was made by default; only add gives ids"}
+{"call": "remove", "id": {"other_scene": [0, 1]}}
+{"refused": "Scene: the id (index 0, generation 1) was given by another scene"}
+{"call": "add", "fault": "a sphere has a negative radius"}
+{"refused": "Scene: the object, a sphere, has a negative radius"}
+{"call": "ray_cast", "fault": "a t_max that is nan"}
+{"refused": "Scene: t_max is negative or not a number"}
+{"call": "ray_cast", "shape": {"type": "ray", "origin": [0, 0], "direction": [1, 0]}, "t_max": -1}
+{"refused": "Scene: t_max is negative or not a number"}
+{"call": "candidates", "fault": "a margin that is inf"}
+{"refused": "Scene: the margin of candidates is negative or not finite"}
+)");
+  EXPECT_EQ(differences_in(log.str()), 0U);
+}
+
+TEST(RecordedScene, DoesNothingThatItCannotWrite) {
+  std::ostringstream log;
+  World scene(log);
+  EXPECT_THROW(scene.add(Ball{}, {.name = "\xff"}), OutputError);
+  EXPECT_EQ(scene.size(), 0U);
+  EXPECT_EQ(log.str(), head);
+}
+
+TEST(RecordedScene, BeginsWithWhatTheSceneHolds) {
+  Scene<2, double> before;
+  before.layer("walls");
+  const ObjectId gone = before.add(Ball{});
+  const ObjectId a = before.add(Ball{{0, 0}, 1}, {.name = "a"});
+  before.add(Ball{{1, 0}, 1}, {.mobility = Mobility::fixed});
+  before.remove(gone);
+  before.update();
+  std::ostringstream log;
+  World scene(log, before);
+  EXPECT_EQ(scene.add(Ball{{9, 9}, 1}).index, 0U);  // where one was removed
+  scene.move(a, Ball{{5, 5}, 1});
+  EXPECT_EQ(scene.update().ended.size(), 1U);
+  EXPECT_EQ(log.str().substr(0, log.str().find("\n{\"answer\": []}")),
+            head + R"({"call": "plan_ids", "ids": [[1, 1], [2, 1]], "vacant_ids": [[0, 2]]})");
+  EXPECT_EQ(differences_in(log.str()), 0U);
+}
+
+TEST(RecordedScene, RefusesASceneWhoseNextEventsALogCouldNotTell) {
+  Scene<2, double> before;
+  const ObjectId a = before.add(Ball{});
+  before.add(Ball{});
+  before.update();
+  before.move(a, Ball{{9, 9}, 1});
+  std::ostringstream log;
+  EXPECT_THROW(World(log, before), std::logic_error);
+}
+
+TEST(RecordedScene, WritesWhatManyThreadsAskOneAfterTheOther) {
+  std::ostringstream log;
+  World scene(log);
+  for (int i = 0; i < 20; ++i) scene.add(Ball{{static_cast<double>(i), 0}, 1});
+  std::vector<std::thread> threads;
+  for (int thread = 0; thread < 3; ++thread) {
+    threads.emplace_back([&scene] {
+      for (int i = 0; i < 10; ++i) EXPECT_EQ(scene.overlapping(Ball{{3.5, 0}, 1}).size(), 4U);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(std::get<QueryLog<2>>(parse_query_log(log.str(), "log")).entries.size(), 50U);
+  EXPECT_EQ(differences_in(log.str()), 0U);
+}
+
+}  // namespace
+}  // namespace graze::io::recorded_scene_test
