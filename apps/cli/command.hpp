@@ -11,7 +11,8 @@ namespace graze::cli {
 /// What a process ends with. Documented in docs/cli.md.
 enum ExitCode : int {
   done = 0,
-  contact_found = 1,  ///< Only under --fail-on-contact.
+  contact_found = 1,   ///< Only under --fail-on-contact.
+  answers_differ = 1,  ///< Of a log that is replayed.
   usage_error = 2,
   bad_input = 3,  ///< Or an output that cannot be written.
   internal_error = 70,
@@ -28,6 +29,7 @@ Command add_check(CLI::App& program);
 Command add_view(CLI::App& program);
 Command add_query(CLI::App& program);
 Command add_simulate(CLI::App& program);
+Command add_replay(CLI::App& program);
 Command add_info(CLI::App& program);
 Command add_convert(CLI::App& program);
 Command add_bench(CLI::App& program);

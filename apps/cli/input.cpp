@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <graze/io/input_error.hpp>
+#include <graze/io/whole_file.hpp>
 
 #include "output.hpp"
 #include "terminal.hpp"
@@ -40,6 +41,11 @@ io::SceneFile read_input(const std::string& name) {
   io::SceneFile file = io::parse_scene(standard_input(), "standard input", std::filesystem::current_path());
   file.source = name;
   return file;
+}
+
+io::AnyQueryLog read_log(const std::string& name) {
+  if (is_standard_stream(name)) return io::parse_query_log(standard_input(), "standard input");
+  return io::parse_query_log(io::read_whole_file(name, "the log"), name);
 }
 
 void say_omissions(const io::SceneFile& file) {

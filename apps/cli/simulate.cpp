@@ -16,6 +16,7 @@
 
 #include <graze/io/frame_report.hpp>
 #include <graze/io/input_error.hpp>
+#include <graze/io/recorded_scene.hpp>
 #include <graze/query/transformed.hpp>
 #include <graze/scene/scene.hpp>
 
@@ -35,6 +36,7 @@ using Clock = std::chrono::steady_clock;
 struct SimulateArguments {
   std::string scene;
   std::string output = "-";
+  std::optional<std::string> log;
   std::optional<std::int64_t> frames;  // signed, so that a negative one is seen
   double seconds_per_frame = 1.0 / 60;
 };
@@ -48,6 +50,11 @@ void require_sensible(const SimulateArguments& arguments) {
     throw UsageError(
         fmt::format("--seconds-per-frame {} is no length of time; it must be above 0", arguments.seconds_per_frame));
   }
+  if (!arguments.log) return;
+  require_not_overwritten(arguments.scene, *arguments.log);
+  if (name_same_file(*arguments.log, arguments.output)) {
+    throw UsageError("--log " + io::in_quotes(*arguments.log) + " is where the frames go; name another file");
+  }
 }
 
 /// What is told when all is done.
@@ -57,11 +64,12 @@ struct Totals {
   double seconds = 0;  ///< To move and to find pairs, without reading and writing.
 };
 
-/// A scene whose objects move straight on.
-template <Dim N>
+/// A scene whose objects move straight on: a Scene, or a RecordedScene.
+template <class World, Dim N>
 class Simulation {
  public:
-  Simulation(const Scene<N, double>& scene, const io::SceneFile& file, double seconds_per_frame)
+  /// The scene must outlive this.
+  Simulation(World& scene, const io::SceneFile& file, double seconds_per_frame)
       : scene_(scene), source_(file.source), seconds_per_frame_(seconds_per_frame) {
     for (const io::ObjectVelocity& each : file.velocities) {
       movers_.push_back({each.id, scene.object(each.id).shape, each.velocity});
@@ -111,44 +119,62 @@ class Simulation {
     return result;
   }
 
-  Scene<N, double> scene_;
+  World& scene_;
   std::string source_;
   double seconds_per_frame_;
   std::vector<Mover> movers_;
   Totals totals_;
 };
 
-ExitCode run_simulate(const SimulateArguments& arguments) {
-  require_sensible(arguments);
-  Progress reading("reading the scene");
-  const io::SceneFile file = read_input(arguments.scene);
-  reading.stop();
-  say_omissions(file);
-
+/// Moves what is in a scene and writes all frames.
+template <Dim N, class World>
+Totals move_and_write(const SimulateArguments& arguments, World& scene, const io::SceneFile& file, Progress& progress) {
   const auto frames = static_cast<std::size_t>(*arguments.frames);
-  Totals totals;
-  std::size_t objects = 0;
-  Progress progress("simulating");
+  Simulation<World, N> simulation(scene, file, arguments.seconds_per_frame);
   write_output(arguments.output, [&](std::ostream& out) {
     // Lines that come are progress enough.
     if (is_standard_stream(arguments.output) && is_terminal(Stream::output)) progress.stop();
     progress.begin("simulating", frames);
-    std::visit(
-        [&]<Dim N>(const Scene<N, double>& scene) {
-          Simulation<N> simulation(scene, file, arguments.seconds_per_frame);
-          for (std::size_t number = 0; number <= frames && out; ++number) {
-            io::write_frame(out, simulation.frame(number));
-            out.flush();
-            progress.advance(number);
-          }
-          totals = simulation.totals();
-          objects = scene.size();
-        },
-        file.scene);
+    for (std::size_t number = 0; number <= frames && out; ++number) {
+      io::write_frame(out, simulation.frame(number));
+      out.flush();
+      progress.advance(number);
+    }
   });
+  return simulation.totals();
+}
+
+/// The same, recorded if it is to be.
+template <Dim N>
+Totals simulate(const SimulateArguments& arguments, Scene<N, double>& scene, const io::SceneFile& file,
+                Progress& progress) {
+  if (!arguments.log) return move_and_write<N>(arguments, scene, file, progress);
+  Totals totals;
+  write_output(*arguments.log, [&](std::ostream& log) {
+    io::RecordedScene<N, double> recorded(log, scene);
+    totals = move_and_write<N>(arguments, recorded, file, progress);
+  });
+  return totals;
+}
+
+ExitCode run_simulate(const SimulateArguments& arguments) {
+  require_sensible(arguments);
+  Progress reading("reading the scene");
+  io::SceneFile file = read_input(arguments.scene);
+  reading.stop();
+  say_omissions(file);
+
+  Progress progress("simulating");
+  std::size_t objects = 0;
+  const Totals totals = std::visit(
+      [&]<Dim N>(Scene<N, double>& scene) {
+        objects = scene.size();
+        return simulate<N>(arguments, scene, file, progress);
+      },
+      file.scene);
   progress.stop();
-  say(fmt::format("{} frames; {} objects, {} moving, {} contacts began, {} ended, {:.3f} seconds", frames, objects,
-                  file.velocities.size(), totals.began, totals.ended, totals.seconds));
+  say(fmt::format("{} frames; {} objects, {} moving, {} contacts began, {} ended, {:.3f} seconds", *arguments.frames,
+                  objects, file.velocities.size(), totals.began, totals.ended, totals.seconds));
   return done;
 }
 
@@ -159,6 +185,7 @@ scene as it is. Each frame is a line of JSON: which pairs began to touch, and wh
 Examples:
   graze simulate --frames 600 yard.json > events.ndjson
   graze simulate --frames 10 --seconds-per-frame 0.5 yard.json
+  graze simulate --frames 60 --log yard.log yard.json
 
 Exit codes: 0 done; 2 wrong usage; 3 bad input, or an output that cannot be written)";
 
@@ -174,6 +201,7 @@ Command add_simulate(CLI::App& program) {
   add("--frames", arguments->frames, "How many times the objects are moved", "N");
   add("--seconds-per-frame", arguments->seconds_per_frame, "How far apart frames are; 1/60 if left out", "SECONDS");
   add("--output", arguments->output, "Write the frames to a file instead of the standard output", "FILE");
+  add("--log", arguments->log, "Record all calls on the scene, for graze replay", "FILE");
   app->footer(simulate_footer);
   return {app, [arguments] { return run_simulate(*arguments); }};
 }

@@ -17,7 +17,7 @@ class Usage(CommandLineTest):
         self.refuse("chekc", "x.json", says='no command "chekc"; did you mean "check"?')
 
     def test_an_unknown_command_like_no_other_names_all(self):
-        self.refuse("zzzzzzzz", says='known: "check", "view", "query", "simulate", "info", "convert"')
+        self.refuse("zzzzzzzz", says='known: "check", "view", "query", "simulate", "replay", "info", "convert"')
 
     def test_an_unknown_option_names_the_nearest(self):
         self.refuse("check", "x.json", "--interor", says='"--interor"; did you mean "--interior"?', of="check")
