@@ -15,7 +15,7 @@ namespace {
 
 /// How many boxes a cell that has any should have on average: cells of the base level are too small below, and too
 /// large above. A level more or less changes the number by up to eight.
-constexpr std::size_t enough = 2;
+constexpr std::size_t boxes_per_cell = 2;
 constexpr std::size_t too_many = 16;
 
 /// Fewer boxes than that are well off in any cells.
@@ -280,7 +280,7 @@ template <Dim N, class T>
 bool GridCells<N, T>::base_is_due() const {
   const std::size_t boxes = size_ - cells_[outside].entries.count;
   return options_.smallest_cell == 0 && boxes >= worth_a_review &&
-         (boxes > too_many * filled_ || boxes < enough * filled_);
+         (boxes > too_many * filled_ || boxes < boxes_per_cell * filled_);
 }
 
 /// The lowest level at which the boxes that are no larger, if they are a good part of all, fill its cells well enough.
@@ -310,7 +310,7 @@ int GridCells<N, T>::better_base() const {
       is_met[cell] = true;
       ++present;
     }
-    return 16 * present >= boxes.size() && cells * enough <= present;
+    return 16 * present >= boxes.size() && cells * boxes_per_cell <= present;
   };
   while (low < high) {
     const int middle = low + (high - low) / 2;

@@ -22,7 +22,7 @@ class ShapeNumbers {
 
   template <Dim N, class From>
   AnyShape<N, To> operator()(const AnyShape<N, From>& shape) const {
-    return std::visit([this](const auto& held) { return AnyShape<N, To>(of(held)); }, shape);
+    return std::visit([this](const auto& held) { return AnyShape<N, To>(this->of(held)); }, shape);
   }
 
   template <Dim N, class From>
