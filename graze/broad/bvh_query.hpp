@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -91,13 +92,59 @@ class BvhFront {
   ShortHeap<BvhRanked, 2 * bvh_path, BvhRanked::Before> others_;
 };
 
-/// Calls visit(slot, t) for every box that a ray enters, in order of t, equal ones by slot, until it returns false.
-/// `ray` (a RayProbe, or what counts as one) says what it enters.
+/// A box that a ray enters.
+struct BvhHit {
+  double t;
+  std::uint32_t slot;
+
+  friend auto operator<=>(const BvhHit&, const BvhHit&) = default;
+};
+
+/// The first box that a ray enters, of equal ones that of the lowest slot. The nearer side of a node first, and what
+/// waits is passed by when a box was found before it: without a heap, in three quarters of the time that one takes to
+/// its first box.
+template <Dim N, class T, class Probe>
+std::optional<BvhHit> first_along(const BvhTree<N, T>& tree, const Probe& ray) {
+  struct Waiting {
+    double soonest;
+    std::uint32_t node;
+  };
+  BvhHit first{std::numeric_limits<double>::infinity(), 0};
+  const auto look_at_box = [&](std::uint32_t slot, const Aabb<N, T>& box) {
+    const std::optional<double> t = ray.entry(box);
+    if (t && BvhHit{*t, slot} < first) first = {*t, slot};
+  };
+  for (const std::uint32_t slot : tree.infinite()) look_at_box(slot, tree.box(slot));
+  const bool leaves_are_exact = tree.margin() == 0;
+  ShortList<Waiting, bvh_path> open;
+  const auto look = [&](std::optional<double> soonest, const Aabb<N, T>& bounds, BvhChild child) {
+    if (!soonest || *soonest > first.t) return;
+    if (child.is_leaf()) return look_at_box(child.index(), leaves_are_exact ? bounds : tree.box(child.index()));
+    tree.prefetch(child.index());
+    open.push({*soonest, child.index()});
+  };
+  if (!tree.child(0).is_none()) look(ray.soonest(tree.bounds(0)), tree.bounds(0), tree.child(0));
+  while (!open.empty()) {
+    const Waiting next = open.pop();
+    if (next.soonest > first.t) continue;
+    const BvhNode<N, T>& node = tree.node(next.node);
+    const std::array soonest = {ray.soonest(node.boxes[0]), ray.soonest(node.boxes[1])};
+    const std::size_t far = soonest[0] < soonest[1] ? 1 : 0;
+    look(soonest[far], node.boxes[far], node.children[far]);
+    look(soonest[1 - far], node.boxes[1 - far], node.children[1 - far]);
+  }
+  if (std::isinf(first.t)) return std::nullopt;
+  return first;
+}
+
+/// Calls visit(slot, t) for every box that a ray enters after another, in order of t, equal ones by slot, until it
+/// returns false.
 template <Dim N, class T, class Probe, class Visit>
-void visit_along(const BvhTree<N, T>& tree, const Probe& ray, const Visit& visit) {
+void visit_along_after(const BvhTree<N, T>& tree, const Probe& ray, const BvhHit& former, const Visit& visit) {
   BvhFront open;
   const auto look_at_leaf = [&](std::uint32_t slot) {
-    if (const auto t = ray.entry(tree.box(slot))) open.push({*t, slot, true});
+    const std::optional<double> t = ray.entry(tree.box(slot));
+    if (t && former < BvhHit{*t, slot}) open.push({*t, slot, true});
   };
   for (const std::uint32_t slot : tree.infinite()) look_at_leaf(slot);
   const auto look = [&](std::optional<double> soonest, BvhChild child) {
@@ -119,6 +166,15 @@ void visit_along(const BvhTree<N, T>& tree, const Probe& ray, const Visit& visit
     look(soonest[far], node.children[far]);
     look(soonest[1 - far], node.children[1 - far]);
   }
+}
+
+/// Calls visit(slot, t) for every box that a ray enters, in order of t, equal ones by slot, until it returns false.
+/// `ray` (a RayProbe, or what counts as one) says what it enters. Most want the first box only, which is found quicker
+/// by itself.
+template <Dim N, class T, class Probe, class Visit>
+void visit_along(const BvhTree<N, T>& tree, const Probe& ray, const Visit& visit) {
+  const std::optional<BvhHit> first = first_along(tree, ray);
+  if (first && visit(first->slot, first->t)) visit_along_after(tree, ray, *first, visit);
 }
 
 /// Calls offer(slot, distance squared) for boxes near a point until the nearest of what is left is beyond reach().

@@ -96,7 +96,42 @@ TEST(BvhQuery, FollowsARayOnlyAsFarAsItIsAsked) {
     return hits.size() < 3;
   });
   EXPECT_EQ(hits, (std::vector<std::pair<std::uint32_t, double>>{{0, 10}, {1, 12}, {2, 14}}));
-  EXPECT_LE(ray.looks, path);
+  EXPECT_LE(ray.looks, 2 * path);  // down to the first, and again for what follows
+}
+
+TEST(BvhQuery, TheFirstBoxOnARayTakesOnePathDown) {
+  const BvhTree<3, double> tree = row<3, double>(length);
+  for (const double x : {-10.0, 3.25, 30'000.5}) {
+    const Ray<3, double> along{{x, 0.5, 0.5}, {1, 0, 0}};
+    const CountingRay ray{RayProbe(along)};
+    const std::optional<BvhHit> first = first_along(tree, ray);
+    const double slot = std::max(0.0, std::ceil((x - 1) / 2));  // boxes from 2 slot to 2 slot + 1
+    ASSERT_TRUE(first.has_value());
+    EXPECT_EQ(first->slot, static_cast<std::uint32_t>(slot));
+    EXPECT_EQ(first->t, std::max(0.0, 2 * slot - x));
+    EXPECT_LE(ray.looks, path);
+  }
+  const Ray<3, double> beside{{-10, 0.5, 2}, {1, 0, 0}};
+  EXPECT_FALSE(first_along(tree, RayProbe(beside)).has_value());
+}
+
+TEST(BvhQuery, OfBoxesOnARayAtOncePrefersTheLowestSlot) {
+  for (const double margin : {0.0, 0.5}) {
+    BvhTree<3, double> tree(margin);
+    const Aabb<3, double> box{{4, 0, 0}, {5, 1, 1}};
+    for (const std::uint32_t slot : {7U, 3U, 9U, 5U}) tree.insert(slot, box);
+    tree.insert(1, {{6, 0, 0}, {7, 1, 1}});
+    tree.insert(2, {{4, -1, 0}, {std::numeric_limits<double>::infinity(), 1, 1}});  // beside the tree
+    const Ray<3, double> along{{0, 0.5, 0.5}, {2, 0, 0}};
+    const RayProbe ray(along);
+    std::vector<BvhHit> hits;
+    visit_along(tree, ray, [&hits](std::uint32_t slot, double t) {
+      hits.push_back({t, slot});
+      return true;
+    });
+    EXPECT_EQ(hits, (std::vector<BvhHit>{{2, 2}, {2, 3}, {2, 5}, {2, 7}, {2, 9}, {3, 1}}));
+    EXPECT_EQ(first_along(tree, ray), (BvhHit{2, 2}));
+  }
 }
 
 TEST(BvhQuery, LooksForTheNearestOnlyNearby) {
