@@ -47,10 +47,12 @@ constexpr Crowd crowds[] = {
 
 /// A cube of points a step apart, the number of them rounded to a third power, in random order.
 Points grid(std::size_t count, double step, std::mt19937_64& random) {
-  const auto side = static_cast<std::size_t>(std::lround(std::cbrt(static_cast<double>(count))));
+  const auto side = static_cast<int>(std::lround(std::cbrt(static_cast<double>(count))));
   Points points;
-  for (std::size_t i = 0; i < side * side * side; ++i) {
-    points.push_back(step * Point(i % side, i / side % side, i / side / side));
+  for (int x = 0; x < side; ++x) {
+    for (int y = 0; y < side; ++y) {
+      for (int z = 0; z < side; ++z) points.push_back(step * Point(x, y, z));
+    }
   }
   std::shuffle(points.begin(), points.end(), random);
   return points;
@@ -69,6 +71,7 @@ Points points_of(Set set, std::size_t count) {
     return points;
   }
   Points points;
+  points.reserve(count);
   while (points.size() < count) {
     if (set == Set::cube) {
       points.push_back({uniform(random), uniform(random), uniform(random)});
@@ -89,7 +92,7 @@ class Qhull {
   explicit Qhull(const Points& points) : points_(points) {
     qh_zero(&qh_, stderr);
     char command[] = "qhull";
-    auto* coordinates = const_cast<double*>(&points.data()->x);
+    auto* coordinates = const_cast<double*>(&points.data()->x);  // NOLINT(cppcoreguidelines-pro-type-const-cast)
     if (qh_new_qhull(&qh_, 3, static_cast<int>(points.size()), coordinates, 0, command, nullptr, nullptr) != 0) {
       std::fprintf(stderr, "qhull failed\n");
       std::exit(1);

@@ -30,10 +30,4 @@ std::vector<Thing> monotone_chain(const std::vector<Thing>& things, const Place&
   return hull;
 }
 
-/// Of points themselves.
-template <class T>
-std::vector<Vec<2, T>> monotone_chain(const std::vector<Vec<2, T>>& points) {
-  return monotone_chain(points, [](const Vec<2, T>& point) { return point; });
-}
-
 }  // namespace graze::detail

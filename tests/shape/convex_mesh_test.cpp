@@ -52,8 +52,11 @@ double volume_of(const ConvexMesh<T>& mesh) {
 
 std::vector<Vec<3, float>> grid(int size) {
   std::vector<Vec<3, float>> points;
-  for (int i = 0; i < size * size * size; ++i)
-    points.push_back(Vec<3, float>(i % size, i / size % size, i / size / size));
+  for (int x = 0; x < size; ++x) {
+    for (int y = 0; y < size; ++y) {
+      for (int z = 0; z < size; ++z) points.emplace_back(z, x, y);
+    }
+  }
   return points;
 }
 

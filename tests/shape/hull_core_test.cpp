@@ -73,8 +73,10 @@ TEST_F(HullCoreOf, ATetrahedronHoldsOnlyWhatIsInside) {
 
 TEST_F(HullCoreOf, AGridHoldsItsInside) {
   Points points;
-  for (int i = 0; i < 1000; ++i) {
-    points.push_back(Vec<3, double>(0.1 * (i % 10), 0.1 * (i / 10 % 10), 0.1 * (i / 100)));
+  for (int x = 0; x < 10; ++x) {
+    for (int y = 0; y < 10; ++y) {
+      for (int z = 0; z < 10; ++z) points.push_back(0.1 * Vec<3, double>(x, y, z));
+    }
   }
   const HullFrame<double> frame(points);
   const HullCore core(all_points(frame), frame.half_extents());
