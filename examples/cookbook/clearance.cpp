@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
   const float clearance = 0.5F;
 
   std::vector<graze::Rect<>> boxes;
+  boxes.reserve(parts.size());
   for (const Part& part : parts) boxes.push_back(graze::bounds(part.shape));
   // Boxes that are this near overlap when each is grown by half of it.
   const auto candidates = graze::overlapping_pairs(boxes, {.margin = clearance / 2});

@@ -10,7 +10,7 @@ const keys: readonly (readonly [string, string])[] = [
   ["Delete", "remove it"],
   ["Escape", "select nothing"],
   ["Space", "play and pause"],
-  [".", "one step"],
+  [". ,", "one step; in the scene a frame on or back"],
   ["/ Z", "in the scene: search, zoom to what is selected"],
   ["+ − 0", "zoom in, out, show all"],
   ["T", "light or dark"],
