@@ -22,7 +22,7 @@ namespace graze::io {
 namespace {
 
 /// RFC 8259, section 7: quotes, backslashes and control characters must be escaped; all else may stand as it is.
-std::string json_string(std::string_view text) {
+std::string quoted_name(std::string_view text) {
   if (find_invalid_utf8(text) != std::string_view::npos || text.find('\0') != std::string_view::npos) {
     throw OutputError(fmt::format("the name {} is not UTF-8 text, so a scene file cannot hold it", in_quotes(text)));
   }
@@ -42,7 +42,7 @@ std::string json_string(std::string_view text) {
 
 std::string json_strings(const std::vector<std::string>& texts) {
   std::string result = "[";
-  for (const std::string& text : texts) result += (result.size() == 1 ? "" : ", ") + json_string(text);
+  for (const std::string& text : texts) result += (result.size() == 1 ? "" : ", ") + quoted_name(text);
   return result + ']';
 }
 
@@ -101,13 +101,13 @@ template <Dim N>
 void append_object(std::string& out, const Around& around, const Object<N, double>& object,
                    const std::vector<std::string>& layers) {
   out += "    {" + around.before;
-  if (!object.name.empty()) out += "\"name\": " + json_string(object.name) + ", ";
+  if (!object.name.empty()) out += "\"name\": " + quoted_name(object.name) + ", ";
   try {
     append_json_shape<N>(out, object.shape);
   } catch (const OutputError& error) {
     throw OutputError(fmt::format("object {}: {}", in_quotes(object.name), error.what()));
   }
-  if (!layers.empty()) out += ", \"layer\": " + json_string(layers[object.layer]);
+  if (!layers.empty()) out += ", \"layer\": " + quoted_name(layers[object.layer]);
   if (object.mask != all_layers) out += ", \"mask\": " + json_strings(names_in_mask(object.mask, layers));
   if (object.mobility == Mobility::fixed) out += ", \"fixed\": true";
   if (object.user != 0) fmt::format_to(std::back_inserter(out), ", \"user\": {}", object.user);

@@ -54,7 +54,7 @@ struct LogHead {
   NumberType numbers = NumberType::double_precision;
 };
 
-void require_schema(const JsonFields& head) {
+void require_log_schema(const JsonFields& head) {
   const auto value = head.find("schema");
   if (!value) {
     throw head.place().error(head.offset(), fmt::format("there is no \"schema\"; a log of graze begins with {}",
@@ -75,7 +75,7 @@ LogHead read_head(const JsonDocument& document) {
     throw place.error(document.root().offset(), "a log begins with a JSON object");
   }
   const JsonFields head(document.root(), place, "the head of a log");
-  require_schema(head);
+  require_log_schema(head);
   head.allow_only(known);
   const double dimension = head.number("dimension");
   if (dimension != 2 && dimension != 3) {

@@ -48,7 +48,7 @@ LoggedCall<N> ray_call(CallKind kind, const Ray<N, T>& ray, T t_max, LayerMask l
 
 /// Whether ids are other than those that adding the objects gives anyway.
 template <Dim N, class T>
-bool has_ids_of_its_own(const Scene<N, T>& scene) {
+bool needs_plan_of_ids(const Scene<N, T>& scene) {
   const std::vector<ObjectId> ids = scene.ids();
   return !scene.vacant_ids().empty() ||
          std::any_of(ids.begin(), ids.end(), [](const ObjectId& id) { return id.generation != 1; });
@@ -74,7 +74,7 @@ void RecordedScene<N, T>::write_past() {
     write(call);
     write(answer);
   };
-  if (has_ids_of_its_own(scene_)) {
+  if (needs_plan_of_ids(scene_)) {
     LoggedCall<N> plan{.kind = CallKind::plan_ids};
     for (const ObjectId& id : ids) plan.ids.push_back(ids_.logged(id));
     for (const ObjectId& id : vacant) plan.vacant_ids.push_back(ids_.logged(id));

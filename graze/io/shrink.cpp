@@ -295,18 +295,23 @@ QueryLog<N> shrunk_contradiction(const Entries<N>& entries, NumberType numbers, 
   return result;
 }
 
+/// Shrinks a log of which subject and judge disagree; none if they do not.
+template <Dim N>
+std::optional<QueryLog<N>> shrunk_disagreement(Trials<N>& trials, const QueryLog<N>& log) {
+  const auto disagree = [&trials](const Entries<N>& entries) { return until_they_disagree(trials, entries); };
+  auto entries = disagree(log.entries);
+  if (!entries) return std::nullopt;
+  entries = simplest<N>(fewest<N>(*std::move(entries), disagree), disagree);
+  return performed(trials, fewest<N>(*std::move(entries), disagree), log.numbers);
+}
+
 }  // namespace
 
 template <Dim N>
 std::optional<QueryLog<N>> shrunk(const QueryLog<N>& log, const ReplayTargets<N>& targets,
                                   const std::function<void(std::size_t)>& on_try) {
   Trials<N> trials(targets, added_ids(log.entries), on_try);
-  const auto disagree = [&trials](const Entries<N>& entries) { return until_they_disagree(trials, entries); };
-  if (auto entries = disagree(log.entries)) {
-    entries = simplest<N>(fewest<N>(*std::move(entries), disagree), disagree);
-    return performed(trials, fewest<N>(*std::move(entries), disagree), log.numbers);
-  }
-
+  if (auto small = shrunk_disagreement(trials, log)) return small;
   const auto contradicted = first_contradiction(trials, log);
   if (!contradicted) return std::nullopt;
   const auto end = log.entries.begin() + static_cast<std::ptrdiff_t>(*contradicted) + 1;
