@@ -25,7 +25,7 @@ bool is_on(LayerMask layers, Layer layer) { return (layers & only_layer(layer)) 
 
 /// How far a point is from a shape; 0 inside of solids.
 template <Dim N, class T>
-T distance_from(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
+T distance_between(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
   const T distance = signed_distance(shape, point);
   return std::holds_alternative<Plane<N, T>>(shape) ? std::fabs(distance) : std::max(distance, T(0));
 }
@@ -190,7 +190,7 @@ std::vector<NearObject<T>> PlainScene<N, T>::nearest(const Vec<N, T>& point, std
   std::vector<NearObject<T>> result;
   for (const auto& [id, object] : objects_) {
     const T distance =
-        is_on(layers, object.layer) ? distance_from<N, T>(object.shape, point) : std::numeric_limits<T>::infinity();
+        is_on(layers, object.layer) ? distance_between<N, T>(object.shape, point) : std::numeric_limits<T>::infinity();
     if (distance < std::numeric_limits<T>::infinity()) result.push_back({id, distance});
   }
   std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.distance < b.distance; });
