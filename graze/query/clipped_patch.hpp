@@ -45,9 +45,10 @@ class ClippedPatch {
   static constexpr std::size_t most_corners = N == 2 ? 2 : 2 * Patch<N>::most_corners + 1;
 
   ClippedPatch(const Patch<N>& incident, const Patch<N>& reference)
-      : reference_(reference), incident_face_(face_of(incident)) {
+      : reference_(reference),
+        incident_face_(face_of(incident)),
+        size_(std::min(incident.size, Patch<N>::most_corners)) {  // GCC 12 warns of more, which cannot be
     const Feature over = face_of(reference);
-    size_ = std::min(incident.size, Patch<N>::most_corners);  // never less than size, but GCC 12 warns without
     for (std::size_t i = 0; i < size_; ++i) {
       corners_[i] = {incident.corners[i],
                      over,
@@ -130,7 +131,7 @@ class ClippedPatch {
   const Patch<N>& reference_;
   Feature incident_face_;
   std::array<ClippedCorner<N>, most_corners> corners_;
-  std::size_t size_ = 0;
+  std::size_t size_;
 };
 
 /// Cuts an incident patch at the sides of a reference patch, seen along its normal `up` of length 1. A patch without
