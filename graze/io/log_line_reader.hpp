@@ -11,9 +11,9 @@ namespace graze::io {
 
 /// Reads what call_line writes. Throws InputError.
 template <Dim N>
-LoggedCall<N> read_call(const JsonDocument& line);
+LoggedCall<N> read_call(const JsonDocument& document);
 
 /// Reads what answer_line writes. Throws InputError.
-LoggedAnswer read_answer(const JsonDocument& line);
+LoggedAnswer read_answer(const JsonDocument& document);
 
 }  // namespace graze::io

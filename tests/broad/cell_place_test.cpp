@@ -54,27 +54,27 @@ TEST(RootPlace, IsAroundAllBoxesUnlessAFewAreTooFarOff) {
     const Vec<2> low(static_cast<float>(k % 8), static_cast<float>(row));
     boxes.push_back({low, low + 1.0F});
   }
-  const CellPlace<2> whole = root_place(boxes, {.capacity = 4, .max_depth = 8});
+  const CellPlace<2> whole = place_of_root(boxes, {.capacity = 4, .max_depth = 8});
   EXPECT_EQ(whole.center, (Vec<2, double>(4)));
   EXPECT_EQ(whole.half, 4);
   boxes.push_back({{1e6F, 0}, {1e6F, 0}});
-  const CellPlace<2> middle = root_place(boxes, {.capacity = 4, .max_depth = 8});
+  const CellPlace<2> middle = place_of_root(boxes, {.capacity = 4, .max_depth = 8});
   EXPECT_LT(middle.half, 10);
   EXPECT_TRUE(takes(middle, boxes[0]));
   EXPECT_FALSE(takes(middle, boxes.back()));
-  EXPECT_EQ(root_place(boxes, {.capacity = 4, .max_depth = 32}).half, 5e5);
+  EXPECT_EQ(place_of_root(boxes, {.capacity = 4, .max_depth = 32}).half, 5e5);
 }
 
 TEST(RootPlace, OfBoxesWithOneCenterIsTheLargest) {
   const std::vector<Aabb<2>> boxes = {{{1, 1}, {3, 3}}, {{2, 2}, {2, 2}}, {{0, 1}, {4, 3}}};
-  EXPECT_EQ(root_place(boxes, {}).half, 2);
-  EXPECT_EQ(root_place(std::vector<Aabb<2>>{{{2, 2}, {2, 2}}}, {}).half, 0);
+  EXPECT_EQ(place_of_root(boxes, {}).half, 2);
+  EXPECT_EQ(place_of_root(std::vector<Aabb<2>>{{{2, 2}, {2, 2}}}, {}).half, 0);
 }
 
 TEST(RootPlace, DoesNotOverflow) {
   constexpr double huge = std::numeric_limits<double>::max();
   const std::vector<Aabb<2, double>> boxes = {{{-huge, -1}, {-huge, 0}}, {{huge, 0}, {huge, 1}}};
-  EXPECT_EQ(root_place(boxes, {}).half, huge);
+  EXPECT_EQ(place_of_root(boxes, {}).half, huge);
 }
 
 }  // namespace
