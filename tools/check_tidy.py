@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: MIT
 """Runs clang-tidy on the sources of the library and the program and on the examples that include all headers; on tests,
-benchmarks and recipes only when asked, for they are several times as many files. A file is looked at again only
-when it, something that it includes of the project, its command, or the configuration has changed."""
+benchmarks and recipes only when asked, for they are several times as many files. Sources that are compiled as one batch
+(GRAZE_UNITY) are looked at as one, which reads their headers once instead of eight times. What was looked at is looked at
+again only when a file of it, something that it includes of the project, its command, or the configuration has changed."""
 
 import argparse
 import json
 import re
 import subprocess
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 
 from content_cache import ContentCache, content_key
-from project_files import ROOT, project_files
+from project_files import ROOT, includes, project_files
 
 # What no build for this machine compiles, and what does.
 COMPILED_ELSEWHERE = {
@@ -22,16 +24,40 @@ COMPILED_ELSEWHERE = {
 _FINDING = re.compile(r"^(/.*?):(\d+):(\d+): (warning|error): ", re.MULTILINE)
 
 
-def compile_commands(root, build):
-    """The project's own source files, each with its compile command."""
+@dataclass(frozen=True)
+class Unit:
+    """What is compiled at a time: the file that the compiler is given, the project's sources in it, and the command."""
+
+    file: Path
+    sources: tuple
+    command: str
+
+    def is_batch(self):
+        return self.file != self.sources[0]
+
+
+def units_of(root, build):
+    """The units of the compile commands that hold the project's own sources."""
     database = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
-    return {Path(entry["file"]).relative_to(root): entry["command"] for entry in database
-            if Path(entry["file"]).is_relative_to(root) and not Path(entry["file"]).is_relative_to(root / "build")}
+    units = []
+    for entry in database:
+        file = Path(entry["file"])
+        if file.is_relative_to(build) and file.parent.name == "Unity":
+            included = [Path(name) for _, name, _ in includes(file.read_text(encoding="utf-8"))]
+            units.append(Unit(file, tuple(path.relative_to(root) for path in included), entry["command"]))
+        elif file.is_relative_to(root) and not file.is_relative_to(root / "build"):
+            units.append(Unit(file.relative_to(root), (file.relative_to(root),), entry["command"]))
+    return units
 
 
 def is_looked_at_always(path):
     """What others include or run. Headers that no source of the library includes are seen through the examples."""
     return path.parts[0] in ("graze", "apps") or path.parent == Path("examples")
+
+
+def configuration_for(root, path):
+    """The nearest configuration above a source: for one in a batch, clang-tidy would look above the batch."""
+    return next(folder / ".clang-tidy" for folder in (root / path).parents if (folder / ".clang-tidy").is_file())
 
 
 def is_compiled_elsewhere(path):
@@ -55,24 +81,29 @@ def main():
 
     version = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=True).stdout
     configuration = [(root / path).read_text(encoding="utf-8") for path in project_files(root, [".clang-tidy"])]
-    commands = compile_commands(root, build)
-    checks = [(path, content_key(root, path, version, configuration, command)) for path, command in commands.items()
-              if options.all or is_looked_at_always(path)]
+    units = units_of(root, build)
+    checks = [(unit, content_key(root, unit.sources, version, configuration, unit.command)) for unit in units
+              if options.all or any(map(is_looked_at_always, unit.sources))]
 
-    def tidy(path):
+    def tidy(unit):
         # The commands may be another compiler's, with warnings that clang has never heard of.
-        command = ["clang-tidy", "--quiet", "--extra-arg=-Wno-unknown-warning-option", "-p", build, root / path]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        command = ["clang-tidy", "--quiet", "--extra-arg=-Wno-unknown-warning-option", "-p", build,
+                   f"--config-file={configuration_for(root, unit.sources[0])}"]
+        if unit.is_batch():
+            command.append("--checks=-bugprone-suspicious-include")  # a batch includes sources, that is its purpose
+        done = subprocess.run([*command, root / unit.file], capture_output=True, text=True, check=False)
         return "" if done.returncode == 0 else done.stdout or done.stderr
 
     failed, looked_at = ContentCache(root / "build" / "cache" / "tidy").run(checks, tidy)
     found = list(dict.fromkeys(finding for _, text in failed for finding in findings(root, text) or [text]))
     for finding in found:
         print(finding, file=sys.stderr)
-    missing = [path for path in project_files(root, [".cpp"]) if path not in commands and not is_compiled_elsewhere(path)]
+    compiled = {source for unit in units for source in unit.sources}
+    missing = [path for path in project_files(root, [".cpp"]) if path not in compiled and not is_compiled_elsewhere(path)]
     for path in missing:
         print(f"{path}:1: is in no target, so nothing compiles it", file=sys.stderr)
-    print(f"tidy: {len(checks)} files, {looked_at} of them changed, {len(found) + len(missing)} findings")
+    files = sum(len(unit.sources) for unit, _ in checks)
+    print(f"tidy: {files} files in {len(checks)} units, {looked_at} of them changed, {len(found) + len(missing)} findings")
     return 1 if failed or missing else 0
 
 

@@ -28,11 +28,12 @@ class ContentCache:
         return [(item, text) for (item, _), text in zip(due, texts) if text], len(due)
 
 
-def content_key(root, path, *settings):
-    """The hash of a source file, of all that it includes of the project, and of the settings of the check."""
+def content_key(root, paths, *settings):
+    """The hash of one or several source files, of all that they include of the project, and of the settings of the check."""
     digest = hashlib.sha256()
     for setting in settings:
         digest.update(str(setting).encode() + b"\0")
-    for part in include_closure(root, path):
-        digest.update(str(part).encode() + b"\0" + (Path(root) / part).read_bytes() + b"\0")
+    for path in [paths] if isinstance(paths, Path) else paths:
+        for part in include_closure(root, path):
+            digest.update(str(part).encode() + b"\0" + (Path(root) / part).read_bytes() + b"\0")
     return digest.hexdigest()

@@ -19,12 +19,12 @@ class CheckTidy(TreeTest):
             "file": str(self.tree / "apps/main.cpp")}]))
 
     def test_files_are_looked_at_once_and_again_when_they_change(self):
-        self.assertIn("1 files, 1 of them changed, 0 findings", self.run_tool("check_tidy.py")[1])
-        self.assertIn("1 files, 0 of them changed, 0 findings", self.run_tool("check_tidy.py")[1])
+        self.assertIn("1 files in 1 units, 1 of them changed, 0 findings", self.run_tool("check_tidy.py")[1])
+        self.assertIn("1 files in 1 units, 0 of them changed, 0 findings", self.run_tool("check_tidy.py")[1])
         self.write("apps/main.cpp", f"{LICENSE}#include <vector>\nint main() {{ return std::vector<int>().size() == 0; }}\n")
         status, said = self.run_tool("check_tidy.py")
         self.assertIn("apps/main.cpp:3:21: error:", said)
-        self.assertIn("1 files, 1 of them changed, 1 findings", said)
+        self.assertIn("1 files in 1 units, 1 of them changed, 1 findings", said)
         self.assertEqual(status, 1)
 
     def test_tests_benchmarks_and_recipes_are_looked_at_only_when_asked(self):
@@ -34,8 +34,22 @@ class CheckTidy(TreeTest):
             commands.append({"directory": str(self.tree), "command": f"g++ -std=c++20 -c '{self.tree}/{path}'",
                              "file": str(self.tree / path)})
         self.write("build/lint/compile_commands.json", json.dumps(commands))
-        self.assertIn("2 files, 2 of them changed, 0 findings", self.run_tool("check_tidy.py")[1])
-        self.assertIn("5 files, 3 of them changed, 0 findings", self.run_tool("check_tidy.py", "--all")[1])
+        self.assertIn("2 files in 2 units, 2 of them changed, 0 findings", self.run_tool("check_tidy.py")[1])
+        self.assertIn("5 files in 5 units, 3 of them changed, 0 findings", self.run_tool("check_tidy.py", "--all")[1])
+
+    def test_sources_of_a_batch_are_looked_at_as_one_and_findings_name_them(self):
+        self.write(".clang-tidy", "Checks: '-*,readability-container-size-empty,bugprone-suspicious-include'\n"
+                   "WarningsAsErrors: '*'\nHeaderFilterRegex: '/apps/.*\\.[ch]pp$'\n")
+        self.write("apps/other.cpp", f"{LICENSE}#include <vector>\nbool other() {{ return std::vector<int>().size() == 0; }}\n")
+        sources = "".join(f'#include "{self.tree}/apps/{name}.cpp"\n' for name in ("main", "other"))
+        batch = self.tree / "build/lint/apps/Unity/unity_0_cxx.cxx"
+        self.write(batch, sources)
+        self.write("build/lint/compile_commands.json", json.dumps([{
+            "directory": str(self.tree), "command": f"g++ -std=c++20 -c '{batch}'", "file": str(batch)}]))
+        status, said = self.run_tool("check_tidy.py")
+        self.assertIn("apps/other.cpp:3:23: error:", said)
+        self.assertIn("2 files in 1 units, 1 of them changed, 1 findings", said)
+        self.assertEqual(status, 1)
 
     def test_a_file_that_no_target_compiles_is_found(self):
         self.write("apps/forgotten.cpp", LICENSE)
