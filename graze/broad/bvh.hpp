@@ -23,24 +23,25 @@
 namespace graze {
 
 struct BvhOptions {
-  /// How far a box may move from where it was last entered before the tree has to change; finite, 0 or more. Answers
-  /// never depend on it.
+  /// How much farther than its boxes a smallest group reaches, so that its bounds need not change while boxes move
+  /// within them; finite, 0 or more. Answers never depend on it.
   double margin = 0;
 };
 
 /// A group of boxes of a Bvh, for pictures and for the curious.
 template <Dim N, class T>
 struct BvhCell {
-  Aabb<N, T> box;     ///< Contains all boxes of the group.
+  Aabb<N, T> box;     ///< Contains all boxes of the group; the smallest groups' are grown by the margin.
   int depth;          ///< That of all boxes has 0.
   std::size_t count;  ///< How many boxes the group has.
-  bool is_leaf;       ///< A single box, perhaps grown by the margin.
+  bool is_leaf;       ///< A single box, as it is.
 };
 
-/// A SpatialIndex (spatial_index.hpp says what its members do) that groups boxes two by two, groups likewise, and keeps
-/// the bounds of each: a bounding volume hierarchy. It asks nothing about where the boxes are or how large, and cannot
-/// degenerate: whatever comes, moves and goes, it has at most log(n) / log(5/4) levels, about 3.1 log2(n), and it sees
-/// to its quality by itself. A change takes O(log n) steps, on average over all changes so far.
+/// A SpatialIndex (spatial_index.hpp says what its members do) that groups up to sixteen boxes, groups likewise, and
+/// keeps the bounds of each: a bounding volume hierarchy, whose groups are looked at by vector instructions, sixteen at
+/// a time. It asks nothing about where the boxes are or how large, and cannot degenerate: whatever comes, moves and
+/// goes, all boxes are equally deep and every group but the first has six members or more, so that there are at most 1
+/// + log(n / 2) / log(6) levels of groups. A change takes O(log n) steps.
 ///
 /// Boxes with infinite sides are kept in a list beside the tree: each of them costs every query a look.
 template <Dim N, class T = float>
@@ -58,7 +59,7 @@ class Bvh {
     return keys_.take();
   }
 
-  /// Leaves the tree as it is while the box stays within the margin around where it was when it last entered.
+  /// Changes no bounds while the box stays within those of its smallest group, margin included.
   void update(const Key& key, const Box& box) {
     const std::uint32_t slot = keys_.slot_of(key);
     detail::require_box(box);
@@ -120,17 +121,17 @@ class Bvh {
   void ray_cast(const Ray<N, T>& ray, Visit&& visit) const {
     detail::require_ray(ray);
     detail::GuardedVisit guarded(visit, keys_);
-    detail::visit_along(tree_, detail::RayProbe(ray),
-                        [&](std::uint32_t slot, double t) { return guarded(keys_.key_of(slot), t); });
+    detail::visit_along(tree_, ray, [&](std::uint32_t slot, double t) { return guarded(keys_.key_of(slot), t); });
   }
 
   std::vector<Neighbour> nearest(const Vec<N, T>& point, std::size_t k) const {
     detail::require_point(point);
-    if (k == 0) return {};
+    if (k == 0 || size() == 0) return {};
     detail::NearestKeys nearest(std::min(k, size()));
-    const auto offer = [&](std::uint32_t slot, double distance) { nearest.offer({keys_.key_of(slot), distance}); };
-    if (size() > 0) detail::visit_near(tree_, point, offer, [&nearest] { return nearest.reach(); });
-    return nearest.sorted();
+    detail::find_near(tree_, point, nearest);
+    std::vector<Neighbour> sorted = nearest.sorted();
+    for (Neighbour& neighbour : sorted) neighbour.key = keys_.key_of(neighbour.key.index);
+    return sorted;
   }
 
   /// By the batch method, which is quicker than any walk through a tree; holds all pairs while it visits them.
@@ -144,24 +145,28 @@ class Bvh {
   template <VisitorOf<BvhCell<N, T>> Visit>
   void visit_cells(Visit&& visit) const {
     detail::GuardedVisit guarded(visit, keys_);
-    detail::ShortList<Place, detail::bvh_path> open;
-    if (!tree_.child(0).is_none()) open.push({0, 0});
+    detail::ShortList<Group, detail::bvh_path> open;
+    if (size() > tree_.infinite().size()) open.push({tree_.bounds(), tree_.root().code(), 0, false});
     while (!open.empty()) {
-      const Place at = open.pop();
-      const detail::BvhChild child = tree_.child(at.place);
-      const std::size_t count = child.is_leaf() ? 1 : tree_.node(child.index()).count;
-      if (!guarded(BvhCell<N, T>{tree_.bounds(at.place), at.depth, count, child.is_leaf()})) return;
-      if (child.is_leaf()) continue;
-      open.push({2 * child.index() + 1, at.depth + 1});
-      open.push({2 * child.index(), at.depth + 1});
+      const Group group = open.pop();
+      const detail::BvhLink link = detail::BvhLink::of_code(group.code);
+      const std::size_t count = group.is_box ? 1 : tree_.boxes_below(link);
+      if (!guarded(BvhCell<N, T>{group.box, group.depth, count, group.is_box})) return;
+      if (group.is_box) continue;
+      const detail::BvhNode<N, T>& node = tree_.node(link);
+      for (std::uint32_t lane = tree_.count(link); lane-- > 0;) {
+        open.push({box_in(node.boxes, lane), node.entries[lane], group.depth + 1, link.is_leaf()});
+      }
     }
   }
 
  private:
-  /// Where a group hangs, and how deep.
-  struct Place {
-    std::uint32_t place;
+  /// What a visit of all groups still has to look at: a node by its link's code, or a box by its slot.
+  struct Group {
+    Box box;
+    std::uint32_t code;
     int depth;
+    bool is_box;
   };
 
   using Tree = detail::BvhTree<N, T>;

@@ -1,221 +1,229 @@
 // SPDX-License-Identifier: MIT
-// Splits where lines have the least to do: a side costs its surface times the number of its leaves (MacDonald and Booth
-// 1990, "Heuristics for ray tracing using space subdivision"), tried between bins of equal width along the axis on
-// which the centers spread most (Wald 2007, "On fast construction of SAH-based bounding volume hierarchies"), and
-// between all leaves when they are few.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <limits>
-#include <span>
-#include <utility>
 
 #include <graze/broad/box_cover.hpp>
 #include <graze/broad/bvh_build.hpp>
 
 namespace graze::detail {
-namespace {
 
-constexpr std::size_t bins = 16;
-constexpr std::size_t few = 16;
-
-/// The sides of larger trees may be built by different threads.
-constexpr std::size_t worth_a_task = 4096;
-
-template <Dim N, class T>
-T center_on(const Aabb<N, T>& box, Dim axis) {
-  return box.min[axis] * T(0.5) + box.max[axis] * T(0.5);
+BvhPlan::BvhPlan(std::size_t boxes) : sizes_(1, boxes), firsts_(1, 0) {
+  do {
+    sizes_.push_back((sizes_.back() + block_size - 1) / block_size);
+    firsts_.push_back(firsts_.back() + sizes_.back());
+  } while (sizes_.back() > 1);
 }
 
-/// Along which axis the centers spread most, from where, and how far.
+namespace {
+
+/// Parts of larger trees may be built by different threads.
+constexpr std::size_t worth_a_task = 4096;
+
+/// So many centers are sorted sooner than counted, and so many counted finely.
+constexpr std::size_t few = 48;
+constexpr std::size_t many = 1024;
+
+/// The center of a box, and whose it is: all that parting moves about.
+template <Dim N, class T>
+struct BvhCenter {
+  Vec<N, T> at;
+  std::uint32_t slot;
+};
+
+/// Centers, and as much room beside them.
+template <Dim N, class T>
+struct BvhCenters {
+  BvhCenter<N, T>* here;
+  BvhCenter<N, T>* beside;
+  std::size_t count;
+
+  BvhCenters first(std::size_t some) const { return {here, beside, some}; }
+  BvhCenters behind(std::size_t some) const { return {here + some, beside + some, count - some}; }
+};
+
+/// Along which axis centers spread most, from where, and how far.
 template <class T>
-struct Spread {
+struct BvhSpread {
   Dim axis;
   T from;
   T extent;
 };
 
 template <Dim N, class T>
-Spread<T> spread_of(std::span<const BvhLeaf<N, T>> leaves) {
+BvhSpread<T> spread_of(const BvhCenters<N, T>& centers) {
   Vec<N, T> low(std::numeric_limits<T>::infinity());
   Vec<N, T> high(-std::numeric_limits<T>::infinity());
-  for (const BvhLeaf<N, T>& leaf : leaves) {
+  for (std::size_t k = 0; k < centers.count; ++k) {
+    const Vec<N, T> at = centers.here[k].at;
     for (Dim i = 0; i < N; ++i) {
-      const T center = center_on(leaf.box, i);
-      low[i] = center < low[i] ? center : low[i];
-      high[i] = center > high[i] ? center : high[i];
+      low[i] = at[i] < low[i] ? at[i] : low[i];
+      high[i] = at[i] > high[i] ? at[i] : high[i];
     }
   }
-  Spread<T> spread{0, low[0], high[0] - low[0]};
+  BvhSpread<T> spread{0, low[0], high[0] - low[0]};
   for (Dim i = 1; i < N; ++i) {
     if (high[i] - low[i] > spread.extent) spread = {i, low[i], high[i] - low[i]};
   }
   return spread;
 }
 
-/// How many leaves the first side may get.
-struct Range {
-  std::size_t least;
-  std::size_t most;
-};
-
-Range allowed(std::size_t count) {
-  if (count <= 12) return {1, count - 1};
-  return {(count + 2) / 3, count - (count + 2) / 3};
-}
-
-/// By their centers along an axis, equal ones by slot.
 template <Dim N, class T>
-struct Before {
-  Dim axis;
+class BvhBuilder {
+ public:
+  using Centers = BvhCenters<N, T>;
 
-  bool operator()(const BvhLeaf<N, T>& a, const BvhLeaf<N, T>& b) const {
-    const T center_a = center_on(a.box, axis);
-    const T center_b = center_on(b.box, axis);
-    return center_a != center_b ? center_a < center_b : a.slot < b.slot;
+  BvhBuilder(double margin, const BvhPlan& plan, const BvhArrays<N, T>& arrays, const Executor& executor)
+      : margin_(margin), plan_(plan), arrays_(arrays), executor_(executor) {}
+
+  /// Builds a node of a level from the boxes that are its own, and returns its bounds.
+  Aabb<N, T> build_node(  // NOLINT(misc-no-recursion): no deeper than the tree
+      std::size_t level, std::size_t number, const Centers& centers) const {
+    const std::uint32_t index = plan_.index(level, number);
+    BvhNode<N, T>& node = arrays_.nodes[index];
+    const std::size_t first = plan_.first_entry(level, number);
+    const std::size_t count = plan_.first_entry(level, number + 1) - first;
+    arrays_.places[index].count = static_cast<std::uint32_t>(count);
+    clear_lanes(node, static_cast<std::uint32_t>(count));
+    if (level > 0) {
+      build_entries({level, index, first}, first, first + count, centers);
+    } else {
+      fill_leaf_node(index, centers);
+    }
+    Aabb<N, T> around = Aabb<N, T>::nothing();
+    for (std::uint32_t lane = 0; lane < count; ++lane) grow_at_once(around, box_in(node.boxes, lane));
+    return level > 0 ? around : grown_by(around, margin_);
   }
-};
 
-/// Sorts a few leaves and returns how many come first.
-template <Dim N, class T>
-std::size_t split_few(std::span<BvhLeaf<N, T>> leaves, Dim axis) {
-  const std::size_t count = leaves.size();
-  std::sort(leaves.begin(), leaves.end(), Before<N, T>{axis});
-  std::array<double, few> cost_behind;  // NOLINT(*-member-init): written before it is read
-  Aabb<N, T> box = Aabb<N, T>::nothing();
-  for (std::size_t k = count; k-- > 1;) {
-    grow_at_once(box, leaves[k].box);
-    cost_behind[k] = surface_of(box) * static_cast<double>(count - k);
-  }
-  const Range range = allowed(count);
-  std::size_t best = count / 2;
-  double best_cost = std::numeric_limits<double>::infinity();
-  box = Aabb<N, T>::nothing();
-  for (std::size_t k = 1; k <= range.most; ++k) {
-    grow_at_once(box, leaves[k - 1].box);
-    const double cost = surface_of(box) * static_cast<double>(k) + cost_behind[k];
-    if (k < range.least || !(cost < best_cost)) continue;
-    best = k;
-    best_cost = cost;
-  }
-  return best;
-}
+ private:
+  using Center = BvhCenter<N, T>;
 
-/// Halves the leaves.
-template <Dim N, class T>
-std::size_t split_in_the_middle(std::span<BvhLeaf<N, T>> leaves, Dim axis) {
-  const std::size_t half = leaves.size() / 2;
-  std::nth_element(leaves.begin(), leaves.begin() + static_cast<std::ptrdiff_t>(half), leaves.end(),
-                   Before<N, T>{axis});
-  return half;
-}
-
-/// The leaves whose centers lie in a bin.
-template <Dim N, class T>
-struct Bin {
-  Aabb<N, T> box = Aabb<N, T>::nothing();
-  std::size_t count = 0;
-};
-
-/// The border between bins with the lowest cost; none where each leaves too few on one side.
-template <Dim N, class T>
-std::size_t best_border(const std::array<Bin<N, T>, bins>& all, const Range& range) {
-  std::array<double, bins> cost_behind;  // NOLINT(*-member-init): written before it is read
-  Bin<N, T> side;
-  for (std::size_t k = bins; k-- > 1;) {
-    grow_at_once(side.box, all[k].box);
-    side.count += all[k].count;
-    cost_behind[k] = surface_of(side.box) * static_cast<double>(side.count);
-  }
-  side = {};
-  std::size_t best = 0;
-  double best_cost = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 1; k < bins; ++k) {
-    grow_at_once(side.box, all[k - 1].box);
-    side.count += all[k - 1].count;
-    if (side.count < range.least || side.count > range.most) continue;
-    const double cost = surface_of(side.box) * static_cast<double>(side.count) + cost_behind[k];
-    if (!(cost < best_cost)) continue;
-    best = k;
-    best_cost = cost;
-  }
-  return best;
-}
-
-/// Parts many leaves and returns how many come first.
-template <Dim N, class T>
-std::size_t split_many(std::span<BvhLeaf<N, T>> leaves, const Spread<T>& spread) {
-  const T bins_per_unit = static_cast<T>(bins) / spread.extent;
-  if (!std::isfinite(spread.extent) || !std::isfinite(bins_per_unit)) return split_in_the_middle(leaves, spread.axis);
-  const auto bin_of = [&](const BvhLeaf<N, T>& leaf) {
-    const auto bin = static_cast<std::size_t>((center_on(leaf.box, spread.axis) - spread.from) * bins_per_unit);
-    return std::min(bin, bins - 1);
+  struct Parent {
+    std::size_t level;
+    std::uint32_t index;
+    std::size_t first;
   };
-  std::array<Bin<N, T>, bins> all;
-  for (const BvhLeaf<N, T>& leaf : leaves) {
-    Bin<N, T>& bin = all[bin_of(leaf)];
-    grow_at_once(bin.box, leaf.box);
-    ++bin.count;
-  }
-  const std::size_t border = best_border(all, allowed(leaves.size()));
-  if (border == 0) return split_in_the_middle(leaves, spread.axis);
-  const auto first_behind =
-      std::partition(leaves.begin(), leaves.end(), [&](const BvhLeaf<N, T>& leaf) { return bin_of(leaf) < border; });
-  return static_cast<std::size_t>(first_behind - leaves.begin());
-}
 
-template <Dim N, class T>
-std::size_t split(std::span<BvhLeaf<N, T>> leaves) {
-  if (leaves.size() == 2) {
-    if (leaves[1].slot < leaves[0].slot) std::swap(leaves[0], leaves[1]);
-    return 1;
+  void fill_leaf_node(std::uint32_t index, const Centers& centers) const {
+    BvhNode<N, T>& node = arrays_.nodes[index];
+    std::sort(centers.here, centers.here + centers.count,
+              [](const Center& a, const Center& b) { return a.slot < b.slot; });
+    for (std::uint32_t lane = 0; lane < centers.count; ++lane) {
+      const std::uint32_t slot = centers.here[lane].slot;
+      put_box(node.boxes, lane, arrays_.boxes[slot]);
+      node.entries[lane] = slot;
+      arrays_.leaf_nodes[slot] = index;
+    }
   }
-  const Spread<T> spread = spread_of<N, T>(leaves);
-  return leaves.size() <= few ? split_few(leaves, spread.axis) : split_many(leaves, spread);
-}
+
+  /// Builds the nodes from `first` to before `last` on the level below a parent.
+  void build_entries(  // NOLINT(misc-no-recursion)
+      const Parent& parent, std::size_t first, std::size_t last, const Centers& centers) const {
+    if (last - first == 1) {
+      const std::uint32_t index = plan_.index(parent.level - 1, first);
+      const auto lane = static_cast<std::uint32_t>(first - parent.first);
+      BvhNode<N, T>& above = arrays_.nodes[parent.index];
+      put_box(above.boxes, lane, build_node(parent.level - 1, first, centers));
+      above.entries[lane] = (parent.level == 1 ? BvhLink::leaf(index) : BvhLink::inner(index)).code();
+      arrays_.places[index].parent = parent.index;
+      return;
+    }
+    const std::size_t middle = (first + last) / 2;
+    const std::size_t count = plan_.first_box(parent.level - 1, middle) - plan_.first_box(parent.level - 1, first);
+    const Centers parted = part(centers, count);
+    const auto build_side = [&](std::size_t side) {
+      if (side == 0) {
+        build_entries(parent, first, middle, parted.first(count));
+      } else {
+        build_entries(parent, middle, last, parted.behind(count));
+      }
+    };
+    if (centers.count > worth_a_task) {
+      executor_.parallel_for(2, std::ref(build_side));  // by reference, which allocates nothing
+    } else {
+      build_side(0);
+      build_side(1);
+    }
+  }
+
+  /// Brings the `count` first ones to the front, or to the front of the room beside.
+  static Centers part(const Centers& centers, std::size_t count) {
+    const BvhSpread<T> spread = spread_of(centers);
+    if (centers.count > many) return part_by_bins<256>(centers, count, spread);
+    if (centers.count > few) return part_by_bins<32>(centers, count, spread);
+    part_by_order(centers, count, spread.axis);
+    return centers;
+  }
+
+  /// By counting how many lie in bins of equal width, and then sorting but one of them.
+  template <std::size_t bins>
+  static Centers part_by_bins(const Centers& centers, std::size_t count, const BvhSpread<T>& spread) {
+    const T bins_per_unit = static_cast<T>(bins) / spread.extent;
+    if (!std::isfinite(spread.extent) || !std::isfinite(bins_per_unit)) {
+      part_by_order(centers, count, spread.axis);
+      return centers;
+    }
+    const auto bin_of = [&](const Center& center) {
+      const auto bin = static_cast<std::int32_t>((center.at[spread.axis] - spread.from) * bins_per_unit);
+      return std::min(bin, static_cast<std::int32_t>(bins) - 1);
+    };
+    std::array<std::uint32_t, bins> counts{};
+    for (std::size_t k = 0; k < centers.count; ++k) ++counts[static_cast<std::size_t>(bin_of(centers.here[k]))];
+    std::size_t border = 0;
+    std::size_t before = 0;
+    while (before + counts[border] <= count) before += counts[border++];
+    std::array<std::size_t, 3> next = {0, before, before + counts[border]};  // below the border's bin, in it, above
+    const auto border_bin = static_cast<std::int32_t>(border);
+    for (std::size_t k = 0; k < centers.count; ++k) {
+      const std::int32_t bin = bin_of(centers.here[k]);
+      const std::size_t side = static_cast<std::size_t>(bin >= border_bin) + static_cast<std::size_t>(bin > border_bin);
+      centers.beside[next[side]++] = centers.here[k];
+    }
+    const Centers parted{centers.beside, centers.here, centers.count};
+    part_by_order(parted.behind(before).first(counts[border]), count - before, spread.axis);
+    return parted;
+  }
+
+  /// Equal ones come by slot.
+  static void part_by_order(const Centers& centers, std::size_t count, Dim axis) {
+    std::nth_element(centers.here, centers.here + count, centers.here + centers.count,
+                     [axis](const Center& a, const Center& b) {
+                       return a.at[axis] != b.at[axis] ? a.at[axis] < b.at[axis] : a.slot < b.slot;
+                     });
+  }
+
+  double margin_;
+  const BvhPlan& plan_;
+  BvhArrays<N, T> arrays_;
+  const Executor& executor_;
+};
 
 }  // namespace
 
-/// Of two or more leaves; a node with k leaves below is followed by those k - 2 that are below its first place and its
-/// second: so each side knows its nodes before the other is built. No deeper than the tree.
 template <Dim N, class T>
-void BvhBuilder<N, T>::build_from(  // NOLINT(misc-no-recursion)
-    std::span<BvhLeaf<N, T>> leaves, std::uint32_t place, std::size_t first_index) {
-  BvhNode<N, T>& parent = nodes_[place / 2];
-  if (leaves.size() == 1) {
-    parent.children[place % 2] = BvhChild::leaf(leaves[0].slot);
-    parent.boxes[place % 2] = leaves[0].box;
-    places_[leaves[0].slot] = place;
-    return;
+void build_bvh(std::span<const std::uint32_t> slots, double margin, const BvhPlan& plan, const BvhArrays<N, T>& arrays,
+               const Executor& executor) {
+  std::vector<BvhCenter<N, T>> centers(2 * slots.size());
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    const Aabb<N, T>& box = arrays.boxes[slots[k]];
+    for (Dim i = 0; i < N; ++i) centers[k].at[i] = box.min[i] * T(0.5) + box.max[i] * T(0.5);
+    centers[k].slot = slots[k];
   }
-  const std::uint32_t index = indices_[first_index];
-  BvhNode<N, T>& node = nodes_[index];
-  node.place = place;
-  node.count = static_cast<std::uint32_t>(leaves.size());
-  const std::size_t middle = split(leaves);
-  const auto build_side = [&](std::size_t side) {
-    if (side == 0) {
-      build_from(leaves.first(middle), 2 * index, first_index + 1);
-    } else {
-      build_from(leaves.subspan(middle), 2 * index + 1, first_index + middle);
-    }
-  };
-  if (leaves.size() > worth_a_task) {
-    executor_.parallel_for(2, std::ref(build_side));  // by reference, which allocates nothing
-  } else {
-    build_side(0);
-    build_side(1);
-  }
-  parent.children[place % 2] = BvhChild::node(index);
-  parent.boxes[place % 2] = box_around(node.boxes[0], node.boxes[1]);
+  const std::size_t top = plan.height() - 1;
+  BvhBuilder<N, T>(margin, plan, arrays, executor)
+      .build_node(top, 0, {centers.data(), centers.data() + slots.size(), slots.size()});
+  arrays.places[plan.index(top, 0)].parent = no_box;
 }
 
-template class BvhBuilder<2, float>;
-template class BvhBuilder<3, float>;
-template class BvhBuilder<2, double>;
-template class BvhBuilder<3, double>;
+template void build_bvh(std::span<const std::uint32_t>, double, const BvhPlan&, const BvhArrays<2, float>&,
+                        const Executor&);
+template void build_bvh(std::span<const std::uint32_t>, double, const BvhPlan&, const BvhArrays<3, float>&,
+                        const Executor&);
+template void build_bvh(std::span<const std::uint32_t>, double, const BvhPlan&, const BvhArrays<2, double>&,
+                        const Executor&);
+template void build_bvh(std::span<const std::uint32_t>, double, const BvhPlan&, const BvhArrays<3, double>&,
+                        const Executor&);
 
 }  // namespace graze::detail

@@ -129,6 +129,19 @@ class RegionProbe {
     return true;
   }
 
+  static constexpr bool is_box = false;
+
+  /// No box with coordinates up to `size` that may meet the region misses this box.
+  Box reach(double size) const {
+    const double slack = 2 * (slack_ + band * size);  // may_meet rounds too
+    Box box;
+    for (Dim i = 0; i < N; ++i) {
+      box.min[i] = round_down<T>(static_cast<double>(bounds_.min[i]) - slack);
+      box.max[i] = round_up<T>(static_cast<double>(bounds_.max[i]) + slack);
+    }
+    return box;
+  }
+
   /// For a box that may meet the region by its bounds: whether it may by the region itself. Dearer, and worth it where
   /// much is at stake.
   bool may_meet_closely(const Box& box) const {
@@ -177,7 +190,10 @@ class RegionProbe<Generous<R>> {
 
   explicit RegionProbe(const Generous<R>& generous) : probe_(generous.region) {}
 
+  static constexpr bool is_box = false;
+
   bool may_meet(const Box& box) const { return probe_.may_meet(box); }
+  Box reach(double size) const { return probe_.reach(size); }
   bool may_meet_closely(const Box& box) const { return probe_.may_meet_closely(box); }
   bool meets(const Box& box) const { return may_meet(box) && (!is_valid(box) || may_meet_closely(box)); }
 
@@ -197,7 +213,10 @@ class RegionProbe<Aabb<M, U>> {
     if (is_nothing(region)) region_.min = Vec<M, U>(std::numeric_limits<U>::quiet_NaN());  // overlaps no box at all
   }
 
+  static constexpr bool is_box = true;  // meets whatever shares a point with its reach
+
   bool may_meet(const Box& box) const { return boxes_overlap_at_once(region_, box); }
+  Box reach(double /*size*/) const { return region_; }
   bool may_meet_closely(const Box&) const { return true; }  // nothing is closer than may_meet
   bool meets(const Box& box) const { return boxes_overlap_at_once(region_, box); }
 

@@ -160,18 +160,20 @@ std::optional<double> entry_of(const Ray<N, T>& ray, const Aabb<N, T>& box) {
   return enter;
 }
 
-/// The k nearest of all that were offered.
+/// The k nearest of all that were offered: a few sorted, many in a heap.
 class NearestKeys {
  public:
   explicit NearestKeys(std::size_t k) : k_(k) { nearest_.reserve(k); }
 
   /// No box that is farther away is among them any more.
   double reach() const {
-    return nearest_.size() < k_ ? std::numeric_limits<double>::infinity() : nearest_.front().distance_squared;
+    if (nearest_.size() < k_) return std::numeric_limits<double>::infinity();
+    return (is_heap() ? nearest_.front() : nearest_.back()).distance_squared;
   }
 
   /// With k of zero nothing is offered.
   void offer(const Neighbour& candidate) {
+    if (!is_heap()) return offer_to_few(candidate);
     if (nearest_.size() == k_) {
       if (!comes_first(candidate, nearest_.front())) return;
       std::pop_heap(nearest_.begin(), nearest_.end(), comes_first);
@@ -184,17 +186,32 @@ class NearestKeys {
 
   /// Ends the search.
   std::vector<Neighbour> sorted() {
-    std::sort_heap(nearest_.begin(), nearest_.end(), comes_first);
+    if (is_heap()) std::sort_heap(nearest_.begin(), nearest_.end(), comes_first);
     return std::move(nearest_);
   }
 
  private:
+  static constexpr std::size_t few = 32;
+
+  bool is_heap() const { return k_ > few; }
+
+  void offer_to_few(const Neighbour& candidate) {
+    if (nearest_.size() < k_) {
+      nearest_.push_back(candidate);
+    } else if (!comes_first(candidate, nearest_.back())) {
+      return;
+    }
+    std::size_t place = nearest_.size() - 1;
+    for (; place > 0 && comes_first(candidate, nearest_[place - 1]); --place) nearest_[place] = nearest_[place - 1];
+    nearest_[place] = candidate;
+  }
+
   static bool comes_first(const Neighbour& a, const Neighbour& b) {
     return a.distance_squared != b.distance_squared ? a.distance_squared < b.distance_squared : a.key < b.key;
   }
 
   std::size_t k_;
-  std::vector<Neighbour> nearest_;  // a heap, the farthest in front
+  std::vector<Neighbour> nearest_;  // ascending, or a heap with the farthest in front
 };
 
 }  // namespace detail

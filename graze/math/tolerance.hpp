@@ -111,9 +111,16 @@ inline constexpr double box_slack = 256 * epsilon;
 /// difference and a quotient, so two of them are wrong by under 2 epsilon together; doubled.
 inline constexpr double ray_slabs = 4 * epsilon;
 
-/// Bounds of many boxes are entered by a ray up to this, relatively, if one of the boxes is: their t are products with
-/// an inverse, wrong by under 2 epsilon, those of the boxes by 1 epsilon and held to `ray_slabs`.
-inline constexpr double ray_bounds = 8 * epsilon;
+/// A box of many is held against a ray in T, and left to the careful test of `ray_slabs` unless it is missed by more
+/// than this, relatively: a difference, an inverse and a product are wrong by under 2 epsilon of T together, the
+/// careful test by 1 epsilon of double and its band.
+template <Scalar T>
+inline constexpr T ray_lanes = T(8) * std::numeric_limits<T>::epsilon();
+
+/// A squared distance of a box in T, a sum of squared differences, is wrong by under 4 epsilon of T, relatively;
+/// doubled.
+template <Scalar T>
+inline constexpr T near_lanes = T(8) * std::numeric_limits<T>::epsilon();
 
 /// A ray cast leaves to `relation` the rays that pass the edge of a shape's shadow nearer than this times its size,
 /// seen from the origin: over a hundred times the band of `relation`, and its own error is a few epsilon.

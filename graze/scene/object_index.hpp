@@ -19,8 +19,8 @@
 
 namespace graze::detail {
 
-/// A spatial index by the slots of objects instead of keys: an Orthtree, whose boxes move at a fraction of what those
-/// of a Bvh cost, while questions cost about the same (bench/bvh.cpp). Each box is grown by what `relation` may
+/// A spatial index by the slots of objects instead of keys: an Orthtree, in which boxes move a little sooner than in a
+/// Bvh, though that one answers sooner (bench/bvh.cpp). Each box is grown by what `relation` may
 /// forgive, so that no object is missed that an exact test would find.
 template <Dim N, class T>
 class SlotIndex {

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <map>
-#include <numeric>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -22,91 +21,113 @@
 namespace graze::detail::bvh_build_test {
 namespace {
 
-/// A tree of its own, with nodes 1 and up below place 0.
+TEST(BvhPlan, HasAsFewNodesAsThereCanBeAndSharesEntriesEvenly) {
+  for (const std::size_t boxes : {1U, 15U, 16U, 17U, 256U, 257U, 4096U, 4097U, 100'000U}) {
+    const BvhPlan plan(boxes);
+    std::size_t below = boxes;
+    std::size_t nodes = 0;
+    for (std::size_t level = 0; level < plan.height(); ++level) {
+      const std::size_t here = (below + block_size - 1) / block_size;
+      EXPECT_EQ(plan.index(level, 0), nodes);
+      std::size_t next = 0;
+      for (std::size_t k = 0; k < here; ++k) {
+        EXPECT_EQ(plan.first_entry(level, k), next);
+        next = plan.first_entry(level, k + 1);
+        const std::size_t entries = next - plan.first_entry(level, k);
+        ASSERT_LE(entries, block_size);
+        ASSERT_GE(entries, below / here);
+        ASSERT_TRUE(here == 1 || entries >= bvh_least);
+      }
+      EXPECT_EQ(next, below);
+      EXPECT_EQ(plan.first_box(level, here), boxes);
+      nodes += here;
+      below = here;
+    }
+    EXPECT_EQ(below, 1U);
+    EXPECT_EQ(plan.nodes(), nodes);
+  }
+}
+
+/// A tree of its own.
 template <Dim N, class T>
 struct Built {
+  BvhPlan plan;
   std::vector<BvhNode<N, T>> nodes;
-  std::vector<std::uint32_t> places;
+  std::vector<BvhPlace> places;
+  std::vector<std::uint32_t> leaf_nodes;
 
-  Built(std::vector<BvhLeaf<N, T>> leaves, const Executor& executor)
-      : nodes(std::max<std::size_t>(leaves.size(), 1)), places(leaves.size()) {
-    std::vector<std::uint32_t> indices(leaves.size() - 1);
-    std::iota(indices.begin(), indices.end(), std::uint32_t{1});
-    BvhBuilder<N, T>(nodes.data(), indices, places.data(), executor).build(leaves, 0);
+  Built(const std::vector<Aabb<N, T>>& boxes, const std::vector<std::uint32_t>& slots, const Executor& executor)
+      : plan(slots.size()), nodes(plan.nodes()), places(plan.nodes()), leaf_nodes(boxes.size()) {
+    build_bvh<N, T>(slots, 0, plan, {boxes.data(), nodes.data(), places.data(), leaf_nodes.data()}, executor);
   }
 
+  /// To the last bit, that of lanes without an entry as well.
   bool operator==(const Built& other) const {
-    return places == other.places && std::equal(nodes.begin(), nodes.end(), other.nodes.begin(), other.nodes.end(),
-                                                [](const auto& a, const auto& b) {
-                                                  return a.boxes == b.boxes && a.children == b.children &&
-                                                         a.place == b.place && a.count == b.count;
-                                                });
+    return leaf_nodes == other.leaf_nodes && nodes.size() == other.nodes.size() &&
+           std::memcmp(nodes.data(), other.nodes.data(), nodes.size() * sizeof(nodes[0])) == 0 &&
+           std::equal(places.begin(), places.end(), other.places.begin(),
+                      [](const auto& a, const auto& b) { return a.parent == b.parent && a.count == b.count; });
   }
 };
-
-template <Dim N, class T>
-std::vector<BvhLeaf<N, T>> leaves_of(const std::vector<Aabb<N, T>>& boxes) {
-  std::vector<BvhLeaf<N, T>> leaves;
-  for (const Aabb<N, T>& box : boxes) {
-    if (is_valid(box)) leaves.push_back({box, static_cast<std::uint32_t>(leaves.size())});
-  }
-  return leaves;
-}
 
 Aabb<2> unit_square(float x, float y) { return {{x, y}, {x + 1, y + 1}}; }
 
 TEST(BvhBuild, PartsWhatLiesApart) {
-  // Three near 0 and two near 100: an even split would tear the three apart.
-  const Built<2, float> tree(leaves_of<2, float>({unit_square(0, 0), unit_square(100, 0), unit_square(0, 2),
-                                                  unit_square(2, 0), unit_square(100, 2)}),
-                             serial_executor());
-  ASSERT_EQ(tree.nodes[0].children[0], BvhChild::node(1));
-  EXPECT_EQ(tree.nodes[1].boxes[0], (Aabb<2>{{0, 0}, {3, 3}}));
-  EXPECT_EQ(tree.nodes[1].boxes[1], (Aabb<2>{{100, 0}, {101, 3}}));
-  EXPECT_EQ(tree.nodes[1].count, 5U);
-  EXPECT_EQ(tree.nodes[1].children[0], BvhChild::node(2));
-  EXPECT_EQ(tree.nodes[1].children[1], BvhChild::node(4));  // behind the two nodes of the three
-  EXPECT_EQ(tree.nodes[4].children[0], BvhChild::leaf(1));
-  EXPECT_EQ(tree.places[1], 8U);
-}
-
-TEST(BvhBuild, HangsASingleLeafInThePlaceItself) {
-  const Built<2, float> tree(leaves_of<2, float>({unit_square(3, 4)}), serial_executor());
-  EXPECT_EQ(tree.nodes[0].children[0], BvhChild::leaf(0));
-  EXPECT_EQ(tree.nodes[0].boxes[0], unit_square(3, 4));
-  EXPECT_EQ(tree.places[0], 0U);
-}
-
-TEST(BvhBuild, GivesNoSideMoreThanTwoThirdsOfMany) {
-  const auto worlds = test::box_worlds<3, float>(2000, 5);
-  for (const auto& world : worlds) {
-    const Built<3, float> tree(leaves_of(world.boxes), serial_executor());
-    const auto count = [&tree](BvhChild child) { return child.is_leaf() ? 1 : tree.nodes[child.index()].count; };
-    for (std::size_t k = 1; k < tree.nodes.size(); ++k) {
-      const BvhNode<3, float>& node = tree.nodes[k];
-      const std::uint32_t larger = std::max(count(node.children[0]), count(node.children[1]));
-      EXPECT_TRUE(node.count <= 12 || 3 * larger <= 2 * node.count)
-          << world.name << ": " << larger << " of " << node.count;
-    }
+  std::vector<Aabb<2>> boxes;
+  std::vector<std::uint32_t> slots;
+  for (std::uint32_t k = 0; k < 32; ++k) {
+    boxes.push_back(unit_square(k % 2 == 0 ? 0.0F : 100.0F, static_cast<float>(k)));
+    slots.push_back(31 - k);
   }
+  const Built<2, float> tree(boxes, slots, serial_executor());
+  ASSERT_EQ(tree.nodes.size(), 3U);
+  EXPECT_EQ(box_in(tree.nodes[2].boxes, 0), (Aabb<2>{{0, 0}, {1, 31}}));
+  EXPECT_EQ(box_in(tree.nodes[2].boxes, 1), (Aabb<2>{{100, 1}, {101, 32}}));
+  EXPECT_EQ(tree.nodes[2].entries[0], BvhLink::leaf(0).code());
+  EXPECT_EQ(tree.nodes[0].entries[3], 6U);  // by slot
+  EXPECT_EQ(box_in(tree.nodes[0].boxes, 3), boxes[6]);
+  EXPECT_EQ(tree.leaf_nodes[6], 0U);
+  EXPECT_EQ(tree.places[0].parent, 2U);
+  EXPECT_EQ(tree.places[0].count, 16U);
+  EXPECT_EQ(tree.places[2].parent, no_box);
+  EXPECT_EQ(tree.places[2].count, 2U);
 }
 
 /// What hangs where follows from the boxes and their slots.
 template <Dim N, class T>
 void expect_the_same_tree(std::size_t count) {
   for (const auto& world : test::box_worlds<N, T>(count, 3)) {
-    std::vector<BvhLeaf<N, T>> leaves = leaves_of(world.boxes);
-    const Built<N, T> expected(leaves, serial_executor());
-    EXPECT_TRUE((Built<N, T>(leaves, test::ThreadExecutor(3)) == expected)) << world.name;
-    std::reverse(leaves.begin(), leaves.end());
-    std::rotate(leaves.begin(), leaves.begin() + 17, leaves.end());
-    EXPECT_TRUE((Built<N, T>(leaves, serial_executor()) == expected)) << world.name << " in another order";
+    std::vector<std::uint32_t> slots;
+    for (std::uint32_t k = 0; k < world.boxes.size(); ++k) {
+      if (is_valid(world.boxes[k])) slots.push_back(k);
+    }
+    const Built<N, T> expected(world.boxes, slots, serial_executor());
+    EXPECT_TRUE((Built<N, T>(world.boxes, slots, test::ThreadExecutor(3)) == expected)) << world.name;
+    std::reverse(slots.begin(), slots.end());
+    std::rotate(slots.begin(), slots.begin() + 17, slots.end());
+    EXPECT_TRUE((Built<N, T>(world.boxes, slots, serial_executor()) == expected)) << world.name << " in another order";
   }
 }
 
-TEST(BvhBuild, DependsNeitherOnThreadsNorOnTheOrderOfTheLeaves) {
+TEST(BvhBuild, DependsNeitherOnThreadsNorOnTheOrderOfTheSlots) {
   expect_the_same_tree<3, float>(10'000);
   expect_the_same_tree<2, double>(5'000);
+}
+
+TEST(BvhBuild, MakesASoundTreeOfEveryWorld) {
+  for (const std::size_t count : {100U, 1000U, 5000U}) {
+    for (const auto& world : test::box_worlds<3, float>(count, 9)) {
+      std::map<std::uint32_t, Aabb<3>> expected;
+      std::vector<std::uint32_t> slots;
+      for (std::uint32_t k = 0; k < world.boxes.size(); ++k) {
+        slots.push_back(k);
+        expected[k] = world.boxes[k];
+      }
+      BvhTree<3, float> tree(0.5);
+      tree.fill(world.boxes, slots, serial_executor());
+      EXPECT_EQ((test::BvhInspection<3, float>(tree, expected).fault()), "") << world.name;
+    }
+  }
 }
 
 RC_GTEST_PROP(BvhBuild, MakesASoundTreeOfAnyBoxes, ()) {

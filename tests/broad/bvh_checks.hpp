@@ -29,13 +29,16 @@ class BvhInspection {
       expect(!is_valid(tree.box(slot)), "a finite box is in the list of the infinite");
       find(slot);
     }
-    const detail::BvhChild root = tree.child(0);
-    if (!root.is_none()) height_ = inspect(0);
+    if (!tree.root().is_none()) {
+      expect(tree.parent(tree.root()) == detail::no_box, "the root hangs somewhere");
+      const std::uint32_t least = tree.root().is_leaf() ? 1 : 2;
+      expect(tree.count(tree.root()) >= least, "the root should not be there");
+      height_ = inspect(tree.root());
+    }
     expect(found_.size() == expected.size(), "boxes are lost");
-    expect(tree.crown().children[1].is_none(), "the crown has two children");
-    const double leaves = static_cast<double>(expected.size() - tree.infinite().size());
-    expect(leaves < 2 || static_cast<double>(height_) <= std::log(leaves) / std::log(1.25) + 1e-9,
-           "the tree is too tall");
+    // Two entries of the root, six of each node below.
+    const double boxes = static_cast<double>(expected.size() - tree.infinite().size());
+    expect(height_ < 2 || 2 * std::pow(6, static_cast<double>(height_ - 1)) <= boxes, "the tree is too tall");
   }
 
   /// Empty when all is well.
@@ -54,27 +57,49 @@ class BvhInspection {
     expect(wanted != expected_.end() && tree_.box(slot) == wanted->second, "a box is there that should not");
   }
 
-  std::size_t inspect(std::uint32_t place) {
-    const detail::BvhChild child = tree_.child(place);
-    const Box& bounds = tree_.bounds(place);
-    if (child.is_leaf()) {
-      find(child.index());
-      expect(is_valid(bounds) && detail::covers(bounds, tree_.box(child.index())), "a leaf does not cover its box");
-      return 0;
-    }
+  /// How many levels there are from this node down.
+  std::size_t inspect(detail::BvhLink link) {
     ++nodes_;
-    const detail::BvhNode<N, T>& node = tree_.node(child.index());
-    expect(node.place == place, "a node does not know its place");
-    expect(bounds == detail::box_around(node.boxes[0], node.boxes[1]), "bounds are not tight");
-    const std::size_t first = inspect(2 * child.index());
-    const std::size_t second = inspect(2 * child.index() + 1);
-    const std::uint32_t larger = std::max(count(node.children[0]), count(node.children[1]));
-    expect(node.count == count(node.children[0]) + count(node.children[1]), "a node counts wrong");
-    expect(!detail::is_out_of_balance(larger, node.count), "a node is out of balance");
-    return 1 + std::max(first, second);
+    const detail::BvhNode<N, T>& node = tree_.node(link);
+    const std::uint32_t count = tree_.count(link);
+    expect(count <= detail::block_size, "a node has too many entries");
+    expect(link == tree_.root() || count >= detail::bvh_least, "a node has too few entries");
+    for (std::uint32_t lane = count; lane < detail::block_size; ++lane) {
+      const Box box = detail::box_in(node.boxes, lane);
+      for (Dim i = 0; i < N; ++i) {
+        expect(std::isnan(box.min[i]) && std::isnan(box.max[i]), "a lane without an entry has a box");
+      }
+    }
+    std::size_t below = 0;
+    for (std::uint32_t lane = 0; lane < count; ++lane) {
+      const Box box = detail::box_in(node.boxes, lane);
+      if (link.is_leaf()) {
+        find(node.entries[lane]);
+        expect(box == tree_.box(node.entries[lane]), "a box is another in its node");
+        continue;
+      }
+      const auto child = detail::BvhLink::of_code(node.entries[lane]);
+      expect(tree_.parent(child) == link.index(), "a node does not know its parent");
+      inspect_bounds(box, child);
+      const std::size_t height = inspect(child);
+      expect(lane == 0 || height == below, "leaf nodes are not equally deep");
+      below = height;
+    }
+    return below + 1;
   }
 
-  std::uint32_t count(detail::BvhChild child) const { return child.is_leaf() ? 1 : tree_.node(child.index()).count; }
+  void inspect_bounds(const Box& bounds, detail::BvhLink child) {
+    Box around = Box::nothing();
+    for (std::uint32_t lane = 0; lane < tree_.count(child); ++lane) {
+      detail::grow_at_once(around, detail::box_in(tree_.node(child).boxes, lane));
+    }
+    if (child.is_leaf() && tree_.margin() > 0) {
+      expect(detail::covers(bounds, around), "bounds do not contain what is below");
+      expect(detail::covers(detail::grown_by(around, 5 * tree_.margin()), bounds), "bounds are far too large");
+    } else {
+      expect(bounds == around, "bounds are not tight");
+    }
+  }
 
   const Tree& tree_;
   const std::map<std::uint32_t, Box>& expected_;
@@ -84,21 +109,23 @@ class BvhInspection {
   std::size_t nodes_ = 0;
 };
 
-/// A region that counts how many bounds it is shown.
+/// A region that counts the nodes that are looked at, but for the root.
 template <Dim N, class T>
 struct CountingRegion {
+  static constexpr bool is_box = false;
+
   Aabb<N, T> region;
   mutable std::size_t looks = 0;
 
-  bool may_meet(const Aabb<N, T>& box) const {
+  Aabb<N, T> reach(double /*size*/) const { return region; }
+  bool may_meet_closely(const Aabb<N, T>&) const {
     ++looks;
-    return boxes_overlap(region, box);
+    return true;
   }
-  bool may_meet_closely(const Aabb<N, T>&) const { return true; }
   bool meets(const Aabb<N, T>& box) const { return boxes_overlap(region, box); }
 };
 
-/// What a query for a region costs and finds.
+/// What a query for a region costs, in nodes, and finds.
 struct Effort {
   std::size_t looks = 0;
   std::size_t found = 0;
@@ -109,7 +136,7 @@ Effort effort_of(const detail::BvhTree<N, T>& tree, const Aabb<N, T>& region) {
   const CountingRegion<N, T> probe{region};
   std::size_t found = 0;
   detail::visit_met(tree, probe, [&found](std::uint32_t) { return ++found > 0; });
-  return {probe.looks, found};
+  return {probe.looks + 1, found};
 }
 
 }  // namespace graze::test

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How much a walk looks at, counted; what it finds is held to BruteForce in spatial_index_laws.hpp.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -9,7 +11,6 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <graze/broad/bvh_query.hpp>
 #include <graze/broad/bvh_tree.hpp>
@@ -34,8 +35,9 @@ BvhTree<N, T> row(std::uint32_t length) {
 
 constexpr std::uint32_t length = 1U << 14U;
 
-/// Two bounds a level along the path to the one that is there.
-constexpr std::size_t path = 2 * 40;
+/// Nodes on the path to a box, and as many beside it whose bounds hold it too. A tree of so many boxes has at most six
+/// levels.
+constexpr std::size_t path = 2 * 6;
 
 TEST(BvhQuery, LooksAtOnePathForOneBox) {
   const BvhTree<2, float> tree = row<2, float>(length);
@@ -46,73 +48,70 @@ TEST(BvhQuery, LooksAtOnePathForOneBox) {
   }
   EXPECT_EQ(test::effort_of(tree, Aabb<2>{{0, 5}, {1e6F, 6}}).looks, 1U);
   EXPECT_EQ(test::effort_of(tree, Aabb<2>{{100, 0}, {198.5F, 1}}).found, 50U);
-  EXPECT_LE(test::effort_of(tree, Aabb<2>{{100, 0}, {198.5F, 1}}).looks, 2 * 50 + 2 * path);
+  EXPECT_LE(test::effort_of(tree, Aabb<2>{{100, 0}, {198.5F, 1}}).looks, 50 / bvh_least + path);
 }
 
 TEST(BvhQuery, EndsWhenTheVisitorDoes) {
   const BvhTree<2, float> tree = row<2, float>(1000);
-  const test::CountingRegion<2, float> everything{Aabb<2>::everything()};
+  const test::CountingRegion<2, float> counting{Aabb<2>::everything()};
+  const RegionProbe<Aabb<2>> everything(Aabb<2>::everything());
+  const auto visits_of = [&tree](const auto& probe) {
+    int visits = 0;
+    EXPECT_FALSE(visit_met(tree, probe, [&visits](std::uint32_t) { return ++visits < 3; }));
+    EXPECT_TRUE(visit_met(tree, probe, [](std::uint32_t) { return true; }));
+    return visits;
+  };
+  EXPECT_EQ(visits_of(everything), 3);
+  counting.looks = 0;
   int visits = 0;
-  EXPECT_FALSE(visit_met(tree, everything, [&visits](std::uint32_t) { return ++visits < 3; }));
+  EXPECT_FALSE(visit_met(tree, counting, [&visits](std::uint32_t) { return ++visits < 3; }));
   EXPECT_EQ(visits, 3);
-  EXPECT_LE(everything.looks, path);
-  EXPECT_TRUE(visit_met(tree, everything, [](std::uint32_t) { return true; }));
+  EXPECT_LE(counting.looks, 4 * block_size);  // the children of one path
 }
 
-TEST(BvhQuery, AFrontGivesTheLowestRankAndNodesBeforeBoxes) {
-  BvhFront front;
-  for (const double rank : {3.0, 1.0, 2.0, 2.0, 5.0}) front.push({rank, 7, true});
-  front.push({2, 9, false});
-  front.push({2, 4, true});
-  std::vector<std::pair<double, std::uint32_t>> popped;
-  while (!front.empty()) {
-    const BvhRanked next = front.pop();
-    popped.emplace_back(next.rank, next.index);
-    if (popped.size() == 2) front.push({0.5, 1, true});
-  }
-  EXPECT_EQ(popped, (std::vector<std::pair<double, std::uint32_t>>{
-                        {1, 7}, {2, 9}, {0.5, 1}, {2, 4}, {2, 7}, {2, 7}, {3, 7}, {5, 7}}));
+/// More than a walk has room for at once.
+TEST(BvhQuery, FindsAllOfManyOnce) {
+  const BvhTree<2, float> tree = row<2, float>(length);
+  std::vector<int> visits(length);
+  const RegionProbe<Aabb<2>> everything(Aabb<2>::everything());
+  EXPECT_TRUE(visit_met(tree, everything, [&visits](std::uint32_t slot) { return ++visits[slot] > 0; }));
+  EXPECT_EQ(visits, std::vector<int>(length, 1));
 }
-
-/// A ray that counts the bounds it is shown.
-struct CountingRay {
-  RayProbe<3, double> probe;
-  mutable std::size_t looks = 0;
-
-  std::optional<double> entry(const Aabb<3, double>& box) const { return probe.entry(box); }
-  std::optional<double> soonest(const Aabb<3, double>& bounds) const {
-    ++looks;
-    return probe.soonest(bounds);
-  }
-};
 
 TEST(BvhQuery, FollowsARayOnlyAsFarAsItIsAsked) {
   const BvhTree<3, double> tree = row<3, double>(length);
   const Ray<3, double> along{{-10, 0.5, 0.5}, {1, 0, 0}};
-  const CountingRay ray{RayProbe(along)};
   std::vector<std::pair<std::uint32_t, double>> hits;
-  visit_along(tree, ray, [&hits](std::uint32_t slot, double t) {
+  visit_along(tree, along, [&hits](std::uint32_t slot, double t) {
     hits.emplace_back(slot, t);
     return hits.size() < 3;
   });
   EXPECT_EQ(hits, (std::vector<std::pair<std::uint32_t, double>>{{0, 10}, {1, 12}, {2, 14}}));
-  EXPECT_LE(ray.looks, 2 * path);  // down to the first, and again for what follows
+  hits.clear();
+  visit_along(tree, along, [&hits](std::uint32_t slot, double t) {
+    hits.emplace_back(slot, t);
+    return true;
+  });
+  ASSERT_EQ(hits.size(), length);
+  for (std::uint32_t k = 0; k < length; ++k) EXPECT_EQ(hits[k], (std::pair<std::uint32_t, double>{k, 10 + 2.0 * k}));
 }
 
 TEST(BvhQuery, TheFirstBoxOnARayTakesOnePathDown) {
   const BvhTree<3, double> tree = row<3, double>(length);
   for (const double x : {-10.0, 3.25, 30'000.5}) {
     const Ray<3, double> along{{x, 0.5, 0.5}, {1, 0, 0}};
-    const CountingRay ray{RayProbe(along)};
-    const std::optional<BvhHit> first = first_along(tree, ray);
+    const std::optional<BvhHit> first = first_along(tree, along);
     const double slot = std::max(0.0, std::ceil((x - 1) / 2));  // boxes from 2 slot to 2 slot + 1
     ASSERT_TRUE(first.has_value());
     EXPECT_EQ(first->slot, static_cast<std::uint32_t>(slot));
     EXPECT_EQ(first->t, std::max(0.0, 2 * slot - x));
-    EXPECT_LE(ray.looks, path);
+    BvhFirstWalk<3, double> walk{along, slabs_of(along, finite_size(tree.bounds())),
+                                 std::numeric_limits<double>::infinity(), 0};
+    EXPECT_LE((bvh_kernels<3, double>().find_first(tree.nodes(), tree.root(), walk)), path);
+    EXPECT_EQ(walk.slot, first->slot);
   }
   const Ray<3, double> beside{{-10, 0.5, 2}, {1, 0, 0}};
-  EXPECT_FALSE(first_along(tree, RayProbe(beside)).has_value());
+  EXPECT_FALSE(first_along(tree, beside).has_value());
 }
 
 TEST(BvhQuery, OfBoxesOnARayAtOncePrefersTheLowestSlot) {
@@ -123,67 +122,108 @@ TEST(BvhQuery, OfBoxesOnARayAtOncePrefersTheLowestSlot) {
     tree.insert(1, {{6, 0, 0}, {7, 1, 1}});
     tree.insert(2, {{4, -1, 0}, {std::numeric_limits<double>::infinity(), 1, 1}});  // beside the tree
     const Ray<3, double> along{{0, 0.5, 0.5}, {2, 0, 0}};
-    const RayProbe ray(along);
     std::vector<BvhHit> hits;
-    visit_along(tree, ray, [&hits](std::uint32_t slot, double t) {
+    visit_along(tree, along, [&hits](std::uint32_t slot, double t) {
       hits.push_back({t, slot});
       return true;
     });
     EXPECT_EQ(hits, (std::vector<BvhHit>{{2, 2}, {2, 3}, {2, 5}, {2, 7}, {2, 9}, {3, 1}}));
-    EXPECT_EQ(first_along(tree, ray), (BvhHit{2, 2}));
+    EXPECT_EQ(first_along(tree, along), (BvhHit{2, 2}));
   }
 }
 
 TEST(BvhQuery, LooksForTheNearestOnlyNearby) {
   const BvhTree<3, double> tree = row<3, double>(length);
   for (const double x : {-5.0, 1.25, 20'001.5, 1e6}) {
-    std::size_t offers = 0;
-    double reach = std::numeric_limits<double>::infinity();
-    const auto offer = [&](std::uint32_t, double distance) {
-      ++offers;
-      reach = std::min(reach, distance);
-    };
-    visit_near(tree, Vec<3, double>(x, 0.5, 0.5), offer, [&reach] { return reach; });
+    NearestKeys nearest(1);
+    EXPECT_LE(find_near(tree, Vec<3, double>(x, 0.5, 0.5), nearest), path) << x;
     const double right_of_box = std::fmod(x, 2) - 1;
     const double distance = x < 0 ? 5 : x > 1e5 ? 1e6 - 2 * length + 1 : std::min(right_of_box, 1 - right_of_box);
-    EXPECT_EQ(reach, distance * distance) << x;
-    EXPECT_LE(offers, 12U) << x;
+    EXPECT_EQ(nearest.reach(), distance * distance) << x;
   }
 }
 
-/// The bounds of boxes are entered no later than any of them.
+/// With the directions that make trouble.
 template <class T>
-void bounds_come_first(double size) {
-  const auto number = rc::gen::map(rc::gen::inRange(-1000, 1001), [size](int n) { return size * n / 7; });
-  const auto point = [&] {
-    return Vec<3, T>(static_cast<T>(*number), static_cast<T>(*number), static_cast<T>(*number));
-  };
-  const Aabb<3, T> box = Aabb<3, T>::from_corners(point(), point());
-  Aabb<3, T> bounds = box;
-  if (*rc::gen::arbitrary<bool>()) bounds.grow(point());
-  Ray<3, T> ray{point(), point()};
-  if (*rc::gen::arbitrary<bool>()) ray.direction[*rc::gen::inRange(0, 3)] = T(0);
-  if (*rc::gen::arbitrary<bool>()) ray.direction = box.min - ray.origin;  // at a corner
-  if (!is_valid(ray)) ray.direction = Vec<3, T>(T(1));
-  const RayProbe<3, T> probe(ray);
-  const std::optional<double> entry = probe.entry(box);
-  if (!entry) return;
-  RC_ASSERT(probe.soonest(bounds).has_value());
-  RC_ASSERT(*probe.soonest(bounds) <= *entry);
+Ray<3, T> nasty_ray(test::Numbers& numbers, double size) {
+  constexpr T tiny = std::numeric_limits<T>::denorm_min();
+  constexpr T huge = std::numeric_limits<T>::max();
+  const std::array<T, 8> odd = {T(0), T(-0.0), T(1), T(-1), tiny, -tiny, huge, -huge};
+  Ray<3, T> ray{numbers.point<3, T>(-size, size), numbers.point<3, T>(-1, 1)};
+  for (Dim i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(numbers.between(0, 16));
+    if (k < odd.size()) ray.direction[i] = odd[k];
+  }
+  return ray;
 }
 
-RC_GTEST_PROP(BvhQuery, ARayEntersBoundsNoLaterThanTheBoxesInThem, ()) {
-  bounds_come_first<float>(*rc::gen::element(1.0, 1e-42, 1e35));
-  bounds_come_first<double>(*rc::gen::element(1.0, 1e-320, 1e-300, 1e150, 1e304));
+/// Numbers as large and as small as there are: what a ray enters is what entry_of says, of each box.
+template <class T>
+void expect_hits_as_box_by_box(double size, std::uint64_t seed) {
+  test::Numbers numbers(seed);
+  BvhTree<3, T> tree(0);
+  constexpr std::uint32_t count = 300;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const Vec<3, T> low = numbers.point<3, T>(-size, size);
+    const Vec<3, T> extent = numbers.point<3, T>(0, k % 10 == 0 ? size : size / 10);
+    const Aabb<3, T> box{low, low + extent};
+    tree.insert(k, is_valid(box) ? box : Aabb<3, T>{low, low});
+  }
+  std::size_t all = 0;
+  for (int round = 0; round < 200; ++round) {
+    Ray<3, T> ray = nasty_ray<T>(numbers, size);
+    if (round % 3 == 0) ray.origin = tree.box(7).min;  // at a corner
+    if (!is_valid(ray)) continue;
+    std::vector<BvhHit> expected;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::optional<double> t = entry_of(ray, tree.box(k));
+      if (t) expected.push_back({*t, k});
+    }
+    std::sort(expected.begin(), expected.end());
+    std::vector<BvhHit> hits;
+    visit_along(tree, ray, [&hits](std::uint32_t slot, double t) {
+      hits.push_back({t, slot});
+      return true;
+    });
+    EXPECT_EQ(hits, expected) << size << ", round " << round;
+    all += hits.size();
+  }
+  EXPECT_GT(all, 100U) << size;
 }
 
-TEST(BvhQuery, APathOfTheTallestTreeFitsItsList) {
-  // A tree of as many leaves as there may be, each child 4/5 of its node.
-  double leaves = bvh_most;
-  std::size_t height = 0;
-  for (; leaves >= 2; leaves = std::floor(leaves * 0.8)) ++height;
-  EXPECT_LE(height, bvh_height_limit);
-  EXPECT_EQ(bvh_height_limit, static_cast<std::size_t>(31 * std::log(2.0) / std::log(1.25)));
+TEST(BvhQuery, ARayEntersWhatItEntersBoxByBox) {
+  for (const double size : {1.0, 1e-42, 1e-30, 1e18, 1e35, 3e38}) expect_hits_as_box_by_box<float>(size, 1);
+  for (const double size : {1.0, 1e-320, 1e-300, 1e150, 1e304, 1.7e307}) expect_hits_as_box_by_box<double>(size, 2);
+}
+
+/// The same of distances.
+template <class T>
+void expect_distances_as_box_by_box(double size, std::uint64_t seed) {
+  test::Numbers numbers(seed);
+  BvhTree<3, T> tree(0);
+  constexpr std::uint32_t count = 300;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const Vec<3, T> low = numbers.point<3, T>(-size, size);
+    tree.insert(k, {low, low});
+  }
+  for (int round = 0; round < 100; ++round) {
+    const Vec<3, T> point = round % 4 == 0 ? tree.box(9).min : numbers.point<3, T>(-2 * size, 2 * size);
+    if (!is_finite(point)) continue;
+    for (const std::size_t k : {1U, 8U, 40U, 300U}) {
+      NearestKeys expected(k);
+      NearestKeys nearest(k);
+      for (std::uint32_t slot = 0; slot < count; ++slot) {
+        expected.offer({{slot, 0, 0}, distance_squared(point, tree.box(slot))});
+      }
+      find_near(tree, point, nearest);
+      EXPECT_EQ(nearest.sorted(), expected.sorted()) << size << ", round " << round << ", " << k;
+    }
+  }
+}
+
+TEST(BvhQuery, TheNearestAreThoseBoxByBox) {
+  for (const double size : {1.0, 1e-42, 1e-20, 1e18, 1e25, 1e38}) expect_distances_as_box_by_box<float>(size, 3);
+  for (const double size : {1.0, 1e-320, 1e-160, 1e150, 1e304}) expect_distances_as_box_by_box<double>(size, 4);
 }
 
 }  // namespace

@@ -34,6 +34,8 @@ void expect_sound(const R& region, const Aabb<dimension_of<R>, scalar_of<R>>& bo
   const auto larger = around(box, corner);
   RC_ASSERT(probe.may_meet(box) && probe.may_meet_closely(box));
   RC_ASSERT(probe.may_meet(larger) && probe.may_meet_closely(larger));
+  RC_ASSERT(boxes_overlap(probe.reach(detail::finite_size(larger)), box));
+  RC_ASSERT(boxes_overlap(probe.reach(detail::finite_size(larger)), larger));
 }
 
 /// No shape that touches a generous region is missed by its box.
@@ -46,6 +48,7 @@ void check_generous_region() {
     const RegionProbe<Generous<R>> probe(generous);
     RC_ASSERT(probe.meets(bounds(shape)));
     RC_ASSERT(probe.may_meet(bounds(shape)));
+    RC_ASSERT(boxes_overlap(probe.reach(detail::finite_size(bounds(shape))), bounds(shape)));
   }));
 }
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the indexes share. What they promise together is in spatial_index_laws.hpp.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -95,6 +98,25 @@ TEST(NearestKeys, KeepsTheFirstOfAll) {
   for (const std::uint32_t index : {5U, 2U, 9U, 7U, 1U}) nearest.offer({key(index), index == 9 ? 1.0 : 4.0});
   EXPECT_EQ(nearest.reach(), 4);
   EXPECT_EQ(nearest.sorted(), (std::vector<Neighbour>{{key(9), 1}, {key(1), 4}, {key(2), 4}}));
+}
+
+TEST(NearestKeys, OfFewAndOfManyAreTheFirstOfAllThatAreSorted) {
+  std::vector<Neighbour> all;
+  for (std::uint32_t k = 0; k < 200; ++k) all.push_back({{k * 77 % 200, 1, 1}, static_cast<double>(k * 31 % 40)});
+  std::vector<Neighbour> sorted = all;
+  std::sort(sorted.begin(), sorted.end(), [](const Neighbour& a, const Neighbour& b) {
+    return a.distance_squared != b.distance_squared ? a.distance_squared < b.distance_squared : a.key < b.key;
+  });
+  for (const std::size_t k : {1U, 2U, 31U, 32U, 33U, 150U, 200U, 300U}) {
+    detail::NearestKeys nearest(k);
+    for (const Neighbour& neighbour : all) nearest.offer(neighbour);
+    const std::size_t kept = std::min(k, all.size());
+    EXPECT_EQ(nearest.reach(),
+              k <= all.size() ? sorted[k - 1].distance_squared : std::numeric_limits<double>::infinity());
+    EXPECT_EQ(nearest.sorted(),
+              std::vector<Neighbour>(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(kept)))
+        << k;
+  }
 }
 
 }  // namespace

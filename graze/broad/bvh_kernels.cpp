@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: MIT
+// Compiled once per instruction set: Highway includes this file anew for each.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <type_traits>
+
+#include <graze/broad/bvh_kernels.hpp>
+#include <graze/broad/prefetch.hpp>
+#include <graze/broad/simd_choice.hpp>
+#include <graze/broad/spatial_index.hpp>
+#include <graze/math/rounding.hpp>
+#include <graze/math/tolerance.hpp>
+#include <graze/query/distance_squared.hpp>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "graze/broad/bvh_kernels.cpp"
+#include <hwy/foreach_target.h>  // must come before highway.h
+#include <hwy/highway.h>
+
+#include <graze/broad/simd_lanes-inl.hpp>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::detail::HWY_NAMESPACE {
+namespace {
+
+template <class T>
+HWY_INLINE auto is_full(const Lanes<T>& coordinate) {
+  return hn::Eq(coordinate, coordinate);
+}
+
+template <Dim N, class T>
+HWY_INLINE std::uint32_t boxes_met(const Block<N, T>& block, const Lanes<T>* low, const Lanes<T>* high) {
+  const Tag<T> d;
+  std::uint32_t met = 0;
+  for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
+    auto meets =
+        hn::And(hn::Le(hn::Load(d, block.min[0] + lane), high[0]), hn::Ge(hn::Load(d, block.max[0] + lane), low[0]));
+    for (Dim i = 1; i < N; ++i) {
+      meets = hn::And(meets, hn::And(hn::Le(hn::Load(d, block.min[i] + lane), high[i]),
+                                     hn::Ge(hn::Load(d, block.max[i] + lane), low[i])));
+    }
+    met |= bits_of<T>(meets) << lane;
+  }
+  return met;
+}
+
+/// Writes the entries whose bits are set one after another, and up to sixteen numbers of no meaning behind them.
+HWY_INLINE std::size_t write_chosen(const std::uint32_t* entries, std::uint32_t chosen, std::uint32_t* to) {
+  const Tag<std::uint32_t> d;
+  std::size_t count = 0;
+  for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<std::uint32_t>) {
+    const std::uint64_t bits = (chosen >> lane) & ((1U << lanes_of<std::uint32_t>)-1U);
+    const auto mask = hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&bits));
+    hn::StoreU(hn::Compress(hn::Load(d, entries + lane), mask), d, to + count);
+    count += static_cast<std::size_t>(std::popcount(bits));
+  }
+  return count;
+}
+
+template <Dim N, class T>
+void find_met(const BvhNode<N, T>* nodes, BvhMetWalk<N, T>& walk) {
+  const Tag<T> d;
+  Lanes<T> low[N];
+  Lanes<T> high[N];
+  for (Dim i = 0; i < N; ++i) {
+    low[i] = hn::Set(d, walk.region.min[i]);
+    high[i] = hn::Set(d, walk.region.max[i]);
+  }
+  std::size_t open = walk.open_count;
+  std::size_t found = walk.found_count;
+  while (open > 0 && found <= BvhMetWalk<N, T>::most_found) {
+    const BvhLink link = BvhLink::of_code(walk.open[--open]);
+    const BvhNode<N, T>& node = nodes[link.index()];
+    const std::uint32_t met = boxes_met(node.boxes, low, high);
+    if (link.is_leaf()) {
+      found += write_chosen(node.entries, met, walk.found + found);
+    } else {
+      open += write_chosen(node.entries, met, walk.open + open);
+    }
+  }
+  walk.open_count = open;
+  walk.found_count = found;
+}
+
+template <Dim N, class T>
+std::uint32_t met(const Block<N, T>& block, const Aabb<N, T>& box) {
+  const Tag<T> d;
+  Lanes<T> low[N];
+  Lanes<T> high[N];
+  for (Dim i = 0; i < N; ++i) {
+    low[i] = hn::Set(d, box.min[i]);
+    high[i] = hn::Set(d, box.max[i]);
+  }
+  return boxes_met(block, low, high);
+}
+
+template <Dim N, class T>
+HWY_INLINE std::uint32_t boxes_entered(const Block<N, T>& block, const BvhSlabs<N, T>& slabs, T limit, T* soonest) {
+  const Tag<T> d;
+  const auto smallest = hn::Set(d, std::numeric_limits<T>::min());
+  std::uint32_t entered = 0;
+  for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
+    auto enter = hn::Zero(d);
+    auto leave = hn::Set(d, std::numeric_limits<T>::infinity());
+    auto meets = is_full<T>(hn::Load(d, block.min[0] + lane));
+    for (Dim i = 0; i < N; ++i) {
+      const auto min = hn::Load(d, block.min[i] + lane);
+      const auto max = hn::Load(d, block.max[i] + lane);
+      const auto origin = hn::Set(d, slabs.origin[i]);
+      if (slabs.kinds[i] == BvhSlab::any) continue;
+      if (slabs.kinds[i] == BvhSlab::parallel) {
+        meets = hn::And(meets, hn::And(hn::Le(min, origin), hn::Le(origin, max)));
+        continue;
+      }
+      const bool is_backwards = slabs.inverse[i] < 0;
+      const auto near = is_backwards ? max : min;
+      const auto far = is_backwards ? min : max;
+      const auto inverse = hn::Set(d, slabs.inverse[i]);
+      enter = hn::Max(enter, hn::Mul(hn::Sub(near, origin), inverse));
+      leave = hn::Min(leave, hn::Mul(hn::Sub(far, origin), inverse));
+    }
+    enter = hn::Min(enter, hn::Set(d, std::numeric_limits<T>::max()));
+    const auto latest = hn::Add(hn::Mul(leave, hn::Set(d, T(1) + tolerance::ray_lanes<T>)), smallest);
+    const auto earliest = hn::Sub(hn::Mul(enter, hn::Set(d, T(1) - tolerance::ray_lanes<T>)), smallest);
+    meets = hn::And(meets, hn::And(hn::Le(enter, latest), hn::Le(earliest, hn::Set(d, limit))));
+    hn::StoreU(earliest, d, soonest + lane);
+    entered |= bits_of<T>(meets) << lane;
+  }
+  return entered;
+}
+
+template <Dim N, class T>
+std::uint32_t entered(const Block<N, T>& block, const BvhSlabs<N, T>& slabs, T* soonest) {
+  return boxes_entered(block, slabs, std::numeric_limits<T>::infinity(), soonest);
+}
+
+/// What a walk along a ray has still to look at.
+template <class T>
+struct Waiting {
+  T soonest;
+  std::uint32_t code;
+};
+
+template <Dim N, class T>
+HWY_INLINE void look_at_hits(const BvhNode<N, T>& node, std::uint32_t entered, const T* soonest,
+                             BvhFirstWalk<N, T>& walk) {
+  for (; entered != 0; entered &= entered - 1) {
+    const auto lane = static_cast<std::uint32_t>(std::countr_zero(entered));
+    if (static_cast<double>(soonest[lane]) > walk.t) continue;
+    const std::uint32_t slot = node.entries[lane];
+    const std::optional<double> t = entry_of(walk.ray, box_in(node.boxes, lane));
+    if (!t || !(*t < walk.t || (*t == walk.t && slot < walk.slot))) continue;
+    walk.t = *t;
+    walk.slot = slot;
+  }
+}
+
+/// The nearest child first; what waits is passed by when a box was found before it.
+template <Dim N, class T>
+std::size_t find_first(const BvhNode<N, T>* nodes, BvhLink root, BvhFirstWalk<N, T>& walk) {
+  alignas(64) T soonest[block_size];
+  Waiting<T> open[bvh_path];
+  open[0] = {T(0), root.code()};
+  std::size_t count = 1;
+  std::size_t looks = 0;
+  T limit = next_up(static_cast<T>(walk.t));
+  while (count > 0) {
+    const Waiting<T> next = open[--count];
+    if (static_cast<double>(next.soonest) > walk.t) continue;
+    const BvhLink link = BvhLink::of_code(next.code);
+    const BvhNode<N, T>& node = nodes[link.index()];
+    ++looks;
+    std::uint32_t entered = boxes_entered(node.boxes, walk.slabs, limit, soonest);
+    if (link.is_leaf()) {
+      look_at_hits(node, entered, soonest, walk);
+      limit = next_up(static_cast<T>(walk.t));
+      continue;
+    }
+    const std::size_t first = count;
+    for (; entered != 0; entered &= entered - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(entered));
+      const Waiting<T> child{soonest[lane], node.entries[lane]};
+      std::size_t place = count++;
+      for (; place > first && open[place - 1].soonest < child.soonest; --place) open[place] = open[place - 1];
+      open[place] = child;
+    }
+  }
+  return looks;
+}
+
+/// The entries of a node that may be near, and how near: less than the squared distance, or as much.
+template <class T>
+struct Ranks {
+  alignas(64) T ranks[block_size];
+  const std::uint32_t* entries;
+  std::uint32_t lanes;
+};
+
+template <Dim N, class T>
+HWY_INLINE void rank_boxes(const BvhNode<N, T>& node, const Vec<N, T>& point, T reach, Ranks<T>& ranks) {
+  const Tag<T> d;
+  const auto limit = hn::Set(d, reach);
+  ranks.entries = node.entries;
+  ranks.lanes = 0;
+  for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
+    auto sum = hn::Zero(d);
+    for (Dim i = 0; i < N; ++i) {
+      const auto from = hn::Set(d, point[i]);
+      const auto below = hn::Sub(hn::Load(d, node.boxes.min[i] + lane), from);
+      const auto above = hn::Sub(from, hn::Load(d, node.boxes.max[i] + lane));
+      const auto outside = hn::Max(hn::Max(below, above), hn::Zero(d));
+      sum = hn::Add(sum, hn::Mul(outside, outside));
+    }
+    const auto most = hn::Min(sum, hn::Set(d, std::numeric_limits<T>::max()));
+    const auto rank =
+        hn::Sub(hn::Mul(most, hn::Set(d, T(1) - tolerance::near_lanes<T>)), hn::Set(d, std::numeric_limits<T>::min()));
+    hn::Store(rank, d, ranks.ranks + lane);
+    const auto full = is_full<T>(hn::Load(d, node.boxes.min[0] + lane));
+    ranks.lanes |= bits_of<T>(hn::And(full, hn::Le(rank, limit))) << lane;
+  }
+}
+
+/// Takes out the nearest entry within reach; block_size when there is none.
+template <class T>
+HWY_INLINE std::uint32_t take_nearest(Ranks<T>& ranks, T reach) {
+  const Tag<T> d;
+  const auto infinity = hn::Set(d, std::numeric_limits<T>::infinity());
+  auto least = infinity;
+  for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
+    const std::uint64_t bits = (ranks.lanes >> lane) & ((1U << lanes_of<T>)-1U);
+    const auto is_there = hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&bits));
+    least = hn::Min(least, hn::IfThenElse(is_there, hn::Load(d, ranks.ranks + lane), infinity));
+  }
+  least = hn::MinOfLanes(d, least);
+  if (ranks.lanes == 0 || !(hn::GetLane(least) <= reach)) return block_size;
+  std::uint32_t nearest = 0;
+  for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
+    nearest |= bits_of<T>(hn::Eq(hn::Load(d, ranks.ranks + lane), least)) << lane;
+  }
+  const auto lane = static_cast<std::uint32_t>(std::countr_zero(nearest & ranks.lanes));
+  ranks.lanes &= ~(1U << lane);
+  return lane;
+}
+
+/// Offers the boxes of a leaf node, the nearest first, for after that most others are out of reach, which comes back.
+template <Dim N, class T>
+HWY_INLINE T offer_boxes(const BvhNode<N, T>& node, const Vec<N, T>& point, T reach, Ranks<T>& ranks,
+                         NearestKeys& nearest) {
+  for (std::uint32_t lane = take_nearest(ranks, reach); lane != block_size;) {
+    nearest.offer({{node.entries[lane], 0, 0}, distance_squared(point, box_in(node.boxes, lane))});
+    reach = next_up(static_cast<T>(nearest.reach()));
+    do {
+      if (ranks.lanes == 0) return reach;
+      lane = static_cast<std::uint32_t>(std::countr_zero(ranks.lanes));
+      ranks.lanes &= ranks.lanes - 1;
+    } while (ranks.ranks[lane] > reach);
+  }
+  return reach;
+}
+
+/// The nearest child first.
+template <Dim N, class T>
+std::size_t find_near(const BvhNode<N, T>* nodes, BvhLink root, const Vec<N, T>& point, NearestKeys& nearest) {
+  Ranks<T> path[bvh_height_limit];
+  std::size_t depth = 0;
+  std::size_t looks = 0;
+  T reach = next_up(static_cast<T>(nearest.reach()));
+  BvhLink link = root;
+  while (true) {
+    const BvhNode<N, T>& node = nodes[link.index()];
+    ++looks;
+    rank_boxes(node, point, reach, path[depth]);
+    if (link.is_leaf()) {
+      reach = offer_boxes(node, point, reach, path[depth], nearest);
+    } else {
+      ++depth;
+    }
+    std::uint32_t lane = block_size;
+    while (depth > 0 && (lane = take_nearest(path[depth - 1], reach)) == block_size) --depth;
+    if (lane == block_size) return looks;
+    link = BvhLink::of_code(path[depth - 1].entries[lane]);
+  }
+}
+
+template <Dim N, class T>
+Aabb<N, T> around(const Block<N, T>& block) {
+  const Tag<T> d;
+  const auto infinity = hn::Set(d, std::numeric_limits<T>::infinity());
+  Aabb<N, T> box;
+  for (Dim i = 0; i < N; ++i) {
+    auto low = infinity;
+    auto high = hn::Neg(infinity);
+    for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
+      const auto min = hn::Load(d, block.min[i] + lane);
+      const auto max = hn::Load(d, block.max[i] + lane);
+      low = hn::Min(low, hn::IfThenElse(is_full<T>(min), min, infinity));
+      high = hn::Max(high, hn::IfThenElse(is_full<T>(max), max, hn::Neg(infinity)));
+    }
+    box.min[i] = hn::GetLane(hn::MinOfLanes(d, low));
+    box.max[i] = hn::GetLane(hn::MaxOfLanes(d, high));
+  }
+  return box;
+}
+
+/// Where the least of sixteen numbers is, among those of the candidates: a bit each.
+template <class T>
+HWY_INLINE std::uint32_t least_of(const Lanes<T>* numbers, std::uint32_t candidates) {
+  const Tag<T> d;
+  auto least = numbers[0];
+  for (std::uint32_t k = 1; k < vectors_of<T>; ++k) least = hn::Min(least, numbers[k]);
+  least = hn::MinOfLanes(d, least);
+  std::uint32_t bits = 0;
+  for (std::uint32_t k = 0; k < vectors_of<T>; ++k) bits |= bits_of<T>(hn::Eq(numbers[k], least)) << k * lanes_of<T>;
+  return bits & candidates;
+}
+
+template <Dim N, class T>
+std::uint32_t least_grown(const Block<N, T>& block, const Aabb<N, T>& box) {
+  const Tag<T> d;
+  const auto infinity = hn::Set(d, std::numeric_limits<T>::infinity());
+  Lanes<T> growth[vectors_of<T>];
+  Lanes<T> size[vectors_of<T>];
+  std::uint32_t full = 0;
+  for (std::uint32_t k = 0; k < vectors_of<T>; ++k) {
+    growth[k] = hn::Zero(d);
+    size[k] = hn::Zero(d);
+    const std::uint32_t lane = k * lanes_of<T>;
+    for (Dim i = 0; i < N; ++i) {
+      const auto min = hn::Load(d, block.min[i] + lane);
+      const auto max = hn::Load(d, block.max[i] + lane);
+      const auto below = hn::Max(hn::Sub(min, hn::Set(d, box.min[i])), hn::Zero(d));
+      const auto above = hn::Max(hn::Sub(hn::Set(d, box.max[i]), max), hn::Zero(d));
+      growth[k] = hn::Add(growth[k], hn::Add(below, above));
+      size[k] = hn::Add(size[k], hn::Sub(max, min));
+    }
+    const auto is_there = is_full<T>(hn::Load(d, block.min[0] + lane));
+    full |= bits_of<T>(is_there) << lane;
+    growth[k] = hn::IfThenElse(is_there, growth[k], infinity);
+    size[k] = hn::IfThenElse(is_there, size[k], infinity);
+  }
+  const std::uint32_t least = least_of<T>(growth, full);
+  if (std::has_single_bit(least)) return static_cast<std::uint32_t>(std::countr_zero(least));
+  for (std::uint32_t k = 0; k < vectors_of<T>; ++k) {
+    const std::uint64_t bits = (least >> k * lanes_of<T>)&((1U << lanes_of<T>)-1U);
+    const auto is_least = hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&bits));
+    size[k] = hn::IfThenElse(is_least, size[k], infinity);
+  }
+  return static_cast<std::uint32_t>(std::countr_zero(least_of<T>(size, least)));
+}
+
+template <Dim N, class T>
+BvhKernels<N, T> kernels() {
+  return {hwy::TargetName(HWY_TARGET),
+          find_met<N, T>,
+          met<N, T>,
+          find_first<N, T>,
+          entered<N, T>,
+          find_near<N, T>,
+          around<N, T>,
+          least_grown<N, T>};
+}
+
+}  // namespace
+
+const AllBvhKernels& all_bvh_kernels() {
+  static const AllBvhKernels all{kernels<2, float>(), kernels<3, float>(), kernels<2, double>(), kernels<3, double>()};
+  return all;
+}
+
+}  // namespace graze::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace graze::detail {
+namespace {
+HWY_EXPORT(all_bvh_kernels);
+}
+
+std::int64_t bvh_kernel_targets() { return HWY_TARGETS; }
+
+template <Dim N, class T>
+const BvhKernels<N, T>& bvh_kernels() {
+  const AllBvhKernels& all = HWY_DYNAMIC_DISPATCH(all_bvh_kernels)();
+  if constexpr (std::is_same_v<T, float>) {
+    if constexpr (N == 2) return all.flat_float;
+    if constexpr (N == 3) return all.solid_float;
+  } else {
+    if constexpr (N == 2) return all.flat_double;
+    if constexpr (N == 3) return all.solid_double;
+  }
+}
+
+template const BvhKernels<2, float>& bvh_kernels();
+template const BvhKernels<3, float>& bvh_kernels();
+template const BvhKernels<2, double>& bvh_kernels();
+template const BvhKernels<3, double>& bvh_kernels();
+
+}  // namespace graze::detail
+#endif
