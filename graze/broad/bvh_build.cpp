@@ -7,6 +7,8 @@
 
 #include <graze/broad/box_cover.hpp>
 #include <graze/broad/bvh_build.hpp>
+#include <graze/broad/bvh_kernels.hpp>
+#include <graze/broad/prefetch.hpp>
 
 namespace graze::detail {
 
@@ -22,9 +24,9 @@ namespace {
 /// Parts of larger trees may be built by different threads.
 constexpr std::size_t worth_a_task = 4096;
 
-/// So many centers are sorted sooner than counted, and so many counted finely.
-constexpr std::size_t few = 48;
-constexpr std::size_t many = 1024;
+/// More centers than this are counted sooner than sorted, and more than that counted finely.
+constexpr std::size_t worth_bins = 24;
+constexpr std::size_t worth_fine_bins = 1024;
 
 /// The center of a box, and whose it is: all that parting moves about.
 template <Dim N, class T>
@@ -44,30 +46,20 @@ struct BvhCenters {
   BvhCenters behind(std::size_t some) const { return {here + some, beside + some, count - some}; }
 };
 
-/// Along which axis centers spread most, from where, and how far.
-template <class T>
-struct BvhSpread {
-  Dim axis;
-  T from;
-  T extent;
-};
+template <Dim N, class T>
+Aabb<N, T> bounds_of_centers(const BvhCenters<N, T>& centers) {
+  Aabb<N, T> bounds = Aabb<N, T>::nothing();
+  for (std::size_t k = 0; k < centers.count; ++k) grow_at_once(bounds, {centers.here[k].at, centers.here[k].at});
+  return bounds;
+}
 
 template <Dim N, class T>
-BvhSpread<T> spread_of(const BvhCenters<N, T>& centers) {
-  Vec<N, T> low(std::numeric_limits<T>::infinity());
-  Vec<N, T> high(-std::numeric_limits<T>::infinity());
-  for (std::size_t k = 0; k < centers.count; ++k) {
-    const Vec<N, T> at = centers.here[k].at;
-    for (Dim i = 0; i < N; ++i) {
-      low[i] = at[i] < low[i] ? at[i] : low[i];
-      high[i] = at[i] > high[i] ? at[i] : high[i];
-    }
-  }
-  BvhSpread<T> spread{0, low[0], high[0] - low[0]};
+Dim longest_axis(const Aabb<N, T>& box) {
+  Dim longest = 0;
   for (Dim i = 1; i < N; ++i) {
-    if (high[i] - low[i] > spread.extent) spread = {i, low[i], high[i] - low[i]};
+    if (box.max[i] - box.min[i] > box.max[longest] - box.min[longest]) longest = i;
   }
-  return spread;
+  return longest;
 }
 
 template <Dim N, class T>
@@ -88,12 +80,11 @@ class BvhBuilder {
     arrays_.places[index].count = static_cast<std::uint32_t>(count);
     clear_lanes(node, static_cast<std::uint32_t>(count));
     if (level > 0) {
-      build_entries({level, index, first}, first, first + count, centers);
+      build_entries({level, index, first}, {first, first + count, bounds_of_centers(centers)}, centers);
     } else {
       fill_leaf_node(index, centers);
     }
-    Aabb<N, T> around = Aabb<N, T>::nothing();
-    for (std::uint32_t lane = 0; lane < count; ++lane) grow_at_once(around, box_in(node.boxes, lane));
+    const Aabb<N, T> around = bvh_kernels<N, T>().around(node.boxes);
     return level > 0 ? around : grown_by(around, margin_);
   }
 
@@ -106,39 +97,54 @@ class BvhBuilder {
     std::size_t first;
   };
 
+  /// Entries of a parent, by number, and a box that holds their boxes' centers.
+  struct Entries {
+    std::size_t first;
+    std::size_t last;
+    Aabb<N, T> bounds;
+  };
+
+  /// By slot: each comes behind all whose slots are lower.
   void fill_leaf_node(std::uint32_t index, const Centers& centers) const {
     BvhNode<N, T>& node = arrays_.nodes[index];
-    std::sort(centers.here, centers.here + centers.count,
-              [](const Center& a, const Center& b) { return a.slot < b.slot; });
-    for (std::uint32_t lane = 0; lane < centers.count; ++lane) {
-      const std::uint32_t slot = centers.here[lane].slot;
-      put_box(node.boxes, lane, arrays_.boxes[slot]);
+    std::array<std::int32_t, block_size> slots;  // NOLINT(*-member-init): filled before it is read
+    slots.fill(std::numeric_limits<std::int32_t>::max());
+    for (std::size_t k = 0; k < centers.count; ++k) {
+      prefetch(&arrays_.boxes[centers.here[k].slot]);
+      slots[k] = static_cast<std::int32_t>(centers.here[k].slot);
+    }
+    for (std::size_t k = 0; k < centers.count; ++k) {
+      std::int32_t lane = 0;
+      for (const std::int32_t other : slots) lane += other < slots[k] ? 1 : 0;
+      const std::uint32_t slot = centers.here[k].slot;
+      put_box(node.boxes, static_cast<std::uint32_t>(lane), arrays_.boxes[slot]);
       node.entries[lane] = slot;
       arrays_.leaf_nodes[slot] = index;
     }
   }
 
-  /// Builds the nodes from `first` to before `last` on the level below a parent.
+  /// Builds the nodes that are entries of a parent.
   void build_entries(  // NOLINT(misc-no-recursion)
-      const Parent& parent, std::size_t first, std::size_t last, const Centers& centers) const {
-    if (last - first == 1) {
-      const std::uint32_t index = plan_.index(parent.level - 1, first);
-      const auto lane = static_cast<std::uint32_t>(first - parent.first);
+      const Parent& parent, const Entries& entries, const Centers& centers) const {
+    if (entries.last - entries.first == 1) {
+      const std::uint32_t index = plan_.index(parent.level - 1, entries.first);
+      const auto lane = static_cast<std::uint32_t>(entries.first - parent.first);
       BvhNode<N, T>& above = arrays_.nodes[parent.index];
-      put_box(above.boxes, lane, build_node(parent.level - 1, first, centers));
+      put_box(above.boxes, lane, build_node(parent.level - 1, entries.first, centers));
       above.entries[lane] = (parent.level == 1 ? BvhLink::leaf(index) : BvhLink::inner(index)).code();
       arrays_.places[index].parent = parent.index;
       return;
     }
-    const std::size_t middle = (first + last) / 2;
-    const std::size_t count = plan_.first_box(parent.level - 1, middle) - plan_.first_box(parent.level - 1, first);
-    const Centers parted = part(centers, count);
+    const std::size_t middle = (entries.first + entries.last) / 2;
+    const std::size_t count =
+        plan_.first_box(parent.level - 1, middle) - plan_.first_box(parent.level - 1, entries.first);
+    const Dim axis = longest_axis(entries.bounds);
+    const Centers parted = part(centers, count, axis, entries.bounds);
+    std::array<Entries, 2> sides = {Entries{entries.first, middle, entries.bounds},
+                                    Entries{middle, entries.last, entries.bounds}};
+    sides[0].bounds.max[axis] = sides[1].bounds.min[axis] = parted.here[count].at[axis];
     const auto build_side = [&](std::size_t side) {
-      if (side == 0) {
-        build_entries(parent, first, middle, parted.first(count));
-      } else {
-        build_entries(parent, middle, last, parted.behind(count));
-      }
+      build_entries(parent, sides[side], side == 0 ? parted.first(count) : parted.behind(count));
     };
     if (centers.count > worth_a_task) {
       executor_.parallel_for(2, std::ref(build_side));  // by reference, which allocates nothing
@@ -148,25 +154,27 @@ class BvhBuilder {
     }
   }
 
-  /// Brings the `count` first ones to the front, or to the front of the room beside.
-  static Centers part(const Centers& centers, std::size_t count) {
-    const BvhSpread<T> spread = spread_of(centers);
-    if (centers.count > many) return part_by_bins<256>(centers, count, spread);
-    if (centers.count > few) return part_by_bins<32>(centers, count, spread);
-    part_by_order(centers, count, spread.axis);
+  /// Brings the `count` first ones along an axis to the front, or to the front of the room beside, and the one that
+  /// follows behind them.
+  static Centers part(const Centers& centers, std::size_t count, Dim axis, const Aabb<N, T>& bounds) {
+    if (centers.count > worth_fine_bins) return part_by_bins<256>(centers, count, axis, bounds);
+    if (centers.count > worth_bins) return part_by_bins<32>(centers, count, axis, bounds);
+    part_by_order(centers, count, axis);
     return centers;
   }
 
   /// By counting how many lie in bins of equal width, and then sorting but one of them.
   template <std::size_t bins>
-  static Centers part_by_bins(const Centers& centers, std::size_t count, const BvhSpread<T>& spread) {
-    const T bins_per_unit = static_cast<T>(bins) / spread.extent;
-    if (!std::isfinite(spread.extent) || !std::isfinite(bins_per_unit)) {
-      part_by_order(centers, count, spread.axis);
+  static Centers part_by_bins(const Centers& centers, std::size_t count, Dim axis, const Aabb<N, T>& bounds) {
+    const T from = bounds.min[axis];
+    const T extent = bounds.max[axis] - from;
+    const T bins_per_unit = static_cast<T>(bins) / extent;
+    if (!std::isfinite(extent) || !std::isfinite(bins_per_unit)) {
+      part_by_order(centers, count, axis);
       return centers;
     }
     const auto bin_of = [&](const Center& center) {
-      const auto bin = static_cast<std::int32_t>((center.at[spread.axis] - spread.from) * bins_per_unit);
+      const auto bin = static_cast<std::int32_t>((center.at[axis] - from) * bins_per_unit);
       return std::min(bin, static_cast<std::int32_t>(bins) - 1);
     };
     std::array<std::uint32_t, bins> counts{};
@@ -182,7 +190,7 @@ class BvhBuilder {
       centers.beside[next[side]++] = centers.here[k];
     }
     const Centers parted{centers.beside, centers.here, centers.count};
-    part_by_order(parted.behind(before).first(counts[border]), count - before, spread.axis);
+    part_by_order(parted.behind(before).first(counts[border]), count - before, axis);
     return parted;
   }
 

@@ -63,7 +63,7 @@ struct BvhArrays {
 };
 
 /// Builds a tree of the boxes in these slots, where the bounds of leaf nodes are grown by a margin. Where boxes have to
-/// be parted, it is along the axis on which their centers spread most, into parts whose boxes fill as many nodes each
+/// be parted, it is along the longest axis of a box around their centers, into parts that fill as many nodes each
 /// (Friedman, Bentley and Finkel 1977, "An algorithm for finding best matches in logarithmic expected time"). The boxes
 /// are finite. The tree depends on the set of slots alone, neither on their order nor on the executor. Throws
 /// std::bad_alloc, and what the executor does.
