@@ -99,13 +99,12 @@ HWY_INLINE Lanes<T> gap_across(const LaneView<3, T>& view, Dim i, Dim j) {
   const Dim i2 = (i + 2) % 3;
   const Dim j1 = (j + 1) % 3;
   const Dim j2 = (j + 2) % 3;
-  auto reach = hn::Mul(view.half.at[i1], view.shadow[j].at[i2]);
-  reach = hn::MulAdd(view.half.at[i2], view.shadow[j].at[i1], reach);
-  reach = hn::MulAdd(view.other_half.at[j1], view.shadow[j2].at[i], reach);
-  reach = hn::MulAdd(view.other_half.at[j2], view.shadow[j1].at[i], reach);
-  const auto along = hn::Sub(hn::Mul(view.between.at[i2], view.directions[j].at[i1]),
-                             hn::Mul(view.between.at[i1], view.directions[j].at[i2]));
-  return hn::Sub(hn::Abs(along), reach);
+  const auto along = hn::NegMulAdd(view.between.at[i1], view.directions[j].at[i2],
+                                   hn::Mul(view.between.at[i2], view.directions[j].at[i1]));
+  auto gap = hn::NegMulAdd(view.half.at[i1], view.shadow[j].at[i2], hn::Abs(along));
+  gap = hn::NegMulAdd(view.half.at[i2], view.shadow[j].at[i1], gap);
+  gap = hn::NegMulAdd(view.other_half.at[j1], view.shadow[j2].at[i], gap);
+  return hn::NegMulAdd(view.other_half.at[j2], view.shadow[j1].at[i], gap);
 }
 
 template <Dim N, class T>
@@ -121,10 +120,9 @@ HWY_INLINE LaneGaps<T> gaps_of(const LaneView<N, T>& view) {
     gaps.size = hn::Add(gaps.size, hn::Add(along, reach));
   }
   for (Dim j = 0; j < N; ++j) {
-    auto reach = view.other_half.at[j];
-    for (Dim i = 0; i < N; ++i) reach = hn::MulAdd(view.half.at[i], view.shadow[j].at[i], reach);
-    const auto along = hn::Abs(inner(view.between, view.directions[j]));
-    gaps.on_axes = hn::Max(gaps.on_axes, hn::Sub(along, reach));
+    auto gap = hn::Sub(hn::Abs(inner(view.between, view.directions[j])), view.other_half.at[j]);
+    for (Dim i = 0; i < N; ++i) gap = hn::NegMulAdd(view.half.at[i], view.shadow[j].at[i], gap);
+    gaps.on_axes = hn::Max(gaps.on_axes, gap);
   }
   if constexpr (N == 3) {
     for (Dim i = 0; i < 3; ++i) {

@@ -21,18 +21,29 @@ namespace graze::detail::HWY_NAMESPACE {
 namespace {
 
 /// Calls verdict_of(a, b) for the shapes of each vector of pairs.
-template <class T, class A, class B>
-void kernel(const T* const* a, const T* const* b, std::size_t groups, GroupVerdict* verdicts) {
+template <class T, class A, class B, class RowsA, class RowsB>
+HWY_INLINE void judge_groups(RowsA a, RowsB b, std::size_t groups, GroupVerdict* verdicts) {
   for (std::size_t group = 0; group < groups; ++group) {
     std::uint32_t apart = 0;
     std::uint32_t overlapping = 0;
-    for (std::uint32_t k = 0; k < vectors_of<T>; ++k, a += lanes_of<T>, b += lanes_of<T>) {
+    for (std::uint32_t k = 0; k < vectors_of<T>; ++k, a = a + lanes_of<T>, b = b + lanes_of<T>) {
       const LaneVerdict<T> verdict = verdict_of(A(a), B(b));
       apart |= bits_of<T>(verdict.apart) << k * lanes_of<T>;
       overlapping |= bits_of<T>(verdict.overlapping) << k * lanes_of<T>;
     }
     verdicts[group] = {static_cast<std::uint16_t>(apart), static_cast<std::uint16_t>(overlapping)};
   }
+}
+
+template <class T, class A, class B>
+void kernel(const T* const* a, const T* const* b, std::size_t groups, GroupVerdict* verdicts) {
+  judge_groups<T, A, B>(a, b, groups, verdicts);
+}
+
+template <class T, class A, std::size_t Stride>
+void list_kernel(const T* shapes, const Pair* pairs, std::size_t groups, GroupVerdict* verdicts) {
+  judge_groups<T, A, A>(SideOfPairs<T, Stride, &Pair::a>{shapes, pairs},
+                        SideOfPairs<T, Stride, &Pair::b>{shapes, pairs}, groups, verdicts);
 }
 
 template <Dim N, class T>
@@ -43,7 +54,11 @@ TouchKernels<T> kernels() {
   using Capsule = LaneCapsule<N, T>;
   return {{kernel<T, Sphere, Sphere>, kernel<T, Sphere, Aabb>, kernel<T, Sphere, Obb>, kernel<T, Sphere, Capsule>,
            kernel<T, Aabb, Aabb>, kernel<T, Aabb, Obb>, kernel<T, Aabb, Capsule>, kernel<T, Obb, Obb>,
-           kernel<T, Obb, Capsule>, kernel<T, Capsule, Capsule>}};
+           kernel<T, Obb, Capsule>, kernel<T, Capsule, Capsule>},
+          list_kernel<T, Sphere, N + 1>,
+          list_kernel<T, Aabb, 2 * N>,
+          list_kernel<T, Obb, 2 * N + N * N>,
+          list_kernel<T, Capsule, 2 * N + 1>};
 }
 
 }  // namespace

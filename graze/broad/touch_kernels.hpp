@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <graze/broad/pair.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze::detail {
@@ -39,9 +40,17 @@ inline constexpr std::size_t touch_kinds = 10;
 template <class T>
 using TouchKernel = void (*)(const T* const* a, const T* const* b, std::size_t groups, GroupVerdict* verdicts);
 
+/// The same for shapes of one type that lie side by side, by the pairs that name them.
+template <class T>
+using TouchListKernel = void (*)(const T* shapes, const Pair* pairs, std::size_t groups, GroupVerdict* verdicts);
+
 template <class T>
 struct TouchKernels {
   TouchKernel<T> of[touch_kinds];
+  TouchListKernel<T> of_spheres;
+  TouchListKernel<T> of_aabbs;
+  TouchListKernel<T> of_obbs;
+  TouchListKernel<T> of_capsules;
 
   TouchKernel<T> operator[](TouchKind kind) const { return of[static_cast<std::size_t>(kind)]; }
 };

@@ -9,10 +9,14 @@
 #endif
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 
 #include <hwy/highway.h>
 
+#include <graze/broad/pair.hpp>
 #include <graze/broad/simd_lanes-inl.hpp>
 #include <graze/math/vec.hpp>
 
@@ -52,6 +56,22 @@ HWY_INLINE Lanes<T> all(T value) {
   return hn::Set(Tag<T>(), value);
 }
 
+/// Where the structs of a group begin: rows[lane], and rows + n for what follows. Pointers, or:
+template <class Rows, class T>
+concept RowsOf = requires(const Rows& rows, std::size_t lane) {
+  { *rows[lane] } -> std::convertible_to<T>;
+};
+
+/// One side of pairs that name shapes of one type, which are `Stride` numbers apart.
+template <class T, std::size_t Stride, std::uint32_t Pair::*Side>
+struct SideOfPairs {
+  const T* shapes;
+  const Pair* pairs;
+
+  HWY_INLINE const T* operator[](std::size_t lane) const { return shapes + pairs[lane].*Side * Stride; }
+  HWY_INLINE SideOfPairs operator+(std::size_t lanes) const { return {shapes, pairs + lanes}; }
+};
+
 #if HWY_TARGET != HWY_SCALAR
 
 /// How many numbers a block of 128 bits has: within blocks, numbers move freely.
@@ -59,26 +79,26 @@ template <class T>
 constexpr std::size_t per_block = 16 / sizeof(T);
 
 /// A block from each of the rows first, first + per_block, ..., side by side.
-template <class T, class D>
-HWY_INLINE hn::Vec<D> load_blocks(D d, const T* const* rows, std::size_t offset) {
+template <class T, class Rows, class D>
+HWY_INLINE hn::Vec<D> load_blocks(D d, const Rows& rows, std::size_t offset) {
   if constexpr (hn::MaxLanes(D()) == per_block<T>) {
     return hn::LoadU(d, rows[0] + offset);
   } else {
     const hn::Half<D> half;
-    const auto low = load_blocks(half, rows, offset);
-    return hn::Combine(d, load_blocks(half, rows + hn::MaxLanes(half), offset), low);
+    const auto low = load_blocks<T>(half, rows, offset);
+    return hn::Combine(d, load_blocks<T>(half, rows + hn::MaxLanes(half), offset), low);
   }
 }
 
 /// Number `offset` + k of every row into out[k], for a block's worth of numbers: a transposition within blocks.
-template <class T>
-HWY_INLINE void load_numbers(const T* const* rows, std::size_t offset, Lanes<T>* out) {
+template <class T, class Rows>
+HWY_INLINE void load_numbers(const Rows& rows, std::size_t offset, Lanes<T>* out) {
   const Tag<T> d;
   if constexpr (per_block<T> == 4) {
-    const auto row0 = load_blocks(d, rows, offset);
-    const auto row1 = load_blocks(d, rows + 1, offset);
-    const auto row2 = load_blocks(d, rows + 2, offset);
-    const auto row3 = load_blocks(d, rows + 3, offset);
+    const auto row0 = load_blocks<T>(d, rows, offset);
+    const auto row1 = load_blocks<T>(d, rows + 1, offset);
+    const auto row2 = load_blocks<T>(d, rows + 2, offset);
+    const auto row3 = load_blocks<T>(d, rows + 3, offset);
     const auto even_low = hn::InterleaveLower(d, row0, row2);
     const auto odd_low = hn::InterleaveLower(d, row1, row3);
     const auto even_high = hn::InterleaveUpper(d, row0, row2);
@@ -88,19 +108,27 @@ HWY_INLINE void load_numbers(const T* const* rows, std::size_t offset, Lanes<T>*
     out[2] = hn::InterleaveLower(d, even_high, odd_high);
     out[3] = hn::InterleaveUpper(d, even_high, odd_high);
   } else {
-    const auto row0 = load_blocks(d, rows, offset);
-    const auto row1 = load_blocks(d, rows + 1, offset);
+    const auto row0 = load_blocks<T>(d, rows, offset);
+    const auto row1 = load_blocks<T>(d, rows + 1, offset);
     out[0] = hn::InterleaveLower(d, row0, row1);
     out[1] = hn::InterleaveUpper(d, row0, row1);
   }
+}
+
+/// Written out block by block: in a loop, vectors would be kept in memory.
+template <class T, class Rows, std::size_t Count, std::size_t... Block>
+HWY_INLINE void load_all_blocks(const Rows& rows, Lanes<T> (&out)[Count], std::index_sequence<Block...>) {
+  (load_numbers<T>(rows, std::min(Block * per_block<T>, Count - per_block<T>),
+                   out + std::min(Block * per_block<T>, Count - per_block<T>)),
+   ...);
 }
 
 #endif
 
 /// The first `Count` numbers of each lane's struct. Where Count is not a multiple of a block, the last block begins
 /// earlier, so that nothing behind the struct is read.
-template <std::size_t Count, class T>
-HWY_INLINE void load_struct(const T* const* rows, Lanes<T> (&out)[Count]) {
+template <class T, class Rows, std::size_t Count>
+HWY_INLINE void load_struct(const Rows& rows, Lanes<T> (&out)[Count]) {
 #if HWY_TARGET == HWY_SCALAR
   for (std::size_t k = 0; k < Count; ++k) out[k] = hn::Set(Tag<T>(), rows[0][k]);
 #else
@@ -111,12 +139,7 @@ HWY_INLINE void load_struct(const T* const* rows, Lanes<T> (&out)[Count]) {
       out[k] = hn::Load(Tag<T>(), column);
     }
   } else {
-    Lanes<T> block[per_block<T>];
-    for (std::size_t first = 0; first < Count; first += per_block<T>) {
-      const std::size_t offset = std::min(first, Count - per_block<T>);
-      load_numbers(rows, offset, block);
-      for (std::size_t k = 0; k < per_block<T>; ++k) out[offset + k] = block[k];
-    }
+    load_all_blocks<T>(rows, out, std::make_index_sequence<(Count + per_block<T> - 1) / per_block<T> >());
   }
 #endif
 }
@@ -128,9 +151,10 @@ struct LaneSphere {
   LaneVec<N, T> center;
   Lanes<T> radius;
 
-  HWY_INLINE explicit LaneSphere(const T* const* rows) {
+  template <RowsOf<T> Rows>
+  HWY_INLINE explicit LaneSphere(const Rows& rows) {
     Lanes<T> number[N + 1];
-    load_struct(rows, number);
+    load_struct<T>(rows, number);
     for (Dim i = 0; i < N; ++i) center.at[i] = number[i];
     radius = number[N];
   }
@@ -141,9 +165,10 @@ struct LaneAabb {
   LaneVec<N, T> min;
   LaneVec<N, T> max;
 
-  HWY_INLINE explicit LaneAabb(const T* const* rows) {
+  template <RowsOf<T> Rows>
+  HWY_INLINE explicit LaneAabb(const Rows& rows) {
     Lanes<T> number[2 * N];
-    load_struct(rows, number);
+    load_struct<T>(rows, number);
     for (Dim i = 0; i < N; ++i) {
       min.at[i] = number[i];
       max.at[i] = number[N + i];
@@ -157,9 +182,10 @@ struct LaneObb {
   LaneVec<N, T> half;
   LaneVec<N, T> axes[N];
 
-  HWY_INLINE explicit LaneObb(const T* const* rows) {
+  template <RowsOf<T> Rows>
+  HWY_INLINE explicit LaneObb(const Rows& rows) {
     Lanes<T> number[2 * N + N * N];
-    load_struct(rows, number);
+    load_struct<T>(rows, number);
     for (Dim i = 0; i < N; ++i) {
       center.at[i] = number[i];
       half.at[i] = number[N + i];
@@ -184,9 +210,10 @@ struct LaneCapsule {
   LaneVec<N, T> along;  ///< From start to end.
   Lanes<T> radius;
 
-  HWY_INLINE explicit LaneCapsule(const T* const* rows) {
+  template <RowsOf<T> Rows>
+  HWY_INLINE explicit LaneCapsule(const Rows& rows) {
     Lanes<T> number[2 * N + 1];
-    load_struct(rows, number);
+    load_struct<T>(rows, number);
     for (Dim i = 0; i < N; ++i) {
       start.at[i] = number[i];
       along.at[i] = hn::Sub(number[N + i], number[i]);

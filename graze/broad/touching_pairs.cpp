@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include <graze/broad/prefetch.hpp>
 #include <graze/broad/relations.hpp>
 #include <graze/broad/touch_kernels.hpp>
 #include <graze/broad/touching_pairs.hpp>
@@ -22,6 +23,9 @@ constexpr std::size_t task_size = 4096;
 
 /// Pairs of one kind that are collected before their kernel runs.
 constexpr std::size_t queue_size = 4 * touch_group;
+
+/// Up to this size all shapes may be in a core's own cache, where asking for them ahead takes more time than it saves.
+constexpr std::size_t cache_size = std::size_t{1} << 21U;
 
 /// No kernel.
 constexpr std::uint8_t no_kind = 0xFF;
@@ -73,15 +77,14 @@ const T* numbers_of(const S& shape) {
   return reinterpret_cast<const T*>(&shape);
 }
 
-/// Where the numbers of a sphere, box, oriented box or capsule begin.
+/// Where the numbers of a sphere, box, oriented box or capsule begin: in truth at one place for all of them, so that
+/// nothing is left to choose.
 template <Dim N, class T>
 const T* numbers_of_held(const AnyShape<N, T>& shape) {
-  return std::visit(
-      [](const auto& held) -> const T* {
-        if constexpr (std::is_trivially_copyable_v<std::remove_cvref_t<decltype(held)>>) return numbers_of<T>(held);
-        return nullptr;
-      },
-      shape);
+  if (const auto* sphere = std::get_if<Sphere<N, T>>(&shape)) return numbers_of<T>(*sphere);
+  if (const auto* box = std::get_if<Aabb<N, T>>(&shape)) return numbers_of<T>(*box);
+  if (const auto* box = std::get_if<Obb<N, T>>(&shape)) return numbers_of<T>(*box);
+  return numbers_of<T>(*std::get_if<Capsule<N, T>>(&shape));
 }
 
 /// Collects pairs by kind, and has them judged by the vector.
@@ -94,15 +97,19 @@ class Judge {
   void run() {
     static constexpr auto kinds = kinds_by_place<N, T>();
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      const AnyShape<N, T>* a = pairs_[i].a;
-      const AnyShape<N, T>* b = pairs_[i].b;
-      if (b->index() < a->index()) std::swap(a, b);
-      const std::uint8_t kind = kinds[a->index()][b->index()];
+      const ShapePair<N, T>& later = pairs_[std::min(i + prefetch_distance, pairs_.size() - 1)];
+      prefetch(later.a);
+      prefetch(later.b);
+      const AnyShape<N, T>& a = *pairs_[i].a;
+      const AnyShape<N, T>& b = *pairs_[i].b;
+      const std::uint8_t kind = kinds[std::min(a.index(), b.index())][std::max(a.index(), b.index())];
       if (kind == no_kind) {
-        out_[i] = relation(*a, *b);
-      } else {
-        add(kind, numbers_of_held<N, T>(*a), numbers_of_held<N, T>(*b), i);
+        out_[i] = relation(a, b);
+        continue;
       }
+      const std::array<const T*, 2> numbers{numbers_of_held<N, T>(a), numbers_of_held<N, T>(b)};
+      const std::size_t lower = b.index() < a.index() ? 1 : 0;  // an index and no branch, which would guess wrong
+      add(kind, numbers[lower], numbers[1 - lower], i);
     }
     for (std::uint8_t kind = 0; kind < touch_kinds; ++kind) flush(kind);
   }
@@ -137,13 +144,10 @@ class Judge {
     for (std::size_t i = 0; i < count; ++i) {
       const GroupVerdict& verdict = verdicts[i / touch_group];
       const std::uint32_t pair = queue.pair[i];
-      if (verdict.apart >> i % touch_group & 1U) {
-        out_[pair] = Relation::apart;
-      } else if (verdict.overlapping >> i % touch_group & 1U) {
-        out_[pair] = Relation::overlapping;
-      } else {
-        out_[pair] = relation(*pairs_[pair].a, *pairs_[pair].b);
-      }
+      const bool apart = (verdict.apart >> i % touch_group & 1U) != 0;
+      const bool overlapping = (verdict.overlapping >> i % touch_group & 1U) != 0;
+      out_[pair] = overlapping ? Relation::overlapping : Relation::apart;
+      if (!apart && !overlapping) out_[pair] = relation(*pairs_[pair].a, *pairs_[pair].b);
     }
   }
 
@@ -153,49 +157,83 @@ class Judge {
   std::array<Queue, touch_kinds> queues_;
 };
 
-/// The kernel of two shapes of one type.
+/// The kernel of pairs of one type.
+template <Dim N, class T>
+TouchListKernel<T> kernel_of(const TouchKernels<T>& kernels, std::type_identity<Sphere<N, T>>) {
+  return kernels.of_spheres;
+}
+template <Dim N, class T>
+TouchListKernel<T> kernel_of(const TouchKernels<T>& kernels, std::type_identity<Aabb<N, T>>) {
+  return kernels.of_aabbs;
+}
+template <Dim N, class T>
+TouchListKernel<T> kernel_of(const TouchKernels<T>& kernels, std::type_identity<Obb<N, T>>) {
+  return kernels.of_obbs;
+}
+template <Dim N, class T>
+TouchListKernel<T> kernel_of(const TouchKernels<T>& kernels, std::type_identity<Capsule<N, T>>) {
+  return kernels.of_capsules;
+}
+
+/// Which of the pairs that a group begins with touch, one bit each.
 template <class S>
-constexpr TouchKind kind_with_itself = TouchKind::sphere_sphere;
-template <Dim N, class T>
-constexpr TouchKind kind_with_itself<Aabb<N, T>> = TouchKind::aabb_aabb;
-template <Dim N, class T>
-constexpr TouchKind kind_with_itself<Obb<N, T>> = TouchKind::obb_obb;
-template <Dim N, class T>
-constexpr TouchKind kind_with_itself<Capsule<N, T>> = TouchKind::capsule_capsule;
+std::uint32_t touching_of_group(std::span<const S> shapes, std::span<const Pair> group, const GroupVerdict& verdict) {
+  std::uint32_t touching = verdict.overlapping;
+  std::uint32_t open = ((1U << group.size()) - 1U) & ~(touching | verdict.apart);
+  for (; open != 0; open &= open - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(open));
+    if (relation(shapes[group[i].a], shapes[group[i].b]) != Relation::apart) touching |= 1U << i;
+  }
+  return touching;
+}
+
+/// Asks for the shapes that come second. The first ones usually are in order.
+template <class S>
+void fetch_shapes(std::span<const S> shapes, std::span<const Pair> pairs) {
+  for (const Pair& pair : pairs) prefetch(&shapes[pair.b]);
+}
 
 /// Writes those of the pairs that touch to `out`, which has room for all, in their order. Returns how many.
 template <class S>
 std::size_t keep_touching(std::span<const S> shapes, std::span<const Pair> pairs, Pair* out) {
   using T = scalar_of<S>;
-  const TouchKernel<T> kernel = touch_kernels<dimension_of<S>, T>()[kind_with_itself<S>];
-  std::array<const T*, queue_size> a;
-  std::array<const T*, queue_size> b;
+  const TouchListKernel<T> kernel = kernel_of(touch_kernels<dimension_of<S>, T>(), std::type_identity<S>());
+  const bool is_in_cache = shapes.size_bytes() <= cache_size;
   std::array<GroupVerdict, queue_size / touch_group> verdicts;
   std::size_t kept = 0;
-  for (std::size_t first = 0; first < pairs.size(); first += queue_size) {
-    const std::span<const Pair> part = pairs.subspan(first, std::min(queue_size, pairs.size() - first));
+  const auto judge = [&](std::span<const Pair> part, const Pair* padded) {
     const std::size_t groups = (part.size() + touch_group - 1) / touch_group;
-    for (std::size_t i = 0; i < groups * touch_group; ++i) {
-      const Pair& pair = part[std::min(i, part.size() - 1)];
-      a[i] = numbers_of<T>(shapes[pair.a]);
-      b[i] = numbers_of<T>(shapes[pair.b]);
-    }
-    kernel(a.data(), b.data(), groups, verdicts.data());
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      const GroupVerdict& verdict = verdicts[i / touch_group];
-      const auto bit = static_cast<std::uint32_t>(1U << i % touch_group);
-      bool touches = (verdict.overlapping & bit) != 0;
-      if (((verdict.apart | verdict.overlapping) & bit) == 0) {
-        touches = relation(shapes[part[i].a], shapes[part[i].b]) != Relation::apart;
+    kernel(numbers_of<T>(shapes[0]), padded, groups, verdicts.data());
+    for (std::size_t first = 0; first < part.size(); first += touch_group) {
+      const std::span<const Pair> group = part.subspan(first, std::min(touch_group, part.size() - first));
+      const std::uint32_t touching = touching_of_group(shapes, group, verdicts[first / touch_group]);
+      for (std::size_t i = 0; i < group.size(); ++i) {  // without a branch, which would guess wrong all the time
+        out[kept] = group[i];
+        kept += touching >> i & 1U;
       }
-      out[kept] = part[i];
-      kept += touches ? 1U : 0U;
     }
+  };
+  const std::size_t whole = pairs.size() / touch_group * touch_group;
+  for (std::size_t first = 0; first < whole; first += queue_size) {
+    const std::span<const Pair> part = pairs.subspan(first, std::min(queue_size, whole - first));
+    if (!is_in_cache)
+      fetch_shapes(shapes, pairs.subspan(first + part.size(), std::min(queue_size, whole - first - part.size())));
+    judge(part, part.data());
+  }
+  if (whole < pairs.size()) {
+    const std::span<const Pair> rest = pairs.subspan(whole);
+    std::array<Pair, touch_group> padded;
+    padded.fill(rest[0]);
+    std::copy(rest.begin(), rest.end(), padded.begin());
+    judge(rest, padded.data());
   }
   return kept;
 }
 
 void check_pairs(std::span<const Pair> pairs, std::size_t shapes, const char* caller) {
+  std::uint32_t largest_of_all = 0;
+  for (const Pair& pair : pairs) largest_of_all = std::max(largest_of_all, std::max(pair.a, pair.b));
+  if (pairs.empty() || largest_of_all < shapes) return;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const std::size_t largest = std::max(pairs[i].a, pairs[i].b);
     if (largest < shapes) continue;

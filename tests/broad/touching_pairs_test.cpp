@@ -135,6 +135,28 @@ TYPED_TEST(TouchingPairs, DoNotDependOnTheExecutor) {
   EXPECT_EQ(touching_pairs(cases.shapes, candidates), alone);
 }
 
+/// From some number on they are asked for ahead of their use, from behind the last whole group too.
+TEST(TouchingPairs, DoNotDependOnHowManyShapesThereAre) {
+  std::vector<Obb<3>> boxes(40'000);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    boxes[i].center = {static_cast<float>(i % 200), static_cast<float>(i / 200), 0};
+    boxes[i].half_extents = {0.3F + 0.4F * static_cast<float>(i % 3), 0.2F, 0.2F};
+  }
+  std::vector<Pair> candidates;
+  std::vector<Pair> expected;
+  for (std::uint32_t i = 0; i + 777 < boxes.size(); i += 777) {
+    for (const std::uint32_t step : {1U, 2U, 777U}) candidates.push_back({i, i + step});
+  }
+  for (const Pair& pair : candidates) {
+    if (relation(boxes[pair.a], boxes[pair.b]) != Relation::apart) expected.push_back(pair);
+  }
+  EXPECT_NE(candidates.size() % 16, 0U);
+  EXPECT_GT(expected.size(), 20U);
+  EXPECT_LT(expected.size(), candidates.size());
+  EXPECT_EQ(touching_pairs(boxes, candidates), expected);
+  EXPECT_EQ(touching_pairs(std::vector<AnyShape<3>>(boxes.begin(), boxes.end()), candidates), expected);
+}
+
 TEST(TouchingPairs, OfNoCandidatesAreNone) {
   EXPECT_TRUE(touching_pairs(std::vector<Sphere<3>>(2), std::vector<Pair>{}).empty());
   EXPECT_TRUE(touching_pairs(std::vector<AnyShape<2>>{}, std::vector<Pair>{}).empty());
