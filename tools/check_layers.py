@@ -29,6 +29,10 @@ TESTED_ELSEWHERE = {
     "graze/broad/simd_choice.hpp": ("tests/broad/block_kernels_test.cpp", "one macro, whose sets the tests force one by one"),
     "graze/broad/simd_lanes-inl.hpp": ("tests/broad/block_kernels_test.cpp", "names for vectors, which all kernels use"),
     "graze/broad/prefetch.hpp": ("tests/broad/crowd_test.cpp", "changes nothing but the time"),
+    "graze/broad/manifolds.hpp": ("tests/broad/contacts_test.cpp", "instances of manifold(), which contacts calls"),
+    "graze/broad/manifolds_2d.cpp": ("tests/broad/contacts_test.cpp", "the same"),
+    "graze/broad/manifolds_3d.cpp": ("tests/broad/contacts_test.cpp", "the same"),
+    "graze/broad/pair_tasks.hpp": ("tests/broad/touching_pairs_test.cpp", "what it refuses, and the same from any executor"),
     "graze/broad/relations.hpp": ("tests/broad/touching_pairs_test.cpp", "instances of relation(), for all who ask it"),
     "graze/broad/touch_boxes-inl.hpp": ("tests/broad/touch_kernels_test.cpp", "what the kernels are made of"),
     "graze/broad/touch_lanes-inl.hpp": ("tests/broad/touch_kernels_test.cpp", "what the kernels are made of"),
@@ -43,9 +47,6 @@ TESTED_ELSEWHERE = {
     "graze/shape/lexicographic.hpp": ("tests/shape/polytope_test.cpp", "the order of a polytope's vertices"),
     "graze/shape/monotone_chain.hpp": ("tests/shape/polytope_test.cpp", "convex_hull in the plane"),
     "graze/shape/quickhull.hpp": ("tests/shape/hull_faces_test.cpp", "the method behind hull_faces"),
-    "graze/scene/manifolds.hpp": ("tests/scene/scene_contacts_test.cpp", "instances of manifold(), which contacts calls"),
-    "graze/scene/manifolds_2d.cpp": ("tests/scene/scene_contacts_test.cpp", "the same"),
-    "graze/scene/manifolds_3d.cpp": ("tests/scene/scene_contacts_test.cpp", "the same"),
 }
 
 

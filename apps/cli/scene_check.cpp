@@ -6,8 +6,10 @@
 #include <cstddef>
 #include <variant>
 
+#include <graze/broad/executor.hpp>
+#include <graze/broad/manifolds.hpp>
+#include <graze/broad/pair_tasks.hpp>
 #include <graze/broad/touching_pairs.hpp>
-#include <graze/scene/manifolds.hpp>
 
 #include "coordinates.hpp"
 #include "nearness.hpp"
@@ -20,7 +22,10 @@ using io::ReportedPair;
 using Clock = std::chrono::steady_clock;
 
 /// Candidates that are tested at a time: enough for vectors, few enough for a report that goes on.
-constexpr std::size_t block_size = 1024;
+constexpr std::size_t block_size = 4096;
+
+/// Candidates per task.
+constexpr std::size_t candidates_per_task = 512;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -67,26 +72,29 @@ SceneCheck::SceneCheck(const io::SceneFile& file, const CheckedPairs& wanted, Pr
 template <Dim N>
 std::vector<std::optional<ReportedPair>> SceneCheck::tested(const Scene<N, double>& scene,
                                                             std::span<const ObjectPair> candidates) const {
-  std::vector<Relation> relations;
-  if (!wanted_.within) relations = relations_of(scene, candidates);
   std::vector<std::optional<ReportedPair>> found(candidates.size());
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const Object<N, double>& a = scene.object(candidates[i].a);
-    const Object<N, double>& b = scene.object(candidates[i].b);
-    ReportedPair pair{a.name, b.name};
-    if (wanted_.within) {
-      const Nearness nearness = nearness_of(a.shape, b.shape);
-      pair.relation = nearness.relation;
-      pair.distance = nearness.distance;
-      if (!(pair.distance <= *wanted_.within)) continue;
-    } else {
-      pair.relation = relations[i];
-      if (pair.relation == Relation::apart) continue;
-      if (wanted_.only_interior && pair.relation != Relation::overlapping) continue;
-      if (wanted_.contacts) add_contacts(a.shape, b.shape, pair);
-    }
-    found[i] = std::move(pair);
-  }
+  detail::in_tasks(candidates.size(), candidates_per_task, default_executor(),
+                   [&](std::size_t first, std::size_t last) {
+                     std::vector<Relation> relations;
+                     if (!wanted_.within) relations = relations_of(scene, candidates.subspan(first, last - first));
+                     for (std::size_t i = first; i < last; ++i) {
+                       const Object<N, double>& a = scene.object(candidates[i].a);
+                       const Object<N, double>& b = scene.object(candidates[i].b);
+                       ReportedPair pair{a.name, b.name};
+                       if (wanted_.within) {
+                         const Nearness nearness = nearness_of(a.shape, b.shape);
+                         pair.relation = nearness.relation;
+                         pair.distance = nearness.distance;
+                         if (!(pair.distance <= *wanted_.within)) continue;
+                       } else {
+                         pair.relation = relations[i - first];
+                         if (pair.relation == Relation::apart) continue;
+                         if (wanted_.only_interior && pair.relation != Relation::overlapping) continue;
+                         if (wanted_.contacts) add_contacts(a.shape, b.shape, pair);
+                       }
+                       found[i] = std::move(pair);
+                     }
+                   });
   return found;
 }
 

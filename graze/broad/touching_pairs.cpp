@@ -3,12 +3,11 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
+#include <graze/broad/pair_tasks.hpp>
 #include <graze/broad/prefetch.hpp>
 #include <graze/broad/relations.hpp>
 #include <graze/broad/touch_kernels.hpp>
@@ -230,24 +229,8 @@ std::size_t keep_touching(std::span<const S> shapes, std::span<const Pair> pairs
   return kept;
 }
 
-void check_pairs(std::span<const Pair> pairs, std::size_t shapes, const char* caller) {
-  std::uint32_t largest_of_all = 0;
-  for (const Pair& pair : pairs) largest_of_all = std::max(largest_of_all, std::max(pair.a, pair.b));
-  if (pairs.empty() || largest_of_all < shapes) return;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const std::size_t largest = std::max(pairs[i].a, pairs[i].b);
-    if (largest < shapes) continue;
-    throw std::out_of_range(std::string(caller) + ": pair " + std::to_string(i) + " names shape " +
-                            std::to_string(largest) + ", but there are only " + std::to_string(shapes));
-  }
-}
-
-/// Runs work(first, last) for tasks of 0 ... count.
-template <class Work>
-void in_tasks(std::size_t count, const TouchOptions& options, const Work& work) {
-  const Executor& executor = options.executor != nullptr ? *options.executor : default_executor();
-  executor.parallel_for((count + task_size - 1) / task_size,
-                        [&](std::size_t task) { work(task * task_size, std::min(count, (task + 1) * task_size)); });
+const Executor& executor_of(const TouchOptions& options) {
+  return options.executor != nullptr ? *options.executor : default_executor();
 }
 
 /// The pairs that keep(first, last, out) leaves of each task, one after the other.
@@ -255,7 +238,7 @@ template <class Keep>
 std::vector<Pair> kept_of_tasks(std::size_t count, const TouchOptions& options, const Keep& keep) {
   std::vector<Pair> kept(count);
   std::vector<std::size_t> counts((count + task_size - 1) / task_size);
-  in_tasks(count, options, [&](std::size_t first, std::size_t last) {
+  in_tasks(count, task_size, executor_of(options), [&](std::size_t first, std::size_t last) {
     counts[first / task_size] = keep(first, last, kept.data() + first);
   });
   std::size_t end = 0;
@@ -290,10 +273,11 @@ std::vector<Relation> relations(std::span<const AnyShape<N, T>> shapes, std::spa
                                 const TouchOptions& options) {
   detail::check_pairs(pairs, shapes.size(), "relations");
   std::vector<Relation> result(pairs.size());
-  detail::in_tasks(pairs.size(), options, [&](std::size_t first, std::size_t last) {
-    const auto both = detail::shape_pairs(shapes, pairs.subspan(first, last - first));
-    detail::relations_of<N, T>(both, result.data() + first);
-  });
+  detail::in_tasks(pairs.size(), detail::task_size, detail::executor_of(options),
+                   [&](std::size_t first, std::size_t last) {
+                     const auto both = detail::shape_pairs(shapes, pairs.subspan(first, last - first));
+                     detail::relations_of<N, T>(both, result.data() + first);
+                   });
   return result;
 }
 

@@ -6,11 +6,11 @@
 #include <utility>
 #include <variant>
 
+#include <graze/broad/manifolds.hpp>
 #include <graze/broad/pairs.hpp>
 #include <graze/broad/relations.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/query/bounds.hpp>
-#include <graze/scene/manifolds.hpp>
 #include <graze/scene/plain_scene.hpp>
 #include <graze/scene/single_queries.hpp>
 

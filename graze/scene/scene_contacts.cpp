@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Where the objects of a scene touch.
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include <graze/broad/executor.hpp>
+#include <graze/broad/manifolds.hpp>
+#include <graze/broad/pair_tasks.hpp>
 #include <graze/math/vec.hpp>
-#include <graze/scene/manifolds.hpp>
 #include <graze/scene/scene_view.hpp>
 
 namespace graze {
@@ -21,9 +21,8 @@ template <Dim N, class T>
 std::vector<ObjectContact<N, T>> SceneView<N, T>::contacts(const Executor& executor) const {
   const std::vector<ObjectPair> touching = pairs();
   std::vector<ObjectContact<N, T>> result(touching.size());
-  executor.parallel_for((touching.size() + task_size - 1) / task_size, [&](std::size_t task) {
-    const std::size_t last = std::min(touching.size(), (task + 1) * task_size);
-    for (std::size_t i = task * task_size; i < last; ++i) {
+  detail::in_tasks(touching.size(), task_size, executor, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
       const auto& [a, b] = touching[i];
       result[i] = {touching[i], manifold(in_slot(a.index).shape, in_slot(b.index).shape)};
     }

@@ -10,7 +10,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <graze/broad/executor.hpp>
-#include <graze/scene/manifolds.hpp>
+#include <graze/broad/manifolds.hpp>
 #include <graze/scene/scene.hpp>
 
 #include "catalogue.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <graze/scene/manifolds.hpp>
+#include <graze/broad/manifolds.hpp>
 
 namespace graze {
 
