@@ -554,8 +554,7 @@ export interface Graze {
   /** The first touch of a, which moves by `motion` without turning, and b, which stays; null if there is none. For every
    * two shapes. */
   shapeCast(a: Shape, motion: Vector, b: Shape): Impact | null;
-  /** The first touch of shapes that move and turn: two convex ones, or one and a plane or half-space. A motion that is left
-   * out is rest. */
+  /** The first touch of shapes that move and turn, for every two. A motion that is left out is rest. */
   timeOfImpact(a: Shape, motionA: Motion, b: Shape, motionB?: Motion): Impact | null;
 
   rayCast(shape: Shape, ray: RayLike, options?: RayCastOptions): RayHit | null;

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // time_of_impact(a, motion_a, b, motion_b): when two shapes that move and turn first touch, and where.
 //
-// For any two convex shapes, and for a convex shape and a plane or half-space. Shapes that meet at the start, as
-// relation(a, b) says, have their contact(a, b) as the impact, at t = 0.
-//
-// Conservative advancement (Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996; Zhang, Lee, Kim,
-// "Interactive continuous collision detection for non-convex polyhedra", 2006) in b's frame. Where those go on by the
-// distance over a bound on the speed, and slow down as they come near, this looks for the time at which the plane that
-// now parts the shapes no longer does, as Box2D does (Catto, "Continuous collision", 2013), but goes only as far as it
-// can be proved that the plane parts them all the way: see Course below.
+// For any two shapes. Those that meet at the start, as relation(a, b) says, have their contact(a, b) as the impact, at
+// t = 0. Of convex shapes, and of one and a plane or half-space, motion_advance.hpp finds the time; a ray is cut where
+// nothing of the other shape ever comes; a compound is its first part to touch. Two that have no end, a ray, plane or
+// half-space each, are cast (shape_cast.hpp) if they do not turn; parallel planes that turn alike have the time of
+// their distance; but planes that begin to turn against each other meet at once, far away, and of other two of these
+// that turn no more is said than that they do not meet before t = 0, with `best_bound` and their distance as the error.
 //
 // `error` is a length: at t, before it is rounded to T, the shapes are no farther apart than that, and before t they
 // are not in touch. It is 2^-36 of the pair's size and way, or a few epsilon of the largest coordinate if that is more
@@ -22,237 +20,28 @@
 #include <cassert>
 #include <cmath>
 #include <optional>
-#include <type_traits>
+#include <variant>
 
 #include <graze/math/motion.hpp>
-#include <graze/math/pose.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/closest_points.hpp>
 #include <graze/query/contact.hpp>
-#include <graze/query/gjk.hpp>
 #include <graze/query/impact.hpp>
-#include <graze/query/obstacle.hpp>
-#include <graze/query/ray_sight.hpp>
+#include <graze/query/motion_advance.hpp>
 #include <graze/query/relation.hpp>
+#include <graze/query/shape_cast.hpp>
+#include <graze/query/shape_order.hpp>
 #include <graze/query/status.hpp>
+#include <graze/shape/aabb.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/compound.hpp>
 #include <graze/shape/shape.hpp>
 
 namespace graze {
 
 namespace detail {
-
-inline constexpr int advance_step_limit = 512;
-
-// ---- The relative motion
-
-inline double size_of_turn(double angle) { return std::fabs(angle); }
-inline double size_of_turn(const Vec<3, double>& turn) { return std::sqrt(dot(turn, turn)); }
-
-/// How a moves as b sees it, and how much the way of any point of a bends: the length of its second derivative.
-///
-/// A plane at rest parts a from b by some gap at two times, and by h(x) from each point x of a. In between, dt apart,
-/// h(x) is nowhere lower than the chord between its heights at both times by more than bend dt^2 / 8; so the gap is
-/// nowhere lower than the parabola below the chord of the gaps.
-template <Dim N>
-struct Course {
-  Motion<N, double> a;
-  Motion<N, double> b;
-  double bend;
-  double size;  ///< A bound on all lengths of the pair and its way: what rounding and the target are relative to.
-
-  /// Where a is at t, seen from b.
-  Pose<N, double> at(double t) const {
-    const Pose<N, double> of_a = pose_at(a, t);
-    const Pose<N, double> of_b = pose_at(b, t);
-    const Mat<N, double> back = transpose(of_b.rotation);
-    return {back * of_a.rotation, back * (of_a.position - of_b.position)};
-  }
-};
-
-/// In a frame that turns with b, with w the turns, v the ways, c the centers, and r how far a reaches from its own:
-/// what a's turning adds is (|w_a| + |w_b|)^2 r, or nothing if both turn alike, and what its center adds 2 |w_b| |v_a -
-/// v_b| (Coriolis) and |w_b|^2 |c_a - c_b|, as far apart as the centers get.
-template <Dim N>
-Course<N> course_of(const Motion<N, double>& a, const Motion<N, double>& b, double reach, double radius) {
-  const Vec<N, double> way = a.linear - b.linear;
-  const Vec<N, double> between = a.center - b.center;
-  const double way_length = std::sqrt(dot(way, way));
-  const double far = way_length + std::sqrt(dot(between, between));
-  const double turn_b = size_of_turn(b.angular);
-  const double turn = a.angular == b.angular ? 0 : size_of_turn(a.angular) + turn_b;
-  const double bend = turn * turn * reach + 2 * turn_b * way_length + turn_b * turn_b * far;
-  return {a, b, bend, far + reach + radius};
-}
-
-/// The farthest that a point of a shape's core can be from another.
-template <Convex S>
-double reach_from(const Vec<dimension_of<S>, double>& center, const S& shape) {
-  constexpr Dim N = dimension_of<S>;
-  const auto box = bounds(shape);
-  const Vec<N, double> reach =
-      max(abs(wide<N, scalar_of<S>>(box.min) - center), abs(wide<N, scalar_of<S>>(box.max) - center));
-  return std::sqrt(dot(reach, reach));
-}
-
-// ---- The gap between b at rest and a somewhere else
-
-/// A convex shape seen through a pose, its supports as right as `Number`.
-template <Dim N, Scalar Number>
-struct PosedView {
-  ConvexView<N> view;
-  Pose<N, double> pose;
-};
-
-template <Dim N, Scalar Number>
-Vec<N, double> support(const PosedView<N, Number>& posed, const std::type_identity_t<Vec<N, double>>& direction) {
-  return posed.pose.rotation * posed.view.support(transpose(posed.pose.rotation) * direction) + posed.pose.position;
-}
-
-template <Dim N>
-inline constexpr double support_error<PosedView<N, float>> = tolerance::convex_in<float>;
-
-/// What parts two shapes at some time.
-template <Dim N>
-struct Parting {
-  Vec<N, double> normal = Vec<N, double>(0.0);  ///< Of length 1, from a to b, as b sees it.
-  double gap = 0;                               ///< Along the normal, rounding taken off.
-  double distance = 0;                          ///< No less than how far apart they are.
-  double resolution = 0;
-};
-
-/// Two convex shapes, as cores and the sum of their radii.
-template <Dim N, Scalar Number>
-struct ConvexPair {
-  ConvexView<N> a;
-  ConvexView<N> b;
-  double radius;
-
-  PosedView<N, Number> at(const Pose<N, double>& pose) const { return {a, pose}; }
-  PosedView<N, Number> at_rest() const { return {b, Pose<N, double>()}; }
-
-  double gap_along(const Vec<N, double>& normal, const Pose<N, double>& pose) const {
-    return dot(normal, b.support(-normal)) - dot(normal, support(at(pose), normal)) - radius;
-  }
-
-  Parting<N> parting_at(const Pose<N, double>& pose) const {
-    const GjkResult<N> found = gjk(at(pose), at_rest());
-    Parting<N> parting;
-    parting.resolution = found.resolution + tolerance::rounding * radius;
-    parting.distance = std::max(0.0, found.upper - radius);
-    parting.normal = unit_or(-found.separation, Vec<N, double>(0.0));
-    if (max_abs(parting.normal) > 0) parting.gap = gap_along(parting.normal, pose) - parting.resolution;
-    return parting;
-  }
-
-  /// Where they are nearest, as b sees it: between the two surfaces, which are as good as one.
-  Vec<N, double> point_at(const Pose<N, double>& pose, const Vec<N, double>& normal, double radius_b) const {
-    return closest_of_convex(at(pose), at_rest()).closest.on_b - normal * radius_b;
-  }
-};
-
-/// A convex shape before a plane: one normal parts them all the time, or nothing does.
-template <Dim N, Scalar Number>
-struct LevelPair {
-  ConvexView<N> a;
-  double radius;
-  Vec<N, double> normal;  ///< Of length 1, into the plane.
-  double height;          ///< Of the plane along it.
-  double slack;           ///< What rounding makes of heights.
-
-  double gap_along(const Vec<N, double>&, const Pose<N, double>& pose) const {
-    return height - dot(normal, foremost(pose)) - radius;
-  }
-
-  Parting<N> parting_at(const Pose<N, double>& pose) const {
-    const double gap = gap_along(normal, pose);
-    return {normal, gap - slack, std::max(0.0, gap), slack};
-  }
-
-  Vec<N, double> point_at(const Pose<N, double>& pose, const Vec<N, double>&, double) const {
-    return foremost(pose) + normal * radius;
-  }
-
- private:
-  Vec<N, double> foremost(const Pose<N, double>& pose) const { return support(PosedView<N, Number>{a, pose}, normal); }
-};
-
-// ---- From one parting plane to the next
-
-/// The least of a parabola from g at 0 to h at 1 whose second derivative is 2 c: g + s (h - g - c) + c s^2.
-inline double least_between(double g, double h, double c) {
-  const double fall = g + c - h;
-  if (!(fall > 0 && fall < 2 * c)) return std::min(g, h);
-  return g - fall * fall / (4 * c);
-}
-
-/// The latest time found, up to 1, until which the plane of a parting keeps a gap of `goal`. With `latest` such that
-/// bend dt^2 / 2 is half of what may be lost, so that a chord that ends at the goal is not undercut; and, where that
-/// does not hold, halved until it does. From there, bisection towards the time at which the gap comes to the goal.
-template <Dim N, class Pair>
-double time_parted(const Pair& pair, const Course<N>& course, double t, const Parting<N>& parting, double goal) {
-  constexpr int halvings = 64;
-  constexpr int bisections = 24;
-  const double spare = parting.gap - goal;
-  const auto keeps = [&](double step) {
-    const double gap = pair.gap_along(parting.normal, course.at(t + step)) - parting.resolution;
-    return least_between(parting.gap, gap, course.bend * step * step / 2) >= goal;
-  };
-  double latest = 1 - t;
-  if (course.bend * latest * latest > spare) latest = std::min(latest, std::sqrt(spare / course.bend));
-  if (keeps(latest)) return t + latest;
-  double kept = 0;
-  for (int i = 0; i < halvings && kept == 0; ++i) {
-    const double half = latest / 2;
-    (keeps(half) ? kept : latest) = half;
-  }
-  for (int i = 0; i < bisections && kept > 0; ++i) {
-    const double middle = kept + (latest - kept) / 2;
-    (keeps(middle) ? kept : latest) = middle;
-  }
-  return t + kept;
-}
-
-/// Before this time the balls that the shapes turn in do not touch; none if they never do. The balls are larger than
-/// they need be by the target, which hides all rounding.
-template <Dim N>
-std::optional<double> time_of_balls(const Course<N>& course, double reach) {
-  const double radius = reach + 2 * tolerance::impact * (course.size + reach);
-  const Vec<N, double> between = course.b.center - course.a.center;
-  const Vec<N, double> way = course.a.linear - course.b.linear;
-  if (dot(between, between) <= radius * radius) return 0;
-  if (!(dot(way, way) > 0)) return std::nullopt;
-  const BallPassage<N> passage(way, between, radius * radius);
-  if (!(passage.depth >= 0 && passage.exit() >= 0 && passage.enter() <= 1)) return std::nullopt;
-  return std::max(0.0, passage.enter());
-}
-
-/// Goes on from t until the shapes are as near as the target, or the motion ends. Half of the target is kept, so that
-/// rounding cannot spend it.
-template <Dim N, class Pair>
-std::optional<Strike<N>> advance_to_impact(const Pair& pair, const Course<N>& course, double t, double radius_b) {
-  Parting<N> parting;
-  bool has_arrived = false;
-  for (int step = 0; step < advance_step_limit; ++step) {
-    parting = pair.parting_at(course.at(t));
-    const double target = std::max(tolerance::impact * course.size, 8 * parting.resolution);
-    has_arrived = parting.gap <= target;
-    if (has_arrived) break;
-    if (t >= 1) return std::nullopt;
-    const double next = time_parted(pair, course, t, parting, target / 2);
-    if (!(next > t)) break;
-    t = next;
-  }
-  if (!has_arrived) parting = pair.parting_at(course.at(t));  // at the limit t has gone on since
-  const bool is_near = parting.distance <= 2 * tolerance::impact * course.size + 16 * parting.resolution;
-  const Pose<N, double> back = pose_at(course.b, t);
-  const Vec<N, double> point = pair.point_at(course.at(t), parting.normal, radius_b);
-  return Strike<N>{t, back.rotation * point + back.position, back.rotation * parting.normal,
-                   has_arrived && is_near ? Status::converged : Status::best_bound,
-                   parting.distance + parting.resolution};
-}
 
 // ---- Any two shapes that are apart, b the unbounded one if any
 
@@ -315,24 +104,146 @@ bool is_smaller(const A& a, const MotionOf<A>& motion_a, const B& b, const Motio
   return reach_a != reach_b ? reach_a < reach_b : is_in_order(a, b);
 }
 
+template <Dim N>
+std::optional<Strike<N>> with_normal_turned(std::optional<Strike<N>> strike) {
+  if (strike) strike->normal = Vec<N, double>(0.0) - strike->normal;
+  return strike;
+}
+
+// ---- Rays
+
+/// Nothing of b ever comes farther from the ray's origin than the end of this piece, which is twice as long as it need
+/// be.
+template <Dim N, class T, Convex B>
+Segment<N, double> piece_of_ray(const Ray<N, T>& ray, const MotionOf<B>& motion, const B& b,
+                                const MotionOf<B>& motion_b) {
+  const Vec<N, double> origin = wide<N, T>(ray.origin);
+  const Motion<N, double> about_b = centered(motion_b, core(b));
+  const Vec<N, double> between = motion.center - about_b.center;
+  const Vec<N, double> way = motion.linear - about_b.linear;
+  const Vec<N, double> arm = origin - motion.center;
+  const double reach = std::sqrt(dot(between, between)) + std::sqrt(dot(way, way)) + std::sqrt(dot(arm, arm)) +
+                       reach_from(about_b.center, core(b)) + core_radius(b);
+  return {origin, origin + unit_or(wide<N, T>(ray.direction), Vec<N, double>(0.0)) * (2 * reach)};
+}
+
+// ---- Two shapes without end
+
+template <class S>
+inline constexpr bool is_endless = is_ray<S> || is_level<S>;
+
+/// Two parallel planes, or what they bound, that turn alike: any point of a's surface is as far from b as another.
+template <class A, class B>
+std::optional<Strike<dimension_of<A>>> strike_of_levels(const Proximity<dimension_of<A>, double>& gap,
+                                                        const MotionOf<A>& motion_a, const MotionOf<A>& motion_b) {
+  constexpr Dim N = dimension_of<A>;
+  const double reach = reach_from(motion_a.center, gap.point_a);
+  const Course<N> course = course_of(motion_a, motion_b, reach, 0.0);
+  const double largest = course.size + sum_abs(motion_a.center) + sum_abs(motion_b.center);
+  const LevelPair<N, double> pair{ConvexView<N>(gap.point_a), 0, gap.normal, dot(gap.normal, gap.point_b),
+                                  gap.error + tolerance::rounding * largest};
+  return advance_to_impact(pair, course, 0, 0);
+}
+
+template <class A, class B>
+std::optional<Strike<dimension_of<A>>> strike_of_endless(const A& a, const MotionOf<A>& motion_a, const B& b,
+                                                         const MotionOf<A>& motion_b) {
+  constexpr Dim N = dimension_of<A>;
+  if (size_of_turn(motion_a.angular) == 0 && size_of_turn(motion_b.angular) == 0) {
+    const Vec<N, double> way = motion_a.linear - motion_b.linear;
+    if (max_abs(way) == 0) return std::nullopt;
+    auto cast = strike(a, way, b);
+    if (cast) cast->point += motion_b.linear * cast->t;
+    return cast;
+  }
+  const Proximity<N, double> gap = proximity(a, b);
+  if constexpr (is_level<A> && is_level<B>) {
+    if (motion_a.angular == motion_b.angular) return strike_of_levels<A, B>(gap, motion_a, motion_b);
+  }
+  return Strike<N>{0, gap.point_b, gap.normal, Status::best_bound, gap.distance + gap.error};
+}
+
+// ---- Any two simple shapes
+
 /// The same whichever of the two is named first.
 template <class A, class B>
-std::optional<Strike<dimension_of<A>>> strike_in_motion(const A& a, const MotionOf<A>& motion_a, const B& b,
-                                                        const MotionOf<A>& motion_b) {
-  if constexpr (is_level<B>) {
+std::optional<Strike<dimension_of<A>>> strike_of_simple_motion(const A& a, const MotionOf<A>& motion_a, const B& b,
+                                                               const MotionOf<A>& motion_b) {
+  if constexpr (is_endless<A> && is_endless<B>) {
+    if constexpr (type_place<A> < type_place<B>) return strike_of_endless(a, motion_a, b, motion_b);
+    if constexpr (type_place < A >> type_place<B>) {
+      return with_normal_turned(strike_of_endless(b, motion_b, a, motion_a));
+    }
+    if constexpr (type_place<A> == type_place<B>) {
+      return is_in_order(a, b) ? strike_of_endless(a, motion_a, b, motion_b)
+                               : with_normal_turned(strike_of_endless(b, motion_b, a, motion_a));
+    }
+  } else if constexpr (is_ray<A>) {
+    return with_normal_turned(strike_of_moving(b, motion_b, piece_of_ray(a, motion_a, b, motion_b), motion_a));
+  } else if constexpr (is_ray<B>) {
+    return strike_of_moving(a, motion_a, piece_of_ray(b, motion_b, a, motion_a), motion_b);
+  } else if constexpr (is_level<B>) {
     return strike_of_moving(a, motion_a, b, motion_b);
   } else {
     if constexpr (!is_level<A>) {
       if (is_smaller(a, motion_a, b, motion_b)) return strike_of_moving(a, motion_a, b, motion_b);
     }
-    auto strike = strike_of_moving(b, motion_b, a, motion_a);
-    if (strike) strike->normal = Vec<dimension_of<A>, double>(0.0) - strike->normal;
-    return strike;
+    return with_normal_turned(strike_of_moving(b, motion_b, a, motion_a));
   }
 }
 
-template <class S>
-inline constexpr bool moves_against_convex = Convex<S> || is_level<S>;
+// ---- Any two shapes
+
+/// Whether two boxes, both bounded, may touch up to a time, by the balls that they turn in.
+template <Dim N, class T>
+bool may_touch_by(double t, const Aabb<N, T>& a, const Motion<N, double>& motion_a, const Aabb<N, T>& b,
+                  const Motion<N, double>& motion_b) {
+  const Motion<N, double> about_a = centered(motion_a, a);
+  const Motion<N, double> about_b = centered(motion_b, b);
+  const double reach_a = reach_from(about_a.center, a);
+  const Course<N> course = course_of(about_a, about_b, reach_a, 0.0);
+  const std::optional<double> start = time_of_balls(course, reach_a + reach_from(about_b.center, b));
+  return start && *start <= t;
+}
+
+/// The first part to touch the shape, the first of several. `find(part)` asks one that may come before the others.
+template <Dim N, class T, class S, class Find>
+std::optional<Strike<N>> strike_of_moving_parts(const Compound<N, T>& compound, const Motion<N, double>& motion,
+                                                const S& shape, const Motion<N, double>& motion_of_shape,
+                                                const Find& find) {
+  std::optional<Strike<N>> first;
+  const Aabb<N, T> box = touching_bounds(bounds(shape));
+  const auto is_bounded = [](const Aabb<N, T>& each) { return is_finite(each.min) && is_finite(each.max); };
+  for (const Part<N, T>& part : compound.parts) {
+    const Aabb<N, T> part_box = touching_bounds(part.box);
+    const bool may_touch = !is_bounded(box) || !is_bounded(part_box) ||
+                           may_touch_by(first ? first->t : 1.0, part_box, motion, box, motion_of_shape);
+    if (may_touch) keep_earlier(first, find(part.shape));
+  }
+  return first;
+}
+
+/// Of shapes that are apart.
+template <class A, class B>
+std::optional<Strike<dimension_of<A>>> strike_in_motion(const A& a, const MotionOf<A>& motion_a, const B& b,
+                                                        const MotionOf<A>& motion_b) {
+  if constexpr (is_any_shape<A>) {
+    return std::visit([&](const auto& held) { return strike_in_motion(held, motion_a, b, motion_b); }, a);
+  } else if constexpr (is_any_shape<B>) {
+    return std::visit([&](const auto& held) { return strike_in_motion(a, motion_a, held, motion_b); }, b);
+  } else if constexpr (is_compound<A>) {
+    if constexpr (is_compound<B>) {
+      if (!is_in_order(a, b)) return with_normal_turned(strike_in_motion(b, motion_b, a, motion_a));
+    }
+    return strike_of_moving_parts(a, motion_a, b, motion_b,
+                                  [&](const auto& part) { return strike_in_motion(part, motion_a, b, motion_b); });
+  } else if constexpr (is_compound<B>) {
+    return strike_of_moving_parts(b, motion_b, a, motion_a,
+                                  [&](const auto& part) { return strike_in_motion(a, motion_a, part, motion_b); });
+  } else {
+    return strike_of_simple_motion(a, motion_a, b, motion_b);
+  }
+}
 
 }  // namespace detail
 
@@ -340,14 +251,13 @@ template <Shape S>
 using MotionIn = Motion<dimension_of<S>, scalar_of<S>>;
 
 /// The first touch, from t = 0 to t = 1, of two valid shapes (asserted) of one space that move; none if there is none.
-/// The shapes are given as they are at t = 0; one of them is convex, the other convex, a plane or a half-space.
-/// Touching counts, also at the start and at the end. t is never after the first touch; see above for how much before.
-/// Swapping the shapes negates the normal and changes nothing else. For a motion without turning, `shape_cast` is
-/// quicker, more exact and for all shapes. Motions whose numbers are not finite touch nothing.
+/// The shapes are given as they are at t = 0. Touching counts, also at the start and at the end. t is never after the
+/// first touch; see above for how much before. Swapping the shapes negates the normal and changes nothing else. A
+/// compound is the union of its parts. For a motion without turning, `shape_cast` is quicker and more exact. Motions
+/// whose numbers are not finite touch nothing.
 template <Shape A, SameSpace<A> B>
-requires((Convex<A> && detail::moves_against_convex<B>) || (Convex<B> && detail::moves_against_convex<A>))  //
-    std::optional<Impact<dimension_of<A>, scalar_of<A>>> time_of_impact(const A& a, const MotionIn<A>& motion_a,
-                                                                        const B& b, const MotionIn<A>& motion_b) {
+std::optional<Impact<dimension_of<A>, scalar_of<A>>> time_of_impact(const A& a, const MotionIn<A>& motion_a, const B& b,
+                                                                    const MotionIn<A>& motion_b) {
   using T = scalar_of<A>;
   assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));
   if (!is_finite(motion_a) || !is_finite(motion_b)) return std::nullopt;

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <graze/query/bounds.hpp>
 #include <graze/query/shape_cast.hpp>
 #include <graze/query/time_of_impact.hpp>
 
@@ -123,6 +124,64 @@ TEST(TimeOfImpact, CountsTouchesAtTheStartAndAtTheEnd) {
   EXPECT_FALSE(time_of_impact(ball, rest, Ball{{2.001, 0, 0}, 1}, rest).has_value());
 }
 
+TEST(TimeOfImpact, OfACompoundIsThatOfItsFirstPartToTouch) {
+  const Ball far{{5, 0, 0}, 1};
+  const Ball near{{0, 4, 0}, 1};
+  const Compound<3, double> pair = compound_of<3, double>({near, far});
+  const Course quarter_turn{{}, {0, 0, pi / 2}, {}};
+  const Ball target{{0, 5, 0}, 0.25};
+  EXPECT_EQ(time_of_impact(pair, quarter_turn, target, rest)->t, 0);  // the near one touches before anything moves
+  const Ball in_the_way{{3, 3, 0}, 0.5};
+  const auto alone = time_of_impact(far, quarter_turn, in_the_way, rest);
+  ASSERT_TRUE(alone.has_value());
+  EXPECT_EQ(time_of_impact(pair, quarter_turn, in_the_way, rest), alone);
+  const auto swapped = time_of_impact(AnyShape<3, double>(in_the_way), rest, AnyShape<3, double>(pair), quarter_turn);
+  ASSERT_TRUE(swapped.has_value());
+  EXPECT_EQ(swapped->t, alone->t);
+  EXPECT_EQ(swapped->normal, -alone->normal);
+  EXPECT_FALSE(time_of_impact(Compound<3, double>(), quarter_turn, in_the_way, rest).has_value());
+}
+
+TEST(TimeOfImpact, OfARayCountsAllOfIt) {
+  // The ball is 30 degrees wide on either side, as seen from the ray's origin.
+  const Ray<3, double> beam{{0, 0, 0}, {0.001, 0, 0}};
+  const Ball ball{{0, 1000, 0}, 500};
+  const Course quarter_turn{{}, {0, 0, pi / 2}, {}};
+  const auto found = time_of_impact(beam, quarter_turn, ball, rest);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->status, Status::converged);
+  EXPECT_NEAR(found->t, 2.0 / 3, 1e-9);
+  EXPECT_NEAR(found->point.y, 750, 1e-3);
+  EXPECT_FALSE(time_of_impact(beam, quarter_turn, Ball{{-1000, 400, 0}, 300}, rest).has_value());
+}
+
+TEST(TimeOfImpact, OfTwoWithoutEndIsThatOfACastIfTheyDoNotTurn) {
+  const Ray<3, double> down{{0, 0, 8}, {1, 0, 0}};
+  const HalfSpace<3, double> floor{{0, 0, 1}, 0};
+  expect_impact(time_of_impact(down, {{0, 0, -4}, {}, {}}, floor, {{0, 0, 12}, {}, {}}), 0.5, {0, 0, -1}, 16, "a ray");
+  EXPECT_EQ(time_of_impact(down, {{0, 0, -4}, {}, {}}, floor, {{0, 0, 12}, {}, {}})->point.z, 6);
+  EXPECT_FALSE(time_of_impact(down, {{0, 0, -4}, {}, {}}, floor, {{0, 0, 3}, {}, {}}).has_value());
+  EXPECT_FALSE(time_of_impact(down, rest, floor, rest).has_value());
+}
+
+TEST(TimeOfImpact, OfParallelPlanesThatTurnAlikeIsThatOfTheirDistance) {
+  const HalfSpace<3, double> left{{1, 0, 0}, 0};
+  const HalfSpace<3, double> right{{-1, 0, 0}, -4};
+  const Course turning{{}, {0, 0, 1}, {}};
+  const auto found = time_of_impact(left, {{8, 0, 0}, {0, 0, 1}, {}}, right, turning);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->status, Status::converged);
+  EXPECT_LE(8 * found->t * std::cos(found->t), 4);
+  EXPECT_NEAR(8 * found->t * std::cos(found->t), 4, found->error + 1e-12);
+  EXPECT_FALSE(time_of_impact(left, turning, right, turning).has_value());
+  // As soon as they do not turn alike they meet, far away.
+  const auto at_once = time_of_impact(left, turning, right, rest);
+  ASSERT_TRUE(at_once.has_value());
+  EXPECT_EQ(at_once->t, 0);
+  EXPECT_EQ(at_once->status, Status::best_bound);
+  EXPECT_NEAR(at_once->error, 4, 1e-12);
+}
+
 TEST(TimeOfImpact, TakesShapesOfOnesOwnAndFloats) {
   const user::Cylinder<float> can{{0, 0, 0}, 1, 2};
   const Motion<3> fall{{0, 0, -10}, {3.1415927F, 0, 0}, {0, 0, 0}};
@@ -138,13 +197,6 @@ TEST(TimeOfImpact, MotionsThatAreNotFiniteTouchNothing) {
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_FALSE(time_of_impact(Ball{}, {{infinity, 0, 0}, {}, {}}, Ball{{5, 0, 0}, 1}, rest).has_value());
   EXPECT_FALSE(time_of_impact(Ball{}, rest, Ball{{5, 0, 0}, 1}, {{}, {0, NAN, 0}, {}}).has_value());
-}
-
-TEST(TimeOfImpact, TheLeastBetweenTwoGapsIsThatOfTheParabola) {
-  EXPECT_EQ(detail::least_between(1, 2, 0), 1);
-  EXPECT_EQ(detail::least_between(2, 1, 0), 1);
-  EXPECT_EQ(detail::least_between(1, 1, 2), 0.5);  // 1 - 2 s + 2 s^2 at s = 1/2
-  EXPECT_EQ(detail::least_between(4, 0, 1), 0);    // 4 - 5 s + s^2 falls all the way
 }
 
 }  // namespace

@@ -21,10 +21,6 @@ struct Moving {
   Motion<N, T> motion_b;
 };
 
-/// Whether there is a time_of_impact for two such shapes.
-template <Dim N, class T>
-bool may_move(const AnyShape<N, T>& a, const AnyShape<N, T>& b);
-
 /// time_of_impact(a, motion_a, b, motion_b).
 template <Dim N, class T>
 std::optional<Impact<N, T>> impact_of(const Moving<N, T>& moving);

@@ -3,7 +3,6 @@
 
 namespace graze::test {
 
-template bool may_move(const AnyShape<2, float>&, const AnyShape<2, float>&);
 template std::optional<Impact<2, float>> impact_of(const Moving<2, float>&);
 template std::optional<detail::Strike<2>> strike_of(const Moving<2, float>&);
 

@@ -3,7 +3,6 @@
 
 namespace graze::test {
 
-template bool may_move(const AnyShape<3, double>&, const AnyShape<3, double>&);
 template std::optional<Impact<3, double>> impact_of(const Moving<3, double>&);
 template std::optional<detail::Strike<3>> strike_of(const Moving<3, double>&);
 

@@ -12,9 +12,9 @@
 #include <graze/query/impact.hpp>
 #include <graze/query/shape_cast.hpp>
 #include <graze/query/status.hpp>
+#include <graze/query/time_of_impact.hpp>
 
 #include "bridge.hpp"
-#include "moving_pair.hpp"
 #include "shape_text.hpp"
 
 namespace graze::wasm {
@@ -61,8 +61,8 @@ void time_of_impact_of(int dimension, std::string a, std::string b) {
   in_dimension(dimension, [&](auto n) {
     constexpr std::size_t width = numbers_in_motion<n>;
     const std::span<const double> numbers = input<double>(2 * width);
-    put_impact<n>(impact_of_moving<n>(shape_of<n>(a, "a"), motion_in<n>(numbers.first(width)), shape_of<n>(b, "b"),
-                                      motion_in<n>(numbers.subspan(width))));
+    put_impact<n>(time_of_impact(shape_of<n>(a, "a"), motion_in<n>(numbers.first(width)), shape_of<n>(b, "b"),
+                                 motion_in<n>(numbers.subspan(width))));
   });
 }
 

@@ -30,6 +30,7 @@
 #include <graze/broad/touching_pairs.hpp>
 #include <graze/broad/worlds.hpp>
 #include <graze/io/json_shape_writer.hpp>
+#include <graze/math/motion.hpp>
 #include <graze/query/closest_boundary_point.hpp>
 #include <graze/query/closest_point.hpp>
 #include <graze/query/closest_points.hpp>
@@ -40,8 +41,8 @@
 #include <graze/query/ray_cast.hpp>
 #include <graze/query/shape_cast.hpp>
 #include <graze/query/signed_distance.hpp>
+#include <graze/query/time_of_impact.hpp>
 
-#include "../src/moving_pair.hpp"
 #include "catalogue.hpp"
 
 namespace graze::test {
@@ -163,11 +164,7 @@ void answer_casts(const Case<N>& asked, Numbers& out) {
     first.angular = {1, 0, -2};
     second.angular = way;
   }
-  try {
-    put_impact<N>(wasm::impact_of_moving<N>(asked.a, first, asked.b, second), out);
-  } catch (const std::invalid_argument&) {
-    out.put(-1);
-  }
+  put_impact<N>(time_of_impact(asked.a, first, asked.b, second), out);
 }
 
 template <Dim N>
