@@ -2,11 +2,12 @@
 // time_of_impact(a, motion_a, b, motion_b): when two shapes that move and turn first touch, and where.
 //
 // For any two shapes. Those that meet at the start, as relation(a, b) says, have their contact(a, b) as the impact, at
-// t = 0. Of convex shapes, and of one and a plane or half-space, motion_advance.hpp finds the time; a ray is cut where
-// nothing of the other shape ever comes; a compound is its first part to touch. Two that have no end, a ray, plane or
-// half-space each, are cast (shape_cast.hpp) if they do not turn; parallel planes that turn alike have the time of
-// their distance; but planes that begin to turn against each other meet at once, far away, and of other two of these
-// that turn no more is said than that they do not meet before t = 0, with `best_bound` and their distance as the error.
+// t = 0; those that do not turn are cast, as by shape_cast.hpp. Of convex shapes, and of one and a plane or half-space,
+// motion_advance.hpp finds the time; a ray is cut where nothing of the other shape ever comes; a compound is its first
+// part to touch. Of two that have no end, a ray, plane or half-space each, parallel planes that turn alike have the
+// time of their distance; but planes that begin to turn against each other meet at once, far away, and of other two of
+// these that turn no more is said than that they do not meet before t = 0, with `best_bound` and their distance as the
+// error.
 //
 // `error` is a length: at t, before it is rounded to T, the shapes are no farther apart than that, and before t they
 // are not in touch. It is 2^-36 of the pair's size and way, or a few epsilon of the largest coordinate if that is more
@@ -149,13 +150,6 @@ template <class A, class B>
 std::optional<Strike<dimension_of<A>>> strike_of_endless(const A& a, const MotionOf<A>& motion_a, const B& b,
                                                          const MotionOf<A>& motion_b) {
   constexpr Dim N = dimension_of<A>;
-  if (size_of_turn(motion_a.angular) == 0 && size_of_turn(motion_b.angular) == 0) {
-    const Vec<N, double> way = motion_a.linear - motion_b.linear;
-    if (max_abs(way) == 0) return std::nullopt;
-    auto cast = strike(a, way, b);
-    if (cast) cast->point += motion_b.linear * cast->t;
-    return cast;
-  }
   const Proximity<N, double> gap = proximity(a, b);
   if constexpr (is_level<A> && is_level<B>) {
     if (motion_a.angular == motion_b.angular) return strike_of_levels<A, B>(gap, motion_a, motion_b);
@@ -163,21 +157,64 @@ std::optional<Strike<dimension_of<A>>> strike_of_endless(const A& a, const Motio
   return Strike<N>{0, gap.point_b, gap.normal, Status::best_bound, gap.distance + gap.error};
 }
 
+// ---- Two shapes that do not turn
+
+/// What is cast along the way of a as b sees it. Rays in double, since what is cast has to hold the way's numbers.
+template <class A, class B>
+std::optional<Strike<dimension_of<A>>> strike_of_gliding(const A& a, const MotionOf<A>& motion_a, const B& b,
+                                                         const MotionOf<A>& motion_b) {
+  constexpr Dim N = dimension_of<A>;
+  const Vec<N, double> way = motion_a.linear - motion_b.linear;
+  if (max_abs(way) == 0) return std::nullopt;
+  std::optional<Strike<N>> found;
+  if constexpr (is_ray<A> && is_ray<B>) {
+    using T = scalar_of<A>;
+    found = strike(Ray<N, double>{wide<N, T>(a.origin), wide<N, T>(a.direction)}, way,
+                   Ray<N, double>{wide<N, T>(b.origin), wide<N, T>(b.direction)});
+  } else {
+    found = strike(a, way, b);
+  }
+  if (found) {
+    found->point += motion_b.linear * found->t;
+    found->error += tolerance::rounding * (sum_abs(motion_a.linear) + sum_abs(motion_b.linear));
+  }
+  return found;
+}
+
+/// Whether it may be: neither turns, and a point, which is cast in its own numbers, can go the way in them.
+template <class A, class B>
+bool do_glide(const MotionOf<A>& motion_a, const MotionOf<A>& motion_b) {
+  constexpr Dim N = dimension_of<A>;
+  using T = scalar_of<A>;
+  if (size_of_turn(motion_a.angular) > 0 || size_of_turn(motion_b.angular) > 0) return false;
+  if constexpr (!is_point<A> && !is_point<B>) return true;
+  const Vec<N, double> way = motion_a.linear - motion_b.linear;
+  return wide<N, T>(Vec<N, T>(way)) == way;
+}
+
 // ---- Any two simple shapes
+
+/// Whether a comes first, where the answer is to be the same whichever is named first.
+template <class A, class B>
+bool comes_first(const A& a, const B& b) {
+  if constexpr (type_place<A> == type_place<B>) {
+    return is_in_order(a, b);
+  } else {
+    return type_place<A> < type_place<B>;
+  }
+}
 
 /// The same whichever of the two is named first.
 template <class A, class B>
 std::optional<Strike<dimension_of<A>>> strike_of_simple_motion(const A& a, const MotionOf<A>& motion_a, const B& b,
                                                                const MotionOf<A>& motion_b) {
+  if (do_glide<A, B>(motion_a, motion_b)) {
+    return comes_first(a, b) ? strike_of_gliding(a, motion_a, b, motion_b)
+                             : with_normal_turned(strike_of_gliding(b, motion_b, a, motion_a));
+  }
   if constexpr (is_endless<A> && is_endless<B>) {
-    if constexpr (type_place<A> < type_place<B>) return strike_of_endless(a, motion_a, b, motion_b);
-    if constexpr (type_place < A >> type_place<B>) {
-      return with_normal_turned(strike_of_endless(b, motion_b, a, motion_a));
-    }
-    if constexpr (type_place<A> == type_place<B>) {
-      return is_in_order(a, b) ? strike_of_endless(a, motion_a, b, motion_b)
-                               : with_normal_turned(strike_of_endless(b, motion_b, a, motion_a));
-    }
+    return comes_first(a, b) ? strike_of_endless(a, motion_a, b, motion_b)
+                             : with_normal_turned(strike_of_endless(b, motion_b, a, motion_a));
   } else if constexpr (is_ray<A>) {
     return with_normal_turned(strike_of_moving(b, motion_b, piece_of_ray(a, motion_a, b, motion_b), motion_a));
   } else if constexpr (is_ray<B>) {
@@ -253,7 +290,7 @@ using MotionIn = Motion<dimension_of<S>, scalar_of<S>>;
 /// The first touch, from t = 0 to t = 1, of two valid shapes (asserted) of one space that move; none if there is none.
 /// The shapes are given as they are at t = 0. Touching counts, also at the start and at the end. t is never after the
 /// first touch; see above for how much before. Swapping the shapes negates the normal and changes nothing else. A
-/// compound is the union of its parts. For a motion without turning, `shape_cast` is quicker and more exact. Motions
+/// compound is the union of its parts. A motion without turning costs what `shape_cast` does. Motions
 /// whose numbers are not finite touch nothing.
 template <Shape A, SameSpace<A> B>
 std::optional<Impact<dimension_of<A>, scalar_of<A>>> time_of_impact(const A& a, const MotionIn<A>& motion_a, const B& b,

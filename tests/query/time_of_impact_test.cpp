@@ -86,9 +86,13 @@ TEST(TimeOfImpact, WithoutTurnsIsThatOfAShapeCast) {
   const auto cast = shape_cast(box, {8, 1, 0.5}, bar);
   const auto found = time_of_impact(box, {{8, 1, 0.5}, {}, {}}, bar, rest);
   ASSERT_TRUE(cast.has_value() && found.has_value());
-  EXPECT_LE(found->t, cast->t + 1e-15);
-  EXPECT_NEAR(found->t, cast->t, found->error);
-  for (Dim i = 0; i < 3; ++i) EXPECT_NEAR(found->normal[i], cast->normal[i], 1e-6);
+  EXPECT_EQ(found->t, cast->t);
+  EXPECT_EQ(found->normal, cast->normal);
+  EXPECT_EQ(found->point, cast->point);
+  const auto both = time_of_impact(box, {{9, 1, 0.5}, {}, {}}, bar, {{1, 0, 0}, {}, {}});
+  ASSERT_TRUE(both.has_value());
+  EXPECT_EQ(both->t, cast->t);
+  EXPECT_EQ(both->point, cast->point + Point(cast->t, 0, 0));
 }
 
 TEST(TimeOfImpact, ABoxThatSpinsFastIsNotMissed) {
