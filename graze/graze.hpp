@@ -39,3 +39,4 @@
 #include <graze/shape/convex_mesh.hpp>
 #include <graze/shape/frustum.hpp>
 #include <graze/shape/pick.hpp>
+#include <graze/shape/posed.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -40,21 +41,20 @@ inline int sign_of_difference(const Rounded& a, const Rounded& b) {
   return 0;
 }
 
-/// Which way the path a, b, c turns: 1 counter-clockwise (y up), -1 clockwise, 0 straight on or back. The exact sign of
-/// (a - c) x (b - c): a double evaluation decides unless it is within its error bound (Shewchuk 1997, section 4.2);
-/// where the differences are exact, as those of neighbours on a grid, their two products are compared exactly; else the
-/// six products of the expanded determinant are summed exactly. For coordinates that are zero or of magnitude 1e-140 to
-/// 1e140: outside, products leave the range of double.
-template <class T>
-int orientation(const Vec<2, T>& a, const Vec<2, T>& b, const Vec<2, T>& c) {
-  const Vec<2, double> p = wide<2, T>(a);
-  const Vec<2, double> q = wide<2, T>(b);
-  const Vec<2, double> r = wide<2, T>(c);
-  const double left = (p.x - r.x) * (q.y - r.y);
-  const double right = (p.y - r.y) * (q.x - r.x);
-  const double determinant = left - right;
-  constexpr double bound = 4 * std::numeric_limits<double>::epsilon();
-  if (std::fabs(determinant) > bound * (std::fabs(left) + std::fabs(right))) return determinant > 0 ? 1 : -1;
+namespace detail {
+
+/// The power of two that brings numbers up to `largest` to where products of two of them, and the errors of products,
+/// are doubles: 1 if they are there.
+inline double scale_for_products(double largest) {
+  if (largest > 0x1p-60 && largest < 0x1p500) return 1;
+  if (!(largest > 0) || std::isinf(largest)) return 1;
+  int exponent = 0;
+  (void)std::frexp(largest, &exponent);
+  return std::ldexp(1.0, std::min(460 - exponent, 1000));
+}
+
+/// The exact sign of (p - r) x (q - r), where rounding hides it.
+inline int sign_of_turn(const Vec<2, double>& p, const Vec<2, double>& q, const Vec<2, double>& r) {
   const Rounded px = two_sum(p.x, -r.x);
   const Rounded py = two_sum(p.y, -r.y);
   const Rounded qx = two_sum(q.x, -r.x);
@@ -76,6 +76,29 @@ int orientation(const Vec<2, T>& a, const Vec<2, T>& b, const Vec<2, T>& c) {
   add_product(p.y, r.x);
   add_product(r.y, q.x);
   return sign_of_sum(terms);
+}
+
+}  // namespace detail
+
+/// Which way the path a, b, c turns: 1 counter-clockwise (y up), -1 clockwise, 0 straight on or back. The exact sign of
+/// (a - c) x (b - c): a double evaluation decides unless it is within its error bound (Shewchuk 1997, section 4.2) or
+/// leaves the range of double; where the differences are exact, as those of neighbours on a grid, their two products
+/// are compared exactly; else the six products of the expanded determinant are summed exactly. For coordinates of any
+/// magnitude, but what is less than 1e-120 of the largest may count as zero.
+template <class T>
+int orientation(const Vec<2, T>& a, const Vec<2, T>& b, const Vec<2, T>& c) {
+  const Vec<2, double> p = wide<2, T>(a);
+  const Vec<2, double> q = wide<2, T>(b);
+  const Vec<2, double> r = wide<2, T>(c);
+  const double left = (p.x - r.x) * (q.y - r.y);
+  const double right = (p.y - r.y) * (q.x - r.x);
+  const double determinant = left - right;
+  constexpr double bound = 4 * std::numeric_limits<double>::epsilon();
+  constexpr double underflow = 0x1p-1000;  // far above what products lose that are less than all doubles
+  if (std::fabs(determinant) > bound * (std::fabs(left) + std::fabs(right)) + underflow)
+    return determinant > 0 ? 1 : -1;
+  const double scale = detail::scale_for_products(std::max({max_abs(p), max_abs(q), max_abs(r)}));
+  return detail::sign_of_turn(p * scale, q * scale, r * scale);
 }
 
 }  // namespace graze

@@ -3,6 +3,7 @@
 // shape, exact where the numbers allow it. A user's convex shape gets the generic form at the end.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -15,6 +16,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/frustum.hpp>
+#include <graze/shape/posed.hpp>
 #include <graze/shape/shape.hpp>
 
 namespace graze {
@@ -181,6 +183,24 @@ Aabb<dimension_of<S>, scalar_of<S>> bounds(const S& shape) {
     const double slack = tolerance::convex_in<T> * std::fmax(std::fabs(high), std::fabs(low));
     box.min[i] = round_down<T>(low - slack);
     box.max[i] = round_up<T>(high + slack);
+  }
+  return box;
+}
+
+/// The same, where the rounding is relative to the shape before it was moved, too.
+template <Convex S>
+Aabb<dimension_of<S>, scalar_of<S>> bounds(const Posed<S>& posed) {
+  constexpr Dim N = dimension_of<S>;
+  using T = scalar_of<S>;
+  using Number = detail::SupportScalar<S>;
+  const Aabb<N, T> before = bounds(posed.shape);
+  const T largest = std::max(max_abs(before.min), max_abs(before.max)) + max_abs(posed.pose.position);
+  const double slack = tolerance::convex_in<Number> * static_cast<double>(largest);
+  Aabb<N, T> box;
+  for (Dim i = 0; i < N; ++i) {
+    const Vec<N, Number> way = unit_axis<N, Number>(i);
+    box.min[i] = round_down<T>(static_cast<double>(support(posed, -way)[i]) - slack);
+    box.max[i] = round_up<T>(static_cast<double>(support(posed, way)[i]) + slack);
   }
   return box;
 }

@@ -33,7 +33,8 @@
 // however far from the origin; S and G a few epsilon of the largest coordinate (of T for a user's shape that calculates
 // in T); G what is left between the bounds that GJK has proved, and the status says if that is more than 1e-12 of the
 // distance. The points are rounded to T: to half an ulp of their coordinates they are in their shapes, and the distance
-// of each other; but of shapes a million times longer than thick that meet, G may give a point that is 1e-9 of their
+// of each other. Those of segments and capsules are at the true place, too, however little it differs from others as
+// segments become parallel; but of shapes a million times longer than thick that meet, G may give a point that is 1e-9 of their
 // size beside them. Coordinates of magnitude 1e-140 to 1e140. Directions of rays and planes that are parallel up to a
 // few epsilon are taken as parallel.
 #pragma once
@@ -52,6 +53,7 @@
 #include <graze/query/closest_cores.hpp>
 #include <graze/query/closest_unbounded.hpp>
 #include <graze/query/distance_squared.hpp>
+#include <graze/query/nearly_parallel.hpp>
 #include <graze/query/proximity.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/query/shape_order.hpp>
@@ -157,6 +159,22 @@ auto seen_beside(const Vec<dimension_of<Core>, double>& origin, const Core& core
   }
 }
 
+/// The nearest points of two cores that are apart, seen from `origin`; nearly parallel segments in space are looked at
+/// as they are stored.
+template <class CoreA, class CoreB, class SeenA, class SeenB>
+ClosestPair<dimension_of<CoreA>> closest_of_cores(const CoreA& a, const CoreB& b, const SeenA& seen_a,
+                                                  const SeenB& seen_b, const Vec<dimension_of<CoreA>, double>& origin,
+                                                  double size) {
+  if constexpr (dimension_of<CoreA> == 3 && is_a<Segment, CoreA> && is_a<Segment, CoreB>) {
+    using T = scalar_of<CoreA>;
+    const auto stored = [](const Segment<3, T>& segment) {
+      return Segment<3, double>{wide<3, T>(segment.start), wide<3, T>(segment.end)};
+    };
+    if (const auto nearest = closest_of_nearly_parallel(stored(a), stored(b), origin)) return *nearest;
+  }
+  return closest_of_apart(seen_a, seen_b, size);
+}
+
 /// Where round shapes meet, their cores may be apart: they are asked.
 template <HasSimpleCore A, HasSimpleCore B>
 Proximity<dimension_of<A>, double> proximity_of_simple(const A& a, const B& b, Relation relation) {
@@ -170,9 +188,10 @@ Proximity<dimension_of<A>, double> proximity_of_simple(const A& a, const B& b, R
   const auto seen_a = seen_beside(origin, core_a, core_b);
   const auto seen_b = seen_beside(origin, core_b, core_a);
   const double size = size_around_zero(seen_a) + size_around_zero(seen_b);
-  Proximity<N, double> result = of_cores == Relation::apart
-                                    ? widened(closest_of_apart(seen_a, seen_b, size), origin, radii, relation)
-                                    : widened_meeting(closest_of_meeting(seen_a, seen_b, size), origin, relation);
+  Proximity<N, double> result =
+      of_cores == Relation::apart
+          ? widened(closest_of_cores(core_a, core_b, seen_a, seen_b, origin, size), origin, radii, relation)
+          : widened_meeting(closest_of_meeting(seen_a, seen_b, size), origin, relation);
   result.error = tolerance::rounding * (size + (radii.a + radii.b));
   return result;
 }

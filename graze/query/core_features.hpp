@@ -14,6 +14,7 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/distance_squared.hpp>
+#include <graze/query/foot.hpp>
 #include <graze/query/surface_point.hpp>
 #include <graze/query/surface_point_box.hpp>
 #include <graze/shape/aabb.hpp>
@@ -24,8 +25,8 @@
 
 namespace graze::detail {
 
-// ---- foot_on(core, p): the core's point nearest to p, and the vector from there to p. Segments have theirs in
-// surface_point.hpp.
+// ---- foot_on(core, p): the core's point nearest to p, and the vector from there to p. Segments and triangles in
+// space have theirs in foot.hpp.
 
 template <Dim N>
 Foot<N> foot_on(const Vec<N, double>& core, const Vec<N, double>& p) {
@@ -44,48 +45,11 @@ Foot<N> foot_on(const Obb<N, double>& box, const Vec<N, double>& p) {
   return {box.center + box.axes * nearest.place, nearest.off};
 }
 
-/// The first if both are as near.
-template <Dim N>
-Foot<N> nearer_foot(const Foot<N>& first, const Foot<N>& second) {
-  return squared(second) < squared(first) ? second : first;
-}
-
-template <Dim N>
-Foot<N> foot_on_sides(const Triangle<N, double>& triangle, const Vec<N, double>& p) {
-  using Side = Segment<N, double>;
-  const Foot<N> first = nearer_foot(foot_on(Side{triangle.a, triangle.b}, p), foot_on(Side{triangle.b, triangle.c}, p));
-  return nearer_foot(first, foot_on(Side{triangle.c, triangle.a}, p));
-}
-
+/// A point inside is its own foot.
 inline Foot<2> foot_on(const Triangle<2, double>& triangle, const Vec<2, double>& p) {
-  const int turn = orientation(triangle.a, triangle.b, triangle.c);
-  const auto is_inside_of = [&](const Vec<2, double>& from, const Vec<2, double>& to) {
-    return turn * orientation(from, to, p) >= 0;
-  };
-  if (turn != 0 && is_inside_of(triangle.a, triangle.b) && is_inside_of(triangle.b, triangle.c) &&
-      is_inside_of(triangle.c, triangle.a)) {
-    return {p, Vec<2, double>(0.0)};
-  }
-  return foot_on_sides(triangle, p);
-}
-
-/// The nearest of the feet on the sides and, if it is inside, on the plane. With edges u, v from a corner, w from it to
-/// p and n = u x v that foot is at s u + t v with s n^2 = (w x v) . n, t n^2 = (u x w) . n: a point of the triangle
-/// even where a needle's s and t are rounded much, and then a side is as near.
-inline Foot<3> foot_on(const Triangle<3, double>& triangle, const Vec<3, double>& p) {
-  const Foot<3> on_sides = foot_on_sides(triangle, p);
-  const Vec<3, double> u = triangle.b - triangle.a;
-  const Vec<3, double> v = triangle.c - triangle.a;
-  const Vec<3, double> w = p - triangle.a;
-  const Vec<3, double> n = cross_of_directions(u, v);
-  const Vec<3, double> n0 = of_unit_size(n);  // in place of one n, or n^2 leaves the range of double
-  const double whole = dot(n, n0);
-  if (!(whole > 0)) return on_sides;
-  const double s = dot(cross_of_directions(w, v), n0) / whole;
-  const double t = dot(cross_of_directions(u, w), n0) / whole;
-  if (!(s >= 0 && t >= 0 && s + t <= 1)) return on_sides;
-  const Vec<3, double> across = u * s + v * t;
-  return nearer_foot(on_sides, {triangle.a + across, w - across});
+  const std::array<Vec<2, double>, 3> corners = counter_clockwise(triangle);
+  const FootOnPolygon nearest = foot_on_polygon<double>(corners, p);
+  return nearest.is_inside ? Foot<2>{p, Vec<2, double>(0.0)} : nearest.foot;
 }
 
 // ---- Boxes as a center and the vectors from it to the middles of the faces

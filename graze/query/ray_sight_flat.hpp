@@ -237,7 +237,8 @@ bool is_along(const Plane<N, T>& plane, const Path<N>& path) {
   return std::fabs(dot(normal, path.direction)) <= tolerance::rounding * dot(abs(normal), abs(path.direction));
 }
 
-/// The touch of a path that meets the plane in time.
+/// The touch of a path that meets the plane in time, or nearly does where it ends: as far off as `relation` may be at
+/// either end.
 template <Dim N, class T>
 Touch<N> touch_of_plane(const Plane<N, T>& plane, const Path<N>& path) {
   const Vec<N, double> normal = wide<N, T>(plane.normal);
@@ -248,7 +249,8 @@ Touch<N> touch_of_plane(const Plane<N, T>& plane, const Path<N>& path) {
   touch.t = std::min(t, path.t_max);
   touch.point = path.origin + path.direction * touch.t;
   if (climb != 0) touch.normal = climb > 0 ? -normal : normal;
-  const double magnitude = dot(abs(normal), abs(path.origin)) + std::fabs(static_cast<double>(plane.offset));
+  const Vec<N, double> reach = abs(path.origin) + abs(touch.point);
+  const double magnitude = dot(abs(normal), reach) + std::fabs(static_cast<double>(plane.offset));
   touch.error = tolerance::convex * magnitude / max_abs(normal);
   return touch;
 }

@@ -17,6 +17,7 @@
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/foot.hpp>
 #include <graze/shape/capsule.hpp>
 #include <graze/shape/half_space.hpp>
 #include <graze/shape/plane.hpp>
@@ -63,46 +64,6 @@ template <class T>
 inline constexpr bool has_inside<Triangle<3, T>> = false;
 
 // ---- Points, segments, rays
-
-/// The nearest point of a line, and the vector from it to p: not their difference, but calculated from vectors between
-/// p and the shape, so that it is right far from the origin too.
-template <Dim N>
-struct Foot {
-  Vec<N, double> point;
-  Vec<N, double> off;
-  double share = 0;  // of a segment that lies before it
-};
-
-template <Dim N>
-double squared(const Foot<N>& foot) {
-  return dot(foot.off, foot.off);
-}
-
-/// Ericson, Real-Time Collision Detection (2005), 5.1.2, seen from the nearer end. Equal ends are never divided by:
-/// then `along` is zero.
-template <Dim N, class T>
-Foot<N> foot_on(const Segment<N, T>& segment, const Vec<N, double>& p) {
-  const Vec<N, double> start = wide<N, T>(segment.start);
-  const Vec<N, double> end = wide<N, T>(segment.end);
-  const Vec<N, double> edge = end - start;
-  const double along = dot(p - start, edge);
-  const double whole = dot(edge, edge);
-  if (!(along > 0)) return {start, p - start};
-  if (!(along < whole)) return {end, p - end, 1};
-  const double share = along / whole;  // whole > along > 0
-  if (share <= 0.5) return {start + edge * share, p - start - edge * share, share};
-  return {end - edge * (1 - share), p - end + edge * (1 - share), share};
-}
-
-template <Dim N, class T>
-Foot<N> foot_on(const Ray<N, T>& ray, const Vec<N, double>& p) {
-  const Vec<N, double> origin = wide<N, T>(ray.origin);
-  const Vec<N, double> direction = wide<N, T>(ray.direction);
-  const double along = dot(p - origin, direction);
-  if (!(along > 0)) return {origin, p - origin};
-  const double share = along / dot(direction, direction);  // a valid direction is not zero
-  return {origin + direction * share, p - origin - direction * share};
-}
 
 template <Dim N>
 SurfacePoint<N> without_inside(const Foot<N>& foot) {
@@ -219,63 +180,11 @@ SurfacePoint<N> surface_point(const HalfSpace<N, T>& solid, const Vec<N, double>
 
 // ---- Triangles in space, polygons
 
-/// The nearest of feet, the first of several. Seen from far away, their distances are the same up to rounding; so which
-/// is nearer is read off the vector between their places, which are seen from a corner of the shape.
-template <Dim N>
-class NearestFoot {
- public:
-  void offer(const Foot<N>& foot, const Vec<N, double>& place) {
-    if (is_empty_ || dot(place - place_, foot.off + foot_.off) > 0) {
-      foot_ = foot;
-      place_ = place;
-      is_empty_ = false;
-    }
-  }
-
-  /// The foot on an edge, seen from a corner.
-  template <class T>
-  void offer(const Segment<N, T>& edge, const Vec<N, double>& corner, const Vec<N, double>& p) {
-    const Foot<N> foot = foot_on(edge, p);
-    const Vec<N, double> start = wide<N, T>(edge.start);
-    offer(foot, start - corner + (wide<N, T>(edge.end) - start) * foot.share);
-  }
-
-  const Foot<N>& get() const { return foot_; }
-
- private:
-  Foot<N> foot_{Vec<N, double>(0.0), Vec<N, double>(0.0)};
-  Vec<N, double> place_ = Vec<N, double>(0.0);
-  bool is_empty_ = true;
-};
-
-/// The nearest of the three edges and, if it is above the inside, of the face: every candidate is a point of the
-/// triangle up to rounding, so that needles, segments and points come out right, where barycentric coordinates divide
-/// by an area of zero (Ericson 5.1.5).
 template <class T>
 SurfacePoint<3> surface_point(const Triangle<3, T>& triangle, const Vec<3, double>& p) {
-  using Edge = Segment<3, T>;
-  const Vec<3, double> a = wide<3, T>(triangle.a);
-  NearestFoot<3> nearest;
-  nearest.offer(Edge{triangle.a, triangle.b}, a, p);
-  nearest.offer(Edge{triangle.b, triangle.c}, a, p);
-  nearest.offer(Edge{triangle.c, triangle.a}, a, p);
-  const Vec<3, double> b = wide<3, T>(triangle.b);
-  const Vec<3, double> c = wide<3, T>(triangle.c);
-  const Vec<3, double> normal = accurate_cross(b - a, c - a);
-  const double squared_length = dot(normal, normal);
-  const auto is_left_of = [&](const Vec<3, double>& from, const Vec<3, double>& to) {
-    return dot(normal, cross(to - from, p - from)) > 0;
-  };
-  if (squared_length > 0 && is_left_of(a, b) && is_left_of(b, c) && is_left_of(c, a)) {
-    const Vec<3, double> off = normal * (dot(normal, p - a) / squared_length);
-    return without_inside<3>({p - off, off});
-  }
-  return without_inside(nearest.get());
+  const Triangle<3, double> corners{wide<3, T>(triangle.a), wide<3, T>(triangle.b), wide<3, T>(triangle.c)};
+  return without_inside(foot_on(corners, p));
 }
-
-/// A convex polygon's corners, counter-clockwise, none on the line between its neighbours: or one or two points.
-template <class T>
-using Corners = std::span<const Vec<2, T>>;
 
 /// Counter-clockwise; on one line they stay as they are.
 template <class T>
@@ -293,21 +202,12 @@ Vec<N, double> middle_of(std::span<const Vec<N, T>> points) {
   return first + sum / static_cast<double>(points.size());  // never empty
 }
 
-/// The nearest edge, from either side, the first of several; inside is what lies left of every edge of a polygon that
-/// has an area, which `orientation` decides exactly.
+/// Inside is what lies left of every edge of a polygon that has an area, which `orientation` decides exactly.
 template <class T>
 SurfacePoint<2> surface_point_of(Corners<T> corners, const Vec<2, double>& p) {
-  const std::size_t count = corners.size();
-  const Vec<2, double> corner = wide<2, T>(corners[0]);
-  NearestFoot<2> nearest;
-  bool is_inside = count > 3 || (count == 3 && orientation(corners[0], corners[1], corners[2]) != 0);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Segment<2, T> edge{corners[i], corners[i + 1 < count ? i + 1 : 0]};
-    nearest.offer(edge, corner, p);
-    is_inside = is_inside && orientation(wide<2, T>(edge.start), wide<2, T>(edge.end), p) >= 0;
-  }
-  const double distance = std::sqrt(squared(nearest.get()));
-  return {nearest.get().point, middle_of(corners), is_inside ? -distance : distance};
+  const FootOnPolygon foot = foot_on_polygon(corners, p);
+  const double distance = std::sqrt(squared(foot.foot));
+  return {foot.foot.point, middle_of(corners), foot.is_inside ? -distance : distance};
 }
 
 template <class T>

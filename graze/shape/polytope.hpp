@@ -56,9 +56,8 @@ void sort_and_forget_duplicates(std::vector<Vec<N, T>>& points) {
 
 /// The convex hull of points in any order, duplicates allowed; which of them are corners is decided exactly. One point,
 /// points on a line, or in 3D on a plane, give a flat polytope, which is valid. No points, or a coordinate that is not
-/// finite: std::invalid_argument. For coordinates that are zero or of magnitude 1e-90 to 1e90; in 3D for all, but of
-/// points that differ by less than 1e-179 of the largest coordinate only one may count. More than 2^32 - 1 points in
-/// 3D: std::length_error.
+/// finite: std::invalid_argument. For coordinates of any magnitude, but points that differ by less than 1e-120 of the
+/// largest coordinate may count as one. More than 2^32 - 1 points in 3D: std::length_error.
 template <Dim N, class T>
 Polytope<N, T> convex_hull(std::type_identity_t<std::span<const Vec<N, T>>> points) {
   detail::check_hull_points<N, T>("convex_hull", points);

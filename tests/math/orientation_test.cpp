@@ -143,5 +143,32 @@ TYPED_TEST(OrientationIn, IsExactForPointsAFewUlpFromALine) {
   });
 }
 
+TYPED_TEST(OrientationIn, DoesNotDependOnTheUnitOfLength) {
+  using T = TypeParam;
+  const Vec<2, T> a(T(0.1), T(0.3));
+  const Vec<2, T> b(T(0.7), T(0.9));
+  for (const T off : {T(0), std::numeric_limits<T>::epsilon()}) {
+    const Vec<2, T> c(T(0.4), T(0.6) + off);
+    const int expected = orientation(a, b, c);
+    constexpr int most = std::numeric_limits<T>::max_exponent - 1;
+    constexpr int least = std::numeric_limits<T>::min_exponent + 2;
+    for (int exponent = least + std::numeric_limits<T>::digits; exponent <= most; ++exponent) {
+      const T unit = std::ldexp(T(1), exponent);
+      ASSERT_EQ(orientation(a * unit, b * unit, c * unit), expected) << "2^" << exponent;
+      ASSERT_EQ(orientation(b * unit, a * unit, c * unit), -expected) << "2^" << exponent;
+    }
+  }
+}
+
+TEST(Orientation, OfPointsAcrossTheWholeRangeOfDoubleDoesNotOverflow) {
+  constexpr double most = std::numeric_limits<double>::max();
+  using Point = Vec<2, double>;
+  EXPECT_EQ(orientation(Point(-most, -most), Point(most, -most), Point(0, most)), 1);
+  EXPECT_EQ(orientation(Point(-most, most), Point(most, most), Point(0, -most)), -1);
+  EXPECT_EQ(orientation(Point(-most, -most), Point(most, most), Point(0, 0)), 0);
+  EXPECT_EQ(orientation(Point(-most, -most), Point(most, most), Point(1e200, 1e200)), 0);
+  EXPECT_EQ(orientation(Point(-most, -most), Point(most, most), Point(1e200, 2e200)), 1);
+}
+
 }  // namespace
 }  // namespace graze::orientation_test

@@ -12,6 +12,7 @@
 
 #include <graze/query/ray_cast.hpp>
 
+#include "exact/point.hpp"
 #include "query/numbers_of.hpp"
 #include "query/ray_casts.hpp"
 #include "query/row_of_shapes.hpp"
@@ -290,6 +291,33 @@ TEST(RayCast, NanAndExtremesGetAnAnswer) {
       x = before;
     });
   }
+}
+
+/// A path that ends at a plane, or a hair before it, where `relation` says that it touches: how near it is depends on
+/// the size of the numbers at its end, not at its origin.
+TEST(RayCast, ClaimsAtTheEndOfThePathNoMoreThanItKnowsThere) {
+  struct Row {
+    HalfSpace<2, double> solid;
+    Ray<2, double> ray;
+  };
+  const std::array<Row, 2> rows = {{
+      {{{-4, -3}, -50}, {{-0.7, 0.03}, {3, -4 + 0x1p-10}}},
+      {{{1, 2}, 1e-3}, {{0.3, 0.1}, {2, -1 - 0x1p-16}}},
+  }};
+  std::size_t hits = 0;
+  for (const Row& row : rows) {
+    for (int i = -2000; i <= 2000; ++i) {
+      const double climb = dot(row.solid.normal, row.ray.direction);
+      const double end = (row.solid.offset - dot(row.solid.normal, row.ray.origin)) / climb;
+      const double t_max = end * (1 + i * 0x1p-50);
+      const auto hit = ray_cast(row.solid, row.ray, t_max);
+      if (!hit || hit->t == 0) continue;
+      ++hits;
+      const double off = std::fabs(exact_signed_distance<2, double>(row.solid, hit->point));
+      EXPECT_LE(off, hit->error + 0x1p-52 * max_abs(hit->point)) << t_max;
+    }
+  }
+  EXPECT_GT(hits, 2000U);
 }
 
 }  // namespace

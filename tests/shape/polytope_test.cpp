@@ -70,6 +70,22 @@ TEST(Polytope, HullKeepsACornerThatSticksOutByOneBit) {
   EXPECT_EQ(hull_with(above), 5u);
 }
 
+TEST(Polytope, HullIsRightAtEveryMagnitudeOfDouble) {
+  const std::vector<Vec<2, double>> points{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 2}, {2, 0}, {3, 1}, {1, 5}};
+  const std::vector<Vec<2, double>> expected{{0, 0}, {4, 0}, {4, 4}, {1, 5}, {0, 4}};
+  const std::vector<Vec<3, double>> flat{{0, 0, 1}, {4, 0, 1}, {4, 4, 1}, {0, 4, 1}, {2, 2, 1}, {2, 0, 1}, {1, 5, 1}};
+  for (const double unit : {0x1p-1060, 0x1p-900, 0x1p-520, 0x1p-460, 1.0, 0x1p460, 0x1p520, 0x1p900, 0x1p1019}) {
+    std::vector<Vec<2, double>> scaled = points;
+    for (Vec<2, double>& point : scaled) point *= unit;
+    std::vector<Vec<2, double>> scaled_corners = expected;
+    for (Vec<2, double>& corner : scaled_corners) corner *= unit;
+    EXPECT_EQ(corners(convex_hull<2, double>(scaled)), scaled_corners) << unit;
+    std::vector<Vec<3, double>> scaled_flat = flat;
+    for (Vec<3, double>& point : scaled_flat) point *= unit;
+    EXPECT_EQ((convex_hull<3, double>(scaled_flat).vertices().size()), 5U) << unit;
+  }
+}
+
 TEST(Polytope, HullInSpaceHasItsCornersSorted) {
   const std::vector<Vec<3, float>> points{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
   EXPECT_EQ(corners(convex_hull<3, float>(points)),

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// foot_on(shape, p): the point of a segment, a ray or a triangle in space that is nearest to p, and of a convex
+// polygon's outline, in double.
+//
+// Of triangles and polygons the place is right to a few epsilon of the vectors from p to the corners, however thin they
+// are, and not the distance alone: two feet of p that are a width of 1e-8 apart are as far from it, for all that double
+// tells, so distances are not asked which of them it is. Sides are: where p lies outside an edge and beside it, no
+// other foot is nearer.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include <graze/math/orientation.hpp>
+#include <graze/math/rounding.hpp>
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/shape/ray.hpp>
+#include <graze/shape/segment.hpp>
+#include <graze/shape/triangle.hpp>
+
+namespace graze::detail {
+
+/// The nearest point of a line, and the vector from it to p: not their difference, but calculated from vectors between
+/// p and the shape, so that it is right far from the origin too.
+template <Dim N>
+struct Foot {
+  Vec<N, double> point;
+  Vec<N, double> off;
+  double share = 0;  // of a segment that lies before it
+};
+
+template <Dim N>
+double squared(const Foot<N>& foot) {
+  return dot(foot.off, foot.off);
+}
+
+/// Ericson, Real-Time Collision Detection (2005), 5.1.2, seen from the nearer end. Equal ends are never divided by:
+/// then `along` is zero.
+template <Dim N, class T>
+Foot<N> foot_on(const Segment<N, T>& segment, const Vec<N, double>& p) {
+  const Vec<N, double> start = wide<N, T>(segment.start);
+  const Vec<N, double> end = wide<N, T>(segment.end);
+  const Vec<N, double> edge = end - start;
+  const double along = dot(p - start, edge);
+  const double whole = dot(edge, edge);
+  if (!(along > 0)) return {start, p - start};
+  if (!(along < whole)) return {end, p - end, 1};
+  const double share = along / whole;  // whole > along > 0
+  if (share <= 0.5) return {start + edge * share, p - start - edge * share, share};
+  return {end - edge * (1 - share), p - end + edge * (1 - share), share};
+}
+
+template <Dim N, class T>
+Foot<N> foot_on(const Ray<N, T>& ray, const Vec<N, double>& p) {
+  const Vec<N, double> origin = wide<N, T>(ray.origin);
+  const Vec<N, double> direction = wide<N, T>(ray.direction);
+  const double along = dot(p - origin, direction);
+  if (!(along > 0)) return {origin, p - origin};
+  const double share = along / dot(direction, direction);  // a valid direction is not zero
+  return {origin + direction * share, p - origin - direction * share};
+}
+
+/// Whether the foot is between the ends of a segment.
+template <Dim N>
+bool is_between_ends(const Foot<N>& foot) {
+  return foot.share > 0 && foot.share < 1;
+}
+
+// ---- Triangles in space, polygons
+
+/// The nearest corner, the first of several. Which of two is nearer is read off the vector between them, which is known
+/// as well as it is long.
+template <Dim N, class T>
+Foot<N> nearest_corner(std::span<const Vec<N, T>> corners, const Vec<N, double>& p) {
+  Vec<N, double> best = wide<N, T>(corners.front());
+  for (const Vec<N, T>& corner : corners.subspan(1)) {
+    const Vec<N, double> other = wide<N, T>(corner);
+    if (dot(other - best, (p - other) + (p - best)) > 0) best = other;
+  }
+  return {best, p - best};
+}
+
+/// u x v, with u from corner to first and v from corner to second, within a few epsilon of its length, however thin the
+/// triangle is: for that the differences' roundings count, too. Zero if the sine of the angle is below a few epsilon.
+inline Vec<3, double> accurate_normal(const Vec<3, double>& corner, const Vec<3, double>& first,
+                                      const Vec<3, double>& second) {
+  Vec<3, double> u;
+  Vec<3, double> v;
+  Vec<3, double> u_rest;
+  Vec<3, double> v_rest;
+  for (Dim i = 0; i < 3; ++i) {
+    const Rounded to_first = two_sum(first[i], -corner[i]);
+    const Rounded to_second = two_sum(second[i], -corner[i]);
+    u[i] = to_first.value;
+    v[i] = to_second.value;
+    u_rest[i] = to_first.error;
+    v_rest[i] = to_second.error;
+  }
+  const Vec<3, double> normal = accurate_cross(u, v) + (cross(u_rest, v) + cross(u, v_rest));
+  const bool is_straight = !(max_abs(normal) > tolerance::rounding * max_abs(u) * max_abs(v));
+  return is_straight ? Vec<3, double>(0.0) : normal;
+}
+
+/// Whether p is on the inner side of an edge, seen along the normal, beyond doubt: by more than what the determinant is
+/// rounded by, 7 half epsilon of the sum of its products.
+inline bool is_surely_inside(const Vec<3, double>& normal, const Vec<3, double>& edge, const Vec<3, double>& to_p) {
+  const Vec<3, double> n = abs(normal);
+  const Vec<3, double> e = abs(edge);
+  const Vec<3, double> w = abs(to_p);
+  const double products = n.x * (e.y * w.z + e.z * w.y) + n.y * (e.z * w.x + e.x * w.z) + n.z * (e.x * w.y + e.y * w.x);
+  return dot(normal, cross(edge, to_p)) > 4 * tolerance::epsilon * products;
+}
+
+/// Inside all edges the foot of the perpendicular on the plane; else the foot on an edge that p is outside of, or
+/// nearly, if it is between its ends; else the nearest corner. Where rounding leaves open which, both are right, but
+/// beyond a blunt corner p can be near the line of one edge and surely inside the next, and then that has the foot. A
+/// triangle that is a line is its longest edge: the two others run along it, or the angle between them, from which the
+/// normal is calculated, would not be straight.
+inline Foot<3> foot_on(const Triangle<3, double>& triangle, const Vec<3, double>& p) {
+  const std::array<Vec<3, double>, 3> corners = triangle.vertices();
+  const auto edge_at = [&](std::size_t i) { return Segment<3, double>{corners[i % 3], corners[(i + 1) % 3]}; };
+  const std::array<double, 3> lengths = {length_squared(corners[1] - corners[0]),
+                                         length_squared(corners[2] - corners[1]),
+                                         length_squared(corners[0] - corners[2])};
+  const std::size_t longest = lengths[0] >= lengths[1] && lengths[0] >= lengths[2] ? 0
+                              : lengths[1] >= lengths[2]                           ? 1
+                                                                                   : 2;
+  Vec<3, double> normal = accurate_normal(corners[(longest + 2) % 3], corners[longest], corners[(longest + 1) % 3]);
+  const double size = max_abs(normal);
+  if (!(size > 0)) return foot_on(edge_at(longest), p);
+  normal /= size;                 // or its square leaves the range of double
+  std::array<double, 3> share{};  // inside an edge: any
+  std::array<bool, 3> is_inside{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Segment<3, double> edge = edge_at(i);
+    is_inside[i] = is_surely_inside(normal, edge.end - edge.start, p - edge.start);
+    if (is_inside[i]) continue;
+    const Foot<3> foot = foot_on(edge, p);
+    if (is_between_ends(foot)) return foot;
+    share[i] = foot.share;
+  }
+  if (is_inside[0] && is_inside[1] && is_inside[2]) {
+    const Vec<3, double> off = normal * (dot(normal, p - triangle.a) / dot(normal, normal));
+    return {p - off, off};
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (share[i] == 0 ? i + 2 : i + 1) % 3;
+    if (is_inside[i] || !is_inside[next]) continue;
+    const Foot<3> foot = foot_on(edge_at(next), p);
+    if (is_between_ends(foot)) return foot;
+  }
+  return nearest_corner<3, double>(corners, p);
+}
+
+/// A convex polygon's corners, counter-clockwise, none on the line between its neighbours: or one or two points.
+template <class T>
+using Corners = std::span<const Vec<2, T>>;
+
+/// The nearest of the feet on a polygon's edges from inside, the first of several, which is read off the vector between
+/// their places, seen from a corner.
+template <class T>
+Foot<2> foot_from_inside(Corners<T> corners, const Vec<2, double>& p) {
+  const Vec<2, double> corner = wide<2, T>(corners[0]);
+  Foot<2> best{Vec<2, double>(0.0), Vec<2, double>(0.0)};
+  Vec<2, double> best_place(0.0);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Segment<2, T> edge{corners[i], corners[i + 1 < corners.size() ? i + 1 : 0]};
+    const Foot<2> foot = foot_on(edge, p);
+    const Vec<2, double> start = wide<2, T>(edge.start);
+    const Vec<2, double> place = start - corner + (wide<2, T>(edge.end) - start) * foot.share;
+    if (i > 0 && !(dot(place - best_place, foot.off + best.off) > 0)) continue;
+    best = foot;
+    best_place = place;
+  }
+  return best;
+}
+
+struct FootOnPolygon {
+  Foot<2> foot;    ///< On the outline.
+  bool is_inside;  ///< Of the polygon, its outline included; never of one without area.
+};
+
+/// As of triangles in space, but which side of an edge p is on `orientation` decides exactly.
+template <class T>
+FootOnPolygon foot_on_polygon(Corners<T> corners, const Vec<2, double>& p) {
+  const std::size_t count = corners.size();
+  const bool has_area = count > 3 || (count == 3 && orientation(corners[0], corners[1], corners[2]) != 0);
+  bool is_inside = has_area;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Segment<2, T> edge{corners[i], corners[i + 1 < count ? i + 1 : 0]};
+    if (has_area && orientation(wide<2, T>(edge.start), wide<2, T>(edge.end), p) >= 0) continue;
+    is_inside = false;
+    const Foot<2> foot = foot_on(edge, p);
+    if (is_between_ends(foot)) return {foot, false};
+  }
+  return {is_inside ? foot_from_inside<T>(corners, p) : nearest_corner<2, T>(corners, p), is_inside};
+}
+
+}  // namespace graze::detail
