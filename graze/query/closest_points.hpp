@@ -34,9 +34,9 @@
 // in T); G what is left between the bounds that GJK has proved, and the status says if that is more than 1e-12 of the
 // distance. The points are rounded to T: to half an ulp of their coordinates they are in their shapes, and the distance
 // of each other. Those of segments and capsules are at the true place, too, however little it differs from others as
-// segments become parallel; but of shapes a million times longer than thick that meet, G may give a point that is 1e-9 of their
-// size beside them. Coordinates of magnitude 1e-140 to 1e140. Directions of rays and planes that are parallel up to a
-// few epsilon are taken as parallel.
+// segments become parallel; but of shapes a million times longer than thick that meet, G may give a point that is 1e-9
+// of their size beside them. Coordinates of magnitude 1e-140 to 1e140. Directions of rays and planes that are parallel
+// up to a few epsilon are taken as parallel.
 #pragma once
 
 #include <algorithm>
