@@ -54,6 +54,22 @@ inline Vec<3, double> accurate_cross(const Vec<3, double>& a, const Vec<3, doubl
           difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
+/// The power of two that brings `size` near 1, so that products of several numbers of that size stay in the range of
+/// double; 1 if they do anyway, or if it is zero or not finite. To multiply by it rounds nothing.
+inline double scale_to_moderate(double size) {
+  const bool is_moderate = size > 0x1p-200 && size < 0x1p200;
+  if (is_moderate || !(size > 0) || std::isinf(size)) return 1;
+  int exponent = 0;
+  (void)std::frexp(size, &exponent);
+  return std::ldexp(1.0, -exponent < 1000 ? -exponent : 1000);
+}
+
+/// The same direction, of a length whose powers stay in the range of double.
+template <Dim N>
+Vec<N, double> of_moderate_size(const Vec<N, double>& direction) {
+  return direction * scale_to_moderate(max_abs(direction));
+}
+
 /// The neighbouring number above, that of minus infinity the lowest finite one; plus infinity and NaN stay. What
 /// std::nextafter gives, whose calls take most of the time of bounds.
 template <Scalar T>

@@ -97,7 +97,13 @@ class SharesInSimplex {
   using Shares = std::array<double, 3>;
 
   explicit SharesInSimplex(const Simplex<N>& simplex) : first_(simplex.points[0]), count_(simplex.size - 1) {
-    for (std::size_t i = 0; i < count_; ++i) edges_[i] = lifted(simplex.points[i + 1] - first_);
+    double size = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      edges_[i] = lifted(simplex.points[i + 1] - first_);
+      size = std::max(size, max_abs(edges_[i]));
+    }
+    scale_ = scale_to_moderate(size);
+    for (Vec<3, double>& edge : edges_) edge *= scale_;
   }
 
   /// From zero to one, and no more than one in all. Where a simplex is almost flat, its shares are rounded much; what
@@ -105,10 +111,10 @@ class SharesInSimplex {
   Shares of(const Vec<N, double>& point) const {
     constexpr int rounds = 3;
     Shares shares{};
-    Vec<3, double> rest = lifted(point - first_);
+    Vec<3, double> rest = lifted(point - first_) * scale_;
     for (int round = 0; round < rounds; ++round) {
       const Shares more = solve(rest);
-      rest = lifted(point - first_);
+      rest = lifted(point - first_) * scale_;
       for (std::size_t i = 0; i < count_; ++i) {
         shares[i] += more[i];
         rest -= edges_[i] * shares[i];
@@ -147,6 +153,7 @@ class SharesInSimplex {
   Vec<N, double> first_;
   std::size_t count_;
   std::array<Vec<3, double>, 3> edges_{};
+  double scale_ = 1;
 };
 
 /// How GJK ended, beside the points.

@@ -147,13 +147,16 @@ class GrowingHull<3> {
   std::optional<std::array<std::uint32_t, 4>> largest_tetrahedron() const {
     std::optional<std::array<std::uint32_t, 4>> best;
     double largest = 0;
+    double size = 0;
+    for (const Point& point : points_) size = std::max(size, max_abs(point));
+    const double scale = scale_to_moderate(size);
     const auto count = static_cast<std::uint32_t>(points_.size());
     for (std::uint32_t a = 0; a < count; ++a) {
       for (std::uint32_t b = a + 1; b < count; ++b) {
         for (std::uint32_t c = b + 1; c < count; ++c) {
-          const Point normal = cross(points_[b] - points_[a], points_[c] - points_[a]);
+          const Point normal = cross((points_[b] - points_[a]) * scale, (points_[c] - points_[a]) * scale);
           for (std::uint32_t d = c + 1; d < count; ++d) {
-            const double volume = dot(normal, points_[d] - points_[a]);
+            const double volume = dot(normal, (points_[d] - points_[a]) * scale);
             if (!(std::fabs(volume) > largest)) continue;
             largest = std::fabs(volume);
             best = volume < 0 ? std::array{a, b, c, d} : std::array{a, c, b, d};
@@ -166,7 +169,7 @@ class GrowingHull<3> {
 
   void add_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     HullFace<3> face{{a, b, c}, Point(0.0)};
-    const Point normal = accurate_cross(points_[b] - points_[a], points_[c] - points_[a]);
+    const Point normal = of_moderate_size(accurate_cross(points_[b] - points_[a], points_[c] - points_[a]));
     const double size = std::sqrt(dot(normal, normal));
     if (size > 0) {
       face.normal = normal / size;

@@ -75,11 +75,12 @@ class NearPlaceSearch {
     const Point to = target_ - start;
     const Point first = simplex_.points[j] - start;
     const Point second = simplex_.points[k] - start;
-    const Point normal = accurate_cross(first, second);
+    const Point area = accurate_cross(first, second);
+    const Point normal = of_moderate_size(area);
     const double area_squared = dot(normal, normal);
     if (!(area_squared > 0)) return;
-    const double along_first = dot(accurate_cross(to, second), normal) / area_squared;
-    const double along_second = dot(accurate_cross(first, to), normal) / area_squared;
+    const double along_first = dot(accurate_cross(to, second), normal) / dot(area, normal);
+    const double along_second = dot(accurate_cross(first, to), normal) / dot(area, normal);
     if (!(along_first > 0 && along_second > 0 && along_first + along_second < 1)) return;
     offer(start + first * along_first + second * along_second, normal * (dot(normal, to) / area_squared), {i, j, k});
   }

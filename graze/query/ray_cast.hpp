@@ -307,7 +307,7 @@ struct Usable {
   explicit Usable(const Ray<N, T>& given) : ray(given) {
     if constexpr (std::is_same_v<T, double>) {
       const double size = max_abs(given.direction);
-      if (size > 0x1p-400 && size < 0x1p400) return;
+      if (size > 0x1p-100 && size < 0x1p100) return;
       int exponent = 0;
       (void)std::frexp(size, &exponent);
       for (Dim i = 0; i < N; ++i) ray.direction[i] = std::ldexp(given.direction[i], -exponent);

@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 
+#include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/ray_hit.hpp>
@@ -133,7 +134,8 @@ template <Dim N>
 std::optional<Relation> filter_of_path(const Capsule<N, double>& capsule, const Path<N>& path) {
   const auto& [origin, direction, t_max, far] = path;
   constexpr double least_sine_squared = 1.0 / 64;
-  const Vec<N, double> edge = capsule.b - capsule.a;
+  const double scale = scale_to_moderate(max_abs(capsule.b - capsule.a));
+  const Vec<N, double> edge = (capsule.b - capsule.a) * scale;
   const double uu = dot(direction, direction);
   const double vv = dot(edge, edge);
   const double uv = dot(direction, edge);
@@ -143,10 +145,10 @@ std::optional<Relation> filter_of_path(const Capsule<N, double>& capsule, const 
   if (!(det > least_sine_squared * (uu * vv))) return std::nullopt;  // so uu, vv and det are not zero
   double s = std::clamp((uw * vv - vw * uv) / det, 0.0, t_max);
   const double share = (uv * s - vw) / vv;
-  const double on_axis = std::clamp(share, 0.0, 1.0);
+  const double on_axis = std::clamp(share, 0.0, 1 / scale);  // a power of two
   if (on_axis != share) s = std::clamp((uv * on_axis + uw) / uu, 0.0, t_max);
   const Vec<N, double> between = direction * s - (edge * on_axis + capsule.a);
-  const double size = sum_abs(direction) * s + sum_abs(edge) + sum_abs(capsule.a) + capsule.radius + far;
+  const double size = sum_abs(direction) * s + sum_abs(edge) / scale + sum_abs(capsule.a) + capsule.radius + far;
   return clear_verdict(dot(between, between), capsule.radius, tolerance::segment_filter * size);
 }
 

@@ -48,7 +48,7 @@ template <Dim N>
 Sighting<N> sight_of_edge(const Vec<N, double>& start, const Vec<N, double>& edge, const Vec<N, double>& direction,
                           const Beside& beside) {
   const Vec<3, double> d = lifted(direction);
-  const Vec<3, double> e = lifted(edge);
+  const Vec<3, double> e = of_moderate_size(lifted(edge));
   const Vec<3, double> n = accurate_cross(d, e);
   const double whole = dot(n, n);
   Sighting<N> result{Sight::unclear, {}};
@@ -114,7 +114,7 @@ inline Sighting<3> sight_of(const Triangle<3, double>& triangle, const Path<3>& 
   const double least = std::min(ab, std::min(bc, ca));
   const double most = std::max(ab, std::max(bc, ca));
   if (least < -band && most > band) return missed<3>();
-  const Vec<3, double> normal = cross_of_directions(first, second);
+  const Vec<3, double> normal = of_moderate_size(cross_of_directions(first, second));
   const double climb = dot(normal, direction);
   constexpr double least_sine_squared = 0x1p-20;
   const bool is_steep = climb * climb > least_sine_squared * (dot(normal, normal) * dot(direction, direction));

@@ -112,7 +112,7 @@ class SimplexSearch {
       };
       if (turn != 0 && is_left(p, q) && is_left(q, r) && is_left(r, p)) offer(Point(0.0), {i, j, k});
     } else {
-      const Point normal = accurate_cross(q - p, r - p);
+      const Point normal = of_moderate_size(accurate_cross(q - p, r - p));
       const double area_squared = dot(normal, normal);
       if (!(area_squared > 0)) return;
       const Point foot = normal * (dot(normal, p) / area_squared);
@@ -131,7 +131,7 @@ class SimplexSearch {
       const Point& corner = simplex_.points[face[0]];
       const Point first = simplex_.points[face[1]] - corner;
       const Point second = simplex_.points[face[2]] - corner;
-      const Point normal = accurate_cross(first, second);
+      const Point normal = of_moderate_size(accurate_cross(first, second));
       const double opposite = dot(normal, simplex_.points[face[3]] - corner);
       const double origin = -dot(normal, corner);
       const double size = sum_abs(corner) + sum_abs(first) + sum_abs(second);
@@ -157,7 +157,7 @@ void for_each_perpendicular(const Simplex<N>& simplex, const Visit& visit) {
       if (max_abs(edge) > 0) visit(foot_on_line(start, edge));
       if constexpr (N == 3) {
         for (std::size_t k = j + 1; k < simplex.size; ++k) {
-          const Vec<3, double> normal = accurate_cross(edge, simplex.points[k] - start);
+          const Vec<3, double> normal = of_moderate_size(accurate_cross(edge, simplex.points[k] - start));
           visit(dot(normal, start) < 0 ? -normal : normal);
         }
       }
