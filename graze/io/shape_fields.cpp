@@ -10,18 +10,18 @@ namespace {
 
 using Name = std::string_view;
 
-constexpr std::array<Name, 1> point = {"position"};
-constexpr std::array<Name, 2> segment = {"start", "end"};
-constexpr std::array<Name, 2> ray = {"origin", "direction"};
-constexpr std::array<Name, 2> sphere = {"center", "radius"};
-constexpr std::array<Name, 4> aabb = {"min", "max", "center", "half_extents"};
-constexpr std::array<Name, 4> obb_2d = {"center", "half_extents", "axes", "angle"};
-constexpr std::array<Name, 4> obb_3d = {"center", "half_extents", "axes", "rotation"};
-constexpr std::array<Name, 2> plane = {"normal", "offset"};
-constexpr std::array<Name, 3> triangle = {"a", "b", "c"};
-constexpr std::array<Name, 3> capsule = {"a", "b", "radius"};
-constexpr std::array<Name, 1> polytope = {"points"};
-constexpr std::array<Name, 1> compound = {"parts"};
+constexpr std::array<Name, 1> fields_of_point = {"position"};
+constexpr std::array<Name, 2> fields_of_segment = {"start", "end"};
+constexpr std::array<Name, 2> fields_of_ray = {"origin", "direction"};
+constexpr std::array<Name, 2> fields_of_sphere = {"center", "radius"};
+constexpr std::array<Name, 4> fields_of_aabb = {"min", "max", "center", "half_extents"};
+constexpr std::array<Name, 4> fields_of_obb_2d = {"center", "half_extents", "axes", "angle"};
+constexpr std::array<Name, 4> fields_of_obb_3d = {"center", "half_extents", "axes", "rotation"};
+constexpr std::array<Name, 2> fields_of_plane = {"normal", "offset"};
+constexpr std::array<Name, 3> fields_of_triangle = {"a", "b", "c"};
+constexpr std::array<Name, 3> fields_of_capsule = {"a", "b", "radius"};
+constexpr std::array<Name, 1> fields_of_polytope = {"points"};
+constexpr std::array<Name, 1> fields_of_compound = {"parts"};
 
 struct Fields {
   std::span<const Name> in_2d;
@@ -29,18 +29,18 @@ struct Fields {
 };
 
 /// In the order of `shape_type_names`.
-constexpr std::array<Fields, shape_type_names.size()> fields_by_type = {{{point, point},
-                                                                         {segment, segment},
-                                                                         {ray, ray},
-                                                                         {sphere, sphere},
-                                                                         {aabb, aabb},
-                                                                         {obb_2d, obb_3d},
-                                                                         {plane, plane},
-                                                                         {plane, plane},
-                                                                         {triangle, triangle},
-                                                                         {capsule, capsule},
-                                                                         {polytope, polytope},
-                                                                         {compound, compound}}};
+constexpr std::array<Fields, shape_type_names.size()> fields_by_type = {{{fields_of_point, fields_of_point},
+                                                                         {fields_of_segment, fields_of_segment},
+                                                                         {fields_of_ray, fields_of_ray},
+                                                                         {fields_of_sphere, fields_of_sphere},
+                                                                         {fields_of_aabb, fields_of_aabb},
+                                                                         {fields_of_obb_2d, fields_of_obb_3d},
+                                                                         {fields_of_plane, fields_of_plane},
+                                                                         {fields_of_plane, fields_of_plane},
+                                                                         {fields_of_triangle, fields_of_triangle},
+                                                                         {fields_of_capsule, fields_of_capsule},
+                                                                         {fields_of_polytope, fields_of_polytope},
+                                                                         {fields_of_compound, fields_of_compound}}};
 
 constexpr std::array<std::pair<Name, Name>, 30> foreign_names = {{
     {"circle", "sphere"},

@@ -79,7 +79,7 @@ void go_on(Differences& differences, GjkResult<Differences::dimension>& result) 
     if (!(nearer_by > noise) || is_corner_of(result.simplex, next)) return;
     Simplex<N> extended = result.simplex;
     extended.push(next);
-    const std::optional<NearestOnSimplex<N>> found = gjk_step(extended, nearest, stalls);
+    const std::optional<NearestOnSimplex<N>> found = gjk_step(extended, result, stalls);
     if (!found) return;
     result.separation = found->point;
     result.simplex = found->face;

@@ -65,16 +65,19 @@ inline constexpr int gjk_stall_limit = 8;
 
 /// The next nearest point. Beside a long edge, a step along it may be too small to make the distance smaller, and yet
 /// turn the direction towards a corner that does: so a new corner is taken if it makes the distance no larger. None
-/// when it does, or when that has not helped for some time.
+/// when it does, or when that has not helped for some time. No point is taken that is nearer than the proved bound: of
+/// a needle, rounding turns the faces, and the origin may seem to lie between them.
 template <Dim N>
-std::optional<NearestOnSimplex<N>> gjk_step(const Simplex<N>& extended, const Vec<N, double>& nearest, int& stalls) {
+std::optional<NearestOnSimplex<N>> gjk_step(const Simplex<N>& extended, const GjkResult<N>& result, int& stalls) {
+  const Vec<N, double>& nearest = result.separation;
   const double before = dot(nearest, nearest);
-  const NearestOnSimplex<N> found = nearest_to_origin(extended);
+  const double least = std::max(0.0, result.lower - result.resolution);
+  const NearestOnSimplex<N> found = nearest_to_origin(extended, least * least);
   if (found.distance_squared < before) {
     stalls = 0;
     return found;
   }
-  const NearestOnSimplex<N> sideways = nearest_with_last_corner(extended);
+  const NearestOnSimplex<N> sideways = nearest_with_last_corner(extended, least * least);
   const bool is_as_near = sideways.distance_squared <= before * (1 + tolerance::rounding);
   if (!is_as_near || ++stalls > gjk_stall_limit) return std::nullopt;
   return sideways;
@@ -114,7 +117,7 @@ GjkResult<Differences::dimension> gjk_on(Differences& differences, const GjkOpti
     if (++result.iterations == gjk_iteration_limit || is_corner_of(result.simplex, next)) break;
     extended = result.simplex;
     extended.push(next);
-    const std::optional<NearestOnSimplex<N>> found = gjk_step(extended, nearest, stalls);
+    const std::optional<NearestOnSimplex<N>> found = gjk_step(extended, result, stalls);
     if (!found) break;
     nearest = found->point;
     result.simplex = found->face;

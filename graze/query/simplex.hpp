@@ -56,10 +56,13 @@ class SimplexSearch {
  public:
   using Point = Vec<N, double>;
 
-  explicit SimplexSearch(const Simplex<N>& simplex) : simplex_(simplex) {}
+  /// `least_squared`: no point is nearer than the root of this, so that what seems to be, of a simplex that is flat up
+  /// to rounding, is not taken.
+  SimplexSearch(const Simplex<N>& simplex, double least_squared) : simplex_(simplex), least_squared_(least_squared) {}
 
   /// Only faces with this corner.
-  SimplexSearch(const Simplex<N>& simplex, std::size_t corner) : simplex_(simplex), corner_(corner) {}
+  SimplexSearch(const Simplex<N>& simplex, double least_squared, std::size_t corner)
+      : simplex_(simplex), least_squared_(least_squared), corner_(corner) {}
 
   NearestOnSimplex<N> run() {
     const std::size_t size = simplex_.size;
@@ -82,7 +85,7 @@ class SimplexSearch {
   template <std::size_t Count>
   void offer(const Point& point, const std::size_t (&corners)[Count]) {
     const double candidate = dot(point, point);
-    if (!(candidate < best_.distance_squared)) return;
+    if (!(candidate < best_.distance_squared) || candidate < least_squared_) return;
     if (corner_ && std::find(std::begin(corners), std::end(corners), *corner_) == std::end(corners)) return;
     best_.point = point;
     best_.distance_squared = candidate;
@@ -142,6 +145,7 @@ class SimplexSearch {
   }
 
   const Simplex<N>& simplex_;
+  double least_squared_;
   std::optional<std::size_t> corner_;
   NearestOnSimplex<N> best_;
 };
@@ -165,15 +169,16 @@ void for_each_perpendicular(const Simplex<N>& simplex, const Visit& visit) {
   }
 }
 
+/// Infinitely far if every point seems nearer than the root of `least_squared`, below which none can be.
 template <Dim N>
-NearestOnSimplex<N> nearest_to_origin(const Simplex<N>& simplex) {
-  return SimplexSearch<N>(simplex).run();
+NearestOnSimplex<N> nearest_to_origin(const Simplex<N>& simplex, double least_squared = 0) {
+  return SimplexSearch<N>(simplex, least_squared).run();
 }
 
 /// Of the faces that have the last corner.
 template <Dim N>
-NearestOnSimplex<N> nearest_with_last_corner(const Simplex<N>& simplex) {
-  return SimplexSearch<N>(simplex, simplex.size - 1).run();
+NearestOnSimplex<N> nearest_with_last_corner(const Simplex<N>& simplex, double least_squared = 0) {
+  return SimplexSearch<N>(simplex, least_squared, simplex.size - 1).run();
 }
 
 }  // namespace graze::detail

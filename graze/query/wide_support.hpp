@@ -7,6 +7,7 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/capsule.hpp>
+#include <graze/shape/posed.hpp>
 #include <graze/shape/segment.hpp>
 #include <graze/shape/shape.hpp>
 #include <graze/shape/sphere.hpp>
@@ -60,6 +61,26 @@ Segment<N, T> core(const Capsule<N, T>& capsule) {
 template <Dim N, class T>
 double core_radius(const Capsule<N, T>& capsule) {
   return static_cast<double>(capsule.radius);
+}
+
+template <Dim N, class T>
+Posed<Vec<N, T>> core(const Posed<Sphere<N, T>>& posed) {
+  return {posed.shape.center, posed.pose};
+}
+
+template <Dim N, class T>
+double core_radius(const Posed<Sphere<N, T>>& posed) {
+  return core_radius(posed.shape);
+}
+
+template <Dim N, class T>
+Posed<Segment<N, T>> core(const Posed<Capsule<N, T>>& posed) {
+  return {axis(posed.shape), posed.pose};
+}
+
+template <Dim N, class T>
+double core_radius(const Posed<Capsule<N, T>>& posed) {
+  return core_radius(posed.shape);
 }
 
 /// The set of differences a - b of two convex shapes (Minkowski), known by its support points.

@@ -16,6 +16,7 @@ namespace graze {
 /// does not know: through it they are placed without being written anew. Every query answers about it from its support
 /// points, in the shape's own numbers, rounded relative to where it is before and after: shapes of one's own are best
 /// written around zero. For graze's own shapes `transformed(shape, pose)` is as good and has their closed forms.
+/// `Polytope`s seen through poses are not copied. A radius is not changed by a rotation that is only nearly one.
 /// Default: the default shape where it is.
 template <Convex S>
 struct Posed {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A shape seen through a pose is the shape that was moved.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -62,6 +63,64 @@ TEST(Posed, ABoxIsAsFarAndAsDeepAsTheOneThatWasMoved) {
       EXPECT_NEAR(one->depth, two->depth, 1e-11);
     }
   }
+}
+
+template <Dim N, class T>
+double size_of(const Aabb<N, T>& box) {
+  return std::max(static_cast<double>(max_abs(box.min)), static_cast<double>(max_abs(box.max)));
+}
+
+template <class Space>
+class PosedShape : public testing::Test {};
+TYPED_TEST_SUITE(PosedShape, test::Spaces);
+
+/// What `transformed` rounds to T, and rotations of T that are not quite rotations, make of lengths of this size.
+template <class T>
+double slack(double size) {
+  return 1e4 * static_cast<double>(std::numeric_limits<T>::epsilon()) * size;
+}
+
+template <Convex S>
+void agrees_with_the_moved_shape(const S& shape) {
+  constexpr Dim N = dimension_of<S>;
+  using T = scalar_of<S>;
+  const Pose<N, T> pose = *test::any_pose<N, T>();
+  const auto moved = transformed(shape, pose);
+  const Posed<S> posed{shape, pose};
+  const auto other = *test::any<Triangle<N, T>>();
+
+  const Aabb<N, T> box = bounds(posed);
+  const Aabb<N, T> moved_box = bounds(moved);
+  const double size = std::max({size_of(box), size_of(bounds(other)), size_of(bounds(shape))});
+  RC_ASSERT(static_cast<double>(max_abs(box.min - moved_box.min)) <= slack<T>(size));
+  RC_ASSERT(static_cast<double>(max_abs(box.max - moved_box.max)) <= slack<T>(size));
+
+  const double apart = static_cast<double>(distance(posed, other));
+  RC_ASSERT(std::fabs(apart - static_cast<double>(distance(moved, other))) <= slack<T>(size));
+  RC_ASSERT(apart == static_cast<double>(distance(other, posed)));
+  const auto deep = contact(posed, other);
+  const auto moved_deep = contact(moved, other);
+  RC_ASSERT(deep.has_value() == intersects(posed, other));
+  if (deep && moved_deep) RC_ASSERT(std::fabs(static_cast<double>(deep->depth - moved_deep->depth)) <= slack<T>(size));
+}
+
+TYPED_TEST(PosedShape, AgreesWithTheShapeThatIsMoved) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  test::check_every_type<N, T>([]<Convex S>(const S& shape) { agrees_with_the_moved_shape(shape); });
+}
+
+// GJK took the origin for a point between faces of a needle, which rounding had turned: they seemed to touch.
+TEST(Posed, ASegmentFarFromANeedleIsFarFromIt) {
+  const Posed<Segment<3, double>> seen{
+      {{15101.34518096205, -0.016841509800271912, -27390.31435282771},
+       {-0.026850470392788796, -73.12194529526221, -1749.120208703738}},
+      {{{-0.46876806596487114, 0, 0.883321289413741}, {0, -1, 0}, {0.883321289413741, 0, 0.46876806596487114}},
+       {-1, 0.5, -2}}};
+  const Triangle<3, double> needle{{-1989574.3115055058, 701.4571859700668, 0.0018834827012249183},
+                                   {0.00024504637300534174, -656.9068372814036, -605.7618441104806},
+                                   {-994787.1580072581, 350.7235929850334, 0.0009503390981533156}};
+  EXPECT_NEAR(distance(seen, needle), 709.514232875828, 1e-9);
 }
 
 TEST(Posed, MovesAgain) {
