@@ -240,7 +240,9 @@ HWY_INLINE std::uint32_t take_nearest(Ranks<T>& ranks, T reach) {
   for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
     nearest |= bits_of<T>(hn::Eq(hn::Load(d, ranks.ranks + lane), least)) << lane;
   }
-  const auto lane = static_cast<std::uint32_t>(std::countr_zero(nearest & ranks.lanes));
+  nearest &= ranks.lanes;
+  // Where all are infinitely far, Highway's emulation finds none of them the least.
+  const auto lane = static_cast<std::uint32_t>(std::countr_zero(nearest != 0 ? nearest : ranks.lanes));
   ranks.lanes &= ~(1U << lane);
   return lane;
 }
@@ -320,7 +322,8 @@ HWY_INLINE std::uint32_t least_of(const Lanes<T>* numbers, std::uint32_t candida
 template <Dim N, class T>
 std::uint32_t least_grown(const Block<N, T>& block, const Aabb<N, T>& box) {
   const Tag<T> d;
-  const auto infinity = hn::Set(d, std::numeric_limits<T>::infinity());
+  // Sums without a number are as large as a number can be: Highway's emulation finds no least one among infinities.
+  const auto most = hn::Set(d, std::numeric_limits<T>::max());
   Lanes<T> growth[vectors_of<T>];
   Lanes<T> size[vectors_of<T>];
   std::uint32_t full = 0;
@@ -338,15 +341,15 @@ std::uint32_t least_grown(const Block<N, T>& block, const Aabb<N, T>& box) {
     }
     const auto is_there = is_full<T>(hn::Load(d, block.min[0] + lane));
     full |= bits_of<T>(is_there) << lane;
-    growth[k] = hn::IfThenElse(is_there, growth[k], infinity);
-    size[k] = hn::IfThenElse(is_there, size[k], infinity);
+    growth[k] = hn::IfThenElse(is_there, hn::Min(growth[k], most), most);
+    size[k] = hn::IfThenElse(is_there, hn::Min(size[k], most), most);
   }
   const std::uint32_t least = least_of<T>(growth, full);
   if (std::has_single_bit(least)) return static_cast<std::uint32_t>(std::countr_zero(least));
   for (std::uint32_t k = 0; k < vectors_of<T>; ++k) {
     const std::uint64_t bits = (least >> k * lanes_of<T>)&((1U << lanes_of<T>)-1U);
     const auto is_least = hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&bits));
-    size[k] = hn::IfThenElse(is_least, size[k], infinity);
+    size[k] = hn::IfThenElse(is_least, size[k], most);
   }
   return static_cast<std::uint32_t>(std::countr_zero(least_of<T>(size, least)));
 }
