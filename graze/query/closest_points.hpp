@@ -163,8 +163,7 @@ auto seen_beside(const Vec<dimension_of<Core>, double>& origin, const Core& core
 /// as they are stored.
 template <class CoreA, class CoreB, class SeenA, class SeenB>
 ClosestPair<dimension_of<CoreA>> closest_of_cores(const CoreA& a, const CoreB& b, const SeenA& seen_a,
-                                                  const SeenB& seen_b, const Vec<dimension_of<CoreA>, double>& origin,
-                                                  double size) {
+                                                  const SeenB& seen_b, const Vec<dimension_of<CoreA>, double>& origin) {
   if constexpr (dimension_of<CoreA> == 3 && is_a<Segment, CoreA> && is_a<Segment, CoreB>) {
     using T = scalar_of<CoreA>;
     const auto stored = [](const Segment<3, T>& segment) {
@@ -172,7 +171,7 @@ ClosestPair<dimension_of<CoreA>> closest_of_cores(const CoreA& a, const CoreB& b
     };
     if (const auto nearest = closest_of_nearly_parallel(stored(a), stored(b), origin)) return *nearest;
   }
-  return closest_of_apart(seen_a, seen_b, size);
+  return closest_of_apart(seen_a, seen_b, size_around_zero(seen_a) + size_around_zero(seen_b));
 }
 
 /// Where round shapes meet, their cores may be apart: they are asked.
@@ -190,7 +189,7 @@ Proximity<dimension_of<A>, double> proximity_of_simple(const A& a, const B& b, R
   const double size = size_around_zero(seen_a) + size_around_zero(seen_b);
   Proximity<N, double> result =
       of_cores == Relation::apart
-          ? widened(closest_of_cores(core_a, core_b, seen_a, seen_b, origin, size), origin, radii, relation)
+          ? widened(closest_of_cores(core_a, core_b, seen_a, seen_b, origin), origin, radii, relation)
           : widened_meeting(closest_of_meeting(seen_a, seen_b, size), origin, relation);
   result.error = tolerance::rounding * (size + (radii.a + radii.b));
   return result;
