@@ -29,6 +29,7 @@
 #include <graze/query/bounds.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/shape.hpp>
+#include <graze/shape/visit.hpp>
 
 #include "catalogue/numbers.hpp"
 #include "catalogue/to_source.hpp"
@@ -191,7 +192,7 @@ std::string to_source(const S& value);
 
 template <Dim N, class T>
 std::string to_source(const AnyShape<N, T>& shape) {
-  return std::visit([](const auto& held) { return to_source(held); }, shape);
+  return detail::visit([](const auto& held) { return to_source(held); }, shape);
 }
 
 /// No part to three parts of any type.

@@ -10,6 +10,7 @@
 #include <graze/io/json_shape_writer.hpp>
 #include <graze/io/output_error.hpp>
 #include <graze/io/shape_fields.hpp>
+#include <graze/shape/visit.hpp>
 
 namespace graze::io {
 namespace {
@@ -145,7 +146,7 @@ void append_shape(std::string& out, const AnyShape<N, double>& shape, std::size_
     append_parts(out, *compound, outer_compounds);
     return;
   }
-  std::visit(
+  detail::visit(
       [&out](const auto& held) {
         if constexpr (!std::is_same_v<std::decay_t<decltype(held)>, Compound<N, double>>) append_fields(out, held);
       },

@@ -4,12 +4,12 @@
 
 #include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/visit.hpp>
 
 namespace graze::io {
 
@@ -22,7 +22,7 @@ class ShapeNumbers {
 
   template <Dim N, class From>
   AnyShape<N, To> operator()(const AnyShape<N, From>& shape) const {
-    return std::visit([this](const auto& held) { return AnyShape<N, To>(this->of(held)); }, shape);
+    return detail::visit([this](const auto& held) { return AnyShape<N, To>(this->of(held)); }, shape);
   }
 
   template <Dim N, class From>

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <type_traits>
-#include <variant>
 #include <vector>
 
 #include <graze/io/scene_file.hpp>
@@ -12,6 +11,7 @@
 #include <graze/io/svg_subject.hpp>
 #include <graze/query/outline.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/visit.hpp>
 
 namespace graze::io::svg {
 
@@ -35,7 +35,7 @@ Stage<N> stage_for(const Subject<N>& subject, YAxis y_axis);
 /// Calls `visit` with a shape that is no compound, as its own type, or with all such parts of a compound.
 template <Dim N, class Visit>
 void for_each_part(const AnyShape<N, double>& shape, const Visit& visit) {
-  std::visit(
+  detail::visit(
       [&visit]<class S>(const S& held) {
         if constexpr (std::is_same_v<S, Compound<N, double>>) {
           for (const Part<N, double>& part : held.parts) for_each_part<N>(part.shape, visit);

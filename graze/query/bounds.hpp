@@ -8,7 +8,6 @@
 #include <limits>
 #include <tuple>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <graze/math/rounding.hpp>
@@ -18,6 +17,7 @@
 #include <graze/shape/frustum.hpp>
 #include <graze/shape/posed.hpp>
 #include <graze/shape/shape.hpp>
+#include <graze/shape/visit.hpp>
 
 namespace graze {
 
@@ -168,7 +168,7 @@ Aabb<N, T> bounds(const Compound<N, T>& compound) {
 
 template <Dim N, class T>
 Aabb<N, T> bounds(const AnyShape<N, T>& shape) {
-  return std::visit([](const auto& held) { return bounds(held); }, shape);
+  return detail::visit([](const auto& held) { return bounds(held); }, shape);
 }
 
 /// A user's convex shape: its supports along the axes, widened by the rounding that `support` may have suffered.

@@ -15,7 +15,6 @@
 #pragma once
 
 #include <cassert>
-#include <variant>
 
 #include <graze/math/vec.hpp>
 #include <graze/query/closest_point.hpp>
@@ -25,6 +24,7 @@
 #include <graze/query/surface_point_convex.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/shape.hpp>
+#include <graze/shape/visit.hpp>
 
 namespace graze {
 
@@ -40,7 +40,7 @@ Vec<N, T> closest_boundary_point_of(const Compound<N, T>& compound, const Vec<N,
 
 template <Dim N, class T>
 Vec<N, T> closest_boundary_point_of(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
-  return std::visit([&point](const auto& held) { return closest_boundary_point_of(held, point); }, shape);
+  return detail::visit([&point](const auto& held) { return closest_boundary_point_of(held, point); }, shape);
 }
 
 template <Dim N, class T>

@@ -21,7 +21,6 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
-#include <variant>
 
 #include <graze/math/vec.hpp>
 #include <graze/query/contains.hpp>
@@ -31,6 +30,7 @@
 #include <graze/query/surface_point_convex.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/shape.hpp>
+#include <graze/shape/visit.hpp>
 
 namespace graze {
 
@@ -157,7 +157,7 @@ Vec<N, T> closest_point_of(const Compound<N, T>& compound, const Vec<N, T>& poin
 
 template <Dim N, class T>
 Vec<N, T> closest_point_of(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
-  return std::visit([&point](const auto& held) { return closest_point_of(held, point); }, shape);
+  return detail::visit([&point](const auto& held) { return closest_point_of(held, point); }, shape);
 }
 
 template <Dim N, class T>

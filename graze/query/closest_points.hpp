@@ -44,7 +44,6 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
-#include <variant>
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
@@ -59,6 +58,7 @@
 #include <graze/query/shape_order.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/shape.hpp>
+#include <graze/shape/visit.hpp>
 
 namespace graze {
 
@@ -341,9 +341,9 @@ Proximity<N, double> proximity_of_parts(const Compound<N, T>& compound, const S&
 template <class A, class B>
 Proximity<dimension_of<A>, double> proximity(const A& a, const B& b) {
   if constexpr (is_any_shape<A>) {
-    return std::visit([&b](const auto& held) { return proximity(held, b); }, a);
+    return detail::visit([&b](const auto& held) { return proximity(held, b); }, a);
   } else if constexpr (is_any_shape<B>) {
-    return std::visit([&a](const auto& held) { return proximity(a, held); }, b);
+    return detail::visit([&a](const auto& held) { return proximity(a, held); }, b);
   } else if constexpr (is_compound<A> && is_compound<B>) {
     return is_in_order(a, b) ? proximity_of_parts(a, b) : exchanged(proximity_of_parts(b, a));
   } else if constexpr (is_compound<A>) {

@@ -49,7 +49,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <variant>
 
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
@@ -62,6 +61,7 @@
 #include <graze/query/status.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/shape.hpp>
+#include <graze/shape/visit.hpp>
 
 namespace graze {
 
@@ -138,9 +138,9 @@ std::optional<Penetration<N>> penetration_of_parts(const Compound<N, T>& compoun
 template <class A, class B>
 std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b) {
   if constexpr (is_any_shape<A>) {
-    return std::visit([&b](const auto& held) { return penetration(held, b); }, a);
+    return detail::visit([&b](const auto& held) { return penetration(held, b); }, a);
   } else if constexpr (is_any_shape<B>) {
-    return std::visit([&a](const auto& held) { return penetration(a, held); }, b);
+    return detail::visit([&a](const auto& held) { return penetration(a, held); }, b);
   } else if constexpr (is_compound<A> && is_compound<B>) {
     return is_in_order(a, b) ? penetration_of_parts(a, b) : exchanged(penetration_of_parts(b, a));
   } else if constexpr (is_compound<A>) {

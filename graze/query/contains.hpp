@@ -24,7 +24,6 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
-#include <variant>
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
@@ -36,6 +35,7 @@
 #include <graze/query/triangle_filter.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/shape.hpp>
+#include <graze/shape/visit.hpp>
 
 namespace graze {
 
@@ -252,7 +252,7 @@ bool holds(const Compound<N, T>& compound, const Vec<N, T>& point);
 
 template <Dim N, class T>
 bool holds(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
-  return std::visit([&point](const auto& held) { return holds(held, point); }, shape);
+  return detail::visit([&point](const auto& held) { return holds(held, point); }, shape);
 }
 
 /// No part in the box holds a point that is farther from it than this; and if the point is, its distance from any part

@@ -29,7 +29,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <variant>
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
@@ -41,6 +40,7 @@
 #include <graze/query/status.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/shape.hpp>
+#include <graze/shape/visit.hpp>
 
 namespace graze {
 
@@ -246,9 +246,9 @@ WideManifold<dimension_of<A>> manifold_in_order(const A& a, const B& b) {
 template <class A, class B>
 std::optional<WideManifold<dimension_of<A>>> wide_manifold(const A& a, const B& b) {
   if constexpr (is_any_shape<A>) {
-    return std::visit([&b](const auto& held) { return wide_manifold(held, b); }, a);
+    return detail::visit([&b](const auto& held) { return wide_manifold(held, b); }, a);
   } else if constexpr (is_any_shape<B>) {
-    return std::visit([&a](const auto& held) { return wide_manifold(a, held); }, b);
+    return detail::visit([&a](const auto& held) { return wide_manifold(a, held); }, b);
   } else if constexpr (is_compound<A> && is_compound<B>) {
     return is_in_order(a, b) ? manifold_of_parts(a, b) : exchanged(manifold_of_parts(b, a));
   } else if constexpr (is_compound<A>) {

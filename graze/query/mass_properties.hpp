@@ -18,7 +18,6 @@
 #include <numbers>
 #include <span>
 #include <type_traits>
-#include <variant>
 #include <vector>
 
 #include <graze/math/rounding.hpp>
@@ -26,6 +25,7 @@
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/hull_faces.hpp>
 #include <graze/shape/shape.hpp>
+#include <graze/shape/visit.hpp>
 
 namespace graze {
 
@@ -258,7 +258,7 @@ Moments<N> moments_of(const Compound<N, T>& compound) {
 
 template <Dim N, class T>
 Moments<N> moments_of(const AnyShape<N, T>& shape) {
-  return std::visit([](const auto& held) -> Moments<N> { return moments_of(held); }, shape);
+  return detail::visit([](const auto& held) -> Moments<N> { return moments_of(held); }, shape);
 }
 
 }  // namespace detail

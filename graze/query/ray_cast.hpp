@@ -33,7 +33,6 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
-#include <variant>
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
@@ -48,6 +47,7 @@
 #include <graze/query/relation.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/shape.hpp>
+#include <graze/shape/visit.hpp>
 
 namespace graze {
 
@@ -296,7 +296,7 @@ Sighting<N> find_hit(const Compound<N, T>& compound, const Path<N>& path, RaySid
 
 template <Dim N, class T, class Ask>
 Sighting<N> find_hit(const AnyShape<N, T>& shape, const Path<N>& path, RaySide side, const Ask& ask) {
-  return std::visit([&](const auto& held) { return find_hit(held, path, side, ask); }, shape);
+  return detail::visit([&](const auto& held) { return find_hit(held, path, side, ask); }, shape);
 }
 
 // ---- To and from T

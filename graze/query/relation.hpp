@@ -34,7 +34,6 @@
 #include <cassert>
 #include <cmath>
 #include <concepts>
-#include <variant>
 
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
@@ -47,6 +46,7 @@
 #include <graze/query/verdict.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/shape.hpp>
+#include <graze/shape/visit.hpp>
 
 namespace graze {
 
@@ -120,9 +120,9 @@ inline Relation unless_nan(const A& a, const B& b, Relation verdict) {
 template <class A, class B>
 inline Relation decide(const A& a, const B& b) {
   if constexpr (is_any_shape<A>) {
-    return std::visit([&b](const auto& held) { return decide(held, b); }, a);
+    return detail::visit([&b](const auto& held) { return decide(held, b); }, a);
   } else if constexpr (is_any_shape<B>) {
-    return std::visit([&a](const auto& held) { return decide(a, held); }, b);
+    return detail::visit([&a](const auto& held) { return decide(a, held); }, b);
   } else if constexpr (is_compound<A>) {
     return relation_of_parts(a, b);
   } else if constexpr (is_compound<B>) {

@@ -39,7 +39,6 @@
 #include <cmath>
 #include <optional>
 #include <type_traits>
-#include <variant>
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
@@ -53,6 +52,7 @@
 #include <graze/query/relation.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/shape.hpp>
+#include <graze/shape/visit.hpp>
 
 namespace graze {
 
@@ -381,9 +381,9 @@ std::optional<Strike<N>> strike_of_parts(const Compound<N, T>& compound, const V
 template <class A, class B>
 std::optional<Strike<dimension_of<A>>> strike(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b) {
   if constexpr (is_any_shape<A>) {
-    return std::visit([&](const auto& held) { return strike(held, motion, b); }, a);
+    return detail::visit([&](const auto& held) { return strike(held, motion, b); }, a);
   } else if constexpr (is_any_shape<B>) {
-    return std::visit([&](const auto& held) { return strike(a, motion, held); }, b);
+    return detail::visit([&](const auto& held) { return strike(a, motion, held); }, b);
   } else if constexpr (is_compound<A>) {
     return strike_of_parts(a, motion, b, [&](const auto& part) { return strike(part, motion, b); });
   } else if constexpr (is_compound<B>) {

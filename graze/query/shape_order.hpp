@@ -10,6 +10,7 @@
 
 #include <graze/math/vec.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/visit.hpp>
 
 namespace graze::detail {
 
@@ -117,7 +118,7 @@ int compare(const Compound<N, T>& a, const Compound<N, T>& b);
 template <Dim N, class T>
 int compare(const AnyShape<N, T>& a, const AnyShape<N, T>& b) {
   if (a.index() != b.index()) return a.index() < b.index() ? -1 : 1;
-  return std::visit([&b]<class S>(const S& held) { return compare(held, std::get<S>(b)); }, a);
+  return detail::visit([&b]<class S>(const S& held) { return compare(held, std::get<S>(b)); }, a);
 }
 
 template <Dim N, class T>

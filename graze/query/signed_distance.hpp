@@ -30,6 +30,7 @@
 #include <graze/query/surface_point_convex.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/shape.hpp>
+#include <graze/shape/visit.hpp>
 
 namespace graze {
 
@@ -49,7 +50,7 @@ double signed_distance_of(const Compound<N, T>& compound, const Vec<N, T>& point
 
 template <Dim N, class T>
 double signed_distance_of(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
-  return std::visit([&point](const auto& held) { return signed_distance_of(held, point); }, shape);
+  return detail::visit([&point](const auto& held) { return signed_distance_of(held, point); }, shape);
 }
 
 /// As a part of a compound a plane has no negative side: it holds nothing there.

@@ -21,7 +21,6 @@
 #include <cassert>
 #include <cmath>
 #include <optional>
-#include <variant>
 
 #include <graze/math/motion.hpp>
 #include <graze/math/tolerance.hpp>
@@ -39,6 +38,7 @@
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/compound.hpp>
 #include <graze/shape/shape.hpp>
+#include <graze/shape/visit.hpp>
 
 namespace graze {
 
@@ -265,9 +265,9 @@ template <class A, class B>
 std::optional<Strike<dimension_of<A>>> strike_in_motion(const A& a, const MotionOf<A>& motion_a, const B& b,
                                                         const MotionOf<A>& motion_b) {
   if constexpr (is_any_shape<A>) {
-    return std::visit([&](const auto& held) { return strike_in_motion(held, motion_a, b, motion_b); }, a);
+    return detail::visit([&](const auto& held) { return strike_in_motion(held, motion_a, b, motion_b); }, a);
   } else if constexpr (is_any_shape<B>) {
-    return std::visit([&](const auto& held) { return strike_in_motion(a, motion_a, held, motion_b); }, b);
+    return detail::visit([&](const auto& held) { return strike_in_motion(a, motion_a, held, motion_b); }, b);
   } else if constexpr (is_compound<A>) {
     if constexpr (is_compound<B>) {
       if (!is_in_order(a, b)) return with_normal_turned(strike_in_motion(b, motion_b, a, motion_a));

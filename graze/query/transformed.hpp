@@ -11,6 +11,7 @@
 #include <graze/math/pose.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/visit.hpp>
 
 namespace graze {
 
@@ -28,7 +29,7 @@ Compound<N, T> transformed(const Compound<N, T>& compound, const Pose<N, T>& pos
 /// The image under a rigid motion. An axis-aligned box becomes an oriented one.
 template <Dim N, class T>
 AnyShape<N, T> transformed(const AnyShape<N, T>& shape, const Pose<N, T>& pose) {
-  return std::visit([&pose](const auto& held) -> AnyShape<N, T> { return transformed(held, pose); }, shape);
+  return detail::visit([&pose](const auto& held) -> AnyShape<N, T> { return transformed(held, pose); }, shape);
 }
 
 /// The image under a translation, which leaves a box along the axes what it is.

@@ -17,6 +17,7 @@
 #include <graze/shape/shape.hpp>
 #include <graze/shape/sphere.hpp>
 #include <graze/shape/triangle.hpp>
+#include <graze/shape/visit.hpp>
 
 namespace graze {
 
@@ -52,7 +53,7 @@ namespace graze {
 
 template <Dim N, class T>
 std::string_view defect(const AnyShape<N, T>& shape) {
-  return std::visit([](const auto& held) { return defect(held); }, shape);
+  return detail::visit([](const auto& held) { return defect(held); }, shape);
 }
 
 }  // namespace graze

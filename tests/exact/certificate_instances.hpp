@@ -13,6 +13,7 @@
 #include <variant>
 
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/visit.hpp>
 
 #include "exact/body.hpp"
 #include "exact/certificate.hpp"
@@ -69,7 +70,7 @@ template <Dim N, class T>
 GapBounds gap_bounds(const AnyShape<N, T>& a, const AnyShape<N, T>& b, Relation claim) {
   if (const auto* parts = std::get_if<Compound<N, T>>(&a)) return bounds_of_parts<N, T>(*parts, b, claim);
   if (const auto* parts = std::get_if<Compound<N, T>>(&b)) return bounds_of_parts<N, T>(*parts, a, claim);
-  return body_bounds(std::visit(BodyMaker<N, T>(), a), std::visit(BodyMaker<N, T>(), b), claim);
+  return body_bounds(detail::visit(BodyMaker<N, T>(), a), std::visit(BodyMaker<N, T>(), b), claim);
 }
 
 }  // namespace graze::test

@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <stdexcept>
 #include <type_traits>
-#include <variant>
 
 #include <graze/math/vec.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/visit.hpp>
 
 #include "exact/difference.hpp"
 #include "exact/kinds.hpp"
@@ -79,7 +79,7 @@ WideVec<N> closest_point_of(const S& shape, const Vec<N, T>& point) {
 
 template <Dim N, class T>
 double exact_signed_distance(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
-  return std::visit([&](const auto& held) { return signed_distance_of(held, point); }, shape);
+  return detail::visit([&](const auto& held) { return signed_distance_of(held, point); }, shape);
 }
 
 template <Dim N>
@@ -94,7 +94,7 @@ double exact_distance(const Vec<N, T>& a, const Vec<N, T>& b) {
 
 template <Dim N, class T>
 double exact_miss(const AnyShape<N, T>& shape, const Vec<N, T>& point, const Vec<N, T>& given) {
-  const WideVec<N> truth = std::visit([&](const auto& held) { return closest_point_of(held, point); }, shape);
+  const WideVec<N> truth = detail::visit([&](const auto& held) { return closest_point_of(held, point); }, shape);
   return length_of<N>(truth - wide_vector<N>(exact(given)));
 }
 

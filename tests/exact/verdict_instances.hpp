@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
-#include <variant>
 
 #include <graze/math/vec.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/visit.hpp>
 
 #include "exact.hpp"
 #include "exact/difference.hpp"
@@ -104,7 +104,7 @@ ExactVerdict parts_verdict(const Compound<N, T>& compound, const AnyShape<N, T>&
 
 template <Dim N, class T>
 ExactVerdict exact_verdict(const AnyShape<N, T>& a, const AnyShape<N, T>& b, Measure measure) {
-  return std::visit(
+  return detail::visit(
       [&](const auto& held_a, const auto& held_b) -> ExactVerdict {
         if constexpr (has_parts<std::decay_t<decltype(held_a)>>) {
           return parts_verdict(held_a, b, measure);

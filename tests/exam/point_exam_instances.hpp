@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <string>
 #include <type_traits>
-#include <variant>
 
 #include <graze/math/vec.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/visit.hpp>
 
 #include "catalogue.hpp"
 #include "exact/kinds.hpp"
@@ -79,7 +79,7 @@ PointTally examine_points(std::size_t type, const Settings& settings, Regression
   const Stopwatch watch;
   while (exam.tally().cases < settings.points && watch.is_within(settings.seconds)) {
     const auto [shape, point] = test::value_from(any, random.split());
-    std::visit(
+    detail::visit(
         [&, &any_shape = shape, &place = point](const auto& held) {
           if constexpr (!test::has_parts<std::decay_t<decltype(held)>>) exam.put(held, any_shape, place);
         },

@@ -5,10 +5,10 @@
 #include <bit>
 #include <cstdint>
 #include <tuple>
-#include <variant>
 #include <vector>
 
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/visit.hpp>
 
 #include "catalogue.hpp"
 
@@ -55,7 +55,7 @@ void append_bits(Bits& bits, const Compound<N, double>& compound) {
 template <Dim N>
 Bits bits_of(const AnyShape<N, double>& shape) {
   Bits bits = {shape.index()};
-  std::visit([&bits](const auto& held) { append_bits(bits, held); }, shape);
+  detail::visit([&bits](const auto& held) { append_bits(bits, held); }, shape);
   return bits;
 }
 

@@ -16,6 +16,7 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/query/transformed.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/visit.hpp>
 
 #include "catalogue.hpp"
 #include "query/contacts.hpp"
@@ -64,7 +65,7 @@ class ContactLaw : public ::testing::Test {
   }
 
   static bool is_bounded(const Any& shape) {
-    return std::visit([](const auto& held) { return Convex<std::decay_t<decltype(held)>>; }, shape);
+    return detail::visit([](const auto& held) { return Convex<std::decay_t<decltype(held)>>; }, shape);
   }
 
   static void expect_near(double one, double two, double allowed) {

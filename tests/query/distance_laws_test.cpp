@@ -18,6 +18,7 @@
 #include <graze/query/transformed.hpp>
 #include <graze/query/wide_support.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/visit.hpp>
 
 #include "catalogue.hpp"
 #include "query/numbers_of.hpp"
@@ -37,7 +38,7 @@ struct Disguise {
 
 template <Dim N, class T>
 Vec<N, double> support(const Disguise<N, T>& disguise, const Vec<N, double>& direction) {
-  return std::visit(
+  return detail::visit(
       [&direction](const auto& held) -> Vec<N, double> {
         if constexpr (Convex<std::decay_t<decltype(held)>>) {
           return detail::wide_support(detail::core(held), direction);
@@ -57,7 +58,7 @@ double radius_of(const AnyShape<N, T>& shape) {
 
 template <Dim N, class T>
 bool is_convex(const AnyShape<N, T>& shape) {
-  return std::visit([](const auto& held) { return Convex<std::decay_t<decltype(held)>>; }, shape);
+  return detail::visit([](const auto& held) { return Convex<std::decay_t<decltype(held)>>; }, shape);
 }
 
 namespace {

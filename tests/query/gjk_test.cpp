@@ -10,6 +10,7 @@
 
 #include <graze/query/gjk.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/visit.hpp>
 
 #include "catalogue.hpp"
 #include "exact.hpp"
@@ -55,7 +56,7 @@ TEST(Gjk, OfShapesThatMeetIsZero) {
                                                    Aabb<3, double>{{1, 1, 1}, {2, 2, 2}},
                                                    Segment<3, double>{{-5, 0.5, 0.25}, {5, 0.5, 0.25}}};
   for (const auto& other : others) {
-    const auto distance = std::visit(
+    const auto distance = detail::visit(
         [&](const auto& held) {
           if constexpr (Convex<std::decay_t<decltype(held)>>) return gjk(box, held);
           return GjkResult<3>{};

@@ -10,6 +10,7 @@
 
 #include <graze/query/bounds.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/visit.hpp>
 
 #include "catalogue.hpp"
 
@@ -55,7 +56,7 @@ void for_each_vector(AnyShape<N, T>& shape, const Visit& visit) {
     visit(oriented_box->center);  // the half extents belong to the axes
     in_field(oriented_box->axes);
   } else {
-    std::visit(
+    detail::visit(
         [&](auto& held) {
           using S = std::decay_t<decltype(held)>;
           if constexpr (!std::is_same_v<S, Polytope<N, T>> && !std::is_same_v<S, Compound<N, T>>) {
@@ -81,7 +82,7 @@ void for_each_number(AnyShape<N, T>& shape, const Visit& visit) {
       }
     }
   };
-  std::visit(
+  detail::visit(
       [&](auto& held) {
         using S = std::decay_t<decltype(held)>;
         if constexpr (!std::is_same_v<S, Polytope<N, T>> && !std::is_same_v<S, Compound<N, T>>) {

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/visit.hpp>
 
 #include "catalogue.hpp"
 
@@ -55,7 +55,7 @@ struct Mover {
 
 template <Dim N, class T>
 AnyShape<N, T> moved(const AnyShape<N, T>& shape, const Vec<N, T>& offset) {
-  return std::visit(Mover<N, T>{offset}, shape);
+  return detail::visit(Mover<N, T>{offset}, shape);
 }
 
 // ---- A point of a shape, often on its surface, an edge or a corner, up to rounding.
@@ -128,13 +128,13 @@ struct PointOf {
   }
   /// Of the first part; the origin if there is none.
   Point operator()(const Compound<N, T>& compound) const {
-    return compound.parts.empty() ? Point(0.0) : std::visit(*this, compound.parts.front().shape);
+    return compound.parts.empty() ? Point(0.0) : detail::visit(*this, compound.parts.front().shape);
   }
 };
 
 template <Dim N, class T>
 Vec<N, double> point_of(const AnyShape<N, T>& shape, rc::Random& random) {
-  return std::visit(PointOf<N, T>{random}, shape);
+  return detail::visit(PointOf<N, T>{random}, shape);
 }
 
 /// b moved so that a point of it lies on a point of a.

@@ -15,6 +15,7 @@
 
 #include <graze/math/tolerance.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/visit.hpp>
 
 #include "catalogue.hpp"
 #include "query/numbers_of.hpp"
@@ -47,7 +48,7 @@ double sharpness_of(const AnyShape<N, T>& shape) {
     for (const Part<N, T>& part : compound->parts) sharpest = std::max(sharpest, sharpness_of<N, T>(part.shape));
     return sharpest;
   }
-  return std::visit([](const auto& held) { return slenderness(held); }, shape);
+  return detail::visit([](const auto& held) { return slenderness(held); }, shape);
 }
 
 /// What is allowed beside rounding to T: the tolerance of thin shapes, and the widest band in double.

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
-#include <variant>
 
 #include <graze/query/ray_cast.hpp>
 #include <graze/query/signed_distance.hpp>
+#include <graze/shape/visit.hpp>
 
 #include "query/ray_casts.hpp"
 
@@ -27,7 +27,7 @@ std::optional<RayHit<N, T>> hit_of(const AnyShape<N, T>& shape, const Segment<N,
 
 template <Dim N, class T>
 double height_of(const AnyShape<N, T>& shape, const Vec<N, double>& point) {
-  return std::visit(
+  return detail::visit(
       [&point](const auto& held) {
         if constexpr (std::is_same_v<std::decay_t<decltype(held)>, Compound<N, T>>) {
           double least = std::numeric_limits<double>::infinity();

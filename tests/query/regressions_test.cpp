@@ -15,6 +15,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/visit.hpp>
 
 #include "catalogue.hpp"
 #include "exact.hpp"
@@ -50,7 +51,7 @@ void expect_right_point(const Regression& row) {
   const PointAnswers<N, T> given = answers<N, T>(any, point);
   EXPECT_TRUE((answers<N, T>(any, given.closest).contained));
   EXPECT_TRUE((answers<N, T>(any, given.boundary).contained));
-  std::visit(
+  detail::visit(
       [&](const auto& shape) {
         if constexpr (!has_parts<std::decay_t<decltype(shape)>>) {
           const PointErrors errors = point_errors(shape, point, given);

@@ -13,6 +13,7 @@
 
 #include <graze/math/vec.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/visit.hpp>
 
 #include "catalogue.hpp"
 #include "query/case_maker.hpp"
@@ -53,14 +54,14 @@ struct Scaler {
   }
   Any operator()(const Compound<3, double>& compound) const {
     std::vector<Any> parts;
-    for (const Part<3, double>& part : compound.parts) parts.push_back(std::visit(*this, part.shape));
+    for (const Part<3, double>& part : compound.parts) parts.push_back(detail::visit(*this, part.shape));
     return compound_of<3, double>(std::move(parts));
   }
 };
 
 void expect_same_answers(const Any& a, const Any& b, double unit) {
-  const Any large_a = std::visit(Scaler{unit}, a);
-  const Any large_b = std::visit(Scaler{unit}, b);
+  const Any large_a = detail::visit(Scaler{unit}, a);
+  const Any large_b = detail::visit(Scaler{unit}, b);
   EXPECT_EQ((relation_of<3, double>(large_a, large_b)), (relation_of<3, double>(a, b)));
   const auto near = proximity_of<3, double>(a, b);
   const auto near_large = proximity_of<3, double>(large_a, large_b);

@@ -18,6 +18,7 @@
 #include <graze/query/contact.hpp>
 #include <graze/query/wide_support.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/visit.hpp>
 
 #include "catalogue.hpp"
 #include "exact.hpp"
@@ -52,7 +53,7 @@ struct Widener {
   }
   Any operator()(const Compound<N, T>& compound) const {
     std::vector<Any> parts;
-    for (const Part<N, T>& part : compound.parts) parts.push_back(std::visit(*this, part.shape));
+    for (const Part<N, T>& part : compound.parts) parts.push_back(detail::visit(*this, part.shape));
     return compound_of<N, double>(std::move(parts));
   }
 };
@@ -110,8 +111,8 @@ class ShapeCastLaw : public ::testing::Test {
   /// The exact gap at t, negative if there is depth; right up to the rounding of the place there. Zero for unbounded
   /// shapes that rounding cannot tell from parallel ones, whatever they do far away.
   static double gap_at(const Case& drawn, double t) {
-    const auto wide_a = std::visit(Widener<dimension, Number>(), drawn.a);
-    const auto wide_b = std::visit(Widener<dimension, Number>(), drawn.b);
+    const auto wide_a = detail::visit(Widener<dimension, Number>(), drawn.a);
+    const auto wide_b = detail::visit(Widener<dimension, Number>(), drawn.b);
     const auto there = moved<dimension, double>(wide_a, wide<dimension, Number>(drawn.motion) * t);
     const ExactVerdict verdict = exact_verdict<dimension, double>(there, wide_b, Measure::depth);
     return verdict.is_nearly_parallel ? 0 : verdict.gap;
@@ -126,11 +127,11 @@ class ShapeCastLaw : public ::testing::Test {
   }
 
   static bool has_normal(const Any& shape) {
-    return std::visit([](const auto& held) { return Convex<std::decay_t<decltype(held)>>; }, shape);
+    return detail::visit([](const auto& held) { return Convex<std::decay_t<decltype(held)>>; }, shape);
   }
 
   static double radius_of(const Any& shape) {
-    return std::visit(
+    return detail::visit(
         [](const auto& held) {
           if constexpr (Convex<std::decay_t<decltype(held)>>) {
             return detail::core_radius(held);
@@ -142,7 +143,7 @@ class ShapeCastLaw : public ::testing::Test {
   }
 
   static double height(const Any& shape, const Vec<dimension, double>& direction) {
-    return std::visit(
+    return detail::visit(
         [&direction](const auto& held) {
           if constexpr (Convex<std::decay_t<decltype(held)>>) {
             return dot(direction, detail::wide_support(held, direction));

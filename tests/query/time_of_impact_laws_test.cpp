@@ -19,6 +19,7 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/query/transformed.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/visit.hpp>
 
 #include "catalogue.hpp"
 #include "exact.hpp"
@@ -98,7 +99,7 @@ class TimeOfImpactLaw : public ::testing::Test {
 
   static Wide place_at(const Any& shape, const Motion<dimension, Number>& motion, double t) {
     const Pose<dimension, double> pose = pose_at(motion, t);
-    return std::visit(
+    return detail::visit(
         [&](const auto& held) -> Wide {
           using S = std::decay_t<decltype(held)>;
           if constexpr (std::is_same_v<S, Polytope<dimension, Number>>) {
