@@ -9,10 +9,12 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/distance_squared.hpp>
+#include <graze/query/obb_filter.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/obb.hpp>
@@ -298,6 +300,12 @@ template <class Box, class Other>
 template <class Box, class Other>
 std::optional<Relation> filter_of_box(const Box& box, const Other& other) {
   using Real = scalar_of<Box>;
+#ifdef GRAZE_HAS_LANES
+  if constexpr (std::is_same_v<Box, Obb<3, float>> && std::is_same_v<Other, Box>) {
+    if (const auto verdict = filter_of_obbs(box, other)) return verdict;
+    return second_filter_of_box(box, other);
+  }
+#endif
   const auto seen = seen_from_box<Real>(box, other);
   if (const auto verdict = filter_of_boxes(seen, static_cast<Real>(tolerance::orthonormal))) return verdict;
   return second_filter_of_box(box, other);
