@@ -1,38 +1,50 @@
 // SPDX-License-Identifier: MIT
-// Shapes of the plane that can be dragged, turned and resized, by pointer and by keyboard. The engine says what is under
-// the pointer.
-import type { Scene } from "graze";
+// Shapes of the plane or of space that can be dragged, turned and resized, by pointer and by keyboard. The engine says what
+// is under the pointer.
+import type { Scene, Shape } from "graze";
 
 import type { ChapterContext } from "./chapter";
 import { cornersFor, drawingsOf } from "./drawing/drawings";
 import { MeshDrawing } from "./drawing/mesh_drawing";
 import { Paint, paintOf } from "./drawing/paint";
-import type { Handle, Mark } from "./overlay";
-import { gripsOf, middleOf, moved, resized, turned } from "./shapes/edit";
-import { minus, newShape, shapeNames, type FlatShape, type FlatType } from "./shapes/flat_shape";
-import type { Extent, Point2 } from "./stage";
+import { degreesOfKey, editByKey, factorOfKey, Grasp, handlesOf } from "./held_shape";
+import type { AnyHandle, Mark } from "./overlay";
+import { gripsOf } from "./shapes/flat_edit";
+import type { ShapeType } from "./shapes/flat_shape";
+import { asFlat, type ShapeKit } from "./shapes/shape_kit";
+import { solidGripsOf } from "./shapes/solid_grips";
+import type { Extent } from "./stage";
+import { under } from "./under";
+import { minus } from "./vectors";
 
-/** How near to a line or a point the pointer has to be to take hold of it, in pixels. */
-const pointerReach = 7;
 /** How far a turning handle stands from its shape, in pixels. */
 const handleReach = 18;
+/** A press on the ground that moves farther than this moves the view, and the selection stays. */
+const clickReach = 4;
 
 export interface EditorOptions {
-  readonly shapes: readonly FlatShape[];
-  /** Called after every change of a shape, of the selection, or of what is seen. */
+  readonly kit: ShapeKit;
+  readonly shapes: readonly Shape[];
+  /** The place of the shape that is selected, if there is such a one. */
+  readonly selected: number;
+  /** Called after every change of a shape or of the selection, and when another part of the plane is seen. */
   readonly onChange: () => void;
   /** Handles that belong to the chapter and not to a shape. */
-  readonly ownHandles?: () => readonly Handle[];
+  readonly ownHandles: () => readonly AnyHandle[];
 }
 
 export class Editor {
   /** The shapes as the engine holds them; ids are those of `ids`, in the order of `shapes`. */
   readonly scene: Scene;
-  #shapes: FlatShape[];
+  #shapes: Shape[];
   #ids: number[];
   #selected: number | undefined;
+  #paints: readonly Paint[] = [];
+  #marks: () => readonly Mark[] = () => [];
+  #grasp = new Grasp();
   readonly #context: ChapterContext;
   readonly #options: EditorOptions;
+  readonly #kit: ShapeKit;
   readonly #drawing: MeshDrawing;
   readonly #selection: MeshDrawing;
   readonly #listening = new AbortController();
@@ -40,22 +52,27 @@ export class Editor {
   constructor(context: ChapterContext, options: EditorOptions) {
     this.#context = context;
     this.#options = options;
-    this.#shapes = [...options.shapes];
-    this.scene = new context.graze.Scene(2);
+    this.#kit = options.kit;
+    const { dimension } = options.kit;
+    this.#shapes = dimension === 2 ? [...options.shapes] : options.shapes.map((shape) => context.graze.normalised(shape));
+    this.#selected = this.#shapes[options.selected] === undefined ? undefined : options.selected;
+    this.scene = new context.graze.Scene(dimension);
     this.#ids = this.#shapes.map((shape) => this.scene.add(shape));
-    const { palette } = context.stage;
-    this.#drawing = new MeshDrawing(2, palette);
-    this.#selection = new MeshDrawing(2, palette, { fill: 0, lineWidth: 4 });
+    const { stage } = context;
+    this.#drawing = new MeshDrawing(dimension, stage.palette);
+    this.#selection = new MeshDrawing(dimension, stage.palette, { fill: 0, lineWidth: 4, isSeenThrough: true });
     this.#selection.object.renderOrder = 1;
-    context.stage.world.add(this.#drawing.object, this.#selection.object);
-    context.stage.onTheme(() => {
-      this.#drawing.setPalette(context.stage.palette);
-      this.#selection.setPalette(context.stage.palette);
+    stage.world.add(this.#drawing.object, this.#selection.object);
+    stage.onTheme(() => {
+      this.#drawing.setPalette(stage.palette);
+      this.#selection.setPalette(stage.palette);
     });
+    // In space the same is drawn wherever it is seen from, but for what has a size in pixels.
+    stage.onView(() => (stage.isFlat ? options.onChange() : this.#drawOver()));
     this.#listen();
   }
 
-  get shapes(): readonly FlatShape[] {
+  get shapes(): readonly Shape[] {
     return this.#shapes;
   }
 
@@ -72,18 +89,18 @@ export class Editor {
     const type = this.#shapes[place]?.type ?? "point";
     const before = this.#shapes.slice(0, place).filter((shape) => shape.type === type).length;
     const isOnly = this.#shapes.filter((shape) => shape.type === type).length === 1;
-    return isOnly ? shapeNames[type] : `${shapeNames[type]} ${before + 1}`;
+    const name = this.#kit.names[type];
+    return isOnly ? name : `${name} ${before + 1}`;
   }
 
-  add(type: FlatType): void {
-    const seen = this.#context.stage.seenPlane();
+  add(type: ShapeType): void {
+    const { stage } = this.#context;
+    const seen = stage.isFlat ? stage.seenPlane() : stage.extent;
     const spread = 0.16 * (this.#shapes.length % 3) - 0.16;
-    const at = (axis: 0 | 1): number => {
-      const [low = 0, high = 0] = [seen.min[axis], seen.max[axis]];
-      return low + (high - low) * (0.5 + spread * (axis === 0 ? 1 : -0.5));
-    };
+    const share = [0.5 + spread, 0.5 - 0.5 * spread, 0.75];
+    const at = seen.min.map((low, axis) => low + ((seen.max[axis] ?? 0) - low) * (share[axis] ?? 0.5));
     const size = ((seen.max[1] ?? 0) - (seen.min[1] ?? 0)) / 9;
-    const shape = newShape(type, [at(0), at(1)], size);
+    const shape = this.#kit.make(type, at, size);
     this.#ids.push(this.scene.add(shape));
     this.#shapes.push(shape);
     this.select(this.#shapes.length - 1);
@@ -98,7 +115,7 @@ export class Editor {
     this.select(undefined);
   }
 
-  replace(place: number, shape: FlatShape): void {
+  replace(place: number, shape: Shape): void {
     const id = this.#ids[place];
     if (id === undefined) return;
     this.scene.move(id, shape);
@@ -108,39 +125,61 @@ export class Editor {
 
   select(place: number | undefined): void {
     this.#selected = place;
+    this.#grasp = new Grasp();
     this.#options.onChange();
   }
 
-  /** Draws the shapes in these paints, and the handles of the selected one. */
-  draw(paints: readonly Paint[], marks: readonly Mark[]): void {
-    const { stage, overlay, graze } = this.#context;
-    const options = { within: beyond(stage.seenPlane()), corners: cornersFor(this.#shapes.length, 2) };
+  /** Draws the shapes in these paints, what is marked about them, and the handles of the selected one. */
+  draw(paints: readonly Paint[], marks: () => readonly Mark[]): void {
+    [this.#paints, this.#marks] = [paints, marks];
+    const { stage, graze } = this.#context;
+    const within = stage.isFlat ? beyond(stage.seenPlane()) : { min: [...stage.extent.min], max: [...stage.extent.max] };
+    const options = { within, corners: cornersFor(this.#shapes.length, this.#kit.dimension) };
     const painted = this.#shapes.map((shape, place) => paintOf(shape.type, paints[place] ?? Paint.free));
-    this.#drawing.set(this.#shapes.map((shape) => drawingsOf(graze, shape, options)), Uint8Array.from(painted));
-    const selected = this.#selected === undefined ? undefined : this.#shapes[this.#selected];
-    this.#selection.set(selected === undefined ? [] : [drawingsOf(graze, selected, options)], new Uint8Array([paints[this.#selected ?? 0] ?? 0]));
-    overlay.draw([...this.#pointMarks(paints), ...marks]);
-    overlay.setHandles([...this.#handles(), ...(this.#options.ownHandles?.() ?? [])]);
+    const drawings = this.#shapes.map((shape) => drawingsOf(graze, shape, options));
+    this.#drawing.set(drawings, Uint8Array.from(painted));
+    const selected = this.#selected === undefined ? undefined : drawings[this.#selected];
+    this.#selection.set(selected === undefined ? [] : [selected], new Uint8Array([paints[this.#selected ?? 0] ?? 0]));
+    this.#drawOver();
     stage.invalidate();
+  }
+
+  #drawOver(): void {
+    const { overlay } = this.#context;
+    overlay.draw([...this.#pointMarks(this.#paints), ...this.#marks()]);
+    overlay.setHandles([...this.#handles(), ...this.#options.ownHandles()]);
   }
 
   /** Keys of the selected shape; true if it was one. */
   onKey(event: KeyboardEvent): boolean {
     const place = this.#selected;
-    const shape = place === undefined ? undefined : this.#shapes[place];
-    if (place === undefined || shape === undefined) return false;
+    if (place === undefined) return false;
     const change: Record<string, () => void> = {
-      "[": () => this.replace(place, turned(shape, 5)),
-      "]": () => this.replace(place, turned(shape, -5)),
-      "<": () => this.replace(place, resized(shape, 1 / 1.08)),
-      ">": () => this.replace(place, resized(shape, 1.08)),
       Delete: () => this.remove(place),
       Backspace: () => this.remove(place),
       Escape: () => this.select(undefined),
     };
     const action = change[event.key];
     action?.();
-    return action !== undefined;
+    return action !== undefined || this.#editByKey(place, event.key);
+  }
+
+  #editByKey(place: number, key: string): boolean {
+    const shape = this.#shapes[place];
+    if (shape === undefined) return false;
+    const middle = this.#kit.middleOf(shape);
+    if (this.#kit.dimension === 3) {
+      return editByKey(this.#context.stage, { name: "", shape, middle, edit: (edited) => this.replace(place, edited) }, key);
+    }
+    const change: Record<string, () => Shape> = {
+      "[": () => this.#kit.turned(shape, degreesOfKey, middle),
+      "]": () => this.#kit.turned(shape, -degreesOfKey, middle),
+      "<": () => this.#kit.resized(shape, 1 / factorOfKey),
+      ">": () => this.#kit.resized(shape, factorOfKey),
+    };
+    const edited = change[key]?.();
+    if (edited !== undefined) this.replace(place, edited);
+    return edited !== undefined;
   }
 
   close(): void {
@@ -151,37 +190,46 @@ export class Editor {
   /** Points have no outline that could be seen. */
   #pointMarks(paints: readonly Paint[]): Mark[] {
     return this.#shapes.flatMap((shape, place) => {
-      if (shape.type === "ray") return [{ kind: "dot", at: shape.origin, tone: toneOf(paints[place]) } as const];
-      return shape.type === "point" ? [{ kind: "dot", at: shape.position, tone: toneOf(paints[place]) } as const] : [];
+      if (shape.type === "ray") return [{ kind: "dot", at: [...shape.origin], tone: toneOf(paints[place]) } as const];
+      return shape.type === "point" ? [{ kind: "dot", at: [...shape.position], tone: toneOf(paints[place]) } as const] : [];
     });
   }
 
-  #handles(): Handle[] {
-    const grips = this.#shapes.map((shape, place): Handle => {
-      const at = middleOf(shape);
+  #handles(): AnyHandle[] {
+    const grips = this.#shapes.map((shape, place): AnyHandle => {
+      const at = this.#kit.middleOf(shape);
       return {
         key: `shape-${this.#slotOf(place)}`,
         label: this.nameOf(place),
         at,
         kind: "grip",
-        onMove: (to) => this.replace(place, moved(shape, minus(to, at))),
+        onMoveInSpace: (to) => this.replace(place, this.#kit.moved(shape, minus(to, at))),
         onFocus: () => this.#selected !== place && this.select(place),
       };
     });
     const place = this.#selected;
     const shape = place === undefined ? undefined : this.#shapes[place];
-    if (place === undefined || shape === undefined) return grips;
-    const own = gripsOf(shape, handleReach / this.#context.stage.pixelsPerUnit).map((grip): Handle => {
-      return {
-        key: `grip-${this.#slotOf(place)}-${grip.name}`,
-        label: `${this.nameOf(place)}: ${grip.name}`,
-        at: grip.at,
-        onMove: (to) => this.replace(place, grip.move(to)),
-      };
-    });
-    return [...grips, ...own];
+    return place === undefined || shape === undefined ? grips : [...grips, ...this.#handlesOf(place, shape)];
   }
 
+  /** Its corners, ends and sides; in space also one for its size and those for turning it. */
+  #handlesOf(place: number, shape: Shape): AnyHandle[] {
+    const { stage } = this.#context;
+    const name = this.nameOf(place);
+    const replace = (edited: Shape): void => this.replace(place, edited);
+    const keyOf = (handle: string): string => `grip-${this.#slotOf(place)}-${handle}`;
+    if (this.#kit.dimension === 2) {
+      return gripsOf(asFlat(shape), handleReach / stage.pixelsPerUnit).map((grip) => ({
+        key: keyOf(grip.name), label: `${name}: ${grip.name}`, at: grip.at, onMove: (to) => replace(grip.move(to)),
+      }));
+    }
+    const grips = solidGripsOf(shape).map((grip): AnyHandle => ({
+      key: keyOf(grip.name), label: `${name}: ${grip.name}`, at: grip.at, onMoveInSpace: (to) => replace(grip.move(to)),
+    }));
+    // The shape itself can be dragged, and its grip moved by the keyboard.
+    const handles = handlesOf(stage, { name, shape, middle: this.#kit.middleOf(shape), edit: replace }, this.#grasp);
+    return [...grips, ...handles.filter((handle) => handle.key !== "move").map((handle) => ({ ...handle, key: keyOf(handle.key) }))];
+  }
 
   /** A small number that stays the shape's as long as it is there. */
   #slotOf(place: number): number {
@@ -190,17 +238,21 @@ export class Editor {
 
   #listen(): void {
     const { canvas } = this.#context.stage;
+    const { stage } = this.#context;
     const { signal } = this.#listening;
-    let dragged: { place: number; last: Point2 } | undefined;
+    let dragged: { place: number; last: readonly number[] } | undefined;
+    let pressed: { x: number; y: number } | undefined;
     canvas.addEventListener(
       "pointerdown",
       (event) => {
-        const at = this.#context.stage.planePoint(event);
-        const place = this.#under(at);
+        const found = under(stage, this.scene, event);
+        pressed = found === undefined ? { x: event.clientX, y: event.clientY } : undefined;
+        if (found === undefined) return;
+        const place = this.placeOf(found.id);
         if (place !== this.#selected) this.select(place);
-        if (place === undefined || event.button !== 0) return;
-        dragged = { place, last: at };
-        this.#context.stage.movesView = false;
+        if (event.button !== 0) return;
+        dragged = { place, last: found.at };
+        stage.movesView = false;
         canvas.setPointerCapture(event.pointerId);
       },
       { signal, capture: true },
@@ -208,35 +260,24 @@ export class Editor {
     canvas.addEventListener(
       "pointermove",
       (event) => {
-        const at = this.#context.stage.planePoint(event);
         if (dragged === undefined) {
-          if (event.buttons === 0) canvas.style.cursor = this.#under(at) === undefined ? "" : "grab";
+          if (event.buttons === 0) canvas.style.cursor = under(stage, this.scene, event) === undefined ? "" : "grab";
           return;
         }
+        const at = stage.pointAt(event, dragged.last, event.shiftKey);
         const shape = this.#shapes[dragged.place];
-        if (shape !== undefined) this.replace(dragged.place, moved(shape, minus(at, dragged.last)));
+        if (shape !== undefined) this.replace(dragged.place, this.#kit.moved(shape, minus(at, dragged.last)));
         dragged.last = at;
       },
       { signal },
     );
-    for (const end of ["pointerup", "pointercancel"] as const) {
-      canvas.addEventListener(
-        end,
-        () => {
-          dragged = undefined;
-          this.#context.stage.movesView = true;
-        },
-        { signal },
-      );
-    }
-  }
-
-  /** The topmost shape within reach of the pointer; half-spaces only where nothing else is. */
-  #under(at: Point2): number | undefined {
-    const radius = pointerReach / this.#context.stage.pixelsPerUnit;
-    const places = Array.from(this.scene.overlapping({ type: "sphere", center: at, radius }), (id) => this.placeOf(id));
-    const inFront = places.filter((place) => this.#shapes[place]?.type !== "half_space");
-    return (inFront.length > 0 ? inFront : places).sort((a, b) => b - a)[0];
+    const release = (event: PointerEvent): void => {
+      const isClick = pressed !== undefined && Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) <= clickReach;
+      if (isClick && event.type === "pointerup" && this.#selected !== undefined) this.select(undefined);
+      [dragged, pressed] = [undefined, undefined];
+      stage.movesView = true;
+    };
+    for (const end of ["pointerup", "pointercancel"] as const) canvas.addEventListener(end, release, { signal });
   }
 }
 

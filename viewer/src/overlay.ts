@@ -36,7 +36,7 @@ export interface SpaceHandle extends HandleBase {
   readonly onMoveInSpace: (to: readonly number[]) => void;
 }
 
-type AnyHandle = Handle | SpaceHandle;
+export type AnyHandle = Handle | SpaceHandle;
 
 const svg = "http://www.w3.org/2000/svg";
 
@@ -99,6 +99,7 @@ export class Overlay {
   #elementsOf(mark: Mark): SVGElement[] {
     const colour = `var(--${mark.tone})`;
     if (mark.kind === "line") return this.#lineOf(mark, colour);
+    if (!this.#stage.isBeforeEye(mark.at)) return [];
     if (mark.kind === "dot") {
       const [cx, cy] = this.#stage.toPixels(mark.at);
       if (mark.hollow === true) return [shape("circle", { cx, cy, r: 4.5, class: "hollow", stroke: colour })];
@@ -112,18 +113,30 @@ export class Overlay {
   }
 
   #lineOf(mark: Extract<Mark, { kind: "line" }>, colour: string): SVGElement[] {
-    const places = mark.points.map((point) => this.#stage.toPixels(point));
     const style = `line${mark.dashed === true ? " dashed" : ""}${mark.thin === true ? " thin" : ""}`;
-    const drawn: SVGElement[] = [shape("polyline", { class: style, stroke: colour, points: places.map((at) => at.join(",")).join(" ") })];
-    const [before, end] = places.slice(-2);
-    if (mark.arrow === true && before !== undefined && end !== undefined) drawn.push(arrowHead(before, end, colour));
+    const runs = this.#runsOf(mark.points).map((run) => run.map((point) => this.#stage.toPixels(point)));
+    const drawn: SVGElement[] = runs.map((run) => shape("polyline", { class: style, stroke: colour, points: run.map((at) => at.join(",")).join(" ") }));
+    const [before, end] = runs.at(-1)?.slice(-2) ?? [];
+    const tip = mark.points.at(-1);
+    const hasTip = mark.arrow === true && tip !== undefined && this.#stage.isBeforeEye(tip);
+    if (hasTip && before !== undefined && end !== undefined) drawn.push(arrowHead(before, end, colour));
     return drawn;
+  }
+
+  /** The parts of a line that lie before the eye. */
+  #runsOf(points: readonly (readonly number[])[]): (readonly (readonly number[])[])[] {
+    if (points.every((point) => this.#stage.isBeforeEye(point))) return [points];
+    return points.slice(1).flatMap((point, index) => {
+      const part = this.#stage.partBeforeEye(points[index] ?? point, point);
+      return part === undefined ? [] : [part];
+    });
   }
 
   #placeHandle(handle: AnyHandle, circle: SVGCircleElement): void {
     const [x, y] = this.#stage.toPixels(handle.at);
     circle.setAttribute("cx", String(x));
     circle.setAttribute("cy", String(y));
+    circle.style.display = this.#stage.isBeforeEye(handle.at) ? "" : "none";
   }
 
   #makeHandle(handle: AnyHandle): SVGCircleElement {
@@ -159,6 +172,16 @@ export class Overlay {
     if ("onMoveInSpace" in handle) handle.onMoveInSpace(this.#stage.pointAt(to, handle.at, handle.isLevel));
     else handle.onMove(this.#stage.planePoint(to));
   }
+}
+
+/** How high a point of space is above a level: a line straight down. Nothing for a point of the plane. */
+export function plumb([x = 0, y = 0, z]: readonly number[], level: number): Mark[] {
+  if (z === undefined) return [];
+  const foot = [x, y, level];
+  return [
+    { kind: "line", points: [[x, y, z], foot], tone: "faint", dashed: true, thin: true },
+    { kind: "dot", at: foot, tone: "faint", hollow: true },
+  ];
 }
 
 const arrowWays: Readonly<Record<string, Point2>> = {

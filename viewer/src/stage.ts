@@ -66,6 +66,13 @@ export class Stage {
     return this.#extent;
   }
 
+  /** What is unbounded is drawn there only. */
+  isInExtent(point: readonly number[]): boolean {
+    const { min, max } = this.#extent;
+    const slack = 1e-6 * Math.max(...max.map((high, axis) => high - (min[axis] ?? 0)));
+    return point.every((value, axis) => value >= (min[axis] ?? value) - slack && value <= (max[axis] ?? value) + slack);
+  }
+
   /** Takes away all that the last chapter drew and heard. */
   clear(): void {
     this.clearDrawing();
@@ -158,6 +165,33 @@ export class Stage {
     return [((seen.x + 1) / 2) * this.#width, ((1 - seen.y) / 2) * this.#height];
   }
 
+  /** Where the eye looks to, of length 1. */
+  get sight(): number[] {
+    return this.#camera.getWorldDirection(new THREE.Vector3()).toArray();
+  }
+
+  /** How long a pixel is at a point, in units of the world. */
+  lengthOfPixel(at: readonly number[]): number {
+    if (this.#isFlat) return 1 / this.pixelsPerUnit;
+    const height = 2 * Math.tan(THREE.MathUtils.degToRad(this.#deep.fov / 2)) * (this.#depthOf(at) + this.#deep.near);
+    return Math.max(height, 0) / this.#height;
+  }
+
+  isBeforeEye(point: readonly number[]): boolean {
+    return this.#isFlat || this.#depthOf(point) > 0;
+  }
+
+  /** The part of a line that lies before the eye; nothing if none does. */
+  partBeforeEye(a: readonly number[], b: readonly number[]): [readonly number[], readonly number[]] | undefined {
+    if (this.#isFlat) return [a, b];
+    const [depthA, depthB] = [this.#depthOf(a), this.#depthOf(b)];
+    if (depthA <= 0 && depthB <= 0) return undefined;
+    if (depthA > 0 && depthB > 0) return [a, b];
+    const share = depthA / (depthA - depthB);
+    const cut = a.map((value, axis) => value + ((b[axis] ?? 0) - value) * share);
+    return depthA > 0 ? [a, cut] : [cut, b];
+  }
+
   /** The part of the plane that is seen. */
   seenPlane(): Extent {
     const a = new THREE.Vector3(-1, -1, 0).unproject(this.#flat);
@@ -231,6 +265,12 @@ export class Stage {
 
   get #camera(): THREE.OrthographicCamera | THREE.PerspectiveCamera {
     return this.#isFlat ? this.#flat : this.#deep;
+  }
+
+  /** How far beyond the nearest that is drawn a point of space lies. */
+  #depthOf([x = 0, y = 0, z = 0]: readonly number[]): number {
+    const sight = this.#deep.getWorldDirection(new THREE.Vector3());
+    return new THREE.Vector3(x, y, z).sub(this.#deep.position).dot(sight) - this.#deep.near;
   }
 
   get #width(): number {

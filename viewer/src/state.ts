@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The address bar holds what is seen: #chapter?name=value&... . Opening such a link shows the same again.
+import { rounded } from "./numbers";
 
 export interface Place {
   readonly chapter: string;
@@ -56,6 +57,17 @@ export function numberOf(parameters: URLSearchParams, name: string, limits: Numb
   const value = text === null || text.trim() === "" ? Number.NaN : Number(text);
   if (!Number.isFinite(value)) return limits.usual;
   return Math.min(limits.most, Math.max(limits.least, value));
+}
+
+const axes = ["x", "y", "z"] as const;
+
+/** A point of as many numbers as the usual one: x, y and z, each after a prefix, from a link. */
+export function pointOf(parameters: URLSearchParams, prefix: string, usual: readonly number[]): readonly number[] {
+  return usual.map((value, axis) => numberOf(parameters, `${prefix}${axes[axis] ?? ""}`, { least: -1e6, most: 1e6, usual: value }));
+}
+
+export function writePoint(parameters: URLSearchParams, prefix: string, point: readonly number[]): void {
+  point.forEach((value, axis) => parameters.set(`${prefix}${axes[axis] ?? ""}`, String(rounded(value))));
 }
 
 export interface NumberLimits {

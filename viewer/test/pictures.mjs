@@ -7,8 +7,11 @@ const small = { viewport: { width: 940, height: 600 } };
 
 const views = [
   ["intersections", "#intersections?selected=3", {}],
+  ["intersections_space", "#intersections?dimension=3&selected=2", {}],
   ["closest_points", "#closest-points", {}],
   ["rays", "#rays?mode=fan", {}],
+  ["rays_space", "#rays?mode=fan&dimension=3&rays=1440", {}],
+  ["casts_space", "#rays?mode=cast&dimension=3&moving=obb&size=0.5&turn=90&x=-2.6&y=-0.7&z=1.4&to-x=2.4&to-y=0.9&to-z=1.2", {}],
   ["casts", "#rays?mode=cast&moving=obb&size=0.5&turn=90&x=-4.4&y=0.3&to-x=3.4&to-y=0.5", {}],
   ["bounding_volumes", "#bounding-volumes", {}],
   ["quad_tree", "#trees?play=no", {}],

@@ -25,6 +25,14 @@ async function on(hash, body, options) {
   }
 }
 
+/** Follows another link on the same page. */
+function follow(page, hash) {
+  return page.evaluate((next) => new Promise((resolve) => {
+    window.addEventListener("hashchange", () => setTimeout(resolve), { once: true });
+    location.hash = next;
+  }), hash);
+}
+
 const chapters = ["intersections", "closest-points", "rays", "bounding-volumes", "trees", "broad-phase", "scene"];
 const twoCircles = "#intersections?shapes=sphere:-2,0,1;sphere:2,0,1";
 const isOrange = ([red, green, blue]) => red > 200 && red - blue > 60 && green > blue;
@@ -37,6 +45,12 @@ test("every tab opens without complaints, fills the panel and asks nobody but it
       await page.waitForSelector(`html[data-chapter="${chapter}"]`);
       assert.ok((await page.locator("#panel .figures dd").count()) >= 3, chapter);
       await page.waitForTimeout(150);
+      const space = page.getByRole("button", { name: "Space", exact: true });
+      assert.equal(await space.count(), chapter === "scene" ? 0 : 1, chapter);
+      if (chapter === "scene") continue;
+      if ((await page.locator("#play").count()) > 0) await page.click("#play");
+      await space.click();
+      await page.waitForFunction(() => location.hash.includes("dimension=3"));
     }
     assert.ok(heard.requests.length > 2);
     for (const request of heard.requests) assert.match(request, new RegExp(`^(${server.address}|data:)`));
@@ -144,6 +158,109 @@ test("a moving ball stops where it first touches a wall, by itself and by turnin
   });
 });
 
+test("in space a drag makes a pair touch and light up, and the numbers are those of the textbook", async () => {
+  const isWarm = ([red, green, blue]) => red - blue > 40 && green > blue;
+  await on("#intersections?dimension=3&shapes=sphere:-1.5,0,1,1;sphere:1.5,0,1,1&selected=0", async (page) => {
+    assert.equal(await figure(page, "pairs"), "0");
+    assert.equal(await page.locator("#overlay text").textContent(), "1.000");
+    const [left, right] = [await placeOf(page, "shape-0"), await placeOf(page, "shape-1")];
+    const edge = { x: right.x + 38, y: right.y + 16 };
+    assert.ok(!isWarm(await colourAt(page, edge)), String(await colourAt(page, edge)));
+    await drag(page, left, right);
+    assert.equal(await figure(page, "pairs"), "1");
+    assert.ok(isWarm(await colourAt(page, edge)), String(await colourAt(page, edge)));
+    const moved = await placeOf(page, "shape-0");
+    assert.ok(Math.hypot(moved.x - right.x, moved.y - right.y) < 15, `${moved.x},${moved.y} is not ${right.x},${right.y}`);
+    await page.mouse.click(20, 100);
+    assert.equal(await page.locator("#overlay circle.handle").count(), 0);
+    await follow(page, "#intersections?dimension=3&shapes=sphere:0,0,1,1;obb:1.5,0,1,1,1,1,0,0,0");
+    assert.equal(await page.locator("#overlay text").textContent(), "0.5000");
+    assert.equal(await figure(page, "candidates"), "1");
+    assert.match(await page.locator("#pairs").textContent(), /ball · oriented boxoverlapping/);
+    await page.getByRole("button", { name: "Manifold" }).click();
+    assert.equal(await page.locator("#overlay text").count(), 0);
+    assert.ok((await page.locator("#overlay circle.dot").count()) >= 1);
+  });
+});
+
+test("in space a shape is moved, turned, tilted and resized by keys, and the link restores it", async () => {
+  await on("#intersections?dimension=3&shapes=obb:0,0,1,1,0.6,0.4,0,0,0;half_space:0,0,1,0", async (page) => {
+    const axes = () => Promise.all([1, 2, 3].map((axis) => figure(page, `axes-${axis}`)));
+    const grip = page.locator('#overlay circle[data-key="shape-0"]');
+    await grip.focus();
+    assert.deepEqual(await axes(), ["(1.000, 0, 0)", "(0, 1.000, 0)", "(0, 0, 1.000)"]);
+    await page.keyboard.press("[");
+    assert.deepEqual(await axes(), ["(0.9962, 0.0872, 0)", "(\u22120.0872, 0.9962, 0)", "(0, 0, 1.000)"]);
+    for (let i = 0; i < 4; ++i) await page.keyboard.press("{");
+    assert.notEqual((await axes())[2], "(0, 0, 1.000)");
+    await page.keyboard.press(">");
+    assert.equal(await figure(page, "half_extents"), "(1.080, 0.6480, 0.4320)");
+    const before = await placeOf(page, "shape-0");
+    await page.keyboard.press("Shift+ArrowDown");
+    await page.keyboard.press("Shift+ArrowDown");
+    const after = await placeOf(page, "shape-0");
+    assert.ok(Math.abs(after.y - before.y - 80) < 3, `${after.y - before.y}`);
+    assert.equal(await figure(page, "pairs"), "1");
+    const turned = await axes();
+    await page.waitForTimeout(400);
+    const link = page.url();
+    assert.match(link, /selected=0/);
+    await page.goto("about:blank");
+    await page.goto(link);
+    await page.waitForSelector("html[data-chapter]");
+    assert.deepEqual(await axes(), turned);
+    assert.equal(await figure(page, "pairs"), "1");
+    const turn = await placeOf(page, "grip-0-tilt");
+    const middle = await placeOf(page, "shape-0");
+    await drag(page, turn, { x: middle.x + 60, y: middle.y });
+    assert.notDeepEqual(await axes(), turned);
+    await page.locator('#overlay circle[data-key="grip-0-side 1"]').focus();
+    await page.keyboard.press("Shift+ArrowRight");
+    assert.match(await figure(page, "half_extents"), /, 0\.6480, 0\.4320\)$/);
+    assert.doesNotMatch(await figure(page, "half_extents"), /^\(1\.080,/);
+    await page.locator('#overlay circle[data-key="shape-0"]').focus();
+    await page.keyboard.press("Delete");
+    assert.equal(await figure(page, "objects"), "1");
+  });
+});
+
+test("in space rays stop, a lamp lights what it reaches, and what moves stops where it touches", async () => {
+  const walls = "shapes=aabb:1,-1,-1,2,1,1;sphere:4,0,0,1;sphere:0,5,0,1";
+  await on(`#rays?dimension=3&mode=first&x=0&y=0&z=0&to-x=1&to-y=0&to-z=0&${walls}`, async (page) => {
+    assert.equal(await figure(page, "t"), "1.000");
+    await page.getByRole("button", { name: "All hits" }).click();
+    assert.deepEqual(await page.locator(".list .tag").allTextContents(), ["1.000", "3.000"]);
+    await page.getByRole("button", { name: "Lamp" }).click();
+    assert.equal(await figure(page, "hits"), "2");
+    assert.equal(await page.locator("#caption").textContent(), "720 rays see 2 shapes");
+    await follow(page, "#rays?dimension=3&mode=cast&moving=sphere&size=1&shapes=aabb:2,-3,-3,3,3,3&x=-2&y=0&z=1&to-x=4&to-y=0&to-z=1");
+    assert.equal(await figure(page, "t"), "0.5333");
+    await page.getByRole("slider", { name: "Turn on the way" }).fill("180");
+    assert.equal(await figure(page, "t"), "0.5333");
+    await page.getByRole("button", { name: "oriented box" }).first().click();
+    assert.match(await page.locator("#caption").textContent(), /^The oriented box touches box at t = 0\.\d+$/);
+    await page.getByRole("button", { name: "Plane", exact: true }).click();
+    assert.match(await page.locator("#caption").textContent(), /^The oriented box touches /);
+    await page.getByRole("button", { name: "Space", exact: true }).click();
+    assert.equal(await figure(page, "rays"), "1");
+  });
+});
+
+test("in space the distance of a point is signed, and points of bounding volumes can be moved", async () => {
+  await on("#closest-points?dimension=3&shapes=sphere:0,0,0,2;segment:5,0,0,5,0,4&x=0.5&y=0&z=0", async (page) => {
+    assert.equal(await figure(page, "contains"), "1");
+    assert.equal(await figure(page, "distance"), "\u22121.500");
+    assert.deepEqual(await page.locator(".list .tag").allTextContents(), ["\u22121.500", "4.500"]);
+    await follow(page, "#bounding-volumes?dimension=3&points=0,0,0;1,0,0;0,1,0;0,0,1");
+    const size = async (id) => Number((await figure(page, id)).split(" ")[0]);
+    assert.equal(await size("box"), 1);
+    assert.ok(Math.abs((await size("hull")) - 1 / 6) < 1e-4);
+    await page.locator('#overlay circle[data-key="point-3"]').focus();
+    await page.keyboard.press("Shift+ArrowUp");
+    assert.ok((await size("hull")) > 0.17);
+  });
+});
+
 test("bounding volumes of three points have the sizes of the textbook", async () => {
   await on("#bounding-volumes?points=0,0;2,0;0,2", async (page) => {
     const area = async (id) => Number((await figure(page, id)).split(" ")[0]);
@@ -197,7 +314,7 @@ test("play goes on by itself and pauses", async () => {
 test("a phone's width holds everything, in the dark too", async () => {
   const phone = { viewport: { width: 360, height: 740 }, colorScheme: "dark" };
   for (const chapter of chapters) {
-    await on(`#${chapter}?play=no`, async (page) => {
+    await on(`#${chapter}?play=no&dimension=3`, async (page) => {
       assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360, chapter);
       assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
       assert.ok((await page.locator("#stage").boundingBox()).height > 200);

@@ -186,7 +186,7 @@ test("an object in space is moved, resized and turned by handles and by keys, an
     assert.equal(await numberIn(page, "pairs"), 0);
 
     await page.getByRole("button", { name: /^plank/ }).first().click();
-    const axis = () => page.locator('#inspector dd[id="figure-axes 1"]').textContent();
+    const axis = () => page.locator("#inspector #figure-axes-1").textContent();
     const [plank, turn, before] = [await placeOf(page, "move"), await placeOf(page, "turn"), await axis()];
     await drag(page, turn, { x: plank.x + 46, y: plank.y });
     assert.notEqual(await axis(), before);

@@ -12,7 +12,6 @@ import { button, choice, Figures, row, section, slider, toggle } from "../panel"
 import { randomNumbers } from "../random";
 import { numberOf, wordOf } from "../state";
 import { timeOf } from "../timing";
-import type { Point2 } from "../stage";
 
 const countLimits = { least: 1, most: 60, usual: 14 } as const;
 
@@ -114,20 +113,17 @@ class Bounding implements OpenChapter {
       this.#figures.set(id, label, `${measure(size)} · ${duration(spent)}`);
       if (this.#shown.has(id)) marks.push(...linesOf(graze, shape, this.#dimension, { tone, dashed: id === "fast" }));
     }
-    if (this.#dimension === 3) marks.push(...this.#points.map((at): Mark => ({ kind: "dot", at, tone: "ink" })));
     overlay.draw(marks);
     overlay.setHandles(
-      this.#dimension === 3
-        ? []
-        : this.#points.map((point, index) => ({
-            key: `point-${index}`,
-            label: `Point ${index + 1}`,
-            at: [point[0] ?? 0, point[1] ?? 0] as Point2,
-            onMove: (to) => {
-              this.#points[index] = [...to];
-              this.#draw();
-            },
-          })),
+      this.#points.map((at, index) => ({
+        key: `point-${index}`,
+        label: `Point ${index + 1}`,
+        at,
+        onMoveInSpace: (to) => {
+          this.#points[index] = [...to];
+          this.#draw();
+        },
+      })),
     );
     this.#context.say(`${this.#points.length} points`);
     this.#context.changed();

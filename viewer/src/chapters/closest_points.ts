@@ -1,23 +1,31 @@
 // SPDX-License-Identifier: MIT
 // Shapes and closest points: where a shape is nearest to a point, how far that is, and, from inside, the way out.
+import type { Shape } from "graze";
+
+import { Board } from "../board";
 import type { Chapter, ChapterContext, OpenChapter } from "../chapter";
 import { element } from "../dom";
-import { Grid } from "../drawing/grid";
 import { Paint } from "../drawing/paint";
-import { Editor } from "../editor";
-import { measure, rounded } from "../numbers";
-import type { Handle, Mark } from "../overlay";
+import { measure } from "../numbers";
+import { plumb, type Mark, type SpaceHandle } from "../overlay";
 import { button, choice, Figures, row, section } from "../panel";
-import { shapeNames, type FlatShape, type FlatType } from "../shapes/flat_shape";
-import { shapesOfText, textOfShapes } from "../shapes/text";
-import { numberOf, wordOf } from "../state";
-import type { Point2 } from "../stage";
+import type { ShapeType } from "../shapes/flat_shape";
+import { pointOf, wordOf, writePoint } from "../state";
 
-const usualShapes =
-  "sphere:-3.3,1.2,1;obb:0.2,2.1,1.3,0.6,-12;triangle:2.6,0.6,4.6,1.1,3.5,2.7;capsule:-4.2,-2.1,-2.2,-1.5,0.45;" +
-  "polytope:2.2,-2.6,3.6,-2.9,4.5,-1.8,3.8,-0.7,2.5,-1;segment:-0.9,-2.9,1,-2.2;aabb:-1.2,-0.9,-0.1,0.3;ray:-5,-3.35,1,0";
+const usual = {
+  2: "sphere:-3.3,1.2,1;obb:0.2,2.1,1.3,0.6,-12;triangle:2.6,0.6,4.6,1.1,3.5,2.7;capsule:-4.2,-2.1,-2.2,-1.5,0.45;" +
+  "polytope:2.2,-2.6,3.6,-2.9,4.5,-1.8,3.8,-0.7,2.5,-1;segment:-0.9,-2.9,1,-2.2;aabb:-1.2,-0.9,-0.1,0.3;ray:-5,-3.35,1,0",
+  3: "sphere:-1.9,1.3,0.7,0.7;obb:1.5,1.5,0.5,0.8,0.5,0.5,0,0,-20;triangle:2.1,-0.9,0.1,2.7,0.3,0.2,2.3,-0.2,1.7;" +
+    "capsule:-2.4,-1.5,0.35,-1.1,-2.1,0.5,0.35;polytope:0.4,-2.4,0,1.9,-2.5,0,1.9,-1.3,0,0.7,-1.2,0,1.2,-1.9,1.2;" +
+    "segment:-0.9,2.4,1.1,0.6,2.5,2;aabb:-2.7,-0.6,0,-1.9,0.2,1.1",
+} as const;
+const extent = {
+  2: { min: [-5.4, -3.7], max: [5.4, 3.7] },
+  3: { min: [-3, -3, 0], max: [3, 3, 2.4] },
+} as const;
+const usualProbe = { 2: [1.15, -0.15], 3: [0.1, -0.2, 0.9] } as const;
 
-const addable: readonly FlatType[] = [
+const addable: readonly ShapeType[] = [
   "sphere", "aabb", "obb", "triangle", "capsule", "polytope", "segment", "ray", "plane", "half_space", "compound",
 ];
 
@@ -25,47 +33,50 @@ type Shown = "all" | "nearest";
 
 class ClosestPoints implements OpenChapter {
   readonly #context: ChapterContext;
-  readonly #editor: Editor;
+  readonly #board: Board;
   readonly #figures = new Figures();
   readonly #distances = element("ul", { class: "list", "aria-label": "Distances of the shapes" });
-  #probe: Point2;
+  /** The point of the plane, and that of space. */
+  readonly #probes: Record<2 | 3, readonly number[]>;
   #shown: Shown;
 
   constructor(context: ChapterContext) {
     this.#context = context;
-    const { stage, parameters } = context;
-    stage.showFlat({ min: [-5.4, -3.7], max: [5.4, 3.7] });
-    new Grid(stage);
-    const coordinate = (name: string, usual: number): number => numberOf(parameters, name, { least: -1e6, most: 1e6, usual });
-    this.#probe = [coordinate("x", 1.15), coordinate("y", -0.15)];
+    const { parameters } = context;
+    this.#probes = { 2: pointOf(parameters, "", usualProbe[2]), 3: pointOf(parameters, "", usualProbe[3]) };
     this.#shown = wordOf(parameters, "show", ["all", "nearest"]);
-    const shapes = shapesOfText(parameters.get("shapes") ?? "") ?? shapesOfText(usualShapes) ?? [];
-    this.#editor = new Editor(context, { shapes, onChange: () => this.#draw(), ownHandles: () => [this.#handle()] });
-    stage.onView(() => this.#draw());
+    this.#board = new Board(context, { usual, extent, addable, onChange: () => this.#draw(), ownHandles: () => [this.#handle()] });
     this.#fillPanel();
     this.#draw();
   }
 
   parameters(): URLSearchParams {
-    const [x, y] = this.#probe.map(rounded);
-    return new URLSearchParams({ x: String(x), y: String(y), show: this.#shown, shapes: textOfShapes(this.#editor.shapes) });
+    const parameters = new URLSearchParams();
+    writePoint(parameters, "", this.#probe);
+    parameters.set("show", this.#shown);
+    this.#board.describe(parameters);
+    return parameters;
+  }
+
+  get #probe(): readonly number[] {
+    return this.#probes[this.#board.dimension];
   }
 
   onKey(event: KeyboardEvent): boolean {
-    return this.#editor.onKey(event);
+    return this.#board.editor.onKey(event);
   }
 
   close(): void {
-    this.#editor.close();
+    this.#board.close();
   }
 
-  #handle(): Handle {
+  #handle(): SpaceHandle {
     return {
       key: "probe",
       label: "The point that is asked about",
       at: this.#probe,
-      onMove: (to) => {
-        this.#probe = to;
+      onMoveInSpace: (to) => {
+        this.#probes[this.#board.dimension] = to;
         this.#draw();
       },
     };
@@ -73,23 +84,24 @@ class ClosestPoints implements OpenChapter {
 
   #draw(): void {
     const { graze } = this.#context;
-    const { shapes } = this.#editor;
-    const distances = shapes.map((shape) => graze.signedDistance(shape, this.#probe));
+    const { editor, shapes } = this.#board;
+    const probe = this.#probe;
+    const distances = shapes.map((shape) => graze.signedDistance(shape, probe));
     const nearest = distances.reduce((best, distance, place) => (distance < (distances[best] ?? Infinity) ? place : best), 0);
-    const holders = shapes.map((shape) => graze.contains(shape, this.#probe));
+    const holders = shapes.map((shape) => graze.contains(shape, probe));
     const shown = shapes.map((_, place) => this.#shown === "all" || place === nearest);
     const marks = shapes.flatMap((shape, place) => (shown[place] === true ? this.#marksOf(shape, distances[place] ?? 0) : []));
-    this.#editor.draw(holders.map((holds) => (holds ? Paint.touching : Paint.free)), marks);
-    this.#figures.set("nearest", "Nearest shape", shapes.length > 0 ? this.#editor.nameOf(nearest) : "none");
+    editor.draw(holders.map((holds) => (holds ? Paint.touching : Paint.free)), () => [...plumb(probe, extent[3].min[2]), ...marks]);
+    this.#figures.set("nearest", "Nearest shape", shapes.length > 0 ? this.#board.editor.nameOf(nearest) : "none");
     this.#figures.set("distance", "Its signed distance", measure(distances[nearest] ?? 0));
     this.#figures.set("contains", "Shapes that contain the point", String(holders.filter(Boolean).length));
     this.#list(distances);
-    this.#context.say(`Nearest: ${this.#editor.nameOf(nearest)}, ${measure(distances[nearest] ?? 0)}`);
+    this.#context.say(`Nearest: ${this.#board.editor.nameOf(nearest)}, ${measure(distances[nearest] ?? 0)}`);
     this.#context.changed();
   }
 
   /** Outside, both closest points are the same; inside, the point itself and the nearest one of the boundary. */
-  #marksOf(shape: FlatShape, distance: number): Mark[] {
+  #marksOf(shape: Shape, distance: number): Mark[] {
     const { graze } = this.#context;
     const onBoundary = graze.closestBoundaryPoint(shape, this.#probe);
     const inSolid = graze.closestPoint(shape, this.#probe);
@@ -110,8 +122,8 @@ class ClosestPoints implements OpenChapter {
       ...order.map((place) => {
         const isInside = (distances[place] ?? 0) <= 0;
         const tag = element("span", { class: "tag" }, measure(distances[place] ?? 0));
-        const attributes = { type: "button", class: isInside ? "touching" : "", "aria-current": String(place === this.#editor.selected) };
-        return element("li", {}, element("button", { ...attributes, onclick: () => this.#editor.select(place) }, element("span", {}, this.#editor.nameOf(place)), tag));
+        const attributes = { type: "button", class: isInside ? "touching" : "", "aria-current": String(place === this.#board.editor.selected) };
+        return element("li", {}, element("button", { ...attributes, onclick: () => this.#board.editor.select(place) }, element("span", {}, this.#board.editor.nameOf(place)), tag));
       }),
     );
   }
@@ -122,15 +134,16 @@ class ClosestPoints implements OpenChapter {
       this.#draw();
     });
     const remove = button("Remove the selected", () => {
-      const { selected } = this.#editor;
-      if (selected !== undefined) this.#editor.remove(selected);
+      const { editor } = this.#board;
+      if (editor.selected !== undefined) editor.remove(editor.selected);
     });
     this.#context.panel.append(
       element("h2", {}, "Shapes and closest points"),
       element("p", { class: "lead" }, "Drag the round handle. From outside, the dashed line is the shortest way to each shape. Inside, the distance is negative, and the arrow is the shortest way out."),
+      this.#board.dimensionSwitch(),
       this.#figures.root,
       section("Answers", shown, this.#distances),
-      section("Shapes", row(...addable.map((type) => button(shapeNames[type], () => this.#editor.add(type)))), row(remove)),
+      section("Shapes", this.#board.addRow, row(remove)),
     );
   }
 }

@@ -1,25 +1,35 @@
 // SPDX-License-Identifier: MIT
 // Intersections: what touches what, how deep and which way out, and how far the rest is away.
+import type { Shape } from "graze";
+
+import { Board } from "../board";
 import type { Chapter, ChapterContext, OpenChapter } from "../chapter";
 import { element } from "../dom";
-import { Grid } from "../drawing/grid";
 import { Paint } from "../drawing/paint";
-import { Editor } from "../editor";
 import type { Mark } from "../overlay";
-import { counted, duration, measure, vector } from "../numbers";
+import { counted, duration, measure } from "../numbers";
 import { button, choice, Figures, row, section, toggle } from "../panel";
-import { plus, shapeNames, times, type FlatShape, type FlatType } from "../shapes/flat_shape";
-import { shapesOfText, textOfShapes } from "../shapes/text";
+import { numbersOf } from "../scene/inspector";
+import type { ShapeType } from "../shapes/flat_shape";
 import { wordOf } from "../state";
-import type { Point2 } from "../stage";
 import { timeOf } from "../timing";
+import { between, plus, times } from "../vectors";
 
-const usualShapes =
-  "half_space:0.04,1,-3.15;obb:-3.1,-1.9,1.5,0.8,14;sphere:-1.2,-0.7,0.9;triangle:0.4,-2.6,3.1,-2.2,1.5,0.1;" +
+const usual = {
+  2: "half_space:0.04,1,-3.15;obb:-3.1,-1.9,1.5,0.8,14;sphere:-1.2,-0.7,0.9;triangle:0.4,-2.6,3.1,-2.2,1.5,0.1;" +
   "capsule:-3.6,1.5,-1.7,2.3,0.5;polytope:2.6,0.5,4,0.2,4.7,1.4,3.7,2.5,2.5,1.8;" +
-  "compound:aabb:0.2,1,0.7,2.8|aabb:0.7,1,1.5,1.45|sphere:1.9,1.25,0.45;segment:-0.9,0.6,-0.5,2.9";
+  "compound:aabb:0.2,1,0.7,2.8|aabb:0.7,1,1.5,1.45|sphere:1.9,1.25,0.45;segment:-0.9,0.6,-0.5,2.9",
+  3: "half_space:0,0,1,0;obb:-1.5,-1.2,0.55,1.1,0.5,0.7,0,0,24;sphere:-0.5,-1.9,0.65,0.7;" +
+    "capsule:-2.1,1.1,0.4,-0.6,1.8,1.2,0.35;polytope:1.1,-1.5,0.1,2.4,-1.7,0.1,2.8,-0.5,0.1,1.5,-0.3,0.1,1.9,-1,1.6;" +
+    "compound:aabb:0.6,-2.4,0.1,1,-1.6,1.4|aabb:1,-2.4,0.1,1.9,-1.6,0.5|sphere:2.2,-2,0.5,0.45;" +
+    "triangle:0.2,1.5,0.2,2.2,1.9,0.6,0.9,2.2,2.3;segment:0.2,-0.3,0.3,1.4,0.6,2.2;aabb:-2.7,0.3,0.6,-1.8,1,1.4",
+} as const;
+const extent = {
+  2: { min: [-5.6, -4], max: [5.6, 3.6] },
+  3: { min: [-3, -3, -0.3], max: [3, 3, 2.6] },
+} as const;
 
-const addable: readonly FlatType[] = [
+const addable: readonly ShapeType[] = [
   "sphere", "aabb", "obb", "triangle", "capsule", "polytope", "segment", "point", "plane", "half_space", "compound",
 ];
 
@@ -27,7 +37,7 @@ type Shown = "contact" | "manifold" | "none";
 
 class Intersections implements OpenChapter {
   readonly #context: ChapterContext;
-  readonly #editor: Editor;
+  readonly #board: Board;
   readonly #figures = new Figures();
   readonly #pairList = element("ul", { class: "list", id: "pairs", "aria-label": "Pairs that touch" });
   readonly #inspector = element("div");
@@ -36,34 +46,28 @@ class Intersections implements OpenChapter {
 
   constructor(context: ChapterContext) {
     this.#context = context;
-    const { stage, parameters } = context;
-    stage.showFlat({ min: [-5.6, -4], max: [5.6, 3.6] });
-    new Grid(stage);
+    const { parameters } = context;
     this.#shown = wordOf(parameters, "show", ["contact", "manifold", "none"]);
     this.#showsDistances = parameters.get("distances") !== "no";
-    const shapes = shapesOfText(parameters.get("shapes") ?? "") ?? shapesOfText(usualShapes) ?? [];
-    this.#editor = new Editor(context, { shapes, onChange: () => this.#draw() });
-    const selected = Number(parameters.get("selected") ?? Number.NaN);
-    if (shapes[selected] !== undefined) this.#editor.select(selected);
-    stage.onView(() => this.#draw());
+    this.#board = new Board(context, { usual, extent, addable, onChange: () => this.#draw() });
     this.#fillPanel();
     this.#draw();
   }
 
   parameters(): URLSearchParams {
-    const parameters = new URLSearchParams({ shapes: textOfShapes(this.#editor.shapes) });
+    const parameters = new URLSearchParams();
     if (this.#shown !== "contact") parameters.set("show", this.#shown);
     if (!this.#showsDistances) parameters.set("distances", "no");
-    if (this.#editor.selected !== undefined) parameters.set("selected", String(this.#editor.selected));
+    this.#board.describe(parameters);
     return parameters;
   }
 
   onKey(event: KeyboardEvent): boolean {
-    return this.#editor.onKey(event);
+    return this.#board.editor.onKey(event);
   }
 
   close(): void {
-    this.#editor.close();
+    this.#board.close();
   }
 
   #fillPanel(): void {
@@ -79,28 +83,28 @@ class Intersections implements OpenChapter {
     this.#context.panel.append(
       element("h2", {}, "Intersections"),
       element("p", { class: "lead" }, "Drag shapes, or their handles to turn and resize them. What touches lights up; touching counts."),
+      this.#board.dimensionSwitch(),
       this.#figures.root,
       section("Where they touch", shown, toggle("Distances from the selected shape", this.#showsDistances, (on) => {
         this.#showsDistances = on;
         this.#draw();
       })),
       section("Pairs", this.#pairList, this.#inspector),
-      section("Add", row(...addable.map((type) => button(shapeNames[type], () => this.#editor.add(type))))),
+      section("Add", this.#board.addRow),
     );
   }
 
   #draw(): void {
-    const { scene, shapes } = this.#editor;
+    const { editor, shapes } = this.#board;
+    const { scene } = editor;
     scene.update();
     const spent = timeOf(() => scene.checkPairs());
-    const pairs = pairsOf(scene.pairs(), (id) => this.#editor.placeOf(id));
+    const pairs = pairsOf(scene.pairs(), (id) => editor.placeOf(id));
     const touching = new Set(pairs.flat());
-    const marks = pairs.flatMap(([a, b]) => this.#contactMarks(shapes[a], shapes[b]));
-    this.#editor.draw(shapes.map((_, place) => (touching.has(place) ? Paint.touching : Paint.free)), [
-      ...marks,
-      ...this.#distanceMarks(touching),
-    ]);
+    const marks = (): Mark[] => [...pairs.flatMap(([a, b]) => this.#contactMarks(shapes[a], shapes[b])), ...this.#distanceMarks()];
+    editor.draw(shapes.map((_, place) => (touching.has(place) ? Paint.touching : Paint.free)), marks);
     this.#figures.set("pairs", "Pairs that touch", String(pairs.length));
+    this.#figures.set("candidates", "Candidates by their boxes", String(scene.checkPairs().candidates));
     this.#figures.set("objects", "Shapes", String(shapes.length));
     this.#figures.set("time", "Time for all pairs", duration(spent));
     this.#listPairs(pairs);
@@ -109,7 +113,7 @@ class Intersections implements OpenChapter {
     this.#context.changed();
   }
 
-  #contactMarks(a: FlatShape | undefined, b: FlatShape | undefined): Mark[] {
+  #contactMarks(a: Shape | undefined, b: Shape | undefined): Mark[] {
     if (a === undefined || b === undefined || this.#shown === "none") return [];
     const { graze, stage } = this.#context;
     if (this.#shown === "manifold") {
@@ -117,12 +121,12 @@ class Intersections implements OpenChapter {
     }
     const contact = graze.contact(a, b);
     if (contact === null) return [];
-    const from = contact.pointB as unknown as Point2;
+    const from = contact.pointB;
     const dot: Mark = { kind: "dot", at: from, tone: "touching-line" };
     // Nothing parts lines that cross, however far they are moved.
     if (!Number.isFinite(contact.depth)) return [dot, { kind: "label", at: from, text: "∞", tone: "touching-line", shift: [0, -10] }];
-    const depth = Math.max(contact.depth, 26 / stage.pixelsPerUnit);
-    const tip = plus(from, times(contact.normal as unknown as Point2, depth));
+    const depth = Math.max(contact.depth, 26 * stage.lengthOfPixel(from));
+    const tip = plus(from, times(contact.normal, depth));
     return [
       { kind: "line", points: [from, tip], tone: "touching-line", arrow: true },
       dot,
@@ -131,56 +135,50 @@ class Intersections implements OpenChapter {
   }
 
   /** From the selected shape to all that it does not touch. */
-  #distanceMarks(touching: ReadonlySet<number>): Mark[] {
-    const { selected, shapes } = this.#editor;
+  #distanceMarks(): Mark[] {
+    const { selected, shapes } = this.#board.editor;
     const chosen = selected === undefined ? undefined : shapes[selected];
-    if (!this.#showsDistances || chosen === undefined || touching.size > shapes.length) return [];
+    if (!this.#showsDistances || chosen === undefined) return [];
     return shapes.flatMap((other): Mark[] => {
       if (other === chosen) return [];
       const near = this.#context.graze.closestPoints(chosen, other);
       if (near.relation !== "apart") return [];
-      const middle = near.pointA.map((value, axis) => (value + (near.pointB[axis] ?? 0)) / 2);
       return [
         { kind: "line", points: [near.pointA, near.pointB], tone: "answer", dashed: true },
         { kind: "dot", at: near.pointA, tone: "answer" },
         { kind: "dot", at: near.pointB, tone: "answer" },
-        { kind: "label", at: middle, text: measure(near.distance), tone: "answer" },
+        { kind: "label", at: between(near.pointA, near.pointB), text: measure(near.distance), tone: "answer" },
       ];
     });
   }
 
   #listPairs(pairs: readonly (readonly [number, number])[]): void {
-    const { shapes } = this.#editor;
+    const { editor, shapes } = this.#board;
     this.#pairList.replaceChildren(
       ...pairs.map(([a, b]) => {
         const [first, second] = [shapes[a], shapes[b]];
         const relation = first === undefined || second === undefined ? "apart" : this.#context.graze.relation(first, second);
-        const name = element("span", {}, `${this.#editor.nameOf(a)} · ${this.#editor.nameOf(b)}`);
+        const name = element("span", {}, `${editor.nameOf(a)} · ${editor.nameOf(b)}`);
         const tag = element("span", { class: "tag" }, relation);
-        return element("li", {}, element("button", { type: "button", class: "touching", onclick: () => this.#editor.select(b) }, name, tag));
+        return element("li", {}, element("button", { type: "button", class: "touching", onclick: () => editor.select(b) }, name, tag));
       }),
     );
   }
 
   #inspect(): void {
-    const place = this.#editor.selected;
-    if (place === undefined) {
+    const { editor } = this.#board;
+    const place = editor.selected;
+    const shape = place === undefined ? undefined : editor.shapes[place];
+    if (place === undefined || shape === undefined) {
       this.#inspector.replaceChildren(element("p", { class: "lead" }, "Select a shape to see its numbers."));
       return;
     }
-    const shape = this.#editor.shapes[place];
     const figures = new Figures();
-    if (shape !== undefined && shape.type !== "compound") {
-      for (const [name, value] of Object.entries(shape)) {
-        if (typeof value === "number") figures.set(name, name.replace("_", " "), measure(value));
-        else if (Array.isArray(value) && typeof value[0] === "number") figures.set(name, name.replace("_", " "), vector(value));
-        else if (Array.isArray(value)) figures.set(name, name, String(value.length));
-      }
-    }
+    for (const [name, value] of numbersOf(shape)) figures.set(name.replace(" ", "-"), name.replace("_", " "), value);
     this.#inspector.replaceChildren(
-      element("p", {}, element("strong", {}, this.#editor.nameOf(place))),
+      element("p", {}, element("strong", {}, editor.nameOf(place))),
       figures.root,
-      row(button("Remove", () => this.#editor.remove(place))),
+      row(button("Remove", () => editor.remove(place))),
     );
   }
 }

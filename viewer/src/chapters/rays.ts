@@ -1,28 +1,39 @@
 // SPDX-License-Identifier: MIT
 // Rays and casts: what a ray hits first, all that it hits in order, what a lamp would light, and where a shape that moves
 // first touches something.
-import * as THREE from "three";
-
+import { Board } from "../board";
 import type { Chapter, ChapterContext, OpenChapter } from "../chapter";
 import { element } from "../dom";
-import { Grid } from "../drawing/grid";
 import { Paint } from "../drawing/paint";
-import { Editor } from "../editor";
 import { count as countText, duration, measure, rounded } from "../numbers";
-import type { Handle, Mark } from "../overlay";
-import { button, choice, Figures, row, section, slider } from "../panel";
-import { heading, lengthOf, minus, plus, shapeNames, sideways, times, type FlatType } from "../shapes/flat_shape";
-import { shapesOfText, textOfShapes } from "../shapes/text";
-import { numberOf, wordOf } from "../state";
+import { plumb, type Mark, type SpaceHandle } from "../overlay";
+import { choice, Figures, section, slider } from "../panel";
+import type { ShapeType } from "../shapes/flat_shape";
+import type { ShapeKit } from "../shapes/shape_kit";
+import { numberOf, pointOf, wordOf, writePoint } from "../state";
 import type { Point2 } from "../stage";
-import { MovingShape, movingTypes, type MovingType } from "./moving_shape";
+import { lengthOf, minus, plus, times } from "../vectors";
+import { directionsAllRound, Lamp } from "./lamp";
+import { MovingShape, movingTypes, type MovingLook, type MovingType } from "./moving_shape";
 
-const usualShapes =
-  "aabb:-1.4,1.1,0.2,2.5;obb:2.7,1.4,0.9,0.5,35;sphere:0.9,-1.6,0.75;triangle:2.7,-2.6,4.3,-1.9,3.1,-0.7;" +
-  "capsule:-3.2,2.3,-2.4,1.2,0.3;polytope:-1.9,-2.7,-0.7,-2.4,-0.9,-1.3,-2.2,-1.5;segment:4.6,-0.4,4.9,2.8;sphere:1.5,0.25,0.3;" +
-  "obb:-4.4,-1.7,0.25,0.8,-20;sphere:1.3,2.75,0.4";
+const usual = {
+  2: "aabb:-1.4,1.1,0.2,2.5;obb:2.7,1.4,0.9,0.5,35;sphere:0.9,-1.6,0.75;triangle:2.7,-2.6,4.3,-1.9,3.1,-0.7;" +
+    "capsule:-3.2,2.3,-2.4,1.2,0.3;polytope:-1.9,-2.7,-0.7,-2.4,-0.9,-1.3,-2.2,-1.5;segment:4.6,-0.4,4.9,2.8;sphere:1.5,0.25,0.3;" +
+    "obb:-4.4,-1.7,0.25,0.8,-20;sphere:1.3,2.75,0.4",
+  3: "half_space:0,0,1,0;sphere:-0.4,-0.3,0.75,0.45;aabb:-2.4,0.9,0,-1.2,2.1,1.1;obb:1.6,0.4,0.8,0.4,0.6,0.8,0,0,30;" +
+    "capsule:0.2,2,0.4,1.3,2.3,1.5,0.35;polytope:0.3,-2.5,0,1.7,-2.5,0,1.8,-1.3,0,0.5,-1.2,0,1.1,-1.9,1.3;" +
+    "triangle:2.5,-0.9,0.3,2.7,1.1,0.3,2.6,0.2,2.1;sphere:-1.7,-1.9,0.4,0.4",
+} as const;
+const extent = {
+  2: { min: [-5.4, -3.6], max: [5.4, 3.6] },
+  3: { min: [-3, -3, -0.3], max: [3, 3, 2.4] },
+} as const;
+const usualEnds = {
+  2: { origin: [-3.4, -0.25], target: [-2.3, -0.15] },
+  3: { origin: [-2.6, -0.7, 0.9], target: [-1.6, -0.5, 0.9] },
+} as const;
 
-const addable: readonly FlatType[] = ["sphere", "aabb", "obb", "triangle", "capsule", "polytope", "segment", "plane", "half_space", "compound"];
+const addable: readonly ShapeType[] = ["sphere", "aabb", "obb", "triangle", "capsule", "polytope", "segment", "plane", "half_space", "compound"];
 const fanLimits = { least: 12, most: 1440, usual: 720 } as const;
 const sizeLimits = { least: 0.05, most: 1.5, usual: 0.45 } as const;
 const turnLimits = { least: -360, most: 360, usual: 0 } as const;
@@ -30,191 +41,230 @@ const turnLimits = { least: -360, most: 360, usual: 0 } as const;
 type Mode = "first" | "all" | "fan" | "cast";
 
 interface Hit {
-  readonly point: Point2;
-  readonly normal: Point2;
+  readonly point: readonly number[];
+  readonly normal: readonly number[];
   readonly place: number;
   readonly t: number;
 }
 
+/** Where a ray starts and a point that it passes, or where a shape starts and ends. */
+interface Way {
+  readonly origin: readonly number[];
+  readonly target: readonly number[];
+}
+
 class Rays implements OpenChapter {
   readonly #context: ChapterContext;
-  readonly #editor: Editor;
+  readonly #board: Board;
   readonly #figures = new Figures();
   readonly #hitList = element("ul", { class: "list", "aria-label": "What is hit, in order" });
-  readonly #lit = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial({ transparent: true, opacity: 0.2, depthTest: false, side: THREE.DoubleSide }));
-  #origin: Point2;
-  #target: Point2;
+  readonly #ways: Record<2 | 3, Way>;
   #mode: Mode;
   #rays: number;
-  readonly #moving: MovingShape;
+  #look: MovingLook;
+  #lamp!: Lamp;
+  #moving!: MovingShape;
+  readonly #castControls = element("div");
 
   constructor(context: ChapterContext) {
     this.#context = context;
-    const { stage, parameters } = context;
-    stage.showFlat({ min: [-5.4, -3.6], max: [5.4, 3.6] });
-    new Grid(stage);
-    const coordinate = (name: string, usual: number): number => numberOf(parameters, name, { least: -1e6, most: 1e6, usual });
-    this.#origin = [coordinate("x", -3.4), coordinate("y", -0.25)];
-    this.#target = [coordinate("to-x", -2.3), coordinate("to-y", -0.15)];
-    if (lengthOf(minus(this.#target, this.#origin)) === 0) this.#target = plus(this.#origin, [1, 0]);
+    const { parameters } = context;
+    this.#ways = { 2: wayOf(parameters, usualEnds[2]), 3: wayOf(parameters, usualEnds[3]) };
     this.#mode = wordOf(parameters, "mode", ["first", "all", "fan", "cast"]);
     this.#rays = Math.round(numberOf(parameters, "rays", fanLimits));
-    this.#moving = new MovingShape(context, {
+    this.#look = {
       type: wordOf(parameters, "moving", movingTypes),
       size: numberOf(parameters, "size", sizeLimits),
       turn: numberOf(parameters, "turn", turnLimits),
+    };
+    this.#board = new Board(context, {
+      usual, extent, addable,
+      onChange: () => this.#draw(),
+      onOpen: (kit) => {
+        this.#lamp = new Lamp(context.stage);
+        this.#moving = new MovingShape(context, kit);
+        this.#fillCastControls(kit.names);
+      },
+      ownHandles: () => this.#handles(),
     });
-    this.#lit.frustumCulled = false;
-    stage.world.add(this.#lit);
-    const shapes = shapesOfText(parameters.get("shapes") ?? "") ?? shapesOfText(usualShapes) ?? [];
-    this.#editor = new Editor(context, { shapes, onChange: () => this.#draw(), ownHandles: () => this.#handles() });
-    stage.onView(() => this.#draw());
-    stage.onTheme(() => this.#draw());
     this.#fillPanel();
     this.#draw();
   }
 
   parameters(): URLSearchParams {
-    const [x, y, toX, toY] = [...this.#origin, ...this.#target].map((value) => String(rounded(value)));
-    const shapes = textOfShapes(this.#editor.shapes);
-    const { type, size, turn } = this.#moving.look;
-    const parameters = new URLSearchParams({ mode: this.#mode, x: x ?? "", y: y ?? "", "to-x": toX ?? "", "to-y": toY ?? "" });
+    const { type, size, turn } = this.#look;
+    const parameters = new URLSearchParams({ mode: this.#mode });
+    writePoint(parameters, "", this.#way.origin);
+    writePoint(parameters, "to-", this.#way.target);
     const own = this.#mode === "cast" ? { moving: type, size: rounded(size), turn: rounded(turn) } : { rays: this.#rays };
     for (const [name, value] of Object.entries(own)) parameters.set(name, String(value));
-    parameters.set("shapes", shapes);
+    this.#board.describe(parameters);
     return parameters;
   }
 
+  get #way(): Way {
+    return this.#ways[this.#board.dimension];
+  }
+
   onKey(event: KeyboardEvent): boolean {
-    return this.#editor.onKey(event);
+    return this.#board.editor.onKey(event);
   }
 
   close(): void {
-    this.#editor.close();
+    this.#board.close();
   }
 
-  #handles(): Handle[] {
-    const origin: Handle = {
-      key: "origin", label: "Start of the ray", at: this.#origin,
-      onMove: (to) => {
-        this.#target = plus(to, minus(this.#target, this.#origin));
-        this.#origin = to;
-        this.#draw();
-      },
+  #handles(): SpaceHandle[] {
+    const { origin, target } = this.#way;
+    const set = (way: Way): void => {
+      if (lengthOf(minus(way.target, way.origin)) > 0) this.#ways[this.#board.dimension] = way;
+      this.#draw();
     };
-    const target: Handle = {
-      key: "target", label: "Direction of the ray", at: this.#target,
-      onMove: (to) => {
-        if (lengthOf(minus(to, this.#origin)) > 0) this.#target = to;
-        this.#draw();
-      },
+    const isCast = this.#mode === "cast";
+    const start: SpaceHandle = {
+      key: "origin", label: isCast ? "Start of the shape" : "Start of the ray", at: origin,
+      onMoveInSpace: (to) => set({ origin: to, target: plus(to, minus(target, origin)) }),
     };
-    if (this.#mode === "cast") return [{ ...origin, label: "Start of the shape" }, { ...target, label: "End of its way" }];
-    return this.#mode === "fan" ? [origin] : [origin, target];
+    const end: SpaceHandle = {
+      key: "target", label: isCast ? "End of its way" : "Direction of the ray", at: target,
+      onMoveInSpace: (to) => set({ origin, target: to }),
+    };
+    return this.#mode === "fan" ? [start] : [start, end];
   }
 
   /** Beyond this nothing is seen. */
   #reach(): number {
-    const { min, max } = this.#context.stage.seenPlane();
-    const corners = [[min[0], min[1]], [max[0], max[1]], [min[0], max[1]], [max[0], min[1]]] as const;
-    return Math.max(...corners.map(([x = 0, y = 0]) => lengthOf(minus([x, y], this.#origin)))) * 1.1;
+    const { stage } = this.#context;
+    const { min, max } = stage.isFlat ? stage.seenPlane() : stage.extent;
+    const farthest = min.map((low, axis) => {
+      const from = this.#way.origin[axis] ?? 0;
+      return Math.max(Math.abs(low - from), Math.abs((max[axis] ?? 0) - from));
+    });
+    return lengthOf(farthest) * 1.1;
   }
 
-  #cast(direction: Point2, all: boolean): Hit[] {
-    const ray = { origin: [...this.#origin], direction: [...direction] };
-    const first = all ? undefined : this.#editor.scene.rayCast(ray);
-    const hits = all ? this.#editor.scene.rayCastAll(ray) : first === null || first === undefined ? [] : [first];
-    return hits.map(({ id, point, normal, t }) => ({
-      point: [point[0] ?? 0, point[1] ?? 0], normal: [normal[0] ?? 0, normal[1] ?? 0], place: this.#editor.placeOf(id), t,
-    }));
+  #cast(direction: readonly number[], all: boolean): Hit[] {
+    const { editor } = this.#board;
+    const ray = { origin: this.#way.origin, direction };
+    const first = all ? undefined : editor.scene.rayCast(ray);
+    const hits = all ? editor.scene.rayCastAll(ray) : first === null || first === undefined ? [] : [first];
+    return hits.map(({ id, point, normal, t }) => ({ point, normal, place: editor.placeOf(id), t }));
   }
 
   #draw(): void {
     if (this.#mode === "cast") this.#drawCast();
-    else this.#drawRays();
+    else if (this.#mode === "fan") this.#drawFan();
+    else this.#drawRay();
     this.#context.changed();
   }
 
-  #drawRays(): void {
-    this.#moving.hide();
+  #drawRay(): void {
+    const { origin, target } = this.#way;
+    const unit = times(minus(target, origin), 1 / lengthOf(minus(target, origin)));
     const start = performance.now();
-    const isFan = this.#mode === "fan";
-    const headings = isFan ? Array.from({ length: this.#rays }, (_, i) => heading((360 * i) / this.#rays)) : [];
-    const unit = times(minus(this.#target, this.#origin), 1 / lengthOf(minus(this.#target, this.#origin)));
-    const fan = headings.map((direction) => this.#cast(direction, false)[0]);
-    const hits = isFan ? fan.filter((hit) => hit !== undefined) : this.#cast(unit, this.#mode === "all");
+    const hits = this.#cast(unit, this.#mode === "all");
     const spent = performance.now() - start;
-    const places = new Set(hits.map((hit) => hit.place));
+    this.#moving.hide();
+    this.#lamp.hide();
+    this.#paint(hits, () => this.#rayMarks(hits, unit));
+    this.#showCounts({ rays: 1, hits, first: hits[0], spent });
+    this.#list(hits);
+    this.#context.say(`${countText(new Set(hits.map((hit) => hit.place)).size)} hit`);
+  }
+
+  #drawFan(): void {
+    const { dimension } = this.#board;
+    const { origin } = this.#way;
+    const directions = directionsAllRound(dimension, this.#rays);
+    const start = performance.now();
+    const fan = directions.map((direction) => this.#cast(direction, false)[0]);
+    const spent = performance.now() - start;
+    const hits = fan.filter((hit) => hit !== undefined);
     const reach = this.#reach();
-    this.#light(headings.map((direction, i) => fan[i]?.point ?? plus(this.#origin, times(direction, reach))));
-    const marks = isFan ? this.#fanMarks(hits) : this.#rayMarks(hits, unit, reach);
-    this.#editor.draw(this.#editor.shapes.map((_, place) => (places.has(place) ? Paint.touching : Paint.free)), marks);
-    this.#figures.set("rays", "Rays", countText(isFan ? this.#rays : 1));
-    this.#figures.set("hits", "Shapes hit", String(places.size));
-    this.#figures.set("t", "Distance of the first", hits[0] === undefined || isFan ? "–" : measure(hits[0].t));
+    this.#moving.hide();
+    this.#lamp.hide();
+    if (dimension === 3) this.#lamp.lightPoints(hits.filter((hit) => this.#context.stage.isInExtent(hit.point)));
+    else this.#lamp.lightArea(origin, directions.map((direction, i) => fan[i]?.point ?? plus(origin, times(direction, reach))));
+    this.#paint(hits, () => this.#fanMarks(hits));
+    this.#showCounts({ rays: this.#rays, hits, first: undefined, spent });
+    this.#list([]);
+    this.#context.say(`${countText(this.#rays)} rays see ${new Set(hits.map((hit) => hit.place)).size} shapes`);
+  }
+
+  /** What is hit lights up. */
+  #paint(hits: readonly { readonly place: number }[], marks: () => Mark[]): void {
+    const { editor, shapes } = this.#board;
+    const places = new Set(hits.map((hit) => hit.place));
+    const level = extent[3].min[2];
+    const foot = (): Mark[] => (this.#mode === "fan" ? [] : plumb(this.#way.target, level));
+    editor.draw(shapes.map((_, place) => (places.has(place) ? Paint.touching : Paint.free)), () => [...plumb(this.#way.origin, level), ...foot(), ...marks()]);
+  }
+
+  #showCounts({ rays, hits, first, spent }: { rays: number; hits: readonly Hit[]; first: Hit | undefined; spent: number }): void {
+    this.#figures.set("rays", "Rays", countText(rays));
+    this.#figures.set("hits", "Shapes hit", String(new Set(hits.map((hit) => hit.place)).size));
+    this.#figures.set("t", "Distance of the first", first === undefined ? "–" : measure(first.t));
     this.#figures.set("time", "Time of all rays", duration(spent));
-    this.#list(isFan ? [] : hits);
-    this.#context.say(isFan ? `${countText(this.#rays)} rays see ${places.size} shapes` : `${places.size} hit`);
   }
 
   /** The shape at its start, on its way, and where it first touches something. */
   #drawCast(): void {
-    const { shapes } = this.#editor;
-    const { impacts, refused, spent } = this.#moving.cast(this.#origin, this.#target, shapes);
+    const { editor, shapes } = this.#board;
+    const { origin, target } = this.#way;
+    const { impacts, spent } = this.#moving.cast(this.#look, origin, target, shapes);
     const first = impacts[0];
-    this.#light([]);
-    this.#editor.draw(shapes.map((_, place) => (place === first?.place ? Paint.touching : Paint.free)), this.#moving.draw(first));
-    this.#figures.set("rays", "Shapes asked", countText(shapes.length - refused));
+    this.#lamp.hide();
+    this.#moving.draw(first);
+    this.#paint(first === undefined ? [] : [first], () => this.#moving.marks(first));
+    this.#figures.set("rays", "Shapes asked", countText(shapes.length));
     this.#figures.set("hits", "Shapes in the way", String(impacts.length));
     this.#figures.set("t", "Time of the first touch", first === undefined ? "–" : measure(first.t));
     this.#figures.set("time", "Time of all casts", duration(spent));
     this.#list(impacts);
-    const end = first === undefined ? "touches nothing" : `touches ${this.#editor.nameOf(first.place)} at t = ${measure(first.t)}`;
-    this.#context.say(`The ${shapeNames[this.#moving.look.type]} ${end}${refused > 0 ? `; ${refused} cannot be asked while it turns` : ""}`);
-  }
-
-  /** What the fan reaches, as triangles about its start. */
-  #light(rim: readonly Point2[]): void {
-    const positions = rim.flatMap((point, i) => {
-      const next = rim[(i + 1) % rim.length] ?? point;
-      return [...this.#origin, 0, ...point, 0, ...next, 0];
-    });
-    this.#lit.geometry.dispose();
-    this.#lit.geometry = new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute(positions, 3));
-    this.#lit.material.color.set(this.#context.stage.palette.answer);
-    this.#lit.visible = rim.length > 0;
+    const end = first === undefined ? "touches nothing" : `touches ${editor.nameOf(first.place)} at t = ${measure(first.t)}`;
+    this.#context.say(`The ${this.#board.names[this.#look.type]} ${end}`);
   }
 
   #fanMarks(hits: readonly Hit[]): Mark[] {
     if (this.#rays > 90) return [];
     return hits.flatMap((hit): Mark[] => [
-      { kind: "line", points: [this.#origin, hit.point], tone: "answer", thin: true },
+      { kind: "line", points: [this.#way.origin, hit.point], tone: "answer", thin: true },
       { kind: "dot", at: hit.point, tone: "touching-line" },
     ]);
   }
 
-  #rayMarks(hits: readonly Hit[], unit: Point2, reach: number): Mark[] {
+  #rayMarks(hits: readonly Hit[], unit: readonly number[]): Mark[] {
+    const { stage } = this.#context;
+    const { origin } = this.#way;
     const stop = this.#mode === "first" ? hits[0]?.point : undefined;
-    const far = plus(this.#origin, times(unit, reach));
-    const normalLength = 34 / this.#context.stage.pixelsPerUnit;
+    const far = plus(origin, times(unit, Math.max(this.#reach(), hits.at(-1)?.t ?? 0)));
     const beyond: Mark[] = stop === undefined ? [] : [{ kind: "line", points: [stop, far], tone: "faint", dashed: true, thin: true }];
     return [
       ...beyond,
-      { kind: "line", points: [this.#origin, stop ?? far], tone: "answer" },
+      { kind: "line", points: [origin, stop ?? far], tone: "answer" },
       ...hits.flatMap((hit, index): Mark[] => [
-        { kind: "line", points: [hit.point, plus(hit.point, times(hit.normal, normalLength))], tone: "second", arrow: true },
+        { kind: "line", points: [hit.point, plus(hit.point, times(hit.normal, 34 * stage.lengthOfPixel(hit.point)))], tone: "second", arrow: true },
         { kind: "dot", at: hit.point, tone: "touching-line" },
-        { kind: "label", at: plus(hit.point, times(sideways(unit), 14 / this.#context.stage.pixelsPerUnit)), text: String(index + 1), tone: "touching-line", shift: [0, 4] },
+        { kind: "label", at: hit.point, text: String(index + 1), tone: "touching-line", shift: this.#beside(hit.point, unit) },
       ]),
     ];
+  }
+
+  /** To the left of the ray as it is seen, in pixels, for a number. */
+  #beside(point: readonly number[], unit: readonly number[]): Point2 {
+    const { stage } = this.#context;
+    const step = times(unit, 10 * stage.lengthOfPixel(point));
+    const [[x, y], [toX, toY]] = [stage.toPixels(point), stage.toPixels(plus(point, step))];
+    const length = Math.hypot(toX - x, toY - y);
+    return length > 0 ? [(14 * (toY - y)) / length, (-14 * (toX - x)) / length + 4] : [0, -10];
   }
 
   #list(hits: readonly Hit[]): void {
     this.#hitList.replaceChildren(
       ...hits.map((hit, index) => {
         const tag = element("span", { class: "tag" }, measure(hit.t));
-        const name = element("span", {}, `${index + 1}. ${this.#editor.nameOf(hit.place)}`);
-        return element("li", {}, element("button", { type: "button", onclick: () => this.#editor.select(hit.place) }, name, tag));
+        const name = element("span", {}, `${index + 1}. ${this.#board.editor.nameOf(hit.place)}`);
+        return element("li", {}, element("button", { type: "button", onclick: () => this.#board.editor.select(hit.place) }, name, tag));
       }),
     );
     this.#hitList.hidden = hits.length === 0;
@@ -238,32 +288,39 @@ class Rays implements OpenChapter {
         this.#draw();
       },
     });
-    const cast = this.#castControls();
+    const cast = this.#castControls;
     showsFor();
     this.#context.panel.append(
       element("h2", {}, "Rays and casts"),
-      element("p", { class: "lead" }, "Drag the start of the ray and its direction. A lamp sends rays all round; each stops at the first shape, and what they reach is lit. A moving shape, which may turn on its way, stops where it first touches something."),
+      element("p", { class: "lead" }, "Drag the start of the ray and its direction. A lamp sends rays all round; each stops at the first shape, and what they reach is lit, in space the points where they end. A moving shape, which may turn on its way, stops where it first touches something."),
+      this.#board.dimensionSwitch(),
       mode,
       this.#figures.root,
       section("Hits", this.#hitList, lamp, cast),
-      section("Add", row(...addable.map((type) => button(shapeNames[type], () => this.#editor.add(type))))),
+      section("Add", this.#board.addRow),
     );
   }
 
-  #castControls(): HTMLElement {
-    const change = (look: Partial<MovingShape["look"]>): void => {
-      this.#moving.look = { ...this.#moving.look, ...look };
+  /** Shapes have other names in space. */
+  #fillCastControls(names: ShapeKit["names"]): void {
+    const change = (look: Partial<MovingLook>): void => {
+      this.#look = { ...this.#look, ...look };
       this.#draw();
     };
-    const { type, size, turn } = this.#moving.look;
-    return element(
-      "div",
-      {},
-      choice<MovingType>("The moving shape", movingTypes.map((word) => [word, shapeNames[word]] as const), type, (word) => change({ type: word })),
+    const { type, size, turn } = this.#look;
+    this.#castControls.replaceChildren(
+      choice<MovingType>("The moving shape", movingTypes.map((word) => [word, names[word]] as const), type, (word) => change({ type: word })),
       slider({ label: "Size", least: sizeLimits.least, most: sizeLimits.most, step: 0.05, value: size, text: measure, onInput: (value) => change({ size: value }) }),
       slider({ label: "Turn on the way", least: turnLimits.least, most: turnLimits.most, step: 15, value: turn, text: (value) => `${value}°`, onInput: (value) => change({ turn: value }) }),
     );
   }
+}
+
+/** A ray needs a direction, and a shape that moves a way. */
+function wayOf(parameters: URLSearchParams, ends: Way): Way {
+  const way = { origin: pointOf(parameters, "", ends.origin), target: pointOf(parameters, "to-", ends.target) };
+  if (lengthOf(minus(way.target, way.origin)) > 0) return way;
+  return { ...way, target: way.origin.map((value, axis) => value + (axis === 0 ? 1 : 0)) };
 }
 
 export const rays: Chapter = {

@@ -5,17 +5,18 @@ import type { Shape } from "graze";
 import type { Chapter, ChapterContext, OpenChapter } from "../chapter";
 import { element } from "../dom";
 import { messageOf } from "../engine";
+import { editByKey, Grasp, handlesOf, type HeldShape } from "../held_shape";
 import { count as countText, counted, milliseconds } from "../numbers";
 import type { Mark } from "../overlay";
 import { button, Figures, row, section, toggle } from "../panel";
 import { FrameControls } from "../scene/frame_controls";
 import { examples, isReport, reportedSource, sourceOf } from "../scene/files";
 import { inspect } from "../scene/inspector";
-import { editByKey, Grasp, handlesOf } from "../scene/object_handles";
 import { SceneDrawing } from "../scene/scene_drawing";
 import { SceneModel, type SceneSource } from "../scene/scene_model";
 import { VirtualList } from "../scene/virtual_list";
 import { numberOf } from "../state";
+import { between } from "../vectors";
 
 /** How near to an object the pointer has to be in the plane, in pixels. */
 const pointerReach = 5;
@@ -126,9 +127,19 @@ class SceneView implements OpenChapter {
   }
 
   #editByKey(key: string): boolean {
-    const [place] = this.#selected;
-    if (this.#model === undefined || place === undefined || this.#selected.length > 1) return false;
-    return editByKey(this.#model, place, key, (edited, shape) => this.#edit(edited, shape));
+    const held = this.#held();
+    return held !== undefined && editByKey(this.#context.stage, held, key);
+  }
+
+  /** The one object that is selected; nothing if it is unbounded, which is not edited. */
+  #held(): HeldShape | undefined {
+    const [place, more] = this.#selected;
+    const model = this.#model;
+    if (model === undefined || place === undefined || more !== undefined) return undefined;
+    const { shape, box } = model.scene.object(model.id(place));
+    const middle = between(box.min, box.max);
+    if (!middle.every(Number.isFinite)) return undefined;
+    return { name: model.objects[place]?.name ?? "", shape, middle, edit: (edited) => this.#edit(place, edited) };
   }
 
   /** Gives an object another shape; one that the engine refuses leaves what was there. */
@@ -295,10 +306,8 @@ class SceneView implements OpenChapter {
   /** One object that is selected can be taken hold of. */
   #showHandles(): void {
     const { stage, overlay } = this.#context;
-    const [place] = this.#selected;
-    const model = this.#model;
-    if (model === undefined || place === undefined || this.#selected.length > 1) overlay.setHandles([]);
-    else overlay.setHandles(handlesOf(stage, model, place, this.#grasp, (edited, shape) => this.#edit(edited, shape)));
+    const held = this.#held();
+    overlay.setHandles(held === undefined ? [] : handlesOf(stage, held, this.#grasp));
   }
 
   #zoomTo(place: number): void {

@@ -15,10 +15,10 @@ import type { Handle, Mark, SpaceHandle } from "../overlay";
 import { choice, Figures, section, slider, toggle } from "../panel";
 import { Player, stepSeconds } from "../player";
 import { circleAbout, circlesOfBall } from "../drawing/circles";
-import { lengthOf, minus, plus } from "../shapes/flat_shape";
 import { numberOf, wordOf } from "../state";
 import type { Point2 } from "../stage";
 import { timeOf } from "../timing";
+import { lengthOf, minus, plus } from "../vectors";
 
 const limits = {
   count: { least: 1, most: 5000, usual: 260 },

@@ -3,8 +3,9 @@
 import type { Vector } from "graze";
 
 import type { Mark, Tone } from "../overlay";
-import { heading, plus, times } from "../shapes/flat_shape";
+import { heading } from "../shapes/flat_shape";
 import type { Point2 } from "../stage";
+import { plus, times } from "../vectors";
 
 const corners = 72;
 

@@ -21,7 +21,7 @@ export function inspect(graze: Graze, model: SceneModel, place: number, actions:
   const figures = new Figures();
   figures.set("type", "type", listed?.type.replace("_", "-") ?? "");
   figures.set("layer", "layer", listed?.layer ?? "");
-  for (const [name, value] of numbersOf(object.shape)) figures.set(name, name.replace("_", " "), value);
+  for (const [name, value] of numbersOf(object.shape)) figures.set(name.replace(" ", "-"), name.replace("_", " "), value);
   if (object.user !== 0n) figures.set("user", "user", String(object.user));
   const pairs = model.pairsOf(place);
   const partners = pairs.slice(0, mostContacts).map(({ a, b, relation }) => {
@@ -51,7 +51,7 @@ export function inspect(graze: Graze, model: SceneModel, place: number, actions:
 }
 
 /** The fields of a shape as people read them. */
-function numbersOf(shape: Shape): [string, string][] {
+export function numbersOf(shape: Shape): [string, string][] {
   if (shape.type === "compound") return [["parts", String(shape.parts.length)]];
   if (shape.type === "polytope") return [["corners", String(shape.points.length)]];
   return Object.entries(shape as object).flatMap(([name, value]: [string, unknown]): [string, string][] => {

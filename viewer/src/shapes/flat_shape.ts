@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Shapes of the plane that can be edited, each with one set of fields. All of them are shapes of the engine as they are.
 import type { Point2 } from "../stage";
+import { plus, times } from "../vectors";
 
 export type FlatShape =
   | { readonly type: "point"; readonly position: Point2 }
@@ -16,9 +17,10 @@ export type FlatShape =
   | { readonly type: "polytope"; readonly points: readonly Point2[] }
   | { readonly type: "compound"; readonly parts: readonly FlatShape[] };
 
-export type FlatType = FlatShape["type"];
+/** Of the plane and of space. */
+export type ShapeType = FlatShape["type"];
 
-export const shapeNames: Readonly<Record<FlatType, string>> = {
+export const flatNames: Readonly<Record<ShapeType, string>> = {
   point: "point",
   segment: "segment",
   ray: "ray",
@@ -33,26 +35,6 @@ export const shapeNames: Readonly<Record<FlatType, string>> = {
   compound: "compound",
 };
 
-export function plus(a: Point2, b: Point2): Point2 {
-  return [a[0] + b[0], a[1] + b[1]];
-}
-
-export function minus(a: Point2, b: Point2): Point2 {
-  return [a[0] - b[0], a[1] - b[1]];
-}
-
-export function times(a: Point2, factor: number): Point2 {
-  return [a[0] * factor, a[1] * factor];
-}
-
-export function lengthOf(a: Point2): number {
-  return Math.hypot(a[0], a[1]);
-}
-
-export function dot(a: Point2, b: Point2): number {
-  return a[0] * b[0] + a[1] * b[1];
-}
-
 /** A quarter turn counter-clockwise. */
 export function sideways(a: Point2): Point2 {
   return [-a[1], a[0]];
@@ -65,7 +47,7 @@ export function heading(degrees: number): Point2 {
 }
 
 /** A circle without corners, a box and so on, of about the given size. */
-export function newShape(type: FlatType, at: Point2, size: number): FlatShape {
+export function newFlatShape(type: ShapeType, at: Point2, size: number): FlatShape {
   const [x, y] = at;
   const on = (right: number, up: number): Point2 => [x + right * size, y + up * size];
   switch (type) {

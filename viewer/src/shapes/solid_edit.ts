@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Moving, turning and resizing the bounded shapes of a scene, in the plane and in space, as the engine gives them.
+// Moving, turning and resizing shapes as the engine gives them, in the plane and in space.
 import type { Shape, Vector } from "graze";
+import * as THREE from "three";
+
+import { dot, times } from "../vectors";
 
 /** How points, directions and lengths change. */
 interface Change {
@@ -21,22 +24,22 @@ export function scaledAbout(shape: Shape, factor: number, about: Vector): Shape 
   return changed(shape, { point, direction: kept, factor });
 }
 
-/** Turned in the plane, in space about the upright axis through a point. A box along the axes stays along them. */
-export function turnedAbout(shape: Shape, degrees: number, about: Vector): Shape {
+/**
+ * Turned in the plane, in space about an axis of any length through a point, the upright one unless another is given. A box
+ * along the axes stays along them.
+ */
+export function turnedAbout(shape: Shape, degrees: number, about: Vector, axis: readonly number[] = [0, 0, 1]): Shape {
   if (shape.type === "aabb") return shape;
-  const [cosine, sine] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
-  const direction = (from: Vector): number[] => {
-    const [x = 0, y = 0, ...rest] = Array.from(from);
-    return [cosine * x - sine * y, sine * x + cosine * y, ...rest];
-  };
+  const turn = new THREE.Quaternion().setFromAxisAngle(asSpatial(axis).normalize(), (degrees * Math.PI) / 180);
+  const direction = (from: Vector): number[] => asSpatial(from).applyQuaternion(turn).toArray().slice(0, from.length);
   const point = (from: Vector): number[] => {
-    const turned = direction(Array.from(from, (value, axis) => value - (about[axis] ?? 0)));
-    return turned.map((value, axis) => value + (about[axis] ?? 0));
+    const turned = direction(Array.from(from, (value, place) => value - (about[place] ?? 0)));
+    return turned.map((value, place) => value + (about[place] ?? 0));
   };
   return changed(shape, { point, direction, factor: 1 });
 }
 
-/** What is unbounded stays as it is. */
+/** What is unbounded has no size. */
 function changed(shape: Shape, change: Change): Shape {
   const { point, direction, factor } = change;
   switch (shape.type) {
@@ -44,6 +47,8 @@ function changed(shape: Shape, change: Change): Shape {
       return { ...shape, position: point(shape.position) };
     case "segment":
       return { ...shape, start: point(shape.start), end: point(shape.end) };
+    case "ray":
+      return { ...shape, origin: point(shape.origin), direction: direction(shape.direction) };
     case "sphere":
       return { ...shape, center: point(shape.center), radius: shape.radius * factor };
     case "aabb":
@@ -51,6 +56,12 @@ function changed(shape: Shape, change: Change): Shape {
     case "obb": {
       const half_extents = Array.from(shape.half_extents, (value) => value * factor);
       return { type: "obb", center: point(shape.center), half_extents, axes: (shape.axes ?? []).map((axis) => unit(direction(axis))) };
+    }
+    case "plane":
+    case "half_space": {
+      const foot = times(Array.from(shape.normal), shape.offset / dot(shape.normal, shape.normal));
+      const normal = direction(shape.normal);
+      return { ...shape, normal, offset: dot(normal, point(foot)) };
     }
     case "triangle":
       return { ...shape, a: point(shape.a), b: point(shape.b), c: point(shape.c) };
@@ -60,11 +71,11 @@ function changed(shape: Shape, change: Change): Shape {
       return { ...shape, points: shape.points.map(point) };
     case "compound":
       return { ...shape, parts: shape.parts.map((part) => changed(part, change)) };
-    case "ray":
-    case "plane":
-    case "half_space":
-      return shape;
   }
+}
+
+function asSpatial(vector: Vector): THREE.Vector3 {
+  return new THREE.Vector3(vector[0], vector[1], vector[2] ?? 0);
 }
 
 function unit(vector: readonly number[]): number[] {

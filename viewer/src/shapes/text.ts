@@ -1,25 +1,31 @@
 // SPDX-License-Identifier: MIT
-// Shapes of the plane as text in a link: "sphere:0,1,0.5;segment:0,0,2,1".
-import { rounded } from "../numbers";
-import type { Point2 } from "../stage";
-import { dot, shapeNames, type FlatShape, type FlatType } from "./flat_shape";
+// Shapes as text in a link: "sphere:0,1,0.5;segment:0,0,2,1" in the plane, with a third number for each point in space.
+// How an oriented box is turned is an angle in degrees in the plane, in space the axis as long as the angle.
+import type { Shape, Vector } from "graze";
+import * as THREE from "three";
 
-export function textOfShapes(shapes: readonly FlatShape[]): string {
+import { rounded } from "../numbers";
+import { dot, lengthOf, times } from "../vectors";
+import { flatNames, type ShapeType } from "./flat_shape";
+
+const types = Object.keys(flatNames) as ShapeType[];
+
+export function textOfShapes(shapes: readonly Shape[]): string {
   return shapes.map(textOfShape).join(";");
 }
 
 /** Nothing if any of it is no shape: a link is followed wholly or not at all. */
-export function shapesOfText(text: string): FlatShape[] | undefined {
-  const shapes = text.split(";").map(shapeOfText);
+export function shapesOfText(text: string, dimension: 2 | 3): Shape[] | undefined {
+  const shapes = text.split(";").map((part) => shapeOfText(part, dimension));
   return shapes.every((shape) => shape !== undefined) ? shapes : undefined;
 }
 
-function textOfShape(shape: FlatShape): string {
+function textOfShape(shape: Shape): string {
   if (shape.type === "compound") return `compound:${shape.parts.map(textOfShape).join("|")}`;
   return `${shape.type}:${numbersOf(shape).map(rounded).join(",")}`;
 }
 
-function numbersOf(shape: Exclude<FlatShape, { type: "compound" }>): number[] {
+function numbersOf(shape: Exclude<Shape, { type: "compound" }>): number[] {
   switch (shape.type) {
     case "point":
       return [...shape.position];
@@ -30,9 +36,9 @@ function numbersOf(shape: Exclude<FlatShape, { type: "compound" }>): number[] {
     case "sphere":
       return [...shape.center, shape.radius];
     case "aabb":
-      return [...shape.min, ...shape.max];
+      return "min" in shape ? [...shape.min, ...shape.max] : [...shape.center, ...shape.half_extents];
     case "obb":
-      return [...shape.center, ...shape.half_extents, shape.angle];
+      return [...shape.center, ...shape.half_extents, ...(shape.center.length === 2 ? [shape.angle ?? 0] : rotationOf(shape.axes ?? []))];
     case "half_space":
     case "plane":
       return [...shape.normal, shape.offset];
@@ -41,63 +47,76 @@ function numbersOf(shape: Exclude<FlatShape, { type: "compound" }>): number[] {
     case "capsule":
       return [...shape.a, ...shape.b, shape.radius];
     case "polytope":
-      return shape.points.flat();
+      return shape.points.flatMap((point) => [...point]);
   }
 }
 
-/** How many numbers a shape has; a polygon any number of pairs. */
-const lengths: Readonly<Partial<Record<FlatType, number>>> = {
-  point: 2,
-  segment: 4,
-  ray: 4,
-  sphere: 3,
-  aabb: 4,
-  obb: 5,
-  half_space: 3,
-  plane: 3,
-  triangle: 6,
-  capsule: 5,
-};
+/** The axis about which the world's axes turn into these, as long as the angle in degrees. */
+function rotationOf(axes: readonly Vector[]): number[] {
+  const [x, y, z] = axes.map((axis) => new THREE.Vector3().fromArray(Array.from(axis)));
+  if (x === undefined || y === undefined || z === undefined) return [0, 0, 0];
+  const turn = new THREE.Quaternion().setFromRotationMatrix(new THREE.Matrix4().makeBasis(x, y, z));
+  const axis = [turn.x, turn.y, turn.z];
+  const sine = lengthOf(axis);
+  const degrees = (2 * Math.atan2(sine, turn.w) * 180) / Math.PI;
+  return sine > 0 ? times(axis, degrees / sine) : [0, 0, 0];
+}
 
-function shapeOfText(text: string): FlatShape | undefined {
+/** How many numbers a shape has; a polytope any number of points. */
+function lengthIn(type: ShapeType, dimension: 2 | 3): number {
+  const points: Readonly<Partial<Record<ShapeType, number>>> = { point: 1, segment: 2, ray: 2, sphere: 1, aabb: 2, obb: 2, half_space: 1, plane: 1, triangle: 3, capsule: 2 };
+  const more: Readonly<Partial<Record<ShapeType, number>>> = { sphere: 1, obb: dimension === 2 ? 1 : 3, half_space: 1, plane: 1, capsule: 1 };
+  return (points[type] ?? 0) * dimension + (more[type] ?? 0);
+}
+
+function shapeOfText(text: string, dimension: 2 | 3): Shape | undefined {
   const colon = text.indexOf(":");
-  const type = (Object.keys(shapeNames) as FlatType[]).find((known) => known === text.slice(0, colon));
+  const type = types.find((known) => known === text.slice(0, colon));
   const rest = text.slice(colon + 1);
   if (type === undefined) return undefined;
   if (type === "compound") {
-    const parts = rest.split("|").map(shapeOfText);
+    const parts = rest.split("|").map((part) => shapeOfText(part, dimension));
     return parts.every((part) => part !== undefined) ? { type, parts } : undefined;
   }
   const values = rest.split(",").map((part) => (part.trim() === "" ? Number.NaN : Number(part)));
-  const isWhole = type === "polytope" ? values.length % 2 === 0 : values.length === lengths[type];
-  return isWhole && values.every(Number.isFinite) ? build(type, values) : undefined;
+  const isWhole = type === "polytope" ? values.length % dimension === 0 : values.length === lengthIn(type, dimension);
+  return isWhole && values.every(Number.isFinite) ? build(type, values, dimension) : undefined;
 }
 
 /** The shape of so many numbers as its type needs; nothing if they are against its rules. */
-function build(type: Exclude<FlatType, "compound">, values: readonly number[]): FlatShape | undefined {
-  const [v0 = 0, v1 = 0, v2 = 0, v3 = 0, v4 = 0] = values;
-  const point = (index: number): Point2 => [values[2 * index] ?? 0, values[2 * index + 1] ?? 0];
+function build(type: Exclude<ShapeType, "compound">, values: readonly number[], dimension: 2 | 3): Shape | undefined {
+  const point = (index: number): number[] => values.slice(dimension * index, dimension * (index + 1));
+  const last = values.at(-1) ?? 0;
+  const [first, second] = [point(0), point(1)];
   switch (type) {
     case "point":
-      return { type, position: point(0) };
+      return { type, position: first };
     case "segment":
-      return { type, start: point(0), end: point(1) };
+      return { type, start: first, end: second };
     case "ray":
-      return dot(point(1), point(1)) > 0 ? { type, origin: point(0), direction: point(1) } : undefined;
+      return dot(second, second) > 0 ? { type, origin: first, direction: second } : undefined;
     case "sphere":
-      return v2 >= 0 ? { type, center: point(0), radius: v2 } : undefined;
+      return last >= 0 ? { type, center: first, radius: last } : undefined;
     case "aabb":
-      return v0 <= v2 && v1 <= v3 ? { type, min: point(0), max: point(1) } : undefined;
+      return first.every((low, axis) => low <= (second[axis] ?? low)) ? { type, min: first, max: second } : undefined;
     case "obb":
-      return v2 >= 0 && v3 >= 0 ? { type, center: point(0), half_extents: point(1), angle: v4 } : undefined;
+      return second.every((half) => half >= 0) ? { type, center: first, half_extents: second, ...turnOf(values.slice(2 * dimension)) } : undefined;
     case "half_space":
     case "plane":
-      return dot(point(0), point(0)) > 0 ? { type, normal: point(0), offset: v2 } : undefined;
+      return dot(first, first) > 0 ? { type, normal: first, offset: last } : undefined;
     case "triangle":
-      return { type, a: point(0), b: point(1), c: point(2) };
+      return { type, a: first, b: second, c: point(2) };
     case "capsule":
-      return v4 >= 0 ? { type, a: point(0), b: point(1), radius: v4 } : undefined;
+      return last >= 0 ? { type, a: first, b: second, radius: last } : undefined;
     case "polytope":
-      return { type, points: Array.from({ length: values.length / 2 }, (_, index) => point(index)) };
+      return { type, points: Array.from({ length: values.length / dimension }, (_, index) => point(index)) };
   }
+}
+
+/** How a box is turned, of one number or of three. */
+function turnOf(turn: readonly number[]): { angle: number } | { rotation: { axis: number[]; angle: number } } {
+  const [angle = 0, ...rest] = turn;
+  if (rest.length === 0) return { angle };
+  const length = lengthOf(turn);
+  return { rotation: length > 0 ? { axis: [...turn], angle: length } : { axis: [0, 0, 1], angle: 0 } };
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Moving, turning and resizing shapes of the plane. What touches what is none of its business.
 import type { Point2 } from "../stage";
-import { dot, heading, lengthOf, minus, plus, sideways, times, type FlatShape } from "./flat_shape";
+import { dot, lengthOf, minus, plus, times } from "../vectors";
+import { heading, sideways, type FlatShape } from "./flat_shape";
 
 /** Where a shape is held: what it turns about. */
 export function middleOf(shape: FlatShape): Point2 {
@@ -42,7 +43,7 @@ function cornersOf(shape: FlatShape): readonly Point2[] {
 }
 
 function mean(points: readonly Point2[]): Point2 {
-  return times(points.reduce(plus, [0, 0]), 1 / points.length);
+  return times(points.reduce<Point2>((sum, point) => plus(sum, point), [0, 0]), 1 / points.length);
 }
 
 export function moved(shape: FlatShape, by: Point2): FlatShape {
