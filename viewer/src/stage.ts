@@ -348,7 +348,9 @@ export class Stage {
     this.#controls = this.#controlsFor(camera);
   }
 
+  /** What is asked of the camera from now on is asked of where it is, not of where the last picture was taken from. */
   #viewChanged(): void {
+    this.#camera.updateMatrixWorld();
     this.afterView?.();
     for (const listener of this.#onView) listener();
     this.invalidate();

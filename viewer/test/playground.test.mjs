@@ -239,9 +239,11 @@ test("in space rays stop, a lamp lights what it reaches, and what moves stops wh
     assert.equal(await figure(page, "t"), "0.5333");
     await page.getByRole("button", { name: "oriented box" }).first().click();
     assert.match(await page.locator("#caption").textContent(), /^The oriented box touches box at t = 0\.\d+$/);
+    const origin = await placeOf(page, "origin");
     await page.getByRole("button", { name: "Plane", exact: true }).click();
     assert.match(await page.locator("#caption").textContent(), /^The oriented box touches /);
     await page.getByRole("button", { name: "Space", exact: true }).click();
+    assert.deepEqual(await placeOf(page, "origin"), origin);
     assert.equal(await figure(page, "rays"), "1");
   });
 });
@@ -320,4 +322,24 @@ test("a phone's width holds everything, in the dark too", async () => {
       assert.ok((await page.locator("#stage").boundingBox()).height > 200);
     }, phone);
   }
+});
+
+test("a finger drags a shape in space, and turns the view beside it", async () => {
+  const phone = { viewport: { width: 390, height: 760 }, hasTouch: true, isMobile: true };
+  await on("#intersections?dimension=3&shapes=sphere:-1.5,0,1,1;sphere:1.5,0,1,1", async (page) => {
+    const session = await page.context().newCDPSession(page);
+    const touch = (type, ...touchPoints) => session.send("Input.dispatchTouchEvent", { type, touchPoints });
+    const swipe = async (from, to) => {
+      await touch("touchStart", from);
+      for (const share of [0.5, 1]) await touch("touchMove", { x: from.x + share * (to.x - from.x), y: from.y + share * (to.y - from.y) });
+      await touch("touchEnd");
+    };
+    const [left, right] = [await placeOf(page, "shape-0"), await placeOf(page, "shape-1")];
+    assert.ok(right.x - left.x > 60, `${left.x} ${right.x}`);
+    assert.equal(await figure(page, "pairs"), "0");
+    await swipe(left, right);
+    assert.equal(await figure(page, "pairs"), "1");
+    await swipe({ x: 40, y: 130 }, { x: 140, y: 130 });
+    assert.ok(Math.abs((await placeOf(page, "shape-1")).x - right.x) > 20);
+  }, phone);
 });

@@ -92,11 +92,11 @@ class ClosestPoints implements OpenChapter {
     const shown = shapes.map((_, place) => this.#shown === "all" || place === nearest);
     const marks = shapes.flatMap((shape, place) => (shown[place] === true ? this.#marksOf(shape, distances[place] ?? 0) : []));
     editor.draw(holders.map((holds) => (holds ? Paint.touching : Paint.free)), () => [...plumb(probe, extent[3].min[2]), ...marks]);
-    this.#figures.set("nearest", "Nearest shape", shapes.length > 0 ? this.#board.editor.nameOf(nearest) : "none");
-    this.#figures.set("distance", "Its signed distance", measure(distances[nearest] ?? 0));
+    this.#figures.set("nearest", "Nearest shape", shapes.length > 0 ? editor.nameOf(nearest) : "none");
+    this.#figures.set("distance", "Its signed distance", shapes.length > 0 ? measure(distances[nearest] ?? 0) : "–");
     this.#figures.set("contains", "Shapes that contain the point", String(holders.filter(Boolean).length));
     this.#list(distances);
-    this.#context.say(`Nearest: ${this.#board.editor.nameOf(nearest)}, ${measure(distances[nearest] ?? 0)}`);
+    this.#context.say(shapes.length === 0 ? "No shapes" : `Nearest: ${editor.nameOf(nearest)}, ${measure(distances[nearest] ?? 0)}`);
     this.#context.changed();
   }
 

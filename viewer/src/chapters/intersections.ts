@@ -30,7 +30,7 @@ const extent = {
 } as const;
 
 const addable: readonly ShapeType[] = [
-  "sphere", "aabb", "obb", "triangle", "capsule", "polytope", "segment", "point", "plane", "half_space", "compound",
+  "sphere", "aabb", "obb", "triangle", "capsule", "polytope", "segment", "ray", "point", "plane", "half_space", "compound",
 ];
 
 type Shown = "contact" | "manifold" | "none";

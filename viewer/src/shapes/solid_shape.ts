@@ -20,7 +20,7 @@ export const solidNames: Readonly<Record<ShapeType, string>> = {
   compound: "compound",
 };
 
-/** A ball, a box and so on, of about the given size. */
+/** A ball, a box and so on, of about the given size. What fills half of space lies below the others. */
 export function newSolid(type: ShapeType, at: readonly number[], size: number): Shape {
   const on = (x: number, y: number, z: number): number[] => [...plus(at, times([x, y, z], size))];
   switch (type) {
@@ -37,6 +37,7 @@ export function newSolid(type: ShapeType, at: readonly number[], size: number): 
     case "obb":
       return { type, center: [...at], half_extents: [size, size * 0.5, size * 0.4], rotation: { axis: [0, 0, 1], angle: 25 } };
     case "half_space":
+      return { type, normal: [0, 0, 1], offset: (at[2] ?? 0) - 3 * size };
     case "plane":
       return { type, normal: [0, 0, 1], offset: at[2] ?? 0 };
     case "triangle":
