@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// A scene that lives on: random objects come, move and go for as long as the environment says (GRAZE_TEST_SCALE
+// multiplies the number of operations), while every answer is compared with PlainScene's.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <graze/scene/plain_scene.hpp>
+#include <graze/scene/scene.hpp>
+
+#include "broad/box_worlds.hpp"
+#include "soak.hpp"
+
+namespace graze::scene_soak_test {
+namespace {
+
+constexpr std::size_t most_objects = 200;
+constexpr double world_size = 20;
+
+bool same_id(const ObjectId& a, const ObjectId& b) { return a.index == b.index && a.generation == b.generation; }
+
+bool same_pair(const ObjectPair& a, const ObjectPair& b) { return same_id(a.a, b.a) && same_id(a.b, b.b); }
+
+template <class Found, class Same>
+bool same_lists(const Found& found, const Found& expected, const Same& same) {
+  return std::equal(found.begin(), found.end(), expected.begin(), expected.end(), same);
+}
+
+template <Dim N, class T>
+class SceneSoak {
+ public:
+  void run(std::size_t operations) {
+    for (std::size_t operation = 0; operation < operations; ++operation) {
+      step(operation);
+      ASSERT_TRUE(is_right_) << "at operation " << operation << ", " << held_.size() << " objects";
+    }
+    empty_all();
+    ASSERT_TRUE(is_right_) << "when all objects were removed";
+  }
+
+ private:
+  using Shape = AnyShape<N, T>;
+
+  struct Held {
+    ObjectId id;
+    ObjectId judged;
+  };
+
+  void require(bool holds) { is_right_ = is_right_ && holds; }
+  double chance() { return numbers_.between(0, 1); }
+  Vec<N, T> place() { return numbers_.point<N, T>(0, world_size); }
+  T length(double most) { return static_cast<T>(numbers_.between(0.01, most)); }
+  std::size_t pick() { return static_cast<std::size_t>(numbers_.between(0, static_cast<double>(held_.size()))); }
+
+  Shape any_shape() {
+    const double kind = chance();
+    const Vec<N, T> at = place();
+    if (kind < 0.3) return Sphere<N, T>{at, length(1)};
+    if (kind < 0.6) return Aabb<N, T>{at, at + length(1.5)};
+    if (kind < 0.8) return Capsule<N, T>{at, at + numbers_.point<N, T>(-1, 1), length(0.5)};
+    if (kind < 0.98) return Obb<N, T>{at, Vec<N, T>(length(1)), Mat<N, T>(T(1))};
+    return HalfSpace<N, T>{unit_axis<N, T>(0), length(1)};
+  }
+
+  void step(std::size_t operation) {
+    const double kind = chance();
+    if (kind < 0.15) {
+      ask();
+    } else if (kind < 0.45 && !held_.empty()) {
+      move();
+    } else if (kind < 0.47) {
+      update();
+    } else if (const bool grows = held_.size() < test::soak_target(operation, most_objects);
+               held_.empty() || (grows == (chance() < 0.9))) {
+      add();
+    } else {
+      remove(pick());
+    }
+    if (operation % 1'000 == 500) keep_snapshot();
+    if (operation % 1'000 == 999) check_snapshot();
+    if (operation % test::soak_breath == test::soak_breath - 1) empty_all();
+  }
+
+  void add() {
+    const ObjectOptions options{.layer = static_cast<Layer>(numbers_.between(0, 3)),
+                                .mobility = chance() < 0.2 ? Mobility::fixed : Mobility::moving};
+    const Shape shape = any_shape();
+    held_.push_back({scene_.add(shape, options), judge_.add(shape, options)});
+    require(same_id(held_.back().id, held_.back().judged));
+  }
+
+  /// One, or several at once.
+  void move() {
+    if (chance() < 0.8) {
+      const Held& held = held_[pick()];
+      const Shape shape = any_shape();
+      scene_.move(held.id, shape);
+      return judge_.move(held.judged, shape);
+    }
+    std::vector<ObjectMove<N, T>> moves;
+    std::vector<ObjectMove<N, T>> judged;
+    for (int k = 0; k < 5; ++k) {
+      const Held& held = held_[pick()];
+      moves.push_back({held.id, any_shape()});
+      judged.push_back({held.judged, moves.back().shape});
+    }
+    scene_.move(moves);
+    judge_.move(judged);
+  }
+
+  void remove(std::size_t number) {
+    const Held held = held_[number];
+    scene_.remove(held.id);
+    judge_.remove(held.judged);
+    held_[number] = held_.back();
+    held_.pop_back();
+    require(!scene_.contains(held.id) && scene_.size() == held_.size());
+  }
+
+  void update() {
+    const SceneEvents& events = scene_.update(serial_executor());
+    const SceneEvents expected = judge_.update();
+    require(same_lists(events.began, expected.began, same_pair));
+    require(same_lists(events.stayed, expected.stayed, same_pair));
+    require(same_lists(events.ended, expected.ended, same_pair));
+  }
+
+  void ask() {
+    const double kind = chance();
+    const LayerMask layers = chance() < 0.5 ? all_layers : only_layer(1);
+    if (kind < 0.4) {
+      const Shape region = any_shape();
+      require(same_lists(scene_.overlapping(region, layers), judge_.overlapping(region, layers), same_id));
+    } else if (kind < 0.7) {
+      const Vec<N, T> point = place();
+      const auto same = [](const auto& a, const auto& b) { return same_id(a.id, b.id) && a.distance == b.distance; };
+      require(same_lists(scene_.nearest(point, 4, layers), judge_.nearest(point, 4, layers), same));
+    } else {
+      const Ray<N, T> ray{place(), numbers_.point<N, T>(-1, 1)};
+      const auto same = [](const auto& a, const auto& b) { return same_id(a.id, b.id) && a.hit == b.hit; };
+      require(same_lists(scene_.ray_cast_all(ray, T(20), layers), judge_.ray_cast_all(ray, T(20), layers), same));
+    }
+  }
+
+  void keep_snapshot() {
+    snapshot_ = scene_.snapshot();
+    kept_ids_ = snapshot_->ids();
+    kept_found_ = snapshot_->overlapping(Aabb<N, T>{Vec<N, T>(T(0)), Vec<N, T>(T(7))});
+  }
+
+  /// It is as it was, whatever became of the scene.
+  void check_snapshot() {
+    if (!snapshot_) return;
+    require(snapshot_->ids() == kept_ids_);
+    require(snapshot_->overlapping(Aabb<N, T>{Vec<N, T>(T(0)), Vec<N, T>(T(7))}) == kept_found_);
+  }
+
+  void empty_all() {
+    while (!held_.empty()) remove(held_.size() / 2);
+    update();
+    require(scene_.size() == 0 && scene_.ids().empty() && scene_.pairs().empty());
+    require(scene_.nearest(place(), 1).empty());
+    update();
+    require(scene_.events().ended.empty());
+  }
+
+  Scene<N, T> scene_;
+  PlainScene<N, T> judge_;
+  test::Numbers numbers_{20'261'122};
+  std::vector<Held> held_;
+  std::shared_ptr<const SceneView<N, T>> snapshot_;
+  std::vector<ObjectId> kept_ids_;
+  std::vector<ObjectId> kept_found_;
+  bool is_right_ = true;
+};
+
+TEST(SceneSoak, LosesNothingAndIsEmptyAtTheEndIn2D) { SceneSoak<2, double>().run(test::soak_operations()); }
+
+TEST(SceneSoak, LosesNothingAndIsEmptyAtTheEndIn3D) { SceneSoak<3, float>().run(test::soak_operations()); }
+
+}  // namespace
+}  // namespace graze::scene_soak_test
