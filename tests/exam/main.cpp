@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// graze_exam: hard cases for every pair of types and every point query, in four spaces, put to graze, to the exact
-// oracle and to other libraries. The tables go to standard output or a page, cases that fail to a file of regressions;
-// the status is 1 if there were any.
+// graze_exam: hard cases for every pair of types and every point query, for contacts and rays, in four spaces, put to
+// graze, to the exact oracle and to other libraries. The tables go to standard output or a page, cases that fail to a
+// file of regressions; the status is 1 if there were any.
 #include <atomic>
 #include <cstddef>
 #include <cstdio>
@@ -16,7 +16,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "exam/contact_exam.hpp"
 #include "exam/pair_exam.hpp"
+#include "exam/ray_exam.hpp"
 #include "exam/report.hpp"
 #include "exam/settings.hpp"
 #include "exam/tally.hpp"
@@ -24,7 +26,7 @@
 namespace graze::exam {
 namespace {
 
-/// One pair, or the point queries of one shape, in one space.
+/// One pair, its contacts, or the point queries or rays of one shape, in one space.
 struct Task {
   std::string name;
   std::function<void()> run;
@@ -61,6 +63,8 @@ class Exam {
     constexpr std::size_t most = 4 * types * (types + 1) / 2;
     results_.pairs.reserve(most);  // tasks keep references
     results_.points.reserve(most);
+    results_.contacts.reserve(most);
+    results_.rays.reserve(most);
     add_space<2, float>();
     add_space<2, double>();
     add_space<3, float>();
@@ -95,11 +99,17 @@ class Exam {
       for (std::size_t b = a; b < types; ++b) {
         add(space + pair_name(a, b), results_.pairs,
             [this, a, b] { return examine_pair<N, T>(a, b, settings_, regressions_); });
+        add(space + pair_name(a, b) + " in contact", results_.contacts,
+            [this, a, b] { return examine_contacts<N, T>(a, b, settings_, regressions_); });
       }
     }
     for (std::size_t type = 0; type + 1 < types; ++type) {  // compounds, the last, are their parts
       add(space + std::string(shape_type_names[type]) + " and points", results_.points,
           [this, type] { return examine_points<N, T>(type, settings_, regressions_); });
+    }
+    for (std::size_t type = 0; type < types; ++type) {
+      add(space + std::string(shape_type_names[type]) + " and rays", results_.rays,
+          [this, type] { return examine_rays<N, T>(type, settings_, regressions_); });
     }
   }
 

@@ -18,29 +18,12 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "exam/measure_report.hpp"
 #include "exam/rival.hpp"
+#include "exam/table.hpp"
 
 namespace graze::exam {
 namespace {
-
-constexpr std::array<SpaceName, 4> spaces = {{{2, "float"}, {2, "double"}, {3, "float"}, {3, "double"}}};
-
-std::string row(const std::vector<std::string>& cells) { return fmt::format("| {} |\n", fmt::join(cells, " | ")); }
-
-std::string head(const std::vector<std::string>& cells) {
-  std::string line = row(cells) + "|---";
-  for (std::size_t i = 1; i < cells.size(); ++i) line += "|--:";
-  return line + "|\n";
-}
-
-/// Three digits, and a plain 0.
-std::string rounded(double x) { return x == 0 ? "0" : fmt::format("{:.2g}", x); }
-
-std::string percent(std::size_t part, std::size_t whole) {
-  if (whole == 0) return "-";
-  const double share = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-  return part == 0 ? "0" : fmt::format("{:.{}f} %", share, share < 1 ? 2 : 0);
-}
 
 std::string compiler() {
 #ifdef __clang__
@@ -59,39 +42,21 @@ std::string circumstances(const Results& results, const Settings& settings) {
     certified += tally.certified;
   }
   for (const PointTally& tally : results.points) cases += tally.cases;
+  for (const MeasuredPair& tally : results.contacts) cases += tally.cases;
+  for (const MeasuredPair& tally : results.rays) cases += tally.cases;
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   std::string text = fmt::format(
       "{:%Y-%m-%d}, {}, seed {}, {} cases per pair of types and space, {} per shape and "
-      "space for point queries",
-      fmt::gmtime(now), compiler(), settings.seed, settings.cases, settings.points);
+      "space for point queries, {} per pair and space for contacts, {} per shape and space for rays",
+      fmt::gmtime(now), compiler(), settings.seed, settings.cases, settings.points, settings.contacts, settings.rays);
   if (settings.seconds > 0) text += fmt::format(", but at most {} seconds for each", settings.seconds);
   if (!settings.pairs.empty()) text += fmt::format(", only those named \"{}\"", settings.pairs);
   text += fmt::format("; {} cases in all.", pair_cases + cases);
   if (pair_cases > 0) {
-    text += fmt::format(" Of those of pairs {:.2f} % were judged by a certificate, the others by the oracle.",
+    text += fmt::format(" Of the verdicts on pairs {:.2f} % were judged by a certificate, the others by the oracle.",
                         100.0 * static_cast<double>(certified) / static_cast<double>(pair_cases));
   }
   return text + "\n\n";
-}
-
-/// What the tallies of one name are in each space; those that were not run are empty.
-template <class Tally>
-using BySpace = std::array<Tally, spaces.size()>;
-
-/// In the order in which the names first come.
-template <class Tally, class NameOf>
-std::vector<std::pair<std::string, BySpace<Tally>>> by_name(const std::vector<Tally>& tallies, NameOf name_of) {
-  std::vector<std::pair<std::string, BySpace<Tally>>> rows;
-  for (const Tally& tally : tallies) {
-    const auto same = [&](const auto& row) { return row.first == name_of(tally); };
-    auto found = std::find_if(rows.begin(), rows.end(), same);
-    if (found == rows.end()) found = rows.insert(rows.end(), {name_of(tally), {}});
-    const auto place = std::find_if(spaces.begin(), spaces.end(), [&](const SpaceName& space) {
-      return space.dimension == tally.space.dimension && space.scalar == tally.space.scalar;
-    });
-    found->second[static_cast<std::size_t>(place - spaces.begin())] = tally;
-  }
-  return rows;
 }
 
 /// The larger of the values in 2D and 3D, in float and in double.
@@ -99,13 +64,6 @@ template <class Tally>
 std::string worst_of(const BySpace<Tally>& tallies, double Tally::*error) {
   return fmt::format("{} / {}", rounded(std::max(tallies[0].*error, tallies[2].*error)),
                      rounded(std::max(tallies[1].*error, tallies[3].*error)));
-}
-
-template <class Tally>
-std::size_t sum_of(const BySpace<Tally>& tallies, std::size_t Tally::*count) {
-  std::size_t sum = 0;
-  for (const Tally& tally : tallies) sum += tally.*count;
-  return sum;
 }
 
 std::string point_table(const std::vector<PointTally>& tallies) {
@@ -231,7 +189,7 @@ std::string markdown(const Results& results, const Settings& settings) {
   if (!results.pairs.empty()) text += pair_table(results.pairs);
   const std::string compared = rival_tables<float>(results.pairs) + rival_tables<double>(results.pairs);
   if (!compared.empty()) text += std::string(rival_introduction) + compared;
-  return text;
+  return text + contact_tables(results.contacts) + ray_tables(results.rays);
 }
 
 void write_page(const std::string& path, const std::string& text) {

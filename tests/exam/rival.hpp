@@ -36,14 +36,17 @@ std::optional<bool> fcl_answer(const Solid3<double>& a, const Solid3<double>& b)
 /// libccd's ccdGJKIntersect, which Debian builds for double.
 std::optional<bool> libccd_answer(const Solid3<double>& a, const Solid3<double>& b);
 
+/// ODE's dCollide, which Debian builds for double: spheres, boxes, capsules, and half-spaces, which it calls planes.
+std::optional<bool> ode_answer(const Solid3<double>& a, const Solid3<double>& b);
+
 /// The formulas of textbook.hpp.
 std::optional<bool> textbook_answer(const Solid3<float>& a, const Solid3<float>& b);
 std::optional<bool> textbook_answer(const Solid3<double>& a, const Solid3<double>& b);
 
 inline constexpr std::array<Rival<float>, 3> float_rivals = {
     {{"textbook", textbook_answer}, {"Bullet", bullet_answer}, {"FCL", fcl_answer}}};
-inline constexpr std::array<Rival<double>, 3> double_rivals = {
-    {{"textbook", textbook_answer}, {"FCL", fcl_answer}, {"libccd", libccd_answer}}};
+inline constexpr std::array<Rival<double>, 4> double_rivals = {
+    {{"textbook", textbook_answer}, {"FCL", fcl_answer}, {"libccd", libccd_answer}, {"ODE", ode_answer}}};
 
 template <class T>
 constexpr const auto& rivals() {

@@ -5,6 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+#include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
@@ -17,6 +19,8 @@
 
 #include <graze/math/vec.hpp>
 
+#include "exam/contact_rival.hpp"
+#include "exam/ray_rival.hpp"
 #include "exam/rival.hpp"
 
 namespace graze::exam {
@@ -82,9 +86,8 @@ struct BodyOf {
   }
 };
 
-}  // namespace
-
-std::optional<bool> bullet_answer(const Solid3<float>& a, const Solid3<float>& b) {
+/// Of a point of b's surface, or of the two nearest ones: distance, and the normal from b to a.
+std::optional<btPointCollector> nearest_of(const Solid3<float>& a, const Solid3<float>& b) {
   const std::optional<Body> body_a = std::visit(BodyOf(), a);
   const std::optional<Body> body_b = std::visit(BodyOf(), b);
   if (!body_a || !body_b) return std::nullopt;
@@ -96,7 +99,40 @@ std::optional<bool> bullet_answer(const Solid3<float>& a, const Solid3<float>& b
   input.m_transformB = body_b->pose;
   btPointCollector nearest;
   detector.getClosestPoints(input, nearest, nullptr);
-  return nearest.m_hasResult && nearest.m_distance <= 0;
+  return nearest;
+}
+
+}  // namespace
+
+std::optional<bool> bullet_answer(const Solid3<float>& a, const Solid3<float>& b) {
+  const std::optional<btPointCollector> nearest = nearest_of(a, b);
+  if (!nearest) return std::nullopt;
+  return nearest->m_hasResult && nearest->m_distance <= 0;
+}
+
+std::optional<Parting> bullet_parting(const Solid3<float>& a, const Solid3<float>& b) {
+  const std::optional<btPointCollector> nearest = nearest_of(a, b);
+  if (!nearest) return std::nullopt;
+  if (!nearest->m_hasResult || nearest->m_distance > 0) return Parting{};
+  const btVector3 way = -nearest->m_normalOnBInWorld;
+  return Parting{true, -static_cast<double>(nearest->m_distance), Vec<3, double>(way.x(), way.y(), way.z())};
+}
+
+std::optional<Sight> bullet_sight(const Solid3<float>& shape, const Ray<3, float>& ray, double reach) {
+  std::optional<Body> body = std::visit(BodyOf(), shape);
+  if (!body) return std::nullopt;
+  const Vec<3, double> direction = wide<3, float>(ray.direction);
+  const Vec<3, float> end(wide<3, float>(ray.origin) + direction * (reach / length(direction)));
+  const btVector3 from = vector(ray.origin);
+  const btVector3 to = vector(end);
+  btCollisionObject object;
+  object.setCollisionShape(body->shape.get());
+  object.setWorldTransform(body->pose);
+  btCollisionWorld::ClosestRayResultCallback nearest(from, to);
+  btCollisionWorld::rayTestSingle(btTransform(btQuaternion::getIdentity(), from),
+                                  btTransform(btQuaternion::getIdentity(), to), &object, body->shape.get(), body->pose,
+                                  nearest);
+  return Sight{nearest.hasHit(), static_cast<double>(nearest.m_closestHitFraction) * reach};
 }
 
 }  // namespace graze::exam

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <variant>
@@ -9,6 +10,7 @@
 
 #include <graze/math/vec.hpp>
 
+#include "exam/contact_rival.hpp"
 #include "exam/rival.hpp"
 
 namespace graze::exam {
@@ -97,6 +99,33 @@ bool meet(const Placed<First, T>& a, const Placed<Second, T>& b) {
   return fcl::collide(&a.shape, a.pose, &b.shape, b.pose, request, result) > 0;
 }
 
+template <class T>
+Parting parting(T depth, const fcl::Vector3<T>& normal) {
+  return {true, std::fabs(static_cast<double>(depth)), Vec<3, double>(normal[0], normal[1], normal[2]), true};
+}
+
+template <class Shape, class T>
+Parting parting(const Placed<Shape, T>& a, const Triangle<3, T>& b) {
+  const fcl::detail::GJKSolver_indep<T> solver;
+  fcl::Vector3<T> point;
+  fcl::Vector3<T> normal;
+  T depth = 0;
+  const bool meets =
+      solver.shapeTriangleIntersect(a.shape, a.pose, vector(b.a), vector(b.b), vector(b.c), &point, &depth, &normal);
+  if (!meets) return {};
+  return parting(depth, normal);
+}
+
+template <class First, class Second, class T>
+Parting parting(const Placed<First, T>& a, const Placed<Second, T>& b) {
+  fcl::CollisionRequest<T> request(1, true);
+  request.gjk_solver_type = fcl::GST_INDEP;
+  fcl::CollisionResult<T> result;
+  if (fcl::collide(&a.shape, a.pose, &b.shape, b.pose, request, result) == 0) return {};
+  const fcl::Contact<T>& contact = result.getContact(0);
+  return parting(contact.penetration_depth, contact.normal);
+}
+
 template <class S>
 constexpr bool is_triangle = false;
 template <class T>
@@ -131,9 +160,35 @@ std::optional<bool> answer(const Solid3<T>& a, const Solid3<T>& b) {
       a, b);
 }
 
+template <class T>
+std::optional<Parting> parting_of(const Solid3<T>& a, const Solid3<T>& b) {
+  return std::visit(
+      [](const auto& held_a, const auto& held_b) -> std::optional<Parting> {
+        using A = std::decay_t<decltype(held_a)>;
+        using B = std::decay_t<decltype(held_b)>;
+        if constexpr ((is_level<A> && is_level<B>) || (is_level<A> && is_triangle<B>)) {
+          return std::nullopt;
+        } else if constexpr (is_triangle<A> && requires { placed(held_b); }) {
+          return parting(placed(held_b), held_a);  // the normal has no sign
+        } else if constexpr (is_triangle<B> && requires { placed(held_a); }) {
+          return parting(placed(held_a), held_b);
+        } else if constexpr (requires { placed(held_a), placed(held_b); }) {
+          return parting(placed(held_a), placed(held_b));
+        } else {
+          return std::nullopt;
+        }
+      },
+      a, b);
+}
+
 }  // namespace
 
 std::optional<bool> fcl_answer(const Solid3<float>& a, const Solid3<float>& b) { return answer<float>(a, b); }
 std::optional<bool> fcl_answer(const Solid3<double>& a, const Solid3<double>& b) { return answer<double>(a, b); }
+
+std::optional<Parting> fcl_parting(const Solid3<float>& a, const Solid3<float>& b) { return parting_of<float>(a, b); }
+std::optional<Parting> fcl_parting(const Solid3<double>& a, const Solid3<double>& b) {
+  return parting_of<double>(a, b);
+}
 
 }  // namespace graze::exam

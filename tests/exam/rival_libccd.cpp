@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <type_traits>
 #include <variant>
@@ -10,6 +11,7 @@
 
 #include <graze/math/vec.hpp>
 
+#include "exam/contact_rival.hpp"
 #include "exam/rival.hpp"
 
 namespace graze::exam {
@@ -21,7 +23,12 @@ using Vec3 = Vec<3, double>;
 struct Body {
   std::vector<Vec3> corners;
   double radius = 0;
+  mutable std::size_t asked = 0;  ///< How many supports were.
 };
+
+/// The way out of ccdGJKPenetration, whose EPA has no limit to its steps.
+struct GivesUp {};
+constexpr std::size_t most_asked = 20'000;
 
 Body box_body(const Vec3& center, const Mat<3, double>& half_edges) {
   Body body;
@@ -57,6 +64,7 @@ struct BodyOf {
 
 void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* found) {
   const auto& body = *static_cast<const Body*>(object);
+  if (++body.asked > most_asked) throw GivesUp();
   const Vec3 way(direction->v[0], direction->v[1], direction->v[2]);
   Vec3 best = body.corners.front();
   for (const Vec3& corner : body.corners) {
@@ -67,18 +75,39 @@ void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* found)
   ccdVec3Set(found, best.x, best.y, best.z);
 }
 
+ccd_t settings_of_both() {
+  ccd_t settings;
+  CCD_INIT(&settings);
+  settings.support1 = support;
+  settings.support2 = support;
+  settings.max_iterations = 1000;  // by default it may go on for ever
+  return settings;
+}
+
 }  // namespace
 
 std::optional<bool> libccd_answer(const Solid3<double>& a, const Solid3<double>& b) {
   const std::optional<Body> body_a = std::visit(BodyOf(), a);
   const std::optional<Body> body_b = std::visit(BodyOf(), b);
   if (!body_a || !body_b) return std::nullopt;
-  ccd_t settings;
-  CCD_INIT(&settings);
-  settings.support1 = support;
-  settings.support2 = support;
-  settings.max_iterations = 1000;  // by default it may go on for ever
+  const ccd_t settings = settings_of_both();
   return ccdGJKIntersect(&*body_a, &*body_b, &settings) != 0;
+}
+
+std::optional<Parting> libccd_parting(const Solid3<double>& a, const Solid3<double>& b) {
+  const std::optional<Body> body_a = std::visit(BodyOf(), a);
+  const std::optional<Body> body_b = std::visit(BodyOf(), b);
+  if (!body_a || !body_b) return std::nullopt;
+  const ccd_t settings = settings_of_both();
+  ccd_real_t depth = 0;
+  ccd_vec3_t way;
+  ccd_vec3_t place;
+  try {
+    if (ccdGJKPenetration(&*body_a, &*body_b, &settings, &depth, &way, &place) != 0) return Parting{};
+  } catch (const GivesUp&) {
+    return Parting{};
+  }
+  return Parting{true, depth, Vec3(way.v[0], way.v[1], way.v[2])};
 }
 
 }  // namespace graze::exam

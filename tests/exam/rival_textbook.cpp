@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <optional>
 #include <variant>
 
+#include "exam/contact_rival.hpp"
+#include "exam/ray_rival.hpp"
 #include "exam/rival.hpp"
 #include "exam/textbook.hpp"
+#include "exam/textbook_depth.hpp"
+#include "exam/textbook_ray.hpp"
 
 namespace graze::exam {
 namespace {
@@ -21,9 +26,51 @@ std::optional<bool> answer(const Solid3<T>& a, const Solid3<T>& b) {
       a, b);
 }
 
+template <class T>
+std::optional<Parting> parting(const Solid3<T>& a, const Solid3<T>& b) {
+  return std::visit(
+      [](const auto& held_a, const auto& held_b) -> std::optional<Parting> {
+        if constexpr (requires { textbook::way_out(held_a, held_b); }) {
+          const auto found = textbook::way_out(held_a, held_b);
+          if (!found) return Parting{};
+          return Parting{true, static_cast<double>(found->depth), Vec<3, double>(found->normal)};
+        } else {
+          return std::nullopt;
+        }
+      },
+      a, b);
+}
+
+template <class T>
+std::optional<Sight> sight(const Solid3<T>& shape, const Ray<3, T>& ray) {
+  const Vec<3, T> way = ray.direction / std::sqrt(dot(ray.direction, ray.direction));
+  return std::visit(
+      [&ray, &way](const auto& held) -> std::optional<Sight> {
+        if constexpr (requires { textbook::entry(held, ray.origin, way); }) {
+          const std::optional<T> distance = textbook::entry(held, ray.origin, way);
+          return Sight{distance.has_value(), static_cast<double>(distance.value_or(T(0)))};
+        } else {
+          return std::nullopt;
+        }
+      },
+      shape);
+}
+
 }  // namespace
 
 std::optional<bool> textbook_answer(const Solid3<float>& a, const Solid3<float>& b) { return answer<float>(a, b); }
 std::optional<bool> textbook_answer(const Solid3<double>& a, const Solid3<double>& b) { return answer<double>(a, b); }
+
+std::optional<Parting> textbook_parting(const Solid3<float>& a, const Solid3<float>& b) { return parting<float>(a, b); }
+std::optional<Parting> textbook_parting(const Solid3<double>& a, const Solid3<double>& b) {
+  return parting<double>(a, b);
+}
+
+std::optional<Sight> textbook_sight(const Solid3<float>& shape, const Ray<3, float>& ray, double) {
+  return sight<float>(shape, ray);
+}
+std::optional<Sight> textbook_sight(const Solid3<double>& shape, const Ray<3, double>& ray, double) {
+  return sight<double>(shape, ray);
+}
 
 }  // namespace graze::exam

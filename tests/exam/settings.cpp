@@ -12,6 +12,9 @@ std::variant<Settings, int> read_settings(int argc, const char* const* argv) {
                "graze_exam");
   app.add_option("--cases", settings.cases, "cases per pair of types and space")->capture_default_str();
   app.add_option("--points", settings.points, "cases per shape and space for point queries")->capture_default_str();
+  app.add_option("--contacts", settings.contacts, "cases per pair of types and space for contact")
+      ->capture_default_str();
+  app.add_option("--rays", settings.rays, "cases per shape and space for ray_cast")->capture_default_str();
   app.add_option("--seed", settings.seed, "other cases")->capture_default_str();
   app.add_option("--pairs", settings.pairs, "only pairs whose name holds this, such as \"3D float obb, triangle\"");
   app.add_option("--seconds", settings.seconds, "stop each pair after this time; 0 for never")->capture_default_str();

@@ -17,6 +17,8 @@ namespace graze::exam {
 struct Settings {
   std::size_t cases = 1'000'000;  ///< Per pair of types and space.
   std::size_t points = 100'000;   ///< Cases per shape and space for point queries, all of them put to the oracle.
+  std::size_t contacts = 20'000;  ///< Contacts per pair of types and space, the same.
+  std::size_t rays = 100'000;     ///< Rays per type and space, the same.
   std::uint64_t seed = 1;
   double seconds = 0;  ///< Each pair stops after this; 0 for never.
   std::string pairs;   ///< Only pairs whose name, such as "3D float obb, triangle", holds this.

@@ -4,6 +4,8 @@
 //
 //   relation,3D float,sphere 0 0 0 1,segment 2 0 0 2 1 0,apart
 //   point,2D double,triangle 0 0 1 0 0 1,point 0.5 0.25,-0.17677669529663687
+//   contact,2D float,sphere 0 0 1,sphere 1 0 1,-1
+//   ray_cast,2D float,sphere 0 0 1,ray 3 0 -1 0,2
 //
 // A polytope begins with the number of its vertices, a compound with that of its parts, which follow. Numbers are the
 // shortest decimals that read back as the same.
@@ -33,11 +35,11 @@ namespace graze::test {
 
 /// One row, still text.
 struct Regression {
-  std::string query;  ///< "relation" or "point".
+  std::string query;  ///< "relation", "point", "contact" or "ray_cast".
   std::string space;  ///< "3D float".
   std::string a;
   std::string b;
-  std::string expected;  ///< The relation's name, or the signed distance.
+  std::string expected;  ///< The relation's name, the signed distance, the gap, or where the ray enters.
 };
 
 /// "3D float".

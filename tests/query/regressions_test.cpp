@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstdlib>
+#include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -20,9 +22,15 @@
 #include "catalogue.hpp"
 #include "exact.hpp"
 #include "exact/kinds.hpp"
+#include "exact/ray_entry.hpp"
+#include "query/contact_judgement.hpp"
+#include "query/contacts.hpp"
 #include "query/pairs.hpp"
+#include "query/placement.hpp"
 #include "query/point_answers.hpp"
 #include "query/point_judgement.hpp"
+#include "query/ray_casts.hpp"
+#include "query/ray_judgement.hpp"
 #include "query/verdict_band.hpp"
 
 namespace graze::test::regressions_test {
@@ -67,6 +75,29 @@ void expect_right_point(const Regression& row) {
       any);
 }
 
+template <Dim N, class T>
+void expect_right_contact(const Regression& row) {
+  const AnyShape<N, T> a = shape_from<N, T>(row.a);
+  const AnyShape<N, T> b = shape_from<N, T>(row.b);
+  const ExactVerdict truth = exact_verdict<N, T>(a, b);
+  EXPECT_EQ(number_text(truth.gap), row.expected);
+  const ContactErrors errors = contact_errors<N, T>(a, b, truth, contact_of<N, T>(a, b));
+  EXPECT_NE(errors.judgement, Judgement::wrong) << errors.depth << " (depth), " << errors.left << " (left)";
+}
+
+template <Dim N, class T>
+void expect_right_ray_cast(const Regression& row) {
+  const AnyShape<N, T> shape = shape_from<N, T>(row.a);
+  const Ray<N, T> ray = std::get<Ray<N, T>>(shape_from<N, T>(row.b));
+  const std::optional<double> entry = exact_entry<N, T>(shape, ray);
+  EXPECT_EQ(entry ? number_text(*entry) : "none", row.expected);
+  const auto hit = hit_of<N, T>(shape, ray, std::numeric_limits<T>::infinity());
+  const AnyShape<N, T> path(ray);
+  const RayErrors errors =
+      ray_errors<N, T>(shape, ray, exact_verdict<N, T>(shape, path), size_of<N, T>({shape, path}), hit);
+  EXPECT_NE(errors.judgement, Judgement::wrong) << errors.entry << " (entry)";
+}
+
 /// Whether the row is of this space; then it is checked.
 template <Dim N, class T>
 bool is_checked(const Regression& row) {
@@ -75,6 +106,10 @@ bool is_checked(const Regression& row) {
     expect_right_relation<N, T>(row);
   } else if (row.query == "point") {
     expect_right_point<N, T>(row);
+  } else if (row.query == "contact") {
+    expect_right_contact<N, T>(row);
+  } else if (row.query == "ray_cast") {
+    expect_right_ray_cast<N, T>(row);
   } else {
     ADD_FAILURE() << "no query is named \"" << row.query << "\"";
   }

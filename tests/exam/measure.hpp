@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Answers with a number in them, graze's and its rivals': the depth of a contact, where a ray hits. What a program
+// said, and how often and by how much it was wrong.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "exam/tally.hpp"
+
+namespace graze::exam {
+
+/// The answers of one program to the same cases.
+struct MeasureTally {
+  std::size_t cases = 0;
+  std::size_t false_yes = 0;
+  std::size_t false_no = 0;
+  std::size_t measured = 0;  ///< Rightly said to meet, so that there is a number to judge.
+  std::size_t off = 0;       ///< Of those the ones farther off than `fair_share` of the shapes' size.
+  double worst = 0;          ///< The largest error, as a share of the size.
+
+  MeasureTally& operator+=(const MeasureTally& other) {
+    cases += other.cases;
+    false_yes += other.false_yes;
+    false_no += other.false_no;
+    measured += other.measured;
+    off += other.off;
+    worst = std::max(worst, other.worst);
+    return *this;
+  }
+};
+
+/// What everybody is given: a thousandth of the shapes' own size, and what rounding the coordinates loses.
+inline constexpr double fair_share = 1e-3;
+
+/// graze's answers of one kind on one pair of types, or one type of shapes and rays, in one space.
+struct MeasuredPair {
+  SpaceName space{};
+  std::string pair;
+  std::size_t cases = 0;
+  std::size_t hits = 0;
+  std::size_t outside = 0;  ///< Beyond what is documented.
+  std::size_t wrong = 0;
+  double worst = 0;       ///< Of the number, in epsilon of T times the documented size.
+  double worst_left = 0;  ///< Of a contact: the overlap that is left after the move, in the same.
+  std::map<std::string_view, MeasureTally> rivals;  ///< By name, graze's own answers among them.
+};
+
+}  // namespace graze::exam

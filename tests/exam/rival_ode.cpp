@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+#include <cstdarg>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include <ode/ode.h>
+
+#include <graze/math/vec.hpp>
+
+#include "exam/contact_rival.hpp"
+#include "exam/ray_rival.hpp"
+#include "exam/rival.hpp"
+
+namespace graze::exam {
+namespace {
+
+using Vec3 = Vec<3, double>;
+
+/// An assertion of ODE that failed, such as that of a normal for a ball of radius zero: by default it ends the program.
+struct Refusal {};
+
+// NOLINTNEXTLINE(cert-dcl50-cpp): what ODE calls
+void refuse(int, const char*, va_list) { throw Refusal(); }
+
+/// ODE keeps tables for the whole program, and some for each thread.
+class Library {
+ public:
+  Library() {
+    dInitODE2(0);
+    dSetDebugHandler(refuse);
+  }
+  ~Library() { dCloseODE(); }
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+};
+
+void start_library() {
+  static const Library library;
+  static thread_local const int is_ready = dAllocateODEDataForThread(dAllocateMaskAll);
+  static_cast<void>(is_ready);
+}
+
+struct DestroyGeometry {
+  void operator()(dGeomID geometry) const { dGeomDestroy(geometry); }
+};
+using Geometry = std::unique_ptr<std::remove_pointer_t<dGeomID>, DestroyGeometry>;
+
+Geometry placed_at(dGeomID geometry, const Vec3& center) {
+  dGeomSetPosition(geometry, center.x, center.y, center.z);
+  return Geometry(geometry);
+}
+
+void turn(dGeomID geometry, const Mat<3, double>& axes) {
+  const dMatrix3 rotation = {axes[0].x, axes[1].x, axes[2].x, 0,         axes[0].y, axes[1].y,
+                             axes[2].y, 0,         axes[0].z, axes[1].z, axes[2].z, 0};
+  dGeomSetRotation(geometry, rotation);
+}
+
+struct GeometryOf {
+  Geometry operator()(const Sphere<3, double>& sphere) const {
+    return placed_at(dCreateSphere(nullptr, sphere.radius), sphere.center);
+  }
+  Geometry operator()(const Aabb<3, double>& box) const {
+    const Vec3 sides = box.max - box.min;
+    return placed_at(dCreateBox(nullptr, sides.x, sides.y, sides.z), (box.min + box.max) * 0.5);
+  }
+  Geometry operator()(const Obb<3, double>& box) const {
+    const Vec3 sides = box.half_extents * 2.0;
+    Geometry geometry = placed_at(dCreateBox(nullptr, sides.x, sides.y, sides.z), box.center);
+    turn(geometry.get(), box.axes);
+    return geometry;
+  }
+  /// ODE's capsules stand along z, and their length is that of the axis.
+  Geometry operator()(const Capsule<3, double>& capsule) const {
+    const Vec3 way = capsule.b - capsule.a;
+    const double length = std::sqrt(dot(way, way));
+    Geometry geometry = placed_at(dCreateCapsule(nullptr, capsule.radius, length), (capsule.a + capsule.b) * 0.5);
+    if (length > 0) {
+      dMatrix3 rotation;
+      dRFromZAxis(rotation, way.x, way.y, way.z);
+      dGeomSetRotation(geometry.get(), rotation);
+    }
+    return geometry;
+  }
+  /// What ODE calls a plane is solid below. It makes the normal as long as it should be.
+  Geometry operator()(const HalfSpace<3, double>& solid) const {
+    const double length = std::sqrt(dot(solid.normal, solid.normal));
+    const Vec3 normal = solid.normal / length;
+    return Geometry(dCreatePlane(nullptr, normal.x, normal.y, normal.z, solid.offset / length));
+  }
+  template <class S>
+  Geometry operator()(const S&) const {
+    return nullptr;
+  }
+};
+
+/// As many contacts as a pair of boxes can have.
+constexpr int most_contacts = 8;
+
+/// How many contacts dCollide finds; none if it refuses.
+std::optional<int> collide(const Geometry& a, const Geometry& b, std::array<dContactGeom, most_contacts>& contacts) {
+  try {
+    return dCollide(a.get(), b.get(), most_contacts, contacts.data(), sizeof(dContactGeom));
+  } catch (const Refusal&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::optional<Parting> ode_parting(const Solid3<double>& a, const Solid3<double>& b) {
+  if (std::holds_alternative<HalfSpace<3, double>>(a) && std::holds_alternative<HalfSpace<3, double>>(b))
+    return std::nullopt;
+  start_library();
+  const Geometry of_a = std::visit(GeometryOf(), a);
+  const Geometry of_b = std::visit(GeometryOf(), b);
+  if (!of_a || !of_b) return std::nullopt;
+  std::array<dContactGeom, most_contacts> contacts{};
+  const std::optional<int> count = collide(of_a, of_b, contacts);
+  if (!count) return std::nullopt;
+  Parting deepest;
+  for (int i = 0; i < *count; ++i) {
+    const dContactGeom& contact = contacts[static_cast<std::size_t>(i)];
+    if (deepest.meets && contact.depth <= deepest.depth) continue;
+    // The normal is the way that a goes.
+    deepest = {true, contact.depth, -Vec3(contact.normal[0], contact.normal[1], contact.normal[2])};
+  }
+  return deepest;
+}
+
+std::optional<bool> ode_answer(const Solid3<double>& a, const Solid3<double>& b) {
+  const std::optional<Parting> parting = ode_parting(a, b);
+  if (!parting) return std::nullopt;
+  return parting->meets;
+}
+
+std::optional<Sight> ode_sight(const Solid3<double>& shape, const Ray<3, double>& ray, double reach) {
+  if (std::holds_alternative<HalfSpace<3, double>>(shape)) return std::nullopt;  // of which it looks for the surface
+  start_library();
+  const Geometry body = std::visit(GeometryOf(), shape);
+  if (!body) return std::nullopt;
+  const Geometry path(dCreateRay(nullptr, reach));
+  const Vec3& o = ray.origin;
+  const Vec3 way = ray.direction / std::sqrt(dot(ray.direction, ray.direction));
+  dGeomRaySet(path.get(), o.x, o.y, o.z, way.x, way.y, way.z);
+  std::array<dContactGeom, most_contacts> contacts{};
+  const std::optional<int> count = collide(path, body, contacts);
+  if (!count) return std::nullopt;
+  return Sight{*count > 0, contacts[0].depth};
+}
+
+}  // namespace graze::exam
