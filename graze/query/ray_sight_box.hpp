@@ -24,6 +24,7 @@ struct Slab {
 
   double earliest() const { return near - slack; }
   double latest() const { return far + slack; }
+  Slab without_slack() const { return {near, far, 0}; }
 };
 
 /// No coordinate of a direction is taken as smaller. An axis across which the path runs has it between the sides always
@@ -125,8 +126,19 @@ template <Dim N>
 [[gnu::always_inline]] inline TouchOfBox touch_of_box(const PathAtBox& path, double t_max) {
   const Slabs slabs = slabs_of<N>(path, tolerance::ray_side);
   if (slabs.are_missed(t_max)) return {};
-  if (slabs.are_entered(t_max)) return enter_box(Sight::hits, path, slabs, t_max);
+  // What is entered by a margin is entered where the last side is crossed, however nearly the path runs along it.
+  if (slabs.are_entered(t_max)) {
+    return enter_box(Sight::hits, path, {slabs.x.without_slack(), slabs.y.without_slack(), slabs.z.without_slack()},
+                     t_max);
+  }
   return enter_box(Sight::unclear, path, slabs_of<N>(path, tolerance::rounding), t_max);
+}
+
+/// How far the point where a path meets a box may be off: by what rounds off and, where it may only have come near a
+/// side, by the slack of that.
+[[gnu::always_inline]] inline double error_at_box(const TouchOfBox& found, const PathAtBox& path) {
+  const double size = sum_abs(path.min) + sum_abs(path.max);
+  return tolerance::rounding * (found.sight == Sight::unclear ? 2 * size + path.far : size);
 }
 
 template <Dim N>
@@ -137,9 +149,9 @@ template <Dim N>
 
 template <Dim N>
 [[gnu::always_inline]] inline Sighting<N> sight_of(const Aabb<N, double>& box, const Path<N>& path) {
-  const TouchOfBox found = touch_of_box<N>(path_at(box, path.direction, path.far), path.t_max);
-  const double error = tolerance::rounding * (sum_abs(box.min) + sum_abs(box.max));
-  return {found.sight, {found.t, Vec<N, double>(found.point), Vec<N, double>(found.side), error}};
+  const PathAtBox seen = path_at(box, path.direction, path.far);
+  const TouchOfBox found = touch_of_box<N>(seen, path.t_max);
+  return {found.sight, {found.t, Vec<N, double>(found.point), Vec<N, double>(found.side), error_at_box(found, seen)}};
 }
 
 /// The rows of the inverse of a matrix, all as much too long as `determinant` says.
@@ -187,8 +199,8 @@ template <Dim N>
   const Vec<N, double> half = box.half_extents * scale;
   const Aabb<N, double> seen{center - half, center + half};
   const Vec<N, double> slope = inverse.rows_times(path.direction) * sign;
-  const TouchOfBox found = touch_of_box<N>(path_at(seen, slope, path.far), path.t_max);
-  const double error = tolerance::rounding * (sum_abs(box.center) + 2 * sum_abs(box.half_extents));
+  const PathAtBox path_seen = path_at(seen, slope, path.far);
+  const TouchOfBox found = touch_of_box<N>(path_seen, path.t_max);
   const Vec<N, double> side(found.side);
   // Of the axes across the side that is met the place is exact.
   const Vec<N, double> place =
@@ -196,7 +208,7 @@ template <Dim N>
   const bool is_inside = max_abs(side) == 0;
   return {found.sight,
           {found.t, is_inside ? Vec<N, double>(0.0) : box.center + box.axes * place, inverse.times_rows(side) * sign,
-           error}};
+           error_at_box(found, path_seen)}};
 }
 
 }  // namespace graze::detail

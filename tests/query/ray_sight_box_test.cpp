@@ -37,6 +37,24 @@ TEST(RaySightBox, OfAFlatBoxIsClearWhereItIsCrossed) {
   EXPECT_EQ(crossed.touch.point, Point(4, 0.5, 0));
 }
 
+/// A path that passes the side x = 4 a little below the box and enters through its bottom, which it climbs to slowly.
+TEST(RaySightBox, EntersNextToAnEdgeThroughTheSideThatItComesToLast) {
+  for (const double slope : {0x1p-1, 0x1p-5, 0x1p-9, 0x1p-13}) {
+    for (const double below : {0x1p-30, 0x1p-38, 0x1p-40, 0x1p-42, 0x1p-44, 0x1p-48}) {
+      const double bottom = 2 * slope + below;
+      const Box box{{4, bottom, -1}, {6, bottom + 2, 1}};
+      const Obb<3, double> turned{box.center(), box.half_extents(), Mat<3, double>(1.0)};
+      const Path<3> rising = path(Point(2, slope, 0), infinity);
+      for (const Sighting<3>& found : {sight_of(box, rising), sight_of(turned, rising)}) {
+        const double height = slope * found.touch.t - bottom;
+        EXPECT_NE(found.sight, Sight::misses) << slope << ", " << below;
+        EXPECT_LE(std::fabs(height), found.touch.error) << slope << ", " << below;
+        EXPECT_LE(found.touch.error, 3e-14 * (found.sight == Sight::unclear ? 2 : 1));
+      }
+    }
+  }
+}
+
 TEST(RaySightBox, RunsAlongASideWithEitherZero) {
   for (const double zero : {0.0, -0.0}) {
     const Sighting<3> along = sight_of(Box{{4, 0, -1}, {6, 1, 1}}, path(Point(2, zero, zero), infinity));
