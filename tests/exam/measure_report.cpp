@@ -71,13 +71,18 @@ std::vector<std::string_view> names_of(const Rivals& rivals) {
   return names;
 }
 
-constexpr std::string_view side_introduction =
-    "A cell is *wrong yes + wrong no, off, worst*: the first two as above; *off* is how many answers, of those that\n"
-    "rightly say that the two meet, are farther off than a thousandth of the pair's own size (and 1e-6 in float, "
-    "1e-12\n"
-    "in double of the largest coordinate, which are given to rounding); *worst* is the largest error as a share of "
-    "the\n"
-    "largest coordinate. Each program was asked the pairs that it has, of cases that are no variations of others.\n\n";
+/// `length` is what an answer may be off by a thousandth of before it counts as off.
+std::string side_introduction(std::string_view length) {
+  return "A cell is *wrong yes + wrong no, off, worst*: the first two as above; *off* is how many answers, of those "
+         "that\n"
+         "rightly say that the two meet, are farther off than a thousandth of " +
+         std::string(length) +
+         "\n(and 1e-6 in float, 1e-12 in double of the largest coordinate, which are given to rounding); *worst* is "
+         "the\n"
+         "largest error as a share of the largest coordinate. Each program was asked the pairs that it has, of cases "
+         "that\n"
+         "are no variations of others.\n\n";
+}
 
 }  // namespace
 
@@ -98,7 +103,7 @@ std::string contact_tables(const std::vector<MeasuredPair>& tallies) {
   text +=
       "The error of an answer is that of the depth or, where that is more, the overlap that is left when b has gone\n"
       "by depth along the normal. " +
-      std::string(side_introduction);
+      side_introduction("the pair's own size");
   if (!in_float.empty()) text += "### Contacts side by side, 3D float\n\n" + in_float;
   if (!in_double.empty()) text += "### Contacts side by side, 3D double\n\n" + in_double;
   return text;
@@ -119,7 +124,7 @@ std::string ray_tables(const std::vector<MeasuredPair>& tallies) {
   text +=
       "The error of an answer is the way along the ray to the true entry or, where that is less, the distance of\n"
       "the point from the surface. " +
-      std::string(side_introduction);
+      side_introduction("the way to the entry");
   if (!in_float.empty()) text += "### Rays side by side, 3D float\n\n" + in_float;
   if (!in_double.empty()) text += "### Rays side by side, 3D double\n\n" + in_double;
   return text;

@@ -210,6 +210,33 @@ test("an object that is pressed on the drawing is selected in the list", async (
   });
 });
 
+test("what is on a layer that is switched off is neither listed nor found, and a selection is zoomed to", async () => {
+  const path = `${folder}layers.json`;
+  const box = (name, x, layer) => ({ name, type: "aabb", min: [x, 0], max: [x + 1, 1], layer });
+  const objects = [box("crate", 0, "crates"), box("rock", 0.5, "rocks"), box("far rock", 30, "rocks")];
+  const layers = ["crates", "rocks"];
+  await writeFile(path, JSON.stringify({ schema: "graze.scene/1", dimension: 2, layers, objects }));
+  await openScene([path], async (page) => {
+    const listed = () => page.locator("#object-list button").allTextContents();
+    const pairs = () => page.locator("#pair-list button").count();
+    assert.deepEqual([(await listed()).length, await pairs()], [3, 1]);
+    await page.getByRole("button", { name: /^far rock/ }).click();
+    const before = { move: await placeOf(page, "move"), size: await placeOf(page, "size") };
+    await page.getByLabel("rocks").uncheck();
+    assert.deepEqual([await listed(), await pairs()], [["crateaabb"], 0]);
+    await page.mouse.click(before.move.x, before.move.y);
+    assert.equal(await page.locator("#inspector figure, #inspector [id^=figure-]").count(), 0);
+
+    await page.getByLabel("rocks").check();
+    assert.deepEqual([(await listed()).length, await pairs()], [3, 1]);
+    await page.getByRole("button", { name: /^far rock/ }).click();
+    await page.keyboard.press("z");
+    await page.waitForTimeout(400);
+    const after = { move: await placeOf(page, "move"), size: await placeOf(page, "size") };
+    assert.ok(after.size.x - after.move.x > 3 * (before.size.x - before.move.x), JSON.stringify({ before, after }));
+  });
+});
+
 test("a bad file is refused in words that help, and what was shown stays", async () => {
   const path = `${folder}bad.json`;
   const objects = [{ name: "ball", type: "sphere", center: [0, 0], raduis: 1 }];

@@ -46,6 +46,7 @@ class SceneView implements OpenChapter {
     this.#objectList = new VirtualList("Objects", (index) => this.#objectRow(index), (index) => this.#select([this.#matches[index] ?? 0]));
     this.#pairList = new VirtualList("Pairs that touch", (index) => this.#pairRow(index), (index) => this.#selectPair(index));
     this.#pairList.root.id = "pair-list";
+    this.#objectList.root.id = "object-list";
     this.#search.addEventListener("input", () => this.#filter());
     const chooser = element("input", { type: "file", multiple: true, hidden: true, id: "scene-file" });
     chooser.addEventListener("change", () => this.onFiles([...(chooser.files ?? [])]));
