@@ -108,7 +108,8 @@ Vec<N, double> equidistant_center(const FewPoints<N>& corners) {
 /// The smallest ball around the points of `support` and one more that it must touch; leaves in `support` those that
 /// hold it up. All subsets are tried, and every candidate is measured by the point farthest from it: where points are
 /// nearly dependent, and a center therefore wrong, it loses against the center of fewer points, which is then as good.
-/// (Points closer than d make a center wrong by epsilon / d, and can be left out at a cost of d^2.)
+/// (Points closer than d make a center wrong by epsilon / d, and can be left out at a cost of d^2. Where they are
+/// dependent but for rounding it may be no number at all.)
 template <Dim N>
 Ball<N> ball_with(FewPoints<N>& support, const Vec<N, double>& touched) {
   FewPoints<N> all = support;
@@ -122,6 +123,7 @@ Ball<N> ball_with(FewPoints<N>& support, const Vec<N, double>& touched) {
       if ((subset >> i & 1U) != 0 && corners.size() <= static_cast<std::size_t>(N)) corners.push_back(all[i]);
     }
     const Vec<N, double> center = equidistant_center(corners);
+    if (!is_finite(center)) continue;  // nothing is far from NaN
     const double radius_squared = farthest_point(center, all).distance_squared;
     if (radius_squared < best.radius_squared) {
       best = {center, radius_squared};

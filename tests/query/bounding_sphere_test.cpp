@@ -144,6 +144,26 @@ TEST(BoundingSphere, OfPointsOneStepApartHoldsBoth) {
   EXPECT_TRUE(contains_exactly(sphere, {next, 1e7, 1e7}));
 }
 
+/// Six points within a few steps of each other: some centers of four of them are no numbers.
+TEST(BoundingSphere, OfPointsAFewStepsApartHoldsThemInAnyOrder) {
+  constexpr double x = 0x1p-48;
+  constexpr double y = 0x1p-44;
+  constexpr double z = 0x1p-53;
+  const std::vector<Vec<3, double>> steps{{3, 0, 0},    {0, 0, 0},  {2, -3, -6}, {0, 0, 2},
+                                          {-2, -3, -6}, {2, 2, -2}, {-3, 2, -2}};
+  std::vector<Vec<3, double>> points;
+  for (const Vec<3, double>& step : steps) points.emplace_back(16 + step.x * x, 257 + step.y * y, 1 + step.z * z);
+  for (std::size_t turn = 0; turn < 2 * points.size(); ++turn) {
+    if (turn == points.size()) std::reverse(points.begin(), points.end());
+    std::rotate(points.begin(), points.begin() + 1, points.end());
+    const Sphere<3, double> sphere = bounding_sphere(points);
+    EXPECT_TRUE(is_valid(sphere)) << turn;
+    EXPECT_TRUE(contains_all(sphere, points)) << turn;
+    EXPECT_LT(sphere.radius, 3.01 * y) << turn;
+    EXPECT_TRUE(is_valid(bounding_sphere_fast(points))) << turn;
+  }
+}
+
 TEST(BoundingSphere, OfAHugeAndOfATinySetIsExact) {
   expect_sphere<2, double>({{-3e200, 0}, {3e200, 0}, {0, 1e200}}, {{0, 0}, 3e200});
   expect_sphere<3, double>({{0, 0, 0}, {0, 0, 6e-320}}, {{0, 0, 3e-320}, 3e-320});
