@@ -6,13 +6,13 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstring>
 #include <limits>
 #include <optional>
 #include <type_traits>
 
+#include <graze/math/bit_cast.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/verdict.hpp>
@@ -44,7 +44,7 @@ template <int first, int second, int third>
 
 [[gnu::always_inline]] inline Lanes magnitude(Lanes v) {
   constexpr int all_but_sign = std::numeric_limits<int>::max();
-  return std::bit_cast<Lanes>(std::bit_cast<LaneBits>(v) & all_but_sign);
+  return bit_cast<Lanes>(bit_cast<LaneBits>(v) & all_but_sign);
 }
 [[gnu::always_inline]] inline Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }
 [[gnu::always_inline]] inline float sum_of_three(Lanes v) { return v[0] + v[1] + v[2]; }
