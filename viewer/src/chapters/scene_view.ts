@@ -202,7 +202,7 @@ class SceneView implements OpenChapter {
         if (on) model.hiddenLayers.delete(layer);
         else model.hiddenLayers.add(layer);
         this.#filter();
-        this.#drawing?.paint(new Set(this.#selected));
+        this.#select(this.#selected.filter((place) => !model.isHidden(place)));
       }),
     );
     this.#content.replaceChildren(
