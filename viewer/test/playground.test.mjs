@@ -277,10 +277,19 @@ test("a quad tree is cut where capacity says, and a hierarchy finds the same box
     const [coarse, found] = [await numberIn(page, "cells"), await numberIn(page, "found")];
     assert.ok(found > 0);
     await page.getByRole("slider", { name: "Capacity of a cell" }).fill("1");
-    assert.ok((await numberIn(page, "cells")) > 2 * coarse);
+    const fine = await numberIn(page, "cells");
+    assert.ok(fine > 2 * coarse);
+    assert.equal(await numberIn(page, "found"), found);
+    await page.getByRole("slider", { name: "Greatest depth" }).fill("3");
+    assert.ok((await numberIn(page, "cells")) < fine);
+    assert.ok((await numberIn(page, "depth")) <= 4);
     assert.equal(await numberIn(page, "found"), found);
     await page.getByRole("button", { name: "Bvh" }).click();
     assert.equal(await numberIn(page, "found"), found);
+    const slider = page.getByRole("slider", { name: "Boxes" });
+    await slider.focus();
+    await page.keyboard.press("End");
+    assert.ok((await numberIn(page, "boxes")) > 1000);
   });
 });
 
