@@ -5,6 +5,7 @@
 // GRAZE_TEST_SCALE multiplies the number of cases (default 1), GRAZE_TEST_SEED chooses others.
 #include "exact/certificate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -94,7 +95,8 @@ TYPED_TEST_SUITE(Certificate, AllSpaces);
 TYPED_TEST(Certificate, NeverContradictsTheOracleAndLeavesLittleOpen) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
-  const std::size_t turns = number_of_cases(14);
+  // Fewer than nine would say little of how much is left open.
+  const std::size_t turns = std::max<std::size_t>(9, number_of_cases(14));
   const std::uint64_t seed = seed_of_cases();
   Count all;
   for (std::size_t a = 0; a < shape_type_names.size(); ++a) {
@@ -106,8 +108,8 @@ TYPED_TEST(Certificate, NeverContradictsTheOracleAndLeavesLittleOpen) {
     }
   }
   std::cout << "seed " << seed << ": " << all.cases << " cases, " << all.open << " left open\n";
-  EXPECT_GT(all.cases, 100 * turns);
-  EXPECT_LT(all.open, 5 + all.cases / 100);
+  EXPECT_GT(all.cases, 2000U);
+  EXPECT_LT(all.open * 100, all.cases);
 }
 
 TEST(CertificateOfTouching, IsExactOnWholeNumbers) {
