@@ -16,10 +16,14 @@ class ContentCache:
         self._folder = Path(folder)
         self._folder.mkdir(parents=True, exist_ok=True)
 
+    def is_due(self, checks):
+        """Whether any of the checks, given as to `run`, has not passed yet."""
+        return any(not (self._folder / key).exists() for _, key in checks)
+
     def run(self, checks, work):
         """Calls `work(item)` in parallel for each (item, key) of `checks` whose key has not passed yet. `work` gives what
         is wrong as a text, empty when nothing is. Returns the failed items with their texts, and how many calls it took."""
-        due = [(item, key) for item, key in checks if not (self._folder / key).exists()]
+        due = [check for check in checks if self.is_due([check])]
         with ThreadPoolExecutor(os.cpu_count()) as threads:
             texts = list(threads.map(lambda check: work(check[0]), due))
         for (_, key), text in zip(due, texts):

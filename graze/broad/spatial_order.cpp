@@ -14,9 +14,9 @@
 namespace graze::detail {
 namespace {
 
-constexpr std::size_t chunk_size = 1U << 16U;  // boxes that one task looks at
-constexpr std::size_t boxes_per_cell = 1024;   // between this and twice as many, if boxes are spread evenly
-constexpr std::size_t most_cells = 4096;
+constexpr std::size_t chunk_size = 1U << 16U;   // boxes that one task looks at
+constexpr std::size_t boxes_per_bucket = 1024;  // between this and twice as many, if boxes are spread evenly
+constexpr std::size_t most_buckets = 4096;
 
 // Classes of sizes: 0 are the usual ones, sorted by cells; each further class reaches four times as far, but for the
 // last, which holds what is infinite.
@@ -161,7 +161,7 @@ void SpatialOrder<N, T>::divide_crowds(std::span<const Aabb<N, T>> boxes, const 
   spare_.require(boxes.size());
   executor.parallel_for(crowds.size(), [&](std::size_t k) {
     const std::size_t begin = crowds[k] == 0 ? 0 : ends_[crowds[k] - 1];
-    sort_crowd<N, T>(order_.data() + begin, ends_[crowds[k]] - begin, boxes_per_cell, Centers<N, T>{boxes},
+    sort_crowd<N, T>(order_.data() + begin, ends_[crowds[k]] - begin, boxes_per_bucket, Centers<N, T>{boxes},
                      cells_.data() + begin, spare_.data() + begin);
   });
 }
@@ -171,7 +171,7 @@ void SpatialOrder<N, T>::sort(std::span<const Aabb<N, T>> boxes, const Executor&
   survey(boxes, executor);
   Buckets buckets;
   buckets.usual = usual_size(boxes);
-  buckets.grid = grid_over(centers_, std::min(most_cells / 2, boxes.size() / (2 * boxes_per_cell) + 1));
+  buckets.grid = grid_over(centers_, std::min(most_buckets / 2, boxes.size() / (2 * boxes_per_bucket) + 1));
   buckets.cells = buckets.grid.count();
   find_cells(boxes, buckets, executor);
   scatter(boxes, buckets, executor);
@@ -202,7 +202,7 @@ void SpatialOrder<N, T>::cut_runs(const Buckets& buckets) {
     const bool is_class = bucket >= buckets.cells;
     // Cells with few boxes share a run with the next; classes of sizes do not.
     if (end - first > run_limit / 2 && first < (bucket == 0 ? 0 : ends_[bucket - 1])) flush(ends_[bucket - 1], true);
-    if (end - first >= boxes_per_cell / 2 || is_class || bucket + 1 == buckets.cells) {
+    if (end - first >= boxes_per_bucket / 2 || is_class || bucket + 1 == buckets.cells) {
       flush(end, bucket != buckets.of_class(class_count - 1));
     }
   }

@@ -10,6 +10,18 @@
 #include <graze/query/penetration.hpp>
 #include <graze/shape/any_shape.hpp>
 
+// Compiled there as well, for the other files of instances.
+namespace graze {
+extern template std::optional<detail::Penetration<2>> detail::penetration(const AnyShape<2, float>&,
+                                                                          const AnyShape<2, float>&);
+extern template std::optional<detail::Penetration<2>> detail::penetration(const AnyShape<2, double>&,
+                                                                          const AnyShape<2, double>&);
+extern template std::optional<detail::Penetration<3>> detail::penetration(const AnyShape<3, float>&,
+                                                                          const AnyShape<3, float>&);
+extern template std::optional<detail::Penetration<3>> detail::penetration(const AnyShape<3, double>&,
+                                                                          const AnyShape<3, double>&);
+}  // namespace graze
+
 namespace graze::test {
 
 /// contact(a, b).

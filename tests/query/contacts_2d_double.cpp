@@ -3,9 +3,10 @@
 
 namespace graze::test {
 
-using Any = AnyShape<2, double>;
-template std::optional<Contact<2, double>> contact_of<2, double>(const Any&, const Any&);
-template std::optional<detail::Penetration<2>> penetration_of<2, double>(const Any&, const Any&);
+template std::optional<Contact<2, double>> contact_of<2, double>(const AnyShape<2, double>&,
+                                                                 const AnyShape<2, double>&);
+template std::optional<detail::Penetration<2>> penetration_of<2, double>(const AnyShape<2, double>&,
+                                                                         const AnyShape<2, double>&);
 
 }  // namespace graze::test
 

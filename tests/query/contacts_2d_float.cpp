@@ -3,9 +3,9 @@
 
 namespace graze::test {
 
-using Any = AnyShape<2, float>;
-template std::optional<Contact<2, float>> contact_of<2, float>(const Any&, const Any&);
-template std::optional<detail::Penetration<2>> penetration_of<2, float>(const Any&, const Any&);
+template std::optional<Contact<2, float>> contact_of<2, float>(const AnyShape<2, float>&, const AnyShape<2, float>&);
+template std::optional<detail::Penetration<2>> penetration_of<2, float>(const AnyShape<2, float>&,
+                                                                        const AnyShape<2, float>&);
 
 }  // namespace graze::test
 

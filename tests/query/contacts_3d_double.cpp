@@ -3,9 +3,10 @@
 
 namespace graze::test {
 
-using Any = AnyShape<3, double>;
-template std::optional<Contact<3, double>> contact_of<3, double>(const Any&, const Any&);
-template std::optional<detail::Penetration<3>> penetration_of<3, double>(const Any&, const Any&);
+template std::optional<Contact<3, double>> contact_of<3, double>(const AnyShape<3, double>&,
+                                                                 const AnyShape<3, double>&);
+template std::optional<detail::Penetration<3>> penetration_of<3, double>(const AnyShape<3, double>&,
+                                                                         const AnyShape<3, double>&);
 
 }  // namespace graze::test
 

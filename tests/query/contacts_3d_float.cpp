@@ -3,9 +3,9 @@
 
 namespace graze::test {
 
-using Any = AnyShape<3, float>;
-template std::optional<Contact<3, float>> contact_of<3, float>(const Any&, const Any&);
-template std::optional<detail::Penetration<3>> penetration_of<3, float>(const Any&, const Any&);
+template std::optional<Contact<3, float>> contact_of<3, float>(const AnyShape<3, float>&, const AnyShape<3, float>&);
+template std::optional<detail::Penetration<3>> penetration_of<3, float>(const AnyShape<3, float>&,
+                                                                        const AnyShape<3, float>&);
 
 }  // namespace graze::test
 

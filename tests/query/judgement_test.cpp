@@ -84,8 +84,10 @@ TEST(ExactEntry, OfAPolytopeIsThatOfTheSameBox) {
 TEST(OverlapAfter, TakesTheWayThatTheShapeGoes) {
   const Any3 a = Aabb<3, double>{{-1, -1, -1}, {1, 1, 1}};
   const Any3 b = Aabb<3, double>{{0.5, -3, -3}, {4, 3, 3}};
-  EXPECT_EQ((overlap_along<3, double>(a, b, {2, 0, 0})), 0.5);
-  EXPECT_EQ((overlap_along<3, double>(a, b, {0, 1, 0})), 4);
+  const Solid<3> in_a = *bounded_solid<3, double>(a);
+  const Solid<3> in_b = *bounded_solid<3, double>(b);
+  EXPECT_EQ(overlap_along<3>(in_a, in_b, {2, 0, 0}), 0.5);
+  EXPECT_EQ(overlap_along<3>(in_a, in_b, {0, 1, 0}), 4);
   EXPECT_EQ((overlap_after<3, double>(a, b, {0.5, 0, 0}, 0)), 0);
   EXPECT_EQ((overlap_after<3, double>(a, b, {0.25, 0, 0}, 0)), 0.25);
   EXPECT_EQ((overlap_after<3, double>(a, b, {-0.25, 0, 0}, 0)), 0.75);

@@ -3,8 +3,7 @@
 
 namespace graze::test {
 
-using Any = AnyShape<2, double>;
-template Relation relation_of<2, double>(const Any&, const Any&);
-template ExactVerdict true_verdict<2, double>(const Any&, const Any&, Relation);
+template Relation relation_of<2, double>(const AnyShape<2, double>&, const AnyShape<2, double>&);
+template ExactVerdict true_verdict<2, double>(const AnyShape<2, double>&, const AnyShape<2, double>&, Relation);
 
 }  // namespace graze::test

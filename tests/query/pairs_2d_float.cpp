@@ -3,8 +3,7 @@
 
 namespace graze::test {
 
-using Any = AnyShape<2, float>;
-template Relation relation_of<2, float>(const Any&, const Any&);
-template ExactVerdict true_verdict<2, float>(const Any&, const Any&, Relation);
+template Relation relation_of<2, float>(const AnyShape<2, float>&, const AnyShape<2, float>&);
+template ExactVerdict true_verdict<2, float>(const AnyShape<2, float>&, const AnyShape<2, float>&, Relation);
 
 }  // namespace graze::test

@@ -3,8 +3,7 @@
 
 namespace graze::test {
 
-using Any = AnyShape<3, double>;
-template Relation relation_of<3, double>(const Any&, const Any&);
-template ExactVerdict true_verdict<3, double>(const Any&, const Any&, Relation);
+template Relation relation_of<3, double>(const AnyShape<3, double>&, const AnyShape<3, double>&);
+template ExactVerdict true_verdict<3, double>(const AnyShape<3, double>&, const AnyShape<3, double>&, Relation);
 
 }  // namespace graze::test

@@ -3,8 +3,7 @@
 
 namespace graze::test {
 
-using Any = AnyShape<3, float>;
-template Relation relation_of<3, float>(const Any&, const Any&);
-template ExactVerdict true_verdict<3, float>(const Any&, const Any&, Relation);
+template Relation relation_of<3, float>(const AnyShape<3, float>&, const AnyShape<3, float>&);
+template ExactVerdict true_verdict<3, float>(const AnyShape<3, float>&, const AnyShape<3, float>&, Relation);
 
 }  // namespace graze::test

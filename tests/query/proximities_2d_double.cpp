@@ -3,9 +3,8 @@
 
 namespace graze::test {
 
-using Any = AnyShape<2, double>;
-template Proximity<2, double> closest_points_of<2, double>(const Any&, const Any&);
-template double distance_of<2, double>(const Any&, const Any&);
-template Proximity<2, double> proximity_of<2, double>(const Any&, const Any&);
+template Proximity<2, double> closest_points_of<2, double>(const AnyShape<2, double>&, const AnyShape<2, double>&);
+template double distance_of<2, double>(const AnyShape<2, double>&, const AnyShape<2, double>&);
+template Proximity<2, double> proximity_of<2, double>(const AnyShape<2, double>&, const AnyShape<2, double>&);
 
 }  // namespace graze::test

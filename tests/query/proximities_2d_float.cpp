@@ -3,9 +3,8 @@
 
 namespace graze::test {
 
-using Any = AnyShape<2, float>;
-template Proximity<2, float> closest_points_of<2, float>(const Any&, const Any&);
-template float distance_of<2, float>(const Any&, const Any&);
-template Proximity<2, double> proximity_of<2, float>(const Any&, const Any&);
+template Proximity<2, float> closest_points_of<2, float>(const AnyShape<2, float>&, const AnyShape<2, float>&);
+template float distance_of<2, float>(const AnyShape<2, float>&, const AnyShape<2, float>&);
+template Proximity<2, double> proximity_of<2, float>(const AnyShape<2, float>&, const AnyShape<2, float>&);
 
 }  // namespace graze::test

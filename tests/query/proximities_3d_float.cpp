@@ -3,9 +3,8 @@
 
 namespace graze::test {
 
-using Any = AnyShape<3, float>;
-template Proximity<3, float> closest_points_of<3, float>(const Any&, const Any&);
-template float distance_of<3, float>(const Any&, const Any&);
-template Proximity<3, double> proximity_of<3, float>(const Any&, const Any&);
+template Proximity<3, float> closest_points_of<3, float>(const AnyShape<3, float>&, const AnyShape<3, float>&);
+template float distance_of<3, float>(const AnyShape<3, float>&, const AnyShape<3, float>&);
+template Proximity<3, double> proximity_of<3, float>(const AnyShape<3, float>&, const AnyShape<3, float>&);
 
 }  // namespace graze::test

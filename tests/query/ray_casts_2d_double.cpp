@@ -3,10 +3,10 @@
 
 namespace graze::test {
 
-using Any = AnyShape<2, double>;
-using Hit = std::optional<RayHit<2, double>>;
-template Hit hit_of<2, double>(const Any&, const Ray<2, double>&, double, RayOptions);
-template Hit hit_of<2, double>(const Any&, const Segment<2, double>&, RayOptions);
-template double height_of<2, double>(const Any&, const Vec<2, double>&);
+template std::optional<RayHit<2, double>> hit_of<2, double>(const AnyShape<2, double>&, const Ray<2, double>&, double,
+                                                            RayOptions);
+template std::optional<RayHit<2, double>> hit_of<2, double>(const AnyShape<2, double>&, const Segment<2, double>&,
+                                                            RayOptions);
+template double height_of<2, double>(const AnyShape<2, double>&, const Vec<2, double>&);
 
 }  // namespace graze::test

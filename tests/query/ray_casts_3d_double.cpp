@@ -3,10 +3,10 @@
 
 namespace graze::test {
 
-using Any = AnyShape<3, double>;
-using Hit = std::optional<RayHit<3, double>>;
-template Hit hit_of<3, double>(const Any&, const Ray<3, double>&, double, RayOptions);
-template Hit hit_of<3, double>(const Any&, const Segment<3, double>&, RayOptions);
-template double height_of<3, double>(const Any&, const Vec<3, double>&);
+template std::optional<RayHit<3, double>> hit_of<3, double>(const AnyShape<3, double>&, const Ray<3, double>&, double,
+                                                            RayOptions);
+template std::optional<RayHit<3, double>> hit_of<3, double>(const AnyShape<3, double>&, const Segment<3, double>&,
+                                                            RayOptions);
+template double height_of<3, double>(const AnyShape<3, double>&, const Vec<3, double>&);
 
 }  // namespace graze::test

@@ -3,10 +3,10 @@
 
 namespace graze::test {
 
-using Any = AnyShape<3, float>;
-using Hit = std::optional<RayHit<3, float>>;
-template Hit hit_of<3, float>(const Any&, const Ray<3, float>&, float, RayOptions);
-template Hit hit_of<3, float>(const Any&, const Segment<3, float>&, RayOptions);
-template double height_of<3, float>(const Any&, const Vec<3, double>&);
+template std::optional<RayHit<3, float>> hit_of<3, float>(const AnyShape<3, float>&, const Ray<3, float>&, float,
+                                                          RayOptions);
+template std::optional<RayHit<3, float>> hit_of<3, float>(const AnyShape<3, float>&, const Segment<3, float>&,
+                                                          RayOptions);
+template double height_of<3, float>(const AnyShape<3, float>&, const Vec<3, double>&);
 
 }  // namespace graze::test

@@ -4,19 +4,8 @@
 
 #include <graze/query/shape_cast.hpp>
 
+#include "query/contacts.hpp"
 #include "query/shape_casts.hpp"
-
-// Compiled in contacts_*.cpp.
-namespace graze {
-extern template std::optional<detail::Penetration<2>> detail::penetration(const AnyShape<2, float>&,
-                                                                          const AnyShape<2, float>&);
-extern template std::optional<detail::Penetration<2>> detail::penetration(const AnyShape<2, double>&,
-                                                                          const AnyShape<2, double>&);
-extern template std::optional<detail::Penetration<3>> detail::penetration(const AnyShape<3, float>&,
-                                                                          const AnyShape<3, float>&);
-extern template std::optional<detail::Penetration<3>> detail::penetration(const AnyShape<3, double>&,
-                                                                          const AnyShape<3, double>&);
-}  // namespace graze
 
 namespace graze::test {
 
