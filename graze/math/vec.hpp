@@ -6,7 +6,11 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <iterator>
 #include <limits>
+#include <span>
+#include <type_traits>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/mat2x2.hpp>
@@ -92,6 +96,29 @@ constexpr T sum_abs(const Vec<N, T>& v) {
   T sum = T(0);
   for (Dim i = 0; i < N; ++i) sum += std::max(v[i], -v[i]);
   return sum;
+}
+
+/// What a row holds: std::vector, std::array, std::span and plain arrays are rows.
+template <class Row>
+using ElementOf = std::remove_cvref_t<decltype(*std::data(std::declval<const Row&>()))>;
+
+namespace detail {
+template <class V>
+inline constexpr bool is_vec = false;
+template <Dim N, Scalar T>
+inline constexpr bool is_vec<Vec<N, T>> = true;
+}  // namespace detail
+
+/// Points one after the other in memory. Functions of points take a std::span, and any such row besides, because a
+/// span's dimension and number type are not deduced from what only converts to it.
+template <class Row>
+concept PointRow = detail::is_vec<ElementOf<Row>> && requires(const Row& row) {
+  std::size(row);
+};
+
+template <PointRow Row>
+std::span<const ElementOf<Row>> span_of(const Row& points) {
+  return {std::data(points), std::size(points)};
 }
 
 /// True when every coordinate is neither infinite nor NaN.

@@ -81,10 +81,16 @@ Aabb<N, T> bounding_box(std::span<const Vec<N, T>> points) {
   return detail::checked_box(points, "bounding_box");
 }
 
-/// The same for a vector, whose type deduces where a span's does not.
+/// The same for a vector, or a list in braces.
 template <Dim N, class T>
 Aabb<N, T> bounding_box(const std::vector<Vec<N, T>>& points) {
   return bounding_box(std::span<const Vec<N, T>>(points));
+}
+
+/// The same for any row of points.
+template <PointRow Row>
+auto bounding_box(const Row& points) {
+  return bounding_box(span_of(points));
 }
 
 }  // namespace graze

@@ -166,10 +166,16 @@ Obb<N, T> bounding_obb(std::span<const Vec<N, T>> points) {
   return detail::size_of(turned, frame.scale) < detail::size_of(upright, frame.scale) ? turned : upright;
 }
 
-/// The same for a vector, whose type deduces where a span's does not.
+/// The same for a vector, or a list in braces.
 template <Dim N, class T>
 Obb<N, T> bounding_obb(const std::vector<Vec<N, T>>& points) {
   return bounding_obb(std::span<const Vec<N, T>>(points));
+}
+
+/// The same for any row of points.
+template <PointRow Row>
+auto bounding_obb(const Row& points) {
+  return bounding_obb(span_of(points));
 }
 
 }  // namespace graze

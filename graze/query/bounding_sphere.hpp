@@ -298,7 +298,7 @@ Sphere<N, T> bounding_sphere_fast(std::span<const Vec<N, T>> points) {
   });
 }
 
-/// The same for vectors, whose type deduces where a span's does not.
+/// The same for a vector, or a list in braces.
 template <Dim N, class T>
 Sphere<N, T> bounding_sphere(const std::vector<Vec<N, T>>& points) {
   return bounding_sphere(std::span<const Vec<N, T>>(points));
@@ -307,6 +307,17 @@ Sphere<N, T> bounding_sphere(const std::vector<Vec<N, T>>& points) {
 template <Dim N, class T>
 Sphere<N, T> bounding_sphere_fast(const std::vector<Vec<N, T>>& points) {
   return bounding_sphere_fast(std::span<const Vec<N, T>>(points));
+}
+
+/// The same for any row of points.
+template <PointRow Row>
+auto bounding_sphere(const Row& points) {
+  return bounding_sphere(span_of(points));
+}
+
+template <PointRow Row>
+auto bounding_sphere_fast(const Row& points) {
+  return bounding_sphere_fast(span_of(points));
 }
 
 }  // namespace graze

@@ -282,4 +282,10 @@ std::optional<std::vector<std::vector<Vec<2, T>>>> convex_parts(
   return detail::merged(corners, *triangles);
 }
 
+/// The same for any row of points.
+template <PointRow Row>
+auto convex_parts(const Row& polygon) {
+  return convex_parts<typename ElementOf<Row>::value_type>(span_of(polygon));
+}
+
 }  // namespace graze

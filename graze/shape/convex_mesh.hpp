@@ -203,6 +203,12 @@ ConvexMesh<T> convex_mesh(std::type_identity_t<std::span<const Vec<3, T>>> point
   return detail::flat_mesh(std::move(polygon));
 }
 
+/// The same for any row of points.
+template <PointRow Row>
+auto convex_mesh(const Row& points) {
+  return convex_mesh<typename ElementOf<Row>::value_type>(span_of(points));
+}
+
 template <class T>
 ConvexMesh<T> convex_mesh(const Polytope<3, T>& polytope) {
   return convex_mesh<T>(polytope.vertices());

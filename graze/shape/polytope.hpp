@@ -73,6 +73,13 @@ Polytope<N, T> convex_hull(std::type_identity_t<std::span<const Vec<N, T>>> poin
   return Polytope<N, T>(std::move(corners));
 }
 
+/// The same for any row of points.
+template <PointRow Row>
+auto convex_hull(const Row& points) {
+  using Point = ElementOf<Row>;
+  return convex_hull<Point::length(), typename Point::value_type>(span_of(points));
+}
+
 /// A polytope cannot be built with a defect.
 template <Dim N, class T>
 std::string_view defect(const Polytope<N, T>&) {

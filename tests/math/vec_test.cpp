@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <type_traits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -18,6 +21,20 @@ static_assert(!Scalar<int> && !Scalar<long double> && !Scalar<const float>);
 static_assert(std::is_same_v<decltype(wide<2, float>({})), Vec<2, double>>);
 static_assert(std::is_same_v<Vec<3>, Vec<3, float>> && std::is_same_v<Mat<3>, Mat<3, float>>);
 static_assert(sizeof(Vec<2, double>) == 16 && sizeof(Mat<3, float>) == 36 && sizeof(Mat<2, double>) == 32);
+
+static_assert(PointRow<std::vector<Vec<2, float>>> && PointRow<std::array<Vec<3, double>, 2>>);
+static_assert(PointRow<std::span<const Vec<3, float>>> && PointRow<std::span<Vec<3, float>, 4>> && PointRow<Vec<2>[3]>);
+static_assert(!PointRow<Vec<2>> && !PointRow<std::vector<float>> && !PointRow<int> && !PointRow<Vec<2>*>);
+
+TEST(Vec, ARowOfPointsIsASpanOfThemWhateverHoldsIt) {
+  const std::vector<Vec<2, float>> list{{1, 2}, {3, 4}};
+  const std::array<Vec<2, float>, 2> array{list[0], list[1]};
+  for (const std::span<const Vec<2, float>> points : {span_of(list), span_of(array), span_of(std::span(array))}) {
+    ASSERT_EQ(points.size(), 2U);
+    EXPECT_EQ(points[1], (Vec<2, float>(3, 4)));
+  }
+  EXPECT_EQ(span_of(list).data(), list.data()) << "not a copy";
+}
 
 TEST(Vec, WidensWithoutChangingTheValue) {
   const Vec<2, double> v = wide<2, float>({0.1F, -3});

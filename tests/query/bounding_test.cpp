@@ -47,6 +47,17 @@ template <class S>
 class BoundingIn : public testing::Test {};
 TYPED_TEST_SUITE(BoundingIn, test::Spaces);
 
+TYPED_TEST(BoundingIn, TakesAnyRowOfPoints) {
+  using V = Vec<TypeParam::dimension, typename TypeParam::scalar>;
+  const std::array<V, 2> array{V(1), V(2)};
+  const std::vector<V> list(array.begin(), array.end());
+  EXPECT_EQ(bounding_box(array), bounding_box(list));
+  EXPECT_EQ(bounding_box(array), (Aabb<TypeParam::dimension, typename TypeParam::scalar>{V(1), V(2)}));
+  EXPECT_EQ(bounding_sphere(array).center, bounding_sphere(std::span<const V>(list)).center);
+  EXPECT_EQ(bounding_sphere_fast(array).radius, bounding_sphere_fast(list).radius);
+  EXPECT_EQ(bounding_obb(array).center, bounding_obb(list).center);
+}
+
 TYPED_TEST(BoundingIn, RefusesNoPointsWithTheReason) {
   const auto messages = refusals(std::vector<Vec<TypeParam::dimension, typename TypeParam::scalar>>{});
   for (std::size_t i = 0; i < names.size(); ++i) {

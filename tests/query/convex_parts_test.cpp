@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -138,6 +139,14 @@ TEST(ConvexParts, GivesAConvexPolygonBackCounterClockwiseWithoutStraightCorners)
   Polygon part = parts->front();
   std::rotate(part.begin(), std::find(part.begin(), part.end(), Point(0, 0)), part.end());
   EXPECT_EQ(part, (Polygon{{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
+}
+
+TEST(ConvexParts, TakesAnyRowOfCorners) {
+  const std::array<Vec<2, float>, 4> arrow{{{0, 0}, {2, 1}, {0, 2}, {1, 1}}};
+  const auto parts = convex_parts(arrow);
+  ASSERT_TRUE(parts);
+  EXPECT_EQ(parts->size(), 2U);
+  EXPECT_EQ(convex_parts(std::vector<Vec<2, float>>(arrow.begin(), arrow.end())), parts);
 }
 
 TEST(ConvexParts, IgnoresCornersThatRepeat) {

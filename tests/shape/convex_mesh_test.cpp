@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -95,6 +96,12 @@ TEST(ConvexMesh, OfFlatPointsIsAPolygonFromBothSides) {
   EXPECT_EQ(corners_of_face(square, 1), (std::vector<Vec<3, double>>{{0, 0, 5}, {2, 0, 5}, {2, 2, 5}, {0, 2, 5}}));
   EXPECT_EQ(face_plane(square, 0).normal, (Vec<3, double>(0, 0, -1)));
   EXPECT_EQ(face_plane(square, 1).normal, (Vec<3, double>(0, 0, 1)));
+}
+
+TEST(ConvexMesh, IsOfAnyRowOfPoints) {
+  const std::array<Vec<3, double>, 4> array{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  EXPECT_EQ(convex_mesh(array).faces.size(), 4U);
+  EXPECT_EQ(convex_mesh(std::vector<Vec<3, double>>(array.begin(), array.end())).vertices.size(), 4U);
 }
 
 TEST(ConvexMesh, OfLessHasNoFaces) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <span>
 #include <stdexcept>
@@ -120,6 +121,16 @@ TEST(Polytope, HullOfNoPointsIsRefusedWithTheReason) {
   } catch (const std::invalid_argument& error) {
     EXPECT_EQ(std::string(error.what()), "convex_hull: there are no points");
   }
+}
+
+TEST(Polytope, IsTheHullOfAnyRowOfPoints) {
+  const std::array<Vec<2, float>, 4> array{{{0, 0}, {2, 0}, {1, 0}, {0, 2}}};
+  const std::vector<Vec<2, float>> list(array.begin(), array.end());
+  const Polytope<2, float> hull = convex_hull(array);
+  EXPECT_EQ(corners(hull), (std::vector<Vec<2, float>>{{0, 0}, {2, 0}, {0, 2}}));
+  EXPECT_EQ(corners(convex_hull(list)), corners(hull));
+  EXPECT_EQ(corners(convex_hull(std::span(list))), corners(hull));
+  EXPECT_EQ(corners(convex_hull<2, float>(array)), corners(hull));
 }
 
 TEST(Polytope, CopiesShareTheirVertices) {
