@@ -109,6 +109,9 @@ class Asked {
   Any first() const { return shape_from<N, T>(case_.a); }
   Any second() const { return shape_from<N, T>(case_.b); }
 
+  /// A shape from -x to x is 2 x wide.
+  double volume_error() const { return epsilon_ * std::pow(2 * largest_in(case_), N); }
+
   void expect_near(double given, double wanted, double error) const {
     EXPECT_TRUE(std::fabs(given - wanted) <= error) << number_text(given) << " instead of " << number_text(wanted)
                                                     << ", off by " << given - wanted << ", allowed " << error;
@@ -294,7 +297,7 @@ class Asked {
   void hull() const {
     const auto polytope = std::get<Polytope<N, T>>(first());
     EXPECT_EQ(static_cast<double>(polytope.vertices().size()), answer_.at(0));
-    expect_near(mass_properties(polytope).volume, answer_.at(1), epsilon_ * std::pow(largest_in(case_), N));
+    expect_near(mass_properties(polytope).volume, answer_.at(1), volume_error());
     for (const Vec<N, T>& place : points()) {
       EXPECT_NE((relation_of<N, T>(Any(polytope), Any(place))), Relation::apart) << place;
     }
@@ -310,7 +313,7 @@ class Asked {
 
   void mass() const {
     const MassProperties<N> given = mass_properties(first());
-    expect_near(given.volume, answer_.at(0), epsilon_ * std::pow(largest_in(case_), N));
+    expect_near(given.volume, answer_.at(0), volume_error());
     EXPECT_LE(max_abs(given.centroid - vector_at<N, double>(answer_, 1)), error_);
   }
 

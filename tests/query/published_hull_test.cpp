@@ -9,7 +9,7 @@
 namespace graze::test::published_hull_test {
 namespace {
 
-constexpr std::array<PublishedCase, 18> cases = {{
+constexpr std::array<PublishedCase, 21> cases = {{
     {"Box2D ShapeMassTest", "2D mass", "sphere 1 0 1", "", "3.141592653589793 1 0"},
     {"Box2D ShapeMassTest", "2D mass", "capsule -1 0 1 0 1", "", "7.141592653589793 0 0"},
     {"Box2D ShapeMassTest", "2D mass", "polytope 4 -1 -1 1 -1 1 1 -1 1", "", "4 0 0"},
@@ -56,6 +56,12 @@ constexpr std::array<PublishedCase, 18> cases = {{
      "polytope 9 7.3000000000000194 7.3000000000000167 24.000000000000068 24.000000000000071 24.00000000000005 "
      "24.000000000000053 0.50000000000001621 0.50000000000001243 8 4 4 9 15 27 26 25 19 11",
      "", "6 275.24999999999994"},
+    {"MIConvexHull issue 44: a cube", "3D hull",
+     "polytope 8 -10 -10 -10 -10 -10 10 -10 10 -10 -10 10 10 10 -10 -10 10 -10 10 10 10 -10 10 10 10", "", "8 8000"},
+    {"numpy-stl issue 120", "3D hull", "polytope 8 0 0 0 0 0 20 0 10 0 0 10 20 10 0 0 10 0 20 10 10 0 10 10 20", "",
+     "8 2000"},
+    {"akuukka/quickhull issue 1: four corners of a plane rectangle", "3D double hull",
+     "polytope 4 -3 -0.25 -0.8 -3 0.25 -0.8 -3.125 0.25 -0.75 -3.125 -0.25 -0.75", "", "4 0"},
 }};
 
 TEST(PublishedHull, EveryHullAndBallIsAsLargeAsItShouldBe) { expect_published(cases); }
