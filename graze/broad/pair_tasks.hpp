@@ -16,9 +16,15 @@ namespace graze::detail {
 
 /// Throws std::out_of_range when a pair names a shape that is not there.
 inline void check_pairs(std::span<const Pair> pairs, std::size_t shapes, const char* caller) {
-  std::uint32_t largest_of_all = 0;
-  for (const Pair& pair : pairs) largest_of_all = std::max(largest_of_all, std::max(pair.a, pair.b));
-  if (pairs.empty() || largest_of_all < shapes) return;
+  if (pairs.empty()) return;
+  if (shapes > 0 && shapes <= std::size_t{1} << 31U) {
+    // The highest bit of an index, or of how far it is below the last one, is set just if it is too large: three
+    // operations for four indices, where a comparison without sign takes more.
+    const auto last = static_cast<std::uint32_t>(shapes - 1);
+    std::uint32_t any = 0;
+    for (const Pair& pair : pairs) any |= pair.a | (last - pair.a) | pair.b | (last - pair.b);
+    if (any >> 31U == 0) return;
+  }
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const std::size_t largest = std::max(pairs[i].a, pairs[i].b);
     if (largest < shapes) continue;

@@ -146,24 +146,42 @@ HWY_INLINE hn::Mask<Tag<T>> only_parallel_edges_are_open(const LaneView<3, T>& v
   return settled;
 }
 
-/// The verdict where axes are orthonormal up to `skew`; filter_of_boxes in query/box_filter.hpp says why.
+/// Whether no product of these lengths is lost to underflow. None is of NaN.
+template <class T>
+HWY_INLINE hn::Mask<Tag<T>> are_usable(const LaneGaps<T>& gaps) {
+  constexpr T least_product = T(0x1p20) * std::numeric_limits<T>::min();
+  return hn::Gt(hn::Mul(gaps.size, hn::Min(gaps.size, all(T(1)))), all(least_product));
+}
+
+/// Gaps beyond this say the truth of boxes whose axes are orthonormal up to `skew`.
+template <class T>
+HWY_INLINE Lanes<T> band_of(const LaneGaps<T>& gaps, Lanes<T> skew) {
+  return hn::Mul(hn::Mul(all(static_cast<T>(tolerance::box_filter)), skew), gaps.size);
+}
+
+/// What is clear on all axes at once; filter_of_boxes in query/box_filter.hpp says why.
+template <class T>
+HWY_INLINE LaneVerdict<T> verdict_of_gaps(const LaneGaps<T>& gaps, Lanes<T> band) {
+  const auto usable = are_usable(gaps);
+  const auto widest = hn::Max(gaps.on_axes, gaps.across);
+  return {hn::And(usable, hn::Gt(widest, band)), hn::And(usable, hn::Lt(widest, hn::Neg(band)))};
+}
+
+/// The same, and what is clear but for edges that are nearly parallel.
 template <Dim N, class T>
 HWY_INLINE LaneVerdict<T> verdict_within(const LaneView<N, T>& view, const LaneGaps<T>& gaps, Lanes<T> skew) {
-  constexpr T least_product = T(0x1p20) * std::numeric_limits<T>::min();
-  constexpr auto filter = static_cast<T>(tolerance::box_filter);
-  const auto usable = hn::Gt(hn::Mul(gaps.size, hn::Min(gaps.size, all(T(1)))), all(least_product));
-  const auto band = hn::Mul(hn::Mul(all(filter), skew), gaps.size);
-  const auto within = hn::Neg(band);
-  const auto apart = hn::Gt(hn::Max(gaps.on_axes, gaps.across), band);
-  auto overlapping = hn::Lt(hn::Max(gaps.on_axes, gaps.across), within);
+  const auto band = band_of(gaps, skew);
+  LaneVerdict<T> verdict = verdict_of_gaps(gaps, band);
   if constexpr (N == 3) {
-    const auto deep = hn::And(hn::Lt(gaps.on_axes, hn::Mul(all(T(8)), within)), hn::Not(hn::Or(apart, overlapping)));
+    const auto is_deep = hn::And(are_usable(gaps), hn::Lt(gaps.on_axes, hn::Mul(all(T(-8)), band)));
+    const auto deep = hn::And(is_deep, hn::Not(hn::Or(verdict.apart, verdict.overlapping)));
     if (!hn::AllFalse(Tag<T>(), deep)) {
-      const auto parallel = hn::Mul(all(2 * filter), skew);
-      overlapping = hn::Or(overlapping, hn::And(deep, only_parallel_edges_are_open(view, band, parallel)));
+      const auto parallel = hn::Mul(all(static_cast<T>(2 * tolerance::box_filter)), skew);
+      verdict.overlapping =
+          hn::Or(verdict.overlapping, hn::And(deep, only_parallel_edges_are_open(view, band, parallel)));
     }
   }
-  return {hn::And(usable, apart), hn::And(usable, overlapping)};
+  return verdict;
 }
 
 /// First with the skew that any valid box may have; where that leaves a lane open, with what these boxes have.
@@ -175,6 +193,14 @@ HWY_INLINE LaneVerdict<T> verdict_of_boxes(const First& a, const LaneObb<N, T>& 
   if (hn::AllTrue(Tag<T>(), hn::Or(verdict.apart, verdict.overlapping))) return verdict;
   const auto measured = hn::Add(hn::Max(skew_of(a), skew_of(b)), all(tolerance::measured_skew<T>));
   return verdict_within(view, gaps, hn::Min(measured, all(static_cast<T>(tolerance::orthonormal))));
+}
+
+/// Without a branch, and so with the skew that any valid box may have. It leaves two or three in a hundred open, which
+/// is one lane in every third vector: to look at those again at once would take as long as the guess that no lane is.
+template <Dim N, class T>
+HWY_INLINE LaneVerdict<T> quick_verdict_of(const LaneObb<N, T>& a, const LaneObb<N, T>& b) {
+  const LaneGaps<T> gaps = gaps_of(LaneView<N, T>(a, b));
+  return verdict_of_gaps(gaps, band_of(gaps, all(static_cast<T>(tolerance::orthonormal))));
 }
 
 template <Dim N, class T>

@@ -44,13 +44,18 @@ using TouchKernel = void (*)(const T* const* a, const T* const* b, std::size_t g
 template <class T>
 using TouchListKernel = void (*)(const T* shapes, const Pair* pairs, std::size_t groups, GroupVerdict* verdicts);
 
+/// Writes the pairs of whole groups that overlap to `out`, which has room for all, in their order. Returns how many.
+using KeepKernel = std::size_t (*)(const Pair* pairs, const GroupVerdict* verdicts, std::size_t groups, Pair* out);
+
 template <class T>
 struct TouchKernels {
   TouchKernel<T> of[touch_kinds];
   TouchListKernel<T> of_spheres;
   TouchListKernel<T> of_aabbs;
-  TouchListKernel<T> of_obbs;
+  TouchListKernel<T> of_obbs;       ///< Leaves two or three of a hundred pairs open, to
+  TouchListKernel<T> of_open_obbs;  ///< this one, which leaves one of thousands.
   TouchListKernel<T> of_capsules;
+  KeepKernel keep;
 
   TouchKernel<T> operator[](TouchKind kind) const { return of[static_cast<std::size_t>(kind)]; }
 };

@@ -156,34 +156,27 @@ class Judge {
   std::array<Queue, touch_kinds> queues_;
 };
 
-/// The kernel of pairs of one type.
+/// The kernels of pairs of one type, one after the other.
+template <class T>
+struct ListKernels {
+  TouchListKernel<T> of_all;
+  TouchListKernel<T> of_open = nullptr;  ///< For what the first has left open, if it can say more.
+};
 template <Dim N, class T>
-TouchListKernel<T> kernel_of(const TouchKernels<T>& kernels, std::type_identity<Sphere<N, T>>) {
-  return kernels.of_spheres;
+ListKernels<T> kernels_of(const TouchKernels<T>& kernels, std::type_identity<Sphere<N, T>>) {
+  return {kernels.of_spheres};
 }
 template <Dim N, class T>
-TouchListKernel<T> kernel_of(const TouchKernels<T>& kernels, std::type_identity<Aabb<N, T>>) {
-  return kernels.of_aabbs;
+ListKernels<T> kernels_of(const TouchKernels<T>& kernels, std::type_identity<Aabb<N, T>>) {
+  return {kernels.of_aabbs};
 }
 template <Dim N, class T>
-TouchListKernel<T> kernel_of(const TouchKernels<T>& kernels, std::type_identity<Obb<N, T>>) {
-  return kernels.of_obbs;
+ListKernels<T> kernels_of(const TouchKernels<T>& kernels, std::type_identity<Obb<N, T>>) {
+  return {kernels.of_obbs, kernels.of_open_obbs};
 }
 template <Dim N, class T>
-TouchListKernel<T> kernel_of(const TouchKernels<T>& kernels, std::type_identity<Capsule<N, T>>) {
-  return kernels.of_capsules;
-}
-
-/// Which of the pairs that a group begins with touch, one bit each.
-template <class S>
-std::uint32_t touching_of_group(std::span<const S> shapes, std::span<const Pair> group, const GroupVerdict& verdict) {
-  std::uint32_t touching = verdict.overlapping;
-  std::uint32_t open = ((1U << group.size()) - 1U) & ~(touching | verdict.apart);
-  for (; open != 0; open &= open - 1) {
-    const auto i = static_cast<std::size_t>(std::countr_zero(open));
-    if (relation(shapes[group[i].a], shapes[group[i].b]) != Relation::apart) touching |= 1U << i;
-  }
-  return touching;
+ListKernels<T> kernels_of(const TouchKernels<T>& kernels, std::type_identity<Capsule<N, T>>) {
+  return {kernels.of_capsules};
 }
 
 /// Asks for the shapes that come second. The first ones usually are in order.
@@ -192,42 +185,101 @@ void fetch_shapes(std::span<const S> shapes, std::span<const Pair> pairs) {
   for (const Pair& pair : pairs) prefetch(&shapes[pair.b]);
 }
 
-/// Writes those of the pairs that touch to `out`, which has room for all, in their order. Returns how many.
+/// Which pairs of a task touch.
 template <class S>
-std::size_t keep_touching(std::span<const S> shapes, std::span<const Pair> pairs, Pair* out) {
+class TaskOfOneType {
+ public:
   using T = scalar_of<S>;
-  const TouchListKernel<T> kernel = kernel_of(touch_kernels<dimension_of<S>, T>(), std::type_identity<S>());
-  const bool is_in_cache = shapes.size_bytes() <= cache_size;
-  std::array<GroupVerdict, queue_size / touch_group> verdicts;
-  std::size_t kept = 0;
-  const auto judge = [&](std::span<const Pair> part, const Pair* padded) {
-    const std::size_t groups = (part.size() + touch_group - 1) / touch_group;
-    kernel(numbers_of<T>(shapes[0]), padded, groups, verdicts.data());
-    for (std::size_t first = 0; first < part.size(); first += touch_group) {
-      const std::span<const Pair> group = part.subspan(first, std::min(touch_group, part.size() - first));
-      const std::uint32_t touching = touching_of_group(shapes, group, verdicts[first / touch_group]);
-      for (std::size_t i = 0; i < group.size(); ++i) {  // without a branch, which would guess wrong all the time
-        out[kept] = group[i];
-        kept += touching >> i & 1U;
+
+  TaskOfOneType(std::span<const S> shapes, std::span<const Pair> pairs)
+      : shapes_(shapes),
+        pairs_(pairs),
+        kernels_(touch_kernels<dimension_of<S>, T>()),
+        judges_(kernels_of(kernels_, std::type_identity<S>())) {
+    judge_all();
+    judge_open();
+  }
+
+  /// Writes those that touch to `out`, which has room for all, in their order. Returns how many.
+  std::size_t keep_touching(Pair* out) const {
+    const std::size_t groups = pairs_.size() / touch_group;
+    std::size_t kept = kernels_.keep(pairs_.data(), verdicts_.data(), groups, out);
+    for (std::size_t i = groups * touch_group; i < pairs_.size(); ++i) {
+      if ((verdicts_[groups].overlapping >> i % touch_group & 1U) != 0) out[kept++] = pairs_[i];
+    }
+    return kept;
+  }
+
+ private:
+  static_assert(task_size % queue_size == 0 && queue_size % touch_group == 0);
+
+  void judge(TouchListKernel<T> kernel, const Pair* pairs, std::size_t count, GroupVerdict* verdicts) const {
+    kernel(numbers_of<T>(shapes_[0]), pairs, count / touch_group, verdicts);
+  }
+
+  void judge_all() {
+    const bool is_in_cache = shapes_.size_bytes() <= cache_size;
+    const std::size_t whole = pairs_.size() / touch_group * touch_group;
+    const std::size_t step = is_in_cache ? task_size : queue_size;
+    for (std::size_t first = 0; first < whole; first += step) {
+      const std::size_t next = std::min(first + step, whole);
+      if (!is_in_cache) fetch_shapes(shapes_, pairs_.subspan(next, std::min(queue_size, whole - next)));
+      judge(judges_.of_all, &pairs_[first], next - first, &verdicts_[first / touch_group]);
+    }
+    if (whole == pairs_.size()) return;
+    std::array<Pair, touch_group> padded;
+    padded.fill(pairs_[whole]);
+    std::copy(pairs_.begin() + static_cast<std::ptrdiff_t>(whole), pairs_.end(), padded.begin());
+    judge(judges_.of_all, padded.data(), touch_group, &verdicts_[whole / touch_group]);
+  }
+
+  /// Collects what is open, and decides it by the other kernel or one by one.
+  void judge_open() {
+    std::array<std::uint32_t, queue_size> open;
+    std::size_t count = 0;
+    for (std::size_t first = 0; first < pairs_.size(); first += touch_group) {
+      const GroupVerdict& verdict = verdicts_[first / touch_group];
+      const std::size_t size = std::min(touch_group, pairs_.size() - first);
+      std::uint32_t rest = ((1U << size) - 1U) & ~static_cast<std::uint32_t>(verdict.apart | verdict.overlapping);
+      for (; rest != 0; rest &= rest - 1) {
+        open[count++] = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(std::countr_zero(rest));
+        if (count == queue_size) decide(std::span(open).first(std::exchange(count, 0U)));
       }
     }
-  };
-  const std::size_t whole = pairs.size() / touch_group * touch_group;
-  for (std::size_t first = 0; first < whole; first += queue_size) {
-    const std::span<const Pair> part = pairs.subspan(first, std::min(queue_size, whole - first));
-    if (!is_in_cache)
-      fetch_shapes(shapes, pairs.subspan(first + part.size(), std::min(queue_size, whole - first - part.size())));
-    judge(part, part.data());
+    decide(std::span(open).first(count));
   }
-  if (whole < pairs.size()) {
-    const std::span<const Pair> rest = pairs.subspan(whole);
-    std::array<Pair, touch_group> padded;
-    padded.fill(rest[0]);
-    std::copy(rest.begin(), rest.end(), padded.begin());
-    judge(rest, padded.data());
+
+  void decide(std::span<const std::uint32_t> open) {
+    std::array<GroupVerdict, queue_size / touch_group> verdicts{};
+    if (judges_.of_open != nullptr && !open.empty()) {
+      std::array<Pair, queue_size> pairs;
+      pairs.fill(pairs_[open[0]]);
+      for (std::size_t i = 0; i < open.size(); ++i) pairs[i] = pairs_[open[i]];
+      judge(judges_.of_open, pairs.data(), (open.size() + touch_group - 1) / touch_group * touch_group,
+            verdicts.data());
+    }
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const GroupVerdict& verdict = verdicts[i / touch_group];
+      const std::uint32_t bit = 1U << i % touch_group;
+      const bool touches =
+          (verdict.overlapping & bit) != 0 || ((verdict.apart & bit) == 0 && do_touch(pairs_[open[i]]));
+      if (touches) set_touching(open[i]);
+    }
   }
-  return kept;
-}
+
+  bool do_touch(const Pair& pair) const { return relation(shapes_[pair.a], shapes_[pair.b]) != Relation::apart; }
+
+  void set_touching(std::size_t i) {
+    std::uint16_t& bits = verdicts_[i / touch_group].overlapping;
+    bits = static_cast<std::uint16_t>(bits | 1U << i % touch_group);
+  }
+
+  std::span<const S> shapes_;
+  std::span<const Pair> pairs_;
+  const TouchKernels<T>& kernels_;
+  ListKernels<T> judges_;
+  std::array<GroupVerdict, task_size / touch_group> verdicts_;
+};
 
 const Executor& executor_of(const TouchOptions& options) {
   return options.executor != nullptr ? *options.executor : default_executor();
@@ -302,7 +354,7 @@ std::vector<Pair> touching_pairs(std::span<const S> shapes, std::span<const Pair
                                  const TouchOptions& options) {
   detail::check_pairs(candidates, shapes.size(), "touching_pairs");
   return detail::kept_of_tasks(candidates.size(), options, [&](std::size_t first, std::size_t last, Pair* out) {
-    return detail::keep_touching(shapes, candidates.subspan(first, last - first), out);
+    return detail::TaskOfOneType<S>(shapes, candidates.subspan(first, last - first)).keep_touching(out);
   });
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -13,6 +14,7 @@
 #include <graze/broad/touch_kernels.hpp>
 #include <graze/math/pose.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/relation.hpp>
 #include <graze/shape/any_shape.hpp>
 
 #include "simd_targets.hpp"
@@ -137,6 +139,73 @@ TEST(TouchKernels, SettleCratesInARow) {
     others.push_back({place + axes[0] * (i % 2 == 0 ? 1.98F : 2.02F), {1, 2, 0.5F}, axes});
   }
   EXPECT_EQ(settled_share(TouchKind::obb_obb, crates, others), 1);
+}
+
+/// How many of the pairs a list's kernel leaves open. What it says is true.
+template <Dim N, class T>
+std::size_t left_open(TouchListKernel<T> kernel, const std::vector<Obb<N, T>>& boxes, const std::vector<Pair>& pairs) {
+  std::vector<GroupVerdict> verdicts(pairs.size() / touch_group);
+  kernel(reinterpret_cast<const T*>(boxes.data()), pairs.data(), verdicts.size(), verdicts.data());
+  std::size_t open = 0;
+  for (std::size_t i = 0; i < verdicts.size() * touch_group; ++i) {
+    const std::uint32_t bit = 1U << i % touch_group;
+    const GroupVerdict& verdict = verdicts[i / touch_group];
+    const Relation truth = relation(boxes[pairs[i].a], boxes[pairs[i].b]);
+    if ((verdict.apart & bit) != 0) {
+      EXPECT_EQ(truth, Relation::apart) << "pair " << i;
+    } else if ((verdict.overlapping & bit) != 0) {
+      EXPECT_EQ(truth, Relation::overlapping) << "pair " << i;
+    } else {
+      ++open;
+    }
+  }
+  return open;
+}
+
+/// The first leaves what is nearer to touching than the most skew of axes allows to say; the second hardly anything.
+template <Dim N, class T>
+void expect_two_kernels_for_oriented_boxes() {
+  Room<N, T> room;
+  const auto boxes = room.many([&] { return room.obb(); });
+  std::vector<Pair> pairs;
+  for (std::uint32_t step = 1; step <= 4; ++step) {
+    for (std::uint32_t i = 0; i + 4 < boxes.size(); ++i) pairs.push_back({i, i + step});
+  }
+  for (const std::int64_t target : test::simd_targets()) {
+    const test::ForcedTarget forced(target);
+    const TouchKernels<T>& kernels = touch_kernels<N, T>();
+    const std::size_t open = left_open(kernels.of_obbs, boxes, pairs);
+    EXPECT_GT(open, pairs.size() / 500) << hwy::TargetName(target);
+    EXPECT_LT(open, pairs.size() / 25) << hwy::TargetName(target);
+    EXPECT_LT(left_open(kernels.of_open_obbs, boxes, pairs), pairs.size() / 500) << hwy::TargetName(target);
+  }
+}
+
+TEST(TouchKernels, LeaveFewOrientedBoxesToTheSecondKernelAndHardlyAnyToNone) {
+  expect_two_kernels_for_oriented_boxes<2, float>();
+  expect_two_kernels_for_oriented_boxes<3, float>();
+  expect_two_kernels_for_oriented_boxes<2, double>();
+  expect_two_kernels_for_oriented_boxes<3, double>();
+}
+
+TEST(TouchKernels, KeepTheOverlappingPairsInTheirOrder) {
+  std::mt19937 random(11);
+  std::vector<Pair> pairs(20 * touch_group);
+  std::vector<GroupVerdict> verdicts(20);
+  for (std::uint32_t i = 0; i < pairs.size(); ++i) pairs[i] = {i, 1000 + i};
+  for (GroupVerdict& verdict : verdicts) verdict.overlapping = static_cast<std::uint16_t>(random());
+  verdicts[3].overlapping = 0xFFFF;
+  verdicts[4].overlapping = 0;
+  std::vector<Pair> expected;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if ((verdicts[i / touch_group].overlapping >> i % touch_group & 1U) != 0) expected.push_back(pairs[i]);
+  }
+  for (const std::int64_t target : test::simd_targets()) {
+    const test::ForcedTarget forced(target);
+    std::vector<Pair> kept(pairs.size());
+    kept.resize(touch_kernels<3, float>().keep(pairs.data(), verdicts.data(), verdicts.size(), kept.data()));
+    EXPECT_EQ(kept, expected) << hwy::TargetName(target);
+  }
 }
 
 }  // namespace

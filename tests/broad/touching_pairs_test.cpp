@@ -157,6 +157,27 @@ TEST(TouchingPairs, DoNotDependOnHowManyShapesThereAre) {
   EXPECT_EQ(touching_pairs(std::vector<AnyShape<3>>(boxes.begin(), boxes.end()), candidates), expected);
 }
 
+/// More pairs than a task takes, and more that nearly touch than are looked at again in one go.
+TEST(TouchingPairs, AreThoseOfSingleCallsWhereManyNearlyTouch) {
+  std::vector<Obb<3>> boxes(6000);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const float gap = 1e-3F * static_cast<float>(static_cast<int>(i % 7) - 3);
+    boxes[i] = {{static_cast<float>(i), 0, 0}, {0.5F - gap, 1, 1}, Obb<3>().axes};
+  }
+  std::vector<Pair> candidates;
+  std::vector<Pair> expected;
+  for (std::uint32_t i = 0; i + 1 < boxes.size(); ++i) {
+    candidates.push_back({i, i + 1});
+    if (relation(boxes[i], boxes[i + 1]) != Relation::apart) expected.push_back({i, i + 1});
+  }
+  EXPECT_GT(expected.size(), 2000U);
+  EXPECT_LT(expected.size(), 4000U);
+  for (const std::int64_t target : test::simd_targets()) {
+    const test::ForcedTarget forced(target);
+    EXPECT_EQ(touching_pairs(boxes, candidates), expected) << hwy::TargetName(target);
+  }
+}
+
 TEST(TouchingPairs, OfNoCandidatesAreNone) {
   EXPECT_TRUE(touching_pairs(std::vector<Sphere<3>>(2), std::vector<Pair>{}).empty());
   EXPECT_TRUE(touching_pairs(std::vector<AnyShape<2>>{}, std::vector<Pair>{}).empty());
@@ -171,6 +192,12 @@ TEST(TouchingPairs, RefuseAPairWhoseShapeIsNotThere) {
   } catch (const std::out_of_range& error) {
     EXPECT_STREQ(error.what(), "touching_pairs: pair 1 names shape 3, but there are only 3");
   }
+  for (const std::uint32_t absent : {3U, 0x7FFFFFFFU, 0x80000000U, 0x80000002U, 0x80000003U, 0xFFFFFFFFU}) {
+    EXPECT_THROW(touching_pairs(boxes, std::vector<Pair>{{0, absent}}), std::out_of_range) << absent;
+    EXPECT_THROW(touching_pairs(boxes, std::vector<Pair>{{absent, 0}}), std::out_of_range) << absent;
+  }
+  EXPECT_THROW(touching_pairs(std::vector<Obb<3>>(), std::vector<Pair>{{0, 0}}), std::out_of_range);
+  EXPECT_EQ(touching_pairs(boxes, std::vector<Pair>{{0, 2}}).size(), 1U);
 }
 
 }  // namespace
