@@ -82,7 +82,7 @@ constexpr T length_squared(const Vec<N, T>& v) {
 
 /// The largest absolute coordinate; NaN counts as nothing.
 template <Dim N, class T>
-constexpr T max_abs(const Vec<N, T>& v) {
+[[gnu::always_inline]] constexpr T max_abs(const Vec<N, T>& v) {
   T largest = T(0);
   for (Dim i = 0; i < N; ++i) {
     largest = std::max(largest, std::max(v[i], -v[i]));
@@ -92,7 +92,7 @@ constexpr T max_abs(const Vec<N, T>& v) {
 
 /// The sum of the absolute coordinates.
 template <Dim N, class T>
-constexpr T sum_abs(const Vec<N, T>& v) {
+[[gnu::always_inline]] constexpr T sum_abs(const Vec<N, T>& v) {
   T sum = T(0);
   for (Dim i = 0; i < N; ++i) sum += std::max(v[i], -v[i]);
   return sum;

@@ -64,6 +64,12 @@ concept HasRaySight = requires(const S& shape, const Path<dimension_of<S>>& path
   sight_of(seen_from(path.origin, shape), path);
 };
 
+/// One of which most paths that miss can be told at once.
+template <class S>
+concept HasQuickMiss = requires(const S& shape, const Path<dimension_of<S>>& path) {
+  is_missed(seen_from(path.origin, shape), path);
+};
+
 template <class S>
 concept HasLevelSight = is_a<Plane, S> || is_a<HalfSpace, S>;
 
@@ -362,6 +368,9 @@ template <class S, class Ask, class ToT>
   using Hit = std::optional<RayHit<N, T>>;
   if constexpr (HasRaySight<S> || HasLevelSight<S>) {
     if (side == RaySide::entry) {
+      if constexpr (HasQuickMiss<S>) {
+        if (is_missed(seen_from(path.origin, shape), path)) return Hit();
+      }
       Sighting<N> quick = sight(shape, path);
       if (quick.sight == Sight::misses) return Hit();
       if (quick.sight == Sight::hits) {

@@ -147,6 +147,13 @@ template <Dim N>
   return {lifted(box.min), lifted(box.max), lifted(direction), far};
 }
 
+/// Whether sight_of says that the box is missed. Of most paths this is all that is asked, and a verdict alone does not
+/// go through memory.
+template <Dim N>
+[[gnu::always_inline]] inline bool is_missed(const Aabb<N, double>& box, const Path<N>& path) {
+  return slabs_of<N>(path_at(box, path.direction, path.far), tolerance::ray_side).are_missed(path.t_max);
+}
+
 template <Dim N>
 [[gnu::always_inline]] inline Sighting<N> sight_of(const Aabb<N, double>& box, const Path<N>& path) {
   const PathAtBox seen = path_at(box, path.direction, path.far);

@@ -101,19 +101,42 @@ Sighting<N> sight_of(const Ray<N, double>& ray, const Path<N>& path) {
 /// With S the size of the corners, D of the direction and E of the edges, the three signs are trusted from
 /// tolerance::ray_side S D E on: then the ray passes that far from the edges, relative to S. A ray is called steep if
 /// the sine of its angle with the plane is at least 2^-10; along it, 2^-30 of S is 2^-40 of S away from the plane.
+struct TriangleBesidePath {
+  double size;
+  double edges;
+  double band;
+  double least;
+  double most;
+
+  [[gnu::always_inline]] inline TriangleBesidePath(const Triangle<3, double>& triangle, const Path<3>& path) {
+    const Vec<3, double> first = triangle.b - triangle.a;
+    const Vec<3, double> second = triangle.c - triangle.a;
+    size = path.far + std::max(sum_abs(triangle.a), std::max(sum_abs(triangle.b), sum_abs(triangle.c)));
+    edges = sum_abs(first) + sum_abs(second);
+    band = tolerance::ray_side * size * sum_abs(path.direction) * edges;
+    const double ab = dot(path.direction, cross(triangle.a, first));
+    const double bc = dot(path.direction, cross(triangle.b, triangle.c - triangle.b));
+    const double ca = dot(path.direction, cross(second, triangle.a));
+    least = std::min(ab, std::min(bc, ca));
+    most = std::max(ab, std::max(bc, ca));
+  }
+
+  bool is_passed() const { return least < -band && most > band; }
+};
+
+/// Whether the line of the path passes the triangle: then sight_of says that it is missed. Of most paths this is all
+/// that is asked, and a verdict alone does not go through memory.
+[[gnu::always_inline]] inline bool is_missed(const Triangle<3, double>& triangle, const Path<3>& path) {
+  return TriangleBesidePath(triangle, path).is_passed();
+}
+
 inline Sighting<3> sight_of(const Triangle<3, double>& triangle, const Path<3>& path) {
   const auto& [zero, direction, t_max, far] = path;
+  const TriangleBesidePath beside(triangle, path);
+  if (beside.is_passed()) return missed<3>();
+  const auto& [size, edges, band, least, most] = beside;
   const Vec<3, double> first = triangle.b - triangle.a;
   const Vec<3, double> second = triangle.c - triangle.a;
-  const double size = far + std::max(sum_abs(triangle.a), std::max(sum_abs(triangle.b), sum_abs(triangle.c)));
-  const double edges = sum_abs(first) + sum_abs(second);
-  const double band = tolerance::ray_side * size * sum_abs(direction) * edges;
-  const double ab = dot(direction, cross(triangle.a, first));
-  const double bc = dot(direction, cross(triangle.b, triangle.c - triangle.b));
-  const double ca = dot(direction, cross(second, triangle.a));
-  const double least = std::min(ab, std::min(bc, ca));
-  const double most = std::max(ab, std::max(bc, ca));
-  if (least < -band && most > band) return missed<3>();
   const Vec<3, double> normal = of_moderate_size(cross_of_directions(first, second));
   const double climb = dot(normal, direction);
   constexpr double least_sine_squared = 0x1p-20;

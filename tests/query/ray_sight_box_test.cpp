@@ -30,6 +30,27 @@ TEST(RaySightBox, IsClearBeyondRoundingAndUnclearWithin) {
   EXPECT_EQ(sight(0, 1.999), Sight::misses);
 }
 
+/// Rays to a lattice of points around the box and on it, some of them next to an edge by less than rounding.
+TEST(RaySightBox, IsMissedJustWhereSightSaysSo) {
+  const Box box{{4, -1, -1}, {6, 1, 1}};
+  int missed = 0;
+  int met = 0;
+  for (const double t_max : {0.5, 1.0, 1.5, infinity}) {
+    for (const double x : {-5.0, 0.0, 4.0, 5.0}) {
+      for (const double y : {-1.25, -1.0, -1.0 - 0x1p-50, 0.0, 0.5, 1.0, 1.0 + 0x1p-35, 2.0}) {
+        for (const double z : {-3.0, -1.0, -0.0, 1.0 - 0x1p-52, std::numeric_limits<double>::quiet_NaN()}) {
+          const Path<3> towards = path(Point(x, y, z), t_max);
+          const bool misses = sight_of(box, towards).sight == Sight::misses;
+          EXPECT_EQ(is_missed(box, towards), misses) << x << ' ' << y << ' ' << z << ' ' << t_max;
+          ++(misses ? missed : met);
+        }
+      }
+    }
+  }
+  EXPECT_GT(missed, 100);
+  EXPECT_GT(met, 100);
+}
+
 TEST(RaySightBox, OfAFlatBoxIsClearWhereItIsCrossed) {
   const Sighting<3> crossed = sight_of(Box{{4, -1, -1}, {4, 1, 1}}, path(Point(2, 0.25, 0), infinity));
   EXPECT_EQ(crossed.sight, Sight::hits);

@@ -49,6 +49,23 @@ TEST(RaySightFlat, OfATriangleIsClearInsideOutsideAndInTime) {
   EXPECT_EQ(sight_of(triangle, path(Point(4, -1, -1), infinity)).touch.t, 1);
 }
 
+/// What is said to be missed is; but for the two ends of a path, which only sight_of looks at, the other way round too.
+TEST(RaySightFlat, OfATriangleIsMissedJustWhereTheLinePassesIt) {
+  const Triangle<3, double> triangle{{4, 0, 0}, {4, 3, 0}, {5, 0, 3}};
+  int missed = 0;
+  int met = 0;
+  for (const double y : {-1.0, -0x1p-50, 0.0, 0x1p-30, 0.5, 1.0, 1.5, 4.0}) {
+    for (const double z : {-1.0, -0x1p-30, 0.0, 0x1p-50, 0.5, 1.0, 1.5, 4.0}) {
+      const Path<3> towards = path(Vec<3, double>(4, y, z), infinity);
+      const bool misses = sight_of(triangle, towards).sight == Sight::misses;
+      EXPECT_EQ(is_missed(triangle, towards), misses) << y << ' ' << z;
+      ++(misses ? missed : met);
+    }
+  }
+  EXPECT_GT(missed, 20);
+  EXPECT_GT(met, 15);
+}
+
 TEST(RaySightFlat, OfATriangleInItsPlaneIsLeftOpen) {
   const Triangle<3, double> triangle{{4, -1, 0}, {4, 1, 0}, {6, 0, 0}};
   EXPECT_EQ(sight_of(triangle, path(Point(1, 0, 0), infinity)).sight, Sight::unclear);
