@@ -171,8 +171,8 @@ struct Inverse<2> {
   Vec<2, double> y;
   double determinant;
 
-  Vec<2, double> rows_times(const Vec<2, double>& v) const { return {dot(x, v), dot(y, v)}; }
-  Vec<2, double> times_rows(const Vec<2, double>& v) const { return x * v.x + y * v.y; }
+  [[gnu::always_inline]] Vec<2, double> rows_times(const Vec<2, double>& v) const { return {dot(x, v), dot(y, v)}; }
+  [[gnu::always_inline]] Vec<2, double> times_rows(const Vec<2, double>& v) const { return x * v.x + y * v.y; }
 };
 
 template <>
@@ -182,14 +182,18 @@ struct Inverse<3> {
   Vec<3, double> z;
   double determinant;
 
-  Vec<3, double> rows_times(const Vec<3, double>& v) const { return {dot(x, v), dot(y, v), dot(z, v)}; }
-  Vec<3, double> times_rows(const Vec<3, double>& v) const { return x * v.x + y * v.y + z * v.z; }
+  [[gnu::always_inline]] Vec<3, double> rows_times(const Vec<3, double>& v) const {
+    return {dot(x, v), dot(y, v), dot(z, v)};
+  }
+  [[gnu::always_inline]] Vec<3, double> times_rows(const Vec<3, double>& v) const {
+    return x * v.x + y * v.y + z * v.z;
+  }
 };
 
-inline Inverse<2> inverse_of(const Mat<2, double>& m) {
+[[gnu::always_inline]] inline Inverse<2> inverse_of(const Mat<2, double>& m) {
   return {{m[1].y, -m[1].x}, {-m[0].y, m[0].x}, cross_2d(m[0], m[1])};
 }
-inline Inverse<3> inverse_of(const Mat<3, double>& m) {
+[[gnu::always_inline]] inline Inverse<3> inverse_of(const Mat<3, double>& m) {
   const Vec<3, double> first = cross(m[1], m[2]);
   return {first, cross(m[2], m[0]), cross(m[0], m[1]), dot(first, m[0])};
 }
