@@ -40,7 +40,7 @@ struct SurfacePoint {
 
 /// `v` at length 1, however small it is; `fallback` if it is zero.
 template <Dim N>
-Vec<N, double> unit_or(const Vec<N, double>& v, const Vec<N, double>& fallback) {
+[[gnu::always_inline]] inline Vec<N, double> unit_or(const Vec<N, double>& v, const Vec<N, double>& fallback) {
   const double squared = dot(v, v);
   if (squared > 0x1p-900 && squared < 0x1p900) return v / std::sqrt(squared);  // no square is lost
   const double size = max_abs(v);
