@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t chunk_size = 1U << 16U;   // boxes that one task looks at
 constexpr std::size_t boxes_per_bucket = 1024;  // between this and twice as many, if boxes are spread evenly
-constexpr std::size_t most_buckets = 4096;
+constexpr std::size_t most_buckets_in_order = 4096;
 
 // Classes of sizes: 0 are the usual ones, sorted by cells; each further class reaches four times as far, but for the
 // last, which holds what is infinite.
@@ -171,7 +171,7 @@ void SpatialOrder<N, T>::sort(std::span<const Aabb<N, T>> boxes, const Executor&
   survey(boxes, executor);
   Buckets buckets;
   buckets.usual = usual_size(boxes);
-  buckets.grid = grid_over(centers_, std::min(most_buckets / 2, boxes.size() / (2 * boxes_per_bucket) + 1));
+  buckets.grid = grid_over(centers_, std::min(most_buckets_in_order / 2, boxes.size() / (2 * boxes_per_bucket) + 1));
   buckets.cells = buckets.grid.count();
   find_cells(boxes, buckets, executor);
   scatter(boxes, buckets, executor);
