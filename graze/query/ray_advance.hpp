@@ -10,12 +10,19 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
+#include <graze/query/closest_points.hpp>
 #include <graze/query/gjk.hpp>
+#include <graze/query/proximity.hpp>
 #include <graze/query/ray_sight.hpp>
+#include <graze/query/relation.hpp>
 #include <graze/query/simplex.hpp>
 #include <graze/query/status.hpp>
 #include <graze/query/surface_point.hpp>
+#include <graze/query/verdict.hpp>
 #include <graze/query/wide_support.hpp>
+#include <graze/shape/aabb.hpp>
+#include <graze/shape/ray.hpp>
+#include <graze/shape/segment.hpp>
 #include <graze/shape/shape.hpp>
 
 namespace graze::detail {
@@ -94,6 +101,7 @@ class Advance {
   Sighting<N> missed_by(double height) {
     Sighting<N> result = arrived(height);
     result.sight = height > band_of_miss(shape_, path_) ? Sight::misses : Sight::unclear;
+    result.is_touch_known = false;
     return result;
   }
 
@@ -120,7 +128,10 @@ Sighting<dimension_of<S>> advance_by_distance(const S& shape, const Path<dimensi
   }
   const bool has_arrived = barrier.gap <= 2 * barrier.resolution;
   auto result = advance.arrived(barrier.gap + barrier.resolution, has_arrived ? Status::converged : Status::best_bound);
-  if (!has_arrived) result.sight = Sight::unclear;
+  if (!has_arrived) {
+    result.sight = Sight::unclear;
+    result.is_touch_known = false;
+  }
   return result;
 }
 
@@ -189,6 +200,52 @@ template <Convex S>
 Sighting<dimension_of<S>> advance_to(const S& shape, const Path<dimension_of<S>>& path) {
   if (const auto result = advance_at_once(shape, path)) return *result;
   return advance_by_distance(shape, path);
+}
+
+// ---- Where it is known to touch
+
+/// From the path's origin to where it has left a bounded shape.
+template <class S>
+Vec<dimension_of<S>, double> reach_past(const S& shape, const Path<dimension_of<S>>& path) {
+  constexpr Dim N = dimension_of<S>;
+  const Aabb<N, scalar_of<S>> box = bounds(shape);
+  return reach_to(Ray<N, double>{path.origin, path.direction},
+                  Aabb<N, double>{wide<N, scalar_of<S>>(box.min), wide<N, scalar_of<S>>(box.max)});
+}
+
+/// Where a path that only nearly touches is nearest to the shape. At a grazing angle Newton's method has gone past it:
+/// the last plane that it moved to gives the normal, nothing else.
+template <Convex S>
+Touch<dimension_of<S>> nearest_touch(const S& shape, const Path<dimension_of<S>>& path,
+                                     const Touch<dimension_of<S>>& passed) {
+  constexpr Dim N = dimension_of<S>;
+  const Vec<N, double> reach = reach_past(shape, path);
+  const Vec<N, double> end = path.direction * path.t_max;
+  const bool is_cut = is_finite(end) && dot(end, path.direction) < dot(reach, path.direction);
+  const Segment<N, double> way{path.origin, path.origin + (is_cut ? end : reach)};
+  const auto proximity_of = [&] {
+    if constexpr (HasSimpleCore<S>) {
+      return proximity_of_simple(shape, way, Relation::apart);
+    } else {
+      return proximity_of_convex(shape, way, Relation::apart);
+    }
+  };
+  const Proximity<N, double> nearest = proximity_of();
+  const double along = dot(nearest.point_b - path.origin, path.direction);
+  Touch<N> touch;
+  touch.t = std::clamp(along / dot(path.direction, path.direction), 0.0, path.t_max);  // a direction is not zero
+  touch.point = nearest.point_a;
+  touch.normal = passed.normal;
+  touch.error = nearest.distance + nearest.error;
+  touch.status = nearest.status;
+  return touch;
+}
+
+/// Where GJK says that a path touches which `relation` says does.
+template <Convex S>
+Touch<dimension_of<S>> touch_by_advance(const S& shape, const Path<dimension_of<S>>& path) {
+  const Sighting<dimension_of<S>> found = advance_to(shape, path);
+  return found.sight == Sight::hits ? found.touch : nearest_touch(shape, path, found.touch);
 }
 
 }  // namespace graze::detail

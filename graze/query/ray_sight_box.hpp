@@ -87,6 +87,7 @@ struct TouchOfBox {
   double t = 0;
   Vec<3, double> point = Vec<3, double>(0.0);
   Vec<3, double> side = Vec<3, double>(0.0);  ///< -1 or 1 on the axis whose min or max side is met; else zero.
+  bool is_known = true;                       ///< False where the path is beside that side only before or after.
 };
 
 /// One coordinate of a point on a box: that of the side that is met, or any between the two.
@@ -112,6 +113,7 @@ struct TouchOfBox {
   const double t = std::fabs(slope) > least_slope ? (slope > 0 ? low : high) / slope : near;
   const double leave = std::min(std::min(slabs.x.latest(), slabs.y.latest()), std::min(slabs.z.latest(), t_max));
   touch.t = std::min(t, std::max(0.0, leave));
+  touch.is_known = touch.t == t;
   const double side = slope > 0 ? -1 : 1;
   touch.side = {is_x ? side : 0, is_y ? side : 0, is_x || is_y ? 0 : side};
   touch.point = {coordinate_on(touch.side.x, direction.x * touch.t, min.x, max.x),
@@ -158,7 +160,9 @@ template <Dim N>
 [[gnu::always_inline]] inline Sighting<N> sight_of(const Aabb<N, double>& box, const Path<N>& path) {
   const PathAtBox seen = path_at(box, path.direction, path.far);
   const TouchOfBox found = touch_of_box<N>(seen, path.t_max);
-  return {found.sight, {found.t, Vec<N, double>(found.point), Vec<N, double>(found.side), error_at_box(found, seen)}};
+  return {found.sight,
+          {found.t, Vec<N, double>(found.point), Vec<N, double>(found.side), error_at_box(found, seen)},
+          found.is_known};
 }
 
 /// The rows of the inverse of a matrix, all as much too long as `determinant` says.
@@ -219,7 +223,8 @@ template <Dim N>
   const bool is_inside = max_abs(side) == 0;
   return {found.sight,
           {found.t, is_inside ? Vec<N, double>(0.0) : box.center + box.axes * place, inverse.times_rows(side) * sign,
-           error_at_box(found, path_seen)}};
+           error_at_box(found, path_seen)},
+          found.is_known};
 }
 
 }  // namespace graze::detail

@@ -152,6 +152,10 @@ inline Sighting<3> sight_of(const Triangle<3, double>& triangle, const Path<3>& 
   result.touch.point = direction * result.touch.t;
   result.touch.normal = climb > 0 ? -normal : normal;
   result.touch.error = tolerance::rounding * (size + edges);
+  // Beside an edge the plane is crossed up to 2^10 times as far from the triangle as the ray passes it.
+  if (!is_inside) {
+    result.is_touch_known = surface_point(triangle, result.touch.point).distance <= result.touch.error;
+  }
   return result;
 }
 
@@ -178,8 +182,9 @@ class EdgeCrossings {
     const double slack_t = slack / std::fabs(climb);
     if (climb < 0) {
       latest_enter_ = std::max(latest_enter_, t + slack_t);
-      if (t - slack_t > earliest_enter_) {
-        earliest_enter_ = t - slack_t;
+      earliest_enter_ = std::max(earliest_enter_, t - slack_t);
+      // Entered where the last edge is crossed, however nearly the path runs along it: its slack is for verdicts.
+      if (t > enter_) {
         enter_ = t;
         normal_ = outward;
       }

@@ -114,9 +114,11 @@ std::string ray_tables(const std::vector<MeasuredPair>& tallies) {
   std::string text =
       "### Rays\n\n"
       "All cases were judged by the oracle. *Wrong*: a hit of what is missed, none of what is hit, or a point that is\n"
-      "farther from where the ray truly enters, or at a grazing angle from the surface, than `error` and rounding\n"
-      "allow. *Outside* as above. The largest errors are in epsilon of the type times the largest coordinate of the\n"
-      "ray's origin, the shape and the point.\n\n";
+      "farther than `error` and rounding allow from where the ray truly enters; where it grazes or only nearly "
+      "touches,\n"
+      "from the surface. *Outside* as above. The largest errors are in epsilon of the type times the largest "
+      "coordinate\n"
+      "of the ray's origin, the shape and the point.\n\n";
   text += own_table(tallies, {"shape", "cases", "hits", "wrong", "outside", "2D f", "2D d", "3D f", "3D d"});
   const std::string in_float = side_by_side(tallies, {3, "float"}, names_of(ray_rivals<float>()));
   const std::string in_double = side_by_side(tallies, {3, "double"}, names_of(ray_rivals<double>()));

@@ -148,5 +148,25 @@ TEST(RayJudgement, FindsOutAnExitAMissAndAPlaceThatAreWrong) {
   EXPECT_EQ(judged(beside), Judgement::wrong);
 }
 
+TEST(RayJudgement, HoldsTheErrorOfAHitToTheGapWhereTheRayOnlyNearlyTouches) {
+  const Any3 ball = Sphere<3, double>{{0, 0, 0}, 3};
+  const Ray3 ray{{-8, 3 + 7e-15, 0}, {2, 0, 0}};
+  const ExactVerdict truth = exact_verdict<3, double>(ball, Any3(ray));
+  ASSERT_EQ(truth.relation, Relation::apart);
+  const auto right = hit_of<3, double>(ball, ray, std::numeric_limits<double>::infinity());
+  ASSERT_TRUE(right.has_value());
+  const auto judged = [&](const RayHit<3, double>& hit) {
+    return ray_errors<3, double>(ball, ray, truth, 8, hit).judgement;
+  };
+  EXPECT_EQ(judged(*right), Judgement::within_band);
+  auto beyond = *right;
+  beyond.t = 16;
+  beyond.point = ray.origin + ray.direction * beyond.t;
+  EXPECT_EQ(judged(beyond), Judgement::wrong);
+  auto above = *right;
+  above.point.y += 1e-12;
+  EXPECT_EQ(judged(above), Judgement::wrong);
+}
+
 }  // namespace
 }  // namespace graze::test::judgement_test

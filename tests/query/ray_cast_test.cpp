@@ -184,6 +184,35 @@ TEST(RayCast, FindsAUsersShapeAndSaysHowWell) {
   EXPECT_NEAR(exit->t, 3.3, 1e-12);
 }
 
+/// Rays that miss by less than a verdict can tell, at angles at which Newton's method runs past: what they hit is where
+/// they come nearest, and the error is no less than the gap.
+TEST(RayCast, HitsWhatItOnlyNearlyTouchesWhereItIsNearest) {
+  using Point2 = Vec<2, double>;
+  struct Row {
+    AnyShape<2, double> shape;
+    Ray<2, double> ray;
+    Point2 nearest;
+  };
+  const double gap = 7e-15;
+  const std::vector<Row> rows = {
+      // From right above one end of a flat capsule to where its side falls away, nearly along the ray.
+      {Capsule<2, double>{{3, -2}, {4, 2}, 0}, {{4, 2 + gap}, {-1, -4.440892098500626e-16}}, {4, 2}},
+      {Triangle<2, double>{{0, 3}, {-4, 2}, {3, -2}}, {{-8, 11 + gap}, {4, -4}}, {0, 3}},
+      {convex_hull<2, double>(std::vector<Point2>{{0, 3}, {-4, 2}, {3, -2}}), {{-8, 3 + gap}, {2, 0}}, {0, 3}},
+      {Sphere<2, double>{{0, 0}, 3}, {{-8, 3 + gap}, {2, 0}}, {0, 3}},
+      {Segment<2, double>{{0, 3}, {1, -2}}, {{-8, 3 + gap}, {2, 0}}, {0, 3}},
+      {Point2(0, 3), {{-8, 3 + gap}, {2, 0}}, {0, 3}},
+  };
+  for (const Row& row : rows) {
+    const auto hit = hit_of<2, double>(row.shape, row.ray, infinity);
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_LT(length(hit->point - row.nearest), 1e-6);
+    EXPECT_LT(hit->error, 1e-12);
+    EXPECT_LE(length(row.ray.origin + row.ray.direction * hit->t - hit->point), hit->error + 1e-15);
+    EXPECT_LE((exact_signed_distance<2, double>(row.shape, hit->point)), hit->error);
+  }
+}
+
 // ---- Closed meshes: rays at corners and edges from inside never slip through
 
 /// The faces of a convex body, each seen counter-clockwise from outside.

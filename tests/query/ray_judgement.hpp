@@ -46,9 +46,11 @@ double entry_error(const AnyShape<N, T>& shape, const Ray<N, T>& ray, double t, 
   const auto place = [&](double at) { return Vec<N, T>(wide<N, T>(ray.origin) + direction * at); };
   const Vec<N, T> point = place(t);
   if (!is_finite(point)) return along;
+  const double height = std::fabs(exact_height<N, T>(shape, point));
+  if (t < entry) return std::min(along, height);  // before the entry the ray is nowhere inside
   // Heights along the ray are convex: nowhere between is it twice as deep as in the middle.
   const double depth_between = -2 * exact_height<N, T>(shape, place(0.5 * t + 0.5 * entry));
-  return std::min(along, std::max(std::fabs(exact_height<N, T>(shape, point)), depth_between));
+  return std::min(along, std::max(height, depth_between));
 }
 
 /// The error of one answer.
@@ -62,8 +64,8 @@ template <Dim N, class T>
 RayErrors ray_errors(const AnyShape<N, T>& shape, const Ray<N, T>& ray, const ExactVerdict& truth, double largest,
                      const std::optional<RayHit<N, T>>& hit) {
   RayErrors errors;
-  const bool is_hit = truth.relation != Relation::apart;
-  if (is_hit != hit.has_value()) {
+  const bool is_met = truth.relation != Relation::apart;
+  if (is_met != hit.has_value()) {
     const bool underflows = std::fabs(truth.gap) < least_size;
     if (truth.is_nearly_parallel || underflows) {
       errors.judgement = Judgement::outside_range;
@@ -72,22 +74,22 @@ RayErrors ray_errors(const AnyShape<N, T>& shape, const Ray<N, T>& ray, const Ex
     const double size = documented_size(truth.own_size, truth.largest, shape.index(), ray_type);
     const bool is_near = hit && truth.gap <= std::max(verdict_band * size, hit->error);
     errors.judgement = is_near ? Judgement::within_band : Judgement::wrong;
-    return errors;
+    if (!is_near) return errors;
   }
-  if (!hit) return errors;
-  const std::optional<double> entry = exact_entry<N, T>(shape, ray);
+  if (!hit || !std::isfinite(hit->t) || !is_finite(hit->point)) return errors;
   const auto t = static_cast<double>(hit->t);
-  if (!entry || !std::isfinite(*entry) || !std::isfinite(t)) return errors;
+  const std::optional<double> entry = is_met ? exact_entry<N, T>(shape, ray) : std::nullopt;
+  if (is_met && (!entry || !std::isfinite(*entry))) return errors;
+  // What is only nearly touched has no entry, but the point is as near to it as the error says.
+  const double error =
+      entry ? entry_error<N, T>(shape, ray, t, *entry) : std::fabs(exact_height<N, T>(shape, hit->point));
   const auto epsilon = static_cast<double>(std::numeric_limits<T>::epsilon());
   const Vec<N, double> way = wide<N, T>(ray.direction) * t;
   const double size = std::max({largest, max_abs(way), static_cast<double>(max_abs(hit->point))});
-  const double error = entry_error<N, T>(shape, ray, t, *entry);
   const double off_ray = length(wide<N, T>(ray.origin) + way - wide<N, T>(hit->point));
   // The point and t are each rounded to T, and so is the place where the height is asked.
   constexpr double roundings = 4;
-  double bound = hit->error + roundings * epsilon * size + static_cast<double>(std::numeric_limits<T>::min());
-  // A part that is only nearly touched may be hit before the one that is entered.
-  if (std::holds_alternative<Compound<N, T>>(shape)) bound += verdict_band * size;
+  const double bound = hit->error + roundings * epsilon * size + static_cast<double>(std::numeric_limits<T>::min());
   if (!(error <= bound) || !(off_ray <= bound)) errors.judgement = Judgement::wrong;
   errors.entry = error / (epsilon * size);
   return errors;

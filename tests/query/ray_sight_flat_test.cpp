@@ -86,6 +86,27 @@ TEST(RaySightFlat, OfAPolygonClipsByItsEdges) {
   EXPECT_EQ(sight({-1, 0}, infinity).sight, Sight::misses);
 }
 
+/// The lower side is turned by 1e-8 against the path and crossed just after the left one, where the path is only 1e-12
+/// below it: nearer than the margin of verdicts, which moves that crossing by 7e-4.
+TEST(RaySightFlat, OfAPolygonIsWhereTheLastSideIsCrossedHoweverNearlyParallel) {
+  const std::array<Vec<2, double>, 4> corners{{{2, 1e-12}, {4, -1.9999e-8}, {4, 1}, {2, 1}}};
+  const Sighting<2> hit = sight_of_polygon<double>(corners, 0, path(Vec<2, double>(1, 0), infinity));
+  EXPECT_EQ(hit.sight, Sight::hits);
+  EXPECT_NEAR(hit.touch.t, 2.0001, 1e-6);
+  EXPECT_LT(hit.touch.normal.y, 0);
+}
+
+TEST(RaySightFlat, OfATriangleWhosePlaneIsCrossedBesideAnEdgeIsLeftOpen) {
+  const Triangle<3, double> triangle{{-4, -4, 1}, {4, 1, 1}, {-4, 1, 1}};
+  const Sighting<3> on_edge = sight_of(triangle, path(Point(0, 1, 1), infinity));
+  EXPECT_EQ(on_edge.sight, Sight::unclear);
+  EXPECT_TRUE(on_edge.is_touch_known);
+  EXPECT_EQ(on_edge.touch.t, 1);
+  const Sighting<3> beside = sight_of(triangle, path(Point(0, 1 + 0x1p-42, 1), infinity));
+  EXPECT_EQ(beside.sight, Sight::unclear);
+  EXPECT_FALSE(beside.is_touch_known);
+}
+
 /// The sides of its corner are nearly parallel to the path, which passes it by a rounding: where it crosses their lines
 /// is thousands of times farther from the corner than the error says.
 TEST(RaySightFlat, OfAPolygonWhoseCornerIsBarelyPassedIsLeftOpen) {
