@@ -241,11 +241,18 @@ Touch<dimension_of<S>> nearest_touch(const S& shape, const Path<dimension_of<S>>
   return touch;
 }
 
-/// Where GJK says that a path touches which `relation` says does.
+/// Where GJK says that a path touches which `relation` says does. Where no plane is left between the point and the
+/// shape, Newton's method may have come to rest at the entry without telling so; it has then not passed it.
 template <Convex S>
 Touch<dimension_of<S>> touch_by_advance(const S& shape, const Path<dimension_of<S>>& path) {
   const Sighting<dimension_of<S>> found = advance_to(shape, path);
-  return found.sight == Sight::hits ? found.touch : nearest_touch(shape, path, found.touch);
+  if (found.sight == Sight::hits) return found.touch;
+  Touch<dimension_of<S>> touch = nearest_touch(shape, path, found.touch);
+  if (found.touch.t < touch.t && decide(shape, found.touch.point) != Relation::apart) {
+    touch = found.touch;
+    touch.status = Status::converged;
+  }
+  return touch;
 }
 
 }  // namespace graze::detail
