@@ -142,7 +142,9 @@ Sighting<dimension_of<S>> settled(const S& shape, const Path<dimension_of<S>>& p
   if (unclear.is_touch_known) {
     constexpr double slack_of_touching = tolerance::coarse / tolerance::rounding;
     if constexpr (!HasLevelSight<S>) result.touch.error *= slack_of_touching;
-  } else if constexpr (Convex<S> && HasRaySight<S>) {
+    return result;
+  }
+  if constexpr (Convex<S> && HasRaySight<S>) {
     const Path<N> from_zero{Vec<N, double>(0.0), path.direction, path.t_max, path.far};
     result.touch = touch_by_advance(seen_from(path.origin, shape), from_zero);
     result.touch.point += path.origin;

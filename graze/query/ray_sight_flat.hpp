@@ -108,12 +108,12 @@ struct TriangleBesidePath {
   double least;
   double most;
 
-  [[gnu::always_inline]] inline TriangleBesidePath(const Triangle<3, double>& triangle, const Path<3>& path) {
+  [[gnu::always_inline]] inline TriangleBesidePath(const Triangle<3, double>& triangle, const Path<3>& path)
+      : size(path.far + std::max(sum_abs(triangle.a), std::max(sum_abs(triangle.b), sum_abs(triangle.c)))),
+        edges(sum_abs(triangle.b - triangle.a) + sum_abs(triangle.c - triangle.a)),
+        band(tolerance::ray_side * size * sum_abs(path.direction) * edges) {
     const Vec<3, double> first = triangle.b - triangle.a;
     const Vec<3, double> second = triangle.c - triangle.a;
-    size = path.far + std::max(sum_abs(triangle.a), std::max(sum_abs(triangle.b), sum_abs(triangle.c)));
-    edges = sum_abs(first) + sum_abs(second);
-    band = tolerance::ray_side * size * sum_abs(path.direction) * edges;
     const double ab = dot(path.direction, cross(triangle.a, first));
     const double bc = dot(path.direction, cross(triangle.b, triangle.c - triangle.b));
     const double ca = dot(path.direction, cross(second, triangle.a));
