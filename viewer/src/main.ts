@@ -92,8 +92,8 @@ async function start(): Promise<void> {
   listenToFiles((files) => {
     const scene = chapters.find((known) => known.id === "scene");
     if (open?.onFiles === undefined && scene !== undefined) {
-      show(scene, new URLSearchParams());
       history.replaceState(null, "", `#${scene.id}`);
+      show(scene, new URLSearchParams());
     }
     open?.onFiles?.(files);
   });

@@ -37,8 +37,10 @@ export class AddressBar {
 
   write(place: () => Place): void {
     if (this.#pending !== undefined) return;
+    const before = location.hash;
     this.#pending = window.setTimeout(() => {
       this.#pending = undefined;
+      if (location.hash !== before) return; // the reader has gone elsewhere, and the page is about to hear of it
       this.#written = hashOf(place());
       history.replaceState(null, "", this.#written);
     }, 250);

@@ -121,6 +121,23 @@ test("everything works from the keyboard: a chapter, a shape that moves and is r
   });
 });
 
+test("a link that is followed while the address is about to be written is not lost", async () => {
+  await on("#intersections", async (page) => {
+    await page.waitForTimeout(500); // until the address of what was opened is written
+    const address = await page.evaluate(async () => {
+      const circle = document.querySelector('#overlay circle[data-key="shape-1"]');
+      circle.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowRight", bubbles: true, cancelable: true }));
+      history.replaceState(null, "", "#trees"); // the page hears of a link in a later task: here, in the one below
+      await new Promise((resolve) => setTimeout(resolve, 500));
+      const found = location.hash;
+      window.dispatchEvent(new HashChangeEvent("hashchange"));
+      return found;
+    });
+    assert.equal(address, "#trees");
+    await page.waitForSelector('html[data-chapter="trees"]');
+  });
+});
+
 test("a probe inside a circle is contained, and its distance is negative", async () => {
   await on("#closest-points?shapes=sphere:0,0,2&x=0.5&y=0", async (page) => {
     assert.equal(await figure(page, "contains"), "1");
