@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Runs clang-tidy on the sources of the library and the program and on the examples that include all headers; on tests,
 benchmarks and recipes only when asked, for they are several times as many files. Sources that are compiled as one batch
-(GRAZE_UNITY) are looked at as one, which reads their headers once instead of eight times. What was looked at is looked at
+(GRAZE_UNITY) are looked at as one, which reads their headers once for all. What was looked at is looked at
 again only when a file of it, something that it includes of the project, its command, or the configuration has changed."""
 
 import argparse
