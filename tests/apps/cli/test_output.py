@@ -11,8 +11,8 @@ from graze_program import PROGRAM, ROOT, TIMEOUT_SECONDS, CommandLineTest, envir
 
 
 class Output(CommandLineTest):
-    def many_boxes(self, count=400):
-        """All of them overlap each other: about 80,000 pairs, far more than a pipe holds."""
+    def many_boxes(self, count=150):
+        """All of them overlap each other: about 11,000 pairs, several times what a pipe holds."""
         lines = "".join(f"box_{i},0,0,1,1\n" for i in range(count))
         return self.write("many.csv", "id,min_x,min_y,max_x,max_y\n" + lines)
 
@@ -36,13 +36,13 @@ class Output(CommandLineTest):
 
     def test_a_closed_pipe_leaves_no_half_written_file(self):
         kept = self.write("report", "precious")
-        _, said, code = self.run_until_pipe_is_closed("check", "--output", kept, "--svg", "-", self.many_boxes(1500))
+        _, said, code = self.run_until_pipe_is_closed("check", "--output", kept, "--svg", "-", self.many_boxes(600))
         self.assertEqual((said, code), (b"", -signal.SIGPIPE))
         self.assertEqual(kept.read_text(), "precious")
         self.assert_no_litter("many.csv", "report")
 
     def test_a_stream_begins_before_the_end_of_the_search(self):
-        first, _, _ = self.run_until_pipe_is_closed("check", "--format", "ndjson", self.many_boxes(2000))
+        first, _, _ = self.run_until_pipe_is_closed("check", "--format", "ndjson", self.many_boxes(1000))
         self.assertEqual(json.loads(first), {"a": "box_0", "b": "box_1", "relation": "overlapping"})
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "there is no /dev/full")
