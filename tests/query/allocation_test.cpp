@@ -33,9 +33,13 @@ namespace {
 
 thread_local std::size_t asked_of_the_heap = 0;
 
-void* take(std::size_t bytes) {
+void* take_if_there_is_some(std::size_t bytes) noexcept {
   ++asked_of_the_heap;
-  if (void* const memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
+  return std::malloc(bytes == 0 ? 1 : bytes);
+}
+
+void* take(std::size_t bytes) {
+  if (void* const memory = take_if_there_is_some(bytes)) return memory;
   throw std::bad_alloc();
 }
 
@@ -44,10 +48,18 @@ void* take(std::size_t bytes) {
 
 void* operator new(std::size_t bytes) { return graze::test::allocation_test::take(bytes); }
 void* operator new[](std::size_t bytes) { return graze::test::allocation_test::take(bytes); }
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+  return graze::test::allocation_test::take_if_there_is_some(bytes);
+}
+void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept {
+  return graze::test::allocation_test::take_if_there_is_some(bytes);
+}
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
+void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 
 namespace graze::test::allocation_test {
 namespace {
