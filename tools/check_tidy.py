@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: MIT
 """Runs clang-tidy on the sources of the library and the program and on the examples that include all headers; on tests,
-benchmarks and recipes only when asked, for they are several times as many files. Sources that are compiled as one batch
-(GRAZE_UNITY) are looked at as one, which reads their headers once for all. What was looked at is looked at
-again only when a file of it, something that it includes of the project, its command, or the configuration has changed."""
+benchmarks and recipes only when asked, for they are several times as many files. All batches (GRAZE_UNITY) of a target are
+looked at as one, and so are all examples, which reads their headers once for all. What was looked at is looked at again only
+when a file of it, something that it includes of the project, its command, or the configuration has changed."""
 
 import argparse
 import json
 import re
+import shlex
 import subprocess
 import sys
+import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -26,27 +28,48 @@ _FINDING = re.compile(r"^(/.*?):(\d+):(\d+): (warning|error): ", re.MULTILINE)
 
 @dataclass(frozen=True)
 class Unit:
-    """What is compiled at a time: the file that the compiler is given, the project's sources in it, and the command."""
+    """What is looked at at a time: the project's sources, how they are compiled, and the text that includes them, if it is
+    not the only one of them itself."""
 
-    file: Path
     sources: tuple
-    command: str
+    flags: tuple
+    text: str = ""
 
-    def is_batch(self):
-        return self.file != self.sources[0]
+
+def flags_of(command):
+    """The options of a compiler's command but for what it reads and writes."""
+    words = iter(shlex.split(command)[1:])
+    flags = []
+    for word in words:
+        if word in ("-o", "-c"):
+            next(words, None)
+        else:
+            flags.append(word)
+    return tuple(flags)
 
 
 def units_of(root, build):
     """The units of the compile commands that hold the project's own sources."""
-    database = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
-    units = []
-    for entry in database:
+    batches, programs, units = {}, {}, []
+    for entry in json.loads((build / "compile_commands.json").read_text(encoding="utf-8")):
         file = Path(entry["file"])
+        flags = flags_of(entry["command"])
         if file.is_relative_to(build) and file.parent.name == "Unity":
-            included = [Path(name) for _, name, _ in includes(file.read_text(encoding="utf-8"))]
-            units.append(Unit(file, tuple(path.relative_to(root) for path in included), entry["command"]))
+            included = [Path(name).relative_to(root) for _, name, _ in includes(file.read_text(encoding="utf-8"))]
+            # Tests are too many to be held in memory at once.
+            batches.setdefault((flags, "" if is_looked_at_always(included[0]) else file), []).extend(included)
         elif file.is_relative_to(root) and not file.is_relative_to(root / "build"):
-            units.append(Unit(file.relative_to(root), (file.relative_to(root),), entry["command"]))
+            source = file.relative_to(root)
+            if source.parts[0] == "examples":
+                programs.setdefault((flags, source.parent), []).append(source)
+            else:
+                units.append(Unit((source,), flags))
+    for (flags, _), sources in batches.items():
+        units.append(Unit(tuple(sources), flags, "".join(f'#include "{root / source}"\n' for source in sources)))
+    for (flags, _), sources in programs.items():
+        text = "".join(f'#define main main_of_{source.stem}\n#include "{root / source}"\n#undef main\n' for source in sources)
+        # Only of `main` may the end be reached without a return; of others the compilers know.
+        units.append(Unit(tuple(sources), (*flags, "-Wno-return-type"), text))
     return units
 
 
@@ -82,16 +105,22 @@ def main():
     version = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=True).stdout
     configuration = [(root / path).read_text(encoding="utf-8") for path in project_files(root, [".clang-tidy"])]
     units = units_of(root, build)
-    checks = [(unit, content_key(root, unit.sources, version, configuration, unit.command)) for unit in units
+    checks = [(unit, content_key(root, unit.sources, version, configuration, unit.flags, unit.text)) for unit in units
               if options.all or any(map(is_looked_at_always, unit.sources))]
+    # The longest first, so that none is left to one processor at the end.
+    checks.sort(key=lambda check: -len(check[0].sources))
 
     def tidy(unit):
-        # The commands may be another compiler's, with warnings that clang has never heard of.
-        command = ["clang-tidy", "--quiet", "--extra-arg=-Wno-unknown-warning-option", "-p", build,
-                   f"--config-file={configuration_for(root, unit.sources[0])}"]
-        if unit.is_batch():
-            command.append("--checks=-bugprone-suspicious-include")  # a batch includes sources, that is its purpose
-        done = subprocess.run([*command, root / unit.file], capture_output=True, text=True, check=False)
+        command = ["clang-tidy", "--quiet", f"--config-file={configuration_for(root, unit.sources[0])}"]
+        with tempfile.TemporaryDirectory() as scratch:
+            file = root / unit.sources[0]
+            if unit.text:
+                file = Path(scratch) / "sources.cpp"
+                file.write_text(unit.text, encoding="utf-8")
+                command.append("--checks=-bugprone-suspicious-include")  # to include sources is its purpose
+            # The commands may be another compiler's, with warnings that clang has never heard of.
+            done = subprocess.run([*command, file, "--", *unit.flags, "-Wno-unknown-warning-option"], cwd=build,
+                                  capture_output=True, text=True, check=False)
         return "" if done.returncode == 0 else done.stdout or done.stderr
 
     failed, looked_at = ContentCache(root / "build" / "cache" / "tidy").run(checks, tidy)

@@ -18,11 +18,14 @@ _SHARED = [Path("graze/shape/any_shape.hpp"), Path("graze/shape/polytope.hpp"), 
 
 
 def _precompile(root, compiler, header, folder):
-    target = folder / header.parent / (header.name + ".gch")
-    target.parent.mkdir(parents=True)
+    """Returns the file to `-include` in place of the header, and what the compiler said if it could not be made."""
+    folder.mkdir()
+    named = folder / header.name
+    named.write_text(f"#include <{header}>\n", encoding="utf-8")  # its #pragma once has no place in a main file
     flags = [flag for flag in _FLAGS if flag != "-fsyntax-only"]
-    # What is wrong with it is said when it is compiled alone.
-    subprocess.run([compiler, *flags, "-x", "c++-header", header, "-o", target], cwd=root, capture_output=True, check=False)
+    done = subprocess.run([compiler, *flags, "-x", "c++-header", named, "-o", f"{named}.gch"], cwd=root, capture_output=True,
+                          text=True, check=False)
+    return named, done.stderr if done.returncode else ""
 
 
 def compile_headers(root, compiler):
@@ -33,19 +36,20 @@ def compile_headers(root, compiler):
     cache = ContentCache(root / "build" / "cache" / "headers")
 
     with tempfile.TemporaryDirectory() as scratch:
-        compiled = {header: Path(scratch) / header.stem for header in _SHARED if header in headers}
+        compiled, problems = {}, []
         if cache.is_due(checks):
-            for header, folder in compiled.items():
-                _precompile(root, compiler, header, folder)
+            for header in filter(headers.__contains__, _SHARED):
+                compiled[header], said = _precompile(root, compiler, header, Path(scratch) / header.stem)
+                if said:
+                    problems.append(f"{header}:1: cannot be precompiled\n{said}")
 
         def work(path):
             closure = include_closure(root, path)
-            shared = next((header for header in compiled if header != path and header in closure), None)
-            source = (f"#include <{shared}>\n" if shared else "") + f"#include <{path}>\n" * 2
-            found = [f"-I{compiled[shared]}"] if shared else []
-            done = subprocess.run([compiler, *found, *_FLAGS, "-x", "c++", "-"], input=source, cwd=root, capture_output=True,
-                                  text=True, check=False)
+            shared = next((named for header, named in compiled.items() if header != path and header in closure), None)
+            done = subprocess.run([compiler, *(["-include", shared] if shared else []), *_FLAGS, "-x", "c++", "-"],
+                                  input=f"#include <{path}>\n" * 2, cwd=root, capture_output=True, text=True, check=False)
             return done.stderr if done.returncode else ""
 
         failed, _ = cache.run(checks, work)
-    return [f"{path}:1: does not compile when it is included alone, twice\n{text}" for path, text in failed], len(headers)
+    problems += [f"{path}:1: does not compile when it is included alone, twice\n{text}" for path, text in failed]
+    return problems, len(headers)

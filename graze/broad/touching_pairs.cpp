@@ -18,7 +18,7 @@ namespace detail {
 namespace {
 
 /// Pairs per task: enough to be worth a task, few enough for every core to have some.
-constexpr std::size_t task_size = 4096;
+constexpr std::size_t pairs_in_task = 4096;
 
 /// Pairs of one kind that are collected before their kernel runs.
 constexpr std::size_t queue_size = 4 * touch_group;
@@ -211,7 +211,7 @@ class TaskOfOneType {
   }
 
  private:
-  static_assert(task_size % queue_size == 0 && queue_size % touch_group == 0);
+  static_assert(pairs_in_task % queue_size == 0 && queue_size % touch_group == 0);
 
   void judge(TouchListKernel<T> kernel, const Pair* pairs, std::size_t count, GroupVerdict* verdicts) const {
     kernel(numbers_of<T>(shapes_[0]), pairs, count / touch_group, verdicts);
@@ -220,7 +220,7 @@ class TaskOfOneType {
   void judge_all() {
     const bool is_in_cache = shapes_.size_bytes() <= cache_size;
     const std::size_t whole = pairs_.size() / touch_group * touch_group;
-    const std::size_t step = is_in_cache ? task_size : queue_size;
+    const std::size_t step = is_in_cache ? pairs_in_task : queue_size;
     for (std::size_t first = 0; first < whole; first += step) {
       const std::size_t next = std::min(first + step, whole);
       if (!is_in_cache) fetch_shapes(shapes_, pairs_.subspan(next, std::min(queue_size, whole - next)));
@@ -278,7 +278,7 @@ class TaskOfOneType {
   std::span<const Pair> pairs_;
   const TouchKernels<T>& kernels_;
   ListKernels<T> judges_;
-  std::array<GroupVerdict, task_size / touch_group> verdicts_;
+  std::array<GroupVerdict, pairs_in_task / touch_group> verdicts_;
 };
 
 const Executor& executor_of(const TouchOptions& options) {
@@ -289,13 +289,13 @@ const Executor& executor_of(const TouchOptions& options) {
 template <class Keep>
 std::vector<Pair> kept_of_tasks(std::size_t count, const TouchOptions& options, const Keep& keep) {
   std::vector<Pair> kept(count);
-  std::vector<std::size_t> counts((count + task_size - 1) / task_size);
-  in_tasks(count, task_size, executor_of(options), [&](std::size_t first, std::size_t last) {
-    counts[first / task_size] = keep(first, last, kept.data() + first);
+  std::vector<std::size_t> counts((count + pairs_in_task - 1) / pairs_in_task);
+  in_tasks(count, pairs_in_task, executor_of(options), [&](std::size_t first, std::size_t last) {
+    counts[first / pairs_in_task] = keep(first, last, kept.data() + first);
   });
   std::size_t end = 0;
   for (std::size_t task = 0; task < counts.size(); ++task) {
-    const auto first = kept.begin() + static_cast<std::ptrdiff_t>(task * task_size);
+    const auto first = kept.begin() + static_cast<std::ptrdiff_t>(task * pairs_in_task);
     std::copy(first, first + static_cast<std::ptrdiff_t>(counts[task]),
               kept.begin() + static_cast<std::ptrdiff_t>(end));
     end += counts[task];
@@ -325,7 +325,7 @@ std::vector<Relation> relations(std::span<const AnyShape<N, T>> shapes, std::spa
                                 const TouchOptions& options) {
   detail::check_pairs(pairs, shapes.size(), "relations");
   std::vector<Relation> result(pairs.size());
-  detail::in_tasks(pairs.size(), detail::task_size, detail::executor_of(options),
+  detail::in_tasks(pairs.size(), detail::pairs_in_task, detail::executor_of(options),
                    [&](std::size_t first, std::size_t last) {
                      const auto both = detail::shape_pairs(shapes, pairs.subspan(first, last - first));
                      detail::relations_of<N, T>(both, result.data() + first);

@@ -13,7 +13,7 @@
 namespace graze::io {
 namespace {
 
-constexpr std::uint64_t largest = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint64_t largest_id = std::numeric_limits<std::uint32_t>::max();
 
 /// [index, generation]; `last_bit` is 1 for the generations of objects, 0 for those of vacant places.
 ObjectId read_id(JsonValue value, std::string_view name, unsigned last_bit, const JsonPlace& place) {
@@ -25,8 +25,8 @@ ObjectId read_id(JsonValue value, std::string_view name, unsigned last_bit, cons
     ++count;
   }
   if (count != 2) throw place.error(value.offset(), fmt::format("\"{}\" has {} numbers; an id has two", name, count));
-  if (numbers[0] > largest || numbers[1] > largest) {
-    throw place.error(value.offset(), fmt::format("\"{}\" has a number above {}", name, largest));
+  if (numbers[0] > largest_id || numbers[1] > largest_id) {
+    throw place.error(value.offset(), fmt::format("\"{}\" has a number above {}", name, largest_id));
   }
   if ((numbers[1] & 1U) != last_bit) {
     throw place.error(value.offset(), fmt::format("\"{}\" has the generation {}; that of {}", name, numbers[1],

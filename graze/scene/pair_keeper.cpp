@@ -16,13 +16,14 @@ namespace {
 constexpr std::size_t mended_share = 16;
 
 /// Exact tests, and questions to the index, per task.
-constexpr std::size_t task_size = 1024;
+constexpr std::size_t slots_in_task = 1024;
 
 /// Runs `work(first, last)` over blocks of 0 ... count.
 template <class Work>
 void in_blocks(std::size_t count, const Executor& executor, const Work& work) {
-  executor.parallel_for((count + task_size - 1) / task_size,
-                        [&](std::size_t block) { work(block * task_size, std::min(count, (block + 1) * task_size)); });
+  executor.parallel_for((count + slots_in_task - 1) / slots_in_task, [&](std::size_t block) {
+    work(block * slots_in_task, std::min(count, (block + 1) * slots_in_task));
+  });
 }
 
 /// Leaves those candidates that touch.
@@ -30,7 +31,7 @@ template <Dim N, class T>
 void keep_touching(const SharedSlots<Object<N, T>>& slots, const Executor& executor, std::vector<Pair>& candidates) {
   std::vector<Relation> relations(candidates.size());
   in_blocks(candidates.size(), executor, [&](std::size_t first, std::size_t last) {
-    std::array<ShapePair<N, T>, task_size> shapes;
+    std::array<ShapePair<N, T>, slots_in_task> shapes;
     for (std::size_t i = first; i < last; ++i) {
       shapes[i - first] = {&slots[candidates[i].a]->shape, &slots[candidates[i].b]->shape};
     }
@@ -83,7 +84,7 @@ std::vector<Pair> PairKeeper<N, T>::candidates_anew(const Slots& slots, const Ex
 template <Dim N, class T>
 std::vector<Pair> PairKeeper<N, T>::candidates_around_changed(const Slots& slots, const SlotIndex<N, T>& index,
                                                               const Executor& executor) const {
-  std::vector<std::vector<Pair>> found((changed_.size() + task_size - 1) / task_size);
+  std::vector<std::vector<Pair>> found((changed_.size() + slots_in_task - 1) / slots_in_task);
   in_blocks(changed_.size(), executor, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const std::uint32_t slot = changed_[i];
@@ -91,7 +92,7 @@ std::vector<Pair> PairKeeper<N, T>::candidates_around_changed(const Slots& slots
       index.tree().query(boxes_[slot], [&](const Key& key) {
         const std::uint32_t other = index.slot_of(key);
         const bool is_seen_from_there = is_changed_[other] && other < slot;
-        if (other != slot && !is_seen_from_there) offer(slots, slot, other, found[first / task_size]);
+        if (other != slot && !is_seen_from_there) offer(slots, slot, other, found[first / slots_in_task]);
       });
     }
   });

@@ -30,22 +30,40 @@ class CheckTidy(TreeTest):
     def test_tests_benchmarks_and_recipes_are_looked_at_only_when_asked(self):
         commands = json.loads((self.tree / "build/lint/compile_commands.json").read_text(encoding="utf-8"))
         for path in ("tests/some_test.cpp", "bench/some.cpp", "examples/cookbook/some.cpp", "examples/some.cpp"):
-            self.write(path, f"{LICENSE}int some() {{ return 1; }}\n")
+            self.write(path, f"{LICENSE}int main() {{}}\n")
             commands.append({"directory": str(self.tree), "command": f"g++ -std=c++20 -c '{self.tree}/{path}'",
                              "file": str(self.tree / path)})
         self.write("build/lint/compile_commands.json", json.dumps(commands))
         self.assertIn("2 files in 2 units, 2 of them changed, 0 findings", self.run_tool("check_tidy.py")[1])
         self.assertIn("5 files in 5 units, 3 of them changed, 0 findings", self.run_tool("check_tidy.py", "--all")[1])
 
-    def test_sources_of_a_batch_are_looked_at_as_one_and_findings_name_them(self):
+    def test_programs_of_the_examples_are_looked_at_as_one(self):
+        commands = []
+        (self.tree / "apps/main.cpp").unlink()
+        for path in ("examples/one.cpp", "examples/two.cpp"):
+            self.write(path, f"{LICENSE}#include <vector>\nint main() {{\n  return std::vector<int>().size() == 0; }}\n")
+            commands.append({"directory": str(self.tree), "command": f"g++ -std=c++20 -o {path}.o -c '{self.tree}/{path}'",
+                             "file": str(self.tree / path)})
+        self.write(".clang-tidy", "Checks: '-*,readability-container-size-empty'\nWarningsAsErrors: '*'\n"
+                   "HeaderFilterRegex: '/examples/'\n")
+        self.write("build/lint/compile_commands.json", json.dumps(commands))
+        status, said = self.run_tool("check_tidy.py")
+        for path in ("examples/one.cpp", "examples/two.cpp"):
+            self.assertIn(f"{path}:4:10: error:", said)
+        self.assertIn("2 files in 1 units, 1 of them changed, 2 findings", said)
+        self.assertEqual(status, 1)
+
+    def test_batches_of_a_target_are_looked_at_as_one_and_findings_name_their_sources(self):
         self.write(".clang-tidy", "Checks: '-*,readability-container-size-empty,bugprone-suspicious-include'\n"
                    "WarningsAsErrors: '*'\nHeaderFilterRegex: '/apps/.*\\.[ch]pp$'\n")
         self.write("apps/other.cpp", f"{LICENSE}#include <vector>\nbool other() {{ return std::vector<int>().size() == 0; }}\n")
-        sources = "".join(f'#include "{self.tree}/apps/{name}.cpp"\n' for name in ("main", "other"))
-        batch = self.tree / "build/lint/apps/Unity/unity_0_cxx.cxx"
-        self.write(batch, sources)
-        self.write("build/lint/compile_commands.json", json.dumps([{
-            "directory": str(self.tree), "command": f"g++ -std=c++20 -c '{batch}'", "file": str(batch)}]))
+        commands = []
+        for number, name in enumerate(("main", "other")):
+            batch = self.tree / f"build/lint/apps/Unity/unity_{number}_cxx.cxx"
+            self.write(batch, f'#include "{self.tree}/apps/{name}.cpp"\n')
+            commands.append({"directory": str(self.tree), "command": f"g++ -std=c++20 -o {number}.o -c '{batch}'",
+                             "file": str(batch)})
+        self.write("build/lint/compile_commands.json", json.dumps(commands))
         status, said = self.run_tool("check_tidy.py")
         self.assertIn("apps/other.cpp:3:23: error:", said)
         self.assertIn("2 files in 1 units, 1 of them changed, 1 findings", said)
