@@ -4,16 +4,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <utility>
-#include <vector>
+#include <span>
 
+#include <graze/math/orientation.hpp>
 #include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/inplace_vector.hpp>
 #include <graze/shape/lexicographic.hpp>
 #include <graze/shape/monotone_chain.hpp>
 
@@ -56,56 +58,86 @@ class Frame {
   Dim size_ = 0;
 };
 
-/// A face seen from the origin: the plane dot(normal, x) = height, normal outward and of length one.
+/// A face seen from the origin: the plane dot(normal, x) = height, normal outward and of length one. A face too thin to
+/// have a normal is infinitely high.
 template <Dim N>
 struct HullFace {
-  std::array<std::uint32_t, static_cast<std::size_t>(N)> corners;
+  std::array<std::uint16_t, static_cast<std::size_t>(N)> corners;
   Vec<N, double> normal;
-  double height = std::numeric_limits<double>::infinity();
+  double height;
 };
 
+/// How many points a hull may begin with (asserted), and how many more may be put in.
+template <Dim N>
+inline constexpr std::size_t most_hull_starts = 3 * static_cast<std::size_t>(N) + 1;
+inline constexpr std::size_t most_hull_inserts = 128;
+
+template <Dim N>
+using HullPoints = InplaceVector<Vec<N, double>, most_hull_starts<N> + most_hull_inserts>;
+
+/// Begins with a few points and grows by others, as many as said above. Takes no memory from the heap: in the plane
+/// 4 KiB of the stack, in space 18 KiB while it grows.
 template <Dim N>
 class GrowingHull;
 
-/// In the plane: a polygon, counter-clockwise.
+/// In the plane: a polygon, counter-clockwise from its first corner by coordinates.
 template <>
 class GrowingHull<2> {
  public:
   using Point = Vec<2, double>;
 
   /// The hull of points that do not all lie on one line.
-  explicit GrowingHull(std::vector<Point> points) {
-    std::sort(points.begin(), points.end(), lexicographically_less<2, double>);
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    corners_ = monotone_chain(points);
+  explicit GrowingHull(std::span<const Point> points) {
+    assert(points.size() <= most_hull_starts<2>);
+    HullPoints<2> sorted(points);
+    std::sort(sorted.begin(), sorted.end(), lexicographically_less<2, double>);
+    sorted.end_at(std::unique(sorted.begin(), sorted.end()));
+    corners_ = monotone_chain(sorted);
   }
 
   std::optional<HullFace<2>> nearest_face() const {
-    HullFace<2> nearest;
-    for (std::uint32_t i = 0; i < corners_.size(); ++i) {
-      const std::uint32_t next = i + 1 < corners_.size() ? i + 1 : 0;
-      const Point edge = corners_[next] - corners_[i];
+    if (corners_.size() < 3) return std::nullopt;
+    HullFace<2> nearest{{}, Point(0.0), std::numeric_limits<double>::infinity()};
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      const Point edge = corners_[next(i)] - corners_[i];
       const Point normal = -perpendicular(edge) / std::sqrt(dot(edge, edge));  // corners are distinct
       const double height = dot(normal, corners_[i]);
-      if (height < nearest.height) nearest = {{i, next}, normal, height};
+      if (height < nearest.height) nearest = {{number(i), number(next(i))}, normal, height};
     }
-    if (corners_.size() < 3) return std::nullopt;
     return nearest;
   }
 
-  /// Adds a point beyond a face; false when it is not new.
+  /// Adds a point beyond a face; false when it lies in the hull, or there is no more room. In place of the corners
+  /// between the edges that it can see, and those on whose line it lies, which are all in one row.
   bool insert(const Point& point, const HullFace<2>&) {
-    const std::size_t before = corners_.size();
-    std::vector<Point> points = corners_;
-    points.push_back(point);
-    GrowingHull<2> grown(std::move(points));
-    const bool is_new = std::find(corners_.begin(), corners_.end(), point) == corners_.end();
-    corners_ = std::move(grown.corners_);
-    return is_new && (corners_.size() > before || std::find(corners_.begin(), corners_.end(), point) != corners_.end());
+    const auto is_beyond = [&](std::size_t i) { return side(i, point) < 0; };
+    const auto is_inside = [&](std::size_t i) { return side(i, point) > 0; };
+    const std::size_t count = corners_.size();
+    std::size_t first = 0;
+    while (first < count && !is_beyond(first)) ++first;
+    if (first == count || corners_.is_full()) return false;
+    std::size_t last = first;
+    while (!is_inside(next(last)) && next(last) != first) last = next(last);
+    while (!is_inside(previous(first)) && previous(first) != last) first = previous(first);
+    HullPoints<2> around;
+    around.push_back(point);
+    for (std::size_t i = next(last); i != first; i = next(i)) around.push_back(corners_[i]);
+    around.push_back(corners_[first]);
+    std::rotate(around.begin(), std::min_element(around.begin(), around.end(), lexicographically_less<2, double>),
+                around.end());
+    corners_ = around;
+    return true;
   }
 
  private:
-  std::vector<Point> corners_;
+  static std::uint16_t number(std::size_t i) { return static_cast<std::uint16_t>(i); }
+  std::size_t next(std::size_t i) const { return i + 1 < corners_.size() ? i + 1 : 0; }
+  std::size_t previous(std::size_t i) const { return i > 0 ? i - 1 : corners_.size() - 1; }
+
+  /// Of the edge from corner i on: 1 where the inside is, -1 beyond, 0 on its line.
+  int side(std::size_t i, const Point& point) const { return orientation(corners_[i], corners_[next(i)], point); }
+
+  HullPoints<2> corners_;
 };
 
 /// In space: triangles, corners counter-clockwise from outside.
@@ -115,47 +147,62 @@ class GrowingHull<3> {
   using Point = Vec<3, double>;
 
   /// The hull of points that do not all lie in one plane.
-  explicit GrowingHull(std::vector<Point> points) : points_(std::move(points)) {
+  explicit GrowingHull(std::span<const Point> points) : points_(points) {
+    assert(points.size() <= most_hull_starts<3>);
     const auto start = largest_tetrahedron();
     if (!start) return;
     const auto [a, b, c, d] = *start;
     for (const auto& face : {std::array{a, b, c}, std::array{a, c, d}, std::array{a, d, b}, std::array{b, d, c}}) {
       add_face(face[0], face[1], face[2]);
     }
-    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+    for (std::size_t i = 0; i < points_.size(); ++i) {
       if (i != a && i != b && i != c && i != d) grow(i);
     }
   }
 
   /// None when every face is too thin to have a normal.
   std::optional<HullFace<3>> nearest_face() const {
-    const auto nearest = std::min_element(faces_.begin(), faces_.end(),
-                                          [](const auto& a, const auto& b) { return a.height < b.height; });
+    const HullFace<3>* nearest = std::min_element(faces_.begin(), faces_.end(),
+                                                  [](const auto& a, const auto& b) { return a.height < b.height; });
     if (nearest == faces_.end() || nearest->height == std::numeric_limits<double>::infinity()) return std::nullopt;
     return *nearest;
   }
 
-  /// Adds a point beyond a face; false when it is not new or no face sees it.
+  /// Adds a point beyond a face; false when it is not new, no face sees it, or there is no more room.
   bool insert(const Point& point, const HullFace<3>&) {
-    if (std::find(points_.begin(), points_.end(), point) != points_.end()) return false;
+    if (std::find(points_.begin(), points_.end(), point) != points_.end() || points_.is_full()) return false;
     points_.push_back(point);
-    return grow(static_cast<std::uint32_t>(points_.size() - 1));
+    return grow(points_.size() - 1);
   }
 
  private:
+  using Corner = std::uint16_t;
+
+  /// The side of a face from one corner to the next.
+  struct Edge {
+    Corner from;
+    Corner to;
+
+    friend bool operator==(const Edge&, const Edge&) = default;
+  };
+
+  /// So many has a closed surface of triangles.
+  static constexpr std::size_t most_faces = 2 * (most_hull_starts<3> + most_hull_inserts) - 4;
+  using Edges = InplaceVector<Edge, 3 * most_faces>;
+
   /// Four points of the largest volume, the last one behind the first three.
-  std::optional<std::array<std::uint32_t, 4>> largest_tetrahedron() const {
-    std::optional<std::array<std::uint32_t, 4>> best;
+  std::optional<std::array<std::size_t, 4>> largest_tetrahedron() const {
+    std::optional<std::array<std::size_t, 4>> best;
     double largest = 0;
     double size = 0;
     for (const Point& point : points_) size = std::max(size, max_abs(point));
     const double scale = scale_to_moderate(size);
-    const auto count = static_cast<std::uint32_t>(points_.size());
-    for (std::uint32_t a = 0; a < count; ++a) {
-      for (std::uint32_t b = a + 1; b < count; ++b) {
-        for (std::uint32_t c = b + 1; c < count; ++c) {
+    const std::size_t count = points_.size();
+    for (std::size_t a = 0; a < count; ++a) {
+      for (std::size_t b = a + 1; b < count; ++b) {
+        for (std::size_t c = b + 1; c < count; ++c) {
           const Point normal = cross((points_[b] - points_[a]) * scale, (points_[c] - points_[a]) * scale);
-          for (std::uint32_t d = c + 1; d < count; ++d) {
+          for (std::size_t d = c + 1; d < count; ++d) {
             const double volume = dot(normal, (points_[d] - points_[a]) * scale);
             if (!(std::fabs(volume) > largest)) continue;
             largest = std::fabs(volume);
@@ -167,8 +214,9 @@ class GrowingHull<3> {
     return best;
   }
 
-  void add_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    HullFace<3> face{{a, b, c}, Point(0.0)};
+  void add_face(std::size_t a, std::size_t b, std::size_t c) {
+    const auto number = [](std::size_t i) { return static_cast<Corner>(i); };
+    HullFace<3> face{{number(a), number(b), number(c)}, Point(0.0), std::numeric_limits<double>::infinity()};
     const Point normal = of_moderate_size(accurate_cross(points_[b] - points_[a], points_[c] - points_[a]));
     const double size = std::sqrt(dot(normal, normal));
     if (size > 0) {
@@ -181,25 +229,30 @@ class GrowingHull<3> {
 
   /// Replaces the faces that a new point can see by a cone of faces from their rim to the point. The rim is made of the
   /// edges of seen faces whose other side is not seen.
-  bool grow(std::uint32_t added) {
+  bool grow(std::size_t added) {
     const auto is_seen = [&](const HullFace<3>& face) { return dot(face.normal, points_[added]) > face.height; };
-    const auto seen =
-        std::stable_partition(faces_.begin(), faces_.end(), [&](const auto& face) { return !is_seen(face); });
-    if (seen == faces_.end()) return false;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-    for (auto face = seen; face != faces_.end(); ++face) {
-      for (std::size_t i = 0; i < 3; ++i) edges.emplace_back(face->corners[i], face->corners[(i + 1) % 3]);
+    HullFace<3>* kept = std::find_if(faces_.begin(), faces_.end(), is_seen);
+    if (kept == faces_.end()) return false;
+    Edges edges;
+    for (const HullFace<3>* face = kept; face != faces_.end(); ++face) {
+      if (is_seen(*face)) {
+        for (std::size_t i = 0; i < 3; ++i) edges.push_back({face->corners[i], face->corners[(i + 1) % 3]});
+      } else {
+        *kept++ = *face;
+      }
     }
-    faces_.erase(seen, faces_.end());
-    for (const auto& [from, to] : edges) {
-      const bool is_inner = std::find(edges.begin(), edges.end(), std::pair{to, from}) != edges.end();
-      if (!is_inner) add_face(from, to, added);
+    faces_.end_at(kept);
+    for (const Edge& edge : edges) {
+      const bool is_inner = std::find(edges.begin(), edges.end(), Edge{edge.to, edge.from}) != edges.end();
+      if (is_inner) continue;
+      if (faces_.is_full()) return false;
+      add_face(edge.from, edge.to, added);
     }
     return true;
   }
 
-  std::vector<Point> points_;
-  std::vector<HullFace<3>> faces_;
+  HullPoints<3> points_;
+  InplaceVector<HullFace<3>, most_faces> faces_;
 };
 
 }  // namespace graze::detail

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <vector>
 
 #include <graze/math/orientation.hpp>
 #include <graze/math/vec.hpp>
@@ -12,13 +11,16 @@ namespace graze::detail {
 
 /// The corners, counter-clockwise from the first, of the hull of things that are distinct points of the plane, or lie
 /// at such, `place(thing)`, and are sorted lexicographically by these. Andrew, "Another efficient algorithm for convex
-/// hulls in two dimensions" (1979), with an exact orientation test: no corner is lost to rounding.
-template <class Thing, class Place = std::identity>
-std::vector<Thing> monotone_chain(const std::vector<Thing>& things, const Place& place = {}) {
+/// hulls in two dimensions" (1979), with an exact orientation test: no corner is lost to rounding. The list is of any
+/// kind that grows at its end and has room for one more than there are things.
+template <class List, class Place = std::identity>
+List monotone_chain(const List& things, const Place& place = {}) {
+  using Thing = typename List::value_type;
   if (things.size() < 3) return things;
-  std::vector<Thing> hull;
+  List hull;
   const auto extend = [&](const Thing& thing, std::size_t fixed) {
-    while (hull.size() > fixed && orientation(place(hull[hull.size() - 2]), place(hull.back()), place(thing)) <= 0) {
+    while (hull.size() > fixed && orientation(std::invoke(place, hull[hull.size() - 2]),
+                                              std::invoke(place, hull.back()), std::invoke(place, thing)) <= 0) {
       hull.pop_back();
     }
     hull.push_back(thing);

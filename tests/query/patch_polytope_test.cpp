@@ -91,13 +91,54 @@ TEST(PatchOfPolytope, OfFlatPolytopesIsWhatThereIs) {
   EXPECT_EQ(flat.normal, V3(0, 0, 1));
 }
 
-TEST(PatchOfPolytope, OfMoreThanEightCornersKeepsEight) {
-  std::vector<V3> disc{{0, 0, -1}};
-  for (int i = 0; i < 40; ++i) {
-    const V2 turn = cosine_sine_of_degrees(9 * i);
-    disc.emplace_back(turn.x, turn.y, 0);
+/// A cone on its tip: `count` corners around its only face, the first of them along x.
+Polytope<3, double> cone(std::size_t count) {
+  std::vector<V3> points{{0, 0, -1}};
+  for (std::size_t i = 0; i < count; ++i) {
+    const V2 turn = cosine_sine_of_degrees(360.0 * static_cast<double>(i) / static_cast<double>(count));
+    points.emplace_back(turn.x, turn.y, 0);
   }
-  EXPECT_EQ(patch_of_polytope(hull(disc), zero, V3(0, 0, 1)).size, 8U);
+  return hull(points);
+}
+
+double area_of(const Patch<3>& patch) {
+  V3 twice(0.0);
+  for (std::size_t i = 0; i < patch.size; ++i) {
+    twice += cross(patch.corners[i], patch.corners[i + 1 < patch.size ? i + 1 : 0]);
+  }
+  return std::fabs(dot(twice, patch.normal)) / 2;
+}
+
+/// Those of a regular octagon, or nearly so: 2 sqrt(2) is the largest area of eight corners in a circle.
+TEST(PatchOfPolytope, OfMoreThanEightCornersKeepsEightAllAround) {
+  for (const std::size_t count : {9U, 40U, 127U, 128U, 129U, 130U, 1000U}) {
+    const auto polytope = cone(count);
+    const Patch<3> patch = patch_of_polytope(polytope, zero, V3(0, 0, 1));
+    EXPECT_EQ(patch.normal, V3(0, 0, 1)) << count;
+    ASSERT_EQ(patch.size, 8U) << count;
+    EXPECT_EQ(corner_set(patch).size(), 8U) << count;
+    EXPECT_GT(area_of(patch), count == 9 ? 2.5 : 2.8) << count;
+    for (std::size_t i = 0; i < patch.size; ++i) {
+      EXPECT_EQ(polytope.vertices()[patch.vertices[i]], patch.corners[i]) << count;
+    }
+  }
+}
+
+/// A wedge's face of 200 corners on an arc of one degree and one far off: fewer than eight are farthest.
+TEST(PatchOfPolytope, OfManyCornersKeepsNoneTwice) {
+  std::vector<V3> wedge{{0, 0, -1}, {-2, 0, 0}};
+  for (int i = 0; i < 200; ++i) {
+    const V2 turn = cosine_sine_of_degrees(i / 200.0);
+    wedge.emplace_back(turn.x, turn.y, 0);
+  }
+  const auto polytope = hull(wedge);
+  ASSERT_EQ(polytope.vertices().size(), 202U);
+  const Patch<3> patch = patch_of_polytope(polytope, zero, V3(0, 0, 1));
+  EXPECT_EQ(patch.normal, V3(0, 0, 1));
+  EXPECT_EQ(corner_set(patch).size(), patch.size);
+  EXPECT_EQ(corner_set(patch).count({-2, 0, 0}), 1U);
+  EXPECT_EQ(corner_set(patch).count({1, 0, 0}), 1U);
+  EXPECT_GE(patch.size, 3U);
 }
 
 TEST(PatchOfPolytope, InThePlaneIsAnEdge) {
