@@ -116,6 +116,10 @@ concept PointRow = detail::is_vec<ElementOf<Row>> && requires(const Row& row) {
   std::size(row);
 };
 
+/// The same, of points of this dimension.
+template <class Row, Dim N>
+concept PointRowIn = PointRow<Row> &&(ElementOf<Row>::length() == N);
+
 template <PointRow Row>
 std::span<const ElementOf<Row>> span_of(const Row& points) {
   return {std::data(points), std::size(points)};

@@ -93,4 +93,10 @@ auto bounding_box(const Row& points) {
   return bounding_box(span_of(points));
 }
 
+/// The same where the dimension is given.
+template <Dim N, PointRowIn<N> Row>
+auto bounding_box(const Row& points) {
+  return bounding_box(span_of(points));
+}
+
 }  // namespace graze

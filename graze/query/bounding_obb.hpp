@@ -178,4 +178,10 @@ auto bounding_obb(const Row& points) {
   return bounding_obb(span_of(points));
 }
 
+/// The same where the dimension is given.
+template <Dim N, PointRowIn<N> Row>
+auto bounding_obb(const Row& points) {
+  return bounding_obb(span_of(points));
+}
+
 }  // namespace graze

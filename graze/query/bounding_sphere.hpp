@@ -320,4 +320,15 @@ auto bounding_sphere_fast(const Row& points) {
   return bounding_sphere_fast(span_of(points));
 }
 
+/// The same where the dimension is given.
+template <Dim N, PointRowIn<N> Row>
+auto bounding_sphere(const Row& points) {
+  return bounding_sphere(span_of(points));
+}
+
+template <Dim N, PointRowIn<N> Row>
+auto bounding_sphere_fast(const Row& points) {
+  return bounding_sphere_fast(span_of(points));
+}
+
 }  // namespace graze

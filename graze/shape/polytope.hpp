@@ -80,6 +80,12 @@ auto convex_hull(const Row& points) {
   return convex_hull<Point::length(), typename Point::value_type>(span_of(points));
 }
 
+/// The same where the dimension is given.
+template <Dim N, PointRowIn<N> Row>
+auto convex_hull(const Row& points) {
+  return convex_hull(points);
+}
+
 /// A polytope cannot be built with a defect.
 template <Dim N, class T>
 std::string_view defect(const Polytope<N, T>&) {

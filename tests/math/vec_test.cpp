@@ -24,6 +24,8 @@ static_assert(sizeof(Vec<2, double>) == 16 && sizeof(Mat<3, float>) == 36 && siz
 
 static_assert(PointRow<std::vector<Vec<2, float>>> && PointRow<std::array<Vec<3, double>, 2>>);
 static_assert(PointRow<std::span<const Vec<3, float>>> && PointRow<std::span<Vec<3, float>, 4>> && PointRow<Vec<2>[3]>);
+static_assert(PointRowIn<std::vector<Vec<2, float>>, 2> && PointRowIn<std::array<Vec<3, double>, 2>, 3>);
+static_assert(!PointRowIn<std::vector<Vec<2, float>>, 3> && !PointRowIn<float, 2>);
 static_assert(!PointRow<Vec<2>> && !PointRow<std::vector<float>> && !PointRow<int> && !PointRow<Vec<2>*>);
 
 TEST(Vec, ARowOfPointsIsASpanOfThemWhateverHoldsIt) {

@@ -56,6 +56,11 @@ TYPED_TEST(BoundingIn, TakesAnyRowOfPoints) {
   EXPECT_EQ(bounding_sphere(array).center, bounding_sphere(std::span<const V>(list)).center);
   EXPECT_EQ(bounding_sphere_fast(array).radius, bounding_sphere_fast(list).radius);
   EXPECT_EQ(bounding_obb(array).center, bounding_obb(list).center);
+  constexpr Dim N = TypeParam::dimension;
+  EXPECT_EQ(bounding_box<N>(array), bounding_box<N>(list));
+  EXPECT_EQ(bounding_sphere<N>(array).center, bounding_sphere<N>(list).center);
+  EXPECT_EQ(bounding_sphere_fast<N>(array).radius, bounding_sphere_fast<N>(std::span<const V>(list)).radius);
+  EXPECT_EQ(bounding_obb<N>(array).center, bounding_obb<N>(list).center);
 }
 
 TYPED_TEST(BoundingIn, RefusesNoPointsWithTheReason) {

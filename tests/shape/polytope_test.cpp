@@ -123,6 +123,14 @@ TEST(Polytope, HullOfNoPointsIsRefusedWithTheReason) {
   }
 }
 
+template <Dim N, class Row>
+concept GivesAHullIn = requires(const Row& row) {
+  convex_hull<N>(row);
+};
+
+static_assert(GivesAHullIn<2, std::vector<Vec<2, float>>> && GivesAHullIn<3, std::array<Vec<3, double>, 4>>);
+static_assert(!GivesAHullIn<3, std::vector<Vec<2, float>>> && !GivesAHullIn<2, std::vector<float>>);
+
 TEST(Polytope, IsTheHullOfAnyRowOfPoints) {
   const std::array<Vec<2, float>, 4> array{{{0, 0}, {2, 0}, {1, 0}, {0, 2}}};
   const std::vector<Vec<2, float>> list(array.begin(), array.end());
@@ -131,6 +139,8 @@ TEST(Polytope, IsTheHullOfAnyRowOfPoints) {
   EXPECT_EQ(corners(convex_hull(list)), corners(hull));
   EXPECT_EQ(corners(convex_hull(std::span(list))), corners(hull));
   EXPECT_EQ(corners(convex_hull<2, float>(array)), corners(hull));
+  EXPECT_EQ(corners(convex_hull<2>(list)), corners(hull));
+  EXPECT_EQ(corners(convex_hull<2>(std::span(array))), corners(hull));
 }
 
 TEST(Polytope, CopiesShareTheirVertices) {
