@@ -39,7 +39,7 @@ struct FlatCorner {
 
 /// The corners of the convex hull of any number of points of a plane, which are put in one by one, counter-clockwise.
 /// Of more than it can list those that are farthest in eight directions, so that a face of a thousand corners needs no
-/// more memory: 7 KiB on the stack.
+/// more memory: 10 KiB on the stack.
 class FaceCorners {
  public:
   static constexpr std::size_t most_listed = 128;
