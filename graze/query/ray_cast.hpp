@@ -6,8 +6,11 @@
 //   sphere, capsule, aabb, obb, triangle, polytope in 2D     closed form
 //   plane, half-space                                        closed form
 //   point, segment, ray                                      closed form
-//   polytope in 3D, user's convex shape                      GJK, a few steps; so rays along a triangle's plane in 3D,
-//                                                              and nearly along a capsule's axis
+//   polytope in 3D                                           the face that the ray goes through, found among the
+//   corners user's convex shape                                      GJK, a few steps; so rays along a triangle's plane
+//   in 3D,
+//                                                              nearly along a capsule's axis, from inside a polytope in
+//                                                              3D, or nearly at its edges
 //   compound                                                 part by part
 //
 // Whether there is a hit is what intersects(shape, ray) says, and for a segment intersects(shape, segment): all that
@@ -21,10 +24,10 @@
 //
 // `error` is a length: before it is rounded to T, the point is no farther than that from the shape's surface and from
 // the ray, and before t the ray is nowhere deeper than that inside the shape. A few epsilon of double of the vectors
-// from the origin to the shape and along it, however far from zero, for closed forms; of the largest coordinate for
-// planes, half-spaces and what GJK finds (of T for a user's shape that calculates in T), where `status` says if it is
-// more. t is as exact as that allows: at a grazing angle the way along the ray is longer. Coordinates of magnitude
-// 1e-140 to 1e140, directions of any size; t may overflow or underflow T.
+// from the origin to the shape and along it, however far from zero, for closed forms; of the largest coordinates for
+// planes, half-spaces, polytopes in 3D and what GJK finds (of T for a user's shape that calculates in T), where
+// `status` says if it is more. t is as exact as that allows: at a grazing angle the way along the ray is longer.
+// Coordinates of magnitude 1e-140 to 1e140, directions of any size; t may overflow or underflow T.
 #pragma once
 
 #include <algorithm>
@@ -41,6 +44,7 @@
 #include <graze/query/nan_check.hpp>
 #include <graze/query/ray_advance.hpp>
 #include <graze/query/ray_hit.hpp>
+#include <graze/query/ray_portal.hpp>
 #include <graze/query/ray_sight.hpp>
 #include <graze/query/ray_sight_box.hpp>
 #include <graze/query/ray_sight_flat.hpp>
@@ -126,6 +130,8 @@ template <class S>
     Sighting<N> result = sight_of_polygon<scalar_of<S>>(shape.vertices(), sum_abs(path.origin), path);
     result.touch.point += path.origin;
     return result;
+  } else if constexpr (is_a<Polytope, S>) {
+    return sight_of_polytope(shape, path);
   } else {
     return advance_to(shape, path);
   }
