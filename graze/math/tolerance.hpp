@@ -117,6 +117,11 @@ inline constexpr double ray_slabs = 4 * epsilon;
 template <Scalar T>
 inline constexpr T ray_lanes = T(8) * std::numeric_limits<T>::epsilon();
 
+/// The side on which a ray passes an edge, direction . (corner x edge) in T, is wrong by under 4 epsilon of T of the
+/// product of their sizes: six products of three factors, two of them differences, and their sum; doubled.
+template <Scalar T>
+inline constexpr T ray_edges = T(8) * std::numeric_limits<T>::epsilon();
+
 /// A squared distance of a box in T, a sum of squared differences, is wrong by under 4 epsilon of T, relatively;
 /// doubled.
 template <Scalar T>

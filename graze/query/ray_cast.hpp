@@ -43,11 +43,13 @@
 #include <graze/query/closest_points.hpp>
 #include <graze/query/nan_check.hpp>
 #include <graze/query/ray_advance.hpp>
+#include <graze/query/ray_box_filter.hpp>
 #include <graze/query/ray_hit.hpp>
 #include <graze/query/ray_portal.hpp>
 #include <graze/query/ray_sight.hpp>
 #include <graze/query/ray_sight_box.hpp>
 #include <graze/query/ray_sight_flat.hpp>
+#include <graze/query/ray_triangle_filter.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/shape.hpp>
@@ -72,6 +74,12 @@ concept HasRaySight = requires(const S& shape, const Path<dimension_of<S>>& path
 template <class S>
 concept HasQuickMiss = requires(const S& shape, const Path<dimension_of<S>>& path) {
   is_missed(seen_from(path.origin, shape), path);
+};
+
+/// One whose answer to most rays takes few steps.
+template <class S>
+concept HasQuickCast = requires(const S& shape, const Ray<dimension_of<S>, scalar_of<S>>& ray) {
+  quick_cast(shape, ray, ray.origin.x);
 };
 
 template <class S>
@@ -250,19 +258,6 @@ Sighting<N> exit(const Ray<N, T>& target, const Path<N>& path, const Ask& ask) {
   return result;
 }
 
-/// A box's own coordinates, where the point is on a side or was rounded out of the box. A normal along no axis is
-/// GJK's, and says nothing of sides.
-template <Dim N, class T>
-[[gnu::always_inline]] inline void put_on_surface(Touch<N>& touch, const Aabb<N, T>& box) {
-  const Vec<N, double> min = wide<N, T>(box.min);
-  const Vec<N, double> max = wide<N, T>(box.max);
-  const double along_axes = sum_abs(touch.normal) == max_abs(touch.normal) ? 1 : 0;
-  const Vec<N, double> side = touch.normal * along_axes;
-  touch.point.x = coordinate_on(side.x, touch.point.x, min.x, max.x);
-  touch.point.y = coordinate_on(side.y, touch.point.y, min.y, max.y);
-  if constexpr (N == 3) touch.point.z = coordinate_on(side.z, touch.point.z, min.z, max.z);
-}
-
 // ---- Any shape
 
 template <class S, class Ask>
@@ -391,6 +386,17 @@ template <class S, class Ask, class ToT>
   return Hit(rounded<N, T>(found.touch, to_t(found.touch.t), path.direction, side));
 }
 
+/// The careful way of a ray. Not inlined, so that what is quick shares no memory with it.
+template <class S, Dim N, class T>
+[[gnu::noinline]] std::optional<RayHit<N, T>> cast_ray(const S& shape, const Ray<N, T>& ray, T t_max, RaySide side) {
+  if (!(t_max >= T(0)) || std::isnan(numbers_of(ray))) return std::nullopt;
+  const Usable<N, T> usable(ray);
+  const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(usable.ray.direction),
+                     usable.to_usable(static_cast<double>(t_max))};
+  return cast_along(shape, path, side, AskAboutRay<N, T>{usable.ray, path},
+                    [&](double t) { return std::min(usable.from_usable(t), static_cast<double>(t_max)); });
+}
+
 }  // namespace detail
 
 /// The space that a shape lives in, for the arguments that go with it.
@@ -409,15 +415,15 @@ template <Shape S>
 std::optional<RayHitOn<S>> ray_cast(const S& shape, const RayIn<S>& ray,
                                     scalar_of<S> t_max = std::numeric_limits<scalar_of<S>>::infinity(),
                                     RayOptions options = {}) {
-  constexpr Dim N = dimension_of<S>;
-  using T = scalar_of<S>;
   assert(detail::is_valid_if_known(shape) && is_valid(ray));
-  if (!(t_max >= T(0)) || std::isnan(detail::numbers_of(ray))) return std::nullopt;
-  const detail::Usable<N, T> usable(ray);
-  const detail::Path<N> path{wide<N, T>(ray.origin), wide<N, T>(usable.ray.direction),
-                             usable.to_usable(static_cast<double>(t_max))};
-  return detail::cast_along(shape, path, options.side, detail::AskAboutRay<N, T>{usable.ray, path},
-                            [&](double t) { return std::min(usable.from_usable(t), static_cast<double>(t_max)); });
+  if constexpr (detail::HasQuickCast<S>) {
+    if (options.side == RaySide::entry) {
+      const auto quick = detail::quick_cast(shape, ray, t_max);
+      if (quick.sight() == detail::Sight::misses) return std::nullopt;
+      if (quick.sight() == detail::Sight::hits) return quick.hit();
+    }
+  }
+  return detail::cast_ray(shape, ray, t_max, options.side);
 }
 
 /// The same for a segment from its start, at t = 0, to its end, at t = 1. If the ends are equal, a hit is an entry with

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// What the filter of a ray and a triangle calls missed, the careful way misses; and it tells most.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include <graze/query/ray_cast.hpp>
+
+#ifdef GRAZE_HAS_LANES
+
+namespace graze::detail::ray_triangle_filter_test {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+struct Counts {
+  std::size_t told = 0;
+  std::size_t missed = 0;
+};
+
+void expect_same(const Triangle<3, float>& triangle, const Ray<3, float>& ray, Counts& counts) {
+  const bool is_hit = cast_ray(triangle, ray, infinity, RaySide::entry).has_value();
+  const bool is_told = quick_cast(triangle, ray, infinity).sight() == Sight::misses;
+  ASSERT_FALSE(is_hit && is_told);
+  counts.missed += is_hit ? 0 : 1;
+  counts.told += is_told ? 1 : 0;
+}
+
+class Random {
+ public:
+  float number(float low, float high) { return std::uniform_real_distribution<float>(low, high)(engine_); }
+  Vec<3> vector(float size) { return {number(-size, size), number(-size, size), number(-size, size)}; }
+  int whole(int high) { return std::uniform_int_distribution<int>(0, high)(engine_); }
+
+ private:
+  std::mt19937 engine_{20261123};
+};
+
+TEST(RayTriangleFilter, TellsMostRaysThatPass) {
+  Random random;
+  Counts counts;
+  for (int i = 0; i < 100000; ++i) {
+    const Triangle<3, float> triangle{random.vector(1), random.vector(1), random.vector(1)};
+    const Vec<3> origin = random.vector(4);
+    expect_same(triangle, {origin, random.vector(1) - origin}, counts);
+  }
+  EXPECT_GT(counts.missed, 80000U);
+  EXPECT_GT(static_cast<double>(counts.told), 0.95 * static_cast<double>(counts.missed));  // others end before
+}
+
+/// At places of the edges, moved away from the triangle by next to nothing, from near and far: where float cannot tell.
+TEST(RayTriangleFilter, NeverMissesWhatIsHitAtAnEdge) {
+  Random random;
+  Counts counts;
+  for (int i = 0; i < 200000; ++i) {
+    const Vec<3> far = random.vector(i % 2 == 0 ? 1000.0F : 1.0F);
+    const std::array<Vec<3>, 3> corners{far + random.vector(1), far + random.vector(1), far + random.vector(1)};
+    const float share = random.number(-0.25F, 1.25F);
+    const Vec<3> place = corners[0] + (corners[1] - corners[0]) * share;
+    const float off = std::ldexp(random.number(-1, 1), -4 - random.whole(26));
+    const Vec<3> aim = place + (corners[2] - place) * off;
+    const Vec<3> origin = far + random.vector(i % 5 == 0 ? 500.0F : 4.0F);
+    const auto first = static_cast<std::size_t>(random.whole(2));
+    const Triangle<3, float> triangle{corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3]};
+    expect_same(triangle, {origin, aim - origin}, counts);
+  }
+  EXPECT_GT(counts.told, 20000U);
+  EXPECT_LT(counts.told, counts.missed);
+}
+
+/// On a lattice, where many triangles are needles or no more than points, and rays run along them.
+TEST(RayTriangleFilter, SaysNothingElseOfTheDegenerate) {
+  Random random;
+  Counts counts;
+  const auto place = [&] {
+    return Vec<3>(static_cast<float>(random.whole(3)), static_cast<float>(random.whole(3)),
+                  static_cast<float>(random.whole(3)));
+  };
+  for (int i = 0; i < 100000; ++i) {
+    const float size = std::ldexp(1.0F, random.whole(240) - 120);
+    const float length = std::ldexp(1.0F, random.whole(240) - 120);
+    const Triangle<3, float> triangle{place() * size, place() * size, place() * size};
+    const Ray<3, float> ray{place() * size, (place() - place()) * length};
+    if (is_valid(ray)) expect_same(triangle, ray, counts);
+  }
+  EXPECT_GT(counts.told, 1000U);
+}
+
+TEST(RayTriangleFilter, LeavesOpenWhatIsNoNumber) {
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  const Triangle<3, float> triangle{{1, 0, 0}, {1, 1, 0}, {1, 0, 1}};
+  const Ray<3, float> ray{{0, 0, 0}, {1, 2, 2}};
+  ASSERT_EQ(quick_cast(triangle, ray, infinity).sight(), Sight::misses);
+  EXPECT_EQ(quick_cast(triangle, ray, nan).sight(), Sight::unclear);
+  for (Dim i = 0; i < 3; ++i) {
+    Triangle<3, float> wrong = triangle;
+    wrong.b[i] = nan;
+    Ray<3, float> wrong_ray = ray;
+    wrong_ray.direction[i] = nan;
+    EXPECT_EQ(quick_cast(wrong, ray, infinity).sight(), Sight::unclear);
+    EXPECT_EQ(quick_cast(triangle, wrong_ray, infinity).sight(), Sight::unclear);
+  }
+}
+
+}  // namespace
+}  // namespace graze::detail::ray_triangle_filter_test
+
+#endif
