@@ -17,20 +17,12 @@
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 
+#include <graze/broad/box_lanes-inl.hpp>
 #include <graze/broad/simd_lanes-inl.hpp>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 namespace {
-
-/// The same coordinate of consecutive boxes, `stride` numbers apart in memory.
-template <Dim N, class T>
-HWY_INLINE Lanes<T> coordinate_of_boxes(const T* first) {
-  constexpr int stride = 2 * N;
-  using Index = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
-  const hn::RebindToSigned<Tag<T>> di;
-  return hn::GatherIndex(Tag<T>(), first, hn::Mul(hn::Iota(di, Index{0}), hn::Set(di, Index{stride})));
-}
 
 template <Dim N, class T>
 HWY_INLINE void survey_one(const Aabb<N, T>& box, std::size_t position, Survey<N, T>& survey) {
@@ -49,7 +41,6 @@ HWY_INLINE void survey_one(const Aabb<N, T>& box, std::size_t position, Survey<N
 
 template <Dim N, class T>
 Survey<N, T> survey_boxes(const Aabb<N, T>* boxes, std::size_t count) {
-  static_assert(sizeof(Aabb<N, T>) == std::size_t{2} * N * sizeof(T));
   const Tag<T> d;
   const auto half = hn::Set(d, T(0.5));
   const auto largest = hn::Set(d, std::numeric_limits<T>::max());
@@ -62,11 +53,12 @@ Survey<N, T> survey_boxes(const Aabb<N, T>* boxes, std::size_t count) {
   Survey<N, T> survey;
   std::size_t k = 0;
   for (; k + lanes_of<T> <= count; k += lanes_of<T>) {
+    const BoxLanes<N, T> box = load_boxes(boxes + k);
     Lanes<T> center[N];
     auto usual = hn::FirstN(d, lanes_of<T>);
     for (Dim i = 0; i < N; ++i) {
-      const auto min = coordinate_of_boxes<N>(&boxes[k].min[i]);
-      const auto max = coordinate_of_boxes<N>(&boxes[k].max[i]);
+      const auto min = box.min[i];
+      const auto max = box.max[i];
       usual = hn::And(usual, hn::And(hn::Le(min, max), hn::And(hn::Ge(min, hn::Neg(largest)), hn::Le(max, largest))));
       center[i] = hn::Add(hn::Mul(min, half), hn::Mul(max, half));
     }
@@ -149,11 +141,12 @@ void cells_of_boxes(const Aabb<N, T>* boxes, std::size_t count, const CellGrid<N
   const auto most = hn::Set(d, std::min(largest, std::numeric_limits<T>::max()));
   std::size_t k = 0;
   for (; k + lanes_of<T> <= count; k += lanes_of<T>) {
+    const BoxLanes<N, T> box = load_boxes(boxes + k);
     Lanes<T> center[N];
     auto usual = hn::FirstN(d, lanes_of<T>);
     for (Dim i = 0; i < N; ++i) {
-      const auto min = coordinate_of_boxes<N>(&boxes[k].min[i]);
-      const auto max = coordinate_of_boxes<N>(&boxes[k].max[i]);
+      const auto min = box.min[i];
+      const auto max = box.max[i];
       usual = hn::And(usual, hn::And(hn::Le(min, max), hn::Le(hn::Sub(max, min), most)));
       center[i] = hn::Add(hn::Mul(min, half), hn::Mul(max, half));
     }
