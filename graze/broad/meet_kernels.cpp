@@ -57,25 +57,27 @@ HWY_INLINE std::uint32_t touched_lanes(const OneBox<N, T>& box, const Block<N, T
 /// The lanes after `lane`.
 HWY_INLINE std::uint32_t lanes_after(std::uint32_t lane) { return 0xFFFEU << lane & 0xFFFFU; }
 
-template <Dim N, class T>
-// NOLINTNEXTLINE(readability-function-size): arrays, one by one, as the loop needs them
-std::size_t descend_pairs(const Block<N, T>* a, const Block<N, T>* b, bool itself, const BlockPair* pairs,
-                          std::size_t count, BlockPair* out) {
-  std::size_t found = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto [at_a, at_b] = pairs[k];
-    const bool same = itself && at_a == at_b;
-    const Block<N, T>& block_b = b[at_b];
-    for (std::uint32_t row = 0; row < block_size; ++row) {
-      std::uint32_t touched = touched_lanes(OneBox<N, T>(a[at_a], row), block_b);
-      if (same) touched &= lanes_after(row) | 1U << row;
-      for (; touched != 0; touched &= touched - 1) {
-        out[found++] = {at_a * block_size + row,
-                        at_b * block_size + static_cast<std::uint32_t>(std::countr_zero(touched))};
-      }
-    }
+/// Writes the pairs of one box with lanes of a block, whose first box is `base`. Where vectors can, it stores as many
+/// as a block has.
+template <class Two>
+HWY_INLINE Two* write_row(std::uint32_t box, std::uint32_t base, std::uint32_t lanes, Two* out) {
+#if HWY_TARGET <= HWY_AVX3
+  static_assert(sizeof(Two) == sizeof(std::uint64_t) && std::endian::native == std::endian::little);
+  const hn::CappedTag<std::uint64_t, block_size / 2> d;
+  const auto first = hn::Set(d, box | std::uint64_t{base} << 32U);
+  for (std::uint32_t half = 0; half < 2; ++half, lanes >>= block_size / 2) {
+    const auto bits = static_cast<std::uint8_t>(lanes);
+    const auto lane = hn::ShiftLeft<32>(hn::Iota(d, std::uint64_t{half} * (block_size / 2)));
+    // By its intrinsic: for Highway's Compress, GCC copies a table of 2 KiB to the stack each time.
+    _mm512_storeu_si512(out, _mm512_maskz_compress_epi64(bits, hn::Add(first, lane).raw));
+    out += std::popcount(bits);
   }
-  return found;
+#else
+  for (; lanes != 0; lanes &= lanes - 1) {
+    *out++ = {box, base + static_cast<std::uint32_t>(std::countr_zero(lanes))};
+  }
+#endif
+  return out;
 }
 
 /// Boxes, each with the lanes of a block that it touches. Lists of them are gone through without branches that depend
@@ -113,6 +115,42 @@ HWY_INLINE void add_rows(std::uint32_t at_a, std::uint32_t at_b, std::uint32_t r
     list.block[list.count] = at_b;
   }
 #endif
+}
+
+/// Lists the boxes of a that can touch boxes of b, for some pairs of blocks: all of a block that meets itself, or whose
+/// other's bounds are not known.
+template <Dim N, class T>
+HWY_INLINE void list_rows(const Block<N, T>* a, const Block<N, T>* above, bool itself, std::span<const BlockPair> pairs,
+                          Touches& list) {
+  for (const auto [at_a, at_b] : pairs) {
+    std::uint32_t rows = 0xFFFFU;
+    if (above != nullptr && !(itself && at_a == at_b)) {
+      rows = touched_lanes(OneBox<N, T>(above[at_b / block_size], at_b % block_size), a[at_a]);
+    }
+    add_rows(at_a, at_b, rows, list);
+  }
+}
+
+template <Dim N, class T>
+// NOLINTNEXTLINE(readability-function-size): arrays, one by one, as the loop needs them
+std::size_t descend_pairs(const Block<N, T>* a, const Block<N, T>* b, const Block<N, T>* above, bool itself,
+                          const BlockPair* pairs, std::size_t count, BlockPair* out) {
+  BlockPair* next = out;
+  Touches candidates;
+  for (std::size_t first = 0; first < count; first += block_pairs_at_once) {
+    candidates.count = 0;
+    list_rows(a, above, itself, {pairs + first, std::min<std::size_t>(block_pairs_at_once, count - first)}, candidates);
+    for (std::size_t k = 0; k < candidates.count; ++k) {
+      const std::uint32_t box = candidates.box[k];
+      const std::uint32_t block = candidates.block[k];
+      const std::uint32_t row = box % block_size;
+      const bool same = itself && box / block_size == block;
+      const OneBox<N, T> one(a[box / block_size], row);
+      const std::uint32_t counted = 0xFFFFU << (same ? row : 0U);
+      next = write_row(box, block * block_size, touched_lanes(one, b[block]) & counted, next);
+    }
+  }
+  return static_cast<std::size_t>(next - out);
 }
 
 /// Every two boxes of a block.
@@ -206,28 +244,6 @@ std::size_t count_rows(const Block<N, T>* a, const Block<N, T>* b, std::size_t b
     count += static_cast<std::size_t>(std::popcount(lanes));
   });
   return count;
-}
-
-/// Writes the pairs of one box with lanes of a block, whose first box is `base`. Where vectors can, it stores as many
-/// as a block has.
-HWY_INLINE Pair* write_row(std::uint32_t box, std::uint32_t base, std::uint32_t lanes, Pair* out) {
-#if HWY_TARGET <= HWY_AVX3
-  static_assert(sizeof(Pair) == sizeof(std::uint64_t) && std::endian::native == std::endian::little);
-  const hn::CappedTag<std::uint64_t, block_size / 2> d;
-  const auto first = hn::Set(d, box | std::uint64_t{base} << 32U);
-  for (std::uint32_t half = 0; half < 2; ++half, lanes >>= block_size / 2) {
-    const auto bits = static_cast<std::uint8_t>(lanes);
-    const auto lane = hn::ShiftLeft<32>(hn::Iota(d, std::uint64_t{half} * (block_size / 2)));
-    // By its intrinsic: for Highway's Compress, GCC copies a table of 2 KiB to the stack each time.
-    _mm512_storeu_si512(out, _mm512_maskz_compress_epi64(bits, hn::Add(first, lane).raw));
-    out += std::popcount(bits);
-  }
-#else
-  for (; lanes != 0; lanes &= lanes - 1) {
-    *out++ = {box, base + static_cast<std::uint32_t>(std::countr_zero(lanes))};
-  }
-#endif
-  return out;
 }
 
 template <Dim N, class T>

@@ -21,10 +21,10 @@ struct Rows {
 
 template <Dim N, class T>
 struct MeetKernels {
-  /// The pairs of child blocks to compare, for `count` pairs of blocks of boxes of blocks; `a` and `b` hold these.
-  /// `out` has room for 256 per pair. Returns how many there are.
-  std::size_t (*descend)(const Block<N, T>* a, const Block<N, T>* b, bool itself, const BlockPair* pairs,
-                         std::size_t count, BlockPair* out);
+  /// The pairs of child blocks to compare, for `count` pairs of blocks of boxes of blocks; `a` and `b` hold these,
+  /// `above` the bounds of those of b, or is null. `out` has room for 256 per pair. Returns how many there are.
+  std::size_t (*descend)(const Block<N, T>* a, const Block<N, T>* b, const Block<N, T>* above, bool itself,
+                         const BlockPair* pairs, std::size_t count, BlockPair* out);
 
   /// The overlapping boxes of `count` pairs of blocks of boxes. `above` holds the bounds of the blocks of b. `out` has
   /// room for 256 per pair. Returns how many there are. `itself`: one tree with itself, pairs have a < b.

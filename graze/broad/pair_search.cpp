@@ -40,6 +40,12 @@ void PairSearch<N, T>::build(Boxes boxes_a, const Boxes* boxes_b, T margin, cons
   tree_b_.raise(tree_a_.height());
 }
 
+/// The bounds of a level's blocks, if it is not the last.
+template <Dim N, class T>
+const Block<N, T>* PairSearch<N, T>::above_of(std::size_t level) const {
+  return level + 1 < other_->height() ? other_->level(level + 1) : nullptr;
+}
+
 /// Finds the pairs of blocks of level 1 that may hold pairs of boxes.
 template <Dim N, class T>
 void PairSearch<N, T>::descend() {
@@ -54,8 +60,9 @@ void PairSearch<N, T>::descend() {
     for (std::size_t k = 0; k < meeting_count_; k += step) {
       const std::size_t parents = std::min(step, meeting_count_ - k);
       spare_meetings_.extend(children + parents * most_children, children);
-      children += meet_kernels<N, T>().descend(tree_a_.level(level), other_->level(level), other_ == &tree_a_,
-                                               meetings_.data() + k, parents, spare_meetings_.data() + children);
+      children +=
+          meet_kernels<N, T>().descend(tree_a_.level(level), other_->level(level), above_of(level), other_ == &tree_a_,
+                                       meetings_.data() + k, parents, spare_meetings_.data() + children);
     }
     std::swap(meetings_, spare_meetings_);
     meeting_count_ = children;
@@ -70,8 +77,9 @@ void PairSearch<N, T>::meet(std::span<const BlockPair> parents, Found& found) co
   constexpr std::size_t parents_at_once = 16;
   found.blocks.require(parents_at_once * most_children);
   for (std::size_t k = 0; k < parents.size(); k += parents_at_once) {
-    const std::size_t blocks = kernels.descend(tree_a_.level(1), other_->level(1), itself, parents.data() + k,
-                                               std::min(parents_at_once, parents.size() - k), found.blocks.data());
+    const std::size_t blocks =
+        kernels.descend(tree_a_.level(1), other_->level(1), above_of(1), itself, parents.data() + k,
+                        std::min(parents_at_once, parents.size() - k), found.blocks.data());
     for (std::size_t j = 0; j < blocks; j += block_pairs_at_once) {
       found.pairs.extend(found.count + block_pairs_at_once * most_children, found.count);
       found.count +=

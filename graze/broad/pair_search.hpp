@@ -36,6 +36,7 @@ class PairSearch {
  private:
   void build(Boxes boxes_a, const Boxes* boxes_b, T margin, const Executor& executor);
   void descend();
+  const Block<N, T>* above_of(std::size_t level) const;
   struct Found;
   void meet(std::span<const BlockPair> parents, Found& found) const;
 

@@ -69,7 +69,7 @@ TYPED_TEST(MeetKernelsTest, MeetingsAreThoseOfPlainLoops) {
     this->for_every_target([&](const auto& kernels) {
       const BlockPair root{0, 0};
       std::vector<BlockPair> found(256);
-      found.resize(kernels.descend(above.data(), above.data(), true, &root, 1, found.data()));
+      found.resize(kernels.descend(above.data(), above.data(), nullptr, true, &root, 1, found.data()));
       ASSERT_LE(found.size(), block_pairs_at_once);
       for (std::uint32_t i = 0; i < 5; ++i) {
         const auto itself = [i](const BlockPair& pair) { return pair.a == i && pair.b == i; };
@@ -83,6 +83,52 @@ TYPED_TEST(MeetKernelsTest, MeetingsAreThoseOfPlainLoops) {
       std::sort(pairs.begin(), pairs.end());
       EXPECT_EQ(pairs, expected);
     });
+  }
+}
+
+TYPED_TEST(MeetKernelsTest, BlocksBelowPairsOfBlocksAreThoseOfPlainLoopsWhetherBoundsAreKnownOrNot) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  constexpr std::uint32_t block_count = 12;
+  constexpr std::uint32_t count = block_count * block_size - 5;
+  std::vector<BlockPair> meetings;  // more than are looked at in one go
+  for (std::uint32_t i = 0; i < block_count; ++i) {
+    for (std::uint32_t j = i; j < block_count; ++j) meetings.push_back({i, j});
+  }
+  ASSERT_GT(meetings.size(), 2 * block_pairs_at_once);
+  for (const auto& world : test::box_worlds<N, T>(count, 11)) {
+    if (world.name.find("empty") != std::string::npos) continue;  // such boxes never come so far
+    const test::OwnedBoxArrays<N, T> arrays(world.boxes);
+    std::vector<std::uint16_t> order(count);
+    std::iota(order.begin(), order.end(), std::uint16_t{0});
+    std::vector<Block<N, T>> blocks(block_count);
+    std::vector<Block<N, T>> above(1);
+    std::vector<std::uint32_t> ids(block_count * block_size);
+    const auto& best = block_kernels<N, T>();
+    best.fill(*arrays, order.data(), count, blocks.data(), ids.data());
+    best.close(blocks.data(), blocks.size(), above.data());
+    for (const bool itself : {true, false}) {
+      SCOPED_TRACE(world.name + (itself ? ", with itself" : ", with another"));
+      std::vector<Pair> expected;
+      for (const auto& [a, b] : meetings) {
+        for (std::uint32_t i = a * block_size; i < std::min(count, (a + 1) * block_size); ++i) {
+          for (std::uint32_t j = itself && a == b ? i : b * block_size; j < std::min(count, (b + 1) * block_size);
+               ++j) {
+            if (boxes_overlap(world.boxes[i], world.boxes[j])) expected.push_back({i, j});
+          }
+        }
+      }
+      this->for_every_target([&](const auto& kernels) {
+        for (const Block<N, T>* bounds : {above.data(), static_cast<Block<N, T>*>(nullptr)}) {
+          std::vector<BlockPair> found(meetings.size() * 256);
+          found.resize(kernels.descend(blocks.data(), blocks.data(), bounds, itself, meetings.data(), meetings.size(),
+                                       found.data()));
+          std::vector<Pair> pairs;
+          for (const auto& [a, b] : found) pairs.push_back({a, b});
+          EXPECT_EQ(pairs, expected) << (bounds != nullptr ? "by bounds" : "without bounds");
+        }
+      });
+    }
   }
 }
 
