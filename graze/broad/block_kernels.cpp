@@ -161,64 +161,53 @@ void cells_of_boxes(const Aabb<N, T>* boxes, std::size_t count, const CellGrid<N
   for (; k < count; ++k) cell[k] = cell_of_box(boxes[k], grid, largest, unusual);
 }
 
+/// The centers of as many boxes in a row as there are lanes.
 template <Dim N, class T>
-HWY_INLINE Lanes<T> center_at(const BoxArrays<N, T>& boxes, Dim i, std::size_t k) {
-  const Tag<T> d;
-  const auto half = hn::Set(d, T(0.5));
-  return hn::Add(hn::Mul(hn::LoadU(d, boxes.min[i] + k), half), hn::Mul(hn::LoadU(d, boxes.max[i] + k), half));
+HWY_INLINE void load_centers(const Aabb<N, T>* boxes, Lanes<T> (&center)[N]) {
+  const auto half = hn::Set(Tag<T>(), T(0.5));
+  const BoxLanes<N, T> box = load_boxes(boxes);
+  for (Dim i = 0; i < N; ++i) center[i] = hn::Add(hn::Mul(box.min[i], half), hn::Mul(box.max[i], half));
 }
 
 template <Dim N, class T>
-Aabb<N, T> center_bounds(const BoxArrays<N, T>& boxes, std::size_t count) {
+Aabb<N, T> bounds_of_centers(const Aabb<N, T>* boxes, std::size_t count) {
   const Tag<T> d;
-  Aabb<N, T> bounds;
+  Lanes<T> low[N];
+  Lanes<T> high[N];
   for (Dim i = 0; i < N; ++i) {
-    auto low = hn::Set(d, std::numeric_limits<T>::infinity());
-    auto high = hn::Neg(low);
-    std::size_t k = 0;
-    for (; k + lanes_of<T> <= count; k += lanes_of<T>) {
-      const auto center = center_at(boxes, i, k);
-      low = hn::Min(low, center);
-      high = hn::Max(high, center);
-    }
-    bounds.min[i] = hn::GetLane(hn::MinOfLanes(d, low));
-    bounds.max[i] = hn::GetLane(hn::MaxOfLanes(d, high));
-    for (; k < count; ++k) {
-      const T center = boxes.min[i][k] * T(0.5) + boxes.max[i][k] * T(0.5);
-      bounds.min[i] = std::min(bounds.min[i], center);
-      bounds.max[i] = std::max(bounds.max[i], center);
+    low[i] = hn::Set(d, std::numeric_limits<T>::infinity());
+    high[i] = hn::Neg(low[i]);
+  }
+  std::size_t k = 0;
+  for (; k + lanes_of<T> <= count; k += lanes_of<T>) {
+    Lanes<T> center[N];
+    load_centers(boxes + k, center);
+    for (Dim i = 0; i < N; ++i) {
+      low[i] = hn::Min(low[i], center[i]);
+      high[i] = hn::Max(high[i], center[i]);
     }
   }
+  Aabb<N, T> bounds;
+  for (Dim i = 0; i < N; ++i) {
+    bounds.min[i] = hn::GetLane(hn::MinOfLanes(d, low[i]));
+    bounds.max[i] = hn::GetLane(hn::MaxOfLanes(d, high[i]));
+  }
+  for (; k < count; ++k) bounds.grow(boxes[k].center());
   return bounds;
 }
 
 template <Dim N, class T>
-void cells_in_arrays(const BoxArrays<N, T>& boxes, std::size_t count, const CellGrid<N, T>& grid, std::uint16_t* cell) {
+void cells_of_centers(const Aabb<N, T>* boxes, std::size_t count, const CellGrid<N, T>& grid, std::uint16_t* cell) {
   const CellNumbers<N, T> numbers(grid);
   std::size_t k = 0;
   for (; k + lanes_of<T> <= count; k += lanes_of<T>) {
     Lanes<T> center[N];
-    for (Dim i = 0; i < N; ++i) center[i] = center_at(boxes, i, k);
+    load_centers(boxes + k, center);
     const typename CellNumbers<N, T>::Half di;
     hn::StoreU(hn::DemoteTo(hn::Rebind<std::uint16_t, Tag<T>>(), numbers(center)),
                hn::Rebind<std::uint16_t, decltype(di)>(), cell + k);
   }
-  for (; k < count; ++k) {
-    Vec<N, T> center;
-    for (Dim i = 0; i < N; ++i) center[i] = boxes.min[i][k] * T(0.5) + boxes.max[i][k] * T(0.5);
-    cell[k] = cell_of(center, grid);
-  }
-}
-
-/// Indices as gathers want them.
-HWY_INLINE auto indices_for(float /*unused*/, const std::uint16_t* order) {
-  using D = Tag<float>;
-  return hn::PromoteTo(hn::Rebind<std::int32_t, D>(), hn::LoadU(hn::Rebind<std::uint16_t, D>(), order));
-}
-HWY_INLINE auto indices_for(double /*unused*/, const std::uint16_t* order) {
-  using D = Tag<double>;
-  const auto narrow = hn::PromoteTo(hn::Rebind<std::int32_t, D>(), hn::LoadU(hn::Rebind<std::uint16_t, D>(), order));
-  return hn::PromoteTo(hn::Rebind<std::int64_t, D>(), narrow);
+  for (; k < count; ++k) cell[k] = cell_of(boxes[k].center(), grid);
 }
 
 template <Dim N, class T>
@@ -226,34 +215,6 @@ void fill_with_nan(Block<N, T>& block) {
   for (Dim i = 0; i < N; ++i) {
     std::fill(block.min[i], block.min[i] + block_size, std::numeric_limits<T>::quiet_NaN());
     std::fill(block.max[i], block.max[i] + block_size, std::numeric_limits<T>::quiet_NaN());
-  }
-}
-
-template <Dim N, class T>
-void fill_blocks(const BoxArrays<N, T>& boxes, const std::uint16_t* order, std::size_t count, Block<N, T>* blocks,
-                 std::uint32_t* ids) {
-  const Tag<T> d;
-  for (std::size_t k = 0; k < count; ++k) ids[k] = boxes.ids[order[k]];
-  std::size_t start = 0;
-  for (; start + block_size <= count; start += block_size) {
-    Block<N, T>& block = blocks[start / block_size];
-    for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
-      const auto from = indices_for(T(), order + start + lane);
-      for (Dim i = 0; i < N; ++i) {
-        hn::Store(hn::GatherIndex(d, boxes.min[i], from), d, block.min[i] + lane);
-        hn::Store(hn::GatherIndex(d, boxes.max[i], from), d, block.max[i] + lane);
-      }
-    }
-  }
-  if (start == count) return;
-  std::fill(ids + count, ids + start + block_size, no_box);
-  Block<N, T>& block = blocks[start / block_size];
-  fill_with_nan(block);
-  for (Dim i = 0; i < N; ++i) {
-    for (std::size_t k = start; k < count; ++k) {
-      block.min[i][k - start] = boxes.min[i][order[k]];
-      block.max[i][k - start] = boxes.max[i][order[k]];
-    }
   }
 }
 
@@ -282,6 +243,49 @@ HWY_INLINE void grow(Block<N, T>& block, T margin) {
       hn::Store(hn::Add(hn::Load(d, block.max[i] + lane), by), d, block.max[i] + lane);
     }
   }
+}
+
+/// Fills blocks with boxes in a row.
+template <Dim N, class T>
+HWY_INLINE void fill_in_order(const Aabb<N, T>* boxes, std::size_t count, Block<N, T>* blocks) {
+  const Tag<T> d;
+  for (std::size_t k = 0; k < count; ++k, boxes += block_size) {
+    for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
+      const BoxLanes<N, T> box = load_boxes(boxes + lane);
+      for (Dim i = 0; i < N; ++i) {
+        hn::Store(box.min[i], d, blocks[k].min[i] + lane);
+        hn::Store(box.max[i], d, blocks[k].max[i] + lane);
+      }
+    }
+  }
+}
+
+template <Dim N, class T>
+// NOLINTNEXTLINE(readability-function-size): arrays, one by one, as the loop needs them
+void fill_blocks(const Aabb<N, T>* boxes, const std::uint16_t* order, std::size_t count, T margin,
+                 Block<N, T>* blocks) {
+  // Some blocks at a time are put in order, and then read: whole vectors cannot be read from stores under way.
+  constexpr std::size_t blocks_at_once = 8;
+  Aabb<N, T> ordered[blocks_at_once * block_size];
+  const std::size_t full = count / block_size;
+  for (std::size_t first = 0; first < full; first += blocks_at_once) {
+    const std::size_t some = std::min(blocks_at_once, full - first);
+    for (std::size_t k = 0; k < some * block_size; ++k) {
+      std::memcpy(&ordered[k], &boxes[order[first * block_size + k]], sizeof(Aabb<N, T>));
+    }
+    fill_in_order(ordered, some, blocks + first);
+  }
+  if (full * block_size < count) {
+    fill_with_nan(blocks[full]);
+    for (std::size_t k = full * block_size; k < count; ++k) {
+      for (Dim i = 0; i < N; ++i) {
+        blocks[full].min[i][k % block_size] = boxes[order[k]].min[i];
+        blocks[full].max[i][k % block_size] = boxes[order[k]].max[i];
+      }
+    }
+  }
+  if (margin == T(0)) return;
+  for (std::size_t k = 0; k * block_size < count; ++k) grow(blocks[k], margin);
 }
 
 template <Dim N, class T>
@@ -341,8 +345,8 @@ void close_level(const Block<N, T>* blocks, std::size_t count, Block<N, T>* abov
 
 template <Dim N, class T>
 BlockKernels<N, T> kernels() {
-  return {hwy::TargetName(HWY_TARGET), survey_boxes<N, T>, cells_of_boxes<N, T>, center_bounds<N, T>,
-          cells_in_arrays<N, T>,       fill_blocks<N, T>,  refill_blocks<N, T>,  close_level<N, T>};
+  return {hwy::TargetName(HWY_TARGET), survey_boxes<N, T>, cells_of_boxes<N, T>, bounds_of_centers<N, T>,
+          cells_of_centers<N, T>,      fill_blocks<N, T>,  refill_blocks<N, T>,  close_level<N, T>};
 }
 
 }  // namespace

@@ -23,14 +23,6 @@ struct Survey {
   std::size_t first_nan = none;  // the position of the first box with a NaN
 };
 
-/// Boxes side by side in arrays of any length, and who they are.
-template <Dim N, class T>
-struct BoxArrays {
-  T* min[N];
-  T* max[N];
-  std::uint32_t* ids;
-};
-
 template <Dim N, class T>
 struct BlockKernels {
   /// The name of the instruction set.
@@ -42,15 +34,14 @@ struct BlockKernels {
   void (*cells)(const Aabb<N, T>* boxes, std::size_t count, const CellGrid<N, T>& grid, T largest,
                 std::uint16_t unusual, std::uint16_t* cell);
 
-  /// The bounds of the centers of boxes in arrays.
-  Aabb<N, T> (*center_bounds)(const BoxArrays<N, T>& boxes, std::size_t count);
+  /// The bounds of the centers of finite boxes.
+  Aabb<N, T> (*center_bounds)(const Aabb<N, T>* boxes, std::size_t count);
 
-  /// The cell of every center of boxes in arrays.
-  void (*array_cells)(const BoxArrays<N, T>& boxes, std::size_t count, const CellGrid<N, T>& grid, std::uint16_t* cell);
+  /// The cell of every center of finite boxes, whatever their size.
+  void (*center_cells)(const Aabb<N, T>* boxes, std::size_t count, const CellGrid<N, T>& grid, std::uint16_t* cell);
 
-  /// Fills blocks with the boxes at order[0], order[1], ..., and pads the last block with NaN, its ids with no_box.
-  void (*fill)(const BoxArrays<N, T>& boxes, const std::uint16_t* order, std::size_t count, Block<N, T>* blocks,
-               std::uint32_t* ids);
+  /// Fills blocks with the boxes at order[0], order[1], ..., each grown by `margin`, and pads the last block with NaN.
+  void (*fill)(const Aabb<N, T>* boxes, const std::uint16_t* order, std::size_t count, T margin, Block<N, T>* blocks);
 
   /// Fills `count` blocks anew with the boxes that `ids` names, each grown by `margin`. False if one of them has a NaN
   /// or contains nothing.

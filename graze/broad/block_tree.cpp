@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <atomic>
+#include <cstring>
 #include <mutex>
 #include <numeric>
 
@@ -19,55 +20,40 @@ constexpr std::size_t most_cells = run_limit / block_size * 2 * row_cells;
 
 }  // namespace
 
-/// The boxes of one run in arrays, and their order.
+/// The boxes of one run, and their order.
 template <Dim N, class T>
 class BlockTree<N, T>::Scratch {
  public:
-  Scratch() {
-    for (Dim i = 0; i < N; ++i) {
-      arrays.min[i] = coordinates_[i];
-      arrays.max[i] = coordinates_[N + i];
-    }
-    arrays.ids = ids_;
-  }
+  Scratch() { boxes.require(run_limit); }  // and nothing else: values are written before they are read
 
-  BoxArrays<N, T> arrays;
+  Buffer<Aabb<N, T>> boxes;
   std::uint16_t order[run_limit];
   std::uint16_t cells[run_limit];
   std::uint16_t spare[run_limit];
 
   /// Centers of the boxes, for sort_crowd.
   struct Centers {
-    const BoxArrays<N, T>& boxes;
+    const Aabb<N, T>* boxes;
 
-    Vec<N, T> operator()(std::uint16_t k) const {
-      Vec<N, T> center;
-      for (Dim i = 0; i < N; ++i) center[i] = boxes.min[i][k] * T(0.5) + boxes.max[i][k] * T(0.5);
-      return center;
-    }
+    Vec<N, T> operator()(std::uint16_t k) const { return boxes[k].center(); }
     void prefetch(std::uint16_t /*k*/) const {}  // they are at hand
   };
 
-  /// Copies boxes into the arrays.
-  void load(std::span<const Aabb<N, T>> boxes, T margin, const std::uint32_t* ids, std::size_t count) {
+  /// Copies boxes from wherever they are.
+  void load(std::span<const Aabb<N, T>> from, const std::uint32_t* ids, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) {
-      const Aabb<N, T>& box = boxes[ids[k]];
-      prefetch(&boxes[ids[std::min(k + prefetch_distance, count - 1)]]);
-      for (Dim i = 0; i < N; ++i) {
-        coordinates_[i][k] = box.min[i] - margin;
-        coordinates_[N + i][k] = box.max[i] + margin;
-      }
-      ids_[k] = ids[k];
+      prefetch(&from[ids[std::min(k + prefetch_distance, count - 1)]]);
+      std::memcpy(&boxes[k], &from[ids[k]], sizeof(Aabb<N, T>));
     }
   }
 
   /// Orders the boxes by the cells of a grid over them: columns as wide as a block, cut finely along their length.
   void sort(std::size_t count) {
     const BlockKernels<N, T>& kernels = block_kernels<N, T>();
-    const Aabb<N, T> bounds = kernels.center_bounds(arrays, count);
+    const Aabb<N, T> bounds = kernels.center_bounds(boxes.data(), count);
     const CellGrid<N, T> grid = with_finer_rows(grid_over(bounds, count / block_size), bounds, row_cells);
     const std::size_t cell_count = grid.count();
-    kernels.array_cells(arrays, count, grid, cells);
+    kernels.center_cells(boxes.data(), count, grid, cells);
     std::fill(ends_, ends_ + cell_count, std::uint16_t{0});
     for (std::size_t k = 0; k < count; ++k) ++ends_[cells[k]];
     std::uint16_t next = 0;
@@ -80,14 +66,13 @@ class BlockTree<N, T>::Scratch {
     if (!crowded) return;
     std::size_t begin = 0;
     for (std::size_t c = 0; c < cell_count; ++c) {
-      sort_crowd<N, T>(order + begin, ends_[c] - begin, crowd_size, Centers{arrays}, cells + begin, spare + begin);
+      sort_crowd<N, T>(order + begin, ends_[c] - begin, crowd_size, Centers{boxes.data()}, cells + begin,
+                       spare + begin);
       begin = ends_[c];
     }
   }
 
  private:
-  alignas(64) T coordinates_[2 * N][run_limit];
-  std::uint32_t ids_[run_limit];
   std::uint16_t ends_[most_cells];  // of every cell in the order
 };
 
@@ -106,7 +91,7 @@ class BlockTree<N, T>::ScratchPool {
     const std::lock_guard lock(mutex_);
     free_.push_back(std::move(scratch));
   }
-  std::size_t bytes() const { return free_.size() * sizeof(Scratch); }
+  std::size_t bytes() const { return free_.size() * (sizeof(Scratch) + run_limit * sizeof(Aabb<N, T>)); }
 
  private:
   std::mutex mutex_;
@@ -150,14 +135,18 @@ void BlockTree<N, T>::close(std::size_t level, const Executor& executor) {
 template <Dim N, class T>
 void BlockTree<N, T>::fill_run(std::span<const Aabb<N, T>> boxes, T margin, const SpatialRun& run,
                                std::size_t first_block, Scratch& scratch) {
-  scratch.load(boxes, margin, order_.order() + run.first, run.count);
+  const std::uint32_t* const run_ids = order_.order() + run.first;
+  scratch.load(boxes, run_ids, run.count);
   if (run.finite) {
     scratch.sort(run.count);
   } else {
     std::iota(scratch.order, scratch.order + run.count, std::uint16_t{0});
   }
-  block_kernels<N, T>().fill(scratch.arrays, scratch.order, run.count, blocks_.data() + first_block,
-                             ids_.data() + first_block * block_size);
+  block_kernels<N, T>().fill(scratch.boxes.data(), scratch.order, run.count, margin, blocks_.data() + first_block);
+  std::uint32_t* const ids = ids_.data() + first_block * block_size;
+  for (std::size_t k = 0; k < run.count; ++k) ids[k] = run_ids[scratch.order[k]];
+  const std::size_t lanes = (run.count + block_size - 1) / block_size * block_size;
+  std::fill(ids + run.count, ids + lanes, no_box);
 }
 
 template <Dim N, class T>

@@ -5,6 +5,7 @@
 
 #include <graze/broad/meet_kernels.hpp>
 #include <graze/broad/pair_search.hpp>
+#include <graze/broad/prefetch.hpp>
 
 namespace graze::detail {
 namespace {
@@ -81,6 +82,10 @@ void PairSearch<N, T>::meet(std::span<const BlockPair> parents, Found& found) co
         kernels.descend(tree_a_.level(1), other_->level(1), above_of(1), itself, parents.data() + k,
                         std::min(parents_at_once, parents.size() - k), found.blocks.data());
     for (std::size_t j = 0; j < blocks; j += block_pairs_at_once) {
+      const std::size_t following = j + block_pairs_at_once;
+      for (std::size_t i = following; i < std::min(blocks, following + block_pairs_at_once); ++i) {
+        prefetch_whole(other_->level(0) + found.blocks[i].b);  // a is often that of the pair before
+      }
       found.pairs.extend(found.count + block_pairs_at_once * most_children, found.count);
       found.count +=
           kernels.meet(tree_a_.level(0), tree_a_.ids(), other_->level(0), other_->ids(), other_->level(1), itself,

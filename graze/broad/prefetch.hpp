@@ -19,4 +19,15 @@ void prefetch([[maybe_unused]] const Value* value) {
 #endif
 }
 
+/// The same for all cache lines of a value, which begins at one.
+template <class Value>
+void prefetch_whole([[maybe_unused]] const Value* value) {
+#ifdef __GNUC__
+  constexpr std::size_t line = 64;
+  for (std::size_t at = 0; at < sizeof(Value); at += line) {
+    __builtin_prefetch(reinterpret_cast<const char*>(value) + at);
+  }
+#endif
+}
+
 }  // namespace graze::detail

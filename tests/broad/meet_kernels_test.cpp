@@ -11,7 +11,6 @@
 #include <graze/broad/block_kernels.hpp>
 #include <graze/broad/meet_kernels.hpp>
 
-#include "box_arrays.hpp"
 #include "box_worlds.hpp"
 #include "simd_targets.hpp"
 
@@ -49,14 +48,14 @@ TYPED_TEST(MeetKernelsTest, MeetingsAreThoseOfPlainLoops) {
   for (const auto& world : test::box_worlds<N, T>(count, 7)) {
     if (world.name.find("empty") != std::string::npos) continue;  // such boxes never come so far
     SCOPED_TRACE(world.name);
-    const test::OwnedBoxArrays<N, T> arrays(world.boxes);
     std::vector<std::uint16_t> order(count);
     std::iota(order.begin(), order.end(), std::uint16_t{0});
     std::vector<Block<N, T>> blocks(5);
     std::vector<Block<N, T>> above(1);
     std::vector<std::uint32_t> ids(5 * block_size);
+    std::iota(ids.begin(), ids.end(), 1000U);
     const auto& best = block_kernels<N, T>();
-    best.fill(*arrays, order.data(), count, blocks.data(), ids.data());
+    best.fill(world.boxes.data(), order.data(), count, T(0), blocks.data());
     best.close(blocks.data(), blocks.size(), above.data());
     std::vector<Pair> expected;
     std::vector<BlockPair> meetings;
@@ -98,14 +97,12 @@ TYPED_TEST(MeetKernelsTest, BlocksBelowPairsOfBlocksAreThoseOfPlainLoopsWhetherB
   ASSERT_GT(meetings.size(), 2 * block_pairs_at_once);
   for (const auto& world : test::box_worlds<N, T>(count, 11)) {
     if (world.name.find("empty") != std::string::npos) continue;  // such boxes never come so far
-    const test::OwnedBoxArrays<N, T> arrays(world.boxes);
     std::vector<std::uint16_t> order(count);
     std::iota(order.begin(), order.end(), std::uint16_t{0});
     std::vector<Block<N, T>> blocks(block_count);
     std::vector<Block<N, T>> above(1);
-    std::vector<std::uint32_t> ids(block_count * block_size);
     const auto& best = block_kernels<N, T>();
-    best.fill(*arrays, order.data(), count, blocks.data(), ids.data());
+    best.fill(world.boxes.data(), order.data(), count, T(0), blocks.data());
     best.close(blocks.data(), blocks.size(), above.data());
     for (const bool itself : {true, false}) {
       SCOPED_TRACE(world.name + (itself ? ", with itself" : ", with another"));
