@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <limits>
 #include <utility>
 
 #include <graze/broad/buffer.hpp>
@@ -22,6 +23,8 @@ struct Spare {
   std::vector<std::uint32_t> begins;  // of rows
   std::vector<std::uint32_t> next;    // the place of the next one of a row
   std::vector<std::uint64_t> bits;    // of second indices
+  Buffer<std::int64_t> keys;          // rows and second indices, by row
+  std::uint32_t longest = 0;          // of the rows
 };
 
 /// Sorts by one digit, from one place to another.
@@ -55,22 +58,32 @@ void sort_numbers(std::uint32_t* numbers, std::size_t count, std::size_t limit, 
   }
 }
 
-/// Sorts a bucket whose first indices are 2^bits in a row: by rows, then each row by second indices.
-void sort_bucket(Pair* pairs, std::size_t count, std::uint32_t bits, std::size_t limit_b, Spare& spare) {
-  if (count < std::size_t{1} << bits >> 4U) {  // few pairs of many boxes: counting would take longer
-    std::sort(pairs, pairs + count);
-    return;
+/// Sorts a bucket whose rows are nearly all very short: keys by row, then all rows at once. `ends` has where rows
+/// begin.
+void sort_very_short_rows(std::span<Pair> pairs, std::uint32_t first, std::uint32_t row_mask, Spare& spare) {
+  constexpr std::size_t margin = very_short_row;
+  spare.keys.require(pairs.size() + 2 * margin);
+  std::int64_t* const keys = spare.keys.data() + margin;
+  std::fill(keys - margin, keys, std::numeric_limits<std::int64_t>::min());
+  std::fill(keys + pairs.size(), keys + pairs.size() + margin, std::numeric_limits<std::int64_t>::max());
+  std::uint32_t* const ends = spare.begins.data();
+  for (const Pair& pair : pairs) {
+    const std::uint32_t row = pair.a & row_mask;
+    keys[ends[row]++] = static_cast<std::int64_t>(std::uint64_t{row} << 32U | pair.b);
   }
-  const std::uint32_t rows = 1U << bits;
-  const std::uint32_t row_mask = rows - 1;
-  const std::uint32_t first = pairs[0].a & ~row_mask;
-  spare.begins.assign(rows + 1, 0);
-  for (std::size_t k = 0; k < count; ++k) ++spare.begins[(pairs[k].a & row_mask) + 1];
-  std::uint32_t longest = 0;
-  for (std::uint32_t row = 0; row < rows; ++row) {
-    longest = std::max(longest, spare.begins[row + 1]);
-    spare.begins[row + 1] += spare.begins[row];
+  sort_kernels().place_keys(keys, pairs.size(), first, pairs.data());
+  if (spare.longest <= very_short_row) return;
+  for (std::uint32_t row = 0; row <= row_mask; ++row) {
+    const std::uint32_t begin = row == 0 ? 0 : ends[row - 1];
+    if (ends[row] - begin <= very_short_row) continue;
+    std::sort(keys + begin, keys + ends[row]);
+    for (std::uint32_t k = begin; k < ends[row]; ++k) pairs[k] = {first + row, static_cast<std::uint32_t>(keys[k])};
   }
+}
+
+/// Sorts a bucket by rows, then each row by second indices.
+void sort_rows(std::span<Pair> pairs, std::uint32_t first, std::uint32_t row_mask, std::size_t limit_b, Spare& spare) {
+  const std::size_t count = pairs.size();
   spare.next.assign(spare.begins.begin(), spare.begins.end() - 1);
   spare.pairs.require(count);
   spare.seconds.require(2 * (count + short_row));
@@ -80,14 +93,41 @@ void sort_bucket(Pair* pairs, std::size_t count, std::uint32_t bits, std::size_t
     seconds[spare.next[pairs[k].a & row_mask]++] = pairs[k].b;
   }
   std::fill(seconds + count, seconds + count + short_row, 0U);
-  sort_kernels().place(spare.pairs.data(), count, row_mask, spare.begins.data(), seconds, pairs);
-  if (longest <= short_row) return;
-  for (std::uint32_t row = 0; row < rows; ++row) {
+  sort_kernels().place(spare.pairs.data(), count, row_mask, spare.begins.data(), seconds, pairs.data());
+  if (spare.longest <= short_row) return;
+  for (std::uint32_t row = 0; row <= row_mask; ++row) {
     const std::uint32_t begin = spare.begins[row];
     const std::uint32_t end = spare.begins[row + 1];
     if (end - begin <= short_row) continue;
     sort_numbers(seconds + begin, end - begin, limit_b, seconds + count + short_row, spare.bits);
     for (std::uint32_t k = begin; k < end; ++k) pairs[k] = {first + row, seconds[k]};
+  }
+}
+
+/// Sorts a bucket whose first indices are 2^bits in a row.
+void sort_bucket(std::span<Pair> pairs, std::uint32_t bits, std::size_t limit_b, Spare& spare) {
+  if (pairs.size() < std::size_t{1} << bits >> 4U) {  // few pairs of many boxes: counting would take longer
+    std::sort(pairs.begin(), pairs.end());
+    return;
+  }
+  const std::uint32_t rows = 1U << bits;
+  const std::uint32_t row_mask = rows - 1;
+  const std::uint32_t first = pairs[0].a & ~row_mask;
+  spare.begins.assign(rows + 1, 0);
+  for (const Pair& pair : pairs) ++spare.begins[pair.a & row_mask];
+  spare.longest = 0;
+  std::uint32_t in_longer_rows = 0;
+  std::uint32_t next = 0;
+  for (std::uint32_t& begin : spare.begins) {
+    const std::uint32_t length = std::exchange(begin, next);
+    spare.longest = std::max(spare.longest, length);
+    in_longer_rows += length > very_short_row ? length : 0U;
+    next += length;
+  }
+  if (sort_kernels().keys_pay && in_longer_rows <= pairs.size() / 16) {
+    sort_very_short_rows(pairs, first, row_mask, spare);
+  } else {
+    sort_rows(pairs, first, row_mask, limit_b, spare);
   }
 }
 
@@ -125,7 +165,7 @@ void PairSort::sort(std::span<const std::span<const Pair>> pieces, std::size_t l
     Spare spare;
     for (std::size_t k = task * buckets_per_task; k < std::min(buckets, (task + 1) * buckets_per_task); ++k) {
       const std::size_t begin = k == 0 ? 0 : ends_[k - 1];
-      if (ends_[k] > begin) sort_bucket(out + begin, ends_[k] - begin, bits, limit_b, spare);
+      if (ends_[k] > begin) sort_bucket({out + begin, ends_[k] - begin}, bits, limit_b, spare);
     }
   });
 }

@@ -38,10 +38,28 @@ void place_pairs(const Pair* pairs, std::size_t count, std::uint32_t row_mask, c
   }
 }
 
+void place_keys(const std::int64_t* keys, std::size_t count, std::uint32_t first, Pair* out) {
+  const Tag<std::int64_t> d;
+  constexpr std::uint32_t before = very_short_row - 1;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::int64_t key = keys[k];
+    const auto mine = hn::Set(d, key);
+    const std::int64_t* const near = keys + k - before;
+    std::uint32_t smaller = 0;
+    for (std::uint32_t at = 0; at < 2 * very_short_row; at += lanes_of<std::int64_t>) {
+      smaller |= bits_of<std::int64_t>(hn::Lt(hn::LoadU(d, near + at), mine)) << at;
+    }
+    // All before the row are smaller, all after it greater.
+    const std::size_t place = k + static_cast<std::size_t>(std::popcount(smaller)) - before;
+    const auto bits = static_cast<std::uint64_t>(key);
+    out[place] = {first + static_cast<std::uint32_t>(bits >> 32U), static_cast<std::uint32_t>(bits)};
+  }
+}
+
 }  // namespace
 
 const SortKernels& all_sort_kernels() {
-  static const SortKernels all{place_pairs};
+  static const SortKernels all{lanes_of<std::int64_t> >= 8, place_keys, place_pairs};
   return all;
 }
 

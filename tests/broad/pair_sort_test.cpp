@@ -9,6 +9,8 @@
 
 #include <graze/broad/pair_sort.hpp>
 
+#include "simd_targets.hpp"
+
 namespace graze::detail::pair_sort_test {
 namespace {
 
@@ -23,9 +25,12 @@ void expect_sorted(std::vector<Pair> pairs, std::size_t limit_a, std::size_t lim
       const std::size_t first = k * pairs.size() / piece_count;
       pieces.push_back(std::span<const Pair>(pairs).subspan(first, (k + 1) * pairs.size() / piece_count - first));
     }
-    std::vector<Pair> sorted(pairs.size());
-    PairSort().sort(pieces, limit_a, limit_b, *limited_executor(2), sorted.data());
-    EXPECT_EQ(sorted, expected) << piece_count << " pieces";
+    for (const std::int64_t target : test::simd_targets()) {
+      const test::ForcedTarget forced(target);
+      std::vector<Pair> sorted(pairs.size());
+      PairSort().sort(pieces, limit_a, limit_b, *limited_executor(2), sorted.data());
+      EXPECT_EQ(sorted, expected) << piece_count << " pieces, " << hwy::TargetName(target);
+    }
   }
 }
 
@@ -43,6 +48,18 @@ TEST(PairSort, OfFewPartnersEach) {
     }
   }
   expect_sorted(pairs, 100'000, 104'000);
+}
+
+TEST(PairSort, OfFewPartnersEachAndManyForAFew) {
+  std::mt19937 random(2);
+  std::vector<Pair> pairs;
+  for (std::uint32_t a = 0; a < 20'000; ++a) {
+    const std::uint32_t count = a % 500 == 3 ? 9 + a % 32 : static_cast<std::uint32_t>(random() % 9);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      pairs.push_back({a, a + 1 + k * 1000 + static_cast<std::uint32_t>(random() % 1000)});
+    }
+  }
+  expect_sorted(pairs, 20'000, 70'000);
 }
 
 TEST(PairSort, OfAllKindsOfNumbersOfPartners) {
