@@ -180,29 +180,51 @@ HWY_INLINE Pair* write_pairs(Touches& touches, const std::uint32_t* ids_a, const
   return out;
 }
 
+/// The boxes of one block that touch the bounds of another.
+template <Dim N, class T>
+HWY_INLINE std::uint32_t rows_near(const BlockLevel<N, T>& of, std::uint32_t at, const BlockLevel<N, T>& other,
+                                   std::uint32_t at_other) {
+  return touched_lanes(OneBox<N, T>(other.above[at_other / block_size], at_other % block_size), of.blocks[at]);
+}
+
+/// What rows touch of the blocks they are listed with.
+template <Dim N, class T>
+HWY_INLINE void touch_rows(const Block<N, T>* rows, const Block<N, T>* others, const Touches& list, Touches& touches) {
+  for (std::size_t k = 0; k < list.count; ++k) {
+    const std::uint32_t box = list.box[k];
+    const std::uint32_t block = list.block[k];
+    touches.add(box, block, touched_lanes(OneBox<N, T>(rows[box / block_size], box % block_size), others[block]));
+  }
+}
+
 template <Dim N, class T>
 // NOLINTNEXTLINE(readability-function-size): arrays, one by one, as the loop needs them
-std::size_t meet_pairs(const Block<N, T>* a, const std::uint32_t* ids_a, const Block<N, T>* b,
-                       const std::uint32_t* ids_b, const Block<N, T>* above, bool itself, const BlockPair* pairs,
-                       std::size_t count, Pair* out) {
-  Touches candidates;
+std::size_t meet_pairs(BlockLevel<N, T> a, BlockLevel<N, T> b, bool itself, const BlockPair* pairs, std::size_t count,
+                       Pair* out) {
+  constexpr int few = 8;  // to look at the other side costs as much as some rows
+  Touches rows_of_a;
+  Touches rows_of_b;
   Touches touches;
   for (std::size_t k = 0; k < count; ++k) {
     const auto [at_a, at_b] = pairs[k];
     if (itself && at_a == at_b) {
-      meet_itself(a[at_a], at_a, touches);
+      meet_itself(a.blocks[at_a], at_a, touches);
       continue;
     }
-    // Of the boxes of a, those that touch the bounds of b.
-    const OneBox<N, T> bounds(above[at_b / block_size], at_b % block_size);
-    add_rows(at_a, at_b, touched_lanes(bounds, a[at_a]), candidates);
+    const std::uint32_t near_b = rows_near(a, at_a, b, at_b);
+    // A block of large boxes may have none that does not touch the bounds of a block of small ones.
+    if (HWY_UNLIKELY(std::popcount(near_b) > few)) {
+      const std::uint32_t near_a = rows_near(b, at_b, a, at_a);
+      if (std::popcount(near_a) < std::popcount(near_b)) {
+        add_rows(at_b, at_a, near_a, rows_of_b);
+        continue;
+      }
+    }
+    add_rows(at_a, at_b, near_b, rows_of_a);
   }
-  for (std::size_t k = 0; k < candidates.count; ++k) {
-    const std::uint32_t box = candidates.box[k];
-    const std::uint32_t block = candidates.block[k];
-    const OneBox<N, T> one(a[box / block_size], box % block_size);
-    touches.add(box, block, touched_lanes(one, b[block]));
-  }
+  touch_rows(a.blocks, b.blocks, rows_of_a, touches);
+  Touches touches_of_b;
+  touch_rows(b.blocks, a.blocks, rows_of_b, touches_of_b);
   Pair* end = nullptr;
   if (itself) {
     // In arithmetic, because compilers make a branch of min and max, and every second guess at it is wrong.
@@ -210,14 +232,13 @@ std::size_t meet_pairs(const Block<N, T>* a, const std::uint32_t* ids_a, const B
       const std::uint32_t exchange = (i ^ j) & (0U - static_cast<std::uint32_t>(j < i));
       return Pair{i ^ exchange, j ^ exchange};
     };
-    end = write_pairs(touches, ids_a, ids_b, ascending, out);
+    end = write_pairs(touches, a.ids, b.ids, ascending, out);
+    end = write_pairs(touches_of_b, b.ids, a.ids, ascending, end);
   } else {
-    end = write_pairs(
-        touches, ids_a, ids_b,
-        [](std::uint32_t i, std::uint32_t j) {
-          return Pair{i, j};
-        },
-        out);
+    const auto a_first = [](std::uint32_t i, std::uint32_t j) { return Pair{i, j}; };
+    const auto b_first = [](std::uint32_t i, std::uint32_t j) { return Pair{j, i}; };
+    end = write_pairs(touches, a.ids, b.ids, a_first, out);
+    end = write_pairs(touches_of_b, b.ids, a.ids, b_first, end);
   }
   return static_cast<std::size_t>(end - out);
 }

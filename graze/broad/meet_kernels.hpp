@@ -19,6 +19,14 @@ struct Rows {
   std::uint32_t last;
 };
 
+/// Blocks of boxes, who these are, and the bounds of the blocks.
+template <Dim N, class T>
+struct BlockLevel {
+  const Block<N, T>* blocks;
+  const std::uint32_t* ids;
+  const Block<N, T>* above;
+};
+
 template <Dim N, class T>
 struct MeetKernels {
   /// The pairs of child blocks to compare, for `count` pairs of blocks of boxes of blocks; `a` and `b` hold these,
@@ -26,11 +34,10 @@ struct MeetKernels {
   std::size_t (*descend)(const Block<N, T>* a, const Block<N, T>* b, const Block<N, T>* above, bool itself,
                          const BlockPair* pairs, std::size_t count, BlockPair* out);
 
-  /// The overlapping boxes of `count` pairs of blocks of boxes. `above` holds the bounds of the blocks of b. `out` has
-  /// room for 256 per pair. Returns how many there are. `itself`: one tree with itself, pairs have a < b.
-  std::size_t (*meet)(const Block<N, T>* a, const std::uint32_t* ids_a, const Block<N, T>* b,
-                      const std::uint32_t* ids_b, const Block<N, T>* above, bool itself, const BlockPair* pairs,
-                      std::size_t count, Pair* out);
+  /// The overlapping boxes of `count` pairs of blocks of boxes. `out` has room for 256 per pair. Returns how many there
+  /// are. `itself`: one tree with itself, pairs have a < b.
+  std::size_t (*meet)(BlockLevel<N, T> a, BlockLevel<N, T> b, bool itself, const BlockPair* pairs, std::size_t count,
+                      Pair* out);
 
   /// How many boxes of b the rows of a overlap; `itself`: of those that come later. Here boxes stand in their blocks in
   /// their own order.

@@ -75,6 +75,8 @@ template <Dim N, class T>
 void PairSearch<N, T>::meet(std::span<const BlockPair> parents, Found& found) const {
   const MeetKernels<N, T>& kernels = meet_kernels<N, T>();
   const bool itself = other_ == &tree_a_;
+  const BlockLevel<N, T> level_a{tree_a_.level(0), tree_a_.ids(), tree_a_.level(1)};
+  const BlockLevel<N, T> level_b{other_->level(0), other_->ids(), other_->level(1)};
   constexpr std::size_t parents_at_once = 16;
   found.blocks.require(parents_at_once * most_children);
   for (std::size_t k = 0; k < parents.size(); k += parents_at_once) {
@@ -88,9 +90,8 @@ void PairSearch<N, T>::meet(std::span<const BlockPair> parents, Found& found) co
       }
       found.pairs.extend(found.count + block_pairs_at_once * most_children, found.count);
       found.count +=
-          kernels.meet(tree_a_.level(0), tree_a_.ids(), other_->level(0), other_->ids(), other_->level(1), itself,
-                       found.blocks.data() + j, std::min<std::size_t>(block_pairs_at_once, blocks - j),
-                       found.pairs.data() + found.count);
+          kernels.meet(level_a, level_b, itself, found.blocks.data() + j,
+                       std::min<std::size_t>(block_pairs_at_once, blocks - j), found.pairs.data() + found.count);
     }
   }
 }
