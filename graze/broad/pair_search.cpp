@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 #include <utility>
 
@@ -11,6 +12,25 @@ namespace graze::detail {
 namespace {
 
 constexpr std::size_t most_children = std::size_t{block_size} * block_size;  // of a pair of blocks
+
+/// What tasks have found, for the room of those that follow: to grow means to copy, and pages of memory anew.
+class FoundSoFar {
+ public:
+  void add(std::size_t count) {
+    pairs_ += count;
+    ++tasks_;
+  }
+
+  /// What a task finds on average and a quarter more, with room for a last round of blocks.
+  std::size_t expected() const {
+    const std::size_t tasks = tasks_;
+    return tasks == 0 ? 0 : pairs_ / tasks * 5 / 4 + block_pairs_at_once * most_children;
+  }
+
+ private:
+  std::atomic<std::size_t> pairs_ = 0;
+  std::atomic<std::size_t> tasks_ = 0;
+};
 
 }  // namespace
 
@@ -107,11 +127,14 @@ std::span<const Pair> PairSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_b
   constexpr std::size_t most_tasks = 64;
   const std::size_t tasks = std::clamp<std::size_t>(meeting_count_ / least_meetings, 1, most_tasks);
   while (found_.size() < tasks) found_.push_back(std::make_unique<Found>());
+  FoundSoFar so_far;
   executor.parallel_for(tasks, [&](std::size_t task) {
     const std::size_t first = task * meeting_count_ / tasks;
     const std::size_t last = (task + 1) * meeting_count_ / tasks;
     found_[task]->count = 0;
+    found_[task]->pairs.require(so_far.expected());
     meet({meetings_.data() + first, last - first}, *found_[task]);
+    so_far.add(found_[task]->count);
   });
   std::vector<std::span<const Pair>> pieces;
   std::size_t count = 0;
