@@ -32,6 +32,7 @@ void sort_crowd(Index* order, std::size_t count, std::size_t small, const Center
   const CellGrid<N, T> grid = grid_over(bounds, std::min(most_cells / 2, 4 * count / small));
   std::array<std::size_t, most_cells + 1> end{};
   for (std::size_t k = 0; k < count; ++k) {
+    center.prefetch(order[std::min(k + prefetch_distance, count - 1)]);
     cells[k] = cell_of(center(order[k]), grid);
     ++end[cells[k] + 1U];
   }
