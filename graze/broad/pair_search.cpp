@@ -9,7 +9,6 @@
 #include <graze/broad/prefetch.hpp>
 
 namespace graze::detail {
-namespace {
 
 constexpr std::size_t most_children = std::size_t{block_size} * block_size;  // of a pair of blocks
 
@@ -31,8 +30,6 @@ class FoundSoFar {
   std::atomic<std::size_t> pairs_ = 0;
   std::atomic<std::size_t> tasks_ = 0;
 };
-
-}  // namespace
 
 /// What one task finds, and its memory.
 template <Dim N, class T>
@@ -93,6 +90,7 @@ void PairSearch<N, T>::descend() {
 /// Adds the pairs of boxes below pairs of blocks of level 1.
 template <Dim N, class T>
 void PairSearch<N, T>::meet(std::span<const BlockPair> parents, Found& found) const {
+  if (parents.empty()) return;  // a tree may have no levels
   const MeetKernels<N, T>& kernels = meet_kernels<N, T>();
   const bool itself = other_ == &tree_a_;
   const BlockLevel<N, T> level_a{tree_a_.level(0), tree_a_.ids(), tree_a_.level(1)};

@@ -249,7 +249,9 @@ Touch<dimension_of<S>> touch_by_advance(const S& shape, const Path<dimension_of<
   if (found.sight == Sight::hits) return found.touch;
   Touch<dimension_of<S>> touch = nearest_touch(shape, path, found.touch);
   if (found.touch.t < touch.t && decide(shape, found.touch.point) != Relation::apart) {
+    const auto barrier = barrier_at(shape, found.touch.point);
     touch = found.touch;
+    touch.error = std::max(touch.error, barrier.gap + barrier.resolution);
     touch.status = Status::converged;
   }
   return touch;
