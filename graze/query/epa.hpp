@@ -56,7 +56,7 @@ class Expansion {
 
   EpaResult<N> run(const Simplex<N>& simplex) {
     const std::optional<Start> points = spanning_points(simplex);
-    if (points) expand(GrowingHull<N>(*points));
+    if (points) expand(GrowingHull<N>(points->all()));
     result_.resolution = differences_.resolution();
     return result_;
   }

@@ -36,6 +36,8 @@ class InplaceVector {
   bool empty() const { return size_ == 0; }
   bool is_full() const { return size_ == Room; }
 
+  std::span<const Element> all() const { return {elements_.data(), size_}; }
+
   Element* begin() { return elements_.data(); }
   Element* end() { return begin() + size_; }
   const Element* begin() const { return elements_.data(); }

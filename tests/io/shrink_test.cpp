@@ -196,10 +196,10 @@ TEST(Shrink, KeepsAllChangesBeforeOneThatWentOtherwise) {
 TEST(Shrink, OfADigestKeepsEveryObject) {
   std::ostringstream text;
   World scene(text);
-  for (int i = 0; i < 70; ++i) scene.add(Ball{{0, 0}, 1});
+  for (int i = 0; i < 70; ++i) scene.add(Ball{{2 * i, 0}, 1});  // a chain
   scene.update();
   scene.pairs();
-  scene.overlapping(Ball{});
+  scene.overlapping(Ball{{70, 0}, 100});
   const auto log = log_of(text.str());
   Log other = log;
   other.entries.back().answer->digest->digest ^= 1U;
