@@ -164,8 +164,9 @@ void PairSort::sort(std::span<const std::span<const Pair>> pieces, std::size_t l
   executor.parallel_for((buckets + buckets_per_task - 1) / buckets_per_task, [&](std::size_t task) {
     Spare spare;
     for (std::size_t k = task * buckets_per_task; k < std::min(buckets, (task + 1) * buckets_per_task); ++k) {
-      const std::size_t begin = k == 0 ? 0 : ends_[k - 1];
-      if (ends_[k] > begin) sort_bucket({out + begin, ends_[k] - begin}, bits, limit_b, spare);
+      const auto begin = static_cast<std::size_t>(k == 0 ? 0 : ends_[k - 1]);
+      const auto end = static_cast<std::size_t>(ends_[k]);
+      if (end > begin) sort_bucket({out + begin, end - begin}, bits, limit_b, spare);
     }
   });
 }
