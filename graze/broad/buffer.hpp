@@ -13,10 +13,6 @@ namespace graze::detail {
 void* allocate_pages(std::size_t bytes);
 void release_pages(void* memory, std::size_t bytes) noexcept;
 
-/// Asks the system for large pages for memory of anyone's that is still to be written to, where it holds some. Changes
-/// nothing but the time.
-void advise_large_pages(void* memory, std::size_t bytes) noexcept;
-
 /// Memory for values that are written before they are read: nothing is initialised, and growing keeps only what is
 /// asked for.
 template <class Value>

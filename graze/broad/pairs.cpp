@@ -102,8 +102,6 @@ std::vector<Pair> all_pairs(std::span<const Aabb<N, T>> boxes_a, const std::span
                             const PairOptions& options) {
   std::vector<Pair> pairs;
   detail::PairMethods<N, T>().find(boxes_a, boxes_b, options, [&pairs](std::size_t count) {
-    pairs.reserve(count);
-    detail::advise_large_pages(pairs.data(), count * sizeof(Pair));  // anew, they would come page by page
     pairs.resize(count);
     return pairs.data();
   });

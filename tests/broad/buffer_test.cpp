@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -59,18 +58,6 @@ TEST(Buffer, MovesWithItsMemory) {
   EXPECT_EQ(third.data(), memory);
   EXPECT_EQ(third[0], 42);
   EXPECT_EQ(third.capacity(), 2U);
-}
-
-TEST(AdviseLargePages, LeavesMemoryAsItIsWhereverItBeginsAndEnds) {
-  advise_large_pages(nullptr, 0);
-  constexpr std::size_t size = std::size_t{5} << 20U;
-  std::vector<unsigned char> memory(size);
-  for (std::size_t k = 0; k < size; k += 1000) memory[k] = static_cast<unsigned char>(k / 1000);
-  for (const std::size_t begin : {0U, 1U, 4097U, 3'000'000U}) {
-    for (const std::size_t bytes : {0U, 1U, 2'000'000U}) advise_large_pages(memory.data() + begin, bytes);
-    advise_large_pages(memory.data() + begin, size - begin);
-  }
-  for (std::size_t k = 0; k < size; k += 1000) ASSERT_EQ(memory[k], static_cast<unsigned char>(k / 1000)) << k;
 }
 
 }  // namespace
