@@ -73,7 +73,7 @@ void go_on(Differences& differences, GjkResult<Differences::dimension>& result) 
     const Vec<N, double>& nearest = result.separation;
     if (!(result.upper > result.resolution)) return;
     const Vec<N, double> next = differences.support(-nearest);
-    result.lower = std::max(result.lower, dot(nearest, next) / result.upper);  // upper > resolution >= 0
+    raise_lower(result, dot(nearest, next) / result.upper, nearest);  // upper > resolution >= 0
     const double nearer_by = dot(nearest, nearest - next);
     const double noise = tolerance::epsilon * dot(abs(nearest), abs(next));
     if (!(nearer_by > noise) || is_corner_of(result.simplex, next)) return;

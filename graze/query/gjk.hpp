@@ -21,10 +21,11 @@ namespace graze {
 /// The distance of two convex shapes, enclosed: lower <= distance <= upper, up to `resolution`.
 template <Dim N>
 struct GjkResult {
-  double lower = 0;                                 ///< Proved by the plane across `separation`.
+  double lower = 0;                                 ///< Proved by a plane across `normal`.
   double upper = 0;                                 ///< Attained by two points of the shapes; 0 when they meet.
   double resolution = 0;                            ///< The rounding of support points: both bounds may be off by it.
   Vec<N, double> separation = Vec<N, double>(0.0);  ///< From b to a, as long as `upper`.
+  Vec<N, double> normal = Vec<N, double>(0.0);      ///< Of any length, towards a; zero if nothing parts them.
   Status status = Status::converged;
   int iterations = 0;
   detail::Simplex<N>
@@ -47,6 +48,14 @@ bool is_corner_of(const Simplex<N>& simplex, const Vec<N, double>& point) {
          simplex.points.begin() + simplex.size;
 }
 
+/// All differences lie beyond a plane across `normal`, at `distance` from the origin.
+template <Dim N>
+void raise_lower(GjkResult<N>& result, double distance, const Vec<N, double>& normal) {
+  if (!(distance > result.lower)) return;
+  result.lower = distance;
+  result.normal = normal;
+}
+
 /// Raises the lower bound: near the origin the nearest point is mostly rounding, and so is its direction, but those at
 /// right angles to the simplex' faces are not.
 template <class Differences>
@@ -55,7 +64,7 @@ void prove_distance(Differences& differences, const Simplex<Differences::dimensi
   for_each_perpendicular(simplex, [&](const Vec<Differences::dimension, double>& direction) {
     const double size = std::sqrt(dot(direction, direction));
     if (!(size > 0)) return;
-    result.lower = std::max(result.lower, dot(direction, differences.support(-direction)) / size);
+    raise_lower(result, dot(direction, differences.support(-direction)) / size, direction);
   });
   result.resolution = differences.resolution();
 }
@@ -106,12 +115,13 @@ GjkResult<Differences::dimension> gjk_on(Differences& differences, const GjkOpti
     result.resolution = differences.resolution();
     if (result.upper <= result.resolution || result.simplex.size == static_cast<std::size_t>(N) + 1) {
       result.lower = 0;
+      result.normal = Vec<N, double>(0.0);
       return result;
     }
     if (result.upper < options.threshold - margin()) return result;
     const Vec<N, double> next = differences.support(-nearest);
     result.resolution = differences.resolution();
-    result.lower = std::max(result.lower, dot(nearest, next) / result.upper);  // upper > resolution >= 0
+    raise_lower(result, dot(nearest, next) / result.upper, nearest);  // upper > resolution >= 0
     if (result.lower > options.threshold + margin()) return result;
     if (bounds_meet()) return result;
     if (++result.iterations == gjk_iteration_limit || is_corner_of(result.simplex, next)) break;

@@ -125,7 +125,7 @@ struct ConvexPair {
     Parting<N> parting;
     parting.resolution = found.resolution + tolerance::rounding * radius;
     parting.distance = std::max(0.0, found.upper - radius);
-    parting.normal = unit_or(-found.separation, Vec<N, double>(0.0));
+    parting.normal = unit_or(-found.normal, Vec<N, double>(0.0));
     if (max_abs(parting.normal) > 0) parting.gap = gap_along(parting.normal, pose) - parting.resolution;
     return parting;
   }

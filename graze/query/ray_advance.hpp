@@ -18,6 +18,7 @@
 #include <graze/query/simplex.hpp>
 #include <graze/query/status.hpp>
 #include <graze/query/surface_point.hpp>
+#include <graze/query/surface_point_convex.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/query/wide_support.hpp>
 #include <graze/shape/aabb.hpp>
@@ -39,18 +40,19 @@ struct Barrier {
   double resolution = 0;
 };
 
-/// The plane across the shortest way, with the shape's own farthest point: what GJK has proved is the distance to it.
+/// The plane by which GJK has proved the distance, moved to the shape's own farthest point. Next to the shape that is
+/// not the one across the shortest way, whose direction is mostly rounding there.
 template <Convex S>
 Barrier<dimension_of<S>> barrier_at(const S& shape, const Vec<dimension_of<S>, double>& point) {
   constexpr Dim N = dimension_of<S>;
   const auto& inner = core(shape);
   const double radius = core_radius(shape);
-  const GjkResult<N> found = gjk(point, inner);  // its separation leads from the shape to the point
+  const GjkResult<N> found = gjk(point, inner);
   Barrier<N> barrier;
   barrier.gap = std::max(0.0, found.upper - radius);
   barrier.resolution = found.resolution + tolerance::rounding * radius;
   if (!(found.upper > radius + barrier.resolution)) return barrier;
-  barrier.normal = unit_or(found.separation, Vec<N, double>(0.0));
+  barrier.normal = unit_or(found.normal, Vec<N, double>(0.0));
   barrier.height = dot(barrier.normal, point - wide_support(inner, barrier.normal)) - radius;
   return barrier;
 }
@@ -242,18 +244,28 @@ Touch<dimension_of<S>> nearest_touch(const S& shape, const Path<dimension_of<S>>
 }
 
 /// Where GJK says that a path touches which `relation` says does. Where no plane is left between the point and the
-/// shape, Newton's method may have come to rest at the entry without telling so; it has then not passed it.
+/// shape, Newton's method may have come to rest at the entry without telling so; it has then not passed it. It is the
+/// answer where `relation` finds it on the shape, or where it is off by less than the ray is deep in the shape on the
+/// way to the nearest point: twice the depth in the middle, at most.
 template <Convex S>
 Touch<dimension_of<S>> touch_by_advance(const S& shape, const Path<dimension_of<S>>& path) {
   const Sighting<dimension_of<S>> found = advance_to(shape, path);
   if (found.sight == Sight::hits) return found.touch;
-  Touch<dimension_of<S>> touch = nearest_touch(shape, path, found.touch);
-  if (found.touch.t < touch.t && decide(shape, found.touch.point) != Relation::apart) {
-    const auto barrier = barrier_at(shape, found.touch.point);
-    touch = found.touch;
-    touch.error = std::max(touch.error, barrier.gap + barrier.resolution);
-    touch.status = Status::converged;
+  const Touch<dimension_of<S>> nearest = nearest_touch(shape, path, found.touch);
+  if (!(found.touch.t < nearest.t)) return nearest;
+  const auto barrier = barrier_at(shape, found.touch.point);
+  const double off = barrier.gap + barrier.resolution;
+  const bool is_on_shape = decide(shape, found.touch.point) != Relation::apart;
+  const Vec<dimension_of<S>, double> middle = path.origin + path.direction * (0.5 * found.touch.t + 0.5 * nearest.t);
+  const double deepest = std::max(0.0, -2 * surface_point(shape, middle).distance);
+  if (!is_on_shape && off >= std::max(nearest.error, deepest)) {
+    Touch<dimension_of<S>> touch = nearest;
+    touch.error = std::max(nearest.error, deepest);
+    return touch;
   }
+  Touch<dimension_of<S>> touch = found.touch;
+  touch.error = is_on_shape ? std::max(found.touch.error, off) : off;
+  touch.status = is_on_shape ? Status::converged : Status::best_bound;
   return touch;
 }
 

@@ -284,15 +284,15 @@ bool passes_by(const Aabb<N, T>& box, const Path<N>& path) {
   return slabs_of<N>(beside, tolerance::ray_side).are_missed(path.t_max);
 }
 
-/// The nearest entry, or the farthest exit; of several the first part's. Once a part is hit, only what comes before
-/// that is of interest.
+/// The nearest entry, or the farthest exit; of several the first part's. Once a part is hit, only what has its box
+/// before that is of interest, but asked as if it were alone.
 template <Dim N, class T, class Ask>
 Sighting<N> find_hit(const Compound<N, T>& compound, const Path<N>& path, RaySide side, const Ask& ask) {
   Sighting<N> best = missed<N>();
   Path<N> rest = path;
   for (const Part<N, T>& part : compound.parts) {
     if (passes_by(touching_bounds(part.box), rest)) continue;
-    const Sighting<N> found = find_hit(part.shape, rest, side, ask);
+    const Sighting<N> found = find_hit(part.shape, path, side, ask);
     if (found.sight == Sight::misses) continue;
     const double ahead = side == RaySide::entry ? best.touch.t - found.touch.t : found.touch.t - best.touch.t;
     if (best.sight == Sight::hits && !(ahead > 0)) continue;

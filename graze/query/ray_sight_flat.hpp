@@ -162,19 +162,20 @@ inline Sighting<3> sight_of(const Triangle<3, double>& triangle, const Path<3>& 
 // ---- Polygons
 
 /// Where a path enters and leaves the half-planes left of a convex polygon's edges (Cyrus and Beck, "Generalized two-
-/// and three-dimensional clipping", 1978), with what it takes to move by `margin` across each.
+/// and three-dimensional clipping", 1978), with what it takes to move by `margin` across each. No coordinate of a
+/// corner, as the path's origin sees it, is more than `size`: by the rounding of that, short edges are turned.
 class EdgeCrossings {
  public:
-  explicit EdgeCrossings(double margin) : margin_(margin) {}
+  EdgeCrossings(double margin, double size) : margin_(margin), noise_(4 * tolerance::epsilon * size), size_(size) {}
 
   /// False when the path misses the polygon because of this edge.
   bool add(const Vec<2, double>& from, const Vec<2, double>& to, const Vec<2, double>& direction) {
     const Vec<2, double> outward(to.y - from.y, from.x - to.x);
     const double height = -dot(outward, from);  // of zero over the edge
     const double climb = dot(outward, direction);
-    const double slack = margin_ * sum_abs(outward);
+    const double slack = margin_ * sum_abs(outward) + noise_ * size_;
     constexpr double least_sine = 0x1p-40;
-    if (std::fabs(climb) <= least_sine * sum_abs(outward) * sum_abs(direction)) {
+    if (std::fabs(climb) <= (least_sine * sum_abs(outward) + noise_) * sum_abs(direction)) {
       is_along_ = is_along_ || height > -2 * slack;
       return height <= 2 * slack;
     }
@@ -215,6 +216,8 @@ class EdgeCrossings {
  private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   double margin_;
+  double noise_;  ///< No coordinate of an edge is off by more.
+  double size_;
   double enter_ = -infinity;
   double earliest_enter_ = -infinity;
   double latest_enter_ = -infinity;
@@ -238,7 +241,7 @@ Sighting<2> sight_of_polygon(Corners<T> corners, double far, const Path<2>& path
   }
   double size = 0;
   for (std::size_t i = 0; i < count; ++i) size = std::max(size, sum_abs(corner(i)));
-  EdgeCrossings crossings(tolerance::ray_side * (size + far + path.far));
+  EdgeCrossings crossings(tolerance::ray_side * (size + far + path.far), size);
   Vec<2, double> from = corner(count - 1);
   for (std::size_t i = 0; i < count; ++i) {
     const Vec<2, double> to = corner(i);
@@ -265,8 +268,16 @@ bool is_along(const Plane<N, T>& plane, const Path<N>& path) {
   return std::fabs(dot(normal, path.direction)) <= tolerance::rounding * dot(abs(normal), abs(path.direction));
 }
 
-/// The touch of a path that meets the plane in time, or nearly does where it ends: as far off as `relation` may be at
-/// either end.
+/// How far off `relation` may be at either end of a path that ends at `point`.
+template <Dim N, class T>
+double error_at_plane(const Plane<N, T>& plane, const Path<N>& path, const Vec<N, double>& point) {
+  const Vec<N, double> normal = wide<N, T>(plane.normal);
+  const Vec<N, double> reach = abs(path.origin) + abs(point);
+  const double magnitude = dot(abs(normal), reach) + std::fabs(static_cast<double>(plane.offset));
+  return tolerance::convex * magnitude / max_abs(normal);
+}
+
+/// The touch of a path that meets the plane in time, or nearly does at one of its ends; its error has what is left.
 template <Dim N, class T>
 Touch<N> touch_of_plane(const Plane<N, T>& plane, const Path<N>& path) {
   const Vec<N, double> normal = wide<N, T>(plane.normal);
@@ -277,9 +288,8 @@ Touch<N> touch_of_plane(const Plane<N, T>& plane, const Path<N>& path) {
   touch.t = std::min(t, path.t_max);
   touch.point = path.origin + path.direction * touch.t;
   if (climb != 0) touch.normal = climb > 0 ? -normal : normal;
-  const Vec<N, double> reach = abs(path.origin) + abs(touch.point);
-  const double magnitude = dot(abs(normal), reach) + std::fabs(static_cast<double>(plane.offset));
-  touch.error = tolerance::convex * magnitude / max_abs(normal);
+  touch.error = error_at_plane(plane, path, touch.point);
+  if (touch.t != t || touch.t == 0) touch.error += std::fabs(height_over(plane, touch.point)) / max_abs(normal);
   return touch;
 }
 
@@ -333,9 +343,9 @@ Sighting<N> sight_of_level(const HalfSpace<N, T>& solid, const Path<N>& path) {
   if (result.sight == Sight::misses) return missed<N>();
   result.touch = touch_of_plane(boundary(solid), path);
   const bool is_leaving = dot(wide<N, T>(solid.normal), path.direction) >= 0;
-  if (is_leaving || height_over(boundary(solid), path.origin) < 0) {
-    result.touch = {0, path.origin, Vec<N, double>(0.0), result.touch.error};
-  }
+  const bool is_inside = height_over(boundary(solid), path.origin) < 0;
+  if (is_inside) result.touch.error = error_at_plane(boundary(solid), path, path.origin);
+  if (is_leaving || is_inside) result.touch = {0, path.origin, Vec<N, double>(0.0), result.touch.error};
   return result;
 }
 

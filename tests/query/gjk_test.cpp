@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <graze/query/gjk.hpp>
+#include <graze/query/wide_support.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/visit.hpp>
 
@@ -150,8 +151,29 @@ TYPED_TEST(GjkAgreement, EnclosesTheExactDistanceOfPolytopes) {
     RC_ASSERT(result.upper >= distance - result.resolution);
     RC_ASSERT(result.iterations <= limit);
     most = std::max(most, result.iterations);
+    if (result.lower == 0) return;
+    const double gap =
+        dot(result.normal, detail::wide_support(a, -result.normal) - detail::wide_support(b, result.normal));
+    RC_ASSERT(gap >= (result.lower - result.resolution) * std::sqrt(dot(result.normal, result.normal)));
   });
   std::cout << "at most " << most << " steps for polytopes\n";
+}
+
+// The shortest way is as long as the rounding of its direction is at the far end of the hull.
+TEST(Gjk, KnowsThePlaneThatPartsWhatIsNearlyTouching) {
+  const Polytope<3, double> hull = convex_hull<3, double>(
+      std::vector<Vec<3, double>>{{-2.9363806547327087, 4.741393265194742, -2.2128846683181322},
+                                  {-2.547019421712185, -2.727552434677235, -2.464376144485094},
+                                  {0.24945298444527997, 3.8313456186314028, -2.0636288326986745},
+                                  {1.013176673122209, -4.21684748472331, -0.43780168983651313},
+                                  {1.4498108853956915, -0.6751255678332748, -1.5627712130206262},
+                                  {2.5177599264529187, 2.6738454160108063, -3.9384559974723334}});
+  const Vec<3, double> point(2.4472396341596148, 2.3508761814481094, -3.7743790490976803);
+  const auto result = gjk(point, hull);
+  EXPECT_NEAR(result.lower, result.upper, result.resolution);
+  ASSERT_GT(result.lower, 1e3 * result.resolution);
+  const double gap = dot(result.normal, point - detail::wide_support(hull, result.normal));
+  EXPECT_GE(gap, (result.lower - result.resolution) * std::sqrt(dot(result.normal, result.normal)));
 }
 
 // ---- Nasty values

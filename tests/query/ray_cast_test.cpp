@@ -349,5 +349,19 @@ TEST(RayCast, ClaimsAtTheEndOfThePathNoMoreThanItKnowsThere) {
   EXPECT_GT(hits, 2000U);
 }
 
+/// The same where it begins: a hair from the plane, which the path to a far end is said to touch, and moving away.
+TEST(RayCast, ClaimsAtTheStartOfThePathNoMoreThanItKnowsThere) {
+  const Plane<2, double> plane{{0.0004, 0}, 0};
+  for (const double side : {-1.0, 1.0}) {
+    const auto hit = ray_cast(plane, Ray<2, double>{{side * 0x1p-53, 0}, {side, 0}}, 0.75);
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_EQ(hit->t, 0);
+    EXPECT_GE(hit->error, 0x1p-53);
+  }
+  const auto inside = ray_cast(HalfSpace<2, double>{{1, 0}, 5}, Ray<2, double>{{0, 0}, {-1, 0}}, 0.75);
+  ASSERT_TRUE(inside.has_value());
+  EXPECT_LT(inside->error, 1e-13);  // how deep it starts is no error
+}
+
 }  // namespace
 }  // namespace graze::test::ray_cast_test
