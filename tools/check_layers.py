@@ -42,6 +42,7 @@ TESTED_ELSEWHERE = {
     "graze/broad/executor_tbb.cpp": ("tests/broad/executor_test.cpp", "what executor.hpp promises, by oneTBB"),
     "graze/broad/simd_wasm_doubles-inl.hpp": ("bindings/wasm/test/pairs.test.mjs", "compiled for WebAssembly only"),
     "graze/query/ray_hit.hpp": ("tests/query/ray_cast_test.cpp", "structs without functions: what ray_cast is asked and gives"),
+    "graze/query/ray_hit_lanes.hpp": ("tests/query/ray_box_filter_test.cpp", "writes what the filters of rays find"),
     "graze/query/status.hpp": ("tests/query/gjk_test.cpp", "an enum without functions: it is how gjk and epa end"),
     "graze/scene/single_queries.hpp": ("tests/scene/plain_scene_test.cpp", "instances of what PlainScene asks"),
     "graze/shape/hull_input.hpp": ("tests/shape/polytope_test.cpp", "what convex_hull refuses"),

@@ -12,61 +12,14 @@
 #include <optional>
 #include <type_traits>
 
-#include <graze/math/bit_cast.hpp>
 #include <graze/math/tolerance.hpp>
-#include <graze/math/vec.hpp>
+#include <graze/query/lanes.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/shape/obb.hpp>
-
-// Vectors as a type of the language: GCC 12 and Clang have them on every processor, by its registers or by plain
-// numbers.
-#if defined(__has_builtin)
-#if __has_builtin(__builtin_shufflevector)
-#define GRAZE_HAS_LANES
-#endif
-#endif
 
 #ifdef GRAZE_HAS_LANES
 
 namespace graze::detail {
-
-/// Four numbers that are calculated with at once.
-using Lanes = float __attribute__((vector_size(16)));
-using LaneBits = int __attribute__((vector_size(16)));
-
-template <int first, int second, int third>
-[[gnu::always_inline]] inline Lanes arranged(Lanes v) {
-  return __builtin_shufflevector(v, v, first, second, third, 3);
-}
-/// (y, z, x) of (x, y, z): a cross product is made of it and the next.
-[[gnu::always_inline]] inline Lanes turned(Lanes v) { return arranged<1, 2, 0>(v); }
-[[gnu::always_inline]] inline Lanes turned_back(Lanes v) { return arranged<2, 0, 1>(v); }
-
-[[gnu::always_inline]] inline Lanes magnitude(Lanes v) {
-  constexpr int all_but_sign = std::numeric_limits<int>::max();
-  return bit_cast<Lanes>(bit_cast<LaneBits>(v) & all_but_sign);
-}
-[[gnu::always_inline]] inline Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }
-[[gnu::always_inline]] inline float sum_of_three(Lanes v) { return v[0] + v[1] + v[2]; }
-[[gnu::always_inline]] inline float largest_of_three(Lanes v) { return std::max(v[0], std::max(v[1], v[2])); }
-
-/// Three columns of three numbers, or their rows.
-struct LaneMatrix {
-  Lanes column[3];
-};
-
-/// The rows of a matrix whose columns are given.
-[[gnu::always_inline]] inline LaneMatrix transposed(const LaneMatrix& m) {
-  const Lanes low = __builtin_shufflevector(m.column[0], m.column[1], 0, 4, 1, 5);   // x0 x1 y0 y1
-  const Lanes high = __builtin_shufflevector(m.column[0], m.column[1], 2, 6, 3, 7);  // z0 z1 . .
-  return {__builtin_shufflevector(low, m.column[2], 0, 1, 4, 7), __builtin_shufflevector(low, m.column[2], 2, 3, 5, 7),
-          __builtin_shufflevector(high, m.column[2], 0, 1, 6, 7)};
-}
-
-/// The sum of the columns, each times its number of `factors`.
-[[gnu::always_inline]] inline Lanes combined(const LaneMatrix& m, Lanes factors) {
-  return m.column[0] * factors[0] + m.column[1] * factors[1] + m.column[2] * factors[2];
-}
 
 /// An oriented box as it lies in memory, fifteen floats in a row, in five reads: none goes beyond its end. What the
 /// fourth lanes hold is of no meaning.

@@ -6,13 +6,16 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <type_traits>
 
+#include <graze/math/bit_cast.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
-#include <graze/query/obb_filter.hpp>
+#include <graze/query/lanes.hpp>
 #include <graze/query/ray_hit.hpp>
+#include <graze/query/ray_hit_lanes.hpp>
 #include <graze/query/ray_sight.hpp>
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/ray.hpp>
@@ -23,77 +26,77 @@ namespace graze::detail {
 
 /// Between which t a ray is within the slabs of a box, in float, with all sides moved out and moved in: by more than
 /// the calculation is wrong by, which is also far more than the slack of ray_sight_box.hpp. Where both say the same,
-/// and the same side is the last to be crossed, only that is left to calculate, in double; so the answers are those of
-/// `sight_of`, to the bit. Others, and rays that start inside, are unclear.
+/// and the same side is the last to be crossed, only that is left to calculate, in double; so place, t and normal are
+/// those of `sight_of`, to the bit, and the error up to its rounding to float. Others, and rays that start inside, are
+/// unclear.
 ///
-/// Which of the six sides it is is looked up and never branched on: half of the guesses would be wrong.
+/// Across an axis along which the ray does not move, its inverse is infinite, and it is between the sides always or
+/// never. So it is taken to be where the inverse overflows: then it takes at least 2^126 times the margin to cross a
+/// side, and nothing is said of a t that comes near that.
+///
+/// Each t is the rounded product of a place and an inverse that are right up to the margin. To round a product leaves
+/// order as it is, even where it underflows or overflows, but may make two of them equal: so nothing that is equal
+/// settles a ray.
 class RayBoxFilter {
  public:
   [[gnu::always_inline]] RayBoxFilter(const Aabb<3, float>& box, const Ray<3, float>& ray, float t_max)
-      : box_(box), ray_(ray), t_max_(t_max) {
+      : box_(box), ray_(ray) {
     const Lanes origin = read(ray, 0);
     const Lanes low = read(box, 0) - origin;
     const Lanes high = arranged<1, 2, 3>(read(box, 2)) - origin;
-    const Lanes direction = arranged<1, 2, 3>(read(ray, 2)) + 0.0F;  // never minus zero
-    // Across an axis along which the ray does not move, its inverse is infinite, and it is between the sides always or
-    // never. Of one that is nearly zero, or NaN, nothing is said.
-    constexpr float least_known = 0x1p-60F;
-    const LaneBits is_usable = (direction == 0.0F) | (magnitude(direction) >= least_known);
-    if ((is_usable[0] & is_usable[1] & is_usable[2]) == 0 || !(t_max >= 0)) return;
-    const Lanes inverse = 1.0F / direction;
-    const Lanes margin = Lanes{} + tolerance::ray_lanes<float> * sum_of_three(magnitude(low) + magnitude(high));
-    const LaneBits is_down = direction < 0.0F;
-    const Lanes entry = is_down ? high : low;
-    const Lanes exit = is_down ? low : high;
-    const Lanes inwards = is_down ? -margin : margin;
-    const Lanes near = (entry - inwards) * inverse;
-    const Lanes far = (exit + inwards) * inverse;
-    const float enter = largest_of_three(near);
-    const float leave = smallest_of_three(far);
-    if (std::max(enter, 0.0F) > std::min(leave, t_max)) {
-      sight_ = Sight::misses;
+    const Lanes inverse = Lanes{1, 1, 1, 1} / arranged<1, 2, 3>(read(ray, 2));
+    const Lanes sizes = magnitude(low) + magnitude(high);
+    const Lanes size = arranged<0, 0, 0>(sizes) + arranged<1, 1, 1>(sizes) + arranged<2, 2, 2>(sizes);
+    const Lanes margin = tolerance::ray_lanes<float> * size;
+    const Lanes to_low = (low - margin) * inverse;
+    const Lanes to_high = (high + margin) * inverse;
+    const Lanes enter_and_left = largest_of_both(smaller(to_low, to_high), -larger(to_low, to_high));
+    const float enter = enter_and_left[0];
+    const float leave = std::min(-enter_and_left[1], t_max);
+    const float most_t = most_size * size[0];
+    if (std::max(0.0F, enter) > leave) {
+      if (leave < most_t && is_moderate(size[0])) sight_ = Sight::misses;
       return;
     }
-    const Lanes late = (entry + inwards) * inverse;
-    const float last = largest_of_three(late);
-    const float soonest = smallest_of_three((exit - inwards) * inverse);
-    const bool is_x = late[0] >= enter;
-    const bool is_y = late[1] >= enter;
-    const bool is_z = late[2] >= enter;
-    axis_ = static_cast<std::size_t>(is_y) + 2 * static_cast<std::size_t>(is_z);
-    const bool is_one_side = static_cast<int>(is_x) + static_cast<int>(is_y) + static_cast<int>(is_z) == 1;
-    if ((enter > 0) & (last <= soonest) & (last <= t_max) & is_one_side) sight_ = Sight::hits;
+    margin_ = margin[0];
+    const Lanes low_inside = low + margin;
+    const Lanes high_inside = high - margin;
+    const LaneBits is_flat = ~(low_inside < high_inside) & LaneBits{-4, -4, -4, 0};  // more than all sides together
+    const Lanes to_low_inside = low_inside * inverse;
+    const Lanes to_high_inside = high_inside * inverse;
+    const Lanes late = smaller(to_low_inside, to_high_inside);
+    const Lanes last_and_left = largest_of_both(late, -larger(to_low_inside, to_high_inside));
+    const float last = last_and_left[0];
+    is_side_ = ~(late < arranged<0, 0, 0>(enter_and_left)) & LaneBits{-1, -1, -1, 0};  // or NaN
+    const bool is_in_time = enter > 0 && last < -last_and_left[1] && last < t_max && last < most_t;
+    if (is_in_time && has_one(is_side_ + is_flat) && is_moderate(size[0])) sight_ = Sight::hits;
   }
 
   [[gnu::always_inline]] Sight sight() const { return sight_; }
 
+  /// The t of the side that is met is the largest, and the place is between all others by the margin.
   [[gnu::always_inline]] std::optional<RayHit<3, float>> hit() const {
-    const auto slope = number(ray_.direction, axis_);
-    const bool is_max = slope < 0;
-    const float side = number(is_max ? box_.max : box_.min, axis_);
-    const double start = number(ray_.origin, axis_);
-    const double t = (side - start) / static_cast<double>(slope);  // at least the least slope
-    std::optional<RayHit<3, float>> result(std::in_place);
-    result->t = static_cast<float>(std::min(t, static_cast<double>(t_max_)));
-    const auto place = [&](Dim i) {
-      const double origin = ray_.origin[i];
-      const double low = box_.min[i] - origin;
-      const double high = box_.max[i] - origin;
-      const double along = std::min(std::max(ray_.direction[i] * t, low), high) + origin;
-      const auto min = static_cast<double>(box_.min[i]);
-      const auto max = static_cast<double>(box_.max[i]);
-      return static_cast<float>(std::min(std::max(along, min), max)) + 0.0F;
-    };
-    result->point = {place(0), place(1), place(2)};
-    put_number(result->point, axis_, side + 0.0F);
-    put_number(result->normal, axis_, is_max ? 1.0F : -1.0F);
-    const Vec<3, double> origin = wide<3, float>(ray_.origin);
-    const double size = sum_abs(wide<3, float>(box_.min) - origin) + sum_abs(wide<3, float>(box_.max) - origin);
-    result->error = tolerance::rounding * size;
-    return result;
+    const Lanes direction = arranged<1, 2, 3>(read(ray_, 2));
+    const LaneBits is_down = bit_cast<LaneBits>(direction) < 0;  // minus zero, too: its t is then minus infinity
+    const Lanes side = is_down ? arranged<1, 2, 3>(read(box_, 2)) : read(box_, 0);
+    const PairedVec origin(ray_.origin);
+    const PairedVec slope(ray_.direction);
+    const PairedVec across = (PairedVec(side) - origin) / slope;
+    const double t = std::max(across.xy[0], std::max(across.xy[1], across.z));
+    const Lanes along = turned_by_one(narrow(t, slope * t + origin));
+    const Lanes point = is_side_ ? side : along;
+    const LaneBits against = ~is_down & std::numeric_limits<int>::min();
+    const LaneBits normal = is_side_ & (bit_cast<LaneBits>(Lanes{1, 1, 1, 1}) | against);
+    constexpr double share = tolerance::rounding / static_cast<double>(tolerance::ray_lanes<float>);
+    return hit_of(__builtin_shufflevector(point, point, 3, 0, 1, 2), bit_cast<Lanes>(normal), margin_ * share);
   }
 
  private:
+  static constexpr float most_size = 0x1p100F;
+
+  /// Whether the margin neither underflows nor overflows.
+  [[gnu::always_inline]] static bool is_moderate(float size) { return size > 1 / most_size && size < most_size; }
+
   /// Four of the six floats that a box or a ray is.
   template <class S>
   [[gnu::always_inline]] static Lanes read(const S& six, std::size_t first) {
@@ -103,22 +106,18 @@ class RayBoxFilter {
     return lanes;
   }
 
-  [[gnu::always_inline]] static float smallest_of_three(Lanes v) { return std::min(v[0], std::min(v[1], v[2])); }
+  [[gnu::always_inline]] static Lanes turned_by_one(Lanes v) { return __builtin_shufflevector(v, v, 1, 2, 3, 0); }
 
-  [[gnu::always_inline]] static float number(const Vec<3, float>& v, std::size_t i) {
-    float result = 0;
-    std::memcpy(&result, reinterpret_cast<const char*>(&v) + i * sizeof(float), sizeof(float));
-    return result;
-  }
-  [[gnu::always_inline]] static void put_number(Vec<3, float>& v, std::size_t i, float number) {
-    std::memcpy(reinterpret_cast<char*>(&v) + i * sizeof(float), &number, sizeof(float));
+  [[gnu::always_inline]] static bool has_one(LaneBits bits) {
+    const LaneBits sums = bits + __builtin_shufflevector(bits, bits, 2, 3, 2, 3);
+    return sums[0] + sums[1] == -1;
   }
 
   const Aabb<3, float>& box_;
   const Ray<3, float>& ray_;
-  float t_max_;
   Sight sight_ = Sight::unclear;
-  std::size_t axis_ = 0;
+  float margin_ = 0;
+  LaneBits is_side_{};
 };
 
 [[gnu::always_inline]] inline RayBoxFilter quick_cast(const Aabb<3, float>& box, const Ray<3, float>& ray,

@@ -10,7 +10,7 @@
 #include <span>
 
 #include <graze/math/vec.hpp>
-#include <graze/query/obb_filter.hpp>  // GRAZE_HAS_LANES
+#include <graze/query/lanes.hpp>
 #include <graze/shape/aabb.hpp>
 
 namespace graze::detail {

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// Vectors of four floats, and three numbers in double two at a time, for the filters that settle most questions.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include <graze/math/bit_cast.hpp>
+#include <graze/math/vec.hpp>
+
+// Vectors as a type of the language: GCC 12 and Clang have them on every processor, by its registers or by plain
+// numbers.
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
+#define GRAZE_HAS_LANES
+#endif
+#endif
+
+#ifdef GRAZE_HAS_LANES
+
+namespace graze::detail {
+
+/// Four numbers that are calculated with at once.
+using Lanes = float __attribute__((vector_size(16)));
+using LaneBits = int __attribute__((vector_size(16)));
+
+template <int first, int second, int third>
+[[gnu::always_inline]] inline Lanes arranged(Lanes v) {
+  return __builtin_shufflevector(v, v, first, second, third, 3);
+}
+/// (y, z, x) of (x, y, z): a cross product is made of it and the next.
+[[gnu::always_inline]] inline Lanes turned(Lanes v) { return arranged<1, 2, 0>(v); }
+[[gnu::always_inline]] inline Lanes turned_back(Lanes v) { return arranged<2, 0, 1>(v); }
+
+[[gnu::always_inline]] inline Lanes magnitude(Lanes v) {
+  constexpr int all_but_sign = std::numeric_limits<int>::max();
+  return bit_cast<Lanes>(bit_cast<LaneBits>(v) & all_but_sign);
+}
+/// Of a number and one that is NaN, the second that was given.
+[[gnu::always_inline]] inline Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }
+[[gnu::always_inline]] inline Lanes smaller(Lanes a, Lanes b) { return a < b ? a : b; }
+[[gnu::always_inline]] inline float sum_of_three(Lanes v) { return v[0] + v[1] + v[2]; }
+[[gnu::always_inline]] inline float largest_of_three(Lanes v) { return std::max(v[0], std::max(v[1], v[2])); }
+
+/// The largest of the first three numbers of `a` as lane 0, of `b` as lane 1. A NaN counts as nothing, and so may what
+/// stands before it.
+[[gnu::always_inline]] inline Lanes largest_of_both(Lanes a, Lanes b) {
+  const Lanes low = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+  const Lanes high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+  return larger(larger(low, __builtin_shufflevector(low, low, 2, 3, 2, 3)), high);
+}
+
+/// Three columns of three numbers, or their rows.
+struct LaneMatrix {
+  Lanes column[3];
+};
+
+/// The rows of a matrix whose columns are given.
+[[gnu::always_inline]] inline LaneMatrix transposed(const LaneMatrix& m) {
+  const Lanes low = __builtin_shufflevector(m.column[0], m.column[1], 0, 4, 1, 5);   // x0 x1 y0 y1
+  const Lanes high = __builtin_shufflevector(m.column[0], m.column[1], 2, 6, 3, 7);  // z0 z1 . .
+  return {__builtin_shufflevector(low, m.column[2], 0, 1, 4, 7), __builtin_shufflevector(low, m.column[2], 2, 3, 5, 7),
+          __builtin_shufflevector(high, m.column[2], 0, 1, 6, 7)};
+}
+
+/// The sum of the columns, each times its number of `factors`.
+[[gnu::always_inline]] inline Lanes combined(const LaneMatrix& m, Lanes factors) {
+  return m.column[0] * factors[0] + m.column[1] * factors[1] + m.column[2] * factors[2];
+}
+
+/// Two numbers in double that are calculated with at once.
+using LanePair = double __attribute__((vector_size(16)));
+
+/// A vector in double, as Vec<3, double> to the bit: two coordinates at once, for compilers rarely see that they might.
+struct PairedVec {
+  LanePair xy;
+  double z;
+
+  [[gnu::always_inline]] PairedVec(LanePair first, double last) : xy(first), z(last) {}
+  [[gnu::always_inline]] explicit PairedVec(const Vec<3, float>& v)
+      : xy{static_cast<double>(v.x), static_cast<double>(v.y)}, z(v.z) {}
+  [[gnu::always_inline]] explicit PairedVec(Lanes v) : z(v[2]) {
+    using Four = double __attribute__((vector_size(32)));  // in two registers
+    const Four four = __builtin_convertvector(v, Four);
+    xy = __builtin_shufflevector(four, four, 0, 1);
+  }
+
+  [[gnu::always_inline]] friend PairedVec operator+(const PairedVec& a, const PairedVec& b) {
+    return {a.xy + b.xy, a.z + b.z};
+  }
+  [[gnu::always_inline]] friend PairedVec operator-(const PairedVec& a, const PairedVec& b) {
+    return {a.xy - b.xy, a.z - b.z};
+  }
+  [[gnu::always_inline]] friend PairedVec operator*(const PairedVec& a, double factor) {
+    return {a.xy * factor, a.z * factor};
+  }
+  [[gnu::always_inline]] friend PairedVec operator/(const PairedVec& a, double divisor) {
+    return {a.xy / divisor, a.z / divisor};
+  }
+  [[gnu::always_inline]] friend PairedVec operator/(const PairedVec& a, const PairedVec& b) {
+    return {a.xy / b.xy, a.z / b.z};
+  }
+};
+
+[[gnu::always_inline]] inline double dot(const PairedVec& a, const PairedVec& b) {
+  const LanePair product = a.xy * b.xy;
+  return product[0] + product[1] + a.z * b.z;
+}
+
+[[gnu::always_inline]] inline PairedVec cross(const PairedVec& a, const PairedVec& b) {
+  const auto yz = [](const PairedVec& v) { return LanePair{v.xy[1], v.z}; };
+  const auto zx = [](const PairedVec& v) { return LanePair{v.z, v.xy[0]}; };
+  return {yz(a) * zx(b) - yz(b) * zx(a), a.xy[0] * b.xy[1] - b.xy[0] * a.xy[1]};
+}
+
+/// A number and a vector in float.
+[[gnu::always_inline]] inline Lanes narrow(double first, const PairedVec& rest) {
+  using Four = double __attribute__((vector_size(32)));
+  const Four four = {first, rest.xy[0], rest.xy[1], rest.z};
+  return __builtin_convertvector(four, Lanes);
+}
+
+}  // namespace graze::detail
+
+#endif
