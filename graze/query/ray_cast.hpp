@@ -83,6 +83,9 @@ concept HasQuickCast = requires(const S& shape, const Ray<dimension_of<S>, scala
 };
 
 template <class S>
+concept HoldsAnyShape = std::is_same_v<S, AnyShape<dimension_of<S>, scalar_of<S>>>;
+
+template <class S>
 concept HasLevelSight = is_a<Plane, S> || is_a<HalfSpace, S>;
 
 // ---- What the path is, as `relation` is asked about it
@@ -309,30 +312,6 @@ Sighting<N> find_hit(const AnyShape<N, T>& shape, const Path<N>& path, RaySide s
 
 // ---- To and from T
 
-/// A direction that can be squared, and how many times as long it is: a power of two, so that nothing is rounded.
-template <Dim N, class T>
-struct Usable {
-  explicit Usable(const Ray<N, T>& given) : ray(given) {
-    if constexpr (std::is_same_v<T, double>) {
-      const double size = max_abs(given.direction);
-      if (size > 0x1p-100 && size < 0x1p100) return;
-      int exponent = 0;
-      (void)std::frexp(size, &exponent);
-      for (Dim i = 0; i < N; ++i) ray.direction[i] = std::ldexp(given.direction[i], -exponent);
-      scale = std::ldexp(1.0, -exponent / 2);
-      rest = std::ldexp(1.0, -exponent - (-exponent / 2));
-    }
-  }
-
-  /// The same place in units of the usable direction, and back: in two steps, since the scale may be beyond a double.
-  double to_usable(double t) const { return t / scale / rest; }
-  double from_usable(double t) const { return t * scale * rest; }
-
-  Ray<N, T> ray;
-  double scale = 1;
-  double rest = 1;
-};
-
 /// The normal where the shape has none to give: against the ray at an entry, with it at an exit.
 template <Dim N>
 Vec<N, double> default_normal(const Vec<N, double>& direction, RaySide side) {
@@ -416,14 +395,18 @@ std::optional<RayHitOn<S>> ray_cast(const S& shape, const RayIn<S>& ray,
                                     scalar_of<S> t_max = std::numeric_limits<scalar_of<S>>::infinity(),
                                     RayOptions options = {}) {
   assert(detail::is_valid_if_known(shape) && is_valid(ray));
-  if constexpr (detail::HasQuickCast<S>) {
-    if (options.side == RaySide::entry) {
-      const auto quick = detail::quick_cast(shape, ray, t_max);
-      if (quick.sight() == detail::Sight::misses) return std::nullopt;
-      if (quick.sight() == detail::Sight::hits) return quick.hit();
+  if constexpr (detail::HoldsAnyShape<S>) {
+    return detail::visit([&](const auto& held) { return ray_cast(held, ray, t_max, options); }, shape);
+  } else {
+    if constexpr (detail::HasQuickCast<S>) {
+      if (options.side == RaySide::entry) {
+        const auto quick = detail::quick_cast(shape, ray, t_max);
+        if (quick.sight() == detail::Sight::misses) return std::nullopt;
+        if (quick.sight() == detail::Sight::hits) return quick.hit();
+      }
     }
+    return detail::cast_ray(shape, ray, t_max, options.side);
   }
-  return detail::cast_ray(shape, ray, t_max, options.side);
 }
 
 /// The same for a segment from its start, at t = 0, to its end, at t = 1. If the ends are equal, a hit is an entry with

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
@@ -16,6 +17,7 @@
 #include <graze/query/ray_hit.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/shape/capsule.hpp>
+#include <graze/shape/ray.hpp>
 #include <graze/shape/sphere.hpp>
 
 namespace graze::detail {
@@ -29,6 +31,30 @@ struct Path {
   Vec<N, double> direction;
   double t_max;
   double far = 0;
+};
+
+/// A direction that can be squared, and how many times as long it is: a power of two, so that nothing is rounded.
+template <Dim N, class T>
+struct Usable {
+  explicit Usable(const Ray<N, T>& given) : ray(given) {
+    if constexpr (std::is_same_v<T, double>) {
+      const double size = max_abs(given.direction);
+      if (size > 0x1p-100 && size < 0x1p100) return;
+      int exponent = 0;
+      (void)std::frexp(size, &exponent);
+      for (Dim i = 0; i < N; ++i) ray.direction[i] = std::ldexp(given.direction[i], -exponent);
+      scale = std::ldexp(1.0, -exponent / 2);
+      rest = std::ldexp(1.0, -exponent - (-exponent / 2));
+    }
+  }
+
+  /// The same place in units of the usable direction, and back: in two steps, since the scale may be beyond a double.
+  double to_usable(double t) const { return t / scale / rest; }
+  double from_usable(double t) const { return t * scale * rest; }
+
+  Ray<N, T> ray;
+  double scale = 1;
+  double rest = 1;
 };
 
 /// Whether a path touches a shape.
