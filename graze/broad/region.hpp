@@ -8,6 +8,7 @@
 #include <string>
 
 #include <graze/broad/frustum_filter.hpp>
+#include <graze/broad/path_filter.hpp>
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
@@ -15,6 +16,8 @@
 #include <graze/query/intersects.hpp>
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/frustum.hpp>
+#include <graze/shape/ray.hpp>
+#include <graze/shape/segment.hpp>
 #include <graze/shape/shape.hpp>
 
 namespace graze {
@@ -97,6 +100,18 @@ template <Dim N, class T>
 struct RegionFilter<Frustum<N, T>> : FrustumFilter<N> {
   static constexpr bool exists = true;
   using FrustumFilter<N>::FrustumFilter;
+};
+
+template <Dim N, class T>
+struct RegionFilter<Ray<N, T>> : PathFilter<N> {
+  static constexpr bool exists = true;
+  using PathFilter<N>::PathFilter;
+};
+
+template <Dim N, class T>
+struct RegionFilter<Segment<N, T>> : PathFilter<N> {
+  static constexpr bool exists = true;
+  using PathFilter<N>::PathFilter;
 };
 
 /// A region during one query. A box meets it when `intersects(region, box)` says so. Of a box with infinite sides the

@@ -29,16 +29,15 @@ bool comes_first(const ObjectHit<N, T>& a, const ObjectHit<N, T>& b) {
   return a.hit.t != b.hit.t ? a.hit.t < b.hit.t : a.id < b.id;
 }
 
-/// The way of a ray up to t_max, as a region: a segment, or all of the ray where its end is beyond all numbers.
+}  // namespace
+
+/// A segment is asked, or all of the ray where its end is beyond all numbers.
 template <Dim N, class T>
-AnyShape<N, T> way_of(const Ray<N, T>& ray, T t_max) {
+std::vector<ObjectId> SceneView<N, T>::near_way(const Ray<N, T>& ray, T t_max, LayerMask layers) const {
   const Vec<N, double> end = wide<N, T>(ray.origin) + wide<N, T>(ray.direction) * static_cast<double>(next_up(t_max));
   const Segment<N, T> segment{ray.origin, Vec<N, T>(end)};
-  if (is_valid(segment)) return segment;
-  return ray;
+  return is_valid(segment) ? near(segment, layers) : near(ray, layers);
 }
-
-}  // namespace
 
 template <Dim N, class T>
 std::optional<ObjectHit<N, T>> SceneView<N, T>::ray_cast(const Ray<N, T>& ray, T t_max, LayerMask layers) const {
@@ -61,7 +60,7 @@ std::optional<ObjectHit<N, T>> SceneView<N, T>::ray_cast(const Ray<N, T>& ray, T
     return true;
   });
   // A ray may touch a shape up to rounding whose box it misses by as much.
-  for (const ObjectId& id : near(way_of(ray, best ? best->hit.t : t_max), layers)) try_object(id);
+  for (const ObjectId& id : near_way(ray, best ? best->hit.t : t_max, layers)) try_object(id);
   return best;
 }
 
@@ -69,7 +68,7 @@ template <Dim N, class T>
 std::vector<ObjectHit<N, T>> SceneView<N, T>::ray_cast_all(const Ray<N, T>& ray, T t_max, LayerMask layers) const {
   require_ray(ray, t_max);
   std::vector<ObjectHit<N, T>> result;
-  for (const ObjectId& id : near(way_of(ray, t_max), layers)) {
+  for (const ObjectId& id : near_way(ray, t_max, layers)) {
     if (const auto hit = graze::ray_cast(in_slot(id.index).shape, ray, t_max)) result.push_back({id, *hit});
   }
   std::sort(result.begin(), result.end(), comes_first<N, T>);
@@ -78,6 +77,7 @@ std::vector<ObjectHit<N, T>> SceneView<N, T>::ray_cast_all(const Ray<N, T>& ray,
 
 // The last is what single_queries.hpp promises.
 #define GRAZE_INSTANTIATE(N, T)                                                                              \
+  template std::vector<ObjectId> SceneView<N, T>::near_way(const Ray<N, T>&, T, LayerMask) const;            \
   template std::optional<ObjectHit<N, T>> SceneView<N, T>::ray_cast(const Ray<N, T>&, T, LayerMask) const;   \
   template std::vector<ObjectHit<N, T>> SceneView<N, T>::ray_cast_all(const Ray<N, T>&, T, LayerMask) const; \
   template std::optional<RayHit<N, T>> ray_cast(const AnyShape<N, T>&, const Ray<N, T>&, T, RayOptions);

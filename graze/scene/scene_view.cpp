@@ -179,9 +179,11 @@ std::vector<NearObject<T>> SceneView<N, T>::nearest(const Vec<N, T>& point, std:
   }
 }
 
-#define GRAZE_INSTANTIATE(N, T)   \
-  template class SceneView<N, T>; \
-  template std::vector<ObjectId> SceneView<N, T>::near(const AnyShape<N, T>&, LayerMask) const;
+#define GRAZE_INSTANTIATE(N, T)                                                                 \
+  template class SceneView<N, T>;                                                               \
+  template std::vector<ObjectId> SceneView<N, T>::near(const AnyShape<N, T>&, LayerMask) const; \
+  template std::vector<ObjectId> SceneView<N, T>::near(const Segment<N, T>&, LayerMask) const;  \
+  template std::vector<ObjectId> SceneView<N, T>::near(const Ray<N, T>&, LayerMask) const;
 GRAZE_INSTANTIATE(2, float)
 GRAZE_INSTANTIATE(3, float)
 GRAZE_INSTANTIATE(2, double)

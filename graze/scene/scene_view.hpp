@@ -141,6 +141,9 @@ class SceneView {
   template <class R>
   std::vector<ObjectId> near(const R& region, LayerMask layers) const;
 
+  /// Those which a ray meets up to t_max.
+  std::vector<ObjectId> near_way(const Ray<N, T>& ray, T t_max, LayerMask layers) const;
+
   detail::KeyTable ids_{max_objects};
   detail::SharedSlots<Object<N, T>> objects_;  // by slot: the index of an id
   detail::SharedValue<Names> names_;

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/ray_sight_box.hpp>
+#include <graze/shape/aabb.hpp>
+#include <graze/shape/ray.hpp>
+#include <graze/shape/segment.hpp>
+
+namespace graze::detail {
+
+/// Settles for most boxes, and beyond all doubt, that a ray or a segment misses them: by the slabs between their sides,
+/// where `intersects` looks at one axis after the other.
+template <Dim N>
+class PathFilter {
+ public:
+  /// The direction as it is seen from a coordinate of 1, so that nothing of it underflows: that moves the ray by less
+  /// than the margin.
+  template <class T>
+  explicit PathFilter(const Ray<N, T>& ray)
+      : origin_(wide<N, T>(ray.origin)),
+        direction_(wide<N, T>(ray.direction) / static_cast<double>(max_abs(ray.direction))) {}  // valid: not zero
+
+  template <class T>
+  explicit PathFilter(const Segment<N, T>& segment)
+      : origin_(wide<N, T>(segment.start)), direction_(wide<N, T>(segment.end) - origin_), t_max_(1) {}
+
+  /// True only if they are apart by more than the slack along one axis, or between two. Nothing is said of boxes that
+  /// are infinite, or nearly so.
+  template <class T>
+  bool part(const Aabb<N, T>& box, double slack) const {
+    const PathAtBox path{lifted(wide<N, T>(box.min) - origin_ - slack), lifted(wide<N, T>(box.max) - origin_ + slack),
+                         lifted(direction_), 0};
+    constexpr double no_product_overflows = 0x1p500;
+    if (!(sum_abs(path.min) + sum_abs(path.max) + sum_abs(path.direction) < no_product_overflows)) return false;
+    return slabs_of<N>(path, tolerance::ray_side).are_missed(t_max_);
+  }
+
+  /// Of what is not missed nothing is known.
+  template <class T>
+  bool share_point(const Aabb<N, T>& /*box*/, double /*slack*/) const {
+    return false;
+  }
+
+ private:
+  Vec<N, double> origin_;
+  Vec<N, double> direction_;
+  double t_max_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace graze::detail
