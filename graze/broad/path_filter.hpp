@@ -17,7 +17,7 @@ namespace graze::detail {
 template <Dim N>
 class PathFilter {
  public:
-  /// The direction as it is seen from a coordinate of 1, so that nothing of it underflows: that moves the ray by less
+  /// Of a direction whose largest coordinate is 1, so that nothing of it underflows: its rounding moves the ray by less
   /// than the margin.
   template <class T>
   explicit PathFilter(const Ray<N, T>& ray)
