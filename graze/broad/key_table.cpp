@@ -24,9 +24,7 @@ KeyTable::KeyTable(std::uint32_t most) : most_(most), owner_(new_owner()) {}
 
 std::uint32_t KeyTable::prepare() {
   if (!free_.empty()) return free_.back();
-  if (is_full()) {
-    throw std::length_error("SpatialIndex: it is full; it holds " + std::to_string(most_) + " boxes at most");
-  }
+  if (is_full()) throw_full();
   if (generations_.size() == generations_.capacity()) {
     const std::size_t room = std::max<std::size_t>(16, 2 * generations_.size());
     free_.reserve(room);
@@ -47,6 +45,27 @@ Key KeyTable::take() noexcept {
   ++size_;
   ++changes_;
   return key_of(slot);
+}
+
+std::vector<Key> KeyTable::take_many(std::size_t count) {
+  if (count > room()) throw_full();
+  const std::size_t used_again = std::min(count, free_.size());
+  const std::size_t known = generations_.size();
+  generations_.reserve(known + count - used_again);
+  free_.reserve(generations_.capacity());
+  std::vector<Key> keys(count);
+  for (std::size_t k = 0; k < used_again; ++k) keys[k] = take();
+  generations_.resize(known + count - used_again, 1);
+  for (std::size_t k = used_again; k < count; ++k) {
+    keys[k] = {static_cast<std::uint32_t>(known + k - used_again), 1, owner_};
+  }
+  size_ += count - used_again;
+  changes_ += count - used_again;
+  return keys;
+}
+
+void KeyTable::throw_full() const {
+  throw std::length_error("SpatialIndex: it is full; it holds " + std::to_string(most_) + " boxes at most");
 }
 
 void KeyTable::release(std::uint32_t slot) noexcept {

@@ -35,6 +35,10 @@ class KeyTable {
   /// Takes the slot that `prepare` named.
   Key take() noexcept;
 
+  /// Takes as many slots as `prepare` and `take` would one after another. Throws std::length_error, and takes none,
+  /// when there are fewer.
+  std::vector<Key> take_many(std::size_t count);
+
   /// Frees a slot that is taken. A slot whose generations are used up is never taken again.
   void release(std::uint32_t slot) noexcept;
 
@@ -48,7 +52,7 @@ class KeyTable {
   std::vector<Key> free_keys() const;
 
   /// Whether `prepare` would throw that it is full.
-  bool is_full() const { return free_.empty() && generations_.size() == most_; }
+  bool is_full() const { return room() == 0; }
 
   bool contains(const Key& key) const {
     return key.owner == owner_ && key.index < generations_.size() && (key.generation & 1U) != 0 &&
@@ -74,6 +78,9 @@ class KeyTable {
   std::size_t bytes() const { return (generations_.capacity() + free_.capacity()) * sizeof(std::uint32_t); }
 
  private:
+  std::size_t room() const { return free_.size() + (most_ - generations_.size()); }
+  [[noreturn]] void throw_full() const;
+
   std::vector<std::uint32_t> generations_;  // odd: taken
   std::vector<std::uint32_t> free_;         // room for all slots, so that `release` cannot fail
   std::size_t size_ = 0;

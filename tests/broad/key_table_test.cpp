@@ -66,6 +66,42 @@ TEST(KeyTable, IsFullAtItsLimitAndRecovers) {
   EXPECT_EQ(take(table).index, 1U);
 }
 
+TEST(KeyTable, TakesManyAsOneByOne) {
+  const auto used = [](KeyTable& table) {
+    for (int k = 0; k < 6; ++k) take(table);
+    for (const std::uint32_t slot : {4U, 1U, 3U}) table.release(slot);
+  };
+  for (const std::size_t count : {0U, 2U, 3U, 5U, 100U}) {
+    KeyTable many;
+    KeyTable one_by_one;
+    used(many);
+    used(one_by_one);
+    const std::vector<Key> keys = many.take_many(count);
+    ASSERT_EQ(keys.size(), count);
+    for (const Key& key : keys) {
+      const Key expected = take(one_by_one);
+      EXPECT_EQ(key, (Key{expected.index, expected.generation, many.owner()}));
+      EXPECT_TRUE(many.contains(key));
+    }
+    EXPECT_EQ(many.size(), one_by_one.size());
+    EXPECT_EQ(many.slots(), one_by_one.slots());
+    EXPECT_EQ(many.changes(), one_by_one.changes());
+    for (const Key& key : keys) many.release(key.index);
+    EXPECT_EQ(many.size(), 3U);
+  }
+}
+
+TEST(KeyTable, TakesNoneWhereThereAreNotAsMany) {
+  KeyTable table(5);
+  table.take_many(3);
+  table.release(2);
+  EXPECT_THROW(table.take_many(4), std::length_error);
+  EXPECT_EQ(table.size(), 2U);
+  EXPECT_EQ(table.take_many(3).size(), 3U);
+  EXPECT_TRUE(table.is_full());
+  EXPECT_TRUE(table.take_many(0).empty());
+}
+
 TEST(KeyTable, CountsChanges) {
   KeyTable table;
   EXPECT_EQ(table.changes(), 0U);
