@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
+
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 
@@ -12,6 +14,19 @@ bool covers(const Aabb<N, T>& bounds, const Aabb<N, T>& box) {
     if (box.min[i] < bounds.min[i] || box.max[i] > bounds.max[i]) return false;
   }
   return true;
+}
+
+/// is_valid without branches.
+template <Dim N, class T>
+bool is_finite_box(const Aabb<N, T>& box) {
+  constexpr T most = std::numeric_limits<T>::max();
+  unsigned faults = 0;
+  for (Dim i = 0; i < N; ++i) {
+    faults |= box.min[i] >= -most ? 0U : 1U;
+    faults |= box.max[i] >= box.min[i] ? 0U : 1U;
+    faults |= box.max[i] <= most ? 0U : 1U;
+  }
+  return faults == 0;
 }
 
 /// Aabb::grow without branches, for boxes without NaN.

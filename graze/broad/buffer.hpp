@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <cstring>
+#include <memory>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace graze::detail {
 
@@ -12,6 +14,27 @@ namespace graze::detail {
 /// system, as far as the system has such. Throws std::bad_alloc.
 void* allocate_pages(std::size_t bytes);
 void release_pages(void* memory, std::size_t bytes) noexcept;
+
+/// For vectors whose values are written before they are read: what is made without a value is not initialised.
+template <class Value>
+struct BlankAllocator : std::allocator<Value> {
+  template <class Other>
+  struct rebind {  // NOLINT(readability-identifier-naming): as std::allocator_traits names it
+    using other = BlankAllocator<Other>;
+  };
+
+  template <class Made>
+  void construct(Made* /*place*/) noexcept {
+    static_assert(std::is_trivially_copyable_v<Made> && std::is_trivially_destructible_v<Made>);
+  }
+  template <class Made, class... Arguments>
+  void construct(Made* place, Arguments&&... arguments) {
+    std::construct_at(place, std::forward<Arguments>(arguments)...);
+  }
+};
+
+template <class Value>
+using BlankVector = std::vector<Value, BlankAllocator<Value>>;
 
 /// Memory for values that are written before they are read: nothing is initialised, and growing keeps only what is
 /// asked for.

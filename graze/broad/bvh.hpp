@@ -82,18 +82,14 @@ class Bvh {
   /// better tree, which does not depend on the executor. Throws like insert and what the executor throws, and then
   /// changes nothing.
   std::vector<Key> assign(std::span<const Box> boxes, const Executor& executor = default_executor()) {
-    for (const Box& box : boxes) detail::require_box(box);
+    detail::require_boxes(boxes);
     detail::KeyTable keys = keys_;
     release_all(keys);
-    std::vector<Key> given;
-    std::vector<std::uint32_t> slots;
-    given.reserve(boxes.size());
-    slots.reserve(boxes.size());
-    while (given.size() < boxes.size()) {
-      slots.push_back(keys.prepare());
-      given.push_back(keys.take());
-    }
+    std::vector<Key> given = keys.take_many(boxes.size());
+    std::vector<std::uint32_t> slots(given.size());
+    for (std::size_t k = 0; k < given.size(); ++k) slots[k] = given[k].index;
     Tree tree(tree_.margin());
+    if (size() == 0) std::swap(tree, tree_);  // whose memory is used again
     tree.fill(boxes, slots, executor);
     keys.count_change();
     keys_ = std::move(keys);

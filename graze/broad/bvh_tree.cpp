@@ -12,6 +12,8 @@
 #include <graze/broad/box_cover.hpp>
 #include <graze/broad/bvh_kernels.hpp>
 #include <graze/broad/bvh_tree.hpp>
+#include <graze/broad/center_kernels.hpp>
+#include <graze/broad/spatial_index.hpp>
 #include <graze/shape/shape.hpp>
 
 namespace graze::detail {
@@ -24,6 +26,20 @@ void reserve_one_more(std::vector<Value>& values) {
 }
 
 }  // namespace
+
+template <Dim N, class T>
+void require_boxes(std::span<const Aabb<N, T>> boxes) {
+  std::size_t k = 0;
+  while ((k += center_kernels<N, T>().finite(boxes.data() + k, boxes.size() - k)) < boxes.size()) {
+    require_box(boxes[k]);
+    ++k;
+  }
+}
+
+template void require_boxes(std::span<const Aabb<2, float>>);
+template void require_boxes(std::span<const Aabb<3, float>>);
+template void require_boxes(std::span<const Aabb<2, double>>);
+template void require_boxes(std::span<const Aabb<3, double>>);
 
 template <Dim N, class T>
 BvhTree<N, T>::BvhTree(double margin) : margin_(margin) {
@@ -86,22 +102,25 @@ void BvhTree<N, T>::fill(std::span<const Box> boxes, std::span<const std::uint32
   const std::size_t slot_count = slots.empty() ? 0 : *std::max_element(slots.begin(), slots.end()) + std::size_t{1};
   boxes_.resize(slot_count);
   leaf_nodes_.resize(slot_count);
+  for (std::size_t k = 0; k < boxes.size(); ++k) boxes_[slots[k]] = boxes[k];
   std::vector<std::uint32_t> finite;
-  finite.reserve(boxes.size());
-  for (std::size_t k = 0; k < boxes.size(); ++k) {
-    boxes_[slots[k]] = boxes[k];
-    if (is_valid(boxes[k])) {
-      finite.push_back(slots[k]);
-    } else {
-      leaf_nodes_[slots[k]] = static_cast<std::uint32_t>(infinite_.size());
-      infinite_.push_back(slots[k]);
+  if (center_kernels<N, T>().finite(boxes.data(), boxes.size()) < boxes.size()) {
+    finite.reserve(boxes.size());
+    for (const std::uint32_t slot : slots) {
+      if (is_finite_box(boxes_[slot])) {
+        finite.push_back(slot);
+      } else {
+        leaf_nodes_[slot] = static_cast<std::uint32_t>(infinite_.size());
+        infinite_.push_back(slot);
+      }
     }
+    slots = finite;
   }
-  if (finite.empty()) return;
-  const BvhPlan plan(finite.size());
+  if (slots.empty()) return;
+  const BvhPlan plan(slots.size());
   nodes_.resize(plan.nodes());
   places_.resize(plan.nodes());
-  build_bvh<N, T>(finite, margin_, plan, {boxes_.data(), nodes_.data(), places_.data(), leaf_nodes_.data()}, executor);
+  build_bvh<N, T>(slots, margin_, plan, {boxes_.data(), nodes_.data(), places_.data(), leaf_nodes_.data()}, executor);
   height_ = plan.height();
   const std::uint32_t top = plan.index(height_ - 1, 0);
   root_ = height_ == 1 ? BvhLink::leaf(top) : BvhLink::inner(top);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <graze/broad/buffer.hpp>
 #include <graze/broad/bvh_build.hpp>
 #include <graze/broad/bvh_node.hpp>
 #include <graze/broad/bvh_split.hpp>
@@ -14,6 +15,10 @@
 #include <graze/shape/aabb.hpp>
 
 namespace graze::detail {
+
+/// require_box of each; soon done where all are finite.
+template <Dim N, class T>
+void require_boxes(std::span<const Aabb<N, T>> boxes);
 
 /// The boxes of a Bvh by slot, and the tree over them: an R-tree (Guttman 1984, "R-trees: a dynamic index structure for
 /// spatial searching") whose nodes have up to sixteen entries. All leaf nodes are equally deep, and all nodes but the
@@ -87,13 +92,13 @@ class BvhTree {
   void remove_from_list(std::uint32_t slot) noexcept;
 
   double margin_;
-  std::vector<Node> nodes_;
+  BlankVector<Node> nodes_;
   std::vector<BvhPlace> places_;      // by node
   std::vector<std::uint32_t> spare_;  // nodes that are not in the tree
   BvhLink root_;
   std::size_t height_ = 0;                 // levels of nodes
-  std::vector<Box> boxes_;                 // by slot
-  std::vector<std::uint32_t> leaf_nodes_;  // by slot: the number of the node, or where in the list
+  BlankVector<Box> boxes_;                 // by slot
+  BlankVector<std::uint32_t> leaf_nodes_;  // by slot: the number of the node, or where in the list
   std::vector<std::uint32_t> infinite_;
 };
 

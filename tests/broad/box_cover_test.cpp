@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <graze/broad/box_cover.hpp>
+#include <graze/shape/shape.hpp>
 
 namespace graze::detail::box_cover_test {
 namespace {
@@ -18,6 +19,17 @@ TEST(BoxCover, CoversWhatTouchesItsSidesFromWithin) {
   EXPECT_FALSE(covers(square, Aabb<2>{{-1, 1}, {1, 2}}));
   EXPECT_TRUE(covers(square, Aabb<2>::nothing()));
   EXPECT_TRUE(covers(Aabb<2>::everything(), Aabb<2>{{-infinity, 0}, {0, 1}}));
+}
+
+TEST(BoxCover, TellsFiniteBoxesAsIsValidDoes) {
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  constexpr float most = std::numeric_limits<float>::max();
+  for (const float low : {-infinity, -most, -1.0F, 0.0F, 1.0F, most, infinity, nan}) {
+    for (const float high : {-infinity, -most, -1.0F, 0.0F, 1.0F, most, infinity, nan}) {
+      const Aabb<2> box{{0, low}, {1, high}};
+      EXPECT_EQ(is_finite_box(box), is_valid(box)) << low << " to " << high;
+    }
+  }
 }
 
 TEST(BoxCover, GrowsToTheLeastBoxAround) {

@@ -60,5 +60,18 @@ TEST(Buffer, MovesWithItsMemory) {
   EXPECT_EQ(third.capacity(), 2U);
 }
 
+TEST(BlankVector, KeepsWhatWasWritten) {
+  BlankVector<int> numbers(3);
+  std::iota(numbers.begin(), numbers.end(), 1);
+  numbers.resize(1000);
+  numbers.push_back(4);
+  EXPECT_EQ(numbers[2], 3);
+  EXPECT_EQ(numbers[1000], 4);
+  const BlankVector<int> copy = numbers;
+  EXPECT_EQ(copy[1], 2);
+  EXPECT_EQ(copy.size(), 1001U);
+  EXPECT_EQ(BlankVector<int>(5, 7).back(), 7);
+}
+
 }  // namespace
 }  // namespace graze::detail::buffer_test

@@ -114,6 +114,75 @@ TEST(BvhBuild, DependsNeitherOnThreadsNorOnTheOrderOfTheSlots) {
   expect_the_same_tree<2, double>(5'000);
 }
 
+/// The slots below some nodes of a level, in the order of the boxes' centers along an axis.
+template <Dim N, class T>
+class BuiltTree {
+ public:
+  BuiltTree(const Built<N, T>& tree, const std::vector<Aabb<N, T>>& boxes) : tree_(tree), boxes_(boxes) {}
+
+  /// Parts the boxes of nodes that are entries of one node by sorting, as the contract of build_bvh has it.
+  void expect_parted(std::size_t level, std::size_t first, std::size_t last, Aabb<N, T> bounds) const {
+    if (last - first == 1) return level > 0 ? expect_parted(level, first) : void();
+    Dim axis = 0;
+    for (Dim i = 1; i < N; ++i) {
+      if (bounds.max[i] - bounds.min[i] > bounds.max[axis] - bounds.min[axis]) axis = i;
+    }
+    const std::size_t middle = (first + last) / 2;
+    std::vector<std::uint32_t> sorted = slots(level, first, last);
+    std::sort(sorted.begin(), sorted.end(), [&](std::uint32_t a, std::uint32_t b) {
+      const T at_a = boxes_[a].center()[axis];
+      const T at_b = boxes_[b].center()[axis];
+      return at_a != at_b ? at_a < at_b : a < b;
+    });
+    const std::vector<std::uint32_t> low = slots(level, first, middle);
+    const std::vector<std::uint32_t> expected(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(low.size()));
+    ASSERT_TRUE(std::is_permutation(low.begin(), low.end(), expected.begin()));
+    Aabb<N, T> upper = bounds;
+    bounds.max[axis] = upper.min[axis] = boxes_[sorted[low.size()]].center()[axis];
+    expect_parted(level, first, middle, bounds);
+    expect_parted(level, middle, last, upper);
+  }
+
+  /// The entries of a node.
+  void expect_parted(std::size_t level, std::size_t node) const {
+    Aabb<N, T> bounds = Aabb<N, T>::nothing();
+    for (const std::uint32_t slot : slots(level, node, node + 1)) bounds.grow(boxes_[slot].center());
+    expect_parted(level - 1, tree_.plan.first_entry(level, node), tree_.plan.first_entry(level, node + 1), bounds);
+  }
+
+ private:
+  std::vector<std::uint32_t> slots(std::size_t level, std::size_t first, std::size_t last) const {
+    for (; level > 0; --level) {
+      first = tree_.plan.first_entry(level, first);
+      last = tree_.plan.first_entry(level, last);
+    }
+    std::vector<std::uint32_t> result;
+    for (; first < last; ++first) {
+      const std::uint32_t* const entries = tree_.nodes[first].entries;
+      EXPECT_TRUE(std::is_sorted(entries, entries + tree_.places[first].count));
+      result.insert(result.end(), entries, entries + tree_.places[first].count);
+    }
+    return result;
+  }
+
+  const Built<N, T>& tree_;
+  const std::vector<Aabb<N, T>>& boxes_;
+};
+
+TEST(BvhBuild, PartsAsSortingDoes) {
+  for (const std::size_t count : {300U, 6000U}) {
+    for (const auto& world : test::box_worlds<3, float>(count, 7)) {
+      SCOPED_TRACE(world.name);
+      std::vector<std::uint32_t> slots;
+      for (std::uint32_t k = 0; k < world.boxes.size(); ++k) {
+        if (is_valid(world.boxes[k])) slots.push_back(k);
+      }
+      const Built<3, float> tree(world.boxes, slots, serial_executor());
+      BuiltTree<3, float>(tree, world.boxes).expect_parted(tree.plan.height() - 1, 0);
+    }
+  }
+}
+
 TEST(BvhBuild, MakesASoundTreeOfEveryWorld) {
   for (const std::size_t count : {100U, 1000U, 5000U}) {
     for (const auto& world : test::box_worlds<3, float>(count, 9)) {

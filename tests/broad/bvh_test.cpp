@@ -86,6 +86,25 @@ TEST(Bvh, AssignGivesKeysInTheOrderOfTheBoxes) {
   EXPECT_FALSE(bvh.contains(keys[0]));
 }
 
+TEST(Bvh, AssignsAgainToPlacesThatWereUsedBefore) {
+  Bvh<3> bvh;
+  for (const std::size_t count : {700U, 30U, 1U, 2000U}) {
+    std::vector<Aabb<3>> boxes = some_boxes(count, count);
+    if (count == 30) bvh.clear();
+    const std::vector<Key> keys = bvh.assign(boxes);
+    ASSERT_EQ(bvh.size(), count);
+    for (std::size_t k = 0; k < count; ++k) EXPECT_EQ(bvh.box(keys[k]), boxes[k]);
+    for (std::size_t k = 0; k < count; k += 7) {
+      std::vector<std::uint32_t> expected;
+      for (std::size_t other = 0; other < count; ++other) {
+        if (boxes_overlap(boxes[k], boxes[other])) expected.push_back(keys[other].index);
+      }
+      std::sort(expected.begin(), expected.end());
+      EXPECT_EQ(found(bvh, boxes[k]), expected);
+    }
+  }
+}
+
 TEST(Bvh, AnswersInTheSameOrderHoweverManyThreadsBuiltIt) {
   const std::vector<Aabb<3>> boxes = some_boxes(20'000, 3);
   const auto order = [&boxes](const Executor& executor) {
@@ -114,9 +133,18 @@ TEST(Bvh, AssignThatFailsChangesNothing) {
   EXPECT_THROW(bvh.assign(boxes, Unable()), std::runtime_error);
   boxes[77].min.x = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THROW(bvh.assign(boxes), std::invalid_argument);
+  boxes[77] = {{5, 5, 5}, {4, 6, 6}};
+  EXPECT_THROW(bvh.assign(boxes), std::invalid_argument);
   EXPECT_EQ(bvh.size(), 1U);
   EXPECT_EQ(bvh.box(key), Aabb<3>{});
   EXPECT_EQ(count(bvh, Vec<3>(0, 0, 0)), 1U);
+  bvh.clear();
+  boxes = some_boxes(10'000, 4);
+  EXPECT_THROW(bvh.assign(boxes, Unable()), std::runtime_error);
+  EXPECT_EQ(bvh.size(), 0U);
+  EXPECT_EQ(count(bvh, Aabb<3>::everything()), 0U);
+  EXPECT_EQ(bvh.assign(boxes).size(), boxes.size());
+  EXPECT_EQ(count(bvh, Aabb<3>::everything()), boxes.size());
 }
 
 TEST(Bvh, ABoxAssignedIsUpdatedAndErasedLikeAnyOther) {
