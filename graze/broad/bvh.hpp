@@ -123,7 +123,7 @@ class Bvh {
   std::vector<Neighbour> nearest(const Vec<N, T>& point, std::size_t k) const {
     detail::require_point(point);
     if (k == 0 || size() == 0) return {};
-    detail::NearestKeys nearest(std::min(k, size()));
+    detail::NearestKeys nearest(std::min(k, size()), &keys_);
     detail::find_near(tree_, point, nearest);
     std::vector<Neighbour> sorted = nearest.sorted();
     for (Neighbour& neighbour : sorted) neighbour.key = keys_.key_of(neighbour.key.index);

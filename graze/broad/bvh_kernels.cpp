@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Compiled once per instruction set: Highway includes this file anew for each.
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -8,28 +7,22 @@
 #include <type_traits>
 
 #include <graze/broad/bvh_kernels.hpp>
-#include <graze/broad/prefetch.hpp>
 #include <graze/broad/simd_choice.hpp>
 #include <graze/broad/spatial_index.hpp>
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
-#include <graze/query/distance_squared.hpp>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/broad/bvh_kernels.cpp"
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 
+#include <graze/broad/bvh_near-inl.hpp>
 #include <graze/broad/simd_lanes-inl.hpp>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 namespace {
-
-template <class T>
-HWY_INLINE auto is_full(const Lanes<T>& coordinate) {
-  return hn::Eq(coordinate, coordinate);
-}
 
 template <Dim N, class T>
 HWY_INLINE std::uint32_t boxes_met(const Block<N, T>& block, const Lanes<T>* low, const Lanes<T>* high) {
@@ -189,102 +182,6 @@ std::size_t find_first(const BvhNode<N, T>* nodes, BvhLink root, BvhFirstWalk<N,
     }
   }
   return looks;
-}
-
-/// The entries of a node that may be near, and how near: less than the squared distance, or as much.
-template <class T>
-struct Ranks {
-  alignas(64) T ranks[block_size];
-  const std::uint32_t* entries;
-  std::uint32_t lanes;
-};
-
-template <Dim N, class T>
-HWY_INLINE void rank_boxes(const BvhNode<N, T>& node, const Vec<N, T>& point, T reach, Ranks<T>& ranks) {
-  const Tag<T> d;
-  const auto limit = hn::Set(d, reach);
-  ranks.entries = node.entries;
-  ranks.lanes = 0;
-  for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
-    auto sum = hn::Zero(d);
-    for (Dim i = 0; i < N; ++i) {
-      const auto from = hn::Set(d, point[i]);
-      const auto below = hn::Sub(hn::Load(d, node.boxes.min[i] + lane), from);
-      const auto above = hn::Sub(from, hn::Load(d, node.boxes.max[i] + lane));
-      const auto outside = hn::Max(hn::Max(below, above), hn::Zero(d));
-      sum = hn::Add(sum, hn::Mul(outside, outside));
-    }
-    const auto most = hn::Min(sum, hn::Set(d, std::numeric_limits<T>::max()));
-    const auto rank =
-        hn::Sub(hn::Mul(most, hn::Set(d, T(1) - tolerance::near_lanes<T>)), hn::Set(d, std::numeric_limits<T>::min()));
-    hn::Store(rank, d, ranks.ranks + lane);
-    const auto full = is_full<T>(hn::Load(d, node.boxes.min[0] + lane));
-    ranks.lanes |= bits_of<T>(hn::And(full, hn::Le(rank, limit))) << lane;
-  }
-}
-
-/// Takes out the nearest entry within reach; block_size when there is none.
-template <class T>
-HWY_INLINE std::uint32_t take_nearest(Ranks<T>& ranks, T reach) {
-  const Tag<T> d;
-  const auto infinity = hn::Set(d, std::numeric_limits<T>::infinity());
-  auto least = infinity;
-  for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
-    const std::uint64_t bits = (ranks.lanes >> lane) & ((1U << lanes_of<T>)-1U);
-    const auto is_there = hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&bits));
-    least = hn::Min(least, hn::IfThenElse(is_there, hn::Load(d, ranks.ranks + lane), infinity));
-  }
-  least = hn::MinOfLanes(d, least);
-  if (ranks.lanes == 0 || !(hn::GetLane(least) <= reach)) return block_size;
-  std::uint32_t nearest = 0;
-  for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
-    nearest |= bits_of<T>(hn::Eq(hn::Load(d, ranks.ranks + lane), least)) << lane;
-  }
-  nearest &= ranks.lanes;
-  // Where all are infinitely far, Highway's emulation finds none of them the least.
-  const auto lane = static_cast<std::uint32_t>(std::countr_zero(nearest != 0 ? nearest : ranks.lanes));
-  ranks.lanes &= ~(1U << lane);
-  return lane;
-}
-
-/// Offers the boxes of a leaf node, the nearest first, for after that most others are out of reach, which comes back.
-template <Dim N, class T>
-HWY_INLINE T offer_boxes(const BvhNode<N, T>& node, const Vec<N, T>& point, T reach, Ranks<T>& ranks,
-                         NearestKeys& nearest) {
-  for (std::uint32_t lane = take_nearest(ranks, reach); lane != block_size;) {
-    nearest.offer({{node.entries[lane], 0, 0}, distance_squared(point, box_in(node.boxes, lane))});
-    reach = next_up(static_cast<T>(nearest.reach()));
-    do {
-      if (ranks.lanes == 0) return reach;
-      lane = static_cast<std::uint32_t>(std::countr_zero(ranks.lanes));
-      ranks.lanes &= ranks.lanes - 1;
-    } while (ranks.ranks[lane] > reach);
-  }
-  return reach;
-}
-
-/// The nearest child first.
-template <Dim N, class T>
-std::size_t find_near(const BvhNode<N, T>* nodes, BvhLink root, const Vec<N, T>& point, NearestKeys& nearest) {
-  Ranks<T> path[bvh_height_limit];
-  std::size_t depth = 0;
-  std::size_t looks = 0;
-  T reach = next_up(static_cast<T>(nearest.reach()));
-  BvhLink link = root;
-  while (true) {
-    const BvhNode<N, T>& node = nodes[link.index()];
-    ++looks;
-    rank_boxes(node, point, reach, path[depth]);
-    if (link.is_leaf()) {
-      reach = offer_boxes(node, point, reach, path[depth], nearest);
-    } else {
-      ++depth;
-    }
-    std::uint32_t lane = block_size;
-    while (depth > 0 && (lane = take_nearest(path[depth - 1], reach)) == block_size) --depth;
-    if (lane == block_size) return looks;
-    link = BvhLink::of_code(path[depth - 1].entries[lane]);
-  }
 }
 
 template <Dim N, class T>

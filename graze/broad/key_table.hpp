@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include <graze/broad/prefetch.hpp>
+
 namespace graze {
 
 /// Names a box of a spatial index for as long as it is held there. The key of a box that was erased, one that another
@@ -64,6 +66,9 @@ class KeyTable {
 
   bool is_taken(std::uint32_t slot) const { return (generations_[slot] & 1U) != 0; }
   Key key_of(std::uint32_t slot) const { return {slot, generations_[slot], owner_}; }
+
+  /// Asks for what key_of will read.
+  void prefetch_key(std::uint32_t slot) const { prefetch(&generations_[slot]); }
 
   /// How many slots were ever taken: all slots are below it.
   std::uint32_t slots() const { return static_cast<std::uint32_t>(generations_.size()); }

@@ -41,6 +41,12 @@ HWY_INLINE std::uint32_t bits_of(const Mask& mask) {
   return static_cast<std::uint32_t>(bits) & ((1U << lanes_of<T>)-1U);
 }
 
+/// Which lanes of a block have a box.
+template <class T>
+HWY_INLINE auto is_full(const Lanes<T>& coordinate) {
+  return hn::Eq(coordinate, coordinate);
+}
+
 }  // namespace graze::detail::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -22,6 +22,11 @@ HWY_API Vec128<double, N> Set(Simd<double, N, 0>, double value) {
   return {wasm_f64x2_splat(value)};
 }
 
+template <std::size_t N>
+HWY_API Vec128<double, N> PromoteTo(Simd<double, N, 0>, Vec128<float, N> v) {
+  return {wasm_f64x2_promote_low_f32x4(v.raw)};
+}
+
 /// Highway's own gives the bits of a double as a whole number.
 template <std::size_t N>
 HWY_API double GetLane(Vec128<double, N> v) {

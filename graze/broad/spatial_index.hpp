@@ -29,6 +29,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -163,7 +164,18 @@ std::optional<double> entry_of(const Ray<N, T>& ray, const Aabb<N, T>& box) {
 /// The k nearest of all that were offered: a few sorted, many in a heap.
 class NearestKeys {
  public:
-  explicit NearestKeys(std::size_t k) : k_(k) { nearest_.reserve(k); }
+  /// Where keys will be looked up by slots at the end, in which table.
+  explicit NearestKeys(std::size_t k, const KeyTable* keys = nullptr) : k_(k), keys_(keys) { nearest_.reserve(k); }
+
+  std::size_t wanted() const { return k_; }
+
+  /// Those of all that were offered, in some order.
+  std::span<const Neighbour> kept() const { return {nearest_.data(), nearest_.size()}; }
+
+  /// The box in this slot may be one of the nearest.
+  void expect(std::uint32_t slot) const {
+    if (keys_ != nullptr) keys_->prefetch_key(slot);
+  }
 
   /// No box that is farther away is among them any more.
   double reach() const {
@@ -184,15 +196,19 @@ class NearestKeys {
     std::push_heap(nearest_.begin(), nearest_.end(), comes_first);
   }
 
+  /// Keeps these instead of all others: k of them in their order, if k is up to `few`.
+  void replace(std::span<const Neighbour> sorted) { nearest_.assign(sorted.begin(), sorted.end()); }
+
   /// Ends the search.
   std::vector<Neighbour> sorted() {
     if (is_heap()) std::sort_heap(nearest_.begin(), nearest_.end(), comes_first);
     return std::move(nearest_);
   }
 
- private:
+  /// Up to so many are sorted all the time.
   static constexpr std::size_t few = 32;
 
+ private:
   bool is_heap() const { return k_ > few; }
 
   void offer_to_few(const Neighbour& candidate) {
@@ -211,6 +227,7 @@ class NearestKeys {
   }
 
   std::size_t k_;
+  const KeyTable* keys_;
   std::vector<Neighbour> nearest_;  // ascending, or a heap with the farthest in front
 };
 

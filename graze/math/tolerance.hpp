@@ -122,10 +122,10 @@ inline constexpr T ray_lanes = T(8) * std::numeric_limits<T>::epsilon();
 template <Scalar T>
 inline constexpr T ray_edges = T(8) * std::numeric_limits<T>::epsilon();
 
-/// A squared distance of a box in T, a sum of squared differences, is wrong by under 4 epsilon of T, relatively;
-/// doubled.
+/// A squared distance of a box in T, a sum of squared differences, is wrong by under 4 epsilon of T, relatively, and by
+/// up to 15 more where the number of its lane is in its lowest four bits; some to spare.
 template <Scalar T>
-inline constexpr T near_lanes = T(8) * std::numeric_limits<T>::epsilon();
+inline constexpr T near_lanes = T(24) * std::numeric_limits<T>::epsilon();
 
 /// A ray cast leaves to `relation` the rays that pass the edge of a shape's shadow nearer than this times its size,
 /// seen from the origin: over a hundred times the band of `relation`, and its own error is a few epsilon.

@@ -209,7 +209,7 @@ void expect_distances_as_box_by_box(double size, std::uint64_t seed) {
   for (int round = 0; round < 100; ++round) {
     const Vec<3, T> point = round % 4 == 0 ? tree.box(9).min : numbers.point<3, T>(-2 * size, 2 * size);
     if (!is_finite(point)) continue;
-    for (const std::size_t k : {1U, 8U, 40U, 300U}) {
+    for (const std::size_t k : {1U, 3U, 8U, 9U, 40U, 300U}) {
       NearestKeys expected(k);
       NearestKeys nearest(k);
       for (std::uint32_t slot = 0; slot < count; ++slot) {
@@ -224,6 +224,60 @@ void expect_distances_as_box_by_box(double size, std::uint64_t seed) {
 TEST(BvhQuery, TheNearestAreThoseBoxByBox) {
   for (const double size : {1.0, 1e-42, 1e-20, 1e18, 1e25, 1e38}) expect_distances_as_box_by_box<float>(size, 3);
   for (const double size : {1.0, 1e-320, 1e-160, 1e150, 1e304}) expect_distances_as_box_by_box<double>(size, 4);
+}
+
+/// Boxes on a lattice, three in each place and many around the middle, some beside the tree: whatever is equally near,
+/// and more of it than a walk has room for, the lowest slots count.
+template <Dim N, class T>
+void expect_lowest_slots_of_equally_near() {
+  test::Numbers numbers(5);
+  BvhTree<N, T> tree(0);
+  constexpr std::uint32_t count = 900;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::uint32_t slot = k * 7 % count;
+    Vec<N, T> low;
+    for (Dim i = 0; i < N; ++i) low[i] = static_cast<T>(static_cast<int>(numbers.between(0, 6)));
+    const T reach = slot % 3 == 0 ? T(8) : T(0);
+    Aabb<N, T> box{low - reach, low + reach};
+    if (slot % 200 == 13) box.max[0] = std::numeric_limits<T>::infinity();
+    tree.insert(slot, box);
+  }
+  for (int round = 0; round < 60; ++round) {
+    Vec<N, T> point;
+    for (Dim i = 0; i < N; ++i) point[i] = static_cast<T>(static_cast<int>(numbers.between(-30, 30))) / 2;
+    for (const std::size_t k : {1U, 2U, 5U, 7U, 8U, 9U, 33U}) {
+      NearestKeys expected(k);
+      NearestKeys nearest(k);
+      for (std::uint32_t slot = 0; slot < count; ++slot) {
+        expected.offer({{slot, 0, 0}, distance_squared(point, tree.box(slot))});
+      }
+      find_near(tree, point, nearest);
+      EXPECT_EQ(nearest.sorted(), expected.sorted()) << "round " << round << ", " << k;
+    }
+  }
+}
+
+TEST(BvhQuery, OfEquallyNearBoxesTheLowestSlotsAreFound) {
+  expect_lowest_slots_of_equally_near<2, float>();
+  expect_lowest_slots_of_equally_near<3, float>();
+  expect_lowest_slots_of_equally_near<2, double>();
+  expect_lowest_slots_of_equally_near<3, double>();
+}
+
+TEST(BvhQuery, FindsAsManyAsThereAreWhereMoreAreWanted) {
+  for (const std::uint32_t count : {1U, 5U, 7U, 40U}) {
+    const BvhTree<2, float> tree = row<2, float>(count);
+    for (const std::size_t k : {1U, 6U, 8U, 50U}) {
+      NearestKeys nearest(k);
+      find_near(tree, Vec<2>(-1, 0), nearest);
+      const std::vector<Neighbour> sorted = nearest.sorted();
+      ASSERT_EQ(sorted.size(), std::min<std::size_t>(k, count));
+      for (std::uint32_t slot = 0; slot < sorted.size(); ++slot) {
+        const double distance = 2.0 * slot + 1;
+        EXPECT_EQ(sorted[slot], (Neighbour{{slot, 0, 0}, distance * distance}));
+      }
+    }
+  }
 }
 
 }  // namespace

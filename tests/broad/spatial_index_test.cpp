@@ -100,6 +100,19 @@ TEST(NearestKeys, KeepsTheFirstOfAll) {
   EXPECT_EQ(nearest.sorted(), (std::vector<Neighbour>{{key(9), 1}, {key(1), 4}, {key(2), 4}}));
 }
 
+TEST(NearestKeys, KeepsOthersInstead) {
+  detail::NearestKeys nearest(2);
+  EXPECT_EQ(nearest.wanted(), 2U);
+  nearest.offer({{5, 1, 0}, 4});
+  ASSERT_EQ(nearest.kept().size(), 1U);
+  EXPECT_EQ(nearest.kept()[0], (Neighbour{{5, 1, 0}, 4}));
+  const std::vector<Neighbour> others = {{{7, 1, 0}, 1}, {{6, 1, 0}, 3}};
+  nearest.replace({others.data(), others.size()});
+  EXPECT_EQ(nearest.reach(), 3);
+  nearest.offer({{4, 1, 0}, 2});
+  EXPECT_EQ(nearest.sorted(), (std::vector<Neighbour>{{{7, 1, 0}, 1}, {{4, 1, 0}, 2}}));
+}
+
 TEST(NearestKeys, OfFewAndOfManyAreTheFirstOfAllThatAreSorted) {
   std::vector<Neighbour> all;
   for (std::uint32_t k = 0; k < 200; ++k) all.push_back({{k * 77 % 200, 1, 1}, static_cast<double>(k * 31 % 40)});
