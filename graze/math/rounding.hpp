@@ -87,6 +87,15 @@ T next_down(T x) {
   return -next_up(-x);
 }
 
+/// The magnitude of a finite number; 0 of infinity and NaN. By its bits, for compilers make a branch of comparisons.
+template <Scalar T>
+T finite_magnitude(T x) {
+  using Bits = std::conditional_t<sizeof(T) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;
+  const Bits bits = bit_cast<Bits>(x) & (~Bits{0} >> 1U);
+  const Bits infinity = bit_cast<Bits>(std::numeric_limits<T>::infinity());
+  return bit_cast<T>(bits < infinity ? bits : Bits{0});
+}
+
 /// The least double that is not below a + b.
 inline double add_up(double a, double b) {
   const Rounded sum = two_sum(a, b);
@@ -109,11 +118,18 @@ inline double multiply_up(double a, double b) {
   return product.error > 0 || error_lost ? next_up(product.value) : product.value;
 }
 
-/// The least T that is not below x.
+/// The least T that is not below x. Without a branch, for that would guess wrong every other time: below x are minus
+/// infinity and other numbers, but never minus zero, so that one step up is one of its bits.
 template <Scalar T>
 T round_up(double x) {
   const T rounded = static_cast<T>(x);
-  return static_cast<double>(rounded) < x ? next_up(rounded) : rounded;
+  if constexpr (std::is_same_v<T, float>) {
+    const auto bits = bit_cast<std::uint32_t>(rounded);
+    const std::uint32_t step = (bits >> 31U) != 0 ? ~std::uint32_t{0} : 1U;
+    return bit_cast<float>(bits + (static_cast<double>(rounded) < x ? step : 0U));
+  } else {
+    return rounded;
+  }
 }
 
 /// The greatest T that is not above x.

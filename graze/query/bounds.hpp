@@ -209,13 +209,11 @@ Aabb<dimension_of<S>, scalar_of<S>> bounds(const Posed<S>& posed) {
 /// boxes do not overlap are apart for certain. Infinite and empty boxes stay.
 template <Dim N, class T>
 Aabb<N, T> touching_bounds(Aabb<N, T> box) {
-  double size = 0;
+  T size = 0;
   for (Dim i = 0; i < N; ++i) {
-    for (const T side : {box.min[i], box.max[i]}) {
-      if (std::isfinite(side)) size = std::fmax(size, std::fabs(static_cast<double>(side)));
-    }
+    size = std::max({size, finite_magnitude(box.min[i]), finite_magnitude(box.max[i])});
   }
-  const double slack = tolerance::box_slack * size;
+  const double slack = tolerance::box_slack * static_cast<double>(size);
   for (Dim i = 0; i < N; ++i) {
     box.min[i] = round_down<T>(static_cast<double>(box.min[i]) - slack);
     box.max[i] = round_up<T>(static_cast<double>(box.max[i]) + slack);

@@ -18,4 +18,11 @@ struct SceneEvents {
 /// The events between two ascending lists of pairs.
 SceneEvents events_between(const std::vector<ObjectPair>& before, const std::vector<ObjectPair>& after);
 
+namespace detail {
+
+/// The same in the place of older events, whose memory is used again.
+void find_events(const std::vector<ObjectPair>& before, const std::vector<ObjectPair>& after, SceneEvents& events);
+
+}  // namespace detail
+
 }  // namespace graze

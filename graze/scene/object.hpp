@@ -60,11 +60,34 @@ struct Object {
   Mobility mobility;
 };
 
+namespace detail {
+
+/// What decides with whom an object may be a pair.
+struct PairFilter {
+  LayerMask mask = all_layers;
+  Layer layer = 0;
+  Mobility mobility = Mobility::moving;
+
+  /// Whether it may be a pair with all that admit it.
+  bool admits_all() const { return mask == all_layers && mobility == Mobility::moving; }
+};
+
+inline bool may_touch(const PairFilter& a, const PairFilter& b) {
+  if (a.mobility == Mobility::fixed && b.mobility == Mobility::fixed) return false;
+  return filters_admit(a.layer, a.mask, b.layer, b.mask);
+}
+
+template <Dim N, class T>
+PairFilter filter_of(const Object<N, T>& object) {
+  return {object.mask, object.layer, object.mobility};
+}
+
+}  // namespace detail
+
 /// Whether two objects are asked about at all: both masks admit the other's layer, and not both are fixed.
 template <Dim N, class T>
 bool may_touch(const Object<N, T>& a, const Object<N, T>& b) {
-  if (a.mobility == Mobility::fixed && b.mobility == Mobility::fixed) return false;
-  return filters_admit(a.layer, a.mask, b.layer, b.mask);
+  return detail::may_touch(detail::filter_of(a), detail::filter_of(b));
 }
 
 }  // namespace graze

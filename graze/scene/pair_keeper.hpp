@@ -39,7 +39,11 @@ class PairKeeper {
   /// A copy knows the same, but has to find out again where the boxes lie.
   PairKeeper(const PairKeeper& other)
       : boxes_(other.boxes_),
+        filters_(other.filters_),
+        kinds_(other.kinds_),
         live_(other.live_),
+        choosy_(other.choosy_),
+        largest_(other.largest_),
         touching_(other.touching_),
         changed_(other.changed_),
         is_changed_(other.is_changed_) {}
@@ -52,8 +56,14 @@ class PairKeeper {
   /// Makes room for so many slots, so that `note` cannot fail.
   void reserve(std::size_t slots);
 
-  /// The slot's object has come, moved (then with its box) or gone (then with the box that is nothing).
-  void note(std::uint32_t slot, const Aabb<N, T>& box) noexcept;
+  /// An object has come into the slot.
+  void note_new(std::uint32_t slot, const Object<N, T>& object) noexcept;
+
+  /// The slot's object has moved, or has another shape.
+  void note_moved(std::uint32_t slot, const Object<N, T>& object) noexcept;
+
+  /// The slot's object has gone.
+  void note_gone(std::uint32_t slot) noexcept;
 
   /// The pairs that touch, ascending, found by this plan. Throws what the executor and the memory throw; then nothing
   /// has changed.
@@ -64,17 +74,32 @@ class PairKeeper {
   bool is_current() const { return changed_.empty(); }
 
  private:
+  /// What of an object is looked at before its shape.
+  struct Kind {
+    bool is_live = false;  ///< There is one, and it has points.
+    bool is_box = false;   ///< It is a box along the axes, and nothing but that.
+  };
+
+  void set(std::uint32_t slot, const Aabb<N, T>& box, Kind kind) noexcept;
+  void set_filter(std::uint32_t slot, const PairFilter& filter) noexcept;
   bool has_changed(const Pair& pair) const { return is_changed_[pair.a] || is_changed_[pair.b]; }
+  bool have_all_changed() const;
+  bool is_admitted(const Pair& pair) const { return choosy_ == 0 || may_touch(filters_[pair.a], filters_[pair.b]); }
 
-  void offer(const Slots& slots, std::uint32_t a, std::uint32_t b, std::vector<Pair>& candidates) const;
-  std::vector<Pair> candidates_anew(const Slots& slots, const Executor& executor);
-  std::vector<Pair> candidates_around_changed(const Slots& slots, const SlotIndex<N, T>& index,
-                                              const Executor& executor) const;
-  std::vector<Pair> with_unchanged(const std::vector<Pair>& found) const;
+  void find_anew(std::size_t slots, const Executor& executor);
+  void find_around_changed(const SlotIndex<N, T>& index, const Executor& executor);
+  void keep_touching(const Slots& slots, const Executor& executor);
+  void merge_with_unchanged();
 
-  std::vector<Aabb<N, T>> boxes_;  // by slot, grown as SlotIndex grows them
-  std::size_t live_ = 0;           // boxes that are not nothing
+  std::vector<Aabb<N, T>> boxes_;    // by slot, grown as SlotIndex grows them
+  std::vector<PairFilter> filters_;  // by slot
+  std::vector<Kind> kinds_;          // by slot
+  std::size_t live_ = 0;             // kinds that are
+  std::size_t choosy_ = 0;           // filters that do not admit all
+  T largest_ = 0;                    // no coordinate of a box was ever more, infinite ones aside
   std::vector<Pair> touching_;
+  std::vector<Pair> found_;   // room for candidates, of which those that touch are left,
+  std::vector<Pair> merged_;  // and for these and those that were known
   std::vector<std::uint32_t> changed_;
   std::vector<bool> is_changed_;  // by slot
   PairFinder<N, T> finder_;

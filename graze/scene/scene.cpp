@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -16,26 +19,35 @@ namespace {
 std::string named(const std::string& name) { return name.empty() ? "the object" : "object \"" + name + "\""; }
 
 template <Dim N, class T>
-void require_valid(const AnyShape<N, T>& shape, const std::string& name) {
-  const std::string_view fault = defect(shape);
-  if (fault.empty()) return;
+[[noreturn]] void refuse(const AnyShape<N, T>& shape, std::string_view fault, const std::string& name) {
   throw std::invalid_argument("Scene: " + named(name) + ", a " + std::string(type_name<N, T>(shape)) + ", " +
                               std::string(fault));
+}
+
+/// Copies a shape into an object's place. Of all types only compounds can fail to be copied.
+template <Dim N, class T>
+void put(const AnyShape<N, T>& shape, Object<N, T>& object) {
+  detail::visit(
+      [&object](const auto& held) {
+        object.shape = held;
+        object.box = bounds(held);
+      },
+      shape);
 }
 
 }  // namespace
 
 /// Room for the slot was made before.
 template <Dim N, class T>
-void Scene<N, T>::note(std::uint32_t slot, const Aabb<N, T>& box) noexcept {
+void Scene<N, T>::note_moved(std::uint32_t slot, const Object<N, T>& object) noexcept {
   index_.note(slot);
-  keeper_.note(slot, box);
-  pairs_.reset();
+  keeper_.note_moved(slot, object);
+  is_current_ = false;
 }
 
 template <Dim N, class T>
 ObjectId Scene<N, T>::add(AnyShape<N, T> shape, ObjectOptions options) {
-  require_valid(shape, options.name);
+  if (const std::string_view fault = defect(shape); !fault.empty()) refuse<N, T>(shape, fault, options.name);
   if (options.layer >= max_layers) {
     throw std::invalid_argument("Scene: layer " + std::to_string(options.layer) + " of " + named(options.name) +
                                 " does not exist; layers are 0 to " + std::to_string(max_layers - 1));
@@ -61,7 +73,9 @@ ObjectId Scene<N, T>::add(AnyShape<N, T> shape, ObjectOptions options) {
   if (!options.name.empty()) names_.change().find(options.name)->second = id;
   place.emplace(Object<N, T>{std::move(shape), box, std::move(options.name), options.layer, options.mask, options.user,
                              options.mobility});
-  note(slot, box);
+  index_.note(slot);
+  keeper_.note_new(slot, *place);
+  is_current_ = false;
   return id;
 }
 
@@ -78,12 +92,13 @@ void Scene<N, T>::plan_ids(std::span<const ObjectId> next, std::span<const Objec
 
 template <Dim N, class T>
 void Scene<N, T>::move(ObjectId id, AnyShape<N, T> shape) {
-  require_valid(shape, this->object(id).name);
+  const std::string& name = this->object(id).name;
+  if (const std::string_view fault = defect(shape); !fault.empty()) refuse<N, T>(shape, fault, name);
   const Aabb<N, T> box = bounds(shape);
   Object<N, T>& moved = *objects_.change(id.index);
   moved.shape = std::move(shape);
   moved.box = box;
-  note(id.index, box);
+  note_moved(id.index, moved);
 }
 
 template <Dim N, class T>
@@ -91,21 +106,23 @@ void Scene<N, T>::move(std::span<const ObjectMove<N, T>> moves) {
   // Of all types only compounds can fail to be copied: everything that can throw comes first.
   std::vector<AnyShape<N, T>> compounds;
   for (const ObjectMove<N, T>& each : moves) {
-    require_valid(each.shape, this->object(each.id).name);
+    if (!this->contains(each.id)) this->object(each.id);  // which says what is wrong with the id
+    if (const std::string_view fault = defect(each.shape); !fault.empty()) {
+      refuse<N, T>(each.shape, fault, this->object(each.id).name);
+    }
     objects_.change(each.id.index);
     if (std::holds_alternative<Compound<N, T>>(each.shape)) compounds.push_back(each.shape);
   }
   auto next_compound = compounds.begin();
   for (const ObjectMove<N, T>& each : moves) {
-    const std::uint32_t slot = each.id.index;
-    Object<N, T>& moved = *objects_.change(slot);
+    Object<N, T>& moved = *objects_.change(each.id.index);
     if (std::holds_alternative<Compound<N, T>>(each.shape)) {
       moved.shape = std::move(*next_compound++);
+      moved.box = bounds(moved.shape);
     } else {
-      moved.shape = each.shape;
+      put(each.shape, moved);
     }
-    moved.box = bounds(moved.shape);
-    note(slot, moved.box);
+    note_moved(each.id.index, moved);
   }
 }
 
@@ -116,7 +133,9 @@ void Scene<N, T>::remove(ObjectId id) {
   if (!place->name.empty()) names_.change().erase(place->name);
   place.reset();
   ids_.release(id.index);
-  note(id.index, Aabb<N, T>::nothing());
+  index_.note(id.index);
+  keeper_.note_gone(id.index);
+  is_current_ = false;
 }
 
 template <Dim N, class T>
@@ -134,13 +153,12 @@ Layer Scene<N, T>::layer(std::string_view name) {
 template <Dim N, class T>
 const SceneEvents& Scene<N, T>::update(const Executor& executor) {
   const std::vector<Pair>& found = keeper_.update(objects_, index_, executor);
-  std::vector<ObjectPair> touching;
-  touching.reserve(found.size());
-  for (const Pair& pair : found) touching.push_back({this->id_of(pair.a), this->id_of(pair.b)});
-  auto known = std::make_shared<const std::vector<ObjectPair>>(touching);
-  events_ = events_between(touching_, touching);
-  touching_ = std::move(touching);
-  pairs_ = std::move(known);
+  next_.resize(found.size());
+  for (std::size_t i = 0; i < found.size(); ++i) next_[i] = {this->id_of(found[i].a), this->id_of(found[i].b)};
+  detail::find_events(*pairs_, next_, next_events_);
+  pairs_.exchange(next_);
+  is_current_ = true;
+  std::swap(events_, next_events_);
   return events_;
 }
 

@@ -70,16 +70,18 @@ class Scene : public SceneView<N, T> {
   using View = SceneView<N, T>;
   using View::ids_;
   using View::index_;
+  using View::is_current_;
   using View::layer_names_;
   using View::names_;
   using View::objects_;
-  using View::pairs_;
+  using View::pairs_;  // at the last update
 
-  void note(std::uint32_t slot, const Aabb<N, T>& box) noexcept;
+  void note_moved(std::uint32_t slot, const Object<N, T>& object) noexcept;
 
   detail::PairKeeper<N, T> keeper_;
-  std::vector<ObjectPair> touching_;  // at the last update
-  SceneEvents events_;                // of the last update
+  SceneEvents events_;            // of the last update
+  std::vector<ObjectPair> next_;  // room for the next pairs,
+  SceneEvents next_events_;       // and their events
 };
 
 extern template class Scene<2, float>;

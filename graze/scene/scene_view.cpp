@@ -42,7 +42,8 @@ std::shared_ptr<const SceneView<N, T>> SceneView<N, T>::share() {
   auto view = std::make_shared<SceneView>();
   view->ids_ = ids_;
   view->layer_names_ = layer_names_;
-  view->pairs_ = pairs_;
+  if (is_current_) view->pairs_ = pairs_.share();
+  view->is_current_ = is_current_;
   view->index_ = index_.share(objects_);
   view->objects_ = objects_.share();
   view->names_ = names_.share();
@@ -112,7 +113,7 @@ std::vector<ObjectPair> SceneView<N, T>::candidates(double margin) const {
 
 template <Dim N, class T>
 std::vector<ObjectPair> SceneView<N, T>::pairs() const {
-  if (pairs_) return *pairs_;
+  if (is_current_) return *pairs_;
   std::vector<ObjectPair> result = candidates();
   std::erase_if(result, [this](const ObjectPair& pair) {
     return relation(in_slot(pair.a.index).shape, in_slot(pair.b.index).shape) == Relation::apart;

@@ -149,7 +149,8 @@ class SceneView {
   detail::SharedValue<Names> names_;
   std::vector<std::string> layer_names_;
   detail::ObjectIndex<N, T> index_;
-  std::shared_ptr<const std::vector<ObjectPair>> pairs_;  // if they are known
+  detail::SharedValue<std::vector<ObjectPair>> pairs_;  // that touched when last they were looked for
+  bool is_current_ = false;                             // nothing has changed since
 };
 
 extern template class SceneView<2, float>;

@@ -37,6 +37,19 @@ class SharedValue {
     return *value_;
   }
 
+  /// Puts another value in the place of this one, which is handed out for `other` unless a copy goes on reading it:
+  /// then that is left empty. May throw std::bad_alloc, before anything has changed.
+  void exchange(Value& other) {
+    if (is_own_) {
+      std::swap(*value_, other);
+      return;
+    }
+    auto fresh = std::make_shared<Value>();
+    std::swap(*fresh, other);
+    value_ = std::move(fresh);
+    is_own_ = true;
+  }
+
   /// What is here now, for reading.
   SharedValue share() {
     is_own_ = false;

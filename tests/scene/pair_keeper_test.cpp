@@ -30,13 +30,10 @@ struct World {
     keeper.reserve(slots.size());
     auto& place = slots.change(slot);
     place.reset();
-    Aabb<N, T> box = Aabb<N, T>::nothing();
-    if (shape) {
-      box = bounds(*shape);
-      place.emplace(Object<N, T>{*shape, box, "", options.layer, options.mask, 0, options.mobility});
-    }
     index.note(slot);
-    keeper.note(slot, box);
+    if (!shape) return keeper.note_gone(slot);
+    place.emplace(Object<N, T>{*shape, bounds(*shape), "", options.layer, options.mask, 0, options.mobility});
+    keeper.note_new(slot, *place);
   }
 
   std::vector<Pair> every_pair() const {
