@@ -8,8 +8,13 @@ namespace graze::detail {
 /// How many values ahead of their use scattered ones are asked for.
 inline constexpr std::size_t prefetch_distance = 32;
 
-// Inlined before GCC 12 looks what a function does: one that only asks ahead it takes for one that does nothing, and
-// drops calls from functions that are compiled for another instruction set.
+/// GCC 12 takes a function that only asks ahead for one that does nothing, and drops calls of it and of those that do
+/// nothing but call it: unless they say that the address matters.
+[[gnu::always_inline]] inline void keep_calls([[maybe_unused]] const void* address) {
+#if defined(__GNUC__) && !defined(__clang__)
+  __asm__ volatile("" : : "r"(address));
+#endif
+}
 
 /// Asks for the first and the last cache line of a value that will be read soon, which are all that most values have.
 /// Changes nothing but the time.
@@ -17,6 +22,7 @@ template <class Value>
 [[gnu::always_inline]] inline void prefetch([[maybe_unused]] const Value* value) {
 #ifdef __GNUC__
   static_assert(sizeof(Value) <= 128);
+  keep_calls(value);
   __builtin_prefetch(value);
   __builtin_prefetch(reinterpret_cast<const char*>(value + 1) - 1);
 #endif
@@ -27,6 +33,7 @@ template <class Value>
 [[gnu::always_inline]] inline void prefetch_whole([[maybe_unused]] const Value* value) {
 #ifdef __GNUC__
   constexpr std::size_t line = 64;
+  keep_calls(value);
   for (std::size_t at = 0; at < sizeof(Value); at += line) {
     __builtin_prefetch(reinterpret_cast<const char*>(value) + at);
   }
