@@ -18,6 +18,7 @@
 #include <hwy/highway.h>
 
 #include <graze/broad/bvh_near-inl.hpp>
+#include <graze/broad/simd_compress-inl.hpp>
 #include <graze/broad/simd_lanes-inl.hpp>
 
 HWY_BEFORE_NAMESPACE();
@@ -42,12 +43,11 @@ HWY_INLINE std::uint32_t boxes_met(const Block<N, T>& block, const Lanes<T>* low
 
 /// Writes the entries whose bits are set one after another, and up to sixteen numbers of no meaning behind them.
 HWY_INLINE std::size_t write_chosen(const std::uint32_t* entries, std::uint32_t chosen, std::uint32_t* to) {
-  const Tag<std::uint32_t> d;
+  using D = Tag<std::uint32_t>;
   std::size_t count = 0;
   for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<std::uint32_t>) {
-    const std::uint64_t bits = (chosen >> lane) & ((1U << lanes_of<std::uint32_t>)-1U);
-    const auto mask = hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&bits));
-    hn::StoreU(hn::Compress(hn::Load(d, entries + lane), mask), d, to + count);
+    const std::uint32_t bits = (chosen >> lane) & ((1U << lanes_of<std::uint32_t>)-1U);
+    hn::StoreU(ToFront<D>(bits)(hn::Load(D(), entries + lane)), D(), to + count);
     count += static_cast<std::size_t>(std::popcount(bits));
   }
   return count;
@@ -195,8 +195,8 @@ Aabb<N, T> around(const Block<N, T>& block) {
     for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
       const auto min = hn::Load(d, block.min[i] + lane);
       const auto max = hn::Load(d, block.max[i] + lane);
-      low = hn::Min(low, hn::IfThenElse(is_full<T>(min), min, infinity));
-      high = hn::Max(high, hn::IfThenElse(is_full<T>(max), max, hn::Neg(infinity)));
+      low = lesser<T>(low, hn::IfThenElse(is_full<T>(min), min, infinity));
+      high = greater<T>(high, hn::IfThenElse(is_full<T>(max), max, hn::Neg(infinity)));
     }
     box.min[i] = hn::GetLane(hn::MinOfLanes(d, low));
     box.max[i] = hn::GetLane(hn::MaxOfLanes(d, high));

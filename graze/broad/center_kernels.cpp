@@ -17,6 +17,7 @@
 #include <hwy/highway.h>
 
 #include <graze/broad/box_lanes-inl.hpp>
+#include <graze/broad/simd_compress-inl.hpp>
 #include <graze/broad/simd_lanes-inl.hpp>
 
 HWY_BEFORE_NAMESPACE();
@@ -28,31 +29,8 @@ using LaneMask = hn::Mask<Tag<T>>;
 
 template <class T>
 HWY_INLINE std::size_t count_of(const LaneMask<T>& mask) {
-  return static_cast<std::size_t>(std::popcount(bits_of<T>(mask)));
+  return hn::CountTrue(Tag<T>(), mask);
 }
-
-#if HWY_TARGET <= HWY_AVX3
-
-/// The lanes of a mask one after another. By intrinsics where Highway looks up a table, which GCC copies to the stack
-/// each time; for the same reason older instruction sets move numbers one by one.
-template <class T>
-HWY_INLINE Lanes<T> compressed(const Lanes<T>& lanes, const LaneMask<T>& mask) {
-  if constexpr (sizeof(T) == 8) return Lanes<T>{_mm512_maskz_compress_pd(mask.raw, lanes.raw)};
-  if constexpr (sizeof(T) == 4) return hn::Compress(lanes, mask);
-}
-
-/// As many slots as there are lanes of T.
-template <class T>
-using SlotTag = hn::Rebind<std::uint32_t, Tag<T>>;
-
-template <class T>
-HWY_INLINE hn::Mask<SlotTag<T>> slot_mask(const LaneMask<T>& mask) {
-  if constexpr (sizeof(T) == 4) return hn::RebindMask(SlotTag<T>(), mask);
-  const std::uint64_t bits = bits_of<T>(mask);
-  return hn::LoadMaskBits(SlotTag<T>(), reinterpret_cast<const std::uint8_t*>(&bits));
-}
-
-#endif
 
 template <Dim N, class T>
 void centers_of(const Aabb<N, T>* boxes, std::size_t count, const CenterLists<N, T>& to) {
@@ -74,26 +52,27 @@ template <Dim N, class T>
 Aabb<N, T> bounds_of_centers(const CenterLists<N, T>& centers, std::size_t count) {
   const Tag<T> d;
   Aabb<N, T> bounds;
+  if (count < lanes_of<T>) {
+    for (Dim i = 0; i < N; ++i) {
+      const auto [low, high] = std::minmax_element(centers.at[i], centers.at[i] + count);
+      bounds.min[i] = *low;
+      bounds.max[i] = *high;
+    }
+    return bounds;
+  }
+  Lanes<T> low[N];
+  Lanes<T> high[N];
+  for (Dim i = 0; i < N; ++i) low[i] = high[i] = hn::LoadU(d, centers.at[i] + count - lanes_of<T>);
+  for (std::size_t k = 0; k + lanes_of<T> <= count; k += lanes_of<T>) {
+    for (Dim i = 0; i < N; ++i) {
+      const auto at = hn::LoadU(d, centers.at[i] + k);
+      low[i] = lesser<T>(low[i], at);
+      high[i] = greater<T>(high[i], at);
+    }
+  }
   for (Dim i = 0; i < N; ++i) {
-    const T* const at = centers.at[i];
-    bounds.min[i] = bounds.max[i] = at[0];
-    if (count >= lanes_of<T>) {
-      auto low = hn::LoadU(d, at);
-      auto high = low;
-      for (std::size_t k = lanes_of<T>; k + lanes_of<T> <= count; k += lanes_of<T>) {
-        low = hn::Min(low, hn::LoadU(d, at + k));
-        high = hn::Max(high, hn::LoadU(d, at + k));
-      }
-      low = hn::Min(low, hn::LoadU(d, at + count - lanes_of<T>));
-      high = hn::Max(high, hn::LoadU(d, at + count - lanes_of<T>));
-      bounds.min[i] = hn::GetLane(hn::MinOfLanes(d, low));
-      bounds.max[i] = hn::GetLane(hn::MaxOfLanes(d, high));
-      continue;
-    }
-    for (std::size_t k = 1; k < count; ++k) {
-      bounds.min[i] = std::min(bounds.min[i], at[k]);
-      bounds.max[i] = std::max(bounds.max[i], at[k]);
-    }
+    bounds.min[i] = hn::GetLane(hn::MinOfLanes(d, low[i]));
+    bounds.max[i] = hn::GetLane(hn::MaxOfLanes(d, high[i]));
   }
   return bounds;
 }
@@ -102,6 +81,10 @@ Aabb<N, T> bounds_of_centers(const CenterLists<N, T>& centers, std::size_t count
 
 /// So many numbers are each compared with all.
 constexpr std::size_t few = 32;
+
+/// So many numbers are worth a larger sample, whose numbers are compared with each other.
+template <class T>
+constexpr std::size_t worth_a_sample = lanes_of<T> == 1 ? 4096 : 512;
 
 /// How often one looks between others before an ordinary selection takes over.
 constexpr int most_rounds = 24;
@@ -137,13 +120,14 @@ struct Numbers {
   HWY_INLINE Selected<T> of_rank(std::size_t rank) const {
     const Tag<T> d;
     const auto most_less = hn::Set(d, static_cast<T>(rank));
-    auto value = hn::Set(d, std::numeric_limits<T>::lowest());
+    const auto least = hn::Set(d, std::numeric_limits<T>::lowest());
+    auto value = least;
     auto below = hn::Zero(d);
     for (std::size_t k = 0; k < most; k += lanes_of<T>) {
       const auto lanes = hn::Load(d, less + k);
       const auto is_candidate = hn::Le(lanes, most_less);
-      value = hn::IfThenElse(is_candidate, hn::Max(value, hn::Load(d, all + k)), value);
-      below = hn::IfThenElse(is_candidate, hn::Max(below, lanes), below);
+      value = greater<T>(value, hn::IfThenElse(is_candidate, hn::Load(d, all + k), least));
+      below = greater<T>(below, hn::IfThenElseZero(is_candidate, lanes));
     }
     return {hn::GetLane(hn::MaxOfLanes(d, value)), static_cast<std::size_t>(hn::GetLane(hn::MaxOfLanes(d, below)))};
   }
@@ -179,7 +163,7 @@ HWY_INLINE Bracket<T> bracket_from_sample(const T* numbers, std::size_t count, s
 
 template <class T>
 Bracket<T> bracket_of(const T* numbers, std::size_t count, std::size_t rank, bool is_narrow) {
-  if (count < 512) return bracket_from_sample<16>(numbers, count, rank, is_narrow ? 0 : 3);
+  if (count < worth_a_sample<T>) return bracket_from_sample<16>(numbers, count, rank, is_narrow ? 0 : 3);
   return bracket_from_sample<64>(numbers, count, rank, is_narrow ? 0 : 6);
 }
 
@@ -198,16 +182,12 @@ Between take_between(const T* numbers, std::size_t count, const Bracket<T>& brac
   std::size_t k = 0;
   for (; k + lanes_of<T> <= count; k += lanes_of<T>) {
     const auto lanes = hn::LoadU(d, numbers + k);
-    const auto is_within = hn::And(hn::Ge(lanes, low), hn::Le(lanes, high));
-    result.below += count_of<T>(hn::Lt(lanes, low));
-#if HWY_TARGET <= HWY_AVX3
-    hn::StoreU(compressed<T>(lanes, is_within), d, to + result.within);
-    result.within += count_of<T>(is_within);
-#else
-    for (std::uint32_t bits = bits_of<T>(is_within); bits != 0; bits &= bits - 1) {
-      to[result.within++] = numbers[k + static_cast<std::uint32_t>(std::countr_zero(bits))];
-    }
-#endif
+    const auto is_below = hn::Lt(lanes, low);
+    const auto is_up_to = hn::Le(lanes, high);
+    hn::StoreU(ToFront<Tag<T>>(bits_of<T>(hn::AndNot(is_below, is_up_to)))(lanes), d, to + result.within);
+    const std::size_t below = count_of<T>(is_below);
+    result.below += below;
+    result.within += count_of<T>(is_up_to) - below;
   }
   for (; k < count; ++k) {
     result.below += numbers[k] < bracket.low ? 1U : 0U;
@@ -264,56 +244,52 @@ struct Ends {
   std::size_t high;
 };
 
-#if HWY_TARGET <= HWY_AVX3
+/// As many slots as there are lanes of T.
+template <class T>
+using SlotTag = hn::Rebind<std::uint32_t, Tag<T>>;
 
-/// Parts a vector of centers, or the last ones, and writes no more than they are. Copies the first `copied`
-/// coordinates.
+/// Whether vectors are parted as a whole. Shorter ones are not worth it.
+template <class T>
+constexpr bool parts_vectors = lanes_of<T> >= 4;
+
+/// Parts some centers one by one. Copies the first `copied` coordinates.
 template <Dim copied, Dim N, class T>
-// NOLINTNEXTLINE(readability-function-size): as the loop needs it
 HWY_INLINE void part_some(const CenterLists<N, T>& from, std::size_t some, Dim axis, T border,
                           const CenterLists<N, T>& to, Ends& ends) {
-  const Tag<T> d;
-  const SlotTag<T> ds;
-  const auto are_there = hn::FirstN(d, some);
-  const auto is_low = hn::And(are_there, hn::Lt(hn::MaskedLoad(are_there, d, from.at[axis]), hn::Set(d, border)));
-  const auto is_high = hn::AndNot(is_low, are_there);
-  const std::size_t lower = count_of<T>(is_low);
-  const auto first_low = hn::FirstN(d, lower);
-  const auto first_high = hn::FirstN(d, some - lower);
-  for (Dim i = 0; i < copied; ++i) {
-    const auto lanes = hn::MaskedLoad(are_there, d, from.at[i]);
-    hn::BlendedStore(compressed<T>(lanes, is_low), first_low, d, to.at[i] + ends.low);
-    hn::BlendedStore(compressed<T>(lanes, is_high), first_high, d, to.at[i] + ends.high);
+  const T* const along = from.at[axis];
+  for (std::size_t k = 0; k < some; ++k) {
+    const std::size_t is_low = along[k] < border ? 1 : 0;
+    const std::size_t place = ends.high ^ ((ends.high ^ ends.low) & (0 - is_low));  // compilers would make a branch
+    for (Dim i = 0; i < copied; ++i) to.at[i][place] = from.at[i][k];
+    to.slots[place] = from.slots[k];
+    ends.low += is_low;
+    ends.high += 1 - is_low;
   }
-  const auto slots = hn::MaskedLoad(hn::FirstN(ds, some), ds, from.slots);
-  hn::BlendedStore(hn::Compress(slots, slot_mask<T>(is_low)), hn::FirstN(ds, lower), ds, to.slots + ends.low);
-  hn::BlendedStore(hn::Compress(slots, slot_mask<T>(is_high)), hn::FirstN(ds, some - lower), ds, to.slots + ends.high);
-  ends.low += lower;
-  ends.high += some - lower;
 }
 
 /// The same for a whole vector where as much may be written behind both ends.
 template <Dim copied, Dim N, class T>
 HWY_INLINE void part_vector(const CenterLists<N, T>& from, Dim axis, T border, const CenterLists<N, T>& to,
                             Ends& ends) {
+  constexpr std::uint32_t all = (1U << lanes_of<T>)-1U;
   const Tag<T> d;
   const SlotTag<T> ds;
   const auto is_low = hn::Lt(hn::LoadU(d, from.at[axis]), hn::Set(d, border));
-  const auto is_high = hn::Not(is_low);
+  const std::uint32_t bits = bits_of<T>(is_low);
+  const ToFront<Tag<T>> low_first(bits);
+  const ToFront<Tag<T>> high_first(bits ^ all);
   for (Dim i = 0; i < copied; ++i) {
     const auto lanes = hn::LoadU(d, from.at[i]);
-    hn::StoreU(compressed<T>(lanes, is_low), d, to.at[i] + ends.low);
-    hn::StoreU(compressed<T>(lanes, is_high), d, to.at[i] + ends.high);
+    hn::StoreU(low_first(lanes), d, to.at[i] + ends.low);
+    hn::StoreU(high_first(lanes), d, to.at[i] + ends.high);
   }
   const auto slots = hn::LoadU(ds, from.slots);
-  hn::StoreU(hn::Compress(slots, slot_mask<T>(is_low)), ds, to.slots + ends.low);
-  hn::StoreU(hn::Compress(slots, slot_mask<T>(is_high)), ds, to.slots + ends.high);
+  hn::StoreU(ToFront<SlotTag<T>>(bits)(slots), ds, to.slots + ends.low);
+  hn::StoreU(ToFront<SlotTag<T>>(bits ^ all)(slots), ds, to.slots + ends.high);
   const std::size_t lower = count_of<T>(is_low);
   ends.low += lower;
   ends.high += lanes_of<T> - lower;
 }
-
-#endif
 
 template <Dim copied, Dim N, class T>
 void part(const CenterLists<N, T>& centers, std::size_t count, Dim axis, const Selected<T>& border,
@@ -321,25 +297,17 @@ void part(const CenterLists<N, T>& centers, std::size_t count, Dim axis, const S
   const CenterLists<N, T> from = centers;  // its pointers in registers, whatever is written
   const CenterLists<N, T> to = parts;
   Ends ends{0, border.less};
-#if HWY_TARGET <= HWY_AVX3
-  for (std::size_t k = 0; k < count; k += lanes_of<T>) {
-    if (HWY_LIKELY(ends.low + lanes_of<T> <= border.less && ends.high + lanes_of<T> <= count)) {
-      part_vector<copied>(from.behind(k), axis, border.value, to, ends);
-    } else {
-      part_some<copied>(from.behind(k), std::min<std::size_t>(lanes_of<T>, count - k), axis, border.value, to, ends);
+  if constexpr (parts_vectors<T>) {
+    for (std::size_t k = 0; k < count; k += lanes_of<T>) {
+      if (HWY_LIKELY(ends.low + lanes_of<T> <= border.less && ends.high + lanes_of<T> <= count)) {
+        part_vector<copied>(from.behind(k), axis, border.value, to, ends);
+      } else {
+        part_some<copied>(from.behind(k), std::min<std::size_t>(lanes_of<T>, count - k), axis, border.value, to, ends);
+      }
     }
+  } else {
+    part_some<copied>(from, count, axis, border.value, to, ends);
   }
-#else
-  const T* const along = from.at[axis];
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t is_low = along[k] < border.value ? 1 : 0;
-    const std::size_t place = ends.high ^ ((ends.high ^ ends.low) & (0 - is_low));  // compilers would make a branch
-    for (Dim i = 0; i < copied; ++i) to.at[i][place] = from.at[i][k];
-    to.slots[place] = from.slots[k];
-    ends.low += is_low;
-    ends.high += 1 - is_low;
-  }
-#endif
 }
 
 template <Dim N, class T>

@@ -7,6 +7,7 @@
 #define GRAZE_BROAD_SIMD_LANES_INL_HPP
 #endif
 
+#include <algorithm>
 #include <cstdint>
 
 #include <hwy/highway.h>
@@ -39,6 +40,25 @@ HWY_INLINE std::uint32_t bits_of(const Mask& mask) {
   std::uint64_t bits = 0;
   hn::StoreMaskBits(Tag<T>(), mask, reinterpret_cast<std::uint8_t*>(&bits));
   return static_cast<std::uint32_t>(bits) & ((1U << lanes_of<T>)-1U);
+}
+
+/// Of numbers that are not NaN, which Highway asks about where there are no vectors.
+template <class T>
+HWY_INLINE Lanes<T> lesser(const Lanes<T>& a, const Lanes<T>& b) {
+#if HWY_TARGET == HWY_SCALAR
+  return Lanes<T>(std::min(a.raw, b.raw));
+#else
+  return hn::Min(a, b);
+#endif
+}
+
+template <class T>
+HWY_INLINE Lanes<T> greater(const Lanes<T>& a, const Lanes<T>& b) {
+#if HWY_TARGET == HWY_SCALAR
+  return Lanes<T>(std::max(a.raw, b.raw));
+#else
+  return hn::Max(a, b);
+#endif
 }
 
 /// Which lanes of a block have a box.
