@@ -154,7 +154,12 @@ void build_bvh(std::span<const std::uint32_t> slots, double margin, const BvhPla
   centers.beside.slots = numbers.data() + count;
   centers.count = count;
   std::copy(slots.begin(), slots.end(), centers.here.slots);
-  if (!std::is_sorted(slots.begin(), slots.end())) std::sort(centers.here.slots, centers.here.slots + count);
+  std::uint32_t* const last_slot = centers.here.slots + count;
+  if (std::is_sorted(slots.rbegin(), slots.rend())) {  // as they come where all boxes before were erased
+    std::reverse(centers.here.slots, last_slot);
+  } else if (!std::is_sorted(slots.begin(), slots.end())) {
+    std::sort(centers.here.slots, last_slot);
+  }
   for (std::size_t first = 0; first < count;) {
     const std::uint32_t* const sorted = centers.here.slots;
     std::size_t last = first + 1;
