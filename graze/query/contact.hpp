@@ -53,6 +53,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/closest_points.hpp>
+#include <graze/query/obb_touch.hpp>
 #include <graze/query/penetration.hpp>
 #include <graze/query/penetration_convex.hpp>
 #include <graze/query/penetration_cores.hpp>
@@ -149,6 +150,8 @@ std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b) 
     return exchanged(penetration_of_parts(b, a));
   } else if constexpr (type_place<A> > type_place<B>) {
     return exchanged(penetration(b, a));
+  } else if constexpr (are_quick_obbs<A, B>) {
+    return is_in_order(a, b) ? penetration_of_obbs(a, b) : exchanged(penetration_of_obbs(b, a));
   } else {
     if (decide(a, b) == Relation::apart) return std::nullopt;
     if constexpr (type_place<A> < type_place<B>) {

@@ -35,6 +35,7 @@
 #include <graze/query/clipped_patch.hpp>
 #include <graze/query/contact.hpp>
 #include <graze/query/manifold_points.hpp>
+#include <graze/query/obb_touch.hpp>
 #include <graze/query/patch.hpp>
 #include <graze/query/patch_polytope.hpp>
 #include <graze/query/status.hpp>
@@ -97,10 +98,19 @@ struct WideManifold {
 
 /// The same of (b, a).
 template <Dim N>
-WideManifold<N> exchanged(WideManifold<N> manifold) {
+void exchange(WideManifold<N>& manifold) {
   manifold.found = exchanged(manifold.found);
-  for (std::size_t i = 0; i < manifold.size; ++i) manifold.pairs[i] = exchanged(manifold.pairs[i]);
+  for (std::size_t i = 0; i < manifold.size; ++i) {
+    SurfacePair<N>& pair = manifold.pairs[i];
+    std::swap(pair.point_a, pair.point_b);
+    std::swap(pair.feature_a, pair.feature_b);
+  }
   std::swap(manifold.part_a, manifold.part_b);
+}
+
+template <Dim N>
+WideManifold<N> exchanged(WideManifold<N> manifold) {
+  exchange(manifold);
   return manifold;
 }
 
@@ -243,6 +253,68 @@ WideManifold<dimension_of<A>> manifold_in_order(const A& a, const B& b) {
   }
 }
 
+#ifdef GRAZE_HAS_LANES
+
+/// The places of points over a face, as SpanningChoice wants them.
+struct PlacesOverFace {
+  struct Place {
+    Vec<3, double> point_a;
+    double depth;
+  };
+  std::array<Place, FaceOverFace::most_corners> pairs;
+  std::size_t size = 0;
+};
+
+/// The corners of a face over another, four of more than four. None if it has none.
+inline void choose_corners(const FaceOverFace& over, bool is_of_b, WideManifold<3>& manifold) {
+  const auto keep = [&](std::size_t i) {
+    const SurfacePair<3> pair = over.pair(i);
+    manifold.pairs[manifold.size++] = is_of_b ? exchanged(pair) : pair;
+  };
+  if (over.size() <= manifold.pairs.size()) {
+    for (std::size_t i = 0; i < over.size(); ++i) keep(i);
+    return;
+  }
+  PlacesOverFace places;
+  for (std::size_t i = 0; i < over.size(); ++i) {
+    const SurfacePair<3> pair = over.pair(i);
+    places.pairs[places.size++] = {is_of_b ? pair.point_b : pair.point_a, pair.depth};
+  }
+  auto chosen = SpanningChoice(places, manifold.found.normal).run();
+  std::sort(chosen.begin(), chosen.end());
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    if (i == 0 || chosen[i] != chosen[i - 1]) keep(chosen[i]);
+  }
+}
+
+/// The same of two oriented boxes in space, if they meet.
+template <class T>
+bool find_manifold_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b, WideManifold<3>& result) {
+  const ObbAxes axes = axes_of(a, b);
+  if (are_apart(a, b, axes)) return false;
+  const MeetingObbs met(a, b, axes.candidates);
+  const Vec<3, double> origin = reference(a);
+  result.found = met.contact.found;
+  if (const auto face = carrying_face(met)) {
+    FaceOverFace over = face_over(met, *face);
+    if (over.run()) choose_corners(over, face->is_of_b, result);
+  } else if (const auto pair = quick_pair_on_edges(met)) {
+    result.pairs[result.size++] = *pair;
+  }
+  if (result.size == 0) choose_points(pairs_of_boxes(seen_from(origin, a), seen_from(origin, b), met.contact), result);
+  move_points(result, origin);
+  return true;
+}
+
+template <class T>
+std::optional<WideManifold<3>> manifold_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b) {
+  WideManifold<3> result;
+  if (!find_manifold_of_obbs(a, b, result)) return std::nullopt;
+  return result;
+}
+
+#endif
+
 template <class A, class B>
 std::optional<WideManifold<dimension_of<A>>> wide_manifold(const A& a, const B& b) {
   if constexpr (is_any_shape<A>) {
@@ -257,6 +329,8 @@ std::optional<WideManifold<dimension_of<A>>> wide_manifold(const A& a, const B& 
     return exchanged(manifold_of_parts(b, a));
   } else if constexpr (type_place<A> > type_place<B>) {
     return exchanged(wide_manifold(b, a));
+  } else if constexpr (are_quick_obbs<A, B>) {
+    return is_in_order(a, b) ? manifold_of_obbs(a, b) : exchanged(manifold_of_obbs(b, a));
   } else {
     if (decide(a, b) == Relation::apart) return std::nullopt;
     if constexpr (type_place<A> < type_place<B>) {
@@ -285,6 +359,16 @@ Manifold<N, T> rounded_manifold(const WideManifold<N>& exact) {
   return result;
 }
 
+/// The manifold of two oriented boxes in space, which is not copied on its way.
+template <class T>
+Manifold<3, T> rounded_manifold_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b) {
+  WideManifold<3> found;
+  const bool is_ordered = is_in_order(a, b);
+  if (!find_manifold_of_obbs(is_ordered ? a : b, is_ordered ? b : a, found)) return {};
+  if (!is_ordered) exchange(found);
+  return rounded_manifold<T>(found);
+}
+
 }  // namespace detail
 
 /// The contact points of two valid shapes (asserted) of the same dimension and number type, as described above; none if
@@ -292,9 +376,13 @@ Manifold<N, T> rounded_manifold(const WideManifold<N>& exact) {
 template <Shape A, SameSpace<A> B>
 Manifold<dimension_of<A>, scalar_of<A>> manifold(const A& a, const B& b) {
   assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));
-  const auto found = detail::wide_manifold(a, b);
-  if (!found) return {};
-  return detail::rounded_manifold<scalar_of<A>>(*found);
+  if constexpr (detail::are_quick_obbs<A, B>) {
+    return detail::rounded_manifold_of_obbs(a, b);
+  } else {
+    const auto found = detail::wide_manifold(a, b);
+    if (!found) return {};
+    return detail::rounded_manifold<scalar_of<A>>(*found);
+  }
 }
 
 }  // namespace graze

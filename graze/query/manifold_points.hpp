@@ -165,10 +165,11 @@ SurfacePairs<N> surface_pairs(const FacingPatches<N>& facing, const Penetration<
 
 /// Chooses the deepest point; then the farthest from it; then, on either side of the line between the two, the one that
 /// makes the largest triangle with it. Of points that are as good, up to `slack` times the size of the patch, the
-/// first: so that motions smaller than that change none.
+/// first: so that motions smaller than that change none. `Pairs` is SurfacePairs<3>, or holds as much of it.
+template <class Pairs>
 class SpanningChoice {
  public:
-  SpanningChoice(const SurfacePairs<3>& from, const Vec<3, double>& normal) : from_(from), normal_(normal) {}
+  SpanningChoice(const Pairs& from, const Vec<3, double>& normal) : from_(from), normal_(normal) {}
 
   /// Four of more than four, by their places.
   std::array<std::size_t, 4> run() {
@@ -204,7 +205,7 @@ class SpanningChoice {
     return dot(cross(between(i, j), between(i, k)), normal_);
   }
 
-  const SurfacePairs<3>& from_;
+  const Pairs& from_;
   Vec<3, double> normal_;
 };
 

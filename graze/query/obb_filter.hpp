@@ -27,6 +27,8 @@ struct LaneBox {
   Lanes center, half;
   LaneMatrix axes;
 
+  [[gnu::always_inline]] LaneBox(Lanes its_center, Lanes its_half, const LaneMatrix& its_axes)
+      : center(its_center), half(its_half), axes(its_axes) {}
   [[gnu::always_inline]] explicit LaneBox(const Obb<3, float>& box)
       : center(read(box, 0)), half(read(box, 3)), axes{read(box, 6), read(box, 9), arranged<1, 2, 3>(read(box, 11))} {
     static_assert(sizeof(box) == 15 * sizeof(float) && std::is_trivially_copyable_v<Obb<3, float>>);

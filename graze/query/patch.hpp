@@ -192,23 +192,43 @@ inline Patch<2> patch_of_box(const BoxFrame<2>& box, const BoxSide<2>& side) {
   return patch;
 }
 
-/// Around the side, with the next axis as x and the one after it as y.
+/// The numbers of a side of a box in space, and around it: with the next axis as x and the one after it as y from the
+/// corner at -x, -y to that at +x, -y, and so on.
+struct BoxFaceNumbers {
+  Dim axis = 0;
+  bool is_far = false;
+
+  constexpr Dim next() const { return (axis + 1) % 3; }
+  constexpr Dim last() const { return (axis + 2) % 3; }
+  constexpr std::uint32_t face() const { return static_cast<std::uint32_t>(2 * axis) + far(); }
+  constexpr std::uint32_t vertex(std::uint32_t corner) const {
+    const std::uint32_t is_right = (corner ^ corner >> 1U) & 1U;
+    return far() << static_cast<unsigned>(axis) | is_right << static_cast<unsigned>(next()) |
+           (corner >> 1U) << static_cast<unsigned>(last());
+  }
+  /// From a corner to the next. One along x has as bits its sides of y and of `axis`, one along y those of `axis` and
+  /// of x.
+  constexpr std::uint32_t edge(std::uint32_t corner) const {
+    if ((corner & 1U) == 0) return static_cast<std::uint32_t>(4 * next()) + (corner >> 1U) + 2 * far();
+    return static_cast<std::uint32_t>(4 * last()) + far() + 2 - (corner & 2U);
+  }
+
+ private:
+  constexpr std::uint32_t far() const { return is_far ? 1 : 0; }
+};
+
 inline Patch<3> patch_of_box(const BoxFrame<3>& box, const BoxSide<3>& side) {
   Patch<3> patch;
-  const auto axis = static_cast<std::uint32_t>(side.axis);
-  const std::uint32_t x = (axis + 1) % 3;
-  const std::uint32_t y = (axis + 2) % 3;
-  const std::uint32_t far = side.is_far ? 1 : 0;
-  patch.face = 2 * axis + far;
+  const BoxFaceNumbers numbers{side.axis, side.is_far};
+  patch.face = numbers.face();
   patch.normal = side.normal;
   const Vec<3, double> middle = box.center + box.half_edges[side.axis] * (side.is_far ? 1.0 : -1.0);
-  const Vec<3, double> right = box.half_edges[static_cast<Dim>(x)];
-  const Vec<3, double> up = box.half_edges[static_cast<Dim>(y)];
-  // An edge along x has as bits its sides of y and of `axis`, one along y those of `axis` and of x.
-  patch.add(middle - right - up, far << axis, 4 * x + 2 * far);
-  patch.add(middle + right - up, far << axis | 1U << x, 4 * y + far + 2);
-  patch.add(middle + right + up, far << axis | 1U << x | 1U << y, 4 * x + 1 + 2 * far);
-  patch.add(middle - right + up, far << axis | 1U << y, 4 * y + far);
+  const Vec<3, double> right = box.half_edges[numbers.next()];
+  const Vec<3, double> up = box.half_edges[numbers.last()];
+  patch.add(middle - right - up, numbers.vertex(0), numbers.edge(0));
+  patch.add(middle + right - up, numbers.vertex(1), numbers.edge(1));
+  patch.add(middle + right + up, numbers.vertex(2), numbers.edge(2));
+  patch.add(middle - right + up, numbers.vertex(3), numbers.edge(3));
   if (max_abs(right) == 0 || max_abs(up) == 0) patch.normal = Vec<3, double>(0.0);
   return patch;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -29,28 +30,41 @@ template <Dim N>
 struct BoxSides {
   BoxFrame<N> frame;
   Mat<N, double> directions;  ///< Of the edges, of length about 1.
-  Mat<N, double> normals;     ///< Of the faces, of length 1.
+
+  /// Of length 1, of the faces across an edge.
+  Vec<N, double> normal(Dim i) const {
+    const Vec<N, double> normal = adjoint_column(directions, i);
+    return normal / std::sqrt(dot(normal, normal));  // about 1
+  }
 };
 
 template <Dim N>
 BoxSides<N> sides_of(const Aabb<N, double>& box) {
-  return {frame_of(box), Mat<N, double>(1.0), Mat<N, double>(1.0)};
+  return {frame_of(box), Mat<N, double>(1.0)};
 }
 
 template <Dim N>
 BoxSides<N> sides_of(const Obb<N, double>& box) {
-  BoxSides<N> sides{frame_of(box), box.axes, adjoint_columns(box.axes)};
-  for (Dim i = 0; i < N; ++i) sides.normals[i] /= std::sqrt(dot(sides.normals[i], sides.normals[i]));  // about 1
-  return sides;
+  return {frame_of(box), box.axes};
 }
+
+/// Some of the axes of two boxes, as bits in the order in which they are tried: the faces of the first, those of the
+/// second, and in space the edges, those of the first edge of the first box before others.
+using BoxesAxes = unsigned;
+template <Dim N>
+inline constexpr BoxesAxes all_boxes_axes = N == 2 ? 0xf : 0x7fff;
 
 /// The axis, and what it is the normal of: the face of one box, or two edges.
 template <Dim N>
 struct BoxesAxis {
   PartingAxis<N> axis;
   bool is_of_b = false;
+  Dim face = 0;  ///< If it is one: across which of the box' axes.
   std::optional<std::array<Dim, 2>> edges;
 };
+
+/// 1 or -1, and 1 for zero of either sign; without a branch, which would be guessed wrong every other time.
+inline double sign_of(double number) { return std::copysign(1.0, number + 0.0); }
 
 /// A face of a box reaches as far as its own half edge; an axis across an edge leaves that edge out. Pairs of edges are
 /// compared by squares: the root is taken of the winner alone.
@@ -60,27 +74,33 @@ class BoxesSearch {
   BoxesSearch(const BoxSides<N>& a, const BoxSides<N>& b, double size)
       : a_(a), b_(b), between_(b.frame.center - a.frame.center), margin_(tolerance::rounding * size) {}
 
-  BoxesAxis<N> run() {
-    for (Dim i = 0; i < N; ++i) try_face(a_, b_, i);
-    const double best_of_a = best_.axis.gap;
-    for (Dim i = 0; i < N; ++i) try_face(b_, a_, i);
-    best_.is_of_b = best_.axis.gap > best_of_a;
-    if constexpr (N == 3) {
-      for (Dim i = 0; i < N; ++i) {
-        for (Dim j = 0; j < N; ++j) try_edges(i, j);
+  /// Of axes that are known to be wider than all others, by more than rounding, these alone need be tried.
+  BoxesAxis<N> run(BoxesAxes candidates = all_boxes_axes<N>) {
+    for (; candidates != 0; candidates &= candidates - 1) {
+      const auto place = static_cast<Dim>(std::countr_zero(candidates));
+      if constexpr (N == 3) {
+        if (place >= 2 * N) {
+          try_edges((place - 2 * N) / N, (place - 2 * N) % N);
+          continue;
+        }
       }
+      const bool is_of_b = place >= N;
+      try_face(is_of_b ? b_ : a_, is_of_b ? a_ : b_, is_of_b ? place - N : place, is_of_b);
     }
     return best_;
   }
 
  private:
-  void try_face(const BoxSides<N>& own, const BoxSides<N>& other, Dim i) {
-    const Vec<N, double>& normal = own.normals[i];
+  void try_face(const BoxSides<N>& own, const BoxSides<N>& other, Dim i, bool is_of_b) {
+    const Vec<N, double> normal = own.normal(i);
     double reach = std::fabs(dot(normal, own.frame.half_edges[i]));
     for (Dim j = 0; j < N; ++j) reach += std::fabs(dot(normal, other.frame.half_edges[j]));
     const double ahead = dot(normal, between_);
     const double gap = std::fabs(ahead) - reach;
-    if (gap > best_.axis.gap + margin_) best_.axis = {ahead >= 0 ? normal : -normal, gap};
+    if (!(gap > best_.axis.gap + margin_)) return;
+    best_.axis = {normal * sign_of(ahead), gap};
+    best_.is_of_b = is_of_b;
+    best_.face = i;
   }
 
   void try_edges(Dim i, Dim j) {
@@ -95,7 +115,7 @@ class BoxesSearch {
         gap >= 0 ? least < 0 || gap * gap > least * least * squared : least < 0 && gap * gap < least * least * squared;
     if (!is_better) return;
     const double length = std::sqrt(squared);
-    best_.axis = {across_both * ((ahead >= 0 ? 1.0 : -1.0) / length), gap / length};
+    best_.axis = {across_both * (sign_of(ahead) / length), gap / length};
     best_.edges = {i, j};
   }
 
@@ -147,19 +167,21 @@ struct BoxesContact {
   Penetration<N> found;
 };
 
-template <class A, class B>
-BoxesContact<dimension_of<A>> contact_of_boxes(const A& a, const B& b) {
-  constexpr Dim N = dimension_of<A>;
-  const BoxSides<N> sides_a = sides_of(a);
-  const BoxSides<N> sides_b = sides_of(b);
+template <Dim N>
+BoxesContact<N> contact_of_sides(const BoxSides<N>& a, const BoxSides<N>& b, BoxesAxes candidates = all_boxes_axes<N>) {
   BoxesContact<N> result;
-  result.size = size_of_box(sides_a.frame) + size_of_box(sides_b.frame);
-  result.axis = BoxesSearch<N>(sides_a, sides_b, result.size).run();
+  result.size = size_of_box(a.frame) + size_of_box(b.frame);
+  result.axis = BoxesSearch<N>(a, b, result.size).run(candidates);
   const double gap = result.axis.axis.gap;
   result.found.normal = result.axis.axis.normal;
   result.found.depth = std::max(0.0, -gap);
   result.found.error = std::max(0.0, gap) + 2 * tolerance::rounding * result.size;
   return result;
+}
+
+template <class A, class B>
+BoxesContact<dimension_of<A>> contact_of_boxes(const A& a, const B& b) {
+  return contact_of_sides(sides_of(a), sides_of(b));
 }
 
 /// The deepest of the points that lie over the face that the axis is normal to; the first of several.

@@ -106,9 +106,12 @@ Penetration<dimension_of<A>> penetration_of_apart(const A& a, const B& b, double
   return result;
 }
 
+template <class S>
+inline constexpr bool is_box = is_a<Aabb, S> || is_a<Obb, S>;
+
 /// Two boxes, not both along the axes.
 template <class A, class B>
-inline constexpr bool are_boxes = BoxCore<A>&& BoxCore<B> && !(is_a<Aabb, A> && is_a<Aabb, B>);
+inline constexpr bool are_boxes = is_box<A>&& is_box<B> && !(is_a<Aabb, A> && is_a<Aabb, B>);
 
 template <class A, class B>
 requires are_boxes<A, B> Penetration<dimension_of<A>> penetration_of_simple(const A& a, const B& b) {

@@ -79,6 +79,14 @@ inline Mat<3, double> adjoint_columns(const Mat<3, double>& axes) {
   return {cross(axes[1], axes[2]), cross(axes[2], axes[0]), cross(axes[0], axes[1])};
 }
 
+/// One of them.
+inline Vec<2, double> adjoint_column(const Mat<2, double>& axes, Dim i) {
+  return i == 0 ? -perpendicular<double>(axes[1]) : perpendicular<double>(axes[0]);
+}
+inline Vec<3, double> adjoint_column(const Mat<3, double>& axes, Dim i) {
+  return cross(axes[(i + 1) % 3], axes[(i + 2) % 3]);
+}
+
 /// Column i is the outward normal of the face at +half_extents[i], scaled so that it gives a point's i-th place: the
 /// rows of the inverse of the axes.
 template <Dim N>

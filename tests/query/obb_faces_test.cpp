@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include <cstddef>
+
+#include <gtest/gtest.h>
+
+#include <graze/query/obb_faces.hpp>
+#include <graze/query/surface_point_box.hpp>
+
+#ifdef GRAZE_HAS_LANES
+
+namespace graze::detail::obb_faces_test {
+namespace {
+
+using V3 = Vec<3, double>;
+
+const V3 up(0, 0, 1);
+
+/// The upper side of a box, and the lower side of one above.
+BoxFace upper(const V3& low, const V3& high) { return face_of_box(frame_of(Aabb<3, double>{low, high}), {2, true}); }
+BoxFace lower(const V3& low, const V3& high) { return face_of_box(frame_of(Aabb<3, double>{low, high}), {2, false}); }
+
+const BoxFace table = upper({0, 0, -1}, {4, 4, 0});
+
+Feature vertex(std::uint32_t index) { return {FeatureKind::vertex, index}; }
+Feature edge(std::uint32_t index) { return {FeatureKind::edge, index}; }
+Feature face(std::uint32_t index) { return {FeatureKind::face, index}; }
+
+void expect_pair(const SurfacePair<3>& pair, const V3& point, const Feature& reference, const Feature& incident) {
+  EXPECT_EQ(pair.point_b, point);
+  EXPECT_EQ(pair.feature_a, reference);
+  EXPECT_EQ(pair.feature_b, incident);
+}
+
+FaceOverFace on_table(const BoxFace& incident) {
+  FaceOverFace over(incident, table, up, up, 1e-14);
+  EXPECT_TRUE(over.run());
+  return over;
+}
+
+TEST(BoxFaceNumbers, AreThoseOfPatches) {
+  for (const Dim axis : {0, 1, 2}) {
+    for (const bool is_far : {false, true}) {
+      const BoxFaceNumbers numbers{axis, is_far};
+      const Patch<3> patch = patch_of_box(frame_of(Aabb<3, double>{{0, 0, 0}, {1, 1, 1}}), {axis, is_far, up});
+      EXPECT_EQ(numbers.face(), patch.face);
+      for (std::uint32_t i = 0; i < 4; ++i) {
+        const V3 corner = patch.corners[i];
+        EXPECT_EQ(numbers.vertex(i), static_cast<std::uint32_t>(corner.x + 2 * corner.y + 4 * corner.z));
+        EXPECT_EQ(features_of_faces[numbers.face()][vertex_place + i], vertex(numbers.vertex(i)));
+        EXPECT_EQ(features_of_faces[numbers.face()][edge_place + i], edge(numbers.edge(i)));
+      }
+    }
+  }
+}
+
+TEST(FaceOverFace, ThatLiesOverTheOtherIsLeftWhole) {
+  const FaceOverFace whole = on_table(lower({1, 1, -0.5}, {2, 2, 1}));
+  ASSERT_EQ(whole.size(), 4U);
+  expect_pair(whole.pair(0), {1, 1, -0.5}, face(5), vertex(0));
+  expect_pair(whole.pair(2), {2, 2, -0.5}, face(5), vertex(3));
+  EXPECT_EQ(whole.pair(2).point_a, V3(2, 2, 0));
+  EXPECT_EQ(whole.depth(2), 0.5);
+}
+
+TEST(FaceOverFace, OverACornerNamesBothFeaturesOfEveryPoint) {
+  const FaceOverFace cut = on_table(lower({3, 3, 0}, {5, 5, 1}));
+  ASSERT_EQ(cut.size(), 4U);
+  expect_pair(cut.pair(0), {3, 3, 0}, face(5), vertex(0));
+  expect_pair(cut.pair(1), {4, 3, 0}, edge(7), edge(0));
+  expect_pair(cut.pair(2), {4, 4, 0}, vertex(7), face(4));
+  expect_pair(cut.pair(3), {3, 4, 0}, edge(3), edge(4));
+}
+
+TEST(FaceOverFace, LargerThanTheOtherIsTheOther) {
+  const FaceOverFace cut = on_table(lower({-9, -9, 0}, {9, 9, 1}));
+  ASSERT_EQ(cut.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(cut.pair(i).feature_b, face(4));
+    EXPECT_EQ(cut.pair(i).feature_a.kind, FeatureKind::vertex);
+  }
+}
+
+TEST(FaceOverFace, BesideOrAboveTheOtherIsNothing) {
+  EXPECT_EQ(on_table(lower({5, 0, 0}, {6, 4, 1})).size(), 0U);
+  EXPECT_EQ(on_table(lower({1, 1, 0.5}, {2, 2, 1})).size(), 0U);
+}
+
+TEST(FaceOverFace, IsNotKnownOfAFaceWithoutWidth) {
+  FaceOverFace over(lower({1, 1, 0}, {2, 2, 1}), upper({0, 0, -1}, {4, 0, 0}), up, up, 1e-14);
+  EXPECT_FALSE(over.run());
+}
+
+}  // namespace
+}  // namespace graze::detail::obb_faces_test
+
+#endif

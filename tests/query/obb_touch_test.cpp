@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// The quick way of two oriented boxes in space against the way of all boxes.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include <graze/math/pose.hpp>
+#include <graze/math/tolerance.hpp>
+#include <graze/query/manifold.hpp>
+#include <graze/query/obb_touch.hpp>
+
+#include "catalogue.hpp"
+
+#ifdef GRAZE_HAS_LANES
+
+namespace graze::detail::obb_touch_test {
+namespace {
+
+using V3 = Vec<3, double>;
+using Box = Obb<3, double>;
+
+const Mat<3, double> tilt = rotation_matrix(V3(1, 2, 3), 50);
+
+TEST(LookingFace, IsTheOneThatSideAlongChooses) {
+  test::check_property([] {
+    const auto [a, b] = *test::any_pair<Box, Box>();
+    for (Dim i = 0; i < 3; ++i) {
+      const BoxSide<3> side = side_along<3>(face_normals(a.axes), b.axes[i]);
+      const BoxFaceNumbers face = looking_face(a.axes, b.axes[i]);
+      RC_ASSERT(face.axis == side.axis);
+      RC_ASSERT(face.is_far == side.is_far);
+    }
+  });
+}
+
+TEST(FaceAlong, LooksStraightUpToTheToleranceOfManifolds) {
+  const BoxSides<3> sides = sides_of(Box{{0, 0, 0}, {1, 1, 1}, tilt});
+  const V3 straight = -tilt[1];
+  const auto face = face_along(sides, straight, true);
+  ASSERT_TRUE(face);
+  EXPECT_EQ(face->numbers.face(), 2U);
+  EXPECT_TRUE(face->is_of_b);
+  const V3 turned = straight + tilt[0] * 1e-4;
+  EXPECT_FALSE(face_along(sides, turned / length(turned), true));
+}
+
+TEST(QuickPairOnEdges, IsWhereTheyCross) {
+  const Box below{{0, 0, 0}, {1, 1, 1}, rotation_matrix(V3(0, 1, 0), 45)};
+  const Box above{{0, 0, 2.5}, {1, 1, 1}, rotation_matrix(V3(1, 0, 0), 45)};
+  const auto pair = quick_pair_on_edges(MeetingObbs(below, above, all_boxes_axes<3>));
+  ASSERT_TRUE(pair);
+  EXPECT_NEAR(length(pair->point_a - V3(0, 0, std::sqrt(2.0))), 0, 1e-15);
+  EXPECT_NEAR(length(pair->point_b - V3(0, 0, 2.5 - std::sqrt(2.0))), 0, 1e-15);
+  EXPECT_EQ(pair->feature_a.kind, FeatureKind::edge);
+  const Box beside{{0, 1, 2.5}, {1, 1, 1}, above.axes};  // at the end of the lower edge
+  EXPECT_FALSE(quick_pair_on_edges(MeetingObbs(below, beside, 1U << (6U + 3 * 1 + 0))));
+}
+
+// ---- Pairs of every kind
+
+Mat<3, double> any_rotation() {
+  const auto part = [] { return static_cast<double>(*test::choice(2001)) / 1000 - 1; };
+  const V3 axis(part(), part(), part());
+  return rotation_matrix(length(axis) > 0.1 ? axis : V3(1, 0, 0), 180 * part());
+}
+
+enum class Kind { any, stacked, tilted, edges, concentric, flat, far };
+
+/// Two boxes, the first of which is at most about 1 large.
+std::pair<Box, Box> draw(Kind kind) {
+  const auto share = [] { return static_cast<double>(*test::choice(1001)) / 1000; };
+  const auto half = [&] { return V3(0.1 + share(), 0.1 + share(), 0.1 + share()); };
+  const Mat<3, double> whole = any_rotation();
+  const V3 place = V3(share(), share(), share()) * (kind == Kind::far ? 1e6 : 1.0);
+  Box a{place, half(), whole};
+  Box b{place, half(), whole};
+  if (kind == Kind::flat) a.half_extents[static_cast<Dim>(*test::choice(3))] = 0;
+  if (kind == Kind::concentric) {
+    b.axes = any_rotation();
+  } else if (kind == Kind::any || kind == Kind::flat) {
+    b.axes = any_rotation();
+    b.center += (V3(share(), share(), share()) - 0.5) * 2.0;
+  } else if (kind == Kind::edges) {
+    a.axes = whole * rotation_matrix(V3(1, 0, 0), 45);
+    b.axes = whole * rotation_matrix(V3(0, 1, 0), 45);
+    b.center += whole[2] * (0.7 * (a.half_extents.y + a.half_extents.z) + 0.6 * (b.half_extents.x + b.half_extents.z));
+  } else {
+    const double turn = kind == Kind::tilted ? 1e-4 * share() : 0;
+    b.axes = whole * rotation_matrix(V3(1, share(), 0), turn) * rotation_matrix(V3(0, 0, 1), 360 * share());
+    b.center += whole * V3(share() - 0.5, share() - 0.5, a.half_extents.z + b.half_extents.z - 0.01);
+  }
+  return *test::choice(2) == 0 ? std::pair{a, b} : std::pair{b, a};
+}
+
+template <class T>
+Obb<3, T> in_type(const Box& box) {
+  return {Vec<3, T>(box.center), Vec<3, T>(box.half_extents), Mat<3, T>(box.axes)};
+}
+
+/// Points may be off by the tilt of faces that are taken to lie flat; where they are cut at so small an angle, by more.
+template <class T>
+double allowed_off(const Obb<3, T>& a, const Obb<3, T>& b, double error) {
+  const auto coordinate = static_cast<double>(std::max(max_abs(a.center), max_abs(b.center)));
+  const auto size = static_cast<double>(max_abs(a.half_extents) + max_abs(b.half_extents));
+  return 8 * error + 4 * static_cast<double>(std::numeric_limits<T>::epsilon()) * (coordinate + size);
+}
+
+template <class T>
+void expect_the_same_manifold(Kind kind) {
+  test::check_property([kind] {
+    const auto [wide_a, wide_b] = draw(kind);
+    const auto a = in_type<T>(wide_a);
+    const auto b = in_type<T>(wide_b);
+    RC_LOG() << test::to_source(a) << ", " << test::to_source(b) << "\n";
+    const Manifold<3, T> quick = manifold(a, b);
+    const bool is_apart = decide(a, b) == Relation::apart;
+    RC_ASSERT((quick.size == 0) == is_apart);
+    RC_PRE(!is_apart);
+    const auto plain =
+        rounded_manifold<T>(is_in_order(a, b) ? manifold_in_order(a, b) : exchanged(manifold_in_order(b, a)));
+    RC_ASSERT(quick.normal == plain.normal);
+    RC_ASSERT(quick.error == plain.error);
+    RC_ASSERT(quick.size == plain.size);
+    const double allowed = allowed_off(a, b, plain.error);
+    for (std::size_t i = 0; i < plain.size; ++i) {
+      RC_ASSERT(quick.points[i].id == plain.points[i].id);
+      RC_ASSERT(static_cast<double>(max_abs(quick.points[i].point_a - plain.points[i].point_a)) <= allowed);
+      RC_ASSERT(static_cast<double>(max_abs(quick.points[i].point_b - plain.points[i].point_b)) <= allowed);
+      RC_ASSERT(std::fabs(static_cast<double>(quick.points[i].depth - plain.points[i].depth)) <= allowed);
+    }
+  });
+}
+
+/// The same depth and normal to the bit. Of points that are as deep as each other either may be taken, so that the
+/// point need only be as deep as the contact.
+template <class T>
+void expect_the_same_contact(Kind kind) {
+  test::check_property([kind] {
+    const auto [wide_a, wide_b] = draw(kind);
+    const auto a = in_type<T>(wide_a);
+    const auto b = in_type<T>(wide_b);
+    RC_LOG() << test::to_source(a) << ", " << test::to_source(b) << "\n";
+    const auto quick = contact(a, b);
+    const bool is_apart = decide(a, b) == Relation::apart;
+    RC_ASSERT(quick.has_value() == !is_apart);
+    RC_PRE(!is_apart);
+    const auto plain =
+        rounded_contact<T>(is_in_order(a, b) ? penetration_in_order(a, b) : exchanged(penetration_in_order(b, a)));
+    RC_ASSERT(quick->normal == plain.normal);
+    RC_ASSERT(quick->depth == plain.depth);
+    RC_ASSERT(quick->error == plain.error);
+    const auto rest = (quick->point_a - quick->point_b) - quick->normal * quick->depth;
+    RC_ASSERT(static_cast<double>(max_abs(rest)) <= allowed_off(a, b, plain.error));
+  });
+}
+
+TEST(QuickManifold, IsThatOfAllBoxes) {
+  for (const Kind kind :
+       {Kind::any, Kind::stacked, Kind::tilted, Kind::edges, Kind::concentric, Kind::flat, Kind::far}) {
+    expect_the_same_manifold<double>(kind);
+    expect_the_same_manifold<float>(kind);
+  }
+}
+
+TEST(QuickContact, IsThatOfAllBoxes) {
+  for (const Kind kind :
+       {Kind::any, Kind::stacked, Kind::tilted, Kind::edges, Kind::concentric, Kind::flat, Kind::far}) {
+    expect_the_same_contact<double>(kind);
+    expect_the_same_contact<float>(kind);
+  }
+}
+
+}  // namespace
+}  // namespace graze::detail::obb_touch_test
+
+#endif
