@@ -201,7 +201,8 @@ class NearestFew {
     if (count_ > room) finish();
   }
 
-  /// Where no two are equally far, the place of each is how many distances are less than its own.
+  /// The place of each is how many distances are less than its own, where none is equally far. Slots decide between
+  /// those that are, also where they share the last place that is wanted and every place seems to be taken.
   void finish() {
     const Tag<double> d;
     constexpr std::uint32_t lanes = lanes_of<double>;
@@ -209,6 +210,7 @@ class NearestFew {
     for (std::uint32_t k = 0; k < Most / lanes; ++k) least[k] = hn::Load(d, distances_ + k * lanes);
     std::uint32_t order[Most + 1];
     std::uint32_t taken = 0;
+    std::uint32_t taken_twice = 0;
     for (std::uint32_t k = 0; k < count_; ++k) {
       std::uint32_t before = 0;
       for (std::uint32_t j = 0; j < Most / lanes; ++j) {
@@ -216,10 +218,12 @@ class NearestFew {
       }
       const auto place = static_cast<std::uint32_t>(std::popcount(before));
       order[place] = k;
+      taken_twice |= taken & (1U << place);
       taken |= 1U << place;
     }
     const std::size_t wanted = last_ + 1;
-    if ((~taken & ((1U << wanted) - 1U)) == 0) {
+    const std::uint32_t places = (1U << wanted) - 1U;
+    if ((taken & ~taken_twice & places) == places && !keeps_any_within_reach()) {
       Neighbour sorted[Most];
       for (std::size_t place = 0; place < wanted; ++place) {
         const Candidate& candidate = candidates_[order[place]];
@@ -240,6 +244,13 @@ class NearestFew {
     double distance;
     std::uint32_t slot;
   };
+
+  /// Of the boxes that were offered before the candidates.
+  bool keeps_any_within_reach() const {
+    bool any = false;
+    for (const Neighbour& neighbour : nearest_.kept()) any |= neighbour.distance_squared <= reach();
+    return any;
+  }
 
   HWY_INLINE void insert(double distance) {
     for (std::size_t k = Most - 1; k > 0; --k) {

@@ -11,12 +11,14 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <graze/broad/bvh_query.hpp>
 #include <graze/broad/bvh_tree.hpp>
 
 #include "box_worlds.hpp"
 #include "bvh_checks.hpp"
+#include "simd_targets.hpp"
 
 namespace graze::detail::bvh_query_test {
 namespace {
@@ -226,26 +228,26 @@ TEST(BvhQuery, TheNearestAreThoseBoxByBox) {
   for (const double size : {1.0, 1e-320, 1e-160, 1e150, 1e304}) expect_distances_as_box_by_box<double>(size, 4);
 }
 
-/// Boxes on a lattice, three in each place and many around the middle, some beside the tree: whatever is equally near,
-/// and more of it than a walk has room for, the lowest slots count.
+/// Boxes on a lattice of a size, every third of them with a reach, some beside the tree: whatever is equally near, and
+/// where more of it is than a walk has room for, the lowest slots count.
 template <Dim N, class T>
-void expect_lowest_slots_of_equally_near() {
+void expect_lowest_slots_of_equally_near(int size, T reach) {
   test::Numbers numbers(5);
   BvhTree<N, T> tree(0);
   constexpr std::uint32_t count = 900;
   for (std::uint32_t k = 0; k < count; ++k) {
     const std::uint32_t slot = k * 7 % count;
     Vec<N, T> low;
-    for (Dim i = 0; i < N; ++i) low[i] = static_cast<T>(static_cast<int>(numbers.between(0, 6)));
-    const T reach = slot % 3 == 0 ? T(8) : T(0);
-    Aabb<N, T> box{low - reach, low + reach};
+    for (Dim i = 0; i < N; ++i) low[i] = static_cast<T>(static_cast<int>(numbers.between(0, size)));
+    Aabb<N, T> box{low, low};
+    if (slot % 3 == 0) box = {low - reach, low + reach};
     if (slot % 200 == 13) box.max[0] = std::numeric_limits<T>::infinity();
     tree.insert(slot, box);
   }
   for (int round = 0; round < 60; ++round) {
     Vec<N, T> point;
-    for (Dim i = 0; i < N; ++i) point[i] = static_cast<T>(static_cast<int>(numbers.between(-30, 30))) / 2;
-    for (const std::size_t k : {1U, 2U, 5U, 7U, 8U, 9U, 33U}) {
+    for (Dim i = 0; i < N; ++i) point[i] = static_cast<T>(static_cast<int>(numbers.between(-5 * size, 5 * size))) / 2;
+    for (const std::size_t k : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 33U}) {
       NearestKeys expected(k);
       NearestKeys nearest(k);
       for (std::uint32_t slot = 0; slot < count; ++slot) {
@@ -257,11 +259,74 @@ void expect_lowest_slots_of_equally_near() {
   }
 }
 
+/// Many in each place, and one in each place but as far away as others on the other side.
+template <Dim N, class T>
+void expect_lowest_slots_of_equally_near() {
+  expect_lowest_slots_of_equally_near<N, T>(6, 8);
+  expect_lowest_slots_of_equally_near<N, T>(12, 1);
+  expect_lowest_slots_of_equally_near<N, T>(40, 0);
+}
+
 TEST(BvhQuery, OfEquallyNearBoxesTheLowestSlotsAreFound) {
-  expect_lowest_slots_of_equally_near<2, float>();
-  expect_lowest_slots_of_equally_near<3, float>();
-  expect_lowest_slots_of_equally_near<2, double>();
-  expect_lowest_slots_of_equally_near<3, double>();
+  for (const std::int64_t target : test::simd_targets()) {
+    const test::ForcedTarget forced(target);
+    SCOPED_TRACE(hwy::TargetName(target));
+    expect_lowest_slots_of_equally_near<2, float>();
+    expect_lowest_slots_of_equally_near<3, float>();
+    expect_lowest_slots_of_equally_near<2, double>();
+    expect_lowest_slots_of_equally_near<3, double>();
+  }
+}
+
+/// Boxes at 1, 2, and so on, and some that are all where the last of the wanted is.
+struct SharedLastPlace {
+  std::uint32_t wanted;
+  std::uint32_t sharing;
+  std::uint32_t lowest;    // which of them has the lowest slot
+  bool is_first_infinite;  // and hence beside the tree
+};
+
+template <Dim N, class T>
+void expect_lowest_slot_in(const SharedLastPlace& place) {
+  BvhTree<N, T> tree(0);
+  Vec<N, T> at(T(0));
+  for (std::uint32_t k = 1; k < place.wanted; ++k) {
+    at[0] = static_cast<T>(k);
+    tree.insert(place.sharing + k, {at, at});
+  }
+  at[0] = static_cast<T>(place.wanted);
+  for (std::uint32_t k = 0; k < place.sharing; ++k) {
+    Aabb<N, T> box{at, at};
+    if (k == 0 && place.is_first_infinite) box.max[0] = std::numeric_limits<T>::infinity();
+    tree.insert((k + place.sharing - place.lowest) % place.sharing, box);
+  }
+  std::vector<Neighbour> expected;
+  for (std::uint32_t k = 1; k <= place.wanted; ++k) {
+    const std::uint32_t slot = k < place.wanted ? place.sharing + k : 0;
+    expected.push_back({{slot, 0, 0}, static_cast<double>(k) * k});
+  }
+  NearestKeys nearest(place.wanted);
+  find_near(tree, Vec<N, T>(T(0)), nearest);
+  EXPECT_EQ(nearest.sorted(), expected) << place.wanted << " wanted, " << place.sharing << " share the last place, "
+                                        << place.lowest << (place.is_first_infinite ? ", one infinite" : "");
+}
+
+TEST(BvhQuery, OfBoxesThatShareTheLastPlaceTheLowestSlotIsFound) {
+  for (const std::int64_t target : test::simd_targets()) {
+    const test::ForcedTarget forced(target);
+    SCOPED_TRACE(hwy::TargetName(target));
+    for (std::uint32_t wanted = 1; wanted <= 10; ++wanted) {
+      for (const std::uint32_t sharing : {2U, 3U, 9U, 100U}) {
+        for (const std::uint32_t lowest : {0U, 1U, sharing / 2, sharing - 1}) {
+          for (const bool is_first_infinite : {false, true}) {
+            const SharedLastPlace place{wanted, sharing, lowest, is_first_infinite};
+            expect_lowest_slot_in<2, float>(place);
+            expect_lowest_slot_in<3, double>(place);
+          }
+        }
+      }
+    }
+  }
 }
 
 TEST(BvhQuery, FindsAsManyAsThereAreWhereMoreAreWanted) {
