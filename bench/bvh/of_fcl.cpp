@@ -2,43 +2,25 @@
 #include <memory>
 
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree_array.h>
-#include <fcl/geometry/shape/box.h>
 #include <fcl/narrowphase/collision_object.h>
 
 #include "contestant.hpp"
+#include "fcl_box.hpp"
 
 namespace bench {
 namespace {
-
-/// An object whose box is given, not calculated from a shape and its place, which would round.
-class BoxObject final : public fcl::CollisionObject<float> {
- public:
-  BoxObject(const std::shared_ptr<fcl::CollisionGeometry<float>>& geometry, std::size_t number)
-      : fcl::CollisionObject<float>(geometry), number_(number) {}
-
-  std::size_t number() const { return number_; }
-  void place(const Box<3>& box) {
-    this->aabb.min_ = {box.min[0], box.min[1], box.min[2]};
-    this->aabb.max_ = {box.max[0], box.max[1], box.max[2]};
-  }
-
- private:
-  std::size_t number_;
-};
 
 /// The tree of the manager with arrays; the one with pointers is slower. When all have moved it is fitted as a whole,
 /// otherwise told which. It has no rays.
 class DynamicTree {
  public:
-  DynamicTree() : asked_(geometry_, 0) {}
-
   void build(std::span<const Box<3>> boxes) {
     manager_ = std::make_unique<fcl::DynamicAABBTreeCollisionManager_Array<float>>();
     objects_.clear();
     objects_.reserve(boxes.size());
     std::vector<fcl::CollisionObject<float>*> pointers;
     for (std::size_t k = 0; k < boxes.size(); ++k) {
-      objects_.push_back(std::make_unique<BoxObject>(geometry_, k));
+      objects_.push_back(std::make_unique<FclBox<float>>(k));
       objects_.back()->place(boxes[k]);
       pointers.push_back(objects_.back().get());
     }
@@ -57,17 +39,16 @@ class DynamicTree {
   void query(const Box<3>& region, const Visit& visit) {
     asked_.place(region);
     const auto take = [](fcl::CollisionObject<float>* found, fcl::CollisionObject<float>* /*asked*/, void* data) {
-      (*static_cast<const Visit*>(data))(static_cast<const BoxObject*>(found)->number());
+      (*static_cast<const Visit*>(data))(FclBox<float>::number_of(found));
       return false;  // lets FCL go on
     };
     manager_->collide(&asked_, const_cast<Visit*>(&visit), take);
   }
 
  private:
-  std::shared_ptr<fcl::CollisionGeometry<float>> geometry_ = std::make_shared<fcl::Box<float>>(1.0F, 1.0F, 1.0F);
-  BoxObject asked_;
+  FclBox<float> asked_{0};
   std::unique_ptr<fcl::DynamicAABBTreeCollisionManager_Array<float>> manager_;
-  std::vector<std::unique_ptr<BoxObject>> objects_;
+  std::vector<std::unique_ptr<FclBox<float>>> objects_;
   std::vector<fcl::CollisionObject<float>*> moved_;
 };
 

@@ -11,30 +11,13 @@
 
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree_array.h>
 #include <fcl/config.h>
-#include <fcl/geometry/shape/box.h>
 #include <fcl/narrowphase/collision_object.h>
 
 #include "contestant.hpp"
+#include "fcl_box.hpp"
 
 namespace graze::race {
 namespace {
-
-/// An object of FCL whose box is given, not calculated from a shape and its place, which would round.
-template <class T>
-class BoxObject final : public fcl::CollisionObject<T> {
- public:
-  BoxObject(const std::shared_ptr<fcl::CollisionGeometry<T>>& geometry, std::size_t index)
-      : fcl::CollisionObject<T>(geometry), index_(index) {}
-
-  std::size_t index() const { return index_; }
-  void place(const Aabb<3, T>& box) {
-    this->aabb.min_ = {box.min[0], box.min[1], box.min[2]};
-    this->aabb.max_ = {box.max[0], box.max[1], box.max[2]};
-  }
-
- private:
-  std::size_t index_;
-};
 
 /// The tree is built at the start; in every frame its boxes are fitted to where the objects are now. Its shape ages
 /// with that, which the few frames of a race do not show.
@@ -42,10 +25,9 @@ template <class T>
 class DynamicTree final : public Contestant<3, T> {
  public:
   explicit DynamicTree(std::span<const Aabb<3, T>> boxes) {
-    const auto geometry = std::make_shared<fcl::Box<T>>(T(1), T(1), T(1));
     objects_.reserve(boxes.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-      objects_.push_back(std::make_unique<BoxObject<T>>(geometry, i));
+      objects_.push_back(std::make_unique<bench::FclBox<T>>(i));
       objects_.back()->place(boxes[i]);
       pointers_.push_back(objects_.back().get());
     }
@@ -64,14 +46,12 @@ class DynamicTree final : public Contestant<3, T> {
  private:
   /// False lets FCL go on.
   static bool take(fcl::CollisionObject<T>* one, fcl::CollisionObject<T>* other, void* pairs) {
-    static_cast<std::vector<Pair>*>(pairs)->push_back(ascending(index_of(one), index_of(other)));
+    static_cast<std::vector<Pair>*>(pairs)->push_back(
+        ascending(bench::FclBox<T>::number_of(one), bench::FclBox<T>::number_of(other)));
     return false;
   }
-  static std::size_t index_of(const fcl::CollisionObject<T>* object) {
-    return static_cast<const BoxObject<T>*>(object)->index();
-  }
 
-  std::vector<std::unique_ptr<BoxObject<T>>> objects_;
+  std::vector<std::unique_ptr<bench::FclBox<T>>> objects_;
   std::vector<fcl::CollisionObject<T>*> pointers_;
   fcl::DynamicAABBTreeCollisionManager_Array<T> manager_;
   std::vector<Pair> pairs_;

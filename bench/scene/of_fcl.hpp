@@ -6,9 +6,9 @@
 #include <vector>
 
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree_array.h>
-#include <fcl/geometry/shape/box.h>
 #include <fcl/narrowphase/collision_object.h>
 
+#include "fcl_box.hpp"
 #include "scene/frames.hpp"
 
 namespace bench {
@@ -20,10 +20,9 @@ class OfFcl {
   static constexpr const char* name = "FCL DynamicAABBTree_Array";
 
   explicit OfFcl(const Frames<3>& frames) : frames_(frames) {
-    const auto geometry = std::make_shared<fcl::Box<float>>(1.0F, 1.0F, 1.0F);
     std::vector<fcl::CollisionObject<float>*> pointers;
     for (const Box<3>& box : frames.start()) {
-      objects_.push_back(std::make_unique<BoxObject>(geometry, objects_.size()));
+      objects_.push_back(std::make_unique<FclBox<float>>(objects_.size()));
       objects_.back()->place(box);
       pointers.push_back(objects_.back().get());
     }
@@ -49,22 +48,6 @@ class OfFcl {
   const Outcome& outcome() const { return outcome_; }
 
  private:
-  /// An object whose box is given, not calculated from a shape and its place, which would round.
-  class BoxObject final : public fcl::CollisionObject<float> {
-   public:
-    BoxObject(const std::shared_ptr<fcl::CollisionGeometry<float>>& geometry, std::size_t index)
-        : fcl::CollisionObject<float>(geometry), index_(index) {}
-
-    std::size_t index() const { return index_; }
-    void place(const Box<3>& box) {
-      this->aabb.min_ = {box.min[0], box.min[1], box.min[2]};
-      this->aabb.max_ = {box.max[0], box.max[1], box.max[2]};
-    }
-
-   private:
-    std::size_t index_;
-  };
-
   void find() {
     found_.clear();
     manager_.collide(&found_, take);
@@ -73,15 +56,13 @@ class OfFcl {
 
   /// False lets FCL go on.
   static bool take(fcl::CollisionObject<float>* one, fcl::CollisionObject<float>* other, void* found) {
-    static_cast<std::vector<Pair>*>(found)->push_back(ascending(index_of(one), index_of(other)));
+    static_cast<std::vector<Pair>*>(found)->push_back(
+        ascending(FclBox<float>::number_of(one), FclBox<float>::number_of(other)));
     return false;
-  }
-  static std::size_t index_of(const fcl::CollisionObject<float>* object) {
-    return static_cast<const BoxObject*>(object)->index();
   }
 
   const Frames<3>& frames_;
-  std::vector<std::unique_ptr<BoxObject>> objects_;
+  std::vector<std::unique_ptr<FclBox<float>>> objects_;
   std::vector<fcl::CollisionObject<float>*> moved_;
   fcl::DynamicAABBTreeCollisionManager_Array<float> manager_;
   std::vector<Pair> found_;

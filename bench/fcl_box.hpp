@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include <fcl/geometry/shape/box.h>
+#include <fcl/narrowphase/collision_object.h>
+
+#include <graze/shape/aabb.hpp>
+
+namespace bench {
+
+/// A numbered object of FCL whose box is given, not calculated from a shape and its place, which would round.
+template <class T>
+class FclBox final : public fcl::CollisionObject<T> {
+ public:
+  explicit FclBox(std::size_t number) : fcl::CollisionObject<T>(any_geometry()), number_(number) {}
+
+  std::size_t number() const { return number_; }
+  void place(const graze::Aabb<3, T>& box) {
+    this->aabb.min_ = {box.min[0], box.min[1], box.min[2]};
+    this->aabb.max_ = {box.max[0], box.max[1], box.max[2]};
+  }
+
+  static std::size_t number_of(const fcl::CollisionObject<T>* object) {
+    return static_cast<const FclBox*>(object)->number();
+  }
+
+ private:
+  static const std::shared_ptr<fcl::CollisionGeometry<T>>& any_geometry() {
+    static const std::shared_ptr<fcl::CollisionGeometry<T>> geometry = std::make_shared<fcl::Box<T>>(T(1), T(1), T(1));
+    return geometry;
+  }
+
+  std::size_t number_;
+};
+
+}  // namespace bench
