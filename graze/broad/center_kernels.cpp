@@ -244,6 +244,13 @@ struct Ends {
   std::size_t high;
 };
 
+/// Centers before a value along an axis are low.
+template <class T>
+struct Cut {
+  Dim axis;
+  T value;
+};
+
 /// As many slots as there are lanes of T.
 template <class T>
 using SlotTag = hn::Rebind<std::uint32_t, Tag<T>>;
@@ -254,11 +261,11 @@ constexpr bool parts_vectors = lanes_of<T> >= 4;
 
 /// Parts some centers one by one. Copies the first `copied` coordinates.
 template <Dim copied, Dim N, class T>
-HWY_INLINE void part_some(const CenterLists<N, T>& from, std::size_t some, Dim axis, T border,
-                          const CenterLists<N, T>& to, Ends& ends) {
-  const T* const along = from.at[axis];
+HWY_INLINE void part_some(const CenterLists<N, T>& from, std::size_t some, Cut<T> cut, const CenterLists<N, T>& to,
+                          Ends& ends) {
+  const T* const along = from.at[cut.axis];
   for (std::size_t k = 0; k < some; ++k) {
-    const std::size_t is_low = along[k] < border ? 1 : 0;
+    const std::size_t is_low = along[k] < cut.value ? 1 : 0;
     const std::size_t place = ends.high ^ ((ends.high ^ ends.low) & (0 - is_low));  // compilers would make a branch
     for (Dim i = 0; i < copied; ++i) to.at[i][place] = from.at[i][k];
     to.slots[place] = from.slots[k];
@@ -269,12 +276,11 @@ HWY_INLINE void part_some(const CenterLists<N, T>& from, std::size_t some, Dim a
 
 /// The same for a whole vector where as much may be written behind both ends.
 template <Dim copied, Dim N, class T>
-HWY_INLINE void part_vector(const CenterLists<N, T>& from, Dim axis, T border, const CenterLists<N, T>& to,
-                            Ends& ends) {
+HWY_INLINE void part_vector(const CenterLists<N, T>& from, Cut<T> cut, const CenterLists<N, T>& to, Ends& ends) {
   constexpr std::uint32_t all = (1U << lanes_of<T>)-1U;
   const Tag<T> d;
   const SlotTag<T> ds;
-  const auto is_low = hn::Lt(hn::LoadU(d, from.at[axis]), hn::Set(d, border));
+  const auto is_low = hn::Lt(hn::LoadU(d, from.at[cut.axis]), hn::Set(d, cut.value));
   const std::uint32_t bits = bits_of<T>(is_low);
   const ToFront<Tag<T>> low_first(bits);
   const ToFront<Tag<T>> high_first(bits ^ all);
@@ -296,17 +302,18 @@ void part(const CenterLists<N, T>& centers, std::size_t count, Dim axis, const S
           const CenterLists<N, T>& parts) {
   const CenterLists<N, T> from = centers;  // its pointers in registers, whatever is written
   const CenterLists<N, T> to = parts;
+  const Cut<T> cut{axis, border.value};
   Ends ends{0, border.less};
   if constexpr (parts_vectors<T>) {
     for (std::size_t k = 0; k < count; k += lanes_of<T>) {
       if (HWY_LIKELY(ends.low + lanes_of<T> <= border.less && ends.high + lanes_of<T> <= count)) {
-        part_vector<copied>(from.behind(k), axis, border.value, to, ends);
+        part_vector<copied>(from.behind(k), cut, to, ends);
       } else {
-        part_some<copied>(from.behind(k), std::min<std::size_t>(lanes_of<T>, count - k), axis, border.value, to, ends);
+        part_some<copied>(from.behind(k), std::min<std::size_t>(lanes_of<T>, count - k), cut, to, ends);
       }
     }
   } else {
-    part_some<copied>(from, count, axis, border.value, to, ends);
+    part_some<copied>(from, count, cut, to, ends);
   }
 }
 
