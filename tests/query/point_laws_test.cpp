@@ -18,6 +18,7 @@
 #include <graze/shape/visit.hpp>
 
 #include "catalogue.hpp"
+#include "exact/point.hpp"
 #include "query/numbers_of.hpp"
 #include "query/placement.hpp"
 #include "query/point_answers.hpp"
@@ -146,7 +147,11 @@ TYPED_TEST(PointLaw, NoPointOfTheShapeIsNearerThanTheDistance) {
     if (std::holds_alternative<Compound<TestFixture::N, Number>>(shape)) return;  // may begin with an empty part
     rc::Random random(*rc::gen::arbitrary<std::uint64_t>());
     const typename TestFixture::Point other(point_of<TestFixture::N, Number>(shape, random));
-    const double slack = allowed<TestFixture::N, Number>(shape, point) + allowed<TestFixture::N, Number>(shape, other);
+    double slack = allowed<TestFixture::N, Number>(shape, point) + allowed<TestFixture::N, Number>(shape, other);
+    // What is drawn of a plane is off it by the rounding of coordinates that the normal may leave out.
+    if (std::holds_alternative<Plane<TestFixture::N, Number>>(shape)) {
+      slack += std::fabs(exact_signed_distance<TestFixture::N, Number>(shape, other));
+    }
     const auto found = TestFixture::of(shape, point);
     const double distance = found.contained ? 0.0 : std::fabs(static_cast<double>(found.distance));
     RC_ASSERT(distance <= length_between(point, other) + slack);
