@@ -122,6 +122,22 @@ TEST(Rounding, NeighboursOfTheOutermostNumbersAreThoseOfTheLibrary) {
   }
 }
 
+template <class T>
+void expect_finite_magnitudes() {
+  using Limits = std::numeric_limits<T>;
+  for (const T x : {T(0), Limits::denorm_min(), Limits::min(), T(1.5), Limits::max()}) {
+    EXPECT_EQ(finite_magnitude(x), x);
+    EXPECT_EQ(finite_magnitude(-x), x);
+    EXPECT_FALSE(std::signbit(finite_magnitude(-x)));
+  }
+  for (const T x : {Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()}) EXPECT_EQ(finite_magnitude(x), 0);
+}
+
+TEST(Rounding, WhatIsNotFiniteHasNoFiniteMagnitude) {
+  expect_finite_magnitudes<float>();
+  expect_finite_magnitudes<double>();
+}
+
 TEST(Rounding, AddUpLeavesExactSumsAndStepsOverOthers) {
   EXPECT_EQ(add_up(1, 2), 3);
   EXPECT_EQ(add_down(1, 2), 3);

@@ -43,5 +43,23 @@ TEST(SharedValue, AnOrdinaryCopyGoesItsOwnWay) {
   EXPECT_EQ(*copy, "copy");
 }
 
+TEST(SharedValue, ExchangesWithAnotherUnlessACopyReadsIt) {
+  SharedValue<std::string> value;
+  value.change() = "old";
+  std::string other = "new";
+  value.exchange(other);
+  EXPECT_EQ(*value, "new");
+  EXPECT_EQ(other, "old");
+  const SharedValue<std::string> shared = value.share();
+  other = "newest";
+  value.exchange(other);
+  EXPECT_EQ(*value, "newest");
+  EXPECT_EQ(*shared, "new");
+  EXPECT_TRUE(other.empty());
+  const std::string* const own = &*value;
+  value.change();
+  EXPECT_EQ(&*value, own);
+}
+
 }  // namespace
 }  // namespace graze::detail::shared_value_test
