@@ -62,7 +62,7 @@ void enter_with(Entrants<N, T>& field, std::size_t threads) {
     entrant.prepare = prepare;
     field.push_back(std::move(entrant));
   };
-  enter("graze overlapping_pairs", "the defaults: method picked from the data, pairs sorted, all memory anew",
+  enter("graze overlapping_pairs", "the defaults: method picked from the data, pairs sorted, in a list made anew",
         [executor](Boxes) { return std::make_unique<FreeFunction<N, T>>(executor); });
   enter("graze PairFinder", "memory, and the order of boxes while it serves, kept from frame to frame, pairs sorted",
         [executor](Boxes) { return std::make_unique<Finder<N, T>>(executor, PairOrder::sorted); });

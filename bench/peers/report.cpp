@@ -97,8 +97,8 @@ const std::array<Discipline, 2>& disciplines() {
         "Like with like: `PairFinder` keeps what it knows from the last frame and gives pairs as it finds them, as the "
         "peers do. One thread."},
        {"graze overlapping_pairs", "One call",
-        "`overlapping_pairs` with its defaults, one thread: all memory anew, nothing known of the last frame, pairs "
-        "sorted. The peers keep theirs, and do not sort."}}};
+        "`overlapping_pairs` with its defaults, one thread: a list made anew, nothing known of the last frame, pairs "
+        "sorted. The peers keep their trees, and do not sort."}}};
   return all;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <bit>
 #include <new>
 
 #include <graze/broad/buffer.hpp>
+#include <graze/broad/kept_blocks.hpp>
 
 #ifdef __linux__
 #include <sys/mman.h>
@@ -13,13 +15,50 @@ namespace {
 constexpr std::size_t cache_line = 64;
 constexpr std::size_t large_page = std::size_t{1} << 21U;
 
+// A sanitizer is to be told of each use and release.
+#ifdef __has_feature
+#if __has_feature(address_sanitizer)
+#define GRAZE_ADDRESS_SANITIZER
+#endif
+#endif
+#ifdef __SANITIZE_ADDRESS__
+#define GRAZE_ADDRESS_SANITIZER
+#endif
+
+/// Memory that is anew each time costs a call up to a fifth of its time.
+#ifdef GRAZE_ADDRESS_SANITIZER
+constexpr std::size_t most_kept = 0;
+#else
+constexpr std::size_t most_kept = std::size_t{64} << 20U;
+#endif
+constexpr std::size_t least_kept = std::size_t{1} << 15U;
+
 std::align_val_t alignment_of(std::size_t bytes) {
   return std::align_val_t{bytes < large_page ? cache_line : large_page};
+}
+
+/// How large a block is made for so many bytes: at most a quarter more, so that those of like needs are alike.
+std::size_t block_size_for(std::size_t bytes) {
+  if (bytes < least_kept) return bytes;
+  const std::size_t step = std::bit_floor(bytes) / 4;
+  return (bytes + step - 1) / step * step;
+}
+
+void release_block(void* memory, std::size_t bytes) noexcept { ::operator delete(memory, alignment_of(bytes)); }
+
+/// Never destroyed: there may be buffers that are released later.
+KeptBlocks& kept_blocks() {
+  static KeptBlocks& blocks = *new KeptBlocks(most_kept, release_block);
+  return blocks;
 }
 
 }  // namespace
 
 void* allocate_pages(std::size_t bytes) {
+  bytes = block_size_for(bytes);
+  if (bytes >= least_kept) {
+    if (void* const kept = kept_blocks().take(bytes)) return kept;
+  }
   void* const memory = ::operator new(bytes, alignment_of(bytes));
 #ifdef __linux__
   // Boxes are scattered over tens of megabytes: with pages of 4 KiB every second access would look up its page anew.
@@ -29,6 +68,13 @@ void* allocate_pages(std::size_t bytes) {
   return memory;
 }
 
-void release_pages(void* memory, std::size_t bytes) noexcept { ::operator delete(memory, alignment_of(bytes)); }
+void release_pages(void* memory, std::size_t bytes) noexcept {
+  bytes = block_size_for(bytes);
+  if (bytes >= least_kept) {
+    kept_blocks().keep(memory, bytes);
+  } else {
+    release_block(memory, bytes);
+  }
+}
 
 }  // namespace graze::detail

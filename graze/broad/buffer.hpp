@@ -11,7 +11,8 @@
 namespace graze::detail {
 
 /// Memory that begins at a cache line, which is also the widest vector; where it is large, at a large page of the
-/// system, as far as the system has such. Throws std::bad_alloc.
+/// system, as far as the system has such. Throws std::bad_alloc. What is released is kept for the next one who needs as
+/// much, where it is 32 KiB or more, but never more than 64 MiB in all.
 void* allocate_pages(std::size_t bytes);
 void release_pages(void* memory, std::size_t bytes) noexcept;
 

@@ -11,6 +11,7 @@
 #include <graze/broad/bvh_node.hpp>
 #include <graze/broad/bvh_split.hpp>
 #include <graze/broad/executor.hpp>
+#include <graze/broad/prefetch.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 
@@ -43,6 +44,15 @@ class BvhTree {
 
   void erase(std::uint32_t slot) noexcept;
   void clear() noexcept;
+
+  /// Asks for what says where a box is; and for the node that it is in, when that is there. For slots that are held.
+  void prefetch_place(std::uint32_t slot) const {
+    prefetch(&leaf_nodes_[slot]);
+    prefetch(&boxes_[slot]);
+  }
+  void prefetch_node(std::uint32_t slot) const {
+    if (leaf_nodes_[slot] < nodes_.size()) prefetch_whole(&nodes_[leaf_nodes_[slot]]);
+  }
 
   /// Into an empty tree: boxes[i] in slots[i]. Throws also what the executor does; the tree is then of no use.
   void fill(std::span<const Box> boxes, std::span<const std::uint32_t> slots, const Executor& executor);

@@ -36,6 +36,36 @@ struct OneBox {
   }
 };
 
+#if HWY_TARGET <= HWY_AVX3
+
+/// Those of some lanes whose first number is at most the second. A comparison under a mask saves the And.
+HWY_INLINE __mmask16 ordered_lanes(__mmask16 lanes, __m512 a, __m512 b) {
+  return _mm512_mask_cmp_ps_mask(lanes, a, b, _CMP_LE_OQ);
+}
+HWY_INLINE __mmask8 ordered_lanes(__mmask8 lanes, __m512d a, __m512d b) {
+  return _mm512_mask_cmp_pd_mask(lanes, a, b, _CMP_LE_OQ);
+}
+
+/// The lanes of a block that the box touches, one bit each.
+template <Dim N, class T>
+HWY_INLINE std::uint32_t touched_lanes(const OneBox<N, T>& box, const Block<N, T>& block) {
+  const Tag<T> d;
+  std::uint32_t touched = 0;
+  for (std::uint32_t k = 0; k < vectors_of<T>; ++k) {
+    const std::uint32_t at = k * lanes_of<T>;
+    auto mask = static_cast<std::conditional_t<sizeof(T) == 4, __mmask16, __mmask8>>(-1);
+    const auto all = mask;
+    for (Dim i = 0; i < N; ++i) {  // along each axis by itself, for a comparison under a mask waits for it
+      const auto below = ordered_lanes(all, hn::Load(d, block.min[i] + at).raw, box.max[i].raw);
+      mask &= ordered_lanes(below, box.min[i].raw, hn::Load(d, block.max[i] + at).raw);
+    }
+    touched |= std::uint32_t{mask} << at;
+  }
+  return touched;
+}
+
+#else
+
 /// The lanes of a block that the box touches, one bit each.
 template <Dim N, class T>
 HWY_INLINE std::uint32_t touched_lanes(const OneBox<N, T>& box, const Block<N, T>& block) {
@@ -53,6 +83,8 @@ HWY_INLINE std::uint32_t touched_lanes(const OneBox<N, T>& box, const Block<N, T
   }
   return touched;
 }
+
+#endif
 
 /// The lanes after `lane`.
 HWY_INLINE std::uint32_t lanes_after(std::uint32_t lane) { return 0xFFFEU << lane & 0xFFFFU; }
@@ -161,24 +193,79 @@ HWY_INLINE void meet_itself(const Block<N, T>& block, std::uint32_t at, Touches&
   }
 }
 
-/// Turns touches into pairs: the first lane of each, then the second of those that have one, and so on.
-template <class MakePair>
-HWY_INLINE Pair* write_pairs(Touches& touches, const std::uint32_t* ids_a, const std::uint32_t* ids_b,
-                             const MakePair& make_pair, Pair* out) {
-  for (std::size_t k = 0; k < touches.count; ++k) touches.box[k] = ids_a[touches.box[k]];
+/// Which of two boxes comes first in a pair.
+enum class Order { ascending, a_first, b_first };
+
+#if HWY_TARGET <= HWY_AVX3
+
+/// Writes the pairs of one box with some of a block, all at once; stores eight or sixteen.
+template <Order order>
+HWY_INLINE Pair* write_pairs_of(std::uint32_t id, const std::uint32_t* others, std::uint32_t lanes, Pair* out) {
+  const hn::CappedTag<std::uint32_t, block_size> d;
+  const auto one = hn::Set(d, id);
+  const hn::Vec<decltype(d)> other{
+      _mm512_maskz_compress_epi32(static_cast<std::uint16_t>(lanes), hn::LoadU(d, others).raw)};
+  const auto first = order == Order::ascending ? hn::Min(one, other) : order == Order::a_first ? one : other;
+  const auto second = order == Order::ascending ? hn::Max(one, other) : order == Order::a_first ? other : one;
+  alignas(64) static constexpr std::uint32_t in_turns[] = {0,  16, 1,  17, 2,  18, 3,  19, 4,  20, 5,
+                                                           21, 6,  22, 7,  23, 8,  24, 9,  25, 10, 26,
+                                                           11, 27, 12, 28, 13, 29, 14, 30, 15, 31};
+  const int count = std::popcount(lanes);
+  _mm512_storeu_si512(out, _mm512_permutex2var_epi32(first.raw, hn::Load(d, in_turns).raw, second.raw));
+  if (HWY_UNLIKELY(count > 8)) {
+    _mm512_storeu_si512(out + 8, _mm512_permutex2var_epi32(first.raw, hn::Load(d, in_turns + 16).raw, second.raw));
+  }
+  return out + count;
+}
+
+/// Turns touches into pairs, one box after the other.
+template <Order order>
+HWY_INLINE Pair* write_pairs(Touches& touches, const std::uint32_t* ids_a, const std::uint32_t* ids_b, Pair* out) {
+  for (std::size_t k = 0; k < touches.count; ++k) {
+    const std::uint32_t* const others = ids_b + std::size_t{touches.block[k]} * block_size;
+    out = write_pairs_of<order>(ids_a[touches.box[k]], others, touches.lanes[k], out);
+  }
+  return out;
+}
+
+#else
+
+template <Order order>
+HWY_INLINE Pair pair_of(std::uint32_t a, std::uint32_t b) {
+  if (order == Order::a_first) return {a, b};
+  if (order == Order::b_first) return {b, a};
+  // In arithmetic, because compilers make a branch of min and max, and every second guess at it is wrong.
+  const std::uint32_t exchange = (a ^ b) & (0U - static_cast<std::uint32_t>(b < a));
+  return {a ^ exchange, b ^ exchange};
+}
+
+/// Turns touches into pairs, in the order of their boxes: the first lane of each, then the second of those that have
+/// one, and so on.
+template <Order order>
+HWY_INLINE Pair* write_pairs(Touches& touches, const std::uint32_t* ids_a, const std::uint32_t* ids_b, Pair* out) {
+  std::uint32_t places[Touches::most + Touches::slack];
+  std::uint32_t end = 0;
+  for (std::size_t k = 0; k < touches.count; ++k) {
+    touches.box[k] = ids_a[touches.box[k]];
+    places[k] = end;
+    end += static_cast<std::uint32_t>(std::popcount(touches.lanes[k]));
+  }
   while (touches.count > 0) {
     const std::size_t count = std::exchange(touches.count, 0);
     for (std::size_t k = 0; k < count; ++k) {
       const std::uint32_t lanes = touches.lanes[k];
       const std::uint32_t block = touches.block[k];
       const std::uint32_t id = touches.box[k];
-      out[k] = make_pair(id, ids_b[block * block_size + static_cast<std::uint32_t>(std::countr_zero(lanes))]);
+      const std::uint32_t place = places[k];
+      out[place] = pair_of<order>(id, ids_b[block * block_size + static_cast<std::uint32_t>(std::countr_zero(lanes))]);
+      places[touches.count] = place + 1;
       touches.add(id, block, lanes & (lanes - 1));
     }
-    out += count;
   }
-  return out;
+  return out + end;
 }
+
+#endif
 
 /// The boxes of one block that touch the bounds of another.
 template <Dim N, class T>
@@ -227,18 +314,11 @@ std::size_t meet_pairs(BlockLevel<N, T> a, BlockLevel<N, T> b, bool itself, cons
   touch_rows(b.blocks, a.blocks, rows_of_b, touches_of_b);
   Pair* end = nullptr;
   if (itself) {
-    // In arithmetic, because compilers make a branch of min and max, and every second guess at it is wrong.
-    const auto ascending = [](std::uint32_t i, std::uint32_t j) {
-      const std::uint32_t exchange = (i ^ j) & (0U - static_cast<std::uint32_t>(j < i));
-      return Pair{i ^ exchange, j ^ exchange};
-    };
-    end = write_pairs(touches, a.ids, b.ids, ascending, out);
-    end = write_pairs(touches_of_b, b.ids, a.ids, ascending, end);
+    end = write_pairs<Order::ascending>(touches, a.ids, b.ids, out);
+    end = write_pairs<Order::ascending>(touches_of_b, b.ids, a.ids, end);
   } else {
-    const auto a_first = [](std::uint32_t i, std::uint32_t j) { return Pair{i, j}; };
-    const auto b_first = [](std::uint32_t i, std::uint32_t j) { return Pair{j, i}; };
-    end = write_pairs(touches, a.ids, b.ids, a_first, out);
-    end = write_pairs(touches_of_b, b.ids, a.ids, b_first, end);
+    end = write_pairs<Order::a_first>(touches, a.ids, b.ids, out);
+    end = write_pairs<Order::b_first>(touches_of_b, b.ids, a.ids, end);
   }
   return static_cast<std::size_t>(end - out);
 }

@@ -17,7 +17,8 @@ class PairMethods {
  public:
   using Boxes = std::span<const Aabb<N, T>>;
 
-  /// The pairs of one set, where `boxes_b` is null, or between two, into the room that is given for them.
+  /// The pairs of one set, where `boxes_b` is null, or between two: in the room that is given for them, or in memory of
+  /// its own, where they stay until the next call.
   std::span<const Pair> find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options, const PairRoom& room);
   void visit(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options, const PairVisitor& visitor);
 

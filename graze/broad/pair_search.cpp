@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <atomic>
-#include <cstring>
 #include <utility>
 
 #include <graze/broad/meet_kernels.hpp>
@@ -39,7 +38,30 @@ struct PairSearch<N, T>::Found {
   std::size_t count = 0;
 
   std::span<const Pair> all() const { return {pairs.data(), count}; }
+
+  /// Where the next pairs go, `most` of them.
+  Pair* room(std::size_t most) {
+    pairs.extend(count + most, count);
+    return pairs.data() + count;
+  }
+  void add(std::size_t more) { count += more; }
 };
+
+namespace {
+
+/// Has what a task finds sorted, by way of a list that is used again and again.
+struct FoundToSort {
+  Buffer<Pair>& pairs;
+  PairSort::Sink sink;
+
+  Pair* room(std::size_t most) {
+    pairs.require(most);
+    return pairs.data();
+  }
+  void add(std::size_t count) { sink.add({pairs.data(), count}); }
+};
+
+}  // namespace
 
 template <Dim N, class T>
 PairSearch<N, T>::PairSearch() = default;
@@ -87,31 +109,96 @@ void PairSearch<N, T>::descend() {
   }
 }
 
-/// Adds the pairs of boxes below pairs of blocks of level 1.
+/// Finds the pairs of boxes below pairs of blocks of level 1: writes them where `found` has room, and says how many.
 template <Dim N, class T>
-void PairSearch<N, T>::meet(std::span<const BlockPair> parents, Found& found) const {
+template <class Finds>
+void PairSearch<N, T>::meet(std::span<const BlockPair> parents, Buffer<BlockPair>& list, Finds& found) const {
   if (parents.empty()) return;  // a tree may have no levels
   const MeetKernels<N, T>& kernels = meet_kernels<N, T>();
   const bool itself = other_ == &tree_a_;
   const BlockLevel<N, T> level_a{tree_a_.level(0), tree_a_.ids(), tree_a_.level(1)};
   const BlockLevel<N, T> level_b{other_->level(0), other_->ids(), other_->level(1)};
   constexpr std::size_t parents_at_once = 16;
-  found.blocks.require(parents_at_once * most_children);
+  list.require(parents_at_once * most_children);
   for (std::size_t k = 0; k < parents.size(); k += parents_at_once) {
     const std::size_t blocks =
         kernels.descend(tree_a_.level(1), other_->level(1), above_of(1), itself, parents.data() + k,
-                        std::min(parents_at_once, parents.size() - k), found.blocks.data());
+                        std::min(parents_at_once, parents.size() - k), list.data());
     for (std::size_t j = 0; j < blocks; j += block_pairs_at_once) {
       const std::size_t following = j + block_pairs_at_once;
       for (std::size_t i = following; i < std::min(blocks, following + block_pairs_at_once); ++i) {
-        prefetch_whole(other_->level(0) + found.blocks[i].b);  // a is often that of the pair before
+        prefetch_whole(other_->level(0) + list[i].b);  // a is often that of the pair before
       }
-      found.pairs.extend(found.count + block_pairs_at_once * most_children, found.count);
-      found.count +=
-          kernels.meet(level_a, level_b, itself, found.blocks.data() + j,
-                       std::min<std::size_t>(block_pairs_at_once, blocks - j), found.pairs.data() + found.count);
+      Pair* const room = found.room(block_pairs_at_once * most_children);
+      found.add(kernels.meet(level_a, level_b, itself, list.data() + j,
+                             std::min<std::size_t>(block_pairs_at_once, blocks - j), room));
     }
   }
+}
+
+/// As many tasks as there is work for, not as there are threads: so the order of pairs is the same for any.
+template <Dim N, class T>
+std::size_t PairSearch<N, T>::task_count() const {
+  constexpr std::size_t least_meetings = 128;
+  constexpr std::size_t most_tasks = 64;
+  return std::clamp<std::size_t>(meeting_count_ / least_meetings, 1, most_tasks);
+}
+
+template <Dim N, class T>
+std::span<const BlockPair> PairSearch<N, T>::meetings_of(std::size_t task, std::size_t tasks) const {
+  const std::size_t first = task * meeting_count_ / tasks;
+  return {meetings_.data() + first, (task + 1) * meeting_count_ / tasks - first};
+}
+
+template <Dim N, class T>
+std::span<const Pair> PairSearch<N, T>::find_sorted(std::size_t limit_a, std::size_t limit_b, const Executor& executor,
+                                                    const PairRoom& room) {
+  sort_.begin(limit_a);
+  const std::size_t tasks = task_count();
+  executor.parallel_for(tasks, [&](std::size_t task) {
+    const typename Pool<Found>::Loan memory(workers_);
+    FoundToSort found{memory->pairs, PairSort::Sink(sort_)};
+    meet(meetings_of(task, tasks), memory->blocks, found);
+  });
+  const std::size_t count = sort_.count();
+  Pair* const pairs = room(count);
+  sort_.sort(limit_b, executor, pairs);
+  return {pairs, count};
+}
+
+/// Finds what is below the pairs of blocks of each task, in the order of tasks: in the list of the first one, as long
+/// as each begins after the one before has ended; in lists of their own from then on.
+template <Dim N, class T>
+void PairSearch<N, T>::find_lists(std::size_t tasks, const Executor& executor) {
+  while (found_.size() < tasks) found_.push_back(std::make_unique<Found>());
+  for (std::size_t task = 0; task < tasks; ++task) found_[task]->count = 0;
+  FoundSoFar so_far;
+  std::atomic<std::size_t> in_order = 0;  // so many tasks have ended, and the first list has what they found
+  executor.parallel_for(tasks, [&](std::size_t task) {
+    const bool next_in_order = in_order == task;
+    Found& found = *found_[next_in_order ? 0 : task];
+    const std::size_t before = found.count;
+    found.pairs.extend(before + so_far.expected() * (next_in_order ? tasks - task : 1), before);
+    meet(meetings_of(task, tasks), found.blocks, found);
+    so_far.add(found.count - before);
+    if (next_in_order) in_order = task + 1;
+  });
+}
+
+template <Dim N, class T>
+std::span<const Pair> PairSearch<N, T>::find_any(const Executor& executor, const PairRoom& room) {
+  const std::size_t tasks = task_count();
+  find_lists(tasks, executor);
+  std::vector<std::size_t> begins = {0};  // of each list among all pairs
+  for (std::size_t task = 0; task < tasks; ++task) begins.push_back(begins.back() + found_[task]->count);
+  const std::size_t count = begins.back();
+  if (found_[0]->count == count) return found_[0]->all();
+  Pair* const pairs = room(count);
+  executor.parallel_for(tasks, [&](std::size_t task) {
+    const std::span<const Pair> found = found_[task]->all();
+    std::copy(found.begin(), found.end(), pairs + begins[task]);
+  });
+  return {pairs, count};
 }
 
 template <Dim N, class T>
@@ -120,37 +207,8 @@ std::span<const Pair> PairSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_b
   const Executor& executor = options.executor != nullptr ? *options.executor : default_executor();
   build(boxes_a, boxes_b, static_cast<T>(options.margin), executor);
   descend();
-  // As many tasks as there is work for, not as there are threads: so the order of pairs is the same for any.
-  constexpr std::size_t least_meetings = 128;
-  constexpr std::size_t most_tasks = 64;
-  const std::size_t tasks = std::clamp<std::size_t>(meeting_count_ / least_meetings, 1, most_tasks);
-  while (found_.size() < tasks) found_.push_back(std::make_unique<Found>());
-  FoundSoFar so_far;
-  executor.parallel_for(tasks, [&](std::size_t task) {
-    const std::size_t first = task * meeting_count_ / tasks;
-    const std::size_t last = (task + 1) * meeting_count_ / tasks;
-    found_[task]->count = 0;
-    found_[task]->pairs.require(so_far.expected());
-    meet({meetings_.data() + first, last - first}, *found_[task]);
-    so_far.add(found_[task]->count);
-  });
-  std::vector<std::span<const Pair>> pieces;
-  std::size_t count = 0;
-  for (std::size_t task = 0; task < tasks; ++task) {
-    pieces.push_back(found_[task]->all());
-    count += pieces.back().size();
-  }
-  Pair* const pairs = room(count);
-  if (options.order == PairOrder::sorted) {
-    sort_.sort(pieces, boxes_a.size(), boxes_b != nullptr ? boxes_b->size() : boxes_a.size(), executor, pairs);
-  } else {
-    std::size_t at = 0;
-    for (const auto& piece : pieces) {
-      if (!piece.empty()) std::memcpy(pairs + at, piece.data(), piece.size_bytes());
-      at += piece.size();
-    }
-  }
-  return {pairs, count};
+  if (options.order == PairOrder::any) return find_any(executor, room);
+  return find_sorted(boxes_a.size(), boxes_b != nullptr ? boxes_b->size() : boxes_a.size(), executor, room);
 }
 
 template <Dim N, class T>
@@ -168,7 +226,7 @@ void PairSearch<N, T>::visit(Boxes boxes_a, const Boxes* boxes_b, const PairOpti
       const std::size_t first = std::min(meeting_count_, wave + task * meetings_per_task);
       const std::size_t last = std::min(meeting_count_, first + meetings_per_task);
       found_[task]->count = 0;
-      meet({meetings_.data() + first, last - first}, *found_[task]);
+      meet({meetings_.data() + first, last - first}, found_[task]->blocks, *found_[task]);
     });
     for (std::size_t task = 0; task < tasks_per_wave; ++task) {
       if (found_[task]->count > 0 && !visitor(found_[task]->all())) return;
@@ -179,7 +237,9 @@ void PairSearch<N, T>::visit(Boxes boxes_a, const Boxes* boxes_b, const PairOpti
 template <Dim N, class T>
 std::size_t PairSearch<N, T>::bytes() const {
   std::size_t result = tree_a_.bytes() + tree_b_.bytes() + meetings_.bytes() + spare_meetings_.bytes() + sort_.bytes();
-  for (const auto& found : found_) result += found->blocks.bytes() + found->pairs.bytes();
+  for (const auto* memory : {&found_, &workers_.all()}) {
+    for (const auto& found : *memory) result += found->blocks.bytes() + found->pairs.bytes();
+  }
   return result;
 }
 

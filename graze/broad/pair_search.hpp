@@ -11,6 +11,7 @@
 #include <graze/broad/pair_room.hpp>
 #include <graze/broad/pair_sort.hpp>
 #include <graze/broad/pairs.hpp>
+#include <graze/broad/pool.hpp>
 
 namespace graze::detail {
 
@@ -24,7 +25,8 @@ class PairSearch {
   PairSearch();
   ~PairSearch();
 
-  /// The pairs of one set, where `boxes_b` is null, or between two, into the room that is given for them.
+  /// The pairs of one set, where `boxes_b` is null, or between two: in the room that is given for them, or in memory of
+  /// its own, where they stay until the next call.
   std::span<const Pair> find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options, const PairRoom& room);
 
   /// The same pairs, in the order in which they are found, to a visitor, without holding more than a few blocks of
@@ -38,7 +40,14 @@ class PairSearch {
   void descend();
   const Block<N, T>* above_of(std::size_t level) const;
   struct Found;
-  void meet(std::span<const BlockPair> parents, Found& found) const;
+  template <class Finds>
+  void meet(std::span<const BlockPair> parents, Buffer<BlockPair>& list, Finds& found) const;
+  std::size_t task_count() const;
+  std::span<const BlockPair> meetings_of(std::size_t task, std::size_t tasks) const;
+  void find_lists(std::size_t tasks, const Executor& executor);
+  std::span<const Pair> find_sorted(std::size_t limit_a, std::size_t limit_b, const Executor& executor,
+                                    const PairRoom& room);
+  std::span<const Pair> find_any(const Executor& executor, const PairRoom& room);
 
   BlockTree<N, T> tree_a_;
   BlockTree<N, T> tree_b_;
@@ -46,7 +55,8 @@ class PairSearch {
   Buffer<BlockPair> meetings_;              // pairs of blocks above the boxes
   Buffer<BlockPair> spare_meetings_;
   std::size_t meeting_count_ = 0;
-  std::vector<std::unique_ptr<Found>> found_;
+  std::vector<std::unique_ptr<Found>> found_;  // by task
+  Pool<Found> workers_;                        // to find what is sorted at once
   PairSort sort_;
 };
 

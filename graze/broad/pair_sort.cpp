@@ -7,24 +7,24 @@
 
 #include <graze/broad/buffer.hpp>
 #include <graze/broad/pair_sort.hpp>
+#include <graze/broad/prefetch.hpp>
 #include <graze/broad/sort_kernels.hpp>
 
 namespace graze::detail {
 namespace {
 
 constexpr std::size_t most_buckets = 1024;
-constexpr std::size_t pairs_per_bucket = 1024;
-constexpr std::uint32_t most_bits = 8;  // of first indices in a bucket, where buckets are few enough
+constexpr std::uint32_t least_bits = 7;  // of first indices in a bucket
 
 /// Memory to sort a bucket in.
 struct Spare {
-  Buffer<Pair> pairs;
-  Buffer<std::uint32_t> seconds;      // second indices by row, then the same sorted
-  std::vector<std::uint32_t> begins;  // of rows
-  std::vector<std::uint32_t> next;    // the place of the next one of a row
-  std::vector<std::uint64_t> bits;    // of second indices
-  Buffer<std::int64_t> keys;          // rows and second indices, by row
-  std::uint32_t longest = 0;          // of the rows
+  std::vector<std::span<const Pair>> parts;  // of the bucket
+  Buffer<std::uint32_t> seconds;             // second indices by row, then the same sorted
+  std::vector<std::uint32_t> begins;         // of rows
+  std::vector<std::uint32_t> next;           // the place of the next one of a row
+  std::vector<std::uint64_t> bits;           // of second indices
+  Buffer<std::int64_t> keys;                 // rows and second indices, by row
+  std::uint32_t longest = 0;                 // of the rows
 };
 
 /// Sorts by one digit, from one place to another.
@@ -58,65 +58,101 @@ void sort_numbers(std::uint32_t* numbers, std::size_t count, std::size_t limit, 
   }
 }
 
-/// Sorts a bucket whose rows are nearly all very short: keys by row, then all rows at once. `ends` has where rows
+/// Calls use(pair) for all pairs, from two places in turns: neighbours are often of one row, whose counter each would
+/// wait for.
+template <class Use>
+void for_each_in_turns(std::span<const Pair> pairs, const Use& use) {
+  const std::size_t half = pairs.size() / 2;
+  for (std::size_t k = 0; k < half; ++k) {
+    use(pairs[k]);
+    use(pairs[half + k]);
+  }
+  if (pairs.size() % 2 != 0) use(pairs.back());
+}
+
+/// A bucket that is sorted into `out`.
+struct Bucket {
+  std::uint32_t first;     // of its first indices
+  std::uint32_t row_mask;  // gives the row of a first index
+  std::span<Pair> out;
+};
+
+/// Sorts a bucket whose rows are nearly all very short: keys by row, then all rows at once. `begins` has where rows
 /// begin.
-void sort_very_short_rows(std::span<Pair> pairs, std::uint32_t first, std::uint32_t row_mask, Spare& spare) {
+void sort_very_short_rows(const Bucket& bucket, Spare& spare) {
   constexpr std::size_t margin = very_short_row;
-  spare.keys.require(pairs.size() + 2 * margin);
+  const std::size_t count = bucket.out.size();
+  spare.keys.require(count + 2 * margin);
   std::int64_t* const keys = spare.keys.data() + margin;
   std::fill(keys - margin, keys, std::numeric_limits<std::int64_t>::min());
-  std::fill(keys + pairs.size(), keys + pairs.size() + margin, std::numeric_limits<std::int64_t>::max());
+  std::fill(keys + count, keys + count + margin, std::numeric_limits<std::int64_t>::max());
   std::uint32_t* const ends = spare.begins.data();
-  for (const Pair& pair : pairs) {
-    const std::uint32_t row = pair.a & row_mask;
-    keys[ends[row]++] = static_cast<std::int64_t>(std::uint64_t{row} << 32U | pair.b);
+  for (const auto& part : spare.parts) {
+    for_each_in_turns(part, [=](const Pair& pair) {
+      const std::uint32_t row = pair.a & bucket.row_mask;
+      keys[ends[row]++] = static_cast<std::int64_t>(std::uint64_t{row} << 32U | pair.b);
+    });
   }
-  sort_kernels().place_keys(keys, pairs.size(), first, pairs.data());
+  sort_kernels().place_keys(keys, count, bucket.first, bucket.out.data());
   if (spare.longest <= very_short_row) return;
-  for (std::uint32_t row = 0; row <= row_mask; ++row) {
+  for (std::uint32_t row = 0; row <= bucket.row_mask; ++row) {
     const std::uint32_t begin = row == 0 ? 0 : ends[row - 1];
     if (ends[row] - begin <= very_short_row) continue;
     std::sort(keys + begin, keys + ends[row]);
-    for (std::uint32_t k = begin; k < ends[row]; ++k) pairs[k] = {first + row, static_cast<std::uint32_t>(keys[k])};
+    for (std::uint32_t k = begin; k < ends[row]; ++k) {
+      bucket.out[k] = {bucket.first + row, static_cast<std::uint32_t>(keys[k])};
+    }
   }
 }
 
 /// Sorts a bucket by rows, then each row by second indices.
-void sort_rows(std::span<Pair> pairs, std::uint32_t first, std::uint32_t row_mask, std::size_t limit_b, Spare& spare) {
-  const std::size_t count = pairs.size();
+void sort_rows(const Bucket& bucket, std::size_t limit_b, Spare& spare) {
+  const std::size_t count = bucket.out.size();
   spare.next.assign(spare.begins.begin(), spare.begins.end() - 1);
-  spare.pairs.require(count);
   spare.seconds.require(2 * (count + short_row));
   std::uint32_t* const seconds = spare.seconds.data();
-  for (std::size_t k = 0; k < count; ++k) {
-    spare.pairs[k] = pairs[k];
-    seconds[spare.next[pairs[k].a & row_mask]++] = pairs[k].b;
+  std::uint32_t* const next = spare.next.data();
+  for (const auto& part : spare.parts) {
+    for_each_in_turns(part, [=](const Pair& pair) { seconds[next[pair.a & bucket.row_mask]++] = pair.b; });
   }
   std::fill(seconds + count, seconds + count + short_row, 0U);
-  sort_kernels().place(spare.pairs.data(), count, row_mask, spare.begins.data(), seconds, pairs.data());
-  if (spare.longest <= short_row) return;
-  for (std::uint32_t row = 0; row <= row_mask; ++row) {
+  constexpr std::size_t many = 4;  // pairs a row
+  const bool by_rows = sort_kernels().rows_pay && count >= many * (bucket.row_mask + 1);
+  if (by_rows) {
+    sort_kernels().place_rows(spare.begins.data(), bucket.row_mask + 1, bucket.first, seconds, bucket.out.data());
+  } else {
+    for (const auto& part : spare.parts) {
+      sort_kernels().place(part.data(), part.size(), bucket.row_mask, spare.begins.data(), seconds, bucket.out.data());
+    }
+  }
+  const std::uint32_t placed = by_rows ? placed_row : short_row;
+  if (spare.longest <= placed) return;
+  for (std::uint32_t row = 0; row <= bucket.row_mask; ++row) {
     const std::uint32_t begin = spare.begins[row];
     const std::uint32_t end = spare.begins[row + 1];
-    if (end - begin <= short_row) continue;
+    if (end - begin <= placed) continue;
     sort_numbers(seconds + begin, end - begin, limit_b, seconds + count + short_row, spare.bits);
-    for (std::uint32_t k = begin; k < end; ++k) pairs[k] = {first + row, seconds[k]};
+    for (std::uint32_t k = begin; k < end; ++k) bucket.out[k] = {bucket.first + row, seconds[k]};
   }
 }
 
-/// Sorts a bucket whose first indices are 2^bits in a row.
-void sort_bucket(std::span<Pair> pairs, std::uint32_t bits, std::size_t limit_b, Spare& spare) {
-  if (pairs.size() < std::size_t{1} << bits >> 4U) {  // few pairs of many boxes: counting would take longer
-    std::sort(pairs.begin(), pairs.end());
+/// Sorts the parts of a bucket.
+void sort_bucket(const Bucket& bucket, std::size_t limit_b, Spare& spare) {
+  const std::uint32_t rows = bucket.row_mask + 1;
+  if (bucket.out.size() < rows / 16) {  // few pairs of many boxes: counting would take longer
+    Pair* out = bucket.out.data();
+    for (const auto& part : spare.parts) out = std::copy(part.begin(), part.end(), out);
+    std::sort(bucket.out.data(), out);
     return;
   }
-  const std::uint32_t rows = 1U << bits;
-  const std::uint32_t row_mask = rows - 1;
-  const std::uint32_t first = pairs[0].a & ~row_mask;
   spare.begins.assign(rows + 1, 0);
-  for (const Pair& pair : pairs) ++spare.begins[pair.a & row_mask];
+  std::uint32_t* const counts = spare.begins.data();
+  for (std::size_t k = 0; k < spare.parts.size(); ++k) {
+    if (k + 1 < spare.parts.size()) prefetch_all(spare.parts[k + 1]);
+    for_each_in_turns(spare.parts[k], [=](const Pair& pair) { ++counts[pair.a & bucket.row_mask]; });
+  }
   spare.longest = 0;
-  std::uint32_t in_longer_rows = 0;
+  std::size_t in_longer_rows = 0;
   std::uint32_t next = 0;
   for (std::uint32_t& begin : spare.begins) {
     const std::uint32_t length = std::exchange(begin, next);
@@ -124,53 +160,58 @@ void sort_bucket(std::span<Pair> pairs, std::uint32_t bits, std::size_t limit_b,
     in_longer_rows += length > very_short_row ? length : 0U;
     next += length;
   }
-  if (sort_kernels().keys_pay && in_longer_rows <= pairs.size() / 16) {
-    sort_very_short_rows(pairs, first, row_mask, spare);
+  if (sort_kernels().keys_pay && in_longer_rows <= bucket.out.size() / 16) {
+    sort_very_short_rows(bucket, spare);
   } else {
-    sort_rows(pairs, first, row_mask, limit_b, spare);
+    sort_rows(bucket, limit_b, spare);
   }
 }
 
 }  // namespace
 
-void PairSort::sort(std::span<const std::span<const Pair>> pieces, std::size_t limit_a, std::size_t limit_b,
-                    const Executor& executor, Pair* out) {
-  std::size_t total = 0;
-  for (const auto& piece : pieces) total += piece.size();
-  // So many first indices in a bucket that its pairs fit the first caches, but not more buckets than those have room
-  // for.
-  const auto fitting = static_cast<std::uint32_t>(std::bit_width(limit_a * pairs_per_bucket / (total + 1)));
-  const auto bits =
-      std::max(std::min(most_bits, fitting), static_cast<std::uint32_t>(std::bit_width(limit_a / most_buckets)));
-  const std::size_t buckets = (limit_a >> bits) + 1;
-  places_.assign(pieces.size() * buckets, 0);
-  executor.parallel_for(pieces.size(), [&](std::size_t piece) {
-    std::uint64_t* const counts = places_.data() + piece * buckets;
-    for (const Pair& pair : pieces[piece]) ++counts[pair.a >> bits];
-  });
-  ends_.assign(buckets, 0);
-  std::uint64_t next = 0;
-  for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
-    for (std::size_t piece = 0; piece < pieces.size(); ++piece) {
-      next += std::exchange(places_[piece * buckets + bucket], next);
-    }
-    ends_[bucket] = next;
+void PairSort::begin(std::size_t limit_a) {
+  bits_ = std::max(least_bits, static_cast<std::uint32_t>(std::bit_width(limit_a / most_buckets)));
+  ends_.resize((limit_a >> bits_) + 1);
+  for (const auto& buckets : buckets_.all()) buckets->clear(ends_.size(), bits_);
+}
+
+PairSort::Sink::Sink(PairSort& sort) : buckets_(sort.buckets_) {
+  if (buckets_->buckets() == 0) buckets_->clear(sort.ends_.size(), sort.bits_);
+}
+
+std::size_t PairSort::count() {
+  std::uint64_t count = 0;
+  for (std::size_t bucket = 0; bucket < ends_.size(); ++bucket) {
+    for (const auto& buckets : buckets_.all()) count += buckets->count(bucket);
+    ends_[bucket] = count;
   }
-  executor.parallel_for(pieces.size(), [&](std::size_t piece) {
-    std::uint64_t* const places = places_.data() + piece * buckets;
-    for (const Pair& pair : pieces[piece]) out[places[pair.a >> bits]++] = pair;
-  });
+  return static_cast<std::size_t>(count);
+}
+
+void PairSort::sort(std::size_t limit_b, const Executor& executor, Pair* out) {
   constexpr std::size_t buckets_per_task = 16;
-  executor.parallel_for((buckets + buckets_per_task - 1) / buckets_per_task, [&](std::size_t task) {
+  executor.parallel_for((ends_.size() + buckets_per_task - 1) / buckets_per_task, [&](std::size_t task) {
     Spare spare;
-    for (std::size_t k = task * buckets_per_task; k < std::min(buckets, (task + 1) * buckets_per_task); ++k) {
+    const std::size_t last = std::min(ends_.size(), (task + 1) * buckets_per_task);
+    for (std::size_t k = task * buckets_per_task; k < last; ++k) {
       const auto begin = static_cast<std::size_t>(k == 0 ? 0 : ends_[k - 1]);
       const auto end = static_cast<std::size_t>(ends_[k]);
-      if (end > begin) sort_bucket({out + begin, end - begin}, bits, limit_b, spare);
+      if (end == begin) continue;
+      spare.parts.clear();
+      for (const auto& buckets : buckets_.all()) {
+        buckets->for_each_part(k, [&spare](std::span<const Pair> part) { spare.parts.push_back(part); });
+      }
+      if (k + 1 < last) prefetch_all(buckets_.all().front()->open_part(k + 1));
+      const Bucket bucket{static_cast<std::uint32_t>(k << bits_), (1U << bits_) - 1, {out + begin, end - begin}};
+      sort_bucket(bucket, limit_b, spare);
     }
   });
 }
 
-std::size_t PairSort::bytes() const { return (places_.capacity() + ends_.capacity()) * sizeof(std::uint64_t); }
+std::size_t PairSort::bytes() const {
+  std::size_t result = ends_.capacity() * sizeof(std::uint64_t);
+  for (const auto& buckets : buckets_.all()) result += buckets->bytes();
+  return result;
+}
 
 }  // namespace graze::detail

@@ -8,23 +8,41 @@
 
 #include <graze/broad/executor.hpp>
 #include <graze/broad/pair.hpp>
+#include <graze/broad/pair_buckets.hpp>
+#include <graze/broad/pool.hpp>
 
 namespace graze::detail {
 
-/// Sorts pairs by counting: first into buckets of neighbouring first indices, then each bucket by itself. Keeps its
-/// memory.
+/// Sorts pairs by counting: first into buckets of neighbouring first indices, as they are found, then each bucket by
+/// itself. Keeps its memory.
 class PairSort {
  public:
-  /// Writes the pairs of all pieces, ascending, to `out`, which has room for them. No pair comes twice; every `a` is
-  /// less than `limit_a`, every `b` less than `limit_b`.
-  void sort(std::span<const std::span<const Pair>> pieces, std::size_t limit_a, std::size_t limit_b,
-            const Executor& executor, Pair* out);
+  /// Forgets all pairs. Those that come have a first index less than `limit_a`.
+  void begin(std::size_t limit_a);
+
+  /// Takes pairs, from many threads if need be.
+  class Sink {
+   public:
+    explicit Sink(PairSort& sort);
+    void add(std::span<const Pair> pairs) { buckets_->add(pairs); }
+
+   private:
+    Pool<PairBuckets>::Loan buckets_;
+  };
+
+  /// How many pairs there are, once no sink is left.
+  std::size_t count();
+
+  /// Writes all pairs, ascending, to `out`, which has room for them: after count(). No pair may have come twice; every
+  /// `b` is less than `limit_b`.
+  void sort(std::size_t limit_b, const Executor& executor, Pair* out);
 
   std::size_t bytes() const;
 
  private:
-  std::vector<std::uint64_t> places_;  // of every bucket of every piece, then where its next pair goes
-  std::vector<std::uint64_t> ends_;    // of every bucket
+  Pool<PairBuckets> buckets_;
+  std::uint32_t bits_ = 0;           // of first indices in a bucket
+  std::vector<std::uint64_t> ends_;  // of every bucket
 };
 
 }  // namespace graze::detail

@@ -101,10 +101,12 @@ template <Dim N, class T>
 std::vector<Pair> all_pairs(std::span<const Aabb<N, T>> boxes_a, const std::span<const Aabb<N, T>>* boxes_b,
                             const PairOptions& options) {
   std::vector<Pair> pairs;
-  detail::PairMethods<N, T>().find(boxes_a, boxes_b, options, [&pairs](std::size_t count) {
+  detail::PairMethods<N, T> search;
+  const std::span<const Pair> found = search.find(boxes_a, boxes_b, options, [&pairs](std::size_t count) {
     pairs.resize(count);
     return pairs.data();
   });
+  if (found.data() != pairs.data()) pairs.assign(found.begin(), found.end());
   return pairs;
 }
 

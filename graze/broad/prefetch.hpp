@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 namespace graze::detail {
 
@@ -28,6 +29,19 @@ template <class Value>
 #endif
 }
 
+/// The same for a value of any size, wherever it begins.
+template <class Value>
+[[gnu::always_inline]] inline void prefetch_lines([[maybe_unused]] const Value* value) {
+#ifdef __GNUC__
+  constexpr std::size_t line = 64;
+  keep_calls(value);
+  for (std::size_t at = 0; at < sizeof(Value); at += line) {
+    __builtin_prefetch(reinterpret_cast<const char*>(value) + at);
+  }
+  __builtin_prefetch(reinterpret_cast<const char*>(value + 1) - 1);
+#endif
+}
+
 /// The same for all cache lines of a value, which begins at one.
 template <class Value>
 [[gnu::always_inline]] inline void prefetch_whole([[maybe_unused]] const Value* value) {
@@ -37,6 +51,23 @@ template <class Value>
   for (std::size_t at = 0; at < sizeof(Value); at += line) {
     __builtin_prefetch(reinterpret_cast<const char*>(value) + at);
   }
+#endif
+}
+
+/// The same for values in a row.
+template <class Value>
+[[gnu::always_inline]] inline void prefetch_all([[maybe_unused]] std::span<const Value> values) {
+#ifdef __GNUC__
+  constexpr std::size_t per_line = 64 / sizeof(Value);
+  keep_calls(values.data());
+  for (std::size_t k = 0; k < values.size(); k += per_line) __builtin_prefetch(values.data() + k);
+#endif
+}
+
+/// Asks for a cache line that will be written to.
+[[gnu::always_inline]] inline void prefetch_to_write([[maybe_unused]] const void* place) {
+#ifdef __GNUC__
+  __builtin_prefetch(place, 1);
 #endif
 }
 

@@ -13,6 +13,9 @@ namespace graze::detail {
 /// A row of so many pairs, of one first index, is sorted by counting for each how many have a smaller second index.
 inline constexpr std::uint32_t short_row = 16;
 
+/// A row of so many pairs is sorted as a whole, where place_rows pays.
+inline constexpr std::uint32_t placed_row = 32;
+
 /// A row of so many pairs is sorted by counting smaller ones among all keys near to each.
 inline constexpr std::uint32_t very_short_row = 8;
 
@@ -31,6 +34,14 @@ struct SortKernels {
   /// `seconds` can be read 16 numbers further than the last row. Pairs of rows that are not short are left out.
   void (*place)(const Pair* pairs, std::size_t count, std::uint32_t row_mask, const std::uint32_t* begins,
                 const std::uint32_t* seconds, Pair* out);
+
+  /// Whether place_rows takes less time than place: where a vector holds sixteen indices.
+  bool rows_pay;
+
+  /// Puts pairs in their places as place does, row by row, from their second indices alone. Rows longer than placed_row
+  /// are left out; what they have in `out` is lost.
+  void (*place_rows)(const std::uint32_t* begins, std::uint32_t rows, std::uint32_t first, const std::uint32_t* seconds,
+                     Pair* out);
 };
 
 /// The kernels for this machine.

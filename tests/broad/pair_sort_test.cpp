@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <random>
 #include <span>
 #include <vector>
@@ -14,22 +15,44 @@
 namespace graze::detail::pair_sort_test {
 namespace {
 
-/// Shuffles the pairs, cuts them into pieces, sorts, and compares with std::sort.
-void expect_sorted(std::vector<Pair> pairs, std::size_t limit_a, std::size_t limit_b) {
-  std::vector<Pair> expected = pairs;
-  std::sort(expected.begin(), expected.end());
-  std::shuffle(pairs.begin(), pairs.end(), std::mt19937(7));
-  for (const std::size_t piece_count : {1U, 2U, 7U}) {
-    std::vector<std::span<const Pair>> pieces;
-    for (std::size_t k = 0; k < piece_count; ++k) {
-      const std::size_t first = k * pairs.size() / piece_count;
-      pieces.push_back(std::span<const Pair>(pairs).subspan(first, (k + 1) * pairs.size() / piece_count - first));
+/// Above all indices.
+struct Limits {
+  std::size_t a;
+  std::size_t b;
+};
+
+/// Sorts pieces, each as a thread of its own would bring it, into room that has nothing before or after it.
+std::vector<Pair> sorted_by(PairSort& sort, std::span<const Pair> pairs, std::size_t pieces, Limits limits) {
+  sort.begin(limits.a);
+  {
+    std::vector<std::unique_ptr<PairSort::Sink>> sinks;
+    for (std::size_t k = 0; k < pieces; ++k) {
+      const std::size_t first = k * pairs.size() / pieces;
+      sinks.push_back(std::make_unique<PairSort::Sink>(sort));
+      sinks.back()->add(pairs.subspan(first, (k + 1) * pairs.size() / pieces - first));
     }
+  }
+  EXPECT_EQ(sort.count(), pairs.size());
+  std::vector<Pair> sorted(pairs.size());
+  sort.sort(limits.b, *limited_executor(2), sorted.data());
+  return sorted;
+}
+
+/// Shuffles the pairs, cuts them into pieces, sorts, and compares with std::sort; then a third of them in the same
+/// memory.
+void expect_sorted(std::vector<Pair> pairs, std::size_t limit_a, std::size_t limit_b) {
+  std::shuffle(pairs.begin(), pairs.end(), std::mt19937(7));
+  const std::span<const Pair> third(pairs.data(), pairs.size() / 3);
+  for (const std::size_t pieces : {1U, 2U, 7U}) {
     for (const std::int64_t target : test::simd_targets()) {
       const test::ForcedTarget forced(target);
-      std::vector<Pair> sorted(pairs.size());
-      PairSort().sort(pieces, limit_a, limit_b, *limited_executor(2), sorted.data());
-      EXPECT_EQ(sorted, expected) << piece_count << " pieces, " << hwy::TargetName(target);
+      PairSort sort;
+      for (const auto part : {std::span<const Pair>(pairs), third}) {
+        std::vector<Pair> expected(part.begin(), part.end());
+        std::sort(expected.begin(), expected.end());
+        EXPECT_EQ(sorted_by(sort, part, pieces, {limit_a, limit_b}), expected)
+            << pieces << " pieces, " << hwy::TargetName(target);
+      }
     }
   }
 }
@@ -60,6 +83,17 @@ TEST(PairSort, OfFewPartnersEachAndManyForAFew) {
     }
   }
   expect_sorted(pairs, 20'000, 70'000);
+}
+
+TEST(PairSort, OfRowsOfEveryLengthThatIsSortedAsAWhole) {
+  std::mt19937 random(3);
+  std::vector<Pair> pairs;
+  for (std::uint32_t a = 0; a < 5'000; ++a) {
+    for (std::uint32_t k = 0; k < a % 37; ++k) {
+      pairs.push_back({a, (k << 27U) + static_cast<std::uint32_t>(random() >> 5U)});
+    }
+  }
+  expect_sorted(pairs, 5'000, std::size_t{1} << 32U);
 }
 
 TEST(PairSort, OfAllKindsOfNumbersOfPartners) {

@@ -44,6 +44,38 @@ TEST(SortKernels, PutPairsOfShortRowsInTheirPlacesAndLeaveOutTheOthers) {
   }
 }
 
+TEST(SortKernels, PutRowsInTheirPlacesAndWriteNothingBehindThem) {
+  constexpr std::uint32_t rows = 100;
+  constexpr Pair untouched{7, 7};
+  std::mt19937 random(8);
+  for (std::uint32_t last = 0; last <= placed_row; ++last) {
+    std::vector<Pair> expected;
+    std::vector<std::uint32_t> begins = {0};
+    for (std::uint32_t row = 0; row < rows; ++row) {
+      const std::uint32_t length = row + 1 == rows ? last : row * 11 % (placed_row + 2);  // 33 is too long
+      for (std::uint32_t k = 0; k < length; ++k) expected.push_back({1024 + row, 0xFFFFFFFFU - 0x07000001U * k});
+      begins.push_back(static_cast<std::uint32_t>(expected.size()));
+    }
+    std::vector<std::uint32_t> seconds;
+    for (const Pair& pair : expected) seconds.push_back(pair.b);
+    for (std::uint32_t row = 0; row < rows; ++row) {
+      std::sort(expected.begin() + begins[row], expected.begin() + begins[row + 1]);
+      std::shuffle(seconds.begin() + begins[row], seconds.begin() + begins[row + 1], random);
+    }
+    expected.insert(expected.end(), placed_row, untouched);
+    for (const std::int64_t target : test::simd_targets()) {
+      const test::ForcedTarget forced(target);
+      std::vector<Pair> placed(expected.size(), untouched);
+      sort_kernels().place_rows(begins.data(), rows, 1024, seconds.data(), placed.data());
+      for (std::uint32_t row = 0; row < rows; ++row) {
+        if (begins[row + 1] - begins[row] <= placed_row) continue;
+        std::copy(expected.begin() + begins[row], expected.begin() + begins[row + 1], placed.begin() + begins[row]);
+      }
+      EXPECT_EQ(placed, expected) << hwy::TargetName(target) << ", the last row of " << last;
+    }
+  }
+}
+
 TEST(SortKernels, PutKeysOfVeryShortRowsInTheirPlacesAndLongerOnesWhereTheyBelong) {
   constexpr std::uint32_t first = 0xFFFFF000U;
   std::mt19937 random(6);

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace graze::detail {
+
+/// Things to work with that many tasks need one after the other, as many as run at the same time. Kept for later.
+template <class Value>
+class Pool {
+ public:
+  /// One of the things, to be used by nobody else until this ends.
+  class Loan {
+   public:
+    explicit Loan(Pool& pool) : pool_(pool), value_(pool.take()) {}
+    Loan(const Loan&) = delete;
+    Loan& operator=(const Loan&) = delete;
+    ~Loan() { pool_.give_back(value_); }
+
+    Value& operator*() const { return value_; }
+    Value* operator->() const { return &value_; }
+
+   private:
+    Pool& pool_;
+    Value& value_;
+  };
+
+  /// All things that there are, while none is lent.
+  const std::vector<std::unique_ptr<Value>>& all() const { return all_; }
+
+ private:
+  Value& take() {
+    const std::lock_guard lock(mutex_);
+    if (free_.empty()) {
+      free_.reserve(all_.size() + 1);  // so that to give back needs no memory
+      all_.push_back(std::make_unique<Value>());
+      return *all_.back();
+    }
+    Value& value = *free_.back();
+    free_.pop_back();
+    return value;
+  }
+
+  void give_back(Value& value) noexcept {
+    const std::lock_guard lock(mutex_);
+    free_.push_back(&value);
+  }
+
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Value>> all_;
+  std::vector<Value*> free_;
+};
+
+}  // namespace graze::detail
