@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // contact and manifold for pairs of bounded primitives in 3D, beside FCL's collide with up to four contacts (double)
 // and, for two oriented boxes, Bullet's btBoxBoxDetector (float). A thousand random pairs each, all in cache, some of
-// them apart; of two oriented boxes also pairs that all meet, and boxes that lie on each other. Before anything is
-// timed the others' depths are compared with graze's: graze's is the least, so that none may be less; those of FCL and
-// Bullet may be up to 5 % more where two edges meet, because they prefer faces by as much.
+// them apart; of most kinds also pairs that all meet, and of oriented boxes some that lie on each other. Before
+// anything is timed the others' depths are compared with graze's: graze's is the least, so that none may be less; those
+// of FCL and Bullet may be up to 5 % more where two edges meet, because they prefer faces by as much.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -35,6 +35,7 @@ constexpr std::size_t pair_count = 1024;
 
 using Point = Vec<3, double>;
 using Sphere = graze::Sphere<3, double>;
+using Aabb = graze::Aabb<3, double>;
 using Obb = graze::Obb<3, double>;
 using Triangle = graze::Triangle<3, double>;
 using Capsule = graze::Capsule<3, double>;
@@ -64,6 +65,11 @@ class Random {
 };
 
 void draw(Random& random, Sphere& sphere) { sphere = {random.place(), random.number(0.2, 0.8)}; }
+void draw(Random& random, Aabb& box) {
+  const Point center = random.place();
+  const Point half = abs(random.vector(0.8)) + 0.01;
+  box = {center - half, center + half};
+}
 void draw(Random& random, Obb& box) { box = {random.place(), abs(random.vector(0.8)) + 0.01, random.rotation()}; }
 void draw(Random& random, Triangle& triangle) {
   triangle.a = random.place();
@@ -99,12 +105,13 @@ Pairs<A, B> random_pairs(double spread) {
   return pairs;
 }
 
-/// Boxes that meet.
-Pairs<Obb, Obb> meeting_boxes() {
-  Pairs<Obb, Obb> pairs;
+/// Pairs that meet.
+template <class A, class B>
+Pairs<A, B> meeting_pairs() {
+  Pairs<A, B> pairs;
   Random random(0.6);
   while (pairs.size() < pair_count) {
-    std::pair<Obb, Obb> pair;
+    std::pair<A, B> pair;
     draw(random, pair.first);
     draw(random, pair.second);
     if (contact(pair.first, pair.second)) pairs.push_back(pair);
@@ -140,6 +147,12 @@ fcl::Vector3d fcl_vector(const Point& v) { return {v.x, v.y, v.z}; }
 FclShape fcl_shape(const Sphere& sphere) {
   FclShape shape{std::make_shared<fcl::Sphered>(sphere.radius)};
   shape.pose.translation() = fcl_vector(sphere.center);
+  return shape;
+}
+
+FclShape fcl_shape(const Aabb& box) {
+  FclShape shape{std::make_shared<fcl::Boxd>(fcl_vector(box.max - box.min))};
+  shape.pose.translation() = fcl_vector(box.center());
   return shape;
 }
 
@@ -280,15 +293,22 @@ void register_pairs(const std::string& name, const Pairs<A, B>& drawn) {
 
 int main(int argc, char** argv) {
   register_pairs("sphere, sphere", random_pairs<Sphere, Sphere>(1));
+  register_pairs("sphere, aabb", random_pairs<Sphere, Aabb>(1));
+  register_pairs("sphere, aabb that meet", meeting_pairs<Sphere, Aabb>());
   register_pairs("sphere, obb", random_pairs<Sphere, Obb>(1));
+  register_pairs("sphere, obb that meet", meeting_pairs<Sphere, Obb>());
   register_pairs("sphere, capsule", random_pairs<Sphere, Capsule>(1));
+  register_pairs("aabb, aabb", random_pairs<Aabb, Aabb>(1));
   register_pairs("obb, obb", random_pairs<Obb, Obb>(1));
-  register_pairs("obb, obb that meet", meeting_boxes());
+  register_pairs("obb, obb that meet", meeting_pairs<Obb, Obb>());
   register_pairs("obb on obb", stacked_boxes());
   register_pairs("obb, capsule", random_pairs<Obb, Capsule>(1));
+  register_pairs("obb, capsule that meet", meeting_pairs<Obb, Capsule>());
   register_pairs("obb, triangle", random_pairs<Obb, Triangle>(1));
+  register_pairs("obb, triangle that meet", meeting_pairs<Obb, Triangle>());
   register_pairs("triangle, triangle", random_pairs<Triangle, Triangle>(0.5));
   register_pairs("capsule, capsule", random_pairs<Capsule, Capsule>(1));
+  register_pairs("capsule, capsule that meet", meeting_pairs<Capsule, Capsule>());
   register_pairs("hull of 8, hull of 8", random_pairs<Polytope, Polytope>(1));
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

@@ -33,6 +33,7 @@ inline Vec<2, double> cosine_sine_of_small(double radians) {
 
 /// Turned on by `quarters` quarter turns, which is a whole number.
 inline Vec<2, double> turned_by_quarters(const Vec<2, double>& turn, double quarters) {
+  if (quarters == 0) return turn;  // as of most turns
   switch ((static_cast<int>(std::fmod(quarters, 4.0)) + 4) % 4) {
     case 0:
       return turn;

@@ -138,6 +138,10 @@ inline constexpr double ray_end = 0x1p-20;
 /// can tell of a place by a thousand times, and far enough above rounding that no step towards it is lost in that.
 inline constexpr double impact = 0x1p-36;
 
+/// How much of the gap before a plane a step towards an impact may leave: the next plane, which parts the shapes
+/// better, costs more than closing in on this one's time, but where this one ends, it is no longer the one that counts.
+inline constexpr double impact_plane = 0x1p-10;
+
 /// Support functions of a user's shape may calculate in T: the band for their answers.
 template <Scalar T>
 inline constexpr double convex_in = 32.0 * static_cast<double>(std::numeric_limits<T>::epsilon());

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include <graze/math/bit_cast.hpp>
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
@@ -205,10 +208,10 @@ Aabb<dimension_of<S>, scalar_of<S>> bounds(const Posed<S>& posed) {
   return box;
 }
 
-/// A box grown by more than the rounding that `relation` may call touching (math/tolerance.hpp): shapes whose grown
-/// boxes do not overlap are apart for certain. Infinite and empty boxes stay.
+namespace detail {
+/// Grows any box as touching_bounds says, and returns the largest of its finite coordinates before.
 template <Dim N, class T>
-Aabb<N, T> touching_bounds(Aabb<N, T> box) {
+T grow_by_slack(Aabb<N, T>& box) {
   T size = 0;
   for (Dim i = 0; i < N; ++i) {
     size = std::max({size, finite_magnitude(box.min[i]), finite_magnitude(box.max[i])});
@@ -218,6 +221,46 @@ Aabb<N, T> touching_bounds(Aabb<N, T> box) {
     box.min[i] = round_down<T>(static_cast<double>(box.min[i]) - slack);
     box.max[i] = round_up<T>(static_cast<double>(box.max[i]) + slack);
   }
+  return size;
+}
+
+/// The same. Where the slack is at most a step of the floats around each coordinate, as it is of nearly all boxes, each
+/// side goes by one step: of its bits, for no coordinate is zero. Bits are ordered as magnitudes are.
+template <Dim N, class T>
+T grow_for_touching(Aabb<N, T>& box) {
+  if constexpr (std::is_same_v<T, float>) {
+    constexpr std::uint32_t infinity = 255U << 23U;
+    constexpr std::uint32_t most_apart = 20U << 23U;  // so many powers of two
+    static_assert(tolerance::box_slack * 0x1p20 <= 0x1p-24, "a step from x is 2^-24 |x| or more");
+    float near_zero = std::numeric_limits<float>::max();
+    float size = 0;
+    for (Dim i = 0; i < N; ++i) {
+      const float low = std::fabs(box.min[i]);
+      const float high = std::fabs(box.max[i]);
+      near_zero = std::min(std::min(near_zero, low), high);
+      size = std::max(std::max(size, low), high);
+    }
+    const auto least = bit_cast<std::uint32_t>(near_zero);
+    const auto greatest = bit_cast<std::uint32_t>(size);
+    if (least != 0 && greatest < infinity && greatest - least <= most_apart) {
+      for (Dim i = 0; i < N; ++i) {
+        const auto low = bit_cast<std::uint32_t>(box.min[i]);
+        const auto high = bit_cast<std::uint32_t>(box.max[i]);
+        box.min[i] = bit_cast<float>(low - 1 + 2 * (low >> 31U));
+        box.max[i] = bit_cast<float>(high + 1 - 2 * (high >> 31U));
+      }
+      return size;
+    }
+  }
+  return grow_by_slack(box);
+}
+}  // namespace detail
+
+/// A box grown by more than the rounding that `relation` may call touching (math/tolerance.hpp): shapes whose grown
+/// boxes do not overlap are apart for certain. Infinite and empty boxes stay.
+template <Dim N, class T>
+Aabb<N, T> touching_bounds(Aabb<N, T> box) {
+  detail::grow_for_touching(box);
   return box;
 }
 

@@ -11,6 +11,7 @@
 
 #include <graze/math/vec.hpp>
 #include <graze/query/patch.hpp>
+#include <graze/query/surface_point.hpp>
 
 namespace graze {
 
@@ -60,6 +61,14 @@ class ClippedPatch {
 
   std::size_t size() const { return size_; }
   const ClippedCorner<N>& operator[](std::size_t i) const { return corners_[i]; }
+
+  /// The same of a plane whose normal has any length, which is seldom worth a root: most sides cut nothing off. With
+  /// all corners below the plane, rounding hides less than `slack`, which has to be more than that.
+  void cut_across(const Vec<N, double>& outward, const Vec<N, double>& through, std::size_t side, double slack) {
+    bool is_above = false;
+    for (std::size_t i = 0; i < size_; ++i) is_above = is_above || dot(outward, corners_[i].point - through) > 0;
+    if (is_above) cut(unit_or(outward, Vec<N, double>(0.0)), through, side, slack);
+  }
 
   /// Leaves what is not above a plane, which goes through `side` of the reference patch: edges 0, 1, ..., or, with the
   /// patch's size, the face itself. Corners up to `slack` above stay.
@@ -152,7 +161,7 @@ ClippedPatch<N> clipped(const Patch<N>& incident, const Patch<N>& reference, con
     const Vec<3, double> axis = dot(turn, up) < 0 ? -up : up;
     for (std::size_t i = 0; i < reference.size; ++i) {
       const Vec<3, double> edge = corners[i + 1 < reference.size ? i + 1 : 0] - corners[i];
-      result.cut(unit_or(cross(edge, axis), Vec<3, double>(0.0)), corners[i], i, slack);
+      result.cut_across(cross(edge, axis), corners[i], i, slack);
     }
   }
   return result;

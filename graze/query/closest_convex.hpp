@@ -22,6 +22,10 @@
 
 namespace graze::detail {
 
+/// How many support points are asked for: two walks to the end, and the directions that bounds are proved with in
+/// between.
+inline constexpr std::size_t most_supports = 2 * static_cast<std::size_t>(gjk_iteration_limit) + 32;
+
 /// The set of differences a - b, which remembers the points that its support points were made of.
 template <Convex A, Convex B>
 class WitnessedDifference {
@@ -52,9 +56,6 @@ class WitnessedDifference {
     Point difference;
     Point on_a;
   };
-
-  /// Two walks to the end, and the directions that bounds are proved with in between.
-  static constexpr std::size_t most_supports = 2 * static_cast<std::size_t>(gjk_iteration_limit) + 32;
 
   const A& a_;
   const B& b_;
@@ -164,12 +165,10 @@ struct ConvexCores {
   double error;
 };
 
-/// The nearest points of two cores, or a common one.
-template <Convex A, Convex B>
-ConvexCores<dimension_of<A>> closest_of_convex(const A& a, const B& b) {
-  constexpr Dim N = dimension_of<A>;
-  WitnessedDifference<A, B> differences(a, b);
-  GjkResult<N> found = gjk_on(differences, GjkOptions{});
+/// From where GJK has ended; `differences` remember the points that its support points were made of.
+template <class Differences>
+ConvexCores<Differences::dimension> closest_from(Differences& differences, GjkResult<Differences::dimension> found) {
+  constexpr Dim N = Differences::dimension;
   go_on(differences, found);
   const std::array<double, 3> shares = SharesInSimplex<N>(found.simplex).of(found.separation);
   // Corners are added to the first one, so that nothing is lost far from the origin.
@@ -182,6 +181,13 @@ ConvexCores<dimension_of<A>> closest_of_convex(const A& a, const B& b) {
     pair.on_b += ((on_a - found.simplex.points[i]) - first_b) * shares[i - 1];
   }
   return {pair, found.status, std::max(0.0, found.upper - found.lower) + found.resolution};
+}
+
+/// The nearest points of two cores, or a common one.
+template <Convex A, Convex B>
+ConvexCores<dimension_of<A>> closest_of_convex(const A& a, const B& b) {
+  WitnessedDifference<A, B> differences(a, b);
+  return closest_from(differences, gjk_on(differences, GjkOptions{}));
 }
 
 }  // namespace graze::detail

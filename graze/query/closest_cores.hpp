@@ -80,18 +80,37 @@ class TooFar {
   double limit_ = 0;
 };
 
+/// The points of two cores between which a pair may be nearest: those of a no lower than `floor` along a direction, and
+/// those of b no higher than `ceiling`.
+template <Dim N>
+struct FacingBand {
+  Vec<N, double> normal = Vec<N, double>(0.0);
+  double floor = -std::numeric_limits<double>::infinity();
+  double ceiling = std::numeric_limits<double>::infinity();
+
+  bool reaches_a(const Vec<N, double>& point) const { return !(dot(normal, point) < floor); }
+  bool reaches_b(const Vec<N, double>& point) const { return !(dot(normal, point) > ceiling); }
+};
+
 template <class A, class B>
-void offer_corners(const A& a, const B& b, double size, ClosestPair<dimension_of<A>>& best) {
-  if constexpr (HasEdges<B> || !HasEdges<A>) {
-    TooFar<B> is_too_far(b, 1, size);
+void offer_corners(const A& a, const B& b, double size, const FacingBand<dimension_of<A>>& band,
+                   ClosestPair<dimension_of<A>>& best) {
+  if constexpr (!HasEdges<A>) {
+    best.offer_from_a(a, foot_on(b, a));
+  } else if constexpr (!HasEdges<B>) {
+    best.offer_from_b(b, foot_on(a, b));
+  } else {
+    const auto& feet_a = with_feet(a);
+    const auto& feet_b = with_feet(b);
+    TooFar<B> is_too_far_of_a(b, 1, size);
     for (const auto& corner : corner_points(a)) {
-      if (!is_too_far(corner, best)) best.offer_from_a(corner, foot_on(b, corner));
+      if (!band.reaches_a(corner) || is_too_far_of_a(corner, best)) continue;
+      best.offer_from_a(corner, foot_on(feet_b, corner));
     }
-  }
-  if constexpr (HasEdges<A>) {
-    TooFar<A> is_too_far(a, -1, size);
+    TooFar<A> is_too_far_of_b(a, -1, size);
     for (const auto& corner : corner_points(b)) {
-      if (!is_too_far(corner, best)) best.offer_from_b(corner, foot_on(a, corner));
+      if (!band.reaches_b(corner) || is_too_far_of_b(corner, best)) continue;
+      best.offer_from_b(corner, foot_on(feet_a, corner));
     }
   }
 }
@@ -101,12 +120,14 @@ void offer_corners(const A& a, const B& b, double size, ClosestPair<dimension_of
 template <class A, class B>
 void offer_projections(const A& a, const B& b, ClosestPair<dimension_of<A>>& best) {
   constexpr int steps = 2;
+  const auto& feet_a = with_feet(a);
+  const auto& feet_b = with_feet(b);
   const auto corners = corner_points(a);
   Vec<dimension_of<A>, double> on_a(0.0);
   for (const auto& corner : corners) on_a += corner / static_cast<double>(corners.size());
   for (int step = 0; step < steps; ++step) {
-    const Vec<dimension_of<A>, double> on_b = foot_on(b, on_a).point;
-    const Foot<dimension_of<A>> foot = foot_on(a, on_b);
+    const Vec<dimension_of<A>, double> on_b = foot_on(feet_b, on_a).point;
+    const Foot<dimension_of<A>> foot = foot_on(feet_a, on_b);
     best.offer_from_b(on_b, foot);
     on_a = foot.point;
   }
@@ -116,24 +137,32 @@ void offer_projections(const A& a, const B& b, ClosestPair<dimension_of<A>>& bes
 
 /// Where along two segments, from 0 to 1, their lines are nearest to each other. With p(s) = start_a + s u, q(t) =
 /// start_b + t v, w = start_b - start_a, n = u x v the perpendicular is at s n^2 = (w x v) . n, t n^2 = (w x u) . n.
-struct Places {
-  double on_a;
-  double on_b;
-};
-
-/// None if the segments are parallel, or points.
 template <Dim N>
-std::optional<Places> perpendicular_places(const Segment<N, double>& a, const Segment<N, double>& b) {
-  const Vec<N, double> u = a.end - a.start;
-  const Vec<N, double> v = b.end - b.start;
-  const Vec<N, double> w = b.start - a.start;
-  const auto n = cross_of_edges(u, v);
-  const auto n0 = of_unit_size(n);  // in place of one n, or n^2 leaves the range of double
-  const double whole = inner(n, n0);
-  if (!(whole > 0)) return std::nullopt;
-  return Places{std::clamp(inner(accurate_cross(w, v), n0) / whole, 0.0, 1.0),
-                std::clamp(inner(accurate_cross(w, u), n0) / whole, 0.0, 1.0)};
-}
+class Perpendicular {
+ public:
+  Perpendicular(const Segment<N, double>& a, const Segment<N, double>& b)
+      : u_(a.end - a.start), v_(b.end - b.start), w_(b.start - a.start) {
+    const auto n = cross_of_edges(u_, v_);
+    n0_ = of_unit_size(n);  // in place of one n, or n^2 leaves the range of double
+    whole_ = inner(n, n0_);
+  }
+
+  /// None if the segments are parallel, or points: then the places are not to be asked for.
+  bool is_any() const { return whole_ > 0; }
+  double on_a() const { return place(v_); }
+  double on_b() const { return place(u_); }
+
+ private:
+  double place(const Vec<N, double>& other) const {
+    return std::clamp(inner(accurate_cross(w_, other), n0_) / whole_, 0.0, 1.0);
+  }
+
+  Vec<N, double> u_;
+  Vec<N, double> v_;
+  Vec<N, double> w_;
+  decltype(cross_of_edges(Vec<N, double>(), Vec<N, double>())) n0_;
+  double whole_;
+};
 
 /// Both places are rounded, and the more the more parallel the lines are, but not apart from each other: each one's own
 /// foot on the other segment is what counts, and the nearer of the two. Where Eberly, "Robust computation of distance
@@ -141,10 +170,10 @@ std::optional<Places> perpendicular_places(const Segment<N, double>& a, const Se
 /// and the best of these valid answers is good to rounding.
 template <Dim N>
 void offer_perpendicular(const Segment<N, double>& a, const Segment<N, double>& b, ClosestPair<N>& best) {
-  const std::optional<Places> places = perpendicular_places(a, b);
-  if (!places) return;
-  const Vec<N, double> on_a = a.start + (a.end - a.start) * places->on_a;
-  const Vec<N, double> on_b = b.start + (b.end - b.start) * places->on_b;
+  const Perpendicular<N> perpendicular(a, b);
+  if (!perpendicular.is_any()) return;
+  const Vec<N, double> on_a = a.start + (a.end - a.start) * perpendicular.on_a();
+  const Vec<N, double> on_b = b.start + (b.end - b.start) * perpendicular.on_b();
   best.offer_from_a(on_a, foot_on(b, on_a));
   best.offer_from_b(on_b, foot_on(a, on_b));
 }
@@ -202,7 +231,7 @@ template <class A, class B>
 ClosestPair<dimension_of<A>> closest_of_apart(const A& a, const B& b, double size) {
   ClosestPair<dimension_of<A>> best;
   if constexpr (HasEdges<A> && HasEdges<B> && (BoxCore<A> || BoxCore<B>)) offer_projections(a, b, best);
-  offer_corners(a, b, size, best);
+  offer_corners(a, b, size, {}, best);
   if constexpr (dimension_of<A> == 3 && HasEdges<A> && HasEdges<B>) offer_edges(a, b, size, best);
   return best;
 }
@@ -226,23 +255,40 @@ ClosestPair<N> closest_of_boxes(const Aabb<N, double>& a, const Aabb<N, double>&
 
 // ---- Cores that meet: a corner of one in the other, or an edge of one through the other
 
+/// A core as visit_crossings takes it.
+template <class Core>
+const Core& with_crossings(const Core& core) {
+  return core;
+}
+
+/// A triangle with a normal of its plane.
+struct CrossedTriangle {
+  Triangle<3, double> triangle;
+  Vec<3, double> normal;
+};
+inline CrossedTriangle with_crossings(const Triangle<3, double>& core) {
+  return {core, of_unit_size(cross_of_directions(core.b - core.a, core.c - core.a))};
+}
+
 /// Calls `visit` with points of an edge, one of which is a point of the core if an inner point of the edge is one.
 template <Dim N, class Visit>
 void visit_crossings(const Segment<N, double>& edge, const Segment<N, double>& core, double, const Visit& visit) {
-  const std::optional<Places> places = perpendicular_places(edge, core);
-  if (places) visit(edge.start + (edge.end - edge.start) * places->on_a);
+  const Perpendicular<N> perpendicular(edge, core);
+  if (perpendicular.is_any()) visit(edge.start + (edge.end - edge.start) * perpendicular.on_a());
 }
 
 template <Dim N, class Visit>
 void visit_crossings(const Segment<N, double>& edge, const Triangle<N, double>& core, double size, const Visit& visit) {
   visit_edges(core, [&](const Segment<N, double>& side) { visit_crossings(edge, side, size, visit); });
-  if constexpr (N == 3) {
-    const Vec<3, double> way = edge.end - edge.start;
-    const Vec<3, double> normal = of_unit_size(cross_of_directions(core.b - core.a, core.c - core.a));
-    const double climb = dot(normal, way);
-    if (climb == 0) return;
-    visit(edge.start + way * std::clamp(dot(normal, core.a - edge.start) / climb, 0.0, 1.0));
-  }
+}
+
+template <class Visit>
+void visit_crossings(const Segment<3, double>& edge, const CrossedTriangle& core, double size, const Visit& visit) {
+  visit_crossings(edge, core.triangle, size, visit);
+  const Vec<3, double> way = edge.end - edge.start;
+  const double climb = dot(core.normal, way);
+  if (climb == 0) return;
+  visit(edge.start + way * std::clamp(dot(core.normal, core.triangle.a - edge.start) / climb, 0.0, 1.0));
 }
 
 /// The shares of an edge, from 0 to 1, that are between the faces of a box; none if low > high.
@@ -300,31 +346,82 @@ Vec<N, double> half_extents_of(const Obb<N, double>& box) {
   return box.half_extents;
 }
 
-template <Dim N, BoxCore Box, class Visit>
-void visit_crossings(const Segment<N, double>& edge, const Box& box, double size, const Visit& visit) {
-  const Vec<N, double> center = frame_of(box).center;
-  visit_middle_inside<N>({edge.start - center, edge.end - center}, face_normals_of(box), half_extents_of(box),
-                         tolerance::coarse * size, [&](const Vec<N, double>& point) { visit(center + point); });
+/// A box with the rows that take vectors from its center to its coordinates.
+template <Dim N>
+struct CrossedBox {
+  Vec<N, double> center;
+  Vec<N, double> half_extents;
+  Mat<N, double> rows;
+};
+template <BoxCore Box>
+CrossedBox<dimension_of<Box>> with_crossings(const Box& box) {
+  return {frame_of(box).center, half_extents_of(box), face_normals_of(box)};
+}
+
+template <Dim N, class Visit>
+void visit_crossings(const Segment<N, double>& edge, const CrossedBox<N>& box, double size, const Visit& visit) {
+  visit_middle_inside<N>({edge.start - box.center, edge.end - box.center}, box.rows, box.half_extents,
+                         tolerance::coarse * size, [&](const Vec<N, double>& point) { visit(box.center + point); });
+}
+
+/// Offers points of edges of a core that may be points of the other, as `offer(point)`: those that are `reached`, and
+/// none twice in a row.
+template <class Core, class Other, class Reached, class Offer>
+void offer_crossings(const Core& core, const Other& other, double size, const Reached& reached, const Offer& offer) {
+  using Point = Vec<dimension_of<Core>, double>;
+  const auto& crossed = with_crossings(other);
+  Point last(std::numeric_limits<double>::quiet_NaN());  // equals no point
+  visit_edges(core, [&](const Segment<dimension_of<Core>, double>& edge) {
+    if (!reached(edge.start) && !reached(edge.end)) return;
+    visit_crossings(edge, crossed, size, [&](const Point& point) {
+      if (point == last || !reached(point)) return;
+      last = point;
+      offer(point);
+    });
+  });
+}
+
+/// Within a band: an edge has a point in it only if an end is in it.
+template <class A, class B>
+ClosestPair<dimension_of<A>> closest_of_meeting(const A& a, const B& b, double size,
+                                                const FacingBand<dimension_of<A>>& band) {
+  using Point = Vec<dimension_of<A>, double>;
+  ClosestPair<dimension_of<A>> best;
+  offer_corners(a, b, size, band, best);
+  if constexpr (HasEdges<A> && HasEdges<B>) {
+    if (best.squared == 0) return best;
+    const auto& feet_a = with_feet(a);
+    const auto& feet_b = with_feet(b);
+    offer_crossings(
+        a, b, size, [&](const Point& point) { return band.reaches_a(point); },
+        [&](const Point& point) { best.offer_from_a(point, foot_on(feet_b, point)); });
+    offer_crossings(
+        b, a, size, [&](const Point& point) { return band.reaches_b(point); },
+        [&](const Point& point) { best.offer_from_b(point, foot_on(feet_a, point)); });
+  }
+  return best;
 }
 
 /// A common point of two cores that meet: a pair of points as near to each other as rounding allows.
 template <class A, class B>
 ClosestPair<dimension_of<A>> closest_of_meeting(const A& a, const B& b, double size) {
-  constexpr Dim N = dimension_of<A>;
-  using Point = Vec<N, double>;
-  using Edge = Segment<N, double>;
-  ClosestPair<N> best;
-  offer_corners(a, b, size, best);
+  return closest_of_meeting(a, b, size, FacingBand<dimension_of<A>>{});
+}
+
+/// The same of cores of which b only touches a, and lies in the direction `normal` of length 1 from it. A point of a
+/// below all of b by a distance is as far from b; so where points much nearer to each other are found, those need not
+/// be tried.
+template <class A, class B>
+ClosestPair<dimension_of<A>> closest_of_touching(const A& a, const B& b, const Vec<dimension_of<A>, double>& normal,
+                                                 double size) {
   if constexpr (HasEdges<A> && HasEdges<B>) {
-    if (best.squared == 0) return best;
-    visit_edges(a, [&](const Edge& edge) {
-      visit_crossings(edge, b, size, [&](const Point& point) { best.offer_from_a(point, foot_on(b, point)); });
-    });
-    visit_edges(b, [&](const Edge& edge) {
-      visit_crossings(edge, a, size, [&](const Point& point) { best.offer_from_b(point, foot_on(a, point)); });
-    });
+    const double near = tolerance::coarse * size;
+    const FacingBand<dimension_of<A>> band{normal, span_along(normal, with_edges(b)).low - 2 * near,
+                                           span_along(normal, with_edges(a)).high + 2 * near};
+    const ClosestPair<dimension_of<A>> pair = closest_of_meeting(a, b, size, band);
+    if (pair.squared < near * near) return pair;
   }
-  return best;
+  return closest_of_meeting(a, b, size);
 }
 
 }  // namespace graze::detail

@@ -82,16 +82,19 @@ struct Contact {
 
 namespace detail {
 
+/// Written where it stays: a copy would have to wait for what was stored.
 template <Scalar T, Dim N>
-Contact<N, T> rounded_contact(const Penetration<N>& exact) {
-  const Vec<N, double> middle = exact.point_a * 0.5 + exact.point_b * 0.5;
-  return {Vec<N, T>(middle) + T(0),  // never minus zero
-          Vec<N, T>(exact.normal) + T(0),
-          static_cast<T>(exact.depth),
-          Vec<N, T>(exact.point_a) + T(0),
-          Vec<N, T>(exact.point_b) + T(0),
-          exact.status,
-          exact.error};
+std::optional<Contact<N, T>> rounded_contact(const Penetration<N>& exact) {
+  std::optional<Contact<N, T>> result;
+  Contact<N, T>& contact = result.emplace();
+  contact.point = Vec<N, T>(exact.point_a * 0.5 + exact.point_b * 0.5) + T(0);  // never minus zero
+  contact.normal = Vec<N, T>(exact.normal) + T(0);
+  contact.depth = static_cast<T>(exact.depth);
+  contact.point_a = Vec<N, T>(exact.point_a) + T(0);
+  contact.point_b = Vec<N, T>(exact.point_b) + T(0);
+  contact.status = exact.status;
+  contact.error = exact.error;
+  return result;
 }
 
 /// Of two simple shapes that meet, in the order of AnyShape.
@@ -111,6 +114,22 @@ Penetration<dimension_of<A>> penetration_in_order(const A& a, const B& b) {
     return penetration_of_simple(a, b);
   } else {
     return penetration_of_convex(a, b);
+  }
+}
+
+/// Two shapes that are neither made of others nor one of several kinds.
+template <class A, class B>
+inline constexpr bool are_simple = !is_any_shape<A> && !is_any_shape<B> && !is_compound<A> && !is_compound<B>;
+
+/// Of two simple shapes that meet.
+template <class A, class B>
+Penetration<dimension_of<A>> penetration_of_met(const A& a, const B& b) {
+  if constexpr (type_place<A> < type_place<B>) {
+    return penetration_in_order(a, b);
+  } else if constexpr (type_place<A> > type_place<B>) {
+    return exchanged(penetration_in_order(b, a));
+  } else {
+    return is_in_order(a, b) ? penetration_in_order(a, b) : exchanged(penetration_in_order(b, a));
   }
 }
 
@@ -148,19 +167,39 @@ std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b) 
     return penetration_of_parts(a, b);
   } else if constexpr (is_compound<B>) {
     return exchanged(penetration_of_parts(b, a));
-  } else if constexpr (type_place<A> > type_place<B>) {
-    return exchanged(penetration(b, a));
   } else if constexpr (are_quick_obbs<A, B>) {
     return is_in_order(a, b) ? penetration_of_obbs(a, b) : exchanged(penetration_of_obbs(b, a));
   } else {
     if (decide(a, b) == Relation::apart) return std::nullopt;
-    if constexpr (type_place<A> < type_place<B>) {
-      return penetration_in_order(a, b);
-    } else {
-      return is_in_order(a, b) ? penetration_in_order(a, b) : exchanged(penetration_in_order(b, a));
-    }
+    return penetration_of_met(a, b);
   }
 }
+
+#ifdef GRAZE_HAS_LANES
+
+/// Of two oriented boxes in space, rounded as it is found, so that nothing is copied.
+template <class T>
+std::optional<Contact<3, T>> rounded_contact_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b) {
+  std::optional<Contact<3, T>> result;
+  const bool turns = !is_in_order(a, b);
+  const Obb<3, T>& first = turns ? b : a;
+  const Obb<3, T>& second = turns ? a : b;
+  const ObbAxes axes = axes_of(first, second);
+  if (are_apart(first, second, axes)) return result;
+  const MeetingObbs met(first, second, axes.candidates);
+  const TouchingPoints points = touching_points(first, second, met);
+  const auto rounded = [](const PairedVec& v) { return Vec<3, T>(plain(v)) + T(0); };  // never minus zero
+  Contact<3, T>& contact = result.emplace();
+  contact.point = rounded(points.of[0] * 0.5 + points.of[1] * 0.5);
+  contact.normal = rounded(met.normal * (turns ? -1.0 : 1.0));
+  contact.depth = static_cast<T>(met.depth());
+  contact.point_a = rounded(points.of[turns ? 1 : 0]);
+  contact.point_b = rounded(points.of[turns ? 0 : 1]);
+  contact.error = met.error();
+  return result;
+}
+
+#endif
 
 }  // namespace detail
 
@@ -169,9 +208,16 @@ std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b) 
 template <Shape A, SameSpace<A> B>
 std::optional<Contact<dimension_of<A>, scalar_of<A>>> contact(const A& a, const B& b) {
   assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));
-  const auto found = detail::penetration(a, b);
-  if (!found) return std::nullopt;
-  return detail::rounded_contact<scalar_of<A>>(*found);
+  if constexpr (detail::are_quick_obbs<A, B>) {
+    return detail::rounded_contact_of_obbs(a, b);
+  } else if constexpr (detail::are_simple<A, B>) {
+    if (detail::decide(a, b) == Relation::apart) return std::nullopt;
+    return detail::rounded_contact<scalar_of<A>>(detail::penetration_of_met(a, b));
+  } else {
+    const auto found = detail::penetration(a, b);
+    if (!found) return std::nullopt;
+    return detail::rounded_contact<scalar_of<A>>(*found);
+  }
 }
 
 }  // namespace graze

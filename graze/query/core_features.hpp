@@ -52,6 +52,13 @@ inline Foot<2> foot_on(const Triangle<2, double>& triangle, const Vec<2, double>
   return nearest.is_inside ? Foot<2>{p, Vec<2, double>(0.0)} : nearest.foot;
 }
 
+/// A core as foot_on takes it when it is asked for many points.
+template <class Core>
+const Core& with_feet(const Core& core) {
+  return core;
+}
+inline FacedTriangle with_feet(const Triangle<3, double>& triangle) { return faced(triangle); }
+
 // ---- Boxes as a center and the vectors from it to the middles of the faces
 
 template <Dim N>
@@ -151,27 +158,23 @@ bool leads_back(const Vec<N, double>& way, const Vec<N, double>& direction) {
   return dot(way, direction) < -tolerance::extreme_edge * sum_abs(way) * sum_abs(direction);
 }
 
-/// Calls `visit` with the edges along edge_vectors(core)[index] that no other point of the core lies before, as seen
-/// along `direction` (at right angles to these edges); two or more where rounding cannot tell which of them. With a
-/// zero direction, all of them.
-template <Dim N, class Visit>
-void visit_foremost_edges(const Segment<N, double>& segment, std::size_t, const Vec<N, double>&, const Visit& visit) {
+/// Calls `visit` with the edges along edge_vectors(core)[index]; but for those from which a way along the core, to
+/// another of them or to the third corner of a triangle, is one that `leads_on`.
+template <Dim N, class LeadsOn, class Visit>
+void visit_edges_along(const Segment<N, double>& segment, std::size_t, const LeadsOn&, const Visit& visit) {
   visit(segment);
 }
 
-template <Dim N, class Visit>
-void visit_foremost_edges(const Triangle<N, double>& triangle, std::size_t index, const Vec<N, double>& direction,
-                          const Visit& visit) {
+template <Dim N, class LeadsOn, class Visit>
+void visit_edges_along(const Triangle<N, double>& triangle, std::size_t index, const LeadsOn& leads_on,
+                       const Visit& visit) {
   const std::array<Vec<N, double>, 3> corners = triangle.vertices();
   const Vec<N, double>& start = corners[index];
-  if (!leads_back(start - corners[(index + 2) % 3], direction)) {
-    visit(Segment<N, double>{start, corners[(index + 1) % 3]});
-  }
+  if (!leads_on(start - corners[(index + 2) % 3])) visit(Segment<N, double>{start, corners[(index + 1) % 3]});
 }
 
-template <Dim N, class Visit>
-void visit_foremost_edges(const BoxFrame<N>& box, std::size_t index, const Vec<N, double>& direction,
-                          const Visit& visit) {
+template <Dim N, class LeadsOn, class Visit>
+void visit_edges_along(const BoxFrame<N>& box, std::size_t index, const LeadsOn& leads_on, const Visit& visit) {
   const auto along = static_cast<Dim>(index);
   for (unsigned sides = 0; sides < 1U << (N - 1); ++sides) {
     Vec<N, double> middle = box.center;
@@ -182,10 +185,18 @@ void visit_foremost_edges(const BoxFrame<N>& box, std::size_t index, const Vec<N
       const Vec<N, double> way = (bits & 1U) != 0 ? box.half_edges[i] : -box.half_edges[i];
       bits >>= 1U;
       middle += way;
-      is_foremost = is_foremost && !leads_back(way, direction);
+      is_foremost = is_foremost && !leads_on(way);
     }
     if (is_foremost) visit(Segment<N, double>{middle - box.half_edges[along], middle + box.half_edges[along]});
   }
+}
+
+/// Calls `visit` with the edges along edge_vectors(core)[index] that no other point of the core lies before, as seen
+/// along `direction` (at right angles to these edges); two or more where rounding cannot tell which of them.
+template <Dim N, class Core, class Visit>
+void visit_foremost_edges(const Core& core, std::size_t index, const Vec<N, double>& direction, const Visit& visit) {
+  const auto leads_on = [&direction](const Vec<N, double>& way) { return leads_back(way, direction); };
+  visit_edges_along(core, index, leads_on, visit);
 }
 
 /// A core as the functions of edges take it: boxes by their frames.
@@ -208,8 +219,9 @@ concept HasEdges = requires(const Core& core) {
 template <HasEdges Core, class Visit>
 void visit_edges(const Core& core, const Visit& visit) {
   const auto& edged = with_edges(core);
-  const auto vectors = edge_vectors(edged);
-  for (std::size_t i = 0; i < vectors.size(); ++i) visit_foremost_edges(edged, i, vectors[i] * 0.0, visit);
+  const auto never = [](const auto&) { return false; };
+  constexpr std::size_t directions = std::tuple_size_v<decltype(edge_vectors(edged))>;
+  for (std::size_t i = 0; i < directions; ++i) visit_edges_along(edged, i, never, visit);
 }
 
 // ---- The heights of a core along a direction, in units of its length

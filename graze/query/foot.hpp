@@ -114,24 +114,37 @@ inline bool is_surely_inside(const Vec<3, double>& normal, const Vec<3, double>&
   return dot(normal, cross(edge, to_p)) > 4 * tolerance::epsilon * products;
 }
 
-/// Inside all edges the foot of the perpendicular on the plane; else the foot on an edge that p is outside of, or
-/// nearly, if it is between its ends; else the nearest corner. Where rounding leaves open which, both are right, but
-/// beyond a blunt corner p can be near the line of one edge and surely inside the next, and then that has the foot. A
-/// triangle that is a line is its longest edge: the two others run along it, or the angle between them, from which the
-/// normal is calculated, would not be straight.
-inline Foot<3> foot_on(const Triangle<3, double>& triangle, const Vec<3, double>& p) {
+/// A triangle with what all feet on it are calculated from.
+struct FacedTriangle {
+  Triangle<3, double> triangle;
+  std::size_t longest;    ///< The edge from this corner.
+  Vec<3, double> normal;  ///< The largest coordinate is 1 or -1; zero if the triangle is a line.
+};
+
+inline FacedTriangle faced(const Triangle<3, double>& triangle) {
   const std::array<Vec<3, double>, 3> corners = triangle.vertices();
-  const auto edge_at = [&](std::size_t i) { return Segment<3, double>{corners[i % 3], corners[(i + 1) % 3]}; };
   const std::array<double, 3> lengths = {length_squared(corners[1] - corners[0]),
                                          length_squared(corners[2] - corners[1]),
                                          length_squared(corners[0] - corners[2])};
   const std::size_t longest = lengths[0] >= lengths[1] && lengths[0] >= lengths[2] ? 0
                               : lengths[1] >= lengths[2]                           ? 1
                                                                                    : 2;
-  Vec<3, double> normal = accurate_normal(corners[(longest + 2) % 3], corners[longest], corners[(longest + 1) % 3]);
+  const Vec<3, double> normal =
+      accurate_normal(corners[(longest + 2) % 3], corners[longest], corners[(longest + 1) % 3]);
   const double size = max_abs(normal);
-  if (!(size > 0)) return foot_on(edge_at(longest), p);
-  normal /= size;                 // or its square leaves the range of double
+  return {triangle, longest, size > 0 ? normal / size : normal};  // or its square leaves the range of double
+}
+
+/// Inside all edges the foot of the perpendicular on the plane; else the foot on an edge that p is outside of, or
+/// nearly, if it is between its ends; else the nearest corner. Where rounding leaves open which, both are right, but
+/// beyond a blunt corner p can be near the line of one edge and surely inside the next, and then that has the foot. A
+/// triangle that is a line is its longest edge: the two others run along it, or the angle between them, from which the
+/// normal is calculated, would not be straight.
+inline Foot<3> foot_on(const FacedTriangle& face, const Vec<3, double>& p) {
+  const std::array<Vec<3, double>, 3> corners = face.triangle.vertices();
+  const auto edge_at = [&](std::size_t i) { return Segment<3, double>{corners[i % 3], corners[(i + 1) % 3]}; };
+  const Vec<3, double>& normal = face.normal;
+  if (!(max_abs(normal) > 0)) return foot_on(edge_at(face.longest), p);
   std::array<double, 3> share{};  // inside an edge: any
   std::array<bool, 3> is_inside{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -143,7 +156,7 @@ inline Foot<3> foot_on(const Triangle<3, double>& triangle, const Vec<3, double>
     share[i] = foot.share;
   }
   if (is_inside[0] && is_inside[1] && is_inside[2]) {
-    const Vec<3, double> off = normal * (dot(normal, p - triangle.a) / dot(normal, normal));
+    const Vec<3, double> off = normal * (dot(normal, p - corners[0]) / dot(normal, normal));
     return {p - off, off};
   }
   for (std::size_t i = 0; i < 3; ++i) {
@@ -153,6 +166,10 @@ inline Foot<3> foot_on(const Triangle<3, double>& triangle, const Vec<3, double>
     if (is_between_ends(foot)) return foot;
   }
   return nearest_corner<3, double>(corners, p);
+}
+
+inline Foot<3> foot_on(const Triangle<3, double>& triangle, const Vec<3, double>& p) {
+  return foot_on(faced(triangle), p);
 }
 
 /// A convex polygon's corners, counter-clockwise, none on the line between its neighbours: or one or two points.

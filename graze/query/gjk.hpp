@@ -94,13 +94,16 @@ std::optional<NearestOnSimplex<N>> gjk_step(const Simplex<N>& extended, const Gj
 
 /// Each step asks for the point of the difference set farthest against the nearest one found. That point bounds the
 /// distance from below; the simplex of such points, reduced to the face that matters, from above. Without progress the
-/// bounds at hand are the answer.
+/// bounds at hand are the answer. The walk begins at `start`, the
+/// nearest point of the hull of some differences, and its face.
 template <class Differences>
-GjkResult<Differences::dimension> gjk_on(Differences& differences, const GjkOptions& options) {
+GjkResult<Differences::dimension> gjk_walk(Differences& differences,
+                                           const NearestOnSimplex<Differences::dimension>& start,
+                                           const GjkOptions& options) {
   constexpr Dim N = Differences::dimension;
   GjkResult<N> result;
-  Vec<N, double> nearest = differences.support(unit_axis<N>(0));
-  result.simplex.push(nearest);
+  Vec<N, double> nearest = start.point;
+  result.simplex = start.face;
   Simplex<N> extended = result.simplex;
   int stalls = 0;
   // As much beyond the threshold as whoever compares with it wants to see: less would leave the verdict open.
@@ -135,6 +138,16 @@ GjkResult<Differences::dimension> gjk_on(Differences& differences, const GjkOpti
   prove_distance(differences, extended, result);
   if (!bounds_meet()) result.status = Status::best_bound;
   return result;
+}
+
+/// From the support point of an axis.
+template <class Differences>
+GjkResult<Differences::dimension> gjk_on(Differences& differences, const GjkOptions& options) {
+  constexpr Dim N = Differences::dimension;
+  NearestOnSimplex<N> start;
+  start.point = differences.support(unit_axis<N>(0));
+  start.face.push(start.point);
+  return gjk_walk(differences, start, options);
 }
 
 }  // namespace detail

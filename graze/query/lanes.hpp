@@ -41,6 +41,7 @@ template <int first, int second, int third>
 [[gnu::always_inline]] inline Lanes smaller(Lanes a, Lanes b) { return a < b ? a : b; }
 [[gnu::always_inline]] inline float sum_of_three(Lanes v) { return v[0] + v[1] + v[2]; }
 [[gnu::always_inline]] inline float largest_of_three(Lanes v) { return std::max(v[0], std::max(v[1], v[2])); }
+[[gnu::always_inline]] inline float smallest_of_three(Lanes v) { return std::min(v[0], std::min(v[1], v[2])); }
 
 /// The largest of the first three numbers of `a` as lane 0, of `b` as lane 1. A NaN counts as nothing, and so may what
 /// stands before it.
@@ -70,15 +71,19 @@ struct LaneMatrix {
 
 /// Two numbers in double that are calculated with at once.
 using LanePair = double __attribute__((vector_size(16)));
+/// The same anywhere in memory.
+using LoosePair [[gnu::aligned(8)]] = LanePair;
 
 /// A vector in double, as Vec<3, double> to the bit: two coordinates at once, for compilers rarely see that they might.
+/// Without padding, since what is copied with it is read otherwise than it was written, for which the processor waits.
 struct PairedVec {
-  LanePair xy;
+  LoosePair xy;
   double z;
 
   [[gnu::always_inline]] PairedVec(LanePair first, double last) : xy(first), z(last) {}
   [[gnu::always_inline]] explicit PairedVec(const Vec<3, float>& v)
       : xy{static_cast<double>(v.x), static_cast<double>(v.y)}, z(v.z) {}
+  [[gnu::always_inline]] explicit PairedVec(const Vec<3, double>& v) : xy{v.x, v.y}, z(v.z) {}
   [[gnu::always_inline]] explicit PairedVec(Lanes v) : z(v[2]) {
     using Four = double __attribute__((vector_size(32)));  // in two registers
     const Four four = __builtin_convertvector(v, Four);
@@ -91,6 +96,7 @@ struct PairedVec {
   [[gnu::always_inline]] friend PairedVec operator-(const PairedVec& a, const PairedVec& b) {
     return {a.xy - b.xy, a.z - b.z};
   }
+  [[gnu::always_inline]] friend PairedVec operator-(const PairedVec& a) { return {-a.xy, -a.z}; }
   [[gnu::always_inline]] friend PairedVec operator*(const PairedVec& a, double factor) {
     return {a.xy * factor, a.z * factor};
   }
@@ -102,6 +108,8 @@ struct PairedVec {
   }
 };
 
+static_assert(sizeof(PairedVec) == 3 * sizeof(double));
+
 [[gnu::always_inline]] inline double dot(const PairedVec& a, const PairedVec& b) {
   const LanePair product = a.xy * b.xy;
   return product[0] + product[1] + a.z * b.z;
@@ -111,6 +119,15 @@ struct PairedVec {
   const auto yz = [](const PairedVec& v) { return LanePair{v.xy[1], v.z}; };
   const auto zx = [](const PairedVec& v) { return LanePair{v.z, v.xy[0]}; };
   return {yz(a) * zx(b) - yz(b) * zx(a), a.xy[0] * b.xy[1] - b.xy[0] * a.xy[1]};
+}
+
+[[gnu::always_inline]] inline Vec<3, double> plain(const PairedVec& v) { return {v.xy[0], v.xy[1], v.z}; }
+
+[[gnu::always_inline]] inline double sum_of_magnitudes(const PairedVec& v) {
+  return __builtin_fabs(v.xy[0]) + __builtin_fabs(v.xy[1]) + __builtin_fabs(v.z);
+}
+[[gnu::always_inline]] inline double largest_magnitude(const PairedVec& v) {
+  return std::max(std::max(__builtin_fabs(v.xy[0]), __builtin_fabs(v.xy[1])), __builtin_fabs(v.z));
 }
 
 /// A number and a vector in float.

@@ -23,18 +23,21 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/clipped_patch.hpp>
 #include <graze/query/contact.hpp>
 #include <graze/query/manifold_points.hpp>
+#include <graze/query/obb_choice.hpp>
 #include <graze/query/obb_touch.hpp>
 #include <graze/query/patch.hpp>
 #include <graze/query/patch_polytope.hpp>
@@ -96,7 +99,7 @@ struct WideManifold {
   std::uint32_t part_b = 0;
 };
 
-/// The same of (b, a).
+/// Makes it that of (b, a).
 template <Dim N>
 void exchange(WideManifold<N>& manifold) {
   manifold.found = exchanged(manifold.found);
@@ -106,12 +109,6 @@ void exchange(WideManifold<N>& manifold) {
     std::swap(pair.feature_a, pair.feature_b);
   }
   std::swap(manifold.part_a, manifold.part_b);
-}
-
-template <Dim N>
-WideManifold<N> exchanged(WideManifold<N> manifold) {
-  exchange(manifold);
-  return manifold;
 }
 
 // ---- The patch of a shape's core, seen from an origin.
@@ -149,11 +146,8 @@ Patch<dimension_of<S>> patch_seen(const S& shape, const Vec<dimension_of<S>, dou
 
 template <class S>
 double radius_of_core(const S& shape) {
-  if constexpr (is_level<S>) {
-    return 0;
-  } else {
-    return core_radius(shape);
-  }
+  if constexpr (!is_level<S>) return core_radius(shape);
+  return 0;
 }
 
 template <Dim N>
@@ -165,15 +159,15 @@ double size_of_patch(const Patch<N>& patch) {
 
 template <Dim N>
 void choose_points(const SurfacePairs<N>& from, WideManifold<N>& manifold) {
-  manifold.size = std::min(from.size, manifold.pairs.size());
-  for (std::size_t i = 0; i < manifold.size; ++i) manifold.pairs[i] = from.pairs[i];
+  manifold.size = std::min(from.size(), manifold.pairs.size());
+  for (std::size_t i = 0; i < manifold.size; ++i) manifold.pairs[i] = from[i];
   if constexpr (N == 3) {
-    if (from.size <= manifold.pairs.size()) return;
+    if (from.size() <= manifold.pairs.size()) return;
     auto places = SpanningChoice(from, manifold.found.normal).run();
     std::sort(places.begin(), places.end());
     manifold.size = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
-      if (i == 0 || places[i] != places[i - 1]) manifold.pairs[manifold.size++] = from.pairs[places[i]];
+      if (i == 0 || places[i] != places[i - 1]) manifold.pairs[manifold.size++] = from[places[i]];
     }
   }
 }
@@ -195,9 +189,9 @@ WideManifold<dimension_of<A>> manifold_of_found(const A& a, const B& b, const Pe
   result.pairs[0] = {found.point_a, found.point_b, found.depth, {}, {}};
   if (std::isinf(found.depth) || (is_level<A> && is_level<B>)) return result;
   const Vec<N, double> origin = found.point_a;
-  const FacingPatches<N> facing{patch_seen(a, origin, found.normal, found.point_a),
-                                patch_seen(b, origin, -found.normal, found.point_b), radius_of_core(a),
-                                radius_of_core(b)};
+  const Patch<N> patch_a = patch_seen(a, origin, found.normal, found.point_a);
+  const Patch<N> patch_b = patch_seen(b, origin, -found.normal, found.point_b);
+  const FacingPatches<N> facing{patch_a, patch_b, radius_of_core(a), radius_of_core(b)};
   const double size =
       (size_of_patch(facing.a) + size_of_patch(facing.b)) + (facing.radius_a + facing.radius_b) + found.depth;
   const Penetration<N> seen = moved_by(found, -origin);
@@ -211,7 +205,7 @@ std::optional<WideManifold<dimension_of<A>>> wide_manifold(const A& a, const B& 
 
 template <Dim N>
 std::optional<WideManifold<N>> exchanged(std::optional<WideManifold<N>> manifold) {
-  if (manifold) manifold = exchanged(*manifold);
+  if (manifold) exchange(*manifold);
   return manifold;
 }
 
@@ -253,66 +247,26 @@ WideManifold<dimension_of<A>> manifold_in_order(const A& a, const B& b) {
   }
 }
 
+/// Of two simple shapes that meet.
+template <class A, class B>
+WideManifold<dimension_of<A>> manifold_of_met(const A& a, const B& b) {
+  if constexpr (type_place<A> < type_place<B>) {
+    return manifold_in_order(a, b);
+  } else if constexpr (type_place<A> > type_place<B>) {
+    WideManifold<dimension_of<A>> result = manifold_in_order(b, a);
+    exchange(result);
+    return result;
+  } else {
+    const bool turns = !is_in_order(a, b);
+    WideManifold<dimension_of<A>> result = manifold_in_order(turns ? b : a, turns ? a : b);
+    if (turns) exchange(result);
+    return result;
+  }
+}
+
 #ifdef GRAZE_HAS_LANES
-
-/// The places of points over a face, as SpanningChoice wants them.
-struct PlacesOverFace {
-  struct Place {
-    Vec<3, double> point_a;
-    double depth;
-  };
-  std::array<Place, FaceOverFace::most_corners> pairs;
-  std::size_t size = 0;
-};
-
-/// The corners of a face over another, four of more than four. None if it has none.
-inline void choose_corners(const FaceOverFace& over, bool is_of_b, WideManifold<3>& manifold) {
-  const auto keep = [&](std::size_t i) {
-    const SurfacePair<3> pair = over.pair(i);
-    manifold.pairs[manifold.size++] = is_of_b ? exchanged(pair) : pair;
-  };
-  if (over.size() <= manifold.pairs.size()) {
-    for (std::size_t i = 0; i < over.size(); ++i) keep(i);
-    return;
-  }
-  PlacesOverFace places;
-  for (std::size_t i = 0; i < over.size(); ++i) {
-    const SurfacePair<3> pair = over.pair(i);
-    places.pairs[places.size++] = {is_of_b ? pair.point_b : pair.point_a, pair.depth};
-  }
-  auto chosen = SpanningChoice(places, manifold.found.normal).run();
-  std::sort(chosen.begin(), chosen.end());
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    if (i == 0 || chosen[i] != chosen[i - 1]) keep(chosen[i]);
-  }
-}
-
-/// The same of two oriented boxes in space, if they meet.
 template <class T>
-bool find_manifold_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b, WideManifold<3>& result) {
-  const ObbAxes axes = axes_of(a, b);
-  if (are_apart(a, b, axes)) return false;
-  const MeetingObbs met(a, b, axes.candidates);
-  const Vec<3, double> origin = reference(a);
-  result.found = met.contact.found;
-  if (const auto face = carrying_face(met)) {
-    FaceOverFace over = face_over(met, *face);
-    if (over.run()) choose_corners(over, face->is_of_b, result);
-  } else if (const auto pair = quick_pair_on_edges(met)) {
-    result.pairs[result.size++] = *pair;
-  }
-  if (result.size == 0) choose_points(pairs_of_boxes(seen_from(origin, a), seen_from(origin, b), met.contact), result);
-  move_points(result, origin);
-  return true;
-}
-
-template <class T>
-std::optional<WideManifold<3>> manifold_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b) {
-  WideManifold<3> result;
-  if (!find_manifold_of_obbs(a, b, result)) return std::nullopt;
-  return result;
-}
-
+std::optional<WideManifold<3>> manifold_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b);
 #endif
 
 template <class A, class B>
@@ -327,47 +281,150 @@ std::optional<WideManifold<dimension_of<A>>> wide_manifold(const A& a, const B& 
     return manifold_of_parts(a, b);
   } else if constexpr (is_compound<B>) {
     return exchanged(manifold_of_parts(b, a));
-  } else if constexpr (type_place<A> > type_place<B>) {
-    return exchanged(wide_manifold(b, a));
   } else if constexpr (are_quick_obbs<A, B>) {
-    return is_in_order(a, b) ? manifold_of_obbs(a, b) : exchanged(manifold_of_obbs(b, a));
+    return manifold_of_obbs(a, b);
   } else {
     if (decide(a, b) == Relation::apart) return std::nullopt;
-    if constexpr (type_place<A> < type_place<B>) {
-      return manifold_in_order(a, b);
-    } else {
-      return is_in_order(a, b) ? manifold_in_order(a, b) : exchanged(manifold_in_order(b, a));
-    }
+    return manifold_of_met(a, b);
   }
+}
+
+/// Empty if the manifold has no more points.
+template <Scalar T, Dim N>
+ManifoldPoint<N, T> rounded_point(const WideManifold<N>& exact, std::size_t place) {
+  if (place >= exact.size) return {};
+  const SurfacePair<N>& pair = exact.pairs[place];
+  return {Vec<N, T>(pair.point_a * 0.5 + pair.point_b * 0.5) + T(0),  // never minus zero
+          Vec<N, T>(pair.point_a) + T(0),
+          Vec<N, T>(pair.point_b) + T(0),
+          static_cast<T>(pair.depth),
+          {pair.feature_a, pair.feature_b, exact.part_a, exact.part_b}};
+}
+
+/// Every point is made where it stays: to clear them all first takes as long as a quick contact.
+template <Scalar T, Dim N, std::size_t... places>
+Manifold<N, T> rounded_manifold(const WideManifold<N>& exact, std::index_sequence<places...>) {
+  return {{{rounded_point<T>(exact, places)...}},
+          exact.size,
+          Vec<N, T>(exact.found.normal) + T(0),
+          exact.found.status,
+          exact.found.error};
 }
 
 template <Scalar T, Dim N>
 Manifold<N, T> rounded_manifold(const WideManifold<N>& exact) {
-  Manifold<N, T> result;
-  result.size = exact.size;
-  result.normal = Vec<N, T>(exact.found.normal) + T(0);  // never minus zero
-  result.status = exact.found.status;
-  result.error = exact.found.error;
-  for (std::size_t i = 0; i < exact.size; ++i) {
-    const SurfacePair<N>& pair = exact.pairs[i];
-    result.points[i] = {Vec<N, T>(pair.point_a * 0.5 + pair.point_b * 0.5) + T(0),
-                        Vec<N, T>(pair.point_a) + T(0),
-                        Vec<N, T>(pair.point_b) + T(0),
-                        static_cast<T>(pair.depth),
-                        {pair.feature_a, pair.feature_b, exact.part_a, exact.part_b}};
+  return rounded_manifold<T>(exact, std::make_index_sequence<Manifold<N, T>::most_points>());
+}
+
+#ifdef GRAZE_HAS_LANES
+
+/// The manifold of two oriented boxes in space: points are rounded as they are found, so that none is copied.
+template <class R>
+class ObbManifold {
+ public:
+  /// `result` stays as it is, empty, if the two are apart.
+  [[gnu::always_inline]] explicit ObbManifold(Manifold<3, R>& result) : result_(result) {}
+
+  double depth = 0;
+
+  template <class T>
+  [[gnu::always_inline]] void find(const Obb<3, T>& a, const Obb<3, T>& b) {
+    is_exchanged_ = !is_in_order(a, b);
+    find_in_order(is_exchanged_ ? b : a, is_exchanged_ ? a : b);
   }
+
+ private:
+  template <class T>
+  [[gnu::always_inline]] void find_in_order(const Obb<3, T>& a, const Obb<3, T>& b) {
+    const ObbAxes axes = axes_of(a, b);
+    if (are_apart(a, b, axes)) return;
+    const MeetingObbs met(a, b, axes.candidates);
+    depth = met.depth();
+    origin_ = PairedVec(reference(a));
+    const CarryingFace face = carrying_face(met);
+    if (face.is_any) {
+      FaceOverFace over = face_over(met, face);
+      if (over.run()) take_corners(over, met.normal, face.is_of_b);
+    } else {
+      const CrossingEdges edges = quick_pair_on_edges(met);
+      if (edges.is_known) take(edges.points, is_exchanged_);
+    }
+    if (result_.size == 0) {
+      find_carefully(a, b, met.contact());
+      return;
+    }
+    round(met.normal * (is_exchanged_ ? -1.0 : 1.0), result_.normal);
+    result_.error = met.error();
+  }
+
+  /// Four of more than four.
+  [[gnu::always_inline]] void take_corners(const FaceOverFace& over, const PairedVec& normal, bool is_of_b) {
+    unsigned chosen = (1U << over.size()) - 1;
+    if (over.size() > result_.points.size()) chosen = LaneChoice(over, normal, is_of_b).run();
+    for (; chosen != 0; chosen &= chosen - 1) {
+      take(over.pair(static_cast<std::size_t>(std::countr_zero(chosen))), is_exchanged_ != is_of_b);
+    }
+  }
+
+  /// Without a branch on whose points they are, which would be guessed wrong every other time.
+  [[gnu::always_inline]] void take(const PairedPoints& pair, bool turns) {
+    ManifoldPoint<3, R>& point = result_.points[result_.size++];
+    const PairedVec a = pair.point_a + origin_;
+    const PairedVec b = pair.point_b + origin_;
+    round(a * 0.5 + b * 0.5, point.point);
+    const std::array<Vec<3, R>*, 2> points{&point.point_a, &point.point_b};
+    round(a, *points[turns ? 1 : 0]);
+    round(b, *points[turns ? 0 : 1]);
+    const std::array<Feature*, 2> features{&point.id.a, &point.id.b};
+    *features[turns ? 1 : 0] = pair.feature_a;
+    *features[turns ? 0 : 1] = pair.feature_b;
+    point.depth = static_cast<R>(pair.depth);
+  }
+
+  [[gnu::always_inline]] static void round(const PairedVec& v, Vec<3, R>& to) {
+    to = Vec<3, R>(plain(v)) + R(0);  // never minus zero
+  }
+
+  template <class T>
+  [[gnu::noinline]] void find_carefully(const Obb<3, T>& a, const Obb<3, T>& b, const BoxesContact<3>& contact) {
+    const Vec<3, double> origin = reference(a);
+    WideManifold<3> wide;
+    wide.found = contact.found;
+    choose_points(pairs_of_boxes(seen_from(origin, a), seen_from(origin, b), contact), wide);
+    move_points(wide, origin);
+    if (is_exchanged_) exchange(wide);
+    result_ = rounded_manifold<R>(wide);
+  }
+
+  Manifold<3, R>& result_;
+  PairedVec origin_{LanePair{0, 0}, 0};
+  bool is_exchanged_ = false;
+};
+
+template <class T>
+Manifold<3, T> rounded_manifold_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b) {
+  Manifold<3, T> result;
+  ObbManifold<T>(result).find(a, b);
   return result;
 }
 
-/// The manifold of two oriented boxes in space, which is not copied on its way.
 template <class T>
-Manifold<3, T> rounded_manifold_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b) {
-  WideManifold<3> found;
-  const bool is_ordered = is_in_order(a, b);
-  if (!find_manifold_of_obbs(is_ordered ? a : b, is_ordered ? b : a, found)) return {};
-  if (!is_ordered) exchange(found);
-  return rounded_manifold<T>(found);
+std::optional<WideManifold<3>> manifold_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b) {
+  Manifold<3, double> manifold;
+  ObbManifold<double> finding(manifold);
+  finding.find(a, b);
+  if (manifold.size == 0) return std::nullopt;
+  WideManifold<3> wide;
+  wide.found.normal = manifold.normal;
+  wide.found.depth = finding.depth;
+  wide.found.error = manifold.error;
+  for (const ManifoldPoint<3, double>& point : manifold.contacts()) {
+    wide.pairs[wide.size++] = {point.point_a, point.point_b, point.depth, point.id.a, point.id.b};
+  }
+  return wide;
 }
+
+#endif
 
 }  // namespace detail
 
@@ -378,6 +435,9 @@ Manifold<dimension_of<A>, scalar_of<A>> manifold(const A& a, const B& b) {
   assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));
   if constexpr (detail::are_quick_obbs<A, B>) {
     return detail::rounded_manifold_of_obbs(a, b);
+  } else if constexpr (detail::are_simple<A, B>) {
+    if (detail::decide(a, b) == Relation::apart) return {};
+    return detail::rounded_manifold<scalar_of<A>>(detail::manifold_of_met(a, b));
   } else {
     const auto found = detail::wide_manifold(a, b);
     if (!found) return {};

@@ -12,6 +12,7 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/clipped_patch.hpp>
+#include <graze/query/inplace_vector.hpp>
 #include <graze/query/patch.hpp>
 #include <graze/query/penetration.hpp>
 #include <graze/query/surface_point.hpp>
@@ -30,10 +31,7 @@ struct SurfacePair {
 
 /// The points of a patch, before few are chosen.
 template <Dim N>
-struct SurfacePairs {
-  std::array<SurfacePair<N>, ClippedPatch<N>::most_corners> pairs;
-  std::size_t size = 0;
-};
+using SurfacePairs = InplaceVector<SurfacePair<N>, ClippedPatch<N>::most_corners>;
 
 /// The same of (b, a).
 template <Dim N>
@@ -46,8 +44,8 @@ SurfacePair<N> exchanged(SurfacePair<N> pair) {
 /// Two cores' faces that look at each other along the normal of a penetration, and the radii around them.
 template <Dim N>
 struct FacingPatches {
-  Patch<N> a;
-  Patch<N> b;
+  const Patch<N>& a;
+  const Patch<N>& b;
   double radius_a = 0;
   double radius_b = 0;
 };
@@ -77,12 +75,9 @@ SurfacePairs<N> pairs_over(const FacingPatches<N>& facing, const Vec<N, double>&
   for (std::size_t i = 0; i < incident.size(); ++i) {
     const Vec<N, double>& point = incident[i].point;
     const double gap = dot(facing.a.normal, point - on_face) / climb;
-    SurfacePair<N>& pair = result.pairs[result.size++];
-    pair.depth = std::max(0.0, reach - gap);
-    pair.point_b = point - normal * facing.radius_b;
-    pair.point_a = pair.point_b + normal * (reach - gap);
-    pair.feature_a = incident[i].reference;
-    pair.feature_b = incident[i].incident;
+    const Vec<N, double> point_b = point - normal * facing.radius_b;
+    result.push_back({point_b + normal * (reach - gap), point_b, std::max(0.0, reach - gap), incident[i].reference,
+                      incident[i].incident});
   }
   return result;
 }
@@ -102,12 +97,9 @@ SurfacePairs<N> pairs_between_edges(const FacingPatches<N>& facing, const Vec<N,
     const double gap = dot(normal, point - facing.a.corners[0]);
     const double depth = facing.radius_a + facing.radius_b - gap;
     if (depth < -slack) continue;
-    SurfacePair<N>& pair = result.pairs[result.size++];
-    pair.point_b = point - normal * facing.radius_b;
-    pair.point_a = pair.point_b + normal * depth;
-    pair.depth = std::max(0.0, depth);
-    pair.feature_a = incident[i].reference;
-    pair.feature_b = incident[i].incident;
+    const Vec<N, double> point_b = point - normal * facing.radius_b;
+    result.push_back(
+        {point_b + normal * depth, point_b, std::max(0.0, depth), incident[i].reference, incident[i].incident});
   }
   return result;
 }
@@ -131,12 +123,19 @@ Feature feature_at(const Patch<N>& patch, const Vec<N, double>& point, double sl
 /// The point of the contact alone.
 template <Dim N>
 SurfacePairs<N> single_pair(const FacingPatches<N>& facing, const Penetration<N>& found, double slack) {
-  SurfacePairs<N> result;
-  result.size = 1;
   const Vec<N, double> core_a = found.point_a - found.normal * facing.radius_a;
   const Vec<N, double> core_b = found.point_b + found.normal * facing.radius_b;
-  result.pairs[0] = {found.point_a, found.point_b, found.depth, feature_at(facing.a, core_a, slack),
-                     feature_at(facing.b, core_b, slack)};
+  SurfacePairs<N> result;
+  result.push_back({found.point_a, found.point_b, found.depth, feature_at(facing.a, core_a, slack),
+                    feature_at(facing.b, core_b, slack)});
+  return result;
+}
+
+/// The same over the face of b.
+template <Dim N>
+SurfacePairs<N> pairs_over_b(const FacingPatches<N>& facing, const Vec<N, double>& normal, double slack) {
+  SurfacePairs<N> result = pairs_over(exchanged(facing), -normal, slack);
+  for (SurfacePair<N>& pair : result) pair = exchanged(pair);
   return result;
 }
 
@@ -146,26 +145,25 @@ template <Dim N>
 SurfacePairs<N> face_pairs(const FacingPatches<N>& facing, const Vec<N, double>& normal, double slack) {
   const bool b_is_unbounded = facing.b.size == 0;
   if (is_face_along(facing.a, normal) && !b_is_unbounded) return pairs_over(facing, normal, slack);
-  SurfacePairs<N> result;
-  if (!is_face_along(facing.b, -normal)) return result;
-  result = pairs_over(exchanged(facing), -normal, slack);
-  for (std::size_t i = 0; i < result.size; ++i) result.pairs[i] = exchanged(result.pairs[i]);
-  return result;
+  if (is_face_along(facing.b, -normal)) return pairs_over_b(facing, normal, slack);
+  return {};
 }
 
 /// Those of faces, or of parallel edges; of everything else the deepest point is all there is.
 template <Dim N>
 SurfacePairs<N> surface_pairs(const FacingPatches<N>& facing, const Penetration<N>& found, double slack) {
   SurfacePairs<N> result = face_pairs(facing, found.normal, slack);
-  if (result.size == 0) result = pairs_between_edges(facing, found.normal, slack);
-  return result.size > 0 ? result : single_pair(facing, found, slack);
+  if (result.empty()) result = pairs_between_edges(facing, found.normal, slack);
+  if (result.empty()) result = single_pair(facing, found, slack);
+  return result;
 }
 
 // ---- The few of many
 
 /// Chooses the deepest point; then the farthest from it; then, on either side of the line between the two, the one that
 /// makes the largest triangle with it. Of points that are as good, up to `slack` times the size of the patch, the
-/// first: so that motions smaller than that change none. `Pairs` is SurfacePairs<3>, or holds as much of it.
+/// first: so that motions smaller than that change none. `Pairs` holds pairs as SurfacePairs<3> does, or as much of
+/// each.
 template <class Pairs>
 class SpanningChoice {
  public:
@@ -174,7 +172,7 @@ class SpanningChoice {
   /// Four of more than four, by their places.
   std::array<std::size_t, 4> run() {
     const double size = std::sqrt(best([&](std::size_t i) { return squared_from(0, i); }, 0).value);
-    const auto start = best([&](std::size_t i) { return from_.pairs[i].depth; }, size).place;
+    const auto start = best([&](std::size_t i) { return from_[i].depth; }, size).place;
     const auto end = best([&](std::size_t i) { return squared_from(start, i); }, size * size).place;
     const auto left = best([&](std::size_t i) { return area(start, end, i); }, size * size).place;
     const auto right = best([&](std::size_t i) { return -area(start, end, i); }, size * size).place;
@@ -190,14 +188,14 @@ class SpanningChoice {
   template <class Value>
   Best best(const Value& value, double size) const {
     Best result{0, value(0)};
-    for (std::size_t i = 1; i < from_.size; ++i) {
+    for (std::size_t i = 1; i < from_.size(); ++i) {
       const double candidate = value(i);
       if (candidate > result.value + tolerance::aligned * size) result = {i, candidate};
     }
     return result;
   }
 
-  Vec<3, double> between(std::size_t i, std::size_t j) const { return from_.pairs[j].point_a - from_.pairs[i].point_a; }
+  Vec<3, double> between(std::size_t i, std::size_t j) const { return from_[j].point_a - from_[i].point_a; }
 
   double squared_from(std::size_t i, std::size_t j) const { return dot(between(i, j), between(i, j)); }
 

@@ -17,24 +17,50 @@
 #include <graze/query/lanes.hpp>
 #include <graze/query/manifold_points.hpp>
 #include <graze/query/patch.hpp>
+#include <graze/shape/obb.hpp>
 
 #ifdef GRAZE_HAS_LANES
 
 namespace graze::detail {
 
+/// An oriented box, two coordinates at a time: read as they were written, or the processor waits for what was.
+struct PairedBox {
+  PairedVec center;
+  PairedVec axes[3];
+  PairedVec half_edges[3];
+};
+
+template <class T>
+[[gnu::always_inline]] inline PairedBox paired_box(const Obb<3, T>& box, const Vec<3, double>& center) {
+  const PairedVec x(box.axes[0]);
+  const PairedVec y(box.axes[1]);
+  const PairedVec z(box.axes[2]);
+  const Vec<3, double> half(box.half_extents);
+  return {PairedVec(center), {x, y, z}, {x * half.x, y * half.y, z * half.z}};
+}
+
 /// A face of a box, as the rectangle middle + x * right + y * up with |x|, |y| <= 1, where `right` belongs to the next
 /// axis and `up` to the one after it.
 struct BoxFace {
   BoxFaceNumbers numbers;
-  Vec<3, double> middle;
-  Vec<3, double> right;
-  Vec<3, double> up;
+  PairedVec middle;
+  PairedVec right;
+  PairedVec up;
 };
 
-inline BoxFace face_of_box(const BoxFrame<3>& box, const BoxFaceNumbers& numbers) {
+[[gnu::always_inline]] inline BoxFace face_of_box(const PairedBox& box, const BoxFaceNumbers& numbers) {
   return {numbers, box.center + box.half_edges[numbers.axis] * (numbers.is_far ? 1.0 : -1.0),
           box.half_edges[numbers.next()], box.half_edges[numbers.last()]};
 }
+
+/// A contact point on the surfaces of two boxes, as SurfacePair.
+struct PairedPoints {
+  PairedVec point_a;
+  PairedVec point_b;
+  double depth;
+  Feature feature_a;
+  Feature feature_b;
+};
 
 // ---- What a corner of a face over a face lies on, by the lines that meet there: 0 to 3 are the sides of the reference
 // face, 4 to 7 those of the incident one, 8 is the reference plane itself. From tables, since what differs from corner
@@ -102,8 +128,8 @@ class FaceOverFace : private LinesOfFaces {
 
   /// Seen along the contact's normal `up`, of length 1, which `normal`, the reference face's own, is equal to but for
   /// 1e-5 at most. What is above by up to `slack` stays.
-  FaceOverFace(const BoxFace& incident, const BoxFace& reference, const Vec<3, double>& up,
-               const Vec<3, double>& normal, double slack)
+  [[gnu::always_inline]] FaceOverFace(const BoxFace& incident, const BoxFace& reference, const PairedVec& up,
+                                      const PairedVec& normal, double slack)
       : incident_(incident), reference_(reference), up_(up), normal_(normal), slack_(slack) {}
 
   /// False where rounding hides the way around, or the reference face is hardly one.
@@ -120,17 +146,27 @@ class FaceOverFace : private LinesOfFaces {
   /// How many corners lie over the reference face and not above it.
   std::size_t size() const { return size_; }
   double depth(std::size_t i) const { return std::max(0.0, -height_of(corners_[at(i)])); }
+  /// The first of several.
+  std::size_t deepest() const {
+    std::size_t deepest = 0;
+    for (std::size_t i = 1; i < size_; ++i) {
+      if (depth(i) > depth(deepest)) deepest = i;
+    }
+    return deepest;
+  }
+  /// Where a corner is in the incident face, in halves of its edges.
+  LanePair within(std::size_t i) const { return corners_[at(i)].within; }
+  const BoxFace& incident() const { return incident_; }
+  /// How much higher the ends of the incident face's right and up are than its middle.
+  LanePair climb() const { return climb_; }
   /// With the reference face's box as the first.
-  SurfacePair<3> pair(std::size_t i) const {
+  [[gnu::always_inline]] PairedPoints pair(std::size_t i) const {
     const Corner& corner = corners_[at(i)];
     const double height = height_of(corner);
-    SurfacePair<3> pair;
-    pair.depth = std::max(0.0, -height);
-    pair.point_b = incident_.middle + incident_.right * corner.within[0] + incident_.up * corner.within[1];
-    pair.point_a = pair.point_b - up_ * height;
-    pair.feature_a = features_of_faces[reference_.numbers.face()][places_on_reference[corner.from()][corner.cut_by()]];
-    pair.feature_b = features_of_faces[incident_.numbers.face()][places_on_incident[corner.from()][corner.cut_by()]];
-    return pair;
+    const PairedVec point = incident_.middle + incident_.right * corner.within[0] + incident_.up * corner.within[1];
+    return {point - up_ * height, point, std::max(0.0, -height),
+            features_of_faces[reference_.numbers.face()][places_on_reference[corner.from()][corner.cut_by()]],
+            features_of_faces[incident_.numbers.face()][places_on_incident[corner.from()][corner.cut_by()]]};
   }
 
  private:
@@ -153,21 +189,21 @@ class FaceOverFace : private LinesOfFaces {
 
   /// A point's coordinates across Y, X and the plane: x = n . (p x Y) / n . (X x Y), y = n . (X x p) / n . (X x Y).
   bool place_incident() {
-    const Vec<3, double> across_up = cross(reference_.up, up_);
-    const Vec<3, double> across_right = cross(up_, reference_.right);
+    const PairedVec across_up = cross(reference_.up, up_);
+    const PairedVec across_right = cross(up_, reference_.right);
     const double area = dot(across_up, reference_.right);
     const double right = std::sqrt(dot(reference_.right, reference_.right));
     const double up = std::sqrt(dot(reference_.up, reference_.up));
     if (!(std::min(right, up) > 1e3 * slack_)) return false;
     slack_in_halves_ = LanePair{slack_ / right, slack_ / up};
-    const auto seen = [&, inverse = 1 / area](const Vec<3, double>& v) {
+    const auto seen = [&, inverse = 1 / area](const PairedVec& v) {
       return LanePair{dot(across_up, v) * inverse, dot(across_right, v) * inverse};
     };
-    const Vec<3, double> way = incident_.middle - reference_.middle;
+    const PairedVec way = incident_.middle - reference_.middle;
     const LanePair middle = seen(way);
     const LanePair x = seen(incident_.right);
     const LanePair y = seen(incident_.up);
-    const Vec<3, double> rise = normal_ / dot(normal_, up_);  // about 1
+    const PairedVec rise = normal_ / dot(normal_, up_);  // about 1
     height_ = dot(rise, way);
     climb_ = LanePair{dot(rise, incident_.right), dot(rise, incident_.up)};
     corners_[0] = {middle - x - y, LanePair{-1, -1}, lines_of(4, nothing, 4)};
@@ -248,8 +284,8 @@ class FaceOverFace : private LinesOfFaces {
 
   BoxFace incident_;
   BoxFace reference_;
-  Vec<3, double> up_;
-  Vec<3, double> normal_;
+  PairedVec up_;
+  PairedVec normal_;
   double slack_;
   LanePair slack_in_halves_{};
   double height_ = 0;                      ///< Of the middle over the reference face.

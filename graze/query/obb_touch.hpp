@@ -4,7 +4,7 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -35,151 +35,294 @@ inline constexpr bool are_quick_obbs<Obb<3, T>, Obb<3, T>> = true;
 /// Cosines of angles between a direction and a box' axes are those with its normals up to this.
 inline constexpr double doubt_of_cosines = 16 * tolerance::orthonormal;
 
+inline Mat<3, double> axes_matrix(const PairedBox& box) {
+  return {plain(box.axes[0]), plain(box.axes[1]), plain(box.axes[2])};
+}
+
+inline BoxSides<3> sides_of(const PairedBox& box) {
+  return {{plain(box.center), {plain(box.half_edges[0]), plain(box.half_edges[1]), plain(box.half_edges[2])}},
+          axes_matrix(box)};
+}
+
+/// That of a box where little keeps two faces apart.
+[[gnu::noinline]] inline BoxFaceNumbers looking_side(const PairedBox& box, const PairedVec& direction) {
+  const BoxSide<3> side = side_along<3>(face_normals(axes_matrix(box)), plain(direction));
+  return {side.axis, side.is_far};
+}
+
 /// The face of a box that looks most along a direction, as side_along chooses it. Without branches but for doubt.
-inline BoxFaceNumbers looking_face(const Mat<3, double>& axes, const Vec<3, double>& direction) {
-  const std::array<double, 3> along{dot(axes[0], direction), dot(axes[1], direction), dot(axes[2], direction)};
-  const std::array<double, 3> size{std::fabs(along[0]), std::fabs(along[1]), std::fabs(along[2])};
-  const double larger = std::max(size[0], size[1]);
-  const double second = std::max(std::min(size[0], size[1]), std::min(larger, size[2]));
-  if (!(std::max(larger, size[2]) - second > doubt_of_cosines)) {
-    const BoxSide<3> side = side_along<3>(face_normals(axes), direction);
-    return {side.axis, side.is_far};
-  }
-  const auto is_second = static_cast<unsigned>(size[1] > size[0]);
-  const auto is_third = static_cast<unsigned>(size[2] > larger);
+[[gnu::always_inline]] inline BoxFaceNumbers looking_face(const PairedBox& box, const PairedVec& direction) {
+  const double x = dot(box.axes[0], direction);
+  const double y = dot(box.axes[1], direction);
+  const double z = dot(box.axes[2], direction);
+  const double larger = std::max(std::fabs(x), std::fabs(y));
+  const double second = std::max(std::min(std::fabs(x), std::fabs(y)), std::min(larger, std::fabs(z)));
+  if (!(std::max(larger, std::fabs(z)) - second > doubt_of_cosines)) return looking_side(box, direction);
+  const auto is_second = static_cast<unsigned>(std::fabs(y) > std::fabs(x));
+  const auto is_third = static_cast<unsigned>(std::fabs(z) > larger);
   const unsigned best = is_third << 1U | (is_second & ~is_third);
-  return {static_cast<Dim>(best), along[best] > 0};
+  const unsigned far =
+      static_cast<unsigned>(x > 0) | static_cast<unsigned>(y > 0) << 1U | static_cast<unsigned>(z > 0) << 2U;
+  return {static_cast<Dim>(best), (far >> best & 1U) != 0};
 }
 
 /// Whether a face may look straight along a direction.
-inline bool may_be_aligned(const Mat<3, double>& axes, const Vec<3, double>& direction) {
-  const double most = std::max(std::max(std::fabs(dot(axes[0], direction)), std::fabs(dot(axes[1], direction))),
-                               std::fabs(dot(axes[2], direction)));
+[[gnu::always_inline]] inline bool may_be_aligned(const PairedBox& box, const PairedVec& direction) {
+  const double most = std::max(std::max(std::fabs(dot(box.axes[0], direction)), std::fabs(dot(box.axes[1], direction))),
+                               std::fabs(dot(box.axes[2], direction)));
   return most > 1 - doubt_of_cosines;
 }
 
-/// Two oriented boxes in space that meet, seen from the first one's center, and the axis that parts them.
+/// Two oriented boxes in space that meet, seen from the first one's center, and the axis that parts them: across a face
+/// of one of them, or across an edge of each.
 struct MeetingObbs {
-  BoxSides<3> a;
-  BoxSides<3> b;
-  BoxesContact<3> contact;
+  PairedBox box[2];
+  double size;  ///< Of both.
+  PairedVec normal;
+  double gap;
+  bool is_on_edges;
+  bool is_of_b;  ///< The face.
+  Dim axis;      ///< Across which the face lies, or along which a's edge.
+  Dim edge_b;
 
   template <class T>
-  MeetingObbs(const Obb<3, T>& first, const Obb<3, T>& second, BoxesAxes candidates)
-      : a{{Vec<3, double>(0.0), half_edges(first)}, wide_matrix<3, T>(first.axes)},
-        b{{reference(second) - reference(first), half_edges(second)}, wide_matrix<3, T>(second.axes)},
-        contact(contact_of_sides(a, b, candidates)) {}
+  [[gnu::always_inline]] MeetingObbs(const Obb<3, T>& first, const Obb<3, T>& second, BoxesAxes candidates)
+      : box{paired_box(first, Vec<3, double>(0.0)), paired_box(second, reference(second) - reference(first))},
+        size(size_of(box[0]) + size_of(box[1])),
+        normal(box[1].center) {
+    const auto place = static_cast<Dim>(std::countr_zero(candidates));
+    if ((candidates & (candidates - 1)) != 0) {
+      search(candidates);
+    } else if (place < 6) {
+      take_face(place >= 3, place >= 3 ? place - 3 : place);
+    } else {
+      take_edges((place - 6) / 3, (place - 6) % 3);
+    }
+  }
+
+  double depth() const { return std::max(0.0, -gap); }
+  double error() const { return std::max(0.0, gap) + 2 * tolerance::rounding * size; }
+
+  /// The same as penetration_boxes.hpp has it.
+  BoxesContact<3> contact() const {
+    BoxesContact<3> result{{{plain(normal), gap}, is_of_b, axis, std::nullopt}, size, {}};
+    if (is_on_edges) result.axis.edges = {axis, edge_b};
+    result.found.normal = plain(normal);
+    result.found.depth = depth();
+    result.found.error = error();
+    return result;
+  }
+
+ private:
+  [[gnu::always_inline]] static double size_of(const PairedBox& seen) {
+    return sum_of_magnitudes(seen.center) + sum_of_magnitudes(seen.half_edges[0]) +
+           sum_of_magnitudes(seen.half_edges[1]) + sum_of_magnitudes(seen.half_edges[2]);
+  }
+
+  // The calculations of BoxesSearch, to the bit, of the only axis.
+
+  [[gnu::always_inline]] void take_face(bool of_b, Dim i) {
+    const PairedBox& own = box[of_b ? 1 : 0];
+    const PairedBox& other = box[of_b ? 0 : 1];
+    const PairedVec adjoint = cross(own.axes[(i + 1) % 3], own.axes[(i + 2) % 3]);
+    const PairedVec across = adjoint / std::sqrt(dot(adjoint, adjoint));  // about 1
+    const double reach = std::fabs(dot(across, own.half_edges[i])) + std::fabs(dot(across, other.half_edges[0])) +
+                         std::fabs(dot(across, other.half_edges[1])) + std::fabs(dot(across, other.half_edges[2]));
+    const double ahead = dot(across, box[1].center - box[0].center);
+    normal = across * sign_of(ahead);
+    gap = std::fabs(ahead) - reach;
+    is_on_edges = false;
+    is_of_b = of_b;
+    axis = i;
+    edge_b = 0;
+  }
+
+  [[gnu::always_inline]] void take_edges(Dim i, Dim j) {
+    const PairedVec& a = box[0].axes[i];
+    const PairedVec& b = box[1].axes[j];
+    const PairedVec across = cross(a, b);
+    const double squared = dot(across, across);
+    constexpr double least_sine = 1.0 / 8;  // as in cross_of_directions
+    if (!(squared > least_sine * least_sine * dot(a, a) * dot(b, b))) [[unlikely]] {
+      search(BoxesAxes{1} << static_cast<unsigned>(6 + 3 * i + j));
+      return;
+    }
+    const double reach = reach_without(box[0], i, across) + reach_without(box[1], j, across);
+    const double ahead = dot(across, box[1].center - box[0].center);
+    const double length = std::sqrt(squared);
+    normal = across * (sign_of(ahead) / length);
+    gap = (std::fabs(ahead) - reach) / length;
+    is_on_edges = true;
+    is_of_b = false;
+    axis = i;
+    edge_b = j;
+  }
+
+  [[gnu::always_inline]] static double reach_without(const PairedBox& seen, Dim i, const PairedVec& across) {
+    return std::fabs(dot(across, seen.half_edges[(i + 1) % 3])) + std::fabs(dot(across, seen.half_edges[(i + 2) % 3]));
+  }
+
+  [[gnu::noinline]] void search(BoxesAxes candidates) {
+    const BoxSides<3> a = sides_of(box[0]);
+    const BoxSides<3> b = sides_of(box[1]);
+    const BoxesAxis<3> found = BoxesSearch<3>(a, b, size).run(candidates);
+    normal = PairedVec(found.axis.normal);
+    gap = found.axis.gap;
+    is_on_edges = found.edges.has_value();
+    is_of_b = found.is_of_b;
+    axis = is_on_edges ? (*found.edges)[0] : found.face;
+    edge_b = is_on_edges ? (*found.edges)[1] : 0;
+  }
 };
 
-/// A face that the points of a contact are laid on, with its own normal.
+/// A face that the points of a contact are laid on, with its own normal; or none.
 struct CarryingFace {
+  bool is_any;
   bool is_of_b;
   BoxFaceNumbers numbers;
-  Vec<3, double> normal;
+  PairedVec normal;
 };
 
 /// The face of a box that looks straight along a direction, if any does.
-inline std::optional<CarryingFace> face_along(const BoxSides<3>& box, const Vec<3, double>& direction, bool is_of_b) {
-  if (!may_be_aligned(box.directions, direction)) return std::nullopt;
-  const BoxFaceNumbers face = looking_face(box.directions, direction);
-  const Vec<3, double> side = box.normal(face.axis);
-  const Vec<3, double> normal = dot(side, direction) < 0 ? -side : side;
-  if (!is_aligned(normal, direction)) return std::nullopt;
-  return CarryingFace{is_of_b, face, normal};
+[[gnu::noinline]] inline CarryingFace aligned_face(const PairedBox& box, const PairedVec& direction, bool is_of_b) {
+  const BoxFaceNumbers face = looking_face(box, direction);
+  const Vec<3, double> side = sides_of(box).normal(face.axis);
+  const Vec<3, double> normal = dot(side, plain(direction)) < 0 ? -side : side;
+  return {is_aligned(normal, plain(direction)), is_of_b, face, PairedVec(normal)};
+}
+
+[[gnu::always_inline]] inline CarryingFace face_along(const PairedBox& box, const PairedVec& direction, bool is_of_b) {
+  if (may_be_aligned(box, direction)) [[unlikely]]
+    return aligned_face(box, direction, is_of_b);
+  return {false, is_of_b, {}, direction};
 }
 
 /// The face that the axis is the normal of.
-inline CarryingFace face_of_axis(const MeetingObbs& met) {
-  const bool is_of_b = met.contact.axis.is_of_b;
-  const Vec<3, double> up = is_of_b ? -met.contact.found.normal : met.contact.found.normal;
-  const Dim axis = met.contact.axis.face;
-  const Vec<3, double>& direction = (is_of_b ? met.b : met.a).directions[axis];
-  return {is_of_b, {axis, dot(direction, up) > 0}, up};
+[[gnu::always_inline]] inline CarryingFace face_of_axis(const MeetingObbs& met) {
+  const PairedVec up = met.normal * (met.is_of_b ? -1.0 : 1.0);
+  return {true, met.is_of_b, {met.axis, dot(met.box[met.is_of_b ? 1 : 0].axes[met.axis], up) > 0}, up};
 }
 
 /// The face that carries the points of a manifold: face_pairs in manifold_points.hpp.
-inline std::optional<CarryingFace> carrying_face(const MeetingObbs& met) {
-  const Vec<3, double>& normal = met.contact.found.normal;
-  if (!met.contact.axis.edges && !met.contact.axis.is_of_b) return face_of_axis(met);
-  if (const auto face = face_along(met.a, normal, false)) return face;
-  return met.contact.axis.edges ? face_along(met.b, -normal, true) : face_of_axis(met);
+[[gnu::always_inline]] inline CarryingFace carrying_face(const MeetingObbs& met) {
+  if (!met.is_on_edges && !met.is_of_b) return face_of_axis(met);
+  const CarryingFace face = face_along(met.box[0], met.normal, false);
+  if (face.is_any) return face;
+  return met.is_on_edges ? face_along(met.box[1], -met.normal, true) : face_of_axis(met);
 }
 
 /// The other box' face on a carrying face.
-inline FaceOverFace face_over(const MeetingObbs& met, const CarryingFace& face) {
-  const BoxSides<3>& box = face.is_of_b ? met.b : met.a;
-  const BoxSides<3>& other = face.is_of_b ? met.a : met.b;
-  const Vec<3, double> up = face.is_of_b ? -met.contact.found.normal : met.contact.found.normal;
-  return {face_of_box(other.frame, looking_face(other.directions, -up)), face_of_box(box.frame, face.numbers), up,
-          face.normal, tolerance::coarse * met.contact.size};
+[[gnu::always_inline]] inline FaceOverFace face_over(const MeetingObbs& met, const CarryingFace& face) {
+  const PairedBox& box = met.box[face.is_of_b ? 1 : 0];
+  const PairedBox& other = met.box[face.is_of_b ? 0 : 1];
+  const PairedVec up = met.normal * (face.is_of_b ? -1.0 : 1.0);
+  return {face_of_box(other, looking_face(other, -up)), face_of_box(box, face.numbers), up, face.normal,
+          tolerance::coarse * met.size};
 }
 
 /// The edge along `axis` that is farthest along a direction, by its number and its middle.
 struct NumberedEdge {
   std::uint32_t number;
-  Vec<3, double> middle;
-  Vec<3, double> half;
+  PairedVec middle;
+  PairedVec half;
 };
 
-inline NumberedEdge farthest_numbered(const BoxFrame<3>& box, Dim axis, const Vec<3, double>& direction) {
-  NumberedEdge edge{static_cast<std::uint32_t>(4 * axis), box.center, box.half_edges[axis]};
-  for (const Dim turn : {1, 2}) {
-    const Vec<3, double>& half = box.half_edges[(axis + turn) % 3];
-    const double side = sign_of(dot(half, direction));
-    edge.middle += half * side;
-    edge.number += side > 0 ? static_cast<std::uint32_t>(turn) : 0;
-  }
-  return edge;
+[[gnu::always_inline]] inline NumberedEdge farthest_numbered(const PairedBox& box, Dim axis,
+                                                             const PairedVec& direction) {
+  const PairedVec& next = box.half_edges[(axis + 1) % 3];
+  const PairedVec& last = box.half_edges[(axis + 2) % 3];
+  const double side_of_next = sign_of(dot(next, direction));
+  const double side_of_last = sign_of(dot(last, direction));
+  return {static_cast<std::uint32_t>(4 * axis) + (side_of_next > 0 ? 1U : 0U) + (side_of_last > 0 ? 2U : 0U),
+          box.center + next * side_of_next + last * side_of_last, box.half_edges[axis]};
 }
 
-/// Where two edges cross, if neither is near its end: with u and v halves of the edges and w from middle to middle, n =
-/// u x v, at s n^2 = (w x v) . n and t n^2 = (w x u) . n.
-inline std::optional<SurfacePair<3>> quick_pair_on_edges(const MeetingObbs& met) {
-  const Vec<3, double>& normal = met.contact.found.normal;
+[[gnu::always_inline]] inline double shortest_half_edge(const PairedBox& box) {
+  return std::min(std::min(largest_magnitude(box.half_edges[0]), largest_magnitude(box.half_edges[1])),
+                  largest_magnitude(box.half_edges[2]));
+}
+
+/// Where two edges cross, if neither is near its end, nor hardly as long as it is wide.
+struct CrossingEdges {
+  bool is_known;
+  PairedPoints points;
+};
+
+/// With u and v halves of the edges and w from middle to middle, n = u x v, at s n^2 = (w x v) . n and t n^2 = (w x u)
+/// . n.
+[[gnu::always_inline]] inline CrossingEdges quick_pair_on_edges(const MeetingObbs& met) {
   constexpr double least_sine = 1.0 / 8;
   constexpr double farthest = 1 - 0x1p-20;
   constexpr double least_share = 1e-6;  // of the size: of an edge that is not taken for a point
-  const auto [i, j] = *met.contact.axis.edges;
-  const NumberedEdge edge_a = farthest_numbered(met.a.frame, i, normal);
-  const NumberedEdge edge_b = farthest_numbered(met.b.frame, j, -normal);
-  const double shortest = std::min({max_abs(met.a.frame.half_edges[0]), max_abs(met.a.frame.half_edges[1]),
-                                    max_abs(met.a.frame.half_edges[2]), max_abs(met.b.frame.half_edges[0]),
-                                    max_abs(met.b.frame.half_edges[1]), max_abs(met.b.frame.half_edges[2])});
-  if (!(shortest > least_share * met.contact.size)) return std::nullopt;
-  const Vec<3, double> across = cross(edge_a.half, edge_b.half);
+  const NumberedEdge edge_a = farthest_numbered(met.box[0], met.axis, met.normal);
+  const NumberedEdge edge_b = farthest_numbered(met.box[1], met.edge_b, -met.normal);
+  const double shortest = std::min(shortest_half_edge(met.box[0]), shortest_half_edge(met.box[1]));
+  const PairedVec across = cross(edge_a.half, edge_b.half);
   const double squared = dot(across, across);
-  if (!(squared > least_sine * least_sine * dot(edge_a.half, edge_a.half) * dot(edge_b.half, edge_b.half))) {
-    return std::nullopt;
-  }
-  const Vec<3, double> between = edge_b.middle - edge_a.middle;
+  const double least_squared = least_sine * least_sine * dot(edge_a.half, edge_a.half) * dot(edge_b.half, edge_b.half);
+  const PairedVec between = edge_b.middle - edge_a.middle;
   const double on_a = dot(cross(between, edge_b.half), across) / squared;
   const double on_b = dot(cross(between, edge_a.half), across) / squared;
-  if (!(std::max(std::fabs(on_a), std::fabs(on_b)) < farthest)) return std::nullopt;
-  return SurfacePair<3>{edge_a.middle + edge_a.half * on_a,
-                        edge_b.middle + edge_b.half * on_b,
-                        met.contact.found.depth,
-                        {FeatureKind::edge, edge_a.number},
-                        {FeatureKind::edge, edge_b.number}};
+  const bool is_known = shortest > least_share * met.size && squared > least_squared &&
+                        std::max(std::fabs(on_a), std::fabs(on_b)) < farthest;
+  return {is_known,
+          {edge_a.middle + edge_a.half * on_a,
+           edge_b.middle + edge_b.half * on_b,
+           met.depth(),
+           {FeatureKind::edge, edge_a.number},
+           {FeatureKind::edge, edge_b.number}}};
 }
 
 /// Whether two boxes are apart, at whose axes one has looked.
 template <class T>
-bool are_apart(const Obb<3, T>& a, const Obb<3, T>& b, const ObbAxes& axes) {
-  return (axes.verdict ? *axes.verdict : decide(a, b)) == Relation::apart;
+[[gnu::always_inline]] inline bool are_apart(const Obb<3, T>& a, const Obb<3, T>& b, const ObbAxes& axes) {
+  if (axes.verdict != Relation::touching) [[likely]]
+    return axes.verdict == Relation::apart;
+  return decide(a, b) == Relation::apart;
 }
 
-/// The deepest of the points over the face that the axis is the normal of, the first of several; or that on two edges.
-/// None of pairs that touching_pair has to look at.
-inline std::optional<SurfacePair<3>> quick_pair(const MeetingObbs& met) {
-  if (met.contact.axis.edges) return quick_pair_on_edges(met);
-  const CarryingFace face = face_of_axis(met);
-  FaceOverFace over = face_over(met, face);
-  if (!over.run() || over.size() == 0) return std::nullopt;
-  std::size_t deepest = 0;
-  for (std::size_t i = 1; i < over.size(); ++i) {
-    if (over.depth(i) > over.depth(deepest)) deepest = i;
+/// The points of a contact, of a's surface and of b's.
+struct TouchingPoints {
+  PairedVec of[2];
+};
+
+/// The careful way to them.
+template <class T>
+[[gnu::noinline]] void find_points_carefully(const Obb<3, T>& a, const Obb<3, T>& b, const BoxesContact<3>& contact,
+                                             TouchingPoints& points) {
+  const Vec<3, double> origin = reference(a);
+  const auto seen_a = seen_from(origin, a);
+  const auto seen_b = seen_from(origin, b);
+  const auto pair = touching_pair(seen_a, seen_b, contact);
+  points.of[0] = PairedVec(pair.point_a + origin);
+  points.of[1] = PairedVec(pair.point_b + origin);
+}
+
+/// Where the two edges cross; or the deepest of the points over the face that the axis is the normal of, the first of
+/// several.
+template <class T>
+[[gnu::always_inline]] inline TouchingPoints touching_points(const Obb<3, T>& a, const Obb<3, T>& b,
+                                                             const MeetingObbs& met) {
+  const PairedVec origin(reference(a));
+  TouchingPoints points{{origin, origin}};
+  bool is_known = false;
+  if (met.is_on_edges) {
+    const CrossingEdges edges = quick_pair_on_edges(met);
+    points.of[0] = edges.points.point_a + origin;
+    points.of[1] = edges.points.point_b + origin;
+    is_known = edges.is_known;
+  } else {
+    FaceOverFace over = face_over(met, face_of_axis(met));
+    is_known = over.run() && over.size() > 0;
+    if (is_known) {
+      const PairedPoints pair = over.pair(over.deepest());
+      points.of[met.is_of_b ? 1 : 0] = pair.point_a + origin;
+      points.of[met.is_of_b ? 0 : 1] = pair.point_b + origin;
+    }
   }
-  return face.is_of_b ? exchanged(over.pair(deepest)) : over.pair(deepest);
+  if (!is_known) [[unlikely]]
+    find_points_carefully(a, b, met.contact(), points);
+  return points;
 }
 
 /// The penetration of two that meet, in the order of their numbers.
@@ -188,17 +331,9 @@ std::optional<Penetration<3>> penetration_of_obbs(const Obb<3, T>& a, const Obb<
   const ObbAxes axes = axes_of(a, b);
   if (are_apart(a, b, axes)) return std::nullopt;
   const MeetingObbs met(a, b, axes.candidates);
-  const Vec<3, double> origin = reference(a);
-  auto pair = quick_pair(met);
-  if (!pair) {
-    const auto seen_a = seen_from(origin, a);
-    const auto seen_b = seen_from(origin, b);
-    pair = touching_pair(seen_a, seen_b, facing_boxes(seen_a, seen_b, met.contact), met.contact);
-  }
-  Penetration<3> result = met.contact.found;
-  result.point_a = pair->point_a + origin;
-  result.point_b = pair->point_b + origin;
-  return result;
+  const TouchingPoints points = touching_points(a, b, met);
+  return Penetration<3>{plain(met.normal),   met.depth(),       plain(points.of[0]),
+                        plain(points.of[1]), Status::converged, met.error()};
 }
 
 #endif

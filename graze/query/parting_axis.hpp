@@ -175,7 +175,7 @@ template <class A, class B>
 ClosestPair<dimension_of<A>> points_along(const A& a, const B& b, const PartingAxis<dimension_of<A>>& axis,
                                           double size) {
   const Vec<dimension_of<A>, double> way = axis.normal * -axis.gap;
-  ClosestPair<dimension_of<A>> pair = closest_of_meeting(a, moved_by(b, way), size);
+  ClosestPair<dimension_of<A>> pair = closest_of_touching(a, moved_by(b, way), axis.normal, size);
   pair.on_b -= way;
   return pair;
 }

@@ -144,11 +144,11 @@ inline std::optional<SurfacePair<3>> pair_on_edges(const BoxFrame<3>& a, const B
                                                    const BoxesAxis<3>& found) {
   const Segment<3, double> edge_a = farthest_edge(a, (*found.edges)[0], found.axis.normal);
   const Segment<3, double> edge_b = farthest_edge(b, (*found.edges)[1], -found.axis.normal);
-  const std::optional<Places> places = perpendicular_places(edge_a, edge_b);
-  if (!places) return std::nullopt;
+  const Perpendicular<3> perpendicular(edge_a, edge_b);
+  if (!perpendicular.is_any()) return std::nullopt;
   SurfacePair<3> pair{};
-  pair.point_a = edge_a.start + (edge_a.end - edge_a.start) * places->on_a;
-  pair.point_b = edge_b.start + (edge_b.end - edge_b.start) * places->on_b;
+  pair.point_a = edge_a.start + (edge_a.end - edge_a.start) * perpendicular.on_a();
+  pair.point_b = edge_b.start + (edge_b.end - edge_b.start) * perpendicular.on_b();
   return pair;
 }
 
@@ -184,31 +184,35 @@ BoxesContact<dimension_of<A>> contact_of_boxes(const A& a, const B& b) {
   return contact_of_sides(sides_of(a), sides_of(b));
 }
 
-/// The deepest of the points that lie over the face that the axis is normal to; the first of several.
-template <Dim N>
-std::optional<SurfacePair<N>> deepest_on_face(const FacingPatches<N>& facing, const BoxesContact<N>& contact) {
+/// The deepest of the points that lie over the face that the axis is normal to; the first of several. None over a side
+/// without length or width.
+template <class A, class B>
+std::optional<SurfacePair<dimension_of<A>>> deepest_on_face(const A& a, const B& b,
+                                                            const BoxesContact<dimension_of<A>>& contact) {
+  constexpr Dim N = dimension_of<A>;
   const Vec<N, double>& normal = contact.found.normal;
-  const double slack = tolerance::coarse * contact.size;
+  const Patch<N> patch_a = patch_of(a, normal);
+  const Patch<N> patch_b = patch_of(b, -normal);
+  const FacingPatches<N> facing{patch_a, patch_b, 0, 0};
   const bool is_of_b = contact.axis.is_of_b;
-  const SurfacePairs<N> pairs =
-      is_of_b ? pairs_over(exchanged(facing), -normal, slack) : pairs_over(facing, normal, slack);
-  if (pairs.size == 0) return std::nullopt;
+  if (!(max_abs(is_of_b ? patch_b.normal : patch_a.normal) > 0)) return std::nullopt;
+  const double slack = tolerance::coarse * contact.size;
+  const SurfacePairs<N> pairs = is_of_b ? pairs_over_b(facing, normal, slack) : pairs_over(facing, normal, slack);
+  if (pairs.empty()) return std::nullopt;
   std::size_t deepest = 0;
-  for (std::size_t i = 1; i < pairs.size; ++i) {
-    if (pairs.pairs[i].depth > pairs.pairs[deepest].depth) deepest = i;
+  for (std::size_t i = 1; i < pairs.size(); ++i) {
+    if (pairs[i].depth > pairs[deepest].depth) deepest = i;
   }
-  return is_of_b ? exchanged(pairs.pairs[deepest]) : pairs.pairs[deepest];
+  return pairs[deepest];
 }
 
 /// Where the boxes touch once b has been moved out of a.
 template <class A, class B>
-SurfacePair<dimension_of<A>> touching_pair(const A& a, const B& b, const FacingPatches<dimension_of<A>>& facing,
-                                           const BoxesContact<dimension_of<A>>& contact) {
+SurfacePair<dimension_of<A>> touching_pair(const A& a, const B& b, const BoxesContact<dimension_of<A>>& contact) {
   constexpr Dim N = dimension_of<A>;
   std::optional<SurfacePair<N>> pair;
   if (!contact.axis.edges) {
-    const Vec<N, double>& own = contact.axis.is_of_b ? facing.b.normal : facing.a.normal;
-    if (max_abs(own) > 0) pair = deepest_on_face(facing, contact);
+    pair = deepest_on_face(a, b, contact);
   } else if constexpr (N == 3) {
     pair = pair_on_edges(frame_of(a), frame_of(b), contact.axis);
   }
@@ -221,14 +225,9 @@ SurfacePair<dimension_of<A>> touching_pair(const A& a, const B& b, const FacingP
 }
 
 template <class A, class B>
-FacingPatches<dimension_of<A>> facing_boxes(const A& a, const B& b, const BoxesContact<dimension_of<A>>& contact) {
-  return {patch_of(a, contact.found.normal), patch_of(b, -contact.found.normal), 0, 0};
-}
-
-template <class A, class B>
 Penetration<dimension_of<A>> penetration_of_boxes(const A& a, const B& b) {
   BoxesContact<dimension_of<A>> contact = contact_of_boxes(a, b);
-  const auto pair = touching_pair(a, b, facing_boxes(a, b, contact), contact);
+  const auto pair = touching_pair(a, b, contact);
   contact.found.point_a = pair.point_a;
   contact.found.point_b = pair.point_b;
   return contact.found;
@@ -239,14 +238,17 @@ template <class A, class B>
 SurfacePairs<dimension_of<A>> pairs_of_boxes(const A& a, const B& b, const BoxesContact<dimension_of<A>>& contact) {
   constexpr Dim N = dimension_of<A>;
   const double slack = tolerance::coarse * contact.size;
-  const FacingPatches<N> facing = facing_boxes(a, b, contact);
-  const SurfacePairs<N> pairs = face_pairs(facing, contact.found.normal, slack);
-  if (pairs.size > 0) return pairs;
-  const SurfacePair<N> pair = touching_pair(a, b, facing, contact);
+  const Patch<N> patch_a = patch_of(a, contact.found.normal);
+  const Patch<N> patch_b = patch_of(b, -contact.found.normal);
+  const FacingPatches<N> facing{patch_a, patch_b, 0, 0};
+  SurfacePairs<N> pairs = face_pairs(facing, contact.found.normal, slack);
+  if (!pairs.empty()) return pairs;
+  const SurfacePair<N> pair = touching_pair(a, b, contact);
   Penetration<N> alone = contact.found;
   alone.point_a = pair.point_a;
   alone.point_b = pair.point_b;
-  return single_pair(facing, alone, slack);
+  pairs = single_pair(facing, alone, slack);
+  return pairs;
 }
 
 }  // namespace graze::detail

@@ -71,7 +71,7 @@ std::optional<Strike<dimension_of<A>>> strike_of_moving(const A& a, const Motion
   const auto& core_a = core(a);
   const auto& core_b = core(b);
   const double radius = core_radius(a) + core_radius(b);
-  const ConvexPair<N, SupportNumber<A, B>> pair{ConvexView<N>(core_a), ConvexView<N>(core_b), radius};
+  const ConvexPair<N, SupportNumber<A, B>> pair(ConvexView<N>(core_a), ConvexView<N>(core_b), radius);
   const Motion<N, double> about_a = centered(motion_a, core_a);
   const Motion<N, double> about_b = centered(motion_b, core_b);
   const double reach = reach_from(about_a.center, core_a);
@@ -91,8 +91,8 @@ requires is_level<B> std::optional<Strike<dimension_of<A>>> strike_of_moving(con
   const double reach = reach_from(motion_a.center, core_a);
   const Course<N> course = course_of(motion_a, motion_b, reach, radius);
   const double largest = course.size + sum_abs(motion_a.center) + sum_abs(motion_b.center);
-  const LevelPair<N, SupportNumber<A, A>> pair{ConvexView<N>(core_a), radius, gap.normal, dot(gap.normal, gap.point_b),
-                                               gap.error + support_error<A> * largest};
+  const LevelPair<N> pair(ConvexView<N>(core_a), radius, gap.normal, dot(gap.normal, gap.point_b),
+                          gap.error + support_error<A> * largest);
   return advance_to_impact(pair, course, 0, 0);
 }
 
@@ -141,8 +141,8 @@ std::optional<Strike<dimension_of<A>>> strike_of_levels(const Proximity<dimensio
   const double reach = reach_from(motion_a.center, gap.point_a);
   const Course<N> course = course_of(motion_a, motion_b, reach, 0.0);
   const double largest = course.size + sum_abs(motion_a.center) + sum_abs(motion_b.center);
-  const LevelPair<N, double> pair{ConvexView<N>(gap.point_a), 0, gap.normal, dot(gap.normal, gap.point_b),
-                                  gap.error + tolerance::rounding * largest};
+  const LevelPair<N> pair(ConvexView<N>(gap.point_a), 0, gap.normal, dot(gap.normal, gap.point_b),
+                          gap.error + tolerance::rounding * largest);
   return advance_to_impact(pair, course, 0, 0);
 }
 

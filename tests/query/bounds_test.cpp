@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <graze/math/bit_cast.hpp>
 #include <graze/query/bounds.hpp>
 
 #include "catalogue.hpp"
@@ -195,6 +197,54 @@ TYPED_TEST(BoundsIn, OfTouchingContainTheBounds) {
         RC_ASSERT(Rational(grown.max[i]) - Rational(box.max[i]) >= Rational(tolerance::box_slack / 2 * size));
       }
     }
+  });
+}
+
+/// A coordinate with as many zero bits as it may: among them zeros, the least and the greatest, and infinity.
+float drawn_side() {
+  const float side = bit_cast<float>(*rc::gen::arbitrary<std::uint32_t>() & (~0U << *rc::gen::inRange(0U, 32U)));
+  return std::isnan(side) ? 0 : side;
+}
+
+/// A coordinate about so many powers of two below 1: by a step of its bits or none.
+float side_below(int powers) {
+  const float side = std::ldexp(*rc::gen::arbitrary<bool>() ? 1.0F : -1.5F, -powers);
+  return std::nextafter(side, *rc::gen::element(0.0F, side, 9.0F));
+}
+
+template <Dim N>
+void require_the_same_growth(const Aabb<N, float>& box) {
+  Aabb<N, float> quickly = box;
+  Aabb<N, float> plainly = box;
+  RC_ASSERT(detail::grow_for_touching(quickly) == detail::grow_by_slack(plainly));
+  for (Dim i = 0; i < N; ++i) {
+    RC_ASSERT(bit_cast<std::uint32_t>(quickly.min[i]) == bit_cast<std::uint32_t>(plainly.min[i]));
+    RC_ASSERT(bit_cast<std::uint32_t>(quickly.max[i]) == bit_cast<std::uint32_t>(plainly.max[i]));
+  }
+}
+
+TEST(Bounds, OfTouchingAreTheSameByStepsOfBits) {
+  test::check_property([] {
+    Aabb<3, float> box;
+    for (Dim i = 0; i < 3; ++i) {
+      box.min[i] = drawn_side();
+      box.max[i] = drawn_side();
+    }
+    require_the_same_growth(box);
+    require_the_same_growth(Aabb<2, float>{{box.min.x, box.min.y}, {box.max.x, box.max.y}});
+  });
+}
+
+TEST(Bounds, OfTouchingAreTheSameWhereStepAndSlackAreAlike) {
+  test::check_property([] {
+    const int lowest = *rc::gen::element(0, 60, 110);
+    Aabb<3, float> box;
+    for (Dim i = 0; i < 3; ++i) {
+      box.min[i] = side_below(lowest + *rc::gen::element(0, 1, 19, 20, 21, 22));
+      box.max[i] = side_below(lowest + *rc::gen::element(0, 1, 19, 20, 21, 22));
+    }
+    require_the_same_growth(box);
+    require_the_same_growth(Aabb<2, float>{{box.min.x, box.min.y}, {box.max.x, box.max.y}});
   });
 }
 

@@ -39,6 +39,21 @@ TEST(ClippedPatch, ThatLiesOverTheOtherIsLeftWhole) {
   expect_corner(whole[2], {2, 2, 0}, face(5), vertex(3));
 }
 
+TEST(ClippedPatch, IsCutAcrossANormalOfAnyLengthAsByItsUnit) {
+  const Patch<3> above = lower({1, 1, 0}, {2, 2, 1});
+  for (const double place : {1.0, 1.25, 1.75, 2.0}) {
+    ClippedPatch<3> cut(above, table);
+    ClippedPatch<3> cut_across(above, table);
+    cut.cut(V3(0.6, 0.8, 0), V3(place, 1.5, 0), 1, 1e-9);
+    cut_across.cut_across(V3(3, 4, 0), V3(place, 1.5, 0), 1, 1e-9);
+    ASSERT_EQ(cut_across.size(), cut.size());
+    for (std::size_t i = 0; i < cut.size(); ++i) {
+      EXPECT_NEAR(length(cut_across[i].point - cut[i].point), 0, 1e-15);
+      EXPECT_EQ(cut_across[i].reference, cut[i].reference);
+    }
+  }
+}
+
 // Over a corner: one corner of the incident face, two crossings, and the reference face's own corner.
 TEST(ClippedPatch, OverACornerNamesBothFeaturesOfEveryPoint) {
   const auto cut = clipped(lower({3, 3, 0}, {5, 5, 1}), table, up, 0);

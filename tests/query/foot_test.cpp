@@ -152,5 +152,15 @@ TEST(Foot, FromInsideAPolygonIsOnTheNearestEdge) {
   EXPECT_FALSE(detail::foot_on_polygon<double>(line, D2(1, 0)).is_inside);
 }
 
+TEST(FacedTriangle, HasANormalAboutAsLongAsOneAcrossAllButALine) {
+  const detail::FacedTriangle face = detail::faced({{1, 1, 1}, {5, 1, 1}, {1, 4, 1}});
+  EXPECT_EQ(abs(face.normal), D3(0, 0, 1));
+  EXPECT_EQ(face.longest, 1U);
+  const detail::FacedTriangle line = detail::faced({{1, 1, 1}, {2, 2, 2}, {4, 4, 4}});
+  EXPECT_EQ(line.normal, D3(0, 0, 0));
+  EXPECT_EQ(line.longest, 2U);
+  EXPECT_EQ(foot_on(line, D3(3, 3, 3)).point, D3(3, 3, 3));
+}
+
 }  // namespace
 }  // namespace graze::test::foot_test

@@ -52,6 +52,11 @@ TEST(Lanes, CalculateInPairsWhatVectorsDo) {
     expect_same(third + PairedVec(b), wide_third + wide_b);
     expect_same(third - PairedVec(b), wide_third - wide_b);
     expect_same(third * 0.7, wide_third * 0.7);
+    expect_same(-third, -wide_third);
+    expect_same(PairedVec(wide_third), wide_third);
+    EXPECT_EQ(plain(third), wide_third);
+    EXPECT_EQ(sum_of_magnitudes(third), sum_abs(wide_third));
+    EXPECT_EQ(largest_magnitude(third), max_abs(wide_third));
     expect_same(third / PairedVec(b), wide_third / wide_b);
     expect_same(cross(third, PairedVec(b)), cross(wide_third, wide_b));
     EXPECT_EQ(dot(third, PairedVec(b)), dot(wide_third, wide_b));

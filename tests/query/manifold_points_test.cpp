@@ -22,38 +22,46 @@ Patch<3> table() { return patch_of(Aabb<3, double>{{0, 0, -1}, {4, 4, 0}}, up); 
 Patch<3> rod(const V3& start, const V3& end) { return patch_of(Segment<3, double>{start, end}, -up); }
 
 TEST(PairsOver, LayPointsOfTheIncidentFaceOnTheReferenceFace) {
-  const FacingPatches<3> facing{table(), rod({1, 1, 0.25}, {9, 1, 0.5}), 0, 1};
+  const Patch<3> below = table();
+  const Patch<3> above = rod({1, 1, 0.25}, {9, 1, 0.5});
+  const FacingPatches<3> facing{below, above, 0, 1};
   const SurfacePairs<3> pairs = pairs_over(facing, up, 0);
-  ASSERT_EQ(pairs.size, 2U);
-  EXPECT_EQ(pairs.pairs[0].point_a, V3(1, 1, 0));
-  EXPECT_EQ(pairs.pairs[0].point_b, V3(1, 1, -0.75));
-  EXPECT_EQ(pairs.pairs[0].depth, 0.75);
-  EXPECT_EQ(pairs.pairs[1].point_a, V3(4, 1, 0));
-  EXPECT_NEAR(pairs.pairs[1].depth, 1 - (0.25 + 0.25 * 3 / 8), 1e-15);
+  ASSERT_EQ(pairs.size(), 2U);
+  EXPECT_EQ(pairs[0].point_a, V3(1, 1, 0));
+  EXPECT_EQ(pairs[0].point_b, V3(1, 1, -0.75));
+  EXPECT_EQ(pairs[0].depth, 0.75);
+  EXPECT_EQ(pairs[1].point_a, V3(4, 1, 0));
+  EXPECT_NEAR(pairs[1].depth, 1 - (0.25 + 0.25 * 3 / 8), 1e-15);
 }
 
 TEST(PairsOver, LeaveOutWhatIsAboveTheSurface) {
-  const FacingPatches<3> facing{table(), rod({1, 1, -1}, {3, 1, 1}), 0, 0};
+  const Patch<3> below = table();
+  const Patch<3> above = rod({1, 1, -1}, {3, 1, 1});
+  const FacingPatches<3> facing{below, above, 0, 0};
   const SurfacePairs<3> pairs = pairs_over(facing, up, 0);
-  ASSERT_EQ(pairs.size, 2U);
-  EXPECT_EQ(pairs.pairs[0].depth, 1);
-  EXPECT_EQ(pairs.pairs[1].depth, 0);
-  EXPECT_EQ(pairs.pairs[1].point_b, V3(2, 1, 0));
+  ASSERT_EQ(pairs.size(), 2U);
+  EXPECT_EQ(pairs[0].depth, 1);
+  EXPECT_EQ(pairs[1].depth, 0);
+  EXPECT_EQ(pairs[1].point_b, V3(2, 1, 0));
 }
 
 TEST(PairsBetweenEdges, AreTheEndsOfWhatTheyShare) {
-  const FacingPatches<3> facing{rod({0, 0, 0}, {4, 0, 0}), rod({6, 0, 1}, {1, 0, 1}), 1, 0.5};
+  const Patch<3> below = rod({0, 0, 0}, {4, 0, 0});
+  const Patch<3> above = rod({6, 0, 1}, {1, 0, 1});
+  const FacingPatches<3> facing{below, above, 1, 0.5};
   const SurfacePairs<3> pairs = pairs_between_edges(facing, up, 0);
-  ASSERT_EQ(pairs.size, 2U);
-  EXPECT_EQ(pairs.pairs[0].point_a, V3(4, 0, 1));
-  EXPECT_EQ(pairs.pairs[0].point_b, V3(4, 0, 0.5));
-  EXPECT_EQ(pairs.pairs[0].depth, 0.5);
-  EXPECT_EQ(pairs.pairs[1].point_a, V3(1, 0, 1));
+  ASSERT_EQ(pairs.size(), 2U);
+  EXPECT_EQ(pairs[0].point_a, V3(4, 0, 1));
+  EXPECT_EQ(pairs[0].point_b, V3(4, 0, 0.5));
+  EXPECT_EQ(pairs[0].depth, 0.5);
+  EXPECT_EQ(pairs[1].point_a, V3(1, 0, 1));
 }
 
 TEST(PairsBetweenEdges, AreNoneOfEdgesThatAreNotParallel) {
-  const FacingPatches<3> facing{rod({0, 0, 0}, {4, 0, 0}), rod({2, -1, 1}, {2, 1, 1}), 1, 0.5};
-  EXPECT_EQ(pairs_between_edges(facing, up, 0).size, 0U);
+  const Patch<3> below = rod({0, 0, 0}, {4, 0, 0});
+  const Patch<3> above = rod({2, -1, 1}, {2, 1, 1});
+  const FacingPatches<3> facing{below, above, 1, 0.5};
+  EXPECT_EQ(pairs_between_edges(facing, up, 0).size(), 0U);
 }
 
 TEST(FeatureAt, IsTheLeastOneThatThePointIsOn) {
@@ -67,8 +75,7 @@ TEST(FeatureAt, IsTheLeastOneThatThePointIsOn) {
 SurfacePairs<3> pairs_at(const std::vector<V3>& points) {
   SurfacePairs<3> pairs;
   for (const V3& point : points) {
-    pairs.pairs[pairs.size].point_a = V3(point.x, point.y, 0);
-    pairs.pairs[pairs.size++].depth = point.z;
+    pairs.push_back({V3(point.x, point.y, 0), V3(point.x, point.y, 0), point.z, {}, {}});
   }
   return pairs;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -195,6 +196,19 @@ TEST(Manifold, OfAFlatTriangleHasTheDeepestPoint) {
   double depth = 0;
   for (std::size_t i = 0; i < found.size; ++i) depth = std::max(depth, found.points[i].depth);
   EXPECT_NEAR(depth, deepest->depth, 1e-14);
+}
+
+TEST(Manifold, HasNothingInThePlacesOfPointsThatItHasNot) {
+  const Sphere<3, double> ball{{1, 1, 1.75}, 1};
+  const Capsule<3, double> rod{{1, 1, 1.75}, {2, 1, 1.75}, 1};
+  for (const Any3& above : {Any3(ball), Any3(rod)}) {
+    const auto found = manifold(Any3(Obb<3, double>{{0, 0, 0}, {4, 4, 1}}), above);
+    const bool is_ball = std::holds_alternative<Sphere<3, double>>(above);
+    ASSERT_EQ(found.size, is_ball ? 1U : 2U);
+    for (std::size_t i = found.size; i < found.points.size(); ++i) {
+      EXPECT_EQ(found.points[i], (ManifoldPoint<3, double>{}));
+    }
+  }
 }
 
 }  // namespace

@@ -25,14 +25,14 @@ TEST(ObbAxes, AreTheOneAlongWhichBoxesMeetLeast) {
   const Box above{{0, 0, 2.5}, {1, 1, 1}, rotation_matrix(V3(1, 0, 0), 45)};
   const ObbAxes on_edges = axes_of(below, above);
   EXPECT_EQ(on_edges.verdict, Relation::overlapping);
-  EXPECT_NE(on_edges.candidates & 1U << (6U + 3 * 1 + 0), 0U);
+  EXPECT_EQ(on_edges.candidates, 1U << (6U + 3 * 1 + 0));
 }
 
 TEST(ObbAxes, SayNothingOfBoxesThatTouchOrAreTooLargeOrTooSmall) {
-  EXPECT_EQ(axes_of(cube, Box{{0, 0, 2}, {1, 1, 1}}).verdict, std::nullopt);
+  EXPECT_EQ(axes_of(cube, Box{{0, 0, 2}, {1, 1, 1}}).verdict, Relation::touching);
   for (const double size : {1e-30, 1e30}) {
     const ObbAxes none = axes_of(Box{{0, 0, 0}, V3(size)}, Box{{0, 0, size}, V3(size)});
-    EXPECT_EQ(none.verdict, std::nullopt);
+    EXPECT_EQ(none.verdict, Relation::touching);
     EXPECT_EQ(none.candidates, all_boxes_axes<3>);
   }
 }
@@ -44,7 +44,9 @@ void expect_no_axis_left_out() {
     const auto [a, b] = *test::any_pair<Obb<3, T>, Obb<3, T>>();
     RC_LOG() << test::to_source(a) << ", " << test::to_source(b) << "\n";
     const ObbAxes axes = axes_of(a, b);
-    if (axes.verdict) RC_ASSERT((*axes.verdict == Relation::apart) == (decide(a, b) == Relation::apart));
+    if (axes.verdict != Relation::touching) {
+      RC_ASSERT((axes.verdict == Relation::apart) == (decide(a, b) == Relation::apart));
+    }
     RC_PRE(axes.verdict != Relation::apart);
     const V3 origin = reference(a);
     const BoxSides<3> sides_a = sides_of(seen_from(origin, a));

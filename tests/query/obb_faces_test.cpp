@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <graze/math/pose.hpp>
 #include <graze/query/obb_faces.hpp>
 #include <graze/query/surface_point_box.hpp>
 
@@ -16,8 +17,12 @@ using V3 = Vec<3, double>;
 const V3 up(0, 0, 1);
 
 /// The upper side of a box, and the lower side of one above.
-BoxFace upper(const V3& low, const V3& high) { return face_of_box(frame_of(Aabb<3, double>{low, high}), {2, true}); }
-BoxFace lower(const V3& low, const V3& high) { return face_of_box(frame_of(Aabb<3, double>{low, high}), {2, false}); }
+PairedBox paired(const V3& low, const V3& high) {
+  const Obb<3, double> box = oriented(Aabb<3, double>{low, high});
+  return paired_box(box, box.center);
+}
+BoxFace upper(const V3& low, const V3& high) { return face_of_box(paired(low, high), {2, true}); }
+BoxFace lower(const V3& low, const V3& high) { return face_of_box(paired(low, high), {2, false}); }
 
 const BoxFace table = upper({0, 0, -1}, {4, 4, 0});
 
@@ -25,14 +30,14 @@ Feature vertex(std::uint32_t index) { return {FeatureKind::vertex, index}; }
 Feature edge(std::uint32_t index) { return {FeatureKind::edge, index}; }
 Feature face(std::uint32_t index) { return {FeatureKind::face, index}; }
 
-void expect_pair(const SurfacePair<3>& pair, const V3& point, const Feature& reference, const Feature& incident) {
-  EXPECT_EQ(pair.point_b, point);
+void expect_pair(const PairedPoints& pair, const V3& point, const Feature& reference, const Feature& incident) {
+  EXPECT_EQ(plain(pair.point_b), point);
   EXPECT_EQ(pair.feature_a, reference);
   EXPECT_EQ(pair.feature_b, incident);
 }
 
 FaceOverFace on_table(const BoxFace& incident) {
-  FaceOverFace over(incident, table, up, up, 1e-14);
+  FaceOverFace over(incident, table, PairedVec(up), PairedVec(up), 1e-14);
   EXPECT_TRUE(over.run());
   return over;
 }
@@ -58,7 +63,7 @@ TEST(FaceOverFace, ThatLiesOverTheOtherIsLeftWhole) {
   ASSERT_EQ(whole.size(), 4U);
   expect_pair(whole.pair(0), {1, 1, -0.5}, face(5), vertex(0));
   expect_pair(whole.pair(2), {2, 2, -0.5}, face(5), vertex(3));
-  EXPECT_EQ(whole.pair(2).point_a, V3(2, 2, 0));
+  EXPECT_EQ(plain(whole.pair(2).point_a), V3(2, 2, 0));
   EXPECT_EQ(whole.depth(2), 0.5);
 }
 
@@ -80,13 +85,22 @@ TEST(FaceOverFace, LargerThanTheOtherIsTheOther) {
   }
 }
 
+TEST(FaceOverFace, HasItsDeepestCornerBelowTheOther) {
+  const Mat<3, double> tilt = rotation_matrix(V3(1, 1, 0), 10);  // down at +x, -y
+  const Obb<3, double> box{{2, 2, 0.9}, {0.5, 0.5, 1}, tilt};
+  FaceOverFace over(face_of_box(paired_box(box, box.center), {2, false}), table, PairedVec(up), PairedVec(up), 1e-14);
+  ASSERT_TRUE(over.run());
+  for (std::size_t i = 0; i < over.size(); ++i) EXPECT_LE(over.depth(i), over.depth(over.deepest()));
+  EXPECT_GT(over.depth(over.deepest()), 0.1);
+}
+
 TEST(FaceOverFace, BesideOrAboveTheOtherIsNothing) {
   EXPECT_EQ(on_table(lower({5, 0, 0}, {6, 4, 1})).size(), 0U);
   EXPECT_EQ(on_table(lower({1, 1, 0.5}, {2, 2, 1})).size(), 0U);
 }
 
 TEST(FaceOverFace, IsNotKnownOfAFaceWithoutWidth) {
-  FaceOverFace over(lower({1, 1, 0}, {2, 2, 1}), upper({0, 0, -1}, {4, 0, 0}), up, up, 1e-14);
+  FaceOverFace over(lower({1, 1, 0}, {2, 2, 1}), upper({0, 0, -1}, {4, 0, 0}), PairedVec(up), PairedVec(up), 1e-14);
   EXPECT_FALSE(over.run());
 }
 

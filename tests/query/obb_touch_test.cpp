@@ -30,7 +30,7 @@ TEST(LookingFace, IsTheOneThatSideAlongChooses) {
     const auto [a, b] = *test::any_pair<Box, Box>();
     for (Dim i = 0; i < 3; ++i) {
       const BoxSide<3> side = side_along<3>(face_normals(a.axes), b.axes[i]);
-      const BoxFaceNumbers face = looking_face(a.axes, b.axes[i]);
+      const BoxFaceNumbers face = looking_face(paired_box(a, V3(0.0)), PairedVec(b.axes[i]));
       RC_ASSERT(face.axis == side.axis);
       RC_ASSERT(face.is_far == side.is_far);
     }
@@ -38,26 +38,45 @@ TEST(LookingFace, IsTheOneThatSideAlongChooses) {
 }
 
 TEST(FaceAlong, LooksStraightUpToTheToleranceOfManifolds) {
-  const BoxSides<3> sides = sides_of(Box{{0, 0, 0}, {1, 1, 1}, tilt});
+  const PairedBox box = paired_box(Box{{0, 0, 0}, {1, 1, 1}, tilt}, V3(0.0));
   const V3 straight = -tilt[1];
-  const auto face = face_along(sides, straight, true);
-  ASSERT_TRUE(face);
-  EXPECT_EQ(face->numbers.face(), 2U);
-  EXPECT_TRUE(face->is_of_b);
+  const CarryingFace face = face_along(box, PairedVec(straight), true);
+  ASSERT_TRUE(face.is_any);
+  EXPECT_EQ(face.numbers.face(), 2U);
+  EXPECT_TRUE(face.is_of_b);
   const V3 turned = straight + tilt[0] * 1e-4;
-  EXPECT_FALSE(face_along(sides, turned / length(turned), true));
+  EXPECT_FALSE(face_along(box, PairedVec(turned / length(turned)), true).is_any);
 }
 
 TEST(QuickPairOnEdges, IsWhereTheyCross) {
   const Box below{{0, 0, 0}, {1, 1, 1}, rotation_matrix(V3(0, 1, 0), 45)};
   const Box above{{0, 0, 2.5}, {1, 1, 1}, rotation_matrix(V3(1, 0, 0), 45)};
-  const auto pair = quick_pair_on_edges(MeetingObbs(below, above, all_boxes_axes<3>));
-  ASSERT_TRUE(pair);
-  EXPECT_NEAR(length(pair->point_a - V3(0, 0, std::sqrt(2.0))), 0, 1e-15);
-  EXPECT_NEAR(length(pair->point_b - V3(0, 0, 2.5 - std::sqrt(2.0))), 0, 1e-15);
-  EXPECT_EQ(pair->feature_a.kind, FeatureKind::edge);
+  const CrossingEdges edges = quick_pair_on_edges(MeetingObbs(below, above, all_boxes_axes<3>));
+  ASSERT_TRUE(edges.is_known);
+  EXPECT_NEAR(length(plain(edges.points.point_a) - V3(0, 0, std::sqrt(2.0))), 0, 1e-15);
+  EXPECT_NEAR(length(plain(edges.points.point_b) - V3(0, 0, 2.5 - std::sqrt(2.0))), 0, 1e-15);
+  EXPECT_EQ(edges.points.feature_a.kind, FeatureKind::edge);
   const Box beside{{0, 1, 2.5}, {1, 1, 1}, above.axes};  // at the end of the lower edge
-  EXPECT_FALSE(quick_pair_on_edges(MeetingObbs(below, beside, 1U << (6U + 3 * 1 + 0))));
+  EXPECT_FALSE(quick_pair_on_edges(MeetingObbs(below, beside, 1U << (6U + 3 * 1 + 0))).is_known);
+}
+
+// To the bit.
+TEST(MeetingObbs, OfOneAxisAreWhatTheSearchFindsOnIt) {
+  test::check_property([] {
+    const auto [a, b] = *test::any_pair<Box, Box>();
+    const BoxSides<3> sides_a = sides_of(seen_from(a.center, a));
+    const BoxSides<3> sides_b = sides_of(seen_from(a.center, b));
+    for (unsigned place = 0; place < 15; ++place) {
+      const BoxesContact<3> plain = contact_of_sides(sides_a, sides_b, 1U << place);
+      const BoxesContact<3> quick = MeetingObbs(a, b, 1U << place).contact();
+      RC_ASSERT(quick.size == plain.size);
+      RC_ASSERT(quick.found.normal == plain.found.normal);
+      RC_ASSERT(quick.found.depth == plain.found.depth);
+      RC_ASSERT(quick.found.error == plain.found.error);
+      RC_ASSERT(quick.axis.edges == plain.axis.edges);
+      RC_ASSERT(quick.axis.edges || (quick.axis.is_of_b == plain.axis.is_of_b && quick.axis.face == plain.axis.face));
+    }
+  });
 }
 
 // ---- Pairs of every kind
@@ -120,8 +139,7 @@ void expect_the_same_manifold(Kind kind) {
     const bool is_apart = decide(a, b) == Relation::apart;
     RC_ASSERT((quick.size == 0) == is_apart);
     RC_PRE(!is_apart);
-    const auto plain =
-        rounded_manifold<T>(is_in_order(a, b) ? manifold_in_order(a, b) : exchanged(manifold_in_order(b, a)));
+    const auto plain = rounded_manifold<T>(manifold_of_met(a, b));
     RC_ASSERT(quick.normal == plain.normal);
     RC_ASSERT(quick.error == plain.error);
     RC_ASSERT(quick.size == plain.size);
@@ -148,8 +166,7 @@ void expect_the_same_contact(Kind kind) {
     const bool is_apart = decide(a, b) == Relation::apart;
     RC_ASSERT(quick.has_value() == !is_apart);
     RC_PRE(!is_apart);
-    const auto plain =
-        rounded_contact<T>(is_in_order(a, b) ? penetration_in_order(a, b) : exchanged(penetration_in_order(b, a)));
+    const auto plain = *rounded_contact<T>(penetration_of_met(a, b));
     RC_ASSERT(quick->normal == plain.normal);
     RC_ASSERT(quick->depth == plain.depth);
     RC_ASSERT(quick->error == plain.error);

@@ -50,7 +50,7 @@ TEST(PenetrationOfBoxes, IsAtTheDeepestOfTheManifoldsPoints) {
     EXPECT_EQ(contact.axis.is_of_b, is_swapped);
     const SurfacePairs<3> pairs = pairs_of_boxes(a, b, contact);
     double deepest = 0;
-    for (std::size_t i = 0; i < pairs.size; ++i) deepest = std::fmax(deepest, pairs.pairs[i].depth);
+    for (std::size_t i = 0; i < pairs.size(); ++i) deepest = std::fmax(deepest, pairs[i].depth);
     EXPECT_NEAR(deepest, contact.found.depth, 1e-15);
     const Penetration<3> found = penetration_of_boxes(a, b);
     EXPECT_NEAR(length(found.point_a - found.point_b - found.normal * deepest), 0, 1e-15);
