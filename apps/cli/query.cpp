@@ -19,6 +19,9 @@
 #include <fmt/format.h>
 
 #include <graze/io/found.hpp>
+#include <graze/io/query_log.hpp>
+#include <graze/io/scene_after.hpp>
+#include <graze/io/scene_file.hpp>
 #include <graze/scene/scene.hpp>
 
 #include "command.hpp"
@@ -37,7 +40,8 @@ using io::ReportFormat;
 
 /// The command line as it was given.
 struct QueryArguments {
-  std::string scene;
+  std::optional<std::string> scene;
+  std::optional<std::string> log;
   std::string format = "table";
   std::string output = "-";
   std::optional<std::string> point;
@@ -54,6 +58,21 @@ constexpr std::array<std::pair<std::string_view, ReportFormat>, 4> query_formats
                                                                                   {"json", ReportFormat::json},
                                                                                   {"ndjson", ReportFormat::ndjson},
                                                                                   {"csv", ReportFormat::csv}}};
+
+/// Refuses no scene, two at once, and a log that the answer would overwrite.
+void require_one_scene(const QueryArguments& arguments) {
+  if (!arguments.scene && !arguments.log) {
+    throw UsageError("query needs SCENE, the scene to ask, or --log FILE, to ask what a log leaves behind");
+  }
+  if (arguments.scene && arguments.log) {
+    throw UsageError("the scene " + io::in_quotes(*arguments.scene) + " and the log " + io::in_quotes(*arguments.log) +
+                     " are two to ask; give one of SCENE and --log");
+  }
+  if (arguments.log && !is_standard_stream(arguments.output) && name_same_file(*arguments.log, arguments.output)) {
+    throw UsageError("the log " + io::in_quotes(arguments.output) +
+                     " would be overwritten; name another file to write to");
+  }
+}
 
 /// Refuses no question, two at once, and what goes with another one.
 void require_one_question(const QueryArguments& arguments) {
@@ -130,7 +149,10 @@ class Query {
 
   io::FoundObject found(const ObjectId& id, double number) const {
     const Object<N, double>& object = scene_.object(id);
-    return {object.name, type_name<N, double>(object.shape), number};
+    // Files name all objects, a log those that its program named; of others it has the ids.
+    const bool has_name = !arguments_.log || !object.name.empty();
+    return {has_name ? object.name : fmt::format("[{}, {}]", id.index, id.generation),
+            type_name<N, double>(object.shape), number};
   }
 
   Vec<N, double> point() const {
@@ -188,15 +210,36 @@ io::FoundReport answer(const QueryArguments& arguments, const std::string& sourc
   return report;
 }
 
-ExitCode run_query(const QueryArguments& arguments) {
-  const ReportFormat format = chosen("--format", arguments.format, query_formats);
-  require_one_question(arguments);
+/// What is asked, and the file that it comes from.
+struct Subject {
+  std::string source;
+  io::AnyScene scene;
+};
+
+Subject read_subject(const QueryArguments& arguments) {
+  if (arguments.log) {
+    const Progress progress("reading the log");
+    const io::AnyQueryLog log = read_log(*arguments.log);
+    return std::visit(
+        [&arguments](const auto& held) {
+          return Subject{*arguments.log, io::scene_after(held, *arguments.log)};
+        },
+        log);
+  }
   Progress progress("reading the scene");
-  const io::SceneFile file = read_input(arguments.scene);
+  io::SceneFile file = read_input(*arguments.scene);
   progress.stop();
   say_omissions(file);
+  return {std::move(file.source), std::move(file.scene)};
+}
+
+ExitCode run_query(const QueryArguments& arguments) {
+  const ReportFormat format = chosen("--format", arguments.format, query_formats);
+  require_one_scene(arguments);
+  require_one_question(arguments);
+  const Subject subject = read_subject(arguments);
   const io::FoundReport report = std::visit(
-      [&]<Dim N>(const Scene<N, double>& scene) { return answer<N>(arguments, file.source, scene); }, file.scene);
+      [&]<Dim N>(const Scene<N, double>& scene) { return answer<N>(arguments, subject.source, scene); }, subject.scene);
   const bool is_shown = is_standard_stream(arguments.output);
   write_output(arguments.output, [&](std::ostream& out) {
     const bool on_terminal = is_shown && is_terminal(Stream::output);
@@ -210,12 +253,14 @@ ExitCode run_query(const QueryArguments& arguments) {
 constexpr const char* query_footer =
     R"(One question at a time. Objects come in the scene's order, the nearest by distance, hits
 of a ray by t, which counts in lengths of its direction. Shapes contain their surface.
+Instead of a SCENE, a query log can be asked: the scene that its calls leave behind.
 
 Examples:
   graze query level.tmx --point 120,64
   graze query level.tmx --point 120,64 --nearest 3
   graze query workshop.json --box 0,0,0,2,2,2 --layer tools
   graze query workshop.json --ray 0,0,1,1,0,0 --first --format json
+  graze query --log workshop.log --point 0,0,1
 
 Exit codes: 0 done; 2 wrong usage; 3 bad input, or an output that cannot be written)";
 
@@ -227,7 +272,8 @@ Command add_query(CLI::App& program) {
   const auto add = [app](const char* name, auto& value, const char* help, const char* type) {
     app->add_option(name, value, help)->type_name(type)->take_last();
   };
-  app->add_option("SCENE", arguments->scene, "Scene file, or - for the standard input")->required()->type_name("");
+  app->add_option("SCENE", arguments->scene, "Scene file, or - for the standard input")->type_name("");
+  add("--log", arguments->log, "Instead of SCENE: a query log, whose end is asked", "FILE");
   add("--point", arguments->point, "What contains this point", "X,Y[,Z]");
   add("--nearest", arguments->nearest, "With --point: the K objects nearest to it", "K");
   add("--box", arguments->box, "What touches the box between two corners", "CORNER,CORNER");

@@ -17,14 +17,18 @@ class OfGraze {
   static constexpr const char* name = "graze Scene";
 
   explicit OfGraze(const Frames<N>& frames) : frames_(frames) {
-    for (const Box<N>& box : frames.start()) moves_.push_back({scene_.add(box), box});
+    for (const Box<N>& box : frames.start()) ids_.push_back(scene_.add(box));
     scene_.update(graze::serial_executor());
   }
 
   void step(std::size_t frame) {
-    chosen_.clear();
-    frames_.each_move(frame, [this](std::size_t k, const Box<N>& box) { chosen_.push_back({moves_[k].id, box}); });
-    scene_.move(chosen_);
+    moved_.clear();
+    places_.clear();
+    frames_.each_move(frame, [this](std::size_t k, const Box<N>& box) {
+      moved_.push_back(ids_[k]);
+      places_.push_back(box);
+    });
+    scene_.move(moved_, places_);
     scene_.update(graze::serial_executor());
   }
 
@@ -41,8 +45,9 @@ class OfGraze {
 
   const Frames<N>& frames_;
   graze::Scene<N> scene_;
-  std::vector<graze::ObjectMove<N>> moves_;
-  std::vector<graze::ObjectMove<N>> chosen_;
+  std::vector<graze::ObjectId> ids_;
+  std::vector<graze::ObjectId> moved_;
+  std::vector<Box<N>> places_;
 };
 
 }  // namespace bench

@@ -22,7 +22,7 @@ enum class FoundDetail {
 
 /// One object, by name and type; vectors have as many coordinates as the scene.
 struct FoundObject {
-  std::string_view name;
+  std::string name;
   std::string_view type;
   double number = 0;
   std::vector<double> point = {};

@@ -48,6 +48,21 @@ class RecordedScene {
   void plan_ids(std::span<const ObjectId> next, std::span<const ObjectId> vacant);
   void move(ObjectId id, AnyShape<N, T> shape);
   void move(std::span<const ObjectMove<N, T>> moves);
+
+  /// Recorded as a list of any shapes; not at all where there are not as many shapes as ids.
+  template <detail::CopiedIntoAnyShape<N, T> S>
+  void move(std::span<const ObjectId> ids, std::span<const S> shapes) {
+    if (ids.size() != shapes.size()) return scene_.move(ids, shapes);  // which says what is wrong
+    std::vector<ObjectMove<N, T>> moves;
+    moves.reserve(ids.size());
+    for (std::size_t i = 0; i < ids.size(); ++i) moves.push_back({ids[i], shapes[i]});
+    move(std::span<const ObjectMove<N, T>>(moves.data(), moves.size()));
+  }
+  template <class S>
+  void move(const std::vector<ObjectId>& ids, const std::vector<S>& shapes) {
+    move(std::span<const ObjectId>(ids.data(), ids.size()), std::span<const S>(shapes.data(), shapes.size()));
+  }
+
   void remove(ObjectId id);
   Layer layer(std::string_view name);
   const SceneEvents& update(const Executor& executor = default_executor());

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <utility>
 
 #include <graze/scene/events.hpp>
 
@@ -11,33 +13,169 @@ namespace {
 /// In this order pairs of the same places follow each other, whoever has been there.
 std::uint64_t places_of(const ObjectPair& pair) { return std::uint64_t{pair.a.index} << 32U | pair.b.index; }
 
+std::uint64_t places_of(const Pair& pair) { return std::uint64_t{pair.a} << 32U | pair.b; }
+
+ObjectPair named(const Pair& pair, const detail::KeyTable& ids) {
+  const Key a = ids.key_of(pair.a);
+  const Key b = ids.key_of(pair.b);
+  return {{a.index, a.generation, a.owner}, {b.index, b.generation, b.owner}};
+}
+
+/// Goes through the pairs that began and those that stayed as if they were one ascending list.
+class BothLists {
+ public:
+  explicit BothLists(const SceneEvents& events)
+      : began_(events.began.data()),
+        stayed_(events.stayed.data()),
+        began_end_(began_ + events.began.size()),
+        stayed_end_(stayed_ + events.stayed.size()) {
+    look_at_began();
+    look_at_stayed();
+  }
+
+  /// Beyond those of all pairs at the end.
+  std::uint64_t places() const { return std::min(places_of_began_, places_of_stayed_); }
+
+  const ObjectPair& operator*() const { return has_begun() ? *began_ : *stayed_; }
+
+  void operator++() {
+    if (has_begun()) {
+      ++began_;
+      look_at_began();
+    } else {
+      ++stayed_;
+      look_at_stayed();
+    }
+  }
+
+  /// Copies pairs as long as those that stayed, and none that began, are found in the same places. Returns how many.
+  std::size_t copy_found(std::span<const Pair> found, ObjectPair* to) {
+    const std::size_t most = std::min(found.size(), static_cast<std::size_t>(stayed_end_ - stayed_));
+    std::size_t count = 0;
+    for (; count < most; ++count) {
+      const std::uint64_t places = places_of(found[count]);
+      if (places != places_of(stayed_[count]) || places > places_of_began_) break;
+      to[count] = stayed_[count];
+    }
+    stayed_ += count;
+    look_at_stayed();
+    return count;
+  }
+
+  static constexpr std::uint64_t end = std::numeric_limits<std::uint64_t>::max();
+
+ private:
+  bool has_begun() const { return places_of_began_ < places_of_stayed_; }
+  void look_at_began() { places_of_began_ = began_ != began_end_ ? places_of(*began_) : end; }
+  void look_at_stayed() { places_of_stayed_ = stayed_ != stayed_end_ ? places_of(*stayed_) : end; }
+
+  const ObjectPair* began_;
+  const ObjectPair* stayed_;
+  const ObjectPair* began_end_;
+  const ObjectPair* stayed_end_;
+  std::uint64_t places_of_began_ = end;
+  std::uint64_t places_of_stayed_ = end;
+};
+
 }  // namespace
 
-/// Most pairs stay: each is written to that list, which goes on if it does.
-void detail::find_events(const std::vector<ObjectPair>& before, const std::vector<ObjectPair>& after,
-                         SceneEvents& events) {
-  events.began.clear();
-  events.stayed.resize(after.size());
-  events.ended.clear();
-  std::size_t stayed = 0;
+SceneEvents events_between(const std::vector<ObjectPair>& before, const std::vector<ObjectPair>& after) {
+  SceneEvents events;
   auto old = before.begin();
   for (const ObjectPair& pair : after) {
     const std::uint64_t places = places_of(pair);
     for (; old != before.end() && places_of(*old) < places; ++old) events.ended.push_back(*old);
     const bool is_there = old != before.end() && *old == pair;
-    if (!is_there) events.began.push_back(pair);
-    events.stayed[stayed] = pair;
-    stayed += is_there ? 1 : 0;
+    (is_there ? events.stayed : events.began).push_back(pair);
     old += is_there ? 1 : 0;
   }
   events.ended.insert(events.ended.end(), old, before.end());
-  events.stayed.resize(stayed);
-}
-
-SceneEvents events_between(const std::vector<ObjectPair>& before, const std::vector<ObjectPair>& after) {
-  SceneEvents events;
-  detail::find_events(before, after, events);
   return events;
 }
 
+namespace detail {
+
+std::vector<ObjectPair> pairs_of(const SceneEvents& events) {
+  const std::span<const ObjectPair> stayed(events.stayed.data(), events.stayed.size());
+  std::vector<ObjectPair> pairs;
+  pairs.reserve(stayed.size() + events.began.size());
+  std::size_t from = 0;
+  const auto copy_until = [&](std::size_t end) {
+    pairs.insert(pairs.end(), stayed.begin() + static_cast<std::ptrdiff_t>(from),
+                 stayed.begin() + static_cast<std::ptrdiff_t>(end));
+    from = end;
+  };
+  for (const ObjectPair& pair : events.began) {
+    copy_until(position_of(stayed, pair, from, stayed.size()));
+    pairs.push_back(pair);
+  }
+  copy_until(stayed.size());
+  return pairs;
+}
+
+/// Most pairs stay: each is written to that list, which goes on if it does.
+void find_events(const SceneEvents& last, std::span<const Pair> found, const KeyTable& ids, Tenants tenants,
+                 SceneEvents& events) {
+  events.began.clear();
+  events.stayed.resize(found.size());
+  events.ended.clear();
+  std::size_t stayed = 0;
+  BothLists old(last);
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    if (tenants == Tenants::the_same) {
+      const std::size_t copied = old.copy_found(found.subspan(k), events.stayed.data() + stayed);
+      stayed += copied;
+      k += copied;
+      if (k == found.size()) break;
+    }
+    const std::uint64_t places = places_of(found[k]);
+    for (; old.places() < places; ++old) events.ended.push_back(*old);
+    const ObjectPair now = named(found[k], ids);
+    const bool is_there = old.places() == places && *old == now;
+    if (!is_there) events.began.push_back(now);
+    events.stayed[stayed] = now;
+    stayed += is_there ? 1 : 0;
+    if (is_there) ++old;
+  }
+  for (; old.places() != BothLists::end; ++old) events.ended.push_back(*old);
+  events.stayed.resize(stayed);
+}
+
+void EventsEdit::plan(const SceneEvents& last, std::span<const Pair> began, std::span<const Pair> ended,
+                      const KeyTable& ids) {
+  began_.clear();
+  ended_.clear();
+  added_.clear();
+  removed_.clear();
+  for (const Pair& pair : began) began_.push_back(named(pair, ids));
+  const auto is_before = [](const ObjectPair& each, std::uint64_t places) { return places_of(each) < places; };
+  auto old = last.stayed.begin();
+  auto young = last.began.begin();
+  for (const Pair& pair : ended) {
+    const std::uint64_t places = places_of(pair);
+    for (; young != last.began.end() && places_of(*young) < places; ++young) added_.push_back(*young);
+    if (young != last.began.end() && places_of(*young) == places) {
+      ended_.push_back(*young++);
+      continue;
+    }
+    old = std::lower_bound(old, last.stayed.end(), places, is_before);
+    removed_.push_back(static_cast<std::size_t>(old - last.stayed.begin()));
+    ended_.push_back(*old);
+  }
+  added_.insert(added_.end(), young, last.began.end());
+  stayed_.plan({last.stayed.data(), last.stayed.size()}, removed_, added_);
+}
+
+void EventsEdit::make_room(SceneEvents& events) const {
+  const std::size_t wanted = stayed_.size();
+  if (events.stayed.capacity() < wanted) events.stayed.reserve(wanted + wanted / 2);
+}
+
+void EventsEdit::apply(SceneEvents& events) noexcept {
+  stayed_.apply(events.stayed, added_);
+  std::swap(events.began, began_);
+  std::swap(events.ended, ended_);
+}
+
+}  // namespace detail
 }  // namespace graze

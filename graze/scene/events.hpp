@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
+#include <graze/broad/key_table.hpp>
+#include <graze/broad/pair.hpp>
+#include <graze/scene/list_edit.hpp>
 #include <graze/scene/object.hpp>
 
 namespace graze {
@@ -20,9 +26,36 @@ SceneEvents events_between(const std::vector<ObjectPair>& before, const std::vec
 
 namespace detail {
 
-/// The same in the place of older events, whose memory is used again.
-void find_events(const std::vector<ObjectPair>& before, const std::vector<ObjectPair>& after, SceneEvents& events);
+/// The pairs that touched when these events were found, ascending: those that began and those that stayed.
+std::vector<ObjectPair> pairs_of(const SceneEvents& events);
+
+/// Who is in the slots, if it is known to be who was there at the last update.
+enum class Tenants : std::uint8_t { the_same, maybe_others };
+
+/// The events between the pairs of the last update and what touches now: pairs of slots, ascending, and who is in them.
+/// In the place of older events, whose memory is used again.
+void find_events(const SceneEvents& last, std::span<const Pair> found, const KeyTable& ids, Tenants tenants,
+                 SceneEvents& events);
+
+/// Makes the events of the last update those of the next, where few pairs begin and end. Keeps its memory.
+class EventsEdit {
+ public:
+  /// What is to be done: these pairs of slots have begun, and these of the last ones ended, both ascending. A pair is
+  /// in both if the objects in its slots are others.
+  void plan(const SceneEvents& last, std::span<const Pair> began, std::span<const Pair> ended, const KeyTable& ids);
+
+  /// In the events that were planned for, so that `apply` cannot fail.
+  void make_room(SceneEvents& events) const;
+
+  void apply(SceneEvents& events) noexcept;
+
+ private:
+  std::vector<ObjectPair> began_;
+  std::vector<ObjectPair> ended_;
+  std::vector<ObjectPair> added_;     // to those that stayed: they began in the last update
+  std::vector<std::size_t> removed_;  // positions in those that stayed
+  ListEdit<ObjectPair> stayed_;
+};
 
 }  // namespace detail
-
 }  // namespace graze

@@ -2,58 +2,111 @@
 // Where the objects of a scene are: a spatial index that catches up with what has moved when it is asked.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
-#include <graze/broad/orthtree.hpp>
+#include <graze/broad/bvh_query.hpp>
+#include <graze/broad/bvh_tree.hpp>
+#include <graze/broad/executor.hpp>
+#include <graze/broad/region.hpp>
+#include <graze/broad/spatial_index.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/scene/object.hpp>
 #include <graze/scene/shared_slots.hpp>
+#include <graze/shape/ray.hpp>
 
 namespace graze::detail {
 
-/// A spatial index by the slots of objects instead of keys: an Orthtree, in which boxes move a little sooner than in a
-/// Bvh, though that one answers sooner (bench/bvh.cpp). Each box is grown by what `relation` may
-/// forgive, so that no object is missed that an exact test would find.
+/// The tree of a Bvh by the slots of objects, without keys. Each box is grown by what `relation` may forgive, so that
+/// no object is missed that an exact test would find.
 template <Dim N, class T>
 class SlotIndex {
  public:
-  using Tree = Orthtree<N, T>;
-
-  const Tree& tree() const { return tree_; }
-
-  std::uint32_t slot_of(const Key& key) const { return slots_[key.index]; }
+  /// How many slots hold something that has points.
+  std::size_t size() const { return size_; }
 
   /// Takes over what the slot holds: a new object, a moved one, or none. What has no points is in no index.
   void set(std::uint32_t slot, const std::optional<Object<N, T>>& object) {
-    if (slot >= keys_.size()) keys_.resize(slot + 1);
-    Key& key = keys_[slot];
-    const bool is_held = key != Key{};
-    if (!object || is_nothing(object->box)) {
-      if (is_held) tree_.erase(std::exchange(key, Key{}));
-      return;
+    if (slot >= is_held_.size()) is_held_.resize(slot + std::size_t{1}, false);
+    const bool has_points = object && !is_nothing(object->box);
+    if (is_held_[slot]) {
+      if (has_points) return tree_.update(slot, touching_bounds(object->box));
+      tree_.erase(slot);
+      --size_;
+    } else {
+      if (!has_points) return;
+      tree_.insert(slot, touching_bounds(object->box));
+      ++size_;
     }
-    const Aabb<N, T> box = touching_bounds(object->box);
-    if (is_held) {
-      tree_.update(key, box);
-      return;
+    is_held_[slot] = has_points;
+  }
+
+  /// Asks for what `set` will read of a slot: first where it is, and when that is there, what it is among.
+  void prefetch_place(std::uint32_t slot) const {
+    if (slot < is_held_.size() && is_held_[slot]) tree_.prefetch_place(slot);
+  }
+  void prefetch_node(std::uint32_t slot) const {
+    if (slot < is_held_.size() && is_held_[slot]) tree_.prefetch_node(slot);
+  }
+
+  /// Takes over what all slots hold, into an index that holds nothing: sooner than one by one, and the better tree.
+  void fill(const SharedSlots<Object<N, T>>& slots) {
+    std::vector<Aabb<N, T>> boxes;
+    std::vector<std::uint32_t> places;
+    boxes.reserve(slots.size());
+    places.reserve(slots.size());
+    is_held_.resize(slots.size(), false);
+    for (std::uint32_t slot = 0; slot < slots.size(); ++slot) {
+      const std::optional<Object<N, T>>& object = slots[slot];
+      if (!object || is_nothing(object->box)) continue;
+      boxes.push_back(touching_bounds(object->box));
+      places.push_back(slot);
+      is_held_[slot] = true;
     }
-    if (slots_.size() <= tree_.size()) slots_.resize(2 * tree_.size() + 16);
-    key = tree_.insert(box);
-    slots_[key.index] = slot;
+    tree_.fill(boxes, places, serial_executor());
+    size_ = places.size();
+  }
+
+  /// visit(slot) for every box that meets the region, until it returns false if it returns anything.
+  template <RegionIn<N, T> R, VisitorOf<std::uint32_t> Visit>
+  void query(const R& region, Visit&& visit) const {
+    visit_met(tree_, RegionProbe<R>(region), [&visit](std::uint32_t slot) {
+      if constexpr (std::is_void_v<std::invoke_result_t<Visit&, std::uint32_t>>) {
+        visit(slot);
+        return true;
+      } else {
+        return visit(slot);
+      }
+    });
+  }
+
+  /// visit(slot, t) for every box that the ray enters, in order of t, equal ones by slot, until it returns false.
+  template <class Visit>
+  void ray_cast(const Ray<N, T>& ray, const Visit& visit) const {
+    visit_along(tree_, ray, visit);
+  }
+
+  /// The k boxes nearest to the point, or all, by keys whose index is the slot.
+  std::vector<Neighbour> nearest(const Vec<N, T>& point, std::size_t k) const {
+    if (k == 0 || size_ == 0) return {};
+    NearestKeys nearest(std::min(k, size_));
+    find_near(tree_, point, nearest);
+    return nearest.sorted();
   }
 
  private:
-  Tree tree_;
-  std::vector<Key> keys_;             // by slot; the default one where the slot holds nothing
-  std::vector<std::uint32_t> slots_;  // by the index of the key
+  BvhTree<N, T> tree_{0};
+  std::vector<bool> is_held_;  // by slot
+  std::size_t size_ = 0;
 };
 
 /// A SlotIndex and what it does not know yet. Reading is safe from many threads at once, the first of which catches up;
@@ -126,19 +179,38 @@ class ObjectIndex {
   void catch_up(const Slots& slots) const {
     const std::lock_guard<std::mutex> lock(catching_up_);
     if (is_current_.load(std::memory_order_relaxed)) return;
-    if (!index_) {
-      index_ = std::make_shared<SlotIndex<N, T>>();
-    } else if (is_shared_) {
-      index_ = std::make_shared<SlotIndex<N, T>>(*index_);
+    if (!index_ || pending_.size() * filled_share > index_->size()) {
+      fill(slots);
+    } else {
+      mend(slots);
     }
+    is_current_.store(true, std::memory_order_release);
+  }
+
+  void fill(const Slots& slots) const {
+    auto filled = std::make_shared<SlotIndex<N, T>>();
+    filled->fill(slots);
+    index_ = std::move(filled);
+    is_shared_ = false;
+    for (const std::uint32_t slot : pending_) is_pending_[slot] = false;
+    pending_.clear();
+  }
+
+  void mend(const Slots& slots) const {
+    if (is_shared_) index_ = std::make_shared<SlotIndex<N, T>>(*index_);
     is_shared_ = false;
     while (!pending_.empty()) {
+      const std::size_t last = pending_.size() - 1;
+      index_->prefetch_place(pending_[last - std::min(last, prefetch_distance / 2)]);
+      index_->prefetch_node(pending_[last - std::min(last, prefetch_distance / 4)]);
       index_->set(pending_.back(), slots[pending_.back()]);
       is_pending_[pending_.back()] = false;
       pending_.pop_back();
     }
-    is_current_.store(true, std::memory_order_release);
   }
+
+  /// With more than one slot to be looked at for so many that are held, all are taken over anew.
+  static constexpr std::size_t filled_share = 4;
 
   mutable std::mutex catching_up_;
   mutable std::atomic<bool> is_current_ = false;

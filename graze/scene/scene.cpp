@@ -15,6 +15,9 @@
 namespace graze {
 namespace {
 
+/// How many objects ahead of their move they are asked for.
+constexpr std::size_t moves_ahead = 8;
+
 /// 'object "ball"' or 'the object', for messages.
 std::string named(const std::string& name) { return name.empty() ? "the object" : "object \"" + name + "\""; }
 
@@ -24,26 +27,19 @@ template <Dim N, class T>
                               std::string(fault));
 }
 
-/// Copies a shape into an object's place. Of all types only compounds can fail to be copied.
+/// Copies a shape, any or one of a type, into an object's place. Of all types only compounds can fail to be copied.
+template <Dim N, class T, class S>
+void put(const S& shape, Object<N, T>& object) {
+  object.shape = shape;
+  object.box = bounds(shape);
+}
+
 template <Dim N, class T>
 void put(const AnyShape<N, T>& shape, Object<N, T>& object) {
-  detail::visit(
-      [&object](const auto& held) {
-        object.shape = held;
-        object.box = bounds(held);
-      },
-      shape);
+  detail::visit([&object](const auto& held) { put(held, object); }, shape);
 }
 
 }  // namespace
-
-/// Room for the slot was made before.
-template <Dim N, class T>
-void Scene<N, T>::note_moved(std::uint32_t slot, const Object<N, T>& object) noexcept {
-  index_.note(slot);
-  keeper_.note_moved(slot, object);
-  is_current_ = false;
-}
 
 template <Dim N, class T>
 ObjectId Scene<N, T>::add(AnyShape<N, T> shape, ObjectOptions options) {
@@ -101,21 +97,28 @@ void Scene<N, T>::move(ObjectId id, AnyShape<N, T> shape) {
   note_moved(id.index, moved);
 }
 
+/// All of a move that can throw, but for copying a compound.
+template <Dim N, class T>
+template <class S>
+void Scene<N, T>::prepare_move(ObjectId id, const S& shape) {
+  if (!this->contains(id)) this->object(id);  // which says what is wrong with the id
+  if (const std::string_view fault = defect(shape); !fault.empty()) refuse<N, T>(shape, fault, this->object(id).name);
+  objects_.change(id.index);
+}
+
 template <Dim N, class T>
 void Scene<N, T>::move(std::span<const ObjectMove<N, T>> moves) {
   // Of all types only compounds can fail to be copied: everything that can throw comes first.
   std::vector<AnyShape<N, T>> compounds;
   for (const ObjectMove<N, T>& each : moves) {
-    if (!this->contains(each.id)) this->object(each.id);  // which says what is wrong with the id
-    if (const std::string_view fault = defect(each.shape); !fault.empty()) {
-      refuse<N, T>(each.shape, fault, this->object(each.id).name);
-    }
-    objects_.change(each.id.index);
+    prepare_move(each.id, each.shape);
     if (std::holds_alternative<Compound<N, T>>(each.shape)) compounds.push_back(each.shape);
   }
   auto next_compound = compounds.begin();
-  for (const ObjectMove<N, T>& each : moves) {
-    Object<N, T>& moved = *objects_.change(each.id.index);
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const ObjectMove<N, T>& each = moves[i];
+    prefetch_move(moves[std::min(i + moves_ahead, moves.size() - 1)].id.index);
+    Object<N, T>& moved = *objects_.own(each.id.index);
     if (std::holds_alternative<Compound<N, T>>(each.shape)) {
       moved.shape = std::move(*next_compound++);
       moved.box = bounds(moved.shape);
@@ -123,6 +126,22 @@ void Scene<N, T>::move(std::span<const ObjectMove<N, T>> moves) {
       put(each.shape, moved);
     }
     note_moved(each.id.index, moved);
+  }
+}
+
+template <Dim N, class T>
+template <detail::CopiedIntoAnyShape<N, T> S>
+void Scene<N, T>::move(std::span<const ObjectId> ids, std::span<const S> shapes) {
+  if (ids.size() != shapes.size()) {
+    throw std::invalid_argument("Scene: " + std::to_string(shapes.size()) + " shapes for " +
+                                std::to_string(ids.size()) + " objects to be moved; each needs one");
+  }
+  for (std::size_t i = 0; i < ids.size(); ++i) prepare_move(ids[i], shapes[i]);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    prefetch_move(ids[std::min(i + moves_ahead, ids.size() - 1)].index);
+    Object<N, T>& moved = *objects_.own(ids[i].index);
+    put(shapes[i], moved);
+    note_moved(ids[i].index, moved);
   }
 }
 
@@ -150,21 +169,43 @@ Layer Scene<N, T>::layer(std::string_view name) {
   return static_cast<Layer>(layer_names_.size() - 1);
 }
 
+/// What can fail comes before the first change that would show.
 template <Dim N, class T>
 const SceneEvents& Scene<N, T>::update(const Executor& executor) {
-  const std::vector<Pair>& found = keeper_.update(objects_, index_, executor);
-  next_.resize(found.size());
-  for (std::size_t i = 0; i < found.size(); ++i) next_[i] = {this->id_of(found[i].a), this->id_of(found[i].b)};
-  detail::find_events(*pairs_, next_, next_events_);
-  pairs_.exchange(next_);
+  if (keeper_.find(objects_, index_, executor) == detail::PairPlan::mend) {
+    next_edit_.plan(*events_, keeper_.began(), keeper_.ended(), ids_);
+    SceneEvents& events = events_.change();
+    next_edit_.make_room(events);
+    next_edit_.apply(events);
+  } else {
+    const bool are_the_same = ids_.changes() == last_changes_;
+    detail::find_events(*events_, keeper_.found(), ids_,
+                        are_the_same ? detail::Tenants::the_same : detail::Tenants::maybe_others, next_events_);
+    events_.exchange(next_events_);
+  }
+  keeper_.commit();
+  last_changes_ = ids_.changes();
   is_current_ = true;
-  std::swap(events_, next_events_);
-  return events_;
+  return *events_;
 }
 
-template class Scene<2, float>;
-template class Scene<3, float>;
-template class Scene<2, double>;
-template class Scene<3, double>;
+#define GRAZE_INSTANTIATE(N, T)                                                                 \
+  template class Scene<N, T>;                                                                   \
+  template void Scene<N, T>::move(std::span<const ObjectId>, std::span<const Vec<N, T>>);       \
+  template void Scene<N, T>::move(std::span<const ObjectId>, std::span<const Segment<N, T>>);   \
+  template void Scene<N, T>::move(std::span<const ObjectId>, std::span<const Ray<N, T>>);       \
+  template void Scene<N, T>::move(std::span<const ObjectId>, std::span<const Sphere<N, T>>);    \
+  template void Scene<N, T>::move(std::span<const ObjectId>, std::span<const Aabb<N, T>>);      \
+  template void Scene<N, T>::move(std::span<const ObjectId>, std::span<const Obb<N, T>>);       \
+  template void Scene<N, T>::move(std::span<const ObjectId>, std::span<const Plane<N, T>>);     \
+  template void Scene<N, T>::move(std::span<const ObjectId>, std::span<const HalfSpace<N, T>>); \
+  template void Scene<N, T>::move(std::span<const ObjectId>, std::span<const Triangle<N, T>>);  \
+  template void Scene<N, T>::move(std::span<const ObjectId>, std::span<const Capsule<N, T>>);   \
+  template void Scene<N, T>::move(std::span<const ObjectId>, std::span<const Polytope<N, T>>);
+GRAZE_INSTANTIATE(2, float)
+GRAZE_INSTANTIATE(3, float)
+GRAZE_INSTANTIATE(2, double)
+GRAZE_INSTANTIATE(3, double)
+#undef GRAZE_INSTANTIATE
 
 }  // namespace graze

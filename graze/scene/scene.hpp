@@ -25,6 +25,17 @@ struct ObjectMove {
   AnyShape<N, T> shape;  ///< Where it is now.
 };
 
+namespace detail {
+
+/// What AnyShape holds but compounds, which can fail to be copied.
+template <class S, Dim N, class T>
+concept CopiedIntoAnyShape = requires(const S& shape) {
+  { AnyShape<N, T>(shape) }
+  noexcept;
+};
+
+}  // namespace detail
+
 /// Shapes with names, layers and lifetimes; what can be asked of them is in SceneView. Reading is const and safe from
 /// many threads at once; writing is for one, while none reads. A call that throws leaves the scene as it was. Nothing
 /// needs tuning: each `update` finds pairs anew or mends those it knows, as less work is to do, and queries catch up
@@ -49,6 +60,17 @@ class Scene : public SceneView<N, T> {
   /// counts.
   void move(std::span<const ObjectMove<N, T>> moves);
 
+  /// The same for objects that are all to have a shape of one type: sooner than by a list of any shapes. Compounds go
+  /// by that list. Throws std::invalid_argument unless there are as many shapes as ids.
+  template <detail::CopiedIntoAnyShape<N, T> S>
+  void move(std::span<const ObjectId> ids, std::span<const S> shapes);
+
+  /// The same for vectors, whose types deduce where those of spans do not.
+  template <class S>
+  void move(const std::vector<ObjectId>& ids, const std::vector<S>& shapes) {
+    move(std::span<const ObjectId>(ids.data(), ids.size()), std::span<const S>(shapes.data(), shapes.size()));
+  }
+
   /// Removes an object; its id is never valid again. Throws like `object`.
   void remove(ObjectId id);
 
@@ -60,7 +82,7 @@ class Scene : public SceneView<N, T> {
   const SceneEvents& update(const Executor& executor = default_executor());
 
   /// What the last update found.
-  const SceneEvents& events() const { return events_; }
+  const SceneEvents& events() const { return *events_; }
 
   /// The scene as it is now, for readers that keep it while this one goes on: costs a pointer for every 64 objects, and
   /// what changes afterwards is copied first. Answers to the same ids.
@@ -68,20 +90,34 @@ class Scene : public SceneView<N, T> {
 
  private:
   using View = SceneView<N, T>;
+  using View::events_;
   using View::ids_;
   using View::index_;
   using View::is_current_;
   using View::layer_names_;
   using View::names_;
   using View::objects_;
-  using View::pairs_;  // at the last update
 
-  void note_moved(std::uint32_t slot, const Object<N, T>& object) noexcept;
+  template <class S>
+  void prepare_move(ObjectId id, const S& shape);
+
+  /// Asks for what a move will write.
+  void prefetch_move(std::uint32_t slot) const {
+    objects_.prefetch_item(slot);
+    keeper_.prefetch_slot(slot);
+  }
+
+  /// Room for the slot was made before.
+  void note_moved(std::uint32_t slot, const Object<N, T>& object) noexcept {
+    index_.note(slot);
+    keeper_.note_moved(slot, object);
+    is_current_ = false;
+  }
 
   detail::PairKeeper<N, T> keeper_;
-  SceneEvents events_;            // of the last update
-  std::vector<ObjectPair> next_;  // room for the next pairs,
-  SceneEvents next_events_;       // and their events
+  std::uint64_t last_changes_ = 0;  // of ids, at the last update
+  SceneEvents next_events_;         // room for those of the next update,
+  detail::EventsEdit next_edit_;    // and for what becomes others
 };
 
 extern template class Scene<2, float>;

@@ -53,9 +53,8 @@ std::optional<ObjectHit<N, T>> SceneView<N, T>::ray_cast(const Ray<N, T>& ray, T
   };
   // Boxes come in the order in which the ray enters them, so that most are never looked at.
   const detail::SlotIndex<N, T>& index = this->index();
-  index.tree().ray_cast(ray, [&](const Key& key, double t) {
+  index.ray_cast(ray, [&](std::uint32_t slot, double t) {
     if (t > static_cast<double>(best ? best->hit.t : t_max)) return false;
-    const std::uint32_t slot = index.slot_of(key);
     if ((layers & only_layer(in_slot(slot).layer)) != 0) try_object(id_of(slot));
     return true;
   });

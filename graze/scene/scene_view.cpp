@@ -42,7 +42,7 @@ std::shared_ptr<const SceneView<N, T>> SceneView<N, T>::share() {
   auto view = std::make_shared<SceneView>();
   view->ids_ = ids_;
   view->layer_names_ = layer_names_;
-  if (is_current_) view->pairs_ = pairs_.share();
+  if (is_current_) view->events_ = events_.share();
   view->is_current_ = is_current_;
   view->index_ = index_.share(objects_);
   view->objects_ = objects_.share();
@@ -113,7 +113,7 @@ std::vector<ObjectPair> SceneView<N, T>::candidates(double margin) const {
 
 template <Dim N, class T>
 std::vector<ObjectPair> SceneView<N, T>::pairs() const {
-  if (is_current_) return *pairs_;
+  if (is_current_) return detail::pairs_of(*events_);
   std::vector<ObjectPair> result = candidates();
   std::erase_if(result, [this](const ObjectPair& pair) {
     return relation(in_slot(pair.a.index).shape, in_slot(pair.b.index).shape) == Relation::apart;
@@ -126,8 +126,7 @@ template <class R>
 std::vector<ObjectId> SceneView<N, T>::near(const R& region, LayerMask layers) const {
   std::vector<ObjectId> result;
   const detail::SlotIndex<N, T>& index = this->index();
-  index.tree().query(Generous<R>{region}, [&](const Key& key) {
-    const std::uint32_t slot = index.slot_of(key);
+  index.query(Generous<R>{region}, [&](std::uint32_t slot) {
     if ((layers & only_layer(in_slot(slot).layer)) != 0) result.push_back(id_of(slot));
   });
   std::sort(result.begin(), result.end());
@@ -163,10 +162,10 @@ std::vector<NearObject<T>> SceneView<N, T>::nearest(const Vec<N, T>& point, std:
   // Boxes come by distance, which is no more than that of what is in them: once the last of them is farther off than
   // the last object wanted, no other can be nearer.
   for (std::size_t asked = 2 * std::min(count, size()) + 4;; asked *= 2) {
-    const std::vector<Neighbour> boxes = index.tree().nearest(point, std::min(asked, size()));
+    const std::vector<Neighbour> boxes = index.nearest(point, std::min(asked, size()));
     result.clear();
     for (const Neighbour& box : boxes) {
-      const std::uint32_t slot = index.slot_of(box.key);
+      const std::uint32_t slot = box.key.index;
       if ((layers & only_layer(in_slot(slot).layer)) == 0) continue;
       const T distance = distance_from<N, T>(in_slot(slot).shape, point);
       if (distance < std::numeric_limits<T>::infinity()) result.push_back({id_of(slot), distance});

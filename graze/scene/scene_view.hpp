@@ -18,6 +18,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/manifold.hpp>
 #include <graze/query/ray_hit.hpp>
+#include <graze/scene/events.hpp>
 #include <graze/scene/filter.hpp>
 #include <graze/scene/object.hpp>
 #include <graze/scene/object_index.hpp>
@@ -149,8 +150,8 @@ class SceneView {
   detail::SharedValue<Names> names_;
   std::vector<std::string> layer_names_;
   detail::ObjectIndex<N, T> index_;
-  detail::SharedValue<std::vector<ObjectPair>> pairs_;  // that touched when last they were looked for
-  bool is_current_ = false;                             // nothing has changed since
+  detail::SharedValue<SceneEvents> events_;  // of the last update
+  bool is_current_ = false;                  // nothing has changed since
 };
 
 extern template class SceneView<2, float>;

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include <graze/broad/prefetch.hpp>
+
 namespace graze::detail {
 
 /// Slots by number, each with an item or none, in chunks. `share` gives a copy at the price of a pointer for each
@@ -40,15 +42,17 @@ class SharedSlots {
     return (*chunks_[slot / chunk_size])[slot % chunk_size];
   }
 
+  /// Asks for what a slot holds.
+  void prefetch_item(std::size_t slot) const { prefetch_lines(&(*chunks_[slot / chunk_size])[slot % chunk_size]); }
+
   /// The slot, to be changed. May throw std::bad_alloc, or what copying an item throws, before anything has changed.
   std::optional<Item>& change(std::size_t slot) {
-    std::shared_ptr<Chunk>& chunk = chunks_[slot / chunk_size];
-    if (!is_own_[slot / chunk_size]) {
-      chunk = std::make_shared<Chunk>(*chunk);
-      is_own_[slot / chunk_size] = true;
-    }
-    return (*chunk)[slot % chunk_size];
+    if (!is_own_[slot / chunk_size]) copy_chunk(slot / chunk_size);
+    return own(slot);
   }
+
+  /// A slot that was to be changed before, and was not shared since.
+  std::optional<Item>& own(std::size_t slot) { return (*chunks_[slot / chunk_size])[slot % chunk_size]; }
 
   /// Sees to it that there are so many slots, new ones without an item.
   void grow(std::size_t size) {
@@ -73,6 +77,11 @@ class SharedSlots {
  private:
   static constexpr std::size_t chunk_size = 64;
   using Chunk = std::array<std::optional<Item>, chunk_size>;
+
+  void copy_chunk(std::size_t number) {
+    chunks_[number] = std::make_shared<Chunk>(*chunks_[number]);
+    is_own_[number] = true;
+  }
 
   std::vector<std::shared_ptr<Chunk>> chunks_;
   std::size_t size_ = 0;

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include <cstddef>
+#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <graze/io/logged_call.hpp>
 #include <graze/io/output_error.hpp>
+#include <graze/io/query_log.hpp>
+
+#include "io/scene_text.hpp"
 
 namespace graze::io::logged_call_test {
 namespace {
@@ -53,6 +59,49 @@ TEST(LoggedCall, OfAFaultSaysNothingElse) {
 TEST(LoggedCall, RefusesTextThatIsNotUtf8) {
   EXPECT_THROW(call_line(Call{.kind = CallKind::layer, .name = "b\xff"}), OutputError);
   EXPECT_THROW(call_line(Call{.kind = CallKind::add, .shapes = {Ball{}}, .options = {.name = "b\xff"}}), OutputError);
+}
+
+using Names = std::set<std::string>;
+
+Names keys_of(const nlohmann::json& object) {
+  Names keys;
+  for (const auto& entry : object.items()) keys.insert(entry.key());
+  return keys;
+}
+
+Names fields_of(const Call& call) { return keys_of(nlohmann::json::parse(call_line(call))); }
+
+/// With a shape that every kind of call can have but rays and points, which are asked with their own.
+Call plain_call(CallKind kind) {
+  AnyShape<2, double> shape = Ball{{0, 0}, 1};
+  if (kind == CallKind::nearest) shape = Vec<2, double>(0, 0);
+  if (kind == CallKind::ray_cast || kind == CallKind::ray_cast_all) shape = Ray<2, double>{};
+  return {.kind = kind, .ids = {third}, .shapes = {shape}};
+}
+
+TEST(LoggedCall, TheJsonSchemaHasTheCallsAndTheirFields) {
+  const auto schema = nlohmann::json::parse(text_of(project_file("data/log.schema.json")));
+  const auto& definitions = schema.at("$defs");
+  Names lines;
+  for (const auto& line : schema.at("oneOf")) lines.insert(line.at("$ref"));
+  Names expected_lines{"#/$defs/head", "#/$defs/call_with_fault", "#/$defs/answer", "#/$defs/digest",
+                       "#/$defs/refusal"};
+  for (std::size_t i = 0; i < call_kinds; ++i) {
+    const std::string name(call_forms[i].name);
+    expected_lines.insert("#/$defs/call_" + name);
+    const auto& definition = definitions.at("call_" + name);
+    EXPECT_EQ(definition.at("properties").at("call").at("const"), name);
+    EXPECT_EQ(definitions.at("call_with_fault").at("properties").at("call").at("enum").at(i), name);
+    EXPECT_EQ(definition.at("additionalProperties"), false) << name;
+    Call call = plain_call(static_cast<CallKind>(i));
+    EXPECT_EQ(Names(definition.at("required").begin(), definition.at("required").end()), fields_of(call)) << name;
+    call.options = {"b", 2, 5, 7, Mobility::fixed};
+    call.t_max = 1;
+    call.layers = 3;
+    EXPECT_EQ(keys_of(definition.at("properties")), fields_of(call)) << name;
+  }
+  EXPECT_EQ(lines, expected_lines);
+  EXPECT_EQ(definitions.at("head").at("properties").at("schema").at("const"), query_log_schema);
 }
 
 }  // namespace

@@ -53,6 +53,22 @@ TEST(RecordedScene, WritesEachCallAndItsAnswer) {
   EXPECT_EQ(scene.scene().size(), 1U);
 }
 
+TEST(RecordedScene, MovesManyToShapesOfOneTypeAsByAList) {
+  std::ostringstream log;
+  World scene(log);
+  const std::vector<ObjectId> balls = {scene.add(Ball{{0, 0}, 1}), scene.add(Ball{{5, 0}, 1})};
+  const std::size_t before = log.str().size();
+  scene.move(balls, std::vector<Ball>{{{1, 0}, 1}, {{2, 0}, 1}});
+  EXPECT_EQ(
+      log.str().substr(before),
+      R"({"call": "move_many", "ids": [[0, 1], [1, 1]], "shapes": [{"type": "sphere", "center": [1, 0], "radius": 1}, )"
+      R"({"type": "sphere", "center": [2, 0], "radius": 1}]})"
+      "\n{\"answer\": []}\n");
+  EXPECT_THROW(scene.move(balls, std::vector<Ball>{{{1, 0}, 1}}), std::invalid_argument);
+  EXPECT_EQ(scene.update().began.size(), 1U);
+  EXPECT_EQ(differences_in(log.str()), 0U);
+}
+
 TEST(RecordedScene, WritesWhyACallWasRefused) {
   std::ostringstream log;
   World scene(log);

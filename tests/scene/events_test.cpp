@@ -63,5 +63,80 @@ RC_GTEST_PROP(SceneEvents, AreTheDifferencesOfTwoSets,
   RC_ASSERT(events.ended == ended);
 }
 
+/// What touches in a world of eight places, from update to update, in which objects give way to others.
+struct World {
+  detail::KeyTable ids;
+  SceneEvents events;
+  detail::EventsEdit edit;
+  std::vector<Pair> touching;
+
+  World() {
+    for (std::uint32_t k = 0; k < 8; ++k) take();
+  }
+
+  void take() {
+    ids.prepare();
+    ids.take();
+  }
+
+  void replace(std::uint32_t place) {
+    ids.release(place);
+    take();
+  }
+
+  Pairs named(const std::vector<Pair>& pairs) const {
+    Pairs result;
+    for (const Pair& pair : pairs) {
+      const Key a = ids.key_of(pair.a);
+      const Key b = ids.key_of(pair.b);
+      result.push_back({{a.index, a.generation, a.owner}, {b.index, b.generation, b.owner}});
+    }
+    return result;
+  }
+
+  static std::vector<Pair> places(const Pairs& pairs) {
+    std::vector<Pair> result;
+    for (const ObjectPair& each : pairs) result.push_back({each.a.index, each.b.index});
+    return result;
+  }
+};
+
+RC_GTEST_PROP(SceneEvents, AreTheSameFoundAnewAndByWhatHasChanged, ()) {
+  World world;
+  Pairs before;
+  std::uint64_t last_changes = world.ids.changes();
+  const int updates = *rc::gen::inRange(1, 8);
+  for (int update = 0; update < updates; ++update) {
+    const bool some_go = *rc::gen::arbitrary<bool>();
+    for (const std::uint32_t place : *rc::gen::container<std::vector<std::uint32_t>>(rc::gen::inRange(0U, 8U))) {
+      if (some_go && *rc::gen::inRange(0, 4) == 0) world.replace(place);
+    }
+    std::set<Pair> chosen;
+    for (const std::uint32_t number : *rc::gen::container<std::vector<std::uint32_t>>(rc::gen::inRange(0U, 64U))) {
+      if (number / 8 < number % 8) chosen.insert({number / 8, number % 8});
+    }
+    const std::vector<Pair> found(chosen.begin(), chosen.end());
+    const Pairs after = world.named(found);
+    const SceneEvents expected = events_between(before, after);
+    if (*rc::gen::arbitrary<bool>()) {
+      SceneEvents next;
+      const bool are_the_same = world.ids.changes() == last_changes && *rc::gen::inRange(0, 4) != 0;
+      detail::find_events(world.events, found, world.ids,
+                          are_the_same ? detail::Tenants::the_same : detail::Tenants::maybe_others, next);
+      world.events = next;
+    } else {
+      world.edit.plan(world.events, World::places(expected.began), World::places(expected.ended), world.ids);
+      world.edit.make_room(world.events);
+      world.edit.apply(world.events);
+    }
+    RC_ASSERT(world.events.began == expected.began);
+    RC_ASSERT(world.events.stayed == expected.stayed);
+    RC_ASSERT(world.events.ended == expected.ended);
+    RC_ASSERT(detail::pairs_of(world.events) == after);
+    before = after;
+    last_changes = world.ids.changes();
+  }
+}
+
 }  // namespace
 }  // namespace graze::events_test

@@ -35,7 +35,7 @@ struct World {
   std::set<std::uint32_t> in(const Index& asked, const Box& region) const {
     const SlotIndex<2, double>& current = asked.over(slots);
     std::set<std::uint32_t> found;
-    current.tree().query(region, [&](const Key& key) { found.insert(current.slot_of(key)); });
+    current.query(region, [&](std::uint32_t slot) { found.insert(slot); });
     return found;
   }
 };
@@ -63,7 +63,7 @@ TEST(ObjectIndex, AnObjectThatIsReplacedBeforeAnyoneAsksIsThereOnce) {
   world.set(0, std::nullopt);
   world.set(0, Box{{5, 5}, {6, 6}});
   EXPECT_EQ(world.in(everywhere), (Found{0}));
-  EXPECT_EQ(world.index.over(world.slots).tree().size(), 1U);
+  EXPECT_EQ(world.index.over(world.slots).size(), 1U);
 }
 
 TEST(ObjectIndex, WhatHasNoPointsIsNotIn) {
@@ -73,6 +73,22 @@ TEST(ObjectIndex, WhatHasNoPointsIsNotIn) {
   EXPECT_EQ(world.in(everywhere), (Found{1}));
   world.set(1, Compound<2, double>{});
   EXPECT_TRUE(world.in(everywhere).empty());
+}
+
+TEST(ObjectIndex, FindsTheSameWhetherMuchOrLittleHasChanged) {
+  World world;
+  constexpr std::uint32_t count = 300;
+  for (std::uint32_t k = 0; k < count; ++k) world.set(k, Box{{2.0 * k, 0}, {2.0 * k + 1, 1}});
+  world.set(7, HalfSpace<2, double>{{1, 0}, 4});
+  EXPECT_EQ(world.in({{-1, 0}, {9, 1}}), (Found{0, 1, 2, 3, 4, 7}));
+  for (std::uint32_t k = 100; k < 110; ++k) world.set(k, Box{{2.0 * k, 5}, {2.0 * k + 1, 6}});
+  world.set(3, std::nullopt);
+  EXPECT_EQ(world.in({{-1, 0}, {9, 1}}), (Found{0, 1, 2, 4, 7}));
+  EXPECT_EQ(world.in({{199, 5}, {203, 6}}), (Found{100, 101}));
+  for (std::uint32_t k = 50; k < count; ++k) world.set(k, std::nullopt);
+  EXPECT_EQ(world.in(everywhere).size(), 49U);
+  EXPECT_EQ(world.index.over(world.slots).size(), 49U);
+  EXPECT_EQ(world.index.over(world.slots).nearest({4, 3}, 2).front().key.index, 7U);
 }
 
 TEST(ObjectIndex, WhatWasSharedStaysAndACopyGoesItsOwnWay) {

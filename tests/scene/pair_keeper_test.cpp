@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Both ways of keeping pairs against all pairs, from update to update.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -47,7 +49,25 @@ struct World {
     return pairs;
   }
 
-  std::vector<Pair> update(PairPlan plan) { return keeper.update(slots, index, serial_executor(), plan); }
+  /// Both ways tell what touches now: one by a list, the other by what is new and what is over.
+  std::vector<Pair> update(PairPlan plan) {
+    const PairPlan taken = keeper.find(slots, index, serial_executor(), plan);
+    if (taken == PairPlan::anew) {
+      touching.assign(keeper.found().begin(), keeper.found().end());
+    } else {
+      for (const Pair& pair : keeper.ended()) {
+        const auto known = std::find(touching.begin(), touching.end(), pair);
+        EXPECT_NE(known, touching.end());
+        if (known != touching.end()) touching.erase(known);
+      }
+      touching.insert(touching.end(), keeper.began().begin(), keeper.began().end());
+      std::sort(touching.begin(), touching.end());
+    }
+    keeper.commit();
+    return touching;
+  }
+
+  std::vector<Pair> touching;
 };
 
 using Flat = World<2, double>;
@@ -70,6 +90,48 @@ TEST(PairKeeper, MendsWhatIsAroundAnObjectThatMovesComesOrGoes) {
   EXPECT_EQ(world.update(PairPlan::mend), (std::vector<Pair>{{0, 1}, {0, 2}}));
   world.set(4, HalfSpace<2, double>{{0, 1}, -1});
   EXPECT_EQ(world.update(PairPlan::mend), (std::vector<Pair>{{0, 1}, {0, 2}, {0, 4}, {1, 4}, {3, 4}}));
+}
+
+TEST(PairKeeper, SaysThatAPairEndsAndBeginsWhenAnotherObjectTakesAPlace) {
+  Flat world;
+  world.set(0, Ball{{0, 0}, 1});
+  world.set(1, Ball{{1, 0}, 1});
+  world.set(2, Ball{{2, 0}, 1});
+  world.update(PairPlan::anew);
+  world.set(1, std::nullopt);
+  world.set(1, Ball{{1, 0}, 0.5});
+  const auto listed = [](std::span<const Pair> pairs) { return std::vector<Pair>(pairs.begin(), pairs.end()); };
+  world.keeper.find(world.slots, world.index, serial_executor(), PairPlan::mend);
+  EXPECT_EQ(listed(world.keeper.ended()), (std::vector<Pair>{{0, 1}, {1, 2}}));
+  EXPECT_EQ(listed(world.keeper.began()), (std::vector<Pair>{{0, 1}, {1, 2}}));
+  world.keeper.commit();
+  EXPECT_EQ(world.update(PairPlan::mend), (std::vector<Pair>{{0, 1}, {0, 2}, {1, 2}}));
+}
+
+TEST(PairKeeper, FindsTheSameAgainAsLongAsNothingWasTakenOver) {
+  Flat world;
+  for (std::uint32_t i = 0; i < 3; ++i) world.set(i, Ball{{2.0 * i, 0}, 1});
+  world.update(PairPlan::anew);
+  world.set(1, Ball{{9, 9}, 1});
+  world.keeper.find(world.slots, world.index, serial_executor(), PairPlan::mend);
+  world.keeper.find(world.slots, world.index, serial_executor(), PairPlan::anew);
+  world.set(2, Ball{{1, 0}, 1});
+  EXPECT_EQ(world.update(PairPlan::mend), (std::vector<Pair>{{0, 2}}));
+  EXPECT_EQ(world.update(PairPlan::anew), (std::vector<Pair>{{0, 2}}));
+}
+
+TEST(PairKeeper, AnObjectThatTouchesManyMovesAndIsLeft) {
+  Flat world;
+  const std::uint32_t many = 200;
+  for (std::uint32_t i = 0; i < many; ++i) world.set(i, Ball{{3.0 * i, 0}, 1});
+  world.set(many, HalfSpace<2, double>{{0, 1}, 0});
+  EXPECT_EQ(world.update(PairPlan::mend).size(), many);
+  world.set(7, Ball{{21, 5}, 1});
+  EXPECT_EQ(world.update(PairPlan::mend).size(), many - 1);
+  world.set(many, HalfSpace<2, double>{{0, 1}, -3});
+  EXPECT_TRUE(world.update(PairPlan::mend).empty());
+  world.set(many, HalfSpace<2, double>{{0, 1}, 9});
+  EXPECT_EQ(world.update(PairPlan::mend).size(), many);
 }
 
 TEST(PairKeeper, ACopyGoesOnByItself) {
@@ -98,11 +160,11 @@ void check_every_plan() {
       world.set(slot, kind == 7 ? std::nullopt : std::optional(shape), options);
     }
     const std::vector<Pair> truth = world.every_pair();
-    for (const PairPlan plan : {PairPlan::automatic, PairPlan::anew}) {
+    for (const PairPlan plan : {PairPlan::automatic, PairPlan::anew, PairPlan::mend}) {
       World<N, T> copy = world;
       RC_ASSERT(copy.update(plan) == truth);
     }
-    RC_ASSERT(world.update(PairPlan::mend) == truth);
+    RC_ASSERT(world.update(*rc::gen::arbitrary<bool>() ? PairPlan::mend : PairPlan::anew) == truth);
   }
 }
 

@@ -72,7 +72,7 @@ class SceneSoak {
       ask();
     } else if (kind < 0.45 && !held_.empty()) {
       move();
-    } else if (kind < 0.47) {
+    } else if (kind < (is_quick_ ? 0.6 : 0.47)) {
       update();
     } else if (const bool grows = held_.size() < test::soak_target(operation, most_objects);
                held_.empty() || (grows == (chance() < 0.9))) {
@@ -80,6 +80,7 @@ class SceneSoak {
     } else {
       remove(pick());
     }
+    if (operation % 500 == 0) is_quick_ = !is_quick_;
     if (operation % 1'000 == 500) keep_snapshot();
     if (operation % 1'000 == 999) check_snapshot();
     if (operation % test::soak_breath == test::soak_breath - 1) empty_all();
@@ -101,6 +102,7 @@ class SceneSoak {
       scene_.move(held.id, shape);
       return judge_.move(held.judged, shape);
     }
+    if (chance() < 0.3) return move_balls();
     std::vector<ObjectMove<N, T>> moves;
     std::vector<ObjectMove<N, T>> judged;
     for (int k = 0; k < 5; ++k) {
@@ -109,6 +111,21 @@ class SceneSoak {
       judged.push_back({held.judged, moves.back().shape});
     }
     scene_.move(moves);
+    judge_.move(judged);
+  }
+
+  /// Several, which become shapes of one type.
+  void move_balls() {
+    std::vector<ObjectId> ids;
+    std::vector<Sphere<N, T>> balls;
+    std::vector<ObjectMove<N, T>> judged;
+    for (int k = 0; k < 5; ++k) {
+      const Held& held = held_[pick()];
+      ids.push_back(held.id);
+      balls.push_back({place(), length(1)});
+      judged.push_back({held.judged, balls.back()});
+    }
+    scene_.move(ids, balls);
     judge_.move(judged);
   }
 
@@ -127,6 +144,7 @@ class SceneSoak {
     require(same_lists(events.began, expected.began, same_pair));
     require(same_lists(events.stayed, expected.stayed, same_pair));
     require(same_lists(events.ended, expected.ended, same_pair));
+    require(same_lists(scene_.pairs(), judge_.pairs(), same_pair));
   }
 
   void ask() {
@@ -149,6 +167,7 @@ class SceneSoak {
   void keep_snapshot() {
     snapshot_ = scene_.snapshot();
     kept_ids_ = snapshot_->ids();
+    kept_pairs_ = snapshot_->pairs();
     kept_found_ = snapshot_->overlapping(Aabb<N, T>{Vec<N, T>(T(0)), Vec<N, T>(T(7))});
   }
 
@@ -156,6 +175,7 @@ class SceneSoak {
   void check_snapshot() {
     if (!snapshot_) return;
     require(snapshot_->ids() == kept_ids_);
+    require(snapshot_->pairs() == kept_pairs_);
     require(snapshot_->overlapping(Aabb<N, T>{Vec<N, T>(T(0)), Vec<N, T>(T(7))}) == kept_found_);
   }
 
@@ -175,6 +195,8 @@ class SceneSoak {
   std::shared_ptr<const SceneView<N, T>> snapshot_;
   std::vector<ObjectId> kept_ids_;
   std::vector<ObjectId> kept_found_;
+  std::vector<ObjectPair> kept_pairs_;
+  bool is_quick_ = false;  // updates come soon after each other, so that few objects have changed
   bool is_right_ = true;
 };
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cstddef>
+#include <functional>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -8,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <graze/broad/executor.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/scene/scene.hpp>
 
@@ -134,6 +137,33 @@ TEST(Scene, ManyObjectsMoveTogetherOrNotAtAll) {
   EXPECT_EQ(scene.pairs(), (std::vector<ObjectPair>{{a, b}}));
 }
 
+TEST(Scene, ObjectsMoveToShapesOfOneTypeTogetherOrNotAtAll) {
+  World scene;
+  const ObjectId a = scene.add(Ball{{0, 0}, 1});
+  const ObjectId b = scene.add(Aabb<2, double>{{5, 0}, {6, 1}}, {.name = "crate"});
+  const auto before = scene.snapshot();
+  using Balls = std::vector<Ball>;
+  EXPECT_EQ(message_of([&] {
+              scene.move({a, b}, Balls{{{3, 0}, 1}});
+            }),
+            "Scene: 1 shapes for 2 objects to be moved; each needs one");
+  EXPECT_EQ(message_of([&] {
+              scene.move({a, b}, Balls{{{3, 0}, 1}, {{3, 0}, -1}});
+            }),
+            "Scene: object \"crate\", a sphere, has a negative radius");
+  EXPECT_THROW(scene.move({a, ObjectId{}}, Balls{{{3, 0}, 1}, {{3, 0}, 1}}), std::out_of_range);
+  EXPECT_EQ(std::get<Ball>(scene.object(a).shape).center, V2(0, 0));
+  EXPECT_TRUE(scene.pairs().empty());
+  scene.move({a, b, a}, Balls{{{9, 0}, 1}, {{3, 0}, 1}, {{2, 0}, 1}});
+  EXPECT_EQ(scene.pairs(), (std::vector<ObjectPair>{{a, b}}));
+  EXPECT_EQ(std::get<Ball>(scene.object(b).shape).center, V2(3, 0));
+  EXPECT_EQ(scene.object(b).box, (Aabb<2, double>{{2, -1}, {4, 1}}));
+  EXPECT_TRUE(std::holds_alternative<Ball>(before->object(a).shape));
+  EXPECT_TRUE((std::holds_alternative<Aabb<2, double>>(before->object(b).shape)));
+  scene.move({}, Balls{});
+  EXPECT_EQ(scene.update().began, (std::vector<ObjectPair>{{a, b}}));
+}
+
 TEST(Scene, TellsWhatBeganWhatStaysAndWhatEnded) {
   World scene;
   using Pairs = std::vector<ObjectPair>;
@@ -154,6 +184,54 @@ TEST(Scene, TellsWhatBeganWhatStaysAndWhatEnded) {
   EXPECT_EQ(scene.events().began, (Pairs{{wall, other}, {other, ball}}));
   EXPECT_EQ(scene.events().stayed, (Pairs{{wall, ball}}));
   EXPECT_EQ(scene.events().ended, (Pairs{{floor, ball}}));
+}
+
+/// Runs so many tasks, and fails at the next.
+class FailingExecutor : public Executor {
+ public:
+  explicit FailingExecutor(std::size_t tasks) : tasks_(tasks) {}
+
+  void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task) const override {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (tasks_ == 0) throw std::runtime_error("no more");
+      --tasks_;
+      task(i);
+    }
+  }
+  std::size_t concurrency() const override { return 1; }
+
+ private:
+  mutable std::size_t tasks_;
+};
+
+TEST(Scene, AnUpdateThatFailsLeavesEventsAndPairsAsTheyWere) {
+  World scene;
+  using Pairs = std::vector<ObjectPair>;
+  std::vector<ObjectId> ids;
+  for (int k = 0; k < 100; ++k) ids.push_back(scene.add(Ball{{2.0 * k, 0}, 1}));
+  scene.update();
+  const ObjectId other = ids[50];
+  std::size_t failed = 0;
+  for (const double away : {5.0, 0.0}) {
+    scene.move(other, Ball{{100, away}, 1});
+    const Pairs began = away > 0 ? Pairs{} : Pairs{{ids[49], other}, {other, ids[51]}};
+    const Pairs ended = away > 0 ? Pairs{{ids[49], other}, {other, ids[51]}} : Pairs{};
+    const SceneEvents before = scene.events();
+    for (std::size_t tasks = 0;; ++tasks, ++failed) {
+      try {
+        scene.update(FailingExecutor(tasks));
+        break;
+      } catch (const std::runtime_error&) {
+        EXPECT_EQ(scene.events().began, before.began);
+        EXPECT_EQ(scene.events().stayed, before.stayed);
+        EXPECT_EQ(scene.pairs().size(), away > 0 ? 97U : 99U);
+      }
+    }
+    EXPECT_EQ(scene.events().began, began);
+    EXPECT_EQ(scene.events().ended, ended);
+    EXPECT_EQ(scene.events().stayed.size(), 97U);
+  }
+  EXPECT_GE(failed, 2U);
 }
 
 TEST(Scene, ASnapshotStaysWhileTheSceneMovesOn) {

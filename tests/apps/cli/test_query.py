@@ -91,5 +91,64 @@ class Query(CommandLineTest):
         self.wrong('did you mean "walls"', room, "--point", "0,0,0", "--layer", "wals")
 
 
+ROLLING = {
+    "schema": "graze.scene/1", "dimension": 2, "layers": ["ground", "things"],
+    "objects": [
+        {"name": "ground", "type": "half_space", "normal": [0, 1], "offset": 0, "fixed": True, "layer": "ground"},
+        {"name": "ball", "type": "sphere", "center": [0, 1], "radius": 1, "velocity": [2, 0], "layer": "things"},
+    ],
+}
+
+
+class QueryOfALog(CommandLineTest):
+    def log(self):
+        """The log of four frames, at whose end the ball is at 8, 1."""
+        path = self.folder / "rolling.log"
+        self.succeed("simulate", self.write("rolling.json", ROLLING), "--frames", "4", "--seconds-per-frame", "1",
+                     "--log", path, "--output", self.folder / "frames.ndjson")
+        return path
+
+    def ask(self, log, *options, **more):
+        return json.loads(self.succeed("query", "--format", "json", "--log", log, *options, **more)[0])
+
+    def test_the_scene_at_its_end_is_asked(self):
+        log = self.log()
+        answer = self.ask(log, "--ray", "8,9,0,-1")
+        self.assertEqual((answer["scene"], answer["dimension"], answer["objects"]), (str(log), 2, 2))
+        self.assertEqual([(found["name"], found["t"]) for found in answer["found"]], [("ball", 7), ("ground", 9)])
+        self.assertEqual(self.ask(log, "--point", "0,1")["found"], [])
+        self.assertEqual([found["name"] for found in self.ask(log, "--point", "8,0", "--layer", "ground")["found"]],
+                         ["ground"])
+
+    def test_what_is_asked_later_and_what_went_wrong_changes_nothing(self):
+        text = self.log().read_text()
+        text += '{"call": "remove", "id": [7, 1]}\n{"refused": "there is none"}\n{"call": "pairs"}\n{"answer": []}\n'
+        text += '{"call": "remove", "id": [1, 1]}\n'  # which the program did not survive
+        log = self.write("more.log", text)
+        self.assertEqual(self.ask(log, "--point", "8,1")["found"], [{"name": "ball", "type": "sphere"}])
+
+    def test_an_object_without_a_name_has_its_id(self):
+        head = '{"schema": "graze.log/1", "dimension": 3, "numbers": "float"}\n'
+        add = '{"call": "add", "shape": {"type": "point", "position": [0, 0, 0.5]}}\n{"answer": [[0, 1]]}\n'
+        found = self.ask("-", "--point", "0,0,0.5", input=(head + add).encode())["found"]
+        self.assertEqual(found, [{"name": "[0, 1]", "type": "point"}])
+
+    def test_wrong_usage_and_wrong_logs_are_refused(self):
+        log = self.log()
+        point = ("--point", "0,0")
+        self.refused("query", *point, code=2, says="query needs SCENE, the scene to ask, or --log FILE")
+        self.refused("query", self.yard(), "--log", log, *point, code=2, says="give one of SCENE and --log")
+        self.refused("query", "--log", log, *point, "--output", log, code=2, says="would be overwritten")
+        self.refused("query", "--log", log, code=2, says="there is no question")
+        self.refused("query", "--log", self.yard(), *point, says='is "graze.scene/1", which is not a query log')
+        self.refused("query", "--log", self.folder / "none.log", *point, says="there is no such file")
+        lines = log.read_text().splitlines()
+        end = next(i for i, line in enumerate(lines) if line.startswith('{"call": "update"'))
+        twice = self.write("twice.log", "\n".join(lines[:end] + lines[end - 2:end]) + "\n")
+        self.refused("query", "--log", twice, *point,
+                     says=(f'twice.log: line {end + 1}: the log says that its scene took this "add", but a scene refuses it',
+                           'there is already an object "ball"', "must be as it was recorded"))
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Pairs of slots that come and go by themselves.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <graze/broad/pair.hpp>
+#include <graze/broad/prefetch.hpp>
+
+namespace graze::detail {
+
+/// A set of pairs in which each slot knows its own: pairs are the edges of a graph, and hang in a chain at both of
+/// their slots. To add one, or to take one out that was visited, takes the same time however many a slot has.
+class PairGraph {
+ public:
+  /// How many pairs it holds at most: so that both ends of each have a number of 32 bits.
+  static constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() / 2;
+
+  /// Holds these pairs and no others. Slots are below `slots`. Throws std::bad_alloc, and is then of no use.
+  void assign(std::span<const Pair> pairs, std::size_t slots);
+
+  /// Makes room for so many slots, and so many pairs more than there are, so that `add` cannot fail. Throws
+  /// std::bad_alloc, or std::length_error beyond `most`, before anything has changed that can be seen.
+  void reserve(std::size_t slots, std::size_t more);
+
+  /// A pair that is not there yet.
+  void add(const Pair& pair) noexcept;
+
+  /// Takes out a pair by the number under which it was visited.
+  void remove(std::uint32_t edge) noexcept;
+
+  /// Calls visit(other slot, number of the pair) for every pair of a slot.
+  template <class Visit>
+  void visit_pairs_of(std::uint32_t slot, const Visit& visit) const {
+    if (slot >= first_.size()) return;
+    for (std::uint32_t end = first_[slot]; end != none;) {
+      const Edge& edge = edges_[end / 2];
+      const std::uint32_t next = edge.next[end % 2];
+      visit(edge.slots[1 - end % 2], end / 2);
+      end = next;
+    }
+  }
+
+  /// Asks for where the pairs of a slot begin; and for the first of them, when that is there.
+  void prefetch_chain(std::uint32_t slot) const {
+    if (slot < first_.size()) prefetch(&first_[slot]);
+  }
+  void prefetch_first(std::uint32_t slot) const {
+    if (slot < first_.size() && first_[slot] != none) prefetch(&edges_[first_[slot] / 2]);
+  }
+
+  /// Writes all pairs, ascending, in the place of what the list held.
+  void list(std::vector<Pair>& pairs) const;
+
+  std::size_t size() const { return edges_.size() - spare_.size(); }
+
+ private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  /// Its ends are the numbers 2 * edge and 2 * edge + 1.
+  struct Edge {
+    std::array<std::uint32_t, 2> slots;
+    std::array<std::uint32_t, 2> next;      // ends, in the chain of each slot
+    std::array<std::uint32_t, 2> previous;  // none for the first of a chain
+  };
+
+  void hang(std::uint32_t edge) noexcept;
+
+  std::vector<std::uint32_t> first_;  // by slot: where its chain begins
+  std::vector<Edge> edges_;
+  std::vector<std::uint32_t> spare_;  // edges that hang nowhere; room for all
+};
+
+}  // namespace graze::detail

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <graze/scene/pair_graph.hpp>
+
+namespace graze::detail::pair_graph_test {
+namespace {
+
+std::vector<Pair> listed(const PairGraph& graph) {
+  std::vector<Pair> pairs{{8, 9}};  // which goes
+  graph.list(pairs);
+  return pairs;
+}
+
+/// The others by slot, and the numbers of their pairs.
+std::map<std::uint32_t, std::uint32_t> pairs_of(const PairGraph& graph, std::uint32_t slot) {
+  std::map<std::uint32_t, std::uint32_t> pairs;
+  graph.visit_pairs_of(slot, [&](std::uint32_t other, std::uint32_t edge) { pairs[other] = edge; });
+  return pairs;
+}
+
+TEST(PairGraph, KnowsThePairsOfEachSlot) {
+  PairGraph graph;
+  EXPECT_TRUE(pairs_of(graph, 3).empty());
+  const std::vector<Pair> pairs{{0, 2}, {1, 2}, {2, 5}};
+  graph.assign(pairs, 6);
+  EXPECT_EQ(graph.size(), 3U);
+  EXPECT_EQ(listed(graph), pairs);
+  EXPECT_EQ(pairs_of(graph, 2).size(), 3U);
+  EXPECT_EQ(pairs_of(graph, 0).count(2), 1U);
+  EXPECT_TRUE(pairs_of(graph, 4).empty());
+  EXPECT_TRUE(pairs_of(graph, 70).empty());
+  graph.remove(pairs_of(graph, 1).at(2));
+  EXPECT_EQ(listed(graph), (std::vector<Pair>{{0, 2}, {2, 5}}));
+  graph.assign({}, 2);
+  EXPECT_TRUE(listed(graph).empty());
+}
+
+TEST(PairGraph, RefusesMoreThanItCanNumber) {
+  PairGraph graph;
+  EXPECT_THROW(graph.reserve(2, PairGraph::most + 1), std::length_error);
+  EXPECT_EQ(graph.size(), 0U);
+}
+
+RC_GTEST_PROP(PairGraph, HoldsWhatASetHolds, ()) {
+  PairGraph graph;
+  std::set<Pair> pairs;
+  const int changes = *rc::gen::inRange(0, 200);
+  for (int change = 0; change < changes; ++change) {
+    const auto a = *rc::gen::inRange<std::uint32_t>(0, 11);
+    const Pair pair{a, *rc::gen::inRange<std::uint32_t>(a + 1, 12)};
+    if (pairs.erase(pair) != 0) {
+      graph.remove(pairs_of(graph, change % 2 == 0 ? pair.a : pair.b).at(change % 2 == 0 ? pair.b : pair.a));
+    } else {
+      graph.reserve(12, 1);
+      graph.add(pair);
+      pairs.insert(pair);
+    }
+    RC_ASSERT(graph.size() == pairs.size());
+  }
+  RC_ASSERT(listed(graph) == std::vector<Pair>(pairs.begin(), pairs.end()));
+  for (std::uint32_t slot = 0; slot < 12; ++slot) {
+    std::set<std::uint32_t> others;
+    for (const Pair& pair : pairs) {
+      if (pair.a == slot) others.insert(pair.b);
+      if (pair.b == slot) others.insert(pair.a);
+    }
+    std::set<std::uint32_t> found;
+    for (const auto& [other, edge] : pairs_of(graph, slot)) found.insert(other);
+    RC_ASSERT(found == others);
+  }
+}
+
+}  // namespace
+}  // namespace graze::detail::pair_graph_test
