@@ -21,7 +21,7 @@ std::vector<PairContact<N, T>> contacts(std::span<const AnyShape<N, T>> shapes, 
   detail::check_pairs(candidates, shapes.size(), "contacts");
   const std::vector<Pair> touching = touching_pairs(shapes, candidates, options);
   std::vector<PairContact<N, T>> result(touching.size());
-  const Executor& executor = options.executor != nullptr ? *options.executor : default_executor();
+  const Executor& executor = detail::executor_of(options);
   detail::in_tasks(touching.size(), manifolds_per_task, executor, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       result[i] = {touching[i], manifold(shapes[touching[i].a], shapes[touching[i].b])};

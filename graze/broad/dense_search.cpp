@@ -63,7 +63,7 @@ template <Dim N, class T>
 std::span<const Pair> DenseSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options,
                                               const PairRoom& room) {
   take(boxes_a, boxes_b, static_cast<T>(options.margin));
-  const Executor& executor = options.executor != nullptr ? *options.executor : default_executor();
+  const Executor& executor = executor_of(options);
   constexpr std::size_t comparisons_per_task = std::size_t{1} << 20U;
   constexpr std::size_t most_tasks = 64;
   const std::size_t tasks = std::clamp<std::size_t>(rows_ * columns_ / comparisons_per_task, 1, most_tasks);

@@ -32,4 +32,14 @@ const Executor& serial_executor();
 /// std::invalid_argument for none.
 std::unique_ptr<Executor> limited_executor(std::size_t threads);
 
+namespace detail {
+
+/// Who runs the work of a call: the executor that its options name, or the usual one.
+template <class Options>
+const Executor& executor_of(const Options& options) {
+  return options.executor != nullptr ? *options.executor : default_executor();
+}
+
+}  // namespace detail
+
 }  // namespace graze

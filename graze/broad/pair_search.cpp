@@ -204,7 +204,7 @@ std::span<const Pair> PairSearch<N, T>::find_any(const Executor& executor, const
 template <Dim N, class T>
 std::span<const Pair> PairSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options,
                                              const PairRoom& room) {
-  const Executor& executor = options.executor != nullptr ? *options.executor : default_executor();
+  const Executor& executor = executor_of(options);
   build(boxes_a, boxes_b, static_cast<T>(options.margin), executor);
   descend();
   if (options.order == PairOrder::any) return find_any(executor, room);
@@ -214,7 +214,7 @@ std::span<const Pair> PairSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_b
 template <Dim N, class T>
 void PairSearch<N, T>::visit(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options,
                              const PairVisitor& visitor) {
-  const Executor& executor = options.executor != nullptr ? *options.executor : default_executor();
+  const Executor& executor = executor_of(options);
   build(boxes_a, boxes_b, static_cast<T>(options.margin), executor);
   descend();
   // Wave by wave, so that no more is held than the pairs of one wave.

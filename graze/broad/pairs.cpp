@@ -8,6 +8,7 @@
 #include <graze/broad/buffer.hpp>
 #include <graze/broad/pair_methods.hpp>
 #include <graze/broad/pairs.hpp>
+#include <graze/broad/populate.hpp>
 
 namespace graze {
 namespace {
@@ -102,7 +103,9 @@ std::vector<Pair> all_pairs(std::span<const Aabb<N, T>> boxes_a, const std::span
                             const PairOptions& options) {
   std::vector<Pair> pairs;
   detail::PairMethods<N, T> search;
-  const std::span<const Pair> found = search.find(boxes_a, boxes_b, options, [&pairs](std::size_t count) {
+  const std::span<const Pair> found = search.find(boxes_a, boxes_b, options, [&](std::size_t count) {
+    pairs.reserve(count);
+    detail::populate(pairs.data(), count * sizeof(Pair), detail::executor_of(options));
     pairs.resize(count);
     return pairs.data();
   });

@@ -281,10 +281,6 @@ class TaskOfOneType {
   std::array<GroupVerdict, pairs_in_task / touch_group> verdicts_;
 };
 
-const Executor& executor_of(const TouchOptions& options) {
-  return options.executor != nullptr ? *options.executor : default_executor();
-}
-
 /// The pairs that keep(first, last, out) leaves of each task, one after the other.
 template <class Keep>
 std::vector<Pair> kept_of_tasks(std::size_t count, const TouchOptions& options, const Keep& keep) {
