@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t chunk_size = 1U << 16U;   // boxes that one task looks at
 constexpr std::size_t boxes_per_bucket = 1024;  // between this and twice as many, if boxes are spread evenly
-constexpr std::size_t most_buckets_in_order = 4096;
+constexpr std::size_t most_buckets_in_order = 16384;
 
 // Classes of sizes: 0 are the usual ones, sorted by cells; each further class reaches four times as far, but for the
 // last, which holds what is infinite.
