@@ -173,12 +173,14 @@ void BlockTree<N, T>::build(std::span<const Aabb<N, T>> boxes, T margin, const E
   for (const SpatialRun& run : runs) held += run.count;
   if (held == boxes.size()) box_count_ = held;
   for (std::size_t k = 0; k + 1 < height(); ++k) close(k, executor);
-  remember_spread();
+  built_height_ = height();
+  knows_spread_ = false;
 }
 
+/// How far the blocks reach that were built: only asked for when boxes move.
 template <Dim N, class T>
 void BlockTree<N, T>::remember_spread() {
-  built_height_ = height();
+  if (std::exchange(knows_spread_, true)) return;
   spread_.take_as_usual(level(1), level_size(0));
   spread_when_built_ = spread_.of(level(1), 0, level_size(0));
   sample_when_built_ = 0;
@@ -202,9 +204,9 @@ bool BlockTree<N, T>::has_drifted(std::span<const Aabb<N, T>> boxes, T margin) c
 
 template <Dim N, class T>
 bool BlockTree<N, T>::refit(std::span<const Aabb<N, T>> boxes, T margin, const Executor& executor) {
-  if (boxes.empty() || boxes.size() != box_count_ || lost_ > spread_when_built_ || has_drifted(boxes, margin)) {
-    return false;
-  }
+  if (boxes.empty() || boxes.size() != box_count_) return false;
+  remember_spread();
+  if (lost_ > spread_when_built_ || has_drifted(boxes, margin)) return false;
   level_first_.resize(built_height_ + 1);
   constexpr std::size_t blocks_per_task = std::size_t{16} * block_size;  // no two tasks share a block above
   const std::size_t count = level_size(0);

@@ -70,6 +70,7 @@ class BlockTree {
   // What the order was worth when it was made, and what has been lost since.
   std::size_t box_count_ = 0;  // of the last build, if all of its boxes are in the tree
   std::size_t built_height_ = 0;
+  bool knows_spread_ = false;
   BlockSpread<N, T> spread_;
   std::uint64_t spread_when_built_ = 0;
   std::uint64_t sample_when_built_ = 0;

@@ -87,7 +87,7 @@ void SpatialOrder<N, T>::survey(std::span<const Aabb<N, T>> boxes, const Executo
 /// block anyway, or twice what is common among the smaller ones.
 template <Dim N, class T>
 T SpatialOrder<N, T>::usual_size(std::span<const Aabb<N, T>> boxes) const {
-  constexpr std::size_t most_samples = 1024;
+  constexpr std::size_t most_samples = 256;
   const std::size_t stride = std::max<std::size_t>(1, boxes.size() / most_samples);
   std::vector<T> extents;
   extents.reserve(boxes.size() / stride + 1);
