@@ -41,6 +41,7 @@ struct Entrant {
   std::string settings;  ///< Version, and how it is used.
   Side side = Side::peer;
   std::size_t threads = 1;
+  bool keeps = false;  ///< A tree, or what else it knows, from frame to frame.
   std::size_t most_boxes = std::numeric_limits<std::size_t>::max();
   std::string why_no_more;  ///< The reason for most_boxes.
   /// Makes it ready for frames like this one. Not timed: what moves from frame to frame is built here.

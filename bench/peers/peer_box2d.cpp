@@ -92,6 +92,7 @@ void enter_box2d(Entrants<N, T>& field) {
   if constexpr (N == 2 && std::is_same_v<T, float>) {
     Entrant<N, T> entrant;
     entrant.name = "Box2D b2DynamicTree";
+    entrant.keeps = true;
     entrant.settings = "Box2D " + std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) + "." +
                        std::to_string(b2_version.revision) + ", the tree kept and its boxes moved, asked in its order";
     entrant.most_boxes = 1'000'000;

@@ -75,6 +75,7 @@ void enter_bullet(Entrants<N, T>& field) {
   if constexpr (N == 3 && std::is_same_v<T, float>) {
     Entrant<N, T> entrant;
     entrant.name = "Bullet btDbvtBroadphase";
+    entrant.keeps = true;
     entrant.settings = "Bullet " + std::to_string(BT_BULLET_VERSION / 100) + "." +
                        std::to_string(BT_BULLET_VERSION % 100) +
                        ", the tree kept and its boxes moved, margin 0.2, collisions deferred, pairs in a plain list";

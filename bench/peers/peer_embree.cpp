@@ -127,6 +127,7 @@ void enter_with(Entrants<N, float>& field, std::size_t threads, Upkeep upkeep) {
   entrant.settings = "Embree " RTC_VERSION_STRING ", user geometry, low quality, dynamic scene; ";
   entrant.settings += upkeep == Upkeep::refit ? "the tree kept and refitted" : "the tree built anew";
   entrant.threads = threads;
+  entrant.keeps = upkeep == Upkeep::refit;
   entrant.prepare = [threads, upkeep](std::span<const Aabb<N, float>> boxes) {
     return std::make_unique<Collider<N>>(boxes, threads, upkeep);
   };

@@ -64,6 +64,7 @@ void enter_fcl(Entrants<N, T>& field) {
   if constexpr (N == 3) {
     Entrant<N, T> entrant;
     entrant.name = "FCL DynamicAABBTree_Array";
+    entrant.keeps = true;
     entrant.settings = "FCL " FCL_VERSION ", the tree kept and refitted";
     entrant.prepare = [](std::span<const Aabb<N, T>> boxes) { return std::make_unique<DynamicTree<T>>(boxes); };
     field.push_back(std::move(entrant));

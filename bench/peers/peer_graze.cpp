@@ -59,6 +59,7 @@ void enter_with(Entrants<N, T>& field, std::size_t threads) {
     entrant.settings = settings;
     entrant.side = Side::graze;
     entrant.threads = threads;
+    entrant.keeps = name != "graze overlapping_pairs";
     entrant.prepare = prepare;
     field.push_back(std::move(entrant));
   };

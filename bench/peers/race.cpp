@@ -167,6 +167,7 @@ class CourseRace {
       runner.timing.settings = entrant.settings;
       runner.timing.side = entrant.side;
       runner.timing.threads = entrant.threads;
+      runner.timing.keeps = entrant.keeps;
       runner.timing.why_not = reason_to_sit_out(entrant, count, previous, settings_.slowest);
       runners.push_back(std::move(runner));
     }
@@ -240,9 +241,13 @@ CourseResult run_course(const Course& course, const Settings& settings, Outcome&
 
 Outcome run_race(const Settings& settings) {
   Outcome outcome;
+  Settings extended = settings;
+  if (settings.largest > 0) extended.counts.push_back(settings.largest);
+  std::sort(extended.counts.begin(), extended.counts.end());
   for (const Course& course : settings.courses) {
-    outcome.results.push_back(course.dimension == 2 ? run_course<2>(course, settings, outcome)
-                                                    : run_course<3>(course, settings, outcome));
+    const Settings& of_course = outcome.results.empty() ? extended : settings;
+    outcome.results.push_back(course.dimension == 2 ? run_course<2>(course, of_course, outcome)
+                                                    : run_course<3>(course, of_course, outcome));
   }
   return outcome;
 }

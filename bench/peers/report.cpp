@@ -89,23 +89,30 @@ struct Discipline {
   std::string contestant;
   std::string title;
   std::string explanation;
+  Field field = Field::all;
 };
 
-const std::array<Discipline, 2>& disciplines() {
-  static const std::array<Discipline, 2> all{
+const std::array<Discipline, 3>& disciplines() {
+  static const std::array<Discipline, 3> all{
       {{"graze PairFinder, any order", "From frame to frame",
         "Like with like: `PairFinder` keeps what it knows from the last frame and gives pairs as it finds them, as the "
-        "peers do. One thread."},
-       {"graze overlapping_pairs", "One call",
+        "peers do. One thread.",
+        Field::all},
+       {"graze overlapping_pairs", "One call, from nothing",
         "`overlapping_pairs` with its defaults, one thread: a list made anew, nothing known of the last frame, pairs "
-        "sorted. The peers keep their trees, and do not sort."}}};
+        "sorted. Beside it the peers that know nothing of the last frame either, or forget it: none of them sorts.",
+        Field::from_nothing},
+       {"graze overlapping_pairs", "One call, where peers keep their trees",
+        "The same call, beside all peers: the fastest is mostly one that was told all boxes before, and fits its tree "
+        "to where they are now.",
+        Field::all}}};
   return all;
 }
 
 /// How many times as long the fastest peer with one thread takes; 0 when either did not run.
 double ratio_of(const Heat& heat, const Discipline& discipline) {
   const Timing* graze = timing_of(heat, discipline.contestant);
-  const Timing* peer = fastest(heat, Side::peer, 1);
+  const Timing* peer = fastest(heat, Side::peer, 1, discipline.field);
   return graze == nullptr || peer == nullptr ? 0 : peer->median / graze->median;
 }
 
@@ -162,7 +169,7 @@ std::string under_target(const Outcome& outcome, const Discipline& discipline) {
   for (const CourseResult& result : outcome.results) {
     for (const Heat& heat : result.heats) {
       if (!is_under_target(result.course, heat, discipline)) continue;
-      const Timing& peer = *fastest(heat, Side::peer, 1);
+      const Timing& peer = *fastest(heat, Side::peer, 1, discipline.field);
       lines += fmt::format("- {}, {} boxes: {} of {:g}; {} takes {} ms, graze {} ms\n", title_of(result.course),
                            grouped(heat.count), ratio_text(ratio_of(heat, discipline)),
                            target_of(result.course, heat.count), peer.name, milliseconds(peer.median),

@@ -10,10 +10,11 @@ const Timing* timing_of(const Heat& heat, const std::string& name) {
   return nullptr;
 }
 
-const Timing* fastest(const Heat& heat, Side side, std::size_t threads) {
+const Timing* fastest(const Heat& heat, Side side, std::size_t threads, Field field) {
   const Timing* best = nullptr;
   for (const Timing& timing : heat.timings) {
-    const bool counts = timing.side == side && timing.threads <= threads && timing.frames > 0;
+    const bool belongs = timing.side == side && (field == Field::all || !timing.keeps);
+    const bool counts = belongs && timing.threads <= threads && timing.frames > 0;
     if (counts && (best == nullptr || timing.median < best->median)) best = &timing;
   }
   return best;

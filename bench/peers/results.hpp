@@ -17,6 +17,7 @@ struct Timing {
   std::string settings;
   Side side = Side::peer;
   std::size_t threads = 1;
+  bool keeps = false;      ///< What it knows, from frame to frame.
   std::size_t frames = 0;  ///< How many were timed; 0 when it did not run.
   std::string why_not;     ///< Then the reason.
   double median = 0;       ///< Milliseconds per frame.
@@ -37,8 +38,11 @@ struct CourseResult {
 /// The timing of that name, or null when it did not run.
 const Timing* timing_of(const Heat& heat, const std::string& name);
 
+/// Whom a contestant is compared with.
+enum class Field { all, from_nothing };
+
 /// The fastest contestant of that side that uses at most so many threads, or null when none ran.
-const Timing* fastest(const Heat& heat, Side side, std::size_t threads);
+const Timing* fastest(const Heat& heat, Side side, std::size_t threads, Field field = Field::all);
 
 /// What graze is judged by: plain overlapping_pairs, with so many threads. Null when it did not run.
 const Timing* judged(const Heat& heat, std::size_t threads);

@@ -42,6 +42,7 @@ struct Words {
   std::vector<std::string> scenes = {"brownian", "2d:brownian"};
   std::vector<std::string> counts = {"1k", "10k", "100k"};
   std::vector<std::string> files;
+  std::string largest;
 };
 
 void add_options(CLI::App& app, Words& words, Settings& settings) {
@@ -50,6 +51,7 @@ void add_options(CLI::App& app, Words& words, Settings& settings) {
       ->capture_default_str();
   app.add_option("--boxes", words.files, "files of boxes to race on as well")->delimiter(',');
   app.add_option("--counts", words.counts, "numbers of boxes, such as 1k,1M")->delimiter(',')->capture_default_str();
+  app.add_option("--largest", words.largest, "so many boxes too in the first scene, which the chart shows");
   app.add_option("--frames", settings.frames, "frames that are timed in a round")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
@@ -102,6 +104,7 @@ std::variant<Settings, int> read_settings(int argc, const char* const* argv) {
     app.parse(argc, argv);
     settings.courses = courses_of(words);
     for (const std::string& count : words.counts) settings.counts.push_back(read_count(count));
+    if (!words.largest.empty()) settings.largest = read_count(words.largest);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : usage_error;
   } catch (const std::exception& error) {
