@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <cstring>
+#include <limits>
 #include <memory>
+#include <new>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -16,13 +18,20 @@ namespace graze::detail {
 void* allocate_pages(std::size_t bytes);
 void release_pages(void* memory, std::size_t bytes) noexcept;
 
-/// For vectors whose values are written before they are read: what is made without a value is not initialised.
+/// For vectors whose values are written before they are read: what is made without a value is not initialised. Their
+/// memory is that of allocate_pages.
 template <class Value>
 struct BlankAllocator : std::allocator<Value> {
   template <class Other>
   struct rebind {  // NOLINT(readability-identifier-naming): as std::allocator_traits names it
     using other = BlankAllocator<Other>;
   };
+
+  Value* allocate(std::size_t count) {
+    if (count > std::numeric_limits<std::size_t>::max() / 2 / sizeof(Value)) throw std::bad_alloc();
+    return static_cast<Value*>(allocate_pages(count * sizeof(Value)));
+  }
+  void deallocate(Value* values, std::size_t count) noexcept { release_pages(values, count * sizeof(Value)); }
 
   template <class Made>
   void construct(Made* /*place*/) noexcept {

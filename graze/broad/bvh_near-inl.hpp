@@ -309,6 +309,7 @@ class NearWalk {
       link = path[depth].link(lanes[depth]);
     }
     looks_ = depth;
+    if (depth > 0) ask_for_next(path[depth - 1], lanes[depth - 1]);  // while the first is on its way
     look_at_boxes(link);
     while (depth-- > 0) {
       const std::uint32_t others = ranked_within(path[depth], limit_) & ~(1U << lanes[depth]);
@@ -333,6 +334,20 @@ class NearWalk {
     ++looks_;
     keep_.offer(boxes);
     limit_ = rank_of<T>(keep_.reach());
+  }
+
+  /// Asks for the child that seems nearest but for one, which often has to be looked at after the first.
+  HWY_INLINE void ask_for_next(const NearChildren<T>& children, std::uint32_t nearest) const {
+    const Tag<T> d;
+    const auto infinity = hn::Set(d, std::numeric_limits<T>::infinity());
+    const auto first = hn::Set(d, children.ranks[nearest]);
+    auto least = infinity;
+    for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
+      const auto ranks = hn::Load(d, children.ranks + lane);
+      least = hn::Min(least, hn::IfThenElse(hn::Gt(ranks, first), ranks, infinity));
+    }
+    const std::uint32_t next = lane_of_least<T>(least);
+    if (children.ranks[next] <= std::numeric_limits<T>::max()) prefetch_whole(nodes_ + children.link(next).index());
   }
 
   /// At boxes of children that are leaf nodes now, at what is in others later.

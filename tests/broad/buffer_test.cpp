@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <new>
 #include <numeric>
 #include <utility>
 
@@ -71,6 +74,20 @@ TEST(BlankVector, KeepsWhatWasWritten) {
   EXPECT_EQ(copy[1], 2);
   EXPECT_EQ(copy.size(), 1001U);
   EXPECT_EQ(BlankVector<int>(5, 7).back(), 7);
+}
+
+TEST(BlankVector, BeginsAtACacheLineOrALargePage) {
+  const BlankVector<std::uint8_t> small(1);
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(small.data()) % 64, 0U);
+  BlankVector<std::uint8_t> large(std::size_t{5} << 20U);
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(large.data()) % (1U << 21U), 0U);
+  large.back() = 7;  // the last byte is ours
+  EXPECT_EQ(large.back(), 7);
+}
+
+TEST(BlankVector, RefusesMoreThanThereIs) {
+  BlankVector<double> numbers;
+  EXPECT_THROW(numbers.get_allocator().allocate(std::numeric_limits<std::size_t>::max() / 4), std::bad_alloc);
 }
 
 }  // namespace
