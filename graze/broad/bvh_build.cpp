@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <span>
 
 #include <graze/broad/box_cover.hpp>
 #include <graze/broad/buffer.hpp>
@@ -25,8 +26,12 @@ namespace {
 /// Parts of larger trees may be built by different threads.
 constexpr std::size_t worth_a_task = 4096;
 
-/// Before so many centers are parted down to leaf nodes, what these will hold is asked for.
-constexpr std::size_t worth_asking_ahead = 256;
+/// A node of this level holds a few thousand boxes at most. Their centers are parted as a whole before a leaf node is
+/// filled, so that what is in the next nodes is known while one is built.
+constexpr std::size_t level_of_groups = 2;
+
+/// How many leaf nodes ahead memory is asked for to write them to.
+constexpr std::size_t nodes_ahead = 2;
 
 template <Dim N, class T>
 Dim longest_axis(const Aabb<N, T>& box) {
@@ -47,21 +52,22 @@ class BvhBuilder {
 
   /// Builds a node of a level from the boxes that are its own, and returns its bounds.
   Aabb<N, T> build_node(  // NOLINT(misc-no-recursion): no deeper than the tree
-      std::size_t level, std::size_t number, const Centers& centers) const {
+      std::size_t level, std::size_t number, const Centers& centers, std::span<const std::uint32_t> next = {}) const {
     const std::uint32_t index = plan_.index(level, number);
     BvhNode<N, T>& node = arrays_.nodes[index];
     const std::size_t first = plan_.first_entry(level, number);
     const std::size_t count = plan_.first_entry(level, number + 1) - first;
     arrays_.places[index].count = static_cast<std::uint32_t>(count);
     clear_lanes(node, static_cast<std::uint32_t>(count));
-    if (level > 0) {
-      build_entries({level, index, first},
-                    {first, first + count, center_kernels<N, T>().bounds(centers.here, centers.count)}, centers);
-    } else {
+    if (level == 0) {
       fill_leaf_node(index, centers);
+      return grown_by(bvh_kernels<N, T>().around(node.boxes), margin_);
     }
-    const Aabb<N, T> around = bvh_kernels<N, T>().around(node.boxes);
-    return level > 0 ? around : grown_by(around, margin_);
+    Centers groups[block_size];
+    Parent parent{level, index, first, next, groups};
+    build_entries(parent, {first, first + count, center_kernels<N, T>().bounds(centers.here, centers.count)}, centers);
+    if (level == level_of_groups) build_groups(parent, count);
+    return bvh_kernels<N, T>().around(node.boxes);
   }
 
  private:
@@ -69,6 +75,8 @@ class BvhBuilder {
     std::size_t level;
     std::uint32_t index;
     std::size_t first;
+    std::span<const std::uint32_t> next;  ///< Slots of boxes that the node beside it will hold, not asked for yet.
+    Centers* groups;                      ///< Of its entries, which are built when all are known.
   };
 
   /// Entries of a parent, by number, and a box that holds their boxes' centers.
@@ -78,38 +86,63 @@ class BvhBuilder {
     Aabb<N, T> bounds;
   };
 
+  static std::span<const std::uint32_t> slots_of(const Centers& centers) { return {centers.here.slots, centers.count}; }
+
   /// In the order of slots, since parting keeps it.
   void fill_leaf_node(std::uint32_t index, const Centers& centers) const {
     BvhNode<N, T>& node = arrays_.nodes[index];
+    if (index + nodes_ahead < plan_.nodes()) prefetch_whole_to_write(arrays_.nodes + index + nodes_ahead);
     for (std::uint32_t lane = 0; lane < centers.count; ++lane) {
       const std::uint32_t slot = centers.here.slots[lane];
       put_box(node.boxes, lane, arrays_.boxes[slot]);
       node.entries[lane] = slot;
-      arrays_.leaf_nodes[slot] = index;
     }
   }
 
-  void ask_ahead(const Centers& centers) const {
-    for (std::size_t k = 0; k < centers.count; ++k) {
-      const std::uint32_t slot = centers.here.slots[k];
-      prefetch(&arrays_.boxes[slot]);
-      prefetch(&arrays_.leaf_nodes[slot]);
+  void ask_for(std::span<const std::uint32_t> slots) const {
+    for (const std::uint32_t slot : slots) prefetch(&arrays_.boxes[slot]);
+  }
+
+  /// The same for as many boxes as a node takes, the first of those that are not asked for yet.
+  void ask_for_some(std::span<const std::uint32_t>& slots) const {
+    const std::size_t some = std::min<std::size_t>(block_size, slots.size());
+    ask_for(slots.first(some));
+    slots = slots.subspan(some);
+  }
+
+  /// Builds a node that is an entry of a parent.
+  void build_entry(  // NOLINT(misc-no-recursion)
+      Parent& parent, std::size_t entry, const Centers& centers, std::span<const std::uint32_t> next) const {
+    const std::uint32_t index = plan_.index(parent.level - 1, entry);
+    const auto lane = static_cast<std::uint32_t>(entry - parent.first);
+    BvhNode<N, T>& above = arrays_.nodes[parent.index];
+    put_box(above.boxes, lane, build_node(parent.level - 1, entry, centers, next));
+    above.entries[lane] = (parent.level == 1 ? BvhLink::leaf(index) : BvhLink::inner(index)).code();
+    arrays_.places[index].parent = parent.index;
+  }
+
+  /// Builds the entries of a parent that were put off, asking for what the next one will hold while one is built.
+  void build_groups(Parent& parent, std::size_t count) const {  // NOLINT(misc-no-recursion)
+    ask_for(slots_of(parent.groups[0]));
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::span<const std::uint32_t> next =
+          k + 1 < count ? slots_of(parent.groups[k + 1]) : std::span<const std::uint32_t>{};
+      build_entry(parent, parent.first + k, parent.groups[k], next);
     }
   }
 
   /// Builds the nodes that are entries of a parent.
   void build_entries(  // NOLINT(misc-no-recursion)
-      const Parent& parent, const Entries& entries, const Centers& centers) const {
+      Parent& parent, const Entries& entries, const Centers& centers) const {
     if (entries.last - entries.first == 1) {
-      const std::uint32_t index = plan_.index(parent.level - 1, entries.first);
-      const auto lane = static_cast<std::uint32_t>(entries.first - parent.first);
-      BvhNode<N, T>& above = arrays_.nodes[parent.index];
-      put_box(above.boxes, lane, build_node(parent.level - 1, entries.first, centers));
-      above.entries[lane] = (parent.level == 1 ? BvhLink::leaf(index) : BvhLink::inner(index)).code();
-      arrays_.places[index].parent = parent.index;
+      if (parent.level == level_of_groups) {
+        parent.groups[entries.first - parent.first] = centers;
+      } else {
+        ask_for_some(parent.next);
+        build_entry(parent, entries.first, centers, {});
+      }
       return;
     }
-    if (centers.count <= worth_asking_ahead && centers.count > worth_asking_ahead / 2) ask_ahead(centers);
     const std::size_t middle = (entries.first + entries.last) / 2;
     const std::size_t count =
         plan_.first_box(parent.level - 1, middle) - plan_.first_box(parent.level - 1, entries.first);

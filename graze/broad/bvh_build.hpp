@@ -30,6 +30,7 @@ class BvhPlan {
   /// How many levels of nodes there are; level 0 are the leaf nodes.
   std::size_t height() const { return sizes_.size() - 1; }
   std::size_t nodes() const { return firsts_.back(); }
+  std::size_t leaf_nodes() const { return sizes_[1]; }
 
   std::uint32_t index(std::size_t level, std::size_t node) const {
     return static_cast<std::uint32_t>(firsts_[level] + node);
@@ -52,14 +53,12 @@ class BvhPlan {
   std::vector<std::size_t> firsts_;  // the number of each level's first node, and of all
 };
 
-/// What a tree is built of, boxes by slot, and into: nodes and places by number, as many as the plan has; of each slot
-/// its leaf node.
+/// What a tree is built of, boxes by slot, and into: nodes and places by number, as many as the plan has.
 template <Dim N, class T>
 struct BvhArrays {
   const Aabb<N, T>* boxes;
   BvhNode<N, T>* nodes;
   BvhPlace* places;
-  std::uint32_t* leaf_nodes;
 };
 
 /// Builds a tree of the boxes in these slots, where the bounds of leaf nodes are grown by a margin. Where boxes have to

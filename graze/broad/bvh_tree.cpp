@@ -51,6 +51,7 @@ BvhTree<N, T>::BvhTree(double margin) : margin_(margin) {
 
 template <Dim N, class T>
 void BvhTree<N, T>::insert(std::uint32_t slot, const Box& box) {
+  note_leaf_nodes();
   if (slot >= boxes_.size()) {
     leaf_nodes_.resize(slot + std::size_t{1});
     boxes_.resize(slot + std::size_t{1});
@@ -68,6 +69,7 @@ void BvhTree<N, T>::insert(std::uint32_t slot, const Box& box) {
 
 template <Dim N, class T>
 void BvhTree<N, T>::update(std::uint32_t slot, const Box& box) {
+  note_leaf_nodes();
   if (!is_valid(box) || !is_valid(boxes_[slot])) {
     require_nodes();
     reserve_one_more(infinite_);
@@ -84,6 +86,7 @@ void BvhTree<N, T>::update(std::uint32_t slot, const Box& box) {
 
 template <Dim N, class T>
 void BvhTree<N, T>::erase(std::uint32_t slot) noexcept {
+  note_leaf_nodes();
   if (is_valid(boxes_[slot])) {
     detach(slot);
   } else {
@@ -120,7 +123,8 @@ void BvhTree<N, T>::fill(std::span<const Box> boxes, std::span<const std::uint32
   const BvhPlan plan(slots.size());
   nodes_.resize(plan.nodes());
   places_.resize(plan.nodes());
-  build_bvh<N, T>(slots, margin_, plan, {boxes_.data(), nodes_.data(), places_.data(), leaf_nodes_.data()}, executor);
+  build_bvh<N, T>(slots, margin_, plan, {boxes_.data(), nodes_.data(), places_.data()}, executor);
+  unknown_leaf_nodes_ = static_cast<std::uint32_t>(plan.leaf_nodes());
   height_ = plan.height();
   const std::uint32_t top = plan.index(height_ - 1, 0);
   root_ = height_ == 1 ? BvhLink::leaf(top) : BvhLink::inner(top);
@@ -156,6 +160,15 @@ void BvhTree<N, T>::remove_from_list(std::uint32_t slot) noexcept {
 }
 
 // ---- Nodes
+
+/// Lets all boxes know their leaf nodes, those that were built at once and are as they were.
+template <Dim N, class T>
+void BvhTree<N, T>::note_leaf_nodes() noexcept {
+  for (std::uint32_t node = 0; node < unknown_leaf_nodes_; ++node) {
+    for (std::uint32_t lane = 0; lane < places_[node].count; ++lane) leaf_nodes_[nodes_[node].entries[lane]] = node;
+  }
+  unknown_leaf_nodes_ = 0;
+}
 
 /// Sees to it that as many nodes are at hand as one change may need: one for each level, and a new root; and that all
 /// that are made may be given back.
@@ -385,6 +398,7 @@ void BvhTree<N, T>::clear_tree() noexcept {
   nodes_.clear();
   places_.clear();
   spare_.clear();
+  unknown_leaf_nodes_ = 0;
   root_ = {};
   height_ = 0;
 }

@@ -51,10 +51,11 @@ class BvhTree {
     prefetch(&boxes_[slot]);
   }
   void prefetch_node(std::uint32_t slot) const {
-    if (leaf_nodes_[slot] < nodes_.size()) prefetch_whole(&nodes_[leaf_nodes_[slot]]);
+    if (are_leaf_nodes_known() && leaf_nodes_[slot] < nodes_.size()) prefetch_whole(&nodes_[leaf_nodes_[slot]]);
   }
 
-  /// Into an empty tree: boxes[i] in slots[i]. Throws also what the executor does; the tree is then of no use.
+  /// Into an empty tree: boxes[i] in slots[i]. Throws also what the executor does; the tree is then of no use. Which
+  /// leaf node each box is in is noted before the first change afterwards, in O(n) steps: who only asks need not wait.
   void fill(std::span<const Box> boxes, std::span<const std::uint32_t> slots, const Executor& executor);
 
   const Box& box(std::uint32_t slot) const { return boxes_[slot]; }
@@ -81,6 +82,8 @@ class BvhTree {
   BvhLink parent_link(BvhLink link) const { return BvhLink::inner(places_[link.index()].parent); }
   std::uint32_t lane_of(std::uint32_t node, std::uint32_t entry) const;
 
+  bool are_leaf_nodes_known() const { return unknown_leaf_nodes_ == 0; }
+  void note_leaf_nodes() noexcept;
   void require_nodes();
   std::uint32_t take_node() noexcept;
   void release_node(std::uint32_t index) noexcept;
@@ -109,6 +112,7 @@ class BvhTree {
   std::size_t height_ = 0;                 // levels of nodes
   BlankVector<Box> boxes_;                 // by slot
   BlankVector<std::uint32_t> leaf_nodes_;  // by slot: the number of the node, or where in the list
+  std::uint32_t unknown_leaf_nodes_ = 0;   // so many of the first nodes are leaf nodes that their boxes do not know yet
   std::vector<std::uint32_t> infinite_;
 };
 

@@ -64,6 +64,18 @@ template <class Value>
 #endif
 }
 
+/// Asks for all cache lines of a value that will be written to, which begins at one.
+template <class Value>
+[[gnu::always_inline]] inline void prefetch_whole_to_write([[maybe_unused]] Value* value) {
+#ifdef __GNUC__
+  constexpr std::size_t line = 64;
+  keep_calls(value);
+  for (std::size_t at = 0; at < sizeof(Value); at += line) {
+    __builtin_prefetch(reinterpret_cast<const char*>(value) + at, 1);
+  }
+#endif
+}
+
 /// Asks for a cache line that will be written to.
 [[gnu::always_inline]] inline void prefetch_to_write([[maybe_unused]] const void* place) {
 #ifdef __GNUC__

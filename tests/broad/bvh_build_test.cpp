@@ -45,6 +45,7 @@ TEST(BvhPlan, HasAsFewNodesAsThereCanBeAndSharesEntriesEvenly) {
     }
     EXPECT_EQ(below, 1U);
     EXPECT_EQ(plan.nodes(), nodes);
+    EXPECT_EQ(plan.leaf_nodes(), plan.height() == 1 ? 1U : plan.index(1, 0));
   }
 }
 
@@ -54,16 +55,15 @@ struct Built {
   BvhPlan plan;
   std::vector<BvhNode<N, T>> nodes;
   std::vector<BvhPlace> places;
-  std::vector<std::uint32_t> leaf_nodes;
 
   Built(const std::vector<Aabb<N, T>>& boxes, const std::vector<std::uint32_t>& slots, const Executor& executor)
-      : plan(slots.size()), nodes(plan.nodes()), places(plan.nodes()), leaf_nodes(boxes.size()) {
-    build_bvh<N, T>(slots, 0, plan, {boxes.data(), nodes.data(), places.data(), leaf_nodes.data()}, executor);
+      : plan(slots.size()), nodes(plan.nodes()), places(plan.nodes()) {
+    build_bvh<N, T>(slots, 0, plan, {boxes.data(), nodes.data(), places.data()}, executor);
   }
 
   /// To the last bit, that of lanes without an entry as well.
   bool operator==(const Built& other) const {
-    return leaf_nodes == other.leaf_nodes && nodes.size() == other.nodes.size() &&
+    return nodes.size() == other.nodes.size() &&
            std::memcmp(nodes.data(), other.nodes.data(), nodes.size() * sizeof(nodes[0])) == 0 &&
            std::equal(places.begin(), places.end(), other.places.begin(),
                       [](const auto& a, const auto& b) { return a.parent == b.parent && a.count == b.count; });
@@ -86,7 +86,6 @@ TEST(BvhBuild, PartsWhatLiesApart) {
   EXPECT_EQ(tree.nodes[2].entries[0], BvhLink::leaf(0).code());
   EXPECT_EQ(tree.nodes[0].entries[3], 6U);  // by slot
   EXPECT_EQ(box_in(tree.nodes[0].boxes, 3), boxes[6]);
-  EXPECT_EQ(tree.leaf_nodes[6], 0U);
   EXPECT_EQ(tree.places[0].parent, 2U);
   EXPECT_EQ(tree.places[0].count, 16U);
   EXPECT_EQ(tree.places[2].parent, no_box);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -179,6 +180,51 @@ TEST(BvhTree, StaysLowWhenOneSideIsErased) {
   for (std::uint32_t k = many; k-- > many / 64;) {
     held.erase(k);
     if ((k & (k - 1)) == 0) expect_low(held, "erased from above to " + std::to_string(k));
+  }
+}
+
+/// Boxes in every third slot, built at once; every hundredth has an infinite side.
+Held held_at_once(std::uint32_t count) {
+  Held held;
+  std::vector<Box> boxes;
+  std::vector<std::uint32_t> slots;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    Box box = unit_square(k * 37 % 101, k * 59 % 97);
+    if (k % 100 == 99) box.max.x = std::numeric_limits<float>::infinity();
+    slots.push_back(3 * k);
+    boxes.push_back(box);
+    held.boxes[3 * k] = box;
+  }
+  held.tree.fill(boxes, slots, serial_executor());
+  return held;
+}
+
+TEST(BvhTree, AnyChangeMayBeTheFirstAfterAllWereBuiltAtOnce) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  const std::vector<std::function<void(Held&)>> changes = {
+      [](Held& held) { held.set(1, unit_square(3, 4)); },
+      [](Held& held) { held.set(1, {{0, 0}, {1, infinity}}); },
+      [](Held& held) { held.set(0, unit_square(0.5, 0.5)); },
+      [](Held& held) { held.set(0, unit_square(1e6, 1e6)); },
+      [](Held& held) { held.set(0, {{0, 0}, {1, infinity}}); },
+      [](Held& held) { held.erase(0); },
+      [](Held& held) { held.erase(held.boxes.rbegin()->first); },
+  };
+  for (const std::uint32_t count : {1U, 2U, 16U, 17U, 100U, 300U, 5000U}) {
+    const Held built = held_at_once(count);
+    for (std::size_t first = 0; first < changes.size(); ++first) {
+      SCOPED_TRACE(std::to_string(count) + " boxes, change " + std::to_string(first));
+      Held held = built;
+      for (const auto& [slot, box] : held.boxes) held.tree.prefetch_node(slot);
+      changes[first](held);
+      EXPECT_EQ(held.inspect().fault(), "");
+      for (std::uint32_t slot = 0; slot < 3 * count; slot += 6) {
+        if (held.boxes.count(slot) > 0) held.erase(slot);
+      }
+      EXPECT_EQ(held.inspect().fault(), "");
+      while (!held.boxes.empty()) held.erase(held.boxes.begin()->first);
+      EXPECT_TRUE(held.tree.root().is_none());
+    }
   }
 }
 
