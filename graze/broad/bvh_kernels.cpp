@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Compiled once per instruction set: Highway includes this file anew for each.
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -7,6 +8,7 @@
 #include <type_traits>
 
 #include <graze/broad/bvh_kernels.hpp>
+#include <graze/broad/prefetch.hpp>
 #include <graze/broad/simd_choice.hpp>
 #include <graze/broad/spatial_index.hpp>
 #include <graze/math/rounding.hpp>
@@ -151,6 +153,10 @@ HWY_INLINE void look_at_hits(const BvhNode<N, T>& node, std::uint32_t entered, c
   }
 }
 
+/// So many children of a node that a ray enters are asked for, those that are looked at next: the second one while the
+/// first is looked at.
+constexpr std::size_t asked_ahead = 2;
+
 /// The nearest child first; what waits is passed by when a box was found before it.
 template <Dim N, class T>
 std::size_t find_first(const BvhNode<N, T>* nodes, BvhLink root, BvhFirstWalk<N, T>& walk) {
@@ -179,6 +185,9 @@ std::size_t find_first(const BvhNode<N, T>* nodes, BvhLink root, BvhFirstWalk<N,
       std::size_t place = count++;
       for (; place > first && open[place - 1].soonest < child.soonest; --place) open[place] = open[place - 1];
       open[place] = child;
+    }
+    for (std::size_t k = std::max(first + asked_ahead, count) - asked_ahead; k < count; ++k) {
+      prefetch_whole(nodes + BvhLink::of_code(open[k].code).index());
     }
   }
   return looks;
