@@ -79,8 +79,8 @@ class Bvh {
   }
 
   /// Erases all boxes, inserts these, and gives their keys in the order of the boxes: quicker than one by one, and the
-  /// better tree, which does not depend on the executor. Throws like insert and what the executor throws, and then
-  /// changes nothing.
+  /// better tree, which does not depend on the executor. The first change afterwards takes O(n) steps. Throws like
+  /// insert and what the executor throws, and then changes nothing.
   std::vector<Key> assign(std::span<const Box> boxes, const Executor& executor = default_executor()) {
     detail::require_boxes(boxes);
     detail::KeyTable keys = keys_;
