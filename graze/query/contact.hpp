@@ -51,6 +51,7 @@
 #include <optional>
 
 #include <graze/math/vec.hpp>
+#include <graze/query/ball_touch.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/closest_points.hpp>
 #include <graze/query/obb_touch.hpp>
@@ -170,6 +171,10 @@ std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b) 
   } else if constexpr (are_quick_obbs<A, B>) {
     return is_in_order(a, b) ? penetration_of_obbs(a, b) : exchanged(penetration_of_obbs(b, a));
   } else {
+    if constexpr (has_ball_on_box<A, B>) {
+      const BallOnBox quick = ball_and_box(a, b);
+      if (quick.is_known) return quick.meets ? std::optional(quick.found) : std::nullopt;
+    }
     if (decide(a, b) == Relation::apart) return std::nullopt;
     return penetration_of_met(a, b);
   }
@@ -211,6 +216,13 @@ std::optional<Contact<dimension_of<A>, scalar_of<A>>> contact(const A& a, const 
   if constexpr (detail::are_quick_obbs<A, B>) {
     return detail::rounded_contact_of_obbs(a, b);
   } else if constexpr (detail::are_simple<A, B>) {
+    if constexpr (detail::has_ball_on_box<A, B>) {
+      const detail::BallOnBox quick = detail::ball_and_box(a, b);
+      if (quick.is_known) {
+        if (!quick.meets) return std::nullopt;
+        return detail::rounded_contact<scalar_of<A>>(quick.found);
+      }
+    }
     if (detail::decide(a, b) == Relation::apart) return std::nullopt;
     return detail::rounded_contact<scalar_of<A>>(detail::penetration_of_met(a, b));
   } else {

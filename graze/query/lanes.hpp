@@ -64,6 +64,10 @@ struct LaneMatrix {
           __builtin_shufflevector(high, m.column[2], 0, 1, 6, 7)};
 }
 
+[[gnu::always_inline]] inline LaneMatrix magnitude(const LaneMatrix& m) {
+  return {magnitude(m.column[0]), magnitude(m.column[1]), magnitude(m.column[2])};
+}
+
 /// The sum of the columns, each times its number of `factors`.
 [[gnu::always_inline]] inline Lanes combined(const LaneMatrix& m, Lanes factors) {
   return m.column[0] * factors[0] + m.column[1] * factors[1] + m.column[2] * factors[2];
@@ -71,6 +75,13 @@ struct LaneMatrix {
 
 /// Two numbers in double that are calculated with at once.
 using LanePair = double __attribute__((vector_size(16)));
+using LanePairBits = long long __attribute__((vector_size(16)));
+
+[[gnu::always_inline]] inline LanePair magnitude(LanePair v) {
+  constexpr long long all_but_sign = std::numeric_limits<long long>::max();
+  return bit_cast<LanePair>(bit_cast<LanePairBits>(v) & all_but_sign);
+}
+
 /// The same anywhere in memory.
 using LoosePair [[gnu::aligned(8)]] = LanePair;
 
@@ -123,12 +134,37 @@ static_assert(sizeof(PairedVec) == 3 * sizeof(double));
 
 [[gnu::always_inline]] inline Vec<3, double> plain(const PairedVec& v) { return {v.xy[0], v.xy[1], v.z}; }
 
-[[gnu::always_inline]] inline double sum_of_magnitudes(const PairedVec& v) {
-  return __builtin_fabs(v.xy[0]) + __builtin_fabs(v.xy[1]) + __builtin_fabs(v.z);
+/// Never minus zero.
+template <class T>
+[[gnu::always_inline]] inline Vec<3, T> rounded_vec(const PairedVec& v) {
+  const LanePair xy = v.xy;
+  if constexpr (sizeof(T) == sizeof(double)) {
+    const LanePair positive = xy + 0.0;
+    return {positive[0], positive[1], v.z + 0.0};
+  } else {
+    using Four = double __attribute__((vector_size(32)));  // in two registers
+    const Four four = {xy[0], xy[1], v.z, v.z};
+    const Lanes positive = __builtin_convertvector(four, Lanes) + 0.0F;
+    return {positive[0], positive[1], positive[2]};
+  }
 }
-[[gnu::always_inline]] inline double largest_magnitude(const PairedVec& v) {
-  return std::max(std::max(__builtin_fabs(v.xy[0]), __builtin_fabs(v.xy[1])), __builtin_fabs(v.z));
+
+/// `second` where all bits are set, `first` where none is. Without a branch, which would be guessed wrong every other
+/// time.
+[[gnu::always_inline]] inline LanePair one_of(LanePair first, LanePair second, LanePairBits takes_second) {
+  return bit_cast<LanePair>((bit_cast<LanePairBits>(first) & ~takes_second) |
+                            (bit_cast<LanePairBits>(second) & takes_second));
 }
+[[gnu::always_inline]] inline PairedVec one_of(const PairedVec& first, const PairedVec& second,
+                                               LanePairBits takes_second) {
+  return {one_of(LanePair(first.xy), LanePair(second.xy), takes_second),
+          one_of(LanePair{first.z, first.z}, LanePair{second.z, second.z}, takes_second)[0]};
+}
+
+[[gnu::always_inline]] inline PairedVec magnitude(const PairedVec& v) {
+  return {magnitude(LanePair(v.xy)), __builtin_fabs(v.z)};
+}
+[[gnu::always_inline]] inline double sum_of_coordinates(const PairedVec& v) { return v.xy[0] + v.xy[1] + v.z; }
 
 /// A number and a vector in float.
 [[gnu::always_inline]] inline Lanes narrow(double first, const PairedVec& rest) {

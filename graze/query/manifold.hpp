@@ -247,6 +247,19 @@ WideManifold<dimension_of<A>> manifold_in_order(const A& a, const B& b) {
   }
 }
 
+/// Of a ball and a box that meet.
+template <class A, class B>
+WideManifold<3> manifold_of_ball(const BallOnBox& touch) {
+  constexpr Feature of_ball{FeatureKind::vertex, 0};
+  constexpr bool is_ball_first = are_ball_and_obb<A, B>;
+  WideManifold<3> result;
+  result.found = touch.found;
+  result.size = 1;
+  result.pairs[0] = {touch.found.point_a, touch.found.point_b, touch.found.depth,
+                     is_ball_first ? of_ball : touch.feature, is_ball_first ? touch.feature : of_ball};
+  return result;
+}
+
 /// Of two simple shapes that meet.
 template <class A, class B>
 WideManifold<dimension_of<A>> manifold_of_met(const A& a, const B& b) {
@@ -284,6 +297,10 @@ std::optional<WideManifold<dimension_of<A>>> wide_manifold(const A& a, const B& 
   } else if constexpr (are_quick_obbs<A, B>) {
     return manifold_of_obbs(a, b);
   } else {
+    if constexpr (has_ball_on_box<A, B>) {
+      const BallOnBox quick = ball_and_box(a, b);
+      if (quick.is_known) return quick.meets ? std::optional(manifold_of_ball<A, B>(quick)) : std::nullopt;
+    }
     if (decide(a, b) == Relation::apart) return std::nullopt;
     return manifold_of_met(a, b);
   }
@@ -318,107 +335,135 @@ Manifold<N, T> rounded_manifold(const WideManifold<N>& exact) {
 
 #ifdef GRAZE_HAS_LANES
 
-/// The manifold of two oriented boxes in space: points are rounded as they are found, so that none is copied.
+/// In a function of its own: more of them at once are cleared by an instruction for long rows, which takes as long as a
+/// quick contact.
 template <class R>
-class ObbManifold {
+[[gnu::noinline]] ManifoldPoint<3, R> no_point() {
+  return {};
+}
+
+/// Rounds the points of two oriented boxes in space, each where it stays: what is cleared first, or copied, takes as
+/// long as a quick contact.
+template <class R>
+class ObbPoints {
  public:
-  /// `result` stays as it is, empty, if the two are apart.
-  [[gnu::always_inline]] explicit ObbManifold(Manifold<3, R>& result) : result_(result) {}
+  /// Whose coordinates are seen from `origin`; `turns` if the first of a pair is of the user's second box.
+  [[gnu::always_inline]] ObbPoints(const PairedVec& origin, bool turns)
+      : origin_(origin), turns_(turns), second_first_(LanePairBits{} - (turns ? 1 : 0)) {}
 
-  double depth = 0;
-
-  template <class T>
-  [[gnu::always_inline]] void find(const Obb<3, T>& a, const Obb<3, T>& b) {
-    is_exchanged_ = !is_in_order(a, b);
-    find_in_order(is_exchanged_ ? b : a, is_exchanged_ ? a : b);
+  [[gnu::always_inline]] ManifoldPoint<3, R> rounded(const PairedPoints& pair) const {
+    const PairedVec first = pair.point_a + origin_;
+    const PairedVec second = pair.point_b + origin_;
+    const Feature features[2] = {pair.feature_a, pair.feature_b};
+    return {rounded_vec<R>((first + second) * 0.5),
+            rounded_vec<R>(one_of(first, second, second_first_)),
+            rounded_vec<R>(one_of(second, first, second_first_)),
+            static_cast<R>(pair.depth),
+            {features[turns_ ? 1 : 0], features[turns_ ? 0 : 1], 0, 0}};
   }
 
  private:
-  template <class T>
-  [[gnu::always_inline]] void find_in_order(const Obb<3, T>& a, const Obb<3, T>& b) {
-    const ObbAxes axes = axes_of(a, b);
-    if (are_apart(a, b, axes)) return;
-    const MeetingObbs met(a, b, axes.candidates);
-    depth = met.depth();
-    origin_ = PairedVec(reference(a));
-    const CarryingFace face = carrying_face(met);
-    if (face.is_any) {
-      FaceOverFace over = face_over(met, face);
-      if (over.run()) take_corners(over, met.normal, face.is_of_b);
-    } else {
-      const CrossingEdges edges = quick_pair_on_edges(met);
-      if (edges.is_known) take(edges.points, is_exchanged_);
-    }
-    if (result_.size == 0) {
-      find_carefully(a, b, met.contact());
-      return;
-    }
-    round(met.normal * (is_exchanged_ ? -1.0 : 1.0), result_.normal);
-    result_.error = met.error();
-  }
-
-  /// Four of more than four.
-  [[gnu::always_inline]] void take_corners(const FaceOverFace& over, const PairedVec& normal, bool is_of_b) {
-    unsigned chosen = (1U << over.size()) - 1;
-    if (over.size() > result_.points.size()) chosen = LaneChoice(over, normal, is_of_b).run();
-    for (; chosen != 0; chosen &= chosen - 1) {
-      take(over.pair(static_cast<std::size_t>(std::countr_zero(chosen))), is_exchanged_ != is_of_b);
-    }
-  }
-
-  /// Without a branch on whose points they are, which would be guessed wrong every other time.
-  [[gnu::always_inline]] void take(const PairedPoints& pair, bool turns) {
-    ManifoldPoint<3, R>& point = result_.points[result_.size++];
-    const PairedVec a = pair.point_a + origin_;
-    const PairedVec b = pair.point_b + origin_;
-    round(a * 0.5 + b * 0.5, point.point);
-    const std::array<Vec<3, R>*, 2> points{&point.point_a, &point.point_b};
-    round(a, *points[turns ? 1 : 0]);
-    round(b, *points[turns ? 0 : 1]);
-    const std::array<Feature*, 2> features{&point.id.a, &point.id.b};
-    *features[turns ? 1 : 0] = pair.feature_a;
-    *features[turns ? 0 : 1] = pair.feature_b;
-    point.depth = static_cast<R>(pair.depth);
-  }
-
-  [[gnu::always_inline]] static void round(const PairedVec& v, Vec<3, R>& to) {
-    to = Vec<3, R>(plain(v)) + R(0);  // never minus zero
-  }
-
-  template <class T>
-  [[gnu::noinline]] void find_carefully(const Obb<3, T>& a, const Obb<3, T>& b, const BoxesContact<3>& contact) {
-    const Vec<3, double> origin = reference(a);
-    WideManifold<3> wide;
-    wide.found = contact.found;
-    choose_points(pairs_of_boxes(seen_from(origin, a), seen_from(origin, b), contact), wide);
-    move_points(wide, origin);
-    if (is_exchanged_) exchange(wide);
-    result_ = rounded_manifold<R>(wide);
-  }
-
-  Manifold<3, R>& result_;
-  PairedVec origin_{LanePair{0, 0}, 0};
-  bool is_exchanged_ = false;
+  PairedVec origin_;
+  bool turns_;
+  LanePairBits second_first_;
 };
+
+/// Of two in the order of their contact, or `turned`.
+template <class R, class T>
+[[gnu::noinline]] Manifold<3, R> careful_manifold_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b,
+                                                          const BoxesContact<3>& contact, bool turned) {
+  const Vec<3, double> origin = reference(a);
+  WideManifold<3> wide;
+  wide.found = contact.found;
+  choose_points(pairs_of_boxes(seen_from(origin, a), seen_from(origin, b), contact), wide);
+  move_points(wide, origin);
+  if (turned) exchange(wide);
+  return rounded_manifold<R>(wide);
+}
+
+/// Four of more than four.
+[[gnu::always_inline]] inline unsigned chosen_corners(const FaceOverFace& over, const PairedVec& normal, bool is_of_b) {
+  if (over.size() > Manifold<3>::most_points) return LaneChoice(over, normal, is_of_b).run();
+  return (1U << over.size()) - 1;
+}
+
+/// The chosen corners of a face over a face, one after the other.
+template <class R>
+class CornersInTurn {
+ public:
+  [[gnu::always_inline]] CornersInTurn(const FaceOverFace& over, unsigned chosen, const ObbPoints<R>& points)
+      : over_(over), left_(chosen), points_(points) {}
+
+  /// Empty if there are no more.
+  [[gnu::noinline]] ManifoldPoint<3, R> next() {
+    if (left_ == 0) return {};
+    const auto place = static_cast<std::size_t>(std::countr_zero(left_));
+    left_ &= left_ - 1;
+    ++count_;
+    return points_.rounded(over_.pair(place));
+  }
+
+  std::size_t count() const { return count_; }
+
+ private:
+  const FaceOverFace& over_;
+  unsigned left_;
+  std::size_t count_ = 0;
+  const ObbPoints<R>& points_;
+};
+
+/// Of two that meet, in the order of their contact, or `turned`.
+template <class R, class T>
+[[gnu::always_inline]] inline Manifold<3, R> manifold_of_met_obbs(const Obb<3, T>& a, const Obb<3, T>& b,
+                                                                  const MeetingObbs& met, bool turned) {
+  const PairedVec origin(reference(a));
+  const CarryingFace face = carrying_face(met);
+  const Vec<3, R> normal = rounded_vec<R>(met.normal * (turned ? -1.0 : 1.0));
+  if (face.is_any) {
+    FaceOverFace over = face_over(met, face);
+    if (over.run() && over.size() > 0) {
+      const ObbPoints<R> points(origin, turned != face.is_of_b);
+      CornersInTurn<R> corners(over, chosen_corners(over, met.normal, face.is_of_b), points);
+      return {{{corners.next(), corners.next(), corners.next(), corners.next()}},
+              corners.count(),
+              normal,
+              Status::converged,
+              met.error()};
+    }
+  } else if (const CrossingEdges edges = quick_pair_on_edges(met); edges.is_known) {
+    return {{{ObbPoints<R>(origin, turned).rounded(edges.points), no_point<R>(), no_point<R>(), no_point<R>()}},
+            1,
+            normal,
+            Status::converged,
+            met.error()};
+  }
+  return careful_manifold_of_obbs<R>(a, b, met.contact(), turned);
+}
+
+template <class R, class T>
+[[gnu::always_inline]] inline Manifold<3, R> quick_manifold_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b,
+                                                                    bool turned) {
+  const ObbAxes axes = axes_of(a, b);
+  if (are_apart(a, b, axes)) return {{{no_point<R>(), no_point<R>(), no_point<R>(), no_point<R>()}}};
+  return manifold_of_met_obbs<R>(a, b, MeetingObbs(a, b, axes.candidates), turned);
+}
 
 template <class T>
 Manifold<3, T> rounded_manifold_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b) {
-  Manifold<3, T> result;
-  ObbManifold<T>(result).find(a, b);
-  return result;
+  const bool turned = !is_in_order(a, b);
+  return quick_manifold_of_obbs<T>(turned ? b : a, turned ? a : b, turned);
 }
 
 template <class T>
 std::optional<WideManifold<3>> manifold_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b) {
-  Manifold<3, double> manifold;
-  ObbManifold<double> finding(manifold);
-  finding.find(a, b);
+  const bool turned = !is_in_order(a, b);
+  const Manifold<3, double> manifold = quick_manifold_of_obbs<double>(turned ? b : a, turned ? a : b, turned);
   if (manifold.size == 0) return std::nullopt;
   WideManifold<3> wide;
   wide.found.normal = manifold.normal;
-  wide.found.depth = finding.depth;
   wide.found.error = manifold.error;
   for (const ManifoldPoint<3, double>& point : manifold.contacts()) {
+    wide.found.depth = std::max(wide.found.depth, point.depth);
     wide.pairs[wide.size++] = {point.point_a, point.point_b, point.depth, point.id.a, point.id.b};
   }
   return wide;
@@ -436,6 +481,13 @@ Manifold<dimension_of<A>, scalar_of<A>> manifold(const A& a, const B& b) {
   if constexpr (detail::are_quick_obbs<A, B>) {
     return detail::rounded_manifold_of_obbs(a, b);
   } else if constexpr (detail::are_simple<A, B>) {
+    if constexpr (detail::has_ball_on_box<A, B>) {
+      const detail::BallOnBox quick = detail::ball_and_box(a, b);
+      if (quick.is_known) {
+        if (!quick.meets) return {};
+        return detail::rounded_manifold<scalar_of<A>>(detail::manifold_of_ball<A, B>(quick));
+      }
+    }
     if (detail::decide(a, b) == Relation::apart) return {};
     return detail::rounded_manifold<scalar_of<A>>(detail::manifold_of_met(a, b));
   } else {

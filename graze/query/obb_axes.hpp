@@ -96,8 +96,8 @@ struct GapsAcross {
   if (!(size > 0x1p-30F && size < 0x1p30F)) return {};
   const float band = static_cast<float>(tolerance::box_filter) * skew * size;
   const Lanes own = distance_of_own - reach_of_own;
-  const Lanes other = magnitude(combined(transposed(seen.directions), seen.between)) -
-                      (seen.half + combined(transposed(seen.shadow), seen.box_half));
+  const LaneMatrix rows = transposed(seen.directions);
+  const Lanes other = magnitude(combined(rows, seen.between)) - (seen.half + combined(magnitude(rows), seen.box_half));
   const float widest = largest_of_three(larger(own, other));
   if (widest > band) return {0, Relation::apart};
 

@@ -28,6 +28,7 @@ struct PairedBox {
   PairedVec center;
   PairedVec axes[3];
   PairedVec half_edges[3];
+  double half[3];  ///< Their lengths but for those of the axes, which are about 1.
 };
 
 template <class T>
@@ -36,7 +37,7 @@ template <class T>
   const PairedVec y(box.axes[1]);
   const PairedVec z(box.axes[2]);
   const Vec<3, double> half(box.half_extents);
-  return {PairedVec(center), {x, y, z}, {x * half.x, y * half.y, z * half.z}};
+  return {PairedVec(center), {x, y, z}, {x * half.x, y * half.y, z * half.z}, {half.x, half.y, half.z}};
 }
 
 /// A face of a box, as the rectangle middle + x * right + y * up with |x|, |y| <= 1, where `right` belongs to the next
@@ -136,11 +137,15 @@ class FaceOverFace : private LinesOfFaces {
   bool run() {
     if (!place_incident()) return false;
     const LanePair slack = slack_in_halves_;
-    return cut<4>(0, slack[1], [](const Corner& corner) { return -1 - corner.over[1]; }) &&
-           cut<5>(1, slack[0], [](const Corner& corner) { return corner.over[0] - 1; }) &&
-           cut<6>(2, slack[1], [](const Corner& corner) { return corner.over[1] - 1; }) &&
-           cut<7>(3, slack[0], [](const Corner& corner) { return -1 - corner.over[0]; }) &&
-           cut<8>(top, slack_, [&](const Corner& corner) { return height_of(corner); });
+    const LanePair lowest = middle_ - reach_ + (slack + 1.0);
+    const LanePair highest = middle_ + reach_ - (slack + 1.0);
+    if (lowest[1] < 0 && !cut<4>(0, slack[1], [](const Corner& corner) { return -1 - corner.over[1]; })) return false;
+    if (highest[0] > 0 && !cut<5>(1, slack[0], [](const Corner& corner) { return corner.over[0] - 1; })) return false;
+    if (highest[1] > 0 && !cut<6>(2, slack[1], [](const Corner& corner) { return corner.over[1] - 1; })) return false;
+    if (lowest[0] < 0 && !cut<7>(3, slack[0], [](const Corner& corner) { return -1 - corner.over[0]; })) return false;
+    const LanePair climb = magnitude(climb_);
+    if (!(height_ + (climb[0] + climb[1]) > slack_)) return true;
+    return cut<8>(top, slack_, [&](const Corner& corner) { return height_of(corner); });
   }
 
   /// How many corners lie over the reference face and not above it.
@@ -206,6 +211,8 @@ class FaceOverFace : private LinesOfFaces {
     const PairedVec rise = normal_ / dot(normal_, up_);  // about 1
     height_ = dot(rise, way);
     climb_ = LanePair{dot(rise, incident_.right), dot(rise, incident_.up)};
+    middle_ = middle;
+    reach_ = magnitude(x) + magnitude(y);
     corners_[0] = {middle - x - y, LanePair{-1, -1}, lines_of(4, nothing, 4)};
     corners_[1] = {middle + x - y, LanePair{1, -1}, lines_of(5, nothing, 5)};
     corners_[2] = {middle + x + y, LanePair{1, 1}, lines_of(6, nothing, 6)};
@@ -290,6 +297,8 @@ class FaceOverFace : private LinesOfFaces {
   LanePair slack_in_halves_{};
   double height_ = 0;                      ///< Of the middle over the reference face.
   LanePair climb_{};                       ///< Of the incident face's right and up.
+  LanePair middle_{};                      ///< Of the incident face, over the reference face.
+  LanePair reach_{};                       ///< How far from there its corners are at most.
   std::array<Corner, 4 + 2 * 5> corners_;  ///< All that there have been.
   std::size_t count_ = 0;
   std::uint64_t order_ = 0;  ///< Those that are left, by their places, four bits each.

@@ -73,6 +73,18 @@ inline BoxSides<3> sides_of(const PairedBox& box) {
   return most > 1 - doubt_of_cosines;
 }
 
+/// The axis across an edge of each of two boxes, and what of it also says where they cross.
+struct AxisAcrossEdges {
+  PairedVec across;     ///< The first box' edge x the second's.
+  double squared;       ///< Its length, squared.
+  double ahead;         ///< How far the second center lies along it.
+  LanePair heights[2];  ///< Of each box, those of the half edges along the next axis and the one after it.
+};
+
+/// The least squared sine of an angle between two edges whose cross product needs no care, as in cross_of_directions,
+/// and whatever their lengths, which are about 1.
+inline constexpr double least_squared_sine = 1.001 / 64;
+
 /// Two oriented boxes in space that meet, seen from the first one's center, and the axis that parts them: across a face
 /// of one of them, or across an edge of each.
 struct MeetingObbs {
@@ -84,12 +96,14 @@ struct MeetingObbs {
   bool is_of_b;  ///< The face.
   Dim axis;      ///< Across which the face lies, or along which a's edge.
   Dim edge_b;
+  AxisAcrossEdges edges;  ///< Of no meaning across a face.
 
   template <class T>
   [[gnu::always_inline]] MeetingObbs(const Obb<3, T>& first, const Obb<3, T>& second, BoxesAxes candidates)
       : box{paired_box(first, Vec<3, double>(0.0)), paired_box(second, reference(second) - reference(first))},
         size(size_of(box[0]) + size_of(box[1])),
-        normal(box[1].center) {
+        normal(box[1].center),
+        edges{box[1].center, 0, 0, {}} {
     const auto place = static_cast<Dim>(std::countr_zero(candidates));
     if ((candidates & (candidates - 1)) != 0) {
       search(candidates);
@@ -115,8 +129,8 @@ struct MeetingObbs {
 
  private:
   [[gnu::always_inline]] static double size_of(const PairedBox& seen) {
-    return sum_of_magnitudes(seen.center) + sum_of_magnitudes(seen.half_edges[0]) +
-           sum_of_magnitudes(seen.half_edges[1]) + sum_of_magnitudes(seen.half_edges[2]);
+    return sum_of_coordinates(magnitude(seen.center) + magnitude(seen.half_edges[0]) + magnitude(seen.half_edges[1]) +
+                              magnitude(seen.half_edges[2]));
   }
 
   // The calculations of BoxesSearch, to the bit, of the only axis.
@@ -138,28 +152,32 @@ struct MeetingObbs {
   }
 
   [[gnu::always_inline]] void take_edges(Dim i, Dim j) {
-    const PairedVec& a = box[0].axes[i];
-    const PairedVec& b = box[1].axes[j];
-    const PairedVec across = cross(a, b);
-    const double squared = dot(across, across);
-    constexpr double least_sine = 1.0 / 8;  // as in cross_of_directions
-    if (!(squared > least_sine * least_sine * dot(a, a) * dot(b, b))) [[unlikely]] {
+    edges = axis_across(i, j);
+    if (!(edges.squared > least_squared_sine)) [[unlikely]] {
       search(BoxesAxes{1} << static_cast<unsigned>(6 + 3 * i + j));
       return;
     }
-    const double reach = reach_without(box[0], i, across) + reach_without(box[1], j, across);
-    const double ahead = dot(across, box[1].center - box[0].center);
-    const double length = std::sqrt(squared);
-    normal = across * (sign_of(ahead) / length);
-    gap = (std::fabs(ahead) - reach) / length;
+    const LanePair reach_a = magnitude(edges.heights[0]);
+    const LanePair reach_b = magnitude(edges.heights[1]);
+    const double reach = (reach_a[0] + reach_a[1]) + (reach_b[0] + reach_b[1]);
+    const double length = std::sqrt(edges.squared);
+    normal = edges.across * (sign_of(edges.ahead) / length);
+    gap = (std::fabs(edges.ahead) - reach) / length;
     is_on_edges = true;
     is_of_b = false;
     axis = i;
     edge_b = j;
   }
 
-  [[gnu::always_inline]] static double reach_without(const PairedBox& seen, Dim i, const PairedVec& across) {
-    return std::fabs(dot(across, seen.half_edges[(i + 1) % 3])) + std::fabs(dot(across, seen.half_edges[(i + 2) % 3]));
+  [[gnu::always_inline]] AxisAcrossEdges axis_across(Dim i, Dim j) const {
+    const PairedVec across = cross(box[0].axes[i], box[1].axes[j]);
+    const auto heights = [&across](const PairedBox& seen, Dim along) {
+      return LanePair{dot(across, seen.half_edges[(along + 1) % 3]), dot(across, seen.half_edges[(along + 2) % 3])};
+    };
+    return {across,
+            dot(across, across),
+            dot(across, box[1].center - box[0].center),
+            {heights(box[0], i), heights(box[1], j)}};
   }
 
   [[gnu::noinline]] void search(BoxesAxes candidates) {
@@ -172,6 +190,7 @@ struct MeetingObbs {
     is_of_b = found.is_of_b;
     axis = is_on_edges ? (*found.edges)[0] : found.face;
     edge_b = is_on_edges ? (*found.edges)[1] : 0;
+    if (is_on_edges) edges = axis_across(axis, edge_b);
   }
 };
 
@@ -203,12 +222,31 @@ struct CarryingFace {
   return {true, met.is_of_b, {met.axis, dot(met.box[met.is_of_b ? 1 : 0].axes[met.axis], up) > 0}, up};
 }
 
+/// Whether the axis across two edges may be the normal of a face: along one edge of a box hardly, it is along the
+/// other.
+[[gnu::always_inline]] inline bool may_be_along_face(const MeetingObbs& met) {
+  constexpr double least_cosine = 1.0 / 16;  // at the least sine^2 + cosine^2 of axes, more than the sine in doubt
+  const double least = least_cosine * std::sqrt(met.edges.squared);
+  const auto is_low = [least](const PairedBox& box, Dim along, LanePair heights) {
+    return std::fabs(heights[0]) <= least * box.half[(along + 1) % 3] ||
+           std::fabs(heights[1]) <= least * box.half[(along + 2) % 3];
+  };
+  return is_low(met.box[0], met.axis, met.edges.heights[0]) || is_low(met.box[1], met.edge_b, met.edges.heights[1]);
+}
+
 /// The face that carries the points of a manifold: face_pairs in manifold_points.hpp.
 [[gnu::always_inline]] inline CarryingFace carrying_face(const MeetingObbs& met) {
-  if (!met.is_on_edges && !met.is_of_b) return face_of_axis(met);
-  const CarryingFace face = face_along(met.box[0], met.normal, false);
-  if (face.is_any) return face;
-  return met.is_on_edges ? face_along(met.box[1], -met.normal, true) : face_of_axis(met);
+  if (met.is_on_edges) {
+    if (!may_be_along_face(met)) [[likely]]
+      return {false, false, {}, met.normal};
+    const CarryingFace face = face_along(met.box[0], met.normal, false);
+    return face.is_any ? face : face_along(met.box[1], -met.normal, true);
+  }
+  if (met.is_of_b) {
+    const CarryingFace face = face_along(met.box[0], met.normal, false);
+    if (face.is_any) return face;
+  }
+  return face_of_axis(met);
 }
 
 /// The other box' face on a carrying face.
@@ -224,22 +262,18 @@ struct CarryingFace {
 struct NumberedEdge {
   std::uint32_t number;
   PairedVec middle;
-  PairedVec half;
 };
 
-[[gnu::always_inline]] inline NumberedEdge farthest_numbered(const PairedBox& box, Dim axis,
-                                                             const PairedVec& direction) {
-  const PairedVec& next = box.half_edges[(axis + 1) % 3];
-  const PairedVec& last = box.half_edges[(axis + 2) % 3];
-  const double side_of_next = sign_of(dot(next, direction));
-  const double side_of_last = sign_of(dot(last, direction));
-  return {static_cast<std::uint32_t>(4 * axis) + (side_of_next > 0 ? 1U : 0U) + (side_of_last > 0 ? 2U : 0U),
-          box.center + next * side_of_next + last * side_of_last, box.half_edges[axis]};
+/// By the heights of the half edges along the next axis and the last one along the direction.
+[[gnu::always_inline]] inline NumberedEdge farthest_numbered(const PairedBox& box, Dim axis, LanePair heights) {
+  const double side_of_next = sign_of(heights[0]);
+  const double side_of_last = sign_of(heights[1]);
+  return {static_cast<std::uint32_t>(4 * axis) + (heights[0] >= 0 ? 1U : 0U) + (heights[1] >= 0 ? 2U : 0U),
+          box.center + box.half_edges[(axis + 1) % 3] * side_of_next + box.half_edges[(axis + 2) % 3] * side_of_last};
 }
 
 [[gnu::always_inline]] inline double shortest_half_edge(const PairedBox& box) {
-  return std::min(std::min(largest_magnitude(box.half_edges[0]), largest_magnitude(box.half_edges[1])),
-                  largest_magnitude(box.half_edges[2]));
+  return std::min(std::min(box.half[0], box.half[1]), box.half[2]);
 }
 
 /// Where two edges cross, if neither is near its end, nor hardly as long as it is wide.
@@ -248,26 +282,26 @@ struct CrossingEdges {
   PairedPoints points;
 };
 
-/// With u and v halves of the edges and w from middle to middle, n = u x v, at s n^2 = (w x v) . n and t n^2 = (w x u)
-/// . n.
+/// With u and v along the edges and w from middle to middle, n = u x v, at s n^2 = (w x v) . n and t n^2 = (w x u) . n.
 [[gnu::always_inline]] inline CrossingEdges quick_pair_on_edges(const MeetingObbs& met) {
-  constexpr double least_sine = 1.0 / 8;
   constexpr double farthest = 1 - 0x1p-20;
-  constexpr double least_share = 1e-6;  // of the size: of an edge that is not taken for a point
-  const NumberedEdge edge_a = farthest_numbered(met.box[0], met.axis, met.normal);
-  const NumberedEdge edge_b = farthest_numbered(met.box[1], met.edge_b, -met.normal);
-  const double shortest = std::min(shortest_half_edge(met.box[0]), shortest_half_edge(met.box[1]));
-  const PairedVec across = cross(edge_a.half, edge_b.half);
-  const double squared = dot(across, across);
-  const double least_squared = least_sine * least_sine * dot(edge_a.half, edge_a.half) * dot(edge_b.half, edge_b.half);
+  constexpr double least_share = 2e-6;  // of the size: of an edge that is not taken for a point
+  const auto& [across, squared, ahead, heights] = met.edges;
+  const double side = sign_of(ahead);
+  const NumberedEdge edge_a = farthest_numbered(met.box[0], met.axis, heights[0] * side);
+  const NumberedEdge edge_b = farthest_numbered(met.box[1], met.edge_b, heights[1] * -side);
+  const PairedVec& along_a = met.box[0].axes[met.axis];
+  const PairedVec& along_b = met.box[1].axes[met.edge_b];
   const PairedVec between = edge_b.middle - edge_a.middle;
-  const double on_a = dot(cross(between, edge_b.half), across) / squared;
-  const double on_b = dot(cross(between, edge_a.half), across) / squared;
-  const bool is_known = shortest > least_share * met.size && squared > least_squared &&
-                        std::max(std::fabs(on_a), std::fabs(on_b)) < farthest;
+  const LanePair on_edges =
+      LanePair{dot(cross(between, along_b), across), dot(cross(between, along_a), across)} / squared;
+  const bool is_known =
+      std::min(shortest_half_edge(met.box[0]), shortest_half_edge(met.box[1])) > least_share * met.size &&
+      squared > least_squared_sine && std::fabs(on_edges[0]) < farthest * met.box[0].half[met.axis] &&
+      std::fabs(on_edges[1]) < farthest * met.box[1].half[met.edge_b];
   return {is_known,
-          {edge_a.middle + edge_a.half * on_a,
-           edge_b.middle + edge_b.half * on_b,
+          {edge_a.middle + along_a * on_edges[0],
+           edge_b.middle + along_b * on_edges[1],
            met.depth(),
            {FeatureKind::edge, edge_a.number},
            {FeatureKind::edge, edge_b.number}}};
@@ -298,6 +332,30 @@ template <class T>
   points.of[1] = PairedVec(pair.point_b + origin);
 }
 
+/// The deepest corner of the other box, if it lies clearly over the face that the axis is the normal of: no other point
+/// is deeper, and nothing need be cut.
+struct CornerOverFace {
+  bool is_any;
+  PairedVec corner;
+  PairedVec on_face;
+};
+
+[[gnu::always_inline]] inline CornerOverFace corner_over_face(const MeetingObbs& met) {
+  const PairedBox& own = met.box[met.is_of_b ? 1 : 0];
+  const PairedBox& other = met.box[met.is_of_b ? 0 : 1];
+  const PairedVec up = met.normal * (met.is_of_b ? -1.0 : 1.0);
+  PairedVec corner = other.center;
+#pragma GCC unroll 3
+  for (const PairedVec& half : other.half_edges) corner = corner - half * sign_of(dot(half, up));
+  const PairedVec way = corner - own.center;
+  const Dim next = (met.axis + 1) % 3;
+  const Dim last = (met.axis + 2) % 3;
+  const double doubt = 4 * tolerance::orthonormal * met.size;
+  const bool is_over = std::fabs(dot(way, own.axes[next])) < own.half[next] - doubt &&
+                       std::fabs(dot(way, own.axes[last])) < own.half[last] - doubt;
+  return {is_over, corner, corner + up * met.depth()};
+}
+
 /// Where the two edges cross; or the deepest of the points over the face that the axis is the normal of, the first of
 /// several.
 template <class T>
@@ -311,11 +369,15 @@ template <class T>
     points.of[0] = edges.points.point_a + origin;
     points.of[1] = edges.points.point_b + origin;
     is_known = edges.is_known;
+  } else if (const CornerOverFace over = corner_over_face(met); over.is_any) {
+    points.of[met.is_of_b ? 1 : 0] = over.on_face + origin;
+    points.of[met.is_of_b ? 0 : 1] = over.corner + origin;
+    is_known = true;
   } else {
-    FaceOverFace over = face_over(met, face_of_axis(met));
-    is_known = over.run() && over.size() > 0;
+    FaceOverFace cut = face_over(met, face_of_axis(met));
+    is_known = cut.run() && cut.size() > 0;
     if (is_known) {
-      const PairedPoints pair = over.pair(over.deepest());
+      const PairedPoints pair = cut.pair(cut.deepest());
       points.of[met.is_of_b ? 1 : 0] = pair.point_a + origin;
       points.of[met.is_of_b ? 0 : 1] = pair.point_b + origin;
     }

@@ -154,9 +154,9 @@ inline std::optional<SurfacePair<3>> pair_on_edges(const BoxFrame<3>& a, const B
 
 template <Dim N>
 double size_of_box(const BoxFrame<N>& box) {
-  double size = sum_abs(box.center);
-  for (Dim i = 0; i < N; ++i) size += sum_abs(box.half_edges[i]);
-  return size;
+  Vec<N, double> reach = abs(box.center);
+  for (Dim i = 0; i < N; ++i) reach += abs(box.half_edges[i]);
+  return sum_abs(reach);
 }
 
 /// The penetration of two boxes, seen from near the pair, but for its points.

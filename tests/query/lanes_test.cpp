@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What filters calculate with is what they would calculate one number after the other, to the bit.
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <random>
@@ -55,8 +56,12 @@ TEST(Lanes, CalculateInPairsWhatVectorsDo) {
     expect_same(-third, -wide_third);
     expect_same(PairedVec(wide_third), wide_third);
     EXPECT_EQ(plain(third), wide_third);
-    EXPECT_EQ(sum_of_magnitudes(third), sum_abs(wide_third));
-    EXPECT_EQ(largest_magnitude(third), max_abs(wide_third));
+    expect_same(magnitude(third), abs(wide_third));
+    EXPECT_EQ(sum_of_coordinates(third), wide_third.x + wide_third.y + wide_third.z);
+    EXPECT_EQ(rounded_vec<float>(third), (Vec<3, float>(wide_third)));
+    EXPECT_EQ(rounded_vec<double>(third), wide_third);
+    expect_same(one_of(third, PairedVec(b), LanePairBits{0, 0}), wide_third);
+    expect_same(one_of(third, PairedVec(b), LanePairBits{-1, -1}), wide_b);
     expect_same(third / PairedVec(b), wide_third / wide_b);
     expect_same(cross(third, PairedVec(b)), cross(wide_third, wide_b));
     EXPECT_EQ(dot(third, PairedVec(b)), dot(wide_third, wide_b));
@@ -66,6 +71,16 @@ TEST(Lanes, CalculateInPairsWhatVectorsDo) {
     EXPECT_EQ(narrowed[2], static_cast<float>(wide_third.y));
     EXPECT_EQ(narrowed[3], static_cast<float>(wide_third.z));
   }
+}
+
+TEST(RoundedVec, IsNeverMinusZero) {
+  const PairedVec zeros(LanePair{-0.0, -1e-300}, -0.0);
+  for (const float coordinate :
+       {rounded_vec<float>(zeros).x, rounded_vec<float>(zeros).y, rounded_vec<float>(zeros).z}) {
+    EXPECT_FALSE(std::signbit(coordinate));
+  }
+  EXPECT_FALSE(std::signbit(rounded_vec<double>(zeros).x));
+  EXPECT_FALSE(std::signbit(rounded_vec<double>(zeros).z));
 }
 
 }  // namespace
