@@ -349,22 +349,29 @@ class ObbPoints {
  public:
   /// Whose coordinates are seen from `origin`; `turns` if the first of a pair is of the user's second box.
   [[gnu::always_inline]] ObbPoints(const PairedVec& origin, bool turns)
-      : origin_(origin), turns_(turns), second_first_(LanePairBits{} - (turns ? 1 : 0)) {}
+      : origin_(origin), takes_second_(turns ? ~0U : 0U), second_first_(LanePairBits{} - (turns ? 1 : 0)) {}
 
   [[gnu::always_inline]] ManifoldPoint<3, R> rounded(const PairedPoints& pair) const {
     const PairedVec first = pair.point_a + origin_;
     const PairedVec second = pair.point_b + origin_;
-    const Feature features[2] = {pair.feature_a, pair.feature_b};
     return {rounded_vec<R>((first + second) * 0.5),
-            rounded_vec<R>(one_of(first, second, second_first_)),
-            rounded_vec<R>(one_of(second, first, second_first_)),
+            rounded_vec<R>(detail::one_of(first, second, second_first_)),
+            rounded_vec<R>(detail::one_of(second, first, second_first_)),
             static_cast<R>(pair.depth),
-            {features[turns_ ? 1 : 0], features[turns_ ? 0 : 1], 0, 0}};
+            {one_of(pair.feature_a, pair.feature_b), one_of(pair.feature_b, pair.feature_a), 0, 0}};
   }
 
  private:
+  /// Without a branch, and without an array, which would be read otherwise than it was written.
+  [[gnu::always_inline]] Feature one_of(const Feature& first, const Feature& second) const {
+    const auto choose = [this](std::uint32_t a, std::uint32_t b) { return a ^ ((a ^ b) & takes_second_); };
+    return {static_cast<FeatureKind>(
+                choose(static_cast<std::uint32_t>(first.kind), static_cast<std::uint32_t>(second.kind))),
+            choose(first.index, second.index)};
+  }
+
   PairedVec origin_;
-  bool turns_;
+  std::uint32_t takes_second_;
   LanePairBits second_first_;
 };
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include <graze/math/tolerance.hpp>
@@ -108,9 +109,18 @@ struct MeetingObbs {
     if ((candidates & (candidates - 1)) != 0) {
       search(candidates);
     } else if (place < 6) {
-      take_face(place >= 3, place >= 3 ? place - 3 : place);
+      const bool of_b = place >= 3;
+      const Dim i = of_b ? place - 3 : place;
+      take_face(of_b, i, face_axis(of_b, i));
     } else {
-      take_edges((place - 6) / 3, (place - 6) % 3);
+      const Dim i = (place - 6) / 3;
+      const Dim j = (place - 6) % 3;
+      const PairedVec across = cross(box[0].axes[i], box[1].axes[j]);
+      const double squared = dot(across, across);
+      if (squared > least_squared_sine) [[likely]]
+        take_edges(i, j, edges_axis(i, j, across, squared));
+      else
+        search(candidates);
     }
   }
 
@@ -133,9 +143,14 @@ struct MeetingObbs {
                               magnitude(seen.half_edges[2]));
   }
 
-  // The calculations of BoxesSearch, to the bit, of the only axis.
+  // The calculations of BoxesSearch, to the bit.
 
-  [[gnu::always_inline]] void take_face(bool of_b, Dim i) {
+  struct FaceAxis {
+    PairedVec normal;
+    double gap;
+  };
+
+  [[gnu::always_inline]] FaceAxis face_axis(bool of_b, Dim i) const {
     const PairedBox& own = box[of_b ? 1 : 0];
     const PairedBox& other = box[of_b ? 0 : 1];
     const PairedVec adjoint = cross(own.axes[(i + 1) % 3], own.axes[(i + 2) % 3]);
@@ -143,54 +158,78 @@ struct MeetingObbs {
     const double reach = std::fabs(dot(across, own.half_edges[i])) + std::fabs(dot(across, other.half_edges[0])) +
                          std::fabs(dot(across, other.half_edges[1])) + std::fabs(dot(across, other.half_edges[2]));
     const double ahead = dot(across, box[1].center - box[0].center);
-    normal = across * sign_of(ahead);
-    gap = std::fabs(ahead) - reach;
+    return {across * sign_of(ahead), std::fabs(ahead) - reach};
+  }
+
+  [[gnu::always_inline]] void take_face(bool of_b, Dim i, const FaceAxis& found) {
+    normal = found.normal;
+    gap = found.gap;
     is_on_edges = false;
     is_of_b = of_b;
     axis = i;
     edge_b = 0;
   }
 
-  [[gnu::always_inline]] void take_edges(Dim i, Dim j) {
-    edges = axis_across(i, j);
-    if (!(edges.squared > least_squared_sine)) [[unlikely]] {
-      search(BoxesAxes{1} << static_cast<unsigned>(6 + 3 * i + j));
-      return;
-    }
-    const LanePair reach_a = magnitude(edges.heights[0]);
-    const LanePair reach_b = magnitude(edges.heights[1]);
-    const double reach = (reach_a[0] + reach_a[1]) + (reach_b[0] + reach_b[1]);
-    const double length = std::sqrt(edges.squared);
-    normal = edges.across * (sign_of(edges.ahead) / length);
-    gap = (std::fabs(edges.ahead) - reach) / length;
+  /// The axis as it is where `across` is known well.
+  [[gnu::always_inline]] AxisAcrossEdges edges_axis(Dim i, Dim j, const PairedVec& across, double squared) const {
+    const auto heights = [&across](const PairedBox& seen, Dim along) {
+      return LanePair{dot(across, seen.half_edges[(along + 1) % 3]), dot(across, seen.half_edges[(along + 2) % 3])};
+    };
+    return {across, squared, dot(across, box[1].center - box[0].center), {heights(box[0], i), heights(box[1], j)}};
+  }
+
+  /// Times its length.
+  [[gnu::always_inline]] static double gap_across(const AxisAcrossEdges& found) {
+    const LanePair reach_a = magnitude(found.heights[0]);
+    const LanePair reach_b = magnitude(found.heights[1]);
+    return std::fabs(found.ahead) - ((reach_a[0] + reach_a[1]) + (reach_b[0] + reach_b[1]));
+  }
+
+  [[gnu::always_inline]] void take_edges(Dim i, Dim j, const AxisAcrossEdges& found) {
+    const double length = std::sqrt(found.squared);
+    normal = found.across * (sign_of(found.ahead) / length);
+    gap = gap_across(found) / length;
     is_on_edges = true;
     is_of_b = false;
     axis = i;
     edge_b = j;
+    edges = found;
   }
 
-  [[gnu::always_inline]] AxisAcrossEdges axis_across(Dim i, Dim j) const {
-    const PairedVec across = cross(box[0].axes[i], box[1].axes[j]);
-    const auto heights = [&across](const PairedBox& seen, Dim along) {
-      return LanePair{dot(across, seen.half_edges[(along + 1) % 3]), dot(across, seen.half_edges[(along + 2) % 3])};
-    };
-    return {across,
-            dot(across, across),
-            dot(across, box[1].center - box[0].center),
-            {heights(box[0], i), heights(box[1], j)}};
-  }
-
+  /// One of several axes, or one that needs care.
   [[gnu::noinline]] void search(BoxesAxes candidates) {
-    const BoxSides<3> a = sides_of(box[0]);
-    const BoxSides<3> b = sides_of(box[1]);
-    const BoxesAxis<3> found = BoxesSearch<3>(a, b, size).run(candidates);
-    normal = PairedVec(found.axis.normal);
-    gap = found.axis.gap;
-    is_on_edges = found.edges.has_value();
-    is_of_b = found.is_of_b;
-    axis = is_on_edges ? (*found.edges)[0] : found.face;
-    edge_b = is_on_edges ? (*found.edges)[1] : 0;
-    if (is_on_edges) edges = axis_across(axis, edge_b);
+    const double margin = tolerance::rounding * size;
+    take_face(false, 0, {PairedVec(LanePair{1, 0}, 0), -std::numeric_limits<double>::infinity()});
+    for (; candidates != 0; candidates &= candidates - 1) {
+      const auto place = static_cast<Dim>(std::countr_zero(candidates));
+      if (place < 6) {
+        const bool of_b = place >= 3;
+        const FaceAxis found = face_axis(of_b, place % 3);
+        if (found.gap > gap + margin) take_face(of_b, place % 3, found);
+      } else {
+        try_edges((place - 6) / 3, (place - 6) % 3, margin);
+      }
+    }
+  }
+
+  [[gnu::always_inline]] void try_edges(Dim i, Dim j, double margin) {
+    PairedVec across = cross(box[0].axes[i], box[1].axes[j]);
+    double squared = dot(across, across);
+    if (!(squared > least_squared_sine)) {
+      const Vec<3, double> along_a = plain(box[0].axes[i]);
+      const Vec<3, double> along_b = plain(box[1].axes[j]);
+      if (along_a == along_b) return;  // as boxes on boxes often have it
+      across = PairedVec(cross_of_directions(along_a, along_b));
+      squared = dot(across, across);
+      if (!(squared > 0)) return;
+    }
+    const AxisAcrossEdges found = edges_axis(i, j, across, squared);
+    const double found_gap = gap_across(found);
+    const double least = gap + margin;
+    const double squares = least * least * squared;
+    const bool is_better =
+        found_gap >= 0 ? least < 0 || found_gap * found_gap > squares : least < 0 && found_gap * found_gap < squares;
+    if (is_better) take_edges(i, j, found);
   }
 };
 

@@ -60,21 +60,53 @@ TEST(QuickPairOnEdges, IsWhereTheyCross) {
   EXPECT_FALSE(quick_pair_on_edges(MeetingObbs(below, beside, 1U << (6U + 3 * 1 + 0))).is_known);
 }
 
+TEST(CornerOverFace, IsTheDeepestOneIfItIsOverTheFace) {
+  const Box table{{0, 0, -1}, {4, 4, 1}};
+  const auto tilted = [](double x) { return Box{{x, 0, 1.5}, {1, 1, 1}, rotation_matrix(V3(1, 1, 0), 40)}; };
+  constexpr BoxesAxes upward = 1U << 2U;
+  const CornerOverFace over = corner_over_face(MeetingObbs(table, tilted(0), upward));
+  ASSERT_TRUE(over.is_any);
+  V3 lowest(0.0);
+  for (const V3& corner : corner_points(tilted(0))) {
+    if (corner.z < lowest.z) lowest = corner;
+  }
+  lowest.z += 1;  // seen from the table's middle
+  EXPECT_NEAR(length(plain(over.corner) - lowest), 0, 1e-14);
+  EXPECT_NEAR(length(plain(over.on_face) - V3(lowest.x, lowest.y, 1)), 0, 1e-14);
+  EXPECT_FALSE(corner_over_face(MeetingObbs(table, tilted(4.5), upward)).is_any);
+  const CornerOverFace below = corner_over_face(MeetingObbs(tilted(0), table, upward << 3U));
+  ASSERT_TRUE(below.is_any);
+  EXPECT_NEAR(length(plain(below.corner) + V3(0, 0, 1.5) - (lowest - V3(0, 0, 1))), 0, 1e-14);
+}
+
 // To the bit.
+void expect_what_the_search_finds(const Box& a, const Box& b, BoxesAxes axes) {
+  const BoxSides<3> sides_a = sides_of(seen_from(a.center, a));
+  const BoxSides<3> sides_b = sides_of(seen_from(a.center, b));
+  const BoxesContact<3> plain = contact_of_sides(sides_a, sides_b, axes);
+  const BoxesContact<3> quick = MeetingObbs(a, b, axes).contact();
+  RC_ASSERT(quick.size == plain.size);
+  RC_ASSERT(quick.found.normal == plain.found.normal);
+  RC_ASSERT(quick.found.depth == plain.found.depth);
+  RC_ASSERT(quick.found.error == plain.found.error);
+  RC_ASSERT(quick.axis.edges == plain.axis.edges);
+  RC_ASSERT(quick.axis.edges || (quick.axis.is_of_b == plain.axis.is_of_b && quick.axis.face == plain.axis.face));
+}
+
 TEST(MeetingObbs, OfOneAxisAreWhatTheSearchFindsOnIt) {
   test::check_property([] {
     const auto [a, b] = *test::any_pair<Box, Box>();
-    const BoxSides<3> sides_a = sides_of(seen_from(a.center, a));
-    const BoxSides<3> sides_b = sides_of(seen_from(a.center, b));
-    for (unsigned place = 0; place < 15; ++place) {
-      const BoxesContact<3> plain = contact_of_sides(sides_a, sides_b, 1U << place);
-      const BoxesContact<3> quick = MeetingObbs(a, b, 1U << place).contact();
-      RC_ASSERT(quick.size == plain.size);
-      RC_ASSERT(quick.found.normal == plain.found.normal);
-      RC_ASSERT(quick.found.depth == plain.found.depth);
-      RC_ASSERT(quick.found.error == plain.found.error);
-      RC_ASSERT(quick.axis.edges == plain.axis.edges);
-      RC_ASSERT(quick.axis.edges || (quick.axis.is_of_b == plain.axis.is_of_b && quick.axis.face == plain.axis.face));
+    for (unsigned place = 0; place < 15; ++place) expect_what_the_search_finds(a, b, 1U << place);
+  });
+}
+
+TEST(MeetingObbs, OfSeveralAxesAreWhatTheSearchFindsOnThem) {
+  test::check_property([] {
+    const auto [a, b] = *test::any_pair<Box, Box>();
+    const auto some = static_cast<BoxesAxes>(*test::choice(all_boxes_axes<3>)) + 1;
+    for (const BoxesAxes axes : {all_boxes_axes<3>, some}) {
+      expect_what_the_search_finds(a, b, axes);
+      expect_what_the_search_finds(a, Box{b.center, b.half_extents, a.axes}, axes);
     }
   });
 }
