@@ -38,6 +38,7 @@
 #include <graze/query/contact.hpp>
 #include <graze/query/manifold_points.hpp>
 #include <graze/query/obb_choice.hpp>
+#include <graze/query/obb_manifold.hpp>
 #include <graze/query/obb_touch.hpp>
 #include <graze/query/patch.hpp>
 #include <graze/query/patch_polytope.hpp>
@@ -335,46 +336,6 @@ Manifold<N, T> rounded_manifold(const WideManifold<N>& exact) {
 
 #ifdef GRAZE_HAS_LANES
 
-/// In a function of its own: more of them at once are cleared by an instruction for long rows, which takes as long as a
-/// quick contact.
-template <class R>
-[[gnu::noinline]] ManifoldPoint<3, R> no_point() {
-  return {};
-}
-
-/// Rounds the points of two oriented boxes in space, each where it stays: what is cleared first, or copied, takes as
-/// long as a quick contact.
-template <class R>
-class ObbPoints {
- public:
-  /// Whose coordinates are seen from `origin`; `turns` if the first of a pair is of the user's second box.
-  [[gnu::always_inline]] ObbPoints(const PairedVec& origin, bool turns)
-      : origin_(origin), takes_second_(turns ? ~0U : 0U), second_first_(LanePairBits{} - (turns ? 1 : 0)) {}
-
-  [[gnu::always_inline]] ManifoldPoint<3, R> rounded(const PairedPoints& pair) const {
-    const PairedVec first = pair.point_a + origin_;
-    const PairedVec second = pair.point_b + origin_;
-    return {rounded_vec<R>((first + second) * 0.5),
-            rounded_vec<R>(detail::one_of(first, second, second_first_)),
-            rounded_vec<R>(detail::one_of(second, first, second_first_)),
-            static_cast<R>(pair.depth),
-            {one_of(pair.feature_a, pair.feature_b), one_of(pair.feature_b, pair.feature_a), 0, 0}};
-  }
-
- private:
-  /// Without a branch, and without an array, which would be read otherwise than it was written.
-  [[gnu::always_inline]] Feature one_of(const Feature& first, const Feature& second) const {
-    const auto choose = [this](std::uint32_t a, std::uint32_t b) { return a ^ ((a ^ b) & takes_second_); };
-    return {static_cast<FeatureKind>(
-                choose(static_cast<std::uint32_t>(first.kind), static_cast<std::uint32_t>(second.kind))),
-            choose(first.index, second.index)};
-  }
-
-  PairedVec origin_;
-  std::uint32_t takes_second_;
-  LanePairBits second_first_;
-};
-
 /// Of two in the order of their contact, or `turned`.
 template <class R, class T>
 [[gnu::noinline]] Manifold<3, R> careful_manifold_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b,
@@ -394,43 +355,19 @@ template <class R, class T>
   return (1U << over.size()) - 1;
 }
 
-/// The chosen corners of a face over a face, one after the other.
-template <class R>
-class CornersInTurn {
- public:
-  [[gnu::always_inline]] CornersInTurn(const FaceOverFace& over, unsigned chosen, const ObbPoints<R>& points)
-      : over_(over), left_(chosen), points_(points) {}
-
-  /// Empty if there are no more.
-  [[gnu::noinline]] ManifoldPoint<3, R> next() {
-    if (left_ == 0) return {};
-    const auto place = static_cast<std::size_t>(std::countr_zero(left_));
-    left_ &= left_ - 1;
-    ++count_;
-    return points_.rounded(over_.pair(place));
-  }
-
-  std::size_t count() const { return count_; }
-
- private:
-  const FaceOverFace& over_;
-  unsigned left_;
-  std::size_t count_ = 0;
-  const ObbPoints<R>& points_;
-};
-
 /// Of two that meet, in the order of their contact, or `turned`.
 template <class R, class T>
 [[gnu::always_inline]] inline Manifold<3, R> manifold_of_met_obbs(const Obb<3, T>& a, const Obb<3, T>& b,
                                                                   const MeetingObbs& met, bool turned) {
+  using Point = ManifoldPoint<3, R>;
   const PairedVec origin(reference(a));
   const CarryingFace face = carrying_face(met);
   const Vec<3, R> normal = rounded_vec<R>(met.normal * (turned ? -1.0 : 1.0));
   if (face.is_any) {
     FaceOverFace over = face_over(met, face);
     if (over.run() && over.size() > 0) {
-      const ObbPoints<R> points(origin, turned != face.is_of_b);
-      CornersInTurn<R> corners(over, chosen_corners(over, met.normal, face.is_of_b), points);
+      const ObbPoints<Point> points(origin, turned != face.is_of_b);
+      CornersInTurn<Point> corners(over, chosen_corners(over, met.normal, face.is_of_b), points);
       return {{{corners.next(), corners.next(), corners.next(), corners.next()}},
               corners.count(),
               normal,
@@ -438,7 +375,8 @@ template <class R, class T>
               met.error()};
     }
   } else if (const CrossingEdges edges = quick_pair_on_edges(met); edges.is_known) {
-    return {{{ObbPoints<R>(origin, turned).rounded(edges.points), no_point<R>(), no_point<R>(), no_point<R>()}},
+    return {{{ObbPoints<Point>(origin, turned).rounded(edges.points), no_point<Point>(), no_point<Point>(),
+              no_point<Point>()}},
             1,
             normal,
             Status::converged,
@@ -450,8 +388,9 @@ template <class R, class T>
 template <class R, class T>
 [[gnu::always_inline]] inline Manifold<3, R> quick_manifold_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b,
                                                                     bool turned) {
+  using Point = ManifoldPoint<3, R>;
   const ObbAxes axes = axes_of(a, b);
-  if (are_apart(a, b, axes)) return {{{no_point<R>(), no_point<R>(), no_point<R>(), no_point<R>()}}};
+  if (are_apart(a, b, axes)) return {{{no_point<Point>(), no_point<Point>(), no_point<Point>(), no_point<Point>()}}};
   return manifold_of_met_obbs<R>(a, b, MeetingObbs(a, b, axes.candidates), turned);
 }
 
