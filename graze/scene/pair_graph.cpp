@@ -6,12 +6,25 @@
 
 namespace graze::detail {
 
-void PairGraph::assign(std::span<const Pair> pairs, std::size_t slots) {
+void PairGraph::assign(std::span<const Pair> pairs, std::span<const Pair> touching, std::size_t slots) {
   first_.assign(slots, none);
   edges_.clear();
   spare_.clear();
-  reserve(slots, pairs.size());
-  for (const Pair& pair : pairs) add(pair);
+  reserve(slots, pairs.size() + touching.size());
+  auto next = touching.begin();
+  const auto add_touching = [&] {
+    add(*next++);
+    edges_.back().is_touching = true;
+  };
+  for (const Pair& pair : pairs) {
+    while (next != touching.end() && *next < pair) add_touching();
+    if (next != touching.end() && *next == pair) {
+      add_touching();
+    } else {
+      add(pair);
+    }
+  }
+  while (next != touching.end()) add_touching();
 }
 
 void PairGraph::reserve(std::size_t slots, std::size_t more) {
@@ -31,6 +44,7 @@ void PairGraph::add(const Pair& pair) noexcept {
     spare_.pop_back();
   }
   edges_[edge].slots = {pair.a, pair.b};
+  edges_[edge].is_touching = false;
   hang(edge);
 }
 
@@ -55,13 +69,12 @@ void PairGraph::remove(std::uint32_t edge) noexcept {
   spare_.push_back(edge);
 }
 
-void PairGraph::list(std::vector<Pair>& pairs) const {
+void PairGraph::list_touching(std::vector<Pair>& pairs) const {
   pairs.clear();
-  pairs.reserve(size());
   for (std::uint32_t slot = 0; slot < first_.size(); ++slot) {
     const std::size_t begin = pairs.size();
-    visit_pairs_of(slot, [&](std::uint32_t other, std::uint32_t /*edge*/) {
-      if (slot < other) pairs.push_back({slot, other});
+    visit_pairs_of(slot, [&](std::uint32_t other, std::uint32_t edge) {
+      if (slot < other && edges_[edge].is_touching) pairs.push_back({slot, other});
     });
     std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(begin), pairs.end());
   }

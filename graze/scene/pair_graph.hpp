@@ -15,26 +15,32 @@
 namespace graze::detail {
 
 /// A set of pairs in which each slot knows its own: pairs are the edges of a graph, and hang in a chain at both of
-/// their slots. To add one, or to take one out that was visited, takes the same time however many a slot has.
+/// their slots. To add one, or to take one out that was visited, takes the same time however many a slot has. Of each
+/// pair it is noted whether it touches.
 class PairGraph {
  public:
   /// How many pairs it holds at most: so that both ends of each have a number of 32 bits.
   static constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() / 2;
 
-  /// Holds these pairs and no others. Slots are below `slots`. Throws std::bad_alloc, and is then of no use.
-  void assign(std::span<const Pair> pairs, std::size_t slots);
+  /// Holds these pairs, and those that touch, which may be among them; both ascending. Slots are below `slots`. Throws
+  /// as `reserve` does, and is then of no use.
+  void assign(std::span<const Pair> pairs, std::span<const Pair> touching, std::size_t slots);
 
   /// Makes room for so many slots, and so many pairs more than there are, so that `add` cannot fail. Throws
   /// std::bad_alloc, or std::length_error beyond `most`, before anything has changed that can be seen.
   void reserve(std::size_t slots, std::size_t more);
 
-  /// A pair that is not there yet.
+  /// A pair that is not there yet, and does not touch.
   void add(const Pair& pair) noexcept;
 
   /// Takes out a pair by the number under which it was visited.
   void remove(std::uint32_t edge) noexcept;
 
-  /// Calls visit(other slot, number of the pair) for every pair of a slot.
+  /// Whether a pair touches, by its number.
+  bool is_touching(std::uint32_t edge) const { return edges_[edge].is_touching; }
+  void set_touching(std::uint32_t edge, bool is_touching) noexcept { edges_[edge].is_touching = is_touching; }
+
+  /// Calls visit(other slot, number of the pair) for every pair of a slot. It may take out the pair that it visits.
   template <class Visit>
   void visit_pairs_of(std::uint32_t slot, const Visit& visit) const {
     if (slot >= first_.size()) return;
@@ -54,8 +60,8 @@ class PairGraph {
     if (slot < first_.size() && first_[slot] != none) prefetch(&edges_[first_[slot] / 2]);
   }
 
-  /// Writes all pairs, ascending, in the place of what the list held.
-  void list(std::vector<Pair>& pairs) const;
+  /// Writes all pairs that touch, ascending, in the place of what the list held.
+  void list_touching(std::vector<Pair>& pairs) const;
 
   std::size_t size() const { return edges_.size() - spare_.size(); }
 
@@ -67,6 +73,7 @@ class PairGraph {
     std::array<std::uint32_t, 2> slots;
     std::array<std::uint32_t, 2> next;      // ends, in the chain of each slot
     std::array<std::uint32_t, 2> previous;  // none for the first of a chain
+    bool is_touching;
   };
 
   void hang(std::uint32_t edge) noexcept;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -17,80 +16,97 @@
 namespace graze::detail {
 namespace {
 
-/// With more than one object changed of so many, all boxes are met with each other: a question to the index costs far
-/// more than a box does in the batch method.
+/// With more than one object changed of so many, all candidates are gone through: to look for those of an object costs
+/// far more than one of a list does.
 constexpr std::size_t mended_share = 16;
 
-/// Exact tests, and questions to the index, per task.
-constexpr std::size_t slots_in_task = 1024;
+/// Exact tests per task.
+constexpr std::size_t tests_in_task = 1024;
 
 /// Runs `work(first, last)` over blocks of 0 ... count.
 template <class Work>
 void in_blocks(std::size_t count, const Executor& executor, const Work& work) {
-  executor.parallel_for((count + slots_in_task - 1) / slots_in_task, [&](std::size_t block) {
-    work(block * slots_in_task, std::min(count, (block + 1) * slots_in_task));
+  executor.parallel_for((count + tests_in_task - 1) / tests_in_task, [&](std::size_t block) {
+    work(block * tests_in_task, std::min(count, (block + 1) * tests_in_task));
   });
 }
 
+/// Where coordinates are so small that their steps are no longer a share of them, a box grows by one of these.
+template <class T>
+constexpr T least_forgiven = 4 * std::numeric_limits<T>::denorm_min();
+
 Pair ascending(const Pair& pair) { return {std::min(pair.a, pair.b), std::max(pair.a, pair.b)}; }
 
-/// Whether two boxes overlap by more than `depth` along every axis.
+/// By how much two boxes overlap along the axis along which they do least; less than zero where they are apart. Never
+/// NaN: no box begins at infinity but that which contains nothing, and that ends before.
 template <Dim N, class T>
-bool overlap_by(const Aabb<N, T>& a, const Aabb<N, T>& b, T depth) {
-  bool is_deep = true;
-  for (Dim i = 0; i < N; ++i) is_deep &= std::min(a.max[i], b.max[i]) - std::max(a.min[i], b.min[i]) > depth;
-  return is_deep;
+T depth_of(const Aabb<N, T>& a, const Aabb<N, T>& b) {
+  T depth = std::min(a.max[0], b.max[0]) - std::max(a.min[0], b.min[0]);
+  for (Dim i = 1; i < N; ++i) depth = std::min(depth, std::min(a.max[i], b.max[i]) - std::max(a.min[i], b.min[i]));
+  return depth;
+}
+
+/// Writes the pairs that touch, in their order, in the place of what the list held.
+void keep_touching(std::span<const Pair> pairs, const char* touches, std::vector<Pair>& kept) {
+  const auto count = static_cast<std::size_t>(std::count(touches, touches + pairs.size(), char{1}));
+  kept.resize(count + 1);  // one more, so that each can be written before it is known whether it stays
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    kept[next] = pairs[i];
+    next += touches[i] != 0 ? 1 : 0;
+  }
+  kept.resize(count);
 }
 
 }  // namespace
 
 template <Dim N, class T>
 void PairKeeper<N, T>::reserve(std::size_t slots) {
-  if (boxes_.size() >= slots) return;
+  if (kinds_.size() >= slots) return;
   const std::size_t room = 2 * slots + 16;
+  candidates_.reserve(room);
   changed_.reserve(room);
   changes_.resize(room, Change::none);
-  boxes_.resize(room, Aabb<N, T>::nothing());
-  filters_.resize(room);
   kinds_.resize(room);
 }
 
 template <Dim N, class T>
 auto PairKeeper<N, T>::kind_of(const Object<N, T>& object) -> Kind {
-  const bool is_box = std::holds_alternative<Aabb<N, T>>(object.shape);
-  return {is_box || !is_nothing(object.box), is_box};
+  const bool is_live = !is_nothing(object.box);
+  return {is_live, is_live && std::holds_alternative<Aabb<N, T>>(object.shape)};
 }
 
+/// What contains nothing is as good as gone, wherever its sides are.
 template <Dim N, class T>
 void PairKeeper<N, T>::note_new(std::uint32_t slot, const Object<N, T>& object) noexcept {
-  set_filter(slot, filter_of(object));
-  set(slot, object.box, kind_of(object), Change::replaced);
+  const Kind kind = kind_of(object);
+  candidates_.put(slot, kind.is_live ? object.box : Aabb<N, T>::nothing(), filter_of(object));
+  set(slot, kind, Change::replaced);
 }
 
 template <Dim N, class T>
 void PairKeeper<N, T>::note_moved(std::uint32_t slot, const Object<N, T>& object) noexcept {
-  set(slot, object.box, kind_of(object), Change::moved);
+  const Kind kind = kind_of(object);
+  if (kind.is_live) {
+    candidates_.move(slot, object.box);
+  } else {
+    candidates_.move(slot, Aabb<N, T>::nothing());
+  }
+  set(slot, kind, Change::moved);
 }
 
 template <Dim N, class T>
 void PairKeeper<N, T>::note_gone(std::uint32_t slot) noexcept {
-  set_filter(slot, {});
-  set(slot, Aabb<N, T>::nothing(), {}, Change::replaced);
+  candidates_.put(slot, Aabb<N, T>::nothing(), {});
+  set(slot, {}, Change::replaced);
 }
 
 template <Dim N, class T>
-void PairKeeper<N, T>::set_filter(std::uint32_t slot, const PairFilter& filter) noexcept {
-  choosy_ += filter.admits_all() ? 0 : 1;
-  choosy_ -= filters_[slot].admits_all() ? 0 : 1;
-  filters_[slot] = filter;
-}
-
-template <Dim N, class T>
-void PairKeeper<N, T>::set(std::uint32_t slot, const Aabb<N, T>& box, Kind kind, Change change) noexcept {
-  boxes_[slot] = box;
-  largest_ = std::max(largest_, grow_for_touching(boxes_[slot]));
+void PairKeeper<N, T>::set(std::uint32_t slot, Kind kind, Change change) noexcept {
   live_ += kind.is_live ? 1 : 0;
   live_ -= kinds_[slot].is_live ? 1 : 0;
+  others_ += kind.is_live && !kind.is_box ? 1 : 0;
+  others_ -= kinds_[slot].is_live && !kinds_[slot].is_box ? 1 : 0;
   kinds_[slot] = kind;
   if (!has_changed(slot)) changed_.push_back(slot);
   changes_[slot] = std::max(changes_[slot], change);
@@ -103,76 +119,69 @@ bool PairKeeper<N, T>::have_all_changed() const {
   return static_cast<std::size_t>(std::count_if(changed_.begin(), changed_.end(), is_live)) == live_;
 }
 
+// ---- Exact tests
+
+/// Notes of each pair whether its boxes overlap by more than `relation` may forgive: then they touch if they are the
+/// shapes themselves. Of the others lists those that are not as clearly apart, and returns how many.
 template <Dim N, class T>
-void PairKeeper<N, T>::find_anew(std::size_t slots, const Executor& executor) {
-  const std::span<const Pair> near = finder_.find({boxes_.data(), slots}, {.executor = &executor});
-  const bool are_all_new = have_all_changed();
-  found_.clear();
-  if (are_all_new && choosy_ == 0) {
-    found_.assign(near.begin(), near.end());
-    return;
+template <bool are_all_boxes>
+std::size_t PairKeeper<N, T>::judge_boxes(std::span<const Pair> pairs, char* touches, std::size_t* open) const {
+  const double share = 2 * (tolerance::box_slack + 4 * static_cast<double>(std::numeric_limits<T>::epsilon()));
+  const T forgiven = round_up<T>(share * static_cast<double>(candidates_.largest())) + least_forgiven<T>;
+  const Aabb<N, T>* const boxes = candidates_.boxes();
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    prefetch(&boxes[pairs[std::min(i + prefetch_distance, pairs.size() - 1)].b]);
+    const auto [a, b] = pairs[i];
+    const T depth = depth_of(boxes[a], boxes[b]);
+    unsigned is_deep = depth > forgiven ? 1 : 0;
+    if constexpr (!are_all_boxes) is_deep &= kinds_[a].is_box && kinds_[b].is_box ? 1U : 0U;
+    const unsigned is_apart = depth < -forgiven ? 1 : 0;
+    touches[i] = static_cast<char>(is_deep);
+    open[count] = i;
+    count += 1 - (is_deep | is_apart);
   }
-  for (const Pair& pair : near) {
-    if ((are_all_new || has_changed(pair)) && is_admitted(pair)) found_.push_back(pair);
-  }
+  return count;
 }
 
-/// Each changed slot first, and those around it; grouped by that one, in the order of `changed_`.
+/// Whether each pair touches.
 template <Dim N, class T>
-void PairKeeper<N, T>::find_around_changed(const SlotIndex<N, T>& index, const Executor& executor) {
-  std::vector<std::vector<Pair>> found((changed_.size() + slots_in_task - 1) / slots_in_task);
-  in_blocks(changed_.size(), executor, [&](std::size_t first, std::size_t last) {
-    std::vector<Pair>& part = found[first / slots_in_task];
-    for (std::size_t i = first; i < last; ++i) {
-      const std::uint32_t slot = changed_[i];
-      index.prefetch_place(changed_[std::min(i + prefetch_distance / 2, last - 1)]);
-      index.prefetch_node(changed_[std::min(i + prefetch_distance / 4, last - 1)]);
-      if (!kinds_[slot].is_live) continue;
-      index.query(boxes_[slot], [&](std::uint32_t other) {
-        if (other == slot || is_seen_from_there(slot, other) || !is_admitted({slot, other})) return;
-        prefetch(&boxes_[other]);
-        part.push_back({slot, other});
-      });
-    }
-  });
-  found_.clear();
-  for (const std::vector<Pair>& part : found) found_.insert(found_.end(), part.begin(), part.end());
-}
-
-/// Of boxes that overlap by more than they were grown by, and more than their sides are rounded, that is known.
-template <Dim N, class T>
-void PairKeeper<N, T>::keep_touching(const Slots& slots, const Executor& executor) {
-  const double grown = 2 * (tolerance::box_slack + 4 * static_cast<double>(std::numeric_limits<T>::epsilon()));
-  const T depth = round_up<T>(grown * static_cast<double>(largest_));
-  std::vector<char> is_kept(found_.size());
-  in_blocks(found_.size(), executor, [&](std::size_t first, std::size_t last) {
-    std::array<ShapePair<N, T>, slots_in_task> shapes;
-    std::array<std::size_t, slots_in_task> places;
-    std::array<Relation, slots_in_task> relations;
-    std::size_t open = 0;
-    for (std::size_t i = first; i < last; ++i) {
-      const std::uint32_t later = found_[std::min(i + prefetch_distance, last - 1)].b;
-      prefetch(&boxes_[later]);
-      prefetch(&kinds_[later]);
-      const auto [a, b] = found_[i];
-      const bool are_boxes = kinds_[a].is_box && kinds_[b].is_box;
-      is_kept[i] = are_boxes && overlap_by(boxes_[a], boxes_[b], depth) ? 1 : 0;
-      places[open] = i;
-      open += is_kept[i] ? 0 : 1;
-    }
+void PairKeeper<N, T>::judge(std::span<const Pair> pairs, const Slots& slots, const Executor& executor) {
+  touches_.resize(pairs.size());
+  in_blocks(pairs.size(), executor, [&](std::size_t first, std::size_t last) {
+    std::array<ShapePair<N, T>, tests_in_task> shapes;
+    std::array<std::size_t, tests_in_task> places;
+    std::array<Relation, tests_in_task> relations;
+    const std::span<const Pair> block = pairs.subspan(first, last - first);
+    char* const touches = touches_.data() + first;
+    const std::size_t open = others_ == 0 ? judge_boxes<true>(block, touches, places.data())
+                                          : judge_boxes<false>(block, touches, places.data());
     for (std::size_t k = 0; k < open; ++k) {
-      const auto [a, b] = ascending(found_[places[k]]);
+      const auto [a, b] = ascending(block[places[k]]);
       shapes[k] = {&slots[a]->shape, &slots[b]->shape};
     }
     relations_of<N, T>({shapes.data(), open}, relations.data());
-    for (std::size_t k = 0; k < open; ++k) is_kept[places[k]] = relations[k] != Relation::apart ? 1 : 0;
+    for (std::size_t k = 0; k < open; ++k) touches[places[k]] = relations[k] != Relation::apart ? 1 : 0;
   });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < found_.size(); ++i) {
-    found_[kept] = found_[i];
-    kept += is_kept[i] ? 1 : 0;
+}
+
+// ---- Anew
+
+template <Dim N, class T>
+void PairKeeper<N, T>::find_anew(const Slots& slots, const Executor& executor) {
+  list_pairs();
+  std::span<const Pair> near = candidates_.list(slots.size(), executor);
+  const bool are_all_new = have_all_changed();
+  if (!are_all_new) {
+    near_pairs_.clear();
+    for (const Pair& pair : near) {
+      if (has_changed(pair)) near_pairs_.push_back(pair);
+    }
+    near = near_pairs_;
   }
-  found_.resize(kept);
+  judge(near, slots, executor);
+  keep_touching(near, touches_.data(), found_);
+  if (!are_all_new) merge_with_unchanged();
 }
 
 /// Of what was found of changed objects, and what is known of the others.
@@ -187,74 +196,84 @@ void PairKeeper<N, T>::merge_with_unchanged() {
     merged_.push_back(known);
   }
   merged_.insert(merged_.end(), next, found_.end());
+  std::swap(found_, merged_);
 }
 
 template <Dim N, class T>
 void PairKeeper<N, T>::list_pairs() {
   if (is_listed_) return;
-  graph_.list(touching_);
+  candidates_.graph().list_touching(touching_);
   is_listed_ = true;
 }
 
-template <Dim N, class T>
-void PairKeeper<N, T>::link_pairs() {
-  if (is_linked_) return;
-  graph_.assign(touching_, boxes_.size());
-  is_linked_ = true;
-}
+// ---- Around what has changed
 
-/// What has begun and ended among the pairs of what has changed. The slots known to touch one are marked with a number
-/// of its own, the marks of those that still do taken away.
+/// The candidates of each changed slot.
 template <Dim N, class T>
-void PairKeeper<N, T>::compare_with_known() {
-  marks_.resize(boxes_.size(), 0);
-  auto next = found_.begin();
+void PairKeeper<N, T>::gather_near() {
+  const PairGraph& graph = candidates_.graph();
+  const Aabb<N, T>* const boxes = candidates_.boxes();
+  near_.clear();
+  near_pairs_.clear();
   for (std::size_t i = 0; i < changed_.size(); ++i) {
     const std::uint32_t slot = changed_[i];
-    graph_.prefetch_chain(changed_[std::min(i + prefetch_distance, changed_.size() - 1)]);
-    graph_.prefetch_first(changed_[std::min(i + prefetch_distance / 2, changed_.size() - 1)]);
-    if (++mark_ == 0) std::fill(marks_.begin(), marks_.end(), mark_++);
-    graph_.visit_pairs_of(slot, [&](std::uint32_t other, std::uint32_t /*edge*/) { marks_[other] = mark_; });
-    for (; next != found_.end() && next->a == slot; ++next) {
-      const bool is_known = marks_[next->b] == mark_ && !is_replaced(slot) && !is_replaced(next->b);
-      if (!is_known) began_.push_back(ascending(*next));
-      if (is_known) marks_[next->b] = 0;
-    }
-    graph_.visit_pairs_of(slot, [&](std::uint32_t other, std::uint32_t edge) {
-      if (marks_[other] != mark_ || is_seen_from_there(slot, other)) return;
-      ended_.push_back(ascending({slot, other}));
-      ended_edges_.push_back(edge);
+    graph.prefetch_chain(changed_[std::min(i + prefetch_distance, changed_.size() - 1)]);
+    graph.prefetch_first(changed_[std::min(i + prefetch_distance / 2, changed_.size() - 1)]);
+    graph.visit_pairs_of(slot, [&](std::uint32_t other, std::uint32_t edge) {
+      if (is_seen_from_there(slot, other)) return;
+      prefetch(&boxes[other]);
+      near_.push_back({{slot, other}, edge});
+      near_pairs_.push_back({slot, other});
     });
+  }
+}
+
+/// What has begun and ended among the candidates of what has changed.
+template <Dim N, class T>
+void PairKeeper<N, T>::compare_with_known() {
+  const PairGraph& graph = candidates_.graph();
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    const auto& [pair, edge] = near_[i];
+    const bool was = graph.is_touching(edge);
+    const bool is = touches_[i] != 0 && candidates_.is_admitted(pair);
+    if (!was && !is) continue;
+    const bool are_others = is_replaced(pair.a) || is_replaced(pair.b);
+    if (was && is && !are_others) continue;
+    if (was) ended_.push_back(ascending(pair));
+    if (is) began_.push_back(ascending(pair));
+    if (was && !is) ended_edges_.push_back(near_[i]);
+    if (is && !was) began_edges_.push_back(edge);
   }
   std::sort(began_.begin(), began_.end());
   std::sort(ended_.begin(), ended_.end());
-  graph_.reserve(boxes_.size(), began_.size());
 }
 
 template <Dim N, class T>
-PairPlan PairKeeper<N, T>::find(const Slots& slots, const ObjectIndex<N, T>& index, const Executor& executor,
-                                PairPlan plan) {
+void PairKeeper<N, T>::find_around_changed(const Slots& slots, const Executor& executor) {
+  began_.clear();
+  ended_.clear();
+  began_edges_.clear();
+  ended_edges_.clear();
+  if (changed_.empty()) return;
+  if (!candidates_.is_linked()) candidates_.link(slots.size(), touching_, executor);
+  candidates_.follow(changed_, executor);
+  gather_near();
+  judge(near_pairs_, slots, executor);
+  compare_with_known();
+}
+
+// ---- An update
+
+template <Dim N, class T>
+PairPlan PairKeeper<N, T>::find(const Slots& slots, const Executor& executor, PairPlan plan) {
   if (plan == PairPlan::automatic) {
     plan = changed_.size() * mended_share < live_ || changed_.empty() ? PairPlan::mend : PairPlan::anew;
   }
   plan_ = plan;
   if (plan == PairPlan::mend) {
-    began_.clear();
-    ended_.clear();
-    ended_edges_.clear();
-    if (changed_.empty()) return plan;
-    link_pairs();
-    find_around_changed(index.over(slots), executor);
-    keep_touching(slots, executor);
-    compare_with_known();
+    find_around_changed(slots, executor);
   } else {
-    find_anew(slots.size(), executor);
-    keep_touching(slots, executor);
-    if (!have_all_changed()) {
-      list_pairs();
-      merge_with_unchanged();
-      std::swap(found_, merged_);
-    }
+    find_anew(slots, executor);
   }
   return plan;
 }
@@ -262,13 +281,12 @@ PairPlan PairKeeper<N, T>::find(const Slots& slots, const ObjectIndex<N, T>& ind
 template <Dim N, class T>
 void PairKeeper<N, T>::commit() noexcept {
   if (plan_ == PairPlan::mend) {
-    for (const std::uint32_t edge : ended_edges_) graph_.remove(edge);
-    for (const Pair& pair : began_) graph_.add(pair);
-    is_listed_ = is_listed_ && began_.empty() && ended_.empty();
+    for (const NearPair& ended : ended_edges_) candidates_.part(ended.pair, ended.edge);
+    for (const std::uint32_t edge : began_edges_) candidates_.graph().set_touching(edge, true);
+    is_listed_ = is_listed_ && began_edges_.empty() && ended_edges_.empty();
   } else {
     std::swap(touching_, found_);
     is_listed_ = true;
-    is_linked_ = false;
   }
   for (const std::uint32_t slot : changed_) changes_[slot] = Change::none;
   changed_.clear();

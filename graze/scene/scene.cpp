@@ -172,7 +172,7 @@ Layer Scene<N, T>::layer(std::string_view name) {
 /// What can fail comes before the first change that would show.
 template <Dim N, class T>
 const SceneEvents& Scene<N, T>::update(const Executor& executor) {
-  if (keeper_.find(objects_, index_, executor) == detail::PairPlan::mend) {
+  if (keeper_.find(objects_, executor) == detail::PairPlan::mend) {
     next_edit_.plan(*events_, keeper_.began(), keeper_.ended(), ids_);
     SceneEvents& events = events_.change();
     next_edit_.make_room(events);

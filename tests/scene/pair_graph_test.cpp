@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -14,9 +15,21 @@
 namespace graze::detail::pair_graph_test {
 namespace {
 
+/// All pairs, ascending.
 std::vector<Pair> listed(const PairGraph& graph) {
+  std::vector<Pair> pairs;
+  for (std::uint32_t slot = 0; slot < 12; ++slot) {
+    graph.visit_pairs_of(slot, [&](std::uint32_t other, std::uint32_t /*edge*/) {
+      if (slot < other) pairs.push_back({slot, other});
+    });
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+std::vector<Pair> listed_touching(const PairGraph& graph) {
   std::vector<Pair> pairs{{8, 9}};  // which goes
-  graph.list(pairs);
+  graph.list_touching(pairs);
   return pairs;
 }
 
@@ -31,7 +44,7 @@ TEST(PairGraph, KnowsThePairsOfEachSlot) {
   PairGraph graph;
   EXPECT_TRUE(pairs_of(graph, 3).empty());
   const std::vector<Pair> pairs{{0, 2}, {1, 2}, {2, 5}};
-  graph.assign(pairs, 6);
+  graph.assign(pairs, {}, 6);
   EXPECT_EQ(graph.size(), 3U);
   EXPECT_EQ(listed(graph), pairs);
   EXPECT_EQ(pairs_of(graph, 2).size(), 3U);
@@ -40,8 +53,36 @@ TEST(PairGraph, KnowsThePairsOfEachSlot) {
   EXPECT_TRUE(pairs_of(graph, 70).empty());
   graph.remove(pairs_of(graph, 1).at(2));
   EXPECT_EQ(listed(graph), (std::vector<Pair>{{0, 2}, {2, 5}}));
-  graph.assign({}, 2);
+  graph.assign({}, {}, 2);
   EXPECT_TRUE(listed(graph).empty());
+}
+
+TEST(PairGraph, NotesWhichPairsTouch) {
+  PairGraph graph;
+  const std::vector<Pair> pairs{{0, 2}, {1, 2}, {2, 5}};
+  const std::vector<Pair> touching{{0, 1}, {1, 2}, {3, 4}};  // of which one is in both
+  graph.assign(pairs, touching, 6);
+  EXPECT_EQ(listed(graph), (std::vector<Pair>{{0, 1}, {0, 2}, {1, 2}, {2, 5}, {3, 4}}));
+  EXPECT_EQ(listed_touching(graph), touching);
+  EXPECT_FALSE(graph.is_touching(pairs_of(graph, 5).at(2)));
+  EXPECT_TRUE(graph.is_touching(pairs_of(graph, 2).at(1)));
+  graph.set_touching(pairs_of(graph, 5).at(2), true);
+  graph.set_touching(pairs_of(graph, 2).at(1), false);
+  EXPECT_EQ(listed_touching(graph), (std::vector<Pair>{{0, 1}, {2, 5}, {3, 4}}));
+  graph.remove(pairs_of(graph, 3).at(4));
+  graph.reserve(6, 1);
+  graph.add({3, 5});  // in the place of one that touched
+  EXPECT_EQ(listed_touching(graph), (std::vector<Pair>{{0, 1}, {2, 5}}));
+}
+
+TEST(PairGraph, APairMayBeTakenOutWhileItIsVisited) {
+  PairGraph graph;
+  const std::vector<Pair> pairs{{0, 3}, {1, 3}, {2, 3}, {3, 4}, {3, 5}};
+  graph.assign(pairs, {}, 6);
+  graph.visit_pairs_of(3, [&](std::uint32_t other, std::uint32_t edge) {
+    if (other % 2 == 0) graph.remove(edge);
+  });
+  EXPECT_EQ(listed(graph), (std::vector<Pair>{{1, 3}, {3, 5}}));
 }
 
 TEST(PairGraph, RefusesMoreThanItCanNumber) {

@@ -23,19 +23,23 @@ namespace {
 template <Dim N, class T>
 struct World {
   SharedSlots<Object<N, T>> slots;
-  ObjectIndex<N, T> index;
   PairKeeper<N, T> keeper;
 
   void set(std::uint32_t slot, const std::optional<AnyShape<N, T>>& shape, const ObjectOptions& options = {}) {
     slots.grow(slot + std::size_t{1});
-    index.reserve(slots.size());
     keeper.reserve(slots.size());
     auto& place = slots.change(slot);
     place.reset();
-    index.note(slot);
     if (!shape) return keeper.note_gone(slot);
     place.emplace(Object<N, T>{*shape, bounds(*shape), "", options.layer, options.mask, 0, options.mobility});
     keeper.note_new(slot, *place);
+  }
+
+  void move(std::uint32_t slot, const AnyShape<N, T>& shape) {
+    Object<N, T>& object = *slots.change(slot);
+    object.shape = shape;
+    object.box = bounds(shape);
+    keeper.note_moved(slot, object);
   }
 
   std::vector<Pair> every_pair() const {
@@ -51,7 +55,7 @@ struct World {
 
   /// Both ways tell what touches now: one by a list, the other by what is new and what is over.
   std::vector<Pair> update(PairPlan plan) {
-    const PairPlan taken = keeper.find(slots, index, serial_executor(), plan);
+    const PairPlan taken = keeper.find(slots, serial_executor(), plan);
     if (taken == PairPlan::anew) {
       touching.assign(keeper.found().begin(), keeper.found().end());
     } else {
@@ -101,7 +105,7 @@ TEST(PairKeeper, SaysThatAPairEndsAndBeginsWhenAnotherObjectTakesAPlace) {
   world.set(1, std::nullopt);
   world.set(1, Ball{{1, 0}, 0.5});
   const auto listed = [](std::span<const Pair> pairs) { return std::vector<Pair>(pairs.begin(), pairs.end()); };
-  world.keeper.find(world.slots, world.index, serial_executor(), PairPlan::mend);
+  world.keeper.find(world.slots, serial_executor(), PairPlan::mend);
   EXPECT_EQ(listed(world.keeper.ended()), (std::vector<Pair>{{0, 1}, {1, 2}}));
   EXPECT_EQ(listed(world.keeper.began()), (std::vector<Pair>{{0, 1}, {1, 2}}));
   world.keeper.commit();
@@ -113,8 +117,8 @@ TEST(PairKeeper, FindsTheSameAgainAsLongAsNothingWasTakenOver) {
   for (std::uint32_t i = 0; i < 3; ++i) world.set(i, Ball{{2.0 * i, 0}, 1});
   world.update(PairPlan::anew);
   world.set(1, Ball{{9, 9}, 1});
-  world.keeper.find(world.slots, world.index, serial_executor(), PairPlan::mend);
-  world.keeper.find(world.slots, world.index, serial_executor(), PairPlan::anew);
+  world.keeper.find(world.slots, serial_executor(), PairPlan::mend);
+  world.keeper.find(world.slots, serial_executor(), PairPlan::anew);
   world.set(2, Ball{{1, 0}, 1});
   EXPECT_EQ(world.update(PairPlan::mend), (std::vector<Pair>{{0, 2}}));
   EXPECT_EQ(world.update(PairPlan::anew), (std::vector<Pair>{{0, 2}}));
@@ -167,6 +171,35 @@ void check_every_plan() {
     RC_ASSERT(world.update(*rc::gen::arbitrary<bool>() ? PairPlan::mend : PairPlan::anew) == truth);
   }
 }
+
+/// Boxes and balls on a walk of small steps, from time to time of a large one; all of them or few.
+template <Dim N, class T>
+void check_walk() {
+  constexpr std::uint32_t count = 20;
+  World<N, T> world;
+  std::vector<Vec<N, T>> places(count, Vec<N, T>(T(0)));
+  const auto step = [&](std::uint32_t slot, int most) {
+    for (Dim i = 0; i < N; ++i) places[slot][i] += static_cast<T>(*rc::gen::inRange(-most, most + 1)) / 64;
+    const Vec<N, T> half(slot % 5 == 0 ? T(1) : T(0.5));
+    return slot % 3 == 0 ? AnyShape<N, T>(Sphere<N, T>{places[slot], T(0.5)})
+                         : AnyShape<N, T>(Aabb<N, T>{places[slot] - half, places[slot] + half});
+  };
+  for (std::uint32_t slot = 0; slot < count; ++slot) world.set(slot, step(slot, 200));
+  const int frames = *rc::gen::inRange(2, 16);
+  for (int frame = 0; frame < frames; ++frame) {
+    const int share = *rc::gen::element(1, 2, 10);
+    const int most = *rc::gen::element(2, 8, 8, 100);
+    for (std::uint32_t slot = 0; slot < count; ++slot) {
+      if (*rc::gen::inRange(0, share) == 0) world.move(slot, step(slot, most));
+    }
+    const PairPlan plan =
+        *rc::gen::element(PairPlan::anew, PairPlan::anew, PairPlan::mend, PairPlan::mend, PairPlan::automatic);
+    RC_ASSERT(world.update(plan) == world.every_pair());
+  }
+}
+
+RC_GTEST_PROP(PairKeeper, AnyPlanFollowsAWalk2f, ()) { check_walk<2, float>(); }
+RC_GTEST_PROP(PairKeeper, AnyPlanFollowsAWalk3d, ()) { check_walk<3, double>(); }
 
 RC_GTEST_PROP(PairKeeper, AnyPlanFindsAllPairs2f, ()) { check_every_plan<2, float>(); }
 RC_GTEST_PROP(PairKeeper, AnyPlanFindsAllPairs3d, ()) { check_every_plan<3, double>(); }
