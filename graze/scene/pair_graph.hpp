@@ -2,6 +2,7 @@
 // Pairs of slots that come and go by themselves.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -52,12 +53,38 @@ class PairGraph {
     }
   }
 
-  /// Asks for where the pairs of a slot begin; and for the first of them, when that is there.
-  void prefetch_chain(std::uint32_t slot) const {
-    if (slot < first_.size()) prefetch(&first_[slot]);
-  }
-  void prefetch_first(std::uint32_t slot) const {
-    if (slot < first_.size() && first_[slot] != none) prefetch(&edges_[first_[slot] / 2]);
+  /// Calls visit(slot, other slot, number of the pair) for every pair of each of these slots. Goes along many chains at
+  /// the same time, so that what is next in one is fetched while others are looked at.
+  template <class Visit>
+  void visit_pairs_of_all(std::span<const std::uint32_t> slots, const Visit& visit) const {
+    std::array<std::uint32_t, chains_at_once> ends;
+    std::array<std::uint32_t, chains_at_once> owners;
+    for (std::size_t begin = 0; begin < slots.size(); begin += chains_at_once) {
+      std::size_t chains = 0;
+      for (const std::uint32_t slot : slots.subspan(begin, std::min(chains_at_once, slots.size() - begin))) {
+        if (slot >= first_.size() || first_[slot] == none) continue;
+        owners[chains] = slot;
+        ends[chains++] = first_[slot];
+        prefetch(&edges_[first_[slot] / 2]);
+      }
+      for (std::size_t k = begin + chains_at_once; k < std::min(begin + 2 * chains_at_once, slots.size()); ++k) {
+        if (slots[k] < first_.size()) prefetch(&first_[slots[k]]);
+      }
+      while (chains > 0) {
+        std::size_t left = 0;
+        for (std::size_t k = 0; k < chains; ++k) {
+          const std::uint32_t end = ends[k];
+          const Edge& edge = edges_[end / 2];
+          const std::uint32_t next = edge.next[end % 2];
+          visit(owners[k], edge.slots[1 - end % 2], end / 2);
+          prefetch(edges_.data() + (next != none ? next / 2 : 0));
+          ends[left] = next;
+          owners[left] = owners[k];
+          left += next != none ? 1 : 0;
+        }
+        chains = left;
+      }
+    }
   }
 
   /// Writes all pairs that touch, ascending, in the place of what the list held.
@@ -66,6 +93,7 @@ class PairGraph {
   std::size_t size() const { return edges_.size() - spare_.size(); }
 
  private:
+  static constexpr std::size_t chains_at_once = 32;
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   /// Its ends are the numbers 2 * edge and 2 * edge + 1.

@@ -215,26 +215,19 @@ void PairKeeper<N, T>::gather_near() {
   const Aabb<N, T>* const boxes = candidates_.boxes();
   near_.clear();
   near_pairs_.clear();
-  for (std::size_t i = 0; i < changed_.size(); ++i) {
-    const std::uint32_t slot = changed_[i];
-    graph.prefetch_chain(changed_[std::min(i + prefetch_distance, changed_.size() - 1)]);
-    graph.prefetch_first(changed_[std::min(i + prefetch_distance / 2, changed_.size() - 1)]);
-    graph.visit_pairs_of(slot, [&](std::uint32_t other, std::uint32_t edge) {
-      if (is_seen_from_there(slot, other)) return;
-      prefetch(&boxes[other]);
-      near_.push_back({{slot, other}, edge});
-      near_pairs_.push_back({slot, other});
-    });
-  }
+  graph.visit_pairs_of_all(changed_, [&](std::uint32_t slot, std::uint32_t other, std::uint32_t edge) {
+    if (is_seen_from_there(slot, other)) return;
+    prefetch(&boxes[other]);
+    near_.push_back({{slot, other}, edge, graph.is_touching(edge)});
+    near_pairs_.push_back({slot, other});
+  });
 }
 
 /// What has begun and ended among the candidates of what has changed.
 template <Dim N, class T>
 void PairKeeper<N, T>::compare_with_known() {
-  const PairGraph& graph = candidates_.graph();
   for (std::size_t i = 0; i < near_.size(); ++i) {
-    const auto& [pair, edge] = near_[i];
-    const bool was = graph.is_touching(edge);
+    const auto& [pair, edge, was] = near_[i];
     const bool is = touches_[i] != 0 && candidates_.is_admitted(pair);
     if (!was && !is) continue;
     const bool are_others = is_replaced(pair.a) || is_replaced(pair.b);

@@ -74,10 +74,11 @@ class PairKeeper {
   /// What became of a slot since the last update.
   enum class Change : std::uint8_t { none, moved, replaced };
 
-  /// A pair of which one has changed, that one first, and its number in the graph.
+  /// A pair of which one has changed, that one first, its number in the graph, and whether it touched.
   struct NearPair {
     Pair pair;
     std::uint32_t edge;
+    bool was;
   };
 
   static Kind kind_of(const Object<N, T>& object);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -83,6 +84,32 @@ TEST(PairGraph, APairMayBeTakenOutWhileItIsVisited) {
     if (other % 2 == 0) graph.remove(edge);
   });
   EXPECT_EQ(listed(graph), (std::vector<Pair>{{1, 3}, {3, 5}}));
+}
+
+TEST(PairGraph, VisitsThePairsOfManySlotsAsOneByOne) {
+  constexpr std::uint32_t slots = 150;
+  std::vector<Pair> pairs;
+  for (std::uint32_t a = 0; a < slots; ++a) {
+    for (std::uint32_t b = a + 1; b < slots; b += a % 7 + 1 + b % 5) pairs.push_back({a, b});
+  }
+  PairGraph graph;
+  graph.assign(pairs, {}, slots);
+  for (const std::size_t count : {0U, 1U, 31U, 32U, 33U, 100U}) {
+    std::vector<std::uint32_t> asked;
+    for (std::uint32_t k = 0; k < count; ++k) asked.push_back(k * 37 % 200);  // some beyond all slots
+    std::set<std::array<std::uint32_t, 3>> expected;
+    for (const std::uint32_t slot : asked) {
+      for (const auto& [other, edge] : pairs_of(graph, slot)) expected.insert({slot, other, edge});
+    }
+    std::set<std::array<std::uint32_t, 3>> found;
+    std::size_t visits = 0;
+    graph.visit_pairs_of_all(asked, [&](std::uint32_t slot, std::uint32_t other, std::uint32_t edge) {
+      found.insert({slot, other, edge});
+      ++visits;
+    });
+    EXPECT_EQ(found, expected) << count;
+    EXPECT_EQ(visits, expected.size()) << count;
+  }
 }
 
 TEST(PairGraph, RefusesMoreThanItCanNumber) {
