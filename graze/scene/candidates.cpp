@@ -15,7 +15,7 @@ namespace graze::detail {
 namespace {
 
 /// A room has space for so many steps as the longest that a box made in a frame, when all rooms are made anew,
-constexpr double steps_for_all = 2.5;
+constexpr double steps_for_all = 2;
 /// but none where that would be more than this share of the mean side of a box: there would be too many candidates.
 constexpr double most_of_mean_side = 0.5;
 
@@ -29,6 +29,9 @@ constexpr double most_of_side = 0.5;
 /// A list made with a margin that was used less often was not worth it.
 constexpr std::size_t least_uses = 2;
 constexpr unsigned longest_pause = 64;
+
+/// Boxes whose sides are measured, or all if there are fewer.
+constexpr std::size_t least_sample = 512;
 
 /// Questions to the tree per task.
 constexpr std::size_t questions_in_task = 1024;
@@ -142,20 +145,28 @@ T Candidates<N, T>::margin_for_all() {
 template <Dim N, class T>
 void Candidates<N, T>::make_rooms(std::size_t slots, T margin) {
   reaches_.resize(slots);
-  double sides = 0;
-  std::size_t finite = 0;
   largest_ = 0;
   for (std::size_t slot = 0; slot < slots; ++slot) {
-    const T side = longest_side(boxes_[slot]);
-    const bool is_finite = side > 0 && side <= std::numeric_limits<T>::max();
-    sides += is_finite ? static_cast<double>(side) : 0;
-    finite += is_finite ? 1 : 0;
     rooms_[slot] = room_around(boxes_[slot], margin);
-    margins_[slot] = margin;
     reaches_[slot] = room_around(boxes_[slot], margin);
     largest_ = std::max(largest_, grow_for_touching(reaches_[slot]));
   }
-  if (finite > 0) mean_side_ = static_cast<T>(sides / static_cast<double>(finite));
+  std::fill(margins_.begin(), margins_.begin() + static_cast<std::ptrdiff_t>(slots), margin);
+  measure_sides(slots);
+}
+
+/// The mean of a sample.
+template <Dim N, class T>
+void Candidates<N, T>::measure_sides(std::size_t slots) noexcept {
+  double sides = 0;
+  std::size_t count = 0;
+  for (std::size_t slot = 0; slot < slots; slot += slots / least_sample + 1) {
+    const T side = longest_side(boxes_[slot]);
+    if (!(side > 0 && side <= std::numeric_limits<T>::max())) continue;
+    sides += static_cast<double>(side);
+    ++count;
+  }
+  if (count > 0) mean_side_ = static_cast<T>(sides / static_cast<double>(count));
 }
 
 template <Dim N, class T>

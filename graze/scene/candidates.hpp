@@ -89,6 +89,7 @@ class Candidates {
   T margin_for_all();
   T margin_for(std::uint32_t slot) const;
   void make_rooms(std::size_t slots, T margin);
+  void measure_sides(std::size_t slots) noexcept;
   void place(std::uint32_t slot);
   void find_around_strays(const Executor& executor);
   void mend_graph();

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Candidates from frame to frame against all pairs of boxes that overlap.
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <stdexcept>
