@@ -30,6 +30,8 @@ TESTED_ELSEWHERE = {
     "graze/broad/simd_lanes-inl.hpp": ("tests/broad/block_kernels_test.cpp", "names for vectors, which all kernels use"),
     "graze/broad/box_lanes-inl.hpp": ("tests/broad/block_kernels_test.cpp", "what the kernels are made of"),
     "graze/broad/simd_compress-inl.hpp": ("tests/broad/center_kernels_test.cpp", "what the kernels are made of"),
+    "graze/broad/pair_writer-inl.hpp": ("tests/broad/meet_kernels_test.cpp", "what the kernels are made of"),
+    "graze/broad/touched_lanes-inl.hpp": ("tests/broad/meet_kernels_test.cpp", "what the kernels are made of"),
     "graze/broad/bvh_near-inl.hpp": ("tests/broad/bvh_kernels_test.cpp", "what the kernels are made of"),
     "graze/broad/prefetch.hpp": ("tests/broad/crowd_test.cpp", "changes nothing but the time"),
     "graze/broad/manifolds.hpp": ("tests/broad/contacts_test.cpp", "instances of manifold(), which contacts calls"),
