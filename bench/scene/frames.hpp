@@ -35,11 +35,18 @@ class Frames {
 
   const std::vector<Box<N>>& start() const { return places_[0]; }
 
+  bool all_move() const { return step_ == 1; }
+
+  /// Where boxes are after this frame, if they move in it.
+  const std::vector<Box<N>>& places(std::size_t frame) const {
+    const std::size_t way = (frame / step_ + 1) % (2 * places_.size() - 2);
+    return places_[std::min(way, 2 * places_.size() - 2 - way)];
+  }
+
   /// Calls move(box number, box) for what moves in this frame.
   template <class Move>
   void each_move(std::size_t frame, const Move& move) const {
-    const std::size_t way = (frame / step_ + 1) % (2 * places_.size() - 2);
-    const std::vector<Box<N>>& boxes = places_[std::min(way, 2 * places_.size() - 2 - way)];
+    const std::vector<Box<N>>& boxes = places(frame);
     for (std::size_t k = frame % step_; k < boxes.size(); k += step_) move(k, boxes[k]);
   }
 

@@ -22,13 +22,11 @@ class OfGraze {
   }
 
   void step(std::size_t frame) {
-    moved_.clear();
-    places_.clear();
-    frames_.each_move(frame, [this](std::size_t k, const Box<N>& box) {
-      moved_.push_back(ids_[k]);
-      places_.push_back(box);
-    });
-    scene_.move(moved_, places_);
+    if (frames_.all_move()) {
+      scene_.move(ids_, frames_.places(frame));
+    } else {
+      move_some(frame);
+    }
     scene_.update(graze::serial_executor());
   }
 
@@ -37,6 +35,16 @@ class OfGraze {
   }
 
  private:
+  void move_some(std::size_t frame) {
+    moved_.clear();
+    places_.clear();
+    frames_.each_move(frame, [this](std::size_t k, const Box<N>& box) {
+      moved_.push_back(ids_[k]);
+      places_.push_back(box);
+    });
+    scene_.move(moved_, places_);
+  }
+
   static std::vector<Pair> plain(const std::vector<graze::ObjectPair>& pairs) {
     std::vector<Pair> result;
     for (const graze::ObjectPair& pair : pairs) result.push_back({pair.a.index, pair.b.index});

@@ -29,16 +29,16 @@ template <class Value>
 #endif
 }
 
-/// The same for a value of any size, wherever it begins.
-template <class Value>
-[[gnu::always_inline]] inline void prefetch_lines([[maybe_unused]] const Value* value) {
+/// The same for the first bytes of a value of any size, wherever it begins.
+template <std::size_t bytes, class Value>
+[[gnu::always_inline]] inline void prefetch_first([[maybe_unused]] const Value* value) {
 #ifdef __GNUC__
+  static_assert(bytes <= sizeof(Value));
   constexpr std::size_t line = 64;
   keep_calls(value);
-  for (std::size_t at = 0; at < sizeof(Value); at += line) {
-    __builtin_prefetch(reinterpret_cast<const char*>(value) + at);
-  }
-  __builtin_prefetch(reinterpret_cast<const char*>(value + 1) - 1);
+  const char* const begin = reinterpret_cast<const char*>(value);
+  for (std::size_t at = 0; at < bytes; at += line) __builtin_prefetch(begin + at);
+  __builtin_prefetch(begin + bytes - 1);
 #endif
 }
 

@@ -90,7 +90,7 @@ Candidates<N, T>& Candidates<N, T>::operator=(const Candidates& other) {
 template <Dim N, class T>
 void Candidates<N, T>::reserve(std::size_t slots) {
   strays_.reserve(slots);
-  boxes_.resize(slots, Box::nothing());
+  boxes_.resize(slots + 1, Box::nothing());
   rooms_.resize(slots, Box::nothing());
   margins_.resize(slots, T(0));
   filters_.resize(slots);

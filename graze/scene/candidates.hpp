@@ -50,7 +50,7 @@ class Candidates {
   /// The slot's object has another box.
   void move(std::uint32_t slot, const Box& box) noexcept { boxes_[slot] = box; }
 
-  /// The slots' boxes.
+  /// The slots' boxes, and one more.
   const Box* boxes() const { return boxes_.data(); }
   void prefetch_slot(std::uint32_t slot) const { prefetch(&boxes_[slot]); }
 

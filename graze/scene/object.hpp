@@ -48,7 +48,7 @@ struct ObjectOptions {
   Mobility mobility = Mobility::moving;  ///< Whether it can be a pair with what is fixed.
 };
 
-/// An object of a scene.
+/// An object of a scene. What a move writes comes first.
 template <Dim N, class T = float>
 struct Object {
   AnyShape<N, T> shape;

@@ -22,6 +22,7 @@
 #include <graze/query/bounds.hpp>
 #include <graze/scene/object.hpp>
 #include <graze/scene/shared_slots.hpp>
+#include <graze/scene/slot_list.hpp>
 #include <graze/shape/ray.hpp>
 
 namespace graze::detail {
@@ -154,7 +155,7 @@ class ObjectIndex {
   void note(std::uint32_t slot) noexcept {
     if (is_pending_[slot]) return;
     is_pending_[slot] = true;
-    pending_.push_back(slot);
+    pending_.add(slot);
     is_current_.store(false, std::memory_order_relaxed);
   }
 
@@ -192,7 +193,7 @@ class ObjectIndex {
     filled->fill(slots);
     index_ = std::move(filled);
     is_shared_ = false;
-    for (const std::uint32_t slot : pending_) is_pending_[slot] = false;
+    for (const std::uint32_t slot : pending_.all()) is_pending_[slot] = false;
     pending_.clear();
   }
 
@@ -203,9 +204,9 @@ class ObjectIndex {
       const std::size_t last = pending_.size() - 1;
       index_->prefetch_place(pending_[last - std::min(last, prefetch_distance / 2)]);
       index_->prefetch_node(pending_[last - std::min(last, prefetch_distance / 4)]);
-      index_->set(pending_.back(), slots[pending_.back()]);
-      is_pending_[pending_.back()] = false;
-      pending_.pop_back();
+      index_->set(pending_[last], slots[pending_[last]]);
+      is_pending_[pending_[last]] = false;
+      pending_.drop_last();
     }
   }
 
@@ -216,7 +217,7 @@ class ObjectIndex {
   mutable std::atomic<bool> is_current_ = false;
   mutable std::shared_ptr<SlotIndex<N, T>> index_;
   mutable bool is_shared_ = false;
-  mutable std::vector<std::uint32_t> pending_;
+  mutable SlotList pending_;
   mutable std::vector<bool> is_pending_;  // by slot
 };
 

@@ -11,6 +11,7 @@
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/query/bounds.hpp>
+#include <graze/scene/judge_boxes.hpp>
 #include <graze/scene/pair_keeper.hpp>
 
 namespace graze::detail {
@@ -36,15 +37,6 @@ template <class T>
 constexpr T least_forgiven = 4 * std::numeric_limits<T>::denorm_min();
 
 Pair ascending(const Pair& pair) { return {std::min(pair.a, pair.b), std::max(pair.a, pair.b)}; }
-
-/// By how much two boxes overlap along the axis along which they do least; less than zero where they are apart. Never
-/// NaN: no box begins at infinity but that which contains nothing, and that ends before.
-template <Dim N, class T>
-T depth_of(const Aabb<N, T>& a, const Aabb<N, T>& b) {
-  T depth = std::min(a.max[0], b.max[0]) - std::max(a.min[0], b.min[0]);
-  for (Dim i = 1; i < N; ++i) depth = std::min(depth, std::min(a.max[i], b.max[i]) - std::max(a.min[i], b.min[i]));
-  return depth;
-}
 
 /// Writes the pairs that touch, in their order, in the place of what the list held.
 void keep_touching(std::span<const Pair> pairs, const char* touches, std::vector<Pair>& kept) {
@@ -81,7 +73,8 @@ template <Dim N, class T>
 void PairKeeper<N, T>::note_new(std::uint32_t slot, const Object<N, T>& object) noexcept {
   const Kind kind = kind_of(object);
   candidates_.put(slot, kind.is_live ? object.box : Aabb<N, T>::nothing(), filter_of(object));
-  set(slot, kind, Change::replaced);
+  set_kind(slot, kind);
+  set_changed(slot, Change::replaced);
 }
 
 template <Dim N, class T>
@@ -92,70 +85,61 @@ void PairKeeper<N, T>::note_moved(std::uint32_t slot, const Object<N, T>& object
   } else {
     candidates_.move(slot, Aabb<N, T>::nothing());
   }
-  set(slot, kind, Change::moved);
+  set_kind(slot, kind);
+  set_changed(slot, Change::moved);
 }
 
 template <Dim N, class T>
 void PairKeeper<N, T>::note_gone(std::uint32_t slot) noexcept {
   candidates_.put(slot, Aabb<N, T>::nothing(), {});
-  set(slot, {}, Change::replaced);
+  set_kind(slot, {});
+  set_changed(slot, Change::replaced);
 }
 
 template <Dim N, class T>
-void PairKeeper<N, T>::set(std::uint32_t slot, Kind kind, Change change) noexcept {
+void PairKeeper<N, T>::set_kind(std::uint32_t slot, Kind kind) noexcept {
   live_ += kind.is_live ? 1 : 0;
   live_ -= kinds_[slot].is_live ? 1 : 0;
   others_ += kind.is_live && !kind.is_box ? 1 : 0;
   others_ -= kinds_[slot].is_live && !kinds_[slot].is_box ? 1 : 0;
   kinds_[slot] = kind;
-  if (!has_changed(slot)) changed_.push_back(slot);
-  changes_[slot] = std::max(changes_[slot], change);
 }
 
 template <Dim N, class T>
 bool PairKeeper<N, T>::have_all_changed() const {
   if (changed_.size() < live_) return false;
+  const std::span<const std::uint32_t> changed = changed_.all();
   const auto is_live = [this](std::uint32_t slot) { return kinds_[slot].is_live; };
-  return static_cast<std::size_t>(std::count_if(changed_.begin(), changed_.end(), is_live)) == live_;
+  return static_cast<std::size_t>(std::count_if(changed.begin(), changed.end(), is_live)) == live_;
 }
 
 // ---- Exact tests
 
-/// Notes of each pair whether its boxes overlap by more than `relation` may forgive: then they touch if they are the
-/// shapes themselves. Of the others lists those that are not as clearly apart, and returns how many.
+/// By how much boxes overlap or are apart where `relation` has nothing to forgive.
 template <Dim N, class T>
-template <bool are_all_boxes>
-std::size_t PairKeeper<N, T>::judge_boxes(std::span<const Pair> pairs, char* touches, std::size_t* open) const {
+T PairKeeper<N, T>::certain_depth() const {
   const double share = 2 * (tolerance::box_slack + 4 * static_cast<double>(std::numeric_limits<T>::epsilon()));
-  const T forgiven = round_up<T>(share * static_cast<double>(candidates_.largest())) + least_forgiven<T>;
-  const Aabb<N, T>* const boxes = candidates_.boxes();
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    prefetch(&boxes[pairs[std::min(i + prefetch_distance, pairs.size() - 1)].b]);
-    const auto [a, b] = pairs[i];
-    const T depth = depth_of(boxes[a], boxes[b]);
-    unsigned is_deep = depth > forgiven ? 1 : 0;
-    if constexpr (!are_all_boxes) is_deep &= kinds_[a].is_box && kinds_[b].is_box ? 1U : 0U;
-    const unsigned is_apart = depth < -forgiven ? 1 : 0;
-    touches[i] = static_cast<char>(is_deep);
-    open[count] = i;
-    count += 1 - (is_deep | is_apart);
-  }
-  return count;
+  return round_up<T>(share * static_cast<double>(candidates_.largest())) + least_forgiven<T>;
 }
 
 /// Whether each pair touches.
 template <Dim N, class T>
 void PairKeeper<N, T>::judge(std::span<const Pair> pairs, const Slots& slots, const Executor& executor) {
   touches_.resize(pairs.size());
+  const T certain = certain_depth();
   in_blocks(pairs.size(), executor, [&](std::size_t first, std::size_t last) {
     std::array<ShapePair<N, T>, tests_in_task> shapes;
     std::array<std::size_t, tests_in_task> places;
     std::array<Relation, tests_in_task> relations;
     const std::span<const Pair> block = pairs.subspan(first, last - first);
     char* const touches = touches_.data() + first;
-    const std::size_t open = others_ == 0 ? judge_boxes<true>(block, touches, places.data())
-                                          : judge_boxes<false>(block, touches, places.data());
+    std::size_t open = 0;
+    if (others_ == 0) {
+      open = judge_boxes(candidates_.boxes(), block, certain, touches, places.data());
+    } else {
+      const auto are_boxes = [this](const Pair& pair) { return kinds_[pair.a].is_box && kinds_[pair.b].is_box; };
+      open = judge_bounds(candidates_.boxes(), block, certain, are_boxes, touches, places.data());
+    }
     for (std::size_t k = 0; k < open; ++k) {
       const auto [a, b] = ascending(block[places[k]]);
       shapes[k] = {&slots[a]->shape, &slots[b]->shape};
@@ -215,7 +199,7 @@ void PairKeeper<N, T>::gather_near() {
   const Aabb<N, T>* const boxes = candidates_.boxes();
   near_.clear();
   near_pairs_.clear();
-  graph.visit_pairs_of_all(changed_, [&](std::uint32_t slot, std::uint32_t other, std::uint32_t edge) {
+  graph.visit_pairs_of_all(changed_.all(), [&](std::uint32_t slot, std::uint32_t other, std::uint32_t edge) {
     if (is_seen_from_there(slot, other)) return;
     prefetch(&boxes[other]);
     near_.push_back({{slot, other}, edge, graph.is_touching(edge)});
@@ -249,7 +233,7 @@ void PairKeeper<N, T>::find_around_changed(const Slots& slots, const Executor& e
   ended_edges_.clear();
   if (changed_.empty()) return;
   if (!candidates_.is_linked()) candidates_.link(slots.size(), touching_, executor);
-  candidates_.follow(changed_, executor);
+  candidates_.follow(changed_.all(), executor);
   gather_near();
   judge(near_pairs_, slots, executor);
   compare_with_known();
@@ -281,7 +265,7 @@ void PairKeeper<N, T>::commit() noexcept {
     std::swap(touching_, found_);
     is_listed_ = true;
   }
-  for (const std::uint32_t slot : changed_) changes_[slot] = Change::none;
+  for (const std::uint32_t slot : changed_.all()) changes_[slot] = Change::none;
   changed_.clear();
 }
 

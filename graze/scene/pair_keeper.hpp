@@ -2,6 +2,7 @@
 // The pairs of a scene from update to update.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -13,6 +14,7 @@
 #include <graze/scene/candidates.hpp>
 #include <graze/scene/object.hpp>
 #include <graze/scene/shared_slots.hpp>
+#include <graze/scene/slot_list.hpp>
 
 namespace graze::detail {
 
@@ -39,6 +41,13 @@ class PairKeeper {
 
   /// The slot's object has moved, or has another shape.
   void note_moved(std::uint32_t slot, const Object<N, T>& object) noexcept;
+
+  /// The same for a box along the axes that has points: by far the most common, and in a few steps.
+  void note_moved_box(std::uint32_t slot, const Aabb<N, T>& box) noexcept {
+    candidates_.move(slot, box);
+    if (!kinds_[slot].is_box) set_kind(slot, {true, true});
+    set_changed(slot, Change::moved);
+  }
 
   /// Asks for what is written of a slot.
   void prefetch_slot(std::uint32_t slot) const { candidates_.prefetch_slot(slot); }
@@ -82,7 +91,11 @@ class PairKeeper {
   };
 
   static Kind kind_of(const Object<N, T>& object);
-  void set(std::uint32_t slot, Kind kind, Change change) noexcept;
+  void set_kind(std::uint32_t slot, Kind kind) noexcept;
+  void set_changed(std::uint32_t slot, Change change) noexcept {
+    if (!has_changed(slot)) changed_.add(slot);
+    changes_[slot] = std::max(changes_[slot], change);
+  }
   bool has_changed(std::uint32_t slot) const { return changes_[slot] != Change::none; }
   bool is_replaced(std::uint32_t slot) const { return changes_[slot] == Change::replaced; }
   bool has_changed(const Pair& pair) const { return has_changed(pair.a) || has_changed(pair.b); }
@@ -94,8 +107,7 @@ class PairKeeper {
   void gather_near();
   void compare_with_known();
   void judge(std::span<const Pair> pairs, const Slots& slots, const Executor& executor);
-  template <bool are_all_boxes>
-  std::size_t judge_boxes(std::span<const Pair> pairs, char* touches, std::size_t* open) const;
+  T certain_depth() const;
   void merge_with_unchanged();
   void list_pairs();
 
@@ -108,7 +120,7 @@ class PairKeeper {
   std::vector<Pair> touching_;
   bool is_listed_ = true;
 
-  std::vector<std::uint32_t> changed_;
+  SlotList changed_;
   std::vector<Change> changes_;  // by slot
 
   // What the present update has found, and room for it.

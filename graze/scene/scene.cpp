@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -27,16 +28,21 @@ template <Dim N, class T>
                               std::string(fault));
 }
 
-/// Copies a shape, any or one of a type, into an object's place. Of all types only compounds can fail to be copied.
-template <Dim N, class T, class S>
-void put(const S& shape, Object<N, T>& object) {
-  object.shape = shape;
-  object.box = bounds(shape);
+/// Whether `defect` would find something. Of boxes in a few steps: they move by the thousand.
+template <class S>
+bool is_faulty(const S& shape) {
+  return !defect(shape).empty();
 }
 
 template <Dim N, class T>
-void put(const AnyShape<N, T>& shape, Object<N, T>& object) {
-  detail::visit([&object](const auto& held) { put(held, object); }, shape);
+bool is_faulty(const Aabb<N, T>& box) {
+  T sum = T(0);  // of zeros, unless a coordinate is infinite or NaN
+  unsigned is_faulty = 0;
+  for (Dim i = 0; i < N; ++i) {
+    sum += (box.min[i] - box.min[i]) + (box.max[i] - box.max[i]);
+    is_faulty |= box.min[i] <= box.max[i] ? 0U : 1U;
+  }
+  return is_faulty != 0 || sum != T(0);
 }
 
 }  // namespace
@@ -102,8 +108,27 @@ template <Dim N, class T>
 template <class S>
 void Scene<N, T>::prepare_move(ObjectId id, const S& shape) {
   if (!this->contains(id)) this->object(id);  // which says what is wrong with the id
-  if (const std::string_view fault = defect(shape); !fault.empty()) refuse<N, T>(shape, fault, this->object(id).name);
+  if (is_faulty(shape)) refuse<N, T>(shape, defect(shape), this->object(id).name);
   objects_.change(id.index);
+}
+
+template <Dim N, class T>
+template <class S>
+void Scene<N, T>::put(std::uint32_t slot, const S& shape) noexcept {
+  Object<N, T>& object = *objects_.own(slot);
+  if (S* const held = std::get_if<S>(&object.shape)) {
+    *held = shape;
+  } else {
+    object.shape = shape;
+  }
+  object.box = bounds(shape);
+  if constexpr (std::is_same_v<S, Aabb<N, T>>) {
+    index_.note(slot);
+    keeper_.note_moved_box(slot, shape);
+    is_current_ = false;
+  } else {
+    note_moved(slot, object);
+  }
 }
 
 template <Dim N, class T>
@@ -118,14 +143,14 @@ void Scene<N, T>::move(std::span<const ObjectMove<N, T>> moves) {
   for (std::size_t i = 0; i < moves.size(); ++i) {
     const ObjectMove<N, T>& each = moves[i];
     prefetch_move(moves[std::min(i + moves_ahead, moves.size() - 1)].id.index);
-    Object<N, T>& moved = *objects_.own(each.id.index);
     if (std::holds_alternative<Compound<N, T>>(each.shape)) {
+      Object<N, T>& moved = *objects_.own(each.id.index);
       moved.shape = std::move(*next_compound++);
       moved.box = bounds(moved.shape);
+      note_moved(each.id.index, moved);
     } else {
-      put(each.shape, moved);
+      detail::visit([&](const auto& held) { put(each.id.index, held); }, each.shape);
     }
-    note_moved(each.id.index, moved);
   }
 }
 
@@ -139,9 +164,7 @@ void Scene<N, T>::move(std::span<const ObjectId> ids, std::span<const S> shapes)
   for (std::size_t i = 0; i < ids.size(); ++i) prepare_move(ids[i], shapes[i]);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     prefetch_move(ids[std::min(i + moves_ahead, ids.size() - 1)].index);
-    Object<N, T>& moved = *objects_.own(ids[i].index);
-    put(shapes[i], moved);
-    note_moved(ids[i].index, moved);
+    put(ids[i].index, shapes[i]);
   }
 }
 

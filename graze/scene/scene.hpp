@@ -103,7 +103,7 @@ class Scene : public SceneView<N, T> {
 
   /// Asks for what a move will write.
   void prefetch_move(std::uint32_t slot) const {
-    objects_.prefetch_item(slot);
+    objects_.template prefetch_first_of<sizeof(AnyShape<N, T>) + sizeof(Aabb<N, T>)>(slot);
     keeper_.prefetch_slot(slot);
   }
 
@@ -113,6 +113,10 @@ class Scene : public SceneView<N, T> {
     keeper_.note_moved(slot, object);
     is_current_ = false;
   }
+
+  /// Gives an object a shape of one type and notes that it has moved. Everything that can fail was done before.
+  template <class S>
+  void put(std::uint32_t slot, const S& shape) noexcept;
 
   detail::PairKeeper<N, T> keeper_;
   std::uint64_t last_changes_ = 0;  // of ids, at the last update

@@ -42,8 +42,11 @@ class SharedSlots {
     return (*chunks_[slot / chunk_size])[slot % chunk_size];
   }
 
-  /// Asks for what a slot holds.
-  void prefetch_item(std::size_t slot) const { prefetch_lines(&(*chunks_[slot / chunk_size])[slot % chunk_size]); }
+  /// Asks for the first bytes of what a slot holds.
+  template <std::size_t bytes>
+  void prefetch_first_of(std::size_t slot) const {
+    prefetch_first<bytes>(&(*chunks_[slot / chunk_size])[slot % chunk_size]);
+  }
 
   /// The slot, to be changed. May throw std::bad_alloc, or what copying an item throws, before anything has changed.
   std::optional<Item>& change(std::size_t slot) {
@@ -78,7 +81,8 @@ class SharedSlots {
   static constexpr std::size_t chunk_size = 64;
   using Chunk = std::array<std::optional<Item>, chunk_size>;
 
-  void copy_chunk(std::size_t number) {
+  /// In a function of its own: where nothing is shared, as mostly, `change` is a few steps.
+  [[gnu::noinline]] void copy_chunk(std::size_t number) {
     chunks_[number] = std::make_shared<Chunk>(*chunks_[number]);
     is_own_[number] = true;
   }
