@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 #include <graze/math/bit_cast.hpp>
@@ -23,6 +24,13 @@ namespace graze::detail {
 /// Four numbers that are calculated with at once.
 using Lanes = float __attribute__((vector_size(16)));
 using LaneBits = int __attribute__((vector_size(16)));
+
+/// Four numbers in a row, wherever they are.
+[[gnu::always_inline]] inline Lanes four_at(const float* numbers) {
+  Lanes lanes;
+  std::memcpy(&lanes, numbers, sizeof lanes);
+  return lanes;
+}
 
 template <int first, int second, int third>
 [[gnu::always_inline]] inline Lanes arranged(Lanes v) {

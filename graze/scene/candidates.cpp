@@ -9,6 +9,7 @@
 #include <graze/broad/bvh_query.hpp>
 #include <graze/broad/region.hpp>
 #include <graze/query/bounds.hpp>
+#include <graze/query/lanes.hpp>
 #include <graze/scene/candidates.hpp>
 
 namespace graze::detail {
@@ -48,6 +49,40 @@ T excess_of(const Aabb<N, T>& box, const Aabb<N, T>& room) {
   }
   return excess;
 }
+
+/// Of all boxes.
+template <Dim N, class T>
+T largest_excess(const Aabb<N, T>* boxes, const Aabb<N, T>* rooms, std::size_t count) {
+  T excess = std::numeric_limits<T>::lowest();
+  for (std::size_t i = 0; i < count; ++i) excess = std::max(excess, excess_of(boxes[i], rooms[i]));
+  return excess;
+}
+
+#ifdef GRAZE_HAS_LANES
+
+/// By four coordinates at a time, of rows that are longer by one.
+float largest_excess(const Aabb<3, float>* boxes, const Aabb<3, float>* rooms, std::size_t count) {
+  Lanes below = Lanes{} + std::numeric_limits<float>::lowest();
+  Lanes above = below;
+  for (std::size_t i = 0; i < count; ++i) {
+    below = larger(four_at(&rooms[i].min.x) - four_at(&boxes[i].min.x), below);
+    above = larger(four_at(&boxes[i].max.x) - four_at(&rooms[i].max.x), above);
+  }
+  return largest_of_three(larger(below, above));  // the fourth is of no meaning
+}
+
+float largest_excess(const Aabb<2, float>* boxes, const Aabb<2, float>* rooms, std::size_t count) {
+  Lanes below = Lanes{} + std::numeric_limits<float>::lowest();
+  Lanes above = below;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Lanes difference = four_at(&rooms[i].min.x) - four_at(&boxes[i].min.x);  // below twice, and minus above
+    below = larger(difference, below);
+    above = larger(-difference, above);
+  }
+  return std::max(std::max(below[0], below[1]), std::max(above[2], above[3]));
+}
+
+#endif
 
 template <Dim N, class T>
 T longest_side(const Aabb<N, T>& box) {
@@ -91,7 +126,7 @@ template <Dim N, class T>
 void Candidates<N, T>::reserve(std::size_t slots) {
   strays_.reserve(slots);
   boxes_.resize(slots + 1, Box::nothing());
-  rooms_.resize(slots, Box::nothing());
+  rooms_.resize(slots + 1, Box::nothing());
   margins_.resize(slots, T(0));
   filters_.resize(slots);
   is_held_.resize(slots, 0);
@@ -119,8 +154,7 @@ bool Candidates<N, T>::is_at_home(std::uint32_t slot) const {
 /// Whether all boxes are in their rooms. Notes how far one has gone.
 template <Dim N, class T>
 bool Candidates<N, T>::have_stayed(std::size_t slots) {
-  T excess = std::numeric_limits<T>::lowest();
-  for (std::size_t slot = 0; slot < slots; ++slot) excess = std::max(excess, excess_of(boxes_[slot], rooms_[slot]));
+  const T excess = largest_excess(boxes_.data(), rooms_.data(), slots);
   if (uses_ == 1) step_ = std::max(T(0), margin_ + excess);
   return !(excess > 0);
 }

@@ -78,11 +78,6 @@ class FourDepths {
     const Lanes other = four_at(&b.min.x);
     return __builtin_shufflevector(other, other, 2, 3, 0, 1) - four_at(&a.min.x);
   }
-  [[gnu::always_inline]] static Lanes four_at(const float* numbers) {
-    Lanes lanes;
-    std::memcpy(&lanes, numbers, sizeof lanes);
-    return lanes;
-  }
 
   Lanes depths_;
 };
