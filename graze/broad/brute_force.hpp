@@ -40,11 +40,7 @@ class BruteForce {
 
   void erase(const Key& key) { keys_.release(keys_.slot_of(key)); }
 
-  void clear() {
-    for (std::uint32_t slot = 0; slot < keys_.slots(); ++slot) {
-      if (keys_.is_taken(slot)) keys_.release(slot);
-    }
-  }
+  void clear() { keys_.release_all(); }
 
   bool contains(const Key& key) const { return keys_.contains(key); }
   const Box& box(const Key& key) const { return boxes_[keys_.slot_of(key)]; }

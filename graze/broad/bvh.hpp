@@ -75,7 +75,7 @@ class Bvh {
 
   void clear() {
     tree_.clear();
-    release_all(keys_);
+    keys_.release_all();
   }
 
   /// Erases all boxes, inserts these, and gives their keys in the order of the boxes: quicker than one by one, and the
@@ -84,7 +84,7 @@ class Bvh {
   std::vector<Key> assign(std::span<const Box> boxes, const Executor& executor = default_executor()) {
     detail::require_boxes(boxes);
     detail::KeyTable keys = keys_;
-    release_all(keys);
+    keys.release_all();
     std::vector<Key> given = keys.take_many(boxes.size());
     std::vector<std::uint32_t> slots(given.size());
     for (std::size_t k = 0; k < given.size(); ++k) slots[k] = given[k].index;
@@ -166,12 +166,6 @@ class Bvh {
   };
 
   using Tree = detail::BvhTree<N, T>;
-
-  static void release_all(detail::KeyTable& keys) {
-    for (std::uint32_t slot = 0; slot < keys.slots(); ++slot) {
-      if (keys.is_taken(slot)) keys.release(slot);
-    }
-  }
 
   detail::KeyTable keys_;
   Tree tree_;

@@ -52,10 +52,11 @@ bool fits(const CellPlace<N>& place, const Aabb<N, T>& box) {
 
 template <Dim N>
 bool contains_center(const CellPlace<N>& place, const Vec<N, double>& center) {
+  unsigned is_beyond = 0;
   for (Dim i = 0; i < N; ++i) {
-    if (!(std::fabs(center[i] - place.center[i]) <= place.half)) return false;
+    is_beyond |= static_cast<unsigned>(!(std::fabs(center[i] - place.center[i]) <= place.half));
   }
-  return true;
+  return is_beyond == 0;
 }
 
 template <Dim N, class T>
@@ -117,18 +118,17 @@ CellPlace<N> place_over(const Ranges& ranges) {
   return place;
 }
 
-/// The square for a root: around all boxes; or, where a few far away would cost more levels than there are, around the
-/// middle seven eighths of the centers along each axis and as much again.
+/// The square for a root of `count` boxes: around all; or, where a few far away would cost more levels than there are,
+/// around the middle seven eighths of the centers along each axis and as much again, as some of the boxes tell.
 template <Dim N, class T>
-CellPlace<N> place_of_root(const std::vector<Aabb<N, T>>& boxes, const OrthtreeOptions& options) {
-  Aabb<N, T> all = Aabb<N, T>::nothing();
-  for (const Aabb<N, T>& box : boxes) all.grow(box);
+CellPlace<N> place_of_root(const std::vector<Aabb<N, T>>& some, const Aabb<N, T>& all, std::size_t count,
+                           const OrthtreeOptions& options) {
   const CellPlace<N> whole = place_over<N>(
       [&](Dim i) { return range_between(static_cast<double>(all.min[i]), static_cast<double>(all.max[i])); });
-  std::vector<double> centers(boxes.size());
+  std::vector<double> centers(some.size());
   const CellPlace<N> middle = place_over<N>([&](Dim i) {
-    for (std::size_t k = 0; k < boxes.size(); ++k) centers[k] = center_of(boxes[k])[i];
-    const auto skipped = static_cast<std::ptrdiff_t>(boxes.size() / 16);
+    for (std::size_t k = 0; k < some.size(); ++k) centers[k] = center_of(some[k])[i];
+    const auto skipped = static_cast<std::ptrdiff_t>(some.size() / 16);
     std::nth_element(centers.begin(), centers.begin() + skipped, centers.end());
     const double low = centers[static_cast<std::size_t>(skipped)];
     std::nth_element(centers.begin(), centers.end() - 1 - skipped, centers.end());
@@ -136,9 +136,17 @@ CellPlace<N> place_of_root(const std::vector<Aabb<N, T>>& boxes, const OrthtreeO
     return AxisRange{range.center, 2 * range.half};
   });
   if (!(middle.half > 0)) return whole;  // all centers are one: the boxes' own size is as good as any
-  const double leaves = static_cast<double>(boxes.size()) / static_cast<double>(options.capacity);
+  const double leaves = static_cast<double>(count) / static_cast<double>(options.capacity);
   const int levels = std::ilogb(std::max(1.0, leaves)) / N + 3 + std::ilogb(whole.half) - std::ilogb(middle.half);
   return levels > options.max_depth ? middle : whole;
+}
+
+/// The same as all of them tell.
+template <Dim N, class T>
+CellPlace<N> place_of_root(const std::vector<Aabb<N, T>>& boxes, const OrthtreeOptions& options) {
+  Aabb<N, T> all = Aabb<N, T>::nothing();
+  for (const Aabb<N, T>& box : boxes) all.grow(box);
+  return place_of_root(boxes, all, boxes.size(), options);
 }
 
 }  // namespace detail

@@ -3,12 +3,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <graze/broad/box_cover.hpp>
+#include <graze/broad/cell_fill.hpp>
 #include <graze/broad/cell_place.hpp>
 #include <graze/broad/cell_tree.hpp>
 #include <graze/shape/shape.hpp>
@@ -33,6 +35,11 @@ void CellTree<N, T>::insert(std::uint32_t slot, const Box& box) {
   add(cell, {box, slot});
   ++size_;
   count_change();
+}
+
+template <Dim N, class T>
+void CellTree<N, T>::fill(std::span<const Box> boxes, std::span<const std::uint32_t> slots) {
+  CellFilling<N, T>(*this, boxes, slots).run();
 }
 
 template <Dim N, class T>

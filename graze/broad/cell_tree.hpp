@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <graze/broad/cell_place.hpp>
@@ -19,6 +20,9 @@ struct Cell {
   EntryList entries;
   std::uint32_t first_child = no_index;  ///< The children lie side by side.
 };
+
+template <Dim N, class T>
+class CellFilling;
 
 /// The cells of an Orthtree and the boxes in them, by slot. A box is in one cell: the deepest that was split on its way
 /// down and whose square, grown to twice its size, contains the box; the box's center decides the way. What does not
@@ -44,6 +48,10 @@ class CellTree {
   void insert(std::uint32_t slot, const Box& box);
   void update(std::uint32_t slot, const Box& box);
 
+  /// Takes in many boxes at once, each in its slot, which differ; for a tree that holds none. Cells of boxes that are
+  /// near each other come to lie near each other. Throws nothing but std::bad_alloc; what it holds then is of no use.
+  void fill(std::span<const Box> boxes, std::span<const std::uint32_t> slots);
+
   void erase(std::uint32_t slot) noexcept;
   void clear() noexcept;
 
@@ -62,6 +70,8 @@ class CellTree {
   std::size_t bytes() const;
 
  private:
+  friend class CellFilling<N, T>;
+
   bool is_leaf(std::uint32_t cell) const { return cells_[cell].first_child == no_index; }
   bool stays(std::uint32_t cell, const Box& box) const;
   std::uint32_t home_of(const Box& box);

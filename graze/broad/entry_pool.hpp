@@ -38,6 +38,12 @@ class EntryPool {
     while (free_count_ < blocks) add_block();
   }
 
+  /// Makes room for so many blocks, so that adding them moves nothing. May throw.
+  void reserve(std::size_t blocks) {
+    entries_.reserve(blocks * block_size);
+    blocks_.reserve(blocks);
+  }
+
   /// How many blocks a list of so many entries fills.
   static std::size_t blocks_of(std::size_t count) { return (count + block_size - 1) / block_size; }
 

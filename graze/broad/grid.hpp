@@ -66,9 +66,7 @@ class Grid {
 
   void clear() {
     cells_.clear();
-    for (std::uint32_t slot = 0; slot < keys_.slots(); ++slot) {
-      if (keys_.is_taken(slot)) keys_.release(slot);
-    }
+    keys_.release_all();
   }
 
   bool contains(const Key& key) const { return keys_.contains(key); }

@@ -74,6 +74,12 @@ void KeyTable::release(std::uint32_t slot) noexcept {
   if (++generations_[slot] != 0) free_.push_back(slot);
 }
 
+void KeyTable::release_all() noexcept {
+  for (std::uint32_t slot = 0; slot < slots(); ++slot) {
+    if (is_taken(slot)) release(slot);
+  }
+}
+
 void KeyTable::plan(std::span<const Key> next, std::span<const Key> free) {
   if (!generations_.empty()) throw std::logic_error("SpatialIndex: keys are planned before anything is inserted");
   const std::size_t places = next.size() + free.size();

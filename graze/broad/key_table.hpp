@@ -44,6 +44,9 @@ class KeyTable {
   /// Frees a slot that is taken. A slot whose generations are used up is never taken again.
   void release(std::uint32_t slot) noexcept;
 
+  /// The same for all slots that are taken, the first one first.
+  void release_all() noexcept;
+
   /// For a table that never held anything: it comes to be as if the keys `next`, in this order, were the next that
   /// `take` gives, and then places that became free, used again from the back. Of a free one the generation is even,
   /// and zero where all are used up. Owners do not count. Throws std::logic_error when the table is not new;

@@ -8,6 +8,7 @@
 //   erase(key)                The key is never valid again. Throws like box.
 //   box(key), contains(key)   box throws std::out_of_range for the key of an erased box, of another index, or none.
 //   size(), clear()
+//   assign(boxes)             Bvh and Orthtree only: these boxes in the place of all, at once. Their keys, in order.
 //   query(region, visit)      visit(key) for every box that meets the region (region.hpp), once.
 //   ray_cast(ray, visit)      visit(key, t) for every box that the ray enters, in order of t, equal ones by key. The
 //   ray

@@ -13,48 +13,14 @@
 
 #include <graze/broad/cell_tree.hpp>
 
+#include "cell_checks.hpp"
+
 namespace graze::detail::cell_tree_test {
 namespace {
 
 using Tree = CellTree<2, float>;
 using Box = Aabb<2, float>;
-
-bool covers(const Box& outer, const Box& inner) {
-  return outer.min.x <= inner.min.x && outer.min.y <= inner.min.y && inner.max.x <= outer.max.x &&
-         inner.max.y <= outer.max.y;
-}
-
-/// Every box is in one cell, within its bounds and all above it, and twice the size of the cell contains it.
-void expect_sound(const Tree& tree, const std::map<std::uint32_t, Box>& expected) {
-  std::map<std::uint32_t, Box> found;
-  const auto visit = [&](std::uint32_t index, const auto& self) -> void {
-    const Cell<2, float>& cell = tree.cell(index);
-    tree.pool().for_each(cell.entries, [&](const Entry<2, float>& entry) {
-      RC_ASSERT(found.emplace(entry.slot, entry.box).second);
-      RC_ASSERT(tree.box(entry.slot) == entry.box);
-      if (index == Tree::outside) return;
-      RC_ASSERT(covers(cell.bounds, entry.box));
-      const CellPlace<2>& place = tree.place(index);
-      for (Dim i = 0; i < 2; ++i) {
-        RC_ASSERT(double{entry.box.min[i]} >= place.center[i] - 2 * place.half);
-        RC_ASSERT(double{entry.box.max[i]} <= place.center[i] + 2 * place.half);
-      }
-    });
-    if (cell.first_child == no_index) return;
-    RC_ASSERT(tree.depth(index) < tree.options().max_depth);
-    for (std::uint32_t k = 0; k < Tree::children; ++k) {
-      const std::uint32_t child = cell.first_child + k;
-      RC_ASSERT(tree.place(child).parent == index);
-      RC_ASSERT(tree.place(child).half == tree.place(index).half / 2);
-      RC_ASSERT(tree.depth(child) == tree.depth(index) + 1);
-      RC_ASSERT(is_nothing(tree.cell(child).bounds) || covers(cell.bounds, tree.cell(child).bounds));
-      self(child, self);
-    }
-  };
-  visit(Tree::outside, visit);
-  if (tree.has_root()) visit(Tree::root, visit);
-  RC_ASSERT(found == expected);
-}
+using test::expect_sound;
 
 RC_GTEST_PROP(CellTree, IsSoundAfterAnySequenceOfCalls, ()) {
   Tree tree({*rc::gen::inRange<std::size_t>(1, 5), *rc::gen::inRange(0, 12)});

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -61,6 +62,7 @@ class Trial {
     const auto pick = keys_.empty() ? 0 : static_cast<std::size_t>(std::abs(step[1])) % keys_.size();
     switch (std::abs(step[0]) % 12) {
       case 0:
+        return std::abs(step[1]) % 4 == 1 ? assign(step) : insert(box_of(step));
       case 1:
       case 2:
       case 3:
@@ -109,6 +111,42 @@ class Trial {
     RC_ASSERT(index_.contains(key));
     keys_.emplace_back(key, expected);
     RC_ASSERT(index_.size() == judge_.size());
+  }
+
+  /// Other boxes in the place of all, many at once where the index can: those it has, moved, and some more.
+  void assign(const Step& step) {
+    std::vector<Box> boxes;
+    for (const auto& [key, expected] : keys_) boxes.push_back(judge_.box(expected));
+    Step other = step;
+    for (int k = 0; k < std::abs(step[7]) % 50; ++k) {
+      for (std::size_t i = 2; i < other.size(); ++i) other[i] = (other[i] * 7 + k + static_cast<int>(i)) % 41;
+      other[1] = k % 16;  // a large, a far and an infinite one among them
+      boxes.push_back(box_of(other));
+    }
+    keys_.clear();
+    judge_.clear();
+    for (const Box& box : boxes) keys_.emplace_back(Key{}, judge_.insert(box));
+    if constexpr (requires { index_.assign(std::span<const Box>(boxes)); }) {
+      const std::vector<Key> given = index_.assign(boxes);
+      RC_ASSERT(given.size() == boxes.size());
+      for (std::size_t k = 0; k < given.size(); ++k) keys_[k].first = given[k];
+      refuse_to_assign(boxes);
+    } else {
+      index_.clear();
+      for (std::size_t k = 0; k < boxes.size(); ++k) keys_[k].first = index_.insert(boxes[k]);
+    }
+    for (const auto& [key, expected] : keys_) {
+      RC_ASSERT(same(key, expected));
+      RC_ASSERT(index_.box(key) == judge_.box(expected));
+    }
+    compare_query(Box::everything());
+  }
+
+  /// One bad box among many changes nothing.
+  void refuse_to_assign(std::vector<Box> boxes) {
+    if (boxes.empty()) return;
+    boxes[boxes.size() / 2].max[0] = std::numeric_limits<T>::quiet_NaN();
+    RC_ASSERT_THROWS_AS(index_.assign(boxes), std::invalid_argument);
   }
 
   void update(std::size_t pick, const Box& box) {

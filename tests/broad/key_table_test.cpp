@@ -17,6 +17,25 @@ Key take(KeyTable& table) {
   return table.take();
 }
 
+TEST(KeyTable, ReleasesAllAsOneByOne) {
+  KeyTable at_once;
+  KeyTable one_by_one;
+  for (KeyTable* keys : {&at_once, &one_by_one}) {
+    keys->take_many(5);
+    keys->release(2);
+  }
+  at_once.release_all();
+  for (const std::uint32_t slot : {0U, 1U, 3U, 4U}) one_by_one.release(slot);
+  EXPECT_EQ(at_once.size(), 0U);
+  EXPECT_EQ(at_once.changes(), one_by_one.changes());
+  const std::vector<Key> next = at_once.take_many(6);
+  const std::vector<Key> expected = one_by_one.take_many(6);
+  for (std::size_t k = 0; k < 6; ++k) {
+    EXPECT_EQ(next[k].index, expected[k].index);
+    EXPECT_EQ(next[k].generation, expected[k].generation);
+  }
+}
+
 TEST(KeyTable, TakesTheSlotThatItPreparedAndUsesFreeOnesAgain) {
   KeyTable table;
   EXPECT_EQ(table.prepare(), 0U);

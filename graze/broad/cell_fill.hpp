@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <graze/broad/buffer.hpp>
+#include <graze/broad/cell_tree.hpp>
+#include <graze/shape/aabb.hpp>
+
+namespace graze::detail {
+
+/// A box by its place among all, and the number of the cell of a fine grid that its center is in: `levels` below the
+/// root, numbered level by level as child_towards does, so that the boxes of every cell between stand in a row when
+/// they are sorted by it (Morton 1966).
+struct CodedBox {
+  std::uint32_t index;
+  std::uint32_t code;
+};
+
+/// How many levels below the root a code tells apart.
+template <Dim N>
+inline constexpr int code_levels = 32 / N;
+
+/// How a CellTree that holds none takes in many boxes at once: it sorts them by their codes, divides the row from the
+/// root down, and so comes by cells, entries and bounds in one walk along it. What does not fit where its code leads is
+/// added at the end, one by one.
+template <Dim N, class T>
+class CellFilling {
+ public:
+  using Box = Aabb<N, T>;
+  using Tree = CellTree<N, T>;
+
+  CellFilling(Tree& tree, std::span<const Box> boxes, std::span<const std::uint32_t> slots)
+      : tree_(tree), boxes_(boxes), slots_(slots) {}
+
+  /// To be called once.
+  void run();
+
+ private:
+  /// Boxes in a row whose centers are in one cell.
+  struct Range {
+    std::size_t first;
+    std::size_t last;
+    int depth;
+
+    std::size_t count() const { return last - first; }
+  };
+
+  void lay_root();
+  void sort_boxes();
+  bool is_leaf(std::uint32_t cell, const Range& range) const;
+  std::size_t end_of(std::uint32_t child, const Range& range, std::size_t first) const;
+  Box fill_cell(std::uint32_t cell, const Range& range);
+  void ask_ahead(std::size_t place) const;
+  Box fill_leaf(std::uint32_t cell, const Range& range);
+  void add_alone(std::uint32_t index);
+
+  Tree& tree_;
+  std::span<const Box> boxes_;
+  std::span<const std::uint32_t> slots_;
+  BlankVector<CodedBox> sorted_;
+  std::vector<std::uint32_t> left_over_;  // indices
+};
+
+extern template class CellFilling<2, float>;
+extern template class CellFilling<3, float>;
+extern template class CellFilling<2, double>;
+extern template class CellFilling<3, double>;
+
+}  // namespace graze::detail
