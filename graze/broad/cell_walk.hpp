@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <graze/broad/cell_query.hpp>
 #include <graze/broad/cell_tree.hpp>
 #include <graze/broad/entry_pool.hpp>
 #include <graze/broad/short_list.hpp>
@@ -16,13 +17,11 @@
 
 namespace graze::detail {
 
-/// What a walk keeps in mind without allocating: the brothers of a path down through 32 levels of a quad tree.
-inline constexpr std::size_t cell_walk_room = 128;
-
 /// Calls visit(slot) for every box that `probe` (a RegionProbe, or what counts as one) says is met, cell by cell, until
 /// it returns false.
 template <class Cells, class Probe, class Visit>
 void visit_cells_met(const Cells& cells, const Probe& probe, const Visit& visit) {
+  if constexpr (Probe::is_box) return visit_cells_in_box(cells, probe, visit);
   const auto meets = [&probe](const auto& box) { return probe.meets(box); };
   ShortList<std::uint32_t, cell_walk_room> open;
   const auto open_group = [&](std::uint32_t first, std::uint32_t count) {

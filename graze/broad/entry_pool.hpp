@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
+#include <graze/broad/prefetch.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 
@@ -28,11 +30,21 @@ struct EntryList {
   std::uint32_t count = 0;
 };
 
+/// A block of a list: where it is, and how many of its places are filled.
+struct EntryBlock {
+  std::uint32_t index;
+  std::uint32_t filled;
+
+  bool is_none() const { return index == no_index; }
+};
+
 /// Lists of entries in one array: each is a chain of blocks of eight, so that entries of a list lie side by side, and
 /// adding and removing cost the same however long it is. Each list has a number, its owner.
 template <Dim N, class T>
 class EntryPool {
  public:
+  static constexpr std::uint32_t block_size = 8;
+
   /// Sees to so many free blocks: as many calls of `add` cannot fail, more if they share blocks. May throw.
   void prepare(std::size_t blocks = 1) {
     while (free_count_ < blocks) add_block();
@@ -126,6 +138,32 @@ class EntryPool {
     return true;
   }
 
+  /// The first block of a list, with the number of its entries. A list without entries has none.
+  EntryBlock first_block(const EntryList& list) const {
+    return {list.head, list.count == 0 ? 0 : (list.count - 1) % block_size + 1};
+  }
+
+  /// The one behind a block.
+  EntryBlock next_block(const EntryBlock& block) const { return {blocks_[block.index].next, block_size}; }
+
+  /// Writes the slots of those entries of a block whose boxes pass a test, without a branch on it, and returns how many
+  /// they are. There must be room for block_size slots.
+  template <class Test>
+  std::size_t write_where(const EntryBlock& block, const Test& test, std::uint32_t* slots) const {
+    const Entry<N, T>* const first = entries_.data() + std::size_t{block.index} * block_size;
+    std::size_t count = 0;
+    for (std::uint32_t k = 0; k < block_size; ++k) {  // those that are no more are not counted
+      slots[count] = first[k].slot;
+      count += static_cast<unsigned>(k < block.filled) & static_cast<unsigned>(test(first[k].box));
+    }
+    return count;
+  }
+
+  /// Asks for a block.
+  void prefetch_block(const EntryBlock& block) const {
+    prefetch_all(std::span(entries_.data() + std::size_t{block.index} * block_size, block_size));
+  }
+
   template <class Use>
   void for_each(const EntryList& list, const Use& use) const {
     visit(list, [&use](const Entry<N, T>& entry) {
@@ -138,8 +176,6 @@ class EntryPool {
   std::size_t bytes() const { return entries_.capacity() * sizeof(Entry<N, T>) + blocks_.capacity() * sizeof(Block); }
 
  private:
-  static constexpr std::uint32_t block_size = 8;
-
   struct Block {
     std::uint32_t next = no_index;
     std::uint32_t owner = no_index;

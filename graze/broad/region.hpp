@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <graze/broad/box_limits.hpp>
 #include <graze/broad/frustum_filter.hpp>
 #include <graze/broad/path_filter.hpp>
 #include <graze/math/rounding.hpp>
@@ -226,17 +227,19 @@ class RegionProbe<Aabb<M, U>> {
     if (has_nan_coordinate(region))
       throw std::invalid_argument("SpatialIndex: the region has a coordinate that is not a number");
     if (is_nothing(region)) region_.min = Vec<M, U>(std::numeric_limits<U>::quiet_NaN());  // overlaps no box at all
+    limits_ = BoxLimits<M, U>(region_);
   }
 
   static constexpr bool is_box = true;  // meets whatever shares a point with its reach
 
-  bool may_meet(const Box& box) const { return boxes_overlap_at_once(region_, box); }
+  bool may_meet(const Box& box) const { return limits_.meets(box); }
   Box reach(double /*size*/) const { return region_; }
   bool may_meet_closely(const Box&) const { return true; }  // nothing is closer than may_meet
-  bool meets(const Box& box) const { return boxes_overlap_at_once(region_, box); }
+  bool meets(const Box& box) const { return limits_.meets(box); }
 
  private:
   Box region_;
+  BoxLimits<M, U> limits_{region_};
 };
 
 }  // namespace detail

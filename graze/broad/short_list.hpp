@@ -39,6 +39,13 @@ class ShortList {
     size_ += condition ? 1U : 0U;
   }
 
+  /// Room for so many more behind the last one. `append` says how many were written there.
+  Element* room_for(std::size_t more) {
+    while (room_ - size_ < more) grow();
+    return end();
+  }
+  void append(std::size_t written) { size_ += written; }
+
   Element pop() {
     --size_;
     return *end();

@@ -33,6 +33,8 @@ struct CountingProbe {
   Box region;
   mutable std::size_t looks = 0;
 
+  static constexpr bool is_box = false;
+
   bool may_meet(const Box& box) const { return boxes_overlap(region, box); }
   bool may_meet_closely(const Box&) const { return true; }
   bool meets(const Box& box) const {

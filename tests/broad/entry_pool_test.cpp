@@ -66,6 +66,24 @@ TEST(EntryPool, StopsWhenTheVisitorSaysSo) {
   EXPECT_EQ(visits, 25);
 }
 
+TEST(EntryPool, WritesWhatPassesBlockByBlock) {
+  Pool pool;
+  EntryList list;
+  EXPECT_TRUE(pool.first_block(list).is_none());
+  for (std::uint32_t slot = 0; slot < 20; ++slot) pool.add(list, 0, {{{float(slot), 0}, {float(slot), 0}}, slot});
+  const auto odd = [](const Aabb<2, float>& box) { return static_cast<int>(box.min.x) % 2 == 1; };
+  std::vector<std::uint32_t> filled;
+  std::vector<std::uint32_t> slots;
+  for (EntryBlock block = pool.first_block(list); !block.is_none(); block = pool.next_block(block)) {
+    std::array<std::uint32_t, Pool::block_size> passed{};
+    slots.insert(slots.end(), passed.begin(),
+                 passed.begin() + static_cast<std::ptrdiff_t>(pool.write_where(block, odd, passed.data())));
+    filled.push_back(block.filled);
+  }
+  EXPECT_EQ(filled, (std::vector<std::uint32_t>{4, 8, 8}));
+  EXPECT_EQ(slots, (std::vector<std::uint32_t>{17, 19, 9, 11, 13, 15, 1, 3, 5, 7}));
+}
+
 RC_GTEST_PROP(EntryPool, RemovalPutsTheLastInTheHoleAndSaysWhich, (const std::vector<std::uint8_t>& picks)) {
   Pool pool;
   EntryList list;

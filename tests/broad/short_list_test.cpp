@@ -33,5 +33,16 @@ TEST(ShortHeap, GivesTheFirstInItsOrder) {
   EXPECT_TRUE(heap.empty());
 }
 
+TEST(ShortList, HasRoomForSeveralAtOnceAlsoBeyondItsOwn) {
+  ShortList<int, 4> list;
+  for (int first = 0; first < 40; first += 3) {
+    int* const room = list.room_for(5);
+    for (int k = 0; k < 5; ++k) room[k] = first + k;
+    list.append(3);
+  }
+  ASSERT_EQ(list.size(), 42U);
+  for (int expected = 41; expected >= 0; --expected) EXPECT_EQ(list.pop(), expected);
+}
+
 }  // namespace
 }  // namespace graze::detail::short_list_test
