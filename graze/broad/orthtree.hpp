@@ -37,7 +37,8 @@ struct OrthtreeCell {
 /// others.
 ///
 /// A box lies in one cell only, whose bounds reach as far as its boxes do. A tree as flat whose boxes lie in every leaf
-/// that they touch takes as long to fill, twice as long to ask and 15 times as long to move (bench/orthtree.cpp).
+/// that they touch takes as long to fill one by one, three times as long to ask and 15 times as long to move
+/// (bench/orthtree.cpp).
 template <Dim N, class T = float>
 class Orthtree {
  public:
