@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // contact and manifold for pairs of bounded primitives in 3D, beside FCL's collide with up to four contacts (double)
 // and, for two oriented boxes, Bullet's btBoxBoxDetector (float). A thousand random pairs each, all in cache, some of
-// them apart; of most kinds also pairs that all meet, and of oriented boxes some that lie on each other. Before
-// anything is timed the others' depths are compared with graze's: graze's is the least, so that none may be less; those
-// of FCL and Bullet may be up to 5 % more where two edges meet, because they prefer faces by as much.
+// them apart; oriented boxes also in one call of `contacts`, in double and in float; of most kinds also pairs that all
+// meet, and of oriented boxes some that lie on each other. Before anything is timed the others' depths are compared
+// with graze's: graze's is the least, so that none may be less; those of FCL and Bullet may be up to 5 % more where two
+// edges meet, because they prefer faces by as much.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -12,6 +13,7 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,9 @@
 #include <benchmark/benchmark.h>
 #include <fcl/narrowphase/collision.h>
 
+#include <graze/broad/contacts.hpp>
+#include <graze/broad/executor.hpp>
+#include <graze/broad/manifolds.hpp>
 #include <graze/math/pose.hpp>
 #include <graze/query/contact.hpp>
 #include <graze/query/intersects.hpp>
@@ -271,6 +276,36 @@ void time_other(const std::string& name, const Pairs<A, B>& pairs, Make make, Me
   time_pairs<Theirs, Theirs>(name, copies, measure);
 }
 
+/// `contacts` of all pairs as candidates, in one call. Before they are timed, the answers are compared with those of
+/// single calls.
+template <class T>
+void time_batch(const std::string& name, const Pairs<Obb, Obb>& pairs) {
+  using Any = graze::AnyShape<3, T>;
+  const auto stored = [](const Obb& box) {
+    return graze::Obb<3, T>{Vec<3, T>(box.center), Vec<3, T>(box.half_extents), Mat<3, T>(box.axes)};
+  };
+  const auto shapes = std::make_shared<std::vector<Any>>();
+  const auto candidates = std::make_shared<std::vector<graze::Pair>>();
+  for (const auto& [a, b] : pairs) {
+    const auto place = static_cast<std::uint32_t>(shapes->size());
+    candidates->push_back({place, place + 1});
+    shapes->insert(shapes->end(), {stored(a), stored(b)});
+  }
+  const graze::TouchOptions alone{&graze::serial_executor()};
+  std::size_t others = 0;
+  for (const auto& found : graze::contacts(*shapes, *candidates, alone)) {
+    if (!(found.manifold == manifold((*shapes)[found.pair.a], (*shapes)[found.pair.b]))) ++others;
+  }
+  std::printf("%s: %zu are not those of single calls\n", name.c_str(), others);
+  benchmark::RegisterBenchmark(name.c_str(), [shapes, candidates, alone](benchmark::State& state) {
+    for (auto _ : state) benchmark::DoNotOptimize(graze::contacts(*shapes, *candidates, alone));
+    const auto count = static_cast<double>(candidates->size());
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(candidates->size()));
+    state.counters["ns"] =
+        benchmark::Counter(1e-9 * count, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  });
+}
+
 template <class A, class B>
 void register_pairs(const std::string& name, const Pairs<A, B>& drawn) {
   const auto pairs = std::make_shared<Pairs<A, B>>(drawn);
@@ -279,6 +314,10 @@ void register_pairs(const std::string& name, const Pairs<A, B>& drawn) {
   const std::string title = name + " (" + std::to_string(100 * hits / pairs->size()) + " % hits)";
   time_pairs<A, B>(title + "/contact", pairs, [](const A& a, const B& b) { return contact(a, b); });
   time_pairs<A, B>(title + "/manifold", pairs, [](const A& a, const B& b) { return manifold(a, b); });
+  if constexpr (std::is_same_v<A, Obb> && std::is_same_v<B, Obb>) {
+    time_batch<double>(title + "/contacts", *pairs);
+    time_batch<float>(title + "/contacts of floats", *pairs);
+  }
   if constexpr (requires { fcl_shape(drawn[0].first), fcl_shape(drawn[0].second); }) {
     time_other(
         title + "/FCL", *pairs, [](const auto& shape) { return fcl_shape(shape); }, fcl_contacts);

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+// Compiled once per instruction set: Highway includes this file anew for each.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include <graze/broad/manifold_kernels.hpp>
+#include <graze/broad/simd_choice.hpp>
+#include <graze/query/closest_points.hpp>
+#include <graze/query/lanes.hpp>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "graze/broad/manifold_kernels.cpp"
+#include <hwy/foreach_target.h>  // must come before highway.h
+#include <hwy/highway.h>
+
+// Without vectors of doubles, or where one pair alone takes no quick way that could be followed, all pairs are left.
+#undef GRAZE_MANIFOLD_LANES
+#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_WASM && HWY_HAVE_FLOAT64 && \
+    defined(GRAZE_HAS_LANES)
+#define GRAZE_MANIFOLD_LANES 1
+#include <graze/broad/manifold_axes-inl.hpp>
+#include <graze/broad/manifold_edges-inl.hpp>
+#include <graze/broad/manifold_faces-inl.hpp>
+#else
+#define GRAZE_MANIFOLD_LANES 0
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::detail::HWY_NAMESPACE {
+namespace {
+
+#if GRAZE_MANIFOLD_LANES
+
+/// The manifolds of up to most_obbs_to_contact pairs: the axis of each, then those across faces and those across edges,
+/// so that lanes have the same to do.
+template <class T>
+class ContactBatch {
+ public:
+  ContactBatch(std::span<const ObbsToContact<T>> pairs, std::uint32_t* left) : pairs_(pairs), left_(left) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) set_order(i);
+    for (std::size_t i = 0; i < pairs.size(); i += pairs_at_once) find_axes(i);
+    for (std::size_t i = 0; i < faces_.count; i += pairs_at_once) contact_faces(i);
+    for (std::size_t i = 0; i < edges_.count; i += pairs_at_once) contact_edges(i);
+    for (std::size_t i = 0; i < carried_.count; i += pairs_at_once) contact_carried(i);
+  }
+
+  std::size_t left_count() const { return left_count_; }
+
+ private:
+  static constexpr std::size_t room = most_obbs_to_contact + pairs_at_once;
+
+  struct List {
+    std::array<std::uint16_t, room> pairs;
+    std::size_t count = 0;
+  };
+
+  static const T* numbers_of(const Obb<3, T>& box) { return reinterpret_cast<const T*>(&box); }
+
+  /// As is_in_order of the two; nearly always the first number says it.
+  void set_order(std::size_t i) {
+    const Obb<3, T>& a = *pairs_[i].a;
+    const Obb<3, T>& b = *pairs_[i].b;
+    const bool turned = a.center.x != b.center.x ? b.center.x < a.center.x : !is_in_order(a, b);
+    const std::array<const T*, 2> numbers{numbers_of(a), numbers_of(b)};
+    turned_[i] = turned;
+    first_[i] = numbers[turned ? 1 : 0];
+    second_[i] = numbers[turned ? 0 : 1];
+  }
+
+  HWY_INLINE void find_axes(std::size_t from) {
+    const std::size_t count = std::min(pairs_at_once, pairs_.size() - from);
+    for (std::size_t lane = count; lane < pairs_at_once; ++lane) {
+      first_[from + lane] = first_[from];
+      second_[from + lane] = second_[from];
+    }
+    BoxPair boxes{{load_boxes(&first_[from]), load_boxes(&second_[from])}};
+    see_from_first(boxes);
+    Row<double> places;
+    store(axis_places(boxes), places);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const auto place = static_cast<std::uint8_t>(places.of[lane]);
+      const auto i = static_cast<std::uint16_t>(from + lane);
+      place_[i] = place;
+      List& list = place < 6 ? faces_ : edges_;
+      list.pairs[list.count] = i;
+      list.count += place < 15 ? 1 : 0;
+      if (place == 15) left_[left_count_++] = i;
+    }
+  }
+
+  /// The pairs of a group, the first in the place of those that are missing.
+  static std::array<std::uint16_t, pairs_at_once> group_of(const List& list, std::size_t from) {
+    std::array<std::uint16_t, pairs_at_once> group;
+    for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
+      group[lane] = list.pairs[from + lane < list.count ? from + lane : from];
+    }
+    return group;
+  }
+
+  HWY_INLINE void contact_faces(std::size_t from) {
+    const auto group = group_of(faces_, from);
+    FacePairs<T> pairs;
+    for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
+      const std::size_t i = group[lane];
+      const bool of_b = place_[i] >= 3;
+      const std::array<const T*, 2> numbers{first_[i], second_[i]};
+      pairs.own[lane] = numbers[of_b ? 1 : 0];
+      pairs.other[lane] = numbers[of_b ? 0 : 1];
+      pairs.axis.of[lane] = place_[i] - (of_b ? 3 : 0);
+      pairs.of_b.of[lane] = of_b ? 1 : 0;
+      pairs.turned.of[lane] = turned_[i] ? 1 : 0;
+    }
+    const FaceContacts<T> contacts(pairs);
+    const std::uint32_t open = contacts.open();
+    const std::uint32_t carried = contacts.carried_by_other();
+    for (std::size_t lane = 0; lane < std::min(pairs_at_once, faces_.count - from); ++lane) {
+      const std::size_t i = group[lane];
+      if ((carried >> lane & 1U) != 0) {
+        add_carried(i, false);
+      } else if ((open >> lane & 1U) != 0) {
+        left_[left_count_++] = static_cast<std::uint32_t>(i);
+      } else {
+        contacts.write(lane, turned_[i] != (place_[i] >= 3), *pairs_[i].manifold);
+      }
+    }
+  }
+
+  HWY_INLINE void contact_edges(std::size_t from) {
+    const auto group = group_of(edges_, from);
+    EdgePairs<T> pairs;
+    for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
+      const std::size_t i = group[lane];
+      pairs.first[lane] = first_[i];
+      pairs.second[lane] = second_[i];
+      pairs.edge_a.of[lane] = (place_[i] - 6) / 3;
+      pairs.edge_b.of[lane] = place_[i] % 3;
+      pairs.turned.of[lane] = turned_[i] ? 1 : 0;
+    }
+    const EdgeContacts<T> contacts(pairs);
+    const std::uint32_t open = contacts.open();
+    const std::uint32_t by_second = contacts.carried_by_second();
+    const std::uint32_t carried = contacts.carried_by_first() | by_second;
+    for (std::size_t lane = 0; lane < std::min(pairs_at_once, edges_.count - from); ++lane) {
+      const std::size_t i = group[lane];
+      if ((carried >> lane & 1U) != 0) {
+        add_carried(i, (by_second >> lane & 1U) != 0);
+      } else if ((open >> lane & 1U) != 0) {
+        left_[left_count_++] = static_cast<std::uint32_t>(i);
+      } else {
+        contacts.write(lane, turned_[i], *pairs_[i].manifold);
+      }
+    }
+  }
+
+  void add_carried(std::size_t i, bool by_second) {
+    is_by_second_[i] = by_second;
+    carried_.pairs[carried_.count++] = static_cast<std::uint16_t>(i);
+  }
+
+  HWY_INLINE void contact_carried(std::size_t from) {
+    const auto group = group_of(carried_, from);
+    CarriedPairs<T> pairs;
+    for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
+      const std::size_t i = group[lane];
+      const std::uint8_t place = place_[i];
+      pairs.first[lane] = first_[i];
+      pairs.second[lane] = second_[i];
+      pairs.is_on_edges.of[lane] = place >= 6 ? 1 : 0;
+      pairs.axis_a.of[lane] = place >= 6 ? (place - 6) / 3 : 0;
+      pairs.axis_b.of[lane] = place % 3;
+      pairs.of_b.of[lane] = is_by_second_[i] ? 1 : 0;
+      pairs.turned.of[lane] = turned_[i] ? 1 : 0;
+    }
+    const FaceContacts<T> contacts(pairs);
+    const std::uint32_t open = contacts.open();
+    for (std::size_t lane = 0; lane < std::min(pairs_at_once, carried_.count - from); ++lane) {
+      const std::size_t i = group[lane];
+      if ((open >> lane & 1U) != 0) {
+        left_[left_count_++] = static_cast<std::uint32_t>(i);
+      } else {
+        contacts.write(lane, turned_[i] != is_by_second_[i], *pairs_[i].manifold);
+      }
+    }
+  }
+
+  std::span<const ObbsToContact<T>> pairs_;
+  std::uint32_t* left_;
+  std::size_t left_count_ = 0;
+  std::array<const T*, room> first_;
+  std::array<const T*, room> second_;
+  std::array<bool, room> turned_;
+  std::array<std::uint8_t, room> place_;
+  List faces_;
+  List edges_;
+  List carried_;
+  std::array<bool, room> is_by_second_;
+};
+
+template <class T>
+std::size_t contact_obbs(std::span<const ObbsToContact<T>> pairs, std::uint32_t* left) {
+  assert(pairs.size() <= most_obbs_to_contact);
+  return ContactBatch<T>(pairs, left).left_count();
+}
+
+#else
+
+template <class T>
+std::size_t contact_obbs(std::span<const ObbsToContact<T>> pairs, std::uint32_t* left) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) left[i] = static_cast<std::uint32_t>(i);
+  return pairs.size();
+}
+
+#endif
+
+}  // namespace
+
+const ManifoldKernels& manifold_kernels() {
+  static const ManifoldKernels kernels{contact_obbs<float>, contact_obbs<double>};
+  return kernels;
+}
+
+}  // namespace graze::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace graze::detail {
+namespace {
+HWY_EXPORT(manifold_kernels);
+}
+
+template <class T>
+ManifoldKernel<T> manifold_kernel() {
+  const ManifoldKernels& kernels = HWY_DYNAMIC_DISPATCH(manifold_kernels)();
+  if constexpr (std::is_same_v<T, float>) {
+    return kernels.of_floats;
+  } else {
+    return kernels.of_doubles;
+  }
+}
+
+template ManifoldKernel<float> manifold_kernel<float>();
+template ManifoldKernel<double> manifold_kernel<double>();
+
+}  // namespace graze::detail
+#endif

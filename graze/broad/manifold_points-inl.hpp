@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// From what kernels have found of many pairs to their manifolds, rounded as ObbPoints of query/obb_manifold.hpp.
+// Included once for each instruction set, hence no ordinary guard.
+#if defined(GRAZE_BROAD_MANIFOLD_POINTS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BROAD_MANIFOLD_POINTS_INL_HPP
+#undef GRAZE_BROAD_MANIFOLD_POINTS_INL_HPP
+#else
+#define GRAZE_BROAD_MANIFOLD_POINTS_INL_HPP
+#endif
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+#include <hwy/highway.h>
+
+#include <graze/broad/manifold_choice-inl.hpp>
+#include <graze/broad/manifold_lanes-inl.hpp>
+#include <graze/query/manifold.hpp>
+#include <graze/query/status.hpp>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::detail::HWY_NAMESPACE {
+
+/// A number of each pair, to be read one by one.
+template <class T>
+struct alignas(64) Row {
+  T of[pairs_at_once];
+};
+
+HWY_INLINE void store(Doubles v, Row<double>& row) { hn::Store(v, Tag<double>(), row.of); }
+HWY_INLINE void store(Doubles v, Row<float>& row) { hn::Store(narrowed(v), FloatTag(), row.of); }
+
+/// Never minus zero.
+HWY_INLINE void store_rounded(Doubles v, Row<double>& row) { hn::Store(hn::Add(v, both(0)), Tag<double>(), row.of); }
+HWY_INLINE void store_rounded(Doubles v, Row<float>& row) {
+  hn::Store(hn::Add(narrowed(v), all_floats(0)), FloatTag(), row.of);
+}
+
+/// A contact point of each pair: nine coordinates and the depth.
+#if HWY_TARGET <= HWY_AVX3
+template <class T>
+struct PointRows {
+  alignas(64) T first_eight[pairs_at_once][8];
+  Row<T> ninth;
+  Row<T> depth;
+
+  /// `first` lies on the user's second box where `turns`.
+  HWY_INLINE void set(const Point& first, const Point& second, Doubles its_depth, DoublesMask turns) {
+    __m512d rows[8];
+    __m512d last{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Doubles a = first.at[k];
+      const Doubles b = second.at[k];
+      rows[k] = hn::Mul(hn::Add(a, b), both(0.5)).raw;
+      rows[3 + k] = hn::IfThenElse(turns, b, a).raw;
+      (k < 2 ? rows[6 + k] : last) = hn::IfThenElse(turns, a, b).raw;
+    }
+    Doubles of_pairs[8];
+    transpose_eight(rows, of_pairs);
+    for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
+      if constexpr (std::is_same_v<T, double>) {
+        hn::Store(hn::Add(of_pairs[lane], both(0)), Tag<double>(), first_eight[lane]);
+      } else {
+        hn::Store(hn::Add(narrowed(of_pairs[lane]), all_floats(0)), FloatTag(), first_eight[lane]);
+      }
+    }
+    store_rounded(Doubles{last}, ninth);
+    store(its_depth, depth);
+  }
+
+  void write(std::size_t lane, ManifoldPoint<3, T>& to) const {
+    static_assert(sizeof(to.point) + sizeof(to.point_a) + sizeof(to.point_b) == 9 * sizeof(T));
+    std::memcpy(reinterpret_cast<char*>(&to), first_eight[lane], sizeof(first_eight[lane]));
+    to.point_b.z = ninth.of[lane];
+    to.depth = depth.of[lane];
+  }
+};
+#else
+template <class T>
+struct PointRows {
+  Row<T> point[3];
+  Row<T> point_a[3];
+  Row<T> point_b[3];
+  Row<T> depth;
+
+  /// `first` lies on the user's second box where `turns`.
+  HWY_INLINE void set(const Point& first, const Point& second, Doubles its_depth, DoublesMask turns) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Doubles a = first.at[k];
+      const Doubles b = second.at[k];
+      store_rounded(hn::Mul(hn::Add(a, b), both(0.5)), point[k]);
+      store_rounded(hn::IfThenElse(turns, b, a), point_a[k]);
+      store_rounded(hn::IfThenElse(turns, a, b), point_b[k]);
+    }
+    store(its_depth, depth);
+  }
+
+  void write(std::size_t lane, ManifoldPoint<3, T>& to) const {
+    for (Dim k = 0; k < 3; ++k) {
+      to.point[k] = point[k].of[lane];
+      to.point_a[k] = point_a[k].of[lane];
+      to.point_b[k] = point_b[k].of[lane];
+    }
+    to.depth = depth.of[lane];
+  }
+};
+#endif
+
+/// What a manifold says but for its points.
+template <class T>
+struct ManifoldRows {
+  Row<T> normal[3];
+  Row<double> error;
+
+  HWY_INLINE void set(const AxisLanes& axis, Doubles size, DoublesMask turned) {
+    const Doubles side = hn::IfThenElse(turned, both(-1), both(1));
+    for (std::size_t k = 0; k < 3; ++k) store_rounded(hn::Mul(axis.normal.at[k], side), normal[k]);
+    store(hn::Add(max_of(both(0), axis.gap), hn::Mul(both(2 * tolerance::rounding), size)), error);
+  }
+
+  void write(std::size_t lane, std::size_t size, Manifold<3, T>& to) const {
+    to.size = size;
+    for (Dim k = 0; k < 3; ++k) to.normal[k] = normal[k].of[lane];
+    to.status = Status::converged;
+    to.error = error.of[lane];
+  }
+};
+
+/// One after the other: a function that clears several at once does so by an instruction for long rows.
+template <class T>
+[[gnu::noinline]] void clear_point(ManifoldPoint<3, T>& point) {
+  point = {};
+}
+
+}  // namespace graze::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

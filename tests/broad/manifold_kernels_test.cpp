@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: MIT
+// What kernels write is what single calls say, to the bit and on every instruction set; and they leave few pairs, so
+// that the comparison is one.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <random>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <graze/broad/contacts.hpp>
+#include <graze/broad/executor.hpp>
+#include <graze/broad/manifold_kernels.hpp>
+#include <graze/broad/manifold_lines.hpp>
+#include <graze/broad/manifolds.hpp>
+#include <graze/math/pose.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/manifold.hpp>
+#include <graze/query/relation.hpp>
+#include <graze/shape/any_shape.hpp>
+
+#include "simd_targets.hpp"
+
+namespace graze::detail::manifold_kernels_test {
+namespace {
+
+template <class T>
+using Boxes = std::vector<std::pair<Obb<3, T>, Obb<3, T>>>;
+
+/// Whether each number has the same bits; those of floats in double hold all of theirs.
+bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof(a)) == 0; }
+
+template <class V>
+bool same_vectors(const V& a, const V& b) {
+  return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
+}
+
+template <class T>
+bool same_manifolds(const Manifold<3, T>& a, const Manifold<3, T>& b) {
+  bool same = a == b && same_vectors(a.normal, b.normal) && same_bits(a.error, b.error);
+  for (std::size_t i = 0; i < a.points.size(); ++i) {
+    const ManifoldPoint<3, T>& p = a.points[i];
+    const ManifoldPoint<3, T>& q = b.points[i];
+    same = same && same_vectors(p.point, q.point) && same_vectors(p.point_a, q.point_a) &&
+           same_vectors(p.point_b, q.point_b) && same_bits(p.depth, q.depth);
+  }
+  return same;
+}
+
+template <class T>
+std::string text_of(const Obb<3, T>& box) {
+  std::string text;
+  for (const Vec<3, T>& v : {box.center, box.half_extents, box.axes[0], box.axes[1], box.axes[2]}) {
+    for (Dim i = 0; i < 3; ++i) {
+      char number[40];
+      std::snprintf(number, sizeof(number), "%a, ", static_cast<double>(v[i]));
+      text += number;
+    }
+  }
+  return text;
+}
+
+/// Whether this set of instructions has a kernel: pairs are taken several at a time in double, or not at all.
+bool has_kernel(std::int64_t target) {
+  constexpr std::int64_t without = HWY_SCALAR | HWY_EMU128 | HWY_WASM;
+#ifdef GRAZE_HAS_LANES
+  return (target & without) == 0;
+#else
+  return false;
+#endif
+}
+
+/// Compares all that a kernel writes with single calls. Returns how many pairs it leaves.
+template <class T>
+std::size_t left_of(const Boxes<T>& boxes, const std::string& where) {
+  std::size_t left_count = 0;
+  for (std::size_t first = 0; first < boxes.size(); first += most_obbs_to_contact) {
+    const std::size_t count = std::min(most_obbs_to_contact, boxes.size() - first);
+    std::vector<Manifold<3, T>> found(count);
+    std::vector<ObbsToContact<T>> pairs(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      std::memset(static_cast<void*>(&found[i].points), 0x55, sizeof(found[i].points));  // what is left as it was
+      pairs[i] = {&boxes[first + i].first, &boxes[first + i].second, &found[i]};
+    }
+    std::vector<std::uint32_t> left(count);
+    left.resize(manifold_kernel<T>()(pairs, left.data()));
+    left_count += left.size();
+    std::vector<bool> is_left(count);
+    for (const std::uint32_t place : left) {
+      EXPECT_FALSE(is_left.at(place)) << where;
+      is_left[place] = true;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& [a, b] = boxes[first + i];
+      EXPECT_TRUE(is_left[i] || same_manifolds(found[i], manifold(a, b))) << where << '\n'
+                                                                          << text_of(a) << '\n'
+                                                                          << text_of(b);
+    }
+  }
+  return left_count;
+}
+
+/// On every set of instructions; and leaves no more than this share, where there is a kernel.
+template <class T>
+void expect_single_calls(const Boxes<T>& boxes, double most_left) {
+  for (const std::int64_t target : test::simd_targets()) {
+    const test::ForcedTarget forced(target);
+    const std::size_t left = left_of<T>(boxes, hwy::TargetName(target));
+    if (!has_kernel(target)) continue;
+    EXPECT_LE(static_cast<double>(left), most_left * static_cast<double>(boxes.size())) << hwy::TargetName(target);
+  }
+}
+
+/// Draws pairs of boxes that meet.
+class Pairs {
+ public:
+  using V3 = Vec<3, double>;
+  using Box = Obb<3, double>;
+  using Two = std::pair<Box, Box>;
+
+  explicit Pairs(std::uint32_t seed) : random_(seed) {}
+
+  double number(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
+  V3 vector(double size) { return {number(-size, size), number(-size, size), number(-size, size)}; }
+  V3 extents(double least) { return abs(vector(0.8)) + least; }
+
+  Mat<3, double> rotation() {
+    V3 axis = vector(1);
+    while (dot(axis, axis) > 1 || dot(axis, axis) < 0.01) axis = vector(1);
+    return rotation_matrix(axis, number(0, 360));
+  }
+  /// By whole quarters, so that all numbers are 0, 1 or -1, as a box lies in a warehouse.
+  Mat<3, double> quarter_turn() {
+    const int first = whole(0, 2);
+    Mat<3, double> axes(0.0);
+    axes[0][first] = whole(0, 1) == 0 ? 1 : -1;
+    axes[1][(first + 1) % 3] = whole(0, 1) == 0 ? 1 : -1;
+    axes[2] = cross(axes[0], axes[1]);
+    return axes;
+  }
+
+  Two random() { return {{vector(0.6), extents(0.01), rotation()}, {vector(0.6), extents(0.01), rotation()}}; }
+
+  /// One on the other, turned about the upright axis by this and sunk in a little; the stack turned as a whole.
+  Two stack(const Mat<3, double>& turn, double sunk) {
+    const Mat<3, double> all = rotation();
+    const V3 half = extents(0.1);
+    const V3 other = extents(0.1);
+    const V3 off(number(-0.5, 0.5) * half.x, number(-0.5, 0.5) * half.y, half.z + other.z - sunk);
+    const V3 place = vector(1);
+    return {{place, half, all}, {place + all * off, other, all * turn}};
+  }
+  Two stack(double sunk) { return stack(rotation_matrix(V3(0, 0, 1), number(0, 360)), sunk); }
+  Two leaning() { return stack(rotation_matrix(vector(1), number(-0.01, 0.01)), number(0, 0.02)); }
+  Two not_turned() { return stack(Mat<3, double>(1.0), number(0, 0.02)); }
+
+  /// Along the world's axes, with equal sizes, which leaves as good as everything to ties.
+  Two in_grid() {
+    const auto place = [this] { return V3(whole(-2, 2), whole(-2, 2), whole(-2, 2)) * 0.5; };
+    const auto size = [this] { return V3(whole(1, 3), whole(1, 3), whole(1, 3)) * 0.5; };
+    return {{place(), size(), quarter_turn()}, {place(), size(), quarter_turn()}};
+  }
+
+  /// Two edges across each other, each box turned by 45 degrees.
+  Two edge_on_edge() {
+    const Mat<3, double> all = rotation();
+    const Mat<3, double> roof = rotation_matrix(V3(1, 0, 0), 45 + number(-10, 10));
+    const Mat<3, double> across = rotation_matrix(V3(0, 0, 1), number(20, 160)) * roof;
+    const double size = number(0.2, 1);
+    const double other = number(0.2, 1);
+    const V3 off(number(-0.1, 0.1), number(-0.1, 0.1), (size + other) * std::sqrt(2.0) * 0.98);
+    return {{V3(0.0), V3(2, size, size), all * roof}, {all * off, V3(2, other, other), all * across}};
+  }
+
+  /// Of one that is as good as flat, or a needle, or huge beside the other.
+  Two uneven() {
+    Two two = random();
+    two.first.half_extents[whole(0, 2)] *= std::pow(10.0, number(-9, 0));
+    two.second.half_extents *= std::pow(10.0, number(-5, 5));
+    return two;
+  }
+  Two scaled() {
+    Two two = whole(0, 1) == 0 ? random() : stack(0.01);
+    const double scale = std::pow(2.0, whole(-40, 40));
+    for (Box* box : {&two.first, &two.second}) *box = {box->center * scale, box->half_extents * scale, box->axes};
+    return two;
+  }
+  Two same() {
+    Two two = random();
+    if (whole(0, 1) == 0) two.second = two.first;
+    two.second.center = two.first.center;
+    return two;
+  }
+
+  template <class T, class Draw>
+  Boxes<T> many(std::size_t count, const Draw& draw) {
+    const auto stored = [](const Box& box) {
+      return Obb<3, T>{Vec<3, T>(box.center), Vec<3, T>(box.half_extents), Mat<3, T>(box.axes)};
+    };
+    Boxes<T> boxes;
+    for (std::size_t tried = 0; boxes.size() < count && tried < 20 * count; ++tried) {
+      Two two = draw();
+      if (whole(0, 1) == 0) std::swap(two.first, two.second);
+      const Obb<3, T> a = stored(two.first);
+      const Obb<3, T> b = stored(two.second);
+      if (relation(a, b) != Relation::apart) boxes.push_back({a, b});
+    }
+    return boxes;
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+template <class T>
+void expect_most_taken() {
+  Pairs pairs(20261121);
+  const auto check = [&](const auto& draw, double most_left) {
+    const Boxes<T> boxes = pairs.many<T>(1000, draw);
+    ASSERT_EQ(boxes.size(), 1000U);
+    expect_single_calls<T>(boxes, most_left);
+  };
+  check([&] { return pairs.random(); }, 0.02);
+  check([&] { return pairs.stack(0.01); }, 0.02);
+  check([&] { return pairs.not_turned(); }, 0.02);
+  check([&] { return pairs.leaning(); }, 0.1);
+  check([&] { return pairs.edge_on_edge(); }, 0.02);
+}
+
+TEST(ManifoldKernels, LeaveHardlyAnyPairs) {
+  expect_most_taken<float>();
+  expect_most_taken<double>();
+}
+
+/// The last group of a list is not full, and a list may be empty.
+TEST(ManifoldKernels, TakeAnyNumberOfPairs) {
+  Pairs pairs(3);
+  for (std::size_t count = 0; count < 20; ++count) {
+    expect_single_calls<double>(pairs.many<double>(count, [&] { return pairs.random(); }), 1);
+  }
+}
+
+template <class T>
+void expect_single_calls_of_all_sorts() {
+  Pairs pairs(*rc::gen::arbitrary<std::uint32_t>());
+  const Boxes<T> boxes = pairs.many<T>(64, [&] {
+    switch (pairs.whole(0, 8)) {
+      case 0:
+        return pairs.stack(pairs.number(0, 0.5));
+      case 1:
+        return pairs.stack(0);
+      case 2:
+        return pairs.leaning();
+      case 3:
+        return pairs.not_turned();
+      case 4:
+        return pairs.in_grid();
+      case 5:
+        return pairs.edge_on_edge();
+      case 6:
+        return pairs.uneven();
+      case 7:
+        return pairs.scaled();
+      default:
+        return pairs.same();
+    }
+  });
+  expect_single_calls<T>(boxes, 1);
+}
+
+RC_GTEST_PROP(ManifoldKernels, SayOfAnyBoxesWhatSingleCallsDo, ()) {
+  expect_single_calls_of_all_sorts<float>();
+  expect_single_calls_of_all_sorts<double>();
+}
+
+/// Through `contacts`, which hands what a kernel leaves to the single call, beside pairs of other shapes.
+template <class T>
+void expect_contacts() {
+  Pairs pairs(5);
+  std::vector<AnyShape<3, T>> shapes;
+  std::vector<Pair> candidates;
+  const auto add = [&](const Boxes<T>& boxes) {
+    for (const auto& [a, b] : boxes) {
+      const auto place = static_cast<std::uint32_t>(shapes.size());
+      shapes.insert(shapes.end(), {a, b, Sphere<3, T>{a.center, T(0.5)}});
+      candidates.insert(candidates.end(), {{place, place + 1}, {place + 2, place}, {place + 1, place}});
+    }
+  };
+  add(pairs.many<T>(150, [&] { return pairs.random(); }));
+  add(pairs.many<T>(100, [&] { return pairs.in_grid(); }));
+  for (const std::int64_t target : test::simd_targets()) {
+    const test::ForcedTarget forced(target);
+    const auto found = contacts(shapes, candidates, {.executor = &serial_executor()});
+    ASSERT_EQ(found.size(), candidates.size());
+    for (const PairContact<3, T>& contact : found) {
+      EXPECT_TRUE(same_manifolds(contact.manifold, manifold(shapes[contact.pair.a], shapes[contact.pair.b])))
+          << hwy::TargetName(target);
+    }
+  }
+}
+
+TEST(ManifoldKernels, ServeContacts) {
+  expect_contacts<float>();
+  expect_contacts<double>();
+}
+
+}  // namespace
+}  // namespace graze::detail::manifold_kernels_test
