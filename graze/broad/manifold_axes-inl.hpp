@@ -122,24 +122,7 @@ HWY_INLINE DoublesMask are_equal(const Point& a, const Point& b) {
   return hn::And(hn::And(hn::Eq(a.at[0], b.at[0]), hn::Eq(a.at[1], b.at[1])), hn::Eq(a.at[2], b.at[2]));
 }
 
-/// The error of a product; where no product is added to unrounded, by the halves of both numbers, "A floating-point
-/// technique for extending the available precision" (Dekker 1971): the same.
-HWY_INLINE Doubles product_error(Doubles a, Doubles b, Doubles product) {
-#if HWY_NATIVE_FMA
-  return hn::MulSub(a, b, product);
-#else
-  const auto high = [](Doubles v) {
-    const Doubles large = hn::Mul(v, both(0x1p27 + 1));
-    return hn::Sub(large, hn::Sub(large, v));
-  };
-  const Doubles high_a = high(a);
-  const Doubles high_b = high(b);
-  const Doubles low_a = hn::Sub(a, high_a);
-  const Doubles low_b = hn::Sub(b, high_b);
-  const Doubles rest = hn::Sub(product, hn::Mul(high_a, high_b));
-  return hn::Sub(hn::Mul(low_a, low_b), hn::Sub(hn::Sub(rest, hn::Mul(low_a, high_b)), hn::Mul(high_a, low_b)));
-#endif
-}
+HWY_INLINE Doubles product_error(Doubles a, Doubles b, Doubles product) { return hn::MulSub(a, b, product); }
 
 /// As in math/rounding.hpp.
 HWY_INLINE Doubles difference_of_products(Doubles a, Doubles b, Doubles c, Doubles d) {

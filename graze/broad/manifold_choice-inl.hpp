@@ -28,11 +28,8 @@ HWY_INLINE Floats narrowed(Doubles v) { return hn::DemoteTo(FloatTag(), v); }
 
 /// The rank of the first corner of each pair.
 HWY_INLINE Doubles first_rank(const ClipLanes& clip) {
-  Doubles first = both(std::numeric_limits<double>::infinity());
-  for (std::size_t s = 0; s < clip_lines; ++s) {
-    first = hn::Min(first, hn::IfThenElse(clip.is_left(s), clip.rank(s), first));
-  }
-  return first;
+  const Doubles none = both(std::numeric_limits<double>::infinity());
+  return over_lines(Least(), [&](std::size_t s) { return hn::IfThenElse(clip.is_left(s), clip.rank(s), none); });
 }
 
 class ChoiceLanes {
@@ -42,11 +39,13 @@ class ChoiceLanes {
       : first_(narrowed(first_rank(clip))), doubts_(all_floats(0)) {
     set_measures(clip, incident, normal, on_incident);
     const Doubles first = first_rank(clip);
-    Doubles origin[2] = {both(0), both(0)};
-    for (std::size_t s = 0; s < clip_lines; ++s) {
-      const DoublesMask is_first = hn::And(clip.is_left(s), hn::Eq(clip.rank(s), first));
-      for (std::size_t k = 0; k < 2; ++k) origin[k] = hn::IfThenElse(is_first, clip.within(s, k), origin[k]);
-    }
+    const auto at_first = [&](std::size_t k) {
+      return over_lines(Common(), [&](std::size_t s) {
+        const DoublesMask is_first = hn::And(clip.is_left(s), hn::Eq(clip.rank(s), first));
+        return hn::IfThenElseZero(is_first, clip.within(s, k));
+      });
+    };
+    const Doubles origin[2] = {at_first(0), at_first(1)};
     // What is not left counts as the first corner once more.
     for (std::size_t s = 0; s < clip_lines; ++s) {
       const auto seen = [&](std::size_t k) {
@@ -124,29 +123,23 @@ class ChoiceLanes {
   }
 
   HWY_INLINE static Floats largest(const Values& values) {
-    Floats result = values.at[0];
-    for (std::size_t s = 1; s < clip_lines; ++s) result = hn::Max(result, values.at[s]);
-    return result;
+    return over_lines(Largest(), [&](std::size_t s) { return values.at[s]; });
   }
 
+  /// What stands for the chosen corner once more has the same numbers.
   HWY_INLINE Floats at_chosen(std::size_t which, const Floats (&numbers)[clip_lines]) const {
-    Floats result = all_floats(0);
-    for (std::size_t s = 0; s < clip_lines; ++s) {
-      result = hn::IfThenElse(hn::Eq(rank_[s], chosen_[which]), numbers[s], result);
-    }
-    return result;
+    return over_lines(Common(),
+                      [&](std::size_t s) { return hn::IfThenElseZero(hn::Eq(rank_[s], chosen_[which]), numbers[s]); });
   }
 
   /// The first of those as good as the best up to the slack, if it is the first corner or the only one.
   HWY_INLINE void choose(std::size_t which, const Values& values, Floats slack) {
     const Floats least = hn::Sub(largest(values), slack);
-    Floats chosen = all_floats(std::numeric_limits<float>::infinity());
-    Floats count = all_floats(0);
-    for (std::size_t s = 0; s < clip_lines; ++s) {
-      const auto is_good = hn::Ge(values.at[s], least);
-      chosen = hn::Min(chosen, hn::IfThenElse(is_good, rank_[s], chosen));
-      count = hn::Add(count, hn::IfThenElseZero(is_good, all_floats(1)));
-    }
+    const Floats none = all_floats(std::numeric_limits<float>::infinity());
+    const Floats chosen =
+        over_lines(Least(), [&](std::size_t s) { return hn::IfThenElse(hn::Ge(values.at[s], least), rank_[s], none); });
+    const Floats count = over_lines(
+        Total(), [&](std::size_t s) { return hn::IfThenElseZero(hn::Ge(values.at[s], least), all_floats(1)); });
     chosen_[which] = chosen;
     const auto is_clear = hn::Or(hn::Eq(chosen, first_), hn::Eq(count, all_floats(1)));
     if (hn::AllTrue(FloatTag(), is_clear)) return;

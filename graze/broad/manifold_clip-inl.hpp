@@ -19,6 +19,42 @@
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 
+/// One of a number for each line, by an operation on two of them. By pairs, and pairs of pairs: what goes through all
+/// one after the other waits nine times.
+template <class Operation, class Number>
+HWY_INLINE auto over_lines(const Operation& operation, const Number& number) {
+  static_assert(clip_lines == 9);
+  const auto low = operation(operation(number(0), number(1)), operation(number(2), number(3)));
+  const auto high = operation(operation(number(4), number(5)), operation(number(6), number(7)));
+  return operation(operation(low, high), number(8));
+}
+
+struct Least {
+  template <class V>
+  HWY_INLINE V operator()(const V& a, const V& b) const {
+    return hn::Min(a, b);
+  }
+};
+struct Largest {
+  template <class V>
+  HWY_INLINE V operator()(const V& a, const V& b) const {
+    return hn::Max(a, b);
+  }
+};
+struct Total {
+  template <class V>
+  HWY_INLINE V operator()(const V& a, const V& b) const {
+    return hn::Add(a, b);
+  }
+};
+/// Of numbers that are zero, or all the same.
+struct Common {
+  template <class V>
+  HWY_INLINE V operator()(const V& a, const V& b) const {
+    return hn::Or(a, b);
+  }
+};
+
 /// A face as BoxFace: middle + x * right + y * up.
 struct FaceLanes {
   Point middle;

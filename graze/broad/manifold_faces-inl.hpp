@@ -209,45 +209,49 @@ class FaceContacts {
                          hn::Mul(both(tolerance::coarse), carried.size));
     is_open_ = hn::Or(is_open_, hn::Or(looking.is_open, clip.is_open()));
     choose(clip, incident, carried.found.normal);
-    for (std::size_t k = 0; k < 4; ++k) set_point(k, clip, incident, up);
+    set_points(clip, incident, up);
   }
 
-  /// All corners, or four of more.
+  /// The ranks of all corners, or of four of more; of others infinity.
   HWY_INLINE void choose(const ClipLanes& clip, const FaceLanes& incident, const Point& normal) {
-    Doubles corners = both(0);
-    for (std::size_t s = 0; s < clip_lines; ++s) {
-      is_chosen_[s] = clip.is_left(s);
-      corners = hn::Add(corners, hn::IfThenElseZero(is_chosen_[s], both(1)));
-    }
+    const Doubles none = both(std::numeric_limits<double>::infinity());
+    for (std::size_t s = 0; s < clip_lines; ++s) ranks_[s] = hn::IfThenElse(clip.is_left(s), clip.rank(s), none);
+    const auto count = [&] {
+      return over_lines(Total(), [&](std::size_t s) { return hn::IfThenElseZero(hn::Lt(ranks_[s], none), both(1)); });
+    };
+    Doubles corners = count();
     const DoublesMask are_many = hn::Gt(corners, both(4));
     if (!hn::AllFalse(Tag<double>(), are_many)) {
       const ChoiceLanes choice(clip, incident, normal, of_b_);
-      corners = hn::IfThenZeroElse(are_many, corners);
       for (std::size_t s = 0; s < clip_lines; ++s) {
-        is_chosen_[s] = hn::AndNot(hn::AndNot(choice.has(clip.rank(s)), are_many), is_chosen_[s]);
-        corners = hn::Add(corners, hn::IfThenElseZero(hn::And(are_many, is_chosen_[s]), both(1)));
+        ranks_[s] = hn::IfThenElse(hn::AndNot(choice.has(ranks_[s]), are_many), none, ranks_[s]);
       }
+      corners = count();
       is_open_ = hn::Or(is_open_, hn::And(are_many, choice.is_open()));
     }
     store(corners, count_);
   }
 
-  /// The next of the chosen corners in their order, if there is one more.
-  HWY_INLINE void set_point(std::size_t k, const ClipLanes& clip, const FaceLanes& incident, const Point& up) {
+  HWY_INLINE void set_points(const ClipLanes& clip, const FaceLanes& incident, const Point& up) {
     const Doubles none = both(std::numeric_limits<double>::infinity());
-    Doubles rank = none;
-    for (std::size_t s = 0; s < clip_lines; ++s) {
-      rank = hn::Min(rank, hn::IfThenElse(is_chosen_[s], clip.rank(s), none));
+    Doubles rank = both(-1);
+    for (std::size_t k = 0; k < 4; ++k) {
+      rank =
+          over_lines(Least(), [&](std::size_t s) { return hn::IfThenElse(hn::Gt(ranks_[s], rank), ranks_[s], none); });
+      set_point(k, rank, clip, incident, up);
     }
-    Doubles within[2] = {both(0), both(0)};
-    Doubles lines = both(0);
-    for (std::size_t s = 0; s < clip_lines; ++s) {
-      const DoublesMask is_next = hn::And(is_chosen_[s], hn::Eq(clip.rank(s), rank));
-      within[0] = hn::IfThenElse(is_next, clip.within(s, 0), within[0]);
-      within[1] = hn::IfThenElse(is_next, clip.within(s, 1), within[1]);
-      lines = hn::IfThenElse(is_next, clip.lines(s), lines);
-      is_chosen_[s] = hn::AndNot(is_next, is_chosen_[s]);
-    }
+  }
+
+  /// That of the corner with the rank, if there is one.
+  HWY_INLINE void set_point(std::size_t k, Doubles rank, const ClipLanes& clip, const FaceLanes& incident,
+                            const Point& up) {
+    const auto of_corner = [&](const auto& number) {
+      return over_lines(Common(),
+                        [&](std::size_t s) { return hn::IfThenElseZero(hn::Eq(ranks_[s], rank), number(s)); });
+    };
+    const Doubles within[2] = {of_corner([&](std::size_t s) { return clip.within(s, 0); }),
+                               of_corner([&](std::size_t s) { return clip.within(s, 1); })};
+    const Doubles lines = of_corner([&](std::size_t s) { return clip.lines(s); });
     store(lines, lines_[k]);
     const Doubles height = clip.height_of(within[0], within[1]);
     const Point point = incident.middle + incident.right * within[0] + incident.up * within[1];
@@ -260,7 +264,7 @@ class FaceContacts {
   DoublesMask turns_;  ///< The user's second box has the face.
   DoublesMask is_open_;
   DoublesMask is_by_other_;
-  DoublesMask is_chosen_[clip_lines];
+  Doubles ranks_[clip_lines];
   Point origin_;
   ManifoldRows<T> rows_;
   PointRows<T> points_[4];

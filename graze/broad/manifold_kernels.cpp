@@ -18,11 +18,12 @@
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 
-// Without vectors of doubles, or where one pair alone takes no quick way that could be followed, all pairs are left.
+// Vectors of two doubles gain nothing over single calls, whose own are as long; and careful cross products are made by
+// instructions that round a product and a sum once. Elsewhere all pairs are left.
 #undef GRAZE_MANIFOLD_LANES
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_WASM && HWY_HAVE_FLOAT64 && \
     defined(GRAZE_HAS_LANES)
-#define GRAZE_MANIFOLD_LANES 1
+#define GRAZE_MANIFOLD_LANES (HWY_MAX_BYTES >= 32 && HWY_NATIVE_FMA)
 #include <graze/broad/manifold_axes-inl.hpp>
 #include <graze/broad/manifold_edges-inl.hpp>
 #include <graze/broad/manifold_faces-inl.hpp>

@@ -36,7 +36,8 @@ struct ManifoldKernels {
   ManifoldKernel<double> of_doubles;
 };
 
-/// The kernel for this machine. One without vectors of doubles leaves all pairs. Instantiated for float and double.
+/// The kernel for this machine. One without vectors of four doubles or more leaves all pairs. Instantiated for float
+/// and double.
 template <class T>
 ManifoldKernel<T> manifold_kernel();
 

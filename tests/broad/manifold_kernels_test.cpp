@@ -68,11 +68,10 @@ std::string text_of(const Obb<3, T>& box) {
   return text;
 }
 
-/// Whether this set of instructions has a kernel: pairs are taken several at a time in double, or not at all.
-bool has_kernel(std::int64_t target) {
-  constexpr std::int64_t without = HWY_SCALAR | HWY_EMU128 | HWY_WASM;
-#ifdef GRAZE_HAS_LANES
-  return (target & without) == 0;
+/// Whether this set of instructions has a kernel: those with vectors of four doubles or more.
+bool has_kernel([[maybe_unused]] std::int64_t target) {
+#if defined(GRAZE_HAS_LANES) && HWY_ARCH_X86
+  return target <= HWY_AVX2;  // a lower bit is a better set
 #else
   return false;
 #endif
