@@ -17,17 +17,20 @@ namespace {
 template <Dim N, class T>
 class FreeFunction final : public Contestant<N, T> {
  public:
-  explicit FreeFunction(std::shared_ptr<const Executor> executor) : executor_(std::move(executor)) {}
+  FreeFunction(std::shared_ptr<const Executor> executor, PairOrder order)
+      : executor_(std::move(executor)), order_(order) {}
 
   std::span<const Pair> find(std::span<const Aabb<N, T>> boxes) override {
     PairOptions options;
     options.executor = executor_.get();
+    options.order = order_;
     pairs_ = overlapping_pairs(boxes, options);
     return pairs_;
   }
 
  private:
   std::shared_ptr<const Executor> executor_;
+  PairOrder order_;
   std::vector<Pair> pairs_;
 };
 
@@ -59,12 +62,14 @@ void enter_with(Entrants<N, T>& field, std::size_t threads) {
     entrant.settings = settings;
     entrant.side = Side::graze;
     entrant.threads = threads;
-    entrant.keeps = name != "graze overlapping_pairs";
+    entrant.keeps = !name.starts_with("graze overlapping_pairs");
     entrant.prepare = prepare;
     field.push_back(std::move(entrant));
   };
   enter("graze overlapping_pairs", "the defaults: method picked from the data, pairs sorted, in a list made anew",
-        [executor](Boxes) { return std::make_unique<FreeFunction<N, T>>(executor); });
+        [executor](Boxes) { return std::make_unique<FreeFunction<N, T>>(executor, PairOrder::sorted); });
+  enter("graze overlapping_pairs, any order", "the same, pairs as they are found",
+        [executor](Boxes) { return std::make_unique<FreeFunction<N, T>>(executor, PairOrder::any); });
   enter("graze PairFinder", "memory, and the order of boxes while it serves, kept from frame to frame, pairs sorted",
         [executor](Boxes) { return std::make_unique<Finder<N, T>>(executor, PairOrder::sorted); });
   enter("graze PairFinder, any order", "the same, pairs as they are found",

@@ -92,18 +92,21 @@ struct Discipline {
   Field field = Field::all;
 };
 
-const std::array<Discipline, 3>& disciplines() {
-  static const std::array<Discipline, 3> all{
+const std::array<Discipline, 4>& disciplines() {
+  static const std::array<Discipline, 4> all{
       {{"graze PairFinder, any order", "From frame to frame",
         "Like with like: `PairFinder` keeps what it knows from the last frame and gives pairs as it finds them, as the "
         "peers do. One thread.",
         Field::all},
-       {"graze overlapping_pairs", "One call, from nothing",
-        "`overlapping_pairs` with its defaults, one thread: a list made anew, nothing known of the last frame, pairs "
-        "sorted. Beside it the peers that know nothing of the last frame either, or forget it: none of them sorts.",
+       {"graze overlapping_pairs, any order", "One call, from nothing",
+        "Like with like again: `overlapping_pairs` makes its list anew and knows nothing of the last frame, beside the "
+        "peers that know nothing of it either, or forget it; pairs come as they are found. One thread.",
         Field::from_nothing},
+       {"graze overlapping_pairs", "One call, from nothing, sorted",
+        "The same with the defaults: graze sorts its pairs, which no peer does.", Field::from_nothing},
        {"graze overlapping_pairs", "One call, where peers keep their trees",
-        "The same call, beside all peers: the fastest is mostly one that was told all boxes before, and fits its tree "
+        "The call that sorts, beside all peers: the fastest is mostly one that was told all boxes before, and fits its "
+        "tree "
         "to where they are now.",
         Field::all}}};
   return all;
