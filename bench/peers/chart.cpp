@@ -15,10 +15,10 @@
 namespace graze::race {
 namespace {
 
-constexpr double width = 900;
+constexpr double width = 960;
 constexpr double height = 560;
 constexpr double left = 76;
-constexpr double right = 250;  // room for the names
+constexpr double right = 310;  // room for the names
 constexpr double top = 74;
 constexpr double bottom = 62;
 constexpr double line_height = 17;
