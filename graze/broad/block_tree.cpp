@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cstring>
 #include <mutex>
 #include <numeric>
@@ -16,7 +17,6 @@ namespace {
 constexpr std::size_t crowd_size = 64;      // a fine cell with more boxes is divided again
 constexpr std::uint32_t row_cells = 8;      // as many fine cells in a row hold a block, which is about a cube then
 constexpr std::size_t sample_stride = 128;  // blocks, of which one is looked at before all are refilled
-constexpr std::size_t most_cells = run_limit / block_size * 2 * row_cells;
 
 }  // namespace
 
@@ -24,12 +24,8 @@ constexpr std::size_t most_cells = run_limit / block_size * 2 * row_cells;
 template <Dim N, class T>
 class BlockTree<N, T>::Scratch {
  public:
-  Scratch() { boxes.require(run_limit); }  // and nothing else: values are written before they are read
-
   Buffer<Aabb<N, T>> boxes;
-  std::uint16_t order[run_limit];
-  std::uint16_t cells[run_limit];
-  std::uint16_t spare[run_limit];
+  Buffer<std::uint16_t> order;
 
   /// Centers of the boxes, for sort_crowd.
   struct Centers {
@@ -41,6 +37,7 @@ class BlockTree<N, T>::Scratch {
 
   /// Copies boxes from wherever they are.
   void load(std::span<const Aabb<N, T>> from, const std::uint32_t* ids, std::size_t count) {
+    require(count);
     for (std::size_t k = 0; k < count; ++k) {
       prefetch(&from[ids[std::min(k + prefetch_distance, count - 1)]]);
       std::memcpy(&boxes[k], &from[ids[k]], sizeof(Aabb<N, T>));
@@ -53,27 +50,41 @@ class BlockTree<N, T>::Scratch {
     const Aabb<N, T> bounds = kernels.center_bounds(boxes.data(), count);
     const CellGrid<N, T> grid = with_finer_rows(grid_over(bounds, count / block_size), bounds, row_cells);
     const std::size_t cell_count = grid.count();
-    kernels.center_cells(boxes.data(), count, grid, cells);
-    std::fill(ends_, ends_ + cell_count, std::uint16_t{0});
-    for (std::size_t k = 0; k < count; ++k) ++ends_[cells[k]];
+    ends_.require(cell_count);
+    kernels.center_cells(boxes.data(), count, grid, cells_.data());
+    std::fill_n(ends_.data(), cell_count, std::uint16_t{0});
+    for (std::size_t k = 0; k < count; ++k) ++ends_[cells_[k]];
     std::uint16_t next = 0;
     bool crowded = false;
     for (std::size_t c = 0; c < cell_count; ++c) {
       crowded = crowded || ends_[c] > crowd_size;
       next = static_cast<std::uint16_t>(next + std::exchange(ends_[c], next));
     }
-    for (std::size_t k = 0; k < count; ++k) order[ends_[cells[k]]++] = static_cast<std::uint16_t>(k);
+    for (std::size_t k = 0; k < count; ++k) order[ends_[cells_[k]]++] = static_cast<std::uint16_t>(k);
     if (!crowded) return;
     std::size_t begin = 0;
     for (std::size_t c = 0; c < cell_count; ++c) {
-      sort_crowd<N, T>(order + begin, ends_[c] - begin, crowd_size, Centers{boxes.data()}, cells + begin,
-                       spare + begin);
+      sort_crowd<N, T>(order.data() + begin, ends_[c] - begin, crowd_size, Centers{boxes.data()}, cells_.data() + begin,
+                       spare_.data() + begin);
       begin = ends_[c];
     }
   }
 
+  std::size_t bytes() const { return boxes.bytes() + order.bytes() + cells_.bytes() + spare_.bytes() + ends_.bytes(); }
+
  private:
-  std::uint16_t ends_[most_cells];  // of every cell in the order
+  void require(std::size_t count) {
+    constexpr std::size_t least = 1024;  // so that memory seldom grows
+    const std::size_t room = std::bit_ceil(std::max(count, least));
+    boxes.require(room);
+    order.require(room);
+    cells_.require(room);
+    spare_.require(room);
+  }
+
+  Buffer<std::uint16_t> cells_;
+  Buffer<std::uint16_t> spare_;
+  Buffer<std::uint16_t> ends_;  // of every cell in the order
 };
 
 /// Scratches for as many threads as ask for one.
@@ -91,7 +102,11 @@ class BlockTree<N, T>::ScratchPool {
     const std::lock_guard lock(mutex_);
     free_.push_back(std::move(scratch));
   }
-  std::size_t bytes() const { return free_.size() * (sizeof(Scratch) + run_limit * sizeof(Aabb<N, T>)); }
+  std::size_t bytes() const {
+    std::size_t result = 0;
+    for (const auto& scratch : free_) result += sizeof(Scratch) + scratch->bytes();
+    return result;
+  }
 
  private:
   std::mutex mutex_;
@@ -140,9 +155,10 @@ void BlockTree<N, T>::fill_run(std::span<const Aabb<N, T>> boxes, T margin, cons
   if (run.finite) {
     scratch.sort(run.count);
   } else {
-    std::iota(scratch.order, scratch.order + run.count, std::uint16_t{0});
+    std::iota(scratch.order.data(), scratch.order.data() + run.count, std::uint16_t{0});
   }
-  block_kernels<N, T>().fill(scratch.boxes.data(), scratch.order, run.count, margin, blocks_.data() + first_block);
+  block_kernels<N, T>().fill(scratch.boxes.data(), scratch.order.data(), run.count, margin,
+                             blocks_.data() + first_block);
   std::uint32_t* const ids = ids_.data() + first_block * block_size;
   for (std::size_t k = 0; k < run.count; ++k) ids[k] = run_ids[scratch.order[k]];
   const std::size_t lanes = (run.count + block_size - 1) / block_size * block_size;

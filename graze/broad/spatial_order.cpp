@@ -14,8 +14,9 @@
 namespace graze::detail {
 namespace {
 
-constexpr std::size_t chunk_size = 1U << 16U;   // boxes that one task looks at
-constexpr std::size_t boxes_per_bucket = 1024;  // between this and twice as many, if boxes are spread evenly
+constexpr std::size_t chunk_size = 1U << 16U;              // boxes that one task looks at
+constexpr std::size_t boxes_per_bucket = 1024;             // between this and twice as many, if boxes are spread evenly
+constexpr std::size_t long_enough = 2 * boxes_per_bucket;  // for a run of several buckets
 constexpr std::size_t most_buckets_in_order = 16384;
 
 // Classes of sizes: 0 are the usual ones, sorted by cells; each further class reaches four times as far, but for the
@@ -201,7 +202,7 @@ void SpatialOrder<N, T>::cut_runs(const Buckets& buckets) {
     const std::size_t end = ends_[bucket];
     const bool is_class = bucket >= buckets.cells;
     // Cells with few boxes share a run with the next; classes of sizes do not.
-    if (end - first > run_limit / 2 && first < (bucket == 0 ? 0 : ends_[bucket - 1])) flush(ends_[bucket - 1], true);
+    if (end - first > long_enough && first < (bucket == 0 ? 0 : ends_[bucket - 1])) flush(ends_[bucket - 1], true);
     if (end - first >= boxes_per_bucket / 2 || is_class || bucket + 1 == buckets.cells) {
       flush(end, bucket != buckets.of_class(class_count - 1));
     }

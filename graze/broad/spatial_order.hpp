@@ -20,14 +20,14 @@ struct SpatialRun {
   bool finite = true;
 };
 
-/// How long a run can be.
-inline constexpr std::size_t run_limit = 4096;
+/// How long a run can be: a crowd of so many is fetched once, and sorted where it is close at hand.
+inline constexpr std::size_t run_limit = 16384;
 
 /// A coarse order of boxes in space, cut into runs of a thousand or two that lie close together. It comes from a
-/// counting sort by the cells of a grid over all centers; cells that stay crowded are divided again, so that clusters
-/// cost little more than even worlds. Boxes much larger than most would spoil the neighbourhoods of small ones: they
-/// stand in runs of their own, by powers of four of their size, and the infinite ones in a last one. Boxes that contain
-/// nothing are left out.
+/// counting sort by the cells of a grid over all centers; a crowded cell is a longer run, or divided again, so that
+/// clusters cost little more than even worlds. Boxes much larger than most would spoil the neighbourhoods of small
+/// ones: they stand in runs of their own, by powers of four of their size, and the infinite ones in a last one. Boxes
+/// that contain nothing are left out.
 template <Dim N, class T>
 class SpatialOrder {
  public:

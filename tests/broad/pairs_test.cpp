@@ -99,6 +99,30 @@ TYPED_TEST(PairsTest, NeitherThreadsNorInstructionSetsChangeAnything) {
   expect_same_from_everyone(test::box_worlds<N, T>(20'000, 18).front().boxes);
 }
 
+/// A crowd among boxes so far away that a grid over all has one cell for it.
+template <Dim N, class T>
+std::vector<Aabb<N, T>> crowd(std::size_t count) {
+  test::Numbers numbers(23);
+  const T width = N == 2 ? T(100) : T(30);
+  std::vector<Aabb<N, T>> boxes;
+  for (std::size_t k = 0; k < count; ++k) {
+    const bool is_far = k % 5000 == 0;
+    boxes.push_back(Aabb<N, T>::from_center(numbers.point<N, T>(0, is_far ? 100'000 : width), Vec<N, T>(T(0.5))));
+  }
+  return boxes;
+}
+
+TYPED_TEST(PairsTest, CrowdsAreFoundWhetherTheyAreOneRunOrMany) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  for (const std::size_t count : {6000U, 15'000U, 25'000U}) {
+    const std::vector<Aabb<N, T>> boxes = crowd<N, T>(count);
+    const std::vector<Pair> expected = overlapping_pairs(boxes, {.method = PairMethod::dense});
+    EXPECT_GT(expected.size(), count / 2);
+    EXPECT_EQ(overlapping_pairs(boxes, by_tree), expected) << count;
+  }
+}
+
 TYPED_TEST(PairsTest, BetweenTwoSetsTreeEqualsBruteForceInEveryWorld) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
