@@ -2,6 +2,7 @@
 // Who races: graze and other libraries, behind one small interface. Each library is one file, peer_<name>.cpp.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -41,7 +42,7 @@ struct Entrant {
   std::string settings;  ///< Version, and how it is used.
   Side side = Side::peer;
   std::size_t threads = 1;
-  bool keeps = false;  ///< A tree, or what else it knows, from frame to frame.
+  bool keeps = false;  ///< A tree, the memory of its list, or what else, from frame to frame.
   std::size_t most_boxes = std::numeric_limits<std::size_t>::max();
   std::string why_no_more;  ///< The reason for most_boxes.
   /// Makes it ready for frames like this one. Not timed: what moves from frame to frame is built here.
@@ -83,6 +84,26 @@ Entrants<N, T> all_entrants(std::size_t threads) {
   enter_box2d(field);
   enter_geos(field);
   return field;
+}
+
+/// What becomes of the memory of a contestant's list from frame to frame: kept, which is quicker, or given up, as by
+/// whoever asks only once.
+enum class ListMemory { kept, anew };
+
+inline constexpr std::array list_memories{ListMemory::kept, ListMemory::anew};
+
+inline void clear(std::vector<Pair>& list, ListMemory memory) {
+  list.clear();
+  if (memory == ListMemory::anew) list.shrink_to_fit();
+}
+
+/// Names an entrant after what becomes of its list.
+template <Dim N, class T>
+void set_list_memory(Entrant<N, T>& entrant, ListMemory memory) {
+  entrant.keeps = memory == ListMemory::kept;
+  if (entrant.keeps) return;
+  entrant.name += ", list anew";
+  entrant.settings += "; its list of pairs made anew";
 }
 
 /// The pair of two indices that come in any order.

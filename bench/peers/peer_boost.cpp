@@ -26,8 +26,10 @@ namespace geometry = boost::geometry;
 template <Dim N, class T>
 class PackedTree final : public Contestant<N, T> {
  public:
+  explicit PackedTree(ListMemory memory) : memory_(memory) {}
+
   std::span<const Pair> find(std::span<const Aabb<N, T>> boxes) override {
-    pairs_.clear();
+    clear(pairs_, memory_);
     entries_.resize(boxes.size());
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
       entries_[i] = {{corner(boxes[i].min), corner(boxes[i].max)}, i};
@@ -56,21 +58,28 @@ class PackedTree final : public Contestant<N, T> {
     return point;
   }
 
+  ListMemory memory_;
   std::vector<Entry> entries_;
   std::vector<Pair> pairs_;
 };
 
-}  // namespace
-
 template <Dim N, class T>
-void enter_boost(Entrants<N, T>& field) {
+void enter_with(Entrants<N, T>& field, ListMemory memory) {
   Entrant<N, T> entrant;
   entrant.name = "Boost.Geometry rtree";
   entrant.settings = "Boost " + std::to_string(BOOST_VERSION / 100'000) + "." +
                      std::to_string(BOOST_VERSION / 100 % 1000) +
                      ", packed anew, 8 in a node, asked in the order of its leaves";
-  entrant.prepare = [](std::span<const Aabb<N, T>>) { return std::make_unique<PackedTree<N, T>>(); };
+  set_list_memory(entrant, memory);
+  entrant.prepare = [memory](std::span<const Aabb<N, T>>) { return std::make_unique<PackedTree<N, T>>(memory); };
   field.push_back(std::move(entrant));
+}
+
+}  // namespace
+
+template <Dim N, class T>
+void enter_boost(Entrants<N, T>& field) {
+  for (const ListMemory memory : list_memories) enter_with(field, memory);
 }
 
 template void enter_boost(Entrants<2, float>& field);

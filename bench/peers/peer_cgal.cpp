@@ -38,8 +38,10 @@ struct NumberedBox {
 template <Dim N, class T>
 class SegmentTree final : public Contestant<N, T> {
  public:
+  explicit SegmentTree(ListMemory memory) : memory_(memory) {}
+
   std::span<const Pair> find(std::span<const Aabb<N, T>> boxes) override {
-    pairs_.clear();
+    clear(pairs_, memory_);
     numbered_.resize(boxes.size());
     for (std::uint32_t i = 0; i < boxes.size(); ++i) numbered_[i] = {boxes[i], i};
     const auto cutoff = static_cast<std::ptrdiff_t>(4 * std::sqrt(boxes.size()));
@@ -51,19 +53,26 @@ class SegmentTree final : public Contestant<N, T> {
   }
 
  private:
+  ListMemory memory_;
   std::vector<NumberedBox<N, T>> numbered_;
   std::vector<Pair> pairs_;
 };
+
+template <Dim N, class T>
+void enter_with(Entrants<N, T>& field, ListMemory memory) {
+  Entrant<N, T> entrant;
+  entrant.name = "CGAL box_self_intersection_d";
+  entrant.settings = "CGAL " CGAL_VERSION_STR ", boxes by value, cutoff 4 sqrt(n)";
+  set_list_memory(entrant, memory);
+  entrant.prepare = [memory](std::span<const Aabb<N, T>>) { return std::make_unique<SegmentTree<N, T>>(memory); };
+  field.push_back(std::move(entrant));
+}
 
 }  // namespace
 
 template <Dim N, class T>
 void enter_cgal(Entrants<N, T>& field) {
-  Entrant<N, T> entrant;
-  entrant.name = "CGAL box_self_intersection_d";
-  entrant.settings = "CGAL " CGAL_VERSION_STR ", boxes by value, cutoff 4 sqrt(n)";
-  entrant.prepare = [](std::span<const Aabb<N, T>>) { return std::make_unique<SegmentTree<N, T>>(); };
-  field.push_back(std::move(entrant));
+  for (const ListMemory memory : list_memories) enter_with(field, memory);
 }
 
 template void enter_cgal(Entrants<2, float>& field);

@@ -24,6 +24,12 @@ namespace {
 /// What happens to the tree from frame to frame.
 enum class Upkeep { rebuild, refit };
 
+struct Manner {
+  std::size_t threads;
+  Upkeep upkeep;
+  ListMemory memory;
+};
+
 /// The boxes are one geometry of a kind that Embree knows only by its bounds. Its tree is built anew in every frame, or
 /// fitted to where the boxes are now, by which it ages, and then met with itself. Embree reports whole leaves against
 /// each other, each pair from both sides: what is left is our part. Embree's own trees are in space: boxes of the plane
@@ -31,9 +37,9 @@ enum class Upkeep { rebuild, refit };
 template <Dim N>
 class Collider final : public Contestant<N, float> {
  public:
-  Collider(std::span<const Aabb<N, float>> boxes, std::size_t threads, Upkeep upkeep)
-      : arena_(static_cast<int>(threads)), found_(threads) {
-    arena_.execute([&] { open(boxes.size(), upkeep); });
+  Collider(std::span<const Aabb<N, float>> boxes, const Manner& manner)
+      : memory_(manner.memory), arena_(static_cast<int>(manner.threads)), found_(manner.threads) {
+    arena_.execute([&] { open(boxes.size(), manner.upkeep); });
   }
 
   ~Collider() override {
@@ -46,7 +52,7 @@ class Collider final : public Contestant<N, float> {
 
   std::span<const Pair> find(std::span<const Aabb<N, float>> boxes) override {
     boxes_ = boxes;
-    for (Found& found : found_) found.pairs.clear();
+    for (Found& found : found_) clear(found.pairs, memory_);
     arena_.execute([this] {
       rtcCommitGeometry(geometry_);
       rtcCommitScene(scene_);
@@ -109,6 +115,7 @@ class Collider final : public Contestant<N, float> {
     self.found_[i].is_taken.clear(std::memory_order_release);
   }
 
+  ListMemory memory_;
   // What limits the threads. Embree's own limit would outlast its device, and hold for everybody who uses oneTBB here;
   // its device takes as many threads as the arena has that it is made in.
   tbb::task_arena arena_;
@@ -120,24 +127,24 @@ class Collider final : public Contestant<N, float> {
 };
 
 template <Dim N>
-void enter_with(Entrants<N, float>& field, std::size_t threads, Upkeep upkeep) {
+void enter_with(Entrants<N, float>& field, const Manner& manner) {
   Entrant<N, float> entrant;
-  entrant.name = upkeep == Upkeep::refit ? "Embree rtcCollide, refitted" : "Embree rtcCollide";
-  if (threads > 1) entrant.name += ", " + std::to_string(threads) + " threads";
+  entrant.name = manner.upkeep == Upkeep::refit ? "Embree rtcCollide, refitted" : "Embree rtcCollide";
   entrant.settings = "Embree " RTC_VERSION_STRING ", user geometry, low quality, dynamic scene; ";
-  entrant.settings += upkeep == Upkeep::refit ? "the tree kept and refitted" : "the tree built anew";
-  entrant.threads = threads;
-  entrant.keeps = upkeep == Upkeep::refit;
-  entrant.prepare = [threads, upkeep](std::span<const Aabb<N, float>> boxes) {
-    return std::make_unique<Collider<N>>(boxes, threads, upkeep);
+  entrant.settings += manner.upkeep == Upkeep::refit ? "the tree kept and refitted" : "the tree built anew";
+  set_list_memory(entrant, manner.memory);
+  if (manner.threads > 1) entrant.name += ", " + std::to_string(manner.threads) + " threads";
+  entrant.threads = manner.threads;
+  entrant.prepare = [manner](std::span<const Aabb<N, float>> boxes) {
+    return std::make_unique<Collider<N>>(boxes, manner);
   };
   field.push_back(std::move(entrant));
 }
 
 template <Dim N>
-void enter_both(Entrants<N, float>& field, std::size_t threads) {
-  enter_with(field, threads, Upkeep::rebuild);
-  enter_with(field, threads, Upkeep::refit);
+void enter_all(Entrants<N, float>& field, std::size_t threads) {
+  for (const ListMemory memory : list_memories) enter_with(field, {threads, Upkeep::rebuild, memory});
+  enter_with(field, {threads, Upkeep::refit, ListMemory::kept});
 }
 
 }  // namespace
@@ -145,8 +152,8 @@ void enter_both(Entrants<N, float>& field, std::size_t threads) {
 template <Dim N, class T>
 void enter_embree(Entrants<N, T>& field, std::size_t threads) {
   if constexpr (std::is_same_v<T, float>) {
-    enter_both(field, 1);
-    if (threads > 1) enter_both(field, threads);
+    enter_all(field, 1);
+    if (threads > 1) enter_all(field, threads);
   }
 }
 

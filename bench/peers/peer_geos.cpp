@@ -22,8 +22,10 @@ namespace {
 /// follow each other, a million boxes take half of the time that they take in the order of indices.
 class StrTree final : public Contestant<2, double> {
  public:
+  explicit StrTree(ListMemory memory) : memory_(memory) {}
+
   std::span<const Pair> find(std::span<const Aabb<2, double>> boxes) override {
-    pairs_.clear();
+    clear(pairs_, memory_);
     geos::index::strtree::TemplateSTRtree<std::uint32_t> tree(10, boxes.size());
     for (std::uint32_t i = 0; i < boxes.size(); ++i) tree.insert(envelope(boxes[i]), i);
     for (const std::uint32_t i : tree.items()) {
@@ -39,6 +41,7 @@ class StrTree final : public Contestant<2, double> {
     return {box.min[0], box.max[0], box.min[1], box.max[1]};
   }
 
+  ListMemory memory_;
   std::vector<Pair> pairs_;
 };
 
@@ -47,11 +50,14 @@ class StrTree final : public Contestant<2, double> {
 template <Dim N, class T>
 void enter_geos(Entrants<N, T>& field) {
   if constexpr (N == 2 && std::is_same_v<T, double>) {
-    Entrant<N, T> entrant;
-    entrant.name = "GEOS STRtree";
-    entrant.settings = "GEOS " GEOS_VERSION ", packed anew, 10 in a node, asked in the order of its leaves";
-    entrant.prepare = [](std::span<const Aabb<N, T>>) { return std::make_unique<StrTree>(); };
-    field.push_back(std::move(entrant));
+    for (const ListMemory memory : list_memories) {
+      Entrant<N, T> entrant;
+      entrant.name = "GEOS STRtree";
+      entrant.settings = "GEOS " GEOS_VERSION ", packed anew, 10 in a node, asked in the order of its leaves";
+      set_list_memory(entrant, memory);
+      entrant.prepare = [memory](std::span<const Aabb<N, T>>) { return std::make_unique<StrTree>(memory); };
+      field.push_back(std::move(entrant));
+    }
   }
 }
 

@@ -100,7 +100,8 @@ const std::array<Discipline, 4>& disciplines() {
         Field::all},
        {"graze overlapping_pairs, any order", "One call, from nothing",
         "Like with like again: `overlapping_pairs` makes its list anew and knows nothing of the last frame, beside the "
-        "peers that know nothing of it either, or forget it; pairs come as they are found. One thread.",
+        "peers that know nothing of it either and make their lists anew, too; pairs come as they are found. One "
+        "thread.",
         Field::from_nothing},
        {"graze overlapping_pairs", "One call, from nothing, sorted",
         "The same with the defaults: graze sorts its pairs, which no peer does.", Field::from_nothing},
