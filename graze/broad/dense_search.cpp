@@ -61,7 +61,7 @@ void DenseSearch<N, T>::meet(Rows rows, std::span<Pair> out) const {
 /// to write them twice.
 template <Dim N, class T>
 std::span<const Pair> DenseSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options,
-                                              const PairRoom& room) {
+                                              PairRoom& room) {
   take(boxes_a, boxes_b, static_cast<T>(options.margin));
   const Executor& executor = executor_of(options);
   constexpr std::size_t comparisons_per_task = std::size_t{1} << 20U;
@@ -74,7 +74,7 @@ std::span<const Pair> DenseSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_
   std::vector<std::size_t> ends(tasks);
   executor.parallel_for(tasks, [&](std::size_t task) { ends[task] = count(rows_of(task)); });
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  const std::span<Pair> pairs(room(ends.back()), ends.back());
+  const std::span<Pair> pairs(room.all(ends.back()), ends.back());
   executor.parallel_for(tasks, [&](std::size_t task) {
     const std::size_t begin = task == 0 ? 0 : ends[task - 1];
     meet(rows_of(task), pairs.subspan(begin, ends[task] - begin));

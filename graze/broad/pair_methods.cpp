@@ -119,7 +119,7 @@ bool is_for_dense(std::type_identity_t<std::span<const Aabb<N, T>>> boxes_a,
 
 template <Dim N, class T>
 std::span<const Pair> PairMethods<N, T>::find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options,
-                                              const PairRoom& room) {
+                                              PairRoom& room) {
   last_ = checked_method(options, boxes_a, boxes_b);
   if (last_ == PairMethod::tree) return tree_.find(boxes_a, boxes_b, options, room);
   if (last_ == PairMethod::dense) return dense_.find(boxes_a, boxes_b, options, room);
@@ -127,7 +127,7 @@ std::span<const Pair> PairMethods<N, T>::find(Boxes boxes_a, const Boxes* boxes_
       with_grown(boxes_a, boxes_b, options.margin, [](const Boxes& grown_a, const Boxes& grown_b, bool itself) {
         return itself ? brute_force_pairs(grown_a) : brute_force_pairs(grown_a, grown_b);
       });
-  Pair* const first = room(pairs.size());
+  Pair* const first = room.all(pairs.size());
   std::copy(pairs.begin(), pairs.end(), first);
   return {first, pairs.size()};
 }

@@ -2,13 +2,28 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
+#include <span>
 
 #include <graze/broad/pair.hpp>
 
 namespace graze::detail {
 
-/// Asked once how many pairs there are, gives the room for them.
-using PairRoom = std::function<Pair*(std::size_t count)>;
+/// Where a method puts the pairs that it finds: all at once, when it knows how many there are, or bit by bit.
+class PairRoom {
+ public:
+  PairRoom() = default;
+  virtual ~PairRoom() = default;
+  PairRoom(const PairRoom&) = delete;
+  PairRoom& operator=(const PairRoom&) = delete;
+
+  /// Room for all pairs. Asked for once, and nothing is appended besides.
+  virtual Pair* all(std::size_t count) = 0;
+
+  /// Whether pairs may be appended. If not, a method keeps in memory of its own what it finds before it has counted.
+  virtual bool appends() const = 0;
+
+  /// Adds pairs to those before; roughly so many are expected in all. The place of the first one of all is returned.
+  virtual const Pair* append(std::span<const Pair> pairs, std::size_t expected) = 0;
+};
 
 }  // namespace graze::detail

@@ -10,6 +10,7 @@
 namespace graze::detail {
 
 constexpr std::size_t most_children = std::size_t{block_size} * block_size;  // of a pair of blocks
+constexpr std::size_t parents_at_once = 16;                                  // the order of pairs depends on it
 
 /// What tasks have found, for the room of those that follow: to grow means to copy, and pages of memory anew.
 class FoundSoFar {
@@ -118,7 +119,6 @@ void PairSearch<N, T>::meet(std::span<const BlockPair> parents, Buffer<BlockPair
   const bool itself = other_ == &tree_a_;
   const BlockLevel<N, T> level_a{tree_a_.level(0), tree_a_.ids(), tree_a_.level(1)};
   const BlockLevel<N, T> level_b{other_->level(0), other_->ids(), other_->level(1)};
-  constexpr std::size_t parents_at_once = 16;
   list.require(parents_at_once * most_children);
   for (std::size_t k = 0; k < parents.size(); k += parents_at_once) {
     const std::size_t blocks =
@@ -152,7 +152,7 @@ std::span<const BlockPair> PairSearch<N, T>::meetings_of(std::size_t task, std::
 
 template <Dim N, class T>
 std::span<const Pair> PairSearch<N, T>::find_sorted(std::size_t limit_a, std::size_t limit_b, const Executor& executor,
-                                                    const PairRoom& room) {
+                                                    PairRoom& room) {
   sort_.begin(limit_a);
   const std::size_t tasks = task_count();
   executor.parallel_for(tasks, [&](std::size_t task) {
@@ -161,7 +161,7 @@ std::span<const Pair> PairSearch<N, T>::find_sorted(std::size_t limit_a, std::si
     meet(meetings_of(task, tasks), memory->blocks, found);
   });
   const std::size_t count = sort_.count();
-  Pair* const pairs = room(count);
+  Pair* const pairs = room.all(count);
   sort_.sort(limit_b, executor, pairs);
   return {pairs, count};
 }
@@ -185,15 +185,41 @@ void PairSearch<N, T>::find_lists(std::size_t tasks, const Executor& executor) {
   });
 }
 
+/// Finds the same as tasks would, task after task: a few pairs at a time, which are appended while they are in a cache.
 template <Dim N, class T>
-std::span<const Pair> PairSearch<N, T>::find_any(const Executor& executor, const PairRoom& room) {
+std::span<const Pair> PairSearch<N, T>::find_in_turns(PairRoom& room) {
+  constexpr std::size_t step = 2 * parents_at_once;  // a task is cut where it would be anyway, for the order of pairs
+  const std::size_t tasks = task_count();
+  const typename Pool<Found>::Loan found(workers_);
+  const Pair* first = nullptr;
+  std::size_t count = 0;
+  std::size_t done = 0;
+  for (std::size_t task = 0; task < tasks; ++task) {
+    const std::span<const BlockPair> meetings = meetings_of(task, tasks);
+    for (std::size_t k = 0; k < meetings.size(); k += step) {
+      const std::span<const BlockPair> some = meetings.subspan(k, std::min(step, meetings.size() - k));
+      found->count = 0;
+      meet(some, found->blocks, *found);
+      done += some.size();
+      count += found->count;
+      first = room.append(found->all(), (count / done + 1) * meeting_count_);
+    }
+  }
+  return {first, count};
+}
+
+template <Dim N, class T>
+std::span<const Pair> PairSearch<N, T>::find_any(const Executor& executor, PairRoom& room) {
+  if (room.appends() && executor.concurrency() == 1) return find_in_turns(room);
   const std::size_t tasks = task_count();
   find_lists(tasks, executor);
   std::vector<std::size_t> begins = {0};  // of each list among all pairs
   for (std::size_t task = 0; task < tasks; ++task) begins.push_back(begins.back() + found_[task]->count);
   const std::size_t count = begins.back();
-  if (found_[0]->count == count) return found_[0]->all();
-  Pair* const pairs = room(count);
+  if (found_[0]->count == count) {
+    return room.appends() ? std::span(room.append(found_[0]->all(), count), count) : found_[0]->all();
+  }
+  Pair* const pairs = room.all(count);
   executor.parallel_for(tasks, [&](std::size_t task) {
     const std::span<const Pair> found = found_[task]->all();
     std::copy(found.begin(), found.end(), pairs + begins[task]);
@@ -203,7 +229,7 @@ std::span<const Pair> PairSearch<N, T>::find_any(const Executor& executor, const
 
 template <Dim N, class T>
 std::span<const Pair> PairSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options,
-                                             const PairRoom& room) {
+                                             PairRoom& room) {
   const Executor& executor = executor_of(options);
   build(boxes_a, boxes_b, static_cast<T>(options.margin), executor);
   descend();

@@ -5,10 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include <graze/broad/buffer.hpp>
+#include <graze/broad/pair_list.hpp>
 #include <graze/broad/pair_methods.hpp>
 #include <graze/broad/pairs.hpp>
-#include <graze/broad/populate.hpp>
 
 namespace graze {
 namespace {
@@ -43,14 +42,11 @@ std::span<const PairMethod> all_pair_methods() { return methods; }
 template <Dim N, class T>
 struct PairFinder<N, T>::State {
   detail::PairMethods<N, T> methods;
-  detail::Buffer<Pair> pairs;
+  detail::KeptPairRoom room;
 
   std::span<const Pair> find(std::span<const Aabb<N, T>> boxes_a, const std::span<const Aabb<N, T>>* boxes_b,
                              const PairOptions& options) {
-    return methods.find(boxes_a, boxes_b, options, [this](std::size_t count) {
-      pairs.require(count);
-      return pairs.data();
-    });
+    return methods.find(boxes_a, boxes_b, options, room);
   }
 };
 
@@ -101,16 +97,10 @@ namespace {
 template <Dim N, class T>
 std::vector<Pair> all_pairs(std::span<const Aabb<N, T>> boxes_a, const std::span<const Aabb<N, T>>* boxes_b,
                             const PairOptions& options) {
-  std::vector<Pair> pairs;
+  detail::PairList list(detail::executor_of(options));
   detail::PairMethods<N, T> search;
-  const std::span<const Pair> found = search.find(boxes_a, boxes_b, options, [&](std::size_t count) {
-    pairs.reserve(count);
-    detail::populate(pairs.data(), count * sizeof(Pair), detail::executor_of(options));
-    pairs.resize(count);
-    return pairs.data();
-  });
-  if (found.data() != pairs.data()) pairs.assign(found.begin(), found.end());
-  return pairs;
+  search.find(boxes_a, boxes_b, options, list);
+  return list.take();
 }
 
 }  // namespace

@@ -20,21 +20,27 @@ constexpr std::size_t least = 4 * part;
 
 }  // namespace
 
-void populate(void* memory, std::size_t bytes, const Executor& executor) {
-  if (bytes < least || executor.concurrency() < 2) return;
+void populate(void* memory, std::size_t bytes) {
   // Whole pages only: others share theirs with the neighbours.
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-  void* first = memory;
-  if (std::align(page, part, first, bytes) == nullptr) return;
-  bytes -= bytes % page;
+  if (std::align(page, page, memory, bytes) == nullptr) return;
+  madvise(memory, bytes - bytes % page, MADV_POPULATE_WRITE);
+}
+
+void populate(void* memory, std::size_t bytes, const Executor& executor) {
+  if (bytes < least || executor.concurrency() < 2) return;
+  // Parts that end with a page, but for the last.
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  if (std::align(page, part, memory, bytes) == nullptr) return;
   executor.parallel_for((bytes + part - 1) / part, [&](std::size_t k) {
     const std::size_t begin = k * part;
-    madvise(static_cast<char*>(first) + begin, std::min(part, bytes - begin), MADV_POPULATE_WRITE);
+    populate(static_cast<char*>(memory) + begin, std::min(part, bytes - begin));
   });
 }
 
 #else
 
+void populate(void* /*memory*/, std::size_t /*bytes*/) {}
 void populate(void* /*memory*/, std::size_t /*bytes*/, const Executor& /*executor*/) {}
 
 #endif

@@ -12,4 +12,8 @@ namespace graze::detail {
 /// thread, for memory of less than a few megabytes, or where the system cannot.
 void populate(void* memory, std::size_t bytes, const Executor& executor);
 
+/// The same on the calling thread, for the whole pages of any memory. That pays where few enough are asked for at a
+/// time that they are written while they are in a cache.
+void populate(void* memory, std::size_t bytes);
+
 }  // namespace graze::detail

@@ -20,18 +20,33 @@
 namespace graze::detail::dense_search_test {
 namespace {
 
+/// Room in memory that is larger than it says.
+class MarkedRoom final : public PairRoom {
+ public:
+  static constexpr Pair mark = {~0U, ~0U};
+
+  Pair* all(std::size_t count) override {
+    memory.assign(count + 32, mark);
+    return memory.data();
+  }
+  bool appends() const override { return true; }
+  const Pair* append(std::span<const Pair> /*pairs*/, std::size_t /*expected*/) override {
+    ADD_FAILURE() << "it counts beforehand";
+    return nullptr;
+  }
+
+  std::vector<Pair> memory;
+};
+
 template <Dim N, class T>
 std::vector<Pair> found_by(DenseSearch<N, T>& search, std::type_identity_t<std::span<const Aabb<N, T>>> boxes_a,
                            const std::type_identity_t<std::span<const Aabb<N, T>>>* boxes_b,
                            const PairOptions& options = {}) {
-  std::vector<Pair> pairs;
-  const std::span<const Pair> found = search.find(boxes_a, boxes_b, options, [&pairs](std::size_t count) {
-    pairs.assign(count, Pair{~0U, ~0U});
-    return pairs.data();
-  });
-  EXPECT_EQ(found.data(), pairs.data());
-  EXPECT_EQ(found.size(), pairs.size());
-  return pairs;
+  MarkedRoom room;
+  const std::span<const Pair> found = search.find(boxes_a, boxes_b, options, room);
+  EXPECT_EQ(found.data(), room.memory.data());
+  EXPECT_EQ(found.size() + 32, room.memory.size());
+  return {found.begin(), found.end()};
 }
 
 template <Dim N, class T>
@@ -62,11 +77,12 @@ TEST(DenseSearch, FindsWhatBruteForceFindsInItsOrder) {
 
 TEST(DenseSearch, WritesNothingBeyondItsRoom) {
   const std::vector<Aabb<3, float>> boxes(70, Aabb<3, float>{{0, 0, 0}, {1, 1, 1}});
-  std::vector<Pair> memory(70 * 69 / 2 + 32, Pair{7, 7});
+  MarkedRoom room;
   DenseSearch<3, float> search;
-  const std::span<const Pair> found = search.find(boxes, nullptr, {}, [&memory](std::size_t) { return memory.data(); });
+  const std::span<const Pair> found = search.find(boxes, nullptr, {}, room);
   EXPECT_EQ(found.size(), 70U * 69U / 2U);
-  EXPECT_TRUE(std::all_of(memory.begin() + 70 * 69 / 2, memory.end(), [](Pair pair) { return pair == Pair{7, 7}; }));
+  EXPECT_TRUE(std::all_of(room.memory.begin() + 70 * 69 / 2, room.memory.end(),
+                          [](Pair pair) { return pair == MarkedRoom::mark; }));
 }
 
 TEST(DenseSearch, InManyTasksFindsTheSame) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <graze/broad/pair_list.hpp>
 #include <graze/broad/pair_methods.hpp>
 #include <graze/broad/worlds.hpp>
 
@@ -47,11 +48,7 @@ TEST(PairMethods, OfTwoSetsBothCount) {
 
 TEST(PairMethods, RemembersWhatItChose) {
   PairMethods<3, float> methods;
-  std::vector<Pair> pairs;
-  const auto room = [&pairs](std::size_t count) {
-    pairs.resize(count);
-    return pairs.data();
-  };
+  KeptPairRoom room;
   EXPECT_EQ(methods.last(), PairMethod::automatic);
   methods.find(boxes_of(World::point, 100), nullptr, {}, room);
   EXPECT_EQ(methods.last(), PairMethod::dense);

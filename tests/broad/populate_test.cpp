@@ -68,6 +68,16 @@ TEST(Populate, FetchesAllWholePagesForTwoThreadsAndNoneForOne) {
   EXPECT_EQ(memory.pages_in_memory(), large / FreshMemory::page() - 1) << "the last page is not whole";
 }
 
+TEST(Populate, FetchesTheWholePagesOfAnyMemoryOnTheCallingThread) {
+  const FreshMemory memory;
+  ASSERT_TRUE(memory.exists());
+  if (madvise(memory.data(), FreshMemory::page(), MADV_POPULATE_WRITE) != 0) GTEST_SKIP() << "this system cannot";
+  populate(memory.data() + 1, FreshMemory::page());
+  EXPECT_EQ(memory.pages_in_memory(), 1U) << "no page is whole";
+  populate(memory.data() + 1, 3 * FreshMemory::page());
+  EXPECT_EQ(memory.pages_in_memory(), 3U);
+}
+
 #endif
 
 }  // namespace

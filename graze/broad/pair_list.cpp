@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <utility>
+
+#include <graze/broad/pair_list.hpp>
+#include <graze/broad/populate.hpp>
+
+namespace graze::detail {
+namespace {
+
+constexpr std::size_t at_once = std::size_t{1} << 16U;  // pairs whose memory is populated, half a megabyte
+constexpr std::size_t populated_from = 8 * at_once;     // pairs for which that pays
+
+}  // namespace
+
+/// Populates the memory of at least so many pairs, as far as there is room.
+void PairList::populate_to(std::size_t count) {
+  if (count <= populated_ || pairs_.capacity() < populated_from) return;
+  const std::size_t end = std::min(std::max(count, populated_ + at_once), pairs_.capacity());
+  populate(pairs_.data() + populated_, (end - populated_) * sizeof(Pair));
+  populated_ = end;
+}
+
+Pair* PairList::all(std::size_t count) {
+  pairs_.reserve(count);
+  if (executor_.concurrency() > 1) {
+    populate(pairs_.data(), count * sizeof(Pair), executor_);
+    pairs_.resize(count);
+  }
+  while (pairs_.size() < count) {
+    const std::size_t next = std::min(count, pairs_.size() + at_once);
+    populate_to(next);
+    pairs_.resize(next);
+  }
+  return pairs_.data();
+}
+
+const Pair* PairList::append(std::span<const Pair> pairs, std::size_t expected) {
+  const std::size_t count = pairs_.size() + pairs.size();
+  if (count > pairs_.capacity()) {
+    // A guess after few pairs may be far too high.
+    pairs_.reserve(std::clamp(expected + expected / 8, count + count / 2, 16 * count));
+    populated_ = pairs_.size();
+  }
+  populate_to(count);
+  pairs_.insert(pairs_.end(), pairs.begin(), pairs.end());
+  return pairs_.data();
+}
+
+std::vector<Pair> PairList::take() {
+  if (pairs_.capacity() / 2 > pairs_.size()) pairs_.shrink_to_fit();
+  return std::exchange(pairs_, {});
+}
+
+}  // namespace graze::detail
