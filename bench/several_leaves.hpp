@@ -109,9 +109,11 @@ class SeveralLeaves {
 
   void remove(Cell& cell, std::uint32_t id) {
     std::uint32_t position = graze::detail::no_index;
-    pool_.for_each(cell.entries, [&](const Entry& entry) {
-      if (entry.slot == id) position = static_cast<std::uint32_t>(&entry - &pool_[0]);
-    });
+    for (auto block = pool_.first_block(cell.entries); !block.is_none(); block = pool_.next_block(block)) {
+      for (std::uint32_t at = block.index * pool_.block_size, k = 0; k < block.filled; ++at, ++k) {
+        if (pool_.slot(at) == id) position = at;
+      }
+    }
     if (position != graze::detail::no_index) pool_.remove(cell.entries, position);
   }
 

@@ -59,21 +59,34 @@ class CellCode {
   double scale_;
 };
 
-/// Sorts by the code, boxes of one code by their index, by counting digits of eleven bits (Knuth, "The Art of Computer
-/// Programming", volume 3, section 5.2.5).
-void sort_by_code(BlankVector<CodedBox>& boxes) {
-  constexpr std::uint32_t digits = 1U << 11U;
-  std::vector<std::array<std::uint32_t, 3>> places(digits, {0, 0, 0});
+/// Sorts by some digits of the code, those alike as they stand; by counting, the lower half of the digits first (Knuth,
+/// "The Art of Computer Programming", volume 3, section 5.2.5).
+void sort_by_digits(std::span<CodedBox> boxes, std::span<CodedBox> spare, unsigned lowest, unsigned bits) {
+  constexpr unsigned most_bits = 20;
+  std::array<std::array<std::uint32_t, 1U << most_bits / 2>, 2> places;  // NOLINT(*-member-init): as far as needed
+  const unsigned half = bits / 2;
+  const unsigned shifts[] = {lowest, lowest + half};
+  const std::uint32_t masks[] = {(1U << half) - 1U, (1U << (bits - half)) - 1U};
+  for (const unsigned pass : {0U, 1U}) std::fill_n(places[pass].begin(), masks[pass] + 1, 0U);
   for (const CodedBox& box : boxes) {
-    for (std::uint32_t pass = 0; pass < 3; ++pass) ++places[box.code >> 11U * pass & (digits - 1)][pass];
+    ++places[0][box.code >> shifts[0] & masks[0]];
+    ++places[1][box.code >> shifts[1] & masks[1]];
   }
-  BlankVector<CodedBox> sorted(boxes.size());
-  for (std::uint32_t pass = 0; pass < 3; ++pass) {
+  for (const unsigned pass : {0U, 1U}) {
     std::uint32_t first = 0;
-    for (auto& place : places) first += std::exchange(place[pass], first);
-    for (const CodedBox& box : boxes) sorted[places[box.code >> 11U * pass & (digits - 1)][pass]++] = box;
-    std::swap(boxes, sorted);
+    for (std::uint32_t digit = 0; digit <= masks[pass]; ++digit) first += std::exchange(places[pass][digit], first);
+    for (const CodedBox& box : boxes) spare[places[pass][box.code >> shifts[pass] & masks[pass]]++] = box;
+    std::swap(boxes, spare);
   }
+}
+
+/// How many levels boxes are sorted by at a time: as many as they will fill, and one more.
+template <Dim N>
+int levels_for(std::size_t count, std::size_t capacity) {
+  constexpr int most = 20 / N;
+  int levels = 2;
+  while (levels < most && count >> static_cast<unsigned>(N * (levels - 1)) > capacity) ++levels;
+  return levels;
 }
 
 /// All finite boxes, thinned out evenly when they are many.
@@ -103,14 +116,20 @@ CellPlace<N> place_of_root_for(std::span<const Aabb<N, T>> boxes, const Orthtree
 template <Dim N, class T>
 void CellFilling<N, T>::run() {
   if (boxes_.empty()) return;
-  const std::size_t slots = std::size_t{*std::max_element(slots_.begin(), slots_.end())} + 1;
-  tree_.positions_.resize(slots, no_index);
+  std::uint32_t last = 0;
+  std::uint32_t breaks = 0;
+  for (std::size_t k = 0; k < slots_.size(); ++k) {
+    last = std::max(last, slots_[k]);
+    breaks |= slots_[k] ^ (slots_[0] + static_cast<std::uint32_t>(k));
+  }
+  slots_are_row_ = breaks == 0;
+  tree_.positions_.resize(last + std::size_t{1}, no_index);
   tree_.pool_.reserve(boxes_.size() / 5 + 8);
   tree_.size_ = boxes_.size();
   if (boxes_.size() > tree_.options_.capacity) {
     lay_root();
-    sort_boxes();
-    fill_cell(Tree::root, {0, boxes_.size(), 0});
+    code_boxes();
+    fill_cell(Tree::root, {0, boxes_.size(), 0, 0});
   } else {
     for (std::uint32_t index = 0; index < boxes_.size(); ++index) left_over_.push_back(index);
   }
@@ -119,17 +138,15 @@ void CellFilling<N, T>::run() {
 
 template <Dim N, class T>
 void CellFilling<N, T>::lay_root() {
-  tree_.cells_.resize(Tree::root + 1);
-  tree_.places_.resize(Tree::root + 1);
-  tree_.places_[Tree::root] = place_of_root_for(boxes_, tree_.options_);
+  tree_.lay_root(place_of_root_for(boxes_, tree_.options_));
 }
 
 template <Dim N, class T>
-void CellFilling<N, T>::sort_boxes() {
+void CellFilling<N, T>::code_boxes() {
   const CellCode<N> code(tree_.places_[Tree::root]);
   sorted_.resize(boxes_.size());
+  spare_.resize(boxes_.size());
   for (std::uint32_t k = 0; k < boxes_.size(); ++k) sorted_[k] = {k, code(center_of(boxes_[k]))};
-  sort_by_code(sorted_);
 }
 
 /// Whether the boxes that are left for a cell stay there: because they are few, or because no cell below takes any.
@@ -147,31 +164,58 @@ bool CellFilling<N, T>::is_leaf(std::uint32_t cell, const Range& range) const {
   return true;
 }
 
-/// Where the boxes of a child end that begin at `first`.
+/// Where the boxes of each child end. Few are counted, for whether one belongs to a child is hard to predict.
 template <Dim N, class T>
-std::size_t CellFilling<N, T>::end_of(std::uint32_t child, const Range& range, std::size_t first) const {
+auto CellFilling<N, T>::ends_in(const Range& range) const -> std::array<std::size_t, Tree::children> {
+  constexpr unsigned bits = 64U / Tree::children;  // for a count
+  constexpr std::size_t few = 128;
   const auto shift = static_cast<unsigned>(N * (code_levels<N> - 1 - range.depth));
-  const CodedBox* const last =
-      std::partition_point(sorted_.data() + first, sorted_.data() + range.last,
-                           [&](const CodedBox& box) { return (box.code >> shift & (Tree::children - 1)) <= child; });
-  return static_cast<std::size_t>(last - sorted_.data());
+  const auto child_of = [shift](const CodedBox& box) { return box.code >> shift & (Tree::children - 1); };
+  std::array<std::size_t, Tree::children> ends;  // NOLINT(*-member-init)
+  if (range.count() <= few) {
+    std::uint64_t counts = 0;
+    for (std::size_t k = range.first; k < range.last; ++k) counts += std::uint64_t{1} << bits * child_of(sorted_[k]);
+    std::size_t end = range.first;
+    for (std::size_t& one : ends) {
+      end += counts & ((1U << bits) - 1U);
+      counts >>= bits;
+      one = end;
+    }
+    return ends;
+  }
+  const CodedBox* first = sorted_.data() + range.first;
+  for (std::uint32_t child = 0; child < Tree::children; ++child) {
+    first = std::partition_point(first, sorted_.data() + range.last,
+                                 [&](const CodedBox& box) { return child_of(box) <= child; });
+    ends[child] = static_cast<std::size_t>(first - sorted_.data());
+  }
+  return ends;
 }
 
 /// Returns the bounds. Calls itself code_levels deep at most.
 template <Dim N, class T>
-Aabb<N, T> CellFilling<N, T>::fill_cell(std::uint32_t cell, const Range& range) {  // NOLINT(misc-no-recursion)
+Aabb<N, T> CellFilling<N, T>::fill_cell(std::uint32_t cell, Range range) {  // NOLINT(misc-no-recursion)
   if (is_leaf(cell, range)) return fill_leaf(cell, range);
+  if (range.depth == range.sorted_depth) {
+    const int levels = levels_for<N>(range.count(), tree_.options_.capacity);
+    range.sorted_depth = std::min(range.depth + levels, code_levels<N>);
+    const auto lowest = static_cast<unsigned>(N * (code_levels<N> - range.sorted_depth));
+    sort_by_digits({sorted_.data() + range.first, range.count()}, {spare_.data(), range.count()}, lowest,
+                   static_cast<unsigned>(N * (range.sorted_depth - range.depth)));
+  }
   const std::uint32_t first_child = tree_.new_group(cell);
-  tree_.cells_[cell].first_child = first_child;
+  tree_.cells_.set_first_child(cell, first_child);
   tree_.deepest_level_ = std::max(tree_.deepest_level_, tree_.places_[first_child].level);
   Box bounds = Box::nothing();
-  Range part{range.first, range.first, range.depth + 1};
+  Range part{range.first, range.first, range.depth + 1, range.sorted_depth};
+  const auto ends = ends_in(range);
   for (std::uint32_t child = 0; child < Tree::children; ++child) {
     part.first = part.last;
-    part.last = end_of(child, range, part.first);
+    part.last = ends[child];
     if (part.count() > 0) grow_at_once(bounds, fill_cell(first_child + child, part));
   }
-  return tree_.cells_[cell].bounds = bounds;
+  tree_.cells_.set_bounds(cell, bounds);
+  return bounds;
 }
 
 /// Asks for what will be looked at after the box at a place of the row: it lies anywhere in memory.
@@ -180,13 +224,47 @@ void CellFilling<N, T>::ask_ahead(std::size_t place) const {
   constexpr std::size_t ahead = 12;
   if (place + 2 * ahead >= sorted_.size()) return;
   const std::uint32_t far = sorted_[place + 2 * ahead].index;
-  prefetch(&boxes_[far]);
-  prefetch(&slots_[far]);
-  prefetch_to_write(&tree_.positions_[slots_[sorted_[place + ahead].index]]);
+  prefetch_first<1>(&boxes_[far]);
+  if (!slots_are_row_) prefetch_first<1>(&slots_[far]);
+  prefetch_to_write(&tree_.positions_[slot_of(sorted_[place + ahead].index)]);
+}
+
+/// Fills a leaf with boxes that its square contains when it is grown to twice its size, as it contains most. Codes
+/// tell centers, and may round. Returns whether it does; if not nothing is filled.
+template <Dim N, class T>
+bool CellFilling<N, T>::fill_at_once(std::uint32_t cell, const Range& range, Box& bounds) {
+  EntryList list;
+  bounds = Box::nothing();
+  for (std::size_t first = range.first; first < range.last; first += tree_.pool_.block_size) {
+    const std::size_t count = std::min<std::size_t>(range.last - first, tree_.pool_.block_size);
+    const std::uint32_t position = tree_.pool_.add_block(list, cell, static_cast<std::uint32_t>(count));
+    auto& page = tree_.pool_.page(position);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      ask_ahead(first + k);
+      const std::uint32_t index = sorted_[first + k].index;
+      const Box box = boxes_[index];
+      const std::uint32_t slot = slot_of(index);
+      grow_at_once(bounds, box);
+      page.boxes[k] = box;
+      page.slots[k] = slot;
+      tree_.positions_[slot] = position + k;
+    }
+  }
+  if (fits(tree_.places_[cell], bounds)) {
+    tree_.cells_.set_entries(cell, list);
+    return true;
+  }
+  tree_.pool_.release(list);
+  return false;
 }
 
 template <Dim N, class T>
 Aabb<N, T> CellFilling<N, T>::fill_leaf(std::uint32_t cell, const Range& range) {
+  Box all;
+  if (range.count() <= tree_.options_.capacity && fill_at_once(cell, range, all)) {
+    tree_.cells_.set_bounds(cell, all);
+    return all;
+  }
   const CellPlace<N> place = tree_.places_[cell];
   const bool may_split = range.depth < tree_.options_.max_depth && tree_.can_split(place);
   Box bounds = Box::nothing();
@@ -200,10 +278,11 @@ Aabb<N, T> CellFilling<N, T>::fill_leaf(std::uint32_t cell, const Range& range) 
       continue;
     }
     grow_at_once(bounds, box);
-    tree_.positions_[slots_[index]] = tree_.pool_.add(list, cell, {box, slots_[index]});
+    tree_.positions_[slot_of(index)] = tree_.pool_.add(list, cell, {box, slot_of(index)});
   }
-  tree_.cells_[cell].entries = list;
-  return tree_.cells_[cell].bounds = bounds;
+  tree_.cells_.set_entries(cell, list);
+  tree_.cells_.set_bounds(cell, bounds);
+  return bounds;
 }
 
 template <Dim N, class T>
@@ -212,7 +291,7 @@ void CellFilling<N, T>::add_alone(std::uint32_t index) {
   const bool is_inside = tree_.has_root() && takes(tree_.places_[Tree::root], box);
   const std::uint32_t cell = is_inside ? tree_.home_below(Tree::root, box) : Tree::outside;
   tree_.pool_.prepare();
-  tree_.add(cell, {box, slots_[index]});
+  tree_.add(cell, {box, slot_of(index)});
 }
 
 template class CellFilling<2, float>;

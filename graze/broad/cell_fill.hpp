@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -24,9 +25,9 @@ struct CodedBox {
 template <Dim N>
 inline constexpr int code_levels = 32 / N;
 
-/// How a CellTree that holds none takes in many boxes at once: it sorts them by their codes, divides the row from the
-/// root down, and so comes by cells, entries and bounds in one walk along it. What does not fit where its code leads is
-/// added at the end, one by one.
+/// How a CellTree that holds none takes in many boxes at once: it sorts them by their codes, as far
+/// as there are cells, divides the row from the root down, and so comes by cells, entries and bounds in one walk along
+/// it. What does not fit where its code leads is added at the end, one by one.
 template <Dim N, class T>
 class CellFilling {
  public:
@@ -45,23 +46,28 @@ class CellFilling {
     std::size_t first;
     std::size_t last;
     int depth;
+    int sorted_depth;  // down to which cells stand in their order
 
     std::size_t count() const { return last - first; }
   };
 
   void lay_root();
-  void sort_boxes();
+  void code_boxes();
   bool is_leaf(std::uint32_t cell, const Range& range) const;
-  std::size_t end_of(std::uint32_t child, const Range& range, std::size_t first) const;
-  Box fill_cell(std::uint32_t cell, const Range& range);
+  std::array<std::size_t, Tree::children> ends_in(const Range& range) const;
+  Box fill_cell(std::uint32_t cell, Range range);
   void ask_ahead(std::size_t place) const;
+  std::uint32_t slot_of(std::uint32_t index) const { return slots_are_row_ ? slots_[0] + index : slots_[index]; }
+  bool fill_at_once(std::uint32_t cell, const Range& range, Box& bounds);
   Box fill_leaf(std::uint32_t cell, const Range& range);
   void add_alone(std::uint32_t index);
 
   Tree& tree_;
   std::span<const Box> boxes_;
   std::span<const std::uint32_t> slots_;
+  bool slots_are_row_ = false;  // each is the next after the one before
   BlankVector<CodedBox> sorted_;
+  BlankVector<CodedBox> spare_;           // for whoever sorts
   std::vector<std::uint32_t> left_over_;  // indices
 };
 

@@ -82,7 +82,7 @@ void visit_cells_in_box(const Cells& cells, const Probe& probe, const Visit& vis
       opened += is_met & static_cast<unsigned>(cell.first_child != no_index);
       met.push_if(is_met & static_cast<unsigned>(cell.entries.count != 0), index);
     }
-    for (std::size_t k = 0; k < opened; ++k) prefetch_first<sizeof(cells.cell(0))>(&cells.cell(groups[k]));
+    for (std::size_t k = 0; k < opened; ++k) cells.prefetch_cell(groups[k]);
     open.append(opened);
   };
   met.push_if(cells.cell(Cells::outside).entries.count != 0, Cells::outside);

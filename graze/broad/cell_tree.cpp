@@ -18,7 +18,7 @@
 namespace graze::detail {
 
 template <Dim N, class T>
-CellTree<N, T>::CellTree(const OrthtreeOptions& options) : options_(options), cells_(1), places_(1) {
+CellTree<N, T>::CellTree(const OrthtreeOptions& options) : options_(options), places_(children) {
   if (options.capacity < 1)
     throw std::invalid_argument("Orthtree: a capacity of 0 is too small; it must be at least 1");
   if (options.max_depth < 0 || options.max_depth > depth_limit) {
@@ -50,7 +50,7 @@ void CellTree<N, T>::update(std::uint32_t slot, const Box& box) {
   } else if (refit_is_due(present)) {
     move(slot, home_of(box), box);
   } else {
-    pool_[positions_[slot]].box = box;
+    pool_.box(positions_[slot]) = box;
     grow_bounds(present, box);
   }
   count_change();
@@ -63,7 +63,7 @@ void CellTree<N, T>::move(std::uint32_t slot, std::uint32_t cell, const Box& box
   const std::uint32_t position = positions_[slot];
   const std::uint32_t from = pool_.owner(position);
   if (from == cell) {
-    pool_[position].box = box;
+    pool_.box(position) = box;
     grow_bounds(cell, box);
     return;
   }
@@ -86,9 +86,9 @@ void CellTree<N, T>::erase(std::uint32_t slot) noexcept {
 
 template <Dim N, class T>
 void CellTree<N, T>::clear() noexcept {
-  cells_.resize(1);
-  places_.resize(1);
-  cells_[outside] = {};
+  cells_.clear();
+  places_.resize(children);
+  has_root_ = false;
   free_group_ = no_index;
   pool_.clear();
   positions_.clear();
@@ -98,7 +98,7 @@ void CellTree<N, T>::clear() noexcept {
 
 template <Dim N, class T>
 std::size_t CellTree<N, T>::bytes() const {
-  return cells_.capacity() * sizeof(Cell<N, T>) + places_.capacity() * sizeof(CellPlace<N>) + pool_.bytes() +
+  return cells_.bytes() + places_.capacity() * sizeof(CellPlace<N>) + pool_.bytes() +
          positions_.capacity() * sizeof(std::uint32_t);
 }
 
@@ -140,15 +140,15 @@ std::uint32_t CellTree<N, T>::home_below(std::uint32_t cell, const Box& box) {
   CellPlace<N> place = places_[cell];
   while (true) {
     const bool was_leaf = is_leaf(cell);
-    if (was_leaf && (cells_[cell].entries.count < options_.capacity || place.level == deepest || !can_split(place))) {
+    if (was_leaf && (cells_.count(cell) < options_.capacity || place.level == deepest || !can_split(place))) {
       return cell;
     }
     const std::uint32_t child = child_towards(place, center);
     place = child_place(place, child);
     if (!fits(place, box)) return cell;
     if (was_leaf) split(cell);
-    cell = cells_[cell].first_child + child;
-    grow_at_once(cells_[cell].bounds, box);
+    cell = cells_.first_child(cell) + child;
+    cells_.grow(cell, box);
   }
 }
 
@@ -163,22 +163,25 @@ std::uint32_t CellTree<N, T>::home_near(std::uint32_t cell, const Box& box) {
 
 template <Dim N, class T>
 void CellTree<N, T>::add(std::uint32_t cell, const Entry<N, T>& entry) {
-  positions_[entry.slot] = pool_.add(cells_[cell].entries, cell, entry);
+  EntryList list = cells_.entries(cell);
+  positions_[entry.slot] = pool_.add(list, cell, entry);
+  cells_.set_entries(cell, list);
 }
 
 template <Dim N, class T>
 void CellTree<N, T>::remove(std::uint32_t position) noexcept {
   const std::uint32_t cell = pool_.owner(position);
-  EntryList& list = cells_[cell].entries;
+  EntryList list = cells_.entries(cell);
   positions_[pool_.remove(list, position)] = position;
-  if (list.count == 0 && is_leaf(cell)) cells_[cell].bounds = Box::nothing();
+  cells_.set_entries(cell, list);
+  if (list.count == 0 && is_leaf(cell)) cells_.set_bounds(cell, Box::nothing());
 }
 
 /// What contains the box contains it all the way up.
 template <Dim N, class T>
 void CellTree<N, T>::grow_bounds(std::uint32_t cell, const Box& box) {
-  for (; cell != no_index && !covers(cells_[cell].bounds, box); cell = places_[cell].parent) {
-    grow_at_once(cells_[cell].bounds, box);
+  for (; cell != no_index && !covers(cells_.bounds(cell), box); cell = places_[cell].parent) {
+    cells_.grow(cell, box);
   }
 }
 
@@ -199,11 +202,12 @@ template <Dim N, class T>
 Aabb<N, T> CellTree<N, T>::refresh(std::uint32_t cell) {  // NOLINT(misc-no-recursion)
   Box bounds = Box::nothing();
   deepest_level_ = std::max(deepest_level_, places_[cell].level);
-  pool_.for_each(cells_[cell].entries, [&bounds](const Entry<N, T>& entry) { grow_at_once(bounds, entry.box); });
+  pool_.for_each(cells_.entries(cell), [&bounds](const Entry<N, T>& entry) { grow_at_once(bounds, entry.box); });
   if (!is_leaf(cell)) {
-    for (std::uint32_t k = 0; k < children; ++k) grow_at_once(bounds, refresh(cells_[cell].first_child + k));
+    for (std::uint32_t k = 0; k < children; ++k) grow_at_once(bounds, refresh(cells_.first_child(cell) + k));
   }
-  return cells_[cell].bounds = bounds;
+  cells_.set_bounds(cell, bounds);
+  return bounds;
 }
 
 // ---- Splitting and merging
@@ -218,14 +222,13 @@ template <Dim N, class T>
 std::uint32_t CellTree<N, T>::new_group(std::uint32_t parent) {
   std::uint32_t first = free_group_;
   if (first == no_index) {
-    first = static_cast<std::uint32_t>(cells_.size());
-    places_.resize(first + children);
-    cells_.resize(first + children);
+    places_.resize(cells_.size() + children);
+    first = cells_.add_group();
   } else {
-    free_group_ = cells_[first].first_child;
+    free_group_ = cells_.first_child(first);
+    cells_.reset(first);
   }
   for (std::uint32_t k = 0; k < children; ++k) {
-    cells_[first + k] = {};
     places_[first + k] = child_place(places_[parent], k);
     places_[first + k].parent = parent;
   }
@@ -235,16 +238,17 @@ std::uint32_t CellTree<N, T>::new_group(std::uint32_t parent) {
 /// Hands each box to the child where it belongs; those too large for theirs stay.
 template <Dim N, class T>
 void CellTree<N, T>::split(std::uint32_t cell) {
-  pool_.prepare(pool_.blocks_of(cells_[cell].entries.count) + children);
+  pool_.prepare(pool_.blocks_of(cells_.count(cell)) + children);
   const std::uint32_t first = new_group(cell);
   const CellPlace<N> place = places_[cell];
-  EntryList held = std::exchange(cells_[cell].entries, EntryList{});
-  cells_[cell].first_child = first;
+  EntryList held = cells_.entries(cell);
+  cells_.set_entries(cell, {});
+  cells_.set_first_child(cell, first);
   deepest_level_ = std::max(deepest_level_, place.level + 1);
   pool_.for_each(held, [&](const Entry<N, T>& entry) {
     const std::uint32_t child = first + child_towards(place, center_of(entry.box));
     const std::uint32_t home = fits(places_[child], entry.box) ? child : cell;
-    grow_at_once(cells_[home].bounds, entry.box);
+    cells_.grow(home, entry.box);
     add(home, entry);
   });
   pool_.release(held);
@@ -260,11 +264,11 @@ void CellTree<N, T>::merge_from(std::uint32_t cell) noexcept {
 template <Dim N, class T>
 void CellTree<N, T>::merge_upwards(std::uint32_t cell) noexcept {
   for (; cell != no_index; cell = places_[cell].parent) {
-    const std::uint32_t first = cells_[cell].first_child;
-    std::size_t total = cells_[cell].entries.count;
+    const std::uint32_t first = cells_.first_child(cell);
+    std::size_t total = cells_.count(cell);
     for (std::uint32_t k = 0; k < children; ++k) {
       if (!is_leaf(first + k)) return;
-      total += cells_[first + k].entries.count;
+      total += cells_.count(first + k);
     }
     if (total > options_.capacity / 2) return;
     try {
@@ -273,17 +277,24 @@ void CellTree<N, T>::merge_upwards(std::uint32_t cell) noexcept {
       return;
     }
     for (std::uint32_t k = 0; k < children; ++k) {
-      EntryList held = std::exchange(cells_[first + k].entries, EntryList{});
+      EntryList held = cells_.entries(first + k);
+      cells_.set_entries(first + k, {});
       pool_.for_each(held, [&](const Entry<N, T>& entry) { add(cell, entry); });
       pool_.release(held);
     }
-    cells_[cell].first_child = no_index;
-    cells_[first].first_child = std::exchange(free_group_, first);
+    cells_.set_first_child(cell, no_index);
+    cells_.set_first_child(first, std::exchange(free_group_, first));
     refresh(cell);
   }
 }
 
 // ---- The root
+
+template <Dim N, class T>
+void CellTree<N, T>::lay_root(const CellPlace<N>& place) {
+  places_[root] = place;
+  has_root_ = true;
+}
 
 /// Doubles the root until a box fits, if the cells below stay within the limit of depth.
 template <Dim N, class T>
@@ -309,10 +320,12 @@ void CellTree<N, T>::double_root(const Vec<N, double>& target) {
   const std::uint32_t child = first + child_towards(new_place, old_place.center);
   places_[child] = old_place;
   places_[child].parent = root;
-  cells_[child] = std::exchange(cells_[root], Cell<N, T>{cells_[root].bounds, {}, first});
-  pool_.set_owner(cells_[child].entries, child);
+  const Cell<N, T> former = cells_[root];
+  cells_.set(child, former);
+  cells_.set(root, {former.bounds, {}, first});
+  pool_.set_owner(former.entries, child);
   if (is_leaf(child)) return;
-  for (std::uint32_t k = 0; k < children; ++k) places_[cells_[child].first_child + k].parent = child;
+  for (std::uint32_t k = 0; k < children; ++k) places_[former.first_child + k].parent = child;
 }
 
 /// When many boxes are outside, or in a cell that may not split, and as many have come and moved as make it worth
@@ -320,14 +333,14 @@ void CellTree<N, T>::double_root(const Vec<N, double>& target) {
 template <Dim N, class T>
 bool CellTree<N, T>::refit_is_due(std::uint32_t cell) const {
   if (cell != outside && depth(cell) < options_.max_depth) return false;
-  return changes_since_refit_ >= size_ / 2 && cells_[cell].entries.count >= options_.capacity + size_ / 32;
+  return changes_since_refit_ >= size_ / 2 && cells_.count(cell) >= options_.capacity + size_ / 32;
 }
 
 /// When two thirds of the root's size would do in every direction: levels that part nothing cost every query.
 template <Dim N, class T>
 bool CellTree<N, T>::root_is_too_large() const {
   if (!has_root() || changes_since_refit_ < size_ / 2) return false;
-  const Box& bounds = cells_[root].bounds;
+  const Box bounds = cells_.bounds(root);
   for (Dim i = 0; i < N; ++i) {
     const double extent = static_cast<double>(bounds.max[i]) - static_cast<double>(bounds.min[i]);
     if (!(3 * extent < 4 * places_[root].half)) return false;
@@ -341,7 +354,7 @@ template <Dim N, class T>
 void CellTree<N, T>::refit(double margin) {
   std::vector<Box> finite;
   for (const std::uint32_t position : positions_) {
-    if (position != no_index && is_valid(pool_[position].box)) finite.push_back(pool_[position].box);
+    if (position != no_index && is_valid(pool_.box(position))) finite.push_back(pool_.box(position));
   }
   changes_since_refit_ = 0;
   if (finite.empty()) return;
@@ -350,12 +363,10 @@ void CellTree<N, T>::refit(double margin) {
   if (has_root() && is_as_good(places_[root], place)) return;
   CellTree fresh(options_);
   fresh.positions_.resize(positions_.size(), no_index);
-  fresh.cells_.resize(root + 1);
-  fresh.places_.resize(root + 1);
-  fresh.places_[root] = place;
+  fresh.lay_root(place);
   for (const std::uint32_t position : positions_) {
     if (position == no_index) continue;
-    const Entry<N, T>& entry = pool_[position];
+    const Entry<N, T> entry{pool_.box(position), pool_.slot(position)};
     fresh.add(takes(place, entry.box) ? fresh.home_below(root, entry.box) : outside, entry);
   }
   fresh.size_ = size_;

@@ -6,20 +6,14 @@
 #include <span>
 #include <vector>
 
+#include <graze/broad/cell_group.hpp>
 #include <graze/broad/cell_place.hpp>
 #include <graze/broad/entry_pool.hpp>
+#include <graze/broad/prefetch.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 
 namespace graze::detail {
-
-/// What a query reads of a cell. The bounds contain all boxes in the cell and below it.
-template <Dim N, class T>
-struct Cell {
-  Aabb<N, T> bounds = Aabb<N, T>::nothing();
-  EntryList entries;
-  std::uint32_t first_child = no_index;  ///< The children lie side by side.
-};
 
 template <Dim N, class T>
 class CellFilling;
@@ -36,7 +30,7 @@ class CellTree {
  public:
   using Box = Aabb<N, T>;
 
-  static constexpr std::uint32_t children = 1U << static_cast<unsigned>(N);
+  static constexpr std::uint32_t children = cells_per_group<N>;
   static constexpr std::uint32_t outside = 0;  ///< The list of the boxes outside of the root, as a cell without bounds.
   static constexpr std::uint32_t root = 1;     ///< Exists when has_root(); one of root_count().
   static constexpr int depth_limit = 32;
@@ -55,11 +49,13 @@ class CellTree {
   void erase(std::uint32_t slot) noexcept;
   void clear() noexcept;
 
-  const Box& box(std::uint32_t slot) const { return pool_[positions_[slot]].box; }
+  const Box& box(std::uint32_t slot) const { return pool_.box(positions_[slot]); }
 
-  bool has_root() const { return cells_.size() > root; }
+  bool has_root() const { return has_root_; }
   std::uint32_t root_count() const { return has_root() ? 1 : 0; }
-  const Cell<N, T>& cell(std::uint32_t index) const { return cells_[index]; }
+  Cell<N, T> cell(std::uint32_t index) const { return cells_[index]; }
+  const CellGroup<N, T>* groups() const { return cells_.groups(); }
+  void prefetch_cell(std::uint32_t index) const { prefetch_whole(cells_.groups() + index / children); }
   const CellPlace<N>& place(std::uint32_t index) const { return places_[index]; }
   const EntryPool<N, T>& pool() const { return pool_; }
   const OrthtreeOptions& options() const { return options_; }
@@ -72,7 +68,8 @@ class CellTree {
  private:
   friend class CellFilling<N, T>;
 
-  bool is_leaf(std::uint32_t cell) const { return cells_[cell].first_child == no_index; }
+  void lay_root(const CellPlace<N>& place);
+  bool is_leaf(std::uint32_t cell) const { return !cells_.has_children(cell); }
   bool stays(std::uint32_t cell, const Box& box) const;
   std::uint32_t home_of(const Box& box);
   std::uint32_t home_below(std::uint32_t cell, const Box& box);
@@ -95,8 +92,9 @@ class CellTree {
   void refit(double margin);
 
   OrthtreeOptions options_;
-  std::vector<Cell<N, T>> cells_;        // outside, the root, then groups of children
-  std::vector<CellPlace<N>> places_;     // by cell
+  CellGroups<N, T> cells_;            // outside and the root, then groups of children
+  std::vector<CellPlace<N>> places_;  // by cell
+  bool has_root_ = false;
   std::uint32_t free_group_ = no_index;  // a chain by first_child of the group's first cell
   EntryPool<N, T> pool_;
   std::vector<std::uint32_t> positions_;  // in the pool, by slot

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <graze/broad/cell_kernels.hpp>
 #include <graze/broad/cell_query.hpp>
 #include <graze/broad/cell_tree.hpp>
 #include <graze/broad/entry_pool.hpp>
@@ -17,10 +18,39 @@
 
 namespace graze::detail {
 
+/// Cells that kernels look at.
+template <class Cells>
+concept HasGroups = requires(const Cells& cells) {
+  cells.groups();
+};
+
+/// Calls visit(slot) for every box that shares a point with `region` until it returns false; `region` may have a NaN,
+/// and then there is none.
+template <HasGroups Cells, Dim N, class T, class Visit>
+void visit_groups_in_box(const Cells& cells, const Aabb<N, T>& region, const Visit& visit) {
+  CellMetWalk<N, T> walk;
+  walk.start(region);
+  for (std::uint32_t k = 0; k < cells.root_count(); ++k) {
+    walk.add_entries(cells.cell(Cells::root + k).entries);
+    if (cells.cell(Cells::root + k).first_child != no_index)
+      walk.add_group(cells.cell(Cells::root + k).first_child / Cells::children);
+  }
+  walk.add_entries(cells.cell(Cells::outside).entries);
+  const auto find_met = cell_kernels<N, T>().find_met;
+  while (!walk.is_over()) {
+    walk.found_count = 0;
+    find_met(cells.groups(), cells.pool().pages(), walk);
+    for (std::size_t k = 0; k < walk.found_count; ++k) {
+      if (!visit(walk.found[k])) return;
+    }
+  }
+}
+
 /// Calls visit(slot) for every box that `probe` (a RegionProbe, or what counts as one) says is met, cell by cell, until
 /// it returns false.
 template <class Cells, class Probe, class Visit>
 void visit_cells_met(const Cells& cells, const Probe& probe, const Visit& visit) {
+  if constexpr (Probe::is_box && HasGroups<Cells>) return visit_groups_in_box(cells, probe.reach(0), visit);
   if constexpr (Probe::is_box) return visit_cells_in_box(cells, probe, visit);
   const auto meets = [&probe](const auto& box) { return probe.meets(box); };
   ShortList<std::uint32_t, cell_walk_room> open;

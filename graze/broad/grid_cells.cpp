@@ -58,7 +58,7 @@ void GridCells<N, T>::update(std::uint32_t slot, const Box& box) {
   const std::uint32_t from = pool_.owner(positions_[slot]);
   const bool stays = has_grid_place(box) ? is_at(from, place_of(box)) : from == outside;
   if (stays) {
-    pool_[positions_[slot]].box = box;
+    pool_.box(positions_[slot]) = box;
     grow_bounds(from, box);
   } else {
     pool_.prepare();
@@ -291,7 +291,7 @@ int GridCells<N, T>::better_base() const {
   int high = lowest_grid_level;
   for (const std::uint32_t position : positions_) {
     if (position == no_index || pool_.owner(position) == outside) continue;
-    const int own = own_grid_level(pool_[position].box);
+    const int own = own_grid_level(pool_.box(position));
     boxes.emplace_back(own, position);
     low = std::min(low, own);
     high = std::max(high, own);
@@ -304,7 +304,7 @@ int GridCells<N, T>::better_base() const {
     is_met.assign(16 * boxes.size(), false);  // so that few cells share a place
     for (const auto& [own, position] : boxes) {
       if (own > level) continue;
-      const std::uint64_t hash = GridTable<N>::hash_of(grid_place(pool_[position].box, level));
+      const std::uint64_t hash = GridTable<N>::hash_of(grid_place(pool_.box(position), level));
       const auto cell = static_cast<std::size_t>(hash * is_met.size() >> 32U);
       cells += is_met[cell] ? 0U : 1U;
       is_met[cell] = true;
@@ -331,7 +331,7 @@ void GridCells<N, T>::rebuild(int base) {
   fresh.positions_.resize(positions_.size(), no_index);
   for (const std::uint32_t position : positions_) {
     if (position == no_index) continue;
-    const Entry<N, T>& entry = pool_[position];
+    const Entry<N, T> entry{pool_.box(position), pool_.slot(position)};
     fresh.pool_.prepare();
     fresh.add(fresh.home_of(entry.box), entry);
   }

@@ -9,6 +9,7 @@
 #include <graze/broad/entry_pool.hpp>
 #include <graze/broad/grid_place.hpp>
 #include <graze/broad/grid_table.hpp>
+#include <graze/broad/prefetch.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 
@@ -50,10 +51,11 @@ class GridCells {
   void erase(std::uint32_t slot) noexcept;
   void clear() noexcept;
 
-  const Box& box(std::uint32_t slot) const { return pool_[positions_[slot]].box; }
+  const Box& box(std::uint32_t slot) const { return pool_.box(positions_[slot]); }
 
   std::uint32_t root_count() const { return cells_.size() > root ? children : 0; }
   const Cell<N, T>& cell(std::uint32_t index) const { return cells_[index]; }
+  void prefetch_cell(std::uint32_t index) const { prefetch_first<sizeof(Cell<N, T>)>(&cells_[index]); }
   GridPlace<N> place(std::uint32_t cell) const;
   const EntryPool<N, T>& pool() const { return pool_; }
   const GridOptions& options() const { return options_; }

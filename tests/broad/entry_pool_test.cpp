@@ -25,7 +25,7 @@ TEST(EntryPool, KeepsListsApart) {
   std::array<EntryList, 2> lists;
   for (std::uint32_t slot = 0; slot < 20; ++slot) {
     const std::uint32_t position = pool.add(lists[slot % 2], 70 + slot % 2, {{}, slot});
-    EXPECT_EQ(pool[position].slot, slot);
+    EXPECT_EQ(pool.slot(position), slot);
     EXPECT_EQ(pool.owner(position), 70 + slot % 2);
   }
   EXPECT_EQ(lists[1].count, 10U);
@@ -84,6 +84,29 @@ TEST(EntryPool, WritesWhatPassesBlockByBlock) {
   EXPECT_EQ(slots, (std::vector<std::uint32_t>{17, 19, 9, 11, 13, 15, 1, 3, 5, 7}));
 }
 
+/// For whoever looks at all places of a block.
+TEST(EntryPool, HasBoxesThatMeetNothingWhereThereIsNoEntry) {
+  Pool pool;
+  EntryList list;
+  const auto present = [&pool](std::uint32_t block) {
+    std::size_t count = 0;
+    for (const Aabb<2, float>& box : pool.pages()[block].boxes) {
+      if (boxes_overlap(box, Aabb<2, float>::everything())) ++count;
+    }
+    return count;
+  };
+  for (std::uint32_t slot = 0; slot < 12; ++slot) pool.add(list, 0, {{{1, 1}, {2, 2}}, slot});
+  EXPECT_EQ(present(list.head), 4U);
+  EXPECT_EQ(present(pool.pages()[list.head].next), 8U);
+  pool.remove(list, list.head * Pool::block_size + 1);
+  EXPECT_EQ(present(list.head), 3U);
+  const std::uint32_t head = list.head;
+  pool.release(list);
+  pool.add(list, 0, {{{1, 1}, {2, 2}}, 0});
+  EXPECT_NE(list.head, head);  // but the one that was full
+  EXPECT_EQ(present(list.head), 1U);
+}
+
 RC_GTEST_PROP(EntryPool, RemovalPutsTheLastInTheHoleAndSaysWhich, (const std::vector<std::uint8_t>& picks)) {
   Pool pool;
   EntryList list;
@@ -100,7 +123,7 @@ RC_GTEST_PROP(EntryPool, RemovalPutsTheLastInTheHoleAndSaysWhich, (const std::ve
     const std::uint32_t position = position_of[held[place]];
     position_of[pool.remove(list, position)] = position;
     held.erase(held.begin() + static_cast<std::ptrdiff_t>(place));
-    for (const std::uint32_t slot : held) RC_ASSERT(pool[position_of[slot]].slot == slot);
+    for (const std::uint32_t slot : held) RC_ASSERT(pool.slot(position_of[slot]) == slot);
     RC_ASSERT(slots_of(pool, list) == held);
   }
 }
