@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,54 +9,15 @@
 
 #include <graze/broad/box_cover.hpp>
 #include <graze/broad/buffer.hpp>
+#include <graze/broad/cell_code.hpp>
 #include <graze/broad/cell_fill.hpp>
+#include <graze/broad/cell_kernels.hpp>
 #include <graze/broad/cell_place.hpp>
 #include <graze/broad/cell_tree.hpp>
 #include <graze/broad/prefetch.hpp>
 
 namespace graze::detail {
 namespace {
-
-/// Spreads the lowest bits of a number, so that between two of them there is room for those of the other axes.
-template <Dim N>
-std::uint32_t spread_bits(std::uint32_t bits) {
-  if constexpr (N == 2) {
-    bits = (bits | bits << 8U) & 0x00FF'00FFU;
-    bits = (bits | bits << 4U) & 0x0F0F'0F0FU;
-    bits = (bits | bits << 2U) & 0x3333'3333U;
-    return (bits | bits << 1U) & 0x5555'5555U;
-  } else {
-    bits = (bits | bits << 16U) & 0x0300'00FFU;
-    bits = (bits | bits << 8U) & 0x0300'F00FU;
-    bits = (bits | bits << 4U) & 0x030C'30C3U;
-    return (bits | bits << 2U) & 0x0924'9249U;
-  }
-}
-
-/// The code of a point in a root: CodedBox says what it is.
-template <Dim N>
-class CellCode {
- public:
-  explicit CellCode(const CellPlace<N>& root)
-      : center_(root.center), half_cells_(std::ldexp(1.0, code_levels<N> - 1)), scale_(half_cells_ / root.half) {}
-
-  std::uint32_t operator()(const Vec<N, double>& point) const {
-    const double last = 2 * half_cells_ - 1;
-    std::uint32_t code = 0;
-    for (Dim i = 0; i < N; ++i) {
-      const double along = (point[i] - center_[i]) * scale_ + half_cells_;
-      const double within = along < last ? along : last;
-      const std::uint32_t cell = within > 0 ? static_cast<std::uint32_t>(within) : 0U;  // a point for a root gives NaN
-      code |= spread_bits<N>(cell) << static_cast<unsigned>(i);
-    }
-    return code;
-  }
-
- private:
-  Vec<N, double> center_;
-  double half_cells_;
-  double scale_;
-};
 
 /// Sorts by some digits of the code, those alike as they stand; by counting, the lower half of the digits first (Knuth,
 /// "The Art of Computer Programming", volume 3, section 5.2.5).
@@ -92,7 +52,7 @@ int levels_for(std::size_t count, std::size_t capacity) {
 /// All finite boxes, thinned out evenly when they are many.
 template <Dim N, class T>
 std::vector<Aabb<N, T>> sample_of(std::span<const Aabb<N, T>> boxes) {
-  constexpr std::size_t enough = 2048;
+  constexpr std::size_t enough = 512;
   std::vector<Aabb<N, T>> sample;
   const std::size_t step = std::max<std::size_t>(1, boxes.size() / enough);
   for (std::size_t k = 0; k < boxes.size(); k += step) {
@@ -106,10 +66,15 @@ template <Dim N, class T>
 CellPlace<N> place_of_root_for(std::span<const Aabb<N, T>> boxes, const OrthtreeOptions& options) {
   std::vector<Aabb<N, T>> sample = sample_of(boxes);
   if (sample.empty()) return {};
-  Aabb<N, T> all = Aabb<N, T>::nothing();
-  for (const Aabb<N, T>& box : boxes) grow_at_once(all, is_finite_box(box) ? box : sample[0]);
+  Aabb<N, T> all = cell_kernels<N, T>().bounds(boxes.data(), boxes.size());
+  if (is_nothing(all)) {
+    for (const Aabb<N, T>& box : boxes) grow_at_once(all, is_finite_box(box) ? box : sample[0]);
+  }
   return place_of_root(sample, all, boxes.size(), options);
 }
+
+/// Boxes of so many bytes are found as soon as they are asked for.
+constexpr std::size_t in_cache = std::size_t{1} << 18U;
 
 }  // namespace
 
@@ -123,8 +88,10 @@ void CellFilling<N, T>::run() {
     breaks |= slots_[k] ^ (slots_[0] + static_cast<std::uint32_t>(k));
   }
   slots_are_row_ = breaks == 0;
+  asked_until_ = boxes_.size() * sizeof(Box) > in_cache ? boxes_.size() : 0;
   tree_.positions_.resize(last + std::size_t{1}, no_index);
   tree_.pool_.reserve(boxes_.size() / 5 + 8);
+  tree_.reserve_groups(boxes_.size() / tree_.options_.capacity + 1);
   tree_.size_ = boxes_.size();
   if (boxes_.size() > tree_.options_.capacity) {
     lay_root();
@@ -143,10 +110,9 @@ void CellFilling<N, T>::lay_root() {
 
 template <Dim N, class T>
 void CellFilling<N, T>::code_boxes() {
-  const CellCode<N> code(tree_.places_[Tree::root]);
   sorted_.resize(boxes_.size());
   spare_.resize(boxes_.size());
-  for (std::uint32_t k = 0; k < boxes_.size(); ++k) sorted_[k] = {k, code(center_of(boxes_[k]))};
+  cell_kernels<N, T>().code(boxes_.data(), boxes_.size(), CodeScale<N, T>(tree_.places_[Tree::root]), sorted_.data());
 }
 
 /// Whether the boxes that are left for a cell stay there: because they are few, or because no cell below takes any.
@@ -220,9 +186,9 @@ Aabb<N, T> CellFilling<N, T>::fill_cell(std::uint32_t cell, Range range) {  // N
 
 /// Asks for what will be looked at after the box at a place of the row: it lies anywhere in memory.
 template <Dim N, class T>
-void CellFilling<N, T>::ask_ahead(std::size_t place) const {
+[[gnu::always_inline]] inline void CellFilling<N, T>::ask_ahead(std::size_t place) const {
   constexpr std::size_t ahead = 12;
-  if (place + 2 * ahead >= sorted_.size()) return;
+  if (place + 2 * ahead >= asked_until_) return;
   const std::uint32_t far = sorted_[place + 2 * ahead].index;
   prefetch_first<1>(&boxes_[far]);
   if (!slots_are_row_) prefetch_first<1>(&slots_[far]);
@@ -230,11 +196,12 @@ void CellFilling<N, T>::ask_ahead(std::size_t place) const {
 }
 
 /// Fills a leaf with boxes that its square contains when it is grown to twice its size, as it contains most. Codes
-/// tell centers, and may round. Returns whether it does; if not nothing is filled.
+/// tell centers, and may round. Returns the bounds of all; if they do not fit nothing is filled.
 template <Dim N, class T>
-bool CellFilling<N, T>::fill_at_once(std::uint32_t cell, const Range& range, Box& bounds) {
+Aabb<N, T> CellFilling<N, T>::fill_at_once(std::uint32_t cell, const Range& range) {
   EntryList list;
-  bounds = Box::nothing();
+  Box bounds = Box::nothing();
+  std::uint32_t* const positions = tree_.positions_.data();
   for (std::size_t first = range.first; first < range.last; first += tree_.pool_.block_size) {
     const std::size_t count = std::min<std::size_t>(range.last - first, tree_.pool_.block_size);
     const std::uint32_t position = tree_.pool_.add_block(list, cell, static_cast<std::uint32_t>(count));
@@ -242,28 +209,24 @@ bool CellFilling<N, T>::fill_at_once(std::uint32_t cell, const Range& range, Box
     for (std::uint32_t k = 0; k < count; ++k) {
       ask_ahead(first + k);
       const std::uint32_t index = sorted_[first + k].index;
-      const Box box = boxes_[index];
       const std::uint32_t slot = slot_of(index);
-      grow_at_once(bounds, box);
-      page.boxes[k] = box;
+      page.boxes[k] = boxes_[index];
       page.slots[k] = slot;
-      tree_.positions_[slot] = position + k;
+      positions[slot] = position + k;
     }
+    for (std::uint32_t k = 0; k < count; ++k) grow_at_once(bounds, page.boxes[k]);
   }
-  if (fits(tree_.places_[cell], bounds)) {
-    tree_.cells_.set_entries(cell, list);
-    return true;
-  }
-  tree_.pool_.release(list);
-  return false;
+  if (!fits(tree_.places_[cell], bounds)) tree_.pool_.release(list);
+  tree_.cells_.set_entries(cell, list);
+  return bounds;
 }
 
 template <Dim N, class T>
 Aabb<N, T> CellFilling<N, T>::fill_leaf(std::uint32_t cell, const Range& range) {
-  Box all;
-  if (range.count() <= tree_.options_.capacity && fill_at_once(cell, range, all)) {
+  if (range.count() <= tree_.options_.capacity) {
+    const Box all = fill_at_once(cell, range);
     tree_.cells_.set_bounds(cell, all);
-    return all;
+    if (tree_.cells_.count(cell) > 0) return all;
   }
   const CellPlace<N> place = tree_.places_[cell];
   const bool may_split = range.depth < tree_.options_.max_depth && tree_.can_split(place);

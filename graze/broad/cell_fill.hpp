@@ -8,26 +8,15 @@
 #include <vector>
 
 #include <graze/broad/buffer.hpp>
+#include <graze/broad/cell_code.hpp>
 #include <graze/broad/cell_tree.hpp>
 #include <graze/shape/aabb.hpp>
 
 namespace graze::detail {
 
-/// A box by its place among all, and the number of the cell of a fine grid that its center is in: `levels` below the
-/// root, numbered level by level as child_towards does, so that the boxes of every cell between stand in a row when
-/// they are sorted by it (Morton 1966).
-struct CodedBox {
-  std::uint32_t index;
-  std::uint32_t code;
-};
-
-/// How many levels below the root a code tells apart.
-template <Dim N>
-inline constexpr int code_levels = 32 / N;
-
-/// How a CellTree that holds none takes in many boxes at once: it sorts them by their codes, as far as there are cells,
-/// divides the row from the root down, and so comes by cells, entries and bounds in one walk along it. What does not
-/// fit where its code leads is added at the end, one by one.
+/// How a CellTree that holds none takes in many boxes at once: it sorts them by their codes, as far
+/// as there are cells, divides the row from the root down, and so comes by cells, entries and bounds in one walk along
+/// it. What does not fit where its code leads is added at the end, one by one.
 template <Dim N, class T>
 class CellFilling {
  public:
@@ -58,14 +47,15 @@ class CellFilling {
   Box fill_cell(std::uint32_t cell, Range range);
   void ask_ahead(std::size_t place) const;
   std::uint32_t slot_of(std::uint32_t index) const { return slots_are_row_ ? slots_[0] + index : slots_[index]; }
-  bool fill_at_once(std::uint32_t cell, const Range& range, Box& bounds);
+  Box fill_at_once(std::uint32_t cell, const Range& range);
   Box fill_leaf(std::uint32_t cell, const Range& range);
   void add_alone(std::uint32_t index);
 
   Tree& tree_;
   std::span<const Box> boxes_;
   std::span<const std::uint32_t> slots_;
-  bool slots_are_row_ = false;  // each is the next after the one before
+  bool slots_are_row_ = false;   // each is the next after the one before
+  std::size_t asked_until_ = 0;  // the place in the row up to which boxes are asked for ahead
   BlankVector<CodedBox> sorted_;
   BlankVector<CodedBox> spare_;           // for whoever sorts
   std::vector<std::uint32_t> left_over_;  // indices

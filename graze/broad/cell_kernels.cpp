@@ -14,6 +14,7 @@
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 
+#include <graze/broad/cell_codes-inl.hpp>
 #include <graze/broad/simd_compress-inl.hpp>
 #include <graze/broad/simd_lanes-inl.hpp>
 
@@ -221,7 +222,7 @@ void find_met(const CellGroup<N, T>* groups, const EntryPage<N, T>* pages, CellM
 
 template <Dim N, class T>
 CellKernels<N, T> kernels() {
-  return {hwy::TargetName(HWY_TARGET), find_met<N, T>};
+  return {hwy::TargetName(HWY_TARGET), find_met<N, T>, code_boxes<N, T>, bounds_of_finite<N, T>};
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The inner loop of an Orthtree, once for every set of vector instructions that the compiler knows. Which one runs is
-// chosen at run time, and makes no difference to any answer, nor to its order: nothing here is rounded.
+// The inner loops of an Orthtree, once for every set of vector instructions that the compiler knows. Which one runs is
+// chosen at run time, and makes no difference to any answer, nor to its order: nothing here rounds differently from
+// lane to lane.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
+#include <graze/broad/cell_code.hpp>
 #include <graze/broad/cell_group.hpp>
 #include <graze/broad/entry_pool.hpp>
 #include <graze/math/vec.hpp>
@@ -59,6 +61,12 @@ struct CellKernels {
 
   /// Goes on with a walk until it is over or there is no room for what another block may hold.
   void (*find_met)(const CellGroup<N, T>* groups, const EntryPage<N, T>* pages, CellMetWalk<N, T>& walk);
+
+  /// The codes of the centers of boxes, which code_of gives, and their places in the row.
+  void (*code)(const Aabb<N, T>* boxes, std::size_t count, const CodeScale<N, T>& scale, CodedBox* coded);
+
+  /// The box around all, if all are finite and contain something; nothing otherwise.
+  Aabb<N, T> (*bounds)(const Aabb<N, T>* boxes, std::size_t count);
 };
 
 /// The kernels of one instruction set.

@@ -18,7 +18,7 @@
 namespace graze::detail {
 
 template <Dim N, class T>
-CellTree<N, T>::CellTree(const OrthtreeOptions& options) : options_(options), places_(children) {
+CellTree<N, T>::CellTree(const OrthtreeOptions& options) : options_(options), places_(children, CellPlace<N>{}) {
   if (options.capacity < 1)
     throw std::invalid_argument("Orthtree: a capacity of 0 is too small; it must be at least 1");
   if (options.max_depth < 0 || options.max_depth > depth_limit) {
@@ -87,7 +87,7 @@ void CellTree<N, T>::erase(std::uint32_t slot) noexcept {
 template <Dim N, class T>
 void CellTree<N, T>::clear() noexcept {
   cells_.clear();
-  places_.resize(children);
+  places_.assign(children, {});
   has_root_ = false;
   free_group_ = no_index;
   pool_.clear();
@@ -216,6 +216,13 @@ Aabb<N, T> CellTree<N, T>::refresh(std::uint32_t cell) {  // NOLINT(misc-no-recu
 template <Dim N, class T>
 bool CellTree<N, T>::can_split(const CellPlace<N>& place) const {
   return place.half > 0 && cells_.size() < no_index - children;
+}
+
+/// So that adding them moves nothing.
+template <Dim N, class T>
+void CellTree<N, T>::reserve_groups(std::size_t count) {
+  cells_.reserve(count);
+  places_.reserve(count * children);
 }
 
 template <Dim N, class T>

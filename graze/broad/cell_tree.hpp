@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <graze/broad/buffer.hpp>
 #include <graze/broad/cell_group.hpp>
 #include <graze/broad/cell_place.hpp>
 #include <graze/broad/entry_pool.hpp>
@@ -69,6 +70,7 @@ class CellTree {
   friend class CellFilling<N, T>;
 
   void lay_root(const CellPlace<N>& place);
+  void reserve_groups(std::size_t count);
   bool is_leaf(std::uint32_t cell) const { return !cells_.has_children(cell); }
   bool stays(std::uint32_t cell, const Box& box) const;
   std::uint32_t home_of(const Box& box);
@@ -97,7 +99,7 @@ class CellTree {
   bool has_root_ = false;
   std::uint32_t free_group_ = no_index;  // a chain by first_child of the group's first cell
   EntryPool<N, T> pool_;
-  std::vector<std::uint32_t> positions_;  // in the pool, by slot
+  BlankVector<std::uint32_t> positions_;  // in the pool, by slot
   std::size_t size_ = 0;
   int deepest_level_ = 0;  // no cell is deeper; lowered by a refresh
   std::size_t changes_since_refresh_ = 0;

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 #include <graze/broad/buffer.hpp>
 #include <graze/broad/prefetch.hpp>
@@ -253,7 +252,7 @@ class EntryPool {
   }
 
   BlankVector<Page> pages_;            // block k holds the entries from 8 k on
-  std::vector<std::uint32_t> owners_;  // by block: whoever moves a box asks for nothing else of it
+  BlankVector<std::uint32_t> owners_;  // by block: whoever moves a box asks for nothing else of it
   std::uint32_t free_ = no_index;      // a chain, too
   std::size_t free_count_ = 0;
 };

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <graze/broad/box_cover.hpp>
+#include <graze/broad/cell_kernels.hpp>
 #include <graze/broad/cell_tree.hpp>
 #include <graze/broad/cell_walk.hpp>
 #include <graze/broad/index_pairs.hpp>
@@ -76,8 +76,8 @@ class Orthtree {
   /// one, and neighbours come to lie side by side in memory. Its cells may be others than one by one. Throws like
   /// insert, and then changes nothing.
   std::vector<Key> assign(std::span<const Box> boxes) {
-    for (const Box& box : boxes) {
-      if (!detail::is_finite_box(box)) detail::require_box(box);
+    if (is_nothing(detail::cell_kernels<N, T>().bounds(boxes.data(), boxes.size()))) {
+      for (const Box& box : boxes) detail::require_box(box);
     }
     detail::KeyTable keys = keys_;
     keys.release_all();

@@ -113,6 +113,17 @@ TEST(CellFill, FillsNoCellBeyondItsCapacityWhereBoxesAreSmall) {
   EXPECT_LE(fullest(solid), 8U);
 }
 
+/// More than are sorted at a time, so that the levels below are sorted by themselves.
+TEST(CellFill, SortsBelowWhatIsSortedAtATime) {
+  Boxes<2, float> boxes = spread_boxes<2>(20'000, 4.0F);
+  for (Aabb<2, float>& box : boxes) box.max = box.min + 0.001F;
+  boxes.push_back({Vec<2>(3000.0F), Vec<2>(3001.0F)});
+  CellTree<2, float> tree({8, 32});
+  tree.fill(boxes, shuffled_slots(boxes.size(), 1));
+  EXPECT_LE(fullest(tree), 8U);
+  for (const std::uint32_t slot : {3U, 4U, 20'003U}) tree.erase(slot);
+}
+
 /// Beside a few far away the others need more levels than a code tells apart.
 TEST(CellFill, PartsAClusterThatTheOthersMakeLookLikeAPoint) {
   Boxes<3, float> boxes = spread_boxes<3>(500, 100.0F);

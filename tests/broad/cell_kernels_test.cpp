@@ -190,6 +190,65 @@ TYPED_TEST(CellKernelsTest, FindsNothingWhereThereIsNothing) {
                      {{Point(nan), Point(nan)}, {Point(nan), Point(Number(5))}, {Point(Number(3)), Point(Number(4))}});
 }
 
+/// With counts that leave lanes over, and boxes whose centers are outside, infinite or no numbers.
+TYPED_TEST(CellKernelsTest, CodesAreThoseOfTheCenters) {
+  using Number = typename TestFixture::T;
+  constexpr Dim dimension = TestFixture::N;
+  CellPlace<dimension> root;
+  root.half = 40;
+  const CodeScale<dimension, Number> scale(root);
+  for (const auto& world : test::box_worlds<dimension, Number>(119, 12)) {
+    SCOPED_TRACE(world.name);
+    this->for_every_target([&] {
+      for (const std::size_t count : {std::size_t{0}, std::size_t{5}, std::size_t{16}, world.boxes.size()}) {
+        std::vector<CodedBox> coded(count);
+        cell_kernels<dimension, Number>().code(world.boxes.data(), count, scale, coded.data());
+        for (std::size_t k = 0; k < count; ++k) {
+          const auto& box = world.boxes[k];
+          EXPECT_EQ(coded[k].index, k);
+          EXPECT_EQ(coded[k].code, code_of(box.min * Number(0.5) + box.max * Number(0.5), scale));
+        }
+      }
+    });
+  }
+}
+
+TYPED_TEST(CellKernelsTest, BoundsAreThoseOfAllUnlessOneIsNotFinite) {
+  using Shape = typename TestFixture::Box;
+  using Number = typename TestFixture::T;
+  constexpr Dim dimension = TestFixture::N;
+  using Point = Vec<dimension, Number>;
+  std::vector<Shape> boxes;
+  for (const auto& world : test::box_worlds<dimension, Number>(50, 13)) {
+    for (const Shape& box : world.boxes) {
+      if (is_valid(box)) boxes.push_back(box);
+    }
+  }
+  const Number nan = std::numeric_limits<Number>::quiet_NaN();
+  const Number infinity = std::numeric_limits<Number>::infinity();
+  Shape unbounded = boxes[0];
+  unbounded.max[dimension - 1] = infinity;
+  Shape unknown = boxes[0];
+  unknown.min[0] = nan;
+  const std::vector<Shape> faulty{unbounded, unknown, {Point(nan), Point(nan)}, {Point(Number(2)), Point(Number(1))}};
+  this->for_every_target([&] {
+    const auto bounds = cell_kernels<dimension, Number>().bounds;
+    EXPECT_TRUE(is_nothing(bounds(boxes.data(), 0)));
+    for (const std::size_t count : {std::size_t{1}, std::size_t{21}, boxes.size()}) {
+      Shape expected = Shape::nothing();
+      for (std::size_t k = 0; k < count; ++k) expected.grow(boxes[k]);
+      EXPECT_EQ(bounds(boxes.data(), count), expected);
+      for (const std::size_t place : {std::size_t{0}, count / 2, count - 1}) {
+        for (const Shape& fault : faulty) {
+          std::vector<Shape> some(boxes.begin(), boxes.begin() + static_cast<std::ptrdiff_t>(count));
+          some[place] = fault;
+          EXPECT_TRUE(is_nothing(bounds(some.data(), count)));
+        }
+      }
+    }
+  });
+}
+
 /// A lattice of a hundred by a hundred.
 TEST(CellKernels, LookAtLittleBesideWhatTheyFind) {
   std::vector<Aabb<2, float>> boxes;
