@@ -14,9 +14,9 @@
 
 namespace graze::detail {
 
-/// How a CellTree that holds none takes in many boxes at once: it sorts them by their codes, as far
-/// as there are cells, divides the row from the root down, and so comes by cells, entries and bounds in one walk along
-/// it. What does not fit where its code leads is added at the end, one by one.
+/// How a CellTree that holds none takes in many boxes at once: it sorts them by their codes, as far as there are cells,
+/// divides the row from the root down, and so comes by cells, entries and bounds in one walk along it. What does not
+/// fit where its code leads is added at the end, one by one.
 template <Dim N, class T>
 class CellFilling {
  public:
