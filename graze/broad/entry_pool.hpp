@@ -189,7 +189,7 @@ class EntryPool {
   EntryBlock next_block(const EntryBlock& block) const { return {pages_[block.index].next, block_size}; }
 
   /// Writes the slots of those entries of a block whose boxes pass a test, without a branch on it, and returns how many
-  /// they are. There must be room for block_size slots.
+  /// they are. There must be room for block_size slots. The test is asked of NaN boxes, too, where no entry is.
   template <class Test>
   std::size_t write_where(const EntryBlock& block, const Test& test, std::uint32_t* slots) const {
     const Page& page = pages_[block.index];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -71,7 +72,7 @@ TEST(EntryPool, WritesWhatPassesBlockByBlock) {
   EntryList list;
   EXPECT_TRUE(pool.first_block(list).is_none());
   for (std::uint32_t slot = 0; slot < 20; ++slot) pool.add(list, 0, {{{float(slot), 0}, {float(slot), 0}}, slot});
-  const auto odd = [](const Aabb<2, float>& box) { return static_cast<int>(box.min.x) % 2 == 1; };
+  const auto odd = [](const Aabb<2, float>& box) { return std::fmod(box.min.x, 2.0F) == 1; };
   std::vector<std::uint32_t> filled;
   std::vector<std::uint32_t> slots;
   for (EntryBlock block = pool.first_block(list); !block.is_none(); block = pool.next_block(block)) {
