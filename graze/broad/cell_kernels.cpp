@@ -153,11 +153,20 @@ class GroupLimits {
   hn::Vec<D> high_[N];
 };
 
-/// Goes through groups until none is left or there is no room for more blocks. The first child that is met is next,
-/// taken straight from its group: on the stack, where the others wait, it would not be found so soon.
+/// Asks for a block and the one before it, which is mostly the next of its list: those of a leaf that was filled at
+/// once lie in a row, the last one first in the list. So whoever looks need not wait for one after the other.
 template <Dim N, class T>
-HWY_INLINE void look_at_groups(const CellGroup<N, T>* groups, const GroupLimits<N, T>& limits,
-                               CellMetWalk<N, T>& walk) {
+HWY_INLINE void prefetch_list(const EntryPage<N, T>* pages, std::uint32_t head) {
+  prefetch_whole(pages + head);
+  prefetch_whole(pages + (head - (head > 0 ? 1 : 0)));
+}
+
+/// Goes through groups until none is left or there is no room for more blocks. The first child that is met is next,
+/// taken straight from its group: on the stack, where the others wait, it would not be found so soon. What will be
+/// looked at is asked for as soon as it is known, blocks too, for the way down to the last cells waits for memory.
+template <Dim N, class T>
+HWY_INLINE void look_at_groups(const CellGroup<N, T>* groups, const EntryPage<N, T>* pages,
+                               const GroupLimits<N, T>& limits, CellMetWalk<N, T>& walk) {
   std::uint32_t* const stack = walk.open + 1;
   std::uint32_t next = walk.next;
   std::size_t open = walk.open_count;
@@ -171,9 +180,12 @@ HWY_INLINE void look_at_groups(const CellGroup<N, T>* groups, const GroupLimits<
     const std::uint32_t first = group.below[std::countr_zero(opened | 1U << (cells_per_group<N> - 1U))];
     next = opened != 0 ? first : waits;
     open -= opened == 0 && open > 0 ? 1 : 0;
-    open += write_those(opened & (opened - 1), group.below, stack + open);
-    blocks += write_those(met & other_than(no_index, group.heads), group.heads, walk.blocks + blocks);
-    prefetch_whole(groups + walk.open[open]);
+    const std::size_t waiting = write_those(opened & (opened - 1), group.below, stack + open);
+    for (std::size_t k = 0; k < waiting; ++k) prefetch_whole(groups + stack[open + k]);
+    open += waiting;
+    const std::size_t added = write_those(met & other_than(no_index, group.heads), group.heads, walk.blocks + blocks);
+    for (std::size_t k = 0; k < added; ++k) prefetch_list(pages, walk.blocks[blocks + k]);
+    blocks += added;
   }
   walk.groups_seen += seen;
   walk.next = next;
@@ -186,12 +198,9 @@ HWY_INLINE void look_at_groups(const CellGroup<N, T>* groups, const GroupLimits<
 template <Dim N, class T>
 HWY_INLINE void look_at_blocks(const EntryPage<N, T>* pages, const RowLimits<N, T>& limits, CellMetWalk<N, T>& walk) {
   using Walk = CellMetWalk<N, T>;
-  constexpr std::size_t ahead = 4;
   std::uint32_t* const blocks = walk.blocks;
   std::size_t end = walk.block_count;
   std::size_t found = walk.found_count;
-  if (end == 0) return;
-  for (std::size_t k = 0; k < ahead; ++k) prefetch_whole(pages + blocks[std::min(k, end - 1)]);
   std::size_t next = 0;
   for (; next < end && found <= Walk::most_found; ++walk.blocks_seen) {
     const EntryPage<N, T>& page = pages[blocks[next++]];
@@ -202,8 +211,8 @@ HWY_INLINE void look_at_blocks(const EntryPage<N, T>* pages, const RowLimits<N, 
     }
     blocks[end] = page.next;
     end += page.next == no_index ? 0 : 1;
+    prefetch_list(pages, page.next == no_index ? 0 : page.next);
     found += write_those(limits.met(page.boxes), page.slots, walk.found + found);
-    if (next + ahead <= end) prefetch_whole(pages + blocks[next + ahead - 1]);
   }
   std::copy(blocks + next, blocks + end, blocks);
   walk.block_count = end - next;
@@ -215,7 +224,7 @@ void find_met(const CellGroup<N, T>* groups, const EntryPage<N, T>* pages, CellM
   const GroupLimits<N, T> group_limits(walk.region);
   const RowLimits<N, T> limits(walk.region);
   do {
-    look_at_groups(groups, group_limits, walk);
+    look_at_groups(groups, pages, group_limits, walk);
     look_at_blocks(pages, limits, walk);
   } while (!walk.is_over() && walk.found_count <= CellMetWalk<N, T>::most_found);
 }
