@@ -64,17 +64,17 @@ HWY_INLINE Lanes<To> distances_from(const Vec<N, T>& point, const BvhNode<N, T>&
 /// The children of an inner node by their ranks: squared distances in T, at most the largest number, infinite where
 /// there is no child. The lowest bits of a rank say which lane it is in, so that the least one tells where the nearest
 /// child is.
-template <class T>
+template <Dim N, class T>
 struct NearChildren {
   alignas(64) T ranks[block_size];
-  const std::uint32_t* entries;
+  const BvhNode<N, T>* node;
 
-  BvhLink link(std::uint32_t lane) const { return BvhLink::of_code(entries[lane]); }
+  BvhLink link(std::uint32_t lane) const { return BvhLink::of_code(node->entries[lane]); }
 };
 
 /// Gives the least ranks, lane by lane.
 template <Dim N, class T>
-HWY_INLINE Lanes<T> rank_children(const Vec<N, T>& point, const BvhNode<N, T>& node, NearChildren<T>& children) {
+HWY_INLINE Lanes<T> rank_children(const Vec<N, T>& point, const BvhNode<N, T>& node, NearChildren<N, T>& children) {
   using Bits = BitsOf<T>;
   const Tag<T> d;
   const hn::Rebind<Bits, Tag<T>> bits;
@@ -89,7 +89,7 @@ HWY_INLINE Lanes<T> rank_children(const Vec<N, T>& point, const BvhNode<N, T>& n
     hn::Store(ranks, d, children.ranks + lane);
     least = hn::Min(least, ranks);
   }
-  children.entries = node.entries;
+  children.node = &node;
   return least;
 }
 
@@ -100,8 +100,8 @@ HWY_INLINE std::uint32_t lane_of_least(Lanes<T> ranks) {
 }
 
 /// Which children have a rank up to a limit; a bit each.
-template <class T>
-HWY_INLINE std::uint32_t ranked_within(const NearChildren<T>& children, T limit) {
+template <Dim N, class T>
+HWY_INLINE std::uint32_t ranked_within(const NearChildren<N, T>& children, T limit) {
   const Tag<T> d;
   std::uint32_t within = 0;
   for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
@@ -300,7 +300,7 @@ class NearWalk {
 
   /// Returns how many nodes it looked at.
   HWY_INLINE std::size_t walk(BvhLink root) {
-    NearChildren<T> path[bvh_height_limit];
+    NearChildren<N, T> path[bvh_height_limit];
     std::uint32_t lanes[bvh_height_limit];
     std::size_t depth = 0;
     BvhLink link = root;
@@ -309,7 +309,7 @@ class NearWalk {
       link = path[depth].link(lanes[depth]);
     }
     looks_ = depth;
-    if (depth > 0) ask_for_next(path[depth - 1], lanes[depth - 1]);  // while the first is on its way
+    if (depth > 0) ask_for_near(path[depth - 1], lanes[depth - 1]);  // while it is on its way
     look_at_boxes(link);
     while (depth-- > 0) {
       const std::uint32_t others = ranked_within(path[depth], limit_) & ~(1U << lanes[depth]);
@@ -317,7 +317,7 @@ class NearWalk {
       while (open_count_ > 0) {
         const Waiting next = open_[--open_count_];
         if (next.rank > limit_) continue;
-        NearChildren<T> children;
+        NearChildren<N, T> children;
         rank_children(point_, nodes_[BvhLink::of_code(next.code).index()], children);
         ++looks_;
         look_at(children, ranked_within(children, limit_));
@@ -336,22 +336,20 @@ class NearWalk {
     limit_ = rank_of<T>(keep_.reach());
   }
 
-  /// Asks for the child that seems nearest but for one, which often has to be looked at after the first.
-  HWY_INLINE void ask_for_next(const NearChildren<T>& children, std::uint32_t nearest) const {
-    const Tag<T> d;
-    const auto infinity = hn::Set(d, std::numeric_limits<T>::infinity());
-    const auto first = hn::Set(d, children.ranks[nearest]);
-    auto least = infinity;
-    for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
-      const auto ranks = hn::Load(d, children.ranks + lane);
-      least = hn::Min(least, hn::IfThenElse(hn::Gt(ranks, first), ranks, infinity));
+  /// Asks for the other children that may have to be looked at after the nearest one: those hardly farther away than
+  /// it, by a quarter of its own width, in which a box is mostly found.
+  HWY_INLINE void ask_for_near(const NearChildren<N, T>& children, std::uint32_t nearest) const {
+    const Block<N, T>& boxes = children.node->boxes;
+    const T quarter = (boxes.max[0][nearest] - boxes.min[0][nearest]) * T(0.25);
+    const T limit = std::min(children.ranks[nearest] + quarter * quarter, std::numeric_limits<T>::max());
+    std::uint32_t others = ranked_within(children, limit) & ~(1U << nearest);
+    for (; others != 0; others &= others - 1) {
+      prefetch_whole(nodes_ + children.link(static_cast<std::uint32_t>(std::countr_zero(others))).index());
     }
-    const std::uint32_t next = lane_of_least<T>(least);
-    if (children.ranks[next] <= std::numeric_limits<T>::max()) prefetch_whole(nodes_ + children.link(next).index());
   }
 
   /// At boxes of children that are leaf nodes now, at what is in others later.
-  HWY_INLINE void look_at(const NearChildren<T>& children, std::uint32_t lanes) {
+  HWY_INLINE void look_at(const NearChildren<N, T>& children, std::uint32_t lanes) {
     if (lanes == 0) return;
     std::uint32_t order[block_size];
     std::uint32_t count = 0;
@@ -373,7 +371,7 @@ class NearWalk {
       return;
     }
     for (std::uint32_t k = 0; k < count; ++k) {
-      open_[open_count_++] = {children.ranks[order[k]], children.entries[order[k]]};
+      open_[open_count_++] = {children.ranks[order[k]], children.node->entries[order[k]]};
     }
   }
 

@@ -26,6 +26,8 @@ struct CellMetWalk {
   static constexpr std::size_t slack = 16;        // for a vector that is written whole
   Aabb<N, T> region;
   std::uint32_t next;  // the group that is looked at first; 0 when there is none
+  bool has_path;       // whether it is the group below the root, from which the way to the region's center is known
+  std::uint32_t path;  // by the code of the center
   std::size_t open_count;
   std::size_t block_count;
   std::size_t found_count;
@@ -39,6 +41,7 @@ struct CellMetWalk {
   void start(const Aabb<N, T>& asked) {
     region = asked;
     next = open[0] = 0;
+    has_path = false;
     open_count = block_count = found_count = groups_seen = blocks_seen = 0;
   }
 
@@ -49,6 +52,13 @@ struct CellMetWalk {
   void add_group(std::uint32_t group) {
     if (next != 0) open[++open_count] = next;
     next = group;
+  }
+
+  /// Goes down to where the region's center is first, of which this is the code, and then aside. Once the group below
+  /// the root has been added, and none after it.
+  void follow(std::uint32_t code) {
+    has_path = true;
+    path = code;
   }
 
   bool is_over() const { return next == 0 && block_count == 0; }

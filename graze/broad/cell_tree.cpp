@@ -300,6 +300,7 @@ void CellTree<N, T>::merge_upwards(std::uint32_t cell) noexcept {
 template <Dim N, class T>
 void CellTree<N, T>::lay_root(const CellPlace<N>& place) {
   places_[root] = place;
+  code_scale_ = CodeScale<N, T>(place);
   has_root_ = true;
 }
 
@@ -323,6 +324,7 @@ void CellTree<N, T>::double_root(const Vec<N, double>& target) {
   const CellPlace<N> old_place = places_[root];
   const CellPlace<N> new_place = doubled_place(old_place, target);
   places_[root] = new_place;
+  code_scale_ = CodeScale<N, T>(new_place);
   const std::uint32_t first = new_group(root);
   const std::uint32_t child = first + child_towards(new_place, old_place.center);
   places_[child] = old_place;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <graze/broad/buffer.hpp>
+#include <graze/broad/cell_code.hpp>
 #include <graze/broad/cell_group.hpp>
 #include <graze/broad/cell_place.hpp>
 #include <graze/broad/entry_pool.hpp>
@@ -60,6 +61,8 @@ class CellTree {
   const CellPlace<N>& place(std::uint32_t index) const { return places_[index]; }
   const EntryPool<N, T>& pool() const { return pool_; }
   const OrthtreeOptions& options() const { return options_; }
+  /// By which the way down to a point is known, as its code.
+  const CodeScale<N, T>& code_scale() const { return code_scale_; }
 
   int depth(std::uint32_t cell) const { return places_[cell].level - places_[root].level; }
 
@@ -94,8 +97,9 @@ class CellTree {
   void refit(double margin);
 
   OrthtreeOptions options_;
-  CellGroups<N, T> cells_;            // outside and the root, then groups of children
-  std::vector<CellPlace<N>> places_;  // by cell
+  CellGroups<N, T> cells_;                      // outside and the root, then groups of children
+  std::vector<CellPlace<N>> places_;            // by cell
+  CodeScale<N, T> code_scale_{CellPlace<N>{}};  // of the root
   bool has_root_ = false;
   std::uint32_t free_group_ = no_index;  // a chain by first_child of the group's first cell
   EntryPool<N, T> pool_;

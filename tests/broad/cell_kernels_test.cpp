@@ -7,12 +7,14 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include <graze/broad/cell_code.hpp>
 #include <graze/broad/cell_kernels.hpp>
 #include <graze/broad/cell_tree.hpp>
 #include <graze/broad/cell_walk.hpp>
@@ -258,14 +260,20 @@ TEST(CellKernels, LookAtLittleBesideWhatTheyFind) {
   }
   CellTree<2, float> tree({});
   tree.fill(boxes, first_slots(boxes.size()));
-  CellMetWalk<2, float> walk;
-  walk.start({{40, 40}, {44, 44}});
-  walk.add_group(tree.cell(CellTree<2, float>::root).first_child / 4);
-  cell_kernels<2, float>().find_met(tree.groups(), tree.pool().pages(), walk);
-  EXPECT_TRUE(walk.is_over());
-  EXPECT_EQ(walk.found_count, 25U);
-  EXPECT_LT(walk.groups_seen, 20U);
-  EXPECT_LT(walk.blocks_seen, 25U);
+  // Down to the center first, or to where there is nothing to find, or from group to group: that changes the order
+  // only.
+  const std::uint32_t center = code_of(Vec<2>(42.0F), tree.code_scale());
+  for (const std::optional<std::uint32_t> path : {std::optional(center), std::optional(0U), std::optional(~0U), {}}) {
+    CellMetWalk<2, float> walk;
+    walk.start({{40, 40}, {44, 44}});
+    walk.add_group(tree.cell(CellTree<2, float>::root).first_child / 4);
+    if (path) walk.follow(*path);
+    cell_kernels<2, float>().find_met(tree.groups(), tree.pool().pages(), walk);
+    EXPECT_TRUE(walk.is_over());
+    EXPECT_EQ(walk.found_count, 25U);
+    EXPECT_LT(walk.groups_seen, 20U);
+    EXPECT_LT(walk.blocks_seen, 25U);
+  }
 }
 
 }  // namespace
