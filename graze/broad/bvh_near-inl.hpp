@@ -309,7 +309,8 @@ class NearWalk {
       link = path[depth].link(lanes[depth]);
     }
     looks_ = depth;
-    if (depth > 0) ask_for_near(path[depth - 1], lanes[depth - 1]);  // while it is on its way
+    prefetch_whole(nodes_ + link.index());
+    if (depth > 0) ask_for_near(path[depth - 1], lanes[depth - 1]);  // while that one is on its way
     look_at_boxes(link);
     while (depth-- > 0) {
       const std::uint32_t others = ranked_within(path[depth], limit_) & ~(1U << lanes[depth]);

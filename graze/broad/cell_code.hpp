@@ -7,6 +7,7 @@
 
 #include <graze/broad/cell_place.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/shape/aabb.hpp>
 
 namespace graze::detail {
 
@@ -57,17 +58,52 @@ struct CodeScale {
   T last;
 };
 
+/// Cuts off what is beyond the fine cells; 0 for NaN, which a point that is not finite may give.
+template <Dim N, class T>
+std::uint32_t fine_cell(T along, const CodeScale<N, T>& scale) {
+  const T positive = along > T(0) ? along : T(0);
+  return static_cast<std::uint32_t>(positive < scale.last ? positive : scale.last);
+}
+
 /// The code of a point.
 template <Dim N, class T>
 std::uint32_t code_of(const Vec<N, T>& point, const CodeScale<N, T>& scale) {
   std::uint32_t code = 0;
   for (Dim i = 0; i < N; ++i) {
     const T along = (point[i] - scale.center[i]) * scale.cells_per_unit + scale.middle;
-    const T positive = along > T(0) ? along : T(0);  // a point that is not finite may give NaN
-    const auto cell = static_cast<std::uint32_t>(positive < scale.last ? positive : scale.last);
-    code |= spread_bits<N>(cell) << static_cast<unsigned>(i);
+    code |= spread_bits<N>(fine_cell(along, scale)) << static_cast<unsigned>(i);
   }
   return code;
 }
+
+/// The way from the root down to the fine cell around a point, by its numbers along the axes: of which the highest bits
+/// say which child of the root it is in, the next ones which child of that, and so on.
+template <Dim N>
+class CellWay {
+ public:
+  /// To the middle of a box, give or take some rounding.
+  template <class T>
+  static CellWay to_middle(const Aabb<N, T>& box, const CodeScale<N, T>& scale) {
+    CellWay way;
+    for (Dim i = 0; i < N; ++i) {  // in as few steps as can be, one after the other: all else waits for them
+      const T twice = (box.min[i] - scale.center[i]) + (box.max[i] - scale.center[i]);
+      way.numbers_[i] = fine_cell(twice * (scale.cells_per_unit * T(0.5)) + scale.middle, scale);
+    }
+    return way;
+  }
+
+  /// The number of the next child on the way; 0 below the fine cell.
+  std::uint32_t next() {
+    std::uint32_t child = 0;
+    for (Dim i = 0; i < N; ++i) {
+      child |= (numbers_[i] >> (code_levels<N> - 1) & 1U) << static_cast<unsigned>(i);
+      numbers_[i] <<= 1U;
+    }
+    return child;
+  }
+
+ private:
+  std::uint32_t numbers_[N];
+};
 
 }  // namespace graze::detail

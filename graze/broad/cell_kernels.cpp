@@ -89,10 +89,14 @@ class RowLimits {
 };
 
 template <class D, class Mask>
-HWY_INLINE std::uint32_t bits_in(D d, const Mask& mask) {
+HWY_INLINE std::uint32_t bits_in([[maybe_unused]] D d, const Mask& mask) {
+#if HWY_TARGET <= HWY_AVX3
+  return mask.raw;  // a bit for each lane as it is, and zeros beyond them
+#else
   std::uint64_t bits = 0;
   hn::StoreMaskBits(d, mask, reinterpret_cast<std::uint8_t*>(&bits));
   return static_cast<std::uint32_t>(bits) & ((1U << hn::MaxLanes(D())) - 1U);
+#endif
 }
 
 /// Vectors of what each of `count` cells or entries has, or of as many as the machine has lanes.
@@ -117,7 +121,7 @@ HWY_INLINE std::size_t write_those(std::uint32_t chosen, const std::uint32_t (&v
   constexpr std::uint32_t lanes = hn::MaxLanes(Numbers<count>());
   std::size_t written = 0;
   for (std::uint32_t lane = 0; lane < count; lane += lanes) {
-    const std::uint32_t bits = chosen >> lane & ((1U << lanes) - 1U);
+    const std::uint32_t bits = lanes == count ? chosen : chosen >> lane & ((1U << lanes) - 1U);
     hn::StoreU(ToFront<Numbers<count>>(bits)(hn::Load(d, values + lane)), d, to + written);
     written += static_cast<std::size_t>(std::popcount(bits));
   }
@@ -200,20 +204,17 @@ HWY_INLINE void look_at_groups(const CellGroup<N, T>* groups, const EntryPage<N,
 /// Goes down to the cell around the region's center as far as cells are met on the way. Which they are is known from
 /// the code of the center, so that no group waits for what was found in the one above it.
 template <Dim N, class T>
-HWY_INLINE void look_along_path(const CellGroup<N, T>* groups, const EntryPage<N, T>* pages,
-                                const GroupLimits<N, T>& limits, CellMetWalk<N, T>& walk) {
-  constexpr auto bits = static_cast<unsigned>(N);  // of the code, for a level
-  static_assert(code_levels<N> * cells_per_group<N> + 2 <= CellMetWalk<N, T>::most_blocks);
+HWY_INLINE void look_along_way(const CellGroup<N, T>* groups, const EntryPage<N, T>* pages,
+                               const GroupLimits<N, T>& limits, CellMetWalk<N, T>& walk) {
   std::uint32_t* const stack = walk.open + 1;
   std::uint32_t next = walk.next;
   std::size_t open = walk.open_count;
   std::size_t blocks = walk.block_count;
-  std::uint32_t path = walk.path << (32U - bits * code_levels<N>);
+  CellWay<N> way = walk.way;
   std::size_t seen = 0;
-  while (next != 0 && seen < code_levels<N>) {
+  while (next != 0) {
     const CellGroup<N, T>& group = groups[next];
-    const std::uint32_t child = path >> (32U - bits);
-    path <<= bits;
+    const std::uint32_t child = way.next();
     ++seen;
     next = group.below[child];
     const std::uint32_t met = limits.met(group);
@@ -222,10 +223,11 @@ HWY_INLINE void look_along_path(const CellGroup<N, T>* groups, const EntryPage<N
     prefetch_whole(groups + stack[open]);
     open += waiting;
     blocks += write_those(met & other_than(no_index, group.heads), group.heads, walk.blocks + blocks);
-    if ((met >> child & 1U) == 0) [[unlikely]] {  // a branch: to choose would be to wait
+    if ((met >> child & 1U) == 0) {  // a branch: to choose would be to wait
       next = 0;
       break;
     }
+    if (blocks > CellMetWalk<N, T>::most_blocks) break;
   }
   for (std::size_t k = 0; k < blocks; ++k) prefetch_list(pages, walk.blocks[k]);
   if (next == 0 && open > 0) next = stack[--open];
@@ -244,7 +246,8 @@ HWY_INLINE void look_at_blocks(const EntryPage<N, T>* pages, const RowLimits<N, 
   std::size_t end = walk.block_count;
   std::size_t found = walk.found_count;
   std::size_t next = 0;
-  for (; next < end && found <= Walk::most_found; ++walk.blocks_seen) {
+  std::size_t seen = 0;
+  for (; next < end && found <= Walk::most_found; ++seen) {
     const EntryPage<N, T>& page = pages[blocks[next++]];
     if (end == std::size(walk.blocks)) {
       std::copy(blocks + next, blocks + end, blocks);
@@ -252,11 +255,13 @@ HWY_INLINE void look_at_blocks(const EntryPage<N, T>* pages, const RowLimits<N, 
       next = 0;
     }
     blocks[end] = page.next;
-    end += page.next == no_index ? 0 : 1;
-    prefetch_list(pages, page.next == no_index ? 0 : page.next);
+    const std::uint32_t goes_on = page.next == no_index ? 0 : 1;
+    end += goes_on;
+    prefetch_whole(pages + ((std::max(page.next, 1U) - 1U) & (0U - goes_on)));  // what comes after the next
     found += write_those(limits.met(page.boxes), page.slots, walk.found + found);
   }
   std::copy(blocks + next, blocks + end, blocks);
+  walk.blocks_seen += seen;
   walk.block_count = end - next;
   walk.found_count = found;
 }
@@ -265,8 +270,8 @@ template <Dim N, class T>
 void find_met(const CellGroup<N, T>* groups, const EntryPage<N, T>* pages, CellMetWalk<N, T>& walk) {
   const GroupLimits<N, T> group_limits(walk.region);
   const RowLimits<N, T> limits(walk.region);
-  if (walk.has_path) look_along_path(groups, pages, group_limits, walk);
-  walk.has_path = false;
+  if (walk.has_way) look_along_way(groups, pages, group_limits, walk);
+  walk.has_way = false;
   do {
     look_at_groups(groups, pages, group_limits, walk);
     look_at_blocks(pages, limits, walk);

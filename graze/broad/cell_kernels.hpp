@@ -26,8 +26,8 @@ struct CellMetWalk {
   static constexpr std::size_t slack = 16;        // for a vector that is written whole
   Aabb<N, T> region;
   std::uint32_t next;  // the group that is looked at first; 0 when there is none
-  bool has_path;       // whether it is the group below the root, from which the way to the region's center is known
-  std::uint32_t path;  // by the code of the center
+  bool has_way;        // whether that one is below the root, from where the way to the region's middle is known
+  CellWay<N> way;
   std::size_t open_count;
   std::size_t block_count;
   std::size_t found_count;
@@ -41,7 +41,7 @@ struct CellMetWalk {
   void start(const Aabb<N, T>& asked) {
     region = asked;
     next = open[0] = 0;
-    has_path = false;
+    has_way = false;
     open_count = block_count = found_count = groups_seen = blocks_seen = 0;
   }
 
@@ -54,11 +54,11 @@ struct CellMetWalk {
     next = group;
   }
 
-  /// Goes down to where the region's center is first, of which this is the code, and then aside. Once the group below
-  /// the root has been added, and none after it.
-  void follow(std::uint32_t code) {
-    has_path = true;
-    path = code;
+  /// Goes down to where the middle of the region is first, and then aside. Once the group below the root has been
+  /// added, and none after it.
+  void follow(const CellWay<N>& from_root) {
+    has_way = true;
+    way = from_root;
   }
 
   bool is_over() const { return next == 0 && block_count == 0; }

@@ -36,7 +36,7 @@ void visit_groups_in_box(const Cells& cells, const Aabb<N, T>& region, const Vis
       walk.add_group(cells.cell(Cells::root + k).first_child / Cells::children);
   }
   walk.add_entries(cells.cell(Cells::outside).entries);
-  walk.follow(code_of(region.min * T(0.5) + region.max * T(0.5), cells.code_scale()));
+  walk.follow(CellWay<N>::to_middle(region, cells.code_scale()));
   const auto find_met = cell_kernels<N, T>().find_met;
   while (!walk.is_over()) {
     walk.found_count = 0;

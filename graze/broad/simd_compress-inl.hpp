@@ -73,10 +73,7 @@ inline constexpr auto word_orders = make_word_orders<lanes>();
 template <class D>
 class ToFront {
  public:
-  HWY_INLINE explicit ToFront(std::uint32_t chosen) {
-    const std::uint64_t bits = chosen;
-    mask_ = hn::LoadMaskBits(D(), reinterpret_cast<const std::uint8_t*>(&bits));
-  }
+  HWY_INLINE explicit ToFront(std::uint32_t chosen) : mask_{static_cast<decltype(hn::Mask<D>::raw)>(chosen)} {}
 
   HWY_INLINE hn::Vec<D> operator()(hn::Vec<D> lanes) const {
     if constexpr (sizeof(hn::TFromD<D>) == 8) {

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include <graze/broad/cell_kernels.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/scene/scene.hpp>
 
@@ -43,6 +44,17 @@ bool is_faulty(const Aabb<N, T>& box) {
     is_faulty |= box.min[i] <= box.max[i] ? 0U : 1U;
   }
   return is_faulty != 0 || sum != T(0);
+}
+
+/// Whether a look at all of them together shows that none is faulty. Boxes alone have such a look.
+template <class S>
+bool are_surely_sound(std::span<const S> /*shapes*/) {
+  return false;
+}
+
+template <Dim N, class T>
+bool are_surely_sound(std::span<const Aabb<N, T>> boxes) {
+  return !is_nothing(detail::cell_kernels<N, T>().bounds(boxes.data(), boxes.size()));
 }
 
 }  // namespace
@@ -112,6 +124,13 @@ void Scene<N, T>::prepare_move(ObjectId id, const S& shape) {
   objects_.change(id.index);
 }
 
+/// The same for a shape that is known to be sound.
+template <Dim N, class T>
+void Scene<N, T>::prepare_move(ObjectId id) {
+  if (!this->contains(id)) this->object(id);
+  objects_.change(id.index);
+}
+
 template <Dim N, class T>
 template <class S>
 void Scene<N, T>::put(std::uint32_t slot, const S& shape) noexcept {
@@ -161,7 +180,11 @@ void Scene<N, T>::move(std::span<const ObjectId> ids, std::span<const S> shapes)
     throw std::invalid_argument("Scene: " + std::to_string(shapes.size()) + " shapes for " +
                                 std::to_string(ids.size()) + " objects to be moved; each needs one");
   }
-  for (std::size_t i = 0; i < ids.size(); ++i) prepare_move(ids[i], shapes[i]);
+  if (are_surely_sound(shapes)) {
+    for (const ObjectId& id : ids) prepare_move(id);
+  } else {
+    for (std::size_t i = 0; i < ids.size(); ++i) prepare_move(ids[i], shapes[i]);
+  }
   for (std::size_t i = 0; i < ids.size(); ++i) {
     prefetch_move(ids[std::min(i + moves_ahead, ids.size() - 1)].index);
     put(ids[i].index, shapes[i]);

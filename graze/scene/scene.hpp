@@ -100,6 +100,7 @@ class Scene : public SceneView<N, T> {
 
   template <class S>
   void prepare_move(ObjectId id, const S& shape);
+  void prepare_move(ObjectId id);
 
   /// Asks for what a move will write.
   void prefetch_move(std::uint32_t slot) const {

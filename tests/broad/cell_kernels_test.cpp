@@ -262,12 +262,14 @@ TEST(CellKernels, LookAtLittleBesideWhatTheyFind) {
   tree.fill(boxes, first_slots(boxes.size()));
   // Down to the center first, or to where there is nothing to find, or from group to group: that changes the order
   // only.
-  const std::uint32_t center = code_of(Vec<2>(42.0F), tree.code_scale());
-  for (const std::optional<std::uint32_t> path : {std::optional(center), std::optional(0U), std::optional(~0U), {}}) {
+  const auto way_to = [&tree](float x, float y) {
+    return CellWay<2>::to_middle(Aabb<2, float>{{x, y}, {x, y}}, tree.code_scale());
+  };
+  for (const std::optional<CellWay<2>>& way : {std::optional(way_to(42, 42)), std::optional(way_to(90, 7)), {}}) {
     CellMetWalk<2, float> walk;
     walk.start({{40, 40}, {44, 44}});
     walk.add_group(tree.cell(CellTree<2, float>::root).first_child / 4);
-    if (path) walk.follow(*path);
+    if (way) walk.follow(*way);
     cell_kernels<2, float>().find_met(tree.groups(), tree.pool().pages(), walk);
     EXPECT_TRUE(walk.is_over());
     EXPECT_EQ(walk.found_count, 25U);

@@ -164,6 +164,35 @@ TEST(Scene, ObjectsMoveToShapesOfOneTypeTogetherOrNotAtAll) {
   EXPECT_EQ(scene.update().began, (std::vector<ObjectPair>{{a, b}}));
 }
 
+/// Boxes are looked at together first: a faulty one is found wherever it is, and nothing has moved then.
+TEST(Scene, ManyBoxesMoveTogetherOrNotAtAll) {
+  using Crate = Aabb<2, double>;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  World scene;
+  std::vector<ObjectId> ids;
+  std::vector<Crate> crates;
+  for (int k = 0; k < 37; ++k) {
+    crates.push_back({{k, 0}, {k + 0.5, 1}});
+    ids.push_back(scene.add(crates.back()));
+  }
+  std::vector<Crate> places = crates;
+  for (Crate& place : places) place = {place.min + 1.0, place.max + 1.0};
+  for (const std::size_t at : {std::size_t{0}, std::size_t{17}, std::size_t{36}}) {
+    for (const Crate& faulty : {Crate{{0, nan}, {1, 1}}, Crate{{0, 0}, {infinity, 1}}, Crate{{0, 0}, {1, -1}}}) {
+      std::vector<Crate> some = places;
+      some[at] = faulty;
+      EXPECT_THROW(scene.move(ids, some), std::invalid_argument);
+    }
+    std::vector<ObjectId> strangers = ids;
+    strangers[at] = ObjectId{};
+    EXPECT_THROW(scene.move(strangers, places), std::out_of_range);
+    for (std::size_t k = 0; k < ids.size(); ++k) EXPECT_EQ(scene.object(ids[k]).box, crates[k]);
+  }
+  scene.move(ids, places);
+  for (std::size_t k = 0; k < ids.size(); ++k) EXPECT_EQ(scene.object(ids[k]).box, places[k]);
+}
+
 TEST(Scene, TellsWhatBeganWhatStaysAndWhatEnded) {
   World scene;
   using Pairs = std::vector<ObjectPair>;
