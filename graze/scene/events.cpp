@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <limits>
 #include <utility>
+#include <vector>
 
+#include <graze/broad/prefetch.hpp>
 #include <graze/scene/events.hpp>
 
 namespace graze {
@@ -113,24 +115,48 @@ std::vector<ObjectPair> pairs_of(const SceneEvents& events) {
   return pairs;
 }
 
-/// Most pairs stay: each is written to that list, which goes on if it does.
-void find_events(const SceneEvents& last, std::span<const Pair> found, const KeyTable& ids, Tenants tenants,
-                 SceneEvents& events) {
-  events.began.clear();
-  events.stayed.resize(found.size());
-  events.ended.clear();
+namespace {
+
+/// The pairs that began where every slot has the tenant that it had: so far by their slots alone. What makes ids of
+/// them lies anywhere in memory, and is asked for ahead.
+void name_all(std::vector<ObjectPair>& pairs, const KeyTable& ids) {
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const ObjectPair& later = pairs[std::min(k + prefetch_distance, pairs.size() - 1)];
+    ids.prefetch_key(later.a.index);
+    ids.prefetch_key(later.b.index);
+    pairs[k] = named({pairs[k].a.index, pairs[k].b.index}, ids);
+  }
+}
+
+/// Most pairs stay, and are copied as they are.
+void find_events_of_the_same(BothLists old, std::span<const Pair> found, const KeyTable& ids, SceneEvents& events) {
   std::size_t stayed = 0;
-  BothLists old(last);
   for (std::size_t k = 0; k < found.size(); ++k) {
-    if (tenants == Tenants::the_same) {
-      const std::size_t copied = old.copy_found(found.subspan(k), events.stayed.data() + stayed);
-      stayed += copied;
-      k += copied;
-      if (k == found.size()) break;
-    }
+    const std::size_t copied = old.copy_found(found.subspan(k), events.stayed.data() + stayed);
+    stayed += copied;
+    k += copied;
+    if (k == found.size()) break;
     const std::uint64_t places = places_of(found[k]);
     for (; old.places() < places; ++old) events.ended.push_back(*old);
-    const ObjectPair now = named(found[k], ids);
+    if (old.places() == places) {
+      events.stayed[stayed++] = *old;
+      ++old;
+    } else {
+      events.began.push_back({{found[k].a, 0, 0}, {found[k].b, 0, 0}});
+    }
+  }
+  for (; old.places() != BothLists::end; ++old) events.ended.push_back(*old);
+  events.stayed.resize(stayed);
+  name_all(events.began, ids);
+}
+
+/// Each pair is written to the list of those that stayed, which goes on if it did.
+void find_events_of_others(BothLists old, std::span<const Pair> found, const KeyTable& ids, SceneEvents& events) {
+  std::size_t stayed = 0;
+  for (const Pair& pair : found) {
+    const std::uint64_t places = places_of(pair);
+    for (; old.places() < places; ++old) events.ended.push_back(*old);
+    const ObjectPair now = named(pair, ids);
     const bool is_there = old.places() == places && *old == now;
     if (!is_there) events.began.push_back(now);
     events.stayed[stayed] = now;
@@ -139,6 +165,21 @@ void find_events(const SceneEvents& last, std::span<const Pair> found, const Key
   }
   for (; old.places() != BothLists::end; ++old) events.ended.push_back(*old);
   events.stayed.resize(stayed);
+}
+
+}  // namespace
+
+void find_events(const SceneEvents& last, std::span<const Pair> found, const KeyTable& ids, Tenants tenants,
+                 SceneEvents& events) {
+  events.began.clear();
+  events.stayed.resize(found.size());
+  events.ended.clear();
+  const BothLists old(last);
+  if (tenants == Tenants::the_same) {
+    find_events_of_the_same(old, found, ids, events);
+  } else {
+    find_events_of_others(old, found, ids, events);
+  }
 }
 
 void EventsEdit::plan(const SceneEvents& last, std::span<const Pair> began, std::span<const Pair> ended,
