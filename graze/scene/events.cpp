@@ -117,8 +117,8 @@ std::vector<ObjectPair> pairs_of(const SceneEvents& events) {
 
 namespace {
 
-/// The pairs that began where every slot has the tenant that it had: so far by their slots alone. What makes ids of
-/// them lies anywhere in memory, and is asked for ahead.
+/// Makes ids of the slots, which is all that the pairs say so far. What it takes lies anywhere in memory, and is asked
+/// for ahead.
 void name_all(std::vector<ObjectPair>& pairs, const KeyTable& ids) {
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const ObjectPair& later = pairs[std::min(k + prefetch_distance, pairs.size() - 1)];

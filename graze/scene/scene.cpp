@@ -115,20 +115,19 @@ void Scene<N, T>::move(ObjectId id, AnyShape<N, T> shape) {
   note_moved(id.index, moved);
 }
 
-/// All of a move that can throw, but for copying a compound.
+/// All of a move to a sound shape that can throw, but for copying a compound.
 template <Dim N, class T>
-template <class S>
-void Scene<N, T>::prepare_move(ObjectId id, const S& shape) {
+void Scene<N, T>::prepare_move(ObjectId id) {
   if (!this->contains(id)) this->object(id);  // which says what is wrong with the id
-  if (is_faulty(shape)) refuse<N, T>(shape, defect(shape), this->object(id).name);
   objects_.change(id.index);
 }
 
-/// The same for a shape that is known to be sound.
+/// The same for any shape.
 template <Dim N, class T>
-void Scene<N, T>::prepare_move(ObjectId id) {
-  if (!this->contains(id)) this->object(id);
-  objects_.change(id.index);
+template <class S>
+void Scene<N, T>::prepare_move(ObjectId id, const S& shape) {
+  prepare_move(id);
+  if (is_faulty(shape)) refuse<N, T>(shape, defect(shape), this->object(id).name);
 }
 
 template <Dim N, class T>
