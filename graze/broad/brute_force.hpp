@@ -25,7 +25,7 @@ class BruteForce {
 
   Key insert(const Box& box) {
     detail::require_box(box);
-    const std::uint32_t slot = keys_.prepare();
+    const std::uint32_t slot = keys_.prepare().index;
     if (slot == boxes_.size()) boxes_.push_back(box);
     boxes_[slot] = box;
     return keys_.take();

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <bit>
+#include <cstddef>
+#include <memory>
 #include <new>
 
 #include <graze/broad/buffer.hpp>
@@ -60,12 +62,16 @@ void* allocate_pages(std::size_t bytes) {
     if (void* const kept = kept_blocks().take(bytes)) return kept;
   }
   void* const memory = ::operator new(bytes, alignment_of(bytes));
-#ifdef __linux__
-  // Boxes are scattered over tens of megabytes: with pages of 4 KiB every second access would look up its page anew.
-  // Only advice, so nothing is lost where it is refused.
-  if (bytes >= large_page) madvise(memory, bytes, MADV_HUGEPAGE);
-#endif
+  advise_large_pages(memory, bytes);
   return memory;
+}
+
+/// Boxes are scattered over tens of megabytes: with pages of 4 KiB every second access would look up its page anew.
+void advise_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) noexcept {
+#ifdef __linux__
+  if (std::align(large_page, large_page, memory, bytes) == nullptr) return;
+  madvise(memory, bytes - bytes % large_page, MADV_HUGEPAGE);
+#endif
 }
 
 void release_pages(void* memory, std::size_t bytes) noexcept {

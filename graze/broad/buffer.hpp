@@ -18,13 +18,16 @@ namespace graze::detail {
 void* allocate_pages(std::size_t bytes);
 void release_pages(void* memory, std::size_t bytes) noexcept;
 
-/// For vectors whose values are written before they are read: what is made without a value is not initialised. Their
-/// memory is that of allocate_pages.
+/// Has the system use large pages for what lies in whole ones of other memory that nobody has written to yet. Only
+/// advice: does nothing for less, or where the system has none.
+void advise_large_pages(void* memory, std::size_t bytes) noexcept;
+
+/// For vectors that may become long: their memory is that of allocate_pages.
 template <class Value>
-struct BlankAllocator : std::allocator<Value> {
+struct PageAllocator : std::allocator<Value> {
   template <class Other>
   struct rebind {  // NOLINT(readability-identifier-naming): as std::allocator_traits names it
-    using other = BlankAllocator<Other>;
+    using other = PageAllocator<Other>;
   };
 
   Value* allocate(std::size_t count) {
@@ -32,6 +35,18 @@ struct BlankAllocator : std::allocator<Value> {
     return static_cast<Value*>(allocate_pages(count * sizeof(Value)));
   }
   void deallocate(Value* values, std::size_t count) noexcept { release_pages(values, count * sizeof(Value)); }
+};
+
+template <class Value>
+using PageVector = std::vector<Value, PageAllocator<Value>>;
+
+/// The same for values that are written before they are read: what is made without a value is not initialised.
+template <class Value>
+struct BlankAllocator : PageAllocator<Value> {
+  template <class Other>
+  struct rebind {  // NOLINT(readability-identifier-naming): as std::allocator_traits names it
+    using other = BlankAllocator<Other>;
+  };
 
   template <class Made>
   void construct(Made* /*place*/) noexcept {

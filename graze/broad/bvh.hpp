@@ -55,7 +55,8 @@ class Bvh {
   /// At most 2^31 - 1 boxes.
   Key insert(const Box& box) {
     detail::require_box(box);
-    tree_.insert(keys_.prepare(), box);
+    const Key key = keys_.prepare();
+    tree_.insert(key.index, box, key.generation);
     return keys_.take();
   }
 
@@ -90,7 +91,7 @@ class Bvh {
     for (std::size_t k = 0; k < given.size(); ++k) slots[k] = given[k].index;
     Tree tree(tree_.margin());
     if (size() == 0) std::swap(tree, tree_);  // whose memory is used again
-    tree.fill(boxes, slots, executor);
+    tree.fill(boxes, slots, executor, keys.generations());
     keys.count_change();
     keys_ = std::move(keys);
     tree_ = std::move(tree);
@@ -110,23 +111,23 @@ class Bvh {
   void query(const R& region, Visit&& visit) const {
     const detail::RegionProbe<R> probe(region);
     detail::GuardedVisit guarded(visit, keys_);
-    detail::visit_met(tree_, probe, [&](std::uint32_t slot) { return guarded(keys_.key_of(slot)); });
+    detail::visit_met(tree_, probe, [&](const detail::BvhName& name) { return guarded(key_of(name)); });
   }
 
   template <VisitorOf<Key, double> Visit>
   void ray_cast(const Ray<N, T>& ray, Visit&& visit) const {
     detail::require_ray(ray);
     detail::GuardedVisit guarded(visit, keys_);
-    detail::visit_along(tree_, ray, [&](std::uint32_t slot, double t) { return guarded(keys_.key_of(slot), t); });
+    detail::visit_along(tree_, ray, [&](const detail::BvhName& name, double t) { return guarded(key_of(name), t); });
   }
 
   std::vector<Neighbour> nearest(const Vec<N, T>& point, std::size_t k) const {
     detail::require_point(point);
     if (k == 0 || size() == 0) return {};
-    detail::NearestKeys nearest(std::min(k, size()), &keys_);
+    detail::NearestKeys nearest(std::min(k, size()));
     detail::find_near(tree_, point, nearest);
     std::vector<Neighbour> sorted = nearest.sorted();
-    for (Neighbour& neighbour : sorted) neighbour.key = keys_.key_of(neighbour.key.index);
+    for (Neighbour& neighbour : sorted) neighbour.key.owner = keys_.owner();
     return sorted;
   }
 
@@ -166,6 +167,8 @@ class Bvh {
   };
 
   using Tree = detail::BvhTree<N, T>;
+
+  Key key_of(const detail::BvhName& name) const { return {name.slot, name.generation, keys_.owner()}; }
 
   detail::KeyTable keys_;
   Tree tree_;

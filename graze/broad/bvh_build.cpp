@@ -96,11 +96,14 @@ class BvhBuilder {
       const std::uint32_t slot = centers.here.slots[lane];
       put_box(node.boxes, lane, arrays_.boxes[slot]);
       node.entries[lane] = slot;
+      node.generations[lane] = arrays_.generations.empty() ? arrays_.generation : arrays_.generations[slot];
     }
   }
 
   void ask_for(std::span<const std::uint32_t> slots) const {
     for (const std::uint32_t slot : slots) prefetch(&arrays_.boxes[slot]);
+    if (arrays_.generations.empty()) return;
+    for (const std::uint32_t slot : slots) prefetch(&arrays_.generations[slot]);
   }
 
   /// The same for as many boxes as a node takes, the first of those that are not asked for yet.

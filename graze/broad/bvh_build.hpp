@@ -53,12 +53,15 @@ class BvhPlan {
   std::vector<std::size_t> firsts_;  // the number of each level's first node, and of all
 };
 
-/// What a tree is built of, boxes by slot, and into: nodes and places by number, as many as the plan has.
+/// What a tree is built of, boxes and their generations by slot, and into: nodes and places by number, as many as the
+/// plan has.
 template <Dim N, class T>
 struct BvhArrays {
   const Aabb<N, T>* boxes;
   BvhNode<N, T>* nodes;
   BvhPlace* places;
+  std::span<const std::uint32_t> generations = {};
+  std::uint32_t generation = 0;  ///< Of all boxes, where there are no generations by slot.
 };
 
 /// Builds a tree of the boxes in these slots, where the bounds of leaf nodes are grown by a margin. Where boxes have to

@@ -71,6 +71,7 @@ void find_met(const BvhNode<N, T>* nodes, BvhMetWalk<N, T>& walk) {
     const BvhNode<N, T>& node = nodes[link.index()];
     const std::uint32_t met = boxes_met(node.boxes, low, high);
     if (link.is_leaf()) {
+      write_chosen(node.generations, met, walk.generations + found);
       found += write_chosen(node.entries, met, walk.found + found);
     } else {
       open += write_chosen(node.entries, met, walk.open + open);
@@ -147,9 +148,9 @@ HWY_INLINE void look_at_hits(const BvhNode<N, T>& node, std::uint32_t entered, c
     if (static_cast<double>(soonest[lane]) > walk.t) continue;
     const std::uint32_t slot = node.entries[lane];
     const std::optional<double> t = entry_of(walk.ray, box_in(node.boxes, lane));
-    if (!t || !(*t < walk.t || (*t == walk.t && slot < walk.slot))) continue;
+    if (!t || !(*t < walk.t || (*t == walk.t && slot < walk.name.slot))) continue;
     walk.t = *t;
-    walk.slot = slot;
+    walk.name = node.name(lane);
   }
 }
 

@@ -25,6 +25,7 @@ struct BvhMetWalk {
   std::size_t found_count;
   std::uint32_t open[bvh_path];                  // codes of links
   std::uint32_t found[most_found + block_size];  // slots
+  std::uint32_t generations[most_found + block_size];
 };
 
 /// How a ray is held against the slab between two sides of a box.
@@ -47,8 +48,8 @@ template <Dim N, class T>
 struct BvhFirstWalk {
   Ray<N, T> ray;
   BvhSlabs<N, T> slabs;
-  double t;            // of the first so far, infinity when there is none
-  std::uint32_t slot;  // and who it is
+  double t;      // of the first so far, infinity when there is none
+  BvhName name;  // and who it is
 };
 
 template <Dim N, class T>
@@ -68,7 +69,7 @@ struct BvhKernels {
   /// Which boxes of a block a ray may enter, and for each a t that is not above the first.
   std::uint32_t (*entered)(const Block<N, T>& block, const BvhSlabs<N, T>& slabs, T* soonest);
 
-  /// Offers to `nearest` the boxes near a point, by keys of which only the index is known, until all that is left is
+  /// Offers to `nearest` the boxes near a point, by keys without an owner, until all that is left is
   /// beyond its reach. Returns how many nodes it looked at.
   std::size_t (*find_near)(const BvhNode<N, T>* nodes, BvhLink root, const Vec<N, T>& point, NearestKeys& nearest);
 

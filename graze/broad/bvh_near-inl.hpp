@@ -115,14 +115,19 @@ HWY_INLINE std::uint32_t ranked_within(const NearChildren<N, T>& children, T lim
 struct NearBoxes {
   alignas(64) double distances[block_size];
   const std::uint32_t* slots;
+  const std::uint32_t* generations;
   std::uint32_t within;  // which boxes are not beyond the reach; a bit each
+
+  Neighbour neighbour(std::uint32_t lane) const { return {{slots[lane], generations[lane], 0}, distances[lane]}; }
 };
 
 template <Dim N, class T>
 HWY_INLINE void measure_boxes(const Vec<N, T>& point, const BvhNode<N, T>& node, double reach, NearBoxes& boxes) {
   const Tag<double> d;
   prefetch(&node.entries);
+  prefetch(&node.generations);
   boxes.slots = node.entries;
+  boxes.generations = node.generations;
   boxes.within = 0;
   for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<double>) {
     const auto full = is_full<double>(load_as(d, node.boxes.min[0] + lane));
@@ -160,21 +165,24 @@ class NearestOne {
       first = boxes.within;
       distance = std::numeric_limits<double>::infinity();
     }
-    std::uint32_t slot = boxes.slots[std::countr_zero(first)];
-    while ((first &= first - 1) != 0) slot = std::min(slot, boxes.slots[std::countr_zero(first)]);
-    nearest_.expect(slot);
-    slot_ = distance == reach_ ? std::min(slot, slot_) : slot;
+    auto lane = static_cast<std::uint32_t>(std::countr_zero(first));
+    while ((first &= first - 1) != 0) {
+      const auto other = static_cast<std::uint32_t>(std::countr_zero(first));
+      if (boxes.slots[other] < boxes.slots[lane]) lane = other;
+    }
+    if (distance == reach_ && key_.index < boxes.slots[lane]) return;
+    key_ = {boxes.slots[lane], boxes.generations[lane], 0};
     reach_ = distance;
   }
 
   HWY_INLINE void finish() {
-    if (slot_ != no_box) nearest_.offer({{slot_, 0, 0}, reach_});
+    if (key_.index != no_box) nearest_.offer({key_, reach_});
   }
 
  private:
   NearestKeys& nearest_;
   double reach_;
-  std::uint32_t slot_ = no_box;
+  Key key_{no_box, 0, 0};
 };
 
 /// Keeps a few: their distances, ascending, by minima and maxima instead of branches, and all boxes that were within
@@ -195,8 +203,7 @@ class NearestFew {
     for (std::uint32_t rest = boxes.within; rest != 0; rest &= rest - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(rest));
       insert(boxes.distances[lane]);
-      nearest_.expect(boxes.slots[lane]);
-      candidates_[count_++] = {boxes.distances[lane], boxes.slots[lane]};
+      candidates_[count_++] = {boxes.distances[lane], boxes.slots[lane], boxes.generations[lane]};
     }
     if (count_ > room) finish();
   }
@@ -226,14 +233,13 @@ class NearestFew {
     if ((taken & ~taken_twice & places) == places && !keeps_any_within_reach()) {
       Neighbour sorted[Most];
       for (std::size_t place = 0; place < wanted; ++place) {
-        const Candidate& candidate = candidates_[order[place]];
-        sorted[place] = {{candidate.slot, 0, 0}, candidate.distance};
+        sorted[place] = candidates_[order[place]].neighbour();
       }
       nearest_.replace({sorted, wanted});
     } else {
       const double farthest = reach();
       for (std::uint32_t k = 0; k < count_; ++k) {
-        if (candidates_[k].distance <= farthest) nearest_.offer({{candidates_[k].slot, 0, 0}, candidates_[k].distance});
+        if (candidates_[k].distance <= farthest) nearest_.offer(candidates_[k].neighbour());
       }
     }
     count_ = 0;
@@ -243,6 +249,9 @@ class NearestFew {
   struct Candidate {
     double distance;
     std::uint32_t slot;
+    std::uint32_t generation;
+
+    Neighbour neighbour() const { return {{slot, generation, 0}, distance}; }
   };
 
   /// Of the boxes that were offered before the candidates.
@@ -279,8 +288,7 @@ class NearestMany {
 
   HWY_INLINE void offer(const NearBoxes& boxes) {
     for (std::uint32_t rest = boxes.within; rest != 0; rest &= rest - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(rest));
-      nearest_.offer({{boxes.slots[lane], 0, 0}, boxes.distances[lane]});
+      nearest_.offer(boxes.neighbour(static_cast<std::uint32_t>(std::countr_zero(rest))));
     }
   }
 

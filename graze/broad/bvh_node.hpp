@@ -34,12 +34,24 @@ class BvhLink {
   std::uint32_t code_ = no_box;
 };
 
+/// Who a box of a tree is: its slot, and the generation with which it came there, so that who finds the box knows its
+/// key without a look elsewhere.
+struct BvhName {
+  std::uint32_t slot;
+  std::uint32_t generation;
+
+  friend bool operator==(const BvhName&, const BvhName&) = default;
+};
+
 /// Up to sixteen entries side by side: the first lanes, with the codes of links where the node is an inner one, slots
-/// where it is a leaf node. Lanes behind them are NaN.
+/// and their generations where it is a leaf node. Lanes behind them are NaN.
 template <Dim N, class T>
 struct BvhNode {
   Block<N, T> boxes;
   alignas(64) std::uint32_t entries[block_size];
+  std::uint32_t generations[block_size];  // of no meaning in an inner node
+
+  BvhName name(std::uint32_t lane) const { return {entries[lane], generations[lane]}; }
 };
 
 /// How many entries a node has at least, but for the root, which may have fewer: so many, and as many again and one
@@ -100,6 +112,7 @@ template <Dim N, class T>
 void clear_lane(BvhNode<N, T>& node, std::uint32_t lane) {
   put_box(node.boxes, lane, no_box_in<N, T>());
   node.entries[lane] = no_box;
+  node.generations[lane] = 0;
 }
 
 /// All lanes from the first on.

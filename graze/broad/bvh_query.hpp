@@ -22,7 +22,7 @@
 
 namespace graze::detail {
 
-/// Calls visit(slot) for every box in the tree that shares a point with `region`, until it returns false. Returns
+/// Calls visit(name) for every box in the tree that shares a point with `region`, until it returns false. Returns
 /// whether it never did.
 template <Dim N, class T, class Visit>
 bool visit_in_box(const BvhTree<N, T>& tree, const Aabb<N, T>& region, const Visit& visit) {
@@ -34,13 +34,13 @@ bool visit_in_box(const BvhTree<N, T>& tree, const Aabb<N, T>& region, const Vis
     walk.found_count = 0;
     bvh_kernels<N, T>().find_met(tree.nodes(), walk);
     for (std::size_t k = 0; k < walk.found_count; ++k) {
-      if (!visit(walk.found[k])) return false;
+      if (!visit(BvhName{walk.found[k], walk.generations[k]})) return false;
     }
   }
   return true;
 }
 
-/// The same for boxes that may meet a region by its bounds, passing by groups that a closer look shows not to.
+/// The same for every box in the tree that `probe` says is met, passing by groups that a closer look shows not to be.
 template <Dim N, class T, class Probe, class Visit>
 bool visit_closely(const BvhTree<N, T>& tree, const Probe& probe, const Visit& visit) {
   const auto met = bvh_kernels<N, T>().met;
@@ -53,7 +53,7 @@ bool visit_closely(const BvhTree<N, T>& tree, const Probe& probe, const Visit& v
     for (std::uint32_t lanes = met(node.boxes, reach); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
       if (link.is_leaf()) {
-        if (!visit(node.entries[lane])) return false;
+        if (probe.meets(box_in(node.boxes, lane)) && !visit(node.name(lane))) return false;
       } else if (probe.may_meet_closely(box_in(node.boxes, lane))) {
         open.push(BvhLink::of_code(node.entries[lane]));
       }
@@ -62,28 +62,28 @@ bool visit_closely(const BvhTree<N, T>& tree, const Probe& probe, const Visit& v
   return true;
 }
 
-/// Calls visit(slot) for every box that `probe` (a RegionProbe, or what counts as one) says is met, until it returns
+/// Calls visit(name) for every box that `probe` (a RegionProbe, or what counts as one) says is met, until it returns
 /// false. Returns whether it never did.
 template <Dim N, class T, class Probe, class Visit>
 bool visit_met(const BvhTree<N, T>& tree, const Probe& probe, const Visit& visit) {
-  const auto visit_if_met = [&](std::uint32_t slot) { return !probe.meets(tree.box(slot)) || visit(slot); };
-  for (const std::uint32_t slot : tree.infinite()) {
-    if (!visit_if_met(slot)) return false;
+  for (const BvhName& name : tree.infinite()) {
+    if (probe.meets(tree.box(name.slot)) && !visit(name)) return false;
   }
   if (tree.root().is_none()) return true;
   if constexpr (Probe::is_box) {
     return visit_in_box(tree, probe.reach(0), visit);
   } else {
-    return visit_closely(tree, probe, visit_if_met);
+    return visit_closely(tree, probe, visit);
   }
 }
 
 /// A box that a ray enters.
 struct BvhHit {
   double t;
-  std::uint32_t slot;
+  BvhName name;
 
-  friend auto operator<=>(const BvhHit&, const BvhHit&) = default;
+  friend bool operator==(const BvhHit&, const BvhHit&) = default;
+  friend bool operator<(const BvhHit& a, const BvhHit& b) { return a.t != b.t ? a.t < b.t : a.name.slot < b.name.slot; }
 };
 
 /// How a ray is held against boxes of a tree whose largest coordinate is known: where numbers come so near to the ends
@@ -105,15 +105,15 @@ BvhSlabs<N, T> slabs_of(const Ray<N, T>& ray, double size) {
 /// The first box that a ray enters, of equal ones that of the lowest slot.
 template <Dim N, class T>
 std::optional<BvhHit> first_along(const BvhTree<N, T>& tree, const Ray<N, T>& ray) {
-  BvhHit first{std::numeric_limits<double>::infinity(), 0};
-  for (const std::uint32_t slot : tree.infinite()) {
-    const std::optional<double> t = entry_of(ray, tree.box(slot));
-    if (t && BvhHit{*t, slot} < first) first = {*t, slot};
+  BvhHit first{std::numeric_limits<double>::infinity(), {0, 0}};
+  for (const BvhName& name : tree.infinite()) {
+    const std::optional<double> t = entry_of(ray, tree.box(name.slot));
+    if (t && BvhHit{*t, name} < first) first = {*t, name};
   }
   if (!tree.root().is_none()) {
-    BvhFirstWalk<N, T> walk{ray, slabs_of(ray, finite_size(tree.bounds())), first.t, first.slot};
+    BvhFirstWalk<N, T> walk{ray, slabs_of(ray, finite_size(tree.bounds())), first.t, first.name};
     bvh_kernels<N, T>().find_first(tree.nodes(), tree.root(), walk);
-    first = {walk.t, walk.slot};
+    first = {walk.t, walk.name};
   }
   if (std::isinf(first.t)) return std::nullopt;
   return first;
@@ -124,6 +124,7 @@ std::optional<BvhHit> first_along(const BvhTree<N, T>& tree, const Ray<N, T>& ra
 struct BvhRanked {
   double rank;
   std::uint32_t index;
+  std::uint32_t generation;
   bool is_box;
 
   /// A node before boxes of the same rank: it may hold one that comes before them.
@@ -135,24 +136,24 @@ struct BvhRanked {
   };
 };
 
-/// Calls visit(slot, t) for every box that a ray enters after another, in order of t, equal ones by slot, until it
+/// Calls visit(name, t) for every box that a ray enters after another, in order of t, equal ones by slot, until it
 /// returns false.
 template <Dim N, class T, class Visit>
 void visit_along_after(const BvhTree<N, T>& tree, const Ray<N, T>& ray, const BvhHit& former, const Visit& visit) {
   ShortHeap<BvhRanked, bvh_path, BvhRanked::Before> open;
-  const auto look_at_box = [&](std::uint32_t slot, const Aabb<N, T>& box) {
+  const auto look_at_box = [&](const BvhName& name, const Aabb<N, T>& box) {
     const std::optional<double> t = entry_of(ray, box);
-    if (t && former < BvhHit{*t, slot}) open.push({*t, slot, true});
+    if (t && former < BvhHit{*t, name}) open.push({*t, name.slot, name.generation, true});
   };
-  for (const std::uint32_t slot : tree.infinite()) look_at_box(slot, tree.box(slot));
-  if (!tree.root().is_none()) open.push({0, tree.root().code(), false});
+  for (const BvhName& name : tree.infinite()) look_at_box(name, tree.box(name.slot));
+  if (!tree.root().is_none()) open.push({0, tree.root().code(), 0, false});
   const BvhSlabs<N, T> slabs = tree.root().is_none() ? BvhSlabs<N, T>{} : slabs_of(ray, finite_size(tree.bounds()));
   const auto entered = bvh_kernels<N, T>().entered;
   alignas(64) T soonest[block_size];
   while (!open.empty()) {
     const BvhRanked next = open.pop();
     if (next.is_box) {
-      if (!visit(next.index, next.rank)) return;
+      if (!visit(BvhName{next.index, next.generation}, next.rank)) return;
       continue;
     }
     const BvhLink link = BvhLink::of_code(next.index);
@@ -160,28 +161,28 @@ void visit_along_after(const BvhTree<N, T>& tree, const Ray<N, T>& ray, const Bv
     for (std::uint32_t lanes = entered(node.boxes, slabs, soonest); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
       if (link.is_leaf()) {
-        look_at_box(node.entries[lane], box_in(node.boxes, lane));
+        look_at_box(node.name(lane), box_in(node.boxes, lane));
       } else {
-        open.push({static_cast<double>(soonest[lane]), node.entries[lane], false});
+        open.push({static_cast<double>(soonest[lane]), node.entries[lane], 0, false});
       }
     }
   }
 }
 
-/// Calls visit(slot, t) for every box that a ray enters, in order of t, equal ones by slot, until it returns false.
+/// Calls visit(name, t) for every box that a ray enters, in order of t, equal ones by slot, until it returns false.
 /// Most want the first box only, which is found quicker by itself.
 template <Dim N, class T, class Visit>
 void visit_along(const BvhTree<N, T>& tree, const Ray<N, T>& ray, const Visit& visit) {
   const std::optional<BvhHit> first = first_along(tree, ray);
-  if (first && visit(first->slot, first->t)) visit_along_after(tree, ray, *first, visit);
+  if (first && visit(first->name, first->t)) visit_along_after(tree, ray, *first, visit);
 }
 
-/// Offers to `nearest` the boxes near a point, by keys of which only the index is known, until all that is left is
+/// Offers to `nearest` the boxes near a point, by keys without an owner, until all that is left is
 /// beyond its reach. Returns how many nodes it looked at.
 template <Dim N, class T>
 std::size_t find_near(const BvhTree<N, T>& tree, const Vec<N, T>& point, NearestKeys& nearest) {
-  for (const std::uint32_t slot : tree.infinite()) {
-    nearest.offer({{slot, 0, 0}, distance_squared(point, tree.box(slot))});
+  for (const BvhName& name : tree.infinite()) {
+    nearest.offer({{name.slot, name.generation, 0}, distance_squared(point, tree.box(name.slot))});
   }
   if (tree.root().is_none()) return 0;
   return bvh_kernels<N, T>().find_near(tree.nodes(), tree.root(), point, nearest);

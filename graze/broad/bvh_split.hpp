@@ -18,7 +18,20 @@ template <Dim N, class T>
 struct BvhEntry {
   Aabb<N, T> box;
   std::uint32_t entry;
+  std::uint32_t generation = 0;
 };
+
+template <Dim N, class T>
+BvhEntry<N, T> entry_in(const BvhNode<N, T>& node, std::uint32_t lane) {
+  return {box_in(node.boxes, lane), node.entries[lane], node.generations[lane]};
+}
+
+template <Dim N, class T>
+void put_entry(BvhNode<N, T>& node, std::uint32_t lane, const BvhEntry<N, T>& entry) {
+  put_box(node.boxes, lane, entry.box);
+  node.entries[lane] = entry.entry;
+  node.generations[lane] = entry.generation;
+}
 
 /// The entries of two nodes, or of one and one more.
 template <Dim N, class T>
@@ -26,9 +39,9 @@ struct BvhEntries {
   std::array<BvhEntry<N, T>, std::size_t{2} * block_size> all;
   std::uint32_t count = 0;
 
-  void add(const Aabb<N, T>& box, std::uint32_t entry) { all[count++] = {box, entry}; }
+  void add(const BvhEntry<N, T>& entry) { all[count++] = entry; }
   void add(const BvhNode<N, T>& node, std::uint32_t entries) {
-    for (std::uint32_t lane = 0; lane < entries; ++lane) add(box_in(node.boxes, lane), node.entries[lane]);
+    for (std::uint32_t lane = 0; lane < entries; ++lane) add(entry_in(node, lane));
   }
 };
 

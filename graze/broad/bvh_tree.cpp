@@ -7,6 +7,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <graze/broad/box_cover.hpp>
@@ -50,21 +51,21 @@ BvhTree<N, T>::BvhTree(double margin) : margin_(margin) {
 }
 
 template <Dim N, class T>
-void BvhTree<N, T>::insert(std::uint32_t slot, const Box& box) {
+void BvhTree<N, T>::insert(std::uint32_t slot, const Box& box, std::uint32_t generation) {
   note_leaf_nodes();
   if (slot >= boxes_.size()) {
     leaf_nodes_.resize(slot + std::size_t{1});
     boxes_.resize(slot + std::size_t{1});
   }
   if (!is_valid(box)) {
-    infinite_.push_back(slot);
+    infinite_.push_back({slot, generation});
     boxes_[slot] = box;
     leaf_nodes_[slot] = static_cast<std::uint32_t>(infinite_.size() - 1);
     return;
   }
   require_nodes();
   boxes_[slot] = box;
-  attach({box, slot});
+  attach({box, slot, generation});
 }
 
 template <Dim N, class T>
@@ -73,15 +74,15 @@ void BvhTree<N, T>::update(std::uint32_t slot, const Box& box) {
   if (!is_valid(box) || !is_valid(boxes_[slot])) {
     require_nodes();
     reserve_one_more(infinite_);
-    erase(slot);
-    insert(slot, box);
+    const std::uint32_t generation =
+        is_valid(boxes_[slot]) ? detach(slot).generation : remove_from_list(slot).generation;
+    insert(slot, box, generation);
     return;
   }
   require_nodes();
   boxes_[slot] = box;
   if (shift(slot, box)) return;
-  detach(slot);
-  attach({box, slot});
+  attach({box, slot, detach(slot).generation});
 }
 
 template <Dim N, class T>
@@ -101,7 +102,8 @@ void BvhTree<N, T>::clear() noexcept {
 }
 
 template <Dim N, class T>
-void BvhTree<N, T>::fill(std::span<const Box> boxes, std::span<const std::uint32_t> slots, const Executor& executor) {
+void BvhTree<N, T>::fill(std::span<const Box> boxes, std::span<const std::uint32_t> slots, const Executor& executor,
+                         std::span<const std::uint32_t> generations) {
   const std::size_t slot_count = slots.empty() ? 0 : *std::max_element(slots.begin(), slots.end()) + std::size_t{1};
   boxes_.resize(slot_count);
   leaf_nodes_.resize(slot_count);
@@ -114,7 +116,7 @@ void BvhTree<N, T>::fill(std::span<const Box> boxes, std::span<const std::uint32
         finite.push_back(slot);
       } else {
         leaf_nodes_[slot] = static_cast<std::uint32_t>(infinite_.size());
-        infinite_.push_back(slot);
+        infinite_.push_back({slot, generations.empty() ? 0 : generations[slot]});
       }
     }
     slots = finite;
@@ -123,7 +125,17 @@ void BvhTree<N, T>::fill(std::span<const Box> boxes, std::span<const std::uint32
   const BvhPlan plan(slots.size());
   nodes_.resize(plan.nodes());
   places_.resize(plan.nodes());
-  build_bvh<N, T>(slots, margin_, plan, {boxes_.data(), nodes_.data(), places_.data()}, executor);
+  BvhArrays<N, T> arrays{boxes_.data(), nodes_.data(), places_.data(), generations};
+  if (!generations.empty()) {
+    // Mostly all have come together, and none needs to be looked up when its leaf node is filled.
+    const std::uint32_t first = generations[slots[0]];
+    const auto is_as_first = [&](std::uint32_t slot) { return generations[slot] == first; };
+    if (std::all_of(slots.begin(), slots.end(), is_as_first)) {
+      arrays.generations = {};
+      arrays.generation = first;
+    }
+  }
+  build_bvh<N, T>(slots, margin_, plan, arrays, executor);
   unknown_leaf_nodes_ = static_cast<std::uint32_t>(plan.leaf_nodes());
   height_ = plan.height();
   const std::uint32_t top = plan.index(height_ - 1, 0);
@@ -148,15 +160,16 @@ Aabb<N, T> BvhTree<N, T>::bounds() const {
 template <Dim N, class T>
 std::size_t BvhTree<N, T>::bytes() const {
   return nodes_.capacity() * sizeof(Node) + places_.capacity() * sizeof(BvhPlace) + boxes_.capacity() * sizeof(Box) +
-         (spare_.capacity() + leaf_nodes_.capacity() + infinite_.capacity()) * sizeof(std::uint32_t);
+         infinite_.capacity() * sizeof(BvhName) + (spare_.capacity() + leaf_nodes_.capacity()) * sizeof(std::uint32_t);
 }
 
 template <Dim N, class T>
-void BvhTree<N, T>::remove_from_list(std::uint32_t slot) noexcept {
-  const std::uint32_t last = infinite_.back();
-  infinite_[leaf_nodes_[slot]] = last;
-  leaf_nodes_[last] = leaf_nodes_[slot];
+BvhName BvhTree<N, T>::remove_from_list(std::uint32_t slot) noexcept {
+  const BvhName last = infinite_.back();
+  const BvhName removed = std::exchange(infinite_[leaf_nodes_[slot]], last);
+  leaf_nodes_[last.slot] = leaf_nodes_[slot];
   infinite_.pop_back();
+  return removed;
 }
 
 // ---- Nodes
@@ -207,9 +220,7 @@ std::uint32_t BvhTree<N, T>::lane_of(std::uint32_t node, std::uint32_t entry) co
 /// Writes an entry into a lane of a node, and lets it know its node.
 template <Dim N, class T>
 void BvhTree<N, T>::put(BvhLink link, std::uint32_t lane, const BvhEntry<N, T>& entry) noexcept {
-  Node& node = nodes_[link.index()];
-  put_box(node.boxes, lane, entry.box);
-  node.entries[lane] = entry.entry;
+  put_entry(nodes_[link.index()], lane, entry);
   if (link.is_leaf()) {
     leaf_nodes_[entry.entry] = link.index();
   } else {
@@ -230,8 +241,7 @@ template <Dim N, class T>
 void BvhTree<N, T>::remove_lane(std::uint32_t node, std::uint32_t lane) noexcept {
   Node& from = nodes_[node];
   const std::uint32_t last = --places_[node].count;
-  put_box(from.boxes, lane, box_in(from.boxes, last));
-  from.entries[lane] = from.entries[last];
+  put_entry(from, lane, entry_in(from, last));
   clear_lane(from, last);
 }
 
@@ -277,7 +287,7 @@ void BvhTree<N, T>::add(BvhLink link, BvhEntry<N, T> entry) noexcept {
   while (count(link) == block_size) {
     BvhEntries<N, T> entries;
     entries.add(nodes_[link.index()], block_size);
-    entries.add(entry.box, entry.entry);
+    entries.add(entry);
     const std::uint32_t first = split_entries(entries);
     const std::uint32_t fresh = take_node();
     const BvhLink second = link.is_leaf() ? BvhLink::leaf(fresh) : BvhLink::inner(fresh);
@@ -300,10 +310,13 @@ void BvhTree<N, T>::add(BvhLink link, BvhEntry<N, T> entry) noexcept {
 
 /// Takes a box out of the tree.
 template <Dim N, class T>
-void BvhTree<N, T>::detach(std::uint32_t slot) noexcept {
+BvhEntry<N, T> BvhTree<N, T>::detach(std::uint32_t slot) noexcept {
   const std::uint32_t node = leaf_nodes_[slot];
-  remove_lane(node, lane_of(node, slot));
+  const std::uint32_t lane = lane_of(node, slot);
+  const BvhEntry<N, T> entry = entry_in(nodes_[node], lane);
+  remove_lane(node, lane);
   mend(BvhLink::leaf(node));
+  return entry;
 }
 
 /// After an entry was taken out of a node: joins it with another if it has too few, and so on upwards.

@@ -38,8 +38,9 @@ class BvhTree {
   /// Throws std::invalid_argument for a margin that is negative or not finite.
   explicit BvhTree(double margin);
 
-  /// Each of these throws nothing but std::bad_alloc, and then changes nothing that can be seen.
-  void insert(std::uint32_t slot, const Box& box);
+  /// Each of these throws nothing but std::bad_alloc, and then changes nothing that can be seen. The generation is what
+  /// the names of the box will say, wherever it moves.
+  void insert(std::uint32_t slot, const Box& box, std::uint32_t generation = 0);
   void update(std::uint32_t slot, const Box& box);
 
   void erase(std::uint32_t slot) noexcept;
@@ -54,9 +55,11 @@ class BvhTree {
     if (are_leaf_nodes_known() && leaf_nodes_[slot] < nodes_.size()) prefetch_whole(&nodes_[leaf_nodes_[slot]]);
   }
 
-  /// Into an empty tree: boxes[i] in slots[i]. Throws also what the executor does; the tree is then of no use. Which
-  /// leaf node each box is in is noted before the first change afterwards, in O(n) steps: who only asks need not wait.
-  void fill(std::span<const Box> boxes, std::span<const std::uint32_t> slots, const Executor& executor);
+  /// Into an empty tree: boxes[i] in slots[i]. Generations are by slot; where there are none, all are 0. Throws also
+  /// what the executor does; the tree is then of no use. Which leaf node each box is in is noted before the first
+  /// change afterwards, in O(n) steps: who only asks need not wait.
+  void fill(std::span<const Box> boxes, std::span<const std::uint32_t> slots, const Executor& executor,
+            std::span<const std::uint32_t> generations = {});
 
   const Box& box(std::uint32_t slot) const { return boxes_[slot]; }
   double margin() const { return margin_; }
@@ -69,8 +72,8 @@ class BvhTree {
   std::size_t boxes_below(BvhLink link) const;
   Box bounds() const;  ///< Of a tree that is not empty.
 
-  /// The slots of the boxes beside the tree.
-  std::span<const std::uint32_t> infinite() const { return infinite_; }
+  /// The boxes beside the tree.
+  std::span<const BvhName> infinite() const { return infinite_; }
 
   /// Of all nodes that were ever made, how many are not in the tree.
   std::size_t spare_nodes() const { return spare_.size(); }
@@ -95,14 +98,14 @@ class BvhTree {
 
   void attach(const BvhEntry<N, T>& leaf) noexcept;
   void add(BvhLink link, BvhEntry<N, T> entry) noexcept;
-  void detach(std::uint32_t slot) noexcept;
+  BvhEntry<N, T> detach(std::uint32_t slot) noexcept;
   void mend(BvhLink link) noexcept;
   bool join(BvhLink link) noexcept;
   bool shift(std::uint32_t slot, const Box& box) noexcept;
   bool fit(const Box& bounds, const Box& around) const;
   void tighten_above(BvhLink link) noexcept;
   void clear_tree() noexcept;
-  void remove_from_list(std::uint32_t slot) noexcept;
+  BvhName remove_from_list(std::uint32_t slot) noexcept;
 
   double margin_;
   BlankVector<Node> nodes_;
@@ -113,7 +116,7 @@ class BvhTree {
   BlankVector<Box> boxes_;                 // by slot
   BlankVector<std::uint32_t> leaf_nodes_;  // by slot: the number of the node, or where in the list
   std::uint32_t unknown_leaf_nodes_ = 0;   // so many of the first nodes are leaf nodes that their boxes do not know yet
-  std::vector<std::uint32_t> infinite_;
+  std::vector<BvhName> infinite_;
 };
 
 extern template class BvhTree<2, float>;

@@ -47,7 +47,7 @@ class Grid {
   /// At most 2^29 boxes.
   Key insert(const Box& box) {
     detail::require_box(box);
-    cells_.insert(keys_.prepare(), box);
+    cells_.insert(keys_.prepare().index, box);
     return keys_.take();
   }
 

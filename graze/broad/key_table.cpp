@@ -22,15 +22,15 @@ std::uint32_t new_owner() {
 
 KeyTable::KeyTable(std::uint32_t most) : most_(most), owner_(new_owner()) {}
 
-std::uint32_t KeyTable::prepare() {
-  if (!free_.empty()) return free_.back();
+Key KeyTable::prepare() {
+  if (!free_.empty()) return {free_.back(), generations_[free_.back()] + 1, owner_};
   if (is_full()) throw_full();
   if (generations_.size() == generations_.capacity()) {
     const std::size_t room = std::max<std::size_t>(16, 2 * generations_.size());
     free_.reserve(room);
     generations_.reserve(room);
   }
-  return slots();
+  return {slots(), 1, owner_};
 }
 
 Key KeyTable::take() noexcept {
@@ -84,7 +84,7 @@ void KeyTable::plan(std::span<const Key> next, std::span<const Key> free) {
   if (!generations_.empty()) throw std::logic_error("SpatialIndex: keys are planned before anything is inserted");
   const std::size_t places = next.size() + free.size();
   if (places > most_) throw std::length_error("SpatialIndex: more keys are planned than it holds");
-  std::vector<std::uint32_t> generations(places);
+  PageVector<std::uint32_t> generations(places);
   std::vector<bool> is_named(places, false);
   const auto enter = [&](const Key& key, unsigned last_bit, std::uint32_t generation) {
     if (key.index >= places || is_named[key.index] || (key.generation & 1U) != last_bit) {
@@ -96,7 +96,7 @@ void KeyTable::plan(std::span<const Key> next, std::span<const Key> free) {
   };
   for (const Key& key : free) enter(key, 0, key.generation);
   for (const Key& key : next) enter(key, 1, key.generation - 1);
-  std::vector<std::uint32_t> stack;
+  PageVector<std::uint32_t> stack;
   stack.reserve(generations.capacity());
   for (const Key& key : free) {
     if (key.generation != 0) stack.push_back(key.index);

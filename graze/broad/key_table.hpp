@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include <graze/broad/buffer.hpp>
 #include <graze/broad/prefetch.hpp>
 
 namespace graze {
@@ -31,8 +32,8 @@ class KeyTable {
   /// With more than `most` slots the table is full.
   explicit KeyTable(std::uint32_t most = std::numeric_limits<std::uint32_t>::max());
 
-  /// The slot that `take` will take. After it `take` cannot fail; throws std::length_error when the table is full.
-  std::uint32_t prepare();
+  /// The key that `take` will give. After it `take` cannot fail; throws std::length_error when the table is full.
+  Key prepare();
 
   /// Takes the slot that `prepare` named.
   Key take() noexcept;
@@ -73,6 +74,9 @@ class KeyTable {
   /// Asks for what key_of will read.
   void prefetch_key(std::uint32_t slot) const { prefetch(&generations_[slot]); }
 
+  /// By slot; those of the slots that are taken are odd.
+  std::span<const std::uint32_t> generations() const { return generations_; }
+
   /// How many slots were ever taken: all slots are below it.
   std::uint32_t slots() const { return static_cast<std::uint32_t>(generations_.size()); }
   std::size_t size() const { return size_; }
@@ -89,8 +93,8 @@ class KeyTable {
   std::size_t room() const { return free_.size() + (most_ - generations_.size()); }
   [[noreturn]] void throw_full() const;
 
-  std::vector<std::uint32_t> generations_;  // odd: taken
-  std::vector<std::uint32_t> free_;         // room for all slots, so that `release` cannot fail
+  PageVector<std::uint32_t> generations_;  // odd: taken
+  PageVector<std::uint32_t> free_;         // room for all slots, so that `release` cannot fail
   std::size_t size_ = 0;
   std::uint64_t changes_ = 0;
   std::uint32_t most_;

@@ -50,7 +50,7 @@ class Orthtree {
   /// At most 2^29 boxes.
   Key insert(const Box& box) {
     detail::require_box(box);
-    tree_.insert(keys_.prepare(), box);
+    tree_.insert(keys_.prepare().index, box);
     return keys_.take();
   }
 

@@ -165,18 +165,12 @@ std::optional<double> entry_of(const Ray<N, T>& ray, const Aabb<N, T>& box) {
 /// The k nearest of all that were offered: a few sorted, many in a heap.
 class NearestKeys {
  public:
-  /// Where keys will be looked up by slots at the end, in which table.
-  explicit NearestKeys(std::size_t k, const KeyTable* keys = nullptr) : k_(k), keys_(keys) { nearest_.reserve(k); }
+  explicit NearestKeys(std::size_t k) : k_(k) { nearest_.reserve(k); }
 
   std::size_t wanted() const { return k_; }
 
   /// Those of all that were offered, in some order.
   std::span<const Neighbour> kept() const { return {nearest_.data(), nearest_.size()}; }
-
-  /// The box in this slot may be one of the nearest.
-  void expect(std::uint32_t slot) const {
-    if (keys_ != nullptr) keys_->prefetch_key(slot);
-  }
 
   /// No box that is farther away is among them any more.
   double reach() const {
@@ -228,7 +222,6 @@ class NearestKeys {
   }
 
   std::size_t k_;
-  const KeyTable* keys_;
   std::vector<Neighbour> nearest_;  // ascending, or a heap with the farthest in front
 };
 

@@ -294,7 +294,8 @@ void Candidates<N, T>::find_around_strays(const Executor& executor) {
     for (std::size_t i = task * questions_in_task; i < last; ++i) {
       const std::uint32_t slot = strays_[i];
       if (is_held_[slot] == 0) continue;
-      visit_met(tree_, RegionProbe<Box>(tree_.box(slot)), [&](std::uint32_t other) {
+      visit_met(tree_, RegionProbe<Box>(tree_.box(slot)), [&](const BvhName& found) {
+        const std::uint32_t other = found.slot;
         const bool is_found_from_there = is_stray_[other] != 0 && other <= slot;
         if (!is_found_from_there && is_admitted({slot, other})) part.push_back({slot, other});
         return true;

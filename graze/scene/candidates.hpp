@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include <graze/broad/buffer.hpp>
 #include <graze/broad/bvh_tree.hpp>
 #include <graze/broad/executor.hpp>
 #include <graze/broad/pair.hpp>
@@ -94,11 +95,11 @@ class Candidates {
   void find_around_strays(const Executor& executor);
   void mend_graph();
 
-  std::vector<Box> boxes_;           // by slot
-  std::vector<Box> rooms_;           // by slot
-  std::vector<T> margins_;           // by slot: of its room
-  std::vector<PairFilter> filters_;  // by slot
-  std::size_t choosy_ = 0;           // filters that do not admit all
+  PageVector<Box> boxes_;           // by slot
+  PageVector<Box> rooms_;           // by slot
+  PageVector<T> margins_;           // by slot: of its room
+  PageVector<PairFilter> filters_;  // by slot
+  std::size_t choosy_ = 0;          // filters that do not admit all
   T largest_ = 0;
   T mean_side_ = 0;  // of boxes, at the last look at all of them
 
@@ -112,18 +113,18 @@ class Candidates {
   unsigned pause_ = 0;       // so many lists are made without a margin
   unsigned next_pause_ = 1;  // if the next margin does not pay
   PairFinder<N, T> finder_;
-  std::vector<Box> reaches_;    // touching_bounds of rooms
-  std::vector<Pair> admitted_;  // where not all are
+  PageVector<Box> reaches_;    // touching_bounds of rooms
+  PageVector<Pair> admitted_;  // where not all are
   std::span<const Pair> list_;
 
   // The graph.
   PairGraph graph_;
-  BvhTree<N, T> tree_{0};       // of the rooms
-  std::vector<char> is_held_;   // by slot: its room is in the tree
-  std::vector<char> is_stray_;  // by slot: its candidates are not known
-  std::vector<std::uint32_t> strays_;
+  BvhTree<N, T> tree_{0};      // of the rooms
+  PageVector<char> is_held_;   // by slot: its room is in the tree
+  PageVector<char> is_stray_;  // by slot: its candidates are not known
+  PageVector<std::uint32_t> strays_;
   std::vector<std::vector<Pair>> found_;  // around the strays, by task
-  std::vector<std::uint32_t> marks_;      // by slot: the last stray that has it as a candidate
+  PageVector<std::uint32_t> marks_;       // by slot: the last stray that has it as a candidate
   std::uint32_t mark_ = 0;
 };
 

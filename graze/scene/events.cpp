@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <graze/broad/buffer.hpp>
 #include <graze/broad/prefetch.hpp>
 #include <graze/scene/events.hpp>
 
@@ -117,6 +118,17 @@ std::vector<ObjectPair> pairs_of(const SceneEvents& events) {
 
 namespace {
 
+/// Makes a list so long, whatever is in it then. It is not copied when it needs other memory, which is of large pages
+/// and holds a quarter more.
+void make_long(std::vector<ObjectPair>& pairs, std::size_t count) {
+  if (pairs.capacity() < count) {
+    pairs.clear();
+    pairs.reserve(count + count / 4);
+    advise_large_pages(pairs.data(), pairs.capacity() * sizeof(ObjectPair));
+  }
+  pairs.resize(count);
+}
+
 /// Makes ids of the slots, which is all that the pairs say so far. What it takes lies anywhere in memory, and is asked
 /// for ahead.
 void name_all(std::vector<ObjectPair>& pairs, const KeyTable& ids) {
@@ -172,7 +184,7 @@ void find_events_of_others(BothLists old, std::span<const Pair> found, const Key
 void find_events(const SceneEvents& last, std::span<const Pair> found, const KeyTable& ids, Tenants tenants,
                  SceneEvents& events) {
   events.began.clear();
-  events.stayed.resize(found.size());
+  make_long(events.stayed, found.size());
   events.ended.clear();
   const BothLists old(last);
   if (tenants == Tenants::the_same) {

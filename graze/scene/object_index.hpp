@@ -80,12 +80,12 @@ class SlotIndex {
   /// visit(slot) for every box that meets the region, until it returns false if it returns anything.
   template <RegionIn<N, T> R, VisitorOf<std::uint32_t> Visit>
   void query(const R& region, Visit&& visit) const {
-    visit_met(tree_, RegionProbe<R>(region), [&visit](std::uint32_t slot) {
+    visit_met(tree_, RegionProbe<R>(region), [&visit](const BvhName& name) {
       if constexpr (std::is_void_v<std::invoke_result_t<Visit&, std::uint32_t>>) {
-        visit(slot);
+        visit(name.slot);
         return true;
       } else {
-        return visit(slot);
+        return visit(name.slot);
       }
     });
   }
@@ -93,7 +93,7 @@ class SlotIndex {
   /// visit(slot, t) for every box that the ray enters, in order of t, equal ones by slot, until it returns false.
   template <class Visit>
   void ray_cast(const Ray<N, T>& ray, const Visit& visit) const {
-    visit_along(tree_, ray, visit);
+    visit_along(tree_, ray, [&visit](const BvhName& name, double t) { return visit(name.slot, t); });
   }
 
   /// The k boxes nearest to the point, or all, by keys whose index is the slot.

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <vector>
 
+#include <graze/broad/buffer.hpp>
 #include <graze/broad/pair.hpp>
 #include <graze/broad/prefetch.hpp>
 
@@ -88,7 +88,7 @@ class PairGraph {
   }
 
   /// Writes all pairs that touch, ascending, in the place of what the list held.
-  void list_touching(std::vector<Pair>& pairs) const;
+  void list_touching(PageVector<Pair>& pairs) const;
 
   std::size_t size() const { return edges_.size() - spare_.size(); }
 
@@ -106,9 +106,9 @@ class PairGraph {
 
   void hang(std::uint32_t edge) noexcept;
 
-  std::vector<std::uint32_t> first_;  // by slot: where its chain begins
-  std::vector<Edge> edges_;
-  std::vector<std::uint32_t> spare_;  // edges that hang nowhere; room for all
+  PageVector<std::uint32_t> first_;  // by slot: where its chain begins
+  PageVector<Edge> edges_;
+  PageVector<std::uint32_t> spare_;  // edges that hang nowhere; room for all
 };
 
 }  // namespace graze::detail

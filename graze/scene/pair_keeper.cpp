@@ -39,7 +39,7 @@ constexpr T least_forgiven = 4 * std::numeric_limits<T>::denorm_min();
 Pair ascending(const Pair& pair) { return {std::min(pair.a, pair.b), std::max(pair.a, pair.b)}; }
 
 /// Writes the pairs that touch, in their order, in the place of what the list held.
-void keep_touching(std::span<const Pair> pairs, const char* touches, std::vector<Pair>& kept) {
+void keep_touching(std::span<const Pair> pairs, const char* touches, PageVector<Pair>& kept) {
   const auto count = static_cast<std::size_t>(std::count(touches, touches + pairs.size(), char{1}));
   kept.resize(count + 1);  // one more, so that each can be written before it is known whether it stays
   std::size_t next = 0;

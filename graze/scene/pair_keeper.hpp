@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include <graze/broad/buffer.hpp>
 #include <graze/broad/executor.hpp>
 #include <graze/broad/pair.hpp>
 #include <graze/math/vec.hpp>
@@ -112,24 +113,24 @@ class PairKeeper {
   void list_pairs();
 
   Candidates<N, T> candidates_;
-  std::vector<Kind> kinds_;  // by slot
-  std::size_t live_ = 0;     // kinds that are
-  std::size_t others_ = 0;   // and are no boxes
+  PageVector<Kind> kinds_;  // by slot
+  std::size_t live_ = 0;    // kinds that are
+  std::size_t others_ = 0;  // and are no boxes
 
   // What touched at the last update, as a list, or as the graph of candidates has it, or both.
-  std::vector<Pair> touching_;
+  PageVector<Pair> touching_;
   bool is_listed_ = true;
 
   SlotList changed_;
-  std::vector<Change> changes_;  // by slot
+  PageVector<Change> changes_;  // by slot
 
   // What the present update has found, and room for it.
   PairPlan plan_ = PairPlan::mend;
-  std::vector<Pair> found_;
-  std::vector<char> touches_;  // by candidate
-  std::vector<Pair> merged_;
-  std::vector<NearPair> near_;
-  std::vector<Pair> near_pairs_;
+  PageVector<Pair> found_;
+  PageVector<char> touches_;  // by candidate
+  PageVector<Pair> merged_;
+  PageVector<NearPair> near_;
+  PageVector<Pair> near_pairs_;
   std::vector<Pair> began_;
   std::vector<Pair> ended_;
   std::vector<std::uint32_t> began_edges_;

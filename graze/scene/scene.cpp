@@ -74,7 +74,7 @@ ObjectId Scene<N, T>::add(AnyShape<N, T> shape, ObjectOptions options) {
   }
 
   // Everything that can throw comes before the first change that would show.
-  const std::uint32_t slot = ids_.prepare();
+  const std::uint32_t slot = ids_.prepare().index;
   const std::size_t slots = std::max<std::size_t>(slot + std::size_t{1}, objects_.size());
   index_.reserve(slots);
   keeper_.reserve(slots);

@@ -3,6 +3,7 @@
 // what stands next to it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -10,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include <graze/broad/buffer.hpp>
 #include <graze/broad/prefetch.hpp>
 
 namespace graze::detail {
@@ -17,6 +19,9 @@ namespace graze::detail {
 /// Slots by number, each with an item or none, in chunks. `share` gives a copy at the price of a pointer for each
 /// chunk; after it, the first change to a chunk on this side copies that chunk. A copy that was shared is for reading
 /// alone: one thread may change the original while others read what was shared.
+///
+/// Chunks are made many at a time, as many as there are already, up to what fills a large page of the system: in such
+/// pages they are sooner found. What they hold together is given back when nobody has any of them.
 template <class Item>
 class SharedSlots {
  public:
@@ -27,8 +32,8 @@ class SharedSlots {
 
   /// A copy with nothing in common.
   SharedSlots(const SharedSlots& other) : size_(other.size_), is_own_(other.is_own_.size(), true) {
-    chunks_.reserve(other.chunks_.size());
-    for (const auto& chunk : other.chunks_) chunks_.push_back(std::make_shared<Chunk>(*chunk));
+    add_chunks(other.chunks_.size());
+    for (std::size_t k = 0; k < chunks_.size(); ++k) *chunks_[k] = *other.chunks_[k];
   }
 
   SharedSlots& operator=(const SharedSlots& other) {
@@ -59,11 +64,7 @@ class SharedSlots {
 
   /// Sees to it that there are so many slots, new ones without an item.
   void grow(std::size_t size) {
-    while (chunks_.size() * chunk_size < size) {
-      is_own_.reserve(chunks_.size() + 1);
-      chunks_.push_back(std::make_shared<Chunk>());
-      is_own_.push_back(true);
-    }
+    while (chunks_.size() * chunk_size < size) add_chunks(std::clamp<std::size_t>(chunks_.size(), 1, most_in_slab));
     if (size > size_) size_ = size;
   }
 
@@ -80,6 +81,22 @@ class SharedSlots {
  private:
   static constexpr std::size_t chunk_size = 64;
   using Chunk = std::array<std::optional<Item>, chunk_size>;
+  using Slab = std::vector<Chunk, PageAllocator<Chunk>>;
+  static constexpr std::size_t most_in_slab = (std::size_t{2} << 20U) / sizeof(Chunk);
+  static_assert(most_in_slab > 0);
+
+  /// Of one piece of memory for each few megabytes. May throw std::bad_alloc, before anything has changed.
+  void add_chunks(std::size_t count) {
+    chunks_.reserve(chunks_.size() + count);
+    is_own_.reserve(chunks_.size() + count);
+    while (count > 0) {
+      const std::size_t some = std::min(count, most_in_slab);
+      const auto slab = std::make_shared<Slab>(some);
+      for (Chunk& chunk : *slab) chunks_.emplace_back(slab, &chunk);
+      count -= some;
+    }
+    is_own_.resize(chunks_.size(), true);
+  }
 
   /// In a function of its own: where nothing is shared, as mostly, `change` is a few steps.
   [[gnu::noinline]] void copy_chunk(std::size_t number) {

@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <span>
 #include <utility>
-#include <vector>
+
+#include <graze/broad/buffer.hpp>
 
 namespace graze::detail {
 
@@ -43,7 +44,7 @@ class SlotList {
   std::span<const std::uint32_t> all() const { return {slots_.data(), size_}; }
 
  private:
-  std::vector<std::uint32_t> slots_;  // of which the first size_ count
+  PageVector<std::uint32_t> slots_;  // of which the first size_ count
   std::size_t size_ = 0;
 };
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <new>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -88,6 +90,23 @@ TEST(BlankVector, BeginsAtACacheLineOrALargePage) {
 TEST(BlankVector, RefusesMoreThanThereIs) {
   BlankVector<double> numbers;
   EXPECT_THROW(numbers.get_allocator().allocate(std::numeric_limits<std::size_t>::max() / 4), std::bad_alloc);
+}
+
+TEST(PageVector, MakesWhatHasNoValueAsAnyVectorDoes) {
+  PageVector<int> numbers(1000);
+  EXPECT_EQ(numbers, PageVector<int>(1000, 0));
+  numbers.assign(1000, 7);
+  numbers.clear();
+  numbers.resize(1000);
+  EXPECT_EQ(numbers, PageVector<int>(1000, 0));
+}
+
+TEST(Pages, AdviceChangesNothingButTheTime) {
+  std::vector<std::uint8_t> bytes(std::size_t{9} << 20U, 3);
+  advise_large_pages(bytes.data() + 1, bytes.size() - 1);
+  advise_large_pages(bytes.data(), 1);
+  advise_large_pages(nullptr, 0);
+  EXPECT_EQ(std::count(bytes.begin(), bytes.end(), std::uint8_t{3}), std::ptrdiff_t{9} << 20U);
 }
 
 }  // namespace

@@ -23,11 +23,13 @@ class BvhInspection {
   using Tree = detail::BvhTree<N, T>;
   using Box = Aabb<N, T>;
 
-  /// The boxes that must be found, by slot.
-  BvhInspection(const Tree& tree, const std::map<std::uint32_t, Box>& expected) : tree_(tree), expected_(expected) {
-    for (const std::uint32_t slot : tree.infinite()) {
-      expect(!is_valid(tree.box(slot)), "a finite box is in the list of the infinite");
-      find(slot);
+  /// The boxes that must be found, by slot, and their generations; who is in none has 0.
+  BvhInspection(const Tree& tree, const std::map<std::uint32_t, Box>& expected,
+                const std::map<std::uint32_t, std::uint32_t>& generations = {})
+      : tree_(tree), expected_(expected), generations_(generations) {
+    for (const detail::BvhName& name : tree.infinite()) {
+      expect(!is_valid(tree.box(name.slot)), "a finite box is in the list of the infinite");
+      find(name);
     }
     if (!tree.root().is_none()) {
       expect(tree.parent(tree.root()) == detail::no_box, "the root hangs somewhere");
@@ -51,10 +53,12 @@ class BvhInspection {
     if (!holds && fault_.empty()) fault_ = fault;
   }
 
-  void find(std::uint32_t slot) {
-    expect(++found_[slot] == 1, "a box is there twice");
-    const auto wanted = expected_.find(slot);
-    expect(wanted != expected_.end() && tree_.box(slot) == wanted->second, "a box is there that should not");
+  void find(const detail::BvhName& name) {
+    expect(++found_[name.slot] == 1, "a box is there twice");
+    const auto wanted = expected_.find(name.slot);
+    expect(wanted != expected_.end() && tree_.box(name.slot) == wanted->second, "a box is there that should not");
+    const auto generation = generations_.find(name.slot);
+    expect(name.generation == (generation == generations_.end() ? 0 : generation->second), "a box is of another time");
   }
 
   /// How many levels there are from this node down.
@@ -74,7 +78,7 @@ class BvhInspection {
     for (std::uint32_t lane = 0; lane < count; ++lane) {
       const Box box = detail::box_in(node.boxes, lane);
       if (link.is_leaf()) {
-        find(node.entries[lane]);
+        find(node.name(lane));
         expect(box == tree_.box(node.entries[lane]), "a box is another in its node");
         continue;
       }
@@ -103,6 +107,7 @@ class BvhInspection {
 
   const Tree& tree_;
   const std::map<std::uint32_t, Box>& expected_;
+  const std::map<std::uint32_t, std::uint32_t> generations_;
   std::map<std::uint32_t, int> found_;
   std::string fault_;
   std::size_t height_ = 0;
@@ -135,7 +140,7 @@ template <Dim N, class T>
 Effort effort_of(const detail::BvhTree<N, T>& tree, const Aabb<N, T>& region) {
   const CountingRegion<N, T> probe{region};
   std::size_t found = 0;
-  detail::visit_met(tree, probe, [&found](std::uint32_t) { return ++found > 0; });
+  detail::visit_met(tree, probe, [&found](const detail::BvhName&) { return ++found > 0; });
   return {probe.looks + 1, found};
 }
 

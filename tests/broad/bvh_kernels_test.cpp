@@ -207,13 +207,14 @@ TYPED_TEST(BvhKernelsTest, WalksDoNotDependOnTheInstructionSet) {
     for (const std::int64_t target : test::simd_targets()) {
       const test::ForcedTarget forced(target);
       BvhTree<N, T> tree(0);
-      for (std::uint32_t k = 0; k < world.boxes.size(); ++k) tree.insert(k, world.boxes[k]);
+      for (std::uint32_t k = 0; k < world.boxes.size(); ++k) tree.insert(k, world.boxes[k], 7 * k);
       std::vector<std::uint32_t>& slots = found.emplace_back();
       std::vector<double>& numbers = ranks.emplace_back();
       for (std::uint32_t k = 0; k < world.boxes.size(); k += 50) {
         const Aabb<N, T>& box = world.boxes[k];
-        visit_met(tree, RegionProbe<Aabb<N, T>>(box), [&slots](std::uint32_t slot) {
-          slots.push_back(slot);
+        visit_met(tree, RegionProbe<Aabb<N, T>>(box), [&slots](const BvhName& name) {
+          EXPECT_EQ(name.generation, 7 * name.slot);
+          slots.push_back(name.slot);
           return true;
         });
         if (!is_valid(box)) continue;
@@ -221,6 +222,7 @@ TYPED_TEST(BvhKernelsTest, WalksDoNotDependOnTheInstructionSet) {
           NearestKeys nearest(wanted);
           find_near(tree, box.min, nearest);
           for (const Neighbour& neighbour : nearest.sorted()) {
+            EXPECT_EQ(neighbour.key.generation, 7 * neighbour.key.index);
             slots.push_back(neighbour.key.index);
             numbers.push_back(neighbour.distance_squared);
           }
@@ -229,7 +231,8 @@ TYPED_TEST(BvhKernelsTest, WalksDoNotDependOnTheInstructionSet) {
         ray.direction[0] = T(2);
         const std::optional<BvhHit> first = first_along(tree, ray);
         ASSERT_TRUE(first.has_value());
-        slots.push_back(first->slot);
+        EXPECT_EQ(first->name.generation, 7 * first->name.slot);
+        slots.push_back(first->name.slot);
         numbers.push_back(first->t);
       }
     }

@@ -59,14 +59,14 @@ TEST(BvhQuery, EndsWhenTheVisitorDoes) {
   const RegionProbe<Aabb<2>> everything(Aabb<2>::everything());
   const auto visits_of = [&tree](const auto& probe) {
     int visits = 0;
-    EXPECT_FALSE(visit_met(tree, probe, [&visits](std::uint32_t) { return ++visits < 3; }));
-    EXPECT_TRUE(visit_met(tree, probe, [](std::uint32_t) { return true; }));
+    EXPECT_FALSE(visit_met(tree, probe, [&visits](const BvhName&) { return ++visits < 3; }));
+    EXPECT_TRUE(visit_met(tree, probe, [](const BvhName&) { return true; }));
     return visits;
   };
   EXPECT_EQ(visits_of(everything), 3);
   counting.looks = 0;
   int visits = 0;
-  EXPECT_FALSE(visit_met(tree, counting, [&visits](std::uint32_t) { return ++visits < 3; }));
+  EXPECT_FALSE(visit_met(tree, counting, [&visits](const BvhName&) { return ++visits < 3; }));
   EXPECT_EQ(visits, 3);
   EXPECT_LE(counting.looks, 4 * block_size);  // the children of one path
 }
@@ -76,7 +76,7 @@ TEST(BvhQuery, FindsAllOfManyOnce) {
   const BvhTree<2, float> tree = row<2, float>(length);
   std::vector<int> visits(length);
   const RegionProbe<Aabb<2>> everything(Aabb<2>::everything());
-  EXPECT_TRUE(visit_met(tree, everything, [&visits](std::uint32_t slot) { return ++visits[slot] > 0; }));
+  EXPECT_TRUE(visit_met(tree, everything, [&visits](const BvhName& name) { return ++visits[name.slot] > 0; }));
   EXPECT_EQ(visits, std::vector<int>(length, 1));
 }
 
@@ -84,14 +84,14 @@ TEST(BvhQuery, FollowsARayOnlyAsFarAsItIsAsked) {
   const BvhTree<3, double> tree = row<3, double>(length);
   const Ray<3, double> along{{-10, 0.5, 0.5}, {1, 0, 0}};
   std::vector<std::pair<std::uint32_t, double>> hits;
-  visit_along(tree, along, [&hits](std::uint32_t slot, double t) {
-    hits.emplace_back(slot, t);
+  visit_along(tree, along, [&hits](const BvhName& name, double t) {
+    hits.emplace_back(name.slot, t);
     return hits.size() < 3;
   });
   EXPECT_EQ(hits, (std::vector<std::pair<std::uint32_t, double>>{{0, 10}, {1, 12}, {2, 14}}));
   hits.clear();
-  visit_along(tree, along, [&hits](std::uint32_t slot, double t) {
-    hits.emplace_back(slot, t);
+  visit_along(tree, along, [&hits](const BvhName& name, double t) {
+    hits.emplace_back(name.slot, t);
     return true;
   });
   ASSERT_EQ(hits.size(), length);
@@ -105,12 +105,12 @@ TEST(BvhQuery, TheFirstBoxOnARayTakesOnePathDown) {
     const std::optional<BvhHit> first = first_along(tree, along);
     const double slot = std::max(0.0, std::ceil((x - 1) / 2));  // boxes from 2 slot to 2 slot + 1
     ASSERT_TRUE(first.has_value());
-    EXPECT_EQ(first->slot, static_cast<std::uint32_t>(slot));
+    EXPECT_EQ(first->name.slot, static_cast<std::uint32_t>(slot));
     EXPECT_EQ(first->t, std::max(0.0, 2 * slot - x));
-    BvhFirstWalk<3, double> walk{along, slabs_of(along, finite_size(tree.bounds())),
-                                 std::numeric_limits<double>::infinity(), 0};
+    BvhFirstWalk<3, double> walk{
+        along, slabs_of(along, finite_size(tree.bounds())), std::numeric_limits<double>::infinity(), {0, 0}};
     EXPECT_LE((bvh_kernels<3, double>().find_first(tree.nodes(), tree.root(), walk)), path);
-    EXPECT_EQ(walk.slot, first->slot);
+    EXPECT_EQ(walk.name, first->name);
   }
   const Ray<3, double> beside{{-10, 0.5, 2}, {1, 0, 0}};
   EXPECT_FALSE(first_along(tree, beside).has_value());
@@ -120,17 +120,18 @@ TEST(BvhQuery, OfBoxesOnARayAtOncePrefersTheLowestSlot) {
   for (const double margin : {0.0, 0.5}) {
     BvhTree<3, double> tree(margin);
     const Aabb<3, double> box{{4, 0, 0}, {5, 1, 1}};
-    for (const std::uint32_t slot : {7U, 3U, 9U, 5U}) tree.insert(slot, box);
-    tree.insert(1, {{6, 0, 0}, {7, 1, 1}});
-    tree.insert(2, {{4, -1, 0}, {std::numeric_limits<double>::infinity(), 1, 1}});  // beside the tree
+    for (const std::uint32_t slot : {7U, 3U, 9U, 5U}) tree.insert(slot, box, 10 * slot);
+    tree.insert(1, {{6, 0, 0}, {7, 1, 1}}, 10);
+    tree.insert(2, {{4, -1, 0}, {std::numeric_limits<double>::infinity(), 1, 1}}, 20);  // beside the tree
     const Ray<3, double> along{{0, 0.5, 0.5}, {2, 0, 0}};
     std::vector<BvhHit> hits;
-    visit_along(tree, along, [&hits](std::uint32_t slot, double t) {
-      hits.push_back({t, slot});
+    visit_along(tree, along, [&hits](const BvhName& name, double t) {
+      hits.push_back({t, name});
       return true;
     });
-    EXPECT_EQ(hits, (std::vector<BvhHit>{{2, 2}, {2, 3}, {2, 5}, {2, 7}, {2, 9}, {3, 1}}));
-    EXPECT_EQ(first_along(tree, along), (BvhHit{2, 2}));
+    EXPECT_EQ(hits, (std::vector<BvhHit>{
+                        {2, {2, 20}}, {2, {3, 30}}, {2, {5, 50}}, {2, {7, 70}}, {2, {9, 90}}, {3, {1, 10}}}));
+    EXPECT_EQ(first_along(tree, along), (BvhHit{2, {2, 20}}));
   }
 }
 
@@ -179,12 +180,12 @@ void expect_hits_as_box_by_box(double size, std::uint64_t seed) {
     std::vector<BvhHit> expected;
     for (std::uint32_t k = 0; k < count; ++k) {
       const std::optional<double> t = entry_of(ray, tree.box(k));
-      if (t) expected.push_back({*t, k});
+      if (t) expected.push_back({*t, {k, 0}});
     }
     std::sort(expected.begin(), expected.end());
     std::vector<BvhHit> hits;
-    visit_along(tree, ray, [&hits](std::uint32_t slot, double t) {
-      hits.push_back({t, slot});
+    visit_along(tree, ray, [&hits](const BvhName& name, double t) {
+      hits.push_back({t, name});
       return true;
     });
     EXPECT_EQ(hits, expected) << size << ", round " << round;

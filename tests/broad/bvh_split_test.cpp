@@ -32,7 +32,7 @@ TEST(BvhSplit, CutsWhereThereIsAGap) {
     for (std::uint32_t k = 0; k < 17; ++k) {
       Vec<3> low(static_cast<float>(k));
       low[axis] = static_cast<float>(k * 5 % 17 < 7 ? k : 1000 + k);
-      entries.add({low, low + 1.0F}, k);
+      entries.add({{low, low + 1.0F}, k});
     }
     std::vector<std::uint32_t> low;
     for (std::uint32_t k = 0; k < 17; ++k) {
@@ -48,9 +48,9 @@ TEST(BvhSplit, LeavesEnoughAndNotTooManyOnEitherSide) {
     std::vector<Entries> cases(3);
     for (std::uint32_t k = 0; k < count; ++k) {
       const auto place = static_cast<float>(k * k);
-      cases[0].add(Aabb<3>{}, k);                                             // all equal
-      cases[1].add(Aabb<3>{Vec<3>(k == 0 ? -most : 1.0F), Vec<3>(most)}, k);  // as large as there are numbers
-      cases[2].add(Aabb<3>{Vec<3>(place), Vec<3>(place)}, count - k);         // ever farther
+      cases[0].add({Aabb<3>{}, k});                                      // all equal
+      cases[1].add({{Vec<3>(k == 0 ? -most : 1.0F), Vec<3>(most)}, k});  // as large as there are numbers
+      cases[2].add({{Vec<3>(place), Vec<3>(place)}, count - k});         // ever farther
     }
     for (Entries& entries : cases) {
       const std::uint32_t first = split_entries(entries);
@@ -68,11 +68,11 @@ TEST(BvhSplit, DependsOnTheSetOfEntriesAlone) {
     std::vector<std::uint32_t> all;
     for (std::uint32_t k = 0; k < 20; ++k) {
       if (!is_valid(world.boxes[k])) continue;
-      entries.add(world.boxes[k], k);
+      entries.add({world.boxes[k], k});
       all.push_back(k);
     }
     if (all.size() <= block_size) continue;
-    for (std::size_t k = all.size(); k-- > 0;) reversed.add(world.boxes[all[k]], all[k]);
+    for (std::size_t k = all.size(); k-- > 0;) reversed.add({world.boxes[all[k]], all[k]});
     EXPECT_EQ(first_side(entries), first_side(reversed)) << world.name;
     split_entries(entries);
     std::vector<std::uint32_t> kept;

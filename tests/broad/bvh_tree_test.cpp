@@ -35,18 +35,26 @@ Box unit_square(double x, double y) {
 struct Held {
   Tree tree;
   Boxes boxes;
+  std::map<std::uint32_t, std::uint32_t> generations = {};
+  std::uint32_t inserted = 0;
 
   explicit Held(double margin = 0) : tree(margin) {}
 
   void set(std::uint32_t slot, const Box& box) {
-    boxes.count(slot) == 0 ? tree.insert(slot, box) : tree.update(slot, box);
+    if (boxes.count(slot) == 0) {
+      generations[slot] = ++inserted;
+      tree.insert(slot, box, generations[slot]);
+    } else {
+      tree.update(slot, box);
+    }
     boxes[slot] = box;
   }
   void erase(std::uint32_t slot) {
     tree.erase(slot);
     boxes.erase(slot);
+    generations.erase(slot);
   }
-  Inspection inspect() const { return Inspection(tree, boxes); }
+  Inspection inspect() const { return Inspection(tree, boxes, generations); }
 };
 
 RC_GTEST_PROP(BvhTree, IsSoundAfterAnySequenceOfCalls, ()) {
@@ -188,14 +196,17 @@ Held held_at_once(std::uint32_t count) {
   Held held;
   std::vector<Box> boxes;
   std::vector<std::uint32_t> slots;
+  std::vector<std::uint32_t> generations;
   for (std::uint32_t k = 0; k < count; ++k) {
     Box box = unit_square(k * 37 % 101, k * 59 % 97);
     if (k % 100 == 99) box.max.x = std::numeric_limits<float>::infinity();
     slots.push_back(3 * k);
     boxes.push_back(box);
     held.boxes[3 * k] = box;
+    generations.resize(3 * k + std::size_t{1});
+    held.generations[3 * k] = generations.back() = ++held.inserted;
   }
-  held.tree.fill(boxes, slots, serial_executor());
+  held.tree.fill(boxes, slots, serial_executor(), generations);
   return held;
 }
 

@@ -38,14 +38,17 @@ TEST(KeyTable, ReleasesAllAsOneByOne) {
 
 TEST(KeyTable, TakesTheSlotThatItPreparedAndUsesFreeOnesAgain) {
   KeyTable table;
-  EXPECT_EQ(table.prepare(), 0U);
-  EXPECT_EQ(table.prepare(), 0U);  // nothing is taken yet
+  const Key prepared = table.prepare();
+  EXPECT_EQ(prepared.index, 0U);
+  EXPECT_EQ(table.prepare(), prepared);  // nothing is taken yet
   const Key first = table.take();
+  EXPECT_EQ(first, prepared);
   const Key second = take(table);
   EXPECT_EQ(first.index, 0U);
   EXPECT_EQ(second.index, 1U);
   table.release(0);
-  EXPECT_EQ(table.prepare(), 0U);
+  EXPECT_EQ(table.prepare(), (Key{0, first.generation + 2, first.owner}));
+  EXPECT_EQ(table.generations()[0], first.generation + 1);  // free
   EXPECT_EQ(take(table).generation, first.generation + 2);
   EXPECT_EQ(table.size(), 2U);
   EXPECT_EQ(table.slots(), 2U);
@@ -149,7 +152,7 @@ TEST(KeyTable, GoesOnAsAnotherDidIfThatIsPlanned) {
   EXPECT_EQ(copy.size(), 0U);
   for (const Key& key : taken) {
     EXPECT_FALSE(copy.contains({key.index, key.generation, copy.owner()}));
-    EXPECT_EQ(copy.prepare(), key.index);
+    EXPECT_EQ(copy.prepare(), (Key{key.index, key.generation, copy.owner()}));
     EXPECT_EQ(copy.take(), (Key{key.index, key.generation, copy.owner()}));
   }
   EXPECT_EQ(copy.size(), table.size());

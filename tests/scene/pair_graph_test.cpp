@@ -29,9 +29,9 @@ std::vector<Pair> listed(const PairGraph& graph) {
 }
 
 std::vector<Pair> listed_touching(const PairGraph& graph) {
-  std::vector<Pair> pairs{{8, 9}};  // which goes
+  PageVector<Pair> pairs{{8, 9}};  // which goes
   graph.list_touching(pairs);
-  return pairs;
+  return {pairs.begin(), pairs.end()};
 }
 
 /// The others by slot, and the numbers of their pairs.

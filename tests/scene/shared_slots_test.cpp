@@ -65,6 +65,36 @@ TEST(SharedSlots, AnOrdinaryCopyGoesItsOwnWay) {
   EXPECT_EQ(copy[0], "two");
 }
 
+/// More than fit in one piece of memory.
+TEST(SharedSlots, ManyAreEachForThemselves) {
+  constexpr std::size_t many = 200'000;
+  SharedSlots<std::size_t> slots;
+  for (const std::size_t size : {std::size_t{1}, std::size_t{64}, std::size_t{65}, many / 2, many}) slots.grow(size);
+  for (std::size_t i = 0; i < many; ++i) EXPECT_FALSE(slots[i].has_value());
+  for (std::size_t i = 0; i < many; ++i) slots.change(i) = i;
+  const SharedSlots<std::size_t> copy = slots;
+  const SharedSlots<std::size_t> shared = slots.share();
+  for (std::size_t i = 0; i < many; i += 2) slots.change(i) = i + 1;
+  for (std::size_t i = 0; i < many; ++i) {
+    ASSERT_EQ(slots[i], i | 1U);
+    ASSERT_EQ(shared[i], i);
+    ASSERT_EQ(copy[i], i);
+  }
+}
+
+TEST(SharedSlots, WhatNobodyHasIsGone) {
+  SharedSlots<std::shared_ptr<int>> slots;
+  slots.grow(1000);
+  const auto item = std::make_shared<int>(1);
+  for (std::size_t i = 0; i < 1000; ++i) slots.change(i) = item;
+  {
+    const auto shared = slots.share();
+    for (std::size_t i = 0; i < 1000; ++i) slots.change(i).reset();
+    EXPECT_EQ(item.use_count(), 1001);
+  }
+  EXPECT_EQ(item.use_count(), 1);
+}
+
 // The oracle keeps every state that was shared as a plain vector.
 RC_GTEST_PROP(SharedSlots, SharedStatesNeverChange, ()) {
   Slots slots;
