@@ -23,9 +23,9 @@ struct PairContact {
 };
 
 /// manifold(shapes[pair.a], shapes[pair.b]) of those candidates whose shapes intersect (touching counts), in their
-/// order: the same answers as one call each, whoever runs them. What does not touch costs no more than with
-/// `touching_pairs`. Shapes must be valid, as for `manifold`. Throws std::out_of_range when a pair names a shape that
-/// is not there. Instantiated for 2D and 3D, float and double.
+/// order: the same answers as one call each, whoever runs them. What does not touch costs little more than with
+/// `touching_pairs`, oriented boxes in space up to half as much again. Shapes must be valid, as for `manifold`. Throws
+/// std::out_of_range when a pair names a shape that is not there. Instantiated for 2D and 3D, float and double.
 template <Dim N, class T>
 std::vector<PairContact<N, T>> contacts(std::span<const AnyShape<N, T>> shapes, std::span<const Pair> candidates,
                                         const TouchOptions& options = {});

@@ -9,17 +9,23 @@
 #define GRAZE_BROAD_MANIFOLD_AXES_INL_HPP
 #endif
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include <hwy/highway.h>
 
+#include <graze/broad/manifold_kernels.hpp>
 #include <graze/broad/manifold_lanes-inl.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/query/obb_touch.hpp>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
+
+/// Bits of each pair.
+using BitsTag = hn::RebindToUnsigned<Tag<double>>;
 
 /// How far axes are from orthonormal.
 HWY_INLINE Doubles skew_of_axes(const BoxLanes& box) {
@@ -32,42 +38,41 @@ HWY_INLINE Doubles skew_of_axes(const BoxLanes& box) {
 }
 
 /// Which axes the search may not leave out, by their places: those of ObbAxes, or a few more or less that do not matter
-/// for the same reason. The gaps are those of axes_of in query/obb_axes.hpp in double, the bands the same.
+/// for the same reason; and whether the boxes meet. The gaps and the bands are those of axes_of in query/obb_axes.hpp,
+/// in double.
 struct AxesLanes {
   DoublesMask candidates[15];
   DoublesMask is_known;
+  DoublesMask is_overlapping;
+  DoublesMask is_apart;
 
-  HWY_INLINE explicit AxesLanes(const BoxPair& pair) {
+  /// Where the faces of all pairs show that they are apart, nothing else is looked at.
+  HWY_INLINE explicit AxesLanes(const BoxPair& pair) : is_known(no_lane()), is_overlapping(no_lane()) {
     see(pair.box[0], pair.box[1]);
-    const Doubles skew = hn::Add(hn::Max(skew_of_axes(pair.box[0]), skew_of_axes(pair.box[1])),
-                                 both(static_cast<double>(tolerance::measured_skew<float>)));
-    Doubles gaps[15];
-    const Doubles size = find_face_gaps(pair, gaps);
-    const Doubles band = hn::Mul(hn::Mul(both(tolerance::box_filter), skew), size);
-    Doubles widest = gaps[0];
-    for (std::size_t i = 1; i < 6; ++i) widest = hn::Max(widest, gaps[i]);
-    is_known = hn::And(hn::And(hn::Gt(size, both(0x1p-30)), hn::Lt(size, both(0x1p30))), hn::Le(widest, band));
+    skew_ =
+        hn::Add(hn::Max(skew_of_axes(pair.box[0]), skew_of_axes(pair.box[1])), both(tolerance::measured_skew<double>));
+    size_ = find_face_gaps(pair);
+    band_ = hn::Mul(hn::Mul(both(tolerance::box_filter), skew_), size_);
+    widest_ = gaps_[0];
+    for (std::size_t i = 1; i < 6; ++i) widest_ = hn::Max(widest_, gaps_[i]);
+    const DoublesMask has_size = hn::And(hn::Gt(size_, both(0x1p-30)), hn::Lt(size_, both(0x1p30)));
+    is_apart = hn::And(has_size, hn::Gt(widest_, band_));
+    if (!hn::AllTrue(Tag<double>(), is_apart)) look_across_edges(pair, has_size);
+  }
 
-    Doubles squared_length[9];
-    Doubles least_squared = hn::Mul(size, size);
+  /// Bit 3 i + j for axis i of the first box and j of the second that are at right angles to each other, or so nearly
+  /// that they may be by the tolerance of manifolds and how far axes may be from orthonormal.
+  HWY_INLINE hn::Vec<BitsTag> right_angles() const {
+    constexpr double least = 1e-3;
+    auto bits = hn::Zero(BitsTag());
     for (Dim i = 0; i < 3; ++i) {
       for (Dim j = 0; j < 3; ++j) {
-        const Dim k = 3 * i + j;
-        gaps[6 + k] = gap_across_edges(pair, i, j);
-        squared_length[k] = hn::MulAdd(along_[i1(i)][j], along_[i1(i)][j], hn::Mul(along_[i2(i)][j], along_[i2(i)][j]));
-        const Doubles deepest = hn::Sub(gaps[6 + k], band);
-        least_squared =
-            hn::Min(least_squared, hn::Div(hn::Mul(deepest, deepest), hn::Max(squared_length[k], both(1e-30))));
+        const auto bit = hn::BitCast(Tag<double>(), hn::Set(BitsTag(), std::uint64_t{1} << (3 * i + j)));
+        const Doubles found = hn::IfThenElseZero(hn::Le(shadow_[i][j], both(least)), bit);
+        bits = hn::Or(bits, hn::BitCast(BitsTag(), found));
       }
     }
-    const Doubles least = hn::Sub(hn::Max(hn::Sub(widest, band), hn::Neg(hn::Sqrt(least_squared))), band);
-    for (std::size_t i = 0; i < 6; ++i) candidates[i] = hn::Ge(gaps[i], least);
-    const Doubles squared_least = hn::Mul(hn::Mul(both(1.001), least), least);
-    for (std::size_t k = 0; k < 9; ++k) {
-      const Doubles short_by = hn::Add(gaps[6 + k], band);
-      candidates[6 + k] = hn::Or(hn::Ge(short_by, both(0)),
-                                 hn::Le(hn::Mul(short_by, short_by), hn::Mul(squared_length[k], squared_least)));
-    }
+    return bits;
   }
 
  private:
@@ -85,7 +90,7 @@ struct AxesLanes {
   }
 
   /// Returns the size of both.
-  HWY_INLINE Doubles find_face_gaps(const BoxPair& pair, Doubles (&gaps)[15]) const {
+  HWY_INLINE Doubles find_face_gaps(const BoxPair& pair) {
     const BoxLanes& a = pair.box[0];
     const BoxLanes& b = pair.box[1];
     Doubles size = both(0);
@@ -96,11 +101,49 @@ struct AxesLanes {
         reach = hn::MulAdd(b.half[j], shadow_[i][j], reach);
         reach_of_b = hn::MulAdd(a.half[j], shadow_[j][i], reach_of_b);
       }
-      gaps[i] = hn::Sub(hn::Abs(between_[i]), reach);
-      gaps[3 + i] = hn::Sub(hn::Abs(inner(b.axes[i], b.center)), reach_of_b);
+      gaps_[i] = hn::Sub(hn::Abs(between_[i]), reach);
+      gaps_[3 + i] = hn::Sub(hn::Abs(inner(b.axes[i], b.center)), reach_of_b);
       size = hn::Add(size, hn::Add(hn::Abs(between_[i]), reach));
     }
     return size;
+  }
+
+  HWY_INLINE void look_across_edges(const BoxPair& pair, DoublesMask has_size) {
+    const Doubles parallel = hn::Mul(both(2 * tolerance::box_filter), skew_);
+    const Doubles squared_parallel = hn::Mul(hn::Mul(both(0.5), parallel), parallel);
+    Doubles squared_length[9];
+    Doubles least_squared = hn::Mul(size_, size_);
+    Doubles widest_across = hn::Neg(size_);
+    DoublesMask are_open = no_lane();
+    for (Dim i = 0; i < 3; ++i) {
+      for (Dim j = 0; j < 3; ++j) {
+        const Dim k = 3 * i + j;
+        const Doubles gap = gap_across_edges(pair, i, j);
+        gaps_[6 + k] = gap;
+        squared_length[k] = hn::MulAdd(along_[i1(i)][j], along_[i1(i)][j], hn::Mul(along_[i2(i)][j], along_[i2(i)][j]));
+        const Doubles deepest = hn::Sub(gap, band_);
+        least_squared =
+            hn::Min(least_squared, hn::Div(hn::Mul(deepest, deepest), hn::Max(squared_length[k], both(1e-30))));
+        widest_across = hn::Max(widest_across, gap);
+        are_open = hn::Or(are_open,
+                          hn::And(hn::Ge(hn::Add(gap, band_), both(0)), hn::Ge(squared_length[k], squared_parallel)));
+      }
+    }
+    is_apart = hn::Or(is_apart, hn::And(has_size, hn::Gt(widest_across, band_)));
+    is_known = hn::AndNot(is_apart, has_size);
+    is_overlapping = hn::And(is_known, hn::AndNot(are_open, hn::Lt(widest_, hn::Mul(both(-8), band_))));
+    find_candidates(squared_length, least_squared);
+  }
+
+  HWY_INLINE void find_candidates(const Doubles (&squared_length)[9], Doubles least_squared) {
+    const Doubles least = hn::Sub(hn::Max(hn::Sub(widest_, band_), hn::Neg(hn::Sqrt(least_squared))), band_);
+    for (std::size_t i = 0; i < 6; ++i) candidates[i] = hn::Ge(gaps_[i], least);
+    const Doubles squared_least = hn::Mul(hn::Mul(both(1.001), least), least);
+    for (std::size_t k = 0; k < 9; ++k) {
+      const Doubles short_by = hn::Add(gaps_[6 + k], band_);
+      candidates[6 + k] = hn::Or(hn::Ge(short_by, both(0)),
+                                 hn::Le(hn::Mul(short_by, short_by), hn::Mul(squared_length[k], squared_least)));
+    }
   }
 
   HWY_INLINE Doubles gap_across_edges(const BoxPair& pair, Dim i, Dim j) const {
@@ -116,6 +159,11 @@ struct AxesLanes {
   Doubles between_[3];
   Doubles along_[3][3];
   Doubles shadow_[3][3];
+  Doubles skew_;
+  Doubles size_;
+  Doubles band_;
+  Doubles widest_;  ///< Of the gaps across faces.
+  Doubles gaps_[15];
 };
 
 HWY_INLINE DoublesMask are_equal(const Point& a, const Point& b) {
@@ -157,6 +205,7 @@ class SearchLanes {
         gap_(both(-std::numeric_limits<double>::infinity())),
         place_(both(0)),
         is_open_(no_lane()) {
+#pragma GCC unroll 15
     for (std::size_t i = 0; i < 15; ++i) {
       const DoublesMask tried = hn::And(searched, axes.candidates[i]);
       if (hn::AllFalse(Tag<double>(), tried)) continue;
@@ -225,25 +274,53 @@ class SearchLanes {
   DoublesMask is_open_;
 };
 
-/// The axis of each pair by its place, or 15 where it is not clear.
-HWY_INLINE Doubles axis_places(const BoxPair& pair) {
-  const Tag<double> d;
-  const AxesLanes axes(pair);
-  Doubles place = both(0);
-  Doubles count = both(0);
-  for (std::size_t i = 0; i < 15; ++i) {
-    place = hn::IfThenElse(axes.candidates[i], both(static_cast<double>(i)), place);
-    count = hn::Add(count, hn::IfThenElseZero(axes.candidates[i], both(1)));
-  }
-  const DoublesMask is_one = hn::And(axes.is_known, hn::Eq(count, both(1)));
-  const DoublesMask are_several = hn::And(axes.is_known, hn::Gt(count, both(1)));
-  Doubles result = hn::IfThenElse(is_one, place, both(15));
-  if (!hn::AllFalse(d, are_several)) {
-    const SearchLanes search(pair, axes, are_several);
-    result = hn::IfThenElse(hn::AndNot(search.is_open(), are_several), search.place(), result);
-  }
-  return result;
+/// Whether a face may look along the axis at a place, other than the one that it is the normal of, given which axes are
+/// at right angles. The normal of the second box' face is then along an axis of the first and across the two others;
+/// that across two edges is along an axis of one box, to which the other's edge is at right angles.
+HWY_INLINE bool may_be_along_face(std::size_t place, std::uint64_t right_angles) {
+  static constexpr auto bits = [] {
+    std::array<std::uint64_t, 16> result{};
+    const auto bit = [](std::size_t i, std::size_t j) { return std::uint64_t{1} << (3 * (i % 3) + j % 3); };
+    for (std::size_t i = 0; i < 3; ++i) {
+      result[3 + i] = bit(0, i) | bit(1, i) | bit(2, i);
+      for (std::size_t j = 0; j < 3; ++j) {
+        result[6 + 3 * i + j] = bit(i + 1, j) | bit(i + 2, j) | bit(i, j + 1) | bit(i, j + 2);
+      }
+    }
+    return result;
+  }();
+  const std::uint64_t found = right_angles & bits[place];
+  return place < 6 ? (found & (found - 1)) != 0 : found != 0;
 }
+
+/// As ObbsLook.
+struct LooksLanes {
+  Doubles place;
+  hn::Vec<BitsTag> right_angles;
+  DoublesMask is_overlapping;
+  DoublesMask is_apart;
+
+  HWY_INLINE explicit LooksLanes(const BoxPair& pair) {
+    const AxesLanes axes(pair);
+    is_overlapping = axes.is_overlapping;
+    is_apart = axes.is_apart;
+    right_angles = axes.right_angles();
+    place = both(ObbsLook::no_axis);
+    if (hn::AllTrue(Tag<double>(), is_apart)) return;
+    place = both(0);
+    Doubles count = both(0);
+    for (std::size_t i = 0; i < 15; ++i) {
+      place = hn::IfThenElse(axes.candidates[i], both(static_cast<double>(i)), place);
+      count = hn::Add(count, hn::IfThenElseZero(axes.candidates[i], both(1)));
+    }
+    const DoublesMask are_several = hn::And(axes.is_known, hn::Gt(count, both(1)));
+    const DoublesMask is_one = hn::And(axes.is_known, hn::Eq(count, both(1)));
+    place = hn::IfThenElse(is_one, place, both(ObbsLook::no_axis));
+    if (hn::AllFalse(Tag<double>(), are_several)) return;
+    const SearchLanes search(pair, axes, are_several);
+    place = hn::IfThenElse(hn::AndNot(search.is_open(), are_several), search.place(), place);
+  }
+};
 
 }  // namespace graze::detail::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

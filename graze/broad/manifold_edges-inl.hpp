@@ -21,7 +21,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 
-/// Pairs in the order of their contact, whose axis is across an edge of each.
+/// Pairs in the order of their contact, whose axis is across an edge of each and not along a face.
 template <class T>
 struct EdgePairs {
   const T* first[pairs_at_once];
@@ -54,7 +54,6 @@ class EdgeContacts {
     const Doubles along_b = hn::Div(dot(cross(between, a.axes[0]), edges.across), edges.squared);
     is_open_ = hn::Not(hn::And(hn::And(lies_on(along_a, a.half[0]), lies_on(along_b, b.half[0])),
                                hn::And(are_long(a, b, size), hn::Gt(edges.squared, both(least_squared_sine)))));
-    find_carrying_faces(a, b, edges, found.normal);
     store(on_a.number, numbers_[0]);
     store(on_b.number, numbers_[1]);
     point_.set((on_a.middle + a.axes[0] * along_a) + origin, (on_b.middle + b.axes[0] * along_b) + origin,
@@ -63,9 +62,6 @@ class EdgeContacts {
 
   /// One bit for each pair of which not all is clear.
   std::uint32_t open() const { return bits_of<double>(is_open_); }
-  /// And for each where a face of the first box lies across the axis and carries the points; or of the second alone.
-  std::uint32_t carried_by_first() const { return bits_of<double>(is_by_first_); }
-  std::uint32_t carried_by_second() const { return bits_of<double>(is_by_second_); }
 
   void write(std::size_t lane, bool turned, Manifold<3, T>& to) const {
     point_.write(lane, to.points[0]);
@@ -93,17 +89,6 @@ class EdgeContacts {
     }
   };
 
-  /// The axis may be the normal of a face where along one edge of a box hardly any way leads along it.
-  HWY_INLINE void find_carrying_faces(const BoxLanes& a, const BoxLanes& b, const EdgesLanes& edges,
-                                      const Point& normal) {
-    const Doubles length = hn::Sqrt(edges.squared);
-    const DoublesMask may_be_along = hn::Or(is_low(a, edges.heights[0], length), is_low(b, edges.heights[1], length));
-    is_by_first_ = is_by_second_ = no_lane();
-    if (hn::AllFalse(Tag<double>(), may_be_along)) return;
-    is_by_first_ = hn::And(may_be_along, is_face_along(a, normal));
-    is_by_second_ = hn::AndNot(is_by_first_, hn::And(may_be_along, is_face_along(b, normal * both(-1))));
-  }
-
   HWY_INLINE static DoublesMask lies_on(Doubles along, Doubles half) {
     constexpr double farthest = 1 - 0x1p-20;
     return hn::Lt(hn::Abs(along), hn::Mul(both(farthest), half));
@@ -115,16 +100,7 @@ class EdgeContacts {
     return hn::Gt(hn::Min(shortest(a), shortest(b)), hn::Mul(both(least_share), size));
   }
 
-  HWY_INLINE static DoublesMask is_low(const BoxLanes& box, const Doubles (&heights)[2], Doubles length) {
-    constexpr double least_cosine = 1.0 / 16;
-    const Doubles least = hn::Mul(both(least_cosine), length);
-    return hn::Or(hn::Le(hn::Abs(heights[0]), hn::Mul(least, box.half[1])),
-                  hn::Le(hn::Abs(heights[1]), hn::Mul(least, box.half[2])));
-  }
-
   DoublesMask is_open_;
-  DoublesMask is_by_first_;
-  DoublesMask is_by_second_;
   ManifoldRows<T> rows_;
   PointRows<T> point_;
   Row<double> numbers_[2];

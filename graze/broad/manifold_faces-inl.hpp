@@ -111,6 +111,41 @@ struct CarriedLanes {
   Doubles size;
 };
 
+/// The axis of each pair, in boxes seen from the first one's center.
+template <class T>
+HWY_INLINE AxisLanes axis_of_carried(const BoxPair& boxes, const CarriedPairs<T>& pairs) {
+  const BoxLanes a = turned_to(boxes.box[0], hn::Load(Tag<double>(), pairs.axis_a.of));
+  const BoxLanes b = turned_to(boxes.box[1], hn::Load(Tag<double>(), pairs.axis_b.of));
+  const DoublesMask on_edges = is_set(pairs.is_on_edges);
+  const AxisLanes across_edges = EdgesLanes(a, 0, b, 0).axis();
+  const AxisLanes across_face = axis_of_face(b, 0, boxes.box[0], b.center);
+  return {one_of(on_edges, across_edges.normal, across_face.normal),
+          hn::IfThenElse(on_edges, across_edges.gap, across_face.gap)};
+}
+
+/// Which box has a face along the axis of a pair and so carries the points: the first, or else, where the axis is
+/// across edges, the second.
+class CarryingBoxes {
+ public:
+  template <class T>
+  HWY_INLINE explicit CarryingBoxes(const CarriedPairs<T>& pairs) {
+    BoxPair boxes{{load_boxes(pairs.first), load_boxes(pairs.second)}};
+    see_from_first(boxes);
+    const Point normal = axis_of_carried(boxes, pairs).normal;
+    by_first_ = is_face_along(boxes.box[0], normal);
+    by_second_ =
+        hn::AndNot(by_first_, hn::And(is_set(pairs.is_on_edges), is_face_along(boxes.box[1], normal * both(-1))));
+  }
+
+  /// One bit for each pair.
+  std::uint32_t by_first() const { return bits_of<double>(by_first_); }
+  std::uint32_t by_second() const { return bits_of<double>(by_second_); }
+
+ private:
+  DoublesMask by_first_;
+  DoublesMask by_second_;
+};
+
 template <class T>
 class FaceContacts {
  public:
@@ -127,26 +162,16 @@ class FaceContacts {
     const Point up = upward_of(carried.found.normal);
     carried.upward = {up, up};
     carried.is_far = hn::Gt(dot(carried.own.axes[0], up), both(0));
-    is_by_other_ = of_b_;
-    if (!hn::AllFalse(Tag<double>(), of_b_)) {
-      is_by_other_ = hn::And(of_b_, is_face_along(carried.other, carried.found.normal));
-    }
     lay(carried);
   }
 
   HWY_INLINE explicit FaceContacts(const CarriedPairs<T>& pairs)
-      : turned_(is_set(pairs.turned)), of_b_(is_set(pairs.of_b)), is_open_(no_lane()), is_by_other_(no_lane()) {
+      : turned_(is_set(pairs.turned)), of_b_(is_set(pairs.of_b)), is_open_(no_lane()) {
     BoxPair boxes{{load_boxes(pairs.first), load_boxes(pairs.second)}};
     origin_ = see_from_first(boxes);
     CarriedLanes carried;
     carried.size = hn::Add(size_of(boxes.box[0]), size_of(boxes.box[1]));
-    const BoxLanes a = turned_to(boxes.box[0], hn::Load(Tag<double>(), pairs.axis_a.of));
-    const BoxLanes b = turned_to(boxes.box[1], hn::Load(Tag<double>(), pairs.axis_b.of));
-    const DoublesMask on_edges = is_set(pairs.is_on_edges);
-    const AxisLanes across_edges = EdgesLanes(a, 0, b, 0).axis();
-    const AxisLanes across_face = axis_of_face(b, 0, boxes.box[0], b.center);
-    carried.found.normal = one_of(on_edges, across_edges.normal, across_face.normal);
-    carried.found.gap = hn::IfThenElse(on_edges, across_edges.gap, across_face.gap);
+    carried.found = axis_of_carried(boxes, pairs);
     const Point up = upward_of(carried.found.normal);
     const BoxLanes own = one_of(of_b_, boxes.box[1], boxes.box[0]);
     const LookingFace face(own, up);
@@ -161,8 +186,6 @@ class FaceContacts {
 
   /// One bit for each pair of which not all is clear.
   std::uint32_t open() const { return bits_of<double>(is_open_); }
-  /// And for each where a face of the other box carries the points.
-  std::uint32_t carried_by_other() const { return bits_of<double>(is_by_other_); }
 
   /// `turns` where the user's second box has the face.
   void write(std::size_t lane, bool turns, Manifold<3, T>& to) const {
@@ -263,7 +286,6 @@ class FaceContacts {
   DoublesMask of_b_;
   DoublesMask turns_;  ///< The user's second box has the face.
   DoublesMask is_open_;
-  DoublesMask is_by_other_;
   Doubles ranks_[clip_lines];
   Point origin_;
   ManifoldRows<T> rows_;

@@ -37,14 +37,58 @@ namespace {
 
 #if GRAZE_MANIFOLD_LANES
 
-/// The manifolds of up to most_obbs_to_contact pairs: the axis of each, then those across faces and those across edges,
-/// so that lanes have the same to do.
+template <class T>
+const T* numbers_of(const Obb<3, T>& box) {
+  return reinterpret_cast<const T*>(&box);
+}
+
+/// As is_in_order of the two the other way round; nearly always the first number says it.
+template <class T>
+HWY_INLINE bool is_turned(const TwoObbs<T>& boxes) {
+  const Obb<3, T>& a = *boxes.a;
+  const Obb<3, T>& b = *boxes.b;
+  return a.center.x != b.center.x ? b.center.x < a.center.x : !is_in_order(a, b);
+}
+
+template <class T>
+void look_at_obbs(std::span<const TwoObbs<T>> pairs, ObbsLook* looks) {
+  for (std::size_t from = 0; from < pairs.size(); from += pairs_at_once) {
+    const std::size_t count = std::min(pairs_at_once, pairs.size() - from);
+    std::array<const T*, pairs_at_once> first;
+    std::array<const T*, pairs_at_once> second;
+    for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
+      const TwoObbs<T>& boxes = pairs[lane < count ? from + lane : from];
+      const std::array<const T*, 2> numbers{numbers_of(*boxes.a), numbers_of(*boxes.b)};
+      const bool turned = is_turned(boxes);
+      first[lane] = numbers[turned ? 1 : 0];
+      second[lane] = numbers[turned ? 0 : 1];
+    }
+    BoxPair boxes{{load_boxes(first.data()), load_boxes(second.data())}};
+    see_from_first(boxes);
+    const LooksLanes found(boxes);
+    Row<double> places;
+    store(found.place, places);
+    alignas(64) std::array<std::uint64_t, pairs_at_once> right_angles;
+    hn::Store(found.right_angles, BitsTag(), right_angles.data());
+    const std::uint32_t overlapping = bits_of<double>(found.is_overlapping);
+    const std::uint32_t apart = bits_of<double>(found.is_apart);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const auto place = static_cast<std::uint8_t>(places.of[lane]);
+      looks[from + lane] = {place, static_cast<std::uint8_t>(overlapping >> lane & 1U),
+                            static_cast<std::uint8_t>(apart >> lane & 1U),
+                            static_cast<std::uint8_t>(may_be_along_face(place, right_angles[lane]) ? 1 : 0)};
+    }
+  }
+}
+
+/// The manifolds of up to most_obbs_to_contact pairs: those across faces, then those across edges, then those whose
+/// axis is along another face, so that lanes have the same to do.
 template <class T>
 class ContactBatch {
  public:
   ContactBatch(std::span<const ObbsToContact<T>> pairs, std::uint32_t* left) : pairs_(pairs), left_(left) {
-    for (std::size_t i = 0; i < pairs.size(); ++i) set_order(i);
-    for (std::size_t i = 0; i < pairs.size(); i += pairs_at_once) find_axes(i);
+    for (std::size_t i = 0; i < pairs.size(); ++i) sort_in(i);
+    for (std::size_t i = 0; i < level_.count; i += pairs_at_once) find_carrying(i);
     for (std::size_t i = 0; i < faces_.count; i += pairs_at_once) contact_faces(i);
     for (std::size_t i = 0; i < edges_.count; i += pairs_at_once) contact_edges(i);
     for (std::size_t i = 0; i < carried_.count; i += pairs_at_once) contact_carried(i);
@@ -60,39 +104,22 @@ class ContactBatch {
     std::size_t count = 0;
   };
 
-  static const T* numbers_of(const Obb<3, T>& box) { return reinterpret_cast<const T*>(&box); }
-
-  /// As is_in_order of the two; nearly always the first number says it.
-  void set_order(std::size_t i) {
-    const Obb<3, T>& a = *pairs_[i].a;
-    const Obb<3, T>& b = *pairs_[i].b;
-    const bool turned = a.center.x != b.center.x ? b.center.x < a.center.x : !is_in_order(a, b);
-    const std::array<const T*, 2> numbers{numbers_of(a), numbers_of(b)};
+  void sort_in(std::size_t i) {
+    const TwoObbs<T>& boxes = pairs_[i].boxes;
+    const std::array<const T*, 2> numbers{numbers_of(*boxes.a), numbers_of(*boxes.b)};
+    const bool turned = is_turned(boxes);
     turned_[i] = turned;
     first_[i] = numbers[turned ? 1 : 0];
     second_[i] = numbers[turned ? 0 : 1];
+    const std::uint8_t place = pairs_[i].look.axis;
+    place_[i] = place;
+    List& list = pairs_[i].look.may_be_along_face != 0 ? level_ : list_of(i);
+    list.pairs[list.count] = static_cast<std::uint16_t>(i);
+    list.count += place < ObbsLook::no_axis ? 1 : 0;
+    if (place == ObbsLook::no_axis) left_[left_count_++] = static_cast<std::uint32_t>(i);
   }
 
-  HWY_INLINE void find_axes(std::size_t from) {
-    const std::size_t count = std::min(pairs_at_once, pairs_.size() - from);
-    for (std::size_t lane = count; lane < pairs_at_once; ++lane) {
-      first_[from + lane] = first_[from];
-      second_[from + lane] = second_[from];
-    }
-    BoxPair boxes{{load_boxes(&first_[from]), load_boxes(&second_[from])}};
-    see_from_first(boxes);
-    Row<double> places;
-    store(axis_places(boxes), places);
-    for (std::size_t lane = 0; lane < count; ++lane) {
-      const auto place = static_cast<std::uint8_t>(places.of[lane]);
-      const auto i = static_cast<std::uint16_t>(from + lane);
-      place_[i] = place;
-      List& list = place < 6 ? faces_ : edges_;
-      list.pairs[list.count] = i;
-      list.count += place < 15 ? 1 : 0;
-      if (place == 15) left_[left_count_++] = i;
-    }
-  }
+  List& list_of(std::size_t i) { return place_[i] < 6 ? faces_ : edges_; }
 
   /// The pairs of a group, the first in the place of those that are missing.
   static std::array<std::uint16_t, pairs_at_once> group_of(const List& list, std::size_t from) {
@@ -118,12 +145,9 @@ class ContactBatch {
     }
     const FaceContacts<T> contacts(pairs);
     const std::uint32_t open = contacts.open();
-    const std::uint32_t carried = contacts.carried_by_other();
     for (std::size_t lane = 0; lane < std::min(pairs_at_once, faces_.count - from); ++lane) {
       const std::size_t i = group[lane];
-      if ((carried >> lane & 1U) != 0) {
-        add_carried(i, false);
-      } else if ((open >> lane & 1U) != 0) {
+      if ((open >> lane & 1U) != 0) {
         left_[left_count_++] = static_cast<std::uint32_t>(i);
       } else {
         contacts.write(lane, turned_[i] != (place_[i] >= 3), *pairs_[i].manifold);
@@ -144,13 +168,9 @@ class ContactBatch {
     }
     const EdgeContacts<T> contacts(pairs);
     const std::uint32_t open = contacts.open();
-    const std::uint32_t by_second = contacts.carried_by_second();
-    const std::uint32_t carried = contacts.carried_by_first() | by_second;
     for (std::size_t lane = 0; lane < std::min(pairs_at_once, edges_.count - from); ++lane) {
       const std::size_t i = group[lane];
-      if ((carried >> lane & 1U) != 0) {
-        add_carried(i, (by_second >> lane & 1U) != 0);
-      } else if ((open >> lane & 1U) != 0) {
+      if ((open >> lane & 1U) != 0) {
         left_[left_count_++] = static_cast<std::uint32_t>(i);
       } else {
         contacts.write(lane, turned_[i], *pairs_[i].manifold);
@@ -158,13 +178,21 @@ class ContactBatch {
     }
   }
 
-  void add_carried(std::size_t i, bool by_second) {
-    is_by_second_[i] = by_second;
-    carried_.pairs[carried_.count++] = static_cast<std::uint16_t>(i);
+  /// Which box' face carries the points of pairs whose axis may be along one.
+  HWY_INLINE void find_carrying(std::size_t from) {
+    const auto group = group_of(level_, from);
+    const CarryingBoxes carrying(carried_pairs(group));
+    const std::uint32_t by_first = carrying.by_first();
+    const std::uint32_t by_second = carrying.by_second();
+    for (std::size_t lane = 0; lane < std::min(pairs_at_once, level_.count - from); ++lane) {
+      const std::size_t i = group[lane];
+      is_by_second_[i] = (by_second >> lane & 1U) != 0;
+      List& list = ((by_first | by_second) >> lane & 1U) != 0 ? carried_ : list_of(i);
+      list.pairs[list.count++] = static_cast<std::uint16_t>(i);
+    }
   }
 
-  HWY_INLINE void contact_carried(std::size_t from) {
-    const auto group = group_of(carried_, from);
+  CarriedPairs<T> carried_pairs(const std::array<std::uint16_t, pairs_at_once>& group) const {
     CarriedPairs<T> pairs;
     for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
       const std::size_t i = group[lane];
@@ -177,7 +205,12 @@ class ContactBatch {
       pairs.of_b.of[lane] = is_by_second_[i] ? 1 : 0;
       pairs.turned.of[lane] = turned_[i] ? 1 : 0;
     }
-    const FaceContacts<T> contacts(pairs);
+    return pairs;
+  }
+
+  HWY_INLINE void contact_carried(std::size_t from) {
+    const auto group = group_of(carried_, from);
+    const FaceContacts<T> contacts(carried_pairs(group));
     const std::uint32_t open = contacts.open();
     for (std::size_t lane = 0; lane < std::min(pairs_at_once, carried_.count - from); ++lane) {
       const std::size_t i = group[lane];
@@ -196,6 +229,7 @@ class ContactBatch {
   std::array<const T*, room> second_;
   std::array<bool, room> turned_;
   std::array<std::uint8_t, room> place_;
+  List level_;  ///< That may be in the last of these lists, or else in one of the others.
   List faces_;
   List edges_;
   List carried_;
@@ -211,6 +245,11 @@ std::size_t contact_obbs(std::span<const ObbsToContact<T>> pairs, std::uint32_t*
 #else
 
 template <class T>
+void look_at_obbs(std::span<const TwoObbs<T>> pairs, ObbsLook* looks) {
+  std::fill_n(looks, pairs.size(), ObbsLook{});
+}
+
+template <class T>
 std::size_t contact_obbs(std::span<const ObbsToContact<T>> pairs, std::uint32_t* left) {
   for (std::size_t i = 0; i < pairs.size(); ++i) left[i] = static_cast<std::uint32_t>(i);
   return pairs.size();
@@ -220,8 +259,9 @@ std::size_t contact_obbs(std::span<const ObbsToContact<T>> pairs, std::uint32_t*
 
 }  // namespace
 
-const ManifoldKernels& manifold_kernels() {
-  static const ManifoldKernels kernels{contact_obbs<float>, contact_obbs<double>};
+const AllManifoldKernels& all_manifold_kernels() {
+  static const AllManifoldKernels kernels{{look_at_obbs<float>, contact_obbs<float>},
+                                          {look_at_obbs<double>, contact_obbs<double>}};
   return kernels;
 }
 
@@ -231,12 +271,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace graze::detail {
 namespace {
-HWY_EXPORT(manifold_kernels);
+HWY_EXPORT(all_manifold_kernels);
 }
 
 template <class T>
-ManifoldKernel<T> manifold_kernel() {
-  const ManifoldKernels& kernels = HWY_DYNAMIC_DISPATCH(manifold_kernels)();
+const ManifoldKernels<T>& manifold_kernels() {
+  const AllManifoldKernels& kernels = HWY_DYNAMIC_DISPATCH(all_manifold_kernels)();
   if constexpr (std::is_same_v<T, float>) {
     return kernels.of_floats;
   } else {
@@ -244,8 +284,8 @@ ManifoldKernel<T> manifold_kernel() {
   }
 }
 
-template ManifoldKernel<float> manifold_kernel<float>();
-template ManifoldKernel<double> manifold_kernel<double>();
+template const ManifoldKernels<float>& manifold_kernels<float>();
+template const ManifoldKernels<double>& manifold_kernels<double>();
 
 }  // namespace graze::detail
 #endif

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The manifolds of many pairs of oriented boxes in space at a time, a lane for each, once for every set of vector
 // instructions that the compiler knows: in double and operation by operation what manifold(a, b) does, so that the
-// answers are the same to the bit. A kernel leaves the pairs of which not all is clear, and those that take a rare way;
+// answers are the same to the bit. First a look at their axes, which also says of most whether they meet, and then the
+// contact of those that do. A kernel leaves the pairs of which not all is clear, and those that take a rare way;
 // which these are may depend on the machine, but the answers never do.
 #pragma once
 
@@ -15,30 +16,62 @@
 
 namespace graze::detail {
 
-/// Two valid oriented boxes that meet, and where their manifold goes, from a to b.
+/// Two valid oriented boxes.
 template <class T>
-struct ObbsToContact {
+struct TwoObbs {
   const Obb<3, T>* a;
   const Obb<3, T>* b;
+};
+
+/// What a look at the fifteen axes of two oriented boxes shows.
+struct ObbsLook {
+  /// The axis of least depth by its place, as in BoxesAxes, if the boxes meet; or this if it is not known.
+  static constexpr std::uint8_t no_axis = 15;
+
+  std::uint8_t axis = no_axis;
+  std::uint8_t is_overlapping = 0;  ///< 1 for certain; and so is the next.
+  std::uint8_t is_apart = 0;
+  std::uint8_t may_be_along_face =
+      0;  ///< 0 for certain: no face looks along the axis but one that it is the normal of.
+
+  friend bool operator==(const ObbsLook&, const ObbsLook&) = default;
+};
+
+/// Two that meet, what a look has shown, and where their manifold goes, from a to b.
+template <class T>
+struct ObbsToContact {
+  TwoObbs<T> boxes;
+  ObbsLook look;
   Manifold<3, T>* manifold;
 };
 
 /// How many pairs a kernel takes in one go, at most.
 inline constexpr std::size_t most_obbs_to_contact = 256;
 
+/// Looks at the axes of pairs that may be apart.
+template <class T>
+using AxisKernel = void (*)(std::span<const TwoObbs<T>> pairs, ObbsLook* looks);
+
 /// Writes every field of the manifolds of most pairs. `left`, which has room for all, receives the places of the
 /// others, of whose manifolds nothing is written or what is of no meaning; returns how many these are.
 template <class T>
 using ManifoldKernel = std::size_t (*)(std::span<const ObbsToContact<T>> pairs, std::uint32_t* left);
 
+template <class T>
 struct ManifoldKernels {
-  ManifoldKernel<float> of_floats;
-  ManifoldKernel<double> of_doubles;
+  AxisKernel<T> look;
+  ManifoldKernel<T> contact;
 };
 
-/// The kernel for this machine. One without vectors of four doubles or more leaves all pairs. Instantiated for float
-/// and double.
+/// The kernels of one instruction set.
+struct AllManifoldKernels {
+  ManifoldKernels<float> of_floats;
+  ManifoldKernels<double> of_doubles;
+};
+
+/// The kernels for this machine. Those without vectors of four doubles or more know nothing and leave all pairs.
+/// Instantiated for float and double.
 template <class T>
-ManifoldKernel<T> manifold_kernel();
+const ManifoldKernels<T>& manifold_kernels();
 
 }  // namespace graze::detail

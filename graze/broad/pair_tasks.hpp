@@ -8,6 +8,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <graze/broad/executor.hpp>
 #include <graze/broad/pair.hpp>
@@ -38,6 +39,25 @@ template <class Work>
 void in_tasks(std::size_t count, std::size_t task_size, const Executor& executor, const Work& work) {
   executor.parallel_for((count + task_size - 1) / task_size,
                         [&](std::size_t task) { work(task * task_size, std::min(count, (task + 1) * task_size)); });
+}
+
+/// What keep(first, last, out) leaves of each task, one after the other: it writes as many as it returns.
+template <class Kept, class Keep>
+std::vector<Kept> kept_of_tasks(std::size_t count, std::size_t task_size, const Executor& executor, const Keep& keep) {
+  std::vector<Kept> kept(count);
+  std::vector<std::size_t> counts((count + task_size - 1) / task_size);
+  in_tasks(count, task_size, executor, [&](std::size_t first, std::size_t last) {
+    counts[first / task_size] = keep(first, last, kept.data() + first);
+  });
+  std::size_t end = 0;
+  for (std::size_t task = 0; task < counts.size(); ++task) {
+    const auto first = kept.begin() + static_cast<std::ptrdiff_t>(task * task_size);
+    std::copy(first, first + static_cast<std::ptrdiff_t>(counts[task]),
+              kept.begin() + static_cast<std::ptrdiff_t>(end));
+    end += counts[task];
+  }
+  kept.resize(end);
+  return kept;
 }
 
 }  // namespace graze::detail

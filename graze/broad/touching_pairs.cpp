@@ -281,25 +281,6 @@ class TaskOfOneType {
   std::array<GroupVerdict, pairs_in_task / touch_group> verdicts_;
 };
 
-/// The pairs that keep(first, last, out) leaves of each task, one after the other.
-template <class Keep>
-std::vector<Pair> kept_of_tasks(std::size_t count, const TouchOptions& options, const Keep& keep) {
-  std::vector<Pair> kept(count);
-  std::vector<std::size_t> counts((count + pairs_in_task - 1) / pairs_in_task);
-  in_tasks(count, pairs_in_task, executor_of(options), [&](std::size_t first, std::size_t last) {
-    counts[first / pairs_in_task] = keep(first, last, kept.data() + first);
-  });
-  std::size_t end = 0;
-  for (std::size_t task = 0; task < counts.size(); ++task) {
-    const auto first = kept.begin() + static_cast<std::ptrdiff_t>(task * pairs_in_task);
-    std::copy(first, first + static_cast<std::ptrdiff_t>(counts[task]),
-              kept.begin() + static_cast<std::ptrdiff_t>(end));
-    end += counts[task];
-  }
-  kept.resize(end);
-  return kept;
-}
-
 template <Dim N, class T>
 std::vector<ShapePair<N, T>> shape_pairs(std::span<const AnyShape<N, T>> shapes, std::span<const Pair> pairs) {
   std::vector<ShapePair<N, T>> result(pairs.size());
@@ -333,25 +314,29 @@ template <Dim N, class T>
 std::vector<Pair> touching_pairs(std::span<const AnyShape<N, T>> shapes, std::span<const Pair> candidates,
                                  const TouchOptions& options) {
   detail::check_pairs(candidates, shapes.size(), "touching_pairs");
-  return detail::kept_of_tasks(candidates.size(), options, [&](std::size_t first, std::size_t last, Pair* out) {
-    const auto both = detail::shape_pairs(shapes, candidates.subspan(first, last - first));
-    std::vector<Relation> verdicts(both.size());
-    detail::relations_of<N, T>(both, verdicts.data());
-    Pair* end = out;
-    for (std::size_t i = 0; i < both.size(); ++i) {
-      if (verdicts[i] != Relation::apart) *end++ = candidates[first + i];
-    }
-    return static_cast<std::size_t>(end - out);
-  });
+  return detail::kept_of_tasks<Pair>(candidates.size(), detail::pairs_in_task, detail::executor_of(options),
+                                     [&](std::size_t first, std::size_t last, Pair* out) {
+                                       const auto both =
+                                           detail::shape_pairs(shapes, candidates.subspan(first, last - first));
+                                       std::vector<Relation> verdicts(both.size());
+                                       detail::relations_of<N, T>(both, verdicts.data());
+                                       Pair* end = out;
+                                       for (std::size_t i = 0; i < both.size(); ++i) {
+                                         if (verdicts[i] != Relation::apart) *end++ = candidates[first + i];
+                                       }
+                                       return static_cast<std::size_t>(end - out);
+                                     });
 }
 
 template <class S>
 std::vector<Pair> touching_pairs(std::span<const S> shapes, std::span<const Pair> candidates,
                                  const TouchOptions& options) {
   detail::check_pairs(candidates, shapes.size(), "touching_pairs");
-  return detail::kept_of_tasks(candidates.size(), options, [&](std::size_t first, std::size_t last, Pair* out) {
-    return detail::TaskOfOneType<S>(shapes, candidates.subspan(first, last - first)).keep_touching(out);
-  });
+  return detail::kept_of_tasks<Pair>(
+      candidates.size(), detail::pairs_in_task, detail::executor_of(options),
+      [&](std::size_t first, std::size_t last, Pair* out) {
+        return detail::TaskOfOneType<S>(shapes, candidates.subspan(first, last - first)).keep_touching(out);
+      });
 }
 
 #define GRAZE_INSTANTIATE(N, T)                                                                                       \
