@@ -20,6 +20,13 @@ constexpr double steps_for_all = 2;
 /// but none where that would be more than this share of the mean side of a box: there would be too many candidates.
 constexpr double most_of_mean_side = 0.5;
 
+/// When a graph is made, and more than one in so many boxes have left their rooms, the rest will one by one: then all
+/// rooms have space for so many of their steps, as far as they are,
+constexpr std::size_t least_share_of_strays = 256;
+constexpr double steps_in_graph = 2;
+/// but none where that would be more than this share of the mean side of a box.
+constexpr double most_of_mean_side_in_graph = 0.25;
+
 /// When one box has left its room, the next one gets this share of the margin of the last, and so many times as much as
 /// the box went too far: of steps of equal length four in the long run.
 constexpr double margin_kept = 0.75;
@@ -209,8 +216,14 @@ std::span<const Pair> Candidates<N, T>::list(std::size_t slots, const Executor& 
     ++uses_;
     return list_;
   }
+  make_list(slots, margin_for_all(), executor);
+  return list_;
+}
+
+template <Dim N, class T>
+void Candidates<N, T>::make_list(std::size_t slots, T margin, const Executor& executor) {
   form_ = Form::none;
-  margin_ = margin_for_all();
+  margin_ = margin;
   uses_ = 1;
   make_rooms(slots, margin_);
   list_ = finder_.find({reaches_.data(), slots}, {.executor = &executor});
@@ -224,14 +237,30 @@ std::span<const Pair> Candidates<N, T>::list(std::size_t slots, const Executor& 
   std::fill(is_stray_.begin(), is_stray_.end(), char{0});
   has_new_ = false;
   form_ = Form::list;
-  return list_;
 }
 
 // ---- The graph
 
+/// Of the rooms of a graph made of this list, by the median of how far boxes have gone that are out of theirs.
+template <Dim N, class T>
+T Candidates<N, T>::margin_for_graph(std::size_t slots) const {
+  std::vector<T> steps;
+  for (std::size_t slot = 0; slot < slots; ++slot) {
+    const T excess = excess_of(boxes_[slot], rooms_[slot]);
+    if (excess > 0 && excess <= std::numeric_limits<T>::max()) steps.push_back(margin_ + excess);
+  }
+  if (steps.size() * least_share_of_strays <= slots) return margin_;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  const T margin = static_cast<T>(steps_in_graph) * *middle;
+  return margin <= static_cast<T>(most_of_mean_side_in_graph) * mean_side_ ? margin : margin_;
+}
+
 template <Dim N, class T>
 void Candidates<N, T>::link(std::size_t slots, std::span<const Pair> touching, const Executor& executor) {
   if (form_ != Form::list) list(slots, executor);
+  const T margin = margin_for_graph(slots);
+  if (margin > margin_) make_list(slots, margin, executor);
   form_ = Form::none;
   graph_.assign(list_, touching, boxes_.size());
   std::vector<Box> rooms;

@@ -88,7 +88,9 @@ class Candidates {
   bool is_at_home(std::uint32_t slot) const;
   bool have_stayed(std::size_t slots);
   T margin_for_all();
+  T margin_for_graph(std::size_t slots) const;
   T margin_for(std::uint32_t slot) const;
+  void make_list(std::size_t slots, T margin, const Executor& executor);
   void make_rooms(std::size_t slots, T margin);
   void measure_sides(std::size_t slots) noexcept;
   void place(std::uint32_t slot);

@@ -143,6 +143,37 @@ TEST(Candidates, OfOneThatMovesALittleStayInTheGraph) {
   EXPECT_TRUE(world.linked().empty());
 }
 
+/// Squares of side 1 in a row, 0.1 apart.
+Plane2 row(std::uint32_t count) {
+  Plane2 world(count);
+  for (std::uint32_t slot = 0; slot < count; ++slot) world.put(slot, square(1.1 * slot, 0));
+  return world;
+}
+
+std::vector<Pair> neighbours(std::uint32_t count) {
+  std::vector<Pair> pairs;
+  for (std::uint32_t slot = 0; slot + 1 < count; ++slot) pairs.push_back({slot, slot + 1});
+  return pairs;
+}
+
+TEST(Candidates, AllHaveAMarginInAGraphIfSomeMoveAtFirst) {
+  Plane2 world = row(300);
+  EXPECT_TRUE(world.listed().empty());
+  for (const std::uint32_t slot : {7U, 100U, 200U}) world.move(slot, square(1.1 * slot, 0.06));
+  EXPECT_EQ(world.linked(), neighbours(300));
+  for (const std::uint32_t slot : {50U, 150U}) world.move(slot, square(1.1 * slot, -0.11));  // nearly two such steps
+  EXPECT_EQ(world.linked(), neighbours(300));
+}
+
+TEST(Candidates, AFewThatMoveAtFirstAndLongStepsMakeNoMarginForAll) {
+  for (const std::uint32_t moved : {1U, 3U}) {
+    Plane2 world = row(300);
+    EXPECT_TRUE(world.listed().empty());
+    for (std::uint32_t slot = 0; slot < moved; ++slot) world.move(slot, square(1.1 * slot, moved == 1 ? -0.06 : -0.2));
+    EXPECT_FALSE(are_all_in({{150, 151}}, world.linked())) << moved;
+  }
+}
+
 TEST(Candidates, APairThatTouchesStaysInTheGraphUntilItIsParted) {
   Plane2 world(2);
   world.put(0, square(0, 0));
