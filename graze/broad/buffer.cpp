@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <bit>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <new>
 
@@ -30,8 +31,10 @@ constexpr std::size_t large_page = std::size_t{1} << 21U;
 /// Memory that is anew each time costs a call up to a fifth of its time.
 #ifdef GRAZE_ADDRESS_SANITIZER
 constexpr std::size_t most_kept = 0;
+constexpr std::size_t used_per_kept = std::numeric_limits<std::size_t>::max();
 #else
 constexpr std::size_t most_kept = std::size_t{64} << 20U;
+constexpr std::size_t used_per_kept = 2;
 #endif
 constexpr std::size_t least_kept = std::size_t{1} << 15U;
 
@@ -50,7 +53,7 @@ void release_block(void* memory, std::size_t bytes) noexcept { ::operator delete
 
 /// Never destroyed: there may be buffers that are released later.
 KeptBlocks& kept_blocks() {
-  static KeptBlocks& blocks = *new KeptBlocks(most_kept, release_block);
+  static KeptBlocks& blocks = *new KeptBlocks(most_kept, used_per_kept, release_block);
   return blocks;
 }
 
@@ -63,6 +66,7 @@ void* allocate_pages(std::size_t bytes) {
   }
   void* const memory = ::operator new(bytes, alignment_of(bytes));
   advise_large_pages(memory, bytes);
+  if (bytes >= least_kept) kept_blocks().note_new(bytes);
   return memory;
 }
 

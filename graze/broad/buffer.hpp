@@ -14,13 +14,21 @@ namespace graze::detail {
 
 /// Memory that begins at a cache line, which is also the widest vector; where it is large, at a large page of the
 /// system, as far as the system has such. Throws std::bad_alloc. What is released is kept for the next one who needs as
-/// much, where it is 32 KiB or more, but never more than 64 MiB in all.
+/// much, where it is 32 KiB or more, but never more than 64 MiB in all, or half of what is in use where that is more.
 void* allocate_pages(std::size_t bytes);
 void release_pages(void* memory, std::size_t bytes) noexcept;
 
 /// Has the system use large pages for what lies in whole ones of other memory that nobody has written to yet. Only
 /// advice: does nothing for less, or where the system has none.
 void advise_large_pages(void* memory, std::size_t bytes) noexcept;
+
+/// Room for so many values, of large pages where that is much, in an empty vector whose memory is for its user.
+template <class Value>
+void reserve_in_large_pages(std::vector<Value>& values, std::size_t count) {
+  if (count <= values.capacity()) return;
+  values.reserve(count);
+  advise_large_pages(values.data(), values.capacity() * sizeof(Value));
+}
 
 /// For vectors that may become long: their memory is that of allocate_pages.
 template <class Value>

@@ -87,7 +87,7 @@ class Bvh {
     detail::KeyTable keys = keys_;
     keys.release_all();
     std::vector<Key> given = keys.take_many(boxes.size());
-    std::vector<std::uint32_t> slots(given.size());
+    detail::PageVector<std::uint32_t> slots(given.size());
     for (std::size_t k = 0; k < given.size(); ++k) slots[k] = given[k].index;
     Tree tree(tree_.margin());
     if (size() == 0) std::swap(tree, tree_);  // whose memory is used again

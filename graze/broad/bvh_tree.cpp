@@ -108,7 +108,7 @@ void BvhTree<N, T>::fill(std::span<const Box> boxes, std::span<const std::uint32
   boxes_.resize(slot_count);
   leaf_nodes_.resize(slot_count);
   for (std::size_t k = 0; k < boxes.size(); ++k) boxes_[slots[k]] = boxes[k];
-  std::vector<std::uint32_t> finite;
+  PageVector<std::uint32_t> finite;
   if (center_kernels<N, T>().finite(boxes.data(), boxes.size()) < boxes.size()) {
     finite.reserve(boxes.size());
     for (const std::uint32_t slot : slots) {

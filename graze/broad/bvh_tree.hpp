@@ -109,7 +109,7 @@ class BvhTree {
 
   double margin_;
   BlankVector<Node> nodes_;
-  std::vector<BvhPlace> places_;      // by node
+  PageVector<BvhPlace> places_;       // by node
   std::vector<std::uint32_t> spare_;  // nodes that are not in the tree
   BvhLink root_;
   std::size_t height_ = 0;                 // levels of nodes

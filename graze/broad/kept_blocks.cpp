@@ -27,18 +27,27 @@ void* KeptBlocks::take(std::size_t bytes) noexcept {
   ++clock_;
   while (count_ > 0 && clock_ - blocks_[0].kept_at > patience) release_oldest();
   for (std::size_t place = count_; place > 0; --place) {  // the latest may still be in a cache
-    if (blocks_[place - 1].bytes == bytes) return remove(place - 1).memory;
+    if (blocks_[place - 1].bytes != bytes) continue;
+    used_ += bytes;
+    return remove(place - 1).memory;
   }
   return nullptr;
 }
 
+void KeptBlocks::note_new(std::size_t bytes) noexcept {
+  const std::lock_guard lock(mutex_);
+  used_ += bytes;
+}
+
 void KeptBlocks::keep(void* block, std::size_t bytes) noexcept {
   const std::lock_guard lock(mutex_);
-  if (bytes > most_bytes_) {
+  used_ -= bytes;
+  while (count_ > 0 && (count_ == blocks_.size() || bytes_ > most())) release_oldest();
+  if (bytes > most()) {
     release_(block, bytes);
     return;
   }
-  while (count_ == blocks_.size() || bytes_ + bytes > most_bytes_) release_oldest();
+  while (bytes_ + bytes > most()) release_oldest();
   blocks_[count_++] = {block, bytes, clock_};
   bytes_ += bytes;
 }

@@ -53,11 +53,12 @@ std::vector<Key> KeyTable::take_many(std::size_t count) {
   const std::size_t known = generations_.size();
   generations_.reserve(known + count - used_again);
   free_.reserve(generations_.capacity());
-  std::vector<Key> keys(count);
-  for (std::size_t k = 0; k < used_again; ++k) keys[k] = take();
+  std::vector<Key> keys;
+  reserve_in_large_pages(keys, count);
+  for (std::size_t k = 0; k < used_again; ++k) keys.push_back(take());
   generations_.resize(known + count - used_again, 1);
   for (std::size_t k = used_again; k < count; ++k) {
-    keys[k] = {static_cast<std::uint32_t>(known + k - used_again), 1, owner_};
+    keys.push_back({static_cast<std::uint32_t>(known + k - used_again), 1, owner_});
   }
   size_ += count - used_again;
   changes_ += count - used_again;

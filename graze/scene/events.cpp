@@ -123,8 +123,7 @@ namespace {
 void make_long(std::vector<ObjectPair>& pairs, std::size_t count) {
   if (pairs.capacity() < count) {
     pairs.clear();
-    pairs.reserve(count + count / 4);
-    advise_large_pages(pairs.data(), pairs.capacity() * sizeof(ObjectPair));
+    reserve_in_large_pages(pairs, count + count / 4);
   }
   pairs.resize(count);
 }
