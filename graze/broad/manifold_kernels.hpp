@@ -31,8 +31,8 @@ struct ObbsLook {
   std::uint8_t axis = no_axis;
   std::uint8_t is_overlapping = 0;  ///< 1 for certain; and so is the next.
   std::uint8_t is_apart = 0;
-  std::uint8_t may_be_along_face =
-      0;  ///< 0 for certain: no face looks along the axis but one that it is the normal of.
+  /// 0 for certain: no face looks along the axis but one that it is the normal of.
+  std::uint8_t may_be_along_face = 0;
 
   friend bool operator==(const ObbsLook&, const ObbsLook&) = default;
 };
