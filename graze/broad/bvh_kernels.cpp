@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <type_traits>
@@ -158,6 +159,23 @@ HWY_INLINE void look_at_hits(const BvhNode<N, T>& node, std::uint32_t entered, c
 /// first is looked at.
 constexpr std::size_t asked_ahead = 2;
 
+/// Whether all coordinates are less than what is allowed for `crossed` slabs.
+template <Dim N, class T>
+HWY_INLINE bool are_usual(const Block<N, T>& block) {
+  const Tag<T> d;
+  const auto most = hn::Set(d, most_for_slabs<T>);
+  std::uint32_t beyond = 0;
+  for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
+    auto is_beyond = hn::Gt(hn::Zero(d), hn::Zero(d));
+    for (Dim i = 0; i < N; ++i) {  // both are numbers, or there is no box in the lane
+      is_beyond = hn::Or(is_beyond, hn::Ge(hn::Abs(hn::Load(d, block.min[i] + lane)), most));
+      is_beyond = hn::Or(is_beyond, hn::Ge(hn::Abs(hn::Load(d, block.max[i] + lane)), most));
+    }
+    beyond |= bits_of<T>(is_beyond);
+  }
+  return beyond == 0;
+}
+
 /// The nearest child first; what waits is passed by when a box was found before it.
 template <Dim N, class T>
 std::size_t find_first(const BvhNode<N, T>* nodes, BvhLink root, BvhFirstWalk<N, T>& walk) {
@@ -167,6 +185,9 @@ std::size_t find_first(const BvhNode<N, T>* nodes, BvhLink root, BvhFirstWalk<N,
   std::size_t count = 1;
   std::size_t looks = 0;
   T limit = next_up(static_cast<T>(walk.t));
+  if (!are_usual(nodes[root.index()].boxes)) {
+    std::replace(std::begin(walk.slabs.kinds), std::end(walk.slabs.kinds), BvhSlab::crossed, BvhSlab::any);
+  }
   while (count > 0) {
     const Waiting<T> next = open[--count];
     if (static_cast<double>(next.soonest) > walk.t) continue;

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include <graze/broad/bvh_node.hpp>
 #include <graze/broad/spatial_index.hpp>
@@ -35,6 +36,10 @@ enum class BvhSlab : std::uint8_t {
   any,       ///< Numbers so small or so large that nothing is known without a quotient.
 };
 
+/// Where no coordinate is farther from zero, differences are numbers.
+template <class T>
+inline constexpr T most_for_slabs = std::numeric_limits<T>::max() / 4;
+
 /// A ray as boxes are held against it in T.
 template <Dim N, class T>
 struct BvhSlabs {
@@ -47,9 +52,9 @@ struct BvhSlabs {
 template <Dim N, class T>
 struct BvhFirstWalk {
   Ray<N, T> ray;
-  BvhSlabs<N, T> slabs;
-  double t;      // of the first so far, infinity when there is none
-  BvhName name;  // and who it is
+  BvhSlabs<N, T> slabs;  // of the ray among boxes of usual numbers; the walk sees to others
+  double t;              // of the first so far, infinity when there is none
+  BvhName name;          // and who it is
 };
 
 template <Dim N, class T>

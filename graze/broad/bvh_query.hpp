@@ -90,7 +90,7 @@ struct BvhHit {
 /// of T that differences or inverses might not be numbers, by what is sure all the same.
 template <Dim N, class T>
 BvhSlabs<N, T> slabs_of(const Ray<N, T>& ray, double size) {
-  constexpr double most = static_cast<double>(std::numeric_limits<T>::max()) / 4;
+  constexpr auto most = static_cast<double>(most_for_slabs<T>);
   BvhSlabs<N, T> slabs;
   for (Dim i = 0; i < N; ++i) {
     slabs.origin[i] = ray.origin[i];
@@ -111,7 +111,7 @@ std::optional<BvhHit> first_along(const BvhTree<N, T>& tree, const Ray<N, T>& ra
     if (t && BvhHit{*t, name} < first) first = {*t, name};
   }
   if (!tree.root().is_none()) {
-    BvhFirstWalk<N, T> walk{ray, slabs_of(ray, finite_size(tree.bounds())), first.t, first.name};
+    BvhFirstWalk<N, T> walk{ray, slabs_of(ray, 0), first.t, first.name};
     bvh_kernels<N, T>().find_first(tree.nodes(), tree.root(), walk);
     first = {walk.t, walk.name};
   }
