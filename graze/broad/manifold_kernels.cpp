@@ -111,6 +111,7 @@ class ContactBatch {
     turned_[i] = turned;
     first_[i] = numbers[turned ? 1 : 0];
     second_[i] = numbers[turned ? 0 : 1];
+    is_by_second_[i] = false;
     const std::uint8_t place = pairs_[i].look.axis;
     place_[i] = place;
     List& list = pairs_[i].look.may_be_along_face != 0 ? level_ : list_of(i);
@@ -233,7 +234,7 @@ class ContactBatch {
   List faces_;
   List edges_;
   List carried_;
-  std::array<bool, room> is_by_second_;
+  std::array<bool, room> is_by_second_;  ///< Of those in `carried_`, else false.
 };
 
 template <class T>
