@@ -2,18 +2,12 @@
 // Compiled once per instruction set: Highway includes this file anew for each.
 #include <algorithm>
 #include <bit>
-#include <cmath>
-#include <iterator>
 #include <limits>
-#include <optional>
 #include <type_traits>
 
 #include <graze/broad/bvh_kernels.hpp>
-#include <graze/broad/prefetch.hpp>
 #include <graze/broad/simd_choice.hpp>
 #include <graze/broad/spatial_index.hpp>
-#include <graze/math/rounding.hpp>
-#include <graze/math/tolerance.hpp>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/broad/bvh_kernels.cpp"
@@ -21,6 +15,7 @@
 #include <hwy/highway.h>
 
 #include <graze/broad/bvh_near-inl.hpp>
+#include <graze/broad/bvh_ray-inl.hpp>
 #include <graze/broad/simd_compress-inl.hpp>
 #include <graze/broad/simd_lanes-inl.hpp>
 
@@ -95,124 +90,13 @@ std::uint32_t met(const Block<N, T>& block, const Aabb<N, T>& box) {
 }
 
 template <Dim N, class T>
-HWY_INLINE std::uint32_t boxes_entered(const Block<N, T>& block, const BvhSlabs<N, T>& slabs, T limit, T* soonest) {
-  const Tag<T> d;
-  const auto smallest = hn::Set(d, std::numeric_limits<T>::min());
-  std::uint32_t entered = 0;
-  for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
-    auto enter = hn::Zero(d);
-    auto leave = hn::Set(d, std::numeric_limits<T>::infinity());
-    auto meets = is_full<T>(hn::Load(d, block.min[0] + lane));
-    for (Dim i = 0; i < N; ++i) {
-      const auto min = hn::Load(d, block.min[i] + lane);
-      const auto max = hn::Load(d, block.max[i] + lane);
-      const auto origin = hn::Set(d, slabs.origin[i]);
-      if (slabs.kinds[i] == BvhSlab::any) continue;
-      if (slabs.kinds[i] == BvhSlab::parallel) {
-        meets = hn::And(meets, hn::And(hn::Le(min, origin), hn::Le(origin, max)));
-        continue;
-      }
-      const bool is_backwards = slabs.inverse[i] < 0;
-      const auto near = is_backwards ? max : min;
-      const auto far = is_backwards ? min : max;
-      const auto inverse = hn::Set(d, slabs.inverse[i]);
-      enter = hn::Max(enter, hn::Mul(hn::Sub(near, origin), inverse));
-      leave = hn::Min(leave, hn::Mul(hn::Sub(far, origin), inverse));
-    }
-    enter = hn::Min(enter, hn::Set(d, std::numeric_limits<T>::max()));
-    const auto latest = hn::Add(hn::Mul(leave, hn::Set(d, T(1) + tolerance::ray_lanes<T>)), smallest);
-    const auto earliest = hn::Sub(hn::Mul(enter, hn::Set(d, T(1) - tolerance::ray_lanes<T>)), smallest);
-    meets = hn::And(meets, hn::And(hn::Le(enter, latest), hn::Le(earliest, hn::Set(d, limit))));
-    hn::StoreU(earliest, d, soonest + lane);
-    entered |= bits_of<T>(meets) << lane;
-  }
-  return entered;
-}
-
-template <Dim N, class T>
 std::uint32_t entered(const Block<N, T>& block, const BvhSlabs<N, T>& slabs, T* soonest) {
   return boxes_entered(block, slabs, std::numeric_limits<T>::infinity(), soonest);
 }
 
-/// What a walk along a ray has still to look at.
-template <class T>
-struct Waiting {
-  T soonest;
-  std::uint32_t code;
-};
-
-template <Dim N, class T>
-HWY_INLINE void look_at_hits(const BvhNode<N, T>& node, std::uint32_t entered, const T* soonest,
-                             BvhFirstWalk<N, T>& walk) {
-  for (; entered != 0; entered &= entered - 1) {
-    const auto lane = static_cast<std::uint32_t>(std::countr_zero(entered));
-    if (static_cast<double>(soonest[lane]) > walk.t) continue;
-    const std::uint32_t slot = node.entries[lane];
-    const std::optional<double> t = entry_of(walk.ray, box_in(node.boxes, lane));
-    if (!t || !(*t < walk.t || (*t == walk.t && slot < walk.name.slot))) continue;
-    walk.t = *t;
-    walk.name = node.name(lane);
-  }
-}
-
-/// So many children of a node that a ray enters are asked for, those that are looked at next: the second one while the
-/// first is looked at.
-constexpr std::size_t asked_ahead = 2;
-
-/// Whether all coordinates are less than what is allowed for `crossed` slabs.
-template <Dim N, class T>
-HWY_INLINE bool are_usual(const Block<N, T>& block) {
-  const Tag<T> d;
-  const auto most = hn::Set(d, most_for_slabs<T>);
-  std::uint32_t beyond = 0;
-  for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
-    auto is_beyond = hn::Gt(hn::Zero(d), hn::Zero(d));
-    for (Dim i = 0; i < N; ++i) {  // both are numbers, or there is no box in the lane
-      is_beyond = hn::Or(is_beyond, hn::Ge(hn::Abs(hn::Load(d, block.min[i] + lane)), most));
-      is_beyond = hn::Or(is_beyond, hn::Ge(hn::Abs(hn::Load(d, block.max[i] + lane)), most));
-    }
-    beyond |= bits_of<T>(is_beyond);
-  }
-  return beyond == 0;
-}
-
-/// The nearest child first; what waits is passed by when a box was found before it.
 template <Dim N, class T>
 std::size_t find_first(const BvhNode<N, T>* nodes, BvhLink root, BvhFirstWalk<N, T>& walk) {
-  alignas(64) T soonest[block_size];
-  Waiting<T> open[bvh_path];
-  open[0] = {T(0), root.code()};
-  std::size_t count = 1;
-  std::size_t looks = 0;
-  T limit = next_up(static_cast<T>(walk.t));
-  if (!are_usual(nodes[root.index()].boxes)) {
-    std::replace(std::begin(walk.slabs.kinds), std::end(walk.slabs.kinds), BvhSlab::crossed, BvhSlab::any);
-  }
-  while (count > 0) {
-    const Waiting<T> next = open[--count];
-    if (static_cast<double>(next.soonest) > walk.t) continue;
-    const BvhLink link = BvhLink::of_code(next.code);
-    const BvhNode<N, T>& node = nodes[link.index()];
-    ++looks;
-    std::uint32_t entered = boxes_entered(node.boxes, walk.slabs, limit, soonest);
-    if (link.is_leaf()) {
-      look_at_hits(node, entered, soonest, walk);
-      limit = next_up(static_cast<T>(walk.t));
-      continue;
-    }
-    const std::size_t first = count;
-    for (; entered != 0; entered &= entered - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(entered));
-      const Waiting<T> child{soonest[lane], node.entries[lane]};
-      std::size_t place = count++;
-      for (; place > first && open[place - 1].soonest < child.soonest; --place) open[place] = open[place - 1];
-      open[place] = child;
-    }
-    for (std::size_t k = std::max(first + asked_ahead, count) - asked_ahead; k < count; ++k) {
-      prefetch_whole(nodes + BvhLink::of_code(open[k].code).index());
-    }
-  }
-  return looks;
+  return walk_to_first(nodes, root, walk);
 }
 
 template <Dim N, class T>

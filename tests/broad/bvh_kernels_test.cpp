@@ -196,6 +196,40 @@ TYPED_TEST(BvhKernelsTest, EnteredAreTheBoxesThatARayMayEnter) {
   EXPECT_GT(all, 100U);
 }
 
+/// The first of all boxes on a ray, of equal ones that of the lowest slot, bit for bit: forwards and backwards, along
+/// axes, from inside and from afar, whatever the instruction set.
+TYPED_TEST(BvhKernelsTest, TheFirstBoxOnARayIsThatOfBoxByBox) {
+  using T = typename TypeParam::scalar;
+  constexpr Dim N = TypeParam::dimension;
+  std::size_t hits = 0;
+  for (const auto& world : test::box_worlds<N, T>(300, 5)) {
+    SCOPED_TRACE(world.name);
+    BvhTree<N, T> tree(0);
+    for (std::uint32_t k = 0; k < world.boxes.size(); ++k) tree.insert(k, world.boxes[k], 7 * k);
+    std::vector<Ray<N, T>> rays;
+    for (std::size_t k = 0; k < world.boxes.size(); k += 3) {
+      const Aabb<N, T>& to = world.boxes[world.boxes.size() - 1 - k];
+      Ray<N, T> ray{world.boxes[k].min, to.max - world.boxes[k].min};
+      if (k % 4 == 0) ray.direction[static_cast<Dim>(k % N)] = k % 8 == 0 ? T(0) : -T(0);
+      if (k % 5 == 0) ray.origin -= ray.direction;
+      if (is_valid(ray)) rays.push_back(ray);
+    }
+    for (const Ray<N, T>& ray : rays) {
+      std::optional<BvhHit> first;
+      for (std::uint32_t k = 0; k < world.boxes.size(); ++k) {
+        const std::optional<double> t = entry_of(ray, world.boxes[k]);
+        if (t && (!first || *t < first->t)) first = {*t, {k, 7 * k}};
+      }
+      for (const std::int64_t target : test::simd_targets()) {
+        const test::ForcedTarget forced(target);
+        ASSERT_EQ(first_along(tree, ray), first) << bvh_kernels<N, T>().target;
+      }
+      hits += first ? 1 : 0;
+    }
+  }
+  EXPECT_GT(hits, 100U);
+}
+
 /// A tree's walks find the same, in the same order, whatever the instruction set.
 TYPED_TEST(BvhKernelsTest, WalksDoNotDependOnTheInstructionSet) {
   using T = typename TypeParam::scalar;
