@@ -33,6 +33,7 @@ TESTED_ELSEWHERE = {
     "graze/broad/pair_writer-inl.hpp": ("tests/broad/meet_kernels_test.cpp", "what the kernels are made of"),
     "graze/broad/touched_lanes-inl.hpp": ("tests/broad/meet_kernels_test.cpp", "what the kernels are made of"),
     "graze/broad/bvh_near-inl.hpp": ("tests/broad/bvh_kernels_test.cpp", "what the kernels are made of"),
+    "graze/broad/bvh_ray-inl.hpp": ("tests/broad/bvh_kernels_test.cpp", "what the kernels are made of"),
     "graze/broad/cell_codes-inl.hpp": ("tests/broad/cell_kernels_test.cpp", "what the kernels are made of"),
     "graze/broad/prefetch.hpp": ("tests/broad/crowd_test.cpp", "changes nothing but the time"),
     "graze/broad/manifolds.hpp": ("tests/broad/contacts_test.cpp", "instances of manifold(), which contacts calls"),

@@ -105,8 +105,9 @@ class CrossingRay {
       origin_[i] = static_cast<double>(ray.origin[i]);
       direction_[i] = static_cast<double>(ray.direction[i]);
       const bool is_backwards = direction_[i] < 0;
-      near_[i] = (is_backwards ? offsetof(Box, max) : offsetof(Box, min)) + i * sizeof(Row);
-      far_[i] = (is_backwards ? offsetof(Box, min) : offsetof(Box, max)) + i * sizeof(Row);
+      const std::size_t row = static_cast<std::size_t>(i) * sizeof(Row);
+      near_[i] = (is_backwards ? offsetof(Box, max) : offsetof(Box, min)) + row;
+      far_[i] = (is_backwards ? offsetof(Box, min) : offsetof(Box, max)) + row;
     }
   }
 
