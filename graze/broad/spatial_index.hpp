@@ -3,16 +3,16 @@
 // test holds each of them to BruteForce.
 //
 //   insert(box) -> Key        Throws std::invalid_argument for a box with a NaN or with min above max; infinite sides
-//                             are welcome. std::length_error beyond 2^32 - 1 boxes.
+//                             are welcome. std::length_error when it is full: with 2^29 boxes an Orthtree and a Grid,
+//                             with 2^31 - 1 a Bvh, with 2^32 - 1 BruteForce.
 //   update(key, box)          The box is now this one. Throws like insert and box.
 //   erase(key)                The key is never valid again. Throws like box.
 //   box(key), contains(key)   box throws std::out_of_range for the key of an erased box, of another index, or none.
 //   size(), clear()
 //   assign(boxes)             Bvh and Orthtree only: these boxes in the place of all, at once. Their keys, in order.
 //   query(region, visit)      visit(key) for every box that meets the region (region.hpp), once.
-//   ray_cast(ray, visit)      visit(key, t) for every box that the ray enters, in order of t, equal ones by key. The
-//   ray
-//                             is inside of the box from origin + t * direction on; t = 0 when it starts there.
+//   ray_cast(ray, visit)      visit(key, t) for every box that the ray enters, in order of t, equal ones by key.
+//                             From origin + t * direction on the ray is inside of the box; t = 0 when it starts there.
 //   nearest(point, k)         The k boxes nearest to the point, or all: by distance, equal ones by key.
 //   pairs(visit)              visit(a, b) for every two boxes that share a point, once, ascending, a < b.
 //

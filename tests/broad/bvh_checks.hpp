@@ -6,13 +6,19 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
+#include <vector>
 
 #include <graze/broad/box_cover.hpp>
+#include <graze/broad/bvh_kernels.hpp>
 #include <graze/broad/bvh_query.hpp>
 #include <graze/broad/bvh_tree.hpp>
+#include <graze/shape/ray.hpp>
 #include <graze/shape/shape.hpp>
+
+#include "box_worlds.hpp"
 
 namespace graze::test {
 
@@ -142,6 +148,32 @@ Effort effort_of(const detail::BvhTree<N, T>& tree, const Aabb<N, T>& region) {
   std::size_t found = 0;
   detail::visit_met(tree, probe, [&found](const detail::BvhName&) { return ++found > 0; });
   return {probe.looks + 1, found};
+}
+
+/// How many nodes are looked at to find the first box on a ray.
+template <Dim N>
+std::size_t looks_along(const detail::BvhTree<N, float>& tree, const Ray<N>& ray) {
+  detail::BvhFirstWalk<N, float> walk{ray, detail::slabs_of(ray, 0), std::numeric_limits<double>::infinity(), {0, 0}};
+  return detail::bvh_kernels<N, float>().find_first(tree.nodes(), tree.root(), walk);
+}
+
+/// Rays at some of the boxes, from beside all of them along an axis and from anywhere among them.
+template <Dim N>
+std::vector<Ray<N>> rays_at(const std::vector<Aabb<N>>& boxes, const Aabb<N>& bounds) {
+  Numbers numbers(boxes.size());
+  std::vector<Ray<N>> rays;
+  for (std::size_t k = 0; k < 32; ++k) {
+    const Vec<N> target = boxes[k * 997 % boxes.size()].center();
+    Vec<N> origin = target;
+    for (Dim i = 0; i < N; ++i) {
+      if (k % 2 == 0) origin[i] = static_cast<float>(numbers.between(bounds.min[i] - 1, bounds.max[i] + 1));
+    }
+    const auto axis = static_cast<Dim>(k / 4 % N);
+    if (k % 4 == 1) origin[axis] = bounds.min[axis] - 1;
+    if (k % 4 == 3) origin[axis] = bounds.max[axis] + 1;
+    if (origin != target) rays.push_back({origin, target - origin});
+  }
+  return rays;
 }
 
 }  // namespace graze::test

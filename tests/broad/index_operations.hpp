@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <set>
 #include <span>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,7 @@
 #include <graze/broad/spatial_index.hpp>
 #include <graze/math/pose.hpp>
 #include <graze/shape/capsule.hpp>
+#include <graze/shape/frustum.hpp>
 #include <graze/shape/half_space.hpp>
 #include <graze/shape/obb.hpp>
 #include <graze/shape/polytope.hpp>
@@ -36,6 +39,19 @@ inline rc::Gen<std::vector<Step>> any_steps() {
   const auto number = rc::gen::weightedOneOf<int>(
       {{6, rc::gen::inRange(0, 12)}, {2, rc::gen::inRange(-3, 40)}, {1, rc::gen::inRange(0, 1000)}});
   return rc::gen::scale(4.0, rc::gen::container<std::vector<Step>>(rc::gen::container<Step>(8, number)));
+}
+
+/// |(x - center) / radii| <= 1, as a user may write it who calculates in T.
+template <Dim N, class T>
+struct Egg {
+  Vec<N, T> center;
+  Vec<N, T> radii;
+};
+
+template <Dim N, class T>
+Vec<N, T> support(const Egg<N, T>& egg, const std::type_identity_t<Vec<N, T>>& direction) {
+  const Vec<N, T> scaled = egg.radii * direction;
+  return egg.center + egg.radii * scaled / std::sqrt(dot(scaled, scaled));
 }
 
 /// An index and BruteForce side by side, taken through the same steps.
@@ -216,7 +232,7 @@ class Trial {
     const Vec<N, T> a = point(step, 2);
     const Vec<N, T> b = point(step, 5);
     const T size = length(std::abs(step[7]) % 4);
-    switch (std::abs(step[1]) % 8) {
+    switch (std::abs(step[1]) % 10) {
       case 0:
         return compare_query(Box::from_corners(a, b));
       case 1:
@@ -231,6 +247,10 @@ class Trial {
         return compare_query(HalfSpace<N, T>{unit_axis<N, T>(0) + unit_axis<N, T>(1), size});
       case 6:
         return compare_query(a);
+      case 7:
+        return compare_query(frustum(a, size, step[6]));
+      case 8:
+        return compare_query(Egg<N, T>{a, egg_radii(size)});
       default:
         return compare_query(Ray<N, T>{a, direction(step)});
     }
@@ -244,6 +264,28 @@ class Trial {
       for (Dim j = 0; j < 2; ++j) box.axes[i][j] = static_cast<T>(turn[i][j]);
     }
     return box;
+  }
+
+  /// Along the last axis, turned about it in space, thrice as wide at its far end; one of size zero is a point.
+  static Frustum<N, T> frustum(const Vec<N, T>& eye, T size, int degrees) {
+    const Mat<2, double> turn = rotation_matrix(degrees);
+    Frustum<N, T> frustum;
+    for (std::size_t k = 0; k < frustum.corner_count; ++k) {
+      const bool is_far = (k >> static_cast<unsigned>(N - 1)) != 0;
+      Vec<N, T> corner = frustum.corners[k] * (is_far ? 3 * size : size);
+      corner[N - 1] = is_far ? 5 * size : size;
+      const Vec<2, double> turned = turn * Vec<2, double>(corner[0], corner[1]);
+      corner[0] = static_cast<T>(turned.x);
+      corner[1] = static_cast<T>(turned.y);
+      frustum.corners[k] = eye + corner;
+    }
+    return frustum;
+  }
+
+  Vec<N, T> egg_radii(T size) const {
+    Vec<N, T> radii(size + length(1));
+    radii[0] *= 2;
+    return radii;
   }
 
   Vec<N, T> direction(const Step& step) const {

@@ -6,9 +6,12 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -19,8 +22,11 @@
 #include <graze/broad/grid.hpp>
 #include <graze/broad/orthtree.hpp>
 #include <graze/broad/spatial_index.hpp>
+#include <graze/shape/ray.hpp>
+#include <graze/shape/sphere.hpp>
 
 #include "index_operations.hpp"
+#include "thread_executor.hpp"
 
 namespace graze::test {
 
@@ -213,20 +219,91 @@ TYPED_TEST_P(SpatialIndexLaws, TheVisitorEndsAVisitAndItsExceptionPassesThrough)
   EXPECT_EQ(count(index, Box::everything()), 31U);
 }
 
+/// Every way to be called by an index for what it holds.
+template <class I>
+auto visits_of_all() {
+  using Box = typename I::Box;
+  using Ball = Sphere<dimension_of<Box>, scalar_of<Box>>;
+  using Along = Ray<dimension_of<Box>, scalar_of<Box>>;
+  using Visit = std::function<void(const I&, const std::function<void()>&)>;
+  std::vector<Visit> visits = {
+      [](const I& index, const auto& call) { index.query(Box::everything(), [&](Key) { call(); }); },
+      [](const I& index, const auto& call) {
+        index.query(Ball{cube<I>(0).min, 5}, [&](Key) { call(); });
+      },
+      [](const I& index, const auto& call) { index.ray_cast(Along{cube<I>(0).min}, [&](Key, double) { call(); }); },
+      [](const I& index, const auto& call) { index.pairs([&](Key, Key) { call(); }); },
+  };
+  if constexpr (requires(const I& index) { index.visit_cells([](const auto&) {}); }) {
+    visits.push_back([](const I& index, const auto& call) { index.visit_cells([&](const auto&) { call(); }); });
+  }
+  return visits;
+}
+
 TYPED_TEST_P(SpatialIndexLaws, AVisitorThatChangesTheIndexIsAnError) {
   using Box = typename TypeParam::Box;
+  using Change = std::function<void(TypeParam&, const Key&)>;
+  std::vector<std::pair<Change, std::size_t>> changes = {
+      {[](TypeParam& index, const Key&) { index.insert(cube<TypeParam>(3)); }, 102},
+      {[](TypeParam& index, const Key& key) { index.update(key, cube<TypeParam>(9)); }, 101},
+      {[](TypeParam& index, const Key& key) { index.erase(key); }, 100},
+      {[](TypeParam& index, const Key&) { index.clear(); }, 0},
+  };
+  if constexpr (requires(TypeParam & index) { index.assign(std::span<const Box>()); }) {
+    changes.push_back({[](TypeParam& index, const Key&) { index.assign(std::vector<Box>(5, cube<TypeParam>(0))); }, 5});
+  }
+  for (const auto& [changing, left] : changes) {
+    const Change& change = changing;  // Clang 14 captures no bindings
+    for (const auto& visit : visits_of_all<TypeParam>()) {
+      TypeParam index;
+      const std::vector<Key> keys = insert_row(index, 100);  // enough for cells
+      index.insert(cube<TypeParam>(0));                      // so that there is a pair
+      EXPECT_EQ(message_of([&] { visit(index, [&] { change(index, keys[5]); }); }),
+                "SpatialIndex: a visitor changed the index that it visits; keep the keys and change it afterwards");
+      EXPECT_EQ(index.size(), left);
+      EXPECT_EQ(count(index, Box::everything()), left);
+    }
+  }
+}
+
+/// All that an index says of its boxes, in the order in which it says it.
+template <class I>
+std::vector<std::pair<Key, double>> answers_of(const I& index) {
+  using Box = typename I::Box;
+  constexpr Dim N = dimension_of<Box>;
+  using T = scalar_of<Box>;
+  std::vector<std::pair<Key, double>> answers;
+  const auto note = [&answers](Key key) { answers.emplace_back(key, 0); };
+  const auto note_hit = [&answers](Key key, double t) { answers.emplace_back(key, t); };
+  for (int place = 0; place < 64; place += 5) {
+    const Box box = cube<I>(place);
+    index.query(box, note);
+    index.query(Sphere<N, T>{box.min, T(7)}, note);
+    index.ray_cast(Ray<N, T>{box.min, unit_axis<N, T>(0)}, note_hit);
+    for (const Neighbour& near : index.nearest(box.max, 9)) answers.emplace_back(near.key, near.distance_squared);
+  }
+  return answers;
+}
+
+TYPED_TEST_P(SpatialIndexLaws, ManyThreadsMayAskAtOnceAndHearTheSame) {
   TypeParam index;
-  const std::vector<Key> keys = insert_row(index, 30);
-  const char* const message =
-      "SpatialIndex: a visitor changed the index that it visits; keep the keys and change it afterwards";
-  EXPECT_EQ(message_of([&] { index.query(Box::everything(), [&](Key) { index.insert(cube<TypeParam>(3)); }); }),
-            message);
-  EXPECT_EQ(
-      message_of([&] { index.query(Box::everything(), [&](Key key) { index.update(key, cube<TypeParam>(9)); }); }),
-      message);
-  EXPECT_EQ(message_of([&] { index.query(Box::everything(), [&](Key) { index.clear(); }); }), message);
-  EXPECT_EQ(index.size(), 0U);
-  EXPECT_FALSE(index.contains(keys[5]));
+  const std::vector<Key> keys = insert_row(index, 100);
+  for (std::size_t k = 0; k < keys.size(); k += 3) index.update(keys[k], cube<TypeParam>(static_cast<int>(k)));
+  for (std::size_t k = 1; k < keys.size(); k += 7) index.erase(keys[k]);
+  const auto expect_same = [](const TypeParam& reading) {
+    const auto expected = answers_of(TypeParam(reading));  // a copy's, so that nobody has asked this one before
+    std::vector<std::vector<std::pair<Key, double>>> heard(4);
+    ThreadExecutor(heard.size()).parallel_for(heard.size(), [&](std::size_t k) { heard[k] = answers_of(reading); });
+    EXPECT_GT(expected.size(), 500U);
+    for (const auto& mine : heard) EXPECT_EQ(mine, expected);
+  };
+  expect_same(index);
+  if constexpr (requires { index.assign(std::span<const typename TypeParam::Box>()); }) {
+    std::vector<typename TypeParam::Box> boxes;
+    for (int k = 0; k < 100; ++k) boxes.push_back(cube<TypeParam>(2 * k));
+    index.assign(boxes);
+    expect_same(index);
+  }
 }
 
 TYPED_TEST_P(SpatialIndexLaws, RaysMeetBoxesInOrderAndEqualOnesByKey) {
@@ -282,7 +359,8 @@ REGISTER_TYPED_TEST_SUITE_P(SpatialIndexLaws, AnySequenceOfOperationsAnswersAsBr
                             AKeyIsAnErrorOnceItsBoxIsGoneOrInAnotherIndex, ACopyLivesByItselfAndAnswersToTheSameKeys,
                             ABoxThatIsNoneIsRefusedAndNothingIsLost, ABoxWithInfiniteSidesIsFoundWhereItReaches,
                             AQuestionAboutNonsenseIsRefused, TheVisitorEndsAVisitAndItsExceptionPassesThrough,
-                            AVisitorThatChangesTheIndexIsAnError, RaysMeetBoxesInOrderAndEqualOnesByKey,
-                            TheNearestComeByDistanceAndEqualOnesByKey, ThePlacesOfErasedBoxesAreUsedAgain);
+                            AVisitorThatChangesTheIndexIsAnError, ManyThreadsMayAskAtOnceAndHearTheSame,
+                            RaysMeetBoxesInOrderAndEqualOnesByKey, TheNearestComeByDistanceAndEqualOnesByKey,
+                            ThePlacesOfErasedBoxesAreUsedAgain);
 
 }  // namespace graze::test
