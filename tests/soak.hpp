@@ -2,25 +2,27 @@
 // How long what lives on is exercised, and how full it is meanwhile.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 
 namespace graze::test {
 
-/// 20,000, and so many times as many as GRAZE_TEST_SCALE says: 50 for a million.
+/// 20,000, and so many times as many as GRAZE_TEST_SCALE says: 50 for a million. Never so few that a world stays small.
 inline std::size_t soak_operations() {
   const char* const scale = std::getenv("GRAZE_TEST_SCALE");
-  return static_cast<std::size_t>(20'000 * (scale != nullptr ? std::strtod(scale, nullptr) : 1.0));
+  const double operations = 20'000 * (scale != nullptr ? std::strtod(scale, nullptr) : 1.0);
+  return static_cast<std::size_t>(std::max(operations, 8'000.0));
 }
 
-/// In so many operations a world fills and is emptied.
-constexpr std::size_t soak_breath = 10'000;
+/// In so many operations a world fills and is emptied: four times at least, and ever again in a longer life.
+constexpr std::size_t soak_breath(std::size_t operations) { return std::min<std::size_t>(operations / 4, 10'000); }
 
-/// How many things should be there at an operation: from none to `most` and back.
-constexpr std::size_t soak_target(std::size_t operation, std::size_t most) {
-  const std::size_t phase = operation % soak_breath;
-  const std::size_t half = soak_breath / 2;
-  return most * (phase < half ? phase : soak_breath - phase) / half;
+/// How many things should be there at an operation: from none to `most` and back in each breath.
+constexpr std::size_t soak_target(std::size_t operation, std::size_t breath, std::size_t most) {
+  const std::size_t phase = operation % breath;
+  const std::size_t half = breath / 2;
+  return most * (phase < half ? phase : breath - phase) / half;
 }
 
 }  // namespace graze::test

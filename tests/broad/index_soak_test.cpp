@@ -35,12 +35,14 @@ class Soak {
   using T = scalar_of<Box>;
 
   void run(std::size_t operations) {
+    breath_ = test::soak_breath(operations);
     for (std::size_t operation = 0; operation < operations; ++operation) {
       step(operation);
       ASSERT_TRUE(is_right_) << "at operation " << operation << ", " << judge_.size() << " boxes";
     }
     empty_all();
     ASSERT_TRUE(is_right_) << "when all boxes were erased";
+    EXPECT_GE(breaths_, 4U);
   }
 
  private:
@@ -61,14 +63,14 @@ class Soak {
       compare_some();
     } else if (kind < 0.5 && !held_.empty()) {
       update();
-    } else if (const bool grows = held_.size() < test::soak_target(operation, most_boxes);
+    } else if (const bool grows = held_.size() < test::soak_target(operation, breath_, most_boxes);
                held_.empty() || (grows == (chance() < 0.9))) {
       insert();
     } else {
       erase(pick());
     }
-    if (operation % test::soak_breath == test::soak_breath / 2) compare_whole();
-    if (operation % test::soak_breath == test::soak_breath - 1) end_breath(operation);
+    if (operation % breath_ == breath_ / 2) compare_whole();
+    if (operation % breath_ == breath_ - 1) end_breath();
   }
 
   /// Mostly small; now and then a point, long, where others are, or with an infinite side.
@@ -171,7 +173,7 @@ class Soak {
     compare_rays();
   }
 
-  /// Every box, and every pair.
+  /// Every box, every pair, and the memory.
   void compare_whole() {
     compare(Box::everything());
     require(found_.size() == held_.size());
@@ -183,6 +185,7 @@ class Soak {
       ++next;
     });
     require(next == found.size());
+    check_memory();
   }
 
   void empty_all() {
@@ -192,12 +195,17 @@ class Soak {
     require(found_.empty() && index_.nearest(place(), 1).empty());
   }
 
-  /// What is empty again holds no more memory than it did at first, but for what room that doubles, here and there,
-  /// makes of it.
-  void end_breath(std::size_t operation) {
+  void end_breath() {
     empty_all();
-    if (operation < 2 * test::soak_breath) first_bytes_ = std::max(first_bytes_, index_.bytes());
-    require(index_.bytes() <= 4 * first_bytes_);
+    check_memory();
+    ++breaths_;
+  }
+
+  /// Full or empty again, an index never holds more than in its first breath, but for room that doubles: each breath is
+  /// as deep as the first, or a little deeper.
+  void check_memory() {
+    if (breaths_ == 0) first_bytes_ = std::max(first_bytes_, index_.bytes());
+    require(index_.bytes() <= 2 * first_bytes_);
   }
 
   I index_;
@@ -206,7 +214,9 @@ class Soak {
   std::vector<Held> held_;
   std::vector<Key> found_;
   std::vector<Key> expected_;
-  std::size_t first_bytes_ = 0;
+  std::size_t breath_ = 0;
+  std::size_t breaths_ = 0;
+  std::size_t first_bytes_ = 0;  // the most that were held in the first breath
   bool is_right_ = true;
 };
 

@@ -2,15 +2,19 @@
 // A scene that lives on: random objects come, move and go for as long as the environment says (GRAZE_TEST_SCALE
 // multiplies the number of operations), while every answer is compared with PlainScene's.
 #include <algorithm>
-#include <array>
 #include <cstddef>
+#include <iterator>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include <graze/math/pose.hpp>
 #include <graze/scene/plain_scene.hpp>
 #include <graze/scene/scene.hpp>
+#include <graze/shape/frustum.hpp>
 
 #include "broad/box_worlds.hpp"
 #include "soak.hpp"
@@ -25,21 +29,34 @@ bool same_id(const ObjectId& a, const ObjectId& b) { return a.index == b.index &
 
 bool same_pair(const ObjectPair& a, const ObjectPair& b) { return same_id(a.a, b.a) && same_id(a.b, b.b); }
 
-template <class Found, class Same>
-bool same_lists(const Found& found, const Found& expected, const Same& same) {
-  return std::equal(found.begin(), found.end(), expected.begin(), expected.end(), same);
+template <class T>
+bool same_near(const NearObject<T>& a, const NearObject<T>& b) {
+  return same_id(a.id, b.id) && a.distance == b.distance;
+}
+
+template <Dim N, class T>
+bool same_hit(const ObjectHit<N, T>& a, const ObjectHit<N, T>& b) {
+  return same_id(a.id, b.id) && a.hit == b.hit;
+}
+
+template <Dim N, class T>
+bool same_contact(const ObjectContact<N, T>& a, const ObjectContact<N, T>& b) {
+  return same_pair(a.pair, b.pair) && a.manifold == b.manifold;
 }
 
 template <Dim N, class T>
 class SceneSoak {
  public:
   void run(std::size_t operations) {
+    breath_ = test::soak_breath(operations);
     for (std::size_t operation = 0; operation < operations; ++operation) {
       step(operation);
       ASSERT_TRUE(is_right_) << "at operation " << operation << ", " << held_.size() << " objects";
     }
     empty_all();
     ASSERT_TRUE(is_right_) << "when all objects were removed";
+    EXPECT_GE(breaths_, 4U);
+    EXPECT_GE(answered_, asked_ / 3) << "of " << asked_ << " questions only so many found anything";
   }
 
  private:
@@ -56,13 +73,18 @@ class SceneSoak {
   T length(double most) { return static_cast<T>(numbers_.between(0.01, most)); }
   std::size_t pick() { return static_cast<std::size_t>(numbers_.between(0, static_cast<double>(held_.size()))); }
 
+  Mat<N, T> any_rotation() {
+    if constexpr (N == 2) return Mat<N, T>(rotation_of(numbers_.between(-3, 3)));
+    if constexpr (N == 3) return Mat<N, T>(rotation_of(numbers_.point<3, double>(-3, 3)));
+  }
+
   Shape any_shape() {
     const double kind = chance();
     const Vec<N, T> at = place();
     if (kind < 0.3) return Sphere<N, T>{at, length(1)};
     if (kind < 0.6) return Aabb<N, T>{at, at + length(1.5)};
     if (kind < 0.8) return Capsule<N, T>{at, at + numbers_.point<N, T>(-1, 1), length(0.5)};
-    if (kind < 0.98) return Obb<N, T>{at, Vec<N, T>(length(1)), Mat<N, T>(T(1))};
+    if (kind < 0.98) return Obb<N, T>{at, Vec<N, T>(length(1)), any_rotation()};
     return HalfSpace<N, T>{unit_axis<N, T>(0), length(1)};
   }
 
@@ -74,16 +96,21 @@ class SceneSoak {
       move();
     } else if (kind < (is_quick_ ? 0.6 : 0.47)) {
       update();
-    } else if (const bool grows = held_.size() < test::soak_target(operation, most_objects);
+    } else if (const bool grows = held_.size() < test::soak_target(operation, breath_, most_objects);
                held_.empty() || (grows == (chance() < 0.9))) {
       add();
     } else {
       remove(pick());
     }
-    if (operation % 500 == 0) is_quick_ = !is_quick_;
-    if (operation % 1'000 == 500) keep_snapshot();
-    if (operation % 1'000 == 999) check_snapshot();
-    if (operation % test::soak_breath == test::soak_breath - 1) empty_all();
+    live_on(operation);
+  }
+
+  void live_on(std::size_t operation) {
+    const std::size_t tenth = breath_ / 10;
+    if (operation % tenth == 0) is_quick_ = !is_quick_;
+    if (operation % (2 * tenth) == tenth) keep_snapshot();
+    if (operation % breath_ == breath_ - 1) end_breath();
+    if (operation % (2 * tenth) == 2 * tenth - 1) check_snapshot();
   }
 
   void add() {
@@ -141,27 +168,88 @@ class SceneSoak {
   void update() {
     const SceneEvents& events = scene_.update(serial_executor());
     const SceneEvents expected = judge_.update();
-    require(same_lists(events.began, expected.began, same_pair));
-    require(same_lists(events.stayed, expected.stayed, same_pair));
-    require(same_lists(events.ended, expected.ended, same_pair));
-    require(same_lists(scene_.pairs(), judge_.pairs(), same_pair));
+    compare(events.began, expected.began, same_pair);
+    compare(events.stayed, expected.stayed, same_pair);
+    compare(events.ended, expected.ended, same_pair);
+    std::vector<ObjectPair> touching;
+    std::merge(expected.began.begin(), expected.began.end(), expected.stayed.begin(), expected.stayed.end(),
+               std::back_inserter(touching));
+    compare(scene_.pairs(), touching, same_pair);
   }
 
+  template <class List, class Same>
+  void compare(const List& found, const List& expected, const Same& same) {
+    require(std::equal(found.begin(), found.end(), expected.begin(), expected.end(), same));
+    ++asked_;
+    if (!expected.empty()) ++answered_;
+  }
+
+  /// The scene, or a snapshot of it as it is now.
   void ask() {
+    if (chance() < 0.8) return ask(scene_);
+    ask(*scene_.snapshot());
+  }
+
+  void ask(const SceneView<N, T>& view) {
     const double kind = chance();
     const LayerMask layers = chance() < 0.5 ? all_layers : only_layer(1);
-    if (kind < 0.4) {
-      const Shape region = any_shape();
-      require(same_lists(scene_.overlapping(region, layers), judge_.overlapping(region, layers), same_id));
-    } else if (kind < 0.7) {
+    if (kind < 0.25) {
+      const Shape region = any_region();
+      compare(view.overlapping(region, layers), judge_.overlapping(region, layers), same_id);
+    } else if (kind < 0.35) {
+      const Shape region = any_region();
+      compare(view.cull(region, layers), judge_.cull(region, layers), same_id);
+    } else if (kind < 0.45) {
+      const Frustum<N, T> frustum = any_frustum();
+      compare(view.cull(frustum, layers), judge_.cull(frustum, layers), same_id);
+    } else if (kind < 0.65) {
       const Vec<N, T> point = place();
-      const auto same = [](const auto& a, const auto& b) { return same_id(a.id, b.id) && a.distance == b.distance; };
-      require(same_lists(scene_.nearest(point, 4, layers), judge_.nearest(point, 4, layers), same));
+      compare(view.nearest(point, 4, layers), judge_.nearest(point, 4, layers), same_near<T>);
+    } else if (kind < 0.95) {
+      cast_ray(view, layers);
     } else {
-      const Ray<N, T> ray{place(), numbers_.point<N, T>(-1, 1)};
-      const auto same = [](const auto& a, const auto& b) { return same_id(a.id, b.id) && a.hit == b.hit; };
-      require(same_lists(scene_.ray_cast_all(ray, T(20), layers), judge_.ray_cast_all(ray, T(20), layers), same));
+      ask_for_pairs(view);
     }
+  }
+
+  /// What it hits first, and all.
+  void cast_ray(const SceneView<N, T>& view, LayerMask layers) {
+    const Ray<N, T> ray{place(), numbers_.point<N, T>(-1, 1)};
+    const T t_max = chance() < 0.5 ? T(20) : std::numeric_limits<T>::infinity();
+    const std::vector<ObjectHit<N, T>> expected = judge_.ray_cast_all(ray, t_max, layers);
+    compare(view.ray_cast_all(ray, t_max, layers), expected, same_hit<N, T>);
+    const std::optional<ObjectHit<N, T>> first = view.ray_cast(ray, t_max, layers);
+    require(first ? !expected.empty() && same_hit(*first, expected.front()) : expected.empty());
+  }
+
+  /// Also of those that have changed since the last update.
+  void ask_for_pairs(const SceneView<N, T>& view) {
+    const double margin = numbers_.between(0, 1);
+    compare(view.candidates(margin), judge_.candidates(margin), same_pair);
+    const std::vector<ObjectContact<N, T>> expected = judge_.contacts();
+    compare(view.contacts(serial_executor()), expected, same_contact<N, T>);
+    std::vector<ObjectPair> touching;
+    for (const ObjectContact<N, T>& contact : expected) touching.push_back(contact.pair);
+    compare(view.pairs(), touching, same_pair);
+  }
+
+  /// As large as an object, or up to as wide as the world.
+  Shape any_region() {
+    if (chance() < 0.7) return any_shape();
+    return Sphere<N, T>{place(), length(world_size / 2)};
+  }
+
+  /// Of a camera somewhere, any way up.
+  Frustum<N, T> any_frustum() {
+    const T depth = length(12);
+    const T slope = length(1);
+    Frustum<N, T> frustum;
+    for (Vec<N, T>& corner : frustum.corners) {
+      const T ahead = corner[N - 1] > T(0) ? depth : depth * T(0.1);
+      corner *= ahead * slope;
+      corner[N - 1] = ahead;
+    }
+    return transformed(frustum, Pose<N, T>{any_rotation(), place()});
   }
 
   void keep_snapshot() {
@@ -177,6 +265,11 @@ class SceneSoak {
     require(snapshot_->ids() == kept_ids_);
     require(snapshot_->pairs() == kept_pairs_);
     require(snapshot_->overlapping(Aabb<N, T>{Vec<N, T>(T(0)), Vec<N, T>(T(7))}) == kept_found_);
+  }
+
+  void end_breath() {
+    empty_all();
+    ++breaths_;
   }
 
   void empty_all() {
@@ -196,7 +289,11 @@ class SceneSoak {
   std::vector<ObjectId> kept_ids_;
   std::vector<ObjectId> kept_found_;
   std::vector<ObjectPair> kept_pairs_;
-  bool is_quick_ = false;  // updates come soon after each other, so that few objects have changed
+  std::size_t breath_ = 0;
+  std::size_t breaths_ = 0;
+  std::size_t asked_ = 0;
+  std::size_t answered_ = 0;  // with anything
+  bool is_quick_ = false;     // updates come soon after each other, so that few objects have changed
   bool is_right_ = true;
 };
 
