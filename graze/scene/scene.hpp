@@ -40,6 +40,12 @@ concept CopiedIntoAnyShape = requires(const S& shape) {
 /// many threads at once; writing is for one, while none reads. A call that throws leaves the scene as it was. Nothing
 /// needs tuning: each `update` finds pairs anew or mends those it knows, as less work is to do, and queries catch up
 /// with what has moved by themselves. No answer depends on that. Instantiated for 2D and 3D, float and double.
+///
+/// Answers are values: a loop through `pairs()`, `ids()`, `overlapping(...)` or any other may add, move and remove in
+/// its body, and goes on through what was so when it asked; an id of what it has removed is stale, as `contains` says.
+/// References are good for less long: what `object` returns until the next add, move or remove of any object, what
+/// `layer_names` returns until the next `layer`, what `update` and `events` return until the next `update`, also one
+/// that throws. A snapshot's are good as long as it lives.
 template <Dim N, class T = float>
 class Scene : public SceneView<N, T> {
  public:
@@ -78,14 +84,18 @@ class Scene : public SceneView<N, T> {
   Layer layer(std::string_view name);
 
   /// Finds the pairs that touch now, and what has changed since the last update, or since the scene was empty. `pairs`
-  /// is but a copy from then on, until the next change. The events stay until the next update.
+  /// is but a copy from then on, until the next change. The events stay as they are until the next update: a loop
+  /// through them may add, move and remove, which is for the next, but not update.
   const SceneEvents& update(const Executor& executor = default_executor());
 
-  /// What the last update found.
+  /// What the last update found, good as long as what that returned; nothing before the first.
   const SceneEvents& events() const { return *events_; }
 
-  /// The scene as it is now, for readers that keep it while this one goes on: costs a pointer for every 64 objects, and
-  /// what changes afterwards is copied first. Answers to the same ids.
+  /// The scene as it is now, for readers that keep it while this one goes on. Answers to the same ids. It copies no
+  /// object: it costs two pointers for every 64 places, 4 bytes for each place and as many again for a vacant one, and
+  /// the names of the layers, once queries have caught up with what has moved, which it has them do. Afterwards this
+  /// one copies what it changes first: of objects those of the same 64, and all names, events, or the index of the
+  /// queries at the first change to each. Writing, as to threads; readers of other snapshots go on.
   std::shared_ptr<const SceneView<N, T>> snapshot() { return this->share(); }
 
  private:

@@ -124,6 +124,21 @@ TEST(Scene, ACopyAnswersToTheSameIdsAndGoesItsOwnWay) {
   EXPECT_EQ(copy.overlapping(V2(0, 0)), (std::vector<ObjectId>{b}));
 }
 
+TEST(Scene, AnIdThatACopyGaveOutNamesNothingInTheOriginal) {
+  World scene;
+  const ObjectId a = scene.add(Ball{{0, 0}, 1});
+  World copy = scene;
+  const ObjectId later = copy.add(Ball{{1, 0}, 1});
+  copy.remove(a);
+  const ObjectId again = copy.add(Ball{{2, 0}, 1});
+  for (const ObjectId& id : {later, again}) {
+    EXPECT_FALSE(scene.contains(id));
+    EXPECT_THROW(scene.move(id, Ball{}), std::out_of_range);
+    EXPECT_THROW(scene.remove(id), std::out_of_range);
+  }
+  EXPECT_EQ(scene.ids(), std::vector<ObjectId>{a});
+}
+
 TEST(Scene, ManyObjectsMoveTogetherOrNotAtAll) {
   World scene;
   const ObjectId a = scene.add(Ball{{0, 0}, 1});

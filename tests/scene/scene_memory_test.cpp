@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+// What a scene asks of the heap, and what becomes of it when there is no more. This program counts what each thread
+// asks of operator new, and can let it be refused.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <graze/broad/executor.hpp>
+#include <graze/query/bounds.hpp>
+#include <graze/scene/scene.hpp>
+
+#include "scene/scene_sight.hpp"
+
+namespace graze::scene_memory_test {
+namespace {
+
+constexpr std::size_t no_end = std::numeric_limits<std::size_t>::max();
+
+thread_local std::size_t bytes_asked = 0;
+thread_local std::size_t grants_left = no_end;
+
+void* take_if_there_is_some(std::size_t bytes, std::size_t alignment) noexcept {
+  if (grants_left == 0) return nullptr;
+  if (grants_left != no_end) --grants_left;
+  bytes_asked += bytes;
+  if (alignment <= alignof(std::max_align_t)) return std::malloc(bytes == 0 ? 1 : bytes);
+  return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+}
+
+void* take(std::size_t bytes, std::size_t alignment = 1) {
+  if (void* const memory = take_if_there_is_some(bytes, alignment)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+}  // namespace graze::scene_memory_test
+
+void* operator new(std::size_t bytes) { return graze::scene_memory_test::take(bytes); }
+void* operator new[](std::size_t bytes) { return graze::scene_memory_test::take(bytes); }
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+  return graze::scene_memory_test::take_if_there_is_some(bytes, 1);
+}
+void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept {
+  return graze::scene_memory_test::take_if_there_is_some(bytes, 1);
+}
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+  return graze::scene_memory_test::take(bytes, static_cast<std::size_t>(alignment));
+}
+void* operator new[](std::size_t bytes, std::align_val_t alignment) {
+  return graze::scene_memory_test::take(bytes, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
+void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace graze::scene_memory_test {
+namespace {
+
+using World = Scene<2, double>;
+using Ball = Sphere<2, double>;
+using Box = Aabb<2, double>;
+using Any = AnyShape<2, double>;
+using V2 = Vec<2, double>;
+using Ids = std::vector<ObjectId>;
+
+/// While it lives, this thread's requests are granted so many times, and refused from then on.
+class ShortMemory {
+ public:
+  explicit ShortMemory(std::size_t grants) { grants_left = grants; }
+  ~ShortMemory() { grants_left = no_end; }
+  ShortMemory(const ShortMemory&) = delete;
+  ShortMemory& operator=(const ShortMemory&) = delete;
+};
+
+/// Acts on a scene, with memory that ends one request later each time, until it is enough: before that nothing has
+/// changed, and then all that would have with no end of memory. Returns how often it failed.
+std::size_t expect_all_or_nothing(World& scene, const auto& act) {
+  const auto before = test::sight_of(scene);
+  World calm = scene;
+  act(calm);
+  for (std::size_t grants = 0;; ++grants) {
+    try {
+      const ShortMemory memory(grants);
+      act(scene);
+    } catch (const std::bad_alloc&) {
+      EXPECT_TRUE(test::sight_of(scene) == before) << grants << " grants";
+      continue;
+    }
+    EXPECT_TRUE(test::sight_of(scene) == test::sight_of(calm)) << grants << " grants";
+    return grants;
+  }
+}
+
+/// Balls in a row that touch, or boxes, some with names too long for a string without memory of its own.
+Ids fill(World& scene, int count) {
+  const std::string start = "an object with quite a long name, number ";
+  Ids ids;
+  for (int k = 0; k < count; ++k) {
+    const V2 center(2.0 * k, 0);
+    const Any shape = k % 4 == 0 ? Any(Box{center - 1.0, center + 1.0}) : Any(Ball{center, 1});
+    ids.push_back(scene.add(shape, {.name = k % 3 == 0 ? start + std::to_string(k) : ""}));
+  }
+  return ids;
+}
+
+Any pair_of_balls(double x) {
+  const std::vector<Any> parts{Ball{{x, 0}, 1}, Ball{{x + 1, 2}, 1}};
+  return compound_of<2, double>(parts);
+}
+
+/// Everything that changes a scene, once each. Returns how often memory ran out.
+std::size_t change_in_every_way(World& scene, const Ids& ids) {
+  std::size_t failed = 0;
+  const auto change = [&](const auto& act) { failed += expect_all_or_nothing(scene, act); };
+  const std::string name = "another object with quite a long name";
+  change([&](World& world) { world.add(pair_of_balls(3), {.name = name}); });
+  change([&](World& world) { world.layer("a layer with quite a long name"); });
+  change([&](World& world) { world.move(ids[1], Ball{{9, 1}, 1}); });
+  change([&](World& world) { world.move(ids[2], pair_of_balls(5)); });
+  change([&](World& world) { world.update(serial_executor()); });
+  const std::vector<ObjectMove<2, double>> moves{
+      {ids[3], Ball{{1, 0}, 1}}, {ids[4], pair_of_balls(7)}, {ids[70], Box{}}, {ids[5], pair_of_balls(9)}};
+  change([&](World& world) { world.move(moves); });
+  const Ids many(ids.begin(), ids.begin() + 60);
+  const std::vector<Box> boxes(60, Box{{20, 0}, {21, 1}});
+  change([&](World& world) { world.move(many, boxes); });
+  change([&](World& world) { world.update(serial_executor()); });
+  change([&](World& world) { world.remove(ids[6]); });
+  change([&](World& world) { world.remove(*world.find(name)); });
+  change([&](World& world) { world.add(Ball{{1, 0}, 1}); });  // in a place that is used again
+  change([&](World& world) { world.update(serial_executor()); });
+  return failed;
+}
+
+TEST(SceneMemory, ThatRunsOutLeavesTheSceneAsItWas) {
+  World scene;
+  EXPECT_GT(expect_all_or_nothing(scene, [](World& world) { world.add(Ball{}, {.name = "first"}); }), 5U);
+  const Ids ids = fill(scene, 100);
+  EXPECT_GT(change_in_every_way(scene, ids), 30U);
+}
+
+/// The same while a snapshot is kept, so that what changes is copied first.
+TEST(SceneMemory, ThatRunsOutLeavesASceneWithSnapshotsAsItWas) {
+  World scene;
+  const Ids ids = fill(scene, 100);
+  scene.update();
+  const auto snapshot = scene.snapshot();
+  const Ids expected = snapshot->overlapping(Ball{{50, 0}, 9});
+  EXPECT_GT(change_in_every_way(scene, ids), 30U);
+  EXPECT_EQ(snapshot->overlapping(Ball{{50, 0}, 9}), expected);
+  EXPECT_EQ(snapshot->pairs().size(), 99U);
+}
+
+/// Until the tables of all kinds have grown several times.
+TEST(SceneMemory, ThatRunsOutWhileTheSceneGrowsKeepsWhatWasThere) {
+  World scene;
+  std::size_t failed = 0;
+  for (int k = 0; k < 300; ++k) {
+    for (std::size_t grants = 0;; ++grants, ++failed) {
+      try {
+        const ShortMemory memory(grants);
+        scene.add(Ball{{2.0 * k, 0}, 1});
+        break;
+      } catch (const std::bad_alloc&) {
+        ASSERT_EQ(scene.size(), static_cast<std::size_t>(k));
+      }
+    }
+  }
+  EXPECT_GT(failed, 20U);
+  const Ids ids = scene.ids();
+  for (std::size_t k = 0; k < 300; ++k) ASSERT_EQ(ids[k], (ObjectId{static_cast<std::uint32_t>(k), 1, ids[0].owner}));
+  EXPECT_EQ(scene.update().began.size(), 299U);
+  EXPECT_EQ(scene.overlapping(Ball{{50, 0}, 2}).size(), 3U);
+}
+
+/// A query may have to catch up with what has moved; one that fails at that is asked again.
+TEST(SceneMemory, ThatRunsOutInAQueryChangesNoAnswer) {
+  World scene;
+  const Ids ids = fill(scene, 100);
+  std::size_t failed = 0;
+  for (int round = 0; round < 5; ++round) {
+    const auto ask = [&](const auto& question) {
+      if (round > 0) {  // a few, or many
+        for (std::size_t k = 0; k < ids.size(); k += round < 3 ? 9 : 1) {
+          if (scene.contains(ids[k])) scene.move(ids[k], Ball{{static_cast<double>(k), 3.0 * (round % 3)}, 1});
+        }
+        scene.add(Ball{{50.0 + round, 0}, 1});
+        const Ids there = scene.overlapping(V2(50, 0));
+        if (!there.empty()) scene.remove(there.front());
+        scene.move(scene.ids().front(), Ball{{1.0 * round, 5}, 1});
+      }
+      const auto expected = question(World(scene));
+      for (std::size_t grants = 0;; ++grants, ++failed) {
+        try {
+          const ShortMemory memory(grants);
+          const auto found = question(scene);
+          grants_left = no_end;
+          EXPECT_TRUE(found == expected);
+          break;
+        } catch (const std::bad_alloc&) {
+        }
+      }
+    };
+    ask([](const World& world) { return world.overlapping(Ball{{50, 0}, 20}); });
+    ask([](const World& world) { return world.cull(Ball{{50, 0}, 20}); });
+    ask([](const World& world) { return world.nearest({50, 0}, 20); });
+    ask([](const World& world) { return world.ray_cast_all({{-9, 0.25}, {1, 0}}); });
+    ask([](const World& world) { return world.ray_cast({{-9, 0.25}, {1, 0}}); });
+  }
+  EXPECT_GT(failed, 50U);
+}
+
+TEST(SceneMemory, OfASnapshotIsNoneForTheObjectsUntilTheyChange) {
+  constexpr std::size_t count = 100'000;
+  World scene;
+  Ids ids;
+  for (std::size_t k = 0; k < count; ++k) {
+    ids.push_back(scene.add(Ball{{static_cast<double>(k % 300), static_cast<double>(k / 300)}, 0.25}));
+  }
+  scene.overlapping(Ball{});  // the index has caught up
+  const std::size_t at_first = bytes_asked;
+  const auto snapshot = scene.snapshot();
+  const std::size_t of_snapshot = bytes_asked - at_first;
+  EXPECT_LT(of_snapshot, 5 * count);
+  const std::size_t before_move = bytes_asked;
+  scene.move(ids[7], Ball{{0, 0}, 1});
+  const std::size_t of_move = bytes_asked - before_move;
+  EXPECT_GT(of_move, 0U);
+  EXPECT_LT(of_move, 80 * sizeof(Object<2, double>));  // 64 of them, and what says so
+  const std::size_t before_next = bytes_asked;
+  scene.move(ids[8], Ball{{0, 0}, 1});
+  EXPECT_EQ(bytes_asked, before_next);  // those are its own now
+  EXPECT_EQ(snapshot->object(ids[8]).box.min, V2(7.75, -0.25));
+}
+
+TEST(SceneMemory, IsSeenWhereThereIsSome) {
+  const std::size_t before = bytes_asked;
+  const std::string text(1000, 'x');
+  EXPECT_GT(bytes_asked, before + 999);
+  const ShortMemory memory(0);
+  bool was_refused = false;
+  try {
+    const std::string other(text);
+  } catch (const std::bad_alloc&) {
+    was_refused = true;
+  }
+  grants_left = no_end;
+  EXPECT_TRUE(was_refused);
+}
+
+}  // namespace
+}  // namespace graze::scene_memory_test

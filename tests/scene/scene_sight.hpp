@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// All that can be seen of a scene, to be compared with what is seen later.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <graze/math/vec.hpp>
+#include <graze/scene/scene.hpp>
+
+namespace graze::test {
+
+template <Dim N, class T>
+struct SceneSight {
+  std::vector<ObjectId> ids;
+  std::vector<ObjectId> vacant;
+  std::vector<std::pair<std::string, Aabb<N, T>>> objects;
+  std::vector<std::string> layers;
+  std::vector<ObjectPair> candidates;
+  std::vector<ObjectPair> pairs;
+  std::vector<ObjectPair> began;
+  std::vector<ObjectPair> stayed;
+  std::vector<ObjectPair> ended;
+  std::vector<ObjectId> overlapping;
+  std::vector<NearObject<T>> nearest;
+
+  friend bool operator==(const SceneSight&, const SceneSight&) = default;
+};
+
+template <Dim N, class T>
+SceneSight<N, T> sight_of(const Scene<N, T>& scene) {
+  SceneSight<N, T> sight;
+  sight.ids = scene.ids();
+  sight.vacant = scene.vacant_ids();
+  for (const ObjectId id : sight.ids) {
+    const Object<N, T>& object = scene.object(id);
+    // A name that leads elsewhere is seen as well.
+    const bool is_found = object.name.empty() || scene.find(object.name) == id;
+    sight.objects.emplace_back(is_found ? object.name : "not found", object.box);
+  }
+  sight.layers = scene.layer_names();
+  sight.candidates = scene.candidates();
+  sight.pairs = scene.pairs();
+  sight.began = scene.events().began;
+  sight.stayed = scene.events().stayed;
+  sight.ended = scene.events().ended;
+  sight.overlapping = scene.overlapping(Sphere<N, T>{Vec<N, T>(T(0)), T(9)});
+  sight.nearest = scene.nearest(Vec<N, T>(T(0)), 9);
+  return sight;
+}
+
+}  // namespace graze::test
