@@ -53,6 +53,15 @@ class Frames {
     for (std::size_t k = frame % step_; k < boxes.size(); k += step_) move(k, boxes[k]);
   }
 
+  /// Where all boxes are after this frame, and those before it.
+  std::vector<Box<N>> all_places(std::size_t frame) const {
+    std::vector<Box<N>> boxes = start();
+    for (std::size_t k = frame + 1 - std::min(frame + 1, step_); k <= frame; ++k) {
+      each_move(k, [&boxes](std::size_t box, const Box<N>& place) { boxes[box] = place; });
+    }
+    return boxes;
+  }
+
  private:
   /// Memory that was written and never read may cost its first reader microseconds a page, which are not the
   /// contestant's: in a living world what moves has just been calculated.
