@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Many things that move: what began to touch and what no longer does, what is near the player, what a shot hits, and
-// what an id is worth after a removal.
+// A player among a thousand coins, all of which move: which it meets and leaves, what is near it, what its shot hits,
+// and what an id is worth after a removal.
+#include <algorithm>
 #include <cstdio>
 #include <stdexcept>
 #include <vector>
@@ -10,41 +11,50 @@
 #include "picture.hpp"
 
 graze::Circle<> coin_at(int i, int frame) {
-  const int column = i % 14;
-  const int row = i / 14;
-  return {{static_cast<float>(3 * column + (i * 7 + frame * (i % 3)) % 5), 1.25F * static_cast<float>(row)}, 0.8F};
+  const auto column = static_cast<float>(3 * (i % 26) + (i * 7 + frame * (i % 3)) % 5);
+  return {{column, 1.25F * static_cast<float>(i / 26)}, 0.8F};
+}
+
+graze::Circle<> player_at(int frame) { return {{29.5F + 2.5F * static_cast<float>(frame), 25}, 1.5F}; }
+
+auto count_of(graze::ObjectId id, const std::vector<graze::ObjectPair>& pairs) {
+  return std::count_if(pairs.begin(), pairs.end(), [id](const auto& pair) { return pair.a == id || pair.b == id; });
 }
 
 int main(int argc, char** argv) {
   graze::Scene<2> scene;
+  const graze::Layer players = scene.layer("players");
+  const graze::Layer loot = scene.layer("loot");
+  const graze::ObjectId player = scene.add(player_at(0), {.name = "player", .layer = players});
   std::vector<graze::ObjectId> coins;
-  coins.reserve(200);
-  for (int i = 0; i < 200; ++i) coins.push_back(scene.add(coin_at(i, 0)));
-  for (int frame = 0; frame < 3; ++frame) {
-    for (int i = 0; i < 200; ++i) scene.move(coins[static_cast<std::size_t>(i)], coin_at(i, frame));
+  for (int i = 0; i < 1000; ++i) coins.push_back(scene.add(coin_at(i, 0), {.layer = loot}));
+  for (int frame = 0; frame < 4; ++frame) {
+    scene.move(player, player_at(frame));
+    for (int i = 0; i < 1000; ++i) scene.move(coins[static_cast<std::size_t>(i)], coin_at(i, frame));
     const graze::SceneEvents& events = scene.update();
-    std::printf("frame %d: of %d pairs %zu touch; %zu began to, %zu have ended\n", frame, 200 * 199 / 2,
-                scene.pairs().size(), events.began.size(), events.ended.size());
+    std::printf("frame %d: %zu pairs touch, %zu began to; the player meets %td coins and leaves %td\n", frame,
+                scene.pairs().size(), events.began.size(), count_of(player, events.began),
+                count_of(player, events.ended));
   }
 
-  const graze::Aabb<2> region = graze::Aabb<2>::from_center({20, 9}, {6, 4});
-  std::printf("near the player: %zu coins\n", scene.overlapping(region).size());
-  const graze::Segment<2> shot{{-3, 2}, {36, 14}};
-  const auto hit = scene.ray_cast(graze::ray_between(shot.start, shot.end), 1);
-  std::printf("the shot hits coin %u at (%.2f, %.2f)\n", hit->id.index, hit->hit.point.x, hit->hit.point.y);
+  const graze::Circle<> reach{player_at(3).center, 6};
+  std::printf("near the player: %zu coins\n", scene.overlapping(reach, graze::only_layer(loot)).size());
+  const graze::Ray<2> shot{reach.center, {1, -2}};
+  const auto hit = scene.ray_cast(shot, 100, graze::only_layer(loot));
+  std::printf("its shot hits coin %u at (%.2f, %.2f)\n", hit->id.index, hit->hit.point.x, hit->hit.point.y);
 
-  scene.remove(coins[7]);
-  const graze::ObjectId newcomer = scene.add(graze::Aabb<2>{{20, 20}, {23, 22}}, {.name = "crate"});
-  std::printf("the crate is at index %u, where coin 7 was\n", newcomer.index);
+  scene.remove(hit->id);
+  const graze::ObjectId crate = scene.add(graze::Aabb<2>{{60, 30}, {63, 32}}, {.name = "crate", .layer = loot});
+  std::printf("the crate is at index %u, where that coin was\n", crate.index);
   try {
-    scene.move(coins[7], coin_at(7, 1));
+    scene.move(hit->id, coin_at(0, 4));
   } catch (const std::out_of_range& error) {
-    std::printf("moving coin 7: %s\n", error.what());
+    std::printf("moving the coin: %s\n", error.what());
   }
 
-  cookbook::Picture<2> picture("coins in frame 2");
+  cookbook::Picture<2> picture("a player and a thousand coins in frame 3");
   for (const graze::ObjectId id : scene.ids()) picture.add(scene.object(id).shape, scene.object(id).name);
-  picture.draw(region, "near the player");
-  picture.draw(graze::Segment<2>{shot.start, hit->hit.point}, "shot");
+  picture.draw(reach, "near the player");
+  picture.draw(graze::Segment<2>{shot.origin, hit->hit.point}, "shot");
   return picture.save(argc, argv);
 }

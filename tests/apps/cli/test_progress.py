@@ -2,6 +2,7 @@
 """The progress line: on a terminal, for work of over a second, and gone at the end."""
 
 import json
+import os
 import subprocess
 import time
 import unittest
@@ -43,10 +44,32 @@ class Progress(CommandLineTest):
     def test_without_colours_the_line_is_there_all_the_same(self):
         self.assertIn("reading the scene", self.check_slow_input(1.5, ("stderr",), NO_COLOR="1").text)
 
-    def test_every_command_shows_it(self):
-        for command in (("info", "-"), ("convert", "-", str(self.folder / "out.json"))):
+    def test_every_command_that_reads_shows_it(self):
+        template = self.write("template.html", '<script type="application/json" id="graze-report"></script>')
+        for command in (("check", "-"), ("query", "-", "--point", "0,5"), ("simulate", "-", "--frames", "1"), ("info", "-"),
+                        ("view", "-", "--html", str(self.folder / "out.html")), ("bench", "-", "--frames", "1"),
+                        ("convert", "-", str(self.folder / "out.json"))):
             with self.subTest(command):
-                self.assertIn("reading the scene", self.check_slow_input(1.5, ("stderr",), command).text)
+                shown = self.check_slow_input(1.5, ("stderr",), command, GRAZE_REPORT_TEMPLATE=str(template))
+                self.assertIn("reading the scene", shown.text)
+                self.assertNotIn("reading", shown.screen())
+
+    def test_so_do_those_that_read_a_log(self):
+        log = self.folder / "yard.log"
+        self.succeed("simulate", self.yard(), "--frames", "1", "--log", log)
+        fifo = self.folder / "slow.log"
+        os.mkfifo(fifo)
+
+        def feed(_process):
+            with fifo.open("wb") as late:
+                time.sleep(1.5)
+                late.write(log.read_bytes())
+
+        for command in (("replay", str(fifo)), ("query", "--log", str(fifo), "--point", "0,5")):
+            with self.subTest(command):
+                shown = Terminal([PROGRAM, *command], ("stderr",), during=feed, env=environment())
+                self.assertEqual(shown.code, 0)
+                self.assertIn("reading the log", shown.text)
 
     def test_an_error_comes_after_the_line_is_gone(self):
         def feed(process):
@@ -71,6 +94,19 @@ class Progress(CommandLineTest):
             if "testing pairs" in shown.text:
                 break
         self.assertRegex(shown.text, r"testing pairs \[=* *\] +\d+ % \d+ s")
+
+    def test_a_simulation_shows_how_far_it_is(self):
+        scene = self.write("s.json", {"schema": "graze.scene/1", "dimension": 2, "objects": [
+            {"type": "sphere", "center": [0, 0], "radius": 1, "velocity": [1, 0]}]})
+        for frames in (50_000, 400_000, 3_200_000):  # the more the faster the program was built
+            command = [PROGRAM, "simulate", "--frames", str(frames), "--output", str(self.folder / "out.ndjson"), str(scene)]
+            shown = Terminal(command, ("stderr",), env=environment())
+            self.assertEqual(shown.code, 0)
+            if "simulating" in shown.text:
+                break
+        self.assertRegex(shown.text, r"simulating \[=* *\] +\d+ % \d+ s")
+        self.assertIn(ERASE, shown.text)
+        self.assertRegex(shown.screen(), rf"\Agraze: {frames} frames; 1 objects, 1 moving, 0 contacts began")
 
 
 if __name__ == "__main__":
