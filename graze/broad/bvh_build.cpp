@@ -106,8 +106,10 @@ class BvhBuilder {
     for (const std::uint32_t slot : slots) prefetch(&arrays_.generations[slot]);
   }
 
-  /// The same for as many boxes as a node takes, the first of those that are not asked for yet.
+  /// The same for as many boxes as a node takes, the first of those that are not asked for yet. Writes nothing where
+  /// there are none: above groups there never are, and there several threads share a parent.
   void ask_for_some(std::span<const std::uint32_t>& slots) const {
+    if (slots.empty()) return;
     const std::size_t some = std::min<std::size_t>(block_size, slots.size());
     ask_for(slots.first(some));
     slots = slots.subspan(some);
