@@ -34,6 +34,7 @@
 #include <graze/query/signed_distance.hpp>
 #include <graze/query/time_of_impact.hpp>
 #include <graze/query/transformed.hpp>
+#include <graze/scene/filter_matrix.hpp>
 #include <graze/scene/scene.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/convex_mesh.hpp>

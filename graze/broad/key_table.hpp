@@ -15,7 +15,8 @@ namespace graze {
 
 /// Names a box of a spatial index for as long as it is held there. The key of a box that was erased, one that another
 /// index gave out, and a key made by default are errors when they are used, never another box. Ordered by index, which
-/// is a place that is used again. A copy of an index answers to the keys of the original.
+/// is a place that is used again. A copy of an index answers to the keys of the original. Of keys given out after they
+/// part each is to be asked about its own alone: it cannot tell the other's from them.
 struct Key {
   std::uint32_t index = 0;
   std::uint32_t generation = 0;  ///< Odd in every key that is given out.

@@ -16,7 +16,8 @@ inline constexpr std::uint32_t max_objects = std::uint32_t{1} << 29U;
 
 /// Names an object of a scene for as long as it lives. The id of an object that was removed, one that another scene
 /// gave out, and one made by default are errors when they are used, never another object. Ordered by index, which is a
-/// place that is used again. Copies and snapshots of a scene answer to the ids of the original.
+/// place that is used again. Copies and snapshots of a scene answer to the ids of the original. Of ids given out after
+/// they part each is to be asked about its own alone: it cannot tell the other's from them.
 struct ObjectId {
   std::uint32_t index = 0;
   std::uint32_t generation = 0;  ///< Odd in every id that is given out.
