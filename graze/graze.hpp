@@ -6,6 +6,7 @@
 #include <graze/broad/brute_force_pairs.hpp>
 #include <graze/broad/bvh.hpp>
 #include <graze/broad/contacts.hpp>
+#include <graze/broad/custom_index.hpp>
 #include <graze/broad/executor.hpp>
 #include <graze/broad/grid.hpp>
 #include <graze/broad/orthtree.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What every index of moving boxes can do. BruteForce, Grid, Orthtree (QuadTree, Octree) and Bvh model it; one typed
-// test holds each of them to BruteForce.
+// test holds each of them to BruteForce. CustomIndex makes one of a way to find candidates.
 //
 //   insert(box) -> Key        Throws std::invalid_argument for a box with a NaN or with min above max; infinite sides
 //                             are welcome. std::length_error when it is full: with 2^29 boxes an Orthtree and a Grid,

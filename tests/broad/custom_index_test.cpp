@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <graze/broad/custom_index.hpp>
+
+#include "spatial_index_laws.hpp"
+
+namespace graze::test::custom_index_test {
+namespace {
+
+/// Finds what does not end left of a region, by right sides in their order. Refuses boxes that are wider than `widest`.
+template <Dim N, class T>
+class ByRightSide {
+ public:
+  using Box = Aabb<N, T>;
+
+  explicit ByRightSide(T widest = std::numeric_limits<T>::infinity()) : widest_(widest) {}
+
+  void add(std::uint32_t number, const Box& box) {
+    if (box.max[0] - box.min[0] > widest_) throw std::runtime_error("too wide");
+    numbers_.insert({box.max[0], number});
+  }
+  void remove(std::uint32_t number, const Box& box) { numbers_.erase({box.max[0], number}); }
+  void candidates(const Box& region, auto&& visit) const {
+    for (auto at = numbers_.lower_bound({region.min[0], 0}); at != numbers_.end() && visit(at->second); ++at) {
+    }
+  }
+
+  std::size_t size() const { return numbers_.size(); }
+
+ private:
+  std::set<std::pair<T, std::uint32_t>> numbers_;
+  T widest_;
+};
+
+using Tested = testing::Types<CustomIndex<ByRightSide<2, float>>, CustomIndex<ByRightSide<3, double>>>;
+INSTANTIATE_TYPED_TEST_SUITE_P(Custom, SpatialIndexLaws, Tested);
+
+TEST(CustomIndex, WantsAFinderOfBoxes) {
+  EXPECT_TRUE((BoxFinder<ByRightSide<2, float>>));
+  EXPECT_FALSE(BoxFinder<int>);
+  EXPECT_FALSE((BoxFinder<BruteForce<2>>));
+}
+
+TEST(CustomIndex, StaysAsItWasWhenItsFinderThrows) {
+  using Index = CustomIndex<ByRightSide<2, float>>;
+  Index index(ByRightSide<2, float>(2));
+  const Key key = index.insert({{0, 0}, {1, 1}});
+  EXPECT_THROW(index.insert({{0, 0}, {3, 1}}), std::runtime_error);
+  EXPECT_THROW(index.update(key, {{0, 0}, {3, 1}}), std::runtime_error);
+  EXPECT_EQ(index.size(), 1U);
+  EXPECT_EQ(index.finder().size(), 1U);
+  EXPECT_EQ(index.box(key), (Aabb<2>{{0, 0}, {1, 1}}));
+  EXPECT_EQ(count(index, Aabb<2>{{1, 1}, {5, 5}}), 1U);
+  EXPECT_EQ(count(index, Aabb<2>{{2, 0}, {5, 5}}), 0U);
+  EXPECT_EQ(index.insert({{4, 4}, {5, 5}}).index, 1U);
+}
+
+TEST(CustomIndex, ItsFinderHoldsWhatItHolds) {
+  CustomIndex<ByRightSide<2, float>> index;
+  std::vector<Key> keys = insert_row(index, 50);
+  for (std::size_t k = 0; k < 20; ++k) index.erase(keys[k]);
+  EXPECT_EQ(index.finder().size(), 30U);
+  index.clear();
+  EXPECT_EQ(index.finder().size(), 0U);
+}
+
+TEST(CustomIndex, FindsTheNearestAtEveryScale) {
+  for (const double unit : {1e-200, 1e-30, 1.0, 1e30, 1e200}) {
+    CustomIndex<ByRightSide<2, double>> index;
+    BruteForce<2, double> judge;
+    for (int k = 0; k < 40; ++k) {
+      const Vec<2, double> corner = Vec<2, double>(k % 7 - 3, k % 11) * unit;
+      const Aabb<2, double> box{corner, corner + unit * (k % 3)};
+      index.insert(box);
+      judge.insert(box);
+    }
+    for (const std::size_t wanted : {1U, 3U, 40U, 60U}) {
+      const auto found = index.nearest({unit / 3, -unit}, wanted);
+      const auto expected = judge.nearest({unit / 3, -unit}, wanted);
+      ASSERT_EQ(found.size(), expected.size());
+      for (std::size_t k = 0; k < found.size(); ++k) {
+        EXPECT_EQ(found[k].key.index, expected[k].key.index);
+        EXPECT_EQ(found[k].distance_squared, expected[k].distance_squared);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace graze::test::custom_index_test
