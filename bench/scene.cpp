@@ -74,6 +74,7 @@ void enter() {
     (require_the_same<Peers, N>(step), ...);
     for (const std::size_t count : {std::size_t{10'000}, std::size_t{100'000}, std::size_t{1'000'000}}) {
       add<bench::OfGraze<N>, N>(count, step);
+      add<bench::OfGrazeRead<N>, N>(count, step);
       (add<Peers, N>(count, step), ...);
     }
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include <graze/broad/executor.hpp>
@@ -52,10 +53,31 @@ class OfGraze {
   }
 
   const Frames<N>& frames_;
+
+ protected:
   graze::Scene<N> scene_;
+
+ private:
   std::vector<graze::ObjectId> ids_;
   std::vector<graze::ObjectId> moved_;
   std::vector<Box<N>> places_;
+};
+
+/// The same where somebody reads each frame while the next one is made: one snapshot is always held.
+template <Dim N>
+class OfGrazeRead : public OfGraze<N> {
+ public:
+  static constexpr const char* name = "graze Scene, a snapshot each frame";
+
+  using OfGraze<N>::OfGraze;
+
+  void step(std::size_t frame) {
+    OfGraze<N>::step(frame);
+    snapshot_ = this->scene_.snapshot();
+  }
+
+ private:
+  std::shared_ptr<const graze::SceneView<N>> snapshot_;
 };
 
 }  // namespace bench
