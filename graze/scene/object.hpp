@@ -49,16 +49,16 @@ struct ObjectOptions {
   Mobility mobility = Mobility::moving;  ///< Whether it can be a pair with what is fixed.
 };
 
-/// An object of a scene. What a move writes comes first.
+/// An object of a scene. What a move writes comes first: of a shape that is small, all of it in a cache line or two.
 template <Dim N, class T = float>
 struct Object {
-  AnyShape<N, T> shape;
   Aabb<N, T> box;  ///< bounds(shape)
+  AnyShape<N, T> shape;
   std::string name;
   Layer layer;
+  Mobility mobility;
   LayerMask mask;
   std::uint64_t user;
-  Mobility mobility;
 };
 
 namespace detail {

@@ -43,10 +43,12 @@ class PairKeeper {
   /// The slot's object has moved, or has another shape.
   void note_moved(std::uint32_t slot, const Object<N, T>& object) noexcept;
 
-  /// The same for a box along the axes that has points: by far the most common, and in a few steps.
+  /// Whether the slot's object was a box along the axes that has points when it was noted last.
+  bool is_box(std::uint32_t slot) const { return kinds_[slot].is_box; }
+
+  /// What is such a box has moved, and still is.
   void note_moved_box(std::uint32_t slot, const Aabb<N, T>& box) noexcept {
     candidates_.move(slot, box);
-    if (!kinds_[slot].is_box) set_kind(slot, {true, true});
     set_changed(slot, Change::moved);
   }
 

@@ -48,8 +48,8 @@ ObjectId PlainScene<N, T>::add(AnyShape<N, T> shape, ObjectOptions options) {
   const Key key = ids_.take();
   const ObjectId id{key.index, key.generation, key.owner};
   const Aabb<N, T> box = bounds(shape);
-  objects_.insert({id, Object<N, T>{std::move(shape), box, std::move(options.name), options.layer, options.mask,
-                                    options.user, options.mobility}});
+  objects_.insert({id, Object<N, T>{box, std::move(shape), std::move(options.name), options.layer, options.mobility,
+                                    options.mask, options.user}});
   return id;
 }
 

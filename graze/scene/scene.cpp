@@ -85,8 +85,8 @@ ObjectId Scene<N, T>::add(AnyShape<N, T> shape, ObjectOptions options) {
   const Key key = ids_.take();
   const ObjectId id{key.index, key.generation, key.owner};
   if (!options.name.empty()) names_.change().find(options.name)->second = id;
-  place.emplace(Object<N, T>{std::move(shape), box, std::move(options.name), options.layer, options.mask, options.user,
-                             options.mobility});
+  place.emplace(Object<N, T>{box, std::move(shape), std::move(options.name), options.layer, options.mobility,
+                             options.mask, options.user});
   index_.note(slot);
   keeper_.note_new(slot, *place);
   is_current_ = false;
@@ -122,6 +122,15 @@ void Scene<N, T>::prepare_move(ObjectId id) {
   objects_.change(id.index);
 }
 
+/// Whether `prepare_move` would have nothing to do for any of them.
+template <Dim N, class T>
+bool Scene<N, T>::are_ready_to_move(std::span<const ObjectId> ids) const {
+  for (const ObjectId& id : ids) {
+    if (!this->contains(id) || !objects_.is_own(id.index)) return false;
+  }
+  return true;
+}
+
 /// The same for any shape.
 template <Dim N, class T>
 template <class S>
@@ -140,13 +149,23 @@ void Scene<N, T>::put(std::uint32_t slot, const S& shape) noexcept {
     object.shape = shape;
   }
   object.box = bounds(shape);
-  if constexpr (std::is_same_v<S, Aabb<N, T>>) {
-    index_.note(slot);
-    keeper_.note_moved_box(slot, shape);
-    is_current_ = false;
-  } else {
-    note_moved(slot, object);
-  }
+  note_moved(slot, object);
+}
+
+/// The same in a few steps, which are by far the most common.
+template <Dim N, class T>
+void Scene<N, T>::put(std::uint32_t slot, const Aabb<N, T>& box) noexcept {
+  if (!keeper_.is_box(slot)) return put<Aabb<N, T>>(slot, box);
+  Object<N, T>& object = *objects_.own(slot);
+  Aabb<N, T>* const held = std::get_if<Aabb<N, T>>(&object.shape);
+#ifdef __GNUC__
+  if (held == nullptr) __builtin_unreachable();  // so that nobody reads what type it is of
+#endif
+  *held = box;
+  object.box = box;
+  index_.note(slot);
+  keeper_.note_moved_box(slot, box);
+  is_current_ = false;
 }
 
 template <Dim N, class T>
@@ -160,7 +179,7 @@ void Scene<N, T>::move(std::span<const ObjectMove<N, T>> moves) {
   auto next_compound = compounds.begin();
   for (std::size_t i = 0; i < moves.size(); ++i) {
     const ObjectMove<N, T>& each = moves[i];
-    prefetch_move(moves[std::min(i + moves_ahead, moves.size() - 1)].id.index);
+    prefetch_move<AnyShape<N, T>>(moves[std::min(i + moves_ahead, moves.size() - 1)].id.index);
     if (std::holds_alternative<Compound<N, T>>(each.shape)) {
       Object<N, T>& moved = *objects_.own(each.id.index);
       moved.shape = std::move(*next_compound++);
@@ -180,12 +199,14 @@ void Scene<N, T>::move(std::span<const ObjectId> ids, std::span<const S> shapes)
                                 std::to_string(ids.size()) + " objects to be moved; each needs one");
   }
   if (are_surely_sound(shapes)) {
-    for (const ObjectId& id : ids) prepare_move(id);
+    if (!are_ready_to_move(ids)) {
+      for (const ObjectId& id : ids) prepare_move(id);
+    }
   } else {
     for (std::size_t i = 0; i < ids.size(); ++i) prepare_move(ids[i], shapes[i]);
   }
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    prefetch_move(ids[std::min(i + moves_ahead, ids.size() - 1)].index);
+    prefetch_move<S>(ids[std::min(i + moves_ahead, ids.size() - 1)].index);
     put(ids[i].index, shapes[i]);
   }
 }

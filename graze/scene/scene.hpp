@@ -111,10 +111,12 @@ class Scene : public SceneView<N, T> {
   template <class S>
   void prepare_move(ObjectId id, const S& shape);
   void prepare_move(ObjectId id);
+  bool are_ready_to_move(std::span<const ObjectId> ids) const;
 
-  /// Asks for what a move will write.
+  /// Asks for what a move to a shape of this type will write.
+  template <class S>
   void prefetch_move(std::uint32_t slot) const {
-    objects_.template prefetch_first_of<sizeof(AnyShape<N, T>) + sizeof(Aabb<N, T>)>(slot);
+    objects_.template prefetch_first_of<sizeof(Aabb<N, T>) + sizeof(S)>(slot);
     keeper_.prefetch_slot(slot);
   }
 
@@ -128,6 +130,7 @@ class Scene : public SceneView<N, T> {
   /// Gives an object a shape of one type and notes that it has moved. Everything that can fail was done before.
   template <class S>
   void put(std::uint32_t slot, const S& shape) noexcept;
+  void put(std::uint32_t slot, const Aabb<N, T>& box) noexcept;
 
   detail::PairKeeper<N, T> keeper_;
   std::uint64_t last_changes_ = 0;  // of ids, at the last update

@@ -59,6 +59,9 @@ class SharedSlots {
     return own(slot);
   }
 
+  /// Whether nobody else reads a slot, so that `change` copies nothing.
+  bool is_own(std::size_t slot) const { return is_own_[slot / chunk_size]; }
+
   /// A slot that was to be changed before, and was not shared since.
   std::optional<Item>& own(std::size_t slot) { return (*chunks_[slot / chunk_size])[slot % chunk_size]; }
 

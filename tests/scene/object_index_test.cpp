@@ -26,7 +26,7 @@ struct World {
     index.reserve(slots.size());
     auto& place = slots.change(slot);
     place.reset();
-    if (shape) place.emplace(Object<2, double>{*shape, bounds(*shape), "", 0, all_layers, 0, Mobility::moving});
+    if (shape) place.emplace(Object<2, double>{bounds(*shape), *shape, "", 0, Mobility::moving, all_layers, 0});
     index.note(slot);
   }
 

@@ -14,7 +14,7 @@ TEST(ObjectId, IsOrderedByIndexThenGeneration) {
 
 TEST(MayTouch, AsksBothMasksAndLeavesOutWhatIsFixed) {
   const auto object = [](Layer layer, LayerMask mask, Mobility mobility) {
-    return Object<2, float>{Vec<2, float>(0), {}, "", layer, mask, 0, mobility};
+    return Object<2, float>{{}, Vec<2, float>(0), "", layer, mobility, mask, 0};
   };
   const auto ghost = object(1, only_layer(1), Mobility::moving);
   const auto wall = object(0, all_layers, Mobility::fixed);

@@ -31,7 +31,7 @@ struct World {
     auto& place = slots.change(slot);
     place.reset();
     if (!shape) return keeper.note_gone(slot);
-    place.emplace(Object<N, T>{*shape, bounds(*shape), "", options.layer, options.mask, 0, options.mobility});
+    place.emplace(Object<N, T>{bounds(*shape), *shape, "", options.layer, options.mobility, options.mask, 0});
     keeper.note_new(slot, *place);
   }
 

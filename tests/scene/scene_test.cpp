@@ -208,6 +208,36 @@ TEST(Scene, ManyBoxesMoveTogetherOrNotAtAll) {
   for (std::size_t k = 0; k < ids.size(); ++k) EXPECT_EQ(scene.object(ids[k]).box, places[k]);
 }
 
+/// Of what was a box a move takes fewer steps, after a snapshot as well, and where it was another shape in between.
+TEST(Scene, ManyBoxesMoveTogetherWhateverTheyWereAndWhoeverReads) {
+  using Crate = Aabb<2, double>;
+  World scene;
+  std::vector<ObjectId> ids;
+  std::vector<Crate> places;
+  for (int k = 0; k < 70; ++k) {
+    places.push_back({{2 * k, 0}, {2 * k + 1, 1}});
+    ids.push_back(k % 3 == 0 ? scene.add(Ball{{k, 50}, 1}) : scene.add(places.back()));
+  }
+  const auto before = scene.snapshot();
+  for (int round = 0; round < 3; ++round) {
+    if (round == 1) scene.move(ids[4], Ball{{0, 90}, 1});
+    for (Crate& place : places) place = {place.min + V2(1, 0), place.max + V2(round == 0 ? 2 : 1, 0)};
+    scene.move(ids, places);
+    EXPECT_EQ(scene.pairs().size(), ids.size() - 1) << "each reaches to the next";
+    EXPECT_EQ(scene.update().began.size(), round == 0 ? ids.size() - 1 : 0);
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+      EXPECT_EQ(scene.object(ids[k]).box, places[k]);
+      EXPECT_EQ(std::get<Crate>(scene.object(ids[k]).shape), places[k]);
+    }
+  }
+  for (int k = 0; k < 70; ++k) {
+    const auto& object = before->object(ids[static_cast<std::size_t>(k)]);
+    EXPECT_EQ(std::holds_alternative<Ball>(object.shape), k % 3 == 0);
+    EXPECT_EQ(object.box, k % 3 == 0 ? (Crate{{k - 1, 49}, {k + 1, 51}}) : (Crate{{2 * k, 0}, {2 * k + 1, 1}}));
+  }
+  EXPECT_TRUE(before->pairs().empty());
+}
+
 TEST(Scene, TellsWhatBeganWhatStaysAndWhatEnded) {
   World scene;
   using Pairs = std::vector<ObjectPair>;
