@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <graze/broad/custom_index.hpp>
+#include <graze/broad/region.hpp>
+#include <graze/shape/capsule.hpp>
 
 #include "spatial_index_laws.hpp"
 
@@ -91,6 +93,22 @@ TEST(CustomIndex, ItsFinderHoldsWhatItHolds) {
   EXPECT_EQ(index.finder().size(), 30U);
   index.clear();
   EXPECT_EQ(index.finder().size(), 0U);
+}
+
+/// What a region touches is said with the rounding of the larger of both: a finder has to hear of the largest box.
+TEST(CustomIndex, FindsWhatTouchesByTheRoundingOfALargeBox) {
+  const Capsule<2, double> region{{0, 0}, {-1.125, 2.75}, 1};
+  std::size_t found_apart = 0;
+  for (int k = 0; k < 200; ++k) {
+    const Aabb<2, double> box{{1 + k * 1e-9, -1e9 + k * 4e6}, {1e9, 1e9}};
+    CustomIndex<JustThese<2, double>> index;
+    BruteForce<2, double> judge;
+    index.insert(box);
+    judge.insert(box);
+    EXPECT_EQ(count(index, region), count(judge, region)) << k;
+    if (box.min[0] > detail::RegionProbe(region).reach(0).max[0]) found_apart += count(judge, region);
+  }
+  EXPECT_GT(found_apart, 0U) << "or nothing was asked";
 }
 
 TEST(CustomIndex, FindsTheNearestAtEveryScale) {

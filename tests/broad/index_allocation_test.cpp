@@ -3,8 +3,6 @@
 // meets fewer than a hundred boxes: what waits for its turn lies on the stack up to there. The nearest are given in a
 // vector. This program counts what is asked of operator new; answers are looked at elsewhere.
 #include <cstddef>
-#include <cstdlib>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -23,49 +21,10 @@
 #include <graze/shape/sphere.hpp>
 
 #include "box_worlds.hpp"
+#include "heap_watch.hpp"
 
 namespace graze::test::index_allocation_test {
 namespace {
-
-thread_local std::size_t asked_of_the_heap = 0;
-
-void* take_if_there_is_some(std::size_t bytes) noexcept {
-  ++asked_of_the_heap;
-  return std::malloc(bytes == 0 ? 1 : bytes);
-}
-
-void* take(std::size_t bytes) {
-  if (void* const memory = take_if_there_is_some(bytes)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-}  // namespace graze::test::index_allocation_test
-
-void* operator new(std::size_t bytes) { return graze::test::index_allocation_test::take(bytes); }
-void* operator new[](std::size_t bytes) { return graze::test::index_allocation_test::take(bytes); }
-void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
-  return graze::test::index_allocation_test::take_if_there_is_some(bytes);
-}
-void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept {
-  return graze::test::index_allocation_test::take_if_there_is_some(bytes);
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
-void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
-
-namespace graze::test::index_allocation_test {
-namespace {
-
-/// How often a call takes memory.
-std::size_t asked_by(const auto& call) {
-  const std::size_t before = asked_of_the_heap;
-  call();
-  return asked_of_the_heap - before;
-}
 
 /// How many boxes a world has, and how often a list of 128 doubles its room until it has room for them and their cells.
 constexpr std::size_t many = 2000;
@@ -100,8 +59,8 @@ std::vector<Ray<N, T>> rays_between(const std::vector<Aabb<N, T>>& boxes, std::s
 template <class I, class R>
 void expect_none_asked(const I& index, const R& region) {
   std::size_t found = 0;
-  EXPECT_EQ(asked_by([&] { index.query(region, [&found](Key) { ++found; }); }), 0U) << found << " were found";
-  EXPECT_EQ(asked_by([&] { index.query(region, [](Key) { return false; }); }), 0U);
+  EXPECT_EQ(requests_of([&] { index.query(region, [&found](Key) { ++found; }); }), 0U) << found << " were found";
+  EXPECT_EQ(requests_of([&] { index.query(region, [](Key) { return false; }); }), 0U);
 }
 
 template <class I>
@@ -144,8 +103,8 @@ TYPED_TEST(IndexAllocation, IsNotNeededAlongARayThatMeetsFewerThanAHundred) {
   in_every_world<TypeParam>([](const TypeParam& index, const std::vector<Box>& boxes) {
     for (const auto& ray : rays_between(boxes, 29)) {
       std::size_t hits = 0;
-      const std::size_t asked = asked_by([&] { index.ray_cast(ray, [&hits](Key, double) { ++hits; }); });
-      const std::size_t asked_for_one = asked_by([&] { index.ray_cast(ray, [](Key, double) { return false; }); });
+      const std::size_t asked = requests_of([&] { index.ray_cast(ray, [&hits](Key, double) { ++hits; }); });
+      const std::size_t asked_for_one = requests_of([&] { index.ray_cast(ray, [](Key, double) { return false; }); });
       const std::size_t allowed = hits < 100 ? 0 : growths;
       EXPECT_LE(asked, allowed) << hits << " hits";
       EXPECT_LE(asked_for_one, allowed) << hits << " hits";
@@ -159,11 +118,11 @@ TYPED_TEST(IndexAllocation, IsThatOfTheAnswerAndLittleMoreForTheNearest) {
     for (std::size_t k = 0; k < boxes.size(); k += 29) {
       if (!is_finite(boxes[k].min)) continue;
       for (const std::size_t wanted : {1U, 8U, 100U}) {
-        const std::size_t asked = asked_by([&] { (void)index.nearest(boxes[k].min, wanted); });
+        const std::size_t asked = requests_of([&] { (void)index.nearest(boxes[k].min, wanted); });
         EXPECT_GE(asked, 1U);
         EXPECT_LE(asked, 1 + growths) << wanted;
       }
-      EXPECT_EQ(asked_by([&] { (void)index.nearest(boxes[k].min, 0); }), 0U);
+      EXPECT_EQ(requests_of([&] { (void)index.nearest(boxes[k].min, 0); }), 0U);
     }
   });
 }
@@ -173,8 +132,8 @@ void expect_only_the_answer() {
   in_every_world<I>([](const I& index, const auto& boxes) {
     for (std::size_t k = 0; k < boxes.size(); k += 29) {
       if (!is_finite(boxes[k].min)) continue;
-      EXPECT_EQ(asked_by([&] { (void)index.nearest(boxes[k].min, 8); }), 1U);
-      EXPECT_EQ(asked_by([&] { (void)index.nearest(boxes[k].min, 100); }), 1U);
+      EXPECT_EQ(requests_of([&] { (void)index.nearest(boxes[k].min, 8); }), 1U);
+      EXPECT_EQ(requests_of([&] { (void)index.nearest(boxes[k].min, 100); }), 1U);
     }
   });
 }
@@ -185,7 +144,7 @@ TEST(BvhAllocation, IsThatOfTheAnswerForTheNearest) {
 }
 
 TEST(HeapCount, SeesWhatIsAsked) {
-  EXPECT_GT(asked_by([] { EXPECT_EQ(std::string(1000, 'x').size(), 1000U); }), 0U);
+  EXPECT_GT(requests_of([] { EXPECT_EQ(std::string(1000, 'x').size(), 1000U); }), 0U);
 }
 
 }  // namespace

@@ -4,9 +4,7 @@
 // are looked at elsewhere.
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <map>
-#include <new>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -37,6 +35,7 @@
 #include <graze/shape/ray.hpp>
 
 #include "catalogue.hpp"
+#include "heap_watch.hpp"
 #include "query/contacts.hpp"
 #include "query/every_pair.hpp"
 #include "query/manifolds.hpp"
@@ -46,39 +45,6 @@
 #include "query/ray_casts.hpp"
 #include "query/shape_casts.hpp"
 #include "query/times_of_impact.hpp"
-
-namespace graze::test::allocation_test {
-namespace {
-
-thread_local std::size_t asked_of_the_heap = 0;
-
-void* take_if_there_is_some(std::size_t bytes) noexcept {
-  ++asked_of_the_heap;
-  return std::malloc(bytes == 0 ? 1 : bytes);
-}
-
-void* take(std::size_t bytes) {
-  if (void* const memory = take_if_there_is_some(bytes)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-}  // namespace graze::test::allocation_test
-
-void* operator new(std::size_t bytes) { return graze::test::allocation_test::take(bytes); }
-void* operator new[](std::size_t bytes) { return graze::test::allocation_test::take(bytes); }
-void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
-  return graze::test::allocation_test::take_if_there_is_some(bytes);
-}
-void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept {
-  return graze::test::allocation_test::take_if_there_is_some(bytes);
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
-void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 
 namespace graze::test::allocation_test {
 namespace {
@@ -98,9 +64,9 @@ class Counting {
   /// Calls a query of two shapes, and notes if it takes memory.
   template <class Query>
   void call(const char* query, const AnyShape<N, T>& a, const AnyShape<N, T>& b, const Query& ask) {
-    const std::size_t before = asked_of_the_heap;
+    const std::size_t before = heap_watch.requests;
     (void)ask();
-    if (asked_of_the_heap != before) ++tally_[std::string(query) + " of " + types_of<N, T>(a, b)];
+    if (heap_watch.requests != before) ++tally_[std::string(query) + " of " + types_of<N, T>(a, b)];
     ++calls_;
   }
 
@@ -234,7 +200,7 @@ template <class A, class B>
 std::size_t asked_by_queries_of(const A& a, const B& b) {
   constexpr Dim N = dimension_of<A>;
   using T = scalar_of<A>;
-  const std::size_t before = asked_of_the_heap;
+  const std::size_t before = heap_watch.requests;
   (void)intersects(a, b);
   (void)distance(a, b);
   (void)closest_points(a, b);
@@ -246,7 +212,7 @@ std::size_t asked_by_queries_of(const A& a, const B& b) {
   (void)contains(a, along_x<N, T>(0.5));
   (void)closest_point(a, along_x<N, T>(3));
   (void)signed_distance(a, along_x<N, T>(0.5));
-  return asked_of_the_heap - before;
+  return heap_watch.requests - before;
 }
 
 template <Dim N, class T>
@@ -267,9 +233,9 @@ TEST(Allocation, IsNotNeededForShapesOfOnesOwn) {
 }
 
 TEST(Allocation, IsSeenWhereThereIsSome) {
-  const std::size_t before = asked_of_the_heap;
+  const std::size_t before = heap_watch.requests;
   const std::string text(1000, 'x');
-  EXPECT_GT(asked_of_the_heap, before);
+  EXPECT_GT(heap_watch.requests, before);
   EXPECT_EQ(text.size(), 1000U);
 }
 

@@ -3,8 +3,6 @@
 // asks of operator new, and can let it be refused.
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <limits>
 #include <new>
 #include <string>
 #include <vector>
@@ -15,56 +13,8 @@
 #include <graze/query/bounds.hpp>
 #include <graze/scene/scene.hpp>
 
+#include "heap_watch.hpp"
 #include "scene/scene_sight.hpp"
-
-namespace graze::scene_memory_test {
-namespace {
-
-constexpr std::size_t no_end = std::numeric_limits<std::size_t>::max();
-
-thread_local std::size_t bytes_asked = 0;
-thread_local std::size_t grants_left = no_end;
-
-void* take_if_there_is_some(std::size_t bytes, std::size_t alignment) noexcept {
-  if (grants_left == 0) return nullptr;
-  if (grants_left != no_end) --grants_left;
-  bytes_asked += bytes;
-  if (alignment <= alignof(std::max_align_t)) return std::malloc(bytes == 0 ? 1 : bytes);
-  return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
-}
-
-void* take(std::size_t bytes, std::size_t alignment = 1) {
-  if (void* const memory = take_if_there_is_some(bytes, alignment)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-}  // namespace graze::scene_memory_test
-
-void* operator new(std::size_t bytes) { return graze::scene_memory_test::take(bytes); }
-void* operator new[](std::size_t bytes) { return graze::scene_memory_test::take(bytes); }
-void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
-  return graze::scene_memory_test::take_if_there_is_some(bytes, 1);
-}
-void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept {
-  return graze::scene_memory_test::take_if_there_is_some(bytes, 1);
-}
-void* operator new(std::size_t bytes, std::align_val_t alignment) {
-  return graze::scene_memory_test::take(bytes, static_cast<std::size_t>(alignment));
-}
-void* operator new[](std::size_t bytes, std::align_val_t alignment) {
-  return graze::scene_memory_test::take(bytes, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
-void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 
 namespace graze::scene_memory_test {
 namespace {
@@ -79,8 +29,8 @@ using Ids = std::vector<ObjectId>;
 /// While it lives, this thread's requests are granted so many times, and refused from then on.
 class ShortMemory {
  public:
-  explicit ShortMemory(std::size_t grants) { grants_left = grants; }
-  ~ShortMemory() { grants_left = no_end; }
+  explicit ShortMemory(std::size_t grants) { test::heap_watch.grants_left = grants; }
+  ~ShortMemory() { test::heap_watch.grants_left = test::HeapWatch::no_end; }
   ShortMemory(const ShortMemory&) = delete;
   ShortMemory& operator=(const ShortMemory&) = delete;
 };
@@ -207,7 +157,7 @@ TEST(SceneMemory, ThatRunsOutInAQueryChangesNoAnswer) {
         try {
           const ShortMemory memory(grants);
           const auto found = question(scene);
-          grants_left = no_end;
+          test::heap_watch.grants_left = test::HeapWatch::no_end;
           EXPECT_TRUE(found == expected);
           break;
         } catch (const std::bad_alloc&) {
@@ -231,25 +181,25 @@ TEST(SceneMemory, OfASnapshotIsNoneForTheObjectsUntilTheyChange) {
     ids.push_back(scene.add(Ball{{static_cast<double>(k % 300), static_cast<double>(k / 300)}, 0.25}));
   }
   scene.overlapping(Ball{});  // the index has caught up
-  const std::size_t at_first = bytes_asked;
+  const std::size_t at_first = test::heap_watch.bytes;
   const auto snapshot = scene.snapshot();
-  const std::size_t of_snapshot = bytes_asked - at_first;
+  const std::size_t of_snapshot = test::heap_watch.bytes - at_first;
   EXPECT_LT(of_snapshot, 5 * count);
-  const std::size_t before_move = bytes_asked;
+  const std::size_t before_move = test::heap_watch.bytes;
   scene.move(ids[7], Ball{{0, 0}, 1});
-  const std::size_t of_move = bytes_asked - before_move;
+  const std::size_t of_move = test::heap_watch.bytes - before_move;
   EXPECT_GT(of_move, 0U);
   EXPECT_LT(of_move, 80 * sizeof(Object<2, double>));  // 64 of them, and what says so
-  const std::size_t before_next = bytes_asked;
+  const std::size_t before_next = test::heap_watch.bytes;
   scene.move(ids[8], Ball{{0, 0}, 1});
-  EXPECT_EQ(bytes_asked, before_next);  // those are its own now
+  EXPECT_EQ(test::heap_watch.bytes, before_next);  // those are its own now
   EXPECT_EQ(snapshot->object(ids[8]).box.min, V2(7.75, -0.25));
 }
 
 TEST(SceneMemory, IsSeenWhereThereIsSome) {
-  const std::size_t before = bytes_asked;
+  const std::size_t before = test::heap_watch.bytes;
   const std::string text(1000, 'x');
-  EXPECT_GT(bytes_asked, before + 999);
+  EXPECT_GT(test::heap_watch.bytes, before + 999);
   const ShortMemory memory(0);
   bool was_refused = false;
   try {
@@ -257,7 +207,7 @@ TEST(SceneMemory, IsSeenWhereThereIsSome) {
   } catch (const std::bad_alloc&) {
     was_refused = true;
   }
-  grants_left = no_end;
+  test::heap_watch.grants_left = test::HeapWatch::no_end;
   EXPECT_TRUE(was_refused);
 }
 
