@@ -1,0 +1,1 @@
+<tileset tilewidth="-8" tileheight="8"><tile id="x"/></tileset>

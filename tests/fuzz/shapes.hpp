@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// Shapes made of a fuzzer's bytes: of every type, valid or not.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <graze/math/pose.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/shape/any_shape.hpp>
+
+#include "catalogue.hpp"
+#include "fuzz/input.hpp"
+
+namespace graze::test::fuzz {
+
+/// A quarter turn in half of the cases, else any, about each axis; now and then nine numbers that need be nothing.
+template <Dim N, class T>
+Mat<N, T> rotation(Input& input) {
+  constexpr int wild = 15;
+  const std::size_t kind = input.below(wild + 1);
+  Mat<N, T> matrix(T(1));
+  if (kind == wild) {
+    for (Dim i = 0; i < N; ++i) matrix[i] = input.vec<N, T>();
+    return matrix;
+  }
+  const auto turn = [&] {
+    return direction_of(kind < 8 ? static_cast<int>(input.below(4)) - 1.0 : input.whole() / 64.0);
+  };
+  if constexpr (N == 2) {
+    const Vec<2, double> way = turn();
+    return rounded<2, T>(Mat<2, double>(way, Vec<2, double>(-way.y, way.x)));
+  } else {
+    Mat<3, double> product(1.0);
+    for (const Dim axis : {2, 0, 2}) {
+      const Vec<2, double> way = turn();
+      Mat<3, double> step(1.0);
+      const Dim next = (axis + 1) % 3;
+      const Dim last = (axis + 2) % 3;
+      step[next][next] = step[last][last] = way.x;
+      step[next][last] = way.y;
+      step[last][next] = -way.y;
+      product = step * product;
+    }
+    return rounded<3, T>(product);
+  }
+}
+
+/// Up to so many points, of which some may be the same.
+template <Dim N, class T>
+std::vector<Vec<N, T>> points(Input& input, std::size_t most) {
+  std::vector<Vec<N, T>> result(1 + input.below(most));
+  for (Vec<N, T>& point : result) point = input.vec<N, T>();
+  return result;
+}
+
+template <class S>
+void fill(Input& input, S& shape) {
+  constexpr Dim N = dimension_of<S>;
+  using T = scalar_of<S>;
+  const auto set = [&](auto& field) {
+    using Field = std::remove_reference_t<decltype(field)>;
+    if constexpr (std::is_same_v<Field, T>) {
+      field = input.number<T>();
+    } else if constexpr (std::is_same_v<Field, Vec<N, T>>) {
+      field = input.vec<N, T>();
+    } else {
+      field = rotation<N, T>(input);
+    }
+  };
+  std::apply([&](auto... fields) { (set(shape.*fields), ...); }, Entry<S>::fields);
+}
+
+template <Dim N, class T>
+void fill(Input& input, Vec<N, T>& point) {
+  point = input.vec<N, T>();
+}
+
+/// Of numbers that are finite: convex_hull refuses others.
+template <Dim N, class T>
+void fill(Input& input, Polytope<N, T>& polytope) {
+  std::vector<Vec<N, T>> corners = points<N, T>(input, 10);
+  for (Vec<N, T>& corner : corners) {
+    if (!is_finite(corner)) corner = Vec<N, T>(T(0));
+  }
+  polytope = convex_hull<N, T>(corners);
+}
+
+template <Dim N, class T>
+AnyShape<N, T> any_shape(Input& input, int depth = 1);
+
+template <Dim N, class T>
+void fill(Input& input, Compound<N, T>& compound, int depth) {
+  std::vector<AnyShape<N, T>> parts;
+  for (std::size_t count = input.below(4); count > 0; --count) parts.push_back(any_shape<N, T>(input, depth - 1));
+  compound = compound_of<N, T>(std::move(parts));
+}
+
+template <Dim N, class T>
+AnyShape<N, T> any_shape(Input& input, int depth) {
+  constexpr std::size_t types = std::variant_size_v<AnyShape<N, T>>;
+  const std::size_t type = input.below(depth > 0 ? types : types - 1);
+  AnyShape<N, T> shape;
+  [&]<std::size_t... Indices>(std::index_sequence<Indices...>) {
+    const auto make = [&]<std::size_t index>(std::integral_constant<std::size_t, index>) {
+      if (index != type) return;
+      auto& held = shape.template emplace<index>();
+      if constexpr (index == types - 1) {
+        fill(input, held, depth);
+      } else {
+        fill(input, held);
+      }
+    };
+    (make(std::integral_constant<std::size_t, Indices>()), ...);
+  }
+  (std::make_index_sequence<types>());
+  return shape;
+}
+
+}  // namespace graze::test::fuzz

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// What everything that reads files keeps to, whatever it is given.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include <graze/io/input_error.hpp>
+#include <graze/io/json_scene.hpp>
+#include <graze/io/printable.hpp>
+#include <graze/io/scene_file.hpp>
+
+#include "fuzz/require.hpp"
+#include "io/shape_bits.hpp"
+
+namespace graze::test::fuzz {
+
+/// What `read` gives; none where it refuses with an InputError that can be shown. Any other exception is a find.
+template <class Read>
+auto read_or_refuse(const Read& read) -> std::optional<decltype(read())> {
+  try {
+    return read();
+  } catch (const io::InputError& error) {
+    const std::string message = error.what();
+    require(!message.empty() && io::printable(message) == message,
+            [&](std::ostream& out) { out << "what is refused is refused in words to be shown, but: " << message; });
+    return std::nullopt;
+  }
+}
+
+/// What `read(text)` gives of a text that the library wrote, so that it can be read.
+template <class Read>
+auto read_again(const std::string& text, const Read& read) -> decltype(read(text)) {
+  try {
+    return read(text);
+  } catch (const io::InputError& error) {
+    require(false, [&](std::ostream& out) { out << "what was written is read, but " << error.what() << "\n" << text; });
+    throw;
+  }
+}
+
+inline std::string written(const io::SceneFile& file) {
+  std::ostringstream out;
+  io::write_json_scene(out, file);
+  return out.str();
+}
+
+/// Whether two ids say the same of two scenes.
+inline bool same_id(const ObjectId& a, const ObjectId& b) { return a.index == b.index && a.generation == b.generation; }
+
+inline bool same_ids(const std::vector<ObjectId>& a, const std::vector<ObjectId>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_id);
+}
+
+/// Whether `b` is `a` after a file, which gives an object a name if it has none.
+template <Dim N>
+bool same_object(const Object<N, double>& a, const Object<N, double>& b) {
+  return (a.name.empty() || a.name == b.name) && a.layer == b.layer && a.mask == b.mask && a.mobility == b.mobility &&
+         a.user == b.user && io::bits_of<N>(a.shape) == io::bits_of<N>(b.shape) && a.box == b.box;
+}
+
+template <Dim N>
+void require_same_scene(const Scene<N, double>& read, const Scene<N, double>& again, const std::string& text) {
+  const auto say = [&text](std::string_view what) {
+    return [&text, what](std::ostream& out) { out << what << " survive a file, but not in\n" << text; };
+  };
+  require(same_ids(read.ids(), again.ids()) && same_ids(read.vacant_ids(), again.vacant_ids()), say("ids"));
+  const std::vector<ObjectId> ids = read.ids();
+  const std::vector<ObjectId> ids_again = again.ids();
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    require(same_object(read.object(ids[i]), again.object(ids_again[i])), say("objects"));
+  }
+}
+
+inline bool same_velocity(const io::ObjectVelocity& a, const io::ObjectVelocity& b) {
+  return same_id(a.id, b.id) && a.velocity == b.velocity;
+}
+
+/// A scene from a file of any format can be written in our own, is read back bit for bit, and written again as it was.
+inline void require_survival(const io::SceneFile& file) {
+  for (const io::Omission& omission : file.omissions) {
+    require(!omission.what.empty() && omission.count > 0,
+            [](std::ostream& out) { out << "an omission says what was left out, and how often"; });
+  }
+  const std::string text = written(file);
+  const io::SceneFile again = read_again(text, [](const std::string& of) { return io::parse_json_scene(of, "again"); });
+  require(file.scene.index() == again.scene.index() && file.y_axis == again.y_axis, [&](std::ostream& out) {
+    out << "dimension and axis survive a file, but not in\n" << text;
+  });
+  std::visit(
+      [&](const auto& scene) { require_same_scene(scene, std::get<std::decay_t<decltype(scene)>>(again.scene), text); },
+      file.scene);
+  require(std::equal(file.velocities.begin(), file.velocities.end(), again.velocities.begin(), again.velocities.end(),
+                     same_velocity),
+          [&](std::ostream& out) { out << "velocities survive a file, but not in\n"
+                                       << text; });
+  require(written(again) == text, [&](std::ostream& out) {
+    out << "what was read back is written as it was, but not\n" << text;
+  });
+}
+
+}  // namespace graze::test::fuzz

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Any text as a map, tileset or template in Tiled's JSON: it is refused in words, or read; what was read of a map
+// survives being written.
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include <graze/io/tiled_json.hpp>
+
+#include "fuzz/input.hpp"
+#include "fuzz/texts.hpp"
+#include "fuzz/tiled_texts.hpp"
+
+using namespace graze;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text = test::fuzz::Input(data, size).rest();
+  const io::TiledText file{"file", text};
+  test::fuzz::read_or_refuse([&] { return io::read_tiled_json_map(file); });
+  test::fuzz::read_or_refuse([&] { return io::read_tiled_json_tileset(file); });
+  test::fuzz::read_or_refuse([&] { return io::read_tiled_json_template(file); });
+  test::fuzz::check_map(text);
+  return 0;
+}
