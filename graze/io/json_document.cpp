@@ -37,14 +37,12 @@ class CountingIterator {
   const char** farthest_;
 };
 
-/// nlohmann's account of a syntax error without its prefix and without the text it has read, whose place we give.
-std::string reason_of(std::string message) {
+/// nlohmann's account of a syntax error without its prefix and without the text it has read last, whose place we give.
+std::string reason_of(std::string message, const std::string& last_token) {
   if (const std::size_t dash = message.find(" - "); dash != std::string::npos) message.erase(0, dash + 3);
-  const std::string_view last_read = "; last read: '";
+  const std::string last_read = "; last read: '" + last_token + "'";
   if (const std::size_t begin = message.find(last_read); begin != std::string::npos) {
-    const std::size_t expected = message.rfind("'; expected ");
-    const std::size_t end = expected == std::string::npos || expected < begin ? message.size() : expected + 1;
-    message.erase(begin, end - begin);
+    message.erase(begin, last_read.size());
   }
   return message;
 }
@@ -113,7 +111,7 @@ class JsonDocument::Builder {
   }
   bool end_array() { return close(); }
 
-  bool parse_error(std::size_t position, const std::string&, const nlohmann::json::exception& exception) {
+  bool parse_error(std::size_t position, const std::string& last_token, const nlohmann::json::exception& exception) {
     constexpr int out_of_range = 406;
     const std::size_t token = token_offset();
     const std::string_view rest = document_.text_.substr(token);
@@ -128,7 +126,7 @@ class JsonDocument::Builder {
     if (position > document_.text_.size()) {
       throw document_.error(position, "the JSON text ends here, before it is complete; is the file cut off?");
     }
-    throw document_.error(position - 1, "this is not JSON: " + reason_of(exception.what()));
+    throw document_.error(position - 1, "this is not JSON: " + reason_of(exception.what(), last_token));
   }
 
  private:

@@ -23,7 +23,7 @@ namespace {
 
 /// RFC 8259, section 7: quotes, backslashes and control characters must be escaped; all else may stand as it is.
 std::string quoted_name(std::string_view text) {
-  if (find_invalid_utf8(text) != std::string_view::npos || text.find('\0') != std::string_view::npos) {
+  if (find_invalid_utf8(text) != std::string_view::npos) {
     throw OutputError(fmt::format("the name {} is not UTF-8 text, so a scene file cannot hold it", in_quotes(text)));
   }
   std::string result = "\"";

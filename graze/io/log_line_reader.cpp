@@ -186,6 +186,10 @@ AnswerRow read_row(JsonValue value, const JsonPlace& place) {
       row.numbers.push_back(read_any_number(part, place));
     }
   }
+  // Written again, [1e1, 1] would be an id.
+  if (row.word.empty() && row.ids.empty() && row.numbers.size() > 1) {
+    throw place.error(value.offset(), "a list of numbers is no part of an answer without an id before them");
+  }
   return row;
 }
 

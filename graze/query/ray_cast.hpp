@@ -16,7 +16,7 @@
 // Whether there is a hit is what intersects(shape, ray) says, and for a segment intersects(shape, segment): all that
 // nearly touches is decided by them, and hit where the ray comes nearest. So a ray through the common edge or corner of
 // two triangles hits both. Only GJK may find a hit where they find none, nearer than its `error`. For a finite t_max it
-// is what they would say of the path up to there, in double.
+// is what they would say of the path up to there, in double, and of the whole ray: what that misses has no hit.
 //
 // The normal points out of the shape, against the ray; on a set without thickness, to the side that the ray comes from.
 // A ray that starts in a shape hits it at t = 0, and a ray that runs along a set without thickness where that begins;
@@ -100,8 +100,8 @@ struct AskAboutSegment {
   const Segment<N, T>& segment;
 };
 
-/// A ray up to t_max: all of it if it ends behind the shape, or else a segment, from its own origin where the
-/// shape can be seen from there.
+/// A ray up to t_max: all of it if it ends behind the shape or is apart from it, or else a segment, from its own origin
+/// where the shape can be seen from there.
 template <Dim N, class T>
 struct AskAboutRay {
   template <class S>
@@ -112,6 +112,8 @@ struct AskAboutRay {
       const Vec<N, double> reach = reach_to(ray, shape);
       if (dot(end, path.direction) > dot(reach, path.direction)) return decide(shape, ray);
     }
+    // The rounding of an end far away must not reach to where the ray itself never comes.
+    if (decide(shape, ray) == Relation::apart) return Relation::apart;
     if constexpr (HasRaySight<S>) {
       return decide(seen_from(path.origin, shape), Segment<N, double>{Vec<N, double>(0.0), end});
     } else if constexpr (HasLevelSight<S>) {

@@ -26,21 +26,19 @@ using T = GRAZE_FUZZ_SCALAR;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   test::fuzz::Input input(data, size);
-  const AnyShape<N, T> a = test::fuzz::any_shape<N, T>(input);
-  const AnyShape<N, T> b = test::fuzz::any_shape<N, T>(input);
-  if (!input.is_in_range() || !is_valid(a) || !is_valid(b)) return 0;
-  const auto touch = test::contact_of<N, T>(a, b);
-  const auto near = test::closest_points_of<N, T>(a, b);
-  const test::ExactVerdict truth = test::exact_verdict<N, T>(a, b);
-  const auto pair = [&](std::ostream& out) {
-    out << test::to_source<N, T>(a) << ", " << test::to_source<N, T>(b) << ", which are " << name_of(truth.relation)
-        << " by " << truth.gap;
+  const test::fuzz::ShapePair<N, T> pair(input);
+  if (!pair.is_judged) return 0;
+  const auto touch = test::contact_of<N, T>(pair.a, pair.b);
+  const auto near = test::closest_points_of<N, T>(pair.a, pair.b);
+  const test::ExactVerdict truth = test::exact_verdict<N, T>(pair.a, pair.b);
+  const auto case_and_truth = [&](std::ostream& out) {
+    out << pair << ", which are " << name_of(truth.relation) << " by " << truth.gap;
   };
-  const test::ContactErrors errors = test::contact_errors<N, T>(a, b, truth, touch);
+  const test::ContactErrors errors = test::contact_errors<N, T>(pair.a, pair.b, truth, touch);
   test::fuzz::require(errors.judgement != test::Judgement::wrong, [&](std::ostream& out) {
     if (touch) out << "a contact of depth " << touch->depth << ", error " << touch->error << ": ";
     if (!touch) out << "no contact: ";
-    pair(out);
+    case_and_truth(out);
   });
   if (errors.judgement == test::Judgement::outside_range || !std::isfinite(truth.gap)) return 0;
   const double gap = std::max(0.0, truth.gap);
@@ -48,7 +46,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const double bound = near.error + std::numeric_limits<T>::epsilon() * distance + std::numeric_limits<T>::denorm_min();
   test::fuzz::require(std::fabs(distance - gap) <= bound, [&](std::ostream& out) {
     out << "a distance of " << near.distance << ", error " << near.error << ": ";
-    pair(out);
+    case_and_truth(out);
   });
   return 0;
 }

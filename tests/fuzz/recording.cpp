@@ -12,8 +12,8 @@
 #include <graze/io/recording.hpp>
 
 #include "fuzz/input.hpp"
-#include "fuzz/scratch_folder.hpp"
 #include "fuzz/texts.hpp"
+#include "scratch_folder.hpp"
 
 using namespace graze;
 using test::fuzz::require;
@@ -40,8 +40,8 @@ std::string with_promised_size(std::string bytes) {
   return bytes;
 }
 
-const test::fuzz::ScratchFolder& folder() {
-  static const test::fuzz::ScratchFolder only;
+const test::ScratchFolder& folder() {
+  static const test::ScratchFolder only("graze fuzz");
   return only;
 }
 

@@ -21,23 +21,18 @@ using T = GRAZE_FUZZ_SCALAR;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   test::fuzz::Input input(data, size);
-  const AnyShape<N, T> a = test::fuzz::any_shape<N, T>(input);
-  const AnyShape<N, T> b = test::fuzz::any_shape<N, T>(input);
-  const Relation claim = test::relation_of<N, T>(a, b);
-  const Relation swapped = test::relation_of<N, T>(b, a);
-  if (!input.is_in_range() || !is_valid(a) || !is_valid(b)) return 0;
-  const auto pair = [&](std::ostream& out) {
-    out << name_of(claim) << ": " << test::to_source<N, T>(a) << ", " << test::to_source<N, T>(b);
-  };
+  const test::fuzz::ShapePair<N, T> pair(input);
+  const Relation claim = test::relation_of<N, T>(pair.a, pair.b);
+  const Relation swapped = test::relation_of<N, T>(pair.b, pair.a);
+  if (!pair.is_judged) return 0;
   test::fuzz::require(claim == swapped, [&](std::ostream& out) {
-    out << "in both orders the same, but " << name_of(swapped) << " in the other than ";
-    pair(out);
+    out << "in both orders the same, but " << name_of(swapped) << " in the other than " << name_of(claim) << ": "
+        << pair;
   });
-  const test::ExactVerdict truth = test::true_verdict<N, T>(a, b, claim);
-  test::fuzz::require(test::judge(claim, truth, a.index(), b.index()) != test::Judgement::wrong,
-                      [&](std::ostream& out) {
-                        pair(out);
-                        out << ", which are " << name_of(truth.relation) << " by " << truth.gap;
-                      });
+  const test::ExactVerdict truth = test::true_verdict<N, T>(pair.a, pair.b, claim);
+  const test::Judgement judgement = test::judge(claim, truth, pair.a.index(), pair.b.index());
+  test::fuzz::require(judgement != test::Judgement::wrong, [&](std::ostream& out) {
+    out << name_of(claim) << ": " << pair << ", which are " << name_of(truth.relation) << " by " << truth.gap;
+  });
   return 0;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <ostream>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -121,5 +122,21 @@ AnyShape<N, T> any_shape(Input& input, int depth) {
   (std::make_index_sequence<types>());
   return shape;
 }
+
+/// Two shapes of which a query promises something: valid, of numbers in its range.
+template <Dim N, class T>
+struct ShapePair {
+  AnyShape<N, T> a;
+  AnyShape<N, T> b;
+  bool is_judged;
+
+  explicit ShapePair(Input& input) : a(any_shape<N, T>(input)), b(any_shape<N, T>(input)) {
+    is_judged = input.is_in_range() && is_valid(a) && is_valid(b);
+  }
+
+  friend std::ostream& operator<<(std::ostream& out, const ShapePair& pair) {
+    return out << to_source<N, T>(pair.a) << ", " << to_source<N, T>(pair.b);
+  }
+};
 
 }  // namespace graze::test::fuzz

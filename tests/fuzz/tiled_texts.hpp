@@ -10,8 +10,8 @@
 #include <graze/io/tiled.hpp>
 #include <graze/io/tiled_model.hpp>
 
-#include "fuzz/scratch_folder.hpp"
 #include "fuzz/texts.hpp"
+#include "scratch_folder.hpp"
 
 namespace graze::test::fuzz {
 
@@ -32,7 +32,7 @@ inline std::vector<std::string_view> files_in(std::string_view text) {
 
 /// The first file as a map; those behind it are called 1, 2 and 3 and may be its tilesets and templates.
 inline void check_map(std::string_view text) {
-  static const ScratchFolder folder;
+  static const ScratchFolder folder("graze fuzz");
   static std::size_t there = 1;
   const std::vector<std::string_view> files = files_in(text);
   for (std::size_t i = 1; i < files.size(); ++i) folder.write(std::to_string(i), files[i]);

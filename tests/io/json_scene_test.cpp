@@ -98,7 +98,7 @@ RC_GTEST_PROP(JsonScene, NamesLayersMasksAndUserNumbersSurvive, (std::vector<std
   Scene<2, double> scene;
   for (const std::uint64_t mask : masks) {
     ObjectOptions options;
-    options.name = *rc::gen::container<std::string>(rc::gen::inRange<char>(1, 127));
+    options.name = *rc::gen::container<std::string>(rc::gen::inRange<char>(0, 127));
     if (scene.find(options.name)) options.name.clear();
     options.layer = static_cast<Layer>(mask % max_layers);
     options.mask = mask;

@@ -2,6 +2,7 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include <gtest/gtest.h>
 
@@ -42,6 +43,15 @@ TEST(JsonSceneWriter, EveryObjectTakesOneLineAndDefaultsAreLeftOut) {
   ]
 }
 )");
+}
+
+TEST(JsonSceneWriter, ANameMayHoldAZero) {
+  const std::string name("a\0b", 3);
+  Scene2 scene;
+  scene.add(V2(1, 2), {.name = name});
+  const std::string text = written(file_of(std::move(scene)));
+  EXPECT_NE(text.find(R"({"name": "a\u0000b", )"), std::string::npos) << text;
+  EXPECT_TRUE(std::get<Scene2>(parse_json_scene(text, "a.json").scene).find(name));
 }
 
 TEST(JsonSceneWriter, LayersAndMasksAreWrittenByName) {

@@ -94,6 +94,8 @@ TEST(LogLineReader, SaysWhatIsWrongWithAnAnswer) {
             "log: line 9, column 25: \"digest\" is \"xyz\"; it must have 16 hexadecimal digits");
   EXPECT_EQ(answer_refusal(R"({"answer": [["befell", [0, 1]]]})"),
             "log: line 9, column 14: \"befell\" is no part of an answer");
+  EXPECT_EQ(answer_refusal(R"({"answer": [[1e1, 1]]})"),
+            "log: line 9, column 13: a list of numbers is no part of an answer without an id before them");
 }
 
 }  // namespace

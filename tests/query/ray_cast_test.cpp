@@ -159,6 +159,22 @@ TEST(RayCast, TakesDirectionsOfAnySize) {
   EXPECT_EQ(far->point, Point(1, 0, 0));
 }
 
+/// Whoever wants no end may well give the largest number: its rounding must not find what the ray leaves behind.
+TEST(RayCast, GoesPastWhatLiesBehindItHoweverLateItEnds) {
+  const Ray<3, double> ray{{-10, -10, -10}, {-9.875, -10, 5.875}};
+  const Ray<3, float> narrow{{-10, -10, -10}, {-9.875F, -10, 5.875F}};
+  for (const double t_max : {10.0, 1e14, 1e16, 1e38, 1e120}) {
+    EXPECT_FALSE(ray_cast(Plane<3, double>{{-10, -8.625, 7.75}, -9.25}, ray, t_max)) << t_max;
+    EXPECT_FALSE(ray_cast(HalfSpace<3, double>{{-10, -8.625, 7.75}, -9.25}, ray, t_max)) << t_max;
+    EXPECT_TRUE(ray_cast(Plane<3, double>{{-10, -8.625, 7.75}, 500}, ray, t_max)) << t_max;
+  }
+  constexpr float most = std::numeric_limits<float>::max();
+  EXPECT_FALSE(ray_cast(Plane<3, float>{{-10, -8.625F, 7.75F}, -9.25F}, narrow, most));
+  EXPECT_TRUE(ray_cast(Plane<3, float>{{-10, -8.625F, 7.75F}, 500}, narrow, most));
+  EXPECT_FALSE(
+      ray_cast(Ray<2, float>{{-10, 8.5F}, {8.5F, 8.5F}}, Ray<2, float>{{-13.5F, 8.5F}, {-most, 6.375F}}, 6.375F));
+}
+
 TEST(RayCast, FindsASmallBallFarAway) {
   // The half chord at 0.6 off the center is 0.8; b^2 - 4 a c in double would be rounding alone.
   const Sphere<3, double> ball{{1e9, 0, 0}, 1};
@@ -349,14 +365,21 @@ TEST(RayCast, ClaimsAtTheEndOfThePathNoMoreThanItKnowsThere) {
   EXPECT_GT(hits, 2000U);
 }
 
-/// The same where it begins: a hair from the plane, which the path to a far end is said to touch, and moving away.
+/// The same where it begins: a hair from the plane, nearer than rounding can tell there, and moving away.
 TEST(RayCast, ClaimsAtTheStartOfThePathNoMoreThanItKnowsThere) {
-  const Plane<2, double> plane{{0.0004, 0}, 0};
+  const Plane<2, double> plane{{0.0004, 0}, 0.0004};
   for (const double side : {-1.0, 1.0}) {
-    const auto hit = ray_cast(plane, Ray<2, double>{{side * 0x1p-53, 0}, {side, 0}}, 0.75);
-    ASSERT_TRUE(hit.has_value());
-    EXPECT_EQ(hit->t, 0);
-    EXPECT_GE(hit->error, 0x1p-53);
+    for (const double t_max : {0.75, 1e9, infinity}) {
+      const auto hit = ray_cast(plane, Ray<2, double>{{1 + side * 0x1p-52, 0}, {side, 0}}, t_max);
+      ASSERT_TRUE(hit.has_value());
+      EXPECT_EQ(hit->t, 0);
+      EXPECT_GE(hit->error, 0x1p-52);
+    }
+    // At zero a hair can be told from nothing, and the path's far end is no reason not to.
+    const Plane<2, double> through_zero{{0.0004, 0}, 0};
+    for (const double t_max : {0.75, 1e9, infinity}) {
+      EXPECT_FALSE(ray_cast(through_zero, Ray<2, double>{{side * 0x1p-53, 0}, {side, 0}}, t_max));
+    }
   }
   const auto inside = ray_cast(HalfSpace<2, double>{{1, 0}, 5}, Ray<2, double>{{0, 0}, {-1, 0}}, 0.75);
   ASSERT_TRUE(inside.has_value());

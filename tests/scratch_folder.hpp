@@ -9,13 +9,13 @@
 
 #include <unistd.h>
 
-namespace graze::test::fuzz {
+namespace graze::test {
 
-/// A folder of this process, gone when the program ends by itself.
+/// A folder of this process among the system's temporary ones, gone with what lies in it at the end.
 class ScratchFolder {
  public:
-  ScratchFolder()
-      : path_(std::filesystem::temp_directory_path() / ("graze fuzz " + std::to_string(static_cast<long>(getpid())))) {
+  explicit ScratchFolder(const std::string& name)
+      : path_(std::filesystem::temp_directory_path() / (name + " " + std::to_string(static_cast<long>(getpid())))) {
     std::filesystem::create_directories(path_);
   }
   ScratchFolder(const ScratchFolder&) = delete;
@@ -27,10 +27,12 @@ class ScratchFolder {
     std::filesystem::remove_all(path_, ignored);
   }
 
-  std::filesystem::path file(const std::string& name) const { return path_ / name; }
   const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path file(const std::string& name) const { return path_ / name; }
 
+  /// Makes the folders of the file as well.
   void write(const std::string& name, std::string_view bytes) const {
+    std::filesystem::create_directories(file(name).parent_path());
     std::ofstream(file(name), std::ios::binary) << bytes;
   }
   void remove(const std::string& name) const { std::filesystem::remove(file(name)); }
@@ -39,4 +41,4 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace graze::test::fuzz
+}  // namespace graze::test
