@@ -224,14 +224,22 @@ T grow_by_slack(Aabb<N, T>& box) {
   return size;
 }
 
-/// The same. Where the slack is at most a step of the floats around each coordinate, as it is of nearly all boxes, each
-/// side goes by one step: of its bits, for no coordinate is zero. Bits are ordered as magnitudes are.
+/// Whether the slack of a box is at most a step of the floats around each coordinate, as it is of nearly all boxes: by
+/// the least and the greatest magnitude among its numbers. None of them is zero then, nor infinite. Bits are ordered as
+/// magnitudes are.
+inline bool is_slack_within_a_step(float least, float greatest) {
+  constexpr std::uint32_t infinity = 255U << 23U;
+  constexpr std::uint32_t most_apart = 20U << 23U;  // so many powers of two
+  static_assert(tolerance::box_slack * 0x1p20 <= 0x1p-24, "a step from x is 2^-24 |x| or more");
+  const auto low = bit_cast<std::uint32_t>(least);
+  const auto high = bit_cast<std::uint32_t>(greatest);
+  return low != 0 && high < infinity && high - low <= most_apart;
+}
+
+/// The same, mostly by one step of each side's bits.
 template <Dim N, class T>
 T grow_for_touching(Aabb<N, T>& box) {
   if constexpr (std::is_same_v<T, float>) {
-    constexpr std::uint32_t infinity = 255U << 23U;
-    constexpr std::uint32_t most_apart = 20U << 23U;  // so many powers of two
-    static_assert(tolerance::box_slack * 0x1p20 <= 0x1p-24, "a step from x is 2^-24 |x| or more");
     float near_zero = std::numeric_limits<float>::max();
     float size = 0;
     for (Dim i = 0; i < N; ++i) {
@@ -240,9 +248,7 @@ T grow_for_touching(Aabb<N, T>& box) {
       near_zero = std::min(std::min(near_zero, low), high);
       size = std::max(std::max(size, low), high);
     }
-    const auto least = bit_cast<std::uint32_t>(near_zero);
-    const auto greatest = bit_cast<std::uint32_t>(size);
-    if (least != 0 && greatest < infinity && greatest - least <= most_apart) {
+    if (is_slack_within_a_step(near_zero, size)) {
       for (Dim i = 0; i < N; ++i) {
         const auto low = bit_cast<std::uint32_t>(box.min[i]);
         const auto high = bit_cast<std::uint32_t>(box.max[i]);

@@ -11,6 +11,7 @@
 #include <graze/query/bounds.hpp>
 #include <graze/query/lanes.hpp>
 #include <graze/scene/candidates.hpp>
+#include <graze/scene/rooms.hpp>
 
 namespace graze::detail {
 namespace {
@@ -98,12 +99,6 @@ T longest_side(const Aabb<N, T>& box) {
   return side;
 }
 
-/// Contains the box: a difference of floats is rounded, but not to the other side of one of them.
-template <Dim N, class T>
-Aabb<N, T> room_around(const Aabb<N, T>& box, T margin) {
-  return {box.min - margin, box.max + margin};
-}
-
 }  // namespace
 
 template <Dim N, class T>
@@ -186,12 +181,7 @@ T Candidates<N, T>::margin_for_all() {
 template <Dim N, class T>
 void Candidates<N, T>::make_rooms(std::size_t slots, T margin) {
   reaches_.resize(slots);
-  largest_ = 0;
-  for (std::size_t slot = 0; slot < slots; ++slot) {
-    rooms_[slot] = room_around(boxes_[slot], margin);
-    reaches_[slot] = room_around(boxes_[slot], margin);
-    largest_ = std::max(largest_, grow_for_touching(reaches_[slot]));
-  }
+  largest_ = detail::make_rooms(boxes_.data(), slots, margin, rooms_.data(), reaches_.data());
   std::fill(margins_.begin(), margins_.begin() + static_cast<std::ptrdiff_t>(slots), margin);
   measure_sides(slots);
 }
