@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -64,6 +65,22 @@ class KeyTable {
   bool contains(const Key& key) const {
     return key.owner == owner_ && key.index < generations_.size() && (key.generation & 1U) != 0 &&
            generations_[key.index] == key.generation;
+  }
+
+  /// Of many keys, or what has an index, a generation and an owner as they have: whether it contains each. No branches.
+  template <class Name>
+  bool contains_all(std::span<const Name> names) const {
+    if (generations_.empty()) return names.empty();
+    const std::uint32_t* const generations = generations_.data();
+    const std::uint32_t last = slots() - 1;
+    const std::uint32_t owner = owner_;
+    std::uint32_t wrong = 0;
+    for (const Name& name : names) {
+      const std::uint32_t slot = std::min(name.index, last);
+      wrong |=
+          (name.owner ^ owner) | (name.index ^ slot) | (name.generation ^ generations[slot]) | (~name.generation & 1U);
+    }
+    return wrong == 0;
   }
 
   /// The slot of a key. Throws std::out_of_range, naming the key, when it names none.

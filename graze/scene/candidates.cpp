@@ -111,6 +111,7 @@ Candidates<N, T>::Candidates(const Candidates& other)
       largest_(other.largest_),
       mean_side_(other.mean_side_),
       form_(other.is_linked() ? Form::graph : Form::none),
+      list_number_(other.list_number_),
       graph_(other.graph_),
       tree_(other.tree_),
       is_held_(other.is_held_),
@@ -213,6 +214,7 @@ std::span<const Pair> Candidates<N, T>::list(std::size_t slots, const Executor& 
 template <Dim N, class T>
 void Candidates<N, T>::make_list(std::size_t slots, T margin, const Executor& executor) {
   form_ = Form::none;
+  ++list_number_;
   margin_ = margin;
   uses_ = 1;
   make_rooms(slots, margin_);

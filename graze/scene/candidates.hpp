@@ -51,9 +51,17 @@ class Candidates {
   /// The slot's object has another box.
   void move(std::uint32_t slot, const Box& box) noexcept { boxes_[slot] = box; }
 
+  /// These objects have, and each box has points.
+  void move_all(std::span<const ObjectId> ids, std::span<const Box> boxes) noexcept {
+    Box* const row = boxes_.data();
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      prefetch(&row[ids[std::min(i + prefetch_distance, ids.size() - 1)].index]);
+      row[ids[i].index] = boxes[i];
+    }
+  }
+
   /// The slots' boxes, and one more.
   const Box* boxes() const { return boxes_.data(); }
-  void prefetch_slot(std::uint32_t slot) const { prefetch(&boxes_[slot]); }
 
   /// After `list` and `follow`: no coordinate of a box is farther from zero, infinite ones aside.
   T largest() const { return largest_; }
@@ -65,6 +73,9 @@ class Candidates {
   /// that filters no longer admit: those of slots whose object has gone. They stay until the next call. Throws what the
   /// executor and the memory throw. A graph is given up.
   std::span<const Pair> list(std::size_t slots, const Executor& executor);
+
+  /// Of the last such list: greater than zero, and another for each that is not the same.
+  std::uint64_t list_number() const { return list_number_; }
 
   /// Makes the graph of the candidates, of which those in `touching`, ascending, touch. Throws as `list` does.
   void link(std::size_t slots, std::span<const Pair> touching, const Executor& executor);
@@ -118,6 +129,7 @@ class Candidates {
   PageVector<Box> reaches_;    // touching_bounds of rooms
   PageVector<Pair> admitted_;  // where not all are
   std::span<const Pair> list_;
+  std::uint64_t list_number_ = 0;
 
   // The graph.
   PairGraph graph_;

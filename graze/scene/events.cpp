@@ -139,21 +139,28 @@ void name_all(std::vector<ObjectPair>& pairs, const KeyTable& ids) {
   }
 }
 
+/// A pair whose ids are still to be found.
+ObjectPair nameless(const Pair& pair) { return {{pair.a, 0, 0}, {pair.b, 0, 0}}; }
+
 /// Most pairs stay, and are copied as they are.
-void find_events_of_the_same(BothLists old, std::span<const Pair> found, const KeyTable& ids, SceneEvents& events) {
+void find_events_of_the_same(BothLists old, std::span<const Pair> found, const KeyTable& ids, NextEvents& next) {
+  SceneEvents& events = next.events;
   std::size_t stayed = 0;
   for (std::size_t k = 0; k < found.size(); ++k) {
     const std::size_t copied = old.copy_found(found.subspan(k), events.stayed.data() + stayed);
+    std::fill_n(next.young.data() + k, copied, char{0});
     stayed += copied;
     k += copied;
     if (k == found.size()) break;
     const std::uint64_t places = places_of(found[k]);
     for (; old.places() < places; ++old) events.ended.push_back(*old);
     if (old.places() == places) {
+      next.young[k] = 0;
       events.stayed[stayed++] = *old;
       ++old;
     } else {
-      events.began.push_back({{found[k].a, 0, 0}, {found[k].b, 0, 0}});
+      next.young[k] = 1;
+      events.began.push_back(nameless(found[k]));
     }
   }
   for (; old.places() != BothLists::end; ++old) events.ended.push_back(*old);
@@ -162,14 +169,16 @@ void find_events_of_the_same(BothLists old, std::span<const Pair> found, const K
 }
 
 /// Each pair is written to the list of those that stayed, which goes on if it did.
-void find_events_of_others(BothLists old, std::span<const Pair> found, const KeyTable& ids, SceneEvents& events) {
+void find_events_of_others(BothLists old, std::span<const Pair> found, const KeyTable& ids, NextEvents& next) {
+  SceneEvents& events = next.events;
   std::size_t stayed = 0;
-  for (const Pair& pair : found) {
-    const std::uint64_t places = places_of(pair);
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const std::uint64_t places = places_of(found[k]);
     for (; old.places() < places; ++old) events.ended.push_back(*old);
-    const ObjectPair now = named(pair, ids);
+    const ObjectPair now = named(found[k], ids);
     const bool is_there = old.places() == places && *old == now;
     if (!is_there) events.began.push_back(now);
+    next.young[k] = is_there ? 0 : 1;
     events.stayed[stayed] = now;
     stayed += is_there ? 1 : 0;
     if (is_there) ++old;
@@ -178,19 +187,66 @@ void find_events_of_others(BothLists old, std::span<const Pair> found, const Key
   events.stayed.resize(stayed);
 }
 
+/// Each pair of the last events is copied to what stays, which goes on if it does: so only what began or ends, which is
+/// little, is not guessed.
+void find_stayed_and_ended(const SceneEvents& last, const YoungMarks& young, const ListedPairs& pairs,
+                           SceneEvents& events) {
+  const std::uint32_t* const places = pairs.places_before.data();
+  const std::size_t count = pairs.places_before.size();
+  const char* const touches = pairs.touches;
+  const char* const is_young = young.data();
+  const ObjectPair* began = last.began.data();
+  const ObjectPair* stayed = last.stayed.data();
+  ObjectPair* to = events.stayed.data();
+  for (std::size_t k = 0; k < count; ++k) {
+    const ObjectPair* const pair = is_young[k] != 0 ? began++ : stayed++;
+    const char stays = touches[places[k]];
+    *to = *pair;
+    to += stays;
+    if (stays == 0) events.ended.push_back(*pair);
+  }
+  events.stayed.resize(static_cast<std::size_t>(to - events.stayed.data()));
+}
+
+void find_began(const ListedPairs& pairs, const KeyTable& ids, NextEvents& next) {
+  const std::uint32_t* const places = pairs.places.data();
+  const std::size_t count = pairs.places.size();
+  const char* const touched = pairs.touched;
+  char* const young = next.young.data();
+  for (std::size_t k = 0; k < count; ++k) {
+    const bool is_young = touched[places[k]] == 0;
+    young[k] = is_young ? 1 : 0;
+    if (is_young) next.events.began.push_back(nameless(pairs.found[k]));
+  }
+  name_all(next.events.began, ids);
+}
+
+/// Makes the lists empty, but for what stays, whatever is in that, and the marks.
+void clear(NextEvents& next, std::size_t most_stay, std::size_t found) {
+  next.events.began.clear();
+  next.events.ended.clear();
+  make_long(next.events.stayed, most_stay);
+  next.young.resize(found);
+}
+
 }  // namespace
 
 void find_events(const SceneEvents& last, std::span<const Pair> found, const KeyTable& ids, Tenants tenants,
-                 SceneEvents& events) {
-  events.began.clear();
-  make_long(events.stayed, found.size());
-  events.ended.clear();
+                 NextEvents& next) {
+  clear(next, found.size(), found.size());
   const BothLists old(last);
   if (tenants == Tenants::the_same) {
-    find_events_of_the_same(old, found, ids, events);
+    find_events_of_the_same(old, found, ids, next);
   } else {
-    find_events_of_others(old, found, ids, events);
+    find_events_of_others(old, found, ids, next);
   }
+}
+
+void find_events(const SceneEvents& last, const YoungMarks& young, const ListedPairs& pairs, const KeyTable& ids,
+                 NextEvents& next) {
+  clear(next, pairs.places_before.size() + 1, pairs.found.size());
+  find_stayed_and_ended(last, young, pairs, next.events);
+  find_began(pairs, ids, next);
 }
 
 void EventsEdit::plan(const SceneEvents& last, std::span<const Pair> began, std::span<const Pair> ended,

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <graze/broad/buffer.hpp>
 #include <graze/broad/key_table.hpp>
 #include <graze/broad/pair.hpp>
 #include <graze/scene/list_edit.hpp>
@@ -32,10 +33,31 @@ std::vector<ObjectPair> pairs_of(const SceneEvents& events);
 /// Who is in the slots, if it is known to be who was there at the last update.
 enum class Tenants : std::uint8_t { the_same, maybe_others };
 
+/// For each of the pairs that touched when events were found, ascending: 1 if it began then, else 0.
+using YoungMarks = BlankVector<char>;
+
+/// Events that are being found, in the place of older ones, whose memory is used again.
+struct NextEvents {
+  SceneEvents events;
+  YoungMarks young;
+};
+
+/// What touches now and what did at the last update, of one list of pairs that could touch.
+struct ListedPairs {
+  std::span<const Pair> found;                   ///< That touch now, ascending.
+  std::span<const std::uint32_t> places;         ///< Where in the list these are.
+  std::span<const std::uint32_t> places_before;  ///< Where those are that touched at the last update.
+  const char* touches;                           ///< By place: 1 if it touches now, else 0.
+  const char* touched;                           ///< By place: the same at the last update.
+};
+
 /// The events between the pairs of the last update and what touches now: pairs of slots, ascending, and who is in them.
-/// In the place of older events, whose memory is used again.
 void find_events(const SceneEvents& last, std::span<const Pair> found, const KeyTable& ids, Tenants tenants,
-                 SceneEvents& events);
+                 NextEvents& next);
+
+/// The same by a list, where each slot has had one tenant. `young` is of the last events.
+void find_events(const SceneEvents& last, const YoungMarks& young, const ListedPairs& pairs, const KeyTable& ids,
+                 NextEvents& next);
 
 /// Makes the events of the last update those of the next, where few pairs begin and end. Keeps its memory.
 class EventsEdit {

@@ -159,6 +159,11 @@ class ObjectIndex {
     is_current_.store(false, std::memory_order_relaxed);
   }
 
+  /// These objects have.
+  void note_all(std::span<const ObjectId> ids) noexcept {
+    for (const ObjectId& id : ids) note(id.index);
+  }
+
   /// The index of what the slots hold now.
   const SlotIndex<N, T>& over(const Slots& slots) const {
     if (!is_current_.load(std::memory_order_acquire)) catch_up(slots);

@@ -69,7 +69,7 @@ void PairGraph::remove(std::uint32_t edge) noexcept {
   spare_.push_back(edge);
 }
 
-void PairGraph::list_touching(PageVector<Pair>& pairs) const {
+void PairGraph::list_touching(BlankVector<Pair>& pairs) const {
   pairs.clear();
   for (std::uint32_t slot = 0; slot < first_.size(); ++slot) {
     const std::size_t begin = pairs.size();

@@ -88,7 +88,7 @@ class PairGraph {
   }
 
   /// Writes all pairs that touch, ascending, in the place of what the list held.
-  void list_touching(PageVector<Pair>& pairs) const;
+  void list_touching(BlankVector<Pair>& pairs) const;
 
   std::size_t size() const { return edges_.size() - spare_.size(); }
 

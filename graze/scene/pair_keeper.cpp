@@ -2,11 +2,14 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <variant>
 
+#include <graze/broad/choice_kernels.hpp>
 #include <graze/broad/touching_pairs.hpp>
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
@@ -37,18 +40,6 @@ template <class T>
 constexpr T least_forgiven = 4 * std::numeric_limits<T>::denorm_min();
 
 Pair ascending(const Pair& pair) { return {std::min(pair.a, pair.b), std::max(pair.a, pair.b)}; }
-
-/// Writes the pairs that touch, in their order, in the place of what the list held.
-void keep_touching(std::span<const Pair> pairs, const char* touches, PageVector<Pair>& kept) {
-  const auto count = static_cast<std::size_t>(std::count(touches, touches + pairs.size(), char{1}));
-  kept.resize(count + 1);  // one more, so that each can be written before it is known whether it stays
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    kept[next] = pairs[i];
-    next += touches[i] != 0 ? 1 : 0;
-  }
-  kept.resize(count);
-}
 
 }  // namespace
 
@@ -90,6 +81,12 @@ void PairKeeper<N, T>::note_moved(std::uint32_t slot, const Object<N, T>& object
 }
 
 template <Dim N, class T>
+void PairKeeper<N, T>::note_moved_boxes(std::span<const ObjectId> ids, std::span<const Aabb<N, T>> boxes) noexcept {
+  candidates_.move_all(ids, boxes);
+  for (const ObjectId& id : ids) set_changed(id.index, Change::moved);
+}
+
+template <Dim N, class T>
 void PairKeeper<N, T>::note_gone(std::uint32_t slot) noexcept {
   candidates_.put(slot, Aabb<N, T>::nothing(), {});
   set_kind(slot, {});
@@ -106,8 +103,9 @@ void PairKeeper<N, T>::set_kind(std::uint32_t slot, Kind kind) noexcept {
 }
 
 template <Dim N, class T>
-bool PairKeeper<N, T>::have_all_changed() const {
+bool PairKeeper<N, T>::have_all_changed(std::size_t slots) const {
   if (changed_.size() < live_) return false;
+  if (changed_.size() == slots) return true;
   const std::span<const std::uint32_t> changed = changed_.all();
   const auto is_live = [this](std::uint32_t slot) { return kinds_[slot].is_live; };
   return static_cast<std::size_t>(std::count_if(changed.begin(), changed.end(), is_live)) == live_;
@@ -135,7 +133,7 @@ void PairKeeper<N, T>::judge(std::span<const Pair> pairs, const Slots& slots, co
     char* const touches = touches_.data() + first;
     std::size_t open = 0;
     if (others_ == 0) {
-      open = judge_boxes(candidates_.boxes(), block, certain, touches, places.data());
+      open = judge_boxes(candidates_.boxes(), slots.size(), block, certain, touches, places.data());
     } else {
       const auto are_boxes = [this](const Pair& pair) { return kinds_[pair.a].is_box && kinds_[pair.b].is_box; };
       open = judge_bounds(candidates_.boxes(), block, certain, are_boxes, touches, places.data());
@@ -155,7 +153,9 @@ template <Dim N, class T>
 void PairKeeper<N, T>::find_anew(const Slots& slots, const Executor& executor) {
   list_pairs();
   std::span<const Pair> near = candidates_.list(slots.size(), executor);
-  const bool are_all_new = have_all_changed();
+  const bool are_all_new = have_all_changed(slots.size());
+  const bool have_places = near.size() <= std::numeric_limits<std::uint32_t>::max();
+  found_list_ = are_all_new && have_places ? candidates_.list_number() : no_list;
   if (!are_all_new) {
     near_pairs_.clear();
     for (const Pair& pair : near) {
@@ -164,8 +164,25 @@ void PairKeeper<N, T>::find_anew(const Slots& slots, const Executor& executor) {
     near = near_pairs_;
   }
   judge(near, slots, executor);
-  keep_touching(near, touches_.data(), found_);
+  keep_touching(near);
   if (!are_all_new) merge_with_unchanged();
+}
+
+/// Of those that were judged.
+template <Dim N, class T>
+void PairKeeper<N, T>::keep_touching(std::span<const Pair> pairs) {
+  found_.resize(pairs.size() + room_behind_chosen);
+  found_places_.resize(pairs.size() + room_behind_chosen);
+  const std::size_t count =
+      choice_kernels().choose(pairs.data(), touches_.data(), pairs.size(), found_.data(), found_places_.data());
+  found_.resize(count);
+  found_places_.resize(count);
+}
+
+template <Dim N, class T>
+std::optional<ListedPairs> PairKeeper<N, T>::listed() const {
+  if (found_list_ == no_list || found_list_ != list_) return std::nullopt;
+  return ListedPairs{found(), found_places_, places_, touches_.data(), touched_.data()};
 }
 
 /// Of what was found of changed objects, and what is known of the others.
@@ -247,6 +264,7 @@ PairPlan PairKeeper<N, T>::find(const Slots& slots, const Executor& executor, Pa
     plan = changed_.size() * mended_share < live_ || changed_.empty() ? PairPlan::mend : PairPlan::anew;
   }
   plan_ = plan;
+  found_list_ = no_list;
   if (plan == PairPlan::mend) {
     find_around_changed(slots, executor);
   } else {
@@ -263,8 +281,11 @@ void PairKeeper<N, T>::commit() noexcept {
     is_listed_ = is_listed_ && began_edges_.empty() && ended_edges_.empty();
   } else {
     std::swap(touching_, found_);
+    std::swap(places_, found_places_);
+    std::swap(touched_, touches_);
     is_listed_ = true;
   }
+  list_ = found_list_;
   for (const std::uint32_t slot : changed_.all()) changes_[slot] = Change::none;
   changed_.clear();
 }

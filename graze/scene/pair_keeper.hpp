@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include <graze/broad/pair.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/scene/candidates.hpp>
+#include <graze/scene/events.hpp>
 #include <graze/scene/object.hpp>
 #include <graze/scene/shared_slots.hpp>
 #include <graze/scene/slot_list.hpp>
@@ -43,17 +45,11 @@ class PairKeeper {
   /// The slot's object has moved, or has another shape.
   void note_moved(std::uint32_t slot, const Object<N, T>& object) noexcept;
 
-  /// Whether the slot's object was a box along the axes that has points when it was noted last.
-  bool is_box(std::uint32_t slot) const { return kinds_[slot].is_box; }
+  /// Whether each of so many objects, which are all that were noted, was a box along the axes with points in it.
+  bool holds_nothing_but_boxes(std::size_t objects) const { return live_ == objects && others_ == 0; }
 
-  /// What is such a box has moved, and still is.
-  void note_moved_box(std::uint32_t slot, const Aabb<N, T>& box) noexcept {
-    candidates_.move(slot, box);
-    set_changed(slot, Change::moved);
-  }
-
-  /// Asks for what is written of a slot.
-  void prefetch_slot(std::uint32_t slot) const { candidates_.prefetch_slot(slot); }
+  /// Some of such boxes have moved, and still are.
+  void note_moved_boxes(std::span<const ObjectId> ids, std::span<const Aabb<N, T>> boxes) noexcept;
 
   /// The slot's object has gone.
   void note_gone(std::uint32_t slot) noexcept;
@@ -69,6 +65,10 @@ class PairKeeper {
 
   /// After `anew`: all pairs that touch, ascending.
   std::span<const Pair> found() const { return {found_.data(), found_.size()}; }
+
+  /// The same beside what touched at the last update, where all candidates were gone through then and now, and are the
+  /// same.
+  std::optional<ListedPairs> listed() const;
 
   /// Takes over what was found. Between this and `find` nothing may be noted.
   void commit() noexcept;
@@ -93,6 +93,8 @@ class PairKeeper {
     bool was;
   };
 
+  static constexpr std::uint64_t no_list = 0;
+
   static Kind kind_of(const Object<N, T>& object);
   void set_kind(std::uint32_t slot, Kind kind) noexcept;
   void set_changed(std::uint32_t slot, Change change) noexcept {
@@ -103,7 +105,7 @@ class PairKeeper {
   bool is_replaced(std::uint32_t slot) const { return changes_[slot] == Change::replaced; }
   bool has_changed(const Pair& pair) const { return has_changed(pair.a) || has_changed(pair.b); }
   bool is_seen_from_there(std::uint32_t slot, std::uint32_t other) const { return has_changed(other) && other < slot; }
-  bool have_all_changed() const;
+  bool have_all_changed(std::size_t slots) const;
 
   void find_anew(const Slots& slots, const Executor& executor);
   void find_around_changed(const Slots& slots, const Executor& executor);
@@ -113,6 +115,7 @@ class PairKeeper {
   T certain_depth() const;
   void merge_with_unchanged();
   void list_pairs();
+  void keep_touching(std::span<const Pair> pairs);
 
   Candidates<N, T> candidates_;
   PageVector<Kind> kinds_;  // by slot
@@ -120,17 +123,24 @@ class PairKeeper {
   std::size_t others_ = 0;  // and are no boxes
 
   // What touched at the last update, as a list, or as the graph of candidates has it, or both.
-  PageVector<Pair> touching_;
+  BlankVector<Pair> touching_;
   bool is_listed_ = true;
+
+  // Where the last update has gone through all candidates: the number of their list, or none, and what of it touched.
+  std::uint64_t list_ = no_list;
+  BlankVector<std::uint32_t> places_;
+  BlankVector<char> touched_;
 
   SlotList changed_;
   PageVector<Change> changes_;  // by slot
 
   // What the present update has found, and room for it.
   PairPlan plan_ = PairPlan::mend;
-  PageVector<Pair> found_;
-  PageVector<char> touches_;  // by candidate
-  PageVector<Pair> merged_;
+  BlankVector<Pair> found_;
+  std::uint64_t found_list_ = no_list;       // as list_
+  BlankVector<std::uint32_t> found_places_;  // as places_
+  BlankVector<char> touches_;                // by candidate
+  BlankVector<Pair> merged_;
   PageVector<NearPair> near_;
   PageVector<Pair> near_pairs_;
   std::vector<Pair> began_;

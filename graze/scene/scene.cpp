@@ -122,13 +122,10 @@ void Scene<N, T>::prepare_move(ObjectId id) {
   objects_.change(id.index);
 }
 
-/// Whether `prepare_move` would have nothing to do for any of them.
+/// Whether `prepare_move` would surely have nothing to do for any of them.
 template <Dim N, class T>
 bool Scene<N, T>::are_ready_to_move(std::span<const ObjectId> ids) const {
-  for (const ObjectId& id : ids) {
-    if (!this->contains(id) || !objects_.is_own(id.index)) return false;
-  }
-  return true;
+  return objects_.is_all_own() && ids_.contains_all(ids);
 }
 
 /// The same for any shape.
@@ -152,19 +149,31 @@ void Scene<N, T>::put(std::uint32_t slot, const S& shape) noexcept {
   note_moved(slot, object);
 }
 
-/// The same in a few steps, which are by far the most common.
 template <Dim N, class T>
-void Scene<N, T>::put(std::uint32_t slot, const Aabb<N, T>& box) noexcept {
-  if (!keeper_.is_box(slot)) return put<Aabb<N, T>>(slot, box);
-  Object<N, T>& object = *objects_.own(slot);
-  Aabb<N, T>* const held = std::get_if<Aabb<N, T>>(&object.shape);
+template <class S>
+void Scene<N, T>::put_all(std::span<const ObjectId> ids, std::span<const S> shapes) noexcept {
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    prefetch_move<S>(ids[std::min(i + moves_ahead, ids.size() - 1)].index);
+    put(ids[i].index, shapes[i]);
+  }
+}
+
+/// In a world of boxes alone, as many are, one list after the other, in few steps for each box.
+template <Dim N, class T>
+void Scene<N, T>::put_all(std::span<const ObjectId> ids, std::span<const Aabb<N, T>> boxes) noexcept {
+  if (!keeper_.holds_nothing_but_boxes(ids_.size())) return put_all<Aabb<N, T>>(ids, boxes);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    prefetch_move<Aabb<N, T>>(ids[std::min(i + moves_ahead, ids.size() - 1)].index);
+    Object<N, T>& object = *objects_.own(ids[i].index);
+    Aabb<N, T>* const held = std::get_if<Aabb<N, T>>(&object.shape);
 #ifdef __GNUC__
-  if (held == nullptr) __builtin_unreachable();  // so that nobody reads what type it is of
+    if (held == nullptr) __builtin_unreachable();  // so that nobody reads what type it is of
 #endif
-  *held = box;
-  object.box = box;
-  index_.note(slot);
-  keeper_.note_moved_box(slot, box);
+    *held = boxes[i];
+    object.box = boxes[i];
+  }
+  index_.note_all(ids);
+  keeper_.note_moved_boxes(ids, boxes);
   is_current_ = false;
 }
 
@@ -205,10 +214,7 @@ void Scene<N, T>::move(std::span<const ObjectId> ids, std::span<const S> shapes)
   } else {
     for (std::size_t i = 0; i < ids.size(); ++i) prepare_move(ids[i], shapes[i]);
   }
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    prefetch_move<S>(ids[std::min(i + moves_ahead, ids.size() - 1)].index);
-    put(ids[i].index, shapes[i]);
-  }
+  put_all(ids, shapes);
 }
 
 template <Dim N, class T>
@@ -244,10 +250,15 @@ const SceneEvents& Scene<N, T>::update(const Executor& executor) {
     next_edit_.make_room(events);
     next_edit_.apply(events);
   } else {
-    const bool are_the_same = ids_.changes() == last_changes_;
-    detail::find_events(*events_, keeper_.found(), ids_,
-                        are_the_same ? detail::Tenants::the_same : detail::Tenants::maybe_others, next_events_);
-    events_.exchange(next_events_);
+    const auto tenants = ids_.changes() == last_changes_ ? detail::Tenants::the_same : detail::Tenants::maybe_others;
+    const auto listed = keeper_.listed();
+    if (listed && tenants == detail::Tenants::the_same) {
+      detail::find_events(*events_, young_, *listed, ids_, next_);
+    } else {
+      detail::find_events(*events_, keeper_.found(), ids_, tenants, next_);
+    }
+    events_.exchange(next_.events);
+    std::swap(young_, next_.young);
   }
   keeper_.commit();
   last_changes_ = ids_.changes();

@@ -117,7 +117,6 @@ class Scene : public SceneView<N, T> {
   template <class S>
   void prefetch_move(std::uint32_t slot) const {
     objects_.template prefetch_first_of<sizeof(Aabb<N, T>) + sizeof(S)>(slot);
-    keeper_.prefetch_slot(slot);
   }
 
   /// Room for the slot was made before.
@@ -130,11 +129,16 @@ class Scene : public SceneView<N, T> {
   /// Gives an object a shape of one type and notes that it has moved. Everything that can fail was done before.
   template <class S>
   void put(std::uint32_t slot, const S& shape) noexcept;
-  void put(std::uint32_t slot, const Aabb<N, T>& box) noexcept;
+
+  /// The same with many.
+  template <class S>
+  void put_all(std::span<const ObjectId> ids, std::span<const S> shapes) noexcept;
+  void put_all(std::span<const ObjectId> ids, std::span<const Aabb<N, T>> boxes) noexcept;
 
   detail::PairKeeper<N, T> keeper_;
   std::uint64_t last_changes_ = 0;  // of ids, at the last update
-  SceneEvents next_events_;         // room for those of the next update,
+  detail::YoungMarks young_;        // of the last events, where the keeper has listed them
+  detail::NextEvents next_;         // room for those of the next update,
   detail::EventsEdit next_edit_;    // and for what becomes others
 };
 

@@ -59,8 +59,8 @@ class SharedSlots {
     return own(slot);
   }
 
-  /// Whether nobody else reads a slot, so that `change` copies nothing.
-  bool is_own(std::size_t slot) const { return is_own_[slot / chunk_size]; }
+  /// Whether nobody else reads any slot, so that `change` copies nothing.
+  bool is_all_own() const { return foreign_ == 0; }
 
   /// A slot that was to be changed before, and was not shared since.
   std::optional<Item>& own(std::size_t slot) { return (*chunks_[slot / chunk_size])[slot % chunk_size]; }
@@ -78,6 +78,7 @@ class SharedSlots {
     copy.size_ = size_;
     copy.is_own_.assign(chunks_.size(), false);
     is_own_.assign(chunks_.size(), false);
+    copy.foreign_ = foreign_ = chunks_.size();
     return copy;
   }
 
@@ -105,11 +106,13 @@ class SharedSlots {
   [[gnu::noinline]] void copy_chunk(std::size_t number) {
     chunks_[number] = std::make_shared<Chunk>(*chunks_[number]);
     is_own_[number] = true;
+    --foreign_;
   }
 
   std::vector<std::shared_ptr<Chunk>> chunks_;
   std::size_t size_ = 0;
   std::vector<bool> is_own_;  // by chunk: nobody else reads it
+  std::size_t foreign_ = 0;   // chunks that somebody else reads
 };
 
 }  // namespace graze::detail

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -70,6 +71,25 @@ TEST(KeyTable, KnowsItsOwnKeysAlone) {
   EXPECT_FALSE(table.contains({0, key.generation + 1, key.owner}));  // even: nobody was given it
   EXPECT_FALSE(table.is_taken(0));
   EXPECT_THROW(table.slot_of(key), std::out_of_range);
+}
+
+TEST(KeyTable, ContainsAllKeysWhereItContainsEach) {
+  KeyTable table;
+  KeyTable other;
+  using Keys = std::vector<Key>;
+  const auto contains_all = [&table](const Keys& keys) { return table.contains_all(std::span<const Key>(keys)); };
+  EXPECT_TRUE(contains_all({}));
+  EXPECT_FALSE(contains_all({Key{}}));
+  const Keys keys = table.take_many(5);
+  EXPECT_TRUE(contains_all({}));
+  EXPECT_TRUE(contains_all(keys));
+  EXPECT_TRUE(contains_all({keys[4], keys[4]}));
+  table.release(2);
+  EXPECT_FALSE(contains_all(keys));
+  EXPECT_FALSE(contains_all({keys[0], {2, keys[2].generation + 1, keys[2].owner}}));  // even, as the table has it
+  EXPECT_FALSE(contains_all({keys[0], {5, keys[0].generation, keys[0].owner}}));
+  EXPECT_FALSE(contains_all({take(other), keys[0]}));
+  EXPECT_TRUE(contains_all({keys[0], keys[1], keys[3], keys[4]}));
 }
 
 TEST(KeyTable, IsFullAtItsLimitAndRecovers) {

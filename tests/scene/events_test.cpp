@@ -101,6 +101,55 @@ struct World {
   }
 };
 
+/// Which of the pairs that touched began.
+detail::YoungMarks young_of(const SceneEvents& events) {
+  detail::YoungMarks young;
+  for (const ObjectPair& each : detail::pairs_of(events)) {
+    young.push_back(std::binary_search(events.began.begin(), events.began.end(), each) ? 1 : 0);
+  }
+  return young;
+}
+
+RC_GTEST_PROP(SceneEvents, AreTheSameFoundByWhatOfAListTouches, ()) {
+  World world;
+  std::vector<Pair> list;
+  for (std::uint32_t a = 0; a < 8; ++a) {
+    for (std::uint32_t b = a + 1; b < 8; ++b) list.push_back({a, b});
+  }
+  std::vector<char> touched(list.size(), 0);
+  std::vector<std::uint32_t> places_before;
+  detail::YoungMarks young;
+  const int updates = *rc::gen::inRange(1, 8);
+  for (int update = 0; update < updates; ++update) {
+    std::vector<char> touches = touched;
+    for (const std::size_t place :
+         *rc::gen::container<std::vector<std::size_t>>(rc::gen::inRange<std::size_t>(0, 28))) {
+      touches[place] ^= 1;
+    }
+    std::vector<Pair> found;
+    std::vector<std::uint32_t> places;
+    for (std::uint32_t place = 0; place < list.size(); ++place) {
+      if (touches[place] == 0) continue;
+      found.push_back(list[place]);
+      places.push_back(place);
+    }
+    const SceneEvents expected = events_between(detail::pairs_of(world.events), world.named(found));
+    detail::NextEvents next;
+    next.events.began.resize(3);  // of older events
+    next.young.resize(40);
+    detail::find_events(world.events, young, {found, places, places_before, touches.data(), touched.data()}, world.ids,
+                        next);
+    RC_ASSERT(next.events.began == expected.began);
+    RC_ASSERT(next.events.stayed == expected.stayed);
+    RC_ASSERT(next.events.ended == expected.ended);
+    RC_ASSERT(next.young == young_of(expected));
+    world.events = next.events;
+    young = next.young;
+    touched = touches;
+    places_before = places;
+  }
+}
+
 RC_GTEST_PROP(SceneEvents, AreTheSameFoundAnewAndByWhatHasChanged, ()) {
   World world;
   Pairs before;
@@ -119,11 +168,12 @@ RC_GTEST_PROP(SceneEvents, AreTheSameFoundAnewAndByWhatHasChanged, ()) {
     const Pairs after = world.named(found);
     const SceneEvents expected = events_between(before, after);
     if (*rc::gen::arbitrary<bool>()) {
-      SceneEvents next;
+      detail::NextEvents next;
       const bool are_the_same = world.ids.changes() == last_changes && *rc::gen::inRange(0, 4) != 0;
       detail::find_events(world.events, found, world.ids,
                           are_the_same ? detail::Tenants::the_same : detail::Tenants::maybe_others, next);
-      world.events = next;
+      world.events = next.events;
+      RC_ASSERT(next.young == young_of(world.events));
     } else {
       world.edit.plan(world.events, World::places(expected.began), World::places(expected.ended), world.ids);
       world.edit.make_room(world.events);

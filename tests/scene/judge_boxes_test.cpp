@@ -48,7 +48,8 @@ Verdicts verdicts_of(const std::vector<Aabb<N, T>>& boxes, const std::vector<Pai
   Verdicts verdicts;
   verdicts.touches.resize(pairs.size());
   verdicts.open.resize(pairs.size() + 1);
-  verdicts.open.resize(judge_boxes(boxes.data(), pairs, certain, verdicts.touches.data(), verdicts.open.data()));
+  verdicts.open.resize(
+      judge_boxes(boxes.data(), boxes.size() - 1, pairs, certain, verdicts.touches.data(), verdicts.open.data()));
   return verdicts;
 }
 

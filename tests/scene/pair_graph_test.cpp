@@ -29,7 +29,7 @@ std::vector<Pair> listed(const PairGraph& graph) {
 }
 
 std::vector<Pair> listed_touching(const PairGraph& graph) {
-  PageVector<Pair> pairs{{8, 9}};  // which goes
+  BlankVector<Pair> pairs{{8, 9}};  // which goes
   graph.list_touching(pairs);
   return {pairs.begin(), pairs.end()};
 }

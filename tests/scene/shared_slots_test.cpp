@@ -54,6 +54,21 @@ TEST(SharedSlots, OnlyWhatIsWrittenToIsCopied) {
   EXPECT_EQ(far.use_count(), 2);   // here, and in a chunk that both read
 }
 
+TEST(SharedSlots, AreAllOwnUntilSharedAndAgainWhenEachChunkWasCopied) {
+  Slots slots;
+  slots.grow(100);  // two chunks
+  EXPECT_TRUE(slots.is_all_own());
+  const Slots shared = slots.share();
+  EXPECT_FALSE(slots.is_all_own());
+  EXPECT_FALSE(shared.is_all_own());
+  slots.change(5);
+  slots.change(6);
+  EXPECT_FALSE(slots.is_all_own());
+  slots.change(99);
+  EXPECT_TRUE(slots.is_all_own());
+  EXPECT_TRUE(Slots(shared).is_all_own());
+}
+
 TEST(SharedSlots, AnOrdinaryCopyGoesItsOwnWay) {
   Slots slots;
   slots.grow(1);

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include <graze/math/vec.hpp>
+#include <graze/shape/aabb.hpp>
+
+namespace graze::detail {
+
+/// How far one of two boxes has to go along an axis, that along which it is least, until they only touch; less than
+/// zero where they are apart. Each difference is rounded once. Less than zero or NaN where one of them is
+/// Aabb::nothing(), and NaN nowhere else.
+template <Dim N, class T>
+T box_depth(const Aabb<N, T>& a, const Aabb<N, T>& b) {
+  T depth = std::min(a.max[0] - b.min[0], b.max[0] - a.min[0]);
+  for (Dim i = 1; i < N; ++i) depth = std::min(depth, std::min(a.max[i] - b.min[i], b.max[i] - a.min[i]));
+  return depth;
+}
+
+}  // namespace graze::detail
