@@ -32,7 +32,8 @@ concept RegionIn = SameSpace<R, Aabb<N, T>> && requires(const R& region) {
 };
 
 /// A region that boxes meet already where rounding may have the last word: no shape is missed that `intersects` says
-/// touches the region, as long as its box holds it. For a first look, before shapes are asked themselves.
+/// touches the region, as long as its box holds it; of compounds that are not bounded, the box that touching_bounds
+/// gives. For a first look, before shapes are asked themselves.
 template <Shape R>
 struct Generous {
   const R& region;
@@ -129,7 +130,7 @@ class RegionProbe {
   using T = scalar_of<R>;
   using Box = Aabb<N, T>;
 
-  explicit RegionProbe(const R& region) : region_(region), bounds_(bounds(region)), filter_(region) {
+  explicit RegionProbe(const R& region) : region_(region), bounds_(sized_box(region, bounds(region))), filter_(region) {
     if constexpr (requires { defect(region); }) {
       if (!is_valid(region)) throw std::invalid_argument("SpatialIndex: the region " + std::string(defect(region)));
     }

@@ -262,13 +262,76 @@ T grow_for_touching(Aabb<N, T>& box) {
 }
 }  // namespace detail
 
-/// A box grown by more than the rounding that `relation` may call touching (math/tolerance.hpp): shapes whose grown
-/// boxes do not overlap are apart for certain. Infinite and empty boxes stay.
+/// A box grown by more than the rounding that `relation` may call touching (math/tolerance.hpp): simple shapes whose
+/// grown boxes do not overlap are apart for certain. Infinite and empty boxes stay. Of a compound that is not bounded,
+/// its box does not tell how large the coordinates of its parts are; ask with the shape, as below.
 template <Dim N, class T>
 Aabb<N, T> touching_bounds(Aabb<N, T> box) {
   detail::grow_for_touching(box);
   return box;
 }
+
+namespace detail {
+template <Dim N, class T>
+bool is_bounded(const Aabb<N, T>& box) {
+  return is_finite(box.min) && is_finite(box.max);
+}
+
+/// The union of the boxes of parts, each grown. Not inline: it is for what is rare, beside what is not.
+template <Dim N, class T>
+[[gnu::noinline]] Aabb<N, T> union_of_grown(const Compound<N, T>& compound);
+
+/// A box around a shape that touching_bounds grows by enough: its own, which the caller knows, but of a compound that
+/// is not bounded the union of its parts' boxes, each grown. Beside the plane y = 0 nothing tells of the box of all
+/// that a part lies at x = 1e33, by which y is rounded, too. Of other boxes the largest coordinate is that of a part.
+template <Dim N, class T>
+Aabb<N, T> sized_box(const Compound<N, T>& compound, Aabb<N, T> box) {
+  return is_bounded(box) ? box : union_of_grown(compound);
+}
+
+/// The box is looked at first, for the shape is farther away.
+template <Dim N, class T>
+Aabb<N, T> sized_box(const AnyShape<N, T>& shape, Aabb<N, T> box) {
+  if (is_bounded(box)) return box;
+  const auto* const compound = std::get_if<Compound<N, T>>(&shape);
+  return compound == nullptr ? box : union_of_grown(*compound);
+}
+
+template <Shape S>
+Aabb<dimension_of<S>, scalar_of<S>> sized_box(const S& /*shape*/, Aabb<dimension_of<S>, scalar_of<S>> box) {
+  return box;
+}
+}  // namespace detail
+
+/// The box of a shape, grown in the same way: shapes of any type whose grown boxes do not overlap are apart for
+/// certain.
+template <Shape S>
+Aabb<dimension_of<S>, scalar_of<S>> touching_bounds(const S& shape) {
+  return touching_bounds(detail::sized_box(shape, bounds(shape)));
+}
+
+namespace detail {
+template <Dim N, class T>
+Aabb<N, T> union_of_grown(const Compound<N, T>& compound) {
+  Aabb<N, T> box = Aabb<N, T>::nothing();
+  for (const Part<N, T>& part : compound.parts) box.grow(touching_bounds(sized_box(part.shape, part.box)));
+  return box;
+}
+
+/// Whether a part's box does not tell how large the coordinates in it are: then no query skips it by that, but asks the
+/// parts that it has. It is what is rare, to be asked last.
+template <Dim N, class T>
+bool is_hidden_by_box(const Part<N, T>& part) {
+  return std::holds_alternative<Compound<N, T>>(part.shape) && !is_bounded(part.box);
+}
+
+/// Whether a part may touch what has this grown box. All in one piece: boxes that are grown through memory keep a
+/// processor waiting for its own writes.
+template <Dim N, class T>
+[[gnu::flatten]] bool may_part_touch(const Part<N, T>& part, const Aabb<N, T>& grown) {
+  return boxes_overlap(touching_bounds(part.box), grown) || is_hidden_by_box(part);
+}
+}  // namespace detail
 
 /// The union of shapes; moves them in and calculates the box of each.
 template <Dim N, class T>

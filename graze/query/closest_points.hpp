@@ -325,11 +325,11 @@ bool are_farther_apart(const Aabb<N, T>& a, const Aabb<N, T>& b, double distance
 /// The nearest part, the first of several; parts whose boxes are farther away beyond all rounding are skipped.
 template <Dim N, class T, class S>
 Proximity<N, double> proximity_of_parts(const Compound<N, T>& compound, const S& shape) {
-  const Aabb<N, T> box = touching_bounds(bounds(shape));
+  const Aabb<N, T> box = touching_bounds(shape);
   Proximity<N, double> nearest;
   for (const Part<N, T>& part : compound.parts) {
     if (nearest.relation == Relation::overlapping) break;
-    if (are_farther_apart(touching_bounds(part.box), box, nearest.distance)) continue;
+    if (are_farther_apart(touching_bounds(part.box), box, nearest.distance) && !is_hidden_by_box(part)) continue;
     const Proximity<N, double> candidate = proximity(part.shape, shape);
     const Relation relation = std::max(nearest.relation, candidate.relation);
     if (is_nearer(candidate, nearest)) nearest = candidate;

@@ -146,10 +146,10 @@ std::optional<Penetration<N>> exchanged(std::optional<Penetration<N>> penetratio
 /// The deepest part, the first of several.
 template <Dim N, class T, class S>
 std::optional<Penetration<N>> penetration_of_parts(const Compound<N, T>& compound, const S& shape) {
-  const Aabb<N, T> box = touching_bounds(bounds(shape));
+  const Aabb<N, T> box = touching_bounds(shape);
   std::optional<Penetration<N>> deepest;
   for (const Part<N, T>& part : compound.parts) {
-    if (!boxes_overlap(touching_bounds(part.box), box)) continue;
+    if (!may_part_touch(part, box)) continue;
     const std::optional<Penetration<N>> candidate = penetration(part.shape, shape);
     if (candidate && (!deepest || candidate->depth > deepest->depth)) deepest = candidate;
   }

@@ -272,7 +272,8 @@ template <Dim N, class T>
 bool holds(const Compound<N, T>& compound, const Vec<N, T>& point) {
   return std::any_of(compound.parts.begin(), compound.parts.end(), [&point](const Part<N, T>& part) {
     const double forgiven = forgiven_outside(part.box, point);
-    return distance_squared(point, part.box) <= forgiven * forgiven && holds(part.shape, point);
+    const bool is_near = distance_squared(point, part.box) <= forgiven * forgiven || is_hidden_by_box(part);
+    return is_near && holds(part.shape, point);
   });
 }
 

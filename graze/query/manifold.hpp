@@ -213,12 +213,13 @@ std::optional<WideManifold<N>> exchanged(std::optional<WideManifold<N>> manifold
 /// That of the deepest part, the first of several, as `contact` has it. Parts of parts are numbered on.
 template <Dim N, class T, class S>
 std::optional<WideManifold<N>> manifold_of_parts(const Compound<N, T>& compound, const S& shape) {
-  const Aabb<N, T> box = touching_bounds(bounds(shape));
+  const Aabb<N, T> box = touching_bounds(shape);
   std::optional<double> depth;
   std::size_t deepest = 0;
   for (std::size_t i = 0; i < compound.parts.size(); ++i) {
-    if (!boxes_overlap(touching_bounds(compound.parts[i].box), box)) continue;
-    const std::optional<Penetration<N>> candidate = penetration(compound.parts[i].shape, shape);
+    const Part<N, T>& part = compound.parts[i];
+    if (!may_part_touch(part, box)) continue;
+    const std::optional<Penetration<N>> candidate = penetration(part.shape, shape);
     if (!candidate || (depth && candidate->depth <= *depth)) continue;
     depth = candidate->depth;
     deepest = i;

@@ -97,11 +97,11 @@ Relation decide(const A& a, const B& b);
 /// The closest of the parts decides; parts whose boxes are apart beyond all rounding are skipped.
 template <Dim N, class T, class S>
 Relation relation_of_parts(const Compound<N, T>& compound, const S& shape) {
-  const Aabb<N, T> box = touching_bounds(bounds(shape));
+  const Aabb<N, T> box = touching_bounds(shape);
   Relation closest = Relation::apart;
   for (const Part<N, T>& part : compound.parts) {
     if (closest == Relation::overlapping) break;
-    if (boxes_overlap(touching_bounds(part.box), box)) closest = std::max(closest, decide(part.shape, shape));
+    if (may_part_touch(part, box)) closest = std::max(closest, decide(part.shape, shape));
   }
   return closest;
 }

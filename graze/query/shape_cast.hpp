@@ -367,12 +367,13 @@ template <Dim N, class T, class S, class Cast>
 std::optional<Strike<N>> strike_of_parts(const Compound<N, T>& compound, const Vec<N, double>& motion, const S& shape,
                                          const Cast& cast) {
   std::optional<Strike<N>> first;
-  const auto box = touching_bounds(bounds(shape));
+  const auto box = touching_bounds(shape);
   const double slack = tolerance::box_slack * sum_abs(motion);  // what rounding makes of the way
   const Aabb<N, double> target{wide<N, T>(box.min) - slack, wide<N, T>(box.max) + slack};
   for (const Part<N, T>& part : compound.parts) {
     const Vec<N, double> way = first ? motion * first->t : motion;
-    if (boxes_overlap(touching_bounds(swept_box(part.box, way)), target)) keep_earlier(first, cast(part.shape));
+    const bool may_meet = boxes_overlap(touching_bounds(swept_box(part.box, way)), target) || is_hidden_by_box(part);
+    if (may_meet) keep_earlier(first, cast(part.shape));
   }
   return first;
 }

@@ -72,7 +72,7 @@ DecidingPart<N, T> deciding_part(const Compound<N, T>& compound, const Vec<N, T>
   DecidingPart<N, T> best;
   for (const Part<N, T>& part : compound.parts) {
     const double far = std::max(best.distance, 0.0) + forgiven_outside(part.box, point);
-    if (distance_squared(point, part.box) > far * far) continue;
+    if (distance_squared(point, part.box) > far * far && !is_hidden_by_box(part)) continue;
     const double distance = distance_of_part(part.shape, point);
     if (distance < best.distance) best = {&part, distance};
   }

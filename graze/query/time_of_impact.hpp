@@ -249,8 +249,7 @@ std::optional<Strike<N>> strike_of_moving_parts(const Compound<N, T>& compound, 
                                                 const S& shape, const Motion<N, double>& motion_of_shape,
                                                 const Find& find) {
   std::optional<Strike<N>> first;
-  const Aabb<N, T> box = touching_bounds(bounds(shape));
-  const auto is_bounded = [](const Aabb<N, T>& each) { return is_finite(each.min) && is_finite(each.max); };
+  const Aabb<N, T> box = touching_bounds(shape);
   for (const Part<N, T>& part : compound.parts) {
     const Aabb<N, T> part_box = touching_bounds(part.box);
     const bool may_touch = !is_bounded(box) || !is_bounded(part_box) ||

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <graze/math/vec.hpp>
+#include <graze/query/bounds.hpp>
 #include <graze/scene/filter.hpp>
 #include <graze/shape/any_shape.hpp>
 
@@ -83,7 +84,19 @@ PairFilter filter_of(const Object<N, T>& object) {
   return {object.mask, object.layer, object.mobility};
 }
 
+/// The box of an object that touching_bounds grows by enough.
+template <Dim N, class T>
+Aabb<N, T> sized_box(const Object<N, T>& object) {
+  return sized_box(object.shape, object.box);
+}
+
 }  // namespace detail
+
+/// touching_bounds of an object's shape, whose box is at hand.
+template <Dim N, class T>
+Aabb<N, T> touching_bounds(const Object<N, T>& object) {
+  return touching_bounds(detail::sized_box(object));
+}
 
 /// Whether two objects are asked about at all: both masks admit the other's layer, and not both are fixed.
 template <Dim N, class T>

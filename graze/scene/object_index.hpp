@@ -40,12 +40,12 @@ class SlotIndex {
     if (slot >= is_held_.size()) is_held_.resize(slot + std::size_t{1}, false);
     const bool has_points = object && !is_nothing(object->box);
     if (is_held_[slot]) {
-      if (has_points) return tree_.update(slot, touching_bounds(object->box));
+      if (has_points) return tree_.update(slot, touching_bounds(*object));
       tree_.erase(slot);
       --size_;
     } else {
       if (!has_points) return;
-      tree_.insert(slot, touching_bounds(object->box));
+      tree_.insert(slot, touching_bounds(*object));
       ++size_;
     }
     is_held_[slot] = has_points;
@@ -69,7 +69,7 @@ class SlotIndex {
     for (std::uint32_t slot = 0; slot < slots.size(); ++slot) {
       const std::optional<Object<N, T>>& object = slots[slot];
       if (!object || is_nothing(object->box)) continue;
-      boxes.push_back(touching_bounds(object->box));
+      boxes.push_back(touching_bounds(*object));
       places.push_back(slot);
       is_held_[slot] = true;
     }

@@ -63,7 +63,7 @@ auto PairKeeper<N, T>::kind_of(const Object<N, T>& object) -> Kind {
 template <Dim N, class T>
 void PairKeeper<N, T>::note_new(std::uint32_t slot, const Object<N, T>& object) noexcept {
   const Kind kind = kind_of(object);
-  candidates_.put(slot, kind.is_live ? object.box : Aabb<N, T>::nothing(), filter_of(object));
+  candidates_.put(slot, kind.is_live ? sized_box(object) : Aabb<N, T>::nothing(), filter_of(object));
   set_kind(slot, kind);
   set_changed(slot, Change::replaced);
 }
@@ -72,7 +72,7 @@ template <Dim N, class T>
 void PairKeeper<N, T>::note_moved(std::uint32_t slot, const Object<N, T>& object) noexcept {
   const Kind kind = kind_of(object);
   if (kind.is_live) {
-    candidates_.move(slot, object.box);
+    candidates_.move(slot, sized_box(object));
   } else {
     candidates_.move(slot, Aabb<N, T>::nothing());
   }

@@ -120,7 +120,7 @@ std::vector<ObjectPair> PlainScene<N, T>::candidates(double margin) const {
   std::vector<Aabb<N, T>> boxes;
   std::vector<ObjectId> ids;
   for (const auto& [id, object] : objects_) {
-    boxes.push_back(touching_bounds(object.box));
+    boxes.push_back(touching_bounds(object));
     ids.push_back(id);
   }
   const PairOptions options{.margin = margin * (0.5 + tolerance::convex_in<T>), .method = PairMethod::brute_force};
@@ -168,7 +168,7 @@ std::vector<ObjectId> PlainScene<N, T>::near(const R& region, LayerMask layers) 
   std::vector<ObjectId> result;
   for (const auto& [id, object] : objects_) {
     if (!is_on(layers, object.layer) || is_nothing(object.box)) continue;
-    if (meets_generously(region, touching_bounds(object.box))) result.push_back(id);
+    if (meets_generously(region, touching_bounds(object))) result.push_back(id);
   }
   return result;
 }

@@ -102,7 +102,7 @@ std::vector<ObjectPair> SceneView<N, T>::candidates(double margin) const {
   const PairOptions options{.margin = margin * (0.5 + tolerance::convex_in<T>)};
   std::vector<Aabb<N, T>> boxes(ids_.slots(), Aabb<N, T>::nothing());
   for (std::uint32_t slot = 0; slot < ids_.slots(); ++slot) {
-    if (ids_.is_taken(slot)) boxes[slot] = touching_bounds(in_slot(slot).box);
+    if (ids_.is_taken(slot)) boxes[slot] = touching_bounds(in_slot(slot));
   }
   std::vector<ObjectPair> result;
   for (const Pair& pair : overlapping_pairs(boxes, options)) {

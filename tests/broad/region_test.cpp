@@ -11,6 +11,7 @@
 #include <graze/query/intersects.hpp>
 
 #include "../query/user_shapes.hpp"
+#include "../unbounded_compound.hpp"
 #include "catalogue.hpp"
 
 namespace graze::region_test {
@@ -65,6 +66,22 @@ TEST(Region, AGenerousOneIsMetByTheBoxesOfAllThatTouchesIt) {
   EXPECT_FALSE(strict.meets(bounds(ray)));
   EXPECT_TRUE(generous.meets(bounds(ray)));
   EXPECT_FALSE(generous.meets({{0x1p-30, 0}, {1, 1}}));
+}
+
+TEST(Region, OfACompoundThatIsNotBoundedMeetsWhatAFarPartOfItTouches) {
+  using Any = AnyShape<2, double>;
+  const Aabb<2, double> below{{-1e30, -1}, {1.5e33, 0}};
+  for (const Any& far : test::far_shapes<2, double>()) {
+    ASSERT_TRUE(intersects(far, test::along_x<2, double>()));
+    const Any region = test::beside_a_plane<2, double>(far);
+    const RegionProbe<Any> strict(region);
+    EXPECT_EQ(strict.meets(below), intersects(region, below));
+    const RegionProbe<Generous<Any>> generous(Generous<Any>{region});
+    const auto box = bounds(test::along_x<2, double>());
+    EXPECT_TRUE(generous.may_meet(box));
+    EXPECT_TRUE(generous.meets(box));
+    EXPECT_TRUE(boxes_overlap(generous.reach(detail::finite_size(box)), box));
+  }
 }
 
 template <class R>

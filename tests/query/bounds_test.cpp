@@ -339,6 +339,30 @@ TEST(Bounds, OfTouchingGrowByTheSlackOfTheLargestCoordinate) {
   EXPECT_EQ(grown.max.x, std::nextafter(2.0F, 3.0F));
 }
 
+TEST(Bounds, OfTouchingGrowByTheCoordinatesOfPartsThatAnInfiniteBoxHides) {
+  using Box = Rect<double>;
+  const Circle<double> far{{1e33, 1e17}, 0};
+  const auto beside = compound_of<2, double>({far, Plane<2, double>{{0, 1}, 3e17}});
+  EXPECT_EQ(bounds(beside), (Box{{-infinity<double>, 1e17}, {infinity<double>, 3e17}}));
+  const Box grown = touching_bounds(bounds(far));
+  ASSERT_LT(grown.min.y, -1e19);
+  for (const Compound<2, double>& shape : {beside, compound_of<2, double>({beside, Compound<2, double>{}})}) {
+    const Box box = touching_bounds(shape);
+    EXPECT_LE(box.min.y, grown.min.y);
+    EXPECT_GE(box.max.y, grown.max.y);
+    EXPECT_GE(box.min.y, 2 * grown.min.y);  // and not without end
+    EXPECT_EQ(touching_bounds(AnyShape<2, double>(shape)), box);
+  }
+}
+
+TEST(Bounds, OfTouchingAreTheGrownBoxOfAnyOtherShape) {
+  const auto bounded = compound_of<2, float>({Circle<>{{3, 0}, 1}, Vec<2, float>(5, -7), Compound<2>{}});
+  EXPECT_EQ(touching_bounds(bounded), touching_bounds(bounds(bounded)));
+  EXPECT_EQ(touching_bounds(Compound<2>{}), Rect<>::nothing());
+  EXPECT_EQ(touching_bounds(Circle<>{{3, 0}, 1}), touching_bounds(Rect<>{{2, -1}, {4, 1}}));
+  EXPECT_EQ(touching_bounds(AnyShape<2>(Plane<2>{{0, 1}, 2})), touching_bounds(bounds(Plane<2>{{0, 1}, 2})));
+}
+
 template <class T>
 class BoundsOfOwnShape : public testing::Test {};
 using Scalars = testing::Types<float, double>;

@@ -14,12 +14,15 @@
 #include <graze/broad/region.hpp>
 #include <graze/query/closest_point.hpp>
 #include <graze/query/intersects.hpp>
+#include <graze/query/ray_cast.hpp>
 #include <graze/query/signed_distance.hpp>
+#include <graze/scene/plain_scene.hpp>
 #include <graze/scene/scene.hpp>
 #include <graze/scene/scene_view.hpp>
 #include <graze/shape/pick.hpp>
 
 #include "../cameras.hpp"
+#include "../unbounded_compound.hpp"
 #include "catalogue.hpp"
 
 namespace graze::scene_view_test {
@@ -147,6 +150,46 @@ TEST(SceneView, ThreadsMayReadASnapshotWhileTheSceneMovesOn) {
   }
 }
 
+// The box of a compound with a plane among its parts is infinite, and does not tell how large the coordinates of
+// others are, by which `relation` forgives.
+TEST(SceneView, FindsWhatTouchesAFarPartOfACompoundThatIsNotBounded) {
+  using Any = AnyShape<2, double>;
+  const Any ray = test::along_x<2, double>();
+  for (const Any& far : test::far_shapes<2, double>()) {
+    const Any compound = test::beside_a_plane<2, double>(far);
+    ASSERT_EQ(relation(compound, ray), Relation::touching);
+    World scene;
+    PlainScene<2, double> plain;
+    scene.add(Ball{{-9, 0}, 1});
+    plain.add(Ball{{-9, 0}, 1});
+    const ObjectId a = scene.add(compound);
+    const ObjectId b = scene.add(ray);
+    plain.add(compound);
+    plain.add(ray);
+    const std::vector<ObjectPair> pairs{{a, b}};
+    const std::vector<ObjectPair> candidates = scene.candidates();
+    EXPECT_NE(std::find(candidates.begin(), candidates.end(), pairs.front()), candidates.end());
+    EXPECT_EQ(scene.pairs(), pairs);
+    EXPECT_EQ(plain.pairs().size(), 1U);
+    EXPECT_EQ(scene.update().began, pairs);
+    EXPECT_EQ(scene.contacts().size(), 1U);
+    EXPECT_EQ(scene.overlapping(ray), (Ids{a, b}));
+    EXPECT_EQ(scene.overlapping(compound), (Ids{a, b}));
+    EXPECT_EQ(plain.overlapping(ray).size(), 2U);
+    EXPECT_EQ(plain.overlapping(compound).size(), 2U);
+    const auto& way = std::get<Ray<2, double>>(ray);
+    const auto hit = graze::ray_cast(compound, way);
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_EQ(scene.ray_cast_all(way), (std::vector<ObjectHit<2, double>>{{b, *graze::ray_cast(ray, way)}, {a, *hit}}));
+    // Mended, when one of many has moved.
+    for (int k = 0; k < 40; ++k) scene.add(Ball{{-9.0 - 9 * k, 0}, 1});
+    scene.move(a, Ball{{-9, 9}, 1});
+    EXPECT_EQ(scene.update().ended, pairs);
+    scene.move(a, compound);
+    EXPECT_EQ(scene.update().began, pairs);
+  }
+}
+
 /// Of all objects those whose boxes meet the frustum, up to rounding, and no others.
 template <Dim N, class T>
 void check_what_a_camera_sees(const Scene<N, T>& scene) {
@@ -157,7 +200,7 @@ void check_what_a_camera_sees(const Scene<N, T>& scene) {
   Ids expected;
   for (const ObjectId id : scene.ids()) {
     const Aabb<N, T>& box = scene.object(id).box;
-    const bool is_seen = !is_nothing(box) && probe.meets(touching_bounds(box));
+    const bool is_seen = !is_nothing(box) && probe.meets(touching_bounds(scene.object(id)));
     if (is_seen) expected.push_back(id);
     if (is_valid(box) && intersects(frustum, box)) RC_ASSERT(is_seen);
   }
