@@ -72,7 +72,7 @@ void KeyTable::throw_full() const {
 void KeyTable::release(std::uint32_t slot) noexcept {
   --size_;
   ++changes_;
-  if (++generations_[slot] != 0) free_.push_back(slot);
+  if (++generations_[slot] != used_up) free_.push_back(slot);
 }
 
 void KeyTable::release_all() noexcept {
@@ -88,7 +88,8 @@ void KeyTable::plan(std::span<const Key> next, std::span<const Key> free) {
   PageVector<std::uint32_t> generations(places);
   std::vector<bool> is_named(places, false);
   const auto enter = [&](const Key& key, unsigned last_bit, std::uint32_t generation) {
-    if (key.index >= places || is_named[key.index] || (key.generation & 1U) != last_bit) {
+    const bool is_given = key.generation <= used_up && (key.generation & 1U) == last_bit;
+    if (key.index >= places || is_named[key.index] || !is_given) {
       throw std::invalid_argument("SpatialIndex: the key (index " + std::to_string(key.index) + ", generation " +
                                   std::to_string(key.generation) + ") cannot be planned");
     }
@@ -100,7 +101,7 @@ void KeyTable::plan(std::span<const Key> next, std::span<const Key> free) {
   PageVector<std::uint32_t> stack;
   stack.reserve(generations.capacity());
   for (const Key& key : free) {
-    if (key.generation != 0) stack.push_back(key.index);
+    if (key.generation != used_up) stack.push_back(key.index);
   }
   for (std::size_t i = next.size(); i-- > 0;) stack.push_back(next[i].index);
   generations_ = std::move(generations);
@@ -108,11 +109,9 @@ void KeyTable::plan(std::span<const Key> next, std::span<const Key> free) {
 }
 
 std::vector<Key> KeyTable::free_keys() const {
-  std::vector<bool> is_listed(generations_.size(), false);
-  for (const std::uint32_t slot : free_) is_listed[slot] = true;
   std::vector<Key> keys;
   for (std::uint32_t slot = 0; slot < slots(); ++slot) {
-    if (!is_taken(slot) && !is_listed[slot]) keys.push_back(key_of(slot));  // used up
+    if (generations_[slot] == used_up) keys.push_back(key_of(slot));
   }
   for (const std::uint32_t slot : free_) keys.push_back(key_of(slot));
   return keys;

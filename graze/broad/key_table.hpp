@@ -31,6 +31,9 @@ namespace detail {
 /// Which slots of an index are taken, and by which key.
 class KeyTable {
  public:
+  /// The generation of a slot that is never taken again: the last one that is even.
+  static constexpr std::uint32_t used_up = std::numeric_limits<std::uint32_t>::max() - 1;
+
   /// With more than `most` slots the table is full.
   explicit KeyTable(std::uint32_t most = std::numeric_limits<std::uint32_t>::max());
 
@@ -51,12 +54,14 @@ class KeyTable {
   void release_all() noexcept;
 
   /// For a table that never held anything: it comes to be as if the keys `next`, in this order, were the next that
-  /// `take` gives, and then places that became free, used again from the back. Of a free one the generation is even,
-  /// and zero where all are used up. Owners do not count. Throws std::logic_error when the table is not new;
-  /// std::invalid_argument unless the places are the first ones, each once, and generations are odd and even.
+  /// `take` gives, and then places that are free, used from the back. Of a free one the generation is even: zero where
+  /// none was ever taken, as of a place that is planned, `used_up` where none will be. Owners do not count. Throws
+  /// std::logic_error when the table is not new; std::invalid_argument unless the places are the first ones, each once,
+  /// and generations are odd, up to that of the last key of a place, and even.
   void plan(std::span<const Key> next, std::span<const Key> free);
 
-  /// The places that are free, as `plan` takes them.
+  /// The places that are free, as `plan` takes them: first those that are used up. Those that were planned and are not
+  /// taken yet are among them.
   std::vector<Key> free_keys() const;
 
   /// Whether `prepare` would throw that it is full.

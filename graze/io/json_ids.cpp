@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <graze/broad/key_table.hpp>
 #include <graze/io/json_document.hpp>
 #include <graze/io/json_ids.hpp>
 
@@ -14,6 +15,7 @@ namespace graze::io {
 namespace {
 
 constexpr std::uint64_t largest_id = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint64_t last_generation = detail::KeyTable::used_up - 1;  // of an object
 
 /// [index, generation]; `last_bit` is 1 for the generations of objects, 0 for those of vacant places.
 ObjectId read_id(JsonValue value, std::string_view name, unsigned last_bit, const JsonPlace& place) {
@@ -31,6 +33,10 @@ ObjectId read_id(JsonValue value, std::string_view name, unsigned last_bit, cons
   if ((numbers[1] & 1U) != last_bit) {
     throw place.error(value.offset(), fmt::format("\"{}\" has the generation {}; that of {}", name, numbers[1],
                                                   last_bit == 1 ? "an object is odd" : "a vacant place is even"));
+  }
+  if (last_bit == 1 && numbers[1] > last_generation) {
+    throw place.error(value.offset(), fmt::format("\"{}\" has the generation {}; the last of an object is {}", name,
+                                                  numbers[1], last_generation));
   }
   return {static_cast<std::uint32_t>(numbers[0]), static_cast<std::uint32_t>(numbers[1]), 0};
 }

@@ -9,7 +9,7 @@
 
 namespace graze::io {
 
-/// What Scene::plan_ids takes: the ids of the objects, in their order, and of the places of removed ones. Both are
+/// What Scene::plan_ids takes: the ids of the objects, in their order, and of the places that are free. Both are
 /// empty for a scene that was not saved with its ids.
 struct SavedIds {
   std::vector<ObjectId> next;

@@ -54,9 +54,9 @@ class Scene : public SceneView<N, T> {
   ObjectId add(AnyShape<N, T> shape, ObjectOptions options = {});
 
   /// Makes a scene go on as a saved one did, whose ids have then a meaning here: the objects added next get the indexes
-  /// and generations of `next` in this order, and then the places of removed objects are used again as `vacant` says
-  /// (see SceneView::vacant_ids). Throws std::logic_error when an object was ever added; std::invalid_argument unless
-  /// the indexes are 0, 1, ..., each once, and generations odd in `next` and even in `vacant`.
+  /// and generations of `next` in this order, and then free places are used as `vacant` says (see
+  /// SceneView::vacant_ids). Throws std::logic_error when an object was ever added; std::invalid_argument unless the
+  /// indexes are 0, 1, ..., each once, and generations odd in `next`, up to 4294967293, and even in `vacant`.
   void plan_ids(std::span<const ObjectId> next, std::span<const ObjectId> vacant);
 
   /// Replaces an object's shape. Throws like `add` and `object`.

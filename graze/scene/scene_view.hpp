@@ -74,8 +74,9 @@ class SceneView {
   /// The object of this index and generation, by which a saved scene knows it, if it lives.
   std::optional<ObjectId> find(std::uint32_t index, std::uint32_t generation) const;
 
-  /// The places of removed objects: their index, and a generation that is even. They are used again from the back, but
-  /// for those of generation 0, which are used up.
+  /// The places that are free, of removed objects and of those that `plan_ids` has planned and nobody added yet: their
+  /// index, and a generation that is even, zero where no object was there ever. They are used from the back, each for
+  /// an id of the next generation, but for those of generation 4294967294, the last, which are used up.
   std::vector<ObjectId> vacant_ids() const;
 
   /// All ids, ascending: in the order of adding while nothing is removed.

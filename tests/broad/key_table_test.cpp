@@ -187,15 +187,56 @@ TEST(KeyTable, GoesOnAsAnotherDidIfThatIsPlanned) {
 TEST(KeyTable, ReleasesWhatWasPlannedAsEverythingElse) {
   KeyTable table;
   const std::vector<Key> next = {{2, 7, 0}, {0, 1, 0}};
-  const std::vector<Key> free = {{1, 0, 0}};  // used up
+  const std::vector<Key> free = {{1, KeyTable::used_up, 0}};
   table.plan(next, free);
   take(table);
   take(table);
   for (const std::uint32_t slot : {2U, 0U}) table.release(slot);
-  EXPECT_EQ(table.free_keys(), (std::vector<Key>{{1, 0, table.owner()}, {2, 8, table.owner()}, {0, 2, table.owner()}}));
+  const std::uint32_t owner = table.owner();
+  EXPECT_EQ(table.free_keys(), (std::vector<Key>{{1, KeyTable::used_up, owner}, {2, 8, owner}, {0, 2, owner}}));
   EXPECT_EQ(take(table), (Key{0, 3, table.owner()}));
   EXPECT_EQ(take(table), (Key{2, 9, table.owner()}));
   EXPECT_EQ(take(table).index, 3U);  // and never 1
+}
+
+TEST(KeyTable, HasPlannedKeysThatNobodyTookAmongTheFreeOnes) {
+  const std::vector<Key> next = {{3, 1, 0}, {0, 7, 0}, {2, 1, 0}};
+  const std::vector<Key> free = {{1, 2, 0}, {4, 0, 0}};
+  for (int taken = 0; taken <= 5; ++taken) {
+    for (const bool is_one_released : {false, true}) {
+      KeyTable table;
+      table.plan(next, free);
+      for (int k = 0; k < taken; ++k) take(table);
+      if (is_one_released && taken > 0) table.release(3);
+      std::vector<Key> keys;
+      for (std::uint32_t slot = 0; slot < table.slots(); ++slot) {
+        if (table.is_taken(slot)) keys.push_back(table.key_of(slot));
+      }
+      KeyTable copy;
+      copy.plan(keys, table.free_keys());
+      for (std::size_t k = 0; k < keys.size(); ++k) take(copy);
+      for (int k = 0; k < 7; ++k) {
+        const Key expected = take(table);
+        EXPECT_EQ(take(copy), (Key{expected.index, expected.generation, copy.owner()})) << taken;
+      }
+    }
+  }
+}
+
+TEST(KeyTable, TakesAPlaceAgainUntilItsGenerationsAreUsedUp) {
+  constexpr std::uint32_t last = KeyTable::used_up - 1;
+  KeyTable table;
+  table.plan({}, std::vector<Key>{{0, last - 3, 0}});
+  EXPECT_EQ(take(table), (Key{0, last - 2, table.owner()}));
+  table.release(0);
+  EXPECT_EQ(take(table), (Key{0, last, table.owner()}));
+  table.release(0);
+  EXPECT_EQ(table.free_keys(), (std::vector<Key>{{0, KeyTable::used_up, table.owner()}}));
+  EXPECT_EQ(take(table), (Key{1, 1, table.owner()}));
+  KeyTable copy;
+  copy.plan(std::vector<Key>{{1, 1, 0}}, table.free_keys());
+  EXPECT_EQ(take(copy).index, 1U);
+  EXPECT_EQ(take(copy).index, 2U);  // and never 0
 }
 
 TEST(KeyTable, RefusesAPlanThatIsNone) {
@@ -206,6 +247,7 @@ TEST(KeyTable, RefusesAPlanThatIsNone) {
   EXPECT_THROW(plan({{1, 1, 0}}, {}), std::invalid_argument);             // nobody has 0
   EXPECT_THROW(plan({{0, 2, 0}}, {}), std::invalid_argument);
   EXPECT_THROW(plan({}, {{0, 1, 0}}), std::invalid_argument);
+  EXPECT_THROW(plan({{0, KeyTable::used_up + 1, 0}}, {}), std::invalid_argument);  // given by nobody
   KeyTable used;
   take(used);
   used.release(0);
