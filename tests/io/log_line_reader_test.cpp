@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include <graze/io/input_error.hpp>
 #include <graze/io/log_line_reader.hpp>
 
+#include "json_schema.hpp"
 #include "scene_text.hpp"
 
 namespace graze::io::log_line_reader_test {
@@ -62,6 +67,42 @@ TEST(LogLineReader, ReadsEveryKindOfAnswer) {
        }) {
     EXPECT_EQ(answer_again(line), line);
   }
+}
+
+/// Whether the line is read.
+bool is_answer(const std::string& line) {
+  try {
+    read_answer(JsonDocument(line, "log"));
+  } catch (const InputError&) {
+    return false;
+  }
+  return true;
+}
+
+// Of how a number is written the schema knows nothing: it takes 1e1 for a whole number.
+TEST(LogLineReader, ReadsTheAnswersThatTheJsonSchemaAllows) {
+  const JsonSchema schema(nlohmann::json::parse(text_of(project_file("data/log.schema.json"))));
+  const std::vector<std::string> parts = {"3",          "-3",     "0.5",  "\"nan\"", "\"ended\"",
+                                          "\"x\"",      "[0, 1]", "null", "[0.5]",   "{\"other_scene\": [7, 3]}",
+                                          "4294967296", "true"};
+  std::vector<std::string> rows = parts;
+  rows.push_back("[]");
+  for (const std::string& a : parts) {
+    rows.push_back("[" + a + "]");
+    for (const std::string& b : parts) {
+      rows.push_back("[" + a + ", " + b + "]");
+      for (const std::string& c : parts) rows.push_back("[" + a + ", " + b + ", " + c + "]");
+    }
+  }
+  std::size_t read = 0;
+  for (const std::string& row : rows) {
+    const std::string line = R"({"answer": [)" + row + "]}";
+    const bool is_read = is_answer(line);
+    EXPECT_EQ(schema.definition_allows("answer", nlohmann::json::parse(line)), is_read) << line;
+    read += is_read ? 1 : 0;
+  }
+  EXPECT_GT(read, rows.size() / 8);
+  EXPECT_LT(read, rows.size() / 2);
 }
 
 TEST(LogLineReader, SaysWhatIsWrongWithACall) {
