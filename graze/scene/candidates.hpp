@@ -62,6 +62,7 @@ class Candidates {
 
   /// The slots' boxes, and one more.
   const Box* boxes() const { return boxes_.data(); }
+  void prefetch_slot(std::uint32_t slot) const { prefetch(&boxes_[slot]); }
 
   /// After `list` and `follow`: no coordinate of a box is farther from zero, infinite ones aside.
   T largest() const { return largest_; }

@@ -45,6 +45,18 @@ class PairKeeper {
   /// The slot's object has moved, or has another shape.
   void note_moved(std::uint32_t slot, const Object<N, T>& object) noexcept;
 
+  /// Whether the slot's object was a box along the axes that has points when it was noted last.
+  bool is_box(std::uint32_t slot) const { return kinds_[slot].is_box; }
+
+  /// What is such a box has moved, and still is.
+  void note_moved_box(std::uint32_t slot, const Aabb<N, T>& box) noexcept {
+    candidates_.move(slot, box);
+    set_changed(slot, Change::moved);
+  }
+
+  /// Asks for what is written of a slot.
+  void prefetch_slot(std::uint32_t slot) const { candidates_.prefetch_slot(slot); }
+
   /// Whether each of so many objects, which are all that were noted, was a box along the axes with points in it.
   bool holds_nothing_but_boxes(std::size_t objects) const { return live_ == objects && others_ == 0; }
 

@@ -149,6 +149,28 @@ void Scene<N, T>::put(std::uint32_t slot, const S& shape) noexcept {
   note_moved(slot, object);
 }
 
+/// Of an object that is a box.
+template <Dim N, class T>
+void Scene<N, T>::write_box(std::uint32_t slot, const Aabb<N, T>& box) noexcept {
+  Object<N, T>& object = *objects_.own(slot);
+  Aabb<N, T>* const held = std::get_if<Aabb<N, T>>(&object.shape);
+#ifdef __GNUC__
+  if (held == nullptr) __builtin_unreachable();  // so that nobody reads what type it is of
+#endif
+  *held = box;
+  object.box = box;
+}
+
+/// The same in a few steps, which are by far the most common.
+template <Dim N, class T>
+void Scene<N, T>::put(std::uint32_t slot, const Aabb<N, T>& box) noexcept {
+  if (!keeper_.is_box(slot)) return put<Aabb<N, T>>(slot, box);
+  write_box(slot, box);
+  index_.note(slot);
+  keeper_.note_moved_box(slot, box);
+  is_current_ = false;
+}
+
 template <Dim N, class T>
 template <class S>
 void Scene<N, T>::put_all(std::span<const ObjectId> ids, std::span<const S> shapes) noexcept {
@@ -158,19 +180,14 @@ void Scene<N, T>::put_all(std::span<const ObjectId> ids, std::span<const S> shap
   }
 }
 
-/// In a world of boxes alone, as many are, one list after the other, in few steps for each box.
+/// In a world of boxes alone, one list after the other, in still fewer steps.
 template <Dim N, class T>
 void Scene<N, T>::put_all(std::span<const ObjectId> ids, std::span<const Aabb<N, T>> boxes) noexcept {
   if (!keeper_.holds_nothing_but_boxes(ids_.size())) return put_all<Aabb<N, T>>(ids, boxes);
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    prefetch_move<Aabb<N, T>>(ids[std::min(i + moves_ahead, ids.size() - 1)].index);
-    Object<N, T>& object = *objects_.own(ids[i].index);
-    Aabb<N, T>* const held = std::get_if<Aabb<N, T>>(&object.shape);
-#ifdef __GNUC__
-    if (held == nullptr) __builtin_unreachable();  // so that nobody reads what type it is of
-#endif
-    *held = boxes[i];
-    object.box = boxes[i];
+    const std::uint32_t later = ids[std::min(i + moves_ahead, ids.size() - 1)].index;
+    objects_.template prefetch_first_of<2 * sizeof(Aabb<N, T>)>(later);
+    write_box(ids[i].index, boxes[i]);
   }
   index_.note_all(ids);
   keeper_.note_moved_boxes(ids, boxes);

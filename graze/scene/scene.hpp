@@ -117,6 +117,7 @@ class Scene : public SceneView<N, T> {
   template <class S>
   void prefetch_move(std::uint32_t slot) const {
     objects_.template prefetch_first_of<sizeof(Aabb<N, T>) + sizeof(S)>(slot);
+    keeper_.prefetch_slot(slot);
   }
 
   /// Room for the slot was made before.
@@ -129,6 +130,8 @@ class Scene : public SceneView<N, T> {
   /// Gives an object a shape of one type and notes that it has moved. Everything that can fail was done before.
   template <class S>
   void put(std::uint32_t slot, const S& shape) noexcept;
+  void put(std::uint32_t slot, const Aabb<N, T>& box) noexcept;
+  void write_box(std::uint32_t slot, const Aabb<N, T>& box) noexcept;
 
   /// The same with many.
   template <class S>
