@@ -133,9 +133,6 @@ HWY_INLINE std::size_t note(const DepthBits& bits, std::size_t place, char* touc
   return number;
 }
 
-/// Rows of boxes that are longer leave the second cache.
-inline constexpr std::size_t bytes_near = std::size_t{1} << 19U;
-
 template <Dim N>
 // NOLINTNEXTLINE(readability-function-size): what it is told, and where it writes
 std::size_t judge(const Aabb<N, float>* boxes, std::size_t boxes_in_row, const Pair* pairs, std::size_t count,

@@ -9,6 +9,9 @@ namespace graze::detail {
 /// How many values ahead of their use scattered ones are asked for.
 inline constexpr std::size_t prefetch_distance = 32;
 
+/// Of more bytes, some have left the second cache when they are used again.
+inline constexpr std::size_t bytes_near = std::size_t{1} << 19U;
+
 /// GCC 12 takes a function that only asks ahead for one that does nothing, and drops calls of it and of those that do
 /// nothing but call it: unless they say that the address matters.
 [[gnu::always_inline]] inline void keep_calls([[maybe_unused]] const void* address) {

@@ -54,8 +54,9 @@ class Candidates {
   /// These objects have, and each box has points.
   void move_all(std::span<const ObjectId> ids, std::span<const Box> boxes) noexcept {
     Box* const row = boxes_.data();
+    const bool asks_ahead = boxes.size() * sizeof(Box) > bytes_near;
     for (std::size_t i = 0; i < ids.size(); ++i) {
-      prefetch(&row[ids[std::min(i + prefetch_distance, ids.size() - 1)].index]);
+      if (asks_ahead && i + prefetch_distance < ids.size()) prefetch(&row[ids[i + prefetch_distance].index]);
       row[ids[i].index] = boxes[i];
     }
   }

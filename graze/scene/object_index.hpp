@@ -159,8 +159,9 @@ class ObjectIndex {
     is_current_.store(false, std::memory_order_relaxed);
   }
 
-  /// These objects have.
-  void note_all(std::span<const ObjectId> ids) noexcept {
+  /// These objects have, of those in so many slots.
+  void note_all(std::span<const ObjectId> ids, std::size_t slots) noexcept {
+    if (pending_.size() == slots) return;  // where nobody has asked for long
     for (const ObjectId& id : ids) note(id.index);
   }
 

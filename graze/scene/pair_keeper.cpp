@@ -83,7 +83,12 @@ void PairKeeper<N, T>::note_moved(std::uint32_t slot, const Object<N, T>& object
 template <Dim N, class T>
 void PairKeeper<N, T>::note_moved_boxes(std::span<const ObjectId> ids, std::span<const Aabb<N, T>> boxes) noexcept {
   candidates_.move_all(ids, boxes);
-  for (const ObjectId& id : ids) set_changed(id.index, Change::moved);
+  Change* const changes = changes_.data();
+  for (const ObjectId& id : ids) {
+    Change& change = changes[id.index];
+    if (change == Change::none) changed_.add(id.index);
+    change = std::max(change, Change::moved);
+  }
 }
 
 template <Dim N, class T>

@@ -189,7 +189,7 @@ void Scene<N, T>::put_all(std::span<const ObjectId> ids, std::span<const Aabb<N,
     objects_.template prefetch_first_of<2 * sizeof(Aabb<N, T>)>(later);
     write_box(ids[i].index, boxes[i]);
   }
-  index_.note_all(ids);
+  index_.note_all(ids, objects_.size());
   keeper_.note_moved_boxes(ids, boxes);
   is_current_ = false;
 }
