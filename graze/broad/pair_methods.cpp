@@ -9,6 +9,7 @@
 
 #include <graze/broad/brute_force_pairs.hpp>
 #include <graze/broad/pair_methods.hpp>
+#include <graze/math/draws.hpp>
 
 namespace graze::detail {
 namespace {
@@ -76,6 +77,33 @@ auto with_grown(std::span<const Aabb<N, T>> boxes_a, const std::span<const Aabb<
   return use(grown_a.boxes(), Grown<N, T>(*boxes_b, margin).boxes(), false);
 }
 
+/// The share of all pairs that overlap once all boxes are grown by the margin, as far as a sample tells. Both boxes of
+/// each pair are drawn anew: boxes of two sets that follow each other (a region for each box) meet their like no more
+/// often than in all pairs, and a large box that is drawn counts for one pair.
+template <Dim N, class T>
+double share_overlapping(std::span<const Aabb<N, T>> boxes_a, const std::span<const Aabb<N, T>>* boxes_b,
+                         double margin) {
+  const std::span<const Aabb<N, T>> others = boxes_b != nullptr ? *boxes_b : boxes_a;
+  constexpr std::size_t enough_to_see_one = 32;
+  const std::size_t drawn = std::clamp<std::size_t>(boxes_a.size() + others.size(), enough_to_see_one, 256);
+  const auto of_both = static_cast<T>(2 * margin);
+  Draws draws_a(1);
+  Draws draws_b(2);
+  std::size_t overlapping = 0;
+  for (std::size_t k = 0; k < drawn; ++k) {
+    if (k == enough_to_see_one && overlapping == 0) return 0;
+    const std::size_t at = draws_a.below(boxes_a.size());
+    std::size_t other = draws_b.below(boxes_b != nullptr ? others.size() : others.size() - 1);
+    if (boxes_b == nullptr && other >= at) ++other;  // not with itself
+    const Aabb<N, T>& a = boxes_a[at];
+    const Aabb<N, T>& b = others[other];
+    bool overlap = true;  // told without a branch, which nobody could foresee
+    for (Dim i = 0; i < N; ++i) overlap &= (a.min[i] - of_both <= b.max[i]) & (b.min[i] <= a.max[i] + of_both);
+    overlapping += overlap ? 1U : 0U;
+  }
+  return static_cast<double>(overlapping) / static_cast<double>(drawn);
+}
+
 /// Refuses what has no answer, and chooses the method.
 template <Dim N, class T>
 PairMethod checked_method(const PairOptions& options, std::span<const Aabb<N, T>> boxes_a,
@@ -83,38 +111,24 @@ PairMethod checked_method(const PairOptions& options, std::span<const Aabb<N, T>
   require_countable(std::max(boxes_a.size(), boxes_b != nullptr ? boxes_b->size() : 0));
   require_margin<T>(options.margin);
   if (options.method != PairMethod::automatic) return options.method;
-  return is_for_dense<N, T>(boxes_a, boxes_b) ? PairMethod::dense : PairMethod::tree;
+  return is_for_dense<N, T>(boxes_a, boxes_b, options.margin) ? PairMethod::dense : PairMethod::tree;
 }
 
 }  // namespace
 
 template <Dim N, class T>
 bool is_for_dense(std::type_identity_t<std::span<const Aabb<N, T>>> boxes_a,
-                  const std::type_identity_t<std::span<const Aabb<N, T>>>* boxes_b) {
-  const std::span<const Aabb<N, T>> others = boxes_b != nullptr ? *boxes_b : boxes_a;
-  // Nanoseconds, roughly. Only the time depends on them, no answer.
-  constexpr double per_comparison = 0.3;
-  constexpr double per_pair_of_dense = 0.8;
-  constexpr double per_box_of_tree = 50;
-  constexpr double per_pair_of_tree = 12;
-  const double comparisons =
-      static_cast<double>(boxes_a.size()) * static_cast<double>(others.size()) / (boxes_b != nullptr ? 1 : 2);
-  const double boxes = static_cast<double>(boxes_a.size() + (boxes_b != nullptr ? others.size() : 0));
-  if (comparisons * per_comparison <= boxes * per_box_of_tree / 2) return true;  // however many overlap
-  constexpr std::size_t samples = 24;
-  const std::size_t step_a = boxes_a.size() / samples + 1;
-  const std::size_t step_b = others.size() / samples + 1;
-  std::size_t tried = 0;
-  std::size_t overlapping = 0;
-  for (std::size_t a = 0; a < boxes_a.size(); a += step_a) {
-    for (std::size_t b = boxes_b != nullptr ? 0 : a + step_b; b < others.size(); b += step_b) {
-      ++tried;
-      overlapping += boxes_overlap(boxes_a[a], others[b]) ? 1U : 0U;
-    }
-  }
-  const double pairs =
-      comparisons * static_cast<double>(overlapping) / static_cast<double>(std::max<std::size_t>(tried, 1));
-  return comparisons * per_comparison + pairs * per_pair_of_dense <= boxes * per_box_of_tree + pairs * per_pair_of_tree;
+                  const std::type_identity_t<std::span<const Aabb<N, T>>>* boxes_b, double margin) {
+  const auto rows = static_cast<double>(boxes_a.size());
+  const auto columns = static_cast<double>(boxes_b != nullptr ? boxes_b->size() : boxes_a.size());
+  const double comparisons = rows * columns / (boxes_b != nullptr ? 1 : 2);
+  const double boxes = boxes_b != nullptr ? rows + columns : rows;
+  // Nanoseconds, roughly (docs/performance.md). Only the time depends on them, no answer.
+  const double dense = 15 * rows + 0.32 * comparisons;
+  const double tree = 300 + 8 * boxes;
+  if (dense <= tree) return true;  // however many overlap
+  constexpr double more_per_pair_of_tree = 4.8;
+  return dense <= tree + more_per_pair_of_tree * comparisons * share_overlapping<N, T>(boxes_a, boxes_b, margin);
 }
 
 template <Dim N, class T>
@@ -145,7 +159,7 @@ void PairMethods<N, T>::visit(Boxes boxes_a, const Boxes* boxes_b, const PairOpt
 
 #define GRAZE_INSTANTIATE(N, T)     \
   template class PairMethods<N, T>; \
-  template bool is_for_dense<N, T>(std::span<const Aabb<N, T>>, const std::span<const Aabb<N, T>>*);
+  template bool is_for_dense<N, T>(std::span<const Aabb<N, T>>, const std::span<const Aabb<N, T>>*, double);
 
 GRAZE_INSTANTIATE(2, float)
 GRAZE_INSTANTIATE(3, float)

@@ -33,9 +33,9 @@ class PairMethods {
   DenseSearch<N, T> dense_;
 };
 
-/// Whether `dense` is likely to be quicker than `tree`, by the number of boxes and a sample of them.
+/// Whether `dense` is likely to be quicker than `tree`, by the number of boxes and a sample of their pairs.
 template <Dim N, class T>
 bool is_for_dense(std::type_identity_t<std::span<const Aabb<N, T>>> boxes_a,
-                  const std::type_identity_t<std::span<const Aabb<N, T>>>* boxes_b);
+                  const std::type_identity_t<std::span<const Aabb<N, T>>>* boxes_b, double margin = 0);
 
 }  // namespace graze::detail

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include <graze/math/draws.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/hull_frame.hpp>
@@ -116,10 +117,9 @@ template <class T>
 std::vector<HullPoint> sample_of(const HullFrame<T>& frame, std::size_t count) {
   std::vector<HullPoint> sample;
   sample.reserve(count);
-  std::uint64_t state = 1;  // Knuth's linear congruential generator, TAOCP 2, 3.3.4
+  Draws draws;
   for (std::size_t i = 0; i < count; ++i) {
-    state = state * 6364136223846793005U + 1442695040888963407U;
-    sample.push_back(frame.at(static_cast<std::uint32_t>(((state >> 32U) * frame.size()) >> 32U)));
+    sample.push_back(frame.at(static_cast<std::uint32_t>(draws.below(frame.size()))));
   }
   return sample;
 }
