@@ -41,6 +41,7 @@ const Pair* PairList::append(std::span<const Pair> pairs, std::size_t expected) 
     // A guess after few pairs may be far too high.
     pairs_.reserve(std::clamp(expected + expected / 8, count + count / 2, 16 * count));
     populated_ = pairs_.size();
+    advise_large_pages(pairs_.data(), pairs_.capacity() * sizeof(Pair));
   }
   populate_to(count);
   pairs_.insert(pairs_.end(), pairs.begin(), pairs.end());

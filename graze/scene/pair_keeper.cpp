@@ -173,11 +173,17 @@ void PairKeeper<N, T>::find_anew(const Slots& slots, const Executor& executor) {
   if (!are_all_new) merge_with_unchanged();
 }
 
-/// Of those that were judged.
+/// Of those that were judged. Many more are near than touch: there is room for these alone.
 template <Dim N, class T>
 void PairKeeper<N, T>::keep_touching(std::span<const Pair> pairs) {
-  found_.resize(pairs.size() + room_behind_chosen);
-  found_places_.resize(pairs.size() + room_behind_chosen);
+  const auto touching = static_cast<std::size_t>(std::count(touches_.begin(), touches_.end(), char{1}));
+  const auto give_room = [room = touching + room_behind_chosen](auto& list) {
+    list.clear();
+    if (list.capacity() < room) list.reserve(room + room / 8);
+    list.resize(room);
+  };
+  give_room(found_);
+  give_room(found_places_);
   const std::size_t count =
       choice_kernels().choose(pairs.data(), touches_.data(), pairs.size(), found_.data(), found_places_.data());
   found_.resize(count);
