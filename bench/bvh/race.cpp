@@ -31,6 +31,10 @@ std::vector<std::size_t> differences(const std::vector<double>& a, const std::ve
 /// How many boxes a peer may miss that a ray barely touches.
 constexpr std::size_t forgiven = questions / 10'000;
 
+/// Work that takes less than so many seconds is done again in the same turn: what the others have left in the caches is
+/// not what is timed.
+constexpr double shortest_turn = 0.01;
+
 // ---- The judge: a loop over all boxes
 
 constexpr std::size_t judged_step = 1000;  // every so manieth question
@@ -132,11 +136,14 @@ class Race {
     for (std::size_t round = 0; round < options_.rounds; ++round) {
       for (std::size_t k = 0; k < runners_.size(); ++k) {
         if (!does(runners_[k], work) || used[k] > options_.enough_seconds) continue;
-        const std::clock_t start = std::clock();
-        do_work(*runners_[k].contestant);
-        const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-        best[k] = std::min(best[k], seconds);
-        used[k] += seconds;
+        for (double turn = 0; turn < shortest_turn;) {
+          const std::clock_t start = std::clock();
+          do_work(*runners_[k].contestant);
+          const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+          best[k] = std::min(best[k], seconds);
+          used[k] += seconds;
+          turn += seconds;
+        }
         check(runners_[k]);
       }
     }

@@ -86,9 +86,9 @@ class Bvh {
     detail::require_boxes(boxes);
     detail::KeyTable keys = keys_;
     keys.release_all();
-    std::vector<Key> given = keys.take_many(boxes.size());
-    detail::PageVector<std::uint32_t> slots(given.size());
-    for (std::size_t k = 0; k < given.size(); ++k) slots[k] = given[k].index;
+    detail::BlankVector<std::uint32_t> slots(boxes.size());
+    keys.take_many(slots);
+    std::vector<Key> given = keys.keys_of(slots);
     Tree tree(tree_.margin());
     if (size() == 0) std::swap(tree, tree_);  // whose memory is used again
     tree.fill(boxes, slots, executor, keys.generations());

@@ -175,6 +175,16 @@ class BvhBuilder {
   const Executor& executor_;
 };
 
+/// In no more steps than needed where they are sorted already, or the other way round, as they come where all boxes
+/// before were erased.
+void sort_slots(std::span<std::uint32_t> slots) {
+  if (std::is_sorted(slots.rbegin(), slots.rend())) {
+    std::reverse(slots.begin(), slots.end());
+  } else if (!std::is_sorted(slots.begin(), slots.end())) {
+    std::sort(slots.begin(), slots.end());
+  }
+}
+
 }  // namespace
 
 template <Dim N, class T>
@@ -191,19 +201,18 @@ void build_bvh(std::span<const std::uint32_t> slots, double margin, const BvhPla
   centers.here.slots = numbers.data();
   centers.beside.slots = numbers.data() + count;
   centers.count = count;
-  std::copy(slots.begin(), slots.end(), centers.here.slots);
-  std::uint32_t* const last_slot = centers.here.slots + count;
-  if (std::is_sorted(slots.rbegin(), slots.rend())) {  // as they come where all boxes before were erased
-    std::reverse(centers.here.slots, last_slot);
-  } else if (!std::is_sorted(slots.begin(), slots.end())) {
-    std::sort(centers.here.slots, last_slot);
-  }
-  for (std::size_t first = 0; first < count;) {
-    const std::uint32_t* const sorted = centers.here.slots;
-    std::size_t last = first + 1;
-    while (last < count && sorted[last] == sorted[last - 1] + 1) ++last;
-    center_kernels<N, T>().centers(arrays.boxes + sorted[first], last - first, centers.here.behind(first));
-    first = last;
+  const std::span<std::uint32_t> sorted(centers.here.slots, count);
+  std::copy(slots.begin(), slots.end(), sorted.begin());
+  if (are_in_a_row(slots)) {
+    center_kernels<N, T>().centers(arrays.boxes + slots[0], count, centers.here);
+  } else {
+    sort_slots(sorted);
+    for (std::size_t first = 0; first < count;) {
+      std::size_t last = first + 1;
+      while (last < count && sorted[last] == sorted[last - 1] + 1) ++last;
+      center_kernels<N, T>().centers(arrays.boxes + sorted[first], last - first, centers.here.behind(first));
+      first = last;
+    }
   }
   const std::size_t top = plan.height() - 1;
   BvhBuilder<N, T>(margin, plan, arrays, executor).build_node(top, 0, centers);

@@ -53,6 +53,13 @@ class BvhPlan {
   std::vector<std::size_t> firsts_;  // the number of each level's first node, and of all
 };
 
+/// Whether each slot is the next one of that before it, as they are where nothing was erased. Looks at all.
+inline bool are_in_a_row(std::span<const std::uint32_t> slots) {
+  std::uint32_t apart = 0;
+  for (std::size_t k = 0; k < slots.size(); ++k) apart |= slots[k] - slots[0] - static_cast<std::uint32_t>(k);
+  return apart == 0;
+}
+
 /// What a tree is built of, boxes and their generations by slot, and into: nodes and places by number, as many as the
 /// plan has.
 template <Dim N, class T>

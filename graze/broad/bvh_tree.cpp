@@ -104,10 +104,17 @@ void BvhTree<N, T>::clear() noexcept {
 template <Dim N, class T>
 void BvhTree<N, T>::fill(std::span<const Box> boxes, std::span<const std::uint32_t> slots, const Executor& executor,
                          std::span<const std::uint32_t> generations) {
-  const std::size_t slot_count = slots.empty() ? 0 : *std::max_element(slots.begin(), slots.end()) + std::size_t{1};
+  const bool in_a_row = !slots.empty() && are_in_a_row(slots);
+  const std::size_t slot_count = slots.empty() ? 0
+                                 : in_a_row    ? slots.back() + std::size_t{1}
+                                               : *std::max_element(slots.begin(), slots.end()) + std::size_t{1};
   boxes_.resize(slot_count);
   leaf_nodes_.resize(slot_count);
-  for (std::size_t k = 0; k < boxes.size(); ++k) boxes_[slots[k]] = boxes[k];
+  if (in_a_row) {
+    std::copy(boxes.begin(), boxes.end(), boxes_.begin() + static_cast<std::ptrdiff_t>(slots[0]));
+  } else {
+    for (std::size_t k = 0; k < boxes.size(); ++k) boxes_[slots[k]] = boxes[k];
+  }
   PageVector<std::uint32_t> finite;
   if (center_kernels<N, T>().finite(boxes.data(), boxes.size()) < boxes.size()) {
     finite.reserve(boxes.size());
@@ -129,8 +136,15 @@ void BvhTree<N, T>::fill(std::span<const Box> boxes, std::span<const std::uint32
   if (!generations.empty()) {
     // Mostly all have come together, and none needs to be looked up when its leaf node is filled.
     const std::uint32_t first = generations[slots[0]];
-    const auto is_as_first = [&](std::uint32_t slot) { return generations[slot] == first; };
-    if (std::all_of(slots.begin(), slots.end(), is_as_first)) {
+    std::uint32_t others = 0;
+    if (in_a_row) {  // those that are infinite as well
+      for (const std::uint32_t generation : generations.subspan(slot_count - boxes.size(), boxes.size())) {
+        others |= generation ^ first;
+      }
+    } else {
+      for (const std::uint32_t slot : slots) others |= generations[slot] ^ first;
+    }
+    if (others == 0) {
       arrays.generations = {};
       arrays.generation = first;
     }

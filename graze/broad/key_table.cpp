@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <atomic>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -47,21 +48,25 @@ Key KeyTable::take() noexcept {
   return key_of(slot);
 }
 
-std::vector<Key> KeyTable::take_many(std::size_t count) {
-  if (count > room()) throw_full();
-  const std::size_t used_again = std::min(count, free_.size());
+void KeyTable::take_many(std::span<std::uint32_t> slots) {
+  if (slots.size() > room()) throw_full();
+  const std::size_t used_again = std::min(slots.size(), free_.size());
   const std::size_t known = generations_.size();
-  generations_.reserve(known + count - used_again);
+  generations_.reserve(known + slots.size() - used_again);
   free_.reserve(generations_.capacity());
+  for (std::size_t k = 0; k < used_again; ++k) slots[k] = take().index;
+  const std::span<std::uint32_t> fresh = slots.subspan(used_again);
+  std::iota(fresh.begin(), fresh.end(), static_cast<std::uint32_t>(known));
+  generations_.resize(known + fresh.size(), 1);
+  size_ += fresh.size();
+  changes_ += fresh.size();
+}
+
+std::vector<Key> KeyTable::keys_of(std::span<const std::uint32_t> slots) const {
   std::vector<Key> keys;
-  reserve_in_large_pages(keys, count);
-  for (std::size_t k = 0; k < used_again; ++k) keys.push_back(take());
-  generations_.resize(known + count - used_again, 1);
-  for (std::size_t k = used_again; k < count; ++k) {
-    keys.push_back({static_cast<std::uint32_t>(known + k - used_again), 1, owner_});
-  }
-  size_ += count - used_again;
-  changes_ += count - used_again;
+  reserve_in_large_pages(keys, slots.size());
+  keys.resize(slots.size());
+  for (std::size_t k = 0; k < slots.size(); ++k) keys[k] = key_of(slots[k]);
   return keys;
 }
 

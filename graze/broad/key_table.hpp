@@ -43,9 +43,12 @@ class KeyTable {
   /// Takes the slot that `prepare` named.
   Key take() noexcept;
 
-  /// Takes as many slots as `prepare` and `take` would one after another. Throws std::length_error, and takes none,
-  /// when there are fewer.
-  std::vector<Key> take_many(std::size_t count);
+  /// Takes as many slots as `prepare` and `take` would one after another, and writes down which. Throws
+  /// std::length_error, and takes none, when there are fewer.
+  void take_many(std::span<std::uint32_t> slots);
+
+  /// The keys of slots that are taken.
+  std::vector<Key> keys_of(std::span<const std::uint32_t> slots) const;
 
   /// Frees a slot that is taken. A slot whose generations are used up is never taken again.
   void release(std::uint32_t slot) noexcept;

@@ -81,9 +81,9 @@ class Orthtree {
     }
     detail::KeyTable keys = keys_;
     keys.release_all();
-    std::vector<Key> given = keys.take_many(boxes.size());
-    std::vector<std::uint32_t> slots(given.size());
-    for (std::size_t k = 0; k < given.size(); ++k) slots[k] = given[k].index;
+    detail::BlankVector<std::uint32_t> slots(boxes.size());
+    keys.take_many(slots);
+    std::vector<Key> given = keys.keys_of(slots);
     Tree tree(tree_.options());
     tree.fill(boxes, slots);
     keys.count_change();

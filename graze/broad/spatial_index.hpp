@@ -29,6 +29,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -162,59 +163,75 @@ std::optional<double> entry_of(const Ray<N, T>& ray, const Aabb<N, T>& box) {
   return enter;
 }
 
-/// The k nearest of all that were offered: a few sorted, many in a heap.
+/// The k nearest of all that were offered: a few sorted, many in a heap. Only many take memory before the end.
 class NearestKeys {
  public:
-  explicit NearestKeys(std::size_t k) : k_(k) { nearest_.reserve(k); }
+  /// Up to so many are sorted all the time.
+  static constexpr std::size_t few = 32;
+
+  explicit NearestKeys(std::size_t k) : k_(k) {
+    if (is_heap()) many_.reserve(k);
+  }
 
   std::size_t wanted() const { return k_; }
 
   /// Those of all that were offered, in some order.
-  std::span<const Neighbour> kept() const { return {nearest_.data(), nearest_.size()}; }
+  std::span<const Neighbour> kept() const {
+    return is_heap() ? std::span<const Neighbour>(many_) : std::span<const Neighbour>(few_.all, count_);
+  }
 
   /// No box that is farther away is among them any more.
   double reach() const {
-    if (nearest_.size() < k_) return std::numeric_limits<double>::infinity();
-    return (is_heap() ? nearest_.front() : nearest_.back()).distance_squared;
+    if (is_heap()) return many_.size() < k_ ? infinity : many_.front().distance_squared;
+    return count_ < k_ ? infinity : few_.all[count_ - 1].distance_squared;
   }
 
   /// With k of zero nothing is offered.
   void offer(const Neighbour& candidate) {
     if (!is_heap()) return offer_to_few(candidate);
-    if (nearest_.size() == k_) {
-      if (!comes_first(candidate, nearest_.front())) return;
-      std::pop_heap(nearest_.begin(), nearest_.end(), comes_first);
-      nearest_.back() = candidate;
+    if (many_.size() == k_) {
+      if (!comes_first(candidate, many_.front())) return;
+      std::pop_heap(many_.begin(), many_.end(), comes_first);
+      many_.back() = candidate;
     } else {
-      nearest_.push_back(candidate);
+      many_.push_back(candidate);
     }
-    std::push_heap(nearest_.begin(), nearest_.end(), comes_first);
+    std::push_heap(many_.begin(), many_.end(), comes_first);
   }
 
-  /// Keeps these instead of all others: k of them in their order, if k is up to `few`.
-  void replace(std::span<const Neighbour> sorted) { nearest_.assign(sorted.begin(), sorted.end()); }
+  /// Keeps these, in their order, instead of all others: k of them, which is up to `few`.
+  void replace(std::span<const Neighbour> sorted) {
+    std::uninitialized_copy(sorted.begin(), sorted.end(), few_.all);
+    count_ = sorted.size();
+  }
 
   /// Ends the search.
   std::vector<Neighbour> sorted() {
-    if (is_heap()) std::sort_heap(nearest_.begin(), nearest_.end(), comes_first);
-    return std::move(nearest_);
+    if (!is_heap()) return {few_.all, few_.all + count_};
+    std::sort_heap(many_.begin(), many_.end(), comes_first);
+    return std::move(many_);
   }
 
-  /// Up to so many are sorted all the time.
-  static constexpr std::size_t few = 32;
-
  private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  /// Room that nobody writes to before there is something to keep.
+  union Few {
+    Few() {}
+    Neighbour all[few];
+  };
+
   bool is_heap() const { return k_ > few; }
 
   void offer_to_few(const Neighbour& candidate) {
-    if (nearest_.size() < k_) {
-      nearest_.push_back(candidate);
-    } else if (!comes_first(candidate, nearest_.back())) {
+    if (count_ < k_) {
+      ++count_;
+    } else if (!comes_first(candidate, few_.all[count_ - 1])) {
       return;
     }
-    std::size_t place = nearest_.size() - 1;
-    for (; place > 0 && comes_first(candidate, nearest_[place - 1]); --place) nearest_[place] = nearest_[place - 1];
-    nearest_[place] = candidate;
+    std::size_t place = count_ - 1;
+    for (; place > 0 && comes_first(candidate, few_.all[place - 1]); --place) few_.all[place] = few_.all[place - 1];
+    few_.all[place] = candidate;
   }
 
   static bool comes_first(const Neighbour& a, const Neighbour& b) {
@@ -222,7 +239,9 @@ class NearestKeys {
   }
 
   std::size_t k_;
-  std::vector<Neighbour> nearest_;  // ascending, or a heap with the farthest in front
+  std::size_t count_ = 0;        // of a few
+  Few few_;                      // ascending
+  std::vector<Neighbour> many_;  // a heap with the farthest in front
 };
 
 }  // namespace detail
