@@ -185,12 +185,12 @@ void BlockTree<N, T>::build(std::span<const Aabb<N, T>> boxes, T margin, const E
     }
     scratches_->give_back(std::move(scratch));
   });
-  std::size_t held = 0;
-  for (const SpatialRun& run : runs) held += run.count;
-  if (held == boxes.size()) box_count_ = held;
   for (std::size_t k = 0; k + 1 < height(); ++k) close(k, executor);
   built_height_ = height();
   knows_spread_ = false;
+  std::size_t held = 0;
+  for (const SpatialRun& run : runs) held += run.count;
+  if (held == boxes.size()) box_count_ = held;  // as the last thing: what was built by half is not refitted
 }
 
 /// How far the blocks reach that were built: only asked for when boxes move.
