@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -24,6 +25,20 @@ namespace {
 template <class Value>
 void reserve_one_more(std::vector<Value>& values) {
   if (values.size() == values.capacity()) values.reserve(2 * values.size() + 1);
+}
+
+/// The generation of all these slots, where it is the same, as it mostly is: all have come together.
+std::optional<std::uint32_t> same_generation(std::span<const std::uint32_t> slots,
+                                             std::span<const std::uint32_t> generations) {
+  if (generations.empty()) return std::nullopt;
+  const std::uint32_t first = generations[slots[0]];
+  std::uint32_t others = 0;
+  if (are_in_a_row(slots)) {
+    for (const std::uint32_t generation : generations.subspan(slots[0], slots.size())) others |= generation ^ first;
+  } else {
+    for (const std::uint32_t slot : slots) others |= generations[slot] ^ first;
+  }
+  return others == 0 ? std::optional(first) : std::nullopt;
 }
 
 }  // namespace
@@ -133,21 +148,9 @@ void BvhTree<N, T>::fill(std::span<const Box> boxes, std::span<const std::uint32
   nodes_.resize(plan.nodes());
   places_.resize(plan.nodes());
   BvhArrays<N, T> arrays{boxes_.data(), nodes_.data(), places_.data(), generations};
-  if (!generations.empty()) {
-    // Mostly all have come together, and none needs to be looked up when its leaf node is filled.
-    const std::uint32_t first = generations[slots[0]];
-    std::uint32_t others = 0;
-    if (in_a_row) {  // those that are infinite as well
-      for (const std::uint32_t generation : generations.subspan(slot_count - boxes.size(), boxes.size())) {
-        others |= generation ^ first;
-      }
-    } else {
-      for (const std::uint32_t slot : slots) others |= generations[slot] ^ first;
-    }
-    if (others == 0) {
-      arrays.generations = {};
-      arrays.generation = first;
-    }
+  if (const std::optional<std::uint32_t> same = same_generation(slots, generations)) {
+    arrays.generations = {};  // none needs to be looked up when its leaf node is filled
+    arrays.generation = *same;
   }
   build_bvh<N, T>(slots, margin_, plan, arrays, executor);
   unknown_leaf_nodes_ = static_cast<std::uint32_t>(plan.leaf_nodes());

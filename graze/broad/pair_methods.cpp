@@ -97,9 +97,12 @@ double share_overlapping(std::span<const Aabb<N, T>> boxes_a, const std::span<co
     if (boxes_b == nullptr && other >= at) ++other;  // not with itself
     const Aabb<N, T>& a = boxes_a[at];
     const Aabb<N, T>& b = others[other];
-    bool overlap = true;  // told without a branch, which nobody could foresee
-    for (Dim i = 0; i < N; ++i) overlap &= (a.min[i] - of_both <= b.max[i]) & (b.min[i] <= a.max[i] + of_both);
-    overlapping += overlap ? 1U : 0U;
+    unsigned overlap = 1;  // told without a branch, which nobody could foresee
+    for (Dim i = 0; i < N; ++i) {
+      overlap &=
+          static_cast<unsigned>(a.min[i] - of_both <= b.max[i]) & static_cast<unsigned>(b.min[i] <= a.max[i] + of_both);
+    }
+    overlapping += overlap;
   }
   return static_cast<double>(overlapping) / static_cast<double>(drawn);
 }

@@ -217,7 +217,7 @@ class NearestKeys {
 
   /// Room that nobody writes to before there is something to keep.
   union Few {
-    Few() {}
+    Few() {}  // NOLINT(modernize-use-equals-default): which would be deleted
     Neighbour all[few];
   };
 
