@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <new>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -15,7 +14,6 @@
 #include <graze/broad/pairs.hpp>
 
 #include "box_worlds.hpp"
-#include "heap_watch.hpp"
 #include "simd_targets.hpp"
 #include "thread_executor.hpp"
 
@@ -131,51 +129,6 @@ TEST(PairFinder, TakesAnotherMarginInEveryFrame) {
     const std::span<const Pair> found = finder.find(boxes, {.margin = margin});
     const std::vector<Pair> expected = overlapping_pairs(boxes, {.margin = margin, .method = PairMethod::brute_force});
     EXPECT_TRUE(std::equal(found.begin(), found.end(), expected.begin(), expected.end()));
-  }
-}
-
-/// Whether a call was given all the memory that it asked for, when it ends after so many requests.
-bool has_enough(std::size_t grants, const auto& call) {
-  test::heap_watch.grants_left = grants;
-  bool enough = true;
-  try {
-    call();
-  } catch (const std::bad_alloc&) {
-    enough = false;
-  }
-  test::heap_watch.grants_left = test::HeapWatch::no_end;
-  return enough;
-}
-
-/// Wherever it did: what is kept of a call that failed must not pass for an answer.
-TEST(PairFinder, FindsAllAfterMemoryRanOut) {
-  const std::vector<Aabb<3, float>> all = test::box_worlds<3, float>(900, 46).front().boxes;
-  const std::span<const Aabb<3, float>> boxes = all;
-  const std::span<const Aabb<3, float>> some = boxes.first(300);
-  const std::span<const Aabb<3, float>> others = boxes.subspan(300);
-  const std::vector<Pair> of_one = brute_force_pairs(boxes);
-  const std::vector<Pair> of_two = brute_force_pairs(some, others);
-  for (const PairOrder order : {PairOrder::sorted, PairOrder::any}) {
-    const PairOptions options{.executor = &serial_executor(), .order = order, .method = PairMethod::tree};
-    const auto expect = [&](std::span<const Pair> pairs, const std::vector<Pair>& expected, std::size_t grants) {
-      std::vector<Pair> found(pairs.begin(), pairs.end());
-      std::sort(found.begin(), found.end());
-      EXPECT_EQ(found, expected) << grants << " grants";
-    };
-    std::size_t grants = 0;
-    for (bool enough = false; !enough; ++grants) {
-      PairFinder<3, float> one;
-      PairFinder<3, float> two;
-      PairFinder<3, float> moved;
-      moved.find(boxes, options);
-      enough = has_enough(grants, [&] { one.find(boxes, options); });
-      enough = has_enough(grants, [&] { two.find(some, others, options); }) && enough;
-      enough = has_enough(grants, [&] { moved.find(boxes, options); }) && enough;
-      expect(one.find(boxes, options), of_one, grants);
-      expect(two.find(some, others, options), of_two, grants);
-      expect(moved.find(boxes, options), of_one, grants);
-    }
-    EXPECT_GT(grants, 10U);
   }
 }
 
