@@ -79,7 +79,7 @@ auto with_grown(std::span<const Aabb<N, T>> boxes_a, const std::span<const Aabb<
 
 /// The share of all pairs that overlap once all boxes are grown by the margin, as far as a sample tells. Both boxes of
 /// each pair are drawn anew: boxes of two sets that follow each other (a region for each box) meet their like no more
-/// often than in all pairs, and a large box that is drawn counts for one pair.
+/// often than in all pairs, and a large box that is drawn counts for one pair. There is a pair at least.
 template <Dim N, class T>
 double share_overlapping(std::span<const Aabb<N, T>> boxes_a, const std::span<const Aabb<N, T>>* boxes_b,
                          double margin) {
@@ -129,7 +129,7 @@ bool is_for_dense(std::type_identity_t<std::span<const Aabb<N, T>>> boxes_a,
   // Nanoseconds, roughly (docs/performance.md). Only the time depends on them, no answer.
   const double dense = 15 * rows + 0.32 * comparisons;
   const double tree = 300 + 8 * boxes;
-  if (dense <= tree) return true;  // however many overlap
+  if (comparisons == 0 || dense <= tree) return true;  // however many overlap
   constexpr double more_per_pair_of_tree = 4.8;
   return dense <= tree + more_per_pair_of_tree * comparisons * share_overlapping<N, T>(boxes_a, boxes_b, margin);
 }

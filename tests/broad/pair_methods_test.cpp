@@ -47,6 +47,16 @@ TEST(PairMethods, OfTwoSetsBothCount) {
   EXPECT_TRUE((is_for_dense<3, float>(heap, &same)));
 }
 
+TEST(PairMethods, WithASetOfNoneThereIsNothingToFind) {
+  const std::vector<Aabb<3, float>> boxes = boxes_of(World::brownian, 1000);
+  const std::span<const Aabb<3, float>> many = boxes;
+  const std::span<const Aabb<3, float>> none;
+  EXPECT_TRUE((is_for_dense<3, float>(many, &none)));
+  EXPECT_TRUE((is_for_dense<3, float>(none, &many)));
+  EXPECT_TRUE(overlapping_pairs(many, none).empty());
+  EXPECT_TRUE(overlapping_pairs(none, many).empty());
+}
+
 /// A region around each box, as queries have them: the k-th box and the k-th region always overlap.
 TEST(PairMethods, SetsThatFollowEachOtherAreNoCrowd) {
   const std::vector<Aabb<3, float>> boxes = boxes_of(World::brownian, 20'000);
