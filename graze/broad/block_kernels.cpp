@@ -25,22 +25,12 @@ namespace graze::detail::HWY_NAMESPACE {
 namespace {
 
 template <Dim N, class T>
-HWY_INLINE void survey_one(const Aabb<N, T>& box, std::size_t position, Survey<N, T>& survey) {
-  bool finite = true;
-  bool nothing = false;
-  for (Dim i = 0; i < N; ++i) {
-    if (std::isnan(box.min[i]) || std::isnan(box.max[i])) {
-      survey.first_nan = std::min(survey.first_nan, position);
-      return;
-    }
-    finite = finite && std::isfinite(box.min[i]) && std::isfinite(box.max[i]);
-    nothing = nothing || box.min[i] > box.max[i];
-  }
-  if (finite && !nothing) survey.centers.grow(box.center());
+HWY_INLINE void survey_one(const Aabb<N, T>& box, Aabb<N, T>& centers) {
+  if (is_finite(box.min) && is_finite(box.max) && !is_nothing(box)) centers.grow(box.center());
 }
 
 template <Dim N, class T>
-Survey<N, T> survey_boxes(const Aabb<N, T>* boxes, std::size_t count) {
+Aabb<N, T> survey_boxes(const Aabb<N, T>* boxes, std::size_t count) {
   const Tag<T> d;
   const auto half = hn::Set(d, T(0.5));
   const auto largest = hn::Set(d, std::numeric_limits<T>::max());
@@ -50,7 +40,7 @@ Survey<N, T> survey_boxes(const Aabb<N, T>* boxes, std::size_t count) {
     low[i] = hn::Set(d, std::numeric_limits<T>::infinity());
     high[i] = hn::Neg(low[i]);
   }
-  Survey<N, T> survey;
+  Aabb<N, T> centers = Aabb<N, T>::nothing();
   std::size_t k = 0;
   for (; k + lanes_of<T> <= count; k += lanes_of<T>) {
     const BoxLanes<N, T> box = load_boxes(boxes + k);
@@ -68,15 +58,15 @@ Survey<N, T> survey_boxes(const Aabb<N, T>* boxes, std::size_t count) {
         high[i] = hn::Max(high[i], center[i]);
       }
     } else {
-      for (std::size_t j = k; j < k + lanes_of<T>; ++j) survey_one(boxes[j], j, survey);
+      for (std::size_t j = k; j < k + lanes_of<T>; ++j) survey_one(boxes[j], centers);
     }
   }
-  for (; k < count; ++k) survey_one(boxes[k], k, survey);
+  for (; k < count; ++k) survey_one(boxes[k], centers);
   for (Dim i = 0; i < N; ++i) {
-    survey.centers.min[i] = std::min(survey.centers.min[i], hn::GetLane(hn::MinOfLanes(d, low[i])));
-    survey.centers.max[i] = std::max(survey.centers.max[i], hn::GetLane(hn::MaxOfLanes(d, high[i])));
+    centers.min[i] = std::min(centers.min[i], hn::GetLane(hn::MinOfLanes(d, low[i])));
+    centers.max[i] = std::max(centers.max[i], hn::GetLane(hn::MaxOfLanes(d, high[i])));
   }
-  return survey;
+  return centers;
 }
 
 /// Numbers the cells of centers, a vector at a time.
@@ -91,6 +81,7 @@ class CellNumbers {
       origin_[i] = hn::Set(Tag<T>(), grid.origin[i]);
       scale_[i] = hn::Set(Tag<T>(), grid.cells_per_unit[i]);
       last_[i] = hn::Set(Half(), static_cast<std::int32_t>(grid.cells[i]) - 1);
+      last_place_[i] = hn::Set(Tag<T>(), static_cast<T>(grid.cells[i] - 1));
       bits_[i] = std::countr_zero(grid.cells[i]);
     }
   }
@@ -110,13 +101,14 @@ class CellNumbers {
  private:
   HWY_INLINE Cells along(const Lanes<T>* center, Dim i) const {
     const auto place = hn::Mul(hn::Sub(center[i], origin_[i]), scale_[i]);
-    return hn::Min(truncated(place), last_[i]);
+    return truncated(hn::Min(hn::Max(place, hn::Zero(Tag<T>())), last_place_[i]));
   }
   static HWY_INLINE Cells truncated(hn::Vec<Tag<float>> place) { return hn::ConvertTo(Half(), place); }
   static HWY_INLINE Cells truncated(hn::Vec<Tag<double>> place) { return hn::DemoteTo(Half(), place); }
 
   Lanes<T> origin_[N];
   Lanes<T> scale_[N];
+  Lanes<T> last_place_[N];
   Cells last_[N];
   int bits_[N];
 };
@@ -128,7 +120,7 @@ HWY_INLINE std::uint16_t cell_of_box(const Aabb<N, T>& box, const CellGrid<N, T>
     const T extent = box.max[i] - box.min[i];
     if (!(extent >= 0 && extent <= largest && std::isfinite(extent))) return unusual;
   }
-  return cell_of(box.center(), grid);
+  return nearest_cell_of(box.center(), grid);
 }
 
 template <Dim N, class T>
@@ -207,7 +199,7 @@ void cells_of_centers(const Aabb<N, T>* boxes, std::size_t count, const CellGrid
     hn::StoreU(hn::DemoteTo(hn::Rebind<std::uint16_t, Tag<T>>(), numbers(center)),
                hn::Rebind<std::uint16_t, decltype(di)>(), cell + k);
   }
-  for (; k < count; ++k) cell[k] = cell_of(boxes[k].center(), grid);
+  for (; k < count; ++k) cell[k] = nearest_cell_of(boxes[k].center(), grid);
 }
 
 template <Dim N, class T>

@@ -14,30 +14,23 @@
 
 namespace graze::detail {
 
-/// What a pass over boxes finds out. Boxes that contain nothing or reach to infinity are left out of the bounds.
-template <Dim N, class T>
-struct Survey {
-  static constexpr std::size_t none = SIZE_MAX;
-
-  Aabb<N, T> centers = Aabb<N, T>::nothing();
-  std::size_t first_nan = none;  // the position of the first box with a NaN
-};
-
 template <Dim N, class T>
 struct BlockKernels {
   /// The name of the instruction set.
   const char* target;
 
-  Survey<N, T> (*survey)(const Aabb<N, T>* boxes, std::size_t count);
+  /// The bounds of the centers of those boxes that are finite and contain something.
+  Aabb<N, T> (*survey)(const Aabb<N, T>* boxes, std::size_t count);
 
-  /// The cell of every box's center. A box larger than `largest` on some axis, infinite or empty gets `unusual`.
+  /// The cell of every box's center, or the nearest cell to it. A box larger than `largest` on some axis, infinite,
+  /// empty or with a NaN gets `unusual`.
   void (*cells)(const Aabb<N, T>* boxes, std::size_t count, const CellGrid<N, T>& grid, T largest,
                 std::uint16_t unusual, std::uint16_t* cell);
 
   /// The bounds of the centers of finite boxes.
   Aabb<N, T> (*center_bounds)(const Aabb<N, T>* boxes, std::size_t count);
 
-  /// The cell of every center of finite boxes, whatever their size.
+  /// The cell of every center of finite boxes, or the nearest cell to it, whatever their size.
   void (*center_cells)(const Aabb<N, T>* boxes, std::size_t count, const CellGrid<N, T>& grid, std::uint16_t* cell);
 
   /// Fills blocks with the boxes at order[0], order[1], ..., each grown by `margin`, and pads the last block with NaN.

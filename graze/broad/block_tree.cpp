@@ -2,21 +2,34 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
-#include <cstring>
 #include <mutex>
 #include <numeric>
 
 #include <graze/broad/block_kernels.hpp>
 #include <graze/broad/block_tree.hpp>
 #include <graze/broad/crowd.hpp>
-#include <graze/broad/prefetch.hpp>
+#include <graze/broad/near_crowd.hpp>
 
 namespace graze::detail {
 namespace {
 
-constexpr std::size_t crowd_size = 64;      // a fine cell with more boxes is divided again
-constexpr std::uint32_t row_cells = 8;      // as many fine cells in a row hold a block, which is about a cube then
+constexpr std::size_t crowd_size = 64;  // a fine cell with more boxes is divided again
+constexpr std::uint32_t row_cells = 8;  // as many fine cells in a row hold a block, which is about a cube then
+constexpr std::size_t boxes_per_task = 6144;
 constexpr std::size_t sample_stride = 128;  // blocks, of which one is looked at before all are refilled
+
+/// Cuts runs into tasks: the first run of each, and the end.
+std::vector<std::size_t> tasks_of(std::span<const SpatialRun> runs) {
+  std::vector<std::size_t> first_run(1, 0);
+  std::size_t boxes = 0;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    boxes += runs[k].count;
+    if (boxes < boxes_per_task && k + 1 < runs.size()) continue;
+    first_run.push_back(k + 1);
+    boxes = 0;
+  }
+  return first_run;
+}
 
 }  // namespace
 
@@ -27,21 +40,10 @@ class BlockTree<N, T>::Scratch {
   Buffer<Aabb<N, T>> boxes;
   Buffer<std::uint16_t> order;
 
-  /// Centers of the boxes, for sort_crowd.
-  struct Centers {
-    const Aabb<N, T>* boxes;
-
-    Vec<N, T> operator()(std::uint16_t k) const { return boxes[k].center(); }
-    void prefetch(std::uint16_t /*k*/) const {}  // they are at hand
-  };
-
   /// Copies boxes from wherever they are.
   void load(std::span<const Aabb<N, T>> from, const std::uint32_t* ids, std::size_t count) {
     require(count);
-    for (std::size_t k = 0; k < count; ++k) {
-      prefetch(&from[ids[std::min(k + prefetch_distance, count - 1)]]);
-      std::memcpy(&boxes[k], &from[ids[k]], sizeof(Aabb<N, T>));
-    }
+    fetch_boxes(from, ids, count, boxes.data());
   }
 
   /// Orders the boxes by the cells of a grid over them: columns as wide as a block, cut finely along their length.
@@ -64,8 +66,8 @@ class BlockTree<N, T>::Scratch {
     if (!crowded) return;
     std::size_t begin = 0;
     for (std::size_t c = 0; c < cell_count; ++c) {
-      sort_crowd<N, T>(order.data() + begin, ends_[c] - begin, crowd_size, Centers{boxes.data()}, cells_.data() + begin,
-                       spare_.data() + begin);
+      sort_crowd<N, T>(order.data() + begin, ends_[c] - begin, crowd_size, NearCenters<N, T>{boxes.data()},
+                       cells_.data() + begin, spare_.data() + begin);
       begin = ends_[c];
     }
   }
@@ -176,11 +178,10 @@ void BlockTree<N, T>::build(std::span<const Aabb<N, T>> boxes, T margin, const E
   for (const SpatialRun& run : runs) {
     first_block.push_back(first_block.back() + (run.count + block_size - 1) / block_size);
   }
-  constexpr std::size_t runs_per_task = 4;
-  executor.parallel_for((runs.size() + runs_per_task - 1) / runs_per_task, [&](std::size_t task) {
+  const std::vector<std::size_t> first_run = tasks_of(runs);
+  executor.parallel_for(first_run.size() - 1, [&](std::size_t task) {
     std::unique_ptr<Scratch> scratch = scratches_->take();
-    const std::size_t last = std::min(runs.size(), (task + 1) * runs_per_task);
-    for (std::size_t k = task * runs_per_task; k < last; ++k) {
+    for (std::size_t k = first_run[task]; k < first_run[task + 1]; ++k) {
       fill_run(boxes, margin, runs[k], first_block[k], *scratch);
     }
     scratches_->give_back(std::move(scratch));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -66,18 +67,34 @@ CellGrid<N, T> with_finer_rows(CellGrid<N, T> grid, const Aabb<N, T>& bounds, st
   return grid;
 }
 
+/// The number of the cell that is so far along each axis.
+template <Dim N, class T, class Along>
+std::uint16_t cell_number(const CellGrid<N, T>& grid, const Along& along) {
+  std::uint32_t number = 0;
+  for (Dim i = N; i-- > 0;) {
+    std::uint32_t place = along(i);
+    if ((number & 1U) != 0) place ^= grid.cells[i] - 1;
+    number = number * grid.cells[i] + place;
+  }
+  return static_cast<std::uint16_t>(number);
+}
+
 /// The number of the cell of a point within the bounds of the grid.
 template <Dim N, class T>
 std::uint16_t cell_of(const Vec<N, T>& point, const CellGrid<N, T>& grid) {
-  std::uint32_t number = 0;
-  for (Dim i = N; i-- > 0;) {
+  return cell_number(grid, [&](Dim i) {
+    const auto place = static_cast<std::uint32_t>((point[i] - grid.origin[i]) * grid.cells_per_unit[i]);
+    return place > grid.cells[i] - 1 ? grid.cells[i] - 1 : place;
+  });
+}
+
+/// The number of the cell that is nearest to a finite point, which may be beyond the bounds.
+template <Dim N, class T>
+std::uint16_t nearest_cell_of(const Vec<N, T>& point, const CellGrid<N, T>& grid) {
+  return cell_number(grid, [&](Dim i) {
     const T place = (point[i] - grid.origin[i]) * grid.cells_per_unit[i];
-    std::uint32_t along = static_cast<std::uint32_t>(place);
-    if (along > grid.cells[i] - 1) along = grid.cells[i] - 1;
-    if ((number & 1U) != 0) along ^= grid.cells[i] - 1;
-    number = number * grid.cells[i] + along;
-  }
-  return static_cast<std::uint16_t>(number);
+    return static_cast<std::uint32_t>(std::min(std::max(place, T(0)), static_cast<T>(grid.cells[i] - 1)));
+  });
 }
 
 }  // namespace graze::detail

@@ -38,10 +38,12 @@ Pair* PairList::all(std::size_t count) {
 const Pair* PairList::append(std::span<const Pair> pairs, std::size_t expected) {
   const std::size_t count = pairs_.size() + pairs.size();
   if (count > pairs_.capacity()) {
-    // A guess after few pairs may be far too high.
-    pairs_.reserve(std::clamp(expected + expected / 8, count + count / 2, 16 * count));
+    // A guess after few pairs may be far too high; later ones allow for half as many more, whose pages nobody asks for.
+    std::vector<Pair> longer;
+    reserve_in_large_pages(longer, std::clamp(expected + expected / 2, count + count / 2, 16 * count));
+    longer.assign(pairs_.begin(), pairs_.end());
+    pairs_ = std::move(longer);
     populated_ = pairs_.size();
-    advise_large_pages(pairs_.data(), pairs_.capacity() * sizeof(Pair));
   }
   populate_to(count);
   pairs_.insert(pairs_.end(), pairs.begin(), pairs.end());

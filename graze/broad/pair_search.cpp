@@ -62,6 +62,37 @@ struct FoundToSort {
   void add(std::size_t count) { sink.add({pairs.data(), count}); }
 };
 
+/// Appends what is found to a room: a few pairs at a time, while they are in the first cache, once there is a guess at
+/// how many there will be.
+struct FoundToAppend {
+  Buffer<Pair>& pairs;
+  PairRoom& room_of_all;
+  std::size_t held = 0;
+  std::size_t expected = 0;  ///< In all; zero for no guess.
+  std::size_t count = 0;
+  const Pair* first = nullptr;
+
+  Pair* room(std::size_t most) {
+    pairs.extend(held + most, held);
+    return pairs.data() + held;
+  }
+  void add(std::size_t more) {
+    held += more;
+    count += more;
+    if (expected > 0) append();
+  }
+  void expect(std::size_t in_all) {
+    expected = in_all;
+    if (held > 0) append();
+  }
+
+ private:
+  void append() {
+    first = room_of_all.append({pairs.data(), held}, expected);
+    held = 0;
+  }
+};
+
 }  // namespace
 
 template <Dim N, class T>
@@ -185,27 +216,24 @@ void PairSearch<N, T>::find_lists(std::size_t tasks, const Executor& executor) {
   });
 }
 
-/// Finds the same as tasks would, task after task: a few pairs at a time, which are appended while they are in a cache.
+/// Finds the same as tasks would, task after task, and appends it.
 template <Dim N, class T>
 std::span<const Pair> PairSearch<N, T>::find_in_turns(PairRoom& room) {
   constexpr std::size_t step = 2 * parents_at_once;  // a task is cut where it would be anyway, for the order of pairs
   const std::size_t tasks = task_count();
-  const typename Pool<Found>::Loan found(workers_);
-  const Pair* first = nullptr;
-  std::size_t count = 0;
+  const typename Pool<Found>::Loan memory(workers_);
+  FoundToAppend found{memory->pairs, room};
   std::size_t done = 0;
   for (std::size_t task = 0; task < tasks; ++task) {
     const std::span<const BlockPair> meetings = meetings_of(task, tasks);
     for (std::size_t k = 0; k < meetings.size(); k += step) {
       const std::span<const BlockPair> some = meetings.subspan(k, std::min(step, meetings.size() - k));
-      found->count = 0;
-      meet(some, found->blocks, *found);
+      meet(some, memory->blocks, found);
       done += some.size();
-      count += found->count;
-      first = room.append(found->all(), (count / done + 1) * meeting_count_);
+      found.expect((found.count / done + 1) * meeting_count_);
     }
   }
-  return {first, count};
+  return {found.first, found.count};
 }
 
 template <Dim N, class T>

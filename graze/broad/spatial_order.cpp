@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
 #include <graze/broad/block_kernels.hpp>
+#include <graze/broad/brute_force_pairs.hpp>
 #include <graze/broad/crowd.hpp>
-#include <graze/broad/prefetch.hpp>
 #include <graze/broad/spatial_order.hpp>
+#include <graze/math/draws.hpp>
 
 namespace graze::detail {
 namespace {
@@ -41,6 +43,12 @@ std::size_t class_of(const Aabb<N, T>& box, T usual) {
   return result;
 }
 
+void lower(std::atomic<std::size_t>& to_least, std::size_t value) {
+  std::size_t known = to_least;
+  while (value < known && !to_least.compare_exchange_weak(known, value)) {
+  }
+}
+
 /// Centers of boxes, for sort_crowd.
 template <Dim N, class T>
 struct Centers {
@@ -65,21 +73,18 @@ struct SpatialOrder<N, T>::Buckets {
   std::size_t count() const { return cells + class_count; }
 };
 
+/// Where centers lie, of many boxes as a sample shows it: those beyond are sorted into the outermost cells. To look at
+/// all boxes takes as long as to find their cells.
 template <Dim N, class T>
-void SpatialOrder<N, T>::survey(std::span<const Aabb<N, T>> boxes, const Executor& executor) {
-  std::vector<Survey<N, T>> surveys(chunks_of(boxes.size()));
-  executor.parallel_for(surveys.size(), [&](std::size_t chunk) {
-    const std::size_t first = chunk * chunk_size;
-    surveys[chunk] = block_kernels<N, T>().survey(boxes.data() + first, std::min(chunk_size, boxes.size() - first));
-  });
-  centers_ = Aabb<N, T>::nothing();
-  for (std::size_t chunk = 0; chunk < surveys.size(); ++chunk) {
-    if (surveys[chunk].first_nan != Survey<N, T>::none) {
-      throw std::invalid_argument("overlapping_pairs: box " +
-                                  std::to_string(chunk * chunk_size + surveys[chunk].first_nan) +
-                                  " has a coordinate that is NaN");
-    }
-    centers_.grow(surveys[chunk].centers);
+void SpatialOrder<N, T>::survey(std::span<const Aabb<N, T>> boxes) {
+  constexpr std::size_t sample_size = 1024;
+  if (boxes.size() <= 8 * sample_size) {
+    centers_ = block_kernels<N, T>().survey(boxes.data(), boxes.size());
+  } else {
+    std::array<Aabb<N, T>, sample_size> sample;
+    Draws draws;
+    for (Aabb<N, T>& box : sample) box = boxes[draws.below(boxes.size())];
+    centers_ = block_kernels<N, T>().survey(sample.data(), sample.size());
   }
   if (is_nothing(centers_)) centers_ = {Vec<N, T>(T(0)), Vec<N, T>(T(0))};
 }
@@ -112,6 +117,7 @@ void SpatialOrder<N, T>::find_cells(std::span<const Aabb<N, T>> boxes, const Buc
   cells_.require(boxes.size());
   counts_.assign(chunks_of(boxes.size()) * buckets.count(), 0);
   constexpr auto unusual = std::numeric_limits<std::uint16_t>::max();
+  std::atomic<std::size_t> first_nan = boxes.size();
   executor.parallel_for(chunks_of(boxes.size()), [&](std::size_t chunk) {
     const std::size_t first = chunk * chunk_size;
     const std::size_t last = std::min(first + chunk_size, boxes.size());
@@ -121,12 +127,17 @@ void SpatialOrder<N, T>::find_cells(std::span<const Aabb<N, T>> boxes, const Buc
                                 cells + first);
     for (std::size_t k = first; k < last; ++k) {
       if (cells[k] == unusual) {
+        if (has_nan(boxes[k])) lower(first_nan, k);
         const std::size_t size_class = is_nothing(boxes[k]) ? class_count : class_of(boxes[k], buckets.usual);
         cells[k] = static_cast<std::uint16_t>(buckets.of_class(size_class));
       }
       ++counts[cells[k]];
     }
   });
+  if (first_nan < boxes.size()) {
+    throw std::invalid_argument("overlapping_pairs: box " + std::to_string(first_nan) +
+                                " has a coordinate that is NaN");
+  }
 }
 
 template <Dim N, class T>
@@ -156,20 +167,27 @@ void SpatialOrder<N, T>::divide_crowds(std::span<const Aabb<N, T>> boxes, const 
   std::vector<std::size_t> crowds;
   for (std::size_t bucket = 0; bucket < buckets.of_class(class_count - 1); ++bucket) {
     const std::size_t begin = bucket == 0 ? 0 : ends_[bucket - 1];
-    if (ends_[bucket] - begin > run_limit) crowds.push_back(bucket);
+    if (ends_[bucket] - begin > run_limit()) crowds.push_back(bucket);
   }
   if (crowds.empty()) return;
   spare_.require(boxes.size());
   executor.parallel_for(crowds.size(), [&](std::size_t k) {
     const std::size_t begin = crowds[k] == 0 ? 0 : ends_[crowds[k] - 1];
-    sort_crowd<N, T>(order_.data() + begin, ends_[crowds[k]] - begin, boxes_per_bucket, Centers<N, T>{boxes},
-                     cells_.data() + begin, spare_.data() + begin);
+    const std::size_t count = ends_[crowds[k]] - begin;
+    if (count <= NearCrowd<N, T>::most) {
+      const typename Pool<NearCrowd<N, T>>::Loan near(near_crowds_);
+      near->sort(boxes, order_.data() + begin, count, boxes_per_bucket, cells_.data() + begin);
+      return;
+    }
+    sort_crowd<N, T>(order_.data() + begin, count, boxes_per_bucket, Centers<N, T>{boxes}, cells_.data() + begin,
+                     spare_.data() + begin);
   });
 }
 
 template <Dim N, class T>
 void SpatialOrder<N, T>::sort(std::span<const Aabb<N, T>> boxes, const Executor& executor) {
-  survey(boxes, executor);
+  box_count_ = boxes.size();
+  survey(boxes);
   Buckets buckets;
   buckets.usual = usual_size(boxes);
   buckets.grid = grid_over(centers_, std::min(most_buckets_in_order / 2, boxes.size() / (2 * boxes_per_bucket) + 1));
@@ -180,10 +198,16 @@ void SpatialOrder<N, T>::sort(std::span<const Aabb<N, T>> boxes, const Executor&
   cut_runs(buckets);
 }
 
+template <Dim N, class T>
+std::size_t SpatialOrder<N, T>::run_limit() const {
+  constexpr std::size_t least = 16384;
+  return std::clamp(box_count_ / 3, least, longest_run);
+}
+
 /// Adds a stretch of the order, as equal runs where it is too long for one.
 template <Dim N, class T>
 void SpatialOrder<N, T>::add_runs(std::size_t first, std::size_t count, bool finite) {
-  const std::size_t pieces = (count + run_limit - 1) / run_limit;
+  const std::size_t pieces = (count + run_limit() - 1) / run_limit();
   for (std::size_t k = 0; k < pieces; ++k) {
     const std::size_t begin = k * count / pieces;
     runs_.push_back({first + begin, (k + 1) * count / pieces - begin, finite});
@@ -211,8 +235,10 @@ void SpatialOrder<N, T>::cut_runs(const Buckets& buckets) {
 
 template <Dim N, class T>
 std::size_t SpatialOrder<N, T>::bytes() const {
-  return cells_.bytes() + order_.bytes() + spare_.bytes() + counts_.capacity() * sizeof(counts_[0]) +
-         ends_.capacity() * sizeof(ends_[0]);
+  std::size_t result = cells_.bytes() + order_.bytes() + spare_.bytes() + counts_.capacity() * sizeof(counts_[0]) +
+                       ends_.capacity() * sizeof(ends_[0]);
+  for (const auto& crowd : near_crowds_.all()) result += sizeof(*crowd) + crowd->bytes();
+  return result;
 }
 
 template class SpatialOrder<2, float>;

@@ -6,9 +6,12 @@
 #include <span>
 #include <vector>
 
+#include <graze/broad/block.hpp>
 #include <graze/broad/buffer.hpp>
 #include <graze/broad/cell_grid.hpp>
 #include <graze/broad/executor.hpp>
+#include <graze/broad/near_crowd.hpp>
+#include <graze/broad/pool.hpp>
 #include <graze/shape/aabb.hpp>
 
 namespace graze::detail {
@@ -16,12 +19,13 @@ namespace graze::detail {
 /// Neighbouring boxes in a row: where they stand in the order.
 struct SpatialRun {
   std::size_t first = 0;
-  std::size_t count = 0;  // at most run_limit
+  std::size_t count = 0;  // at most longest_run
   bool finite = true;
 };
 
-/// How long a run can be: a crowd of so many is fetched once, and sorted where it is close at hand.
-inline constexpr std::size_t run_limit = 16384;
+/// How long a run can be: a crowd of so many is fetched once, and sorted where it is close at hand. Of fewer boxes a
+/// third, so that there is something to do for several threads.
+inline constexpr std::size_t longest_run = (std::size_t{1} << 16U) - block_size;
 
 /// A coarse order of boxes in space, cut into runs of a thousand or two that lie close together. It comes from a
 /// counting sort by the cells of a grid over all centers; a crowded cell is a longer run, or divided again, so that
@@ -46,20 +50,23 @@ class SpatialOrder {
  private:
   struct Buckets;
 
-  void survey(std::span<const Aabb<N, T>> boxes, const Executor& executor);
+  void survey(std::span<const Aabb<N, T>> boxes);
   T usual_size(std::span<const Aabb<N, T>> boxes) const;
   void find_cells(std::span<const Aabb<N, T>> boxes, const Buckets& buckets, const Executor& executor);
   void scatter(std::span<const Aabb<N, T>> boxes, const Buckets& buckets, const Executor& executor);
   void divide_crowds(std::span<const Aabb<N, T>> boxes, const Buckets& buckets, const Executor& executor);
 
+  std::size_t run_limit() const;
   void cut_runs(const Buckets& buckets);
   void add_runs(std::size_t first, std::size_t count, bool finite);
 
   Aabb<N, T> centers_;
   std::vector<SpatialRun> runs_;
+  std::size_t box_count_ = 0;
   Buffer<std::uint16_t> cells_;
   Buffer<std::uint32_t> order_;
   Buffer<std::uint32_t> spare_;
+  Pool<NearCrowd<N, T>> near_crowds_;
   std::vector<std::uint32_t> counts_;  // of every cell in every chunk, then where its next box goes
   std::vector<std::size_t> ends_;      // of every cell in the order
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -43,6 +44,23 @@ TEST(CellGrid, BoundsThatOverflowOrUnderflowAreStillAGrid) {
   EXPECT_LT(cell_of(Vec<3>(huge, 1, 1), wide), wide.count());
   const auto narrow = grid_over(Box{{0, 0, 0}, {tiny, tiny, tiny}}, 64);
   EXPECT_LT(cell_of(Vec<3>(tiny, tiny, tiny), narrow), narrow.count());
+}
+
+TEST(CellGrid, TheNearestCellIsThatOfThePointWithinTheBoundsThatIsNearest) {
+  constexpr float huge = std::numeric_limits<float>::max();
+  const Box bounds{{-1, 0, 2}, {7, 4, 3}};
+  const auto grid = grid_over(bounds, 100);
+  for (const float x : {-huge, -3.0F, -1.0F, 0.7F, 6.9F, 7.0F, 1e6F, huge}) {
+    for (const float y : {-huge, -0.5F, 0.0F, 2.2F, 4.0F, 9.0F}) {
+      for (const float z : {-1e9F, 2.0F, 2.6F, 3.0F, huge}) {
+        const Vec<3> within(std::min(std::max(x, -1.0F), 7.0F), std::min(std::max(y, 0.0F), 4.0F),
+                            std::min(std::max(z, 2.0F), 3.0F));
+        EXPECT_EQ(nearest_cell_of(Vec<3>(x, y, z), grid), cell_of(within, grid)) << x << ", " << y << ", " << z;
+      }
+    }
+  }
+  const auto point = grid_over(Box{{2, 2, 2}, {2, 2, 2}}, 100);
+  EXPECT_EQ(nearest_cell_of(Vec<3>(-huge, huge, 1), point), 0U);
 }
 
 TEST(CellGrid, TheSnakeVisitsEveryCellAndEachNextOneIsANeighbour) {
