@@ -362,14 +362,7 @@ std::int64_t block_kernel_targets() { return HWY_TARGETS; }
 
 template <Dim N, class T>
 const BlockKernels<N, T>& block_kernels() {
-  const AllBlockKernels& all = HWY_DYNAMIC_DISPATCH(all_block_kernels)();
-  if constexpr (std::is_same_v<T, float>) {
-    if constexpr (N == 2) return all.flat_float;
-    if constexpr (N == 3) return all.solid_float;
-  } else {
-    if constexpr (N == 2) return all.flat_double;
-    if constexpr (N == 3) return all.solid_double;
-  }
+  return HWY_DYNAMIC_DISPATCH(all_block_kernels)().template of<N, T>();
 }
 
 template const BlockKernels<2, float>& block_kernels();

@@ -9,6 +9,7 @@
 
 #include <graze/broad/block.hpp>
 #include <graze/broad/cell_grid.hpp>
+#include <graze/broad/space_kernels.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 
@@ -45,12 +46,7 @@ struct BlockKernels {
 };
 
 /// The kernels of one instruction set.
-struct AllBlockKernels {
-  BlockKernels<2, float> flat_float;
-  BlockKernels<3, float> solid_float;
-  BlockKernels<2, double> flat_double;
-  BlockKernels<3, double> solid_double;
-};
+using AllBlockKernels = SpaceKernels<BlockKernels>;
 
 /// The instruction sets that kernels are compiled for, in Highway's bits.
 std::int64_t block_kernel_targets();

@@ -198,14 +198,7 @@ std::int64_t bvh_kernel_targets() { return HWY_TARGETS; }
 
 template <Dim N, class T>
 const BvhKernels<N, T>& bvh_kernels() {
-  const AllBvhKernels& all = HWY_DYNAMIC_DISPATCH(all_bvh_kernels)();
-  if constexpr (std::is_same_v<T, float>) {
-    if constexpr (N == 2) return all.flat_float;
-    if constexpr (N == 3) return all.solid_float;
-  } else {
-    if constexpr (N == 2) return all.flat_double;
-    if constexpr (N == 3) return all.solid_double;
-  }
+  return HWY_DYNAMIC_DISPATCH(all_bvh_kernels)().template of<N, T>();
 }
 
 template const BvhKernels<2, float>& bvh_kernels();

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include <graze/broad/bvh_node.hpp>
+#include <graze/broad/space_kernels.hpp>
 #include <graze/broad/spatial_index.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
@@ -87,12 +88,7 @@ struct BvhKernels {
 };
 
 /// The kernels of one instruction set.
-struct AllBvhKernels {
-  BvhKernels<2, float> flat_float;
-  BvhKernels<3, float> solid_float;
-  BvhKernels<2, double> flat_double;
-  BvhKernels<3, double> solid_double;
-};
+using AllBvhKernels = SpaceKernels<BvhKernels>;
 
 /// The instruction sets that kernels are compiled for, in Highway's bits.
 std::int64_t bvh_kernel_targets();

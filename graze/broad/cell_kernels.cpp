@@ -303,14 +303,7 @@ std::int64_t cell_kernel_targets() { return HWY_TARGETS; }
 
 template <Dim N, class T>
 const CellKernels<N, T>& cell_kernels() {
-  const AllCellKernels& all = HWY_DYNAMIC_DISPATCH(all_cell_kernels)();
-  if constexpr (std::is_same_v<T, float>) {
-    if constexpr (N == 2) return all.flat_float;
-    if constexpr (N == 3) return all.solid_float;
-  } else {
-    if constexpr (N == 2) return all.flat_double;
-    if constexpr (N == 3) return all.solid_double;
-  }
+  return HWY_DYNAMIC_DISPATCH(all_cell_kernels)().template of<N, T>();
 }
 
 template const CellKernels<2, float>& cell_kernels();

@@ -10,6 +10,7 @@
 #include <graze/broad/cell_code.hpp>
 #include <graze/broad/cell_group.hpp>
 #include <graze/broad/entry_pool.hpp>
+#include <graze/broad/space_kernels.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 
@@ -80,12 +81,7 @@ struct CellKernels {
 };
 
 /// The kernels of one instruction set.
-struct AllCellKernels {
-  CellKernels<2, float> flat_float;
-  CellKernels<3, float> solid_float;
-  CellKernels<2, double> flat_double;
-  CellKernels<3, double> solid_double;
-};
+using AllCellKernels = SpaceKernels<CellKernels>;
 
 /// The instruction sets that kernels are compiled for, in Highway's bits.
 std::int64_t cell_kernel_targets();

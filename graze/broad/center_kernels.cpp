@@ -368,14 +368,7 @@ std::int64_t center_kernel_targets() { return HWY_TARGETS; }
 
 template <Dim N, class T>
 const CenterKernels<N, T>& center_kernels() {
-  const AllCenterKernels& all = HWY_DYNAMIC_DISPATCH(all_center_kernels)();
-  if constexpr (std::is_same_v<T, float>) {
-    if constexpr (N == 2) return all.flat_float;
-    if constexpr (N == 3) return all.solid_float;
-  } else {
-    if constexpr (N == 2) return all.flat_double;
-    if constexpr (N == 3) return all.solid_double;
-  }
+  return HWY_DYNAMIC_DISPATCH(all_center_kernels)().template of<N, T>();
 }
 
 template const CenterKernels<2, float>& center_kernels();

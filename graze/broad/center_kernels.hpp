@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <graze/broad/space_kernels.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 
@@ -62,12 +63,7 @@ struct CenterKernels {
 };
 
 /// The kernels of one instruction set.
-struct AllCenterKernels {
-  CenterKernels<2, float> flat_float;
-  CenterKernels<3, float> solid_float;
-  CenterKernels<2, double> flat_double;
-  CenterKernels<3, double> solid_double;
-};
+using AllCenterKernels = SpaceKernels<CenterKernels>;
 
 /// The instruction sets that kernels are compiled for, in Highway's bits.
 std::int64_t center_kernel_targets();

@@ -211,14 +211,7 @@ HWY_EXPORT(all_meet_kernels);
 
 template <Dim N, class T>
 const MeetKernels<N, T>& meet_kernels() {
-  const AllMeetKernels& all = HWY_DYNAMIC_DISPATCH(all_meet_kernels)();
-  if constexpr (std::is_same_v<T, float>) {
-    if constexpr (N == 2) return all.flat_float;
-    if constexpr (N == 3) return all.solid_float;
-  } else {
-    if constexpr (N == 2) return all.flat_double;
-    if constexpr (N == 3) return all.solid_double;
-  }
+  return HWY_DYNAMIC_DISPATCH(all_meet_kernels)().template of<N, T>();
 }
 
 template const MeetKernels<2, float>& meet_kernels();

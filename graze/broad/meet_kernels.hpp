@@ -9,6 +9,7 @@
 
 #include <graze/broad/block.hpp>
 #include <graze/broad/pair.hpp>
+#include <graze/broad/space_kernels.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze::detail {
@@ -50,12 +51,7 @@ struct MeetKernels {
 };
 
 /// The kernels of one instruction set.
-struct AllMeetKernels {
-  MeetKernels<2, float> flat_float;
-  MeetKernels<3, float> solid_float;
-  MeetKernels<2, double> flat_double;
-  MeetKernels<3, double> solid_double;
-};
+using AllMeetKernels = SpaceKernels<MeetKernels>;
 
 /// The kernels for this machine. Instantiated for 2D and 3D, float and double.
 template <Dim N, class T>

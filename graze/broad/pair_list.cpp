@@ -22,17 +22,29 @@ void PairList::populate_to(std::size_t count) {
 }
 
 Pair* PairList::all(std::size_t count) {
-  pairs_.reserve(count);
   if (executor_.concurrency() > 1) {
+    pairs_.reserve(count);
     populate(pairs_.data(), count * sizeof(Pair), executor_);
     pairs_.resize(count);
+  } else {
+    all_in_turns(count);
+    reach(count);
   }
-  while (pairs_.size() < count) {
-    const std::size_t next = std::min(count, pairs_.size() + at_once);
+  return pairs_.data();
+}
+
+Pair* PairList::all_in_turns(std::size_t count) {
+  if (executor_.concurrency() > 1) return all(count);
+  reserve_in_large_pages(pairs_, count);
+  return pairs_.data();
+}
+
+void PairList::reach(std::size_t end) {
+  while (pairs_.size() < end) {
+    const std::size_t next = std::min(end, pairs_.size() + at_once);
     populate_to(next);
     pairs_.resize(next);
   }
-  return pairs_.data();
 }
 
 const Pair* PairList::append(std::span<const Pair> pairs, std::size_t expected) {

@@ -32,6 +32,8 @@ class PairList final : public PairRoom {
   explicit PairList(const Executor& executor) : executor_(executor) {}
 
   Pair* all(std::size_t count) override;
+  Pair* all_in_turns(std::size_t count) override;
+  void reach(std::size_t end) override;
   bool appends() const override { return true; }
   const Pair* append(std::span<const Pair> pairs, std::size_t expected) override;
 

@@ -19,6 +19,11 @@ class PairRoom {
   /// Room for all pairs. Asked for once, and nothing is appended besides.
   virtual Pair* all(std::size_t count) = 0;
 
+  /// The same for who writes pairs in order, more or less: before any of them, reach() with an end beyond it. So the
+  /// room is made ready while it is near.
+  virtual Pair* all_in_turns(std::size_t count) { return all(count); }
+  virtual void reach(std::size_t /*end*/) {}
+
   /// Whether pairs may be appended. If not, a method keeps in memory of its own what it finds before it has counted.
   virtual bool appends() const = 0;
 

@@ -192,9 +192,7 @@ std::span<const Pair> PairSearch<N, T>::find_sorted(std::size_t limit_a, std::si
     meet(meetings_of(task, tasks), memory->blocks, found);
   });
   const std::size_t count = sort_.count();
-  Pair* const pairs = room.all(count);
-  sort_.sort(limit_b, executor, pairs);
-  return {pairs, count};
+  return {sort_.sort(limit_b, executor, room), count};
 }
 
 /// Finds what is below the pairs of blocks of each task, in the order of tasks: in the list of the first one, as long

@@ -188,8 +188,9 @@ std::size_t PairSort::count() {
   return static_cast<std::size_t>(count);
 }
 
-void PairSort::sort(std::size_t limit_b, const Executor& executor, Pair* out) {
+Pair* PairSort::sort(std::size_t limit_b, const Executor& executor, PairRoom& room) {
   constexpr std::size_t buckets_per_task = 16;
+  Pair* const out = room.all_in_turns(ends_.empty() ? 0 : static_cast<std::size_t>(ends_.back()));
   executor.parallel_for((ends_.size() + buckets_per_task - 1) / buckets_per_task, [&](std::size_t task) {
     Spare spare;
     const std::size_t last = std::min(ends_.size(), (task + 1) * buckets_per_task);
@@ -203,9 +204,11 @@ void PairSort::sort(std::size_t limit_b, const Executor& executor, Pair* out) {
       }
       if (k + 1 < last) prefetch_all(buckets_.all().front()->open_part(k + 1));
       const Bucket bucket{static_cast<std::uint32_t>(k << bits_), (1U << bits_) - 1, {out + begin, end - begin}};
+      room.reach(end);
       sort_bucket(bucket, limit_b, spare);
     }
   });
+  return out;
 }
 
 std::size_t PairSort::bytes() const {

@@ -9,6 +9,7 @@
 #include <graze/broad/executor.hpp>
 #include <graze/broad/pair.hpp>
 #include <graze/broad/pair_buckets.hpp>
+#include <graze/broad/pair_room.hpp>
 #include <graze/broad/pool.hpp>
 
 namespace graze::detail {
@@ -33,9 +34,9 @@ class PairSort {
   /// How many pairs there are, once no sink is left.
   std::size_t count();
 
-  /// Writes all pairs, ascending, to `out`, which has room for them: after count(). No pair may have come twice; every
-  /// `b` is less than `limit_b`.
-  void sort(std::size_t limit_b, const Executor& executor, Pair* out);
+  /// Writes all pairs, ascending, to `room`, and returns the place of the first one: after count(). No pair may have
+  /// come twice; every `b` is less than `limit_b`.
+  Pair* sort(std::size_t limit_b, const Executor& executor, PairRoom& room);
 
   std::size_t bytes() const;
 

@@ -200,8 +200,8 @@ void SpatialOrder<N, T>::sort(std::span<const Aabb<N, T>> boxes, const Executor&
 
 template <Dim N, class T>
 std::size_t SpatialOrder<N, T>::run_limit() const {
-  constexpr std::size_t least = 16384;
-  return std::clamp(box_count_ / 3, least, longest_run);
+  constexpr std::size_t shortest = 16384;
+  return std::clamp(box_count_ / 3, shortest, longest_run);
 }
 
 /// Adds a stretch of the order, as equal runs where it is too long for one.

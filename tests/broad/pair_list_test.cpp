@@ -66,5 +66,24 @@ TEST(PairList, HasRoomForAllAtOnceWhoeverPopulatesIt) {
   }
 }
 
+TEST(PairList, IsReachedInTurnsWhoeverPopulatesIt) {
+  const test::ThreadExecutor two(2);
+  for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{70'000}, enough_to_populate}) {
+    const std::vector<Pair> pairs = counted_pairs(count);
+    for (const Executor* executor : {&serial_executor(), static_cast<const Executor*>(&two)}) {
+      PairList list(*executor);
+      Pair* const out = list.all_in_turns(count);
+      constexpr std::size_t step = 9'001;
+      for (std::size_t k = 0; k < count; k += step) {
+        const std::size_t end = std::min(count, k + step);
+        list.reach(end);
+        if (k > 0) list.reach(k);  // which it has long been
+        std::copy(pairs.data() + k, pairs.data() + end, out + k);
+      }
+      EXPECT_EQ(list.take(), pairs);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace graze::detail::pair_list_test

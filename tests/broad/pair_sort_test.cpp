@@ -21,7 +21,20 @@ struct Limits {
   std::size_t b;
 };
 
-/// Sorts pieces, each as a thread of its own would bring it, into room that has nothing before or after it.
+/// Room that has nothing before or after it.
+class ExactRoom final : public PairRoom {
+ public:
+  Pair* all(std::size_t count) override {
+    pairs.resize(count);
+    return pairs.data();
+  }
+  bool appends() const override { return false; }
+  const Pair* append(std::span<const Pair> /*pairs*/, std::size_t /*expected*/) override { return nullptr; }
+
+  std::vector<Pair> pairs;
+};
+
+/// Sorts pieces, each as a thread of its own would bring it, into exact room.
 std::vector<Pair> sorted_by(PairSort& sort, std::span<const Pair> pairs, std::size_t pieces, Limits limits) {
   sort.begin(limits.a);
   {
@@ -33,9 +46,10 @@ std::vector<Pair> sorted_by(PairSort& sort, std::span<const Pair> pairs, std::si
     }
   }
   EXPECT_EQ(sort.count(), pairs.size());
-  std::vector<Pair> sorted(pairs.size());
-  sort.sort(limits.b, *limited_executor(2), sorted.data());
-  return sorted;
+  ExactRoom room;
+  const Pair* const first = sort.sort(limits.b, *limited_executor(2), room);
+  EXPECT_EQ(first, room.pairs.data());
+  return room.pairs;
 }
 
 /// Shuffles the pairs, cuts them into pieces, sorts, and compares with std::sort; then a third of them in the same

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <type_traits>
+
+#include <graze/math/vec.hpp>
+
+namespace graze::detail {
+
+/// The kernels of one instruction set, for each dimension and scalar type.
+template <template <Dim, class> class Kernels>
+struct SpaceKernels {
+  Kernels<2, float> flat_float;
+  Kernels<3, float> solid_float;
+  Kernels<2, double> flat_double;
+  Kernels<3, double> solid_double;
+
+  template <Dim N, class T>
+  const Kernels<N, T>& of() const {
+    static_assert(N == 2 || N == 3);
+    if constexpr (std::is_same_v<T, float>) {
+      if constexpr (N == 2) return flat_float;
+      if constexpr (N == 3) return solid_float;
+    } else {
+      static_assert(std::is_same_v<T, double>);
+      if constexpr (N == 2) return flat_double;
+      if constexpr (N == 3) return solid_double;
+    }
+  }
+};
+
+}  // namespace graze::detail
