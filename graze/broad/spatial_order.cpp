@@ -10,6 +10,8 @@
 #include <graze/broad/block_kernels.hpp>
 #include <graze/broad/brute_force_pairs.hpp>
 #include <graze/broad/crowd.hpp>
+#include <graze/broad/near_crowd.hpp>
+#include <graze/broad/pool.hpp>
 #include <graze/broad/spatial_order.hpp>
 #include <graze/math/draws.hpp>
 
@@ -171,11 +173,12 @@ void SpatialOrder<N, T>::divide_crowds(std::span<const Aabb<N, T>> boxes, const 
   }
   if (crowds.empty()) return;
   spare_.require(boxes.size());
+  Pool<NearCrowd<N, T>> near_crowds;  // not kept: with many threads they are as large as all the rest
   executor.parallel_for(crowds.size(), [&](std::size_t k) {
     const std::size_t begin = crowds[k] == 0 ? 0 : ends_[crowds[k] - 1];
     const std::size_t count = ends_[crowds[k]] - begin;
     if (count <= NearCrowd<N, T>::most) {
-      const typename Pool<NearCrowd<N, T>>::Loan near(near_crowds_);
+      const typename Pool<NearCrowd<N, T>>::Loan near(near_crowds);
       near->sort(boxes, order_.data() + begin, count, boxes_per_bucket, cells_.data() + begin);
       return;
     }
@@ -235,10 +238,8 @@ void SpatialOrder<N, T>::cut_runs(const Buckets& buckets) {
 
 template <Dim N, class T>
 std::size_t SpatialOrder<N, T>::bytes() const {
-  std::size_t result = cells_.bytes() + order_.bytes() + spare_.bytes() + counts_.capacity() * sizeof(counts_[0]) +
-                       ends_.capacity() * sizeof(ends_[0]);
-  for (const auto& crowd : near_crowds_.all()) result += sizeof(*crowd) + crowd->bytes();
-  return result;
+  return cells_.bytes() + order_.bytes() + spare_.bytes() + counts_.capacity() * sizeof(counts_[0]) +
+         ends_.capacity() * sizeof(ends_[0]);
 }
 
 template class SpatialOrder<2, float>;

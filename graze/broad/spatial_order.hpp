@@ -10,8 +10,6 @@
 #include <graze/broad/buffer.hpp>
 #include <graze/broad/cell_grid.hpp>
 #include <graze/broad/executor.hpp>
-#include <graze/broad/near_crowd.hpp>
-#include <graze/broad/pool.hpp>
 #include <graze/shape/aabb.hpp>
 
 namespace graze::detail {
@@ -66,7 +64,6 @@ class SpatialOrder {
   Buffer<std::uint16_t> cells_;
   Buffer<std::uint32_t> order_;
   Buffer<std::uint32_t> spare_;
-  Pool<NearCrowd<N, T>> near_crowds_;
   std::vector<std::uint32_t> counts_;  // of every cell in every chunk, then where its next box goes
   std::vector<std::size_t> ends_;      // of every cell in the order
 };
