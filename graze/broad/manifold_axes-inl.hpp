@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The axis of least depth of many pairs of oriented boxes: first which of the fifteen it can be, as query/obb_axes.hpp
-// finds out, then the choice among those as MeetingObbs makes it. Included once for each instruction set, hence no
-// ordinary guard.
+// The axis of least depth of many pairs of oriented boxes: first which of the fifteen it can be, by a look in float as
+// query/obb_axes.hpp has it, then the choice among those as MeetingObbs makes it. Included once for each instruction
+// set, hence no ordinary guard.
 #if defined(GRAZE_BROAD_MANIFOLD_AXES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_MANIFOLD_AXES_INL_HPP
 #undef GRAZE_BROAD_MANIFOLD_AXES_INL_HPP
@@ -9,7 +9,7 @@
 #define GRAZE_BROAD_MANIFOLD_AXES_INL_HPP
 #endif
 
-#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -18,152 +18,157 @@
 
 #include <graze/broad/manifold_kernels.hpp>
 #include <graze/broad/manifold_lanes-inl.hpp>
+#include <graze/broad/touch_boxes-inl.hpp>
+#include <graze/broad/touch_lanes-inl.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/query/obb_touch.hpp>
+#include <graze/query/penetration_boxes.hpp>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 
-/// Bits of each pair.
-using BitsTag = hn::RebindToUnsigned<Tag<double>>;
-
-/// How far axes are from orthonormal.
-HWY_INLINE Doubles skew_of_axes(const BoxLanes& box) {
-  auto skew = both(0);
-  for (Dim i = 0; i < 3; ++i) {
-    skew = hn::Max(skew, hn::Abs(hn::Sub(inner(box.axes[i], box.axes[i]), both(1))));
-    skew = hn::Max(skew, hn::Abs(inner(box.axes[i], box.axes[(i + 1) % 3])));
+/// By right angles between edges of two boxes, bit 3 i + j for axis i of the first and j of the second, the axes that
+/// may be along a face that they are not the normal of. The normal across axis j of the second box is along one of the
+/// first box if two of that are at right angles to j; the axis across edges i and j is along one of either box if
+/// another edge of it is at right angles to the other's.
+inline constexpr auto axes_along_faces = [] {
+  std::array<std::uint16_t, 512> result{};
+  for (std::uint32_t found = 0; found < 512; ++found) {
+    const auto has = [found](Dim i, Dim j) { return (found >> (3 * (i % 3) + j % 3) & 1U) != 0; };
+    BoxesAxes axes = 0;
+    for (Dim j = 0; j < 3; ++j) {
+      const bool along_a = (has(0, j) && (has(1, j) || has(2, j))) || (has(1, j) && has(2, j));
+      axes |= BoxesAxes{along_a} << (3 + j);
+      for (Dim i = 0; i < 3; ++i) {
+        const bool along_either = has(i + 1, j) || has(i + 2, j) || has(i, j + 1) || has(i, j + 2);
+        axes |= BoxesAxes{along_either} << (6 + 3 * i + j);
+      }
+    }
+    result[found] = static_cast<std::uint16_t>(axes);
   }
-  return skew;
-}
+  return result;
+}();
 
-/// Which axes the search may not leave out, by their places: those of ObbAxes, or a few more or less that do not matter
-/// for the same reason; and whether the boxes meet. The gaps and the bands are those of axes_of in query/obb_axes.hpp,
-/// in double.
-struct AxesLanes {
-  DoublesMask candidates[15];
-  DoublesMask is_known;
-  DoublesMask is_overlapping;
-  DoublesMask is_apart;
+/// What a look in float shows, a vector full of pairs at a time: the axes that the search may not leave out, by their
+/// places, as axes_of in query/obb_axes.hpp finds them, or a few more or less that do not matter for the same reason;
+/// and more, all of it as bits.
+class AxesLook {
+ public:
+  static constexpr std::uint32_t axes = (1U << 15U) - 1;
+  static constexpr std::uint32_t overlapping = 1U << 15U;
+  static constexpr std::uint32_t apart = 1U << 16U;
+  static constexpr std::uint32_t first_right_angle = 17;  ///< And those after it, as axes_along_faces has them.
 
-  /// Where the faces of all pairs show that they are apart, nothing else is looked at.
-  HWY_INLINE explicit AxesLanes(const BoxPair& pair) : is_known(no_lane()), is_overlapping(no_lane()) {
-    see(pair.box[0], pair.box[1]);
-    skew_ =
-        hn::Add(hn::Max(skew_of_axes(pair.box[0]), skew_of_axes(pair.box[1])), both(tolerance::measured_skew<double>));
-    size_ = find_face_gaps(pair);
-    band_ = hn::Mul(hn::Mul(both(tolerance::box_filter), skew_), size_);
+  using BitsTag = hn::RebindToUnsigned<Tag<float>>;
+  using Bits = hn::Vec<BitsTag>;
+
+  /// Of boxes near the origin.
+  HWY_INLINE AxesLook(const LaneObb<3, float>& a, const LaneObb<3, float>& b)
+      : view_(a, b),
+        skew_(hn::Add(hn::Max(skew_of(a), skew_of(b)), all(tolerance::measured_skew<float>))),
+        size_(find_face_gaps()),
+        band_(hn::Mul(hn::Mul(all(static_cast<float>(tolerance::box_filter)), skew_), size_)),
+        bits_(hn::Zero(BitsTag())) {
     widest_ = gaps_[0];
     for (std::size_t i = 1; i < 6; ++i) widest_ = hn::Max(widest_, gaps_[i]);
-    const DoublesMask has_size = hn::And(hn::Gt(size_, both(0x1p-30)), hn::Lt(size_, both(0x1p30)));
-    is_apart = hn::And(has_size, hn::Gt(widest_, band_));
-    if (!hn::AllTrue(Tag<double>(), is_apart)) look_across_edges(pair, has_size);
+    const Mask has_size = hn::And(hn::Gt(size_, all(0x1p-30F)), hn::Lt(size_, all(0x1p30F)));
+    const Mask apart_by_faces = hn::And(has_size, hn::Gt(widest_, band_));
+    if (hn::AllTrue(Tag<float>(), apart_by_faces)) {
+      bits_ = hn::Set(BitsTag(), apart);
+    } else {
+      look_across_edges(has_size, apart_by_faces);
+    }
   }
 
-  /// Bit 3 i + j for axis i of the first box and j of the second that are at right angles to each other, or so nearly
-  /// that they may be by the tolerance of manifolds and how far axes may be from orthonormal.
-  HWY_INLINE hn::Vec<BitsTag> right_angles() const {
-    constexpr double least = 1e-3;
-    auto bits = hn::Zero(BitsTag());
-    for (Dim i = 0; i < 3; ++i) {
-      for (Dim j = 0; j < 3; ++j) {
-        const auto bit = hn::BitCast(Tag<double>(), hn::Set(BitsTag(), std::uint64_t{1} << (3 * i + j)));
-        const Doubles found = hn::IfThenElseZero(hn::Le(shadow_[i][j], both(least)), bit);
-        bits = hn::Or(bits, hn::BitCast(BitsTag(), found));
-      }
-    }
-    return bits;
-  }
+  /// Of each pair. No axes: nothing is known.
+  Bits bits() const { return bits_; }
 
  private:
-  HWY_INLINE static Dim i1(Dim i) { return (i + 1) % 3; }
-  HWY_INLINE static Dim i2(Dim i) { return (i + 2) % 3; }
+  using Mask = hn::Mask<Tag<float>>;
 
-  HWY_INLINE void see(const BoxLanes& a, const BoxLanes& b) {
-    for (Dim i = 0; i < 3; ++i) {
-      between_[i] = inner(a.axes[i], b.center);
-      for (Dim j = 0; j < 3; ++j) {
-        along_[i][j] = inner(a.axes[i], b.axes[j]);
-        shadow_[i][j] = hn::Abs(along_[i][j]);
-      }
-    }
+  HWY_INLINE void add(Mask where, std::uint32_t bit) {
+    bits_ = hn::Or(bits_, hn::IfThenElseZero(hn::RebindMask(BitsTag(), where), hn::Set(BitsTag(), bit)));
   }
 
   /// Returns the size of both.
-  HWY_INLINE Doubles find_face_gaps(const BoxPair& pair) {
-    const BoxLanes& a = pair.box[0];
-    const BoxLanes& b = pair.box[1];
-    Doubles size = both(0);
+  HWY_INLINE Lanes<float> find_face_gaps() {
+    Lanes<float> size = all(0.0F);
     for (Dim i = 0; i < 3; ++i) {
-      Doubles reach = a.half[i];
-      Doubles reach_of_b = b.half[i];
+      Lanes<float> reach = view_.half.at[i];
+      Lanes<float> gap = hn::Sub(hn::Abs(inner(view_.between, view_.directions[i])), view_.other_half.at[i]);
       for (Dim j = 0; j < 3; ++j) {
-        reach = hn::MulAdd(b.half[j], shadow_[i][j], reach);
-        reach_of_b = hn::MulAdd(a.half[j], shadow_[j][i], reach_of_b);
+        reach = hn::MulAdd(view_.other_half.at[j], view_.shadow[j].at[i], reach);
+        gap = hn::NegMulAdd(view_.half.at[j], view_.shadow[i].at[j], gap);
       }
-      gaps_[i] = hn::Sub(hn::Abs(between_[i]), reach);
-      gaps_[3 + i] = hn::Sub(hn::Abs(inner(b.axes[i], b.center)), reach_of_b);
-      size = hn::Add(size, hn::Add(hn::Abs(between_[i]), reach));
+      gaps_[i] = hn::Sub(hn::Abs(view_.between.at[i]), reach);
+      gaps_[3 + i] = gap;
+      size = hn::Add(size, hn::Add(hn::Abs(view_.between.at[i]), reach));
     }
     return size;
   }
 
-  HWY_INLINE void look_across_edges(const BoxPair& pair, DoublesMask has_size) {
-    const Doubles parallel = hn::Mul(both(2 * tolerance::box_filter), skew_);
-    const Doubles squared_parallel = hn::Mul(hn::Mul(both(0.5), parallel), parallel);
-    Doubles squared_length[9];
-    Doubles least_squared = hn::Mul(size_, size_);
-    Doubles widest_across = hn::Neg(size_);
-    DoublesMask are_open = no_lane();
+  HWY_INLINE void look_across_edges(Mask has_size, Mask apart_by_faces) {
+    const auto parallel = hn::Mul(all(static_cast<float>(2 * tolerance::box_filter)), skew_);
+    const auto squared_parallel = hn::Mul(hn::Mul(all(0.5F), parallel), parallel);
+    Lanes<float> squared_length[9];
+    Lanes<float> least_squared = hn::Mul(size_, size_);
+    Lanes<float> widest_across = hn::Neg(size_);
+    Mask are_open = hn::Lt(size_, hn::Zero(Tag<float>()));
     for (Dim i = 0; i < 3; ++i) {
       for (Dim j = 0; j < 3; ++j) {
         const Dim k = 3 * i + j;
-        const Doubles gap = gap_across_edges(pair, i, j);
+        const auto gap = gap_across(view_, i, j);
+        const auto next = view_.directions[j].at[(i + 1) % 3];
+        const auto last = view_.directions[j].at[(i + 2) % 3];
         gaps_[6 + k] = gap;
-        squared_length[k] = hn::MulAdd(along_[i1(i)][j], along_[i1(i)][j], hn::Mul(along_[i2(i)][j], along_[i2(i)][j]));
-        const Doubles deepest = hn::Sub(gap, band_);
+        squared_length[k] = hn::MulAdd(next, next, hn::Mul(last, last));
+        const auto deepest = hn::Sub(gap, band_);
         least_squared =
-            hn::Min(least_squared, hn::Div(hn::Mul(deepest, deepest), hn::Max(squared_length[k], both(1e-30))));
+            hn::Min(least_squared, hn::Div(hn::Mul(deepest, deepest), hn::Max(squared_length[k], all(1e-15F))));
         widest_across = hn::Max(widest_across, gap);
-        are_open = hn::Or(are_open,
-                          hn::And(hn::Ge(hn::Add(gap, band_), both(0)), hn::Ge(squared_length[k], squared_parallel)));
+        are_open = hn::Or(are_open, hn::And(hn::Ge(hn::Add(gap, band_), hn::Zero(Tag<float>())),
+                                            hn::Ge(squared_length[k], squared_parallel)));
       }
     }
-    is_apart = hn::Or(is_apart, hn::And(has_size, hn::Gt(widest_across, band_)));
-    is_known = hn::AndNot(is_apart, has_size);
-    is_overlapping = hn::And(is_known, hn::AndNot(are_open, hn::Lt(widest_, hn::Mul(both(-8), band_))));
+    const Mask is_apart = hn::Or(apart_by_faces, hn::And(has_size, hn::Gt(widest_across, band_)));
     find_candidates(squared_length, least_squared);
+    const Mask is_deep = hn::Lt(widest_, hn::Mul(all(-8.0F), band_));
+    add(hn::AndNot(are_open, is_deep), overlapping);
+    add_right_angles();
+    const Bits known = hn::IfThenElseZero(hn::RebindMask(BitsTag(), has_size), bits_);
+    bits_ = hn::IfThenElse(hn::RebindMask(BitsTag(), is_apart), hn::Set(BitsTag(), apart), known);
   }
 
-  HWY_INLINE void find_candidates(const Doubles (&squared_length)[9], Doubles least_squared) {
-    const Doubles least = hn::Sub(hn::Max(hn::Sub(widest_, band_), hn::Neg(hn::Sqrt(least_squared))), band_);
-    for (std::size_t i = 0; i < 6; ++i) candidates[i] = hn::Ge(gaps_[i], least);
-    const Doubles squared_least = hn::Mul(hn::Mul(both(1.001), least), least);
+  HWY_INLINE void find_candidates(const Lanes<float> (&squared_length)[9], Lanes<float> least_squared) {
+    const auto least = hn::Sub(hn::Max(hn::Sub(widest_, band_), hn::Neg(hn::Sqrt(least_squared))), band_);
+    for (std::size_t i = 0; i < 6; ++i) add(hn::Ge(gaps_[i], least), 1U << i);
+    const auto squared_least = hn::Mul(hn::Mul(all(1.001F), least), least);
     for (std::size_t k = 0; k < 9; ++k) {
-      const Doubles short_by = hn::Add(gaps_[6 + k], band_);
-      candidates[6 + k] = hn::Or(hn::Ge(short_by, both(0)),
-                                 hn::Le(hn::Mul(short_by, short_by), hn::Mul(squared_length[k], squared_least)));
+      const auto short_by = hn::Add(gaps_[6 + k], band_);
+      add(hn::Or(hn::Ge(short_by, hn::Zero(Tag<float>())),
+                 hn::Le(hn::Mul(short_by, short_by), hn::Mul(squared_length[k], squared_least))),
+          1U << (6 + k));
     }
   }
 
-  HWY_INLINE Doubles gap_across_edges(const BoxPair& pair, Dim i, Dim j) const {
-    const Doubles along = hn::NegMulAdd(between_[i1(i)], along_[i2(i)][j], hn::Mul(between_[i2(i)], along_[i1(i)][j]));
-    const BoxLanes& a = pair.box[0];
-    const BoxLanes& b = pair.box[1];
-    Doubles gap = hn::NegMulAdd(a.half[i1(i)], shadow_[i2(i)][j], hn::Abs(along));
-    gap = hn::NegMulAdd(a.half[i2(i)], shadow_[i1(i)][j], gap);
-    gap = hn::NegMulAdd(b.half[i1(j)], shadow_[i][i2(j)], gap);
-    return hn::NegMulAdd(b.half[i2(j)], shadow_[i][i1(j)], gap);
+  /// Those edges that are at right angles to each other, or so nearly that they may be by the tolerance of manifolds
+  /// and how far axes may be from orthonormal.
+  HWY_INLINE void add_right_angles() {
+    constexpr float most = 1e-3F;
+    for (Dim i = 0; i < 3; ++i) {
+      for (Dim j = 0; j < 3; ++j) {
+        add(hn::Le(view_.shadow[j].at[i], all(most)), 1U << (first_right_angle + 3 * i + j));
+      }
+    }
   }
 
-  Doubles between_[3];
-  Doubles along_[3][3];
-  Doubles shadow_[3][3];
-  Doubles skew_;
-  Doubles size_;
-  Doubles band_;
-  Doubles widest_;  ///< Of the gaps across faces.
-  Doubles gaps_[15];
+  LaneView<3, float> view_;
+  Lanes<float> gaps_[15];
+  Lanes<float> skew_;
+  Lanes<float> size_;
+  Lanes<float> band_;
+  Lanes<float> widest_;  ///< Of the gaps across faces.
+  Bits bits_;
 };
 
 HWY_INLINE DoublesMask are_equal(const Point& a, const Point& b) {
@@ -198,7 +203,7 @@ HWY_INLINE Point cross_of_directions(const Point& a, const Point& b) {
 /// The search among several axes as MeetingObbs::search makes it, in the lanes that need one.
 class SearchLanes {
  public:
-  HWY_INLINE SearchLanes(const BoxPair& pair, const AxesLanes& axes, DoublesMask searched)
+  HWY_INLINE SearchLanes(const BoxPair& pair, Bits candidates)
       : pair_(pair),
         size_(hn::Add(size_of(pair.box[0]), size_of(pair.box[1]))),
         margin_(hn::Mul(both(tolerance::rounding), size_)),
@@ -207,7 +212,7 @@ class SearchLanes {
         is_open_(no_lane()) {
 #pragma GCC unroll 15
     for (std::size_t i = 0; i < 15; ++i) {
-      const DoublesMask tried = hn::And(searched, axes.candidates[i]);
+      const DoublesMask tried = has_bit(candidates, i);
       if (hn::AllFalse(Tag<double>(), tried)) continue;
       const auto place = static_cast<Dim>(i);
       if (place < 6) {
@@ -262,7 +267,9 @@ class SearchLanes {
     const DoublesMask is_apart = hn::Ge(gap, both(0));
     const DoublesMask better =
         hn::And(tried, hn::Or(hn::And(is_apart, better_apart), hn::AndNot(is_apart, better_deep)));
-    take(place, hn::Div(gap, hn::Sqrt(edges.squared)), better);
+    if (!hn::AllFalse(Tag<double>(), better)) {
+      take(place, hn::Mul(gap, hn::Div(both(1), hn::Sqrt(edges.squared))), better);
+    }
     return better;
   }
 
@@ -274,53 +281,47 @@ class SearchLanes {
   DoublesMask is_open_;
 };
 
-/// Whether a face may look along the axis at a place, other than the one that it is the normal of, given which axes are
-/// at right angles. The normal of the second box' face is then along an axis of the first and across the two others;
-/// that across two edges is along an axis of one box, to which the other's edge is at right angles.
-HWY_INLINE bool may_be_along_face(std::size_t place, std::uint64_t right_angles) {
-  static constexpr auto bits = [] {
-    std::array<std::uint64_t, 16> result{};
-    const auto bit = [](std::size_t i, std::size_t j) { return std::uint64_t{1} << (3 * (i % 3) + j % 3); };
-    for (std::size_t i = 0; i < 3; ++i) {
-      result[3 + i] = bit(0, i) | bit(1, i) | bit(2, i);
-      for (std::size_t j = 0; j < 3; ++j) {
-        result[6 + 3 * i + j] = bit(i + 1, j) | bit(i + 2, j) | bit(i, j + 1) | bit(i, j + 2);
-      }
-    }
-    return result;
-  }();
-  const std::uint64_t found = right_angles & bits[place];
-  return place < 6 ? (found & (found - 1)) != 0 : found != 0;
+/// How far axes are from orthonormal, as orthonormal_error.
+HWY_INLINE Doubles skew_of_axes(const Point (&axes)[3]) {
+  auto skew = both(0);
+  for (Dim i = 0; i < 3; ++i) {
+    skew = hn::Max(skew, hn::Abs(hn::Sub(dot(axes[i], axes[i]), both(1))));
+    skew = hn::Max(skew, hn::Abs(dot(axes[i], axes[(i + 1) % 3])));
+  }
+  return skew;
 }
 
-/// As ObbsLook.
-struct LooksLanes {
-  Doubles place;
-  hn::Vec<BitsTag> right_angles;
-  DoublesMask is_overlapping;
-  DoublesMask is_apart;
-
-  HWY_INLINE explicit LooksLanes(const BoxPair& pair) {
-    const AxesLanes axes(pair);
-    is_overlapping = axes.is_overlapping;
-    is_apart = axes.is_apart;
-    right_angles = axes.right_angles();
-    place = both(ObbsLook::no_axis);
-    if (hn::AllTrue(Tag<double>(), is_apart)) return;
-    place = both(0);
-    Doubles count = both(0);
-    for (std::size_t i = 0; i < 15; ++i) {
-      place = hn::IfThenElse(axes.candidates[i], both(static_cast<double>(i)), place);
-      count = hn::Add(count, hn::IfThenElseZero(axes.candidates[i], both(1)));
-    }
-    const DoublesMask are_several = hn::And(axes.is_known, hn::Gt(count, both(1)));
-    const DoublesMask is_one = hn::And(axes.is_known, hn::Eq(count, both(1)));
-    place = hn::IfThenElse(is_one, place, both(ObbsLook::no_axis));
-    if (hn::AllFalse(Tag<double>(), are_several)) return;
-    const SearchLanes search(pair, axes, are_several);
-    place = hn::IfThenElse(hn::AndNot(search.is_open(), are_several), search.place(), place);
+/// As repeated_axes, of many pairs.
+HWY_INLINE Bits repeated_axes(const Point (&a)[3], const Point (&b)[3]) {
+  const Doubles skew = hn::Mul(both(1.5), hn::Max(skew_of_axes(a), skew_of_axes(b)));
+  Doubles cosines[3][3];
+  for (Dim i = 0; i < 3; ++i) {
+    for (Dim j = 0; j < 3; ++j) cosines[j][i] = hn::Abs(dot(a[i], b[j]));
   }
-};
+  Bits result = hn::Zero(BitsTag());
+  for (Dim j = 0; j < 3; ++j) {
+    const auto& c = cosines[j];
+    for (Dim i = 0; i < 3; ++i) {
+      const Doubles larger = hn::Max(c[(i + 1) % 3], c[(i + 2) % 3]);
+      const DoublesMask along = hn::Le(hn::Mul(both(1.5), hn::Add(larger, skew)), both(same_axis));
+      result = hn::Or(result, hn::Or(bit_where(along, 3 + j), bit_where(along, 6 + 3 * i + j)));
+      const Doubles in_a = hn::Min(c[(i + 1) % 3], c[(i + 2) % 3]);
+      const Doubles in_b = hn::Min(cosines[(j + 1) % 3][i], cosines[(j + 2) % 3][i]);
+      const Doubles off = hn::Add(hn::Min(in_a, in_b), skew);
+      const Doubles squared_sine = hn::Sub(both(1), hn::Mul(c[i], c[i]));
+      result = hn::Or(result, bit_where(hn::Le(hn::Mul(off, off), hn::Mul(both(same_axis * same_axis), squared_sine)),
+                                        6 + 3 * i + j));
+    }
+  }
+  return result;
+}
+
+HWY_INLINE bool are_several(BoxesAxes axes) { return (axes & (axes - 1)) != 0; }
+
+/// The place of one axis, or no_axis.
+HWY_INLINE std::uint8_t place_of(BoxesAxes axis) {
+  return static_cast<std::uint8_t>(std::countr_zero(axis | BoxesAxes{1} << ObbsLook::no_axis));
+}
 
 }  // namespace graze::detail::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

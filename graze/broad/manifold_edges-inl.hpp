@@ -20,6 +20,7 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
+#if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
 /// Pairs in the order of their contact, whose axis is across an edge of each and not along a face.
 template <class T>
@@ -50,8 +51,9 @@ class EdgeContacts {
     const Farthest on_a(a, axis_a, edges.heights[0], side);
     const Farthest on_b(b, axis_b, edges.heights[1], hn::Neg(side));
     const Point between = on_b.middle - on_a.middle;
-    const Doubles along_a = hn::Div(dot(cross(between, b.axes[0]), edges.across), edges.squared);
-    const Doubles along_b = hn::Div(dot(cross(between, a.axes[0]), edges.across), edges.squared);
+    const Doubles inverse = hn::Div(both(1), edges.squared);
+    const Doubles along_a = hn::Mul(dot(cross(between, b.axes[0]), edges.across), inverse);
+    const Doubles along_b = hn::Mul(dot(cross(between, a.axes[0]), edges.across), inverse);
     is_open_ = hn::Not(hn::And(hn::And(lies_on(along_a, a.half[0]), lies_on(along_b, b.half[0])),
                                hn::And(are_long(a, b, size), hn::Gt(edges.squared, both(least_squared_sine)))));
     store(on_a.number, numbers_[0]);
@@ -106,6 +108,7 @@ class EdgeContacts {
   Row<double> numbers_[2];
 };
 
+#endif
 }  // namespace graze::detail::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -8,20 +8,23 @@
 #define GRAZE_BROAD_MANIFOLD_FACES_INL_HPP
 #endif
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 #include <hwy/highway.h>
 
 #include <graze/broad/manifold_choice-inl.hpp>
 #include <graze/broad/manifold_clip-inl.hpp>
 #include <graze/broad/manifold_lanes-inl.hpp>
+#include <graze/broad/manifold_lines-inl.hpp>
 #include <graze/broad/manifold_points-inl.hpp>
+#include <graze/query/manifold.hpp>
 #include <graze/query/obb_touch.hpp>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
+#if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
 /// Pairs whose axis is the normal of a face of the box `own`, which carries their points.
 template <class T>
@@ -77,7 +80,7 @@ struct LookingFace {
 /// Its normal, of length 1.
 HWY_INLINE Point outward_normal(const BoxLanes& box_from_face, const Point& direction) {
   const Point adjoint = cross(box_from_face.axes[1], box_from_face.axes[2]);
-  const Point side = adjoint / hn::Sqrt(dot(adjoint, adjoint));
+  const Point side = adjoint * hn::Div(both(1), hn::Sqrt(dot(adjoint, adjoint)));
   return one_of(hn::Lt(dot(side, direction), both(0)), side * both(-1), side);
 }
 
@@ -93,11 +96,12 @@ HWY_INLINE DoublesMask is_face_along(const BoxLanes& box, const Point& direction
 /// The face across the first axis.
 HWY_INLINE FaceLanes face_of(const BoxLanes& box, DoublesMask is_far) {
   const Doubles side = hn::IfThenElse(is_far, both(1), both(-1));
-  return {box.center + box.half_edges[0] * side, box.half_edges[1], box.half_edges[2]};
+  return {box.center + box.half_edges[0] * side, box.half_edges[1], box.half_edges[2], box.half[1], box.half[2]};
 }
 
-HWY_INLINE Doubles face_number(Doubles axis, DoublesMask is_far) {
-  return hn::Add(hn::Add(axis, axis), hn::IfThenElseZero(is_far, both(1)));
+/// As BoxFaceNumbers::face().
+HWY_INLINE Bits face_number(Doubles axis, DoublesMask is_far) {
+  return whole(hn::Add(hn::Add(axis, axis), hn::IfThenElseZero(is_far, both(1))));
 }
 
 /// What is known of pairs before their faces are laid on each other.
@@ -109,7 +113,15 @@ struct CarriedLanes {
   Doubles own_axis;
   DoublesMask is_far;
   Doubles size;
+  DoublesMask turned;  ///< The user's second box is the first in the order of the contact.
+  DoublesMask of_b;    ///< The second box in that order carries the points.
+  DoublesMask is_open;
+  Point origin;  ///< The center of the first box in that order.
 };
+
+HWY_INLINE Point upward_of(const Point& normal, DoublesMask of_b) {
+  return normal * hn::IfThenElse(of_b, both(-1), both(1));
+}
 
 /// The axis of each pair, in boxes seen from the first one's center.
 template <class T>
@@ -147,41 +159,99 @@ class CarryingBoxes {
 };
 
 template <class T>
+HWY_INLINE CarriedLanes carried_lanes(const FacePairs<T>& pairs) {
+  BoxPair boxes{{load_boxes(pairs.own), load_boxes(pairs.other)}};
+  CarriedLanes carried;
+  carried.turned = is_set(pairs.turned);
+  carried.of_b = is_set(pairs.of_b);
+  carried.is_open = no_lane();
+  const Point own = boxes.box[0].center;
+  const Point other = boxes.box[1].center;
+  const Point zero{{both(0), both(0), both(0)}};
+  const Point way = one_of(carried.of_b, own - other, other - own);
+  carried.origin = one_of(carried.of_b, other, own);
+  boxes.box[0].center = one_of(carried.of_b, way, zero);
+  boxes.box[1].center = one_of(carried.of_b, zero, way);
+  carried.own_axis = hn::Load(Tag<double>(), pairs.axis.of);
+  carried.own = turned_to(boxes.box[0], carried.own_axis);
+  carried.other = boxes.box[1];
+  carried.size = hn::Add(size_of(boxes.box[0]), size_of(boxes.box[1]));
+  carried.found = axis_of_face(carried.own, 0, carried.other, way);
+  const Point up = upward_of(carried.found.normal, carried.of_b);
+  carried.upward = {up, up};
+  carried.is_far = hn::Gt(dot(carried.own.axes[0], up), both(0));
+  return carried;
+}
+
+template <class T>
+HWY_INLINE CarriedLanes carried_lanes(const CarriedPairs<T>& pairs) {
+  BoxPair boxes{{load_boxes(pairs.first), load_boxes(pairs.second)}};
+  CarriedLanes carried;
+  carried.turned = is_set(pairs.turned);
+  carried.of_b = is_set(pairs.of_b);
+  carried.origin = see_from_first(boxes);
+  carried.size = hn::Add(size_of(boxes.box[0]), size_of(boxes.box[1]));
+  carried.found = axis_of_carried(boxes, pairs);
+  const Point up = upward_of(carried.found.normal, carried.of_b);
+  const BoxLanes own = one_of(carried.of_b, boxes.box[1], boxes.box[0]);
+  const LookingFace face(own, up);
+  carried.is_open = face.is_open;
+  carried.own_axis = face.axis;
+  carried.is_far = face.is_far;
+  carried.own = turned_to(own, face.axis);
+  carried.other = one_of(carried.of_b, boxes.box[0], boxes.box[1]);
+  carried.upward = {up, outward_normal(carried.own, up)};
+  return carried;
+}
+
+/// A group of pairs, the other box' face of each laid on the carrying one.
+template <class T>
 class FaceContacts {
  public:
-  HWY_INLINE explicit FaceContacts(const FacePairs<T>& pairs)
-      : turned_(is_set(pairs.turned)), of_b_(is_set(pairs.of_b)), is_open_(no_lane()) {
-    BoxPair boxes{{load_boxes(pairs.own), load_boxes(pairs.other)}};
-    const Point way = place_boxes(boxes);
-    CarriedLanes carried;
-    carried.own_axis = hn::Load(Tag<double>(), pairs.axis.of);
-    carried.own = turned_to(boxes.box[0], carried.own_axis);
-    carried.other = boxes.box[1];
-    carried.size = hn::Add(size_of(boxes.box[0]), size_of(boxes.box[1]));
-    carried.found = axis_of_face(carried.own, 0, carried.other, way);
-    const Point up = upward_of(carried.found.normal);
-    carried.upward = {up, up};
-    carried.is_far = hn::Gt(dot(carried.own.axes[0], up), both(0));
-    lay(carried);
+  /// Before anything else.
+  HWY_INLINE void lay(const CarriedLanes& carried) {
+    up_ = carried.upward.up;
+    normal_ = carried.found.normal;
+    of_b_ = carried.of_b;
+    turns_ = hn::Xor(carried.of_b, carried.turned);
+    origin_ = carried.origin;
+    const LookingFace looking(carried.other, up_ * both(-1));
+    incident_ = face_of(turned_to(carried.other, looking.axis), looking.is_far);
+    clip_.run(incident_, face_of(carried.own, carried.is_far), carried.upward,
+              hn::Mul(both(tolerance::coarse), carried.size));
+    is_open_ = hn::Or(carried.is_open, hn::Or(looking.is_open, clip_.is_open()));
+    rows_.set(carried.found, carried.size, carried.turned);
+    store(face_number(carried.own_axis, carried.is_far), faces_[PlacesOnFaces::reference]);
+    store(face_number(looking.axis, looking.is_far), faces_[PlacesOnFaces::incident]);
+    store(clip_.turns(), places_);
   }
 
-  HWY_INLINE explicit FaceContacts(const CarriedPairs<T>& pairs)
-      : turned_(is_set(pairs.turned)), of_b_(is_set(pairs.of_b)), is_open_(no_lane()) {
-    BoxPair boxes{{load_boxes(pairs.first), load_boxes(pairs.second)}};
-    origin_ = see_from_first(boxes);
-    CarriedLanes carried;
-    carried.size = hn::Add(size_of(boxes.box[0]), size_of(boxes.box[1]));
-    carried.found = axis_of_carried(boxes, pairs);
-    const Point up = upward_of(carried.found.normal);
-    const BoxLanes own = one_of(of_b_, boxes.box[1], boxes.box[0]);
-    const LookingFace face(own, up);
-    is_open_ = face.is_open;
-    carried.own_axis = face.axis;
-    carried.is_far = face.is_far;
-    carried.own = turned_to(own, face.axis);
-    carried.other = one_of(of_b_, boxes.box[0], boxes.box[1]);
-    carried.upward = {up, outward_normal(carried.own, up)};
-    lay(carried);
+  /// All corners of each pair of two groups, or four of more. The groups may be the same one. A choice has little to do
+  /// and much to wait for: two take hardly longer than one.
+  HWY_INLINE static void choose(FaceContacts& a, FaceContacts& b) {
+    Lines lines = joined(a.clip_.left(), b.clip_.left());
+    Lines beyond = lines;
+    for (std::size_t k = 0; k < Manifold<3>::most_points; ++k) beyond = but_the_first(beyond);
+    auto is_open = are_none(lines);
+    const auto are_few = are_none(beyond);
+    if (!hn::AllTrue(TwoTag(), are_few)) {
+      const ChoiceLanes choice(lines, a.clip_, a.measures(), b.clip_, b.measures());
+      lines = hn::IfThenElse(hn::RebindMask(LinesTag(), are_few), lines, choice.chosen());
+      is_open = hn::Or(is_open, hn::Not(hn::Or(are_few, choice.is_clear())));
+    }
+    const Lines open = hn::IfThenElseZero(hn::RebindMask(LinesTag(), is_open), hn::Set(LinesTag(), 1));
+    a.take(widened(lines, 0), widened(open, 0));
+    if (&a != &b) b.take(widened(lines, 1), widened(open, 1));
+  }
+
+  /// Those that are chosen.
+  HWY_INLINE void set_points() {
+    Bits rest = chosen_;
+    for (std::size_t k = 0; k < Manifold<3>::most_points; ++k) {
+      const Bits line = first_of(rest);
+      set_point(k, line);
+      rest = hn::Xor(rest, line);
+    }
   }
 
   /// One bit for each pair of which not all is clear.
@@ -189,111 +259,61 @@ class FaceContacts {
 
   /// `turns` where the user's second box has the face.
   void write(std::size_t lane, bool turns, Manifold<3, T>& to) const {
-    const auto size = static_cast<std::size_t>(count_.of[lane]);
-    const auto& of_reference = features_of_faces[static_cast<std::size_t>(reference_face_.of[lane])];
-    const auto& of_incident = features_of_faces[static_cast<std::size_t>(incident_face_.of[lane])];
+    const auto size = static_cast<std::size_t>(std::popcount(corners_[lane]));
+    const std::size_t on_a = turns ? PlacesOnFaces::incident : PlacesOnFaces::reference;
+    const std::size_t on_b = turns ? PlacesOnFaces::reference : PlacesOnFaces::incident;
+    const auto& of_a = features_of_faces[faces_[on_a].of[lane]];
+    const auto& of_b = features_of_faces[faces_[on_b].of[lane]];
+    const auto& places = places_by_lines[places_.of[lane]];
     for (std::size_t k = 0; k < size; ++k) {
       ManifoldPoint<3, T>& point = to.points[k];
       points_[k].write(lane, point);
-      const PlacesOnFaces& places = places_by_line_pair[static_cast<std::size_t>(lines_[k].of[lane])];
-      const Feature features[2] = {of_reference[places.on_reference], of_incident[places.on_incident]};
-      point.id = {features[turns ? 1 : 0], features[turns ? 0 : 1], 0, 0};
+      const PlacesOnFaces& of_lines = places[lines_[k].of[lane]];
+      point.id = {of_a[of_lines.on[on_a]], of_b[of_lines.on[on_b]], 0, 0};
     }
     for (std::size_t k = size; k < to.points.size(); ++k) clear_point(to.points[k]);
     rows_.write(lane, size, to);
   }
 
  private:
-  /// Seen from the center of the one that is first in the order of the contact. Returns the way from there to the
-  /// other's.
-  HWY_INLINE Point place_boxes(BoxPair& boxes) {
-    const Point own = boxes.box[0].center;
-    const Point other = boxes.box[1].center;
-    const Point zero{{both(0), both(0), both(0)}};
-    const Point way = one_of(of_b_, own - other, other - own);
-    origin_ = one_of(of_b_, other, own);
-    boxes.box[0].center = one_of(of_b_, way, zero);
-    boxes.box[1].center = one_of(of_b_, zero, way);
-    return way;
+  HWY_INLINE MeasuresLanes measures() const { return MeasuresLanes(clip_, incident_, normal_, of_b_); }
+
+  HWY_INLINE void take(Bits lines, Bits open) {
+    chosen_ = lines;
+    hn::Store(lines, BitsTag(), corners_);
+    is_open_ = hn::Or(is_open_, has_bit(open, 0));
   }
 
-  HWY_INLINE Point upward_of(const Point& normal) const { return normal * hn::IfThenElse(of_b_, both(-1), both(1)); }
-
-  /// The other box' face on the carrying one.
-  HWY_INLINE void lay(const CarriedLanes& carried) {
-    turns_ = hn::Or(hn::AndNot(of_b_, turned_), hn::AndNot(turned_, of_b_));
-    rows_.set(carried.found, carried.size, turned_);
-    const Point& up = carried.upward.up;
-    const LookingFace looking(carried.other, up * both(-1));
-    store(face_number(carried.own_axis, carried.is_far), reference_face_);
-    store(face_number(looking.axis, looking.is_far), incident_face_);
-    const FaceLanes incident = face_of(turned_to(carried.other, looking.axis), looking.is_far);
-    const ClipLanes clip(incident, face_of(carried.own, carried.is_far), carried.upward,
-                         hn::Mul(both(tolerance::coarse), carried.size));
-    is_open_ = hn::Or(is_open_, hn::Or(looking.is_open, clip.is_open()));
-    choose(clip, incident, carried.found.normal);
-    set_points(clip, incident, up);
-  }
-
-  /// The ranks of all corners, or of four of more; of others infinity.
-  HWY_INLINE void choose(const ClipLanes& clip, const FaceLanes& incident, const Point& normal) {
-    const Doubles none = both(std::numeric_limits<double>::infinity());
-    for (std::size_t s = 0; s < clip_lines; ++s) ranks_[s] = hn::IfThenElse(clip.is_left(s), clip.rank(s), none);
-    const auto count = [&] {
-      return over_lines(Total(), [&](std::size_t s) { return hn::IfThenElseZero(hn::Lt(ranks_[s], none), both(1)); });
-    };
-    Doubles corners = count();
-    const DoublesMask are_many = hn::Gt(corners, both(4));
-    if (!hn::AllFalse(Tag<double>(), are_many)) {
-      const ChoiceLanes choice(clip, incident, normal, of_b_);
-      for (std::size_t s = 0; s < clip_lines; ++s) {
-        ranks_[s] = hn::IfThenElse(hn::AndNot(choice.has(ranks_[s]), are_many), none, ranks_[s]);
-      }
-      corners = count();
-      is_open_ = hn::Or(is_open_, hn::And(are_many, choice.is_open()));
-    }
-    store(corners, count_);
-  }
-
-  HWY_INLINE void set_points(const ClipLanes& clip, const FaceLanes& incident, const Point& up) {
-    const Doubles none = both(std::numeric_limits<double>::infinity());
-    Doubles rank = both(-1);
-    for (std::size_t k = 0; k < 4; ++k) {
-      rank =
-          over_lines(Least(), [&](std::size_t s) { return hn::IfThenElse(hn::Gt(ranks_[s], rank), ranks_[s], none); });
-      set_point(k, rank, clip, incident, up);
-    }
-  }
-
-  /// That of the corner with the rank, if there is one.
-  HWY_INLINE void set_point(std::size_t k, Doubles rank, const ClipLanes& clip, const FaceLanes& incident,
-                            const Point& up) {
-    const auto of_corner = [&](const auto& number) {
-      return over_lines(Common(),
-                        [&](std::size_t s) { return hn::IfThenElseZero(hn::Eq(ranks_[s], rank), number(s)); });
-    };
-    const Doubles within[2] = {of_corner([&](std::size_t s) { return clip.within(s, 0); }),
-                               of_corner([&](std::size_t s) { return clip.within(s, 1); })};
-    const Doubles lines = of_corner([&](std::size_t s) { return clip.lines(s); });
-    store(lines, lines_[k]);
-    const Doubles height = clip.height_of(within[0], within[1]);
-    const Point point = incident.middle + incident.right * within[0] + incident.up * within[1];
-    const Point first = (point - up * height) + origin_;
+  /// The corner on a line, if there is one.
+  HWY_INLINE void set_point(std::size_t k, Bits line) {
+    const LineOfEach<Tag<double>> corner(line);
+    const Doubles within[2] = {corner.of([this](std::size_t s) { return clip_.within(s, 0); }),
+                               corner.of([this](std::size_t s) { return clip_.within(s, 1); })};
+    store(corner.of([this](std::size_t s) { return clip_.lines(s); }), lines_[k]);
+    const Doubles height = clip_.height_of(within[0], within[1]);
+    const Point point = incident_.middle + incident_.right * within[0] + incident_.up * within[1];
+    const Point first = (point - up_ * height) + origin_;
     points_[k].set(first, point + origin_, max_of(both(0), hn::Neg(height)), turns_);
   }
 
-  DoublesMask turned_;
+  Point up_;
+  Point normal_;
   DoublesMask of_b_;
   DoublesMask turns_;  ///< The user's second box has the face.
-  DoublesMask is_open_;
-  Doubles ranks_[clip_lines];
   Point origin_;
+  FaceLanes incident_;
+  ClipLanes clip_;
+  DoublesMask is_open_;
+  Bits chosen_;  ///< The lines where corners are that are taken.
   ManifoldRows<T> rows_;
-  PointRows<T> points_[4];
-  Row<double> count_, reference_face_, incident_face_;
-  Row<double> lines_[4];
+  PointRows<T> points_[Manifold<3>::most_points];
+  alignas(64) std::uint64_t corners_[pairs_at_once];  ///< The same.
+  Row<std::uint64_t> faces_[2];
+  Row<std::uint64_t> places_;
+  Row<std::uint64_t> lines_[Manifold<3>::most_points];
 };
 
+#endif
 }  // namespace graze::detail::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -2,7 +2,6 @@
 // Compiled once per instruction set: Highway includes this file anew for each.
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +9,6 @@
 
 #include <graze/broad/manifold_kernels.hpp>
 #include <graze/broad/simd_choice.hpp>
-#include <graze/query/closest_points.hpp>
 #include <graze/query/lanes.hpp>
 
 #undef HWY_TARGET_INCLUDE
@@ -24,9 +22,9 @@
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_WASM && HWY_HAVE_FLOAT64 && \
     defined(GRAZE_HAS_LANES)
 #define GRAZE_MANIFOLD_LANES (HWY_MAX_BYTES >= 32 && HWY_NATIVE_FMA)
-#include <graze/broad/manifold_axes-inl.hpp>
 #include <graze/broad/manifold_edges-inl.hpp>
 #include <graze/broad/manifold_faces-inl.hpp>
+#include <graze/broad/manifold_looks-inl.hpp>
 #else
 #define GRAZE_MANIFOLD_LANES 0
 #endif
@@ -38,47 +36,8 @@ namespace {
 #if GRAZE_MANIFOLD_LANES
 
 template <class T>
-const T* numbers_of(const Obb<3, T>& box) {
-  return reinterpret_cast<const T*>(&box);
-}
-
-/// As is_in_order of the two the other way round; nearly always the first number says it.
-template <class T>
-HWY_INLINE bool is_turned(const TwoObbs<T>& boxes) {
-  const Obb<3, T>& a = *boxes.a;
-  const Obb<3, T>& b = *boxes.b;
-  return a.center.x != b.center.x ? b.center.x < a.center.x : !is_in_order(a, b);
-}
-
-template <class T>
 void look_at_obbs(std::span<const TwoObbs<T>> pairs, ObbsLook* looks) {
-  for (std::size_t from = 0; from < pairs.size(); from += pairs_at_once) {
-    const std::size_t count = std::min(pairs_at_once, pairs.size() - from);
-    std::array<const T*, pairs_at_once> first;
-    std::array<const T*, pairs_at_once> second;
-    for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
-      const TwoObbs<T>& boxes = pairs[lane < count ? from + lane : from];
-      const std::array<const T*, 2> numbers{numbers_of(*boxes.a), numbers_of(*boxes.b)};
-      const bool turned = is_turned(boxes);
-      first[lane] = numbers[turned ? 1 : 0];
-      second[lane] = numbers[turned ? 0 : 1];
-    }
-    BoxPair boxes{{load_boxes(first.data()), load_boxes(second.data())}};
-    see_from_first(boxes);
-    const LooksLanes found(boxes);
-    Row<double> places;
-    store(found.place, places);
-    alignas(64) std::array<std::uint64_t, pairs_at_once> right_angles;
-    hn::Store(found.right_angles, BitsTag(), right_angles.data());
-    const std::uint32_t overlapping = bits_of<double>(found.is_overlapping);
-    const std::uint32_t apart = bits_of<double>(found.is_apart);
-    for (std::size_t lane = 0; lane < count; ++lane) {
-      const auto place = static_cast<std::uint8_t>(places.of[lane]);
-      looks[from + lane] = {place, static_cast<std::uint8_t>(overlapping >> lane & 1U),
-                            static_cast<std::uint8_t>(apart >> lane & 1U),
-                            static_cast<std::uint8_t>(may_be_along_face(place, right_angles[lane]) ? 1 : 0)};
-    }
-  }
+  LooksAtObbs<T>(pairs, looks);
 }
 
 /// The manifolds of up to most_obbs_to_contact pairs: those across faces, then those across edges, then those whose
@@ -89,9 +48,9 @@ class ContactBatch {
   ContactBatch(std::span<const ObbsToContact<T>> pairs, std::uint32_t* left) : pairs_(pairs), left_(left) {
     for (std::size_t i = 0; i < pairs.size(); ++i) sort_in(i);
     for (std::size_t i = 0; i < level_.count; i += pairs_at_once) find_carrying(i);
-    for (std::size_t i = 0; i < faces_.count; i += pairs_at_once) contact_faces(i);
+    for (std::size_t i = 0; i < faces_.count; i += 2 * pairs_at_once) contact_faces(i);
     for (std::size_t i = 0; i < edges_.count; i += pairs_at_once) contact_edges(i);
-    for (std::size_t i = 0; i < carried_.count; i += pairs_at_once) contact_carried(i);
+    for (std::size_t i = 0; i < carried_.count; i += 2 * pairs_at_once) contact_carried(i);
   }
 
   std::size_t left_count() const { return left_count_; }
@@ -112,6 +71,7 @@ class ContactBatch {
     first_[i] = numbers[turned ? 1 : 0];
     second_[i] = numbers[turned ? 0 : 1];
     is_by_second_[i] = false;
+    is_carried_[i] = false;
     const std::uint8_t place = pairs_[i].look.axis;
     place_[i] = place;
     List& list = pairs_[i].look.may_be_along_face != 0 ? level_ : list_of(i);
@@ -122,17 +82,57 @@ class ContactBatch {
 
   List& list_of(std::size_t i) { return place_[i] < 6 ? faces_ : edges_; }
 
+  using Group = std::array<std::uint16_t, pairs_at_once>;
+
   /// The pairs of a group, the first in the place of those that are missing.
-  static std::array<std::uint16_t, pairs_at_once> group_of(const List& list, std::size_t from) {
-    std::array<std::uint16_t, pairs_at_once> group;
+  static Group group_of(const List& list, std::size_t from) {
+    Group group;
     for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
       group[lane] = list.pairs[from + lane < list.count ? from + lane : from];
     }
     return group;
   }
 
-  HWY_INLINE void contact_faces(std::size_t from) {
-    const auto group = group_of(faces_, from);
+  void contact_faces(std::size_t from) {
+    contact_two_groups(faces_, from, [this](const Group& group) { return carried_lanes(face_pairs(group)); });
+  }
+
+  /// Those of a list from there on, as many as two groups have. Functions of their own, or their many instructions
+  /// would be there twice, and not stay near.
+  template <class Carried>
+  void contact_two_groups(const List& list, std::size_t from, const Carried& carried) {
+    const std::size_t count = std::min(list.count - from, 2 * pairs_at_once);
+    const std::size_t groups = count > pairs_at_once ? 2 : 1;
+    FaceContacts<T> contacts[2];
+    for (std::size_t g = 0; g < groups; ++g) lay(carried, group_of(list, from + g * pairs_at_once), contacts[g]);
+    FaceContacts<T>::choose(contacts[0], contacts[groups - 1]);
+    for (std::size_t g = 0; g < groups; ++g) {
+      write_faces(contacts[g], group_of(list, from + g * pairs_at_once), count - g * pairs_at_once);
+    }
+  }
+
+  template <class Carried>
+  HWY_NOINLINE static void lay(const Carried& carried, const Group& group, FaceContacts<T>& contacts) {
+    contacts.lay(carried(group));
+  }
+
+  HWY_NOINLINE void write_faces(FaceContacts<T>& contacts, const Group& group, std::size_t count) {
+    contacts.set_points();
+    const std::uint32_t open = contacts.open();
+    for (std::size_t lane = 0; lane < std::min(pairs_at_once, count); ++lane) {
+      const std::size_t i = group[lane];
+      if ((open >> lane & 1U) != 0) {
+        left_[left_count_++] = static_cast<std::uint32_t>(i);
+      } else {
+        contacts.write(lane, turned_[i] != is_of_second(i), *pairs_[i].manifold);
+      }
+    }
+  }
+
+  /// Whether the box that carries the points is the second in the order of the contact.
+  bool is_of_second(std::size_t i) const { return is_by_second_[i] || (!is_carried_[i] && place_[i] >= 3); }
+
+  FacePairs<T> face_pairs(const Group& group) const {
     FacePairs<T> pairs;
     for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
       const std::size_t i = group[lane];
@@ -144,16 +144,7 @@ class ContactBatch {
       pairs.of_b.of[lane] = of_b ? 1 : 0;
       pairs.turned.of[lane] = turned_[i] ? 1 : 0;
     }
-    const FaceContacts<T> contacts(pairs);
-    const std::uint32_t open = contacts.open();
-    for (std::size_t lane = 0; lane < std::min(pairs_at_once, faces_.count - from); ++lane) {
-      const std::size_t i = group[lane];
-      if ((open >> lane & 1U) != 0) {
-        left_[left_count_++] = static_cast<std::uint32_t>(i);
-      } else {
-        contacts.write(lane, turned_[i] != (place_[i] >= 3), *pairs_[i].manifold);
-      }
-    }
+    return pairs;
   }
 
   HWY_INLINE void contact_edges(std::size_t from) {
@@ -188,12 +179,13 @@ class ContactBatch {
     for (std::size_t lane = 0; lane < std::min(pairs_at_once, level_.count - from); ++lane) {
       const std::size_t i = group[lane];
       is_by_second_[i] = (by_second >> lane & 1U) != 0;
-      List& list = ((by_first | by_second) >> lane & 1U) != 0 ? carried_ : list_of(i);
+      is_carried_[i] = ((by_first | by_second) >> lane & 1U) != 0;
+      List& list = is_carried_[i] ? carried_ : list_of(i);
       list.pairs[list.count++] = static_cast<std::uint16_t>(i);
     }
   }
 
-  CarriedPairs<T> carried_pairs(const std::array<std::uint16_t, pairs_at_once>& group) const {
+  CarriedPairs<T> carried_pairs(const Group& group) const {
     CarriedPairs<T> pairs;
     for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
       const std::size_t i = group[lane];
@@ -209,18 +201,8 @@ class ContactBatch {
     return pairs;
   }
 
-  HWY_INLINE void contact_carried(std::size_t from) {
-    const auto group = group_of(carried_, from);
-    const FaceContacts<T> contacts(carried_pairs(group));
-    const std::uint32_t open = contacts.open();
-    for (std::size_t lane = 0; lane < std::min(pairs_at_once, carried_.count - from); ++lane) {
-      const std::size_t i = group[lane];
-      if ((open >> lane & 1U) != 0) {
-        left_[left_count_++] = static_cast<std::uint32_t>(i);
-      } else {
-        contacts.write(lane, turned_[i] != is_by_second_[i], *pairs_[i].manifold);
-      }
-    }
+  void contact_carried(std::size_t from) {
+    contact_two_groups(carried_, from, [this](const Group& group) { return carried_lanes(carried_pairs(group)); });
   }
 
   std::span<const ObbsToContact<T>> pairs_;
@@ -234,7 +216,8 @@ class ContactBatch {
   List faces_;
   List edges_;
   List carried_;
-  std::array<bool, room> is_by_second_;  ///< Of those in `carried_`, else false.
+  std::array<bool, room> is_carried_;    ///< In the last list.
+  std::array<bool, room> is_by_second_;  ///< Of those, else false.
 };
 
 template <class T>

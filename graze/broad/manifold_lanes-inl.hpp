@@ -28,7 +28,47 @@ using Point = LaneVec<3, double>;
 
 constexpr std::size_t pairs_at_once = lanes_of<double>;
 
+/// A number of each pair, to be read one by one.
+template <class T>
+struct alignas(64) Row {
+  T of[pairs_at_once];
+};
+
+/// Bits of each pair, as long as its numbers: masks are few, and take long to be put aside.
+using BitsTag = hn::RebindToUnsigned<Tag<double>>;
+using Bits = hn::Vec<BitsTag>;
+
+/// Every bit in all lanes, for T as long as a lane: read, which takes less than to make them.
+template <class T>
+struct alignas(64) BitsInLanes {
+  static constexpr std::size_t count = 16;
+  T of[count][hn::MaxLanes(Tag<double>()) * sizeof(double) / sizeof(T)];
+
+  constexpr BitsInLanes() : of{} {
+    for (std::size_t place = 0; place < count; ++place) {
+      for (T& lane : of[place]) lane = T{1} << place;
+    }
+  }
+};
+
+template <class T>
+inline constexpr BitsInLanes<T> bits_in_lanes;
+
+HWY_INLINE Bits bit_at(std::size_t place) { return hn::Load(BitsTag(), bits_in_lanes<std::uint64_t>.of[place]); }
+HWY_INLINE DoublesMask has_bit(Bits bits, std::size_t place) {
+  return hn::RebindMask(Tag<double>(), hn::TestBit(bits, bit_at(place)));
+}
+HWY_INLINE Bits bit_where(DoublesMask mask, std::size_t place) {
+  return hn::IfThenElseZero(hn::RebindMask(BitsTag(), mask), bit_at(place));
+}
+HWY_INLINE DoublesMask has_none(Bits bits) { return hn::RebindMask(Tag<double>(), hn::Eq(bits, hn::Zero(BitsTag()))); }
+HWY_INLINE Bits but_the_first(Bits bits) { return hn::And(bits, hn::Sub(bits, hn::Set(BitsTag(), 1))); }
+/// The lowest of each pair.
+HWY_INLINE Bits first_of(Bits bits) { return hn::And(bits, hn::Sub(hn::Zero(BitsTag()), bits)); }
+
 HWY_INLINE Doubles both(double value) { return hn::Set(Tag<double>(), value); }
+/// Of numbers that are whole, and not below zero.
+HWY_INLINE Bits whole(Doubles v) { return hn::BitCast(BitsTag(), hn::ConvertTo(hn::RebindToSigned<Tag<double>>(), v)); }
 HWY_INLINE DoublesMask no_lane() { return hn::Lt(both(0), both(0)); }
 
 /// As std::max and std::min, also of zeros of either sign.
@@ -204,7 +244,7 @@ struct AxisLanes {
 
 HWY_INLINE AxisLanes axis_of_face(const BoxLanes& own, Dim axis, const BoxLanes& other, const Point& way) {
   const Point adjoint = cross(own.axes[(axis + 1) % 3], own.axes[(axis + 2) % 3]);
-  const Point across = adjoint / hn::Sqrt(dot(adjoint, adjoint));
+  const Point across = adjoint * hn::Div(both(1), hn::Sqrt(dot(adjoint, adjoint)));
   const auto reach_of = [&across](const Point& half_edge) { return hn::Abs(dot(across, half_edge)); };
   const Doubles reach = hn::Add(
       hn::Add(hn::Add(reach_of(own.half_edges[axis]), reach_of(other.half_edges[0])), reach_of(other.half_edges[1])),
@@ -234,8 +274,8 @@ struct EdgesLanes {
 
   /// As MeetingObbs has it.
   HWY_INLINE AxisLanes axis() const {
-    const Doubles length = hn::Sqrt(squared);
-    return {across * hn::Div(sign_of(ahead), length), hn::Div(gap(), length)};
+    const Doubles inverse = hn::Div(both(1), hn::Sqrt(squared));
+    return {across * hn::Mul(sign_of(ahead), inverse), hn::Mul(gap(), inverse)};
   }
 
   /// Times the length.

@@ -18,24 +18,21 @@
 #include <graze/broad/manifold_choice-inl.hpp>
 #include <graze/broad/manifold_lanes-inl.hpp>
 #include <graze/query/manifold.hpp>
+#include <graze/query/penetration_boxes.hpp>
 #include <graze/query/status.hpp>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
+#if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
-/// A number of each pair, to be read one by one.
-template <class T>
-struct alignas(64) Row {
-  T of[pairs_at_once];
-};
-
+HWY_INLINE void store(Bits v, Row<std::uint64_t>& row) { hn::Store(v, BitsTag(), row.of); }
 HWY_INLINE void store(Doubles v, Row<double>& row) { hn::Store(v, Tag<double>(), row.of); }
 HWY_INLINE void store(Doubles v, Row<float>& row) { hn::Store(narrowed(v), FloatTag(), row.of); }
 
 /// Never minus zero.
 HWY_INLINE void store_rounded(Doubles v, Row<double>& row) { hn::Store(hn::Add(v, both(0)), Tag<double>(), row.of); }
 HWY_INLINE void store_rounded(Doubles v, Row<float>& row) {
-  hn::Store(hn::Add(narrowed(v), all_floats(0)), FloatTag(), row.of);
+  hn::Store(hn::Add(narrowed(v), hn::Zero(FloatTag())), FloatTag(), row.of);
 }
 
 /// A contact point of each pair: nine coordinates and the depth.
@@ -63,7 +60,7 @@ struct PointRows {
       if constexpr (std::is_same_v<T, double>) {
         hn::Store(hn::Add(of_pairs[lane], both(0)), Tag<double>(), first_eight[lane]);
       } else {
-        hn::Store(hn::Add(narrowed(of_pairs[lane]), all_floats(0)), FloatTag(), first_eight[lane]);
+        hn::Store(hn::Add(narrowed(of_pairs[lane]), hn::Zero(FloatTag())), FloatTag(), first_eight[lane]);
       }
     }
     store_rounded(Doubles{last}, ninth);
@@ -117,7 +114,7 @@ struct ManifoldRows {
   HWY_INLINE void set(const AxisLanes& axis, Doubles size, DoublesMask turned) {
     const Doubles side = hn::IfThenElse(turned, both(-1), both(1));
     for (std::size_t k = 0; k < 3; ++k) store_rounded(hn::Mul(axis.normal.at[k], side), normal[k]);
-    store(hn::Add(max_of(both(0), axis.gap), hn::Mul(both(2 * tolerance::rounding), size)), error);
+    store(hn::Add(max_of(both(0), axis.gap), hn::Mul(both(boxes_error), size)), error);
   }
 
   void write(std::size_t lane, std::size_t size, Manifold<3, T>& to) const {
@@ -134,6 +131,7 @@ template <class T>
   point = {};
 }
 
+#endif
 }  // namespace graze::detail::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -186,12 +186,11 @@ struct LaneObb {
   HWY_INLINE explicit LaneObb(const Rows& rows) {
     Lanes<T> number[2 * N + N * N];
     load_struct<T>(rows, number);
-    for (Dim i = 0; i < N; ++i) {
-      center.at[i] = number[i];
-      half.at[i] = number[N + i];
-      for (Dim k = 0; k < N; ++k) axes[i].at[k] = number[2 * N + i * N + k];
-    }
+    set(number);
   }
+
+  /// Of its numbers, in the order of the struct.
+  HWY_INLINE explicit LaneObb(const Lanes<T> (&number)[2 * N + N * N]) { set(number); }
 
   /// As large as a box along the world's axes, but around the origin: from far away its center would be rounded.
   HWY_INLINE explicit LaneObb(const LaneAabb<N, T>& box) {
@@ -199,6 +198,15 @@ struct LaneObb {
       center.at[i] = hn::Zero(Tag<T>());
       half.at[i] = hn::Mul(all(T(0.5)), hn::Sub(box.max.at[i], box.min.at[i]));
       for (Dim k = 0; k < N; ++k) axes[i].at[k] = all(T(i == k ? 1 : 0));
+    }
+  }
+
+ private:
+  HWY_INLINE void set(const Lanes<T> (&number)[2 * N + N * N]) {
+    for (Dim i = 0; i < N; ++i) {
+      center.at[i] = number[i];
+      half.at[i] = number[N + i];
+      for (Dim k = 0; k < N; ++k) axes[i].at[k] = number[2 * N + i * N + k];
     }
   }
 };

@@ -353,7 +353,7 @@ template <class R, class T>
 /// Four of more than four.
 [[gnu::always_inline]] inline unsigned chosen_corners(const FaceOverFace& over, const PairedVec& normal, bool is_of_b) {
   if (over.size() > Manifold<3>::most_points) return LaneChoice(over, normal, is_of_b).run();
-  return (1U << over.size()) - 1;
+  return over.left();
 }
 
 /// Of two that meet, in the order of their contact, or `turned`.

@@ -17,7 +17,7 @@
 
 namespace graze::detail {
 
-/// A number for each of up to twelve corners.
+/// A number for each corner, by the line that starts there; and three more.
 struct CornerLanes {
   Lanes four[3];
 
@@ -29,18 +29,19 @@ struct CornerLanes {
 class LaneChoice {
  public:
   [[gnu::always_inline]] LaneChoice(const FaceOverFace& over, const PairedVec& normal, bool on_incident)
-      : count_(over.size()) {
+      : left_(over.left()), first_(over.first()) {
     const BoxFace& face = over.incident();
     const LanePair climb = over.climb();
     const double longest = std::max(dot(face.right, face.right), dot(face.up, face.up));
-    const double scale = 1 / longest;
+    const double down = -1 / std::sqrt(longest);
+    const double scale = down * down;
     // Points on the reference face have no height, and with that of the incident one are as far from each other.
     const LanePair flat = on_incident ? LanePair{0, 0} : climb;
     xx_ = static_cast<float>((dot(face.right, face.right) - flat[0] * flat[0]) * scale);
     yy_ = static_cast<float>((dot(face.up, face.up) - flat[1] * flat[1]) * scale);
     xy_ = static_cast<float>(2 * (dot(face.right, face.up) - flat[0] * flat[1]) * scale);
     area_ = static_cast<float>(dot(cross(face.right, face.up), normal) * scale);
-    const LanePair sink = climb / -std::sqrt(longest);
+    const LanePair sink = climb * down;
 #pragma GCC unroll 3
     for (std::size_t i = 0; i < 3; ++i) {
       place_four(over, 4 * i, i);
@@ -48,10 +49,10 @@ class LaneChoice {
     }
   }
 
-  /// As bits.
+  /// By the lines that start there, as bits.
   [[gnu::always_inline]] unsigned run() const {
     const auto equal = static_cast<float>(tolerance::aligned);
-    const CornerLanes from_first = squared_from(0);
+    const CornerLanes from_first = squared_from(first_);
     const float squared = largest(from_first);
     const std::size_t start = best(depth_, equal * std::sqrt(squared));
     const std::size_t end = best(squared_from(start), equal * squared);
@@ -68,11 +69,11 @@ class LaneChoice {
   }
 
  private:
-  /// Beyond the last corner the first again, which is never better than itself.
+  /// In place of a corner that is not there the first, which is never better than itself.
   [[gnu::always_inline]] void place_four(const FaceOverFace& over, std::size_t first, std::size_t four) {
     using Four = double __attribute__((vector_size(32)));  // in two registers
-    const LanePair origin = over.within(0);
-    const auto seen = [&](std::size_t i) { return over.within(i < count_ ? i : 0) - origin; };
+    const LanePair origin = over.within(first_);
+    const auto seen = [&](std::size_t line) { return over.within((left_ >> line & 1U) != 0 ? line : first_) - origin; };
     const auto both = [&](std::size_t i) {
       const Four places = __builtin_shufflevector(seen(i), seen(i + 1), 0, 1, 2, 3);
       return __builtin_convertvector(places, Lanes);
@@ -111,21 +112,23 @@ class LaneChoice {
       bits *= 16;
     }
     const LaneBits two = chosen | __builtin_shufflevector(chosen, chosen, 2, 3, 0, 1);
-    const auto good = static_cast<unsigned>(two[0] | two[1]) & ((1U << count_) - 1);
-    if (good != 0 && ((good & 1U) != 0 || (good & (good - 1)) == 0)) [[likely]]
+    const auto good = static_cast<unsigned>(two[0] | two[1]) & left_;
+    if (good != 0 && ((good >> first_ & 1U) != 0 || (good & (good - 1)) == 0)) [[likely]]
       return static_cast<std::size_t>(std::countr_zero(good));
     return best_in_turn(values, slack);
   }
 
   [[gnu::noinline]] std::size_t best_in_turn(const CornerLanes& values, float slack) const {
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < count_; ++i) {
-      if (values[i] > values[best] + slack) best = i;
+    std::size_t best = first_;
+    for (unsigned rest = left_; rest != 0; rest &= rest - 1) {
+      const auto line = static_cast<std::size_t>(std::countr_zero(rest));
+      if (values[line] > values[best] + slack) best = line;
     }
     return best;
   }
 
-  std::size_t count_;
+  unsigned left_;  ///< The lines on which sides start, as bits; and the first of them.
+  std::size_t first_;
   float xx_, yy_, xy_;  ///< The squared length of x * right + y * up is xx * x * x + yy * y * y + xy * x * y.
   float area_;          ///< Of the rectangle of right and up, across the normal.
   CornerLanes x_, y_, depth_;

@@ -67,10 +67,10 @@ class CornersInTurn {
   /// Empty if there are no more.
   [[gnu::noinline]] Point next() {
     if (left_ == 0) return {};
-    const auto place = static_cast<std::size_t>(std::countr_zero(left_));
+    const auto line = static_cast<std::size_t>(std::countr_zero(left_));
     left_ &= left_ - 1;
     ++count_;
-    return points_.rounded(over_.pair(place));
+    return points_.rounded(over_.pair(line));
   }
 
   std::size_t count() const { return count_; }

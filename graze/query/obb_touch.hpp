@@ -125,7 +125,7 @@ struct MeetingObbs {
   }
 
   double depth() const { return std::max(0.0, -gap); }
-  double error() const { return std::max(0.0, gap) + 2 * tolerance::rounding * size; }
+  double error() const { return std::max(0.0, gap) + boxes_error * size; }
 
   /// The same as penetration_boxes.hpp has it.
   BoxesContact<3> contact() const {
@@ -154,7 +154,7 @@ struct MeetingObbs {
     const PairedBox& own = box[of_b ? 1 : 0];
     const PairedBox& other = box[of_b ? 0 : 1];
     const PairedVec adjoint = cross(own.axes[(i + 1) % 3], own.axes[(i + 2) % 3]);
-    const PairedVec across = adjoint / std::sqrt(dot(adjoint, adjoint));  // about 1
+    const PairedVec across = adjoint * (1 / std::sqrt(dot(adjoint, adjoint)));  // about 1
     const double reach = std::fabs(dot(across, own.half_edges[i])) + std::fabs(dot(across, other.half_edges[0])) +
                          std::fabs(dot(across, other.half_edges[1])) + std::fabs(dot(across, other.half_edges[2]));
     const double ahead = dot(across, box[1].center - box[0].center);
@@ -186,9 +186,9 @@ struct MeetingObbs {
   }
 
   [[gnu::always_inline]] void take_edges(Dim i, Dim j, const AxisAcrossEdges& found) {
-    const double length = std::sqrt(found.squared);
-    normal = found.across * (sign_of(found.ahead) / length);
-    gap = gap_across(found) / length;
+    const double inverse = 1 / std::sqrt(found.squared);
+    normal = found.across * (sign_of(found.ahead) * inverse);
+    gap = gap_across(found) * inverse;
     is_on_edges = true;
     is_of_b = false;
     axis = i;
@@ -199,6 +199,7 @@ struct MeetingObbs {
   /// One of several axes, or one that needs care.
   [[gnu::noinline]] void search(BoxesAxes candidates) {
     const double margin = tolerance::rounding * size;
+    candidates = distinct_axes(candidates, repeated_axes(box[0].axes, box[1].axes));
     take_face(false, 0, {PairedVec(LanePair{1, 0}, 0), -std::numeric_limits<double>::infinity()});
     for (; candidates != 0; candidates &= candidates - 1) {
       const auto place = static_cast<Dim>(std::countr_zero(candidates));
@@ -333,7 +334,7 @@ struct CrossingEdges {
   const PairedVec& along_b = met.box[1].axes[met.edge_b];
   const PairedVec between = edge_b.middle - edge_a.middle;
   const LanePair on_edges =
-      LanePair{dot(cross(between, along_b), across), dot(cross(between, along_a), across)} / squared;
+      LanePair{dot(cross(between, along_b), across), dot(cross(between, along_a), across)} * (1 / squared);
   const bool is_known =
       std::min(shortest_half_edge(met.box[0]), shortest_half_edge(met.box[1])) > least_share * met.size &&
       squared > least_squared_sine && std::fabs(on_edges[0]) < farthest * met.box[0].half[met.axis] &&

@@ -34,7 +34,7 @@ struct BoxSides {
   /// Of length 1, of the faces across an edge.
   Vec<N, double> normal(Dim i) const {
     const Vec<N, double> normal = adjoint_column(directions, i);
-    return normal / std::sqrt(dot(normal, normal));  // about 1
+    return normal * (1 / std::sqrt(dot(normal, normal)));  // about 1
   }
 };
 
@@ -53,6 +53,58 @@ BoxSides<N> sides_of(const Obb<N, double>& box) {
 using BoxesAxes = unsigned;
 template <Dim N>
 inline constexpr BoxesAxes all_boxes_axes = N == 2 ? 0xf : 0x7fff;
+
+/// Two axes are one if the angle between them is no more than this for certain.
+inline constexpr double same_axis = 3 * tolerance::rounding;
+
+/// How far three axes are from orthonormal, as orthonormal_error.
+template <class Axes>
+double skew_of_axes(const Axes& axes) {
+  double skew = 0;
+  for (Dim i = 0; i < 3; ++i) {
+    skew = std::max(skew, std::fabs(dot(axes[i], axes[i]) - 1));
+    skew = std::max(skew, std::fabs(dot(axes[i], axes[(i + 1) % 3])));
+  }
+  return skew;
+}
+
+/// Axes of two boxes in space that are a face's normal once more, or across parallel edges: a box on a box has six of
+/// them. With unit edges at right angles, b's edge j lies in a's plane across k if their cosine c is zero, and then a's
+/// edge i x b's edge j is the normal across k; an angle of c divided by the sine of the two edges is left, and what the
+/// edges are off from right angles themselves counts as c does. Of parallel edges both such cosines are zero: an axis
+/// across them is between normals of faces, and not wider than these by more than the angle.
+template <class Axes>
+BoxesAxes repeated_axes(const Axes& a, const Axes& b) {
+  const double skew = 1.5 * std::max(skew_of_axes(a), skew_of_axes(b));
+  double cosines[3][3];
+  for (Dim i = 0; i < 3; ++i) {
+    for (Dim j = 0; j < 3; ++j) cosines[j][i] = std::fabs(dot(a[i], b[j]));
+  }
+  BoxesAxes result = 0;
+  for (Dim j = 0; j < 3; ++j) {
+    const auto& c = cosines[j];
+    for (Dim i = 0; i < 3; ++i) {
+      const BoxesAxes along{1.5 * (std::max(c[(i + 1) % 3], c[(i + 2) % 3]) + skew) <= same_axis};
+      result |= along << (3 + j) | along << (6 + 3 * i + j);
+      const double in_a = std::min(c[(i + 1) % 3], c[(i + 2) % 3]);
+      const double in_b = std::min(cosines[(j + 1) % 3][i], cosines[(j + 2) % 3][i]);
+      const double off = std::min(in_a, in_b) + skew;
+      result |= BoxesAxes{off * off <= same_axis * same_axis * (1 - c[i] * c[i])} << (6 + 3 * i + j);
+    }
+  }
+  return result;
+}
+
+/// Without those: the gaps along them are as wide as that along the face's normal, up to same_axis times the size. All
+/// if nothing else was left.
+inline BoxesAxes distinct_axes(BoxesAxes candidates, BoxesAxes repeated) {
+  const BoxesAxes left = candidates & ~repeated;
+  return left != 0 ? left : candidates;
+}
+
+/// How much deeper two boxes may be, by their size, than the depth that was found: the gaps are off by a rounding, an
+/// axis is preferred to one that is wider by no more than that, and one that is a face's normal once more is not tried.
+inline constexpr double boxes_error = 2 * tolerance::rounding + same_axis;
 
 /// The axis, and what it is the normal of: the face of one box, or two edges.
 template <Dim N>
@@ -76,6 +128,7 @@ class BoxesSearch {
 
   /// Of axes that are known to be wider than all others, by more than rounding, these alone need be tried.
   BoxesAxis<N> run(BoxesAxes candidates = all_boxes_axes<N>) {
+    if constexpr (N == 3) candidates = distinct_axes(candidates, repeated_axes(a_.directions, b_.directions));
     for (; candidates != 0; candidates &= candidates - 1) {
       const auto place = static_cast<Dim>(std::countr_zero(candidates));
       if constexpr (N == 3) {
@@ -114,8 +167,8 @@ class BoxesSearch {
     const bool is_better =
         gap >= 0 ? least < 0 || gap * gap > least * least * squared : least < 0 && gap * gap < least * least * squared;
     if (!is_better) return;
-    const double length = std::sqrt(squared);
-    best_.axis = {across_both * (sign_of(ahead) / length), gap / length};
+    const double inverse = 1 / std::sqrt(squared);
+    best_.axis = {across_both * (sign_of(ahead) * inverse), gap * inverse};
     best_.edges = {i, j};
   }
 
@@ -175,7 +228,7 @@ BoxesContact<N> contact_of_sides(const BoxSides<N>& a, const BoxSides<N>& b, Box
   const double gap = result.axis.axis.gap;
   result.found.normal = result.axis.axis.normal;
   result.found.depth = std::max(0.0, -gap);
-  result.found.error = std::max(0.0, gap) + 2 * tolerance::rounding * result.size;
+  result.found.error = std::max(0.0, gap) + boxes_error * result.size;
   return result;
 }
 

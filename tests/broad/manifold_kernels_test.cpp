@@ -19,7 +19,6 @@
 #include <graze/broad/contacts.hpp>
 #include <graze/broad/executor.hpp>
 #include <graze/broad/manifold_kernels.hpp>
-#include <graze/broad/manifold_lines.hpp>
 #include <graze/broad/manifolds.hpp>
 #include <graze/math/pose.hpp>
 #include <graze/math/vec.hpp>

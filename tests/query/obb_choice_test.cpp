@@ -2,6 +2,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -27,12 +28,14 @@ struct Place {
 
 unsigned spanning(const FaceOverFace& over, bool on_incident) {
   std::vector<Place> places;
-  for (std::size_t i = 0; i < over.size(); ++i) {
-    const PairedPoints pair = over.pair(i);
+  std::vector<int> lines;
+  for (unsigned rest = over.left(); rest != 0; rest &= rest - 1) {
+    lines.push_back(std::countr_zero(rest));
+    const PairedPoints pair = over.pair(static_cast<std::size_t>(lines.back()));
     places.push_back({plain(on_incident ? pair.point_b : pair.point_a), pair.depth});
   }
   unsigned chosen = 0;
-  for (const std::size_t place : SpanningChoice(places, V3(0, 0, 1)).run()) chosen |= 1U << place;
+  for (const std::size_t place : SpanningChoice(places, V3(0, 0, 1)).run()) chosen |= 1U << lines[place];
   return chosen;
 }
 

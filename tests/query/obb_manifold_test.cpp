@@ -63,7 +63,7 @@ TEST(CornersInTurn, AreTheChosenOnesAndThenEmpty) {
   const PairedVec up(V3(0, 0, 1));
   FaceOverFace over(face({1, 1, -0.5}, {2, 2, 1}, false), face({0, 0, -1}, {4, 4, 0}, true), up, up, 1e-14);
   ASSERT_TRUE(over.run());
-  ASSERT_EQ(over.size(), 4U);
+  ASSERT_EQ(over.left(), 0b1111U);
   const ObbPoints<Point> points(PairedVec(V3(0, 0, 0)), false);
   CornersInTurn<Point> corners(over, 0b1010U, points);
   EXPECT_EQ(corners.next().point_b, V3(2, 1, -0.5));

@@ -34,6 +34,36 @@ TEST(BoxesSearch, FindsAFaceOrTheEdgesThatTheAxisBelongsTo) {
   EXPECT_EQ((*on_edges.edges)[1], 0);
 }
 
+// Up: a's face, b's face, and the edges along the two others of each; and the upright edges, which have no axis.
+constexpr BoxesAxes up_axes = 1U << 2U | 1U << 5U | 1U << 6U | 1U << 7U | 1U << 9U | 1U << 10U | 1U << 14U;
+const Mat<3, double> whole_turn = rotation_matrix(V3(1, 2, 3), 50);
+
+TEST(DistinctAxes, OfABoxOnABoxIsTheFirstFacesNormal) {
+  const BoxesAxes repeated = repeated_axes(whole_turn, whole_turn * rotation_matrix(V3(0, 0, 1), 20));
+  EXPECT_EQ(distinct_axes(up_axes, repeated), 1U << 2U);
+  EXPECT_EQ(distinct_axes(1U << 6U, repeated), 1U << 6U);  // nothing else is left
+}
+
+TEST(RepeatedAxes, AreNoneOfBoxesThatAreTurnedFreely) {
+  EXPECT_EQ(repeated_axes(whole_turn, rotation_matrix(V3(1, 2, 2), 51)), 0U);
+}
+
+// Their cross product is as good as any direction.
+TEST(RepeatedAxes, AreNotAcrossEdgesThatAreNearlyParallel) {
+  const BoxesAxes repeated = repeated_axes(whole_turn, whole_turn * rotation_matrix(V3(0, 0, 1), 1e-6));
+  EXPECT_EQ(repeated & 1U << 6U, 0U);
+  EXPECT_EQ(repeated & 1U << 10U, 0U);
+  EXPECT_NE(repeated & 1U << 7U, 0U);
+}
+
+// There the normal of a face is another direction than the edge across it.
+TEST(RepeatedAxes, AreNoneOfAxesThatAreLessThanOrthonormal) {
+  Mat<3, double> skewed(1.0);
+  EXPECT_NE(repeated_axes(Mat<3, double>(1.0), skewed), 0U);
+  skewed[2][0] = 1e-5;
+  EXPECT_EQ(repeated_axes(Mat<3, double>(1.0), skewed), 0U);
+}
+
 TEST(FarthestEdge, IsTheOneThatReachesFarthest) {
   const Segment<3, double> edge = farthest_edge(frame_of(cube), 1, V3(1, 0, -0.5));
   EXPECT_EQ(edge.start, V3(1, -1, -1));
