@@ -170,6 +170,15 @@ class Pairs {
   }
   Two stack(double sunk) { return stack(rotation_matrix(V3(0, 0, 1), number(0, 360)), sunk); }
   Two leaning() { return stack(rotation_matrix(vector(1), number(-0.01, 0.01)), number(0, 0.02)); }
+  /// Bricks: sides in one plane but for rounding, one half over the other, or larger, or turned by a quarter.
+  Two flush() {
+    const Mat<3, double> all = whole(0, 1) == 0 ? Mat<3, double>(1.0) : rotation();
+    const V3 half = extents(0.1);
+    const V3 other(half.x * whole(1, 3), half.y * whole(1, 2), half.z);
+    const V3 off(half.x * whole(0, 1), half.y * whole(0, 1), half.z + other.z - 0.01);
+    const V3 place = vector(1);
+    return {{place, half, all}, {place + all * off, other, all * rotation_matrix(V3(0, 0, 1), 90 * whole(0, 3))}};
+  }
   Two not_turned() { return stack(Mat<3, double>(1.0), number(0, 0.02)); }
 
   /// Along the world's axes, with equal sizes, which leaves as good as everything to ties.
@@ -247,6 +256,7 @@ void expect_most_taken() {
   check([&] { return pairs.random(); }, 0.02);
   check([&] { return pairs.stack(0.01); }, 0.02);
   check([&] { return pairs.not_turned(); }, 0.02);
+  check([&] { return pairs.flush(); }, 0.02);
   check([&] { return pairs.leaning(); }, 0.1);
   check([&] { return pairs.edge_on_edge(); }, 0.02);
 }
