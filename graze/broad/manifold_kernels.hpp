@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The manifolds of many pairs of oriented boxes in space at a time, a lane for each, once for every set of vector
-// instructions that the compiler knows: in double and operation by operation what manifold(a, b) does, so that the
-// answers are the same to the bit. First a look at their axes, which also says of most whether they meet, and then the
-// contact of those that do. A kernel leaves the pairs of which not all is clear, and those that take a rare way;
-// which these are may depend on the machine, but the answers never do.
+// instructions that the compiler knows. First a look in float at their axes, which also says of most whether they meet,
+// all of it proved by a bound; then the contact of those that do, in double and operation by operation what
+// manifold(a, b) does, so that the answers are the same to the bit. A kernel leaves the pairs of which not all is
+// clear, and those that take a rare way; which these are may depend on the machine, but the answers never do.
 #pragma once
 
 #include <cstddef>

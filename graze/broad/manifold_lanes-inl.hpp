@@ -61,8 +61,6 @@ HWY_INLINE DoublesMask has_bit(Bits bits, std::size_t place) {
 HWY_INLINE Bits bit_where(DoublesMask mask, std::size_t place) {
   return hn::IfThenElseZero(hn::RebindMask(BitsTag(), mask), bit_at(place));
 }
-HWY_INLINE DoublesMask has_none(Bits bits) { return hn::RebindMask(Tag<double>(), hn::Eq(bits, hn::Zero(BitsTag()))); }
-HWY_INLINE Bits but_the_first(Bits bits) { return hn::And(bits, hn::Sub(bits, hn::Set(BitsTag(), 1))); }
 /// The lowest of each pair.
 HWY_INLINE Bits first_of(Bits bits) { return hn::And(bits, hn::Sub(hn::Zero(BitsTag()), bits)); }
 
@@ -82,9 +80,6 @@ HWY_INLINE Point operator+(const Point& a, const Point& b) {
 HWY_INLINE Point operator-(const Point& a, const Point& b) { return difference(a, b); }
 HWY_INLINE Point operator*(const Point& a, Doubles factor) {
   return {{hn::Mul(a.at[0], factor), hn::Mul(a.at[1], factor), hn::Mul(a.at[2], factor)}};
-}
-HWY_INLINE Point operator/(const Point& a, Doubles divisor) {
-  return {{hn::Div(a.at[0], divisor), hn::Div(a.at[1], divisor), hn::Div(a.at[2], divisor)}};
 }
 
 HWY_INLINE Doubles sum(Doubles x, Doubles y, Doubles z) { return hn::Add(hn::Add(x, y), z); }

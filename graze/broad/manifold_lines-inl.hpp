@@ -41,12 +41,6 @@ struct Largest {
     return hn::Max(a, b);
   }
 };
-struct Total {
-  template <class V>
-  HWY_INLINE V operator()(const V& a, const V& b) const {
-    return hn::Add(a, b);
-  }
-};
 /// Of bits.
 struct All {
   template <class V>

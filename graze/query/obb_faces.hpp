@@ -268,8 +268,8 @@ class FaceOverFace {
     [[gnu::always_inline]] explicit Direction(LanePair along) : inverse(1.0 / along) {
       near[0] = along[0] > 0 ? 7 : 5;
       near[1] = along[1] > 0 ? 4 : 6;
-      far[0] = 12 - near[0];
-      far[1] = 10 - near[1];
+      far[0] = 7 + 5 - near[0];
+      far[1] = 4 + 6 - near[1];
     }
   };
 
