@@ -17,10 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include <BulletCollision/CollisionDispatch/btBoxBoxDetector.h>
-#include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <benchmark/benchmark.h>
-#include <fcl/narrowphase/collision.h>
 
 #include <graze/broad/contacts.hpp>
 #include <graze/broad/executor.hpp>
@@ -30,6 +27,11 @@
 #include <graze/query/intersects.hpp>
 #include <graze/query/manifold.hpp>
 
+#include "contact/answer.hpp"
+#include "contact/of_bullet.hpp"
+#include "contact/of_fcl.hpp"
+#include "contact/of_ode.hpp"
+
 namespace {
 
 using graze::Dim;
@@ -38,12 +40,18 @@ using graze::Vec;
 
 constexpr std::size_t pair_count = 1024;
 
-using Point = Vec<3, double>;
-using Sphere = graze::Sphere<3, double>;
-using Aabb = graze::Aabb<3, double>;
-using Obb = graze::Obb<3, double>;
+using graze::contact_bench::Aabb;
+using graze::contact_bench::Answer;
+using graze::contact_bench::BulletDetectorPair;
+using graze::contact_bench::BulletManifoldPair;
+using graze::contact_bench::Capsule;
+using graze::contact_bench::FclPair;
+using graze::contact_bench::FclShape;
+using graze::contact_bench::Obb;
+using graze::contact_bench::OdePair;
+using graze::contact_bench::Point;
+using graze::contact_bench::Sphere;
 using Triangle = graze::Triangle<3, double>;
-using Capsule = graze::Capsule<3, double>;
 using Polytope = graze::Polytope<3, double>;
 
 // ---- Random shapes of about unit size, at most `spread` from the origin
@@ -140,131 +148,35 @@ Pairs<Obb, Obb> stacked_boxes() {
   return pairs;
 }
 
-// ---- The same shapes for FCL
-
-struct FclShape {
-  std::shared_ptr<fcl::CollisionGeometryd> geometry;
-  fcl::Transform3d pose = fcl::Transform3d::Identity();
-};
-
-fcl::Vector3d fcl_vector(const Point& v) { return {v.x, v.y, v.z}; }
-
-FclShape fcl_shape(const Sphere& sphere) {
-  FclShape shape{std::make_shared<fcl::Sphered>(sphere.radius)};
-  shape.pose.translation() = fcl_vector(sphere.center);
-  return shape;
-}
-
-FclShape fcl_shape(const Aabb& box) {
-  FclShape shape{std::make_shared<fcl::Boxd>(fcl_vector(box.max - box.min))};
-  shape.pose.translation() = fcl_vector(box.center());
-  return shape;
-}
-
-FclShape fcl_shape(const Obb& box) {
-  FclShape shape{std::make_shared<fcl::Boxd>(fcl_vector(2.0 * box.half_extents))};
-  for (Dim i = 0; i < 3; ++i) shape.pose.linear().col(static_cast<int>(i)) = fcl_vector(box.axes[i]);
-  shape.pose.translation() = fcl_vector(box.center);
-  return shape;
-}
-
-/// FCL's capsules stand along z.
-FclShape fcl_shape(const Capsule& capsule) {
-  const fcl::Vector3d way = fcl_vector(capsule.b - capsule.a);
-  FclShape shape{std::make_shared<fcl::Capsuled>(capsule.radius, way.norm())};
-  shape.pose.linear() = Eigen::Quaterniond::FromTwoVectors(fcl::Vector3d::UnitZ(), way).toRotationMatrix();
-  shape.pose.translation() = 0.5 * fcl_vector(capsule.a + capsule.b);
-  return shape;
-}
-
-/// What others answer: how many contacts, and the depth of the deepest.
-struct Answer {
-  std::size_t count = 0;
-  double depth = 0;
-};
-
-Answer fcl_contacts(const FclShape& a, const FclShape& b) {
-  static const fcl::CollisionRequestd request(4, true);
-  fcl::CollisionResultd result;
-  fcl::collide(a.geometry.get(), a.pose, b.geometry.get(), b.pose, request, result);
-  Answer answer{result.numContacts(), 0};
-  for (std::size_t i = 0; i < answer.count; ++i) {
-    answer.depth = std::max(answer.depth, result.getContact(i).penetration_depth);
-  }
-  return answer;
-}
-
-// ---- The same boxes for Bullet
-
-struct BulletBox {
-  std::unique_ptr<btBoxShape> shape;
-  btTransform pose = btTransform::getIdentity();
-};
-
-btVector3 bullet_vector(const Point& v) {
-  return {static_cast<btScalar>(v.x), static_cast<btScalar>(v.y), static_cast<btScalar>(v.z)};
-}
-
-BulletBox bullet_shape(const Obb& box) {
-  BulletBox result{std::make_unique<btBoxShape>(bullet_vector(box.half_extents))};
-  const btVector3 x = bullet_vector(box.axes[0]);
-  const btVector3 y = bullet_vector(box.axes[1]);
-  const btVector3 z = bullet_vector(box.axes[2]);
-  result.pose.setBasis(btMatrix3x3(x.x(), y.x(), z.x(), x.y(), y.y(), z.y(), x.z(), y.z(), z.z()));
-  result.pose.setOrigin(bullet_vector(box.center));
-  return result;
-}
-
-class BulletContacts : public btDiscreteCollisionDetectorInterface::Result {
- public:
-  void setShapeIdentifiersA(int, int) override {}
-  void setShapeIdentifiersB(int, int) override {}
-  void addContactPoint(const btVector3&, const btVector3&, btScalar distance) override {
-    ++answer.count;
-    answer.depth = std::max(answer.depth, -static_cast<double>(distance));
-  }
-
-  Answer answer;
-};
-
-Answer bullet_contacts(const BulletBox& a, const BulletBox& b) {
-  btBoxBoxDetector detector(a.shape.get(), b.shape.get());
-  btDiscreteCollisionDetectorInterface::ClosestPointInput input;
-  input.m_transformA = a.pose;
-  input.m_transformB = b.pose;
-  BulletContacts contacts;
-  detector.getClosestPoints(input, contacts, nullptr);
-  return contacts.answer;
-}
-
 // ---- Timing
 
-template <class A, class B, class Measure>
-void time_pairs(const std::string& name, std::shared_ptr<const Pairs<A, B>> pairs, Measure measure) {
-  benchmark::RegisterBenchmark(name.c_str(), [pairs, measure](benchmark::State& state) {
+/// Times `measure` of each of some items, which are pairs of shapes.
+template <class Item, class Measure>
+void time_each(const std::string& name, std::shared_ptr<const std::vector<Item>> items, Measure measure) {
+  benchmark::RegisterBenchmark(name.c_str(), [items, measure](benchmark::State& state) {
     for (auto _ : state) {
-      for (const auto& [a, b] : *pairs) benchmark::DoNotOptimize(measure(a, b));
+      for (const Item& item : *items) benchmark::DoNotOptimize(measure(item));
     }
-    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(pairs->size()));
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(items->size()));
     state.counters["ns"] =
-        benchmark::Counter(1e-9 * static_cast<double>(pairs->size()),
+        benchmark::Counter(1e-9 * static_cast<double>(items->size()),
                            benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   });
 }
 
-/// Compares, prints, and times another library, given shapes made by `make`.
-template <class A, class B, class Make, class Measure>
-void time_other(const std::string& name, const Pairs<A, B>& pairs, Make make, Measure measure) {
-  using Theirs = decltype(make(pairs[0].first));
-  auto copies = std::make_shared<Pairs<Theirs, Theirs>>();
+/// Compares, prints, and times another library: Theirs is a pair of shapes as it has them.
+template <class Theirs, class A, class B>
+void time_other(const std::string& title, const Pairs<A, B>& pairs) {
+  const std::string name = title + "/" + Theirs::name;
+  const auto copies = std::make_shared<std::vector<Theirs>>();
   std::size_t hits = 0;
   std::size_t disagree = 0;
   std::size_t less = 0;
   double most = 0;
   for (const auto& [a, b] : pairs) {
-    copies->emplace_back(make(a), make(b));
+    copies->emplace_back(a, b);
     const auto ours = contact(a, b);
-    const Answer theirs = measure(copies->back().first, copies->back().second);
+    const Answer theirs = copies->back().find();
     if (ours.has_value() != (theirs.count > 0)) ++disagree;
     if (!ours || theirs.count == 0) continue;
     ++hits;
@@ -273,7 +185,7 @@ void time_other(const std::string& name, const Pairs<A, B>& pairs, Make make, Me
   }
   std::printf("%s: of %zu contacts %zu are less deep than graze's, none by more than %.1e deeper; %zu other verdicts\n",
               name.c_str(), hits, less, most, disagree);
-  time_pairs<Theirs, Theirs>(name, copies, measure);
+  time_each<Theirs>(name, copies, [](const Theirs& pair) { return pair.find(); });
 }
 
 /// `contacts` of all pairs as candidates, in one call. Before they are timed, the answers are compared with those of
@@ -312,19 +224,21 @@ void register_pairs(const std::string& name, const Pairs<A, B>& drawn) {
   const auto hits = static_cast<std::size_t>(std::count_if(
       pairs->begin(), pairs->end(), [](const auto& pair) { return intersects(pair.first, pair.second); }));
   const std::string title = name + " (" + std::to_string(100 * hits / pairs->size()) + " % hits)";
-  time_pairs<A, B>(title + "/contact", pairs, [](const A& a, const B& b) { return contact(a, b); });
-  time_pairs<A, B>(title + "/manifold", pairs, [](const A& a, const B& b) { return manifold(a, b); });
-  if constexpr (std::is_same_v<A, Obb> && std::is_same_v<B, Obb>) {
+  using Ours = std::pair<A, B>;
+  time_each<Ours>(title + "/contact", pairs, [](const Ours& pair) { return contact(pair.first, pair.second); });
+  time_each<Ours>(title + "/manifold", pairs, [](const Ours& pair) { return manifold(pair.first, pair.second); });
+  constexpr bool are_boxes = std::is_same_v<A, Obb> && std::is_same_v<B, Obb>;
+  if constexpr (are_boxes) {
     time_batch<double>(title + "/contacts", *pairs);
     time_batch<float>(title + "/contacts of floats", *pairs);
   }
-  if constexpr (requires { fcl_shape(drawn[0].first), fcl_shape(drawn[0].second); }) {
-    time_other(
-        title + "/FCL", *pairs, [](const auto& shape) { return fcl_shape(shape); }, fcl_contacts);
+  if constexpr (std::is_constructible_v<FclShape, A> && std::is_constructible_v<FclShape, B>) {
+    time_other<FclPair>(title, *pairs);
   }
-  if constexpr (requires { bullet_shape(drawn[0].first), bullet_shape(drawn[0].second); }) {
-    time_other(
-        title + "/Bullet", *pairs, [](const auto& shape) { return bullet_shape(shape); }, bullet_contacts);
+  if constexpr (are_boxes) {
+    time_other<BulletDetectorPair>(title, *pairs);
+    time_other<BulletManifoldPair>(title, *pairs);
+    time_other<OdePair>(title, *pairs);
   }
 }
 
