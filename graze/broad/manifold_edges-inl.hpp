@@ -70,8 +70,8 @@ class EdgeContacts {
     const auto edge = [&](std::size_t of_second) {
       return Feature{FeatureKind::edge, static_cast<std::uint32_t>(numbers_[of_second].of[lane])};
     };
-    to.points[0].id = {edge(turned ? 1 : 0), edge(turned ? 0 : 1), 0, 0};
-    for (std::size_t k = 1; k < to.points.size(); ++k) clear_point(to.points[k]);
+    to.points[0].id.a = edge(turned ? 1 : 0);
+    to.points[0].id.b = edge(turned ? 0 : 1);
     rows_.write(lane, 1, to);
   }
 

@@ -269,9 +269,9 @@ class FaceContacts {
       ManifoldPoint<3, T>& point = to.points[k];
       points_[k].write(lane, point);
       const PlacesOnFaces& of_lines = places[lines_[k].of[lane]];
-      point.id = {of_a[of_lines.on[on_a]], of_b[of_lines.on[on_b]], 0, 0};
+      write_feature(of_a[of_lines.on[on_a]], point.id.a);
+      write_feature(of_b[of_lines.on[on_b]], point.id.b);
     }
-    for (std::size_t k = size; k < to.points.size(); ++k) clear_point(to.points[k]);
     rows_.write(lane, size, to);
   }
 

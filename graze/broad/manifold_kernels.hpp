@@ -37,7 +37,7 @@ struct ObbsLook {
   friend bool operator==(const ObbsLook&, const ObbsLook&) = default;
 };
 
-/// Two that meet, what a look has shown, and where their manifold goes, from a to b.
+/// Two that meet, what a look has shown, and where their manifold from a to b goes.
 template <class T>
 struct ObbsToContact {
   TwoObbs<T> boxes;
@@ -52,8 +52,9 @@ inline constexpr std::size_t most_obbs_to_contact = 256;
 template <class T>
 using AxisKernel = void (*)(std::span<const TwoObbs<T>> pairs, ObbsLook* looks);
 
-/// Writes every field of the manifolds of most pairs. `left`, which has room for all, receives the places of the
-/// others, of whose manifolds nothing is written or what is of no meaning; returns how many these are.
+/// Writes the manifolds of most pairs, which must be as they are made: what stays zero in them is not written. `left`,
+/// which has room for all, receives the places of the others, of whose manifolds nothing is written or what is of no
+/// meaning; returns how many these are.
 template <class T>
 using ManifoldKernel = std::size_t (*)(std::span<const ObbsToContact<T>> pairs, std::uint32_t* left);
 
