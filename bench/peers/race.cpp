@@ -17,11 +17,18 @@
 
 #include <graze/broad/pairs.hpp>
 
+#include "list_sorter.hpp"
+
 namespace graze::race {
 namespace {
 
 /// The frames of a round are held in memory, at most so many bytes of them.
 constexpr std::size_t most_frame_bytes = std::size_t{3} << 30U;
+
+/// Of fewer boxes than this there are more frames in a round, up to so many times as many: one of a thousand boxes is
+/// over in microseconds, and anything that comes between is longer.
+constexpr std::size_t boxes_of_few_frames = 100'000;
+constexpr std::size_t most_times_frames = 25;
 
 /// Lines on stderr; the last one is written over where it is a terminal.
 class Progress {
@@ -35,11 +42,9 @@ class Progress {
   bool is_terminal_ = isatty(STDERR_FILENO) == 1;
 };
 
-/// How an answer differs from the right one, which is sorted; empty when it does not.
-std::string difference(std::span<const Pair> answer, const std::vector<Pair>& right) {
-  std::vector<Pair> sorted(answer.begin(), answer.end());
-  std::sort(sorted.begin(), sorted.end());
-  if (sorted == right) return "";
+/// How an answer differs from the right one, both sorted; empty when it does not.
+std::string difference(std::span<const Pair> sorted, const std::vector<Pair>& right) {
+  if (std::equal(sorted.begin(), sorted.end(), right.begin(), right.end())) return "";
   std::vector<Pair> missing;
   std::vector<Pair> surplus;
   std::set_difference(right.begin(), right.end(), sorted.begin(), sorted.end(), std::back_inserter(missing));
@@ -63,6 +68,7 @@ struct Runner {
   const Entrant<N, T>* entrant = nullptr;
   Timing timing;
   std::vector<double> times;
+  std::vector<double> sorted_times;
   double seconds = 0;
 
   bool is_out() const { return !timing.why_not.empty(); }
@@ -70,8 +76,10 @@ struct Runner {
   void finish() {
     if (is_out() || times.empty()) return;
     std::sort(times.begin(), times.end());
+    std::sort(sorted_times.begin(), sorted_times.end());
     timing.frames = times.size();
     timing.median = at(times, 0.5);
+    timing.sorted = at(sorted_times, 0.5);
     timing.spread = (at(times, 0.75) - at(times, 0.25)) / 2 / timing.median;
   }
 };
@@ -176,7 +184,9 @@ class CourseRace {
 
   Round<N, T> record(Frames<N, T>& frames) const {
     const std::size_t bytes = std::max<std::size_t>(1, frames.boxes().size_bytes());
-    const std::size_t timed = std::clamp<std::size_t>(most_frame_bytes / bytes, 1, settings_.frames);
+    const std::size_t times = boxes_of_few_frames / std::max<std::size_t>(1, frames.boxes().size());
+    const std::size_t wanted = settings_.frames * std::clamp<std::size_t>(times, 1, most_times_frames);
+    const std::size_t timed = std::clamp<std::size_t>(most_frame_bytes / bytes, 1, wanted);
     Round<N, T> round;
     for (std::size_t i = 0; i <= timed; ++i) {
       if (i > 0) frames.step();
@@ -196,15 +206,21 @@ class CourseRace {
     for (; done < round.frames.size() && runner.seconds < settings_.seconds; ++done) {
       const Clock::time_point start = Clock::now();
       pairs = contestant->find(round.frames[done]);
-      const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-      runner.times.push_back(seconds * 1000);
+      const Clock::time_point found = Clock::now();
+      if (runner.entrant->side == Side::peer) pairs = sorter_.sort(pairs);
+      const auto seconds_to = [start](Clock::time_point end) {
+        return std::chrono::duration<double>(end - start).count();
+      };
+      const double seconds = seconds_to(Clock::now());
+      runner.times.push_back(seconds_to(found) * 1000);
+      runner.sorted_times.push_back(seconds * 1000);
       runner.seconds += seconds;
     }
     if (done == round.frames.size()) is_right(runner, pairs, round.last_pairs, count);
   }
 
   bool is_right(Runner<N, T>& runner, std::span<const Pair> answer, const std::vector<Pair>& right, std::size_t count) {
-    const std::string how = difference(answer, right);
+    const std::string how = difference(sorter_.sort(answer), right);
     if (how.empty()) return true;
     runner.timing.why_not = "wrong answer";
     outcome_.differences.push_back(
@@ -227,6 +243,7 @@ class CourseRace {
   const Settings& settings_;
   Outcome& outcome_;
   Progress progress_;
+  ListSorter sorter_;
   Entrants<N, T> entrants_;
   CourseResult result_;
 };

@@ -10,12 +10,14 @@ const Timing* timing_of(const Heat& heat, const std::string& name) {
   return nullptr;
 }
 
-const Timing* fastest(const Heat& heat, Side side, std::size_t threads, Field field) {
+double time_of(const Timing& timing, Finish finish) { return finish == Finish::sorted ? timing.sorted : timing.median; }
+
+const Timing* fastest(const Heat& heat, Side side, std::size_t threads, Field field, Finish finish) {
   const Timing* best = nullptr;
   for (const Timing& timing : heat.timings) {
     const bool belongs = timing.side == side && (field == Field::all || !timing.keeps);
     const bool counts = belongs && timing.threads <= threads && timing.frames > 0;
-    if (counts && (best == nullptr || timing.median < best->median)) best = &timing;
+    if (counts && (best == nullptr || time_of(timing, finish) < time_of(*best, finish))) best = &timing;
   }
   return best;
 }
