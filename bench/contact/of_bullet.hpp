@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Bullet, in float, on two oriented boxes. Once its detector alone, whose points are written down as they come; and once
-// what its worlds call, btBoxBoxCollisionAlgorithm with the manifold that it keeps, so that each point finds itself again
-// in the next frame, for which graze's have ids.
+// Bullet, in float, on two oriented boxes. Once its detector alone, whose points are written down as they come; and
+// once what its worlds call, btBoxBoxCollisionAlgorithm with the manifold that it keeps, so that each point finds
+// itself again in the next frame, for which graze's have ids.
 #pragma once
 
 #include <algorithm>

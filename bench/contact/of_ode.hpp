@@ -8,9 +8,8 @@
 #include <memory>
 #include <type_traits>
 
-#include <ode/ode.h>
-
 #include <benchmark/benchmark.h>
+#include <ode/ode.h>
 
 #include "contact/answer.hpp"
 
