@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // contact and manifold for pairs of bounded primitives in 3D, beside FCL's collide with up to four contacts (double)
-// and, for two oriented boxes, Bullet's btBoxBoxDetector (float). A thousand random pairs each, all in cache, some of
+// and, for two oriented boxes, Bullet's detector and the manifold that its worlds keep (float) and ODE's dCollide
+// (double), each in a file of bench/contact. A thousand random pairs each, all in cache, some of
 // them apart; oriented boxes also in one call of `contacts`, in double and in float; of most kinds also pairs that all
 // meet, and of oriented boxes some that lie on each other. Before anything is timed the others' depths are compared
-// with graze's: graze's is the least, so that none may be less; those of FCL and Bullet may be up to 5 % more where two
+// with graze's: graze's is the least, so that none may be less; those of the others may be up to 5 % more where two
 // edges meet, because they prefer faces by as much.
 #include <algorithm>
 #include <cmath>
