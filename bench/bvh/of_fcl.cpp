@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
-#include <fcl/broadphase/broadphase_dynamic_AABB_tree_array.h>
 #include <fcl/narrowphase/collision_object.h>
 
 #include "contestant.hpp"
@@ -10,12 +9,12 @@
 namespace bench {
 namespace {
 
-/// The tree of the manager with arrays; the one with pointers is slower. When all have moved it is fitted as a whole,
+/// When all have moved it is fitted as a whole,
 /// otherwise told which. It has no rays.
 class DynamicTree {
  public:
   void build(std::span<const Box<3>> boxes) {
-    manager_ = std::make_unique<fcl::DynamicAABBTreeCollisionManager_Array<float>>();
+    manager_ = std::make_unique<FclTree<float>>();
     objects_.clear();
     objects_.reserve(boxes.size());
     std::vector<fcl::CollisionObject<float>*> pointers;
@@ -47,7 +46,7 @@ class DynamicTree {
 
  private:
   FclBox<float> asked_{0};
-  std::unique_ptr<fcl::DynamicAABBTreeCollisionManager_Array<float>> manager_;
+  std::unique_ptr<FclTree<float>> manager_;
   std::vector<std::unique_ptr<FclBox<float>>> objects_;
   std::vector<fcl::CollisionObject<float>*> moved_;
 };

@@ -3,14 +3,12 @@
 // times), and building the tree anew from the top (twice) or by Morton codes (twice).
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <fcl/broadphase/broadphase_dynamic_AABB_tree_array.h>
 #include <fcl/config.h>
 #include <fcl/narrowphase/collision_object.h>
 
@@ -21,9 +19,7 @@ namespace graze::race {
 namespace {
 
 /// The tree is built at the start; in every frame its boxes are fitted to where the objects are now, and some leaves
-/// are moved to better places. By its defaults FCL 0.7 balances it anew from the top once it is ten levels too high,
-/// and no longer knows which leaf is whose: of a thousand boxes in clusters, pairs of other boxes are found from the
-/// 43rd frame on. So that is left out here.
+/// are moved to better places.
 template <class T>
 class DynamicTree final : public Contestant<3, T> {
  public:
@@ -34,7 +30,6 @@ class DynamicTree final : public Contestant<3, T> {
       objects_.back()->place(boxes[i]);
       pointers_.push_back(objects_.back().get());
     }
-    manager_.max_tree_nonbalanced_level = std::numeric_limits<int>::max();
     manager_.registerObjects(pointers_);
     manager_.setup();
   }
@@ -57,7 +52,7 @@ class DynamicTree final : public Contestant<3, T> {
 
   std::vector<std::unique_ptr<bench::FclBox<T>>> objects_;
   std::vector<fcl::CollisionObject<T>*> pointers_;
-  fcl::DynamicAABBTreeCollisionManager_Array<T> manager_;
+  bench::FclTree<T> manager_;
   std::vector<Pair> pairs_;
 };
 

@@ -53,7 +53,7 @@ void add_options(CLI::App& app, Words& words, Settings& settings) {
   app.add_option("--counts", words.counts, "numbers of boxes, such as 1k,1M")->delimiter(',')->capture_default_str();
   app.add_option("--largest", words.largest, "so many boxes too in the first scene, which the chart shows");
   app.add_option("--frames", settings.frames,
-                 "frames that are timed in a round; of fewer than 100,000 boxes up to 25 times as many")
+                 "frames that are timed in a round; of fewer than 400,000 boxes up to 25 times as many")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   app.add_option("--rounds", settings.rounds, "rounds, in which all contestants take turns")

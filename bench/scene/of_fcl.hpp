@@ -5,7 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include <fcl/broadphase/broadphase_dynamic_AABB_tree_array.h>
 #include <fcl/narrowphase/collision_object.h>
 
 #include "fcl_box.hpp"
@@ -64,7 +63,7 @@ class OfFcl {
   const Frames<3>& frames_;
   std::vector<std::unique_ptr<FclBox<float>>> objects_;
   std::vector<fcl::CollisionObject<float>*> moved_;
-  fcl::DynamicAABBTreeCollisionManager_Array<float> manager_;
+  FclTree<float> manager_;
   std::vector<Pair> found_;
   Outcome outcome_;
 };
