@@ -7,15 +7,8 @@
 #include <limits>
 
 #include <graze/math/bit_cast.hpp>
+#include <graze/math/has_lanes.hpp>
 #include <graze/math/vec.hpp>
-
-// Vectors as a type of the language: GCC 12 and Clang have them on every processor, by its registers or by plain
-// numbers.
-#if defined(__has_builtin)
-#if __has_builtin(__builtin_shufflevector)
-#define GRAZE_HAS_LANES
-#endif
-#endif
 
 #ifdef GRAZE_HAS_LANES
 

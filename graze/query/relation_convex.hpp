@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <type_traits>
 #include <variant>
@@ -14,6 +15,7 @@
 #include <graze/query/verdict.hpp>
 #include <graze/query/wide_support.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/posed.hpp>
 #include <graze/shape/shape.hpp>
 
 namespace graze::detail {
@@ -75,6 +77,20 @@ bool comes_first(const Triangle<N, T>& a, const Triangle<N, T>& b) {
 template <Dim N, class T>
 bool comes_first(const Polytope<N, T>& a, const Polytope<N, T>& b) {
   return corners_come_first(a.vertices(), b.vertices());
+}
+
+/// By their poses, if these differ.
+template <Dim N, class T>
+bool comes_first(const Posed<Polytope<N, T>>& a, const Posed<Polytope<N, T>>& b) {
+  const std::array<Vec<N, T>, 1> at_a{a.pose.position};
+  const std::array<Vec<N, T>, 1> at_b{b.pose.position};
+  if (a.pose.position != b.pose.position) return corners_come_first(at_a, at_b);
+  for (Dim k = 0; k < N; ++k) {
+    const std::array<Vec<N, T>, 1> of_a{a.pose.rotation[k]};
+    const std::array<Vec<N, T>, 1> of_b{b.pose.rotation[k]};
+    if (of_a != of_b) return corners_come_first(of_a, of_b);
+  }
+  return comes_first(a.shape, b.shape);
 }
 
 /// Users' types by where they reach along the axes; if all of that is equal, so are they for all we can see.

@@ -12,12 +12,21 @@
 
 #include <graze/math/pose.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/shape/corner_rows.hpp>
 #include <graze/shape/hull_input.hpp>
 #include <graze/shape/hull_vertices.hpp>
 #include <graze/shape/lexicographic.hpp>
 #include <graze/shape/monotone_chain.hpp>
 
 namespace graze {
+
+template <Dim N, class T>
+class Polytope;
+
+namespace detail {
+template <Dim N, class T>
+const CornerRows<N, T>& rows_of(const Polytope<N, T>& polytope);
+}
 
 /// A solid convex polytope: in 2D a convex polygon. Made by `convex_hull`; copies share one immutable list of vertices,
 /// so a copy costs as little as a sphere's. Default: the single point at the origin.
@@ -29,22 +38,34 @@ class Polytope {
   /// At least one. In 2D the corners in counter-clockwise order (y up), none of them on the line between its
   /// neighbours; in 3D in lexicographic order the corners: no point that lies in the hull of the others. Of a polytope
   /// that was `transformed`, in 3D the moved corners, one of which rounding may have put into the hull of the others.
-  std::span<const Vec<N, T>> vertices() const { return *vertices_; }
+  std::span<const Vec<N, T>> vertices() const { return corners_->vertices; }
 
  private:
+  struct Corners {
+    std::vector<Vec<N, T>> vertices;
+    detail::CornerRows<N, T> rows{vertices};
+  };
+
   explicit Polytope(std::vector<Vec<N, T>> vertices)
-      : vertices_(std::make_shared<const std::vector<Vec<N, T>>>(std::move(vertices))) {}
+      : corners_(std::make_shared<const Corners>(Corners{std::move(vertices)})) {}
 
   template <Dim M, class U>
   friend Polytope<M, U> convex_hull(std::type_identity_t<std::span<const Vec<M, U>>> points);
   template <Dim M, class U>
   friend Polytope<M, U> transformed(const Polytope<M, U>& polytope, const Pose<M, U>& pose);
+  template <Dim M, class U>
+  friend const detail::CornerRows<M, U>& detail::rows_of(const Polytope<M, U>& polytope);
 
   // Shared, because a hull is built once and copied into scenes, parts and snapshots many times; it never changes.
-  std::shared_ptr<const std::vector<Vec<N, T>>> vertices_;
+  std::shared_ptr<const Corners> corners_;
 };
 
 namespace detail {
+
+template <Dim N, class T>
+const CornerRows<N, T>& rows_of(const Polytope<N, T>& polytope) {
+  return polytope.corners_->rows;
+}
 
 template <Dim N, class T>
 void sort_and_forget_duplicates(std::vector<Vec<N, T>>& points) {
@@ -94,16 +115,7 @@ std::string_view defect(const Polytope<N, T>&) {
 
 template <Dim N, class T>
 Vec<N, double> support(const Polytope<N, T>& polytope, const std::type_identity_t<Vec<N, double>>& direction) {
-  Vec<N, double> best = wide<N, T>(polytope.vertices().front());
-  double height = dot(best, direction);
-  for (const Vec<N, T>& vertex : polytope.vertices().subspan(1)) {
-    const double candidate = dot(wide<N, T>(vertex), direction);
-    if (candidate > height) {
-      height = candidate;
-      best = wide<N, T>(vertex);
-    }
-  }
-  return best;
+  return wide<N, T>(polytope.vertices()[detail::rows_of(polytope).farthest(direction)]);
 }
 
 template <Dim N, class T>
