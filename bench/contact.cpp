@@ -3,7 +3,8 @@
 // and, for two oriented boxes, Bullet's detector and the manifold that its worlds keep (float) and ODE's dCollide
 // (double), each in a file of bench/contact. A thousand random pairs each, all in cache, some of
 // them apart; oriented boxes also in one call of `contacts`, in double and in float; of most kinds also pairs that all
-// meet, and of oriented boxes some that lie on each other. Before anything is timed the others' depths are compared
+// meet, and of oriented boxes some that lie on each other. A scene of oriented boxes in towers tells its contacts, too,
+// beside a call of manifold for each of its pairs. Before anything is timed the others' depths are compared
 // with graze's: graze's is the least, so that none may be less; those of the others may be up to 5 % more where two
 // edges meet, because they prefer faces by as much.
 #include <algorithm>
@@ -27,6 +28,7 @@
 #include <graze/query/contact.hpp>
 #include <graze/query/intersects.hpp>
 #include <graze/query/manifold.hpp>
+#include <graze/scene/scene.hpp>
 
 #include "contact/answer.hpp"
 #include "contact/of_bullet.hpp"
@@ -219,6 +221,57 @@ void time_batch(const std::string& name, const Pairs<Obb, Obb>& pairs) {
   });
 }
 
+// ---- A scene
+
+using Scene = graze::Scene<3, double>;
+using ObjectContacts = std::vector<graze::ObjectContact<3, double>>;
+
+/// Towers of boxes that lie on each other, turned about the upright axis and sunk in a little.
+std::shared_ptr<const Scene> towers() {
+  constexpr std::size_t tower_count = 32;
+  constexpr std::size_t boxes_in_tower = 32;
+  const auto scene = std::make_shared<Scene>();
+  Random random(1);
+  for (std::size_t tower = 0; tower < tower_count; ++tower) {
+    for (std::size_t level = 0; level < boxes_in_tower; ++level) {
+      const Point place(4.0 * static_cast<double>(tower), 0, 0.99 * static_cast<double>(level));
+      const Point half(random.number(0.4, 0.9), random.number(0.4, 0.9), 0.5);
+      scene->add(Obb{place, half, graze::rotation_matrix(Point(0, 0, 1), random.number(0, 360))});
+    }
+  }
+  scene->update(graze::serial_executor());
+  return scene;
+}
+
+ObjectContacts contacts_by_pairs(const Scene& scene) {
+  const std::vector<graze::ObjectPair> pairs = scene.pairs();
+  ObjectContacts found(pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    found[i] = {pairs[i], manifold(scene.object(pairs[i].a).shape, scene.object(pairs[i].b).shape)};
+  }
+  return found;
+}
+
+void register_scene() {
+  const std::shared_ptr<const Scene> scene = towers();
+  const ObjectContacts expected = contacts_by_pairs(*scene);
+  const std::string title = "scene of " + std::to_string(scene->size()) + " obbs in towers (" +
+                            std::to_string(expected.size()) + " contacts)";
+  const bool is_same = scene->contacts(graze::serial_executor()) == expected;
+  std::printf("%s: contacts are %sthose of single calls\n", title.c_str(), is_same ? "" : "not ");
+  const auto time = [&](const char* name, auto find) {
+    benchmark::RegisterBenchmark((title + "/" + name).c_str(), [scene, find, count = expected.size()](auto& state) {
+      for (auto _ : state) benchmark::DoNotOptimize(find(*scene));
+      state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
+      state.counters["ns"] =
+          benchmark::Counter(1e-9 * static_cast<double>(count),
+                             benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    });
+  };
+  time("Scene::contacts", [](const Scene& of) { return of.contacts(graze::serial_executor()); });
+  time("manifold of each of Scene::pairs", [](const Scene& of) { return contacts_by_pairs(of); });
+}
+
 template <class A, class B>
 void register_pairs(const std::string& name, const Pairs<A, B>& drawn) {
   const auto pairs = std::make_shared<Pairs<A, B>>(drawn);
@@ -256,6 +309,7 @@ int main(int argc, char** argv) {
   register_pairs("obb, obb", random_pairs<Obb, Obb>(1));
   register_pairs("obb, obb that meet", meeting_pairs<Obb, Obb>());
   register_pairs("obb on obb", stacked_boxes());
+  register_scene();
   register_pairs("obb, capsule", random_pairs<Obb, Capsule>(1));
   register_pairs("obb, capsule that meet", meeting_pairs<Obb, Capsule>());
   register_pairs("obb, triangle", random_pairs<Obb, Triangle>(1));

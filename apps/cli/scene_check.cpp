@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <variant>
+#include <vector>
 
+#include <graze/broad/contacts.hpp>
 #include <graze/broad/executor.hpp>
-#include <graze/broad/manifolds.hpp>
 #include <graze/broad/pair_tasks.hpp>
 #include <graze/broad/touching_pairs.hpp>
 
@@ -34,26 +37,65 @@ PairDetail detail_of(const CheckedPairs& wanted) {
   return wanted.contacts ? PairDetail::contacts : PairDetail::none;
 }
 
-/// The relation of every candidate.
+/// Candidates of a task, and a place for what is to be told of each.
 template <Dim N>
-std::vector<Relation> relations_of(const Scene<N, double>& scene, std::span<const ObjectPair> candidates) {
-  std::vector<detail::ShapePair<N, double>> shapes;
-  shapes.reserve(candidates.size());
-  for (const ObjectPair& pair : candidates) {
-    shapes.push_back({&scene.object(pair.a).shape, &scene.object(pair.b).shape});
+struct Task {
+  const Scene<N, double>& scene;
+  std::span<const ObjectPair> candidates;
+  std::span<std::optional<ReportedPair>> found;
+
+  ReportedPair pair(std::size_t i, Relation relation) const {
+    return {scene.object(candidates[i].a).name, scene.object(candidates[i].b).name, relation};
   }
-  std::vector<Relation> relations(shapes.size());
-  detail::relations_of<N, double>(shapes, relations.data());
-  return relations;
+
+  detail::ShapePair<N, double> shapes(std::size_t i) const {
+    return {&scene.object(candidates[i].a).shape, &scene.object(candidates[i].b).shape};
+  }
+};
+
+template <Dim N>
+void find_near(const Task<N>& task, double within) {
+  for (std::size_t i = 0; i < task.candidates.size(); ++i) {
+    const detail::ShapePair<N, double> shapes = task.shapes(i);
+    const Nearness nearness = nearness_of(*shapes.a, *shapes.b);
+    if (!(nearness.distance <= within)) continue;
+    task.found[i] = task.pair(i, nearness.relation);
+    task.found[i]->distance = nearness.distance;
+  }
 }
 
 template <Dim N>
-void add_contacts(const AnyShape<N, double>& a, const AnyShape<N, double>& b, ReportedPair& pair) {
-  const Manifold<N, double> touch = manifold(a, b);
+void find_touching(const Task<N>& task, bool only_interior) {
+  std::vector<detail::ShapePair<N, double>> shapes(task.candidates.size());
+  for (std::size_t i = 0; i < shapes.size(); ++i) shapes[i] = task.shapes(i);
+  std::vector<Relation> relations(shapes.size());
+  detail::relations_of<N, double>(shapes, relations.data());
+  for (std::size_t i = 0; i < relations.size(); ++i) {
+    if (relations[i] == Relation::apart || (only_interior && relations[i] != Relation::overlapping)) continue;
+    task.found[i] = task.pair(i, relations[i]);
+  }
+}
+
+template <Dim N>
+void tell(const Manifold<N, double>& touch, ReportedPair& pair) {
   pair.normal = coordinates(touch.normal);
   for (const ManifoldPoint<N, double>& each : touch.contacts()) {
     pair.contacts.push_back({coordinates(each.point), each.depth});
   }
+}
+
+/// Adds where the pairs touch that were found.
+template <Dim N>
+void add_contacts(const Task<N>& task) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < task.found.size(); ++i) {
+    if (task.found[i]) places.push_back(i);
+  }
+  std::vector<Manifold<N, double>> manifolds(places.size());
+  std::vector<detail::ShapesToContact<N, double>> touching(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) touching[i] = {task.shapes(places[i]), &manifolds[i]};
+  detail::contacts_of<N, double>(touching);
+  for (std::size_t i = 0; i < places.size(); ++i) tell(manifolds[i], *task.found[places[i]]);
 }
 
 }  // namespace
@@ -75,25 +117,11 @@ std::vector<std::optional<ReportedPair>> SceneCheck::tested(const Scene<N, doubl
   std::vector<std::optional<ReportedPair>> found(candidates.size());
   detail::in_tasks(candidates.size(), candidates_per_task, default_executor(),
                    [&](std::size_t first, std::size_t last) {
-                     std::vector<Relation> relations;
-                     if (!wanted_.within) relations = relations_of(scene, candidates.subspan(first, last - first));
-                     for (std::size_t i = first; i < last; ++i) {
-                       const Object<N, double>& a = scene.object(candidates[i].a);
-                       const Object<N, double>& b = scene.object(candidates[i].b);
-                       ReportedPair pair{a.name, b.name};
-                       if (wanted_.within) {
-                         const Nearness nearness = nearness_of(a.shape, b.shape);
-                         pair.relation = nearness.relation;
-                         pair.distance = nearness.distance;
-                         if (!(pair.distance <= *wanted_.within)) continue;
-                       } else {
-                         pair.relation = relations[i - first];
-                         if (pair.relation == Relation::apart) continue;
-                         if (wanted_.only_interior && pair.relation != Relation::overlapping) continue;
-                         if (wanted_.contacts) add_contacts(a.shape, b.shape, pair);
-                       }
-                       found[i] = std::move(pair);
-                     }
+                     const Task<N> task{scene, candidates.subspan(first, last - first),
+                                        std::span(found).subspan(first, last - first)};
+                     if (wanted_.within) return find_near(task, *wanted_.within);
+                     find_touching(task, wanted_.only_interior);
+                     if (wanted_.contacts) add_contacts(task);
                    });
   return found;
 }

@@ -37,4 +37,19 @@ auto contacts(const std::vector<Any>& shapes, std::span<const Pair> candidates, 
   return contacts<dimension_of<Any>, scalar_of<Any>>(std::span<const Any>(shapes), candidates, options);
 }
 
+namespace detail {
+
+/// Two shapes, and where their manifold from a to b goes, which must be as it is made.
+template <Dim N, class T>
+struct ShapesToContact {
+  ShapePair<N, T> shapes;
+  Manifold<N, T>* manifold;
+};
+
+/// Writes manifold(*a, *b) of each two, bit for bit, in the calling thread. All must touch, which is not asked again of
+/// oriented boxes in space. Takes no memory from the heap.
+template <Dim N, class T>
+void contacts_of(std::span<const ShapesToContact<N, T>> pairs);
+
+}  // namespace detail
 }  // namespace graze

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Where the objects of a scene touch.
+#include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
+#include <graze/broad/contacts.hpp>
 #include <graze/broad/executor.hpp>
-#include <graze/broad/manifolds.hpp>
 #include <graze/broad/pair_tasks.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/scene/scene_view.hpp>
@@ -22,10 +24,13 @@ std::vector<ObjectContact<N, T>> SceneView<N, T>::contacts(const Executor& execu
   const std::vector<ObjectPair> touching = pairs();
   std::vector<ObjectContact<N, T>> result(touching.size());
   detail::in_tasks(touching.size(), task_size, executor, [&](std::size_t first, std::size_t last) {
+    std::array<detail::ShapesToContact<N, T>, task_size> shapes;
     for (std::size_t i = first; i < last; ++i) {
       const auto& [a, b] = touching[i];
-      result[i] = {touching[i], manifold(in_slot(a.index).shape, in_slot(b.index).shape)};
+      result[i].pair = touching[i];
+      shapes[i - first] = {{&in_slot(a.index).shape, &in_slot(b.index).shape}, &result[i].manifold};
     }
+    detail::contacts_of<N, T>(std::span(shapes).first(last - first));
   });
   return result;
 }

@@ -72,6 +72,25 @@ TYPED_TEST(Contacts, AreThoseOfSingleCallsForEveryTwoTypesWhoeverRunsThem) {
   }
 }
 
+TYPED_TEST(Contacts, OfShapesKnownToTouchAreThoseOfSingleCallsToo) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  for (std::size_t kind = 0; kind < test::case_kind_count; ++kind) {
+    SCOPED_TRACE(std::string(test::case_kind_names[kind]));
+    const Cases<N, T> cases(static_cast<test::CaseKind>(kind));
+    const std::vector<PairContact<N, T>> expected = cases.by_single_calls();
+    std::vector<PairContact<N, T>> found(expected.size());
+    std::vector<detail::ShapesToContact<N, T>> pairs(expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      found[i].pair = expected[i].pair;
+      pairs[i] = {{&cases.shapes[found[i].pair.a], &cases.shapes[found[i].pair.b]}, &found[i].manifold};
+    }
+    EXPECT_GT(pairs.size(), 256U);  // more than a kernel takes in one go
+    detail::contacts_of<N, T>(pairs);
+    EXPECT_TRUE(found == expected);
+  }
+}
+
 TEST(Contacts, SayHowDeepAndWhereFromTheFirstToTheSecond) {
   const std::vector<AnyShape<2, double>> shapes{HalfSpace<2, double>{{0, 1}, 0}, Sphere<2, double>{{9, 9}, 1},
                                                 Aabb<2, double>{{1, -0.25}, {3, 2}}};

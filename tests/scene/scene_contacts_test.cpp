@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Where the objects of a scene touch, against asking for the manifold of every two of them.
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <stdexcept>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -11,9 +14,13 @@
 
 #include <graze/broad/executor.hpp>
 #include <graze/broad/manifolds.hpp>
+#include <graze/math/draws.hpp>
+#include <graze/math/rotation.hpp>
 #include <graze/scene/scene.hpp>
 
+#include "broad/thread_executor.hpp"
 #include "catalogue.hpp"
+#include "query/row_of_shapes.hpp"
 
 namespace graze::scene_contacts_test {
 namespace {
@@ -117,6 +124,77 @@ RC_GTEST_PROP(SceneContacts, AreTheManifoldsOfAllPairs2f, ()) { check_against_ev
 RC_GTEST_PROP(SceneContacts, AreTheManifoldsOfAllPairs3f, ()) { check_against_every_pair<3, float>(); }
 RC_GTEST_PROP(SceneContacts, AreTheManifoldsOfAllPairs2d, ()) { check_against_every_pair<2, double>(); }
 RC_GTEST_PROP(SceneContacts, AreTheManifoldsOfAllPairs3d, ()) { check_against_every_pair<3, double>(); }
+
+/// Towers of boxes that lie on each other, turned, every seventh anyhow. Where the first tower stands there is a shape
+/// of each type as well, some of which meet all towers.
+template <Dim N, class T>
+Scene<N, T> towers() {
+  Scene<N, T> scene;
+  detail::Draws draws;
+  for (std::size_t i = 0; i < 720; ++i) {
+    Vec<N, double> center(0.0);
+    center[0] = 3.0 * static_cast<double>(i / 24);
+    center[N - 1] = 0.95 * static_cast<double>(i % 24);
+    const auto degrees = static_cast<double>(draws.below(360));
+    Obb<N, T> box{Vec<N, T>(center), Vec<N, T>(T(0.5))};
+    if constexpr (N == 2) {
+      box.axes = Mat<N, T>(rotation_matrix(degrees));
+    } else {
+      box.axes = Mat<N, T>(rotation_matrix(i % 7 == 0 ? Vec<3, double>(1, 2, 3) : Vec<3, double>(0, 0, 1), degrees));
+    }
+    scene.add(box);
+    if (i % 60 == 30) scene.add(test::row_shape<N, T>(i / 60, T(-1)));
+  }
+  return scene;
+}
+
+template <Dim N, class T>
+std::vector<ObjectContact<N, T>> contacts_of_single_calls(const Scene<N, T>& scene) {
+  std::vector<ObjectContact<N, T>> result;
+  for (const ObjectPair& pair : scene.pairs()) {
+    result.push_back({pair, manifold(scene.object(pair.a).shape, scene.object(pair.b).shape)});
+  }
+  return result;
+}
+
+template <class Space>
+class ContactsOfTowers : public testing::Test {};
+TYPED_TEST_SUITE(ContactsOfTowers, test::Spaces);
+
+TYPED_TEST(ContactsOfTowers, AreThoseOfSingleCallsWhoeverRunsThem) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  Scene<N, T> scene = towers<N, T>();
+  const std::array<test::ThreadExecutor, 3> executors{test::ThreadExecutor(1), test::ThreadExecutor(2),
+                                                      test::ThreadExecutor(7)};
+  const auto expected = contacts_of_single_calls(scene);
+  const auto are_boxes = [&scene](const ObjectContact<N, T>& contact) {
+    return std::holds_alternative<Obb<N, T>>(scene.object(contact.pair.a).shape) &&
+           std::holds_alternative<Obb<N, T>>(scene.object(contact.pair.b).shape);
+  };
+  const auto of_boxes = static_cast<std::size_t>(std::count_if(expected.begin(), expected.end(), are_boxes));
+  EXPECT_GT(of_boxes, 600U);                    // several tasks
+  EXPECT_GT(expected.size(), of_boxes + 256U);  // and as many of other kinds
+  for (const bool is_updated : {false, true}) {
+    if (is_updated) scene.update();
+    EXPECT_TRUE(scene.contacts() == expected);
+    EXPECT_TRUE(scene.contacts(serial_executor()) == expected);
+    for (const test::ThreadExecutor& executor : executors) EXPECT_TRUE(scene.contacts(executor) == expected);
+  }
+}
+
+TEST(SceneContacts, ThrowWhatTheExecutorThrows) {
+  struct Broken final : Executor {
+    void parallel_for(std::size_t, const std::function<void(std::size_t)>&) const override {
+      throw std::runtime_error("no thread is left");
+    }
+    std::size_t concurrency() const override { return 1; }
+  };
+  World scene;
+  scene.add(Box{});
+  scene.add(Box{});
+  EXPECT_THROW(scene.contacts(Broken()), std::runtime_error);
+}
 
 /// No two boxes that are as near as the margin along every axis are missed, however large the margin is for them.
 RC_GTEST_PROP(SceneContacts, CandidatesMissNoBoxesWithinTheMargin, ()) {

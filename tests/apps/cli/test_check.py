@@ -130,6 +130,21 @@ class Check(CommandLineTest):
         self.assertEqual(rows[0][3:], ["depth", "x", "y", "z", "normal_x", "normal_y", "normal_z"])
         self.assertEqual(rows[1], ["s0", "s1", "touching", "0", "0.5", "0", "0", "1", "0", "0"])
 
+    def test_contacts_of_many_boxes_are_those_of_each_pair_alone(self):
+        # A part of a compound is asked about alone, and boxes many at a time.
+        boxes = [{"type": "obb", "center": [3 * (i // 40), 0, 0.95 * (i % 40)], "half_extents": [0.5, 0.5, 0.5],
+                  "rotation": {"axis": [1, 2, 3] if i % 7 == 0 else [0, 0, 1], "angle": 37 * i}} for i in range(1200)]
+        balls = [{"type": "sphere", "center": [3 * (i // 40), 0, 0.95 * (i % 40)], "radius": 0.4}
+                 for i in range(0, 1200, 50)]
+        parts = [{"type": "compound", "parts": [box]} for box in boxes]
+        def lines(name, *things):
+            objects = [thing | {"name": f"thing {i}"} for i, thing in enumerate(sum(things, []))]
+            scene = self.write(name, {"schema": "graze.scene/1", "dimension": 3, "objects": objects})
+            return self.succeed("check", "--contacts", "--format", "ndjson", scene)[0].splitlines()
+        of_boxes = lines("boxes.json", boxes, balls)
+        self.assertGreater(len(of_boxes), 1150)
+        self.assertEqual(of_boxes, lines("parts.json", parts, balls))
+
     def test_a_depth_without_end_is_null(self):
         solids = [{"name": name, "type": "half_space", "normal": normal, "offset": 0}
                   for name, normal in (("left", [1, 0]), ("below", [0, 1]))]
