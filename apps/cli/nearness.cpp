@@ -8,7 +8,7 @@ namespace graze::cli {
 template <Dim N>
 Nearness nearness_of(const AnyShape<N, double>& a, const AnyShape<N, double>& b) {
   const Proximity<N, double> nearest = closest_points(a, b);
-  return {nearest.relation, nearest.distance};
+  return {nearest.relation, nearest.distance, nearest.status, nearest.error};
 }
 
 template Nearness nearness_of<2>(const AnyShape<2, double>&, const AnyShape<2, double>&);

@@ -5,6 +5,7 @@
 
 #include <graze/math/vec.hpp>
 #include <graze/query/relation.hpp>
+#include <graze/query/status.hpp>
 #include <graze/shape/any_shape.hpp>
 
 namespace graze::cli {
@@ -13,6 +14,8 @@ namespace graze::cli {
 struct Nearness {
   Relation relation = Relation::apart;
   double distance = 0;
+  Status status = Status::converged;
+  double error = 0;  ///< How far the distance may be off.
 };
 
 template <Dim N>

@@ -59,8 +59,10 @@ void find_near(const Task<N>& task, double within) {
     const detail::ShapePair<N, double> shapes = task.shapes(i);
     const Nearness nearness = nearness_of(*shapes.a, *shapes.b);
     if (!(nearness.distance <= within)) continue;
-    task.found[i] = task.pair(i, nearness.relation);
-    task.found[i]->distance = nearness.distance;
+    ReportedPair& pair = task.found[i].emplace(task.pair(i, nearness.relation));
+    pair.distance = nearness.distance;
+    pair.status = nearness.status;
+    pair.error = nearness.error;
   }
 }
 
@@ -82,6 +84,8 @@ void tell(const Manifold<N, double>& touch, ReportedPair& pair) {
   for (const ManifoldPoint<N, double>& each : touch.contacts()) {
     pair.contacts.push_back({coordinates(each.point), each.depth});
   }
+  pair.status = touch.status;
+  pair.error = touch.error;
 }
 
 /// Adds where the pairs touch that were found.
@@ -142,6 +146,7 @@ void SceneCheck::search(const Scene<N, double>& scene, const std::function<void(
     for (std::size_t i = 0; i < found.size(); ++i) {
       if (!found[i]) continue;
       on_pair(*found[i]);
+      if (found[i]->status != Status::converged) ++summary_.not_converged;
       touching_.push_back(block[i]);
     }
     after_block();

@@ -30,6 +30,9 @@ std::string_view relation_name(Relation relation) {
   return "overlapping";
 }
 
+/// As the module for JavaScript has them.
+std::string_view status_name(Status status) { return status == Status::converged ? "converged" : "best_bound"; }
+
 /// How deep two objects are in each other: as deep as at the deepest of their contacts.
 double depth_of(const ReportedPair& pair) {
   double depth = 0;
@@ -55,6 +58,9 @@ std::string json_pair(const ReportedPair& pair, PairDetail detail) {
                                  relation_name(pair.relation));
   if (detail == PairDetail::distance) text += fmt::format(R"(, "distance": {})", json_number(pair.distance));
   if (detail == PairDetail::contacts) text += json_contacts(pair);
+  if (detail != PairDetail::none) {
+    text += fmt::format(R"(, "status": "{}", "error": {})", status_name(pair.status), json_number(pair.error));
+  }
   return text + "}";
 }
 
@@ -104,6 +110,7 @@ class CsvReport final : public ReportWriter {
     if (detail_ == PairDetail::contacts) {
       out_ << (head.dimension == 2 ? ",depth,x,y,normal_x,normal_y" : ",depth,x,y,z,normal_x,normal_y,normal_z");
     }
+    if (detail_ != PairDetail::none) out_ << ",status,error";
     out_ << '\n';
   }
 
@@ -111,11 +118,12 @@ class CsvReport final : public ReportWriter {
     const std::string names =
         fmt::format("{},{},{}", csv_field(pair.a), csv_field(pair.b), relation_name(pair.relation));
     if (detail_ == PairDetail::none) out_ << names << '\n';
-    if (detail_ == PairDetail::distance) out_ << fmt::format("{},{}\n", names, pair.distance);
+    const std::string end = fmt::format("{},{}\n", status_name(pair.status), pair.error);
+    if (detail_ == PairDetail::distance) out_ << fmt::format("{},{},{}", names, pair.distance, end);
     if (detail_ != PairDetail::contacts) return;
     for (const ReportedContact& contact : pair.contacts) {
-      out_ << fmt::format("{},{},{},{}\n", names, contact.depth, fmt::join(contact.point, ","),
-                          fmt::join(pair.normal, ","));
+      out_ << fmt::format("{},{},{},{},{}", names, contact.depth, fmt::join(contact.point, ","),
+                          fmt::join(pair.normal, ","), end);
     }
   }
   void finish(const ReportSummary&) override {}
@@ -131,6 +139,12 @@ std::string_view colour_of(Relation relation) {
   return relation == Relation::overlapping ? "\x1b[33m" : "\x1b[36m";
 }
 
+/// A distance or a depth as a table has it.
+std::string measured(double number, const ReportedPair& pair) {
+  if (pair.status == Status::converged) return short_number(number);
+  return fmt::format("{} +- {}", short_number(number), short_number(pair.error));
+}
+
 class TableReport final : public ReportWriter {
  public:
   TableReport(std::ostream& out, ReportHead head, Colours colours)
@@ -141,11 +155,11 @@ class TableReport final : public ReportWriter {
                          {printable(pair.b)},
                          {std::string(relation_name(pair.relation)), colour_of(pair.relation)}};
     if (head_.detail != PairDetail::contacts) rows_.push_back(start);
-    if (head_.detail == PairDetail::distance) rows_.back().push_back({short_number(pair.distance)});
+    if (head_.detail == PairDetail::distance) rows_.back().push_back({measured(pair.distance, pair)});
     if (head_.detail != PairDetail::contacts) return;
     for (const ReportedContact& contact : pair.contacts) {
       rows_.push_back(start);
-      rows_.back().push_back({short_number(contact.depth)});
+      rows_.back().push_back({measured(contact.depth, pair)});
       rows_.back().push_back({short_numbers(contact.point)});
       rows_.back().push_back({short_numbers(pair.normal)});
     }
@@ -191,8 +205,9 @@ std::unique_ptr<ReportWriter> begin_report(std::ostream& out, ReportFormat forma
 }
 
 std::string summary_line(const ReportHead& head, const ReportSummary& summary) {
-  return fmt::format("{}; {}, {}, {:.3f} seconds", counted(summary.pairs, "pair"), counted(head.objects, "object"),
-                     counted(summary.candidates, "candidate"), summary.seconds);
+  const std::string open = summary.not_converged == 0 ? "" : fmt::format(", {} not converged", summary.not_converged);
+  return fmt::format("{}{}; {}, {}, {:.3f} seconds", counted(summary.pairs, "pair"), open,
+                     counted(head.objects, "object"), counted(summary.candidates, "candidate"), summary.seconds);
 }
 
 }  // namespace graze::io

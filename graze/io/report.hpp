@@ -12,6 +12,7 @@
 #include <graze/io/text_table.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/relation.hpp>
+#include <graze/query/status.hpp>
 
 namespace graze::io {
 
@@ -46,20 +47,24 @@ struct ReportedPair {
   double distance = 0;                         ///< For PairDetail::distance.
   std::vector<double> normal = {};             ///< For PairDetail::contacts: from a to b, or zero.
   std::vector<ReportedContact> contacts = {};  ///< For PairDetail::contacts: at least one.
+  Status status = Status::converged;           ///< How the search for the distance, or the depth, ended.
+  double error = 0;                            ///< How far that may be off.
 };
 
 /// What is known after the last pair.
 struct ReportSummary {
-  std::size_t pairs = 0;       ///< Pairs reported.
-  std::size_t candidates = 0;  ///< Pairs tested exactly, because their boxes overlap.
-  double seconds = 0;          ///< The search, without reading and writing.
+  std::size_t pairs = 0;          ///< Pairs reported.
+  std::size_t candidates = 0;     ///< Pairs tested exactly, because their boxes overlap.
+  double seconds = 0;             ///< The search, without reading and writing.
+  std::size_t not_converged = 0;  ///< Of the pairs reported.
 };
 
 /// Writes one report: `write` for every pair in order, then `finish` once. JSON, NDJSON and CSV are written as the
 /// pairs come; a table needs all of them for its columns, so the names must live until `finish`. In a table and in CSV
 /// a pair has a row for each of its contacts. Names are quoted or escaped as the format needs it, whatever bytes they
-/// hold, and numbers are as short as they can be read back, but for those of a table. Virtual because the format is
-/// chosen at run time; a call per pair is nothing beside the test of the pair.
+/// hold, and numbers are as short as they can be read back, but for those of a table. Where more is told than a
+/// relation, JSON and CSV always tell the status and the error; a table tells the error of what has not converged.
+/// Virtual because the format is chosen at run time; a call per pair is nothing beside the test of the pair.
 class ReportWriter {
  public:
   virtual ~ReportWriter() = default;
@@ -76,7 +81,8 @@ class ReportWriter {
 std::unique_ptr<ReportWriter> begin_report(std::ostream& out, ReportFormat format, const ReportHead& head,
                                            Colours colours = Colours::off);
 
-/// The sentence that closes a table: "2 pairs; 5 objects, 3 candidates, 0.001 seconds".
+/// The sentence that closes a table: "2 pairs; 5 objects, 3 candidates, 0.001 seconds", or "2 pairs, 1 not converged;
+/// ...".
 std::string summary_line(const ReportHead& head, const ReportSummary& summary);
 
 }  // namespace graze::io

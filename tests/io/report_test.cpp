@@ -93,20 +93,23 @@ std::string detailed(ReportFormat format, PairDetail detail, const ReportedPair&
   return out.str();
 }
 
-const ReportedPair standing{"ground", "crate", Relation::overlapping, 0, {0, 1}, {{{-1, 0.125}, 0.25}, {{1, 0}, 0.1}}};
+const ReportedPair standing{
+    "ground",          "crate", Relation::overlapping, 0, {0, 1}, {{{-1, 0.125}, 0.25}, {{1, 0}, 0.1}},
+    Status::converged, 1e-16};
 
 TEST(Report, tells_contacts_in_every_format) {
   EXPECT_EQ(detailed(ReportFormat::ndjson, PairDetail::contacts, standing),
             R"({"a": "ground", "b": "crate", "relation": "overlapping", "depth": 0.25, "normal": [0, 1], "contacts": )"
-            R"([{"point": [-1, 0.125], "depth": 0.25}, {"point": [1, 0], "depth": 0.1}]})"
+            R"([{"point": [-1, 0.125], "depth": 0.25}, {"point": [1, 0], "depth": 0.1}], )"
+            R"("status": "converged", "error": 1e-16})"
             "\n");
   const auto document = nlohmann::json::parse(detailed(ReportFormat::json, PairDetail::contacts, standing));
   EXPECT_EQ(document["schema"], "graze.check/1");
   EXPECT_EQ(document["pairs"][0]["contacts"][1]["depth"], 0.1);
   EXPECT_EQ(detailed(ReportFormat::csv, PairDetail::contacts, standing),
-            "a,b,relation,depth,x,y,normal_x,normal_y\n"
-            "ground,crate,overlapping,0.25,-1,0.125,0,1\n"
-            "ground,crate,overlapping,0.1,1,0,0,1\n");
+            "a,b,relation,depth,x,y,normal_x,normal_y,status,error\n"
+            "ground,crate,overlapping,0.25,-1,0.125,0,1,converged,1e-16\n"
+            "ground,crate,overlapping,0.1,1,0,0,1,converged,1e-16\n");
   EXPECT_EQ(detailed(ReportFormat::table, PairDetail::contacts, standing),
             "A       B      RELATION     DEPTH  POINT      NORMAL\n"
             "ground  crate  overlapping  0.25   -1, 0.125  0, 1\n"
@@ -121,19 +124,41 @@ TEST(Report, tells_a_depth_without_end_as_json_can) {
   const auto line = nlohmann::json::parse(detailed(ReportFormat::ndjson, PairDetail::contacts, crossing));
   EXPECT_TRUE(line["depth"].is_null());
   EXPECT_TRUE(line["contacts"][0]["depth"].is_null());
-  EXPECT_NE(detailed(ReportFormat::csv, PairDetail::contacts, crossing).find(",inf,1,2,0,0\n"), std::string::npos);
+  EXPECT_NE(detailed(ReportFormat::csv, PairDetail::contacts, crossing).find(",inf,1,2,0,0,converged,0\n"),
+            std::string::npos);
 }
 
 TEST(Report, tells_distances_in_every_format) {
   const ReportedPair near{"a", "b", Relation::apart, 0.5};
   EXPECT_EQ(detailed(ReportFormat::ndjson, PairDetail::distance, near),
-            "{\"a\": \"a\", \"b\": \"b\", \"relation\": \"apart\", \"distance\": 0.5}\n");
-  EXPECT_EQ(detailed(ReportFormat::csv, PairDetail::distance, near), "a,b,relation,distance\na,b,apart,0.5\n");
+            R"({"a": "a", "b": "b", "relation": "apart", "distance": 0.5, "status": "converged", "error": 0})"
+            "\n");
+  EXPECT_EQ(detailed(ReportFormat::csv, PairDetail::distance, near),
+            "a,b,relation,distance,status,error\na,b,apart,0.5,converged,0\n");
   EXPECT_EQ(detailed(ReportFormat::table, PairDetail::distance, near),
             "A  B  RELATION  DISTANCE\n"
             "a  b  apart     0.5\n"
             "\n"
             "2 pairs; 3 objects, 5 candidates, 0.250 seconds\n");
+}
+
+TEST(Report, tells_what_has_not_converged_in_every_format) {
+  const ReportedPair near{"a", "b", Relation::apart, 0.5, {}, {}, Status::best_bound, 0.015625};
+  const auto line = nlohmann::json::parse(detailed(ReportFormat::ndjson, PairDetail::distance, near));
+  EXPECT_EQ(line["status"], "best_bound");
+  EXPECT_EQ(line["error"], 0.015625);
+  EXPECT_EQ(detailed(ReportFormat::csv, PairDetail::distance, near),
+            "a,b,relation,distance,status,error\na,b,apart,0.5,best_bound,0.015625\n");
+  EXPECT_EQ(detailed(ReportFormat::table, PairDetail::distance, near),
+            "A  B  RELATION  DISTANCE\n"
+            "a  b  apart     0.5 +- 0.015625\n"
+            "\n"
+            "2 pairs; 3 objects, 5 candidates, 0.250 seconds\n");
+  const ReportedPair deep{"a", "b", Relation::overlapping, 0, {0, 1}, {{{1, 2}, 3}}, Status::best_bound, 0.25};
+  EXPECT_EQ(detailed(ReportFormat::csv, PairDetail::contacts, deep),
+            "a,b,relation,depth,x,y,normal_x,normal_y,status,error\na,b,overlapping,3,1,2,0,1,best_bound,0.25\n");
+  EXPECT_NE(detailed(ReportFormat::table, PairDetail::contacts, deep).find("  3 +- 0.25  1, 2   0, 1\n"),
+            std::string::npos);
 }
 
 TEST(Report, colours_only_a_table_and_ends_each_colour) {
@@ -164,6 +189,11 @@ TEST(Report, replaces_bytes_in_json_that_are_not_utf8) {
 
 TEST(SummaryLine, uses_the_singular_for_one) {
   EXPECT_EQ(summary_line({"x", 3, 1}, {1, 1, 0}), "1 pair; 1 object, 1 candidate, 0.000 seconds");
+}
+
+TEST(SummaryLine, counts_what_has_not_converged) {
+  EXPECT_EQ(summary_line({"x", 3, 9}, {5, 7, 0, 2}),
+            "5 pairs, 2 not converged; 9 objects, 7 candidates, 0.000 seconds");
 }
 
 /// Splits one line of CSV into its fields, by the rules of RFC 4180; it ends with the text.

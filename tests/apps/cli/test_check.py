@@ -4,6 +4,7 @@
 import csv
 import io
 import json
+import math
 import unittest
 import xml.etree.ElementTree
 
@@ -108,7 +109,7 @@ class Check(CommandLineTest):
         document = json.loads(self.succeed("check", "--contacts", "--format", "json", scene)[0])
         self.assertEqual(document["schema"], "graze.check/1")
         ground_crate, _, crate_ball = document["pairs"]
-        self.assertEqual(list(crate_ball), ["a", "b", "relation", "depth", "normal", "contacts"])
+        self.assertEqual(list(crate_ball), ["a", "b", "relation", "depth", "normal", "contacts", "status", "error"])
         self.assertEqual(crate_ball["depth"], 0.5)
         self.assertEqual(crate_ball["normal"], [1, 0])
         self.assertEqual(crate_ball["contacts"], [{"point": [1.75, 1], "depth": 0.5}])
@@ -117,9 +118,11 @@ class Check(CommandLineTest):
         lines = self.succeed("check", "--contacts", "--format", "ndjson", scene)[0].splitlines()
         self.assertEqual([json.loads(line) for line in lines], document["pairs"])
         rows = list(csv.reader(io.StringIO(self.succeed("check", "--contacts", "--format", "csv", scene)[0])))
-        self.assertEqual(rows[0], ["a", "b", "relation", "depth", "x", "y", "normal_x", "normal_y"])
+        self.assertEqual(rows[0], ["a", "b", "relation", "depth", "x", "y", "normal_x", "normal_y", "status", "error"])
         self.assertEqual(len(rows), 1 + sum(len(pair["contacts"]) for pair in document["pairs"]))
-        self.assertEqual(rows[-1], ["crate", "ball", "overlapping", "0.5", "1.75", "1", "1", "0"])
+        self.assertEqual(rows[-1][:-1], ["crate", "ball", "overlapping", "0.5", "1.75", "1", "1", "0", "converged"])
+        self.assertEqual(float(rows[-1][-1]), crate_ball["error"])
+        self.assertLess(crate_ball["error"], 1e-13)
         table = self.succeed("check", "--contacts", "--interior", scene)[0].splitlines()
         self.assertEqual(table[:2], ["A      B     RELATION     DEPTH  POINT    NORMAL",
                                      "crate  ball  overlapping  0.5    1.75, 1  1, 0"])
@@ -127,8 +130,8 @@ class Check(CommandLineTest):
     def test_contacts_in_space_have_three_coordinates(self):
         scene = self.write("s.json", SPHERES_3D)
         rows = list(csv.reader(io.StringIO(self.succeed("check", "--contacts", "--format", "csv", scene)[0])))
-        self.assertEqual(rows[0][3:], ["depth", "x", "y", "z", "normal_x", "normal_y", "normal_z"])
-        self.assertEqual(rows[1], ["s0", "s1", "touching", "0", "0.5", "0", "0", "1", "0", "0"])
+        self.assertEqual(rows[0][3:], ["depth", "x", "y", "z", "normal_x", "normal_y", "normal_z", "status", "error"])
+        self.assertEqual(rows[1][:10], ["s0", "s1", "touching", "0", "0.5", "0", "0", "1", "0", "0"])
 
     def test_contacts_of_many_boxes_are_those_of_each_pair_alone(self):
         # A part of a compound is asked about alone, and boxes many at a time.
@@ -145,6 +148,29 @@ class Check(CommandLineTest):
         self.assertGreater(len(of_boxes), 1150)
         self.assertEqual(of_boxes, lines("parts.json", parts, balls))
 
+    def test_what_has_not_converged_is_told_with_its_error(self):
+        # Of a ball in the middle of a hull with hundreds of faces, all as near, the search does not try each.
+        golden = math.pi * (3 - 5**0.5)
+        heights = [1 - 2 * (i + 0.5) / 400 for i in range(400)]
+        points = [[(1 - z * z) ** 0.5 * math.cos(golden * i), (1 - z * z) ** 0.5 * math.sin(golden * i), z]
+                  for i, z in enumerate(heights)]
+        objects = [{"name": "hull", "type": "polytope", "points": points},
+                   {"name": "ball", "type": "sphere", "center": [0, 0, 0], "radius": 0.25},
+                   {"name": "box", "type": "aabb", "min": [-9, -9, -9], "max": [-8, -8, -8]},
+                   {"name": "other", "type": "aabb", "min": [-8, -9, -9], "max": [-7, -8, -8]}]
+        scene = self.write("round.json", {"schema": "graze.scene/1", "dimension": 3, "objects": objects})
+        deep, flat = json.loads(self.succeed("check", "--contacts", "--format", "json", scene)[0])["pairs"]
+        self.assertEqual((deep["status"], flat["status"]), ("best_bound", "converged"))
+        self.assertTrue(1e-9 < deep["error"] < 0.1, deep["error"])
+        text, said = self.succeed("check", "--contacts", "--format", "csv", scene)
+        rows = list(csv.reader(io.StringIO(text)))
+        self.assertEqual([rows[1][-2], rows[-1][-2]], ["best_bound", "converged"])
+        self.assertEqual(float(rows[1][-1]), deep["error"])
+        self.assertIn("2 pairs, 1 not converged; 4 objects", said)
+        table = self.succeed("check", "--contacts", scene)[0]
+        self.assertRegex(table, r"hull +ball +overlapping +1\.[0-9]+ \+- [0-9.e-]+ ")
+        self.assertIn("\n2 pairs, 1 not converged; 4 objects", table)
+
     def test_a_depth_without_end_is_null(self):
         solids = [{"name": name, "type": "half_space", "normal": normal, "offset": 0}
                   for name, normal in (("left", [1, 0]), ("below", [0, 1]))]
@@ -158,8 +184,9 @@ class Check(CommandLineTest):
         def within(distance, *options):
             text, _ = self.succeed("check", "--within", distance, "--format", "csv", *options, scene)
             rows = list(csv.reader(io.StringIO(text)))
-            self.assertEqual(rows[0], ["a", "b", "relation", "distance"])
-            return rows[1:]
+            self.assertEqual(rows[0], ["a", "b", "relation", "distance", "status", "error"])
+            self.assertEqual({row[4] for row in rows[1:]}, {"converged"})
+            return [row[:4] for row in rows[1:]]
         self.assertEqual(within("0"), touching)
         self.assertEqual(within("5.499"), touching)
         self.assertEqual(within("5.5"), touching + [["crate", "lamp", "apart", "5.5"]])
@@ -169,7 +196,8 @@ class Check(CommandLineTest):
         self.assertEqual(everything[2][2:], ["apart", "7.5"])
         self.assertAlmostEqual(float(everything[5][3]), (2.5**2 + 7**2) ** 0.5 - 1.5, places=12)
         (_, _, _, near) = json.loads(self.succeed("check", "--within", "5.75", "--format", "json", scene)[0])["pairs"]
-        self.assertEqual(near, {"a": "crate", "b": "lamp", "relation": "apart", "distance": 5.5})
+        self.assertLess(near.pop("error"), 1e-13)
+        self.assertEqual(near, {"a": "crate", "b": "lamp", "relation": "apart", "distance": 5.5, "status": "converged"})
         self.assertIn("crate   lamp   apart        5.5\n", self.succeed("check", "--within", "5.75", scene)[0])
 
     def test_a_clearance_is_a_failure_when_asked(self):
