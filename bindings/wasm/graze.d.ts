@@ -138,11 +138,31 @@ export interface Contact {
   error: number;
 }
 
+/** A corner, an edge or a face of a shape. What is round has one vertex; a capsule two, and an edge between. */
+export interface Feature {
+  kind: "vertex" | "edge" | "face";
+  index: number;
+}
+
+/** Which features of two shapes a contact point lies on. */
+export interface ContactId {
+  a: Feature;
+  b: Feature;
+  /** The place of the part in a compound; 0 without parts. */
+  partA: number;
+  partB: number;
+}
+
 export interface ManifoldPoint {
   point: Point;
   pointA: Point;
   pointB: Point;
   depth: number;
+  /**
+   * The same from frame to frame as long as the shapes touch with the same features, so that a solver finds the impulse
+   * of the frame before; `JSON.stringify(id)` is a key. Corners of polytopes are numbered as they come in `points`.
+   */
+  id: ContactId;
 }
 
 /** Up to two points in 2D, four in 3D; none if the shapes are apart. */
@@ -574,7 +594,7 @@ export interface Graze {
   boundingBox(points: Points, dimension?: Dimension): Aabb & { min: Point; max: Point };
   /** Of least area in 2D, of small surface in 3D. */
   boundingObb(points: Points, dimension?: Dimension): Obb & { axes: Point[] };
-  /** In 2D the corners in counter-clockwise order; in 3D the distinct points in lexicographic order. */
+  /** The corners: in 2D in counter-clockwise order from the least, in 3D in lexicographic order. */
   convexHull(points: Points, dimension?: Dimension): Polytope & { points: Point[] };
 
   drawing(shape: Shape, options?: OutlineOptions): Drawing;

@@ -33,12 +33,10 @@ const T* numbers_of(const Obb<3, T>& box) {
   return reinterpret_cast<const T*>(&box);
 }
 
-/// As is_in_order of the two the other way round; nearly always the first number says it.
+/// As is_in_order of the two the other way round.
 template <class T>
 HWY_INLINE bool is_turned(const TwoObbs<T>& boxes) {
-  const Obb<3, T>& a = *boxes.a;
-  const Obb<3, T>& b = *boxes.b;
-  return a.center.x != b.center.x ? b.center.x < a.center.x : !is_in_order(a, b);
+  return !is_in_order(*boxes.a, *boxes.b);
 }
 
 /// As many pairs as floats are in a vector, seen from the first boxes' centers.

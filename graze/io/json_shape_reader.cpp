@@ -166,7 +166,7 @@ AnyShape<N, double> read_polytope(const JsonFields& fields) {
     points.push_back(read_vector<N>(point, {"points", points.size()}, fields.place()));
   }
   if (points.empty()) throw fields.error("points", "is empty; a polytope needs at least one point");
-  return convex_hull<N, double>(points);
+  return convex_hull_in_order<N, double>(points);
 }
 
 std::size_t part_depth(const JsonPlace& place) {

@@ -75,7 +75,7 @@ class ShapeNumbers {
   Polytope<N, To> of(const Polytope<N, From>& polytope) const {
     std::vector<Vec<N, To>> points;
     for (const Vec<N, From>& vertex : polytope.vertices()) points.push_back(of(vertex));
-    return convex_hull<N, To>(points);
+    return convex_hull_in_order<N, To>(points);
   }
   template <Dim N, class From>
   Compound<N, To> of(const Compound<N, From>& compound) const {

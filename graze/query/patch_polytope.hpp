@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include <graze/math/rounding.hpp>
@@ -37,13 +38,17 @@ struct FlatCorner {
   std::uint32_t index;
 };
 
-/// The corners of the convex hull of any number of points of a plane, which are put in one by one, counter-clockwise.
-/// Of more than it can list those that are farthest in eight directions, so that a face of a thousand corners needs no
-/// more memory: 10 KiB on the stack.
+/// The corners of the convex hull of any number of points of a plane, which are put in one by one in the order of their
+/// numbers: counter-clockwise from the least number. Corners that lie beside each other, up to `reach`, are one, the
+/// least of them, and those that hardly turn are passed, so that rounding makes none and hides none. Of more than it
+/// can list those that are farthest in eight directions, so that a face of a thousand corners needs no more memory: 10
+/// KiB on the stack.
 class FaceCorners {
  public:
   static constexpr std::size_t most_listed = 128;
   using List = InplaceVector<FlatCorner, most_listed + 1>;
+
+  explicit FaceCorners(double reach) : reach_(reach) {}
 
   void add(const FlatCorner& corner) {
     if (listed_.size() < most_listed) {
@@ -58,11 +63,9 @@ class FaceCorners {
   }
 
   List around() {
-    if (!farthest_.empty()) return farthest_around();
-    std::sort(listed_.begin(), listed_.end(), [](const FlatCorner& p, const FlatCorner& q) {
-      return lexicographically_less<2, double>(p.place, q.place);
-    });
-    return monotone_chain(listed_, &FlatCorner::place);
+    List corners = farthest_.empty() ? listed_around() : farthest_around();
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), has_less_number), corners.end());
+    return corners;
   }
 
  private:
@@ -70,11 +73,59 @@ class FaceCorners {
   static constexpr std::array<std::array<double, 2>, Patch<3>::most_corners> directions = {
       {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
+  static bool has_less_number(const FlatCorner& a, const FlatCorner& b) { return a.index < b.index; }
+
+  bool are_beside(const FlatCorner& a, const FlatCorner& b) const { return sum_abs(b.place - a.place) <= reach_; }
+
+  static bool hardly_turns(const FlatCorner& before, const FlatCorner& corner, const FlatCorner& after) {
+    const Vec<2, double> way_in = unit_or(corner.place - before.place, Vec<2, double>(0.0));
+    const Vec<2, double> way_out = unit_or(after.place - corner.place, Vec<2, double>(0.0));
+    return dot(way_in, way_out) > 0 && std::fabs(cross_2d<double>(way_in, way_out)) <= tolerance::aligned;
+  }
+
+  /// Of corners as good as each other, up to `reach`, the first.
   void offer(const FlatCorner& corner) {
     for (std::size_t i = 0; i < directions.size(); ++i) {
       const Vec<2, double> way = corner.place - farthest_[i].place;
-      if (directions[i][0] * way.x + directions[i][1] * way.y > 0) farthest_[i] = corner;
+      if (directions[i][0] * way.x + directions[i][1] * way.y > reach_) farthest_[i] = corner;
     }
+  }
+
+  List listed_around() {
+    std::sort(listed_.begin(), listed_.end(), [](const FlatCorner& p, const FlatCorner& q) {
+      return p.place == q.place ? p.index < q.index : lexicographically_less<2, double>(p.place, q.place);
+    });
+    const auto is_same_place = [](const FlatCorner& p, const FlatCorner& q) { return p.place == q.place; };
+    listed_.end_at(std::unique(listed_.begin(), listed_.end(), is_same_place));
+    const List all = monotone_chain(listed_, &FlatCorner::place);
+    const List turning = those_that_turn(those_apart(all));
+    return turning.size() < 3 ? all : turning;
+  }
+
+  List those_apart(const List& all) const {
+    List kept;
+    for (const FlatCorner& corner : all) {
+      if (kept.empty() || !are_beside(kept.back(), corner)) {
+        kept.push_back(corner);
+      } else if (has_less_number(corner, kept.back())) {
+        kept[kept.size() - 1] = corner;
+      }
+    }
+    while (kept.size() > 1 && are_beside(kept.back(), kept[0])) {
+      kept[0] = std::min(kept[0], kept.back(), has_less_number);
+      kept.pop_back();
+    }
+    return kept;
+  }
+
+  static List those_that_turn(const List& all) {
+    List kept;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const FlatCorner& before = kept.empty() ? all.back() : kept.back();
+      const FlatCorner& after = i + 1 < all.size() ? all[i + 1] : kept.empty() ? all[0] : kept[0];
+      if (!hardly_turns(before, all[i], after)) kept.push_back(all[i]);
+    }
+    return kept;
   }
 
   List farthest_around() const {
@@ -86,6 +137,7 @@ class FaceCorners {
     return corners;
   }
 
+  double reach_;
   List listed_;
   InplaceVector<FlatCorner, directions.size()> farthest_;
 };
@@ -161,9 +213,10 @@ class FaceWrapping {
     });
   }
 
-  std::uint32_t edge_number(std::size_t i, std::size_t j) const {
-    return number(std::min(i, j) * vertices_.size() + std::max(i, j));
-  }
+  /// Of two corners, one after the other.
+  std::uint32_t pair_number(std::size_t i, std::size_t j) const { return number(i * vertices_.size() + j); }
+
+  std::uint32_t edge_number(std::size_t i, std::size_t j) const { return pair_number(std::min(i, j), std::max(i, j)); }
 
   Patch<3> edge_patch(std::size_t i, std::size_t j) const {
     Patch<3> patch;
@@ -173,15 +226,16 @@ class FaceWrapping {
     return patch;
   }
 
-  /// All corners on the face, in order around it. Corners of what is meant to be one face may be off by the rounding of
-  /// their coordinates.
+  /// All corners on the face, in order around it from the least number. Corners of what is meant to be one face may be
+  /// off by the rounding of their coordinates. The face has the number of its first two corners: two faces have no more
+  /// than an edge in common, around which they go opposite ways.
   Patch<3> face_patch(const Point& normal, const Point& edge) const {
-    const Point x = unit_or(edge, Point(0.0));
+    const Point x = way_along(normal, edge);
     const Point y = cross(normal, x);
-    FaceCorners corners;
+    FaceCorners corners(reach());
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
       const Point w = point(i) - from_;
-      if (std::fabs(dot(normal, w)) <= tolerance::aligned * size_) corners.add({{dot(x, w), dot(y, w)}, number(i)});
+      if (is_on_plane(normal, w)) corners.add({{dot(x, w), dot(y, w)}, number(i)});
     }
     const auto around = corners.around();
     Patch<3> patch;
@@ -191,8 +245,26 @@ class FaceWrapping {
     for (std::size_t i = 0; i < count; ++i) {
       patch.add(point(chosen(i)), chosen(i), edge_number(chosen(i), chosen(i + 1)));
     }
-    patch.face = *std::min_element(patch.vertices.begin(), patch.vertices.begin() + patch.size);
+    patch.face = pair_number(chosen(0), chosen(1));
     return patch;
+  }
+
+  double reach() const { return tolerance::aligned * size_; }
+
+  bool is_on_plane(const Point& normal, const Point& w) const { return std::fabs(dot(normal, w)) <= reach(); }
+
+  /// From the face's least corner to the next one that is not beside it: a way that turns with the polytope. Along an
+  /// edge if none is.
+  Point way_along(const Point& normal, const Point& edge) const {
+    std::optional<Point> least;
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      const Point w = point(i) - from_;
+      if (!is_on_plane(normal, w)) continue;
+      if (!least) least = w;
+      const Point way = (w - *least) - normal * dot(normal, w - *least);
+      if (sum_abs(way) > reach()) return unit_or(way, Point(0.0));
+    }
+    return unit_or(edge, Point(0.0));
   }
 
   std::span<const Vec<3, T>> vertices_;
@@ -203,8 +275,8 @@ class FaceWrapping {
   double size_ = 0;
 };
 
-/// Of faces with more than eight corners, eight of them: evenly counted around the face; of more than 128 corners,
-/// those that are farthest in eight directions.
+/// Of faces with more than eight corners, eight of them: evenly counted around the face from the least; of more than
+/// 128 corners, those that are farthest in eight directions. Which they are does not depend on where the polytope is.
 template <class T>
 Patch<3> patch_of_polytope(const Polytope<3, T>& polytope, const Vec<3, double>& origin,
                            const Vec<3, double>& direction) {

@@ -40,7 +40,7 @@ struct HalfEdge {
 /// Faces have as many corners as they have: triangles on one plane, which is decided exactly, are one face.
 template <class T = float>
 struct ConvexMesh {
-  std::vector<Vec<3, T>> vertices;   ///< In lexicographic order, as Polytope has them.
+  std::vector<Vec<3, T>> vertices;   ///< In lexicographic order, as those of a convex_hull.
   std::vector<HalfEdge> half_edges;  ///< Face by face, from the least vertex of each.
   std::vector<std::uint32_t> faces;  ///< The first half-edge of each; by its origin, then the next one's.
 };

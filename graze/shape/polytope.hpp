@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -12,6 +13,7 @@
 
 #include <graze/math/pose.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/shape/convex_ring.hpp>
 #include <graze/shape/corner_rows.hpp>
 #include <graze/shape/hull_input.hpp>
 #include <graze/shape/hull_vertices.hpp>
@@ -35,9 +37,11 @@ class Polytope {
  public:
   Polytope() : Polytope(std::vector<Vec<N, T>>{Vec<N, T>(T(0))}) {}
 
-  /// At least one. In 2D the corners in counter-clockwise order (y up), none of them on the line between its
-  /// neighbours; in 3D in lexicographic order the corners: no point that lies in the hull of the others. Of a polytope
-  /// that was `transformed`, in 3D the moved corners, one of which rounding may have put into the hull of the others.
+  /// At least one; the place of each is its number, by which the ids of contacts name it. In 2D the corners in
+  /// counter-clockwise order (y up), none of them on the line between its neighbours: of a `convex_hull` from the
+  /// lexicographically least on. In 3D the corners, no point that lies in the hull of the others: of a `convex_hull` in
+  /// lexicographic order. Of a polytope that was `transformed`, the moved corners in the order that they had; in 3D
+  /// rounding may have put one of them into the hull of the others, or upon another.
   std::span<const Vec<N, T>> vertices() const { return corners_->vertices; }
 
  private:
@@ -51,6 +55,8 @@ class Polytope {
 
   template <Dim M, class U>
   friend Polytope<M, U> convex_hull(std::type_identity_t<std::span<const Vec<M, U>>> points);
+  template <Dim M, class U>
+  friend Polytope<M, U> convex_hull_in_order(std::type_identity_t<std::span<const Vec<M, U>>> points);
   template <Dim M, class U>
   friend Polytope<M, U> transformed(const Polytope<M, U>& polytope, const Pose<M, U>& pose);
   template <Dim M, class U>
@@ -71,6 +77,33 @@ template <Dim N, class T>
 void sort_and_forget_duplicates(std::vector<Vec<N, T>>& points) {
   std::sort(points.begin(), points.end(), lexicographically_less<N, T>);
   points.erase(std::unique(points.begin(), points.end()), points.end());
+}
+
+/// Those of the points that are corners, each where it first comes. The corners are sorted lexicographically.
+template <class T>
+std::vector<Vec<3, T>> sorted_as(std::span<const Vec<3, T>> points, const std::vector<Vec<3, T>>& corners) {
+  std::vector<Vec<3, T>> sorted;
+  std::vector<bool> is_there(corners.size(), false);
+  for (const Vec<3, T>& point : points) {
+    const auto place = std::lower_bound(corners.begin(), corners.end(), point, lexicographically_less<3, T>);
+    if (place == corners.end() || *place != point) continue;
+    const auto which = static_cast<std::size_t>(place - corners.begin());
+    if (!is_there[which]) sorted.push_back(point);
+    is_there[which] = true;
+  }
+  return sorted;
+}
+
+/// The corner that comes first among the points, each of which is a corner or within their hull.
+template <class T>
+typename std::vector<Vec<2, T>>::iterator find_first_corner(std::vector<Vec<2, T>>& corners,
+                                                            std::span<const Vec<2, T>> points) {
+  std::vector<Vec<2, T>> sorted = corners;
+  std::sort(sorted.begin(), sorted.end(), lexicographically_less<2, T>);
+  const auto is_corner = [&](const Vec<2, T>& point) {
+    return std::binary_search(sorted.begin(), sorted.end(), point, lexicographically_less<2, T>);
+  };
+  return std::find(corners.begin(), corners.end(), *std::find_if(points.begin(), points.end(), is_corner));
 }
 
 }  // namespace detail
@@ -107,6 +140,28 @@ auto convex_hull(const Row& points) {
   return convex_hull(points);
 }
 
+/// The convex hull with its corners numbered as they first come among the points: in 3D in that order, in 2D
+/// counter-clockwise from the one that comes first. So points that are moved, or written down and read again, give
+/// corners of the same numbers, whose contacts keep their ids. All else is as of `convex_hull`, which is cheaper.
+template <Dim N, class T>
+Polytope<N, T> convex_hull_in_order(std::type_identity_t<std::span<const Vec<N, T>>> points) {
+  const Polytope<N, T> hull = convex_hull<N, T>(points);
+  std::vector<Vec<N, T>> corners(hull.vertices().begin(), hull.vertices().end());
+  if constexpr (N == 2) {
+    std::rotate(corners.begin(), detail::find_first_corner<T>(corners, points), corners.end());
+    return Polytope<N, T>(std::move(corners));
+  } else {
+    return Polytope<N, T>(detail::sorted_as<T>(points, corners));
+  }
+}
+
+/// The same for any row of points.
+template <PointRow Row>
+auto convex_hull_in_order(const Row& points) {
+  using Point = ElementOf<Row>;
+  return convex_hull_in_order<Point::length(), typename Point::value_type>(span_of(points));
+}
+
 /// A polytope cannot be built with a defect.
 template <Dim N, class T>
 std::string_view defect(const Polytope<N, T>&) {
@@ -118,19 +173,20 @@ Vec<N, double> support(const Polytope<N, T>& polytope, const std::type_identity_
   return wide<N, T>(polytope.vertices()[detail::rows_of(polytope).farthest(direction)]);
 }
 
+/// Every corner moved, with the number that it had, so that the ids of contacts go on naming it. In 2D a corner that
+/// rounding has put between its neighbours, or behind the line through them, is left out, and those after it come one
+/// place earlier. A coordinate that is not finite: std::invalid_argument.
 template <Dim N, class T>
 Polytope<N, T> transformed(const Polytope<N, T>& polytope, const Pose<N, T>& pose) {
   std::vector<Vec<N, T>> moved;
   moved.reserve(polytope.vertices().size());
   for (const Vec<N, T>& vertex : polytope.vertices()) moved.push_back(transformed(vertex, pose));
+  detail::check_hull_points<N, T>("transformed", moved);
   if constexpr (N == 2) {
-    return convex_hull<N, T>(moved);
-  } else {
-    // Who moves thousands of polytopes does not want to pay for as many hulls.
-    detail::check_hull_points<N, T>("transformed", moved);
-    detail::sort_and_forget_duplicates<N, T>(moved);
-    return Polytope<N, T>(std::move(moved));
+    if (!detail::is_convex_ring<T>(moved)) return convex_hull_in_order<N, T>(moved);
   }
+  // In space, who moves thousands of polytopes does not want to pay for as many hulls.
+  return Polytope<N, T>(std::move(moved));
 }
 
 }  // namespace graze

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <set>
 #include <vector>
 
@@ -9,6 +10,7 @@
 
 #include <graze/math/pose.hpp>
 #include <graze/query/patch_polytope.hpp>
+#include <graze/shape/convex_mesh.hpp>
 
 #include "catalogue.hpp"
 
@@ -58,6 +60,66 @@ TEST(PatchOfPolytope, NamesItsCornersByTheirPlaces) {
     EXPECT_EQ(house.vertices()[patch.vertices[i]] - V3(1, 1, 1), patch.corners[i]);
   }
   EXPECT_EQ(std::set<std::uint32_t>(patch.edges.begin(), patch.edges.begin() + 4).size(), 4U);
+}
+
+/// Those of the face, and of its corners and edges in order.
+std::vector<std::uint32_t> numbers_of(const Patch<3>& patch) {
+  std::vector<std::uint32_t> numbers{patch.face};
+  numbers.insert(numbers.end(), patch.vertices.begin(), patch.vertices.begin() + patch.size);
+  numbers.insert(numbers.end(), patch.edges.begin(), patch.edges.begin() + patch.size);
+  return numbers;
+}
+
+/// A hull of points of a small grid: many corners share coordinates, many faces have more than three.
+Polytope<3, double> grid_hull() {
+  std::vector<V3> points;
+  const auto count = *test::choice(std::size_t{16});
+  for (std::size_t i = 0; i < 4 + count; ++i) {
+    const auto place = *test::choice(std::size_t{125});
+    points.emplace_back(place % 5, place / 5 % 5, place / 25);
+  }
+  return hull(points);
+}
+
+/// Some rotation and translation.
+Pose<3, double> some_pose() {
+  const auto way = *test::any<Ray<3, double>>();
+  const auto degrees = static_cast<double>(*test::choice(std::size_t{3600})) / 10;
+  return {rotation_matrix(unit_or(way.direction, V3(0, 0, 1)), degrees), V3(3, -1, 2)};
+}
+
+// The corners of a mesh are those of the hull.
+TEST(PatchOfPolytope, NamesEveryFaceByItsLeastCornerAndTheNextWhateverThePose) {
+  test::check_property([] {
+    const auto polytope = grid_hull();
+    const auto count = static_cast<std::uint32_t>(polytope.vertices().size());
+    const ConvexMesh<double> mesh = convex_mesh(polytope);
+    const Pose<3, double> pose = some_pose();
+    const auto moved = transformed(polytope, pose);
+    std::set<std::uint32_t> names;
+    for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
+      const HalfEdge& first = mesh.half_edges[mesh.faces[face]];
+      const V3 normal = face_plane(mesh, face).normal;
+      const Patch<3> patch = patch_of_polytope(polytope, zero, normal);
+      RC_ASSERT(patch.face == first.origin * count + mesh.half_edges[first.next].origin);
+      const Patch<3> there = patch_of_polytope(moved, pose.position, pose.rotation * normal);
+      RC_ASSERT(numbers_of(there) == numbers_of(patch));
+      names.insert(patch.face);
+    }
+    RC_ASSERT(names.size() == mesh.faces.size());
+  });
+}
+
+TEST(PatchOfPolytope, OfACornerThatHardlySticksOutIsTheSameWithoutIt) {
+  const std::vector<V3> cube{{0, 0, 0}, {0, 0, 4}, {0, 4, 0}, {0, 4, 4}, {4, 0, 0}, {4, 0, 4}, {4, 4, 0}, {4, 4, 4}};
+  for (const V3& extra : {V3(4, 4, 4 + 1e-9), V3(4 + 1e-9, 4 + 1e-9, 2), V3(4 + 1e-9, 1, 4)}) {
+    std::vector<V3> points = cube;
+    points.push_back(extra);
+    const auto bumpy = hull(points);
+    const Patch<3> patch = patch_of_polytope(bumpy, zero, V3(1, 0, 0));
+    EXPECT_EQ(patch.size, 4U) << extra;
+    EXPECT_EQ(patch.vertices[0], 4U) << extra;
+  }
 }
 
 TEST(PatchOfPolytope, OfASlopeIsItsTriangle) {
@@ -120,6 +182,18 @@ TEST(PatchOfPolytope, OfMoreThanEightCornersKeepsEightAllAround) {
     EXPECT_GT(area_of(patch), count == 9 ? 2.5 : 2.8) << count;
     for (std::size_t i = 0; i < patch.size; ++i) {
       EXPECT_EQ(polytope.vertices()[patch.vertices[i]], patch.corners[i]) << count;
+    }
+  }
+}
+
+TEST(PatchOfPolytope, OfManyCornersIsTheSameWhateverThePose) {
+  for (const std::size_t count : {9U, 12U, 40U, 128U, 129U, 200U}) {
+    const auto polytope = cone(count);
+    const Patch<3> patch = patch_of_polytope(polytope, zero, V3(0, 0, 1));
+    for (const double degrees : {1e-14, 1e-7, 10.0, 90.0, 180.0, 200.0}) {
+      const Pose<3, double> pose{rotation_matrix(V3(0.3, -0.2, 0.9), degrees), V3(1, 2, 3)};
+      const Patch<3> there = patch_of_polytope(transformed(polytope, pose), zero, pose.rotation * V3(0, 0, 1));
+      EXPECT_EQ(numbers_of(there), numbers_of(patch)) << count << ", " << degrees;
     }
   }
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -19,9 +20,33 @@ TEST(ShapeOrder, GoesByTheFirstFieldThatDiffers) {
   const Segment<2, float> segment{{1, 2}, {3, 4}};
   EXPECT_EQ(compare(segment, segment), 0);
   EXPECT_EQ(compare(segment, Segment<2, float>{{1, 2}, {3, 5}}), -1);
-  EXPECT_EQ(compare(segment, Segment<2, float>{{0, 9}, {9, 9}}), 1);
+  EXPECT_EQ(compare(segment, Segment<2, float>{{0, 2}, {9, 9}}), 1);
   EXPECT_EQ(compare(Sphere<2, float>{{1, 2}, 3}, Sphere<2, float>{{1, 2}, 4}), -1);
   EXPECT_EQ(compare(Obb<2, float>{}, Obb<2, float>{{0, 0}, {1, 1}, {{0, 1}, {-1, 0}}}), 1);
+}
+
+// Which of two that stand on each other, or beside each other, comes first does not hang on the rounding of another
+// axis.
+TEST(ShapeOrder, OfPlacesStaysWhereTheyAreNudged) {
+  using V = Vec<3, double>;
+  const V place(3, 5, 7);
+  for (const V& way : {V(0, 0, 2), V(0, 2, 0), V(2, 0, 0), V(0, 1, -1), V(1, -1, 0), V(1, -1, -1), V(2, -1, -1)}) {
+    for (Dim i = 0; i < 3; ++i) {
+      for (const double nudge : {1e-3, -1e-3}) {
+        const V nudged = place + way + unit_axis<3>(i) * nudge;
+        EXPECT_EQ((compare<3, double>(place, nudged)), (compare<3, double>(place, place + way))) << way << ", " << i;
+      }
+    }
+  }
+}
+
+TEST(ShapeOrder, TellsPlacesApartThatAreAsFarAlong) {
+  using V = Vec<2, double>;
+  EXPECT_EQ((compare<2, double>(V(0, 0), V(58, -97))), (-compare<2, double>(V(58, -97), V(0, 0))));
+  EXPECT_NE((compare<2, double>(V(0, 0), V(58, -97))), 0);
+  const double most = std::numeric_limits<double>::max();
+  EXPECT_EQ((compare<2, double>(V(-most, most), V(most, -most))), -1);
+  EXPECT_EQ((compare<2, double>(V(most, -most), V(-most, most))), 1);
 }
 
 TEST(ShapeOrder, GoesByThePlaceInAnyShapeForDifferentTypes) {

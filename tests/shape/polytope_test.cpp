@@ -158,20 +158,45 @@ TEST(Polytope, HasItsFarthestVertexAsSupport) {
   EXPECT_EQ(support(square, {0, -5}), (Vec<2, double>(0, 0)));  // of equally far ones the first
 }
 
-TEST(Polytope, MovesWithItsVerticesAndStaysSorted) {
+TEST(Polytope, HullInOrderNumbersCornersAsTheyComeAmongThePoints) {
+  const std::vector<Vec<2, float>> flat{{1, 1}, {2, 2}, {0, 0}, {2, 2}, {0, 2}, {2, 0}, {1, 0}};
+  EXPECT_EQ(corners(convex_hull_in_order<2, float>(flat)),
+            (std::vector<Vec<2, float>>{{2, 2}, {0, 2}, {0, 0}, {2, 0}}));
+  const std::vector<Vec<3, double>> deep{{1, 1, 1}, {0, 4, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 0}, {2, 2, 0}, {0, 0, 4}};
+  const std::vector<Vec<3, double>> expected{{0, 4, 0}, {4, 0, 0}, {0, 0, 0}, {0, 0, 4}};
+  EXPECT_EQ(corners(convex_hull_in_order<3, double>(deep)), expected);
+  EXPECT_EQ(corners(convex_hull_in_order(deep)), expected);
+  EXPECT_THROW((convex_hull_in_order<3, double>({})), std::invalid_argument);
+}
+
+TEST(Polytope, MovesWithItsVerticesWhichKeepTheirOrder) {
   const std::vector<Vec<2, double>> points{{0, 0}, {2, 0}, {0, 1}};
   const Polytope<2, double> moved = transformed(convex_hull<2, double>(points), {rotation_matrix(90), {10, 0}});
-  EXPECT_EQ(corners(moved), (std::vector<Vec<2, double>>{{9, 0}, {10, 0}, {10, 2}}));
+  EXPECT_EQ(corners(moved), (std::vector<Vec<2, double>>{{10, 0}, {10, 2}, {9, 0}}));
+}
+
+TEST(Polytope, MovesInThePlaneWithoutTheCornersThatRoundingHides) {
+  const std::vector<Vec<2, double>> points{{-1, 5}, {0, 0}, {4, 0}, {4.125, 2}, {4, 4}};
+  const auto hull = convex_hull<2, double>(points);
+  ASSERT_EQ(corners(hull), (std::vector<Vec<2, double>>{{-1, 5}, {0, 0}, {4, 0}, {4.125, 2}, {4, 4}}));
+  // At 2^52 what is left of x is 1.
+  EXPECT_EQ(corners(transformed(hull, {Mat<2, double>(1), {0x1p52, 0}})),
+            (std::vector<Vec<2, double>>{{0x1p52 - 1, 5}, {0x1p52, 0}, {0x1p52 + 4, 0}, {0x1p52 + 4, 4}}));
+  EXPECT_EQ(corners(transformed(hull, {Mat<2, double>(1), {1e30, 1e30}})).size(), 1U);
+  const Pose<2, double> mirror{Mat<2, double>(-1, 0, 0, 1), {0, 0}};  // which is no pose, but is asked for all the same
+  EXPECT_EQ(corners(transformed(hull, mirror)),
+            (std::vector<Vec<2, double>>{{1, 5}, {-4, 4}, {-4.125, 2}, {-4, 0}, {0, 0}}));
 }
 
 TEST(Polytope, MovesInSpaceWithItsCorners) {
   const std::vector<Vec<3, double>> points{{0, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const auto hull = convex_hull<3, double>(points);
+  ASSERT_EQ(corners(hull), (std::vector<Vec<3, double>>{{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {2, 0, 0}}));
   EXPECT_EQ(corners(transformed(hull, {rotation_matrix({0, 0, 1}, 90), {0, 0, 5}})),
-            (std::vector<Vec<3, double>>{{-1, 0, 5}, {0, 0, 5}, {0, 0, 6}, {0, 2, 5}}));
-  // Two of them become one.
+            (std::vector<Vec<3, double>>{{0, 0, 5}, {0, 0, 6}, {-1, 0, 5}, {0, 2, 5}}));
+  // Two of them come to lie at one place.
   EXPECT_EQ(corners(transformed(hull, {Mat<3, double>(1), {1e30, 0, 0}})),
-            (std::vector<Vec<3, double>>{{1e30, 0, 0}, {1e30, 0, 1}, {1e30, 1, 0}}));
+            (std::vector<Vec<3, double>>{{1e30, 0, 0}, {1e30, 0, 1}, {1e30, 1, 0}, {1e30, 0, 0}}));
   const Pose<3, double> too_far{Mat<3, double>(std::numeric_limits<double>::max()), {0, 0, 0}};
   EXPECT_THROW(transformed(hull, too_far), std::invalid_argument);
 }
@@ -211,6 +236,22 @@ TYPED_TEST(PolytopeIn, HullDoesNotDependOnTheOrderOfPoints) {
     std::rotate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2), points.end());
     RC_ASSERT((corners(convex_hull<N, T>(points))) == expected);
     RC_ASSERT((corners(convex_hull<N, T>(expected))) == expected);
+  });
+}
+
+TYPED_TEST(PolytopeIn, HullInOrderHasTheCornersOfTheHullAndKeepsThoseOfOneThatWasMoved) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  test::check_property([] {
+    const std::vector<Vec<N, T>> points = *test::some<Vec<N, T>>(12, test::draw_source<N, T>().point);
+    const std::vector<Vec<N, T>> in_order = corners(convex_hull_in_order<N, T>(points));
+    const std::vector<Vec<N, T>> expected = corners(convex_hull<N, T>(points));
+    RC_ASSERT(std::is_permutation(in_order.begin(), in_order.end(), expected.begin(), expected.end()));
+    const auto is_corner = [&](const Vec<N, T>& point) {
+      return std::find(expected.begin(), expected.end(), point) != expected.end();
+    };
+    RC_ASSERT(in_order.front() == *std::find_if(points.begin(), points.end(), is_corner));
+    RC_ASSERT((corners(convex_hull_in_order<N, T>(in_order))) == in_order);
   });
 }
 

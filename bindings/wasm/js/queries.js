@@ -5,6 +5,17 @@ import { dimensionOf, pointText, rayText, textOf } from "./text.js";
 
 const relations = ["apart", "touching", "overlapping"];
 
+const featureKinds = ["vertex", "edge", "face"];
+
+const readFeature = (answer) => ({ kind: featureKinds[answer.number()], index: answer.number() });
+
+const readContactId = (answer) => ({
+  a: readFeature(answer),
+  b: readFeature(answer),
+  partA: answer.number(),
+  partB: answer.number(),
+});
+
 /** Asks about two shapes. */
 function askPair(core, name, a, b) {
   return core.checked(core.module[name](dimensionOf(a, b), textOf(a, "a"), textOf(b, "b")));
@@ -63,6 +74,7 @@ function pairQueries(core) {
           pointA: answer.vector(),
           pointB: answer.vector(),
           depth: answer.number(),
+          id: readContactId(answer),
         });
       }
       return manifold;

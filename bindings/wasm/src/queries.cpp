@@ -69,7 +69,13 @@ void contact_of(int dimension, std::string a, std::string b) {
   });
 }
 
-/// normal, status, error, then for each point: point, point_a, point_b, depth
+void put_feature(const Feature& feature) {
+  answer().push_back(static_cast<double>(feature.kind));
+  answer().push_back(feature.index);
+}
+
+/// normal, status, error, then for each point: point, point_a, point_b, depth, and the id: kind and index of a's
+/// feature and of b's, part of a and of b
 void manifold_of(int dimension, std::string a, std::string b) {
   in_dimension(dimension, [&](auto n) {
     const Manifold<n, double> found = manifold(shape_of<n>(a, "a"), shape_of<n>(b, "b"));
@@ -80,6 +86,10 @@ void manifold_of(int dimension, std::string a, std::string b) {
       put<n>(point.point_a);
       put<n>(point.point_b);
       answer().push_back(point.depth);
+      put_feature(point.id.a);
+      put_feature(point.id.b);
+      answer().push_back(point.id.part_a);
+      answer().push_back(point.id.part_b);
     }
   });
 }

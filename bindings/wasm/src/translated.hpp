@@ -39,7 +39,7 @@ class Translation {
   Any operator()(const Polytope<N, double>& polytope) const {
     std::vector<V> points(polytope.vertices().begin(), polytope.vertices().end());
     for (V& point : points) point += by_;
-    return convex_hull<N, double>(points);
+    return convex_hull_in_order<N, double>(points);
   }
   Any operator()(const Compound<N, double>& compound) const {
     std::vector<Any> parts;

@@ -121,6 +121,12 @@ void answer_pair(const AnyShape<N, double>& a, const AnyShape<N, double>& b, Num
     out.put<N>(point.point_a);
     out.put<N>(point.point_b);
     out.put(point.depth);
+    for (const Feature& feature : {point.id.a, point.id.b}) {
+      out.put(static_cast<double>(feature.kind));
+      out.put(feature.index);
+    }
+    out.put(point.id.part_a);
+    out.put(point.id.part_b);
   }
 }
 

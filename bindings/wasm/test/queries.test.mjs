@@ -14,6 +14,14 @@ before(async () => {
 
 const relations = ["apart", "touching", "overlapping"];
 
+const featureKinds = ["vertex", "edge", "face"];
+
+const idNumbers = ({ a, b, partA, partB }) => [
+  ...[a, b].flatMap(({ kind, index }) => [featureKinds.indexOf(kind), index]),
+  partA,
+  partB,
+];
+
 const hasNumbers = (shape) => /\d/.test(JSON.stringify(shape));
 
 function pairAnswers(a, b) {
@@ -33,7 +41,7 @@ function pairAnswers(a, b) {
     ...(found ? [...found.point, ...found.pointA, ...found.pointB, ...found.normal, found.depth, found.error] : []),
     ...touching.normal,
     touching.error,
-    ...touching.points.flatMap((each) => [...each.point, ...each.pointA, ...each.pointB, each.depth]),
+    ...touching.points.flatMap((each) => [...each.point, ...each.pointA, ...each.pointB, each.depth, ...idNumbers(each.id)]),
   ];
 }
 
@@ -79,6 +87,26 @@ test("every query answers about thousands of pairs of shapes as it does natively
     seen[graze.relation(a, b)] += 1;
   }
   for (const [relation, count] of Object.entries(seen)) assert.ok(count > 100, `${relation}: ${count} times`);
+});
+
+test("contacts keep their ids while a box, or a hull of the same corners, slides and tips", () => {
+  const floor = { type: "obb", center: [0, 0, -1], half_extents: [9, 9, 1] };
+  const corners = [1, -1].flatMap((x) => [1, -1].flatMap((y) => [-0.5, 1.5].map((z) => [x, y, z])));
+  const moved = ([x, y, z], way) => [x + way * y, y - way * x, z + 0.49 + way * x];
+  const box = (way) => ({ type: "obb", center: [way, way, 0.99], half_extents: [1, 1, 1] });
+  const hull = (way) => ({ type: "polytope", points: corners.map((corner) => moved(corner, way)) });
+  for (const shape of [box, hull]) {
+    const idsAfter = (way) => graze.manifold(floor, shape(way)).points.map(({ id }) => id);
+    const ids = idsAfter(0);
+    assert.equal(new Set(ids.map((id) => JSON.stringify(id))).size, 4);
+    for (const { a, b, partA, partB } of ids) {
+      assert.deepEqual(a, { kind: "face", index: 5 });
+      assert.equal(b.kind, "vertex");
+      assert.deepEqual([partA, partB], [0, 0]);
+      if (shape === hull) assert.equal(corners[b.index][2], -0.5);
+    }
+    for (const way of [1e-15, -1e-15, 1e-7, -1e-7]) assert.deepEqual(idsAfter(way), ids);
+  }
 });
 
 test("shapes come back as graze holds them", () => {
