@@ -56,9 +56,9 @@ TEST(JsonShapeReader, EveryTypeIsReadIn2d) {
                  Triangle<2, double>{{0, 0}, {1, 0}, {0, 1}});
   expect_same<2>(R"({"type": "capsule", "a": [0, 0], "b": [1, 0], "radius": 2})",
                  Capsule<2, double>{{0, 0}, {1, 0}, 2});
-  const std::vector<V2> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const std::vector<V2> square = {{1, 1}, {0, 1}, {0, 0}, {1, 0}};
   expect_same<2>(R"({"type": "polytope", "points": [[1, 1], [0, 0], [0.5, 0.5], [0, 1], [1, 0]]})",
-                 convex_hull<2, double>(square));
+                 convex_hull_in_order<2, double>(square));
 }
 
 TEST(JsonShapeReader, EveryTypeIsReadIn3d) {
@@ -75,9 +75,9 @@ TEST(JsonShapeReader, EveryTypeIsReadIn3d) {
                  Triangle<3, double>{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}});
   expect_same<3>(R"({"type": "capsule", "a": [0, 0, 0], "b": [0, 0, 0], "radius": 2})",
                  Capsule<3, double>{{0, 0, 0}, {0, 0, 0}, 2});
-  const std::vector<V3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<V3> points = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}};
   expect_same<3>(R"({"type": "polytope", "points": [[0, 0, 1], [1, 0, 0], [0, 1, 0], [0, 0, 0], [0, 0, 0]]})",
-                 convex_hull<3, double>(points));
+                 convex_hull_in_order<3, double>(points));
 }
 
 TEST(JsonShapeReader, OrientedBoxesAreReadFromAxesAngleOrRotation) {

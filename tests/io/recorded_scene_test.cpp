@@ -13,6 +13,8 @@
 #include <graze/io/query_log.hpp>
 #include <graze/io/recorded_scene.hpp>
 #include <graze/io/replay.hpp>
+#include <graze/math/pose.hpp>
+#include <graze/shape/polytope.hpp>
 
 namespace graze::io::recorded_scene_test {
 namespace {
@@ -51,6 +53,21 @@ TEST(RecordedScene, WritesEachCallAndItsAnswer) {
 {"answer": []}
 )");
   EXPECT_EQ(scene.scene().size(), 1U);
+}
+
+// A crate that was turned has its corners in another order than the hull of them would.
+TEST(RecordedScene, OfHullsThatWereMovedCanBeReplayed) {
+  std::vector<Vec<3, double>> corners;
+  for (int i = 0; i < 8; ++i) corners.emplace_back(i & 1, i >> 1 & 1, i >> 2);
+  const auto crate = convex_hull<3, double>(corners);
+  std::ostringstream text;
+  RecordedScene<3, double> scene(text);
+  scene.add(crate);
+  scene.add(transformed(crate, Pose<3, double>{rotation_matrix(Vec<3, double>(0, 0, 1), 200), {1, 1, 0.875}}));
+  scene.update();
+  ASSERT_EQ(scene.contacts().size(), 1U);
+  const auto log = std::get<QueryLog<3>>(parse_query_log(text.str(), "log"));
+  EXPECT_EQ(replay(log, library_targets<3>(log.numbers)).differing, 0U);
 }
 
 TEST(RecordedScene, MovesManyToShapesOfOneTypeAsByAList) {

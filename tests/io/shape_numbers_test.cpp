@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <cstddef>
 #include <variant>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -26,6 +28,14 @@ TEST(ShapeNumbers, CanBeChangedAtWill) {
   const Part<2, double>& part = changed.parts.front();
   EXPECT_EQ((std::get<Aabb<2, double>>(part.shape)), (Aabb<2, double>{{0, 2}, {4, 6}}));
   EXPECT_EQ(part.box, (Aabb<2, double>{{0, 2}, {4, 6}}));
+}
+
+TEST(ShapeNumbers, OfAPolytopeKeepTheOrderOfItsCorners) {
+  const std::vector<Vec<3, float>> corners{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}};
+  const auto wide = with_numbers<double, 3, float>(convex_hull_in_order<3, float>(corners));
+  const auto vertices = std::get<Polytope<3, double>>(wide).vertices();
+  ASSERT_EQ(vertices.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(vertices[i], (graze::wide<3, float>(corners[i]))) << i;
 }
 
 template <Dim N>
