@@ -3,25 +3,27 @@
 // needs so that a box stands on a floor and does not topple.
 //
 // The normal and the depth are those of contact(a, b), and so is who decides whether there is a contact. If a face of
-// one shape looks along the normal (a's, if both do, but a plane's before all), the face of the other that looks most
-// against it is laid over it and cut at its sides and at its surface; every corner of what is left is a contact of its
-// own depth along the normal. Two parallel edges (of capsules and segments, in space) give the ends of what they share;
-// all else gives the point of `contact` alone. So a ball has one point; a capsule two where it lies; boxes, triangles
-// and polytopes up to four, of more those that span the patch: the deepest, the farthest from it, and on either side of
-// the line between them the one that makes the largest triangle. Rays and users' shapes, which have no faces to speak
-// of, and pairs that no translation parts have the point of `contact`.
+// one shape looks along the normal (if both do, the same shape's whichever is called a; a plane's before all), the face
+// of the other that looks most against it is laid over it and cut at its sides and at its surface; every corner of what
+// is left is a contact of its own depth along the normal. Two parallel edges (of capsules and segments, in space) give
+// the ends of what they share; all else gives the point of `contact` alone. So a ball has one point; a capsule two
+// where it lies; boxes, triangles and polytopes up to four, of more those that span the patch: the deepest, the
+// farthest from it, and on either side of the line between them the one that makes the largest triangle. Rays and
+// users' shapes, which have no faces to speak of, and pairs that no translation parts have the point of `contact`.
 //
 // Each point has an id: which corner, edge or face of a, and which of b, it lies on; no two of a manifold have the
 // same. It stays the same from frame to frame as long as the shapes keep lying on each other the same way, which ends
 // when a corner crosses a side of the other shape; so a solver can go on with the impulses of the last frame. Features
 // are numbered by the shape's own numbers (patch.hpp), whatever its pose: a shape that is moved has to keep the order
 // of its corners, as `transformed` does. Where points are as good as each other up to 1e-5 of the patch, always the
-// same ones are taken. Faces are taken to look along the normal, and edges to be parallel, up to 1e-5 radians; a
-// polytope's corners that lie beside each other up to 1e-5 of its size are taken for the one of the least number.
+// same ones are taken (but others, of two boxes that cross in an octagon, where both are turned far). Faces are taken
+// to look along the normal, and edges to be parallel, up to 1e-5 radians; a polytope's corners that lie beside each
+// other up to 1e-5 of its size are taken for the one of the least number.
 //
 // A compound is its deepest part, which the ids name. Swapping the arguments exchanges everything, up to the order of
 // shapes that equal each other. Coordinates as in contact.hpp; points are off by no more than those of `contact`, and
-// the depths by `error`; but of faces that are not exactly at right angles to the normal by 1e-5 of their size more.
+// the depths by `error`; but of faces that are not exactly at right angles to the normal, and of polytopes with corners
+// that close to each other, by 1e-5 of their size more.
 #pragma once
 
 #include <algorithm>

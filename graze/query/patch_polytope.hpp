@@ -41,7 +41,7 @@ struct FlatCorner {
 /// The corners of the convex hull of any number of points of a plane, which are put in one by one in the order of their
 /// numbers: counter-clockwise from the least number. Corners that lie beside each other, up to `reach`, are one, the
 /// least of them, and those that hardly turn are passed, so that rounding makes none and hides none. Of more than it
-/// can list those that are farthest in eight directions, so that a face of a thousand corners needs no more memory: 10
+/// can list those that are farthest in eight directions, so that a face of a thousand corners needs no more memory: 20
 /// KiB on the stack.
 class FaceCorners {
  public:

@@ -55,15 +55,17 @@ TEST(RecordedScene, WritesEachCallAndItsAnswer) {
   EXPECT_EQ(scene.scene().size(), 1U);
 }
 
-// A crate that was turned has its corners in another order than the hull of them would.
+// A crate that was turned has its corners in another order than the hull of them would: its contacts come in that
+// order.
 TEST(RecordedScene, OfHullsThatWereMovedCanBeReplayed) {
   std::vector<Vec<3, double>> corners;
   for (int i = 0; i < 8; ++i) corners.emplace_back(i & 1, i >> 1 & 1, i >> 2);
   const auto crate = convex_hull<3, double>(corners);
   std::ostringstream text;
   RecordedScene<3, double> scene(text);
-  scene.add(crate);
-  scene.add(transformed(crate, Pose<3, double>{rotation_matrix(Vec<3, double>(0, 0, 1), 200), {1, 1, 0.875}}));
+  const auto turned = [](double degrees) { return rotation_matrix(Vec<3, double>(0, 0, 1), degrees); };
+  scene.add(transformed(crate, Pose<3, double>{turned(100), {0.5, -0.5, 0}}));
+  scene.add(transformed(crate, Pose<3, double>{turned(200), {0.75, 0.5, 0.875}}));
   scene.update();
   ASSERT_EQ(scene.contacts().size(), 1U);
   const auto log = std::get<QueryLog<3>>(parse_query_log(text.str(), "log"));
