@@ -1,176 +1,178 @@
 // SPDX-License-Identifier: MIT
-// Convex hulls of points in space, double: convex_hull, which gives the corners, and convex_mesh, which gives faces and
-// edges too, beside qhull, which gives faces, with its default options. All on one thread. Before anything is timed,
-// corners and volumes are compared: the same corners are required where no four points lie on a plane by chance, the
-// same volume everywhere.
+// Convex hulls of points in the plane and in space, double: convex_hull, which gives the corners, and in space
+// convex_mesh, which gives faces and edges too, beside qhull, which gives facets, with its default options, and in the
+// plane beside CGAL. All on one thread.
+//
+// Before anything is timed all answers are compared, and the program ends with an error where they differ: CGAL, which
+// decides exactly too, has to find the same corners, and so has qhull where no three or four points are nearly on a
+// line or plane. Elsewhere qhull drops what sticks out by no more than its rounding, and keeps some that are no
+// corners: such a point may be no farther from the other hull's surface than a trillionth. Area or volume have to be
+// the same up to that, everywhere.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <cstdlib>
+#include <iterator>
 #include <memory>
-#include <random>
+#include <span>
 #include <string>
-#include <vector>
 
 #include <benchmark/benchmark.h>
-extern "C" {
-#include <libqhull_r/qhull_ra.h>
-}
 
-#include <graze/math/pose.hpp>
+#include <graze/query/distance.hpp>
 #include <graze/query/mass_properties.hpp>
+#include <graze/query/signed_distance.hpp>
 #include <graze/shape/convex_mesh.hpp>
+#include <graze/shape/lexicographic.hpp>
 #include <graze/shape/polytope.hpp>
+#include <graze/shape/segment.hpp>
+
+#include "convex_hull/crowds.hpp"
+#include "convex_hull/of_cgal.hpp"
+#include "convex_hull/of_qhull.hpp"
+#include "ratios.hpp"
 
 namespace {
 
-using Point = graze::Vec<3, double>;
-using Points = std::vector<Point>;
+using graze::Dim;
+using graze::Vec;
+using graze::hull_bench::CgalHull;
+using graze::hull_bench::Crowd;
+using graze::hull_bench::Points;
+using graze::hull_bench::Qhull;
 
-// ---- Sets of points
+template <Dim N>
+using Hull = graze::Polytope<N, double>;
 
-enum class Set { sphere, ball, cube, gauss, grid, decimal_grid, turned_grid };
+/// Relative to the size of the points.
+constexpr double tolerance = 1e-12;
 
-struct Crowd {
-  Set set;
-  const char* name;
-  bool is_in_general_position;
-};
+// ---- Comparing
 
-constexpr Crowd crowds[] = {
-    {Set::sphere, "on a sphere", true},       {Set::ball, "in a ball", true},
-    {Set::cube, "in a cube", true},           {Set::gauss, "gaussian", true},
-    {Set::grid, "grid of 1", false},          {Set::decimal_grid, "grid of 0.1", false},
-    {Set::turned_grid, "turned grid", false},
-};
-
-/// A cube of points a step apart, the number of them rounded to a third power, in random order.
-Points grid(std::size_t count, double step, std::mt19937_64& random) {
-  const auto side = static_cast<int>(std::lround(std::cbrt(static_cast<double>(count))));
-  Points points;
-  for (int x = 0; x < side; ++x) {
-    for (int y = 0; y < side; ++y) {
-      for (int z = 0; z < side; ++z) points.push_back(step * Point(x, y, z));
-    }
-  }
-  std::shuffle(points.begin(), points.end(), random);
-  return points;
+template <Dim N>
+Points<N> sorted(std::span<const Vec<N, double>> points) {
+  Points<N> result(points.begin(), points.end());
+  std::sort(result.begin(), result.end(), graze::detail::lexicographically_less<N, double>);
+  return result;
 }
 
-Points points_of(Set set, std::size_t count) {
-  std::mt19937_64 random(20261122);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  if (set == Set::grid) return grid(count, 1, random);
-  if (set == Set::decimal_grid) return grid(count, 0.1, random);
-  if (set == Set::turned_grid) {
-    Points points = grid(count, 1, random);
-    const graze::Mat<3, double> turn = graze::rotation_matrix(Point(1, 2, 3), 40);
-    for (Point& point : points) point = turn * point;
-    return points;
-  }
-  Points points;
-  points.reserve(count);
-  while (points.size() < count) {
-    if (set == Set::cube) {
-      points.push_back({uniform(random), uniform(random), uniform(random)});
-      continue;
-    }
-    const Point way(normal(random), normal(random), normal(random));
-    const double radius = set == Set::ball ? std::cbrt(0.5 + 0.5 * uniform(random)) : 1;
-    points.push_back(set == Set::gauss ? way : way * (radius / std::sqrt(dot(way, way))));
-  }
-  return points;
+/// The sorted points of one list that are not in another.
+template <Dim N>
+Points<N> only_in(const Points<N>& one, const Points<N>& other) {
+  Points<N> result;
+  std::set_difference(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(result),
+                      graze::detail::lexicographically_less<N, double>);
+  return result;
 }
 
-// ---- qhull
-
-class Qhull {
- public:
-  /// qhull does not change the points.
-  explicit Qhull(const Points& points) : points_(points) {
-    qh_zero(&qh_, stderr);
-    char command[] = "qhull";
-    auto* coordinates = const_cast<double*>(&points.data()->x);  // NOLINT(cppcoreguidelines-pro-type-const-cast)
-    if (qh_new_qhull(&qh_, 3, static_cast<int>(points.size()), coordinates, 0, command, nullptr, nullptr) != 0) {
-      std::fprintf(stderr, "qhull failed\n");
-      std::exit(1);
+/// How far corners of a polygon stick out of that which the shared ones make.
+double farthest_dropped(const Hull<2>& hull, const Points<2>& dropped) {
+  const auto corners = hull.vertices();
+  const auto is_dropped = [&](std::size_t i) {
+    return std::binary_search(dropped.begin(), dropped.end(), corners[i % corners.size()],
+                              graze::detail::lexicographically_less<2, double>);
+  };
+  std::size_t first = 0;
+  while (first < corners.size() && is_dropped(first)) ++first;
+  double farthest = first < corners.size() ? 0 : INFINITY;
+  for (std::size_t start = first, i = first + 1; i <= first + corners.size() && first < corners.size(); ++i) {
+    if (is_dropped(i)) continue;
+    const graze::Segment<2, double> edge{corners[start % corners.size()], corners[i % corners.size()]};
+    for (std::size_t k = start + 1; k < i; ++k) {
+      farthest = std::max(farthest, graze::distance(edge, corners[k % corners.size()]));
     }
+    start = i;
   }
-  Qhull(const Qhull&) = delete;
-  Qhull& operator=(const Qhull&) = delete;
-  ~Qhull() {
-    qh_freeqhull(&qh_, !qh_ALL);
-    int blocks = 0;
-    int bytes = 0;
-    qh_memfreeshort(&qh_, &blocks, &bytes);
-  }
+  return farthest;
+}
 
-  Points corners() {
-    Points result;
-    for (const vertexT* vertex = qh_.vertex_list; vertex != nullptr && vertex->next != nullptr; vertex = vertex->next) {
-      result.push_back(points_[static_cast<std::size_t>(qh_pointid(&qh_, vertex->point))]);
-    }
-    std::sort(result.begin(), result.end(), graze::detail::lexicographically_less<3, double>);
-    return result;
-  }
+double farthest_dropped(const Hull<3>& hull, const Points<3>& dropped) {
+  if (dropped.empty()) return 0;
+  const auto all = hull.vertices();
+  const auto shared = graze::convex_hull(only_in<3>({all.begin(), all.end()}, dropped));
+  double farthest = 0;
+  for (const Vec<3, double>& point : dropped) farthest = std::max(farthest, graze::distance(shared, point));
+  return farthest;
+}
 
-  double volume() {
-    qh_getarea(&qh_, qh_.facet_list);
-    return qh_.totvol;
-  }
+/// How deep points are inside, a thousand of them if there are more.
+template <Dim N>
+double deepest(const Hull<N>& hull, const Points<N>& points) {
+  double depth = 0;
+  const std::size_t step = points.size() / 1000 + 1;
+  for (std::size_t i = 0; i < points.size(); i += step) depth = std::max(depth, -signed_distance(hull, points[i]));
+  return depth;
+}
 
-  int count() const { return qh_.num_facets; }
+/// Says how two hulls of the same points differ; whether by no more than they may.
+template <Dim N>
+bool compare(const std::string& name, const Hull<N>& hull, const Points<N>& theirs, bool are_same_required) {
+  const Points<N> ours = sorted<N>(hull.vertices());
+  const Points<N> dropped = only_in<N>(ours, theirs);
+  const Points<N> added = only_in<N>(theirs, ours);
+  double size = 0;
+  for (const Vec<N, double>& corner : ours) size = std::max(size, graze::max_abs(corner));
+  const double out = farthest_dropped(hull, dropped) / size;
+  const double in = deepest(hull, added) / size;
+  std::printf("%s: %zu corners, graze %zu; drops %zu by up to %.1e, adds %zu by up to %.1e\n", name.c_str(),
+              theirs.size(), ours.size(), dropped.size(), out, added.size(), in);
+  const bool are_same = dropped.empty() && added.empty();
+  return are_same_required ? are_same : out <= tolerance && in <= tolerance;
+}
 
- private:
-  const Points& points_;
-  qhT qh_{};
-};
-
-// ---- Comparing and timing
-
-void compare(const std::string& name, const Points& points, bool is_in_general_position) {
-  const auto hull = graze::convex_hull<3, double>(points);
+template <Dim N>
+bool compare_with_qhull(const std::string& name, const Hull<N>& hull, const Points<N>& points, Crowd crowd) {
+  Qhull<N> qhull(points);
   const double volume = graze::mass_properties(hull).volume;
-  Qhull peer(points);
-  const Points corners = peer.corners();
-  const bool are_same = std::equal(corners.begin(), corners.end(), hull.vertices().begin(), hull.vertices().end());
-  const double off = std::fabs(peer.volume() - volume) / volume;
-  std::printf("%s: %zu corners, qhull %zu, %s; volumes differ by %.1e\n", name.c_str(), hull.vertices().size(),
-              corners.size(), are_same ? "the same" : "not the same", off);
-  constexpr double rounding = 1e-12;
-  if ((!are_same && is_in_general_position) || !(off < rounding)) {
-    std::fprintf(stderr, "%s: graze and qhull do not agree\n", name.c_str());
-    std::exit(1);
-  }
+  const double off = std::fabs(qhull.volume() - volume) / volume;
+  std::printf("%s/qhull: volumes differ by %.1e\n", name.c_str(), off);
+  return compare<N>(name + "/qhull", hull, qhull.corners(), is_in_general_position(crowd, N)) && off <= tolerance;
 }
 
-template <class Build>
-void time_build(const std::string& name, const std::shared_ptr<const Points>& points, Build build) {
+// ---- Timing
+
+template <Dim N, class Build>
+void time_build(const std::string& name, const std::shared_ptr<const Points<N>>& points, Build build) {
   benchmark::RegisterBenchmark(name.c_str(), [points, build](benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(build(*points));
-    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points->size()));
+    graze::bench::count_things(state, points->size());
   })->Unit(benchmark::kMillisecond);
 }
 
-void register_crowd(const Crowd& crowd, std::size_t count) {
-  const auto points = std::make_shared<const Points>(points_of(crowd.set, count));
-  const std::string name = std::string(crowd.name) + "/" + std::to_string(count);
-  compare(name, *points, crowd.is_in_general_position);
-  time_build(name + "/convex_hull", points, [](const Points& p) { return graze::convex_hull<3, double>(p); });
-  time_build(name + "/convex_mesh", points, [](const Points& p) { return graze::convex_mesh<double>(p); });
-  time_build(name + "/qhull", points, [](const Points& p) { return Qhull(p).count(); });
+bool add_cgal(const std::string& name, const Hull<2>& hull, const std::shared_ptr<const Points<2>>& points) {
+  const auto cgal = std::make_shared<CgalHull>(*points);
+  cgal->find();
+  time_build<2>(name + "/CGAL", points, [cgal](const Points<2>&) { return cgal->find(); });
+  return compare<2>(name + "/CGAL", hull, cgal->corners(), true);
+}
+
+/// Whether all agree about the hull.
+template <Dim N>
+bool register_crowd(Crowd crowd, std::size_t count) {
+  const auto points = std::make_shared<const Points<N>>(graze::hull_bench::points_of<N>(crowd, count));
+  const std::string name = std::string(name_of(crowd, N)) + ", " + std::to_string(count);
+  const Hull<N> hull = graze::convex_hull(*points);
+  time_build<N>(name + "/graze convex_hull", points, [](const Points<N>& p) { return graze::convex_hull(p); });
+  if constexpr (N == 3) {
+    time_build<N>(name + "/graze convex_mesh", points, [](const Points<N>& p) { return graze::convex_mesh(p); });
+  }
+  time_build<N>(name + "/qhull", points, [](const Points<N>& p) { return Qhull<N>(p).count(); });
+  bool do_agree = compare_with_qhull<N>(name, hull, *points, crowd);
+  if constexpr (N == 2) do_agree = add_cgal(name, hull, points) && do_agree;
+  if (!do_agree) std::fprintf(stderr, "%s: the hulls differ, see above\n", name.c_str());
+  return do_agree;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  bool do_agree = true;
   for (const std::size_t count : {1000UL, 10000UL, 100000UL, 1000000UL}) {
-    for (const Crowd& crowd : crowds) register_crowd(crowd, count);
+    for (const Crowd crowd : graze::hull_bench::all_crowds) {
+      do_agree = register_crowd<2>(crowd, count) && do_agree;
+      do_agree = register_crowd<3>(crowd, count) && do_agree;
+    }
   }
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
+  if (!do_agree) return 1;
+  return graze::bench::run_races(argc, argv);
 }

@@ -2,13 +2,13 @@
 // shape_cast and time_of_impact in 3D (double) beside Bullet's btGjkConvexCast and btContinuousConvexCollision (float)
 // and FCL's conservative advancement (double). A thousand random pairs each, all in cache: a flies past b, or at it,
 // straight on or turning by up to 40 degrees. Every answer is looked at before anything is timed, by where it leaves
-// the shapes: graze's may be no deeper in each other, and no farther apart, than its error says, and the program ends
-// if one is; of the others it is printed how far apart and how deep theirs are at worst. Bullet stops a thousandth
-// before the touch, FCL as near as it is asked, here 1e-6.
+// the shapes: graze's may be no deeper in each other, and no farther apart, than its error says; of the others it is
+// printed how far apart and how deep theirs are at worst. Bullet stops a thousandth before the touch, FCL as near as it
+// is asked, here 1e-6; both miss some hits, and each may be wrong as often as Allowance says. Else the program ends
+// with an error.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -37,6 +37,8 @@
 #include <graze/query/shape_cast.hpp>
 #include <graze/query/time_of_impact.hpp>
 #include <graze/query/transformed.hpp>
+
+#include "ratios.hpp"
 
 namespace {
 
@@ -274,29 +276,57 @@ void require_right(const std::string& name, const std::vector<Flight<A, B>>& all
   }
 }
 
-template <class A, class B, class Theirs, class Ours, class Ask>
-void print_worth(const std::string& name, const std::vector<Flight<A, B>>& all, const std::vector<Theirs>& copies,
-                 const Ours& ours, const Ask& ask) {
+/// What is known of another library: its hits leave the shapes no farther apart and no deeper in each other than
+/// `gap`, and it misses nothing, but for this share of all flights.
+struct Allowance {
+  double gap;
+  double share_wrong;
+};
+
+/// A convex cast stops after 32 steps, which are too few for every other pair of hulls and boxes without a margin.
+constexpr Allowance of_bullet_cast = {2e-3, 0.65};
+constexpr Allowance of_bullet_continuous = {1e-2, 0.005};
+/// Where boxes pass at an edge, it misses.
+constexpr Allowance of_fcl = {2e-2, 0.2};
+
+/// What another library's answers are worth.
+struct Worth {
   std::size_t hits = 0;
   std::size_t misses = 0;
   std::size_t false_hits = 0;
+  std::size_t wrong = 0;
   double farthest = 0;
   double deepest = 0;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const bool hit = ours(all[i]).has_value();
-    const std::optional<double> t = ask(copies[i]);
+
+  void add(bool hit, const std::optional<double>& gap, const Allowance& allowance) {
     hits += hit ? 1U : 0U;
-    misses += hit && !t ? 1U : 0U;
-    false_hits += !hit && t ? 1U : 0U;
-    if (!hit || !t) continue;
-    const double gap = gap_at(all[i], *t);
-    farthest = std::max(farthest, gap);
-    deepest = std::max(deepest, -gap);
+    misses += hit && !gap ? 1U : 0U;
+    false_hits += !hit && gap ? 1U : 0U;
+    wrong += (gap ? std::fabs(*gap) > allowance.gap : hit) ? 1U : 0U;
+    if (!gap) return;
+    farthest = std::max(farthest, *gap);
+    deepest = std::max(deepest, -*gap);
+  }
+};
+
+/// Ends the program if another library is wrong more often than is known.
+template <class A, class B, class Theirs, class Ours, class Ask>
+void require_worth(const std::string& name, const std::vector<Flight<A, B>>& all, const std::vector<Theirs>& copies,
+                   const Ours& ours, const Ask& ask, const Allowance& allowance) {
+  Worth worth;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::optional<double> t = ask(copies[i]);
+    worth.add(ours(all[i]).has_value(), t ? std::optional(gap_at(all[i], *t)) : std::nullopt, allowance);
   }
   std::printf(
       "%s: misses %zu of %zu hits, hits %zu times what is missed; at its times the shapes are up to %.1e apart "
-      "and up to %.1e deep\n",
-      name.c_str(), misses, hits, false_hits, farthest, deepest);
+      "and up to %.1e deep; %zu are wrong by more than %.1e\n",
+      name.c_str(), worth.misses, worth.hits, worth.false_hits, worth.farthest, worth.deepest, worth.wrong,
+      allowance.gap);
+  const auto most = static_cast<std::size_t>(allowance.share_wrong * static_cast<double>(all.size()));
+  if (worth.wrong <= most) return;
+  std::fprintf(stderr, "%s: no more than %zu may be wrong\n", name.c_str(), most);
+  std::exit(1);
 }
 
 // ---- Timing
@@ -307,20 +337,18 @@ void time_all(const std::string& name, std::shared_ptr<const std::vector<Work>> 
     for (auto _ : state) {
       for (const Work& each : *work) benchmark::DoNotOptimize(ask(each));
     }
-    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(work->size()));
-    state.counters["ns"] =
-        benchmark::Counter(1e-9 * static_cast<double>(work->size()),
-                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    graze::bench::count_things(state, work->size());
   });
 }
 
 /// Another library's copies of the flights, compared and timed.
 template <class A, class B, class Make, class Ours, class Ask>
-void add_other(const std::string& name, const std::vector<Flight<A, B>>& all, Make make, const Ours& ours, Ask ask) {
+void add_other(const std::string& name, const std::vector<Flight<A, B>>& all, Make make, const Ours& ours, Ask ask,
+               const Allowance& allowance) {
   using Theirs = decltype(make(all[0]));
   auto copies = std::make_shared<std::vector<Theirs>>();
   for (const Flight<A, B>& flight : all) copies->push_back(make(flight));
-  print_worth(name, all, *copies, ours, ask);
+  require_worth(name, all, *copies, ours, ask, allowance);
   time_all<Theirs>(name, copies, ask);
 }
 
@@ -335,21 +363,22 @@ void register_pairs(const std::string& pair, bool turning) {
     return time_of_impact(flight.a.shape, flight.motion, flight.b.shape, rest);
   };
   if (!turning) {
-    require_right(title + "/shape_cast", *all, cast);
-    time_all<Flight<A, B>>(title + "/shape_cast", all, cast);
+    require_right(title + "/graze shape_cast", *all, cast);
+    time_all<Flight<A, B>>(title + "/graze shape_cast", all, cast);
   }
-  require_right(title + "/time_of_impact", *all, impact);
-  time_all<Flight<A, B>>(title + "/time_of_impact", all, impact);
+  require_right(title + "/graze time_of_impact", *all, impact);
+  time_all<Flight<A, B>>(title + "/graze time_of_impact", all, impact);
   const auto to_bullet = [](const auto& flight) { return bullet_flight(flight); };
-  if (!turning) add_other(title + "/Bullet btGjkConvexCast", *all, to_bullet, impact, bullet_cast);
-  add_other(title + "/Bullet btContinuousConvexCollision", *all, to_bullet, impact, bullet_continuous);
+  if (!turning) add_other(title + "/Bullet btGjkConvexCast", *all, to_bullet, impact, bullet_cast, of_bullet_cast);
+  add_other(title + "/Bullet btContinuousConvexCollision", *all, to_bullet, impact, bullet_continuous,
+            of_bullet_continuous);
   if constexpr (requires(const Flight<A, B>& flight) {
                   fcl_flight(flight), fcl_shape(flight.a), fcl_shape(flight.b);
                 }) {
     const fcl::CCDMotionType motion = turning ? fcl::CCDM_LINEAR : fcl::CCDM_TRANS;
     add_other(
         title + "/FCL", *all, [](const auto& flight) { return fcl_flight(flight); }, impact,
-        [motion](const FclFlight& flight) { return fcl_advancement(flight, motion); });
+        [motion](const FclFlight& flight) { return fcl_advancement(flight, motion); }, of_fcl);
   }
 }
 
@@ -366,8 +395,5 @@ int main(int argc, char** argv) {
   register_pairs<Obb, Capsule>("obb, capsule", true);
   register_pairs<Obb, Obb>("obb, obb", true);
   register_pairs<Polytope, Polytope>("hull of 16, hull of 16", true);
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
+  return graze::bench::run_races(argc, argv);
 }

@@ -16,6 +16,7 @@
 #include <graze/shape/convex_ring.hpp>
 #include <graze/shape/corner_rows.hpp>
 #include <graze/shape/hull_input.hpp>
+#include <graze/shape/hull_octagon.hpp>
 #include <graze/shape/hull_vertices.hpp>
 #include <graze/shape/lexicographic.hpp>
 #include <graze/shape/monotone_chain.hpp>
@@ -117,7 +118,7 @@ Polytope<N, T> convex_hull(std::type_identity_t<std::span<const Vec<N, T>>> poin
   detail::check_hull_points<N, T>("convex_hull", points);
   std::vector<Vec<N, T>> corners;
   if constexpr (N == 2) {
-    corners.assign(points.begin(), points.end());
+    corners = detail::outer_points<T>(points);
     detail::sort_and_forget_duplicates<N, T>(corners);
     corners = detail::monotone_chain(corners);
   } else {

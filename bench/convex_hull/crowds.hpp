@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// The sets of points whose hulls bench/convex_hull.cpp makes, in the plane and in space.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+#include <graze/math/pose.hpp>
+#include <graze/math/vec.hpp>
+
+namespace graze::hull_bench {
+
+template <Dim N>
+using Points = std::vector<Vec<N, double>>;
+
+enum class Crowd { on_sphere, in_ball, in_cube, gaussian, on_lines, grid, decimal_grid, turned_grid };
+
+inline constexpr std::array all_crowds = {Crowd::on_sphere, Crowd::in_ball, Crowd::in_cube,      Crowd::gaussian,
+                                          Crowd::on_lines,  Crowd::grid,    Crowd::decimal_grid, Crowd::turned_grid};
+
+inline const char* name_of(Crowd crowd, Dim dimension) {
+  const bool is_flat = dimension == 2;
+  switch (crowd) {
+    case Crowd::on_sphere:
+      return is_flat ? "on a circle" : "on a sphere";
+    case Crowd::in_ball:
+      return is_flat ? "in a disk" : "in a ball";
+    case Crowd::in_cube:
+      return is_flat ? "in a square" : "in a cube";
+    case Crowd::gaussian:
+      return is_flat ? "gaussian, flat" : "gaussian";
+    case Crowd::on_lines:
+      return is_flat ? "on five flat lines" : "on five lines";
+    case Crowd::grid:
+      return is_flat ? "flat grid of 1" : "grid of 1";
+    case Crowd::decimal_grid:
+      return is_flat ? "flat grid of 0.1" : "grid of 0.1";
+    case Crowd::turned_grid:
+      return is_flat ? "turned flat grid" : "turned grid";
+  }
+  return "";
+}
+
+/// Whether no corner is one by so little that rounding hides it: of points on a circle many are.
+inline bool is_in_general_position(Crowd crowd, Dim dimension) {
+  if (crowd == Crowd::on_sphere) return dimension == 3;
+  return crowd == Crowd::in_ball || crowd == Crowd::in_cube || crowd == Crowd::gaussian;
+}
+
+template <Dim N>
+Vec<N, double> direction(std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  Vec<N, double> way(0.0);
+  for (Dim i = 0; i < N; ++i) way[i] = normal(random);
+  return way;
+}
+
+/// A square or cube of points a step apart, the number of them rounded to a power of the dimension, in random order.
+template <Dim N>
+Points<N> grid(std::size_t count, double step, std::mt19937_64& random) {
+  const auto side = std::lround(std::pow(static_cast<double>(count), 1.0 / static_cast<double>(N)));
+  Points<N> points(1, Vec<N, double>(0.0));
+  for (Dim axis = 0; axis < N; ++axis) {
+    const Points<N> before = points;
+    points.clear();
+    for (const Vec<N, double>& start : before) {
+      for (long i = 0; i < side; ++i) {
+        points.push_back(start);
+        points.back()[axis] = step * static_cast<double>(i);
+      }
+    }
+  }
+  std::shuffle(points.begin(), points.end(), random);
+  return points;
+}
+
+template <Dim N>
+Points<N> turned(Points<N> points) {
+  Mat<N, double> turn;
+  if constexpr (N == 2)
+    turn = rotation_matrix(40.0);
+  else
+    turn = rotation_matrix(Vec<3, double>(1, 2, 3), 40.0);
+  for (Vec<N, double>& point : points) point = turn * point;
+  return points;
+}
+
+template <Dim N>
+Points<N> on_lines(std::size_t count, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::array<Vec<N, double>, 5> starts;
+  std::array<Vec<N, double>, 5> ways;
+  for (Vec<N, double>& start : starts) start = direction<N>(random);
+  for (Vec<N, double>& way : ways) way = direction<N>(random);
+  Points<N> points;
+  for (std::size_t i = 0; i < count; ++i) points.push_back(starts[i % 5] + ways[i % 5] * uniform(random));
+  return points;
+}
+
+template <Dim N>
+Vec<N, double> random_point(Crowd crowd, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  Vec<N, double> point = direction<N>(random);
+  if (crowd == Crowd::gaussian) return point;
+  if (crowd == Crowd::in_cube) {
+    for (Dim i = 0; i < N; ++i) point[i] = uniform(random);
+    return point;
+  }
+  point /= std::sqrt(dot(point, point));
+  if (crowd == Crowd::on_sphere) return point;
+  return point * std::pow(0.5 + 0.5 * uniform(random), 1.0 / static_cast<double>(N));
+}
+
+template <Dim N>
+Points<N> points_of(Crowd crowd, std::size_t count) {
+  std::mt19937_64 random(20261122);
+  if (crowd == Crowd::grid) return grid<N>(count, 1, random);
+  if (crowd == Crowd::decimal_grid) return grid<N>(count, 0.1, random);
+  if (crowd == Crowd::turned_grid) return turned(grid<N>(count, 1, random));
+  if (crowd == Crowd::on_lines) return on_lines<N>(count, random);
+  Points<N> points;
+  points.reserve(count);
+  while (points.size() < count) points.push_back(random_point<N>(crowd, random));
+  return points;
+}
+
+}  // namespace graze::hull_bench
