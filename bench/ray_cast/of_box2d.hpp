@@ -3,10 +3,10 @@
 // along the axes. Shapes stand where they are: they are not moved.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <box2d/b2_circle_shape.h>
@@ -20,12 +20,15 @@ namespace graze::ray_bench {
 
 inline b2Vec2 box2d(const Vec<2, float>& v) { return {v.x, v.y}; }
 
-template <std::size_t Count>
-b2PolygonShape box2d_polygon(const std::array<Vec<2, float>, Count>& corners, std::size_t count = Count) {
-  std::array<b2Vec2, Count> copies;
-  for (std::size_t i = 0; i < count; ++i) copies[i] = box2d(corners[i]);
+/// Of corners in counter-clockwise order. Filled in by hand, for Set would weld those that are near to each other.
+inline b2PolygonShape box2d_polygon(std::span<const Vec<2, float>> corners) {
   b2PolygonShape polygon;
-  polygon.Set(copies.data(), static_cast<int32>(count));
+  polygon.m_count = static_cast<int32>(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    polygon.m_vertices[i] = box2d(corners[i]);
+    polygon.m_normals[i] = b2Cross(box2d(corners[(i + 1) % corners.size()] - corners[i]), 1.0F);
+    polygon.m_normals[i].Normalize();
+  }
   return polygon;
 }
 
@@ -43,15 +46,11 @@ inline b2EdgeShape box2d_shape(const Segment<2, float>& segment) {
 inline b2PolygonShape box2d_shape(const Obb<2, float>& box) {
   const Vec<2, float> x = box.axes[0] * box.half_extents.x;
   const Vec<2, float> y = box.axes[1] * box.half_extents.y;
-  return box2d_polygon<4>({box.center - x - y, box.center + x - y, box.center + x + y, box.center - x + y});
+  return box2d_polygon(std::array{box.center - x - y, box.center + x - y, box.center + x + y, box.center - x + y});
 }
+inline b2PolygonShape box2d_shape(const Polytope<2, float>& polygon) { return box2d_polygon(polygon.vertices()); }
 inline b2PolygonShape box2d_shape(const Triangle<2, float>& triangle) {
-  return box2d_polygon<3>({triangle.a, triangle.b, triangle.c});
-}
-inline b2PolygonShape box2d_shape(const Polytope<2, float>& polygon) {
-  std::array<Vec<2, float>, b2_maxPolygonVertices> corners{};
-  std::copy(polygon.vertices().begin(), polygon.vertices().end(), corners.begin());
-  return box2d_polygon(corners, polygon.vertices().size());
+  return box2d_shape(convex_hull<2, float>(std::array{triangle.a, triangle.b, triangle.c}));
 }
 inline b2AABB box2d_shape(const Aabb<2, float>& box) {
   b2AABB result;

@@ -119,11 +119,17 @@ concept IsWholeForBullet = requires(const S& shape) {
 
 // ---- Tests
 
+/// Bullet's convex cast stops where the square of the distance is a ten thousandth; and it gives up, with whatever it
+/// has, where its simplex comes to be flat.
+inline constexpr double bullet_cast_tolerance = 3e-2;
+inline constexpr double bullet_cast_share_wrong = 0.05;
+
 /// A point that is cast against a convex shape at rest, as Bullet's ray tests do.
 class BulletConvexCast {
  public:
   static constexpr const char* name = "Bullet btSubsimplexConvexCast";
-  static constexpr double tolerance = 1e-3;
+  static constexpr double tolerance = bullet_cast_tolerance;
+  static constexpr double share_wrong = bullet_cast_share_wrong;
 
   template <class S>
   requires IsConvexForBullet<S>
@@ -144,6 +150,7 @@ class BulletConvexCast {
     from.setOrigin(path_.from);
     to.setOrigin(path_.to);
     if (!caster.calcTimeOfImpact(from, to, shape_.pose, shape_.pose, result)) return std::nullopt;
+    if (!(result.m_normal.length2() > 1e-4F && result.m_fraction < 1)) return std::nullopt;  // as its worlds do
     return BulletHit{result.m_fraction * t_max, result.m_normal};
   }
 
@@ -156,7 +163,8 @@ class BulletConvexCast {
 class BulletObjectCast {
  public:
   static constexpr const char* name = "Bullet rayTestSingle";
-  static constexpr double tolerance = 1e-3;
+  static constexpr double tolerance = bullet_cast_tolerance;
+  static constexpr double share_wrong = bullet_cast_share_wrong;
 
   template <class S>
   requires IsWholeForBullet<S>
