@@ -369,13 +369,24 @@ template <class S, class Ask, class ToT>
 
 /// The careful way of a ray. Not inlined, so that what is quick shares no memory with it.
 template <class S, Dim N, class T>
-[[gnu::noinline]] std::optional<RayHit<N, T>> cast_ray(const S& shape, const Ray<N, T>& ray, T t_max, RaySide side) {
+[[gnu::noinline]] std::optional<RayHit<N, T>> cast_usable_ray(const S& shape, const Ray<N, T>& ray, double t_max,
+                                                              RaySide side) {
+  const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(ray.direction), t_max};
+  return cast_along(shape, path, side, AskAboutRay<N, T>{ray, path}, [t_max](double t) { return std::min(t, t_max); });
+}
+
+template <class S, Dim N, class T>
+std::optional<RayHit<N, T>> cast_ray(const S& shape, const Ray<N, T>& ray, T t_max, RaySide side) {
   if (!(t_max >= T(0)) || std::isnan(numbers_of(ray))) return std::nullopt;
-  const Usable<N, T> usable(ray);
-  const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(usable.ray.direction),
-                     usable.to_usable(static_cast<double>(t_max))};
-  return cast_along(shape, path, side, AskAboutRay<N, T>{usable.ray, path},
-                    [&](double t) { return std::min(usable.from_usable(t), static_cast<double>(t_max)); });
+  if constexpr (std::is_same_v<T, double>) {
+    if (!is_usable(ray.direction)) {
+      const Usable<N, T> usable(ray);
+      auto hit = cast_usable_ray(shape, usable.ray, usable.to_usable(t_max), side);
+      if (hit) hit->t = std::min(usable.from_usable(hit->t), t_max);
+      return hit;
+    }
+  }
+  return cast_usable_ray(shape, ray, static_cast<double>(t_max), side);
 }
 
 }  // namespace detail

@@ -33,15 +33,21 @@ struct Path {
   double far = 0;
 };
 
+/// Whether a direction can be squared. In float any can.
+template <Dim N>
+bool is_usable(const Vec<N, double>& direction) {
+  const double size = max_abs(direction);
+  return size > 0x1p-100 && size < 0x1p100;
+}
+
 /// A direction that can be squared, and how many times as long it is: a power of two, so that nothing is rounded.
 template <Dim N, class T>
 struct Usable {
   explicit Usable(const Ray<N, T>& given) : ray(given) {
     if constexpr (std::is_same_v<T, double>) {
-      const double size = max_abs(given.direction);
-      if (size > 0x1p-100 && size < 0x1p100) return;
+      if (is_usable(given.direction)) return;
       int exponent = 0;
-      (void)std::frexp(size, &exponent);
+      (void)std::frexp(max_abs(given.direction), &exponent);
       for (Dim i = 0; i < N; ++i) ray.direction[i] = std::ldexp(given.direction[i], -exponent);
       scale = std::ldexp(1.0, -exponent / 2);
       rest = std::ldexp(1.0, -exponent - (-exponent / 2));
@@ -131,6 +137,15 @@ Touch<N> touch_of_ball(const Sphere<N, double>& ball, const BallPassage<N>& pass
   touch.normal = normal_along(passage.spoke(direction), direction, touch.error);
   touch.point = ball.center + touch.normal * ball.radius;
   return touch;
+}
+
+/// Whether the line of a path misses a ball by more than `sight_of` leaves open. Of most paths this is all that is
+/// asked, and a verdict alone does not go through memory.
+template <Dim N>
+[[gnu::always_inline]] inline bool is_missed(const Sphere<N, double>& ball, const Path<N>& path) {
+  const double squared_radius = ball.radius * ball.radius;
+  const double squares = dot(ball.center, ball.center) + squared_radius + path.far * path.far;
+  return BallPassage<N>(path.direction, ball.center, squared_radius).depth < -tolerance::ray_filter * squares;
 }
 
 /// With size^2 = |center|^2 + radius^2: where the squares differ by more than tolerance::ray_filter of size^2, half the
