@@ -54,7 +54,7 @@ class ContactExam {
       regressions_.add_failure(test::regression_row<N, T>("contact", a, b, test::number_text(truth.gap)));
     }
     tally_.worst = std::max(tally_.worst, errors.depth);
-    tally_.worst_left = std::max(tally_.worst_left, errors.left);
+    tally_.worst_second = std::max(tally_.worst_second, errors.left);
     return truth;
   }
 

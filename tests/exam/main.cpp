@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// graze_exam: hard cases for every pair of types and every point query, for contacts and rays, in four spaces, put to
-// graze, to the exact oracle and to other libraries. The tables go to standard output or a page, cases that fail to a
-// file of regressions; the status is 1 if there were any.
+// graze_exam: hard cases for every pair of types and every point query, for distances, contacts and rays, in four
+// spaces, put to graze, to the exact oracle and to other libraries. The tables go to standard output or a page, cases
+// that fail to a file of regressions; the status is 1 if there were any.
 #include <atomic>
 #include <cstddef>
 #include <cstdio>
@@ -16,7 +16,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "exam/cast_exam.hpp"
 #include "exam/contact_exam.hpp"
+#include "exam/distance_exam.hpp"
+#include "exam/hull_exam.hpp"
+#include "exam/manifold_exam.hpp"
+#include "exam/mass_exam.hpp"
 #include "exam/pair_exam.hpp"
 #include "exam/ray_exam.hpp"
 #include "exam/report.hpp"
@@ -26,7 +31,7 @@
 namespace graze::exam {
 namespace {
 
-/// One pair, its contacts, or the point queries or rays of one shape, in one space.
+/// One question about one pair, one shape or one kind of points, in one space.
 struct Task {
   std::string name;
   std::function<void()> run;
@@ -59,12 +64,16 @@ class Progress {
 class Exam {
  public:
   explicit Exam(const Settings& settings) : settings_(settings), regressions_(settings.regressions) {
-    constexpr std::size_t types = shape_type_names.size();
     constexpr std::size_t most = 4 * types * (types + 1) / 2;
     results_.pairs.reserve(most);  // tasks keep references
     results_.points.reserve(most);
+    results_.distances.reserve(most);
     results_.contacts.reserve(most);
+    results_.manifolds.reserve(most);
     results_.rays.reserve(most);
+    results_.casts.reserve(most);
+    results_.hulls.reserve(most);
+    results_.masses.reserve(most);
     add_space<2, float>();
     add_space<2, double>();
     add_space<3, float>();
@@ -91,25 +100,60 @@ class Exam {
   const RegressionLog& regressions() const { return regressions_; }
 
  private:
+  static constexpr std::size_t types = shape_type_names.size();
+
   template <Dim N, class T>
   void add_space() {
-    const std::string space = label(space_name<N, T>()) + " ";
-    constexpr std::size_t types = shape_type_names.size();
+    add_pairs<N, T>();
+    add_casts<N, T>();
+    add_shapes<N, T>();
+    for (std::size_t kind = 0; kind < hull_kind_count; ++kind) {
+      add(label(space_name<N, T>()) + " hull " + std::string(hull_kind_names[kind]), results_.hulls,
+          [this, kind] { return examine_hulls<N, T>(static_cast<HullKind>(kind), settings_, regressions_); });
+    }
+  }
+
+  template <Dim N, class T>
+  void add_pairs() {
     for (std::size_t a = 0; a < types; ++a) {
       for (std::size_t b = a; b < types; ++b) {
-        add(space + pair_name(a, b), results_.pairs,
-            [this, a, b] { return examine_pair<N, T>(a, b, settings_, regressions_); });
-        add(space + pair_name(a, b) + " in contact", results_.contacts,
+        const std::string name = label(space_name<N, T>()) + " " + pair_name(a, b);
+        add(name, results_.pairs, [this, a, b] { return examine_pair<N, T>(a, b, settings_, regressions_); });
+        add(name + " at a distance", results_.distances,
+            [this, a, b] { return examine_distances<N, T>(a, b, settings_, regressions_); });
+        add(name + " in contact", results_.contacts,
             [this, a, b] { return examine_contacts<N, T>(a, b, settings_, regressions_); });
+        add(name + " by manifold", results_.manifolds,
+            [this, a, b] { return examine_manifolds<N, T>(a, b, settings_, regressions_); });
       }
     }
-    for (std::size_t type = 0; type + 1 < types; ++type) {  // compounds, the last, are their parts
-      add(space + std::string(shape_type_names[type]) + " and points", results_.points,
-          [this, type] { return examine_points<N, T>(type, settings_, regressions_); });
+  }
+
+  template <Dim N, class T>
+  void add_casts() {
+    for (std::size_t a = 0; a < types; ++a) {
+      for (std::size_t b = 0; b < types; ++b) {
+        if (!can_examine_casts(a, b)) continue;
+        add(label(space_name<N, T>()) + " " + pair_name(a, b) + " in motion", results_.casts,
+            [this, a, b] { return examine_casts<N, T>(a, b, settings_, regressions_); });
+      }
     }
+  }
+
+  template <Dim N, class T>
+  void add_shapes() {
     for (std::size_t type = 0; type < types; ++type) {
-      add(space + std::string(shape_type_names[type]) + " and rays", results_.rays,
+      const std::string name = label(space_name<N, T>()) + " " + std::string(shape_type_names[type]);
+      if (type + 1 < types) {  // compounds, the last, are their parts
+        add(name + " and points", results_.points,
+            [this, type] { return examine_points<N, T>(type, settings_, regressions_); });
+      }
+      add(name + " and rays", results_.rays,
           [this, type] { return examine_rays<N, T>(type, settings_, regressions_); });
+      if (can_examine_mass(N, type)) {
+        add(name + " of mass", results_.masses,
+            [this, type] { return examine_mass<N, T>(type, settings_, regressions_); });
+      }
     }
   }
 

@@ -18,6 +18,8 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "exam/hull_report.hpp"
+#include "exam/mass_report.hpp"
 #include "exam/measure_report.hpp"
 #include "exam/rival.hpp"
 #include "exam/table.hpp"
@@ -42,13 +44,17 @@ std::string circumstances(const Results& results, const Settings& settings) {
     certified += tally.certified;
   }
   for (const PointTally& tally : results.points) cases += tally.cases;
-  for (const MeasuredPair& tally : results.contacts) cases += tally.cases;
-  for (const MeasuredPair& tally : results.rays) cases += tally.cases;
+  for (const auto* tallies :
+       {&results.distances, &results.contacts, &results.manifolds, &results.rays, &results.casts}) {
+    for (const MeasuredPair& tally : *tallies) cases += tally.cases;
+  }
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   std::string text = fmt::format(
       "{:%Y-%m-%d}, {}, seed {}, {} cases per pair of types and space, {} per shape and "
-      "space for point queries, {} per pair and space for contacts, {} per shape and space for rays",
-      fmt::gmtime(now), compiler(), settings.seed, settings.cases, settings.points, settings.contacts, settings.rays);
+      "space for point queries, {} per pair and space for distances, {} for contacts, {} for manifolds, {} per shape "
+      "and space for rays",
+      fmt::gmtime(now), compiler(), settings.seed, settings.cases, settings.points, settings.distances,
+      settings.contacts, settings.manifolds, settings.rays);
   if (settings.seconds > 0) text += fmt::format(", but at most {} seconds for each", settings.seconds);
   if (!settings.pairs.empty()) text += fmt::format(", only those named \"{}\"", settings.pairs);
   text += fmt::format("; {} cases in all.", pair_cases + cases);
@@ -189,7 +195,9 @@ std::string markdown(const Results& results, const Settings& settings) {
   if (!results.pairs.empty()) text += pair_table(results.pairs);
   const std::string compared = rival_tables<float>(results.pairs) + rival_tables<double>(results.pairs);
   if (!compared.empty()) text += std::string(rival_introduction) + compared;
-  return text + contact_tables(results.contacts) + ray_tables(results.rays);
+  return text + distance_tables(results.distances) + contact_tables(results.contacts) +
+         manifold_tables(results.manifolds) + ray_tables(results.rays) + cast_tables(results.casts) +
+         hull_table(results.hulls) + mass_table(results.masses);
 }
 
 void write_page(const std::string& path, const std::string& text) {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "exam/hull_exam.hpp"
+#include "exam/mass_exam.hpp"
 #include "exam/measure.hpp"
 #include "exam/settings.hpp"
 #include "exam/tally.hpp"
@@ -14,12 +16,17 @@ namespace graze::exam {
 struct Results {
   std::vector<PairTally> pairs;
   std::vector<PointTally> points;
+  std::vector<MeasuredPair> distances;
   std::vector<MeasuredPair> contacts;
+  std::vector<MeasuredPair> manifolds;
   std::vector<MeasuredPair> rays;
+  std::vector<MeasuredPair> casts;
+  std::vector<HullTally> hulls;
+  std::vector<MassTally> masses;
 };
 
 /// Where and how the exam was run, then a table for point queries, one for pairs and those with the rivals; and the
-/// same for contacts and rays.
+/// same for distances, contacts, manifolds, rays and casts, and one each of hulls and mass properties.
 std::string markdown(const Results& results, const Settings& settings);
 
 /// Writes `text` to a file: between the lines that begin with `<!-- exam: begin` and `<!-- exam: end` if it has them,

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <memory>
+#include <limits>
 #include <optional>
-#include <utility>
 #include <variant>
 
+#include <BulletCollision/CollisionDispatch/btBoxBoxDetector.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
-#include <BulletCollision/CollisionShapes/btBoxShape.h>
-#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
-#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
-#include <BulletCollision/CollisionShapes/btSphereShape.h>
-#include <BulletCollision/CollisionShapes/btTriangleShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btContinuousConvexCollision.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
 #include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
@@ -19,72 +14,20 @@
 
 #include <graze/math/vec.hpp>
 
+#include "exam/bullet_shapes.hpp"
+#include "exam/cast_rival.hpp"
 #include "exam/contact_rival.hpp"
+#include "exam/distance_rival.hpp"
+#include "exam/manifold_rival.hpp"
 #include "exam/ray_rival.hpp"
 #include "exam/rival.hpp"
 
 namespace graze::exam {
 namespace {
 
-struct Body {
-  std::unique_ptr<btConvexShape> shape;
-  btTransform pose = btTransform::getIdentity();
-};
-
-btVector3 vector(const Vec<3, float>& v) { return {v.x, v.y, v.z}; }
-
-/// Bullet's capsules stand along z.
-btQuaternion turn_from_z(const Vec<3, float>& way) {
-  const btVector3 direction = vector(way);
-  if (direction.length2() == 0.0F) return btQuaternion::getIdentity();
-  return shortestArcQuat({0, 0, 1}, direction.normalized());
-}
-
-struct BodyOf {
-  using Found = std::optional<Body>;
-
-  static Found without_margin(std::unique_ptr<btConvexShape> shape) {
-    shape->setMargin(0);
-    return Body{std::move(shape)};
-  }
-
-  Found operator()(const Sphere<3, float>& sphere) const {
-    Body body{std::make_unique<btSphereShape>(sphere.radius)};
-    body.pose.setOrigin(vector(sphere.center));
-    return body;
-  }
-  Found operator()(const Aabb<3, float>& box) const {
-    Found body = without_margin(std::make_unique<btBoxShape>(vector((box.max - box.min) * 0.5F)));
-    body->pose.setOrigin(vector((box.min + box.max) * 0.5F));
-    return body;
-  }
-  Found operator()(const Obb<3, float>& box) const {
-    Found body = without_margin(std::make_unique<btBoxShape>(vector(box.half_extents)));
-    const Mat<3, float>& m = box.axes;
-    body->pose.setBasis({m[0].x, m[1].x, m[2].x, m[0].y, m[1].y, m[2].y, m[0].z, m[1].z, m[2].z});
-    body->pose.setOrigin(vector(box.center));
-    return body;
-  }
-  Found operator()(const Capsule<3, float>& capsule) const {
-    const Vec<3, float> way = capsule.b - capsule.a;
-    Body body{std::make_unique<btCapsuleShapeZ>(capsule.radius, vector(way).length())};
-    body.pose.setRotation(turn_from_z(way));
-    body.pose.setOrigin(vector((capsule.a + capsule.b) * 0.5F));
-    return body;
-  }
-  Found operator()(const Triangle<3, float>& t) const {
-    return without_margin(std::make_unique<btTriangleShape>(vector(t.a), vector(t.b), vector(t.c)));
-  }
-  Found operator()(const Polytope<3, float>& polytope) const {
-    auto hull = std::make_unique<btConvexHullShape>();
-    for (const Vec<3, float>& vertex : polytope.vertices()) hull->addPoint(vector(vertex));
-    return without_margin(std::move(hull));
-  }
-  template <class S>
-  Found operator()(const S&) const {
-    return std::nullopt;
-  }
-};
+using bullet::Body;
+using bullet::BodyOf;
+using bullet::vector;
 
 /// Of a point of b's surface, or of the two nearest ones: distance, and the normal from b to a.
 std::optional<btPointCollector> nearest_of(const Solid3<float>& a, const Solid3<float>& b) {
@@ -102,6 +45,20 @@ std::optional<btPointCollector> nearest_of(const Solid3<float>& a, const Solid3<
   return nearest;
 }
 
+Vec<3, double> wide_point(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+
+bool is_box(const Body& body) { return body.shape->getShapeType() == BOX_SHAPE_PROXYTYPE; }
+
+/// Keeps all points that are not above the surface.
+struct AllPoints : btDiscreteCollisionDetectorInterface::Result {
+  void setShapeIdentifiersA(int, int) override {}
+  void setShapeIdentifiersB(int, int) override {}
+  void addContactPoint(const btVector3&, const btVector3& on_b, btScalar distance) override {
+    if (distance <= 0) patch.push_back({wide_point(on_b), -static_cast<double>(distance)});
+  }
+  ContactPatch patch;
+};
+
 }  // namespace
 
 std::optional<bool> bullet_answer(const Solid3<float>& a, const Solid3<float>& b) {
@@ -115,7 +72,52 @@ std::optional<Parting> bullet_parting(const Solid3<float>& a, const Solid3<float
   if (!nearest) return std::nullopt;
   if (!nearest->m_hasResult || nearest->m_distance > 0) return Parting{};
   const btVector3 way = -nearest->m_normalOnBInWorld;
-  return Parting{true, -static_cast<double>(nearest->m_distance), Vec<3, double>(way.x(), way.y(), way.z())};
+  return Parting{true, -static_cast<double>(nearest->m_distance), wide_point(way)};
+}
+
+std::optional<Separation> bullet_separation(const Solid3<float>& a, const Solid3<float>& b) {
+  const std::optional<btPointCollector> nearest = nearest_of(a, b);
+  if (!nearest) return std::nullopt;
+  if (!nearest->m_hasResult) return Separation{false, std::numeric_limits<double>::quiet_NaN()};
+  const btVector3& on_b = nearest->m_pointInWorld;
+  const btVector3 on_a = on_b + nearest->m_normalOnBInWorld * nearest->m_distance;
+  return Separation{nearest->m_distance <= 0, static_cast<double>(nearest->m_distance), wide_point(on_a),
+                    wide_point(on_b)};
+}
+
+std::optional<ContactPatch> bullet_patch(const Solid3<float>& a, const Solid3<float>& b) {
+  const std::optional<Body> body_a = std::visit(BodyOf(), a);
+  const std::optional<Body> body_b = std::visit(BodyOf(), b);
+  if (!body_a || !body_b) return std::nullopt;
+  AllPoints points;
+  if (is_box(*body_a) && is_box(*body_b)) {
+    const auto* box_a = static_cast<const btBoxShape*>(body_a->shape.get());
+    const auto* box_b = static_cast<const btBoxShape*>(body_b->shape.get());
+    btDiscreteCollisionDetectorInterface::ClosestPointInput input;
+    input.m_transformA = body_a->pose;
+    input.m_transformB = body_b->pose;
+    btBoxBoxDetector(box_a, box_b).getClosestPoints(input, points, nullptr);
+    return points.patch;
+  }
+  const std::optional<btPointCollector> nearest = nearest_of(a, b);
+  if (nearest->m_hasResult)
+    points.addContactPoint(nearest->m_normalOnBInWorld, nearest->m_pointInWorld, nearest->m_distance);
+  return points.patch;
+}
+
+std::optional<Meeting> bullet_meeting(const Solid3<float>& a, const Vec<3, float>& motion, const Solid3<float>& b) {
+  const std::optional<Body> body_a = std::visit(BodyOf(), a);
+  const std::optional<Body> body_b = std::visit(BodyOf(), b);
+  if (!body_a || !body_b) return std::nullopt;
+  btTransform end = body_a->pose;
+  end.setOrigin(end.getOrigin() + vector(motion));
+  btVoronoiSimplexSolver simplex;
+  btGjkEpaPenetrationDepthSolver depth;
+  btContinuousConvexCollision collision(body_a->shape.get(), body_b->shape.get(), &simplex, &depth);
+  btConvexCast::CastResult result;
+  result.m_fraction = 1;
+  if (!collision.calcTimeOfImpact(body_a->pose, end, body_b->pose, body_b->pose, result)) return Meeting{};
+  return Meeting{result.m_fraction <= 1, static_cast<double>(result.m_fraction)};
 }
 
 std::optional<Sight> bullet_sight(const Solid3<float>& shape, const Ray<3, float>& ray, double reach) {

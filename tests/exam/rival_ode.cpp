@@ -8,12 +8,14 @@
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <ode/ode.h>
 
 #include <graze/math/vec.hpp>
 
 #include "exam/contact_rival.hpp"
+#include "exam/manifold_rival.hpp"
 #include "exam/ray_rival.hpp"
 #include "exam/rival.hpp"
 
@@ -112,9 +114,8 @@ std::optional<int> collide(const Geometry& a, const Geometry& b, std::array<dCon
   }
 }
 
-}  // namespace
-
-std::optional<Parting> ode_parting(const Solid3<double>& a, const Solid3<double>& b) {
+/// The contacts of two shapes, at most that many; none if it has no test for them, or refuses.
+std::optional<std::vector<dContactGeom>> contacts_of(const Solid3<double>& a, const Solid3<double>& b) {
   if (std::holds_alternative<HalfSpace<3, double>>(a) && std::holds_alternative<HalfSpace<3, double>>(b))
     return std::nullopt;
   start_library();
@@ -124,14 +125,30 @@ std::optional<Parting> ode_parting(const Solid3<double>& a, const Solid3<double>
   std::array<dContactGeom, most_contacts> contacts{};
   const std::optional<int> count = collide(of_a, of_b, contacts);
   if (!count) return std::nullopt;
+  return std::vector<dContactGeom>(contacts.begin(), contacts.begin() + *count);
+}
+
+}  // namespace
+
+std::optional<Parting> ode_parting(const Solid3<double>& a, const Solid3<double>& b) {
+  const auto contacts = contacts_of(a, b);
+  if (!contacts) return std::nullopt;
   Parting deepest;
-  for (int i = 0; i < *count; ++i) {
-    const dContactGeom& contact = contacts[static_cast<std::size_t>(i)];
+  for (const dContactGeom& contact : *contacts) {
     if (deepest.meets && contact.depth <= deepest.depth) continue;
     // The normal is the way that a goes.
     deepest = {true, contact.depth, -Vec3(contact.normal[0], contact.normal[1], contact.normal[2])};
   }
   return deepest;
+}
+
+std::optional<ContactPatch> ode_patch(const Solid3<double>& a, const Solid3<double>& b) {
+  const auto contacts = contacts_of(a, b);
+  if (!contacts) return std::nullopt;
+  ContactPatch patch;
+  for (const dContactGeom& contact : *contacts)
+    patch.push_back({Vec3(contact.pos[0], contact.pos[1], contact.pos[2]), contact.depth});
+  return patch;
 }
 
 std::optional<bool> ode_answer(const Solid3<double>& a, const Solid3<double>& b) {

@@ -14,7 +14,14 @@ std::variant<Settings, int> read_settings(int argc, const char* const* argv) {
   app.add_option("--points", settings.points, "cases per shape and space for point queries")->capture_default_str();
   app.add_option("--contacts", settings.contacts, "cases per pair of types and space for contact")
       ->capture_default_str();
+  app.add_option("--distances", settings.distances, "cases per pair of types and space for closest_points")
+      ->capture_default_str();
+  app.add_option("--manifolds", settings.manifolds, "cases per pair of types and space for manifold")
+      ->capture_default_str();
+  app.add_option("--casts", settings.casts, "cases per pair of types and space for shape_cast")->capture_default_str();
   app.add_option("--rays", settings.rays, "cases per shape and space for ray_cast")->capture_default_str();
+  app.add_option("--hulls", settings.hulls, "sets of points per kind and space for convex_hull")->capture_default_str();
+  app.add_option("--masses", settings.masses, "cases per shape and space for mass_properties")->capture_default_str();
   app.add_option("--seed", settings.seed, "other cases")->capture_default_str();
   app.add_option("--pairs", settings.pairs, "only pairs whose name holds this, such as \"3D float obb, triangle\"");
   app.add_option("--seconds", settings.seconds, "stop each pair after this time; 0 for never")->capture_default_str();

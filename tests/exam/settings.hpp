@@ -15,10 +15,15 @@
 namespace graze::exam {
 
 struct Settings {
-  std::size_t cases = 1'000'000;  ///< Per pair of types and space.
-  std::size_t points = 100'000;   ///< Cases per shape and space for point queries, all of them put to the oracle.
-  std::size_t contacts = 20'000;  ///< Contacts per pair of types and space, the same.
-  std::size_t rays = 100'000;     ///< Rays per type and space, the same.
+  std::size_t cases = 1'000'000;   ///< Per pair of types and space.
+  std::size_t points = 100'000;    ///< Cases per shape and space for point queries, all of them put to the oracle.
+  std::size_t contacts = 20'000;   ///< Contacts per pair of types and space, the same.
+  std::size_t distances = 20'000;  ///< Distances, the same.
+  std::size_t manifolds = 20'000;  ///< Manifolds, the same.
+  std::size_t casts = 20'000;      ///< Casts of shapes, the same.
+  std::size_t rays = 100'000;      ///< Rays per type and space, the same.
+  std::size_t hulls = 2'000;       ///< Sets of points per kind and space for convex_hull.
+  std::size_t masses = 2'000;      ///< Shapes per type and space for mass_properties.
   std::uint64_t seed = 1;
   double seconds = 0;  ///< Each pair stops after this; 0 for never.
   std::string pairs;   ///< Only pairs whose name, such as "3D float obb, triangle", holds this.

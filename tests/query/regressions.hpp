@@ -4,8 +4,12 @@
 //
 //   relation,3D float,sphere 0 0 0 1,segment 2 0 0 2 1 0,apart
 //   point,2D double,triangle 0 0 1 0 0 1,point 0.5 0.25,-0.17677669529663687
+//   distance,2D float,sphere 0 0 1,sphere 3 0 1,1
 //   contact,2D float,sphere 0 0 1,sphere 1 0 1,-1
+//   manifold,2D float,sphere 0 0 1,sphere 1 0 1,-1
 //   ray_cast,2D float,sphere 0 0 1,ray 3 0 -1 0,2
+//   shape_cast,2D float,sphere 0 0 1 by 3 0,sphere 3 0 1,overlapping
+//   convex_hull,2D float,compound 4 point 0 0 point 1 0 point 0 1 point 0 0,compound 0,3
 //
 // A polytope begins with the number of its vertices, a compound with that of its parts, which follow. Numbers are the
 // shortest decimals that read back as the same.
@@ -35,11 +39,12 @@ namespace graze::test {
 
 /// One row, still text.
 struct Regression {
-  std::string query;  ///< "relation", "point", "contact" or "ray_cast".
+  std::string query;  ///< "relation", "point" and so on, as in the rows above.
   std::string space;  ///< "3D float".
   std::string a;
   std::string b;
-  std::string expected;  ///< The relation's name, the signed distance, the gap, or where the ray enters.
+  std::string expected;  ///< The relation's name, the signed distance, the distance, the gap, where the ray enters,
+                         ///< the relation of b and all that a comes by, or how many corners there are.
 };
 
 /// "3D float".
@@ -133,6 +138,14 @@ std::string regression_row(std::string_view query, const AnyShape<N, T>& a, cons
                            std::string_view expected) {
   return std::string(query) + "," + space_text<N, T>() + "," + shape_text<N, T>(a) + "," + shape_text<N, T>(b) + "," +
          std::string(expected);
+}
+
+/// A row of `convex_hull`: the points as the parts of a compound, and how many of them are corners. The second shape is
+/// a compound without parts.
+template <Dim N, class T>
+std::string hull_row(const std::vector<Vec<N, T>>& points, std::size_t corners) {
+  const std::vector<AnyShape<N, T>> parts(points.begin(), points.end());
+  return regression_row<N, T>("convex_hull", compound_of<N, T>(parts), Compound<N, T>{}, std::to_string(corners));
 }
 
 /// The rows of a file; none if it does not exist. Lines that begin with # are comments.

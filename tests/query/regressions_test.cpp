@@ -2,6 +2,7 @@
 // The cases that the exam kept: those on which graze once failed, and the hardest of every pair that it did not.
 #include "query/regressions.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <limits>
@@ -23,8 +24,13 @@
 #include "exact.hpp"
 #include "exact/kinds.hpp"
 #include "exact/ray_entry.hpp"
+#include "exact/sweep.hpp"
+#include "query/cast_judgement.hpp"
 #include "query/contact_judgement.hpp"
 #include "query/contacts.hpp"
+#include "query/distance_judgement.hpp"
+#include "query/manifold_judgement.hpp"
+#include "query/mass_judgement.hpp"
 #include "query/pairs.hpp"
 #include "query/placement.hpp"
 #include "query/point_answers.hpp"
@@ -76,6 +82,17 @@ void expect_right_point(const Regression& row) {
 }
 
 template <Dim N, class T>
+void expect_right_distance(const Regression& row) {
+  const AnyShape<N, T> a = shape_from<N, T>(row.a);
+  const AnyShape<N, T> b = shape_from<N, T>(row.b);
+  const ExactVerdict truth = exact_verdict<N, T>(a, b);
+  EXPECT_EQ(number_text(std::max(0.0, truth.gap)), row.expected);
+  const DistanceErrors errors = distance_errors<N, T>(a, b, truth);
+  EXPECT_NE(errors.judgement, Judgement::wrong)
+      << errors.fault << ": " << errors.distance << " (distance), " << errors.points << " (points)";
+}
+
+template <Dim N, class T>
 void expect_right_contact(const Regression& row) {
   const AnyShape<N, T> a = shape_from<N, T>(row.a);
   const AnyShape<N, T> b = shape_from<N, T>(row.b);
@@ -83,6 +100,17 @@ void expect_right_contact(const Regression& row) {
   EXPECT_EQ(number_text(truth.gap), row.expected);
   const ContactErrors errors = contact_errors<N, T>(a, b, truth, contact_of<N, T>(a, b));
   EXPECT_NE(errors.judgement, Judgement::wrong) << errors.depth << " (depth), " << errors.left << " (left)";
+}
+
+template <Dim N, class T>
+void expect_right_manifold(const Regression& row) {
+  const AnyShape<N, T> a = shape_from<N, T>(row.a);
+  const AnyShape<N, T> b = shape_from<N, T>(row.b);
+  const ExactVerdict truth = exact_verdict<N, T>(a, b);
+  EXPECT_EQ(number_text(truth.gap), row.expected);
+  const ManifoldErrors errors = manifold_errors<N, T>(a, b, truth);
+  EXPECT_NE(errors.judgement, Judgement::wrong)
+      << errors.fault << ": " << errors.depth << " (depth), " << errors.points << " (points)";
 }
 
 template <Dim N, class T>
@@ -98,6 +126,33 @@ void expect_right_ray_cast(const Regression& row) {
   EXPECT_NE(errors.judgement, Judgement::wrong) << errors.entry << " (entry)";
 }
 
+template <Dim N, class T>
+void expect_right_shape_cast(const Regression& row) {
+  const Cast<N, T> cast = cast_from<N, T>(row);
+  const std::optional<ExactPassage> passage = exact_passage<N, T>(cast.a, cast.motion, 1.0, cast.b);
+  ASSERT_TRUE(passage.has_value()) << "the oracle has no casts of these";
+  EXPECT_EQ(name_of(passage->so_far.relation), row.expected);
+  const CastErrors errors = cast_errors<N, T>(cast, exact_verdict<N, T>(cast.a, cast.b));
+  EXPECT_NE(errors.judgement, Judgement::wrong)
+      << errors.fault << ": " << errors.gap << " (gap), " << errors.claimed << " (claimed)";
+}
+
+template <Dim N, class T>
+void expect_right_hull(const Regression& row) {
+  std::vector<Vec<N, T>> points;
+  for (const Part<N, T>& part : std::get<Compound<N, T>>(shape_from<N, T>(row.a)).parts)
+    points.push_back(std::get<Vec<N, T>>(part.shape));
+  EXPECT_EQ((std::to_string(convex_hull<N, T>(points).vertices().size())), row.expected);
+}
+
+template <Dim N, class T>
+void expect_right_mass(const Regression& row) {
+  const MassErrors errors = mass_errors<N, T>(shape_from<N, T>(row.a));
+  EXPECT_EQ(number_text(errors.true_volume), row.expected);
+  EXPECT_TRUE(errors.are_within_bounds())
+      << errors.volume << " (volume), " << errors.centroid << " (centroid), " << errors.inertia << " (inertia)";
+}
+
 /// Whether the row is of this space; then it is checked.
 template <Dim N, class T>
 bool is_checked(const Regression& row) {
@@ -106,10 +161,20 @@ bool is_checked(const Regression& row) {
     expect_right_relation<N, T>(row);
   } else if (row.query == "point") {
     expect_right_point<N, T>(row);
+  } else if (row.query == "distance") {
+    expect_right_distance<N, T>(row);
   } else if (row.query == "contact") {
     expect_right_contact<N, T>(row);
+  } else if (row.query == "manifold") {
+    expect_right_manifold<N, T>(row);
   } else if (row.query == "ray_cast") {
     expect_right_ray_cast<N, T>(row);
+  } else if (row.query == "shape_cast") {
+    expect_right_shape_cast<N, T>(row);
+  } else if (row.query == "convex_hull") {
+    expect_right_hull<N, T>(row);
+  } else if (row.query == "mass_properties") {
+    expect_right_mass<N, T>(row);
   } else {
     ADD_FAILURE() << "no query is named \"" << row.query << "\"";
   }

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// What is wrong with shape_cast(a, motion, b), if anything: the time of the impact against what the oracle says of the
+// shapes then and of all that a has come by, against what shape_cast.hpp promises.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/impact.hpp>
+#include <graze/query/status.hpp>
+#include <graze/shape/any_shape.hpp>
+
+#include "exact.hpp"
+#include "exact/sweep.hpp"
+#include "exact/verdict.hpp"
+#include "query/regressions.hpp"
+#include "query/shape_casts.hpp"
+#include "query/verdict_band.hpp"
+
+namespace graze::test {
+
+/// A shape, its motion, and what is in its way.
+template <Dim N, class T>
+struct Cast {
+  AnyShape<N, T> a;
+  Vec<N, T> motion;
+  AnyShape<N, T> b;
+};
+
+/// The errors of one answer, in epsilon of double times the size that shape_cast.hpp names.
+struct CastErrors {
+  Judgement judgement = Judgement::right;  ///< Never `within_band`.
+  std::string_view fault;                  ///< The first thing that is wrong; empty if nothing is.
+  double gap = 0;      ///< How far apart the shapes are at the impact, or how deep a has been in b before.
+  double claimed = 0;  ///< The error that comes with the impact.
+};
+
+/// "A few epsilon" of sums of up to three coordinates each, where GJK says that it has converged; and what is passed by
+/// as if it were missed.
+inline constexpr double most_claimed_of_casts = 4096;
+inline constexpr double most_overlooked = 64;
+
+template <Dim N, class T>
+class CastJudge {
+ public:
+  /// `start` is the verdict before anything moves, with gap and sizes. The cast is one that `exact_passage` knows.
+  CastJudge(const Cast<N, T>& cast, const ExactVerdict& start)
+      : cast_(cast), start_(start), size_(size_of_cast(cast, start)) {}
+
+  CastErrors run() {
+    if (!(size_ > least_size) || start_.is_nearly_parallel) {
+      errors_.judgement = Judgement::outside_range;
+      return errors_;
+    }
+    const std::optional<Impact<N, T>> impact = impact_of<N, T>(cast_.a, cast_.motion, cast_.b);
+    const std::optional<detail::Strike<N>> strike = strike_of<N, T>(cast_.a, cast_.motion, cast_.b);
+    expect(impact.has_value() == strike.has_value(), "it is rounded from something else");
+    if (!impact || !strike) {
+      judge_miss();
+    } else if (start_.relation != Relation::apart) {
+      expect(impact->t == T(0), "what meets at the start does so at 0");
+    } else {
+      judge_hit(*strike);
+      expect(static_cast<double>(impact->t) <= strike->t, "the time is not rounded down");
+    }
+    return errors_;
+  }
+
+  /// The largest coordinate that the promise names, with the motion.
+  static double size_of_cast(const Cast<N, T>& cast, const ExactVerdict& start) {
+    const double size = documented_size(start.own_size, start.largest, cast.a.index(), cast.b.index());
+    return std::max(size, start.own_size) + static_cast<double>(sum_abs(cast.motion));
+  }
+
+ private:
+  void expect(bool holds, std::string_view fault) {
+    if (holds || !errors_.fault.empty()) return;
+    errors_.judgement = Judgement::wrong;
+    errors_.fault = fault;
+  }
+
+  void judge_miss() {
+    const ExactPassage passage = *exact_passage<N, T>(cast_.a, cast_.motion, 1.0, cast_.b);
+    const double depth = -passage.so_far.gap;
+    expect(depth <= most_overlooked * tolerance::epsilon * size_, "it goes through");
+  }
+
+  void judge_hit(const detail::Strike<N>& strike) {
+    const ExactPassage passage = *exact_passage<N, T>(cast_.a, cast_.motion, strike.t, cast_.b);
+    const double unit = tolerance::epsilon * size_;
+    expect(passage.there.gap <= strike.error, "it is too early, or nothing is hit");
+    expect(-passage.so_far.gap <= strike.error, "it is too late");
+    expect(strike.error <= most_claimed_of_casts * unit || strike.status == Status::best_bound,
+           "too large an error is admitted");
+    expect(std::fabs(dot(strike.normal, strike.normal) - 1) <= 16 * tolerance::epsilon || strike.t == 0,
+           "the normal is not of length 1");
+    errors_.gap = std::max(passage.there.gap, -passage.so_far.gap) / unit;
+    errors_.claimed = strike.error / unit;
+  }
+
+  const Cast<N, T>& cast_;
+  const ExactVerdict& start_;
+  double size_;
+  CastErrors errors_;
+};
+
+/// `start` is the verdict before anything moves, with gap and sizes.
+template <Dim N, class T>
+CastErrors cast_errors(const Cast<N, T>& cast, const ExactVerdict& start) {
+  return CastJudge<N, T>(cast, start).run();
+}
+
+/// A row of regressions.hpp: the first shape is followed by the word `by` and its motion.
+template <Dim N, class T>
+std::string cast_row(const Cast<N, T>& cast, std::string_view expected) {
+  std::string text = "shape_cast," + space_text<N, T>() + "," + shape_text<N, T>(cast.a) + " by";
+  for (Dim i = 0; i < N; ++i) text += " " + number_text(cast.motion[i]);
+  return text + "," + shape_text<N, T>(cast.b) + "," + std::string(expected);
+}
+
+template <Dim N, class T>
+Cast<N, T> cast_from(const Regression& row) {
+  std::istringstream words(row.a);
+  Cast<N, T> cast{read_shape<N, T>(words), {}, shape_from<N, T>(row.b)};
+  std::string by;
+  words >> by;
+  for (Dim i = 0; i < N; ++i) cast.motion[i] = read_number<T>(words);
+  return cast;
+}
+
+}  // namespace graze::test
