@@ -30,13 +30,13 @@
 // everything, and its points are NaN.
 //
 // `error` bounds the error of the distance before it is rounded to T: C a few epsilon of double of the pair's own size,
-// however far from the origin; S and G a few epsilon of the largest coordinate (of T for a user's shape that calculates
-// in T); G what is left between the bounds that GJK has proved, and the status says if that is more than 1e-12 of the
-// distance. The points are rounded to T: to half an ulp of their coordinates they are in their shapes, and the distance
-// of each other. Those of segments and capsules are at the true place, too, however little it differs from others as
-// segments become parallel; but of shapes a million times longer than thick that meet, G may give a point that is 1e-9
-// of their size beside them. Coordinates of magnitude 1e-140 to 1e140. Directions of rays and planes that are parallel
-// up to a few epsilon are taken as parallel.
+// however far from the origin (of a ray beside something smaller than an ulp of T, of that ulp); S and G a few epsilon
+// of the largest coordinate (of T for a user's shape that calculates in T); G what is left between the bounds that GJK
+// has proved, and the status says if that is more than 1e-12 of the distance. The points are rounded to T: to half an
+// ulp of their coordinates they are in their shapes, and the distance of each other. Those of segments and capsules are
+// at the true place, too, however little it differs from others as segments become parallel; but of shapes a million
+// times longer than thick that meet, G may give a point that is 1e-9 of their size beside them. Coordinates of
+// magnitude 1e-140 to 1e140. Directions of rays and planes that are parallel up to a few epsilon are taken as parallel.
 #pragma once
 
 #include <algorithm>
@@ -107,10 +107,14 @@ Proximity<N, double> widened(const ClosestPair<N>& cores, const Vec<N, double>& 
   return result;
 }
 
-/// The same of cores that meet.
+/// The same of cores that meet, or miss each other by so little that `relation` calls it touching: a shape without
+/// radius is its core, and so the point is of that.
 template <Dim N>
-Proximity<N, double> widened_meeting(const ClosestPair<N>& cores, const Vec<N, double>& reference, Relation relation) {
-  return meeting_at<N>(reference + (cores.on_a + cores.between * 0.5), relation);
+Proximity<N, double> widened_meeting(const ClosestPair<N>& cores, const Vec<N, double>& reference, const Radii& radii,
+                                     Relation relation) {
+  const bool is_core_of_one = (radii.a > 0) != (radii.b > 0);
+  const double share = !is_core_of_one ? 0.5 : radii.a > 0 ? 1.0 : 0.0;
+  return meeting_at<N>(reference + (cores.on_a + cores.between * share), relation);
 }
 
 // ---- Closed forms of bounded shapes and rays
@@ -192,7 +196,7 @@ Proximity<dimension_of<A>, double> proximity_of_simple(const A& a, const B& b, R
   Proximity<N, double> result =
       of_cores == Relation::apart
           ? widened(closest_of_cores(core_a, core_b, seen_a, seen_b, origin), origin, radii, relation)
-          : widened_meeting(closest_of_meeting(seen_a, seen_b, size), origin, relation);
+          : widened_meeting(closest_of_meeting(seen_a, seen_b, size), origin, radii, relation);
   result.error = tolerance::rounding * (size + (radii.a + radii.b));
   return result;
 }
@@ -202,8 +206,8 @@ template <Dim N, class T>
 Proximity<N, double> proximity_of_simple(const Aabb<N, T>& a, const Aabb<N, T>& b, Relation relation) {
   const Vec<N, double> zero(0.0);
   const ClosestPair<N> pair = closest_of_boxes(seen_from(zero, a), seen_from(zero, b));
-  Proximity<N, double> result =
-      relation == Relation::apart ? widened(pair, zero, {0, 0}, relation) : widened_meeting(pair, zero, relation);
+  Proximity<N, double> result = relation == Relation::apart ? widened(pair, zero, {0, 0}, relation)
+                                                            : widened_meeting(pair, zero, {0, 0}, relation);
   result.error = tolerance::rounding * sum_abs(pair.between);
   return result;
 }
@@ -215,8 +219,8 @@ Proximity<N, double> proximity_of_rays(const Ray<N, T>& a, const Ray<N, T>& b, R
   const ClosestPair<N> pair{Vec<N, double>(in_space.on_a), Vec<N, double>(in_space.on_b),
                             Vec<N, double>(in_space.between), in_space.squared};
   const Vec<N, double> origin = wide<N, T>(a.origin);
-  Proximity<N, double> result =
-      relation == Relation::apart ? widened(pair, origin, {0, 0}, relation) : widened_meeting(pair, origin, relation);
+  Proximity<N, double> result = relation == Relation::apart ? widened(pair, origin, {0, 0}, relation)
+                                                            : widened_meeting(pair, origin, {0, 0}, relation);
   result.error = tolerance::rounding * sum_abs(wide<N, T>(b.origin) - origin);
   return result;
 }
@@ -242,7 +246,7 @@ Proximity<dimension_of<A>, double> proximity_of_convex(const A& a, const B& b, R
       relation == Relation::apart || (has_radius && cores.closest.squared > cores.error * cores.error);
   const Vec<N, double> zero(0.0);
   Proximity<N, double> result =
-      are_apart ? widened(cores.closest, zero, radii, relation) : widened_meeting(cores.closest, zero, relation);
+      are_apart ? widened(cores.closest, zero, radii, relation) : widened_meeting(cores.closest, zero, radii, relation);
   if (relation == Relation::apart) result.status = cores.status;
   result.error = cores.error + tolerance::rounding * (radii.a + radii.b);
   if (relation == Relation::touching) result.error = std::max(result.error, resolution_of_convex(a, b));
