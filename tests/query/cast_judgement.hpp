@@ -54,7 +54,8 @@ class CastJudge {
       : cast_(cast), start_(start), size_(size_of_cast(cast, start)) {}
 
   CastErrors run() {
-    if (!(size_ > least_size) || start_.is_nearly_parallel) {
+    const bool underflows = start_.relation == Relation::apart && start_.gap < least_size;
+    if (!(size_ > least_size) || start_.is_nearly_parallel || underflows) {
       errors_.judgement = Judgement::outside_range;
       return errors_;
     }
