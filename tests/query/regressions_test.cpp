@@ -140,8 +140,8 @@ void expect_right_shape_cast(const Regression& row) {
 template <Dim N, class T>
 void expect_right_hull(const Regression& row) {
   std::vector<Vec<N, T>> points;
-  for (const Part<N, T>& part : std::get<Compound<N, T>>(shape_from<N, T>(row.a)).parts)
-    points.push_back(std::get<Vec<N, T>>(part.shape));
+  const AnyShape<N, T> held = shape_from<N, T>(row.a);
+  for (const Part<N, T>& part : std::get<Compound<N, T>>(held).parts) points.push_back(std::get<Vec<N, T>>(part.shape));
   EXPECT_EQ((std::to_string(convex_hull<N, T>(points).vertices().size())), row.expected);
 }
 
