@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/patch.hpp>
 #include <graze/query/surface_point.hpp>
@@ -143,6 +144,28 @@ class ClippedPatch {
   std::size_t size_;
 };
 
+/// Two sides that meet at a tip sharper than `slack` can tell leave what lies beyond it: that is cut off across the
+/// longest edge, past the last corners along it. `turn` is across the patch and twice as long as its area is large.
+inline void cut_at_tips(ClippedPatch<3>& patch, const Patch<3>& reference, const Vec<3, double>& turn, double slack) {
+  const auto& corners = reference.corners;
+  Vec<3, double> way(0.0);
+  for (std::size_t i = 0; i < reference.size; ++i) {
+    const Vec<3, double> edge = corners[i + 1 < reference.size ? i + 1 : 0] - corners[i];
+    if (dot(edge, edge) > dot(way, way)) way = edge;
+  }
+  const double most = slack / tolerance::aligned;
+  if (dot(turn, turn) > most * most * dot(way, way)) return;
+  const Vec<3, double> unit = unit_or(way, Vec<3, double>(0.0));
+  std::size_t low = 0;
+  std::size_t high = 0;
+  for (std::size_t i = 1; i < reference.size; ++i) {
+    if (dot(unit, corners[i] - corners[low]) < 0) low = i;
+    if (dot(unit, corners[i] - corners[high]) > 0) high = i;
+  }
+  patch.cut(-unit, corners[low], low, slack);
+  patch.cut(unit, corners[high], high, slack);
+}
+
 /// Cuts an incident patch at the sides of a reference patch, seen along its normal `up` of length 1. A patch without
 /// bounds cuts nothing.
 template <Dim N>
@@ -163,6 +186,7 @@ ClippedPatch<N> clipped(const Patch<N>& incident, const Patch<N>& reference, con
       const Vec<3, double> edge = corners[i + 1 < reference.size ? i + 1 : 0] - corners[i];
       result.cut_across(cross(edge, axis), corners[i], i, slack);
     }
+    if (reference.size > 2) cut_at_tips(result, reference, turn, slack);
   }
   return result;
 }
