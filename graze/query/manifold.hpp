@@ -12,13 +12,11 @@
 // users' shapes, which have no faces to speak of, and pairs that no translation parts have the point of `contact`.
 //
 // Each point has an id: which corner, edge or face of a, and which of b, it lies on; no two of a manifold have the
-// same. It stays the same from frame to frame as long as the shapes keep lying on each other the same way, which ends
-// when a corner crosses a side of the other shape; so a solver can go on with the impulses of the last frame. Features
-// are numbered by the shape's own numbers (patch.hpp), whatever its pose: a shape that is moved has to keep the order
-// of its corners, as `transformed` does. Where points are as good as each other up to 1e-5 of the patch, always the
-// same ones are taken (but others, of two boxes that cross in an octagon, where both are turned far). Faces are taken
-// to look along the normal, and edges to be parallel, up to 1e-5 radians; a polytope's corners that lie beside each
-// other up to 1e-5 of its size are taken for the one of the least number.
+// same. It stays the same from frame to frame until a corner crosses a side of the other shape, so that a solver can go
+// on with the impulses of the last frame. Features have the shape's own numbers (patch.hpp) whatever its pose, if its
+// corners keep their order, as by `transformed`. Of points as good as each other up to 1e-5 of the patch always the
+// same are taken (others of two boxes that cross in an octagon, where both are turned far). Up to 1e-5 radians faces
+// look along the normal and edges are parallel; up to 1e-5 of its size a polytope's corners are one.
 //
 // A compound is its deepest part, which the ids name. Swapping the arguments exchanges everything, up to the order of
 // shapes that equal each other. Coordinates as in contact.hpp; points are off by no more than those of `contact`, and
@@ -35,7 +33,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <tuple>
 #include <utility>
 
 #include <graze/math/tolerance.hpp>
@@ -179,19 +176,6 @@ void choose_points(const SurfacePairs<N>& from, WideManifold<N>& manifold) {
   }
 }
 
-/// By their features, whichever of the shapes comes first: so that of points as good as each other the same are chosen
-/// where the shapes have been turned together, after which another may come first.
-template <Dim N>
-void sort_by_features(SurfacePairs<N>& pairs) {
-  const auto names = [](const SurfacePair<N>& pair) {
-    const std::pair a(pair.feature_a.kind, pair.feature_a.index);
-    const std::pair b(pair.feature_b.kind, pair.feature_b.index);
-    return std::tuple(std::min(a, b), std::max(a, b), a);
-  };
-  std::sort(pairs.begin(), pairs.end(),
-            [&](const SurfacePair<N>& a, const SurfacePair<N>& b) { return names(a) < names(b); });
-}
-
 template <Dim N>
 void move_points(WideManifold<N>& manifold, const Vec<N, double>& origin) {
   for (std::size_t i = 0; i < manifold.size; ++i) {
@@ -215,9 +199,7 @@ WideManifold<dimension_of<A>> manifold_of_found(const A& a, const B& b, const Pe
   const double size =
       (size_of_patch(facing.a) + size_of_patch(facing.b)) + (facing.radius_a + facing.radius_b) + found.depth;
   const Penetration<N> seen = moved_by(found, -origin);
-  SurfacePairs<N> pairs = surface_pairs(facing, seen, found.error + tolerance::coarse * size);
-  if (pairs.size() > result.pairs.size()) sort_by_features(pairs);
-  choose_points(pairs, result);
+  choose_points(surface_pairs(facing, seen, found.error + tolerance::coarse * size), result);
   move_points(result, origin);
   return result;
 }

@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
@@ -149,12 +151,26 @@ SurfacePairs<N> face_pairs(const FacingPatches<N>& facing, const Vec<N, double>&
   return {};
 }
 
+/// By their features, whichever of the shapes comes first: so that of points as good as each other the same are chosen
+/// where the shapes have been turned together, after which another may come first.
+template <Dim N>
+void sort_by_features(SurfacePairs<N>& pairs) {
+  const auto names = [](const SurfacePair<N>& pair) {
+    const std::pair a(pair.feature_a.kind, pair.feature_a.index);
+    const std::pair b(pair.feature_b.kind, pair.feature_b.index);
+    return std::tuple(std::min(a, b), std::max(a, b), a);
+  };
+  std::sort(pairs.begin(), pairs.end(),
+            [&](const SurfacePair<N>& a, const SurfacePair<N>& b) { return names(a) < names(b); });
+}
+
 /// Those of faces, or of parallel edges; of everything else the deepest point is all there is.
 template <Dim N>
 SurfacePairs<N> surface_pairs(const FacingPatches<N>& facing, const Penetration<N>& found, double slack) {
   SurfacePairs<N> result = face_pairs(facing, found.normal, slack);
   if (result.empty()) result = pairs_between_edges(facing, found.normal, slack);
   if (result.empty()) result = single_pair(facing, found, slack);
+  if (result.size() > 4) sort_by_features(result);  // four of them will be chosen
   return result;
 }
 

@@ -2,13 +2,10 @@
 // The ids of contacts from frame to frame: what rests on something keeps them while it is nudged, hardly turned, or
 // moved together with what it rests on. No corner is near a side of the other shape, so that none crosses one.
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
-#include <type_traits>
-#include <utility>
 #include <variant>
 #include <vector>
 
