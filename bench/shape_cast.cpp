@@ -284,7 +284,7 @@ struct Allowance {
 };
 
 /// A convex cast stops after 32 steps, which are too few for every other pair of hulls and boxes without a margin.
-constexpr Allowance of_bullet_cast = {2e-3, 0.65};
+constexpr Allowance of_bullet_cast = {2e-3, 0.7};
 constexpr Allowance of_bullet_continuous = {1e-2, 0.005};
 /// Where boxes pass at an edge, it misses.
 constexpr Allowance of_fcl = {2e-2, 0.2};
