@@ -2,6 +2,9 @@
 // Worlds of boxes that have been hard for broad phases.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <random>
@@ -36,6 +39,14 @@ class Numbers {
   std::mt19937_64 engine_;
 };
 
+/// Along each axis of the smallest lattice with so many places.
+template <Dim N>
+std::size_t side_of_lattice(std::size_t places) {
+  std::size_t side = 1;
+  while ((N == 2 ? side * side : side * side * side) < places) ++side;
+  return side;
+}
+
 template <Dim N, class T>
 std::vector<BoxWorld<N, T>> box_worlds(std::size_t count, std::uint64_t seed) {
   Numbers numbers(seed);
@@ -63,21 +74,31 @@ std::vector<BoxWorld<N, T>> box_worlds(std::size_t count, std::uint64_t seed) {
     center[0] = static_cast<T>(numbers.between(0, static_cast<double>(count)));
     return cube(center, 0.5);
   }));
-  worlds.push_back(world("a lattice that only touches", [&](std::size_t i) {
+  worlds.push_back(world("on one plane", [&](std::size_t) {
+    Vec<N, T> center = numbers.point<N, T>(0, std::sqrt(static_cast<double>(count)));
+    center[N - 1] = T(3);
+    return cube(center, 0.5);
+  }));
+  const std::size_t row = side_of_lattice<N>(count);
+  worlds.push_back(world("a lattice that only touches", [row](std::size_t i) {
     Vec<N, T> low;
-    for (Dim k = 0; k < N; ++k, i /= 9) low[k] = static_cast<T>(i % 9);
+    for (Dim k = 0; k < N; ++k, i /= row) low[k] = static_cast<T>(i % row);
     return Aabb<N, T>{low, low + T(1)};
   }));
+  const std::size_t dwarfs_per_giant = std::max<std::size_t>(100, count / 5);
   worlds.push_back(world("a few giants over dwarfs", [&](std::size_t i) {
-    return cube(numbers.point<N, T>(0, side), i % 100 == 0 ? side / 2 : 0.2);
+    return cube(numbers.point<N, T>(0, side), i % dwarfs_per_giant == 0 ? side / 2 : 0.2);
   }));
   worlds.push_back(world("zero size on a grid", [&](std::size_t) {
     Vec<N, T> center = numbers.point<N, T>(0, 6);
     for (Dim k = 0; k < N; ++k) center[k] = std::floor(center[k]);
     return cube(center, 0);
   }));
-  worlds.push_back(
-      world("far from the origin", [&](std::size_t) { return cube(numbers.point<N, T>(1e7, 1e7 + side), 1); }));
+  worlds.push_back(world("sizes of 1 at 1e7", [&](std::size_t) {
+    // Not by the center: in float half a unit is lost there.
+    const auto low = numbers.point<N, T>(1e7, 1e7 + side);
+    return Aabb<N, T>{low, low + T(1)};
+  }));
   worlds.push_back(world("infinite, empty and plain", [&](std::size_t i) {
     Aabb<N, T> box = cube(numbers.point<N, T>(0, side), 0.5);
     const Dim axis = static_cast<Dim>(i % N);

@@ -86,7 +86,7 @@ TEST(DenseSearch, WritesNothingBeyondItsRoom) {
 }
 
 TEST(DenseSearch, InManyTasksFindsTheSame) {
-  const auto world = test::box_worlds<3, float>(3000, 62)[6];  // of zero size on a grid: many coincide
+  const auto world = test::box_worlds<3, float>(3000, 62)[7];  // of zero size on a grid: many coincide
   const std::span<const Aabb<3, float>> boxes = world.boxes;
   const std::vector<Pair> expected = brute_force_pairs(boxes);
   DenseSearch<3, float> search;
