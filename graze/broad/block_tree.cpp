@@ -168,9 +168,9 @@ void BlockTree<N, T>::fill_run(std::span<const Aabb<N, T>> boxes, T margin, cons
 }
 
 template <Dim N, class T>
-void BlockTree<N, T>::build(std::span<const Aabb<N, T>> boxes, T margin, const Executor& executor) {
+void BlockTree<N, T>::build(std::span<const Aabb<N, T>> boxes, T margin, const Executor& executor, BoxSet set) {
   box_count_ = 0;
-  order_.sort(boxes, executor);
+  order_.sort(boxes, executor, set);
   lay_out();
   if (height() == 0) return;
   const std::span<const SpatialRun> runs = order_.runs();

@@ -10,6 +10,7 @@
 
 #include <graze/broad/block.hpp>
 #include <graze/broad/block_spread.hpp>
+#include <graze/broad/box_set.hpp>
 #include <graze/broad/buffer.hpp>
 #include <graze/broad/executor.hpp>
 #include <graze/broad/spatial_order.hpp>
@@ -26,8 +27,8 @@ class BlockTree {
   ~BlockTree();
 
   /// Takes the boxes, each grown by `margin`, but those that contain nothing. Throws std::invalid_argument with the
-  /// position of the first box that has a NaN.
-  void build(std::span<const Aabb<N, T>> boxes, T margin, const Executor& executor);
+  /// position of the first box that has a NaN, and the set that it is from.
+  void build(std::span<const Aabb<N, T>> boxes, T margin, const Executor& executor, BoxSet set = BoxSet::only);
 
   /// Takes boxes in the order of the last ones, as many, without sorting them anew: quick, and good while they have
   /// moved little. False, with nothing to be relied upon, where that would not do: boxes have come, gone or moved so

@@ -3,12 +3,11 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 #include <graze/broad/brute_force_pairs.hpp>
 #include <graze/broad/dense_search.hpp>
+#include <graze/broad/box_set.hpp>
 #include <graze/broad/executor.hpp>
 
 namespace graze::detail {
@@ -18,15 +17,13 @@ std::size_t blocks_of(std::size_t boxes) { return (boxes + block_size - 1) / blo
 
 /// Puts boxes into blocks in their own order, each grown by a margin; NaN where a box contains nothing.
 template <Dim N, class T>
-void fill(std::span<const Aabb<N, T>> boxes, T margin, Buffer<Block<N, T>>& blocks) {
+void fill(std::span<const Aabb<N, T>> boxes, T margin, BoxSet set, Buffer<Block<N, T>>& blocks) {
   blocks.require(blocks_of(boxes.size()));
   constexpr T nan = std::numeric_limits<T>::quiet_NaN();
   for (std::size_t k = 0; k < blocks_of(boxes.size()) * block_size; ++k) {
     Block<N, T>& block = blocks[k / block_size];
     const bool is_box = k < boxes.size() && !is_nothing(boxes[k]);
-    if (k < boxes.size() && has_nan(boxes[k])) {
-      throw std::invalid_argument("overlapping_pairs: box " + std::to_string(k) + " has a coordinate that is NaN");
-    }
+    if (k < boxes.size() && has_nan(boxes[k])) refuse_nan(k, set);
     for (Dim i = 0; i < N; ++i) {
       block.min[i][k % block_size] = is_box ? boxes[k].min[i] - margin : nan;
       block.max[i][k % block_size] = is_box ? boxes[k].max[i] + margin : nan;
@@ -41,8 +38,8 @@ void DenseSearch<N, T>::take(Boxes boxes_a, const Boxes* boxes_b, T margin) {
   itself_ = boxes_b == nullptr;
   rows_ = boxes_a.size();
   columns_ = itself_ ? rows_ : boxes_b->size();
-  fill(boxes_a, margin, blocks_a_);
-  if (!itself_) fill(*boxes_b, margin, blocks_b_);
+  fill(boxes_a, margin, itself_ ? BoxSet::only : BoxSet::first, blocks_a_);
+  if (!itself_) fill(*boxes_b, margin, BoxSet::second, blocks_b_);
 }
 
 template <Dim N, class T>

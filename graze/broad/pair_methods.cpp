@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <graze/broad/box_set.hpp>
 #include <graze/broad/brute_force_pairs.hpp>
 #include <graze/broad/pair_methods.hpp>
 #include <graze/math/draws.hpp>
@@ -32,11 +33,9 @@ void require_margin(double margin) {
 template <Dim N, class T>
 class Grown {
  public:
-  Grown(std::span<const Aabb<N, T>> boxes, double margin) : boxes_(boxes) {
+  Grown(std::span<const Aabb<N, T>> boxes, double margin, BoxSet set) : boxes_(boxes) {
     for (std::size_t k = 0; k < boxes.size(); ++k) {
-      if (has_nan(boxes[k])) {
-        throw std::invalid_argument("overlapping_pairs: box " + std::to_string(k) + " has a coordinate that is NaN");
-      }
+      if (has_nan(boxes[k])) refuse_nan(k, set);
     }
     if (margin == 0) return;
     larger_.assign(boxes.begin(), boxes.end());
@@ -72,9 +71,9 @@ void visit_brute_force_pairs(std::span<const Aabb<N, T>> boxes_a, std::span<cons
 template <Dim N, class T, class Use>
 auto with_grown(std::span<const Aabb<N, T>> boxes_a, const std::span<const Aabb<N, T>>* boxes_b, double margin,
                 const Use& use) {
-  const Grown<N, T> grown_a(boxes_a, margin);
+  const Grown<N, T> grown_a(boxes_a, margin, boxes_b == nullptr ? BoxSet::only : BoxSet::first);
   if (boxes_b == nullptr) return use(grown_a.boxes(), grown_a.boxes(), true);
-  return use(grown_a.boxes(), Grown<N, T>(*boxes_b, margin).boxes(), false);
+  return use(grown_a.boxes(), Grown<N, T>(*boxes_b, margin, BoxSet::second).boxes(), false);
 }
 
 /// The share of all pairs that overlap once all boxes are grown by the margin, as far as a sample tells. Both boxes of

@@ -102,10 +102,13 @@ PairSearch<N, T>::~PairSearch() = default;
 
 template <Dim N, class T>
 void PairSearch<N, T>::build(Boxes boxes_a, const Boxes* boxes_b, T margin, const Executor& executor) {
-  if (!tree_a_.refit(boxes_a, margin, executor)) tree_a_.build(boxes_a, margin, executor);
+  const auto take = [margin, &executor](BlockTree<N, T>& tree, Boxes boxes, BoxSet set) {
+    if (!tree.refit(boxes, margin, executor)) tree.build(boxes, margin, executor, set);
+  };
+  take(tree_a_, boxes_a, boxes_b == nullptr ? BoxSet::only : BoxSet::first);
   other_ = &tree_a_;
   if (boxes_b == nullptr) return;
-  if (!tree_b_.refit(*boxes_b, margin, executor)) tree_b_.build(*boxes_b, margin, executor);
+  take(tree_b_, *boxes_b, BoxSet::second);
   other_ = &tree_b_;
   if (tree_a_.height() == 0 || tree_b_.height() == 0) return;
   tree_a_.raise(tree_b_.height());

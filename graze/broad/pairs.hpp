@@ -49,8 +49,8 @@ struct PairOptions {
 
 /// Every pair of boxes that share a point (touching counts), once, with a < b. Comparisons are exact. Infinite boxes
 /// are welcome, boxes that contain nothing (min above max) overlap none. Throws std::invalid_argument when a coordinate
-/// is NaN or the margin is negative, infinite or NaN, std::length_error beyond 2^32 - 1 boxes. Instantiated for 2D and
-/// 3D, float and double.
+/// is NaN, naming the box, or the margin is negative, infinite or NaN, std::length_error beyond 2^32 - 1 boxes.
+/// Instantiated for 2D and 3D, float and double.
 template <Dim N, class T>
 std::vector<Pair> overlapping_pairs(std::span<const Aabb<N, T>> boxes, const PairOptions& options = {});
 

@@ -4,8 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <string>
+#include <utility>
 
 #include <graze/broad/block_kernels.hpp>
 #include <graze/broad/brute_force_pairs.hpp>
@@ -113,9 +112,10 @@ T SpatialOrder<N, T>::usual_size(std::span<const Aabb<N, T>> boxes) const {
   return std::isfinite(block) ? std::max(block, T(2) * *quarter) : T(2) * *quarter;
 }
 
+/// Says which box is the first with a NaN: if it is past all of them, none has.
 template <Dim N, class T>
-void SpatialOrder<N, T>::find_cells(std::span<const Aabb<N, T>> boxes, const Buckets& buckets,
-                                    const Executor& executor) {
+std::size_t SpatialOrder<N, T>::find_cells(std::span<const Aabb<N, T>> boxes, const Buckets& buckets,
+                                           const Executor& executor) {
   cells_.require(boxes.size());
   counts_.assign(chunks_of(boxes.size()) * buckets.count(), 0);
   constexpr auto unusual = std::numeric_limits<std::uint16_t>::max();
@@ -136,10 +136,7 @@ void SpatialOrder<N, T>::find_cells(std::span<const Aabb<N, T>> boxes, const Buc
       ++counts[cells[k]];
     }
   });
-  if (first_nan < boxes.size()) {
-    throw std::invalid_argument("overlapping_pairs: box " + std::to_string(first_nan) +
-                                " has a coordinate that is NaN");
-  }
+  return first_nan;
 }
 
 template <Dim N, class T>
@@ -188,14 +185,15 @@ void SpatialOrder<N, T>::divide_crowds(std::span<const Aabb<N, T>> boxes, const 
 }
 
 template <Dim N, class T>
-void SpatialOrder<N, T>::sort(std::span<const Aabb<N, T>> boxes, const Executor& executor) {
+void SpatialOrder<N, T>::sort(std::span<const Aabb<N, T>> boxes, const Executor& executor, BoxSet set) {
   box_count_ = boxes.size();
   survey(boxes);
   Buckets buckets;
   buckets.usual = usual_size(boxes);
   buckets.grid = grid_over(centers_, std::min(most_buckets_in_order / 2, boxes.size() / (2 * boxes_per_bucket) + 1));
   buckets.cells = buckets.grid.count();
-  find_cells(boxes, buckets, executor);
+  const std::size_t first_nan = find_cells(boxes, buckets, executor);
+  if (first_nan < boxes.size()) refuse_nan(first_nan, set);
   scatter(boxes, buckets, executor);
   divide_crowds(boxes, buckets, executor);
   cut_runs(buckets);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <graze/broad/block.hpp>
+#include <graze/broad/box_set.hpp>
 #include <graze/broad/buffer.hpp>
 #include <graze/broad/cell_grid.hpp>
 #include <graze/broad/executor.hpp>
@@ -34,8 +35,8 @@ template <Dim N, class T>
 class SpatialOrder {
  public:
   /// Sorts anew, in memory that is kept. Throws std::invalid_argument with the position of the first box that has a
-  /// NaN.
-  void sort(std::span<const Aabb<N, T>> boxes, const Executor& executor);
+  /// NaN, and the set that it is from.
+  void sort(std::span<const Aabb<N, T>> boxes, const Executor& executor, BoxSet set = BoxSet::only);
 
   std::span<const SpatialRun> runs() const { return runs_; }
 
@@ -50,7 +51,7 @@ class SpatialOrder {
 
   void survey(std::span<const Aabb<N, T>> boxes);
   T usual_size(std::span<const Aabb<N, T>> boxes) const;
-  void find_cells(std::span<const Aabb<N, T>> boxes, const Buckets& buckets, const Executor& executor);
+  std::size_t find_cells(std::span<const Aabb<N, T>> boxes, const Buckets& buckets, const Executor& executor);
   void scatter(std::span<const Aabb<N, T>> boxes, const Buckets& buckets, const Executor& executor);
   void divide_crowds(std::span<const Aabb<N, T>> boxes, const Buckets& buckets, const Executor& executor);
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <span>
@@ -244,29 +246,82 @@ TYPED_TEST(PairsTest, AllBoxesAtOnePointGiveAllPairs) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
   const std::vector<Aabb<N, T>> boxes(3000);
-  const std::vector<Pair> pairs = overlapping_pairs(boxes);
-  ASSERT_EQ(pairs.size(), 4'498'500U);
-  EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end()));
-  EXPECT_EQ(std::adjacent_find(pairs.begin(), pairs.end()), pairs.end());
+  for (const PairMethod method : {PairMethod::automatic, PairMethod::dense, PairMethod::tree}) {
+    SCOPED_TRACE(name_of(method));
+    const std::vector<Pair> pairs = overlapping_pairs(boxes, {.method = method});
+    ASSERT_EQ(pairs.size(), 4'498'500U);
+    const Pair* next = pairs.data();
+    bool are_all = true;
+    for (std::uint32_t a = 0; a < 3000; ++a) {
+      for (std::uint32_t b = a + 1; b < 3000; ++b) are_all = are_all && *next++ == Pair{a, b};
+    }
+    EXPECT_TRUE(are_all);
+  }
 }
 
-TYPED_TEST(PairsTest, NaNIsRefusedWithTheIndexOfItsBox) {
+template <Dim N, class T>
+void expect_giants_over_dwarfs_are_found() {
+  for (const auto& world : test::box_worlds<N, T>(20'000, 11)) {
+    if (world.name != "a few giants over dwarfs") continue;
+    const std::vector<Pair> expected = overlapping_pairs(world.boxes, by_brute_force);
+    EXPECT_GT(expected.size(), 20'000U);
+    EXPECT_EQ(overlapping_pairs(world.boxes, by_tree), expected);
+    EXPECT_EQ(overlapping_pairs(world.boxes, {.method = PairMethod::dense}), expected);
+  }
+}
+
+TEST(Pairs, OfAFewGiantsOverManyDwarfs) {
+  expect_giants_over_dwarfs_are_found<3, float>();
+  expect_giants_over_dwarfs_are_found<2, double>();
+}
+
+TYPED_TEST(PairsTest, ALatticeOnlyTouchesHoweverLargeItIs) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
-  for (const std::size_t count : {5U, 500U}) {
-    for (Dim axis = 0; axis < N; ++axis) {
-      for (const bool at_max : {false, true}) {
-        std::vector<Aabb<N, T>> boxes(count);
-        (at_max ? boxes[3].max : boxes[3].min)[axis] = std::numeric_limits<T>::quiet_NaN();
-        try {
-          overlapping_pairs(boxes);
-          FAIL() << "NaN was accepted";
-        } catch (const std::invalid_argument& error) {
-          EXPECT_NE(std::string(error.what()).find("box 3 has a coordinate that is NaN"), std::string::npos)
-              << error.what();
-        }
-        EXPECT_THROW(overlapping_pairs(std::vector<Aabb<N, T>>(200), boxes), std::invalid_argument);
-      }
+  constexpr std::size_t side = N == 2 ? 50 : 12;
+  constexpr std::size_t count = N == 2 ? side * side : side * side * side;
+  // Along each axis 3 side - 2 ordered pairs of places at most one apart; each pair of boxes is in both orders.
+  constexpr std::size_t pairs = N == 2 ? (148 * 148 - count) / 2 : (34 * 34 * 34 - count) / 2;
+  for (const auto& world : test::box_worlds<N, T>(count, 1)) {
+    if (world.name != "a lattice that only touches") continue;
+    EXPECT_EQ(overlapping_pairs(world.boxes, by_tree).size(), pairs);
+  }
+}
+
+/// What a call is refused for.
+std::string refusal_of(const auto& call) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TYPED_TEST(PairsTest, NaNIsRefusedByEveryMethodWithTheIndexOfItsBoxAndItsSet) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  const std::vector<Aabb<N, T>> good(200);
+  const std::span<const Aabb<N, T>> all = good;
+  const PairVisitor none = [](std::span<const Pair>) { return true; };
+  const auto refused = [](const std::string& box) {
+    return "overlapping_pairs: " + box + " has a coordinate that is NaN";
+  };
+  for (std::size_t k = 0; k < std::size_t{4} * N; ++k) {  // in few boxes and many, at each coordinate
+    std::vector<Aabb<N, T>> boxes(k % 2 == 0 ? 5 : 500);
+    (k / 2 % 2 == 0 ? boxes[3].max : boxes[3].min)[static_cast<Dim>(k / 4)] = std::numeric_limits<T>::quiet_NaN();
+    const std::span<const Aabb<N, T>> bad = boxes;
+    for (const PairMethod method : all_pair_methods()) {
+      SCOPED_TRACE(name_of(method));
+      const PairOptions options{.method = method};
+      EXPECT_EQ(refusal_of([&] { overlapping_pairs(bad, options); }), refused("box 3"));
+      EXPECT_EQ(refusal_of([&] { overlapping_pairs(bad, all, options); }), refused("box 3 of the first set"));
+      EXPECT_EQ(refusal_of([&] { overlapping_pairs(all, bad, options); }), refused("box 3 of the second set"));
+      EXPECT_EQ(refusal_of([&] { visit_overlapping_pairs(bad, none, options); }), refused("box 3"));
+      EXPECT_EQ(refusal_of([&] { visit_overlapping_pairs(bad, all, none, options); }),
+                refused("box 3 of the first set"));
+      EXPECT_EQ(refusal_of([&] { visit_overlapping_pairs(all, bad, none, options); }),
+                refused("box 3 of the second set"));
     }
   }
 }
@@ -288,17 +343,6 @@ TEST(Pairs, AFinderSaysWhatItDidAndWhatItHolds) {
   EXPECT_GT(finder.bytes(), 20'000U * 20U);  // at the least a copy of the boxes and their ids
   PairFinder<2, float> moved = std::move(finder);
   EXPECT_EQ(moved.method(), PairMethod::tree);
-}
-
-TEST(Pairs, MemoryIsModestAndStaysFromFrameToFrame) {
-  PairFinder<3, float> finder;
-  const PairOptions options{.executor = &serial_executor()};
-  const auto boxes = test::box_worlds<3, float>(200'000, 4).front().boxes;
-  for (int frame = 0; frame < 3; ++frame) finder.find(boxes, options);  // two buffers change places now and then
-  const std::size_t bytes = finder.bytes();
-  EXPECT_LT(bytes, boxes.size() * 160);
-  for (int frame = 0; frame < 3; ++frame) finder.find(boxes, options);
-  EXPECT_EQ(finder.bytes(), bytes);
 }
 
 }  // namespace
