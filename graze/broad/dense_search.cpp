@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <numeric>
 #include <vector>
 
+#include <graze/broad/box_set.hpp>
 #include <graze/broad/brute_force_pairs.hpp>
 #include <graze/broad/dense_search.hpp>
-#include <graze/broad/box_set.hpp>
 #include <graze/broad/executor.hpp>
 
 namespace graze::detail {
@@ -79,18 +81,24 @@ std::span<const Pair> DenseSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_
   return pairs;
 }
 
+/// Wave by wave of a few rows for each task, so that no more is held than the pairs of one wave.
 template <Dim N, class T>
 void DenseSearch<N, T>::visit(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options,
                               const PairVisitor& visitor) {
   take(boxes_a, boxes_b, static_cast<T>(options.margin));
-  constexpr std::size_t pairs_at_once = std::size_t{1} << 16U;
-  const std::size_t step = std::max<std::size_t>(1, pairs_at_once / (columns_ + 1));
-  std::vector<Pair> pairs;
-  for (std::size_t row = 0; row < rows_; row += step) {
-    const Rows rows{static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(std::min(rows_, row + step))};
-    pairs.resize(count(rows));
-    meet(rows, pairs);
-    if (!pairs.empty() && !visitor(pairs)) return;
+  constexpr std::size_t pairs_per_task = std::size_t{1} << 14U;
+  const std::size_t step = std::max<std::size_t>(1, pairs_per_task / (columns_ + 1));
+  std::array<std::vector<Pair>, 16> found;  // by task
+  for (std::size_t wave = 0; wave < rows_; wave += step * found.size()) {
+    executor_of(options).parallel_for(found.size(), [&](std::size_t task) {
+      const std::size_t first = std::min(rows_, wave + task * step);
+      const Rows rows{static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(std::min(rows_, first + step))};
+      found[task].resize(count(rows));
+      meet(rows, found[task]);
+    });
+    for (const std::vector<Pair>& pairs : found) {
+      if (!pairs.empty() && !visitor(pairs)) return;
+    }
   }
 }
 

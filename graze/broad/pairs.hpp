@@ -77,8 +77,8 @@ std::vector<Pair> overlapping_pairs(const std::vector<Aabb<N, T>>& boxes_a,
 using PairVisitor = std::function<bool(std::span<const Pair>)>;
 
 /// The same pairs, given to a visitor by the block instead of stored: what is held at a time does not grow with their
-/// number. They come in the order in which they are found, whatever options.order says; the visitor is called from this
-/// thread alone.
+/// number. They come in the order in which they are found, whatever options.order says; the executor's threads find
+/// them, the visitor is called from this thread alone.
 template <Dim N, class T>
 void visit_overlapping_pairs(std::span<const Aabb<N, T>> boxes, const PairVisitor& visit,
                              const PairOptions& options = {});

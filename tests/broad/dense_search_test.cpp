@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstddef>
+#include <functional>
 #include <limits>
 #include <span>
 #include <stdexcept>
@@ -36,6 +38,24 @@ class MarkedRoom final : public PairRoom {
   }
 
   std::vector<Pair> memory;
+};
+
+/// Threads, and how many tasks they were given.
+class CountingExecutor final : public Executor {
+ public:
+  explicit CountingExecutor(std::size_t threads) : threads_(threads) {}
+
+  void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task) const override {
+    tasks_ += count;
+    threads_.parallel_for(count, task);
+  }
+  std::size_t concurrency() const override { return threads_.concurrency(); }
+
+  std::size_t tasks() const { return tasks_; }
+
+ private:
+  test::ThreadExecutor threads_;
+  mutable std::size_t tasks_ = 0;
 };
 
 template <Dim N, class T>
@@ -109,6 +129,26 @@ TEST(DenseSearch, GivesPairsToAVisitorUntilItSaysNo) {
   int calls = 0;
   search.visit(all, nullptr, {}, [&calls](std::span<const Pair>) { return ++calls < 3; });
   EXPECT_EQ(calls, 3);
+}
+
+TEST(DenseSearch, HasItsVisitsRunByTheExecutorToo) {
+  const auto world = test::box_worlds<3, float>(2000, 63)[7];
+  const std::span<const Aabb<3, float>> all = world.boxes;
+  DenseSearch<3, float> search;
+  const auto visits_by = [&](const Executor& executor) {
+    std::vector<std::vector<Pair>> visits;
+    search.visit(all, nullptr, {.executor = &executor}, [&visits](std::span<const Pair> pairs) {
+      visits.emplace_back(pairs.begin(), pairs.end());
+      return true;
+    });
+    return visits;
+  };
+  const std::vector<std::vector<Pair>> expected = visits_by(serial_executor());
+  for (const std::size_t threads : {2U, 7U}) {
+    const CountingExecutor executor(threads);
+    EXPECT_EQ(visits_by(executor), expected) << threads << " threads";
+    EXPECT_GT(executor.tasks(), 16U);
+  }
 }
 
 TEST(DenseSearch, GrowsBoxesThatContainSomethingByTheMargin) {

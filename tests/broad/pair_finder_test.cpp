@@ -122,6 +122,35 @@ TEST(PairFinder, RefusesNaNInAnyFrameAndGoesOn) {
   }
 }
 
+TEST(PairFinder, FindsAndVisitsInTurns) {
+  const Frames<3, float> frames = living_world(test::box_worlds<3, float>(700, 47).front().boxes);
+  for (const PairMethod method : {PairMethod::tree, PairMethod::dense, PairMethod::brute_force}) {
+    SCOPED_TRACE(name_of(method));
+    PairFinder<3, float> finder;
+    std::size_t frame = 0;
+    for (const auto& boxes : frames) {
+      SCOPED_TRACE(frame++);
+      const std::span<const Aabb<3, float>> all = boxes;
+      const std::vector<Pair> expected = brute_force_pairs(all);
+      std::vector<Pair> pairs;
+      const PairVisitor add = [&pairs](std::span<const Pair> some) {
+        pairs.insert(pairs.end(), some.begin(), some.end());
+        return true;
+      };
+      finder.visit(all, add, {.method = method});
+      std::sort(pairs.begin(), pairs.end());
+      EXPECT_EQ(pairs, expected);
+      if (frame % 3 == 0) continue;  // two visits in turn as well
+      const std::span<const Pair> found = finder.find(all, {.method = method});
+      EXPECT_TRUE(std::equal(found.begin(), found.end(), expected.begin(), expected.end()));
+      pairs.clear();
+      finder.visit(all.first(200), all.subspan(200), add, {.method = method});
+      std::sort(pairs.begin(), pairs.end());
+      EXPECT_EQ(pairs, brute_force_pairs(all.first(200), all.subspan(200)));
+    }
+  }
+}
+
 TEST(PairFinder, TakesAnotherMarginInEveryFrame) {
   const std::vector<Aabb<3, float>> boxes = test::box_worlds<3, float>(500, 45).front().boxes;
   PairFinder<3, float> finder;
