@@ -54,21 +54,19 @@ class NearCrowd {
     boxes_.require(count);
     order_.require(count);
     spare_.require(count);
-    spare_ids_.require(count);
     fetch_boxes(from, ids, count, boxes_.data());
     std::iota(order_.data(), order_.data() + count, 0U);
     sort_crowd<N, T>(order_.data(), count, small, NearCenters<N, T>{boxes_.data(), count}, cells, spare_.data());
-    std::copy(ids, ids + count, spare_ids_.data());
-    for (std::size_t k = 0; k < count; ++k) ids[k] = spare_ids_[order_[k]];
+    std::copy(ids, ids + count, spare_.data());
+    for (std::size_t k = 0; k < count; ++k) ids[k] = spare_[order_[k]];
   }
 
-  std::size_t bytes() const { return boxes_.bytes() + order_.bytes() + spare_.bytes() + spare_ids_.bytes(); }
+  std::size_t bytes() const { return boxes_.bytes() + order_.bytes() + spare_.bytes(); }
 
  private:
   Buffer<Aabb<N, T>> boxes_;
   Buffer<std::uint32_t> order_;
   Buffer<std::uint32_t> spare_;
-  Buffer<std::uint32_t> spare_ids_;
 };
 
 }  // namespace graze::detail

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -12,11 +13,22 @@ constexpr std::size_t pairs_per_line = 64 / sizeof(Pair);
 
 }
 
-/// Chunks begin at multiples of their size, so that the place of a pair tells whether it is the last of its chunk.
-Pair* PairBuckets::Slab::first() {
-  constexpr std::size_t size = chunk * sizeof(Pair);
-  const auto address = reinterpret_cast<std::uintptr_t>(memory.data());
-  return memory.data() + (size - address % size) % size / sizeof(Pair);
+/// Adds room for so many chunks, and for an eighth of all that there are, in whole large pages where it is as much: to
+/// double would leave up to a half of all without use. Chunks begin at multiples of their size, so that the place of a
+/// pair tells whether it is the last of its chunk.
+void PairBuckets::add_slab(std::size_t chunks) {
+  constexpr std::size_t pairs_per_page = (std::size_t{1} << 21U) / sizeof(Pair);
+  const std::size_t size = chunk_ * sizeof(Pair);
+  std::size_t all = 0;
+  for (const Slab& other : slabs_) all += other.chunks;
+  std::size_t pairs = (std::max(chunks, all / 8) + 1) * chunk_;  // one for the way to the first multiple
+  if (all * chunk_ >= pairs_per_page) pairs = (pairs + pairs_per_page - 1) / pairs_per_page * pairs_per_page;
+  Slab slab;
+  slab.memory.require(pairs);
+  const std::size_t beyond = reinterpret_cast<std::uintptr_t>(slab.memory.data()) % size;
+  slab.first = slab.memory.data() + (beyond == 0 ? 0 : size - beyond) / sizeof(Pair);
+  slab.chunks = (pairs - static_cast<std::size_t>(slab.first - slab.memory.data())) / chunk_;
+  slabs_.push_back(std::move(slab));
 }
 
 Pair* PairBuckets::take_chunks(std::size_t count) {
@@ -24,20 +36,15 @@ Pair* PairBuckets::take_chunks(std::size_t count) {
     ++slab_;
     taken_ = 0;
   }
-  if (slab_ == slabs_.size()) {
-    Slab slab;
-    slab.chunks = count;
-    for (const Slab& other : slabs_) slab.chunks += other.chunks;  // twice as much in all
-    slab.memory.require((slab.chunks + 1) * chunk);
-    slabs_.push_back(std::move(slab));
-    taken_ = 0;
-  }
-  Pair* const result = slabs_[slab_].first() + taken_ * chunk;
+  if (slab_ == slabs_.size()) add_slab(count);
+  Pair* const result = slabs_[slab_].first + taken_ * chunk_;
   taken_ += count;
   return result;
 }
 
-void PairBuckets::clear(std::size_t buckets, std::uint32_t shift) {
+void PairBuckets::clear(std::size_t buckets, std::uint32_t shift, PairChunk chunk) {
+  if (chunk_ != static_cast<std::size_t>(chunk)) slabs_.clear();
+  chunk_ = static_cast<std::size_t>(chunk);
   shift_ = shift;
   slab_ = 0;
   taken_ = 0;
@@ -47,7 +54,7 @@ void PairBuckets::clear(std::size_t buckets, std::uint32_t shift) {
   Pair* const first = take_chunks(buckets);
   for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
     // Not all at the same place of their chunks: their lines would share a few sets of the caches.
-    next_[bucket] = first + bucket * chunk + bucket * pairs_per_line % chunk;
+    next_[bucket] = first + bucket * chunk_ + bucket * pairs_per_line % chunk_;
   }
   begins_ = next_;
 }
@@ -60,12 +67,13 @@ void PairBuckets::close(std::size_t bucket) {
 }
 
 void PairBuckets::add(std::span<const Pair> pairs) {
-  const auto add_one = [this](const Pair& pair) {
+  const std::uintptr_t within_chunk = chunk_ * sizeof(Pair) - 1;
+  const auto add_one = [this, within_chunk](const Pair& pair) {
     const std::size_t bucket = pair.a >> shift_;
     Pair*& next = next_[bucket];
     prefetch_to_write(next + pairs_per_line);
     *next++ = pair;
-    if (reinterpret_cast<std::uintptr_t>(next) % (chunk * sizeof(Pair)) == 0) [[unlikely]]
+    if ((reinterpret_cast<std::uintptr_t>(next) & within_chunk) == 0) [[unlikely]]
       close(bucket);
   };
   // From four places in turns: neighbours are often of one bucket, and each would wait for the one before.
@@ -83,7 +91,7 @@ std::size_t PairBuckets::count(std::size_t bucket) const {
 }
 
 std::size_t PairBuckets::bytes() const {
-  std::size_t result = (next_.capacity() + begins_.capacity()) * sizeof(void*) +
+  std::size_t result = (next_.capacity() + begins_.capacity()) * sizeof(void*) + slabs_.capacity() * sizeof(Slab) +
                        full_parts_.capacity() * sizeof(std::uint32_t) + parts_.capacity() * sizeof(Part);
   for (const Slab& slab : slabs_) result += slab.memory.bytes();
   return result;

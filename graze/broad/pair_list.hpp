@@ -21,6 +21,9 @@ class KeptPairRoom final : public PairRoom {
   bool appends() const override { return false; }
   const Pair* append(std::span<const Pair> /*pairs*/, std::size_t /*expected*/) override { return nullptr; }
 
+  /// The memory that is held.
+  std::size_t bytes() const { return pairs_.bytes(); }
+
  private:
   Buffer<Pair> pairs_;
 };

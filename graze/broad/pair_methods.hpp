@@ -24,7 +24,7 @@ class PairMethods {
 
   PairMethod last() const { return last_; }
 
-  /// The memory that is held.
+  /// The memory that is held, that of pairs too, and what was needed in passing when they were last sorted.
   std::size_t bytes() const { return tree_.bytes() + dense_.bytes(); }
 
  private:

@@ -187,7 +187,7 @@ std::span<const BlockPair> PairSearch<N, T>::meetings_of(std::size_t task, std::
 template <Dim N, class T>
 std::span<const Pair> PairSearch<N, T>::find_sorted(std::size_t limit_a, std::size_t limit_b, const Executor& executor,
                                                     PairRoom& room) {
-  sort_.begin(limit_a);
+  sort_.begin(limit_a, executor.concurrency());
   const std::size_t tasks = task_count();
   executor.parallel_for(tasks, [&](std::size_t task) {
     const typename Pool<Found>::Loan memory(workers_);

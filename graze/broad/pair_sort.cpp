@@ -25,6 +25,11 @@ struct Spare {
   std::vector<std::uint64_t> bits;           // of second indices
   Buffer<std::int64_t> keys;                 // rows and second indices, by row
   std::uint32_t longest = 0;                 // of the rows
+
+  std::size_t bytes() const {
+    return parts.capacity() * sizeof(parts[0]) + seconds.bytes() + bits.capacity() * sizeof(bits[0]) +
+           (begins.capacity() + next.capacity()) * sizeof(begins[0]) + keys.bytes();
+  }
 };
 
 /// Sorts by one digit, from one place to another.
@@ -169,14 +174,18 @@ void sort_bucket(const Bucket& bucket, std::size_t limit_b, Spare& spare) {
 
 }  // namespace
 
-void PairSort::begin(std::size_t limit_a) {
+void PairSort::begin(std::size_t limit_a, std::size_t threads) {
+  constexpr std::size_t few_threads = 4;
   bits_ = std::max(least_bits, static_cast<std::uint32_t>(std::bit_width(limit_a / most_buckets)));
   ends_.resize((limit_a >> bits_) + 1);
-  for (const auto& buckets : buckets_.all()) buckets->clear(ends_.size(), bits_);
+  chunk_ = threads <= few_threads ? PairChunk::large : PairChunk::small;
+  for (const auto& buckets : buckets_.all()) clear(*buckets);
 }
 
+void PairSort::clear(PairBuckets& buckets) const { buckets.clear(ends_.size(), bits_, chunk_); }
+
 PairSort::Sink::Sink(PairSort& sort) : buckets_(sort.buckets_) {
-  if (buckets_->buckets() == 0) buckets_->clear(sort.ends_.size(), sort.bits_);
+  if (buckets_->buckets() == 0) sort.clear(*buckets_);
 }
 
 std::size_t PairSort::count() {
@@ -191,8 +200,10 @@ std::size_t PairSort::count() {
 Pair* PairSort::sort(std::size_t limit_b, const Executor& executor, PairRoom& room) {
   constexpr std::size_t buckets_per_task = 16;
   Pair* const out = room.all_in_turns(ends_.empty() ? 0 : static_cast<std::size_t>(ends_.back()));
+  Pool<Spare> spares;  // not kept: a bucket may have most of the pairs
   executor.parallel_for((ends_.size() + buckets_per_task - 1) / buckets_per_task, [&](std::size_t task) {
-    Spare spare;
+    const Pool<Spare>::Loan loan(spares);
+    Spare& spare = *loan;
     const std::size_t last = std::min(ends_.size(), (task + 1) * buckets_per_task);
     for (std::size_t k = task * buckets_per_task; k < last; ++k) {
       const auto begin = static_cast<std::size_t>(k == 0 ? 0 : ends_[k - 1]);
@@ -208,11 +219,13 @@ Pair* PairSort::sort(std::size_t limit_b, const Executor& executor, PairRoom& ro
       sort_bucket(bucket, limit_b, spare);
     }
   });
+  passing_bytes_ = 0;
+  for (const auto& spare : spares.all()) passing_bytes_ += spare->bytes();
   return out;
 }
 
 std::size_t PairSort::bytes() const {
-  std::size_t result = ends_.capacity() * sizeof(std::uint64_t);
+  std::size_t result = ends_.capacity() * sizeof(std::uint64_t) + passing_bytes_;
   for (const auto& buckets : buckets_.all()) result += buckets->bytes();
   return result;
 }

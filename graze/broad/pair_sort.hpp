@@ -18,8 +18,9 @@ namespace graze::detail {
 /// itself. Keeps its memory.
 class PairSort {
  public:
-  /// Forgets all pairs. Those that come have a first index less than `limit_a`.
-  void begin(std::size_t limit_a);
+  /// Forgets all pairs. Those that come have a first index less than `limit_a`, and are brought by so many threads, or
+  /// about as many.
+  void begin(std::size_t limit_a, std::size_t threads = 1);
 
   /// Takes pairs, from many threads if need be.
   class Sink {
@@ -38,10 +39,15 @@ class PairSort {
   /// come twice; every `b` is less than `limit_b`.
   Pair* sort(std::size_t limit_b, const Executor& executor, PairRoom& room);
 
+  /// The memory that is held, and what the last sort needed in passing.
   std::size_t bytes() const;
 
  private:
+  void clear(PairBuckets& buckets) const;
+
   Pool<PairBuckets> buckets_;
+  std::size_t passing_bytes_ = 0;
+  PairChunk chunk_ = PairChunk::large;
   std::uint32_t bits_ = 0;           // of first indices in a bucket
   std::vector<std::uint64_t> ends_;  // of every bucket
 };

@@ -43,11 +43,23 @@ template <Dim N, class T>
 struct PairFinder<N, T>::State {
   detail::PairMethods<N, T> methods;
   detail::KeptPairRoom room;
+  std::size_t given = 0;  // pairs, which lie in the memory of one of both
 
   std::span<const Pair> find(std::span<const Aabb<N, T>> boxes_a, const std::span<const Aabb<N, T>>* boxes_b,
                              const PairOptions& options) {
-    return methods.find(boxes_a, boxes_b, options, room);
+    given = 0;
+    const std::span<const Pair> pairs = methods.find(boxes_a, boxes_b, options, room);
+    given = pairs.size();
+    return pairs;
   }
+
+  void visit(std::span<const Aabb<N, T>> boxes_a, const std::span<const Aabb<N, T>>* boxes_b,
+             const PairOptions& options, const PairVisitor& visitor) {
+    given = 0;
+    methods.visit(boxes_a, boxes_b, options, visitor);
+  }
+
+  std::size_t bytes() const { return methods.bytes() + room.bytes() - given * sizeof(Pair); }
 };
 
 template <Dim N, class T>
@@ -73,13 +85,13 @@ std::span<const Pair> PairFinder<N, T>::find(std::span<const Aabb<N, T>> boxes_a
 template <Dim N, class T>
 void PairFinder<N, T>::visit(std::span<const Aabb<N, T>> boxes, const PairVisitor& visitor,
                              const PairOptions& options) {
-  state_->methods.visit(boxes, nullptr, options, visitor);
+  state_->visit(boxes, nullptr, options, visitor);
 }
 
 template <Dim N, class T>
 void PairFinder<N, T>::visit(std::span<const Aabb<N, T>> boxes_a, std::span<const Aabb<N, T>> boxes_b,
                              const PairVisitor& visitor, const PairOptions& options) {
-  state_->methods.visit(boxes_a, &boxes_b, options, visitor);
+  state_->visit(boxes_a, &boxes_b, options, visitor);
 }
 
 template <Dim N, class T>
@@ -89,7 +101,7 @@ PairMethod PairFinder<N, T>::method() const {
 
 template <Dim N, class T>
 std::size_t PairFinder<N, T>::bytes() const {
-  return state_->methods.bytes();
+  return state_->bytes();
 }
 
 namespace {

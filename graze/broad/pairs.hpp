@@ -111,7 +111,8 @@ class PairFinder {
   /// The method that the last call used: never `automatic`, unless there was no call.
   PairMethod method() const;
 
-  /// The memory that is held, in bytes, without the pairs themselves.
+  /// The memory that is held, and what was needed in passing when boxes and pairs were last sorted, in bytes, without
+  /// the pairs themselves.
   std::size_t bytes() const;
 
  private:

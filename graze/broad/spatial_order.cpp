@@ -164,12 +164,15 @@ template <Dim N, class T>
 void SpatialOrder<N, T>::divide_crowds(std::span<const Aabb<N, T>> boxes, const Buckets& buckets,
                                        const Executor& executor) {
   std::vector<std::size_t> crowds;
+  std::size_t largest = 0;
   for (std::size_t bucket = 0; bucket < buckets.of_class(class_count - 1); ++bucket) {
-    const std::size_t begin = bucket == 0 ? 0 : ends_[bucket - 1];
-    if (ends_[bucket] - begin > run_limit()) crowds.push_back(bucket);
+    const std::size_t count = ends_[bucket] - (bucket == 0 ? 0 : ends_[bucket - 1]);
+    if (count > run_limit()) crowds.push_back(bucket);
+    largest = std::max(largest, count);
   }
+  passing_bytes_ = 0;
   if (crowds.empty()) return;
-  spare_.require(boxes.size());
+  if (largest > NearCrowd<N, T>::most) spare_.require(boxes.size());
   Pool<NearCrowd<N, T>> near_crowds;  // not kept: with many threads they are as large as all the rest
   executor.parallel_for(crowds.size(), [&](std::size_t k) {
     const std::size_t begin = crowds[k] == 0 ? 0 : ends_[crowds[k] - 1];
@@ -182,6 +185,7 @@ void SpatialOrder<N, T>::divide_crowds(std::span<const Aabb<N, T>> boxes, const 
     sort_crowd<N, T>(order_.data() + begin, count, boxes_per_bucket, Centers<N, T>{boxes}, cells_.data() + begin,
                      spare_.data() + begin);
   });
+  for (const auto& near : near_crowds.all()) passing_bytes_ += near->bytes();
 }
 
 template <Dim N, class T>
@@ -237,7 +241,7 @@ void SpatialOrder<N, T>::cut_runs(const Buckets& buckets) {
 template <Dim N, class T>
 std::size_t SpatialOrder<N, T>::bytes() const {
   return cells_.bytes() + order_.bytes() + spare_.bytes() + counts_.capacity() * sizeof(counts_[0]) +
-         ends_.capacity() * sizeof(ends_[0]);
+         ends_.capacity() * sizeof(ends_[0]) + runs_.capacity() * sizeof(runs_[0]) + passing_bytes_;
 }
 
 template class SpatialOrder<2, float>;

@@ -43,7 +43,7 @@ class SpatialOrder {
   /// Positions of boxes, run by run.
   const std::uint32_t* order() const { return order_.data(); }
 
-  /// The memory that is held.
+  /// The memory that is held, and what the last sort needed in passing.
   std::size_t bytes() const;
 
  private:
@@ -67,6 +67,7 @@ class SpatialOrder {
   Buffer<std::uint32_t> spare_;
   std::vector<std::uint32_t> counts_;  // of every cell in every chunk, then where its next box goes
   std::vector<std::size_t> ends_;      // of every cell in the order
+  std::size_t passing_bytes_ = 0;
 };
 
 }  // namespace graze::detail

@@ -128,6 +128,36 @@ TEST(PairSort, OfEveryoneWithEveryone) {
   expect_sorted(pairs, 400, 400);
 }
 
+TEST(PairSort, SaysWhatItNeedsInPassingToo) {
+  std::vector<Pair> pairs;
+  for (std::uint32_t b = 0; b < 300'000; ++b) pairs.push_back({7, b});  // one bucket, whose pairs are sorted in memory
+  PairSort sort;
+  sorted_by(sort, pairs, 1, {1'000, 300'000});
+  const std::size_t with_many = sort.bytes();
+  EXPECT_GE(with_many, pairs.size() * (sizeof(Pair) + 2 * sizeof(std::uint32_t)));
+  sorted_by(sort, {}, 1, {1'000, 300'000});
+  EXPECT_LE(sort.bytes(), with_many - pairs.size() * 2 * sizeof(std::uint32_t));
+}
+
+TEST(PairSort, TakesNotMuchMoreThanThePairsNeedAlsoFromManyThreads) {
+  constexpr std::uint32_t rows = 1'000'000;
+  std::vector<Pair> pairs;
+  for (std::uint32_t a = 0; a < rows; ++a) pairs.push_back({a * 7919U % rows, a});
+  for (const std::size_t threads : {1U, 16U}) {
+    PairSort sort;
+    sort.begin(rows, threads);
+    {
+      std::vector<std::unique_ptr<PairSort::Sink>> sinks;
+      for (std::size_t k = 0; k < threads; ++k) sinks.push_back(std::make_unique<PairSort::Sink>(sort));
+      for (std::size_t k = 0; k < rows; k += 500) {
+        sinks[k / 500 % threads]->add(std::span<const Pair>(pairs).subspan(k, 500));
+      }
+    }
+    EXPECT_EQ(sort.count(), pairs.size());
+    EXPECT_LE(sort.bytes(), pairs.size() * (threads == 1 ? 13U : 20U)) << threads << " threads";
+  }
+}
+
 TEST(PairSort, OfTheLargestIndices) {
   constexpr std::uint32_t last = 0xFFFFFFFFU;
   std::vector<Pair> pairs;

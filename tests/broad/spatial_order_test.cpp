@@ -108,6 +108,21 @@ TEST(SpatialOrder, RunsAreCompactBesideAFewBoxesFarAway) {
   EXPECT_LT(area / (50'000.0 / some), 600);
 }
 
+TEST(SpatialOrder, SaysWhatItNeedsInPassingToo) {
+  constexpr std::size_t count = 60'000;
+  std::vector<Aabb<3, float>> boxes = test::box_worlds<3, float>(count, 9).front().boxes;
+  SpatialOrder<3, float> spatial;
+  spatial.sort(boxes, serial_executor());
+  const std::size_t without_crowds = spatial.bytes();
+  // Where a tenth lies far apart, all others are one crowd, whose boxes are copied.
+  for (std::size_t k = 0; k < count; k += 10) {
+    boxes[k].min *= 10'000.0F;
+    boxes[k].max = boxes[k].min + 1.0F;
+  }
+  spatial.sort(boxes, serial_executor());
+  EXPECT_GE(spatial.bytes(), without_crowds + count * 8 / 10 * (sizeof(boxes[0]) + 2 * sizeof(std::uint32_t)));
+}
+
 TEST(SpatialOrder, RefusesNaNByPosition) {
   std::vector<Aabb<2, float>> boxes(200'000);
   for (const std::size_t k : {std::size_t{199'999}, std::size_t{69'999}, std::size_t{70'001}}) {
