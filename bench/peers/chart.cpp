@@ -29,15 +29,17 @@ struct Colour {
   std::string_view on_light;
   std::string_view on_dark;
 };
-constexpr std::array<Colour, 3> graze_colours = {
-    {{"#c44e00", "#ff8a3d"}, {"#c44e00", "#ff8a3d"}, {"#c44e00", "#ff8a3d"}}};
-constexpr std::array<Colour, 7> peer_colours = {{{"#0072b2", "#56a9e0"},
-                                                 {"#009e73", "#2fc79a"},
-                                                 {"#aa4499", "#dd8acb"},
-                                                 {"#8a6d00", "#e6c229"},
-                                                 {"#3a9bd0", "#9ad7f7"},
-                                                 {"#555b66", "#b4bac4"},
-                                                 {"#7a4b2a", "#cf9d78"}}};
+constexpr Colour graze_colour = {"#c44e00", "#ff8a3d"};
+constexpr std::array<Colour, 10> peer_colours = {{{"#0072b2", "#56a9e0"},
+                                                  {"#009e73", "#2fc79a"},
+                                                  {"#aa4499", "#dd8acb"},
+                                                  {"#8a6d00", "#e6c229"},
+                                                  {"#3a9bd0", "#9ad7f7"},
+                                                  {"#555b66", "#b4bac4"},
+                                                  {"#7a4b2a", "#cf9d78"},
+                                                  {"#332288", "#a99cff"},
+                                                  {"#5b9a00", "#a6dd4d"},
+                                                  {"#117a8b", "#5fd3e3"}}};
 
 struct Point {
   double x = 0;
@@ -126,30 +128,33 @@ void place_labels(std::vector<Line>& lines) {
   }
 }
 
-/// One of seven markers, by number, around the origin; graze's are filled circles, squares and diamonds.
+/// A marker for each number, around the origin; graze's are filled.
 std::string_view marker(std::size_t number) {
-  constexpr std::array<std::string_view, 7> markers = {"M-4.5 0A4.5 4.5 0 1 0 4.5 0A4.5 4.5 0 1 0 -4.5 0Z",
-                                                       "M-4-4H4V4H-4Z",
-                                                       "M0-5.5L5.5 0L0 5.5L-5.5 0Z",
-                                                       "M0-5.2L5 3.8H-5Z",
-                                                       "M0 5.2L5-3.8H-5Z",
-                                                       "M-4.5-1.5H-1.5V-4.5H1.5V-1.5H4.5V1.5H1.5V4.5H-1.5V1.5H-4.5Z",
-                                                       "M-5 0L-2.5-4.5H2.5L5 0L2.5 4.5H-2.5Z"};
+  constexpr std::array<std::string_view, peer_colours.size()> markers = {
+      "M-4.5 0A4.5 4.5 0 1 0 4.5 0A4.5 4.5 0 1 0 -4.5 0Z",
+      "M-4-4H4V4H-4Z",
+      "M0-5.5L5.5 0L0 5.5L-5.5 0Z",
+      "M0-5.2L5 3.8H-5Z",
+      "M0 5.2L5-3.8H-5Z",
+      "M-4.5-1.5H-1.5V-4.5H1.5V-1.5H4.5V1.5H1.5V4.5H-1.5V1.5H-4.5Z",
+      "M-5 0L-2.5-4.5H2.5L5 0L2.5 4.5H-2.5Z",
+      "M-3.2-5.3L0-2.1L3.2-5.3L5.3-3.2L2.1 0L5.3 3.2L3.2 5.3L0 2.1"
+      "L-3.2 5.3L-5.3 3.2L-2.1 0L-5.3-3.2Z",
+      "M-4.5-4.5H4.5L-4.5 4.5H4.5Z",
+      "M5.2 0L-3.8 5V-5Z"};
   return markers[number % markers.size()];
 }
 
 std::string class_of(const Line& line) {
-  return fmt::format("{}{}", line.side == Side::graze ? 'g' : 'p',
-                     line.number % (line.side == Side::graze ? graze_colours.size() : peer_colours.size()));
+  return line.side == Side::graze ? "g" : fmt::format("p{}", line.number % peer_colours.size());
 }
 
 std::string colour_rules(bool dark) {
-  std::string css;
-  const auto add = [&css, dark](char side, std::size_t i, const Colour& colour) {
-    css += fmt::format(".{}{}{{color:{}}}", side, i, dark ? colour.on_dark : colour.on_light);
+  const auto rule = [dark](const std::string& name, const Colour& colour) {
+    return fmt::format(".{}{{color:{}}}", name, dark ? colour.on_dark : colour.on_light);
   };
-  for (std::size_t i = 0; i < graze_colours.size(); ++i) add('g', i, graze_colours[i]);
-  for (std::size_t i = 0; i < peer_colours.size(); ++i) add('p', i, peer_colours[i]);
+  std::string css = rule("g", graze_colour);
+  for (std::size_t i = 0; i < peer_colours.size(); ++i) css += rule(fmt::format("p{}", i), peer_colours[i]);
   return css;
 }
 

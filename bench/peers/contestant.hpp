@@ -61,7 +61,7 @@ void enter_boost(Entrants<N, T>& field);
 template <Dim N, class T>
 void enter_embree(Entrants<N, T>& field, std::size_t threads);
 template <Dim N, class T>
-void enter_cgal(Entrants<N, T>& field);
+void enter_cgal(Entrants<N, T>& field, std::size_t threads);
 template <Dim N, class T>
 void enter_bullet(Entrants<N, T>& field);
 template <Dim N, class T>
@@ -78,7 +78,7 @@ Entrants<N, T> all_entrants(std::size_t threads) {
   enter_graze(field, threads);
   enter_boost(field);
   enter_embree(field, threads);
-  enter_cgal(field);
+  enter_cgal(field, threads);
   enter_bullet(field);
   enter_fcl(field);
   enter_box2d(field);

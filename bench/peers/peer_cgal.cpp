@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Tried with cutoffs of 10, 100, 1,000, 4,000, 16,000 and of 3, 4 and 8 times the root of n, on boxes and on pointers
 // to them: values and 4 sqrt(n) are the quickest, from a thousand boxes to a million.
+#define CGAL_LINKED_WITH_TBB  // what CGAL's support target for oneTBB defines
+#include <array>              // which CGAL forgets
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -12,6 +14,8 @@
 
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/version.h>
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include "contestant.hpp"
 
@@ -58,26 +62,64 @@ class SegmentTree final : public Contestant<N, T> {
   std::vector<Pair> pairs_;
 };
 
+/// The same by CGAL's Parallel_tag, which copies the boxes four times more and cuts the work into 16 tasks, however
+/// many threads there are. Each thread has a list of its own; together they are copied into one.
 template <Dim N, class T>
-void enter_with(Entrants<N, T>& field, ListMemory memory) {
+class ParallelSegmentTree final : public Contestant<N, T> {
+ public:
+  ParallelSegmentTree(ListMemory memory, std::size_t threads) : memory_(memory), arena_(static_cast<int>(threads)) {}
+
+  std::span<const Pair> find(std::span<const Aabb<N, T>> boxes) override {
+    clear(pairs_, memory_);
+    for (std::vector<Pair>& list : lists_) clear(list, memory_);
+    numbered_.resize(boxes.size());
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) numbered_[i] = {boxes[i], i};
+    const auto cutoff = static_cast<std::ptrdiff_t>(4 * std::sqrt(boxes.size()));
+    arena_.execute([&] {
+      CGAL::box_self_intersection_d<CGAL::Parallel_tag>(
+          numbered_.begin(), numbered_.end(),
+          [this](const auto& a, const auto& b) { lists_.local().push_back(ascending(a.index, b.index)); }, cutoff,
+          CGAL::Box_intersection_d::CLOSED);
+    });
+    for (const std::vector<Pair>& list : lists_) pairs_.insert(pairs_.end(), list.begin(), list.end());
+    return pairs_;
+  }
+
+ private:
+  ListMemory memory_;
+  tbb::task_arena arena_;
+  std::vector<NumberedBox<N, T>> numbered_;
+  tbb::enumerable_thread_specific<std::vector<Pair>> lists_;
+  std::vector<Pair> pairs_;
+};
+
+template <Dim N, class T>
+void enter_with(Entrants<N, T>& field, ListMemory memory, std::size_t threads) {
   Entrant<N, T> entrant;
   entrant.name = "CGAL box_self_intersection_d";
   entrant.settings = "CGAL " CGAL_VERSION_STR ", boxes by value, cutoff 4 sqrt(n)";
   set_list_memory(entrant, memory);
-  entrant.prepare = [memory](std::span<const Aabb<N, T>>) { return std::make_unique<SegmentTree<N, T>>(memory); };
+  entrant.threads = threads;
+  if (threads > 1) entrant.name += ", " + std::to_string(threads) + " threads";
+  entrant.prepare = [memory, threads](std::span<const Aabb<N, T>>) -> std::unique_ptr<Contestant<N, T>> {
+    if (threads > 1) return std::make_unique<ParallelSegmentTree<N, T>>(memory, threads);
+    return std::make_unique<SegmentTree<N, T>>(memory);
+  };
   field.push_back(std::move(entrant));
 }
 
 }  // namespace
 
 template <Dim N, class T>
-void enter_cgal(Entrants<N, T>& field) {
-  for (const ListMemory memory : list_memories) enter_with(field, memory);
+void enter_cgal(Entrants<N, T>& field, std::size_t threads) {
+  for (const ListMemory memory : list_memories) enter_with(field, memory, 1);
+  if (threads == 1) return;
+  for (const ListMemory memory : list_memories) enter_with(field, memory, threads);
 }
 
-template void enter_cgal(Entrants<2, float>& field);
-template void enter_cgal(Entrants<2, double>& field);
-template void enter_cgal(Entrants<3, float>& field);
-template void enter_cgal(Entrants<3, double>& field);
+template void enter_cgal(Entrants<2, float>& field, std::size_t threads);
+template void enter_cgal(Entrants<2, double>& field, std::size_t threads);
+template void enter_cgal(Entrants<3, float>& field, std::size_t threads);
+template void enter_cgal(Entrants<3, double>& field, std::size_t threads);
 
 }  // namespace graze::race
