@@ -19,8 +19,9 @@ class DevTest(TreeTest):
         self.write(path, f"#!/bin/sh\n{body}\n")
         (self.tree / path).chmod(0o755)
 
-    def dev(self, *arguments):
-        environment = dict(os.environ, GRAZE_NO_INSTALL="1", PATH=f"{self.tree / 'bin'}:{os.environ['PATH']}")
+    def dev(self, *arguments, **variables):
+        environment = {**os.environ, "GRAZE_NO_INSTALL": "1", "GRAZE_SHARED_DATA": "nowhere",
+                       "PATH": f"{self.tree / 'bin'}:{os.environ['PATH']}", **variables}
         return subprocess.run([self.tree / "dev", *arguments], capture_output=True, text=True, check=False, env=environment)
 
     def test_help_names_every_command(self):
@@ -51,6 +52,15 @@ class DevTest(TreeTest):
         everything = self.dev("bench").stdout
         self.assertIn("bounding: \n", everything)
         self.assertIn("--markdown docs/benchmarks.md", everything)
+        self.assertIn("--scenes all,", everything)
+        self.assertNotIn("--boxes", everything)
+
+    def test_the_race_takes_files_of_boxes_where_they_are(self):
+        self.write("bench/bounding.cpp", "")
+        self.write("data_beside/chip_aes.csv", "")
+        self.write_program("build/bench/bench/graze_peers", 'echo "$*"')
+        done = self.dev("bench", "graze_peers", GRAZE_SHARED_DATA="data_beside")
+        self.assertIn("--boxes data_beside/chip_aes.csv", done.stdout)
 
     def test_the_exam_is_built_alone_and_gets_the_options_after_the_number_of_jobs(self):
         self.write_program("build/exam/bin/graze_exam", 'for word in "$@"; do echo "[$word]"; done')
