@@ -210,7 +210,9 @@ void PairSearch<N, T>::find_lists(std::size_t tasks, const Executor& executor) {
     const bool next_in_order = in_order == task;
     Found& found = *found_[next_in_order ? 0 : task];
     const std::size_t before = found.count;
-    found.pairs.extend(before + so_far.expected() * (next_in_order ? tasks - task : 1), before);
+    // On one thread it will be the list of all; on several, room for all would be a third copy of them.
+    const std::size_t tasks_to_come = next_in_order && executor.concurrency() == 1 ? tasks - task : 1;
+    found.pairs.extend(before + so_far.expected() * tasks_to_come, before);
     meet(meetings_of(task, tasks), found.blocks, found);
     so_far.add(found.count - before);
     if (next_in_order) in_order = task + 1;

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How much memory all pairs take beside the boxes and the list.
 #include <cstddef>
-#include <memory>
+#include <functional>
 #include <span>
-#include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -56,6 +54,21 @@ TEST(PairBytes, AreAtMost80ForEachOfAMillionBoxes) {
 TEST(PairBytes, AreNotManyMoreWithManyThreads) {
   const test::ThreadExecutor sixteen(16);
   expect_at_most<float>(80, World::brownian, sixteen);
+}
+
+/// As where the second of two threads comes late: half of the tasks in order, then the others.
+class LateExecutor final : public Executor {
+ public:
+  void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task) const override {
+    for (std::size_t i = 0; i < count / 2; ++i) task(i);
+    for (std::size_t i = count; i > count / 2; --i) task(i - 1);
+  }
+  std::size_t concurrency() const override { return 2; }
+};
+
+/// The pairs are there twice then: in the lists of the tasks, and in one.
+TEST(PairBytes, AreNotManyMoreWhereASecondThreadComesLate) {
+  expect_at_most<float>(75, World::cluster, LateExecutor());
 }
 
 TEST(PairBytes, StayFromFrameToFrame) {
