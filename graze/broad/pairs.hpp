@@ -17,9 +17,10 @@
 
 namespace graze {
 
-/// How pairs are found. The answer never depends on it.
+/// How pairs are found. The answer never depends on it. Sizes and clusters are no reason to choose: within the tree,
+/// boxes much larger than most stand in blocks of their own, and crowds are sorted more finely.
 enum class PairMethod {
-  automatic,    ///< By the number of boxes, and whether most of a few of them overlap.
+  automatic,    ///< `dense` or `tree`, by the number of boxes, and by how many of a sample of their pairs overlap.
   brute_force,  ///< Every box against every other in a plain double loop: the oracle of the rest.
   dense,        ///< The same by vectors: the best for hundreds of boxes, or where most overlap.
   tree,         ///< Blocks of neighbouring boxes in a tree that is met with itself, block by block.
