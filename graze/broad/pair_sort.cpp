@@ -27,8 +27,9 @@ struct Spare {
   std::uint32_t longest = 0;                 // of the rows
 
   std::size_t bytes() const {
-    return parts.capacity() * sizeof(parts[0]) + seconds.bytes() + bits.capacity() * sizeof(bits[0]) +
-           (begins.capacity() + next.capacity()) * sizeof(begins[0]) + keys.bytes();
+    return parts.capacity() * sizeof(std::span<const Pair>) + seconds.bytes() +
+           bits.capacity() * sizeof(std::uint64_t) + (begins.capacity() + next.capacity()) * sizeof(std::uint32_t) +
+           keys.bytes();
   }
 };
 

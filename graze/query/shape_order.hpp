@@ -30,7 +30,7 @@ int compare(const Vec<N, T>& a, const Vec<N, T>& b) {
   constexpr std::array<double, 3> skew = {0.97, 0.58, 0.43};
   const Vec<N, double> way = wide<N, T>(b) - wide<N, T>(a);
   double along = 0;  // the opposite number, to the bit, of b and a
-  for (Dim i = 0; i < N; ++i) along += skew[i] * way[i];
+  for (Dim i = 0; i < N; ++i) along += skew[static_cast<std::size_t>(i)] * way[i];
   if (along > 0) return -1;
   if (along < 0) return 1;
   for (Dim i = 0; i < N; ++i) {
