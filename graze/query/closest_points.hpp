@@ -2,7 +2,7 @@
 // closest_points(a, b): how far apart any two shapes of one space are, where they are nearest, and in which direction.
 //
 // What finds them. C: a closed form. S: the supports along the plane's normal, a closed form for every convex shape. P:
-// part by part. G: GJK.
+// part by part. G: GJK; for two polytopes in space first the quick walk of closest_hulls.hpp.
 //
 //               segment ray sphere aabb obb plane half-space triangle capsule polytope compound user's
 //   point          C     C    C     C    C    S       S         C        C       G        P       G
