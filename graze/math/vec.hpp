@@ -80,6 +80,14 @@ constexpr T length_squared(const Vec<N, T>& v) {
   return dot(v, v);
 }
 
+/// The absolute coordinates. GLM's own function compiles to a branch for each, which random signs mislead.
+template <Dim N, Scalar T>
+[[gnu::always_inline]] inline Vec<N, T> abs(const Vec<N, T>& v) {
+  Vec<N, T> result;
+  for (Dim i = 0; i < N; ++i) result[i] = std::fabs(v[i]);
+  return result;
+}
+
 /// The largest absolute coordinate; NaN counts as nothing.
 template <Dim N, class T>
 [[gnu::always_inline]] constexpr T max_abs(const Vec<N, T>& v) {
