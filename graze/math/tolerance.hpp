@@ -138,6 +138,19 @@ inline constexpr double ray_side = 4096 * epsilon;
 /// And those that end, or start behind the shape, nearer than this times its size, where it is round: see sight_of.
 inline constexpr double ray_end = 0x1p-20;
 
+/// The quick test of a ray and a plane leaves to the careful one a height at either end that is less than this times
+/// the sum of its terms' magnitudes: see RayPlaneFilter; the careful test's own band is 2^-45 of those.
+inline constexpr double ray_plane = 0x1p-32;
+
+/// The quick test of a ray and an oriented box moves its sides by this times the size: axes that are not orthonormal by
+/// `orthonormal` move a place by that, and float by a thousandth of it.
+inline constexpr float ray_skew = 0x1p-12F;
+
+/// The quick test of a ray and a capsule leaves to the careful one squared distances that differ from the squared radius
+/// by less than this times the sum of all squares: both are wrong by `segment_filter` of the size at most, and the
+/// square of a size, a sum of four lengths, is up to twelve times the sum.
+inline constexpr double ray_capsule = 0x1p-35;
+
 /// Moving shapes have come to touch when they are nearer than this, relative to their size and way: under what a float
 /// can tell of a place by a thousand times, and far enough above rounding that no step towards it is lost in that.
 inline constexpr double impact = 0x1p-36;

@@ -83,6 +83,18 @@ using LanePairBits = long long __attribute__((vector_size(16)));
   return bit_cast<LanePair>(bit_cast<LanePairBits>(v) & all_but_sign);
 }
 
+/// Bit i is set where lane i has its sign set, zero, infinity and NaN among them.
+[[gnu::always_inline]] inline unsigned sign_bits(LanePair v) {
+#ifdef __SSE2__
+  return static_cast<unsigned>(__builtin_ia32_movmskpd(v));
+#else
+  const LanePairBits bits = bit_cast<LanePairBits>(v) < 0;
+  return static_cast<unsigned>((bits[0] & 1) | (bits[1] & 2));
+#endif
+}
+
+[[gnu::always_inline]] inline unsigned sign_bits(LanePairBits v) { return sign_bits(bit_cast<LanePair>(v)); }
+
 /// The same anywhere in memory.
 using LoosePair [[gnu::aligned(8)]] = LanePair;
 
@@ -121,6 +133,13 @@ struct PairedVec {
 };
 
 static_assert(sizeof(PairedVec) == 3 * sizeof(double));
+
+/// What has long been in memory, read by two numbers at once; what was just written by one could not be forwarded.
+[[gnu::always_inline]] inline PairedVec read_paired(const Vec<3, double>& v) {
+  LanePair xy;
+  std::memcpy(&xy, &v, sizeof(xy));
+  return {xy, v.z};
+}
 
 [[gnu::always_inline]] inline double dot(const PairedVec& a, const PairedVec& b) {
   const LanePair product = a.xy * b.xy;
@@ -166,6 +185,13 @@ template <class T>
   return {magnitude(LanePair(v.xy)), __builtin_fabs(v.z)};
 }
 [[gnu::always_inline]] inline double sum_of_coordinates(const PairedVec& v) { return v.xy[0] + v.xy[1] + v.z; }
+
+/// A vector in float, and a zero.
+[[gnu::always_inline]] inline Lanes narrow(const PairedVec& v) {
+  using Four = double __attribute__((vector_size(32)));
+  const Four four = {v.xy[0], v.xy[1], v.z, 0};
+  return __builtin_convertvector(four, Lanes);
+}
 
 /// A number and a vector in float.
 [[gnu::always_inline]] inline Lanes narrow(double first, const PairedVec& rest) {

@@ -64,6 +64,11 @@ namespace detail {
 template <class S, class T>
 std::optional<RayHit<dimension_of<S>, double>> hit_in_double(const S& shape, const Ray<dimension_of<S>, T>& ray) {
   constexpr Dim N = dimension_of<S>;
+  if constexpr (HasQuickCast<S> && std::is_same_v<T, double>) {
+    const auto quick = quick_cast(shape, ray, 1.0);
+    if (quick.sight() == Sight::misses) return std::nullopt;
+    if (quick.sight() == Sight::hits) return quick.hit();
+  }
   const Usable<N, T> usable(ray);
   const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(usable.ray.direction), usable.to_usable(1.0)};
   const Sighting<N> found = find_carefully(shape, path, RaySide::entry, AskAboutRay<N, T>{usable.ray, path});

@@ -28,7 +28,7 @@ struct Counts {
 };
 
 void expect_same(const Box& box, const RayOfFloats& ray, float t_max, Counts& counts) {
-  const RayBoxFilter filter = quick_cast(box, ray, t_max);
+  const auto filter = quick_cast(box, ray, t_max);
   if (filter.sight() == Sight::unclear) {
     ++counts.unclear;
     return;
@@ -129,7 +129,7 @@ TEST(RayBoxFilter, LeavesOpenWhatIsNoNumberOrTooLarge) {
   const RayOfFloats ray{{-3, 0.25F, 0.125F}, {1, 0, 0}};
   ASSERT_EQ(quick_cast(box, ray, infinity).sight(), Sight::hits);
   EXPECT_EQ(quick_cast(box, ray, nan).sight(), Sight::unclear);
-  EXPECT_EQ(quick_cast(box, ray, -1).sight(), Sight::misses);
+  EXPECT_EQ(quick_cast(box, ray, -1.0F).sight(), Sight::misses);
   for (Dim i = 0; i < 3; ++i) {
     for (const float value : {nan, -huge, huge}) {
       Box wrong_min = box;
