@@ -7,9 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include <graze/math/motion.hpp>
+#include <graze/math/pose.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/shape_cast.hpp>
 #include <graze/query/time_of_impact.hpp>
+#include <graze/query/transformed.hpp>
 
 #include "query/user_shapes.hpp"
 
@@ -44,6 +47,25 @@ TEST(TimeOfImpact, FindsWhenATurningRodStrikes) {
                 {-0.5, std::sqrt(0.75), 0}, std::sqrt(3.0) * pi / 2, "a ball");
   EXPECT_FALSE(time_of_impact(rod, quarter_turn, Ball{{0, 5.1, 0}, 1}, rest).has_value());
   EXPECT_FALSE(time_of_impact(rod, quarter_turn, Ball{{0, -1.1, 0}, 1}, rest).has_value());
+}
+
+/// From a pose at the origin turned about x to one that is moved and turned by a third about the diagonal besides: the
+/// rod's other end goes round a circle in the plane x + y + z = 4 as the diagonal carries that along.
+TEST(TimeOfImpact, OfTwoPosesIsThatOfTheMotionBetweenThem) {
+  const Point diagonal(1, 1, 1);
+  const Mat<3, double> before = rotation_matrix(Point(1, 0, 0), 40);
+  const Pose<3, double> start{before, {0, 0, 0}};
+  const Pose<3, double> end{rotation_matrix(diagonal, 120) * before, diagonal * 0.5};
+  const Segment<3, double> rod = transformed(Segment<3, double>{{0, 0, 0}, {4, 0, 0}}, start);
+  const Course motion = motion_between(start, end);
+  for (const double t : {0.25, 0.5, 0.875}) {
+    const Point tip =
+        transformed(Point(4, 0, 0), Pose<3, double>{rotation_matrix(diagonal, 120 * t), diagonal * (0.5 * t)});
+    const Point velocity = diagonal * 0.5 + cross(diagonal * (2 * pi / 3 / std::sqrt(3.0)), tip - diagonal * (0.5 * t));
+    const Point normal = velocity / std::sqrt(dot(velocity, velocity));
+    const Plane<3, double> wall{normal, dot(normal, tip)};
+    expect_impact(time_of_impact(rod, motion, wall, rest), t, normal, std::sqrt(dot(velocity, velocity)), "its tip");
+  }
 }
 
 TEST(TimeOfImpact, FindsWhenATurningPlaneStrikes) {
