@@ -126,8 +126,9 @@ class SimplexSearch {
     }
   }
 
-  /// Inside when the origin and the opposite corner are on the same side of every face, by more than rounding; else a
-  /// face that is as near as rounding is the better answer.
+  /// Inside when the origin and the opposite corner are on the same side of every face, both by more than rounding;
+  /// else a face that is as near as rounding is the better answer. Four corners of a parallelogram have nothing inside,
+  /// but rounding puts each on some side of the others' plane.
   void try_tetrahedron() {
     static constexpr std::size_t faces[4][4] = {{0, 1, 2, 3}, {0, 1, 3, 2}, {0, 2, 3, 1}, {1, 2, 3, 0}};
     for (const auto& face : faces) {
@@ -139,7 +140,7 @@ class SimplexSearch {
       const double origin = -dot(normal, corner);
       const double size = sum_abs(corner) + sum_abs(first) + sum_abs(second);
       const double margin = tolerance::rounding * sum_abs(normal) * size;
-      if (opposite == 0 || !((opposite > 0 ? origin : -origin) > margin)) return;
+      if (!(std::fabs(opposite) > margin && (opposite > 0 ? origin : -origin) > margin)) return;
     }
     offer(Point(0.0), {0, 1, 2, 3});
   }

@@ -62,6 +62,17 @@ TEST(NearestToOrigin, OfPointsThatCoincideIsOneOfThem) {
   expect_rows<3>({{{{1, 2, 2}, {1, 2, 2}, {1, 2, 2}}, {1, 2, 2}, 1}, {{{0, 0, 0}, {0, 0, 0}}, {0, 0, 0}, 1}});
 }
 
+// The corners of a parallelogram, but for rounding, which puts each corner on the origin's side of the others' plane.
+TEST(NearestToOrigin, IsNotInsideFourPointsOfAPlane) {
+  const std::vector<Vec<3, double>> corners = {{-1.0998810554725873, -0.037024804499777408, 1.732643681800659},
+                                               {-1.4562714720618226, 0.51893114568603438, -3.4178124326249768},
+                                               {-1.4638529959551376, 2.5708045531871928, 1.1049407566084},
+                                               {-1.8202434125443729, 3.1267605033730046, -4.0455153578172354}};
+  const auto found = detail::nearest_to_origin(simplex_of<3>(corners));
+  EXPECT_NEAR(std::sqrt(found.distance_squared), 1.2249044152627, 1e-12);
+  EXPECT_LT(found.face.size, 4U);
+}
+
 // A foot that leaned along the edge by the rounding of its place would claim to be nearer to one end.
 TEST(FootOnLine, IsAtRightAnglesToTheEdgeHoweverNear) {
   const Vec<3, double> edge(0.7, -0.3, 0.9);
