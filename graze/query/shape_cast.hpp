@@ -1,26 +1,27 @@
 // SPDX-License-Identifier: MIT
 // shape_cast(a, motion, b): when a shape that moves along a vector, without turning, first touches another, and where.
 //
-// What finds it. C: a closed form. S: the supports along the plane's normal, a closed form for every convex shape. P:
-// part by part. G: GJK, a few steps.
+// What finds it. C: a closed form, but GJK for what nearly touches. S: the supports along the plane's normal, a closed
+// form for every convex shape. P: part by part. G: GJK, a few steps. C/G: C in 2D, G in 3D.
 //
 //               segment ray sphere aabb obb plane half-space triangle capsule polytope compound user's
 //   point          C     C    C     C    C    S       S         C        C      C/G       P       G
-//   segment        G     G    C     G    G    S       S         G        G       G        P       G
-//   ray                  C    C     G    G    S       S         G        G       G        P       G
-//   sphere                    C     C    G    S       S         G        C       G        P       G
-//   aabb                            C    G    S       S         G        G       G        P       G
-//   obb                                  G    S       S         G        G       G        P       G
+//   segment       C/G   C/G   C     C    C    S       S         G        C       G        P       G
+//   ray                  C    C     C    C    S       S         G        C       G        P       G
+//   sphere                    C     C    C    S       S         G        C       G        P       G
+//   aabb                            C    C    S       S         G        C       G        P       G
+//   obb                                  C    S       S         G        C       G        P       G
 //   plane                                     S       S         S        S       S        P       S
 //   half-space                                        S         S        S       S        P       S
 //   triangle                                                    G        G       G        P       G
-//   capsule                                                              G       G        P       G
+//   capsule                                                              C       G        P       G
 //   polytope                                                                     G        P       G
 //   compound                                                                              P       P
 //
-// A point is what ray_cast.hpp says of the ray from it along `motion`, with t_max = 1 (C/G: C in 2D, G in 3D). Any two
-// shapes are a ray from zero and the set of differences b - a: a sphere and a capsule make a capsule, two boxes a box,
-// a sphere and a box a box with round edges, and of any two convex shapes the set has support points.
+// A point is what ray_cast.hpp says of the ray from it along `motion`, with t_max = 1. Any two shapes are a ray from
+// zero and the set of differences b - a: a sphere and a capsule make a capsule, two boxes along the axes a box, any two
+// of segments and boxes a zonotope (see zonotope_cast.hpp), with round edges if one of them is the core of a capsule or
+// a sphere, and of any two convex shapes the set has support points.
 //
 // Shapes that meet at the start, as relation(a, b) says, have their contact(a, b) as the impact, at t = 0. Later the
 // normal is that of a plane that has a on one side at t, and b on the other, and a has moved towards it. Shapes that
@@ -50,6 +51,7 @@
 #include <graze/query/obstacle.hpp>
 #include <graze/query/ray_cast.hpp>
 #include <graze/query/relation.hpp>
+#include <graze/query/zonotope_cast.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/shape.hpp>
 #include <graze/shape/visit.hpp>
@@ -256,6 +258,25 @@ Strike<N> strike_between(const RayHit<N, double>& hit, const ClosestPair<N>& nea
   return {hit.t, point, normal, hit.status, hit.error + rounding};
 }
 
+template <class A, class B>
+concept HaveZonotopes = HasZonotope<std::decay_t<A>> && HasZonotope<std::decay_t<B>> && !HasObstacle<A, B>;
+
+/// The first touch of two cores, one place as zero, by a ray at the set of their differences.
+template <class A, class B>
+std::optional<Strike<dimension_of<A>>> strike_of_cores(const A& a, const Vec<dimension_of<A>, double>& motion,
+                                                       const B& b, const Radii& radii) {
+  constexpr Dim N = dimension_of<A>;
+  auto hit = hit_of_cores(a, motion, b, radii.a + radii.b);
+  if (hit && hit->status != Status::converged) hit = advance_by_features(a, motion, b, radii.a + radii.b, *hit);
+  if (!hit) return std::nullopt;
+  const auto moved_a = seen_from(motion * -hit->t, a);
+  const double size = size_around_zero(moved_a) + size_around_zero(b);
+  const ClosestPair<N> nearest = closest_of_touching(moved_a, b, size);
+  Strike<N> strike = strike_between(*hit, nearest, motion, radii, !HasObstacle<A, B>);
+  strike.error += tolerance::rounding * size;
+  return strike;
+}
+
 template <HasSimpleCore A, HasSimpleCore B>
 std::optional<Strike<dimension_of<A>>> strike_of_simple(const A& a, const Vec<dimension_of<A>, double>& motion,
                                                         const B& b) {
@@ -266,18 +287,14 @@ std::optional<Strike<dimension_of<A>>> strike_of_simple(const A& a, const Vec<di
   const auto seen_a = seen_beside_moving(origin, core_a, core_b, -motion);
   const auto seen_b = seen_beside_moving(origin, core_b, core_a, motion);
   const Radii radii{core_radius(a), core_radius(b)};
-  auto hit = hit_of_cores(seen_a, motion, seen_b, radii.a + radii.b);
-  if (hit && hit->status != Status::converged) {
-    hit = advance_by_features(seen_a, motion, seen_b, radii.a + radii.b, *hit);
+  std::optional<Strike<N>> strike;
+  if constexpr (HaveZonotopes<decltype(seen_a), decltype(seen_b)>) {
+    const StrikeOfZonotopes<N> found = strike_of_zonotopes(seen_a, motion, seen_b, radii);
+    if (found.sight == Sight::misses) return std::nullopt;
+    if (found.sight == Sight::hits) strike = found.strike;
   }
-  if (!hit) return std::nullopt;
-  const auto moved_a = seen_from(motion * -hit->t, seen_a);
-  const double size = size_around_zero(moved_a) + size_around_zero(seen_b);
-  const ClosestPair<N> nearest = closest_of_touching(moved_a, seen_b, size);
-  constexpr bool is_proved = !HasObstacle<decltype(seen_a), decltype(seen_b)>;
-  Strike<N> strike = strike_between(*hit, nearest, motion, radii, is_proved);
-  strike.point += origin;
-  strike.error += tolerance::rounding * size;
+  if (!strike) strike = strike_of_cores(seen_a, motion, seen_b, radii);
+  if (strike) strike->point += origin;
   return strike;
 }
 
