@@ -146,9 +146,9 @@ inline constexpr double ray_plane = 0x1p-32;
 /// `orthonormal` move a place by that, and float by a thousandth of it.
 inline constexpr float ray_skew = 0x1p-12F;
 
-/// The quick test of a ray and a capsule leaves to the careful one squared distances that differ from the squared radius
-/// by less than this times the sum of all squares: both are wrong by `segment_filter` of the size at most, and the
-/// square of a size, a sum of four lengths, is up to twelve times the sum.
+/// The quick test of a ray and a capsule leaves to the careful one squared distances that differ from the squared
+/// radius by less than this times the sum of all squares: both are wrong by `segment_filter` of the size at most, and
+/// the square of a size, a sum of four lengths, is up to twelve times the sum.
 inline constexpr double ray_capsule = 0x1p-35;
 
 /// Moving shapes have come to touch when they are nearer than this, relative to their size and way: under what a float
