@@ -84,7 +84,7 @@ class RayBoxFilter<double> {
         origin_(read_paired(ray.origin)),
         slope_(read_paired(ray.direction)) {
     const Lanes slope = narrow(slope_);
-    const Lanes nothing = slope - slope;  // but for a slope that became infinite, which so settles nothing
+    const Lanes nothing = slope * 0.0F;  // but for a slope that became infinite, which so settles nothing
     slabs_.cross(narrow(min_ - origin_) + nothing, narrow(max_ - origin_), slope, static_cast<float>(t_max),
                  tolerance::ray_lanes<float>);
   }

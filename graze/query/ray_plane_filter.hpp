@@ -29,12 +29,11 @@ template <Dim N, class T>
 class RayPlaneFilter {
  public:
   [[gnu::always_inline]] RayPlaneFilter(const Plane<N, T>& plane, const Ray<N, T>& ray, T t_max, bool is_solid)
-      : normal_(plane.normal), origin_(ray.origin), direction_(ray.direction) {
+      : normal_(plane.normal), origin_(ray.origin), direction_(ray.direction), squared_(dot(normal_, normal_)) {
     const LanePair offset{static_cast<double>(plane.offset), 0};
     const TwoSums sums = two_sums(products(normal_, origin_), products(normal_, direction_));
     const LanePair height_and_climb = sums.value - offset;
     sizes_ = sums.magnitude + magnitude(offset);
-    squared_ = dot(normal_, normal_);
     const LanePair slack = sizes_ * LanePair{tolerance::ray_plane, least_slope};
     const LanePairBits is_clear =
         (magnitude(height_and_climb) > slack) & (sizes_ > least_size) & (sizes_ < 1 / least_size);
@@ -70,10 +69,10 @@ class RayPlaneFilter {
   Paired<N> normal_;
   Paired<N> origin_;
   Paired<N> direction_;
+  double squared_;
   LanePair sizes_;   ///< The sums of the magnitudes of the terms of the height and of the climb.
   double height_;    ///< How far the ray begins over the plane.
   double approach_;  ///< How much nearer it comes with each t.
-  double squared_;
   bool is_hit_;
   bool is_missed_;
 };

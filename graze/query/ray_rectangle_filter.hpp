@@ -115,14 +115,16 @@ class RayOrientedRectangleFilter {
     const FlatPair second(box.axes[1]);
     const double determinant = first.xy[0] * second.xy[1] - first.xy[1] * second.xy[0];
     const double sign = std::copysign(1.0, determinant);
-    rows_x_ = LanePair{second.xy[1], -first.xy[1]} * sign;
-    rows_y_ = LanePair{-second.xy[0], first.xy[0]} * sign;
+    const LanePair rows_x = LanePair{second.xy[1], -first.xy[1]} * sign;
+    const LanePair rows_y = LanePair{-second.xy[0], first.xy[0]} * sign;
     const FlatPair from_origin = FlatPair(box.center) - origin_;
-    const LanePair center = rows_x_ * from_origin.xy[0] + rows_y_ * from_origin.xy[1];
+    const LanePair center = rows_x * from_origin.xy[0] + rows_y * from_origin.xy[1];
     const LanePair half = FlatPair(box.half_extents).xy * std::fabs(determinant);
     low_ = center - half;
     high_ = center + half;
-    slope_ = rows_x_ * direction_.xy[0] + rows_y_ * direction_.xy[1];
+    slope_ = rows_x * direction_.xy[0] + rows_y * direction_.xy[1];
+    rows_x_ = rows_x;
+    rows_y_ = rows_y;
     slabs_.cross(low_, high_, slope_, static_cast<double>(t_max));
   }
 
