@@ -3,8 +3,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include <graze/math/bit_cast.hpp>
 #include <graze/math/has_lanes.hpp>
@@ -22,6 +24,15 @@ using LaneBits = int __attribute__((vector_size(16)));
 [[gnu::always_inline]] inline Lanes four_at(const float* numbers) {
   Lanes lanes;
   std::memcpy(&lanes, numbers, sizeof lanes);
+  return lanes;
+}
+
+/// Four in a row of the floats that a shape is made of, from one of them on.
+template <class S>
+[[gnu::always_inline]] inline Lanes four_of(const S& shape, std::size_t first) {
+  static_assert(std::is_trivially_copyable_v<S> && sizeof(S) % sizeof(float) == 0);
+  Lanes lanes;
+  std::memcpy(&lanes, reinterpret_cast<const char*>(&shape) + first * sizeof(float), sizeof(lanes));
   return lanes;
 }
 

@@ -3,11 +3,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
-#include <cstring>
+#include <cmath>
 #include <limits>
 #include <optional>
-#include <type_traits>
 
 #include <graze/math/bit_cast.hpp>
 #include <graze/math/tolerance.hpp>
@@ -24,15 +22,6 @@
 
 namespace graze::detail {
 
-/// Four of the six floats that a box or a ray is.
-template <class S>
-[[gnu::always_inline]] inline Lanes four_of_six(const S& six, std::size_t first) {
-  static_assert(sizeof(S) == 6 * sizeof(float) && std::is_trivially_copyable_v<S>);
-  Lanes lanes;
-  std::memcpy(&lanes, reinterpret_cast<const char*>(&six) + first * sizeof(float), sizeof(lanes));
-  return lanes;
-}
-
 /// Whether a ray hits by slabs in float; where it does, only the side that is met is left to calculate, in double: so
 /// place, t and normal are those of `sight_of`, to the bit, and the error up to its rounding to float.
 template <class T>
@@ -43,18 +32,19 @@ class RayBoxFilter<float> {
  public:
   [[gnu::always_inline]] RayBoxFilter(const Aabb<3, float>& box, const Ray<3, float>& ray, float t_max)
       : box_(box), ray_(ray) {
-    const Lanes origin = four_of_six(ray, 0);
-    slabs_.cross(four_of_six(box, 0) - origin, arranged<1, 2, 3>(four_of_six(box, 2)) - origin,
-                 arranged<1, 2, 3>(four_of_six(ray, 2)), t_max, tolerance::ray_lanes<float>);
+    static_assert(sizeof(box) == 6 * sizeof(float) && sizeof(ray) == 6 * sizeof(float));
+    const Lanes origin = four_of(ray, 0);
+    slabs_.cross(four_of(box, 0) - origin, arranged<1, 2, 3>(four_of(box, 2)) - origin,
+                 arranged<1, 2, 3>(four_of(ray, 2)), t_max, tolerance::ray_lanes<float>);
   }
 
   [[gnu::always_inline]] Sight sight() const { return slabs_.sight(); }
 
   /// The t of the side that is met is the largest, and the place is between all others by the margin.
   [[gnu::always_inline]] std::optional<RayHit<3, float>> hit() const {
-    const Lanes direction = arranged<1, 2, 3>(four_of_six(ray_, 2));
+    const Lanes direction = arranged<1, 2, 3>(four_of(ray_, 2));
     const LaneBits is_down = bit_cast<LaneBits>(direction) < 0;  // minus zero, too: its t is then minus infinity
-    const Lanes side = is_down ? arranged<1, 2, 3>(four_of_six(box_, 2)) : four_of_six(box_, 0);
+    const Lanes side = is_down ? arranged<1, 2, 3>(four_of(box_, 2)) : four_of(box_, 0);
     const PairedVec origin(ray_.origin);
     const PairedVec slope(ray_.direction);
     const PairedVec across = (PairedVec(side) - origin) / slope;

@@ -20,7 +20,7 @@ namespace graze::detail {
 
 /// How near a ray comes to a capsule's axis settles whether it hits, unless they are next to parallel: the nearest
 /// point of the axis to the two lines' common perpendicular, held between its ends, and the nearest point of the ray to
-/// that (Ericson, "Real-Time Collision Detection", 2005, section 5.1.9), without a branch. A ray that hits from outside
+/// that (Ericson, "Real-Time Collision Detection", 2005, section 5.1.9). A ray that hits from outside
 /// enters by the tube, which is a ball as seen along the axis, if that is between the two ends, else by the ball around
 /// the nearer end. Others are unclear.
 template <Dim N, class T>
@@ -69,7 +69,7 @@ class RayCapsuleFilter {
   }
 
  private:
-  /// Between zero and a bound, without a branch.
+  /// Between zero and a bound; most compilers make no branch of it.
   [[gnu::always_inline]] static double held(double number, double most) {
     return std::min(std::max(number, 0.0), most);
   }

@@ -2,13 +2,8 @@
 // The first filter of a ray and an oriented box in space, four numbers at a time. Include ray_cast.hpp.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstring>
-#include <limits>
 #include <optional>
-#include <type_traits>
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
@@ -32,15 +27,6 @@ struct RayAtObb {
   Lanes center;
   Lanes direction;
 };
-
-/// Four floats of a struct that is made of floats.
-template <class S>
-[[gnu::always_inline]] inline Lanes four_of(const S& floats, std::size_t first) {
-  static_assert(std::is_trivially_copyable_v<S>);
-  Lanes lanes;
-  std::memcpy(&lanes, reinterpret_cast<const char*>(&floats) + first * sizeof(float), sizeof(lanes));
-  return lanes;
-}
 
 [[gnu::always_inline]] inline RayAtObb seen_by(const Ray<3, float>& ray, const Obb<3, float>& box) {
   static_assert(sizeof(box) == 15 * sizeof(float) && sizeof(ray) == 6 * sizeof(float));
