@@ -74,15 +74,15 @@ inline int sign_of_determinant(const std::array<Vec<3, double>, 3>& points, cons
       rows[row][static_cast<std::size_t>(i)] = difference;
     }
   }
+  constexpr double least = 0x1p-600;  // above it, errors of products that are lost are far below the bound
+  const double twofold = twofold_determinant(rows);
+  if (magnitude > least && std::fabs(twofold) > tolerance::twofold_rounding * magnitude) return twofold > 0 ? 1 : -1;
   std::size_t count = 0;
   if (are_exact) {
     std::array<double, 24> terms{};
     add_determinant(points[0] - origin, points[1] - origin, points[2] - origin, terms, count);
     return sign_of_sum(terms);
   }
-  constexpr double least = 0x1p-600;  // above it, errors of products that are lost are far below the bound
-  const double twofold = twofold_determinant(rows);
-  if (magnitude > least && std::fabs(twofold) > tolerance::twofold_rounding * magnitude) return twofold > 0 ? 1 : -1;
   // det(a - o, b - o, c - o) = det(a, b, c) - det(o, b, c) - det(a, o, c) - det(a, b, o)
   std::array<double, 96> terms{};
   add_determinant(points[0], points[1], points[2], terms, count);
