@@ -76,6 +76,20 @@ inline constexpr double triangle_filter = 8192 * epsilon;
 /// 1 of what the edges themselves are wrong by.
 inline constexpr double hull_plane = 128 * epsilon;
 
+/// A point whose coordinates were taken out of each other in twice the precision of double, by HullShear, in units that
+/// leave none above 1: each is off by this or less.
+inline constexpr double hull_shear = 8 * epsilon;
+
+/// What a step of that adds, relative to the largest coordinate: 11 roundings of a quarter of epsilon squared.
+inline constexpr double hull_shear_step = 4 * epsilon * epsilon;
+
+/// `hull_plane` for such points: 48 epsilon of that are from rounding, and 36 times `hull_shear` from the points.
+inline constexpr double hull_sheared_plane = 512 * epsilon;
+
+/// Points in doubt that are no farther from a line, of a box around all whose longest side is 1 to 2, are seen as a
+/// needle: above what `hull_plane` lets be in doubt about two faces that meet at an angle of some thousandths.
+inline constexpr double hull_needle = 0x1p-36;
+
 /// A point is dropped as one inside a hull of some points where it is inside by this of its distance from their middle:
 /// far above the rounding of that, 2^-20 by `hull_core_depth`, and far less than what is gained by dropping points.
 inline constexpr double hull_core = 1e-6;

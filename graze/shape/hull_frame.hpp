@@ -7,21 +7,27 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <graze/math/orientation_3d.hpp>
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/shape/hull_shear.hpp>
 
 namespace graze::detail {
 
 /// A point of a HullFrame: where its frame sees it, and its place in the list it came from.
 struct HullPoint {
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
   Vec<3, double> place = Vec<3, double>(0.0);
   std::uint32_t index = 0;
+  std::uint32_t link = none;  ///< A face of a Quickhull that it may be outside of.
 };
 
 /// A plane through three points of a HullFrame. Points whose height is above `doubt` are strictly on the side from
@@ -48,6 +54,13 @@ class HullFrame {
     find_box();
     is_exact_ = is_on_grid();
   }
+
+  /// Points as near to a line or a plane as rounding allows, seen where a HullShear takes them, which hides the fewest
+  /// sides. They are in range.
+  static HullFrame sheared(std::span<const Vec<3, T>> points) {
+    return HullFrame(points, HullShear<T>(points).places());
+  }
+
   // The span may be of a member.
   HullFrame(const HullFrame&) = delete;
   HullFrame& operator=(const HullFrame&) = delete;
@@ -57,10 +70,12 @@ class HullFrame {
   /// The points with the least and the greatest coordinate along the longest side of the box: equal only if all are.
   std::array<std::uint32_t, 2> ends() const { return ends_; }
 
-  /// Half the sides of the box, in the frame's units; the longest is from a half to 1, or all are 0.
+  /// Half the sides of the box of the places, in the frame's units; the longest is from a half to 1, or all are 0.
   const Vec<3, double>& half_extents() const { return half_extents_; }
 
-  HullPoint at(std::uint32_t index) const { return {place_of(points_[index]), index}; }
+  HullPoint at(std::uint32_t index) const {
+    return {places_.empty() ? place_of(points_[index]) : places_[index], index};
+  }
 
   /// The point as it was given, in range.
   const Vec<3, T>& point(std::uint32_t index) const { return points_[index]; }
@@ -70,8 +85,10 @@ class HullFrame {
     const Vec<3, double> v = c.place - a.place;
     const Vec<3, double> normal(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
     const double offset = normal.x * a.place.x + normal.y * a.place.y + normal.z * a.place.z;
-    const double size = max_abs(u) + max_abs(v) + 4 * tolerance::epsilon;
-    return {normal, offset, is_exact_ ? 0 : tolerance::hull_plane * size};
+    if (is_exact_) return {normal, offset, 0};
+    const double size = max_abs(u) + max_abs(v);
+    if (places_.empty()) return {normal, offset, tolerance::hull_plane * (size + 4 * tolerance::epsilon)};
+    return {normal, offset, tolerance::hull_sheared_plane * (size + 8 * tolerance::hull_shear)};
   }
 
   /// `orientation` of the points at four places of the list.
@@ -83,6 +100,18 @@ class HullFrame {
   bool is_exact() const { return is_exact_; }
 
  private:
+  HullFrame(std::span<const Vec<3, T>> points, std::vector<Vec<3, double>> places)
+      : points_(points), places_(std::move(places)) {
+    find_box();
+    Vec<3, double> low = places_.front();
+    Vec<3, double> high = low;
+    for (const Vec<3, double>& place : places_) {
+      low = min(low, place);
+      high = max(high, place);
+    }
+    half_extents_ = 0.5 * (high - low);
+  }
+
   Vec<3, double> place_of(const Vec<3, T>& point) const { return (wide<3, T>(point) - middle_) * scale_; }
 
   void bring_into_range() {
@@ -148,7 +177,8 @@ class HullFrame {
   }
 
   std::span<const Vec<3, T>> points_;
-  std::vector<Vec<3, T>> scaled_;  // only where points_ were out of range
+  std::vector<Vec<3, T>> scaled_;       // only where points_ were out of range
+  std::vector<Vec<3, double>> places_;  // only if sheared
   Vec<3, double> middle_ = Vec<3, double>(0.0);
   Vec<3, double> half_extents_ = Vec<3, double>(0.0);
   double scale_ = 1;
