@@ -72,6 +72,7 @@ TESTED_ELSEWHERE = {
     "graze/query/strike_of_hit.hpp": ("tests/query/shape_cast_test.cpp", "what shape_cast makes of rays"),
     "graze/query/status.hpp": ("tests/query/gjk_test.cpp", "an enum without functions: it is how gjk and epa end"),
     "graze/scene/single_queries.hpp": ("tests/scene/plain_scene_test.cpp", "instances of what PlainScene asks"),
+    "graze/shape/hull_flat.hpp": ("tests/shape/hull_vertices_test.cpp", "the corners of flat points"),
     "graze/shape/hull_input.hpp": ("tests/shape/polytope_test.cpp", "what convex_hull refuses"),
     "graze/shape/lexicographic.hpp": ("tests/shape/polytope_test.cpp", "the order of a polytope's vertices"),
     "graze/shape/monotone_chain.hpp": ("tests/shape/polytope_test.cpp", "convex_hull in the plane"),

@@ -14,7 +14,7 @@
 #include <fcl/narrowphase/detail/gjk_solver_indep.h>
 #include <fcl/narrowphase/detail/gjk_solver_libccd.h>
 
-#include <graze/shape/hull_core.hpp>
+#include <graze/shape/hull_doubts.hpp>
 #include <graze/shape/hull_frame.hpp>
 #include <graze/shape/quickhull.hpp>
 
@@ -24,7 +24,7 @@ namespace graze::hull_bench {
 
 inline std::unique_ptr<fcl::Convexd> fcl_hull(const Hull& hull) {
   const detail::HullFrame<double> frame(hull.vertices());
-  const detail::Quickhull<double> built(frame, detail::hull_candidates(frame));
+  const detail::Quickhull<double> built = detail::hull_of(frame);
   auto vertices = std::make_shared<std::vector<fcl::Vector3d>>();
   for (const Point& corner : hull.vertices()) vertices->emplace_back(corner.x, corner.y, corner.z);
   auto faces = std::make_shared<std::vector<int>>();

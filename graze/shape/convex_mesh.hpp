@@ -14,7 +14,8 @@
 
 #include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
-#include <graze/shape/hull_core.hpp>
+#include <graze/shape/hull_doubts.hpp>
+#include <graze/shape/hull_flat.hpp>
 #include <graze/shape/hull_frame.hpp>
 #include <graze/shape/hull_input.hpp>
 #include <graze/shape/hull_vertices.hpp>
@@ -196,7 +197,7 @@ template <class T>
 ConvexMesh<T> convex_mesh(std::type_identity_t<std::span<const Vec<3, T>>> points) {
   detail::check_hull_points<3, T>("convex_mesh", points);
   const detail::HullFrame<T> frame(points);
-  const detail::Quickhull<T> hull(frame, detail::hull_candidates(frame));
+  const detail::Quickhull<T> hull = detail::hull_of(frame);
   if (hull.base().size() == 4) return detail::MeshMaker<T>(hull, points).mesh();
   std::vector<Vec<3, T>> polygon;
   for (const std::uint32_t vertex : detail::flat_vertices(hull)) polygon.push_back(points[vertex]);

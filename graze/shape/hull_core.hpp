@@ -26,6 +26,9 @@ namespace graze::detail {
 /// is nowhere below f, and what is nearer than one by it is inside.
 class HullCore {
  public:
+  /// Holds nothing.
+  HullCore() = default;
+
   /// Of places in a frame whose box has these half extents. The places are moved to a grid, on which planes are exact,
   /// and the hull then loses as much all around. Holds nothing where that leaves no middle to speak of, or would not
   /// pay: most of the places are corners.
@@ -38,7 +41,7 @@ class HullCore {
       for (Dim i = 0; i < 3; ++i) place[i] = std::round(point.place[i] * steps);
     }
     const HullFrame<double> frame(on_grid);
-    const Quickhull<double> hull(frame, all_points(frame));
+    const Quickhull<double> hull(frame, all_points(frame));  // nothing is in doubt on a grid
     if (hull.base().size() < 4 || hull.corners().size() > sample.size() / 2) {
       return;
     }
@@ -58,11 +61,12 @@ class HullCore {
 
   /// True only for what is strictly inside the hull.
   bool holds(const Vec<3, double>& place) const {
+    if (!holds_something_) return false;
     const Vec<3, double> way = (place - middle_) * to_units_;
     const Vec<3, double> size(std::fabs(way.x), std::fabs(way.y), std::fabs(way.z));
     const Dim axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
     const double distance = size[axis];
-    if (!(distance > 0) || !holds_something_) return false;
+    if (!(distance > 0)) return false;
     const std::size_t side = 2 * static_cast<std::size_t>(axis) + (way[axis] > 0 ? 1 : 0);
     const double u = (way[(axis + 1) % 3] / distance + 1) * (0.5 * cells);
     const double v = (way[(axis + 2) % 3] / distance + 1) * (0.5 * cells);
@@ -106,7 +110,7 @@ class HullCore {
     }
   }
 
-  Vec<3, double> to_units_;
+  Vec<3, double> to_units_ = Vec<3, double>(1.0);
   Vec<3, double> middle_ = Vec<3, double>(0.0);
   std::array<double, 6UL * (cells + 1) * (cells + 1)> inverse_{};  // f
   bool holds_something_ = false;
@@ -124,20 +128,32 @@ std::vector<HullPoint> sample_of(const HullFrame<T>& frame, std::size_t count) {
   return sample;
 }
 
-/// The points of a frame but for some that are strictly inside the hull of others.
+/// What the hull of some points of a frame holds for certain: nothing where there are too few for it to pay.
 template <class T>
-std::vector<HullPoint> hull_candidates(const HullFrame<T>& frame) {
+HullCore core_of(const HullFrame<T>& frame) {
   constexpr std::uint32_t many = 4000;
-  if (frame.size() < many) return all_points(frame);
+  if (frame.size() < many) return {};
   const double root = std::cbrt(static_cast<double>(frame.size()));
-  const HullCore core(sample_of(frame, static_cast<std::size_t>(2 * root * root)), frame.half_extents());
-  if (!core.holds_something()) return all_points(frame);
+  return {sample_of(frame, static_cast<std::size_t>(2 * root * root)), frame.half_extents()};
+}
+
+/// The points of a frame from one place to before another one, but for those that the core holds.
+template <class T>
+std::vector<HullPoint> points_beside(const HullCore& core, const HullFrame<T>& frame, std::uint32_t first,
+                                     std::uint32_t last) {
   std::vector<HullPoint> result;
-  for (std::uint32_t i = 0; i < frame.size(); ++i) {
+  result.reserve(last - first);
+  for (std::uint32_t i = first; i < last; ++i) {
     const HullPoint point = frame.at(i);
     if (!core.holds(point.place)) result.push_back(point);
   }
   return result;
+}
+
+/// The points of a frame but for some that are strictly inside the hull of others.
+template <class T>
+std::vector<HullPoint> hull_candidates(const HullFrame<T>& frame) {
+  return points_beside(core_of(frame), frame, 0, frame.size());
 }
 
 }  // namespace graze::detail

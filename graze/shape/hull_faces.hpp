@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <graze/math/vec.hpp>
-#include <graze/shape/hull_core.hpp>
+#include <graze/shape/hull_doubts.hpp>
 #include <graze/shape/hull_frame.hpp>
 #include <graze/shape/quickhull.hpp>
 
@@ -25,7 +25,7 @@ template <class T>
 std::vector<HullTriangle> hull_faces(std::span<const Vec<3, T>> points) {
   if (points.empty()) return {};
   const HullFrame<T> frame(points);
-  const Quickhull<T> hull(frame, hull_candidates(frame));
+  const Quickhull<T> hull = hull_of(frame);
   std::vector<HullTriangle> result;
   for (const auto& face : hull.faces()) {
     if (!face.is_alive) continue;

@@ -15,6 +15,7 @@
 #include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/hull_frame.hpp>
+#include <graze/shape/index_lists.hpp>
 #include <graze/shape/plane.hpp>
 
 namespace graze::detail {
@@ -24,12 +25,16 @@ namespace graze::detail {
 /// a point outside a face is strictly outside, so the faces that see it are a disk, none of the new ones is degenerate,
 /// and each point that is still outside sees one of these.
 ///
+/// Points that rounding hides the side of are first set aside, with a face that they may be outside of, until all
+/// others are decided: where many are on a line or a plane up to their rounding, few of these have then to be decided
+/// exactly, see hull_doubts.hpp.
+///
 /// The points outside of a face lie together on one stack, those of the newest faces on top, and the newest face grows
 /// first: so memory is read and written in rows, and what is left of older faces is close at hand.
 template <class T>
 class Quickhull {
  public:
-  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t none = HullPoint::none;
 
   /// A half-edge is 4 * face + side; side i runs from corner i to the next, counter-clockwise seen from outside.
   struct Face {
@@ -39,28 +44,86 @@ class Quickhull {
     std::size_t first = 0;                   ///< Of the points that see it, on the stack.
     std::size_t last = 0;                    ///< Behind them.
     std::size_t farthest = 0;                ///< Of these, roughly.
+    std::uint32_t doubted = none;            ///< The first of the points in doubt that were set aside with it.
     bool is_alive = true;
     bool is_waiting = false;  ///< To grow.
     bool sees = false;        ///< The point that is being added.
   };
 
-  /// Of the candidates, some points of the frame, at least one, that none of its corners is missing from. The frame
-  /// must outlive the hull.
+  /// Of the candidates, some points of the frame, at least one, that none of its corners is missing from; but those in
+  /// doubt are not in it until they are added, and where many are, it may not be finished. The frame must outlive it.
   Quickhull(const HullFrame<T>& frame, std::vector<HullPoint> candidates)
       : frame_(frame), undecided_(std::move(candidates)) {
     find_base();
     if (base_size_ < 4) return;
     begin();
-    while (!waiting_.empty()) {
-      const std::uint32_t face = waiting_.back();
-      waiting_.pop_back();
-      faces_[face].is_waiting = false;
-      if (faces_[face].is_alive) {
-        grow(face);
-      } else {
-        free_.push_back(face);
-      }
+    grow_all();
+  }
+
+  /// Whether all but the points in doubt have been added. Else there are many of these, asked again and again, and it
+  /// is time to `sift` them.
+  bool is_finished() const { return waiting_.empty(); }
+
+  /// Goes on to the end without.
+  void finish() {
+    is_sifting_worthwhile_ = false;
+    grow_all();
+  }
+
+  /// Forgets points in doubt near faces, those without a mark at their place, which must not be corners of the hull of
+  /// all, and goes on.
+  void sift(const std::vector<bool>& is_kept) {
+    const std::size_t before = doubted_.size();
+    for (Face& face : faces_) {
+      std::uint32_t old = std::exchange(face.doubted, none);
+      doubted_.drain(old, [&](std::uint32_t point) {
+        if (is_kept[point]) doubted_.add(face.doubted, point);
+      });
     }
+    is_sifting_worthwhile_ = doubted_.size() <= before / 2;
+    count_asked_again_ = 0;
+    grow_all();
+  }
+
+  /// Whether points are in doubt: if none are, the hull is that of all.
+  bool has_doubts() const { return !loose_.empty() || doubted_.size() > 0; }
+
+  /// Calls `visit` with the places of the points in doubt that were last found near the plane of a face.
+  template <class Visit>
+  void for_each_doubted(std::uint32_t face, const Visit& visit) const {
+    doubted_.for_each(faces_[face].doubted, visit);
+  }
+
+  /// The others: those found inside of the faces that took the place of one they were near.
+  std::span<const std::uint32_t> loose() const { return loose_; }
+
+  /// Of points in doubt some that none of the hull's corners is missing from. They are decided exactly.
+  void add(std::span<const std::uint32_t> points) {
+    settles_doubts_ = true;
+    loose_.clear();
+    doubted_.clear();
+    is_sifting_worthwhile_ = false;
+    undecided_.clear();
+    for (const std::uint32_t index : points) undecided_.push_back(frame_.at(index));
+    used_ = 0;
+    const std::size_t alive = faces_.size() - free_.size();
+    // What it takes to ask all faces about all of them, beside what it takes to begin anew with all that is left.
+    constexpr std::size_t tests_of_a_point = 256;
+    if (undecided_.size() * alive <= tests_of_a_point * (undecided_.size() + corners_.size())) {
+      new_faces_.clear();
+      for (std::uint32_t face = 0; face < faces_.size(); ++face) {
+        faces_[face].doubted = none;
+        if (faces_[face].is_alive) new_faces_.push_back(face);
+      }
+      deal();
+    } else {
+      undecided_.insert(undecided_.end(), corners_.begin(), corners_.end());
+      corners_.clear();
+      faces_.clear();
+      free_.clear();
+      begin();
+    }
+    grow_all();
   }
 
   /// Places of points that span what all of them span: one that all are at, two on the line they are on, three on the
@@ -95,6 +158,9 @@ class Quickhull {
     std::uint32_t from;
     std::uint32_t beyond;  ///< The half-edge of the face that stays.
   };
+
+  /// The link of a point in doubt that no face is known to be near.
+  static constexpr std::uint32_t loose_link = none - 1;
 
   std::array<std::uint32_t, 3> indices_of(const Face& face) const {
     return {corners_[face.corners[0]].index, corners_[face.corners[1]].index, corners_[face.corners[2]].index};
@@ -165,6 +231,21 @@ class Quickhull {
     deal();
   }
 
+  void grow_all() {
+    constexpr std::size_t few = 4096;
+    while (!waiting_.empty()) {
+      if (is_sifting_worthwhile_ && count_asked_again_ > doubted_.size() + few) return;
+      const std::uint32_t face = waiting_.back();
+      waiting_.pop_back();
+      faces_[face].is_waiting = false;
+      if (faces_[face].is_alive) {
+        grow(face);
+      } else {
+        free_.push_back(face);
+      }
+    }
+  }
+
   std::uint32_t add_face(const std::array<std::uint32_t, 3>& corners, const std::array<std::uint32_t, 3>& twins) {
     auto place = static_cast<std::uint32_t>(faces_.size());
     if (!free_.empty()) {
@@ -184,32 +265,54 @@ class Quickhull {
   }
 
   /// Puts each of the undecided points on the stack, with others of the first of the new faces that it is outside of,
-  /// or forgets it.
+  /// or sets it aside, or forgets it.
   void deal() {
-    if (outside_.size() < used_ + undecided_.size())
-      outside_.resize(std::max(used_ + undecided_.size(), outside_.size() * 3 / 2));
     for (const std::uint32_t place : new_faces_) {
       if (undecided_.empty()) return;
+      take_outside(place);
       Face& face = faces_[place];
-      take_outside(face);
       if (face.first == face.last) continue;
       face.is_waiting = true;
       waiting_.push_back(place);
     }
+    if (!is_any_in_doubt_) return;
+    for (const HullPoint& point : undecided_) set_aside(point);
+    is_any_in_doubt_ = false;
+  }
+
+  /// Whether a plane is along two axes, so that `orientation` has to compare two coordinates at most.
+  static bool is_along_axes(const HullPlane& plane) {
+    const Vec<3, double>& normal = plane.normal;
+    return (normal.x == 0 ? 1 : 0) + (normal.y == 0 ? 1 : 0) + (normal.z == 0 ? 1 : 0) >= 2;
+  }
+
+  /// Whether a plane has a thinner layer of points that are in doubt about it than another one.
+  static bool is_sharper(const HullPlane& plane, const HullPlane& other) {
+    return plane.doubt * sum_abs(other.normal) < other.doubt * sum_abs(plane.normal);
   }
 
   /// Moves the undecided points that are outside of a face to the stack.
-  void take_outside(Face& face) {
+  void take_outside(std::uint32_t place) {
+    Face& face = faces_[place];
     const HullPlane plane = face.plane;
+    const bool settles_doubts = settles_doubts_ || is_along_axes(plane);
     double largest = -std::numeric_limits<double>::infinity();
     std::size_t last = used_;
     std::size_t kept = 0;
-    for (const HullPoint point : undecided_) {
+    for (HullPoint point : undecided_) {
       const double height = plane.height(point.place);
       bool is_above = height > plane.doubt;
-      if (!is_above && height > -plane.doubt) is_above = frame_.orientation_of(indices_of(face), point.index) > 0;
+      if (!is_above && height > -plane.doubt) {
+        if (settles_doubts) {
+          is_above = frame_.orientation_of(indices_of(face), point.index) > 0;
+        } else {
+          if (point.link >= loose_link || is_sharper(plane, faces_[point.link].plane)) point.link = place;
+          is_any_in_doubt_ = true;
+        }
+      }
+      if (last == outside_.size()) outside_.resize(last + last / 2 + 1024);
       // Both are written and one is kept: a branch would be guessed wrong every other time.
-      outside_[last] = point;
+      outside_[last] = {point.place, point.index};
       undecided_[kept] = point;
       last += is_above ? 1 : 0;
       kept += is_above ? 0 : 1;
@@ -224,6 +327,31 @@ class Quickhull {
     used_ = last;
   }
 
+  /// Keeps a point that is outside of no new face if it is in doubt: near one of them, or one that is gone. That it is
+  /// inside of the faces that took the place of that one says nothing about others it may be outside of.
+  void set_aside(const HullPoint& point) {
+    if (point.link == none) return;
+    if (point.link == loose_link) {
+      loose_.push_back(point.index);
+      return;
+    }
+    Face& face = faces_[point.link];
+    const auto is_at = [&](std::uint32_t corner) { return frame_.point(corner) == frame_.point(point.index); };
+    const std::array<std::uint32_t, 3> corners = indices_of(face);
+    if (is_at(corners[0]) || is_at(corners[1]) || is_at(corners[2])) return;
+    doubted_.add(face.doubted, point.index);
+  }
+
+  /// Makes the points in doubt that were set aside with a face undecided.
+  void take_doubted(Face& face) {
+    doubted_.drain(face.doubted, [&](std::uint32_t point) {
+      undecided_.push_back(frame_.at(point));
+      undecided_.back().link = loose_link;
+      is_any_in_doubt_ = true;
+      ++count_asked_again_;
+    });
+  }
+
   /// Adds the farthest of the points outside a face, the last one waiting.
   void grow(std::uint32_t face) {
     const std::size_t top = faces_[face].first;
@@ -235,6 +363,7 @@ class Quickhull {
       Face& old = faces_[seen];
       undecided_.insert(undecided_.end(), outside_.begin() + static_cast<std::ptrdiff_t>(old.first),
                         outside_.begin() + static_cast<std::ptrdiff_t>(old.last));
+      take_doubted(old);
       old.is_alive = false;
       if (!old.is_waiting) free_.push_back(seen);
     }
@@ -299,6 +428,12 @@ class Quickhull {
   std::vector<std::uint32_t> waiting_;  // faces that had points outside when they were made, the newest last
   std::vector<HullPoint> outside_;      // the stack of these points, in the order of `waiting_`
   std::size_t used_ = 0;                // of that stack
+  IndexLists doubted_;                  // points in doubt, a list for each face
+  std::size_t count_asked_again_ = 0;   // how often one of them was taken out of its list since they were sifted
+  bool is_sifting_worthwhile_ = true;
+  std::vector<std::uint32_t> loose_;  // points in doubt in no list
+  bool is_any_in_doubt_ = false;      // of the undecided ones
+  bool settles_doubts_ = false;       // exactly, at once
   std::vector<std::uint32_t> seen_;
   std::vector<std::uint32_t> new_faces_;
   std::vector<HorizonEdge> horizon_;

@@ -2,11 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <random>
-#include <set>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -16,36 +13,17 @@
 
 #include "catalogue.hpp"
 #include "query/point_sets.hpp"
+#include "shape/hull_surface.hpp"
 
 namespace graze::detail::hull_faces_test {
 namespace {
 
+using test::corners_of;
+using test::is_hull_of;
+
 template <class T>
 std::vector<HullTriangle> faces_of(const std::vector<Vec<3, T>>& points) {
   return hull_faces(std::span<const Vec<3, T>>(points));
-}
-
-std::set<std::uint32_t> corners_of(const std::vector<HullTriangle>& faces) {
-  std::set<std::uint32_t> corners;
-  for (const HullTriangle& face : faces) corners.insert(face.begin(), face.end());
-  return corners;
-}
-
-/// A closed surface with no point outside of any of its triangles is that of the hull, if it is not empty.
-template <class T>
-bool is_hull_of(const std::vector<HullTriangle>& faces, const std::vector<Vec<3, T>>& points) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-  for (const HullTriangle& face : faces) {
-    for (std::size_t i = 0; i < 3; ++i) ++edges[{face[i], face[(i + 1) % 3]}];
-    if (are_on_one_line(points[face[0]], points[face[1]], points[face[2]])) return false;
-    for (const Vec<3, T>& point : points) {
-      if (orientation(points[face[0]], points[face[1]], points[face[2]], point) > 0) return false;
-    }
-  }
-  for (const auto& [edge, count] : edges) {
-    if (count != 1 || edges.count({edge.second, edge.first}) != 1) return false;
-  }
-  return faces.size() == 2 * corners_of(faces).size() - 4;  // Euler
 }
 
 /// By brute force.

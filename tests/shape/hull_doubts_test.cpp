@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <graze/shape/hull_doubts.hpp>
+#include <graze/shape/hull_faces.hpp>
+#include <graze/shape/hull_flat.hpp>
+#include <graze/shape/hull_frame.hpp>
+#include <graze/shape/hull_vertices.hpp>
+#include <graze/shape/lexicographic.hpp>
+#include <graze/shape/quickhull.hpp>
+
+#include "catalogue.hpp"
+#include "shape/hull_surface.hpp"
+#include "shape/thin_crowds.hpp"
+
+namespace graze::detail::hull_doubts_test {
+namespace {
+
+using test::ThinCrowd;
+
+template <class T>
+std::vector<Vec<3, T>> sorted(const std::vector<Vec<3, T>>& points, const std::vector<std::uint32_t>& places) {
+  std::vector<Vec<3, T>> result;
+  for (const std::uint32_t place : places) result.push_back(points[place]);
+  std::sort(result.begin(), result.end(), lexicographically_less<3, T>);
+  return result;
+}
+
+/// The corners of the hull, in order, by a quickhull that decides each point exactly as it comes.
+template <class T>
+std::vector<Vec<3, T>> careful_vertices(const std::vector<Vec<3, T>>& points) {
+  const HullFrame<T> frame{std::span<const Vec<3, T>>(points)};
+  const Quickhull<T> any(frame, all_points(frame));
+  std::vector<HullPoint> base;
+  for (const std::uint32_t point : any.base()) base.push_back(frame.at(point));
+  Quickhull<T> hull(frame, base);
+  if (base.size() < 4) return sorted(points, flat_vertices(hull));
+  std::vector<std::uint32_t> all(points.size());
+  std::iota(all.begin(), all.end(), 0U);
+  hull.add(all);
+  const std::vector<bool> is_vertex = are_vertices(hull, bent_edges(hull));
+  std::vector<std::uint32_t> vertices;
+  for (std::size_t i = 0; i < is_vertex.size(); ++i) {
+    if (is_vertex[i]) vertices.push_back(hull.corners()[i].index);
+  }
+  return sorted(points, vertices);
+}
+
+template <class T>
+std::vector<Vec<3, T>> vertices_of(const std::vector<Vec<3, T>>& points) {
+  return sorted(points, hull_vertices(std::span<const Vec<3, T>>(points)));
+}
+
+TEST(HullDoubts, AreSiftedToAFewOfManyPointsOnALine) {
+  const auto points = test::thin_crowd<double>(ThinCrowd::lines, 4000, 3);
+  const HullFrame<double> frame(points);
+  const Quickhull<double> hull = clear_hull(frame, all_points(frame));
+  EXPECT_TRUE(hull.has_doubts());
+  EXPECT_LT(corners_of_faces(hull).size(), 30U);
+  EXPECT_LT(outer_in_doubt(hull).size(), 600U);
+}
+
+TEST(HullDoubts, AreNoneOnAGrid) {
+  std::vector<Vec<3, float>> grid;
+  for (int i = 0; i < 1000; ++i) grid.emplace_back(i % 10, i / 10 % 10, i / 100);
+  const HullFrame<float> frame(grid);
+  EXPECT_FALSE(Quickhull<float>(frame, all_points(frame)).has_doubts());
+}
+
+TEST(HullDoubts, PayToBeSiftedWhereMostPointsAreOnLines) {
+  const auto pays = [](const std::vector<Vec<3, double>>& points) {
+    const HullFrame<double> frame(points);
+    return pays_to_sift(frame, core_of(frame));
+  };
+  EXPECT_TRUE(pays(test::thin_crowd<double>(ThinCrowd::lines, 20000, 3)));
+  std::vector<Vec<3, double>> sphere = test::thin_crowd<double>(ThinCrowd::cube_faces, 20000, 3);
+  for (Vec<3, double>& point : sphere) point /= std::sqrt(dot(point, point));
+  EXPECT_FALSE(pays(sphere));
+}
+
+template <class T>
+class HullDoubtsIn : public testing::Test {};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(HullDoubtsIn, Scalars);
+
+TYPED_TEST(HullDoubtsIn, LeaveAClosedSurfaceAroundAllPoints) {
+  using T = TypeParam;
+  test::check_property([] {
+    const auto crowd = static_cast<ThinCrowd>(*test::choice(test::thin_crowds));
+    const std::vector<Vec<3, T>> points = test::thin_crowd<T>(crowd, 4 + *test::choice(250), *test::choice(1U << 30U));
+    const auto faces = hull_faces(std::span<const Vec<3, T>>(points));
+    if (!faces.empty()) RC_ASSERT(test::is_hull_of(faces, points));
+  });
+}
+
+TYPED_TEST(HullDoubtsIn, AreSettledAsTheCarefulWaySettlesThem) {
+  using T = TypeParam;
+  test::check_property([] {
+    const auto crowd = static_cast<ThinCrowd>(*test::choice(test::thin_crowds));
+    std::vector<Vec<3, T>> points = test::thin_crowd<T>(crowd, 4 + *test::choice(800), *test::choice(1U << 30U));
+    const std::vector<Vec<3, T>> expected = careful_vertices(points);
+    RC_ASSERT(vertices_of(points) == expected);
+    std::reverse(points.begin(), points.end());
+    RC_ASSERT(vertices_of(points) == expected);
+  });
+}
+
+// So many that they are sifted before all others are decided.
+TYPED_TEST(HullDoubtsIn, AreSettledTheSameForMany) {
+  using T = TypeParam;
+  for (std::size_t crowd = 0; crowd < test::thin_crowds; ++crowd) {
+    const auto points = test::thin_crowd<T>(static_cast<ThinCrowd>(crowd), 12000, crowd);
+    EXPECT_EQ(vertices_of(points), careful_vertices(points)) << crowd;
+  }
+}
+
+// So many that they are sifted piece by piece, where that pays.
+TYPED_TEST(HullDoubtsIn, AreSettledTheSameByPieces) {
+  using T = TypeParam;
+  for (const ThinCrowd crowd : {ThinCrowd::lines, ThinCrowd::cube_edges}) {
+    const auto points = test::thin_crowd<T>(crowd, 70000, 5);
+    const HullFrame<T> frame{std::span<const Vec<3, T>>(points)};
+    EXPECT_LT(sifted_candidates(frame).size(), points.size() / 5);
+    std::vector<Vec<3, T>> expected;
+    for (std::size_t first = 0; first < points.size(); first += 10000) {
+      const auto start = points.begin() + static_cast<std::ptrdiff_t>(first);
+      std::vector<Vec<3, T>> part(start, start + 10000);
+      part.insert(part.end(), expected.begin(), expected.end());
+      expected = vertices_of(part);
+    }
+    EXPECT_EQ(vertices_of(points), expected);
+  }
+}
+
+}  // namespace
+}  // namespace graze::detail::hull_doubts_test
