@@ -172,6 +172,7 @@ int main(int argc, char** argv) {
       do_agree = register_crowd<2>(crowd, count) && do_agree;
       do_agree = register_crowd<3>(crowd, count) && do_agree;
     }
+    for (const Crowd crowd : graze::hull_bench::space_crowds) do_agree = register_crowd<3>(crowd, count) && do_agree;
   }
   if (!do_agree) return 1;
   return graze::bench::run_races(argc, argv);

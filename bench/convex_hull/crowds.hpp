@@ -17,10 +17,25 @@ namespace graze::hull_bench {
 template <Dim N>
 using Points = std::vector<Vec<N, double>>;
 
-enum class Crowd { on_sphere, in_ball, in_cube, gaussian, on_lines, grid, decimal_grid, turned_grid };
+enum class Crowd {
+  on_sphere,
+  in_ball,
+  in_cube,
+  gaussian,
+  on_lines,
+  grid,
+  decimal_grid,
+  turned_grid,
+  // In space alone:
+  on_cube,
+  on_cube_edges,
+  on_cylinder_lines,
+};
 
 inline constexpr std::array all_crowds = {Crowd::on_sphere, Crowd::in_ball, Crowd::in_cube,      Crowd::gaussian,
                                           Crowd::on_lines,  Crowd::grid,    Crowd::decimal_grid, Crowd::turned_grid};
+
+inline constexpr std::array space_crowds = {Crowd::on_cube, Crowd::on_cube_edges, Crowd::on_cylinder_lines};
 
 inline const char* name_of(Crowd crowd, Dim dimension) {
   const bool is_flat = dimension == 2;
@@ -41,6 +56,12 @@ inline const char* name_of(Crowd crowd, Dim dimension) {
       return is_flat ? "flat grid of 0.1" : "grid of 0.1";
     case Crowd::turned_grid:
       return is_flat ? "turned flat grid" : "turned grid";
+    case Crowd::on_cube:
+      return "on a turned cube";
+    case Crowd::on_cube_edges:
+      return "on a turned cube's edges";
+    case Crowd::on_cylinder_lines:
+      return "on 100 lines of a cylinder";
   }
   return "";
 }
@@ -115,9 +136,29 @@ Vec<N, double> random_point(Crowd crowd, std::mt19937_64& random) {
   return point * std::pow(0.5 + 0.5 * uniform(random), 1.0 / static_cast<double>(N));
 }
 
+/// On the faces, or the edges, of a cube, or on a hundred lines along a cylinder, up to rounding.
+inline Points<3> on_surface(Crowd crowd, std::size_t count, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto end = [&] { return uniform(random) < 0 ? -1.0 : 1.0; };
+  Points<3> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    Vec<3, double>& point = points.emplace_back(end(), end(), end());
+    const auto axis = static_cast<Dim>(i % 3);
+    point[axis] = uniform(random);
+    if (crowd == Crowd::on_cube) point[(axis + 1) % 3] = uniform(random);
+    if (crowd != Crowd::on_cylinder_lines) continue;
+    const double angle = 0.0628 * static_cast<double>(i % 100);
+    point = {std::cos(angle), std::sin(angle), uniform(random)};
+  }
+  return turned<3>(points);
+}
+
 template <Dim N>
 Points<N> points_of(Crowd crowd, std::size_t count) {
   std::mt19937_64 random(20261122);
+  if constexpr (N == 3) {
+    if (crowd >= Crowd::on_cube) return on_surface(crowd, count, random);
+  }
   if (crowd == Crowd::grid) return grid<N>(count, 1, random);
   if (crowd == Crowd::decimal_grid) return grid<N>(count, 0.1, random);
   if (crowd == Crowd::turned_grid) return turned(grid<N>(count, 1, random));
