@@ -6,11 +6,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 #include <graze/math/orientation.hpp>
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/math/whole_determinant.hpp>
 
 namespace graze {
 
@@ -65,6 +67,7 @@ inline double twofold_determinant(const std::array<std::array<Rounded, 3>, 3>& r
 /// sum of its six products' absolute values.
 inline int sign_of_determinant(const std::array<Vec<3, double>, 3>& points, const Vec<3, double>& origin,
                                double magnitude) {
+  if (const std::optional<int> sign = sign_of_whole_determinant(points, origin)) return *sign;
   bool are_exact = true;
   std::array<std::array<Rounded, 3>, 3> rows{};
   for (std::size_t row = 0; row < 3; ++row) {
@@ -97,9 +100,9 @@ inline int sign_of_determinant(const std::array<Vec<3, double>, 3>& points, cons
 /// 1 when d lies on that side of the plane through a, b, c from which these run counter-clockwise, -1 on the other
 /// side, 0 when the four lie on one plane. The exact sign of dot(a - d, cross(b - d, c - d)), negated: a double
 /// evaluation decides unless it is within its error bound (Shewchuk, "Adaptive Precision Floating-Point Arithmetic and
-/// Fast Robust Geometric Predicates", 1997, section 4.3); then it is evaluated in twice the precision of double, and
-/// only if that does not decide, a sum is taken exactly: one determinant where the differences are exact, as those of
-/// neighbours on a grid, else the four of the expanded one. For coordinates that are zero or of magnitude 1e-90 to
+/// Fast Robust Geometric Predicates", 1997, section 4.3); then it is evaluated in integers where coordinates are of like
+/// sizes, else in twice the precision of double, and only if that does not decide, a sum is taken exactly: one
+/// determinant where the differences are exact, as those of neighbours on a grid, else the four of the expanded one. For coordinates that are zero or of magnitude 1e-90 to
 /// 1e90: outside, products leave the range of double.
 template <class T>
 int orientation(const Vec<3, T>& a, const Vec<3, T>& b, const Vec<3, T>& c, const Vec<3, T>& d) {

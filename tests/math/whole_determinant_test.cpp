@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include <graze/math/whole_determinant.hpp>
+
+#include "exact/numbers.hpp"
+
+namespace graze::detail::whole_determinant_test {
+namespace {
+
+using V = Vec<3, double>;
+using Points = std::array<V, 3>;
+
+int exact_sign(const Points& points, const V& origin) {
+  std::array<test::RationalVec<3>, 3> off{};
+  for (std::size_t row = 0; row < 3; ++row) {
+    off[row] = test::exact(points[row]);
+    for (std::size_t i = 0; i < 3; ++i) off[row][i] -= test::exact(origin)[i];
+  }
+  test::Rational determinant = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    determinant += off[0][i] * (off[1][j] * off[2][k] - off[1][k] * off[2][j]);
+  }
+  return determinant.sign();
+}
+
+#ifdef GRAZE_HAS_INT128
+
+TEST(WholeDeterminant, HasTheSignThatRationalNumbersGive) {
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> number(-1, 1);
+  const auto point = [&] { return V(number(random), number(random), number(random)); };
+  int counted = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const double size = std::ldexp(1.0, i % 600 - 298);
+    const V o = point() * size;
+    const V a = point() * size;
+    const V b = point() * size;
+    // All kinds of nearly flat ones, also all but on one line.
+    const V c = i % 3 == 0 ? point() * size : i % 3 == 1 ? o + (a - o) * number(random) + (b - o) * number(random)
+                                                         : o + (a - o) * number(random);
+    const Points points = {a, i % 2 == 0 ? b : o + (a - o) * 0.3, c};
+    const std::optional<int> sign = sign_of_whole_determinant(points, o);
+    if (!sign) continue;
+    ++counted;
+    EXPECT_EQ(*sign, exact_sign(points, o)) << i;
+  }
+  EXPECT_GT(counted, 2500);
+}
+
+// The largest numbers that fit, where a bit too many would turn a sign.
+TEST(WholeDeterminant, HasRoomForTheLargest) {
+  constexpr double most = 0x1.fffffffffffffp60;
+  std::mt19937_64 random(5);
+  const auto end = [&] { return (random() % 2 == 0 ? most : -most) - (random() % 4 == 0 ? 0x1p20 : 0.0); };
+  for (int i = 0; i < 3000; ++i) {
+    Points points;
+    for (V& point : points) point = V(end(), end(), end());
+    const V origin(end(), end(), end());
+    const std::optional<int> sign = sign_of_whole_determinant(points, origin);
+    ASSERT_TRUE(sign.has_value());
+    EXPECT_EQ(*sign, exact_sign(points, origin)) << i;
+  }
+}
+
+TEST(WholeDeterminant, IsZeroOnAPlaneAndAHairBesideItIsNot) {
+  const V a(0.5, 0.25, 1);
+  const V b(1, -0.75, 1);
+  const V c(-0.125, 0.375, 1);
+  EXPECT_EQ(sign_of_whole_determinant({a, b, c}, V(0.1, 0.2, 1)), 0);
+  const int above = *sign_of_whole_determinant({a, b, c}, V(0.1, 0.2, std::nextafter(1, 2)));
+  EXPECT_NE(above, 0);
+  EXPECT_EQ(sign_of_whole_determinant({a, b, c}, V(0.1, 0.2, std::nextafter(1, 0))), -above);
+  EXPECT_EQ(sign_of_whole_determinant({b, a, c}, V(0.1, 0.2, std::nextafter(1, 0))), above);
+}
+
+TEST(WholeDeterminant, KnowsWhatItDoesNotKnow) {
+  const V a(1, 0, 0);
+  const V b(0, 1, 0);
+  const V third(1.0 / 3, 1.0 / 3, 1.0 / 3);
+  EXPECT_EQ(sign_of_whole_determinant({a, b, third}, V(0.0)), 1);
+  EXPECT_EQ(sign_of_whole_determinant({a, b, V(0, 0, 1e-30)}, V(0.0)), std::nullopt) << "far more bits";
+  EXPECT_EQ(sign_of_whole_determinant({a, b, third * 0x1p-20}, V(0.0)), std::nullopt);
+  EXPECT_EQ(sign_of_whole_determinant({a, b, V(0, 0, 0x1p-40)}, V(0.0)), 1) << "a single bit";
+  EXPECT_EQ(sign_of_whole_determinant({V(0.0), V(0.0), V(0.0)}, V(0.0)), std::nullopt);
+  EXPECT_EQ(sign_of_whole_determinant({a * 1e95, b * 1e95, third}, V(0.0)), std::nullopt);
+}
+
+#endif
+
+}  // namespace
+}  // namespace graze::detail::whole_determinant_test
