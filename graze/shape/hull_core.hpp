@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hull_candidates(frame): the points that may be corners of a hull. Most of many points are deep inside, which the hull
+// put_candidates(frame, list): the points that may be corners of a hull. Most of many points are deep inside, which the hull
 // of a few of them tells at a glance.
 #pragma once
 
@@ -137,23 +137,22 @@ HullCore core_of(const HullFrame<T>& frame) {
   return {sample_of(frame, static_cast<std::size_t>(2 * root * root)), frame.half_extents()};
 }
 
-/// The points of a frame from one place to before another one, but for those that the core holds.
+/// Puts the points of a frame from one place to before another one into a list, but for those that the core holds.
 template <class T>
-std::vector<HullPoint> points_beside(const HullCore& core, const HullFrame<T>& frame, std::uint32_t first,
-                                     std::uint32_t last) {
-  std::vector<HullPoint> result;
+void put_points_beside(const HullCore& core, const HullFrame<T>& frame, std::uint32_t first, std::uint32_t last,
+                       std::vector<HullPoint>& result) {
+  result.clear();
   result.reserve(last - first);
   for (std::uint32_t i = first; i < last; ++i) {
     const HullPoint point = frame.at(i);
     if (!core.holds(point.place)) result.push_back(point);
   }
-  return result;
 }
 
-/// The points of a frame but for some that are strictly inside the hull of others.
+/// Puts the points of a frame into a list, but for some that are strictly inside the hull of others.
 template <class T>
-std::vector<HullPoint> hull_candidates(const HullFrame<T>& frame) {
-  return points_beside(core_of(frame), frame, 0, frame.size());
+void put_candidates(const HullFrame<T>& frame, std::vector<HullPoint>& result) {
+  put_points_beside(core_of(frame), frame, 0, frame.size(), result);
 }
 
 }  // namespace graze::detail

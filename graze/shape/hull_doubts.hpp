@@ -111,16 +111,26 @@ std::vector<std::uint32_t> corners_of_faces(const Quickhull<T>& hull) {
   return result;
 }
 
+/// Memory for the hulls of groups.
+template <class T>
+struct GroupMemory {
+  std::vector<Vec<3, T>> points;
+  std::vector<HullPoint> candidates;
+  Quickhull<T> hull;
+};
+
 /// Some of a group's points, none missing that are corners of its hull.
 template <class T>
-std::vector<std::uint32_t> outer_of(const HullFrame<T>& frame, std::vector<std::uint32_t> group) {
+std::vector<std::uint32_t> outer_of(const HullFrame<T>& frame, std::vector<std::uint32_t> group,
+                                    GroupMemory<T>& memory) {
   constexpr std::size_t few = 32;
   if (group.size() < few) return group;
-  std::vector<Vec<3, T>> points;
-  points.reserve(group.size());
-  for (const std::uint32_t point : group) points.push_back(frame.point(point));
-  const HullFrame<T> sheared = HullFrame<T>::sheared(points);
-  Quickhull<T> hull(sheared, hull_candidates(sheared));
+  memory.points.clear();
+  for (const std::uint32_t point : group) memory.points.push_back(frame.point(point));
+  const HullFrame<T> sheared = HullFrame<T>::sheared(memory.points);
+  put_candidates(sheared, memory.candidates);
+  Quickhull<T>& hull = memory.hull;
+  hull.start(sheared, memory.candidates);
   hull.finish();
   std::vector<std::uint32_t> outer = hull.base().size() < 4 ? flat_vertices(hull) : corners_of_faces(hull);
   outer.insert(outer.end(), hull.loose().begin(), hull.loose().end());
@@ -133,63 +143,77 @@ std::vector<std::uint32_t> outer_of(const HullFrame<T>& frame, std::vector<std::
 
 /// Some of the points in doubt, none missing that are corners of the hull of all.
 template <class T>
-std::vector<std::uint32_t> outer_in_doubt(const Quickhull<T>& hull) {
+std::vector<std::uint32_t> outer_in_doubt(const Quickhull<T>& hull, GroupMemory<T>& memory) {
   if (!hull.has_doubts()) return {};
   std::vector<std::uint32_t> result(hull.loose().begin(), hull.loose().end());
   for (std::vector<std::uint32_t>& group : groups_in_doubt(hull)) {
-    const std::vector<std::uint32_t> outer = outer_of(hull.frame(), std::move(group));
+    const std::vector<std::uint32_t> outer = outer_of(hull.frame(), std::move(group), memory);
     result.insert(result.end(), outer.begin(), outer.end());
   }
   return result;
 }
 
-/// The hull of candidates, but for those in doubt, which are sifted as often as needed.
+/// Memory for hulls and for those of their groups.
 template <class T>
-Quickhull<T> clear_hull(const HullFrame<T>& frame, std::vector<HullPoint> candidates) {
-  Quickhull<T> hull(frame, std::move(candidates));
+struct HullMemory {
+  Quickhull<T> hull;
+  GroupMemory<T> groups;
+};
+
+/// The hull of candidates, but for those in doubt, which are sifted as often as needed. In exchange for the candidates
+/// there is memory for others.
+template <class T>
+Quickhull<T>& clear_hull(const HullFrame<T>& frame, std::vector<HullPoint>& candidates, HullMemory<T>& memory) {
+  Quickhull<T>& hull = memory.hull;
+  hull.start(frame, candidates);
   while (!hull.is_finished()) {
     std::vector<bool> is_outer(frame.size(), false);
-    for (const std::uint32_t point : outer_in_doubt(hull)) is_outer[point] = true;
+    for (const std::uint32_t point : outer_in_doubt(hull, memory.groups)) is_outer[point] = true;
     hull.sift(is_outer);
   }
   return hull;
 }
 
-/// Takes candidates away, none that are corners of the hull of all.
+/// Adds some of the candidates to others, none missing that are corners of the hull of all. What the candidates are
+/// then is memory for more.
 template <class T>
-void sift(const HullFrame<T>& frame, std::vector<HullPoint>& candidates) {
-  const Quickhull<T> hull = clear_hull(frame, candidates);
-  if (hull.base().size() < 4) return;
-  candidates.clear();
-  for (const std::uint32_t point : corners_of_faces(hull)) candidates.push_back(frame.at(point));
-  for (const std::uint32_t point : outer_in_doubt(hull)) candidates.push_back(frame.at(point));
+void add_sifted(const HullFrame<T>& frame, std::vector<HullPoint>& candidates, HullMemory<T>& memory,
+                std::vector<HullPoint>& result) {
+  const Quickhull<T>& hull = clear_hull(frame, candidates, memory);
+  result.insert(result.end(), hull.flat_candidates().begin(), hull.flat_candidates().end());
+  for (const std::uint32_t point : corners_of_faces(hull)) result.push_back(frame.at(point));
+  for (const std::uint32_t point : outer_in_doubt(hull, memory.groups)) result.push_back(frame.at(point));
 }
 
 /// Whether the core leaves most of a few points, and most of these are not near the surface of their hull.
 template <class T>
-bool pays_to_sift(const HullFrame<T>& frame, const HullCore& core) {
+bool pays_to_sift(const HullFrame<T>& frame, const HullCore& core, HullMemory<T>& memory) {
   constexpr std::size_t enough = 4096;
   std::vector<HullPoint> sample = sample_of(frame, enough);
   sample.erase(std::remove_if(sample.begin(), sample.end(), [&](const HullPoint& p) { return core.holds(p.place); }),
                sample.end());
   if (sample.size() < enough / 2) return false;
-  sift(frame, sample);
-  return sample.size() < enough / 2;
+  std::vector<HullPoint> sifted;
+  add_sifted(frame, sample, memory, sifted);
+  return sifted.size() < enough / 2;
 }
 
 /// The points of a frame that may be corners. Where most are on some lines and planes, from pieces that a processor's
 /// cache holds.
 template <class T>
-std::vector<HullPoint> sifted_candidates(const HullFrame<T>& frame) {
+std::vector<HullPoint> sifted_candidates(const HullFrame<T>& frame, HullMemory<T>& memory) {
   constexpr std::uint32_t piece = 1U << 15U;
   const HullCore core = core_of(frame);
-  if (frame.size() < 2 * piece || !pays_to_sift(frame, core)) return points_beside(core, frame, 0, frame.size());
   std::vector<HullPoint> result;
+  if (frame.size() < 2 * piece || !pays_to_sift(frame, core, memory)) {
+    put_points_beside(core, frame, 0, frame.size(), result);
+    return result;
+  }
+  std::vector<HullPoint> candidates;
   for (std::uint32_t first = 0; first < frame.size();) {
     const std::uint32_t last = first + std::min(piece, frame.size() - first);
-    std::vector<HullPoint> candidates = points_beside(core, frame, first, last);
-    sift(frame, candidates);
-    result.insert(result.end(), candidates.begin(), candidates.end());
+    put_points_beside(core, frame, first, last, candidates);
+    add_sifted(frame, candidates, memory, result);
     first = last;
   }
   return result;
@@ -198,9 +222,11 @@ std::vector<HullPoint> sifted_candidates(const HullFrame<T>& frame) {
 /// The hull of the points of a frame, which must outlive it.
 template <class T>
 Quickhull<T> hull_of(const HullFrame<T>& frame) {
-  Quickhull<T> hull = clear_hull(frame, sifted_candidates(frame));
-  if (hull.has_doubts()) hull.add(outer_in_doubt(hull));
-  return hull;
+  HullMemory<T> memory;
+  std::vector<HullPoint> candidates = sifted_candidates(frame, memory);
+  Quickhull<T>& hull = clear_hull(frame, candidates, memory);
+  if (hull.has_doubts()) hull.add(outer_in_doubt(hull, memory.groups));
+  return std::move(hull);
 }
 
 }  // namespace graze::detail

@@ -50,10 +50,19 @@ class Quickhull {
     bool sees = false;        ///< The point that is being added.
   };
 
+  /// Of nothing: only memory for hulls.
+  Quickhull() = default;
+
   /// Of the candidates, some points of the frame, at least one, that none of its corners is missing from; but those in
   /// doubt are not in it until they are added, and where many are, it may not be finished. The frame must outlive it.
-  Quickhull(const HullFrame<T>& frame, std::vector<HullPoint> candidates)
-      : frame_(frame), undecided_(std::move(candidates)) {
+  Quickhull(const HullFrame<T>& frame, std::vector<HullPoint> candidates) { start(frame, candidates); }
+
+  /// The same, in the memory of the hull before. In exchange for the candidates there is memory for others.
+  void start(const HullFrame<T>& frame, std::vector<HullPoint>& candidates) {
+    frame_ = &frame;
+    undecided_.swap(candidates);
+    candidates.clear();
+    forget();
     find_base();
     if (base_size_ < 4) return;
     begin();
@@ -104,7 +113,7 @@ class Quickhull {
     doubted_.clear();
     is_sifting_worthwhile_ = false;
     undecided_.clear();
-    for (const std::uint32_t index : points) undecided_.push_back(frame_.at(index));
+    for (const std::uint32_t index : points) undecided_.push_back(frame_->at(index));
     used_ = 0;
     const std::size_t alive = faces_.size() - free_.size();
     // What it takes to ask all faces about all of them, beside what it takes to begin anew with all that is left.
@@ -118,9 +127,7 @@ class Quickhull {
       deal();
     } else {
       undecided_.insert(undecided_.end(), corners_.begin(), corners_.end());
-      corners_.clear();
-      faces_.clear();
-      free_.clear();
+      forget_faces();
       begin();
     }
     grow_all();
@@ -130,7 +137,12 @@ class Quickhull {
   /// plane they are on, or four. Exactly.
   std::span<const std::uint32_t> base() const { return {base_.data(), base_size_}; }
 
-  const HullFrame<T>& frame() const { return frame_; }
+  /// The candidates, if those span no volume: then there are no faces.
+  std::span<const HullPoint> flat_candidates() const {
+    return base_size_ < 4 ? std::span<const HullPoint>(undecided_) : std::span<const HullPoint>();
+  }
+
+  const HullFrame<T>& frame() const { return *frame_; }
 
   /// Those that are alive are the surface of the hull, none if all points lie on one plane: triangles that share their
   /// edges two by two, none of them without area. Flat parts of the surface come in several.
@@ -150,7 +162,7 @@ class Quickhull {
     const Face& face = faces_[half_edge / 4];
     const HullPoint& beyond = corners_[origin(next(next(twin(half_edge))))];
     if (face.plane.height(beyond.place) < -face.plane.doubt) return true;
-    return !frame_.is_exact() && frame_.orientation_of(indices_of(face), beyond.index) != 0;
+    return !frame_->is_exact() && frame_->orientation_of(indices_of(face), beyond.index) != 0;
   }
 
  private:
@@ -170,7 +182,7 @@ class Quickhull {
     const double height = face.plane.height(point.place);
     if (height > face.plane.doubt) return true;
     if (height <= -face.plane.doubt) return false;
-    return frame_.orientation_of(indices_of(face), point.index) > 0;
+    return frame_->orientation_of(indices_of(face), point.index) > 0;
   }
 
   /// A point for which `counts` holds, the one for which `measure` is largest if it does for that one; none if it holds
@@ -191,37 +203,57 @@ class Quickhull {
     return other == undecided_.end() ? none : other->index;
   }
 
+  /// What it has found of points before.
+  void forget() {
+    base_size_ = 0;
+    forget_faces();
+    used_ = 0;
+    loose_.clear();
+    doubted_.clear();
+    count_asked_again_ = 0;
+    is_sifting_worthwhile_ = true;
+    is_any_in_doubt_ = false;
+    settles_doubts_ = false;
+  }
+
+  void forget_faces() {
+    corners_.clear();
+    faces_.clear();
+    free_.clear();
+    waiting_.clear();
+  }
+
   void add_to_base(std::uint32_t index) { base_[base_size_++] = index; }
 
   void find_base() {
-    const auto [a, b] = frame_.ends();
+    const auto [a, b] = frame_->ends();
     add_to_base(a);
-    if (frame_.point(a) == frame_.point(b)) return;
+    if (frame_->point(a) == frame_->point(b)) return;
     add_to_base(b);
-    const Vec<3, double> origin = frame_.at(a).place;
-    const Vec<3, double> edge = frame_.at(b).place - origin;
+    const Vec<3, double> origin = frame_->at(a).place;
+    const Vec<3, double> edge = frame_->at(b).place - origin;
     const auto across = [&](const Vec<3, double>& place) {
       const Vec<3, double> normal = cross(edge, place - origin);
       return dot(normal, normal);
     };
     const std::uint32_t c = farthest_by(across, [&, a = a, b = b](std::uint32_t i) {
-      return !are_on_one_line(frame_.point(a), frame_.point(b), frame_.point(i));
+      return !are_on_one_line(frame_->point(a), frame_->point(b), frame_->point(i));
     });
     if (c == none) return;
     add_to_base(c);
-    const HullPlane plane = frame_.plane(frame_.at(a), frame_.at(b), frame_.at(c));
+    const HullPlane plane = frame_->plane(frame_->at(a), frame_->at(b), frame_->at(c));
     const std::uint32_t d = farthest_by([&](const Vec<3, double>& place) { return std::fabs(plane.height(place)); },
                                         [&](std::uint32_t i) {
-                                          return frame_.orientation_of({base_[0], base_[1], base_[2]}, i) != 0;
+                                          return frame_->orientation_of({base_[0], base_[1], base_[2]}, i) != 0;
                                         });
     if (d == none) return;
     add_to_base(d);
-    if (frame_.orientation_of({base_[0], base_[1], base_[2]}, d) > 0) std::swap(base_[1], base_[2]);
+    if (frame_->orientation_of({base_[0], base_[1], base_[2]}, d) > 0) std::swap(base_[1], base_[2]);
   }
 
   /// A tetrahedron, and the points that are outside of its faces.
   void begin() {
-    for (const std::uint32_t index : base_) corners_.push_back(frame_.at(index));
+    for (const std::uint32_t index : base_) corners_.push_back(frame_->at(index));
     // The last corner is on the inner side of the first three.
     add_face({0, 1, 2}, {4, 8, 12});
     add_face({1, 0, 3}, {0, 14, 9});
@@ -259,7 +291,7 @@ class Quickhull {
     Face face;
     face.corners = corners;
     face.twins = twins;
-    face.plane = frame_.plane(corners_[corners[0]], corners_[corners[1]], corners_[corners[2]]);
+    face.plane = frame_->plane(corners_[corners[0]], corners_[corners[1]], corners_[corners[2]]);
     faces_[place] = face;
     return place;
   }
@@ -304,7 +336,7 @@ class Quickhull {
       bool is_above = height > plane.doubt;
       if (!is_above && height > -plane.doubt) {
         if (settles_doubts) {
-          is_above = frame_.orientation_of(indices_of(face), point.index) > 0;
+          is_above = frame_->orientation_of(indices_of(face), point.index) > 0;
         } else {
           if (point.link >= loose_link || is_sharper(plane, faces_[point.link].plane)) point.link = place;
           is_any_in_doubt_ = true;
@@ -336,7 +368,7 @@ class Quickhull {
       return;
     }
     Face& face = faces_[point.link];
-    const auto is_at = [&](std::uint32_t corner) { return frame_.point(corner) == frame_.point(point.index); };
+    const auto is_at = [&](std::uint32_t corner) { return frame_->point(corner) == frame_->point(point.index); };
     const std::array<std::uint32_t, 3> corners = indices_of(face);
     if (is_at(corners[0]) || is_at(corners[1]) || is_at(corners[2])) return;
     doubted_.add(face.doubted, point.index);
@@ -345,7 +377,7 @@ class Quickhull {
   /// Makes the points in doubt that were set aside with a face undecided.
   void take_doubted(Face& face) {
     doubted_.drain(face.doubted, [&](std::uint32_t point) {
-      undecided_.push_back(frame_.at(point));
+      undecided_.push_back(frame_->at(point));
       undecided_.back().link = loose_link;
       is_any_in_doubt_ = true;
       ++count_asked_again_;
@@ -418,7 +450,7 @@ class Quickhull {
     }
   }
 
-  const HullFrame<T>& frame_;
+  const HullFrame<T>* frame_ = nullptr;
   std::vector<HullPoint> undecided_;
   std::array<std::uint32_t, 4> base_{};
   std::size_t base_size_ = 0;

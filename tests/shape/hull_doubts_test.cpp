@@ -63,10 +63,13 @@ std::vector<Vec<3, T>> vertices_of(const std::vector<Vec<3, T>>& points) {
 TEST(HullDoubts, AreSiftedToAFewOfManyPointsOnALine) {
   const auto points = test::thin_crowd<double>(ThinCrowd::lines, 4000, 3);
   const HullFrame<double> frame(points);
-  const Quickhull<double> hull = clear_hull(frame, all_points(frame));
+  HullMemory<double> memory;
+  std::vector<HullPoint> candidates = all_points(frame);
+  const Quickhull<double>& hull = clear_hull(frame, candidates, memory);
+  EXPECT_TRUE(candidates.empty());
   EXPECT_TRUE(hull.has_doubts());
   EXPECT_LT(corners_of_faces(hull).size(), 30U);
-  EXPECT_LT(outer_in_doubt(hull).size(), 600U);
+  EXPECT_LT(outer_in_doubt(hull, memory.groups).size(), 600U);
 }
 
 TEST(HullDoubts, AreNoneOnAGrid) {
@@ -79,12 +82,34 @@ TEST(HullDoubts, AreNoneOnAGrid) {
 TEST(HullDoubts, PayToBeSiftedWhereMostPointsAreOnLines) {
   const auto pays = [](const std::vector<Vec<3, double>>& points) {
     const HullFrame<double> frame(points);
-    return pays_to_sift(frame, core_of(frame));
+    HullMemory<double> memory;
+    return pays_to_sift(frame, core_of(frame), memory);
   };
   EXPECT_TRUE(pays(test::thin_crowd<double>(ThinCrowd::lines, 20000, 3)));
   std::vector<Vec<3, double>> sphere = test::thin_crowd<double>(ThinCrowd::cube_faces, 20000, 3);
   for (Vec<3, double>& point : sphere) point /= std::sqrt(dot(point, point));
   EXPECT_FALSE(pays(sphere));
+}
+
+// What is left of the hull before must not get into the next one.
+TEST(HullDoubts, AreTheSameInMemoryThatHasBeenUsed) {
+  HullMemory<double> used;
+  for (std::size_t crowd = 0; crowd < test::thin_crowds; ++crowd) {
+    for (const std::size_t count : {3U, 900U, 40U}) {
+      const auto points = test::thin_crowd<double>(static_cast<ThinCrowd>(crowd), count, crowd);
+      const HullFrame<double> frame(points);
+      const auto of = [&frame](HullMemory<double>& memory) {
+        std::vector<HullPoint> candidates = all_points(frame);
+        std::vector<HullPoint> result;
+        add_sifted(frame, candidates, memory, result);
+        std::vector<std::uint32_t> places;
+        for (const HullPoint& point : result) places.push_back(point.index);
+        return places;
+      };
+      HullMemory<double> fresh;
+      EXPECT_EQ(of(used), of(fresh)) << crowd << ", " << count;
+    }
+  }
 }
 
 template <class T>
@@ -129,7 +154,8 @@ TYPED_TEST(HullDoubtsIn, AreSettledTheSameByPieces) {
   for (const ThinCrowd crowd : {ThinCrowd::lines, ThinCrowd::cube_edges}) {
     const auto points = test::thin_crowd<T>(crowd, 70000, 5);
     const HullFrame<T> frame{std::span<const Vec<3, T>>(points)};
-    EXPECT_LT(sifted_candidates(frame).size(), points.size() / 5);
+    HullMemory<T> memory;
+    EXPECT_LT(sifted_candidates(frame, memory).size(), points.size() / 5);
     std::vector<Vec<3, T>> expected;
     for (std::size_t first = 0; first < points.size(); first += 10000) {
       const auto start = points.begin() + static_cast<std::ptrdiff_t>(first);
