@@ -31,6 +31,7 @@
 #include <graze/query/outline.hpp>
 #include <graze/query/ray_cast.hpp>
 #include <graze/query/relation.hpp>
+#include <graze/query/separation.hpp>
 #include <graze/query/shape_cast.hpp>
 #include <graze/query/signed_distance.hpp>
 #include <graze/query/time_of_impact.hpp>

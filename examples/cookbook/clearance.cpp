@@ -6,7 +6,7 @@
 
 #include <graze/broad/pairs.hpp>
 #include <graze/query/bounds.hpp>
-#include <graze/query/closest_points.hpp>
+#include <graze/query/separation.hpp>
 
 #include "picture.hpp"
 
@@ -37,14 +37,14 @@ int main(int argc, char** argv) {
   cookbook::Picture<2> picture("parts that are nearer than 0.5");
   for (const Part& part : parts) picture.draw(part.shape, part.name);
   for (const graze::Pair pair : candidates) {
-    const auto near = graze::closest_points(parts[pair.a].shape, parts[pair.b].shape);
+    const auto near = graze::separation(parts[pair.a].shape, parts[pair.b].shape);
     if (near.distance > clearance) continue;
     std::printf("%s and %s: ", parts[pair.a].name.c_str(), parts[pair.b].name.c_str());
     if (near.relation == graze::Relation::apart) {
       std::printf("%.3f apart, at (%.2f, %.2f)\n", near.distance, near.point_a.x, near.point_a.y);
       picture.connect(near.point_a, near.point_b);
     } else {
-      std::printf("they %s\n", near.relation == graze::Relation::touching ? "touch" : "overlap");
+      std::printf("%.3f deep in each other, at (%.2f, %.2f)\n", -near.distance, near.point_a.x, near.point_a.y);
     }
   }
   return picture.save(argc, argv);

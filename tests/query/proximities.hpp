@@ -4,8 +4,22 @@
 #pragma once
 
 #include <graze/math/vec.hpp>
+#include <graze/query/closest_points.hpp>
 #include <graze/query/proximity.hpp>
+#include <graze/query/simplex_cache.hpp>
 #include <graze/shape/any_shape.hpp>
+
+// Compiled there as well, for separation_test.cpp.
+namespace graze {
+extern template Proximity<2, double> detail::proximity(const AnyShape<2, float>&, const AnyShape<2, float>&,
+                                                       SimplexCache<2>*);
+extern template Proximity<2, double> detail::proximity(const AnyShape<2, double>&, const AnyShape<2, double>&,
+                                                       SimplexCache<2>*);
+extern template Proximity<3, double> detail::proximity(const AnyShape<3, float>&, const AnyShape<3, float>&,
+                                                       SimplexCache<3>*);
+extern template Proximity<3, double> detail::proximity(const AnyShape<3, double>&, const AnyShape<3, double>&,
+                                                       SimplexCache<3>*);
+}  // namespace graze
 
 namespace graze::test {
 
