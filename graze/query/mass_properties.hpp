@@ -5,8 +5,11 @@
 //   triangle and polytope in 2D           sum over triangles
 //   polytope in 3D                        sum over tetrahedra under the faces of the hull
 //   compound                              sum of its parts: where parts overlap, what they share counts twice
+//   posed                                 that of the shape, turned and moved
 //   point, segment; triangle in 3D        without volume: their middle, and no inertia
 //   ray, plane, half-space                without end: no centroid (NaN); half-spaces have an infinite volume
+//
+// Shapes of your own, which are known by their support points alone, have none.
 //
 // In double whatever the shape's type is, because volumes of floats leave the range of float. Errors are a few epsilon
 // of double of the volume, and of the centroid and inertia that a box around the shape would have.
@@ -24,6 +27,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/hull_faces.hpp>
+#include <graze/shape/posed.hpp>
 #include <graze/shape/shape.hpp>
 #include <graze/shape/visit.hpp>
 
@@ -261,6 +265,25 @@ Moments<N> moments_of(const AnyShape<N, T>& shape) {
   return detail::visit([](const auto& held) -> Moments<N> { return moments_of(held); }, shape);
 }
 
+/// Of all rotation * x + position, also for a rotation that is only nearly one.
+template <class S>
+requires requires(const S& shape) { moments_of(shape); }
+Moments<dimension_of<S>> moments_of(const Posed<S>& posed) {
+  constexpr Dim N = dimension_of<S>;
+  using T = scalar_of<S>;
+  const Moments<N> before = moments_of(posed.shape);
+  const Mat<N, double> rotation = wide_matrix<N, T>(posed.pose.rotation);
+  const double growth = moments_of_box<N>(Vec<N, double>(0.0), rotation).volume / (1 << N);  // about 1
+  return {before.volume * growth, rotation * before.centroid + wide<N, T>(posed.pose.position),
+          rotation * before.second * transpose(rotation) * growth};
+}
+
+/// One of graze's own shapes, or such a one seen through one pose.
+template <class S>
+concept HasMoments = requires(const S& shape) {
+  moments_of(shape);
+};
+
 }  // namespace detail
 
 /// Volume, centroid and inertia of a valid shape of density 1. The inertia of a body of mass m is m / volume times as
@@ -268,7 +291,7 @@ Moments<N> moments_of(const AnyShape<N, T>& shape) {
 /// Volumes that leave the range of double are infinite. Mirtich, "Fast and Accurate Computation of Polyhedral Mass
 /// Properties" (1996), has the integrals; ours are over tetrahedra (Blow and Binstock, 2004).
 template <Shape S>
-MassProperties<dimension_of<S>> mass_properties(const S& shape) {
+requires detail::HasMoments<S> MassProperties<dimension_of<S>> mass_properties(const S& shape) {
   constexpr Dim N = dimension_of<S>;
   const detail::Moments<N> moments = detail::moments_of(shape);
   MassProperties<N> result;

@@ -15,6 +15,7 @@
 #include <graze/query/transformed.hpp>
 
 #include "catalogue.hpp"
+#include "query/user_shapes.hpp"
 
 namespace graze::mass_properties_test {
 namespace {
@@ -201,6 +202,35 @@ void expect_turned_with_shape() {
   RC_PRE(std::isfinite(size));                                    // so it has an end
   if (!std::isfinite(mass_properties(shape).centroid.x)) return;  // an empty compound
   expect_close(turned(mass_properties(shape), pose), mass_properties(moved), size, 1e-12);
+}
+
+template <class S>
+concept HasMassProperties = requires(const S& shape) {
+  mass_properties(shape);
+};
+static_assert(HasMassProperties<Posed<Polytope<2, float>>> && HasMassProperties<Compound<3, float>>);
+static_assert(!HasMassProperties<user::Ellipsoid<double>> && !HasMassProperties<Posed<user::Ellipsoid<double>>>);
+
+template <class S>
+void expect_posed_as_transformed() {
+  constexpr Dim N = dimension_of<S>;
+  using T = scalar_of<S>;
+  test::check_property([] {
+    const S shape = *test::any<S>();
+    const Pose<N, T> pose{*test::any_rotation<N, T>(), *test::any<Vec<N, T>>()};
+    const S moved = transformed(shape, pose);
+    const double size = std::max(size_of(bounds(shape)), size_of(bounds(moved)));
+    const double error = 64 * static_cast<double>(std::numeric_limits<T>::epsilon());
+    expect_close(mass_properties(Posed<S>{shape, pose}), mass_properties(moved), size, error);
+  });
+}
+
+TEST(MassProperties, SeenThroughAPoseAreThoseOfTheTransformedShape) {
+  expect_posed_as_transformed<Obb<3, double>>();
+  expect_posed_as_transformed<Capsule<3, float>>();
+  expect_posed_as_transformed<Polytope<3, double>>();
+  expect_posed_as_transformed<Polytope<2, float>>();
+  expect_posed_as_transformed<Triangle<2, double>>();
 }
 
 TEST(MassProperties, MoveWithTheShape) {
