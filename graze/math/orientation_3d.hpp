@@ -100,10 +100,10 @@ inline int sign_of_determinant(const std::array<Vec<3, double>, 3>& points, cons
 /// 1 when d lies on that side of the plane through a, b, c from which these run counter-clockwise, -1 on the other
 /// side, 0 when the four lie on one plane. The exact sign of dot(a - d, cross(b - d, c - d)), negated: a double
 /// evaluation decides unless it is within its error bound (Shewchuk, "Adaptive Precision Floating-Point Arithmetic and
-/// Fast Robust Geometric Predicates", 1997, section 4.3); then it is evaluated in integers where coordinates are of like
-/// sizes, else in twice the precision of double, and only if that does not decide, a sum is taken exactly: one
-/// determinant where the differences are exact, as those of neighbours on a grid, else the four of the expanded one. For coordinates that are zero or of magnitude 1e-90 to
-/// 1e90: outside, products leave the range of double.
+/// Fast Robust Geometric Predicates", 1997, section 4.3); then it is evaluated in integers where coordinates are of
+/// like sizes, else in twice the precision of double, and only if that does not decide, a sum is taken exactly: one
+/// determinant where the differences are exact, as those of neighbours on a grid, else the four of the expanded one.
+/// For coordinates that are zero or of magnitude 1e-90 to 1e90: outside, products leave the range of double.
 template <class T>
 int orientation(const Vec<3, T>& a, const Vec<3, T>& b, const Vec<3, T>& c, const Vec<3, T>& d) {
   const Vec<3, double> wide_d = wide<3, T>(d);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a ball touches an oriented box in space, in the box' own coordinates: what penetration_of_simple and the patches
+// How a ball touches a box in space, in the box' own coordinates: what penetration_of_simple and the patches
 // of manifold.hpp find for any two shapes, of balls whose center is clearly in the box or clearly out of it, and not
 // nearly above the line between two of its faces, edges and corners. Include manifold.hpp.
 #pragma once
@@ -12,46 +12,50 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/clipped_patch.hpp>
+#include <graze/query/oriented_box.hpp>
 #include <graze/query/patch.hpp>
 #include <graze/query/penetration.hpp>
 #include <graze/query/surface_point.hpp>
 #include <graze/query/surface_point_box.hpp>
+#include <graze/query/touch_look.hpp>
+#include <graze/shape/aabb.hpp>
 #include <graze/shape/obb.hpp>
 #include <graze/shape/shape.hpp>
 #include <graze/shape/sphere.hpp>
 
 namespace graze::detail {
 
-/// A ball and an oriented box in space, for which there is a quick way.
-template <class A, class B>
-inline constexpr bool are_ball_and_obb = false;
-template <class T>
-inline constexpr bool are_ball_and_obb<Sphere<3, T>, Obb<3, T>> = true;
-
-/// What a quick look at a ball and a box shows.
-struct BallOnBox {
-  bool is_known = false;
-  bool meets = false;
-  Penetration<3> found;                   ///< If they meet.
-  Feature feature{FeatureKind::face, 0};  ///< Of the box, which the ball lies on.
-};
+/// The feature of a box that a place lies on, by the axes along which it is at the end.
+inline Feature feature_of_box(const Vec<3, double>& place, const std::array<bool, 3>& is_beyond) {
+  const auto far = [&](Dim i) { return place[i] > 0 ? 1U : 0U; };
+  const int count = (is_beyond[0] ? 1 : 0) + (is_beyond[1] ? 1 : 0) + (is_beyond[2] ? 1 : 0);
+  if (count == 3) return {FeatureKind::vertex, far(0) | far(1) << 1U | far(2) << 2U};
+  const Dim other = is_beyond[0] ? (is_beyond[1] ? 2 : 1) : 0;  // of an edge: along which it lies
+  if (count == 2) {
+    const Dim along = is_beyond[0] && is_beyond[2] ? 1 : other;
+    return {FeatureKind::edge, static_cast<std::uint32_t>(4 * along) + far((along + 1) % 3) + 2 * far((along + 2) % 3)};
+  }
+  const Dim across = is_beyond[0] ? 0 : (is_beyond[1] ? 1 : 2);
+  return {FeatureKind::face, BoxFaceNumbers{across, far(across) != 0}.face()};
+}
 
 /// The box as the ball's center sees it.
 class BallTouch {
  public:
-  template <class T>
-  BallTouch(const Sphere<3, T>& ball, const Obb<3, T>& box)
-      : origin_(wide<3, T>(ball.center)),
-        radius_(static_cast<double>(ball.radius)),
-        box_{wide<3, T>(box.center) - origin_, wide<3, T>(box.half_extents), wide_matrix<3, T>(box.axes)},
-        size_(sum_abs(box_.center) + sum_abs(box_.half_extents)) {}
+  /// The center as it is, the box as it is seen from there. `turns` if the box is the first of both.
+  BallTouch(const Vec<3, double>& center, double radius, const Obb<3, double>& box, bool turns)
+      : origin_(center),
+        radius_(radius),
+        box_(box),
+        size_(sum_abs(box_.center) + sum_abs(box_.half_extents)),
+        turns_(turns) {}
 
-  BallOnBox run() const {
+  [[gnu::always_inline]] TouchLook<3> run() const {
     PlaceInBox<3> nearest{Vec<3, double>(0.0), -box_.center};
     const double noise = tolerance::epsilon * sum_abs(box_.center);
     double moved = descend(nearest);
     const double reach = radius_ + first_doubt();
-    if (dot(nearest.off, nearest.off) > reach * reach) return {true, false, {}};
+    if (dot(nearest.off, nearest.off) > reach * reach) return known_apart();
     for (int round = 1; round < rounds && moved * shrinks_to > noise; ++round) moved = descend(nearest);
     const double squared = dot(nearest.off, nearest.off);
     const double clear = tolerance::known_direction * size_;
@@ -64,11 +68,17 @@ class BallTouch {
   static constexpr int rounds = 5;
   static constexpr double shrinks_to = 4 * tolerance::orthonormal;
 
+  static TouchLook<3> known_apart() {
+    TouchLook<3> result;
+    result.is_known = true;
+    return result;
+  }
+
   /// How far the axes may put the point wrong in the first round, as filter_of_ball has it.
   double first_doubt() const { return tolerance::box_filter * tolerance::orthonormal * (size_ + radius_); }
 
   /// One round of it; by how much it has moved the place.
-  double descend(PlaceInBox<3>& nearest) const {
+  [[gnu::always_inline]] double descend(PlaceInBox<3>& nearest) const {
     Vec<3, double> step;
     for (Dim i = 0; i < 3; ++i) {
       const double wanted = nearest.place[i] + dot(nearest.off, box_.axes[i]);
@@ -81,9 +91,10 @@ class BallTouch {
 
   /// The center is clearly out of the box: this far, if anything, along one, two or three axes, or between the faces
   /// across one by more than rounding.
-  BallOnBox from_outside(const PlaceInBox<3>& nearest, double distance) const {
+  [[gnu::always_inline]] TouchLook<3> from_outside(const PlaceInBox<3>& nearest, double distance) const {
     constexpr double least_cosine = 16 * tolerance::aligned;  // with a face or edge it would not be laid flat on
-    BallOnBox result;
+    TouchLook<3> result;
+    result.is_single = true;
     const double depth = radius_ - distance;
     const double doubt = tolerance::coarse * (size_ + radius_);
     result.meets = depth > doubt;
@@ -101,15 +112,17 @@ class BallTouch {
                                                 std::fabs(dot(nearest.off, box_.axes[i])) > least_cosine * distance));
     }
     result.is_known = is_clear;
-    result.feature = feature_at(nearest.place, is_beyond);
+    result.set_features({FeatureKind::vertex, 0}, feature_of_box(nearest.place, is_beyond), turns_);
     const Vec<3, double> normal = nearest.off * (-1 / distance);
-    result.found = {normal, depth, origin_ + normal * radius_, origin_ - nearest.off, Status::converged, error()};
+    result.set(normal, depth, origin_ + normal * radius_, origin_ - nearest.off, turns_);
+    result.found.error = error();
     return result;
   }
 
   /// The center is in the box. Of faces that are as near, by more than the box is oblique, the careful way chooses.
-  BallOnBox from_inside(const Vec<3, double>& place) const {
-    BallOnBox result;
+  TouchLook<3> from_inside(const Vec<3, double>& place) const {
+    TouchLook<3> result;
+    result.is_single = true;
     Vec<3, double> room;
     for (Dim i = 0; i < 3; ++i) room[i] = box_.half_extents[i] - std::fabs(place[i]);
     Dim axis = room.y < room.x ? 1 : 0;
@@ -127,25 +140,11 @@ class BallTouch {
     const double gap = std::fabs(ahead) - reach;
     const Vec<3, double> normal = ahead < 0 ? -across : across;
     result.meets = true;
-    result.feature.index = BoxFaceNumbers{axis, place[axis] > 0}.face();
-    result.found = {normal, radius_ - gap, origin_ + normal * radius_, origin_ + normal * gap, Status::converged,
-                    error()};
+    result.set_features({FeatureKind::vertex, 0}, {FeatureKind::face, BoxFaceNumbers{axis, place[axis] > 0}.face()},
+                        turns_);
+    result.set(normal, radius_ - gap, origin_ + normal * radius_, origin_ + normal * gap, turns_);
+    result.found.error = error();
     return result;
-  }
-
-  /// By the axes along which a point is at the end of the box.
-  static Feature feature_at(const Vec<3, double>& place, const std::array<bool, 3>& is_beyond) {
-    const auto far = [&](Dim i) { return place[i] > 0 ? 1U : 0U; };
-    const int count = (is_beyond[0] ? 1 : 0) + (is_beyond[1] ? 1 : 0) + (is_beyond[2] ? 1 : 0);
-    if (count == 3) return {FeatureKind::vertex, far(0) | far(1) << 1U | far(2) << 2U};
-    const Dim other = is_beyond[0] ? (is_beyond[1] ? 2 : 1) : 0;  // of an edge: along which it lies
-    if (count == 2) {
-      const Dim along = is_beyond[0] && is_beyond[2] ? 1 : other;
-      return {FeatureKind::edge,
-              static_cast<std::uint32_t>(4 * along) + far((along + 1) % 3) + 2 * far((along + 2) % 3)};
-    }
-    const Dim across = is_beyond[0] ? 0 : (is_beyond[1] ? 1 : 2);
-    return {FeatureKind::face, BoxFaceNumbers{across, far(across) != 0}.face()};
   }
 
   double error() const { return 2 * tolerance::rounding * (size_ + radius_); }
@@ -154,27 +153,22 @@ class BallTouch {
   double radius_;
   Obb<3, double> box_;
   double size_;
+  bool turns_;
 };
 
-template <class T>
-BallOnBox ball_on_box(const Sphere<3, T>& ball, const Obb<3, T>& box) {
-  return BallTouch(ball, box).run();
+template <class T, class Box>
+[[gnu::always_inline]] inline TouchLook<3> look_at_ball(const Sphere<3, T>& ball, const Box& box, bool turns) {
+  const Vec<3, double> center = wide<3, T>(ball.center);
+  return BallTouch(center, static_cast<double>(ball.radius), oriented_box_from(center, box), turns).run();
 }
 
-/// Two that the quick way was asked about, either first.
-template <class A, class B>
-inline constexpr bool has_ball_on_box = are_ball_and_obb<A, B> || are_ball_and_obb<B, A>;
-
-/// With the normal from the first of the two.
-template <class A, class B>
-requires has_ball_on_box<A, B> BallOnBox ball_and_box(const A& a, const B& b) {
-  if constexpr (are_ball_and_obb<A, B>) {
-    return ball_on_box(a, b);
-  } else {
-    BallOnBox result = ball_on_box(b, a);
-    result.found = exchanged(result.found);
-    return result;
-  }
+template <class T>
+[[gnu::always_inline]] inline TouchLook<3> touch_look(const Sphere<3, T>& ball, const Aabb<3, T>& box, bool turns) {
+  return look_at_ball(ball, box, turns);
+}
+template <class T>
+[[gnu::always_inline]] inline TouchLook<3> touch_look(const Sphere<3, T>& ball, const Obb<3, T>& box, bool turns) {
+  return look_at_ball(ball, box, turns);
 }
 
 }  // namespace graze::detail

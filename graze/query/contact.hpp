@@ -51,7 +51,6 @@
 #include <optional>
 
 #include <graze/math/vec.hpp>
-#include <graze/query/ball_touch.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/closest_points.hpp>
 #include <graze/query/obb_touch.hpp>
@@ -59,6 +58,7 @@
 #include <graze/query/penetration_convex.hpp>
 #include <graze/query/penetration_cores.hpp>
 #include <graze/query/penetration_unbounded.hpp>
+#include <graze/query/quick_touch.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/query/status.hpp>
 #include <graze/shape/any_shape.hpp>
@@ -169,10 +169,12 @@ std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b) 
   } else if constexpr (is_compound<B>) {
     return exchanged(penetration_of_parts(b, a));
   } else if constexpr (are_quick_obbs<A, B>) {
-    return is_in_order(a, b) ? penetration_of_obbs(a, b) : exchanged(penetration_of_obbs(b, a));
+    const bool turned = !is_in_order(a, b);
+    const auto found = penetration_of_obbs(seen_in_order(a, b, turned));
+    return turned ? exchanged(found) : found;
   } else {
-    if constexpr (has_ball_on_box<A, B>) {
-      const BallOnBox quick = ball_and_box(a, b);
+    if constexpr (has_quick_touch<A, B>) {
+      const auto quick = quick_touch(a, b);
       if (quick.is_known) return quick.meets ? std::optional(quick.found) : std::nullopt;
     }
     if (decide(a, b) == Relation::apart) return std::nullopt;
@@ -182,17 +184,17 @@ std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b) 
 
 #ifdef GRAZE_HAS_LANES
 
-/// Of two oriented boxes in space, rounded as it is found, so that nothing is copied.
-template <class T>
-std::optional<Contact<3, T>> rounded_contact_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b) {
+/// Of two boxes in space, one of them oriented at least, rounded as it is found, so that nothing is copied.
+template <class A, class B>
+auto rounded_contact_of_obbs(const A& a, const B& b) {
+  using T = scalar_of<A>;
   std::optional<Contact<3, T>> result;
   const bool turns = !is_in_order(a, b);
-  const Obb<3, T>& first = turns ? b : a;
-  const Obb<3, T>& second = turns ? a : b;
-  const ObbAxes axes = axes_of(first, second);
-  if (are_apart(first, second, axes)) return result;
-  const MeetingObbs met(first, second, axes.candidates);
-  const TouchingPoints points = touching_points(first, second, met);
+  const auto seen = seen_in_order(a, b, turns);
+  const ObbAxes axes = seen.axes();
+  if (are_apart(seen, axes)) return result;
+  const MeetingObbs met(seen, axes.candidates);
+  const TouchingPoints points = touching_points(seen, met);
   const auto rounded = [](const PairedVec& v) { return Vec<3, T>(plain(v)) + T(0); };  // never minus zero
   Contact<3, T>& contact = result.emplace();
   contact.point = rounded(points.of[0] * 0.5 + points.of[1] * 0.5);
@@ -216,8 +218,8 @@ std::optional<Contact<dimension_of<A>, scalar_of<A>>> contact(const A& a, const 
   if constexpr (detail::are_quick_obbs<A, B>) {
     return detail::rounded_contact_of_obbs(a, b);
   } else if constexpr (detail::are_simple<A, B>) {
-    if constexpr (detail::has_ball_on_box<A, B>) {
-      const detail::BallOnBox quick = detail::ball_and_box(a, b);
+    if constexpr (detail::has_quick_touch<A, B>) {
+      const auto quick = detail::quick_touch(a, b);
       if (quick.is_known) {
         if (!quick.meets) return std::nullopt;
         return detail::rounded_contact<scalar_of<A>>(quick.found);

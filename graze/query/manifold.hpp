@@ -37,6 +37,7 @@
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/aabb_manifold.hpp>
 #include <graze/query/clipped_patch.hpp>
 #include <graze/query/contact.hpp>
 #include <graze/query/manifold_points.hpp>
@@ -44,7 +45,8 @@
 #include <graze/query/obb_manifold.hpp>
 #include <graze/query/obb_touch.hpp>
 #include <graze/query/patch.hpp>
-#include <graze/query/patch_polytope.hpp>
+#include <graze/query/patch_of_shape.hpp>
+#include <graze/query/quick_touch.hpp>
 #include <graze/query/status.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/shape.hpp>
@@ -113,52 +115,6 @@ void exchange(WideManifold<N>& manifold) {
     std::swap(pair.feature_a, pair.feature_b);
   }
   std::swap(manifold.part_a, manifold.part_b);
-}
-
-// ---- The patch of a shape's core, seen from an origin.
-
-template <class S>
-inline constexpr bool is_polytope = false;
-template <Dim N, class T>
-inline constexpr bool is_polytope<Polytope<N, T>> = true;
-
-/// The plane itself, without bounds. It is a contact's, so it looks along the normal or against it.
-template <Dim N, class T>
-Patch<N> unbounded_patch(const Plane<N, T>& plane, const Vec<N, double>& origin, const Vec<N, double>& direction) {
-  Patch<N> patch;
-  patch.corners[0] = surface_point(plane, origin).point - origin;
-  patch.normal = unit_or(wide<N, T>(plane.normal), direction);
-  if (dot(patch.normal, direction) < 0) patch.normal = -patch.normal;
-  return patch;
-}
-
-/// Of rays and users' shapes, which have no faces to speak of, the `point` of the contact.
-template <class S>
-Patch<dimension_of<S>> patch_seen(const S& shape, const Vec<dimension_of<S>, double>& origin,
-                                  const Vec<dimension_of<S>, double>& direction,
-                                  const Vec<dimension_of<S>, double>& point) {
-  if constexpr (is_level<S>) {
-    return unbounded_patch(boundary_of(shape), origin, direction);
-  } else if constexpr (is_polytope<S>) {
-    return patch_of_polytope(shape, origin, direction);
-  } else if constexpr (HasSimpleCore<S> && !is_ray<S>) {
-    return patch_of(seen_from(origin, core(shape)), direction);
-  } else {
-    return patch_of(point - origin, direction);
-  }
-}
-
-template <class S>
-double radius_of_core(const S& shape) {
-  if constexpr (!is_level<S>) return core_radius(shape);
-  return 0;
-}
-
-template <Dim N>
-double size_of_patch(const Patch<N>& patch) {
-  double size = 0;
-  for (std::size_t i = 0; i < patch.size; ++i) size = std::max(size, sum_abs(patch.corners[i]));
-  return size;
 }
 
 template <Dim N>
@@ -233,10 +189,28 @@ std::optional<WideManifold<N>> manifold_of_parts(const Compound<N, T>& compound,
   return result;
 }
 
+/// Of two boxes along the axes that meet.
+template <Dim N, class T>
+WideManifold<N> manifold_of_aabbs(const Aabb<N, T>& a, const Aabb<N, T>& b) {
+  const Penetration<N> found = penetration_in_order(a, b);
+  const Vec<N, double> zero(0.0);
+  const Aabb<N, double> box_a = seen_from(zero, a);
+  const Aabb<N, double> box_b = seen_from(zero, b);
+  if (!has_faces(box_a) || !has_faces(box_b)) return manifold_of_found(a, b, found);
+  WideManifold<N> result;
+  result.found = found;
+  result.pairs = pairs_of_aabbs(box_a, box_b, found,
+                                tolerance::coarse * (sum_abs(box_a.max - box_a.min) + sum_abs(box_b.max - box_b.min)));
+  result.size = result.pairs.size();
+  return result;
+}
+
 /// Of two simple shapes in the order in which their contact is calculated. That of boxes has their faces at hand.
 template <class A, class B>
 WideManifold<dimension_of<A>> manifold_in_order(const A& a, const B& b) {
-  if constexpr (are_boxes<A, B>) {
+  if constexpr (is_a<Aabb, A> && is_a<Aabb, B>) {
+    return manifold_of_aabbs(a, b);
+  } else if constexpr (are_boxes<A, B>) {
     constexpr Dim N = dimension_of<A>;
     const Vec<N, double> origin = reference(a);
     const auto seen_a = seen_from(origin, a);
@@ -252,16 +226,35 @@ WideManifold<dimension_of<A>> manifold_in_order(const A& a, const B& b) {
   }
 }
 
-/// Of a ball and a box that meet.
+/// Of two simple shapes in the order of their contact, which is found by a quick look.
 template <class A, class B>
-WideManifold<3> manifold_of_ball(const BallOnBox& touch) {
-  constexpr Feature of_ball{FeatureKind::vertex, 0};
-  constexpr bool is_ball_first = are_ball_and_obb<A, B>;
-  WideManifold<3> result;
-  result.found = touch.found;
+WideManifold<dimension_of<A>> manifold_of_seen(const A& a, const B& b, const Penetration<dimension_of<A>>& found) {
+  if constexpr (is_box<A> && is_level<B>) {
+    if (const auto pairs = corners_on_level(a, found)) {
+      WideManifold<dimension_of<A>> result;
+      result.found = found;
+      result.pairs = *pairs;
+      result.size = pairs->size();
+      return result;
+    }
+  }
+  return manifold_of_found(a, b, found);
+}
+
+/// Of two simple shapes that a quick look shows to meet.
+template <class A, class B>
+WideManifold<dimension_of<A>> manifold_of_look(const A& a, const B& b, const TouchLook<dimension_of<A>>& look) {
+  WideManifold<dimension_of<A>> result;
+  if (!look.is_single) {
+    const bool turns = type_place<A> != type_place<B> ? type_place<A> > type_place<B> : !is_in_order(a, b);
+    if (!turns) return manifold_of_seen(a, b, look.found);
+    result = manifold_of_seen(b, a, exchanged(look.found));
+    exchange(result);
+    return result;
+  }
+  result.found = look.found;
   result.size = 1;
-  result.pairs[0] = {touch.found.point_a, touch.found.point_b, touch.found.depth,
-                     is_ball_first ? of_ball : touch.feature, is_ball_first ? touch.feature : of_ball};
+  result.pairs[0] = {look.found.point_a, look.found.point_b, look.found.depth, look.feature_a, look.feature_b};
   return result;
 }
 
@@ -283,8 +276,8 @@ WideManifold<dimension_of<A>> manifold_of_met(const A& a, const B& b) {
 }
 
 #ifdef GRAZE_HAS_LANES
-template <class T>
-std::optional<WideManifold<3>> manifold_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b);
+template <class A, class B>
+std::optional<WideManifold<3>> manifold_of_obbs(const A& a, const B& b);
 #endif
 
 template <class A, class B>
@@ -302,9 +295,9 @@ std::optional<WideManifold<dimension_of<A>>> wide_manifold(const A& a, const B& 
   } else if constexpr (are_quick_obbs<A, B>) {
     return manifold_of_obbs(a, b);
   } else {
-    if constexpr (has_ball_on_box<A, B>) {
-      const BallOnBox quick = ball_and_box(a, b);
-      if (quick.is_known) return quick.meets ? std::optional(manifold_of_ball<A, B>(quick)) : std::nullopt;
+    if constexpr (has_quick_touch<A, B>) {
+      const auto quick = quick_touch(a, b);
+      if (quick.is_known) return quick.meets ? std::optional(manifold_of_look(a, b, quick)) : std::nullopt;
     }
     if (decide(a, b) == Relation::apart) return std::nullopt;
     return manifold_of_met(a, b);
@@ -341,14 +334,13 @@ Manifold<N, T> rounded_manifold(const WideManifold<N>& exact) {
 #ifdef GRAZE_HAS_LANES
 
 /// Of two in the order of their contact, or `turned`.
-template <class R, class T>
-[[gnu::noinline]] Manifold<3, R> careful_manifold_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b,
-                                                          const BoxesContact<3>& contact, bool turned) {
-  const Vec<3, double> origin = reference(a);
+template <class R, class Seen>
+[[gnu::noinline]] Manifold<3, R> careful_manifold_of_obbs(const Seen& seen, const BoxesContact<3>& contact,
+                                                          bool turned) {
   WideManifold<3> wide;
   wide.found = contact.found;
-  choose_points(pairs_of_boxes(seen_from(origin, a), seen_from(origin, b), contact), wide);
-  move_points(wide, origin);
+  choose_points(pairs_of_boxes(seen.first_seen(), seen.second_seen(), contact), wide);
+  move_points(wide, seen.origin());
   if (turned) exchange(wide);
   return rounded_manifold<R>(wide);
 }
@@ -360,11 +352,11 @@ template <class R, class T>
 }
 
 /// Of two that meet, in the order of their contact, or `turned`.
-template <class R, class T>
-[[gnu::always_inline]] inline Manifold<3, R> manifold_of_met_obbs(const Obb<3, T>& a, const Obb<3, T>& b,
-                                                                  const MeetingObbs& met, bool turned) {
+template <class R, class Seen>
+[[gnu::always_inline]] inline Manifold<3, R> manifold_of_met_obbs(const Seen& seen, const MeetingObbs& met,
+                                                                  bool turned) {
   using Point = ManifoldPoint<3, R>;
-  const PairedVec origin(reference(a));
+  const PairedVec origin(seen.origin());
   const CarryingFace face = carrying_face(met);
   const Vec<3, R> normal = rounded_vec<R>(met.normal * (turned ? -1.0 : 1.0));
   if (face.is_any) {
@@ -386,28 +378,27 @@ template <class R, class T>
             Status::converged,
             met.error()};
   }
-  return careful_manifold_of_obbs<R>(a, b, met.contact(), turned);
+  return careful_manifold_of_obbs<R>(seen, met.contact(), turned);
 }
 
-template <class R, class T>
-[[gnu::always_inline]] inline Manifold<3, R> quick_manifold_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b,
-                                                                    bool turned) {
+template <class R, class Seen>
+[[gnu::always_inline]] inline Manifold<3, R> quick_manifold_of_obbs(const Seen& seen, bool turned) {
   using Point = ManifoldPoint<3, R>;
-  const ObbAxes axes = axes_of(a, b);
-  if (are_apart(a, b, axes)) return {{{no_point<Point>(), no_point<Point>(), no_point<Point>(), no_point<Point>()}}};
-  return manifold_of_met_obbs<R>(a, b, MeetingObbs(a, b, axes.candidates), turned);
+  const ObbAxes axes = seen.axes();
+  if (are_apart(seen, axes)) return {{{no_point<Point>(), no_point<Point>(), no_point<Point>(), no_point<Point>()}}};
+  return manifold_of_met_obbs<R>(seen, MeetingObbs(seen, axes.candidates), turned);
 }
 
-template <class T>
-Manifold<3, T> rounded_manifold_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b) {
+template <class A, class B>
+auto rounded_manifold_of_obbs(const A& a, const B& b) {
   const bool turned = !is_in_order(a, b);
-  return quick_manifold_of_obbs<T>(turned ? b : a, turned ? a : b, turned);
+  return quick_manifold_of_obbs<scalar_of<A>>(seen_in_order(a, b, turned), turned);
 }
 
-template <class T>
-std::optional<WideManifold<3>> manifold_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b) {
+template <class A, class B>
+std::optional<WideManifold<3>> manifold_of_obbs(const A& a, const B& b) {
   const bool turned = !is_in_order(a, b);
-  const Manifold<3, double> manifold = quick_manifold_of_obbs<double>(turned ? b : a, turned ? a : b, turned);
+  const Manifold<3, double> manifold = quick_manifold_of_obbs<double>(seen_in_order(a, b, turned), turned);
   if (manifold.size == 0) return std::nullopt;
   WideManifold<3> wide;
   wide.found.normal = manifold.normal;
@@ -431,11 +422,11 @@ Manifold<dimension_of<A>, scalar_of<A>> manifold(const A& a, const B& b) {
   if constexpr (detail::are_quick_obbs<A, B>) {
     return detail::rounded_manifold_of_obbs(a, b);
   } else if constexpr (detail::are_simple<A, B>) {
-    if constexpr (detail::has_ball_on_box<A, B>) {
-      const detail::BallOnBox quick = detail::ball_and_box(a, b);
+    if constexpr (detail::has_quick_touch<A, B>) {
+      const auto quick = detail::quick_touch(a, b);
       if (quick.is_known) {
         if (!quick.meets) return {};
-        return detail::rounded_manifold<scalar_of<A>>(detail::manifold_of_ball<A, B>(quick));
+        return detail::rounded_manifold<scalar_of<A>>(detail::manifold_of_look(a, b, quick));
       }
     }
     if (detail::decide(a, b) == Relation::apart) return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The points at which two oriented boxes in space touch, of most pairs: pairs_of_boxes in penetration_boxes.hpp with
-// what is known of boxes that are not flat, whose faces lie neither nearly along the same planes nor at equal angles.
+// The points at which two boxes in space touch, of which one at least is oriented, of most pairs: pairs_of_boxes in
+// penetration_boxes.hpp with what is known of boxes that are not flat, whose faces lie neither nearly along the same
+// planes nor at equal angles.
 #pragma once
 
 #include <algorithm>
@@ -19,12 +20,13 @@
 #include <graze/query/patch.hpp>
 #include <graze/query/penetration.hpp>
 #include <graze/query/penetration_boxes.hpp>
-#include <graze/query/relation.hpp>
+#include <graze/query/seen_boxes.hpp>
+#include <graze/shape/aabb.hpp>
 #include <graze/shape/obb.hpp>
 
 namespace graze::detail {
 
-/// Two oriented boxes in space, for which there is a quick way.
+/// Two boxes in space, one of them oriented at least, for which there is a quick way.
 template <class A, class B>
 inline constexpr bool are_quick_obbs = false;
 
@@ -32,6 +34,10 @@ inline constexpr bool are_quick_obbs = false;
 
 template <class T>
 inline constexpr bool are_quick_obbs<Obb<3, T>, Obb<3, T>> = true;
+template <class T>
+inline constexpr bool are_quick_obbs<Aabb<3, T>, Obb<3, T>> = true;
+template <class T>
+inline constexpr bool are_quick_obbs<Obb<3, T>, Aabb<3, T>> = true;
 
 /// Cosines of angles between a direction and a box' axes are those with its normals up to this.
 inline constexpr double doubt_of_cosines = 16 * tolerance::orthonormal;
@@ -86,11 +92,12 @@ struct AxisAcrossEdges {
 /// and whatever their lengths, which are about 1.
 inline constexpr double least_squared_sine = 1.001 / 64;
 
-/// Two oriented boxes in space that meet, seen from the first one's center, and the axis that parts them: across a face
+/// Two boxes in space that meet, as SeenObbs or SeenAabbAndObb sees them, and the axis that parts them: across a face
 /// of one of them, or across an edge of each.
 struct MeetingObbs {
   PairedBox box[2];
-  double size;  ///< Of both.
+  double size;        ///< Of both.
+  double seen_error;  ///< Of the boxes, relative to it.
   PairedVec normal;
   double gap;
   bool is_on_edges;
@@ -99,10 +106,11 @@ struct MeetingObbs {
   Dim edge_b;
   AxisAcrossEdges edges;  ///< Of no meaning across a face.
 
-  template <class T>
-  [[gnu::always_inline]] MeetingObbs(const Obb<3, T>& first, const Obb<3, T>& second, BoxesAxes candidates)
-      : box{paired_box(first, Vec<3, double>(0.0)), paired_box(second, reference(second) - reference(first))},
+  template <class Seen>
+  [[gnu::always_inline]] MeetingObbs(const Seen& seen, BoxesAxes candidates)
+      : box{paired_box(seen.first(), seen.first_center()), paired_box(seen.second(), seen.second_center())},
         size(size_of(box[0]) + size_of(box[1])),
+        seen_error(Seen::error),
         normal(box[1].center),
         edges{box[1].center, 0, 0, {}} {
     const auto place = static_cast<Dim>(std::countr_zero(candidates));
@@ -125,7 +133,7 @@ struct MeetingObbs {
   }
 
   double depth() const { return std::max(0.0, -gap); }
-  double error() const { return std::max(0.0, gap) + boxes_error * size; }
+  double error() const { return std::max(0.0, gap) + (boxes_error + seen_error) * size; }
 
   /// The same as penetration_boxes.hpp has it.
   BoxesContact<3> contact() const {
@@ -348,11 +356,11 @@ struct CrossingEdges {
 }
 
 /// Whether two boxes are apart, at whose axes one has looked.
-template <class T>
-[[gnu::always_inline]] inline bool are_apart(const Obb<3, T>& a, const Obb<3, T>& b, const ObbAxes& axes) {
+template <class Seen>
+[[gnu::always_inline]] inline bool are_apart(const Seen& seen, const ObbAxes& axes) {
   if (axes.verdict != Relation::touching) [[likely]]
     return axes.verdict == Relation::apart;
-  return decide(a, b) == Relation::apart;
+  return seen.are_apart_for_certain();
 }
 
 /// The points of a contact, of a's surface and of b's.
@@ -361,15 +369,11 @@ struct TouchingPoints {
 };
 
 /// The careful way to them.
-template <class T>
-[[gnu::noinline]] void find_points_carefully(const Obb<3, T>& a, const Obb<3, T>& b, const BoxesContact<3>& contact,
-                                             TouchingPoints& points) {
-  const Vec<3, double> origin = reference(a);
-  const auto seen_a = seen_from(origin, a);
-  const auto seen_b = seen_from(origin, b);
-  const auto pair = touching_pair(seen_a, seen_b, contact);
-  points.of[0] = PairedVec(pair.point_a + origin);
-  points.of[1] = PairedVec(pair.point_b + origin);
+template <class Seen>
+[[gnu::noinline]] void find_points_carefully(const Seen& seen, const BoxesContact<3>& contact, TouchingPoints& points) {
+  const auto pair = touching_pair(seen.first_seen(), seen.second_seen(), contact);
+  points.of[0] = PairedVec(pair.point_a + seen.origin());
+  points.of[1] = PairedVec(pair.point_b + seen.origin());
 }
 
 /// The deepest corner of the other box, if it lies clearly over the face that the axis is the normal of: no other point
@@ -398,10 +402,9 @@ struct CornerOverFace {
 
 /// Where the two edges cross; or the deepest of the points over the face that the axis is the normal of, the first of
 /// several.
-template <class T>
-[[gnu::always_inline]] inline TouchingPoints touching_points(const Obb<3, T>& a, const Obb<3, T>& b,
-                                                             const MeetingObbs& met) {
-  const PairedVec origin(reference(a));
+template <class Seen>
+[[gnu::always_inline]] inline TouchingPoints touching_points(const Seen& seen, const MeetingObbs& met) {
+  const PairedVec origin(seen.origin());
   TouchingPoints points{{origin, origin}};
   bool is_known = false;
   if (met.is_on_edges) {
@@ -423,17 +426,17 @@ template <class T>
     }
   }
   if (!is_known) [[unlikely]]
-    find_points_carefully(a, b, met.contact(), points);
+    find_points_carefully(seen, met.contact(), points);
   return points;
 }
 
-/// The penetration of two that meet, in the order of their numbers.
-template <class T>
-std::optional<Penetration<3>> penetration_of_obbs(const Obb<3, T>& a, const Obb<3, T>& b) {
-  const ObbAxes axes = axes_of(a, b);
-  if (are_apart(a, b, axes)) return std::nullopt;
-  const MeetingObbs met(a, b, axes.candidates);
-  const TouchingPoints points = touching_points(a, b, met);
+/// The penetration of two that meet, in the order of their contact.
+template <class Seen>
+std::optional<Penetration<3>> penetration_of_obbs(const Seen& seen) {
+  const ObbAxes axes = seen.axes();
+  if (are_apart(seen, axes)) return std::nullopt;
+  const MeetingObbs met(seen, axes.candidates);
+  const TouchingPoints points = touching_points(seen, met);
   return Penetration<3>{plain(met.normal),   met.depth(),       plain(points.of[0]),
                         plain(points.of[1]), Status::converged, met.error()};
 }

@@ -46,8 +46,9 @@ TEST(WholeDeterminant, HasTheSignThatRationalNumbersGive) {
     const V a = point() * size;
     const V b = point() * size;
     // All kinds of nearly flat ones, also all but on one line.
-    const V c = i % 3 == 0 ? point() * size : i % 3 == 1 ? o + (a - o) * number(random) + (b - o) * number(random)
-                                                         : o + (a - o) * number(random);
+    const V c = i % 3 == 0   ? point() * size
+                : i % 3 == 1 ? o + (a - o) * number(random) + (b - o) * number(random)
+                             : o + (a - o) * number(random);
     const Points points = {a, i % 2 == 0 ? b : o + (a - o) * 0.3, c};
     const std::optional<int> sign = sign_of_whole_determinant(points, o);
     if (!sign) continue;

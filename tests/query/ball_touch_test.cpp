@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The quick way of a ball and an oriented box in space against the way of all shapes.
+// The quick way of a ball and a box in space against the way of all shapes.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -25,14 +25,15 @@ using Box = Obb<3, double>;
 const Box brick{{0, 0, 0}, {3, 2, 1}};
 
 void expect_touch(const Ball& ball, const V3& normal, double depth, const Feature& feature) {
-  const BallOnBox touch = ball_on_box(ball, brick);
+  const TouchLook<3> touch = touch_look(ball, brick, false);
   ASSERT_TRUE(touch.is_known);
   ASSERT_TRUE(touch.meets);
   EXPECT_NEAR(length(touch.found.normal - normal), 0, 1e-15);
   EXPECT_NEAR(touch.found.depth, depth, touch.found.error);
   EXPECT_NEAR(length(touch.found.point_a - (ball.center + normal * ball.radius)), 0, 1e-14);
   EXPECT_NEAR(length(touch.found.point_b - (touch.found.point_a - normal * depth)), 0, 1e-14);
-  EXPECT_EQ(touch.feature, feature);
+  EXPECT_EQ(touch.feature_b, feature);
+  EXPECT_TRUE(touch.is_single);
 }
 
 TEST(BallOnBox, NamesTheFaceEdgeOrVertexThatItLiesOn) {
@@ -52,20 +53,20 @@ TEST(BallOnBox, LeavesFromInsideThroughTheNearestFace) {
 }
 
 TEST(BallOnBox, IsApartWhereNoPointIsNearEnough) {
-  const BallOnBox far = ball_on_box(Ball{{4, 3, 2}, 1.7}, brick);
+  const TouchLook<3> far = touch_look(Ball{{4, 3, 2}, 1.7}, brick, false);
   EXPECT_TRUE(far.is_known);
   EXPECT_FALSE(far.meets);
 }
 
 TEST(BallOnBox, IsNotKnownWhereItIsTooCloseToTell) {
-  const auto is_known = [](const Ball& ball) { return ball_on_box(ball, brick).is_known; };
+  const auto is_known = [](const Ball& ball) { return touch_look(ball, brick, false).is_known; };
   EXPECT_FALSE(is_known({{0, 0, 2}, 1}));             // touches
   EXPECT_FALSE(is_known({{0, 0, 1}, 1}));             // its center on a face
   EXPECT_FALSE(is_known({{3, 0, 1.5}, 1}));           // over the line between face and edge
   EXPECT_FALSE(is_known({{0, 0, 0}, 1}));             // two faces are as near
   EXPECT_FALSE(is_known({{2.5, 1.5, 0}, 1}));         // two faces are as near
   EXPECT_FALSE(is_known({{0, 0, std::nan("")}, 1}));  // nonsense
-  EXPECT_FALSE(ball_on_box(Ball{{0, 0, 0.5}, 1}, Box{{0, 0, 0}, {3, 2, 0}}).is_known);  // a flat box
+  EXPECT_FALSE(touch_look(Ball{{0, 0, 0.5}, 1}, Box{{0, 0, 0}, {3, 2, 0}}, false).is_known);  // a flat box
 }
 
 // ---- Against the way of all shapes
@@ -92,16 +93,26 @@ void expect_near(const Vec<3, T>& quick, const Vec<3, T>& plain, double allowed)
   RC_ASSERT(static_cast<double>(max_abs(quick - plain)) <= allowed);
 }
 
-/// The careful answers, without the quick way. A point of the box may be off by what its axes lack of right angles.
 template <class T>
+Obb<3, T> box_like(const Box& box, const Obb<3, T>&) {
+  return {Vec<3, T>(box.center), Vec<3, T>(box.half_extents), Mat<3, T>(box.axes)};
+}
+template <class T>
+Aabb<3, T> box_like(const Box& box, const Aabb<3, T>&) {
+  return {Vec<3, T>(box.center - box.half_extents), Vec<3, T>(box.center + box.half_extents)};
+}
+
+/// The careful answers, without the quick way. A point of the box may be off by what its axes lack of right angles.
+template <class BoxType>
 void expect_the_same_answers() {
+  using T = scalar_of<BoxType>;
   int known = 0;
   test::check_property([&known] {
     const auto [wide_ball, wide_box] = draw();
     const Sphere<3, T> ball{Vec<3, T>(wide_ball.center), static_cast<T>(wide_ball.radius)};
-    const Obb<3, T> box{Vec<3, T>(wide_box.center), Vec<3, T>(wide_box.half_extents), Mat<3, T>(wide_box.axes)};
+    const BoxType box = box_like(wide_box, BoxType());
     RC_LOG() << test::to_source(ball) << ", " << test::to_source(box) << "\n";
-    const BallOnBox quick = ball_on_box(ball, box);
+    const TouchLook<3> quick = touch_look(ball, box, false);
     const bool is_apart = decide(ball, box) == Relation::apart;
     if (quick.is_known) RC_ASSERT(quick.meets == !is_apart);
     RC_ASSERT(contact(ball, box).has_value() == !is_apart);
@@ -119,17 +130,19 @@ void expect_the_same_answers() {
     RC_ASSERT(plain.size == 1U);
     RC_ASSERT(plain.pairs[0].feature_a == (Feature{FeatureKind::vertex, 0}));
     // Far from the origin the way of all shapes loses edges and vertices to rounding.
-    if (max_abs(wide_box.center) <= 1) RC_ASSERT(plain.pairs[0].feature_b == quick.feature);
+    if (max_abs(wide_box.center) <= 1) RC_ASSERT(plain.pairs[0].feature_b == quick.feature_b);
     const auto turned = manifold(box, ball);
-    RC_ASSERT(turned.points[0].id == (ContactId{quick.feature, {FeatureKind::vertex, 0}}));
+    RC_ASSERT(turned.points[0].id == (ContactId{quick.feature_b, {FeatureKind::vertex, 0}}));
     RC_ASSERT(turned.normal == -manifold(ball, box).normal);
   });
   EXPECT_GT(known, 0);
 }
 
 TEST(BallOnBox, IsWhatAllShapesAnswer) {
-  expect_the_same_answers<float>();
-  expect_the_same_answers<double>();
+  expect_the_same_answers<Obb<3, float>>();
+  expect_the_same_answers<Obb<3, double>>();
+  expect_the_same_answers<Aabb<3, float>>();
+  expect_the_same_answers<Aabb<3, double>>();
 }
 
 }  // namespace

@@ -53,20 +53,20 @@ TEST(FaceAlong, LooksStraightUpToTheToleranceOfManifolds) {
 TEST(QuickPairOnEdges, IsWhereTheyCross) {
   const Box below{{0, 0, 0}, {1, 1, 1}, rotation_matrix(V3(0, 1, 0), 45)};
   const Box above{{0, 0, 2.5}, {1, 1, 1}, rotation_matrix(V3(1, 0, 0), 45)};
-  const CrossingEdges edges = quick_pair_on_edges(MeetingObbs(below, above, all_boxes_axes<3>));
+  const CrossingEdges edges = quick_pair_on_edges(MeetingObbs(SeenObbs(below, above), all_boxes_axes<3>));
   ASSERT_TRUE(edges.is_known);
   EXPECT_NEAR(length(plain(edges.points.point_a) - V3(0, 0, std::sqrt(2.0))), 0, 1e-15);
   EXPECT_NEAR(length(plain(edges.points.point_b) - V3(0, 0, 2.5 - std::sqrt(2.0))), 0, 1e-15);
   EXPECT_EQ(edges.points.feature_a.kind, FeatureKind::edge);
   const Box beside{{0, 1, 2.5}, {1, 1, 1}, above.axes};  // at the end of the lower edge
-  EXPECT_FALSE(quick_pair_on_edges(MeetingObbs(below, beside, 1U << (6U + 3 * 1 + 0))).is_known);
+  EXPECT_FALSE(quick_pair_on_edges(MeetingObbs(SeenObbs(below, beside), 1U << (6U + 3 * 1 + 0))).is_known);
 }
 
 TEST(CornerOverFace, IsTheDeepestOneIfItIsOverTheFace) {
   const Box table{{0, 0, -1}, {4, 4, 1}};
   const auto tilted = [](double x) { return Box{{x, 0, 1.5}, {1, 1, 1}, rotation_matrix(V3(1, 1, 0), 40)}; };
   constexpr BoxesAxes upward = 1U << 2U;
-  const CornerOverFace over = corner_over_face(MeetingObbs(table, tilted(0), upward));
+  const CornerOverFace over = corner_over_face(MeetingObbs(SeenObbs(table, tilted(0)), upward));
   ASSERT_TRUE(over.is_any);
   V3 lowest(0.0);
   for (const V3& corner : corner_points(tilted(0))) {
@@ -75,8 +75,8 @@ TEST(CornerOverFace, IsTheDeepestOneIfItIsOverTheFace) {
   lowest.z += 1;  // seen from the table's middle
   EXPECT_NEAR(length(plain(over.corner) - lowest), 0, 1e-14);
   EXPECT_NEAR(length(plain(over.on_face) - V3(lowest.x, lowest.y, 1)), 0, 1e-14);
-  EXPECT_FALSE(corner_over_face(MeetingObbs(table, tilted(4.5), upward)).is_any);
-  const CornerOverFace below = corner_over_face(MeetingObbs(tilted(0), table, upward << 3U));
+  EXPECT_FALSE(corner_over_face(MeetingObbs(SeenObbs(table, tilted(4.5)), upward)).is_any);
+  const CornerOverFace below = corner_over_face(MeetingObbs(SeenObbs(tilted(0), table), upward << 3U));
   ASSERT_TRUE(below.is_any);
   EXPECT_NEAR(length(plain(below.corner) + V3(0, 0, 1.5) - (lowest - V3(0, 0, 1))), 0, 1e-14);
 }
@@ -86,7 +86,7 @@ void expect_what_the_search_finds(const Box& a, const Box& b, BoxesAxes axes) {
   const BoxSides<3> sides_a = sides_of(seen_from(a.center, a));
   const BoxSides<3> sides_b = sides_of(seen_from(a.center, b));
   const BoxesContact<3> plain = contact_of_sides(sides_a, sides_b, axes);
-  const BoxesContact<3> quick = MeetingObbs(a, b, axes).contact();
+  const BoxesContact<3> quick = MeetingObbs(SeenObbs(a, b), axes).contact();
   RC_ASSERT(quick.size == plain.size);
   RC_ASSERT(quick.found.normal == plain.found.normal);
   RC_ASSERT(quick.found.depth == plain.found.depth);
@@ -233,7 +233,7 @@ void expect_the_same_manifold(Kind kind) {
     const auto plain = rounded_manifold<T>(manifold_of_met(a, b));
     RC_ASSERT(quick.normal == plain.normal);
     RC_ASSERT(quick.error == plain.error);
-    const MeetingObbs met(a, b, axes_of(a, b).candidates);
+    const MeetingObbs met(SeenObbs(a, b), axes_of(a, b).candidates);
     const std::vector<Corner> found = quick_corners(met, carrying_face(met));
     const double allowed = allowed_off(a, b, plain.error);
     if (found.empty()) {

@@ -2,8 +2,7 @@
 #include "query/proximities_instances.hpp"
 
 namespace graze {
-template Proximity<2, double> detail::proximity(const AnyShape<2, float>&, const AnyShape<2, float>&,
-                                                SimplexCache<2>*);
+template Proximity<2, double> detail::proximity(const AnyShape<2, float>&, const AnyShape<2, float>&, SimplexCache<2>*);
 }  // namespace graze
 
 namespace graze::test {

@@ -2,8 +2,7 @@
 #include "query/proximities_instances.hpp"
 
 namespace graze {
-template Proximity<3, double> detail::proximity(const AnyShape<3, float>&, const AnyShape<3, float>&,
-                                                SimplexCache<3>*);
+template Proximity<3, double> detail::proximity(const AnyShape<3, float>&, const AnyShape<3, float>&, SimplexCache<3>*);
 }  // namespace graze
 
 namespace graze::test {

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// quick_touch(a, b): a quick look at two shapes, either first, if there is one for their types.
+#pragma once
+
+#include <graze/query/ball_touch.hpp>
+#include <graze/query/capsule_touch.hpp>
+#include <graze/query/level_touch.hpp>
+#include <graze/query/round_touch.hpp>
+#include <graze/query/touch_look.hpp>
+#include <graze/query/triangle_touch.hpp>
+#include <graze/shape/shape.hpp>
+
+namespace graze::detail {
+
+/// Whether there is a quick look at two shapes in this order.
+template <class A, class B>
+concept HasTouchLook = requires(const A& a, const B& b) {
+  touch_look(a, b, false);
+};
+
+template <class A, class B>
+inline constexpr bool has_quick_touch = HasTouchLook<A, B> || HasTouchLook<B, A>;
+
+/// With the normal from the first of the two.
+template <class A, class B>
+requires has_quick_touch<A, B> TouchLook<dimension_of<A>> quick_touch(const A& a, const B& b) {
+  if constexpr (HasTouchLook<A, B>) {
+    return touch_look(a, b, false);
+  } else {
+    return touch_look(b, a, true);
+  }
+}
+
+}  // namespace graze::detail
