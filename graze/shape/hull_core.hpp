@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// put_candidates(frame, list): the points that may be corners of a hull. Most of many points are deep inside, which the hull
-// of a few of them tells at a glance.
+// put_candidates(frame, list): the points that may be corners of a hull. Most of many points are deep inside, which the
+// hull of a few of them tells at a glance.
 #pragma once
 
 #include <algorithm>

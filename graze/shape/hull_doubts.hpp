@@ -3,8 +3,8 @@
 //
 // Where many points are on an edge or a face of the hull up to the rounding of their coordinates, doubles cannot tell
 // which of them stick out, and to ask that of each exactly takes far longer than all else. But nearly all are inside of
-// the hull of those beside them on the same edge or face: under a map that makes this hull as thick as long (HullShear),
-// they are a cloud as any other, of which quickhull in doubles finds the outer ones.
+// the hull of those beside them on the same edge or face: under a map that makes this hull as thick as long
+// (HullShear), they are a cloud as any other, of which quickhull in doubles finds the outer ones.
 #pragma once
 
 #include <algorithm>

@@ -14,9 +14,9 @@
 
 #include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/shape/hull_base.hpp>
 #include <graze/shape/hull_frame.hpp>
 #include <graze/shape/index_lists.hpp>
-#include <graze/shape/plane.hpp>
 
 namespace graze::detail {
 
@@ -63,8 +63,8 @@ class Quickhull {
     undecided_.swap(candidates);
     candidates.clear();
     forget();
-    find_base();
-    if (base_size_ < 4) return;
+    base_ = HullBase<T>(frame, undecided_);
+    if (base().size() < 4) return;
     begin();
     grow_all();
   }
@@ -135,11 +135,11 @@ class Quickhull {
 
   /// Places of points that span what all of them span: one that all are at, two on the line they are on, three on the
   /// plane they are on, or four. Exactly.
-  std::span<const std::uint32_t> base() const { return {base_.data(), base_size_}; }
+  std::span<const std::uint32_t> base() const { return base_.places(); }
 
   /// The candidates, if those span no volume: then there are no faces.
   std::span<const HullPoint> flat_candidates() const {
-    return base_size_ < 4 ? std::span<const HullPoint>(undecided_) : std::span<const HullPoint>();
+    return base().size() < 4 ? std::span<const HullPoint>(undecided_) : std::span<const HullPoint>();
   }
 
   const HullFrame<T>& frame() const { return *frame_; }
@@ -185,27 +185,8 @@ class Quickhull {
     return frame_->orientation_of(indices_of(face), point.index) > 0;
   }
 
-  /// A point for which `counts` holds, the one for which `measure` is largest if it does for that one; none if it holds
-  /// for none.
-  template <class Measure, class Counts>
-  std::uint32_t farthest_by(const Measure& measure, const Counts& counts) const {
-    std::uint32_t best = undecided_.front().index;
-    double largest = -1;
-    for (const HullPoint& point : undecided_) {
-      const double size = measure(point.place);
-      if (!(size > largest)) continue;
-      largest = size;
-      best = point.index;
-    }
-    if (counts(best)) return best;
-    const auto other =
-        std::find_if(undecided_.begin(), undecided_.end(), [&](const HullPoint& point) { return counts(point.index); });
-    return other == undecided_.end() ? none : other->index;
-  }
-
   /// What it has found of points before.
   void forget() {
-    base_size_ = 0;
     forget_faces();
     used_ = 0;
     loose_.clear();
@@ -223,37 +204,9 @@ class Quickhull {
     waiting_.clear();
   }
 
-  void add_to_base(std::uint32_t index) { base_[base_size_++] = index; }
-
-  void find_base() {
-    const auto [a, b] = frame_->ends();
-    add_to_base(a);
-    if (frame_->point(a) == frame_->point(b)) return;
-    add_to_base(b);
-    const Vec<3, double> origin = frame_->at(a).place;
-    const Vec<3, double> edge = frame_->at(b).place - origin;
-    const auto across = [&](const Vec<3, double>& place) {
-      const Vec<3, double> normal = cross(edge, place - origin);
-      return dot(normal, normal);
-    };
-    const std::uint32_t c = farthest_by(across, [&, a = a, b = b](std::uint32_t i) {
-      return !are_on_one_line(frame_->point(a), frame_->point(b), frame_->point(i));
-    });
-    if (c == none) return;
-    add_to_base(c);
-    const HullPlane plane = frame_->plane(frame_->at(a), frame_->at(b), frame_->at(c));
-    const std::uint32_t d = farthest_by([&](const Vec<3, double>& place) { return std::fabs(plane.height(place)); },
-                                        [&](std::uint32_t i) {
-                                          return frame_->orientation_of({base_[0], base_[1], base_[2]}, i) != 0;
-                                        });
-    if (d == none) return;
-    add_to_base(d);
-    if (frame_->orientation_of({base_[0], base_[1], base_[2]}, d) > 0) std::swap(base_[1], base_[2]);
-  }
-
   /// A tetrahedron, and the points that are outside of its faces.
   void begin() {
-    for (const std::uint32_t index : base_) corners_.push_back(frame_->at(index));
+    for (const std::uint32_t index : base()) corners_.push_back(frame_->at(index));
     // The last corner is on the inner side of the first three.
     add_face({0, 1, 2}, {4, 8, 12});
     add_face({1, 0, 3}, {0, 14, 9});
@@ -452,8 +405,7 @@ class Quickhull {
 
   const HullFrame<T>* frame_ = nullptr;
   std::vector<HullPoint> undecided_;
-  std::array<std::uint32_t, 4> base_{};
-  std::size_t base_size_ = 0;
+  HullBase<T> base_;
   std::vector<HullPoint> corners_;
   std::vector<Face> faces_;
   std::vector<std::uint32_t> free_;     // places of faces that are gone
