@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// contact and manifold for pairs of bounded primitives in 3D, beside FCL's collide with up to four contacts (double)
-// and, for two oriented boxes, Bullet's detector and the manifold that its worlds keep (float) and ODE's dCollide
-// (double), each in a file of bench/contact. A thousand random pairs each, all in cache, some of
+// contact and manifold for pairs of bounded primitives in 3D, beside FCL's collide with up to four contacts (double),
+// ODE's dCollide (double) and, for two oriented boxes, Bullet's detector and the manifold that its worlds keep (float),
+// each in a file of bench/contact. A thousand random pairs each, all in cache, some of
 // them apart; oriented boxes also in one call of `contacts`, in double and in float; of most kinds also pairs that all
 // meet, and of oriented boxes some that lie on each other. A scene of oriented boxes in towers tells its contacts, too,
 // beside a call of manifold for each of its pairs. Before anything is timed the others' depths are compared
@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <random>
 #include <string>
@@ -52,6 +53,7 @@ using graze::contact_bench::FclPair;
 using graze::contact_bench::FclShape;
 using graze::contact_bench::Obb;
 using graze::contact_bench::OdePair;
+using graze::contact_bench::OdeShape;
 using graze::contact_bench::Point;
 using graze::contact_bench::Sphere;
 using Triangle = graze::Triangle<3, double>;
@@ -121,20 +123,20 @@ Pairs<A, B> random_pairs(double spread) {
   return pairs;
 }
 
-/// Pairs that meet.
+/// Pairs that meet, in each other by up to `most_depth`.
 template <class A, class B>
-Pairs<A, B> meeting_pairs() {
+Pairs<A, B> meeting_pairs(double most_depth = std::numeric_limits<double>::infinity()) {
   Pairs<A, B> pairs;
   Random random(0.6);
   while (pairs.size() < pair_count) {
     std::pair<A, B> pair;
     draw(random, pair.first);
     draw(random, pair.second);
-    if (contact(pair.first, pair.second)) pairs.push_back(pair);
+    const auto met = contact(pair.first, pair.second);
+    if (met && met->depth <= most_depth) pairs.push_back(pair);
   }
   return pairs;
 }
-
 /// Boxes on boxes, turned about the upright axis and sunk in a little; every stack turned as a whole.
 Pairs<Obb, Obb> stacked_boxes() {
   Pairs<Obb, Obb> pairs(pair_count);
@@ -292,6 +294,8 @@ void register_pairs(const std::string& name, const Pairs<A, B>& drawn) {
   if constexpr (are_boxes) {
     time_other<BulletDetectorPair>(title, *pairs);
     time_other<BulletManifoldPair>(title, *pairs);
+  }
+  if constexpr (std::is_constructible_v<OdeShape, A> && std::is_constructible_v<OdeShape, B>) {
     time_other<OdePair>(title, *pairs);
   }
 }
@@ -306,12 +310,16 @@ int main(int argc, char** argv) {
   register_pairs("sphere, obb that meet", meeting_pairs<Sphere, Obb>());
   register_pairs("sphere, capsule", random_pairs<Sphere, Capsule>(1));
   register_pairs("aabb, aabb", random_pairs<Aabb, Aabb>(1));
+  register_pairs("aabb, aabb that meet", meeting_pairs<Aabb, Aabb>());
+  register_pairs("aabb, obb that meet", meeting_pairs<Aabb, Obb>());
   register_pairs("obb, obb", random_pairs<Obb, Obb>(1));
   register_pairs("obb, obb that meet", meeting_pairs<Obb, Obb>());
   register_pairs("obb on obb", stacked_boxes());
   register_scene();
   register_pairs("obb, capsule", random_pairs<Obb, Capsule>(1));
   register_pairs("obb, capsule that meet", meeting_pairs<Obb, Capsule>());
+  constexpr double hardly = 0.1;  // as shapes meet in a simulation
+  register_pairs("obb, capsule that meet by up to 0.1", meeting_pairs<Obb, Capsule>(hardly));
   register_pairs("obb, triangle", random_pairs<Obb, Triangle>(1));
   register_pairs("obb, triangle that meet", meeting_pairs<Obb, Triangle>());
   register_pairs("triangle, triangle", random_pairs<Triangle, Triangle>(0.5));

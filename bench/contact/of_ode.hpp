@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// ODE's dCollide, in double as Debian builds it, on two oriented boxes, with up to four contacts.
+// ODE's dCollide, in double as Debian builds it, on balls, capsules and boxes, with up to four contacts.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <type_traits>
@@ -15,11 +16,57 @@
 
 namespace graze::contact_bench {
 
+/// A shape as ODE has it.
+class OdeShape {
+ public:
+  explicit OdeShape(const Sphere& ball) : geometry_((start(), dCreateSphere(nullptr, ball.radius))) {
+    place(ball.center);
+  }
+  explicit OdeShape(const Aabb& box) : OdeShape(box.max - box.min) { place((box.min + box.max) * 0.5); }
+  explicit OdeShape(const Obb& box) : OdeShape(box.half_extents * 2.0) {
+    place(box.center);
+    const auto& x = box.axes[0];
+    const auto& y = box.axes[1];
+    const auto& z = box.axes[2];
+    const dMatrix3 rotation = {x.x, y.x, z.x, 0, x.y, y.y, z.y, 0, x.z, y.z, z.z, 0};
+    dGeomSetRotation(geometry_.get(), rotation);
+  }
+  explicit OdeShape(const Capsule& capsule) {
+    start();
+    const Point way = capsule.b - capsule.a;
+    geometry_.reset(dCreateCapsule(nullptr, capsule.radius, std::sqrt(dot(way, way))));
+    place((capsule.a + capsule.b) * 0.5);
+    dMatrix3 rotation;
+    dRFromZAxis(rotation, way.x, way.y, way.z);
+    dGeomSetRotation(geometry_.get(), rotation);
+  }
+
+  dGeomID get() const { return geometry_.get(); }
+
+ private:
+  struct Destroy {
+    void operator()(dGeomID geometry) const { dGeomDestroy(geometry); }
+  };
+
+  /// ODE has tables for the whole program and for each thread; they go with the program.
+  static void start() {
+    static const bool is_started = dInitODE2(0) != 0 && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
+    static_cast<void>(is_started);
+  }
+
+  explicit OdeShape(const Point& sides) : geometry_((start(), dCreateBox(nullptr, sides.x, sides.y, sides.z))) {}
+
+  void place(const Point& center) { dGeomSetPosition(geometry_.get(), center.x, center.y, center.z); }
+
+  std::unique_ptr<std::remove_pointer_t<dGeomID>, Destroy> geometry_;
+};
+
 class OdePair {
  public:
   static constexpr const char* name = "ODE";
 
-  OdePair(const Obb& a, const Obb& b) : a_(geometry(a)), b_(geometry(b)) {}
+  template <class A, class B>
+  OdePair(const A& a, const B& b) : a_(a), b_(b) {}
 
   Answer find() const {
     constexpr int most_contacts = 4;
@@ -32,32 +79,8 @@ class OdePair {
   }
 
  private:
-  struct Destroy {
-    void operator()(dGeomID geometry) const { dGeomDestroy(geometry); }
-  };
-  using Geometry = std::unique_ptr<std::remove_pointer_t<dGeomID>, Destroy>;
-
-  /// ODE has tables for the whole program and for each thread; they go with the program.
-  static void start() {
-    static const bool is_started = dInitODE2(0) != 0 && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
-    static_cast<void>(is_started);
-  }
-
-  static Geometry geometry(const Obb& box) {
-    start();
-    const Point sides = box.half_extents * 2.0;
-    Geometry result(dCreateBox(nullptr, sides.x, sides.y, sides.z));
-    dGeomSetPosition(result.get(), box.center.x, box.center.y, box.center.z);
-    const auto& x = box.axes[0];
-    const auto& y = box.axes[1];
-    const auto& z = box.axes[2];
-    const dMatrix3 rotation = {x.x, y.x, z.x, 0, x.y, y.y, z.y, 0, x.z, y.z, z.z, 0};
-    dGeomSetRotation(result.get(), rotation);
-    return result;
-  }
-
-  Geometry a_;
-  Geometry b_;
+  OdeShape a_;
+  OdeShape b_;
 };
 
 }  // namespace graze::contact_bench
