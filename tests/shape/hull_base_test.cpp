@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -15,10 +16,9 @@ using V = Vec<3, double>;
 
 std::vector<V> base_of(const std::vector<V>& points) {
   const HullFrame<double> frame{std::span<const V>(points)};
+  const HullBase<double> base(frame, all_points(frame));
   std::vector<V> result;
-  for (const std::uint32_t place : HullBase<double>(frame, all_points(frame)).places()) {
-    result.push_back(points[place]);
-  }
+  for (const std::uint32_t place : base.places()) result.push_back(points[place]);
   return result;
 }
 
