@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 
+#include <graze/math/bit_cast.hpp>
 #include <graze/math/vec.hpp>
 
 // Without integers of 128 bits nothing is whole, and all else has to tell signs.
@@ -29,9 +29,9 @@ inline double unit_of_whole(double largest) {
   constexpr int exponent_of_one = 1023;
   constexpr int bits = 60;
   constexpr int most = 300;
-  const int exponent = static_cast<int>(std::bit_cast<std::uint64_t>(largest) >> 52U) - exponent_of_one;
+  const int exponent = static_cast<int>(bit_cast<std::uint64_t>(largest) >> 52U) - exponent_of_one;
   if (exponent < -most || exponent > most) return 0;
-  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent_of_one + bits - exponent) << 52U);
+  return bit_cast<double>(static_cast<std::uint64_t>(exponent_of_one + bits - exponent) << 52U);
 }
 
 /// The sum of three numbers of up to 62 bits, each times one of up to 125 bits: its sign.
