@@ -28,6 +28,7 @@ TESTED_ELSEWHERE = {
     "graze/broad/pair.hpp": ("tests/broad/pairs_test.cpp", "a struct without functions: it is what overlapping_pairs gives"),
     "graze/broad/pair_room.hpp": ("tests/broad/dense_search_test.cpp", "a function's type, which both methods fill"),
     "graze/broad/pair_search.hpp": ("tests/broad/pairs_test.cpp", "the method behind overlapping_pairs"),
+    "graze/broad/bucket_sort.hpp": ("tests/broad/pair_sort_test.cpp", "what the sorting of pairs is made of"),
     "graze/broad/simd_choice.hpp": ("tests/broad/block_kernels_test.cpp", "one macro, whose sets the tests force one by one"),
     "graze/broad/simd_lanes-inl.hpp": ("tests/broad/block_kernels_test.cpp", "names for vectors, which all kernels use"),
     "graze/broad/box_lanes-inl.hpp": ("tests/broad/block_kernels_test.cpp", "what the kernels are made of"),

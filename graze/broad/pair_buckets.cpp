@@ -9,70 +9,71 @@
 namespace graze::detail {
 namespace {
 
-constexpr std::size_t pairs_per_line = 64 / sizeof(Pair);
+constexpr std::size_t line_bytes = 64;
 
 }
 
 /// Adds room for so many chunks, and for an eighth of all that there are, in whole large pages where it is as much: to
 /// double would leave up to a half of all without use. Chunks begin at multiples of their size, so that the place of a
-/// pair tells whether it is the last of its chunk.
+/// code tells whether it is the last of its chunk.
 void PairBuckets::add_slab(std::size_t chunks) {
-  constexpr std::size_t pairs_per_page = (std::size_t{1} << 21U) / sizeof(Pair);
-  const std::size_t size = chunk_ * sizeof(Pair);
+  constexpr std::size_t page = std::size_t{1} << 21U;
   std::size_t all = 0;
   for (const Slab& other : slabs_) all += other.chunks;
-  std::size_t pairs = (std::max(chunks, all / 8) + 1) * chunk_;  // one for the way to the first multiple
-  if (all * chunk_ >= pairs_per_page) pairs = (pairs + pairs_per_page - 1) / pairs_per_page * pairs_per_page;
+  std::size_t bytes = (std::max(chunks, all / 8) + 1) * chunk_;  // one for the way to the first multiple
+  if (all * chunk_ >= page) bytes = (bytes + page - 1) / page * page;
   Slab slab;
-  slab.memory.require(pairs);
-  const std::size_t beyond = reinterpret_cast<std::uintptr_t>(slab.memory.data()) % size;
-  slab.first = slab.memory.data() + (beyond == 0 ? 0 : size - beyond) / sizeof(Pair);
-  slab.chunks = (pairs - static_cast<std::size_t>(slab.first - slab.memory.data())) / chunk_;
+  slab.memory.require(bytes);
+  const std::size_t beyond = reinterpret_cast<std::uintptr_t>(slab.memory.data()) % chunk_;
+  slab.first = slab.memory.data() + (beyond == 0 ? 0 : chunk_ - beyond);
+  slab.chunks = (bytes - static_cast<std::size_t>(slab.first - slab.memory.data())) / chunk_;
   slabs_.push_back(std::move(slab));
 }
 
-Pair* PairBuckets::take_chunks(std::size_t count) {
+std::byte* PairBuckets::take_chunks(std::size_t count) {
   while (slab_ < slabs_.size() && taken_ + count > slabs_[slab_].chunks) {
     ++slab_;
     taken_ = 0;
   }
   if (slab_ == slabs_.size()) add_slab(count);
-  Pair* const result = slabs_[slab_].first + taken_ * chunk_;
+  std::byte* const result = slabs_[slab_].first + taken_ * chunk_;
   taken_ += count;
   return result;
 }
 
-void PairBuckets::clear(std::size_t buckets, std::uint32_t shift, PairChunk chunk) {
+void PairBuckets::clear(std::size_t buckets, PairCode code, PairChunk chunk) {
   if (chunk_ != static_cast<std::size_t>(chunk)) slabs_.clear();
   chunk_ = static_cast<std::size_t>(chunk);
-  shift_ = shift;
+  code_ = code;
   slab_ = 0;
   taken_ = 0;
   parts_.clear();
   next_.resize(buckets);
   full_parts_.assign(buckets, no_part);
-  Pair* const first = take_chunks(buckets);
+  std::byte* const first = take_chunks(buckets);
   for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
     // Not all at the same place of their chunks: their lines would share a few sets of the caches.
-    next_[bucket] = first + bucket * chunk_ + bucket * pairs_per_line % chunk_;
+    next_[bucket] = first + bucket * chunk_ + bucket * line_bytes % chunk_;
   }
   begins_ = next_;
 }
 
 /// Makes a part of a chunk that is full, and begins another.
 void PairBuckets::close(std::size_t bucket) {
-  parts_.push_back({open_part(bucket), full_parts_[bucket]});
+  parts_.push_back({begins_[bucket], next_[bucket], full_parts_[bucket]});
   full_parts_[bucket] = static_cast<std::uint32_t>(parts_.size() - 1);
   begins_[bucket] = next_[bucket] = take_chunks(1);
 }
 
-void PairBuckets::add(std::span<const Pair> pairs) {
-  const std::uintptr_t within_chunk = chunk_ * sizeof(Pair) - 1;
-  const auto add_one = [this, within_chunk](const Pair& pair) {
-    const std::size_t bucket = pair.a >> shift_;
-    Pair*& next = next_[bucket];
-    prefetch_to_write(next + pairs_per_line);
-    *next++ = pair;
+template <class Code>
+void PairBuckets::add_codes(std::span<const Pair> pairs) {
+  const std::uintptr_t within_chunk = chunk_ - 1;
+  const auto add_one = [this, within_chunk, code = code_](const Pair& pair) {
+    const std::size_t bucket = code.bucket_of(pair);
+    std::byte*& next = next_[bucket];
+    prefetch_to_write(next + line_bytes);
+    *reinterpret_cast<Code*>(next) = code.of<Code>(pair);
+    next += sizeof(Code);
     if ((reinterpret_cast<std::uintptr_t>(next) & within_chunk) == 0) [[unlikely]]
       close(bucket);
   };
@@ -84,10 +85,20 @@ void PairBuckets::add(std::span<const Pair> pairs) {
   for (const Pair& pair : pairs.subspan(4 * quarter)) add_one(pair);
 }
 
+void PairBuckets::add(std::span<const Pair> pairs) {
+  if (code_.narrow()) {
+    add_codes<std::int32_t>(pairs);
+  } else {
+    add_codes<std::int64_t>(pairs);
+  }
+}
+
 std::size_t PairBuckets::count(std::size_t bucket) const {
-  std::size_t result = 0;
-  for_each_part(bucket, [&result](std::span<const Pair> pairs) { result += pairs.size(); });
-  return result;
+  std::size_t bytes = static_cast<std::size_t>(next_[bucket] - begins_[bucket]);
+  for (std::uint32_t part = full_parts_[bucket]; part != no_part; part = parts_[part].previous) {
+    bytes += static_cast<std::size_t>(parts_[part].end - parts_[part].begin);
+  }
+  return bytes / (code_.narrow() ? sizeof(std::int32_t) : sizeof(std::int64_t));
 }
 
 std::size_t PairBuckets::bytes() const {

@@ -8,19 +8,20 @@
 
 #include <graze/broad/buffer.hpp>
 #include <graze/broad/pair.hpp>
+#include <graze/broad/pair_code.hpp>
 
 namespace graze::detail {
 
-/// How many pairs a chunk holds: each bucket has one that is not full. Where many threads have buckets of their own,
+/// How many bytes a chunk has: each bucket has one that is not full. Where many threads have buckets of their own,
 /// large ones would take more memory than the pairs.
-enum class PairChunk : std::uint32_t { large = 256, small = 64 };
+enum class PairChunk : std::uint32_t { large = 2048, small = 512 };
 
-/// Pairs in buckets of neighbouring first indices: each bucket a chain of chunks, so that nobody has to know beforehand
-/// how many pairs it gets. Keeps its memory, unless chunks become of another size.
+/// Pairs in buckets of neighbouring first indices, as codes: each bucket a chain of chunks, so that nobody has to know
+/// beforehand how many pairs it gets. Keeps its memory, unless chunks become of another size.
 class PairBuckets {
  public:
-  /// Forgets all pairs. From now on the bucket of a pair is a >> shift, which is less than `buckets`.
-  void clear(std::size_t buckets, std::uint32_t shift, PairChunk chunk = PairChunk::large);
+  /// Forgets all pairs. Those that come now lie in so many buckets, and are written as such codes.
+  void clear(std::size_t buckets, PairCode code, PairChunk chunk = PairChunk::large);
 
   /// How many buckets there are: none at first.
   std::size_t buckets() const { return next_.size(); }
@@ -30,17 +31,18 @@ class PairBuckets {
   std::size_t count(std::size_t bucket) const;
 
   /// The part of a bucket that is written to, the first that for_each_part gives.
-  std::span<const Pair> open_part(std::size_t bucket) const {
-    return {begins_[bucket], static_cast<std::size_t>(next_[bucket] - begins_[bucket])};
+  template <class Code>
+  std::span<const Code> open_part(std::size_t bucket) const {
+    return codes_of<Code>({begins_[bucket], next_[bucket]});
   }
 
-  /// Calls use(pairs) for each part of a bucket, in no order that matters.
-  template <class Use>
+  /// Calls use(codes) for each part of a bucket, in no order that matters. Code is the narrow one if the codes are.
+  template <class Code, class Use>
   void for_each_part(std::size_t bucket, const Use& use) const {
-    const std::span<const Pair> last = open_part(bucket);
+    const std::span<const Code> last = open_part<Code>(bucket);
     if (!last.empty()) use(last);
     for (std::uint32_t part = full_parts_[bucket]; part != no_part; part = parts_[part].previous) {
-      use(parts_[part].pairs);
+      use(codes_of<Code>(parts_[part]));
     }
   }
 
@@ -50,25 +52,33 @@ class PairBuckets {
   static constexpr std::uint32_t no_part = 0xFFFF'FFFF;
 
   struct Part {
-    std::span<const Pair> pairs;
-    std::uint32_t previous;  // of the same bucket
+    const std::byte* begin;
+    const std::byte* end;
+    std::uint32_t previous = no_part;  // of the same bucket
   };
 
   struct Slab {
-    Buffer<Pair> memory;
-    Pair* first = nullptr;
+    Buffer<std::byte> memory;
+    std::byte* first = nullptr;
     std::size_t chunks = 0;
   };
 
+  template <class Code>
+  static std::span<const Code> codes_of(const Part& part) {
+    return {reinterpret_cast<const Code*>(part.begin), reinterpret_cast<const Code*>(part.end)};
+  }
+
+  template <class Code>
+  void add_codes(std::span<const Pair> pairs);
   void add_slab(std::size_t chunks);
-  Pair* take_chunks(std::size_t count);
+  std::byte* take_chunks(std::size_t count);
   void close(std::size_t bucket);
 
-  std::uint32_t shift_ = 0;
-  std::size_t chunk_ = static_cast<std::size_t>(PairChunk::large);  // pairs
-  std::vector<Pair*> next_;                                         // where the next pair of a bucket goes
-  std::vector<Pair*> begins_;                                       // of what is not yet in a part
-  std::vector<std::uint32_t> full_parts_;                           // the last one of each bucket
+  PairCode code_;
+  std::size_t chunk_ = static_cast<std::size_t>(PairChunk::large);
+  std::vector<std::byte*> next_;           // where the next pair of a bucket goes
+  std::vector<std::byte*> begins_;         // of what is not yet in a part
+  std::vector<std::uint32_t> full_parts_;  // the last one of each bucket
   std::vector<Part> parts_;
   std::vector<Slab> slabs_;
   std::size_t slab_ = 0;   // that chunks are taken from

@@ -185,9 +185,9 @@ std::span<const BlockPair> PairSearch<N, T>::meetings_of(std::size_t task, std::
 }
 
 template <Dim N, class T>
-std::span<const Pair> PairSearch<N, T>::find_sorted(std::size_t limit_a, std::size_t limit_b, const Executor& executor,
+std::span<const Pair> PairSearch<N, T>::find_sorted(const PairLimits& limits, const Executor& executor,
                                                     PairRoom& room) {
-  sort_.begin(limit_a, executor.concurrency());
+  sort_.begin(limits, executor.concurrency());
   const std::size_t tasks = task_count();
   executor.parallel_for(tasks, [&](std::size_t task) {
     const typename Pool<Found>::Loan memory(workers_);
@@ -195,7 +195,7 @@ std::span<const Pair> PairSearch<N, T>::find_sorted(std::size_t limit_a, std::si
     meet(meetings_of(task, tasks), memory->blocks, found);
   });
   const std::size_t count = sort_.count();
-  return {sort_.sort(limit_b, executor, room), count};
+  return {sort_.sort(executor, room), count};
 }
 
 /// Finds what is below the pairs of blocks of each task, in the order of tasks: in the list of the first one, as long
@@ -265,7 +265,7 @@ std::span<const Pair> PairSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_b
   build(boxes_a, boxes_b, static_cast<T>(options.margin), executor);
   descend();
   if (options.order == PairOrder::any) return find_any(executor, room);
-  return find_sorted(boxes_a.size(), boxes_b != nullptr ? boxes_b->size() : boxes_a.size(), executor, room);
+  return find_sorted({boxes_a.size(), boxes_b != nullptr ? boxes_b->size() : boxes_a.size()}, executor, room);
 }
 
 template <Dim N, class T>

@@ -45,7 +45,7 @@ class PairSearch {
   std::size_t task_count() const;
   std::span<const BlockPair> meetings_of(std::size_t task, std::size_t tasks) const;
   void find_lists(std::size_t tasks, const Executor& executor);
-  std::span<const Pair> find_sorted(std::size_t limit_a, std::size_t limit_b, const Executor& executor, PairRoom& room);
+  std::span<const Pair> find_sorted(const PairLimits& limits, const Executor& executor, PairRoom& room);
   std::span<const Pair> find_in_turns(PairRoom& room);
   std::span<const Pair> find_any(const Executor& executor, PairRoom& room);
 

@@ -22,15 +22,17 @@ namespace {
 static_assert(short_row == block_size, "a row is compared like a block");
 
 // NOLINTNEXTLINE(readability-function-size): arrays, one by one, as the loop needs them
-void place_pairs(const Pair* pairs, std::size_t count, std::uint32_t row_mask, const std::uint32_t* begins,
+template <class Code>
+void place_codes(const Code* codes, std::size_t count, const CodeBucket& bucket, const std::uint32_t* begins,
                  const std::uint32_t* seconds, Pair* out) {
   const Tag<std::uint32_t> d;
+  const PairCode code = bucket.code;
   for (std::size_t k = 0; k < count; ++k) {
-    const Pair pair = pairs[k];
-    const std::uint32_t row = pair.a & row_mask;
+    const std::uint32_t row = code.row_of(codes[k]);
     const std::uint32_t begin = begins[row];
     const std::uint32_t length = begins[row + 1] - begin;
     if (HWY_UNLIKELY(length > short_row)) continue;
+    const Pair pair{bucket.first + row, code.second_of(codes[k])};
     const auto second = hn::Set(d, pair.b);
     std::uint32_t smaller = 0;
     for (std::uint32_t at = 0; at < short_row; at += lanes_of<std::uint32_t>) {
@@ -41,23 +43,27 @@ void place_pairs(const Pair* pairs, std::size_t count, std::uint32_t row_mask, c
   }
 }
 
-void place_keys(const std::int64_t* keys, std::size_t count, std::uint32_t first, Pair* out) {
-  const Tag<std::int64_t> d;
+template <class Code>
+void place_keys(const Code* codes, std::size_t count, const CodeBucket& bucket, Pair* out) {
+  const Tag<Code> d;
+  const PairCode form = bucket.code;
   constexpr std::uint32_t before = very_short_row - 1;
   for (std::size_t k = 0; k < count; ++k) {
-    const std::int64_t key = keys[k];
-    const auto mine = hn::Set(d, key);
-    const std::int64_t* const near = keys + k - before;
+    const Code code = codes[k];
+    const auto mine = hn::Set(d, code);
+    const Code* const near = codes + k - before;
     std::uint32_t smaller = 0;
-    for (std::uint32_t at = 0; at < 2 * very_short_row; at += lanes_of<std::int64_t>) {
-      smaller |= bits_of<std::int64_t>(hn::Lt(hn::LoadU(d, near + at), mine)) << at;
+    for (std::uint32_t at = 0; at < 2 * very_short_row; at += lanes_of<Code>) {
+      smaller |= bits_of<Code>(hn::Lt(hn::LoadU(d, near + at), mine)) << at;
     }
     // All before the row are smaller, all after it greater.
     const std::size_t place = k + static_cast<std::size_t>(std::popcount(smaller)) - before;
-    const auto bits = static_cast<std::uint64_t>(key);
-    out[place] = {first + static_cast<std::uint32_t>(bits >> 32U), static_cast<std::uint32_t>(bits)};
+    out[place] = {bucket.first + form.row_of(code), form.second_of(code)};
   }
 }
+
+template <class Code>
+constexpr CodeKernels<Code> code_kernels{lanes_of<Code> >= 8, place_keys<Code>, place_codes<Code>};
 
 #if HWY_TARGET <= HWY_AVX3
 
@@ -173,7 +179,7 @@ constexpr bool rows_pay = false;
 }  // namespace
 
 const SortKernels& all_sort_kernels() {
-  static const SortKernels all{lanes_of<std::int64_t> >= 8, place_keys, place_pairs, rows_pay, place_rows};
+  static const SortKernels all{code_kernels<std::int32_t>, code_kernels<std::int64_t>, rows_pay, place_rows};
   return all;
 }
 

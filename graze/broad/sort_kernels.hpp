@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include <graze/broad/pair.hpp>
+#include <graze/broad/pair_code.hpp>
 
 namespace graze::detail {
 
@@ -19,21 +20,42 @@ inline constexpr std::uint32_t placed_row = 32;
 /// A row of so many pairs is sorted by counting smaller ones among all keys near to each.
 inline constexpr std::uint32_t very_short_row = 8;
 
-struct SortKernels {
-  /// Whether place_keys takes less time than place: where a vector holds eight keys.
+/// What codes of a bucket mean.
+struct CodeBucket {
+  PairCode code;
+  std::uint32_t first;  ///< The first index of row 0.
+};
+
+/// For codes of one width.
+template <class Code>
+struct CodeKernels {
+  /// Whether place_keys takes less time than place: where a vector holds eight codes.
   bool keys_pay;
 
-  /// Puts pairs in their places, given by keys that are in the order of their rows: the number of the row in the upper
-  /// half, the second index in the lower. The first index of row 0 is `first`. `keys` can be read by very_short_row
-  /// further to either side, where there are keys less than all before the first and greater than all after the last.
-  /// Longer rows come in any order, not even each pair once, but where they belong.
-  void (*place_keys)(const std::int64_t* keys, std::size_t count, std::uint32_t first, Pair* out);
+  /// Puts pairs in their places, given by codes that are in the order of their rows. `codes` can be read by
+  /// very_short_row further to either side, where there are numbers less than all before the first and not less than
+  /// any after the last. Longer rows come in any order, not even each pair once, but where they belong.
+  void (*place_keys)(const Code* codes, std::size_t count, const CodeBucket& bucket, Pair* out);
 
-  /// Puts pairs in their places. The row of a pair is `a & row_mask`; its row begins at begins[row] and ends before
+  /// Puts pairs in their places, given by codes in any order. A row begins at begins[row] and ends before
   /// begins[row + 1], where `seconds` has the second indices of the row in any order, and `out` wants the pairs sorted.
   /// `seconds` can be read 16 numbers further than the last row. Pairs of rows that are not short are left out.
-  void (*place)(const Pair* pairs, std::size_t count, std::uint32_t row_mask, const std::uint32_t* begins,
+  void (*place)(const Code* codes, std::size_t count, const CodeBucket& bucket, const std::uint32_t* begins,
                 const std::uint32_t* seconds, Pair* out);
+};
+
+struct SortKernels {
+  CodeKernels<std::int32_t> narrow;
+  CodeKernels<std::int64_t> wide;
+
+  template <class Code>
+  const CodeKernels<Code>& of() const {
+    if constexpr (sizeof(Code) == sizeof(std::int32_t)) {
+      return narrow;
+    } else {
+      return wide;
+    }
+  }
 
   /// Whether place_rows takes less time than place: where a vector holds sixteen indices.
   bool rows_pay;

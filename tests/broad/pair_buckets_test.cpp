@@ -19,11 +19,15 @@ std::vector<Pair> sorted(std::vector<Pair> pairs) {
   return pairs;
 }
 
-std::vector<Pair> bucket_of(const PairBuckets& buckets, std::size_t bucket) {
+template <class Code>
+std::vector<Pair> bucket_of(const PairBuckets& buckets, std::size_t bucket, PairCode form) {
   std::vector<Pair> result;
-  buckets.for_each_part(bucket, [&result](std::span<const Pair> part) {
+  buckets.for_each_part<Code>(bucket, [&result, bucket, form](std::span<const Code> part) {
     EXPECT_FALSE(part.empty());
-    result.insert(result.end(), part.begin(), part.end());
+    for (const Code code : part) {
+      const auto first = static_cast<std::uint32_t>(bucket << form.row_bits);
+      result.push_back({first + form.row_of(code), form.second_of(code)});
+    }
   });
   EXPECT_EQ(result.size(), buckets.count(bucket));
   return sorted(result);
@@ -39,34 +43,43 @@ std::vector<Pair> random_pairs(std::size_t count, std::uint32_t seed) {
   return pairs;
 }
 
-TEST(PairBuckets, HoldEachPairOnceInItsBucketHoweverItCame) {
+template <class Code>
+void expect_held(PairBuckets& kept, std::size_t count, PairCode form) {
   constexpr std::size_t buckets = 10;
-  constexpr std::uint32_t shift = 6;
-  PairBuckets kept;  // its memory serves for more pairs, then for fewer
+  const std::vector<Pair> pairs = random_pairs(count, static_cast<std::uint32_t>(count));
+  kept.clear(buckets, form);
+  for (std::size_t first = 0, size = 1; first < count; first += size, size = size * 3 % 1'000 + 1) {
+    kept.add(std::span<const Pair>(pairs).subspan(first, std::min(size, count - first)));
+  }
+  for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
+    std::vector<Pair> expected;
+    std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(expected),
+                 [bucket, form](const Pair& pair) { return form.bucket_of(pair) == bucket; });
+    EXPECT_EQ(bucket_of<Code>(kept, bucket, form), sorted(expected)) << count << " pairs, bucket " << bucket;
+  }
+}
+
+TEST(PairBuckets, HoldEachPairOnceInItsBucketHoweverItCame) {
+  PairBuckets kept;  // its memory serves for more pairs, then for fewer, in codes of both widths
   for (const std::size_t count : {0U, 1U, 3U, 4U, 100U, 2'000U, 50'000U, 500U}) {
-    const std::vector<Pair> pairs = random_pairs(count, static_cast<std::uint32_t>(count));
-    kept.clear(buckets, shift);
-    for (std::size_t first = 0, size = 1; first < count; first += size, size = size * 3 % 1'000 + 1) {
-      kept.add(std::span<const Pair>(pairs).subspan(first, std::min(size, count - first)));
-    }
-    for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
-      std::vector<Pair> expected;
-      std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(expected),
-                   [bucket](const Pair& pair) { return pair.a >> shift == bucket; });
-      EXPECT_EQ(bucket_of(kept, bucket), sorted(expected)) << count << " pairs, bucket " << bucket;
-    }
+    expect_held<std::int32_t>(kept, count, {.row_bits = 6, .second_bits = 16});
+    expect_held<std::int64_t>(kept, count, {.row_bits = 6, .second_bits = 32});
   }
 }
 
 TEST(PairBuckets, SayWhatTheyHold) {
   PairBuckets buckets;
-  buckets.clear(4, 1);
-  const std::size_t before = buckets.bytes();
-  buckets.add(std::vector<Pair>(10'000, Pair{5, 6}));
-  EXPECT_EQ(buckets.count(2), 10'000U);
-  EXPECT_EQ(buckets.count(3), 0U);
-  EXPECT_GE(buckets.bytes(), before + 9'000 * sizeof(Pair));
-  EXPECT_LE(buckets.bytes(), before + 30'000 * sizeof(Pair));
+  for (const std::uint32_t second_bits : {16U, 32U}) {
+    const std::size_t code_bytes = second_bits == 16 ? sizeof(std::int32_t) : sizeof(std::int64_t);
+    buckets = PairBuckets();
+    buckets.clear(4, {.row_bits = 1, .second_bits = second_bits});
+    const std::size_t before = buckets.bytes();
+    buckets.add(std::vector<Pair>(10'000, Pair{5, 6}));
+    EXPECT_EQ(buckets.count(2), 10'000U);
+    EXPECT_EQ(buckets.count(3), 0U);
+    EXPECT_GE(buckets.bytes(), before + 9'000 * code_bytes);
+    EXPECT_LE(buckets.bytes(), before + 30'000 * code_bytes);
+  }
 }
 
 }  // namespace

@@ -15,12 +15,6 @@
 namespace graze::detail::pair_sort_test {
 namespace {
 
-/// Above all indices.
-struct Limits {
-  std::size_t a;
-  std::size_t b;
-};
-
 /// Room that has nothing before or after it.
 class ExactRoom final : public PairRoom {
  public:
@@ -35,8 +29,8 @@ class ExactRoom final : public PairRoom {
 };
 
 /// Sorts pieces, each as a thread of its own would bring it, into exact room.
-std::vector<Pair> sorted_by(PairSort& sort, std::span<const Pair> pairs, std::size_t pieces, Limits limits) {
-  sort.begin(limits.a);
+std::vector<Pair> sorted_by(PairSort& sort, std::span<const Pair> pairs, std::size_t pieces, const PairLimits& limits) {
+  sort.begin(limits);
   {
     std::vector<std::unique_ptr<PairSort::Sink>> sinks;
     for (std::size_t k = 0; k < pieces; ++k) {
@@ -47,7 +41,7 @@ std::vector<Pair> sorted_by(PairSort& sort, std::span<const Pair> pairs, std::si
   }
   EXPECT_EQ(sort.count(), pairs.size());
   ExactRoom room;
-  const Pair* const first = sort.sort(limits.b, *limited_executor(2), room);
+  const Pair* const first = sort.sort(*limited_executor(2), room);
   EXPECT_EQ(first, room.pairs.data());
   return room.pairs;
 }
@@ -134,7 +128,7 @@ TEST(PairSort, SaysWhatItNeedsInPassingToo) {
   PairSort sort;
   sorted_by(sort, pairs, 1, {1'000, 300'000});
   const std::size_t with_many = sort.bytes();
-  EXPECT_GE(with_many, pairs.size() * (sizeof(Pair) + 2 * sizeof(std::uint32_t)));
+  EXPECT_GE(with_many, pairs.size() * (sizeof(std::int32_t) + 2 * sizeof(std::uint32_t)));
   sorted_by(sort, {}, 1, {1'000, 300'000});
   EXPECT_LE(sort.bytes(), with_many - pairs.size() * 2 * sizeof(std::uint32_t));
 }
@@ -145,7 +139,7 @@ TEST(PairSort, TakesNotMuchMoreThanThePairsNeedAlsoFromManyThreads) {
   for (std::uint32_t a = 0; a < rows; ++a) pairs.push_back({a * 7919U % rows, a});
   for (const std::size_t threads : {1U, 16U}) {
     PairSort sort;
-    sort.begin(rows, threads);
+    sort.begin({rows, rows}, threads);
     {
       std::vector<std::unique_ptr<PairSort::Sink>> sinks;
       for (std::size_t k = 0; k < threads; ++k) sinks.push_back(std::make_unique<PairSort::Sink>(sort));
@@ -154,7 +148,20 @@ TEST(PairSort, TakesNotMuchMoreThanThePairsNeedAlsoFromManyThreads) {
       }
     }
     EXPECT_EQ(sort.count(), pairs.size());
-    EXPECT_LE(sort.bytes(), pairs.size() * (threads == 1 ? 13U : 20U)) << threads << " threads";
+    EXPECT_LE(sort.bytes(), pairs.size() * (threads == 1 ? 7U : 14U)) << threads << " threads";
+  }
+}
+
+/// On either side of where a pair of a bucket has no room in 31 bits.
+TEST(PairSort, OfAsManyIndicesAsCodesHaveRoomForAndMore) {
+  for (const std::uint32_t limit : {(1U << 20U) - 1, 1U << 20U, (1U << 20U) + 1, (1U << 21U) + 1}) {
+    std::mt19937 random(limit);
+    std::vector<Pair> pairs;
+    for (std::uint32_t k = 0; k < 60'000; ++k) {
+      const std::uint32_t a = k < 1'000 ? k : k < 2'000 ? limit - 1 - k : static_cast<std::uint32_t>(random()) % limit;
+      pairs.push_back({a, k % 2 == 0 ? limit - 1 - k : k});
+    }
+    expect_sorted(pairs, limit, limit);
   }
 }
 

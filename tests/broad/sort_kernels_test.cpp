@@ -15,15 +15,34 @@
 namespace graze::detail::sort_kernels_test {
 namespace {
 
-TEST(SortKernels, PutPairsOfShortRowsInTheirPlacesAndLeaveOutTheOthers) {
+/// Pairs of rows of 64 and more, as codes.
+template <class Code>
+std::vector<Code> codes_of(const std::vector<Pair>& pairs, PairCode form) {
+  std::vector<Code> codes;
+  for (const Pair& pair : pairs) codes.push_back(form.of<Code>(pair));
+  return codes;
+}
+
+/// The greatest second index that codes of up to 32 rows have room for.
+template <class Code>
+constexpr PairCode form_of{.row_bits = 5, .second_bits = sizeof(Code) == sizeof(std::int32_t) ? 26U : 32U};
+
+template <class Code>
+class SortCodes : public testing::Test {};
+using CodeTypes = testing::Types<std::int32_t, std::int64_t>;
+TYPED_TEST_SUITE(SortCodes, CodeTypes);
+
+TYPED_TEST(SortCodes, PutPairsOfShortRowsInTheirPlacesAndLeaveOutTheOthers) {
+  constexpr PairCode form = form_of<TypeParam>;
   constexpr std::uint32_t rows = 32;
+  constexpr std::uint32_t last = 0xFFFFFFFFU >> (32 - form.second_bits);
   constexpr Pair untouched{7, 7};
   std::mt19937 random(5);
   std::vector<Pair> sorted;
   std::vector<std::uint32_t> begins = {0};
   for (std::uint32_t row = 0; row < rows; ++row) {
     const std::uint32_t length = row < 20 ? row : 0;  // 17 to 19 are not short
-    for (std::uint32_t k = 0; k < length; ++k) sorted.push_back({64 + row, 0xFFFFFFFFU - 1000 * (length - k)});
+    for (std::uint32_t k = 0; k < length; ++k) sorted.push_back({64 + row, last - 1000 * (length - k)});
     begins.push_back(static_cast<std::uint32_t>(sorted.size()));
   }
   std::vector<std::uint32_t> seconds;
@@ -34,12 +53,14 @@ TEST(SortKernels, PutPairsOfShortRowsInTheirPlacesAndLeaveOutTheOthers) {
   seconds.resize(seconds.size() + short_row);
   std::vector<Pair> pairs = sorted;
   std::shuffle(pairs.begin(), pairs.end(), random);
+  const std::vector<TypeParam> codes = codes_of<TypeParam>(pairs, form);
   std::vector<Pair> expected = sorted;
   for (std::uint32_t k = begins[17]; k < begins[20]; ++k) expected[k] = untouched;
   for (const std::int64_t target : test::simd_targets()) {
     const test::ForcedTarget forced(target);
     std::vector<Pair> placed(sorted.size(), untouched);
-    sort_kernels().place(pairs.data(), pairs.size(), rows - 1, begins.data(), seconds.data(), placed.data());
+    sort_kernels().of<TypeParam>().place(codes.data(), codes.size(), {form, 64}, begins.data(), seconds.data(),
+                                         placed.data());
     EXPECT_EQ(placed, expected) << hwy::TargetName(target);
   }
 }
@@ -76,28 +97,31 @@ TEST(SortKernels, PutRowsInTheirPlacesAndWriteNothingBehindThem) {
   }
 }
 
-TEST(SortKernels, PutKeysOfVeryShortRowsInTheirPlacesAndLongerOnesWhereTheyBelong) {
+TYPED_TEST(SortCodes, PutKeysOfVeryShortRowsInTheirPlacesAndLongerOnesWhereTheyBelong) {
+  constexpr PairCode form = form_of<TypeParam>;
   constexpr std::uint32_t first = 0xFFFFF000U;
+  constexpr std::uint32_t last = 0xFFFFFFFFU >> (32 - form.second_bits);
+  constexpr std::uint32_t long_row = 15;
   std::mt19937 random(6);
   std::vector<Pair> expected;
-  std::vector<std::int64_t> keys(very_short_row, std::numeric_limits<std::int64_t>::min());
-  for (std::uint32_t row = 0; row < 300; ++row) {
-    const std::uint32_t length = row == 150 ? 40 : (row * 7 + row / 9) % (very_short_row + 1);
+  std::vector<TypeParam> keys(very_short_row, std::numeric_limits<TypeParam>::min());
+  for (std::uint32_t row = 0; row < form.rows(); ++row) {
+    const std::uint32_t length = row == long_row ? 40 : (row * 7 + row / 9) % (very_short_row + 1);
     for (std::uint32_t k = 0; k < length; ++k) {
-      const std::uint32_t second = 0xFFFFFFFFU - 0x05000001U * k;
-      expected.push_back({first + row, second});
-      keys.push_back(static_cast<std::int64_t>(std::uint64_t{row} << 32U | second));
+      expected.push_back({first + row, last - last / 50 * k});
+      keys.push_back(form.of<TypeParam>(expected.back()));
     }
     std::shuffle(keys.end() - length, keys.end(), random);
   }
   std::sort(expected.begin(), expected.end());
-  keys.insert(keys.end(), very_short_row, std::numeric_limits<std::int64_t>::max());
+  keys.insert(keys.end(), very_short_row, std::numeric_limits<TypeParam>::max());
   for (const std::int64_t target : test::simd_targets()) {
     const test::ForcedTarget forced(target);
     std::vector<Pair> placed(expected.size());
-    sort_kernels().place_keys(keys.data() + very_short_row, placed.size(), first, placed.data());
+    sort_kernels().of<TypeParam>().place_keys(keys.data() + very_short_row, placed.size(), {form, first},
+                                              placed.data());
     for (std::size_t k = 0; k < placed.size(); ++k) {
-      if (expected[k].a == first + 150) {
+      if (expected[k].a == first + long_row) {
         placed[k] = expected[k];  // of a longer row: nothing is promised but that it stays within
       }
     }
