@@ -48,6 +48,9 @@ class BlockTree {
   /// The boxes of level 0 by their positions in the sequence that the tree was built of.
   const std::uint32_t* ids() const { return ids_.data(); }
 
+  /// Memory that the tree needs only while it is built.
+  auto idle_memory() { return order_.idle_memory(); }
+
   /// The memory that is held.
   std::size_t bytes() const;
 

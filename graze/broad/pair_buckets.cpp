@@ -10,8 +10,9 @@ namespace graze::detail {
 namespace {
 
 constexpr std::size_t line_bytes = 64;
+static_assert(LentMemory::alignment % static_cast<std::size_t>(PairChunk::large) == 0);
 
-}
+}  // namespace
 
 /// Adds room for so many chunks, and for an eighth of all that there are, in whole large pages where it is as much: to
 /// double would leave up to a half of all without use. Chunks begin at multiples of their size, so that the place of a
@@ -41,10 +42,40 @@ std::byte* PairBuckets::take_chunks(std::size_t count) {
   return result;
 }
 
-void PairBuckets::clear(std::size_t buckets, PairCode code, PairChunk chunk) {
+std::byte* PairBuckets::take_lent(Rest& rest) const {
+  if (rest.next == rest.end) {
+    if (rest.lender == nullptr) return nullptr;
+    rest.next = rest.lender->take();
+    if (rest.next == nullptr) {
+      rest = {};
+      return nullptr;
+    }
+    rest.end = rest.next + LentMemory::piece;
+  }
+  std::byte* const result = rest.next;
+  rest.next += chunk_;
+  return result;
+}
+
+std::byte* PairBuckets::take_chunk(std::size_t bucket) {
+  if (loans_ != nullptr) {
+    for (std::size_t k = 0; k < ahead_.size(); ++k) {
+      if (bucket >= loans_->ahead[k].buckets_end) continue;
+      if (std::byte* const lent = take_lent(ahead_[k])) return lent;
+      break;
+    }
+    if (std::byte* const lent = take_lent(idle_)) return lent;
+  }
+  return take_chunks(1);
+}
+
+void PairBuckets::clear(std::size_t buckets, PairCode code, PairChunk chunk, PairLoans* loans) {
   if (chunk_ != static_cast<std::size_t>(chunk)) slabs_.clear();
   chunk_ = static_cast<std::size_t>(chunk);
   code_ = code;
+  loans_ = loans;
+  idle_ = {loans == nullptr ? nullptr : &loans->idle};
+  for (std::size_t k = 0; k < ahead_.size(); ++k) ahead_[k] = {loans == nullptr ? nullptr : &loans->ahead[k].memory};
   slab_ = 0;
   taken_ = 0;
   parts_.clear();
@@ -62,7 +93,7 @@ void PairBuckets::clear(std::size_t buckets, PairCode code, PairChunk chunk) {
 void PairBuckets::close(std::size_t bucket) {
   parts_.push_back({begins_[bucket], next_[bucket], full_parts_[bucket]});
   full_parts_[bucket] = static_cast<std::uint32_t>(parts_.size() - 1);
-  begins_[bucket] = next_[bucket] = take_chunks(1);
+  begins_[bucket] = next_[bucket] = take_chunk(bucket);
 }
 
 template <class Code>
@@ -99,6 +130,26 @@ std::size_t PairBuckets::count(std::size_t bucket) const {
     bytes += static_cast<std::size_t>(parts_[part].end - parts_[part].begin);
   }
   return bytes / (code_.narrow() ? sizeof(std::int32_t) : sizeof(std::int64_t));
+}
+
+void PairBuckets::move_home(Part& part) {
+  const auto& ahead = loans_->ahead;
+  const auto has_it = [&part](const PairLoans::Ahead& one) { return one.memory.has(part.begin); };
+  if (std::none_of(ahead.begin(), ahead.end(), has_it)) return;
+  std::byte* const home = take_chunks(1);
+  part.end = std::copy(part.begin, part.end, home);
+  part.begin = home;
+}
+
+void PairBuckets::leave_ahead() {
+  if (loans_ == nullptr) return;
+  for (Part& part : parts_) move_home(part);
+  for (std::size_t bucket = 0; bucket < next_.size(); ++bucket) {
+    Part open{begins_[bucket], next_[bucket]};
+    move_home(open);
+    begins_[bucket] = open.begin;
+    next_[bucket] = open.end;
+  }
 }
 
 std::size_t PairBuckets::bytes() const {

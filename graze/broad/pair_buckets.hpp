@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include <graze/broad/buffer.hpp>
+#include <graze/broad/lent_memory.hpp>
 #include <graze/broad/pair.hpp>
 #include <graze/broad/pair_code.hpp>
 
@@ -16,12 +18,33 @@ namespace graze::detail {
 /// large ones would take more memory than the pairs.
 enum class PairChunk : std::uint32_t { large = 2048, small = 512 };
 
+/// Memory of others that pairs may lie in until they are sorted.
+struct PairLoans {
+  /// For some of the first buckets.
+  struct Ahead {
+    LentMemory memory;
+    std::size_t buckets_end = 0;  ///< Of those that wait here: the first ones, but for who waits in one before.
+  };
+
+  LentMemory idle;  ///< For all buckets.
+  std::array<Ahead, 2> ahead;
+
+  void clear() {
+    idle.clear();
+    for (Ahead& one : ahead) {
+      one.memory.clear();
+      one.buckets_end = 0;
+    }
+  }
+};
+
 /// Pairs in buckets of neighbouring first indices, as codes: each bucket a chain of chunks, so that nobody has to know
 /// beforehand how many pairs it gets. Keeps its memory, unless chunks become of another size.
 class PairBuckets {
  public:
-  /// Forgets all pairs. Those that come now lie in so many buckets, and are written as such codes.
-  void clear(std::size_t buckets, PairCode code, PairChunk chunk = PairChunk::large);
+  /// Forgets all pairs. Those that come now lie in so many buckets, and are written as such codes, also to what others
+  /// lend, as long as there are any.
+  void clear(std::size_t buckets, PairCode code, PairChunk chunk = PairChunk::large, PairLoans* loans = nullptr);
 
   /// How many buckets there are: none at first.
   std::size_t buckets() const { return next_.size(); }
@@ -29,6 +52,9 @@ class PairBuckets {
   void add(std::span<const Pair> pairs);
 
   std::size_t count(std::size_t bucket) const;
+
+  /// Moves what lies in memory that was lent for some buckets alone. Nothing is added any more.
+  void leave_ahead();
 
   /// The part of a bucket that is written to, the first that for_each_part gives.
   template <class Code>
@@ -52,8 +78,8 @@ class PairBuckets {
   static constexpr std::uint32_t no_part = 0xFFFF'FFFF;
 
   struct Part {
-    const std::byte* begin;
-    const std::byte* end;
+    std::byte* begin;
+    std::byte* end;
     std::uint32_t previous = no_part;  // of the same bucket
   };
 
@@ -61,6 +87,13 @@ class PairBuckets {
     Buffer<std::byte> memory;
     std::byte* first = nullptr;
     std::size_t chunks = 0;
+  };
+
+  /// The rest of a piece that was lent.
+  struct Rest {
+    LentMemory* lender = nullptr;  // none any more when it has nothing left
+    std::byte* next = nullptr;
+    std::byte* end = nullptr;
   };
 
   template <class Code>
@@ -72,6 +105,9 @@ class PairBuckets {
   void add_codes(std::span<const Pair> pairs);
   void add_slab(std::size_t chunks);
   std::byte* take_chunks(std::size_t count);
+  std::byte* take_lent(Rest& rest) const;
+  std::byte* take_chunk(std::size_t bucket);
+  void move_home(Part& part);
   void close(std::size_t bucket);
 
   PairCode code_;
@@ -83,6 +119,9 @@ class PairBuckets {
   std::vector<Slab> slabs_;
   std::size_t slab_ = 0;   // that chunks are taken from
   std::size_t taken_ = 0;  // of its chunks
+  PairLoans* loans_ = nullptr;
+  Rest idle_;
+  std::array<Rest, 2> ahead_;
 };
 
 }  // namespace graze::detail

@@ -11,6 +11,13 @@ namespace {
 constexpr std::size_t at_once = std::size_t{1} << 16U;  // pairs whose memory is populated, half a megabyte
 constexpr std::size_t populated_from = 8 * at_once;     // pairs for which that pays
 
+// Whether an address sanitizer reports who writes to the room that a vector has to spare: libc++ tells it to.
+#if defined(_LIBCPP_VERSION) && defined(__has_feature)
+constexpr bool watches_room_to_spare = __has_feature(address_sanitizer);
+#else
+constexpr bool watches_room_to_spare = false;
+#endif
+
 }  // namespace
 
 /// Populates the memory of at least so many pairs, as far as there is room.
@@ -22,29 +29,32 @@ void PairList::populate_to(std::size_t count) {
 }
 
 Pair* PairList::all(std::size_t count) {
-  if (executor_.concurrency() > 1) {
-    pairs_.reserve(count);
-    populate(pairs_.data(), count * sizeof(Pair), executor_);
-    pairs_.resize(count);
-  } else {
-    all_in_turns(count);
-    reach(count);
-  }
+  all_in_turns(count);
+  reach(count);
   return pairs_.data();
 }
 
 Pair* PairList::all_in_turns(std::size_t count) {
-  if (executor_.concurrency() > 1) return all(count);
   reserve_in_large_pages(pairs_, count);
   return pairs_.data();
 }
 
 void PairList::reach(std::size_t end) {
+  if (executor_.concurrency() > 1 && pairs_.size() < end) {
+    populate(pairs_.data() + pairs_.size(), (end - pairs_.size()) * sizeof(Pair), executor_);
+    pairs_.resize(end);
+  }
   while (pairs_.size() < end) {
     const std::size_t next = std::min(end, pairs_.size() + at_once);
     populate_to(next);
     pairs_.resize(next);
   }
+}
+
+std::span<Pair> PairList::ahead(std::size_t expected) {
+  if (watches_room_to_spare) return {};
+  reserve_in_large_pages(pairs_, expected + expected / 16);
+  return {pairs_.data(), pairs_.capacity()};
 }
 
 const Pair* PairList::append(std::span<const Pair> pairs, std::size_t expected) {

@@ -24,6 +24,12 @@ class PairRoom {
   virtual Pair* all_in_turns(std::size_t count) { return all(count); }
   virtual void reach(std::size_t /*end*/) {}
 
+  /// Memory that the room for all is likely to begin with, of somewhat more pairs than are expected: to be used for
+  /// something else until all are asked for, and to be written over by pairs then, one after the other, each time
+  /// reach() has been called with an end beyond them. Where it cannot be told, none; and who then asks for more than
+  /// this has gets other memory, and has lost what was here.
+  virtual std::span<Pair> ahead(std::size_t /*expected*/) { return {}; }
+
   /// Whether pairs may be appended. If not, a method keeps in memory of its own what it finds before it has counted.
   virtual bool appends() const = 0;
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <utility>
 
 #include <graze/broad/meet_kernels.hpp>
 #include <graze/broad/pair_search.hpp>
 #include <graze/broad/prefetch.hpp>
+#include <graze/broad/task_lists.hpp>
 
 namespace graze::detail {
 
@@ -45,7 +47,17 @@ struct PairSearch<N, T>::Found {
     pairs.extend(count + most, count);
     return pairs.data() + count;
   }
-  void add(std::size_t more) { count += more; }
+  void add(std::size_t more) {
+    count += more;
+    written_ = std::max(written_, count);
+  }
+
+  /// The memory that is held, of pairs as far as it has been written to: systems give it then, and there is much room
+  /// to spare where so many were expected.
+  std::size_t bytes() const { return blocks.bytes() + std::min(written_ * sizeof(Pair), pairs.bytes()); }
+
+ private:
+  std::size_t written_ = 0;
 };
 
 namespace {
@@ -91,6 +103,32 @@ struct FoundToAppend {
     first = room_of_all.append({pairs.data(), held}, expected);
     held = 0;
   }
+};
+
+/// Counts what is found, and notes some of the first indices.
+struct FoundToForecast {
+  std::size_t count = 0;
+  std::vector<std::uint32_t> firsts = {};
+
+  Pair* room(std::size_t most) {
+    pairs_.require(most);
+    return pairs_.data();
+  }
+  void add(std::size_t more) {
+    constexpr std::size_t stride = 16;
+    for (std::size_t k = stride - 1 - count % stride; k < more; k += stride) firsts.push_back(pairs_[k].a);
+    count += more;
+  }
+
+  /// About the one before which a share of all first indices is. There is one at least.
+  std::uint32_t first_after(double share) {
+    const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(firsts.size()));
+    std::nth_element(firsts.begin(), firsts.begin() + place, firsts.end());
+    return firsts[static_cast<std::size_t>(place)];
+  }
+
+ private:
+  Buffer<Pair> pairs_;
 };
 
 }  // namespace
@@ -184,10 +222,43 @@ std::span<const BlockPair> PairSearch<N, T>::meetings_of(std::size_t task, std::
   return {meetings_.data() + first, (task + 1) * meeting_count_ / tasks - first};
 }
 
+/// From a sample of the pairs of blocks, one in so many of those of a block with itself, of which all have much the
+/// same number of pairs, and of the others. Of fewer nothing can be told.
+template <Dim N, class T>
+PairForecast PairSearch<N, T>::forecast() const {
+  constexpr std::size_t stride = 37;
+  if (meeting_count_ < 64 * stride) return {};
+  Buffer<BlockPair> blocks;
+  FoundToForecast sample;
+  struct Kind {
+    std::size_t meetings = 0;
+    std::size_t sampled = 0;
+    std::size_t found = 0;
+  };
+  std::array<Kind, 2> kinds;
+  for (std::size_t k = 0; k < meeting_count_; ++k) {
+    Kind& kind = kinds[meetings_[k].a == meetings_[k].b ? 0 : 1];
+    if (kind.meetings++ % stride != stride / 2) continue;
+    const std::size_t before = sample.count;
+    meet({meetings_.data() + k, 1}, blocks, sample);
+    ++kind.sampled;
+    kind.found += sample.count - before;
+  }
+  if (sample.firsts.empty()) return {};
+  PairForecast result;
+  for (const Kind& kind : kinds) result.count += kind.found * kind.meetings / std::max<std::size_t>(kind.sampled, 1);
+  for (std::size_t k = 0; k < result.firsts.size(); ++k) result.firsts[k] = sample.first_after(sort_.shares()[k]);
+  return result;
+}
+
 template <Dim N, class T>
 std::span<const Pair> PairSearch<N, T>::find_sorted(const PairLimits& limits, const Executor& executor,
                                                     PairRoom& room) {
   sort_.begin(limits, executor.concurrency());
+  for (BlockTree<N, T>* const tree : {&tree_a_, &tree_b_}) {
+    for (const std::span<std::byte> memory : tree->idle_memory()) sort_.lend(memory);
+  }
+  sort_.wait_in(room, sort_.last().count > 0 ? sort_.last() : forecast());
   const std::size_t tasks = task_count();
   executor.parallel_for(tasks, [&](std::size_t task) {
     const typename Pool<Found>::Loan memory(workers_);
@@ -239,9 +310,9 @@ std::span<const Pair> PairSearch<N, T>::find_in_turns(PairRoom& room) {
   return {found.first, found.count};
 }
 
+/// Finds them in lists, which are then put together.
 template <Dim N, class T>
-std::span<const Pair> PairSearch<N, T>::find_any(const Executor& executor, PairRoom& room) {
-  if (room.appends() && executor.concurrency() == 1) return find_in_turns(room);
+std::span<const Pair> PairSearch<N, T>::find_in_lists(const Executor& executor, PairRoom& room) {
   const std::size_t tasks = task_count();
   find_lists(tasks, executor);
   std::vector<std::size_t> begins = {0};  // of each list among all pairs
@@ -258,14 +329,53 @@ std::span<const Pair> PairSearch<N, T>::find_any(const Executor& executor, PairR
   return {pairs, count};
 }
 
+/// The same in the same order, where they are not to be held twice: the lists are put together while others are filled.
+template <Dim N, class T>
+std::span<const Pair> PairSearch<N, T>::find_ahead(std::size_t expected, const Executor& executor, PairRoom& room) {
+  /// A list, until it has been copied.
+  class List {
+   public:
+    explicit List(Pool<Found>& pool) : loan(pool) { loan->count = 0; }
+    std::span<const Pair> all() const { return loan->all(); }
+
+    typename Pool<Found>::Loan loan;
+  };
+  const std::size_t tasks = task_count();
+  const std::span<Pair> ahead = room.ahead(expected);
+  if (ahead.empty()) return find_in_lists(executor, room);
+  TaskLists<List> lists(tasks, room, ahead);
+  std::atomic<std::size_t> next = 0;  // tasks in order of time: few wait for one before them
+  executor.parallel_for(tasks, [&](std::size_t /*turn*/) {
+    const std::size_t task = next++;
+    auto list = std::make_unique<List>(workers_);
+    meet(meetings_of(task, tasks), list->loan->blocks, *list->loan);
+    lists.add(task, std::move(list));
+  });
+  return lists.take();
+}
+
+template <Dim N, class T>
+std::span<const Pair> PairSearch<N, T>::find_any(const PairLimits& limits, const Executor& executor, PairRoom& room) {
+  if (executor.concurrency() == 1) return room.appends() ? find_in_turns(room) : find_in_lists(executor, room);
+  constexpr std::size_t many = 1;  // pairs for each box: they would take more memory than what is found by
+  const bool is_like_last = last_count_ > 0 && last_limits_ == limits;
+  const std::size_t expected = is_like_last ? last_count_ : forecast().count;
+  const std::span<const Pair> found =
+      expected > many * limits.a ? find_ahead(expected, executor, room) : find_in_lists(executor, room);
+  last_count_ = found.size();
+  last_limits_ = limits;
+  return found;
+}
+
 template <Dim N, class T>
 std::span<const Pair> PairSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options,
                                              PairRoom& room) {
   const Executor& executor = executor_of(options);
   build(boxes_a, boxes_b, static_cast<T>(options.margin), executor);
   descend();
-  if (options.order == PairOrder::any) return find_any(executor, room);
-  return find_sorted({boxes_a.size(), boxes_b != nullptr ? boxes_b->size() : boxes_a.size()}, executor, room);
+  const PairLimits limits{boxes_a.size(), boxes_b != nullptr ? boxes_b->size() : boxes_a.size()};
+  if (options.order == PairOrder::any) return find_any(limits, executor, room);
+  return find_sorted(limits, executor, room);
 }
 
 template <Dim N, class T>
@@ -295,7 +405,7 @@ template <Dim N, class T>
 std::size_t PairSearch<N, T>::bytes() const {
   std::size_t result = tree_a_.bytes() + tree_b_.bytes() + meetings_.bytes() + spare_meetings_.bytes() + sort_.bytes();
   for (const auto* memory : {&found_, &workers_.all()}) {
-    for (const auto& found : *memory) result += found->blocks.bytes() + found->pairs.bytes();
+    for (const auto& found : *memory) result += found->bytes();
   }
   return result;
 }

@@ -43,11 +43,14 @@ class PairSearch {
   template <class Finds>
   void meet(std::span<const BlockPair> parents, Buffer<BlockPair>& list, Finds& found) const;
   std::size_t task_count() const;
+  PairForecast forecast() const;
   std::span<const BlockPair> meetings_of(std::size_t task, std::size_t tasks) const;
   void find_lists(std::size_t tasks, const Executor& executor);
   std::span<const Pair> find_sorted(const PairLimits& limits, const Executor& executor, PairRoom& room);
   std::span<const Pair> find_in_turns(PairRoom& room);
-  std::span<const Pair> find_any(const Executor& executor, PairRoom& room);
+  std::span<const Pair> find_any(const PairLimits& limits, const Executor& executor, PairRoom& room);
+  std::span<const Pair> find_in_lists(const Executor& executor, PairRoom& room);
+  std::span<const Pair> find_ahead(std::size_t expected, const Executor& executor, PairRoom& room);
 
   BlockTree<N, T> tree_a_;
   BlockTree<N, T> tree_b_;
@@ -58,6 +61,8 @@ class PairSearch {
   std::vector<std::unique_ptr<Found>> found_;  // by task
   Pool<Found> workers_;                        // to find what is sorted at once
   PairSort sort_;
+  std::size_t last_count_ = 0;  // found in any order by several threads, if there were many
+  PairLimits last_limits_{};
 };
 
 }  // namespace graze::detail

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -42,6 +43,13 @@ class SpatialOrder {
 
   /// Positions of boxes, run by run.
   const std::uint32_t* order() const { return order_.data(); }
+
+  /// Memory that is free until the next sort for who needs the order no longer: it is lost where this is written to.
+  std::array<std::span<std::byte>, 3> idle_memory() {
+    return {std::as_writable_bytes(std::span(order_.data(), order_.capacity())),
+            std::as_writable_bytes(std::span(cells_.data(), cells_.capacity())),
+            std::as_writable_bytes(std::span(spare_.data(), spare_.capacity()))};
+  }
 
   /// The memory that is held, and what the last sort needed in passing.
   std::size_t bytes() const;

@@ -40,15 +40,17 @@ void expect_at_most(double most, World world, const Executor& executor) {
 }
 
 TEST(PairBytes, AreAtMost80ForEachOfAMillionBoxes) {
-  for (const World world : {World::brownian, World::heavy, World::line}) {
+  for (const World world : {World::brownian, World::heavy, World::line, World::cluster, World::giants}) {
     expect_at_most<float>(80, world, serial_executor());
     expect_at_most<double>(80, world, serial_executor());
   }
-  // With two pairs for each, boxes in double take more: the copies of both alone are 68 bytes.
-  for (const World world : {World::cluster, World::giants}) {
-    expect_at_most<float>(80, world, serial_executor());
-    expect_at_most<double>(95, world, serial_executor());
-  }
+}
+
+/// With its thirteen pairs for each: they wait in the room for all until they are sorted.
+TEST(PairBytes, AreAtMost80OfALatticeToo) {
+  expect_at_most<float>(80, World::lattice, serial_executor());
+  expect_at_most<double>(80, World::lattice, serial_executor());
+  expect_at_most<float>(80, World::lattice, test::ThreadExecutor(2));
 }
 
 TEST(PairBytes, AreNotManyMoreWithManyThreads) {

@@ -108,6 +108,49 @@ TEST(PairFinder, FindsPairsInAnOrderThatDependsOnTheBoxesOfAllCallsAlone) {
   }
 }
 
+/// Boxes of side `side` at the points of a lattice, whose first is the last but that many.
+std::vector<Aabb<3, float>> lattice(std::uint32_t points, float side, std::uint32_t turned_by) {
+  std::vector<Aabb<3, float>> boxes;
+  for (std::uint32_t k = 0; k < points * points * points; ++k) {
+    const Vec<3, float> min(static_cast<float>(k % points), static_cast<float>(k / points % points),
+                            static_cast<float>(k / points / points));
+    boxes.push_back({min, min + Vec<3, float>(side)});
+  }
+  std::rotate(boxes.begin(), boxes.begin() + turned_by, boxes.end());
+  return boxes;
+}
+
+/// Then most pairs wait in the memory of the last frame's pairs, by what these were: too few, too many, others.
+TEST(PairFinder, IsRightWhateverManyPairsOfTheLastFrameWere) {
+  Frames<3, float> frames;
+  for (const float side : {1.0F, 1.0F, 2.0F, 1.0F, 0.5F, 1.0F, 2.0F, 2.0F}) {
+    frames.push_back(lattice(20, side, 0));
+    frames.push_back(lattice(20, side, 5'000));
+  }
+  std::vector<std::vector<Pair>> expected;
+  for (const auto& boxes : frames) expected.push_back(brute_force_pairs(std::span<const Aabb<3, float>>(boxes)));
+  const test::ThreadExecutor three(3);
+  for (const Executor* executor : {&serial_executor(), static_cast<const Executor*>(&three)}) {
+    PairFinder<3, float> finder;
+    for (std::size_t frame = 0; frame < frames.size(); ++frame) {
+      const std::span<const Pair> found =
+          finder.find(frames[frame], {.executor = executor, .method = PairMethod::tree});
+      EXPECT_TRUE(std::equal(found.begin(), found.end(), expected[frame].begin(), expected[frame].end())) << frame;
+    }
+  }
+}
+
+/// Several threads put together what they find while others are searching, in memory of which last frame's pairs tell
+/// how much there should be.
+TEST(PairFinder, FindsManyPairsInTheSameOrderWithAnyNumberOfThreads) {
+  Frames<3, float> frames;
+  for (const float side : {1.0F, 1.0F, 2.0F, 0.5F, 1.0F}) frames.push_back(lattice(32, side, 0));
+  const std::vector<Pair> expected = as_found(frames, serial_executor());
+  for (const std::size_t threads : {2U, 7U}) {
+    EXPECT_EQ(as_found(frames, test::ThreadExecutor(threads)), expected) << threads << " threads";
+  }
+}
+
 TEST(PairFinder, RefusesNaNInAnyFrameAndGoesOn) {
   std::vector<Aabb<3, float>> boxes = test::box_worlds<3, float>(500, 44).front().boxes;
   PairFinder<3, float> finder;

@@ -85,5 +85,37 @@ TEST(PairList, IsReachedInTurnsWhoeverPopulatesIt) {
   }
 }
 
+/// As who sorts pairs does: what waits in the room is written over from its beginning on, but not before its turn.
+TEST(PairList, KeepsWhatWaitsInItUntilItIsReachedWhoeverPopulatesIt) {
+  const test::ThreadExecutor two(2);
+  for (const std::size_t count : {std::size_t{10}, std::size_t{70'000}, enough_to_populate}) {
+    for (const Executor* executor : {&serial_executor(), static_cast<const Executor*>(&two)}) {
+      PairList list(*executor);
+      const std::span<Pair> ahead = list.ahead(count);
+      if (ahead.empty()) GTEST_SKIP() << "this vector's memory is watched";
+      ASSERT_GE(ahead.size(), count);
+      const std::vector<Pair> waiting = counted_pairs(count);
+      std::copy(waiting.begin(), waiting.end(), ahead.begin());
+      ASSERT_EQ(list.all_in_turns(count), ahead.data());
+      list.reach(count / 2);
+      EXPECT_TRUE(std::equal(waiting.begin() + static_cast<std::ptrdiff_t>(count / 2), waiting.end(),
+                             ahead.begin() + static_cast<std::ptrdiff_t>(count / 2)));
+      list.reach(count);
+      EXPECT_EQ(list.take().size(), count);
+    }
+  }
+}
+
+TEST(KeptPairRoom, SaysHowMuchOfItWasWrittenTo) {
+  KeptPairRoom room;
+  const std::span<Pair> ahead = room.ahead(1'000);
+  EXPECT_GE(ahead.size(), 1'050U);
+  EXPECT_EQ(room.bytes(), 1'000 * sizeof(Pair));
+  EXPECT_EQ(room.all(1'040), ahead.data());
+  EXPECT_EQ(room.bytes(), 1'040 * sizeof(Pair));
+  room.all(100'000);
+  EXPECT_EQ(room.bytes(), 100'000 * sizeof(Pair));
+}
+
 }  // namespace
 }  // namespace graze::detail::pair_list_test

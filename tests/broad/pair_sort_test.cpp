@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <random>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include <graze/broad/pair_sort.hpp>
 
@@ -120,6 +122,114 @@ TEST(PairSort, OfEveryoneWithEveryone) {
     for (std::uint32_t b = a + 1; b < 400; ++b) pairs.push_back({a, b});
   }
   expect_sorted(pairs, 400, 400);
+}
+
+/// Room of which a part is known beforehand, and whose neighbours are watched.
+class RoomAhead final : public PairRoom {
+ public:
+  static constexpr Pair mark = {7, 3};
+
+  explicit RoomAhead(std::size_t known) : known_(known), memory_(known + 2 * margin, mark) {}
+
+  std::span<Pair> ahead(std::size_t /*expected*/) override { return {memory_.data() + margin, known_}; }
+  Pair* all(std::size_t count) override {
+    if (count > known_) {
+      memory_.assign(count + 2 * margin, mark);
+      known_ = count;
+    }
+    return memory_.data() + margin;
+  }
+  bool appends() const override { return false; }
+  const Pair* append(std::span<const Pair> /*pairs*/, std::size_t /*expected*/) override { return nullptr; }
+
+  bool is_untouched_around() const {
+    return std::all_of(memory_.begin(), memory_.begin() + margin, [](const Pair& pair) { return pair == mark; }) &&
+           std::all_of(memory_.end() - margin, memory_.end(), [](const Pair& pair) { return pair == mark; });
+  }
+
+ private:
+  static constexpr std::ptrdiff_t margin = 64;
+
+  std::size_t known_;
+  std::vector<Pair> memory_;
+};
+
+/// Some partners for each of many, in an order as that in space.
+std::vector<Pair> crowded_pairs(std::uint32_t rows, std::uint32_t partners, std::uint32_t seed) {
+  std::vector<Pair> pairs;
+  for (std::uint32_t a = 0; a < rows; ++a) {
+    for (std::uint32_t k = 0; k < partners; ++k) pairs.push_back({a, a + 1 + k});
+  }
+  std::shuffle(pairs.begin(), pairs.end(), std::mt19937(seed));
+  return pairs;
+}
+
+void add_in_pieces(PairSort& sort, std::span<const Pair> pairs, std::size_t sinks) {
+  std::vector<std::unique_ptr<PairSort::Sink>> all;
+  for (std::size_t k = 0; k < sinks; ++k) all.push_back(std::make_unique<PairSort::Sink>(sort));
+  constexpr std::size_t step = 500;
+  for (std::size_t k = 0; k < pairs.size(); k += step) {
+    all[k / step % sinks]->add(pairs.subspan(k, std::min(step, pairs.size() - k)));
+  }
+}
+
+/// Whatever was expected of them, and whatever memory there was.
+TEST(PairSort, OfPairsThatWaitInTheRoomForAllAndInMemoryThatIsLent) {
+  EXPECT_TRUE(rc::check([] {
+    const auto rows = *rc::gen::inRange<std::uint32_t>(1'000, 40'000);
+    const auto partners = *rc::gen::inRange<std::uint32_t>(1, 14);
+    const auto limit = std::size_t{rows} + 20;
+    const bool wide = *rc::gen::arbitrary<bool>();
+    const PairLimits limits{limit, wide ? std::size_t{1} << 32U : limit};
+    const std::vector<Pair> pairs = crowded_pairs(rows, partners, 3);
+    const auto percent = *rc::gen::weightedElement<std::size_t>({{5, 100}, {1, 103}, {1, 97}, {1, 50}, {1, 300}});
+    const auto known = pairs.size() * *rc::gen::element<std::size_t>(90, 100, 106, 150) / 100;
+    PairForecast forecast{.count = pairs.size() * percent / 100};
+    PairSort sort;
+    std::vector<std::byte> idle(*rc::gen::element<std::size_t>(0, 70'000, 1'000'000));
+    sort.begin(limits);
+    if (*rc::gen::arbitrary<bool>()) {
+      for (std::size_t k = 0; k < forecast.firsts.size(); ++k) {
+        forecast.firsts[k] = static_cast<std::uint32_t>(sort.shares()[k] * rows);
+      }
+    } else {
+      forecast.firsts[0] = *rc::gen::inRange<std::uint32_t>(0, rows * 2);
+      forecast.firsts[1] = *rc::gen::inRange<std::uint32_t>(0, rows * 2);
+    }
+    sort.lend(idle);
+    RoomAhead room(known);
+    sort.wait_in(room, forecast);
+    add_in_pieces(sort, pairs, *rc::gen::inRange<std::size_t>(1, 4));
+    RC_ASSERT(sort.count() == pairs.size());
+    const Pair* const first = sort.sort(*limited_executor(2), room);
+    std::vector<Pair> expected = pairs;
+    std::sort(expected.begin(), expected.end());
+    RC_ASSERT(std::equal(expected.begin(), expected.end(), first));
+    RC_ASSERT(room.is_untouched_around());
+  }));
+}
+
+TEST(PairSort, TakesLittleForPairsThatWaitInTheRoomForAll) {
+  constexpr std::uint32_t rows = 200'000;
+  const std::vector<Pair> pairs = crowded_pairs(rows, 12, 4);
+  std::vector<double> bytes;
+  PairForecast forecast;
+  for (int with_forecast = 0; with_forecast < 2; ++with_forecast) {
+    PairSort sort;
+    sort.begin({rows + 20, rows + 20});
+    RoomAhead room(pairs.size() * 17 / 16);
+    sort.wait_in(room, forecast);
+    add_in_pieces(sort, pairs, 1);
+    EXPECT_EQ(sort.count(), pairs.size());
+    sort.sort(serial_executor(), room);
+    bytes.push_back(static_cast<double>(sort.bytes()) / static_cast<double>(pairs.size()));
+    EXPECT_EQ(sort.last().count, 0U) << "nothing was before";
+    sort.begin({rows + 20, rows + 20});
+    forecast = sort.last();
+    EXPECT_EQ(forecast.count, pairs.size());
+  }
+  EXPECT_GT(bytes[0], 4);
+  EXPECT_LT(bytes[1], 2) << "a pair, of which a seventh wait elsewhere, and chunks that are not full";
 }
 
 TEST(PairSort, SaysWhatItNeedsInPassingToo) {
