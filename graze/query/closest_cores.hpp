@@ -408,20 +408,4 @@ ClosestPair<dimension_of<A>> closest_of_meeting(const A& a, const B& b, double s
   return closest_of_meeting(a, b, size, FacingBand<dimension_of<A>>{});
 }
 
-/// The same of cores of which b only touches a, and lies in the direction `normal` of length 1 from it. A point of a
-/// below all of b by a distance is as far from b; so where points much nearer to each other are found, those need not
-/// be tried.
-template <class A, class B>
-ClosestPair<dimension_of<A>> closest_of_touching(const A& a, const B& b, const Vec<dimension_of<A>, double>& normal,
-                                                 double size) {
-  if constexpr (HasEdges<A> && HasEdges<B>) {
-    const double near = tolerance::coarse * size;
-    const FacingBand<dimension_of<A>> band{normal, span_along(normal, with_edges(b)).low - 2 * near,
-                                           span_along(normal, with_edges(a)).high + 2 * near};
-    const ClosestPair<dimension_of<A>> pair = closest_of_meeting(a, b, size, band);
-    if (pair.squared < near * near) return pair;
-  }
-  return closest_of_meeting(a, b, size);
-}
-
 }  // namespace graze::detail

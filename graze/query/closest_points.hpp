@@ -304,18 +304,6 @@ Proximity<dimension_of<A>, double> proximity_in_order(const A& a, const B& b,
   return result;
 }
 
-/// Whether a comes before b, or is the same.
-template <class A, class B>
-bool is_in_order(const A& a, const B& b) {
-  if constexpr (type_place<A> != type_place<B>) {
-    return type_place<A> < type_place<B>;
-  } else if constexpr (std::is_same_v<A, B> && requires { compare(a, b); }) {
-    return compare(a, b) <= 0;
-  } else {
-    return comes_first(a, b);  // users' types
-  }
-}
-
 template <class A, class B>
 Proximity<dimension_of<A>, double> proximity(const A& a, const B& b, SimplexCache<dimension_of<A>>* cache = nullptr);
 

@@ -134,6 +134,26 @@ Penetration<dimension_of<A>> penetration_of_met(const A& a, const B& b) {
   }
 }
 
+/// Two shapes of which GJK and EPA say whether they meet, and how deep.
+template <class A, class B>
+inline constexpr bool are_for_epa = !HasClosedForm<A, B> && !HasClosedForm<B, A> && !is_point<A> && !is_point<B> &&
+                                    !is_ray<A> && !is_ray<B> && !is_level<A> && !is_level<B>;
+
+/// Of two simple shapes, if they meet.
+template <class A, class B>
+std::optional<Penetration<dimension_of<A>>> penetration_if_met(const A& a, const B& b) {
+  if constexpr (are_for_epa<A, B>) {
+    if (hold_nan(a, b)) return std::nullopt;
+    if (is_in_order(a, b)) return penetration_of_convex_if_met(a, b);
+    auto found = penetration_of_convex_if_met(b, a);
+    if (found) found = exchanged(*found);
+    return found;
+  } else {
+    if (decide(a, b) == Relation::apart) return std::nullopt;
+    return penetration_of_met(a, b);
+  }
+}
+
 template <class A, class B>
 std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b);
 
@@ -177,8 +197,7 @@ std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b) 
       const auto quick = quick_touch(a, b);
       if (quick.is_known) return quick.meets ? std::optional(quick.found) : std::nullopt;
     }
-    if (decide(a, b) == Relation::apart) return std::nullopt;
-    return penetration_of_met(a, b);
+    return penetration_if_met(a, b);
   }
 }
 
@@ -225,8 +244,9 @@ std::optional<Contact<dimension_of<A>, scalar_of<A>>> contact(const A& a, const 
         return detail::rounded_contact<scalar_of<A>>(quick.found);
       }
     }
-    if (detail::decide(a, b) == Relation::apart) return std::nullopt;
-    return detail::rounded_contact<scalar_of<A>>(detail::penetration_of_met(a, b));
+    const auto found = detail::penetration_if_met(a, b);
+    if (!found) return std::nullopt;
+    return detail::rounded_contact<scalar_of<A>>(*found);
   } else {
     const auto found = detail::penetration(a, b);
     if (!found) return std::nullopt;

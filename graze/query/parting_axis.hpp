@@ -15,6 +15,7 @@
 #include <graze/query/core_features.hpp>
 #include <graze/query/surface_point.hpp>
 #include <graze/query/surface_point_box.hpp>
+#include <graze/query/touching_points.hpp>
 #include <graze/query/zonotope.hpp>
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/obb.hpp>
@@ -90,6 +91,7 @@ class PartingSearch {
 
   /// A direction of any length, there and back. Zero is no direction.
   void offer(const Vec<N, double>& direction) {
+    if (is_surely_worse(direction)) return;
     const Vec<N, double> scaled = scaled_direction(direction);
     const double squared = dot(scaled, scaled);
     if (!(squared > 0)) return;
@@ -107,6 +109,18 @@ class PartingSearch {
  private:
   using EdgedA = std::decay_t<decltype(with_edges(std::declval<const A&>()))>;
   using EdgedB = std::decay_t<decltype(with_edges(std::declval<const B&>()))>;
+
+  /// Whether the gap along a direction is smaller than the best for certain: told without its length.
+  bool is_surely_worse(const Vec<N, double>& direction) const {
+    constexpr double far = 1e100;
+    const double squared = dot(direction, direction);
+    if (!(best_.gap < 0 && squared > 1 / far && squared < far)) return false;
+    const Span on_a = span_along(direction, a_);
+    const Span on_b = span_along(direction, b_);
+    const double gap = std::max(on_b.low - on_a.high, on_a.low - on_b.high);
+    constexpr double rounded = 1 + 1e-9;
+    return gap < 0 && gap * gap > best_.gap * best_.gap * squared * rounded;
+  }
 
   /// So that no square leaves the range of double.
   static Vec<N, double> scaled_direction(const Vec<N, double>& direction) {

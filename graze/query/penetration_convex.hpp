@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <graze/math/tolerance.hpp>
@@ -15,7 +16,9 @@
 #include <graze/query/gjk.hpp>
 #include <graze/query/penetration.hpp>
 #include <graze/query/penetration_cores.hpp>
+#include <graze/query/relation_convex.hpp>
 #include <graze/query/surface_point.hpp>
+#include <graze/query/verdict.hpp>
 #include <graze/query/wide_support.hpp>
 #include <graze/shape/ray.hpp>
 #include <graze/shape/segment.hpp>
@@ -64,11 +67,9 @@ Penetration<dimension_of<A>> penetration_of_convex_apart(const A& a, const B& b,
 
 /// Cores that meet, or do so up to GJK's resolution.
 template <Convex A, Convex B>
-Penetration<dimension_of<A>> penetration_of_convex_meeting(const A& a, const B& b,
-                                                           const GjkResult<dimension_of<A>>& distance,
-                                                           const Radii& radii) {
+Penetration<dimension_of<A>> penetration_of_depth(const A& a, const B& b, const EpaResult<dimension_of<A>>& depth,
+                                                  const Radii& radii) {
   constexpr Dim N = dimension_of<A>;
-  const EpaResult<N> depth = epa(a, b, distance.simplex);
   const PartingAxis<N> axis{depth.normal, -depth.upper};
   Penetration<N> result = widened_along(axis, points_after(a, b, depth.normal * depth.upper), radii);
   result.status = depth.status;
@@ -83,10 +84,27 @@ Penetration<dimension_of<A>> penetration_of_convex(const A& a, const B& b) {
   const Radii radii{core_radius(a), core_radius(b)};
   const GjkResult<dimension_of<A>> distance = gjk(core_a, core_b);
   const bool are_apart = (radii.a > 0 || radii.b > 0) && distance.lower > distance.resolution;
-  Penetration<dimension_of<A>> result = are_apart ? penetration_of_convex_apart(core_a, core_b, radii)
-                                                  : penetration_of_convex_meeting(core_a, core_b, distance, radii);
+  Penetration<dimension_of<A>> result =
+      are_apart ? penetration_of_convex_apart(core_a, core_b, radii)
+                : penetration_of_depth(core_a, core_b, epa(core_a, core_b, distance.simplex), radii);
   result.error += tolerance::rounding * (radii.a + radii.b);
   return result;
+}
+
+/// The verdict of relation_convex.hpp, and the depth of what meets. Shapes without radii are measured on the way to it.
+template <Convex A, Convex B>
+std::optional<Penetration<dimension_of<A>>> penetration_of_convex_if_met(const A& a, const B& b) {
+  if (core_radius(a) > 0 || core_radius(b) > 0) {
+    if (relation_of_convex(a, b) == Relation::apart) return std::nullopt;
+    return penetration_of_convex(a, b);
+  }
+  const auto& core_a = core(a);
+  const auto& core_b = core(b);
+  const GjkResult<dimension_of<A>> distance = gjk(core_a, core_b, GjkOptions{0});
+  if (!(distance.upper >= 0) || distance.lower > distance.resolution) return std::nullopt;
+  const EpaResult<dimension_of<A>> depth = epa(core_a, core_b, distance.simplex);
+  if (depth.gap > depth.resolution) return std::nullopt;
+  return penetration_of_depth(core_a, core_b, depth, {0, 0});
 }
 
 template <Dim N, class T, Convex B>

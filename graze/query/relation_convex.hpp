@@ -12,6 +12,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/epa.hpp>
 #include <graze/query/gjk.hpp>
+#include <graze/query/shape_order.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/query/wide_support.hpp>
 #include <graze/shape/any_shape.hpp>
@@ -69,16 +70,6 @@ bool corners_come_first(const Points& a, const Points& b) {
   });
 }
 
-template <Dim N, class T>
-bool comes_first(const Triangle<N, T>& a, const Triangle<N, T>& b) {
-  return corners_come_first(a.vertices(), b.vertices());
-}
-
-template <Dim N, class T>
-bool comes_first(const Polytope<N, T>& a, const Polytope<N, T>& b) {
-  return corners_come_first(a.vertices(), b.vertices());
-}
-
 /// By their poses, if these differ.
 template <Dim N, class T>
 bool comes_first(const Posed<Polytope<N, T>>& a, const Posed<Polytope<N, T>>& b) {
@@ -90,7 +81,7 @@ bool comes_first(const Posed<Polytope<N, T>>& a, const Posed<Polytope<N, T>>& b)
     const std::array<Vec<N, T>, 1> of_b{b.pose.rotation[k]};
     if (of_a != of_b) return corners_come_first(of_a, of_b);
   }
-  return comes_first(a.shape, b.shape);
+  return compare(a.shape, b.shape) <= 0;
 }
 
 /// Users' types by where they reach along the axes; if all of that is equal, so are they for all we can see.
@@ -110,13 +101,22 @@ bool comes_first(const A& a, const B& b) {
   return true;
 }
 
+/// Whether a comes before b, or is the same.
+template <class A, class B>
+bool is_in_order(const A& a, const B& b) {
+  if constexpr (type_place<A> != type_place<B>) {
+    return type_place<A> < type_place<B>;
+  } else if constexpr (std::is_same_v<A, B> && requires { compare(a, b); }) {
+    return compare(a, b) <= 0;
+  } else {
+    return comes_first(a, b);  // users' types
+  }
+}
+
 /// The same for swapped arguments.
 template <Convex A, Convex B>
 Relation relation_of_convex_ordered(const A& a, const B& b) {
-  constexpr std::size_t first = type_place<A>;
-  constexpr std::size_t second = type_place<B>;
-  const bool in_order = first != second ? first < second : comes_first(a, b);
-  return in_order ? relation_of_convex(a, b) : relation_of_convex(b, a);
+  return is_in_order(a, b) ? relation_of_convex(a, b) : relation_of_convex(b, a);
 }
 
 }  // namespace graze::detail

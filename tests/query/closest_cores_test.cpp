@@ -7,7 +7,6 @@
 #include <graze/query/closest_cores.hpp>
 #include <graze/query/closest_points.hpp>
 #include <graze/query/distance_squared.hpp>
-#include <graze/query/parting_axis.hpp>
 
 #include "catalogue.hpp"
 
@@ -130,39 +129,6 @@ TEST(ClosestOfMeeting, FindsAPointOfBoth) {
   expect_meeting(S3{{1, 1, -1}, {1, 1, 1}}, T3{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}});
   expect_meeting(S3{{-1, -1, 0}, {1, 1, 0}}, S3{{-1, 1, 0}, {1, -1, 0}});
   expect_meeting(V3(1, 1, 0), T3{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}});
-}
-
-/// To the bit, of two cores moved so that they touch along the axis that parts them, and moved a little too far.
-template <class A, class B>
-void expect_the_same_of_touching() {
-  test::check_property([] {
-    const auto [first, second] = *test::any_pair<A, B>();
-    const V3 origin = reference(first);
-    const A a = seen_from(origin, first);
-    const B b = seen_from(origin, second);
-    const double size = size_around_zero(a) + size_around_zero(b);
-    PartingSearch<A, B> search(a, b, size);
-    offer_faces(a, b, search);
-    for (const double too_far : {0.0, 1e-15, 1e-3}) {
-      const B moved = moved_by(b, search.best().normal * (too_far * size - search.best().gap));
-      const ClosestPair<3> quick = closest_of_touching(a, moved, search.best().normal, size);
-      const ClosestPair<3> careful = closest_of_meeting(a, moved, size);
-      RC_ASSERT(quick.on_a == careful.on_a);
-      RC_ASSERT(quick.on_b == careful.on_b);
-      RC_ASSERT(quick.between == careful.between);
-      RC_ASSERT(quick.squared == careful.squared);
-    }
-  });
-}
-
-TEST(ClosestOfTouching, IsThatOfMeeting) {
-  expect_the_same_of_touching<S3, S3>();
-  expect_the_same_of_touching<S3, Obb<3, double>>();
-  expect_the_same_of_touching<B3, T3>();
-  expect_the_same_of_touching<Obb<3, double>, T3>();
-  expect_the_same_of_touching<S3, T3>();
-  expect_the_same_of_touching<T3, T3>();
-  expect_the_same_of_touching<V3, T3>();
 }
 
 }  // namespace

@@ -239,11 +239,12 @@ TEST(RelationOfConvex, OfShapesThatAreNoneEnds) {
   EXPECT_NO_FATAL_FAILURE((void)relation(user::Chaos{}, box));
 }
 
-TEST(ComesFirst, OrdersShapesOfOneTypeByTheirCorners) {
+TEST(IsInOrder, ByTypeThenByCorners) {
   const Triangle<3, double> a{{0, 0, 0}, {9, 9, 9}, {1, 5, 5}};
   const Triangle<3, double> b{{0, 0, 0}, {9, 9, 9}, {1, 5, 6}};
-  EXPECT_TRUE(detail::comes_first(a, b)) << "though they reach equally far along every axis";
-  EXPECT_FALSE(detail::comes_first(b, a));
+  EXPECT_TRUE(detail::is_in_order(a, b)) << "though they reach equally far along every axis";
+  EXPECT_FALSE(detail::is_in_order(b, a));
+  EXPECT_TRUE(detail::is_in_order(a, a));
   EXPECT_EQ((detail::type_place<Vec<2, float>>), 0U);
   EXPECT_LT((detail::type_place<Triangle<2, float>>), (detail::type_place<Polytope<2, float>>));
   EXPECT_EQ((detail::type_place<user::Cone<float>>), shape_type_names.size());
