@@ -113,7 +113,7 @@ class PairFinder {
   PairMethod method() const;
 
   /// The memory that is held, and what was needed in passing when boxes and pairs were last sorted, in bytes, without
-  /// the pairs themselves.
+  /// the pairs themselves. Lists that have room to spare count as far as they have been written to.
   std::size_t bytes() const;
 
  private:

@@ -21,8 +21,8 @@ namespace {
 
 static_assert(short_row == block_size, "a row is compared like a block");
 
-// NOLINTNEXTLINE(readability-function-size): arrays, one by one, as the loop needs them
 template <class Code>
+// NOLINTNEXTLINE(readability-function-size): arrays, one by one, as the loop needs them
 void place_codes(const Code* codes, std::size_t count, const CodeBucket& bucket, const std::uint32_t* begins,
                  const std::uint32_t* seconds, Pair* out) {
   const Tag<std::uint32_t> d;
