@@ -30,7 +30,7 @@ void PairList::populate_to(std::size_t count) {
 
 Pair* PairList::all(std::size_t count) {
   all_in_turns(count);
-  reach(count);
+  reach_by_all(count);
   return pairs_.data();
 }
 
@@ -40,15 +40,18 @@ Pair* PairList::all_in_turns(std::size_t count) {
 }
 
 void PairList::reach(std::size_t end) {
-  if (executor_.concurrency() > 1 && pairs_.size() < end) {
-    populate(pairs_.data() + pairs_.size(), (end - pairs_.size()) * sizeof(Pair), executor_);
-    pairs_.resize(end);
-  }
   while (pairs_.size() < end) {
     const std::size_t next = std::min(end, pairs_.size() + at_once);
     populate_to(next);
     pairs_.resize(next);
   }
+}
+
+void PairList::reach_by_all(std::size_t end) {
+  if (executor_.concurrency() < 2) return reach(end);
+  if (pairs_.size() >= end) return;
+  populate(pairs_.data() + pairs_.size(), (end - pairs_.size()) * sizeof(Pair), executor_);
+  pairs_.resize(end);
 }
 
 std::span<Pair> PairList::ahead(std::size_t expected) {

@@ -45,6 +45,7 @@ class PairList final : public PairRoom {
   Pair* all(std::size_t count) override;
   Pair* all_in_turns(std::size_t count) override;
   void reach(std::size_t end) override;
+  void reach_by_all(std::size_t end) override;
   std::span<Pair> ahead(std::size_t expected) override;
   bool appends() const override { return true; }
   const Pair* append(std::span<const Pair> pairs, std::size_t expected) override;

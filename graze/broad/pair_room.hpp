@@ -24,6 +24,9 @@ class PairRoom {
   virtual Pair* all_in_turns(std::size_t count) { return all(count); }
   virtual void reach(std::size_t /*end*/) {}
 
+  /// The same by all threads there are, for who is not in a task of theirs.
+  virtual void reach_by_all(std::size_t end) { reach(end); }
+
   /// Memory that the room for all is likely to begin with, of somewhat more pairs than are expected: to be used for
   /// something else until all are asked for, and to be written over by pairs then, one after the other, each time
   /// reach() has been called with an end beyond them. Where it cannot be told, none; and who then asks for more than

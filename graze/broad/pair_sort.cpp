@@ -124,8 +124,9 @@ void PairSort::sort_codes(const Executor& executor, PairRoom& room, Pair* out) {
   std::size_t done = 0;
   const auto sort_until = [&](std::size_t end) {
     if (end == done) return;
-    if (executor.concurrency() > 1)
-      room.reach(static_cast<std::size_t>(ends_[std::min(ends_.size(), end * buckets_per_task) - 1]));
+    if (executor.concurrency() > 1) {
+      room.reach_by_all(static_cast<std::size_t>(ends_[std::min(ends_.size(), end * buckets_per_task) - 1]));
+    }
     executor.parallel_for(end - done, [&](std::size_t task) { sort_some(done + task); });
     done = end;
   };

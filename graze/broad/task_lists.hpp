@@ -34,7 +34,7 @@ class TaskLists {
         const std::size_t end = end_ + lists_[next_]->all().size();
         has_room_ = end <= ahead_.size();
         if (!has_room_) break;  // from now on all are kept
-        room_.reach(end);
+        room_.reach(end);       // not by all threads: they may be in need of this lock
         copies.push_back({std::move(lists_[next_]), std::exchange(end_, end)});
       }
     }

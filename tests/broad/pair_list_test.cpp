@@ -97,10 +97,11 @@ TEST(PairList, KeepsWhatWaitsInItUntilItIsReachedWhoeverPopulatesIt) {
       const std::vector<Pair> waiting = counted_pairs(count);
       std::copy(waiting.begin(), waiting.end(), ahead.begin());
       ASSERT_EQ(list.all_in_turns(count), ahead.data());
+      if (executor->concurrency() > 1) list.reach_by_all(count / 4);
       list.reach(count / 2);
       EXPECT_TRUE(std::equal(waiting.begin() + static_cast<std::ptrdiff_t>(count / 2), waiting.end(),
                              ahead.begin() + static_cast<std::ptrdiff_t>(count / 2)));
-      list.reach(count);
+      list.reach_by_all(count);
       EXPECT_EQ(list.take().size(), count);
     }
   }

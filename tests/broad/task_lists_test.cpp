@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <numeric>
 #include <random>
@@ -12,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <graze/broad/pair_list.hpp>
 #include <graze/broad/task_lists.hpp>
 
 #include "thread_executor.hpp"
@@ -113,6 +115,39 @@ TEST(TaskLists, AreTakenFromManyThreads) {
     ASSERT_EQ(all.size(), 300 * tasks);
     EXPECT_TRUE(std::is_sorted(all.begin(), all.end()));
   }
+}
+
+/// Threads, one of which must not ask for others while it is in a task: it could be given a task that waits for it.
+class FlatExecutor final : public Executor {
+ public:
+  void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task) const override {
+    EXPECT_FALSE(is_in_task) << "asked for by a task";
+    threads_.parallel_for(count, [&task](std::size_t k) {
+      is_in_task = true;
+      task(k);
+      is_in_task = false;
+    });
+  }
+  std::size_t concurrency() const override { return threads_.concurrency(); }
+
+ private:
+  static inline thread_local bool is_in_task = false;
+  test::ThreadExecutor threads_{3};
+};
+
+TEST(TaskLists, MakeAListReadyWithoutTheOtherThreads) {
+  constexpr std::size_t tasks = 5;
+  constexpr std::size_t of_each = 700'000;  // enough for all threads to make them ready together
+  const FlatExecutor executor;
+  std::atomic<int> held = 0;
+  PairList room(executor);
+  const std::span<Pair> ahead = room.ahead(tasks * of_each);
+  TaskLists<List> lists(tasks, room, ahead);
+  executor.parallel_for(
+      tasks, [&](std::size_t task) { lists.add(task, std::make_unique<List>(pairs_of_task(task, of_each), held)); });
+  const std::span<const Pair> all = lists.take();
+  ASSERT_EQ(all.size(), tasks * of_each);
+  EXPECT_TRUE(std::is_sorted(all.begin(), all.end()));
 }
 
 }  // namespace
