@@ -138,7 +138,7 @@ void PairSort::sort_codes(const Executor& executor, PairRoom& room, Pair* out) {
 
 Pair* PairSort::sort(const Executor& executor, PairRoom& room) {
   const std::size_t count = ends_.empty() ? 0 : static_cast<std::size_t>(ends_.back());
-  const bool some_wait = loans_.ahead.back().buckets_end > 0;
+  const bool some_wait = loans_.ahead[0].buckets_end > 0 || loans_.ahead[1].buckets_end > 0;
   if (some_wait && !is_as_forecast()) {
     for (const auto& buckets : buckets_.all()) buckets->leave_ahead();
     loans_.clear();
