@@ -14,9 +14,11 @@
 #include <optional>
 #include <type_traits>
 
+#include <graze/math/has_lanes.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/closest_unbounded.hpp>
+#include <graze/query/few_corners.hpp>
 #include <graze/query/hull_simplex.hpp>
 #include <graze/query/proximity.hpp>
 #include <graze/query/simplex_cache.hpp>
@@ -34,8 +36,15 @@ class StillHull {
 
   std::size_t size() const { return hull_.vertices().size(); }
   Vec<3, double> middle() const { return rows_of(hull_).middle() - origin_; }
-  std::uint32_t farthest(const Vec<3, double>& direction) const { return rows_of(hull_).farthest(direction); }
+  template <std::size_t lanes>
+  std::uint32_t farthest(const Vec<3, double>& direction) const {
+    return rows_of(hull_).template farthest_by<lanes>(direction);
+  }
   Vec<3, double> corner(std::uint32_t i) const { return wide<3, T>(hull_.vertices()[i]) - origin_; }
+  template <std::size_t lanes, class Few>
+  [[gnu::always_inline]] void put_in(Few& corners) const {
+    corners.template put<lanes>(rows_of(hull_), origin_);
+  }
   /// No coordinate that is calculated with is larger.
   double reach() const { return rows_of(hull_).largest() + max_abs(origin_); }
 
@@ -55,11 +64,16 @@ class PosedHull {
 
   std::size_t size() const { return hull_.vertices().size(); }
   Vec<3, double> middle() const { return rotation_ * rows_of(hull_).middle() + shift_; }
+  template <std::size_t lanes>
   std::uint32_t farthest(const Vec<3, double>& direction) const {
-    return rows_of(hull_).farthest(
+    return rows_of(hull_).template farthest_by<lanes>(
         {dot(rotation_[0], direction), dot(rotation_[1], direction), dot(rotation_[2], direction)});
   }
   Vec<3, double> corner(std::uint32_t i) const { return rotation_ * wide<3, T>(hull_.vertices()[i]) + shift_; }
+  template <std::size_t lanes, class Few>
+  [[gnu::always_inline]] void put_in(Few& corners) const {
+    corners.template put<lanes>(rows_of(hull_), rotation_, shift_);
+  }
   double reach() const { return 2 * rows_of(hull_).largest() + max_abs(shift_); }
 
  private:
@@ -67,6 +81,33 @@ class PosedHull {
   Mat<3, double> rotation_;
   Vec<3, double> shift_;
 };
+
+#ifdef GRAZE_HAS_LANES
+/// One of them with its corners where they are seen.
+template <class Seen>
+class FewHull {
+ public:
+  explicit FewHull(const Seen& seen) : seen_(seen) {}
+
+  std::size_t size() const { return seen_.size(); }
+  Vec<3, double> middle() const { return seen_.middle(); }
+  double reach() const { return seen_.reach(); }
+  Vec<3, double> corner(std::uint32_t i) const { return corners_[i]; }
+  /// Before any corner is asked for.
+  template <std::size_t lanes>
+  [[gnu::always_inline]] void get_ready() {
+    seen_.template put_in<lanes>(corners_);
+  }
+  template <std::size_t lanes>
+  [[gnu::always_inline]] std::uint32_t farthest(const Vec<3, double>& direction) const {
+    return corners_.farthest<lanes>(direction);
+  }
+
+ private:
+  const Seen& seen_;
+  FewCorners corners_;
+};
+#endif
 
 template <class T>
 Vec<3, double> origin_of(const Polytope<3, T>& hull) {
@@ -91,27 +132,39 @@ concept HullInSpace = requires(const S& shape) {
   origin_of(shape);
 };
 
-/// The walk for two hulls that are seen from one point, `far` from zero.
+/// What is known of two hulls, in the order in which they are walked between.
+struct KnownCorners {
+  SimplexCache<3>* cache;  ///< None if nothing is to be remembered.
+  bool is_exchanged;       ///< The cache names corners of the second hull first.
+
+  std::array<std::uint32_t, 4>& on_a() const { return is_exchanged ? cache->corners_b : cache->corners_a; }
+  std::array<std::uint32_t, 4>& on_b() const { return is_exchanged ? cache->corners_a : cache->corners_b; }
+};
+
+/// The walk for two hulls that are seen from one point, `far` from zero. They get ready for it.
 template <class A, class B>
 class HullWalk {
  public:
-  HullWalk(const A& a, const B& b, double far)
+  HullWalk(A& a, B& b, double far)
       : a_(a), b_(b), resolution_(tolerance::convex * (far + std::max(a.reach(), b.reach()))) {}
 
   /// From what is known of the pair, which is then what this has found, if it is to be remembered.
-  void run(SimplexCache<3>* cache) {
-    if (cache != nullptr) begin_at(*cache);
-    if (face_.size == 0) {
-      put(0, support(a_.middle() - b_.middle()));
-      face_ = near_corner(differences_, 0);
-    }
-    for (int step = 0; step < step_limit && face_.size < 4 && face_.squared > 0; ++step) {
-      if (!go_on()) break;
-    }
-    if (cache != nullptr) remember(*cache);
-    distance_ = std::sqrt(face_.squared);
-    lower_ = height_ / distance_;
+  void run(const KnownCorners& known) {
+#ifdef GRAZE_HAS_WIDER_LANES
+    if (__builtin_cpu_supports("avx512f")) return run_by_eight(known);
+    if (__builtin_cpu_supports("avx2")) return run_by_four(known);
+#endif
+    run_by_two(known);
   }
+
+  // The same by so many numbers at once, for processors that can. With all that is called, so that a step's direction,
+  // corners and face stay in registers.
+
+  [[gnu::flatten]] void run_by_two(const KnownCorners& known) { run_by<2>(known); }
+#ifdef GRAZE_HAS_WIDER_LANES
+  [[gnu::target("avx2"), gnu::flatten]] void run_by_four(const KnownCorners& known) { run_by<4>(known); }
+  [[gnu::target("avx512f"), gnu::flatten]] void run_by_eight(const KnownCorners& known) { run_by<8>(known); }
+#endif
 
   /// Apart, and how far is proved.
   bool is_apart() const {
@@ -125,10 +178,11 @@ class HullWalk {
     const auto edge = [this](std::size_t i, std::size_t from) {
       return differences_[face_.places[i]] - differences_[face_.places[from]];
     };
+    const std::array<double, 4> shares = shares_of(differences_, face_);
     const double volume = std::fabs(dot(edge(1, 0), cross(edge(2, 0), edge(3, 0))));
     for (std::size_t k = 0; k < 4; ++k) {
       const Vec<3, double> normal = cross(edge((k + 2) % 4, (k + 1) % 4), edge((k + 3) % 4, (k + 1) % 4));
-      const double depth = face_.shares[k] * volume / std::sqrt(dot(normal, normal));
+      const double depth = shares[k] * volume / std::sqrt(dot(normal, normal));
       if (!(depth > clearly * resolution_)) return false;
     }
     return true;
@@ -140,17 +194,18 @@ class HullWalk {
     Vec<3, double> on_b = Vec<3, double>(0.0);
   };
   Points points() const {
+    const std::array<double, 4> shares = shares_of(differences_, face_);
     Points points;
     for (std::size_t i = 0; i < face_.size; ++i) {
-      const std::uint8_t place = face_.places[i];
-      points.on_a += corners_[place].at_a * face_.shares[i];
-      points.on_b += (corners_[place].at_a - differences_[place]) * face_.shares[i];
+      const std::uint32_t place = face_.places[i];
+      points.on_a += a_.corner(corners_[place].on_a) * shares[i];
+      points.on_b += b_.corner(corners_[place].on_b) * shares[i];
     }
     return points;
   }
 
   /// From b to a.
-  const Vec<3, double>& separation() const { return face_.nearest; }
+  const Vec<3, double>& separation() const { return separation_; }
   double distance() const { return distance_; }
   double error() const { return std::max(0.0, distance_ - lower_) + resolution_; }
 
@@ -158,78 +213,100 @@ class HullWalk {
   static constexpr int step_limit = 64;
   static constexpr double clearly = 16;  ///< So much farther than rounding that no other way can see it otherwise.
 
-  /// Of both hulls, by their places; and where that of a lies.
+  template <std::size_t lanes>
+  [[gnu::always_inline]] void run_by(const KnownCorners& known) {
+    if constexpr (requires { a_.template get_ready<lanes>(); }) {
+      a_.template get_ready<lanes>();
+      b_.template get_ready<lanes>();
+    }
+    NearFace face;
+    if (known.cache != nullptr) face = begin_at(known);
+    if (face.size == 0) face = near_corner({0, put(0, support<lanes>(a_.middle() - b_.middle()))});
+    bool is_nearest = false;
+    for (int step = 0; step < step_limit && !is_nearest && face.size < 4 && face.squared > 0; ++step) {
+      is_nearest = !go_on<lanes>(face);
+    }
+    face_ = face;
+    if (known.cache != nullptr) remember(known);
+    const double scale = face.height / dot(face.toward, face.toward);
+    separation_ = face.toward * scale;
+    distance_ = std::sqrt(dot(separation_, separation_));
+    if (is_nearest) lower_ = height_ * scale / distance_;
+  }
+
+  /// Of both hulls, by their places.
   struct Corner {
     std::uint32_t on_a;
     std::uint32_t on_b;
-    Vec<3, double> at_a;
   };
 
-  void put(std::uint8_t place, const Corner& corner) {
+  /// Where the difference is that is put there.
+  Vec<3, double> put(std::uint32_t place, const Corner& corner) {
     corners_[place] = corner;
-    differences_[place] = corner.at_a - b_.corner(corner.on_b);
+    return differences_[place] = a_.corner(corner.on_a) - b_.corner(corner.on_b);
   }
 
-  Corner support(const Vec<3, double>& against) const {
-    const std::uint32_t on_a = a_.farthest(-against);
-    return {on_a, b_.farthest(against), a_.corner(on_a)};
+  template <std::size_t lanes>
+  [[gnu::always_inline]] Corner support(const Vec<3, double>& against) const {
+    return {a_.template farthest<lanes>(-against), b_.template farthest<lanes>(against)};
   }
 
-  void begin_at(const SimplexCache<3>& cache) {
-    const auto size = static_cast<std::uint8_t>(std::min(cache.size, 4U));
-    for (std::uint8_t i = 0; i < size; ++i) {
-      if (cache.corners_a[i] >= a_.size() || cache.corners_b[i] >= b_.size()) return;
-      put(i, {cache.corners_a[i], cache.corners_b[i], a_.corner(cache.corners_a[i])});
+  NearFace begin_at(const KnownCorners& known) {
+    const std::uint32_t size = std::min(known.cache->size, 4U);
+    for (std::uint32_t i = 0; i < size; ++i) {
+      if (known.on_a()[i] >= a_.size() || known.on_b()[i] >= b_.size()) return {};
+      put(i, {known.on_a()[i], known.on_b()[i]});
     }
-    if (size == 0) return;
-    NearFace known;
-    known.size = static_cast<std::uint8_t>(size - 1);
-    known.places = {0, 1, 2, 3};
-    face_ = near_face(differences_, known.size, known);
+    if (size == 0) return {};
+    NearFace face;
+    face.size = size - 1;
+    face.places = HullPlaces(0, 1, 2, 3);
+    return near_face(differences_, {face.size, differences_[face.size]}, face);
   }
 
-  void remember(SimplexCache<3>& cache) const {
-    cache.size = face_.size;
+  void remember(const KnownCorners& known) const {
+    known.cache->size = face_.size;
     for (std::size_t i = 0; i < face_.size; ++i) {
-      cache.corners_a[i] = corners_[face_.places[i]].on_a;
-      cache.corners_b[i] = corners_[face_.places[i]].on_b;
+      known.on_a()[i] = corners_[face_.places[i]].on_a;
+      known.on_b()[i] = corners_[face_.places[i]].on_b;
     }
   }
 
-  bool has(const Corner& corner) const {
-    for (std::size_t i = 0; i < face_.size; ++i) {
-      const Corner& known = corners_[face_.places[i]];
+  bool has(const NearFace& face, const Corner& corner) const {
+    for (std::size_t i = 0; i < face.size; ++i) {
+      const Corner& known = corners_[face.places[i]];
       if (known.on_a == corner.on_a && known.on_b == corner.on_b) return true;
     }
     return false;
   }
 
   /// A place that the face, which has up to three corners, does not need.
-  std::uint8_t free_place() const {
+  static std::uint32_t free_place(const NearFace& face) {
     std::uint32_t taken = 0;
-    for (std::size_t i = 0; i < face_.size; ++i) taken |= 1U << face_.places[i];
-    return static_cast<std::uint8_t>(std::countr_one(taken));
+    for (std::size_t i = 0; i < face.size; ++i) taken |= 1U << face.places[i];
+    return static_cast<std::uint32_t>(std::countr_one(taken));
   }
 
   /// False when there is nothing nearer.
-  bool go_on() {
-    const Corner next = support(face_.nearest);
-    const std::uint8_t place = free_place();
-    put(place, next);
-    const Vec<3, double>& difference = differences_[place];
-    height_ = dot(face_.nearest, difference);
-    const double noise = tolerance::epsilon * dot(abs(face_.nearest), abs(difference));
-    if (!(face_.squared - height_ > noise) || has(next)) return false;
-    const NearFace found = near_face(differences_, place, face_);
-    if (!(found.squared < face_.squared)) return false;
-    face_ = found;
+  template <std::size_t lanes>
+  [[gnu::always_inline]] bool go_on(NearFace& face) {
+    const Corner next = support<lanes>(face.toward);
+    const std::uint32_t place = free_place(face);
+    const Vec<3, double> difference = put(place, next);
+    height_ = dot(face.toward, difference);
+    const double noise = tolerance::epsilon * dot(abs(face.toward), abs(difference));
+    if (!(face.height - height_ > noise) || has(face, next)) return false;
+    const NearFace found = near_face(differences_, {place, difference}, face);
+    if (!(found.squared < face.squared)) return false;
+    face = found;
     return true;
   }
 
-  const A& a_;
-  const B& b_;
+  A& a_;
+  B& b_;
   double resolution_;
-  double height_ = 0;  ///< Of what is farthest against the nearest point, along the way to it.
+  double height_ = 0;  ///< Of what is farthest against the way to the face, along that.
+  Vec<3, double> separation_ = Vec<3, double>(0.0);
   double distance_ = 0;
   double lower_ = 0;  ///< Proved by a plane across that way, when the walk has ended there.
   std::array<Corner, 4> corners_;
@@ -237,22 +314,39 @@ class HullWalk {
   NearFace face_;
 };
 
-/// None for pairs that this leaves open.
+/// As `find_proximity_of_hulls`, of hulls that are seen from `origin`.
+template <class A, class B>
+bool find_between(A& a, B& b, const Vec<3, double>& origin, const KnownCorners& known, Proximity<3, double>& result) {
+  HullWalk walk(a, b, max_abs(origin));
+  walk.run(known);
+  if (walk.is_apart()) {
+    const auto points = walk.points();
+    result.distance = walk.distance();
+    (known.is_exchanged ? result.point_b : result.point_a) = origin + points.on_a;
+    (known.is_exchanged ? result.point_a : result.point_b) = origin + points.on_b;
+    result.normal = walk.separation() * ((known.is_exchanged ? 1.0 : -1.0) / walk.distance());
+    result.error = walk.error();
+    return true;
+  }
+  if (!walk.is_overlapping()) return false;
+  result = meeting_at<3>(origin + walk.points().on_a, Relation::overlapping);
+  return true;
+}
+
+/// False for pairs that this leaves open. The walk begins at a, whatever the order of what is found and remembered is.
 template <HullInSpace A, HullInSpace B>
-std::optional<Proximity<3, double>> proximity_of_hulls(const A& a, const B& b, SimplexCache<3>* cache) {
+bool find_proximity_of_hulls(const A& a, const B& b, const KnownCorners& known, Proximity<3, double>& result) {
   const Vec<3, double> origin = origin_of(a);
   const auto seen_a = seen_hull(a, origin);
   const auto seen_b = seen_hull(b, origin);
-  HullWalk walk(seen_a, seen_b, max_abs(origin));
-  walk.run(cache);
-  if (walk.is_apart()) {
-    const auto points = walk.points();
-    return Proximity<3, double>{
-        walk.distance(), origin + points.on_a, origin + points.on_b, walk.separation() * (-1 / walk.distance()),
-        Relation::apart, Status::converged,    walk.error()};
+#ifdef GRAZE_HAS_LANES
+  if (std::max(seen_a.size(), seen_b.size()) <= FewCorners::room) {
+    FewHull few_a(seen_a);
+    FewHull few_b(seen_b);
+    return find_between(few_a, few_b, origin, known, result);
   }
-  if (walk.is_overlapping()) return meeting_at<3>(origin + walk.points().on_a, Relation::overlapping);
-  return std::nullopt;
+#endif
+  return find_between(seen_a, seen_b, origin, known, result);
 }
 
 }  // namespace graze::detail

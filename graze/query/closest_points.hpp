@@ -291,11 +291,7 @@ Proximity<dimension_of<A>, double> proximity_in_order(const A& a, const B& b, Re
 /// With the error as the verdict leaves it: overlapping is certain, but touching is what `relation` says of shapes that
 /// are apart by less than the rounding of its longest calculations, which is a few times ours.
 template <class A, class B>
-Proximity<dimension_of<A>, double> proximity_in_order(const A& a, const B& b,
-                                                      [[maybe_unused]] SimplexCache<dimension_of<A>>* cache) {
-  if constexpr (HullInSpace<A> && HullInSpace<B>) {
-    if (const auto found = proximity_of_hulls(a, b, cache)) return *found;
-  }
+Proximity<dimension_of<A>, double> proximity_in_order(const A& a, const B& b) {
   constexpr double slack_of_touching = tolerance::coarse / tolerance::rounding;
   const Relation relation = decide(a, b);
   Proximity<dimension_of<A>, double> result = proximity_in_order(a, b, relation);
@@ -338,15 +334,33 @@ Proximity<N, double> proximity_of_parts(const Compound<N, T>& compound, const S&
 
 /// The other way around.
 template <class A, class B>
-Proximity<dimension_of<A>, double> proximity_exchanged(const A& a, const B& b, SimplexCache<dimension_of<A>>* cache) {
-  if (cache != nullptr) exchange(*cache);
-  const Proximity<dimension_of<A>, double> found = exchanged(proximity_in_order(b, a, cache));
-  if (cache != nullptr) exchange(*cache);
-  return found;
+bool are_in_order(const A& a, const B& b) {
+  if constexpr (type_place<A> == type_place<B>) {
+    return is_in_order(a, b);
+  } else {
+    return type_place<A> < type_place<B>;
+  }
+}
+
+/// Without a branch on the order, which is guessed wrong every other time.
+template <class S>
+bool find_proximity_of_hulls_in_any_order(const S& a, const S& b, SimplexCache<3>* cache,
+                                          Proximity<3, double>& result) {
+  const bool is_exchanged = !are_in_order(a, b);
+  const S& first = is_exchanged ? b : a;
+  const S& second = is_exchanged ? a : b;
+  return find_proximity_of_hulls(first, second, {cache, is_exchanged}, result);
+}
+template <class A, class B>
+bool find_proximity_of_hulls_in_any_order(const A& a, const B& b, SimplexCache<3>* cache,
+                                          Proximity<3, double>& result) {
+  if (are_in_order(a, b)) return find_proximity_of_hulls(a, b, {cache, false}, result);
+  return find_proximity_of_hulls(b, a, {cache, true}, result);
 }
 
 template <class A, class B>
-Proximity<dimension_of<A>, double> proximity(const A& a, const B& b, SimplexCache<dimension_of<A>>* cache) {
+Proximity<dimension_of<A>, double> proximity(const A& a, const B& b,
+                                             [[maybe_unused]] SimplexCache<dimension_of<A>>* cache) {
   if constexpr (is_any_shape<A>) {
     return detail::visit([&](const auto& held) { return proximity(held, b, cache); }, a);
   } else if constexpr (is_any_shape<B>) {
@@ -357,12 +371,18 @@ Proximity<dimension_of<A>, double> proximity(const A& a, const B& b, SimplexCach
     return proximity_of_parts(a, b);
   } else if constexpr (is_compound<B>) {
     return exchanged(proximity_of_parts(b, a));
-  } else if constexpr (type_place<A> < type_place<B>) {
-    return proximity_in_order(a, b, cache);
-  } else if constexpr (type_place<A> > type_place<B>) {
-    return proximity_exchanged(a, b, cache);
   } else {
-    return is_in_order(a, b) ? proximity_in_order(a, b, cache) : proximity_exchanged(a, b, cache);
+    if constexpr (HullInSpace<A> && HullInSpace<B>) {
+      Proximity<3, double> result;
+      if (find_proximity_of_hulls_in_any_order(a, b, cache, result)) return result;
+    }
+    if constexpr (type_place<A> < type_place<B>) {
+      return proximity_in_order(a, b);
+    } else if constexpr (type_place<A> > type_place<B>) {
+      return exchanged(proximity_in_order(b, a));
+    } else {
+      return is_in_order(a, b) ? proximity_in_order(a, b) : exchanged(proximity_in_order(b, a));
+    }
   }
 }
 

@@ -8,45 +8,26 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <span>
 #include <type_traits>
 #include <vector>
 
 #include <graze/math/has_lanes.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/shape/eight_heights.hpp>
 
 namespace graze::detail {
 
-#ifdef GRAZE_HAS_LANES
-/// So many numbers that are calculated with at once: two, four or eight.
-template <std::size_t lanes>
-struct LaneTypes;
-
-template <>
-struct LaneTypes<2> {
-  using Doubles = double __attribute__((vector_size(16)));
-  using Floats = float __attribute__((vector_size(8)));
-};
-template <>
-struct LaneTypes<4> {
-  using Doubles = double __attribute__((vector_size(32)));
-  using Floats = float __attribute__((vector_size(16)));
-};
-template <>
-struct LaneTypes<8> {
-  using Doubles = double __attribute__((vector_size(64)));
-  using Floats = float __attribute__((vector_size(32)));
-};
-#endif
-
 /// At least one corner. To search them takes no branch for each, which would be guessed wrong every few corners, and
-/// longer than all products together: heights are calculated a block at a time, and only a block that has the highest
-/// one so far is asked where that is. By the widest vectors that the processor has; the answer is the same by all.
+/// longer than all products together. By two or four at once heights are calculated a block at a time, and only a block
+/// that has the highest one so far is asked where that is; eight at once are compared with their places. By the widest
+/// vectors that the processor has; the answer is the same by all.
 template <Dim N, class T>
 class CornerRows {
  public:
   explicit CornerRows(std::span<const Vec<N, T>> corners)
-      : length_((corners.size() + together - 1) / together * together) {
+      : count_(corners.size()), length_((corners.size() + together - 1) / together * together) {
     numbers_.reserve(static_cast<std::size_t>(N) * length_);
     for (Dim k = 0; k < N; ++k) {
       double sum = 0;
@@ -64,6 +45,19 @@ class CornerRows {
   const Vec<N, double>& middle() const { return middle_; }
   /// The largest coordinate, without its sign.
   double largest() const { return largest_; }
+
+  /// Of each row, a multiple of eight: behind the last corner stands the first.
+  std::size_t length() const { return length_; }
+
+#ifdef GRAZE_HAS_LANES
+  /// So many coordinates of a row, from one corner on.
+  template <std::size_t lanes>
+  [[gnu::always_inline]] void read(Dim k, std::size_t from, typename LaneTypes<lanes>::Doubles& numbers) const {
+    Stored<lanes> stored;
+    std::memcpy(&stored, numbers_.data() + static_cast<std::size_t>(k) * length_ + from, sizeof(stored));
+    numbers = __builtin_convertvector(stored, typename LaneTypes<lanes>::Doubles);
+  }
+#endif
 
   /// The place of the corner that is farthest in a direction, of several the first; calculated in double.
   std::uint32_t farthest(const Vec<N, double>& direction) const {
@@ -84,11 +78,26 @@ class CornerRows {
     return search<4>(direction);
   }
   [[gnu::target("avx512f")]] std::uint32_t farthest_by_eight(const Vec<N, double>& direction) const {
-    return search<8>(direction);
+    return search_by_eight(direction);
   }
 #endif
 
+  template <std::size_t lanes>
+  std::uint32_t farthest_by(const Vec<N, double>& direction) const {
+#ifdef GRAZE_HAS_WIDER_LANES
+    if constexpr (lanes == 8) return farthest_by_eight(direction);
+    if constexpr (lanes == 4) return farthest_by_four(direction);
+#endif
+    return farthest_by_two(direction);
+  }
+
  private:
+#ifdef GRAZE_HAS_LANES
+  template <std::size_t lanes>
+  using Numbers = typename LaneTypes<lanes>::Doubles;
+  template <std::size_t lanes>
+  using Stored = std::conditional_t<std::is_same_v<T, double>, Numbers<lanes>, typename LaneTypes<lanes>::Floats>;
+#endif
   static constexpr std::size_t together = 8;
   static constexpr std::size_t few = 8;  ///< So few that it takes longer to call for wider vectors.
   static constexpr std::size_t block = 64;
@@ -111,12 +120,44 @@ class CornerRows {
     return static_cast<std::uint32_t>(place < length_ ? place : 0);
   }
 
-#ifdef GRAZE_HAS_LANES
-  template <std::size_t lanes>
-  using Numbers = typename LaneTypes<lanes>::Doubles;
-  template <std::size_t lanes>
-  using Stored = std::conditional_t<std::is_same_v<T, double>, Numbers<lanes>, typename LaneTypes<lanes>::Floats>;
+#ifdef GRAZE_HAS_WIDER_LANES
+  /// By two rows of lanes in turn, neither of which waits for the other.
+  [[gnu::always_inline]] std::uint32_t search_by_eight(const Vec<N, double>& direction) const {
+    constexpr double low = -std::numeric_limits<double>::infinity();
+    PlacedHeights<8, 8> even{{{low, low, low, low, low, low, low, low}}, {{0, 0, 0, 0, 0, 0, 0, 0}}};
+    PlacedHeights<8, 8> odd = even;
+    PlacedHeights<8, 8> next{{}, {{0, 1, 2, 3, 4, 5, 6, 7}}};
+    std::size_t i = 0;
+    for (; i + 8 < length_; i += 16) {
+      lift_eight(i, direction, next.height[0]);
+      even.meet_later(next);
+      lift_eight(i + 8, direction, next.height[0]);
+      odd.meet_later(next);
+      next.place[0] += 16.0;
+    }
+    odd.place[0] += 8.0;
+    if (i < length_) {
+      lift_eight(i, direction, next.height[0]);
+      even.meet_later(next);
+    }
+    even.meet(odd);
+    // Behind the last corner stands the first.
+    const std::uint32_t place = even.highest();
+    return place < count_ ? place : 0;
+  }
 
+  [[gnu::always_inline]] void lift_eight(std::size_t from, const Vec<N, double>& direction, Numbers<8>& height) const {
+    Numbers<8> row;
+    read<8>(0, from, row);
+    height = row * direction[0];
+    for (Dim k = 1; k < N; ++k) {
+      read<8>(k, from, row);
+      height += row * direction[k];
+    }
+  }
+#endif
+
+#ifdef GRAZE_HAS_LANES
   /// The heights of some corners, and the largest of them.
   template <std::size_t lanes>
   [[gnu::always_inline]] double lift(std::size_t from, std::size_t count, const Vec<N, double>& direction,
@@ -125,10 +166,9 @@ class CornerRows {
     for (std::size_t i = 0; i < count; i += lanes) {
       Numbers<lanes> height{};
       for (Dim k = 0; k < N; ++k) {
-        Stored<lanes> stored;
-        std::memcpy(&stored, numbers_.data() + static_cast<std::size_t>(k) * length_ + from + i, sizeof(stored));
-        const Numbers<lanes> part = __builtin_convertvector(stored, Numbers<lanes>) * direction[k];
-        height = k == 0 ? part : height + part;
+        Numbers<lanes> row;
+        read<lanes>(k, from + i, row);
+        height = k == 0 ? row * direction[0] : height + row * direction[k];
       }
       std::memcpy(heights.data() + i, &height, sizeof(height));
       largest = i == 0 ? height : (height > largest ? height : largest);
@@ -185,7 +225,8 @@ class CornerRows {
   }
 #endif
 
-  std::size_t length_;  ///< Of a row: a multiple of `together`.
+  std::size_t count_;
+  std::size_t length_;
   std::vector<T> numbers_;
   Vec<N, double> middle_;
   double largest_ = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The quick way for two hulls says the same as the way of all convex shapes, or nothing; and so does it with whatever a
 // cache holds.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -65,6 +66,14 @@ void expect_points_apart(const A& a, const B& b, const Proximity<3, double>& fou
   // Planes across the normal through the points part the hulls.
   EXPECT_LE(dot(found.normal, support(a, found.normal) - found.point_a), slack);
   EXPECT_GE(dot(found.normal, support(b, -found.normal) - found.point_b), -slack);
+}
+
+/// None if nothing is said.
+template <class A, class B>
+std::optional<Proximity<3, double>> proximity_of_hulls(const A& a, const B& b, SimplexCache<3>* cache) {
+  Proximity<3, double> found;
+  if (!find_proximity_of_hulls(a, b, {cache, false}, found)) return std::nullopt;
+  return found;
 }
 
 struct Tally {
@@ -168,6 +177,62 @@ TEST(ClosestHulls, SayNothingWhereNumbersOverflow) {
     EXPECT_NEAR(found.distance / scale, closest_points(transformed(cube, beside), cube).distance / scale, 0);
     EXPECT_GT(found.distance / scale, 2);
     EXPECT_LT(found.distance / scale, 3);
+  }
+}
+
+template <class Hull>
+void expect_same_by_all_widths(Hull& a, Hull& b, SimplexCache<3> known) {
+  struct Found {
+    bool is_apart;
+    double distance;
+    Vec<3, double> on_a;
+    SimplexCache<3> cache;
+  };
+  const auto walked = [&](auto run) {
+    SimplexCache<3> cache = known;
+    HullWalk<Hull, Hull> walk(a, b, 0);
+    run(walk, KnownCorners{&cache, false});
+    return Found{walk.is_apart(), walk.distance(), walk.points().on_a, cache};
+  };
+  const Found right = walked([](auto& walk, const KnownCorners& corners) { walk.run_by_two(corners); });
+  const auto expect_right = [&](const Found& found) {
+    ASSERT_EQ(found.is_apart, right.is_apart);
+    if (!right.is_apart) return;
+    ASSERT_EQ(found.distance, right.distance);
+    ASSERT_EQ(found.on_a, right.on_a);
+    ASSERT_EQ(found.cache.corners_a, right.cache.corners_a);
+    ASSERT_EQ(found.cache.corners_b, right.cache.corners_b);
+  };
+  expect_right(walked([](auto& walk, const KnownCorners& corners) { walk.run(corners); }));
+#ifdef GRAZE_HAS_WIDER_LANES
+  if (__builtin_cpu_supports("avx2")) {
+    expect_right(walked([](auto& walk, const KnownCorners& corners) { walk.run_by_four(corners); }));
+  }
+  if (__builtin_cpu_supports("avx512f")) {
+    expect_right(walked([](auto& walk, const KnownCorners& corners) { walk.run_by_eight(corners); }));
+  }
+#endif
+}
+
+TEST(ClosestHulls, AreTheSameByVectorsOfAnyWidth) {
+  Random random(13);
+  for (int i = 0; i < 2000 && !testing::Test::HasFailure(); ++i) {
+    const bool are_few = i % 2 == 0;
+    const auto draw = [&] { return are_few ? random.hull<double>() : ball(random, 33 + random.below(60)); };
+    const Posed<Polytope<3, double>> posed_a{draw(), random.pose<double>(2)};
+    const Posed<Polytope<3, double>> posed_b{draw(), random.pose<double>(2)};
+    const Vec<3, double> origin = posed_a.pose.position;
+    PosedHull<double> a(posed_a, origin);
+    PosedHull<double> b(posed_b, origin);
+    expect_same_by_all_widths(a, b, {});
+    expect_same_by_all_widths(a, b, {{0, 0, 0, 0}, {0, 0, 0, 0}, 1});
+#ifdef GRAZE_HAS_LANES
+    if (std::max(a.size(), b.size()) > FewCorners::room) continue;
+    FewHull few_a(a);
+    FewHull few_b(b);
+    expect_same_by_all_widths(few_a, few_b, {});
+    expect_same_by_all_widths(few_a, few_b, {{0, 0, 0, 0}, {0, 0, 0, 0}, 1});
+#endif
   }
 }
 

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The place of the highest of eight or sixteen is the one that a plain search finds, by vectors of any width.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include <graze/shape/eight_heights.hpp>
+
+#ifdef GRAZE_HAS_LANES
+
+namespace graze::detail::eight_heights_test {
+namespace {
+
+using Sixteen = std::array<double, 16>;
+
+/// Eight by themselves, or met by the eight that come later.
+template <std::size_t lanes>
+[[gnu::always_inline]] inline std::uint32_t highest_of(const Sixteen& heights, bool all) {
+  static constexpr Sixteen places = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  PlacedHeights<8, lanes> first;
+  PlacedHeights<8, lanes> later;
+  std::memcpy(&first.height, heights.data(), sizeof(first.height));
+  std::memcpy(&later.height, heights.data() + 8, sizeof(later.height));
+  std::memcpy(&first.place, places.data(), sizeof(first.place));
+  std::memcpy(&later.place, places.data() + 8, sizeof(later.place));
+  if (all) first.meet_later(later);
+  return first.highest();
+}
+
+std::uint32_t by_two(const Sixteen& heights, bool all) { return highest_of<2>(heights, all); }
+#ifdef GRAZE_HAS_WIDER_LANES
+[[gnu::target("avx2")]] std::uint32_t by_four(const Sixteen& heights, bool all) { return highest_of<4>(heights, all); }
+[[gnu::target("avx512f")]] std::uint32_t by_eight(const Sixteen& heights, bool all) {
+  return highest_of<8>(heights, all);
+}
+#endif
+
+TEST(EightHeights, KnowTheFirstOfTheHighest) {
+  std::mt19937 engine(3);
+  for (int i = 0; i < 20'000; ++i) {
+    const int most = i % 3 == 0 ? 1 : i % 3 == 1 ? 4 : 1000;  // so few that many are equal
+    Sixteen heights;
+    for (double& height : heights) height = std::uniform_int_distribution<int>(-most, most)(engine);
+    for (const bool all : {false, true}) {
+      const auto right = static_cast<std::uint32_t>(
+          std::max_element(heights.begin(), heights.begin() + (all ? 16 : 8)) - heights.begin());
+      ASSERT_EQ(by_two(heights, all), right);
+#ifdef GRAZE_HAS_WIDER_LANES
+      if (__builtin_cpu_supports("avx2")) {
+        ASSERT_EQ(by_four(heights, all), right);
+      }
+      if (__builtin_cpu_supports("avx512f")) {
+        ASSERT_EQ(by_eight(heights, all), right);
+      }
+#endif
+    }
+  }
+}
+
+}  // namespace
+}  // namespace graze::detail::eight_heights_test
+
+#endif
