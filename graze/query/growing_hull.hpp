@@ -214,10 +214,19 @@ class GrowingHull<3> {
     return best;
   }
 
+  /// By plain products, unless the triangle is so thin that they would leave less than all but a few bits of it.
+  static Point cross_of_sides(const Point& u, const Point& v) {
+    constexpr double least_sine_squared = 1.0 / 64;
+    const Point plain = cross(u, v);
+    const double most = least_sine_squared * dot(u, u) * dot(v, v);
+    constexpr double least = 0x1p-900;
+    return most > least && dot(plain, plain) > most ? plain : accurate_cross(u, v);
+  }
+
   void add_face(std::size_t a, std::size_t b, std::size_t c) {
     const auto number = [](std::size_t i) { return static_cast<Corner>(i); };
     HullFace<3> face{{number(a), number(b), number(c)}, Point(0.0), std::numeric_limits<double>::infinity()};
-    const Point normal = of_moderate_size(accurate_cross(points_[b] - points_[a], points_[c] - points_[a]));
+    const Point normal = of_moderate_size(cross_of_sides(points_[b] - points_[a], points_[c] - points_[a]));
     const double size = std::sqrt(dot(normal, normal));
     if (size > 0) {
       face.normal = normal / size;

@@ -258,6 +258,15 @@ WideManifold<dimension_of<A>> manifold_of_look(const A& a, const B& b, const Tou
   return result;
 }
 
+/// Of two of which GJK and EPA have said how they meet.
+template <class A, class B>
+WideManifold<dimension_of<A>> manifold_of_asked(const A& a, const B& b, const Penetration<dimension_of<A>>& found) {
+  if (is_in_order(a, b)) return manifold_of_found(a, b, found);
+  WideManifold<dimension_of<A>> result = manifold_of_found(b, a, exchanged(found));
+  exchange(result);
+  return result;
+}
+
 /// Of two simple shapes that meet.
 template <class A, class B>
 WideManifold<dimension_of<A>> manifold_of_met(const A& a, const B& b) {
@@ -299,8 +308,13 @@ std::optional<WideManifold<dimension_of<A>>> wide_manifold(const A& a, const B& 
       const auto quick = quick_touch(a, b);
       if (quick.is_known) return quick.meets ? std::optional(manifold_of_look(a, b, quick)) : std::nullopt;
     }
-    if (decide(a, b) == Relation::apart) return std::nullopt;
-    return manifold_of_met(a, b);
+    if constexpr (are_for_epa<A, B>) {
+      const auto found = penetration_if_met(a, b);
+      return found ? std::optional(manifold_of_asked(a, b, *found)) : std::nullopt;
+    } else {
+      if (decide(a, b) == Relation::apart) return std::nullopt;
+      return manifold_of_met(a, b);
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 // Vectors in double of either dimension, two coordinates at a time: what filters of the plane and of space share.
 #pragma once
 
+#include <cmath>
 #include <type_traits>
 
 #include <graze/math/vec.hpp>
@@ -36,6 +37,17 @@ using Paired = std::conditional_t<N == 2, FlatPair, PairedVec>;
 [[gnu::always_inline]] inline FlatPair magnitude(FlatPair v) { return FlatPair(magnitude(v.xy)); }
 [[gnu::always_inline]] inline double sum_of_coordinates(FlatPair v) { return v.xy[0] + v.xy[1]; }
 [[gnu::always_inline]] inline double dot(FlatPair a, FlatPair b) { return sum_of_coordinates(products(a, b)); }
+
+/// Of a vector that is as long as `length` but for rounding: along it, of length 1. The last steps of a root take less
+/// time than all of it.
+template <class V>
+[[gnu::always_inline]] inline V unit_of(const V& v, double length) {
+  const double inverse = 1 / length;
+  const double excess = 1 - dot(v, v) * (inverse * inverse);
+  constexpr double small = 0x1p-18;  // the next term is less than an eighth of epsilon
+  if (!(std::fabs(excess) < small)) return v * (1 / std::sqrt(dot(v, v)));
+  return v * (inverse * (1 + excess * (0.5 + 0.375 * excess)));
+}
 
 /// Never minus zero, also of what underflows.
 template <class T>

@@ -56,7 +56,7 @@ class RayBallFilter {
 
   [[gnu::always_inline]] std::optional<RayHit<N, T>> hit() const {
     const Paired<N> spoke = off_ + direction_ * half_;  // to the center
-    const Paired<N> normal = spoke * (-1 / std::sqrt(dot(spoke, spoke)));
+    const Paired<N> normal = unit_of(spoke * -1, radius_);
     const double error = tolerance::rounding * (sum_of_coordinates(magnitude(center_)) + radius_);
     return RayHit<N, T>{static_cast<T>(t_), rounded_vec<T>(center_ + normal * radius_ + origin_),
                         rounded_vec<T>(normal), Status::converged, error};

@@ -43,6 +43,10 @@ class RayCapsuleFilter {
     const double products = dd_ * ee_;
     constexpr double least_sine_squared = 0x1p-20;
     const bool is_moderate = (dd_ > 0x1p-400) & (dd_ < 0x1p400) & (ee_ > 0x1p-400) & (ee_ + aa < 0x1p400);
+    if (is_moderate & passes_by(da, aa)) {
+      sight_ = Sight::misses;
+      return;
+    }
     if (!(is_moderate & (det_ > least_sine_squared * products) & (t_max >= T(0)))) return;
     per_dd_ = 1 / dd_;
     per_ee_ = 1 / ee_;
@@ -61,7 +65,7 @@ class RayCapsuleFilter {
   [[gnu::always_inline]] Sight sight() const { return sight_; }
 
   [[gnu::always_inline]] std::optional<RayHit<N, T>> hit() const {
-    const Paired<N> normal = spoke_ * (-1 / std::sqrt(dot(spoke_, spoke_)));
+    const Paired<N> normal = unit_of(spoke_ * -1, radius_);
     const double error =
         tolerance::rounding * (2 * sum_of_coordinates(magnitude(a_)) + sum_of_coordinates(magnitude(edge_)) + radius_);
     return RayHit<N, T>{static_cast<T>(held(t_, t_max_)), rounded_vec<T>(center_ + normal * radius_ + origin_),
@@ -69,6 +73,20 @@ class RayCapsuleFilter {
   }
 
  private:
+  /// The whole line misses the tube, however long that is, or all is behind the ray: told without a division. The
+  /// nearest point of the ray is no farther from its origin than the capsule, so that three times its squares are
+  /// at least all.
+  [[gnu::always_inline]] bool passes_by(double da, double aa) const {
+    const double squared_radius = radius_ * radius_;
+    const double band = 3 * tolerance::ray_capsule * (aa + ee_ + squared_radius);
+    // The line's nearest points to the axis are at (b - sqrt(b^2 - det c)) / det and with the plus sign.
+    const double b = ee_ * da - ea_ * de_;
+    const double c = ee_ * (aa - squared_radius) - ea_ * ea_;
+    const double foremost = std::max(da, da + de_);
+    return (det_ * c - b * b > band * (ee_ * ee_) * dd_) |
+           ((foremost < 0) & (foremost * foremost > dd_ * (squared_radius + band)));
+  }
+
   /// Between zero and a bound; most compilers make no branch of it.
   [[gnu::always_inline]] static double held(double number, double most) {
     return std::min(std::max(number, 0.0), most);

@@ -17,6 +17,7 @@
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/math/whole_determinant.hpp>
 #include <graze/shape/hull_shear.hpp>
 
 namespace graze::detail {
@@ -96,6 +97,12 @@ class HullFrame {
     return orientation(points_[corners[0]], points_[corners[1]], points_[corners[2]], points_[point]);
   }
 
+  /// The plane of three of them, for many that are asked about beside it.
+  WholePlane whole_plane(const std::array<std::uint32_t, 3>& corners) const {
+    return {{wide<3, T>(points_[corners[0]]), wide<3, T>(points_[corners[1]]), wide<3, T>(points_[corners[2]])},
+            unit_of_whole(largest_)};
+  }
+
   /// Whether heights above planes are free of rounding: the points lie on a grid of at most 2^15 steps.
   bool is_exact() const { return is_exact_; }
 
@@ -154,6 +161,7 @@ class HullFrame {
         }
       }
     }
+    largest_ = std::max(max_abs(wide<3, T>(low)), max_abs(wide<3, T>(high)));
     middle_ = 0.5 * wide<3, T>(low) + 0.5 * wide<3, T>(high);
     half_extents_ = 0.5 * wide<3, T>(high) - 0.5 * wide<3, T>(low);
     Dim longest = 0;
@@ -182,6 +190,7 @@ class HullFrame {
   Vec<3, double> middle_ = Vec<3, double>(0.0);
   Vec<3, double> half_extents_ = Vec<3, double>(0.0);
   double scale_ = 1;
+  double largest_ = 0;  ///< Coordinate, without its sign.
   std::array<std::uint32_t, 2> ends_{};
   bool is_exact_ = false;
 };

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -281,6 +282,12 @@ class Quickhull {
     Face& face = faces_[place];
     const HullPlane plane = face.plane;
     const bool settles_doubts = settles_doubts_ || is_along_axes(plane);
+    std::optional<WholePlane> whole;
+    const auto is_exactly_above = [&](std::uint32_t point) {
+      if (!whole) whole.emplace(frame_->whole_plane(indices_of(face)));
+      const std::optional<int> side = whole->side_of(wide<3, T>(frame_->point(point)));
+      return (side ? *side : frame_->orientation_of(indices_of(face), point)) > 0;
+    };
     double largest = -std::numeric_limits<double>::infinity();
     std::size_t last = used_;
     std::size_t kept = 0;
@@ -289,7 +296,7 @@ class Quickhull {
       bool is_above = height > plane.doubt;
       if (!is_above && height > -plane.doubt) {
         if (settles_doubts) {
-          is_above = frame_->orientation_of(indices_of(face), point.index) > 0;
+          is_above = is_exactly_above(point.index);
         } else {
           if (point.link >= loose_link || is_sharper(plane, faces_[point.link].plane)) point.link = place;
           is_any_in_doubt_ = true;

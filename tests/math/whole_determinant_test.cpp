@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -8,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <graze/math/orientation_3d.hpp>
 #include <graze/math/whole_determinant.hpp>
 
 #include "exact/numbers.hpp"
@@ -35,6 +37,13 @@ int exact_sign(const Points& points, const V& origin) {
 
 #ifdef GRAZE_HAS_INT128
 
+/// On which side of the plane of three points another one is, in units that leave room for all four.
+std::optional<int> side_of_plane(const Points& points, const V& origin) {
+  double largest = max_abs(origin);
+  for (const V& point : points) largest = std::max(largest, max_abs(point));
+  return WholePlane(points, unit_of_whole(largest)).side_of(origin);
+}
+
 TEST(WholeDeterminant, HasTheSignThatRationalNumbersGive) {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> number(-1, 1);
@@ -54,6 +63,7 @@ TEST(WholeDeterminant, HasTheSignThatRationalNumbersGive) {
     if (!sign) continue;
     ++counted;
     EXPECT_EQ(*sign, exact_sign(points, o)) << i;
+    EXPECT_EQ(side_of_plane(points, o), -exact_sign(points, o)) << i;
   }
   EXPECT_GT(counted, 2500);
 }
@@ -70,7 +80,22 @@ TEST(WholeDeterminant, HasRoomForTheLargest) {
     const std::optional<int> sign = sign_of_whole_determinant(points, origin);
     ASSERT_TRUE(sign.has_value());
     EXPECT_EQ(*sign, exact_sign(points, origin)) << i;
+    EXPECT_EQ(side_of_plane(points, origin), -exact_sign(points, origin)) << i;
   }
+}
+
+TEST(WholePlane, SaysOfAPointWhatOrientationSays) {
+  const Points points{V(0.5, 0.25, 1), V(1, -0.75, 1), V(-0.125, 0.375, 1)};
+  const WholePlane plane(points, unit_of_whole(1));
+  for (const double z : {0.5, std::nextafter(1.0, 0.0), 1.0}) {
+    const V point(0.25, 0.75, z);
+    EXPECT_EQ(plane.side_of(point), orientation(points[0], points[1], points[2], point)) << z;
+  }
+  EXPECT_EQ(plane.side_of(V(0, 0, 1e-30)), std::nullopt) << "far more bits";
+  EXPECT_EQ(plane.side_of(V(1e30, 0, 0)), std::nullopt) << "far beyond";
+  EXPECT_EQ(WholePlane({points[0], points[1], V(1.0 / 3, 0, 0x1p-70)}, unit_of_whole(1)).side_of(points[0]),
+            std::nullopt);
+  EXPECT_EQ(WholePlane(points, 0).side_of(points[0]), std::nullopt);
 }
 
 TEST(WholeDeterminant, IsZeroOnAPlaneAndAHairBesideItIsNot) {
