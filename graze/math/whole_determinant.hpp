@@ -96,11 +96,10 @@ inline std::optional<int> sign_of_whole_determinant(const std::array<Vec<3, doub
 /// The plane through three points in whole numbers, calculated once for many points beside it.
 class WholePlane {
  public:
-  /// Of coordinates that are whole numbers below 2^61 once multiplied by `unit`, a power of two; of others, and by zero,
-  /// nothing is told.
-  WholePlane(const std::array<Vec<3, double>, 3>& points, double unit) : unit_(unit) {
+  /// Of coordinates that are whole numbers below 2^61 once multiplied by `unit`, a power of two; of others, and by
+  /// zero, nothing is told.
+  WholePlane(const std::array<Vec<3, double>, 3>& points, double unit) : unit_(unit), is_whole_(unit != 0) {
     std::array<WholeVec, 3> at{};
-    is_whole_ = unit != 0;
     for (std::size_t i = 0; i < 3; ++i) is_whole_ = make_whole(points[i], unit, at[i]) && is_whole_;
     from_ = at[0];
     if (is_whole_) normal_ = whole_cross(difference(at[1], at[0]), difference(at[2], at[0]));

@@ -80,7 +80,8 @@ struct TriangleShares {
   double of_q;
   double whole;
 
-  TriangleShares(const Vec<3, double>& corner, const Vec<3, double>& p, const Vec<3, double>& q) {
+  TriangleShares(const Vec<3, double>& corner, const Vec<3, double>& p, const Vec<3, double>& q)
+      : normal(cross(p - corner, q - corner)), whole(dot(normal, normal)) {
     const Vec<3, double> to_p = p - corner;
     const Vec<3, double> to_q = q - corner;
     const double pp = dot(to_p, to_p);
@@ -88,10 +89,8 @@ struct TriangleShares {
     const double qq = dot(to_q, to_q);
     const double along_p = -dot(to_p, corner);
     const double along_q = -dot(to_q, corner);
-    normal = cross(to_p, to_q);
     of_p = qq * along_p - pq * along_q;
     of_q = pp * along_q - pq * along_p;
-    whole = dot(normal, normal);
   }
 };
 

@@ -226,7 +226,7 @@ WideManifold<dimension_of<A>> manifold_in_order(const A& a, const B& b) {
   }
 }
 
-/// Of two simple shapes in the order of their contact, which is found by a quick look.
+/// Of two simple shapes in the order of their contact, which has been found.
 template <class A, class B>
 WideManifold<dimension_of<A>> manifold_of_seen(const A& a, const B& b, const Penetration<dimension_of<A>>& found) {
   if constexpr (is_box<A> && is_level<B>) {
@@ -241,29 +241,23 @@ WideManifold<dimension_of<A>> manifold_of_seen(const A& a, const B& b, const Pen
   return manifold_of_found(a, b, found);
 }
 
-/// Of two simple shapes that a quick look shows to meet.
+/// Of two simple shapes in any order, of which has been found how they meet.
 template <class A, class B>
-WideManifold<dimension_of<A>> manifold_of_look(const A& a, const B& b, const TouchLook<dimension_of<A>>& look) {
-  WideManifold<dimension_of<A>> result;
-  if (!look.is_single) {
-    const bool turns = type_place<A> != type_place<B> ? type_place<A> > type_place<B> : !is_in_order(a, b);
-    if (!turns) return manifold_of_seen(a, b, look.found);
-    result = manifold_of_seen(b, a, exchanged(look.found));
-    exchange(result);
-    return result;
-  }
-  result.found = look.found;
-  result.size = 1;
-  result.pairs[0] = {look.found.point_a, look.found.point_b, look.found.depth, look.feature_a, look.feature_b};
+WideManifold<dimension_of<A>> manifold_of_asked(const A& a, const B& b, const Penetration<dimension_of<A>>& found) {
+  if (is_in_order(a, b)) return manifold_of_seen(a, b, found);
+  WideManifold<dimension_of<A>> result = manifold_of_seen(b, a, exchanged(found));
+  exchange(result);
   return result;
 }
 
-/// Of two of which GJK and EPA have said how they meet.
+/// Of two simple shapes that a quick look shows to meet.
 template <class A, class B>
-WideManifold<dimension_of<A>> manifold_of_asked(const A& a, const B& b, const Penetration<dimension_of<A>>& found) {
-  if (is_in_order(a, b)) return manifold_of_found(a, b, found);
-  WideManifold<dimension_of<A>> result = manifold_of_found(b, a, exchanged(found));
-  exchange(result);
+WideManifold<dimension_of<A>> manifold_of_look(const A& a, const B& b, const TouchLook<dimension_of<A>>& look) {
+  if (!look.is_single) return manifold_of_asked(a, b, look.found);
+  WideManifold<dimension_of<A>> result;
+  result.found = look.found;
+  result.size = 1;
+  result.pairs[0] = {look.found.point_a, look.found.point_b, look.found.depth, look.feature_a, look.feature_b};
   return result;
 }
 
