@@ -214,7 +214,7 @@ class GrowingHull<3> {
     return best;
   }
 
-  /// By plain products, unless the triangle is so thin that they would leave less than all but a few bits of it.
+  /// By plain products where these lose a few bits at most; of thin triangles, whose products nearly cancel, with care.
   static Point cross_of_sides(const Point& u, const Point& v) {
     constexpr double least_sine_squared = 1.0 / 64;
     const Point plain = cross(u, v);

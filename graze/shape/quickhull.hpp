@@ -15,6 +15,7 @@
 
 #include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/math/whole_determinant.hpp>
 #include <graze/shape/hull_base.hpp>
 #include <graze/shape/hull_frame.hpp>
 #include <graze/shape/index_lists.hpp>
