@@ -34,44 +34,67 @@ inline double unit_of_whole(double largest) {
   return bit_cast<double>(static_cast<std::uint64_t>(exponent_of_one + bits - exponent) << 52U);
 }
 
-/// The sum of three numbers of up to 62 bits, each times one of up to 125 bits: its sign.
-inline int sign_of_dot(const std::array<std::int64_t, 3>& a, const std::array<Int128, 3>& m) {
-  Int128 high = 0;  // in units of 2^64
-  Int128 low = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Int128 product = Int128(a[i]) * Int128(static_cast<std::uint64_t>(m[i]));
-    high += Int128(a[i]) * (m[i] >> 64U) + (product >> 64U);
-    low += Int128(static_cast<std::uint64_t>(product));
-  }
-  high += low >> 64U;
-  if (high != 0) return high > 0 ? 1 : -1;
-  return static_cast<std::uint64_t>(low) != 0 ? 1 : 0;
-}
-
 using WholeVec = std::array<std::int64_t, 3>;
 
-/// A point in such units; false if it is between whole numbers, or beyond 2^61.
-inline bool make_whole(const Vec<3, double>& point, double unit, WholeVec& whole) {
-  constexpr double end = 0x1p61;
-  bool is_whole = true;
-  for (Dim i = 0; i < 3; ++i) {
-    const double scaled = point[i] * unit;
-    const auto number = static_cast<std::int64_t>(std::fabs(scaled) < end ? scaled : end);
-    is_whole = is_whole && static_cast<double>(number) == scaled;
-    whole[static_cast<std::size_t>(i)] = number;
+/// Numbers of up to 125 bits, in halves: high * 2^64 + low.
+struct HalvedVec {
+  std::array<std::int64_t, 3> high{};
+  std::array<std::uint64_t, 3> low{};
+};
+
+/// The sum of three numbers of up to 62 bits, each times one of up to 125 bits: its sign, and roughly its size in units
+/// of 2^64, or less than one of them.
+inline double rough_dot(const WholeVec& a, const HalvedVec& m) {
+  Int128 high = 0;
+  for (std::size_t i = 0; i < 3; ++i) high += Int128(a[i]) * m.high[i];
+  // The lower halves add up to less than three times 2^62 of these units.
+  constexpr Int128 most_of_low = Int128{3} << 62U;
+  if (high > most_of_low || high < -most_of_low) {
+    return static_cast<double>(static_cast<std::int64_t>(high >> 64U)) * 0x1p64 +  // a conversion is a call
+           static_cast<double>(static_cast<std::uint64_t>(high));
   }
-  return is_whole;
+  Int128 low = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Int128 product = Int128(a[i]) * m.low[i];
+    high += product >> 64U;
+    low += static_cast<std::uint64_t>(product);
+  }
+  high += low >> 64U;
+  if (high != 0) return static_cast<double>(high);
+  return static_cast<std::uint64_t>(low) != 0 ? 0.5 : 0;
 }
+
+/// -1, 0 or 1.
+inline int ternary_sign(double number) { return number > 0 ? 1 : (number < 0 ? -1 : 0); }
+
+/// A point in such units, unless it is between whole numbers, or beyond 2^61.
+struct WholePoint {
+  WholeVec at{};
+  bool is_whole = true;
+
+  WholePoint(const Vec<3, double>& point, double unit) {
+    constexpr double end = 0x1p61;
+    for (Dim i = 0; i < 3; ++i) {
+      const double scaled = point[i] * unit;
+      const bool is_in_range = std::fabs(scaled) < end;
+      const auto number = static_cast<std::int64_t>(is_in_range ? scaled : 0);
+      is_whole = is_whole && is_in_range && static_cast<double>(number) == scaled;
+      at[static_cast<std::size_t>(i)] = number;
+    }
+  }
+};
 
 inline WholeVec difference(const WholeVec& a, const WholeVec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 /// Of numbers of up to 62 bits.
-inline std::array<Int128, 3> whole_cross(const WholeVec& a, const WholeVec& b) {
-  std::array<Int128, 3> result{};
+inline HalvedVec whole_cross(const WholeVec& a, const WholeVec& b) {
+  HalvedVec result;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;
-    result[i] = Int128(a[j]) * b[k] - Int128(a[k]) * b[j];
+    const Int128 number = Int128(a[j]) * b[k] - Int128(a[k]) * b[j];
+    result.high[i] = static_cast<std::int64_t>(number >> 64U);
+    result.low[i] = static_cast<std::uint64_t>(number);
   }
   return result;
 }
@@ -85,38 +108,34 @@ inline std::optional<int> sign_of_whole_determinant(const std::array<Vec<3, doub
   for (const Vec<3, double>& point : points) largest = std::max(largest, max_abs(point));
   const double unit = unit_of_whole(largest);
   if (unit == 0) return std::nullopt;
-  WholeVec from{};
-  std::array<WholeVec, 3> at{};
-  bool are_whole = make_whole(origin, unit, from);
-  for (std::size_t i = 0; i < 3; ++i) are_whole = make_whole(points[i], unit, at[i]) && are_whole;
-  if (!are_whole) return std::nullopt;
-  return sign_of_dot(difference(at[0], from), whole_cross(difference(at[1], from), difference(at[2], from)));
+  const WholePoint from(origin, unit);
+  const std::array<WholePoint, 3> at = {WholePoint(points[0], unit), WholePoint(points[1], unit),
+                                        WholePoint(points[2], unit)};
+  if (!from.is_whole || !at[0].is_whole || !at[1].is_whole || !at[2].is_whole) return std::nullopt;
+  const auto way = [&](std::size_t i) { return difference(at[i].at, from.at); };
+  return ternary_sign(rough_dot(way(0), whole_cross(way(1), way(2))));
 }
 
 /// The plane through three points in whole numbers, calculated once for many points beside it.
 class WholePlane {
  public:
-  /// Of coordinates that are whole numbers below 2^61 once multiplied by `unit`, a power of two; of others, and by
-  /// zero, nothing is told.
-  WholePlane(const std::array<Vec<3, double>, 3>& points, double unit) : unit_(unit), is_whole_(unit != 0) {
-    std::array<WholeVec, 3> at{};
-    for (std::size_t i = 0; i < 3; ++i) is_whole_ = make_whole(points[i], unit, at[i]) && is_whole_;
-    from_ = at[0];
-    if (is_whole_) normal_ = whole_cross(difference(at[1], at[0]), difference(at[2], at[0]));
+  /// In units in which coordinates are whole numbers below 2^61; of others, and with a unit of zero, nothing is told.
+  WholePlane(const std::array<WholePoint, 3>& points, double unit)
+      : is_whole_(unit != 0 && points[0].is_whole && points[1].is_whole && points[2].is_whole), from_(points[0].at) {
+    if (is_whole_) normal_ = whole_cross(difference(points[1].at, from_), difference(points[2].at, from_));
   }
 
-  /// As `orientation` of the three points and this one: exactly, or none.
-  std::optional<int> side_of(const Vec<3, double>& point) const {
-    WholeVec at{};
-    if (!is_whole_ || !make_whole(point, unit_, at)) return std::nullopt;
-    return sign_of_dot(difference(at, from_), normal_);
+  /// Of the same sign as `orientation` of the three points and this one, exactly, and roughly proportional to how high
+  /// the point is; or none.
+  std::optional<double> height_of(const WholePoint& point) const {
+    if (!is_whole_ || !point.is_whole) return std::nullopt;
+    return rough_dot(difference(point.at, from_), normal_);
   }
 
  private:
-  double unit_;
   bool is_whole_;
   WholeVec from_{};
-  std::array<Int128, 3> normal_{};
+  HalvedVec normal_;
 };
 
 #else
@@ -126,11 +145,15 @@ inline std::optional<int> sign_of_whole_determinant(const std::array<Vec<3, doub
   return std::nullopt;
 }
 
+struct WholePoint {
+  WholePoint(const Vec<3, double>& /*point*/, double /*unit*/) {}
+};
+
 class WholePlane {
  public:
-  WholePlane(const std::array<Vec<3, double>, 3>& /*points*/, double /*unit*/) {}
+  WholePlane(const std::array<WholePoint, 3>& /*points*/, double /*unit*/) {}
 
-  std::optional<int> side_of(const Vec<3, double>& /*point*/) const { return std::nullopt; }
+  std::optional<double> height_of(const WholePoint& /*point*/) const { return std::nullopt; }
 };
 
 inline double unit_of_whole(double /*largest*/) { return 0; }

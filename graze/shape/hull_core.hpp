@@ -31,7 +31,7 @@ class HullCore {
 
   /// Of places in a frame whose box has these half extents. The places are moved to a grid, on which planes are exact,
   /// and the hull then loses as much all around. Holds nothing where that leaves no middle to speak of, or would not
-  /// pay: most of the places are corners.
+  /// pay: most of the places are corners, or near the surface.
   HullCore(std::span<const HullPoint> sample, const Vec<3, double>& half_extents)
       : to_units_(1.0 / max(half_extents, Vec<3, double>(1 / steps))) {
     std::vector<Vec<3, double>> on_grid;
@@ -42,9 +42,7 @@ class HullCore {
     }
     const HullFrame<double> frame(on_grid);
     const Quickhull<double> hull(frame, all_points(frame));  // nothing is in doubt on a grid
-    if (hull.base().size() < 4 || hull.corners().size() > sample.size() / 2) {
-      return;
-    }
+    if (hull.base().size() < 4 || hull.corners().size() > sample.size() / 2 || !are_deep(hull)) return;
     Vec<3, double> sum(0.0);
     for (const HullPoint& corner : hull.corners()) sum += on_grid[corner.index];
     for (Dim i = 0; i < 3; ++i) middle_[i] = std::round(sum[i] / static_cast<double>(hull.corners().size()));
@@ -84,6 +82,25 @@ class HullCore {
   static constexpr std::int32_t cells = 8;  // along each side of the cube
   static constexpr double steps = 0x1p14;   // of the grid, in 1
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  /// Whether of some points of a hull a quarter are inside by more than a few steps.
+  static bool are_deep(const Quickhull<double>& hull) {
+    constexpr std::uint32_t looked_at = 32;
+    constexpr double least = 4 / steps;
+    const std::uint32_t stride = hull.frame().size() / looked_at + 1;
+    std::uint32_t count = 0;
+    std::uint32_t deep = 0;
+    for (std::uint32_t i = 0; i < hull.frame().size(); i += stride, ++count) {
+      const Vec<3, double> place = hull.frame().at(i).place;
+      deep += std::all_of(hull.faces().begin(), hull.faces().end(),
+                          [&](const auto& face) {
+                            return !face.is_alive || face.plane.height(place) < -least * sum_abs(face.plane.normal);
+                          })
+                  ? 1
+                  : 0;
+    }
+    return 4 * deep > count;
+  }
 
   static std::size_t number_of(std::size_t side, std::int32_t column, std::int32_t row) {
     return (side * (cells + 1) + static_cast<std::size_t>(row)) * (cells + 1) + static_cast<std::size_t>(column);
@@ -128,11 +145,13 @@ std::vector<HullPoint> sample_of(const HullFrame<T>& frame, std::size_t count) {
   return sample;
 }
 
-/// What the hull of some points of a frame holds for certain: nothing where there are too few for it to pay.
+/// What the hull of some points of a frame holds for certain: nothing where there are too few for it to pay, of which
+/// more are needed where most of them may be near the surface.
 template <class T>
 HullCore core_of(const HullFrame<T>& frame) {
-  constexpr std::uint32_t many = 4000;
-  if (frame.size() < many) return {};
+  constexpr std::uint32_t many = 16000;
+  constexpr std::uint32_t many_sheared = 4000;
+  if (frame.size() < (frame.is_sheared() ? many_sheared : many)) return {};
   const double root = std::cbrt(static_cast<double>(frame.size()));
   return {sample_of(frame, static_cast<std::size_t>(2 * root * root)), frame.half_extents()};
 }

@@ -16,85 +16,15 @@
 #include <utility>
 #include <vector>
 
-#include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/shape/flat_parts.hpp>
 #include <graze/shape/hull_core.hpp>
 #include <graze/shape/hull_flat.hpp>
 #include <graze/shape/hull_frame.hpp>
+#include <graze/shape/hull_sight.hpp>
 #include <graze/shape/quickhull.hpp>
 
 namespace graze::detail {
-
-/// The longest side of a hull's triangle whose line a point is all but on, as a half-edge; or none.
-template <class T>
-std::uint32_t side_near(const Quickhull<T>& hull, std::uint32_t face, const Vec<3, double>& place) {
-  std::uint32_t nearest = HullPoint::none;
-  double longest = 0;
-  for (std::uint32_t edge = 4 * face; edge < 4 * face + 3; ++edge) {
-    const Vec<3, double>& start = hull.corners()[hull.origin(edge)].place;
-    const Vec<3, double> way = hull.corners()[hull.origin(Quickhull<T>::next(edge))].place - start;
-    const double size = dot(way, way);
-    const Vec<3, double> across = cross(way, place - start);
-    if (!(dot(across, across) < tolerance::hull_needle * tolerance::hull_needle * size) || size <= longest) continue;
-    longest = size;
-    nearest = edge;
-  }
-  return nearest;
-}
-
-/// The side of a hull's triangle that a point near its plane is farthest beyond, as a half-edge; or none.
-template <class T>
-std::uint32_t side_beyond(const Quickhull<T>& hull, std::uint32_t face, const Vec<3, double>& place) {
-  std::uint32_t side = HullPoint::none;
-  double farthest = 0;
-  for (std::uint32_t edge = 4 * face; edge < 4 * face + 3; ++edge) {
-    const Vec<3, double>& start = hull.corners()[hull.origin(edge)].place;
-    const Vec<3, double> way = hull.corners()[hull.origin(Quickhull<T>::next(edge))].place - start;
-    const double inward = dot(hull.faces()[face].plane.normal, cross(way, place - start));
-    if (!(inward < farthest)) continue;
-    farthest = inward;
-    side = edge;
-  }
-  return side;
-}
-
-/// The part of a hull's surface that a point in doubt about a face is near: an edge, as the lesser one of its two
-/// half-edges, or the inside of a face, as 4 * face + 3. Flat parts come in several faces, so others are tried on the
-/// way to it. It is only for what is seen together: any answer would do.
-template <class T>
-std::uint32_t part_near(const Quickhull<T>& hull, std::uint32_t face, const Vec<3, double>& place) {
-  constexpr int most_steps = 16;
-  for (int step = 0; step < most_steps; ++step) {
-    const std::uint32_t near = side_near(hull, face, place);
-    if (near != HullPoint::none) return std::min(near, hull.twin(near));
-    const std::uint32_t side = side_beyond(hull, face, place);
-    if (side == HullPoint::none) break;
-    const std::uint32_t beyond = hull.twin(side) / 4;
-    const HullPlane& plane = hull.faces()[beyond].plane;
-    if (!(std::fabs(plane.height(place)) <= plane.doubt)) break;
-    face = beyond;
-  }
-  return 4 * face + 3;
-}
-
-/// The points in doubt that are near faces, those near the same edge or the same face together.
-template <class T>
-std::vector<std::vector<std::uint32_t>> groups_in_doubt(const Quickhull<T>& hull) {
-  std::vector<std::vector<std::uint32_t>> groups;
-  std::vector<std::uint32_t> group_of_part(4 * hull.faces().size(), HullPoint::none);
-  for (std::uint32_t face = 0; face < hull.faces().size(); ++face) {
-    if (!hull.faces()[face].is_alive) continue;
-    hull.for_each_doubted(face, [&](std::uint32_t point) {
-      std::uint32_t& group = group_of_part[part_near(hull, face, hull.frame().at(point).place)];
-      if (group == HullPoint::none) {
-        group = static_cast<std::uint32_t>(groups.size());
-        groups.emplace_back();
-      }
-      groups[group].push_back(point);
-    });
-  }
-  return groups;
-}
 
 /// The corners of a hull's faces, as places of points.
 template <class T>
@@ -111,6 +41,136 @@ std::vector<std::uint32_t> corners_of_faces(const Quickhull<T>& hull) {
   return result;
 }
 
+/// Points that may be corners of the hull of all, none missing that are, beside those of a hull; and for each, what
+/// face of that hull it stands before, or some faces of which one is that, in a row. None where that is not known.
+struct Doubts {
+  struct Doubt {
+    std::uint32_t point;
+    std::uint32_t first_face;
+    std::uint32_t last_face;  ///< Behind the last.
+  };
+
+  std::vector<Doubt> doubts;
+  std::vector<std::uint32_t> faces;
+
+  std::span<const std::uint32_t> faces_of(const Doubt& doubt) const {
+    return std::span(faces).subspan(doubt.first_face, doubt.last_face - doubt.first_face);
+  }
+
+  void add(std::uint32_t point, std::span<const std::uint32_t> before) {
+    const auto first = static_cast<std::uint32_t>(faces.size());
+    for (const std::uint32_t face : before) faces.push_back(face);
+    doubts.push_back({point, first, static_cast<std::uint32_t>(faces.size())});
+  }
+};
+
+/// Of points, those that may be outside of a hull; and those that are by more than rounding, but for some in doubt
+/// about another face.
+template <class T>
+class HullDoubter {
+ public:
+  using Facing = typename Quickhull<T>::Facing;
+
+  /// To be asked about so many.
+  HullDoubter(const Quickhull<T>& hull, HullSight<T>& sight, std::size_t count) : hull_(&hull), sight_(&sight) {
+    found_.doubts.reserve(count);
+    found_.faces.reserve(count);
+  }
+
+  void ask(const Facing& aside) {
+    HullPoint point = hull_->frame().at(aside.point);
+    point.link = aside.face;
+    const std::span<const std::uint32_t> faces = sight_->faces_before(point);
+    bool is_in_doubt = faces.empty() && !sight_->is_at_corner();
+    for (const std::uint32_t place : faces) {
+      const HullPlane& plane = hull_->faces()[place].plane;
+      const double height = plane.height(point.place);
+      if (height > plane.doubt) {
+        outside_.push_back({place, point.index});
+        return;
+      }
+      is_in_doubt = is_in_doubt || height > -plane.doubt;
+    }
+    if (is_in_doubt) found_.add(point.index, faces);
+  }
+
+  const std::vector<Facing>& outside() const { return outside_; }
+  Doubts& doubts() { return found_; }
+
+ private:
+  const Quickhull<T>* hull_;
+  HullSight<T>* sight_;
+  Doubts found_;
+  std::vector<Facing> outside_;
+};
+
+/// Adds to a hull whatever of the points set aside is outside of it by more than rounding, and returns the others that
+/// may be.
+template <class T>
+Doubts settle_clear(Quickhull<T>& hull) {
+  constexpr int most_rounds = 8;
+  std::vector<typename Quickhull<T>::Facing> points = hull.take_aside();
+  for (int round = 0; round < most_rounds && !points.empty(); ++round) {
+    HullSight<T> sight(hull);
+    if (!sight.is_clear()) break;
+    HullDoubter<T> doubter(hull, sight, points.size());
+    for (const auto& point : points) doubter.ask(point);
+    if (doubter.outside().empty()) return std::move(doubter.doubts());
+    hull.add_outside(doubter.outside());
+    points = hull.take_aside();
+    for (const auto& doubt : doubter.doubts().doubts) points.push_back({HullPoint::none, doubt.point});
+  }
+  Doubts result;
+  for (const auto& point : points) result.add(point.point, {});
+  return result;
+}
+
+/// Doubts by their places, those before the same flat part of a hull's surface together, those before an edge of two
+/// such parts, and those of which it is not known.
+template <class T>
+class DoubtGroups {
+ public:
+  DoubtGroups(const Quickhull<T>& hull, const Doubts& doubts) : parts_(hull), first_(hull.faces().size() + 1, none) {
+    for (std::uint32_t i = 0; i < doubts.doubts.size(); ++i)
+      group_before(doubts.faces_of(doubts.doubts[i])).push_back(i);
+  }
+
+  std::vector<std::vector<std::uint32_t>>& groups() { return groups_; }
+
+ private:
+  static constexpr std::uint32_t none = HullPoint::none;
+
+  /// A group before a part and another one, or none, and the next group before the first.
+  struct Link {
+    std::uint32_t other;
+    std::uint32_t next;
+  };
+
+  std::vector<std::uint32_t>& group_before(std::span<const std::uint32_t> faces) {
+    auto least = static_cast<std::uint32_t>(first_.size() - 1);
+    std::uint32_t other = none;
+    for (const std::uint32_t face : faces) {
+      const std::uint32_t part = parts_.of(face);
+      if (part == least) continue;
+      if (least + 1 < first_.size()) other = std::min(other, std::max(part, least));
+      least = std::min(part, least);
+    }
+    std::uint32_t group = first_[least];
+    while (group != none && links_[group].other != other) group = links_[group].next;
+    if (group == none) {
+      group = static_cast<std::uint32_t>(groups_.size());
+      groups_.emplace_back();
+      links_.push_back({other, std::exchange(first_[least], group)});
+    }
+    return groups_[group];
+  }
+
+  FlatParts<T> parts_;
+  std::vector<std::uint32_t> first_;  // group before a part
+  std::vector<Link> links_;
+  std::vector<std::vector<std::uint32_t>> groups_;
+};
+
 /// Memory for the hulls of groups.
 template <class T>
 struct GroupMemory {
@@ -119,38 +179,53 @@ struct GroupMemory {
   Quickhull<T> hull;
 };
 
-/// Some of a group's points, none missing that are corners of its hull.
+/// Leaves of a group those that may be corners of its hull.
 template <class T>
-std::vector<std::uint32_t> outer_of(const HullFrame<T>& frame, std::vector<std::uint32_t> group,
-                                    GroupMemory<T>& memory) {
+void keep_outer(const HullFrame<T>& frame, const Doubts& doubts, std::vector<std::uint32_t>& group,
+                GroupMemory<T>& memory) {
   constexpr std::size_t few = 32;
-  if (group.size() < few) return group;
+  if (group.size() < few) return;
   memory.points.clear();
-  for (const std::uint32_t point : group) memory.points.push_back(frame.point(point));
+  for (const std::uint32_t doubt : group) memory.points.push_back(frame.point(doubts.doubts[doubt].point));
   const HullFrame<T> sheared = HullFrame<T>::sheared(memory.points);
   put_candidates(sheared, memory.candidates);
   Quickhull<T>& hull = memory.hull;
   hull.start(sheared, memory.candidates);
-  hull.finish();
   std::vector<std::uint32_t> outer = hull.base().size() < 4 ? flat_vertices(hull) : corners_of_faces(hull);
-  outer.insert(outer.end(), hull.loose().begin(), hull.loose().end());
-  for (std::uint32_t face = 0; face < hull.faces().size(); ++face) {
-    if (hull.faces()[face].is_alive) hull.for_each_doubted(face, [&](std::uint32_t point) { outer.push_back(point); });
-  }
-  for (std::uint32_t& point : outer) point = group[point];
-  return outer;
+  for (const auto& aside : hull.aside()) outer.push_back(aside.point);
+  for (std::uint32_t& place : outer) place = group[place];
+  group.swap(outer);
 }
 
-/// Some of the points in doubt, none missing that are corners of the hull of all.
+/// Leaves of doubts about a hull those that may be corners of the hull of all.
 template <class T>
-std::vector<std::uint32_t> outer_in_doubt(const Quickhull<T>& hull, GroupMemory<T>& memory) {
-  if (!hull.has_doubts()) return {};
-  std::vector<std::uint32_t> result(hull.loose().begin(), hull.loose().end());
-  for (std::vector<std::uint32_t>& group : groups_in_doubt(hull)) {
-    const std::vector<std::uint32_t> outer = outer_of(hull.frame(), std::move(group), memory);
-    result.insert(result.end(), outer.begin(), outer.end());
+void keep_outer(const Quickhull<T>& hull, Doubts& doubts, GroupMemory<T>& memory) {
+  constexpr std::size_t few = 64;
+  if (doubts.doubts.size() < few) return;
+  DoubtGroups<T> groups(hull, doubts);
+  std::vector<Doubts::Doubt> outer;
+  for (std::vector<std::uint32_t>& group : groups.groups()) {
+    keep_outer(hull.frame(), doubts, group, memory);
+    for (const std::uint32_t doubt : group) outer.push_back(doubts.doubts[doubt]);
   }
-  return result;
+  doubts.doubts.swap(outer);
+}
+
+/// Adds doubts to their hull, which is then that of all, exactly.
+template <class T>
+void settle(Quickhull<T>& hull, const Doubts& doubts) {
+  std::vector<typename Quickhull<T>::Facing> outside;
+  std::vector<std::uint32_t> others;
+  for (const auto& doubt : doubts.doubts) {
+    const auto faces = doubts.faces_of(doubt);
+    if (faces.empty()) others.push_back(doubt.point);
+    const HullPoint point = hull.frame().at(doubt.point);
+    const auto seen = std::find_if(faces.begin(), faces.end(), [&](auto face) { return hull.is_outside(face, point); });
+    if (seen != faces.end()) outside.push_back({*seen, doubt.point});
+  }
+  hull.settle_doubts();
+  hull.add_outside(std::move(outside));
+  if (!others.empty()) hull.add(others);
 }
 
 /// Memory for hulls and for those of their groups.
@@ -160,18 +235,14 @@ struct HullMemory {
   GroupMemory<T> groups;
 };
 
-/// The hull of candidates, but for those in doubt, which are sifted as often as needed. In exchange for the candidates
-/// there is memory for others.
+/// The hull of candidates, but for what it returns, which may be outside of it. In exchange for the candidates there is
+/// memory for others.
 template <class T>
-Quickhull<T>& clear_hull(const HullFrame<T>& frame, std::vector<HullPoint>& candidates, HullMemory<T>& memory) {
-  Quickhull<T>& hull = memory.hull;
-  hull.start(frame, candidates);
-  while (!hull.is_finished()) {
-    std::vector<bool> is_outer(frame.size(), false);
-    for (const std::uint32_t point : outer_in_doubt(hull, memory.groups)) is_outer[point] = true;
-    hull.sift(is_outer);
-  }
-  return hull;
+Doubts start_hull(const HullFrame<T>& frame, std::vector<HullPoint>& candidates, HullMemory<T>& memory) {
+  memory.hull.start(frame, candidates);
+  Doubts doubts = settle_clear(memory.hull);
+  keep_outer(memory.hull, doubts, memory.groups);
+  return doubts;
 }
 
 /// Adds some of the candidates to others, none missing that are corners of the hull of all. What the candidates are
@@ -179,10 +250,11 @@ Quickhull<T>& clear_hull(const HullFrame<T>& frame, std::vector<HullPoint>& cand
 template <class T>
 void add_sifted(const HullFrame<T>& frame, std::vector<HullPoint>& candidates, HullMemory<T>& memory,
                 std::vector<HullPoint>& result) {
-  const Quickhull<T>& hull = clear_hull(frame, candidates, memory);
+  const Doubts doubts = start_hull(frame, candidates, memory);
+  const Quickhull<T>& hull = memory.hull;
   result.insert(result.end(), hull.flat_candidates().begin(), hull.flat_candidates().end());
   for (const std::uint32_t point : corners_of_faces(hull)) result.push_back(frame.at(point));
-  for (const std::uint32_t point : outer_in_doubt(hull, memory.groups)) result.push_back(frame.at(point));
+  for (const auto& doubt : doubts.doubts) result.push_back(frame.at(doubt.point));
 }
 
 /// Whether the core leaves most of a few points, and most of these are not near the surface of their hull.
@@ -219,14 +291,24 @@ std::vector<HullPoint> sifted_candidates(const HullFrame<T>& frame, HullMemory<T
   return result;
 }
 
-/// The hull of the points of a frame, which must outlive it.
+/// The hull of the points of a frame, which must outlive it: of many, where those in doubt are sifted first.
 template <class T>
-Quickhull<T> hull_of(const HullFrame<T>& frame) {
+Quickhull<T> sifted_hull(const HullFrame<T>& frame) {
   HullMemory<T> memory;
   std::vector<HullPoint> candidates = sifted_candidates(frame, memory);
-  Quickhull<T>& hull = clear_hull(frame, candidates, memory);
-  if (hull.has_doubts()) hull.add(outer_in_doubt(hull, memory.groups));
-  return std::move(hull);
+  settle(memory.hull, start_hull(frame, candidates, memory));
+  return std::move(memory.hull);
+}
+
+/// The same. Of few points it takes less to decide all exactly than to find which have to be.
+template <class T>
+Quickhull<T> hull_of(const HullFrame<T>& frame) {
+  constexpr std::uint32_t few = 4000;
+  if (frame.size() >= few) return sifted_hull(frame);
+  std::vector<HullPoint> candidates = all_points(frame);
+  Quickhull<T> hull;
+  hull.start(frame, candidates, true);
+  return hull;
 }
 
 }  // namespace graze::detail

@@ -62,6 +62,8 @@ class HullFrame {
     return HullFrame(points, HullShear<T>(points).places());
   }
 
+  bool is_sheared() const { return !places_.empty(); }
+
   // The span may be of a member.
   HullFrame(const HullFrame&) = delete;
   HullFrame& operator=(const HullFrame&) = delete;
@@ -77,6 +79,9 @@ class HullFrame {
   HullPoint at(std::uint32_t index) const {
     return {places_.empty() ? place_of(points_[index]) : places_[index], index};
   }
+
+  /// Where another point in the box of these is seen. Not of a sheared frame.
+  HullPoint seen(const Vec<3, T>& point) const { return {place_of(point), HullPoint::none}; }
 
   /// The point as it was given, in range.
   const Vec<3, T>& point(std::uint32_t index) const { return points_[index]; }
@@ -94,14 +99,19 @@ class HullFrame {
 
   /// `orientation` of the points at four places of the list.
   int orientation_of(const std::array<std::uint32_t, 3>& corners, std::uint32_t point) const {
-    return orientation(points_[corners[0]], points_[corners[1]], points_[corners[2]], points_[point]);
+    return orientation_of(corners, points_[point]);
   }
 
-  /// The plane of three of them, for many that are asked about beside it.
-  WholePlane whole_plane(const std::array<std::uint32_t, 3>& corners) const {
-    return {{wide<3, T>(points_[corners[0]]), wide<3, T>(points_[corners[1]]), wide<3, T>(points_[corners[2]])},
-            unit_of_whole(largest_)};
+  /// The same of any point.
+  int orientation_of(const std::array<std::uint32_t, 3>& corners, const Vec<3, T>& point) const {
+    return orientation(points_[corners[0]], points_[corners[1]], points_[corners[2]], point);
   }
+
+  /// A point in whole numbers, as exact heights above the planes of others are calculated with.
+  WholePoint whole_point(std::uint32_t index) const { return {wide<3, T>(points_[index]), unit_of_whole(largest_)}; }
+
+  /// The plane of three such points.
+  WholePlane whole_plane(const std::array<WholePoint, 3>& corners) const { return {corners, unit_of_whole(largest_)}; }
 
   /// Whether heights above planes are free of rounding: the points lie on a grid of at most 2^15 steps.
   bool is_exact() const { return is_exact_; }

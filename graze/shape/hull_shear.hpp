@@ -7,10 +7,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include <graze/math/bit_cast.hpp>
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
@@ -27,7 +29,7 @@ class HullShear {
  public:
   /// Of at least one point, zero or from 1e-90 to 1e90. They must outlive it.
   explicit HullShear(std::span<const Vec<3, T>> points) : points_(points) {
-    constexpr std::size_t enough = 256;
+    constexpr std::size_t enough = 32;
     const std::size_t stride = points.size() / enough + 1;
     std::vector<Way> ways;
     for (std::size_t i = 0; i < points.size(); i += stride) ways.push_back(way_to(points[i]));
@@ -89,19 +91,42 @@ class HullShear {
     for (Way& way : ways) std::swap(way[step], way[longest]);
     const Way& way = ways[pivot];
     if (way[step].value == 0) return;  // nothing is left
-    for (std::size_t k = step + 1; k < 3; ++k) slopes_[step][k] = way[k].value / way[step].value;
+    for (std::size_t k = step + 1; k < 3; ++k) slopes_[step][k] = Halves(way[k].value / way[step].value);
   }
 
   /// Takes the coordinate of a step out of the later ones. The slopes, up to 1, are taken as exact: any give such a
   /// map.
   void eliminate(std::size_t step, Way& way) const {
     const Rounded from = way[step];
+    const Halves halves(from.value);
     for (std::size_t k = step + 1; k < 3; ++k) {
-      const double slope = slopes_[step][k];
-      const Rounded product = two_product(slope, from.value);
+      const Halves& slope = slopes_[step][k];
+      const Rounded product = product_of(slope, halves);
       const Rounded difference = two_sum(way[k].value, -product.value);
-      way[k] = two_sum(difference.value, difference.error + (way[k].error - (product.error + slope * from.error)));
+      way[k] =
+          two_sum(difference.value, difference.error + (way[k].error - (product.error + slope.whole * from.error)));
     }
+  }
+
+  /// A number, and it as a sum of two of 26 bits, rounded, whose products are exact.
+  struct Halves {
+    double whole = 0;
+    double high = 0;
+    double low = 0;
+
+    Halves() = default;
+    explicit Halves(double number) : whole(number) {
+      constexpr std::uint64_t low_bits = (std::uint64_t{1} << 27U) - 1;
+      high = bit_cast<double>((bit_cast<std::uint64_t>(number) + (low_bits + 1) / 2) & ~low_bits);
+      low = number - high;
+    }
+  };
+
+  /// As two_product, which is a call where the processor may lack an instruction for it. Dekker, "A Floating-Point
+  /// Technique for Extending the Available Precision" (1971).
+  static Rounded product_of(const Halves& a, const Halves& b) {
+    const double product = a.whole * b.whole;
+    return {product, (((a.high * b.high - product) + a.high * b.low) + a.low * b.high) + a.low * b.low};
   }
 
   /// Powers of two, from the largest coordinates before each step and after the last one.
@@ -111,7 +136,7 @@ class HullShear {
       const auto from = static_cast<Dim>(step);
       for (std::size_t k = step + 1; k < 3; ++k) {
         const auto to = static_cast<Dim>(k);
-        const double slope = std::fabs(slopes_[step][k]);
+        const double slope = std::fabs(slopes_[step][k].whole);
         const double length = std::max(lengths[step][to], slope * lengths[step][from]);
         errors[to] += slope * errors[from] + tolerance::hull_shear_step * length;
       }
@@ -126,7 +151,7 @@ class HullShear {
 
   std::span<const Vec<3, T>> points_;
   std::array<Dim, 3> axes_ = {0, 1, 2};            // in the order of elimination
-  std::array<std::array<double, 3>, 2> slopes_{};  // by step and place in that order
+  std::array<std::array<Halves, 3>, 2> slopes_{};  // by step and place in that order
 };
 
 }  // namespace graze::detail

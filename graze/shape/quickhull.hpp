@@ -18,7 +18,6 @@
 #include <graze/math/whole_determinant.hpp>
 #include <graze/shape/hull_base.hpp>
 #include <graze/shape/hull_frame.hpp>
-#include <graze/shape/index_lists.hpp>
 
 namespace graze::detail {
 
@@ -27,9 +26,8 @@ namespace graze::detail {
 /// a point outside a face is strictly outside, so the faces that see it are a disk, none of the new ones is degenerate,
 /// and each point that is still outside sees one of these.
 ///
-/// Points that rounding hides the side of are first set aside, with a face that they may be outside of, until all
-/// others are decided: where many are on a line or a plane up to their rounding, few of these have then to be decided
-/// exactly, see hull_doubts.hpp.
+/// Points that rounding hides the side of are set aside until all others are decided: where many are on a line or a
+/// plane up to their rounding, few of these have then to be decided exactly, see hull_doubts.hpp.
 ///
 /// The points outside of a face lie together on one stack, those of the newest faces on top, and the newest face grows
 /// first: so memory is read and written in rows, and what is left of older faces is close at hand.
@@ -46,74 +44,79 @@ class Quickhull {
     std::size_t first = 0;                   ///< Of the points that see it, on the stack.
     std::size_t last = 0;                    ///< Behind them.
     std::size_t farthest = 0;                ///< Of these, roughly.
-    std::uint32_t doubted = none;            ///< The first of the points in doubt that were set aside with it.
+    std::uint32_t whole = none;              ///< The place of its plane in whole numbers, once it was needed.
     bool is_alive = true;
     bool is_waiting = false;  ///< To grow.
     bool sees = false;        ///< The point that is being added.
+    bool has_whole = false;   ///< Else what is at that place is the plane of a face before.
   };
 
   /// Of nothing: only memory for hulls.
   Quickhull() = default;
 
   /// Of the candidates, some points of the frame, at least one, that none of its corners is missing from; but those in
-  /// doubt are not in it until they are added, and where many are, it may not be finished. The frame must outlive it.
+  /// doubt are not in it until they are added. The frame must outlive it.
   Quickhull(const HullFrame<T>& frame, std::vector<HullPoint> candidates) { start(frame, candidates); }
 
-  /// The same, in the memory of the hull before. In exchange for the candidates there is memory for others.
-  void start(const HullFrame<T>& frame, std::vector<HullPoint>& candidates) {
+  /// The same, in the memory of the hull before. In exchange for the candidates there is memory for others. If doubts
+  /// are settled at once, no points are set aside, and it is the hull of all.
+  void start(const HullFrame<T>& frame, std::vector<HullPoint>& candidates, bool settles_doubts = false) {
     frame_ = &frame;
     undecided_.swap(candidates);
     candidates.clear();
-    forget();
+    forget_faces();
+    used_ = 0;
+    aside_.clear();
+    whole_points_.clear();
+    settles_doubts_ = settles_doubts;
+    if (settles_doubts) {
+      whole_points_.reserve(frame.size());
+      for (std::uint32_t i = 0; i < frame.size(); ++i) whole_points_.push_back(frame.whole_point(i));
+    }
     base_ = HullBase<T>(frame, undecided_);
     if (base().size() < 4) return;
     begin();
     grow_all();
   }
 
-  /// Whether all but the points in doubt have been added. Else there are many of these, asked again and again, and it
-  /// is time to `sift` them.
-  bool is_finished() const { return waiting_.empty(); }
+  /// A point, by its place, and a face.
+  struct Facing {
+    std::uint32_t face;
+    std::uint32_t point;
+  };
 
-  /// Goes on to the end without.
-  void finish() {
-    is_sifting_worthwhile_ = false;
-    grow_all();
-  }
+  /// The points that were set aside, because they were in doubt about a face, which may be gone or another one by now,
+  /// and outside of no other one. If there are none, the hull is that of all.
+  std::span<const Facing> aside() const { return aside_; }
 
-  /// Forgets points in doubt near faces, those without a mark at their place, which must not be corners of the hull of
-  /// all, and goes on.
-  void sift(const std::vector<bool>& is_kept) {
-    const std::size_t before = doubted_.size();
-    for (Face& face : faces_) {
-      std::uint32_t old = std::exchange(face.doubted, none);
-      doubted_.drain(old, [&](std::uint32_t point) {
-        if (is_kept[point]) doubted_.add(face.doubted, point);
-      });
+  /// The same, which are then forgotten.
+  std::vector<Facing> take_aside() { return std::exchange(aside_, {}); }
+
+  /// Adds those points that are strictly outside of their faces to a hull that is that of all others but for those set
+  /// aside.
+  void add_outside(std::vector<Facing> points) {
+    std::sort(points.begin(), points.end(), [](const Facing& a, const Facing& b) { return a.face < b.face; });
+    if (points.size() > outside_.size()) outside_.resize(points.size());
+    used_ = 0;
+    for (auto i = points.begin(); i != points.end();) {
+      const std::uint32_t face = i->face;
+      undecided_.clear();
+      for (; i != points.end() && i->face == face; ++i) undecided_.push_back(frame_->at(i->point));
+      faces_[face].first = used_;
+      divide_exactly(face);
+      put_to_wait(face);
     }
-    is_sifting_worthwhile_ = doubted_.size() <= before / 2;
-    count_asked_again_ = 0;
     grow_all();
   }
 
-  /// Whether points are in doubt: if none are, the hull is that of all.
-  bool has_doubts() const { return !loose_.empty() || doubted_.size() > 0; }
+  /// From now on points are set aside no more: those in doubt are decided exactly.
+  void settle_doubts() { settles_doubts_ = true; }
 
-  /// Calls `visit` with the places of the points in doubt that were last found near the plane of a face.
-  template <class Visit>
-  void for_each_doubted(std::uint32_t face, const Visit& visit) const {
-    doubted_.for_each(faces_[face].doubted, visit);
-  }
-
-  /// The others: those found inside of the faces that took the place of one they were near.
-  std::span<const std::uint32_t> loose() const { return loose_; }
-
-  /// Of points in doubt some that none of the hull's corners is missing from. They are decided exactly.
+  /// Adds some of the points, none missing that are corners, and decides all of them exactly. What was set aside is
+  /// forgotten.
   void add(std::span<const std::uint32_t> points) {
-    settles_doubts_ = true;
-    loose_.clear();
-    doubted_.clear();
-    is_sifting_worthwhile_ = false;
+    settle_doubts();
+    aside_.clear();
     undecided_.clear();
     for (const std::uint32_t index : points) undecided_.push_back(frame_->at(index));
     used_ = 0;
@@ -123,7 +126,6 @@ class Quickhull {
     if (undecided_.size() * alive <= tests_of_a_point * (undecided_.size() + corners_.size())) {
       new_faces_.clear();
       for (std::uint32_t face = 0; face < faces_.size(); ++face) {
-        faces_[face].doubted = none;
         if (faces_[face].is_alive) new_faces_.push_back(face);
       }
       deal();
@@ -159,6 +161,14 @@ class Quickhull {
   /// Around its face.
   static std::uint32_t next(std::uint32_t half_edge) { return half_edge % 4 == 2 ? half_edge - 2 : half_edge + 1; }
 
+  /// Whether a point is strictly outside of a face, exactly.
+  bool is_outside(std::uint32_t face, const HullPoint& point) { return height_of(face, point).value > 0; }
+
+  /// The places of its corners.
+  std::array<std::uint32_t, 3> indices_of(const Face& face) const {
+    return {corners_[face.corners[0]].index, corners_[face.corners[1]].index, corners_[face.corners[2]].index};
+  }
+
   /// Whether the faces on both sides of a half-edge are on different planes, exactly.
   bool is_bent(std::uint32_t half_edge) const {
     const Face& face = faces_[half_edge / 4];
@@ -173,35 +183,51 @@ class Quickhull {
     std::uint32_t beyond;  ///< The half-edge of the face that stays.
   };
 
-  /// The link of a point in doubt that no face is known to be near.
-  static constexpr std::uint32_t loose_link = none - 1;
-
-  std::array<std::uint32_t, 3> indices_of(const Face& face) const {
-    return {corners_[face.corners[0]].index, corners_[face.corners[1]].index, corners_[face.corners[2]].index};
+  WholePoint whole(std::uint32_t point) const {
+    return whole_points_.empty() ? frame_->whole_point(point) : whole_points_[point];
   }
 
-  bool is_outside(const Face& face, const HullPoint& point) const {
-    const double height = face.plane.height(point.place);
-    if (height > face.plane.doubt) return true;
-    if (height <= -face.plane.doubt) return false;
-    return frame_->orientation_of(indices_of(face), point.index) > 0;
+  /// Of the same sign as `orientation` of a face and a point, exactly, and the greater, the higher the point is,
+  /// roughly.
+  double exact_height(std::uint32_t place, std::uint32_t point) {
+    Face& face = faces_[place];
+    if (!face.has_whole) {
+      const std::array<std::uint32_t, 3> corners = indices_of(face);
+      const WholePlane plane = frame_->whole_plane({whole(corners[0]), whole(corners[1]), whole(corners[2])});
+      if (face.whole == none) {
+        face.whole = static_cast<std::uint32_t>(wholes_.size());
+        wholes_.push_back(plane);
+      } else {
+        wholes_[face.whole] = plane;
+      }
+      face.has_whole = true;
+    }
+    const std::optional<double> height = wholes_[face.whole].height_of(whole(point));
+    return height ? *height : frame_->orientation_of(indices_of(face), point);
   }
 
-  /// What it has found of points before.
-  void forget() {
-    forget_faces();
-    used_ = 0;
-    loose_.clear();
-    doubted_.clear();
-    count_asked_again_ = 0;
-    is_sifting_worthwhile_ = true;
-    is_any_in_doubt_ = false;
-    settles_doubts_ = false;
+  /// Of a point above a face: above zero exactly if it is strictly outside. What is so by more than rounding is higher
+  /// than all else; only heights of one kind are in one unit.
+  struct Height {
+    double value = 0;
+    bool is_clear = false;
+
+    bool operator<(const Height& other) const {
+      return is_clear == other.is_clear ? value < other.value : other.is_clear;
+    }
+  };
+
+  Height height_of(std::uint32_t face, const HullPoint& point) {
+    const HullPlane& plane = faces_[face].plane;
+    const double height = plane.height(point.place);
+    if (height > plane.doubt || height <= -plane.doubt) return {height, true};
+    return {exact_height(face, point.index), false};
   }
 
   void forget_faces() {
     corners_.clear();
     faces_.clear();
+    wholes_.clear();
     free_.clear();
     waiting_.clear();
   }
@@ -219,9 +245,7 @@ class Quickhull {
   }
 
   void grow_all() {
-    constexpr std::size_t few = 4096;
     while (!waiting_.empty()) {
-      if (is_sifting_worthwhile_ && count_asked_again_ > doubted_.size() + few) return;
       const std::uint32_t face = waiting_.back();
       waiting_.pop_back();
       faces_[face].is_waiting = false;
@@ -243,11 +267,13 @@ class Quickhull {
       if (faces_.size() == most) throw std::length_error("the convex hull has more than 2^30 triangles");
       faces_.emplace_back();
     }
-    Face face;
+    Face& face = faces_[place];
+    face.plane = frame_->plane(corners_[corners[0]], corners_[corners[1]], corners_[corners[2]]);
     face.corners = corners;
     face.twins = twins;
-    face.plane = frame_->plane(corners_[corners[0]], corners_[corners[1]], corners_[corners[2]]);
-    faces_[place] = face;
+    face.first = face.last = 0;
+    face.is_alive = true;
+    face.is_waiting = face.sees = face.has_whole = false;
     return place;
   }
 
@@ -257,14 +283,20 @@ class Quickhull {
     for (const std::uint32_t place : new_faces_) {
       if (undecided_.empty()) return;
       take_outside(place);
-      Face& face = faces_[place];
-      if (face.first == face.last) continue;
-      face.is_waiting = true;
-      waiting_.push_back(place);
+      put_to_wait(place);
     }
-    if (!is_any_in_doubt_) return;
-    for (const HullPoint& point : undecided_) set_aside(point);
-    is_any_in_doubt_ = false;
+    for (const HullPoint& point : undecided_) {
+      if (point.link != none) aside_.push_back({point.link, point.index});
+    }
+  }
+
+  /// A face, if the points from its first one on to the end of the stack are outside of it, and any are.
+  void put_to_wait(std::uint32_t place) {
+    Face& face = faces_[place];
+    face.last = used_;
+    if (face.first == face.last) return;
+    face.is_waiting = true;
+    waiting_.push_back(place);
   }
 
   /// Whether a plane is along two axes, so that `orientation` has to compare two coordinates at most.
@@ -273,76 +305,59 @@ class Quickhull {
     return (normal.x == 0 ? 1 : 0) + (normal.y == 0 ? 1 : 0) + (normal.z == 0 ? 1 : 0) >= 2;
   }
 
-  /// Whether a plane has a thinner layer of points that are in doubt about it than another one.
-  static bool is_sharper(const HullPlane& plane, const HullPlane& other) {
-    return plane.doubt * sum_abs(other.normal) < other.doubt * sum_abs(plane.normal);
-  }
-
   /// Moves the undecided points that are outside of a face to the stack.
   void take_outside(std::uint32_t place) {
+    const std::size_t most = used_ + undecided_.size();
+    if (most > outside_.size()) outside_.resize(std::max(most, outside_.size() + outside_.size() / 2));
     Face& face = faces_[place];
-    const HullPlane plane = face.plane;
-    const bool settles_doubts = settles_doubts_ || is_along_axes(plane);
-    std::optional<WholePlane> whole;
-    const auto is_exactly_above = [&](std::uint32_t point) {
-      if (!whole) whole.emplace(frame_->whole_plane(indices_of(face)));
-      const std::optional<int> side = whole->side_of(wide<3, T>(frame_->point(point)));
-      return (side ? *side : frame_->orientation_of(indices_of(face), point)) > 0;
-    };
-    double largest = -std::numeric_limits<double>::infinity();
-    std::size_t last = used_;
+    face.first = used_;
+    if (settles_doubts_ || is_along_axes(face.plane)) {
+      divide_exactly(place);
+    } else {
+      divide_clear(place);
+    }
+  }
+
+  void divide_exactly(std::uint32_t place) {
+    Height largest;
     std::size_t kept = 0;
-    for (HullPoint point : undecided_) {
-      const double height = plane.height(point.place);
-      bool is_above = height > plane.doubt;
-      if (!is_above && height > -plane.doubt) {
-        if (settles_doubts) {
-          is_above = is_exactly_above(point.index);
-        } else {
-          if (point.link >= loose_link || is_sharper(plane, faces_[point.link].plane)) point.link = place;
-          is_any_in_doubt_ = true;
-        }
+    for (const HullPoint& point : undecided_) {
+      const Height height = height_of(place, point);
+      if (!(height.value > 0)) {
+        undecided_[kept++] = point;
+        continue;
       }
-      if (last == outside_.size()) outside_.resize(last + last / 2 + 1024);
-      // Both are written and one is kept: a branch would be guessed wrong every other time.
-      outside_[last] = {point.place, point.index};
-      undecided_[kept] = point;
-      last += is_above ? 1 : 0;
-      kept += is_above ? 0 : 1;
-      if (is_above && height > largest) {
+      if (largest < height) {
         largest = height;
-        face.farthest = last - 1;
+        faces_[place].farthest = used_;
       }
+      outside_[used_++] = point;
     }
     undecided_.resize(kept);
-    face.first = used_;
-    face.last = last;
-    used_ = last;
   }
 
-  /// Keeps a point that is outside of no new face if it is in doubt: near one of them, or one that is gone. That it is
-  /// inside of the faces that took the place of that one says nothing about others it may be outside of.
-  void set_aside(const HullPoint& point) {
-    if (point.link == none) return;
-    if (point.link == loose_link) {
-      loose_.push_back(point.index);
-      return;
+  /// Those that are by more than rounding. All are written to both lists, and one is kept: a branch would be guessed
+  /// wrong every other time.
+  void divide_clear(std::uint32_t place) {
+    const HullPlane plane = faces_[place].plane;
+    double largest = plane.doubt;
+    std::size_t farthest = used_;
+    std::size_t last = used_;
+    std::size_t kept = 0;
+    for (const HullPoint point : undecided_) {
+      const double height = plane.height(point.place);
+      const std::uint32_t in_doubt = height > -plane.doubt ? ~std::uint32_t{0} : 0;
+      outside_[last] = point;
+      undecided_[kept] = point;
+      undecided_[kept].link = point.link ^ ((point.link ^ place) & in_doubt);
+      farthest = height > largest ? last : farthest;
+      largest = height > largest ? height : largest;
+      last += height > plane.doubt ? 1 : 0;
+      kept += height > plane.doubt ? 0 : 1;
     }
-    Face& face = faces_[point.link];
-    const auto is_at = [&](std::uint32_t corner) { return frame_->point(corner) == frame_->point(point.index); };
-    const std::array<std::uint32_t, 3> corners = indices_of(face);
-    if (is_at(corners[0]) || is_at(corners[1]) || is_at(corners[2])) return;
-    doubted_.add(face.doubted, point.index);
-  }
-
-  /// Makes the points in doubt that were set aside with a face undecided.
-  void take_doubted(Face& face) {
-    doubted_.drain(face.doubted, [&](std::uint32_t point) {
-      undecided_.push_back(frame_->at(point));
-      undecided_.back().link = loose_link;
-      is_any_in_doubt_ = true;
-      ++count_asked_again_;
-    });
+    undecided_.resize(kept);
+    faces_[place].farthest = farthest;
+    used_ = last;
   }
 
   /// Adds the farthest of the points outside a face, the last one waiting.
@@ -356,10 +371,10 @@ class Quickhull {
       Face& old = faces_[seen];
       undecided_.insert(undecided_.end(), outside_.begin() + static_cast<std::ptrdiff_t>(old.first),
                         outside_.begin() + static_cast<std::ptrdiff_t>(old.last));
-      take_doubted(old);
       old.is_alive = false;
       if (!old.is_waiting) free_.push_back(seen);
     }
+    for (HullPoint& undecided : undecided_) undecided.link = none;
     used_ = top;  // what lies above is of faces that are gone
     add_cone(point);
     deal();
@@ -375,7 +390,7 @@ class Quickhull {
       for (std::uint32_t side = 0; side < 3; ++side) {
         Face& other = faces_[twins[side] / 4];
         if (other.sees) continue;
-        if (is_outside(other, point)) {
+        if (is_outside(twins[side] / 4, point)) {
           other.sees = true;
           seen_.push_back(twins[side] / 4);
         } else {
@@ -416,16 +431,14 @@ class Quickhull {
   HullBase<T> base_;
   std::vector<HullPoint> corners_;
   std::vector<Face> faces_;
-  std::vector<std::uint32_t> free_;     // places of faces that are gone
-  std::vector<std::uint32_t> waiting_;  // faces that had points outside when they were made, the newest last
-  std::vector<HullPoint> outside_;      // the stack of these points, in the order of `waiting_`
-  std::size_t used_ = 0;                // of that stack
-  IndexLists doubted_;                  // points in doubt, a list for each face
-  std::size_t count_asked_again_ = 0;   // how often one of them was taken out of its list since they were sifted
-  bool is_sifting_worthwhile_ = true;
-  std::vector<std::uint32_t> loose_;  // points in doubt in no list
-  bool is_any_in_doubt_ = false;      // of the undecided ones
-  bool settles_doubts_ = false;       // exactly, at once
+  std::vector<WholePlane> wholes_;        // of some faces
+  std::vector<WholePoint> whole_points_;  // all of them, or none
+  std::vector<std::uint32_t> free_;       // places of faces that are gone
+  std::vector<std::uint32_t> waiting_;    // faces that had points outside when they were made, the newest last
+  std::vector<HullPoint> outside_;        // the stack of these points, in the order of `waiting_`
+  std::size_t used_ = 0;                  // of that stack
+  std::vector<Facing> aside_;             // points in doubt
+  bool settles_doubts_ = false;           // exactly, at once
   std::vector<std::uint32_t> seen_;
   std::vector<std::uint32_t> new_faces_;
   std::vector<HorizonEdge> horizon_;

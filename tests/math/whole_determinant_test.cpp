@@ -37,11 +37,17 @@ int exact_sign(const Points& points, const V& origin) {
 
 #ifdef GRAZE_HAS_INT128
 
+WholePlane plane_of(const Points& points, double unit) {
+  return {{WholePoint(points[0], unit), WholePoint(points[1], unit), WholePoint(points[2], unit)}, unit};
+}
+
 /// On which side of the plane of three points another one is, in units that leave room for all four.
 std::optional<int> side_of_plane(const Points& points, const V& origin) {
   double largest = max_abs(origin);
   for (const V& point : points) largest = std::max(largest, max_abs(point));
-  return WholePlane(points, unit_of_whole(largest)).side_of(origin);
+  const double unit = unit_of_whole(largest);
+  const std::optional<double> height = plane_of(points, unit).height_of(WholePoint(origin, unit));
+  return height ? std::optional<int>(ternary_sign(*height)) : std::nullopt;
 }
 
 TEST(WholeDeterminant, HasTheSignThatRationalNumbersGive) {
@@ -86,16 +92,32 @@ TEST(WholeDeterminant, HasRoomForTheLargest) {
 
 TEST(WholePlane, SaysOfAPointWhatOrientationSays) {
   const Points points{V(0.5, 0.25, 1), V(1, -0.75, 1), V(-0.125, 0.375, 1)};
-  const WholePlane plane(points, unit_of_whole(1));
+  const double unit = unit_of_whole(1);
+  const WholePlane plane = plane_of(points, unit);
+  const auto height = [&](const V& point) { return plane.height_of(WholePoint(point, unit)); };
   for (const double z : {0.5, std::nextafter(1.0, 0.0), 1.0}) {
     const V point(0.25, 0.75, z);
-    EXPECT_EQ(plane.side_of(point), orientation(points[0], points[1], points[2], point)) << z;
+    ASSERT_TRUE(height(point));
+    EXPECT_EQ(ternary_sign(*height(point)), orientation(points[0], points[1], points[2], point)) << z;
   }
-  EXPECT_EQ(plane.side_of(V(0, 0, 1e-30)), std::nullopt) << "far more bits";
-  EXPECT_EQ(plane.side_of(V(1e30, 0, 0)), std::nullopt) << "far beyond";
-  EXPECT_EQ(WholePlane({points[0], points[1], V(1.0 / 3, 0, 0x1p-70)}, unit_of_whole(1)).side_of(points[0]),
-            std::nullopt);
-  EXPECT_EQ(WholePlane(points, 0).side_of(points[0]), std::nullopt);
+  EXPECT_EQ(height(V(0, 0, 1e-30)), std::nullopt) << "far more bits";
+  EXPECT_EQ(height(V(1e30, 0, 0)), std::nullopt) << "far beyond";
+  const Points fine{points[0], points[1], V(1.0 / 3, 0, 0x1p-70)};
+  EXPECT_EQ(plane_of(fine, unit).height_of(WholePoint(points[0], unit)), std::nullopt);
+  EXPECT_EQ(plane_of(points, 0).height_of(WholePoint(points[0], 0)), std::nullopt);
+}
+
+TEST(WholePlane, SaysRoughlyHowHighAPointIs) {
+  const std::array<V, 3> points = {V(1, 0, 0), V(0, 1, 0), V(0, 0, 1)};
+  const double unit = unit_of_whole(1);
+  const WholePlane plane = plane_of(points, unit);
+  const auto height = [&](double x) { return *plane.height_of(WholePoint(V(x, x, x), unit)); };
+  const double step = height(1) / 2;  // of x + y + z - 1
+  EXPECT_NEAR(height(0.5) / step, 0.5, 1e-12);
+  EXPECT_NEAR(height(0.25) / step, -0.25, 1e-12);
+  EXPECT_DOUBLE_EQ(height(std::nextafter(1.0 / 3, 1)) / step, 0x1p-53);  // 1 / 3 is rounded down by a third of that
+  EXPECT_GT(height(std::nextafter(1.0 / 3, 1)), 0);
+  EXPECT_LT(height(1.0 / 3), 0);
 }
 
 TEST(WholeDeterminant, IsZeroOnAPlaneAndAHairBesideItIsNot) {

@@ -35,6 +35,16 @@ std::vector<Vec<3, T>> sorted(const std::vector<Vec<3, T>>& points, const std::v
   return result;
 }
 
+template <class T>
+std::vector<std::uint32_t> corners_of_hull(const Quickhull<T>& hull) {
+  const std::vector<bool> is_vertex = are_vertices(hull, bent_edges(hull));
+  std::vector<std::uint32_t> vertices;
+  for (std::size_t i = 0; i < is_vertex.size(); ++i) {
+    if (is_vertex[i]) vertices.push_back(hull.corners()[i].index);
+  }
+  return vertices;
+}
+
 /// The corners of the hull, in order, by a quickhull that decides each point exactly as it comes.
 template <class T>
 std::vector<Vec<3, T>> careful_vertices(const std::vector<Vec<3, T>>& points) {
@@ -47,12 +57,7 @@ std::vector<Vec<3, T>> careful_vertices(const std::vector<Vec<3, T>>& points) {
   std::vector<std::uint32_t> all(points.size());
   std::iota(all.begin(), all.end(), 0U);
   hull.add(all);
-  const std::vector<bool> is_vertex = are_vertices(hull, bent_edges(hull));
-  std::vector<std::uint32_t> vertices;
-  for (std::size_t i = 0; i < is_vertex.size(); ++i) {
-    if (is_vertex[i]) vertices.push_back(hull.corners()[i].index);
-  }
-  return sorted(points, vertices);
+  return sorted(points, corners_of_hull(hull));
 }
 
 template <class T>
@@ -60,23 +65,68 @@ std::vector<Vec<3, T>> vertices_of(const std::vector<Vec<3, T>>& points) {
   return sorted(points, hull_vertices(std::span<const Vec<3, T>>(points)));
 }
 
+/// The same by a hull that sifts doubts however few points there are.
+template <class T>
+std::vector<Vec<3, T>> sifted_vertices(const std::vector<Vec<3, T>>& points) {
+  const HullFrame<T> frame{std::span<const Vec<3, T>>(points)};
+  const Quickhull<T> hull = sifted_hull(frame);
+  if (hull.base().size() < 4) return sorted(points, flat_vertices(hull));
+  return sorted(points, corners_of_hull(hull));
+}
+
 TEST(HullDoubts, AreSiftedToAFewOfManyPointsOnALine) {
   const auto points = test::thin_crowd<double>(ThinCrowd::lines, 4000, 3);
   const HullFrame<double> frame(points);
-  HullMemory<double> memory;
   std::vector<HullPoint> candidates = all_points(frame);
-  const Quickhull<double>& hull = clear_hull(frame, candidates, memory);
+  Quickhull<double> hull;
+  hull.start(frame, candidates);
   EXPECT_TRUE(candidates.empty());
-  EXPECT_TRUE(hull.has_doubts());
+  EXPECT_GT(hull.aside().size(), 2000U);
+  Doubts doubts = settle_clear(hull);
+  EXPECT_GT(doubts.doubts.size(), 2000U);
   EXPECT_LT(corners_of_faces(hull).size(), 30U);
-  EXPECT_LT(outer_in_doubt(hull, memory.groups).size(), 600U);
+  GroupMemory<double> memory;
+  keep_outer(hull, doubts, memory);
+  EXPECT_LT(doubts.doubts.size(), 500U);
+  EXPECT_GT(doubts.doubts.size(), 20U);
 }
 
 TEST(HullDoubts, AreNoneOnAGrid) {
   std::vector<Vec<3, float>> grid;
   for (int i = 0; i < 1000; ++i) grid.emplace_back(i % 10, i / 10 % 10, i / 100);
   const HullFrame<float> frame(grid);
-  EXPECT_FALSE(Quickhull<float>(frame, all_points(frame)).has_doubts());
+  EXPECT_TRUE(Quickhull<float>(frame, all_points(frame)).aside().empty());
+}
+
+// One and a half million points would be in doubt about the side of each of as many edges.
+TEST(HullDoubts, AreNoneAtACornerOfManyFaces) {
+  constexpr int count = 3000;
+  std::vector<Vec<3, double>> cone(count, Vec<3, double>(0.1, 0.2, 3.3));
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * 3.14159 * i / count;
+    cone.emplace_back(std::cos(angle), std::sin(angle), 0.01 * std::cos(7 * angle));
+  }
+  const HullFrame<double> frame(cone);
+  Quickhull<double> hull(frame, all_points(frame));
+  for (const auto& doubt : settle_clear(hull).doubts) EXPECT_GE(doubt.point, static_cast<std::uint32_t>(count));
+}
+
+TEST(HullDoubts, AreSettledWhereTheirFacesAreTooManyToBeListed) {
+  constexpr int count = 300;
+  const Vec<3, double> tip(0.1, 0.2, 3.3);
+  std::vector<Vec<3, double>> cone;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * 3.14159 * i / count;
+    cone.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+  }
+  for (int i = 0; i < 27; ++i) {
+    Vec<3, double> near = tip;
+    for (Dim k = 0; k < 3; ++k) near[k] += 0x1p-53 * (i / (k == 0 ? 1 : (k == 1 ? 3 : 9)) % 3 - 1) * near[k];
+    cone.push_back(near);
+  }
+  EXPECT_EQ(sifted_vertices(cone), careful_vertices(cone));
+  std::reverse(cone.begin(), cone.end());
+  EXPECT_EQ(sifted_vertices(cone), careful_vertices(cone));
 }
 
 TEST(HullDoubts, PayToBeSiftedWhereMostPointsAreOnLines) {
@@ -122,7 +172,12 @@ TYPED_TEST(HullDoubtsIn, LeaveAClosedSurfaceAroundAllPoints) {
   test::check_property([] {
     const auto crowd = static_cast<ThinCrowd>(*test::choice(test::thin_crowds));
     const std::vector<Vec<3, T>> points = test::thin_crowd<T>(crowd, 4 + *test::choice(250), *test::choice(1U << 30U));
-    const auto faces = hull_faces(std::span<const Vec<3, T>>(points));
+    const HullFrame<T> frame{std::span<const Vec<3, T>>(points)};
+    const Quickhull<T> hull = sifted_hull(frame);
+    std::vector<HullTriangle> faces;
+    for (const auto& face : hull.faces()) {
+      if (face.is_alive) faces.push_back(hull.indices_of(face));
+    }
     if (!faces.empty()) RC_ASSERT(test::is_hull_of(faces, points));
   });
 }
@@ -134,8 +189,10 @@ TYPED_TEST(HullDoubtsIn, AreSettledAsTheCarefulWaySettlesThem) {
     std::vector<Vec<3, T>> points = test::thin_crowd<T>(crowd, 4 + *test::choice(800), *test::choice(1U << 30U));
     const std::vector<Vec<3, T>> expected = careful_vertices(points);
     RC_ASSERT(vertices_of(points) == expected);
+    RC_ASSERT(sifted_vertices(points) == expected);
     std::reverse(points.begin(), points.end());
     RC_ASSERT(vertices_of(points) == expected);
+    RC_ASSERT(sifted_vertices(points) == expected);
   });
 }
 
