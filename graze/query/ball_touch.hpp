@@ -39,7 +39,8 @@ inline Feature feature_of_box(const Vec<3, double>& place, const std::array<bool
   return {FeatureKind::face, BoxFaceNumbers{across, far(across) != 0}.face()};
 }
 
-/// The box as the ball's center sees it.
+/// The box as the ball's center sees it; its axes are those of the coordinates if it is `along` them.
+template <bool along>
 class BallTouch {
  public:
   /// The center as it is, the box as it is seen from there. `turns` if the box is the first of both.
@@ -52,11 +53,13 @@ class BallTouch {
 
   [[gnu::always_inline]] TouchLook<3> run() const {
     PlaceInBox<3> nearest{Vec<3, double>(0.0), -box_.center};
-    const double noise = tolerance::epsilon * sum_abs(box_.center);
-    double moved = descend(nearest);
-    const double reach = radius_ + first_doubt();
+    [[maybe_unused]] double moved = descend(nearest);
+    const double reach = radius_ + (along ? coarse_doubt() : first_doubt());
     if (dot(nearest.off, nearest.off) > reach * reach) return known_apart();
-    for (int round = 1; round < rounds && moved * shrinks_to > noise; ++round) moved = descend(nearest);
+    if constexpr (!along) {
+      const double noise = tolerance::epsilon * sum_abs(box_.center);
+      for (int round = 1; round < rounds && moved * shrinks_to > noise; ++round) moved = descend(nearest);
+    }
     const double squared = dot(nearest.off, nearest.off);
     const double clear = tolerance::known_direction * size_;
     if (squared > clear * clear) return from_outside(nearest, std::sqrt(squared));
@@ -64,9 +67,13 @@ class BallTouch {
   }
 
  private:
-  // place_in without divisions, because a round shrinks what is wrong as much if the axes are not of length 1.
+  // place_in without divisions, because a round shrinks what is wrong as much if the axes are not of length 1. To
+  // measure how far they are from that, mostly by rounding, spares one of two rounds, but not always: it takes longer.
   static constexpr int rounds = 5;
   static constexpr double shrinks_to = 4 * tolerance::orthonormal;
+
+  /// A coordinate along an axis.
+  double along_axis(const Vec<3, double>& v, Dim i) const { return along ? v[i] : dot(v, box_.axes[i]); }
 
   static TouchLook<3> known_apart() {
     TouchLook<3> result;
@@ -77,15 +84,21 @@ class BallTouch {
   /// How far the axes may put the point wrong in the first round, as filter_of_ball has it.
   double first_doubt() const { return tolerance::box_filter * tolerance::orthonormal * (size_ + radius_); }
 
+  double coarse_doubt() const { return tolerance::coarse * (size_ + radius_); }
+
   /// One round of it; by how much it has moved the place.
   [[gnu::always_inline]] double descend(PlaceInBox<3>& nearest) const {
     Vec<3, double> step;
     for (Dim i = 0; i < 3; ++i) {
-      const double wanted = nearest.place[i] + dot(nearest.off, box_.axes[i]);
+      const double wanted = nearest.place[i] + along_axis(nearest.off, i);
       step[i] = std::min(std::max(wanted, -box_.half_extents[i]), box_.half_extents[i]) - nearest.place[i];
     }
     nearest.place += step;
-    for (Dim i = 0; i < 3; ++i) nearest.off -= box_.axes[i] * step[i];
+    if constexpr (along) {
+      nearest.off -= step;
+    } else {
+      for (Dim i = 0; i < 3; ++i) nearest.off -= box_.axes[i] * step[i];
+    }
     return sum_abs(step);
   }
 
@@ -96,22 +109,26 @@ class BallTouch {
     TouchLook<3> result;
     result.is_single = true;
     const double depth = radius_ - distance;
-    const double doubt = tolerance::coarse * (size_ + radius_);
+    const double doubt = coarse_doubt();
     result.meets = depth > doubt;
     if (depth < -doubt) {
       result.is_known = true;
       return result;
     }
     const double margin = tolerance::known_direction * size_;
-    bool is_clear = result.meets;
+    unsigned clear_axes = 0;  // without a branch, for which they are is not to be guessed
     std::array<bool, 3> is_beyond{};
     for (Dim i = 0; i < 3; ++i) {
-      const double room = box_.half_extents[i] - std::fabs(nearest.place[i]);
-      is_beyond[static_cast<std::size_t>(i)] = room <= 0;
-      is_clear = is_clear && (room > margin || (room <= 0 && box_.half_extents[i] > margin &&
-                                                std::fabs(dot(nearest.off, box_.axes[i])) > least_cosine * distance));
+      const double half = box_.half_extents[i];
+      const double room = half - std::fabs(nearest.place[i]);
+      const bool beyond = room <= 0;
+      const bool is_steep = std::fabs(along_axis(nearest.off, i)) > least_cosine * distance;
+      is_beyond[static_cast<std::size_t>(i)] = beyond;
+      clear_axes +=
+          static_cast<unsigned>(room > margin) |
+          (static_cast<unsigned>(beyond) & static_cast<unsigned>(half > margin) & static_cast<unsigned>(is_steep));
     }
-    result.is_known = is_clear;
+    result.is_known = result.meets && clear_axes == 3;
     result.set_features({FeatureKind::vertex, 0}, feature_of_box(nearest.place, is_beyond), turns_);
     const Vec<3, double> normal = nearest.off * (-1 / distance);
     result.set(normal, depth, origin_ + normal * radius_, origin_ - nearest.off, turns_);
@@ -156,19 +173,19 @@ class BallTouch {
   bool turns_;
 };
 
-template <class T, class Box>
+template <bool along, class T, class Box>
 [[gnu::always_inline]] inline TouchLook<3> look_at_ball(const Sphere<3, T>& ball, const Box& box, bool turns) {
   const Vec<3, double> center = wide<3, T>(ball.center);
-  return BallTouch(center, static_cast<double>(ball.radius), oriented_box_from(center, box), turns).run();
+  return BallTouch<along>(center, static_cast<double>(ball.radius), oriented_box_from(center, box), turns).run();
 }
 
 template <class T>
 [[gnu::always_inline]] inline TouchLook<3> touch_look(const Sphere<3, T>& ball, const Aabb<3, T>& box, bool turns) {
-  return look_at_ball(ball, box, turns);
+  return look_at_ball<true>(ball, box, turns);
 }
 template <class T>
 [[gnu::always_inline]] inline TouchLook<3> touch_look(const Sphere<3, T>& ball, const Obb<3, T>& box, bool turns) {
-  return look_at_ball(ball, box, turns);
+  return look_at_ball<false>(ball, box, turns);
 }
 
 }  // namespace graze::detail

@@ -96,7 +96,7 @@ class CapsuleTouch {
     const Vec<3, double> place = way_ * (end == 0 ? 0.0 : 1.0);
     Obb<3, double> box = box_;
     box.center -= place;
-    TouchLook<3> look = BallTouch(origin_ + place, radius_, box, !turns_).run();
+    TouchLook<3> look = BallTouch<false>(origin_ + place, radius_, box, !turns_).run();
     Feature& of_capsule = turns_ ? look.feature_a : look.feature_b;
     of_capsule.index = end;
     if (!look.is_known || !look.meets) {

@@ -22,6 +22,7 @@
 #include <graze/shape/hull_flat.hpp>
 #include <graze/shape/hull_frame.hpp>
 #include <graze/shape/hull_sight.hpp>
+#include <graze/shape/lexicographic.hpp>
 #include <graze/shape/quickhull.hpp>
 
 namespace graze::detail {
@@ -179,6 +180,18 @@ struct GroupMemory {
   Quickhull<T> hull;
 };
 
+/// The points set aside, of those at one place one.
+template <class T>
+std::vector<std::uint32_t> distinct_aside(const Quickhull<T>& hull) {
+  std::vector<std::uint32_t> points;
+  for (const auto& aside : hull.aside()) points.push_back(aside.point);
+  const auto at = [&hull](std::uint32_t i) -> const Vec<3, T>& { return hull.frame().point(i); };
+  std::sort(points.begin(), points.end(), [&at](auto a, auto b) { return lexicographically_less<3, T>(at(a), at(b)); });
+  points.erase(std::unique(points.begin(), points.end(), [&at](auto a, auto b) { return at(a) == at(b); }),
+               points.end());
+  return points;
+}
+
 /// Leaves of a group those that may be corners of its hull.
 template <class T>
 void keep_outer(const HullFrame<T>& frame, const Doubts& doubts, std::vector<std::uint32_t>& group,
@@ -192,7 +205,7 @@ void keep_outer(const HullFrame<T>& frame, const Doubts& doubts, std::vector<std
   Quickhull<T>& hull = memory.hull;
   hull.start(sheared, memory.candidates);
   std::vector<std::uint32_t> outer = hull.base().size() < 4 ? flat_vertices(hull) : corners_of_faces(hull);
-  for (const auto& aside : hull.aside()) outer.push_back(aside.point);
+  for (const std::uint32_t point : distinct_aside(hull)) outer.push_back(point);
   for (std::uint32_t& place : outer) place = group[place];
   group.swap(outer);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -111,22 +112,40 @@ TEST(HullDoubts, AreNoneAtACornerOfManyFaces) {
   for (const auto& doubt : settle_clear(hull).doubts) EXPECT_GE(doubt.point, static_cast<std::uint32_t>(count));
 }
 
-TEST(HullDoubts, AreSettledWhereTheirFacesAreTooManyToBeListed) {
-  constexpr int count = 300;
+/// A cone of so many faces, and as often a point at each of 27 places a hair apart around its tip.
+std::vector<Vec<3, double>> cone_with_blunt_tip(int faces, int repeats) {
   const Vec<3, double> tip(0.1, 0.2, 3.3);
   std::vector<Vec<3, double>> cone;
-  for (int i = 0; i < count; ++i) {
-    const double angle = 2 * 3.14159 * i / count;
+  for (int i = 0; i < faces; ++i) {
+    const double angle = 2 * 3.14159 * i / faces;
     cone.emplace_back(std::cos(angle), std::sin(angle), 0.0);
   }
-  for (int i = 0; i < 27; ++i) {
+  for (int i = 0; i < 27 * repeats; ++i) {
+    const std::array<int, 3> steps = {i % 3 - 1, i / 3 % 3 - 1, i / 9 % 3 - 1};
     Vec<3, double> near = tip;
-    for (Dim k = 0; k < 3; ++k) near[k] += 0x1p-53 * (i / (k == 0 ? 1 : (k == 1 ? 3 : 9)) % 3 - 1) * near[k];
+    for (Dim k = 0; k < 3; ++k) near[k] += 0x1p-52 * steps[static_cast<std::size_t>(k)] * near[k];
     cone.push_back(near);
   }
+  return cone;
+}
+
+TEST(HullDoubts, AreSettledWhereTheirFacesAreTooManyToBeListed) {
+  std::vector<Vec<3, double>> cone = cone_with_blunt_tip(300, 1);
   EXPECT_EQ(sifted_vertices(cone), careful_vertices(cone));
   std::reverse(cone.begin(), cone.end());
   EXPECT_EQ(sifted_vertices(cone), careful_vertices(cone));
+}
+
+TEST(HullDoubts, AreFewAtFewPlaces) {
+  const std::vector<Vec<3, double>> cone = cone_with_blunt_tip(300, 100);
+  const HullFrame<double> frame(cone);
+  Quickhull<double> hull(frame, all_points(frame));
+  Doubts doubts = settle_clear(hull);
+  EXPECT_GT(doubts.doubts.size(), 1000U);
+  GroupMemory<double> memory;
+  keep_outer(hull, doubts, memory);
+  EXPECT_LE(doubts.doubts.size(), 54U);
+  EXPECT_EQ(sifted_vertices(cone), sifted_vertices(cone_with_blunt_tip(300, 1)));
 }
 
 TEST(HullDoubts, PayToBeSiftedWhereMostPointsAreOnLines) {
