@@ -115,11 +115,13 @@ class HullShear {
     double low = 0;
 
     Halves() = default;
-    explicit Halves(double number) : whole(number) {
-      constexpr std::uint64_t low_bits = (std::uint64_t{1} << 27U) - 1;
-      high = bit_cast<double>((bit_cast<std::uint64_t>(number) + (low_bits + 1) / 2) & ~low_bits);
-      low = number - high;
-    }
+    explicit Halves(double number)
+        : whole(number),
+          high(bit_cast<double>((bit_cast<std::uint64_t>(number) + (low_bits + 1) / 2) & ~low_bits)),
+          low(number - high) {}
+
+   private:
+    static constexpr std::uint64_t low_bits = (std::uint64_t{1} << 27U) - 1;
   };
 
   /// As two_product, which is a call where the processor may lack an instruction for it. Dekker, "A Floating-Point

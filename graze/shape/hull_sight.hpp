@@ -89,7 +89,8 @@ class HullSight {
     const auto along = [&](double x) {
       return std::min(cells - 1, static_cast<std::int32_t>(x * to_cells + 0.5 * cells));
     };
-    return static_cast<std::size_t>(((way.z > 0 ? cells : 0) + along(way.x)) * cells + along(way.y));
+    const std::int32_t row = (way.z > 0 ? cells : 0) + along(way.x);
+    return static_cast<std::size_t>(row) * cells + static_cast<std::size_t>(along(way.y));
   }
 
   void begin() {
