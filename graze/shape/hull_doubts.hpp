@@ -4,7 +4,8 @@
 // Where many points are on an edge or a face of the hull up to the rounding of their coordinates, doubles cannot tell
 // which of them stick out, and to ask that of each exactly takes far longer than all else. But nearly all are inside of
 // the hull of those beside them on the same edge or face: under a map that makes this hull as thick as long
-// (HullShear), they are a cloud as any other, of which quickhull in doubles finds the outer ones.
+// (HullShear), they are a cloud as any other, of which quickhull in doubles finds the outer ones. Each of these then
+// stands before one face of the hull of all others, which alone says whether it sticks out (HullSight).
 #pragma once
 
 #include <algorithm>
@@ -47,21 +48,20 @@ std::vector<std::uint32_t> corners_of_faces(const Quickhull<T>& hull) {
 struct Doubts {
   struct Doubt {
     std::uint32_t point;
-    std::uint32_t first_face;
-    std::uint32_t last_face;  ///< Behind the last.
+    std::uint32_t face_count;
+    std::size_t first_face;
   };
 
   std::vector<Doubt> doubts;
   std::vector<std::uint32_t> faces;
 
   std::span<const std::uint32_t> faces_of(const Doubt& doubt) const {
-    return std::span(faces).subspan(doubt.first_face, doubt.last_face - doubt.first_face);
+    return std::span(faces).subspan(doubt.first_face, doubt.face_count);
   }
 
   void add(std::uint32_t point, std::span<const std::uint32_t> before) {
-    const auto first = static_cast<std::uint32_t>(faces.size());
+    doubts.push_back({point, static_cast<std::uint32_t>(before.size()), faces.size()});
     for (const std::uint32_t face : before) faces.push_back(face);
-    doubts.push_back({point, first, static_cast<std::uint32_t>(faces.size())});
   }
 };
 
@@ -132,8 +132,9 @@ template <class T>
 class DoubtGroups {
  public:
   DoubtGroups(const Quickhull<T>& hull, const Doubts& doubts) : parts_(hull), first_(hull.faces().size() + 1, none) {
-    for (std::uint32_t i = 0; i < doubts.doubts.size(); ++i)
+    for (std::uint32_t i = 0; i < doubts.doubts.size(); ++i) {
       group_before(doubts.faces_of(doubts.doubts[i])).push_back(i);
+    }
   }
 
   std::vector<std::vector<std::uint32_t>>& groups() { return groups_; }

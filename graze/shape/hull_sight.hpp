@@ -20,8 +20,9 @@ namespace graze::detail {
 /// exactly where it is strictly outside of that one face, so that no other one has to be asked about it.
 ///
 /// The faces are walked from one to the next through the plane of the middle and an edge that the point is beyond. Such
-/// a walk never comes back (Edelsbrunner, "An Acyclicity Theorem for Cell Complexes in d Dimensions", 1990, of what a
-/// point sees of a convex surface). Where rounding hides which side of a plane the point is on, both are walked.
+/// a walk never comes back, because the cones from the middle over the faces are a regular complex (Edelsbrunner, "An
+/// Acyclicity Theorem for Cell Complexes in d Dimensions", 1990). Where rounding hides which side of a plane the point
+/// is on, both are walked.
 template <class T>
 class HullSight {
  public:
