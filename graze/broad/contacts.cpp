@@ -36,38 +36,55 @@ ShapePair<N, T> shapes_of(std::span<const AnyShape<N, T>> shapes, const Pair& pa
   return {&shapes[pair.a], &shapes[pair.b]};
 }
 
-/// Two shapes, if they are oriented boxes in space.
 template <Dim N, class T>
-TwoObbs<T> obbs_of([[maybe_unused]] const ShapePair<N, T>& shapes) {
-  if constexpr (N == 3) {
-    const auto* a = std::get_if<Obb<3, T>>(shapes.a);
-    const auto* b = std::get_if<Obb<3, T>>(shapes.b);
-    if (a != nullptr && b != nullptr) return {a, b};
-  }
-  return {nullptr, nullptr};
+bool is_obb(const AnyShape<N, T>& shape) {
+  return std::holds_alternative<Obb<N, T>>(shape);
+}
+
+/// Where the box of a shape that is one lies.
+template <Dim N, class T>
+const Obb<N, T>* obb_of(const AnyShape<N, T>& shape) {
+  const auto* box = std::get_if<Obb<N, T>>(&shape);
+  if (box == nullptr) __builtin_unreachable();
+  return box;
 }
 
 /// Looks at the axes of those of `count` pairs, shapes_at(0) ..., that are oriented boxes in space, and leaves the
 /// looks of the others as they are.
-template <Dim N, class T, class ShapesAt>
-void look_at_boxes(std::size_t count, const ShapesAt& shapes_at, ObbsLook* looks) {
-  std::array<TwoObbs<T>, most_obbs_to_contact> boxes;
-  std::array<std::uint32_t, most_obbs_to_contact> places;
-  std::size_t box_count = 0;
-  const auto look = [&] {
-    std::array<ObbsLook, most_obbs_to_contact> found;
-    manifold_kernels<T>().look(std::span(boxes).first(box_count), found.data());
-    for (std::size_t i = 0; i < box_count; ++i) looks[places[i]] = found[i];
-    box_count = 0;
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    boxes[box_count] = obbs_of<N, T>(shapes_at(i));
-    places[box_count] = static_cast<std::uint32_t>(i);
-    box_count += boxes[box_count].a != nullptr ? 1 : 0;
-    if (box_count == boxes.size()) look();
+template <Dim N, class T>
+class BoxLooks {
+ public:
+  template <class ShapesAt>
+  static void at(std::size_t count, const ShapesAt& shapes_at, ObbsLook* looks) {
+    if constexpr (N == 3) {
+      for (std::size_t first = 0; first < count; first += most) {
+        const std::size_t size = std::min(most, count - first);
+        at_some(size, [&shapes_at, first](std::size_t i) { return shapes_at(first + i); }, looks + first);
+      }
+    }
   }
-  if (box_count > 0) look();
-}
+
+ private:
+  static constexpr std::size_t most = most_obbs_to_contact;
+
+  template <class ShapesAt>
+  static void at_some(std::size_t count, const ShapesAt& shapes_at, ObbsLook* looks) {
+    std::array<TwoObbs<T>, most> boxes;
+    std::array<std::uint16_t, most> places;
+    std::size_t box_count = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const ShapePair<N, T> shapes = shapes_at(i);
+      if (!is_obb(*shapes.a) || !is_obb(*shapes.b)) continue;
+      boxes[box_count] = {obb_of(*shapes.a), obb_of(*shapes.b)};
+      places[box_count++] = static_cast<std::uint16_t>(i);
+    }
+    const auto some = std::span(boxes).first(box_count);
+    if (box_count == count) return manifold_kernels<T>().look(some, looks);
+    std::array<ObbsLook, most> found;
+    manifold_kernels<T>().look(some, found.data());
+    for (std::size_t i = 0; i < box_count; ++i) looks[places[i]] = found[i];
+  }
+};
 
 /// Which candidates of a task touch. Oriented boxes in space show it, nearly all, by the look at their axes that their
 /// contact needs.
@@ -76,7 +93,7 @@ class CandidatesOfTask {
  public:
   CandidatesOfTask(std::span<const AnyShape<N, T>> shapes, std::span<const Pair> candidates)
       : shapes_(shapes), candidates_(candidates) {
-    look_at_boxes<N, T>(
+    BoxLooks<N, T>::at(
         candidates.size(), [this](std::size_t i) { return shapes_of<N, T>(shapes_, candidates_[i]); }, looks_.data());
     judge_open();
   }
@@ -87,23 +104,31 @@ class CandidatesOfTask {
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
       end->pair = candidates_[i];  // one by one: of a whole struct GCC makes a copy first, read otherwise than written
       end->look = looks_[i];
-      end += looks_[i].is_apart != 0 ? 0 : 1;
+      end += looks_[i].is_apart() ? 0 : 1;
     }
     return static_cast<std::size_t>(end - out);
   }
 
  private:
   void judge_open() {
+    const auto is_open = [](ObbsLook look) { return (look.bits & (ObbsLook::overlapping | ObbsLook::apart)) == 0; };
+    std::size_t open_count = 0;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) open_count += is_open(looks_[i]) ? 1 : 0;
+    if (open_count == 0) return;
     std::vector<ShapePair<N, T>> open;
     std::vector<std::uint32_t> places;
+    open.reserve(open_count);
+    places.reserve(open_count);
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
-      if (looks_[i].is_overlapping != 0 || looks_[i].is_apart != 0) continue;
+      if (!is_open(looks_[i])) continue;
       open.push_back(shapes_of<N, T>(shapes_, candidates_[i]));
       places.push_back(static_cast<std::uint32_t>(i));
     }
     std::vector<Relation> relations(open.size());
     relations_of<N, T>(open, relations.data());
-    for (std::size_t i = 0; i < open.size(); ++i) looks_[places[i]].is_apart = relations[i] == Relation::apart ? 1 : 0;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      looks_[places[i]].bits |= relations[i] == Relation::apart ? ObbsLook::apart : 0;
+    }
   }
 
   std::span<const AnyShape<N, T>> shapes_;
@@ -111,42 +136,38 @@ class CandidatesOfTask {
   std::array<ObbsLook, candidates_per_task> looks_{};
 };
 
-/// The manifolds of a task's pairs, which touch. Of oriented boxes in space those are collected that a kernel can take,
-/// which are most; to take others of a kind together gains nothing, since a manifold takes far longer than it takes to
-/// find its kind.
-template <Dim N, class T>
-class ManifoldsOfTask {
- public:
-  /// At most as many as a task has, each with what a look has shown.
-  void add(const ShapesToContact<N, T>& pair, [[maybe_unused]] ObbsLook look) {
-    if constexpr (N == 3) {
-      if (look.axis != ObbsLook::no_axis) {
-        boxes_[count_] = {obbs_of<N, T>(pair.shapes), look, pair.manifold};
-        of_boxes_[count_++] = pair;
-        return;
+/// Writes the manifolds of a task's pairs, which touch: `count` of them, at most as many as a task has, each as
+/// pair_at(i), to manifold_at(i), with what look_at(i) has shown. Of oriented boxes in space those are collected that a
+/// kernel can take, which are most; to take others of a kind together gains nothing, since a manifold takes far longer
+/// than it takes to find its kind.
+template <Dim N, class T, class ShapesAt, class LookAt, class ManifoldAt>
+void write_manifolds(std::size_t count, const ShapesAt& shapes_at, const LookAt& look_at,
+                     const ManifoldAt& manifold_at) {
+  const auto contact_one = [&](std::size_t i) {
+    const ShapePair<N, T> shapes = shapes_at(i);
+    manifold_at(i) = manifold(*shapes.a, *shapes.b);
+  };
+  if constexpr (N == 3) {
+    std::array<ObbsToContact<T>, manifolds_per_task> boxes;
+    std::array<std::uint16_t, manifolds_per_task> places;
+    std::size_t box_count = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const ObbsLook look = look_at(i);
+      if (look.axis() == ObbsLook::no_axis) {
+        contact_one(i);
+        continue;
       }
+      const ShapePair<N, T> shapes = shapes_at(i);
+      boxes[box_count] = {{obb_of(*shapes.a), obb_of(*shapes.b)}, look, &manifold_at(i)};
+      places[box_count++] = static_cast<std::uint16_t>(i);
     }
-    contact_one(pair);
+    std::array<std::uint32_t, manifolds_per_task> left;
+    const std::size_t left_count = manifold_kernels<T>().contact(std::span(boxes).first(box_count), left.data());
+    for (std::size_t i = 0; i < left_count; ++i) contact_one(places[left[i]]);
+  } else {
+    for (std::size_t i = 0; i < count; ++i) contact_one(i);
   }
-
-  /// To be called once, after the last pair.
-  void finish() const {
-    if constexpr (N == 3) {
-      std::array<std::uint32_t, manifolds_per_task> left;
-      const std::size_t left_count = manifold_kernels<T>().contact(std::span(boxes_).first(count_), left.data());
-      for (std::size_t i = 0; i < left_count; ++i) contact_one(of_boxes_[left[i]]);
-    }
-  }
-
- private:
-  static void contact_one(const ShapesToContact<N, T>& pair) {
-    *pair.manifold = manifold(*pair.shapes.a, *pair.shapes.b);
-  }
-
-  std::array<ObbsToContact<T>, N == 3 ? manifolds_per_task : 1> boxes_;
-  std::array<ShapesToContact<N, T>, N == 3 ? manifolds_per_task : 1> of_boxes_;
-  std::size_t count_ = 0;
-};
+}
 
 }  // namespace
 
@@ -154,12 +175,12 @@ template <Dim N, class T>
 void contacts_of(std::span<const ShapesToContact<N, T>> pairs) {
   for (std::size_t first = 0; first < pairs.size(); first += manifolds_per_task) {
     const auto some = pairs.subspan(first, std::min(manifolds_per_task, pairs.size() - first));
+    const auto shapes_at = [some](std::size_t i) { return some[i].shapes; };
     std::array<ObbsLook, manifolds_per_task> looks{};
-    look_at_boxes<N, T>(
-        some.size(), [&some](std::size_t i) { return some[i].shapes; }, looks.data());
-    ManifoldsOfTask<N, T> manifolds;
-    for (std::size_t i = 0; i < some.size(); ++i) manifolds.add(some[i], looks[i]);
-    manifolds.finish();
+    BoxLooks<N, T>::at(some.size(), shapes_at, looks.data());
+    write_manifolds<N, T>(
+        some.size(), shapes_at, [&looks](std::size_t i) { return looks[i]; },
+        [some](std::size_t i) -> auto& { return *some[i].manifold; });
   }
 }
 
@@ -177,12 +198,12 @@ std::vector<PairContact<N, T>> contacts(std::span<const AnyShape<N, T>> shapes, 
       });
   std::vector<PairContact<N, T>> result(touching.size());
   detail::in_tasks(touching.size(), detail::manifolds_per_task, executor, [&](std::size_t first, std::size_t last) {
-    detail::ManifoldsOfTask<N, T> manifolds;
-    for (std::size_t i = first; i < last; ++i) {
-      result[i].pair = touching[i].pair;
-      manifolds.add({detail::shapes_of<N, T>(shapes, touching[i].pair), &result[i].manifold}, touching[i].look);
-    }
-    manifolds.finish();
+    const detail::TouchingPair* const pairs = touching.data() + first;
+    PairContact<N, T>* const out = result.data() + first;
+    for (std::size_t i = 0; i < last - first; ++i) out[i].pair = pairs[i].pair;
+    detail::write_manifolds<N, T>(
+        last - first, [=](std::size_t i) { return detail::shapes_of<N, T>(shapes, pairs[i].pair); },
+        [pairs](std::size_t i) { return pairs[i].look; }, [out](std::size_t i) -> auto& { return out[i].manifold; });
   });
   return result;
 }

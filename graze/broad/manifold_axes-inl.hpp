@@ -32,7 +32,7 @@ namespace graze::detail::HWY_NAMESPACE {
 /// first box if two of that are at right angles to j; the axis across edges i and j is along one of either box if
 /// another edge of it is at right angles to the other's.
 inline constexpr auto axes_along_faces = [] {
-  std::array<std::uint16_t, 512> result{};
+  std::array<std::uint32_t, 512> result{};
   for (std::uint32_t found = 0; found < 512; ++found) {
     const auto has = [found](Dim i, Dim j) { return (found >> (3 * (i % 3) + j % 3) & 1U) != 0; };
     BoxesAxes axes = 0;
@@ -44,7 +44,7 @@ inline constexpr auto axes_along_faces = [] {
         axes |= BoxesAxes{along_either} << (6 + 3 * i + j);
       }
     }
-    result[found] = static_cast<std::uint16_t>(axes);
+    result[found] = axes;
   }
   return result;
 }();
@@ -55,9 +55,9 @@ inline constexpr auto axes_along_faces = [] {
 class AxesLook {
  public:
   static constexpr std::uint32_t axes = (1U << 15U) - 1;
-  static constexpr std::uint32_t overlapping = 1U << 15U;
-  static constexpr std::uint32_t apart = 1U << 16U;
-  static constexpr std::uint32_t first_right_angle = 17;  ///< And those after it, as axes_along_faces has them.
+  static constexpr std::uint32_t overlapping = ObbsLook::overlapping;
+  static constexpr std::uint32_t apart = ObbsLook::apart;
+  static constexpr int first_right_angle = 17;  ///< And those after it, as axes_along_faces has them.
 
   using BitsTag = hn::RebindToUnsigned<Tag<float>>;
   using Bits = hn::Vec<BitsTag>;
@@ -314,13 +314,6 @@ HWY_INLINE Bits repeated_axes(const Point (&a)[3], const Point (&b)[3]) {
     }
   }
   return result;
-}
-
-HWY_INLINE bool are_several(BoxesAxes axes) { return (axes & (axes - 1)) != 0; }
-
-/// The place of one axis, or no_axis.
-HWY_INLINE std::uint8_t place_of(BoxesAxes axis) {
-  return static_cast<std::uint8_t>(std::countr_zero(axis | BoxesAxes{1} << ObbsLook::no_axis));
 }
 
 }  // namespace graze::detail::HWY_NAMESPACE

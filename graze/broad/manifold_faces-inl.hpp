@@ -160,22 +160,23 @@ class CarryingBoxes {
 
 template <class T>
 HWY_INLINE CarriedLanes carried_lanes(const FacePairs<T>& pairs) {
-  BoxPair boxes{{load_boxes(pairs.own), load_boxes(pairs.other)}};
   CarriedLanes carried;
+  BoxLanes own;
+  load_boxes(pairs.own, own);
+  load_boxes(pairs.other, carried.other);
   carried.turned = is_set(pairs.turned);
   carried.of_b = is_set(pairs.of_b);
   carried.is_open = no_lane();
-  const Point own = boxes.box[0].center;
-  const Point other = boxes.box[1].center;
   const Point zero{{both(0), both(0), both(0)}};
-  const Point way = one_of(carried.of_b, own - other, other - own);
-  carried.origin = one_of(carried.of_b, other, own);
-  boxes.box[0].center = one_of(carried.of_b, way, zero);
-  boxes.box[1].center = one_of(carried.of_b, zero, way);
+  const Point of_own = own.center;
+  const Point of_other = carried.other.center;
+  const Point way = one_of(carried.of_b, of_own - of_other, of_other - of_own);
+  carried.origin = one_of(carried.of_b, of_other, of_own);
+  own.center = one_of(carried.of_b, way, zero);
+  carried.other.center = one_of(carried.of_b, zero, way);
   carried.own_axis = hn::Load(Tag<double>(), pairs.axis.of);
-  carried.own = turned_to(boxes.box[0], carried.own_axis);
-  carried.other = boxes.box[1];
-  carried.size = hn::Add(size_of(boxes.box[0]), size_of(boxes.box[1]));
+  carried.size = hn::Add(size_of(own), size_of(carried.other));
+  turn_to(own, carried.own_axis, carried.own);
   carried.found = axis_of_face(carried.own, 0, carried.other, way);
   const Point up = upward_of(carried.found.normal, carried.of_b);
   carried.upward = {up, up};

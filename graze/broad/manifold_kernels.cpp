@@ -66,15 +66,15 @@ class ContactBatch {
   void sort_in(std::size_t i) {
     const TwoObbs<T>& boxes = pairs_[i].boxes;
     const std::array<const T*, 2> numbers{numbers_of(*boxes.a), numbers_of(*boxes.b)};
-    const bool turned = is_turned(boxes);
+    const bool turned = pairs_[i].look.is_turned();
     turned_[i] = turned;
     first_[i] = numbers[turned ? 1 : 0];
     second_[i] = numbers[turned ? 0 : 1];
     is_by_second_[i] = false;
     is_carried_[i] = false;
-    const std::uint8_t place = pairs_[i].look.axis;
+    const auto place = static_cast<std::uint8_t>(pairs_[i].look.axis());
     place_[i] = place;
-    List& list = pairs_[i].look.may_be_along_face != 0 ? level_ : list_of(i);
+    List& list = pairs_[i].look.may_be_along_face() ? level_ : list_of(i);
     list.pairs[list.count] = static_cast<std::uint16_t>(i);
     list.count += place < ObbsLook::no_axis ? 1 : 0;
     if (place == ObbsLook::no_axis) left_[left_count_++] = static_cast<std::uint32_t>(i);

@@ -23,16 +23,24 @@ struct TwoObbs {
   const Obb<3, T>* b;
 };
 
-/// What a look at the fifteen axes of two oriented boxes shows.
+/// What a look at the fifteen axes of two oriented boxes shows, all of it as bits.
 struct ObbsLook {
-  /// The axis of least depth by its place, as in BoxesAxes, if the boxes meet; or this if it is not known.
-  static constexpr std::uint8_t no_axis = 15;
+  static constexpr std::uint32_t no_axis = 15;
+  static constexpr std::uint32_t overlapping = 1U << 15U;
+  static constexpr std::uint32_t apart = 1U << 16U;
+  static constexpr std::uint32_t along_face = 1U << 24U;
+  static constexpr std::uint32_t turned = 1U << 25U;
 
-  std::uint8_t axis = no_axis;
-  std::uint8_t is_overlapping = 0;  ///< 1 for certain; and so is the next.
-  std::uint8_t is_apart = 0;
-  /// 0 for certain: no face looks along the axis but one that it is the normal of.
-  std::uint8_t may_be_along_face = 0;
+  std::uint32_t bits = no_axis;
+
+  /// The axis of least depth by its place, as in BoxesAxes, if the boxes meet; or no_axis if it is not known.
+  std::uint32_t axis() const { return bits & 15U; }
+  bool is_overlapping() const { return (bits & overlapping) != 0; }  ///< For certain; and so is the next.
+  bool is_apart() const { return (bits & apart) != 0; }
+  /// False for certain: no face looks along the axis but one that it is the normal of.
+  bool may_be_along_face() const { return (bits & along_face) != 0; }
+  /// Whether the second box is the first in the order of their contact. Of meaning only where the axis is known.
+  bool is_turned() const { return (bits & turned) != 0; }
 
   friend bool operator==(const ObbsLook&, const ObbsLook&) = default;
 };

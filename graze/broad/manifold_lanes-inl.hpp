@@ -128,10 +128,9 @@ HWY_INLINE Doubles size_of(const BoxLanes& box) {
 }
 
 /// With the axes turned on so far that the one with this number, 0, 1 or 2, is the first.
-HWY_INLINE BoxLanes turned_to(const BoxLanes& box, Doubles first) {
+HWY_INLINE void turn_to(const BoxLanes& box, Doubles first, BoxLanes& result) {
   const DoublesMask is_second = hn::Eq(first, both(1));
   const DoublesMask is_third = hn::Eq(first, both(2));
-  BoxLanes result;
   result.center = box.center;
   for (Dim i = 0; i < 3; ++i) {
     const Dim next = (i + 1) % 3;
@@ -143,6 +142,11 @@ HWY_INLINE BoxLanes turned_to(const BoxLanes& box, Doubles first) {
     result.half_edges[i] = chosen(box.half_edges[i], box.half_edges[next], box.half_edges[last]);
     result.half[i] = hn::IfThenElse(is_third, box.half[last], hn::IfThenElse(is_second, box.half[next], box.half[i]));
   }
+}
+
+HWY_INLINE BoxLanes turned_to(const BoxLanes& box, Doubles first) {
+  BoxLanes result;
+  turn_to(box, first, result);
   return result;
 }
 
@@ -200,22 +204,27 @@ HWY_INLINE void load_numbers_of_boxes(const T* const* rows, Doubles (&numbers)[1
 }
 #endif
 
-HWY_INLINE BoxLanes box_of(const Doubles (&numbers)[15]) {
-  BoxLanes box;
+HWY_INLINE void set_box(const Doubles (&numbers)[15], BoxLanes& box) {
   for (Dim i = 0; i < 3; ++i) {
     box.center.at[i] = numbers[i];
     box.half[i] = numbers[3 + i];
     for (Dim k = 0; k < 3; ++k) box.axes[i].at[k] = numbers[6 + 3 * i + k];
     box.half_edges[i] = box.axes[i] * box.half[i];
   }
-  return box;
+}
+
+template <class T>
+HWY_INLINE void load_boxes(const T* const* rows, BoxLanes& boxes) {
+  Doubles numbers[15];
+  load_numbers_of_boxes(rows, numbers);
+  set_box(numbers, boxes);
 }
 
 template <class T>
 HWY_INLINE BoxLanes load_boxes(const T* const* rows) {
-  Doubles numbers[15];
-  load_numbers_of_boxes(rows, numbers);
-  return box_of(numbers);
+  BoxLanes boxes;
+  load_boxes(rows, boxes);
+  return boxes;
 }
 
 /// Two boxes of each pair.

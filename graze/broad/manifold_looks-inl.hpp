@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -23,6 +24,7 @@
 #include <graze/broad/manifold_points-inl.hpp>
 #include <graze/query/closest_points.hpp>
 #include <graze/query/penetration_boxes.hpp>
+#include <graze/query/shape_order.hpp>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
@@ -33,20 +35,72 @@ const T* numbers_of(const Obb<3, T>& box) {
   return reinterpret_cast<const T*>(&box);
 }
 
-/// As is_in_order of the two the other way round.
+/// Bits of a group of pairs in the order of their contact: of those whose second box is the first in it.
 template <class T>
-HWY_INLINE bool is_turned(const TwoObbs<T>& boxes) {
-  return !is_in_order(*boxes.a, *boxes.b);
+HWY_NOINLINE std::uint32_t turned_of_ties(const T* const* first, const T* const* second, std::uint32_t ties) {
+  std::uint32_t turned = 0;
+  for (; ties != 0; ties &= ties - 1) {
+    const auto lane = static_cast<std::uint32_t>(std::countr_zero(ties));
+    const auto box = [lane](const T* const* rows) { return reinterpret_cast<const Obb<3, T>*>(rows[lane]); };
+    turned |= std::uint32_t{!is_in_order(*box(first), *box(second))} << lane;
+  }
+  return turned;
 }
 
-/// As many pairs as floats are in a vector, seen from the first boxes' centers.
+/// The same by their centers, as compare of query/shape_order.hpp; by all numbers where these are level.
+template <class T>
+HWY_INLINE std::uint32_t turned_of(const Doubles* of_first, const Doubles* of_second, const T* const* first,
+                                   const T* const* second) {
+  const auto along = [&](std::size_t k) {
+    return hn::Mul(both(order_direction[k]), hn::Sub(of_second[k], of_first[k]));
+  };
+  const Doubles ahead = sum(along(0), along(1), along(2));
+  std::uint32_t turned = bits_of<double>(hn::Lt(ahead, both(0)));
+  const std::uint32_t ties = bits_of<double>(hn::Eq(ahead, both(0)));
+  if (HWY_UNLIKELY(ties != 0)) turned |= turned_of_ties(first, second, ties);
+  return turned;
+}
+
+template <class D>
+HWY_INLINE hn::Mask<D> mask_of(D d, std::uint32_t bits) {
+  const std::uint64_t wide = bits;
+  return hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&wide));
+}
+
+/// Exchanges those of two vectors.
+template <class D, class V>
+HWY_INLINE void exchange_where(hn::Mask<D> mask, V& a, V& b) {
+  const V first = hn::IfThenElse(mask, b, a);
+  b = hn::IfThenElse(mask, a, b);
+  a = first;
+}
+
+/// As many pairs as floats are in a vector, in the order of their contact, seen from the first boxes' centers.
 template <class T>
 class PairsToLookAt;
 
 template <>
 class PairsToLookAt<float> {
  public:
-  HWY_INLINE PairsToLookAt(const float* const* first, const float* const* second) : first_(first), second_(second) {}
+  HWY_INLINE PairsToLookAt(const float* const* first, const float* const* second) {
+    load_struct<float>(first, first_);
+    load_struct<float>(second, second_);
+    turned_ = 0;
+    for (std::size_t group = 0; group < 2; ++group) {
+      Doubles centers[2][3];
+      for (std::size_t k = 0; k < 3; ++k) {
+        centers[0][k] = widened(first_[k], group);
+        centers[1][k] = widened(second_[k], group);
+      }
+      const std::size_t lane = group * pairs_at_once;
+      turned_ |= turned_of(centers[0], centers[1], first + lane, second + lane) << lane;
+    }
+    const auto mask = mask_of(Tag<float>(), turned_);
+    for (std::size_t k = 0; k < 15; ++k) exchange_where<Tag<float>>(mask, first_[k], second_[k]);
+  }
+
+  /// One bit for each pair whose second box is the first in the order of the contact.
+  std::uint32_t turned() const { return turned_; }
 
   HWY_INLINE AxesLook look() const {
     LaneObb<3, float> a(first_);
@@ -57,22 +111,37 @@ class PairsToLookAt<float> {
   }
 
   /// Axes are rounded to float: hardly any is another one's once more.
-  HWY_INLINE void leave_distinct(std::uint32_t*) const {}
+  HWY_INLINE AxesLook::Bits distinct(AxesLook::Bits axes) const { return axes; }
 
  private:
-  const float* const* first_;
-  const float* const* second_;
+  HWY_INLINE static Doubles widened(Lanes<float> v, std::size_t group) {
+    return hn::PromoteTo(Tag<double>(),
+                         group == 0 ? hn::LowerHalf(FloatTag(), v) : hn::UpperHalf(FloatTag(), v));
+  }
+
+  Lanes<float> first_[15];
+  Lanes<float> second_[15];
+  std::uint32_t turned_;
 };
 
 template <>
 class PairsToLookAt<double> {
  public:
   HWY_INLINE PairsToLookAt(const double* const* first, const double* const* second) {
+    turned_ = 0;
     for (std::size_t group = 0; group < 2; ++group) {
-      load_numbers_of_boxes(first + group * pairs_at_once, first_[group]);
-      load_numbers_of_boxes(second + group * pairs_at_once, second_[group]);
+      const std::size_t lane = group * pairs_at_once;
+      load_numbers_of_boxes(first + lane, first_[group]);
+      load_numbers_of_boxes(second + lane, second_[group]);
+      const std::uint32_t turned = turned_of(first_[group], second_[group], first + lane, second + lane);
+      const DoublesMask mask = mask_of(Tag<double>(), turned);
+      for (std::size_t k = 0; k < 15; ++k) exchange_where<Tag<double>>(mask, first_[group][k], second_[group][k]);
+      turned_ |= turned << lane;
     }
   }
+
+  /// One bit for each pair whose second box is the first in the order of the contact.
+  std::uint32_t turned() const { return turned_; }
 
   HWY_INLINE AxesLook look() const {
     Lanes<float> a[15];
@@ -85,8 +154,9 @@ class PairsToLookAt<double> {
     return AxesLook(LaneObb<3, float>(a), LaneObb<3, float>(b));
   }
 
-  /// Leaves out axes that are another one once more, of which the pairs have several.
-  HWY_INLINE void leave_distinct(std::uint32_t* axes) const {
+  /// Leaves out axes that are another one once more.
+  HWY_INLINE AxesLook::Bits distinct(AxesLook::Bits axes) const {
+    Bits repeated[2];
     for (std::size_t group = 0; group < 2; ++group) {
       Point a[3];
       Point b[3];
@@ -94,17 +164,16 @@ class PairsToLookAt<double> {
         a[k / 3].at[k % 3] = first_[group][6 + k];
         b[k / 3].at[k % 3] = second_[group][6 + k];
       }
-      Row<std::uint64_t> repeated;
-      store(repeated_axes(a, b), repeated);
-      for (std::size_t lane = 0; lane < pairs_at_once; ++lane, ++axes) {
-        *axes = distinct_axes(*axes, static_cast<BoxesAxes>(repeated.of[lane]));
-      }
+      repeated[group] = repeated_axes(a, b);
     }
+    const AxesLook::Bits left = hn::AndNot(joined(repeated[0], repeated[1]), axes);
+    return hn::IfThenElse(hn::Eq(left, hn::Zero(AxesLook::BitsTag())), axes, left);
   }
 
  private:
   Doubles first_[2][15];
   Doubles second_[2][15];
+  std::uint32_t turned_;
 };
 
 /// Looks at many pairs, and puts those aside of which several axes may be that of least depth.
@@ -118,45 +187,74 @@ class LooksAtObbs {
 
  private:
   static constexpr std::size_t at_once = lanes_of<float>;
-
-  /// The boxes of a pair in the order of their contact.
-  HWY_INLINE void order(std::size_t i, const T*& first, const T*& second) const {
-    const TwoObbs<T>& boxes = pairs_[i];
-    const std::array<const T*, 2> numbers{numbers_of(*boxes.a), numbers_of(*boxes.b)};
-    const bool turned = is_turned(boxes);
-    first = numbers[turned ? 1 : 0];
-    second = numbers[turned ? 0 : 1];
-  }
+  using LookTag = AxesLook::BitsTag;
+  using LookBits = AxesLook::Bits;
 
   void look(std::size_t from) {
     const std::size_t count = std::min(at_once, pairs_.size() - from);
     std::array<const T*, at_once> first;
     std::array<const T*, at_once> second;
     for (std::size_t lane = 0; lane < at_once; ++lane) {
-      order(lane < count ? from + lane : from, first[lane], second[lane]);
+      const TwoObbs<T>& boxes = pairs_[lane < count ? from + lane : from];
+      first[lane] = numbers_of(*boxes.a);
+      second[lane] = numbers_of(*boxes.b);
     }
     const PairsToLookAt<T> boxes(first.data(), second.data());
-    alignas(64) std::array<std::uint32_t, at_once> bits;
-    hn::Store(boxes.look().bits(), AxesLook::BitsTag(), bits.data());
-    std::array<std::uint32_t, at_once> axes;
-    BoxesAxes several = 0;
-    for (std::size_t lane = 0; lane < at_once; ++lane) {
-      axes[lane] = bits[lane] & AxesLook::axes;
-      several |= axes[lane] & (axes[lane] - 1);
-    }
-    if (several != 0) boxes.leave_distinct(axes.data());
-    for (std::size_t lane = 0; lane < count; ++lane) put(from + lane, bits[lane], axes[lane]);
+    const LookBits bits = boxes.look().bits();
+    LookBits axes = hn::And(bits, all_bits(AxesLook::axes));
+    if (!hn::AllFalse(LookTag(), are_several(axes))) axes = boxes.distinct(axes);
+    const LookBits along_faces =
+        hn::GatherIndex(LookTag(), axes_along_faces.data(),
+                        hn::BitCast(hn::RebindToSigned<LookTag>(), hn::ShiftRight<AxesLook::first_right_angle>(bits)));
+    const auto several = are_several(axes);
+    put(from, count, look_of(bits, axes, along_faces, boxes.turned()));
+    std::uint32_t tied = bits_of<float>(hn::RebindMask(Tag<float>(), several)) & ((1U << count) - 1);
+    if (tied != 0) put_aside(from, tied, axes, along_faces);
     while (ties_ >= pairs_at_once) choose();
   }
 
-  HWY_INLINE void put(std::size_t i, std::uint32_t bits, BoxesAxes axes) {
-    const std::uint8_t place = place_of(axes);
-    const BoxesAxes along_faces = axes_along_faces[bits >> AxesLook::first_right_angle];
-    looks_[i] = {place, static_cast<std::uint8_t>((bits & AxesLook::overlapping) != 0 ? 1 : 0),
-                 static_cast<std::uint8_t>((bits & AxesLook::apart) != 0 ? 1 : 0),
-                 static_cast<std::uint8_t>(along_faces >> place & 1U)};
-    tied_[ties_] = {static_cast<std::uint32_t>(i), axes, along_faces};
-    ties_ += are_several(axes) ? 1 : 0;
+  HWY_INLINE static LookBits all_bits(std::uint32_t value) { return hn::Set(LookTag(), value); }
+
+  HWY_INLINE static hn::Mask<LookTag> are_several(LookBits axes) {
+    return hn::Ne(hn::And(axes, hn::Sub(axes, all_bits(1))), hn::Zero(LookTag()));
+  }
+
+  HWY_INLINE static LookBits look_of(LookBits bits, LookBits axes, LookBits along_faces, std::uint32_t turned) {
+    const LookBits place = place_of(axes);
+    const LookBits verdict = hn::And(bits, all_bits(AxesLook::overlapping | AxesLook::apart));
+    const LookBits along = hn::ShiftLeft<24>(hn::And(hn::Shr(along_faces, place), all_bits(1)));
+    const LookBits turns = hn::IfThenElseZero(mask_of(LookTag(), turned), all_bits(ObbsLook::turned));
+    return hn::Or(hn::Or(place, verdict), hn::Or(along, turns));
+  }
+
+  /// The place of the lowest, or no_axis if there is none: the exponent of its bit as a float.
+  HWY_INLINE static LookBits place_of(LookBits axes) {
+    const LookBits with_last = hn::Or(axes, all_bits(1U << ObbsLook::no_axis));
+    const LookBits lowest = hn::And(with_last, hn::Sub(hn::Zero(LookTag()), with_last));
+    const auto number = hn::ConvertTo(Tag<float>(), hn::BitCast(hn::RebindToSigned<LookTag>(), lowest));
+    return hn::Sub(hn::ShiftRight<23>(hn::BitCast(LookTag(), number)), all_bits(127));
+  }
+
+  HWY_INLINE void put(std::size_t from, std::size_t count, LookBits looks) {
+    static_assert(sizeof(ObbsLook) == sizeof(std::uint32_t));
+    if (HWY_LIKELY(count == at_once)) {
+      hn::StoreU(looks, LookTag(), &looks_[from].bits);
+    } else {
+      alignas(64) std::array<std::uint32_t, at_once> bits;
+      hn::Store(looks, LookTag(), bits.data());
+      for (std::size_t lane = 0; lane < count; ++lane) looks_[from + lane].bits = bits[lane];
+    }
+  }
+
+  HWY_INLINE void put_aside(std::size_t from, std::uint32_t tied, LookBits axes, LookBits along_faces) {
+    alignas(64) std::array<std::uint32_t, at_once> axes_of;
+    alignas(64) std::array<std::uint32_t, at_once> along_faces_of;
+    hn::Store(axes, LookTag(), axes_of.data());
+    hn::Store(along_faces, LookTag(), along_faces_of.data());
+    for (; tied != 0; tied &= tied - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(tied));
+      tied_[ties_++] = {static_cast<std::uint32_t>(from + lane), axes_of[lane], along_faces_of[lane]};
+    }
   }
 
   /// Among the axes of the last pairs put aside.
@@ -167,7 +265,11 @@ class LooksAtObbs {
     std::array<const T*, pairs_at_once> first;
     std::array<const T*, pairs_at_once> second;
     for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
-      order(ties[lane < count ? lane : 0].pair, first[lane], second[lane]);
+      const std::uint32_t pair = ties[lane < count ? lane : 0].pair;
+      const TwoObbs<T>& boxes = pairs_[pair];
+      const bool turned = looks_[pair].is_turned();
+      first[lane] = numbers_of(*(turned ? boxes.b : boxes.a));
+      second[lane] = numbers_of(*(turned ? boxes.a : boxes.b));
     }
     BoxPair boxes{{load_boxes(first.data()), load_boxes(second.data())}};
     see_from_first(boxes);
@@ -182,8 +284,9 @@ class LooksAtObbs {
     store(found.place(), places);
     for (std::size_t lane = 0; lane < count; ++lane) {
       ObbsLook& look = looks_[ties[lane].pair];
-      look.axis = (open >> lane & 1U) == 0 ? static_cast<std::uint8_t>(places.of[lane]) : ObbsLook::no_axis;
-      look.may_be_along_face = static_cast<std::uint8_t>(ties[lane].along_faces >> look.axis & 1U);
+      const auto axis = (open >> lane & 1U) == 0 ? static_cast<std::uint32_t>(places.of[lane]) : ObbsLook::no_axis;
+      const bool along_face = (ties[lane].along_faces >> axis & 1U) != 0;
+      look.bits = (look.bits & ~(15U | ObbsLook::along_face)) | axis | (along_face ? ObbsLook::along_face : 0);
     }
   }
 

@@ -22,15 +22,16 @@ int compare(T a, T b) {
   return a < b ? -1 : b < a ? 1 : 0;
 }
 
-/// By how far they are along a direction that is at right angles to no way along an axis, a diagonal, or the like. Of
-/// two boxes that stand on each other neither is far along x, so there the next rounding would change which comes
-/// first.
+/// A direction that is at right angles to no way along an axis, a diagonal, or the like.
+inline constexpr std::array<double, 3> order_direction = {0.97, 0.58, 0.43};
+
+/// By how far they are along that. Of two boxes that stand on each other neither is far along x, so there the next
+/// rounding would change which comes first.
 template <Dim N, Scalar T>
 int compare(const Vec<N, T>& a, const Vec<N, T>& b) {
-  constexpr std::array<double, 3> skew = {0.97, 0.58, 0.43};
   const Vec<N, double> way = wide<N, T>(b) - wide<N, T>(a);
   double along = 0;  // the opposite number, to the bit, of b and a
-  for (Dim i = 0; i < N; ++i) along += skew[static_cast<std::size_t>(i)] * way[i];
+  for (Dim i = 0; i < N; ++i) along += order_direction[static_cast<std::size_t>(i)] * way[i];
   if (along > 0) return -1;
   if (along < 0) return 1;
   for (Dim i = 0; i < N; ++i) {

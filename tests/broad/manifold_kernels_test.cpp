@@ -79,7 +79,7 @@ template <class T>
 std::vector<ObbsLook> looks_at(std::span<const std::pair<Obb<3, T>, Obb<3, T>>> boxes) {
   std::vector<TwoObbs<T>> pairs;
   for (const auto& [a, b] : boxes) pairs.push_back({&a, &b});
-  std::vector<ObbsLook> looks(boxes.size(), ObbsLook{3, 1, 1, 1});  // what is left as it was
+  std::vector<ObbsLook> looks(boxes.size(), ObbsLook{~0U});  // what is left as it was
   manifold_kernels<T>().look(pairs, looks.data());
   return looks;
 }
@@ -95,7 +95,7 @@ std::size_t left_of(const Boxes<T>& boxes, const std::string& where) {
     std::vector<ObbsToContact<T>> pairs(count);
     for (std::size_t i = 0; i < count; ++i) {
       pairs[i] = {{&boxes[first + i].first, &boxes[first + i].second}, looks[i], &found[i]};
-      EXPECT_FALSE(looks[i].is_apart) << where;
+      EXPECT_FALSE(looks[i].is_apart()) << where;
     }
     std::vector<std::uint32_t> left(count);
     left.resize(manifold_kernels<T>().contact(pairs, left.data()));
@@ -352,11 +352,11 @@ std::size_t open_looks(const Boxes<T>& boxes, const std::string& where) {
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const auto& [a, b] = boxes[i];
     const Relation said = relation(a, b);
-    const bool is_right = (looks[i].is_apart == 0 || said == Relation::apart) &&
-                          (looks[i].is_overlapping == 0 || said != Relation::apart);
+    const bool is_right = (!looks[i].is_apart() || said == Relation::apart) &&
+                          (!looks[i].is_overlapping() || said != Relation::apart);
     EXPECT_TRUE(is_right) << where << '\n' << text_of(a) << '\n' << text_of(b);
-    EXPECT_LE(looks[i].axis, ObbsLook::no_axis);
-    open += looks[i].is_apart == 0 && looks[i].is_overlapping == 0 ? 1 : 0;
+    EXPECT_LE(looks[i].axis(), ObbsLook::no_axis);
+    open += looks[i].is_apart() || looks[i].is_overlapping() ? 0 : 1;
   }
   return open;
 }
