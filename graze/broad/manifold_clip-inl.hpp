@@ -33,29 +33,26 @@ struct UpwardLanes {
   Point normal;
 };
 
+/// A place in the incident face, in halves of its edges.
+struct Place {
+  Doubles at[2];
+};
+
+HWY_INLINE Place one_of(DoublesMask mask, const Place& yes, const Place& no) {
+  return {{hn::IfThenElse(mask, yes.at[0], no.at[0]), hn::IfThenElse(mask, yes.at[1], no.at[1])}};
+}
+
+/// What is left of the incident faces.
 class ClipLanes {
  public:
-  /// Before anything else.
-  HWY_INLINE void run(const FaceLanes& incident, const FaceLanes& reference, const UpwardLanes& upward, Doubles slack) {
-    slack_ = slack;
-    left_ = hn::Zero(BitsTag());
-    place_incident(incident, reference, upward);
-    cut_sides();
-    find_corners_of_reference();
-    close();
-    const Doubles highest = hn::Add(height_, hn::Add(hn::Abs(climb_[0]), hn::Abs(climb_[1])));
-    const DoublesMask needed = hn::Gt(highest, slack_);
-    start_[top_line] = start_[0];
-    lines_[top_line] = hn::Zero(BitsTag());
-    if (!hn::AllFalse(Tag<double>(), needed)) cut_top(needed);
-  }
-
   /// Where rounding hides the way around, or the reference face is hardly one.
   DoublesMask is_open() const { return is_open_; }
 
+  /// Above the reference face.
   HWY_INLINE Doubles height_of(Doubles x, Doubles y) const {
     return hn::Add(height_, hn::Add(hn::Mul(climb_[0], x), hn::Mul(climb_[1], y)));
   }
+  Doubles climb(std::size_t k) const { return climb_[k]; }
 
   /// The lines on which sides are left.
   Bits left() const { return left_; }
@@ -68,17 +65,53 @@ class ClipLanes {
   Bits lines(std::size_t line) const { return lines_[line]; }
   /// As places_on_faces has it.
   Bits turns() const { return turns_; }
-  Doubles climb(std::size_t k) const { return climb_[k]; }
 
  private:
-  /// A place in the incident face, in halves of its edges.
-  struct Place {
-    Doubles at[2];
-  };
+  friend class FaceClip;
 
-  HWY_INLINE static Place one_of(DoublesMask mask, const Place& yes, const Place& no) {
-    return {{hn::IfThenElse(mask, yes.at[0], no.at[0]), hn::IfThenElse(mask, yes.at[1], no.at[1])}};
+  DoublesMask is_open_;
+  Bits left_;
+  Bits turns_;
+  Doubles height_;
+  Doubles climb_[2];
+  Place start_[face_lines];
+  Bits lines_[face_lines];
+};
+
+/// Finds that. Not a ClipLanes itself: what stays takes a store, of which a machine makes few at a time.
+class FaceClip {
+ public:
+  HWY_INLINE FaceClip(const FaceLanes& incident, const FaceLanes& reference, const UpwardLanes& upward, Doubles slack)
+      : slack_(slack) {
+    left_ = hn::Zero(BitsTag());
+    place_incident(incident, reference, upward);
+    cut_sides();
+    find_corners_of_reference();
+    close();
+    const Doubles highest = hn::Add(height_, hn::Add(hn::Abs(climb_[0]), hn::Abs(climb_[1])));
+    const DoublesMask needed = hn::Gt(highest, slack_);
+    start_[top_line] = start_[0];
+    lines_[top_line] = hn::Zero(BitsTag());
+    if (!hn::AllFalse(Tag<double>(), needed)) cut_top(needed);
   }
+
+  HWY_INLINE void give(ClipLanes& to) const {
+    to.is_open_ = is_open_;
+    to.left_ = left_;
+    to.turns_ = turns_;
+    to.height_ = height_;
+    unrolled<2>([&](auto k) GRAZE_INLINE_LAMBDA { to.climb_[k] = climb_[k]; });
+    unrolled<face_lines>([&](auto line) GRAZE_INLINE_LAMBDA {
+      unrolled<2>([&](auto k) GRAZE_INLINE_LAMBDA { to.start_[line].at[k] = start_[line].at[k]; });
+      to.lines_[line] = lines_[line];
+    });
+  }
+
+ private:
+  HWY_INLINE Doubles height_of(Doubles x, Doubles y) const {
+    return hn::Add(height_, hn::Add(hn::Mul(climb_[0], x), hn::Mul(climb_[1], y)));
+  }
+  DoublesMask is_left(std::size_t line) const { return has_bit(left_, line); }
 
   HWY_INLINE void place_incident(const FaceLanes& incident, const FaceLanes& reference, const UpwardLanes& upward) {
     const Point& up = upward.up;
@@ -216,14 +249,14 @@ class ClipLanes {
   HWY_INLINE void find_corners_of_reference() {
     Doubles by_right[2][2];  // y of the other face from x at -1 and 1, and x from y; of them less or more
     Doubles by_up[2][2];
-    for (std::size_t k = 0; k < 2; ++k) {
+    unrolled<2>([&](auto k) GRAZE_INLINE_LAMBDA {
       const Doubles low = hn::Sub(both(-1), middle_[k]);
       const Doubles high = hn::Sub(both(1), middle_[k]);
       by_right[k][0] = hn::Mul(low, right_[1 - k]);
       by_right[k][1] = hn::Mul(high, right_[1 - k]);
       by_up[k][0] = hn::Mul(low, up_side_[1 - k]);
       by_up[k][1] = hn::Mul(high, up_side_[1 - k]);
-    }
+    });
     const auto corner = [&](std::size_t number, std::size_t x, std::size_t y) {
       Place& place = corners_[number];
       place.at[0] = hn::Mul(hn::Sub(by_up[0][x], by_up[1][y]), inverse_area_);
@@ -241,10 +274,10 @@ class ClipLanes {
   /// enter there. The first one's x grows, and the third one's falls.
   template <std::size_t line, bool leaving, class Use>
   HWY_INLINE void for_each_cut(const Use& use) const {
-    for (std::size_t e = 0; e < 4; ++e) {
-      if ((line == 5 && e == (leaving ? 2 : 0)) || (line == 7 && e == (leaving ? 0 : 2))) continue;
+    unrolled<4>([&](auto e) GRAZE_INLINE_LAMBDA {
+      if ((line == 5 && e == (leaving ? 2 : 0)) || (line == 7 && e == (leaving ? 0 : 2))) return;
       use(e, hn::Eq(leaving ? edges_[e].finishes : edges_[e].begins, ending(line)));
-    }
+    });
   }
 
   /// The side on a line of the reference face starts where one of the incident face leaves through it, or in a corner.
@@ -255,14 +288,14 @@ class ClipLanes {
     Place start = corners_[corner];
     Bits lines = pair_of(reference_lines + (corner + 3) % 4, line);
     DoublesMask is_open = no_lane();
-    for_each_cut<line, true>([&](std::size_t e, DoublesMask where) {
+    for_each_cut<line, true>([&](std::size_t e, DoublesMask where) GRAZE_INLINE_LAMBDA {
       is_open = hn::Or(is_open, hn::And(starts, where));
       starts = hn::Or(starts, where);
       start = one_of(where, edges_[e].end, start);
       lines = hn::IfThenElse(hn::RebindMask(BitsTag(), where), pair_of(e, line), lines);
     });
     DoublesMask ends = is_corner_[(corner + 1) % 4];
-    for_each_cut<line, false>([&](std::size_t, DoublesMask where) { ends = hn::Or(ends, where); });
+    for_each_cut<line, false>([&](std::size_t, DoublesMask where) GRAZE_INLINE_LAMBDA { ends = hn::Or(ends, where); });
     is_open_ = hn::Or(is_open_, hn::Or(is_open, hn::Xor(starts, ends)));
     left_ = hn::Or(left_, bit_where(starts, line));
     start_[line] = start;
@@ -274,17 +307,17 @@ class ClipLanes {
     put_side<5>();
     put_side<6>();
     put_side<7>();
-    for (std::size_t e = 0; e < 4; ++e) {
+    unrolled<4>([&](auto e) GRAZE_INLINE_LAMBDA {
       const DoublesMask ends_whole = hn::Eq(edges_[e].finishes, ending(e));
       const DoublesMask starts_whole = hn::Eq(edges_[(e + 1) % 4].begins, ending(e));
       is_open_ = hn::Or(is_open_, hn::Xor(ends_whole, starts_whole));
-    }
+    });
   }
 
   template <std::size_t line>
   HWY_INLINE Place end_of_side() const {
     Place end = corners_[(line - reference_lines + 1) % 4];
-    for_each_cut<line, false>([&](std::size_t e, DoublesMask where) { end = one_of(where, edges_[e].start, end); });
+    for_each_cut<line, false>([&](std::size_t e, DoublesMask where) GRAZE_INLINE_LAMBDA { end = one_of(where, edges_[e].start, end); });
     return end;
   }
 
@@ -298,7 +331,7 @@ class ClipLanes {
     DoublesMask has_outside = no_lane();
     Place start = start_[0];
     Bits lines = hn::Zero(BitsTag());
-    for (std::size_t line = 0; line < top_line; ++line) {
+    unrolled<top_line>([&](auto line) GRAZE_INLINE_LAMBDA {
       const Place& end = ends[line];
       const Doubles at_start = height_of(start_[line].at[0], start_[line].at[1]);
       const Doubles at_end = height_of(end.at[0], end.at[1]);
@@ -317,7 +350,7 @@ class ClipLanes {
       lines = hn::IfThenElse(hn::RebindMask(BitsTag(), is_exit), pair_of(line, top_line), lines);
       start_[line] = one_of(is_entry, crossing, start_[line]);
       lines_[line] = hn::IfThenElse(hn::RebindMask(BitsTag(), is_entry), pair_of(top_line, line), lines_[line]);
-    }
+    });
     is_open_ = hn::Or(is_open_, hn::AndNot(hn::And(has_exit, has_entry), has_outside));
     left_ = hn::Or(left_, bit_where(has_exit, top_line));
     start_[top_line] = start;

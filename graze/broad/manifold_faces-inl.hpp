@@ -218,8 +218,9 @@ class FaceContacts {
     origin_ = carried.origin;
     const LookingFace looking(carried.other, up_ * both(-1));
     incident_ = face_of(turned_to(carried.other, looking.axis), looking.is_far);
-    clip_.run(incident_, face_of(carried.own, carried.is_far), carried.upward,
-              hn::Mul(both(tolerance::coarse), carried.size));
+    const FaceClip clip(incident_, face_of(carried.own, carried.is_far), carried.upward,
+                        hn::Mul(both(tolerance::coarse), carried.size));
+    clip.give(clip_);
     is_open_ = hn::Or(carried.is_open, hn::Or(looking.is_open, clip_.is_open()));
     rows_.set(carried.found, carried.size, carried.turned);
     store(face_number(carried.own_axis, carried.is_far), faces_[PlacesOnFaces::reference]);

@@ -94,26 +94,26 @@ class ContactBatch {
   }
 
   void contact_faces(std::size_t from) {
-    contact_two_groups(faces_, from, [this](const Group& group) { return carried_lanes(face_pairs(group)); });
+    contact_two_groups(faces_, from, [this](const Group& group) { return face_pairs(group); });
   }
 
   /// Those of a list from there on, as many as two groups have. Functions of their own, or their many instructions
   /// would be there twice, and not stay near.
-  template <class Carried>
-  void contact_two_groups(const List& list, std::size_t from, const Carried& carried) {
+  template <class PairsOf>
+  void contact_two_groups(const List& list, std::size_t from, const PairsOf& pairs_of) {
     const std::size_t count = std::min(list.count - from, 2 * pairs_at_once);
     const std::size_t groups = count > pairs_at_once ? 2 : 1;
     FaceContacts<T> contacts[2];
-    for (std::size_t g = 0; g < groups; ++g) lay(carried, group_of(list, from + g * pairs_at_once), contacts[g]);
+    for (std::size_t g = 0; g < groups; ++g) lay(pairs_of(group_of(list, from + g * pairs_at_once)), contacts[g]);
     FaceContacts<T>::choose(contacts[0], contacts[groups - 1]);
     for (std::size_t g = 0; g < groups; ++g) {
       write_faces(contacts[g], group_of(list, from + g * pairs_at_once), count - g * pairs_at_once);
     }
   }
 
-  template <class Carried>
-  HWY_NOINLINE static void lay(const Carried& carried, const Group& group, FaceContacts<T>& contacts) {
-    contacts.lay(carried(group));
+  template <class Pairs>
+  HWY_NOINLINE static void lay(const Pairs& pairs, FaceContacts<T>& contacts) {
+    contacts.lay(carried_lanes(pairs));
   }
 
   HWY_NOINLINE void write_faces(FaceContacts<T>& contacts, const Group& group, std::size_t count) {
@@ -202,7 +202,7 @@ class ContactBatch {
   }
 
   void contact_carried(std::size_t from) {
-    contact_two_groups(carried_, from, [this](const Group& group) { return carried_lanes(carried_pairs(group)); });
+    contact_two_groups(carried_, from, [this](const Group& group) { return carried_pairs(group); });
   }
 
   std::span<const ObbsToContact<T>> pairs_;

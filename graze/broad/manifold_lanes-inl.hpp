@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 #include <hwy/highway.h>
 
@@ -37,6 +38,18 @@ struct alignas(64) Row {
 /// Bits of each pair, as long as its numbers: masks are few, and take long to be put aside.
 using BitsTag = hn::RebindToUnsigned<Tag<double>>;
 using Bits = hn::Vec<BitsTag>;
+
+/// After the parameters of a lambda: it becomes part of its caller, however long both are.
+#define GRAZE_INLINE_LAMBDA __attribute__((always_inline))
+
+/// use(0), use(1) ... of as many constants. What is in an array stays in registers if its places are constants before
+/// anything else is done; those of a loop in a loop are not.
+template <std::size_t count, class Use>
+HWY_INLINE void unrolled(const Use& use) {
+  [&use]<std::size_t... i>(std::index_sequence<i...>) GRAZE_INLINE_LAMBDA {
+    (use(std::integral_constant<std::size_t, i>()), ...);
+  }(std::make_index_sequence<count>());
+}
 
 /// Every bit in all lanes, for T as long as a lane: read, which takes less than to make them.
 template <class T>
@@ -118,13 +131,12 @@ HWY_INLINE BoxLanes one_of(const DoublesMask& mask, const BoxLanes& yes, const B
 }
 
 HWY_INLINE Doubles size_of(const BoxLanes& box) {
-  Doubles along[3];
-  for (Dim k = 0; k < 3; ++k) {
-    along[k] = hn::Add(
+  const auto along = [&box](Dim k) {
+    return hn::Add(
         hn::Add(hn::Add(hn::Abs(box.center.at[k]), hn::Abs(box.half_edges[0].at[k])), hn::Abs(box.half_edges[1].at[k])),
         hn::Abs(box.half_edges[2].at[k]));
-  }
-  return sum(along[0], along[1], along[2]);
+  };
+  return sum(along(0), along(1), along(2));
 }
 
 /// With the axes turned on so far that the one with this number, 0, 1 or 2, is the first.
@@ -132,16 +144,16 @@ HWY_INLINE void turn_to(const BoxLanes& box, Doubles first, BoxLanes& result) {
   const DoublesMask is_second = hn::Eq(first, both(1));
   const DoublesMask is_third = hn::Eq(first, both(2));
   result.center = box.center;
-  for (Dim i = 0; i < 3; ++i) {
-    const Dim next = (i + 1) % 3;
-    const Dim last = (i + 2) % 3;
-    const auto chosen = [&](const Point& at_first, const Point& at_next, const Point& at_last) {
+  unrolled<3>([&](auto i) GRAZE_INLINE_LAMBDA {
+    constexpr Dim next = (i + 1) % 3;
+    constexpr Dim last = (i + 2) % 3;
+    const auto chosen = [&](const Point& at_first, const Point& at_next, const Point& at_last) GRAZE_INLINE_LAMBDA {
       return one_of(is_third, at_last, one_of(is_second, at_next, at_first));
     };
     result.axes[i] = chosen(box.axes[i], box.axes[next], box.axes[last]);
     result.half_edges[i] = chosen(box.half_edges[i], box.half_edges[next], box.half_edges[last]);
     result.half[i] = hn::IfThenElse(is_third, box.half[last], hn::IfThenElse(is_second, box.half[next], box.half[i]));
-  }
+  });
 }
 
 HWY_INLINE BoxLanes turned_to(const BoxLanes& box, Doubles first) {
@@ -154,11 +166,11 @@ HWY_INLINE BoxLanes turned_to(const BoxLanes& box, Doubles first) {
 #if HWY_TARGET <= HWY_AVX3
 HWY_INLINE void transpose_eight(const __m512d (&rows)[8], Doubles* out) {
   __m512d pairs[8];  // of rows i and i + 1: numbers 0, 2, 4, 6 and 1, 3, 5, 7
-  for (std::size_t i = 0; i < 8; i += 2) {
-    pairs[i] = _mm512_unpacklo_pd(rows[i], rows[i + 1]);
-    pairs[i + 1] = _mm512_unpackhi_pd(rows[i], rows[i + 1]);
-  }
-  for (std::size_t odd = 0; odd < 2; ++odd) {
+  unrolled<4>([&](auto two) GRAZE_INLINE_LAMBDA {
+    pairs[2 * two] = _mm512_unpacklo_pd(rows[2 * two], rows[2 * two + 1]);
+    pairs[2 * two + 1] = _mm512_unpackhi_pd(rows[2 * two], rows[2 * two + 1]);
+  });
+  unrolled<2>([&](auto odd) GRAZE_INLINE_LAMBDA {
     const __m512d low_of_four = _mm512_shuffle_f64x2(pairs[odd], pairs[odd + 2], 0x88);
     const __m512d high_of_four = _mm512_shuffle_f64x2(pairs[odd], pairs[odd + 2], 0xdd);
     const __m512d low_of_last = _mm512_shuffle_f64x2(pairs[odd + 4], pairs[odd + 6], 0x88);
@@ -167,7 +179,7 @@ HWY_INLINE void transpose_eight(const __m512d (&rows)[8], Doubles* out) {
     out[odd + 2] = Doubles{_mm512_shuffle_f64x2(high_of_four, high_of_last, 0x88)};
     out[odd + 4] = Doubles{_mm512_shuffle_f64x2(low_of_four, low_of_last, 0xdd)};
     out[odd + 6] = Doubles{_mm512_shuffle_f64x2(high_of_four, high_of_last, 0xdd)};
-  }
+  });
 }
 
 HWY_INLINE __m512d eight_numbers(const double* from) { return _mm512_loadu_pd(from); }
@@ -176,11 +188,12 @@ HWY_INLINE __m512d eight_numbers(const float* from) { return _mm512_cvtps_pd(_mm
 /// The numbers of the boxes in all lanes, in double. The last eight begin with the eighth.
 template <class T>
 HWY_INLINE void load_numbers_of_boxes(const T* const* rows, Doubles (&numbers)[15]) {
-  for (const std::size_t first : {std::size_t{0}, std::size_t{7}}) {
+  unrolled<2>([&](auto part) GRAZE_INLINE_LAMBDA {
+    constexpr std::size_t first = 7 * part;
     __m512d from[8];
-    for (std::size_t lane = 0; lane < 8; ++lane) from[lane] = eight_numbers(rows[lane] + first);
+    unrolled<8>([&](auto lane) GRAZE_INLINE_LAMBDA { from[lane] = eight_numbers(rows[lane] + first); });
     transpose_eight(from, numbers + first);
-  }
+  });
 }
 #else
 template <class T>
@@ -205,12 +218,12 @@ HWY_INLINE void load_numbers_of_boxes(const T* const* rows, Doubles (&numbers)[1
 #endif
 
 HWY_INLINE void set_box(const Doubles (&numbers)[15], BoxLanes& box) {
-  for (Dim i = 0; i < 3; ++i) {
+  unrolled<3>([&](auto i) GRAZE_INLINE_LAMBDA {
     box.center.at[i] = numbers[i];
     box.half[i] = numbers[3 + i];
-    for (Dim k = 0; k < 3; ++k) box.axes[i].at[k] = numbers[6 + 3 * i + k];
+    unrolled<3>([&](auto k) GRAZE_INLINE_LAMBDA { box.axes[i].at[k] = numbers[6 + 3 * i + k]; });
     box.half_edges[i] = box.axes[i] * box.half[i];
-  }
+  });
 }
 
 template <class T>
