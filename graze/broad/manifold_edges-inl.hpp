@@ -25,11 +25,19 @@ namespace graze::detail::HWY_NAMESPACE {
 /// Pairs in the order of their contact, whose axis is across an edge of each and not along a face.
 template <class T>
 struct EdgePairs {
-  const T* first[pairs_at_once];
-  const T* second[pairs_at_once];
-  Row<double> edge_a;  ///< The axes along which they lie.
-  Row<double> edge_b;
-  Row<double> turned;  ///< 1 where the first is the user's second, else 0.
+  const T* const* first;
+  const T* const* second;
+  Doubles edge_a;  ///< The axes along which they lie.
+  Doubles edge_b;
+  DoublesMask turned;  ///< The first is the user's second.
+
+  HWY_INLINE explicit EdgePairs(const PairGroup<T>& group) : first(group.first), second(group.second) {
+    const LookLanes looks(group.looks);
+    const Doubles row = looks.row();
+    edge_a = hn::Sub(row, both(2));
+    edge_b = hn::Sub(looks.axis(), hn::Mul(row, both(3)));
+    turned = looks.turned();
+  }
 };
 
 template <class T>
@@ -39,9 +47,10 @@ class EdgeContacts {
     BoxPair boxes{{load_boxes(pairs.first), load_boxes(pairs.second)}};
     const Point origin = see_from_first(boxes);
     const Doubles size = hn::Add(size_of(boxes.box[0]), size_of(boxes.box[1]));
-    const Doubles axis_a = hn::Load(Tag<double>(), pairs.edge_a.of);
-    const Doubles axis_b = hn::Load(Tag<double>(), pairs.edge_b.of);
-    const DoublesMask turned = is_set(pairs.turned);
+    const Doubles axis_a = pairs.edge_a;
+    const Doubles axis_b = pairs.edge_b;
+    const DoublesMask turned = pairs.turned;
+    turned_ = turned;
     const BoxLanes a = turned_to(boxes.box[0], axis_a);
     const BoxLanes b = turned_to(boxes.box[1], axis_b);
     const EdgesLanes edges(a, 0, b, 0);
@@ -64,6 +73,8 @@ class EdgeContacts {
 
   /// One bit for each pair of which not all is clear.
   std::uint32_t open() const { return bits_of<double>(is_open_); }
+  /// And for each whose first box is the user's second.
+  std::uint32_t turns() const { return bits_of<double>(turned_); }
 
   void write(std::size_t lane, bool turned, Manifold<3, T>& to) const {
     point_.write(lane, to.points[0]);
@@ -103,6 +114,7 @@ class EdgeContacts {
   }
 
   DoublesMask is_open_;
+  DoublesMask turned_;
   ManifoldRows<T> rows_;
   PointRows<T> point_;
   Row<double> numbers_[2];

@@ -26,30 +26,82 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
+/// Beside the bits of an ObbsLook: the face that carries the points is the second box', which the axis is not the normal
+/// of.
+inline constexpr std::uint64_t carried_by_second = std::uint64_t{1} << 32U;
+
+/// As many pairs as are taken at once, with their looks and that bit.
+template <class T>
+struct PairGroup {
+  const T* const* first;
+  const T* const* second;
+  const std::uint64_t* looks;
+};
+
+/// The looks of a group.
+class LookLanes {
+ public:
+  HWY_INLINE explicit LookLanes(const std::uint64_t* looks)
+      : looks_(hn::LoadU(BitsTag(), looks)),
+        axis_(hn::ConvertTo(Tag<double>(), hn::BitCast(hn::RebindToSigned<Tag<double>>(),
+                                                       hn::And(looks_, hn::Set(BitsTag(), 15))))) {}
+
+  /// By its place, as in BoxesAxes.
+  Doubles axis() const { return axis_; }
+  /// Three places are one row: the faces of the first box, those of the second, and the edges of the first.
+  HWY_INLINE Doubles row() const { return hn::Floor(hn::Mul(hn::Add(axis_, both(0.5)), both(1.0 / 3))); }
+  HWY_INLINE DoublesMask turned() const { return has_bits(ObbsLook::turned); }
+  HWY_INLINE DoublesMask by_second() const { return has_bits(carried_by_second); }
+
+ private:
+  HWY_INLINE DoublesMask has_bits(std::uint64_t bits) const {
+    return hn::RebindMask(Tag<double>(), hn::TestBit(looks_, hn::Set(BitsTag(), bits)));
+  }
+
+  Bits looks_;
+  Doubles axis_;
+};
+
 /// Pairs whose axis is the normal of a face of the box `own`, which carries their points.
 template <class T>
 struct FacePairs {
-  const T* own[pairs_at_once];
-  const T* other[pairs_at_once];
-  Row<double> axis;    ///< Of `own`.
-  Row<double> of_b;    ///< 1 where `own` is the second in the order of the contact, else 0.
-  Row<double> turned;  ///< 1 where the user's second box is the first in that order.
+  const T* const* own;
+  const T* const* other;
+  Doubles axis;        ///< Of `own`.
+  DoublesMask of_b;    ///< `own` is the second in the order of the contact.
+  DoublesMask turned;  ///< The user's second box is the first in that order.
+
+  /// Of a group whose first boxes are those.
+  HWY_INLINE explicit FacePairs(const PairGroup<T>& group) : own(group.first), other(group.second) {
+    const LookLanes looks(group.looks);
+    of_b = hn::Gt(looks.axis(), both(2));
+    axis = hn::Sub(looks.axis(), hn::IfThenElseZero(of_b, both(3)));
+    turned = looks.turned();
+  }
 };
 
 /// Pairs in the order of their contact whose axis is another than the normal of the face that carries their points,
 /// which looks along it up to 1e-5.
 template <class T>
 struct CarriedPairs {
-  const T* first[pairs_at_once];
-  const T* second[pairs_at_once];
-  Row<double> is_on_edges;  ///< 1 where the axis is across edges along these axes, else 0.
-  Row<double> axis_a;
-  Row<double> axis_b;  ///< Or it is the normal across this one of the second box.
-  Row<double> of_b;    ///< 1 where the second box carries the points.
-  Row<double> turned;
-};
+  const T* const* first;
+  const T* const* second;
+  DoublesMask is_on_edges;  ///< The axis is across edges along these axes.
+  Doubles axis_a;
+  Doubles axis_b;    ///< Or it is the normal across this one of the second box.
+  DoublesMask of_b;  ///< The second box carries the points.
+  DoublesMask turned;
 
-HWY_INLINE DoublesMask is_set(const Row<double>& row) { return hn::Ne(hn::Load(Tag<double>(), row.of), both(0)); }
+  HWY_INLINE explicit CarriedPairs(const PairGroup<T>& group) : first(group.first), second(group.second) {
+    const LookLanes looks(group.looks);
+    const Doubles row = looks.row();
+    is_on_edges = hn::Gt(row, both(1));
+    axis_a = hn::IfThenElseZero(is_on_edges, hn::Sub(row, both(2)));
+    axis_b = hn::Sub(looks.axis(), hn::Mul(row, both(3)));
+    of_b = looks.by_second();
+    turned = looks.turned();
+  }
+};
 
 HWY_INLINE DoublesMask may_be_aligned(const BoxLanes& box, const Point& direction) {
   const auto cosine = [&](Dim i) { return hn::Abs(dot(box.axes[i], direction)); };
@@ -126,9 +178,9 @@ HWY_INLINE Point upward_of(const Point& normal, DoublesMask of_b) {
 /// The axis of each pair, in boxes seen from the first one's center.
 template <class T>
 HWY_INLINE AxisLanes axis_of_carried(const BoxPair& boxes, const CarriedPairs<T>& pairs) {
-  const BoxLanes a = turned_to(boxes.box[0], hn::Load(Tag<double>(), pairs.axis_a.of));
-  const BoxLanes b = turned_to(boxes.box[1], hn::Load(Tag<double>(), pairs.axis_b.of));
-  const DoublesMask on_edges = is_set(pairs.is_on_edges);
+  const BoxLanes a = turned_to(boxes.box[0], pairs.axis_a);
+  const BoxLanes b = turned_to(boxes.box[1], pairs.axis_b);
+  const DoublesMask on_edges = pairs.is_on_edges;
   const AxisLanes across_edges = EdgesLanes(a, 0, b, 0).axis();
   const AxisLanes across_face = axis_of_face(b, 0, boxes.box[0], b.center);
   return {one_of(on_edges, across_edges.normal, across_face.normal),
@@ -146,7 +198,7 @@ class CarryingBoxes {
     const Point normal = axis_of_carried(boxes, pairs).normal;
     by_first_ = is_face_along(boxes.box[0], normal);
     by_second_ =
-        hn::AndNot(by_first_, hn::And(is_set(pairs.is_on_edges), is_face_along(boxes.box[1], normal * both(-1))));
+        hn::AndNot(by_first_, hn::And(pairs.is_on_edges, is_face_along(boxes.box[1], normal * both(-1))));
   }
 
   /// One bit for each pair.
@@ -164,8 +216,8 @@ HWY_INLINE CarriedLanes carried_lanes(const FacePairs<T>& pairs) {
   BoxLanes own;
   load_boxes(pairs.own, own);
   load_boxes(pairs.other, carried.other);
-  carried.turned = is_set(pairs.turned);
-  carried.of_b = is_set(pairs.of_b);
+  carried.turned = pairs.turned;
+  carried.of_b = pairs.of_b;
   carried.is_open = no_lane();
   const Point zero{{both(0), both(0), both(0)}};
   const Point of_own = own.center;
@@ -174,7 +226,7 @@ HWY_INLINE CarriedLanes carried_lanes(const FacePairs<T>& pairs) {
   carried.origin = one_of(carried.of_b, of_other, of_own);
   own.center = one_of(carried.of_b, way, zero);
   carried.other.center = one_of(carried.of_b, zero, way);
-  carried.own_axis = hn::Load(Tag<double>(), pairs.axis.of);
+  carried.own_axis = pairs.axis;
   carried.size = hn::Add(size_of(own), size_of(carried.other));
   turn_to(own, carried.own_axis, carried.own);
   carried.found = axis_of_face(carried.own, 0, carried.other, way);
@@ -188,8 +240,8 @@ template <class T>
 HWY_INLINE CarriedLanes carried_lanes(const CarriedPairs<T>& pairs) {
   BoxPair boxes{{load_boxes(pairs.first), load_boxes(pairs.second)}};
   CarriedLanes carried;
-  carried.turned = is_set(pairs.turned);
-  carried.of_b = is_set(pairs.of_b);
+  carried.turned = pairs.turned;
+  carried.of_b = pairs.of_b;
   carried.origin = see_from_first(boxes);
   carried.size = hn::Add(size_of(boxes.box[0]), size_of(boxes.box[1]));
   carried.found = axis_of_carried(boxes, pairs);
@@ -258,6 +310,8 @@ class FaceContacts {
 
   /// One bit for each pair of which not all is clear.
   std::uint32_t open() const { return bits_of<double>(is_open_); }
+  /// And for each whose face is of the user's second box.
+  std::uint32_t turns() const { return bits_of<double>(turns_); }
 
   /// `turns` where the user's second box has the face.
   void write(std::size_t lane, bool turns, Manifold<3, T>& to) const {

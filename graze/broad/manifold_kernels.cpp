@@ -47,177 +47,155 @@ class ContactBatch {
  public:
   ContactBatch(std::span<const ObbsToContact<T>> pairs, std::uint32_t* left) : pairs_(pairs), left_(left) {
     for (std::size_t i = 0; i < pairs.size(); ++i) sort_in(i);
-    for (std::size_t i = 0; i < level_.count; i += pairs_at_once) find_carrying(i);
-    for (std::size_t i = 0; i < faces_.count; i += 2 * pairs_at_once) contact_faces(i);
-    for (std::size_t i = 0; i < edges_.count; i += pairs_at_once) contact_edges(i);
-    for (std::size_t i = 0; i < carried_.count; i += 2 * pairs_at_once) contact_carried(i);
+    contact_level();
+    contact_faces(lists_[on_face], [](const PairGroup<T>& group) HWY_ATTR { return FacePairs<T>(group); });
+    contact_edges(lists_[on_edges]);
+    contact_faces(lists_[carried], [](const PairGroup<T>& group) HWY_ATTR { return CarriedPairs<T>(group); });
   }
 
   std::size_t left_count() const { return left_count_; }
 
  private:
-  static constexpr std::size_t room = most_obbs_to_contact + pairs_at_once;
-
-  struct List {
-    std::array<std::uint16_t, room> pairs;
-    std::size_t count = 0;
+  enum Kind : std::uint8_t {
+    on_face,
+    on_edges,
+    level,    ///< May be carried by another face, or else is one of the two above.
+    carried,  ///< By a face that the axis is not the normal of.
+    unknown,
+    kinds
   };
 
-  void sort_in(std::size_t i) {
-    const TwoObbs<T>& boxes = pairs_[i].boxes;
-    const std::array<const T*, 2> numbers{numbers_of(*boxes.a), numbers_of(*boxes.b)};
-    const bool turned = pairs_[i].look.is_turned();
-    turned_[i] = turned;
-    first_[i] = numbers[turned ? 1 : 0];
-    second_[i] = numbers[turned ? 0 : 1];
-    is_by_second_[i] = false;
-    is_carried_[i] = false;
-    const auto place = static_cast<std::uint8_t>(pairs_[i].look.axis());
-    place_[i] = place;
-    List& list = pairs_[i].look.may_be_along_face() ? level_ : list_of(i);
-    list.pairs[list.count] = static_cast<std::uint16_t>(i);
-    list.count += place < ObbsLook::no_axis ? 1 : 0;
-    if (place == ObbsLook::no_axis) left_[left_count_++] = static_cast<std::uint32_t>(i);
-  }
+  /// Pairs of a kind: their boxes, where they are carried by a face, first the one that has it, else in the order of
+  /// their contact; and their looks.
+  struct List {
+    static constexpr std::size_t room = most_obbs_to_contact + pairs_at_once;
 
-  List& list_of(std::size_t i) { return place_[i] < 6 ? faces_ : edges_; }
+    std::array<const T*, room> first;
+    std::array<const T*, room> second;
+    std::array<std::uint64_t, room> looks;
+    std::array<std::uint16_t, room> pairs;
+    std::size_t count = 0;
 
-  using Group = std::array<std::uint16_t, pairs_at_once>;
-
-  /// The pairs of a group, the first in the place of those that are missing.
-  static Group group_of(const List& list, std::size_t from) {
-    Group group;
-    for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
-      group[lane] = list.pairs[from + lane < list.count ? from + lane : from];
+    HWY_INLINE void add(const T* its_first, const T* its_second, std::uint64_t look, std::size_t pair) {
+      first[count] = its_first;
+      second[count] = its_second;
+      looks[count] = look;
+      pairs[count] = static_cast<std::uint16_t>(pair);
+      ++count;
     }
-    return group;
+
+    /// The last pair once more where a group has no more.
+    void fill_last_group() {
+      const std::size_t end = count;
+      while (count % pairs_at_once != 0) add(first[end - 1], second[end - 1], looks[end - 1], pairs[end - 1]);
+      count = end;
+    }
+
+    PairGroup<T> group(std::size_t from) const { return {&first[from], &second[from], &looks[from]}; }
+  };
+
+  /// The kind of pairs by their axis, and 16 more if that may be along a face; and whether the other box is the first
+  /// in its list.
+  struct Sort {
+    Kind kind;
+    bool exchanged;
+  };
+
+  static constexpr auto sorts = [] {
+    std::array<Sort, 32> result{};
+    for (std::uint32_t place = 0; place < result.size(); ++place) {
+      const std::uint32_t axis = place % 16;
+      const Kind across = axis < 6 ? on_face : on_edges;
+      result[place].kind = axis == ObbsLook::no_axis ? unknown : place >= 16 ? level : across;
+      result[place].exchanged = result[place].kind == on_face && axis >= 3;
+    }
+    return result;
+  }();
+
+  HWY_INLINE void sort_in(std::size_t i) {
+    const ObbsToContact<T>& pair = pairs_[i];
+    const std::uint32_t look = pair.look.bits;
+    static_assert(ObbsLook::along_face >> 20U == 16);
+    const Sort sort = sorts[(look & 15U) | (look >> 20U & 16U)];
+    put(sort, pair.look.is_turned() != sort.exchanged, numbers_of(*pair.boxes.a), numbers_of(*pair.boxes.b), look, i);
   }
 
-  void contact_faces(std::size_t from) {
-    contact_two_groups(faces_, from, [this](const Group& group) { return face_pairs(group); });
+  HWY_INLINE void put(Sort sort, bool turned, const T* a, const T* b, std::uint64_t look, std::size_t i) {
+    lists_[sort.kind].add(turned ? b : a, turned ? a : b, look, i);
   }
 
-  /// Those of a list from there on, as many as two groups have. Functions of their own, or their many instructions
-  /// would be there twice, and not stay near.
+  /// Those of a list. Functions of their own, or their many instructions would be there twice, and not stay near.
   template <class PairsOf>
-  void contact_two_groups(const List& list, std::size_t from, const PairsOf& pairs_of) {
-    const std::size_t count = std::min(list.count - from, 2 * pairs_at_once);
-    const std::size_t groups = count > pairs_at_once ? 2 : 1;
-    FaceContacts<T> contacts[2];
-    for (std::size_t g = 0; g < groups; ++g) lay(pairs_of(group_of(list, from + g * pairs_at_once)), contacts[g]);
-    FaceContacts<T>::choose(contacts[0], contacts[groups - 1]);
-    for (std::size_t g = 0; g < groups; ++g) {
-      write_faces(contacts[g], group_of(list, from + g * pairs_at_once), count - g * pairs_at_once);
+  void contact_faces(List& list, const PairsOf& pairs_of) {
+    list.fill_last_group();
+    for (std::size_t from = 0; from < list.count; from += 2 * pairs_at_once) {
+      const std::size_t groups = list.count - from > pairs_at_once ? 2 : 1;
+      FaceContacts<T> contacts[2];
+      for (std::size_t g = 0; g < groups; ++g) {
+        lay(pairs_of, list.group(from + g * pairs_at_once), contacts[g]);
+      }
+      FaceContacts<T>::choose(contacts[0], contacts[groups - 1]);
+      for (std::size_t g = 0; g < groups; ++g) write_faces(contacts[g], list, from + g * pairs_at_once);
     }
   }
 
-  template <class Pairs>
-  HWY_NOINLINE static void lay(const Pairs& pairs, FaceContacts<T>& contacts) {
-    contacts.lay(carried_lanes(pairs));
+  template <class PairsOf>
+  HWY_NOINLINE static void lay(const PairsOf& pairs_of, const PairGroup<T>& group, FaceContacts<T>& contacts) {
+    contacts.lay(carried_lanes(pairs_of(group)));
   }
 
-  HWY_NOINLINE void write_faces(FaceContacts<T>& contacts, const Group& group, std::size_t count) {
+  HWY_NOINLINE void write_faces(FaceContacts<T>& contacts, const List& list, std::size_t from) {
     contacts.set_points();
+    write(contacts, list, from);
+  }
+
+  /// Those of a group.
+  template <class Contacts>
+  HWY_INLINE void write(const Contacts& contacts, const List& list, std::size_t from) {
     const std::uint32_t open = contacts.open();
-    for (std::size_t lane = 0; lane < std::min(pairs_at_once, count); ++lane) {
-      const std::size_t i = group[lane];
-      if ((open >> lane & 1U) != 0) {
+    const std::uint32_t turns = contacts.turns();
+    const std::size_t count = std::min(pairs_at_once, list.count - from);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const std::size_t i = list.pairs[from + lane];
+      if (HWY_UNLIKELY((open >> lane & 1U) != 0)) {
         left_[left_count_++] = static_cast<std::uint32_t>(i);
       } else {
-        contacts.write(lane, turned_[i] != is_of_second(i), *pairs_[i].manifold);
+        contacts.write(lane, (turns >> lane & 1U) != 0, *pairs_[i].manifold);
       }
     }
   }
 
-  /// Whether the box that carries the points is the second in the order of the contact.
-  bool is_of_second(std::size_t i) const { return is_by_second_[i] || (!is_carried_[i] && place_[i] >= 3); }
-
-  FacePairs<T> face_pairs(const Group& group) const {
-    FacePairs<T> pairs;
-    for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
-      const std::size_t i = group[lane];
-      const bool of_b = place_[i] >= 3;
-      const std::array<const T*, 2> numbers{first_[i], second_[i]};
-      pairs.own[lane] = numbers[of_b ? 1 : 0];
-      pairs.other[lane] = numbers[of_b ? 0 : 1];
-      pairs.axis.of[lane] = place_[i] - (of_b ? 3 : 0);
-      pairs.of_b.of[lane] = of_b ? 1 : 0;
-      pairs.turned.of[lane] = turned_[i] ? 1 : 0;
-    }
-    return pairs;
-  }
-
-  HWY_INLINE void contact_edges(std::size_t from) {
-    const auto group = group_of(edges_, from);
-    EdgePairs<T> pairs;
-    for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
-      const std::size_t i = group[lane];
-      pairs.first[lane] = first_[i];
-      pairs.second[lane] = second_[i];
-      pairs.edge_a.of[lane] = (place_[i] - 6) / 3;
-      pairs.edge_b.of[lane] = place_[i] % 3;
-      pairs.turned.of[lane] = turned_[i] ? 1 : 0;
-    }
-    const EdgeContacts<T> contacts(pairs);
-    const std::uint32_t open = contacts.open();
-    for (std::size_t lane = 0; lane < std::min(pairs_at_once, edges_.count - from); ++lane) {
-      const std::size_t i = group[lane];
-      if ((open >> lane & 1U) != 0) {
-        left_[left_count_++] = static_cast<std::uint32_t>(i);
-      } else {
-        contacts.write(lane, turned_[i], *pairs_[i].manifold);
-      }
+  HWY_INLINE void contact_edges(List& list) {
+    list.fill_last_group();
+    for (std::size_t from = 0; from < list.count; from += pairs_at_once) {
+      const EdgeContacts<T> contacts{EdgePairs<T>(list.group(from))};
+      write(contacts, list, from);
     }
   }
 
   /// Which box' face carries the points of pairs whose axis may be along one.
-  HWY_INLINE void find_carrying(std::size_t from) {
-    const auto group = group_of(level_, from);
-    const CarryingBoxes carrying(carried_pairs(group));
-    const std::uint32_t by_first = carrying.by_first();
-    const std::uint32_t by_second = carrying.by_second();
-    for (std::size_t lane = 0; lane < std::min(pairs_at_once, level_.count - from); ++lane) {
-      const std::size_t i = group[lane];
-      is_by_second_[i] = (by_second >> lane & 1U) != 0;
-      is_carried_[i] = ((by_first | by_second) >> lane & 1U) != 0;
-      List& list = is_carried_[i] ? carried_ : list_of(i);
-      list.pairs[list.count++] = static_cast<std::uint16_t>(i);
+  HWY_INLINE void contact_level() {
+    for (std::size_t i = 0; i < lists_[unknown].count; ++i) left_[left_count_++] = lists_[unknown].pairs[i];
+    List& list = lists_[level];
+    list.fill_last_group();
+    for (std::size_t from = 0; from < list.count; from += pairs_at_once) {
+      const CarryingBoxes carrying(CarriedPairs<T>(list.group(from)));
+      const std::uint32_t by_first = carrying.by_first();
+      const std::uint32_t by_second = carrying.by_second();
+      for (std::size_t lane = 0; lane < std::min(pairs_at_once, list.count - from); ++lane) {
+        const std::size_t at = from + lane;
+        const bool is_carried = ((by_first | by_second) >> lane & 1U) != 0;
+        const std::uint64_t of_second = (by_second >> lane & 1U) != 0 ? carried_by_second : 0;
+        const Sort sort = is_carried ? Sort{carried, false} : sorts[list.looks[at] & 15U];
+        put(sort, sort.exchanged, list.first[at], list.second[at], list.looks[at] | of_second, list.pairs[at]);
+      }
     }
-  }
-
-  CarriedPairs<T> carried_pairs(const Group& group) const {
-    CarriedPairs<T> pairs;
-    for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
-      const std::size_t i = group[lane];
-      const std::uint8_t place = place_[i];
-      pairs.first[lane] = first_[i];
-      pairs.second[lane] = second_[i];
-      pairs.is_on_edges.of[lane] = place >= 6 ? 1 : 0;
-      pairs.axis_a.of[lane] = place >= 6 ? (place - 6) / 3 : 0;
-      pairs.axis_b.of[lane] = place % 3;
-      pairs.of_b.of[lane] = is_by_second_[i] ? 1 : 0;
-      pairs.turned.of[lane] = turned_[i] ? 1 : 0;
-    }
-    return pairs;
-  }
-
-  void contact_carried(std::size_t from) {
-    contact_two_groups(carried_, from, [this](const Group& group) { return carried_pairs(group); });
   }
 
   std::span<const ObbsToContact<T>> pairs_;
   std::uint32_t* left_;
   std::size_t left_count_ = 0;
-  std::array<const T*, room> first_;
-  std::array<const T*, room> second_;
-  std::array<bool, room> turned_;
-  std::array<std::uint8_t, room> place_;
-  List level_;  ///< That may be in the last of these lists, or else in one of the others.
-  List faces_;
-  List edges_;
-  List carried_;
-  std::array<bool, room> is_carried_;    ///< In the last list.
-  std::array<bool, room> is_by_second_;  ///< Of those, else false.
+  std::array<List, kinds> lists_;
 };
 
 template <class T>
