@@ -93,17 +93,17 @@ class AxesLook {
   /// Returns the size of both.
   HWY_INLINE Lanes<float> find_face_gaps() {
     Lanes<float> size = all(0.0F);
-    for (Dim i = 0; i < 3; ++i) {
+    unrolled<3>([&](auto i) GRAZE_INLINE_LAMBDA {
       Lanes<float> reach = view_.half.at[i];
       Lanes<float> gap = hn::Sub(hn::Abs(inner(view_.between, view_.directions[i])), view_.other_half.at[i]);
-      for (Dim j = 0; j < 3; ++j) {
+      unrolled<3>([&](auto j) GRAZE_INLINE_LAMBDA {
         reach = hn::MulAdd(view_.other_half.at[j], view_.shadow[j].at[i], reach);
         gap = hn::NegMulAdd(view_.half.at[j], view_.shadow[i].at[j], gap);
-      }
+      });
       gaps_[i] = hn::Sub(hn::Abs(view_.between.at[i]), reach);
       gaps_[3 + i] = gap;
       size = hn::Add(size, hn::Add(hn::Abs(view_.between.at[i]), reach));
-    }
+    });
     return size;
   }
 
@@ -114,22 +114,21 @@ class AxesLook {
     Lanes<float> least_squared = hn::Mul(size_, size_);
     Lanes<float> widest_across = hn::Neg(size_);
     Mask are_open = hn::Lt(size_, hn::Zero(Tag<float>()));
-    for (Dim i = 0; i < 3; ++i) {
-      for (Dim j = 0; j < 3; ++j) {
-        const Dim k = 3 * i + j;
-        const auto gap = gap_across(view_, i, j);
-        const auto next = view_.directions[j].at[(i + 1) % 3];
-        const auto last = view_.directions[j].at[(i + 2) % 3];
-        gaps_[6 + k] = gap;
-        squared_length[k] = hn::MulAdd(next, next, hn::Mul(last, last));
-        const auto deepest = hn::Sub(gap, band_);
-        least_squared =
-            hn::Min(least_squared, hn::Div(hn::Mul(deepest, deepest), hn::Max(squared_length[k], all(1e-15F))));
-        widest_across = hn::Max(widest_across, gap);
-        are_open = hn::Or(are_open, hn::And(hn::Ge(hn::Add(gap, band_), hn::Zero(Tag<float>())),
-                                            hn::Ge(squared_length[k], squared_parallel)));
-      }
-    }
+    unrolled<9>([&](auto k) GRAZE_INLINE_LAMBDA {
+      constexpr Dim i = k / 3;
+      constexpr Dim j = k % 3;
+      const auto gap = gap_across(view_, i, j);
+      const auto next = view_.directions[j].at[(i + 1) % 3];
+      const auto last = view_.directions[j].at[(i + 2) % 3];
+      gaps_[6 + k] = gap;
+      squared_length[k] = hn::MulAdd(next, next, hn::Mul(last, last));
+      const auto deepest = hn::Sub(gap, band_);
+      least_squared =
+          hn::Min(least_squared, hn::Div(hn::Mul(deepest, deepest), hn::Max(squared_length[k], all(1e-15F))));
+      widest_across = hn::Max(widest_across, gap);
+      are_open = hn::Or(are_open, hn::And(hn::Ge(hn::Add(gap, band_), hn::Zero(Tag<float>())),
+                                          hn::Ge(squared_length[k], squared_parallel)));
+    });
     const Mask is_apart = hn::Or(apart_by_faces, hn::And(has_size, hn::Gt(widest_across, band_)));
     find_candidates(squared_length, least_squared);
     const Mask is_deep = hn::Lt(widest_, hn::Mul(all(-8.0F), band_));
@@ -141,25 +140,23 @@ class AxesLook {
 
   HWY_INLINE void find_candidates(const Lanes<float> (&squared_length)[9], Lanes<float> least_squared) {
     const auto least = hn::Sub(hn::Max(hn::Sub(widest_, band_), hn::Neg(hn::Sqrt(least_squared))), band_);
-    for (std::size_t i = 0; i < 6; ++i) add(hn::Ge(gaps_[i], least), 1U << i);
+    unrolled<6>([&](auto i) GRAZE_INLINE_LAMBDA { add(hn::Ge(gaps_[i], least), 1U << i); });
     const auto squared_least = hn::Mul(hn::Mul(all(1.001F), least), least);
-    for (std::size_t k = 0; k < 9; ++k) {
+    unrolled<9>([&](auto k) GRAZE_INLINE_LAMBDA {
       const auto short_by = hn::Add(gaps_[6 + k], band_);
       add(hn::Or(hn::Ge(short_by, hn::Zero(Tag<float>())),
                  hn::Le(hn::Mul(short_by, short_by), hn::Mul(squared_length[k], squared_least))),
           1U << (6 + k));
-    }
+    });
   }
 
   /// Those edges that are at right angles to each other, or so nearly that they may be by the tolerance of manifolds
   /// and how far axes may be from orthonormal.
   HWY_INLINE void add_right_angles() {
     constexpr float most = 1e-3F;
-    for (Dim i = 0; i < 3; ++i) {
-      for (Dim j = 0; j < 3; ++j) {
-        add(hn::Le(view_.shadow[j].at[i], all(most)), 1U << (first_right_angle + 3 * i + j));
-      }
-    }
+    unrolled<9>([&](auto k) GRAZE_INLINE_LAMBDA {
+      add(hn::Le(view_.shadow[k % 3].at[k / 3], all(most)), 1U << (first_right_angle + k));
+    });
   }
 
   LaneView<3, float> view_;

@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
-#include <utility>
 
 #include <hwy/highway.h>
 
@@ -38,18 +37,6 @@ struct alignas(64) Row {
 /// Bits of each pair, as long as its numbers: masks are few, and take long to be put aside.
 using BitsTag = hn::RebindToUnsigned<Tag<double>>;
 using Bits = hn::Vec<BitsTag>;
-
-/// After the parameters of a lambda: it becomes part of its caller, however long both are.
-#define GRAZE_INLINE_LAMBDA __attribute__((always_inline))
-
-/// use(0), use(1) ... of as many constants. What is in an array stays in registers if its places are constants before
-/// anything else is done; those of a loop in a loop are not.
-template <std::size_t count, class Use>
-HWY_INLINE void unrolled(const Use& use) {
-  [&use]<std::size_t... i>(std::index_sequence<i...>) GRAZE_INLINE_LAMBDA {
-    (use(std::integral_constant<std::size_t, i>()), ...);
-  }(std::make_index_sequence<count>());
-}
 
 /// Every bit in all lanes, for T as long as a lane: read, which takes less than to make them.
 template <class T>

@@ -127,52 +127,77 @@ class PairsToLookAt<float> {
 template <>
 class PairsToLookAt<double> {
  public:
-  HWY_INLINE PairsToLookAt(const double* const* first, const double* const* second) {
-    turned_ = 0;
-    for (std::size_t group = 0; group < 2; ++group) {
-      const std::size_t lane = group * pairs_at_once;
-      load_numbers_of_boxes(first + lane, first_[group]);
-      load_numbers_of_boxes(second + lane, second_[group]);
-      const std::uint32_t turned = turned_of(first_[group], second_[group], first + lane, second + lane);
-      const DoublesMask mask = mask_of(Tag<double>(), turned);
-      for (std::size_t k = 0; k < 15; ++k) exchange_where<Tag<double>>(mask, first_[group][k], second_[group][k]);
-      turned_ |= turned << lane;
-    }
+  HWY_INLINE PairsToLookAt(const double* const* first, const double* const* second) : first_(first), second_(second) {
+    Halves of_group[2];
+    unrolled<2>([&](auto group) GRAZE_INLINE_LAMBDA { load(first, second, group, of_group[group]); });
+    unrolled<12>([&](auto k) GRAZE_INLINE_LAMBDA {
+      a_[3 + k] = together(of_group[0].first[k], of_group[1].first[k]);
+      b_[3 + k] = together(of_group[0].second[k], of_group[1].second[k]);
+    });
+    turned_ = of_group[0].turned | of_group[1].turned << pairs_at_once;
+    const auto turned = mask_of(Tag<float>(), turned_);
+    unrolled<3>([&](auto k) GRAZE_INLINE_LAMBDA {
+      const Lanes<float> way = together(of_group[0].way[k], of_group[1].way[k]);
+      a_[k] = hn::Zero(Tag<float>());
+      b_[k] = hn::IfThenElse(turned, hn::Neg(way), way);
+    });
+    unrolled<12>([&](auto k) GRAZE_INLINE_LAMBDA { exchange_where<Tag<float>>(turned, a_[3 + k], b_[3 + k]); });
   }
 
   /// One bit for each pair whose second box is the first in the order of the contact.
   std::uint32_t turned() const { return turned_; }
 
-  HWY_INLINE AxesLook look() const {
-    Lanes<float> a[15];
-    Lanes<float> b[15];
-    for (std::size_t k = 0; k < 15; ++k) {
-      const auto way = [&](std::size_t group) { return hn::Sub(second_[group][k], first_[group][k]); };
-      a[k] = k < 3 ? hn::Zero(Tag<float>()) : joined(first_[0][k], first_[1][k]);
-      b[k] = k < 3 ? joined(way(0), way(1)) : joined(second_[0][k], second_[1][k]);
-    }
-    return AxesLook(LaneObb<3, float>(a), LaneObb<3, float>(b));
-  }
+  HWY_INLINE AxesLook look() const { return AxesLook(LaneObb<3, float>(a_), LaneObb<3, float>(b_)); }
 
   /// Leaves out axes that are another one once more.
-  HWY_INLINE AxesLook::Bits distinct(AxesLook::Bits axes) const {
+  HWY_NOINLINE AxesLook::Bits distinct(AxesLook::Bits axes) const {
     Bits repeated[2];
     for (std::size_t group = 0; group < 2; ++group) {
-      Point a[3];
-      Point b[3];
-      for (std::size_t k = 0; k < 9; ++k) {
-        a[k / 3].at[k % 3] = first_[group][6 + k];
-        b[k / 3].at[k % 3] = second_[group][6 + k];
+      const double* a[pairs_at_once];
+      const double* b[pairs_at_once];
+      for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
+        const std::size_t pair = group * pairs_at_once + lane;
+        const bool turns = (turned_ >> pair & 1U) != 0;
+        a[lane] = turns ? second_[pair] : first_[pair];
+        b[lane] = turns ? first_[pair] : second_[pair];
       }
-      repeated[group] = repeated_axes(a, b);
+      repeated[group] = repeated_axes(load_boxes(a).axes, load_boxes(b).axes);
     }
     const AxesLook::Bits left = hn::AndNot(joined(repeated[0], repeated[1]), axes);
     return hn::IfThenElse(hn::Eq(left, hn::Zero(AxesLook::BitsTag())), axes, left);
   }
 
  private:
-  Doubles first_[2][15];
-  Doubles second_[2][15];
+  /// Of a group, as floats: the boxes but for their centers, and the way from the first one's to the second one's.
+  struct Halves {
+    hn::Vec<FloatTag> first[12];
+    hn::Vec<FloatTag> second[12];
+    hn::Vec<FloatTag> way[3];
+    std::uint32_t turned;
+  };
+
+  HWY_INLINE static void load(const double* const* first, const double* const* second, std::size_t group, Halves& to) {
+    Doubles of_first[15];
+    Doubles of_second[15];
+    const std::size_t lane = group * pairs_at_once;
+    load_numbers_of_boxes(first + lane, of_first);
+    load_numbers_of_boxes(second + lane, of_second);
+    to.turned = turned_of(of_first, of_second, first + lane, second + lane);
+    unrolled<3>([&](auto k) GRAZE_INLINE_LAMBDA { to.way[k] = narrowed(hn::Sub(of_second[k], of_first[k])); });
+    unrolled<12>([&](auto k) GRAZE_INLINE_LAMBDA {
+      to.first[k] = narrowed(of_first[3 + k]);
+      to.second[k] = narrowed(of_second[3 + k]);
+    });
+  }
+
+  HWY_INLINE static Lanes<float> together(hn::Vec<FloatTag> low, hn::Vec<FloatTag> high) {
+    return hn::Combine(Tag<float>(), high, low);
+  }
+
+  const double* const* first_;
+  const double* const* second_;
+  Lanes<float> a_[15];
+  Lanes<float> b_[15];
   std::uint32_t turned_;
 };
 

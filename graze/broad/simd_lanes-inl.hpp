@@ -34,6 +34,19 @@ constexpr std::uint32_t lanes_of = static_cast<std::uint32_t>(hn::MaxLanes(Tag<T
 template <class T>
 constexpr std::uint32_t vectors_of = block_size / lanes_of<T>;
 
+/// After the parameters of a lambda: it becomes part of its caller, however long both are.
+#undef GRAZE_INLINE_LAMBDA
+#define GRAZE_INLINE_LAMBDA __attribute__((always_inline))
+
+/// use(0), use(1) ... of as many constants. What is in an array stays in registers if its places are constants before
+/// anything else is done; those of a loop in a loop are not.
+template <std::size_t count, class Use>
+HWY_INLINE void unrolled(const Use& use) {
+  [&use]<std::size_t... i>(std::index_sequence<i...>) GRAZE_INLINE_LAMBDA {
+    (use(std::integral_constant<std::size_t, i>()), ...);
+  }(std::make_index_sequence<count>());
+}
+
 /// One bit per lane.
 template <class T, class Mask>
 HWY_INLINE std::uint32_t bits_of(const Mask& mask) {

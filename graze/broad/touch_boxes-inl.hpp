@@ -59,10 +59,10 @@ struct LaneView {
 
   HWY_INLINE LaneView(const LaneObb<N, T>& a, const LaneObb<N, T>& b) : half(a.half), other_half(b.half) {
     const auto way = difference(b.center, a.center);
-    for (Dim i = 0; i < N; ++i) {
+    unrolled<N>([&](auto i) GRAZE_INLINE_LAMBDA {
       between.at[i] = inner(a.axes[i], way);
-      for (Dim j = 0; j < N; ++j) directions[j].at[i] = inner(a.axes[i], b.axes[j]);
-    }
+      unrolled<N>([&](auto j) GRAZE_INLINE_LAMBDA { directions[j].at[i] = inner(a.axes[i], b.axes[j]); });
+    });
     set_shadow();
   }
 
@@ -77,9 +77,9 @@ struct LaneView {
 
  private:
   HWY_INLINE void set_shadow() {
-    for (Dim j = 0; j < N; ++j) {
-      for (Dim i = 0; i < N; ++i) shadow[j].at[i] = hn::Abs(directions[j].at[i]);
-    }
+    unrolled<N>([&](auto j) GRAZE_INLINE_LAMBDA {
+      unrolled<N>([&](auto i) GRAZE_INLINE_LAMBDA { shadow[j].at[i] = hn::Abs(directions[j].at[i]); });
+    });
   }
 };
 

@@ -203,11 +203,11 @@ struct LaneObb {
 
  private:
   HWY_INLINE void set(const Lanes<T> (&number)[2 * N + N * N]) {
-    for (Dim i = 0; i < N; ++i) {
+    unrolled<N>([&](auto i) GRAZE_INLINE_LAMBDA {
       center.at[i] = number[i];
       half.at[i] = number[N + i];
-      for (Dim k = 0; k < N; ++k) axes[i].at[k] = number[2 * N + i * N + k];
-    }
+      unrolled<N>([&](auto k) GRAZE_INLINE_LAMBDA { axes[i].at[k] = number[2 * N + i * N + k]; });
+    });
   }
 };
 
