@@ -35,12 +35,15 @@ class RayPlaneFilter {
     const LanePair height_and_climb = sums.value - offset;
     sizes_ = sums.magnitude + magnitude(offset);
     const LanePair slack = sizes_ * LanePair{tolerance::ray_plane, least_slope};
-    const LanePairBits is_clear =
-        (magnitude(height_and_climb) > slack) & (sizes_ > least_size) & (sizes_ < 1 / least_size);
+    // Of each comparison alone: vectors of several joined by & are taken apart by GCC, and made anew.
+    const LanePairBits is_far = magnitude(height_and_climb) > slack;
+    const LanePairBits is_large = sizes_ > least_size;
+    const LanePairBits is_small = sizes_ < 1 / least_size;
+    const unsigned clear = sign_bits(is_far) & sign_bits(is_large) & sign_bits(is_small);
     const bool is_moderate = (squared_ > least_size) & (squared_ < 1 / least_size);
     height_ = height_and_climb[0];
     approach_ = -height_and_climb[1] * std::copysign(1.0, height_);
-    const bool is_settled = (sign_bits(is_clear) == 3) & is_moderate & !(is_solid & (height_ < 0));
+    const bool is_settled = (clear == 3) & is_moderate & !(is_solid & (height_ < 0));
     const double beyond = approach_ * static_cast<double>(std::max(T(0), t_max)) - std::fabs(height_);
     is_hit_ = is_settled & (beyond > slack[0]);
     is_missed_ = is_settled & (beyond < -slack[0]);
@@ -52,10 +55,9 @@ class RayPlaneFilter {
   }
 
   [[gnu::always_inline]] std::optional<RayHit<N, T>> hit() const {
-    const double length = std::sqrt(squared_);
-    const double inverse = 1 / (approach_ * length);
-    const double t = std::fabs(height_) * length * inverse;
-    const double per_length = approach_ * inverse;
+    const LanePair quotients = LanePair{std::fabs(height_), 1} / LanePair{approach_, std::sqrt(squared_)};
+    const double t = quotients[0];
+    const double per_length = quotients[1];
     const double sizes = 2 * sizes_[0] + sizes_[1] * t;  // at least those of the terms of both heights
     return RayHit<N, T>{static_cast<T>(t), rounded_vec<T>(origin_ + direction_ * t),
                         rounded_vec<T>(normal_ * std::copysign(per_length, height_)), Status::converged,
