@@ -59,7 +59,8 @@ class BoxLooks {
     if constexpr (N == 3) {
       for (std::size_t first = 0; first < count; first += most) {
         const std::size_t size = std::min(most, count - first);
-        at_some(size, [&shapes_at, first](std::size_t i) { return shapes_at(first + i); }, looks + first);
+        at_some(
+            size, [&shapes_at, first](std::size_t i) { return shapes_at(first + i); }, looks + first);
       }
     }
   }
@@ -179,8 +180,8 @@ void contacts_of(std::span<const ShapesToContact<N, T>> pairs) {
     std::array<ObbsLook, manifolds_per_task> looks{};
     BoxLooks<N, T>::at(some.size(), shapes_at, looks.data());
     write_manifolds<N, T>(
-        some.size(), shapes_at, [&looks](std::size_t i) { return looks[i]; },
-        [some](std::size_t i) -> auto& { return *some[i].manifold; });
+        some.size(), shapes_at,
+        [&looks](std::size_t i) { return looks[i]; }, [some](std::size_t i) -> auto& { return *some[i].manifold; });
   }
 }
 

@@ -317,7 +317,8 @@ class FaceClip {
   template <std::size_t line>
   HWY_INLINE Place end_of_side() const {
     Place end = corners_[(line - reference_lines + 1) % 4];
-    for_each_cut<line, false>([&](std::size_t e, DoublesMask where) GRAZE_INLINE_LAMBDA { end = one_of(where, edges_[e].start, end); });
+    for_each_cut<line, false>([&](std::size_t e, DoublesMask where)
+                                  GRAZE_INLINE_LAMBDA { end = one_of(where, edges_[e].start, end); });
     return end;
   }
 

@@ -26,8 +26,8 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
-/// Beside the bits of an ObbsLook: the face that carries the points is the second box', which the axis is not the normal
-/// of.
+/// Beside the bits of an ObbsLook: the face that carries the points is the second box', which the axis is not the
+/// normal of.
 inline constexpr std::uint64_t carried_by_second = std::uint64_t{1} << 32U;
 
 /// As many pairs as are taken at once, with their looks and that bit.
@@ -43,8 +43,8 @@ class LookLanes {
  public:
   HWY_INLINE explicit LookLanes(const std::uint64_t* looks)
       : looks_(hn::LoadU(BitsTag(), looks)),
-        axis_(hn::ConvertTo(Tag<double>(), hn::BitCast(hn::RebindToSigned<Tag<double>>(),
-                                                       hn::And(looks_, hn::Set(BitsTag(), 15))))) {}
+        axis_(hn::ConvertTo(Tag<double>(),
+                            hn::BitCast(hn::RebindToSigned<Tag<double>>(), hn::And(looks_, hn::Set(BitsTag(), 15))))) {}
 
   /// By its place, as in BoxesAxes.
   Doubles axis() const { return axis_; }
@@ -197,8 +197,7 @@ class CarryingBoxes {
     see_from_first(boxes);
     const Point normal = axis_of_carried(boxes, pairs).normal;
     by_first_ = is_face_along(boxes.box[0], normal);
-    by_second_ =
-        hn::AndNot(by_first_, hn::And(pairs.is_on_edges, is_face_along(boxes.box[1], normal * both(-1))));
+    by_second_ = hn::AndNot(by_first_, hn::And(pairs.is_on_edges, is_face_along(boxes.box[1], normal * both(-1))));
   }
 
   /// One bit for each pair.

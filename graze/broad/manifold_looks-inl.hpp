@@ -115,8 +115,7 @@ class PairsToLookAt<float> {
 
  private:
   HWY_INLINE static Doubles widened(Lanes<float> v, std::size_t group) {
-    return hn::PromoteTo(Tag<double>(),
-                         group == 0 ? hn::LowerHalf(FloatTag(), v) : hn::UpperHalf(FloatTag(), v));
+    return hn::PromoteTo(Tag<double>(), group == 0 ? hn::LowerHalf(FloatTag(), v) : hn::UpperHalf(FloatTag(), v));
   }
 
   Lanes<float> first_[15];

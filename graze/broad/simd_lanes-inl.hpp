@@ -44,7 +44,8 @@ template <std::size_t count, class Use>
 HWY_INLINE void unrolled(const Use& use) {
   [&use]<std::size_t... i>(std::index_sequence<i...>) GRAZE_INLINE_LAMBDA {
     (use(std::integral_constant<std::size_t, i>()), ...);
-  }(std::make_index_sequence<count>());
+  }
+  (std::make_index_sequence<count>());
 }
 
 /// One bit per lane.

@@ -352,8 +352,8 @@ std::size_t open_looks(const Boxes<T>& boxes, const std::string& where) {
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const auto& [a, b] = boxes[i];
     const Relation said = relation(a, b);
-    const bool is_right = (!looks[i].is_apart() || said == Relation::apart) &&
-                          (!looks[i].is_overlapping() || said != Relation::apart);
+    const bool is_right =
+        (!looks[i].is_apart() || said == Relation::apart) && (!looks[i].is_overlapping() || said != Relation::apart);
     EXPECT_TRUE(is_right) << where << '\n' << text_of(a) << '\n' << text_of(b);
     EXPECT_LE(looks[i].axis(), ObbsLook::no_axis);
     open += looks[i].is_apart() || looks[i].is_overlapping() ? 0 : 1;
