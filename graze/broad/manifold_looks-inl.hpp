@@ -211,6 +211,9 @@ class LooksAtObbs {
 
  private:
   static constexpr std::size_t at_once = lanes_of<float>;
+  /// Of so many pairs at once with several axes left it is asked which of these are one; fewer are put aside as they
+  /// are.
+  static constexpr int many_ties = at_once / 4;
   using LookTag = AxesLook::BitsTag;
   using LookBits = AxesLook::Bits;
 
@@ -226,7 +229,9 @@ class LooksAtObbs {
     const PairsToLookAt<T> boxes(first.data(), second.data());
     const LookBits bits = boxes.look().bits();
     LookBits axes = hn::And(bits, all_bits(AxesLook::axes));
-    if (!hn::AllFalse(LookTag(), are_several(axes))) axes = boxes.distinct(axes);
+    if (std::popcount(bits_of<float>(hn::RebindMask(Tag<float>(), are_several(axes)))) >= many_ties) {
+      axes = boxes.distinct(axes);
+    }
     const LookBits along_faces =
         hn::GatherIndex(LookTag(), axes_along_faces.data(),
                         hn::BitCast(hn::RebindToSigned<LookTag>(), hn::ShiftRight<AxesLook::first_right_angle>(bits)));
