@@ -49,43 +49,37 @@ const Obb<N, T>* obb_of(const AnyShape<N, T>& shape) {
   return box;
 }
 
+/// As look_at_boxes, of as many as a kernel takes in one go, at most.
+template <class T, class ShapesAt>
+void look_at_some_boxes(std::size_t count, const ShapesAt& shapes_at, ObbsLook* looks) {
+  std::array<TwoObbs<T>, most_obbs_to_contact> boxes;
+  std::array<std::uint16_t, most_obbs_to_contact> places;
+  std::size_t box_count = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const ShapePair<3, T> shapes = shapes_at(i);
+    if (!is_obb(*shapes.a) || !is_obb(*shapes.b)) continue;
+    boxes[box_count] = {obb_of(*shapes.a), obb_of(*shapes.b)};
+    places[box_count++] = static_cast<std::uint16_t>(i);
+  }
+  const auto some = std::span(boxes).first(box_count);
+  if (box_count == count) return manifold_kernels<T>().look(some, looks);
+  std::array<ObbsLook, most_obbs_to_contact> found;
+  manifold_kernels<T>().look(some, found.data());
+  for (std::size_t i = 0; i < box_count; ++i) looks[places[i]] = found[i];
+}
+
 /// Looks at the axes of those of `count` pairs, shapes_at(0) ..., that are oriented boxes in space, and leaves the
 /// looks of the others as they are.
-template <Dim N, class T>
-class BoxLooks {
- public:
-  template <class ShapesAt>
-  static void at(std::size_t count, const ShapesAt& shapes_at, ObbsLook* looks) {
-    if constexpr (N == 3) {
-      for (std::size_t first = 0; first < count; first += most) {
-        const std::size_t size = std::min(most, count - first);
-        at_some(
-            size, [&shapes_at, first](std::size_t i) { return shapes_at(first + i); }, looks + first);
-      }
+template <Dim N, class T, class ShapesAt>
+void look_at_boxes(std::size_t count, const ShapesAt& shapes_at, ObbsLook* looks) {
+  if constexpr (N == 3) {
+    for (std::size_t first = 0; first < count; first += most_obbs_to_contact) {
+      look_at_some_boxes<T>(
+          std::min(most_obbs_to_contact, count - first),
+          [&shapes_at, first](std::size_t i) { return shapes_at(first + i); }, looks + first);
     }
   }
-
- private:
-  static constexpr std::size_t most = most_obbs_to_contact;
-
-  template <class ShapesAt>
-  static void at_some(std::size_t count, const ShapesAt& shapes_at, ObbsLook* looks) {
-    std::array<TwoObbs<T>, most> boxes;
-    std::array<std::uint16_t, most> places;
-    std::size_t box_count = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const ShapePair<N, T> shapes = shapes_at(i);
-      if (!is_obb(*shapes.a) || !is_obb(*shapes.b)) continue;
-      boxes[box_count] = {obb_of(*shapes.a), obb_of(*shapes.b)};
-      places[box_count++] = static_cast<std::uint16_t>(i);
-    }
-    const auto some = std::span(boxes).first(box_count);
-    if (box_count == count) return manifold_kernels<T>().look(some, looks);
-    std::array<ObbsLook, most> found;
-    manifold_kernels<T>().look(some, found.data());
-    for (std::size_t i = 0; i < box_count; ++i) looks[places[i]] = found[i];
-  }
-};
+}
 
 /// Which candidates of a task touch. Oriented boxes in space show it, nearly all, by the look at their axes that their
 /// contact needs.
@@ -94,7 +88,7 @@ class CandidatesOfTask {
  public:
   CandidatesOfTask(std::span<const AnyShape<N, T>> shapes, std::span<const Pair> candidates)
       : shapes_(shapes), candidates_(candidates) {
-    BoxLooks<N, T>::at(
+    look_at_boxes<N, T>(
         candidates.size(), [this](std::size_t i) { return shapes_of<N, T>(shapes_, candidates_[i]); }, looks_.data());
     judge_open();
   }
@@ -137,10 +131,10 @@ class CandidatesOfTask {
   std::array<ObbsLook, candidates_per_task> looks_{};
 };
 
-/// Writes the manifolds of a task's pairs, which touch: `count` of them, at most as many as a task has, each as
-/// pair_at(i), to manifold_at(i), with what look_at(i) has shown. Of oriented boxes in space those are collected that a
-/// kernel can take, which are most; to take others of a kind together gains nothing, since a manifold takes far longer
-/// than it takes to find its kind.
+/// Writes the manifolds of a task's pairs, which touch: `count` of them, at most as many as a task has, that of
+/// shapes_at(i) to manifold_at(i), with what look_at(i) has shown. Of oriented boxes in space those are collected that
+/// a kernel can take, which are most; to take others of a kind together gains nothing, since a manifold takes far
+/// longer than it takes to find its kind.
 template <Dim N, class T, class ShapesAt, class LookAt, class ManifoldAt>
 void write_manifolds(std::size_t count, const ShapesAt& shapes_at, const LookAt& look_at,
                      const ManifoldAt& manifold_at) {
@@ -178,7 +172,7 @@ void contacts_of(std::span<const ShapesToContact<N, T>> pairs) {
     const auto some = pairs.subspan(first, std::min(manifolds_per_task, pairs.size() - first));
     const auto shapes_at = [some](std::size_t i) { return some[i].shapes; };
     std::array<ObbsLook, manifolds_per_task> looks{};
-    BoxLooks<N, T>::at(some.size(), shapes_at, looks.data());
+    look_at_boxes<N, T>(some.size(), shapes_at, looks.data());
     write_manifolds<N, T>(
         some.size(), shapes_at,
         [&looks](std::size_t i) { return looks[i]; }, [some](std::size_t i) -> auto& { return *some[i].manifold; });

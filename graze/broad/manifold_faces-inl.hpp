@@ -16,6 +16,7 @@
 
 #include <graze/broad/manifold_choice-inl.hpp>
 #include <graze/broad/manifold_clip-inl.hpp>
+#include <graze/broad/manifold_kernels.hpp>
 #include <graze/broad/manifold_lanes-inl.hpp>
 #include <graze/broad/manifold_lines-inl.hpp>
 #include <graze/broad/manifold_points-inl.hpp>
@@ -43,8 +44,8 @@ class LookLanes {
  public:
   HWY_INLINE explicit LookLanes(const std::uint64_t* looks)
       : looks_(hn::LoadU(BitsTag(), looks)),
-        axis_(hn::ConvertTo(Tag<double>(),
-                            hn::BitCast(hn::RebindToSigned<Tag<double>>(), hn::And(looks_, hn::Set(BitsTag(), 15))))) {}
+        axis_(hn::ConvertTo(Tag<double>(), hn::BitCast(hn::RebindToSigned<Tag<double>>(),
+                                                       hn::And(looks_, hn::Set(BitsTag(), ObbsLook::axis_bits))))) {}
 
   /// By its place, as in BoxesAxes.
   Doubles axis() const { return axis_; }

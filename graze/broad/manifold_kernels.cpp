@@ -116,7 +116,7 @@ class ContactBatch {
     const ObbsToContact<T>& pair = pairs_[i];
     const std::uint32_t look = pair.look.bits;
     static_assert(ObbsLook::along_face >> 20U == 16);
-    const Sort sort = sorts[(look & 15U) | (look >> 20U & 16U)];
+    const Sort sort = sorts[(look & ObbsLook::axis_bits) | (look >> 20U & 16U)];
     put(sort, pair.look.is_turned() != sort.exchanged, numbers_of(*pair.boxes.a), numbers_of(*pair.boxes.b), look, i);
   }
 
@@ -186,7 +186,7 @@ class ContactBatch {
         const std::size_t at = from + lane;
         const bool is_carried = ((by_first | by_second) >> lane & 1U) != 0;
         const std::uint64_t of_second = (by_second >> lane & 1U) != 0 ? carried_by_second : 0;
-        const Sort sort = is_carried ? Sort{carried, false} : sorts[list.looks[at] & 15U];
+        const Sort sort = is_carried ? Sort{carried, false} : sorts[list.looks[at] & ObbsLook::axis_bits];
         put(sort, sort.exchanged, list.first[at], list.second[at], list.looks[at] | of_second, list.pairs[at]);
       }
     }

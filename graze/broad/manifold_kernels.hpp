@@ -26,6 +26,7 @@ struct TwoObbs {
 /// What a look at the fifteen axes of two oriented boxes shows, all of it as bits.
 struct ObbsLook {
   static constexpr std::uint32_t no_axis = 15;
+  static constexpr std::uint32_t axis_bits = 15;
   static constexpr std::uint32_t overlapping = 1U << 15U;
   static constexpr std::uint32_t apart = 1U << 16U;
   static constexpr std::uint32_t along_face = 1U << 24U;
@@ -34,7 +35,7 @@ struct ObbsLook {
   std::uint32_t bits = no_axis;
 
   /// The axis of least depth by its place, as in BoxesAxes, if the boxes meet; or no_axis if it is not known.
-  std::uint32_t axis() const { return bits & 15U; }
+  std::uint32_t axis() const { return bits & axis_bits; }
   bool is_overlapping() const { return (bits & overlapping) != 0; }  ///< For certain; and so is the next.
   bool is_apart() const { return (bits & apart) != 0; }
   /// False for certain: no face looks along the axis but one that it is the normal of.

@@ -127,6 +127,7 @@ HWY_INLINE Doubles size_of(const BoxLanes& box) {
 }
 
 /// With the axes turned on so far that the one with this number, 0, 1 or 2, is the first.
+/// Written where it stays: what is returned to a member of a struct is copied, by an instruction for long rows.
 HWY_INLINE void turn_to(const BoxLanes& box, Doubles first, BoxLanes& result) {
   const DoublesMask is_second = hn::Eq(first, both(1));
   const DoublesMask is_third = hn::Eq(first, both(2));

@@ -315,7 +315,8 @@ class LooksAtObbs {
       ObbsLook& look = looks_[ties[lane].pair];
       const auto axis = (open >> lane & 1U) == 0 ? static_cast<std::uint32_t>(places.of[lane]) : ObbsLook::no_axis;
       const bool along_face = (ties[lane].along_faces >> axis & 1U) != 0;
-      look.bits = (look.bits & ~(15U | ObbsLook::along_face)) | axis | (along_face ? ObbsLook::along_face : 0);
+      look.bits =
+          (look.bits & ~(ObbsLook::axis_bits | ObbsLook::along_face)) | axis | (along_face ? ObbsLook::along_face : 0);
     }
   }
 
