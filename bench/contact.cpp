@@ -42,7 +42,8 @@ using graze::Dim;
 using graze::Mat;
 using graze::Vec;
 
-constexpr std::size_t pair_count = 1024;
+constexpr std::size_t few_pairs = 1024;
+constexpr std::size_t many_pairs = 16384;
 
 using graze::contact_bench::Aabb;
 using graze::contact_bench::Answer;
@@ -113,8 +114,8 @@ template <class A, class B>
 using Pairs = std::vector<std::pair<A, B>>;
 
 template <class A, class B>
-Pairs<A, B> random_pairs(double spread) {
-  Pairs<A, B> pairs(pair_count);
+Pairs<A, B> random_pairs(double spread, std::size_t count = few_pairs) {
+  Pairs<A, B> pairs(count);
   Random random(spread);
   for (auto& [a, b] : pairs) {
     draw(random, a);
@@ -125,10 +126,10 @@ Pairs<A, B> random_pairs(double spread) {
 
 /// Pairs that meet, in each other by up to `most_depth`.
 template <class A, class B>
-Pairs<A, B> meeting_pairs(double most_depth = std::numeric_limits<double>::infinity()) {
+Pairs<A, B> meeting_pairs(double most_depth = std::numeric_limits<double>::infinity(), std::size_t count = few_pairs) {
   Pairs<A, B> pairs;
   Random random(0.6);
-  while (pairs.size() < pair_count) {
+  while (pairs.size() < count) {
     std::pair<A, B> pair;
     draw(random, pair.first);
     draw(random, pair.second);
@@ -137,9 +138,10 @@ Pairs<A, B> meeting_pairs(double most_depth = std::numeric_limits<double>::infin
   }
   return pairs;
 }
+
 /// Boxes on boxes, turned about the upright axis and sunk in a little; every stack turned as a whole.
-Pairs<Obb, Obb> stacked_boxes() {
-  Pairs<Obb, Obb> pairs(pair_count);
+Pairs<Obb, Obb> stacked_boxes(std::size_t count) {
+  Pairs<Obb, Obb> pairs(count);
   Random random(1);
   for (auto& [below, above] : pairs) {
     const Mat<3, double> whole = random.rotation();
@@ -300,6 +302,12 @@ void register_pairs(const std::string& name, const Pairs<A, B>& drawn) {
   }
 }
 
+void register_obbs(const std::string& which, std::size_t count) {
+  register_pairs(which + "obb, obb", random_pairs<Obb, Obb>(1, count));
+  register_pairs(which + "obb, obb that meet", meeting_pairs<Obb, Obb>(std::numeric_limits<double>::infinity(), count));
+  register_pairs(which + "obb on obb", stacked_boxes(count));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -312,9 +320,8 @@ int main(int argc, char** argv) {
   register_pairs("aabb, aabb", random_pairs<Aabb, Aabb>(1));
   register_pairs("aabb, aabb that meet", meeting_pairs<Aabb, Aabb>());
   register_pairs("aabb, obb that meet", meeting_pairs<Aabb, Obb>());
-  register_pairs("obb, obb", random_pairs<Obb, Obb>(1));
-  register_pairs("obb, obb that meet", meeting_pairs<Obb, Obb>());
-  register_pairs("obb on obb", stacked_boxes());
+  register_obbs("", few_pairs);
+  register_obbs("many: ", many_pairs);
   register_scene();
   register_pairs("obb, capsule", random_pairs<Obb, Capsule>(1));
   register_pairs("obb, capsule that meet", meeting_pairs<Obb, Capsule>());
