@@ -290,12 +290,17 @@ HWY_INLINE Doubles skew_of_axes(const Point (&axes)[3]) {
 
 /// As repeated_axes, of many pairs.
 HWY_INLINE Bits repeated_axes(const Point (&a)[3], const Point (&b)[3]) {
-  const Doubles skew = hn::Mul(both(1.5), hn::Max(skew_of_axes(a), skew_of_axes(b)));
   Doubles cosines[3][3];
+  auto least = both(std::numeric_limits<double>::infinity());
   for (Dim i = 0; i < 3; ++i) {
-    for (Dim j = 0; j < 3; ++j) cosines[j][i] = hn::Abs(dot(a[i], b[j]));
+    for (Dim j = 0; j < 3; ++j) {
+      cosines[j][i] = hn::Abs(dot(a[i], b[j]));
+      least = hn::Min(least, cosines[j][i]);
+    }
   }
   Bits result = hn::Zero(BitsTag());
+  if (hn::AllTrue(Tag<double>(), hn::Gt(least, both(2 * same_axis)))) return result;
+  const Doubles skew = hn::Mul(both(1.5), hn::Max(skew_of_axes(a), skew_of_axes(b)));
   for (Dim j = 0; j < 3; ++j) {
     const auto& c = cosines[j];
     for (Dim i = 0; i < 3; ++i) {

@@ -75,6 +75,18 @@ HWY_INLINE void exchange_where(hn::Mask<D> mask, V& a, V& b) {
   a = first;
 }
 
+/// The boxes of pairs in the order of their contact.
+template <class T>
+struct BoxesInOrder {
+  const T* const* a;
+  const T* const* b;
+  std::uint32_t turned;
+
+  HWY_INLINE const T* first(std::size_t lane) const { return is_turned(lane) ? b[lane] : a[lane]; }
+  HWY_INLINE const T* second(std::size_t lane) const { return is_turned(lane) ? a[lane] : b[lane]; }
+  bool is_turned(std::size_t lane) const { return (turned >> lane & 1U) != 0; }
+};
+
 /// As many pairs as floats are in a vector, in the order of their contact, seen from the first boxes' centers.
 template <class T>
 class PairsToLookAt;
@@ -151,14 +163,13 @@ class PairsToLookAt<double> {
   /// Leaves out axes that are another one once more.
   HWY_NOINLINE AxesLook::Bits distinct(AxesLook::Bits axes) const {
     Bits repeated[2];
+    const BoxesInOrder<double> boxes{first_, second_, turned_};
     for (std::size_t group = 0; group < 2; ++group) {
       const double* a[pairs_at_once];
       const double* b[pairs_at_once];
       for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
-        const std::size_t pair = group * pairs_at_once + lane;
-        const bool turns = (turned_ >> pair & 1U) != 0;
-        a[lane] = turns ? second_[pair] : first_[pair];
-        b[lane] = turns ? first_[pair] : second_[pair];
+        a[lane] = boxes.first(group * pairs_at_once + lane);
+        b[lane] = boxes.second(group * pairs_at_once + lane);
       }
       repeated[group] = repeated_axes(load_boxes(a).axes, load_boxes(b).axes);
     }
@@ -206,7 +217,7 @@ class LooksAtObbs {
  public:
   LooksAtObbs(std::span<const TwoObbs<T>> pairs, ObbsLook* looks) : pairs_(pairs), looks_(looks) {
     for (std::size_t from = 0; from < pairs.size(); from += at_once) look(from);
-    while (ties_ > 0) choose();
+    while (ties_.count > 0) choose();
   }
 
  private:
@@ -216,6 +227,8 @@ class LooksAtObbs {
   static constexpr int many_ties = at_once / 4;
   using LookTag = AxesLook::BitsTag;
   using LookBits = AxesLook::Bits;
+  using HalfBitsTag = hn::Rebind<std::uint32_t, Tag<double>>;
+  using HalfBits = hn::Vec<HalfBitsTag>;
 
   void look(std::size_t from) {
     const std::size_t count = std::min(at_once, pairs_.size() - from);
@@ -238,8 +251,8 @@ class LooksAtObbs {
     const auto several = are_several(axes);
     put(from, count, look_of(bits, axes, along_faces, boxes.turned()));
     std::uint32_t tied = bits_of<float>(hn::RebindMask(Tag<float>(), several)) & ((1U << count) - 1);
-    if (tied != 0) put_aside(from, tied, axes, along_faces);
-    while (ties_ >= pairs_at_once) choose();
+    if (tied != 0) put_aside(from, tied, {first.data(), second.data(), boxes.turned()}, axes, along_faces);
+    while (ties_.count >= pairs_at_once) choose();
   }
 
   HWY_INLINE static LookBits all_bits(std::uint32_t value) { return hn::Set(LookTag(), value); }
@@ -275,61 +288,77 @@ class LooksAtObbs {
     }
   }
 
-  HWY_INLINE void put_aside(std::size_t from, std::uint32_t tied, LookBits axes, LookBits along_faces) {
+  HWY_INLINE void put_aside(std::size_t from, std::uint32_t tied, const BoxesInOrder<T>& boxes, LookBits axes,
+                            LookBits along_faces) {
     alignas(64) std::array<std::uint32_t, at_once> axes_of;
     alignas(64) std::array<std::uint32_t, at_once> along_faces_of;
     hn::Store(axes, LookTag(), axes_of.data());
     hn::Store(along_faces, LookTag(), along_faces_of.data());
     for (; tied != 0; tied &= tied - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(tied));
-      tied_[ties_++] = {static_cast<std::uint32_t>(from + lane), axes_of[lane], along_faces_of[lane]};
+      ties_.first[ties_.count] = boxes.first(lane);
+      ties_.second[ties_.count] = boxes.second(lane);
+      ties_.pairs[ties_.count] = static_cast<std::uint32_t>(from + lane);
+      ties_.axes[ties_.count] = axes_of[lane];
+      ties_.along_faces[ties_.count] = along_faces_of[lane];
+      ++ties_.count;
     }
   }
 
   /// Among the axes of the last pairs put aside.
   HWY_NOINLINE void choose() {
-    const std::size_t count = std::min(pairs_at_once, ties_);
-    ties_ -= count;
-    const Tie* const ties = tied_.data() + ties_;
-    std::array<const T*, pairs_at_once> first;
-    std::array<const T*, pairs_at_once> second;
-    for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
-      const std::uint32_t pair = ties[lane < count ? lane : 0].pair;
-      const TwoObbs<T>& boxes = pairs_[pair];
-      const bool turned = looks_[pair].is_turned();
-      first[lane] = numbers_of(*(turned ? boxes.b : boxes.a));
-      second[lane] = numbers_of(*(turned ? boxes.a : boxes.b));
-    }
-    BoxPair boxes{{load_boxes(first.data()), load_boxes(second.data())}};
+    const std::size_t count = std::min(pairs_at_once, ties_.count);
+    const std::size_t from = ties_.count - count;
+    ties_.fill_group(from);
+    ties_.count = from;
+    BoxPair boxes;
+    load_boxes(&ties_.first[from], boxes.box[0]);
+    load_boxes(&ties_.second[from], boxes.box[1]);
     see_from_first(boxes);
-    Row<std::uint64_t> axes;
-    store(repeated_axes(boxes.box[0].axes, boxes.box[1].axes), axes);
-    for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
-      axes.of[lane] = distinct_axes(ties[lane < count ? lane : 0].axes, static_cast<BoxesAxes>(axes.of[lane]));
-    }
-    const SearchLanes found(boxes, hn::Load(BitsTag(), axes.of));
-    const std::uint32_t open = bits_of<double>(found.is_open());
-    Row<double> places;
-    store(found.place(), places);
+    const Bits axes = hn::PromoteTo(BitsTag(), hn::LoadU(HalfBitsTag(), &ties_.axes[from]));
+    const Bits distinct = hn::AndNot(repeated_axes(boxes.box[0].axes, boxes.box[1].axes), axes);
+    const SearchLanes found(boxes, hn::IfThenElse(hn::Eq(distinct, hn::Zero(BitsTag())), axes, distinct));
+    const Doubles place = hn::IfThenElse(found.is_open(), both(ObbsLook::no_axis), found.place());
+    alignas(64) std::array<std::uint32_t, pairs_at_once> chosen;
+    hn::Store(axis_bits_of(place, hn::LoadU(HalfBitsTag(), &ties_.along_faces[from])), HalfBitsTag(), chosen.data());
     for (std::size_t lane = 0; lane < count; ++lane) {
-      ObbsLook& look = looks_[ties[lane].pair];
-      const auto axis = (open >> lane & 1U) == 0 ? static_cast<std::uint32_t>(places.of[lane]) : ObbsLook::no_axis;
-      const bool along_face = (ties[lane].along_faces >> axis & 1U) != 0;
-      look.bits =
-          (look.bits & ~(ObbsLook::axis_bits | ObbsLook::along_face)) | axis | (along_face ? ObbsLook::along_face : 0);
+      std::uint32_t& bits = looks_[ties_.pairs[from + lane]].bits;
+      bits = (bits & ~(ObbsLook::axis_bits | ObbsLook::along_face)) | chosen[lane];
     }
   }
 
-  struct Tie {
-    std::uint32_t pair;
-    BoxesAxes axes;
-    BoxesAxes along_faces;
+  HWY_INLINE static HalfBits axis_bits_of(Doubles place, HalfBits along_faces) {
+    const HalfBitsTag d;
+    const HalfBits axis = hn::BitCast(d, hn::DemoteTo(hn::RebindToSigned<HalfBitsTag>(), place));
+    const HalfBits along = hn::And(hn::Shr(along_faces, axis), hn::Set(d, 1));
+    return hn::Or(axis, hn::ShiftLeft<24>(along));
+  }
+
+  /// Pairs of which several axes may be that of least depth, their boxes in the order of their contact.
+  struct Ties {
+    static constexpr std::size_t room = at_once + pairs_at_once;
+
+    /// The pair at `from` as often as the group that begins there has no more.
+    HWY_INLINE void fill_group(std::size_t from) {
+      for (std::size_t i = count; i < from + pairs_at_once; ++i) {
+        first[i] = first[from];
+        second[i] = second[from];
+        axes[i] = axes[from];
+        along_faces[i] = along_faces[from];
+      }
+    }
+
+    std::array<const T*, room> first;
+    std::array<const T*, room> second;
+    std::array<std::uint32_t, room> pairs;
+    std::array<BoxesAxes, room> axes;
+    std::array<BoxesAxes, room> along_faces;
+    std::size_t count = 0;
   };
 
   std::span<const TwoObbs<T>> pairs_;
   ObbsLook* looks_;
-  std::array<Tie, at_once + pairs_at_once> tied_;
-  std::size_t ties_ = 0;
+  Ties ties_;
 };
 
 #endif

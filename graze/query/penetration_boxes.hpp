@@ -75,11 +75,16 @@ double skew_of_axes(const Axes& axes) {
 /// across them is between normals of faces, and not wider than these by more than the angle.
 template <class Axes>
 BoxesAxes repeated_axes(const Axes& a, const Axes& b) {
-  const double skew = 1.5 * std::max(skew_of_axes(a), skew_of_axes(b));
   double cosines[3][3];
+  double least = std::numeric_limits<double>::infinity();
   for (Dim i = 0; i < 3; ++i) {
-    for (Dim j = 0; j < 3; ++j) cosines[j][i] = std::fabs(dot(a[i], b[j]));
+    for (Dim j = 0; j < 3; ++j) {
+      cosines[j][i] = std::fabs(dot(a[i], b[j]));
+      least = std::min(least, cosines[j][i]);
+    }
   }
+  if (least > 2 * same_axis) return 0;  // as of nearly all axes that were rounded to float
+  const double skew = 1.5 * std::max(skew_of_axes(a), skew_of_axes(b));
   BoxesAxes result = 0;
   for (Dim j = 0; j < 3; ++j) {
     const auto& c = cosines[j];
