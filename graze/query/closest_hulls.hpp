@@ -47,6 +47,8 @@ class StillHull {
   }
   /// No coordinate that is calculated with is larger.
   double reach() const { return rows_of(hull_).largest() + max_abs(origin_); }
+  /// How much lower than another corner the farthest may be, relative to that.
+  static constexpr double search_error = 0;
 
  private:
   const Polytope<3, T>& hull_;
@@ -75,6 +77,7 @@ class PosedHull {
     corners.template put<lanes>(rows_of(hull_), rotation_, shift_);
   }
   double reach() const { return 2 * rows_of(hull_).largest() + max_abs(shift_); }
+  static constexpr double search_error = 0;
 
  private:
   const Polytope<3, T>& hull_;
@@ -92,6 +95,7 @@ class FewHull {
   std::size_t size() const { return seen_.size(); }
   Vec<3, double> middle() const { return seen_.middle(); }
   double reach() const { return seen_.reach(); }
+  static constexpr double search_error = 2 * FewCorners::farthest_error;  // a corner is up to 1.8 of it from zero
   Vec<3, double> corner(std::uint32_t i) const { return corners_[i]; }
   /// Before any corner is asked for.
   template <std::size_t lanes>
@@ -146,7 +150,9 @@ template <class A, class B>
 class HullWalk {
  public:
   HullWalk(A& a, B& b, double far)
-      : a_(a), b_(b), resolution_(tolerance::convex * (far + std::max(a.reach(), b.reach()))) {}
+      : a_(a),
+        b_(b),
+        resolution_((tolerance::convex + A::search_error + B::search_error) * (far + std::max(a.reach(), b.reach()))) {}
 
   /// From what is known of the pair, which is then what this has found, if it is to be remembered.
   void run(const KnownCorners& known) {

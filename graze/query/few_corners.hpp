@@ -29,6 +29,7 @@ class FewCorners {
   template <std::size_t lanes, class T>
   [[gnu::always_inline]] void put(const CornerRows<3, T>& rows, const Mat<3, double>& rotation,
                                   const Vec<3, double>& shift) {
+    count_ = rows.size();
     length_ = rows.length();
     for (std::size_t i = 0; i < length_; i += lanes) {
       Numbers<lanes> x;
@@ -46,6 +47,7 @@ class FewCorners {
   /// As they are seen from a point.
   template <std::size_t lanes, class T>
   [[gnu::always_inline]] void put(const CornerRows<3, T>& rows, const Vec<3, double>& origin) {
+    count_ = rows.size();
     length_ = rows.length();
     for (std::size_t i = 0; i < length_; i += lanes) {
       for (Dim k = 0; k < 3; ++k) {
@@ -56,14 +58,21 @@ class FewCorners {
     }
   }
 
-  /// The place of the corner that is farthest in a direction, of several the first. Along what is not finite any place
-  /// below `room` in which something stands.
+  /// How much lower than another corner the farthest may be, relative to its height.
+  static constexpr double farthest_error = lane_of_highest_error;
+
+  /// The place of the corner that is farthest in a direction, but for `farthest_error`; of more than eight the
+  /// farthest, of several the first. Along what is not finite any place below `room` in which something stands.
   template <std::size_t lanes>
   [[gnu::always_inline]] std::uint32_t farthest(const Vec<3, double>& direction) const {
     static constexpr std::array<double, 8> first = {0, 1, 2, 3, 4, 5, 6, 7};
     PlacedHeights<8, lanes> best;
     std::memcpy(&best.place, first.data(), sizeof(best.place));
     lift<lanes>(0, direction, best);
+    if (length_ == 8) {
+      const std::uint32_t lane = lane_of_highest<lanes>(best.height);
+      return lane < count_ ? lane : 0;
+    }
     PlacedHeights<8, lanes> next = best;
     for (std::size_t i = 8; i < length_; i += 8) {
       lift<lanes>(i, direction, next);
@@ -96,6 +105,7 @@ class FewCorners {
     }
   }
 
+  std::size_t count_ = 0;
   std::size_t length_ = 0;  ///< A multiple of eight: behind the last corner stands the first.
   alignas(64) std::array<std::array<double, room>, 3> rows_;
 };

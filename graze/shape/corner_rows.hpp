@@ -46,6 +46,8 @@ class CornerRows {
   /// The largest coordinate, without its sign.
   double largest() const { return largest_; }
 
+  /// How many corners there are.
+  std::size_t size() const { return count_; }
   /// Of each row, a multiple of eight: behind the last corner stands the first.
   std::size_t length() const { return length_; }
 
@@ -173,7 +175,7 @@ class CornerRows {
       std::memcpy(heights.data() + i, &height, sizeof(height));
       largest = i == 0 ? height : (height > largest ? height : largest);
     }
-    return largest_in<lanes>(&largest);
+    return largest_of<lanes>(largest);
   }
 
   /// The first place of a height; without a branch, whose end would be guessed wrong. Of what is no number, `count`.
@@ -192,20 +194,7 @@ class CornerRows {
       largest = found > largest ? found : largest;
       left -= static_cast<double>(lanes);
     }
-    return count - static_cast<std::size_t>(largest_in<lanes>(&largest));
-  }
-
-  /// By halves. By its address, since vectors that a processor may not have cannot be handed over.
-  template <std::size_t lanes>
-  [[gnu::always_inline]] static double largest_in(const Numbers<lanes>* numbers) {
-    if constexpr (lanes == 2) {
-      return (*numbers)[1] > (*numbers)[0] ? (*numbers)[1] : (*numbers)[0];
-    } else {
-      Numbers<lanes / 2> halves[2];
-      std::memcpy(&halves, numbers, sizeof(halves));
-      const Numbers<lanes / 2> larger = halves[1] > halves[0] ? halves[1] : halves[0];
-      return largest_in<lanes / 2>(&larger);
-    }
+    return count - static_cast<std::size_t>(largest_of<lanes>(largest));
   }
 #else
   template <std::size_t>

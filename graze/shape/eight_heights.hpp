@@ -2,8 +2,11 @@
 // Some heights and the places that they are of, by vectors of two, four or eight numbers: which of them is the highest.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <limits>
 
 #include <graze/math/has_lanes.hpp>
 
@@ -18,16 +21,19 @@ struct LaneTypes;
 template <>
 struct LaneTypes<2> {
   using Doubles = double __attribute__((vector_size(16)));
+  using Bits = std::uint64_t __attribute__((vector_size(16)));
   using Floats = float __attribute__((vector_size(8)));
 };
 template <>
 struct LaneTypes<4> {
   using Doubles = double __attribute__((vector_size(32)));
+  using Bits = std::uint64_t __attribute__((vector_size(32)));
   using Floats = float __attribute__((vector_size(16)));
 };
 template <>
 struct LaneTypes<8> {
   using Doubles = double __attribute__((vector_size(64)));
+  using Bits = std::uint64_t __attribute__((vector_size(64)));
   using Floats = float __attribute__((vector_size(32)));
 };
 
@@ -97,6 +103,50 @@ struct PlacedHeights {
     }
   }
 };
+
+/// The largest of a vector, by halves.
+template <std::size_t lanes>
+[[gnu::always_inline]] inline double largest_of(const typename LaneTypes<lanes>::Doubles& numbers) {
+  if constexpr (lanes == 2) {
+    return numbers[1] > numbers[0] ? numbers[1] : numbers[0];
+  } else {
+    typename LaneTypes<lanes / 2>::Doubles low;
+    typename LaneTypes<lanes / 2>::Doubles high;
+    if constexpr (lanes == 8) {
+      low = __builtin_shufflevector(numbers, numbers, 0, 1, 2, 3);
+      high = __builtin_shufflevector(numbers, numbers, 4, 5, 6, 7);
+    } else {
+      low = __builtin_shufflevector(numbers, numbers, 0, 1);
+      high = __builtin_shufflevector(numbers, numbers, 2, 3);
+    }
+    const typename LaneTypes<lanes / 2>::Doubles larger = high > low ? high : low;
+    return largest_of<lanes / 2>(larger);
+  }
+}
+
+/// How much lower than another height, relative to the larger of the two, that of `lane_of_highest` may be.
+inline constexpr double lane_of_highest_error = 8 * std::numeric_limits<double>::epsilon();
+
+/// The lane of the highest of eight, up to `lane_of_highest_error`; where some are NaN any lane. Lanes have their
+/// numbers in the last bits of their heights, so that the largest is all there is to look for.
+template <std::size_t lanes>
+[[gnu::always_inline]] inline std::uint32_t lane_of_highest(
+    const typename LaneTypes<lanes>::Doubles (&heights)[8 / lanes]) {
+  using Numbers = typename LaneTypes<lanes>::Doubles;
+  using Bits = typename LaneTypes<lanes>::Bits;
+  static constexpr std::array<std::uint64_t, 8> numbers = {0, 1, 2, 3, 4, 5, 6, 7};
+  Numbers largest{};
+  for (std::size_t i = 0; i < 8 / lanes; ++i) {
+    Bits own;
+    std::memcpy(&own, numbers.data() + i * lanes, sizeof(own));
+    const Numbers marked = reinterpret_cast<Numbers>((reinterpret_cast<Bits>(heights[i]) & ~std::uint64_t{7}) | own);
+    largest = i == 0 ? marked : (marked > largest ? marked : largest);
+  }
+  const double last = largest_of<lanes>(largest);
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &last, sizeof(bits));
+  return static_cast<std::uint32_t>(bits & 7U);
+}
 
 }  // namespace graze::detail
 

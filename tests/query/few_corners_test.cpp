@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Few corners stand where a pose puts each, to the bit, and the farthest is the first that a plain search finds, by
-// vectors of any width.
+// Few corners stand where a pose puts each, to the bit, and the farthest is the first that a plain search finds, or of
+// up to eight one that is as far up to its error, by vectors of any width.
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -88,7 +89,14 @@ void expect_as_plain(const Case<T>& given, bool is_turned, Answer answer_of) {
     for (std::uint32_t i = 1; i < given.corners.size(); ++i) {
       if (dot(few[i], given.directions[k]) > dot(few[best], given.directions[k])) best = i;
     }
-    ASSERT_EQ(farthest[k], best) << given.corners.size();
+    ASSERT_LT(farthest[k], given.corners.size());
+    if (given.corners.size() > 8) {
+      ASSERT_EQ(farthest[k], best) << given.corners.size();
+    } else {
+      const double height = dot(few[farthest[k]], given.directions[k]);
+      const double highest = dot(few[best], given.directions[k]);
+      ASSERT_LE(highest - height, FewCorners::farthest_error * std::max(std::fabs(height), std::fabs(highest)));
+    }
   }
 }
 

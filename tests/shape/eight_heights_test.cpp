@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The place of the highest of eight or sixteen is the one that a plain search finds, by vectors of any width.
+// The place of the highest of eight or sixteen is the one that a plain search finds, and the lane of the highest that
+// of one which is as high up to its error, by vectors of any width.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -60,6 +63,64 @@ TEST(EightHeights, KnowTheFirstOfTheHighest) {
 #endif
     }
   }
+}
+
+template <std::size_t lanes>
+[[gnu::always_inline]] inline std::uint32_t lane_of(const std::array<double, 8>& heights) {
+  PlacedHeights<8, lanes> all;
+  std::memcpy(&all.height, heights.data(), sizeof(all.height));
+  return lane_of_highest<lanes>(all.height);
+}
+
+std::uint32_t lane_by_two(const std::array<double, 8>& heights) { return lane_of<2>(heights); }
+#ifdef GRAZE_HAS_WIDER_LANES
+[[gnu::target("avx2")]] std::uint32_t lane_by_four(const std::array<double, 8>& heights) { return lane_of<4>(heights); }
+[[gnu::target("avx512f")]] std::uint32_t lane_by_eight(const std::array<double, 8>& heights) {
+  return lane_of<8>(heights);
+}
+#endif
+
+/// Of any size and sign, some of them equal, some higher than others by a few roundings.
+std::array<double, 8> draw_close_heights(std::mt19937& engine) {
+  const double size = std::ldexp(1.0, std::uniform_int_distribution<int>(-1074, 1000)(engine));
+  const double middle = std::uniform_real_distribution<double>(-2, 2)(engine);
+  const auto drawn = [&] { return std::uniform_int_distribution<int>(0, 40)(engine); };
+  std::array<double, 8> heights;
+  for (double& height : heights) height = size * middle * (1 + drawn() * std::numeric_limits<double>::epsilon());
+  heights[static_cast<std::size_t>(drawn() % 8)] = 0;
+  return heights;
+}
+
+TEST(EightHeights, KnowALaneThatIsAsHighAsAny) {
+  std::mt19937 engine(5);
+  for (int i = 0; i < 50'000; ++i) {
+    const std::array<double, 8> heights = draw_close_heights(engine);
+    const std::uint32_t lane = lane_by_two(heights);
+    ASSERT_LT(lane, 8U);
+    for (const double height : heights) {
+      const double larger = std::max(std::fabs(height), std::fabs(heights[lane]));
+      // Below the least normal number the last bits are all there is.
+      ASSERT_LE(height - heights[lane], lane_of_highest_error * std::max(larger, std::numeric_limits<double>::min()));
+    }
+#ifdef GRAZE_HAS_WIDER_LANES
+    if (__builtin_cpu_supports("avx2")) {
+      ASSERT_EQ(lane_by_four(heights), lane);
+    }
+    if (__builtin_cpu_supports("avx512f")) {
+      ASSERT_EQ(lane_by_eight(heights), lane);
+    }
+#endif
+  }
+}
+
+TEST(EightHeights, KnowSomeLaneOfWhatIsNoNumber) {
+  std::array<double, 8> heights{1, 2, 3, 4, 5, 6, 7, 8};
+  for (double& height : heights) {
+    height = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_LT(lane_by_two(heights), 8U);
+  }
+  heights = {1, 2, std::numeric_limits<double>::infinity(), 4, 5, 6, 7, 8};
+  EXPECT_LT(lane_by_two(heights), 8U);
 }
 
 }  // namespace
