@@ -309,10 +309,13 @@ Moment moment_parted(const Pair& pair, const Course<N>& course, const Moment& no
 }
 
 /// Before this time the balls that the shapes turn in do not touch; none if they never do. The balls are larger than
-/// they need be by the target, which hides all rounding.
+/// they need be by twice the target, which hides all rounding, and by more than GJK cannot resolve: at their touch it
+/// still tells a normal.
 template <Dim N>
 std::optional<double> time_of_balls(const Course<N>& course, double reach) {
-  const double radius = reach + 2 * tolerance::impact * (course.size + reach);
+  const double largest = reach + sum_abs(course.a.center) + sum_abs(course.b.center);
+  const double radius =
+      reach + 2 * tolerance::impact * (course.size + reach) + 16 * tolerance::convex * (course.size + largest);
   const Vec<N, double> between = course.b.center - course.a.center;
   const Vec<N, double> way = course.a.linear - course.b.linear;
   if (dot(between, between) <= radius * radius) return 0;

@@ -229,6 +229,16 @@ std::optional<Strike<dimension_of<A>>> strike_of_simple_motion(const A& a, const
   }
 }
 
+/// Shapes that begin nearer to each other than GJK can tell a direction have touched when it is first asked: their
+/// normal is that of their distance.
+template <class A, class B>
+std::optional<Strike<dimension_of<A>>> strike_of_simple(const A& a, const MotionOf<A>& motion_a, const B& b,
+                                                        const MotionOf<A>& motion_b) {
+  std::optional<Strike<dimension_of<A>>> found = strike_of_simple_motion(a, motion_a, b, motion_b);
+  if (found && !(max_abs(found->normal) > 0)) found->normal = proximity(a, b).normal;
+  return found;
+}
+
 // ---- Any two shapes
 
 /// Whether two boxes, both bounded, may touch up to a time, by the balls that they turn in.
@@ -277,7 +287,7 @@ std::optional<Strike<dimension_of<A>>> strike_in_motion(const A& a, const Motion
     return strike_of_moving_parts(b, motion_b, a, motion_a,
                                   [&](const auto& part) { return strike_in_motion(a, motion_a, part, motion_b); });
   } else {
-    return strike_of_simple_motion(a, motion_a, b, motion_b);
+    return strike_of_simple(a, motion_a, b, motion_b);
   }
 }
 

@@ -20,6 +20,7 @@
 #include "exam/contact_exam.hpp"
 #include "exam/distance_exam.hpp"
 #include "exam/hull_exam.hpp"
+#include "exam/impact_exam.hpp"
 #include "exam/manifold_exam.hpp"
 #include "exam/mass_exam.hpp"
 #include "exam/pair_exam.hpp"
@@ -72,6 +73,7 @@ class Exam {
     results_.manifolds.reserve(most);
     results_.rays.reserve(most);
     results_.casts.reserve(most);
+    results_.impacts.reserve(most);
     results_.hulls.reserve(most);
     results_.masses.reserve(most);
     add_space<2, float>();
@@ -125,6 +127,8 @@ class Exam {
             [this, a, b] { return examine_contacts<N, T>(a, b, settings_, regressions_); });
         add(name + " by manifold", results_.manifolds,
             [this, a, b] { return examine_manifolds<N, T>(a, b, settings_, regressions_); });
+        add(name + " that turn", results_.impacts,
+            [this, a, b] { return examine_impacts<N, T>(a, b, settings_, regressions_); });
       }
     }
   }

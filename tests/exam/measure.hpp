@@ -53,7 +53,8 @@ struct MeasuredPair {
   std::size_t hits = 0;
   std::size_t outside = 0;  ///< Beyond what is documented.
   std::size_t wrong = 0;
-  double worst = 0;         ///< Of the number, in epsilon of T times the documented size.
+  std::size_t unfinished = 0;  ///< With a status that says so; only of impacts.
+  double worst = 0;            ///< Of the number, in epsilon of T times the documented size.
   double worst_second = 0;  ///< Of a contact the overlap that is left after the move, in the same; of the others that
                             ///< have points the error of those.
   std::map<std::string_view, MeasureTally> rivals;  ///< By name, graze's own answers among them.

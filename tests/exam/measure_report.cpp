@@ -13,6 +13,7 @@
 #include "exam/cast_rival.hpp"
 #include "exam/contact_rival.hpp"
 #include "exam/distance_rival.hpp"
+#include "exam/impact_rival.hpp"
 #include "exam/manifold_rival.hpp"
 #include "exam/ray_rival.hpp"
 #include "exam/table.hpp"
@@ -33,6 +34,26 @@ std::string own_table(const std::vector<MeasuredPair>& tallies, const std::vecto
       left = std::max(left, one.worst_second);
     }
     if (columns.size() > cells.size()) cells.push_back(rounded(left));
+    text += row(cells);
+  }
+  return text + "\n";
+}
+
+std::string impact_table(const std::vector<MeasuredPair>& tallies) {
+  std::string text =
+      head({"pair", "cases", "hits", "wrong", "unfinished", "outside", "2D f", "2D d", "3D f", "3D d", "claimed"});
+  for (const auto& [name, tally] : by_name(tallies, [](const MeasuredPair& one) { return one.pair; })) {
+    const std::size_t cases = sum_of(tally, &MeasuredPair::cases);
+    std::vector<std::string> cells = {name, std::to_string(cases), percent(sum_of(tally, &MeasuredPair::hits), cases)};
+    for (const auto count : {&MeasuredPair::wrong, &MeasuredPair::unfinished, &MeasuredPair::outside}) {
+      cells.push_back(std::to_string(sum_of(tally, count)));
+    }
+    double claimed = 0;
+    for (const MeasuredPair& one : tally) {
+      cells.push_back(one.cases == 0 ? "-" : rounded(one.worst));
+      claimed = std::max(claimed, one.worst_second);
+    }
+    cells.push_back(rounded(claimed));
     text += row(cells);
   }
   return text + "\n";
@@ -258,6 +279,35 @@ std::string cast_tables(const std::vector<MeasuredPair>& tallies) {
       "is the largest error as a share of the largest coordinate. Each program was asked the pairs that it has.\n\n";
   if (!in_float.empty()) text += "### Casts side by side, 3D float\n\n" + in_float;
   if (!in_double.empty()) text += "### Casts side by side, 3D double\n\n" + in_double;
+  return text;
+}
+
+std::string impact_tables(const std::vector<MeasuredPair>& tallies) {
+  if (tallies.empty()) return "";
+  std::string text =
+      "### Times of impact\n\n"
+      "Both shapes move and turn, mostly. All cases were judged by the oracle, at the time of the impact and at two "
+      "dozen\n"
+      "times before it, around the nearest of these more closely. *Wrong*: the shapes are farther apart at the impact "
+      "than\n"
+      "its `error`, or have met before, or at all without one, each by more than the rounding of their places. "
+      "*Unfinished*:\n"
+      "the steps ended before, and the status says so. *Outside* as above. The largest gaps at an impact are in 2^-36 "
+      "of the\n"
+      "pair's size and way, which is what is aimed at; *claimed*: the largest `error`, in the same; both of those that "
+      "are\n"
+      "finished.\n\n";
+  text += impact_table(tallies);
+  const std::string in_float = side_by_side(tallies, {3, "float"}, names_of(impact_rivals<float>()), cast_cell);
+  const std::string in_double = side_by_side(tallies, {3, "double"}, names_of(impact_rivals<double>()), cast_cell);
+  if (in_float.empty() && in_double.empty()) return text;
+  text +=
+      "A cell is as of casts, of shapes that turn about their middles by up to 0.75 radians. The error of a time is "
+      "how "
+      "far\n"
+      "apart the shapes are then or, where they have met before, how deep they have been in each other since.\n\n";
+  if (!in_float.empty()) text += "### Times of impact side by side, 3D float\n\n" + in_float;
+  if (!in_double.empty()) text += "### Times of impact side by side, 3D double\n\n" + in_double;
   return text;
 }
 

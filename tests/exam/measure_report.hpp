@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tables of distances, contacts, manifolds, rays and casts, as Markdown.
+// The tables of distances, contacts, manifolds, rays, casts and impacts, as Markdown.
 #pragma once
 
 #include <string>
@@ -23,5 +23,8 @@ std::string ray_tables(const std::vector<MeasuredPair>& tallies);
 
 /// The same of each pair of which one moves.
 std::string cast_tables(const std::vector<MeasuredPair>& tallies);
+
+/// The same of each pair of which both move and turn.
+std::string impact_tables(const std::vector<MeasuredPair>& tallies);
 
 }  // namespace graze::exam

@@ -45,7 +45,7 @@ std::string circumstances(const Results& results, const Settings& settings) {
   }
   for (const PointTally& tally : results.points) cases += tally.cases;
   for (const auto* tallies :
-       {&results.distances, &results.contacts, &results.manifolds, &results.rays, &results.casts}) {
+       {&results.distances, &results.contacts, &results.manifolds, &results.rays, &results.casts, &results.impacts}) {
     for (const MeasuredPair& tally : *tallies) cases += tally.cases;
   }
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
@@ -197,7 +197,7 @@ std::string markdown(const Results& results, const Settings& settings) {
   if (!compared.empty()) text += std::string(rival_introduction) + compared;
   return text + distance_tables(results.distances) + contact_tables(results.contacts) +
          manifold_tables(results.manifolds) + ray_tables(results.rays) + cast_tables(results.casts) +
-         hull_table(results.hulls) + mass_table(results.masses);
+         impact_tables(results.impacts) + hull_table(results.hulls) + mass_table(results.masses);
 }
 
 void write_page(const std::string& path, const std::string& text) {

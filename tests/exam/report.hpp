@@ -21,12 +21,13 @@ struct Results {
   std::vector<MeasuredPair> manifolds;
   std::vector<MeasuredPair> rays;
   std::vector<MeasuredPair> casts;
+  std::vector<MeasuredPair> impacts;
   std::vector<HullTally> hulls;
   std::vector<MassTally> masses;
 };
 
 /// Where and how the exam was run, then a table for point queries, one for pairs and those with the rivals; and the
-/// same for distances, contacts, manifolds, rays and casts, and one each of hulls and mass properties.
+/// same for distances, contacts, manifolds, rays, casts and impacts, and one each of hulls and mass properties.
 std::string markdown(const Results& results, const Settings& settings);
 
 /// Writes `text` to a file: between the lines that begin with `<!-- exam: begin` and `<!-- exam: end` if it has them,

@@ -12,15 +12,19 @@
 #include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 
+#include <graze/math/motion.hpp>
 #include <graze/math/vec.hpp>
 
 #include "exam/bullet_shapes.hpp"
 #include "exam/cast_rival.hpp"
 #include "exam/contact_rival.hpp"
 #include "exam/distance_rival.hpp"
+#include "exam/impact_rival.hpp"
 #include "exam/manifold_rival.hpp"
 #include "exam/ray_rival.hpp"
 #include "exam/rival.hpp"
+#include "query/placement.hpp"
+#include "query/times_of_impact.hpp"
 
 namespace graze::exam {
 namespace {
@@ -58,6 +62,32 @@ struct AllPoints : btDiscreteCollisionDetectorInterface::Result {
   }
   ContactPatch patch;
 };
+
+/// When two bodies that go from their poses to others first meet.
+Meeting first_meeting(const Body& a, const btTransform& end_a, const Body& b, const btTransform& end_b) {
+  btVoronoiSimplexSolver simplex;
+  btGjkEpaPenetrationDepthSolver depth;
+  btContinuousConvexCollision collision(a.shape.get(), b.shape.get(), &simplex, &depth);
+  btConvexCast::CastResult result;
+  result.m_fraction = 1;
+  if (!collision.calcTimeOfImpact(a.pose, end_a, b.pose, end_b, result)) return {};
+  return {result.m_fraction <= 1, static_cast<double>(result.m_fraction)};
+}
+
+/// The body of a shape with its origin, about which Bullet turns it, at a point.
+std::optional<Body> body_about(const Solid3<float>& shape, const Vec<3, float>& center) {
+  std::optional<Body> body = std::visit(BodyOf(), test::moved<3, float>(shape, -center));
+  if (body) body->pose.setOrigin(body->pose.getOrigin() + vector(center));
+  return body;
+}
+
+btTransform end_of(const Body& body, const Motion<3, float>& motion) {
+  btTransform end = body.pose;
+  const btVector3 turn = vector(motion.angular);
+  if (turn.length2() > 0) end.setRotation(btQuaternion(turn.normalized(), turn.length()) * end.getRotation());
+  end.setOrigin(end.getOrigin() + vector(motion.linear));
+  return end;
+}
 
 }  // namespace
 
@@ -111,13 +141,14 @@ std::optional<Meeting> bullet_meeting(const Solid3<float>& a, const Vec<3, float
   if (!body_a || !body_b) return std::nullopt;
   btTransform end = body_a->pose;
   end.setOrigin(end.getOrigin() + vector(motion));
-  btVoronoiSimplexSolver simplex;
-  btGjkEpaPenetrationDepthSolver depth;
-  btContinuousConvexCollision collision(body_a->shape.get(), body_b->shape.get(), &simplex, &depth);
-  btConvexCast::CastResult result;
-  result.m_fraction = 1;
-  if (!collision.calcTimeOfImpact(body_a->pose, end, body_b->pose, body_b->pose, result)) return Meeting{};
-  return Meeting{result.m_fraction <= 1, static_cast<double>(result.m_fraction)};
+  return first_meeting(*body_a, end, *body_b, body_b->pose);
+}
+
+std::optional<Meeting> bullet_impact(const test::Moving<3, float>& moving) {
+  const std::optional<Body> body_a = body_about(moving.a, moving.motion_a.center);
+  const std::optional<Body> body_b = body_about(moving.b, moving.motion_b.center);
+  if (!body_a || !body_b) return std::nullopt;
+  return first_meeting(*body_a, end_of(*body_a, moving.motion_a), *body_b, end_of(*body_b, moving.motion_b));
 }
 
 std::optional<Sight> bullet_sight(const Solid3<float>& shape, const Ray<3, float>& ray, double reach) {

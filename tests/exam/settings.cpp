@@ -19,6 +19,8 @@ std::variant<Settings, int> read_settings(int argc, const char* const* argv) {
   app.add_option("--manifolds", settings.manifolds, "cases per pair of types and space for manifold")
       ->capture_default_str();
   app.add_option("--casts", settings.casts, "cases per pair of types and space for shape_cast")->capture_default_str();
+  app.add_option("--impacts", settings.impacts, "cases per pair of types and space for time_of_impact")
+      ->capture_default_str();
   app.add_option("--rays", settings.rays, "cases per shape and space for ray_cast")->capture_default_str();
   app.add_option("--hulls", settings.hulls, "sets of points per kind and space for convex_hull")->capture_default_str();
   app.add_option("--masses", settings.masses, "cases per shape and space for mass_properties")->capture_default_str();

@@ -21,6 +21,7 @@ struct Settings {
   std::size_t distances = 20'000;  ///< Distances, the same.
   std::size_t manifolds = 20'000;  ///< Manifolds, the same.
   std::size_t casts = 2'000;       ///< Casts of shapes, the same.
+  std::size_t impacts = 500;       ///< Times of impact of shapes that turn, the same.
   std::size_t rays = 100'000;      ///< Rays per type and space, the same.
   std::size_t hulls = 2'000;       ///< Sets of points per kind and space for convex_hull.
   std::size_t masses = 2'000;      ///< Shapes per type and space for mass_properties.

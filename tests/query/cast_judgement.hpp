@@ -19,6 +19,7 @@
 #include "exact.hpp"
 #include "exact/sweep.hpp"
 #include "exact/verdict.hpp"
+#include "query/pairs.hpp"
 #include "query/regressions.hpp"
 #include "query/shape_casts.hpp"
 #include "query/verdict_band.hpp"
@@ -99,7 +100,8 @@ class CastJudge {
     expect(-passage.so_far.gap <= strike.error, "it is too late");
     expect(strike.error <= most_claimed_of_casts * unit || strike.status == Status::best_bound,
            "too large an error is admitted");
-    expect(std::fabs(dot(strike.normal, strike.normal) - 1) <= 16 * tolerance::epsilon || strike.t == 0,
+    const bool meets_at_start = relation_of<N, T>(cast_.a, cast_.b) != Relation::apart;  // up to its band
+    expect(std::fabs(dot(strike.normal, strike.normal) - 1) <= 16 * tolerance::epsilon || meets_at_start,
            "the normal is not of length 1");
     errors_.gap = std::max(passage.there.gap, -passage.so_far.gap) / unit;
     errors_.claimed = strike.error / unit;

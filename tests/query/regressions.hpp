@@ -9,6 +9,7 @@
 //   manifold,2D float,sphere 0 0 1,sphere 1 0 1,-1
 //   ray_cast,2D float,sphere 0 0 1,ray 3 0 -1 0,2
 //   shape_cast,2D float,sphere 0 0 1 by 3 0,sphere 3 0 1,overlapping
+//   time_of_impact,2D float,sphere 0 0 1 by 3 0 0.5 0 0,sphere 3 0 1 by 0 0 0 0 0,touch
 //   convex_hull,2D float,compound 4 point 0 0 point 1 0 point 0 1 point 0 0,compound 0,3
 //
 // A polytope begins with the number of its vertices, a compound with that of its parts, which follow. Numbers are the
@@ -44,7 +45,8 @@ struct Regression {
   std::string a;
   std::string b;
   std::string expected;  ///< The relation's name, the signed distance, the distance, the gap, where the ray enters,
-                         ///< the relation of b and all that a comes by, or how many corners there are.
+                         ///< the relation of b and all that a comes by, whether what turns touches, or how many corners
+                         ///< there are.
 };
 
 /// "3D float".

@@ -29,6 +29,7 @@
 #include "query/contact_judgement.hpp"
 #include "query/contacts.hpp"
 #include "query/distance_judgement.hpp"
+#include "query/impact_judgement.hpp"
 #include "query/manifold_judgement.hpp"
 #include "query/mass_judgement.hpp"
 #include "query/pairs.hpp"
@@ -138,6 +139,14 @@ void expect_right_shape_cast(const Regression& row) {
 }
 
 template <Dim N, class T>
+void expect_right_impact(const Regression& row) {
+  const ImpactErrors errors = impact_errors(moving_from<N, T>(row));
+  EXPECT_EQ(errors.hits ? "touch" : "miss", row.expected);
+  EXPECT_NE(errors.judgement, Judgement::wrong)
+      << errors.fault << ": " << errors.gap << " (gap), " << errors.claimed << " (claimed)";
+}
+
+template <Dim N, class T>
 void expect_right_hull(const Regression& row) {
   std::vector<Vec<N, T>> points;
   const AnyShape<N, T> held = shape_from<N, T>(row.a);
@@ -171,6 +180,8 @@ bool is_checked(const Regression& row) {
     expect_right_ray_cast<N, T>(row);
   } else if (row.query == "shape_cast") {
     expect_right_shape_cast<N, T>(row);
+  } else if (row.query == "time_of_impact") {
+    expect_right_impact<N, T>(row);
   } else if (row.query == "convex_hull") {
     expect_right_hull<N, T>(row);
   } else if (row.query == "mass_properties") {
@@ -198,6 +209,20 @@ TEST(Regressions, ARowReadsBackAsTheSameShapesOfEveryType) {
     const std::string text = shape_text<3, float>(shape);
     RC_ASSERT((to_source<3, float>(shape_from<3, float>(text)) == to_source<3, float>(shape)));
   });
+}
+
+TEST(Regressions, ARowOfMotionsReadsBackAsTheSame) {
+  const Moving<3, float> moving{Sphere<3, float>{{1, 2, 3}, 0.5F},
+                                {{0.1F, 0, -4}, {0, 3, 0}, {1, 2, 3}},
+                                Segment<3, float>{{0, 0, 0}, {5, 0, 0}},
+                                {}};
+  const std::string text = impact_row<3, float>(moving, "touch");
+  EXPECT_EQ(text,
+            "time_of_impact,3D float,sphere 1 2 3 0.5 by 0.1 0 -4 0 3 0 1 2 3,"
+            "segment 0 0 0 5 0 0 by 0 0 0 0 0 0 0 0 0,touch");
+  const Regression row{"time_of_impact", "3D float", "sphere 1 2 3 0.5 by 0.1 0 -4 0 3 0 1 2 3",
+                       "segment 0 0 0 5 0 0 by 0 0 0 0 0 0 0 0 0", "touch"};
+  EXPECT_EQ((impact_row<3, float>(moving_from<3, float>(row), "touch")), text);
 }
 
 TEST(Regressions, AShapeIsItsNameAndItsNumbers) {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -148,6 +149,21 @@ TEST(TimeOfImpact, CountsTouchesAtTheStartAndAtTheEnd) {
   expect_impact(time_of_impact(ball, {{3, 0, 0}, {}, {}}, Ball{{5, 0, 0}, 1}, rest), 1, {1, 0, 0}, 3, "the end");
   EXPECT_FALSE(time_of_impact(ball, {{2.999, 0, 0}, {}, {}}, Ball{{5, 0, 0}, 1}, rest).has_value());
   EXPECT_FALSE(time_of_impact(ball, rest, Ball{{2.001, 0, 0}, 1}, rest).has_value());
+}
+
+/// Nearer to each other, when the balls that they turn in touch, than GJK can tell of coordinates of a million; and from
+/// the start.
+TEST(TimeOfImpact, OfSmallThingsFarFromTheOriginHasANormal) {
+  const Triangle<3, double> speck{{1e6, 1e6, 1e6}, {1e6, 1e6, 1e6}, {1e6, 1e6, 1e6}};
+  const Course flight{{80, 0, 0}, {0, 3, 0}, {1e6, 1e6, 1e6}};
+  for (const double way : {60.0, 2e-9}) {
+    const Polytope<3, double> other = convex_hull<3, double>(std::vector<Point>{{1e6 + way, 1e6, 1e6}});
+    const Found found = time_of_impact(speck, flight, other, rest);
+    ASSERT_TRUE(found.has_value()) << way;
+    EXPECT_NEAR(found->normal.x, 1, 1e-8) << way;
+    EXPECT_NEAR(found->t, way / 80, 1e-8) << way;
+    EXPECT_LE(found->t, way / 80) << way;
+  }
 }
 
 TEST(TimeOfImpact, OfACompoundIsThatOfItsFirstPartToTouch) {
