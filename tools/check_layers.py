@@ -44,6 +44,7 @@ TESTED_ELSEWHERE = {
     "graze/broad/manifolds_3d.cpp": ("tests/broad/contacts_test.cpp", "the same"),
     "graze/broad/pair_tasks.hpp": ("tests/broad/touching_pairs_test.cpp", "what it refuses, and the same from any executor"),
     "graze/broad/relations.hpp": ("tests/broad/touching_pairs_test.cpp", "instances of relation(), for all who ask it"),
+    "graze/broad/round_contacts-inl.hpp": ("tests/broad/round_kernels_test.cpp", "what the kernels are made of"),
     "graze/broad/touch_boxes-inl.hpp": ("tests/broad/touch_kernels_test.cpp", "what the kernels are made of"),
     "graze/broad/touch_lanes-inl.hpp": ("tests/broad/touch_kernels_test.cpp", "what the kernels are made of"),
     "graze/broad/touch_round-inl.hpp": ("tests/broad/touch_kernels_test.cpp", "what the kernels are made of"),

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -13,7 +14,9 @@
 #include <graze/broad/manifolds.hpp>
 #include <graze/broad/pair_tasks.hpp>
 #include <graze/broad/relations.hpp>
+#include <graze/broad/round_kernels.hpp>
 #include <graze/query/relation.hpp>
+#include <graze/query/shape_order.hpp>
 
 namespace graze {
 namespace detail {
@@ -131,9 +134,75 @@ class CandidatesOfTask {
   std::array<ObbsLook, candidates_per_task> looks_{};
 };
 
+/// Pairs of spheres and capsules in space, collected by kind for the kernels that write their manifolds.
+template <class T>
+class RoundPairs {
+ public:
+  using Shapes = ShapePair<3, T>;
+
+  /// False for others. At most as many as a task has.
+  bool add(const Shapes& shapes, Manifold<3, T>* manifold, std::size_t place) {
+    const auto* ball_a = std::get_if<Ball>(shapes.a);
+    const auto* ball_b = std::get_if<Ball>(shapes.b);
+    const auto* capsule_a = std::get_if<Rod>(shapes.a);
+    const auto* capsule_b = std::get_if<Rod>(shapes.b);
+    if (ball_a != nullptr && ball_b != nullptr) {
+      put(RoundKind::sphere_sphere, {numbers(ball_a), numbers(ball_b), false, manifold}, place);
+    } else if (ball_a != nullptr && capsule_b != nullptr) {
+      put(RoundKind::sphere_capsule, {numbers(ball_a), numbers(capsule_b), false, manifold}, place);
+    } else if (capsule_a != nullptr && ball_b != nullptr) {
+      put(RoundKind::sphere_capsule, {numbers(ball_b), numbers(capsule_a), true, manifold}, place);
+    } else if (capsule_a != nullptr && capsule_b != nullptr) {
+      const bool turned = !is_in_order(*capsule_a, *capsule_b);
+      const T* const first = numbers(turned ? capsule_b : capsule_a);
+      put(RoundKind::capsule_capsule, {first, numbers(turned ? capsule_a : capsule_b), turned, manifold}, place);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  /// contact_one(place) for those that the kernels leave.
+  template <class ContactOne>
+  void contact(const ContactOne& contact_one) const {
+    for (std::size_t kind = 0; kind < round_kinds; ++kind) {
+      const List& list = lists_[kind];
+      if (list.count == 0) continue;
+      std::array<std::uint32_t, manifolds_per_task> left;
+      const std::size_t left_count = round_kernels<T>()[kind](std::span(list.pairs).first(list.count), left.data());
+      for (std::size_t i = 0; i < left_count; ++i) contact_one(list.places[left[i]]);
+    }
+  }
+
+ private:
+  using Ball = Sphere<3, T>;
+  using Rod = Capsule<3, T>;
+
+  struct List {
+    std::array<RoundsToContact<T>, manifolds_per_task> pairs;
+    std::array<std::uint16_t, manifolds_per_task> places;
+    std::size_t count = 0;
+  };
+
+  /// Where they begin: the struct holds nothing else.
+  template <class S>
+  static const T* numbers(const S* shape) {
+    static_assert(std::is_standard_layout_v<S> && sizeof(S) % sizeof(T) == 0);
+    return reinterpret_cast<const T*>(shape);
+  }
+
+  void put(RoundKind kind, const RoundsToContact<T>& pair, std::size_t place) {
+    List& list = lists_[static_cast<std::size_t>(kind)];
+    list.pairs[list.count] = pair;
+    list.places[list.count++] = static_cast<std::uint16_t>(place);
+  }
+
+  std::array<List, round_kinds> lists_;
+};
+
 /// Writes the manifolds of a task's pairs, which touch: `count` of them, at most as many as a task has, that of
-/// shapes_at(i) to manifold_at(i), with what look_at(i) has shown. Of oriented boxes in space those are collected that
-/// a kernel can take, which are most; to take others of a kind together gains nothing, since a manifold takes far
+/// shapes_at(i) to manifold_at(i), with what look_at(i) has shown. Oriented boxes, spheres and capsules in space are
+/// collected for kernels, which take most; to take others of a kind together gains nothing, since a manifold takes far
 /// longer than it takes to find its kind.
 template <Dim N, class T, class ShapesAt, class LookAt, class ManifoldAt>
 void write_manifolds(std::size_t count, const ShapesAt& shapes_at, const LookAt& look_at,
@@ -146,19 +215,21 @@ void write_manifolds(std::size_t count, const ShapesAt& shapes_at, const LookAt&
     std::array<ObbsToContact<T>, manifolds_per_task> boxes;
     std::array<std::uint16_t, manifolds_per_task> places;
     std::size_t box_count = 0;
+    RoundPairs<T> rounds;
     for (std::size_t i = 0; i < count; ++i) {
       const ObbsLook look = look_at(i);
+      const ShapePair<N, T> shapes = shapes_at(i);
       if (look.axis() == ObbsLook::no_axis) {
-        contact_one(i);
+        if (!rounds.add(shapes, &manifold_at(i), i)) contact_one(i);
         continue;
       }
-      const ShapePair<N, T> shapes = shapes_at(i);
       boxes[box_count] = {{obb_of(*shapes.a), obb_of(*shapes.b)}, look, &manifold_at(i)};
       places[box_count++] = static_cast<std::uint16_t>(i);
     }
     std::array<std::uint32_t, manifolds_per_task> left;
     const std::size_t left_count = manifold_kernels<T>().contact(std::span(boxes).first(box_count), left.data());
     for (std::size_t i = 0; i < left_count; ++i) contact_one(places[left[i]]);
+    rounds.contact(contact_one);
   } else {
     for (std::size_t i = 0; i < count; ++i) contact_one(i);
   }

@@ -54,6 +54,13 @@ struct alignas(64) BitsInLanes {
 template <class T>
 inline constexpr BitsInLanes<T> bits_in_lanes;
 
+/// A mask of bits, one for each lane.
+template <class D>
+HWY_INLINE hn::Mask<D> mask_of(D d, std::uint32_t bits) {
+  const std::uint64_t wide = bits;
+  return hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&wide));
+}
+
 HWY_INLINE Bits bit_at(std::size_t place) { return hn::Load(BitsTag(), bits_in_lanes<std::uint64_t>.of[place]); }
 HWY_INLINE DoublesMask has_bit(Bits bits, std::size_t place) {
   return hn::RebindMask(Tag<double>(), hn::TestBit(bits, bit_at(place)));

@@ -61,12 +61,6 @@ HWY_INLINE std::uint32_t turned_of(const Doubles* of_first, const Doubles* of_se
   return turned;
 }
 
-template <class D>
-HWY_INLINE hn::Mask<D> mask_of(D d, std::uint32_t bits) {
-  const std::uint64_t wide = bits;
-  return hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&wide));
-}
-
 /// Exchanges those of two vectors.
 template <class D, class V>
 HWY_INLINE void exchange_where(hn::Mask<D> mask, V& a, V& b) {

@@ -111,9 +111,13 @@ struct ManifoldRows {
   Row<double> error;
 
   HWY_INLINE void set(const AxisLanes& axis, Doubles size, DoublesMask turned) {
+    set(axis.normal, hn::Add(max_of(both(0), axis.gap), hn::Mul(both(boxes_error), size)), turned);
+  }
+
+  HWY_INLINE void set(const Point& its_normal, Doubles its_error, DoublesMask turned) {
     const Doubles side = hn::IfThenElse(turned, both(-1), both(1));
-    for (std::size_t k = 0; k < 3; ++k) store_rounded(hn::Mul(axis.normal.at[k], side), normal[k]);
-    store(hn::Add(max_of(both(0), axis.gap), hn::Mul(both(boxes_error), size)), error);
+    for (std::size_t k = 0; k < 3; ++k) store_rounded(hn::Mul(its_normal.at[k], side), normal[k]);
+    store(its_error, error);
   }
 
   void write(std::size_t lane, std::size_t size, Manifold<3, T>& to) const {

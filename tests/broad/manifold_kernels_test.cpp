@@ -25,6 +25,7 @@
 #include <graze/query/relation.hpp>
 #include <graze/shape/any_shape.hpp>
 
+#include "same_manifolds.hpp"
 #include "simd_targets.hpp"
 
 namespace graze::detail::manifold_kernels_test {
@@ -32,26 +33,6 @@ namespace {
 
 template <class T>
 using Boxes = std::vector<std::pair<Obb<3, T>, Obb<3, T>>>;
-
-/// Whether each number has the same bits; those of floats in double hold all of theirs.
-bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof(a)) == 0; }
-
-template <class V>
-bool same_vectors(const V& a, const V& b) {
-  return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
-}
-
-template <class T>
-bool same_manifolds(const Manifold<3, T>& a, const Manifold<3, T>& b) {
-  bool same = a == b && same_vectors(a.normal, b.normal) && same_bits(a.error, b.error);
-  for (std::size_t i = 0; i < a.points.size(); ++i) {
-    const ManifoldPoint<3, T>& p = a.points[i];
-    const ManifoldPoint<3, T>& q = b.points[i];
-    same = same && same_vectors(p.point, q.point) && same_vectors(p.point_a, q.point_a) &&
-           same_vectors(p.point_b, q.point_b) && same_bits(p.depth, q.depth);
-  }
-  return same;
-}
 
 template <class T>
 std::string text_of(const Obb<3, T>& box) {
@@ -107,9 +88,9 @@ std::size_t left_of(const Boxes<T>& boxes, const std::string& where) {
     }
     for (std::size_t i = 0; i < count; ++i) {
       const auto& [a, b] = boxes[first + i];
-      EXPECT_TRUE(is_left[i] || same_manifolds(found[i], manifold(a, b))) << where << '\n'
-                                                                          << text_of(a) << '\n'
-                                                                          << text_of(b);
+      EXPECT_TRUE(is_left[i] || test::same_manifolds(found[i], manifold(a, b))) << where << '\n'
+                                                                                << text_of(a) << '\n'
+                                                                                << text_of(b);
     }
   }
   return left_count;
@@ -407,7 +388,7 @@ void expect_contacts() {
     const auto found = contacts(shapes, candidates, {.executor = &serial_executor()});
     ASSERT_EQ(found.size(), candidates.size());
     for (const PairContact<3, T>& contact : found) {
-      EXPECT_TRUE(same_manifolds(contact.manifold, manifold(shapes[contact.pair.a], shapes[contact.pair.b])))
+      EXPECT_TRUE(test::same_manifolds(contact.manifold, manifold(shapes[contact.pair.a], shapes[contact.pair.b])))
           << hwy::TargetName(target);
     }
   }

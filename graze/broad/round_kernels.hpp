@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// The manifolds of many pairs of spheres and capsules in space that touch, a lane for each, once for every set of
+// vector instructions that the compiler knows: in double and operation by operation what manifold(a, b) does, so that
+// the answers are the same to the bit. A kernel leaves the pairs of which not all is clear; which these are does not
+// depend on the machine, but that those without vectors of four doubles leave all.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <graze/query/manifold.hpp>
+
+namespace graze::detail {
+
+enum class RoundKind : std::uint8_t { sphere_sphere, sphere_capsule, capsule_capsule };
+inline constexpr std::size_t round_kinds = 3;
+
+/// The numbers of two valid shapes that touch, and where their manifold goes. A sphere comes before a capsule; of two
+/// capsules the one that does in the order of shapes of one type (query/shape_order.hpp).
+template <class T>
+struct RoundsToContact {
+  const T* first;
+  const T* second;
+  bool turned;  ///< The manifold is from the second to the first.
+  Manifold<3, T>* manifold;
+};
+
+/// Writes the manifolds of most pairs, which must be as they are made: what stays zero in them is not written. `left`,
+/// which has room for all, receives the places of the others; returns how many these are.
+template <class T>
+using RoundKernel = std::size_t (*)(std::span<const RoundsToContact<T>> pairs, std::uint32_t* left);
+
+/// By kind.
+template <class T>
+using RoundKernels = std::array<RoundKernel<T>, round_kinds>;
+
+/// The kernels of one instruction set.
+struct AllRoundKernels {
+  RoundKernels<float> of_floats;
+  RoundKernels<double> of_doubles;
+};
+
+/// The kernels for this machine. Instantiated for float and double.
+template <class T>
+const RoundKernels<T>& round_kernels();
+
+}  // namespace graze::detail
