@@ -134,7 +134,8 @@ class CandidatesOfTask {
   std::array<ObbsLook, candidates_per_task> looks_{};
 };
 
-/// Pairs of spheres and capsules in space, collected by kind for the kernels that write their manifolds.
+/// Pairs of spheres and capsules, and of spheres and boxes, in space, collected by kind for the kernels that write
+/// their manifolds.
 template <class T>
 class RoundPairs {
  public:
@@ -142,23 +143,13 @@ class RoundPairs {
 
   /// False for others. At most as many as a task has.
   bool add(const Shapes& shapes, Manifold<3, T>* manifold, std::size_t place) {
-    const auto* ball_a = std::get_if<Ball>(shapes.a);
-    const auto* ball_b = std::get_if<Ball>(shapes.b);
-    const auto* capsule_a = std::get_if<Rod>(shapes.a);
-    const auto* capsule_b = std::get_if<Rod>(shapes.b);
-    if (ball_a != nullptr && ball_b != nullptr) {
-      put(RoundKind::sphere_sphere, {numbers(ball_a), numbers(ball_b), false, manifold}, place);
-    } else if (ball_a != nullptr && capsule_b != nullptr) {
-      put(RoundKind::sphere_capsule, {numbers(ball_a), numbers(capsule_b), false, manifold}, place);
-    } else if (capsule_a != nullptr && ball_b != nullptr) {
-      put(RoundKind::sphere_capsule, {numbers(ball_b), numbers(capsule_a), true, manifold}, place);
-    } else if (capsule_a != nullptr && capsule_b != nullptr) {
-      const bool turned = !is_in_order(*capsule_a, *capsule_b);
-      const T* const first = numbers(turned ? capsule_b : capsule_a);
-      put(RoundKind::capsule_capsule, {first, numbers(turned ? capsule_a : capsule_b), turned, manifold}, place);
-    } else {
-      return false;
-    }
+    if (const auto* ball = std::get_if<Ball>(shapes.a)) return add_ball(*ball, *shapes.b, false, manifold, place);
+    if (const auto* ball = std::get_if<Ball>(shapes.b)) return add_ball(*ball, *shapes.a, true, manifold, place);
+    const auto* a = std::get_if<Rod>(shapes.a);
+    const auto* b = std::get_if<Rod>(shapes.b);
+    if (a == nullptr || b == nullptr) return false;
+    const bool turned = !is_in_order(*a, *b);
+    put(RoundKind::capsule_capsule, {numbers(turned ? *b : *a), numbers(turned ? *a : *b), turned, manifold}, place);
     return true;
   }
 
@@ -184,11 +175,23 @@ class RoundPairs {
     std::size_t count = 0;
   };
 
+  bool add_ball(const Ball& ball, const AnyShape<3, T>& other, bool turned, Manifold<3, T>* manifold,
+                std::size_t place) {
+    const auto add_to = [&](RoundKind kind, const auto* held) {
+      if (held != nullptr) put(kind, {numbers(ball), numbers(*held), turned, manifold}, place);
+      return held != nullptr;
+    };
+    return add_to(RoundKind::sphere_sphere, std::get_if<Ball>(&other)) ||
+           add_to(RoundKind::sphere_capsule, std::get_if<Rod>(&other)) ||
+           add_to(RoundKind::sphere_aabb, std::get_if<Aabb<3, T>>(&other)) ||
+           add_to(RoundKind::sphere_obb, std::get_if<Obb<3, T>>(&other));
+  }
+
   /// Where they begin: the struct holds nothing else.
   template <class S>
-  static const T* numbers(const S* shape) {
+  static const T* numbers(const S& shape) {
     static_assert(std::is_standard_layout_v<S> && sizeof(S) % sizeof(T) == 0);
-    return reinterpret_cast<const T*>(shape);
+    return reinterpret_cast<const T*>(&shape);
   }
 
   void put(RoundKind kind, const RoundsToContact<T>& pair, std::size_t place) {
@@ -201,9 +204,9 @@ class RoundPairs {
 };
 
 /// Writes the manifolds of a task's pairs, which touch: `count` of them, at most as many as a task has, that of
-/// shapes_at(i) to manifold_at(i), with what look_at(i) has shown. Oriented boxes, spheres and capsules in space are
-/// collected for kernels, which take most; to take others of a kind together gains nothing, since a manifold takes far
-/// longer than it takes to find its kind.
+/// shapes_at(i) to manifold_at(i), with what look_at(i) has shown. What kernels take in
+/// space, which is most of oriented boxes, spheres and capsules, is collected for them; to take others of a kind
+/// together gains nothing, since a manifold takes far longer than it takes to find its kind.
 template <Dim N, class T, class ShapesAt, class LookAt, class ManifoldAt>
 void write_manifolds(std::size_t count, const ShapesAt& shapes_at, const LookAt& look_at,
                      const ManifoldAt& manifold_at) {

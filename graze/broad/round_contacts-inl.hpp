@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How many pairs of balls and capsules touch each other, a lane for each: the touch_look of query/round_touch.hpp, to
-// the bit. Included once for each instruction set, hence no ordinary guard.
+// How many pairs of balls and capsules, or of balls and boxes, touch each other, a lane for each: the touch_look of
+// query/round_touch.hpp and query/ball_touch.hpp, to the bit. Included once for each instruction set, hence no ordinary
+// guard.
 #if defined(GRAZE_BROAD_ROUND_CONTACTS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_ROUND_CONTACTS_INL_HPP
 #undef GRAZE_BROAD_ROUND_CONTACTS_INL_HPP
@@ -8,6 +9,7 @@
 #define GRAZE_BROAD_ROUND_CONTACTS_INL_HPP
 #endif
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -18,11 +20,30 @@
 #include <graze/broad/manifold_points-inl.hpp>
 #include <graze/broad/round_kernels.hpp>
 #include <graze/math/tolerance.hpp>
+#include <graze/query/ball_touch.hpp>
 #include <graze/query/manifold.hpp>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
+
+/// The features that a point may lie on, by place: of what is round those of feature_on_axis, and of a ball the first;
+/// then, by three bits for the axes along which it is at the box' end and three for on which side, those of
+/// feature_of_box.
+inline constexpr std::size_t first_of_box = 3;
+inline const std::array<Feature, first_of_box + 64>& touched_features() {
+  static const auto features = [] {
+    std::array<Feature, first_of_box + 64> all{
+        {{FeatureKind::vertex, 0}, {FeatureKind::vertex, 1}, {FeatureKind::edge, 0}}};
+    for (std::size_t bits = 0; bits < 64; ++bits) {
+      const auto side = [bits](std::size_t i) { return (bits >> (3 + i) & 1U) != 0 ? 1.0 : -1.0; };
+      const std::array<bool, 3> is_beyond{(bits & 1U) != 0, (bits & 2U) != 0, (bits & 4U) != 0};
+      all[first_of_box + bits] = feature_of_box({side(0), side(1), side(2)}, is_beyond);
+    }
+    return all;
+  }();
+  return features;
+}
 
 /// The first numbers of the struct of each lane, in double.
 template <class T, std::size_t count>
@@ -75,7 +96,7 @@ HWY_INLINE Doubles clamped_to_one(Doubles v) {
 
 HWY_INLINE Point zero_point() { return {{both(0), both(0), both(0)}}; }
 
-/// As feature_on_axis: which feature of a capsule, by its place in `round_features`, and where it is known.
+/// As feature_on_axis: which feature of a capsule, by its place in `touched_features`, and where it is known.
 struct AxisFeatures {
   Doubles feature;
   DoublesMask is_known;
@@ -89,10 +110,6 @@ struct AxisFeatures {
   }
 };
 
-/// What feature_on_axis tells, and of a ball the first.
-inline constexpr Feature round_features[3] = {
-    {FeatureKind::vertex, 0}, {FeatureKind::vertex, 1}, {FeatureKind::edge, 0}};
-
 /// The nearest points of the cores, as NearCores, each from an origin.
 struct NearLanes {
   Point origin_first;
@@ -103,40 +120,42 @@ struct NearLanes {
   Doubles size;
 };
 
-/// As touch_of_cores, of pairs that meet; with the features that the points lie on.
+/// What a TouchLook says of pairs that meet in one point.
 struct RoundTouch {
   Point normal;  ///< From the first to the second.
   Doubles depth;
   Point on_first;
   Point on_second;
   Doubles error;
-  Doubles distance_size;  ///< The sum of the coordinates that the distance was calculated from.
-  Doubles feature_first = both(0);
-  Doubles feature_second = both(0);
+  Doubles feature_first;  ///< By their places in `touched_features`.
+  Doubles feature_second;
   DoublesMask is_clear;
-
-  HWY_INLINE RoundTouch(const NearLanes& near, Doubles radius_first, Doubles radius_second) {
-    const Doubles squared = dot(near.between, near.between);
-    const Doubles distance = hn::Sqrt(squared);
-    const Doubles reach = hn::Add(radius_first, radius_second);
-    depth = hn::Sub(reach, distance);
-    const Doubles size = hn::Add(near.size, reach);
-    distance_size = near.size;
-    is_clear = hn::And(hn::Gt(depth, hn::Mul(both(tolerance::coarse), size)),
-                       hn::And(hn::Gt(distance, hn::Mul(both(tolerance::known_direction), near.size)),
-                               hn::Gt(squared, both(0x1p-900))));
-    normal = near.between * hn::Div(both(1), distance);
-    on_first = near.origin_first + (near.first + normal * radius_first);
-    on_second = near.origin_second + (near.second - normal * radius_second);
-    error = hn::Mul(both(2 * tolerance::rounding), size);
-  }
 };
+
+/// As touch_of_cores.
+HWY_INLINE RoundTouch touch_of_near(const NearLanes& near, Doubles radius_first, Doubles radius_second) {
+  const Doubles squared = dot(near.between, near.between);
+  const Doubles distance = hn::Sqrt(squared);
+  const Doubles reach = hn::Add(radius_first, radius_second);
+  const Doubles size = hn::Add(near.size, reach);
+  RoundTouch touch;
+  touch.feature_first = both(0);
+  touch.feature_second = both(0);
+  touch.depth = hn::Sub(reach, distance);
+  touch.is_clear = hn::And(
+      hn::Gt(touch.depth, hn::Mul(both(tolerance::coarse), size)),
+      hn::And(hn::Gt(distance, hn::Mul(both(tolerance::known_direction), near.size)), hn::Gt(squared, both(0x1p-900))));
+  touch.normal = near.between * hn::Div(both(1), distance);
+  touch.on_first = near.origin_first + (near.first + touch.normal * radius_first);
+  touch.on_second = near.origin_second + (near.second - touch.normal * radius_second);
+  touch.error = hn::Mul(both(2 * tolerance::rounding), size);
+  return touch;
+}
 
 HWY_INLINE RoundTouch touch_lanes(const BallLanes& first, const BallLanes& second) {
   const Point between = second.center - first.center;
-  return {{first.center, zero_point(), second.center, zero_point(), between, sum_abs(between)},
-          first.radius,
-          second.radius};
+  return touch_of_near({first.center, zero_point(), second.center, zero_point(), between, sum_abs(between)},
+                       first.radius, second.radius);
 }
 
 HWY_INLINE RoundTouch touch_lanes(const BallLanes& ball, const CapsuleLanes& capsule) {
@@ -146,8 +165,9 @@ HWY_INLINE RoundTouch touch_lanes(const BallLanes& ball, const CapsuleLanes& cap
   const Doubles whole = dot(way, way);
   const Doubles place = clamped_to_one(hn::Div(hn::Neg(dot(start, way)), whole));
   const Point on_axis = one_of(hn::Lt(place, both(1)), start + way * place, end);
-  RoundTouch touch({ball.center, zero_point(), ball.center, on_axis, on_axis, hn::Add(sum_abs(start), sum_abs(end))},
-                   ball.radius, capsule.radius);
+  RoundTouch touch =
+      touch_of_near({ball.center, zero_point(), ball.center, on_axis, on_axis, hn::Add(sum_abs(start), sum_abs(end))},
+                    ball.radius, capsule.radius);
   const AxisFeatures feature(place);
   touch.feature_second = feature.feature;
   touch.is_clear = hn::And(touch.is_clear, hn::And(feature.is_known, hn::Gt(whole, both(0x1p-900))));
@@ -174,8 +194,8 @@ HWY_INLINE RoundTouch touch_lanes(const CapsuleLanes& first, const CapsuleLanes&
   const Point at_first = u * on_first;
   const Point at_second = one_of(hn::Lt(on_second, both(1)), start + v * on_second, end);
   const Doubles size = sum(sum_abs(u), sum_abs(start), sum_abs(end));
-  RoundTouch touch({first.start, at_first, first.start, at_second, at_second - at_first, size}, first.radius,
-                   second.radius);
+  RoundTouch touch = touch_of_near({first.start, at_first, first.start, at_second, at_second - at_first, size},
+                                   first.radius, second.radius);
   const Doubles distance = hn::Sub(hn::Add(first.radius, second.radius), touch.depth);
   const DoublesMask are_crossed =
       hn::And(hn::Gt(det, hn::Mul(both(least_sine_squared), hn::Mul(uu, vv))), hn::Gt(det, both(0x1p-900)));
@@ -187,6 +207,147 @@ HWY_INLINE RoundTouch touch_lanes(const CapsuleLanes& first, const CapsuleLanes&
   touch.is_clear =
       hn::And(hn::And(touch.is_clear, hn::And(are_crossed, are_apart)), hn::And(of_first.is_known, of_second.is_known));
   return touch;
+}
+
+/// A box as a ball's center sees it, whose axes are those of the coordinates if it is `along` them.
+template <bool along>
+struct SeenBoxLanes {
+  Point center;
+  Point half;
+  Point axes[3];  ///< Not set if it is along them.
+
+  template <class T>
+  HWY_INLINE SeenBoxLanes(const T* const* rows, const Point& origin) {
+    if constexpr (along) {
+      Doubles numbers[6];
+      load_wide(rows, numbers);
+      const Point min{{numbers[0], numbers[1], numbers[2]}};
+      const Point max{{numbers[3], numbers[4], numbers[5]}};
+      center = ((min - origin) + (max - origin)) * both(0.5);
+      half = (max - min) * both(0.5);
+    } else {
+      Doubles numbers[15];
+      load_numbers_of_boxes(rows, numbers);
+      center = Point{{numbers[0], numbers[1], numbers[2]}} - origin;
+      half = {{numbers[3], numbers[4], numbers[5]}};
+      for (std::size_t i = 0; i < 3; ++i) {
+        axes[i] = {{numbers[6 + 3 * i], numbers[7 + 3 * i], numbers[8 + 3 * i]}};
+      }
+    }
+  }
+
+  HWY_INLINE Doubles along_axis(const Point& v, std::size_t i) const { return along ? v.at[i] : dot(v, axes[i]); }
+};
+
+/// BallTouch of query/ball_touch.hpp, of balls whose center is out of the box.
+template <bool along>
+class BallTouchLanes {
+ public:
+  HWY_INLINE BallTouchLanes(const BallLanes& ball, const SeenBoxLanes<along>& box)
+      : ball_(ball),
+        box_(box),
+        size_(hn::Add(sum_abs(box.center), sum_abs(box.half))),
+        place_(zero_point()),
+        off_{{hn::Neg(box.center.at[0]), hn::Neg(box.center.at[1]), hn::Neg(box.center.at[2])}} {}
+
+  HWY_INLINE RoundTouch run() {
+    const Doubles whole = hn::Add(size_, ball_.radius);
+    const Doubles doubt = hn::Mul(both(tolerance::coarse), whole);
+    Doubles moved = descend(hn::Eq(whole, whole));
+    const Doubles first_doubt = hn::Mul(both(tolerance::box_filter * tolerance::orthonormal), whole);
+    const Doubles reach = hn::Add(ball_.radius, along ? doubt : first_doubt);
+    const DoublesMask is_far = hn::Gt(dot(off_, off_), hn::Mul(reach, reach));
+    if constexpr (!along) descend_to_noise(moved);
+    const Doubles squared = dot(off_, off_);
+    const Doubles clear = hn::Mul(both(tolerance::known_direction), size_);
+    const Doubles distance = hn::Sqrt(squared);
+    RoundTouch touch;
+    touch.feature_first = both(0);
+    touch.depth = hn::Sub(ball_.radius, distance);
+    const DoublesMask is_outside = hn::Gt(squared, hn::Mul(clear, clear));
+    touch.is_clear = hn::AndNot(is_far, hn::And(is_outside, hn::Gt(touch.depth, doubt)));
+    find_feature(clear, distance, touch);
+    touch.normal = off_ * hn::Div(both(-1), distance);
+    touch.on_first = ball_.center + touch.normal * ball_.radius;
+    touch.on_second = ball_.center - off_;
+    touch.error = hn::Mul(both(2 * tolerance::rounding), whole);
+    return touch;
+  }
+
+ private:
+  static constexpr int rounds = 5;  // as BallTouch has both
+  static constexpr double shrinks_to = 4 * tolerance::orthonormal;
+
+  /// One round, in some lanes; by how much it has moved the place.
+  HWY_INLINE Doubles descend(const DoublesMask& lanes) {
+    Point step;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Doubles wanted = hn::Add(place_.at[i], box_.along_axis(off_, i));
+      const Doubles half = box_.half.at[i];
+      step.at[i] = hn::Sub(min_of(max_of(wanted, hn::Neg(half)), half), place_.at[i]);
+    }
+    place_ = one_of(lanes, place_ + step, place_);
+    if constexpr (along) {
+      off_ = off_ - step;
+    } else {
+      off_ = one_of(lanes, ((off_ - box_.axes[0] * step.at[0]) - box_.axes[1] * step.at[1]) - box_.axes[2] * step.at[2],
+                    off_);
+    }
+    return sum_abs(step);
+  }
+
+  HWY_INLINE void descend_to_noise(Doubles moved) {
+    const Doubles noise = hn::Mul(both(tolerance::epsilon), sum_abs(box_.center));
+    DoublesMask lanes = is_above_noise(moved, noise);
+    for (int round = 1; round < rounds && !hn::AllFalse(Tag<double>(), lanes); ++round) {
+      moved = descend(lanes);
+      lanes = hn::And(lanes, is_above_noise(moved, noise));
+    }
+  }
+
+  HWY_INLINE static DoublesMask is_above_noise(Doubles moved, Doubles noise) {
+    return hn::Gt(hn::Mul(moved, both(shrinks_to)), noise);
+  }
+
+  /// The feature of the box, and where it is known.
+  HWY_INLINE void find_feature(Doubles margin, Doubles distance, RoundTouch& touch) const {
+    constexpr double least_cosine = 16 * tolerance::aligned;
+    touch.feature_second = both(first_of_box);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Doubles half = box_.half.at[i];
+      const Doubles room = hn::Sub(half, hn::Abs(place_.at[i]));
+      const DoublesMask is_beyond = hn::Le(room, both(0));
+      const DoublesMask is_steep = hn::Gt(hn::Abs(box_.along_axis(off_, i)), hn::Mul(both(least_cosine), distance));
+      const DoublesMask is_out = hn::And(is_beyond, hn::And(hn::Gt(half, margin), is_steep));
+      touch.is_clear = hn::And(touch.is_clear, hn::Or(hn::Gt(room, margin), is_out));
+      const Doubles of_side = hn::IfThenElseZero(hn::Gt(place_.at[i], both(0)), both(8 << i));
+      touch.feature_second =
+          hn::Add(hn::Add(touch.feature_second, of_side), hn::IfThenElseZero(is_beyond, both(1 << i)));
+    }
+  }
+
+  const BallLanes& ball_;
+  const SeenBoxLanes<along>& box_;
+  Doubles size_;
+  Point place_;
+  Point off_;
+};
+
+// ---- The touch of each lane's pair, as their numbers lie in memory
+
+template <RoundKind kind, class T>
+HWY_INLINE RoundTouch touch_of(const T* const* first, const T* const* second) {
+  if constexpr (kind == RoundKind::sphere_sphere) {
+    return touch_lanes(BallLanes(first), BallLanes(second));
+  } else if constexpr (kind == RoundKind::sphere_capsule) {
+    return touch_lanes(BallLanes(first), CapsuleLanes(second));
+  } else if constexpr (kind == RoundKind::capsule_capsule) {
+    return touch_lanes(CapsuleLanes(first), CapsuleLanes(second));
+  } else {
+    constexpr bool along = kind == RoundKind::sphere_aabb;
+    const BallLanes ball(first);
+    return BallTouchLanes<along>(ball, SeenBoxLanes<along>(second, ball.center)).run();
+  }
 }
 
 /// The manifolds of a group of pairs, to be written one by one.
@@ -214,9 +375,10 @@ class RoundContacts {
 
  private:
   const Feature& feature(std::size_t of_second, std::size_t lane) const {
-    return round_features[static_cast<std::size_t>(features_[of_second].of[lane])];
+    return (*all_features_)[static_cast<std::size_t>(features_[of_second].of[lane])];
   }
 
+  const std::array<Feature, first_of_box + 64>* all_features_ = &touched_features();
   std::uint32_t clear_;
   std::uint32_t turned_;
   ManifoldRows<T> rows_;

@@ -30,8 +30,7 @@ namespace {
 
 #if GRAZE_ROUND_LANES
 
-/// First and Second are what the pairs' shapes are loaded as.
-template <class T, class First, class Second>
+template <RoundKind kind, class T>
 std::size_t contact_rounds(std::span<const RoundsToContact<T>> pairs, std::uint32_t* left) {
   std::size_t left_count = 0;
   for (std::size_t from = 0; from < pairs.size(); from += pairs_at_once) {
@@ -45,7 +44,7 @@ std::size_t contact_rounds(std::span<const RoundsToContact<T>> pairs, std::uint3
       second[lane] = pair.second;
       turned |= std::uint32_t{pair.turned} << lane;
     }
-    const RoundContacts<T> contacts(touch_lanes(First(first), Second(second)), turned);
+    const RoundContacts<T> contacts(touch_of<kind>(first, second), turned);
     for (std::size_t lane = 0; lane < count; ++lane) {
       if (HWY_LIKELY(contacts.is_clear(lane))) {
         contacts.write(lane, *pairs[from + lane].manifold);
@@ -58,9 +57,10 @@ std::size_t contact_rounds(std::span<const RoundsToContact<T>> pairs, std::uint3
 }
 
 template <class T>
-constexpr RoundKernels<T> kernels_of = {contact_rounds<T, BallLanes, BallLanes>,
-                                        contact_rounds<T, BallLanes, CapsuleLanes>,
-                                        contact_rounds<T, CapsuleLanes, CapsuleLanes>};
+constexpr RoundKernels<T> kernels_of = {
+    contact_rounds<RoundKind::sphere_sphere, T>, contact_rounds<RoundKind::sphere_capsule, T>,
+    contact_rounds<RoundKind::capsule_capsule, T>, contact_rounds<RoundKind::sphere_aabb, T>,
+    contact_rounds<RoundKind::sphere_obb, T>};
 
 #else
 
@@ -71,7 +71,8 @@ std::size_t leave_rounds(std::span<const RoundsToContact<T>> pairs, std::uint32_
 }
 
 template <class T>
-constexpr RoundKernels<T> kernels_of = {leave_rounds<T>, leave_rounds<T>, leave_rounds<T>};
+constexpr RoundKernels<T> kernels_of = {leave_rounds<T>, leave_rounds<T>, leave_rounds<T>, leave_rounds<T>,
+                                        leave_rounds<T>};
 
 #endif
 
