@@ -32,8 +32,8 @@
 // deeper in each other. A few epsilon of double of the coordinates as seen from a or b, the motion's included, for the
 // bounded shapes of the closed forms and those without curved faces of their own; of the largest coordinate for planes,
 // half-spaces, polytopes and users' shapes (of T for those that calculate in T); of rays that are all but parallel also
-// of where they touch, which may be far away. `status` says if GJK could not get that near. At a grazing angle t is less
-// exact than the distance. Coordinates of magnitude 1e-140 to 1e140.
+// of where they touch, which may be far away. `status` says if GJK could not get that near. At a grazing angle t is
+// less exact than the distance. Coordinates of magnitude 1e-140 to 1e140.
 #pragma once
 
 #include <algorithm>

@@ -151,8 +151,8 @@ TEST(TimeOfImpact, CountsTouchesAtTheStartAndAtTheEnd) {
   EXPECT_FALSE(time_of_impact(ball, rest, Ball{{2.001, 0, 0}, 1}, rest).has_value());
 }
 
-/// Nearer to each other, when the balls that they turn in touch, than GJK can tell of coordinates of a million; and from
-/// the start.
+/// Nearer to each other, when the balls that they turn in touch, than GJK can tell of coordinates of a million; and
+/// from the start.
 TEST(TimeOfImpact, OfSmallThingsFarFromTheOriginHasANormal) {
   const Triangle<3, double> speck{{1e6, 1e6, 1e6}, {1e6, 1e6, 1e6}, {1e6, 1e6, 1e6}};
   const Course flight{{80, 0, 0}, {0, 3, 0}, {1e6, 1e6, 1e6}};
