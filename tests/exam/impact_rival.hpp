@@ -30,8 +30,8 @@ inline constexpr double most_turn = 0.75;
 /// Bullet's btContinuousConvexCollision, shapes without margin as in rival.hpp.
 std::optional<Meeting> bullet_impact(const test::Moving<3, float>& moving);
 
-/// fcl::continuousCollide by conservative advancement along its linear motions, with FCL's own GJK; of what
-/// fcl_meeting has, in double alone, as it is built.
+/// fcl::continuousCollide by conservative advancement along its motions between two poses, which turn about the middle
+/// of each shape, with FCL's own GJK; of what fcl_meeting has, in double alone, as it is built.
 std::optional<Meeting> fcl_impact(const test::Moving<3, double>& moving);
 
 inline constexpr std::array<ImpactRival<float>, 1> float_impact_rivals = {{{"Bullet", bullet_impact}}};

@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <variant>
 
+#include <fcl/math/motion/interp_motion.h>
+#include <fcl/math/motion/translation_motion.h>
 #include <fcl/narrowphase/continuous_collision.h>
 
 #include <graze/math/motion.hpp>
@@ -21,18 +23,16 @@ namespace {
 
 using Pose3 = fcl::Transform3<double>;
 
-/// When two shapes that go from their poses to others first meet.
-template <class First, class Second>
-Meeting meeting(const Placed<First, double>& a, const Pose3& end_a, const Placed<Second, double>& b, const Pose3& end_b,
-                fcl::CCDMotionType motion_type) {
+/// When two shapes on their ways first meet.
+template <class First, class Second, class Way>
+Meeting meeting(const Placed<First, double>& a, const Way& way_a, const Placed<Second, double>& b, const Way& way_b) {
   constexpr std::size_t most_steps = 100;
   fcl::ContinuousCollisionRequest<double> request;
   request.num_max_iterations = most_steps;
-  request.ccd_motion_type = motion_type;
   request.ccd_solver_type = fcl::CCDC_CONSERVATIVE_ADVANCEMENT;
   request.gjk_solver_type = fcl::GST_INDEP;
   fcl::ContinuousCollisionResult<double> result;
-  fcl::continuousCollide(&a.shape, a.pose, end_a, &b.shape, b.pose, end_b, request, result);
+  fcl::continuousCollide(&a.shape, &way_a, &b.shape, &way_b, request, result);
   return {result.is_collide, result.time_of_contact};
 }
 
@@ -58,30 +58,37 @@ std::optional<Meeting> meeting_of(const Solid3<double>& a, const Solid3<double>&
   }
 }
 
-/// Of a shape whose own middle is where it turns about.
-Pose3 end_of(const Pose3& start, const Motion<3, double>& motion) {
+using Glide = fcl::TranslationMotion<double>;
+
+Glide glide(const Pose3& start, const Vec<3, double>& way) {
   Pose3 end = start;
+  end.translation() += vector(way);
+  return {start, end};
+}
+
+using TurningWay = fcl::InterpMotion<double>;
+
+/// Of a shape about its own middle, which has to be named: what fcl::continuousCollide makes of poses alone turns about
+/// a point that nobody has set.
+TurningWay turning_way(const Pose3& start, const Motion<3, double>& motion) {
+  fcl::Matrix3<double> end = start.linear();
   const fcl::Vector3<double> turn = vector(motion.angular);
-  if (turn.norm() > 0) {
-    end.linear() = Eigen::AngleAxis<double>(turn.norm(), turn.normalized()).toRotationMatrix() * start.linear();
-  }
-  end.translation() += vector(motion.linear);
-  return end;
+  if (turn.norm() > 0) end = Eigen::AngleAxis<double>(turn.norm(), turn.normalized()).toRotationMatrix() * end;
+  return {start.linear(), start.translation(), end, start.translation() + vector(motion.linear),
+          fcl::Vector3<double>::Zero()};
 }
 
 }  // namespace
 
 std::optional<Meeting> fcl_meeting(const Solid3<double>& a, const Vec<3, double>& motion, const Solid3<double>& b) {
   return meeting_of(a, b, [&motion](const auto& placed_a, const auto& placed_b) {
-    Pose3 end = placed_a.pose;
-    end.translation() += vector(motion);
-    return meeting(placed_a, end, placed_b, placed_b.pose, fcl::CCDM_TRANS);
+    return meeting(placed_a, glide(placed_a.pose, motion), placed_b, glide(placed_b.pose, Vec<3, double>(0.0)));
   });
 }
 
 std::optional<Meeting> fcl_impact(const test::Moving<3, double>& moving) {
   return meeting_of(moving.a, moving.b, [&moving](const auto& a, const auto& b) {
-    return meeting(a, end_of(a.pose, moving.motion_a), b, end_of(b.pose, moving.motion_b), fcl::CCDM_LINEAR);
+    return meeting(a, turning_way(a.pose, moving.motion_a), b, turning_way(b.pose, moving.motion_b));
   });
 }
 
