@@ -2,7 +2,8 @@
 // The nearest points of two convex polytopes in space, each where it is or seen through a pose, for most pairs: those
 // that are clearly apart, and those that clearly overlap. GJK as in gjk.hpp, but with corners by their places, so that
 // a walk may begin where the last one ended and knows its end when it sees it, and with faces by hull_simplex.hpp. What
-// it answers is proved by a plane or by four corners; if that fails, nothing is said, and closest_convex.hpp is asked.
+// it answers is proved by a plane and two points, or by four corners; if that fails, nothing is said, and
+// closest_convex.hpp is asked.
 #pragma once
 
 #include <algorithm>
@@ -327,6 +328,10 @@ bool find_between(A& a, B& b, const Vec<3, double>& origin, const KnownCorners& 
   walk.run(known);
   if (walk.is_apart()) {
     const auto points = walk.points();
+    // Of long thin faces the shares are off by more than their nearest point: that has to be as near as it should be.
+    const Vec<3, double> way = points.on_b - points.on_a;
+    const double farthest = walk.distance() + walk.error();
+    if (!(dot(way, way) <= farthest * farthest)) return false;
     result.distance = walk.distance();
     (known.is_exchanged ? result.point_b : result.point_a) = origin + points.on_a;
     (known.is_exchanged ? result.point_a : result.point_b) = origin + points.on_b;
