@@ -108,7 +108,8 @@ class DistanceJudge {
     const double size = epsilon * std::max({max_abs(a), max_abs(b), truth_.own_size, truth_.largest}) + found_.error +
                         static_cast<double>(std::numeric_limits<T>::denorm_min());
     const Vec<N, double> normal = wide<N, T>(found_.normal);
-    const double worst = std::max({off(found_.point_a, a_), off(found_.point_b, b_), wrong_way(b - a, normal)}) / size;
+    const Vec<N, double> rest = (b - a) - normal * static_cast<double>(found_.distance);
+    const double worst = std::max({off(found_.point_a, a_), off(found_.point_b, b_), max_abs(rest)}) / size;
     const bool is_apart = found_.relation == Relation::apart;
     const double most_off_by_others = is_apart ? most_off_by_gjk : most_off_by_gjk_where_slivers_meet;
     expect(worst <= (is_closed_ ? most_off : most_off_by_others), "the points are off");
@@ -117,15 +118,6 @@ class DistanceJudge {
     const bool is_unit = std::fabs(squared - 1) <= 4 * epsilon;
     const bool may_be_zero = !is_apart || static_cast<double>(found_.distance) <= found_.error;
     expect(is_unit || (squared == 0 && may_be_zero), "the normal is not of length 1");
-  }
-
-  /// How far the way from point to point is from distance times normal. What GJK finds may be as far beside it as makes
-  /// the way no longer: points slide on long thin faces.
-  double wrong_way(const Vec<N, double>& way, const Vec<N, double>& normal) const {
-    const auto distance = static_cast<double>(found_.distance);
-    const Vec<N, double> rest = way - normal * distance;
-    if (is_closed_) return max_abs(rest);
-    return std::max(std::fabs(dot(rest, normal)), std::fabs(std::sqrt(dot(way, way)) - distance));
   }
 
   /// How far a point is from a shape, exactly.

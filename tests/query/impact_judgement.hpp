@@ -92,8 +92,9 @@ class ImpactJudge {
     const double unit = impact_target * size_;
     errors_.is_unfinished = strike.status == Status::best_bound;
     expect(gap <= strike.error + rounding_, "they are farther apart than is said");
-    // Rays that are all but parallel may touch far from where they begin.
-    const double reached = impact_target * std::max(size_, max_abs(strike.point));
+    // Two rays that are all but parallel may touch far from where they begin.
+    const bool are_rays = moving_.a.index() == ray_type && moving_.b.index() == ray_type;
+    const double reached = are_rays ? impact_target * std::max(size_, max_abs(strike.point)) : unit;
     expect(strike.error <= most_promised * reached || errors_.is_unfinished, "too large an error is admitted");
     expect(std::fabs(dot(strike.normal, strike.normal) - 1) <= 16 * tolerance::epsilon,
            "the normal is not of length 1");
