@@ -321,6 +321,9 @@ class HullWalk {
   NearFace face_;
 };
 
+/// How far from the normal the nearest points may lie, in errors of their distance.
+inline constexpr double most_beside = 64;
+
 /// As `find_proximity_of_hulls`, of hulls that are seen from `origin`.
 template <class A, class B>
 bool find_between(A& a, B& b, const Vec<3, double>& origin, const KnownCorners& known, Proximity<3, double>& result) {
@@ -328,10 +331,12 @@ bool find_between(A& a, B& b, const Vec<3, double>& origin, const KnownCorners& 
   walk.run(known);
   if (walk.is_apart()) {
     const auto points = walk.points();
-    // Of long thin faces the shares are off by more than their nearest point: that has to be as near as it should be.
+    // Of long thin faces the shares are off by more than their nearest point: that has to be as near as it should be,
+    // and along the normal.
     const Vec<3, double> way = points.on_b - points.on_a;
     const double farthest = walk.distance() + walk.error();
     if (!(dot(way, way) <= farthest * farthest)) return false;
+    if (!(max_abs(way + walk.separation()) <= most_beside * walk.error())) return false;
     result.distance = walk.distance();
     (known.is_exchanged ? result.point_b : result.point_a) = origin + points.on_a;
     (known.is_exchanged ? result.point_a : result.point_b) = origin + points.on_b;
