@@ -264,9 +264,9 @@ WideManifold<dimension_of<A>> manifold_of_look(const A& a, const B& b, const Tou
 /// Of two simple shapes that meet.
 template <class A, class B>
 WideManifold<dimension_of<A>> manifold_of_met(const A& a, const B& b) {
-  if constexpr (type_place<A> < type_place<B>) {
+  if constexpr (contact_place<A> < contact_place<B>) {
     return manifold_in_order(a, b);
-  } else if constexpr (type_place<A> > type_place<B>) {
+  } else if constexpr (contact_place<A> > contact_place<B>) {
     WideManifold<dimension_of<A>> result = manifold_in_order(b, a);
     exchange(result);
     return result;
@@ -399,13 +399,13 @@ template <class R, class Seen>
 
 template <class A, class B>
 auto rounded_manifold_of_obbs(const A& a, const B& b) {
-  const bool turned = !is_in_order(a, b);
+  const bool turned = are_turned(a, b);
   return quick_manifold_of_obbs<scalar_of<A>>(seen_in_order(a, b, turned), turned);
 }
 
 template <class A, class B>
 std::optional<WideManifold<3>> manifold_of_obbs(const A& a, const B& b) {
-  const bool turned = !is_in_order(a, b);
+  const bool turned = are_turned(a, b);
   const Manifold<3, double> manifold = quick_manifold_of_obbs<double>(seen_in_order(a, b, turned), turned);
   if (manifold.size == 0) return std::nullopt;
   WideManifold<3> wide;

@@ -92,12 +92,11 @@ struct AxisAcrossEdges {
 /// and whatever their lengths, which are about 1.
 inline constexpr double least_squared_sine = 1.001 / 64;
 
-/// Two boxes in space that meet, as SeenObbs or SeenAabbAndObb sees them, and the axis that parts them: across a face
+/// Two boxes in space that meet, as SeenObbs or SeenObbAndAabb sees them, and the axis that parts them: across a face
 /// of one of them, or across an edge of each.
 struct MeetingObbs {
   PairedBox box[2];
-  double size;        ///< Of both.
-  double seen_error;  ///< Of the boxes, relative to it.
+  double size;  ///< Of both.
   PairedVec normal;
   double gap;
   bool is_on_edges;
@@ -110,7 +109,6 @@ struct MeetingObbs {
   [[gnu::always_inline]] MeetingObbs(const Seen& seen, BoxesAxes candidates)
       : box{paired_box(seen.first(), seen.first_center()), paired_box(seen.second(), seen.second_center())},
         size(size_of(box[0]) + size_of(box[1])),
-        seen_error(Seen::error),
         normal(box[1].center),
         edges{box[1].center, 0, 0, {}} {
     const auto place = static_cast<Dim>(std::countr_zero(candidates));
@@ -133,7 +131,7 @@ struct MeetingObbs {
   }
 
   double depth() const { return std::max(0.0, -gap); }
-  double error() const { return std::max(0.0, gap) + (boxes_error + seen_error) * size; }
+  double error() const { return std::max(0.0, gap) + boxes_error * size; }
 
   /// The same as penetration_boxes.hpp has it.
   BoxesContact<3> contact() const {

@@ -3,12 +3,12 @@
 // point near both. Include closest_points.hpp.
 #pragma once
 
-#include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/closest_points.hpp>
 #include <graze/query/obb_axes.hpp>
 #include <graze/query/oriented_box.hpp>
 #include <graze/query/relation.hpp>
+#include <graze/query/shape_order.hpp>
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/obb.hpp>
 
@@ -37,58 +37,76 @@ class SeenObbs {
   [[gnu::always_inline]] ObbAxes axes() const { return axes_of(first_, second_); }
   bool are_apart_for_certain() const { return decide(first_, second_) == Relation::apart; }
 
-  /// What the boxes that are seen may be off, relative to their size.
-  static constexpr double error = 0;
-
  private:
   const Obb<3, T>& first_;
   const Obb<3, T>& second_;
 };
 
-/// A box along the coordinate axes as an oriented one, and an oriented one, seen from this one's center.
-template <class T>
-class SeenAabbAndObb {
- public:
-  SeenAabbAndObb(const Aabb<3, T>& first, const Obb<3, T>& second)
-      : stored_first_(first),
-        stored_second_(second),
-        first_(oriented_box_from(origin(), first)),
-        second_(oriented_box_from(origin(), second)) {}
-
-  Vec<3, double> origin() const { return wide<3, T>(stored_second_.center); }
-
-  const Obb<3, double>& first() const { return first_; }
-  const Obb<3, double>& second() const { return second_; }
-  const Vec<3, double>& first_center() const { return first_.center; }
-  const Vec<3, double>& second_center() const { return second_.center; }
-  const Obb<3, double>& first_seen() const { return first_; }
-  const Obb<3, double>& second_seen() const { return second_; }
-
-  ObbAxes axes() const { return axes_of(first_, second_); }
-  bool are_apart_for_certain() const { return decide(stored_first_, stored_second_) == Relation::apart; }
-
-  /// As oriented_box_from has it.
-  static constexpr double error = 4 * tolerance::epsilon;
-
- private:
-  const Aabb<3, T>& stored_first_;
-  const Obb<3, T>& stored_second_;
-  Obb<3, double> first_;
-  Obb<3, double> second_;
+/// An oriented box and one along the coordinate axes, as oriented ones in double, both seen from the oriented one's
+/// center. What `mixed_boxes` rounds, four half roundings of the coordinates as they are seen, is within what
+/// boxes_error has for the roundings of a gap, of which that has twice as many as there are.
+struct MixedBoxes {
+  Obb<3, double> oriented;
+  Obb<3, double> along_axes;
 };
 
-/// Two boxes in the order of their contact, `turned` if that is not the one in which they are given.
+template <class T>
+MixedBoxes mixed_boxes(const Obb<3, T>& oriented, const Aabb<3, T>& along_axes) {
+  const Vec<3, double> origin = wide<3, T>(oriented.center);
+  return {oriented_box_from(origin, oriented), oriented_box_from(origin, along_axes)};
+}
+
+/// The same as a contact sees them: the oriented one is the first.
+template <class T>
+class SeenObbAndAabb {
+ public:
+  SeenObbAndAabb(const Obb<3, T>& first, const Aabb<3, T>& second)
+      : stored_first_(first), stored_second_(second), boxes_(mixed_boxes(first, second)) {}
+
+  Vec<3, double> origin() const { return wide<3, T>(stored_first_.center); }
+
+  const Obb<3, double>& first() const { return boxes_.oriented; }
+  const Obb<3, double>& second() const { return boxes_.along_axes; }
+  Vec<3, double> first_center() const { return Vec<3, double>(0.0); }
+  const Vec<3, double>& second_center() const { return second().center; }
+  const Obb<3, double>& first_seen() const { return first(); }
+  const Obb<3, double>& second_seen() const { return second(); }
+
+  ObbAxes axes() const { return axes_of(first(), second()); }
+  bool are_apart_for_certain() const { return decide(stored_second_, stored_first_) == Relation::apart; }
+
+ private:
+  const Obb<3, T>& stored_first_;
+  const Aabb<3, T>& stored_second_;
+  MixedBoxes boxes_;
+};
+
+/// Whether the second of two boxes is the first in the order of their contact.
+template <class T>
+[[gnu::always_inline]] inline bool are_turned(const Obb<3, T>& a, const Obb<3, T>& b) {
+  return !is_in_order(a, b);
+}
+template <class T>
+constexpr bool are_turned(const Aabb<3, T>& /*a*/, const Obb<3, T>& /*b*/) {
+  return true;
+}
+template <class T>
+constexpr bool are_turned(const Obb<3, T>& /*a*/, const Aabb<3, T>& /*b*/) {
+  return false;
+}
+
+/// Two boxes in that order, `turned` if it is not the one in which they are given.
 template <class T>
 [[gnu::always_inline]] inline SeenObbs<T> seen_in_order(const Obb<3, T>& a, const Obb<3, T>& b, bool turned) {
   return turned ? SeenObbs<T>(b, a) : SeenObbs<T>(a, b);
 }
 template <class T>
-SeenAabbAndObb<T> seen_in_order(const Aabb<3, T>& a, const Obb<3, T>& b, bool /*turned*/) {
-  return SeenAabbAndObb<T>(a, b);
+SeenObbAndAabb<T> seen_in_order(const Aabb<3, T>& a, const Obb<3, T>& b, bool /*turned*/) {
+  return SeenObbAndAabb<T>(b, a);
 }
 template <class T>
-SeenAabbAndObb<T> seen_in_order(const Obb<3, T>& a, const Aabb<3, T>& b, bool /*turned*/) {
-  return SeenAabbAndObb<T>(b, a);
+SeenObbAndAabb<T> seen_in_order(const Obb<3, T>& a, const Aabb<3, T>& b, bool /*turned*/) {
+  return SeenObbAndAabb<T>(a, b);
 }
 
 }  // namespace graze::detail
