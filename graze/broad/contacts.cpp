@@ -12,6 +12,7 @@
 #include <graze/broad/executor.hpp>
 #include <graze/broad/manifold_kernels.hpp>
 #include <graze/broad/manifolds.hpp>
+#include <graze/broad/mixed_contacts.hpp>
 #include <graze/broad/pair_tasks.hpp>
 #include <graze/broad/relations.hpp>
 #include <graze/broad/round_kernels.hpp>
@@ -65,9 +66,9 @@ void look_at_some_boxes(std::size_t count, const ShapesAt& shapes_at, ObbsLook* 
     places[box_count++] = static_cast<std::uint16_t>(i);
   }
   const auto some = std::span(boxes).first(box_count);
-  if (box_count == count) return manifold_kernels<T>().look(some, looks);
+  if (box_count == count) return manifold_kernels<T>().look(some, FirstBox::in_order, looks);
   std::array<ObbsLook, most_obbs_to_contact> found;
-  manifold_kernels<T>().look(some, found.data());
+  manifold_kernels<T>().look(some, FirstBox::in_order, found.data());
   for (std::size_t i = 0; i < box_count; ++i) looks[places[i]] = found[i];
 }
 
@@ -145,12 +146,8 @@ class RoundPairs {
   bool add(const Shapes& shapes, Manifold<3, T>* manifold, std::size_t place) {
     if (const auto* ball = std::get_if<Ball>(shapes.a)) return add_ball(*ball, *shapes.b, false, manifold, place);
     if (const auto* ball = std::get_if<Ball>(shapes.b)) return add_ball(*ball, *shapes.a, true, manifold, place);
-    const auto* a = std::get_if<Rod>(shapes.a);
-    const auto* b = std::get_if<Rod>(shapes.b);
-    if (a == nullptr || b == nullptr) return false;
-    const bool turned = !is_in_order(*a, *b);
-    put(RoundKind::capsule_capsule, {numbers(turned ? *b : *a), numbers(turned ? *a : *b), turned, manifold}, place);
-    return true;
+    return add_alike<Rod>(RoundKind::capsule_capsule, shapes, manifold, place) ||
+           add_alike<Aabb<3, T>>(RoundKind::aabb_aabb, shapes, manifold, place);
   }
 
   /// contact_one(place) for those that the kernels leave.
@@ -187,6 +184,17 @@ class RoundPairs {
            add_to(RoundKind::sphere_obb, std::get_if<Obb<3, T>>(&other));
   }
 
+  /// Two of the same kind, in the order of their contact.
+  template <class S>
+  bool add_alike(RoundKind kind, const Shapes& shapes, Manifold<3, T>* manifold, std::size_t place) {
+    const auto* a = std::get_if<S>(shapes.a);
+    const auto* b = std::get_if<S>(shapes.b);
+    if (a == nullptr || b == nullptr) return false;
+    const bool turned = !is_in_order(*a, *b);
+    put(kind, {numbers(turned ? *b : *a), numbers(turned ? *a : *b), turned, manifold}, place);
+    return true;
+  }
+
   /// Where they begin: the struct holds nothing else.
   template <class S>
   static const T* numbers(const S& shape) {
@@ -219,11 +227,12 @@ void write_manifolds(std::size_t count, const ShapesAt& shapes_at, const LookAt&
     std::array<std::uint16_t, manifolds_per_task> places;
     std::size_t box_count = 0;
     RoundPairs<T> rounds;
+    MixedPairs<T> mixed;
     for (std::size_t i = 0; i < count; ++i) {
       const ObbsLook look = look_at(i);
       const ShapePair<N, T> shapes = shapes_at(i);
       if (look.axis() == ObbsLook::no_axis) {
-        if (!rounds.add(shapes, &manifold_at(i), i)) contact_one(i);
+        if (!rounds.add(shapes, &manifold_at(i), i) && !mixed.add(shapes, &manifold_at(i), i)) contact_one(i);
         continue;
       }
       boxes[box_count] = {{obb_of(*shapes.a), obb_of(*shapes.b)}, look, &manifold_at(i)};
@@ -233,6 +242,7 @@ void write_manifolds(std::size_t count, const ShapesAt& shapes_at, const LookAt&
     const std::size_t left_count = manifold_kernels<T>().contact(std::span(boxes).first(box_count), left.data());
     for (std::size_t i = 0; i < left_count; ++i) contact_one(places[left[i]]);
     rounds.contact(contact_one);
+    mixed.contact(contact_one);
   } else {
     for (std::size_t i = 0; i < count; ++i) contact_one(i);
   }

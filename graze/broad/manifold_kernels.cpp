@@ -36,8 +36,8 @@ namespace {
 #if GRAZE_MANIFOLD_LANES
 
 template <class T>
-void look_at_obbs(std::span<const TwoObbs<T>> pairs, ObbsLook* looks) {
-  LooksAtObbs<T>(pairs, looks);
+void look_at_obbs(std::span<const TwoObbs<T>> pairs, FirstBox first, ObbsLook* looks) {
+  LooksAtObbs<T>(pairs, first, looks);
 }
 
 /// The manifolds of up to most_obbs_to_contact pairs: those across faces, then those across edges, then those whose
@@ -207,7 +207,7 @@ std::size_t contact_obbs(std::span<const ObbsToContact<T>> pairs, std::uint32_t*
 #else
 
 template <class T>
-void look_at_obbs(std::span<const TwoObbs<T>> pairs, ObbsLook* looks) {
+void look_at_obbs(std::span<const TwoObbs<T>> pairs, FirstBox /*first*/, ObbsLook* looks) {
   std::fill_n(looks, pairs.size(), ObbsLook{});
 }
 

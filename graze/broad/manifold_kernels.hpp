@@ -57,9 +57,12 @@ struct ObbsToContact {
 /// How many pairs a kernel takes in one go, at most.
 inline constexpr std::size_t most_obbs_to_contact = 256;
 
+/// Which box of a pair is the first in the order of their contact: that of is_in_order, or the one that is named first.
+enum class FirstBox : std::uint8_t { in_order, as_named };
+
 /// Looks at the axes of pairs that may be apart.
 template <class T>
-using AxisKernel = void (*)(std::span<const TwoObbs<T>> pairs, ObbsLook* looks);
+using AxisKernel = void (*)(std::span<const TwoObbs<T>> pairs, FirstBox first, ObbsLook* looks);
 
 /// Writes the manifolds of most pairs, which must be as they are made: what stays zero in them is not written. `left`,
 /// which has room for all, receives the places of the others, of whose manifolds nothing is written or what is of no

@@ -81,6 +81,9 @@ struct BoxesInOrder {
   bool is_turned(std::size_t lane) const { return (turned >> lane & 1U) != 0; }
 };
 
+/// The bits of pairs that are turned at all.
+HWY_INLINE std::uint32_t turned_at_all(FirstBox first) { return first == FirstBox::in_order ? ~std::uint32_t{} : 0; }
+
 /// As many pairs as floats are in a vector, in the order of their contact, seen from the first boxes' centers.
 template <class T>
 class PairsToLookAt;
@@ -88,7 +91,7 @@ class PairsToLookAt;
 template <>
 class PairsToLookAt<float> {
  public:
-  HWY_INLINE PairsToLookAt(const float* const* first, const float* const* second) {
+  HWY_INLINE PairsToLookAt(const float* const* first, const float* const* second, FirstBox which) {
     load_struct<float>(first, first_);
     load_struct<float>(second, second_);
     turned_ = 0;
@@ -101,6 +104,7 @@ class PairsToLookAt<float> {
       const std::size_t lane = group * pairs_at_once;
       turned_ |= turned_of(centers[0], centers[1], first + lane, second + lane) << lane;
     }
+    turned_ &= turned_at_all(which);
     const auto mask = mask_of(Tag<float>(), turned_);
     for (std::size_t k = 0; k < 15; ++k) exchange_where<Tag<float>>(mask, first_[k], second_[k]);
   }
@@ -132,14 +136,15 @@ class PairsToLookAt<float> {
 template <>
 class PairsToLookAt<double> {
  public:
-  HWY_INLINE PairsToLookAt(const double* const* first, const double* const* second) : first_(first), second_(second) {
+  HWY_INLINE PairsToLookAt(const double* const* first, const double* const* second, FirstBox which)
+      : first_(first), second_(second) {
     Halves of_group[2];
     unrolled<2>([&](auto group) GRAZE_INLINE_LAMBDA { load(first, second, group, of_group[group]); });
     unrolled<12>([&](auto k) GRAZE_INLINE_LAMBDA {
       a_[3 + k] = together(of_group[0].first[k], of_group[1].first[k]);
       b_[3 + k] = together(of_group[0].second[k], of_group[1].second[k]);
     });
-    turned_ = of_group[0].turned | of_group[1].turned << pairs_at_once;
+    turned_ = (of_group[0].turned | of_group[1].turned << pairs_at_once) & turned_at_all(which);
     const auto turned = mask_of(Tag<float>(), turned_);
     unrolled<3>([&](auto k) GRAZE_INLINE_LAMBDA {
       const Lanes<float> way = together(of_group[0].way[k], of_group[1].way[k]);
@@ -209,7 +214,8 @@ class PairsToLookAt<double> {
 template <class T>
 class LooksAtObbs {
  public:
-  LooksAtObbs(std::span<const TwoObbs<T>> pairs, ObbsLook* looks) : pairs_(pairs), looks_(looks) {
+  LooksAtObbs(std::span<const TwoObbs<T>> pairs, FirstBox first, ObbsLook* looks)
+      : pairs_(pairs), first_(first), looks_(looks) {
     for (std::size_t from = 0; from < pairs.size(); from += at_once) look(from);
     while (ties_.count > 0) choose();
   }
@@ -233,7 +239,7 @@ class LooksAtObbs {
       first[lane] = numbers_of(*boxes.a);
       second[lane] = numbers_of(*boxes.b);
     }
-    const PairsToLookAt<T> boxes(first.data(), second.data());
+    const PairsToLookAt<T> boxes(first.data(), second.data(), first_);
     const LookBits bits = boxes.look().bits();
     LookBits axes = hn::And(bits, all_bits(AxesLook::axes));
     if (std::popcount(bits_of<float>(hn::RebindMask(Tag<float>(), are_several(axes)))) >= many_ties) {
@@ -351,6 +357,7 @@ class LooksAtObbs {
   };
 
   std::span<const TwoObbs<T>> pairs_;
+  FirstBox first_;
   ObbsLook* looks_;
   Ties ties_;
 };

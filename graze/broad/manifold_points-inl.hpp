@@ -44,12 +44,17 @@ struct PointRows {
 
   /// `first` lies on the user's second box where `turns`.
   HWY_INLINE void set(const Point& first, const Point& second, Doubles its_depth, DoublesMask turns) {
+    set(first, second, (first + second) * both(0.5), its_depth, turns);
+  }
+
+  HWY_INLINE void set(const Point& first, const Point& second, const Point& middle, Doubles its_depth,
+                      DoublesMask turns) {
     __m512d rows[8];
     __m512d last{};
     for (std::size_t k = 0; k < 3; ++k) {
       const Doubles a = first.at[k];
       const Doubles b = second.at[k];
-      rows[k] = hn::Mul(hn::Add(a, b), both(0.5)).raw;
+      rows[k] = middle.at[k].raw;
       rows[3 + k] = hn::IfThenElse(turns, b, a).raw;
       (k < 2 ? rows[6 + k] : last) = hn::IfThenElse(turns, a, b).raw;
     }
@@ -83,10 +88,15 @@ struct PointRows {
 
   /// `first` lies on the user's second box where `turns`.
   HWY_INLINE void set(const Point& first, const Point& second, Doubles its_depth, DoublesMask turns) {
+    set(first, second, (first + second) * both(0.5), its_depth, turns);
+  }
+
+  HWY_INLINE void set(const Point& first, const Point& second, const Point& middle, Doubles its_depth,
+                      DoublesMask turns) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Doubles a = first.at[k];
       const Doubles b = second.at[k];
-      store_rounded(hn::Mul(hn::Add(a, b), both(0.5)), point[k]);
+      store_rounded(middle.at[k], point[k]);
       store_rounded(hn::IfThenElse(turns, b, a), point_a[k]);
       store_rounded(hn::IfThenElse(turns, a, b), point_b[k]);
     }

@@ -19,6 +19,7 @@
 #undef GRAZE_ROUND_LANES
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_WASM && HWY_HAVE_FLOAT64
 #define GRAZE_ROUND_LANES (HWY_MAX_BYTES >= 32 && HWY_NATIVE_FMA)
+#include <graze/broad/aabb_contacts-inl.hpp>
 #include <graze/broad/round_contacts-inl.hpp>
 #else
 #define GRAZE_ROUND_LANES 0
@@ -29,6 +30,16 @@ namespace graze::detail::HWY_NAMESPACE {
 namespace {
 
 #if GRAZE_ROUND_LANES
+
+/// The manifolds of a group of pairs, whose numbers lie at these places.
+template <RoundKind kind, class T>
+HWY_INLINE auto contacts_of_group(const T* const* first, const T* const* second, std::uint32_t turned) {
+  if constexpr (kind == RoundKind::aabb_aabb) {
+    return AabbContacts<T>(AabbLanes(first), AabbLanes(second), turned);
+  } else {
+    return RoundContacts<T>(touch_of<kind>(first, second), turned);
+  }
+}
 
 template <RoundKind kind, class T>
 std::size_t contact_rounds(std::span<const RoundsToContact<T>> pairs, std::uint32_t* left) {
@@ -44,7 +55,7 @@ std::size_t contact_rounds(std::span<const RoundsToContact<T>> pairs, std::uint3
       second[lane] = pair.second;
       turned |= std::uint32_t{pair.turned} << lane;
     }
-    const RoundContacts<T> contacts(touch_of<kind>(first, second), turned);
+    const auto contacts = contacts_of_group<kind>(first, second, turned);
     for (std::size_t lane = 0; lane < count; ++lane) {
       if (HWY_LIKELY(contacts.is_clear(lane))) {
         contacts.write(lane, *pairs[from + lane].manifold);
@@ -58,9 +69,9 @@ std::size_t contact_rounds(std::span<const RoundsToContact<T>> pairs, std::uint3
 
 template <class T>
 constexpr RoundKernels<T> kernels_of = {
-    contact_rounds<RoundKind::sphere_sphere, T>, contact_rounds<RoundKind::sphere_capsule, T>,
+    contact_rounds<RoundKind::sphere_sphere, T>,   contact_rounds<RoundKind::sphere_capsule, T>,
     contact_rounds<RoundKind::capsule_capsule, T>, contact_rounds<RoundKind::sphere_aabb, T>,
-    contact_rounds<RoundKind::sphere_obb, T>};
+    contact_rounds<RoundKind::sphere_obb, T>,      contact_rounds<RoundKind::aabb_aabb, T>};
 
 #else
 
@@ -71,8 +82,8 @@ std::size_t leave_rounds(std::span<const RoundsToContact<T>> pairs, std::uint32_
 }
 
 template <class T>
-constexpr RoundKernels<T> kernels_of = {leave_rounds<T>, leave_rounds<T>, leave_rounds<T>, leave_rounds<T>,
-                                        leave_rounds<T>};
+constexpr RoundKernels<T> kernels_of = {leave_rounds<T>, leave_rounds<T>, leave_rounds<T>,
+                                        leave_rounds<T>, leave_rounds<T>, leave_rounds<T>};
 
 #endif
 

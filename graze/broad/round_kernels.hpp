@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The manifolds of many pairs of spheres and capsules, or of spheres and boxes, in space that touch, a lane for each,
-// once for every set of vector instructions that the compiler knows: in double and operation by operation what
-// manifold(a, b) does, so that the answers are the same to the bit. A kernel leaves the pairs of which not all is
-// clear; which these are does not depend on the machine, but that those without vectors of four doubles leave all.
+// The manifolds of many pairs of spheres and capsules, of spheres and boxes, or of boxes along the axes, in space, that
+// touch, a lane for each, once for every set of vector instructions that the compiler knows: in double and operation by
+// operation what manifold(a, b) does, so that the answers are the same to the bit. A kernel leaves the pairs of which
+// not all is clear; which these are does not depend on the machine, but that those without vectors of four doubles
+// leave all.
 #pragma once
 
 #include <array>
@@ -14,11 +15,18 @@
 
 namespace graze::detail {
 
-enum class RoundKind : std::uint8_t { sphere_sphere, sphere_capsule, capsule_capsule, sphere_aabb, sphere_obb };
-inline constexpr std::size_t round_kinds = 5;
+enum class RoundKind : std::uint8_t {
+  sphere_sphere,
+  sphere_capsule,
+  capsule_capsule,
+  sphere_aabb,
+  sphere_obb,
+  aabb_aabb
+};
+inline constexpr std::size_t round_kinds = 6;
 
 /// The numbers of two valid shapes that touch, and where their manifold goes. A sphere comes before others; of two
-/// capsules the one that does in the order of shapes of one type (query/shape_order.hpp).
+/// capsules, or boxes, the one that does in the order of shapes of one type (query/shape_order.hpp).
 template <class T>
 struct RoundsToContact {
   const T* first;

@@ -73,6 +73,18 @@ inline std::array<SurfacePair<2>, 2> pairs_of_aabbs(const Aabb<2, double>& a, co
   return result;
 }
 
+/// The feature of a face that a corner of what two faces share lies on, the corners of both being numbered alike: by
+/// whether it is at the face's own end along the next axis, and along the last one.
+inline Feature feature_of_shared(const BoxFaceNumbers& face, std::uint32_t corner, bool by_x, bool by_y) {
+  if (by_x && by_y) return {FeatureKind::vertex, face.vertex(corner)};
+  // The sides of a face are numbered from the corner that they begin at: below, right, above, left.
+  const bool is_right = ((corner ^ corner >> 1U) & 1U) != 0;
+  const bool is_up = corner >> 1U != 0;
+  if (by_x) return {FeatureKind::edge, face.edge(is_right ? 1 : 3)};
+  if (by_y) return {FeatureKind::edge, face.edge(is_up ? 2 : 0)};
+  return {FeatureKind::face, face.face()};
+}
+
 /// In space: the corners of what two faces share, around it.
 inline std::array<SurfacePair<3>, 4> pairs_of_aabbs(const Aabb<3, double>& a, const Aabb<3, double>& b,
                                                     const Penetration<3>& found, double slack) {
@@ -84,18 +96,11 @@ inline std::array<SurfacePair<3>, 4> pairs_of_aabbs(const Aabb<3, double>& a, co
   for (std::uint32_t corner = 0; corner < 4; ++corner) {
     const std::uint32_t right = (corner ^ corner >> 1U) & 1U;
     const std::uint32_t up = corner >> 1U;
-    // The sides of a face are numbered from the corner that they begin at: below, right, above, left.
-    const std::uint32_t side_of_x = right == 1 ? 1 : 3;
-    const std::uint32_t side_of_y = up == 1 ? 2 : 0;
-    const auto feature = [&](const BoxFaceNumbers& face, bool by_x, bool by_y) {
-      if (by_x && by_y) return Feature{FeatureKind::vertex, face.vertex(corner)};
-      if (by_x || by_y) return Feature{FeatureKind::edge, face.edge(by_x ? side_of_x : side_of_y)};
-      return Feature{FeatureKind::face, face.face()};
-    };
     const bool is_a_x = x.is_reference[right];
     const bool is_a_y = y.is_reference[up];
     SurfacePair<3>& pair = result[corner];
-    pair = {found.point_a, found.point_b, found.depth, feature(of_a, is_a_x, is_a_y), feature(of_b, !is_a_x, !is_a_y)};
+    pair = {found.point_a, found.point_b, found.depth, feature_of_shared(of_a, corner, is_a_x, is_a_y),
+            feature_of_shared(of_b, corner, !is_a_x, !is_a_y)};
     pair.point_a[of_a.next()] = pair.point_b[of_a.next()] = x.end[right];
     pair.point_a[of_a.last()] = pair.point_b[of_a.last()] = y.end[up];
   }

@@ -61,7 +61,7 @@ std::vector<ObbsLook> looks_at(std::span<const std::pair<Obb<3, T>, Obb<3, T>>> 
   std::vector<TwoObbs<T>> pairs;
   for (const auto& [a, b] : boxes) pairs.push_back({&a, &b});
   std::vector<ObbsLook> looks(boxes.size(), ObbsLook{~0U});  // what is left as it was
-  manifold_kernels<T>().look(pairs, looks.data());
+  manifold_kernels<T>().look(pairs, FirstBox::in_order, looks.data());
   return looks;
 }
 
