@@ -347,6 +347,7 @@ int main(int argc, char** argv) {
   register_obbs("", few_pairs);
   register_obbs("many: ", many_pairs);
   register_scene();
+  register_pairs("aabb, capsule that meet", meeting_pairs<Aabb, Capsule>());
   register_pairs("obb, capsule", random_pairs<Obb, Capsule>(1));
   register_pairs("obb, capsule that meet", meeting_pairs<Obb, Capsule>());
   constexpr double hardly = 0.1;  // as shapes meet in a simulation

@@ -42,6 +42,14 @@ struct HalvedVec {
   std::array<std::uint64_t, 3> low{};
 };
 
+/// Of the same sign. What the language converts takes a call.
+inline double rough(Int128 number) {
+  const auto low = static_cast<std::int64_t>(number);
+  if (number == low) return static_cast<double>(low);
+  return static_cast<double>(static_cast<std::int64_t>(number >> 64U)) * 0x1p64 +
+         static_cast<double>(static_cast<std::uint64_t>(number));
+}
+
 /// The sum of three numbers of up to 62 bits, each times one of up to 125 bits: its sign, and roughly its size in units
 /// of 2^64, or less than one of them.
 inline double rough_dot(const WholeVec& a, const HalvedVec& m) {
@@ -49,10 +57,7 @@ inline double rough_dot(const WholeVec& a, const HalvedVec& m) {
   for (std::size_t i = 0; i < 3; ++i) high += Int128(a[i]) * m.high[i];
   // The lower halves add up to less than three times 2^62 of these units.
   constexpr Int128 most_of_low = Int128{3} << 62U;
-  if (high > most_of_low || high < -most_of_low) {
-    return static_cast<double>(static_cast<std::int64_t>(high >> 64U)) * 0x1p64 +  // a conversion is a call
-           static_cast<double>(static_cast<std::uint64_t>(high));
-  }
+  if (high > most_of_low || high < -most_of_low) return rough(high);
   Int128 low = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Int128 product = Int128(a[i]) * m.low[i];
@@ -60,7 +65,7 @@ inline double rough_dot(const WholeVec& a, const HalvedVec& m) {
     low += static_cast<std::uint64_t>(product);
   }
   high += low >> 64U;
-  if (high != 0) return static_cast<double>(high);
+  if (high != 0) return rough(high);
   return static_cast<std::uint64_t>(low) != 0 ? 0.5 : 0;
 }
 

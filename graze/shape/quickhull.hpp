@@ -18,6 +18,7 @@
 #include <graze/math/whole_determinant.hpp>
 #include <graze/shape/hull_base.hpp>
 #include <graze/shape/hull_frame.hpp>
+#include <graze/shape/hull_point_room.hpp>
 
 namespace graze::detail {
 
@@ -96,7 +97,7 @@ class Quickhull {
   /// aside.
   void add_outside(std::vector<Facing> points) {
     std::sort(points.begin(), points.end(), [](const Facing& a, const Facing& b) { return a.face < b.face; });
-    if (points.size() > outside_.size()) outside_.resize(points.size());
+    outside_.make_room(points.size(), 0);
     used_ = 0;
     for (auto i = points.begin(); i != points.end();) {
       const std::uint32_t face = i->face;
@@ -308,7 +309,7 @@ class Quickhull {
   /// Moves the undecided points that are outside of a face to the stack.
   void take_outside(std::uint32_t place) {
     const std::size_t most = used_ + undecided_.size();
-    if (most > outside_.size()) outside_.resize(std::max(most, outside_.size() + outside_.size() / 2));
+    outside_.make_room(most, used_);
     Face& face = faces_[place];
     face.first = used_;
     if (settles_doubts_ || is_along_axes(face.plane)) {
@@ -341,23 +342,26 @@ class Quickhull {
   void divide_clear(std::uint32_t place) {
     const HullPlane plane = faces_[place].plane;
     double largest = plane.doubt;
-    std::size_t farthest = used_;
-    std::size_t last = used_;
-    std::size_t kept = 0;
-    for (const HullPoint point : undecided_) {
-      const double height = plane.height(point.place);
+    HullPoint* const first = &outside_[used_];
+    HullPoint* last = first;
+    HullPoint* farthest = first;
+    HullPoint* kept = undecided_.data();
+    for (const HullPoint& undecided : undecided_) {
+      const double height = plane.height(undecided.place);
+      const std::uint32_t link = undecided.link;
       const std::uint32_t in_doubt = height > -plane.doubt ? ~std::uint32_t{0} : 0;
-      outside_[last] = point;
-      undecided_[kept] = point;
-      undecided_[kept].link = point.link ^ ((point.link ^ place) & in_doubt);
+      const HullPoint point = undecided;  // which stays in registers, because nothing of it is read
+      *last = point;
+      *kept = point;
+      kept->link = link ^ ((link ^ place) & in_doubt);
       farthest = height > largest ? last : farthest;
       largest = height > largest ? height : largest;
       last += height > plane.doubt ? 1 : 0;
       kept += height > plane.doubt ? 0 : 1;
     }
-    undecided_.resize(kept);
-    faces_[place].farthest = farthest;
-    used_ = last;
+    undecided_.resize(static_cast<std::size_t>(kept - undecided_.data()));
+    faces_[place].farthest = used_ + static_cast<std::size_t>(farthest - first);
+    used_ += static_cast<std::size_t>(last - first);
   }
 
   /// Adds the farthest of the points outside a face, the last one waiting.
@@ -369,8 +373,7 @@ class Quickhull {
     undecided_.clear();
     for (const std::uint32_t seen : seen_) {
       Face& old = faces_[seen];
-      undecided_.insert(undecided_.end(), outside_.begin() + static_cast<std::ptrdiff_t>(old.first),
-                        outside_.begin() + static_cast<std::ptrdiff_t>(old.last));
+      undecided_.insert(undecided_.end(), outside_.at(old.first), outside_.at(old.last));
       old.is_alive = false;
       if (!old.is_waiting) free_.push_back(seen);
     }
@@ -435,7 +438,7 @@ class Quickhull {
   std::vector<WholePoint> whole_points_;  // all of them, or none
   std::vector<std::uint32_t> free_;       // places of faces that are gone
   std::vector<std::uint32_t> waiting_;    // faces that had points outside when they were made, the newest last
-  std::vector<HullPoint> outside_;        // the stack of these points, in the order of `waiting_`
+  HullPointRoom outside_;                 // the stack of these points, in the order of `waiting_`
   std::size_t used_ = 0;                  // of that stack
   std::vector<Facing> aside_;             // points in doubt
   bool settles_doubts_ = false;           // exactly, at once

@@ -50,6 +50,20 @@ std::optional<int> side_of_plane(const Points& points, const V& origin) {
   return height ? std::optional<int>(ternary_sign(*height)) : std::nullopt;
 }
 
+/// At the ends of 64 bits, where another way begins.
+TEST(Rough, HasTheSignAndAboutTheSizeOfEveryNumber) {
+  EXPECT_EQ(rough(0), 0);
+  for (int bits = 0; bits < 126; ++bits) {
+    for (const int more : {-1, 0, 1}) {
+      const Int128 number = (Int128{1} << static_cast<unsigned>(bits)) + more;
+      const auto about = static_cast<double>(number);
+      EXPECT_NEAR(rough(number), about, about * 0x1p-52) << bits << ' ' << more;
+      EXPECT_NEAR(rough(-number), -about, about * 0x1p-52) << bits << ' ' << more;
+      EXPECT_EQ(ternary_sign(rough(-number)), number == 0 ? 0 : -1) << bits << ' ' << more;
+    }
+  }
+}
+
 TEST(WholeDeterminant, HasTheSignThatRationalNumbersGive) {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> number(-1, 1);
