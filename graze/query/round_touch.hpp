@@ -106,16 +106,15 @@ TouchLook<N> touch_look(const Sphere<N, T>& ball, const Capsule<N, T>& capsule, 
   return result;
 }
 
-/// Where two axes are nearest, which are not nearly parallel: as in segment_filter.hpp. In the plane capsules may lie
-/// side by side by the end of one.
-template <Dim N, class T>
-TouchLook<N> look_in_order(const Capsule<N, T>& a, const Capsule<N, T>& b, bool turns) {
+/// Where two axes in space are nearest, which are not nearly parallel: as in segment_filter.hpp.
+template <class T>
+TouchLook<3> look_in_order(const Capsule<3, T>& a, const Capsule<3, T>& b, bool turns) {
   constexpr double least_sine_squared = 1.0 / 64;
-  const Vec<N, double> origin = wide<N, T>(a.a);
-  const Vec<N, double> u = wide<N, T>(a.b) - origin;
-  const Vec<N, double> start = wide<N, T>(b.a) - origin;
-  const Vec<N, double> end = wide<N, T>(b.b) - origin;
-  const Vec<N, double> v = end - start;
+  const Vec<3, double> origin = wide<3, T>(a.a);
+  const Vec<3, double> u = wide<3, T>(a.b) - origin;
+  const Vec<3, double> start = wide<3, T>(b.a) - origin;
+  const Vec<3, double> end = wide<3, T>(b.b) - origin;
+  const Vec<3, double> v = end - start;
   const double uu = dot(u, u);
   const double vv = dot(v, v);
   const double uv = dot(u, v);
@@ -126,23 +125,23 @@ TouchLook<N> look_in_order(const Capsule<N, T>& a, const Capsule<N, T>& b, bool 
   const double wanted = (uv * on_a - vw) / vv;
   const double on_b = std::clamp(wanted, 0.0, 1.0);
   if (on_b != wanted) on_a = std::clamp((uv * on_b + uw) / uu, 0.0, 1.0);
-  const Vec<N, double> at_a = u * on_a;
-  const Vec<N, double> at_b = on_b < 1 ? start + v * on_b : end;
+  const Vec<3, double> at_a = u * on_a;
+  const Vec<3, double> at_b = on_b < 1 ? start + v * on_b : end;
   const double size = sum_abs(u) + sum_abs(start) + sum_abs(end);
-  TouchLook<N> result = touch_of_cores<N>({{origin, at_a}, {origin, at_b}, at_b - at_a, size},
+  TouchLook<3> result = touch_of_cores<3>({{origin, at_a}, {origin, at_b}, at_b - at_a, size},
                                           static_cast<double>(a.radius), static_cast<double>(b.radius), turns);
   const double reach = static_cast<double>(a.radius) + static_cast<double>(b.radius);
   result.is_known = result.is_known && det > least_sine_squared * (uu * vv) && det > 0x1p-900 &&
                     (!result.meets || are_lines_apart(reach - result.found.depth, size));
   const AxisFeature of_a = feature_on_axis(on_a);
   const AxisFeature of_b = feature_on_axis(on_b);
-  result.is_single = N == 3 && of_a.is_known && of_b.is_known;
+  result.is_single = of_a.is_known && of_b.is_known;
   result.set_features(of_a.feature, of_b.feature, turns);
   return result;
 }
 
-template <Dim N, class T>
-TouchLook<N> touch_look(const Capsule<N, T>& a, const Capsule<N, T>& b, bool turns) {
+template <class T>
+TouchLook<3> touch_look(const Capsule<3, T>& a, const Capsule<3, T>& b, bool turns) {
   const bool is_first = is_in_order(a, b);
   return look_in_order(is_first ? a : b, is_first ? b : a, turns == is_first);
 }
