@@ -251,13 +251,12 @@ WideManifold<dimension_of<A>> manifold_of_asked(const A& a, const B& b, const Pe
 }
 
 /// Of two simple shapes that a quick look shows to meet.
-template <class A, class B>
-WideManifold<dimension_of<A>> manifold_of_look(const A& a, const B& b, const TouchLook<dimension_of<A>>& look) {
-  if (!look.is_single) return manifold_of_asked(a, b, look.found);
+template <class A, class B, class Look>
+WideManifold<dimension_of<A>> manifold_of_look(const A& a, const B& b, const Look& look) {
   WideManifold<dimension_of<A>> result;
   result.found = look.found;
-  result.size = 1;
-  result.pairs[0] = {look.found.point_a, look.found.point_b, look.found.depth, look.feature_a, look.feature_b};
+  result.size = look.put_points(result.pairs.data());
+  if (result.size == 0) result = manifold_of_asked(a, b, look.found);
   return result;
 }
 

@@ -21,9 +21,10 @@ concept HasTouchLook = requires(const A& a, const B& b) {
 template <class A, class B>
 inline constexpr bool has_quick_touch = HasTouchLook<A, B> || HasTouchLook<B, A>;
 
-/// With the normal from the first of the two.
+/// A TouchLook, or what is one and more, with the normal from the first of the two.
 template <class A, class B>
-requires has_quick_touch<A, B> TouchLook<dimension_of<A>> quick_touch(const A& a, const B& b) {
+requires has_quick_touch<A, B>
+auto quick_touch(const A& a, const B& b) {
   if constexpr (HasTouchLook<A, B>) {
     return touch_look(a, b, false);
   } else {

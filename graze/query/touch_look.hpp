@@ -3,8 +3,11 @@
 // capsule_touch.hpp, level_touch.hpp and triangle_touch.hpp.
 #pragma once
 
+#include <cstddef>
+
 #include <graze/math/vec.hpp>
 #include <graze/query/clipped_patch.hpp>
+#include <graze/query/manifold_points.hpp>
 #include <graze/query/penetration.hpp>
 
 namespace graze::detail {
@@ -32,6 +35,13 @@ struct TouchLook {
   [[gnu::always_inline]] void set_features(const Feature& first, const Feature& second, bool turns) {
     feature_a = turns ? second : first;
     feature_b = turns ? first : second;
+  }
+
+  /// Those of the manifold, if they are plain to see. Returns how many they are.
+  [[gnu::always_inline]] std::size_t put_points(SurfacePair<N>* points) const {
+    if (!is_single) return 0;
+    points[0] = {found.point_a, found.point_b, found.depth, feature_a, feature_b};
+    return 1;
   }
 };
 
