@@ -75,6 +75,7 @@ TESTED_ELSEWHERE = {
     "graze/query/ray_careful.hpp": ("tests/query/ray_cast_test.cpp", "ray_cast where no filter settles it"),
     "graze/query/ray_hit.hpp": ("tests/query/ray_cast_test.cpp", "structs without functions: what ray_cast is asked and gives"),
     "graze/query/ray_hit_lanes.hpp": ("tests/query/ray_box_filter_test.cpp", "writes what the filters of rays find"),
+    "graze/query/axis_over_face.hpp": ("tests/query/capsule_touch_test.cpp", "what the look at capsules is made of"),
     "graze/query/touch_look.hpp": ("tests/query/quick_touch_test.cpp", "a struct that every quick look fills"),
     "graze/query/patch_of_shape.hpp": ("tests/query/manifold_test.cpp", "which patch is whose, for manifolds"),
     "graze/query/strike_of_hit.hpp": ("tests/query/shape_cast_test.cpp", "what shape_cast makes of rays"),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How a capsule touches a box in space: what penetration_of_simple finds for any two shapes, of capsules whose axis is
-// clearly out of the box and nearest to it at one place: an end, or where it passes an edge or a corner. Include
-// manifold.hpp.
+// How a capsule touches a box in space: what penetration_of_simple and the patches of manifold.hpp find for any two
+// shapes, of capsules whose axis is clearly out of the box or clearly in it, and the nearest to its surface over one of
+// its faces, or at one place of an edge or a corner. Include manifold.hpp.
 #pragma once
 
 #include <algorithm>
@@ -9,15 +9,20 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/axis_over_face.hpp>
 #include <graze/query/ball_touch.hpp>
 #include <graze/query/clipped_patch.hpp>
+#include <graze/query/manifold_points.hpp>
 #include <graze/query/oriented_box.hpp>
+#include <graze/query/patch.hpp>
 #include <graze/query/penetration_boxes.hpp>
 #include <graze/query/round_touch.hpp>
 #include <graze/query/touch_look.hpp>
+#include <graze/query/way_out.hpp>
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/capsule.hpp>
 #include <graze/shape/obb.hpp>
@@ -64,155 +69,233 @@ struct WayPastBox {
   }
 };
 
+/// On a face a capsule may have two points, which not all who look want.
+struct CapsuleLook : TouchLook<3> {
+  std::optional<AxisOverFace> over;  ///< If all of it is clear.
+
+  std::size_t put_points(SurfacePair<3>* points) const {
+    if (!over) return TouchLook<3>::put_points(points);
+    const auto pairs = over->pairs();
+    points[0] = pairs[0];
+    points[1] = pairs[1];
+    return 2;
+  }
+};
+
+/// On which side of a box' faces a place is, by more than what is in doubt.
+struct PlaceByFaces {
+  std::array<bool, 3> is_beyond{};
+  int count = 0;         ///< Of the axes along which it is.
+  Dim last = 0;          ///< The last of them.
+  bool is_clear = true;  ///< Whether it is in no doubt on which side it is.
+  double squared = 0;    ///< How far it is from the box.
+  double least_beyond = std::numeric_limits<double>::infinity();
+
+  PlaceByFaces(const Vec<3, double>& place, const Vec<3, double>& half_extents, double doubt) {
+    for (Dim i = 0; i < 3; ++i) {
+      const double beyond = std::fabs(place[i]) - half_extents[i];
+      is_clear = is_clear && std::fabs(beyond) > doubt;
+      squared += std::max(beyond, 0.0) * std::max(beyond, 0.0);
+      if (!(beyond > doubt)) continue;
+      is_beyond[static_cast<std::size_t>(i)] = true;
+      ++count;
+      last = i;
+      least_beyond = std::min(least_beyond, beyond);
+    }
+  }
+};
+
 /// A capsule and a box, seen from the capsule's first end.
 class CapsuleTouch {
  public:
-  /// `turns` if the capsule is the first of both.
-  CapsuleTouch(const Vec<3, double>& origin, const Vec<3, double>& way, double radius, const Obb<3, double>& box,
-               bool turns)
-      : origin_(origin),
-        way_(way),
-        radius_(radius),
-        box_(box),
-        size_(sum_abs(way) + sum_abs(box.center) + sum_abs(box.half_extents)),
-        turns_(turns) {
+  explicit CapsuleTouch(const CapsuleAndBox& pair) : pair_(pair), size_(pair_.size()) {
+    const Obb<3, double>& box = pair_.box;
     for (Dim i = 0; i < 3; ++i) {
       seen_.start[i] = -dot(box.center, box.axes[i]);
-      seen_.way[i] = dot(way, box.axes[i]);
+      seen_.way[i] = dot(pair_.way, box.axes[i]);
     }
     seen_.half_extents = box.half_extents;
-  }
-
-  TouchLook<3> run() const {
-    const double t = seen_.nearest();
-    if (t <= 0) return at_end(0);
-    if (t >= 1) return at_end(1);
-    return between_ends(t);
-  }
-
- private:
-  /// The axis' place there is the nearest if the way from it leads away from the box' nearest point: both are convex.
-  TouchLook<3> at_end(std::uint32_t end) const {
-    const Vec<3, double> place = way_ * (end == 0 ? 0.0 : 1.0);
-    Obb<3, double> box = box_;
-    box.center -= place;
-    TouchLook<3> look = BallTouch<false>(origin_ + place, radius_, box, !turns_).run();
-    Feature& of_capsule = turns_ ? look.feature_a : look.feature_b;
-    of_capsule.index = end;
-    if (!look.is_known || !look.meets) {
-      look.is_known = false;  // what the end is apart from, the rest may meet
-      return look;
-    }
-    const double away = dot(way_, look.found.normal) * (turns_ == (end == 0) ? -1.0 : 1.0);
-    look.is_known = look.found.depth < radius_ && away >= -tolerance::rounding * sum_abs(way_);
-    const Feature& of_box = turns_ ? look.feature_b : look.feature_a;
-    look.is_single = of_box.kind != FeatureKind::face;  // on a face it may lie flat
-    look.found.error = error();
-    return look;
-  }
-
-  TouchLook<3> between_ends(double t) const {
-    TouchLook<3> look;
-    const Vec<3, double> place = seen_.at(t);
-    // Of the places, by the axes: twice what the quick test of a ball allows for, and what is far above rounding.
+    // Of places, by the axes: twice what the quick test of a ball allows for, and what is far above rounding.
     constexpr double least_skew = 1e-10;
-    const double doubt = 2 * tolerance::box_filter * (skew_of_axes(box_.axes) + least_skew) * (size_ + radius_);
-    const double along = t * max_abs(way_);
-    bool is_clear = along > doubt && max_abs(way_) - along > doubt;
-    std::array<bool, 3> is_beyond{};
-    double squared = 0;
-    double least_beyond = std::numeric_limits<double>::infinity();
-    int count = 0;
-    for (Dim i = 0; i < 3; ++i) {
-      const double beyond = std::fabs(place[i]) - box_.half_extents[i];
-      is_clear = is_clear && std::fabs(beyond) > doubt && box_.half_extents[i] > doubt;
-      is_beyond[static_cast<std::size_t>(i)] = beyond > 0;
-      if (!(beyond > 0)) continue;
-      ++count;
-      squared += beyond * beyond;
-      least_beyond = std::min(least_beyond, beyond);
-    }
-    if (squared > (radius_ + doubt) * (radius_ + doubt)) {
+    doubt_ = 2 * tolerance::box_filter * (skew_of_axes(box.axes) + least_skew) * size_;
+  }
+
+  CapsuleLook run() const {
+    CapsuleLook look;
+    const double t = seen_.nearest();
+    const Vec<3, double> place = seen_.at(t);
+    const PlaceByFaces by_faces(place, pair_.box.half_extents, doubt_);
+    const double reach = pair_.radius + doubt_;
+    if (by_faces.squared > reach * reach) {
       look.is_known = true;
       return look;
     }
-    if (!is_clear || count < 2) return look;
-    look = count == 2 ? past_edge(place, is_beyond) : past_corner(place);
-    look.set_features(feature_of_box(place, is_beyond), {FeatureKind::edge, 0}, turns_);
+    const Vec<3, double>& half = pair_.box.half_extents;
+    if (!(std::min(std::min(half.x, half.y), half.z) > doubt_)) return look;
+    if (by_faces.squared <= doubt_ * doubt_) {
+      find_way_out(look);
+    } else if (by_faces.count == 1) {
+      lie_on_face({by_faces.last, place[by_faces.last] > 0}, false, look);
+    } else if (by_faces.is_clear) {
+      pass_by(t, place, by_faces, look);
+    }
+    return look;
+  }
+
+ private:
+  /// Of an axis in the box.
+  void find_way_out(CapsuleLook& look) const {
+    const WayOut way =
+        WayOutSearch(seen_.start, seen_.way, pair_.box.half_extents, doubt_).run(tolerance::rounding * size_);
+    if (!way.is_known) return;
+    if (way.is_face) {
+      lie_on_face({way.axis, way.outward[way.axis] > 0}, way.is_level, look);
+      return;
+    }
+    std::array<bool, 3> is_beyond{true, true, true};
+    is_beyond[static_cast<std::size_t>(way.axis)] = false;
+    cross_edge(way.outward, is_beyond, look);
+    look.is_single = way.is_oblique;
+  }
+
+  /// The lowest place is the nearest, or the deepest, if it is over the face.
+  void lie_on_face(const BoxFaceNumbers& face, bool has_to_be_level, CapsuleLook& look) const {
+    const AxisOverFace& over = look.over.emplace(pair_, size_, face);
+    const SurfacePair<3> lowest = over.lowest_pair();
+    judge(pair_.radius - over.lowest_gap(), over.is_lowest_over() && (over.is_level() || !has_to_be_level), look);
+    look.found.normal = over.up() * (pair_.turns ? -1.0 : 1.0);
+    look.found.point_a = lowest.point_a;
+    look.found.point_b = lowest.point_b;
+    look.set_features({FeatureKind::face, face.face()}, {FeatureKind::vertex, over.lowest_end()}, pair_.turns);
+    if (!over.is_clear()) look.over.reset();
+  }
+
+  /// Of an axis out of the box, and nearest to it at t, beside an edge or a corner.
+  void pass_by(double t, const Vec<3, double>& place, const PlaceByFaces& by_faces, CapsuleLook& look) const {
+    const bool is_at_end = t <= 0 || t >= 1;
+    const double along = t * max_abs(pair_.way);
+    if (!is_at_end && !(along > doubt_ && max_abs(pair_.way) - along > doubt_)) return;
+    if (is_at_end) {
+      end_at(t <= 0 ? 0 : 1, place, by_faces, look);
+    } else if (by_faces.count == 2) {
+      cross_edge(place, by_faces.is_beyond, look);
+    } else {
+      pass_corner(place, look);
+    }
     // On a face that the normal is hardly turned from it would be laid flat.
     constexpr double least_cosine = 16 * tolerance::aligned;
-    look.is_single = least_beyond > least_cosine * std::sqrt(squared);
-    return look;
+    look.is_single = by_faces.least_beyond > least_cosine * std::sqrt(by_faces.squared);
   }
 
   /// The middle of the edge at the sides that a place is beyond, or a corner.
   Vec<3, double> middle_at(const Vec<3, double>& place, const std::array<bool, 3>& is_beyond) const {
-    Vec<3, double> result = box_.center;
+    Vec<3, double> result = pair_.box.center;
     for (Dim i = 0; i < 3; ++i) {
-      const double side = is_beyond[static_cast<std::size_t>(i)] ? std::copysign(box_.half_extents[i], place[i]) : 0.0;
-      result += box_.axes[i] * side;
+      const double side =
+          is_beyond[static_cast<std::size_t>(i)] ? std::copysign(pair_.box.half_extents[i], place[i]) : 0.0;
+      result += pair_.box.axes[i] * side;
     }
     return result;
   }
 
-  /// As in segment_filter.hpp.
-  TouchLook<3> past_edge(const Vec<3, double>& place, const std::array<bool, 3>& is_beyond) const {
+  static Dim edge_beside(const std::array<bool, 3>& is_beyond) { return is_beyond[0] ? (is_beyond[1] ? 2 : 1) : 0; }
+
+  /// The axis' place there is the nearest if the way from it leads away from the box' nearest point: both are convex.
+  void end_at(std::uint32_t end, const Vec<3, double>& place, const PlaceByFaces& by_faces, CapsuleLook& look) const {
+    const Vec<3, double> on_axis = pair_.way * (end == 0 ? 0.0 : 1.0);
+    Vec<3, double> on_box = middle_at(place, by_faces.is_beyond);
+    bool is_on_edge = true;
+    if (by_faces.count == 2) {
+      const Dim along = edge_beside(by_faces.is_beyond);
+      const Vec<3, double>& edge = pair_.box.axes[along];
+      const double on_edge = dot(edge, on_axis - on_box) / dot(edge, edge);
+      is_on_edge = std::fabs(on_edge) < pair_.box.half_extents[along];
+      on_box += edge * on_edge;
+    }
+    touch_at(on_box, on_axis, look);
+    const double away = dot(pair_.way, look.found.normal) * (pair_.turns == (end == 0) ? -1.0 : 1.0);
+    look.is_known = look.is_known && is_on_edge && away >= -tolerance::rounding * sum_abs(pair_.way);
+    look.set_features(feature_of_box(place, by_faces.is_beyond), {FeatureKind::vertex, end}, pair_.turns);
+  }
+
+  /// Where two lines are nearest, as in segment_filter.hpp. The normal is across both, on the side of the edge that is
+  /// out of the box, on which the axis need not be.
+  void cross_edge(const Vec<3, double>& place, const std::array<bool, 3>& is_beyond, CapsuleLook& look) const {
     constexpr double least_sine_squared = 1.0 / 64;
-    const Dim along = is_beyond[0] ? (is_beyond[1] ? 2 : 1) : 0;
+    const Dim along = edge_beside(is_beyond);
     const Vec<3, double> middle = middle_at(place, is_beyond);
-    const Vec<3, double>& edge = box_.axes[along];
-    const double uu = dot(way_, way_);
+    const Vec<3, double>& edge = pair_.box.axes[along];
+    const Vec<3, double>& way = pair_.way;
+    const double uu = dot(way, way);
     const double vv = dot(edge, edge);
-    const double uv = dot(way_, edge);
-    const double uw = dot(way_, middle);
+    const double uv = dot(way, edge);
+    const double uw = dot(way, middle);
     const double vw = dot(edge, middle);
     const double det = uu * vv - uv * uv;
     const double on_axis = (uw * vv - vw * uv) / det;
     const double on_edge = (uw * uv - vw * uu) / det;
-    TouchLook<3> look = touch_at(middle + edge * on_edge, way_ * on_axis);
-    look.is_known = look.is_known && det > least_sine_squared * (uu * vv) && on_axis > 0 && on_axis < 1 &&
-                    std::fabs(on_edge) < box_.half_extents[along] &&
-                    (!look.meets || are_lines_apart(radius_ - look.found.depth, size_));
-    return look;
+    const Vec<3, double> across = cross(way, edge);
+    const double length = std::sqrt(dot(across, across));
+    const Vec<3, double> normal = across * (std::copysign(1.0, dot(across, middle - pair_.box.center)) / length);
+    const double gap = -dot(normal, middle);
+    const double place_along = on_axis * max_abs(way);
+    judge(pair_.radius - gap,
+          det > least_sine_squared * (uu * vv) && place_along > doubt_ && max_abs(way) - place_along > doubt_ &&
+              pair_.box.half_extents[along] - std::fabs(on_edge) > doubt_,
+          look);
+    const Vec<3, double> on_box = middle + edge * on_edge;
+    look.set(normal, pair_.radius - gap, pair_.origin + on_box, pair_.origin + (way * on_axis - normal * pair_.radius),
+             pair_.turns);
+    look.set_features(feature_of_box(place, is_beyond), {FeatureKind::edge, 0}, pair_.turns);
   }
 
-  TouchLook<3> past_corner(const Vec<3, double>& place) const {
+  void pass_corner(const Vec<3, double>& place, CapsuleLook& look) const {
     const Vec<3, double> corner = middle_at(place, {true, true, true});
-    const double on_axis = dot(way_, corner) / dot(way_, way_);
-    TouchLook<3> look = touch_at(corner, way_ * on_axis);
+    const double on_axis = dot(pair_.way, corner) / dot(pair_.way, pair_.way);
+    touch_at(corner, pair_.way * on_axis, look);
     look.is_known = look.is_known && on_axis > 0 && on_axis < 1;
-    return look;
+    look.set_features(feature_of_box(place, {true, true, true}), {FeatureKind::edge, 0}, pair_.turns);
   }
 
-  TouchLook<3> touch_at(const Vec<3, double>& on_box, const Vec<3, double>& on_axis) const {
-    return touch_of_cores<3>({{origin_, on_box}, {origin_, on_axis}, on_axis - on_box, size_}, 0, radius_, turns_);
+  /// Of two points that are the nearest, as touch_of_cores.
+  void touch_at(const Vec<3, double>& on_box, const Vec<3, double>& on_axis, CapsuleLook& look) const {
+    const Vec<3, double> between = on_axis - on_box;
+    const double distance = std::sqrt(dot(between, between));
+    const double depth = pair_.radius - distance;
+    judge(depth, distance > tolerance::known_direction * size_, look);
+    const Vec<3, double> normal = between * (1 / distance);
+    look.set(normal, depth, pair_.origin + on_box, pair_.origin + (on_axis - normal * pair_.radius), pair_.turns);
   }
 
-  double error() const { return 2 * tolerance::rounding * (size_ + radius_); }
+  /// What is known of a depth, if it is known where it is.
+  void judge(double depth, bool is_place_known, CapsuleLook& look) const {
+    const double doubt = tolerance::coarse * size_;
+    look.is_known = is_place_known && std::fabs(depth) > doubt;
+    look.meets = depth > doubt;
+    look.found.depth = depth;
+    look.found.error = 2 * tolerance::rounding * size_;
+  }
 
-  Vec<3, double> origin_;
-  Vec<3, double> way_;
-  double radius_;
-  Obb<3, double> box_;
+  CapsuleAndBox pair_;
   double size_;
-  bool turns_;
+  double doubt_;
   WayPastBox seen_;
 };
 
 template <class T, class Box>
-TouchLook<3> look_at_capsule(const Box& box, const Capsule<3, T>& capsule, bool turns) {
+CapsuleLook look_at_capsule(const Box& box, const Capsule<3, T>& capsule, bool turns) {
   const Vec<3, double> origin = wide<3, T>(capsule.a);
-  return CapsuleTouch(origin, wide<3, T>(capsule.b) - origin, static_cast<double>(capsule.radius),
-                      oriented_box_from(origin, box), turns)
+  return CapsuleTouch({origin, wide<3, T>(capsule.b) - origin, static_cast<double>(capsule.radius),
+                       oriented_box_from(origin, box), turns})
       .run();
 }
 
 template <class T>
-TouchLook<3> touch_look(const Aabb<3, T>& box, const Capsule<3, T>& capsule, bool turns) {
+CapsuleLook touch_look(const Aabb<3, T>& box, const Capsule<3, T>& capsule, bool turns) {
   return look_at_capsule(box, capsule, turns);
 }
 template <class T>
-TouchLook<3> touch_look(const Obb<3, T>& box, const Capsule<3, T>& capsule, bool turns) {
+CapsuleLook touch_look(const Obb<3, T>& box, const Capsule<3, T>& capsule, bool turns) {
   return look_at_capsule(box, capsule, turns);
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The quick way of a capsule and a box in space against the way of all shapes.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -52,6 +54,38 @@ TEST(CapsuleOnBox, NamesWhatLiesOnWhat) {
                {FeatureKind::vertex, 7}, edge);
 }
 
+TEST(CapsuleOnBox, LeavesTheBoxByTheShortestWay) {
+  const double half = std::sqrt(0.5);
+  expect_touch({{0, 0, 0.5}, {1, 1, 0.7}, 0.25}, {0, 0, 1}, 0.75, {FeatureKind::face, 5}, start);
+  expect_touch({{-9, 0, 0.5}, {-2.75, 0, 0.25}, 0.5}, {-1, 0, 0}, 0.75, {FeatureKind::face, 0}, end);
+  // Past the edge along x at +y and +z.
+  expect_touch({{0.1, -1.2, 4}, {0.2, 4, -1.2}, 0.5}, {0, half, half}, 0.5 + 0.2 * half, {FeatureKind::edge, 3}, edge);
+}
+
+void expect_pair(const SurfacePair<3>& pair, const V3& on_box, double depth, const Feature& of_box,
+                 const Feature& of_pill) {
+  EXPECT_NEAR(length(pair.point_a - on_box), 0, 1e-14);
+  EXPECT_NEAR(pair.depth, depth, 1e-14);
+  EXPECT_EQ(pair.feature_a, of_box);
+  EXPECT_EQ(pair.feature_b, of_pill);
+}
+
+TEST(CapsuleOnBox, HasTwoPointsOnAFace) {
+  const Feature top{FeatureKind::face, 5};
+  const Feature left{FeatureKind::edge, 5};
+  const Feature right{FeatureKind::edge, 7};
+  std::array<SurfacePair<3>, 2> pairs;
+  ASSERT_EQ(touch_look(brick, Pill{{-2, 0, 1.5}, {2, 0, 3.5}, 1}, false).put_points(pairs.data()), 2U);
+  expect_pair(pairs[0], {-2, 0, 1}, 0.5, top, start);
+  expect_pair(pairs[1], {-1, 0, 1}, 0, top, edge);
+  ASSERT_EQ(touch_look(brick, Pill{{5, 0, 1.5}, {-5, 0, 1.5}, 1}, false).put_points(pairs.data()), 2U);
+  expect_pair(pairs[0], {3, 0, 1}, 0.5, right, edge);
+  expect_pair(pairs[1], {-3, 0, 1}, 0.5, left, edge);
+  ASSERT_EQ(touch_look(brick, Pill{{-5, 0, 0.875}, {2, 0, 0.75}, 1}, false).put_points(pairs.data()), 2U);
+  expect_pair(pairs[1], {2, 0, 1}, 1.25, top, end);
+  expect_pair(pairs[0], {-3, 0, 1}, 1.25 - 0.125 * 5 / 7, left, edge);
+}
+
 TEST(CapsuleOnBox, LyingFlatIsAsDeepAsItsEnds) {
   const Pill pill{{-2, -1, 1.5}, {2, 1, 1.5}, 1};
   const TouchLook<3> look = touch_look(brick, pill, false);
@@ -72,9 +106,10 @@ TEST(CapsuleOnBox, IsApartWherePlainToSee) {
 TEST(CapsuleOnBox, IsNotKnownWhereItIsTooCloseToTell) {
   const auto is_known = [](const Pill& pill) { return touch_look(brick, pill, false).is_known; };
   EXPECT_FALSE(is_known({{0, 0, 2}, {0, 0, 5}, 1})) << "touches";
-  EXPECT_FALSE(is_known({{-9, 0, 0}, {9, 0, 0.5}, 1})) << "its axis in the box";
-  EXPECT_FALSE(is_known({{0, 0, 0.5}, {0, 0, 5}, 1})) << "an end in the box";
-  EXPECT_FALSE(is_known({{-5, 0, 1.5}, {5, 0, 1.5}, 1})) << "longer than the face that it lies on";
+  EXPECT_FALSE(is_known({{0, 0, 0}, {5, 0, 0}, 1})) << "as far from two faces";
+  EXPECT_FALSE(is_known({{-9, 0, 0}, {9, 0, 0}, 1})) << "its axis in the middle of the box";
+  EXPECT_FALSE(is_known({{-5, 0, 1.5}, {5, 0, 1.5 + 1e-12}, 1})) << "nearly level, and longer than the face";
+  EXPECT_FALSE(is_known({{-5, 2, 1.5}, {5, 2, 1.5}, 1})) << "level above an edge";
   EXPECT_FALSE(is_known({{0, 0, std::nan("")}, {0, 0, 5}, 1}));
   EXPECT_FALSE(touch_look(Box{{0, 0, 0}, {3, 2, 0}}, Pill{{2, 1, 2}, {6, 1, -2}, 2}, false).is_known) << "a flat box";
 }
@@ -107,7 +142,18 @@ Drawn draw() {
   V3 high = place() * (box.half_extents + 1.0);
   if (*test::choice(4) == 0) high[static_cast<Dim>(*test::choice(3))] = low[static_cast<Dim>(*test::choice(3))];
   if (*test::choice(8) == 0) high = low + place() * 1e-4;
-  const double radius = *test::choice(8) == 0 ? 0 : share();
+  if (*test::choice(16) == 0) high = low;
+  if (*test::choice(8) == 0) high = low + unit_axis<3>(static_cast<Dim>(*test::choice(3))) * share();
+  double radius = *test::choice(8) == 0 ? 0 : share();
+  if (*test::choice(4) == 0) {  // as things that are stacked
+    const auto in_quarters = [](const V3& v) {
+      return V3(std::round(4 * v.x), std::round(4 * v.y), std::round(4 * v.z)) / 4.0;
+    };
+    box.half_extents = in_quarters(box.half_extents + 0.2);
+    low = in_quarters(low);
+    high = in_quarters(high);
+    radius = std::round(radius * 4) / 4;
+  }
   return {box, {box.center + turn * low, box.center + turn * high, radius}, far};
 }
 
@@ -125,6 +171,24 @@ void expect_near(const V& quick, const V& plain, double allowed) {
   RC_ASSERT(static_cast<double>(max_abs(quick - plain)) <= allowed);
 }
 
+/// The points over a face, one by one.
+void expect_the_same_pairs(const CapsuleLook& quick, const WideManifold<3>& plain, double allowed, double allowed_off,
+                           double far) {
+  std::array<SurfacePair<3>, 2> pairs;
+  if (quick.put_points(pairs.data()) == 0) return;
+  RC_ASSERT(plain.size == 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    // Where a side is passed at a small angle, both places are off by more than their depths there.
+    const double moved = length(pairs[i].point_b - plain.pairs[i].point_b);
+    RC_ASSERT(std::fabs(pairs[i].depth - plain.pairs[i].depth) <= allowed + moved + tolerance::epsilon * far);
+    expect_near(pairs[i].point_a, plain.pairs[i].point_a, allowed_off);
+    expect_near(pairs[i].point_b, plain.pairs[i].point_b, allowed_off);
+    if (far > 1) continue;
+    RC_ASSERT(pairs[i].feature_a == plain.pairs[i].feature_a);
+    RC_ASSERT(pairs[i].feature_b == plain.pairs[i].feature_b);
+  }
+}
+
 template <class BoxType>
 void expect_the_same_answers() {
   using T = scalar_of<BoxType>;
@@ -134,7 +198,7 @@ void expect_the_same_answers() {
     const Capsule<3, T> pill{Vec<3, T>(drawn.pill.a), Vec<3, T>(drawn.pill.b), static_cast<T>(drawn.pill.radius)};
     const BoxType box = box_like(drawn.box, BoxType());
     RC_LOG() << test::to_source(box) << ", " << test::to_source(pill) << "\n";
-    const TouchLook<3> quick = touch_look(box, pill, false);
+    const CapsuleLook quick = touch_look(box, pill, false);
     const bool is_apart = decide(box, pill) == Relation::apart;
     if (quick.is_known) RC_ASSERT(quick.meets == !is_apart);
     RC_ASSERT(contact(box, pill).has_value() == !is_apart);
@@ -154,12 +218,14 @@ void expect_the_same_answers() {
       RC_ASSERT(turned.points[i].point_a == same.points[i].point_b);
     }
     RC_ASSERT(same.size == plain.size);
+    const double allowed_off = allowed + 3e-8 + tolerance::epsilon * drawn.far;
+    const bool is_on_face = (quick.feature_a.kind == FeatureKind::face);
+    if (is_on_face) expect_the_same_pairs(quick, plain, allowed, allowed_off, drawn.far);
     if (!quick.is_single) return;  // of a capsule that lies flat any place is as deep
     RC_ASSERT(plain.size == 1U);
     const V3 way = V3(pill.b) - V3(pill.a);
     const bool is_one_place = std::fabs(dot(way, quick.found.normal)) > 1e-7 * max_abs(way) + allowed;
     if (quick.feature_b.kind == FeatureKind::vertex && !is_one_place) return;  // along an edge, too
-    const double allowed_off = allowed + 3e-8 + tolerance::epsilon * drawn.far;
     expect_near(quick.found.point_a, plain.found.point_a, allowed_off);
     expect_near(quick.found.point_b, plain.found.point_b, allowed_off);
     if (drawn.far > 1) return;  // the way of all shapes loses edges and vertices to rounding
@@ -167,6 +233,40 @@ void expect_the_same_answers() {
     RC_ASSERT(plain.pairs[0].feature_b == quick.feature_b);
   });
   EXPECT_GT(known, 0);
+}
+
+/// Boxes and capsules of about unit size that meet.
+template <class BoxType>
+double share_with_known_points() {
+  std::mt19937 random(5);
+  const auto number = [&random](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const auto vector = [&number](double size) {
+    return V3(number(-size, size), number(-size, size), number(-size, size));
+  };
+  int known = 0;
+  int count = 0;
+  while (count < 2000) {
+    const Box drawn{vector(0.6), abs(vector(0.8)) + 0.01, rotation_matrix(vector(1) + V3(0, 0, 1.5), number(0, 360))};
+    const BoxType box = box_like(drawn, BoxType());
+    using T = scalar_of<BoxType>;
+    const V3 low = vector(1.2);
+    const Capsule<3, T> pill{Vec<3, T>(low), Vec<3, T>(low + vector(1)), static_cast<T>(number(0.1, 0.4))};
+    if (decide(box, pill) == Relation::apart) continue;
+    ++count;
+    const CapsuleLook look = touch_look(box, pill, false);
+    std::array<SurfacePair<3>, 2> pairs;
+    known += look.is_known && look.put_points(pairs.data()) > 0 ? 1 : 0;
+  }
+  return static_cast<double>(known) / count;
+}
+
+TEST(CapsuleOnBox, IsKnownOfNearlyAll) {
+  EXPECT_GT((share_with_known_points<Obb<3, float>>()), 0.99);
+  EXPECT_GT((share_with_known_points<Obb<3, double>>()), 0.99);
+  EXPECT_GT((share_with_known_points<Aabb<3, float>>()), 0.99);
+  EXPECT_GT((share_with_known_points<Aabb<3, double>>()), 0.99);
 }
 
 TEST(CapsuleOnBox, IsWhatAllShapesAnswer) {
