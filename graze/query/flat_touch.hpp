@@ -66,15 +66,10 @@ class FlatTouch {
     const double shortest = std::min(first_.shortest(), second_.shortest());
     const bool is_plain = shortest > least_share * size_ && size_ > 0x1p-400 && size_ < 0x1p400 && depth > doubt_;
     if (!is_plain) return {};
-    if constexpr (first_axes > 0) {
-      if (is_of_first_) return over_side<true>({axis_, side_, up_});
-      for (std::size_t axis = FlatCore<first_axes>::first_face; axis < 2; ++axis) {
-        const double side = -std::copysign(1.0, dot(first_.normal[axis], up_));
-        const V up = first_.normal[axis] * side;
-        if (is_aligned(up, -up_)) return over_side<true>({axis, side, up});
-      }
-    }
-    return over_side<false>({axis_, side_, up_});
+    if (is_of_first_) return over_side<true>({axis_, side_, up_});
+    FlatLook look = over_side<false>({axis_, side_, up_});
+    if (look.is_known) take_carried_points(look);
+    return look;
   }
 
  private:
@@ -224,6 +219,22 @@ class FlatTouch {
                                  ? other.side(cut.axis, cut.at)
                                  : other.corner_of_side(cut.axis, cut.at, i == 1 ? 1.0 : -1.0);
     return pair_of<of_first>(on_other + up * depth, on_other, depth, of_own, of_other);
+  }
+
+  /// Where a side of the first core looks along the normal, too, it is that which carries the points, if not the
+  /// contact.
+  void take_carried_points(FlatLook& look) const {
+    if constexpr (first_axes > 0) {
+      for (std::size_t axis = FlatCore<first_axes>::first_face; axis < 2; ++axis) {
+        const double side = -std::copysign(1.0, dot(first_.normal[axis], up_));
+        const V up = first_.normal[axis] * side;
+        if (!is_aligned(up, -up_)) continue;
+        const FlatLook carried = over_side<true>({axis, side, up});
+        look.is_known = carried.is_known;
+        look.points = carried.points;
+        look.size = carried.size;
+      }
+    }
   }
 
   // ---- Corners

@@ -12,7 +12,7 @@ using Box = Obb<3, double>;
 
 static_assert(has_quick_touch<Ball, Box> && has_quick_touch<Box, Ball>);
 static_assert(has_quick_touch<Sphere<2, float>, Capsule<2, float>>);
-static_assert(!has_quick_touch<Sphere<2, float>, Obb<2, float>>);
+static_assert(has_quick_touch<Sphere<2, float>, Obb<2, float>> && !has_quick_touch<Aabb<2, float>, Aabb<2, float>>);
 static_assert(has_quick_touch<Triangle<3, double>, Ball> && !has_quick_touch<Sphere<2, double>, Triangle<2, double>>);
 
 TEST(QuickTouch, TurnsWhatItSeesWithTheShapes) {
