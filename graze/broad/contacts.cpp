@@ -146,6 +146,14 @@ class RoundPairs {
   bool add(const Shapes& shapes, Manifold<3, T>* manifold, std::size_t place) {
     if (const auto* ball = std::get_if<Ball>(shapes.a)) return add_ball(*ball, *shapes.b, false, manifold, place);
     if (const auto* ball = std::get_if<Ball>(shapes.b)) return add_ball(*ball, *shapes.a, true, manifold, place);
+    if (const auto* rod = std::get_if<Rod>(shapes.a);
+        rod != nullptr && add_rod(*rod, *shapes.b, false, manifold, place)) {
+      return true;
+    }
+    if (const auto* rod = std::get_if<Rod>(shapes.b);
+        rod != nullptr && add_rod(*rod, *shapes.a, true, manifold, place)) {
+      return true;
+    }
     return add_alike<Rod>(RoundKind::capsule_capsule, shapes, manifold, place) ||
            add_alike<Aabb<3, T>>(RoundKind::aabb_aabb, shapes, manifold, place);
   }
@@ -182,6 +190,16 @@ class RoundPairs {
            add_to(RoundKind::sphere_capsule, std::get_if<Rod>(&other)) ||
            add_to(RoundKind::sphere_aabb, std::get_if<Aabb<3, T>>(&other)) ||
            add_to(RoundKind::sphere_obb, std::get_if<Obb<3, T>>(&other));
+  }
+
+  /// With a box.
+  bool add_rod(const Rod& rod, const AnyShape<3, T>& other, bool turned, Manifold<3, T>* manifold, std::size_t place) {
+    const auto add_to = [&](RoundKind kind, const auto* held) {
+      if (held != nullptr) put(kind, {numbers(rod), numbers(*held), turned, manifold}, place);
+      return held != nullptr;
+    };
+    return add_to(RoundKind::capsule_aabb, std::get_if<Aabb<3, T>>(&other)) ||
+           add_to(RoundKind::capsule_obb, std::get_if<Obb<3, T>>(&other));
   }
 
   /// Two of the same kind, in the order of their contact.

@@ -20,6 +20,7 @@
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_WASM && HWY_HAVE_FLOAT64
 #define GRAZE_ROUND_LANES (HWY_MAX_BYTES >= 32 && HWY_NATIVE_FMA)
 #include <graze/broad/aabb_contacts-inl.hpp>
+#include <graze/broad/capsule_boxes-inl.hpp>
 #include <graze/broad/round_contacts-inl.hpp>
 #else
 #define GRAZE_ROUND_LANES 0
@@ -36,6 +37,8 @@ template <RoundKind kind, class T>
 HWY_INLINE auto contacts_of_group(const T* const* first, const T* const* second, std::uint32_t turned) {
   if constexpr (kind == RoundKind::aabb_aabb) {
     return AabbContacts<T>(AabbLanes(first), AabbLanes(second), turned);
+  } else if constexpr (kind == RoundKind::capsule_aabb || kind == RoundKind::capsule_obb) {
+    return capsule_contacts<kind>(first, second, turned);
   } else {
     return RoundContacts<T>(touch_of<kind>(first, second), turned);
   }
@@ -71,7 +74,8 @@ template <class T>
 constexpr RoundKernels<T> kernels_of = {
     contact_rounds<RoundKind::sphere_sphere, T>,   contact_rounds<RoundKind::sphere_capsule, T>,
     contact_rounds<RoundKind::capsule_capsule, T>, contact_rounds<RoundKind::sphere_aabb, T>,
-    contact_rounds<RoundKind::sphere_obb, T>,      contact_rounds<RoundKind::aabb_aabb, T>};
+    contact_rounds<RoundKind::sphere_obb, T>,      contact_rounds<RoundKind::aabb_aabb, T>,
+    contact_rounds<RoundKind::capsule_aabb, T>,    contact_rounds<RoundKind::capsule_obb, T>};
 
 #else
 
@@ -82,8 +86,8 @@ std::size_t leave_rounds(std::span<const RoundsToContact<T>> pairs, std::uint32_
 }
 
 template <class T>
-constexpr RoundKernels<T> kernels_of = {leave_rounds<T>, leave_rounds<T>, leave_rounds<T>,
-                                        leave_rounds<T>, leave_rounds<T>, leave_rounds<T>};
+constexpr RoundKernels<T> kernels_of = {leave_rounds<T>, leave_rounds<T>, leave_rounds<T>, leave_rounds<T>,
+                                        leave_rounds<T>, leave_rounds<T>, leave_rounds<T>, leave_rounds<T>};
 
 #endif
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The manifolds of many pairs of spheres and capsules, of spheres and boxes, or of boxes along the axes, in space, that
+// The manifolds of many pairs of spheres and capsules, of either and boxes, or of boxes along the axes, in space, that
 // touch, a lane for each, once for every set of vector instructions that the compiler knows: in double and operation by
 // operation what manifold(a, b) does, so that the answers are the same to the bit. A kernel leaves the pairs of which
 // not all is clear; which these are does not depend on the machine, but that those without vectors of four doubles
@@ -21,11 +21,14 @@ enum class RoundKind : std::uint8_t {
   capsule_capsule,
   sphere_aabb,
   sphere_obb,
-  aabb_aabb
+  aabb_aabb,
+  capsule_aabb,
+  capsule_obb
 };
-inline constexpr std::size_t round_kinds = 6;
+inline constexpr std::size_t round_kinds = 8;
 
-/// The numbers of two valid shapes that touch, and where their manifold goes. A sphere comes before others; of two
+/// The numbers of two valid shapes that touch, and where their manifold goes. A sphere comes before others, and a
+/// capsule before boxes; of two
 /// capsules, or boxes, the one that does in the order of shapes of one type (query/shape_order.hpp).
 template <class T>
 struct RoundsToContact {
