@@ -25,6 +25,7 @@ TESTED_ELSEWHERE = {
     "graze/broad/block.hpp": ("tests/broad/block_tree_test.cpp", "structs without functions: what the tree is made of"),
     "graze/math/has_lanes.hpp": ("tests/query/lanes_test.cpp", "two macros, for what is tested there"),
     "graze/query/flat_core.hpp": ("tests/query/flat_touch_test.cpp", "what a touch in the plane is calculated from"),
+    "graze/query/flat_ball.hpp": ("tests/query/flat_touch_test.cpp", "compared there with all shapes, as the others"),
     "graze/query/simplex_cache.hpp": ("tests/query/closest_hulls_test.cpp", "a struct, which the queries fill"),
     "graze/broad/pair.hpp": ("tests/broad/pairs_test.cpp", "a struct without functions: it is what overlapping_pairs gives"),
     "graze/broad/pair_room.hpp": ("tests/broad/dense_search_test.cpp", "a function's type, which both methods fill"),

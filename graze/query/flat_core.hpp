@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The cores of balls, capsules and boxes in the plane as one kind of thing, for flat_touch.hpp: a rectangle, which may
-// have no height, or be a point. Include manifold.hpp.
+// The cores of capsules and boxes in the plane as one kind of thing, for flat_touch.hpp: a rectangle, which may have no
+// height. Include manifold.hpp.
 #pragma once
 
 #include <algorithm>
@@ -8,19 +8,17 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 #include <graze/math/vec.hpp>
 #include <graze/query/clipped_patch.hpp>
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/capsule.hpp>
 #include <graze/shape/obb.hpp>
-#include <graze/shape/sphere.hpp>
 
 namespace graze::detail {
 
 /// In double, seen from near the pair. The corners are at the center and a half edge, or minus that, along each of so
-/// many axes: a segment has one and a point none.
+/// many axes: a segment has one.
 template <std::size_t axes>
 struct FlatCore {
   using V = Vec<2, double>;
@@ -42,27 +40,27 @@ struct FlatCore {
     return sum;
   }
 
-  double shortest() const {
-    return axes == 0 ? std::numeric_limits<double>::infinity()
-                     : (axes == 1 ? half_length[0] : std::min(half_length[0], half_length[1]));
-  }
-
-  /// The middle of the side across an axis, on the side of its half edge, or against it.
-  V middle(std::size_t axis, double side) const { return center + half_edge[axis] * side; }
+  double shortest() const { return axes == 1 ? half_length[0] : std::min(half_length[0], half_length[1]); }
 
   /// With how far along the axes a corner is, 1 or -1.
   V corner(const V& sides) const { return center + half_edge[0] * sides.x + half_edge[1] * sides.y; }
 
-  /// The feature of a side.
-  static Feature side(std::size_t axis, double side) {
-    return {FeatureKind::edge, axes == 2 ? static_cast<std::uint32_t>(2 * axis) + (side > 0 ? 1U : 0U) : 0U};
+  /// One of two that belong to the axes. Never by a place that is looked up: arrays would have to be in memory for it.
+  template <class V2>
+  [[gnu::always_inline]] static V2 of_axis(bool is_second, const std::array<V2, 2>& of_axes) {
+    return is_second ? of_axes[1] : of_axes[0];
   }
-  /// Of the corner at one end of a side: `end` along the other axis.
-  static Feature corner_of_side(std::size_t axis, double side, double end) {
-    return corner_feature(axis == 0 ? V(side, end) : V(end, side));
+
+  /// The feature of the side across an axis, at its half edge or, with -1, against it.
+  [[gnu::always_inline]] static Feature side(bool across_second, double at) {
+    return {FeatureKind::edge, axes == 2 ? (across_second ? 2U : 0U) | (at > 0 ? 1U : 0U) : 0U};
   }
-  static Feature corner_feature(const V& sides) {
-    return {FeatureKind::vertex, (axes > 0 && sides.x > 0 ? 1U : 0U) | (axes > 1 && sides.y > 0 ? 2U : 0U)};
+  /// Of the corner at one end of that: `end` along the other axis.
+  [[gnu::always_inline]] static Feature corner_of_side(bool across_second, double at, double end) {
+    return corner_feature(across_second ? V(end, at) : V(at, end));
+  }
+  [[gnu::always_inline]] static Feature corner_feature(const V& sides) {
+    return {FeatureKind::vertex, (sides.x > 0 ? 1U : 0U) | (axes > 1 && sides.y > 0 ? 2U : 0U)};
   }
 
   /// On which side of the center along each axis a place is.
@@ -71,20 +69,12 @@ struct FlatCore {
     return {std::copysign(1.0, dot(off, half_edge[0])), std::copysign(1.0, dot(off, half_edge[1]))};
   }
 
-  void set_edge(std::size_t i, const V& half) {
+  [[gnu::always_inline]] void set_edge(std::size_t i, const V& half) {
     half_edge[i] = half;
     half_length[i] = std::sqrt(dot(half, half));
     along[i] = half * (1 / half_length[i]);
   }
 };
-
-template <class T>
-FlatCore<0> flat_core(const Sphere<2, T>& ball, const Vec<2, double>& origin) {
-  FlatCore<0> core;
-  core.center = wide<2, T>(ball.center) - origin;
-  core.radius = static_cast<double>(ball.radius);
-  return core;
-}
 
 template <class T>
 FlatCore<1> flat_core(const Capsule<2, T>& capsule, const Vec<2, double>& origin) {
@@ -99,7 +89,7 @@ FlatCore<1> flat_core(const Capsule<2, T>& capsule, const Vec<2, double>& origin
 }
 
 template <class T>
-FlatCore<2> flat_core(const Obb<2, T>& box, const Vec<2, double>& origin) {
+[[gnu::always_inline]] inline FlatCore<2> flat_core(const Obb<2, T>& box, const Vec<2, double>& origin) {
   FlatCore<2> core;
   core.center = wide<2, T>(box.center) - origin;
   const Mat<2, double> axes = wide_matrix<2, T>(box.axes);
@@ -113,7 +103,7 @@ FlatCore<2> flat_core(const Obb<2, T>& box, const Vec<2, double>& origin) {
 }
 
 template <class T>
-FlatCore<2> flat_core(const Aabb<2, T>& box, const Vec<2, double>& origin) {
+[[gnu::always_inline]] inline FlatCore<2> flat_core(const Aabb<2, T>& box, const Vec<2, double>& origin) {
   const Vec<2, double> low = wide<2, T>(box.min) - origin;
   const Vec<2, double> high = wide<2, T>(box.max) - origin;
   const Vec<2, double> half = (high - low) * 0.5;
@@ -126,10 +116,6 @@ FlatCore<2> flat_core(const Aabb<2, T>& box, const Vec<2, double>& origin) {
 }
 
 /// Where a pair that begins with such a shape is seen from.
-template <class T>
-Vec<2, double> flat_origin(const Sphere<2, T>& ball) {
-  return wide<2, T>(ball.center);
-}
 template <class T>
 Vec<2, double> flat_origin(const Capsule<2, T>& capsule) {
   return wide<2, T>(capsule.a);

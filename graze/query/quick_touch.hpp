@@ -4,6 +4,7 @@
 
 #include <graze/query/ball_touch.hpp>
 #include <graze/query/capsule_touch.hpp>
+#include <graze/query/flat_ball.hpp>
 #include <graze/query/flat_touch.hpp>
 #include <graze/query/level_touch.hpp>
 #include <graze/query/round_touch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a quick look at two shapes shows: touch_look(a, b, turns), in round_touch.hpp, ball_touch.hpp,
-// capsule_touch.hpp, flat_touch.hpp, level_touch.hpp and triangle_touch.hpp.
+// capsule_touch.hpp, flat_ball.hpp, flat_touch.hpp, level_touch.hpp and triangle_touch.hpp.
 #pragma once
 
 #include <cstddef>

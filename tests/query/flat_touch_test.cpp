@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 // The quick way of balls, capsules and boxes in the plane against the way of all shapes.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
-#include <optional>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include <graze/math/pose.hpp>
 #include <graze/query/contact.hpp>
+#include <graze/query/flat_ball.hpp>
 #include <graze/query/flat_touch.hpp>
 #include <graze/query/manifold.hpp>
 
@@ -31,21 +34,29 @@ using Turned = Obb<2, T>;
 constexpr Feature vertex(std::uint32_t i) { return {FeatureKind::vertex, i}; }
 constexpr Feature side(std::uint32_t i) { return {FeatureKind::edge, i}; }
 
-TEST(FlatTouch, OfABallOnABoxIsItsLowestPoint) {
+/// Of a look at two that meet, and what it has of a manifold.
+struct Seen {
+  explicit Seen(const auto& look) : found(look.found), size(look.put_points(points.data())) {}
+
+  Penetration<2> found;
+  std::array<SurfacePair<2>, 2> points;
+  std::size_t size;
+};
+
+TEST(FlatBallTouch, IsAtTheLowestPoint) {
   const Box<double> box{{0, 0}, {4, 2}};
-  const FlatLook on_top = touch_look(Ball<double>{{1, 2.5}, 1}, box, false);
-  ASSERT_TRUE(on_top.is_known && on_top.meets);
+  const TouchLook<2> on_top = touch_look(Ball<double>{{1, 2.5}, 1}, box, false);
+  ASSERT_TRUE(on_top.is_known && on_top.meets && on_top.is_single);
   EXPECT_EQ(on_top.found.normal, V2(0, -1));
   EXPECT_NEAR(on_top.found.depth, 0.5, on_top.found.error);
-  ASSERT_EQ(on_top.size, 1U);
-  EXPECT_EQ(on_top.points[0].feature_a, vertex(0));
-  EXPECT_EQ(on_top.points[0].feature_b, side(3));
-  const FlatLook at_corner = touch_look(Ball<double>{{7, 6}, 6}, box, true);
+  EXPECT_EQ(on_top.feature_a, vertex(0));
+  EXPECT_EQ(on_top.feature_b, side(3));
+  const TouchLook<2> at_corner = touch_look(Ball<double>{{7, 6}, 6}, box, true);
   ASSERT_TRUE(at_corner.is_known && at_corner.meets);
   EXPECT_NEAR(at_corner.found.depth, 1, at_corner.found.error);
   EXPECT_NEAR(length(at_corner.found.normal - V2(0.6, 0.8)), 0, 1e-15);
-  EXPECT_EQ(at_corner.points[0].feature_a, vertex(3));
-  const FlatLook inside = touch_look(Ball<double>{{1, 1.75}, 0.5}, box, false);
+  EXPECT_EQ(at_corner.feature_a, vertex(3));
+  const TouchLook<2> inside = touch_look(Ball<double>{{1, 1.75}, 0.5}, box, false);
   ASSERT_TRUE(inside.is_known && inside.meets);
   EXPECT_NEAR(inside.found.depth, 0.75, inside.found.error);
 }
@@ -79,7 +90,7 @@ TEST(FlatTouch, OfTwoRodsSideBySideIsWhatTheyShare) {
   EXPECT_EQ(look.points[1].feature_b, vertex(1));
 }
 
-TEST(FlatTouch, IsApartWhereThatIsPlainAndNotKnownWhereItIsNot) {
+TEST(FlatBallTouch, IsApartWhereThatIsPlainAndNotKnownWhereItIsNot) {
   const Box<double> box{{0, 0}, {4, 2}};
   const auto look = [&box](const Ball<double>& ball) { return touch_look(ball, box, false); };
   EXPECT_TRUE(look({{1, 4}, 1}).is_known);
@@ -153,9 +164,7 @@ Turned<T> as(const Turned<double>& s) {
 /// rounds its point before it names it, may name a corner after its side. Of boxes with skew axes it may lay another
 /// side over the reference, of those that look at it as much up to the skew.
 template <class A, class B>
-void expect_agreement(const A& a, const B& b, const FlatLook& look, Kind kind) {
-  RC_ASSERT(look.meets == (decide(a, b) != Relation::apart));
-  if (!look.meets) return;
+void expect_agreement(const A& a, const B& b, const Seen& look, Kind kind) {
   const WideManifold<2> plain = manifold_of_met(a, b);
   const double error = look.found.error + plain.found.error;
   RC_ASSERT(std::fabs(look.found.depth - plain.found.depth) <= error);
@@ -191,18 +200,20 @@ void compare(Kind kind, int& cases, int& known) {
     const auto a = as<T>(drawn_a);
     const auto b = as<T>(drawn_b);
     RC_LOG() << test::to_source(a) << ", " << test::to_source(b) << "\n";
-    const FlatLook look = touch_look(a, b, false);
-    const FlatLook turned = touch_look(a, b, true);
+    const auto look = touch_look(a, b, false);
+    const auto turned = touch_look(a, b, true);
     ++cases;
     RC_ASSERT(look.is_known == turned.is_known);
     if (!look.is_known) return;
     ++known;
     RC_ASSERT(look.meets == turned.meets);
-    expect_agreement(a, b, look, kind);
+    RC_ASSERT(look.meets == (decide(a, b) != Relation::apart));
     if (!look.meets) return;
+    const Seen seen(look);
+    expect_agreement(a, b, seen, kind);
     RC_ASSERT(turned.found.normal == -look.found.normal);
     RC_ASSERT(turned.found.point_a == look.found.point_b);
-    RC_ASSERT(turned.points[0].feature_a == look.points[0].feature_b);
+    RC_ASSERT(Seen(turned).points[0].feature_a == seen.points[0].feature_b);
   });
 }
 
