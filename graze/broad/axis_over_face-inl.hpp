@@ -22,9 +22,6 @@ namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
 HWY_INLINE Point negated(const Point& v) { return {{hn::Neg(v.at[0]), hn::Neg(v.at[1]), hn::Neg(v.at[2])}}; }
-HWY_INLINE Point operator/(const Point& v, Doubles divisor) {
-  return {{hn::Div(v.at[0], divisor), hn::Div(v.at[1], divisor), hn::Div(v.at[2], divisor)}};
-}
 HWY_INLINE Doubles max_abs(const Point& v) {
   return hn::Max(hn::Max(hn::Abs(v.at[0]), hn::Abs(v.at[1])), hn::Abs(v.at[2]));
 }
@@ -95,6 +92,11 @@ struct CapsuleTouchLanes {
   DoublesMask is_clear;
 };
 
+HWY_INLINE CapsuleTouchLanes no_touch() {
+  const CapsulePointLanes point{zero_point(), zero_point(), both(0), both(0), both(0)};
+  return {zero_point(), both(0), {point, point}, no_lane(), no_lane()};
+}
+
 /// As AxisOverFace, over a face across each lane's `axis`.
 class AxisOverFaceLanes {
  public:
@@ -110,7 +112,7 @@ class AxisOverFaceLanes {
     const Point last = turned.of(pair.axes[2], pair.axes[0], pair.axes[1]);
     const Point& half = pair.half;
     const Point adjoint = cross(next, last);
-    const Point across = adjoint / hn::Sqrt(dot(adjoint, adjoint));
+    const Point across = adjoint * hn::Div(both(1), hn::Sqrt(dot(adjoint, adjoint)));
     const Doubles climb = dot(across, across_axis);
     const DoublesMask is_turned = hn::Not(hn::Xor(hn::Lt(climb, both(0)), is_far));
     up_ = one_of(is_turned, negated(across), across);
@@ -154,10 +156,11 @@ class AxisOverFaceLanes {
   struct Slab {
     Doubles start;
     Doubles way;
+    Doubles per_way;
     Doubles half;
 
-    HWY_INLINE Doubles enters() const { return hn::Div(hn::Sub(hn::Neg(hn::CopySign(half, way)), start), way); }
-    HWY_INLINE Doubles leaves() const { return hn::Div(hn::Sub(hn::CopySign(half, way), start), way); }
+    HWY_INLINE Doubles enters() const { return hn::Mul(hn::Sub(hn::Neg(hn::CopySign(half, way)), start), per_way); }
+    HWY_INLINE Doubles leaves() const { return hn::Mul(hn::Sub(hn::CopySign(half, way), start), per_way); }
     HWY_INLINE Doubles at(Doubles place) const { return hn::Add(start, hn::Mul(way, place)); }
     HWY_INLINE Doubles room(Doubles place) const { return hn::Sub(half, hn::Abs(at(place))); }
   };
@@ -173,6 +176,7 @@ class AxisOverFaceLanes {
     const Doubles scale = hn::Div(both(1), dot(along, axis));
     slab.start = hn::Neg(hn::Mul(dot(along, middle), scale));
     slab.way = hn::Mul(dot(along, pair_.way), scale);
+    slab.per_way = hn::Div(both(1), slab.way);
   }
 
   HWY_INLINE Doubles gap(Doubles place) const { return hn::Sub(hn::Mul(rise_, place), top_); }

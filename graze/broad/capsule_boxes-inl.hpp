@@ -28,7 +28,7 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
-/// As CapsuleTouch. Every lane goes all ways, and its own counts.
+/// As CapsuleTouch. A group goes all the ways that one of its lanes has to, and each lane keeps what its own has found.
 class CapsuleOnBoxLanes {
  public:
   HWY_INLINE explicit CapsuleOnBoxLanes(const CapsuleAndBoxLanes& pair) : pair_(pair) {
@@ -46,15 +46,33 @@ class CapsuleOnBoxLanes {
     const Doubles thickness = min_of(min_of(pair_.half.at[0], pair_.half.at[1]), pair_.half.at[2]);
     const DoublesMask is_open = hn::AndNot(hn::Gt(by_faces.squared, hn::Mul(reach, reach)), hn::Gt(thickness, doubt_));
     const DoublesMask is_in = hn::Le(by_faces.squared, hn::Mul(doubt_, doubt_));
-    const WayOutLanes out(way, doubt_, hn::Mul(both(tolerance::rounding), pair_.size));
+    const WayOutLanes out(way, doubt_, hn::Mul(both(tolerance::rounding), pair_.size), is_in);
+    const DoublesMask lies =
+        hn::Or(hn::And(is_in, hn::And(out.is_known, out.is_face)), hn::AndNot(is_in, by_faces.is_one));
+    const DoublesMask is_past = hn::AndNot(is_at_end(t), hn::And(by_faces.is_two, by_faces.is_clear));
+    const DoublesMask crosses =
+        hn::Or(hn::And(is_in, hn::AndNot(out.is_face, out.is_known)), hn::AndNot(is_in, is_past));
     touch.error = hn::Mul(both(2 * tolerance::rounding), pair_.size);
-    pass_by(t, place, by_faces, touch);
-    cross_edges(t, place, by_faces, is_in, out, touch);
-    lie_on_faces(place, by_faces, is_in, out, touch);
+    touch.has_two = lies;
+    if (is_any(hn::Not(hn::Or(is_in, hn::Or(lies, crosses))))) pass_by(t, place, by_faces, touch);
+    touch.is_clear = hn::AndNot(is_in, touch.is_clear);
+    if (is_any(crosses)) cross_edges(crosses, {t, place, by_faces, is_in, out}, touch);
+    if (is_any(lies)) lie_on_faces({t, place, by_faces, is_in, out}, touch);
     touch.is_clear = hn::And(touch.is_clear, is_open);
   }
 
  private:
+  /// Where the axes are seen to be.
+  struct Seen {
+    Doubles t;
+    const Point& place;
+    const PlaceLanes& by_faces;
+    const DoublesMask& is_in;
+    const WayOutLanes& out;
+  };
+
+  HWY_INLINE static bool is_any(const DoublesMask& lanes) { return !hn::AllFalse(Tag<double>(), lanes); }
+
   /// An edge or a corner of each box.
   struct FeatureLanes {
     Point middle;
@@ -131,12 +149,9 @@ class CapsuleOnBoxLanes {
   }
 
   /// Sets those whose axis is nearest to an edge between its ends, or the soonest out of the box past one.
-  HWY_INLINE void cross_edges(Doubles t, const Point& outer_place, const PlaceLanes& by_faces, const DoublesMask& is_in,
-                              const WayOutLanes& out, CapsuleTouchLanes& touch) const {
+  HWY_INLINE void cross_edges(const DoublesMask& lanes, const Seen& seen, CapsuleTouchLanes& touch) const {
+    const auto& [t, outer_place, by_faces, is_in, out] = seen;
     const Point& way = pair_.way;
-    const DoublesMask is_out_past = hn::And(is_in, hn::AndNot(out.is_face, out.is_known));
-    const DoublesMask is_past = hn::AndNot(is_at_end(t), hn::And(by_faces.is_two, by_faces.is_clear));
-    const DoublesMask lanes = hn::Or(is_out_past, hn::AndNot(is_in, is_past));
     const Point place = one_of(is_in, out.outward, outer_place);
     DoublesMask is_beyond[3];
     for (std::size_t i = 0; i < 3; ++i) {
@@ -150,8 +165,9 @@ class CapsuleOnBoxLanes {
     const Doubles uw = dot(way, feature.middle);
     const Doubles vw = dot(feature.edge, feature.middle);
     const Doubles det = hn::Sub(hn::Mul(uu, vv), hn::Mul(uv, uv));
-    const Doubles on_axis = hn::Div(hn::Sub(hn::Mul(uw, vv), hn::Mul(vw, uv)), det);
-    const Doubles on_edge = hn::Div(hn::Sub(hn::Mul(uw, uv), hn::Mul(vw, uu)), det);
+    const Doubles per_det = hn::Div(both(1), det);
+    const Doubles on_axis = hn::Mul(hn::Sub(hn::Mul(uw, vv), hn::Mul(vw, uv)), per_det);
+    const Doubles on_edge = hn::Mul(hn::Sub(hn::Mul(uw, uv), hn::Mul(vw, uu)), per_det);
     const Point across = cross(way, feature.edge);
     const Doubles length = hn::Sqrt(dot(across, across));
     const Doubles side = hn::CopySign(both(1), dot(across, feature.middle - pair_.center));
@@ -170,14 +186,12 @@ class CapsuleOnBoxLanes {
                                   both(2)};
     take(lanes, point, touch.points[0]);
     touch.normal = one_of(lanes, normal, touch.normal);
-    touch.is_clear = hn::Or(hn::And(lanes, is_known), hn::AndNot(hn::Or(lanes, is_in), touch.is_clear));
+    touch.is_clear = hn::Or(hn::And(lanes, is_known), hn::AndNot(lanes, touch.is_clear));
   }
 
   /// Sets those that lie on a face, or are the soonest out of the box across it.
-  HWY_INLINE void lie_on_faces(const Point& place, const PlaceLanes& by_faces, const DoublesMask& is_in,
-                               const WayOutLanes& out, CapsuleTouchLanes& touch) const {
-    const DoublesMask is_out_across = hn::And(is_in, hn::And(out.is_face, out.is_known));
-    touch.has_two = hn::Or(is_out_across, hn::AndNot(is_in, by_faces.is_one));
+  HWY_INLINE void lie_on_faces(const Seen& seen, CapsuleTouchLanes& touch) const {
+    const auto& [t, place, by_faces, is_in, out] = seen;
     const Doubles axis = hn::IfThenElse(is_in, out.face, by_faces.last);
     const DoublesMask is_far_outside = hn::Gt(OneOfThree(by_faces.last).of(place), both(0));
     const DoublesMask is_far = hn::Or(hn::And(is_in, out.is_far), hn::AndNot(is_in, is_far_outside));
@@ -253,7 +267,7 @@ template <RoundKind kind, class T>
 HWY_INLINE CapsuleContacts<T> capsule_contacts(const T* const* capsules, const T* const* boxes, std::uint32_t turned) {
   CapsuleAndBoxLanes pair;
   pair.load<kind == RoundKind::capsule_aabb>(capsules, boxes);
-  CapsuleTouchLanes touch;
+  CapsuleTouchLanes touch = no_touch();
   CapsuleOnBoxLanes(pair).run(touch);
   return CapsuleContacts<T>(touch, turned);
 }

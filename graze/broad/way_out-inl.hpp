@@ -108,12 +108,13 @@ struct PlaceLanes {
 /// As WayOutSearch.
 class WayOutLanes {
  public:
-  HWY_INLINE WayOutLanes(const WayLanes& way, Doubles doubt, Doubles noise) {
+  /// Of some lanes, if any.
+  HWY_INLINE WayOutLanes(const WayLanes& way, Doubles doubt, Doubles noise, const DoublesMask& lanes) {
+    if (hn::AllFalse(Tag<double>(), lanes)) return;
     for (std::size_t i = 0; i < 3; ++i) look_across_face(way, i);
     is_level = hn::Le(hn::Abs(OneOfThree(face).of(way.way)), noise);
     const Doubles squared_noise = hn::Mul(noise, noise);
     const Doubles least = hn::Mul(both(1e-8), dot(way.way, way.way));  // as WayOutSearch has it
-    is_in_doubt_ = no_lane();
     for (std::size_t i = 0; i < 3; ++i) look_along_edge(way, i, squared_noise, least);
     is_face = hn::Ge(face_gap_, edge_gap_);
     const Doubles best = hn::IfThenElse(is_face, face_gap_, edge_gap_);
@@ -123,14 +124,14 @@ class WayOutLanes {
     find_edge_outward(way);
   }
 
-  DoublesMask is_known;
-  DoublesMask is_face;
-  DoublesMask is_level;
-  DoublesMask is_far;
-  DoublesMask is_oblique;
+  DoublesMask is_known = no_lane();
+  DoublesMask is_face = no_lane();
+  DoublesMask is_level = no_lane();
+  DoublesMask is_far = no_lane();
+  DoublesMask is_oblique = no_lane();
   Doubles face = both(0);
   Doubles edge = both(0);
-  Point outward;  ///< Of an edge.
+  Point outward = zero_point();  ///< Of an edge.
 
  private:
   HWY_INLINE static Doubles nowhere() { return both(-std::numeric_limits<double>::infinity()); }
@@ -145,8 +146,7 @@ class WayOutLanes {
     const DoublesMask is_better = hn::Gt(gap, face_gap_);
     face_gap_ = hn::IfThenElse(is_better, gap, face_gap_);
     face = hn::IfThenElse(is_better, both(static_cast<double>(i)), face);
-    is_far = i == 0 ? hn::Ge(ahead, behind)
-                    : hn::Or(hn::And(is_better, hn::Ge(ahead, behind)), hn::AndNot(is_better, is_far));
+    is_far = hn::Or(hn::And(is_better, hn::Ge(ahead, behind)), hn::AndNot(is_better, is_far));
   }
 
   HWY_INLINE void look_along_edge(const WayLanes& way, std::size_t i, Doubles squared_noise, Doubles least) {
@@ -160,9 +160,9 @@ class WayOutLanes {
     is_in_doubt_ = hn::Or(is_in_doubt_, hn::AndNot(hn::Gt(squared, least), counts));
     const Doubles height = hn::Sub(hn::Mul(way.start.at[next], y), hn::Mul(way.start.at[last], x));
     const Doubles reach = hn::Add(hn::Mul(way.half.at[next], hn::Abs(y)), hn::Mul(way.half.at[last], hn::Abs(x)));
-    const Doubles length = hn::Sqrt(squared);
-    const Doubles gap = hn::Div(hn::Sub(hn::Abs(height), reach), length);
-    const Doubles other = hn::Div(hn::Sub(hn::Neg(hn::Abs(height)), reach), length);
+    const Doubles per_length = hn::Div(both(1), hn::Sqrt(squared));
+    const Doubles gap = hn::Mul(hn::Sub(hn::Abs(height), reach), per_length);
+    const Doubles other = hn::Mul(hn::Sub(hn::Neg(hn::Abs(height)), reach), per_length);
     const Doubles second = max_of(second_edge_gap_, max_of(min_of(gap, edge_gap_), other));
     second_edge_gap_ = hn::IfThenElse(counts, second, second_edge_gap_);
     const DoublesMask is_better = hn::And(counts, hn::Gt(gap, edge_gap_));
@@ -190,7 +190,7 @@ class WayOutLanes {
   Doubles edge_gap_ = nowhere();
   Doubles second_edge_gap_ = nowhere();
   Doubles height_ = both(0);
-  DoublesMask is_in_doubt_;
+  DoublesMask is_in_doubt_ = no_lane();
 };
 
 #endif

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include <graze/math/tolerance.hpp>
@@ -30,7 +31,8 @@ struct CapsuleAndBox {
   double size() const { return sum_abs(way) + sum_abs(box.center) + sum_abs(box.half_extents) + radius; }
 };
 
-/// What lies over the face is a piece of the axis, from `low` to `high` of its way.
+/// What lies over the face is a piece of the axis, which is cut only where it is asked for: a contact alone wants the
+/// lowest place, which is seldom at a cut.
 class AxisOverFace {
  public:
   AxisOverFace(const CapsuleAndBox& pair, double size, const BoxFaceNumbers& face)
@@ -44,7 +46,7 @@ class AxisOverFace {
     const Mat<3, double>& axes = pair.box.axes;
     const Vec<3, double>& half = pair.box.half_extents;
     const Vec<3, double> adjoint = adjoint_column(axes, face.axis);
-    const Vec<3, double> across = adjoint / std::sqrt(dot(adjoint, adjoint));  // about 1
+    const Vec<3, double> across = adjoint * (1 / std::sqrt(dot(adjoint, adjoint)));  // about 1
     const double climb = dot(across, axes[face.axis]);
     up_ = (climb < 0) == face.is_far ? -across : across;
     const Vec<3, double> middle =
@@ -54,37 +56,35 @@ class AxisOverFace {
     const auto slab = [&](Dim axis, Dim other) -> Slab {
       const Vec<3, double> along = cross(axes[other], up_);
       const double scale = 1 / dot(along, axes[axis]);  // about 1 or -1
-      return {-(dot(along, middle) * scale), dot(along, pair.way) * scale, half[axis]};
+      const double way = dot(along, pair.way) * scale;
+      return {-(dot(along, middle) * scale), way, 1 / way, half[axis]};
     };
     slabs_[0] = slab(face.next(), face.last());
     slabs_[1] = slab(face.last(), face.next());
-    find_low();
-    find_high();
     is_level_ = std::fabs(rise_) <= tolerance::rounding * size;
-    // A box that is nearly flat has other names for what is cut.
-    is_clear_ = low_.is_clear && high_.is_clear && slabs_[0].half > thin_ && slabs_[1].half > thin_;
+    find_lowest();
   }
 
   const Vec<3, double>& up() const { return up_; }
   bool is_level() const { return is_level_; }
 
   /// Whether the lowest place of the axis is over the face: an end, or of an axis that is level any.
-  bool is_lowest_over() const { return is_level_ ? is_clear_ : lowest().is_vertex && lowest().is_clear; }
+  bool is_lowest_over() const { return is_lowest_over_; }
 
-  /// Whether all is told by more than rounding.
-  bool is_clear() const { return is_clear_; }
+  std::uint32_t lowest_end() const { return is_end_lowest_ ? 1 : 0; }
+  double lowest_gap() const { return gap(lowest_place_); }
 
-  std::uint32_t lowest_end() const { return is_end_lowest() ? 1 : 0; }
-  double lowest_gap() const { return gap(lowest().place); }
+  SurfacePair<3> lowest_pair() const { return pair_at(lowest_place_); }
 
-  SurfacePair<3> lowest_pair() const { return pair_at(lowest().place); }
-
-  /// In their order along the axis.
-  std::array<SurfacePair<3>, 2> pairs() const {
-    std::array<SurfacePair<3>, 2> result{pair_at(low_.place), pair_at(high_.place)};
-    name(low_, {FeatureKind::vertex, 0}, result[0]);
-    name(high_, {FeatureKind::vertex, 1}, result[1]);
-    return result;
+  /// Puts the ends of the piece, in their order along the axis, if all is told by more than rounding. Returns how many.
+  std::size_t put_points(SurfacePair<3>* points) const {
+    const Piece piece = is_level_ ? piece_ : cut();
+    if (!piece.is_clear) return 0;
+    points[0] = pair_at(piece.low.place);
+    points[1] = pair_at(piece.high.place);
+    name(piece.low, {FeatureKind::vertex, 0}, points[0]);
+    name(piece.high, {FeatureKind::vertex, 1}, points[1]);
+    return 2;
   }
 
  private:
@@ -96,11 +96,11 @@ class AxisOverFace {
   struct Slab {
     double start;
     double way;
+    double per_way;  ///< A way of zero passes the sides at infinity.
     double half;
 
-    /// A way of zero passes the sides at infinity.
-    double enters() const { return (-std::copysign(half, way) - start) / way; }
-    double leaves() const { return (std::copysign(half, way) - start) / way; }
+    double enters() const { return (-std::copysign(half, way) - start) * per_way; }
+    double leaves() const { return (std::copysign(half, way) - start) * per_way; }
     double room(double place) const { return half - std::fabs(start + way * place); }
   };
 
@@ -112,34 +112,60 @@ class AxisOverFace {
     bool is_clear;
   };
 
+  struct Piece {
+    End low;
+    End high;
+    bool is_clear;
+  };
+
   double gap(double place) const { return rise_ * place - top_; }
 
   /// Of an axis that is level an end that is over the face, the start before the end.
-  bool is_end_lowest() const { return is_level_ ? high_.is_vertex && !low_.is_vertex : rise_ < 0; }
-  const End& lowest() const { return is_end_lowest() ? high_ : low_; }
+  void find_lowest() {
+    if (is_level_) {
+      piece_ = cut();
+      is_end_lowest_ = piece_.high.is_vertex && !piece_.low.is_vertex;
+      lowest_place_ = is_end_lowest_ ? piece_.high.place : piece_.low.place;
+      is_lowest_over_ = piece_.is_clear;
+    } else {
+      is_end_lowest_ = rise_ < 0;
+      lowest_place_ = is_end_lowest_ ? 1 : 0;
+      is_lowest_over_ = slabs_[0].room(lowest_place_) > margin_ && slabs_[1].room(lowest_place_) > margin_ &&
+                        radius_ - gap(lowest_place_) > margin_;
+    }
+  }
+
+  /// A box that is nearly flat has other names for what is cut.
+  Piece cut() const {
+    Piece piece{low_end(), high_end(), false};
+    piece.is_clear = piece.low.is_clear && piece.high.is_clear && slabs_[0].half > thin_ && slabs_[1].half > thin_;
+    return piece;
+  }
 
   /// Where the axis passes the height of the radius: a rise of zero does so at infinity, or nowhere.
   double at_height() const { return (radius_ + top_) / rise_; }
 
-  void find_low() {
+  End low_end() const {
     constexpr double never = -1;
     const std::array<double, 3> places{slabs_[0].enters(), slabs_[1].enters(), rise_ < 0 ? at_height() : never};
     const double last = std::max(std::max(places[0], places[1]), places[2]);
-    low_ = end_at(std::max(last, 0.0), !(last > 0), places);
+    End low = end_at(std::max(last, 0.0), !(last > 0), places);
     // The second last, so that the last has something to cut off.
     const double before =
         std::max(std::max(std::min(places[0], places[1]), std::min(std::max(places[0], places[1]), places[2])), 0.0);
-    low_.is_clear = low_.is_clear && (low_.is_vertex || is_cut_clear(last - before, low_.side));
+    low.is_clear = low.is_clear && (low.is_vertex || is_cut_clear(last - before, low.side));
+    return low;
   }
 
-  void find_high() {
+  End high_end() const {
     constexpr double never = 2;
     const std::array<double, 3> places{slabs_[0].leaves(), slabs_[1].leaves(), rise_ > 0 ? at_height() : never};
     const double first = std::min(std::min(places[0], places[1]), places[2]);
-    high_ = end_at(std::min(first, 1.0), !(first < 1), places);
+    End high = end_at(std::min(first, 1.0), !(first < 1), places);
     const double next =
         std::min(std::min(std::max(places[0], places[1]), std::max(std::min(places[0], places[1]), places[2])), 1.0);
-    high_.is_clear = high_.is_clear && (high_.is_vertex || is_cut_clear(next - first, high_.side));
+    high.is_clear = high.is_clear && (high.is_vertex || is_cut_clear(next - first, high.side));
+    return high;
   }
 
   /// Clear if it is under all other planes that cut.
@@ -197,10 +223,11 @@ class AxisOverFace {
   double top_;   ///< How high the face is.
   double rise_;  ///< How much higher the end of the axis is than its start.
   std::array<Slab, 2> slabs_;
-  End low_;
-  End high_;
   bool is_level_;
-  bool is_clear_;
+  bool is_end_lowest_;
+  bool is_lowest_over_;
+  double lowest_place_;
+  Piece piece_;  ///< Of an axis that is level.
 };
 
 }  // namespace graze::detail

@@ -71,14 +71,11 @@ struct WayPastBox {
 
 /// On a face a capsule may have two points, which not all who look want.
 struct CapsuleLook : TouchLook<3> {
-  std::optional<AxisOverFace> over;  ///< If all of it is clear.
+  std::optional<AxisOverFace> over;
 
   std::size_t put_points(SurfacePair<3>* points) const {
     if (!over) return TouchLook<3>::put_points(points);
-    const auto pairs = over->pairs();
-    points[0] = pairs[0];
-    points[1] = pairs[1];
-    return 2;
+    return over->put_points(points);
   }
 };
 
@@ -167,7 +164,6 @@ class CapsuleTouch {
     look.found.point_a = lowest.point_a;
     look.found.point_b = lowest.point_b;
     look.set_features({FeatureKind::face, face.face()}, {FeatureKind::vertex, over.lowest_end()}, pair_.turns);
-    if (!over.is_clear()) look.over.reset();
   }
 
   /// Of an axis out of the box, and nearest to it at t, beside an edge or a corner.
@@ -232,8 +228,9 @@ class CapsuleTouch {
     const double uw = dot(way, middle);
     const double vw = dot(edge, middle);
     const double det = uu * vv - uv * uv;
-    const double on_axis = (uw * vv - vw * uv) / det;
-    const double on_edge = (uw * uv - vw * uu) / det;
+    const double per_det = 1 / det;
+    const double on_axis = (uw * vv - vw * uv) * per_det;
+    const double on_edge = (uw * uv - vw * uu) * per_det;
     const Vec<3, double> across = cross(way, edge);
     const double length = std::sqrt(dot(across, across));
     const Vec<3, double> normal = across * (std::copysign(1.0, dot(across, middle - pair_.box.center)) / length);
@@ -276,7 +273,7 @@ class CapsuleTouch {
     look.found.error = 2 * tolerance::rounding * size_;
   }
 
-  CapsuleAndBox pair_;
+  const CapsuleAndBox& pair_;
   double size_;
   double doubt_;
   WayPastBox seen_;
@@ -285,9 +282,9 @@ class CapsuleTouch {
 template <class T, class Box>
 CapsuleLook look_at_capsule(const Box& box, const Capsule<3, T>& capsule, bool turns) {
   const Vec<3, double> origin = wide<3, T>(capsule.a);
-  return CapsuleTouch({origin, wide<3, T>(capsule.b) - origin, static_cast<double>(capsule.radius),
-                       oriented_box_from(origin, box), turns})
-      .run();
+  const CapsuleAndBox pair{origin, wide<3, T>(capsule.b) - origin, static_cast<double>(capsule.radius),
+                           oriented_box_from(origin, box), turns};
+  return CapsuleTouch(pair).run();
 }
 
 template <class T>

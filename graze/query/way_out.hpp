@@ -73,10 +73,10 @@ class WayOutSearch {
     is_in_doubt_ = is_in_doubt_ || !(squared > least_sine_squared * dot(way_, way_));
     const double height = start_[(i + 1) % 3] * y - start_[(i + 2) % 3] * x;
     const double reach = half_[(i + 1) % 3] * std::fabs(y) + half_[(i + 2) % 3] * std::fabs(x);
-    const double length = std::sqrt(squared);
-    const double gap = (std::fabs(height) - reach) / length;
+    const double per_length = 1 / std::sqrt(squared);
+    const double gap = (std::fabs(height) - reach) * per_length;
     second_edge_gap_ =
-        std::max(second_edge_gap_, std::max(std::min(gap, edge_gap_), (-std::fabs(height) - reach) / length));
+        std::max(second_edge_gap_, std::max(std::min(gap, edge_gap_), (-std::fabs(height) - reach) * per_length));
     if (!(gap > edge_gap_)) return;
     edge_gap_ = gap;
     edge_ = i;
