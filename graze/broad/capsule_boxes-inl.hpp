@@ -18,7 +18,7 @@
 #include <graze/broad/manifold_axes-inl.hpp>
 #include <graze/broad/manifold_lanes-inl.hpp>
 #include <graze/broad/manifold_points-inl.hpp>
-#include <graze/broad/round_kernels.hpp>
+#include <graze/broad/primitive_kernels.hpp>
 #include <graze/broad/round_lanes-inl.hpp>
 #include <graze/broad/way_out-inl.hpp>
 #include <graze/math/tolerance.hpp>
@@ -263,10 +263,10 @@ class CapsuleContacts {
   Row<double> features_[2][2];
 };
 
-template <RoundKind kind, class T>
+template <PrimitiveKind kind, class T>
 HWY_INLINE CapsuleContacts<T> capsule_contacts(const T* const* capsules, const T* const* boxes, std::uint32_t turned) {
   CapsuleAndBoxLanes pair;
-  pair.load<kind == RoundKind::capsule_aabb>(capsules, boxes);
+  pair.load<kind == PrimitiveKind::capsule_aabb>(capsules, boxes);
   CapsuleTouchLanes touch = no_touch();
   CapsuleOnBoxLanes(pair).run(touch);
   return CapsuleContacts<T>(touch, turned);

@@ -14,8 +14,8 @@
 #include <graze/broad/manifolds.hpp>
 #include <graze/broad/mixed_contacts.hpp>
 #include <graze/broad/pair_tasks.hpp>
+#include <graze/broad/primitive_kernels.hpp>
 #include <graze/broad/relations.hpp>
-#include <graze/broad/round_kernels.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/query/shape_order.hpp>
 
@@ -135,10 +135,10 @@ class CandidatesOfTask {
   std::array<ObbsLook, candidates_per_task> looks_{};
 };
 
-/// Pairs of spheres and capsules, and of spheres and boxes, in space, collected by kind for the kernels that write
-/// their manifolds.
+/// Pairs of spheres, capsules and boxes in space, but for those with an oriented box on another box, collected by kind
+/// for the kernels that write their manifolds.
 template <class T>
-class RoundPairs {
+class PrimitivePairs {
  public:
   using Shapes = ShapePair<3, T>;
 
@@ -154,18 +154,18 @@ class RoundPairs {
         rod != nullptr && add_rod(*rod, *shapes.a, true, manifold, place)) {
       return true;
     }
-    return add_alike<Rod>(RoundKind::capsule_capsule, shapes, manifold, place) ||
-           add_alike<Aabb<3, T>>(RoundKind::aabb_aabb, shapes, manifold, place);
+    return add_alike<Rod>(PrimitiveKind::capsule_capsule, shapes, manifold, place) ||
+           add_alike<Aabb<3, T>>(PrimitiveKind::aabb_aabb, shapes, manifold, place);
   }
 
   /// contact_one(place) for those that the kernels leave.
   template <class ContactOne>
   void contact(const ContactOne& contact_one) const {
-    for (std::size_t kind = 0; kind < round_kinds; ++kind) {
+    for (std::size_t kind = 0; kind < primitive_kinds; ++kind) {
       const List& list = lists_[kind];
       if (list.count == 0) continue;
       std::array<std::uint32_t, manifolds_per_task> left;
-      const std::size_t left_count = round_kernels<T>()[kind](std::span(list.pairs).first(list.count), left.data());
+      const std::size_t left_count = primitive_kernels<T>()[kind](std::span(list.pairs).first(list.count), left.data());
       for (std::size_t i = 0; i < left_count; ++i) contact_one(list.places[left[i]]);
     }
   }
@@ -175,36 +175,36 @@ class RoundPairs {
   using Rod = Capsule<3, T>;
 
   struct List {
-    std::array<RoundsToContact<T>, manifolds_per_task> pairs;
+    std::array<PrimitivesToContact<T>, manifolds_per_task> pairs;
     std::array<std::uint16_t, manifolds_per_task> places;
     std::size_t count = 0;
   };
 
   bool add_ball(const Ball& ball, const AnyShape<3, T>& other, bool turned, Manifold<3, T>* manifold,
                 std::size_t place) {
-    const auto add_to = [&](RoundKind kind, const auto* held) {
+    const auto add_to = [&](PrimitiveKind kind, const auto* held) {
       if (held != nullptr) put(kind, {numbers(ball), numbers(*held), turned, manifold}, place);
       return held != nullptr;
     };
-    return add_to(RoundKind::sphere_sphere, std::get_if<Ball>(&other)) ||
-           add_to(RoundKind::sphere_capsule, std::get_if<Rod>(&other)) ||
-           add_to(RoundKind::sphere_aabb, std::get_if<Aabb<3, T>>(&other)) ||
-           add_to(RoundKind::sphere_obb, std::get_if<Obb<3, T>>(&other));
+    return add_to(PrimitiveKind::sphere_sphere, std::get_if<Ball>(&other)) ||
+           add_to(PrimitiveKind::sphere_capsule, std::get_if<Rod>(&other)) ||
+           add_to(PrimitiveKind::sphere_aabb, std::get_if<Aabb<3, T>>(&other)) ||
+           add_to(PrimitiveKind::sphere_obb, std::get_if<Obb<3, T>>(&other));
   }
 
   /// With a box.
   bool add_rod(const Rod& rod, const AnyShape<3, T>& other, bool turned, Manifold<3, T>* manifold, std::size_t place) {
-    const auto add_to = [&](RoundKind kind, const auto* held) {
+    const auto add_to = [&](PrimitiveKind kind, const auto* held) {
       if (held != nullptr) put(kind, {numbers(rod), numbers(*held), turned, manifold}, place);
       return held != nullptr;
     };
-    return add_to(RoundKind::capsule_aabb, std::get_if<Aabb<3, T>>(&other)) ||
-           add_to(RoundKind::capsule_obb, std::get_if<Obb<3, T>>(&other));
+    return add_to(PrimitiveKind::capsule_aabb, std::get_if<Aabb<3, T>>(&other)) ||
+           add_to(PrimitiveKind::capsule_obb, std::get_if<Obb<3, T>>(&other));
   }
 
   /// Two of the same kind, in the order of their contact.
   template <class S>
-  bool add_alike(RoundKind kind, const Shapes& shapes, Manifold<3, T>* manifold, std::size_t place) {
+  bool add_alike(PrimitiveKind kind, const Shapes& shapes, Manifold<3, T>* manifold, std::size_t place) {
     const auto* a = std::get_if<S>(shapes.a);
     const auto* b = std::get_if<S>(shapes.b);
     if (a == nullptr || b == nullptr) return false;
@@ -220,13 +220,13 @@ class RoundPairs {
     return reinterpret_cast<const T*>(&shape);
   }
 
-  void put(RoundKind kind, const RoundsToContact<T>& pair, std::size_t place) {
+  void put(PrimitiveKind kind, const PrimitivesToContact<T>& pair, std::size_t place) {
     List& list = lists_[static_cast<std::size_t>(kind)];
     list.pairs[list.count] = pair;
     list.places[list.count++] = static_cast<std::uint16_t>(place);
   }
 
-  std::array<List, round_kinds> lists_;
+  std::array<List, primitive_kinds> lists_;
 };
 
 /// Writes the manifolds of a task's pairs, which touch: `count` of them, at most as many as a task has, that of
@@ -244,13 +244,13 @@ void write_manifolds(std::size_t count, const ShapesAt& shapes_at, const LookAt&
     std::array<ObbsToContact<T>, manifolds_per_task> boxes;
     std::array<std::uint16_t, manifolds_per_task> places;
     std::size_t box_count = 0;
-    RoundPairs<T> rounds;
+    PrimitivePairs<T> primitives;
     MixedPairs<T> mixed;
     for (std::size_t i = 0; i < count; ++i) {
       const ObbsLook look = look_at(i);
       const ShapePair<N, T> shapes = shapes_at(i);
       if (look.axis() == ObbsLook::no_axis) {
-        if (!rounds.add(shapes, &manifold_at(i), i) && !mixed.add(shapes, &manifold_at(i), i)) contact_one(i);
+        if (!primitives.add(shapes, &manifold_at(i), i) && !mixed.add(shapes, &manifold_at(i), i)) contact_one(i);
         continue;
       }
       boxes[box_count] = {{obb_of(*shapes.a), obb_of(*shapes.b)}, look, &manifold_at(i)};
@@ -259,7 +259,7 @@ void write_manifolds(std::size_t count, const ShapesAt& shapes_at, const LookAt&
     std::array<std::uint32_t, manifolds_per_task> left;
     const std::size_t left_count = manifold_kernels<T>().contact(std::span(boxes).first(box_count), left.data());
     for (std::size_t i = 0; i < left_count; ++i) contact_one(places[left[i]]);
-    rounds.contact(contact_one);
+    primitives.contact(contact_one);
     mixed.contact(contact_one);
   } else {
     for (std::size_t i = 0; i < count; ++i) contact_one(i);

@@ -17,7 +17,7 @@
 #include <graze/broad/ball_box_lanes-inl.hpp>
 #include <graze/broad/manifold_lanes-inl.hpp>
 #include <graze/broad/manifold_points-inl.hpp>
-#include <graze/broad/round_kernels.hpp>
+#include <graze/broad/primitive_kernels.hpp>
 #include <graze/broad/round_lanes-inl.hpp>
 #include <graze/query/manifold.hpp>
 
@@ -27,16 +27,16 @@ namespace graze::detail::HWY_NAMESPACE {
 
 // ---- The touch of each lane's pair, as their numbers lie in memory
 
-template <RoundKind kind, class T>
+template <PrimitiveKind kind, class T>
 HWY_INLINE RoundTouch touch_of(const T* const* first, const T* const* second) {
-  if constexpr (kind == RoundKind::sphere_sphere) {
+  if constexpr (kind == PrimitiveKind::sphere_sphere) {
     return touch_lanes(BallLanes(first), BallLanes(second));
-  } else if constexpr (kind == RoundKind::sphere_capsule) {
+  } else if constexpr (kind == PrimitiveKind::sphere_capsule) {
     return touch_lanes(BallLanes(first), CapsuleLanes(second));
-  } else if constexpr (kind == RoundKind::capsule_capsule) {
+  } else if constexpr (kind == PrimitiveKind::capsule_capsule) {
     return touch_lanes(CapsuleLanes(first), CapsuleLanes(second));
   } else {
-    constexpr bool along = kind == RoundKind::sphere_aabb;
+    constexpr bool along = kind == PrimitiveKind::sphere_aabb;
     const BallLanes ball(first);
     return BallTouchLanes<along>(ball, SeenBoxLanes<along>(second, ball.center)).run();
   }

@@ -15,7 +15,7 @@
 
 namespace graze::detail {
 
-enum class RoundKind : std::uint8_t {
+enum class PrimitiveKind : std::uint8_t {
   sphere_sphere,
   sphere_capsule,
   capsule_capsule,
@@ -25,13 +25,13 @@ enum class RoundKind : std::uint8_t {
   capsule_aabb,
   capsule_obb
 };
-inline constexpr std::size_t round_kinds = 8;
+inline constexpr std::size_t primitive_kinds = 8;
 
 /// The numbers of two valid shapes that touch, and where their manifold goes. A sphere comes before others, and a
-/// capsule before boxes; of two
-/// capsules, or boxes, the one that does in the order of shapes of one type (query/shape_order.hpp).
+/// capsule before boxes; of two capsules, or boxes, the one that does in the order of shapes of one type
+/// (query/shape_order.hpp).
 template <class T>
-struct RoundsToContact {
+struct PrimitivesToContact {
   const T* first;
   const T* second;
   bool turned;  ///< The manifold is from the second to the first.
@@ -41,20 +41,20 @@ struct RoundsToContact {
 /// Writes the manifolds of most pairs, which must be as they are made: what stays zero in them is not written. `left`,
 /// which has room for all, receives the places of the others; returns how many these are.
 template <class T>
-using RoundKernel = std::size_t (*)(std::span<const RoundsToContact<T>> pairs, std::uint32_t* left);
+using PrimitiveKernel = std::size_t (*)(std::span<const PrimitivesToContact<T>> pairs, std::uint32_t* left);
 
 /// By kind.
 template <class T>
-using RoundKernels = std::array<RoundKernel<T>, round_kinds>;
+using PrimitiveKernels = std::array<PrimitiveKernel<T>, primitive_kinds>;
 
 /// The kernels of one instruction set.
-struct AllRoundKernels {
-  RoundKernels<float> of_floats;
-  RoundKernels<double> of_doubles;
+struct AllPrimitiveKernels {
+  PrimitiveKernels<float> of_floats;
+  PrimitiveKernels<double> of_doubles;
 };
 
 /// The kernels for this machine. Instantiated for float and double.
 template <class T>
-const RoundKernels<T>& round_kernels();
+const PrimitiveKernels<T>& primitive_kernels();
 
 }  // namespace graze::detail

@@ -20,7 +20,7 @@
 #include <graze/broad/contacts.hpp>
 #include <graze/broad/executor.hpp>
 #include <graze/broad/manifolds.hpp>
-#include <graze/broad/round_kernels.hpp>
+#include <graze/broad/primitive_kernels.hpp>
 #include <graze/math/pose.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/manifold.hpp>
@@ -32,7 +32,7 @@
 #include "same_manifolds.hpp"
 #include "simd_targets.hpp"
 
-namespace graze::detail::round_kernels_test {
+namespace graze::detail::primitive_kernels_test {
 namespace {
 
 template <class T>
@@ -56,19 +56,19 @@ bool has_kernel([[maybe_unused]] std::int64_t target) {
 }
 
 template <class A, class B>
-constexpr RoundKind kind_of() {
-  if (is_a<Capsule, A> && is_a<Aabb, B>) return RoundKind::capsule_aabb;
-  if (is_a<Capsule, A> && is_a<Obb, B>) return RoundKind::capsule_obb;
-  if (is_a<Capsule, A>) return RoundKind::capsule_capsule;
-  if (is_a<Aabb, A>) return RoundKind::aabb_aabb;
-  if (is_a<Capsule, B>) return RoundKind::sphere_capsule;
-  if (is_a<Aabb, B>) return RoundKind::sphere_aabb;
-  return is_a<Obb, B> ? RoundKind::sphere_obb : RoundKind::sphere_sphere;
+constexpr PrimitiveKind kind_of() {
+  if (is_a<Capsule, A> && is_a<Aabb, B>) return PrimitiveKind::capsule_aabb;
+  if (is_a<Capsule, A> && is_a<Obb, B>) return PrimitiveKind::capsule_obb;
+  if (is_a<Capsule, A>) return PrimitiveKind::capsule_capsule;
+  if (is_a<Aabb, A>) return PrimitiveKind::aabb_aabb;
+  if (is_a<Capsule, B>) return PrimitiveKind::sphere_capsule;
+  if (is_a<Aabb, B>) return PrimitiveKind::sphere_aabb;
+  return is_a<Obb, B> ? PrimitiveKind::sphere_obb : PrimitiveKind::sphere_sphere;
 }
 
 /// As kernels want it, of the manifold of (a, b), or the other way round.
 template <class T, class A, class B>
-RoundsToContact<T> to_contact(const A& a, const B& b, bool other_way, Manifold<3, T>& manifold) {
+PrimitivesToContact<T> to_contact(const A& a, const B& b, bool other_way, Manifold<3, T>& manifold) {
   const auto* first = reinterpret_cast<const T*>(&a);
   const auto* second = reinterpret_cast<const T*>(&b);
   if constexpr (std::is_same_v<A, B> && !is_a<Sphere, A>) {
@@ -82,13 +82,13 @@ RoundsToContact<T> to_contact(const A& a, const B& b, bool other_way, Manifold<3
 template <class T, class A, class B>
 std::size_t left_of(const PairsOf<A, B>& drawn, const std::string& where) {
   std::vector<Manifold<3, T>> found(drawn.size());
-  std::vector<RoundsToContact<T>> pairs;
+  std::vector<PrimitivesToContact<T>> pairs;
   const auto other_way = [](std::size_t i) { return i % 3 == 0; };
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     pairs.push_back(to_contact<T>(drawn[i].first, drawn[i].second, other_way(i), found[i]));
   }
   std::vector<std::uint32_t> left(drawn.size());
-  const RoundKernel<T> kernel = round_kernels<T>()[static_cast<std::size_t>(kind_of<A, B>())];
+  const PrimitiveKernel<T> kernel = primitive_kernels<T>()[static_cast<std::size_t>(kind_of<A, B>())];
   left.resize(kernel(pairs, left.data()));
   std::vector<bool> is_left(drawn.size());
   for (const std::uint32_t place : left) {
@@ -200,20 +200,20 @@ void expect_most_taken() {
   });
 }
 
-TEST(RoundKernels, LeaveHardlyAnyPairs) {
+TEST(PrimitiveKernels, LeaveHardlyAnyPairs) {
   expect_most_taken<float>();
   expect_most_taken<double>();
 }
 
 /// The last group is not full, and there may be none.
-TEST(RoundKernels, TakeAnyNumberOfPairs) {
+TEST(PrimitiveKernels, TakeAnyNumberOfPairs) {
   for (std::size_t count = 0; count < 20; ++count) {
     for_each_kind<double>(Drawer(7, Sort::random), count,
                           [](const auto& drawn) { expect_single_calls<double>(drawn, 1); });
   }
 }
 
-RC_GTEST_PROP(RoundKernels, SayOfAnyShapesWhatSingleCallsDo, ()) {
+RC_GTEST_PROP(PrimitiveKernels, SayOfAnyShapesWhatSingleCallsDo, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint32_t>();
   for (const Sort sort : {Sort::random, Sort::grid, Sort::scaled, Sort::level}) {
     for_each_kind<float>(Drawer(seed, sort), 24, [](const auto& drawn) { expect_single_calls<float>(drawn, 1); });
@@ -222,7 +222,7 @@ RC_GTEST_PROP(RoundKernels, SayOfAnyShapesWhatSingleCallsDo, ()) {
 }
 
 /// Where halves are rounded, and where sums overflow.
-TEST(RoundKernels, TakeBoxesWithTheLeastAndTheLargestNumbers) {
+TEST(PrimitiveKernels, TakeBoxesWithTheLeastAndTheLargestNumbers) {
   const double least = std::numeric_limits<double>::denorm_min();
   const double most = 0.75 * std::numeric_limits<double>::max();
   const std::vector<Box<double>> boxes{{{-least, 0, 0}, {least, 2, 3}},
@@ -240,7 +240,7 @@ TEST(RoundKernels, TakeBoxesWithTheLeastAndTheLargestNumbers) {
 }
 
 /// Whoever is named first, among pairs of other kinds, and more than a kernel takes in one go.
-TEST(RoundKernels, ServeContacts) {
+TEST(PrimitiveKernels, ServeContacts) {
   using Any = AnyShape<3, double>;
   Drawer drawer(11, Sort::random);
   std::vector<Any> shapes;
@@ -276,4 +276,4 @@ TEST(RoundKernels, ServeContacts) {
 }
 
 }  // namespace
-}  // namespace graze::detail::round_kernels_test
+}  // namespace graze::detail::primitive_kernels_test
