@@ -164,11 +164,22 @@ void sort_by_features(SurfacePairs<N>& pairs) {
             [&](const SurfacePair<N>& a, const SurfacePair<N>& b) { return names(a) < names(b); });
 }
 
+/// Whether the deepest of some pairs is as deep as the contact. Of a face that is not exactly at right angles to the
+/// normal it may lie beside it, and what is over the face, of a steep edge, may be far less deep.
+template <Dim N>
+bool are_as_deep(const SurfacePairs<N>& pairs, const FacingPatches<N>& facing, double depth, double slack) {
+  double deepest = 0;
+  for (const SurfacePair<N>& pair : pairs) deepest = std::max(deepest, pair.depth);
+  const double size = (size_of_patch(facing.a) + size_of_patch(facing.b)) + (facing.radius_a + facing.radius_b) + depth;
+  return deepest >= depth - (slack + 0.5 * tolerance::aligned * size);
+}
+
 /// Those of faces, or of parallel edges; of everything else the deepest point is all there is.
 template <Dim N>
 SurfacePairs<N> surface_pairs(const FacingPatches<N>& facing, const Penetration<N>& found, double slack) {
   SurfacePairs<N> result = face_pairs(facing, found.normal, slack);
   if (result.empty()) result = pairs_between_edges(facing, found.normal, slack);
+  if (!result.empty() && !are_as_deep(result, facing, found.depth, slack)) result = {};
   if (result.empty()) result = single_pair(facing, found, slack);
   if (result.size() > 4) sort_by_features(result);  // four of them will be chosen
   return result;

@@ -49,6 +49,13 @@ struct Patch {
   }
 };
 
+template <Dim N>
+double size_of_patch(const Patch<N>& patch) {
+  double size = 0;
+  for (std::size_t i = 0; i < patch.size; ++i) size = std::max(size, sum_abs(patch.corners[i]));
+  return size;
+}
+
 // ---- patch_of(core, direction); of faces that look along the direction as much, up to rounding, the first.
 
 template <Dim N>

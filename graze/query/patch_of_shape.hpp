@@ -54,11 +54,4 @@ double radius_of_core(const S& shape) {
   return 0;
 }
 
-template <Dim N>
-double size_of_patch(const Patch<N>& patch) {
-  double size = 0;
-  for (std::size_t i = 0; i < patch.size; ++i) size = std::max(size, sum_abs(patch.corners[i]));
-  return size;
-}
-
 }  // namespace graze::detail

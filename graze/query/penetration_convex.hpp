@@ -65,15 +65,16 @@ Penetration<dimension_of<A>> penetration_of_convex_apart(const A& a, const B& b,
   return result;
 }
 
-/// Cores that meet, or do so up to GJK's resolution.
+/// Cores that meet, or do so up to GJK's resolution: EPA, which looks for a depth, need not see that there is none, but
+/// a distance, as far as GJK found them `apart`.
 template <Convex A, Convex B>
 Penetration<dimension_of<A>> penetration_of_depth(const A& a, const B& b, const EpaResult<dimension_of<A>>& depth,
-                                                  const Radii& radii) {
+                                                  double apart, const Radii& radii) {
   constexpr Dim N = dimension_of<A>;
   const PartingAxis<N> axis{depth.normal, -depth.upper};
   Penetration<N> result = widened_along(axis, points_after(a, b, depth.normal * depth.upper), radii);
   result.status = depth.status;
-  result.error += std::max(0.0, depth.upper - depth.lower) + depth.gap + depth.resolution;
+  result.error += std::max(0.0, depth.upper - depth.lower) + std::max(depth.gap, apart) + depth.resolution;
   return result;
 }
 
@@ -86,7 +87,7 @@ Penetration<dimension_of<A>> penetration_of_convex(const A& a, const B& b) {
   const bool are_apart = (radii.a > 0 || radii.b > 0) && distance.lower > distance.resolution;
   Penetration<dimension_of<A>> result =
       are_apart ? penetration_of_convex_apart(core_a, core_b, radii)
-                : penetration_of_depth(core_a, core_b, epa(core_a, core_b, distance.simplex), radii);
+                : penetration_of_depth(core_a, core_b, epa(core_a, core_b, distance.simplex), distance.upper, radii);
   result.error += tolerance::rounding * (radii.a + radii.b);
   return result;
 }
@@ -104,7 +105,7 @@ std::optional<Penetration<dimension_of<A>>> penetration_of_convex_if_met(const A
   if (!(distance.upper >= 0) || distance.lower > distance.resolution) return std::nullopt;
   const EpaResult<dimension_of<A>> depth = epa(core_a, core_b, distance.simplex);
   if (depth.gap > depth.resolution) return std::nullopt;
-  return penetration_of_depth(core_a, core_b, depth, {0, 0});
+  return penetration_of_depth(core_a, core_b, depth, distance.upper, {0, 0});
 }
 
 template <Dim N, class T, Convex B>
