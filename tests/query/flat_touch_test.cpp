@@ -32,15 +32,15 @@ template <class T>
 using Turned = Obb<2, T>;
 
 constexpr Feature vertex(std::uint32_t i) { return {FeatureKind::vertex, i}; }
-constexpr Feature side(std::uint32_t i) { return {FeatureKind::edge, i}; }
+constexpr Feature flat_side(std::uint32_t i) { return {FeatureKind::edge, i}; }
 
 /// Of a look at two that meet, and what it has of a manifold.
 struct Seen {
-  explicit Seen(const auto& look) : found(look.found), size(look.put_points(points.data())) {}
-
   Penetration<2> found;
-  std::array<SurfacePair<2>, 2> points;
-  std::size_t size;
+  std::array<SurfacePair<2>, 2> points{};
+  std::size_t size = 0;
+
+  explicit Seen(const auto& look) : found(look.found) { size = look.put_points(points.data()); }
 };
 
 TEST(FlatBallTouch, IsAtTheLowestPoint) {
@@ -50,7 +50,7 @@ TEST(FlatBallTouch, IsAtTheLowestPoint) {
   EXPECT_EQ(on_top.found.normal, V2(0, -1));
   EXPECT_NEAR(on_top.found.depth, 0.5, on_top.found.error);
   EXPECT_EQ(on_top.feature_a, vertex(0));
-  EXPECT_EQ(on_top.feature_b, side(3));
+  EXPECT_EQ(on_top.feature_b, flat_side(3));
   const TouchLook<2> at_corner = touch_look(Ball<double>{{7, 6}, 6}, box, true);
   ASSERT_TRUE(at_corner.is_known && at_corner.meets);
   EXPECT_NEAR(at_corner.found.depth, 1, at_corner.found.error);
@@ -69,11 +69,11 @@ TEST(FlatTouch, OfTwoBoxesIsWhatTheirSidesShare) {
   EXPECT_EQ(look.found.normal, V2(0, 1));
   ASSERT_EQ(look.size, 2U);
   EXPECT_NEAR(length(look.points[0].point_b - V2(0.5, 0.9)), 0, 1e-15);
-  EXPECT_EQ(look.points[0].feature_a, side(3));
+  EXPECT_EQ(look.points[0].feature_a, flat_side(3));
   EXPECT_EQ(look.points[0].feature_b, vertex(0));
   EXPECT_NEAR(length(look.points[1].point_b - V2(2, 0.9)), 0, 1e-15);
   EXPECT_EQ(look.points[1].feature_a, vertex(3));
-  EXPECT_EQ(look.points[1].feature_b, side(2));
+  EXPECT_EQ(look.points[1].feature_b, flat_side(2));
 }
 
 TEST(FlatTouch, OfTwoRodsSideBySideIsWhatTheyShare) {
@@ -85,8 +85,8 @@ TEST(FlatTouch, OfTwoRodsSideBySideIsWhatTheyShare) {
   ASSERT_EQ(look.size, 2U);
   EXPECT_NEAR(length(look.points[0].point_b - V2(4, 0.5)), 0, 1e-14);
   EXPECT_EQ(look.points[0].feature_a, vertex(1));
-  EXPECT_EQ(look.points[0].feature_b, side(0));
-  EXPECT_EQ(look.points[1].feature_a, side(0));
+  EXPECT_EQ(look.points[0].feature_b, flat_side(0));
+  EXPECT_EQ(look.points[1].feature_a, flat_side(0));
   EXPECT_EQ(look.points[1].feature_b, vertex(1));
 }
 
