@@ -42,17 +42,14 @@ class AxisOverFace {
         turns_(pair.turns),
         face_(face),
         margin_(least_clear * size),
-        thin_(tolerance::known_direction * size) {
+        thin_(tolerance::known_direction * size),
+        up_(normal_of(pair.box, face)),
+        top_(dot(up_, middle_of(pair.box, face))),
+        rise_(dot(up_, pair.way)),
+        is_level_(std::fabs(rise_) <= tolerance::rounding * size) {
     const Mat<3, double>& axes = pair.box.axes;
     const Vec<3, double>& half = pair.box.half_extents;
-    const Vec<3, double> adjoint = adjoint_column(axes, face.axis);
-    const Vec<3, double> across = adjoint * (1 / std::sqrt(dot(adjoint, adjoint)));  // about 1
-    const double climb = dot(across, axes[face.axis]);
-    up_ = (climb < 0) == face.is_far ? -across : across;
-    const Vec<3, double> middle =
-        pair.box.center + axes[face.axis] * (face.is_far ? half[face.axis] : -half[face.axis]);
-    top_ = dot(up_, middle);
-    rise_ = dot(up_, pair.way);
+    const Vec<3, double> middle = middle_of(pair.box, face);
     const auto slab = [&](Dim axis, Dim other) -> Slab {
       const Vec<3, double> along = cross(axes[other], up_);
       const double scale = 1 / dot(along, axes[axis]);  // about 1 or -1
@@ -61,7 +58,6 @@ class AxisOverFace {
     };
     slabs_[0] = slab(face.next(), face.last());
     slabs_[1] = slab(face.last(), face.next());
-    is_level_ = std::fabs(rise_) <= tolerance::rounding * size;
     find_lowest();
   }
 
@@ -117,6 +113,17 @@ class AxisOverFace {
     End high;
     bool is_clear;
   };
+
+  static Vec<3, double> normal_of(const Obb<3, double>& box, const BoxFaceNumbers& face) {
+    const Vec<3, double> adjoint = adjoint_column(box.axes, face.axis);
+    const Vec<3, double> across = adjoint * (1 / std::sqrt(dot(adjoint, adjoint)));  // about 1
+    return (dot(across, box.axes[face.axis]) < 0) == face.is_far ? -across : across;
+  }
+
+  static Vec<3, double> middle_of(const Obb<3, double>& box, const BoxFaceNumbers& face) {
+    const double half = box.half_extents[face.axis];
+    return box.center + box.axes[face.axis] * (face.is_far ? half : -half);
+  }
 
   double gap(double place) const { return rise_ * place - top_; }
 
