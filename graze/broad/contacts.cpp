@@ -230,9 +230,9 @@ class PrimitivePairs {
 };
 
 /// Writes the manifolds of a task's pairs, which touch: `count` of them, at most as many as a task has, that of
-/// shapes_at(i) to manifold_at(i), with what look_at(i) has shown. What kernels take in
-/// space, which is most of oriented boxes, spheres and capsules, is collected for them; to take others of a kind
-/// together gains nothing, since a manifold takes far longer than it takes to find its kind.
+/// shapes_at(i) to manifold_at(i), with what look_at(i) has shown. What kernels take in space, which is most of
+/// spheres, capsules and boxes, is collected for them; to take others of a kind together gains nothing, since a
+/// manifold takes far longer than it takes to find its kind.
 template <Dim N, class T, class ShapesAt, class LookAt, class ManifoldAt>
 void write_manifolds(std::size_t count, const ShapesAt& shapes_at, const LookAt& look_at,
                      const ManifoldAt& manifold_at) {

@@ -30,9 +30,6 @@ struct FlatCore {
   std::array<V, 2> normal{V(0.0), V(0.0)};  ///< Of length 1: of the sides across an axis, of those at half_edge.
   double radius = 0;
 
-  /// The first axis across which there are sides: 0 and 1 of a rectangle, 1 of a segment.
-  static constexpr std::size_t first_face = 2 - axes;
-
   /// The sum of the coordinates.
   double size() const {
     double sum = std::fabs(center.x) + std::fabs(center.y) + radius;

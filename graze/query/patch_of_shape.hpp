@@ -2,9 +2,6 @@
 // patch_seen(shape, origin, direction, point): the patch of any shape's core, seen from an origin near a contact.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-
 #include <graze/math/vec.hpp>
 #include <graze/query/closest_points.hpp>
 #include <graze/query/closest_unbounded.hpp>
