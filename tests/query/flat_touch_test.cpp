@@ -228,7 +228,9 @@ void compare_all(Kind kind, double least_known) {
   compare<T, Turned<double>, Rod<double>>(kind, cases, known);
   compare<T, Box<double>, Turned<double>>(kind, cases, known);
   compare<T, Turned<double>, Turned<double>>(kind, cases, known);
-  EXPECT_GE(known, least_known * cases);
+  // Of few cases fewer may happen to be: four deviations of a drawing by chance.
+  const double deviation = std::sqrt(least_known * (1 - least_known) * cases);
+  EXPECT_GE(known, least_known * cases - 4 * deviation);
 }
 
 TEST(FlatTouch, IsThatOfAllShapes) {
