@@ -189,6 +189,17 @@ void expect_the_same_pairs(const CapsuleLook& quick, const WideManifold<3>& plai
   }
 }
 
+constexpr double least_turn = 3e-8;
+
+/// Next to the end of an axis the way of all shapes may find a place beside the nearest, of which rounding hides that it
+/// is farther: one that is off by x at right angles to the distance d makes that longer by x^2 / 2d. The quick one is
+/// not off.
+double hidden_turn(const Drawn& drawn, double depth) {
+  const double distance = std::fabs(drawn.pill.radius - depth);
+  const double hidden = 8 * tolerance::epsilon * (max_abs(drawn.box.half_extents) + distance);
+  return std::max(least_turn, std::sqrt(2 * hidden / distance));
+}
+
 template <class BoxType>
 void expect_the_same_answers() {
   using T = scalar_of<BoxType>;
@@ -208,8 +219,7 @@ void expect_the_same_answers() {
     const WideManifold<3> plain = manifold_of_met(box, pill);
     const double allowed = 4 * (quick.found.error + plain.found.error);
     RC_ASSERT(std::fabs(quick.found.depth - plain.found.depth) <= allowed);
-    // Next to the end of an axis the way of all shapes may be off by as much; the quick one is not.
-    expect_near(quick.found.normal, plain.found.normal, 3e-8);
+    expect_near(quick.found.normal, plain.found.normal, hidden_turn(drawn, quick.found.depth));
     const auto turned = manifold(pill, box);
     const auto same = manifold(box, pill);
     RC_ASSERT(turned.size == same.size && turned.normal == -same.normal);
@@ -217,8 +227,11 @@ void expect_the_same_answers() {
       RC_ASSERT(turned.points[i].id.a == same.points[i].id.b && turned.points[i].id.b == same.points[i].id.a);
       RC_ASSERT(turned.points[i].point_a == same.points[i].point_b);
     }
-    RC_ASSERT(same.size == plain.size);
-    const double allowed_off = allowed + 3e-8 + tolerance::epsilon * drawn.far;
+    if (same.size != plain.size) {  // written down, two may be one
+      RC_ASSERT(same.size == 1 && plain.size == 2);
+      expect_near(plain.pairs[0].point_a, plain.pairs[1].point_a, allowed);
+    }
+    const double allowed_off = allowed + hidden_turn(drawn, quick.found.depth) + tolerance::epsilon * drawn.far;
     const bool is_on_face = (quick.feature_a.kind == FeatureKind::face);
     if (is_on_face) expect_the_same_pairs(quick, plain, allowed, allowed_off, drawn.far);
     if (!quick.is_single) return;  // of a capsule that lies flat any place is as deep
