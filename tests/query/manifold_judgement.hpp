@@ -67,8 +67,11 @@ class ManifoldJudge {
     errors_.fault = fault;
   }
 
-  /// What points and depths may be off by among shapes that are as large as `size`.
-  double allowed(double size) const { return 4 * found_.error + (16 * epsilon + 4 * tolerance::aligned) * size; }
+  /// What points and depths may be off by among shapes that are as large as `size`, down to the least number of T.
+  double allowed(double size) const {
+    constexpr auto least = static_cast<double>(std::numeric_limits<T>::denorm_min());
+    return 4 * (found_.error + least) + (16 * epsilon + 4 * tolerance::aligned) * size;
+  }
 
   double size_with(double other) const { return std::max({truth_.own_size, truth_.largest, other}); }
 
