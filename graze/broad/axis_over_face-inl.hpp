@@ -38,7 +38,7 @@ struct CapsuleAndBoxLanes {
 
   template <bool along, class T>
   HWY_INLINE void load(const T* const* capsules, const T* const* boxes) {
-    const CapsuleLanes capsule(capsules);
+    const CapsuleLanes capsule = CapsuleLanes::load<3>(capsules);
     origin = capsule.start;
     way = capsule.end - capsule.start;
     radius = capsule.radius;

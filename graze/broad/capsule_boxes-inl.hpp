@@ -254,7 +254,7 @@ class CapsuleContacts {
     return (*all_features_)[static_cast<std::size_t>(features_[place][of_box].of[lane])];
   }
 
-  const std::array<Feature, first_of_box + 64>* all_features_ = &touched_features();
+  const TouchedFeatures* all_features_ = &touched_features();
   std::uint32_t clear_;
   std::uint32_t two_;
   std::uint32_t turned_;

@@ -10,6 +10,7 @@
 
 #include <graze/broad/contacts.hpp>
 #include <graze/broad/executor.hpp>
+#include <graze/broad/flat_contacts.hpp>
 #include <graze/broad/manifold_kernels.hpp>
 #include <graze/broad/manifolds.hpp>
 #include <graze/broad/mixed_contacts.hpp>
@@ -175,7 +176,7 @@ class PrimitivePairs {
   using Rod = Capsule<3, T>;
 
   struct List {
-    std::array<PrimitivesToContact<T>, manifolds_per_task> pairs;
+    std::array<PrimitivesToContact<3, T>, manifolds_per_task> pairs;
     std::array<std::uint16_t, manifolds_per_task> places;
     std::size_t count = 0;
   };
@@ -220,7 +221,7 @@ class PrimitivePairs {
     return reinterpret_cast<const T*>(&shape);
   }
 
-  void put(PrimitiveKind kind, const PrimitivesToContact<T>& pair, std::size_t place) {
+  void put(PrimitiveKind kind, const PrimitivesToContact<3, T>& pair, std::size_t place) {
     List& list = lists_[static_cast<std::size_t>(kind)];
     list.pairs[list.count] = pair;
     list.places[list.count++] = static_cast<std::uint16_t>(place);
@@ -262,7 +263,11 @@ void write_manifolds(std::size_t count, const ShapesAt& shapes_at, const LookAt&
     primitives.contact(contact_one);
     mixed.contact(contact_one);
   } else {
-    for (std::size_t i = 0; i < count; ++i) contact_one(i);
+    FlatPairs<T, manifolds_per_task> pairs;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!pairs.add(shapes_at(i), &manifold_at(i), i)) contact_one(i);
+    }
+    pairs.contact(contact_one);
   }
 }
 

@@ -34,10 +34,44 @@ HWY_INLINE void store_rounded(Doubles v, Row<float>& row) {
   hn::Store(hn::Add(narrowed(v), hn::Zero(FloatTag())), FloatTag(), row.of);
 }
 
-/// A contact point of each pair: nine coordinates and the depth.
+/// A contact point of each pair: three places and the depth.
+template <class T, Dim N = 3>
+struct PointRows {
+  Row<T> point[N];
+  Row<T> point_a[N];
+  Row<T> point_b[N];
+  Row<T> depth;
+
+  /// `first` lies on the user's second box where `turns`.
+  HWY_INLINE void set(const Point& first, const Point& second, Doubles its_depth, DoublesMask turns) {
+    set(first, second, (first + second) * both(0.5), its_depth, turns);
+  }
+
+  HWY_INLINE void set(const Point& first, const Point& second, const Point& middle, Doubles its_depth,
+                      DoublesMask turns) {
+    for (std::size_t k = 0; k < N; ++k) {
+      const Doubles a = first.at[k];
+      const Doubles b = second.at[k];
+      store_rounded(middle.at[k], point[k]);
+      store_rounded(hn::IfThenElse(turns, b, a), point_a[k]);
+      store_rounded(hn::IfThenElse(turns, a, b), point_b[k]);
+    }
+    store(its_depth, depth);
+  }
+
+  void write(std::size_t lane, ManifoldPoint<N, T>& to) const {
+    for (Dim k = 0; k < N; ++k) {
+      to.point[k] = point[k].of[lane];
+      to.point_a[k] = point_a[k].of[lane];
+      to.point_b[k] = point_b[k].of[lane];
+    }
+    to.depth = depth.of[lane];
+  }
+};
+
 #if HWY_TARGET <= HWY_AVX3
 template <class T>
-struct PointRows {
+struct PointRows<T, 3> {
   alignas(64) T first_eight[pairs_at_once][8];
   Row<T> ninth;
   Row<T> depth;
@@ -78,46 +112,12 @@ struct PointRows {
     to.depth = depth.of[lane];
   }
 };
-#else
-template <class T>
-struct PointRows {
-  Row<T> point[3];
-  Row<T> point_a[3];
-  Row<T> point_b[3];
-  Row<T> depth;
-
-  /// `first` lies on the user's second box where `turns`.
-  HWY_INLINE void set(const Point& first, const Point& second, Doubles its_depth, DoublesMask turns) {
-    set(first, second, (first + second) * both(0.5), its_depth, turns);
-  }
-
-  HWY_INLINE void set(const Point& first, const Point& second, const Point& middle, Doubles its_depth,
-                      DoublesMask turns) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Doubles a = first.at[k];
-      const Doubles b = second.at[k];
-      store_rounded(middle.at[k], point[k]);
-      store_rounded(hn::IfThenElse(turns, b, a), point_a[k]);
-      store_rounded(hn::IfThenElse(turns, a, b), point_b[k]);
-    }
-    store(its_depth, depth);
-  }
-
-  void write(std::size_t lane, ManifoldPoint<3, T>& to) const {
-    for (Dim k = 0; k < 3; ++k) {
-      to.point[k] = point[k].of[lane];
-      to.point_a[k] = point_a[k].of[lane];
-      to.point_b[k] = point_b[k].of[lane];
-    }
-    to.depth = depth.of[lane];
-  }
-};
 #endif
 
 /// What a manifold says but for its points.
-template <class T>
+template <class T, Dim N = 3>
 struct ManifoldRows {
-  Row<T> normal[3];
+  Row<T> normal[N];
   Row<double> error;
 
   HWY_INLINE void set(const AxisLanes& axis, Doubles size, DoublesMask turned) {
@@ -126,13 +126,13 @@ struct ManifoldRows {
 
   HWY_INLINE void set(const Point& its_normal, Doubles its_error, DoublesMask turned) {
     const Doubles side = hn::IfThenElse(turned, both(-1), both(1));
-    for (std::size_t k = 0; k < 3; ++k) store_rounded(hn::Mul(its_normal.at[k], side), normal[k]);
+    for (std::size_t k = 0; k < N; ++k) store_rounded(hn::Mul(its_normal.at[k], side), normal[k]);
     store(its_error, error);
   }
 
-  void write(std::size_t lane, std::size_t size, Manifold<3, T>& to) const {
+  void write(std::size_t lane, std::size_t size, Manifold<N, T>& to) const {
     to.size = size;
-    for (Dim k = 0; k < 3; ++k) to.normal[k] = normal[k].of[lane];
+    for (Dim k = 0; k < N; ++k) to.normal[k] = normal[k].of[lane];
     to.error = error.of[lane];
   }
 };

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Compiled once per instruction set: Highway includes this file anew for each.
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -21,6 +20,7 @@
 #define GRAZE_PRIMITIVE_LANES (HWY_MAX_BYTES >= 32 && HWY_NATIVE_FMA)
 #include <graze/broad/aabb_contacts-inl.hpp>
 #include <graze/broad/capsule_boxes-inl.hpp>
+#include <graze/broad/contact_groups-inl.hpp>
 #include <graze/broad/round_contacts-inl.hpp>
 #else
 #define GRAZE_PRIMITIVE_LANES 0
@@ -45,29 +45,10 @@ HWY_INLINE auto contacts_of_group(const T* const* first, const T* const* second,
 }
 
 template <PrimitiveKind kind, class T>
-std::size_t contact_primitives(std::span<const PrimitivesToContact<T>> pairs, std::uint32_t* left) {
-  std::size_t left_count = 0;
-  for (std::size_t from = 0; from < pairs.size(); from += pairs_at_once) {
-    const std::size_t count = std::min(pairs_at_once, pairs.size() - from);
-    const T* first[pairs_at_once];
-    const T* second[pairs_at_once];
-    std::uint32_t turned = 0;
-    for (std::size_t lane = 0; lane < pairs_at_once; ++lane) {
-      const PrimitivesToContact<T>& pair = pairs[lane < count ? from + lane : from];
-      first[lane] = pair.first;
-      second[lane] = pair.second;
-      turned |= std::uint32_t{pair.turned} << lane;
-    }
-    const auto contacts = contacts_of_group<kind>(first, second, turned);
-    for (std::size_t lane = 0; lane < count; ++lane) {
-      if (HWY_LIKELY(contacts.is_clear(lane))) {
-        contacts.write(lane, *pairs[from + lane].manifold);
-      } else {
-        left[left_count++] = static_cast<std::uint32_t>(from + lane);
-      }
-    }
-  }
-  return left_count;
+std::size_t contact_primitives(std::span<const PrimitivesToContact<3, T>> pairs, std::uint32_t* left) {
+  return contact_groups<3, T>(pairs, left,
+                              [](const T* const* first, const T* const* second, std::uint32_t turned)
+                                  HWY_ATTR { return contacts_of_group<kind>(first, second, turned); });
 }
 
 template <class T>
@@ -80,9 +61,8 @@ constexpr PrimitiveKernels<T> kernels_of = {
 #else
 
 template <class T>
-std::size_t leave_primitives(std::span<const PrimitivesToContact<T>> pairs, std::uint32_t* left) {
-  for (std::size_t i = 0; i < pairs.size(); ++i) left[i] = static_cast<std::uint32_t>(i);
-  return pairs.size();
+std::size_t leave_primitives(std::span<const PrimitivesToContact<3, T>> pairs, std::uint32_t* left) {
+  return leave_all(pairs.size(), left);
 }
 
 template <class T>

@@ -12,6 +12,7 @@
 #include <span>
 
 #include <graze/query/manifold.hpp>
+#include <graze/shape/shape.hpp>
 
 namespace graze::detail {
 
@@ -30,22 +31,28 @@ inline constexpr std::size_t primitive_kinds = 8;
 /// The numbers of two valid shapes that touch, and where their manifold goes. A sphere comes before others, and a
 /// capsule before boxes; of two capsules, or boxes, the one that does in the order of shapes of one type
 /// (query/shape_order.hpp).
-template <class T>
+template <Dim N, class T>
 struct PrimitivesToContact {
   const T* first;
   const T* second;
   bool turned;  ///< The manifold is from the second to the first.
-  Manifold<3, T>* manifold;
+  Manifold<N, T>* manifold;
 };
 
 /// Writes the manifolds of most pairs, which must be as they are made: what stays zero in them is not written. `left`,
 /// which has room for all, receives the places of the others; returns how many these are.
-template <class T>
-using PrimitiveKernel = std::size_t (*)(std::span<const PrimitivesToContact<T>> pairs, std::uint32_t* left);
+template <Dim N, class T>
+using PrimitiveKernel = std::size_t (*)(std::span<const PrimitivesToContact<N, T>> pairs, std::uint32_t* left);
+
+/// What kernels do where there are no vectors for them.
+inline std::size_t leave_all(std::size_t count, std::uint32_t* left) {
+  for (std::size_t i = 0; i < count; ++i) left[i] = static_cast<std::uint32_t>(i);
+  return count;
+}
 
 /// By kind.
 template <class T>
-using PrimitiveKernels = std::array<PrimitiveKernel<T>, primitive_kinds>;
+using PrimitiveKernels = std::array<PrimitiveKernel<3, T>, primitive_kinds>;
 
 /// The kernels of one instruction set.
 struct AllPrimitiveKernels {

@@ -30,20 +30,20 @@ namespace graze::detail::HWY_NAMESPACE {
 template <PrimitiveKind kind, class T>
 HWY_INLINE RoundTouch touch_of(const T* const* first, const T* const* second) {
   if constexpr (kind == PrimitiveKind::sphere_sphere) {
-    return touch_lanes(BallLanes(first), BallLanes(second));
+    return touch_lanes(BallLanes::load<3>(first), BallLanes::load<3>(second));
   } else if constexpr (kind == PrimitiveKind::sphere_capsule) {
-    return touch_lanes(BallLanes(first), CapsuleLanes(second));
+    return touch_lanes<3>(BallLanes::load<3>(first), CapsuleLanes::load<3>(second));
   } else if constexpr (kind == PrimitiveKind::capsule_capsule) {
-    return touch_lanes(CapsuleLanes(first), CapsuleLanes(second));
+    return touch_lanes(CapsuleLanes::load<3>(first), CapsuleLanes::load<3>(second));
   } else {
     constexpr bool along = kind == PrimitiveKind::sphere_aabb;
-    const BallLanes ball(first);
+    const BallLanes ball = BallLanes::load<3>(first);
     return BallTouchLanes<along>(ball, SeenBoxLanes<along>(second, ball.center)).run();
   }
 }
 
 /// The manifolds of a group of pairs, to be written one by one.
-template <class T>
+template <class T, Dim N = 3>
 class RoundContacts {
  public:
   HWY_INLINE RoundContacts(const RoundTouch& touch, std::uint32_t turned)
@@ -57,7 +57,7 @@ class RoundContacts {
 
   bool is_clear(std::size_t lane) const { return (clear_ >> lane & 1U) != 0; }
 
-  void write(std::size_t lane, Manifold<3, T>& to) const {
+  void write(std::size_t lane, Manifold<N, T>& to) const {
     const std::size_t first = turned_ >> lane & 1U;
     point_.write(lane, to.points[0]);
     write_feature(feature(first, lane), to.points[0].id.a);
@@ -70,11 +70,11 @@ class RoundContacts {
     return (*all_features_)[static_cast<std::size_t>(features_[of_second].of[lane])];
   }
 
-  const std::array<Feature, first_of_box + 64>* all_features_ = &touched_features();
+  const TouchedFeatures* all_features_ = &touched_features();
   std::uint32_t clear_;
   std::uint32_t turned_;
-  ManifoldRows<T> rows_;
-  PointRows<T> point_;
+  ManifoldRows<T, N> rows_;
+  PointRows<T, N> point_;
   Row<double> features_[2];
 };
 

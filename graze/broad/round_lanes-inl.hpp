@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 
 #include <hwy/highway.h>
@@ -25,16 +26,21 @@ namespace graze::detail::HWY_NAMESPACE {
 
 /// The features that a point may lie on, by place: of what is round those of feature_on_axis, and of a ball the first;
 /// then, by three bits for the axes along which it is at the box' end and three for on which side, those of
-/// feature_of_box.
+/// feature_of_box; then the corners of a box in the plane, and its sides.
 inline constexpr std::size_t first_of_box = 3;
-inline const std::array<Feature, first_of_box + 64>& touched_features() {
+inline constexpr std::size_t first_of_flat = first_of_box + 64;
+using TouchedFeatures = std::array<Feature, first_of_flat + 8>;
+inline const TouchedFeatures& touched_features() {
   static const auto features = [] {
-    std::array<Feature, first_of_box + 64> all{
-        {{FeatureKind::vertex, 0}, {FeatureKind::vertex, 1}, {FeatureKind::edge, 0}}};
+    TouchedFeatures all{{{FeatureKind::vertex, 0}, {FeatureKind::vertex, 1}, {FeatureKind::edge, 0}}};
     for (std::size_t bits = 0; bits < 64; ++bits) {
       const auto side = [bits](std::size_t i) { return (bits >> (3 + i) & 1U) != 0 ? 1.0 : -1.0; };
       const std::array<bool, 3> is_beyond{(bits & 1U) != 0, (bits & 2U) != 0, (bits & 4U) != 0};
       all[first_of_box + bits] = feature_of_box({side(0), side(1), side(2)}, is_beyond);
+    }
+    for (std::uint32_t number = 0; number < 4; ++number) {
+      all[first_of_flat + number] = {FeatureKind::vertex, number};
+      all[first_of_flat + 4 + number] = {FeatureKind::edge, number};
     }
     return all;
   }();
@@ -55,17 +61,22 @@ HWY_INLINE void load_wide(const T* const* rows, Doubles (&numbers)[count]) {
   }
 }
 
+/// A place whose coordinates begin there; one in the plane with a zero more, which changes no sum.
+template <Dim N>
+HWY_INLINE Point place_at(const Doubles* numbers) {
+  return {{numbers[0], numbers[1], N == 3 ? numbers[2] : both(0)}};
+}
+
 /// Balls around centers.
 struct BallLanes {
   Point center;
   Doubles radius;
 
-  template <class T>
-  HWY_INLINE explicit BallLanes(const T* const* rows) {
-    Doubles numbers[4];
+  template <Dim N, class T>
+  HWY_INLINE static BallLanes load(const T* const* rows) {
+    Doubles numbers[N + 1];
     load_wide(rows, numbers);
-    center = {{numbers[0], numbers[1], numbers[2]}};
-    radius = numbers[3];
+    return {place_at<N>(numbers), numbers[N]};
   }
 };
 
@@ -74,13 +85,11 @@ struct CapsuleLanes {
   Point end;
   Doubles radius;
 
-  template <class T>
-  HWY_INLINE explicit CapsuleLanes(const T* const* rows) {
-    Doubles numbers[7];
+  template <Dim N, class T>
+  HWY_INLINE static CapsuleLanes load(const T* const* rows) {
+    Doubles numbers[2 * N + 1];
     load_wide(rows, numbers);
-    start = {{numbers[0], numbers[1], numbers[2]}};
-    end = {{numbers[3], numbers[4], numbers[5]}};
-    radius = numbers[6];
+    return {place_at<N>(numbers), place_at<N>(numbers + N), numbers[2 * N]};
   }
 };
 
@@ -106,6 +115,9 @@ struct AxisFeatures {
     feature = hn::IfThenElse(is_start, both(0), hn::IfThenElse(is_end, both(1), both(2)));
     is_known = hn::Or(hn::Or(is_start, is_end), hn::And(hn::Gt(place, both(margin)), hn::Lt(place, both(1 - margin))));
   }
+
+  /// The ends.
+  HWY_INLINE DoublesMask is_between() const { return hn::Eq(feature, both(2)); }
 };
 
 /// The nearest points of the cores, as NearCores, each from an origin.
@@ -156,6 +168,7 @@ HWY_INLINE RoundTouch touch_lanes(const BallLanes& first, const BallLanes& secon
                        first.radius, second.radius);
 }
 
+template <Dim N>
 HWY_INLINE RoundTouch touch_lanes(const BallLanes& ball, const CapsuleLanes& capsule) {
   const Point start = capsule.start - ball.center;
   const Point end = capsule.end - ball.center;
@@ -169,6 +182,12 @@ HWY_INLINE RoundTouch touch_lanes(const BallLanes& ball, const CapsuleLanes& cap
   const AxisFeatures feature(place);
   touch.feature_second = feature.feature;
   touch.is_clear = hn::And(touch.is_clear, hn::And(feature.is_known, hn::Gt(whole, both(0x1p-900))));
+  if constexpr (N == 2) {
+    constexpr double least_cosine = 16 * tolerance::aligned;
+    const Doubles along = dot(way, touch.normal);
+    const DoublesMask is_off_sides = hn::Gt(hn::Mul(along, along), hn::Mul(both(least_cosine * least_cosine), whole));
+    touch.is_clear = hn::And(touch.is_clear, hn::Or(feature.is_between(), is_off_sides));
+  }
   return touch;
 }
 

@@ -68,7 +68,7 @@ constexpr PrimitiveKind kind_of() {
 
 /// As kernels want it, of the manifold of (a, b), or the other way round.
 template <class T, class A, class B>
-PrimitivesToContact<T> to_contact(const A& a, const B& b, bool other_way, Manifold<3, T>& manifold) {
+PrimitivesToContact<3, T> to_contact(const A& a, const B& b, bool other_way, Manifold<3, T>& manifold) {
   const auto* first = reinterpret_cast<const T*>(&a);
   const auto* second = reinterpret_cast<const T*>(&b);
   if constexpr (std::is_same_v<A, B> && !is_a<Sphere, A>) {
@@ -82,13 +82,13 @@ PrimitivesToContact<T> to_contact(const A& a, const B& b, bool other_way, Manifo
 template <class T, class A, class B>
 std::size_t left_of(const PairsOf<A, B>& drawn, const std::string& where) {
   std::vector<Manifold<3, T>> found(drawn.size());
-  std::vector<PrimitivesToContact<T>> pairs;
+  std::vector<PrimitivesToContact<3, T>> pairs;
   const auto other_way = [](std::size_t i) { return i % 3 == 0; };
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     pairs.push_back(to_contact<T>(drawn[i].first, drawn[i].second, other_way(i), found[i]));
   }
   std::vector<std::uint32_t> left(drawn.size());
-  const PrimitiveKernel<T> kernel = primitive_kernels<T>()[static_cast<std::size_t>(kind_of<A, B>())];
+  const PrimitiveKernel<3, T> kernel = primitive_kernels<T>()[static_cast<std::size_t>(kind_of<A, B>())];
   left.resize(kernel(pairs, left.data()));
   std::vector<bool> is_left(drawn.size());
   for (const std::uint32_t place : left) {

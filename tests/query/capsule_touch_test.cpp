@@ -191,9 +191,9 @@ void expect_the_same_pairs(const CapsuleLook& quick, const WideManifold<3>& plai
 
 constexpr double least_turn = 3e-8;
 
-/// Next to the end of an axis the way of all shapes may find a place beside the nearest, of which rounding hides that it
-/// is farther: one that is off by x at right angles to the distance d makes that longer by x^2 / 2d. The quick one is
-/// not off.
+/// Next to the end of an axis the way of all shapes may find a place beside the nearest, of which rounding hides that
+/// it is farther: one that is off by x at right angles to the distance d makes that longer by x^2 / 2d. The quick one
+/// is not off.
 double hidden_turn(const Drawn& drawn, double depth) {
   const double distance = std::fabs(drawn.pill.radius - depth);
   const double hidden = 8 * tolerance::epsilon * (max_abs(drawn.box.half_extents) + distance);
