@@ -257,6 +257,13 @@ HWY_INLINE CarriedLanes carried_lanes(const CarriedPairs<T>& pairs) {
   return carried;
 }
 
+/// Where the carrying box has a face along the axis, as is_face_along says of it.
+HWY_INLINE DoublesMask are_carried(const CarriedLanes& carried) {
+  const Point turn = carried.upward.normal - carried.upward.up;
+  return hn::And(may_be_aligned(carried.own, carried.upward.up),
+                 hn::Le(dot(turn, turn), both(tolerance::aligned * tolerance::aligned)));
+}
+
 /// A group of pairs, the other box' face of each laid on the carrying one.
 template <class T>
 class FaceContacts {

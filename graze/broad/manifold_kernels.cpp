@@ -48,9 +48,10 @@ class ContactBatch {
   ContactBatch(std::span<const ObbsToContact<T>> pairs, std::uint32_t* left) : pairs_(pairs), left_(left) {
     for (std::size_t i = 0; i < pairs.size(); ++i) sort_in(i);
     contact_level();
-    contact_faces(lists_[on_face], [](const PairGroup<T>& group) HWY_ATTR { return FacePairs<T>(group); });
+    contact_faces(lists_[on_face], [](const PairGroup<T>& group, FaceContacts<T>& contacts) { lay(group, contacts); });
     contact_edges(lists_[on_edges]);
-    contact_faces(lists_[carried], [](const PairGroup<T>& group) HWY_ATTR { return CarriedPairs<T>(group); });
+    contact_faces(lists_[carried],
+                  [](const PairGroup<T>& group, FaceContacts<T>& contacts) { lay_carried(group, true, contacts); });
   }
 
   std::size_t left_count() const { return left_count_; }
@@ -125,23 +126,27 @@ class ContactBatch {
   }
 
   /// Those of a list. Functions of their own, or their many instructions would be there twice, and not stay near.
-  template <class PairsOf>
-  void contact_faces(List& list, const PairsOf& pairs_of) {
+  template <class Lay>
+  void contact_faces(List& list, const Lay& lay_group) {
     list.fill_last_group();
     for (std::size_t from = 0; from < list.count; from += 2 * pairs_at_once) {
       const std::size_t groups = list.count - from > pairs_at_once ? 2 : 1;
+      const std::size_t places[2] = {from, from + pairs_at_once};
       FaceContacts<T> contacts[2];
-      for (std::size_t g = 0; g < groups; ++g) {
-        lay(pairs_of, list.group(from + g * pairs_at_once), contacts[g]);
-      }
-      FaceContacts<T>::choose(contacts[0], contacts[groups - 1]);
-      for (std::size_t g = 0; g < groups; ++g) write_faces(contacts[g], list, from + g * pairs_at_once);
+      for (std::size_t g = 0; g < groups; ++g) lay_group(list.group(places[g]), contacts[g]);
+      write_two(contacts, places, groups, list);
     }
   }
 
-  template <class PairsOf>
-  HWY_NOINLINE static void lay(const PairsOf& pairs_of, const PairGroup<T>& group, FaceContacts<T>& contacts) {
-    contacts.lay(carried_lanes(pairs_of(group)));
+  HWY_NOINLINE static void lay(const PairGroup<T>& group, FaceContacts<T>& contacts) {
+    contacts.lay(carried_lanes(FacePairs<T>(group)));
+  }
+
+  /// One group or two, from these places of the list on.
+  HWY_INLINE void write_two(FaceContacts<T> (&contacts)[2], const std::size_t (&places)[2], std::size_t groups,
+                              const List& list) {
+    FaceContacts<T>::choose(contacts[0], contacts[groups - 1]);
+    for (std::size_t g = 0; g < groups; ++g) write_faces(contacts[g], list, places[g]);
   }
 
   HWY_NOINLINE void write_faces(FaceContacts<T>& contacts, const List& list, std::size_t from) {
@@ -173,22 +178,46 @@ class ContactBatch {
     }
   }
 
-  /// Which box' face carries the points of pairs whose axis may be along one.
+  /// Of pairs whose axis may be along a face: those of groups that are all carried by their first boxes; the others are
+  /// sorted by what carries their points.
   HWY_INLINE void contact_level() {
     for (std::size_t i = 0; i < lists_[unknown].count; ++i) left_[left_count_++] = lists_[unknown].pairs[i];
     List& list = lists_[level];
     list.fill_last_group();
-    for (std::size_t from = 0; from < list.count; from += pairs_at_once) {
-      const CarryingBoxes carrying(CarriedPairs<T>(list.group(from)));
-      const std::uint32_t by_first = carrying.by_first();
-      const std::uint32_t by_second = carrying.by_second();
-      for (std::size_t lane = 0; lane < std::min(pairs_at_once, list.count - from); ++lane) {
-        const std::size_t at = from + lane;
-        const bool is_carried = ((by_first | by_second) >> lane & 1U) != 0;
-        const std::uint64_t of_second = (by_second >> lane & 1U) != 0 ? carried_by_second : 0;
-        const Sort sort = is_carried ? Sort{carried, false} : sorts[list.looks[at] & ObbsLook::axis_bits];
-        put(sort, sort.exchanged, list.first[at], list.second[at], list.looks[at] | of_second, list.pairs[at]);
+    FaceContacts<T> contacts[2];
+    std::size_t from[2];
+    std::size_t laid = 0;
+    for (std::size_t next = 0; next < list.count; next += pairs_at_once) {
+      if (!lay_carried(list.group(next), false, contacts[laid])) {
+        sort_level(list, next);
+        continue;
       }
+      from[laid++] = next;
+      if (laid < 2) continue;
+      write_two(contacts, from, laid, list);
+      laid = 0;
+    }
+    if (laid > 0) write_two(contacts, from, laid, list);
+  }
+
+  /// Of pairs that are carried by the faces that their looks say. Unless that `is_known` returns false if not all are.
+  HWY_NOINLINE static bool lay_carried(const PairGroup<T>& group, bool is_known, FaceContacts<T>& contacts) {
+    const CarriedLanes lanes = carried_lanes(CarriedPairs<T>(group));
+    if (!is_known && !hn::AllTrue(Tag<double>(), are_carried(lanes))) return false;
+    contacts.lay(lanes);
+    return true;
+  }
+
+  HWY_NOINLINE void sort_level(const List& list, std::size_t from) {
+    const CarryingBoxes carrying(CarriedPairs<T>(list.group(from)));
+    const std::uint32_t by_first = carrying.by_first();
+    const std::uint32_t by_second = carrying.by_second();
+    for (std::size_t lane = 0; lane < std::min(pairs_at_once, list.count - from); ++lane) {
+      const std::size_t at = from + lane;
+      const bool is_carried = ((by_first | by_second) >> lane & 1U) != 0;
+      const std::uint64_t of_second = (by_second >> lane & 1U) != 0 ? carried_by_second : 0;
+      const Sort sort = is_carried ? Sort{carried, false} : sorts[list.looks[at] & ObbsLook::axis_bits];
+      put(sort, sort.exchanged, list.first[at], list.second[at], list.looks[at] | of_second, list.pairs[at]);
     }
   }
 
