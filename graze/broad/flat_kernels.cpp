@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 
 #include <graze/broad/flat_kernels.hpp>
 #include <graze/broad/simd_choice.hpp>
@@ -95,12 +94,7 @@ HWY_EXPORT(all_flat_kernels);
 
 template <class T>
 const FlatKernels<T>& flat_kernels() {
-  const AllFlatKernels& kernels = HWY_DYNAMIC_DISPATCH(all_flat_kernels)();
-  if constexpr (std::is_same_v<T, float>) {
-    return kernels.of_floats;
-  } else {
-    return kernels.of_doubles;
-  }
+  return HWY_DYNAMIC_DISPATCH(all_flat_kernels)().template of<T>();
 }
 
 template const FlatKernels<float>& flat_kernels<float>();

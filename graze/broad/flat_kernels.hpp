@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include <graze/broad/primitive_kernels.hpp>
+#include <graze/broad/space_kernels.hpp>
 
 namespace graze::detail {
 
@@ -30,10 +31,7 @@ template <class T>
 using FlatKernels = std::array<PrimitiveKernel<2, T>, flat_kinds>;
 
 /// The kernels of one instruction set.
-struct AllFlatKernels {
-  FlatKernels<float> of_floats;
-  FlatKernels<double> of_doubles;
-};
+using AllFlatKernels = ScalarKernels<FlatKernels>;
 
 /// The kernels for this machine. Instantiated for float and double.
 template <class T>

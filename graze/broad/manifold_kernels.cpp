@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 #include <graze/broad/manifold_kernels.hpp>
 #include <graze/broad/simd_choice.hpp>
@@ -144,7 +143,7 @@ class ContactBatch {
 
   /// One group or two, from these places of the list on.
   HWY_INLINE void write_two(FaceContacts<T> (&contacts)[2], const std::size_t (&places)[2], std::size_t groups,
-                              const List& list) {
+                            const List& list) {
     FaceContacts<T>::choose(contacts[0], contacts[groups - 1]);
     for (std::size_t g = 0; g < groups; ++g) write_faces(contacts[g], list, places[g]);
   }
@@ -267,12 +266,7 @@ HWY_EXPORT(all_manifold_kernels);
 
 template <class T>
 const ManifoldKernels<T>& manifold_kernels() {
-  const AllManifoldKernels& kernels = HWY_DYNAMIC_DISPATCH(all_manifold_kernels)();
-  if constexpr (std::is_same_v<T, float>) {
-    return kernels.of_floats;
-  } else {
-    return kernels.of_doubles;
-  }
+  return HWY_DYNAMIC_DISPATCH(all_manifold_kernels)().template of<T>();
 }
 
 template const ManifoldKernels<float>& manifold_kernels<float>();

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <span>
 
+#include <graze/broad/space_kernels.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/manifold.hpp>
 #include <graze/shape/obb.hpp>
@@ -77,10 +78,7 @@ struct ManifoldKernels {
 };
 
 /// The kernels of one instruction set.
-struct AllManifoldKernels {
-  ManifoldKernels<float> of_floats;
-  ManifoldKernels<double> of_doubles;
-};
+using AllManifoldKernels = ScalarKernels<ManifoldKernels>;
 
 /// The kernels for this machine. Those without vectors of four doubles or more know nothing and leave all pairs.
 /// Instantiated for float and double.

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 
 #include <graze/broad/primitive_kernels.hpp>
 #include <graze/broad/simd_choice.hpp>
@@ -90,12 +89,7 @@ HWY_EXPORT(all_primitive_kernels);
 
 template <class T>
 const PrimitiveKernels<T>& primitive_kernels() {
-  const AllPrimitiveKernels& kernels = HWY_DYNAMIC_DISPATCH(all_primitive_kernels)();
-  if constexpr (std::is_same_v<T, float>) {
-    return kernels.of_floats;
-  } else {
-    return kernels.of_doubles;
-  }
+  return HWY_DYNAMIC_DISPATCH(all_primitive_kernels)().template of<T>();
 }
 
 template const PrimitiveKernels<float>& primitive_kernels<float>();

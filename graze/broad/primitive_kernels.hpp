@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <span>
 
+#include <graze/broad/space_kernels.hpp>
 #include <graze/query/manifold.hpp>
 #include <graze/shape/shape.hpp>
 
@@ -55,10 +56,7 @@ template <class T>
 using PrimitiveKernels = std::array<PrimitiveKernel<3, T>, primitive_kinds>;
 
 /// The kernels of one instruction set.
-struct AllPrimitiveKernels {
-  PrimitiveKernels<float> of_floats;
-  PrimitiveKernels<double> of_doubles;
-};
+using AllPrimitiveKernels = ScalarKernels<PrimitiveKernels>;
 
 /// The kernels for this machine. Instantiated for float and double.
 template <class T>

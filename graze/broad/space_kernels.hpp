@@ -29,4 +29,21 @@ struct SpaceKernels {
   }
 };
 
+/// Those of kernels for one dimension alone.
+template <template <class> class Kernels>
+struct ScalarKernels {
+  Kernels<float> of_float;
+  Kernels<double> of_double;
+
+  template <class T>
+  const Kernels<T>& of() const {
+    if constexpr (std::is_same_v<T, float>) {
+      return of_float;
+    } else {
+      static_assert(std::is_same_v<T, double>);
+      return of_double;
+    }
+  }
+};
+
 }  // namespace graze::detail

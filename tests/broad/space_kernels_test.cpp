@@ -10,6 +10,11 @@ struct Named {
   int number;
 };
 
+template <class T>
+struct NamedByScalar {
+  int number;
+};
+
 namespace {
 
 TEST(SpaceKernels, AreFoundByDimensionAndScalar) {
@@ -18,6 +23,12 @@ TEST(SpaceKernels, AreFoundByDimensionAndScalar) {
   EXPECT_EQ((all.of<3, float>().number), 30);
   EXPECT_EQ((all.of<2, double>().number), 200);
   EXPECT_EQ((all.of<3, double>().number), 300);
+}
+
+TEST(ScalarKernels, AreFoundByScalar) {
+  constexpr ScalarKernels<NamedByScalar> all{{4}, {8}};
+  EXPECT_EQ(all.of<float>().number, 4);
+  EXPECT_EQ(all.of<double>().number, 8);
 }
 
 }  // namespace
