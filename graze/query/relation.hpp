@@ -88,7 +88,7 @@ inline constexpr bool is_filtered = is_a<Sphere, S> || is_a<Segment, S> || is_a<
 
 template <class A, class B>
 inline constexpr bool sees_nan = (is_core<A> && is_core<B>) || (is_point<A> && is_a<Aabb, B>) ||
-                                 ((is_a<Plane, A> || is_a<HalfSpace, A>)&&is_ball_or_box<B>) ||
+                                 ((is_a<Plane, A> || is_a<HalfSpace, A>)&&(is_core<B> || is_a<Triangle, B>)) ||
                                  (dimension_of<A> == 3 && is_filtered<A> && is_a<Triangle, B>);
 
 template <class A, class B>

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include <graze/math/rounding.hpp>
@@ -16,10 +18,13 @@
 #include <graze/query/relation_triangle.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/query/wide_support.hpp>
+#include <graze/shape/capsule.hpp>
 #include <graze/shape/half_space.hpp>
 #include <graze/shape/plane.hpp>
 #include <graze/shape/ray.hpp>
+#include <graze/shape/segment.hpp>
 #include <graze/shape/shape.hpp>
+#include <graze/shape/triangle.hpp>
 
 namespace graze::detail {
 
@@ -84,6 +89,43 @@ Heights heights_over(const Plane<N, T>& plane, const Obb<N, T>& box) {
   }
   const double magnitude = dot(abs(normal), farthest) + std::fabs(offset);
   return {height - reach, height + reach, tolerance::convex * magnitude};
+}
+
+/// The same of few corners, widened by a radius, by the height of each: nobody chooses the lowest, which a processor
+/// cannot foresee.
+template <Dim N, class T, std::size_t count>
+Heights heights_of_corners(const Plane<N, T>& plane, const std::array<Vec<N, T>, count>& corners, T radius) {
+  const Vec<N, double> normal = wide<N, T>(plane.normal);
+  const double offset = static_cast<double>(plane.offset);
+  const double reach = radius == T(0) ? 0.0 : static_cast<double>(radius) * std::sqrt(dot(normal, normal));
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  double sum = 0;  // not a number if any is none
+  Vec<N, double> farthest(0.0);
+  for (const Vec<N, T>& corner : corners) {
+    const Vec<N, double> place = wide<N, T>(corner);
+    const double height = dot(normal, place) - offset;
+    low = std::min(low, height);
+    high = std::max(high, height);
+    sum += height;
+    farthest = max(farthest, abs(place));
+  }
+  if (std::isnan(sum + reach)) low = high = sum + reach;
+  const double magnitude = dot(abs(normal), farthest) + (reach + std::fabs(offset));
+  return {low - reach, high + reach, tolerance::convex * magnitude};
+}
+
+template <Dim N, class T>
+Heights heights_over(const Plane<N, T>& plane, const Segment<N, T>& segment) {
+  return heights_of_corners(plane, std::array{segment.start, segment.end}, T(0));
+}
+template <Dim N, class T>
+Heights heights_over(const Plane<N, T>& plane, const Triangle<N, T>& triangle) {
+  return heights_of_corners(plane, std::array{triangle.a, triangle.b, triangle.c}, T(0));
+}
+template <Dim N, class T>
+Heights heights_over(const Plane<N, T>& plane, const Capsule<N, T>& capsule) {
+  return heights_of_corners(plane, std::array{capsule.a, capsule.b}, capsule.radius);
 }
 
 /// A ray that is not parallel to the plane is infinitely high on the side that it runs to.

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The closed forms of rays, planes and half-spaces. relation_test.cpp has every pair by hand, agreement_test.cpp every
 // pair against the oracle; here are the places where closed forms go wrong.
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -49,6 +53,39 @@ TEST(RelationUnbounded, ARayReachesAsFarAsTheShapeIs) {
     expect(Ray<3, double>{{0, 0, 0}, {1e9, 0, 0}}, Triangle<3, double>{{far, -1, -1}, {far, 1, -1}, {far, 0, 2}},
            Relation::overlapping);
   }
+}
+
+/// Each of its numbers once replaced by NaN.
+template <class S, class Check>
+void with_nan_in_turn(const S& shape, const Check& check) {
+  constexpr std::size_t count = sizeof(S) / sizeof(double);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<double, count> numbers;
+    std::memcpy(numbers.data(), &shape, sizeof(shape));
+    numbers[i] = std::numeric_limits<double>::quiet_NaN();
+    S broken = shape;
+    std::memcpy(reinterpret_cast<char*>(&broken), numbers.data(), sizeof(broken));
+    check(broken, i);
+  }
+}
+
+/// The heights of corners drop what is no number, but for their sum.
+TEST(RelationUnbounded, WhatHoldsNanIsApartFromPlanes) {
+  const Plane<3, double> plane{{1, 2, 2}, 0.5};
+  const HalfSpace<3, double> solid{{1, 2, 2}, 0.5};
+  const auto expect_apart = [&](const auto& shape) {
+    ASSERT_EQ(relation(shape, plane), Relation::overlapping);
+    with_nan_in_turn(shape, [&](const auto& broken, std::size_t i) {
+      EXPECT_EQ(detail::decide(broken, plane), Relation::apart) << i;
+      EXPECT_EQ(detail::decide(solid, broken), Relation::apart) << i;
+    });
+    with_nan_in_turn(plane, [&](const auto& broken, std::size_t i) {
+      EXPECT_EQ(detail::decide(shape, broken), Relation::apart) << i;
+    });
+  };
+  expect_apart(Segment<3, double>{{-1, -1, -1}, {2, 2, 2}});
+  expect_apart(Triangle<3, double>{{-1, -1, -1}, {2, 2, 2}, {0, 1, 0}});
+  expect_apart(Capsule<3, double>{{-1, -1, -1}, {2, 2, 2}, 0.5});
 }
 
 TEST(RelationUnbounded, TheLengthOfDirectionsAndNormalsDoesNotMatter) {
