@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <graze/query/ray_filters.hpp>
+#include <graze/query/ray_sight_flat.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/shape/ray.hpp>
@@ -15,11 +16,26 @@ namespace graze {
 
 namespace detail {
 
-/// What the filters of ray_cast.hpp say of a ray, and where they are unclear, `relation`: in fewer steps, for touching
-/// need not be told from overlapping.
-template <Dim N, class T, HasQuickCast S>
+/// One of which the filters of ray_cast.hpp, or the closed form there, say of most rays whether they hit.
+template <class S>
+concept HasQuickSight = HasQuickCast<S> || requires(const S& shape, const Ray<dimension_of<S>, scalar_of<S>>& ray) {
+  sight_of_ray(shape, ray);
+};
+
+template <Dim N, class T, HasQuickSight S>
+Sight quick_sight(const S& shape, const Ray<N, T>& ray) {
+  if constexpr (HasQuickCast<S>) {
+    return quick_cast(shape, ray, std::numeric_limits<T>::infinity()).sight();
+  } else {
+    return sight_of_ray(shape, ray);
+  }
+}
+
+/// What these say, and where they are unclear, `relation`: in fewer steps, for touching need not be told from
+/// overlapping.
+template <Dim N, class T, HasQuickSight S>
 bool is_met(const Ray<N, T>& ray, const S& shape) {
-  const Sight sight = quick_cast(shape, ray, std::numeric_limits<T>::infinity()).sight();
+  const Sight sight = quick_sight(shape, ray);
   if (sight != Sight::unclear) return sight == Sight::hits;
   return decide(shape, ray) != Relation::apart;
 }
@@ -31,10 +47,10 @@ bool is_met(const Ray<N, T>& ray, const S& shape) {
 /// touching from overlapping.
 template <Shape A, SameSpace<A> B>
 inline bool intersects(const A& a, const B& b) {
-  if constexpr (detail::is_a<Ray, A> && detail::HasQuickCast<B>) {
+  if constexpr (detail::is_a<Ray, A> && detail::HasQuickSight<B>) {
     assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));
     return detail::is_met(a, b);
-  } else if constexpr (detail::is_a<Ray, B> && detail::HasQuickCast<A>) {
+  } else if constexpr (detail::is_a<Ray, B> && detail::HasQuickSight<A>) {
     assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));
     return detail::is_met(b, a);
   } else {

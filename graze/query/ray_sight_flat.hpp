@@ -159,6 +159,13 @@ inline Sighting<3> sight_of(const Triangle<3, double>& triangle, const Path<3>& 
   return result;
 }
 
+/// The same of a whole ray, for who only asks whether it hits; NaN is unclear, or misses.
+inline Sight sight_of_ray(const Triangle<3, double>& triangle, const Ray<3, double>& ray) {
+  if (!is_usable(ray.direction)) return Sight::unclear;
+  constexpr double forever = std::numeric_limits<double>::infinity();
+  return sight_of(seen_from(ray.origin, triangle), Path<3>{ray.origin, ray.direction, forever}).sight;
+}
+
 // ---- Polygons
 
 /// Where a path enters and leaves the half-planes left of a convex polygon's edges (Cyrus and Beck, "Generalized two-

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include <graze/query/intersects.hpp>
@@ -60,6 +62,29 @@ TEST(Intersects, IsRelationOtherThanApart) {
   expect_not_apart_law<Sphere<2, float>, Obb<2, float>>();
   expect_not_apart_law<Triangle<3, double>, Capsule<3, double>>();
   expect_not_apart_law<Aabb<3, float>, Aabb<3, float>>();
+  expect_not_apart_law<Ray<3, float>, Triangle<3, float>>();
+  expect_not_apart_law<Ray<3, double>, Triangle<3, double>>();
+}
+
+/// Of a ray the closed form is asked first.
+TEST(Intersects, TakesNothingThatIsNoNumberForMet) {
+  const Triangle<3, double> triangle{{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}};
+  const Ray<3, double> ray{{0, 0, 3}, {0.1, 0.1, -1}};
+  ASSERT_TRUE(intersects(ray, triangle));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (Dim i = 0; i < 3; ++i) {
+    for (Vec<3, double> Triangle<3, double>::*corner :
+         {&Triangle<3, double>::a, &Triangle<3, double>::b, &Triangle<3, double>::c}) {
+      Triangle<3, double> broken = triangle;
+      (broken.*corner)[i] = nan;
+      EXPECT_FALSE(detail::is_met(ray, broken)) << i;
+    }
+    for (Vec<3, double> Ray<3, double>::*part : {&Ray<3, double>::origin, &Ray<3, double>::direction}) {
+      Ray<3, double> broken = ray;
+      (broken.*part)[i] = nan;
+      EXPECT_FALSE(detail::is_met(broken, triangle)) << i;
+    }
+  }
 }
 
 }  // namespace
