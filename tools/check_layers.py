@@ -54,6 +54,7 @@ TESTED_ELSEWHERE = {
     "graze/broad/capsule_boxes-inl.hpp": ("tests/broad/primitive_kernels_test.cpp", "what the kernels are made of"),
     "graze/broad/way_out-inl.hpp": ("tests/broad/primitive_kernels_test.cpp", "what the kernels are made of"),
     "graze/broad/contact_groups-inl.hpp": ("tests/broad/primitive_kernels_test.cpp", "what the kernels are made of"),
+    "graze/broad/flat_aabb_lanes-inl.hpp": ("tests/broad/flat_kernels_test.cpp", "what the kernels are made of"),
     "graze/broad/flat_ball_lanes-inl.hpp": ("tests/broad/flat_kernels_test.cpp", "what the kernels are made of"),
     "graze/broad/flat_contacts-inl.hpp": ("tests/broad/flat_kernels_test.cpp", "what the kernels are made of"),
     "graze/broad/flat_core_lanes-inl.hpp": ("tests/broad/flat_kernels_test.cpp", "what the kernels are made of"),

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include <hwy/highway.h>
 
@@ -124,9 +125,10 @@ template <class T>
 class AabbContacts {
  public:
   HWY_INLINE AabbContacts(const AabbLanes& a, const AabbLanes& b, std::uint32_t turned) : turned_(turned) {
-    clear_ = bits_of<double>(hn::And(a.has_faces(), b.has_faces()));
-    const DoublesMask turns = mask_of(Tag<double>(), turned);
     const LeastDepth least(a, b);
+    const DoublesMask is_finite = hn::Lt(least.depth, both(std::numeric_limits<double>::infinity()));
+    clear_ = bits_of<double>(hn::And(hn::And(a.has_faces(), b.has_faces()), is_finite));
+    const DoublesMask turns = mask_of(Tag<double>(), turned);
     const Doubles slack = hn::Mul(both(tolerance::coarse), hn::Add(a.size(), b.size()));
     const SharedLanes x(a, b, least, 1, slack);
     const SharedLanes y(a, b, least, 2, slack);

@@ -13,6 +13,7 @@
 
 #include <hwy/highway.h>
 
+#include <graze/broad/flat_aabb_lanes-inl.hpp>
 #include <graze/broad/flat_core_lanes-inl.hpp>
 #include <graze/broad/flat_kernels.hpp>
 #include <graze/broad/flat_touch_lanes-inl.hpp>
@@ -93,6 +94,12 @@ template <FlatKind kind, class T>
 HWY_INLINE FlatContacts<T> flat_contacts(const T* const* first, const T* const* second, std::uint32_t turned) {
   if constexpr (kind == FlatKind::obb_obb) {
     return flat_contacts_of<T>(FlatObbLanes(first), FlatObbLanes(second), turned);
+  } else if constexpr (kind == FlatKind::aabb_aabb) {
+    const FlatAabbLanes a(first);
+    const FlatAabbLanes b(second);
+    FlatLookLanes look;
+    FlatAabbTouch(a, b).run(look);
+    return FlatContacts<T>(look, turned);
   } else if constexpr (kind == FlatKind::obb_aabb) {
     return flat_contacts_of<T>(FlatObbLanes(first), FlatAabbLanes(second), turned);
   } else {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The manifolds of many pairs of spheres, capsules and boxes in the plane, but for two boxes along the axes: collected
-// by kind for the kernels that write them.
+// The manifolds of many pairs of spheres, capsules and boxes in the plane: collected by kind for the kernels that write
+// them.
 #pragma once
 
 #include <array>
@@ -79,6 +79,7 @@ class FlatPairs {
     set(obb, obb, FlatKind::obb_obb);
     set(obb, aabb, FlatKind::obb_aabb);
     set(obb, capsule, FlatKind::obb_capsule);
+    set(aabb, aabb, FlatKind::aabb_aabb);
     set(aabb, capsule, FlatKind::aabb_capsule);
     set(capsule, capsule, FlatKind::capsule_capsule);
     return result;
@@ -105,6 +106,7 @@ class FlatPairs {
       return is_in_order(*first, *reinterpret_cast<const S*>(b.numbers));
     };
     if (a.rank == obb) return in_order(reinterpret_cast<const Obb<2, T>*>(a.numbers));
+    if (a.rank == aabb) return in_order(reinterpret_cast<const Aabb<2, T>*>(a.numbers));
     return a.rank != capsule || in_order(reinterpret_cast<const Capsule<2, T>*>(a.numbers));
   }
 

@@ -70,11 +70,11 @@ std::size_t contact_flat(std::span<const PrimitivesToContact<2, T>> pairs, std::
 
 template <class T>
 constexpr FlatKernels<T> flat_kernels_of = {
-    contact_flat<FlatKind::sphere_sphere, T>,  contact_flat<FlatKind::sphere_obb, T>,
-    contact_flat<FlatKind::sphere_aabb, T>,    contact_flat<FlatKind::sphere_capsule, T>,
-    contact_flat<FlatKind::obb_obb, T>,        contact_flat<FlatKind::obb_aabb, T>,
-    contact_flat<FlatKind::obb_capsule, T>,    contact_flat<FlatKind::aabb_capsule, T>,
-    contact_flat<FlatKind::capsule_capsule, T>};
+    contact_flat<FlatKind::sphere_sphere, T>, contact_flat<FlatKind::sphere_obb, T>,
+    contact_flat<FlatKind::sphere_aabb, T>,   contact_flat<FlatKind::sphere_capsule, T>,
+    contact_flat<FlatKind::obb_obb, T>,       contact_flat<FlatKind::obb_aabb, T>,
+    contact_flat<FlatKind::obb_capsule, T>,   contact_flat<FlatKind::aabb_aabb, T>,
+    contact_flat<FlatKind::aabb_capsule, T>,  contact_flat<FlatKind::capsule_capsule, T>};
 
 }  // namespace
 

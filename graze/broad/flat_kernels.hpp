@@ -21,10 +21,11 @@ enum class FlatKind : std::uint8_t {
   obb_obb,
   obb_aabb,
   obb_capsule,
+  aabb_aabb,
   aabb_capsule,
   capsule_capsule
 };
-inline constexpr std::size_t flat_kinds = 9;
+inline constexpr std::size_t flat_kinds = 10;
 
 /// By kind.
 template <class T>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <random>
 #include <span>
 #include <string>
@@ -61,7 +62,7 @@ constexpr FlatKind kind_of() {
     return is_a<Aabb, B> ? FlatKind::sphere_aabb : FlatKind::sphere_capsule;
   }
   if (is_a<Capsule, A>) return FlatKind::capsule_capsule;
-  if (is_a<Aabb, A>) return FlatKind::aabb_capsule;
+  if (is_a<Aabb, A>) return is_a<Aabb, B> ? FlatKind::aabb_aabb : FlatKind::aabb_capsule;
   if (is_a<Obb, B>) return FlatKind::obb_obb;
   return is_a<Aabb, B> ? FlatKind::obb_aabb : FlatKind::obb_capsule;
 }
@@ -196,6 +197,7 @@ void for_each_kind(Drawer drawer, std::size_t count, const Check& check) {
   check(drawer.many<TurnedBox<T>, TurnedBox<T>>(count));
   check(drawer.many<TurnedBox<T>, Box<T>>(count));
   check(drawer.many<TurnedBox<T>, Rod<T>>(count));
+  check(drawer.many<Box<T>, Box<T>>(count));
   check(drawer.many<Box<T>, Rod<T>>(count));
   check(drawer.many<Rod<T>, Rod<T>>(count));
 }
@@ -219,6 +221,22 @@ TEST(FlatKernels, TakeAnyNumberOfPairs) {
     for_each_kind<double>(Drawer(7, Sort::random), count,
                           [](const auto& drawn) { expect_single_calls<double>(drawn, 1); });
   }
+}
+
+/// Where halves are rounded, and where sums overflow.
+TEST(FlatKernels, TakeBoxesWithTheLeastAndTheLargestNumbers) {
+  const double least = std::numeric_limits<double>::denorm_min();
+  const double most = 0.75 * std::numeric_limits<double>::max();
+  const std::vector<Box<double>> boxes{{{-least, 0}, {least, 2}},          {{0, -least}, {1, 3 * least}},
+                                       {{least, least}, {2, 3}},           {{most / 4, most / 4}, {most, most}},
+                                       {{-most / 4, 0}, {most / 2, most}}, {{-most, -most}, {most, most}}};
+  PairsOf<Box<double>, Box<double>> drawn;
+  for (const auto& a : boxes) {
+    for (const auto& b : boxes) {
+      if (relation(a, b) != Relation::apart) drawn.emplace_back(a, b);
+    }
+  }
+  expect_single_calls<double>(drawn, 0.1);  // of all but those that are too deep for a number
 }
 
 RC_GTEST_PROP(FlatKernels, SayOfAnyShapesWhatSingleCallsDo, ()) {
