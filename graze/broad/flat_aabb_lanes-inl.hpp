@@ -35,7 +35,8 @@ class FlatAabbTouch {
   }
 
   HWY_INLINE void run(FlatLookLanes& look) const {
-    look.is_clear = hn::And(hn::And(has_faces(a_), has_faces(b_)), hn::Lt(depth_, both(std::numeric_limits<double>::infinity())));
+    look.is_clear =
+        hn::And(hn::And(has_faces(a_), has_faces(b_)), hn::Lt(depth_, both(std::numeric_limits<double>::infinity())));
     look.has_two = every_lane();
     look.error = hn::Mul(both(tolerance::epsilon), depth_);
     const Doubles side = hn::IfThenElse(is_far_, both(1), both(-1));
