@@ -166,13 +166,14 @@ template <Dim N>
 }
 
 /// A box's own coordinates, where the point is on a side or was rounded out of the box. A normal along no axis is
-/// GJK's, and says nothing of sides.
+/// GJK's, and says nothing of sides, however little it is turned from an axis.
 template <Dim N, class T>
 [[gnu::always_inline]] inline void put_on_surface(Touch<N>& touch, const Aabb<N, T>& box) {
   const Vec<N, double> min = wide<N, T>(box.min);
   const Vec<N, double> max = wide<N, T>(box.max);
-  const double along_axes = sum_abs(touch.normal) == max_abs(touch.normal) ? 1 : 0;
-  const Vec<N, double> side = touch.normal * along_axes;
+  int axes = 0;
+  for (Dim i = 0; i < N; ++i) axes += touch.normal[i] != 0 ? 1 : 0;
+  const Vec<N, double> side = touch.normal * (axes == 1 ? 1.0 : 0.0);
   touch.point.x = coordinate_on(side.x, touch.point.x, min.x, max.x);
   touch.point.y = coordinate_on(side.y, touch.point.y, min.y, max.y);
   if constexpr (N == 3) touch.point.z = coordinate_on(side.z, touch.point.z, min.z, max.z);

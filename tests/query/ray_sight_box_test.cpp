@@ -85,6 +85,18 @@ TEST(RaySightBox, RunsAlongASideWithEitherZero) {
   }
 }
 
+// Was put on the side across x as well, however far away that is.
+TEST(RaySightBox, PutsAPointOnTheSideOfANormalAlongAnAxisAlone) {
+  const Box box{{0, 0, 0}, {100, 1, 1}};
+  Touch<3> touch;
+  touch.point = {30, -1e-12, 0.5};
+  for (const Point& normal : {Point(0, -1, 0), Point(3e-29, -1, 0), Point(0, -1, -1e-300)}) {
+    touch.normal = normal;
+    put_on_surface(touch, box);
+    EXPECT_EQ(touch.point, Point(30, 0, 0.5)) << normal.x << ", " << normal.z;
+  }
+}
+
 TEST(RaySightBox, WorksInThePlane) {
   const Sighting<2> hit = sight_of(Aabb<2, double>{{-1, 3}, {1, 5}}, path(Vec<2, double>(0.1, 2), infinity));
   EXPECT_EQ(hit.sight, Sight::hits);
