@@ -33,7 +33,8 @@ class WitnessedDifference {
   static constexpr Dim dimension = dimension_of<A>;
   using Point = Vec<dimension, double>;
 
-  WitnessedDifference(const A& a, const B& b) : a_(a), b_(b) {}
+  WitnessedDifference(const A& a, const B& b)
+      : a_(a), b_(b), largest_(std::max(largest_within(a), largest_within(b))) {}
 
   Point support(const Point& direction) {
     const Point on_a = wide_support(a_, direction);
@@ -59,7 +60,7 @@ class WitnessedDifference {
 
   const A& a_;
   const B& b_;
-  double largest_ = 0;
+  double largest_;
   std::size_t count_ = 0;
   std::array<Witness, most_supports> witnesses_;
 };

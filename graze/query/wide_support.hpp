@@ -7,6 +7,7 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/capsule.hpp>
+#include <graze/shape/obb.hpp>
 #include <graze/shape/posed.hpp>
 #include <graze/shape/segment.hpp>
 #include <graze/shape/shape.hpp>
@@ -30,6 +31,17 @@ Vec<dimension_of<S>, double> wide_support(const S& shape, const Vec<dimension_of
 template <Convex S>
 inline constexpr double support_error =
     SupportsIn<S, dimension_of<S>, double> ? tolerance::convex : tolerance::convex_in<scalar_of<S>>;
+
+/// A number that support points are calculated from, and that may be larger than they are: a corner of a box far away
+/// may lie near zero.
+template <Convex S>
+double largest_within(const S&) {
+  return 0;
+}
+template <Dim N, class T>
+double largest_within(const Obb<N, T>& box) {
+  return static_cast<double>(max_abs(box.center));
+}
 
 // A round shape is its core widened by a radius: GJK is exact on cores in finitely many steps, on round surfaces never.
 
@@ -90,7 +102,7 @@ class Difference {
   static constexpr Dim dimension = dimension_of<A>;
   using Point = Vec<dimension, double>;
 
-  Difference(const A& a, const B& b) : a_(a), b_(b) {}
+  Difference(const A& a, const B& b) : a_(a), b_(b), largest_(std::max(largest_within(a), largest_within(b))) {}
 
   /// Remembers the largest coordinate met: the rounding of the difference is relative to it.
   Point support(const Point& direction) {
@@ -106,7 +118,7 @@ class Difference {
  private:
   const A& a_;
   const B& b_;
-  double largest_ = 0;
+  double largest_;
 };
 
 }  // namespace graze::detail
