@@ -17,10 +17,21 @@ namespace graze::io {
 /// A scene from a file is in double, and its dimension is known when it has been read.
 using AnyScene = std::variant<Scene<2, double>, Scene<3, double>>;
 
-/// Something that a file holds and graze did not read, or read only approximately: "tile layer", 3 times.
+/// What a scene lacks because of an omission.
+enum class Loss {
+  none,       ///< No shape: what was not read has none, such as a custom property or a picture.
+  precision,  ///< Every shape is there, but not exactly the one in the file.
+  shape,      ///< A shape that could touch others is not in the scene.
+};
+
+/// Something that a file holds and graze did not read, or read only approximately: "text object", 3 times.
 struct Omission {
   std::string what;  ///< Singular, as the rest of "not read: 3 x ...".
   std::size_t count = 0;
+  Loss loss = Loss::none;
+  std::string where = {};  ///< Where the first one is: "level.tmx, line 12"; empty when the format does not say.
+  std::string why =
+      {};  ///< Why it was not read, and the way out where there is one; empty when the format does not say.
 };
 
 /// Which way y grows on a picture of a 2D scene.
