@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <variant>
 
 #include <fmt/format.h>
@@ -10,6 +12,7 @@
 #include <graze/io/json_shape_writer.hpp>
 #include <graze/io/output_error.hpp>
 #include <graze/io/shape_fields.hpp>
+#include <graze/io/shape_members.hpp>
 #include <graze/shape/visit.hpp>
 
 namespace graze::io {
@@ -35,76 +38,26 @@ void append(std::string& out, const Vec<N, double>& vector) {
   out += ']';
 }
 
+template <Dim N>
+void append(std::string& out, const Mat<N, double>& axes) {
+  out += '[';
+  for (Dim i = 0; i < N; ++i) {
+    if (i > 0) out += ", ";
+    append<N>(out, axes[i]);
+  }
+  out += ']';
+}
+
 template <class Value>
 void append_field(std::string& out, std::string_view name, const Value& value) {
   fmt::format_to(std::back_inserter(out), ", \"{}\": ", name);
   append(out, value);
 }
 
-template <Dim N>
-void append_fields(std::string& out, const Vec<N, double>& point) {
-  append_field(out, "position", point);
-}
-
-template <Dim N>
-void append_fields(std::string& out, const Segment<N, double>& segment) {
-  append_field(out, "start", segment.start);
-  append_field(out, "end", segment.end);
-}
-
-template <Dim N>
-void append_fields(std::string& out, const Ray<N, double>& ray) {
-  append_field(out, "origin", ray.origin);
-  append_field(out, "direction", ray.direction);
-}
-
-template <Dim N>
-void append_fields(std::string& out, const Sphere<N, double>& sphere) {
-  append_field(out, "center", sphere.center);
-  append_field(out, "radius", sphere.radius);
-}
-
-template <Dim N>
-void append_fields(std::string& out, const Aabb<N, double>& box) {
-  append_field(out, "min", box.min);
-  append_field(out, "max", box.max);
-}
-
-template <Dim N>
-void append_fields(std::string& out, const Obb<N, double>& box) {
-  append_field(out, "center", box.center);
-  append_field(out, "half_extents", box.half_extents);
-  out += ", \"axes\": [";
-  for (Dim i = 0; i < N; ++i) {
-    if (i > 0) out += ", ";
-    append<N>(out, box.axes[i]);
-  }
-  out += ']';
-}
-
-template <Dim N>
-void append_fields(std::string& out, const Plane<N, double>& plane) {
-  append_field(out, "normal", plane.normal);
-  append_field(out, "offset", plane.offset);
-}
-
-template <Dim N>
-void append_fields(std::string& out, const HalfSpace<N, double>& solid) {
-  append_fields(out, boundary(solid));
-}
-
-template <Dim N>
-void append_fields(std::string& out, const Triangle<N, double>& triangle) {
-  append_field(out, "a", triangle.a);
-  append_field(out, "b", triangle.b);
-  append_field(out, "c", triangle.c);
-}
-
-template <Dim N>
-void append_fields(std::string& out, const Capsule<N, double>& capsule) {
-  append_field(out, "a", capsule.a);
-  append_field(out, "b", capsule.b);
-  append_field(out, "radius", capsule.radius);
+template <class Shape>
+void append_fields(std::string& out, const Shape& shape) {
+  std::apply([&](const auto&... each) { (append_field(out, each.name, std::invoke(each.of, shape)), ...); },
+             shape_members<Shape>);
 }
 
 template <Dim N>
