@@ -11,8 +11,20 @@
 // Errors. What is wrong with an argument is thrown as an Error whose message says what it is and what is allowed; the
 // call has then changed nothing.
 //
-// Memory. Objects with a `delete` method hold memory of the module. It is given back by `delete`, or by itself some
-// time after the last reference to the object is gone; after `delete`, every use is an Error.
+// Memory. Objects with a `delete` method hold memory of the module. It is given back by `delete`, at the end of the block of
+// `using scene = new graze.Scene(3)`, or by itself some time after the last reference to the object is gone; after `delete`,
+// every use is an Error.
+
+// As in TypeScript's library "esnext.disposable", for programs that are compiled without it. Where the runtime lacks the
+// symbol, the module defines it.
+declare global {
+  interface SymbolConstructor {
+    readonly dispose: unique symbol;
+  }
+  interface Disposable {
+    [Symbol.dispose](): void;
+  }
+}
 
 /** Two or three numbers: as many as there are dimensions. */
 export type Vector = readonly number[] | Float32Array | Float64Array;
@@ -115,7 +127,7 @@ export type Relation = "apart" | "touching" | "overlapping";
 /** How an iteration ended: the bounds met, or those given hold but are not as close as wanted. */
 export type Status = "converged" | "best_bound";
 
-/** `distance` is 0 if and only if the shapes touch or overlap. `normal` has length 1, or 0 where there is none. */
+/** Of closestPoints; `distance` is 0 if and only if the shapes touch or overlap. `normal` has length 1, or 0 where there is none. */
 export interface Proximity {
   distance: number;
   pointA: Point;
@@ -258,7 +270,7 @@ export interface PairOptions {
  * `overlappingPairs` for boxes that move: keeps its memory from frame to frame. Nothing is copied: write the boxes into
  * `boxes`, call `find`, read the pairs that it gives.
  */
-export interface PairFinder<A extends Numbers = Numbers> {
+export interface PairFinder<A extends Numbers = Numbers> extends Disposable {
   readonly dimension: Dimension;
 
   /** How many boxes there are. Setting it keeps the boxes below the new count; new ones hold zeros. */
@@ -288,7 +300,7 @@ export interface PairFinder<A extends Numbers = Numbers> {
 // ---- Recordings
 
 /** Boxes that move, frame by frame, from a file in Broadmark's format `.aabbs`: docs/cli.md says what it holds. */
-export interface Recording {
+export interface Recording extends Disposable {
   readonly dimension: Dimension;
   /** The name that it was read under. */
   readonly source: string;
@@ -348,7 +360,7 @@ export interface Cells {
 }
 
 /** An index of boxes that come, move and go. Boxes in bulk are 2 N numbers each: min, then max. */
-export interface SpatialIndex {
+export interface SpatialIndex extends Disposable {
   readonly dimension: Dimension;
   readonly size: number;
 
@@ -427,6 +439,34 @@ export interface ObjectHit extends RayHit {
   id: ObjectId;
 }
 
+/** Where the objects a and b touch, as `manifold` of their shapes has it; at least one point. */
+export interface ObjectContact extends Manifold {
+  a: ObjectId;
+  b: ObjectId;
+}
+
+/** The same for many pairs, without an object for each. N is the dimension. */
+export interface ContactArrays {
+  /** a0, b0, a1, b1, ...; ascending. */
+  ids: Float64Array;
+  /** The points of pair i are those from starts[i] up to, but without, starts[i + 1]. */
+  starts: Uint32Array;
+  /** N numbers for each pair, from a to b. */
+  normals: Float64Array;
+  /** One for each pair: 0 converged, 1 best_bound. */
+  statuses: Uint8Array;
+  /** One for each pair. */
+  errors: Float64Array;
+  /** N numbers for each point; so have the next two. */
+  points: Float64Array;
+  pointsA: Float64Array;
+  pointsB: Float64Array;
+  /** One for each point. */
+  depths: Float64Array;
+  /** Six for each point: kind (0 vertex, 1 edge, 2 face) and index of a's feature, those of b's, the part of a and of b. */
+  contactIds: Uint32Array;
+}
+
 /** Only objects on these layers are found; default: all. */
 export interface LayerOptions {
   layers?: readonly LayerName[];
@@ -480,7 +520,7 @@ export interface SceneInfo {
 }
 
 /** Shapes with names, layers and lifetimes. Lists of ids are ascending: in the order of adding while nothing is removed. */
-export interface Scene {
+export interface Scene extends Disposable {
   readonly dimension: Dimension;
   /** How many objects there are. */
   readonly size: number;
@@ -502,7 +542,7 @@ export interface Scene {
   addSpheres(spheres: Numbers, options?: Omit<ObjectOptions, "name">): Float64Array;
 
   move(id: ObjectId, shape: Shape): void;
-  /** Moves objects by N numbers each. All of them or, with an Error, none; so do the next three. */
+  /** Moves objects by N numbers each. All of them or, with an Error, none; so do the next four. */
   translate(ids: Float64Array, offsets: Numbers): void;
   /** Moves objects so that the centers of their boxes come to lie at these points, but for rounding; of spheres and
    * oriented boxes the center, exactly. Not for unbounded shapes. */
@@ -511,6 +551,13 @@ export interface Scene {
   moveBoxes(ids: Float64Array, boxes: Numbers): void;
   /** The objects' shapes are now these spheres, N + 1 numbers each. */
   moveSpheres(ids: Float64Array, spheres: Numbers): void;
+  /**
+   * Turns objects about the origin and moves them then. Three numbers each in 2D: position and angle in radians,
+   * counter-clockwise where y points up; seven in 3D: position and quaternion x, y, z, w, of any length but zero. Poses do
+   * not add up: each starts from the shape that the object had before its first pose, or that another method has given it
+   * since. Boxes along the axes become oriented ones.
+   */
+  pose(ids: Float64Array, poses: Numbers): void;
   remove(id: ObjectId): void;
   /** Moves the objects that have a velocity to where they are so many seconds after what the file says, as
    * `graze simulate` does: by where they were when it was read, whatever has moved them since. All of them or, with an
@@ -521,6 +568,10 @@ export interface Scene {
   update(): SceneEvents;
   /** All pairs that touch or overlap, exactly tested: a0, b0, a1, b1, ...; ascending. */
   pairs(): Float64Array;
+  /** Where they do, in the same order. */
+  contacts(): ObjectContact[];
+  /** The same as typed arrays. */
+  contactArrays(): ContactArrays;
   /** All pairs whose boxes overlap and that may touch. */
   candidates(): Float64Array;
 
@@ -568,6 +619,8 @@ export interface Graze {
   intersects(a: Shape, b: Shape): boolean;
   distance(a: Shape, b: Shape): number;
   closestPoints(a: Shape, b: Shape): Proximity;
+  /** The signed distance: where the shapes meet, minus the depth of their contact, with its points and normal. */
+  separation(a: Shape, b: Shape): Proximity;
   contact(a: Shape, b: Shape): Contact | null;
   manifold(a: Shape, b: Shape): Manifold;
 

@@ -1,42 +1,44 @@
 // SPDX-License-Identifier: MIT
 // When shapes that move first touch.
-import { finiteNumber, numbersOf, Reader } from "./core.js";
-import { dimensionOf, textOf } from "./text.js";
+import { refused, shape, vector } from "./arguments.js";
+import { finiteNumber, numbersOf } from "./core.js";
+
+const zeros = [null, null, [0, 0], [0, 0, 0]];
+
+/** The field of a motion that no motion has, if there is one. */
+const unknownField = (motion) =>
+  Object.keys(motion).find((name) => name !== "linear" && name !== "angular" && name !== "center");
 
 /** The way of the center, the turn and the center in a row; what is left out is zero. */
-function motionNumbers(motion, dimension, role) {
-  const unknown = Object.keys(motion).find((name) => !["linear", "angular", "center"].includes(name));
-  if (unknown !== undefined) {
-    throw new Error(`${role}: unknown field "${unknown}"; the fields are "linear", "angular", "center"`);
-  }
-  const zero = Array(dimension).fill(0);
-  const { linear = zero, angular = dimension === 2 ? 0 : zero, center = zero } = motion;
-  return [
-    ...numbersOf(linear, dimension, `${role}.linear`),
-    ...(dimension === 2
-      ? [finiteNumber(angular, `${role}.angular`)]
-      : numbersOf(angular, dimension, `${role}.angular`)),
-    ...numbersOf(center, dimension, `${role}.center`),
-  ];
-}
+const motion = (role) => ({
+  write(args, value, n) {
+    if (n === 0 || typeof value !== "object" || value === null || unknownField(value) !== undefined) return refused;
+    const { linear = zeros[n], angular = n === 2 ? 0 : zeros[n], center = zeros[n] } = value;
+    if (args.vector(linear, n) === refused) return refused;
+    if ((n === 2 ? args.number(angular, n) : args.vector(angular, n)) === refused) return refused;
+    return args.vector(center, n);
+  },
+  spell(core, value, n) {
+    const unknown = unknownField(value);
+    if (unknown !== undefined) {
+      throw new Error(`${role}: unknown field "${unknown}"; the fields are "linear", "angular", "center"`);
+    }
+    const { linear = zeros[n], angular = n === 2 ? 0 : zeros[n], center = zeros[n] } = value;
+    return [
+      ...numbersOf(linear, n, `${role}.linear`),
+      ...(n === 2 ? [finiteNumber(angular, `${role}.angular`)] : numbersOf(angular, n, `${role}.angular`)),
+      ...numbersOf(center, n, `${role}.center`),
+    ];
+  },
+});
 
-function impactIn(core, dimension) {
-  const answer = new Reader(core.answer(), dimension);
-  return answer.isAtEnd ? null : answer.hit();
-}
+const linearMotion = [shape("a"), shape("b"), vector("motion")];
+const motions = [shape("a"), shape("b"), motion("motionA"), motion("motionB")];
+
+const readImpact = (result, answer) => (answer.isAtEnd ? null : answer.hit());
 
 export const casts = (core) => ({
-  shapeCast(a, motion, b) {
-    const dimension = dimensionOf(a, b, motion);
-    core.give([numbersOf(motion, dimension, "motion")]);
-    core.checked(core.module.shapeCast(dimension, textOf(a, "a"), textOf(b, "b")));
-    return impactIn(core, dimension);
-  },
-
-  timeOfImpact(a, motionA, b, motionB = {}) {
-    const dimension = dimensionOf(a, b);
-    core.give([motionNumbers(motionA, dimension, "motionA"), motionNumbers(motionB, dimension, "motionB")]);
-    core.checked(core.module.timeOfImpact(dimension, textOf(a, "a"), textOf(b, "b")));
-    return impactIn(core, dimension);
-  },
+  shapeCast: (a, way, b) => core.arguments.ask(linearMotion, [a, b, way], core.module.shapeCast, readImpact),
+  timeOfImpact: (a, motionA, b, motionB = {}) =>
+    core.arguments.ask(motions, [a, b, motionA, motionB], core.module.timeOfImpact, readImpact),
 });

@@ -6,22 +6,41 @@ const wasDeleted = "this object was deleted";
 /** Gives back what an object held when the object itself is gone. */
 const forgotten = new FinalizationRegistry((handle) => handle.delete());
 
+/** What C++ says of a call: that it threw, or would not take the arguments as numbers. */
+const refusedNumbers = 2;
+
 export class Core {
+  #state;
+
   constructor(module) {
     this.module = module;
-    this.errorFlag = module.errorFlagAddress() / 4;
+    this.#state = module.callStateAddress() / 4;
   }
 
   /** The result of a call, unless C++ threw. */
   checked(result) {
-    if (this.module.HEAP32[this.errorFlag] !== 0) throw new Error(this.module.takeError());
+    if (this.module.HEAP32[this.#state] !== 0) throw new Error(this.module.takeError());
     return result;
+  }
+
+  /** Whether C++ wants the arguments of the call as text. */
+  wasRefused() {
+    if (this.module.HEAP32[this.#state] !== refusedNumbers) return false;
+    this.module.takeError();
+    return true;
   }
 
   /** The answer of a call, in place: good until the next one. */
   answer() {
-    const first = this.module.answerAddress() / 8;
-    return this.module.HEAPF64.subarray(first, first + this.module.answerSize());
+    const { numbers, place, end } = this.reader(0);
+    return numbers.subarray(place, end);
+  }
+
+  /** The same, to be taken apart. */
+  reader(dimension) {
+    const words = this.module.HEAPU32;
+    const first = words[this.#state + 1] / 8;
+    return new Reader(this.module.HEAPF64, first, first + words[this.#state + 2], dimension);
   }
 
   /** Hands numbers over, as doubles and one behind the other, or as floats. */
@@ -36,6 +55,9 @@ export class Core {
     }
   }
 }
+
+// Where the language has no `using` yet, compilers make code that looks for this symbol when it runs.
+if (Symbol.dispose === undefined) Object.defineProperty(Symbol, "dispose", { value: Symbol("Symbol.dispose") });
 
 /** Something that lives in the module's memory. */
 export class Held {
@@ -58,7 +80,16 @@ export class Held {
     this.handle.delete();
     this.#handle = null;
   }
+
+  /** For `using`; what was deleted stays deleted. */
+  [Symbol.dispose]() {
+    if (this.#handle !== null) this.delete();
+  }
 }
+
+/** Asks about one value of the dimension of what is held; `ask` is told where the value stands. */
+export const askAbout = (held, kinds, value, ask, read = (result) => result) =>
+  held.core.arguments.ask(kinds, [value], (dimension, place) => ask(place), read, held.dimension);
 
 /** How many rows of `width` numbers an array has. */
 export function rowsOf(numbers, width, role) {
@@ -99,14 +130,15 @@ export const statusOf = (number) => (number === 0 ? "converged" : "best_bound");
 
 /** Takes an answer apart from its front. */
 export class Reader {
-  constructor(numbers, dimension) {
+  constructor(numbers, place, end, dimension) {
     this.numbers = numbers;
+    this.place = place;
+    this.end = end;
     this.dimension = dimension;
-    this.place = 0;
   }
 
   get isAtEnd() {
-    return this.place >= this.numbers.length;
+    return this.place >= this.end;
   }
 
   number() {
@@ -114,8 +146,17 @@ export class Reader {
   }
 
   vector() {
+    const { numbers, place } = this;
     this.place += this.dimension;
-    return Array.from(this.numbers.subarray(this.place - this.dimension, this.place));
+    return this.dimension === 2
+      ? [numbers[place], numbers[place + 1]]
+      : [numbers[place], numbers[place + 1], numbers[place + 2]];
+  }
+
+  /** So many numbers in place. */
+  numbersAhead(count) {
+    this.place += count;
+    return this.numbers.subarray(this.place - count, this.place);
   }
 
   box() {

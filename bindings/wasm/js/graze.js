@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // graze for JavaScript. graze.d.ts says what everything means.
+import { Arguments } from "./arguments.js";
 import { casts } from "./casts.js";
 import { Core } from "./core.js";
 import loadModule from "./graze_wasm.js";
@@ -27,6 +28,7 @@ export async function createGraze({ wasmBinary, locateFile } = {}) {
   else if (isNode() && !locateFile) options.wasmBinary = await readFromDisk();
   const module = await loadModule(options);
   const core = new Core(module);
+  core.arguments = new Arguments(core);
   return Object.freeze({
     version: module.version(),
     ...queries(core),

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Quad trees, octrees and bounding volume hierarchies.
-import { Held, knownDimension, Reader, rowsOf, wholeNumber } from "./core.js";
-import { pointText, rayText, textOf } from "./text.js";
+import { point, ray, shape } from "./arguments.js";
+import { askAbout, Held, knownDimension, rowsOf, wholeNumber } from "./core.js";
+
+const aRegion = [shape("region")];
+const aRay = [ray];
+const aPoint = [point];
 
 /** The coordinates of one box. */
 function boxNumbers(box, dimension) {
@@ -56,28 +60,28 @@ class SpatialIndex extends Held {
 
   box(key) {
     this.core.checked(this.handle.box(key));
-    return new Reader(this.core.answer(), this.dimension).box();
+    return this.core.reader(this.dimension).box();
   }
 
   query(region) {
-    this.core.checked(this.handle.query(textOf(region, "region")));
-    return this.core.answer().slice();
+    return askAbout(this, aRegion, region, (place) => this.handle.query(place), () => this.core.answer().slice());
   }
 
-  rayCast(ray) {
-    this.core.checked(this.handle.rayCast(rayText(ray)));
-    const answer = new Reader(this.core.answer(), this.dimension);
-    const hits = [];
-    while (!answer.isAtEnd) hits.push({ key: answer.number(), t: answer.number() });
-    return hits;
+  rayCast(along) {
+    return askAbout(this, aRay, along, (place) => this.handle.rayCast(place), (result, answer) => {
+      const hits = [];
+      while (!answer.isAtEnd) hits.push({ key: answer.number(), t: answer.number() });
+      return hits;
+    });
   }
 
-  nearest(point, count) {
-    this.core.checked(this.handle.nearest(pointText(point), wholeNumber(count, "count")));
-    const answer = new Reader(this.core.answer(), this.dimension);
-    const found = [];
-    while (!answer.isAtEnd) found.push({ key: answer.number(), distanceSquared: answer.number() });
-    return found;
+  nearest(from, count) {
+    const most = wholeNumber(count, "count");
+    return askAbout(this, aPoint, from, (place) => this.handle.nearest(place, most), (result, answer) => {
+      const found = [];
+      while (!answer.isAtEnd) found.push({ key: answer.number(), distanceSquared: answer.number() });
+      return found;
+    });
   }
 
   pairs() {

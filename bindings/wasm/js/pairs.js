@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // All overlapping pairs of many boxes.
+import { shapes } from "./arguments.js";
 import { Held, knownDimension, rowsOf, wholeNumber } from "./core.js";
-import { dimensionOf, textOf } from "./text.js";
 
 function isSorted(order) {
   if (order !== "sorted" && order !== "any") throw new Error(`order: it is ${order}; it must be sorted or any`);
@@ -12,6 +12,8 @@ function isSorted(order) {
 function isDouble(numbers) {
   return !(numbers instanceof Float32Array);
 }
+
+const listOfShapes = [shapes("shapes")];
 
 export function pairFunctions(core) {
   const find = (lists, dimension, { order = "sorted", margin = 0, method = "automatic" } = {}) => {
@@ -32,11 +34,14 @@ export function pairFunctions(core) {
     return found;
   };
   return {
-    touchingPairs(shapes, candidates) {
+    touchingPairs(among, candidates) {
       if (!(candidates instanceof Uint32Array)) throw new Error("candidates: must be a Uint32Array");
       const count = rowsOf(candidates, 2, "candidates");
-      core.give([candidates]);
-      return taken(core.checked(core.module.touchingPairs(dimensionOf(shapes), textOf(shapes, "shapes"), count)));
+      const ask = (dimension, place) => {
+        core.give([candidates]);
+        return core.module.touchingPairs(dimension, place, count);
+      };
+      return core.arguments.ask(listOfShapes, [among], ask, taken);
     },
     overlappingPairs: (boxes, dimension, options) => find([boxes], dimension, options),
     overlappingPairsBetween: (boxesA, boxesB, dimension, options) => find([boxesA, boxesB], dimension, options),

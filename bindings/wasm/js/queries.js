@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Questions about one shape or two.
-import { knownDimension, Reader, rowsOf, statusOf } from "./core.js";
-import { dimensionOf, pointText, rayText, textOf } from "./text.js";
+import { point, ray, shape } from "./arguments.js";
+import { knownDimension, rowsOf, statusOf } from "./core.js";
+import { dimensionOf } from "./text.js";
 
 const relations = ["apart", "touching", "overlapping"];
 
@@ -9,128 +10,116 @@ const featureKinds = ["vertex", "edge", "face"];
 
 const readFeature = (answer) => ({ kind: featureKinds[answer.number()], index: answer.number() });
 
-const readContactId = (answer) => ({
+export const readContactId = (answer) => ({
   a: readFeature(answer),
   b: readFeature(answer),
   partA: answer.number(),
   partB: answer.number(),
 });
 
-/** Asks about two shapes. */
-function askPair(core, name, a, b) {
-  return core.checked(core.module[name](dimensionOf(a, b), textOf(a, "a"), textOf(b, "b")));
-}
+const readNumber = (result) => result;
+const readVector = (result, answer) => answer.vector();
 
-/** The same, for an answer of many numbers. */
-function readPair(core, name, a, b) {
-  askPair(core, name, a, b);
-  return new Reader(core.answer(), dimensionOf(a, b));
-}
+const readProximity = (result, answer) => ({
+  distance: answer.number(),
+  pointA: answer.vector(),
+  pointB: answer.vector(),
+  normal: answer.vector(),
+  relation: relations[answer.number()],
+  status: statusOf(answer.number()),
+  error: answer.number(),
+});
 
-function pairQueries(core) {
-  return {
-    relation: (a, b) => relations[askPair(core, "relation", a, b)],
-    intersects: (a, b) => askPair(core, "relation", a, b) !== 0,
-    distance: (a, b) => askPair(core, "distance", a, b),
+const pairReaders = {
+  relation: (result) => relations[result],
+  distance: readNumber,
+  closestPoints: readProximity,
+  separation: readProximity,
 
-    closestPoints(a, b) {
-      const answer = readPair(core, "closestPoints", a, b);
-      return {
-        distance: answer.number(),
-        pointA: answer.vector(),
-        pointB: answer.vector(),
-        normal: answer.vector(),
-        relation: relations[answer.number()],
-        status: statusOf(answer.number()),
-        error: answer.number(),
-      };
-    },
+  contact(result, answer) {
+    if (answer.isAtEnd) return null;
+    return {
+      point: answer.vector(),
+      pointA: answer.vector(),
+      pointB: answer.vector(),
+      normal: answer.vector(),
+      depth: answer.number(),
+      status: statusOf(answer.number()),
+      error: answer.number(),
+    };
+  },
 
-    contact(a, b) {
-      const answer = readPair(core, "contact", a, b);
-      if (answer.isAtEnd) return null;
-      return {
+  manifold(result, answer) {
+    const manifold = {
+      points: [],
+      normal: answer.vector(),
+      status: statusOf(answer.number()),
+      error: answer.number(),
+    };
+    while (!answer.isAtEnd) {
+      manifold.points.push({
         point: answer.vector(),
         pointA: answer.vector(),
         pointB: answer.vector(),
-        normal: answer.vector(),
         depth: answer.number(),
-        status: statusOf(answer.number()),
-        error: answer.number(),
-      };
-    },
+        id: readContactId(answer),
+      });
+    }
+    return manifold;
+  },
+};
 
-    manifold(a, b) {
-      const answer = readPair(core, "manifold", a, b);
-      const manifold = {
-        points: [],
-        normal: answer.vector(),
-        status: statusOf(answer.number()),
-        error: answer.number(),
-      };
-      while (!answer.isAtEnd) {
-        manifold.points.push({
-          point: answer.vector(),
-          pointA: answer.vector(),
-          pointB: answer.vector(),
-          depth: answer.number(),
-          id: readContactId(answer),
-        });
-      }
-      return manifold;
-    },
-  };
-}
+const pointReaders = {
+  contains: readNumber,
+  signedDistance: readNumber,
+  closestPoint: readVector,
+  closestBoundaryPoint: readVector,
+};
 
-function shapeQueries(core) {
-  const askPoint = (name, shape, point) =>
-    core.checked(core.module[name](dimensionOf(point, shape), textOf(shape, "shape"), pointText(point)));
-  return {
-    rayCast(shape, ray, { tMax = Infinity, side = "entry" } = {}) {
-      const dimension = dimensionOf(ray, shape);
-      if (side !== "entry" && side !== "exit") throw new Error(`side: it is ${side}; it must be entry or exit`);
-      core.checked(core.module.rayCast(dimension, textOf(shape, "shape"), rayText(ray), tMax, side === "exit"));
-      const answer = new Reader(core.answer(), dimension);
-      return answer.isAtEnd ? null : answer.hit();
-    },
+/** A function for each of the readers, by its name. */
+const functionsOf = (readers, make) =>
+  Object.fromEntries(Object.entries(readers).map(([name, read]) => [name, make(name, read)]));
 
-    contains: (shape, point) => askPoint("contains", shape, point),
-    signedDistance: (shape, point) => askPoint("signedDistance", shape, point),
+const oneShape = [shape("shape")];
+const twoShapes = [shape("a"), shape("b")];
+const pointAndShape = [point, shape("shape")];
+const rayAndShape = [ray, shape("shape")];
 
-    closestPoint(shape, point) {
-      askPoint("closestPoint", shape, point);
-      return Array.from(core.answer());
-    },
+const pairQueries = ({ module, arguments: args }) => ({
+  ...functionsOf(pairReaders, (name, read) => (a, b) => args.ask(twoShapes, [a, b], module[name], read)),
+  intersects: (a, b) => args.ask(twoShapes, [a, b], module.relation, (result) => result !== 0),
+});
 
-    closestBoundaryPoint(shape, point) {
-      askPoint("closestBoundaryPoint", shape, point);
-      return Array.from(core.answer());
-    },
+const shapeQueries = ({ module, arguments: args }) => ({
+  ...functionsOf(pointReaders, (name, read) => (of, from) => args.ask(pointAndShape, [from, of], module[name], read)),
 
-    bounds(shape) {
-      const dimension = dimensionOf(shape);
-      core.checked(core.module.bounds(dimension, textOf(shape, "shape")));
-      return new Reader(core.answer(), dimension).box();
-    },
+  rayCast(of, along, { tMax = Infinity, side = "entry" } = {}) {
+    if (side !== "entry" && side !== "exit") throw new Error(`side: it is ${side}; it must be entry or exit`);
+    const ask = (dimension, place) => module.rayCast(dimension, place, tMax, side === "exit");
+    return args.ask(rayAndShape, [along, of], ask, (result, answer) => (answer.isAtEnd ? null : answer.hit()));
+  },
 
-    normalised: (shape) =>
-      JSON.parse(core.checked(core.module.normalised(dimensionOf(shape), textOf(shape, "shape")))),
+  bounds: (of) => args.ask(oneShape, [of], module.bounds, (result, answer) => answer.box()),
+  normalised: (of) => args.ask(oneShape, [of], module.normalised, (result, answer) => args.readShape(answer)),
 
-    drawing(shape, { within, corners = 64 } = {}) {
-      const dimension = dimensionOf(shape, within);
-      const box = within === undefined ? "" : textOf({ type: "aabb", min: within.min, max: within.max }, "within");
-      core.checked(core.module.drawing(dimension, textOf(shape, "shape"), box, corners));
-      const [count, triangles, lines] = core.answer();
-      const numbers = core.answer().subarray(3);
-      const lists = [0, count * dimension, count * dimension + triangles, count * dimension + triangles + lines];
+  drawing(of, { within, corners = 64 } = {}) {
+    const isCut = within !== undefined;
+    const values = isCut ? [of, { type: "aabb", min: within.min, max: within.max }] : [of];
+    const kinds = isCut ? [shape("shape"), shape("within")] : oneShape;
+    const ask = (dimension, place) => module.drawing(dimension, place, isCut, corners);
+    return args.ask(kinds, values, ask, (result, answer) => {
+      const [count, triangles, lines] = [answer.number(), answer.number(), answer.number()];
       return {
-        positions: Float32Array.from(numbers.subarray(lists[0], lists[1])),
-        triangles: Uint32Array.from(numbers.subarray(lists[1], lists[2])),
-        lines: Uint32Array.from(numbers.subarray(lists[2], lists[3])),
+        positions: Float32Array.from(answer.numbersAhead(count * answer.dimension)),
+        triangles: Uint32Array.from(answer.numbersAhead(triangles)),
+        lines: Uint32Array.from(answer.numbersAhead(lines)),
       };
-    },
-  };
-}
+    });
+  },
+});
+
+/** As C++ counts them. */
+const boundingKinds = ["sphere", "sphere_fast", "box", "obb", "hull"];
 
 function pointQueries(core) {
   const bounding = (kind) => (points, dimension) => {
@@ -142,7 +131,8 @@ function pointQueries(core) {
     const numbers = isInRow ? points : points.flatMap((point) => Array.from(point));
     const count = rowsOf(numbers, n, "points");
     core.give([numbers]);
-    return JSON.parse(core.checked(core.module.bounding(n, kind, count)));
+    core.checked(core.module.bounding(n, boundingKinds.indexOf(kind), count));
+    return core.arguments.readShape(core.reader(n));
   };
   return {
     boundingSphere: bounding("sphere"),

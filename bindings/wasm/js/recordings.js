@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Recordings of moving boxes.
-import { Held, Reader, wholeNumber } from "./core.js";
+import { Held, wholeNumber } from "./core.js";
 
 class Recording extends Held {
   constructor(core, handle, source) {
     super(core, handle);
     const { scene, objectsType, count, frames, dimension } = JSON.parse(core.checked(handle.head()));
-    const world = new Reader(core.answer(), dimension).box();
+    const world = core.reader(dimension).box();
     Object.assign(this, { source, scene, objectsType, count, frames, dimension, world });
   }
 

@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Scenes, made in memory or read from files.
-import { finiteNumber, Held, knownDimension, Reader, rowsOf, wholeNumber } from "./core.js";
-import { layersText, pointText, rayText, textOf } from "./text.js";
+import { point, ray, shape, shapes } from "./arguments.js";
+import { askAbout, finiteNumber, Held, knownDimension, Reader, rowsOf, statusOf, wholeNumber } from "./core.js";
+import { readContactId } from "./queries.js";
+import { layersText, textOf } from "./text.js";
+
+const aShape = [shape("shape")];
+const manyShapes = [shapes("shapes")];
+const aRegion = [shape("region")];
+const aRay = [ray];
+const aPoint = [point];
 
 /** What is said of an object beside its shape, as C++ reads it. */
 function optionsText({ fixed, ...rest } = {}) {
@@ -20,13 +28,15 @@ function layersOf(low, high) {
 
 /** What changes a scene. */
 class ChangingScene extends Held {
-  add(shape, options) {
-    return this.core.checked(this.handle.add(textOf(shape, "shape"), optionsText(options)));
+  add(added, options) {
+    const words = optionsText(options);
+    return askAbout(this, aShape, added, (place) => this.handle.add(place, words));
   }
 
-  addMany(shapes, options) {
-    this.core.checked(this.handle.addMany(textOf(shapes, "shapes"), optionsText(options)));
-    return this.core.answer().slice();
+  addMany(added, options) {
+    const words = optionsText(options);
+    const add = (place) => this.handle.addMany(place, words);
+    return askAbout(this, manyShapes, added, add, () => this.core.answer().slice());
   }
 
   #addRows(method, rows, width, role, options) {
@@ -44,8 +54,8 @@ class ChangingScene extends Held {
     return this.#addRows("addSpheres", spheres, this.dimension + 1, "spheres", options);
   }
 
-  move(id, shape) {
-    this.core.checked(this.handle.move(id, textOf(shape, "shape")));
+  move(id, to) {
+    askAbout(this, aShape, to, (place) => this.handle.move(id, place));
   }
 
   #moveRows(method, ids, rows, width, role) {
@@ -69,6 +79,10 @@ class ChangingScene extends Held {
 
   moveSpheres(ids, spheres) {
     this.#moveRows("moveSpheres", ids, spheres, this.dimension + 1, "spheres");
+  }
+
+  pose(ids, poses) {
+    this.#moveRows("pose", ids, poses, this.dimension === 2 ? 3 : 7, "poses");
   }
 
   moveToTime(seconds) {
@@ -116,7 +130,7 @@ class Scene extends ChangingScene {
 
   #read(name, ...values) {
     this.#ask(name, ...values);
-    return new Reader(this.core.answer(), this.dimension);
+    return this.core.reader(this.dimension);
   }
 
   #head() {
@@ -135,6 +149,49 @@ class Scene extends ChangingScene {
     return this.#list("Pairs");
   }
 
+  contactArrays() {
+    const answer = this.#read("Contacts");
+    const [pairs, points, n] = [answer.number(), answer.number(), this.dimension];
+    const ids = answer.numbersAhead(2 * pairs).slice();
+    const starts = new Uint32Array(pairs + 1);
+    answer.numbersAhead(pairs).forEach((count, i) => (starts[i + 1] = starts[i] + count));
+    return {
+      ids,
+      starts,
+      normals: answer.numbersAhead(n * pairs).slice(),
+      statuses: Uint8Array.from(answer.numbersAhead(pairs)),
+      errors: answer.numbersAhead(pairs).slice(),
+      points: answer.numbersAhead(n * points).slice(),
+      pointsA: answer.numbersAhead(n * points).slice(),
+      pointsB: answer.numbersAhead(n * points).slice(),
+      depths: answer.numbersAhead(points).slice(),
+      contactIds: Uint32Array.from(answer.numbersAhead(6 * points)),
+    };
+  }
+
+  contacts() {
+    const arrays = this.contactArrays();
+    const readerOf = (numbers) => new Reader(numbers, 0, numbers.length, this.dimension);
+    const [ids, normals, points, pointsA, pointsB, contactIds] = [
+      arrays.ids, arrays.normals, arrays.points, arrays.pointsA, arrays.pointsB, arrays.contactIds,
+    ].map(readerOf);
+    const pointAt = (place) => ({
+      point: points.vector(),
+      pointA: pointsA.vector(),
+      pointB: pointsB.vector(),
+      depth: arrays.depths[place],
+      id: readContactId(contactIds),
+    });
+    return Array.from(arrays.errors, (error, i) => ({
+      a: ids.number(),
+      b: ids.number(),
+      points: Array.from({ length: arrays.starts[i + 1] - arrays.starts[i] }, (_, k) => pointAt(arrays.starts[i] + k)),
+      normal: normals.vector(),
+      status: statusOf(arrays.statuses[i]),
+      error,
+    }));
+  }
+
   candidates() {
     return this.#list("Candidates");
   }
@@ -145,9 +202,10 @@ class Scene extends ChangingScene {
 
   object(id) {
     const { user, ...said } = JSON.parse(this.#ask("Object", id));
-    const answer = new Reader(this.core.answer(), this.dimension);
+    const answer = this.core.reader(this.dimension);
     const box = answer.box();
-    return { ...said, user: BigInt(user), box, mask: layersOf(answer.number(), answer.number()) };
+    const mask = layersOf(answer.number(), answer.number());
+    return { ...said, user: BigInt(user), box, mask, shape: this.core.arguments.readShape(answer) };
   }
 
   velocities() {
@@ -170,31 +228,45 @@ class Scene extends ChangingScene {
     return this.#list("Boxes", ids?.length ?? 0, ids === undefined);
   }
 
+  /** Asks which objects on some layers a value concerns. */
+  #askLayers(name, kinds, value, layers, read, ...values) {
+    const among = layersText(layers);
+    const ask = (place) => this.core.module[`scene${name}`](this.handle, place, among, ...values);
+    return askAbout(this, kinds, value, ask, read);
+  }
+
   overlapping(region, { layers } = {}) {
-    return this.#list("Overlapping", textOf(region, "region"), layersText(layers));
+    return this.#askLayers("Overlapping", aRegion, region, layers, () => this.core.answer().slice());
   }
 
   cull(region, { layers } = {}) {
-    return this.#list("Cull", textOf(region, "region"), layersText(layers));
+    return this.#askLayers("Cull", aRegion, region, layers, () => this.core.answer().slice());
   }
 
-  nearest(point, count, { layers } = {}) {
-    const answer = this.#read("Nearest", pointText(point), wholeNumber(count, "count"), layersText(layers));
-    const found = [];
-    while (!answer.isAtEnd) found.push({ id: answer.number(), distance: answer.number() });
-    return found;
+  nearest(from, count, { layers } = {}) {
+    const read = (result, answer) => {
+      const found = [];
+      while (!answer.isAtEnd) found.push({ id: answer.number(), distance: answer.number() });
+      return found;
+    };
+    return this.#askLayers("Nearest", aPoint, from, layers, read, wholeNumber(count, "count"));
   }
 
-  rayCast(ray, { tMax = Infinity, layers } = {}) {
-    const answer = this.#read("RayCast", rayText(ray), tMax, layersText(layers));
-    return answer.isAtEnd ? null : { id: answer.number(), ...answer.hit() };
+  #castRay(name, along, { tMax = Infinity, layers } = {}) {
+    const read = (result, answer) => {
+      const hits = [];
+      while (!answer.isAtEnd) hits.push({ id: answer.number(), ...answer.hit() });
+      return hits;
+    };
+    return this.#askLayers(name, aRay, along, layers, read, tMax);
   }
 
-  rayCastAll(ray, { tMax = Infinity, layers } = {}) {
-    const answer = this.#read("RayCastAll", rayText(ray), tMax, layersText(layers));
-    const hits = [];
-    while (!answer.isAtEnd) hits.push({ id: answer.number(), ...answer.hit() });
-    return hits;
+  rayCast(along, options) {
+    return this.#castRay("RayCast", along, options)[0] ?? null;
+  }
+
+  rayCastAll(along, options) {
+    return this.#castRay("RayCastAll", along, options);
   }
 
   check({ interior = false } = {}) {

@@ -25,15 +25,19 @@ struct alignas(16) Chunk {
 std::vector<Chunk> input_chunks;
 std::vector<double> answer_numbers;
 std::string error_message;
-std::int32_t has_error = 0;
+
+/// What JavaScript looks at after a call.
+struct CallState {
+  enum : std::uint32_t { good = 0, failed = 1, refused = 2 } end = good;
+  const double* answer = nullptr;
+  std::size_t size = 0;
+} call_state;
 
 constexpr double places = 536870912;                // 2^29
 constexpr double least_inexact = 9007199254740992;  // 2^53
 
 std::size_t input_address(std::size_t bytes) { return reinterpret_cast<std::size_t>(reserve_input(bytes)); }
-std::size_t answer_address() { return reinterpret_cast<std::size_t>(answer_numbers.data()); }
-std::size_t answer_size() { return answer_numbers.size(); }
-std::size_t error_flag_address() { return reinterpret_cast<std::size_t>(&has_error); }
+std::size_t call_state_address() { return reinterpret_cast<std::size_t>(&call_state); }
 
 std::string version() { return GRAZE_VERSION; }
 
@@ -41,7 +45,7 @@ std::string version() { return GRAZE_VERSION; }
 std::size_t used_bytes() { return static_cast<std::size_t>(mallinfo().uordblks); }
 
 std::string take_error() {
-  has_error = 0;
+  call_state.end = CallState::good;
   return std::move(error_message);
 }
 
@@ -66,9 +70,14 @@ template std::span<const double> input(std::size_t);
 
 std::vector<double>& answer() { return answer_numbers; }
 
-void keep_error(const char* message) {
-  error_message = message;
-  has_error = 1;
+void publish_answer() {
+  call_state.answer = answer_numbers.data();
+  call_state.size = answer_numbers.size();
+}
+
+void keep_error(const std::exception& error) {
+  error_message = error.what();
+  call_state.end = dynamic_cast<const Refused*>(&error) != nullptr ? CallState::refused : CallState::failed;
 }
 
 double packed_id(std::uint32_t index, std::uint32_t generation) {
@@ -90,9 +99,7 @@ UnpackedId unpacked_id(double id) {
 EMSCRIPTEN_BINDINGS(graze_bridge) {
   using namespace emscripten;  // NOLINT(google-build-using-namespace): as embind is written
   function("inputAddress", &Guarded<&input_address>::call);
-  function("answerAddress", &answer_address);
-  function("answerSize", &answer_size);
-  function("errorFlagAddress", &error_flag_address);
+  function("callStateAddress", &call_state_address);
   function("takeError", &take_error);
   function("version", &version);
   function("usedBytes", &used_bytes);

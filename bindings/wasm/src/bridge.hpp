@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How values cross between JavaScript and C++. Numbers in bulk go through two buffers, which JavaScript reads and
-// writes in place; texts and single numbers are arguments and results; what is thrown is kept until JavaScript asks for
-// it.
+// writes in place; texts and single numbers are arguments and results; shapes are in arguments.hpp; what is thrown is
+// kept until JavaScript asks for it.
 #pragma once
 
 #include <cstddef>
@@ -27,8 +27,17 @@ std::span<const T> input(std::size_t count);
 /// The numbers of the answer being given; the next call of anything begins a new one.
 std::vector<double>& answer();
 
-/// Keeps a message for JavaScript to throw.
-void keep_error(const char* message);
+/// Tells JavaScript where the answer is.
+void publish_answer();
+
+/// Keeps the message of an error for JavaScript to throw.
+void keep_error(const std::exception& error);
+
+/// Thrown where numbers are no valid shape: JavaScript hands the shape over again as text, of which the library's
+/// reader says what is wrong, and with which field.
+struct Refused : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
 
 /// A function as JavaScript may call it: begins a new answer, and what is thrown becomes a message.
 template <auto function>
@@ -39,9 +48,16 @@ struct Guarded<function> {
   static R call(Arguments... arguments) {
     answer().clear();
     try {
-      return function(static_cast<Arguments>(arguments)...);
+      if constexpr (std::is_void_v<R>) {
+        function(static_cast<Arguments>(arguments)...);
+        return publish_answer();
+      } else {
+        R result = function(static_cast<Arguments>(arguments)...);
+        publish_answer();
+        return result;
+      }
     } catch (const std::exception& error) {
-      keep_error(error.what());
+      keep_error(error);
     }
     if constexpr (!std::is_void_v<R>) return R();
   }

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-// When shapes that move first touch. Motions are numbers in the input; the answer is t, point, normal, status and
-// error, or nothing if they do not touch.
+// When shapes that move first touch. The answer is t, point, normal, status and error, or nothing if they do not touch.
 #include <cstddef>
 #include <optional>
-#include <span>
-#include <string>
 
 #include <emscripten/bind.h>
 
@@ -14,8 +11,8 @@
 #include <graze/query/status.hpp>
 #include <graze/query/time_of_impact.hpp>
 
+#include "arguments.hpp"
 #include "bridge.hpp"
-#include "shape_text.hpp"
 
 namespace graze::wasm {
 namespace {
@@ -30,39 +27,38 @@ void put_impact(const std::optional<Impact<N, double>>& found) {
   answer().push_back(found->error);
 }
 
-/// The input holds the motion: N numbers.
-void shape_cast_of(int dimension, std::string a, std::string b) {
+/// The arguments are a, b and the motion.
+void shape_cast_of(int dimension, std::size_t place) {
   in_dimension(dimension, [&](auto n) {
-    const Vec<n, double> motion = vector_at<n>(input<double>(static_cast<std::size_t>(n())), 0);
-    put_impact<n>(shape_cast(shape_of<n>(a, "a"), motion, shape_of<n>(b, "b")));
+    Arguments in(place);
+    const AnyShape<n, double> a = in.shape<n>();
+    const AnyShape<n, double> b = in.shape<n>();
+    put_impact<n>(shape_cast(a, in.vector<n>(), b));
   });
 }
 
+/// The way of the center, the turn, and the center.
 template <Dim N>
-constexpr std::size_t numbers_in_motion = N == 2 ? 5 : 9;
-
-/// From the way of the center, the turn, and the center.
-template <Dim N>
-Motion<N, double> motion_in(std::span<const double> numbers) {
+Motion<N, double> motion_in(Arguments& in) {
   Motion<N, double> motion;
-  motion.linear = vector_at<N>(numbers, 0);
+  motion.linear = in.vector<N>();
   if constexpr (N == 2) {
-    motion.angular = numbers[2];
-    motion.center = {numbers[3], numbers[4]};
+    motion.angular = in.number();
   } else {
-    motion.angular = vector_at<N>(numbers, 1);
-    motion.center = vector_at<N>(numbers, 2);
+    motion.angular = in.vector<N>();
   }
+  motion.center = in.vector<N>();
   return motion;
 }
 
-/// The input holds the motions of a and of b.
-void time_of_impact_of(int dimension, std::string a, std::string b) {
+/// The arguments are a, b and the motion of each.
+void time_of_impact_of(int dimension, std::size_t place) {
   in_dimension(dimension, [&](auto n) {
-    constexpr std::size_t width = numbers_in_motion<n>;
-    const std::span<const double> numbers = input<double>(2 * width);
-    put_impact<n>(time_of_impact(shape_of<n>(a, "a"), motion_in<n>(numbers.first(width)), shape_of<n>(b, "b"),
-                                 motion_in<n>(numbers.subspan(width))));
+    Arguments in(place);
+    const AnyShape<n, double> a = in.shape<n>();
+    const AnyShape<n, double> b = in.shape<n>();
+    const Motion<n, double> motion_a = motion_in<n>(in);
+    put_impact<n>(time_of_impact(a, motion_a, b, motion_in<n>(in)));
   });
 }
 

@@ -18,9 +18,9 @@
 #include <graze/query/growing_hull.hpp>
 #include <graze/query/outline.hpp>
 
+#include "arguments.hpp"
 #include "bridge.hpp"
 #include "hull_surface.hpp"
-#include "shape_text.hpp"
 
 namespace graze::wasm {
 namespace {
@@ -162,15 +162,17 @@ Drawing<N> drawn(const AnyShape<N, double>& shape, const DrawingOptions<N>& opti
   return drawing;
 }
 
-/// The numbers of corners, of triangles' corners and of lines' ends, then all of them. The box to cut off at is a
-/// shape, or an empty text.
-void drawing_answer(int dimension, std::string shape, std::string within, int circle) {
+/// The numbers of corners, of triangles' corners and of lines' ends, then all of them. The arguments are the shape and,
+/// if it is to be cut off, the box within which it stays.
+void drawing_answer(int dimension, std::size_t place, bool is_cut, int circle) {
   in_dimension(dimension, [&](auto n) {
+    Arguments in(place);
+    const AnyShape<n, double> shape = in.shape<n>();
     DrawingOptions<n> options;
-    if (!within.empty()) options.within = std::get<Aabb<n, double>>(shape_of<n>(within, "within"));
+    if (is_cut) options.within = std::get<Aabb<n, double>>(in.shape<n>());
     if (circle < 3 || circle > 4096) throw std::invalid_argument("corners: a circle has 3 to 4096 corners");
     options.circle = circle;
-    const Drawing<n> drawing = drawing_of(shape_of<n>(shape, "shape"), options);
+    const Drawing<n> drawing = drawing_of(shape, options);
     for (const std::size_t size : {drawing.corners.size(), drawing.triangles.size(), drawing.lines.size()}) {
       answer().push_back(static_cast<double>(size));
     }

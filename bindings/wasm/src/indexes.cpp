@@ -13,8 +13,8 @@
 #include <graze/broad/bvh.hpp>
 #include <graze/broad/orthtree.hpp>
 
+#include "arguments.hpp"
 #include "bridge.hpp"
-#include "shape_text.hpp"
 
 namespace graze::wasm {
 namespace {
@@ -107,19 +107,19 @@ void box_of(Index& self, double key) {
   std::visit([&](const auto& index) { put<dimension_in<decltype(index)>>(index.box(self.key_of(key))); }, self.index);
 }
 
-void query(Index& self, std::string region) {
+void query(Index& self, std::size_t place) {
   std::visit(
       [&](const auto& index) {
         const auto visit_region = [&](const auto& shape) { index.query(shape, [](const Key& key) { put_key(key); }); };
-        std::visit(visit_region, shape_of<dimension_in<decltype(index)>>(region, "region"));
+        std::visit(visit_region, Arguments(place).shape<dimension_in<decltype(index)>>());
       },
       self.index);
 }
 
-void ray_cast_index(Index& self, std::string ray) {
+void ray_cast_index(Index& self, std::size_t place) {
   std::visit(
       [&](const auto& index) {
-        index.ray_cast(ray_of<dimension_in<decltype(index)>>(ray), [](const Key& key, double t) {
+        index.ray_cast(Arguments(place).ray<dimension_in<decltype(index)>>(), [](const Key& key, double t) {
           put_key(key);
           answer().push_back(t);
         });
@@ -127,11 +127,11 @@ void ray_cast_index(Index& self, std::string ray) {
       self.index);
 }
 
-void nearest(Index& self, std::string point, std::size_t count) {
+void nearest(Index& self, std::size_t place, std::size_t count) {
   std::visit(
       [&](const auto& index) {
         constexpr Dim n = dimension_in<decltype(index)>;
-        const auto from = std::get<Vec<n, double>>(shape_of<n>(point, "point"));
+        const auto from = Arguments(place).vector<n>();
         for (const Neighbour& neighbour : index.nearest(from, count)) {
           put_key(neighbour.key);
           answer().push_back(neighbour.distance_squared);

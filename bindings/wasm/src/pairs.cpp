@@ -18,8 +18,8 @@
 #include <graze/broad/touching_pairs.hpp>
 #include <graze/shape/any_shape.hpp>
 
+#include "arguments.hpp"
 #include "bridge.hpp"
-#include "shape_text.hpp"
 
 namespace graze::wasm {
 namespace {
@@ -82,18 +82,19 @@ std::uint32_t place_of(double number, std::size_t shapes) {
   throw std::out_of_range(fmt::format("candidates: there is no shape {}; there are {}", number, shapes));
 }
 
-/// Of the candidates, whose places are in the input, finds those that touch. Gives the number of pairs.
-std::size_t touching_pairs_of(int dimension, std::string shapes, std::size_t count) {
+/// Of the candidates, whose places are in the input, finds those that touch; the argument is the list of shapes. Gives
+/// the number of pairs.
+std::size_t touching_pairs_of(int dimension, std::size_t place, std::size_t count) {
   found_at_once = {};
   in_dimension(dimension, [&](auto n) {
-    const std::vector<AnyShape<n, double>> parsed = shapes_of<n>(shapes);
+    const std::vector<AnyShape<n, double>> shapes = Arguments(place).shapes<n>();
     const std::span<const double> places = input<double>(2 * count);
     std::vector<Pair> candidates;
     candidates.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
-      candidates.push_back({place_of(places[2 * i], parsed.size()), place_of(places[2 * i + 1], parsed.size())});
+      candidates.push_back({place_of(places[2 * i], shapes.size()), place_of(places[2 * i + 1], shapes.size())});
     }
-    found_at_once = touching_pairs<n, double>(parsed, candidates);
+    found_at_once = touching_pairs<n, double>(shapes, candidates);
   });
   return found_at_once.size();
 }

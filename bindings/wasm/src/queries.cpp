@@ -2,8 +2,6 @@
 // Questions about one shape or two. Yes and no, and enumerations, are results; everything else is in the answer.
 #include <cstddef>
 #include <span>
-#include <string>
-#include <variant>
 #include <vector>
 
 #include <emscripten/bind.h>
@@ -19,11 +17,12 @@
 #include <graze/query/distance.hpp>
 #include <graze/query/manifold.hpp>
 #include <graze/query/ray_cast.hpp>
+#include <graze/query/separation.hpp>
 #include <graze/query/signed_distance.hpp>
 #include <graze/shape/polytope.hpp>
 
+#include "arguments.hpp"
 #include "bridge.hpp"
-#include "shape_text.hpp"
 
 namespace graze::wasm {
 namespace {
@@ -33,37 +32,70 @@ void put_end(Status status, double error) {
   answer().push_back(error);
 }
 
-int relation_of(int dimension, std::string a, std::string b) {
-  return in_dimension(dimension,
-                      [&](auto n) { return static_cast<int>(relation(shape_of<n>(a, "a"), shape_of<n>(b, "b"))); });
-}
-
-double distance_of(int dimension, std::string a, std::string b) {
-  return in_dimension(dimension, [&](auto n) { return distance(shape_of<n>(a, "a"), shape_of<n>(b, "b")); });
-}
-
-/// distance, point_a, point_b, normal, relation, status, error
-void closest_points_of(int dimension, std::string a, std::string b) {
-  in_dimension(dimension, [&](auto n) {
-    const Proximity<n, double> found = closest_points(shape_of<n>(a, "a"), shape_of<n>(b, "b"));
-    answer().push_back(found.distance);
-    put<n>(found.point_a);
-    put<n>(found.point_b);
-    put<n>(found.normal);
-    answer().push_back(static_cast<double>(found.relation));
-    put_end(found.status, found.error);
+/// ask(a, b) with the two shapes that are the arguments.
+template <class Ask>
+auto about_pair(int dimension, std::size_t place, const Ask& ask) {
+  return in_dimension(dimension, [&](auto n) {
+    Arguments in(place);
+    const AnyShape<n, double> a = in.shape<n>();
+    const AnyShape<n, double> b = in.shape<n>();
+    return ask(a, b);
   });
 }
 
+/// ask(shape, point) with arguments that are a point and a shape.
+template <class Ask>
+auto about_point(int dimension, std::size_t place, const Ask& ask) {
+  return in_dimension(dimension, [&](auto n) {
+    Arguments in(place);
+    const Vec<n, double> point = in.vector<n>();
+    const AnyShape<n, double> shape = in.shape<n>();
+    return ask(shape, point);
+  });
+}
+
+/// ask(shape) with the shape that is the argument.
+template <class Ask>
+auto about_shape(int dimension, std::size_t place, const Ask& ask) {
+  return in_dimension(dimension, [&](auto n) { return ask(Arguments(place).shape<n>()); });
+}
+
+int relation_of(int dimension, std::size_t place) {
+  return about_pair(dimension, place, [](const auto& a, const auto& b) { return static_cast<int>(relation(a, b)); });
+}
+
+double distance_of(int dimension, std::size_t place) {
+  return about_pair(dimension, place, [](const auto& a, const auto& b) { return distance(a, b); });
+}
+
+/// distance, point_a, point_b, normal, relation, status, error
+template <Dim N>
+void put_proximity(const Proximity<N, double>& found) {
+  answer().push_back(found.distance);
+  put<N>(found.point_a);
+  put<N>(found.point_b);
+  put<N>(found.normal);
+  answer().push_back(static_cast<double>(found.relation));
+  put_end(found.status, found.error);
+}
+
+void closest_points_of(int dimension, std::size_t place) {
+  about_pair(dimension, place, [](const auto& a, const auto& b) { put_proximity(closest_points(a, b)); });
+}
+
+void separation_of(int dimension, std::size_t place) {
+  about_pair(dimension, place, [](const auto& a, const auto& b) { put_proximity(separation(a, b)); });
+}
+
 /// point, point_a, point_b, normal, depth, status, error; nothing if the shapes are apart
-void contact_of(int dimension, std::string a, std::string b) {
-  in_dimension(dimension, [&](auto n) {
-    const auto found = contact(shape_of<n>(a, "a"), shape_of<n>(b, "b"));
+void contact_of(int dimension, std::size_t place) {
+  about_pair(dimension, place, []<Dim N>(const AnyShape<N, double>& a, const AnyShape<N, double>& b) {
+    const auto found = contact(a, b);
     if (!found) return;
-    put<n>(found->point);
-    put<n>(found->point_a);
-    put<n>(found->point_b);
-    put<n>(found->normal);
+    put<N>(found->point);
+    put<N>(found->point_a);
+    put<N>(found->point_b);
+    put<N>(found->normal);
     answer().push_back(found->depth);
     put_end(found->status, found->error);
   });
@@ -76,15 +108,15 @@ void put_feature(const Feature& feature) {
 
 /// normal, status, error, then for each point: point, point_a, point_b, depth, and the id: kind and index of a's
 /// feature and of b's, part of a and of b
-void manifold_of(int dimension, std::string a, std::string b) {
-  in_dimension(dimension, [&](auto n) {
-    const Manifold<n, double> found = manifold(shape_of<n>(a, "a"), shape_of<n>(b, "b"));
-    put<n>(found.normal);
+void manifold_of(int dimension, std::size_t place) {
+  about_pair(dimension, place, []<Dim N>(const AnyShape<N, double>& a, const AnyShape<N, double>& b) {
+    const Manifold<N, double> found = manifold(a, b);
+    put<N>(found.normal);
     put_end(found.status, found.error);
-    for (const ManifoldPoint<n, double>& point : found.contacts()) {
-      put<n>(point.point);
-      put<n>(point.point_a);
-      put<n>(point.point_b);
+    for (const ManifoldPoint<N, double>& point : found.contacts()) {
+      put<N>(point.point);
+      put<N>(point.point_a);
+      put<N>(point.point_b);
       answer().push_back(point.depth);
       put_feature(point.id.a);
       put_feature(point.id.b);
@@ -94,11 +126,13 @@ void manifold_of(int dimension, std::string a, std::string b) {
   });
 }
 
-/// t, point, normal, status, error; nothing if the ray misses
-void ray_cast_of(int dimension, std::string shape, std::string ray, double t_max, bool at_exit) {
+/// t, point, normal, status, error; nothing if the ray, which comes before the shape, misses
+void ray_cast_of(int dimension, std::size_t place, double t_max, bool at_exit) {
   in_dimension(dimension, [&](auto n) {
+    Arguments in(place);
+    const Ray<n, double> ray = in.ray<n>();
     const RayOptions options{at_exit ? RaySide::exit : RaySide::entry};
-    const auto hit = ray_cast(shape_of<n>(shape, "shape"), ray_of<n>(ray), t_max, options);
+    const auto hit = ray_cast(in.shape<n>(), ray, t_max, options);
     if (!hit) return;
     answer().push_back(hit->t);
     put<n>(hit->point);
@@ -107,49 +141,63 @@ void ray_cast_of(int dimension, std::string shape, std::string ray, double t_max
   });
 }
 
+bool contains_of(int dimension, std::size_t place) {
+  return about_point(dimension, place, [](const auto& shape, const auto& point) { return contains(shape, point); });
+}
+
+void closest_point_of(int dimension, std::size_t place) {
+  about_point(dimension, place, []<Dim N>(const AnyShape<N, double>& shape, const Vec<N, double>& point) {
+    put<N>(closest_point(shape, point));
+  });
+}
+
+void boundary_point_of(int dimension, std::size_t place) {
+  about_point(dimension, place, []<Dim N>(const AnyShape<N, double>& shape, const Vec<N, double>& point) {
+    put<N>(closest_boundary_point(shape, point));
+  });
+}
+
+double signed_distance_to(int dimension, std::size_t place) {
+  return about_point(dimension, place,
+                     [](const auto& shape, const auto& point) { return signed_distance(shape, point); });
+}
+
+void bounds_of(int dimension, std::size_t place) {
+  about_shape(dimension, place, []<Dim N>(const AnyShape<N, double>& shape) { put<N>(bounds(shape)); });
+}
+
+void normalised(int dimension, std::size_t place) {
+  about_shape(dimension, place, []<Dim N>(const AnyShape<N, double>& shape) { put_shape<N>(shape); });
+}
+
+/// As js/queries.js counts them.
+enum class Bounding { sphere, sphere_fast, box, obb, hull };
+
 template <Dim N>
-Vec<N, double> point_of(const std::string& text) {
-  return std::get<Vec<N, double>>(shape_of<N>(text, "point"));
+AnyShape<N, double> bounding(Bounding kind, const std::vector<Vec<N, double>>& points) {
+  switch (kind) {
+    case Bounding::sphere:
+      return bounding_sphere(points);
+    case Bounding::sphere_fast:
+      return bounding_sphere_fast(points);
+    case Bounding::box:
+      return bounding_box(points);
+    case Bounding::obb:
+      return bounding_obb(points);
+    case Bounding::hull:
+      break;
+  }
+  return convex_hull<N, double>(points);
 }
 
-bool contains_of(int dimension, std::string shape, std::string point) {
-  return in_dimension(dimension, [&](auto n) { return contains(shape_of<n>(shape, "shape"), point_of<n>(point)); });
-}
-
-void closest_point_of(int dimension, std::string shape, std::string point) {
-  in_dimension(dimension, [&](auto n) { put<n>(closest_point(shape_of<n>(shape, "shape"), point_of<n>(point))); });
-}
-
-void boundary_point_of(int dimension, std::string shape, std::string point) {
-  in_dimension(dimension,
-               [&](auto n) { put<n>(closest_boundary_point(shape_of<n>(shape, "shape"), point_of<n>(point))); });
-}
-
-double signed_distance_to(int dimension, std::string shape, std::string point) {
-  return in_dimension(dimension,
-                      [&](auto n) { return signed_distance(shape_of<n>(shape, "shape"), point_of<n>(point)); });
-}
-
-void bounds_of(int dimension, std::string shape) {
-  in_dimension(dimension, [&](auto n) { put<n>(bounds(shape_of<n>(shape, "shape"))); });
-}
-
-std::string normalised(int dimension, std::string shape) {
-  return in_dimension(dimension, [&](auto n) { return text_of<n>(shape_of<n>(shape, "shape")); });
-}
-
-/// The shape around the points of the input, as text.
-std::string bounding_of(int dimension, std::string kind, std::size_t count) {
-  return in_dimension(dimension, [&](auto n) {
+/// The shape around the points of the input.
+void bounding_of(int dimension, int kind, std::size_t count) {
+  in_dimension(dimension, [&](auto n) {
     const std::span<const double> numbers = input<double>(count * static_cast<std::size_t>(n()));
     std::vector<Vec<n, double>> points;
     points.reserve(count);
     for (std::size_t i = 0; i < count; ++i) points.push_back(vector_at<n>(numbers, i));
-    if (kind == "sphere") return text_of<n>(bounding_sphere(points));
-    if (kind == "sphere_fast") return text_of<n>(bounding_sphere_fast(points));
-    if (kind == "box") return text_of<n>(bounding_box(points));
-    if (kind == "obb") return text_of<n>(bounding_obb(points));
-    return text_of<n>(convex_hull<n, double>(points));
+    put_shape<n>(bounding<n>(static_cast<Bounding>(kind), points));
   });
 }
 
@@ -160,6 +208,7 @@ EMSCRIPTEN_BINDINGS(graze_queries) {
   function("relation", &Guarded<&relation_of>::call);
   function("distance", &Guarded<&distance_of>::call);
   function("closestPoints", &Guarded<&closest_points_of>::call);
+  function("separation", &Guarded<&separation_of>::call);
   function("contact", &Guarded<&contact_of>::call);
   function("manifold", &Guarded<&manifold_of>::call);
   function("rayCast", &Guarded<&ray_cast_of>::call);

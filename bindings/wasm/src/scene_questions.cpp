@@ -17,8 +17,8 @@
 #include <graze/io/summary.hpp>
 #include <graze/scene/scene.hpp>
 
+#include "arguments.hpp"
 #include "scenes.hpp"
-#include "shape_text.hpp"
 
 namespace graze::wasm {
 namespace {
@@ -37,6 +37,52 @@ void put_ids(const std::vector<ObjectId>& ids) {
 
 void pairs(SceneHandle& self) {
   self.visit([](const auto& scene) { put_pairs(scene.pairs()); });
+}
+
+void put_feature(const Feature& feature) {
+  answer().push_back(static_cast<double>(feature.kind));
+  answer().push_back(feature.index);
+}
+
+/// Column by column: the numbers of pairs and of their points; of each pair both ids, how many points it has, normal,
+/// status and error; of each point the point, that of a, that of b, the depth, and the id as of a single manifold.
+void contacts(SceneHandle& self) {
+  self.visit([]<Dim N>(const Scene<N, double>& scene) {
+    const std::vector<ObjectContact<N, double>> found = scene.contacts();
+    const auto for_pairs = [&found](const auto& put_column) {
+      for (const ObjectContact<N, double>& each : found) put_column(each.pair, each.manifold);
+    };
+    const auto for_points = [&found](const auto& put_column) {
+      for (const ObjectContact<N, double>& each : found) {
+        for (const ManifoldPoint<N, double>& point : each.manifold.contacts()) put_column(point);
+      }
+    };
+    std::size_t points = 0;
+    for_points([&points](const auto&) { ++points; });
+    constexpr auto n = static_cast<std::size_t>(N);
+    answer().reserve(2 + found.size() * (5 + n) + points * (7 + 3 * n));
+    answer().push_back(static_cast<double>(found.size()));
+    answer().push_back(static_cast<double>(points));
+    for_pairs([](const ObjectPair& pair, const auto&) {
+      put_id(pair.a);
+      put_id(pair.b);
+    });
+    for_pairs([](const auto&, const auto& manifold) { answer().push_back(static_cast<double>(manifold.size)); });
+    for_pairs([](const auto&, const auto& manifold) { put<N>(manifold.normal); });
+    for_pairs(
+        [](const auto&, const auto& manifold) { answer().push_back(manifold.status == Status::converged ? 0 : 1); });
+    for_pairs([](const auto&, const auto& manifold) { answer().push_back(manifold.error); });
+    for_points([](const auto& point) { put<N>(point.point); });
+    for_points([](const auto& point) { put<N>(point.point_a); });
+    for_points([](const auto& point) { put<N>(point.point_b); });
+    for_points([](const auto& point) { answer().push_back(point.depth); });
+    for_points([](const auto& point) {
+      put_feature(point.id.a);
+      put_feature(point.id.b);
+      answer().push_back(point.id.part_a);
+      answer().push_back(point.id.part_b);
+    });
+  });
 }
 
 void candidates(SceneHandle& self) {
@@ -62,16 +108,16 @@ void boxes(SceneHandle& self, std::size_t count, bool all) {
   });
 }
 
-/// Shape, name, layer, user and mobility as text; the box and the mask's lower and upper half are the answer.
+/// Name, layer, user and mobility as text; the box, the mask's lower and upper half, and the shape are the answer.
 std::string object(SceneHandle& self, double id) {
   return self.visit([&]<Dim N>(const Scene<N, double>& scene) {
     const Object<N, double>& found = scene.object(self.id_of(id));
     put<N>(found.box);
     answer().push_back(static_cast<double>(found.mask & 0xffffffffU));
     answer().push_back(static_cast<double>(found.mask >> 32U));
-    return fmt::format(R"({{"shape": {}, "name": {}, "layer": {}, "user": "{}", "fixed": {}}})",
-                       text_of<N>(found.shape), io::json_string(found.name), found.layer, found.user,
-                       found.mobility == Mobility::fixed);
+    put_shape<N>(found.shape);
+    return fmt::format(R"({{"name": {}, "layer": {}, "user": "{}", "fixed": {}}})", io::json_string(found.name),
+                       found.layer, found.user, found.mobility == Mobility::fixed);
   });
 }
 
@@ -116,21 +162,21 @@ std::size_t size(SceneHandle& self) {
   return self.visit([](const auto& scene) { return scene.size(); });
 }
 
-void overlapping(SceneHandle& self, std::string region, std::string layers) {
+void overlapping(SceneHandle& self, std::size_t place, std::string layers) {
   self.visit([&]<Dim N>(const Scene<N, double>& scene) {
-    put_ids(scene.overlapping(shape_of<N>(region, "region"), mask_of_words(layers, scene.layer_names())));
+    put_ids(scene.overlapping(Arguments(place).shape<N>(), mask_of_words(layers, scene.layer_names())));
   });
 }
 
-void cull(SceneHandle& self, std::string region, std::string layers) {
+void cull(SceneHandle& self, std::size_t place, std::string layers) {
   self.visit([&]<Dim N>(const Scene<N, double>& scene) {
-    put_ids(scene.cull(shape_of<N>(region, "region"), mask_of_words(layers, scene.layer_names())));
+    put_ids(scene.cull(Arguments(place).shape<N>(), mask_of_words(layers, scene.layer_names())));
   });
 }
 
-void nearest(SceneHandle& self, std::string point, std::size_t count, std::string layers) {
+void nearest(SceneHandle& self, std::size_t place, std::string layers, std::size_t count) {
   self.visit([&]<Dim N>(const Scene<N, double>& scene) {
-    const auto from = std::get<Vec<N, double>>(shape_of<N>(point, "point"));
+    const Vec<N, double> from = Arguments(place).vector<N>();
     for (const NearObject<double>& near : scene.nearest(from, count, mask_of_words(layers, scene.layer_names()))) {
       put_id(near.id);
       answer().push_back(near.distance);
@@ -149,16 +195,17 @@ void put_hit(const ObjectHit<N, double>& found) {
   answer().push_back(found.hit.error);
 }
 
-void ray_cast_scene(SceneHandle& self, std::string ray, double t_max, std::string layers) {
+void ray_cast_scene(SceneHandle& self, std::size_t place, std::string layers, double t_max) {
   self.visit([&]<Dim N>(const Scene<N, double>& scene) {
-    const auto hit = scene.ray_cast(ray_of<N>(ray), t_max, mask_of_words(layers, scene.layer_names()));
+    const auto hit = scene.ray_cast(Arguments(place).ray<N>(), t_max, mask_of_words(layers, scene.layer_names()));
     if (hit) put_hit<N>(*hit);
   });
 }
 
-void ray_cast_all(SceneHandle& self, std::string ray, double t_max, std::string layers) {
+void ray_cast_all(SceneHandle& self, std::size_t place, std::string layers, double t_max) {
   self.visit([&]<Dim N>(const Scene<N, double>& scene) {
-    for (const auto& hit : scene.ray_cast_all(ray_of<N>(ray), t_max, mask_of_words(layers, scene.layer_names()))) {
+    for (const auto& hit :
+         scene.ray_cast_all(Arguments(place).ray<N>(), t_max, mask_of_words(layers, scene.layer_names()))) {
       put_hit<N>(hit);
     }
   });
@@ -230,6 +277,7 @@ constexpr auto asked = &Guarded<question>::call;
 EMSCRIPTEN_BINDINGS(graze_scene_questions) {
   using emscripten::function;
   function("scenePairs", asked<&pairs>);
+  function("sceneContacts", asked<&contacts>);
   function("sceneCandidates", asked<&candidates>);
   function("sceneIds", asked<&ids>);
   function("sceneContains", asked<&contains_id>);

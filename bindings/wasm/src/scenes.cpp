@@ -2,6 +2,8 @@
 // Scenes: what changes them. scene_questions.cpp has what is asked of them.
 #include "scenes.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -15,11 +17,12 @@
 #include <fmt/format.h>
 
 #include <graze/io/in_quotes.hpp>
+#include <graze/math/pose.hpp>
 #include <graze/query/transformed.hpp>
 #include <graze/scene/scene.hpp>
 
+#include "arguments.hpp"
 #include "scene_files.hpp"
-#include "shape_text.hpp"
 #include "translated.hpp"
 
 namespace graze::wasm {
@@ -66,20 +69,20 @@ void add_all(SceneHandle& self, Scene<N, double>& scene, std::vector<AnyShape<N,
   if (!ids.empty()) self.owner = ids.front().owner;
 }
 
-double add(SceneHandle& self, std::string shape, std::string options) {
+double add(SceneHandle& self, std::size_t place, std::string options) {
   const ObjectWords words(options);
   return self.visit([&]<Dim N>(Scene<N, double>& scene) {
-    const ObjectId id = scene.add(shape_of<N>(shape, "shape"), words.in(scene));
+    const ObjectId id = scene.add(Arguments(place).shape<N>(), words.in(scene));
     self.owner = id.owner;
     return packed_id(id.index, id.generation);
   });
 }
 
-void add_many(SceneHandle& self, std::string shapes, std::string options) {
+void add_many(SceneHandle& self, std::size_t place, std::string options) {
   const ObjectWords words(options);
   self.visit([&]<Dim N>(Scene<N, double>& scene) {
-    std::vector<AnyShape<N, double>> parsed = shapes_of<N>(shapes);
-    add_all(self, scene, std::move(parsed), words.in(scene));
+    std::vector<AnyShape<N, double>> shapes = Arguments(place).shapes<N>();
+    add_all(self, scene, std::move(shapes), words.in(scene));
   });
 }
 
@@ -121,22 +124,57 @@ void add_rows(SceneHandle& self, std::size_t count, std::string options) {
   });
 }
 
-void move_one(SceneHandle& self, double id, std::string shape) {
-  self.visit([&]<Dim N>(Scene<N, double>& scene) { scene.move(self.id_of(id), shape_of<N>(shape, "shape")); });
+template <Dim N>
+std::vector<Unposed<N>>& unposed_in(SceneHandle& self) {
+  return std::get<std::vector<Unposed<N>>>(self.unposed);
 }
 
-/// Moves many objects: the input holds their ids, then so many numbers for each, of which `next` makes the shape that
-/// it is now.
+/// What the object is without a pose: what it is now, unless the last that moved it was a pose.
+template <Dim N>
+const AnyShape<N, double>& unposed(SceneHandle& self, ObjectId id, const Object<N, double>& object) {
+  std::vector<Unposed<N>>& all = unposed_in<N>(self);
+  if (id.index >= all.size()) all.resize(id.index + std::size_t{1});
+  Unposed<N>& own = all[id.index];
+  if (own.generation != id.generation) own = {id.generation, object.shape};
+  return own.shape;
+}
+
+/// Moves objects otherwise than by a pose.
+template <Dim N>
+void move_all(SceneHandle& self, Scene<N, double>& scene, std::span<const ObjectMove<N, double>> moves) {
+  scene.move(moves);
+  std::vector<Unposed<N>>& all = unposed_in<N>(self);
+  for (const ObjectMove<N, double>& each : moves) {
+    if (each.id.index < all.size()) all[each.id.index] = {};
+  }
+}
+
+void move_one(SceneHandle& self, double id, std::size_t place) {
+  self.visit([&]<Dim N>(Scene<N, double>& scene) {
+    const ObjectMove<N, double> move{self.id_of(id), Arguments(place).shape<N>()};
+    move_all<N>(self, scene, {&move, 1});
+  });
+}
+
+/// The moves of many objects: the input holds their ids, then so many numbers for each, of which
+/// next(id, object, numbers, place) makes the shape that it is now.
 template <Dim N, class Next>
-void move_many(SceneHandle& self, Scene<N, double>& scene, std::size_t count, std::size_t width, const Next& next) {
+std::vector<ObjectMove<N, double>> moves_in_input(SceneHandle& self, const Scene<N, double>& scene, std::size_t count,
+                                                  std::size_t width, const Next& next) {
   const auto numbers = input<double>(count * (1 + width));
   std::vector<ObjectMove<N, double>> moves;
   moves.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const ObjectId id = self.id_of(numbers[i]);
-    moves.push_back({id, next(scene.object(id), numbers.subspan(count), i)});
+    moves.push_back({id, next(id, scene.object(id), numbers.subspan(count), i)});
   }
-  scene.move(std::span<const ObjectMove<N, double>>(moves));
+  return moves;
+}
+
+template <Dim N, class Next>
+void move_many(SceneHandle& self, Scene<N, double>& scene, std::size_t count, std::size_t width, const Next& next) {
+  const auto without_id = [&next](ObjectId, const auto&... rest) { return next(rest...); };
+  move_all<N>(self, scene, moves_in_input(self, scene, count, width, without_id));
 }
 
 void translate(SceneHandle& self, std::size_t count) {
@@ -182,6 +220,56 @@ void move_to_time(SceneHandle& self, double seconds) {
         moves.push_back({mover.id, graze::translated<N, double>(mover.shape, mover.velocity * seconds)});
       }
     }
+    move_all<N>(self, scene, moves);
+  });
+}
+
+/// A position, then an angle in radians or a quaternion x, y, z, w.
+template <Dim N>
+constexpr std::size_t numbers_in_pose = N == 2 ? 3 : 7;
+
+/// The turn by a quaternion of any length but zero, of which `v` has x, y and z. Scaled by the largest of them first,
+/// so that no square over- or underflows.
+Mat<3, double> rotation_of_quaternion(const Vec<3, double>& v, double w) {
+  const double largest = std::max(max_abs(v), std::fabs(w));
+  const Vec<3, double> scaled = v / largest;
+  const double length = std::sqrt(dot(scaled, scaled) + (w / largest) * (w / largest));
+  const Vec<3, double> unit = scaled / length;
+  const double unit_w = w / largest / length;
+  Mat<3, double> rotation;
+  for (Dim j = 0; j < 3; ++j) {
+    const Vec<3, double> twice_aside = 2.0 * cross(unit, unit_axis<3>(j));
+    rotation[j] = unit_axis<3>(j) + unit_w * twice_aside + cross(unit, twice_aside);
+  }
+  return rotation;
+}
+
+template <Dim N>
+Pose<N, double> pose_at(std::span<const double> numbers, std::size_t index) {
+  const std::span<const double> own = numbers.subspan(index * numbers_in_pose<N>, numbers_in_pose<N>);
+  for (const double number : own) {
+    if (!std::isfinite(number))
+      throw std::invalid_argument(fmt::format("pose {} has a number that is not finite", index));
+  }
+  Pose<N, double> pose{.position = vector_at<N>(own, 0)};
+  if constexpr (N == 2) {
+    pose.rotation = rotation_of(own[2]);
+  } else {
+    if (own[3] == 0 && own[4] == 0 && own[5] == 0 && own[6] == 0) {
+      throw std::invalid_argument(fmt::format("pose {} has a quaternion of length zero", index));
+    }
+    pose.rotation = rotation_of_quaternion(vector_at<3>(own.subspan(3), 0), own[6]);
+  }
+  return pose;
+}
+
+void pose(SceneHandle& self, std::size_t count) {
+  self.visit([&]<Dim N>(Scene<N, double>& scene) {
+    const auto next = [&self](ObjectId id, const Object<N, double>& object, std::span<const double> numbers,
+                              std::size_t i) {
+      return transformed(unposed<N>(self, id, object), pose_at<N>(numbers, i));
+    };
+    const auto moves = moves_in_input(self, scene, count, numbers_in_pose<N>, next);
     scene.move(std::span<const ObjectMove<N, double>>(moves));
   });
 }
@@ -225,6 +313,7 @@ EMSCRIPTEN_BINDINGS(graze_scenes) {
       .function("place", &Guarded<&place>::call)
       .function("moveBoxes", &Guarded<&move_rows<Row::boxes>>::call)
       .function("moveSpheres", &Guarded<&move_rows<Row::spheres>>::call)
+      .function("pose", &Guarded<&pose>::call)
       .function("moveToTime", &Guarded<&move_to_time>::call)
       .function("remove", &Guarded<&remove>::call)
       .function("layer", &Guarded<&layer>::call)

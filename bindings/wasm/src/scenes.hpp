@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -26,12 +27,20 @@ struct Mover {
   Vec<N, double> velocity;
 };
 
+/// What an object is before a pose turns and moves it.
+template <Dim N>
+struct Unposed {
+  std::uint32_t generation = 0;  ///< Of the object that it is of; 0 for none.
+  AnyShape<N, double> shape = Vec<N, double>(0.0);
+};
+
 /// A scene of either dimension with what its file says around it, and who gave out its ids, which JavaScript is not
 /// bothered with.
 struct SceneHandle {
   io::SceneFile file;
   std::uint32_t owner = 0;
   std::variant<std::vector<Mover<2>>, std::vector<Mover<3>>> movers = {};
+  std::tuple<std::vector<Unposed<2>>, std::vector<Unposed<3>>> unposed = {};  ///< By the indexes of ids.
 
   ObjectId id_of(double id) const {
     const UnpackedId unpacked = unpacked_id(id);

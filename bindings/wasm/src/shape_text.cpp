@@ -2,7 +2,6 @@
 #include "shape_text.hpp"
 
 #include <utility>
-#include <variant>
 
 #include <fmt/format.h>
 
@@ -10,7 +9,6 @@
 #include <graze/io/json_document.hpp>
 #include <graze/io/json_fields.hpp>
 #include <graze/io/json_shape_reader.hpp>
-#include <graze/io/json_shape_writer.hpp>
 
 namespace graze::wasm {
 
@@ -48,25 +46,9 @@ std::vector<AnyShape<N, double>> shapes_of(const std::string& text) {
   }
 }
 
-template <Dim N>
-Ray<N, double> ray_of(const std::string& text) {
-  return std::get<Ray<N, double>>(shape_of<N>(text, "ray"));
-}
-
-template <Dim N>
-std::string text_of(const AnyShape<N, double>& shape) {
-  std::string text = "{";
-  io::append_json_shape<N>(text, shape);
-  return text + '}';
-}
-
 template AnyShape<2, double> shape_of<2>(const std::string&, const char*);
 template AnyShape<3, double> shape_of<3>(const std::string&, const char*);
 template std::vector<AnyShape<2, double>> shapes_of<2>(const std::string&);
 template std::vector<AnyShape<3, double>> shapes_of<3>(const std::string&);
-template Ray<2, double> ray_of<2>(const std::string&);
-template Ray<3, double> ray_of<3>(const std::string&);
-template std::string text_of<2>(const AnyShape<2, double>&);
-template std::string text_of<3>(const AnyShape<3, double>&);
 
 }  // namespace graze::wasm

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { setTimeout } from "node:timers/promises";
 import { join } from "node:path";
@@ -7,7 +8,7 @@ import { before, test } from "node:test";
 import { setFlagsFromString } from "node:v8";
 import { runInNewContext } from "node:vm";
 
-import { loadGraze, root } from "./native.mjs";
+import { loadGraze, packageFolder, root } from "./native.mjs";
 
 let graze;
 
@@ -62,4 +63,30 @@ test("what is deleted says so when it is used", () => {
   for (const use of [() => scene.size, () => scene.update(), () => scene.delete(), () => scene.pairs()]) {
     assert.throws(use, /^Error: this object was deleted$/);
   }
+});
+
+test("what holds memory can be disposed of, as `using` does at the end of a block", () => {
+  const held = [new graze.Scene(2), new graze.QuadTree(), new graze.Bvh(3), new graze.PairFinder(2, 5)];
+  for (const each of held) {
+    each[Symbol.dispose]();
+    each[Symbol.dispose]();
+    assert.throws(() => each.delete(), /^Error: this object was deleted$/);
+  }
+  const scene = new graze.Scene(2);
+  scene.delete();
+  scene[Symbol.dispose]();
+});
+
+test("a runtime without Symbol.dispose has it when the module is loaded", () => {
+  const program = `
+    const { dispose, ...older } = Object.getOwnPropertyDescriptors(Symbol);
+    globalThis.Symbol = Object.defineProperties((description) => dispose.value.constructor(description), older);
+    if (Symbol.dispose !== undefined) throw new Error("it is there already");
+    const { createGraze } = await import(${JSON.stringify(join(packageFolder, "graze.js"))});
+    const graze = await createGraze();
+    const scene = new graze.Scene(2);
+    scene[Symbol.dispose]();
+    if (Object.keys(Symbol).includes("dispose")) throw new Error("it is enumerable");
+    console.log(String(Symbol.dispose));`;
+  assert.equal(execFileSync(process.execPath, ["--input-type=module", "-e", program], { encoding: "utf8" }), "Symbol(Symbol.dispose)\n");
 });

@@ -25,7 +25,7 @@ test("npm packs the module, its types, its page and its licence, and nothing els
   const packed = pack();
   assert.equal(packed.name, "graze");
   assert.deepEqual(packed.files.map(({ path }) => path).sort(), [
-    "LICENSE", "README.md", "casts.js", "core.js", "graze.d.ts", "graze.js", "graze_wasm.js", "graze_wasm.wasm", "indexes.js",
+    "LICENSE", "README.md", "arguments.js", "casts.js", "core.js", "graze.d.ts", "graze.js", "graze_wasm.js", "graze_wasm.wasm", "indexes.js",
     "package.json", "pairs.js", "queries.js", "recordings.js", "scene.js", "text.js",
   ]);
 });

@@ -30,6 +30,8 @@ function pairAnswers(a, b) {
   assert.equal(graze.intersects(a, b), near.relation !== "apart");
   const found = graze.contact(a, b);
   const touching = graze.manifold(a, b);
+  const { point, depth, ...rest } = found ?? {};
+  assert.deepStrictEqual(graze.separation(a, b), found ? { ...near, ...rest, distance: 0 - depth } : near);
   return [
     relations.indexOf(near.relation),
     graze.distance(a, b),

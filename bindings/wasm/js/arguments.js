@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+// Arguments on their way to C++: as numbers, one behind the other, in memory that both see. What cannot be written so, or
+// is refused by C++, goes as text, of which the library's reader says what is wrong.
+import { numbersOf } from "./core.js";
+import { dimensionOf, pointText, rayText, textOf } from "./text.js";
+
+/** In place of a dimension: this value cannot be written as numbers. */
+export const refused = -1;
+
+/** The fields that a type of record can have, and which sets of them make one. */
+class RecordType {
+  #bits = new Map([["type", 1]]);
+  #forms = new Map();
+
+  /** A form without a number is written without one. */
+  constructor(forms) {
+    for (const form of forms) this.add(form);
+  }
+
+  add(form) {
+    let mask = 0;
+    for (const { name } of form.fields) {
+      if (!this.#bits.has(name)) this.#bits.set(name, 2 ** this.#bits.size);
+      mask |= this.#bits.get(name);
+    }
+    this.#forms.set(mask, form);
+  }
+
+  /** The form that a value has; undefined if it has none, or has no type but `needsType`. */
+  formOf(value, needsType) {
+    if (typeof value !== "object" || value === null || Array.isArray(value)) return undefined;
+    const names = Object.keys(value);
+    let mask = 0;
+    for (let i = 0; i < names.length; ++i) {
+      if (value[names[i]] !== undefined) mask |= this.#bits.get(names[i]) ?? 2 ** 30;
+    }
+    if (needsType && (mask & 1) === 0) return undefined;
+    return this.#forms.get(mask & ~1);
+  }
+}
+
+const fieldsOf = (kinds) => Object.entries(kinds).map(([name, kind]) => ({ name, kind }));
+
+/** The types of shapes, as C++ describes them. */
+class ShapeTypes {
+  constructor(core) {
+    const { mostDepth, ...described } = JSON.parse(core.module.shapeForms());
+    this.mostDepth = mostDepth;
+    this.forms = [];
+    this.types = new Map();
+    for (const dimension of [2, 3]) {
+      this.forms[dimension] = described[dimension].map(({ type, fields }, number) => ({
+        type, dimension, number, fields: fieldsOf(Object.fromEntries(fields)),
+      }));
+    }
+    this.forms[3].forEach((form, number) => {
+      const flat = this.forms[2][number];
+      const isForBoth = form.fields.every(({ name }, i) => name === flat.fields[i].name);
+      if (!this.types.has(form.type)) this.types.set(form.type, new RecordType([]));
+      const type = this.types.get(form.type);
+      if (isForBoth) type.add({ ...form, dimension: 0 });
+      else [flat, form].forEach((each) => type.add(each));
+    });
+  }
+}
+
+const rotation = new RecordType([{ dimension: 3, fields: fieldsOf({ axis: "vector", angle: "number" }) }]);
+
+export class Arguments {
+  #core;
+  #shapes;
+  #numbers = new Float64Array(0);
+  #place = 0;
+
+  constructor(core) {
+    this.#core = core;
+    this.#shapes = new ShapeTypes(core);
+  }
+
+  /**
+   * Asks C++ about values: by `ask(dimension, place)`, which is told where they stand, and `read(result, reader, dimension)`,
+   * which makes the answer. `kinds` says how each is written. The dimension is that of the values, if none is given. A
+   * getter in a value may ask about others meanwhile: its arguments stand behind those that are written.
+   */
+  ask(kinds, values, ask, read, dimension = 0) {
+    const start = this.#place;
+    try {
+      const n = this.#write(kinds, values, dimension);
+      if (n !== refused) {
+        const result = ask(n, start);
+        if (!this.#core.wasRefused()) return read(this.#core.checked(result), this.#core.reader(n), n);
+      }
+      this.#place = start;
+      const known = dimension || dimensionOf(...values);
+      kinds.forEach((kind, i) => this.#copy(kind.spell(this.#core, values[i], known)));
+      return read(this.#core.checked(ask(known, start)), this.#core.reader(known), known);
+    } finally {
+      this.#place = start;
+    }
+  }
+
+  #write(kinds, values, dimension) {
+    let n = dimension;
+    for (let i = 0; i < kinds.length && n !== refused; ++i) n = kinds[i].write(this, values[i], n);
+    return n === 0 ? 2 : n;
+  }
+
+  #copy(numbers) {
+    const kept = numbers.slice(); // an answer may move when room is made
+    this.#makeRoom(kept.length);
+    this.#numbers.set(kept, this.#place);
+    this.#place += kept.length;
+  }
+
+  /** Also when the module's memory has grown since: then the view of it has length 0. */
+  #makeRoom(count) {
+    if (this.#place + count <= this.#numbers.length) return;
+    const { module } = this.#core;
+    const size = Math.max(1024, 2 * (this.#place + count));
+    const first = this.#core.checked(module.argumentRoom(size)) / 8;
+    this.#numbers = module.HEAPF64.subarray(first, first + size);
+  }
+
+  #put(number) {
+    this.#makeRoom(1);
+    this.#numbers[this.#place++] = number;
+  }
+
+  // Each of the following writes a value, and gives the dimension: the one given, or that of the value if that is 0, or
+  // `refused`. It looks at the value first, as a getter there may let the memory grow, and writes then.
+
+  number(value, n) {
+    if (!Number.isFinite(value)) return refused;
+    this.#put(value);
+    return n;
+  }
+
+  vector(value, n) {
+    if (!Array.isArray(value) && !ArrayBuffer.isView(value)) return refused;
+    const { length } = value;
+    if (length !== n && (n !== 0 || (length !== 2 && length !== 3))) return refused;
+    const x = value[0];
+    const y = value[1];
+    const z = length === 3 ? value[2] : 0;
+    if (!Number.isFinite(x) || !Number.isFinite(y) || !Number.isFinite(z)) return refused;
+    this.#makeRoom(3);
+    const place = this.#place;
+    this.#numbers[place] = x;
+    this.#numbers[place + 1] = y;
+    this.#numbers[place + 2] = z;
+    this.#place = place + length;
+    return length;
+  }
+
+  /** A list, its count before it. */
+  #list(values, n, write) {
+    if (!Array.isArray(values)) return refused;
+    const count = values.length;
+    this.#put(count);
+    let found = n;
+    for (let i = 0; i < count && found !== refused; ++i) found = write(values[i], found);
+    return found;
+  }
+
+  axes(value, n) {
+    if (!Array.isArray(value) || value.length !== n) return refused;
+    let found = n;
+    for (let i = 0; i < n && found !== refused; ++i) found = this.vector(value[i], n);
+    return found;
+  }
+
+  points(value, n) {
+    return this.#list(value, n, (point, found) => this.vector(point, found));
+  }
+
+  parts(value, n, depth) {
+    return depth < this.#shapes.mostDepth ? this.shapes(value, n, depth + 1) : refused;
+  }
+
+  shapes(value, n, depth = 0) {
+    return this.#list(value, n, (shape, found) => this.shape(shape, found, depth));
+  }
+
+  rotation(value, n) {
+    return this.#record(value, rotation.formOf(value, false), n, 0);
+  }
+
+  shape(value, n, depth = 0) {
+    const form = this.#shapes.types.get(value?.type)?.formOf(value, true);
+    return this.#record(value, form, n, depth);
+  }
+
+  /** Of a ray the type may be left out. */
+  ray(value, n) {
+    if (value?.type !== undefined && value.type !== "ray") return refused;
+    return this.#record(value, this.#shapes.types.get("ray").formOf(value, false), n, 0);
+  }
+
+  #record(value, form, n, depth) {
+    if (form === undefined) return refused;
+    if (form.number !== undefined) this.#put(form.number);
+    let found = n;
+    for (let i = 0; i < form.fields.length && found !== refused; ++i) {
+      const { name, kind } = form.fields[i];
+      found = this[kind](value[name], found, depth);
+    }
+    return form.dimension === 0 || form.dimension === found ? found : refused;
+  }
+
+  /** The shape that an answer says. */
+  readShape(reader) {
+    const { type, fields } = this.#shapes.forms[reader.dimension][reader.number()];
+    const shape = { type };
+    for (const { name, kind } of fields) shape[name] = this.#readers[kind](reader);
+    return shape;
+  }
+
+  #readers = {
+    number: (reader) => reader.number(),
+    vector: (reader) => reader.vector(),
+    axes: (reader) => Array.from({ length: reader.dimension }, () => reader.vector()),
+    points: (reader) => Array.from({ length: reader.number() }, () => reader.vector()),
+    parts: (reader) => Array.from({ length: reader.number() }, () => this.readShape(reader)),
+  };
+}
+
+/** The numbers of a text, which C++ reads. */
+const spelled = (core, dimension, text, role) => {
+  core.checked(core.module.spelledShape(dimension, text, role));
+  return core.answer();
+};
+
+// How arguments are written: `write` as Arguments does, `spell` for what it refuses, which says what is wrong.
+
+export const shape = (role) => ({
+  write: (args, value, n) => args.shape(value, n),
+  spell: (core, value, n) => spelled(core, n, textOf(value, role), role),
+});
+
+export const shapes = (role) => ({
+  write: (args, value, n) => args.shapes(value, n),
+  spell(core, value, n) {
+    core.checked(core.module.spelledShapes(n, textOf(value, role)));
+    return core.answer();
+  },
+});
+
+export const ray = {
+  write: (args, value, n) => args.ray(value, n),
+  spell: (core, value, n) => spelled(core, n, rayText(value), "ray"),
+};
+
+export const point = {
+  write: (args, value, n) => args.vector(value, n),
+  spell: (core, value, n) => spelled(core, n, pointText(value), "point").subarray(1),
+};
+
+export const vector = (role) => ({
+  write: (args, value, n) => args.vector(value, n),
+  spell: (core, value, n) => numbersOf(value, n, role),
+});

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: MIT
+#include "arguments.hpp"
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include <emscripten/bind.h>
+#include <fmt/format.h>
+
+#include <graze/io/shape_fields.hpp>
+#include <graze/io/shape_members.hpp>
+#include <graze/math/bit_cast.hpp>
+#include <graze/math/pose.hpp>
+#include <graze/query/bounds.hpp>
+#include <graze/shape/visit.hpp>
+
+#include "bridge.hpp"
+#include "shape_text.hpp"
+
+namespace graze::wasm {
+namespace {
+
+std::vector<double> argument_numbers;
+
+/// What a field holds, by the names of the methods in js/ that write and read it.
+template <class Value>
+constexpr std::string_view kind_of = "vector";
+template <>
+constexpr std::string_view kind_of<double> = "number";
+template <Dim N>
+constexpr std::string_view kind_of<Mat<N, double>> = "axes";
+
+struct Field {
+  std::string_view name;
+  std::string_view kind;
+};
+
+/// A set of fields that make a shape of a type, and what makes it.
+template <Dim N>
+struct Form {
+  std::string_view type;
+  std::span<const Field> fields;
+  AnyShape<N, double> (*read)(Arguments&);
+};
+
+template <Dim N>
+void read(Arguments& in, Vec<N, double>& vector) {
+  vector = in.vector<N>();
+}
+
+void read(Arguments& in, double& number) { number = in.number(); }
+
+template <Dim N>
+void read(Arguments& in, Mat<N, double>& axes) {
+  for (Dim i = 0; i < N; ++i) axes[i] = in.vector<N>();
+}
+
+template <class Shape>
+constexpr auto fields_of_members = std::apply(
+    [](const auto&... each) {
+      return std::array<Field, sizeof...(each)>{
+          Field{each.name, kind_of<std::remove_cvref_t<std::invoke_result_t<decltype(each.of), Shape&>>>}...};
+    },
+    io::shape_members<Shape>);
+
+template <Dim N, class Shape>
+AnyShape<N, double> read_members(Arguments& in) {
+  Shape shape;
+  std::apply([&](const auto&... each) { (read(in, std::invoke(each.of, shape)), ...); }, io::shape_members<Shape>);
+  return shape;
+}
+
+/// Hulls of points that were given before: a program asks about the same polytopes again and again, and to find which
+/// points are corners takes longer than most questions.
+template <Dim N>
+class KnownHulls {
+ public:
+  Polytope<N, double> of(std::span<const double> numbers) {
+    if (numbers.size() > most_numbers) return hull_of(numbers);
+    Known& known = known_[place_of(numbers)];
+    if (!known.hull || !has_bits_of(known, numbers)) known = {{numbers.begin(), numbers.end()}, hull_of(numbers)};
+    return *known.hull;
+  }
+
+ private:
+  /// So that all of them together take a few megabytes at most.
+  static constexpr std::size_t most_numbers = 768;
+  static constexpr std::size_t size = 256;
+
+  struct Known {
+    std::vector<double> numbers;
+    std::optional<Polytope<N, double>> hull;
+  };
+
+  static Polytope<N, double> hull_of(std::span<const double> numbers) {
+    std::vector<Vec<N, double>> points(numbers.size() / static_cast<std::size_t>(N));
+    for (std::size_t i = 0; i < points.size(); ++i) points[i] = vector_at<N>(numbers, i);
+    return convex_hull_in_order<N, double>(points);
+  }
+
+  /// By bits, as 0 and -0 are not the same corner.
+  static bool has_bits_of(const Known& known, std::span<const double> numbers) {
+    return known.numbers.size() == numbers.size() &&
+           std::memcmp(known.numbers.data(), numbers.data(), numbers.size_bytes()) == 0;
+  }
+
+  /// The hash of Fowler, Noll and Vo, of whole numbers instead of bytes, whose upper bits are the better ones.
+  static std::size_t place_of(std::span<const double> numbers) {
+    std::uint64_t hash = 0xcbf29ce484222325U;
+    for (const double number : numbers) hash = (hash ^ bit_cast<std::uint64_t>(number)) * 0x100000001b3U;
+    return static_cast<std::size_t>((hash ^ (hash >> 32U)) * 0x9e3779b97f4a7c15U >> 56U);
+  }
+
+  std::array<Known, size> known_;
+};
+
+template <Dim N>
+AnyShape<N, double> read_polytope(Arguments& in) {
+  static KnownHulls<N> known;
+  const std::size_t points = in.count();
+  if (points == 0) throw Refused("has no points");
+  return known.of(in.numbers(points * static_cast<std::size_t>(N)));
+}
+
+template <Dim N>
+AnyShape<N, double> read_compound(Arguments& in) {
+  return compound_of<N, double>(in.shapes<N>());
+}
+
+template <Dim N>
+AnyShape<N, double> read_aabb_by_center(Arguments& in) {
+  const auto center = in.vector<N>();
+  return Aabb<N, double>::from_center(center, in.vector<N>());
+}
+
+template <Dim N>
+AnyShape<N, double> read_upright_obb(Arguments& in) {
+  const auto center = in.vector<N>();
+  return Obb<N, double>{center, in.vector<N>()};
+}
+
+/// Turned by an angle or a rotation, in degrees.
+template <Dim N>
+AnyShape<N, double> read_turned_obb(Arguments& in) {
+  Obb<N, double> box = std::get<Obb<N, double>>(read_upright_obb<N>(in));
+  if constexpr (N == 2) {
+    box.axes = rotation_matrix(in.number());
+  } else {
+    const auto axis = in.vector<3>();
+    if (max_abs(axis) == 0) throw Refused("is turned about an axis of length zero");
+    // Scaled first, so that the square of no axis over- or underflows.
+    box.axes = rotation_matrix(axis / max_abs(axis), in.number());
+  }
+  return box;
+}
+
+constexpr std::array<Field, 1> points_field = {{{"points", "points"}}};
+constexpr std::array<Field, 1> parts_field = {{{"parts", "parts"}}};
+constexpr std::array<Field, 2> center_fields = {{{"center", "vector"}, {"half_extents", "vector"}}};
+constexpr std::array<Field, 3> angle_fields = {{center_fields[0], center_fields[1], {"angle", "number"}}};
+constexpr std::array<Field, 3> rotation_fields = {{center_fields[0], center_fields[1], {"rotation", "rotation"}}};
+
+template <Dim N, class Shape>
+constexpr Form<N> form_of_members(std::size_t type) {
+  return {shape_type_names[type], fields_of_members<Shape>, &read_members<N, Shape>};
+}
+
+/// The forms in which graze itself says a shape come first, in the order of AnyShape.
+template <Dim N>
+constexpr std::array forms = {
+    form_of_members<N, Vec<N, double>>(0),
+    form_of_members<N, Segment<N, double>>(1),
+    form_of_members<N, Ray<N, double>>(2),
+    form_of_members<N, Sphere<N, double>>(3),
+    form_of_members<N, Aabb<N, double>>(4),
+    form_of_members<N, Obb<N, double>>(5),
+    form_of_members<N, Plane<N, double>>(6),
+    form_of_members<N, HalfSpace<N, double>>(7),
+    form_of_members<N, Triangle<N, double>>(8),
+    form_of_members<N, Capsule<N, double>>(9),
+    Form<N>{"polytope", points_field, &read_polytope<N>},
+    Form<N>{"compound", parts_field, &read_compound<N>},
+    Form<N>{"aabb", center_fields, &read_aabb_by_center<N>},
+    Form<N>{"obb", center_fields, &read_upright_obb<N>},
+    Form<N>{"obb", N == 2 ? std::span<const Field>(angle_fields) : rotation_fields, &read_turned_obb<N>}};
+
+template <Dim N>
+std::string described_forms() {
+  std::string text;
+  for (const Form<N>& form : forms<N>) {
+    std::string fields;
+    for (const auto& [name, kind] : form.fields) {
+      fields += fmt::format(R"({}["{}", "{}"])", fields.empty() ? "" : ", ", name, kind);
+    }
+    text += fmt::format(R"({}{{"type": "{}", "fields": [{}]}})", text.empty() ? "" : ", ", form.type, fields);
+  }
+  return text;
+}
+
+/// The forms of both dimensions, each by its number, and how deep compounds may be nested.
+std::string shape_forms() {
+  return fmt::format(R"({{"2": [{}], "3": [{}], "mostDepth": {}}})", described_forms<2>(), described_forms<3>(),
+                     io::max_compound_depth);
+}
+
+void put_value(double number) { answer().push_back(number); }
+
+template <Dim N>
+void put_value(const Vec<N, double>& vector) {
+  put<N>(vector);
+}
+
+template <Dim N>
+void put_value(const Mat<N, double>& axes) {
+  for (Dim i = 0; i < N; ++i) put<N>(axes[i]);
+}
+
+template <class Shape>
+void put_fields(const Shape& shape) {
+  std::apply([&](const auto&... each) { (put_value(std::invoke(each.of, shape)), ...); }, io::shape_members<Shape>);
+}
+
+template <Dim N>
+void put_fields(const Polytope<N, double>& polytope) {
+  answer().push_back(static_cast<double>(polytope.vertices().size()));
+  for (const Vec<N, double>& vertex : polytope.vertices()) put<N>(vertex);
+}
+
+template <Dim N>
+void put_fields(const Compound<N, double>& compound) {
+  answer().push_back(static_cast<double>(compound.parts.size()));
+  for (const Part<N, double>& part : compound.parts) put_shape<N>(part.shape);
+}
+
+/// Room for so many numbers of arguments, those that are there kept.
+std::size_t argument_room(std::size_t count) {
+  if (count > argument_numbers.size()) argument_numbers.resize(count);
+  return reinterpret_cast<std::size_t>(argument_numbers.data());
+}
+
+/// The numbers of a shape that is given as text.
+void spelled_shape(int dimension, std::string text, std::string role) {
+  in_dimension(dimension, [&](auto n) { put_shape<n>(shape_of<n>(text, role.c_str())); });
+}
+
+/// The count and the numbers of a list of shapes.
+void spelled_shapes(int dimension, std::string text) {
+  in_dimension(dimension, [&](auto n) {
+    const std::vector<AnyShape<n, double>> shapes = shapes_of<n>(text);
+    answer().push_back(static_cast<double>(shapes.size()));
+    for (const AnyShape<n, double>& shape : shapes) put_shape<n>(shape);
+  });
+}
+
+}  // namespace
+
+Arguments::Arguments(std::size_t place) : numbers_(argument_numbers), place_(place) {}
+
+template <Dim N>
+AnyShape<N, double> Arguments::shape() {
+  AnyShape<N, double> shape = forms<N>[count()].read(*this);
+  if (const std::string_view flaw = defect(shape); !flaw.empty()) throw Refused(std::string(flaw));
+  return shape;
+}
+
+template <Dim N>
+Ray<N, double> Arguments::ray() {
+  return std::get<Ray<N, double>>(shape<N>());
+}
+
+template <Dim N>
+std::vector<AnyShape<N, double>> Arguments::shapes() {
+  std::vector<AnyShape<N, double>> shapes;
+  const std::size_t size = count();
+  shapes.reserve(size);
+  for (std::size_t i = 0; i < size; ++i) shapes.push_back(shape<N>());
+  return shapes;
+}
+
+template <Dim N>
+void put_shape(const AnyShape<N, double>& shape) {
+  answer().push_back(static_cast<double>(shape.index()));
+  detail::visit([](const auto& held) { put_fields(held); }, shape);
+}
+
+template AnyShape<2, double> Arguments::shape<2>();
+template AnyShape<3, double> Arguments::shape<3>();
+template Ray<2, double> Arguments::ray<2>();
+template Ray<3, double> Arguments::ray<3>();
+template std::vector<AnyShape<2, double>> Arguments::shapes<2>();
+template std::vector<AnyShape<3, double>> Arguments::shapes<3>();
+template void put_shape<2>(const AnyShape<2, double>&);
+template void put_shape<3>(const AnyShape<3, double>&);
+
+EMSCRIPTEN_BINDINGS(graze_arguments) {
+  using namespace emscripten;  // NOLINT(google-build-using-namespace): as embind is written
+  function("shapeForms", &shape_forms);
+  function("argumentRoom", &Guarded<&argument_room>::call);
+  function("spelledShape", &Guarded<&spelled_shape>::call);
+  function("spelledShapes", &Guarded<&spelled_shapes>::call);
+}
+
+}  // namespace graze::wasm

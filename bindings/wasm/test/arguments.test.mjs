@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+// Shapes reach C++ as numbers or, where that cannot be, as text: both say the same.
+import assert from "node:assert/strict";
+import { before, test } from "node:test";
+
+import { loadGraze } from "./native.mjs";
+
+let graze;
+
+before(async () => {
+  graze = await loadGraze();
+});
+
+const isMadeUp = (name) => name === "nothing";
+
+/** The same value, which goes as text, since it seems to have an unknown field when it is looked at for the first time. */
+function asText(shape) {
+  let isFirstLook = true;
+  return new Proxy(shape, {
+    ownKeys(target) {
+      const names = Reflect.ownKeys(target);
+      if (isFirstLook) names.push("nothing");
+      isFirstLook = false;
+      return names;
+    },
+    getOwnPropertyDescriptor: (target, name) =>
+      isMadeUp(name)
+        ? { value: 0, enumerable: true, configurable: true }
+        : Reflect.getOwnPropertyDescriptor(target, name),
+    get: (target, name) => (isMadeUp(name) ? 0 : target[name]),
+  });
+}
+
+let seed = 1;
+const random = () => (seed = (seed * 16807) % 2147483647) / 2147483647;
+const drawn = (n, size = 4) => Array.from({ length: n }, () => (random() - 0.5) * size);
+const positive = (n) => drawn(n).map(Math.abs);
+
+/** A shape of every form there is. */
+const forms = {
+  point: (n) => ({ type: "point", position: drawn(n) }),
+  segment: (n) => ({ type: "segment", start: drawn(n), end: drawn(n) }),
+  ray: (n) => ({ type: "ray", origin: drawn(n), direction: drawn(n) }),
+  sphere: (n) => ({ type: "sphere", center: drawn(n), radius: random() }),
+  "box by corners": (n) => ({ type: "aabb", min: drawn(n), max: drawn(n).map((value) => value + 5) }),
+  "box by center": (n) => ({ type: "aabb", center: drawn(n), half_extents: positive(n) }),
+  "upright box": (n) => ({ type: "obb", center: drawn(n), half_extents: positive(n) }),
+  "turned box": (n) => ({
+    type: "obb", center: drawn(n), half_extents: positive(n),
+    ...(n === 2 ? { angle: 999 * random() } : { rotation: { axis: drawn(3), angle: 999 * random() } }),
+  }),
+  "box by axes": (n) => graze.normalised(forms["turned box"](n)),
+  plane: (n) => ({ type: "plane", normal: drawn(n), offset: random() }),
+  half_space: (n) => ({ type: "half_space", normal: drawn(n), offset: random() }),
+  triangle: (n) => ({ type: "triangle", a: drawn(n), b: drawn(n), c: drawn(n) }),
+  capsule: (n) => ({ type: "capsule", a: drawn(n), b: drawn(n), radius: random() }),
+  polytope: (n) => ({ type: "polytope", points: Array.from({ length: 1 + 20 * random() }, () => drawn(n)) }),
+  compound: (n) => ({
+    type: "compound",
+    parts: ["sphere", "turned box", "polytope", "ray"].map((name) => forms[name](n)),
+  }),
+};
+
+const pairQueries = ["relation", "intersects", "distance", "closestPoints", "separation", "contact", "manifold"];
+const pointQueries = ["contains", "closestPoint", "closestBoundaryPoint", "signedDistance"];
+
+/** What is answered about two shapes by every query; `as` is done to the first argument of each. */
+function answersAbout(a, b, n, as) {
+  const point = b.position ?? [1, -0, 0.5].slice(0, n);
+  const ray = { origin: point, direction: [1, 2, 3].slice(0, n) };
+  const motion = { linear: [1, 0, -1].slice(0, n), angular: n === 2 ? 1 : [1, 0, 0] };
+  return [
+    ...pairQueries.map((query) => graze[query](as(a), b)),
+    ...pointQueries.map((query) => graze[query](as(a), point)),
+    graze.rayCast(as(a), ray), graze.rayCast(a, as(ray)), graze.rayCast(as(a), { ...ray, type: "ray" }, { side: "exit" }),
+    graze.shapeCast(as(a), motion.linear, b), graze.timeOfImpact(as(a), motion, b), graze.timeOfImpact(as(a), motion, b, motion),
+    graze.bounds(as(a)), graze.normalised(as(a)),
+  ];
+}
+
+for (const n of [2, 3]) {
+  test(`numbers and text say the same of every two forms of shapes, bit for bit, in ${n}D`, () => {
+    const names = Object.keys(forms);
+    const seen = new Map();
+    for (const first of names) {
+      for (const second of names) {
+        for (let i = 0; i < 4; ++i) {
+          const [a, b] = [forms[first](n), forms[second](n)];
+          const wanted = answersAbout(a, b, n, asText);
+          assert.deepStrictEqual(answersAbout(a, b, n, (value) => value), wanted, JSON.stringify([a, b]));
+          seen.set(wanted[0], (seen.get(wanted[0]) ?? 0) + 1);
+        }
+      }
+    }
+    assert.ok(seen.get("apart") > 50 && seen.get("overlapping") > 50);
+  });
+}
+
+test("a shape comes back with every bit of its numbers", () => {
+  for (const numbers of [[-0, 0], [5e-324, -1.7976931348623157e308], [0.1, 1 / 3]]) {
+    assert.deepStrictEqual(graze.normalised({ type: "point", position: numbers }).position, numbers);
+  }
+  for (const name of Object.keys(forms).filter((form) => !/by center|upright|turned|polytope|compound/.test(form))) {
+    const shape = forms[name](3);
+    assert.deepStrictEqual(graze.normalised(shape), shape);
+  }
+});
+
+test("fields may stand in any order, and those that are undefined are not there", () => {
+  const wanted = graze.normalised({ type: "capsule", a: [0, 1], b: [2, 3], radius: 4 });
+  assert.deepEqual(graze.normalised({ radius: 4, b: [2, 3], type: "capsule", a: [0, 1], c: undefined }), wanted);
+  assert.deepEqual(graze.normalised({ type: "obb", center: [0, 1], half_extents: [1, 1], angle: undefined, axes: undefined }).axes,
+    [[1, 0], [0, 1]]);
+  class Ball {
+    type = "sphere";
+    center = Float32Array.of(1, 2);
+    radius = 3;
+  }
+  assert.equal(graze.distance(new Ball(), { type: "point", position: [1, 6] }), 1);
+  assert.equal(graze.distance({ type: "sphere", center: [0n, 1n], radius: 2n }, { type: "point", position: [0, 6] }), 3);
+});
+
+test("shapes of many numbers have room", () => {
+  const around = Array.from({ length: 20000 }, (_, i) => [Math.cos(i), Math.sin(i), 0]);
+  const hull = graze.normalised({ type: "polytope", points: [...around, [0, 0, 9]] });
+  assert.ok(hull.points.length > 10000);
+  assert.equal(graze.distance({ type: "point", position: [0, 0, 10] }, hull), 1);
+  const parts = around.map((center) => ({ type: "sphere", center, radius: 0.5 }));
+  const hole = graze.distance({ type: "compound", parts }, { type: "sphere", center: [0, 0, 0], radius: 0.25 });
+  assert.ok(Math.abs(hole - 0.25) < 1e-14, String(hole));
+  assert.equal(graze.touchingPairs(parts, Uint32Array.of(0, 1, 0, 44)).length, 2);
+});
+
+test("compounds may be nested as deep as in scene files", () => {
+  const nested = (depth) => (depth === 0 ? { type: "point", position: [3, 4] } : { type: "compound", parts: [nested(depth - 1)] });
+  const origin = { type: "point", position: [0, 0] };
+  assert.equal(graze.distance(nested(32), origin), 5);
+  assert.throws(() => graze.distance(nested(33), origin), /^Error: a: part 0, .*compounds are nested deeper than 32$/);
+});
+
+test("the dimension is that of the first vector, also behind a compound without parts", () => {
+  const nothing = { type: "compound", parts: [] };
+  assert.equal(graze.distance(nothing, { type: "point", position: [0, 0, 0] }), Infinity);
+  assert.deepEqual(graze.bounds(nothing), { min: [Infinity, Infinity], max: [-Infinity, -Infinity] });
+  assert.equal(graze.shapeCast(nothing, [1, 2, 3], nothing), null);
+});
+
+test("a getter may ask the module itself, and let its memory grow, while a question is put together", () => {
+  const point = { type: "point", position: [0, 0, 7] };
+  const finders = [];
+  const greedy = {
+    type: "capsule",
+    get a() {
+      assert.equal(graze.distance({ type: "sphere", center: [0, 3], radius: 1 }, { type: "point", position: [0, 0] }), 2);
+      return [0, 0, 1];
+    },
+    get b() {
+      const before = graze.memoryBytes;
+      while (graze.memoryBytes === before) finders.push(new graze.PairFinder(3, 1e6, "double"));
+      return [0, 0, 2];
+    },
+    get radius() {
+      assert.throws(() => graze.distance({ type: "sphere", center: [0, 3], radius: -1 }, point), /a: /);
+      return 3;
+    },
+  };
+  assert.equal(graze.distance(greedy, point), 2);
+  assert.equal(graze.distance(point, greedy), 2);
+  for (const finder of finders) finder.delete();
+});
+
+test("a getter that throws leaves no trace", () => {
+  const broken = {
+    type: "sphere",
+    center: [0, 0],
+    get radius() {
+      throw new RangeError("mine");
+    },
+  };
+  const point = { type: "point", position: [3, 4] };
+  for (let i = 0; i < 2000; ++i) assert.throws(() => graze.distance(point, broken), /^RangeError: mine$/);
+  assert.equal(graze.distance(point, { type: "point", position: [0, 0] }), 5);
+});
+
+const point = { type: "point", position: [0, 0] };
+
+/** Shapes with a fault, and what is said of it. */
+const faulty = [
+  [null, "must be an object, not null"],
+  [[1, 2], "must be an object, not an array"],
+  ["sphere", "must be an object, not a string"],
+  [{ center: [0, 0], radius: 1 }, 'a shape needs the field "type"'],
+  [Object.create({ ...point }), 'a shape needs the field "type"'],
+  [{ type: "ball", center: [0, 0], radius: 1 }, 'unknown type "ball"; did you mean "sphere"?'],
+  [{ type: "sphere", center: [0, 0] }, 'a sphere needs the field "radius"'],
+  [{ type: "sphere", center: [0, 0], radius: "1" }, '"radius" must be a number, not a string'],
+  [{ type: "sphere", center: [0, 0], radius: -1 }, '"radius" is -1; it must not be negative'],
+  [{ type: "sphere", center: [0, 0], radius: NaN }, '"radius" is NaN; numbers must be finite'],
+  [{ type: "sphere", center: [0, -Infinity], radius: 1 }, '"center"[1] is -Infinity; numbers must be finite'],
+  [{ type: "sphere", center: [0], radius: 1 }, '"center" has 1 number; this scene has dimension 3'],
+  [{ type: "sphere", center: [0, null], radius: 1 }, '"center" must hold numbers; coordinate 1 is null'],
+  [{ type: "sphere", center: { x: 0, y: 0 }, radius: 1 }, '"center" must be an array of 2 numbers, not an object'],
+  [{ type: "sphere", center: [0, 0], radius: 1, color: 3 }, 'unknown field "color"; known: "type", "center", "radius"'],
+  [{ type: "ray", origin: [0, 0], direction: [0, 0] }, '"direction" is zero, which points nowhere; any other length will do'],
+  [{ type: "plane", normal: [0, 0], offset: 1 }, '"normal" is zero, which points nowhere; any other length will do'],
+  [{ type: "aabb", min: [0, 2], max: [1, 1] }, '"min" is above "max" in coordinate 1: 2 > 1'],
+  [{ type: "aabb", min: [0, 2] }, 'an aabb needs the field "max"'],
+  [{ type: "aabb", min: [0, 0], max: [1, 1], center: [0, 0] }, 'an aabb needs either "min" and "max" or "center" and "half_extents"'],
+  [{ type: "aabb", center: [0, 0], half_extents: [1, -1] }, '"half_extents" has -1 as coordinate 1; none may be negative'],
+  [{ type: "aabb", center: [1e308, 0], half_extents: [1e308, 1] }, '"half_extents" reaches beyond the largest number there is, about 1.8e308'],
+  [{ type: "obb", center: [0, 0], half_extents: [1, 1], axes: [[1, 0], [1, 0]] },
+    '"axes" are not orthonormal: columns must have length 1 and be at right angles'],
+  [{ type: "obb", center: [0, 0], half_extents: [1, 1], axes: [[1, 0]] }, '"axes" must be 2 columns, not 1'],
+  [{ type: "obb", center: [0, 0], half_extents: [1, 1], rotation: { axis: [0, 0, 1], angle: 1 } },
+    '"rotation" belongs to dimension 3; in dimension 2 give "angle"'],
+  [{ type: "obb", center: [0, 0, 0], half_extents: [1, 1, 1], rotation: { axis: [0, 0, 0], angle: 1 } },
+    '"axis" is zero, which points nowhere; any other length will do'],
+  [{ type: "obb", center: [0, 0], half_extents: [1, 1], angle: 1, axes: [[1, 0], [0, 1]] },
+    '"angle" and "axes" say the same thing; give one of them'],
+  [{ type: "polytope", points: [] }, '"points" is empty; a polytope needs at least one point'],
+  [{ type: "polytope", points: [[0, 0], [1]] }, '"points"[1] has 1 number; this scene has dimension 2'],
+  [{ type: "compound", parts: [point, { type: "sphere", center: [0, 0], radius: -2 }] },
+    'part 1: "radius" is -2; it must not be negative'],
+];
+
+test("what is wrong with a shape is said, with the field and the value", () => {
+  for (const [shape, message] of faulty) {
+    for (const ask of [graze.normalised, graze.bounds]) {
+      assert.throws(() => ask(shape), { name: "Error", message: `shape: ${message}` });
+    }
+    const dot = { type: "point", position: shape?.center?.length === 3 || shape?.center?.length === 1 ? [0, 0, 0] : [0, 0] };
+    assert.throws(() => graze.distance(dot, shape), { name: "Error", message: `b: ${message}` });
+  }
+});
