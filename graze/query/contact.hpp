@@ -206,11 +206,14 @@ std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b) 
   }
 }
 
-#ifdef GRAZE_HAS_LANES
-
-/// Of two boxes in space, one of them oriented at least, rounded as it is found, so that nothing is copied.
+/// Of two boxes in space, one of them oriented at least, rounded as it is found, so that nothing is copied. Declared
+/// even where there are no lanes, and so no `are_quick_obbs`: compilers look the name up all the same.
 template <class A, class B>
-auto rounded_contact_of_obbs(const A& a, const B& b) {
+std::optional<Contact<3, scalar_of<A>>> rounded_contact_of_obbs(const A& a, const B& b);
+
+#ifdef GRAZE_HAS_LANES
+template <class A, class B>
+std::optional<Contact<3, scalar_of<A>>> rounded_contact_of_obbs(const A& a, const B& b) {
   using T = scalar_of<A>;
   std::optional<Contact<3, T>> result;
   const bool turns = are_turned(a, b);
@@ -229,7 +232,6 @@ auto rounded_contact_of_obbs(const A& a, const B& b) {
   contact.error = met.error();
   return result;
 }
-
 #endif
 
 }  // namespace detail

@@ -277,10 +277,11 @@ WideManifold<dimension_of<A>> manifold_of_met(const A& a, const B& b) {
   }
 }
 
-#ifdef GRAZE_HAS_LANES
+// Not defined where there are no lanes, and so no `are_quick_obbs`; compilers look the names up all the same.
 template <class A, class B>
 std::optional<WideManifold<3>> manifold_of_obbs(const A& a, const B& b);
-#endif
+template <class A, class B>
+Manifold<3, scalar_of<A>> rounded_manifold_of_obbs(const A& a, const B& b);
 
 template <class A, class B>
 std::optional<WideManifold<dimension_of<A>>> wide_manifold(const A& a, const B& b) {
@@ -397,7 +398,7 @@ template <class R, class Seen>
 }
 
 template <class A, class B>
-auto rounded_manifold_of_obbs(const A& a, const B& b) {
+Manifold<3, scalar_of<A>> rounded_manifold_of_obbs(const A& a, const B& b) {
   const bool turned = are_turned(a, b);
   return quick_manifold_of_obbs<scalar_of<A>>(seen_in_order(a, b, turned), turned);
 }
