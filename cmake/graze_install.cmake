@@ -4,7 +4,14 @@
 include(CMakePackageConfigHelpers)
 set(graze_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/graze")
 
-install(DIRECTORY graze/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/graze" FILES_MATCHING PATTERN "*.hpp")
+if(TARGET graze_graze)
+  install(DIRECTORY graze/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/graze" FILES_MATCHING PATTERN "*.hpp")
+  set(graze_arch)
+else()
+  install(DIRECTORY graze/math graze/shape graze/query DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/graze"
+          FILES_MATCHING PATTERN "*.hpp")
+  set(graze_arch ARCH_INDEPENDENT)
+endif()
 install(TARGETS graze_geometry EXPORT graze_geometry_targets)
 install(EXPORT graze_geometry_targets NAMESPACE graze:: DESTINATION "${graze_package_dir}"
         FILE graze-geometry-targets.cmake)
@@ -26,6 +33,6 @@ install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 configure_package_config_file(
   cmake/graze-config.cmake.in "${PROJECT_BINARY_DIR}/graze-config.cmake" INSTALL_DESTINATION "${graze_package_dir}"
   NO_SET_AND_CHECK_MACRO)
-write_basic_package_version_file("${PROJECT_BINARY_DIR}/graze-config-version.cmake" COMPATIBILITY SameMinorVersion)
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/graze-config-version.cmake" COMPATIBILITY SameMinorVersion ${graze_arch})
 install(FILES "${PROJECT_BINARY_DIR}/graze-config.cmake" "${PROJECT_BINARY_DIR}/graze-config-version.cmake"
         DESTINATION "${graze_package_dir}")

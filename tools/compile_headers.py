@@ -9,7 +9,7 @@ from content_cache import ContentCache, content_key
 from project_files import include_closure, project_files
 
 _FLAGS = ["-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror",
-          "-ffp-contract=off", "-I."]
+          "-ffp-contract=off", "-DGRAZE_NO_CONTRACTION", "-I."]
 
 
 # Headers that many others include, the largest first. Whoever includes one finds it compiled: all includes stand before any

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // GRAZE_HAS_LANES: vectors as a type of the language. GCC 12 and Clang have them on every processor, by its registers
-// or by plain numbers.
+// or by plain numbers. Other compilers calculate the same without, and so do these where GRAZE_NO_LANES is defined.
 #pragma once
 
-#if defined(__has_builtin)
+#if defined(__has_builtin) && !defined(GRAZE_NO_LANES)
 #if __has_builtin(__builtin_shufflevector)
 #define GRAZE_HAS_LANES
 #endif
 #endif
 
-#if defined(GRAZE_HAS_LANES) && defined(__x86_64__)
+// Functions for wider registers, chosen at run time. Those of AVX-512 could be contracted, see compiler.hpp.
+#if defined(GRAZE_HAS_LANES) && defined(__x86_64__) && defined(GRAZE_NO_CONTRACTION)
 #define GRAZE_HAS_WIDER_LANES
 #endif

@@ -2,6 +2,8 @@
 // Vectors and matrices. The only file of graze that includes GLM.
 #pragma once
 
+#include <graze/math/compiler.hpp>  // first: it says what would not compile
+
 #include <algorithm>
 #include <cmath>
 #include <concepts>
@@ -111,22 +113,23 @@ template <class Row>
 using ElementOf = std::remove_cvref_t<decltype(*std::data(std::declval<const Row&>()))>;
 
 namespace detail {
+/// The dimension of a vector, 0 of anything else. GLM's own `length()` is not constexpr with all of its macros.
 template <class V>
-inline constexpr bool is_vec = false;
+inline constexpr Dim vec_dimension = 0;
 template <Dim N, Scalar T>
-inline constexpr bool is_vec<Vec<N, T>> = true;
+inline constexpr Dim vec_dimension<Vec<N, T>> = N;
 }  // namespace detail
 
 /// Points one after the other in memory. Functions of points take a std::span, and any such row besides, because a
 /// span's dimension and number type are not deduced from what only converts to it.
 template <class Row>
-concept PointRow = detail::is_vec<ElementOf<Row>> && requires(const Row& row) {
+concept PointRow = (detail::vec_dimension<ElementOf<Row>> > 0) && requires(const Row& row) {
   std::size(row);
 };
 
 /// The same, of points of this dimension.
 template <class Row, Dim N>
-concept PointRowIn = PointRow<Row> &&(ElementOf<Row>::length() == N);
+concept PointRowIn = PointRow<Row> &&(detail::vec_dimension<ElementOf<Row>> == N);
 
 template <PointRow Row>
 std::span<const ElementOf<Row>> span_of(const Row& points) {

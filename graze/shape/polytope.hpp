@@ -132,7 +132,7 @@ Polytope<N, T> convex_hull(std::type_identity_t<std::span<const Vec<N, T>>> poin
 template <PointRow Row>
 auto convex_hull(const Row& points) {
   using Point = ElementOf<Row>;
-  return convex_hull<Point::length(), typename Point::value_type>(span_of(points));
+  return convex_hull<detail::vec_dimension<Point>, typename Point::value_type>(span_of(points));
 }
 
 /// The same where the dimension is given.
@@ -160,7 +160,7 @@ Polytope<N, T> convex_hull_in_order(std::type_identity_t<std::span<const Vec<N, 
 template <PointRow Row>
 auto convex_hull_in_order(const Row& points) {
   using Point = ElementOf<Row>;
-  return convex_hull_in_order<Point::length(), typename Point::value_type>(span_of(points));
+  return convex_hull_in_order<detail::vec_dimension<Point>, typename Point::value_type>(span_of(points));
 }
 
 /// A polytope cannot be built with a defect.
