@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <graze/math/throw.hpp>
+
 namespace graze::detail {
 
 /// Which boxes of a call are meant.
@@ -15,8 +17,8 @@ enum class BoxSet { only, first, second };
   const char* const of_set = set == BoxSet::only    ? ""
                              : set == BoxSet::first ? " of the first set"
                                                     : " of the second set";
-  throw std::invalid_argument("overlapping_pairs: box " + std::to_string(box) + of_set +
-                              " has a coordinate that is NaN");
+  GRAZE_THROW(std::invalid_argument("overlapping_pairs: box " + std::to_string(box) + of_set +
+                                    " has a coordinate that is NaN"));
 }
 
 }  // namespace graze::detail

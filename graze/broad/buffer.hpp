@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include <graze/math/throw.hpp>
+
 namespace graze::detail {
 
 /// Memory that begins at a cache line, which is also the widest vector; where it is large, at a large page of the
@@ -39,7 +41,7 @@ struct PageAllocator : std::allocator<Value> {
   };
 
   Value* allocate(std::size_t count) {
-    if (count > std::numeric_limits<std::size_t>::max() / 2 / sizeof(Value)) throw std::bad_alloc();
+    if (count > std::numeric_limits<std::size_t>::max() / 2 / sizeof(Value)) GRAZE_THROW(std::bad_alloc());
     return static_cast<Value*>(allocate_pages(count * sizeof(Value)));
   }
   void deallocate(Value* values, std::size_t count) noexcept { release_pages(values, count * sizeof(Value)); }

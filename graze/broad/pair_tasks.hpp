@@ -12,6 +12,7 @@
 
 #include <graze/broad/executor.hpp>
 #include <graze/broad/pair.hpp>
+#include <graze/math/throw.hpp>
 
 namespace graze::detail {
 
@@ -29,8 +30,8 @@ inline void check_pairs(std::span<const Pair> pairs, std::size_t shapes, const c
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const std::size_t largest = std::max(pairs[i].a, pairs[i].b);
     if (largest < shapes) continue;
-    throw std::out_of_range(std::string(caller) + ": pair " + std::to_string(i) + " names shape " +
-                            std::to_string(largest) + ", but there are only " + std::to_string(shapes));
+    GRAZE_THROW(std::out_of_range(std::string(caller) + ": pair " + std::to_string(i) + " names shape " +
+                                  std::to_string(largest) + ", but there are only " + std::to_string(shapes)));
   }
 }
 

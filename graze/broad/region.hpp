@@ -11,6 +11,7 @@
 #include <graze/broad/frustum_filter.hpp>
 #include <graze/broad/path_filter.hpp>
 #include <graze/math/rounding.hpp>
+#include <graze/math/throw.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
@@ -58,7 +59,7 @@ bool has_nan_coordinate(const Aabb<N, T>& box) {
 }
 
 [[noreturn]] inline void refuse_nan_in_region() {
-  throw std::invalid_argument("SpatialIndex: the region has a coordinate that is not a number");
+  GRAZE_THROW(std::invalid_argument("SpatialIndex: the region has a coordinate that is not a number"));
 }
 
 /// The largest absolute value among the finite coordinates.
@@ -132,7 +133,8 @@ class RegionProbe {
 
   explicit RegionProbe(const R& region) : region_(region), bounds_(sized_box(region, bounds(region))), filter_(region) {
     if constexpr (requires { defect(region); }) {
-      if (!is_valid(region)) throw std::invalid_argument("SpatialIndex: the region " + std::string(defect(region)));
+      if (!is_valid(region))
+        GRAZE_THROW(std::invalid_argument("SpatialIndex: the region " + std::string(defect(region))));
     }
     if (has_nan_coordinate(bounds_)) refuse_nan_in_region();
     slack_ = band * finite_size(bounds_);

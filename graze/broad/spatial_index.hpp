@@ -40,6 +40,7 @@
 
 #include <graze/broad/key_table.hpp>
 #include <graze/broad/region.hpp>
+#include <graze/math/throw.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
@@ -93,24 +94,25 @@ namespace detail {
 template <Dim N, class T>
 void require_box(const Aabb<N, T>& box) {
   if (has_nan_coordinate(box))
-    throw std::invalid_argument("SpatialIndex: the box has a coordinate that is not a number");
-  if (is_nothing(box)) throw std::invalid_argument("SpatialIndex: the box has a min above its max");
+    GRAZE_THROW(std::invalid_argument("SpatialIndex: the box has a coordinate that is not a number"));
+  if (is_nothing(box)) GRAZE_THROW(std::invalid_argument("SpatialIndex: the box has a min above its max"));
   constexpr T infinity = std::numeric_limits<T>::infinity();
   for (Dim i = 0; i < N; ++i) {
     if (box.min[i] < infinity && box.max[i] > -infinity) continue;
-    throw std::invalid_argument(
-        "SpatialIndex: the box lies at infinity; its min must be below +infinity, its max above -infinity");
+    GRAZE_THROW(std::invalid_argument(
+        "SpatialIndex: the box lies at infinity; its min must be below +infinity, its max above -infinity"));
   }
 }
 
 template <Dim N, class T>
 void require_ray(const Ray<N, T>& ray) {
-  if (!is_valid(ray)) throw std::invalid_argument("SpatialIndex: the ray " + std::string(defect(ray)));
+  if (!is_valid(ray)) GRAZE_THROW(std::invalid_argument("SpatialIndex: the ray " + std::string(defect(ray))));
 }
 
 template <Dim N, class T>
 void require_point(const Vec<N, T>& point) {
-  if (!is_finite(point)) throw std::invalid_argument("SpatialIndex: the point has a coordinate that is not finite");
+  if (!is_finite(point))
+    GRAZE_THROW(std::invalid_argument("SpatialIndex: the point has a coordinate that is not finite"));
 }
 
 /// A visitor that answers whether to go on, and sees to it that it leaves the index alone.
@@ -128,8 +130,8 @@ class GuardedVisit {
       goes_on = visit_(values...);
     }
     if (keys_.changes() != changes_) {
-      throw std::logic_error(
-          "SpatialIndex: a visitor changed the index that it visits; keep the keys and change it afterwards");
+      GRAZE_THROW(std::logic_error(
+          "SpatialIndex: a visitor changed the index that it visits; keep the keys and change it afterwards"));
     }
     return goes_on;
   }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include <graze/math/throw.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 
@@ -20,10 +21,10 @@ namespace detail {
 /// Why the points have no bounding volume, told in the name of the function that was asked for one.
 template <Dim N, class T>
 [[noreturn]] void refuse_points(std::span<const Vec<N, T>> points, const std::string& function) {
-  if (points.empty()) throw std::invalid_argument(function + ": there are no points");
+  if (points.empty()) GRAZE_THROW(std::invalid_argument(function + ": there are no points"));
   const auto bad = std::find_if(points.begin(), points.end(), [](const Vec<N, T>& point) { return !is_finite(point); });
-  throw std::invalid_argument(function + ": point " + std::to_string(bad - points.begin()) +
-                              " has a coordinate that is not finite");
+  GRAZE_THROW(std::invalid_argument(function + ": point " + std::to_string(bad - points.begin()) +
+                                    " has a coordinate that is not finite"));
 }
 
 /// The box of points, which is where they are checked: at least one, and all of them finite.

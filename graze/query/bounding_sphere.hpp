@@ -15,6 +15,7 @@
 
 #include <graze/math/orientation.hpp>
 #include <graze/math/rounding.hpp>
+#include <graze/math/throw.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/bounding_box.hpp>
@@ -259,7 +260,7 @@ Sphere<N, T> sphere_around(std::span<const Vec<N, T>> points, const char* functi
     const Sphere<N, T> sphere = covering_sphere(points, frame, find_center(LocalPoints<N, T>{points, frame}));
     if (std::isfinite(sphere.radius)) return sphere;
   }
-  throw std::invalid_argument(std::string(function) + ": the points are too far apart for a finite radius");
+  GRAZE_THROW(std::invalid_argument(std::string(function) + ": the points are too far apart for a finite radius"));
 }
 
 }  // namespace detail

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <graze/math/throw.hpp>
 #include <graze/scene/filter.hpp>
 
 namespace graze {
@@ -50,8 +51,8 @@ class FilterMatrix {
   static void require(Layer a, Layer b) {
     const Layer larger = a < b ? b : a;
     if (larger < max_layers) return;
-    throw std::out_of_range("FilterMatrix: there is no layer " + std::to_string(larger) +
-                            "; layers are numbered 0 to " + std::to_string(max_layers - 1));
+    GRAZE_THROW(std::out_of_range("FilterMatrix: there is no layer " + std::to_string(larger) +
+                                  "; layers are numbered 0 to " + std::to_string(max_layers - 1)));
   }
 
   std::array<LayerMask, max_layers> rows_;

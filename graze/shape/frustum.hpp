@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include <graze/math/pose.hpp>
+#include <graze/math/throw.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/clip_space.hpp>
 
@@ -100,8 +101,8 @@ inline std::array<Vec<3, double>, 4> far_corners(const ClipSpace<3>& clip, const
     const double w = clip.w().height(corner);
     if (is_finite(corner) && w > 0 && w <= limit) continue;
     if (std::isfinite(limit)) return corners_on({clip.w().normal, clip.w().offset - limit});
-    throw std::invalid_argument(
-        "frustum_of: the projection has no far plane; say in far_limit how far off things are seen");
+    GRAZE_THROW(std::invalid_argument(
+        "frustum_of: the projection has no far plane; say in far_limit how far off things are seen"));
   }
   return corners;
 }
@@ -112,13 +113,14 @@ Frustum<N, T> rounded_frustum(const std::array<Vec<N, double>, Frustum<N, T>::co
   Frustum<N, T> frustum;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     if (!(clip.w().height(corners[k]) > 0)) {
-      throw std::invalid_argument(
-          "frustum_of: the matrix is not that of a camera: it sees nothing, or what is behind it");
+      GRAZE_THROW(std::invalid_argument(
+          "frustum_of: the matrix is not that of a camera: it sees nothing, or what is behind it"));
     }
     frustum.corners[k] = Vec<N, T>(corners[k]) + T(0);  // never minus zero
   }
   if (!defect(frustum).empty()) {
-    throw std::invalid_argument("frustum_of: a corner is too far away for numbers of its type; give a far_limit");
+    GRAZE_THROW(
+        std::invalid_argument("frustum_of: a corner is too far away for numbers of its type; give a far_limit"));
   }
   return frustum;
 }
@@ -126,7 +128,7 @@ Frustum<N, T> rounded_frustum(const std::array<Vec<N, double>, Frustum<N, T>::co
 template <Dim N>
 void require_finite_matrix(const ClipSpace<N>& clip, std::string_view function) {
   if (clip.has_finite_numbers()) return;
-  throw std::invalid_argument(std::string(function) + ": the matrix has a number that is not finite");
+  GRAZE_THROW(std::invalid_argument(std::string(function) + ": the matrix has a number that is not finite"));
 }
 
 }  // namespace detail
@@ -138,7 +140,7 @@ template <class T>
 Frustum<3, T> frustum_of(const Mat<4, T>& view_projection, const FrustumOptions& options = {}) {
   const detail::ClipSpace<3> clip(view_projection);
   detail::require_finite_matrix(clip, "frustum_of");
-  if (!(options.far_limit > 0)) throw std::invalid_argument("frustum_of: far_limit is not above zero");
+  if (!(options.far_limit > 0)) GRAZE_THROW(std::invalid_argument("frustum_of: far_limit is not above zero"));
   const auto near_plane = clip.level(2, detail::near_depth(options.depth));
   const auto far = detail::far_corners(clip, options);
   std::array<Vec<3, double>, 8> corners;

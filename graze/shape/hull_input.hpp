@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include <graze/math/throw.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze::detail {
@@ -18,12 +19,12 @@ namespace graze::detail {
 template <Dim N, class T>
 void check_hull_points(std::string_view function, std::span<const Vec<N, T>> points) {
   const auto error = [function](std::string_view fact) { return std::string(function) + ": " + std::string(fact); };
-  if (points.empty()) throw std::invalid_argument(error("there are no points"));
+  if (points.empty()) GRAZE_THROW(std::invalid_argument(error("there are no points")));
   for (const Vec<N, T>& point : points) {
-    if (!is_finite(point)) throw std::invalid_argument(error("a point has a coordinate that is not finite"));
+    if (!is_finite(point)) GRAZE_THROW(std::invalid_argument(error("a point has a coordinate that is not finite")));
   }
   constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
-  if (N == 3 && points.size() > most) throw std::length_error(error("there are more than 2^32 - 1 points"));
+  if (N == 3 && points.size() > most) GRAZE_THROW(std::length_error(error("there are more than 2^32 - 1 points")));
 }
 
 }  // namespace graze::detail

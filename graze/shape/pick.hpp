@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include <graze/math/rounding.hpp>
+#include <graze/math/throw.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/clip_space.hpp>
 #include <graze/shape/ray.hpp>
@@ -21,7 +22,7 @@ namespace graze {
 template <class T>
 Vec<2, T> device_point(const Vec<2, T>& pixel, const Vec<2, T>& window_size) {
   if (!(window_size.x > T(0) && window_size.y > T(0))) {
-    throw std::invalid_argument("device_point: the window has no area; its width and height must be above zero");
+    GRAZE_THROW(std::invalid_argument("device_point: the window has no area; its width and height must be above zero"));
   }
   const Vec<2, double> share = wide<2, T>(pixel) / wide<2, T>(window_size);
   return Vec<2, T>(Vec<2, double>(2 * share.x - 1, 1 - 2 * share.y));
@@ -34,8 +35,9 @@ ClipSpace<N> clip_space_for_picking(const Mat<N + 1, T>& view_projection, const 
                                     std::string_view function) {
   const ClipSpace<N> clip(view_projection);
   const std::string name(function);
-  if (!clip.has_finite_numbers()) throw std::invalid_argument(name + ": the matrix has a number that is not finite");
-  if (!is_finite(device)) throw std::invalid_argument(name + ": the point has a coordinate that is not finite");
+  if (!clip.has_finite_numbers())
+    GRAZE_THROW(std::invalid_argument(name + ": the matrix has a number that is not finite"));
+  if (!is_finite(device)) GRAZE_THROW(std::invalid_argument(name + ": the point has a coordinate that is not finite"));
   return clip;
 }
 
@@ -57,7 +59,7 @@ Ray<3, T> pick_ray(const Mat<4, T>& view_projection, const std::type_identity_t<
   direction /= std::sqrt(length_squared(direction));
   const Vec<3, double> origin = detail::meeting_point({column, row, near_plane});
   const Ray<3, T> ray{Vec<3, T>(origin) + T(0), Vec<3, T>(direction) + T(0)};  // never minus zero
-  if (!defect(ray).empty()) throw std::invalid_argument("pick_ray: the matrix is not that of a camera");
+  if (!defect(ray).empty()) GRAZE_THROW(std::invalid_argument("pick_ray: the matrix is not that of a camera"));
   return ray;
 }
 
@@ -68,7 +70,7 @@ Vec<2, T> pick_point(const Mat<3, T>& view_projection, const std::type_identity_
   const auto column = clip.level(0, static_cast<double>(device.x));
   const auto row = clip.level(1, static_cast<double>(device.y));
   const Vec<2, T> point = Vec<2, T>(detail::meeting_point({column, row})) + T(0);
-  if (!is_finite(point)) throw std::invalid_argument("pick_point: the matrix is not that of a camera");
+  if (!is_finite(point)) GRAZE_THROW(std::invalid_argument("pick_point: the matrix is not that of a camera"));
   return point;
 }
 

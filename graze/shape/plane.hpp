@@ -8,6 +8,7 @@
 #include <graze/math/orientation.hpp>
 #include <graze/math/pose.hpp>
 #include <graze/math/rounding.hpp>
+#include <graze/math/throw.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze {
@@ -50,9 +51,9 @@ template <Dim N, class T>
 Plane<N, T> plane_at(const Vec<N, double>& normal, const Vec<N, T>& point) {
   const Plane<N, T> plane{Vec<N, T>(normal), static_cast<T>(dot(normal, wide<N, T>(point)))};
   if (!defect(plane).empty()) {
-    throw std::invalid_argument(
-        "plane_through: the points are too close together or too far away for the normal and "
-        "offset to be numbers of their type");
+    GRAZE_THROW(
+        std::invalid_argument("plane_through: the points are too close together or too far away for the normal and "
+                              "offset to be numbers of their type"));
   }
   return plane;
 }
@@ -73,7 +74,8 @@ bool are_on_one_line(const Vec<3, T>& a, const Vec<3, T>& b, const Vec<3, T>& c)
 /// hold is none: std::invalid_argument.
 template <class T>
 Plane<3, T> plane_through(const Vec<3, T>& a, const Vec<3, T>& b, const Vec<3, T>& c) {
-  if (detail::are_on_one_line(a, b, c)) throw std::invalid_argument("plane_through: the three points lie on one line");
+  if (detail::are_on_one_line(a, b, c))
+    GRAZE_THROW(std::invalid_argument("plane_through: the three points lie on one line"));
   const Vec<3, double> normal = accurate_cross(wide<3, T>(b) - wide<3, T>(a), wide<3, T>(c) - wide<3, T>(a));
   return detail::plane_at<3, T>(normal, a);
 }
@@ -82,7 +84,7 @@ Plane<3, T> plane_through(const Vec<3, T>& a, const Vec<3, T>& b, const Vec<3, T
 /// Equal points determine none, and an offset that T cannot hold is none: std::invalid_argument.
 template <class T>
 Plane<2, T> plane_through(const Vec<2, T>& a, const Vec<2, T>& b) {
-  if (a == b) throw std::invalid_argument("plane_through: the two points are equal");
+  if (a == b) GRAZE_THROW(std::invalid_argument("plane_through: the two points are equal"));
   return detail::plane_at<2, T>(perpendicular(wide<2, T>(b) - wide<2, T>(a)), a);
 }
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <graze/math/rounding.hpp>
+#include <graze/math/throw.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/math/whole_determinant.hpp>
 #include <graze/shape/hull_base.hpp>
@@ -27,11 +28,10 @@ namespace graze::detail {
 /// a point outside a face is strictly outside, so the faces that see it are a disk, none of the new ones is degenerate,
 /// and each point that is still outside sees one of these.
 ///
-/// Points that rounding hides the side of are set aside until all others are decided: where many are on a line or a
-/// plane up to their rounding, few of these have then to be decided exactly, see hull_doubts.hpp.
-///
-/// The points outside of a face lie together on one stack, those of the newest faces on top, and the newest face grows
-/// first: so memory is read and written in rows, and what is left of older faces is close at hand.
+/// Points whose side rounding hides are set aside until all others are decided: where many lie on a line or a plane up
+/// to their rounding, few of these have then to be decided exactly, see hull_doubts.hpp.
+/// The points outside of a face lie on one stack, those of the newest faces on top. The newest face grows first, so
+/// that memory is read and written in order.
 template <class T>
 class Quickhull {
  public:
@@ -265,7 +265,7 @@ class Quickhull {
       free_.pop_back();
     } else {
       constexpr std::size_t most = none / 4;
-      if (faces_.size() == most) throw std::length_error("the convex hull has more than 2^30 triangles");
+      if (faces_.size() == most) GRAZE_THROW(std::length_error("the convex hull has more than 2^30 triangles"));
       faces_.emplace_back();
     }
     Face& face = faces_[place];

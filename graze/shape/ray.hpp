@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include <graze/math/pose.hpp>
+#include <graze/math/throw.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze {
@@ -32,7 +33,8 @@ Ray<N, T> transformed(const Ray<N, T>& ray, const Pose<N, T>& pose) {
 /// The ray from one point through another, at t = 1. Equal points have no direction: std::invalid_argument.
 template <Dim N, class T>
 Ray<N, T> ray_between(const Vec<N, T>& from, const Vec<N, T>& to) {
-  if (from == to) throw std::invalid_argument("ray_between: the two points are equal, so the ray has no direction");
+  if (from == to)
+    GRAZE_THROW(std::invalid_argument("ray_between: the two points are equal, so the ray has no direction"));
   return {from, to - from};
 }
 

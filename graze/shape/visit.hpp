@@ -5,6 +5,8 @@
 #include <type_traits>
 #include <variant>
 
+#include <graze/math/throw.hpp>
+
 namespace graze::detail {
 
 /// As std::visit for one variant of at most twelve types: calls `visitor` with what `held` holds, and gives back what
@@ -56,7 +58,7 @@ constexpr decltype(auto) visit(Visitor&& visitor, Variant& held) {
     default:
       break;
   }
-  throw std::bad_variant_access();
+  GRAZE_THROW(std::bad_variant_access());
 }
 
 /// The same for two variants: visitor(what a holds, what b holds).
