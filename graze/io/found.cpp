@@ -2,6 +2,7 @@
 #include <ostream>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <graze/io/found.hpp>
 #include <graze/io/printable.hpp>

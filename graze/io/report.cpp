@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <graze/io/printable.hpp>
 #include <graze/io/quoting.hpp>
