@@ -29,7 +29,7 @@ struct BvhOptions {
 };
 
 /// A group of boxes of a Bvh, for pictures and for the curious.
-template <Dim N, class T>
+template <Dim N, class T = float>
 struct BvhCell {
   Aabb<N, T> box;     ///< Contains all boxes of the group; the smallest groups' are grown by the margin.
   int depth;          ///< That of all boxes has 0.
@@ -51,6 +51,7 @@ class Bvh {
 
   /// Throws std::invalid_argument for a margin that is negative or not finite.
   explicit Bvh(const BvhOptions& options = {}) : keys_(detail::bvh_most), tree_(options.margin) {}
+  explicit Bvh(double margin) : Bvh(BvhOptions{margin}) {}
 
   /// At most 2^31 - 1 boxes.
   Key insert(const Box& box) {

@@ -20,7 +20,7 @@
 namespace graze {
 
 /// A cell of a Grid, for pictures and for the curious.
-template <Dim N, class T>
+template <Dim N, class T = float>
 struct GridCell {
   Aabb<N, T> box;     ///< The square. A box belongs to it by its center, and may stick out by half the square's size.
   double size;        ///< The length of its sides, a power of two.
@@ -43,6 +43,7 @@ class Grid {
 
   /// Throws std::invalid_argument for a smallest_cell that is negative, not a number, or above 2^1000.
   explicit Grid(const GridOptions& options = {}) : keys_(most), cells_(options) {}
+  explicit Grid(double smallest_cell) : Grid(GridOptions{smallest_cell}) {}
 
   /// At most 2^29 boxes.
   Key insert(const Box& box) {

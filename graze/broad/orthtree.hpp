@@ -23,7 +23,7 @@
 namespace graze {
 
 /// A cell of an Orthtree, for pictures and for the curious.
-template <Dim N, class T>
+template <Dim N, class T = float>
 struct OrthtreeCell {
   Aabb<N, T> box;     ///< The square. A box belongs to it by its center, and may stick out by half the square's size.
   int depth;          ///< The root has 0.

@@ -91,7 +91,7 @@ void visit_overlapping_pairs(std::span<const Aabb<N, T>> boxes_a, std::span<cons
 /// overlapping_pairs for boxes that move: keeps its memory from frame to frame, and where the boxes lie, which it does
 /// not have to find out again while as many have moved a little. The pairs depend on the boxes of the call alone; so
 /// does their order if it is `sorted`, and on the calls before if it is `any`.
-template <Dim N, class T>
+template <Dim N, class T = float>
 class PairFinder {
  public:
   PairFinder();

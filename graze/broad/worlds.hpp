@@ -52,7 +52,7 @@ struct MovingBody {
 
 /// The boxes of a world, frame by frame. Instantiated for 2D and 3D, float and double; those in float are those in
 /// double, rounded.
-template <Dim N, class T>
+template <Dim N, class T = float>
 class MovingBoxes {
  public:
   MovingBoxes(World world, std::size_t count, std::uint64_t seed);

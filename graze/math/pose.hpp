@@ -11,6 +11,25 @@ template <Dim N, class T = float>
 struct Pose {
   Mat<N, T> rotation = Mat<N, T>(T(1));
   Vec<N, T> position = Vec<N, T>(T(0));
+
+  /// Turned by an angle in radians, counter-clockwise when y points up, then moved. Throws std::invalid_argument for an
+  /// angle that is not finite.
+  static Pose from_angle(const Vec<N, T>& position, double radians) requires(N == 2) {
+    return {Mat<N, T>(rotation_from_angle(radians)), position};
+  }
+
+  /// Turned about an axis of any length but zero by an angle in radians, right-handed, then moved. Throws
+  /// std::invalid_argument for an axis of zero, or numbers that are not finite.
+  static Pose from_axis_angle(const Vec<N, T>& position, const Vec<N, T>& axis, double radians) requires(N == 3) {
+    return {Mat<N, T>(rotation_from_axis_angle(wide<N, T>(axis), radians)), position};
+  }
+
+  /// Turned as a quaternion of any length but zero says, then moved. Throws std::invalid_argument for a quaternion of
+  /// zero, or numbers that are not finite.
+  template <Quaternion Q>
+  static Pose from_quaternion(const Vec<N, T>& position, const Q& quaternion) requires(N == 3) {
+    return {Mat<N, T>(rotation_from_quaternion(quaternion)), position};
+  }
 };
 
 /// The image of a point. Calculated in double, rounded once.

@@ -4,9 +4,13 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <numbers>
+#include <stdexcept>
 #include <type_traits>
 
+#include <graze/math/rounding.hpp>
+#include <graze/math/throw.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze {
@@ -15,6 +19,15 @@ namespace graze {
 /// along the axis, as long as the angle, right-handed.
 template <Dim N, class T = float>
 using Turn = std::conditional_t<N == 2, T, Vec<N, T>>;
+
+/// A quaternion of any library: w is the real part. glm::quat is one, and so is a vector of four.
+template <class Q>
+concept Quaternion = requires(const Q& q) {
+  { static_cast<double>(q.x) } -> std::same_as<double>;
+  { static_cast<double>(q.y) } -> std::same_as<double>;
+  { static_cast<double>(q.z) } -> std::same_as<double>;
+  { static_cast<double>(q.w) } -> std::same_as<double>;
+};
 
 namespace detail {
 
@@ -46,6 +59,12 @@ inline Vec<2, double> turned_by_quarters(const Vec<2, double>& turn, double quar
   }
 }
 
+/// The direction of any vector but zero, of length 1.
+inline Vec<3, double> unit_of(const Vec<3, double>& axis) {
+  const Vec<3, double> direction = of_moderate_size(axis);
+  return direction / std::sqrt(dot(direction, direction));
+}
+
 /// Rodrigues' formula, for an axis of length 1 and the cosine (x) and sine (y) of the angle.
 inline Mat<3, double> rotation_about(const Vec<3, double>& unit, const Vec<2, double>& turn) {
   Mat<3, double> result;
@@ -58,9 +77,10 @@ inline Mat<3, double> rotation_about(const Vec<3, double>& unit, const Vec<2, do
 
 }  // namespace detail
 
-/// Cosine (x) and sine (y) of an angle in radians, to two epsilon where it is under a million. The angle must be
-/// finite.
+/// Cosine (x) and sine (y) of an angle in radians, to two epsilon where it is under a million, and to what half a step
+/// of the angle changes where it is more. The angle must be finite.
 inline Vec<2, double> cosine_sine(double radians) {
+  if (std::fabs(radians) > 1e6) radians = std::remainder(radians, 2 * std::numbers::pi);
   constexpr double quarter = 0x1.921fb54400000p+0;        // of pi * 2: 33 bits, so that products with it are exact
   constexpr double quarter_rest = 0x1.0b4611a626331p-34;  // what they leave of it
   const double quarters = std::nearbyint(radians / (quarter + quarter_rest));
@@ -85,7 +105,7 @@ inline Mat<2, double> rotation_matrix(double degrees) {
 
 /// The turn of space about `axis` (any length but zero) by `degrees`, right-handed.
 inline Mat<3, double> rotation_matrix(const Vec<3, double>& axis, double degrees) {
-  return detail::rotation_about(axis / std::sqrt(dot(axis, axis)), cosine_sine_of_degrees(degrees));
+  return detail::rotation_about(detail::unit_of(axis), cosine_sine_of_degrees(degrees));
 }
 
 /// A turn as a matrix.
@@ -98,6 +118,47 @@ inline Mat<2, double> rotation_of(double turn) {
 inline Mat<3, double> rotation_of(const Vec<3, double>& turn) {
   const double angle = std::sqrt(dot(turn, turn));
   return angle == 0 ? Mat<3, double>(1.0) : detail::rotation_about(turn / angle, cosine_sine(angle));
+}
+
+/// The turn of space about `axis` by an angle in radians, right-handed; orthonormal to a few epsilon. The axis may have
+/// any length. Throws std::invalid_argument for an axis of zero and for numbers that are not finite.
+inline Mat<3, double> rotation_from_axis_angle(const Vec<3, double>& axis, double radians) {
+  if (!is_finite(axis))
+    GRAZE_THROW(std::invalid_argument("rotation_from_axis_angle: the axis has a coordinate that is not finite"));
+  if (axis == Vec<3, double>(0.0))
+    GRAZE_THROW(std::invalid_argument("rotation_from_axis_angle: the axis is zero and has no direction"));
+  if (!std::isfinite(radians)) GRAZE_THROW(std::invalid_argument("rotation_from_axis_angle: the angle is not finite"));
+  return detail::rotation_about(detail::unit_of(axis), cosine_sine(radians));
+}
+
+/// The same in the plane, counter-clockwise when y points up.
+inline Mat<2, double> rotation_from_angle(double radians) {
+  if (!std::isfinite(radians)) GRAZE_THROW(std::invalid_argument("rotation_from_angle: the angle is not finite"));
+  return rotation_of(radians);
+}
+
+/// The turn of space that a quaternion stands for, orthonormal to a few epsilon. Its length does not matter, nor does
+/// its sign. Throws std::invalid_argument for a quaternion of zero and for numbers that are not finite.
+template <Quaternion Q>
+Mat<3, double> rotation_from_quaternion(const Q& quaternion) {
+  Vec<3, double> v(static_cast<double>(quaternion.x), static_cast<double>(quaternion.y),
+                   static_cast<double>(quaternion.z));
+  double w = static_cast<double>(quaternion.w);
+  if (!is_finite(v) || !std::isfinite(w)) {
+    GRAZE_THROW(std::invalid_argument("rotation_from_quaternion: the quaternion has a number that is not finite"));
+  }
+  const double scale = scale_to_moderate(std::fmax(max_abs(v), std::fabs(w)));
+  v *= scale;
+  w *= scale;
+  const double square = dot(v, v) + w * w;
+  if (square == 0) GRAZE_THROW(std::invalid_argument("rotation_from_quaternion: the quaternion is zero"));
+  Mat<3, double> result;
+  for (Dim j = 0; j < 3; ++j) {
+    // Rodrigues' formula for the half angle: x + 2 (v x (v x x) + w v x x) / |q|^2
+    const Vec<3, double> across = cross(v, unit_axis<3>(j));
+    result[j] = unit_axis<3>(j) + (2 / square) * (cross(v, across) + w * across);
+  }
+  return result;
 }
 
 }  // namespace graze

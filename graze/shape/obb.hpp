@@ -20,6 +20,27 @@ struct Obb {
   Vec<N, T> center = Vec<N, T>(T(0));
   Vec<N, T> half_extents = Vec<N, T>(T(1));
   Mat<N, T> axes = Mat<N, T>(T(1));
+
+  /// The box turned about its center by an angle in radians, counter-clockwise when y points up; the axes are
+  /// orthonormal to rounding. Throws std::invalid_argument for an angle that is not finite.
+  static Obb from_angle(const Vec<N, T>& center, const Vec<N, T>& half_extents, double radians) requires(N == 2) {
+    return {center, half_extents, Mat<N, T>(rotation_from_angle(radians))};
+  }
+
+  /// The box turned about an axis of any length but zero by an angle in radians, right-handed. Throws
+  /// std::invalid_argument for an axis of zero, or numbers that are not finite.
+  static Obb from_axis_angle(const Vec<N, T>& center, const Vec<N, T>& half_extents, const Vec<N, T>& axis,
+                             double radians) requires(N == 3) {
+    return {center, half_extents, Mat<N, T>(rotation_from_axis_angle(wide<N, T>(axis), radians))};
+  }
+
+  /// The box turned as a quaternion of any length but zero says. Throws std::invalid_argument for a quaternion of zero,
+  /// or numbers that are not finite.
+  template <Quaternion Q>
+  static Obb from_quaternion(const Vec<N, T>& center, const Vec<N, T>& half_extents,
+                             const Q& quaternion) requires(N == 3) {
+    return {center, half_extents, Mat<N, T>(rotation_from_quaternion(quaternion))};
+  }
 };
 
 template <class T = float>

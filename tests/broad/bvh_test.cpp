@@ -148,7 +148,7 @@ TEST(Bvh, AssignThatFailsChangesNothing) {
 }
 
 TEST(Bvh, ABoxAssignedIsUpdatedAndErasedLikeAnyOther) {
-  Bvh<3> bvh({.margin = 0.5});
+  Bvh<3> bvh(0.5);  // the margin
   BruteForce<3> judge;
   std::vector<Aabb<3>> boxes = some_boxes(600, 5);
   std::vector<Key> keys = bvh.assign(boxes);

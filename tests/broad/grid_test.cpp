@@ -74,6 +74,11 @@ TEST(Grid, ASmallestCellIsThePowerOfTwoThatIsNotBelow) {
   EXPECT_EQ(grid.options().smallest_cell, 3);
 }
 
+TEST(Grid, TakesItsSmallestCellAsANumber) {
+  EXPECT_EQ(Grid<3>(0.001).options().smallest_cell, 0.001);
+  EXPECT_EQ((Grid<2, double>(3).options().smallest_cell), 3);
+}
+
 TEST(Grid, RefusesSettingsByName) {
   try {
     const Grid<2> grid({.smallest_cell = -2});

@@ -333,7 +333,7 @@ TEST(Pairs, MethodsAreKnownByName) {
 }
 
 TEST(Pairs, AFinderSaysWhatItDidAndWhatItHolds) {
-  PairFinder<2, float> finder;
+  PairFinder<2> finder;
   EXPECT_EQ(finder.method(), PairMethod::automatic);
   EXPECT_EQ(finder.bytes(), 0U);
   finder.find(std::vector<Rect<float>>(2));

@@ -28,6 +28,20 @@ TEST(Pose, TurnsFirstAndMovesThen) {
   EXPECT_EQ((rotated<2, double>(Vec<2, double>(3, 4), pose)), (Vec<2, double>(-4, 3)));
 }
 
+TEST(Pose, IsMadeFromAnAngleAnAxisOrAQuaternion) {
+  const Pose<2> flat = Pose<2>::from_angle({10, 20}, 0.5);
+  EXPECT_EQ(flat.rotation, (Mat<2, float>(rotation_from_angle(0.5))));
+  EXPECT_EQ(flat.position, (Vec<2, float>(10, 20)));
+  const Vec<3, double> axis(1, 2, -2);
+  const Pose<3, double> turned = Pose<3, double>::from_axis_angle({1, 2, 3}, axis, 0.5);
+  EXPECT_EQ(turned.rotation, rotation_from_axis_angle(axis, 0.5));
+  EXPECT_EQ(turned.position, (Vec<3, double>(1, 2, 3)));
+  const Vec<4, float> quaternion(1, 2, 3, 4);
+  const Pose<3> float_pose = Pose<3>::from_quaternion({1, 2, 3}, quaternion);
+  EXPECT_EQ(float_pose.rotation, (Mat<3, float>(rotation_from_quaternion(quaternion))));
+  EXPECT_EQ(float_pose.position, (Vec<3, float>(1, 2, 3)));
+}
+
 TEST(Pose, RotatesEveryColumnOfAFrame) {
   const Pose<2, double> pose{rotation_matrix(90), {10, 20}};
   const Mat<2, double> frame = rotated<2, double>(Mat<2, double>({1, 2}, {3, 4}), pose);

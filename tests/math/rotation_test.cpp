@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -102,6 +105,97 @@ TEST(Rotation, OfATurnInSpaceIsThatAboutItsAxis) {
   const Mat<3, double> expected = rotation_matrix(turn, std::sqrt(dot(turn, turn)) * 180 / std::numbers::pi);
   for (Dim j = 0; j < 3; ++j) EXPECT_LE(max_abs(Vec<3, double>(found[j] - expected[j])), 1e-15) << j;
   EXPECT_EQ(rotation_of(Vec<3, double>(0.0)), (Mat<3, double>(1.0)));
+}
+
+TEST(Rotation, ALargeAngleIsRightToItsOwnLastBit) {
+  for (const double angle : {1.0000001e6, -3e7, 1e10, -7.3e15, 1e100, std::numeric_limits<double>::max()}) {
+    const Vec<2, double> found = cosine_sine(angle);
+    const double step = 1e-15 + std::fabs(angle) * 0x1p-53;
+    EXPECT_NEAR(dot(found, found), 1, 1e-15) << angle;
+    if (step < 1) {
+      EXPECT_NEAR(found.x, std::cos(angle), step) << angle;
+      EXPECT_NEAR(found.y, std::sin(angle), step) << angle;
+    }
+  }
+}
+
+double largest_difference(const Mat<3, double>& a, const Mat<3, double>& b) {
+  double largest = 0;
+  for (Dim j = 0; j < 3; ++j) largest = std::max(largest, max_abs(Vec<3, double>(a[j] - b[j])));
+  return largest;
+}
+
+TEST(Rotation, FromAnAxisAndAnAngleIsThatByDegrees) {
+  const double huge = std::numeric_limits<double>::max();
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  for (const Vec<3, double>& axis :
+       {Vec<3, double>(0, 0, 1), Vec<3, double>(1, -2, 3), Vec<3, double>(1e-200, 3e-200, 0),
+        Vec<3, double>(huge, huge, -huge), Vec<3, double>(0, tiny, tiny)}) {
+    for (int degrees = -720; degrees <= 720; degrees += 15) {
+      const Mat<3, double> found = rotation_from_axis_angle(axis, degrees * std::numbers::pi / 180);
+      EXPECT_LE(largest_difference(found, rotation_matrix(axis, degrees)), 4e-15) << degrees;
+      EXPECT_LE(largest_difference(transpose(found) * found, Mat<3, double>(1.0)), 2e-15) << degrees;
+    }
+  }
+  EXPECT_EQ(rotation_from_angle(0.75), rotation_of(0.75));
+}
+
+struct Quat {  // in the order of some other library
+  float w, x, y, z;
+};
+
+TEST(Rotation, FromAQuaternionIsThatAboutItsAxis) {
+  const Vec<3, double> axis = Vec<3, double>(1, -2, 2) / 3.0;
+  for (int degrees = -720; degrees <= 720; degrees += 15) {
+    const Vec<2, double> half = cosine_sine_of_degrees(degrees * 0.5);
+    for (const double length : {1.0, -1.0, 3.5, 1e-300, -1e300, 0x1p-1060}) {
+      const Vec<4, double> quaternion = Vec<4, double>(axis * half.y, half.x) * length;
+      const Mat<3, double> found = rotation_from_quaternion(quaternion);
+      // The few bits of numbers next to zero are all that such a quaternion has.
+      const double bound = std::fabs(length) < 1e-310 ? 1e-3 : 2e-15;
+      EXPECT_LE(largest_difference(found, rotation_matrix(axis, degrees)), bound) << degrees << ' ' << length;
+      EXPECT_LE(largest_difference(transpose(found) * found, Mat<3, double>(1.0)), 2e-15) << degrees << ' ' << length;
+    }
+  }
+  EXPECT_EQ(rotation_from_quaternion(Quat{2, 0, 0, 0}), (Mat<3, double>(1.0)));
+  EXPECT_EQ(rotation_from_quaternion(Quat{1, 0, 0, 1}), rotation_matrix(Vec<3, double>(0, 0, 1), 90));
+  static_assert(Quaternion<Quat> && Quaternion<Vec<4, float>> && !Quaternion<Vec<3, float>>);
+}
+
+template <class Ask>
+std::string error_of(Ask ask) {
+  try {
+    ask();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(Rotation, RefusesWhatHasNoDirectionByName) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  struct Row {
+    std::string expected, found;
+  };
+  const auto about = [](const Vec<3, double>& axis, double angle) {
+    return error_of([&] { (void)rotation_from_axis_angle(axis, angle); });
+  };
+  const auto quaternion = [](const Vec<4, double>& q) { return error_of([&] { (void)rotation_from_quaternion(q); }); };
+  for (const Row& row :
+       {Row{"none", about({0, 1e-320, 0}, 1)},
+        Row{"rotation_from_axis_angle: the axis is zero and has no direction", about({0, -0.0, 0}, 1)},
+        Row{"rotation_from_axis_angle: the axis has a coordinate that is not finite", about({0, infinity, 0}, 1)},
+        Row{"rotation_from_axis_angle: the axis has a coordinate that is not finite", about({nan, 1, 0}, 1)},
+        Row{"rotation_from_axis_angle: the angle is not finite", about({0, 1, 0}, -infinity)},
+        Row{"rotation_from_angle: the angle is not finite", error_of([&] { (void)rotation_from_angle(nan); })},
+        Row{"none", quaternion({0, 0, 0, 1e-320})},
+        Row{"rotation_from_quaternion: the quaternion is zero", quaternion({0, 0, 0, -0.0})},
+        Row{"rotation_from_quaternion: the quaternion has a number that is not finite", quaternion({0, nan, 0, 1})},
+        Row{"rotation_from_quaternion: the quaternion has a number that is not finite",
+            quaternion({0, 0, 0, infinity})}}) {
+    EXPECT_EQ(row.found, row.expected);
+  }
 }
 
 }  // namespace

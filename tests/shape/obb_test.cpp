@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <stdexcept>
 #include <type_traits>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <graze/math/draws.hpp>
 #include <graze/shape/obb.hpp>
 
 #include "../catalogue/nasty.hpp"
@@ -61,6 +65,52 @@ TEST(Obb, DefaultsToTheUnitBoxUnrotated) {
   EXPECT_EQ((Obb<3>{}.center), (Vec<3, float>(0, 0, 0)));
   EXPECT_EQ((Obb<3>{}.half_extents), (Vec<3, float>(1, 1, 1)));
   EXPECT_EQ((Obb<3>{}.axes), (Mat<3, float>(1.0F)));
+}
+
+TEST(Obb, IsMadeFromAnAngle) {
+  const Obb<2> box = Obb<2>::from_angle({10, 20}, {3, 4}, std::numbers::pi / 6);
+  EXPECT_EQ(box.center, (Vec<2, float>(10, 20)));
+  EXPECT_EQ(box.half_extents, (Vec<2, float>(3, 4)));
+  EXPECT_FLOAT_EQ(box.axes[0].x, std::sqrt(0.75F));
+  EXPECT_FLOAT_EQ(box.axes[0].y, 0.5F);
+  EXPECT_FLOAT_EQ(box.axes[1].x, -0.5F);
+  EXPECT_FLOAT_EQ(box.axes[1].y, std::sqrt(0.75F));
+  EXPECT_THROW((void)Obb<2>::from_angle({0, 0}, {1, 1}, std::numeric_limits<double>::infinity()),
+               std::invalid_argument);
+}
+
+TEST(Obb, IsMadeFromAnAxisAndAnAngleOrAQuaternion) {
+  // A third of a turn about the diagonal: x goes to y, y to z, z to x.
+  const Mat<3, double> expected({0, 1, 0}, {0, 0, 1}, {1, 0, 0});
+  const double third = 2 * std::numbers::pi / 3;
+  const auto about = Obb<3, double>::from_axis_angle({1, 2, 3}, {4, 5, 6}, {7, 7, 7}, third);
+  const auto by = Obb<3, double>::from_quaternion({1, 2, 3}, {4, 5, 6}, Vec<4, double>(7, 7, 7, 7));
+  for (const Obb<3, double>& box : {about, by}) {
+    EXPECT_EQ(box.center, (Vec<3, double>(1, 2, 3)));
+    EXPECT_EQ(box.half_extents, (Vec<3, double>(4, 5, 6)));
+    for (Dim j = 0; j < 3; ++j) EXPECT_LE(max_abs(Vec<3, double>(box.axes[j] - expected[j])), 1e-15);
+  }
+  EXPECT_THROW((void)Obb<3>::from_axis_angle({0, 0, 0}, {1, 1, 1}, {0, 0, 0}, 1), std::invalid_argument);
+  EXPECT_THROW((void)Obb<3>::from_quaternion({0, 0, 0}, {1, 1, 1}, Vec<4, float>(0.0F)), std::invalid_argument);
+}
+
+TEST(Obb, FromAnyAxisAngleAndQuaternionIsOrthonormalToRounding) {
+  detail::Draws draws(7);
+  const auto between = [&draws](double least, double most) {
+    return least + (most - least) * static_cast<double>(draws.below(1'000'000)) / 1e6;
+  };
+  for (int i = 0; i < 10000; ++i) {
+    const auto number = [&between] { return between(-1, 1) * std::exp2(between(-120, 120)); };
+    const double angle = between(-1, 1) * std::exp2(between(-60, 60));
+    const Vec<4, float> q(number(), number(), number(), number());
+    const double flat = orthonormal_error<2, double>(Obb<2, double>::from_angle({0, 0}, {1, 1}, angle).axes);
+    const double about = orthonormal_error<3, double>(
+        Obb<3, double>::from_axis_angle({0, 0, 0}, {1, 1, 1}, Vec<3, double>(q), angle).axes);
+    const double by = orthonormal_error<3, double>(Obb<3, double>::from_quaternion({0, 0, 0}, {1, 1, 1}, q).axes);
+    const double rounded = orthonormal_error<3, float>(Obb<3>::from_quaternion({0, 0, 0}, {1, 1, 1}, q).axes);
+    EXPECT_LE(std::max({flat, about, by}), 8 * std::numeric_limits<double>::epsilon()) << angle;
+    EXPECT_LE(rounded, 2 * std::numeric_limits<float>::epsilon());
+  }
 }
 
 TEST(Obb, MeasuresHowFarAxesAreFromOrthonormal) {
