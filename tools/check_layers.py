@@ -23,6 +23,8 @@ SOURCES = [".hpp", ".cpp", ".py", ".sh", ".cmake", ".cmake.in", "CMakeLists.txt"
 # and why it is another's.
 TESTED_ELSEWHERE = {
     "graze/broad/block.hpp": ("tests/broad/block_tree_test.cpp", "structs without functions: what the tree is made of"),
+    "graze/math/compiler.hpp": ("tests/package/test_compiler.py", "refuses compilers and flags"),
+    "graze/math/throw.hpp": ("tests/package/test_compiler.py", "what errors become without exceptions"),
     "graze/math/has_lanes.hpp": ("tests/query/lanes_test.cpp", "two macros, for what is tested there"),
     "graze/query/flat_core.hpp": ("tests/query/flat_touch_test.cpp", "what a touch in the plane is calculated from"),
     "graze/query/flat_ball.hpp": ("tests/query/flat_touch_test.cpp", "compared there with all shapes, as the others"),

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Asks for what is an error. With OWN_THROW errors go where this program wants them.
+#ifdef OWN_THROW
+#include <cstdio>
+#include <cstdlib>
+#define GRAZE_THROW(error) (std::printf("own: %s\n", (error).what()), std::exit(3))
+#endif
+
+#include <vector>
+
+#include <graze/shape/polytope.hpp>
+
+int main() { return static_cast<int>(graze::convex_hull(std::vector<graze::Vec<3>>{}).vertices().size()); }
