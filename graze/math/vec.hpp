@@ -35,9 +35,9 @@ using Vec = glm::vec<N, T, glm::packed_highp>;
 template <Dim N, class T = float>
 using Mat = glm::mat<N, N, T, glm::packed_highp>;
 
-static_assert(sizeof(Vec<2, float>) == 8 && alignof(Vec<2, float>) == 4);
-static_assert(sizeof(Vec<3, float>) == 12 && alignof(Vec<3, float>) == 4);
-static_assert(sizeof(Vec<3, double>) == 24 && alignof(Vec<3, double>) == 8);
+static_assert(sizeof(Vec<2, float>) == 8 && alignof(Vec<2, float>) == alignof(float));
+static_assert(sizeof(Vec<3, float>) == 12 && alignof(Vec<3, float>) == alignof(float));
+static_assert(sizeof(Vec<3, double>) == 24 && alignof(Vec<3, double>) == alignof(double));
 
 /// The numbers shapes are stored in.
 template <class T>
