@@ -28,10 +28,37 @@ inline Rounded two_sum(double a, double b) {
   return {sum, (a - a_part) + (b - b_part)};
 }
 
+namespace detail {
+
+/// Two numbers of at most 26 bits whose sum is x (Veltkamp 1968). Exact below 2^996.
+inline Rounded halves(double x) {
+  const double spread = 0x1.0000002p27 * x;  // by 2^27 + 1
+  const double upper = spread - (spread - x);
+  return {upper, x - upper};
+}
+
+/// What std::fma(a, b, -product) gives for the rounded product of a and b, to the bit, by products of halves (Dekker
+/// 1971) where none of them over- or underflows.
+inline double product_error_by_halves(double a, double b, double product) {
+  const double size = std::fabs(product);
+  const bool is_moderate = size > 0x1p-900 && size < 0x1p900 && std::fabs(a) < 0x1p900 && std::fabs(b) < 0x1p900;
+  if (!is_moderate) return size == 0 && (a == 0 || b == 0) ? 0 : std::fma(a, b, -product);
+  const Rounded of_a = halves(a);
+  const Rounded of_b = halves(b);
+  const double without_last = (of_a.value * of_b.value - product) + of_a.value * of_b.error + of_a.error * of_b.value;
+  return without_last + of_a.error * of_b.error;
+}
+
+}  // namespace detail
+
 /// a * b with its error. Exact unless the product over- or underflows.
 inline Rounded two_product(double a, double b) {
   const double product = a * b;
+#if defined(__wasm__)  // has no instruction for it, and the C library's function takes as long as dozens of others
+  return {product, detail::product_error_by_halves(a, b, product)};
+#else
   return {product, std::fma(a, b, -product)};
+#endif
 }
 
 /// a * b - c * d within two epsilon of itself, however much of the products cancels; exactly negated when the products

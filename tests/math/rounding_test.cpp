@@ -81,6 +81,34 @@ RC_GTEST_PROP(Rounding, TwoProductIsExact, ()) {
   RC_ASSERT(Rational(product.value) + Rational(product.error) == Rational(a) * Rational(b));
 }
 
+void expect_error_of_fma(double a, double b) {
+  const double product = a * b;
+  const double error = detail::product_error_by_halves(a, b, product);
+  const double wanted = std::fma(a, b, -product);
+  const bool is_same = std::bit_cast<std::uint64_t>(error) == std::bit_cast<std::uint64_t>(wanted);
+  EXPECT_TRUE(is_same || (std::isnan(error) && std::isnan(wanted))) << a << " * " << b << ": " << error;
+}
+
+RC_GTEST_PROP(Rounding, TheErrorOfAProductByHalvesIsThatOfFmaToTheBit, ()) {
+  const auto [a, b] = two_numbers(600);
+  expect_error_of_fma(a, b);
+  expect_error_of_fma(*any_double(-1074, 1023), b);
+}
+
+TEST(Rounding, TheErrorOfAProductByHalvesIsThatOfFmaForNastyNumbers) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double a : {0.0, 1.0, 1 + ulp, 1 / 3.0, tiny, 3 * tiny, 0x1p-1022, 0x1p-450, 0x1.8p-900, 0x1.fp899,
+                         0x1p900, huge, infinity, nan}) {
+    for (const double b :
+         {0.0, -1.0, 1 - ulp, 2 / 3.0, tiny, 0x1p-1022, 0x1.fp-451, 0x1p-899, 0x1p450, 0x1p901, huge, infinity, nan}) {
+      for (const double sign : {1.0, -1.0}) {
+        expect_error_of_fma(sign * a, b);
+        expect_error_of_fma(a, sign * b);
+      }
+    }
+  }
+}
+
 TEST(Rounding, NextUpAndNextDownAreNeighboursAndInfinitiesStay) {
   EXPECT_EQ(next_up(1.0), 1 + ulp);
   EXPECT_EQ(next_down(1.0), 1 - ulp / 2);
