@@ -2,7 +2,6 @@
 // Scenes: what changes them. scene_questions.cpp has what is asked of them.
 #include "scenes.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -228,22 +227,6 @@ void move_to_time(SceneHandle& self, double seconds) {
 template <Dim N>
 constexpr std::size_t numbers_in_pose = N == 2 ? 3 : 7;
 
-/// The turn by a quaternion of any length but zero, of which `v` has x, y and z. Scaled by the largest of them first,
-/// so that no square over- or underflows.
-Mat<3, double> rotation_of_quaternion(const Vec<3, double>& v, double w) {
-  const double largest = std::max(max_abs(v), std::fabs(w));
-  const Vec<3, double> scaled = v / largest;
-  const double length = std::sqrt(dot(scaled, scaled) + (w / largest) * (w / largest));
-  const Vec<3, double> unit = scaled / length;
-  const double unit_w = w / largest / length;
-  Mat<3, double> rotation;
-  for (Dim j = 0; j < 3; ++j) {
-    const Vec<3, double> twice_aside = 2.0 * cross(unit, unit_axis<3>(j));
-    rotation[j] = unit_axis<3>(j) + unit_w * twice_aside + cross(unit, twice_aside);
-  }
-  return rotation;
-}
-
 template <Dim N>
 Pose<N, double> pose_at(std::span<const double> numbers, std::size_t index) {
   const std::span<const double> own = numbers.subspan(index * numbers_in_pose<N>, numbers_in_pose<N>);
@@ -251,16 +234,16 @@ Pose<N, double> pose_at(std::span<const double> numbers, std::size_t index) {
     if (!std::isfinite(number))
       throw std::invalid_argument(fmt::format("pose {} has a number that is not finite", index));
   }
-  Pose<N, double> pose{.position = vector_at<N>(own, 0)};
+  const Vec<N, double> position = vector_at<N>(own, 0);
   if constexpr (N == 2) {
-    pose.rotation = rotation_of(own[2]);
+    return Pose<2, double>::from_angle(position, own[2]);
   } else {
-    if (own[3] == 0 && own[4] == 0 && own[5] == 0 && own[6] == 0) {
+    const Vec<4, double> quaternion(own[3], own[4], own[5], own[6]);
+    if (quaternion == Vec<4, double>(0.0)) {
       throw std::invalid_argument(fmt::format("pose {} has a quaternion of length zero", index));
     }
-    pose.rotation = rotation_of_quaternion(vector_at<3>(own.subspan(3), 0), own[6]);
+    return Pose<3, double>::from_quaternion(position, quaternion);
   }
-  return pose;
 }
 
 void pose(SceneHandle& self, std::size_t count) {
