@@ -24,6 +24,7 @@
 #include <graze/query/distance.hpp>
 #include <graze/query/distance_squared.hpp>
 #include <graze/query/epa.hpp>
+#include <graze/query/filled_parts.hpp>
 #include <graze/query/gjk.hpp>
 #include <graze/query/intersects.hpp>
 #include <graze/query/manifold.hpp>
