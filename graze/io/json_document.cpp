@@ -77,8 +77,12 @@ std::string_view kind_name(JsonKind kind) {
 /// Takes the events of nlohmann's parser, which does not recurse, and appends nodes.
 class JsonDocument::Builder {
  public:
-  explicit Builder(JsonDocument& document)
-      : document_(document), text_begin_(document.text_.data()), seen_(text_begin_), last_end_(text_begin_) {}
+  Builder(JsonDocument& document, std::string_view packed_field)
+      : document_(document),
+        packed_field_(packed_field),
+        text_begin_(document.text_.data()),
+        seen_(text_begin_),
+        last_end_(text_begin_) {}
 
   void parse() {
     const char* end = text_begin_ + document_.text_.size();
@@ -92,7 +96,13 @@ class JsonDocument::Builder {
     // -0 is a number of its own in binary floating point, and text is the only place where nlohmann still shows it.
     return real(value == 0 ? -0.0 : static_cast<double>(value));
   }
-  bool number_unsigned(std::uint64_t value) { return scalar(JsonKind::whole, value); }
+  bool number_unsigned(std::uint64_t value) {
+    if (!is_packing_ || value > std::numeric_limits<std::uint32_t>::max()) return scalar(JsonKind::whole, value);
+    document_.packed_.push_back(static_cast<std::uint32_t>(value));
+    count_in_array();
+    last_end_ = seen_;
+    return true;
+  }
   bool number_float(double value, const std::string&) { return real(value); }
   bool string(std::string& value) {
     count_in_array();
@@ -100,16 +110,27 @@ class JsonDocument::Builder {
   }
   bool key(std::string& value) {
     ++document_.nodes_[open_.back()].size;
-    return text(value);
+    text(value);
+    is_packed_field_ = !packed_field_.empty() && value == packed_field_;
+    return true;
   }
   bool binary(nlohmann::json::binary_t&) { return false; }  // not in text
   bool start_object(std::size_t) { return open(JsonKind::object); }
-  bool start_array(std::size_t) { return open(JsonKind::array); }
+  bool start_array(std::size_t) {
+    const bool packs = is_packed_field_;
+    open(JsonKind::array);
+    is_packing_ = packs;
+    if (packs) document_.nodes_.back().payload = document_.packed_.size();
+    return true;
+  }
   bool end_object() {
     refuse_duplicate_keys();
     return close();
   }
-  bool end_array() { return close(); }
+  bool end_array() {
+    is_packing_ = false;
+    return close();
+  }
 
   bool parse_error(std::size_t position, const std::string& last_token, const nlohmann::json::exception& exception) {
     constexpr int out_of_range = 406;
@@ -136,7 +157,20 @@ class JsonDocument::Builder {
     return std::min(document_.text_.find_first_not_of(" \t\r\n,:", last), document_.text_.size());
   }
 
+  /// Gives the elements of the array at hand nodes, because it holds something that cannot be packed.
+  void unpack() {
+    is_packing_ = false;
+    const Node array = document_.nodes_[open_.back()];
+    for (std::size_t i = array.payload; i < document_.packed_.size(); ++i) {
+      const auto index = static_cast<std::uint32_t>(document_.nodes_.size());
+      document_.nodes_.push_back({JsonKind::whole, array.offset, index + 1, 0, document_.packed_[i]});
+    }
+    document_.packed_.resize(array.payload);
+  }
+
   std::uint32_t append(JsonKind kind, std::uint32_t size, std::uint64_t payload) {
+    if (is_packing_) unpack();
+    is_packed_field_ = false;
     const auto index = static_cast<std::uint32_t>(document_.nodes_.size());
     document_.nodes_.push_back({kind, static_cast<std::uint32_t>(token_offset()), index + 1, size, payload});
     last_end_ = seen_;
@@ -197,6 +231,9 @@ class JsonDocument::Builder {
   }
 
   JsonDocument& document_;
+  std::string_view packed_field_;
+  bool is_packed_field_ = false;  ///< The last token was the name of the packed field.
+  bool is_packing_ = false;       ///< The array at hand is its value, and has held nothing else so far.
   const char* text_begin_;
   const char* seen_;      ///< How far the parser has read.
   const char* last_end_;  ///< How far it had read when the last token was complete.
@@ -204,13 +241,14 @@ class JsonDocument::Builder {
   std::vector<std::pair<std::string_view, std::uint32_t>> keys_;
 };
 
-JsonDocument::JsonDocument(std::string_view text, std::string source, std::size_t first_line)
+JsonDocument::JsonDocument(std::string_view text, std::string source, std::size_t first_line,
+                           std::string_view packed_field)
     : text_(without_byte_order_mark(text)), source_(std::move(source)), first_line_(first_line) {
   if (text_.size() >= std::numeric_limits<std::uint32_t>::max()) {
     throw InputError(source_ + ": larger than 4 GiB, the most that one JSON file may have");
   }
   require_utf8(text_, source_, first_line_);
-  Builder(*this).parse();
+  Builder(*this, packed_field).parse();
 }
 
 InputError JsonDocument::error(std::size_t offset, std::string_view message) const {
@@ -239,6 +277,12 @@ std::string_view JsonValue::text() const { return document_->text_of(document_->
 std::size_t JsonValue::size() const { return document_->nodes_[index_].size; }
 
 JsonItems JsonValue::items() const { return JsonItems(*this); }
+
+std::span<const std::uint32_t> JsonValue::packed() const {
+  const JsonDocument::Node& node = document_->nodes_[index_];
+  if (node.kind != JsonKind::array || node.end != index_ + 1) return {};
+  return std::span(document_->packed_).subspan(node.payload, node.size);
+}
 
 JsonFieldRange JsonValue::fields() const { return JsonFieldRange(*this); }
 

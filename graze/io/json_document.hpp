@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,8 @@ class JsonValue {
   std::size_t size() const;
   /// An array's elements, in order.
   JsonItems items() const;
+  /// The elements of a packed array, none of any other: see JsonDocument.
+  std::span<const std::uint32_t> packed() const;
   /// An object's fields, in order.
   JsonFieldRange fields() const;
   /// The value of an object's field, if there is one of that name.
@@ -76,8 +79,10 @@ class JsonDocument {
   static constexpr std::size_t max_depth = 128;
 
   /// Throws InputError with line and column. A byte order mark is allowed. `source` names the text in messages, and its
-  /// first line has the number `first_line`: of newline-delimited JSON, each line is a document.
-  JsonDocument(std::string_view text, std::string source, std::size_t first_line = 1);
+  /// first line has the number `first_line`: of newline-delimited JSON, each line is a document. An array in a field
+  /// named `packed_field` that holds nothing but whole numbers below 2^32 is packed: it has a size, but no `items`.
+  JsonDocument(std::string_view text, std::string source, std::size_t first_line = 1,
+               std::string_view packed_field = {});
   JsonDocument(const JsonDocument&) = delete;
   JsonDocument& operator=(const JsonDocument&) = delete;
   JsonDocument(JsonDocument&&) = delete;
@@ -103,7 +108,7 @@ class JsonDocument {
     std::uint32_t offset;
     std::uint32_t end;
     std::uint32_t size;     ///< Characters of a text, elements, fields.
-    std::uint64_t payload;  ///< A whole number, the bits of a number, or where a text begins in `characters_`.
+    std::uint64_t payload;  ///< A whole number, the bits of a number, where a text or a packed array begins.
   };
 
   std::string_view text_of(const Node& node) const;
@@ -111,7 +116,8 @@ class JsonDocument {
   std::string_view text_;
   std::string source_;
   std::vector<Node> nodes_;
-  std::string characters_;  ///< All texts, unescaped, one behind the other.
+  std::string characters_;             ///< All texts, unescaped, one behind the other.
+  std::vector<std::uint32_t> packed_;  ///< The elements of packed arrays, one behind the other.
   std::size_t first_line_;
 };
 

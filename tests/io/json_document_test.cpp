@@ -137,5 +137,31 @@ TEST(JsonDocument, TextThatIsNotUtf8IsAnError) {
   EXPECT_EQ(parse_error(std::string("[1]\0", 4)).find("a.json: line 1, column 4: byte 0x00"), 0U);
 }
 
+TEST(JsonDocument, PacksArraysOfWholeNumbersInOneField) {
+  const std::string text = R"({"data": [1, 4294967295], "a": [1], "b": {"data": [ ]}, "data2": [3], "data": 5})";
+  const std::string other = R"({"data": [1, 2, -3, [4]], "x": {"data": [7, 8]}})";
+  EXPECT_THROW(JsonDocument(text, "t", 1, "data"), InputError) << "a field twice";
+  const JsonDocument packed(text.substr(0, text.rfind(',')) + "}", "t", 1, "data");
+  const JsonValue data = *packed.root().find("data");
+  EXPECT_EQ(data.kind(), JsonKind::array);
+  EXPECT_EQ(data.size(), 2U);
+  ASSERT_EQ(data.packed().size(), 2U);
+  EXPECT_EQ(data.packed()[1], 4294967295U);
+  EXPECT_EQ(data.items().begin(), data.items().end());
+  EXPECT_TRUE(packed.root().find("a")->packed().empty());
+  EXPECT_EQ((*packed.root().find("a")->items().begin()).whole(), 1U);
+  EXPECT_EQ(packed.root().find("b")->find("data")->size(), 0U);
+
+  const JsonDocument mixed(other, "t", 1, "data");
+  const JsonValue array = *mixed.root().find("data");
+  EXPECT_TRUE(array.packed().empty());
+  EXPECT_EQ(array.size(), 4U);
+  std::vector<JsonKind> kinds;
+  for (const JsonValue element : array.items()) kinds.push_back(element.kind());
+  EXPECT_EQ(kinds, (std::vector<JsonKind>{JsonKind::whole, JsonKind::whole, JsonKind::number, JsonKind::array}));
+  EXPECT_EQ(mixed.root().find("x")->find("data")->packed()[0], 7U);
+  EXPECT_TRUE(JsonDocument(other, "t").root().find("x")->find("data")->packed().empty()) << "only where asked for";
+}
+
 }  // namespace
 }  // namespace graze::io::json_document_test
