@@ -33,6 +33,9 @@ install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 configure_package_config_file(
   cmake/graze-config.cmake.in "${PROJECT_BINARY_DIR}/graze-config.cmake" INSTALL_DESTINATION "${graze_package_dir}"
   NO_SET_AND_CHECK_MACRO)
+if(TARGET graze_graze AND GRAZE_COMPRESSION AND NOT BUILD_SHARED_LIBS)
+  install(FILES cmake/Findgraze_zstd.cmake DESTINATION "${graze_package_dir}")
+endif()
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/graze-config-version.cmake" COMPATIBILITY SameMinorVersion ${graze_arch})
 install(FILES "${PROJECT_BINARY_DIR}/graze-config.cmake" "${PROJECT_BINARY_DIR}/graze-config-version.cmake"
         DESTINATION "${graze_package_dir}")

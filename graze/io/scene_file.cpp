@@ -17,16 +17,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Tiled writes its own version into every map, and "type": "map" since 1.0.
+/// Tiled writes its own version into every map, and "type": "map" since 1.0. Before, a map had no more than its
+/// orientation and its layers.
 bool is_tiled_map(JsonValue root) {
   if (root.kind() != JsonKind::object) return false;
   const std::optional<JsonValue> type = root.find("type");
-  return root.find("tiledversion") || (type && type->kind() == JsonKind::text && type->text() == "map");
+  if (type && type->kind() == JsonKind::text && type->text() == "map") return true;
+  return root.find("tiledversion") || (root.find("orientation") && root.find("layers") && !root.find("schema"));
 }
 
 SceneFile parse_json(std::string_view text, const std::string& source, const fs::path& folder) {
-  const JsonDocument document(text, source);
-  return is_tiled_map(document.root()) ? parse_tiled_map(text, source, folder) : read_json_scene(document);
+  const JsonDocument document(text, source, 1, "data");  // the tiles of Tiled's layers
+  return is_tiled_map(document.root()) ? read_tiled_map(document, text, source, folder) : read_json_scene(document);
 }
 
 }  // namespace

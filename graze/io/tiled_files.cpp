@@ -14,7 +14,9 @@
 
 #include <fmt/format.h>
 
+#include <graze/io/input_error.hpp>
 #include <graze/io/printable.hpp>
+#include <graze/io/text_position.hpp>
 #include <graze/io/tiled_files.hpp>
 #include <graze/io/tiled_json.hpp>
 #include <graze/io/tiled_xml.hpp>
@@ -24,10 +26,6 @@ namespace graze::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Tiled keeps in the upper bits of a gid how the tile is flipped or, on hexagonal maps, turned; none of it moves its
-/// box.
-constexpr std::uint32_t gid_bits = 0x0fffffffU;
 
 /// A path as the files write it, in UTF-8 on every system.
 fs::path path_of(const std::string& text) { return {std::u8string(text.begin(), text.end())}; }
@@ -51,48 +49,68 @@ std::string_view obstacle(const fs::path& path) {
   return "";
 }
 
-/// The text of the file that a map, tileset or template refers to. `role` says what it is to be: "template".
-std::string read_reference(const fs::path& path, std::string_view role, const TiledText& asker, std::size_t offset) {
-  std::string_view reason = obstacle(path);
+/// A file that another one refers to; its text, or why it cannot be read, as a whole message.
+struct Reference {
   std::string text;
+  std::string fault;
+};
+
+/// `role` says what the file is to be: "template".
+Reference read_reference(const fs::path& path, std::string_view role, const TiledPlace& asker) {
+  std::string_view reason = obstacle(path);
+  Reference read;
   if (reason.empty()) {
     std::ifstream stream(path, std::ios::binary);
-    text.assign(std::istreambuf_iterator<char>(stream), {});
+    read.text.assign(std::istreambuf_iterator<char>(stream), {});
     if (!stream.is_open() || stream.bad()) reason = "it cannot be opened or read";
   }
-  if (!reason.empty()) {
-    fail_at(asker, offset,
-            fmt::format("the {} \"{}\" cannot be read: {}; references are relative to the file that makes them", role,
-                        name_of(path), reason));
-  }
-  return text;
+  if (reason.empty()) return read;
+  const TextPosition position = position_of(asker.file.text, asker.offset);
+  read.fault = fmt::format(
+      "{}: line {}, column {}: the {} \"{}\" cannot be read: {}; references are relative to the file that makes them",
+      asker.file.name, position.line, position.column, role, name_of(path), reason);
+  return read;
 }
 
-/// The tile of a gid without flip bits; none when no tileset holds it.
-std::optional<TiledTileUse> find_tile(std::uint32_t gid, const std::vector<TiledTilesetUse>& tilesets) {
-  const auto beyond = std::upper_bound(tilesets.begin(), tilesets.end(), gid,
-                                       [](std::uint32_t number, const auto& use) { return number < use.first_gid; });
-  if (beyond == tilesets.begin()) return std::nullopt;
-  const TiledTilesetUse& use = *std::prev(beyond);
-  const TiledTileset& tileset = *use.tileset;
-  const std::uint32_t id = gid - use.first_gid;
-  const auto tile = tileset.tiles.find(id);
-  if (tile != tileset.tiles.end()) return TiledTileUse{&tileset, &tile->second};
-  // A collection lists all its tiles, with gaps in the numbers; the tiles of one image are counted.
-  if (tileset.is_collection || id >= tileset.tile_count.value_or(gid_bits)) return std::nullopt;
-  return TiledTileUse{&tileset, nullptr};
+/// What `read` makes of a file that another one refers to; an error names that one, too.
+template <class Read>
+auto read_for(const TiledPlace& asker, std::string_view role, const Read& read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    const TextPosition position = position_of(asker.file.text, asker.offset);
+    throw InputError(fmt::format("{}; {} names it as a {} in line {}, column {}", error.what(), asker.file.name, role,
+                                 position.line, position.column));
+  }
+}
+
+/// True for XML, false for JSON; refuses what begins like neither. `role` says what the file is to be: "template".
+bool is_xml_reference(const TiledText& text, std::string_view role) {
+  if (is_tiled_xml(text.text)) return true;
+  const std::size_t first = text.text.find_first_not_of(" \t\r\n");
+  if (first != std::string_view::npos && text.text[first] == '{') return false;
+  fail_at(text, 0, fmt::format("this is no Tiled {}: it begins with neither < (XML) nor {{ (JSON)", role));
+}
+
+TiledTileset parse_tileset(const TiledText& text) {
+  return is_xml_reference(text, "tileset") ? read_tiled_xml_tileset(text) : read_tiled_json_tileset(text);
+}
+
+TiledTemplate parse_template(const TiledText& text) {
+  return is_xml_reference(text, "template") ? read_tiled_xml_template(text) : read_tiled_json_template(text);
 }
 
 std::optional<TiledTileUse> tile_of(const TiledObject& object, const TiledScope& scope) {
-  const std::uint32_t gid = object.gid.value_or(0) & gid_bits;
+  const std::uint32_t gid = object.gid.value_or(0) & tiled_gid_bits;
   if (gid == 0) return std::nullopt;
-  const std::optional<TiledTileUse> tile = find_tile(gid, scope.tilesets);
-  if (!tile) {
+  const TiledFoundTile found = find_tiled_tile(gid, scope.tilesets);
+  if (found.use != nullptr && !found.use->fault.empty()) throw InputError(found.use->fault);
+  if (!found.tile) {
     fail_at(scope.file, object.offset,
             fmt::format("{} shows tile {} (gid {}), which none of the {} tilesets here holds", described(object), gid,
                         *object.gid, scope.tilesets.size()));
   }
-  return tile;
+  return found.tile;
 }
 
 /// Tiled writes a size of 0 for "as large as the tile", so it does not override.
@@ -119,14 +137,12 @@ TiledResolvedObject merged(const TiledResolvedObject& own, const TiledResolvedOb
   return result;
 }
 
-/// Gives an object the size of its tile where it has none: that of the tile's image, else that of all tiles of the
-/// tileset.
+/// Gives an object the size of its tile's picture where it has none.
 void add_tile_size(TiledResolvedObject& resolved, const TiledScope& scope) {
   TiledObject& object = resolved.object;
-  const TiledTileset& tileset = *resolved.tile->tileset;
-  const TiledTile tile = resolved.tile->tile != nullptr ? *resolved.tile->tile : TiledTile{};
-  object.width = size_of(object.width, tile.width ? tile.width : tileset.tile_width);
-  object.height = size_of(object.height, tile.height ? tile.height : tileset.tile_height);
+  const Vec<2, double> picture = tiled_picture_size(*resolved.tile);
+  if (picture.x != 0) object.width = size_of(object.width, picture.x);
+  if (picture.y != 0) object.height = size_of(object.height, picture.y);
   if (object.width && object.height) return;
   fail_at(scope.file, object.offset,
           fmt::format("{} has no size, and neither its tile nor its tileset has one; give it a width and a height",
@@ -159,26 +175,47 @@ bool is_tiled_xml(std::string_view text) {
   return first != std::string_view::npos && text[first] == '<';
 }
 
+TiledFoundTile find_tiled_tile(std::uint32_t gid, const std::vector<TiledTilesetUse>& tilesets) {
+  const std::uint32_t number = gid & tiled_gid_bits;
+  const auto beyond = std::upper_bound(tilesets.begin(), tilesets.end(), number,
+                                       [](std::uint32_t of, const auto& use) { return of < use.first_gid; });
+  if (beyond == tilesets.begin()) return {};
+  const TiledTilesetUse& use = *std::prev(beyond);
+  const TiledTileset& tileset = *use.tileset;
+  const std::uint32_t id = number - use.first_gid;
+  const auto tile = tileset.tiles.find(id);
+  if (tile != tileset.tiles.end()) return {&use, TiledTileUse{&tileset, &tile->second}};
+  // A collection lists all its tiles, with gaps in the numbers; the tiles of one image are counted.
+  if (tileset.is_collection || id >= tileset.tile_count.value_or(tiled_gid_bits)) return {&use, std::nullopt};
+  return {&use, TiledTileUse{&tileset, nullptr}};
+}
+
+Vec<2, double> tiled_picture_size(const TiledTileUse& use) {
+  const TiledTile tile = use.tile != nullptr ? TiledTile{use.tile->width, use.tile->height, {}} : TiledTile{};
+  return {size_of(tile.width, use.tileset->tile_width).value_or(0),
+          size_of(tile.height, use.tileset->tile_height).value_or(0)};
+}
+
 std::vector<TiledTilesetUse> TiledFiles::tilesets(const std::vector<TiledTileset>& written, const TiledText& file,
                                                   const fs::path& folder) {
   std::vector<TiledTilesetUse> uses;
   uses.reserve(written.size());
-  for (const TiledTileset& tileset : written) {
-    uses.push_back({tileset.first_gid, tileset.source.empty() ? &tileset : &tileset_file(tileset, file, folder)});
-  }
+  for (const TiledTileset& tileset : written) uses.push_back(use_of(tileset, file, folder));
   std::stable_sort(uses.begin(), uses.end(),
                    [](const TiledTilesetUse& a, const TiledTilesetUse& b) { return a.first_gid < b.first_gid; });
   return uses;
 }
 
-const TiledTileset& TiledFiles::tileset_file(const TiledTileset& reference, const TiledText& file,
-                                             const fs::path& folder) {
-  const fs::path path = (folder / path_of(reference.source)).lexically_normal();
-  if (const auto known = tilesets_.find(path); known != tilesets_.end()) return known->second;
-  const std::string bytes = read_reference(path, "tileset", file, reference.offset);
-  const TiledText text{name_of(path), without_byte_order_mark(bytes)};
-  const TiledTileset tileset = is_tiled_xml(text.text) ? read_tiled_xml_tileset(text) : read_tiled_json_tileset(text);
-  return tilesets_.emplace(path, tileset).first->second;
+TiledTilesetUse TiledFiles::use_of(const TiledTileset& written, const TiledText& file, const fs::path& folder) {
+  if (written.source.empty()) return {written.first_gid, &written, ""};
+  const fs::path path = (folder / path_of(written.source)).lexically_normal();
+  if (const auto known = tilesets_.find(path); known != tilesets_.end()) return {written.first_gid, &known->second, ""};
+  const TiledPlace asker{file, written.offset};
+  const Reference read = read_reference(path, "tileset", asker);
+  if (!read.fault.empty()) return {written.first_gid, &written, read.fault};
+  const TiledText text{name_of(path), without_byte_order_mark(read.text)};
+  const TiledTileset tileset = read_for(asker, "tileset", [&] { return parse_tileset(text); });
+  return {written.first_gid, &tilesets_.emplace(path, tileset).first->second, ""};
 }
 
 TiledResolvedObject TiledFiles::resolve(const TiledObject& object, const TiledScope& scope) {
@@ -200,17 +237,15 @@ const TiledResolvedObject& TiledFiles::template_file(const TiledObject& user, co
   if (const auto known = resolved_.find(path); known != resolved_.end()) return known->second;
   refuse_circle(path, user, scope, open);
 
-  const std::string bytes = read_reference(path, "template", scope.file, user.offset);
-  const TiledText text{name_of(path), without_byte_order_mark(bytes)};
+  const TiledPlace asker{scope.file, user.offset};
+  const Reference reference = read_reference(path, "template", asker);
+  if (!reference.fault.empty()) throw InputError(reference.fault);
+  const TiledText text{name_of(path), without_byte_order_mark(reference.text)};
   TiledTemplate& read = templates_[path];
-  read = is_tiled_xml(text.text) ? read_tiled_xml_template(text) : read_tiled_json_template(text);
+  read = read_for(asker, "template", [&] { return parse_template(text); });
   std::vector<TiledTilesetUse> uses;
   const fs::path folder = path.parent_path();
-  if (read.tileset && !read.tileset->source.empty()) {
-    uses.push_back({read.tileset->first_gid, &tileset_file(*read.tileset, text, folder)});
-  } else if (read.tileset) {
-    uses.push_back({read.tileset->first_gid, &*read.tileset});
-  }
+  if (read.tileset) uses.push_back(use_of(*read.tileset, text, folder));
 
   open.push_back(path);
   TiledResolvedObject resolved = with_template(read.object, {text, folder, uses}, open);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,10 +15,14 @@
 
 namespace graze::io {
 
+/// Tiled keeps in the upper bits of a gid how the tile is flipped or turned; these are the others.
+inline constexpr std::uint32_t tiled_gid_bits = 0x0fffffffU;
+
 /// A tileset as one map or template numbers its tiles.
 struct TiledTilesetUse {
   std::uint32_t first_gid = 1;
-  const TiledTileset* tileset = nullptr;
+  const TiledTileset* tileset = nullptr;  ///< Of one whose file cannot be read, the reference to it.
+  std::string fault;                      ///< Why its file cannot be read, as a whole message; empty when it was read.
 };
 
 /// The tile that an object shows.
@@ -25,6 +30,18 @@ struct TiledTileUse {
   const TiledTileset* tileset = nullptr;
   const TiledTile* tile = nullptr;  ///< Null when the tileset says nothing about this tile.
 };
+
+/// The tileset in whose range a gid is, none before the first; and the tile, none when the tileset does not hold it.
+struct TiledFoundTile {
+  const TiledTilesetUse* use = nullptr;
+  std::optional<TiledTileUse> tile;
+};
+
+/// Looks a gid up, with or without its flip bits. `tilesets` are by ascending number.
+TiledFoundTile find_tiled_tile(std::uint32_t gid, const std::vector<TiledTilesetUse>& tilesets);
+
+/// The size of a tile's picture: of its own image, else what the tileset says of all; 0 where neither does.
+Vec<2, double> tiled_picture_size(const TiledTileUse& tile);
 
 /// What surrounds an object: the file that it stands in, the folder that its references start from, its tilesets by
 /// ascending number.
@@ -46,19 +63,18 @@ class TiledFiles {
   /// How many templates may be made from each other.
   static constexpr std::size_t max_template_depth = 16;
 
-  /// The tilesets of a map or template, by ascending number; external ones are read. Throws InputError, naming who asks
-  /// and what is missing.
+  /// The tilesets of a map or template, by ascending number; external ones are read. One whose file is missing is named
+  /// in the use's `fault`, since nobody may need it; one that is broken throws InputError, naming who asks for it.
   std::vector<TiledTilesetUse> tilesets(const std::vector<TiledTileset>& written, const TiledText& file,
                                         const std::filesystem::path& folder);
 
   /// The object with its template and tile; its own words win over the template's, and a size that neither has is the
   /// tile's. Throws InputError for a template that is missing, broken or made from itself, for a tile that no tileset
-  /// holds, and for one whose size is said nowhere.
+  /// holds or whose tileset is missing, and for one whose size is said nowhere.
   TiledResolvedObject resolve(const TiledObject& object, const TiledScope& scope);
 
  private:
-  const TiledTileset& tileset_file(const TiledTileset& reference, const TiledText& file,
-                                   const std::filesystem::path& folder);
+  TiledTilesetUse use_of(const TiledTileset& written, const TiledText& file, const std::filesystem::path& folder);
   // `open`: the templates that are being read, each made from the next.
   TiledResolvedObject with_template(const TiledObject& object, const TiledScope& scope,
                                     std::vector<std::filesystem::path>& open);

@@ -14,7 +14,9 @@
 
 #include <graze/io/in_quotes.hpp>
 #include <graze/io/json_document.hpp>
+#include <graze/io/tiled_data.hpp>
 #include <graze/io/tiled_json.hpp>
+#include <graze/io/tiled_omissions.hpp>
 
 namespace graze::io {
 namespace {
@@ -25,6 +27,7 @@ struct Value {
   JsonValue json;
 
   std::size_t offset() const { return json.offset(); }
+  TiledPlace place() const { return {file, offset()}; }
 };
 
 /// A field of an object that must be of some kind if it is there; `what` says which, for the message.
@@ -89,6 +92,14 @@ std::size_t count_properties(const Value& object) {
   return properties ? properties->json.size() : 0;
 }
 
+/// A whole number that may be negative.
+std::optional<std::int32_t> whole_of(const Value& value, std::string_view name) {
+  const std::optional<double> number = number_of(value, name);
+  if (!number) return std::nullopt;
+  require_whole(*number, name, value.place());
+  return static_cast<std::int32_t>(*number);
+}
+
 Vec<2, double> shift_of(const Value& layer) {
   return {number_of(layer, "offsetx").value_or(0), number_of(layer, "offsety").value_or(0)};
 }
@@ -142,7 +153,7 @@ TiledObject object_of(const Value& value) {
   return object;
 }
 
-/// The size of a tile: of the part of the image that it shows, else of the whole image.
+/// The size of a tile, of the part of the image that it shows, else of the whole image; and its collision shapes.
 TiledTile tile_of(const Value& value) {
   TiledTile tile;
   tile.width = number_of(value, "width");
@@ -150,7 +161,7 @@ TiledTile tile_of(const Value& value) {
   if (!tile.width) tile.width = number_of(value, "imagewidth");
   if (!tile.height) tile.height = number_of(value, "imageheight");
   if (const auto shapes = field_of(value, "objectgroup", JsonKind::object)) {
-    for_each_in(*shapes, "objects", [&](const Value&) { ++tile.shapes; });
+    for_each_in(*shapes, "objects", [&](const Value& object) { tile.shapes.push_back(object_of(object)); });
   }
   return tile;
 }
@@ -200,7 +211,13 @@ TiledTileset tileset_of(const Value& value) {
   tileset.tile_count = index_of(value, "tilecount");
   tileset.alignment = tiled_alignment(text_of(value, "objectalignment").value_or(""));
   if (const auto offset = field_of(value, "tileoffset", JsonKind::object)) {
-    tileset.has_drawing_offset = number_of(*offset, "x").value_or(0) != 0 || number_of(*offset, "y").value_or(0) != 0;
+    tileset.drawing_offset = {number_of(*offset, "x").value_or(0), number_of(*offset, "y").value_or(0)};
+  }
+  tileset.fills_grid = text_of(value, "tilerendersize") == "grid";
+  tileset.keeps_aspect = text_of(value, "fillmode") == "preserve-aspect-fit";
+  if (const auto grid = field_of(value, "grid", JsonKind::object)) {
+    tileset.grid = tiled_drawing_grid(text_of(*grid, "orientation").value_or(""), number_of(*grid, "width").value_or(0),
+                                      number_of(*grid, "height").value_or(0));
   }
   read_tiles(value, tileset);
   require_sound(tileset, value.file);
@@ -209,38 +226,96 @@ TiledTileset tileset_of(const Value& value) {
 
 /// What a layer of any kind says that graze does not read.
 void count_layer_omissions(const Value& layer, std::vector<Omission>& omissions) {
-  count_omission(omissions, "custom property", count_properties(layer));
+  count_omission(omissions, tiled_omission::custom_property, layer.place(), count_properties(layer));
   if (number_of(layer, "parallaxx").value_or(1) != 1 || number_of(layer, "parallaxy").value_or(1) != 1) {
-    count_omission(omissions, "layer parallax");
+    count_omission(omissions, tiled_omission::layer_parallax, layer.place());
   }
 }
 
+/// The gids of an array of numbers.
+std::vector<std::uint32_t> gids_of_array(const Value& array, std::uint64_t count, std::vector<Omission>& omissions) {
+  std::vector<std::uint32_t> gids(array.json.packed().begin(), array.json.packed().end());
+  if (gids.empty()) {
+    for (const JsonValue element : array.json.items()) {
+      if (element.kind() == JsonKind::whole && element.whole() <= std::numeric_limits<std::uint32_t>::max()) {
+        gids.push_back(static_cast<std::uint32_t>(element.whole()));
+        continue;
+      }
+      fail_at(array.file, element.offset(),
+              "\"data\" holds something else here; it must hold whole numbers from 0 to "
+              "4294967295");
+    }
+  }
+  check_count(gids.size(), count, array.place(), omissions);
+  return gids;
+}
+
+/// Reads the cells of the "data" of a layer or chunk.
+void read_cells(const Value& value, const TiledDataFormat& format, TiledLayer& layer, TiledMap& map) {
+  const std::optional<Value> data = field_of(value, "data", "an array or a string", [](const JsonValue& json) {
+    return json.kind() == JsonKind::array || json.kind() == JsonKind::text;
+  });
+  if (!data) return;
+  TiledCells cells;
+  cells.x = whole_of(value, "x").value_or(0);
+  cells.y = whole_of(value, "y").value_or(0);
+  cells.width = index_of(value, "width").value_or(0);
+  const std::uint64_t height = index_of(value, "height").value_or(0);
+  if (data->json.kind() == JsonKind::text) add_cells(map, cells.width, height, value.place());
+  const std::uint64_t count = cells.width * height;
+  if (data->json.kind() == JsonKind::array) {
+    cells.gids = gids_of_array(*data, count, map.omissions);
+  } else if (auto gids = tiled_gids(data->json.text(), format, count, data->place(), map.omissions)) {
+    cells.gids = *std::move(gids);
+  }
+  if (!cells.gids.empty()) layer.cells.push_back(std::move(cells));
+}
+
+/// Reads the cells of a tile layer: one rectangle, or the chunks of an infinite map.
+void read_tile_layer(const Value& value, TiledLayer& layer, TiledMap& map) {
+  const TiledDataFormat format{text_of(value, "encoding").value_or("csv"), text_of(value, "compression").value_or("")};
+  if (!value.json.find("chunks")) return read_cells(value, format, layer, map);
+  for_each_in(value, "chunks", [&](const Value& chunk) { read_cells(chunk, format, layer, map); });
+}
+
 /// Reads the layers of a map or group; `depth` counts the groups around them.
-void read_layers(const Value& parent, std::size_t depth, std::vector<TiledLayer>& layers,
-                 std::vector<Omission>& omissions) {
+void read_layers(const Value& parent, std::size_t depth, std::vector<TiledLayer>& layers, TiledMap& map) {
   for_each_in(parent, "layers", [&](const Value& child) {
     const std::string kind = text_of(child, "type").value_or("");
-    if (kind == "objectgroup" || kind == "group") {
-      TiledLayer layer;
-      layer.offset = child.offset();
-      layer.name = text_of(child, "name").value_or("");
-      layer.shift = shift_of(child);
-      count_layer_omissions(child, omissions);
-      if (kind == "group") {
-        require_group_depth(depth + 1, child.file, child.offset());
-        read_layers(child, depth + 1, layer.layers, omissions);
-      } else {
-        for_each_in(child, "objects", [&](const Value& object) { layer.objects.push_back(object_of(object)); });
-      }
-      layers.push_back(std::move(layer));
-    } else if (kind == "tilelayer") {
-      count_omission(omissions, "tile layer");
-    } else if (kind == "imagelayer") {
-      count_omission(omissions, "image layer");
-    } else {
-      count_omission(omissions, "unknown layer");
+    if (kind == "imagelayer") return count_omission(map.omissions, tiled_omission::image_layer, child.place());
+    if (kind != "tilelayer" && kind != "objectgroup" && kind != "group") {
+      return count_omission(map.omissions, tiled_omission::unknown_layer, child.place());
     }
+    TiledLayer layer;
+    layer.offset = child.offset();
+    layer.name = text_of(child, "name").value_or("");
+    layer.shift = shift_of(child);
+    count_layer_omissions(child, map.omissions);
+    if (kind == "tilelayer") {
+      read_tile_layer(child, layer, map);
+    } else if (kind == "objectgroup") {
+      for_each_in(child, "objects", [&](const Value& object) { layer.objects.push_back(object_of(object)); });
+    } else {
+      require_group_depth(depth + 1, child.file, child.offset());
+      read_layers(child, depth + 1, layer.layers, map);
+    }
+    layers.push_back(std::move(layer));
   });
+}
+
+TiledGrid grid_of(const Value& map) {
+  TiledGrid grid;
+  grid.orientation = text_of(map, "orientation").value_or(grid.orientation);
+  grid.height = number_of(map, "height").value_or(0);
+  grid.tile_width = number_of(map, "tilewidth").value_or(0);
+  grid.tile_height = number_of(map, "tileheight").value_or(0);
+  grid.hex_side = number_of(map, "hexsidelength").value_or(0);
+  grid.skew_x = number_of(map, "skewx").value_or(0);
+  grid.skew_y = number_of(map, "skewy").value_or(0);
+  grid.staggers_x = text_of(map, "staggeraxis") == "x";
+  grid.shifts_even = text_of(map, "staggerindex") == "even";
+  require_sound(grid, map.place());
+  return grid;
 }
 
 /// What kind of file an object is: what it says, or, as older files do not say it, what it holds.
@@ -268,13 +343,16 @@ Value root_of(const TiledText& file, std::string_view needed, const JsonDocument
 }  // namespace
 
 TiledMap read_tiled_json_map(const TiledText& file) {
-  const JsonDocument document(file.text, file.name);
+  return read_tiled_json_map(file, JsonDocument(file.text, file.name, 1, "data"));
+}
+
+TiledMap read_tiled_json_map(const TiledText& file, const JsonDocument& document) {
   const Value root = root_of(file, "map", document);
   TiledMap map;
-  map.orientation = text_of(root, "orientation").value_or(map.orientation);
+  map.grid = grid_of(root);
   for_each_in(root, "tilesets", [&](const Value& tileset) { map.tilesets.push_back(tileset_of(tileset)); });
-  count_omission(map.omissions, "custom property", count_properties(root));
-  read_layers(root, 0, map.layers, map.omissions);
+  count_omission(map.omissions, tiled_omission::custom_property, root.place(), count_properties(root));
+  read_layers(root, 0, map.layers, map);
   return map;
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,7 +14,6 @@
 #include <fmt/format.h>
 
 #include <graze/io/in_quotes.hpp>
-#include <graze/io/text_position.hpp>
 #include <graze/io/tiled_model.hpp>
 
 namespace graze::io {
@@ -24,10 +26,6 @@ void require_not_negative(std::optional<double> size, std::string_view field, co
 }
 
 }  // namespace
-
-void fail_at(const TiledText& file, std::size_t offset, const std::string& fact) {
-  throw error_at(file.text, file.name, offset, fact);
-}
 
 void require_group_depth(std::size_t depth, const TiledText& file, std::size_t offset) {
   if (depth <= max_tiled_group_depth) return;
@@ -52,15 +50,12 @@ std::optional<TiledAlignment> tiled_alignment(std::string_view name) {
   return TiledAlignment{{found->second[0], found->second[1]}};
 }
 
-void count_omission(std::vector<Omission>& omissions, std::string_view what, std::size_t count) {
-  if (count == 0) return;
-  const auto known =
-      std::find_if(omissions.begin(), omissions.end(), [&](const Omission& omission) { return omission.what == what; });
-  if (known != omissions.end()) {
-    known->count += count;
-  } else {
-    omissions.push_back({std::string(what), count});
-  }
+void add_cells(TiledMap& map, std::uint64_t width, std::uint64_t height, const TiledPlace& place) {
+  // No overflow: both are below 2^32, and so is what has been counted.
+  map.cell_count += width * height;
+  if (map.cell_count <= max_tiled_cells) return;
+  fail_at(place, fmt::format("with this one of {} x {} the packed tile layers of the map have {} cells; the most is {}",
+                             width, height, map.cell_count, max_tiled_cells));
 }
 
 void require_sound(const TiledObject& object, const TiledText& file) {
@@ -72,6 +67,34 @@ void require_sound(const TiledObject& object, const TiledText& file) {
             fmt::format("the {} of {} has {} point{}; it needs at least 2", polygon ? "polygon" : "polyline",
                         described(object), object.points.size(), object.points.size() == 1 ? "" : "s"));
   }
+}
+
+TiledGrid tiled_drawing_grid(std::string_view orientation, double width, double height) {
+  TiledGrid grid;
+  if (orientation != "isometric" || !(width > 0 && height > 0)) return grid;
+  grid.orientation = orientation;
+  grid.height = 1;
+  grid.tile_width = width;
+  grid.tile_height = height;
+  return grid;
+}
+
+void require_whole(double value, std::string_view field, const TiledPlace& place) {
+  constexpr double largest = std::numeric_limits<std::int32_t>::max();
+  if (std::fabs(value) <= largest && value == std::floor(value)) return;
+  fail_at(place,
+          fmt::format("the {} here is {}; it must be a whole number from -{} to {}", field, value, largest, largest));
+}
+
+void require_sound(const TiledGrid& grid, const TiledPlace& place) {
+  const bool divides = grid.orientation == "isometric";
+  const auto require_size = [&](double size, std::string_view field) {
+    if (size > 0 || (size == 0 && !divides)) return;
+    fail_at(place, fmt::format("the map is {} and has the {} {}; it must be {}", grid.orientation, field, size,
+                               divides ? "above 0" : "0 or more"));
+  };
+  require_size(grid.tile_width, "tilewidth");
+  require_size(grid.tile_height, "tileheight");
 }
 
 void require_sound(const TiledTileset& tileset, const TiledText& file) {

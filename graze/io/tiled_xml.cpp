@@ -15,8 +15,12 @@
 #include <pugixml.hpp>
 
 #include <graze/io/in_quotes.hpp>
+#include <graze/io/tile_elements.hpp>
+#include <graze/io/tiled_data.hpp>
+#include <graze/io/tiled_omissions.hpp>
 #include <graze/io/tiled_xml.hpp>
 #include <graze/io/utf8.hpp>
+#include <graze/io/xml_check.hpp>
 
 namespace graze::io {
 namespace {
@@ -33,6 +37,8 @@ struct Element {
     const std::ptrdiff_t name = node.offset_debug();
     return name > 0 ? static_cast<std::size_t>(name) - 1 : 0;
   }
+
+  TiledPlace place() const { return {file, offset()}; }
 
   Element child(const char* name) const { return {file, node.child(name)}; }
 
@@ -94,6 +100,14 @@ std::optional<std::uint32_t> index_of(const Element& element, const char* name) 
   return value;
 }
 
+/// A whole number that may be negative.
+std::optional<std::int32_t> whole_of(const Element& element, const char* name) {
+  const std::optional<double> value = number_of(element, name);
+  if (!value) return std::nullopt;
+  require_whole(*value, name, element.place());
+  return static_cast<std::int32_t>(*value);
+}
+
 Vec<2, double> shift_of(const Element& layer) {
   return {number_of(layer, "offsetx").value_or(0), number_of(layer, "offsety").value_or(0)};
 }
@@ -150,14 +164,14 @@ TiledObject object_of(const Element& element, std::vector<Omission>& omissions) 
       object.outline = outline;
       object.points = points_of(child);
     } else if (child.kind() != "properties") {
-      count_omission(omissions, "unknown element");
+      count_omission(omissions, tiled_omission::unknown_element, child.place());
     }
   });
   require_sound(object, element.file);
   return object;
 }
 
-/// The size of a tile: of the part of the image that it shows, else of the whole image.
+/// The size of a tile, of the part of the image that it shows, else of the whole image; and its collision shapes.
 TiledTile tile_of(const Element& element) {
   TiledTile tile;
   const Element image = element.child("image");
@@ -165,7 +179,10 @@ TiledTile tile_of(const Element& element) {
   tile.height = number_of(element, "height");
   if (!tile.width) tile.width = number_of(image, "width");
   if (!tile.height) tile.height = number_of(image, "height");
-  tile.shapes = count_children(element.child("objectgroup"), "object");
+  std::vector<Omission> unknown;  // of the tileset's file, not of the map
+  for_each_child(element.child("objectgroup"), [&](const Element& child) {
+    if (child.kind() == "object") tile.shapes.push_back(object_of(child, unknown));
+  });
   return tile;
 }
 
@@ -178,9 +195,14 @@ TiledTileset tileset_of(const Element& element) {
   tileset.tile_height = number_of(element, "tileheight");
   tileset.tile_count = index_of(element, "tilecount");
   tileset.alignment = tiled_alignment(text_of(element, "objectalignment").value_or(""));
-  const Element drawing_offset = element.child("tileoffset");
-  tileset.has_drawing_offset =
-      number_of(drawing_offset, "x").value_or(0) != 0 || number_of(drawing_offset, "y").value_or(0) != 0;
+  const Element offset = element.child("tileoffset");
+  tileset.drawing_offset = {number_of(offset, "x").value_or(0), number_of(offset, "y").value_or(0)};
+  tileset.fills_grid = text_of(element, "tilerendersize") == "grid";
+  tileset.keeps_aspect = text_of(element, "fillmode") == "preserve-aspect-fit";
+  if (const Element grid = element.child("grid")) {
+    tileset.grid = tiled_drawing_grid(text_of(grid, "orientation").value_or(""), number_of(grid, "width").value_or(0),
+                                      number_of(grid, "height").value_or(0));
+  }
   const bool one_image = static_cast<bool>(element.child("image"));
   for_each_child(element, [&](const Element& child) {
     if (child.kind() != "tile") return;
@@ -195,53 +217,124 @@ TiledTileset tileset_of(const Element& element) {
 
 /// What a layer of any kind says that graze does not read.
 void count_layer_omissions(const Element& layer, std::vector<Omission>& omissions) {
-  count_omission(omissions, "custom property", count_children(layer.child("properties"), "property"));
+  count_omission(omissions, tiled_omission::custom_property, layer.place(),
+                 count_children(layer.child("properties"), "property"));
   if (number_of(layer, "parallaxx").value_or(1) != 1 || number_of(layer, "parallaxy").value_or(1) != 1) {
-    count_omission(omissions, "layer parallax");
+    count_omission(omissions, tiled_omission::layer_parallax, layer.place());
   }
 }
 
-/// Reads the layers of a map or group; `depth` counts the groups around them.
-void read_layers(const Element& parent, std::size_t depth, std::vector<TiledLayer>& layers,
-                 std::vector<Omission>& omissions) {
+/// The gids of <tile> elements, or of the numbers that stand for them since shorten_tile_elements; there may be fewer
+/// of them than cells.
+std::vector<std::uint32_t> gids_of_elements(const Element& parent, std::uint64_t count) {
+  std::vector<std::uint32_t> gids = tiled_gids_of_csv(parent.node.text().get(), parent.place());
   for_each_child(parent, [&](const Element& child) {
-    const std::string_view kind = child.kind();
-    if (kind == "objectgroup" || kind == "group") {
-      TiledLayer layer;
-      layer.offset = child.offset();
-      layer.name = text_of(child, "name").value_or("");
-      layer.shift = shift_of(child);
-      count_layer_omissions(child, omissions);
-      if (kind == "group") {
-        require_group_depth(depth + 1, child.file, child.offset());
-        read_layers(child, depth + 1, layer.layers, omissions);
-      } else {
-        for_each_child(child, [&](const Element& object) {
-          if (object.kind() == "object") layer.objects.push_back(object_of(object, omissions));
-          if (object.kind() != "object" && object.kind() != "properties") count_omission(omissions, "unknown element");
-        });
-      }
-      layers.push_back(std::move(layer));
-    } else if (kind == "layer") {
-      count_omission(omissions, "tile layer");
-    } else if (kind == "imagelayer") {
-      count_omission(omissions, "image layer");
-    } else if (kind != "tileset" && kind != "properties" && kind != "editorsettings") {
-      count_omission(omissions, "unknown element");
+    if (child.kind() == "tile") gids.push_back(index_of(child, "gid").value_or(0));
+  });
+  std::vector<Omission> fewer_are_allowed;
+  check_count(gids.size(), count, parent.place(), fewer_are_allowed);
+  return gids;
+}
+
+/// Reads the cells that <data> or <chunk> holds, which begin at (x, y) and are as many as `sized` says.
+void read_cells(const Element& data, const Element& sized, const TiledDataFormat& format, TiledLayer& layer,
+                TiledMap& map) {
+  TiledCells cells;
+  cells.x = whole_of(sized, "x").value_or(0);
+  cells.y = whole_of(sized, "y").value_or(0);
+  cells.width = index_of(sized, "width").value_or(0);
+  const std::uint64_t height = index_of(sized, "height").value_or(0);
+  if (format.encoding == "base64") add_cells(map, cells.width, height, sized.place());
+  const std::uint64_t count = cells.width * height;
+  if (format.encoding.empty() && format.compression.empty()) {
+    cells.gids = gids_of_elements(data, count);
+  } else if (auto gids = tiled_gids(data.node.text().get(), format, count, data.place(), map.omissions)) {
+    cells.gids = *std::move(gids);
+  }
+  if (!cells.gids.empty()) layer.cells.push_back(std::move(cells));
+}
+
+/// Reads the cells of a tile layer: one rectangle, or the chunks of an infinite map.
+void read_tile_layer(const Element& element, TiledLayer& layer, TiledMap& map) {
+  const Element data = element.child("data");
+  if (!data) return;
+  const TiledDataFormat format{text_of(data, "encoding").value_or(""), text_of(data, "compression").value_or("")};
+  if (!data.child("chunk")) return read_cells(data, element, format, layer, map);
+  for_each_child(data, [&](const Element& chunk) {
+    if (chunk.kind() == "chunk") read_cells(chunk, chunk, format, layer, map);
+  });
+}
+
+void read_objects(const Element& element, TiledLayer& layer, TiledMap& map) {
+  for_each_child(element, [&](const Element& child) {
+    if (child.kind() == "object") {
+      layer.objects.push_back(object_of(child, map.omissions));
+    } else if (child.kind() != "properties") {
+      count_omission(map.omissions, tiled_omission::unknown_element, child.place());
     }
   });
 }
 
-/// The outermost element of a file, which must be of the kind needed. `document` holds it.
-Element root_of(const TiledText& file, std::string_view needed, pugi::xml_document& document) {
+/// Reads the layers of a map or group; `depth` counts the groups around them.
+void read_layers(const Element& parent, std::size_t depth, std::vector<TiledLayer>& layers, TiledMap& map) {
+  for_each_child(parent, [&](const Element& child) {
+    const std::string_view kind = child.kind();
+    if (kind == "imagelayer") return count_omission(map.omissions, tiled_omission::image_layer, child.place());
+    if (kind == "tileset" || kind == "properties" || kind == "editorsettings") return;
+    if (kind != "layer" && kind != "objectgroup" && kind != "group") {
+      return count_omission(map.omissions, tiled_omission::unknown_element, child.place());
+    }
+    TiledLayer layer;
+    layer.offset = child.offset();
+    layer.name = text_of(child, "name").value_or("");
+    layer.shift = shift_of(child);
+    count_layer_omissions(child, map.omissions);
+    if (kind == "layer") {
+      read_tile_layer(child, layer, map);
+    } else if (kind == "objectgroup") {
+      read_objects(child, layer, map);
+    } else {
+      require_group_depth(depth + 1, child.file, child.offset());
+      read_layers(child, depth + 1, layer.layers, map);
+    }
+    layers.push_back(std::move(layer));
+  });
+}
+
+TiledGrid grid_of(const Element& map) {
+  TiledGrid grid;
+  grid.orientation = text_of(map, "orientation").value_or(grid.orientation);
+  grid.height = number_of(map, "height").value_or(0);
+  grid.tile_width = number_of(map, "tilewidth").value_or(0);
+  grid.tile_height = number_of(map, "tileheight").value_or(0);
+  grid.hex_side = number_of(map, "hexsidelength").value_or(0);
+  grid.skew_x = number_of(map, "skewx").value_or(0);
+  grid.skew_y = number_of(map, "skewy").value_or(0);
+  grid.staggers_x = text_of(map, "staggeraxis") == "x";
+  grid.shifts_even = text_of(map, "staggerindex") == "even";
+  require_sound(grid, map.place());
+  return grid;
+}
+
+/// A file's elements, and the text that they lie in.
+struct ParsedXml {
+  std::string buffer;
+  pugi::xml_document document;
+};
+
+/// The outermost element of a file, which must be of the kind needed. `parsed` holds it.
+Element root_of(const TiledText& file, std::string_view needed, ParsedXml& parsed) {
   require_utf8(file.text, file.name);
-  const pugi::xml_parse_result result =
-      document.load_buffer(file.text.data(), file.text.size(), pugi::parse_default, pugi::encoding_utf8);
+  parsed.buffer = file.text;
+  shorten_tile_elements(parsed.buffer);
+  const pugi::xml_parse_result result = parsed.document.load_buffer_inplace(parsed.buffer.data(), parsed.buffer.size(),
+                                                                            pugi::parse_default, pugi::encoding_utf8);
   if (!result) {
     const auto offset = static_cast<std::size_t>(result.offset > 0 ? result.offset : 0);
     fail_at(file, offset, fmt::format("the XML is broken or cut off: {}", result.description()));
   }
-  const Element root{file, document.document_element()};
+  require_well_formed_xml(file.text, file.name);
+  const Element root{file, parsed.document.document_element()};
   if (root.kind() != needed) fail_for_kind(file, root.offset(), root.kind(), needed);
   return root;
 }
@@ -249,26 +342,27 @@ Element root_of(const TiledText& file, std::string_view needed, pugi::xml_docume
 }  // namespace
 
 TiledMap read_tiled_xml_map(const TiledText& file) {
-  pugi::xml_document document;
-  const Element root = root_of(file, "map", document);
+  ParsedXml parsed;
+  const Element root = root_of(file, "map", parsed);
   TiledMap map;
-  map.orientation = text_of(root, "orientation").value_or(map.orientation);
+  map.grid = grid_of(root);
   for_each_child(root, [&](const Element& child) {
     if (child.kind() == "tileset") map.tilesets.push_back(tileset_of(child));
   });
-  count_omission(map.omissions, "custom property", count_children(root.child("properties"), "property"));
-  read_layers(root, 0, map.layers, map.omissions);
+  count_omission(map.omissions, tiled_omission::custom_property, root.place(),
+                 count_children(root.child("properties"), "property"));
+  read_layers(root, 0, map.layers, map);
   return map;
 }
 
 TiledTileset read_tiled_xml_tileset(const TiledText& file) {
-  pugi::xml_document document;
-  return tileset_of(root_of(file, "tileset", document));
+  ParsedXml parsed;
+  return tileset_of(root_of(file, "tileset", parsed));
 }
 
 TiledTemplate read_tiled_xml_template(const TiledText& file) {
-  pugi::xml_document document;
-  const Element root = root_of(file, "template", document);
+  ParsedXml parsed;
+  const Element root = root_of(file, "template", parsed);
   TiledTemplate result;
   if (const Element tileset = root.child("tileset")) result.tileset = tileset_of(tileset);
   const Element object = root.child("object");

@@ -187,13 +187,39 @@ TEST(TiledFiles, NamesWhoAsksAndWhatIsMissing) {
             std::string::npos);
 }
 
+TEST(TiledFiles, MissesATilesetOnlyWhereItIsNeeded) {
+  Fixture map;
+  map.folder.write("a.tsx", sheet);
+  map.use_tileset(1, "a.tsx");
+  map.use_tileset(9, "gone.tsx");
+  EXPECT_EQ(map.resolve(with_gid(8)).object.width, 32.0);
+  EXPECT_NE(map.error_of(with_gid(9)).find("the tileset " + map.quoted_path("gone.tsx") + " cannot be read"),
+            std::string::npos);
+  const std::vector<TiledTilesetUse> tilesets = map.files.tilesets(map.written, map.file, map.folder.path());
+  EXPECT_EQ(tilesets.at(0).fault, "");
+  EXPECT_NE(tilesets.at(1).fault, "");
+  EXPECT_EQ(find_tiled_tile(0x80000000U | 9U, tilesets).use, &tilesets[1]);
+  EXPECT_FALSE(find_tiled_tile(0, tilesets).use);
+}
+
+TEST(TiledFiles, NamesWhoRefersToABrokenFile) {
+  Fixture map;
+  map.folder.write("a.tsx", "root:x:0:0\n");
+  map.use_tileset(1, "a.tsx");
+  EXPECT_EQ(map.error_of(with_gid(1)), (map.folder.path() / "a.tsx").string() +
+                                           ": line 1, column 1: this is no Tiled tileset: it begins with neither < "
+                                           "(XML) nor { (JSON); m.tmx names it as a "
+                                           "tileset in line 2, column 1");
+}
+
 TEST(TiledFiles, RefusesAFileOfAnotherKind) {
   Fixture map;
   map.folder.write("a.tsx", sheet);
   EXPECT_EQ(
       map.error_of(with_template("a.tsx")),
       (map.folder.path() / "a.tsx").string() +
-          ": line 1, column 1: the file is a Tiled tileset, but a Tiled template is needed; check the reference to it");
+          ": line 1, column 1: the file is a Tiled tileset, but a Tiled template is needed; check the reference to it; "
+          "m.tmx names it as a template in line 2, column 1");
 }
 
 TEST(TiledFiles, RefusesATemplateThatIncludesItself) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,11 +33,12 @@ std::string object_error(std::string_view fields) {
 }
 
 TEST(TiledJson, ReadsEveryFieldOfAnObject) {
-  const TiledMap map = read(R"({"type": "map", "orientation": "isometric", "layers": [
+  const TiledMap map =
+      read(R"({"type": "map", "orientation": "isometric", "tilewidth": 64, "tileheight": 32, "layers": [
     {"type": "objectgroup", "name": "things", "offsetx": 3, "offsety": -4.5, "objects": [
       {"id": 7, "name": "box", "type": "crate", "gid": 2147483651, "x": 1.5, "y": -2, "width": 3, "height": 4e1,
        "rotation": -270, "template": "t/x.tj", "visible": false, "properties": [{"name": "a"}, {"name": "b"}]}]}]})");
-  EXPECT_EQ(map.orientation, "isometric");
+  EXPECT_EQ(map.grid.orientation, "isometric");
   ASSERT_EQ(map.layers.size(), 1U);
   EXPECT_EQ(map.layers[0].name, "things");
   EXPECT_EQ(map.layers[0].shift, Point(3, -4.5));
@@ -77,18 +79,56 @@ TEST(TiledJson, ReadsEveryOutline) {
 
 TEST(TiledJson, KeepsGroupsAndCountsWhatItDoesNotRead) {
   const TiledMap map = read(R"({"type": "map", "properties": {"old": "style"}, "layers": [
-    {"type": "tilelayer", "width": 1000000000, "height": 1000000000, "data": "AAAA", "compression": "zstd"},
+    {"type": "tilelayer", "width": 1000000000, "height": 1000000000},
     {"type": "group", "name": "g", "parallaxx": 0.5, "layers": [{"type": "imagelayer"},
       {"type": "group", "name": "h", "layers": [{"type": "objectgroup", "name": "o", "objects": [{}]}]}]},
     {"type": "surprise"}]})");
-  ASSERT_EQ(map.layers.size(), 1U);
-  EXPECT_EQ(map.layers[0].name, "g");
-  ASSERT_EQ(map.layers[0].layers.size(), 1U);
-  EXPECT_EQ(map.layers[0].layers[0].layers.at(0).name, "o");
+  ASSERT_EQ(map.layers.size(), 2U);
+  EXPECT_TRUE(map.layers[0].cells.empty());
+  EXPECT_EQ(map.layers[1].name, "g");
+  ASSERT_EQ(map.layers[1].layers.size(), 1U);
+  EXPECT_EQ(map.layers[1].layers[0].layers.at(0).name, "o");
   std::string omissions;
   for (const Omission& omission : map.omissions)
     omissions += std::to_string(omission.count) + " " + omission.what + "; ";
-  EXPECT_EQ(omissions, "1 custom property; 1 tile layer; 1 layer parallax; 1 image layer; 1 unknown layer; ");
+  EXPECT_EQ(omissions, "1 custom property; 1 layer parallax; 1 image layer; 1 unknown layer; ");
+}
+
+using Gids = std::vector<std::uint32_t>;
+
+TEST(TiledJson, ReadsTheCellsOfTileLayers) {
+  const TiledMap map = read(R"({"type": "map", "layers": [
+    {"type": "tilelayer", "width": 2, "height": 2, "x": 0, "y": 0, "data": [1, 0, 2147483650, 4294967295]},
+    {"type": "tilelayer", "width": 2, "height": 1, "encoding": "base64", "compression": "", "data": "AQAAAAIAAIA="},
+    {"type": "tilelayer", "chunks": [{"x": -16, "y": 32, "width": 1, "height": 2, "data": [5, 6]},
+                                     {"x": 0, "y": 0, "width": 1, "height": 1, "data": [7]}]},
+    {"type": "tilelayer", "width": 0, "height": 1, "data": []}]})");
+  ASSERT_EQ(map.layers.size(), 4U);
+  EXPECT_EQ(map.layers[0].cells.at(0).gids, (Gids{1, 0, 2147483650, 4294967295}));
+  EXPECT_EQ(map.layers[0].cells.at(0).width, 2U);
+  EXPECT_EQ(map.layers[1].cells.at(0).gids, (Gids{1, 2147483650}));
+  EXPECT_EQ(map.layers[2].cells.at(0).x, -16);
+  EXPECT_EQ(map.layers[2].cells.at(0).y, 32);
+  EXPECT_EQ(map.layers[2].cells.at(0).gids, (Gids{5, 6}));
+  EXPECT_EQ(map.layers[2].cells.at(1).gids, Gids{7});
+}
+
+TEST(TiledJson, RefusesCellsThatAreNone) {
+  const auto error_with = [](const std::string& fields) {
+    return error_of("{\"type\": \"map\", \"layers\": [{\"type\": \"tilelayer\", \"width\": 2, \"height\": 1,\n" +
+                    fields + "}]}");
+  };
+  EXPECT_EQ(error_with("\"data\": [1, 2, 3]"),
+            "m.tmj: line 2, column 9: there are 3 tiles here, but width times height is 2");
+  EXPECT_EQ(error_with("\"data\": [1, 2.5]"),
+            "m.tmj: line 2, column 13: \"data\" holds something else here; it must hold whole numbers from 0 to "
+            "4294967295");
+  EXPECT_NE(error_with("\"data\": [1, -2]").find("column 13"), std::string::npos);
+  EXPECT_NE(error_with("\"data\": [1, 4294967296]").find("column 13"), std::string::npos);
+  EXPECT_NE(error_with("\"data\": [1, \"2\"]").find("column 13"), std::string::npos);
+  EXPECT_NE(error_with("\"data\": {}").find("it must be an array or a string"), std::string::npos);
+  EXPECT_NE(error_with("\"encoding\": \"base64\", \"data\": \"AQAAAA==\"").find("has 4 bytes, but its cells need 8"),
+            std::string::npos);
 }
 
 TEST(TiledJson, ReadsATilesetOfOneImage) {
@@ -100,9 +140,9 @@ TEST(TiledJson, ReadsATilesetOfOneImage) {
   EXPECT_EQ(tileset.tile_height, 16.0);
   EXPECT_EQ(tileset.tile_count, 8U);
   EXPECT_EQ(tileset.alignment->fraction, Point(0.5, 0.5));
-  EXPECT_TRUE(tileset.has_drawing_offset);
+  EXPECT_EQ(tileset.drawing_offset, Point(0, 3));
   EXPECT_FALSE(tileset.is_collection);
-  EXPECT_EQ(tileset.tiles.at(5).shapes, 2U);
+  EXPECT_EQ(tileset.tiles.at(5).shapes.size(), 2U);
 }
 
 TEST(TiledJson, ReadsATilesetOfManyImagesNewAndOld) {

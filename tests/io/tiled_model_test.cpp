@@ -54,16 +54,56 @@ TEST(TiledModel, KnowsTheNineAlignments) {
   EXPECT_FALSE(tiled_alignment(""));
 }
 
-TEST(TiledModel, CountsOmissionsByKindInOrderOfAppearance) {
-  std::vector<Omission> omissions;
-  count_omission(omissions, "tile layer");
-  count_omission(omissions, "text object", 2);
-  count_omission(omissions, "tile layer", 3);
-  count_omission(omissions, "nothing", 0);
-  ASSERT_EQ(omissions.size(), 2U);
-  EXPECT_EQ(omissions[0].what, "tile layer");
-  EXPECT_EQ(omissions[0].count, 4U);
-  EXPECT_EQ(omissions[1].count, 2U);
+TEST(TiledModel, LimitsHowManyCellsAMapHas) {
+  TiledMap map;
+  add_cells(map, 8192, 8191, {file, 7});
+  add_cells(map, 8192, 1, {file, 7});
+  EXPECT_EQ(map.cell_count, max_tiled_cells);
+  EXPECT_EQ(error_of([&] {
+              add_cells(map, 1, 1, {file, 7});
+            }),
+            "level.tmx: line 2, column 2: with this one of 1 x 1 the packed tile layers of the map have 67108865 "
+            "cells; the most "
+            "is 67108864");
+  TiledMap other;
+  EXPECT_NE(error_of([&] {
+              add_cells(other, 4294967295, 4294967295, {file, 7});
+            }).find("18446744065119617025 cells"),
+            std::string::npos);
+}
+
+TEST(TiledModel, RefusesAGridOnWhichNothingCanBePlaced) {
+  const auto error_for = [](const char* orientation, double width, double height) {
+    TiledGrid grid;
+    grid.orientation = orientation;
+    grid.tile_width = width;
+    grid.tile_height = height;
+    return error_of([&] { require_sound(grid, {file, 0}); });
+  };
+  EXPECT_EQ(error_for("orthogonal", 0, 0), "no error");
+  EXPECT_EQ(error_for("isometric", 64, 32), "no error");
+  EXPECT_EQ(error_for("isometric", 64, 0),
+            "level.tmx: line 1, column 1: the map is isometric and has the tileheight 0; it must be above 0");
+  EXPECT_EQ(error_for("hexagonal", -1, 8),
+            "level.tmx: line 1, column 1: the map is hexagonal and has the tilewidth -1; it must be 0 or more");
+}
+
+TEST(TiledModel, RefusesNumbersThatAreNoWholeOnes) {
+  for (const double good : {0.0, -3.0, 2147483647.0, -2147483647.0}) {
+    EXPECT_EQ(error_of([&] { require_whole(good, "x", {file, 0}); }), "no error");
+  }
+  EXPECT_EQ(error_of([&] {
+              require_whole(1.5, "x", {file, 0});
+            }),
+            "level.tmx: line 1, column 1: the x here is 1.5; it must be a whole number from -2147483647 to 2147483647");
+  EXPECT_NE(error_of([&] { require_whole(3e9, "y", {file, 0}); }).find("the y here is 3"), std::string::npos);
+}
+
+TEST(TiledModel, DrawsOnAnOrthogonalGridUnlessItIsIsometric) {
+  EXPECT_EQ(tiled_drawing_grid("isometric", 64, 32).orientation, "isometric");
+  EXPECT_EQ(tiled_drawing_grid("isometric", 64, 32).tile_height, 32);
+  EXPECT_EQ(tiled_drawing_grid("isometric", 64, 0).orientation, "orthogonal");
+  EXPECT_EQ(tiled_drawing_grid("", 64, 32).orientation, "orthogonal");
 }
 
 TEST(TiledModel, DescribesAnObjectAsFarAsKnown) {

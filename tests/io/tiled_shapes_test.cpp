@@ -28,8 +28,26 @@ TiledObject object_at(double x, double y, double width, double height, double ro
   return object;
 }
 
+const TiledProjection& orthogonal() {
+  static const TiledProjection projection{TiledGrid{}};
+  return projection;
+}
+
+/// Ten by ten cells of 64 x 32: pixel (x, y) is drawn at (x - y + 320, (x + y) / 2).
+const TiledProjection& isometric() {
+  static const TiledProjection projection = [] {
+    TiledGrid grid;
+    grid.orientation = "isometric";
+    grid.height = 10;
+    grid.tile_width = 64;
+    grid.tile_height = 32;
+    return TiledProjection(grid);
+  }();
+  return projection;
+}
+
 TiledShape shape_of(const TiledObject& object, const Point& shift = {0.0, 0.0}) {
-  return tiled_shape({object, std::nullopt}, shift, {});
+  return tiled_shape({object, std::nullopt}, {orthogonal(), shift, {}});
 }
 
 TiledShape outlined(TiledOutline outline, TiledObject object) {
@@ -47,7 +65,8 @@ TiledShape with_points(TiledOutline outline, std::vector<Point> points, double r
 /// The shape, which must be of this type.
 template <class Shape>
 Shape as(const TiledShape& read) {
-  EXPECT_TRUE(read.shape && std::holds_alternative<Shape>(*read.shape)) << "another type, or none: " << read.omission;
+  EXPECT_TRUE(read.shape && std::holds_alternative<Shape>(*read.shape))
+      << "another type, or none: " << read.omission.what;
   return read.shape && std::holds_alternative<Shape>(*read.shape) ? std::get<Shape>(*read.shape) : Shape{};
 }
 
@@ -55,8 +74,8 @@ Shape as(const TiledShape& read) {
 Box tile_box(std::optional<std::string> alignment, double rotation, const char* usual = "bottomleft") {
   TiledTileset tileset;
   if (alignment) tileset.alignment = tiled_alignment(*alignment);
-  return as<Box>(tiled_shape({object_at(10, 20, 4, 2, rotation), TiledTileUse{&tileset, nullptr}}, {0.0, 0.0},
-                             *tiled_alignment(usual)));
+  return as<Box>(tiled_shape({object_at(10, 20, 4, 2, rotation), TiledTileUse{&tileset, nullptr}},
+                             {orthogonal(), {0.0, 0.0}, *tiled_alignment(usual)}));
 }
 
 TEST(TiledShapes, AnchorsARectangleAtItsTopLeft) {
@@ -126,7 +145,7 @@ TEST(TiledShapes, MakesARoundEllipseADisc) {
 
 TEST(TiledShapes, InscribesA64GonInALongEllipse) {
   const TiledShape read = outlined(TiledOutline::ellipse, object_at(10, 20, 8, 4, 90));
-  EXPECT_EQ(read.omission, "ellipse drawn as a 64-gon");
+  EXPECT_EQ(read.omission.what, "ellipse drawn as a 64-gon");
   const auto polygon = as<Polytope<2, double>>(read);
   EXPECT_EQ(polygon.vertices().size(), 64U);
   EXPECT_EQ(bounds(polygon), (Box{{6, 20}, {10, 28}})) << "the ends of both axes are corners";
@@ -174,17 +193,66 @@ TEST(TiledShapes, CutsAConcavePolygonIntoConvexParts) {
   EXPECT_EQ(bounds(l), (Box{{100, 200}, {104, 204}}));
 }
 
-TEST(TiledShapes, LeavesOutAPolygonThatCrossesItself) {
+TEST(TiledShapes, FillsAPolygonThatCrossesItself) {
   const TiledShape read = with_points(TiledOutline::polygon, {{0, 0}, {4, 4}, {4, 0}, {0, 4}});
-  EXPECT_FALSE(read.shape);
-  EXPECT_EQ(read.omission, "polygon that crosses or touches itself");
+  EXPECT_EQ(read.omission.what, "");
+  EXPECT_EQ((as<Compound<2, double>>(read).parts.size()), 2U);
+  EXPECT_EQ(bounds(*read.shape), (Box{{100, 200}, {104, 204}}));
+}
+
+TEST(TiledShapes, DrawsATileBesideItsPlaceAsTheTilesetSays) {
+  TiledTileset tileset;
+  tileset.drawing_offset = {3, -1};
+  EXPECT_EQ(as<Box>(tiled_shape({object_at(10, 20, 4, 2), TiledTileUse{&tileset, nullptr}}, {orthogonal()})),
+            (Box{{13, 17}, {17, 19}}));
+  tileset.tile_width = 8;
+  tileset.tile_height = 1;
+  EXPECT_EQ(as<Box>(tiled_shape({object_at(10, 20, 4, 2), TiledTileUse{&tileset, nullptr}}, {orthogonal()})),
+            (Box{{11.5, 16}, {15.5, 18}}))
+      << "half as wide as the picture and twice as high";
+}
+
+TEST(TiledShapes, StandsTilesUprightOnIsometricMaps) {
+  const TiledTileset tileset;
+  const TiledPlacing placing{isometric(), {0.0, 0.0}, *tiled_alignment("bottom")};
+  const auto box_at = [&](double x, double y, double turn) {
+    return as<Box>(tiled_shape({object_at(x, y, 64, 64, turn), TiledTileUse{&tileset, nullptr}}, placing));
+  };
+  EXPECT_EQ(box_at(100, 100, 0), (Box{{288, 36}, {352, 100}}));
+  EXPECT_EQ(box_at(150, 50, 0), (Box{{388, 36}, {452, 100}}));
+  EXPECT_EQ(box_at(170, 120, 0), (Box{{338, 81}, {402, 145}}));
+  EXPECT_EQ(box_at(100, 100, 90), (Box{{320, 68}, {384, 132}})) << "turned on the screen, about its place";
+}
+
+TEST(TiledShapes, ProjectsOtherObjectsOfIsometricMaps) {
+  const auto shape_at = [](TiledObject object, std::optional<TiledOutline> outline) {
+    object.outline = outline;
+    object.points = {{0, 0}, {32, 0}, {32, 32}};
+    return tiled_shape({object, std::nullopt}, {isometric(), {1000.0, 0.0}});
+  };
+  const auto diamond = as<Polytope<2, double>>(shape_at(object_at(32, 0, 32, 32), std::nullopt));
+  EXPECT_EQ(diamond.vertices().size(), 4U);
+  EXPECT_EQ(bounds(diamond), (Box{{1320, 16}, {1384, 48}})) << "a cell is 64 x 32 on the screen";
+  const auto turned = as<Polytope<2, double>>(shape_at(object_at(32, 0, 32, 32, 90), std::nullopt));
+  EXPECT_EQ(bounds(turned), (Box{{1320, -16}, {1352, 48}})) << "about (1352, 16), where its place is drawn";
+  const auto triangle = as<Polytope<2, double>>(shape_at(object_at(0, 0, 0, 0), TiledOutline::polygon));
+  EXPECT_EQ(bounds(triangle), (Box{{1320, 0}, {1352, 32}}));
+  EXPECT_EQ(as<Point>(shape_at(object_at(32, 32, 0, 0), TiledOutline::point)), Point(1320, 32));
+  const TiledShape disc = shape_at(object_at(0, 0, 32, 32), TiledOutline::ellipse);
+  EXPECT_EQ(disc.omission.what, "ellipse drawn as a 64-gon");
+  const Box rim = bounds(as<Polytope<2, double>>(disc));
+  EXPECT_NEAR(rim.min.x, 1320 - 16 * std::sqrt(2.0), 0.1);
+  EXPECT_NEAR(rim.max.y, 16 + 8 * std::sqrt(2.0), 0.1);
+  const TiledShape pill = shape_at(object_at(0, 0, 64, 32), TiledOutline::capsule);
+  EXPECT_EQ(pill.omission.what, "capsule drawn as a polygon");
+  EXPECT_EQ((as<Segment<2, double>>(shape_at(object_at(0, 0, 64, 0), TiledOutline::capsule)).end), Point(1384, 32));
 }
 
 TEST(TiledShapes, LeavesOutAPolygonOfTooManyCorners) {
   std::vector<Point> points(max_tiled_polygon_corners + 1, Point(1, 1));
   const TiledShape read = with_points(TiledOutline::polygon, points);
   EXPECT_FALSE(read.shape);
-  EXPECT_EQ(read.omission, "polygon of more than 10000 corners");
+  EXPECT_EQ(read.omission.what, "polygon of more than 10000 corners");
 }
 
 TEST(TiledShapes, ReducesAFlatPolygonToASegmentOrPoint) {
@@ -206,7 +274,7 @@ TEST(TiledShapes, MakesAPolylineItsSegments) {
 TEST(TiledShapes, LeavesOutText) {
   const TiledShape read = outlined(TiledOutline::text, object_at(0, 0, 8, 8));
   EXPECT_FALSE(read.shape);
-  EXPECT_EQ(read.omission, "text object");
+  EXPECT_EQ(read.omission.what, "text object");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -92,10 +93,9 @@ TEST(Tiled, RefusesMoreLayersThanASceneHas) {
   std::string text = "<map>\n";
   for (int i = 0; i < 64; ++i) text += "<objectgroup name=\"" + std::to_string(i) + "\"><object/></objectgroup>\n";
   EXPECT_EQ(error_of(text + "<objectgroup name=\"5\"><object/></objectgroup></map>"), "no error");
-  EXPECT_EQ(
-      error_of(text + "<objectgroup name=\"last\"><object/></objectgroup></map>"),
-      "m.tmx: line 66, column 26: object layer \"last\" is one too many: a scene has at most 64 layers of different "
-      "names");
+  EXPECT_EQ(error_of(text + "<objectgroup name=\"last\"><object/></objectgroup></map>"),
+            "m.tmx: line 66, column 26: layer \"last\" is one too many: a scene has at most 64 layers of different "
+            "names");
 }
 
 TEST(Tiled, GivesEveryObjectAUniqueName) {
@@ -117,26 +117,111 @@ TEST(Tiled, NamesTheObjectsOfATemplateByTheirIds) {
 }
 
 TEST(Tiled, CountsWhatItDoesNotRead) {
-  const SceneFile file = read(R"(<map orientation="hexagonal" infinite="1">
-    <tileset firstgid="1" tilewidth="8" tileheight="8" tilecount="2"><tileoffset x="1" y="0"/>
+  const SceneFile file = read(R"(<map orientation="spherical" infinite="1">
+    <tileset firstgid="1" tilewidth="8" tileheight="8" tilecount="2">
      <tile id="0"><objectgroup><object/><object/></objectgroup></tile>
      <tile id="1"><objectgroup><object/></objectgroup></tile></tileset>
-    <layer><data encoding="csv"><chunk>1,2</chunk></data></layer>
+    <tileset firstgid="9" source="gone.tsx"/>
+    <layer width="1" height="1"><data encoding="base64" compression="lz4">AAAA</data></layer>
+    <layer width="1" height="1"><data encoding="base ier">AAAA</data></layer><imagelayer/>
     <objectgroup><object gid="1" type="x"/><object><text>hi</text></object>
-     <object width="8" height="4"><ellipse/></object><object><polygon points="0,0 4,4 4,0 0,4"/></object>
+     <object width="8" height="4"><ellipse/></object>
      <object><properties><property/></properties></object></objectgroup></map>)");
-  EXPECT_EQ(omissions_of(file),
-            "1 x tile layer; 1 x hexagonal projection of the map; 1 x object class; 1 x tile drawing offset; "
-            "2 x collision shape of a tile; 1 x text object; 1 x ellipse drawn as a 64-gon; "
-            "1 x polygon that crosses or touches itself; 1 x custom property; ");
+  EXPECT_EQ(
+      omissions_of(file),
+      "1 x tile layer in the format \"lz4\"; 1 x tile layer in the format \"base ier\"; 1 x image layer; "
+      "1 x missing tileset; 1 x spherical projection of the map; 1 x object class; "
+      "2 x collision shape of a tile object; 1 x text object; 1 x ellipse drawn as a 64-gon; 1 x custom property; ");
   EXPECT_EQ(scene_of(file).size(), 3U);
+  EXPECT_EQ(file.omissions[0].loss, Loss::shape);
+  EXPECT_EQ(file.omissions[0].where, "m.tmx, line 6, column 33");
+  EXPECT_EQ(
+      file.omissions[0].why,
+      "graze does not unpack it; choose CSV, or base64 uncompressed, in Tiled's map properties (Tile Layer Format)");
 }
 
 TEST(Tiled, AnchorsTilesOfIsometricMapsAtTheMiddleOfTheirFoot) {
-  const char* objects = R"(><tileset firstgid="1" tilewidth="8" tileheight="6" tilecount="2"/><objectgroup>
+  const char* objects = R"( height="2" tilewidth="16" tileheight="8">
+    <tileset firstgid="1" tilewidth="8" tileheight="6" tilecount="2"/><objectgroup>
     <object name="tile" gid="1" x="100" y="50"/></objectgroup></map>)";
-  EXPECT_EQ(box_of(read("<map orientation=\"isometric\"" + std::string(objects)), "tile"), (Box{{96, 44}, {104, 50}}));
+  EXPECT_EQ(box_of(read("<map orientation=\"isometric\"" + std::string(objects)), "tile"), (Box{{62, 69}, {70, 75}}));
   EXPECT_EQ(box_of(read("<map orientation=\"staggered\"" + std::string(objects)), "tile"), (Box{{100, 44}, {108, 50}}));
+}
+
+/// A tileset of 16 x 16 tiles: 1 is full, 2 a slope up to the right, 3 two shapes, 4 without any.
+const std::string tiles = R"(<tileset firstgid="1" tilewidth="16" tileheight="16" tilecount="4">
+  <tile id="0"><objectgroup><object width="16" height="16"/></objectgroup></tile>
+  <tile id="1"><objectgroup><object x="0" y="16"><polygon points="0,0 16,0 16,-16"/></object></objectgroup></tile>
+  <tile id="2"><objectgroup><object width="4" height="16"/><object x="12" width="4" height="16"/></objectgroup></tile>
+  </tileset>)";
+
+std::string map_of(const std::string& attributes, const std::string& rest) {
+  return "<map tilewidth=\"16\" tileheight=\"16\" " + attributes + ">" + tiles + rest + "</map>";
+}
+
+TEST(Tiled, MakesObjectsOfTheCollisionShapesOfTiles) {
+  const SceneFile file = read(map_of("", R"(<group name="g" offsetx="100"><layer name="walls" width="4" height="3"
+    offsety="-8"><data encoding="csv">1,1,0,2, 1,1,3,4, 1,1,0,9</data></layer></group>)"));
+  EXPECT_EQ(names_of(file),
+            (std::vector<std::string>{"g/walls[3,0]", "g/walls[2,1]", "g/walls[2,1]#2", "g/walls[0..1,0..2]"}));
+  EXPECT_EQ(box_of(file, "g/walls[0..1,0..2]"), (Box{{100, -8}, {132, 40}}));
+  EXPECT_EQ(box_of(file, "g/walls[2,1]#2"), (Box{{144, 8}, {148, 24}}));
+  EXPECT_EQ(box_of(file, "g/walls[3,0]"), (Box{{148, -8}, {164, 8}}));
+  EXPECT_EQ(scene_of(file).layer_names(), std::vector<std::string>{"g/walls"});
+  EXPECT_EQ(omissions_of(file), "1 x tile without collision shape; 1 x tile that no tileset holds; ");
+  for (const ObjectId id : scene_of(file).ids()) EXPECT_EQ(scene_of(file).object(id).mobility, Mobility::fixed);
+  EXPECT_TRUE(scene_of(file).pairs().empty()) << "tiles of a layer touch each other, but are no pairs";
+}
+
+TEST(Tiled, LetsObjectsTouchTiles) {
+  const SceneFile file = read(map_of("", R"(<layer name="l" width="2" height="1"><data encoding="csv">1,2</data></layer>
+    <objectgroup name="l"><object name="l[1,0]" x="14" y="2" width="4" height="4"/></objectgroup>)"));
+  EXPECT_EQ(names_of(file), (std::vector<std::string>{"l[1,0]+", "l[0,0]", "l[1,0]"})) << "no name is given twice";
+  ASSERT_EQ(scene_of(file).pairs().size(), 1U) << "the slope is below the box";
+}
+
+TEST(Tiled, MergesFullTilesAcrossChunks) {
+  const SceneFile file = read(map_of("infinite=\"1\"", R"(<layer name="l"><data encoding="csv">
+    <chunk x="0" y="-1" width="2" height="2">1,1,1,1</chunk><chunk x="-2" y="-1" width="2" height="2">1,1,0,1</chunk>
+    </data></layer>)"));
+  EXPECT_EQ(names_of(file), (std::vector<std::string>{"l[-2..1,-1]", "l[-1..1,0]"}));
+  EXPECT_EQ(box_of(file, "l[-2..1,-1]"), (Box{{-32, -16}, {32, 0}}));
+}
+
+TEST(Tiled, FlipsAndTurnsTiles) {
+  // The slope's right angle: at the bottom right, left, top right, top left.
+  const auto right_angle = [](std::uint32_t flips) {
+    const SceneFile file = read(map_of("", "<layer name=\"l\" width=\"1\" height=\"1\"><data encoding=\"csv\">" +
+                                               std::to_string(flips | 2U) + "</data></layer>"));
+    const auto& slope = std::get<Polytope<2, double>>(scene_of(file).object(*scene_of(file).find("l[0,0]")).shape);
+    Point sum(0.0);
+    for (const Point& corner : slope.vertices()) sum += corner;
+    return Point(sum.x > 24 ? 16 : 0, sum.y > 24 ? 16 : 0);
+  };
+  EXPECT_EQ(right_angle(0), Point(16, 16));
+  EXPECT_EQ(right_angle(0x80000000U), Point(0, 16));
+  EXPECT_EQ(right_angle(0x40000000U), Point(16, 0));
+  EXPECT_EQ(right_angle(0xC0000000U), Point(0, 0));
+  EXPECT_EQ(right_angle(0x20000000U), Point(16, 16)) << "mirrored at the diagonal, on which its corner is";
+  EXPECT_EQ(right_angle(0xA0000000U), Point(0, 16)) << "a quarter turn clockwise";
+  EXPECT_EQ(right_angle(0x60000000U), Point(16, 0)) << "one back";
+}
+
+TEST(Tiled, MergesFullCellsOfIsometricMaps) {
+  const SceneFile file = read(R"(<map orientation="isometric" height="4" tilewidth="64" tileheight="32">
+    <tileset firstgid="1" tilewidth="64" tileheight="64" tilecount="1"><tile id="0"><objectgroup>
+     <object x="0" y="48"><polygon points="0,0 32,-16 64,0 32,16"/></object></objectgroup></tile></tileset>
+    <layer name="l" width="4" height="4"><data encoding="csv">0,0,0,0, 1,1,1,0, 1,1,1,0, 0,0,0,0</data></layer></map>)");
+  EXPECT_EQ(names_of(file), std::vector<std::string>{"l[0..2,1..2]"});
+  EXPECT_EQ(box_of(file, "l[0..2,1..2]"), (Box{{32, 16}, {192, 96}}));
+}
+
+TEST(Tiled, SaysThatTilesHaveNoShapes) {
+  const SceneFile file = read(map_of("", R"(<layer width="2" height="1"><data encoding="csv">4,4</data></layer>)"));
+  EXPECT_EQ(scene_of(file).size(), 0U);
+  EXPECT_TRUE(scene_of(file).layer_names().empty());
+  EXPECT_EQ(omissions_of(file), "2 x tile without collision shape; ");
+  EXPECT_EQ(file.omissions[0].loss, Loss::none);
 }
 
 TEST(Tiled, ReadsHiddenObjectsAndLayers) {
@@ -172,7 +257,7 @@ constexpr std::string_view twin_xml = R"(<?xml version="1.0" encoding="UTF-8"?>
  <properties><property name="p" value="1"/></properties>
  <tileset firstgid="1" source="sets/tiles.tsj"/>
  <tileset firstgid="10" tilewidth="64" tileheight="48" tilecount="2" objectalignment="top"/>
- <layer name="back"><data encoding="csv">1,2</data></layer>
+ <layer name="back" width="2" height="1"><data encoding="csv">1,2</data></layer>
  <objectgroup name="ground" offsetx="0.25">
   <object id="1" name="block" x="0.1" y="64" width="96.7" height="32"/>
   <object id="2" x="10" y="20" width="30" height="8" rotation="12.5"/>
@@ -198,7 +283,7 @@ constexpr std::string_view twin_json = R"({"type": "map", "orientation": "orthog
  "tilewidth": 32, "tileheight": 32, "properties": [{"name": "p", "type": "string", "value": "1"}],
  "tilesets": [{"firstgid": 1, "source": "sets/tiles.tsx"},
   {"firstgid": 10, "tilewidth": 64, "tileheight": 48, "tilecount": 2, "objectalignment": "top"}],
- "layers": [{"type": "tilelayer", "name": "back", "data": [1, 2]},
+ "layers": [{"type": "tilelayer", "name": "back", "width": 2, "height": 1, "data": [1, 2]},
   {"type": "objectgroup", "name": "ground", "offsetx": 0.25, "objects": [
    {"id": 1, "name": "block", "x": 0.1, "y": 64, "width": 96.7, "height": 32},
    {"id": 2, "name": "", "x": 10, "y": 20, "width": 30, "height": 8, "rotation": 12.5},
@@ -234,7 +319,8 @@ TEST(Tiled, ReadsTheSameSceneFromXmlAndJson) {
   EXPECT_EQ(xml_scene.str(), json_scene.str());
   EXPECT_EQ(scene_of(xml).size(), 11U);
   EXPECT_EQ(omissions_of(xml), omissions_of(json));
-  EXPECT_EQ(omissions_of(xml), "1 x custom property; 1 x tile layer; 1 x ellipse drawn as a 64-gon; 1 x text object; ");
+  EXPECT_EQ(omissions_of(xml),
+            "1 x custom property; 2 x tile without collision shape; 1 x ellipse drawn as a 64-gon; 1 x text object; ");
   EXPECT_EQ(box_of(xml, "coin#5"), (Box{{5, -10}, {37, 14}}));
   EXPECT_EQ(box_of(xml, "#7"), (Box{{22, 56}, {70, 120}})) << "64 x 48 at (70, 88), hanging from its top, then turned";
 }
@@ -284,8 +370,8 @@ TEST(Tiled, ReadsTheBundledPlatformLevel) {
   const SceneFile file = read_file(project_root() / "data" / "platform_level.tmx");
   EXPECT_EQ(scene_of(file).size(), 98U);
   EXPECT_EQ(omissions_of(file),
-            "1 x tile layer; 52 x object class; 1 x text object; 2 x ellipse drawn as a 64-gon; "
-            "4 x collision shape of a tile; ");
+            "40 x tile without collision shape; 52 x object class; 1 x text object; 2 x ellipse drawn as a 64-gon; "
+            "4 x collision shape of a tile object; ");
   EXPECT_EQ(scene_of(file).layer_names(),
             (std::vector<std::string>{"ground", "props", "coins", "hazards", "actors", "machines/platforms",
                                       "machines/paths", "zones", "bounds"}));

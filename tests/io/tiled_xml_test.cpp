@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,7 +34,7 @@ std::string object_error(std::string_view attributes, std::string_view children 
 
 TEST(TiledXml, ReadsEveryFieldOfAnObject) {
   const TiledMap map = read(R"(<?xml version="1.0"?>
-<map orientation="isometric">
+<map orientation="isometric" tilewidth="64" tileheight="32">
  <objectgroup name="things" offsetx="3" offsety="-4.5">
   <object id="7" name="box" type="crate" gid="2147483651" x="1.5" y="-2" width="3" height="4e1" rotation="-270"
           template="t/x.tx" visible="0">
@@ -41,7 +42,7 @@ TEST(TiledXml, ReadsEveryFieldOfAnObject) {
   </object>
  </objectgroup>
 </map>)");
-  EXPECT_EQ(map.orientation, "isometric");
+  EXPECT_EQ(map.grid.orientation, "isometric");
   ASSERT_EQ(map.layers.size(), 1U);
   EXPECT_EQ(map.layers[0].name, "things");
   EXPECT_EQ(map.layers[0].shift, Point(3, -4.5));
@@ -83,17 +84,81 @@ TEST(TiledXml, ReadsEveryOutline) {
 
 TEST(TiledXml, KeepsGroupsAndCountsWhatItDoesNotRead) {
   const TiledMap map = read(R"(<map><properties><property/></properties><editorsettings/>
-    <layer width="1000000000" height="1000000000"><data encoding="base64" compression="zstd">AAAA</data></layer>
+    <layer width="1000000000" height="1000000000"/>
     <group name="g" parallaxx="0.5"><imagelayer/><group name="h"><objectgroup name="o"><object/></objectgroup></group>
     </group><surprise/></map>)");
-  ASSERT_EQ(map.layers.size(), 1U);
-  EXPECT_EQ(map.layers[0].name, "g");
-  ASSERT_EQ(map.layers[0].layers.size(), 1U);
-  EXPECT_EQ(map.layers[0].layers[0].layers.at(0).name, "o");
+  ASSERT_EQ(map.layers.size(), 2U);
+  EXPECT_TRUE(map.layers[0].cells.empty());
+  EXPECT_EQ(map.layers[1].name, "g");
+  ASSERT_EQ(map.layers[1].layers.size(), 1U);
+  EXPECT_EQ(map.layers[1].layers[0].layers.at(0).name, "o");
   std::string omissions;
   for (const Omission& omission : map.omissions)
     omissions += std::to_string(omission.count) + " " + omission.what + "; ";
-  EXPECT_EQ(omissions, "1 custom property; 1 tile layer; 1 layer parallax; 1 image layer; 1 unknown element; ");
+  EXPECT_EQ(omissions, "1 custom property; 1 layer parallax; 1 image layer; 1 unknown element; ");
+}
+
+using Gids = std::vector<std::uint32_t>;
+
+TEST(TiledXml, ReadsTheCellsOfTileLayers) {
+  const TiledMap map = read(R"(<map>
+    <layer width="2" height="2"><data encoding="csv">
+1,0,
+2147483650,4294967295
+</data></layer>
+    <layer width="2" height="1"><data encoding="base64">
+   AQAAAAIAAIA=
+  </data></layer>
+    <layer width="2" height="2"><data><tile gid="1"/><tile/> <tile gid="2147483650"></tile></data></layer>
+    <layer width="2" height="2"><data><tile gid="1"/><!-- two --><tile gid='2'/></data></layer>
+    <layer><data encoding="csv"><chunk x="-16" y="32" width="1" height="2">5,6</chunk>
+      <chunk x="0" y="0" width="1" height="1">7</chunk></data></layer>
+    <layer><data><chunk x="-16" y="32" width="1" height="2"><tile gid="5"/>
+      <tile gid="6"/></chunk></data></layer>
+    <layer width="0" height="1"><data encoding="csv"></data></layer></map>)");
+  ASSERT_EQ(map.layers.size(), 7U);
+  EXPECT_EQ(map.layers[0].cells.at(0).gids, (Gids{1, 0, 2147483650, 4294967295}));
+  EXPECT_EQ(map.layers[0].cells.at(0).width, 2U);
+  EXPECT_EQ(map.layers[1].cells.at(0).gids, (Gids{1, 2147483650}));
+  EXPECT_EQ(map.layers[2].cells.at(0).gids, (Gids{1, 0, 2147483650})) << "the rest of the cells is empty";
+  EXPECT_EQ(map.layers[3].cells.at(0).gids, (Gids{1, 2}));
+  EXPECT_EQ(map.layers[4].cells.at(0).x, -16);
+  EXPECT_EQ(map.layers[4].cells.at(0).y, 32);
+  EXPECT_EQ(map.layers[4].cells.at(0).gids, (Gids{5, 6}));
+  EXPECT_EQ(map.layers[4].cells.at(1).gids, Gids{7});
+  EXPECT_EQ(map.layers[5].cells.at(0).gids, (Gids{5, 6}));
+  EXPECT_TRUE(map.layers[6].cells.empty());
+}
+
+TEST(TiledXml, RefusesCellsThatAreNone) {
+  const auto error_with = [](const std::string& data) {
+    return error_of("<map><layer width=\"2\" height=\"1\">\n" + data + "</layer></map>");
+  };
+  EXPECT_EQ(error_with("<data encoding=\"csv\">1,2,3</data>"),
+            "m.tmx: line 2, column 1: there are 3 tiles here, but width times height is 2");
+  EXPECT_EQ(error_with("<data encoding=\"csv\">1,x</data>"),
+            "m.tmx: line 2, column 1: tile 2 of the data is \"x\"; it must be a whole number from 0 to 4294967295");
+  EXPECT_NE(error_with("<data encoding=\"csv\">1;2</data>").find("behind tile 1 of the data a comma is missing"),
+            std::string::npos);
+  EXPECT_NE(error_with("<data><tile/><tile/><tile/></data>").find("there are 3 tiles here"), std::string::npos);
+  EXPECT_NE(error_with("<data><tile gid=\"-1\"/></data>").find("gid=\"-1\", which is not a whole number"),
+            std::string::npos);
+  EXPECT_EQ(
+      error_of("<map><layer width=\"8193\" height=\"8192\">\n<data encoding=\"base64\"/></layer></map>"),
+      "m.tmx: line 1, column 6: with this one of 8193 x 8192 the packed tile layers of the map have 67117056 cells; "
+      "the most is 67108864");
+  EXPECT_NE(error_of("<map><layer><data encoding=\"csv\"><chunk x=\"0.5\" width=\"1\" height=\"1\">1</chunk></data>"
+                     "</layer></map>")
+                .find("the x here is 0.5; it must be a whole number"),
+            std::string::npos);
+}
+
+TEST(TiledXml, CountsALayerThatEndsEarly) {
+  const TiledMap map =
+      read(R"(<map><layer width="1000000000" height="1000000000"><data encoding="csv">1,2</data></layer>
+    </map>)");
+  EXPECT_EQ(map.layers.at(0).cells.at(0).gids, (Gids{1, 2}));
+  EXPECT_EQ(map.omissions.at(0).what, "tile layer with fewer tiles than cells");
 }
 
 TEST(TiledXml, ReadsATilesetOfOneImage) {
@@ -105,9 +170,9 @@ TEST(TiledXml, ReadsATilesetOfOneImage) {
   EXPECT_EQ(tileset.tile_height, 16.0);
   EXPECT_EQ(tileset.tile_count, 8U);
   EXPECT_EQ(tileset.alignment->fraction, Point(0.5, 0.5));
-  EXPECT_TRUE(tileset.has_drawing_offset);
+  EXPECT_EQ(tileset.drawing_offset, Point(0, 3));
   EXPECT_FALSE(tileset.is_collection);
-  EXPECT_EQ(tileset.tiles.at(5).shapes, 2U);
+  EXPECT_EQ(tileset.tiles.at(5).shapes.size(), 2U);
   EXPECT_FALSE(tileset.tiles.at(5).width);
 }
 
@@ -198,10 +263,14 @@ TEST(TiledXml, SurvivesNestingWithoutLimit) {
   EXPECT_EQ(error_of(unknown + "</map>"), "no error");
 }
 
-TEST(TiledXml, DoesNotExpandEntities) {
-  const TiledMap map = read(R"(<!DOCTYPE map [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;">]>
-    <map><objectgroup name="&b;"/></map>)");
-  EXPECT_EQ(map.layers.at(0).name, "&b;");
+TEST(TiledXml, RefusesWhatIsNoXmlToOthers) {
+  EXPECT_NE(error_of(R"(<!DOCTYPE map [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;">]>
+    <map><objectgroup name="&b;"/></map>)")
+                .find("the entity \"&b;\" is not expanded"),
+            std::string::npos);
+  EXPECT_NE(error_of("<map/>\ngarbage").find("m.tmx: line 2, column 1: \"garbage\" stands after"), std::string::npos);
+  EXPECT_NE(error_of("<map/>\n<map/>").find("second root"), std::string::npos);
+  EXPECT_NE(object_error("x='1' x='2'").find("the attribute \"x\" is given twice"), std::string::npos);
 }
 
 }  // namespace

@@ -32,9 +32,9 @@ YARD = {
 YARD_PAIRS = [("ground", "crate", "touching"), ("ground", "ball", "touching"), ("crate", "ball", "overlapping")]
 
 
-# A map with nothing but a tile layer, which is not read.
-TILE_LAYER = """<map width="1" height="1" tilewidth="8" tileheight="8">
- <layer name="sky"><data encoding="csv">0</data></layer>
+# A map with nothing but an image layer, which is not read.
+IMAGE_LAYER = """<map width="1" height="1" tilewidth="8" tileheight="8">
+ <imagelayer name="sky"><image source="sky.png"/></imagelayer>
 </map>"""
 
 # Address sanitizers reserve terabytes of address space, so that their programs cannot be limited.

@@ -7,7 +7,7 @@ import json
 import struct
 import unittest
 
-from graze_program import PROGRAM, ROOT, TILE_LAYER, CommandLineTest, Terminal, environment
+from graze_program import CommandLineTest, IMAGE_LAYER, PROGRAM, ROOT, Terminal, environment
 
 HEADING = ["METHOD", "CHOSEN", "MEDIAN", "ms", "FASTEST", "ms", "SLOWEST", "ms", "PAIRS", "BYTES", "ns/BOX", "TIMES",
            "FLOOR"]
@@ -147,8 +147,8 @@ class Bench(CommandLineTest):
         self.assertIn(" - ", self.succeed("bench", scene)[0])
 
     def test_what_was_not_read_is_said(self):
-        _, said = self.succeed("bench", self.write("layers.tmx", TILE_LAYER))
-        self.assertEqual(said, "graze: not read: 1 x tile layer\n")
+        _, said = self.succeed("bench", self.write("layers.tmx", IMAGE_LAYER))
+        self.assertEqual(said, "graze: not read: 1 x image layer\n")
 
     def test_a_recording_is_measured_frame_by_frame(self):
         for name in ("moving.aabbs", "MOVING.AABBS"):

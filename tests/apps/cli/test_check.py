@@ -8,7 +8,7 @@ import math
 import unittest
 import xml.etree.ElementTree
 
-from graze_program import ROOT, TILE_LAYER, YARD, YARD_PAIRS, CommandLineTest
+from graze_program import CommandLineTest, IMAGE_LAYER, ROOT, YARD, YARD_PAIRS
 
 SPHERES_3D = {
     "schema": "graze.scene/1",
@@ -271,11 +271,11 @@ class Check(CommandLineTest):
         self.assertEqual(scene.read_bytes(), before)
 
     def test_what_was_not_read_is_said_in_every_format(self):
-        scene = self.write("layers.tmx", TILE_LAYER)
+        scene = self.write("layers.tmx", IMAGE_LAYER)
         for report_format in ("table", "json", "ndjson", "csv"):
             with self.subTest(report_format):
                 _, said = self.succeed("check", "--format", report_format, scene)
-                self.assertIn("graze: not read: 1 x tile layer\n", said)
+                self.assertIn("graze: not read: 1 x image layer\n", said)
 
 
 if __name__ == "__main__":

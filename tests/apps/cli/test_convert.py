@@ -6,7 +6,7 @@ import io
 import json
 import unittest
 
-from graze_program import ROOT, TILE_LAYER, CommandLineTest
+from graze_program import CommandLineTest, IMAGE_LAYER, ROOT
 
 
 class Convert(CommandLineTest):
@@ -45,8 +45,8 @@ class Convert(CommandLineTest):
         self.assertEqual([float(number).hex() for number in numbers], [float(number).hex() for number in found])
 
     def test_what_is_not_carried_over_is_said(self):
-        _, said = self.succeed("convert", self.write("layers.tmx", TILE_LAYER), "-")
-        self.assertIn("graze: not read: 1 x tile layer\n", said)
+        _, said = self.succeed("convert", self.write("layers.tmx", IMAGE_LAYER), "-")
+        self.assertIn("graze: not read: 1 x image layer\n", said)
 
     def test_names_that_promise_another_format_are_refused(self):
         scene = self.yard()

@@ -4,7 +4,7 @@
 import json
 import unittest
 
-from graze_program import ROOT, TILE_LAYER, YARD, CommandLineTest
+from graze_program import CommandLineTest, IMAGE_LAYER, ROOT, YARD
 
 
 class Info(CommandLineTest):
@@ -69,9 +69,9 @@ class Info(CommandLineTest):
                 self.assertEqual(in_bins + info["unbounded"] + info["empty"], info["objects"])
 
     def test_what_was_not_read_is_part_of_the_answer(self):
-        scene = self.write("layers.tmx", TILE_LAYER)
-        self.assertEqual(self.info(scene)["not_read"], [{"what": "tile layer", "count": 1}])
-        self.assertIn("\nnot read\n  tile layer  1\n", self.succeed("info", scene)[0])
+        scene = self.write("layers.tmx", IMAGE_LAYER)
+        self.assertEqual(self.info(scene)["not_read"], [{"what": "image layer", "count": 1}])
+        self.assertIn("\nnot read\n  image layer  1\n", self.succeed("info", scene)[0])
 
     def test_the_standard_input_is_read(self):
         self.assertEqual(self.info("-", input=self.yard().read_bytes())["objects"], 4)

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: MIT
+# graze::zstd: the library Zstandard, by whatever name its own package offers it; where that has no files for CMake, its header
+# and library are looked for.
+if(NOT TARGET graze::zstd)
+  find_package(zstd CONFIG QUIET)
+  foreach(target zstd::libzstd zstd::libzstd_shared zstd::libzstd_static)
+    if(TARGET ${target} AND NOT TARGET graze::zstd)
+      add_library(graze::zstd INTERFACE IMPORTED)
+      set_target_properties(graze::zstd PROPERTIES INTERFACE_LINK_LIBRARIES ${target})
+    endif()
+  endforeach()
+endif()
+if(TARGET graze::zstd)
+  set(graze_zstd_FOUND TRUE)
+else()
+  find_path(graze_zstd_INCLUDE_DIR zstd.h)
+  find_library(graze_zstd_LIBRARY zstd)
+  mark_as_advanced(graze_zstd_INCLUDE_DIR graze_zstd_LIBRARY)
+  include(FindPackageHandleStandardArgs)
+  find_package_handle_standard_args(graze_zstd REQUIRED_VARS graze_zstd_LIBRARY graze_zstd_INCLUDE_DIR)
+  if(graze_zstd_FOUND)
+    add_library(graze::zstd UNKNOWN IMPORTED)
+    set_target_properties(graze::zstd PROPERTIES IMPORTED_LOCATION "${graze_zstd_LIBRARY}"
+                                                 INTERFACE_INCLUDE_DIRECTORIES "${graze_zstd_INCLUDE_DIR}")
+  endif()
+endif()
