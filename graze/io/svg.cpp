@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <ostream>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -28,7 +29,11 @@ svg::Summary summary_of(const SceneFile& file, const svg::Subject<N>& subject, c
   svg::Summary summary;
   summary.source = file.source;
   summary.dimension = N;
-  for (const svg::Touches& touches : subject.touches) ++(touches.count > 0 ? summary.touching : summary.free);
+  for (const svg::Touches& touches : subject.touches) {
+    if (touches.count == 0) ++summary.free;
+    if (touches.count > 0) summary.objects.add(touches.closest);
+  }
+  for (const svg::SeenPair& pair : subject.pairs) summary.pairs.add(pair.relation);
   summary.too_far = stage.too_far;
   return summary;
 }
@@ -62,41 +67,42 @@ std::string opening(const svg::Frame& frame) {
                      svg::number(svg::picture_width), svg::number(frame.height));
 }
 
-/// A word where there is nothing to see, so that nobody waits for more to appear.
-std::string empty_note(const svg::Frame& frame) {
+/// A word where there is nothing to see, so that nobody waits for more to appear, and why.
+std::string empty_note(const svg::Frame& frame, std::span<const Omission> omissions) {
   const Vec<2, double> middle = frame.card.center();
-  return fmt::format("<text class=\"small\" x=\"{}\" y=\"{}\">nothing to draw</text>\n", svg::number(middle.x),
-                     svg::number(middle.y));
+  const std::string_view why =
+      omissions.empty() ? "nothing to draw" : "nothing to draw: what the file holds was not read";
+  return fmt::format("<text class=\"small\" x=\"{}\" y=\"{}\">{}</text>\n", svg::number(middle.x),
+                     svg::number(middle.y), why);
 }
 
 template <Dim N>
-std::string picture(const SceneFile& file, const Scene<N, double>& scene, std::span<const ObjectPair> touching) {
-  const svg::Subject<N> subject = svg::subject_of<N>(scene, touching);
+std::string picture(const SceneFile& file, const Scene<N, double>& scene, std::span<const ObjectPair> reported) {
+  const svg::Subject<N> subject = svg::subject_of<N>(scene, reported);
   const svg::Stage<N> stage = svg::stage_for<N>(subject, file.y_axis);
   const svg::Detail detail = svg::detail_for(scene.size());
-  svg::Summary summary = summary_of<N>(file, subject, stage);
-  summary.pairs = touching.size();
-
   std::string text = opening(stage.frame);
   const std::string left_out = svg::omission(detail, scene.size());
   if (!left_out.empty()) text += fmt::format("<!-- {} -->\n", left_out);
-  text += svg::style_sheet(detail, N) + page(stage.frame) + svg::header(summary);
+  text += svg::style_sheet(detail, N) + page(stage.frame) + svg::header(summary_of<N>(file, subject, stage));
   text += "<g id=\"objects\" class=\"shapes\" clip-path=\"url(#edge)\">\n";
   if constexpr (N == 2) {
     text += svg::paint_flat(subject, stage, detail);
   } else {
     text += svg::paint_solid(subject, stage, detail);
   }
-  text += "</g>\n<g id=\"labels\">\n" + svg::name_labels<N>(subject, stage, detail) + "</g>\n";
-  if (stage.drawn.empty()) text += empty_note(stage.frame);
+  text += "</g>\n<g id=\"pairs\" clip-path=\"url(#edge)\">\n" + svg::pair_marks<N>(subject, stage) + "</g>\n";
+  text += "<g id=\"labels\">\n" + svg::name_labels<N>(subject, stage, detail) + "</g>\n";
+  if (stage.drawn.empty()) text += empty_note(stage.frame, file.omissions);
+  text += svg::omission_note(stage.frame, file.omissions);
   return text + svg::footer(stage.frame, axes_of(stage.view)) + "</svg>\n";
 }
 
 }  // namespace
 
-void write_svg(std::ostream& out, const SceneFile& file, std::span<const ObjectPair> touching) {
+void write_svg(std::ostream& out, const SceneFile& file, std::span<const ObjectPair> reported) {
   const std::string text =
-      std::visit([&]<Dim N>(const Scene<N, double>& scene) { return picture<N>(file, scene, touching); }, file.scene);
+      std::visit([&]<Dim N>(const Scene<N, double>& scene) { return picture<N>(file, scene, reported); }, file.scene);
   out.write(text.data(), static_cast<std::streamsize>(text.size()));
 }
 

@@ -13,10 +13,10 @@ namespace graze::io::svg {
 namespace {
 
 constexpr std::size_t most_comparisons = 30'000'000;
-constexpr std::size_t most_relations = 4'000'000;
+constexpr std::size_t most_orders = 4'000'000;
 
 /// `first` is to be painted before `second`.
-struct Relation {
+struct Order {
   std::uint32_t first;
   std::uint32_t second;
 };
@@ -52,7 +52,7 @@ class DepthOrder {
   }
 
   std::vector<std::size_t> order() {
-    if (!find_relations()) relations_.clear();
+    if (!find_orders()) orders_.clear();
     return sorted();
   }
 
@@ -78,7 +78,7 @@ class DepthOrder {
   }
 
   /// All pairs seen one over the other, by a sweep from left to right; false when there are too many.
-  bool find_relations() {
+  bool find_orders() {
     std::vector<Aabb<2, double>> shadows;
     shadows.reserve(things_.size());
     for (const Layered& thing : things_) shadows.push_back(shadow(thing.box, view_));
@@ -93,8 +93,8 @@ class DepthOrder {
       if (comparisons > most_comparisons) return false;
       for (const std::uint32_t other : open) {
         if (!boxes_overlap(shadows[other], shadows[next])) continue;
-        if (relations_.size() == most_relations) return false;
-        relations_.push_back(is_before(other, next) ? Relation{other, next} : Relation{next, other});
+        if (orders_.size() == most_orders) return false;
+        orders_.push_back(is_before(other, next) ? Order{other, next} : Order{next, other});
       }
       open.push_back(next);
     }
@@ -103,11 +103,11 @@ class DepthOrder {
 
   /// Topological (Kahn 1962); of the things that nothing needs to precede the farthest comes first.
   std::vector<std::size_t> sorted() {
-    std::sort(relations_.begin(), relations_.end(), [](const Relation& a, const Relation& b) {
+    std::sort(orders_.begin(), orders_.end(), [](const Order& a, const Order& b) {
       return std::pair(a.first, a.second) < std::pair(b.first, b.second);
     });
     std::vector<std::size_t> waiting_for(things_.size(), 0);
-    for (const Relation& relation : relations_) ++waiting_for[relation.second];
+    for (const Order& relation : orders_) ++waiting_for[relation.second];
     std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> ready;  // ranks
     for (std::uint32_t i = 0; i < things_.size(); ++i) {
       if (waiting_for[i] == 0) ready.push(rank_[i]);
@@ -126,9 +126,8 @@ class DepthOrder {
       }
       done[next] = true;
       result.push_back(next);
-      const auto [first, last] =
-          std::equal_range(relations_.begin(), relations_.end(), Relation{next, 0},
-                           [](const Relation& a, const Relation& b) { return a.first < b.first; });
+      const auto [first, last] = std::equal_range(orders_.begin(), orders_.end(), Order{next, 0},
+                                                  [](const Order& a, const Order& b) { return a.first < b.first; });
       for (auto relation = first; relation != last; ++relation) {
         if (--waiting_for[relation->second] == 0) ready.push(rank_[relation->second]);
       }
@@ -141,7 +140,7 @@ class DepthOrder {
   Vec<3, double> viewer_;
   std::vector<std::uint32_t> by_depth_;  ///< Things from far to near, by their middles.
   std::vector<std::uint32_t> rank_;      ///< The place of each in `by_depth_`.
-  std::vector<Relation> relations_;
+  std::vector<Order> orders_;
 };
 
 }  // namespace

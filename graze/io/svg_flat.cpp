@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <limits>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 #include <graze/io/svg_flat.hpp>
 #include <graze/io/svg_object.hpp>
 #include <graze/io/svg_pen.hpp>
+#include <graze/query/union_outline.hpp>
 
 namespace graze::io::svg {
 namespace {
@@ -33,6 +36,29 @@ struct FlatBrush {
   void operator()(const auto& part) const { pen.outline(outline_on(stage, part)); }
 };
 
+template <class S>
+inline constexpr bool is_polygon = std::is_same_v<S, Aabb<2, double>> || std::is_same_v<S, Obb<2, double>> ||
+                                   std::is_same_v<S, Triangle<2, double>> || std::is_same_v<S, Polytope<2, double>>;
+
+/// Draws a shape; of a compound the polygons as what they are together, so that a concave one shows no cuts.
+void draw(const AnyShape<2, double>& shape, const FlatBrush& brush) {
+  if (!std::holds_alternative<Compound<2, double>>(shape)) return for_each_part<2>(shape, brush);
+  std::vector<std::vector<Vec<2, double>>> polygons;
+  for_each_part<2>(shape, [&]<class S>(const S& part) {
+    if constexpr (is_polygon<S>) {
+      Outline outline = outline_on(brush.stage, part);
+      if (outline.core.size() > 2) polygons.push_back(std::move(outline.core));
+    }
+  });
+  brush.pen.area(union_outline(polygons));
+  for_each_part<2>(shape, [&]<class S>(const S& part) {
+    if constexpr (is_polygon<S>) {
+      if (outline_on(brush.stage, part).core.size() > 2) return;
+    }
+    brush(part);
+  });
+}
+
 /// The area of a shape's box, infinite for an unbounded shape. An empty compound counts as unbounded; it shows nothing.
 double size(const Object<2, double>& object) {
   const Vec<2, double> extent = object.box.max - object.box.min;
@@ -54,7 +80,7 @@ std::string paint_flat(const Subject<2>& subject, const Stage<2>& stage, const D
   Pen pen(stage.frame, detail.mark_size);
   std::string svg;
   for (const std::size_t position : from_large_to_small(subject, stage.drawn)) {
-    for_each_part<2>(subject.objects[position]->shape, FlatBrush{stage, pen});
+    draw(subject.objects[position]->shape, FlatBrush{stage, pen});
     svg += object_element(subject, position, detail, pen);
   }
   return svg;

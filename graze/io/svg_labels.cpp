@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -14,6 +16,10 @@ namespace {
 constexpr double font_size = 12;
 constexpr double line_height = 15;
 constexpr double gap = 4;
+constexpr std::size_t most_tried = 1000;
+/// Beside a box that reaches farther from its middle, a name would seem to belong to something else: what is in the box
+/// may lie across it.
+constexpr double farthest_side = 60;
 
 bool lies_within(const Aabb<2, double>& inner, const Aabb<2, double>& outer) {
   return inner.min.x >= outer.min.x && inner.min.y >= outer.min.y && inner.max.x <= outer.max.x &&
@@ -38,7 +44,7 @@ std::vector<Aabb<2, double>> places(const Aabb<2, double>& box, const Vec<2, dou
   }
   const Vec<2, double> away = box.half_extents() + half + Vec<2, double>(gap);
   for (const auto& side : {Vec<2, double>(0, -1), Vec<2, double>(1, 0), Vec<2, double>(-1, 0), Vec<2, double>(0, 1)}) {
-    middles.push_back(center + side * away);
+    if (max_abs(side * box.half_extents()) <= farthest_side) middles.push_back(center + side * away);
   }
   std::vector<Aabb<2, double>> boxes;
   boxes.reserve(middles.size());
@@ -70,6 +76,21 @@ std::optional<Aabb<2, double>> place_for(std::size_t which, std::span<const Labe
   return std::nullopt;
 }
 
+/// Which names to try, those first that matter most.
+std::vector<std::size_t> by_weight(std::span<const Label> labels) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (!labels[i].text.empty()) order.push_back(i);
+  }
+  std::stable_sort(order.begin(), order.end(), [&labels](std::size_t i, std::size_t j) {
+    const Label& a = labels[i];
+    const Label& b = labels[j];
+    return a.in_pair != b.in_pair ? a.in_pair : area(a.box) > area(b.box);
+  });
+  if (order.size() > most_tried) order.resize(most_tried);
+  return order;
+}
+
 }  // namespace
 
 double text_width(const std::string& text, double size) {
@@ -79,7 +100,7 @@ double text_width(const std::string& text, double size) {
 std::string placed_labels(std::span<const Label> labels, const Aabb<2, double>& card) {
   std::string svg;
   std::vector<Aabb<2, double>> taken;
-  for (std::size_t i = 0; i < labels.size(); ++i) {
+  for (const std::size_t i : by_weight(labels)) {
     const std::optional<Aabb<2, double>> place = place_for(i, labels, taken, card);
     if (!place) continue;
     taken.push_back(*place);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include <graze/io/file_name.hpp>
 #include <graze/io/svg_labels.hpp>
 #include <graze/io/svg_legend.hpp>
 #include <graze/io/svg_text.hpp>
@@ -14,6 +15,7 @@ namespace graze::io::svg {
 namespace {
 
 constexpr double count_font_size = 14;
+constexpr double note_font_size = 13;
 constexpr double swatch_width = 30;
 constexpr double text_gap = 8;
 constexpr double item_gap = 26;
@@ -27,23 +29,34 @@ struct Item {
   std::string id;
 };
 
-std::string sample(bool touching, Dim dimension) {
-  const std::string_view hatched =
-      touching && dimension == 3 ? R"(<rect class="hatch" y="-8" width="30" height="16" rx="3"/>)" : "";
-  return fmt::format(R"(<g class="shapes"><g{}><rect{} y="-8" width="30" height="16" rx="3"/>{}</g></g>)",
-                     touching ? " class=\"touching\"" : "", dimension == 3 ? " class=\"l4\"" : "", hatched);
+/// A rectangle as objects of a class are drawn.
+std::string sample(std::string_view style, Dim dimension) {
+  constexpr std::string_view frame = R"(y="-8" width="30" height="16" rx="3")";
+  std::string drawn = fmt::format("<rect{} {}/>", dimension == 3 ? R"( class="l4")" : "", frame);
+  if (dimension == 3 && !style.empty()) drawn += fmt::format(R"(<rect class="pattern" {}/>)", frame);
+  const std::string group = style.empty() ? "" : fmt::format(R"( class="{}")", style);
+  return fmt::format(R"(<g class="shapes"><g{}>{}</g></g>)", group, drawn);
 }
 
-/// Two discs that touch.
-std::string pair_sample(Dim dimension) {
-  const std::string_view style = dimension == 3 ? " class=\"ball\"" : "";
-  return fmt::format(
-      R"(<g class="shapes"><g class="touching"><circle{0} cx="8" r="7"/><circle{0} cx="22" r="7"/></g></g>)", style);
+/// A kind of object or pair, for those that there are any of.
+void add_item(std::vector<Item>& items, std::size_t count, const Item& item) {
+  if (count > 0) items.push_back(item);
 }
 
-std::string last_part(const std::string& path) {
-  const std::size_t slash = path.find_last_of("/\\");
-  return slash == std::string::npos || slash + 1 == path.size() ? path : path.substr(slash + 1);
+std::vector<Item> items_of(const Summary& summary) {
+  const auto& [near, touching, overlapping] = summary.objects;
+  const Dim dimension = summary.dimension;
+  const std::string touch = pair_mark(Relation::touching, {swatch_width / 2, 0});
+  const std::string overlap = pair_mark(Relation::overlapping, {swatch_width / 2, 0});
+  std::vector<Item> items = {{sample("", dimension), fmt::format("{} free", summary.free), "count-free"}};
+  add_item(items, near, {sample("near", dimension), fmt::format("{} near", near), "count-near"});
+  items.push_back({sample("touching", dimension), fmt::format("{} touching", touching), "count-touching"});
+  items.push_back({sample("overlapping", dimension), fmt::format("{} overlapping", overlapping), "count-overlapping"});
+  add_item(items, summary.pairs.touching,
+           {touch, counted(summary.pairs.touching, "touch", "touches"), "count-touching-pairs"});
+  add_item(items, summary.pairs.overlapping,
+           {overlap, counted(summary.pairs.overlapping, "overlap"), "count-overlapping-pairs"});
+  return items;
 }
 
 double width_of(const Item& item) { return swatch_width + text_gap + text_width(item.text, count_font_size); }
@@ -97,22 +110,45 @@ std::string axis_glyph(const Frame& frame, std::span<const Axis> axes) {
 
 }  // namespace
 
+void Counts::add(Relation relation) {
+  ++(relation == Relation::apart ? near : relation == Relation::touching ? touching : overlapping);
+}
+
+std::string pair_mark(Relation relation, const Vec<2, double>& place) {
+  if (relation == Relation::touching) {
+    return fmt::format(R"(<circle class="touch" cx="{}" cy="{}" r="4"/>)", number(place.x), number(place.y));
+  }
+  return fmt::format(R"(<path class="overlap" d="M{} {}l5.5 5.5L{} {}l-5.5 -5.5Z"/>)", number(place.x),
+                     number(place.y - 5.5), number(place.x), number(place.y + 5.5));
+}
+
+std::string omission_note(const Frame& frame, std::span<const Omission> omissions) {
+  if (omissions.empty()) return "";
+  std::string text = "not read:";
+  for (const Omission& omission : omissions) {
+    text += fmt::format("{} {} x {}", &omission == &omissions.front() ? "" : ",", omission.count, omission.what);
+  }
+  constexpr double left = 150;
+  constexpr double room = picture_width - side_margin - longest_bar - 2 * item_gap - left;
+  const auto fitting = static_cast<std::size_t>(room / text_width("n", note_font_size));
+  return fmt::format("<text id=\"omissions\" class=\"note\" x=\"{}\" y=\"{}\"><title>{}</title>{}</text>\n",
+                     number(left), number(frame.card.max.y + 44), escaped(text), escaped(shortened(text, fitting)));
+}
+
 std::string header(const Summary& summary) {
-  const std::array<Item, 3> items = {
-      Item{sample(false, summary.dimension), fmt::format("{} free", summary.free), "count-free"},
-      Item{sample(true, summary.dimension), fmt::format("{} touching", summary.touching), "count-touching"},
-      Item{pair_sample(summary.dimension), counted(summary.pairs, "pair"), "count-pairs"}};
+  const std::vector<Item> items = items_of(summary);
   double left = picture_width - side_margin + item_gap;
   for (const Item& item : items) left -= width_of(item) + item_gap;
   constexpr double heading_size = 18;
   const auto fitting = static_cast<std::size_t>((left - item_gap - side_margin) / text_width("n", heading_size));
-  std::string note = fmt::format("{} in {}D", counted(summary.free + summary.touching, "object"), summary.dimension);
+  std::string note = fmt::format("{} in {}D, {}", counted(summary.free + summary.objects.all(), "object"),
+                                 summary.dimension, counted(summary.pairs.all(), "pair"));
   if (summary.too_far > 0) note += fmt::format(", {} too far away to be drawn", summary.too_far);
   return fmt::format(
       "<text class=\"heading\" x=\"{0}\" y=\"32\">{1}</text>\n<text id=\"note\" class=\"note\" x=\"{0}\" "
       "y=\"53\">{2}</text>\n"
       "<g id=\"legend\">\n{3}</g>\n",
-      number(side_margin), escaped(shortened(last_part(summary.source), std::max<std::size_t>(fitting, 1))), note,
+      number(side_margin), escaped(shortened(file_name(summary.source), std::max<std::size_t>(fitting, 1))), note,
       row(items, left));
 }
 

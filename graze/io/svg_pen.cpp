@@ -88,6 +88,23 @@ void Pen::outline(const Outline& outline, std::string_view style) {
   path(polyline(corners) + "Z", style);
 }
 
+void Pen::area(std::span<const std::vector<Vec<2, double>>> ways, std::string_view style) {
+  std::string data;
+  Aabb<2, double> box = Aabb<2, double>::nothing();
+  std::vector<Vec<2, double>> corners;
+  for (const std::vector<Vec<2, double>>& way : ways) {
+    corners.clear();
+    for (const Vec<2, double>& corner : way) {
+      corners.push_back(to_picture(frame_, corner));
+      box.grow(corners.back());
+    }
+    if (!corners.empty()) data += polyline(corners) + "Z";
+  }
+  if (data.empty()) return;
+  if (max_abs(box.max - box.min) < least_size) return disc(box.center(), 0, style);
+  path(data, style);
+}
+
 void Pen::line(const Vec<2, double>& from, const Vec<2, double>& to, std::string_view style) {
   lines(std::vector{from, to}, style);
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <graze/io/svg_frame.hpp>
 #include <graze/math/vec.hpp>
@@ -22,6 +23,9 @@ class Pen {
   /// A disc, a polygon, a polygon with round corners, a line or a cross: whatever the outline is. What is smaller than
   /// a tenth of a pixel becomes a dot of that size, so that nothing gets lost.
   void outline(const Outline& outline, std::string_view style = {});
+
+  /// An area within closed ways, one after the other as one element; holes run the other way round.
+  void area(std::span<const std::vector<Vec<2, double>>> ways, std::string_view style = {});
 
   /// A cross of fixed size.
   void mark(const Vec<2, double>& point);

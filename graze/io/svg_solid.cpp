@@ -67,7 +67,7 @@ std::vector<Vec<3, double>> grid(const Plane<3, double>& plane, Dim axis, const 
 struct SolidBrush {
   const Stage<3>& stage;
   const Detail& detail;
-  bool touching;
+  bool patterned;  ///< In a pair whose pattern is drawn over it.
   Pen& pen;
 
   void operator()(const Ray<3, double>& ray) const {
@@ -77,7 +77,7 @@ struct SolidBrush {
 
   void operator()(const Vec<3, double>& point) const { pen.mark(seen(point, stage.view)); }
   void operator()(const Segment<3, double>& segment) const { pen.outline(outline(segment, stage.view)); }
-  void operator()(const Sphere<3, double>& sphere) const { body(outline(sphere, stage.view), "ball"); }
+  void operator()(const Sphere<3, double>& sphere) const { body(outline(sphere, stage.view), "sphere"); }
   void operator()(const Capsule<3, double>& capsule) const { body(outline(capsule, stage.view)); }
   void operator()(const Polytope<3, double>& polytope) const { body(outline(polytope, stage.view)); }
   void operator()(const Aabb<3, double>& box) const { (*this)(oriented(box)); }
@@ -104,13 +104,13 @@ struct SolidBrush {
       const std::array corners = {middle - u - v, middle + u - v, middle + u + v, middle - u + v};
       pen.outline(outline_of_hull<3>(corners, stage.view), shade(box.axes[i] * side));
     }
-    if (touching && detail.patterns) pen.outline(silhouette, "hatch");
+    if (patterned) pen.outline(silhouette, "pattern");
   }
 
   void body(const Outline& silhouette, std::string_view style = {}) const {
     pen.outline(silhouette, style);
     const bool has_area = silhouette.core.size() > 2 || silhouette.radius > 0;
-    if (touching && detail.patterns && has_area) pen.outline(silhouette, "hatch");
+    if (patterned && has_area) pen.outline(silhouette, "pattern");
   }
 
   void sheet(const Plane<3, double>& plane) const {
@@ -169,7 +169,8 @@ std::string paint_solid(const Subject<3>& subject, const Stage<3>& stage, const 
   std::string svg;
   for (const std::size_t next : order_of(shapes, stage)) {
     const std::size_t position = stage.drawn[next];
-    const SolidBrush brush{stage, detail, subject.touches[position].count > 0, pen};
+    const bool patterned = detail.patterns && subject.touches[position].closest != Relation::apart;
+    const SolidBrush brush{stage, detail, patterned, pen};
     std::vector<const AnyShape<3, double>*> parts;
     collect_parts(*shapes[next], parts);
     for (const std::size_t part : order_of(parts, stage)) for_each_part<3>(*parts[part], brush);

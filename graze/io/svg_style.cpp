@@ -10,24 +10,29 @@
 namespace graze::io::svg {
 namespace {
 
-constexpr std::size_t most_with_labels = 40;
 constexpr std::size_t most_with_wide_lines = 400;
 constexpr std::size_t most_with_titles = 5000;
 constexpr std::size_t most_with_patterns = 5000;
 constexpr std::size_t most_with_faces = 10000;
 
-// Blue-grey against the vermillion of Okabe and Ito, "Color Universal Design" (2008): told apart with every kind of
-// colour vision, and by lightness alone.
-constexpr std::string_view free_line = "#3f5f7f";
-constexpr std::string_view free_fill = "#9db6cc";
-constexpr std::string_view touching_line = "#d55e00";
-constexpr std::string_view touching_fill = "#f3b183";
-constexpr std::string_view touching_dark = "#8a3b00";
+/// The colours of objects of one class.
+struct Colours {
+  std::string_view name;
+  std::string_view line;
+  std::string_view fill;
+  std::string_view dark;
+  std::array<std::string_view, shades> shaded;
+};
 
-constexpr std::array<std::string_view, shades> free_shades = {"#5d7791", "#7089a3", "#859db6",
-                                                              "#9bb2c8", "#b3c7d9", "#cddce8"};
-constexpr std::array<std::string_view, shades> touching_shades = {"#a84a00", "#c25500", "#d96a12",
-                                                                  "#e5843a", "#efa064", "#f7bf94"};
+// Blue-grey, and vermillion and a calmer bluish green after Okabe and Ito, "Color Universal Design" (2008): vermillion
+// is told apart with every kind of colour vision, and by lightness alone; the green by its pattern or dashes.
+constexpr Colours free_colours = {
+    "free", "#3f5f7f", "#9db6cc", "#2a4560", {"#5d7791", "#7089a3", "#859db6", "#9bb2c8", "#b3c7d9", "#cddce8"}};
+constexpr Colours touching_colours = {
+    "touching", "#0f7568", "#a3d6c9", "#0a4d44", {"#3a8577", "#4c9889", "#64ac9d", "#82c0b2", "#a2d3c7", "#c6e6de"}};
+constexpr Colours overlapping_colours = {
+    "overlapping", "#d55e00", "#f3b183", "#8a3b00", {"#a84a00", "#c25500", "#d96a12", "#e5843a", "#efa064", "#f7bf94"}};
+constexpr std::array<Colours, 2> pair_colours = {touching_colours, overlapping_colours};
 
 constexpr std::string_view page_style = R"(text{font-family:system-ui,"Segoe UI","DejaVu Sans",sans-serif;fill:#2b2f36}
 .page{fill:#f5f3ee}.card{fill:#fffefb;stroke:#dcd7cb}
@@ -36,8 +41,8 @@ constexpr std::string_view page_style = R"(text{font-family:system-ui,"Segoe UI"
 .scale,.axis{fill:none;stroke:#4a505a;stroke-width:1.5}.small{font-size:12px;text-anchor:middle;fill:#4a505a}
 )";
 
-/// Slanted lines on a tinted ground, as a tile that repeats.
-struct Hatching {
+/// What a pattern repeats on a tinted ground: slanted lines, or dots.
+struct Pattern {
   std::string_view id;
   std::string_view line;
   double line_opacity;
@@ -45,76 +50,107 @@ struct Hatching {
   double ground_opacity;
   int spacing;
   int degrees;
+  bool dotted = false;
 };
 
-std::string pattern(const Hatching& hatching) {
+std::string definition(const Pattern& pattern) {
+  const std::string ink =
+      pattern.dotted ? fmt::format("<circle cx=\"{0}\" cy=\"{0}\" r=\"1.25\" fill=\"{1}\" fill-opacity=\"{2}\"/>",
+                                   number(pattern.spacing / 2.0), pattern.line, number(pattern.line_opacity))
+                     : fmt::format("<path d=\"M0 0V{}\" stroke=\"{}\" stroke-opacity=\"{}\" stroke-width=\"2\"/>",
+                                   pattern.spacing, pattern.line, number(pattern.line_opacity));
   return fmt::format(
       "<pattern id=\"{0}\" width=\"{1}\" height=\"{1}\" patternUnits=\"userSpaceOnUse\" "
-      "patternTransform=\"rotate({2})\">"
-      "<rect width=\"{1}\" height=\"{1}\" fill=\"{3}\" fill-opacity=\"{4}\"/>"
-      "<path d=\"M0 0V{1}\" stroke=\"{5}\" stroke-opacity=\"{6}\" stroke-width=\"2\"/></pattern>\n",
-      hatching.id, hatching.spacing, hatching.degrees, hatching.ground, number(hatching.ground_opacity), hatching.line,
-      number(hatching.line_opacity));
+      "patternTransform=\"rotate({2})\"><rect width=\"{1}\" height=\"{1}\" fill=\"{3}\" "
+      "fill-opacity=\"{4}\"/>{5}</pattern>\n",
+      pattern.id, pattern.spacing, pattern.degrees, pattern.ground, number(pattern.ground_opacity), ink);
 }
 
-/// A ball lit from the upper left.
-std::string ball_gradient(std::string_view id, const std::array<std::string_view, shades>& colours) {
+/// A sphere lit from the upper left.
+std::string sphere_gradient(const Colours& colours) {
   return fmt::format(
-      "<radialGradient id=\"{}\" cx=\".36\" cy=\".28\" r=\".75\"><stop offset=\"0\" stop-color=\"{}\"/>"
+      "<radialGradient id=\"sphere-{}\" cx=\".36\" cy=\".28\" r=\".75\"><stop offset=\"0\" stop-color=\"{}\"/>"
       "<stop offset=\".55\" stop-color=\"{}\"/><stop offset=\"1\" stop-color=\"{}\"/></radialGradient>\n",
-      id, colours[5], colours[3], colours[0]);
+      colours.name, colours.shaded[5], colours.shaded[3], colours.shaded[0]);
 }
 
 /// Light above, shade below: a body of which only the silhouette is known.
-std::string body_gradient(std::string_view id, const std::array<std::string_view, shades>& colours) {
+std::string body_gradient(const Colours& colours) {
   return fmt::format(
-      "<linearGradient id=\"{}\" x1=\".25\" y1=\"0\" x2=\".7\" y2=\"1\"><stop offset=\"0\" stop-color=\"{}\"/>"
+      "<linearGradient id=\"body-{}\" x1=\".25\" y1=\"0\" x2=\".7\" y2=\"1\"><stop offset=\"0\" stop-color=\"{}\"/>"
       "<stop offset=\".5\" stop-color=\"{}\"/><stop offset=\"1\" stop-color=\"{}\"/></linearGradient>\n",
-      id, colours[5], colours[3], colours[1]);
+      colours.name, colours.shaded[5], colours.shaded[3], colours.shaded[1]);
 }
 
-/// What 2D and 3D have in common. Lines keep their width when the picture is enlarged.
+/// What 2D and 3D have in common. Lines keep their width when the picture is enlarged. What overlaps is drawn wider
+/// than what touches, and that wider than the rest; lines that only touch or are near are dashed.
 std::string shared_style(const Detail& detail) {
-  return fmt::format(
+  std::string css = fmt::format(
       ".shapes{{stroke:{0};stroke-width:{1};stroke-linejoin:round;stroke-linecap:round}}.shapes "
-      "*{{vector-effect:non-scaling-stroke}}\n"
-      ".line,.mark{{fill:none;stroke-width:{2}}}.touching{{stroke:{3};stroke-width:{2}}}"
-      ".touching .line,.touching .mark{{stroke-width:{4}}}\n",
-      free_line, number(detail.stroke), number(detail.stroke * 1.7), touching_line, number(detail.stroke * 2.6));
+      "*{{vector-effect:non-scaling-stroke}}\n.line,.mark{{fill:none;stroke-width:{2}}}"
+      ".near,.near .line{{stroke:{3};stroke-dasharray:1 5}}.touching .line{{stroke-dasharray:5 5}}"
+      ".shapes .mark{{stroke-dasharray:none}}\n",
+      free_colours.line, number(detail.stroke), number(detail.stroke * 1.7), touching_colours.line);
+  for (const Colours& colours : pair_colours) {
+    const bool overlapping = &colours == &pair_colours.back();
+    css += fmt::format(".{0}{{stroke:{1};stroke-width:{2}}}.{0} .line,.{0} .mark{{stroke:{1};stroke-width:{3}}}\n",
+                       colours.name, colours.line, number(detail.stroke * (overlapping ? 1.9 : 1.3)),
+                       number(detail.stroke * (overlapping ? 2.6 : 2.1)));
+  }
+  return css +
+         fmt::format(
+             ".touch{{fill:#fffefb;stroke:{};stroke-width:2}}.overlap{{fill:{};stroke:#fffefb;stroke-width:1.2}}\n",
+             touching_colours.line, overlapping_colours.dark);
 }
 
 std::string flat_style(const Detail& detail) {
-  const std::string_view touching = detail.patterns ? "url(#hatch);fill-opacity:1" : "#d55e00;fill-opacity:.65";
-  return fmt::format(
-      ".shapes{{fill:{};fill-opacity:.5}}.touching{{fill:{}}}\n"
-      ".ground{{fill:url(#ground);fill-opacity:1;stroke:none}}.touching .ground{{fill:url(#ground-touching)}}\n",
-      free_fill, touching);
+  std::string css =
+      fmt::format(".shapes{{fill:{};fill-opacity:.5}}.ground{{fill:url(#ground-free);fill-opacity:1;stroke:none}}\n",
+                  free_colours.fill);
+  for (const Colours& colours : pair_colours) {
+    const std::string fill = detail.patterns ? fmt::format("url(#{});fill-opacity:1", colours.name)
+                                             : fmt::format("{};fill-opacity:.65", colours.line);
+    css += fmt::format(".{0}{{fill:{1}}}.{0} .ground{{fill:url(#ground-{0})}}", colours.name, fill);
+  }
+  return css + (detail.patterns ? ".touching{stroke-dasharray:6 5}\n" : "\n");
 }
 
-std::string flat_definitions() {
-  return pattern({"hatch", touching_line, 0.55, touching_fill, 0.45, 7, 45}) +
-         pattern({"ground", free_line, 0.3, free_fill, 0.16, 12, -45}) +
-         pattern({"ground-touching", touching_line, 0.4, touching_fill, 0.16, 12, -45});
+std::string flat_definitions(const Detail& detail) {
+  const Colours& touching = touching_colours;
+  const Colours& overlapping = overlapping_colours;
+  std::string patterns = definition({"ground-free", free_colours.line, 0.3, free_colours.fill, 0.16, 12, -45}) +
+                         definition({"ground-touching", touching.line, 0.55, touching.fill, 0.16, 9, 45, true}) +
+                         definition({"ground-overlapping", overlapping.line, 0.4, overlapping.fill, 0.16, 12, -45});
+  if (!detail.patterns) return patterns;
+  return patterns + definition({"touching", touching.line, 0.6, touching.fill, 0.4, 7, 45, true}) +
+         definition({"overlapping", overlapping.line, 0.55, overlapping.fill, 0.45, 7, 45});
 }
 
-std::string solid_style() {
+std::string solid_style(const Detail& detail) {
   std::string css = fmt::format(
-      ".shapes{{fill:url(#body)}}.touching{{fill:url(#body-touching);stroke:{}}}.ball{{fill:url(#ball)}}"
-      ".touching .ball{{fill:url(#ball-touching)}}\n.touching .line,.touching .mark{{stroke:{}}}\n"
-      ".hatch{{fill:url(#hatch)}}.sheet{{fill:#8fa9c3;fill-opacity:.14}}.grid{{fill:none;stroke-width:.8;stroke-"
-      "opacity:.3}}\n"
-      ".touching .sheet{{fill:#d55e00;fill-opacity:.09;stroke:{}}}.touching .grid{{stroke:{};stroke-width:.8}}\n",
-      touching_dark, touching_line, touching_line, touching_line);
-  for (std::size_t i = 0; i < shades; ++i) {
-    css += fmt::format(".l{0}{{fill:{1}}}.touching .l{0}{{fill:{2}}}", i, free_shades[i], touching_shades[i]);
+      ".shapes{{fill:url(#body-free)}}.sphere{{fill:url(#sphere-free)}}.sheet{{fill:#8fa9c3;fill-opacity:.14}}"
+      ".grid{{fill:none;stroke-width:.8;stroke-opacity:.3}}\n");
+  for (std::size_t i = 0; i < shades; ++i) css += fmt::format(".l{}{{fill:{}}}", i, free_colours.shaded[i]);
+  for (const Colours& colours : pair_colours) {
+    css += fmt::format(
+        "\n.{0}{{fill:url(#body-{0});stroke:{1}}}.{0} .sphere{{fill:url(#sphere-{0})}}.{0} .sheet{{fill:{2};"
+        "fill-opacity:.09;stroke:{2}}}.{0} .grid{{stroke:{2};stroke-width:.8}}",
+        colours.name, colours.dark, colours.line);
+    if (detail.patterns) css += fmt::format(".{0} .pattern{{fill:url(#{0})}}", colours.name);
+    for (std::size_t i = 0; i < shades; ++i)
+      css += fmt::format(".{} .l{}{{fill:{}}}", colours.name, i, colours.shaded[i]);
   }
   return css + "\n";
 }
 
-std::string solid_definitions() {
-  return pattern({"hatch", touching_dark, 0.5, touching_fill, 0, 7, 45}) + ball_gradient("ball", free_shades) +
-         ball_gradient("ball-touching", touching_shades) + body_gradient("body", free_shades) +
-         body_gradient("body-touching", touching_shades);
+std::string solid_definitions(const Detail& detail) {
+  std::string result;
+  for (const Colours& colours : {free_colours, touching_colours, overlapping_colours}) {
+    result += sphere_gradient(colours) + body_gradient(colours);
+  }
+  if (!detail.patterns) return result;
+  return result + definition({"touching", touching_colours.dark, 0.5, touching_colours.fill, 0, 7, 45, true}) +
+         definition({"overlapping", overlapping_colours.dark, 0.5, overlapping_colours.fill, 0, 7, 45});
 }
 
 }  // namespace
@@ -125,8 +161,8 @@ Detail detail_for(std::size_t objects) {
     detail.stroke = objects > most_with_titles ? 0.4 : 0.8;
     detail.mark_size = objects > most_with_titles ? 1.5 : 3;
   }
-  detail.labels = objects <= most_with_labels;
   detail.titles = objects <= most_with_titles;
+  detail.labels = detail.titles;
   detail.patterns = objects <= most_with_patterns;
   detail.faces = objects <= most_with_faces;
   return detail;
@@ -134,14 +170,15 @@ Detail detail_for(std::size_t objects) {
 
 std::string omission(const Detail& detail, std::size_t objects) {
   if (detail.titles) return "";
-  return fmt::format("{} objects: titles and hatching are left out above {}, in 3D the faces of boxes above {}",
+  return fmt::format("{} objects: names, titles and patterns are left out above {}, in 3D the faces of boxes above {}",
                      objects, most_with_titles, most_with_faces);
 }
 
 std::string style_sheet(const Detail& detail, Dim dimension) {
   const bool flat = dimension == 2;
   return fmt::format("<style>\n{}{}{}</style>\n<defs>\n{}</defs>\n", page_style, shared_style(detail),
-                     flat ? flat_style(detail) : solid_style(), flat ? flat_definitions() : solid_definitions());
+                     flat ? flat_style(detail) : solid_style(detail),
+                     flat ? flat_definitions(detail) : solid_definitions(detail));
 }
 
 }  // namespace graze::io::svg

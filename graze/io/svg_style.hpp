@@ -12,9 +12,9 @@ namespace graze::io::svg {
 struct Detail {
   double stroke = 1.3;     ///< Width of a line, in pixels.
   double mark_size = 4.5;  ///< Arm of the cross that stands for a point, in pixels.
-  bool labels = true;      ///< Names written into the picture.
+  bool labels = true;      ///< Names written into the picture, as many as fit.
   bool titles = true;      ///< Name, type and partners of each object, shown under the mouse.
-  bool patterns = true;    ///< Hatching of what touches; else plain colour.
+  bool patterns = true;    ///< Lines over what overlaps, dots over what touches; else plain colour and width.
   bool faces = true;       ///< In 3D boxes with their faces; else their silhouettes.
 };
 
@@ -27,7 +27,7 @@ std::string omission(const Detail& detail, std::size_t objects);
 inline constexpr int shades = 6;
 
 /// The style sheet, and the patterns and gradients that it refers to. Elements that show objects lie in a group of the
-/// class "shapes", those of objects that touch something in it in a group of the class "touching".
+/// class "shapes", those of objects in pairs within it in a group of the class that `class_of` gives.
 std::string style_sheet(const Detail& detail, Dim dimension);
 
 }  // namespace graze::io::svg

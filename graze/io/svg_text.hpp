@@ -24,7 +24,7 @@ std::string number(double value);
 /// A length for people: up to six digits, with an exponent where it is very large or small: "250", "0.05", "1e+09".
 std::string length_text(double value);
 
-/// "1 pair", "2 pairs".
-std::string counted(std::size_t count, std::string_view singular);
+/// "1 pair", "2 pairs"; the plural adds an s unless it is given.
+std::string counted(std::size_t count, std::string_view singular, std::string_view plural = {});
 
 }  // namespace graze::io::svg

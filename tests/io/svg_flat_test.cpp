@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include <graze/io/svg_flat.hpp>
 #include <graze/query/bounds.hpp>
+#include <graze/query/convex_parts.hpp>
 
 #include "svg_picture.hpp"
 
@@ -57,11 +60,26 @@ TEST(SvgFlat, draws_unbounded_shapes_to_the_edge_of_the_card) {
             (Pieces{"path ground M20 688L1180 688L1180 548L20 548Z", "path line M20 548L1180 548"}));
 }
 
-TEST(SvgFlat, draws_a_compound_as_its_parts) {
-  const auto inner = compound_of<2, double>({Sphere<2, double>{{100, 100}, 50}});
-  EXPECT_EQ(pieces(compound_of<2, double>({Aabb<2, double>{{100, 100}, {300, 150}}, inner})),
-            (Pieces{"rect 160 498 200 50", "circle 160 548 50"}));
+TEST(SvgFlat, draws_the_polygons_of_a_compound_as_one_and_its_other_parts_as_they_are) {
+  const auto inner = compound_of<2, double>({Sphere<2, double>{{100, 100}, 50}, Segment<2, double>{{0, 0}, {10, 10}}});
+  EXPECT_EQ(pieces(compound_of<2, double>(
+                {Aabb<2, double>{{100, 100}, {300, 150}}, inner, Aabb<2, double>{{100, 150}, {200, 250}}})),
+            (Pieces{"path M160 548L360 548L360 498L260 498L260 398L160 398L160 498Z", "circle 160 548 50",
+                    "path line M60 648L70 638"}));
   EXPECT_EQ(pieces(Compound<2, double>{}), Pieces{});
+}
+
+TEST(SvgFlat, draws_a_concave_polygon_without_the_cuts_into_convex_parts) {
+  const std::vector<Vec<2, double>> star = {{50, 0},   {60, 40}, {100, 50}, {60, 60},
+                                            {50, 100}, {40, 60}, {0, 50},   {40, 40}};
+  const auto parts = convex_parts<double>(star);
+  ASSERT_TRUE(parts);
+  std::vector<AnyShape<2, double>> shapes;
+  for (const auto& part : *parts) shapes.emplace_back(convex_hull<2, double>(part));
+  const Pieces found = pieces(compound_of<2, double>(std::move(shapes)));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(std::count(found[0].begin(), found[0].end(), 'M'), 1);
+  EXPECT_EQ(std::count(found[0].begin(), found[0].end(), 'L'), 7);
 }
 
 TEST(SvgFlat, draws_y_downwards_when_the_file_says_so) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <graze/io/svg_labels.hpp>
 
@@ -37,15 +38,13 @@ TEST(SvgLabels, stand_above_a_small_box) {
 
 TEST(SvgLabels, stand_elsewhere_when_the_best_place_is_taken) {
   const Label small{"a", {{100, 100}, {110, 110}}};
-  const Label obstacle{"", {{104, 80}, {140, 97}}};
-  const Places found = places({small, obstacle});
-  ASSERT_FALSE(found.empty());
-  EXPECT_EQ(found[0], "a 117.72 109");  // to the right
+  const Label obstacle{"", {{104, 80}, {140, 97}}};                // has no name
+  EXPECT_EQ(places({small, obstacle}), (Places{"a 117.72 109"}));  // to the right
 }
 
 TEST(SvgLabels, may_lie_on_a_larger_thing) {
   EXPECT_EQ(places({{"crate", {{100, 100}, {110, 110}}}, {"ground", {{0, 0}, {1000, 500}}}}),
-            (Places{"crate 105 92.5", "ground 500 254"}));
+            (Places{"ground 500 254", "crate 105 92.5"}));
 }
 
 TEST(SvgLabels, do_not_cover_a_smaller_thing_in_the_middle_of_a_larger) {
@@ -53,6 +52,38 @@ TEST(SvgLabels, do_not_cover_a_smaller_thing_in_the_middle_of_a_larger) {
   ASSERT_EQ(found.size(), 2U);
   EXPECT_NE(found[0], "ground 500 254");
   EXPECT_EQ(found[1], "crate 500 254");
+}
+
+TEST(SvgLabels, of_things_in_pairs_come_first_and_of_the_others_those_of_the_largest) {
+  std::vector<Label> crowd;
+  for (int i = 0; i < 40; ++i) {
+    const double size = i == 7 ? 4 : i == 23 ? 3 : 1;
+    crowd.push_back({"n" + std::to_string(i), {{500, 250}, {500 + size, 250 + size}}, i == 31});
+  }
+  const Places found = places(crowd);
+  ASSERT_GE(found.size(), 2U);
+  EXPECT_EQ(found[0].substr(0, 4), "n31 ");
+  EXPECT_EQ(found[1].substr(0, 3), "n7 ");
+}
+
+RC_GTEST_PROP(SvgLabels, never_overlap_nor_leave_the_card, ()) {
+  std::vector<Label> labels;
+  const auto count = *rc::gen::inRange(0, 400);
+  for (int i = 0; i < count; ++i) {
+    const Vec<2, double> corner(*rc::gen::inRange(0, 950), *rc::gen::inRange(0, 450));
+    const Vec<2, double> size(*rc::gen::inRange(0, 50), *rc::gen::inRange(0, 50));
+    labels.push_back({"name " + std::to_string(i), {corner, corner + size}, i % 3 == 0});
+  }
+  const SvgPicture picture = parsed_fragment(placed_labels(labels, card));
+  std::vector<Aabb<2, double>> taken;
+  for (const pugi::xml_node& text : picture.root().children("text")) {
+    const Vec<2, double> middle(text.attribute("x").as_double(), text.attribute("y").as_double() - 4);
+    const Vec<2, double> half(text_width(text.child_value(), 12) / 2, 7.5);
+    const Aabb<2, double> box = Aabb<2, double>::from_center(middle, half - 0.01);
+    RC_ASSERT(box.min.x >= 0 && box.min.y >= 0 && box.max.x <= 1000 && box.max.y <= 500);
+    for (const Aabb<2, double>& other : taken) RC_ASSERT(!boxes_overlap(box, other));
+    taken.push_back(box);
+  }
 }
 
 TEST(SvgLabels, that_fit_nowhere_are_left_out) {

@@ -11,7 +11,7 @@
 namespace graze::io::svg::svg_object_test {
 namespace {
 
-/// A ball "<one>" that touches a box "two", and a ball without a name.
+/// A circle "<one>" that touches a box "two", and a circle without a name.
 struct SvgObject : ::testing::Test {
   SvgObject() {
     const ObjectId one = scene.add(Sphere<2, double>{{0, 0}, 1}, {.name = "<one>"});
@@ -71,6 +71,27 @@ TEST_F(SvgObject, has_its_name_in_the_picture_when_it_has_one) {
   for (const pugi::xml_node& text : picture.root().children()) names.push_back(text.child_value());
   EXPECT_EQ(names, (std::vector<std::string>{"<one>", "two"}));
   EXPECT_EQ(name_labels<2>(subject, stage, plain), "");
+}
+
+TEST_F(SvgObject, has_a_mark_where_it_meets_another) {
+  const SvgPicture picture = parsed_fragment(pair_marks<2>(subject, stage));
+  const Vec<2, double> meeting = to_picture(stage.frame, {1, 0});
+  EXPECT_EQ(picture.root().child("circle").attribute("class").value(), std::string("touch"));
+  EXPECT_NEAR(picture.root().child("circle").attribute("cx").as_double(), meeting.x, 1e-3);
+  EXPECT_NEAR(picture.root().child("circle").attribute("cy").as_double(), meeting.y, 1e-3);
+  EXPECT_FALSE(picture.root().child("circle").next_sibling());
+}
+
+TEST_F(SvgObject, has_another_mark_where_it_overlaps) {
+  Scene<3, double> space;
+  const ObjectId a = space.add(Sphere<3, double>{{0, 0, 0}, 1});
+  const ObjectId b = space.add(Sphere<3, double>{{1.5, 0, 0}, 1});
+  const ObjectId far = space.add(Sphere<3, double>{{9, 0, 0}, 1});
+  const std::vector<ObjectPair> pairs = {{a, b}, {a, far}};
+  const Subject<3> solid = subject_of<3>(space, pairs);
+  const SvgPicture picture = parsed_fragment(pair_marks<3>(solid, stage_for(solid, YAxis::up)));
+  EXPECT_STREQ(picture.root().first_child().attribute("class").value(), "overlap");
+  EXPECT_FALSE(picture.root().first_child().next_sibling());
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST(SvgSolid, draws_every_type_of_shape) {
   EXPECT_EQ(pieces(Vec<3, double>(1, 2, 3)), Pieces{"path mark"});
   EXPECT_EQ(pieces(Segment<3, double>{{0, 0, 0}, {1, 2, 3}}), Pieces{"path line"});
   EXPECT_EQ(pieces(Ray<3, double>{{0, 0, 0}, {1, 2, 3}}), Pieces{"path line"});
-  EXPECT_EQ(pieces(Sphere<3, double>{{0, 0, 0}, 1}), Pieces{"circle ball"});
+  EXPECT_EQ(pieces(Sphere<3, double>{{0, 0, 0}, 1}), Pieces{"circle sphere"});
   EXPECT_EQ(pieces(Capsule<3, double>{{0, 0, 0}, {1, 2, 3}, 1}), Pieces{"path "});
   const std::vector<Vec<3, double>> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   EXPECT_EQ(pieces(convex_hull<3, double>(corners)), Pieces{"path "});
@@ -75,11 +75,11 @@ TEST(SvgSolid, draws_planes_as_sheets_with_a_grid_across_an_axis) {
 TEST(SvgSolid, draws_the_parts_of_a_compound_from_back_to_front) {
   // The ball is in front of the box.
   const auto lamp = compound_of<3, double>({Sphere<3, double>{{0, 0, 3}, 1}, Aabb<3, double>{{-1, -1, 0}, {1, 1, 2}}});
-  EXPECT_EQ(pieces(lamp), (Pieces{"path l1", "path l3", "path l4", "circle ball"}));
+  EXPECT_EQ(pieces(lamp), (Pieces{"path l1", "path l3", "path l4", "circle sphere"}));
   EXPECT_EQ(pieces(Compound<3, double>{}), Pieces{});
 }
 
-TEST(SvgSolid, hatches_what_touches) {
+TEST(SvgSolid, patterns_what_touches) {
   Scene<3, double> scene;
   const ObjectId a = scene.add(Sphere<3, double>{{0, 0, 0}, 1}, {.name = "a"});
   const ObjectId b = scene.add(Aabb<3, double>{{-1, -1, 1}, {1, 1, 2}}, {.name = "b"});
@@ -87,8 +87,8 @@ TEST(SvgSolid, hatches_what_touches) {
   const std::vector<ObjectPair> pairs = {{a, b}, {b, c}};
   const Painted rich = painted(scene, pairs);
   EXPECT_EQ(rich.titles, (std::vector<std::string>{"a", "b", "c"}));
-  EXPECT_EQ(rich.pieces[0], (Pieces{"circle ball", "circle hatch"}));
-  EXPECT_EQ(rich.pieces[1], (Pieces{"path l1", "path l3", "path l4", "path hatch"}));
+  EXPECT_EQ(rich.pieces[0], (Pieces{"circle sphere", "circle pattern"}));
+  EXPECT_EQ(rich.pieces[1], (Pieces{"path l1", "path l3", "path l4", "path pattern"}));
   EXPECT_EQ(rich.pieces[2], Pieces{"path line"});
   Detail plain;
   plain.patterns = false;

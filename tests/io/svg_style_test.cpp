@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <set>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -12,8 +13,8 @@ namespace graze::io::svg::svg_style_test {
 namespace {
 
 TEST(SvgStyle, shows_less_of_each_object_the_more_there_are) {
-  EXPECT_TRUE(detail_for(40).labels);
-  EXPECT_FALSE(detail_for(41).labels);
+  EXPECT_TRUE(detail_for(5000).labels);
+  EXPECT_FALSE(detail_for(5001).labels);
   EXPECT_TRUE(detail_for(5000).titles);
   EXPECT_TRUE(detail_for(5000).patterns);
   EXPECT_FALSE(detail_for(5001).titles);
@@ -27,7 +28,7 @@ TEST(SvgStyle, shows_less_of_each_object_the_more_there_are) {
 TEST(SvgStyle, says_what_it_leaves_out) {
   EXPECT_EQ(omission(detail_for(5000), 5000), "");
   EXPECT_EQ(omission(detail_for(6000), 6000),
-            "6000 objects: titles and hatching are left out above 5000, in 3D the faces of boxes above 10000");
+            "6000 objects: names, titles and patterns are left out above 5000, in 3D the faces of boxes above 10000");
 }
 
 /// The ids in "url(#...)".
@@ -40,8 +41,9 @@ std::set<std::string> referenced(const std::string& css) {
 }
 
 TEST(SvgStyle, defines_every_pattern_and_gradient_it_refers_to_and_no_other) {
-  for (const Dim dimension : {2, 3}) {
-    const SvgPicture picture = parsed_fragment(style_sheet(Detail{}, dimension));
+  for (const auto& [detail, dimension] : {std::pair(Detail{}, 2), std::pair(Detail{}, 3),
+                                          std::pair(detail_for(6000), 2), std::pair(detail_for(6000), 3)}) {
+    const SvgPicture picture = parsed_fragment(style_sheet(detail, dimension));
     std::set<std::string> defined;
     for (const pugi::xml_node& definition : picture.root().child("defs").children()) {
       defined.insert(definition.attribute("id").value());
@@ -51,13 +53,17 @@ TEST(SvgStyle, defines_every_pattern_and_gradient_it_refers_to_and_no_other) {
   }
 }
 
-TEST(SvgStyle, tells_touching_shapes_by_colour_and_by_pattern_or_width) {
+TEST(SvgStyle, tells_touching_from_overlapping_by_colour_and_by_pattern_dashes_or_width) {
   const std::string rich = style_sheet(detail_for(10), 2);
-  EXPECT_NE(rich.find(".touching{stroke:#d55e00;stroke-width:2.21}"), std::string::npos);
-  EXPECT_NE(rich.find(".touching{fill:url(#hatch)"), std::string::npos);
+  EXPECT_NE(rich.find(".touching{stroke:#0f7568;stroke-width:1.69}"), std::string::npos);
+  EXPECT_NE(rich.find(".overlapping{stroke:#d55e00;stroke-width:2.47}"), std::string::npos);
+  EXPECT_NE(rich.find(".touching{fill:url(#touching)"), std::string::npos);
+  EXPECT_NE(rich.find(".overlapping{fill:url(#overlapping)"), std::string::npos);
+  EXPECT_NE(rich.find(".touching{stroke-dasharray"), std::string::npos);
   const std::string plain = style_sheet(detail_for(100'000), 2);
-  EXPECT_NE(plain.find(".touching{stroke:#d55e00;stroke-width:0.68}"), std::string::npos);
-  EXPECT_NE(plain.find(".touching{fill:#d55e00"), std::string::npos);
+  EXPECT_NE(plain.find(".touching{stroke:#0f7568;stroke-width:0.52}"), std::string::npos);
+  EXPECT_NE(plain.find(".overlapping{stroke:#d55e00;stroke-width:0.76}"), std::string::npos);
+  EXPECT_NE(plain.find(".overlapping{fill:#d55e00"), std::string::npos);
 }
 
 TEST(SvgStyle, has_a_colour_for_every_shade) {
@@ -65,6 +71,7 @@ TEST(SvgStyle, has_a_colour_for_every_shade) {
   for (int shade = 0; shade < shades; ++shade) {
     EXPECT_NE(css.find(".l" + std::to_string(shade) + "{fill:#"), std::string::npos);
     EXPECT_NE(css.find(".touching .l" + std::to_string(shade) + "{fill:#"), std::string::npos);
+    EXPECT_NE(css.find(".overlapping .l" + std::to_string(shade) + "{fill:#"), std::string::npos);
   }
 }
 

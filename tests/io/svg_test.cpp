@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <sstream>
@@ -76,11 +77,13 @@ SvgPicture checked(const std::string& text, std::size_t objects) {
   return picture;
 }
 
-std::vector<std::string> touching_titles(const SvgPicture& picture) {
+/// The titles of the objects that are marked as in a pair.
+std::vector<std::string> marked_titles(const SvgPicture& picture) {
   std::vector<std::string> titles;
   for (const pugi::xml_node& object : picture.by_id("objects").children()) {
-    const bool touching = std::string(object.attribute("class").value()) == "touching";
-    if (touching) titles.emplace_back(object.child("title").child_value());
+    const std::string style = object.attribute("class").value();
+    const bool marked = style == "near" || style == "touching" || style == "overlapping";
+    if (marked) titles.emplace_back(object.child("title").child_value());
   }
   return titles;
 }
@@ -122,7 +125,7 @@ TEST(Svg, shows_every_shape_of_space) {
   checked(svg_text<3>(scene, {}), 12);
 }
 
-TEST(Svg, marks_exactly_what_touches) {
+TEST(Svg, marks_exactly_what_is_in_a_pair_and_how_it_meets) {
   Scene<2, double> scene;
   std::vector<ObjectId> ids;
   for (const char* name : {"a", "b", "c", "d", "e"}) {
@@ -130,12 +133,38 @@ TEST(Svg, marks_exactly_what_touches) {
   }
   const std::vector<ObjectPair> pairs = {{ids[0], ids[1]}, {ids[1], ids[2]}, {ids[0], ids[2]}};
   const SvgPicture picture = checked(svg_text<2>(scene, pairs), 5);
-  EXPECT_EQ(touching_titles(picture),
+  EXPECT_EQ(marked_titles(picture),
             (std::vector<std::string>{"a (sphere), touches b and c", "b (sphere), touches a and c",
                                       "c (sphere), touches b and a"}));
   EXPECT_EQ(picture.legend("count-free"), "2 free");
   EXPECT_EQ(picture.legend("count-touching"), "3 touching");
-  EXPECT_EQ(picture.legend("count-pairs"), "3 pairs");
+  EXPECT_EQ(picture.legend("count-overlapping"), "0 overlapping");
+  EXPECT_EQ(picture.legend("count-touching-pairs"), "2 touches");  // a and c are apart
+  EXPECT_STREQ(picture.by_id("note").child_value(), "5 objects in 2D, 3 pairs");
+}
+
+TEST(Svg, says_what_was_not_read_also_where_nothing_is_drawn) {
+  const SceneFile file{Scene<2, double>(), "tiles.tmx", "tiled", YAxis::down, {{"tile layer", 2}}};
+  std::ostringstream out;
+  write_svg(out, file, {});
+  const SvgPicture picture = checked(out.str(), 0);
+  EXPECT_STREQ(picture.by_id("omissions").last_child().value(), "not read: 2 x tile layer");
+  EXPECT_NE(out.str().find(">nothing to draw: what the file holds was not read<"), std::string::npos);
+}
+
+TEST(Svg, names_what_it_can_of_many_objects) {
+  Scene<2, double> scene;
+  for (int i = 0; i < 900; ++i) {
+    const double size = i % 100 == 0 ? 0.9 : 0.1;
+    const Vec<2, double> corner(i % 30, std::floor(i / 30.0));
+    scene.add(Aabb<2, double>{corner, corner + size}, {.name = "n" + std::to_string(i)});
+  }
+  const SvgPicture picture = checked(svg_text<2>(scene, {}), 900);
+  std::vector<std::string> names;
+  for (const pugi::xml_node& label : picture.by_id("labels").children()) names.emplace_back(label.child_value());
+  EXPECT_GT(names.size(), 100U);
+  EXPECT_EQ(names.front(), "n0");
+  EXPECT_EQ(names[8], "n800");
 }
 
 TEST(Svg, stays_well_formed_whatever_the_names) {
@@ -257,10 +286,11 @@ TEST(Svg, keeps_pictures_of_many_objects_small) {
   const std::string space_text = svg_text<3>(std::move(space), space_pairs);
   EXPECT_LT(flat_text.size(), 100U * count);
   EXPECT_LT(space_text.size(), 150U * count);
-  EXPECT_NE(flat_text.find("<!-- 20000 objects: titles and hatching are left out above 5000"), std::string::npos);
+  EXPECT_NE(flat_text.find("<!-- 20000 objects: names, titles and patterns are left out above 5000"),
+            std::string::npos);
   const SvgPicture picture = parsed_picture(flat_text);
-  EXPECT_EQ(touching_titles(picture).size(), 2'000U);
-  EXPECT_EQ(picture.legend("count-touching"), "2000 touching");
+  EXPECT_EQ(marked_titles(picture).size(), 2'000U);
+  EXPECT_EQ(picture.legend("count-near"), "2000 near");  // a third of a unit apart
   EXPECT_EQ(picture.legend("count-free"), "18000 free");
 }
 
@@ -294,7 +324,7 @@ RC_GTEST_PROP(Svg, marks_exactly_the_objects_of_random_pairs,
   }
   const SvgPicture picture = parsed_picture(svg_text<2>(scene, pairs));
   std::size_t marked = 0;
-  for (const std::string& title : touching_titles(picture)) {
+  for (const std::string& title : marked_titles(picture)) {
     ++marked;
     RC_ASSERT(touching[static_cast<std::size_t>(std::stoi(title.substr(1)))]);
   }

@@ -64,6 +64,8 @@ TEST(SvgText, counts_in_singular_and_plural) {
   EXPECT_EQ(counted(0, "pair"), "0 pairs");
   EXPECT_EQ(counted(1, "pair"), "1 pair");
   EXPECT_EQ(counted(2, "pair"), "2 pairs");
+  EXPECT_EQ(counted(1, "touch", "touches"), "1 touch");
+  EXPECT_EQ(counted(3, "touch", "touches"), "3 touches");
 }
 
 RC_GTEST_PROP(SvgText, escaped_bytes_of_any_kind_are_well_formed_xml, (const std::string& bytes)) {
