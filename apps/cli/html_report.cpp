@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <graze/io/file_name.hpp>
 #include <graze/io/in_quotes.hpp>
 #include <graze/io/input_error.hpp>
 #include <graze/io/json_scene.hpp>
@@ -80,8 +81,10 @@ std::string read_report_template() {
                   looked.empty() ? "" : " at ", looked, template_variable));
 }
 
-HtmlReport::HtmlReport(std::string page, const io::ReportHead& head)
-    : page_(std::move(page)), writer_(io::begin_report(check_, io::ReportFormat::json, head)) {}
+HtmlReport::HtmlReport(std::string page, io::ReportHead head) : page_(std::move(page)) {
+  head.source = io::file_name(head.source);
+  writer_ = io::begin_report(check_, io::ReportFormat::json, head);
+}
 
 void HtmlReport::finish(std::ostream& out, const io::SceneFile& file, const io::ReportSummary& summary) {
   writer_->finish(summary);
@@ -91,7 +94,7 @@ void HtmlReport::finish(std::ostream& out, const io::SceneFile& file, const io::
   const std::size_t place = page.find(data_place) + data_place.size();
   out << page.substr(0, place);
   // The scene as text in a string: JavaScript's numbers would not hold all that its fields may.
-  write_for_html(out, fmt::format("{{\"source\": {},\n\"scene\": {}", io::json_string(file.source),
+  write_for_html(out, fmt::format("{{\"source\": {},\n\"scene\": {}", io::json_string(io::file_name(file.source)),
                                   io::json_string(scene.view())));
   write_for_html(out, ",\n\"check\": ");
   write_for_html(out, check_.view());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A scene and what a check of it found, as one page that opens in a browser, from disk and without a network. The page
-// is the viewer with everything inlined, which `./dev web` builds; here its data are filled in.
+// is the viewer with everything inlined, which `./dev web` builds; here its data are filled in. It names the scene's
+// file, not the folders it lies in: the page may be mailed.
 #pragma once
 
 #include <functional>
@@ -23,7 +24,7 @@ std::string read_report_template();
 class HtmlReport {
  public:
   /// `page` is a template as `read_report_template` gives it.
-  HtmlReport(std::string page, const io::ReportHead& head);
+  HtmlReport(std::string page, io::ReportHead head);
 
   void add(const io::ReportedPair& pair) { writer_->write(pair); }
 

@@ -42,13 +42,20 @@ class Page(ViewTest):
     def test_it_holds_the_scene_and_what_check_reports(self):
         scene = self.yard()
         data = self.view(scene)
-        self.assertEqual(data["source"], str(scene))
+        self.assertEqual(data["source"], scene.name)
         self.assertEqual([item["name"] for item in json.loads(data["scene"])["objects"]], [item["name"] for item in YARD["objects"]])
         self.assertEqual([(pair["a"], pair["b"], pair["relation"]) for pair in data["check"]["pairs"]], YARD_PAIRS)
         report = json.loads(self.succeed("check", "--format", "json", scene)[0])
+        self.assertEqual(data["check"]["scene"], scene.name)
         for one in (data["check"], report):
-            del one["summary"]["seconds"]
+            del one["summary"]["seconds"], one["scene"]
         self.assertEqual(data["check"], report)
+
+    def test_it_tells_nothing_of_folders(self):
+        scene, page = self.yard(), self.folder / "page.html"
+        for command in (("view",), ("check", "--output", self.folder / "report.txt")):
+            self.succeed(*command, scene.resolve(), "--html", page, env=self.env())
+            self.assertNotIn(str(self.folder), page.read_text(encoding="utf-8"))
 
     def test_check_writes_the_same_page_with_the_pairs_that_were_asked_for(self):
         scene, page = self.yard(), self.folder / "page.html"
