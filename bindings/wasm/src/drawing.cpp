@@ -7,9 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -17,6 +19,7 @@
 
 #include <graze/query/growing_hull.hpp>
 #include <graze/query/outline.hpp>
+#include <graze/query/union_outline.hpp>
 
 #include "arguments.hpp"
 #include "bridge.hpp"
@@ -27,14 +30,14 @@ namespace {
 
 using std::numbers::pi;
 
-/// Adds an outline, its round corners cut into pieces, as one convex polygon.
-void add_outline(Drawing<2>& drawing, const Outline& outline, int circle) {
-  std::vector<std::uint32_t> places;
+/// The corners of an outline, its round ones cut into pieces.
+std::vector<Vec<2, double>> corners_of(const Outline& outline, int circle) {
+  std::vector<Vec<2, double>> corners;
   const std::size_t count = outline.core.size();
   for (std::size_t i = 0; i < count; ++i) {
     const Vec<2, double>& corner = outline.core[i];
     if (outline.radius == 0) {
-      places.push_back(drawing.add(corner));
+      corners.push_back(corner);
       continue;
     }
     const Vec<2, double> in = corner - outline.core[(i + count - 1) % count];
@@ -45,17 +48,53 @@ void add_outline(Drawing<2>& drawing, const Outline& outline, int circle) {
     const int steps = std::max(1, static_cast<int>(std::ceil((last - first) / (2 * pi) * circle)));
     for (int k = 0; k < steps + (count == 1 ? 0 : 1); ++k) {
       const double angle = first + (last - first) * k / steps;
-      places.push_back(drawing.add(corner + Vec<2, double>(std::cos(angle), std::sin(angle)) * outline.radius));
+      corners.push_back(corner + Vec<2, double>(std::cos(angle), std::sin(angle)) * outline.radius);
     }
   }
-  for (std::size_t i = 0; i < places.size() && places.size() > 1; ++i) {
-    if (i > 1) drawing.triangles.insert(drawing.triangles.end(), {places[0], places[i - 1], places[i]});
-    if (i + 1 == places.size() && i == 1) continue;  // the way back of a single line
-    drawing.lines.insert(drawing.lines.end(), {places[i], places[(i + 1) % places.size()]});
+  return corners;
+}
+
+/// Adds corners one after the other, and gives the place of the first.
+std::uint32_t add_corners(Drawing<2>& drawing, std::span<const Vec<2, double>> corners) {
+  const auto first = static_cast<std::uint32_t>(drawing.corners.size());
+  for (const Vec<2, double>& corner : corners) drawing.add(corner);
+  return first;
+}
+
+/// Adds the area of a convex polygon.
+void add_area(Drawing<2>& drawing, std::span<const Vec<2, double>> corners) {
+  const std::uint32_t first = add_corners(drawing, corners);
+  for (std::uint32_t i = 2; i < corners.size(); ++i) {
+    drawing.triangles.insert(drawing.triangles.end(), {first, first + i - 1, first + i});
   }
 }
 
-/// Adds a ball whose upper and lower half are drawn apart along `axis` from `a` to `b`: a capsule, or where both are
+/// Adds the lines from corner to corner and back to the first.
+void add_ring(Drawing<2>& drawing, std::span<const Vec<2, double>> corners) {
+  const std::uint32_t first = add_corners(drawing, corners);
+  const auto count = static_cast<std::uint32_t>(corners.size());
+  for (std::uint32_t i = 0; i < count && count > 1; ++i) {
+    if (count == 2 && i == 1) continue;  // the way back of a single line
+    drawing.lines.insert(drawing.lines.end(), {first + i, first + (i + 1) % count});
+  }
+}
+
+/// Adds convex shapes as what they are together: the areas of all, and the outline of their union.
+void add_joined(Drawing<2>& drawing, std::span<const Outline> outlines, int circle) {
+  std::vector<std::vector<Vec<2, double>>> polygons;
+  for (const Outline& outline : outlines) {
+    std::vector<Vec<2, double>> corners = corners_of(outline, circle);
+    if (corners.size() < 3) {
+      add_ring(drawing, corners);
+    } else {
+      add_area(drawing, corners);
+      polygons.push_back(std::move(corners));
+    }
+  }
+  for (const std::vector<Vec<2, double>>& way : union_outline(polygons)) add_ring(drawing, way);
+}
+
+/// Adds a sphere whose upper and lower half are drawn apart along `axis` from `a` to `b`: a capsule, or where both are
 /// one point a sphere.
 void add_round(Drawing<3>& drawing, const Capsule<3, double>& capsule, int circle) {
   const Vec<3, double> along = capsule.b - capsule.a;
@@ -102,17 +141,21 @@ class Brush {
   }
 
   void operator()(const Compound<N, double>& compound) const {
-    for (const Part<N, double>& part : compound.parts) draw(part.shape);
+    if constexpr (N == 2) {
+      std::vector<Outline> outlines;
+      gather(compound, outlines);
+      add_joined(drawing_, outlines, options_.circle);
+    } else {
+      for (const Part<N, double>& part : compound.parts) draw(part.shape);
+    }
   }
 
   template <class S>
   void operator()(const S& shape) const {
-    constexpr bool is_unbounded = std::is_same_v<S, Ray<N, double>> || std::is_same_v<S, Plane<N, double>> ||
-                                  std::is_same_v<S, HalfSpace<N, double>>;
-    if constexpr (is_unbounded) {
+    if constexpr (is_unbounded<S>) {
       if (options_.within) draw_within(shape, *options_.within);
     } else if constexpr (N == 2) {
-      add_outline(drawing_, outline(shape), options_.circle);
+      add_joined(drawing_, std::array{outline(shape)}, options_.circle);
     } else {
       draw_solid(shape);
     }
@@ -120,9 +163,31 @@ class Brush {
 
  private:
   template <class S>
+  static constexpr bool is_unbounded = std::is_same_v<S, Ray<N, double>> || std::is_same_v<S, Plane<N, double>> ||
+                                       std::is_same_v<S, HalfSpace<N, double>>;
+
+  /// The outlines of the bounded parts at all depths; draws the others.
+  void gather(const Compound<N, double>& compound, std::vector<Outline>& outlines) const {
+    for (const Part<N, double>& part : compound.parts) {
+      std::visit(
+          [&](const auto& held) {
+            using S = std::decay_t<decltype(held)>;
+            if constexpr (std::is_same_v<S, Compound<N, double>>) {
+              gather(held, outlines);
+            } else if constexpr (is_unbounded<S>) {
+              (*this)(held);
+            } else {
+              outlines.push_back(outline(held));
+            }
+          },
+          part.shape);
+    }
+  }
+
+  template <class S>
   void draw_within(const S& shape, const Aabb<N, double>& box) const {
     if constexpr (N == 2) {
-      add_outline(drawing_, outline(shape, View<2>(), box), options_.circle);
+      add_joined(drawing_, std::array{outline(shape, View<2>(), box)}, options_.circle);
     } else if constexpr (std::is_same_v<S, Ray<3, double>>) {
       if (const auto piece = cut(shape, box)) draw_solid(*piece);
     } else if constexpr (std::is_same_v<S, Plane<3, double>>) {

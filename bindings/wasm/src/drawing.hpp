@@ -33,8 +33,8 @@ struct DrawingOptions {
   int circle = 64;                        ///< Corners of a whole circle.
 };
 
-/// In 2D filled shapes and their outlines, in 3D surfaces and edges. For pictures: right up to rounding, and round
-/// shapes lie inside of the true ones.
+/// In 2D filled shapes and their outlines, of a compound that of all its parts together; in 3D surfaces and edges. For
+/// pictures: right up to rounding, and round shapes lie inside of the true ones.
 Drawing<2> drawing_of(const AnyShape<2, double>& shape, const DrawingOptions<2>& options);
 Drawing<3> drawing_of(const AnyShape<3, double>& shape, const DrawingOptions<3>& options);
 
