@@ -7,7 +7,7 @@ import { element } from "./dom";
 import { Grid } from "./drawing/grid";
 import { Editor } from "./editor";
 import type { AnyHandle } from "./overlay";
-import { button, choice } from "./panel";
+import { button, dimensionChoice } from "./panel";
 import type { ShapeType } from "./shapes/flat_shape";
 import { kitOf, type ShapeKit } from "./shapes/shape_kit";
 import { shapesOfText, textOfShapes } from "./shapes/text";
@@ -71,9 +71,9 @@ export class Board {
     if (this.#editor.selected !== undefined) parameters.set("selected", String(this.#editor.selected));
   }
 
-  /** Lets the reader choose between the plane and space. */
+  /** Lets the reader choose between 2D and 3D. */
   dimensionSwitch(): HTMLElement {
-    return choice("Dimension", [["2", "Plane"], ["3", "Space"]], String(this.dimension) as "2" | "3", (word) => this.#show(word === "3" ? 3 : 2));
+    return dimensionChoice([2, 3], this.dimension, (dimension) => this.#show(dimension));
   }
 
   /** Buttons that add shapes. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes of the plane or of space that can be dragged, turned and resized, by pointer and by keyboard. The engine says what
+// Shapes in 2D or 3D that can be dragged, turned and resized, by pointer and by keyboard. The engine says what
 // is under the pointer.
 import type { Scene, Shape } from "graze";
 
@@ -67,7 +67,7 @@ export class Editor {
       this.#drawing.setPalette(stage.palette);
       this.#selection.setPalette(stage.palette);
     });
-    // In space the same is drawn wherever it is seen from, but for what has a size in pixels.
+    // In 3D the same is drawn wherever it is seen from, but for what has a size in pixels.
     stage.onView(() => (stage.isFlat ? options.onChange() : this.#drawOver()));
     this.#listen();
   }
@@ -136,7 +136,7 @@ export class Editor {
     const within = stage.isFlat ? beyond(stage.seenPlane()) : { min: [...stage.extent.min], max: [...stage.extent.max] };
     const options = { within, corners: cornersFor(this.#shapes.length, this.#kit.dimension) };
     const painted = this.#shapes.map((shape, place) => paintOf(shape.type, paints[place] ?? Paint.free));
-    const drawings = this.#shapes.map((shape) => drawingsOf(graze, shape, options));
+    const drawings = this.#shapes.map((shape) => drawingsOf(graze, shape, this.#kit.dimension, options));
     this.#drawing.set(drawings, Uint8Array.from(painted));
     const selected = this.#selected === undefined ? undefined : drawings[this.#selected];
     this.#selection.set(selected === undefined ? [] : [selected], new Uint8Array([paints[this.#selected ?? 0] ?? 0]));
@@ -212,7 +212,7 @@ export class Editor {
     return place === undefined || shape === undefined ? grips : [...grips, ...this.#handlesOf(place, shape)];
   }
 
-  /** Its corners, ends and sides; in space also one for its size and those for turning it. */
+  /** Its corners, ends and sides; in 3D also one for its size and those for turning it. */
   #handlesOf(place: number, shape: Shape): AnyHandle[] {
     const { stage } = this.#context;
     const name = this.nameOf(place);
@@ -282,6 +282,7 @@ export class Editor {
 }
 
 function toneOf(paint: Paint | undefined): Mark["tone"] {
+  if (paint === Paint.overlapping) return "overlapping-line";
   return paint === Paint.touching ? "touching-line" : paint === Paint.found ? "answer" : "free-line";
 }
 

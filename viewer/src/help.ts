@@ -2,17 +2,17 @@
 import { element } from "./dom";
 
 const keys: readonly (readonly [string, string])[] = [
-  ["1 … 7", "the chapters"],
+  ["1 … 7", "the tabs"],
   ["Tab", "the next shape, handle or control"],
-  ["← → ↑ ↓", "move the shape or handle that has the focus, else the view; with Shift ten times as far, with Alt a pixel"],
-  ["[ ]", "turn the selected shape, in space about the upright axis"],
-  ["{ }", "in space: tilt it about the line of sight"],
-  ["< >", "make it smaller or larger"],
+  ["← → ↑ ↓", "move the focused shape or handle, or else the view; Shift: ten times as far, Alt: one pixel"],
+  ["[ ]", "rotate the selected shape, in 3D about the vertical axis"],
+  ["{ }", "in 3D: tilt it about the line of sight"],
+  ["< >", "shrink or enlarge it"],
   ["Delete", "remove it"],
-  ["Escape", "select nothing"],
-  ["Space", "play and pause"],
-  [". ,", "one step; in the scene a frame on or back"],
-  ["/ Z", "in the scene: search, zoom to what is selected"],
+  ["Escape", "clear the selection"],
+  ["Space", "play or pause"],
+  [". ,", "one step; in a scene one frame forward or back"],
+  ["/ Z", "in a scene: search, zoom to the selection"],
   ["+ − 0", "zoom in, out, show all"],
   ["T", "light or dark"],
   ["?", "this help"],
@@ -31,8 +31,8 @@ export class HelpDialog {
     dialog.append(
       element("h2", { id: "help-heading" }, "Keys"),
       element("dl", {}, ...list),
-      element("p", {}, "With a pointer: drag shapes and handles; drag the ground to move the view, in space to turn it; in space a shape that is dragged stays as far from the eye, with Shift as high; wheel or pinch to zoom."),
-      element("p", {}, "Everything is calculated by graze itself, compiled to WebAssembly; times are measured in this browser. The address bar holds what you see: copy it to show it to somebody. Nothing leaves your machine."),
+      element("p", {}, "With a pointer: drag shapes and handles; drag the background to pan, in 3D to orbit; scroll or pinch to zoom. In 3D a dragged shape keeps its distance from the camera, with Shift its height."),
+      element("p", {}, "graze itself, compiled to WebAssembly, calculates everything; times are measured in this browser. The address holds what you see: copy it to share it. Nothing leaves your machine."),
       element("button", { type: "button", onclick: () => dialog.close() }, "Close"),
     );
     dialog.addEventListener("keydown", (event) => {

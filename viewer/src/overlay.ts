@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What is drawn over the stage in lines of even width: answers, labels, and handles that a pointer or the arrow keys move.
+import { aboutPoint, LabelPlaces } from "./label_places";
 import type { Point2, Stage } from "./stage";
 
-export type Tone = "answer" | "second" | "third" | "touching-line" | "free-line" | "faint" | "ink";
+export type Tone = "answer" | "second" | "third" | "touching-line" | "overlapping-line" | "free-line" | "faint" | "ink";
 
 export type Mark =
   | {
@@ -29,7 +30,7 @@ export interface Handle extends HandleBase {
   readonly onMove: (to: Point2) => void;
 }
 
-/** A handle of the plane or of space, where it moves as far from the eye as it is or, `isLevel`, as high. */
+/** A handle in 2D or 3D, where it moves as far from the eye as it is or, `isLevel`, as high. */
 export interface SpaceHandle extends HandleBase {
   readonly at: readonly number[];
   readonly isLevel?: boolean;
@@ -40,19 +41,32 @@ export type AnyHandle = Handle | SpaceHandle;
 
 const svg = "http://www.w3.org/2000/svg";
 
+/** Of what is seen of a handle, and of what a finger or a mouse may take hold of; in pixels. */
+const knobRadius = 6.5;
+const touchRadius = 16;
+const pointerRadius = 10;
+
+interface PlacedHandle {
+  handle: AnyHandle;
+  readonly circle: SVGCircleElement;
+  readonly knob: SVGCircleElement;
+}
+
 export class Overlay {
   readonly #root: SVGSVGElement;
   readonly #marks: SVGGElement;
+  readonly #labels: SVGGElement;
   readonly #handleGroup: SVGGElement;
   readonly #stage: Stage;
   #drawn: readonly Mark[] = [];
-  #handles = new Map<string, { handle: AnyHandle; circle: SVGCircleElement }>();
+  #handles = new Map<string, PlacedHandle>();
 
   constructor(root: SVGSVGElement, stage: Stage) {
     this.#root = root;
     this.#stage = stage;
     stage.afterView = () => this.#place();
     this.#marks = root.appendChild(document.createElementNS(svg, "g"));
+    this.#labels = root.appendChild(document.createElementNS(svg, "g"));
     this.#handleGroup = root.appendChild(document.createElementNS(svg, "g"));
   }
 
@@ -69,18 +83,19 @@ export class Overlay {
   /** Handles of the same key stay the same elements, so that a drag or the focus goes on. */
   setHandles(handles: readonly AnyHandle[]): void {
     const wanted = new Set(handles.map((handle) => handle.key));
-    for (const [key, { circle }] of this.#handles) {
+    for (const [key, { circle, knob }] of this.#handles) {
       if (wanted.has(key)) continue;
       circle.remove();
+      knob.remove();
       this.#handles.delete(key);
     }
     for (const handle of handles) {
-      const known = this.#handles.get(handle.key);
-      if (known !== undefined) known.handle = handle;
-      else this.#handles.set(handle.key, { handle, circle: this.#makeHandle(handle) });
-      const circle = this.#handles.get(handle.key)?.circle;
-      if (circle !== undefined) this.#placeHandle(handle, circle);
+      const placed = this.#handles.get(handle.key) ?? this.#makeHandle(handle);
+      placed.handle = handle;
+      this.#handles.set(handle.key, placed);
+      this.#placeHandle(placed);
     }
+    this.#drawLabels();
   }
 
   focusHandle(key: string): void {
@@ -88,28 +103,38 @@ export class Overlay {
   }
 
   #place(): void {
+    for (const placed of this.#handles.values()) this.#placeHandle(placed);
     this.#drawMarks();
-    for (const { handle, circle } of this.#handles.values()) this.#placeHandle(handle, circle);
   }
 
   #drawMarks(): void {
     this.#marks.replaceChildren(...this.#drawn.flatMap((mark) => this.#elementsOf(mark)));
+    this.#drawLabels();
+  }
+
+  /** Labels give way to handles, and to the labels before them. */
+  #drawLabels(): void {
+    const seen = [...this.#handles.values()].filter(({ handle }) => handle.kind !== "grip" && this.#stage.isBeforeEye(handle.at));
+    const handles = seen.map(({ handle }) => aboutPoint(this.#stage.toPixels(handle.at), knobRadius + 3));
+    const places = new LabelPlaces(handles, this.#root.clientWidth, this.#root.clientHeight);
+    const labels = this.#drawn.filter((mark) => mark.kind === "label").filter(({ at }) => this.#stage.isBeforeEye(at));
+    this.#labels.replaceChildren(
+      ...labels.map(({ at, text, tone, shift }) => {
+        const [x, y] = places.take(text, this.#stage.toPixels(at), shift ?? [0, -12]);
+        const drawn = shape("text", { x, y, fill: `var(--${tone}-ink, var(--${tone}))` });
+        drawn.textContent = text;
+        return drawn;
+      }),
+    );
   }
 
   #elementsOf(mark: Mark): SVGElement[] {
     const colour = `var(--${mark.tone})`;
     if (mark.kind === "line") return this.#lineOf(mark, colour);
-    if (!this.#stage.isBeforeEye(mark.at)) return [];
-    if (mark.kind === "dot") {
-      const [cx, cy] = this.#stage.toPixels(mark.at);
-      if (mark.hollow === true) return [shape("circle", { cx, cy, r: 4.5, class: "hollow", stroke: colour })];
-      return [shape("circle", { cx, cy, r: 4.5, class: "dot", fill: colour })];
-    }
-    const [x, y] = this.#stage.toPixels(mark.at);
-    const [right, down] = mark.shift ?? [0, -12];
-    const text = shape("text", { x: x + right, y: y + down, fill: colour });
-    text.textContent = mark.text;
-    return [text];
+    if (mark.kind === "label" || !this.#stage.isBeforeEye(mark.at)) return [];
+    const [cx, cy] = this.#stage.toPixels(mark.at);
+    if (mark.hollow === true) return [shape("circle", { cx, cy, r: 4.5, class: "hollow", stroke: colour })];
+    return [shape("circle", { cx, cy, r: 4.5, class: "dot", fill: colour })];
   }
 
   #lineOf(mark: Extract<Mark, { kind: "line" }>, colour: string): SVGElement[] {
@@ -132,24 +157,30 @@ export class Overlay {
     });
   }
 
-  #placeHandle(handle: AnyHandle, circle: SVGCircleElement): void {
+  #placeHandle({ handle, circle, knob }: PlacedHandle): void {
     const [x, y] = this.#stage.toPixels(handle.at);
-    circle.setAttribute("cx", String(x));
-    circle.setAttribute("cy", String(y));
-    circle.style.display = this.#stage.isBeforeEye(handle.at) ? "" : "none";
+    for (const part of [circle, knob]) {
+      part.setAttribute("cx", String(x));
+      part.setAttribute("cy", String(y));
+      part.style.display = this.#stage.isBeforeEye(handle.at) ? "" : "none";
+    }
   }
 
-  #makeHandle(handle: AnyHandle): SVGCircleElement {
+  /** A circle to take hold of, and the knob that is seen in its middle. */
+  #makeHandle(handle: AnyHandle): PlacedHandle {
     const isGrip = handle.kind === "grip";
-    const circle = shape("circle", { class: isGrip ? "grip" : "handle", r: isGrip ? 10 : 6.5, tabindex: 0, role: "button" });
+    const reach = isGrip || window.matchMedia("(pointer: coarse)").matches ? touchRadius : pointerRadius;
+    const circle = shape("circle", { class: isGrip ? "grip" : "handle", r: reach, tabindex: 0, role: "button" });
     circle.setAttribute("aria-label", `${handle.label}; arrow keys move it`);
     circle.dataset["key"] = handle.key;
+    const knob = shape("circle", { class: isGrip ? "no-knob" : "knob", r: knobRadius, "aria-hidden": "true" });
     const current = (): AnyHandle => this.#handles.get(handle.key)?.handle ?? handle;
     circle.addEventListener("focus", () => current().onFocus?.());
     circle.addEventListener("pointerdown", (event) => {
-      circle.setPointerCapture(event.pointerId);
+      const nearest = this.#nearestTo(event) ?? circle;
+      nearest.setPointerCapture(event.pointerId);
       event.preventDefault();
-      circle.focus();
+      nearest.focus();
     });
     circle.addEventListener("pointermove", (event) => {
       if (circle.hasPointerCapture(event.pointerId)) this.#move(current(), event);
@@ -164,8 +195,19 @@ export class Overlay {
       this.#move(current(), { clientX: left + x + step[0], clientY: top + y + step[1] });
     });
     if (isGrip) circle.style.pointerEvents = "none";
-    this.#handleGroup.append(circle);
-    return circle;
+    this.#handleGroup.append(circle, knob);
+    return { handle, circle, knob };
+  }
+
+  /** Where handles are close to each other, what is taken hold of is the nearest. */
+  #nearestTo(event: PointerEvent): SVGCircleElement | undefined {
+    const { left, top } = this.#root.getBoundingClientRect();
+    const distance = ({ handle }: PlacedHandle): number => {
+      const [x, y] = this.#stage.toPixels(handle.at);
+      return Math.hypot(left + x - event.clientX, top + y - event.clientY);
+    };
+    const open = [...this.#handles.values()].filter(({ handle }) => handle.kind !== "grip" && this.#stage.isBeforeEye(handle.at));
+    return open.sort((a, b) => distance(a) - distance(b))[0]?.circle;
   }
 
   #move(handle: AnyHandle, to: { clientX: number; clientY: number }): void {
@@ -174,7 +216,7 @@ export class Overlay {
   }
 }
 
-/** How high a point of space is above a level: a line straight down. Nothing for a point of the plane. */
+/** How high a point in 3D is above a level: a line straight down. Nothing in 2D. */
 export function plumb([x = 0, y = 0, z]: readonly number[], level: number): Mark[] {
   if (z === undefined) return [];
   const foot = [x, y, level];

@@ -55,6 +55,17 @@ export function choice<Word extends string>(
   return element("div", { class: "choice", role: "group", "aria-label": label }, ...buttons);
 }
 
+/** The choice between 2D and 3D, the usual one first. */
+export function dimensionChoice(words: readonly [2 | 3, 2 | 3], chosen: 2 | 3, onChoose: (dimension: 2 | 3) => void): HTMLElement {
+  const texts = words.map((word) => [String(word), `${word}D`] as const);
+  return choice<string>("Dimension", texts, String(chosen), (word) => onChoose(word === "3" ? 3 : 2));
+}
+
+/** The heading of the page. */
+export function title(text: string): HTMLElement {
+  return element("h1", {}, text);
+}
+
 /** A box to tick. */
 export function toggle(label: string, on: boolean, onToggle: (on: boolean) => void): HTMLElement {
   const input = element("input", { type: "checkbox", checked: on });
@@ -72,7 +83,7 @@ export function row(...children: (Node | string)[]): HTMLElement {
 
 /** A heading with what belongs to it. */
 export function section(heading: string, ...children: (Node | string)[]): HTMLElement {
-  return element("section", {}, element("h3", {}, heading), ...children);
+  return element("section", {}, element("h2", {}, heading), ...children);
 }
 
 /** Figures with names, each of which is written again whenever it changes. */

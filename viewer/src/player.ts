@@ -14,12 +14,12 @@ export class Player {
   readonly #play: HTMLButtonElement;
   #isPlaying: boolean;
 
-  /** `single` is what the button for one step does; a step if left out. */
+  /** What moves by itself is still at first where the system asks for little motion. `single` is what the button for one step does; a step if left out. */
   constructor(stage: Stage, isPlaying: boolean, step: () => void, single = step) {
     this.#stage = stage;
     this.#step = step;
     this.#single = single;
-    this.#isPlaying = isPlaying;
+    this.#isPlaying = isPlaying && !window.matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.#play = button("", () => this.toggle(), "Space");
     this.#play.id = "play";
     const one = button("Step", () => this.stepOnce(), "Full stop");

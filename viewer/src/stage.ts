@@ -3,11 +3,17 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
+import { Shadow } from "./drawing/shadow";
 import type { Palette, Theme } from "./theme";
 
 export type Point2 = readonly [number, number];
 
-/** What a view shows when it opens, or after "fit": a box in the plane or in space. */
+/** The camera of a 3D view looks at the floor from so far above it at least: an angle in radians, and a share of the height
+ * of what is shown. */
+const leastAngle = 0.04;
+const leastHeight = 0.12;
+
+/** What a view shows when it opens, or after "fit": a box in 2D or 3D. */
 export interface Extent {
   readonly min: readonly number[];
   readonly max: readonly number[];
@@ -25,11 +31,14 @@ export class Stage {
   readonly #flat = new THREE.OrthographicCamera(-1, 1, 1, -1, -1000, 1000);
   readonly #deep = new THREE.PerspectiveCamera(38, 1, 0.1, 1000);
   readonly #theme: Theme;
+  readonly #shadow = new Shadow();
   #controls: OrbitControls;
   #isFlat = true;
   #extent: Extent = { min: [-1, -1], max: [1, 1] };
   #yDown = false;
   #queued = false;
+  /** Whether what is drawn has changed since its shadows were cast. */
+  #isChanged = true;
   #onFrame: ((now: number) => boolean) | undefined;
   #onView: (() => void)[] = [];
   #onTheme: (() => void)[] = [];
@@ -93,7 +102,7 @@ export class Stage {
     this.#onTheme = [];
   }
 
-  /** Looks at the plane, from above. */
+  /** Looks at a 2D world from above. */
   showFlat(extent: Extent, yDown = false): void {
     this.#isFlat = true;
     this.#yDown = yDown;
@@ -102,7 +111,7 @@ export class Stage {
     this.fit();
   }
 
-  /** Looks at space from a corner; z is up. */
+  /** Looks at a 3D world from a corner; z is up, and the lower end of the extent the floor. */
   showDeep(extent: Extent): void {
     this.#isFlat = false;
     this.#extent = extent;
@@ -227,7 +236,7 @@ export class Stage {
     } else {
       const turned = new THREE.Spherical().setFromVector3(new THREE.Vector3(offset.x, offset.z, -offset.y));
       turned.theta += right * 0.15;
-      turned.phi = Math.min(Math.PI - 0.05, Math.max(0.05, turned.phi - up * 0.15));
+      turned.phi = Math.min(Math.PI / 2 - leastAngle, Math.max(0.05, turned.phi - up * 0.15));
       const back = new THREE.Vector3().setFromSpherical(turned);
       this.#deep.position.copy(this.#controls.target).add(new THREE.Vector3(back.x, -back.z, back.y));
     }
@@ -250,16 +259,23 @@ export class Stage {
     this.#onTheme.push(listener);
   }
 
-  /** Draws again, soon and once. */
+  /** Draws again, soon and once, because what is drawn has changed. */
   invalidate(): void {
+    this.#isChanged = true;
+    this.#drawSoon();
+  }
+
+  #drawSoon(): void {
     if (this.#queued) return;
     this.#queued = true;
     requestAnimationFrame((now) => {
       this.#queued = false;
       const goesOn = this.#onFrame?.(now) ?? false;
       this.#scene.background = new THREE.Color(this.palette.ground);
+      if (this.#isChanged && !this.#isFlat) this.#shadow.cast(this.#renderer, this.#scene, this.#extent);
+      this.#isChanged = false;
       this.#renderer.render(this.#scene, this.#camera);
-      if (goesOn) this.invalidate();
+      if (goesOn) this.#drawSoon();
     });
   }
 
@@ -339,6 +355,8 @@ export class Stage {
       controls.mouseButtons = { LEFT: THREE.MOUSE.PAN, MIDDLE: THREE.MOUSE.DOLLY, RIGHT: THREE.MOUSE.PAN };
       controls.touches = { ONE: THREE.TOUCH.PAN, TWO: THREE.TOUCH.DOLLY_PAN };
       controls.zoomToCursor = true;
+    } else {
+      controls.maxPolarAngle = Math.PI / 2 - leastAngle;
     }
     return controls;
   }
@@ -350,9 +368,19 @@ export class Stage {
 
   /** What is asked of the camera from now on is asked of where it is, not of where the last picture was taken from. */
   #viewChanged(): void {
+    if (!this.#isFlat) this.#stayAboveFloor();
     this.#camera.updateMatrixWorld();
     this.afterView?.();
     for (const listener of this.#onView) listener();
-    this.invalidate();
+    this.#drawSoon();
+  }
+
+  /** Lifts the camera, and what it looks at, where it was moved too low. */
+  #stayAboveFloor(): void {
+    const [floor = 0, top = 0] = [this.#extent.min[2], this.#extent.max[2]];
+    const lift = floor + leastHeight * (top - floor) - this.#deep.position.z;
+    if (lift <= 0) return;
+    this.#deep.position.z += lift;
+    this.#controls.target.z += lift;
   }
 }

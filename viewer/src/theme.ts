@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Colours, light and dark. Free against touching is blue-grey against vermillion (Okabe and Ito, "Color Universal
-// Design", 2008), as in the pictures that `graze check --svg` draws: told apart with every kind of colour vision and by
-// lightness alone; what touches is hatched as well.
+// Colours, light and dark, those of the pictures that `graze check --svg` draws: free shapes are blue-grey, overlapping ones
+// vermillion (Okabe and Ito, "Color Universal Design", 2008), touching ones a calmer green. Patterns tell them apart as well:
+// lines over what overlaps, dots over what touches.
 
 /** The colours that are drawn in WebGL; style.css holds them for both themes, and those of the page beside them. */
 const drawn = [
@@ -12,6 +12,8 @@ const drawn = [
   "free-fill",
   "touching-line",
   "touching-fill",
+  "overlapping-line",
+  "overlapping-fill",
   "selected",
   "answer",
   "second",
@@ -21,6 +23,12 @@ const drawn = [
 ] as const;
 
 export type Palette = Readonly<Record<(typeof drawn)[number], string>>;
+
+/** Whether the ground is dark, where shadows have to be deeper and large areas paler. */
+export function isDark(palette: Palette): boolean {
+  const [red = 0, green = 0, blue = 0] = [1, 3, 5].map((at) => Number.parseInt(palette.ground.slice(at, at + 2), 16));
+  return red + green + blue < 384;
+}
 
 type Mode = "light" | "dark";
 const storageKey = "graze-theme";

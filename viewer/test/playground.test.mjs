@@ -45,11 +45,11 @@ test("every tab opens without complaints, fills the panel and asks nobody but it
       await page.waitForSelector(`html[data-chapter="${chapter}"]`);
       assert.ok((await page.locator("#panel .figures dd").count()) >= 3, chapter);
       await page.waitForTimeout(150);
-      const space = page.getByRole("button", { name: "Space", exact: true });
-      assert.equal(await space.count(), chapter === "scene" ? 0 : 1, chapter);
+      const solid = page.getByRole("button", { name: "3D", exact: true });
+      assert.equal(await solid.count(), chapter === "scene" ? 0 : 1, chapter);
       if (chapter === "scene") continue;
       if ((await page.locator("#play").count()) > 0) await page.click("#play");
-      await space.click();
+      await solid.click();
       await page.waitForFunction(() => location.hash.includes("dimension=3"));
     }
     assert.ok(heard.requests.length > 2);
@@ -57,7 +57,7 @@ test("every tab opens without complaints, fills the panel and asks nobody but it
   });
 });
 
-test("a drag makes a pair touch and light up, and dragging on parts it again", async () => {
+test("a drag makes a pair overlap and turn orange, and dragging on parts it again", async () => {
   await on(twoCircles, async (page) => {
     assert.equal(await figure(page, "pairs"), "0");
     const [left, right] = [await placeOf(page, "shape-0"), await placeOf(page, "shape-1")];
@@ -73,11 +73,14 @@ test("a drag makes a pair touch and light up, and dragging on parts it again", a
   });
 });
 
-test("circles that touch in a point count as a pair, with depth 0", async () => {
+test("circles that touch in a point count as a pair, with depth 0, and turn green, not orange", async () => {
   await on("#intersections?shapes=sphere:-1,0,1;sphere:1,0,1", async (page) => {
     assert.equal(await figure(page, "pairs"), "1");
     assert.match(await page.locator("#pairs").textContent(), /touching/);
     assert.equal(await page.locator("#overlay text").textContent(), "0");
+    const circle = await placeOf(page, "shape-1");
+    const [red, green, blue] = await colourAt(page, { x: circle.x + 20, y: circle.y + 13 });
+    assert.ok(green > red + 10 && green > blue, `${red} ${green} ${blue}`);
   });
 });
 
@@ -155,15 +158,15 @@ test("a ray hits one wall first, and both in order", async () => {
   });
 });
 
-test("a moving ball stops where it first touches a wall, by itself and by turning", async () => {
+test("a moving circle stops where it first touches a wall, by itself and by turning", async () => {
   const wall = "shapes=aabb:2,-3,3,3&x=-2&y=0&to-x=4&to-y=0";
   await on(`#rays?mode=cast&moving=sphere&size=1&${wall}`, async (page) => {
-    // The ball has radius 0.8: it touches after 3.2 of 6.
+    // The circle has radius 0.8: it touches after 3.2 of 6.
     assert.equal(await figure(page, "t"), "0.5333");
     assert.equal(await figure(page, "hits"), "1");
     await page.getByRole("slider", { name: "Size" }).fill("0.5");
     assert.equal(await figure(page, "t"), "0.6000");
-    await page.getByRole("slider", { name: "Turn on the way" }).fill("180");
+    await page.getByRole("slider", { name: "Rotation on the way" }).fill("180");
     assert.equal(await figure(page, "t"), "0.6000");
     await page.getByRole("button", { name: "oriented box" }).first().click();
     await page.waitForFunction(() => document.querySelector("#figure-t").textContent !== "0.6000");
@@ -175,7 +178,7 @@ test("a moving ball stops where it first touches a wall, by itself and by turnin
   });
 });
 
-test("in space a drag makes a pair touch and light up, and the numbers are those of the textbook", async () => {
+test("in 3D a drag makes a pair overlap and turn orange, and the numbers are those of the textbook", async () => {
   const isWarm = ([red, green, blue]) => red - blue > 40 && green > blue;
   await on("#intersections?dimension=3&shapes=sphere:-1.5,0,1,1;sphere:1.5,0,1,1&selected=0", async (page) => {
     assert.equal(await figure(page, "pairs"), "0");
@@ -193,14 +196,14 @@ test("in space a drag makes a pair touch and light up, and the numbers are those
     await follow(page, "#intersections?dimension=3&shapes=sphere:0,0,1,1;obb:1.5,0,1,1,1,1,0,0,0");
     assert.equal(await page.locator("#overlay text").textContent(), "0.5000");
     assert.equal(await figure(page, "candidates"), "1");
-    assert.match(await page.locator("#pairs").textContent(), /ball · oriented boxoverlapping/);
+    assert.match(await page.locator("#pairs").textContent(), /sphere · oriented boxoverlapping/);
     await page.getByRole("button", { name: "Manifold" }).click();
     assert.equal(await page.locator("#overlay text").count(), 0);
     assert.ok((await page.locator("#overlay circle.dot").count()) >= 1);
   });
 });
 
-test("in space a shape is moved, turned, tilted and resized by keys, and the link restores it", async () => {
+test("in 3D a shape is moved, turned, tilted and resized by keys, and the link restores it", async () => {
   await on("#intersections?dimension=3&shapes=obb:0,0,1,1,0.6,0.4,0,0,0;half_space:0,0,1,0", async (page) => {
     const axes = () => Promise.all([1, 2, 3].map((axis) => figure(page, `axes-${axis}`)));
     const grip = page.locator('#overlay circle[data-key="shape-0"]');
@@ -241,7 +244,7 @@ test("in space a shape is moved, turned, tilted and resized by keys, and the lin
   });
 });
 
-test("in space rays stop, a lamp lights what it reaches, and what moves stops where it touches", async () => {
+test("in 3D rays stop, a lamp lights what it reaches, and what moves stops where it touches", async () => {
   const walls = "shapes=aabb:1,-1,-1,2,1,1;sphere:4,0,0,1;sphere:0,5,0,1";
   await on(`#rays?dimension=3&mode=first&x=0&y=0&z=0&to-x=1&to-y=0&to-z=0&${walls}`, async (page) => {
     assert.equal(await figure(page, "t"), "1.000");
@@ -252,20 +255,20 @@ test("in space rays stop, a lamp lights what it reaches, and what moves stops wh
     assert.equal(await page.locator("#caption").textContent(), "720 rays see 2 shapes");
     await follow(page, "#rays?dimension=3&mode=cast&moving=sphere&size=1&shapes=aabb:2,-3,-3,3,3,3&x=-2&y=0&z=1&to-x=4&to-y=0&to-z=1");
     assert.equal(await figure(page, "t"), "0.5333");
-    await page.getByRole("slider", { name: "Turn on the way" }).fill("180");
+    await page.getByRole("slider", { name: "Rotation on the way" }).fill("180");
     assert.equal(await figure(page, "t"), "0.5333");
     await page.getByRole("button", { name: "oriented box" }).first().click();
     assert.match(await page.locator("#caption").textContent(), /^The oriented box touches box at t = 0\.\d+$/);
     const origin = await placeOf(page, "origin");
-    await page.getByRole("button", { name: "Plane", exact: true }).click();
+    await page.getByRole("button", { name: "2D", exact: true }).click();
     assert.match(await page.locator("#caption").textContent(), /^The oriented box touches /);
-    await page.getByRole("button", { name: "Space", exact: true }).click();
+    await page.getByRole("button", { name: "3D", exact: true }).click();
     assert.deepEqual(await placeOf(page, "origin"), origin);
     assert.equal(await figure(page, "rays"), "1");
   });
 });
 
-test("in space the distance of a point is signed, and points of bounding volumes can be moved", async () => {
+test("in 3D the distance of a point is signed, and points of bounding volumes can be moved", async () => {
   await on("#closest-points?dimension=3&shapes=sphere:0,0,0,2;segment:5,0,0,5,0,4&x=0.5&y=0&z=0", async (page) => {
     assert.equal(await figure(page, "contains"), "1");
     assert.equal(await figure(page, "distance"), "\u22121.500");
@@ -301,7 +304,7 @@ test("a quad tree is cut where capacity says, and a hierarchy finds the same box
     assert.ok((await numberIn(page, "cells")) < fine);
     assert.ok((await numberIn(page, "depth")) <= 4);
     assert.equal(await numberIn(page, "found"), found);
-    await page.getByRole("button", { name: "Bvh" }).click();
+    await page.getByRole("button", { name: "BVH" }).click();
     assert.equal(await numberIn(page, "found"), found);
     const slider = page.getByRole("slider", { name: "Boxes" });
     await slider.focus();
@@ -322,11 +325,24 @@ for (const dimension of [2, 3]) {
         await page.getByRole("button", { name: method }).click();
         assert.equal(await numberIn(page, "pairs"), found, method);
       }
-      await page.getByRole("button", { name: /more/ }).click();
+      await page.getByRole("button", { name: /^Add/ }).click();
       assert.equal(await numberIn(page, "boxes"), 1400);
     });
   });
 }
+
+test("the moving shape starts with a way across the others and something to touch", async () => {
+  for (const dimension of [2, 3]) {
+    await on(`#rays?dimension=${dimension}`, async (page) => {
+      await page.getByRole("button", { name: "Moving shape" }).click();
+      const [from, to] = [await placeOf(page, "origin"), await placeOf(page, "target")];
+      assert.ok(Math.hypot(to.x - from.x, to.y - from.y) > 150, `${dimension}D`);
+      assert.match(await page.locator("#caption").textContent(), /^The oriented box touches .+ at t = 0\.\d+$/);
+      await page.getByRole("button", { name: "First hit" }).click();
+      assert.equal(await figure(page, "rays"), "1");
+    });
+  }
+});
 
 test("play goes on by itself and pauses", async () => {
   await on("#broad-phase?count=300&crowd=3", async (page) => {
@@ -350,7 +366,7 @@ test("a phone's width holds everything, in the dark too", async () => {
   }
 });
 
-test("a finger drags a shape in space, and turns the view beside it", async () => {
+test("a finger drags a shape in 3D, and turns the view beside it", async () => {
   const phone = { viewport: { width: 390, height: 760 }, hasTouch: true, isMobile: true };
   await on("#intersections?dimension=3&shapes=sphere:-1.5,0,1,1;sphere:1.5,0,1,1", async (page) => {
     const session = await page.context().newCDPSession(page);

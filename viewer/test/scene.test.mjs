@@ -166,7 +166,7 @@ test("a pair that is chosen in the list is selected in the scene, and so is what
   });
 });
 
-test("an object in space is moved, resized and turned by handles and by keys, and what it touches follows", async () => {
+test("an object in 3D is moved, resized and turned by handles and by keys, and what it touches follows", async () => {
   const path = `${folder}space.json`;
   const objects = [
     { name: "ball", type: "sphere", center: [0, 0, 0], radius: 1 },
@@ -269,6 +269,14 @@ test("a report of one file opens from disk with nothing beside it, whatever name
   assert.deepEqual(heard.complaints, []);
   assert.deepEqual(heard.requests.filter((url) => !/^(file|data|blob):/.test(url)), []);
   await page.close();
+});
+
+test("a report that is mailed tells nothing of the folders it was made in", async () => {
+  const scene = `${folder}names.json`;
+  graze("check", "--output", `${folder}names.txt`, "--html", `${folder}mailed.html`, scene);
+  const page = await readFile(`${folder}mailed.html`, "utf8");
+  for (const secret of [folder, root, tmpdir()]) assert.ok(!page.includes(secret), secret);
+  assert.ok(page.includes('"source": "names.json"'));
 });
 
 test("a served report is the same page, until the program is ended", async () => {

@@ -4,11 +4,11 @@ import type { Graze, Shape } from "graze";
 
 import type { Chapter, ChapterContext, OpenChapter } from "../chapter";
 import { element } from "../dom";
-import { circlesOfBall } from "../drawing/circles";
+import { circlesOfSphere } from "../drawing/circles";
 import { Grid } from "../drawing/grid";
 import { duration, measure, rounded } from "../numbers";
 import type { Mark, Tone } from "../overlay";
-import { button, choice, Figures, row, section, slider, toggle } from "../panel";
+import { button, dimensionChoice, Figures, row, section, slider, title, toggle } from "../panel";
 import { randomNumbers } from "../random";
 import { numberOf, wordOf } from "../state";
 import { timeOf } from "../timing";
@@ -18,8 +18,8 @@ const countLimits = { least: 1, most: 60, usual: 14 } as const;
 type Volume = "box" | "obb" | "sphere" | "fast" | "hull";
 
 const volumes: readonly { readonly id: Volume; readonly label: string; readonly tone: Tone }[] = [
-  { id: "sphere", label: "smallest ball", tone: "touching-line" },
-  { id: "fast", label: "quick ball", tone: "faint" },
+  { id: "sphere", label: "smallest sphere", tone: "overlapping-line" },
+  { id: "fast", label: "fast sphere", tone: "faint" },
   { id: "box", label: "box", tone: "free-line" },
   { id: "obb", label: "oriented box", tone: "answer" },
   { id: "hull", label: "convex hull", tone: "second" },
@@ -130,7 +130,7 @@ class Bounding implements OpenChapter {
     stage.invalidate();
   }
 
-  /** The area in the plane, the volume in space. */
+  /** The area in 2D, the volume in 3D. */
   #sizeOf(shape: Shape): number {
     const isFlat = this.#dimension === 2;
     if (shape.type === "sphere") return isFlat ? Math.PI * shape.radius ** 2 : (4 / 3) * Math.PI * shape.radius ** 3;
@@ -154,10 +154,10 @@ class Bounding implements OpenChapter {
       this.#draw();
     };
     this.#context.panel.append(
-      element("h2", {}, "Bounding volumes"),
-      element("p", { class: "lead" }, "Drag the points. Each volume holds all of them; the figures say how large it is and how long it took. The quick ball is found in two passes and at most a few percent larger than the smallest."),
-      choice("Dimension", [["2", "Plane"], ["3", "Space"]], String(this.#dimension) as "2" | "3", (word) => {
-        this.#dimension = word === "3" ? 3 : 2;
+      title("Bounding volumes"),
+      element("p", { class: "lead" }, "Drag the points. Each volume contains all of them; the figures show its size and the time to compute it. The fast sphere takes two passes and is at most a few percent larger than the smallest."),
+      dimensionChoice([2, 3], this.#dimension, (dimension) => {
+        this.#dimension = dimension;
         this.#points = this.#scatter(this.#points.length);
         this.#open();
         this.#draw();
@@ -170,7 +170,7 @@ class Bounding implements OpenChapter {
           this.#points = this.#scatter(value);
           this.#draw();
         } }),
-        row(button("Scatter anew", () => {
+        row(button("Scatter again", () => {
           this.#seed += 1;
           scatter();
         })),
@@ -198,9 +198,9 @@ function enclosed(drawing: { positions: Float32Array; triangles: Uint32Array }, 
   return Math.abs(sum);
 }
 
-/** The edges of a volume, those that follow one another as one line; a ball in space, which has none, as three circles. */
+/** The edges of a volume, those that follow one another as one line; a sphere, which has none, as three circles. */
 function linesOf(graze: Graze, shape: Shape, dimension: 2 | 3, look: { tone: Tone; dashed: boolean }): Mark[] {
-  if (shape.type === "sphere" && dimension === 3) return circlesOfBall(shape.center, shape.radius, look);
+  if (shape.type === "sphere" && dimension === 3) return circlesOfSphere(shape.center, shape.radius, look);
   const { positions, lines } = graze.drawing(shape, { corners: 96 });
   const corner = (index: number): number[] => Array.from(positions.subarray(index * dimension, (index + 1) * dimension));
   const runs: number[][] = [];

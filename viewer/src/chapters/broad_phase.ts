@@ -10,7 +10,7 @@ import { Grid } from "../drawing/grid";
 import { Paint } from "../drawing/paint";
 import { MovingBoxes } from "../moving_boxes";
 import { count as countText, counted, milliseconds } from "../numbers";
-import { button, choice, Figures, row, section, slider } from "../panel";
+import { button, choice, dimensionChoice, Figures, row, section, slider, title } from "../panel";
 import { Player, stepSeconds } from "../player";
 import { numberOf, wordOf } from "../state";
 
@@ -108,7 +108,7 @@ class BroadPhase implements OpenChapter {
     const pairs = this.#finder.find({ method: this.#method, order: "any" });
     const spent = performance.now() - start;
     this.#cloud.paints.fill(Paint.free);
-    for (const box of pairs) this.#cloud.paints[box] = Paint.touching;
+    for (const box of pairs) this.#cloud.paints[box] = Paint.overlapping;
     const found = pairs.length / 2;
     this.#cloud.boxes.set(this.#finder.boxes);
     this.#cloud.boxesChanged();
@@ -121,9 +121,9 @@ class BroadPhase implements OpenChapter {
   #show(found: number): void {
     const median = this.#chart.median;
     this.#figures.set("boxes", "Boxes", countText(this.#boxes.count));
-    this.#figures.set("pairs", "Pairs that overlap", countText(found));
-    this.#figures.set("time", "Finding all pairs", milliseconds(median));
-    this.#figures.set("rate", "Steps a second, engine alone", median > 0 ? countText(Math.round(1000 / median)) : "–");
+    this.#figures.set("pairs", "Overlapping pairs", countText(found));
+    this.#figures.set("time", "Time per step", milliseconds(median));
+    this.#figures.set("rate", "Steps per second, engine only", median > 0 ? countText(Math.round(1000 / median)) : "–");
     this.#figures.set("method", "Method", this.#finder.method.replace("_", " "));
     this.#context.say(`${counted(this.#boxes.count, "box").replace(/boxs$/, "boxes")}, ${counted(found, "pair")}`);
   }
@@ -138,8 +138,8 @@ class BroadPhase implements OpenChapter {
   }
 
   #fillPanel(): void {
-    const dimension = choice("Dimension", [["3", "Space"], ["2", "Plane"]], String(this.#dimension) as "2" | "3", (word) => {
-      this.#dimension = word === "2" ? 2 : 3;
+    const dimension = dimensionChoice([3, 2], this.#dimension, (word) => {
+      this.#dimension = word;
       this.#restart();
     });
     const method = choice<PairMethod>(
@@ -161,21 +161,21 @@ class BroadPhase implements OpenChapter {
       },
     });
     const crowd = slider({
-      label: "Neighbours of a box, about", ...limits.crowd, step: 0.1, value: this.#crowd,
+      label: "Neighbours per box, about", ...limits.crowd, step: 0.1, value: this.#crowd,
       onInput: (value) => {
         this.#crowd = value;
         this.#restart();
       },
     });
     this.#context.panel.append(
-      element("h2", {}, "Broad phase at scale"),
-      element("p", { class: "lead" }, "Every box moves in every step, and every step finds all pairs of overlapping boxes. Those that overlap another are lit."),
+      title("Broad phase at scale"),
+      element("p", { class: "lead" }, "All boxes move in every step, and every step finds all overlapping pairs from scratch. Boxes that overlap another are orange."),
       this.#player.root,
       this.#figures.root,
       this.#chart.root,
       this.#chart.legend(),
-      section("World", dimension, number, crowd, row(button("Throw in 1 000 more", () => this.#throwIn(1000)))),
-      section("Method", method, element("p", { class: "lead" }, "Above some thousands of boxes, brute force takes seconds for a step.")),
+      section("World", dimension, number, crowd, row(button("Add 1 000 boxes", () => this.#throwIn(1000)))),
+      section("Method", method, element("p", { class: "lead" }, "With more than a few thousand boxes, brute force takes seconds per step.")),
     );
   }
 }

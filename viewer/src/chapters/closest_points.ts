@@ -8,7 +8,7 @@ import { element } from "../dom";
 import { Paint } from "../drawing/paint";
 import { measure } from "../numbers";
 import { plumb, type Mark, type SpaceHandle } from "../overlay";
-import { button, choice, Figures, row, section } from "../panel";
+import { button, choice, Figures, row, section, title } from "../panel";
 import type { ShapeType } from "../shapes/flat_shape";
 import { pointOf, wordOf, writePoint } from "../state";
 
@@ -36,7 +36,7 @@ class ClosestPoints implements OpenChapter {
   readonly #board: Board;
   readonly #figures = new Figures();
   readonly #distances = element("ul", { class: "list", "aria-label": "Distances of the shapes" });
-  /** The point of the plane, and that of space. */
+  /** The point in 2D, and that in 3D. */
   readonly #probes: Record<2 | 3, readonly number[]>;
   #shown: Shown;
 
@@ -89,12 +89,13 @@ class ClosestPoints implements OpenChapter {
     const distances = shapes.map((shape) => graze.signedDistance(shape, probe));
     const nearest = distances.reduce((best, distance, place) => (distance < (distances[best] ?? Infinity) ? place : best), 0);
     const holders = shapes.map((shape) => graze.contains(shape, probe));
+    const paints = holders.map((holds, place) => (!holds ? Paint.free : (distances[place] ?? 0) < 0 ? Paint.overlapping : Paint.touching));
     const shown = shapes.map((_, place) => this.#shown === "all" || place === nearest);
     const marks = shapes.flatMap((shape, place) => (shown[place] === true ? this.#marksOf(shape, distances[place] ?? 0) : []));
-    editor.draw(holders.map((holds) => (holds ? Paint.touching : Paint.free)), () => [...plumb(probe, extent[3].min[2]), ...marks]);
+    editor.draw(paints, () => [...plumb(probe, extent[3].min[2]), ...marks]);
     this.#figures.set("nearest", "Nearest shape", shapes.length > 0 ? editor.nameOf(nearest) : "none");
     this.#figures.set("distance", "Its signed distance", shapes.length > 0 ? measure(distances[nearest] ?? 0) : "–");
-    this.#figures.set("contains", "Shapes that contain the point", String(holders.filter(Boolean).length));
+    this.#figures.set("contains", "Shapes containing the point", String(holders.filter(Boolean).length));
     this.#list(distances);
     this.#context.say(shapes.length === 0 ? "No shapes" : `Nearest: ${editor.nameOf(nearest)}, ${measure(distances[nearest] ?? 0)}`);
     this.#context.changed();
@@ -105,7 +106,7 @@ class ClosestPoints implements OpenChapter {
     const { graze } = this.#context;
     const onBoundary = graze.closestBoundaryPoint(shape, this.#probe);
     const inSolid = graze.closestPoint(shape, this.#probe);
-    const tone = distance < 0 ? "touching-line" : "answer";
+    const tone = distance < 0 ? "overlapping-line" : "answer";
     const middle = onBoundary.map((value, axis) => 0.35 * value + 0.65 * (this.#probe[axis] ?? 0));
     const place = distance < 0 ? onBoundary : middle.map((value, axis) => 0.5 * (value + (onBoundary[axis] ?? 0)));
     return [
@@ -120,9 +121,10 @@ class ClosestPoints implements OpenChapter {
     const order = distances.map((_, place) => place).sort((a, b) => (distances[a] ?? 0) - (distances[b] ?? 0));
     this.#distances.replaceChildren(
       ...order.map((place) => {
-        const isInside = (distances[place] ?? 0) <= 0;
+        const distance = distances[place] ?? 0;
+        const relation = distance < 0 ? "overlapping" : distance === 0 ? "touching" : "";
         const tag = element("span", { class: "tag" }, measure(distances[place] ?? 0));
-        const attributes = { type: "button", class: isInside ? "touching" : "", "aria-current": String(place === this.#board.editor.selected) };
+        const attributes = { type: "button", class: relation, "aria-current": String(place === this.#board.editor.selected) };
         return element("li", {}, element("button", { ...attributes, onclick: () => this.#board.editor.select(place) }, element("span", {}, this.#board.editor.nameOf(place)), tag));
       }),
     );
@@ -133,13 +135,13 @@ class ClosestPoints implements OpenChapter {
       this.#shown = word;
       this.#draw();
     });
-    const remove = button("Remove the selected", () => {
+    const remove = button("Remove selected", () => {
       const { editor } = this.#board;
       if (editor.selected !== undefined) editor.remove(editor.selected);
     });
     this.#context.panel.append(
-      element("h2", {}, "Shapes and closest points"),
-      element("p", { class: "lead" }, "Drag the round handle. From outside, the dashed line is the shortest way to each shape. Inside, the distance is negative, and the arrow is the shortest way out."),
+      title("Shapes and closest points"),
+      element("p", { class: "lead" }, "Drag the round handle. Outside a shape, a dashed line leads to its closest point. Inside, the distance is negative, and an arrow shows the shortest way out."),
       this.#board.dimensionSwitch(),
       this.#figures.root,
       section("Answers", shown, this.#distances),

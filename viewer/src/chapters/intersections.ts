@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Intersections: what touches what, how deep and which way out, and how far the rest is away.
-import type { Shape } from "graze";
+import type { Relation } from "graze";
 
 import { Board } from "../board";
 import type { Chapter, ChapterContext, OpenChapter } from "../chapter";
 import { element } from "../dom";
-import { Paint } from "../drawing/paint";
+import { paintOfRelation } from "../drawing/paint";
 import type { Mark } from "../overlay";
 import { counted, duration, measure } from "../numbers";
-import { button, choice, Figures, row, section, toggle } from "../panel";
+import { button, choice, Figures, row, section, title, toggle } from "../panel";
 import { numbersOf } from "../scene/inspector";
 import type { ShapeType } from "../shapes/flat_shape";
 import { wordOf } from "../state";
@@ -17,12 +17,12 @@ import { between, plus, times } from "../vectors";
 
 const usual = {
   2: "half_space:0.04,1,-3.15;obb:-3.1,-1.9,1.5,0.8,14;sphere:-1.2,-0.7,0.9;triangle:0.4,-2.6,3.1,-2.2,1.5,0.1;" +
-  "capsule:-3.6,1.5,-1.7,2.3,0.5;polytope:2.6,0.5,4,0.2,4.7,1.4,3.7,2.5,2.5,1.8;" +
+  "capsule:-3.6,1.5,-1.7,2.3,0.5;polytope:2.35,1.25,2.6,0.5,4,0.2,4.7,1.4,3.7,2.5,2.5,1.8;" +
   "compound:aabb:0.2,1,0.7,2.8|aabb:0.7,1,1.5,1.45|sphere:1.9,1.25,0.45;segment:-0.9,0.6,-0.5,2.9",
   3: "half_space:0,0,1,0;obb:-1.5,-1.2,0.55,1.1,0.5,0.7,0,0,24;sphere:-0.5,-1.9,0.65,0.7;" +
     "capsule:-2.1,1.1,0.4,-0.6,1.8,1.2,0.35;polytope:1.1,-1.5,0.1,2.4,-1.7,0.1,2.8,-0.5,0.1,1.5,-0.3,0.1,1.9,-1,1.6;" +
     "compound:aabb:0.6,-2.4,0.1,1,-1.6,1.4|aabb:1,-2.4,0.1,1.9,-1.6,0.5|sphere:2.2,-2,0.5,0.45;" +
-    "triangle:0.2,1.5,0.2,2.2,1.9,0.6,0.9,2.2,2.3;segment:0.2,-0.3,0.3,1.4,0.6,2.2;aabb:-2.7,0.3,0.6,-1.8,1,1.4",
+    "triangle:0.2,1.5,0,2.2,1.9,0.6,0.9,2.2,2.3;segment:0.2,-0.3,0.3,1.4,0.6,2.2;aabb:-2.7,0.3,0.6,-1.8,1,1.4",
 } as const;
 const extent = {
   2: { min: [-5.6, -4], max: [5.6, 3.6] },
@@ -34,6 +34,13 @@ const addable: readonly ShapeType[] = [
 ];
 
 type Shown = "contact" | "manifold" | "none";
+
+/** Two shapes that touch, by their places. */
+interface Pair {
+  readonly a: number;
+  readonly b: number;
+  readonly relation: Relation;
+}
 
 class Intersections implements OpenChapter {
   readonly #context: ChapterContext;
@@ -72,8 +79,8 @@ class Intersections implements OpenChapter {
 
   #fillPanel(): void {
     const shown = choice<Shown>(
-      "What is drawn where shapes touch",
-      [["contact", "Contact"], ["manifold", "Manifold"], ["none", "Nothing"]],
+      "What to draw where shapes touch",
+      [["contact", "Contact"], ["manifold", "Manifold"], ["none", "None"]],
       this.#shown,
       (word) => {
         this.#shown = word;
@@ -81,8 +88,8 @@ class Intersections implements OpenChapter {
       },
     );
     this.#context.panel.append(
-      element("h2", {}, "Intersections"),
-      element("p", { class: "lead" }, "Drag shapes, or their handles to turn and resize them. What touches lights up; touching counts."),
+      title("Intersections"),
+      element("p", { class: "lead" }, "Drag the shapes, or their handles to rotate and resize them. Shapes that overlap turn orange and are hatched; shapes that only touch turn green and are dotted."),
       this.#board.dimensionSwitch(),
       this.#figures.root,
       section("Where they touch", shown, toggle("Distances from the selected shape", this.#showsDistances, (on) => {
@@ -99,12 +106,13 @@ class Intersections implements OpenChapter {
     const { scene } = editor;
     scene.update();
     const spent = timeOf(() => scene.checkPairs());
-    const pairs = pairsOf(scene.pairs(), (id) => editor.placeOf(id));
-    const touching = new Set(pairs.flat());
-    const marks = (): Mark[] => [...pairs.flatMap(([a, b]) => this.#contactMarks(shapes[a], shapes[b])), ...this.#distanceMarks()];
-    editor.draw(shapes.map((_, place) => (touching.has(place) ? Paint.touching : Paint.free)), marks);
+    const pairs = this.#pairs();
+    const marks = (): Mark[] => [...pairs.flatMap((pair) => this.#contactMarks(pair)), ...this.#distanceMarks()];
+    const closest = shapes.map(() => "apart" as Relation);
+    for (const { a, b, relation } of pairs) for (const place of [a, b]) if (closest[place] !== "overlapping") closest[place] = relation;
+    editor.draw(closest.map((relation) => paintOfRelation[relation]), marks);
     this.#figures.set("pairs", "Pairs that touch", String(pairs.length));
-    this.#figures.set("candidates", "Candidates by their boxes", String(scene.checkPairs().candidates));
+    this.#figures.set("candidates", "Candidates, boxes overlap", String(scene.checkPairs().candidates));
     this.#figures.set("objects", "Shapes", String(shapes.length));
     this.#figures.set("time", "Time for all pairs", duration(spent));
     this.#listPairs(pairs);
@@ -113,24 +121,36 @@ class Intersections implements OpenChapter {
     this.#context.changed();
   }
 
-  #contactMarks(a: Shape | undefined, b: Shape | undefined): Mark[] {
-    if (a === undefined || b === undefined || this.#shown === "none") return [];
+  /** The pairs that the engine finds, by the places of their shapes. */
+  #pairs(): Pair[] {
+    const { editor, shapes } = this.#board;
+    const ids = editor.scene.pairs();
+    return Array.from({ length: ids.length / 2 }, (_, i) => {
+      const [a, b] = [editor.placeOf(ids[2 * i] ?? 0), editor.placeOf(ids[2 * i + 1] ?? 0)];
+      const [first, second] = [shapes[a], shapes[b]];
+      const relation = first === undefined || second === undefined ? "apart" : this.#context.graze.relation(first, second);
+      return { a, b, relation };
+    });
+  }
+
+  #contactMarks({ a: placeA, b: placeB, relation }: Pair): Mark[] {
     const { graze, stage } = this.#context;
-    if (this.#shown === "manifold") {
-      return graze.manifold(a, b).points.map((point) => ({ kind: "dot", at: point.point, tone: "touching-line" }));
-    }
+    const [a, b] = [this.#board.shapes[placeA], this.#board.shapes[placeB]];
+    if (a === undefined || b === undefined || this.#shown === "none") return [];
+    const tone = relation === "overlapping" ? "overlapping-line" : "touching-line";
+    if (this.#shown === "manifold") return graze.manifold(a, b).points.map((point) => ({ kind: "dot", at: point.point, tone }));
     const contact = graze.contact(a, b);
     if (contact === null) return [];
     const from = contact.pointB;
-    const dot: Mark = { kind: "dot", at: from, tone: "touching-line" };
+    const dot: Mark = { kind: "dot", at: from, tone };
     // Nothing parts lines that cross, however far they are moved.
-    if (!Number.isFinite(contact.depth)) return [dot, { kind: "label", at: from, text: "∞", tone: "touching-line", shift: [0, -10] }];
+    if (!Number.isFinite(contact.depth)) return [dot, { kind: "label", at: from, text: "∞", tone, shift: [0, -10] }];
     const depth = Math.max(contact.depth, 26 * stage.lengthOfPixel(from));
     const tip = plus(from, times(contact.normal, depth));
     return [
-      { kind: "line", points: [from, tip], tone: "touching-line", arrow: true },
+      { kind: "line", points: [from, tip], tone, arrow: true },
       dot,
-      { kind: "label", at: tip, text: measure(contact.depth), tone: "touching-line", shift: [0, -10] },
+      { kind: "label", at: tip, text: measure(contact.depth), tone, shift: [0, -10] },
     ];
   }
 
@@ -152,15 +172,13 @@ class Intersections implements OpenChapter {
     });
   }
 
-  #listPairs(pairs: readonly (readonly [number, number])[]): void {
-    const { editor, shapes } = this.#board;
+  #listPairs(pairs: readonly Pair[]): void {
+    const { editor } = this.#board;
     this.#pairList.replaceChildren(
-      ...pairs.map(([a, b]) => {
-        const [first, second] = [shapes[a], shapes[b]];
-        const relation = first === undefined || second === undefined ? "apart" : this.#context.graze.relation(first, second);
+      ...pairs.map(({ a, b, relation }) => {
         const name = element("span", {}, `${editor.nameOf(a)} · ${editor.nameOf(b)}`);
         const tag = element("span", { class: "tag" }, relation);
-        return element("li", {}, element("button", { type: "button", class: "touching", onclick: () => editor.select(b) }, name, tag));
+        return element("li", {}, element("button", { type: "button", class: relation, onclick: () => editor.select(b) }, name, tag));
       }),
     );
   }
@@ -181,12 +199,6 @@ class Intersections implements OpenChapter {
       row(button("Remove", () => editor.remove(place))),
     );
   }
-}
-
-function pairsOf(ids: ArrayLike<number>, placeOf: (id: number) => number): [number, number][] {
-  const pairs: [number, number][] = [];
-  for (let i = 0; i + 1 < ids.length; i += 2) pairs.push([placeOf(ids[i] ?? 0), placeOf(ids[i + 1] ?? 0)]);
-  return pairs;
 }
 
 export const intersections: Chapter = {

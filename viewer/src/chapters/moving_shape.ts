@@ -10,13 +10,14 @@ import type { Mark } from "../overlay";
 import type { ShapeKit } from "../shapes/shape_kit";
 import { minus, plus, times } from "../vectors";
 
-export const movingTypes = ["sphere", "obb", "capsule", "polytope"] as const;
+/** The first is the usual one. */
+export const movingTypes = ["obb", "sphere", "capsule", "polytope"] as const;
 export type MovingType = (typeof movingTypes)[number];
 
 export interface MovingLook {
   readonly type: MovingType;
   readonly size: number;
-  /** In degrees, over the whole way; in space about the upright axis. */
+  /** In degrees, over the whole way; in 3D about the upright axis. */
   readonly turn: number;
 }
 
@@ -73,7 +74,7 @@ export class MovingShape {
     const { graze } = this.#context;
     const end = first?.t ?? 1;
     const corners = this.#kit.dimension === 2 ? 64 : 32;
-    const drawn = (t: number): ReturnType<typeof drawingsOf> => drawingsOf(graze, this.#at(t), { corners });
+    const drawn = (t: number): ReturnType<typeof drawingsOf> => drawingsOf(graze, this.#at(t), this.#kit.dimension, { corners });
     const way = Array.from({ length: shadows }, (_, i) => drawn((end * i) / shadows));
     this.#shadow.set([...way, drawn(1)], new Uint8Array([...way.map(() => Paint.found), Paint.faint]));
     this.#solid.set([drawn(end)], new Uint8Array([Paint.found]));

@@ -5,9 +5,9 @@ import { Board } from "../board";
 import type { Chapter, ChapterContext, OpenChapter } from "../chapter";
 import { element } from "../dom";
 import { Paint } from "../drawing/paint";
-import { count as countText, duration, measure, rounded } from "../numbers";
+import { count as countText, counted, duration, measure, rounded } from "../numbers";
 import { plumb, type Mark, type SpaceHandle } from "../overlay";
-import { choice, Figures, section, slider } from "../panel";
+import { choice, Figures, section, slider, title } from "../panel";
 import type { ShapeType } from "../shapes/flat_shape";
 import type { ShapeKit } from "../shapes/shape_kit";
 import { numberOf, pointOf, wordOf, writePoint } from "../state";
@@ -28,17 +28,25 @@ const extent = {
   2: { min: [-5.4, -3.6], max: [5.4, 3.6] },
   3: { min: [-3, -3, -0.3], max: [3, 3, 2.4] },
 } as const;
+/** Of a ray a point nearby that it passes; of a moving shape a way across the others. */
 const usualEnds = {
-  2: { origin: [-3.4, -0.25], target: [-2.3, -0.15] },
-  3: { origin: [-2.6, -0.7, 0.9], target: [-1.6, -0.5, 0.9] },
+  ray: {
+    2: { origin: [-3.4, -0.25], target: [-2.3, -0.15] },
+    3: { origin: [-2.6, -0.7, 0.9], target: [-1.6, -0.5, 0.9] },
+  },
+  cast: {
+    2: { origin: [-4.4, 0.3], target: [3.4, 0.5] },
+    3: { origin: [-2.6, -0.7, 1.4], target: [2.4, 0.9, 1.2] },
+  },
 } as const;
 
 const addable: readonly ShapeType[] = ["sphere", "aabb", "obb", "triangle", "capsule", "polytope", "segment", "plane", "half_space", "compound"];
 const fanLimits = { least: 12, most: 1440, usual: 720 } as const;
-const sizeLimits = { least: 0.05, most: 1.5, usual: 0.45 } as const;
-const turnLimits = { least: -360, most: 360, usual: 0 } as const;
+const sizeLimits = { least: 0.05, most: 1.5, usual: 0.5 } as const;
+const turnLimits = { least: -360, most: 360, usual: 90 } as const;
 
 type Mode = "first" | "all" | "fan" | "cast";
+type WayKind = "ray" | "cast";
 
 interface Hit {
   readonly point: readonly number[];
@@ -58,7 +66,7 @@ class Rays implements OpenChapter {
   readonly #board: Board;
   readonly #figures = new Figures();
   readonly #hitList = element("ul", { class: "list", "aria-label": "What is hit, in order" });
-  readonly #ways: Record<2 | 3, Way>;
+  readonly #ways: Record<WayKind, Record<2 | 3, Way>>;
   #mode: Mode;
   #rays: number;
   #look: MovingLook;
@@ -69,8 +77,10 @@ class Rays implements OpenChapter {
   constructor(context: ChapterContext) {
     this.#context = context;
     const { parameters } = context;
-    this.#ways = { 2: wayOf(parameters, usualEnds[2]), 3: wayOf(parameters, usualEnds[3]) };
     this.#mode = wordOf(parameters, "mode", ["first", "all", "fan", "cast"]);
+    this.#ways = { ray: { ...usualEnds.ray }, cast: { ...usualEnds.cast } };
+    // A link says where the ray or the shape is that it shows, not the other.
+    for (const dimension of [2, 3] as const) this.#ways[this.#wayKind][dimension] = wayOf(parameters, usualEnds[this.#wayKind][dimension]);
     this.#rays = Math.round(numberOf(parameters, "rays", fanLimits));
     this.#look = {
       type: wordOf(parameters, "moving", movingTypes),
@@ -103,7 +113,11 @@ class Rays implements OpenChapter {
   }
 
   get #way(): Way {
-    return this.#ways[this.#board.dimension];
+    return this.#ways[this.#wayKind][this.#board.dimension];
+  }
+
+  get #wayKind(): WayKind {
+    return this.#mode === "cast" ? "cast" : "ray";
   }
 
   onKey(event: KeyboardEvent): boolean {
@@ -117,12 +131,12 @@ class Rays implements OpenChapter {
   #handles(): SpaceHandle[] {
     const { origin, target } = this.#way;
     const set = (way: Way): void => {
-      if (lengthOf(minus(way.target, way.origin)) > 0) this.#ways[this.#board.dimension] = way;
+      if (lengthOf(minus(way.target, way.origin)) > 0) this.#ways[this.#wayKind][this.#board.dimension] = way;
       this.#draw();
     };
     const isCast = this.#mode === "cast";
     const start: SpaceHandle = {
-      key: "origin", label: isCast ? "Start of the shape" : "Start of the ray", at: origin,
+      key: "origin", label: isCast ? "Start of the moving shape" : "Start of the ray", at: origin,
       onMoveInSpace: (to) => set({ origin: to, target: plus(to, minus(target, origin)) }),
     };
     const end: SpaceHandle = {
@@ -169,7 +183,7 @@ class Rays implements OpenChapter {
     this.#paint(hits, () => this.#rayMarks(hits, unit));
     this.#showCounts({ rays: 1, hits, first: hits[0], spent });
     this.#list(hits);
-    this.#context.say(`${countText(new Set(hits.map((hit) => hit.place)).size)} hit`);
+    this.#context.say(counted(new Set(hits.map((hit) => hit.place)).size, "hit"));
   }
 
   #drawFan(): void {
@@ -216,9 +230,9 @@ class Rays implements OpenChapter {
     this.#lamp.hide();
     this.#moving.draw(first);
     this.#paint(first === undefined ? [] : [first], () => this.#moving.marks(first));
-    this.#figures.set("rays", "Shapes asked", countText(shapes.length));
+    this.#figures.set("rays", "Shapes tested", countText(shapes.length));
     this.#figures.set("hits", "Shapes in the way", String(impacts.length));
-    this.#figures.set("t", "Time of the first touch", first === undefined ? "–" : measure(first.t));
+    this.#figures.set("t", "Time of first touch", first === undefined ? "–" : measure(first.t));
     this.#figures.set("time", "Time of all casts", duration(spent));
     this.#list(impacts);
     const end = first === undefined ? "touches nothing" : `touches ${editor.nameOf(first.place)} at t = ${measure(first.t)}`;
@@ -276,7 +290,7 @@ class Rays implements OpenChapter {
       lamp.hidden = this.#mode !== "fan";
       cast.hidden = this.#mode !== "cast";
     };
-    const mode = choice<Mode>("What is asked", modes, this.#mode, (word) => {
+    const mode = choice<Mode>("Query", modes, this.#mode, (word) => {
       this.#mode = word;
       showsFor();
       this.#draw();
@@ -291,8 +305,8 @@ class Rays implements OpenChapter {
     const cast = this.#castControls;
     showsFor();
     this.#context.panel.append(
-      element("h2", {}, "Rays and casts"),
-      element("p", { class: "lead" }, "Drag the start of the ray and its direction. A lamp sends rays all round; each stops at the first shape, and what they reach is lit, in space the points where they end. A moving shape, which may turn on its way, stops where it first touches something."),
+      title("Rays and casts"),
+      element("p", { class: "lead" }, "Drag the handles. A ray reports its first hit, or all hits in order. A lamp casts rays in all directions and lights what they reach. A moving shape stops where it first touches something, and may rotate on its way."),
       this.#board.dimensionSwitch(),
       mode,
       this.#figures.root,
@@ -301,7 +315,7 @@ class Rays implements OpenChapter {
     );
   }
 
-  /** Shapes have other names in space. */
+  /** Shapes have other names in 3D. */
   #fillCastControls(names: ShapeKit["names"]): void {
     const change = (look: Partial<MovingLook>): void => {
       this.#look = { ...this.#look, ...look };
@@ -311,7 +325,7 @@ class Rays implements OpenChapter {
     this.#castControls.replaceChildren(
       choice<MovingType>("The moving shape", movingTypes.map((word) => [word, names[word]] as const), type, (word) => change({ type: word })),
       slider({ label: "Size", least: sizeLimits.least, most: sizeLimits.most, step: 0.05, value: size, text: measure, onInput: (value) => change({ size: value }) }),
-      slider({ label: "Turn on the way", least: turnLimits.least, most: turnLimits.most, step: 15, value: turn, text: (value) => `${value}°`, onInput: (value) => change({ turn: value }) }),
+      slider({ label: "Rotation on the way", least: turnLimits.least, most: turnLimits.most, step: 15, value: turn, text: (value) => `${value}°`, onInput: (value) => change({ turn: value }) }),
     );
   }
 }

@@ -8,17 +8,17 @@ import { messageOf } from "../engine";
 import { editByKey, Grasp, handlesOf, type HeldShape } from "../held_shape";
 import { count as countText, counted, milliseconds } from "../numbers";
 import type { Mark } from "../overlay";
-import { button, Figures, row, section, toggle } from "../panel";
+import { button, Figures, row, section, title, toggle } from "../panel";
 import { FrameControls } from "../scene/frame_controls";
 import { examples, isReport, reportedSource, sourceOf } from "../scene/files";
 import { inspect } from "../scene/inspector";
 import { SceneDrawing } from "../scene/scene_drawing";
 import { SceneModel, type SceneSource } from "../scene/scene_model";
-import { VirtualList } from "../scene/virtual_list";
+import { VirtualList, type Row } from "../scene/virtual_list";
 import { numberOf } from "../state";
 import { between } from "../vectors";
 
-/** How near to an object the pointer has to be in the plane, in pixels. */
+/** How near to an object the pointer has to be in 2D, in pixels. */
 const pointerReach = 5;
 /** A press that moves farther than this turns the view and selects nothing. */
 const clickReach = 4;
@@ -52,8 +52,8 @@ class SceneView implements OpenChapter {
     chooser.addEventListener("change", () => this.onFiles([...(chooser.files ?? [])]));
     const buttons = Object.keys(examples).map((name) => button(`Example: ${name}`, () => this.#openExample(name)));
     context.panel.append(
-      element("h2", {}, "Scene"),
-      element("p", { class: "lead" }, "Drop a scene file on the page: graze's JSON, a CSV table of boxes, a Tiled map together with the files it refers to, or a recording (.aabbs). It stays on this machine."),
+      title("Scene"),
+      element("p", { class: "lead" }, "Drop a scene file on the page: graze JSON, a CSV table of boxes, a Tiled map together with the files it refers to, or a recording (.aabbs). Nothing leaves this machine."),
       row(button("Open a file…", () => chooser.click()), ...buttons),
       chooser,
       this.#content,
@@ -178,8 +178,8 @@ class SceneView implements OpenChapter {
     const model = this.#model;
     if (model === undefined) return;
     this.#figures.set("pairs", "Pairs that touch", countText(model.pairs.length));
-    this.#figures.set("candidates", "Candidates by their boxes", countText(model.candidates));
-    this.#figures.set("time", "Time of the search", milliseconds(model.seconds * 1000));
+    this.#figures.set("candidates", "Candidates, boxes overlap", countText(model.candidates));
+    this.#figures.set("time", "Search time", milliseconds(model.seconds * 1000));
     const touching = counted(model.pairs.length, "pair");
     this.#context.say(`${model.name}: ${counted(model.objects.length, "object")}, ${touching}`);
     this.#filterPairs(model);
@@ -241,18 +241,18 @@ class SceneView implements OpenChapter {
     return (place) => text === "" || (model.objects[place]?.name.toLowerCase().includes(text) ?? false);
   }
 
-  #objectRow(index: number): ReturnType<typeof rowOf> {
+  #objectRow(index: number): Row {
     const place = this.#matches[index] ?? 0;
     const object = this.#model?.objects[place];
-    const isTouching = this.#model?.isTouching(place) ?? false;
-    return rowOf(object?.name ?? "", object?.type.replace("_", "-") ?? "", isTouching, this.#selected.includes(place));
+    const relation = this.#model?.relationOf(place) ?? "apart";
+    return { text: object?.name ?? "", tag: object?.type.replace("_", "-") ?? "", relation, isCurrent: this.#selected.includes(place) };
   }
 
-  #pairRow(index: number): ReturnType<typeof rowOf> {
+  #pairRow(index: number): Row {
     const pair = this.#model?.pairs[this.#pairMatches[index] ?? 0];
     const name = (place: number | undefined): string => this.#model?.objects[place ?? 0]?.name ?? "";
     const isCurrent = pair !== undefined && this.#selected.includes(pair.a) && this.#selected.includes(pair.b);
-    return rowOf(`${name(pair?.a)} · ${name(pair?.b)}`, pair?.relation ?? "", true, isCurrent);
+    return { text: `${name(pair?.a)} · ${name(pair?.b)}`, tag: pair?.relation ?? "", relation: pair?.relation ?? "apart", isCurrent };
   }
 
   #selectPair(index: number): void {
@@ -279,7 +279,7 @@ class SceneView implements OpenChapter {
     const actions = { select: (place: number) => this.#select([place]), zoomTo: (place: number) => this.#zoomTo(place) };
     this.#inspector.replaceChildren(
       ...(places.length === 0
-        ? [element("p", { class: "lead" }, "Press an object on the drawing or in a list.")]
+        ? [element("p", { class: "lead" }, "Select an object in the drawing or in a list.")]
         : places.map((place) => inspect(this.#context.graze, model, place, actions))),
     );
     this.#mark();
@@ -299,7 +299,8 @@ class SceneView implements OpenChapter {
     });
     const [a, b] = this.#selected;
     const contact = a === undefined || b === undefined ? null : this.#context.graze.contact(model.shape(a), model.shape(b));
-    const dots: Mark[] = contact === null ? [] : [{ kind: "dot", at: contact.point, tone: "touching-line" }];
+    const isOverlap = a !== undefined && b !== undefined && contact !== null && this.#context.graze.relation(model.shape(a), model.shape(b)) === "overlapping";
+    const dots: Mark[] = contact === null ? [] : [{ kind: "dot", at: contact.point, tone: isOverlap ? "overlapping-line" : "touching-line" }];
     this.#context.overlay.draw([...labels, ...dots]);
     this.#showHandles();
   }
@@ -339,7 +340,7 @@ class SceneView implements OpenChapter {
     );
   }
 
-  /** What is under the pointer: in space what the line of sight hits first, in the plane the smallest. */
+  /** What is under the pointer: in 3D what the line of sight hits first, in 2D the smallest. */
   #under(event: PointerEvent): number | undefined {
     const model = this.#model;
     if (model === undefined) return undefined;
@@ -360,10 +361,6 @@ class SceneView implements OpenChapter {
     const smallest = [...found.keys()].sort((a, b) => area(a) - area(b))[0];
     return smallest === undefined ? undefined : model.placeOf(found[smallest] ?? -1);
   }
-}
-
-function rowOf(text: string, tag: string, isTouching: boolean, isCurrent: boolean): { text: string; tag: string; isTouching: boolean; isCurrent: boolean } {
-  return { text, tag, isTouching, isCurrent };
 }
 
 export const sceneView: Chapter = {

@@ -12,9 +12,9 @@ import { Paint } from "../drawing/paint";
 import { MovingBoxes } from "../moving_boxes";
 import { count as countText, duration, milliseconds } from "../numbers";
 import type { Handle, Mark, SpaceHandle } from "../overlay";
-import { choice, Figures, section, slider, toggle } from "../panel";
+import { choice, dimensionChoice, Figures, section, slider, title, toggle } from "../panel";
 import { Player, stepSeconds } from "../player";
-import { circleAbout, circlesOfBall } from "../drawing/circles";
+import { circleAbout, circlesOfSphere } from "../drawing/circles";
 import { numberOf, wordOf } from "../state";
 import type { Point2 } from "../stage";
 import { timeOf } from "../timing";
@@ -112,7 +112,9 @@ class Trees implements OpenChapter {
     });
     stage.world.add(cloud.object, cells.object);
     [this.#cloud, this.#cells] = [cloud, cells];
-    const extent = { min: [-1.1, -1.1, -1.1], max: [1.1, 1.1, 1.1] };
+    // The cells reach farther than the boxes.
+    const far = isFlat ? 1.1 : 1.3;
+    const extent = { min: [-far, -far, -far], max: [far, far, far] };
     if (isFlat) {
       stage.showFlat(extent);
       new Grid(stage);
@@ -158,7 +160,7 @@ class Trees implements OpenChapter {
     const { stage, overlay } = this.#context;
     const found = this.#index.query(this.#region());
     this.#cloud.paints.fill(Paint.free);
-    for (const key of found) this.#cloud.paints[this.#places.get(key) ?? 0] = Paint.touching;
+    for (const key of found) this.#cloud.paints[this.#places.get(key) ?? 0] = Paint.overlapping;
     this.#cloud.boxes.set(this.#coordinates);
     this.#cloud.boxesChanged();
     this.#cloud.paintsChanged();
@@ -193,7 +195,7 @@ class Trees implements OpenChapter {
   #queryMarks(found: number): Mark[] {
     const { center, radius } = this.#query;
     const label = { kind: "label", at: plus(center, [0, radius]), text: `${found} found`, tone: "answer" } as const;
-    if (this.#dimension === 3) return [...circlesOfBall([...center, 0], radius, { tone: "answer" }), label];
+    if (this.#dimension === 3) return [...circlesOfSphere([...center, 0], radius, { tone: "answer" }), label];
     return [{ kind: "line", points: circleAbout(center, radius), tone: "answer" }, label];
   }
 
@@ -228,17 +230,17 @@ class Trees implements OpenChapter {
     ];
     for (const control of limitsOfCells) control.hidden = this.#indexName === "bvh";
     this.#context.panel.append(
-      element("h2", {}, "Quad tree and octree"),
-      element("p", { class: "lead" }, "A cell that holds too many boxes is cut in four, in space in eight; it is merged again when they leave. Drag the circle: what it meets is found without looking at the rest."),
+      title("Quad tree and octree"),
+      element("p", { class: "lead" }, "A cell with too many boxes splits into four, in 3D into eight, and merges again when they leave. Drag the circle: the tree finds the boxes it overlaps without visiting the rest."),
       player.root,
       this.#figures.root,
       section(
         "Index",
-        choice("Dimension", [["2", "Plane"], ["3", "Space"]], String(this.#dimension) as "2" | "3", (word) => {
-          this.#dimension = word === "3" ? 3 : 2;
+        dimensionChoice([2, 3], this.#dimension, (dimension) => {
+          this.#dimension = dimension;
           this.#restart();
         }),
-        choice<IndexName>("Index", [["orthtree", "Quad tree, octree"], ["bvh", "Bvh"]], this.#indexName, (word) => {
+        choice<IndexName>("Index", [["orthtree", "Quad tree, octree"], ["bvh", "BVH"]], this.#indexName, (word) => {
           this.#indexName = word;
           for (const control of limitsOfCells) control.hidden = word === "bvh";
           this.#reindex();

@@ -3,7 +3,8 @@
 import * as THREE from "three";
 
 import type { Palette } from "../theme";
-import { paintShader, paintUniforms, setPalette, type PaintUniforms } from "./paint";
+import { paintShader, paintUniforms, placeShader, setPalette, type PaintUniforms } from "./paint";
+import { castsShadow } from "./shadow";
 
 export interface BoxCloudLook {
   /** Opacity of the faces; 0 draws edges only. */
@@ -15,6 +16,7 @@ export interface BoxCloudLook {
 }
 
 const vertexShader = /* glsl */ `
+  ${placeShader}
   attribute vec3 corner;
   attribute float paint;
   #ifdef IS_FLAT
@@ -25,6 +27,7 @@ const vertexShader = /* glsl */ `
     attribute vec3 high;
   #endif
   varying vec3 vCorner;
+  varying vec3 vPlace;
   varying vec3 vNormal;
   varying float vPaint;
   void main() {
@@ -34,9 +37,10 @@ const vertexShader = /* glsl */ `
       vec3 place = mix(low, high, corner);
     #endif
     vCorner = corner;
+    vPlace = place;
     vNormal = normal;
     vPaint = paint;
-    gl_Position = abs(paint - 4.0) < 0.5 ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * modelViewMatrix * vec4(place, 1.0);
+    gl_Position = seenPlace(place, paint);
   }
 `;
 
@@ -46,6 +50,7 @@ const fragmentShader = /* glsl */ `
   uniform float edgeOpacity;
   uniform float edgeWidth;
   varying vec3 vCorner;
+  varying vec3 vPlace;
   varying vec3 vNormal;
   varying float vPaint;
   // How many pixels away the nearest edge of this face is.
@@ -64,11 +69,11 @@ const fragmentShader = /* glsl */ `
     // A box of a few pixels would be nothing but edges: it is filled in a colour between instead.
     float fade = edgeWidth > 1.0 ? smoothstep(3.0, 16.0, pixelsWide(fwidth(vCorner))) : 1.0;
     float edge = fade * (1.0 - smoothstep(max(0.0, edgeWidth - 1.0), edgeWidth, pixelsToEdge()));
-    vec3 fill = mix(fillOf(vPaint), strokeOf(vPaint), max(0.4 * (1.0 - fade), 0.6 * fade * hatch(vPaint)));
+    vec3 fill = mix(fillOf(vPaint), strokeOf(vPaint), max(0.4 * (1.0 - fade), 0.6 * fade * pattern(vPaint)));
     #ifdef IS_FLAT
       float alpha = mix(mix(0.9 * edgeOpacity, fillOpacity, fade), edgeOpacity, edge);
     #else
-      fill *= lightOn(vNormal);
+      fill = lit(fill, vPlace, vNormal);
       float alpha = mix(fillOpacity, edgeOpacity, edge);
     #endif
     if (alpha < 0.01) discard;
@@ -112,6 +117,7 @@ export class BoxCloud {
     });
     this.object = new THREE.Mesh(this.#geometry, material);
     this.object.frustumCulled = false;
+    if (isOpaque && !isFlat) castsShadow(this.object);
     this.resize(0);
   }
 

@@ -13,8 +13,8 @@ export function circleAbout(center: Point2, radius: number): Point2[] {
   return Array.from({ length: corners + 1 }, (_, i) => plus(center, times(heading((360 / corners) * i), radius)));
 }
 
-/** A ball in space, which has no edges, as its three circles along the axes. */
-export function circlesOfBall(center: Vector, radius: number, look: { tone: Tone; dashed?: boolean }): Mark[] {
+/** A sphere, which has no edges, as its three circles along the axes. */
+export function circlesOfSphere(center: Vector, radius: number, look: { tone: Tone; dashed?: boolean }): Mark[] {
   return [0, 1, 2].map((axis) => {
     const [first, second] = [(axis + 1) % 3, (axis + 2) % 3];
     const points = circleAbout([center[first] ?? 0, center[second] ?? 0], radius).map(([x, y]) => {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 import type { Drawing, Graze, OutlineOptions, Shape } from "graze";
 
-/** What to draw of a shape: one drawing, or one for each part of a compound, so that round parts stay round. */
-export function drawingsOf(graze: Graze, shape: Shape, options: OutlineOptions): Drawing[] {
-  if (shape.type === "compound") return shape.parts.flatMap((part) => drawingsOf(graze, part, options));
+/** What to draw of a shape: one drawing, or of a compound in 3D one for each part, so that round parts stay round. */
+export function drawingsOf(graze: Graze, shape: Shape, dimension: 2 | 3, options: OutlineOptions): Drawing[] {
+  if (shape.type === "compound" && dimension === 3) return shape.parts.flatMap((part) => drawingsOf(graze, part, dimension, options));
   return [graze.drawing(shape, options)];
 }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The grid behind the shapes. In the plane it fills what is seen, and its step follows the zoom: 1, 2 or 5 times a power of ten.
+// The grid behind the shapes. In 2D it fills what is seen, and its step follows the zoom: 1, 2 or 5 times a power of ten. In
+// 3D it lies on the floor, which shapes cast shadows on.
 import * as THREE from "three";
 
 import type { Extent, Stage } from "../stage";
+import { isDark } from "../theme";
+import { shadowShader, shadowUniforms } from "./shadow";
 
-/** About so many pixels between two lines of the plane's grid. */
+/** About so many pixels between two lines of the grid in 2D. */
 const pixelsBetweenLines = 60;
 
 export class Grid {
@@ -20,6 +23,7 @@ export class Grid {
     this.#lines.frustumCulled = false;
     this.#lines.renderOrder = -1;
     stage.world.add(this.#lines);
+    if (floor !== undefined) stage.world.add(shadedFloor(stage, floor));
     const draw = (): void => (floor === undefined ? this.#drawPlane() : this.#drawFloor(floor));
     if (floor === undefined) stage.onView(draw);
     stage.onTheme(draw);
@@ -57,6 +61,35 @@ export class Grid {
     this.#lines.geometry.setAttribute("color", new THREE.Float32BufferAttribute(colours, 3));
     this.#stage.invalidate();
   }
+}
+
+/** What is seen of the floor beside its grid: the shadows on it. They are deeper on a dark ground, where they would else be
+ * hard to see. */
+function shadedFloor(stage: Stage, { min, max }: Extent): THREE.Mesh {
+  const [minX = 0, minY = 0, minZ = 0] = min;
+  const [maxX = 0, maxY = 0] = max;
+  const geometry = new THREE.PlaneGeometry(maxX - minX, maxY - minY);
+  geometry.translate((minX + maxX) / 2, (minY + maxY) / 2, minZ);
+  const depth = { value: 0 };
+  const setDepth = (): void => void (depth.value = isDark(stage.palette) ? 0.5 : 0.2);
+  setDepth();
+  stage.onTheme(setDepth);
+  const material = new THREE.ShaderMaterial({
+    uniforms: { ...shadowUniforms, depth },
+    vertexShader: "varying vec3 vPlace; void main() { vPlace = position; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }",
+    fragmentShader: `${shadowShader}
+      uniform float depth;
+      varying vec3 vPlace;
+      void main() { gl_FragColor = vec4(0.0, 0.0, 0.0, depth * (1.0 - lampReaching(vPlace, vec3(0.0, 0.0, 1.0)))); }`,
+    transparent: true,
+    depthWrite: false,
+    polygonOffset: true,
+    polygonOffsetFactor: 2,
+    polygonOffsetUnits: 2,
+  });
+  const mesh = new THREE.Mesh(geometry, material);
+  mesh.renderOrder = -1;
+  return mesh;
 }
 
 /** The least of 1, 2, 5, 10, ... (and their parts) that is no less than the step. */

@@ -7,28 +7,33 @@ import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js
 
 import type { Drawing } from "graze";
 import type { Palette } from "../theme";
-import { paintShader, paintUniforms, setPalette, type PaintUniforms } from "./paint";
+import { paintShader, paintUniforms, placeShader, setPalette, strokeColours, type PaintUniforms } from "./paint";
+import { castsShadow } from "./shadow";
 
 const vertexShader = /* glsl */ `
+  ${placeShader}
   attribute float paint;
+  varying vec3 vPlace;
   varying vec3 vNormal;
   varying float vPaint;
   void main() {
+    vPlace = position;
     vNormal = normal;
     vPaint = paint;
-    gl_Position = abs(paint - 4.0) < 0.5 ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+    gl_Position = seenPlace(position, paint);
   }
 `;
 
 const fragmentShader = /* glsl */ `
   ${paintShader}
   uniform float fillOpacity;
+  varying vec3 vPlace;
   varying vec3 vNormal;
   varying float vPaint;
   void main() {
-    vec3 fill = mix(fillOf(vPaint), strokeOf(vPaint), 0.55 * hatch(vPaint));
+    vec3 fill = mix(fillOf(vPaint), strokeOf(vPaint), 0.55 * pattern(vPaint));
     #ifndef IS_FLAT
-      fill *= lightOn(normalize(gl_FrontFacing ? vNormal : -vNormal));
+      fill = lit(fill, vPlace, normalize(gl_FrontFacing ? vNormal : -vNormal));
     #endif
     gl_FragColor = vec4(fill, fillOpacity);
     #include <colorspace_fragment>
@@ -176,6 +181,7 @@ export class MeshDrawing {
     });
     const mesh = new THREE.Mesh(geometry, material);
     mesh.frustumCulled = false;
+    if (isOpaque && !isFlat) castsShadow(mesh);
     return mesh;
   }
 
@@ -238,11 +244,6 @@ export class MeshDrawing {
       positions[place * 3 + axis] = drawing.positions[corner * this.#dimension + axis] ?? 0;
     }
   }
-}
-
-function strokeColours(palette: Palette): number[][] {
-  const names = ["free-line", "touching-line", "answer", "faint", "ground", "free-line", "touching-line"] as const;
-  return names.map((name) => new THREE.Color(palette[name]).toArray());
 }
 
 /**

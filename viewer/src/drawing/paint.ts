@@ -3,22 +3,34 @@
 // decided there, from the palette, so that lighting up an object or switching to dark moves no geometry.
 import * as THREE from "three";
 
-import type { Palette } from "../theme";
+import type { Relation } from "graze";
+import { isDark, type Palette } from "../theme";
+import { shadowShader, shadowUniforms } from "./shadow";
 
-export const Paint = { free: 0, touching: 1, found: 2, faint: 3, hidden: 4, ground: 5, touchingGround: 6 } as const;
+export const Paint = {
+  free: 0, touching: 1, overlapping: 2, found: 3, faint: 4, hidden: 5, ground: 6, touchingGround: 7, overlappingGround: 8,
+} as const;
 export type Paint = (typeof Paint)[keyof typeof Paint];
 
 export type PaintUniforms = Record<string, THREE.IUniform>;
 
-/** What goes on beyond the picture is painted paler, or it would outshine the rest. */
+/** Of a shape whose closest pair is of this relation. */
+export const paintOfRelation: Readonly<Record<Relation, Paint>> = {
+  apart: Paint.free, touching: Paint.touching, overlapping: Paint.overlapping,
+};
+
+/** Of half-spaces, which go on beyond the picture and would outshine the rest. */
+const paler: Readonly<Partial<Record<Paint, Paint>>> = {
+  [Paint.free]: Paint.ground, [Paint.touching]: Paint.touchingGround, [Paint.overlapping]: Paint.overlappingGround,
+};
+
 export function paintOf(type: string, paint: Paint): Paint {
-  if (type !== "half_space") return paint;
-  return paint === Paint.free ? Paint.ground : paint === Paint.touching ? Paint.touchingGround : paint;
+  return type === "half_space" ? (paler[paint] ?? paint) : paint;
 }
 
 /** The uniforms that every material of ours shares. */
 export function paintUniforms(palette: Palette): PaintUniforms {
-  const uniforms: PaintUniforms = { fills: { value: [] }, strokes: { value: [] }, paper: { value: null } };
+  const uniforms: PaintUniforms = { fills: { value: [] }, strokes: { value: [] }, paper: { value: null }, paperShare: { value: 0 }, ...shadowUniforms };
   setPalette(uniforms, palette);
   return uniforms;
 }
@@ -26,32 +38,60 @@ export function paintUniforms(palette: Palette): PaintUniforms {
 /** In the order of Paint. */
 export function setPalette(uniforms: PaintUniforms, palette: Palette): void {
   const colours = (names: readonly (keyof Palette)[]): THREE.Color[] => names.map((name) => new THREE.Color(palette[name]));
-  const { fills, strokes, paper } = uniforms;
+  const { fills, strokes, paper, paperShare } = uniforms;
+  if (paperShare !== undefined) paperShare.value = isDark(palette) ? 0.88 : 0.68;
   if (paper !== undefined) paper.value = new THREE.Color(palette.ground);
-  if (fills !== undefined) fills.value = colours(["free-fill", "touching-fill", "answer", "faint"]);
-  if (strokes !== undefined) strokes.value = colours(["free-line", "touching-line", "answer", "faint"]);
+  if (fills !== undefined) fills.value = colours(["free-fill", "touching-fill", "overlapping-fill", "answer", "faint"]);
+  if (strokes !== undefined) strokes.value = colours(["free-line", "touching-line", "overlapping-line", "answer", "faint"]);
 }
+
+/** The colours of the lines of shapes, in the order of Paint. */
+export function strokeColours(palette: Palette): number[][] {
+  const own = ["free-line", "touching-line", "overlapping-line", "answer", "faint", "ground"] as const;
+  const grounds = ["free-line", "touching-line", "overlapping-line"] as const;
+  return [...own, ...grounds].map((name) => new THREE.Color(palette[name]).toArray());
+}
+
+/** For vertex shaders: what is hidden goes where nothing is drawn. Half-spaces cast no shadow, which would fall on all. */
+export const placeShader = /* glsl */ `
+  uniform float isShadowPass;
+  vec4 seenPlace(vec3 place, float paint) {
+    bool isGone = abs(paint - ${Paint.hidden}.0) < 0.5 || (isShadowPass > 0.5 && paint > ${Paint.hidden}.5);
+    return isGone ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * modelViewMatrix * vec4(place, 1.0);
+  }
+`;
 
 /** Chosen by comparison: not every graphics card indexes arrays of uniforms by a computed number. */
 export const paintShader = /* glsl */ `
-  uniform vec3 fills[4];
-  uniform vec3 strokes[4];
+  uniform vec3 fills[5];
+  uniform vec3 strokes[5];
   uniform vec3 paper;
+  uniform float paperShare;
+  bool isGround(float paint) { return paint > ${Paint.hidden}.5; }
+  float ownPaint(float paint) { return isGround(paint) ? paint - ${Paint.ground}.0 : paint; }
   vec3 fillOf(float paint) {
-    if (paint > 4.5) return mix(paint > 5.5 ? fills[1] : fills[0], paper, 0.68);
-    return paint < 0.5 ? fills[0] : paint < 1.5 ? fills[1] : paint < 2.5 ? fills[2] : fills[3];
+    float own = ownPaint(paint);
+    vec3 fill = own < 0.5 ? fills[0] : own < 1.5 ? fills[1] : own < 2.5 ? fills[2] : own < 3.5 ? fills[3] : fills[4];
+    return isGround(paint) ? mix(fill, paper, paperShare) : fill;
   }
   vec3 strokeOf(float paint) {
-    if (paint > 4.5) return paint > 5.5 ? strokes[1] : strokes[0];
-    return paint < 0.5 ? strokes[0] : paint < 1.5 ? strokes[1] : paint < 2.5 ? strokes[2] : strokes[3];
+    float own = ownPaint(paint);
+    return own < 0.5 ? strokes[0] : own < 1.5 ? strokes[1] : own < 2.5 ? strokes[2] : own < 3.5 ? strokes[3] : strokes[4];
   }
-  // Slanted lines, fixed to the screen: what touches is seen without colour as well.
-  float hatch(float paint) {
-    float across = mod(gl_FragCoord.x + gl_FragCoord.y, 10.0);
-    if (across > 2.5) return 0.0;
-    return abs(paint - 1.0) < 0.5 ? 1.0 : paint > 5.5 ? 0.4 : 0.0;
+  // Slanted lines over what overlaps, dots over what touches, fixed to the screen: seen without colour as well.
+  float pattern(float paint) {
+    float own = ownPaint(paint);
+    float strength = isGround(paint) ? 0.6 * (1.0 - paperShare) + 0.15 : 1.0;
+    if (abs(own - 2.0) < 0.5) return mod(gl_FragCoord.x + gl_FragCoord.y, 10.0) > 2.5 ? 0.0 : strength;
+    if (abs(own - 1.0) > 0.5) return 0.0;
+    vec2 cell = mod(vec2(gl_FragCoord.x + gl_FragCoord.y, gl_FragCoord.x - gl_FragCoord.y), 9.0) - 4.5;
+    return 0.8 * strength * (1.0 - smoothstep(1.3, 2.1, length(cell)));
   }
-  float lightOn(vec3 normal) {
-    return 0.66 + 0.22 * dot(normal, normalize(vec3(-0.35, -0.55, 0.75))) + 0.14 * max(normal.z, 0.0);
+  ${shadowShader}
+  // A sky that is brighter above, and a lamp whose light may be in the way of something.
+  vec3 lit(vec3 colour, vec3 place, vec3 normal) {
+    float sky = mix(0.5, 0.7, 0.5 + 0.5 * normal.z);
+    float lamp = max(dot(normal, toLamp), 0.0);
+    return colour * (sky + 0.36 * lamp * lampReaching(place, normal));
   }
 `;

@@ -38,7 +38,7 @@ export class FrameControls {
       label: "Frames a second", least: speeds.least, most: speeds.most, value: speeds.usual, logarithmic: true,
       onInput: (value) => (this.#perSecond = value),
     });
-    this.root = element("section", { id: "frames" }, element("h3", {}, "Frames"), this.#player.root, bar, speed);
+    this.root = element("section", { id: "frames" }, element("h2", {}, "Frames"), this.#player.root, bar, speed);
   }
 
   get frame(): number {

@@ -33,7 +33,7 @@ export function inspect(graze: Graze, model: SceneModel, place: number, actions:
       {},
       element(
         "button",
-        { type: "button", class: "touching", onclick: () => actions.select(other) },
+        { type: "button", class: relation, onclick: () => actions.select(other) },
         element("span", {}, model.objects[other]?.name ?? ""),
         element("span", { class: "tag" }, depth),
       ),
@@ -44,7 +44,7 @@ export function inspect(graze: Graze, model: SceneModel, place: number, actions:
     { id: "inspector" },
     element("p", {}, element("strong", {}, listed?.name ?? "")),
     figures.root,
-    row(button("Zoom to it", () => actions.zoomTo(place), "Z")),
+    row(button("Zoom to object", () => actions.zoomTo(place), "Z")),
     element("p", { class: "lead" }, pairs.length === 0 ? "It touches nothing." : `It touches ${pairs.length}:`),
     ...(partners.length > 0 ? [element("ul", { class: "list", "aria-label": "What it touches" }, ...partners)] : []),
   );

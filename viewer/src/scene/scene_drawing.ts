@@ -94,7 +94,7 @@ export class SceneDrawing {
 
   #drawingsOf(place: number, corners: number): Drawing[] {
     const within = { min: [...this.extent.min], max: [...this.extent.max] };
-    return drawingsOf(this.#graze, this.#model.shape(place), { within, corners });
+    return drawingsOf(this.#graze, this.#model.shape(place), this.#model.dimension, { within, corners });
   }
 }
 

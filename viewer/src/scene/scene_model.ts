@@ -2,7 +2,7 @@
 // A scene from a file, with its pairs: what the lists, the inspector and the drawing have in common.
 import type { CheckReport, Graze, Relation, Scene, SceneFiles, Shape } from "graze";
 
-import { Paint, paintOf } from "../drawing/paint";
+import { Paint, paintOf, paintOfRelation } from "../drawing/paint";
 import { openRecording, timelineOf, type Timeline } from "./timeline";
 
 export interface SceneSource {
@@ -41,7 +41,8 @@ export class SceneModel {
   readonly hiddenLayers = new Set<string>();
   /** How the objects move, if they do. */
   readonly timeline: Timeline | undefined;
-  readonly #touching: Uint8Array;
+  /** Of each object that of its closest pair. */
+  readonly #relations: Relation[];
   readonly #placesById: Map<number, number>;
   #found: Found;
 
@@ -55,7 +56,7 @@ export class SceneModel {
     this.#placesById = new Map(Array.from(this.ids, (id, place) => [id, place]));
     this.objects = listed(this.scene.toJson());
     this.layers = [...new Set(this.objects.map((object) => object.layer))];
-    this.#touching = new Uint8Array(this.objects.length);
+    this.#relations = new Array<Relation>(this.objects.length).fill("apart");
     this.#found = source.check === undefined ? this.#checked() : this.#reported(source.check);
     this.#mark();
   }
@@ -101,8 +102,9 @@ export class SceneModel {
     return id === null ? undefined : this.placeOf(id);
   }
 
-  isTouching(place: number): boolean {
-    return this.#touching[place] === 1;
+  /** Of its closest pair; "apart" if it is in none. */
+  relationOf(place: number): Relation {
+    return this.#relations[place] ?? "apart";
   }
 
   isHidden(place: number): boolean {
@@ -118,7 +120,7 @@ export class SceneModel {
     return Uint8Array.from(this.objects, ({ type }, place) => {
       if (this.isHidden(place)) return Paint.hidden;
       if (selected.has(place)) return Paint.found;
-      return paintOf(type, this.isTouching(place) ? Paint.touching : Paint.free);
+      return paintOf(type, paintOfRelation[this.relationOf(place)]);
     });
   }
 
@@ -141,10 +143,9 @@ export class SceneModel {
   }
 
   #mark(): void {
-    this.#touching.fill(0);
-    for (const { a, b } of this.pairs) {
-      this.#touching[a] = 1;
-      this.#touching[b] = 1;
+    this.#relations.fill("apart");
+    for (const { a, b, relation } of this.pairs) {
+      for (const place of [a, b]) if (this.#relations[place] !== "overlapping") this.#relations[place] = relation;
     }
   }
 

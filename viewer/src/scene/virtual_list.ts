@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 // A list of any length, of which only what is seen is in the page.
+import type { Relation } from "graze";
+
 import { element } from "../dom";
 
 export interface Row {
   readonly text: string;
   readonly tag: string;
-  readonly isTouching: boolean;
+  /** Of the closest pair; "apart" for none. */
+  readonly relation: Relation;
   readonly isCurrent: boolean;
 }
 
-const rowHeight = 26;
+const rowHeight = 32;
 /** Browsers do not draw elements higher than some millions of pixels. */
 const mostRows = 200_000;
 
@@ -58,12 +61,12 @@ export class VirtualList {
   }
 
   #make(index: number): HTMLElement {
-    const { text, tag, isTouching, isCurrent } = this.#row(index);
+    const { text, tag, relation, isCurrent } = this.#row(index);
     return element(
       "button",
       {
         type: "button",
-        class: isTouching ? "touching" : "",
+        class: relation,
         "aria-current": String(isCurrent),
         "data-row": index,
         style: `position: absolute; top: ${index * rowHeight}px`,

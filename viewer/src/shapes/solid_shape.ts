@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes of space as they first appear when they are added.
+// Shapes in 3D as they first appear when they are added.
 import type { Shape } from "graze";
 
 import { plus, times } from "../vectors";
@@ -9,7 +9,7 @@ export const solidNames: Readonly<Record<ShapeType, string>> = {
   point: "point",
   segment: "segment",
   ray: "ray",
-  sphere: "ball",
+  sphere: "sphere",
   aabb: "box",
   obb: "oriented box",
   half_space: "half-space",
@@ -20,7 +20,7 @@ export const solidNames: Readonly<Record<ShapeType, string>> = {
   compound: "compound",
 };
 
-/** A ball, a box and so on, of about the given size. What fills half of space lies below the others. */
+/** A sphere, a box and so on, of about the given size. What fills half of space lies below the others. */
 export function newSolid(type: ShapeType, at: readonly number[], size: number): Shape {
   const on = (x: number, y: number, z: number): number[] => [...plus(at, times([x, y, z], size))];
   switch (type) {
