@@ -53,15 +53,17 @@ std::vector<Aabb<2, double>> places(const Aabb<2, double>& box, const Vec<2, dou
 }
 
 /// Where label `which` goes, if anywhere. A larger box that encloses the place is no obstacle but the ground it lies
-/// on.
+/// on. In a crowd that leaves no place, the name of a thing in a pair may cover smaller things in the middle of its
+/// own.
 std::optional<Aabb<2, double>> place_for(std::size_t which, std::span<const Label> labels,
                                          std::span<const Aabb<2, double>> taken, const Aabb<2, double>& card) {
   const Label& label = labels[which];
+  const auto is_open = [&](const Aabb<2, double>& place) {
+    const auto meets = [&place](const Aabb<2, double>& other) { return boxes_overlap(place, other); };
+    return lies_within(place, card) && std::none_of(taken.begin(), taken.end(), meets);
+  };
   const auto is_free = [&](const Aabb<2, double>& place) {
-    if (!lies_within(place, card)) return false;
-    for (const Aabb<2, double>& other : taken) {
-      if (boxes_overlap(place, other)) return false;
-    }
+    if (!is_open(place)) return false;
     for (std::size_t other = 0; other < labels.size(); ++other) {
       const Aabb<2, double>& box = labels[other].box;
       const bool is_ground = lies_within(place, box) && area(box) >= area(label.box);
@@ -73,6 +75,8 @@ std::optional<Aabb<2, double>> place_for(std::size_t which, std::span<const Labe
   for (const Aabb<2, double>& place : places(label.box, half)) {
     if (is_free(place)) return place;
   }
+  const Aabb<2, double> middle = Aabb<2, double>::from_center(label.box.center(), half);
+  if (label.in_pair && lies_within(middle, label.box) && is_open(middle)) return middle;
   return std::nullopt;
 }
 

@@ -124,9 +124,12 @@ std::string pair_mark(Relation relation, const Vec<2, double>& place) {
 
 std::string omission_note(const Frame& frame, std::span<const Omission> omissions) {
   if (omissions.empty()) return "";
+  std::vector<Omission> ordered(omissions.begin(), omissions.end());
+  std::stable_sort(ordered.begin(), ordered.end(),
+                   [](const Omission& a, const Omission& b) { return a.loss > b.loss; });
   std::string text = "not read:";
-  for (const Omission& omission : omissions) {
-    text += fmt::format("{} {} x {}", &omission == &omissions.front() ? "" : ",", omission.count, omission.what);
+  for (const Omission& omission : ordered) {
+    text += fmt::format("{} {} x {}", &omission == &ordered.front() ? "" : ",", omission.count, omission.what);
   }
   constexpr double left = 150;
   constexpr double room = picture_width - side_margin - longest_bar - 2 * item_gap - left;

@@ -38,7 +38,8 @@ std::string header(const Summary& summary);
 /// The mark of a pair that touches or overlaps, as one element.
 std::string pair_mark(Relation relation, const Vec<2, double>& place);
 
-/// What of the file is not in the picture, "not read: 3 x tile layer", as one line below the card; empty for nothing.
+/// What of the file is not in the picture, "not read: 3 x tile layer", as one line below the card, lost shapes first;
+/// empty for nothing.
 std::string omission_note(const Frame& frame, std::span<const Omission> omissions);
 
 /// An axis of the scene as the picture shows it: its name, and where a step of length 1 along it leads.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,17 @@ TEST(SvgLabels, of_things_in_pairs_come_first_and_of_the_others_those_of_the_lar
   ASSERT_GE(found.size(), 2U);
   EXPECT_EQ(found[0].substr(0, 4), "n31 ");
   EXPECT_EQ(found[1].substr(0, 3), "n7 ");
+}
+
+TEST(SvgLabels, of_things_in_pairs_may_cover_smaller_things_where_there_is_no_other_place) {
+  std::vector<Label> table = {{"table", {{100, 100}, {400, 300}}}};
+  for (int i = 0; i < 300; ++i) {
+    const Vec<2, double> corner(90 + 16.0 * (i % 20), 90 + 16.0 * std::floor(i / 20.0));
+    table.push_back({"", {corner, corner + 10.0}});
+  }
+  EXPECT_EQ(places(table), Places{});
+  table[0].in_pair = true;
+  EXPECT_EQ(places(table), (Places{"table 250 204"}));
 }
 
 RC_GTEST_PROP(SvgLabels, never_overlap_nor_leave_the_card, ()) {

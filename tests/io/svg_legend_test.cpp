@@ -59,9 +59,13 @@ TEST(SvgLegend, says_how_many_are_near_but_apart) {
 TEST(SvgLegend, says_what_was_not_read) {
   const Frame frame = frame_around({{0, 0}, {1080, 540}});
   EXPECT_EQ(omission_note(frame, {}), "");
-  const std::vector<Omission> few = {{"tile layer", 3}, {"text <object>", 1}};
+  const std::vector<Omission> few = {{"object class", 9},
+                                     {"rounded corner", 2, Loss::precision},
+                                     {"tile layer", 3, Loss::shape},
+                                     {"text <object>", 1}};
   const SvgPicture picture = parsed_fragment(omission_note(frame, few));
-  EXPECT_STREQ(picture.by_id("omissions").last_child().value(), "not read: 3 x tile layer, 1 x text <object>");
+  EXPECT_STREQ(picture.by_id("omissions").last_child().value(),
+               "not read: 3 x tile layer, 2 x rounded corner, 9 x object class, 1 x text <object>");
   const std::vector<Omission> many(200, {"kind of thing", 2});
   const std::string text = parsed_fragment(omission_note(frame, many)).by_id("omissions").last_child().value();
   EXPECT_LT(text_width(text, 13), 800);
