@@ -61,22 +61,28 @@ std::uint32_t add_corners(Drawing<2>& drawing, std::span<const Vec<2, double>> c
   return first;
 }
 
-/// Adds the area of a convex polygon.
-void add_area(Drawing<2>& drawing, std::span<const Vec<2, double>> corners) {
-  const std::uint32_t first = add_corners(drawing, corners);
-  for (std::uint32_t i = 2; i < corners.size(); ++i) {
+/// Adds the area of a convex polygon, whose corners are there from the first on.
+void add_area(Drawing<2>& drawing, std::uint32_t first, std::size_t count) {
+  for (std::uint32_t i = 2; i < count; ++i) {
     drawing.triangles.insert(drawing.triangles.end(), {first, first + i - 1, first + i});
   }
 }
 
-/// Adds the lines from corner to corner and back to the first.
-void add_ring(Drawing<2>& drawing, std::span<const Vec<2, double>> corners) {
-  const std::uint32_t first = add_corners(drawing, corners);
-  const auto count = static_cast<std::uint32_t>(corners.size());
-  for (std::uint32_t i = 0; i < count && count > 1; ++i) {
-    if (count == 2 && i == 1) continue;  // the way back of a single line
+/// Adds the lines from corner to corner and back to the first; of two corners the one between them.
+void add_ring(Drawing<2>& drawing, std::uint32_t first, std::size_t corners) {
+  const auto count = static_cast<std::uint32_t>(corners);
+  const std::uint32_t lines = count < 3 ? count / 2 : count;
+  for (std::uint32_t i = 0; i < lines; ++i) {
     drawing.lines.insert(drawing.lines.end(), {first + i, first + (i + 1) % count});
   }
+}
+
+/// Adds an outline as one convex polygon.
+void add_outline(Drawing<2>& drawing, const Outline& outline, int circle) {
+  const std::vector<Vec<2, double>> corners = corners_of(outline, circle);
+  const std::uint32_t first = add_corners(drawing, corners);
+  add_area(drawing, first, corners.size());
+  add_ring(drawing, first, corners.size());
 }
 
 /// Adds convex shapes as what they are together: the areas of all, and the outline of their union.
@@ -84,14 +90,14 @@ void add_joined(Drawing<2>& drawing, std::span<const Outline> outlines, int circ
   std::vector<std::vector<Vec<2, double>>> polygons;
   for (const Outline& outline : outlines) {
     std::vector<Vec<2, double>> corners = corners_of(outline, circle);
-    if (corners.size() < 3) {
-      add_ring(drawing, corners);
-    } else {
-      add_area(drawing, corners);
-      polygons.push_back(std::move(corners));
-    }
+    const std::uint32_t first = add_corners(drawing, corners);
+    add_area(drawing, first, corners.size());
+    if (corners.size() < 3) add_ring(drawing, first, corners.size());
+    polygons.push_back(std::move(corners));
   }
-  for (const std::vector<Vec<2, double>>& way : union_outline(polygons)) add_ring(drawing, way);
+  for (const std::vector<Vec<2, double>>& way : union_outline(polygons)) {
+    add_ring(drawing, add_corners(drawing, way), way.size());
+  }
 }
 
 /// Adds a sphere whose upper and lower half are drawn apart along `axis` from `a` to `b`: a capsule, or where both are
@@ -155,7 +161,7 @@ class Brush {
     if constexpr (is_unbounded<S>) {
       if (options_.within) draw_within(shape, *options_.within);
     } else if constexpr (N == 2) {
-      add_joined(drawing_, std::array{outline(shape)}, options_.circle);
+      add_outline(drawing_, outline(shape), options_.circle);
     } else {
       draw_solid(shape);
     }
@@ -187,7 +193,7 @@ class Brush {
   template <class S>
   void draw_within(const S& shape, const Aabb<N, double>& box) const {
     if constexpr (N == 2) {
-      add_joined(drawing_, std::array{outline(shape, View<2>(), box)}, options_.circle);
+      add_outline(drawing_, outline(shape, View<2>(), box), options_.circle);
     } else if constexpr (std::is_same_v<S, Ray<3, double>>) {
       if (const auto piece = cut(shape, box)) draw_solid(*piece);
     } else if constexpr (std::is_same_v<S, Plane<3, double>>) {

@@ -98,3 +98,15 @@ test("a circle has 3 to 4096 corners", () => {
   assert.equal(graze.drawing(circle, { corners: 3 }).positions.length / 2, 3);
   assert.throws(() => graze.drawing(circle, { corners: 2 }), /3 to 4096/);
 });
+
+test("a compound in 2D has the outline of all its parts together", () => {
+  const parts = [
+    { type: "aabb", min: [0, 0], max: [3, 1] },
+    { type: "aabb", min: [1, 1], max: [2, 4] },
+    { type: "segment", start: [5, 0], end: [6, 0] },
+    { type: "compound", parts: [{ type: "aabb", min: [1.25, 0.5], max: [1.75, 2] }] },
+  ];
+  const drawing = graze.drawing({ type: "compound", parts });
+  near(area(drawing), 3 + 3 + 0.75);
+  assert.equal(drawing.lines.length / 2, 8 + 1);
+});
