@@ -2,6 +2,7 @@
 """Checks the shape of the house: who may include whom, that everything has its mirror test, that headers stand alone."""
 
 import argparse
+import re
 import shutil
 import sys
 from pathlib import Path
@@ -140,6 +141,18 @@ def check_includes(root, sources):
     return problems
 
 
+def check_throws(root, sources):
+    """graze::geometry is also compiled without exceptions, so its headers throw by the macro that knows."""
+    problems = []
+    for path in sources:
+        if layer_of(path) not in GEOMETRY or path.name == "throw.hpp":
+            continue
+        for number, line in enumerate((root / path).read_text(encoding="utf-8").splitlines(), 1):
+            if not line.startswith("#") and re.search(r"\b(throw|try|catch)\b", line.split("//")[0]):
+                problems.append(f"{path}:{number}: throws or catches by itself; use GRAZE_THROW (graze/math/throw.hpp)")
+    return problems
+
+
 def check_text(root, sources):
     problems = []
     for path in sources:
@@ -177,7 +190,7 @@ def main():
     root = options.root.resolve()
 
     sources = project_files(root, SOURCES)
-    problems = check_includes(root, sources) + check_text(root, sources)
+    problems = check_includes(root, sources) + check_throws(root, sources) + check_text(root, sources)
     mirror_problems, mirrored = check_mirror_tests(root, sources, TESTED_ELSEWHERE if root == ROOT else {})
     problems += mirror_problems
     compiled = 0

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <graze/math/compiler.hpp>
+
 #include <type_traits>
 
 namespace graze {

@@ -42,6 +42,12 @@ class CheckLayers(TreeTest):
         self.write_header("graze/query/text.hpp", "#include <fmt/format.h>\n")
         self.assert_problem("graze/query/text.hpp:3: includes fmt/format.h, but graze::geometry")
 
+    def test_the_geometry_throws_by_the_macro(self):
+        self.write_header("graze/shape/sphere.hpp", "inline void f() {}  // does not throw\ninline void g() { throw 1; }\n")
+        self.assert_problem("graze/shape/sphere.hpp:4: throws or catches by itself; use GRAZE_THROW")
+        self.write_header("graze/shape/sphere.hpp", "inline void f() {}  // does not throw\n")
+        self.assertEqual(self.run_tool("check_layers.py")[0], 0)
+
     def test_an_include_of_a_file_that_is_not_there_is_found(self):
         self.write("tests/shape/sphere_test.cpp", f"{LICENSE}#include <graze/shape/spere.hpp>\n")
         self.assert_problem("tests/shape/sphere_test.cpp:2: includes graze/shape/spere.hpp, which does not exist")
