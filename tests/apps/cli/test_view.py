@@ -52,10 +52,13 @@ class Page(ViewTest):
         self.assertEqual(data["check"], report)
 
     def test_it_tells_nothing_of_folders(self):
-        scene, page = self.yard(), self.folder / "page.html"
-        for command in (("view",), ("check", "--output", self.folder / "report.txt")):
-            self.succeed(*command, scene.resolve(), "--html", page, env=self.env())
-            self.assertNotIn(str(self.folder), page.read_text(encoding="utf-8"))
+        page = self.folder / "page.html"
+        # Of the map something is not read, which may be said to be somewhere.
+        for scene in (self.yard().resolve(), (ROOT / "data" / "platform_level.tmx").resolve()):
+            for command in (("view",), ("check", "--output", self.folder / "report.txt")):
+                with self.subTest(scene=scene.name, command=command[0]):
+                    self.succeed(*command, scene, "--html", page, env=self.env())
+                    self.assertNotIn(str(scene.parent), page.read_text(encoding="utf-8"))
 
     def test_check_writes_the_same_page_with_the_pairs_that_were_asked_for(self):
         scene, page = self.yard(), self.folder / "page.html"
