@@ -115,7 +115,8 @@ class FlatTouchLanes {
     Doubles at;
     FlatPoint middle;
     FlatPoint half_edge;
-    Doubles half;
+    Doubles half;  ///< Of the reference side.
+    Doubles other_half;
     Doubles along[2];
     Doubles above[2];
     Doubles share[2];
@@ -225,6 +226,7 @@ class FlatTouchLanes {
     cut.middle = other.center + one_of_two(cut.across_second, other.half_edge) * cut.at;
     cut.half_edge = one_of_two(across_first, other.half_edge);
     cut.half = one_of_two(own_along, own.half_length);
+    cut.other_half = one_of_two(across_first, other.half_length);
     const FlatPoint off = cut.middle - (own.center + one_of_two(own_side.across_second, own.half_edge) * own_side.at);
     const FlatPoint along = one_of_two(own_along, own.along);
     const Doubles middle = dot(off, along);
@@ -250,16 +252,23 @@ class FlatTouchLanes {
     const DoublesMask is_beside = hn::Not(hn::Lt(cut.share[0], cut.share[1]));
     const Doubles rise = hn::Sub(cut.above[1], cut.above[0]);
     const Doubles at_height = hn::Div(hn::Sub(reach_, cut.above[0]), rise);
+    Doubles above[2];
     DoublesMask is_high[2];
     for (std::size_t i = 0; i < 2; ++i) {
-      const Doubles above = hn::Add(cut.above[0], hn::Mul(rise, cut.share[i]));
-      is_high[i] = hn::Gt(above, hn::Add(reach_, doubt_));
+      above[i] = hn::Add(cut.above[0], hn::Mul(rise, cut.share[i]));
+      is_high[i] = hn::Gt(above[i], hn::Add(reach_, doubt_));
+    }
+    const DoublesMask is_all_high = hn::And(is_high[0], is_high[1]);
+    if constexpr (are_boxes) {
+      const Doubles resting = hn::Mul(both(2 * tolerance::aligned), min_of(cut.half, cut.other_half));
+      const DoublesMask is_resting = hn::Le(max_of(above[0], above[1]), resting);
+      for (DoublesMask& high : is_high) high = hn::AndNot(is_resting, high);
     }
     for (std::size_t i = 0; i < 2; ++i) {
       cut.share[i] = hn::IfThenElse(is_high[i], at_height, cut.share[i]);
       put_point(cores, own_side, up, cut, i, is_high[i], look.points[i]);
     }
-    return hn::Not(hn::Or(is_beside, hn::And(is_high[0], is_high[1])));
+    return hn::Not(hn::Or(is_beside, is_all_high));
   }
 
   HWY_INLINE void put_point(const Cores& cores, const Side& own_side, const FlatPoint& up, const Cut& cut,

@@ -89,9 +89,11 @@ class FaceClip {
     find_corners_of_reference();
     close();
     const Doubles highest = hn::Add(height_, hn::Add(hn::Abs(climb_[0]), hn::Abs(climb_[1])));
-    const DoublesMask needed = hn::Gt(highest, slack_);
+    const DoublesMask may_be = hn::Gt(highest, slack_);
     start_[top_line] = start_[0];
     lines_[top_line] = hn::Zero(BitsTag());
+    if (hn::AllFalse(Tag<double>(), may_be)) return;
+    const DoublesMask needed = hn::And(may_be, is_high(incident, reference));
     if (!hn::AllFalse(Tag<double>(), needed)) cut_top(needed);
   }
 
@@ -320,6 +322,19 @@ class FaceClip {
     for_each_cut<line, false>([&](std::size_t e, DoublesMask where)
                                   GRAZE_INLINE_LAMBDA { end = one_of(where, edges_[e].start, end); });
     return end;
+  }
+
+  /// Whether a corner is higher above the reference face than where all rests on it, as FaceOverFace::resting_height.
+  HWY_INLINE DoublesMask is_high(const FaceLanes& incident, const FaceLanes& reference) const {
+    const Doubles halves =
+        min_of(hn::Add(incident.half_right, incident.half_up), hn::Add(reference.half_right, reference.half_up));
+    const Doubles resting = hn::Mul(both(2 * tolerance::aligned), halves);
+    DoublesMask result = no_lane();
+    unrolled<top_line>([&](auto line) GRAZE_INLINE_LAMBDA {
+      const Doubles at_start = height_of(start_[line].at[0], start_[line].at[1]);
+      result = hn::Or(result, hn::And(is_left(line), hn::Gt(at_start, resting)));
+    });
+    return result;
   }
 
   /// Leaves what is not above the reference face by more than the slack, in those lanes that need it. The side that

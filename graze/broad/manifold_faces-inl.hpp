@@ -355,8 +355,9 @@ class FaceContacts {
     store(corner.of([this](std::size_t s) { return clip_.lines(s); }), lines_[k]);
     const Doubles height = clip_.height_of(within[0], within[1]);
     const Point point = incident_.middle + incident_.right * within[0] + incident_.up * within[1];
-    const Point first = (point - up_ * height) + origin_;
-    points_[k].set(first, point + origin_, max_of(both(0), hn::Neg(height)), turns_);
+    const Doubles depth = max_of(both(0), hn::Neg(height));
+    const Point first = (point + up_ * depth) + origin_;
+    points_[k].set(first, point + origin_, depth, turns_);
   }
 
   Point up_;

@@ -92,6 +92,7 @@ class FlatTouch {
     V middle;     ///< Of the other side.
     V half_edge;  ///< From there to its end.
     double half;  ///< Of the reference side.
+    double other_half;
     std::array<double, 2> along;
     std::array<double, 2> above;
     std::array<double, 2> share;
@@ -162,6 +163,7 @@ class FlatTouch {
     cut.middle = other.center + of(cut.across_second, other.half_edge) * cut.at;
     cut.half_edge = of(!cut.across_second, other.half_edge);
     cut.half = of(!own_side.across_second, own.half_length);
+    cut.other_half = of(!cut.across_second, other.half_length);
     const V off = cut.middle - (own.center + of(own_side.across_second, own.half_edge) * own_side.at);
     const V along = of(!own_side.across_second, own.along);
     const double middle = dot(off, along);
@@ -188,14 +190,22 @@ class FlatTouch {
     return looks_more(std::fabs(dot(other.normal[1], up)), std::fabs(dot(other.normal[0], up)));
   }
 
-  /// Whatever is above the reach is cut, too.
+  /// Whether a side of a box rests on one, up to `high`: as FacingPatches has it.
+  [[gnu::always_inline]] bool is_resting(const Cut& cut, double high) const {
+    return are_boxes && high <= 2 * tolerance::aligned * std::min(cut.half, cut.other_half);
+  }
+
+  /// Whatever is above the reach is cut, too, unless all rests.
   template <bool of_first>
   [[gnu::always_inline]] void on_side(Cut& cut, FlatLook& look) const {
     if (!(cut.share[0] < cut.share[1])) return;  // beside the side
     const double rise = cut.above[1] - cut.above[0];
-    const bool is_start_high = cut.above[0] + rise * cut.share[0] > reach_ + doubt_;
-    const bool is_end_high = cut.above[0] + rise * cut.share[1] > reach_ + doubt_;
+    const double start = cut.above[0] + rise * cut.share[0];
+    const double end = cut.above[0] + rise * cut.share[1];
+    bool is_start_high = start > reach_ + doubt_;
+    bool is_end_high = end > reach_ + doubt_;
     if (is_start_high && is_end_high) return;  // rounding hides what is below
+    if (is_resting(cut, std::max(start, end))) is_start_high = is_end_high = false;
     const double at_height = (reach_ - cut.above[0]) / rise;
     if (is_start_high) cut.share[0] = at_height;
     if (is_end_high) cut.share[1] = at_height;

@@ -5,11 +5,13 @@
 // The normal and the depth are those of contact(a, b), and so is who decides whether there is a contact. If a face of
 // one shape looks along the normal (if both do, the same shape's whichever is called a; a plane's before all), the face
 // of the other that looks most against it is laid over it and cut at its sides and at its surface; every corner of what
-// is left is a contact of its own depth along the normal. Two parallel edges (of capsules and segments, in space) give
-// the ends of what they share; all else gives the point of `contact` alone. So a ball has one point; a capsule two
-// where it lies; boxes, triangles and polytopes up to four, of more those that span the patch: the deepest, the
-// farthest from it, and on either side of the line between them the one that makes the largest triangle. Rays and
-// users' shapes, which have no faces to speak of, and pairs that no translation parts have the point of `contact`.
+// is left is a contact of its own depth along the normal. Two parallel edges (of capsules and segments, in 3D) give the
+// ends of what they share; all else gives the point of `contact` alone. So a ball has one point; a capsule two where it
+// lies; boxes, triangles and polytopes up to four, of more those that span the patch: the deepest, the farthest from
+// it, and on either side of the line between them the one that makes the largest triangle. Rays and users' shapes,
+// which have no faces to speak of, and pairs that no translation parts have the point of `contact`. A flat face rests
+// on the other, tilted by up to 1e-5 radians, if nothing of it over the other is higher than 1e-5 of half the perimeter
+// of the smaller one: then nothing is cut at the surface, and corners above it have depth 0.
 //
 // Each point has an id: which corner, edge or face of a, and which of b, it lies on; no two of a manifold have the
 // same. It stays the same from frame to frame until a corner crosses a side of the other shape, so that a solver can go
@@ -20,8 +22,8 @@
 //
 // A compound is its deepest part, which the ids name. Swapping the arguments exchanges everything, up to the order of
 // shapes that equal each other. Coordinates as in contact.hpp; points are off by no more than those of `contact`, and
-// the depths by `error`; but of faces that are not exactly at right angles to the normal, and of polytopes with corners
-// that close to each other, by 1e-5 of their size more.
+// the depths by `error`; but of faces that are not exactly at right angles to the normal or rest on each other, and of
+// polytopes with corners that close to each other, by 1e-5 of their size more.
 #pragma once
 
 #include <algorithm>
@@ -151,7 +153,7 @@ WideManifold<dimension_of<A>> manifold_of_found(const A& a, const B& b, const Pe
   const Vec<N, double> origin = found.point_a;
   const Patch<N> patch_a = patch_seen(a, origin, found.normal, found.point_a);
   const Patch<N> patch_b = patch_seen(b, origin, -found.normal, found.point_b);
-  const FacingPatches<N> facing{patch_a, patch_b, radius_of_core(a), radius_of_core(b)};
+  const FacingPatches<N> facing{patch_a, patch_b, radius_of_core(a), radius_of_core(b), tolerance::aligned};
   const double size =
       (size_of_patch(facing.a) + size_of_patch(facing.b)) + (facing.radius_a + facing.radius_b) + found.depth;
   const Penetration<N> seen = moved_by(found, -origin);
@@ -368,7 +370,7 @@ template <class R, class Seen>
   const CarryingFace face = carrying_face(met);
   const Vec<3, R> normal = rounded_vec<R>(met.normal * (turned ? -1.0 : 1.0));
   if (face.is_any) {
-    FaceOverFace over = face_over(met, face);
+    FaceOverFace over = face_over(met, face, tolerance::aligned);
     if (over.run() && over.size() > 0) {
       const ObbPoints<Point> points(origin, turned != face.is_of_b);
       CornersInTurn<Point> corners(over, chosen_corners(over, met.normal, face.is_of_b), points);

@@ -50,12 +50,15 @@ struct FacingPatches {
   const Patch<N>& b;
   double radius_a = 0;
   double radius_b = 0;
+  /// Of what lies over a face without a radius all rests on it, if none of it is above by more than this share of half
+  /// the way around the smaller of the two: else what is above by more than rounding is cut off.
+  double flush = 0;
 };
 
 /// The same of (b, a).
 template <Dim N>
 FacingPatches<N> exchanged(const FacingPatches<N>& facing) {
-  return {facing.b, facing.a, facing.radius_b, facing.radius_a};
+  return {facing.b, facing.a, facing.radius_b, facing.radius_a, facing.flush};
 }
 
 /// Whether a patch is a face that looks along the normal.
@@ -64,22 +67,35 @@ bool is_face_along(const Patch<N>& patch, const Vec<N, double>& normal) {
   return is_aligned(patch.normal, normal);
 }
 
+/// Whether what lies over the face of a, which looks along the normal, all rests on it.
+template <Dim N>
+bool rests_on_face(const ClippedPatch<N>& incident, const FacingPatches<N>& facing) {
+  if (facing.flush == 0 || facing.radius_a + facing.radius_b > 0) return false;
+  double highest = 0;
+  for (std::size_t i = 0; i < incident.size(); ++i) {
+    highest = std::max(highest, dot(facing.a.normal, incident[i].point - facing.a.corners[0]));
+  }
+  return highest <= facing.flush * std::min(half_perimeter(facing.a), half_perimeter(facing.b));
+}
+
 /// What lies over the face of a, which looks along the normal, and not above the other surface: the incident face of b,
-/// cut. Points of b are laid on the face of a along the normal.
+/// cut. Points of b that are below are laid on the face of a along the normal.
 template <Dim N>
 SurfacePairs<N> pairs_over(const FacingPatches<N>& facing, const Vec<N, double>& normal, double slack) {
   const Vec<N, double> on_face = facing.a.corners[0];
   const double reach = facing.radius_a + facing.radius_b;
   ClippedPatch<N> incident = clipped(facing.b, facing.a, normal, slack);
-  incident.cut(facing.a.normal, on_face + facing.a.normal * reach, facing.a.size, slack);
+  if (!rests_on_face(incident, facing)) {
+    incident.cut(facing.a.normal, on_face + facing.a.normal * reach, facing.a.size, slack);
+  }
   const double climb = dot(facing.a.normal, normal);  // about 1, and 1 for exact faces
   SurfacePairs<N> result;
   for (std::size_t i = 0; i < incident.size(); ++i) {
     const Vec<N, double>& point = incident[i].point;
     const double gap = dot(facing.a.normal, point - on_face) / climb;
+    const double depth = std::max(0.0, reach - gap);
     const Vec<N, double> point_b = point - normal * facing.radius_b;
-    result.push_back({point_b + normal * (reach - gap), point_b, std::max(0.0, reach - gap), incident[i].reference,
-                      incident[i].incident});
+    result.push_back({point_b + normal * depth, point_b, depth, incident[i].reference, incident[i].incident});
   }
   return result;
 }

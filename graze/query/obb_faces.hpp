@@ -152,10 +152,11 @@ inline constexpr auto places_by_lines = [] {
 class FaceOverFace {
  public:
   /// Seen along the contact's normal `up`, of length 1, which `normal`, the reference face's own, is equal to but for
-  /// 1e-5 at most. What is above by up to `slack` stays, and so does what is beside by as much.
+  /// 1e-5 at most. What is above by up to `slack` stays, and so does what is beside by as much; and all of it if none
+  /// is above by more than `flush`, as FacingPatches has it.
   [[gnu::always_inline]] FaceOverFace(const BoxFace& incident, const BoxFace& reference, const PairedVec& up,
-                                      const PairedVec& normal, double slack)
-      : incident_(incident), reference_(reference), up_(up), normal_(normal), slack_(slack) {}
+                                      const PairedVec& normal, double slack, double flush)
+      : incident_(incident), reference_(reference), up_(up), normal_(normal), slack_(slack), flush_(flush) {}
 
   /// False where rounding hides the way around, or the reference face is hardly one.
   bool run() {
@@ -196,10 +197,10 @@ class FaceOverFace {
   /// With the reference face's box as the first.
   [[gnu::always_inline]] PairedPoints pair(std::size_t line) const {
     const Side& side = sides_[line];
-    const double height = height_of(side.start);
+    const double depth = this->depth(line);
     const PairedVec point = incident_.middle + incident_.right * side.start[0] + incident_.up * side.start[1];
     const PlacesOnFaces& places = places_by_lines[turns_][line_pair(side.before, line)];
-    return {point - up_ * height, point, std::max(0.0, -height),
+    return {point + up_ * depth, point, depth,
             features_of_faces[reference_.numbers.face()][places.on[PlacesOnFaces::reference]],
             features_of_faces[incident_.numbers.face()][places.on[PlacesOnFaces::incident]]};
   }
@@ -359,22 +360,33 @@ class FaceOverFace {
     return ((started_ ^ ended_) & reference) == 0 && (twice_ & reference) == 0 && after_ends == whole_starts_;
   }
 
-  /// Leaves what is not above the reference face by more than the slack. False if that is not all in a row.
+  /// How far above the reference face all rests on it.
+  double resting_height() const {
+    const double halves =
+        std::min(incident_.half_right + incident_.half_up, reference_.half_right + reference_.half_up);
+    return 2 * flush_ * halves;
+  }
+
+  /// Leaves what is not above the reference face by more than the slack, unless all rests on it. False if that is not
+  /// all in a row.
   bool cut_top() {
     std::array<double, top_line> at_start;
     std::array<double, top_line> at_end;
     unsigned start_is_out = 0;
     unsigned end_is_out = 0;
+    unsigned is_high = 0;
+    const double resting = resting_height();
 #pragma GCC unroll 8
     for (std::size_t line = 0; line < top_line; ++line) {
       at_start[line] = height_of(sides_[line].start);
       at_end[line] = height_of(sides_[line].end);
       start_is_out |= (at_start[line] > slack_ ? 1U : 0U) << line;
       end_is_out |= (at_end[line] > slack_ ? 1U : 0U) << line;
+      is_high |= (at_start[line] > resting ? 1U : 0U) << line;
     }
     start_is_out &= left_;
     end_is_out &= left_;
-    if (start_is_out == 0) return true;
+    if (start_is_out == 0 || (is_high & left_) == 0) return true;
     const unsigned exits = end_is_out & ~start_is_out;
     const unsigned entries = start_is_out & ~end_is_out;
     left_ &= ~(start_is_out & end_is_out);
@@ -399,6 +411,7 @@ class FaceOverFace {
   PairedVec up_;
   PairedVec normal_;
   double slack_;
+  double flush_;
   double height_ = 0;  ///< Of the middle over the reference face.
   LanePair climb_{};   ///< Of the incident face's right and up.
   LanePair middle_{};  ///< Of the incident face, over the reference face.

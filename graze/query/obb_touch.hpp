@@ -295,13 +295,17 @@ struct CarryingFace {
   return face_of_axis(met);
 }
 
-/// The other box' face on a carrying face.
-[[gnu::always_inline]] inline FaceOverFace face_over(const MeetingObbs& met, const CarryingFace& face) {
+/// The other box' face on a carrying face, `flush` as FacingPatches has it.
+[[gnu::always_inline]] inline FaceOverFace face_over(const MeetingObbs& met, const CarryingFace& face, double flush) {
   const PairedBox& box = met.box[face.is_of_b ? 1 : 0];
   const PairedBox& other = met.box[face.is_of_b ? 0 : 1];
   const PairedVec up = met.normal * (face.is_of_b ? -1.0 : 1.0);
-  return {face_of_box(other, looking_face(other, -up)), face_of_box(box, face.numbers), up, face.normal,
-          tolerance::coarse * met.size};
+  return {face_of_box(other, looking_face(other, -up)),
+          face_of_box(box, face.numbers),
+          up,
+          face.normal,
+          tolerance::coarse * met.size,
+          flush};
 }
 
 /// The edge along `axis` that is farthest along a direction, by its number and its middle.
@@ -415,7 +419,7 @@ template <class Seen>
     points.of[met.is_of_b ? 0 : 1] = over.corner + origin;
     is_known = true;
   } else {
-    FaceOverFace cut = face_over(met, face_of_axis(met));
+    FaceOverFace cut = face_over(met, face_of_axis(met), 0);
     is_known = cut.run() && cut.size() > 0;
     if (is_known) {
       const PairedPoints pair = cut.pair(cut.deepest());

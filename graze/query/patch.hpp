@@ -56,6 +56,18 @@ double size_of_patch(const Patch<N>& patch) {
   return size;
 }
 
+/// Half the way around a patch: no shorter than any way across it. That of a plane is infinite.
+template <Dim N>
+double half_perimeter(const Patch<N>& patch) {
+  if (patch.size == 0) return std::numeric_limits<double>::infinity();
+  double way = 0;
+  for (std::size_t i = 0; i < patch.size; ++i) {
+    const Vec<N, double> edge = patch.corners[i + 1 < patch.size ? i + 1 : 0] - patch.corners[i];
+    way += std::sqrt(dot(edge, edge));
+  }
+  return 0.5 * way;
+}
+
 // ---- patch_of(core, direction); of faces that look along the direction as much, up to rounding, the first.
 
 template <Dim N>

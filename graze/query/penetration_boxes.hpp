@@ -298,7 +298,7 @@ SurfacePairs<dimension_of<A>> pairs_of_boxes(const A& a, const B& b, const Boxes
   const double slack = tolerance::coarse * contact.size;
   const Patch<N> patch_a = patch_of(a, contact.found.normal);
   const Patch<N> patch_b = patch_of(b, -contact.found.normal);
-  const FacingPatches<N> facing{patch_a, patch_b, 0, 0};
+  const FacingPatches<N> facing{patch_a, patch_b, 0, 0, tolerance::aligned};
   SurfacePairs<N> pairs = face_pairs(facing, contact.found.normal, slack);
   if (!pairs.empty()) return pairs;
   const SurfacePair<N> pair = touching_pair(a, b, contact);

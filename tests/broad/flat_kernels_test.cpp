@@ -215,6 +215,33 @@ TEST(FlatKernels, LeaveHardlyAnyPairs) {
   expect_most_taken<double>();
 }
 
+/// A box on a box, tilted by next to nothing and sunk in by less than that makes of depth.
+TEST(FlatKernels, TakeBoxesThatRestOnBoxes) {
+  std::mt19937 random(11);
+  const auto number = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  PairsOf<TurnedBox<double>, TurnedBox<double>> turned;
+  PairsOf<TurnedBox<double>, Box<double>> mixed;
+  while (mixed.size() < 1000) {
+    const double tilt = std::pow(10.0, number(-15, -4));
+    const V2 half(number(0.1, 1), number(0.1, 1));
+    const V2 other(number(0.1, 1), number(0.1, 1));
+    const V2 place(number(-1, 1), half.y + other.y + number(-1, 1) * tilt);
+    const TurnedBox<double> above{place, other, rotation_matrix((mixed.size() % 2 == 0 ? 57 : -57) * tilt)};
+    const TurnedBox<double> below{V2(0.0), half, Mat<2, double>(1.0)};
+    if (relation(above, below) == Relation::apart) continue;
+    if (turned.size() % 3 == 0) {
+      turned.emplace_back(below, above);
+    } else {
+      turned.emplace_back(above, below);
+    }
+    mixed.emplace_back(above, Box<double>{-half, half});
+  }
+  expect_single_calls<double>(turned, 0.5);
+  expect_single_calls<double>(mixed, 0.5);
+}
+
 /// The last group is not full, and there may be none.
 TEST(FlatKernels, TakeAnyNumberOfPairs) {
   for (std::size_t count = 0; count < 20; ++count) {

@@ -149,6 +149,13 @@ class Pairs {
   }
   Two stack(double sunk) { return stack(rotation_matrix(V3(0, 0, 1), number(0, 360)), sunk); }
   Two leaning() { return stack(rotation_matrix(vector(1), number(-0.01, 0.01)), number(0, 0.02)); }
+  /// Tilted by next to nothing, and sunk in by less than that makes of depth.
+  Two resting() {
+    const double tilt = std::pow(10.0, number(-15, -4));
+    const double yaw = whole(0, 2) == 0 ? 90 * whole(0, 3) : number(0, 360);
+    const V3 about(number(-1, 1), number(-1, 1) + 0.01, 0);
+    return stack(rotation_matrix(about, 57 * tilt) * rotation_matrix(V3(0, 0, 1), yaw), number(-0.5, 1) * tilt);
+  }
   /// Bricks: sides in one plane but for rounding, one half over the other, or larger, or turned by a quarter.
   Two flush() {
     const Mat<3, double> all = whole(0, 1) == 0 ? Mat<3, double>(1.0) : rotation();
@@ -237,6 +244,7 @@ void expect_most_taken() {
   check([&] { return pairs.not_turned(); }, 0.02);
   check([&] { return pairs.flush(); }, 0.02);
   check([&] { return pairs.leaning(); }, 0.1);
+  check([&] { return pairs.resting(); }, 0.1);
   check([&] { return pairs.edge_on_edge(); }, 0.02);
 }
 

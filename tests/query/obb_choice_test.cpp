@@ -49,7 +49,7 @@ TEST(LaneChoice, IsTheSpanningChoice) {
     const Box above{{share() - 0.5, share() - 0.5, 0.9}, {0.2 + share(), 0.2 + share(), 1}, turn};
     const PairedVec up(V3(0, 0, 1));
     FaceOverFace over(face_of_box(paired_box(above, above.center), {2, false}),
-                      face_of_box(paired_box(below, below.center), {2, true}), up, up, 1e-14);
+                      face_of_box(paired_box(below, below.center), {2, true}), up, up, 1e-14, 0);
     RC_PRE(over.run() && over.size() > 4);
     ++several;
     for (const bool on_incident : {false, true}) {

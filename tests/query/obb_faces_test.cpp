@@ -38,7 +38,7 @@ void expect_pair(const PairedPoints& pair, const V3& point, const Feature& refer
 }
 
 FaceOverFace on_table(const BoxFace& incident) {
-  FaceOverFace over(incident, table, PairedVec(up), PairedVec(up), 1e-14);
+  FaceOverFace over(incident, table, PairedVec(up), PairedVec(up), 1e-14, 0);
   EXPECT_TRUE(over.run());
   return over;
 }
@@ -89,7 +89,8 @@ TEST(FaceOverFace, LargerThanTheOtherIsTheOther) {
 TEST(FaceOverFace, HasItsDeepestCornerBelowTheOther) {
   const Mat<3, double> tilt = rotation_matrix(V3(1, 1, 0), 10);  // down at +x, -y
   const Obb<3, double> box{{2, 2, 0.9}, {0.5, 0.5, 1}, tilt};
-  FaceOverFace over(face_of_box(paired_box(box, box.center), {2, false}), table, PairedVec(up), PairedVec(up), 1e-14);
+  FaceOverFace over(face_of_box(paired_box(box, box.center), {2, false}), table, PairedVec(up), PairedVec(up), 1e-14,
+                    0);
   ASSERT_TRUE(over.run());
   for (unsigned rest = over.left(); rest != 0; rest &= rest - 1) {
     EXPECT_LE(over.depth(static_cast<std::size_t>(std::countr_zero(rest))), over.depth(over.deepest()));
@@ -103,7 +104,7 @@ TEST(FaceOverFace, BesideOrAboveTheOtherIsNothing) {
 }
 
 TEST(FaceOverFace, IsNotKnownOfAFaceWithoutWidth) {
-  FaceOverFace over(lower({1, 1, 0}, {2, 2, 1}), upper({0, 0, -1}, {4, 0, 0}), PairedVec(up), PairedVec(up), 1e-14);
+  FaceOverFace over(lower({1, 1, 0}, {2, 2, 1}), upper({0, 0, -1}, {4, 0, 0}), PairedVec(up), PairedVec(up), 1e-14, 0);
   EXPECT_FALSE(over.run());
 }
 

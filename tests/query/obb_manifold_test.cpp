@@ -61,7 +61,7 @@ TEST(CornersInTurn, AreTheChosenOnesAndThenEmpty) {
     return face_of_box(paired_box(box, box.center), {2, is_far});
   };
   const PairedVec up(V3(0, 0, 1));
-  FaceOverFace over(face({1, 1, -0.5}, {2, 2, 1}, false), face({0, 0, -1}, {4, 4, 0}, true), up, up, 1e-14);
+  FaceOverFace over(face({1, 1, -0.5}, {2, 2, 1}, false), face({0, 0, -1}, {4, 4, 0}, true), up, up, 1e-14, 0);
   ASSERT_TRUE(over.run());
   ASSERT_EQ(over.left(), 0b1111U);
   const ObbPoints<Point> points(PairedVec(V3(0, 0, 0)), false);

@@ -174,7 +174,7 @@ struct Corner {
 std::vector<Corner> quick_corners(const MeetingObbs& met, const CarryingFace& face) {
   std::vector<Corner> corners;
   if (!face.is_any) return corners;
-  FaceOverFace over = face_over(met, face);
+  FaceOverFace over = face_over(met, face, tolerance::aligned);
   if (!over.run()) return corners;
   for (unsigned rest = over.left(); rest != 0; rest &= rest - 1) {
     PairedPoints pair = over.pair(static_cast<std::size_t>(std::countr_zero(rest)));
