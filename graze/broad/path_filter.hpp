@@ -1,14 +1,49 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <limits>
 
+#include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/bounds.hpp>
+#include <graze/query/ray_sight.hpp>
 #include <graze/query/ray_sight_box.hpp>
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/ray.hpp>
 #include <graze/shape/segment.hpp>
+#include <graze/shape/shape.hpp>
+
+namespace graze {
+
+/// The beginning of a ray, up to t_max and all that rounds to it: a region, but no shape. The ray must outlive it.
+template <Dim N, class T>
+struct RayUntil {
+  const Ray<N, T>& ray;
+  T t_max;
+};
+
+template <Dim N, class T>
+struct ShapeTraits<RayUntil<N, T>> : Space<N, T> {};
+
+/// Rounded outward.
+template <Dim N, class T>
+Aabb<N, T> bounds(const RayUntil<N, T>& way) {
+  const Aabb<N, T> whole = bounds(way.ray);
+  Aabb<N, T> box{way.ray.origin, way.ray.origin};
+  for (Dim i = 0; i < N; ++i) {
+    const double step = std::fabs(static_cast<double>(way.ray.direction[i]));
+    if (step == 0) continue;
+    const double way_along = next_up(step * detail::latest_t(way.t_max));
+    const auto start = static_cast<double>(way.ray.origin[i]);
+    if (whole.max[i] > box.max[i]) box.max[i] = round_up<T>(next_up(start + way_along));
+    if (whole.min[i] < box.min[i]) box.min[i] = round_down<T>(next_down(start - way_along));
+  }
+  return box;
+}
+
+}  // namespace graze
 
 namespace graze::detail {
 
@@ -23,6 +58,11 @@ class PathFilter {
   explicit PathFilter(const Ray<N, T>& ray)
       : origin_(wide<N, T>(ray.origin)),
         direction_(wide<N, T>(ray.direction) / static_cast<double>(max_abs(ray.direction))) {}  // valid: not zero
+
+  template <class T>
+  explicit PathFilter(const RayUntil<N, T>& way) : PathFilter(way.ray) {
+    t_max_ = latest_t(way.t_max) * static_cast<double>(max_abs(way.ray.direction));
+  }
 
   template <class T>
   explicit PathFilter(const Segment<N, T>& segment)

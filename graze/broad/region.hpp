@@ -116,6 +116,12 @@ struct RegionFilter<Ray<N, T>> : PathFilter<N> {
 };
 
 template <Dim N, class T>
+struct RegionFilter<RayUntil<N, T>> : PathFilter<N> {
+  static constexpr bool exists = true;
+  using PathFilter<N>::PathFilter;
+};
+
+template <Dim N, class T>
 struct RegionFilter<Segment<N, T>> : PathFilter<N> {
   static constexpr bool exists = true;
   using PathFilter<N>::PathFilter;

@@ -14,6 +14,7 @@
 #include <graze/query/gjk.hpp>
 #include <graze/query/proximity.hpp>
 #include <graze/query/ray_sight.hpp>
+#include <graze/query/ray_sight_flat.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/query/simplex.hpp>
 #include <graze/query/status.hpp>
@@ -96,7 +97,7 @@ class Advance {
     touch_.point = point_;
     touch_.error = error;
     touch_.status = status;
-    return {Sight::hits, touch_};
+    return {Sight::hits, touch_, true, false};
   }
 
  private:
@@ -148,6 +149,32 @@ class CornersInSight {
     return true;
   }
 
+  /// Whether a ray goes through the hull of as many as there are dimensions by far more than rounding, which is
+  /// relative to `largest`.
+  bool are_passed(const Vec<N, double>& origin, const Vec<N, double>& direction, double largest) const {
+    if (corners_.size != static_cast<std::size_t>(N)) return false;
+    const double far = 4 * largest;
+    const Vec<N, double> first = corners_.points[0] - origin;
+    const Vec<N, double> second = corners_.points[1] - origin;
+    const auto is_ahead = [&](const Vec<N, double>& normal) {
+      const double height = dot(normal, first);
+      const bool comes_nearer = (height > 0) == (dot(normal, direction) > 0);
+      return comes_nearer && std::fabs(height) > tolerance::ray_side * far * sum_abs(normal);
+    };
+    if constexpr (N == 2) {
+      const double band = tolerance::ray_side * far * sum_abs(direction);
+      const double left = cross_2d(direction, first);
+      const double right = cross_2d(direction, second);
+      const bool is_between = std::min(left, right) < -band && std::max(left, right) > band;
+      return is_between && is_ahead(perpendicular(second - first));
+    } else {
+      const Vec<3, double> third = corners_.points[2] - origin;
+      const TriangleBesidePath beside({first, second, third}, {Vec<3, double>(0.0), direction, 0, far});
+      const bool is_between = beside.least > beside.band || beside.most < -beside.band;
+      return is_between && is_ahead(cross(second - first, third - first));
+    }
+  }
+
   /// The vector from the nearest point of their hull. Those that have no part in it are forgotten.
   Vec<N, double> nearest_to(const Vec<N, double>& point) {
     Simplex<N> seen;
@@ -180,7 +207,12 @@ std::optional<Sighting<dimension_of<S>>> advance_at_once(const S& shape, const P
   for (int step = 0; step < ray_step_limit; ++step) {
     const double distance = std::sqrt(dot(nearest, nearest));
     const double resolution = support_error<S> * largest + tolerance::rounding * radius;
-    if (distance <= radius + resolution) return advance.arrived(std::max(0.0, distance - radius) + resolution);
+    if (distance <= radius + resolution) {
+      Sighting<N> result = advance.arrived(std::max(0.0, distance - radius) + resolution);
+      const bool is_exact = support_error<S> <= tolerance::convex;
+      result.is_certain = is_exact && corners.are_passed(path.origin, path.direction, largest);
+      return result;
+    }
     const Vec<N, double> corner = wide_support(inner, nearest);
     largest = std::max({largest, max_abs(corner), max_abs(advance.point())});
     const Vec<N, double> normal = nearest / distance;  // over radius + resolution
@@ -197,11 +229,14 @@ std::optional<Sighting<dimension_of<S>>> advance_at_once(const S& shape, const P
   return std::nullopt;
 }
 
-/// Where a path first touches any convex shape. One that is known to touch ends where it is nearest.
+/// Where a path first touches any convex shape. One that is known to touch ends where it is nearest. Beside a shape
+/// that is nearer than rounding, a step to a plane along the path may lead past it: a miss found so is left open.
 template <Convex S>
 Sighting<dimension_of<S>> advance_to(const S& shape, const Path<dimension_of<S>>& path) {
   if (const auto result = advance_at_once(shape, path)) return *result;
-  return advance_by_distance(shape, path);
+  Sighting<dimension_of<S>> result = advance_by_distance(shape, path);
+  if (result.sight == Sight::misses) result.sight = Sight::unclear;
+  return result;
 }
 
 // ---- Where it is known to touch

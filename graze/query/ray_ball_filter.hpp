@@ -48,8 +48,11 @@ class RayBallFilter {
     half_ = std::sqrt(std::fabs(depth) * per_whole);
     t_ = middle - half_;
     const double rest = static_cast<double>(t_max) - t_;
+    const double late = t_ - latest_t(t_max);
     const double least = tolerance::ray_end * tolerance::ray_end * squares;
-    if ((depth > band) & (rest * rest * whole > least)) sight_ = rest > 0 ? Sight::hits : Sight::misses;
+    if (!(depth > band)) return;
+    if ((rest > 0) & (rest * rest * whole > least)) sight_ = Sight::hits;
+    if ((late > 0) & (late * late * whole > least)) sight_ = Sight::misses;
   }
 
   [[gnu::always_inline]] Sight sight() const { return sight_; }

@@ -32,7 +32,7 @@ class RayCapsuleFilter {
         a_(Paired<N>(capsule.a) - origin_),
         edge_(Paired<N>(capsule.b) - origin_ - a_),
         radius_(static_cast<double>(capsule.radius)),
-        t_max_(static_cast<double>(t_max)),
+        t_max_(latest_t(t_max)),
         dd_(dot(direction_, direction_)),
         ee_(dot(edge_, edge_)),
         de_(dot(direction_, edge_)),
@@ -55,11 +55,11 @@ class RayCapsuleFilter {
     const double t = held((de_ * share + da) * per_dd_, t_max_);
     const Paired<N> between = direction_ * t - (edge_ * share + a_);
     const double squared_radius = radius_ * radius_;
-    squares_ = t * t * dd_ + ee_ + aa + squared_radius;
     const double outside = dot(between, between) - squared_radius;
-    band_ = tolerance::ray_capsule * squares_;
+    band_ = band_of(aa);
     if (outside > band_) sight_ = Sight::misses;
     if (outside < -band_) enter();
+    if (!(t_ <= static_cast<double>(t_max)) && sight_ == Sight::hits) sight_ = Sight::unclear;  // T may round it
   }
 
   [[gnu::always_inline]] Sight sight() const { return sight_; }
@@ -73,12 +73,16 @@ class RayCapsuleFilter {
   }
 
  private:
-  /// The whole line misses the tube, however long that is, or all is behind the ray: told without a division. The
-  /// nearest point of the ray is no farther from its origin than the capsule, so that three times its squares are
-  /// at least all.
+  /// The nearest point of the ray is no farther from its origin than the capsule, so that three times its squares are
+  /// at least all, wherever the ray ends.
+  [[gnu::always_inline]] double band_of(double aa) const {
+    return 3 * tolerance::ray_capsule * (aa + ee_ + radius_ * radius_);
+  }
+
+  /// The whole line misses the tube, however long that is, or all is behind the ray: told without a division.
   [[gnu::always_inline]] bool passes_by(double da, double aa) const {
     const double squared_radius = radius_ * radius_;
-    const double band = 3 * tolerance::ray_capsule * (aa + ee_ + squared_radius);
+    const double band = band_of(aa);
     // The line's nearest points to the axis are at (b - sqrt(b^2 - det c)) / det and with the plus sign.
     const double b = ee_ * da - ea_ * de_;
     const double c = ee_ * (aa - squared_radius) - ea_ * ea_;
@@ -134,7 +138,6 @@ class RayCapsuleFilter {
   double det_;
   double per_dd_ = 0;
   double per_ee_ = 0;
-  double squares_ = 0;
   double band_ = 0;
   // Where the ray hits, if it does.
   double t_ = 0;

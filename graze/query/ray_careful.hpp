@@ -57,31 +57,15 @@ struct AskAboutSegment {
   const Segment<N, T>& segment;
 };
 
-/// A ray up to t_max: all of it if it ends behind the shape or is apart from it, or else a segment, from its own origin
-/// where the shape can be seen from there.
+/// All of a ray.
 template <Dim N, class T>
 struct AskAboutRay {
   template <class S>
   Relation operator()(const S& shape) const {
-    const Vec<N, double> end = path.direction * path.t_max;
-    if (!is_finite(end)) return decide(shape, ray);
-    if constexpr (Convex<S>) {
-      const Vec<N, double> reach = reach_to(ray, shape);
-      if (dot(end, path.direction) > dot(reach, path.direction)) return decide(shape, ray);
-    }
-    // The rounding of an end far away must not reach to where the ray itself never comes.
-    if (decide(shape, ray) == Relation::apart) return Relation::apart;
-    if constexpr (HasRaySight<S>) {
-      return decide(seen_from(path.origin, shape), Segment<N, double>{Vec<N, double>(0.0), end});
-    } else if constexpr (HasLevelSight<S>) {
-      return closed_form(shape, Segment<N, double>{path.origin, path.origin + end});
-    } else {
-      return relation_of_convex(Segment<N, double>{path.origin, path.origin + end}, shape);
-    }
+    return decide(shape, ray);
   }
 
   const Ray<N, T>& ray;
-  const Path<N>& path;
 };
 
 // ---- One simple shape
@@ -130,11 +114,18 @@ Sighting<dimension_of<S>> settled(const S& shape, const Path<dimension_of<S>>& p
   return result;
 }
 
+/// A hit, if `relation` confirms it where it has to.
+template <class S, class Ask>
+Sighting<dimension_of<S>> confirmed(const S& shape, const Ask& ask, const Sighting<dimension_of<S>>& hit) {
+  return hit.is_certain || ask(shape) != Relation::apart ? hit : missed<dimension_of<S>>();
+}
+
 /// A touch, or that the path misses.
 template <class S, class Ask>
 Sighting<dimension_of<S>> entry(const S& shape, const Path<dimension_of<S>>& path, const Ask& ask) {
   const Sighting<dimension_of<S>> result = sight(shape, path);
-  return result.sight == Sight::unclear ? settled(shape, path, ask, result) : result;
+  if (result.sight == Sight::unclear) return settled(shape, path, ask, result);
+  return result.sight == Sight::hits ? confirmed(shape, ask, result) : result;
 }
 
 /// A power of two that t can not reach before the path has left the shape; exact, so that turning the path round is.
@@ -297,39 +288,46 @@ template <class S, class Ask>
   return side == RaySide::entry || is_in_time ? result : missed<dimension_of<S>>();
 }
 
-/// The hit in T, for a direction that is not zero; `to_t` makes T of the path's t. Most rays take the short way, on
-/// which nothing leaves the registers: copies of what was just written to memory would take longer than the closed
-/// forms.
-template <class S, class Ask, class ToT>
-[[gnu::always_inline]] inline auto cast_along(const S& shape, const Path<dimension_of<S>>& path, RaySide side,
-                                              const Ask& ask, const ToT& to_t) {
+/// The hit in T, for a direction that is not zero, of a path that goes on to `end`: where it misses the shape up to its
+/// t_max, by more than rounding, there is no look at the rest. Most rays take the short way, on which nothing leaves
+/// the registers: copies of what was just written to memory would take longer than the closed forms.
+template <class S, class Ask>
+[[gnu::always_inline]] inline auto cast_along(const S& shape, const Path<dimension_of<S>>& path, double end,
+                                              RaySide side, const Ask& ask) {
   constexpr Dim N = dimension_of<S>;
   using T = scalar_of<S>;
   using Hit = std::optional<RayHit<N, T>>;
-  if constexpr (HasRaySight<S> || HasLevelSight<S>) {
-    if (side == RaySide::entry) {
+  constexpr bool has_closed_form = HasRaySight<S> || HasLevelSight<S>;
+  if constexpr (!is_compound<S> && !is_any_shape<S>) {
+    if (side == RaySide::entry && (has_closed_form || path.t_max < end)) {
       if constexpr (HasQuickMiss<S>) {
         if (is_missed(seen_from(path.origin, shape), path)) return Hit();
       }
       Sighting<N> quick = sight(shape, path);
       if (quick.sight == Sight::misses) return Hit();
-      if (quick.sight == Sight::hits) {
+      // How well a capsule's closed form knows the distance depends on where the path ends.
+      const bool is_whole = !is_a<Capsule, S> || path.t_max == end;
+      if (quick.sight == Sight::hits && is_whole) {
+        if constexpr (!has_closed_form) quick = confirmed(shape, ask, quick);
+        if (quick.sight == Sight::misses) return Hit();
         if constexpr (is_a<Aabb, S>) put_on_surface(quick.touch, shape);
-        return Hit(rounded<N, T>(quick.touch, to_t(quick.touch.t), path.direction, side));
+        return Hit(rounded<N, T>(quick.touch, quick.touch.t, path.direction, side));
       }
     }
   }
-  const Sighting<N> found = find_carefully(shape, path, side, ask);
+  const Sighting<N> found = find_carefully(shape, Path<N>{path.origin, path.direction, end, path.far}, side, ask);
   if (found.sight == Sight::misses) return Hit();
-  return Hit(rounded<N, T>(found.touch, to_t(found.touch.t), path.direction, side));
+  return Hit(rounded<N, T>(found.touch, found.touch.t, path.direction, side));
 }
 
 /// The careful way of a ray. Not inlined, so that what is quick shares no memory with it.
 template <class S, Dim N, class T>
 [[gnu::noinline]] std::optional<RayHit<N, T>> cast_usable_ray(const S& shape, const Ray<N, T>& ray, double t_max,
                                                               RaySide side) {
-  const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(ray.direction), t_max};
-  return cast_along(shape, path, side, AskAboutRay<N, T>{ray, path}, [t_max](double t) { return std::min(t, t_max); });
+  constexpr double forever = std::numeric_limits<double>::infinity();
+  // A plane along a ray, up to rounding, is not met, though the ray may get to its other side in the end.
+  const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(ray.direction), HasLevelSight<S> ? forever : t_max};
+  return cast_along(shape, path, forever, side, AskAboutRay<N, T>{ray});
 }
 
 template <class S, Dim N, class T>
@@ -339,11 +337,14 @@ std::optional<RayHit<N, T>> cast_ray(const S& shape, const Ray<N, T>& ray, T t_m
     if (!is_usable(ray.direction)) {
       const Usable<N, T> usable(ray);
       auto hit = cast_usable_ray(shape, usable.ray, usable.to_usable(t_max), side);
-      if (hit) hit->t = std::min(usable.from_usable(hit->t), t_max);
+      if (hit) hit->t = usable.from_usable(hit->t);
+      if (is_after(hit, t_max)) hit.reset();
       return hit;
     }
   }
-  return cast_usable_ray(shape, ray, static_cast<double>(t_max), side);
+  auto hit = cast_usable_ray(shape, ray, latest_t(t_max), side);
+  if (is_after(hit, t_max)) hit.reset();
+  return hit;
 }
 
 }  // namespace graze::detail

@@ -18,8 +18,8 @@
 //
 // Whether there is a hit is what intersects(shape, ray) says, and for a segment intersects(shape, segment): all that
 // nearly touches is decided by them, and hit where the ray comes nearest. So a ray through the common edge or corner of
-// two triangles hits both. Only GJK may find a hit where they find none, nearer than its `error`. For a finite t_max it
-// is what they would say of the path up to there, in double, and of the whole ray: what that misses has no hit.
+// two triangles hits both. A finite t_max hides hits beyond it and changes nothing else: ray_cast(shape, ray, t_max) is
+// ray_cast(shape, ray), to the bit, if that has t <= t_max, and otherwise none.
 //
 // The normal points out of the shape, against the ray; on a set without thickness, to the side that the ray comes from.
 // A ray that starts in a shape hits it at t = 0, and a ray that runs along a set without thickness where that begins;
@@ -54,12 +54,30 @@ namespace detail {
 template <class S>
 concept HoldsAnyShape = std::is_same_v<S, AnyShape<dimension_of<S>, scalar_of<S>>>;
 
+/// Of what a filter is unclear about, perhaps only because the ray ends there: then the whole ray is not.
+template <class S, Dim N, class T>
+[[gnu::noinline]] std::optional<RayHit<N, T>> first_hit_of_unclear(const S& shape, const Ray<N, T>& ray, T t_max) {
+  if constexpr (HasQuickCast<S>) {
+    constexpr T forever = std::numeric_limits<T>::infinity();
+    if (t_max < forever) {
+      const auto whole = quick_cast(shape, ray, forever);
+      if (whole.sight() == Sight::hits) {
+        std::optional<RayHit<N, T>> hit = whole.hit();
+        if (is_after(hit, t_max)) hit.reset();
+        return hit;
+      }
+    }
+  }
+  return cast_ray(shape, ray, t_max, RaySide::entry);
+}
+
 template <class S, Dim N, class T>
 [[gnu::always_inline]] inline std::optional<RayHit<N, T>> first_hit(const S& shape, const Ray<N, T>& ray, T t_max) {
   if constexpr (HasQuickCast<S>) {
     const auto quick = quick_cast(shape, ray, t_max);
     if (quick.sight() == Sight::misses) return std::nullopt;
     if (quick.sight() == Sight::hits) return quick.hit();
+    return first_hit_of_unclear(shape, ray, t_max);
   }
   return cast_ray(shape, ray, t_max, RaySide::entry);
 }
@@ -77,7 +95,7 @@ std::optional<RayHit<N, T>> first_hit(const AnyShape<N, T>& shape, const Ray<N, 
 template <Dim N, class T>
 std::optional<RayHit<N, T>> first_hit(const Compound<N, T>& compound, const Ray<N, T>& ray, T t_max) {
   std::optional<RayHit<N, T>> best;
-  Path<N> rest{wide<N, T>(ray.origin), wide<N, T>(ray.direction), static_cast<double>(t_max)};
+  Path<N> rest{wide<N, T>(ray.origin), wide<N, T>(ray.direction), latest_t(t_max)};
   for (const Part<N, T>& part : compound.parts) {
     if (is_usable(rest.direction) && passes_by(touching_bounds(part.box), rest)) continue;
     const std::optional<RayHit<N, T>> found = first_hit(part.shape, ray, t_max);
@@ -129,8 +147,7 @@ std::optional<RayHitOn<S>> ray_cast(const S& shape, const SegmentIn<S>& segment,
     if (options.side == RaySide::exit || ask(shape) == Relation::apart) return std::nullopt;
     return detail::rounded<N, T>({0, start}, 0, edge, options.side);
   }
-  return detail::cast_along(shape, detail::Path<N>{start, edge, 1, sum_abs(edge)}, options.side, ask,
-                            [](double t) { return t; });
+  return detail::cast_along(shape, detail::Path<N>{start, edge, 1, sum_abs(edge)}, 1, options.side, ask);
 }
 
 }  // namespace graze

@@ -2,7 +2,7 @@
 // What ray_cast(shape, ray, t_max) answers, and what it can be asked.
 #pragma once
 
-#include <algorithm>
+#include <optional>
 
 #include <graze/math/vec.hpp>
 #include <graze/query/status.hpp>
@@ -42,6 +42,12 @@ struct Touch {
   double error = 0;
   Status status = Status::converged;
 };
+
+/// Whether there is a hit, but not until then.
+template <Dim N, class T>
+bool is_after(const std::optional<RayHit<N, T>>& hit, T t_max) {
+  return hit && !(hit->t <= t_max);
+}
 
 }  // namespace detail
 }  // namespace graze

@@ -44,9 +44,11 @@ class RayPlaneFilter {
     height_ = height_and_climb[0];
     approach_ = -height_and_climb[1] * std::copysign(1.0, height_);
     const bool is_settled = (clear == 3) & is_moderate & !(is_solid & (height_ < 0));
-    const double beyond = approach_ * static_cast<double>(std::max(T(0), t_max)) - std::fabs(height_);
+    const T end = std::max(T(0), t_max);
+    const double beyond = approach_ * static_cast<double>(end) - std::fabs(height_);
+    const double beyond_latest = approach_ * latest_t(end) - std::fabs(height_);
     is_hit_ = is_settled & (beyond > slack[0]);
-    is_missed_ = is_settled & (beyond < -slack[0]);
+    is_missed_ = is_settled & (beyond_latest < -slack[0]);
   }
 
   [[gnu::always_inline]] Sight sight() const {

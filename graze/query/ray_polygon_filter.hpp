@@ -31,7 +31,9 @@ template <class T>
 class RayEdgeFilter {
  public:
   [[gnu::always_inline]] RayEdgeFilter(const Ray<2, T>& ray, T t_max)
-      : origin_(wide<2, T>(ray.origin)), direction_(wide<2, T>(ray.direction)), t_max_(static_cast<double>(t_max)) {}
+      : origin_(wide<2, T>(ray.origin)),
+        direction_(wide<2, T>(ray.direction)),
+        t_max_(std::max(static_cast<double>(t_max), 0.0)) {}
 
   [[gnu::always_inline]] Vec<2, double> seen(const Vec<2, T>& corner) const { return wide<2, T>(corner) - origin_; }
 
@@ -46,19 +48,21 @@ class RayEdgeFilter {
   }
 
   /// Settles a ray whose line is known to cross an edge. With t = height / climb the edge's line is met at height zero.
-  /// What is clear of it at twice the t is at all later ones.
-  [[gnu::always_inline]] Sight cross(const Vec<2, double>& from, const Vec<2, double>& to, double size) {
+  /// What is clear of it at twice the t is at all later ones. `far` is what the rounding of `relation` is relative to,
+  /// beside the size.
+  [[gnu::always_inline]] Sight cross(const Vec<2, double>& from, const Vec<2, double>& to, double size, double far) {
     edge_ = to - from;
     climb_ = cross_2d(direction_, edge_);
     height_ = cross_2d(from, edge_);
-    const double slack = 4 * tolerance::ray_side * size * (std::fabs(edge_.x) + std::fabs(edge_.y));
+    const double slack = 4 * tolerance::ray_side * (size + far) * (std::fabs(edge_.x) + std::fabs(edge_.y));
     const double height = std::fabs(height_);
     const double approach = (height_ < 0) == (climb_ < 0) ? std::fabs(climb_) : -std::fabs(climb_);
-    const double beyond = approach * std::max(t_max_, 0.0) - height;
+    const double beyond = approach * t_max_ - height;
+    const double beyond_latest = approach * latest_t(static_cast<T>(t_max_)) - height;
     is_behind_ = approach < 0;
     size_ = size;
     if ((height > slack) & (beyond > slack)) return Sight::hits;
-    if ((height > slack) & (beyond < -slack)) return Sight::misses;
+    if ((height > slack) & (beyond_latest < -slack)) return Sight::misses;
     return Sight::unclear;
   }
 
@@ -98,7 +102,7 @@ class RaySegmentFilter {
     const double band = edge_.band(size);
     const double least = std::min(std::fabs(first), std::fabs(second));
     if (!(least > band)) return;
-    sight_ = (first > 0) == (second > 0) ? Sight::misses : edge_.cross(start, end, size);
+    sight_ = (first > 0) == (second > 0) ? Sight::misses : edge_.cross(start, end, size, 0);
   }
 
   [[gnu::always_inline]] Sight sight() const { return sight_; }
@@ -136,7 +140,8 @@ class RayPolygonFilter {
   static constexpr std::size_t most_corners = 64;  ///< Of which sides have a bit each.
 
   /// In counter-clockwise order.
-  [[gnu::always_inline]] RayPolygonFilter(const Vec<2, T>* corners, std::size_t count, const Ray<2, T>& ray, T t_max)
+  [[gnu::always_inline]] RayPolygonFilter(const Vec<2, T>* corners, std::size_t count, const Ray<2, T>& ray, T t_max,
+                                          double far)
       : edge_(ray, t_max) {
     if (count < 3 || count > most_corners) return;
     const LanePair origin_x = LanePair{} + static_cast<double>(ray.origin.x);
@@ -158,8 +163,8 @@ class RayPolygonFilter {
       left |= std::uint64_t{sign_bits(side)} << i;
     }
     const double size = std::max(sizes[0], sizes[1]);
-    if (!(std::min(least[0], least[1]) > edge_.band(size))) return;
-    settle(corners, count, size, ~left & (~std::uint64_t{0} >> (most_corners - count)));
+    if (!(std::min(least[0], least[1]) > edge_.band(size + far))) return;
+    settle(corners, count, size, far, ~left & (~std::uint64_t{0} >> (most_corners - count)));
   }
 
   [[gnu::always_inline]] Sight sight() const { return sight_; }
@@ -167,11 +172,12 @@ class RayPolygonFilter {
 
  private:
   /// Bit i of `left` says that corner i is on the left of the ray's line; all are clear of it.
-  [[gnu::always_inline]] void settle(const Vec<2, T>* corners, std::size_t count, double size, std::uint64_t left) {
+  [[gnu::always_inline]] void settle(const Vec<2, T>* corners, std::size_t count, double size, double far,
+                                     std::uint64_t left) {
     const std::uint64_t next = left >> 1U | left << (count - 1);
-    const auto cross = [&](std::uint64_t edges) {
+    const auto cross = [&](std::uint64_t edges) __attribute__((always_inline)) {
       const auto i = static_cast<std::size_t>(std::countr_zero(edges));
-      return edge_.cross(edge_.seen(corners[i]), edge_.seen(corners[i + 1 == count ? 0 : i + 1]), size);
+      return edge_.cross(edge_.seen(corners[i]), edge_.seen(corners[i + 1 == count ? 0 : i + 1]), size, far);
     };
     const std::uint64_t all = ~std::uint64_t{0} >> (most_corners - count);
     const std::uint64_t entering = left & ~next & all;
@@ -195,7 +201,7 @@ template <class T>
 [[gnu::always_inline]] inline RayPolygonFilter<T> quick_cast(const Polytope<2, T>& polygon, const Ray<2, T>& ray,
                                                              T t_max) {
   const auto corners = polygon.vertices();
-  return {corners.data(), corners.size(), ray, t_max};
+  return {corners.data(), corners.size(), ray, t_max, sum_abs(wide<2, T>(ray.origin))};
 }
 
 /// In counter-clockwise order by their area; of one without, either order is as good.
@@ -206,7 +212,7 @@ template <class T>
   const bool is_clockwise = cross_2d(wide<2, T>(triangle.b) - a, wide<2, T>(triangle.c) - a) < 0;
   const Vec<2, T> corners[] = {triangle.a, is_clockwise ? triangle.c : triangle.b,
                                is_clockwise ? triangle.b : triangle.c};
-  return {corners, 3, ray, t_max};
+  return {corners, 3, ray, t_max, 0};
 }
 
 }  // namespace graze::detail

@@ -24,7 +24,7 @@ namespace graze::detail {
 /// tolerance::ray_side of their size.
 class RayTwoSlabs {
  public:
-  [[gnu::always_inline]] void cross(LanePair low, LanePair high, LanePair slope, double t_max) {
+  [[gnu::always_inline]] void cross(LanePair low, LanePair high, LanePair slope, double t_max, double latest) {
     const LanePair inverse = 1.0 / slope;
     const LanePair sizes = magnitude(low) + magnitude(high);
     size_ = sizes[0] + sizes[1];
@@ -38,7 +38,7 @@ class RayTwoSlabs {
     const LanePair late = smaller(to_low_inside, to_high_inside);
     const LanePair early = larger(to_low_inside, to_high_inside);
     const double enter = std::max(entered[0], entered[1]);
-    const double leave = std::min(std::min(left[0], left[1]), t_max);
+    const double leave = std::min(std::min(left[0], left[1]), latest);
     const bool is_moderate = (size_ > 0x1p-400) & (size_ < 0x1p400);
     is_missed_ = is_moderate & (std::max(enter, 0.0) > leave) & (leave < 0x1p500);
     is_x_ = entered[0] > late[1];
@@ -71,7 +71,7 @@ class RayRectangleFilter {
  public:
   [[gnu::always_inline]] RayRectangleFilter(const Aabb<2, T>& box, const Ray<2, T>& ray, T t_max)
       : min_(box.min), max_(box.max), origin_(ray.origin), direction_(ray.direction) {
-    slabs_.cross((min_ - origin_).xy, (max_ - origin_).xy, direction_.xy, static_cast<double>(t_max));
+    slabs_.cross((min_ - origin_).xy, (max_ - origin_).xy, direction_.xy, static_cast<double>(t_max), latest_t(t_max));
   }
 
   [[gnu::always_inline]] Sight sight() const { return slabs_.sight(); }
@@ -125,7 +125,7 @@ class RayOrientedRectangleFilter {
     slope_ = rows_x * direction_.xy[0] + rows_y * direction_.xy[1];
     rows_x_ = rows_x;
     rows_y_ = rows_y;
-    slabs_.cross(low_, high_, slope_, static_cast<double>(t_max));
+    slabs_.cross(low_, high_, slope_, static_cast<double>(t_max), latest_t(t_max));
   }
 
   [[gnu::always_inline]] Sight sight() const { return slabs_.sight(); }

@@ -24,7 +24,7 @@ namespace graze::detail {
 
 /// All points origin + t * direction with 0 <= t <= t_max. No coordinate of the direction leaves the range in which its
 /// square is a number, and t_max may be infinite. `far` is how long the path is for `relation`, whose rounding grows
-/// with it: zero for rays, which it cuts off behind the shape.
+/// with it: zero for rays, whose end `relation` is not asked about.
 template <Dim N>
 struct Path {
   Vec<N, double> origin;
@@ -32,6 +32,16 @@ struct Path {
   double t_max;
   double far = 0;
 };
+
+/// No t after this, rounded to T, is t_max or before it; t_max itself, or little more. Not for a negative t_max.
+template <class T>
+double latest_t(T t_max) {
+  if constexpr (std::is_same_v<T, double>) {
+    return t_max;
+  } else {
+    return static_cast<double>(t_max) * (1 + 0x1p-23) + 0x1p-149;  // half the way to the next float, or more
+  }
+}
 
 /// Whether a direction can be squared. In float any can.
 template <Dim N>
@@ -76,6 +86,7 @@ struct Sighting {
   Sight sight = Sight::misses;
   Touch<N> touch{};            ///< If the path hits, or if it is unclear but touches after all.
   bool is_touch_known = true;  ///< False where the closed form does not know where the path would touch.
+  bool is_certain = true;      ///< False of a hit by GJK, which `relation` has to confirm.
 };
 
 template <Dim N>

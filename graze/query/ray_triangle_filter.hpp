@@ -95,9 +95,10 @@ class RayTriangleFilter {
     const auto largest = static_cast<double>(max_abs(ray_.direction));
     const double to_start = t_ * largest;
     const double to_end = (static_cast<double>(t_max) - t_) * largest;
+    const double to_latest = (latest_t(t_max) - t_) * largest;
     const double slack = 0x1p12 * tolerance::ray_side * static_cast<double>(size);
     if (to_start > slack && to_end > slack) sight_ = Sight::hits;
-    if (to_start < -slack || to_end < -slack) sight_ = Sight::misses;
+    if (to_start < -slack || to_latest < -slack) sight_ = Sight::misses;
   }
 
   /// Four of the nine floats that a triangle is.

@@ -18,10 +18,10 @@
 //   polytope                                                                     G        P       G
 //   compound                                                                              P       P
 //
-// A point is what ray_cast.hpp says of the ray from it along `motion`, with t_max = 1. Any two shapes are a ray from
-// zero and the set of differences b - a: a sphere and a capsule make a capsule, two boxes along the axes a box, any two
-// of segments and boxes a zonotope (see zonotope_cast.hpp), with round edges if one of them is the core of a capsule or
-// a sphere, and of any two convex shapes the set has support points.
+// A point is what ray_cast.hpp says of the ray from it along `motion`, with t_max = 1, and of what it nearly touches
+// there. Any two shapes are a ray from zero and the set of differences b - a: a sphere and a capsule make a capsule,
+// two boxes along the axes a box, any two of segments and boxes a zonotope (see zonotope_cast.hpp), with round edges if
+// one of them is the core of a capsule or a sphere, and of any two convex shapes the set has support points.
 //
 // Shapes that meet at the start, as relation(a, b) says, have their contact(a, b) as the impact, at t = 0. Later the
 // normal is that of a plane that has a on one side at t, and b on the other, and a has moved towards it. Shapes that

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <graze/math/rounding.hpp>
+#include <graze/broad/path_filter.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/ray_cast.hpp>
 #include <graze/scene/scene_view.hpp>
@@ -31,12 +31,9 @@ bool comes_first(const ObjectHit<N, T>& a, const ObjectHit<N, T>& b) {
 
 }  // namespace
 
-/// A segment is asked, or all of the ray where its end is beyond all numbers.
 template <Dim N, class T>
 std::vector<ObjectId> SceneView<N, T>::near_way(const Ray<N, T>& ray, T t_max, LayerMask layers) const {
-  const Vec<N, double> end = wide<N, T>(ray.origin) + wide<N, T>(ray.direction) * static_cast<double>(next_up(t_max));
-  const Segment<N, T> segment{ray.origin, Vec<N, T>(end)};
-  return is_valid(segment) ? near(segment, layers) : near(ray, layers);
+  return t_max < std::numeric_limits<T>::infinity() ? near(RayUntil<N, T>{ray, t_max}, layers) : near(ray, layers);
 }
 
 template <Dim N, class T>

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include <graze/broad/pairs.hpp>
+#include <graze/broad/path_filter.hpp>
 #include <graze/broad/region.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/query/bounds.hpp>
@@ -182,7 +183,7 @@ std::vector<NearObject<T>> SceneView<N, T>::nearest(const Vec<N, T>& point, std:
 #define GRAZE_INSTANTIATE(N, T)                                                                 \
   template class SceneView<N, T>;                                                               \
   template std::vector<ObjectId> SceneView<N, T>::near(const AnyShape<N, T>&, LayerMask) const; \
-  template std::vector<ObjectId> SceneView<N, T>::near(const Segment<N, T>&, LayerMask) const;  \
+  template std::vector<ObjectId> SceneView<N, T>::near(const RayUntil<N, T>&, LayerMask) const; \
   template std::vector<ObjectId> SceneView<N, T>::near(const Ray<N, T>&, LayerMask) const;
 GRAZE_INSTANTIATE(2, float)
 GRAZE_INSTANTIATE(3, float)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the filter of rays and segments says misses a box, does; and it says so of nearly all that do.
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -81,6 +82,30 @@ TYPED_TEST(PathFilterOf, KnowsDirectionsOfAnySizeAndSegmentsOfNone) {
   EXPECT_TRUE((PathFilter<N>(Segment<N, T>{along * T(2), along * T(2)}).part(box, 0)));
   EXPECT_FALSE((PathFilter<N>(Segment<N, T>{along * T(2), along * T(2)}).part(box, 1.001)));
   EXPECT_FALSE((PathFilter<N>(Segment<N, T>{along * T(2), along * T(3)}).share_point(box, 0)));
+}
+
+/// The box around the end is met, and one a little beyond it is not; the bounds hold both ends.
+TYPED_TEST(PathFilterOf, KnowsWhereTheBeginningOfARayEnds) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  for (int i = 0; i < 2000; ++i) {
+    const Ray<N, T> ray{this->vector(i % 3 == 0 ? 1000 : 1), this->vector(2)};
+    if (max_abs(ray.direction) < T(0.1)) continue;
+    const T t_max = std::fabs(this->number(4)) + T(0.5);
+    const RayUntil<N, T> way{ray, t_max};
+    const auto place = [&](double t) { return wide<N, T>(ray.origin) + wide<N, T>(ray.direction) * t; };
+    const Aabb<N, T> box = bounds(way);
+    for (Dim k = 0; k < N; ++k) {
+      const double end = place(static_cast<double>(t_max))[k];
+      EXPECT_LE(static_cast<double>(box.min[k]), std::min(end, static_cast<double>(ray.origin[k])));
+      EXPECT_GE(static_cast<double>(box.max[k]), std::max(end, static_cast<double>(ray.origin[k])));
+    }
+    const auto around = [](const Vec<N, double>& center) {
+      return Aabb<N, T>{Vec<N, T>(center - 0.01), Vec<N, T>(center + 0.01)};
+    };
+    EXPECT_FALSE(PathFilter<N>(way).part(around(place(static_cast<double>(t_max))), 0));
+    EXPECT_TRUE(PathFilter<N>(way).part(around(place(static_cast<double>(t_max) + 1)), 0));
+  }
 }
 
 TYPED_TEST(PathFilterOf, SaysNothingOfInfiniteBoxes) {

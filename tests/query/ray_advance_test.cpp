@@ -32,6 +32,15 @@ TEST(RayAdvance, StopsAtTheFaceAndKnowsItsNormal) {
   }
 }
 
+/// What goes through the middle of a face needs no confirmation; what meets an edge or a corner, or begins inside,
+/// does.
+TEST(RayAdvance, IsCertainOnlyWhereTheRayGoesThroughAFace) {
+  EXPECT_TRUE(advance_to(pyramid(), Path<3>{{0, 0.25, 0}, {2, 0, 0}, infinity}).is_certain);
+  EXPECT_FALSE(advance_to(pyramid(), Path<3>{{0, 0, 0}, {2, 0, 0}, infinity}).is_certain);
+  EXPECT_FALSE(advance_to(pyramid(), Path<3>{{0, 0.25, 0.25}, {2, 0, 0}, infinity}).is_certain);
+  EXPECT_FALSE(advance_to(pyramid(), Path<3>{{3.5, 0, 0}, {0, 1, 0}, infinity}).is_certain);
+}
+
 TEST(RayAdvance, MissesByAPlaneOrLeavesItOpen) {
   EXPECT_EQ(advance_to(pyramid(), {{0, 1.001, 0}, {1, 0, 0}, infinity}).sight, Sight::misses);
   EXPECT_EQ(advance_to(pyramid(), {{0, 0, 0}, {-1, 0, 0}, infinity}).sight, Sight::misses);

@@ -63,28 +63,6 @@ class RayCastLaw : public ::testing::Test {
     return hit_of<dimension, Number>(drawn.shape, drawn.ray, drawn.t_max, options);
   }
 
-  static bool needs_gjk(const Any& shape) {
-    if (const auto* compound = std::get_if<Compound<dimension, Number>>(&shape)) {
-      return std::any_of(compound->parts.begin(), compound->parts.end(),
-                         [](const Part<dimension, Number>& part) { return needs_gjk(part.shape); });
-    }
-    return dimension == 3 && std::holds_alternative<Polytope<dimension, Number>>(shape);
-  }
-
-  /// Hits and misses are those of `relation`. Where it asks GJK, the cast may be closer to the truth: what it misses is
-  /// apart, and what it hits is nearer than its error.
-  static void expect_same(const Hit& hit, const Any& shape, const Any& path, Relation relation) {
-    const bool is_same = hit.has_value() == (relation != Relation::apart);
-    if (is_same || !needs_gjk(shape)) {
-      RC_ASSERT(is_same);
-    } else {
-      const auto truth = true_verdict<dimension, Number>(shape, path, Relation::apart);
-      RC_LOG() << "the true gap is " << truth.gap << "\n";
-      const bool is_true = hit ? truth.gap <= hit->error : truth.relation == Relation::apart;
-      RC_ASSERT(is_true);
-    }
-  }
-
   static Vec<dimension, double> point_at(const Case& drawn, double t) {
     return wide<dimension, Number>(drawn.ray.origin) + wide<dimension, Number>(drawn.ray.direction) * t;
   }
@@ -104,7 +82,7 @@ TYPED_TEST(RayCastLaw, ARayHitsWhatItIntersects) {
     auto drawn = TestFixture::draw_case();
     drawn.t_max = TestFixture::infinity;
     const Relation relation = relation_of<TypeParam::dimension, typename TypeParam::scalar>(drawn.shape, drawn.ray);
-    TestFixture::expect_same(TestFixture::cast(drawn), drawn.shape, drawn.ray, relation);
+    RC_ASSERT(TestFixture::cast(drawn).has_value() == (relation != Relation::apart));
   });
 }
 
@@ -117,7 +95,7 @@ TYPED_TEST(RayCastLaw, ASegmentHitsWhatItIntersects) {
     const Segment<N, T> segment{drawn.ray.origin, drawn.ray.origin + drawn.ray.direction * length};
     RC_LOG() << to_source(segment) << "\n";
     const Relation relation = relation_of<N, T>(drawn.shape, segment);
-    TestFixture::expect_same(hit_of<N, T>(drawn.shape, segment), drawn.shape, segment, relation);
+    RC_ASSERT((hit_of<N, T>(drawn.shape, segment).has_value()) == (relation != Relation::apart));
   });
 }
 
@@ -175,7 +153,9 @@ TYPED_TEST(RayCastLaw, TheRayIsNowhereInsideBeforeTheEntryOrAfterTheExit) {
     }
     const auto exit = TestFixture::cast(drawn, at_exit);
     if (!exit || !std::isfinite(exit->t)) return;
-    RC_ASSERT(entry.has_value() || TestFixture::needs_gjk(drawn.shape));  // which may touch within its error alone
+    auto whole = drawn;
+    whole.t_max = TestFixture::infinity;
+    RC_ASSERT(TestFixture::cast(whole).has_value());  // by a rounding it may be after the exit
     const double past = TestFixture::slack_at(drawn, *exit);
     for (const double factor : {1.001, 1.5, 4.0}) {
       const double t = std::min(static_cast<double>(exit->t) * factor, static_cast<double>(drawn.t_max));
@@ -294,7 +274,8 @@ TYPED_TEST(RayCastLaw, RigidMotionsChangeNothingBeyondRounding) {
     moved_case.shape = transformed(drawn.shape, pose);
     moved_case.ray = transformed(drawn.ray, pose);
     // What is only just touched may be missed when it is turned by a rounding, and then another part is hit.
-    RC_PRE((!std::holds_alternative<Compound<N, T>>(drawn.shape) && !TestFixture::needs_gjk(drawn.shape)));
+    RC_PRE((!std::holds_alternative<Compound<N, T>>(drawn.shape)));
+    RC_PRE(N == 2 || (!std::holds_alternative<Polytope<N, T>>(drawn.shape)));
     RC_PRE((relation_of<N, T>(drawn.shape, drawn.ray) == Relation::overlapping));
     const auto hit = TestFixture::cast(drawn);
     const auto moved_hit = TestFixture::cast(moved_case);

@@ -327,7 +327,7 @@ TEST(RayCast, NanAndExtremesGetAnAnswer) {
       for (const double value : values) {
         x = value;
         for (const RaySide side : {RaySide::entry, RaySide::exit}) {
-          const auto found = detail::find_hit(shape, path, side, detail::AskAboutRay<3, double>{ray, path});
+          const auto found = detail::find_hit(shape, path, side, detail::AskAboutRay<3, double>{ray});
           const bool is_hit = found.sight == detail::Sight::hits;
           EXPECT_FALSE(is_hit && (std::isnan(value) || found.touch.t < 0))
               << shape_type_names[type] << " with " << value;

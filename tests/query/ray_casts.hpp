@@ -18,6 +18,10 @@ std::optional<RayHit<N, T>> hit_of(const AnyShape<N, T>& shape, const Ray<N, T>&
 template <Dim N, class T>
 std::optional<RayHit<N, T>> hit_of(const AnyShape<N, T>& shape, const Segment<N, T>& segment, RayOptions options = {});
 
+/// intersects(shape, ray) for the shape as its own type.
+template <Dim N, class T>
+bool meet_as_held(const AnyShape<N, T>& shape, const Ray<N, T>& ray);
+
 /// The signed distance of a point in double: of a compound the least of its parts', of sets without thickness positive.
 template <Dim N, class T>
 double height_of(const AnyShape<N, T>& shape, const Vec<N, double>& point);

@@ -7,6 +7,7 @@ template std::optional<RayHit<2, double>> hit_of<2, double>(const AnyShape<2, do
                                                             RayOptions);
 template std::optional<RayHit<2, double>> hit_of<2, double>(const AnyShape<2, double>&, const Segment<2, double>&,
                                                             RayOptions);
+template bool meet_as_held<2, double>(const AnyShape<2, double>&, const Ray<2, double>&);
 template double height_of<2, double>(const AnyShape<2, double>&, const Vec<2, double>&);
 
 }  // namespace graze::test

@@ -7,6 +7,9 @@
 #include <limits>
 #include <type_traits>
 
+#include <gtest/gtest.h>
+
+#include <graze/query/intersects.hpp>
 #include <graze/query/ray_cast.hpp>
 #include <graze/query/signed_distance.hpp>
 #include <graze/shape/visit.hpp>
@@ -23,6 +26,17 @@ std::optional<RayHit<N, T>> hit_of(const AnyShape<N, T>& shape, const Ray<N, T>&
 template <Dim N, class T>
 std::optional<RayHit<N, T>> hit_of(const AnyShape<N, T>& shape, const Segment<N, T>& segment, RayOptions options) {
   return ray_cast(shape, segment, options);
+}
+
+template <Dim N, class T>
+bool meet_as_held(const AnyShape<N, T>& shape, const Ray<N, T>& ray) {
+  return detail::visit(
+      [&ray](const auto& held) {
+        const bool is_met = intersects(held, ray);
+        EXPECT_EQ(intersects(ray, held), is_met);
+        return is_met;
+      },
+      shape);
 }
 
 template <Dim N, class T>

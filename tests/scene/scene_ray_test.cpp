@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Rays in a scene, against casting at every object.
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -86,6 +89,47 @@ void check_against_every_object() {
   RC_ASSERT(first.has_value() == !expected.empty());
   if (first) RC_ASSERT(first->id == expected.front().id && first->hit.t == expected.front().hit.t);
 }
+
+/// A row of boxes that a ray passes at a corner each, as nearly as T has it: whatever t_max is, the hits up to there
+/// are found, and no others.
+template <Dim N, class T>
+void check_that_t_max_hides_only_what_is_beyond() {
+  const auto seed = *rc::gen::arbitrary<std::uint32_t>();
+  std::mt19937 random(seed);
+  const auto number = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const auto vector = [&](double size) {
+    Vec<N, T> v;
+    for (Dim i = 0; i < N; ++i) v[i] = static_cast<T>(number(-size, size));
+    return v;
+  };
+  const Ray<N, T> ray{vector(seed % 2 == 0 ? 1 : 1000), vector(1)};
+  RC_PRE(max_abs(ray.direction) > T(0.01));
+  Scene<N, T> scene;
+  for (int i = 0; i < 40; ++i) {
+    const Vec<N, T> corner(wide<N, T>(ray.origin) + wide<N, T>(ray.direction) * number(0, 20));
+    const Vec<N, T> other = corner + vector(0.5);
+    scene.add(Aabb<N, T>{min(corner, other), max(corner, other)});
+  }
+  const std::vector<ObjectHit<N, T>> all = scene.ray_cast_all(ray);
+  for (const ObjectHit<N, T>& last : all) {
+    for (const T t_max : {std::nextafter(last.hit.t, T(0)), last.hit.t, last.hit.t * T(1.25)}) {
+      RC_LOG() << test::to_source(ray) << " up to " << t_max << "\n";
+      const auto is_hidden = [t_max](const ObjectHit<N, T>& hit) { return hit.hit.t > t_max; };
+      const std::vector<ObjectHit<N, T>> expected(all.begin(), std::find_if(all.begin(), all.end(), is_hidden));
+      RC_ASSERT(scene.ray_cast_all(ray, t_max) == expected);
+      const auto first = scene.ray_cast(ray, t_max);
+      RC_ASSERT(first.has_value() == !expected.empty());
+      if (first) RC_ASSERT(*first == all.front());
+    }
+  }
+}
+
+RC_GTEST_PROP(SceneRay, TMaxHidesOnlyWhatIsBeyond2f, ()) { check_that_t_max_hides_only_what_is_beyond<2, float>(); }
+RC_GTEST_PROP(SceneRay, TMaxHidesOnlyWhatIsBeyond3f, ()) { check_that_t_max_hides_only_what_is_beyond<3, float>(); }
+RC_GTEST_PROP(SceneRay, TMaxHidesOnlyWhatIsBeyond2d, ()) { check_that_t_max_hides_only_what_is_beyond<2, double>(); }
+RC_GTEST_PROP(SceneRay, TMaxHidesOnlyWhatIsBeyond3d, ()) { check_that_t_max_hides_only_what_is_beyond<3, double>(); }
 
 RC_GTEST_PROP(SceneRay, HitsWhatEveryObjectSays2f, ()) { check_against_every_object<2, float>(); }
 RC_GTEST_PROP(SceneRay, HitsWhatEveryObjectSays3f, ()) { check_against_every_object<3, float>(); }

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// Rays and segments that pass shapes of every type by a few ulp, near zero and far from it: all queries say the same of
+// whether they meet, and a finite t_max hides what lies beyond it and nothing else.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include <graze/shape/any_shape.hpp>
+#include <graze/shape/visit.hpp>
+
+#include "catalogue.hpp"
+#include "query/contacts.hpp"
+#include "query/manifolds.hpp"
+#include "query/pairs.hpp"
+#include "query/placement.hpp"
+#include "query/proximities.hpp"
+#include "query/ray_casts.hpp"
+#include "query/shape_casts.hpp"
+
+namespace graze::test::grazing_ray_test {
+namespace {
+
+constexpr RayOptions at_exit{RaySide::exit};
+
+template <Dim N>
+Vec<N, double> across(const Vec<N, double>& way, rc::Random& random) {
+  const Vec<N, double> other = any_way<N>(random);
+  return other - way * (dot(other, way) / dot(way, way));
+}
+
+/// A point of a shape, a direction in which little of the shape is near it, and a way past it.
+template <Dim N>
+struct Passage {
+  Vec<N, double> point;
+  Vec<N, double> outward;
+  Vec<N, double> way;
+};
+
+/// The farthest point along a direction, and a way at right angles to that; of what has none, and in one case of two,
+/// the way between two points, often of one edge.
+template <Dim N, class T>
+Passage<N> passage_at(const AnyShape<N, T>& shape, rc::Random& random) {
+  const Vec<N, double> outward = any_way<N>(random);
+  std::optional<Vec<N, double>> farthest;
+  if (whole(random, 0, 1) == 0) {
+    detail::visit(
+        [&](const auto& held) {
+          if constexpr (requires { support(held, outward); }) farthest = support(held, outward);
+        },
+        shape);
+  }
+  if (farthest) return {*farthest, outward, across<N>(outward, random)};
+  const Vec<N, double> point = point_of(shape, random);
+  const Vec<N, double> way = point_of(shape, random) - point;
+  if (!(max_abs(way) > 0)) return {point, outward, across<N>(outward, random)};
+  return {point, across<N>(way, random), way};
+}
+
+template <class SpaceType>
+class GrazingRay : public ::testing::Test {
+ public:
+  static constexpr Dim dimension = SpaceType::dimension;
+  using Number = typename SpaceType::scalar;
+  using Any = AnyShape<dimension, Number>;
+  using Way = Ray<dimension, Number>;
+  using Hit = std::optional<RayHit<dimension, Number>>;
+  static constexpr Number infinity = std::numeric_limits<Number>::infinity();
+
+  struct Case {
+    Any shape;
+    Way ray;
+  };
+
+  /// Calls check(shape, ray) for rays past one shape, by 0 to 64 ulp of T or of double.
+  template <class Check>
+  static void for_rays_past_a_shape(const Check& check) {
+    rc::Random random(*rc::gen::arbitrary<std::uint64_t>());
+    const Number far = std::array<Number, 5>{0, 0, 100, 65536, 1e6F}[static_cast<std::size_t>(whole(random, 0, 4))];
+    Vec<dimension, Number> offset;
+    for (Dim i = 0; i < dimension; ++i) offset[i] = far * static_cast<Number>(whole(random, -1, 1));
+    const Any drawn = *any_shape<dimension, Number>();
+    const Any shape = far == 0 ? drawn : moved<dimension, Number>(drawn, offset);
+    for (int i = 0; i < 8; ++i) {
+      const Passage<dimension> at = passage_at<dimension, Number>(shape, random);
+      const double ulp = max_abs(at.point) * std::ldexp(1.0, whole(random, 0, 1) == 0 ? -53 : -24);
+      const double size = std::sqrt(dot(at.outward, at.outward));
+      if (!(max_abs(at.way) > 0) || !(size > 0)) continue;
+      const Vec<dimension, double> beside = at.point + at.outward * (whole(random, 0, 64) * ulp / size);
+      const Vec<dimension, double> way = at.way * between(random, 0.1, 4);
+      const Way ray{Vec<dimension, Number>(beside - way * between(random, 0, 2)), Vec<dimension, Number>(way)};
+      if (!is_valid(ray) || !(max_abs(ray.direction) > Number(1e-6F))) continue;
+      check(shape, ray);
+    }
+  }
+
+  static void log(const Any& shape, const Any& path) {
+    RC_LOG() << to_source<dimension, Number>(shape) << ", " << to_source<dimension, Number>(path) << "\n";
+  }
+
+  /// All that can be asked of a shape and a ray or a segment.
+  static void expect_agreement(const Any& shape, const Any& path, bool is_met) {
+    RC_ASSERT((relation_of<dimension, Number>(path, shape) != Relation::apart) == is_met);
+    for (const bool turns : {false, true}) {
+      const Any& a = turns ? path : shape;
+      const Any& b = turns ? shape : path;
+      RC_ASSERT((distance_of<dimension, Number>(a, b) == Number(0)) == is_met);
+      RC_ASSERT((proximity_of<dimension, Number>(a, b).relation != Relation::apart) == is_met);
+      RC_ASSERT((contact_of<dimension, Number>(a, b).has_value()) == is_met);
+      RC_ASSERT((manifold_of<dimension, Number>(a, b).size > 0) == is_met);
+    }
+  }
+
+  static Hit cast(const Any& shape, const Way& ray, Number t_max, RayOptions options = {}) {
+    return hit_of<dimension, Number>(shape, ray, t_max, options);
+  }
+};
+
+TYPED_TEST_SUITE(GrazingRay, Spaces);
+
+TYPED_TEST(GrazingRay, AllQueriesSayTheSameOfARay) {
+  check_property([] {
+    constexpr Dim N = TypeParam::dimension;
+    using T = typename TypeParam::scalar;
+    TestFixture::for_rays_past_a_shape([](const auto& shape, const auto& ray) {
+      TestFixture::log(shape, ray);
+      const bool is_met = relation_of<N, T>(shape, ray) != Relation::apart;
+      TestFixture::expect_agreement(shape, ray, is_met);
+      RC_ASSERT((meet_as_held<N, T>(shape, ray)) == is_met);
+      RC_ASSERT((TestFixture::cast(shape, ray, TestFixture::infinity).has_value()) == is_met);
+      const Compound<N, T> alone = compound_of<N, T>({shape});
+      TestFixture::expect_agreement(alone, ray, is_met);
+      RC_ASSERT((TestFixture::cast(alone, ray, TestFixture::infinity).has_value()) == is_met);
+    });
+  });
+}
+
+TYPED_TEST(GrazingRay, AllQueriesSayTheSameOfASegment) {
+  check_property([] {
+    constexpr Dim N = TypeParam::dimension;
+    using T = typename TypeParam::scalar;
+    TestFixture::for_rays_past_a_shape([](const auto& shape, const auto& ray) {
+      const Segment<N, T> segment{ray.origin, ray.origin + ray.direction};
+      TestFixture::log(shape, segment);
+      const bool is_met = relation_of<N, T>(shape, segment) != Relation::apart;
+      TestFixture::expect_agreement(shape, segment, is_met);
+      RC_ASSERT((hit_of<N, T>(shape, segment).has_value()) == is_met);
+    });
+  });
+}
+
+TYPED_TEST(GrazingRay, AFiniteTMaxHidesOnlyWhatIsBeyondIt) {
+  check_property([] {
+    constexpr Dim N = TypeParam::dimension;
+    using T = typename TypeParam::scalar;
+    TestFixture::for_rays_past_a_shape([](const auto& shape, const auto& ray) {
+      TestFixture::log(shape, ray);
+      const Compound<N, T> twice = compound_of<N, T>({shape, shape});
+      for (const RayOptions options : {RayOptions{}, at_exit}) {
+        const auto hit = TestFixture::cast(shape, ray, TestFixture::infinity, options);
+        const T t = hit ? hit->t : T(1);
+        const T next = std::nextafter(t, TestFixture::infinity);
+        for (const T t_max : {T(0), t / 2, std::nextafter(t, T(0)), t, next, t * T(1.5), t * T(1000), t + T(1)}) {
+          const auto expected = hit && hit->t <= t_max ? hit : std::nullopt;
+          RC_LOG() << "up to " << t_max << "\n";
+          RC_ASSERT((TestFixture::cast(shape, ray, t_max, options)) == expected);
+          RC_ASSERT((TestFixture::cast(twice, ray, t_max, options)) == expected);
+        }
+      }
+    });
+  });
+}
+
+/// What a ray up to t = 1 hits, a point that moves by its direction hits there; and only what it touches at the start
+/// or the end may be more.
+TYPED_TEST(GrazingRay, AMovingPointHitsWhatTheRayDoes) {
+  check_property([] {
+    using T = typename TypeParam::scalar;
+    TestFixture::for_rays_past_a_shape([](const auto& shape, const auto& ray) {
+      TestFixture::log(shape, ray);
+      const auto hit = TestFixture::cast(shape, ray, T(1));
+      const auto impact = impact_of<TypeParam::dimension, T>(ray.origin, ray.direction, shape);
+      if (hit) RC_ASSERT(impact.has_value());
+      if (impact && impact->t > T(0) && impact->t < T(1)) RC_ASSERT(hit.has_value());
+    });
+  });
+}
+
+}  // namespace
+}  // namespace graze::test::grazing_ray_test
