@@ -70,18 +70,18 @@ class WitnessedDifference {
 template <class Differences>
 void go_on(Differences& differences, GjkResult<Differences::dimension>& result) {
   constexpr Dim N = Differences::dimension;
-  int stalls = 0;
+  GjkProgress<N> progress(result.separation);
   for (int step = 0; step < gjk_iteration_limit && result.simplex.size <= static_cast<std::size_t>(N); ++step) {
-    const Vec<N, double>& nearest = result.separation;
     if (!(result.upper > result.resolution)) return;
-    const Vec<N, double> next = differences.support(-nearest);
-    raise_lower(result, dot(nearest, next) / result.upper, nearest);  // upper > resolution >= 0
-    const double nearer_by = dot(nearest, nearest - next);
-    const double noise = tolerance::epsilon * dot(abs(nearest), abs(next));
+    const Vec<N, double>& toward = progress.toward;
+    const Vec<N, double> next = differences.support(-toward);
+    raise_lower(result, dot(toward, next) / result.upper, toward);  // upper > resolution >= 0
+    const double nearer_by = dot(toward, result.separation - next);
+    const double noise = tolerance::epsilon * dot(abs(toward), abs(next));
     if (!(nearer_by > noise) || is_corner_of(result.simplex, next)) return;
     Simplex<N> extended = result.simplex;
     extended.push(next);
-    const std::optional<NearestOnSimplex<N>> found = gjk_step(extended, result, stalls);
+    const std::optional<NearestOnSimplex<N>> found = gjk_step(extended, result, progress);
     if (!found) return;
     result.separation = found->point;
     result.simplex = found->face;

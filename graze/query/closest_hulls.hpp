@@ -18,8 +18,10 @@
 #include <graze/math/has_lanes.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/closest_convex.hpp>
 #include <graze/query/closest_unbounded.hpp>
 #include <graze/query/few_corners.hpp>
+#include <graze/query/fitting_face.hpp>
 #include <graze/query/hull_simplex.hpp>
 #include <graze/query/proximity.hpp>
 #include <graze/query/simplex_cache.hpp>
@@ -200,8 +202,17 @@ class HullWalk {
     Vec<3, double> on_a = Vec<3, double>(0.0);
     Vec<3, double> on_b = Vec<3, double>(0.0);
   };
-  Points points() const {
-    const std::array<double, 4> shares = shares_of(differences_, face_);
+  Points points() const { return points_of(shares_of(differences_, face_)); }
+
+  /// The same with care: of long thin faces the shares above are off by more than their nearest point.
+  Points careful_points() const {
+    Simplex<3> simplex;
+    for (std::size_t i = 0; i < face_.size; ++i) simplex.push(differences_[face_.places[i]]);
+    const std::array<double, 3> others = SharesInSimplex<3>(simplex).of(separation_);
+    return points_of({1 - others[0] - others[1] - others[2], others[0], others[1], others[2]});
+  }
+
+  Points points_of(const std::array<double, 4>& shares) const {
     Points points;
     for (std::size_t i = 0; i < face_.size; ++i) {
       const std::uint32_t place = face_.places[i];
@@ -215,6 +226,7 @@ class HullWalk {
   const Vec<3, double>& separation() const { return separation_; }
   double distance() const { return distance_; }
   double error() const { return std::max(0.0, distance_ - lower_) + resolution_; }
+  double resolution() const { return resolution_; }
 
  private:
   static constexpr int step_limit = 64;
@@ -229,6 +241,7 @@ class HullWalk {
     NearFace face;
     if (known.cache != nullptr) face = begin_at(known);
     if (face.size == 0) face = near_corner({0, put(0, support<lanes>(a_.middle() - b_.middle()))});
+    least_squared_ = face.squared;
     bool is_nearest = false;
     for (int step = 0; step < step_limit && !is_nearest && face.size < 4 && face.squared > 0; ++step) {
       is_nearest = !go_on<lanes>(face);
@@ -304,9 +317,45 @@ class HullWalk {
     const double noise = tolerance::epsilon * dot(abs(face.toward), abs(difference));
     if (!(face.height - height_ > noise) || has(face, next)) return false;
     const NearFace found = near_face(differences_, {place, difference}, face);
-    if (!(found.squared < face.squared)) return false;
+    if (!(found.squared < least_squared_)) return turn(face, place);
+    least_squared_ = found.squared;
     face = found;
     return true;
+  }
+
+  /// Where no nearer face can be told, but the plane across this one does not prove its distance: goes on to the one
+  /// that fits, of this face's corners and the newest. False if no such plane is needed, or none found, or the distance
+  /// is not clear at all.
+  [[gnu::noinline]] bool turn(NearFace& face, std::uint32_t newest) const {
+    const double distance = std::sqrt(least_squared_);
+    const bool is_proved = !(face.height - height_ > resolution_ / 2 * std::sqrt(dot(face.toward, face.toward)));
+    if (is_proved || !(distance > clearly * resolution_)) return false;
+    Simplex<3> extended;
+    for (std::size_t i = 0; i < face.size; ++i) extended.push(differences_[face.places[i]]);
+    extended.push(differences_[newest]);
+    const FittingFace<3> fitting = FittingFaceSearch<3>(extended).run();
+    const double found = std::sqrt(fitting.nearest.distance_squared);
+    if (!(fitting.misfit <= resolution_ && std::fabs(found - distance) <= resolution_)) return false;
+    face = placed(fitting, face, newest);
+    return true;
+  }
+
+  /// By the places of its corners.
+  NearFace placed(const FittingFace<3>& fitting, const NearFace& before, std::uint32_t newest) const {
+    const Simplex<3>& corners = fitting.nearest.face;
+    std::uint32_t places[4] = {newest, newest, newest, newest};
+    for (std::size_t i = 0; i < corners.size; ++i) {
+      for (std::size_t k = 0; k < before.size; ++k) {
+        if (differences_[before.places[k]] == corners.points[i]) places[i] = before.places[k];
+      }
+    }
+    NearFace face;
+    face.toward = fitting.toward;
+    face.height = dot(fitting.toward, corners.points[0]);
+    face.squared = fitting.nearest.distance_squared;
+    face.places = HullPlaces(places[0], places[1], places[2], places[3]);
+    face.size = static_cast<std::uint32_t>(corners.size);
+    return face;
   }
 
   A& a_;
@@ -315,14 +364,15 @@ class HullWalk {
   double height_ = 0;  ///< Of what is farthest against the way to the face, along that.
   Vec<3, double> separation_ = Vec<3, double>(0.0);
   double distance_ = 0;
-  double lower_ = 0;  ///< Proved by a plane across that way, when the walk has ended there.
+  double least_squared_ = 0;  ///< Of all faces so far.
+  double lower_ = 0;          ///< Proved by a plane across that way, when the walk has ended there.
   std::array<Corner, 4> corners_;
   HullSimplex differences_;
   NearFace face_;
 };
 
-/// How far from the normal the nearest points may lie, in errors of their distance.
-inline constexpr double most_beside = 64;
+/// How far from the normal the nearest points may lie, and from their distance, in parts of what cannot be resolved.
+inline constexpr double most_beside = 0.25;
 
 /// As `find_proximity_of_hulls`, of hulls that are seen from `origin`.
 template <class A, class B>
@@ -330,13 +380,11 @@ bool find_between(A& a, B& b, const Vec<3, double>& origin, const KnownCorners& 
   HullWalk walk(a, b, max_abs(origin));
   walk.run(known);
   if (walk.is_apart()) {
-    const auto points = walk.points();
-    // Of long thin faces the shares are off by more than their nearest point: that has to be as near as it should be,
-    // and along the normal.
-    const Vec<3, double> way = points.on_b - points.on_a;
-    const double farthest = walk.distance() + walk.error();
-    if (!(dot(way, way) <= farthest * farthest)) return false;
-    if (!(max_abs(way + walk.separation()) <= most_beside * walk.error())) return false;
+    auto points = walk.points();
+    const auto beside = [&walk, &points] { return max_abs((points.on_b - points.on_a) + walk.separation()); };
+    const double most = most_beside * walk.resolution();
+    if (!(beside() <= most)) points = walk.careful_points();
+    if (!(beside() <= most)) return false;
     result.distance = walk.distance();
     (known.is_exchanged ? result.point_b : result.point_a) = origin + points.on_a;
     (known.is_exchanged ? result.point_a : result.point_b) = origin + points.on_b;

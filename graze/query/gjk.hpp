@@ -11,6 +11,7 @@
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/fitting_face.hpp>
 #include <graze/query/simplex.hpp>
 #include <graze/query/status.hpp>
 #include <graze/query/wide_support.hpp>
@@ -36,6 +37,7 @@ struct GjkResult {
 /// than rounding, and not before unless the bounds meet up to rounding.
 struct GjkOptions {
   double threshold = std::numeric_limits<double>::quiet_NaN();  ///< NaN: go on until the bounds meet.
+  double radius = 0;  ///< Of what the shapes are the cores of: they meet relative to what is left of the distance.
 };
 
 namespace detail {
@@ -70,26 +72,38 @@ void prove_distance(Differences& differences, const Simplex<Differences::dimensi
 }
 
 /// How often in a row a step may bring nothing that can be measured.
-inline constexpr int gjk_stall_limit = 8;
+inline constexpr int gjk_stall_limit = 24;
 
-/// The next nearest point. Beside a long edge, a step along it may be too small to make the distance smaller, and yet
-/// turn the direction towards a corner that does: so a new corner is taken if it makes the distance no larger. None
-/// when it does, or when that has not helped for some time. No point is taken that is nearer than the proved bound: of
-/// a needle, rounding turns the faces, and the origin may seem to lie between them.
+/// What the next step goes on from.
 template <Dim N>
-std::optional<NearestOnSimplex<N>> gjk_step(const Simplex<N>& extended, const GjkResult<N>& result, int& stalls) {
-  const Vec<N, double>& nearest = result.separation;
-  const double before = dot(nearest, nearest);
+struct GjkProgress {
+  explicit GjkProgress(const Vec<N, double>& nearest) : toward(nearest), least_squared(dot(nearest, nearest)) {}
+
+  Vec<N, double> toward;  ///< The direction of the nearest point, as long as that is far.
+  double least_squared;   ///< The least distance so far.
+  int stalls = 0;         ///< How many steps have not made it less.
+};
+
+/// The next nearest point. Beside a long edge, and where faces meet nearly flat, a step may be too small to make the
+/// distance less, and yet turn the direction towards a corner that does: then the face that fits best is the next one.
+/// None when that makes the distance larger, or has not helped for some time. No point is taken that is
+/// nearer than the proved bound: of a needle, rounding turns the faces, and the origin may seem to lie between them.
+template <Dim N>
+std::optional<NearestOnSimplex<N>> gjk_step(const Simplex<N>& extended, const GjkResult<N>& result,
+                                            GjkProgress<N>& progress) {
   const double least = std::max(0.0, result.lower - result.resolution);
   const NearestOnSimplex<N> found = nearest_to_origin(extended, least * least);
-  if (found.distance_squared < before) {
-    stalls = 0;
+  if (found.distance_squared < progress.least_squared) {
+    progress = GjkProgress<N>(found.point);
     return found;
   }
-  const NearestOnSimplex<N> sideways = nearest_with_last_corner(extended, least * least);
-  const bool is_as_near = sideways.distance_squared <= before * (1 + tolerance::rounding);
-  if (!is_as_near || ++stalls > gjk_stall_limit) return std::nullopt;
-  return sideways;
+  if (++progress.stalls > gjk_stall_limit) return std::nullopt;
+  const FittingFace<N> fitting = FittingFaceSearch<N>(extended).run();
+  const double most = std::sqrt(progress.least_squared) + result.resolution;
+  const double squared = fitting.nearest.distance_squared;
+  if (!(squared >= least * least && squared <= most * most)) return std::nullopt;
+  progress.toward = fitting.toward;
+  return fitting.nearest;
 }
 
 /// Each step asks for the point of the difference set farthest against the nearest one found. That point bounds the
@@ -105,11 +119,12 @@ GjkResult<Differences::dimension> gjk_walk(Differences& differences,
   Vec<N, double> nearest = start.point;
   result.simplex = start.face;
   Simplex<N> extended = result.simplex;
-  int stalls = 0;
+  GjkProgress<N> progress(start.point);
   // As much beyond the threshold as whoever compares with it wants to see: less would leave the verdict open.
   const auto margin = [&] { return result.resolution + tolerance::rounding * options.threshold; };
   const auto bounds_meet = [&] {
-    const double wanted = std::isnan(options.threshold) ? tolerance::gjk_relative_gap * result.upper : 0;
+    const double wanted =
+        std::isnan(options.threshold) ? tolerance::gjk_relative_gap * std::fabs(result.upper - options.radius) : 0;
     return result.upper - result.lower <= wanted + result.resolution;
   };
   while (true) {
@@ -122,15 +137,16 @@ GjkResult<Differences::dimension> gjk_walk(Differences& differences,
       return result;
     }
     if (result.upper < options.threshold - margin()) return result;
-    const Vec<N, double> next = differences.support(-nearest);
+    const Vec<N, double>& toward = progress.toward;
+    const Vec<N, double> next = differences.support(-toward);
     result.resolution = differences.resolution();
-    raise_lower(result, dot(nearest, next) / result.upper, nearest);  // upper > resolution >= 0
+    raise_lower(result, dot(toward, next) / result.upper, toward);  // upper > resolution >= 0
     if (result.lower > options.threshold + margin()) return result;
     if (bounds_meet()) return result;
     if (++result.iterations == gjk_iteration_limit || is_corner_of(result.simplex, next)) break;
     extended = result.simplex;
     extended.push(next);
-    const std::optional<NearestOnSimplex<N>> found = gjk_step(extended, result, stalls);
+    const std::optional<NearestOnSimplex<N>> found = gjk_step(extended, result, progress);
     if (!found) break;
     nearest = found->point;
     result.simplex = found->face;

@@ -2,13 +2,10 @@
 // The point of a simplex nearest to the origin.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
-#include <optional>
 
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
@@ -60,10 +57,6 @@ class SimplexSearch {
   /// to rounding, is not taken.
   SimplexSearch(const Simplex<N>& simplex, double least_squared) : simplex_(simplex), least_squared_(least_squared) {}
 
-  /// Only faces with this corner.
-  SimplexSearch(const Simplex<N>& simplex, double least_squared, std::size_t corner)
-      : simplex_(simplex), least_squared_(least_squared), corner_(corner) {}
-
   NearestOnSimplex<N> run() {
     const std::size_t size = simplex_.size;
     for (std::size_t i = 0; i < size; ++i) offer(simplex_.points[i], {i});
@@ -86,7 +79,6 @@ class SimplexSearch {
   void offer(const Point& point, const std::size_t (&corners)[Count]) {
     const double candidate = dot(point, point);
     if (!(candidate < best_.distance_squared) || candidate < least_squared_) return;
-    if (corner_ && std::find(std::begin(corners), std::end(corners), *corner_) == std::end(corners)) return;
     best_.point = point;
     best_.distance_squared = candidate;
     best_.face.size = 0;
@@ -147,7 +139,6 @@ class SimplexSearch {
 
   const Simplex<N>& simplex_;
   double least_squared_;
-  std::optional<std::size_t> corner_;
   NearestOnSimplex<N> best_;
 };
 
@@ -174,12 +165,6 @@ void for_each_perpendicular(const Simplex<N>& simplex, const Visit& visit) {
 template <Dim N>
 NearestOnSimplex<N> nearest_to_origin(const Simplex<N>& simplex, double least_squared = 0) {
   return SimplexSearch<N>(simplex, least_squared).run();
-}
-
-/// Of the faces that have the last corner.
-template <Dim N>
-NearestOnSimplex<N> nearest_with_last_corner(const Simplex<N>& simplex, double least_squared = 0) {
-  return SimplexSearch<N>(simplex, least_squared, simplex.size - 1).run();
 }
 
 }  // namespace graze::detail

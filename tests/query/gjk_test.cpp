@@ -15,6 +15,7 @@
 
 #include "catalogue.hpp"
 #include "exact.hpp"
+#include "query/flush_prisms.hpp"
 #include "query/user_shapes.hpp"
 
 namespace graze::test::gjk_test {
@@ -86,6 +87,21 @@ TEST(Gjk, IsNotStoppedByAStepTooSmallToMeasure) {
                                     {305732.03F, -24121.977F, -0.016510185F},
                                     {300995.75F, -6949.2676F, 0.0018096385F}};
   expect_distance(gjk(box, triangle), 0.00048828125);
+}
+
+template <class T>
+void expect_flush_prisms_converge() {
+  for (unsigned turn = 0; turn < 2000; ++turn) {
+    const auto [a, b, normal] = flush_prisms<T>(turn, flush_gap(turn));
+    const auto result = gjk(a, b);
+    EXPECT_EQ(result.status, Status::converged) << turn;
+    EXPECT_LE(result.upper - result.lower, 1e-12 * result.upper + result.resolution) << turn;
+  }
+}
+
+TEST(Gjk, ConvergesWhereFacesAreNearlyParallel) {
+  expect_flush_prisms_converge<double>();
+  expect_flush_prisms_converge<float>();
 }
 
 // ---- Users' shapes

@@ -9,6 +9,7 @@
 #include <graze/query/penetration_convex.hpp>
 
 #include "catalogue.hpp"
+#include "query/flush_prisms.hpp"
 #include "query/user_shapes.hpp"
 
 namespace graze::detail::penetration_convex_test {
@@ -51,6 +52,23 @@ TEST(PenetrationOfConvex, OfFlatHullsInOnePlaneIsZeroAlongItsNormal) {
   const Penetration<3> found = penetration_of_convex(flat, hull({{1, 1, 1}, {5, 1, 1}, {1, 5, 1}}));
   EXPECT_NEAR(found.depth, 0, 1e-15);
   EXPECT_NEAR(std::fabs(found.normal.z), 1, 1e-15);
+}
+
+template <class T>
+void expect_points_along_the_normal() {
+  for (unsigned turn = 0; turn < 1000; ++turn) {
+    const auto [a, b, normal] = test::flush_prisms<T>(turn, -test::flush_gap(turn));
+    const auto found = penetration_of_convex_if_met(a, b);
+    if (!found || found->status != Status::converged) continue;
+    const V3 rest = found->point_a - found->point_b - found->normal * found->depth;
+    EXPECT_LE(length(rest), 2 * found->error) << turn;
+    EXPECT_LE(found->error, 256 * tolerance::epsilon + 2e-12 * found->depth) << turn;
+  }
+}
+
+TEST(PenetrationOfConvex, WhereFacesAreNearlyParallelHasItsPointsAlongTheNormal) {
+  expect_points_along_the_normal<double>();
+  expect_points_along_the_normal<float>();
 }
 
 // A smooth shape has no last face: the bounds close in, and the error says how far.

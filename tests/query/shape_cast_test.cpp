@@ -11,8 +11,10 @@
 
 #include <gtest/gtest.h>
 
+#include <graze/math/tolerance.hpp>
 #include <graze/query/shape_cast.hpp>
 
+#include "query/flush_prisms.hpp"
 #include "query/numbers_of.hpp"
 #include "query/placement.hpp"
 #include "query/row_of_shapes.hpp"
@@ -121,6 +123,28 @@ TEST(ShapeCast, FindsWhereTwoRaysCross) {
   expect_impact(shape_cast(up, {6, 0, 6}, Ray<3, double>{{3, -5, 3}, {0, 1, 0}}), 0.5, {3, 0, 3},
                 {std::sqrt(0.5), 0, std::sqrt(0.5)}, "parallel ones");
   EXPECT_FALSE(shape_cast(up, {6, 0, 0}, Ray<3, double>{{3, -5, -7}, {0, 0, 3}}).has_value());
+}
+
+template <class T>
+void expect_flush_prisms_to_touch() {
+  std::size_t hits = 0;
+  for (unsigned turn = 0; turn < 1000; ++turn) {
+    const double gap = flush_gap(turn);
+    const auto [a, b, normal] = flush_prisms<T>(turn, gap);
+    const auto found = shape_cast(a, Vec<3, T>(normal * (2 * gap)), b);
+    if (!found) continue;
+    ++hits;
+    EXPECT_EQ(found->status, Status::converged) << turn;
+    EXPECT_LE(found->error, 1024 * tolerance::epsilon) << turn;
+    const double slack = found->error + 8 * static_cast<double>(std::numeric_limits<T>::epsilon());
+    EXPECT_NEAR(static_cast<double>(found->t) * 2 * gap, gap, 5e-6 + slack) << turn;
+  }
+  EXPECT_GT(hits, 500U);
+}
+
+TEST(ShapeCast, EndsWhereFacesAreNearlyParallel) {
+  expect_flush_prisms_to_touch<double>();
+  expect_flush_prisms_to_touch<float>();
 }
 
 // ---- Touching
