@@ -41,7 +41,7 @@ struct TiledFoundTile {
 TiledFoundTile find_tiled_tile(std::uint32_t gid, const std::vector<TiledTilesetUse>& tilesets);
 
 /// The size of a tile's picture: of its own image, else what the tileset says of all; 0 where neither does.
-Vec<2, double> tiled_picture_size(const TiledTileUse& tile);
+Vec<2, double> tiled_picture_size(const TiledTileUse& use);
 
 /// What surrounds an object: the file that it stands in, the folder that its references start from, its tilesets by
 /// ascending number.

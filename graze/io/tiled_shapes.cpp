@@ -61,7 +61,7 @@ Shape rectangle(const Aabb<2, double>& box, const TiledFrame& frame) {
 /// `radii` those of the ends.
 Shape rounded(const Point& center, const Point& reach, const Point& radii, const TiledFrame& frame) {
   std::vector<Point> rim;
-  rim.reserve(2 * tiled_ellipse_corners);
+  rim.reserve(std::size_t{2} * tiled_ellipse_corners);
   for (int i = 0; i < tiled_ellipse_corners; ++i) {
     const Point direction = cosine_sine_of_degrees(360.0 * i / tiled_ellipse_corners);
     rim.push_back(frame.at(center + reach + direction * radii));

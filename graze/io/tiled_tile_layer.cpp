@@ -45,13 +45,19 @@ class LayerWriter {
     }
   }
 
-  void add_rectangle(const CellRectangle& cells, const std::array<Point, 4>& corners) {
-    std::string name =
-        fmt::format("{}[{},{}]", name_, numbers(cells.begin, cells.end), numbers(cells.top, cells.bottom));
-    if (corners[0].y == corners[1].y && corners[1].x == corners[2].x) {
-      add(Aabb<2, double>::from_corners(corners[0], corners[2]), std::move(name));
-    } else {
-      add(convex_hull<2, double>(corners), std::move(name));
+  void add_rectangles(const std::vector<CellRectangle>& rectangles, const TiledProjection& projection,
+                      const Point& shift) {
+    for (const CellRectangle& cells : rectangles) {
+      std::array<Point, 4> corners =
+          tiled_corners_of_cells(projection, {cells.begin, cells.top}, {cells.end, cells.bottom});
+      for (Point& corner : corners) corner += shift;
+      std::string name =
+          fmt::format("{}[{},{}]", name_, numbers(cells.begin, cells.end), numbers(cells.top, cells.bottom));
+      if (corners[0].y == corners[1].y && corners[1].x == corners[2].x) {
+        add(Aabb<2, double>::from_corners(corners[0], corners[2]), std::move(name));
+      } else {
+        add(convex_hull<2, double>(corners), std::move(name));
+      }
     }
   }
 
@@ -106,12 +112,11 @@ void TiledTileLayers::add(const TiledLayer& layer, const std::string& name, cons
       }
     }
   }
-  for (const CellRectangle& cells : merged_cells(std::move(runs))) {
-    std::array<Point, 4> corners =
-        tiled_corners_of_cells(projection_, {cells.begin, cells.top}, {cells.end, cells.bottom});
-    for (Point& corner : corners) corner += shift;
-    writer.add_rectangle(cells, corners);
-  }
+  writer.add_rectangles(merged_cells(std::move(runs)), projection_, shift);
+  count_omissions(place, omissions);
+}
+
+void TiledTileLayers::count_omissions(const TiledPlace& place, std::vector<Omission>& omissions) {
   for (Entry& entry : entries_) {
     const std::uint64_t count = std::exchange(entry.count, 0);
     if (entry.lack != nullptr) count_omission(omissions, *entry.lack, place, count);

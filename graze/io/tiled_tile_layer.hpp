@@ -42,6 +42,7 @@ class TiledTileLayers {
   };
 
   std::size_t index_of(std::uint32_t gid);
+  void count_omissions(const TiledPlace& place, std::vector<Omission>& omissions);
 
   const std::vector<TiledTilesetUse>& tilesets_;
   const TiledProjection& projection_;

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #if GRAZE_COMPRESSION
+#define ZLIB_CONST  // its input is const, as the library has it
 #include <zlib.h>
 #include <zstd.h>
 #endif
@@ -65,8 +66,7 @@ Unpacked inflated(std::string_view packed, int window_bits, std::size_t size) {
   while (status == Z_OK && bytes.size() <= size) {
     if (stream.avail_in == 0 && given < packed.size()) {
       const std::size_t piece = std::min<std::size_t>(packed.size() - given, 1U << 30U);
-      // zlib does not write to its input; its interface is older than const.
-      stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data() + given));
+      stream.next_in = reinterpret_cast<const Bytef*>(packed.data() + given);
       stream.avail_in = static_cast<uInt>(piece);
       given += piece;
     }
