@@ -18,6 +18,8 @@
 #include <graze/query/transformed.hpp>
 #include <graze/shape/any_shape.hpp>
 
+#include "query/flush_prisms.hpp"
+
 namespace graze::detail::closest_hulls_test {
 namespace {
 
@@ -155,6 +157,40 @@ TEST(ClosestHulls, AreFoundForAllThatAreClearlyApart) {
       EXPECT_TRUE(found.has_value()) << right.distance;
     }
   }
+}
+
+template <class T>
+void expect_flush_ones() {
+  std::size_t open = 0;
+  for (unsigned turn = 0; turn < 3000 && !testing::Test::HasFailure(); ++turn) {
+    const auto [a, b, normal] = test::flush_prisms<T>(turn, test::flush_gap(turn));
+    SimplexCache<3> cache;
+    for (const bool with_cache : {false, true, true}) {
+      const auto found = proximity_of_hulls(a, b, with_cache ? &cache : nullptr);
+      const auto right = proximity_in_order(a, b, decide(a, b));
+      if (right.relation != Relation::apart) continue;
+      const double size = std::max(rows_of(a).largest(), rows_of(b).largest());
+      const double few = 256 * tolerance::epsilon * size + tolerance::gjk_relative_gap * right.distance;
+      EXPECT_EQ(right.status, Status::converged) << turn;
+      EXPECT_LE(right.error, few) << turn;
+      expect_points_apart(a, b, right);
+      if (!found) {
+        ++open;
+        continue;
+      }
+      EXPECT_LE(found->error, few) << turn;
+      EXPECT_NEAR(found->distance, right.distance, found->error + right.error) << turn;
+      EXPECT_LE(max_abs(found->point_b - found->point_a - found->normal * found->distance), few) << turn;
+      expect_points_apart(a, b, *found);
+    }
+  }
+  EXPECT_LE(open, 9U) << "of thousands";
+}
+
+// The nearest face is known by the planes of faces alone: all distances next to it are the same.
+TEST(ClosestHulls, AreFoundWhereFacesAreNearlyParallel) {
+  expect_flush_ones<double>();
+  expect_flush_ones<float>();
 }
 
 TEST(ClosestHulls, LeaveTouchingOnesOpen) {
