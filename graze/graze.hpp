@@ -11,6 +11,7 @@
 #include <graze/broad/grid.hpp>
 #include <graze/broad/orthtree.hpp>
 #include <graze/broad/pairs.hpp>
+#include <graze/broad/sorted_pairs.hpp>
 #include <graze/broad/touching_pairs.hpp>
 #include <graze/broad/worlds.hpp>
 #include <graze/query/bounding.hpp>
@@ -39,6 +40,7 @@
 #include <graze/query/transformed.hpp>
 #include <graze/scene/filter_matrix.hpp>
 #include <graze/scene/scene.hpp>
+#include <graze/scene/visit_candidates.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/convex_mesh.hpp>
 #include <graze/shape/frustum.hpp>

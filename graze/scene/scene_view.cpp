@@ -14,6 +14,7 @@
 #include <graze/query/signed_distance.hpp>
 #include <graze/scene/scene_view.hpp>
 #include <graze/scene/single_queries.hpp>
+#include <graze/scene/visit_candidates.hpp>
 
 namespace graze {
 namespace {
@@ -95,12 +96,7 @@ std::vector<ObjectId> SceneView<N, T>::ids() const {
 
 template <Dim N, class T>
 std::vector<ObjectPair> SceneView<N, T>::candidates(double margin) const {
-  if (!(margin >= 0 && std::isfinite(margin))) {
-    throw std::invalid_argument("Scene: the margin of candidates is negative or not finite");
-  }
-  // Each box takes half of it; touching_bounds has room for the rounding of coordinates, the factor for that of
-  // margins.
-  const PairOptions options{.margin = margin * (0.5 + tolerance::convex_in<T>)};
+  const PairOptions options = detail::candidate_options<T>(margin);
   std::vector<Aabb<N, T>> boxes(ids_.slots(), Aabb<N, T>::nothing());
   for (std::uint32_t slot = 0; slot < ids_.slots(); ++slot) {
     if (ids_.is_taken(slot)) boxes[slot] = touching_bounds(in_slot(slot));
