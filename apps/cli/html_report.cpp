@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <ostream>
 #include <string_view>
 #include <system_error>
@@ -20,6 +18,7 @@
 #include <graze/io/input_error.hpp>
 #include <graze/io/json_scene.hpp>
 #include <graze/io/quoting.hpp>
+#include <graze/io/whole_file.hpp>
 
 namespace graze::cli {
 namespace {
@@ -62,9 +61,13 @@ void write_for_html(std::ostream& out, std::string_view json) {
 std::string read_report_template() {
   const std::vector<fs::path> places = places_to_look();
   for (const fs::path& place : places) {
-    std::ifstream in(place, std::ios::binary);
-    if (!in) continue;
-    std::string page{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    std::error_code error;
+    if (!fs::exists(place, error)) continue;
+    if (fs::is_directory(place, error)) {
+      throw io::InputError(fmt::format("{} is a folder; {} must name a file, the report.html that `./dev web` builds",
+                                       io::in_quotes(place.string()), template_variable));
+    }
+    std::string page = io::read_whole_file(place, "the template");
     if (page.find(data_place) != std::string::npos) return page;
     throw io::InputError(
         fmt::format("{} is no template of a report: it has no place for data; run `./dev web` to "

@@ -16,6 +16,7 @@
 
 #include <graze/io/input_error.hpp>
 #include <graze/io/output_error.hpp>
+#include <graze/io/temporary_file.hpp>
 
 #include "command.hpp"
 #include "output.hpp"
@@ -94,6 +95,24 @@ ExitCode run(int argc, const char* const* argv) {
   }
 }
 
+/// Removes what is half written, and lets the signal end the program as it would have.
+extern "C" void end_by_signal(int signal) {
+  io::remove_temporary_files();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+/// What is ignored, as under nohup, stays ignored.
+void clean_up_on_signals() {
+  for (const int number : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU}) {
+    struct sigaction action {};
+    if (sigaction(number, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) continue;
+    action.sa_handler = end_by_signal;
+    action.sa_flags = SA_RESETHAND | SA_NODEFER;
+    sigaction(number, &action, nullptr);
+  }
+}
+
 /// Dies as a program does whose reader has gone, so that a shell sees the usual code.
 [[noreturn]] void die_of_closed_pipe() {
   std::signal(SIGPIPE, SIG_DFL);
@@ -127,8 +146,11 @@ ExitCode run_and_report(int argc, const char* const* argv) {
 }  // namespace graze::cli
 
 int main(int argc, char** argv) {
-  // A write to a closed pipe must come back as an error, for temporary files are to be removed before the end.
+  // A write to a closed pipe, or beyond the largest size of a file, must come back as an error, which is said, and
+  // before which temporary files are removed.
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  graze::cli::clean_up_on_signals();
   graze::cli::claim_standard_streams();
   try {
     return graze::cli::run_and_report(argc, argv);

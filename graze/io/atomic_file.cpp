@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <cerrno>
-#include <cstdint>
 #include <fstream>
-#include <random>
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include <graze/io/atomic_file.hpp>
 #include <graze/io/in_quotes.hpp>
 #include <graze/io/output_error.hpp>
+#include <graze/io/temporary_file.hpp>
 
 namespace graze::io {
 namespace {
@@ -58,48 +56,16 @@ void write_directly(const fs::path& path, const std::function<void(std::ostream&
   if (!out) throw cannot_write(path, system_reason());
 }
 
-/// A file that is removed again unless it takes the target's place.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const fs::path& target) : target_(target), path_(target.parent_path() / random_name()) {
-    errno = 0;
-    out_.open(path_, std::ios::binary);
-    if (!out_) throw cannot_write(target_, "its folder takes no new file: " + system_reason());
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  TemporaryFile(TemporaryFile&&) = delete;
-  TemporaryFile& operator=(TemporaryFile&&) = delete;
-  ~TemporaryFile() {
-    if (is_in_place_) return;
-    out_.close();
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-  }
-
-  std::ostream& stream() { return out_; }
-
-  void take_place(const fs::file_status& old) {
-    out_.close();
-    if (!out_) throw cannot_write(target_, system_reason() + "; what was there is unchanged");
-    std::error_code error;
-    if (fs::exists(old)) fs::permissions(path_, old.permissions(), error);
-    if (!error) fs::rename(path_, target_, error);
-    if (error) throw cannot_write(target_, error.message() + "; what was there is unchanged");
-    is_in_place_ = true;
-  }
-
- private:
-  static std::string random_name() {
-    std::random_device random;
-    return fmt::format(".graze-{:08x}{:08x}.tmp", random(), random());
-  }
-
-  fs::path target_;
-  fs::path path_;
-  std::ofstream out_;
-  bool is_in_place_ = false;
-};
+/// Puts what was written in the target's place.
+void take_place(TemporaryFile& file, const fs::path& target, const fs::file_status& old) {
+  std::ofstream& out = file.stream();
+  out.close();
+  if (!out) throw cannot_write(target, system_reason() + "; what was there is unchanged");
+  std::error_code error;
+  if (fs::exists(old)) fs::permissions(file.path(), old.permissions(), error);
+  if (!error) fs::rename(file.path(), target, error);
+  if (error) throw cannot_write(target, error.message() + "; what was there is unchanged");
+}
 
 /// Replacing a file needs no right to write to it, only to its folder; but a file that is protected is meant to stay.
 void require_writable(const fs::path& path) {
@@ -121,9 +87,11 @@ void write_file(const fs::path& path, const std::function<void(std::ostream&)>& 
     throw cannot_write(path, fmt::format("there is no folder {}", in_quotes(folder.string())));
   }
   if (fs::exists(status)) require_writable(target);
-  TemporaryFile file(target);
+  errno = 0;
+  TemporaryFile file(target.parent_path());
+  if (!file.stream()) throw cannot_write(target, "its folder takes no new file: " + system_reason());
   write(file.stream());
-  file.take_place(status);
+  take_place(file, target, status);
 }
 
 }  // namespace

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <utility>
+
+namespace graze::io {
+
+/// An advisory lock (flock) on a file, which the system drops when the process ends, however it ends. Where there are
+/// no such locks, none is ever held.
+class OpenFileLock {
+ public:
+  OpenFileLock() = default;
+
+  /// Makes a new file and locks it. Not held where the file exists already or cannot be made or locked.
+  static OpenFileLock of_new(const std::filesystem::path& path);
+
+  /// Locks an existing regular file of this user. Not held where it is none, or somebody has a lock on it.
+  static OpenFileLock of_existing(const std::filesystem::path& path);
+
+  OpenFileLock(OpenFileLock&& other) noexcept : file_(std::exchange(other.file_, none)) {}
+  OpenFileLock& operator=(OpenFileLock&& other) noexcept {
+    std::swap(file_, other.file_);
+    return *this;
+  }
+  OpenFileLock(const OpenFileLock&) = delete;
+  OpenFileLock& operator=(const OpenFileLock&) = delete;
+  ~OpenFileLock();
+
+  bool is_held() const { return file_ != none; }
+
+ private:
+  static constexpr int none = -1;
+
+  explicit OpenFileLock(int file) : file_(file) {}
+
+  int file_ = none;
+};
+
+}  // namespace graze::io
