@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include <graze/io/csv_records.hpp>
 #include <graze/io/text_position.hpp>
 
@@ -13,6 +15,23 @@ std::size_t line_break_length(std::string_view text, std::size_t at) {
 }
 
 }  // namespace
+
+char csv_separator(std::string_view text) {
+  bool is_quoted = false;
+  for (const char character : text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()))) {
+    if (character == '"') is_quoted = !is_quoted;
+    if (is_quoted) continue;
+    if (character == ',' || character == ';' || character == '\t') return character;
+    if (character == '\n' || character == '\r') break;
+  }
+  return ',';
+}
+
+std::string_view without_blanks(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
 
 void CsvRecords::skip_blank_lines() {
   while (at_ < text_.size()) {
@@ -34,7 +53,7 @@ bool CsvRecords::next() {
     } else {
       read_field();
     }
-    if (at_ < text_.size() && text_[at_] == ',') {
+    if (at_ < text_.size() && text_[at_] == separator_) {
       ++at_;
       continue;
     }
@@ -45,7 +64,7 @@ bool CsvRecords::next() {
 
 void CsvRecords::read_field() {
   const std::size_t begin = at_;
-  while (at_ < text_.size() && text_[at_] != ',' && text_[at_] != '\n') {
+  while (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n') {
     if (text_[at_] == '"') {
       throw error_at(text_, source_, at_,
                      "a quote inside a field; put the whole field in quotes and write each quote in it twice");
@@ -80,8 +99,12 @@ void CsvRecords::read_quoted_field() {
     fields_.push_back({*unescaped, begin});
     break;
   }
-  if (at_ < text_.size() && text_[at_] != ',' && line_break_length(text_, at_) == 0) {
-    throw error_at(text_, source_, at_, "text behind a closing quote; only a comma or the end of the line may follow");
+  if (at_ < text_.size() && text_[at_] != separator_ && line_break_length(text_, at_) == 0) {
+    throw error_at(text_, source_, at_,
+                   fmt::format("text behind a closing quote; only a {} or the end of the line may follow",
+                               separator_ == ','   ? "comma"
+                               : separator_ == ';' ? "semicolon"
+                                                   : "tab"));
   }
 }
 

@@ -175,12 +175,23 @@ class LogReader {
   bool is_open_ = false;  // the last call waits for its answer
 };
 
+/// Whether a text whose first line is no whole JSON object begins as a scene.
+bool is_scene_of_many_lines(std::string_view text, std::string_view first_line) {
+  constexpr std::string_view sign = "\"graze.scene/";
+  constexpr std::size_t enough = 200;
+  const bool is_scene = text.substr(0, enough).find(sign) != std::string_view::npos;
+  return is_scene && first_line.find(sign) == std::string_view::npos;
+}
+
 }  // namespace
 
 AnyQueryLog parse_query_log(std::string_view text, const std::string& source) {
   require_utf8(text, source);
   Lines lines(without_byte_order_mark(text));
   if (!lines.next()) throw InputError(source + ": this is empty; a log has at least its head");
+  if (is_scene_of_many_lines(text, lines.line())) {
+    throw InputError(source + ": this is a scene, not a query log; graze simulate --log records one");
+  }
   const LogHead head = read_head(JsonDocument(lines.line(), source, lines.number()));
   if (head.dimension == 2) return LogReader<2>(lines, source, head.numbers).read();
   return LogReader<3>(lines, source, head.numbers).read();

@@ -3,7 +3,9 @@
 #include <string>
 #include <string_view>
 
-#include <graze/io/csv_boxes.hpp>
+#include <graze/io/csv_records.hpp>
+#include <graze/io/csv_scene.hpp>
+#include <graze/io/foreign_format.hpp>
 #include <graze/io/input_error.hpp>
 #include <graze/io/json_document.hpp>
 #include <graze/io/json_scene.hpp>
@@ -42,16 +44,15 @@ SceneFile parse_scene(std::string_view text, const std::string& source, const fs
   const std::string_view content = without_byte_order_mark(text);
   const std::size_t begin = content.find_first_not_of(" \t\r\n");
   if (begin == std::string_view::npos) throw InputError(source + ": this is empty; a scene needs at least its header");
+  if (const std::string foreign = foreign_format(content); !foreign.empty()) throw InputError(source + ": " + foreign);
   const char first = content[begin];
   if (first == '<') return parse_tiled_map(content, source, folder);
   if (first == '{' || first == '[') return parse_json(content, source, folder);
-  const bool is_utf16 = content.starts_with("\xFF\xFE") || content.starts_with("\xFE\xFF");
-  if (is_utf16) throw InputError(source + ": this is UTF-16; save it as UTF-8");
-  const std::string_view line = content.substr(begin, content.find('\n', begin) - begin);
-  if (line.find(',') != std::string_view::npos) return parse_csv_boxes(content, source);
+  const std::string_view line = content.substr(begin, content.find_first_of("\r\n", begin) - begin);
+  if (line.find(csv_separator(line)) != std::string_view::npos) return parse_csv_scene(content, source);
   throw InputError(source +
-                   ": not a scene; graze reads its own JSON (begins with {), CSV of boxes (begins with a line like "
-                   "id,min_x,min_y,max_x,max_y) and maps of Tiled, .tmx or .tmj (begin with < or {)");
+                   ": not a scene; graze reads its own JSON (begins with {), CSV (begins with a line like "
+                   "id,min_x,min_y,max_x,max_y or x,y,radius) and maps of Tiled, .tmx or .tmj (begin with < or {)");
 }
 
 }  // namespace graze::io

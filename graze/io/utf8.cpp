@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 
@@ -76,10 +77,28 @@ std::string_view without_byte_order_mark(std::string_view text) {
   return text.starts_with(mark) ? text.substr(mark.size()) : text;
 }
 
+std::string_view other_encoding(std::string_view text) {
+  using namespace std::string_view_literals;
+  if (text.starts_with("\xFF\xFE\0\0"sv) || text.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "UTF-16";
+  if (text.size() < 4) return "";
+  const auto zeros = [text](std::array<bool, 4> expected) {
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      if ((text[i] == '\0') != expected[i]) return false;
+    }
+    return true;
+  };
+  if (zeros({false, true, true, true}) || zeros({true, true, true, false})) return "UTF-32";
+  return zeros({false, true, false, true}) || zeros({true, false, true, false}) ? "UTF-16" : "";
+}
+
 void require_utf8(std::string_view text, const std::string& source, std::size_t first_line) {
   const std::size_t invalid = find_invalid_utf8(text);
   const std::size_t zero = text.find('\0');
   if (invalid == std::string_view::npos && zero == std::string_view::npos) return;
+  if (const std::string_view encoding = other_encoding(text); !encoding.empty()) {
+    throw InputError(fmt::format("{}: this is {}; save it as UTF-8", source, encoding));
+  }
   const std::size_t first = std::min(invalid, zero);
   throw error_at(text, source, first,
                  fmt::format("byte 0x{:02X} is not text in UTF-8; save the file as UTF-8", byte_at(text, first)),

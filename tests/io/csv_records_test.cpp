@@ -32,6 +32,27 @@ TEST(CsvRecords, LinesEndWithLfOrCrlfOrTheText) {
   EXPECT_EQ(read("a,b\r\nc,d\r"), expected);
 }
 
+TEST(CsvRecords, TheSeparatorIsTheFirstOfTheFirstLine) {
+  EXPECT_EQ(csv_separator("a,b;c\n"), ',');
+  EXPECT_EQ(csv_separator("a;b,c\n"), ';');
+  EXPECT_EQ(csv_separator("\n a\tb;c\n"), '\t');
+  EXPECT_EQ(csv_separator("\"a,b\";c\n"), ';');
+  EXPECT_EQ(csv_separator("a\nb;c\n"), ',');
+  EXPECT_EQ(csv_separator("a\rb;c\r"), ',');
+  EXPECT_EQ(csv_separator(""), ',');
+}
+
+TEST(CsvRecords, OtherSeparatorsLeaveCommasInFields) {
+  CsvRecords records("a,b;\"c;d\"\n", "a.csv", ';');
+  ASSERT_TRUE(records.next());
+  ASSERT_EQ(records.fields().size(), 2U);
+  EXPECT_EQ(records.fields()[0].text, "a,b");
+  EXPECT_EQ(records.fields()[1].text, "c;d");
+  CsvRecords wrong("\"a\"b;c\n", "a.csv", ';');
+  EXPECT_EQ(error_of([&wrong] { wrong.next(); }),
+            "a.csv: line 1, column 4: text behind a closing quote; only a semicolon or the end of the line may follow");
+}
+
 TEST(CsvRecords, BlankLinesArePassedOver) {
   EXPECT_EQ(read("\n\r\na,b\n\n  \t\r\nc,d\n\n \n"), (Table{{"a", "b"}, {"c", "d"}}));
   EXPECT_EQ(read(""), Table{});

@@ -48,6 +48,9 @@ TEST(QueryLogReader, RefusesWhatIsNoLog) {
   EXPECT_EQ(refusal_of(R"({"schema": "graze.scene/1"})"),
             "log: line 1, column 12: \"schema\" is \"graze.scene/1\", which is not a query log; this graze reads "
             "\"graze.log/1\"");
+  EXPECT_EQ(refusal_of("{\n  \"schema\": \"graze.scene/1\",\n  \"dimension\": 2}"),
+            "log: this is a scene, not a query log; graze simulate --log records one");
+  EXPECT_EQ(refusal_of(std::string("\xFF\xFE{\0", 4)), "log: this is UTF-16; save it as UTF-8");
   EXPECT_EQ(refusal_of(R"({"schema": "graze.log/2"})"),
             "log: line 1, column 12: \"schema\" is \"graze.log/2\", another version; this graze reads \"graze.log/1\"");
   EXPECT_EQ(refusal_of(R"({"schema": "graze.log/1", "dimension": 4, "numbers": "float"})"),

@@ -43,12 +43,13 @@ TEST(SceneFile, FormatsAreToldApartByContent) {
 
 TEST(SceneFile, WhatIsNoSceneIsRefusedWithTheListOfFormats) {
   EXPECT_EQ(refusal("hello\nworld, x"),
-            "a file: not a scene; graze reads its own JSON (begins with {), CSV of boxes (begins with a line like "
-            "id,min_x,min_y,max_x,max_y) and maps of Tiled, .tmx or .tmj (begin with < or {)");
-  EXPECT_EQ(refusal("\x89PNG\r\n").find("a file: not a scene; graze reads"), 0U);
+            "a file: not a scene; graze reads its own JSON (begins with {), CSV (begins with a line like "
+            "id,min_x,min_y,max_x,max_y or x,y,radius) and maps of Tiled, .tmx or .tmj (begin with < or {)");
+  EXPECT_EQ(refusal("\x01\x02\r\n").find("a file: not a scene; graze reads"), 0U);
+  EXPECT_EQ(refusal("[gd_scene format=3]\n").find("a file: this is a Godot scene; "), 0U);
   EXPECT_EQ(refusal(std::string("\xFF\xFE{\0", 4)), "a file: this is UTF-16; save it as UTF-8");
   EXPECT_EQ(refusal("[1]"), "a file: line 1, column 1: a scene is a JSON object, not an array");
-  EXPECT_EQ(refusal(R"({"type": "tileset"})").find("a file: line 1, column 1: there is no \"schema\""), 0U);
+  EXPECT_EQ(refusal(R"({"type": "other"})").find("a file: line 1, column 1: there is no \"schema\""), 0U);
 }
 
 TEST(SceneFile, EmptyTextIsRefused) {

@@ -55,6 +55,21 @@ TEST(Utf8, OnlyAWholeByteOrderMarkIsTakenAway) {
   EXPECT_EQ(without_byte_order_mark("x"), "x");
 }
 
+TEST(Utf8, OtherEncodingsAreToldByTheirMarksAndZeros) {
+  const auto encoding = [](const std::string& text) { return other_encoding(text); };
+  EXPECT_EQ(encoding(std::string("\xFF\xFE{\0", 4)), "UTF-16");
+  EXPECT_EQ(encoding(std::string("\xFE\xFF\0{", 4)), "UTF-16");
+  EXPECT_EQ(encoding(std::string("{\0\n\0", 4)), "UTF-16");
+  EXPECT_EQ(encoding(std::string("\0{\0\n", 4)), "UTF-16");
+  EXPECT_EQ(encoding(std::string("\xFF\xFE\0\0", 4)), "UTF-32");
+  EXPECT_EQ(encoding(std::string("\0\0\xFE\xFF", 4)), "UTF-32");
+  EXPECT_EQ(encoding(std::string("{\0\0\0", 4)), "UTF-32");
+  EXPECT_EQ(encoding(std::string("a\0bc", 4)), "");
+  EXPECT_EQ(encoding("\xEF\xBB\xBF{}"), "");
+  EXPECT_EQ(encoding("{}"), "");
+  EXPECT_EQ(encoding(""), "");
+}
+
 TEST(Utf8, BytesThatAreNoTextAreNamedWithTheirPlace) {
   EXPECT_NO_THROW(
       require_utf8("gr\xC3\xBC\xC3\x9F"

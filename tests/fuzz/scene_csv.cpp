@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Any text as boxes in CSV: it is refused in words, or read; what was read survives being written.
+// Any text as a scene in CSV: it is refused in words, or read; what was read survives being written.
 #include <cstddef>
 #include <cstdint>
 #include <string>
 
-#include <graze/io/csv_boxes.hpp>
+#include <graze/io/csv_scene.hpp>
 
 #include "fuzz/input.hpp"
 #include "fuzz/texts.hpp"
@@ -13,7 +13,7 @@ using namespace graze;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text = test::fuzz::Input(data, size).rest();
-  const auto file = test::fuzz::read_or_refuse([&] { return io::parse_csv_boxes(text, "boxes"); });
+  const auto file = test::fuzz::read_or_refuse([&] { return io::parse_csv_scene(text, "table"); });
   if (file) test::fuzz::require_survival(*file);
   return 0;
 }
