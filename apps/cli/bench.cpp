@@ -266,7 +266,7 @@ void measure_file(const Plan& plan, BenchReport& report, const std::string& name
   Progress progress("reading the scene");
   const io::SceneFile file = read_input(name);
   progress.stop();
-  say_omissions(file);
+  tell_omissions(file, false);
   std::visit([&](const auto& scene) { measure_scene(plan, report, scene); }, file.scene);
 }
 

@@ -9,9 +9,11 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include <graze/io/input_error.hpp>
 #include <graze/io/report.hpp>
 #include <graze/io/svg.hpp>
 
@@ -38,6 +40,7 @@ struct CheckArguments {
   std::optional<std::string> html;
   CheckedPairs pairs;
   bool fail_on_contact = false;
+  bool strict = false;
 };
 
 constexpr std::array<std::pair<std::string_view, ReportFormat>, 4> check_formats{{{"table", ReportFormat::table},
@@ -76,19 +79,26 @@ void require_separate_files(const CheckArguments& arguments) {
   }
 }
 
-/// Writes the report while pairs are found, and gives them to the page as well, if there is to be one.
+/// What needs the pairs beside the report.
+struct Pictures {
+  std::optional<HtmlReport> html;
+  std::vector<ObjectPair> touching;  // for the drawing
+};
+
+/// Writes the report while pairs are found, and gives them to the pictures that there are to be as well.
 void write_report(std::ostream& out, const CheckArguments& arguments, SceneCheck& check, Progress& progress,
-                  HtmlReport* html) {
+                  Pictures& pictures) {
   const ReportFormat format = chosen("--format", arguments.format, check_formats);
   const bool on_terminal = is_standard_stream(arguments.output) && is_terminal(Stream::output);
   const auto colours = on_terminal ? colours_for(Stream::output) : io::Colours::off;
   const std::unique_ptr<io::ReportWriter> writer = io::begin_report(out, format, check.head(), colours);
   if (on_terminal && format != ReportFormat::table) progress.stop();  // the pairs that come are progress enough
-  const auto write = [&](const io::ReportedPair& pair) {
+  const auto write = [&](const io::ReportedPair& pair, const ObjectPair& ids) {
     writer->write(pair);
-    if (html != nullptr) html->add(pair);
+    if (pictures.html) pictures.html->add(pair);
+    if (arguments.svg) pictures.touching.push_back(ids);
   };
-  check.run(write, [&] { out.flush(); });
+  check.run(write, [&] { return static_cast<bool>(out.flush()); });
   progress.stop();
   writer->finish(check.summary());
   out.flush();
@@ -100,6 +110,18 @@ void say_summary(const CheckArguments& arguments, const SceneCheck& check) {
   if (!in_report || !is_standard_stream(arguments.output)) say(io::summary_line(check.head(), check.summary()));
 }
 
+/// Refuses to call a scene free of contacts of which a shape may be missing.
+void require_all_shapes(const io::SceneFile& file) {
+  std::vector<std::string> missing;
+  for (const io::Omission& omission : io::missing_shapes(file.omissions))
+    missing.push_back(io::omission_text(omission));
+  if (missing.empty()) return;
+  throw io::InputError(
+      fmt::format("{}: no pair is reported, but --fail-on-contact does not pass while shapes that could touch were not "
+                  "read: {}",
+                  name_of(file), fmt::join(missing, "; ")));
+}
+
 ExitCode run_check(const CheckArguments& arguments) {
   static_cast<void>(chosen("--format", arguments.format, check_formats));  // refused before anything is read
   require_one_report(arguments.pairs);
@@ -108,28 +130,33 @@ ExitCode run_check(const CheckArguments& arguments) {
   Progress progress("reading the scene");
   const io::SceneFile file = read_input(arguments.scene);
   progress.stop();
-  say_omissions(file);
+  tell_omissions(file, arguments.strict);
 
   Progress search_progress("looking for candidates");
   SceneCheck check(file, arguments.pairs, search_progress);
-  std::optional<HtmlReport> html;
-  if (arguments.html) html.emplace(std::move(page), check.head());
+  Pictures pictures;
+  if (arguments.html) pictures.html.emplace(std::move(page), check.head());
   write_output(arguments.output, [&](std::ostream& out) {
-    write_report(out, arguments, check, search_progress, html ? &*html : nullptr);
+    write_report(out, arguments, check, search_progress, pictures);
     if (!out) return;
     // Inside, so that a report in a file takes its place only when the picture and the page have been written as well.
     const Progress drawing("drawing the picture");
     if (arguments.svg) {
-      write_output(*arguments.svg, [&](std::ostream& picture) { io::write_svg(picture, file, check.touching()); });
+      write_output(*arguments.svg, [&](std::ostream& picture) { io::write_svg(picture, file, pictures.touching); });
     }
-    if (html) write_output(*arguments.html, [&](std::ostream& to) { html->finish(to, file, check.summary()); });
+    if (arguments.html) {
+      write_output(*arguments.html, [&](std::ostream& to) { pictures.html->finish(to, file, check.summary()); });
+    }
   });
   say_summary(arguments, check);
-  return !check.touching().empty() && arguments.fail_on_contact ? contact_found : done;
+  if (!arguments.fail_on_contact) return done;
+  if (check.summary().pairs > 0) return contact_found;
+  require_all_shapes(file);
+  return done;
 }
 
 constexpr const char* check_footer =
-    R"(SCENE is a scene in graze's JSON, boxes in CSV, or a Tiled map (.tmx, .tmj); told apart
+    R"(SCENE is a scene in graze's JSON or CSV, or a Tiled map (.tmx, .tmj); told apart
 by content. Pairs come in the scene's order. Shapes that touch without overlapping count.
 A pair with several contact points has a row for each of them in a table and in CSV.
 
@@ -143,7 +170,7 @@ Examples:
   generate | graze check --fail-on-contact -
 
 Exit codes: 0 done; 1 contact found, with --fail-on-contact; 2 wrong usage;
-3 bad input, or an output that cannot be written)";
+3 bad input, a shape not read with --fail-on-contact, or an output that cannot be written)";
 
 }  // namespace
 
@@ -171,6 +198,7 @@ Command add_check(CLI::App& program) {
       ->type_name("FILE")
       ->take_last();
   app->add_flag("--fail-on-contact", arguments->fail_on_contact, "End with exit code 1 when a pair is reported");
+  add_strict(*app, arguments->strict);
   app->footer(check_footer);
   return {app, [arguments] { return run_check(*arguments); }};
 }

@@ -19,6 +19,7 @@ namespace {
 struct ConvertArguments {
   std::string input;
   std::string output;
+  bool strict = false;
 };
 
 void require_json_name(const std::string& output) {
@@ -33,7 +34,7 @@ ExitCode run_convert(const ConvertArguments& arguments) {
   Progress reading("reading the scene");
   const io::SceneFile file = read_input(arguments.input);
   reading.stop();
-  say_omissions(file);
+  tell_omissions(file, arguments.strict);
   Progress writing("writing the scene");
   if (is_standard_stream(arguments.output)) writing.stop();  // the data may be going to the same terminal
   write_output(arguments.output, [&](std::ostream& out) { io::write_json_scene(out, file); });
@@ -57,6 +58,7 @@ Command add_convert(CLI::App& program) {
   app->add_option("OUT", arguments->output, "File to write, ending in .json, or - for the standard output")
       ->required()
       ->type_name("");
+  add_strict(*app, arguments->strict);
   app->footer(convert_footer);
   return {app, [arguments] { return run_convert(*arguments); }};
 }

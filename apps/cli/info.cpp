@@ -23,6 +23,7 @@ enum class InfoFormat { table, json };
 struct InfoArguments {
   std::string scene;
   std::string format = "table";
+  bool strict = false;
 };
 
 constexpr std::array<std::pair<std::string_view, InfoFormat>, 2> info_formats{
@@ -31,8 +32,10 @@ constexpr std::array<std::pair<std::string_view, InfoFormat>, 2> info_formats{
 ExitCode run_info(const InfoArguments& arguments) {
   const InfoFormat format = chosen("--format", arguments.format, info_formats);
   Progress progress("reading the scene");
-  const io::SceneSummary summary = io::summarise(read_input(arguments.scene));
+  const io::SceneFile file = read_input(arguments.scene);
+  const io::SceneSummary summary = io::summarise(file);
   progress.stop();
+  arguments.strict ? refuse_omissions(file) : say_warnings(file);
   write_output("-", [&](std::ostream& out) {
     if (format == InfoFormat::json) {
       io::write_summary_json(out, summary);
@@ -59,6 +62,7 @@ Command add_info(CLI::App& program) {
   const auto arguments = std::make_shared<InfoArguments>();
   app->add_option("SCENE", arguments->scene, "Scene file, or - for the standard input")->required()->type_name("");
   app->add_option("--format", arguments->format, "table (the default) or json")->type_name("FORMAT")->take_last();
+  add_strict(*app, arguments->strict);
   app->footer(info_footer);
   return {app, [arguments] { return run_info(*arguments); }};
 }

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -19,6 +21,8 @@
 
 namespace graze::cli {
 namespace {
+
+constexpr std::string_view standard_input_name = "standard input";
 
 std::string standard_input() {
   std::string text;
@@ -38,7 +42,8 @@ std::string standard_input() {
 
 io::SceneFile read_input(const std::string& name) {
   if (!is_standard_stream(name)) return io::read_scene(name);
-  io::SceneFile file = io::parse_scene(standard_input(), "standard input", std::filesystem::current_path());
+  io::SceneFile file =
+      io::parse_scene(standard_input(), std::string(standard_input_name), std::filesystem::current_path());
   file.source = name;
   return file;
 }
@@ -48,9 +53,29 @@ io::AnyQueryLog read_log(const std::string& name) {
   return io::parse_query_log(io::read_whole_file(name, "the log"), name);
 }
 
-void say_omissions(const io::SceneFile& file) {
-  for (const io::Omission& omission : file.omissions)
-    say(fmt::format("not read: {} x {}", omission.count, omission.what));
+std::string name_of(const io::SceneFile& file) {
+  return is_standard_stream(file.source) ? std::string(standard_input_name) : file.source;
+}
+
+void refuse_omissions(const io::SceneFile& file) {
+  std::vector<std::string> facts = file.warnings;
+  for (const io::Omission& omission : file.omissions) facts.push_back("not read: " + io::omission_text(omission));
+  if (facts.empty()) return;
+  throw io::InputError(fmt::format("{}: refused, as --strict asks: {}", name_of(file), fmt::join(facts, "; ")));
+}
+
+void say_warnings(const io::SceneFile& file) {
+  for (const std::string& warning : file.warnings) say("warning: " + warning);
+}
+
+void tell_omissions(const io::SceneFile& file, bool strict) {
+  if (strict) refuse_omissions(file);
+  say_warnings(file);
+  for (const io::Omission& omission : file.omissions) say("not read: " + io::omission_text(omission));
+}
+
+void add_strict(CLI::App& app, bool& strict) {
+  app.add_flag("--strict", strict, "Refuse a scene of which not everything is read");
 }
 
 }  // namespace graze::cli

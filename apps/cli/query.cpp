@@ -52,6 +52,7 @@ struct QueryArguments {
   std::optional<double> t_max;
   std::optional<std::string> layer;
   bool only_first = false;
+  bool strict = false;
 };
 
 constexpr std::array<std::pair<std::string_view, ReportFormat>, 4> query_formats{{{"table", ReportFormat::table},
@@ -214,6 +215,7 @@ io::FoundReport answer(const QueryArguments& arguments, const std::string& sourc
 struct Subject {
   std::string source;
   io::AnyScene scene;
+  std::vector<io::Omission> not_read = {};
 };
 
 Subject read_subject(const QueryArguments& arguments) {
@@ -229,8 +231,8 @@ Subject read_subject(const QueryArguments& arguments) {
   Progress progress("reading the scene");
   io::SceneFile file = read_input(*arguments.scene);
   progress.stop();
-  say_omissions(file);
-  return {std::move(file.source), std::move(file.scene)};
+  tell_omissions(file, arguments.strict);
+  return {std::move(file.source), std::move(file.scene), std::move(file.omissions)};
 }
 
 ExitCode run_query(const QueryArguments& arguments) {
@@ -238,8 +240,9 @@ ExitCode run_query(const QueryArguments& arguments) {
   require_one_scene(arguments);
   require_one_question(arguments);
   const Subject subject = read_subject(arguments);
-  const io::FoundReport report = std::visit(
+  io::FoundReport report = std::visit(
       [&]<Dim N>(const Scene<N, double>& scene) { return answer<N>(arguments, subject.source, scene); }, subject.scene);
+  report.head.not_read = subject.not_read;
   const bool is_shown = is_standard_stream(arguments.output);
   write_output(arguments.output, [&](std::ostream& out) {
     const bool on_terminal = is_shown && is_terminal(Stream::output);
@@ -284,6 +287,7 @@ Command add_query(CLI::App& program) {
   add("--layer", arguments->layer, "Only objects on this layer", "NAME");
   add("--format", arguments->format, "table (the default), json, ndjson or csv", "FORMAT");
   add("--output", arguments->output, "Write the answer to a file instead of the standard output", "FILE");
+  add_strict(*app, arguments->strict);
   app->footer(query_footer);
   return {app, [arguments] { return run_query(*arguments); }};
 }

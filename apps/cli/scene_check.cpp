@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene_check.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <optional>
@@ -13,6 +12,7 @@
 #include <graze/broad/executor.hpp>
 #include <graze/broad/pair_tasks.hpp>
 #include <graze/broad/touching_pairs.hpp>
+#include <graze/scene/visit_candidates.hpp>
 
 #include "coordinates.hpp"
 #include "nearness.hpp"
@@ -23,9 +23,6 @@ namespace {
 using io::PairDetail;
 using io::ReportedPair;
 using Clock = std::chrono::steady_clock;
-
-/// Candidates that are tested at a time: enough for vectors, few enough for a report that goes on.
-constexpr std::size_t block_size = 4096;
 
 /// Candidates per task.
 constexpr std::size_t candidates_per_task = 512;
@@ -105,7 +102,7 @@ void add_contacts(const Task<N>& task) {
 }  // namespace
 
 SceneCheck::SceneCheck(const io::SceneFile& file, const CheckedPairs& wanted, Progress& progress)
-    : file_(file), wanted_(wanted), progress_(progress), head_{file.source, 2, 0, detail_of(wanted)} {
+    : file_(file), wanted_(wanted), progress_(progress), head_{file.source, 2, 0, detail_of(wanted), file.omissions} {
   std::visit(
       [this]<Dim N>(const Scene<N, double>& scene) {
         head_.dimension = N;
@@ -131,33 +128,33 @@ std::vector<std::optional<ReportedPair>> SceneCheck::tested(const Scene<N, doubl
 }
 
 template <Dim N>
-void SceneCheck::search(const Scene<N, double>& scene, const std::function<void(const ReportedPair&)>& on_pair,
-                        const std::function<void()>& after_block) {
+void SceneCheck::search(const Scene<N, double>& scene, const OnPair& on_pair,
+                        const std::function<bool()>& after_block) {
   Clock::time_point start = Clock::now();
   progress_.begin("looking for candidates");
-  const std::vector<ObjectPair> candidates = scene.candidates(wanted_.within.value_or(0));
-  summary_.candidates = candidates.size();
-  progress_.begin("testing pairs", candidates.size());
-  for (std::size_t first = 0; first < candidates.size(); first += block_size) {
-    const auto block = std::span(candidates).subspan(first, std::min(block_size, candidates.size() - first));
-    const std::vector<std::optional<ReportedPair>> found = tested(scene, block);
-    progress_.advance(first + block.size());
+  bool has_begun = false;
+  const auto test = [&](std::span<const ObjectPair> candidates) {
+    if (!has_begun) progress_.begin("testing pairs", scene.size());
+    has_begun = true;
+    const std::vector<std::optional<ReportedPair>> found = tested(scene, candidates);
+    progress_.advance(candidates.back().a.index);
+    summary_.candidates += candidates.size();
     summary_.seconds += seconds_since(start);
     for (std::size_t i = 0; i < found.size(); ++i) {
       if (!found[i]) continue;
-      on_pair(*found[i]);
+      on_pair(*found[i], candidates[i]);
       if (found[i]->status != Status::converged) ++summary_.not_converged;
-      touching_.push_back(block[i]);
+      ++summary_.pairs;
     }
-    after_block();
+    const bool goes_on = after_block();
     start = Clock::now();
-  }
+    return goes_on;
+  };
+  visit_candidates(scene, test, wanted_.within.value_or(0));
   summary_.seconds += seconds_since(start);
-  summary_.pairs = touching_.size();
 }
 
-void SceneCheck::run(const std::function<void(const ReportedPair&)>& on_pair,
-                     const std::function<void()>& after_block) {
+void SceneCheck::run(const OnPair& on_pair, const std::function<bool()>& after_block) {
   std::visit([&](const auto& scene) { search(scene, on_pair, after_block); }, file_.scene);
 }
 

@@ -29,31 +29,31 @@ class SceneCheck {
   /// `file` and `progress` must outlive the check.
   SceneCheck(const io::SceneFile& file, const CheckedPairs& wanted, Progress& progress);
 
-  /// Finds the pairs and gives them to `on_pair` in order. They come in blocks, and `after_block` is called after each,
-  /// so that whoever reads a report gets pairs while the search goes on, and so that the time of the search is told
-  /// from that of writing. To be called once.
-  void run(const std::function<void(const io::ReportedPair&)>& on_pair, const std::function<void()>& after_block);
+  /// Takes a pair that was asked for: by name, with what is told of it, and by id.
+  using OnPair = std::function<void(const io::ReportedPair&, const ObjectPair&)>;
+
+  /// Finds the pairs and gives them to `on_pair` in order, of which none is kept. They come in blocks, and
+  /// `after_block` is called after each, so that whoever reads a report gets pairs while the search goes on, and so
+  /// that the time of the search is told from that of writing; false from it ends the search. To be called once.
+  void run(const OnPair& on_pair, const std::function<bool()>& after_block);
 
   const io::ReportHead& head() const { return head_; }
 
-  /// Complete after `run`; so is `touching`, the pairs that were reported.
+  /// Complete after `run`.
   const io::ReportSummary& summary() const { return summary_; }
-  std::span<const ObjectPair> touching() const { return touching_; }
 
  private:
   template <Dim N>
   std::vector<std::optional<io::ReportedPair>> tested(const Scene<N, double>& scene,
                                                       std::span<const ObjectPair> candidates) const;
   template <Dim N>
-  void search(const Scene<N, double>& scene, const std::function<void(const io::ReportedPair&)>& on_pair,
-              const std::function<void()>& after_block);
+  void search(const Scene<N, double>& scene, const OnPair& on_pair, const std::function<bool()>& after_block);
 
   const io::SceneFile& file_;
   CheckedPairs wanted_;
   Progress& progress_;
   io::ReportHead head_;
   io::ReportSummary summary_;
-  std::vector<ObjectPair> touching_;
 };
 
 }  // namespace graze::cli

@@ -39,6 +39,7 @@ struct SimulateArguments {
   std::optional<std::string> log;
   std::optional<std::int64_t> frames;  // signed, so that a negative one is seen
   double seconds_per_frame = 1.0 / 60;
+  bool strict = false;
 };
 
 void require_sensible(const SimulateArguments& arguments) {
@@ -135,6 +136,7 @@ Totals move_and_write(const SimulateArguments& arguments, World& scene, const io
     // Lines that come are progress enough.
     if (is_standard_stream(arguments.output) && is_terminal(Stream::output)) progress.stop();
     progress.begin("simulating", frames);
+    for (const io::Omission& omission : io::missing_shapes(file.omissions)) out << io::omission_ndjson(omission);
     for (std::size_t number = 0; number <= frames && out; ++number) {
       io::write_frame(out, simulation.frame(number));
       out.flush();
@@ -162,7 +164,7 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
   Progress reading("reading the scene");
   io::SceneFile file = read_input(arguments.scene);
   reading.stop();
-  say_omissions(file);
+  tell_omissions(file, arguments.strict);
 
   Progress progress("simulating");
   std::size_t objects = 0;
@@ -202,6 +204,7 @@ Command add_simulate(CLI::App& program) {
   add("--seconds-per-frame", arguments->seconds_per_frame, "How far apart frames are; 1/60 if left out", "SECONDS");
   add("--output", arguments->output, "Write the frames to a file instead of the standard output", "FILE");
   add("--log", arguments->log, "Record all calls on the scene, for graze replay", "FILE");
+  add_strict(*app, arguments->strict);
   app->footer(simulate_footer);
   return {app, [arguments] { return run_simulate(*arguments); }};
 }

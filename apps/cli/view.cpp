@@ -25,6 +25,7 @@ namespace {
 struct ViewArguments {
   std::string scene;
   std::optional<std::string> html;
+  bool strict = false;
 };
 
 /// Checks the scene and writes the page; gives the sentence that sums up what was found.
@@ -32,7 +33,7 @@ std::string write_view(std::ostream& out, std::string page, const io::SceneFile&
   Progress progress("looking for candidates");
   SceneCheck check(file, {}, progress);
   HtmlReport report(std::move(page), check.head());
-  check.run([&](const io::ReportedPair& pair) { report.add(pair); }, [] {});
+  check.run([&](const io::ReportedPair& pair, const ObjectPair&) { report.add(pair); }, [] { return true; });
   progress.begin("writing the page");
   report.finish(out, file, check.summary());
   progress.stop();
@@ -52,7 +53,7 @@ ExitCode run_view(const ViewArguments& arguments) {
   Progress progress("reading the scene");
   const io::SceneFile file = read_input(arguments.scene);
   progress.stop();
-  say_omissions(file);
+  tell_omissions(file, arguments.strict);
   if (arguments.html) {
     std::string summary;
     write_output(*arguments.html, [&](std::ostream& out) { summary = write_view(out, std::move(page), file); });
@@ -65,7 +66,7 @@ ExitCode run_view(const ViewArguments& arguments) {
 }
 
 constexpr const char* view_footer =
-    R"(SCENE is a scene in graze's JSON, boxes in CSV, or a Tiled map (.tmx, .tmj); told apart
+    R"(SCENE is a scene in graze's JSON or CSV, or a Tiled map (.tmx, .tmj); told apart
 by content. The page holds everything that it needs and opens without a network. Without
 --html it is shown at an address of this machine only, until the program is ended.
 
@@ -84,6 +85,7 @@ Command add_view(CLI::App& program) {
   app->add_option("--html", arguments->html, "Write the page to a file, - for the standard output")
       ->type_name("FILE")
       ->take_last();
+  add_strict(*app, arguments->strict);
   app->footer(view_footer);
   return {app, [arguments] { return run_view(*arguments); }};
 }

@@ -483,6 +483,8 @@ export interface CheckReport {
   scene: string;
   dimension: Dimension;
   objects: number;
+  /** What the file holds and graze did not read. */
+  not_read: Omission[];
   pairs: { a: string; b: string; relation: Relation }[];
   summary: { pairs: number; candidates: number; seconds: number };
 }
@@ -516,7 +518,18 @@ export interface SceneInfo {
     max: number;
     bins: { from: number; to: number; objects: number }[];
   } | null;
-  not_read: { what: string; count: number }[];
+  not_read: Omission[];
+}
+
+/** Something that a file holds and graze did not read. */
+export interface Omission {
+  what: string;
+  count: number;
+  /** "shape": a shape that could touch others is missing; "precision": one is not exactly that of the file. */
+  loss: "none" | "precision" | "shape";
+  /** Where the first one is, and why it was not read; "" where that is not known. */
+  where: string;
+  why: string;
 }
 
 /** Shapes with names, layers and lifetimes. Lists of ids are ascending: in the order of adding while nothing is removed. */
@@ -531,7 +544,7 @@ export interface Scene extends Disposable {
   /** Which way y grows on a picture. */
   readonly yAxis: "up" | "down";
   /** What the file holds and graze did not read. */
-  readonly omissions: { what: string; count: number }[];
+  readonly omissions: Omission[];
 
   add(shape: Shape, options?: ObjectOptions): ObjectId;
   /** All of them or, with an Error, none. The options count for each; they have no name. */

@@ -31,10 +31,7 @@ std::string json_object(const FoundReport& report, const FoundObject& object) {
 }
 
 void write_json(std::ostream& out, const FoundReport& report) {
-  out << fmt::format(
-      "{{\n  \"schema\": \"graze.query/1\",\n  \"scene\": {},\n  \"dimension\": {},\n  \"objects\": {},\n  \"found\": "
-      "[",
-      json_string(report.head.source), report.head.dimension, report.head.objects);
+  out << "{\n  \"schema\": \"graze.query/1\",\n  " << json_head(report.head) << ",\n  \"found\": [";
   bool is_first = true;
   for (const FoundObject& object : report.objects) {
     out << (is_first ? "\n    " : ",\n    ") << json_object(report, object);
@@ -47,11 +44,13 @@ void write_json(std::ostream& out, const FoundReport& report) {
 
 void write_csv(std::ostream& out, const FoundReport& report) {
   const bool is_flat = report.head.dimension == 2;
-  out << "name,type";
-  if (report.detail != FoundDetail::none) out << ',' << number_name(report.detail);
-  if (report.detail == FoundDetail::hit)
-    out << (is_flat ? ",x,y,normal_x,normal_y" : ",x,y,z,normal_x,normal_y,normal_z");
-  out << '\n';
+  std::string columns = "name,type";
+  if (report.detail != FoundDetail::none) columns += fmt::format(",{}", number_name(report.detail));
+  if (report.detail == FoundDetail::hit) {
+    columns += is_flat ? ",x,y,normal_x,normal_y" : ",x,y,z,normal_x,normal_y,normal_z";
+  }
+  out << columns << '\n';
+  for (const Omission& omission : missing_shapes(report.head.not_read)) out << omission_csv(omission, columns, "type");
   for (const FoundObject& object : report.objects) {
     out << csv_field(object.name) << ',' << object.type;
     if (report.detail != FoundDetail::none) out << fmt::format(",{}", object.number);
@@ -83,6 +82,9 @@ void write_table(std::ostream& out, const FoundReport& report, Colours colours) 
     write_table(out, head_row(report.detail), rows, colours);
     out << '\n';
   }
+  for (const Omission& omission : missing_shapes(report.head.not_read)) {
+    out << "not read: " << printable(omission_text(omission)) << '\n';
+  }
   out << summary_line(report) << '\n';
 }
 
@@ -93,6 +95,7 @@ void write_found(std::ostream& out, ReportFormat format, const FoundReport& repo
     case ReportFormat::json:
       return write_json(out, report);
     case ReportFormat::ndjson:
+      for (const Omission& omission : missing_shapes(report.head.not_read)) out << omission_ndjson(omission);
       for (const FoundObject& object : report.objects) out << json_object(report, object) << '\n';
       return;
     case ReportFormat::csv:

@@ -68,10 +68,7 @@ std::string json_pair(const ReportedPair& pair, PairDetail detail) {
 class JsonReport final : public ReportWriter {
  public:
   JsonReport(std::ostream& out, const ReportHead& head) : out_(out), detail_(head.detail) {
-    out_ << fmt::format(
-        "{{\n  \"schema\": \"graze.check/1\",\n  \"scene\": {},\n  \"dimension\": {},\n  \"objects\": {},\n  "
-        "\"pairs\": [",
-        json_string(head.source), head.dimension, head.objects);
+    out_ << "{\n  \"schema\": \"graze.check/1\",\n  " << json_head(head) << ",\n  \"pairs\": [";
   }
 
   void write(const ReportedPair& pair) override {
@@ -93,7 +90,9 @@ class JsonReport final : public ReportWriter {
 
 class NdjsonReport final : public ReportWriter {
  public:
-  NdjsonReport(std::ostream& out, PairDetail detail) : out_(out), detail_(detail) {}
+  NdjsonReport(std::ostream& out, const ReportHead& head) : out_(out), detail_(head.detail) {
+    for (const Omission& omission : missing_shapes(head.not_read)) out_ << omission_ndjson(omission);
+  }
 
   void write(const ReportedPair& pair) override { out_ << json_pair(pair, detail_) << '\n'; }
   void finish(const ReportSummary&) override {}
@@ -106,13 +105,14 @@ class NdjsonReport final : public ReportWriter {
 class CsvReport final : public ReportWriter {
  public:
   CsvReport(std::ostream& out, const ReportHead& head) : out_(out), detail_(head.detail) {
-    out_ << "a,b,relation";
-    if (detail_ == PairDetail::distance) out_ << ",distance";
+    std::string columns = "a,b,relation";
+    if (detail_ == PairDetail::distance) columns += ",distance";
     if (detail_ == PairDetail::contacts) {
-      out_ << (head.dimension == 2 ? ",depth,x,y,normal_x,normal_y" : ",depth,x,y,z,normal_x,normal_y,normal_z");
+      columns += head.dimension == 2 ? ",depth,x,y,normal_x,normal_y" : ",depth,x,y,z,normal_x,normal_y,normal_z";
     }
-    if (detail_ != PairDetail::none) out_ << ",status,error";
-    out_ << '\n';
+    if (detail_ != PairDetail::none) columns += ",status,error";
+    out_ << columns << '\n';
+    for (const Omission& omission : missing_shapes(head.not_read)) out_ << omission_csv(omission, columns, "relation");
   }
 
   void write(const ReportedPair& pair) override {
@@ -149,39 +149,45 @@ std::string measured(double number, const ReportedPair& pair) {
 class TableReport final : public ReportWriter {
  public:
   TableReport(std::ostream& out, ReportHead head, Colours colours)
-      : out_(out), head_(std::move(head)), colours_(colours) {}
+      : out_(out), head_(std::move(head)), table_(out, columns_of(head_.detail), colours) {}
 
   void write(const ReportedPair& pair) override {
-    const TableRow start{{printable(pair.a)},
-                         {printable(pair.b)},
-                         {std::string(relation_name(pair.relation)), colour_of(pair.relation)}};
-    if (head_.detail != PairDetail::contacts) rows_.push_back(start);
-    if (head_.detail == PairDetail::distance) rows_.back().push_back({measured(pair.distance, pair)});
-    if (head_.detail != PairDetail::contacts) return;
+    TableRow row{{printable(pair.a)},
+                 {printable(pair.b)},
+                 {std::string(relation_name(pair.relation)), colour_of(pair.relation)}};
+    if (head_.detail == PairDetail::distance) row.push_back({measured(pair.distance, pair)});
+    if (head_.detail != PairDetail::contacts) return table_.write(std::move(row));
     for (const ReportedContact& contact : pair.contacts) {
-      rows_.push_back(start);
-      rows_.back().push_back({measured(contact.depth, pair)});
-      rows_.back().push_back({short_numbers(contact.point)});
-      rows_.back().push_back({short_numbers(pair.normal)});
+      TableRow whole = row;
+      whole.push_back({measured(contact.depth, pair)});
+      whole.push_back({short_numbers(contact.point)});
+      whole.push_back({short_numbers(pair.normal)});
+      table_.write(std::move(whole));
     }
   }
 
   void finish(const ReportSummary& summary) override {
-    TableRow columns{{"A"}, {"B"}, {"RELATION"}};
-    if (head_.detail == PairDetail::distance) columns.push_back({"DISTANCE"});
-    if (head_.detail == PairDetail::contacts) columns.insert(columns.end(), {{"DEPTH"}, {"POINT"}, {"NORMAL"}});
-    if (!rows_.empty()) {
-      write_table(out_, columns, rows_, colours_);
+    if (!table_.is_empty()) {
+      table_.finish();
       out_ << '\n';
+    }
+    for (const Omission& omission : missing_shapes(head_.not_read)) {
+      out_ << "not read: " << printable(omission_text(omission)) << '\n';
     }
     out_ << summary_line(head_, summary) << '\n';
   }
 
  private:
+  static TableRow columns_of(PairDetail detail) {
+    TableRow columns{{"A"}, {"B"}, {"RELATION"}};
+    if (detail == PairDetail::distance) columns.push_back({"DISTANCE"});
+    if (detail == PairDetail::contacts) columns.insert(columns.end(), {{"DEPTH"}, {"POINT"}, {"NORMAL"}});
+    return columns;
+  }
+
   std::ostream& out_;
   ReportHead head_;
-  Colours colours_;
-  std::vector<TableRow> rows_;
+  TableWriter table_;
 };
 
 std::string counted(std::size_t count, std::string_view noun) {
@@ -196,13 +202,18 @@ std::unique_ptr<ReportWriter> begin_report(std::ostream& out, ReportFormat forma
     case ReportFormat::json:
       return std::make_unique<JsonReport>(out, head);
     case ReportFormat::ndjson:
-      return std::make_unique<NdjsonReport>(out, head.detail);
+      return std::make_unique<NdjsonReport>(out, head);
     case ReportFormat::csv:
       return std::make_unique<CsvReport>(out, head);
     case ReportFormat::table:
       break;
   }
   return std::make_unique<TableReport>(out, head, colours);
+}
+
+std::string json_head(const ReportHead& head) {
+  return fmt::format("\"scene\": {},\n  \"dimension\": {},\n  \"objects\": {},\n  \"not_read\": {}",
+                     json_string(head.source), head.dimension, head.objects, omissions_json(head.not_read));
 }
 
 std::string summary_line(const ReportHead& head, const ReportSummary& summary) {

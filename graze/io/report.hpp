@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include <graze/io/omission.hpp>
 #include <graze/io/text_table.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/relation.hpp>
@@ -31,6 +32,7 @@ struct ReportHead {
   Dim dimension = 2;
   std::size_t objects = 0;
   PairDetail detail = PairDetail::none;
+  std::vector<Omission> not_read = {};
 };
 
 /// A point at which two objects touch, and how deep they are in each other there: infinitely, if nothing parts them.
@@ -59,12 +61,14 @@ struct ReportSummary {
   std::size_t not_converged = 0;  ///< Of the pairs reported.
 };
 
-/// Writes one report: `write` for every pair in order, then `finish` once. JSON, NDJSON and CSV are written as the
-/// pairs come; a table needs all of them for its columns, so the names must live until `finish`. In a table and in CSV
-/// a pair has a row for each of its contacts. Names are quoted or escaped as the format needs it, whatever bytes they
-/// hold, and numbers are as short as they can be read back, but for those of a table. Where more is told than a
-/// relation, JSON and CSV always tell the status and the error; a table tells the error of what has not converged.
-/// Virtual because the format is chosen at run time; a call per pair is nothing beside the test of the pair.
+/// Writes one report: `write` for every pair in order, then `finish` once. Pairs are written as they come, and none is
+/// kept; a table holds the first ones back until it knows how wide its columns are. In a table and in CSV a pair has a
+/// row for each of its contacts. Names are quoted or escaped as the format needs it, whatever bytes they hold, and
+/// numbers are as short as they can be read back, but for those of a table. Where more is told than a relation, JSON and
+/// CSV always tell the status and the error; a table tells the error of what has not converged. What was not read of the
+/// scene is a field in JSON; where shapes are missing by it, the first lines of NDJSON, the first rows of CSV and a line
+/// over the summary of a table say so. Virtual because the format is chosen at run time; a call per pair is nothing
+/// beside the test of the pair.
 class ReportWriter {
  public:
   virtual ~ReportWriter() = default;
@@ -80,6 +84,9 @@ class ReportWriter {
 /// Begins a report on `out`, which must outlive the writer. Only a table has colours.
 std::unique_ptr<ReportWriter> begin_report(std::ostream& out, ReportFormat format, const ReportHead& head,
                                            Colours colours = Colours::off);
+
+/// The fields of a JSON document that say what it is about, each but the first on a line of its own.
+std::string json_head(const ReportHead& head);
 
 /// The sentence that closes a table: "2 pairs; 5 objects, 3 candidates, 0.001 seconds", or "2 pairs, 1 not converged;
 /// ...".

@@ -101,10 +101,6 @@ void add_sizes(Block& block, const SizeSpread& sizes) {
 }  // namespace
 
 void write_summary_json(std::ostream& out, const SceneSummary& summary) {
-  Json not_read = Json::array();
-  for (const Omission& omission : summary.omissions) {
-    not_read.push_back({{"what", omission.what}, {"count", omission.count}});
-  }
   Json bounds = nullptr;
   if (summary.bounds) bounds = {{"min", summary.bounds->min}, {"max", summary.bounds->max}};
   const Json document = {{"schema", "graze.info/1"},
@@ -118,7 +114,7 @@ void write_summary_json(std::ostream& out, const SceneSummary& summary) {
                          {"unbounded", summary.unbounded},
                          {"empty", summary.empty},
                          {"sizes", summary.sizes ? sizes_as_json(*summary.sizes) : Json(nullptr)},
-                         {"not_read", not_read}};
+                         {"not_read", Json::parse(omissions_json(summary.omissions))}};
   out << document.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 

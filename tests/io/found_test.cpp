@@ -30,6 +30,7 @@ TEST(Found, AsJson) {
   "scene": "s.json",
   "dimension": 2,
   "objects": 7,
+  "not_read": [],
   "found": [
     {"name": "a,b", "type": "sphere", "t": 0.1, "point": [1, -2.5], "normal": [0, 1]},
     {"name": "c", "type": "aabb", "t": 1e+300, "point": [1, 2], "normal": [-1, 0]}
@@ -40,6 +41,16 @@ TEST(Found, AsJson) {
   FoundReport empty;
   empty.head = {"s.json", 3, 0};
   EXPECT_NE(written(ReportFormat::json, empty).find("\"found\": [],\n"), std::string::npos);
+}
+
+TEST(Found, SaysInEveryFormatWhatWasNotRead) {
+  FoundReport report;
+  report.head = {"s.json", 2, 7, PairDetail::none, {{"curve", 2, Loss::shape}}};
+  EXPECT_NE(written(ReportFormat::json, report).find(R"("not_read": [{"what": "curve", "count": 2)"),
+            std::string::npos);
+  EXPECT_EQ(written(ReportFormat::ndjson, report).find(R"({"not_read": {"what": "curve")"), 0U);
+  EXPECT_EQ(written(ReportFormat::csv, report), "name,type\n2 x curve,not_read\n");
+  EXPECT_EQ(written(ReportFormat::table, report), "not read: 2 x curve\n0 found; 7 objects, 0.000 seconds\n");
 }
 
 TEST(Found, AsLinesAndAsCsv) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -35,6 +36,7 @@ TEST(Report, as_json_holds_the_head_the_pairs_and_the_summary) {
   "scene": "yard.json",
   "dimension": 2,
   "objects": 3,
+  "not_read": [],
   "pairs": [
     {"a": "ball", "b": "ground", "relation": "touching"},
     {"a": "ground", "b": "wall", "relation": "overlapping"}
@@ -170,6 +172,26 @@ TEST(Report, colours_only_a_table_and_ends_each_colour) {
   for (const ReportFormat format : {ReportFormat::json, ReportFormat::ndjson, ReportFormat::csv}) {
     EXPECT_EQ(report(format, two_pairs, Colours::on), report(format, two_pairs));
   }
+}
+
+TEST(Report, says_in_json_what_was_not_read_and_everywhere_what_is_missing) {
+  ReportHead partial{"yard.json", 2, 3, PairDetail::contacts, {{"curve", 2, Loss::shape}, {"picture", 1}}};
+  const auto written = [&partial](ReportFormat format) {
+    std::ostringstream out;
+    const auto writer = begin_report(out, format, partial);
+    writer->finish({});
+    return out.str();
+  };
+  const auto document = nlohmann::json::parse(written(ReportFormat::json));
+  ASSERT_EQ(document["not_read"].size(), 2U);
+  EXPECT_EQ(document["not_read"][0]["what"], "curve");
+  const std::string lines = written(ReportFormat::ndjson);
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 1);
+  EXPECT_EQ(nlohmann::json::parse(lines.substr(0, lines.find('\n'))),
+            nlohmann::json({{"not_read", document["not_read"][0]}}));
+  EXPECT_EQ(written(ReportFormat::csv),
+            "a,b,relation,depth,x,y,normal_x,normal_y,status,error\n2 x curve,,not_read,,,,,,,\n");
+  EXPECT_EQ(written(ReportFormat::table), "not read: 2 x curve\n0 pairs; 3 objects, 0 candidates, 0.000 seconds\n");
 }
 
 TEST(Report, streams_json_lines_and_csv_before_the_end) {

@@ -88,7 +88,7 @@ TEST(SummaryJson, says_everything) {
     "bounds": {"min": [-4.0, -1.5], "max": [4.0, 10.0]}, "unbounded": 1, "empty": 0,
     "sizes": {"min": 0.0, "median": 3.0, "p90": 6.0, "max": 6.0,
               "bins": [{"from": 0.0, "to": 0.0, "objects": 1}, {"from": 2.0, "to": 4.0, "objects": 2}]},
-    "not_read": [{"what": "tile layer", "count": 3}]
+    "not_read": [{"what": "tile layer", "count": 3, "loss": "none", "where": "", "why": ""}]
   })"));
 }
 

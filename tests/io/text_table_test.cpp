@@ -38,6 +38,23 @@ TEST(TextTable, ColoursWordsAndNotTheBlanksBehindThem) {
   EXPECT_EQ(table({{"COLOUR"}, {"B"}}, rows), "COLOUR  B\nred     plain\n");
 }
 
+TEST(TextTable, IsWrittenAsItComesOnceItsColumnsAreKnown) {
+  std::ostringstream out;
+  TableWriter table(out, {{"A"}, {"B"}}, Colours::off);
+  EXPECT_TRUE(table.is_empty());
+  for (std::size_t i = 0; i + 1 < TableWriter::rows_for_widths; ++i) table.write({{"word"}, {"b"}});
+  EXPECT_EQ(out.str(), "");
+  EXPECT_FALSE(table.is_empty());
+  table.write({{"word"}, {"b"}});
+  EXPECT_EQ(out.str().substr(0, 16), "A     B\nword  b\n");
+  out.str("");
+  table.write({{"a wider word"}, {"b"}});
+  EXPECT_EQ(out.str(), "a wider word  b\n");
+  table.finish();
+  EXPECT_EQ(out.str(), "a wider word  b\n");
+  EXPECT_FALSE(table.is_empty());
+}
+
 TEST(TextTable, NumbersHaveSixDigits) {
   EXPECT_EQ(short_number(1.0 / 3), "0.333333");
   EXPECT_EQ(short_numbers(std::vector<double>{1, -2.5, 1e9}), "1, -2.5, 1e+09");

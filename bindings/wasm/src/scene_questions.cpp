@@ -146,15 +146,10 @@ std::string head(SceneHandle& self) {
   return self.visit([&]<Dim N>(const Scene<N, double>& scene) {
     std::string layers;
     for (const std::string& name : scene.layer_names()) layers += (layers.empty() ? "" : ", ") + io::json_string(name);
-    std::string omissions;
-    for (const io::Omission& each : self.file.omissions) {
-      omissions += fmt::format(R"({}{{"what": {}, "count": {}}})", omissions.empty() ? "" : ", ",
-                               io::json_string(each.what), each.count);
-    }
     return fmt::format(
-        R"({{"source": {}, "format": {}, "yAxis": "{}", "dimension": {}, "layers": [{}], "omissions": [{}]}})",
+        R"({{"source": {}, "format": {}, "yAxis": "{}", "dimension": {}, "layers": [{}], "omissions": {}}})",
         io::json_string(self.file.source), io::json_string(self.file.format),
-        self.file.y_axis == io::YAxis::down ? "down" : "up", N, layers, omissions);
+        self.file.y_axis == io::YAxis::down ? "down" : "up", N, layers, io::omissions_json(self.file.omissions));
   });
 }
 
@@ -233,7 +228,8 @@ io::ReportSummary check(const Scene<N, double>& scene, bool only_interior, const
 std::string check_report(SceneHandle& self, bool only_interior) {
   return self.visit([&]<Dim N>(const Scene<N, double>& scene) {
     std::ostringstream out;
-    const auto writer = io::begin_report(out, io::ReportFormat::json, {self.file.source, N, scene.size()});
+    const auto writer = io::begin_report(
+        out, io::ReportFormat::json, {self.file.source, N, scene.size(), io::PairDetail::none, self.file.omissions});
     writer->finish(check(scene, only_interior, [&](const ObjectPair& pair, Relation verdict) {
       writer->write({scene.object(pair.a).name, scene.object(pair.b).name, verdict});
     }));

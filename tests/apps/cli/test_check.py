@@ -56,7 +56,7 @@ class Check(CommandLineTest):
     def test_json_has_the_documented_fields(self):
         scene = self.yard()
         document = json.loads(self.succeed("check", "--format", "json", scene)[0])
-        self.assertEqual(list(document), ["schema", "scene", "dimension", "objects", "pairs", "summary"])
+        self.assertEqual(list(document), ["schema", "scene", "dimension", "objects", "not_read", "pairs", "summary"])
         self.assertEqual(document["schema"], "graze.check/1")
         self.assertEqual(document["scene"], str(scene))
         self.assertEqual((document["dimension"], document["objects"]), (2, 4))
@@ -276,6 +276,49 @@ class Check(CommandLineTest):
             with self.subTest(report_format):
                 _, said = self.succeed("check", "--format", report_format, scene)
                 self.assertIn("graze: not read: 1 x image layer\n", said)
+
+    def test_what_was_not_read_is_part_of_the_answer(self):
+        scene = self.write("layers.tmx", IMAGE_LAYER)
+        (omission,) = json.loads(self.succeed("check", "--format", "json", scene)[0])["not_read"]
+        self.assertEqual((omission["what"], omission["count"], omission["loss"]), ("image layer", 1, "none"))
+        svg, _ = self.succeed("check", "--svg", "-", "--output", self.folder / "report", scene)
+        self.assertIn(">not read: 1 x image layer<", svg)
+        self.assertEqual(json.loads(self.succeed("query", "--point", "0,0", "--format", "json", scene)[0])["not_read"],
+                         [omission])
+
+    def test_missing_shapes_are_named_in_every_report_and_a_check_does_not_pass(self):
+        future = '<map width="1" height="1" tilewidth="8" tileheight="8"><futurelayer name="f"/></map>'
+        scene = self.write("future.tmx", future)
+        texts = {name: self.succeed("check", "--format", name, scene)[0] for name in ("table", "json", "ndjson", "csv")}
+        (omission,) = json.loads(texts["json"])["not_read"]
+        self.assertEqual((omission["what"], omission["count"], omission["loss"]), ("unknown element", 1, "shape"))
+        self.assertEqual([json.loads(line) for line in texts["ndjson"].splitlines()], [{"not_read": omission}])
+        (row,) = list(csv.reader(io.StringIO(texts["csv"])))[1:]
+        self.assertRegex(row[0], r"\A1 x unknown element \(")
+        self.assertEqual(row[1:], ["", "not_read"])
+        self.assertRegex(texts["table"], r"\Anot read: 1 x unknown element \([^\n]*\n0 pairs; 0 objects")
+        for command in (["query", "--point", "0,0", "--format", "ndjson"], ["simulate", "--frames", "1"]):
+            self.assertEqual(json.loads(self.succeed(*command, scene)[0].splitlines()[0]), {"not_read": omission})
+        _, said = self.succeed("check", "--fail-on-contact", scene, code=3)
+        self.assertIn("future.tmx: no pair is reported, but --fail-on-contact does not pass", said)
+        self.assertIn("1 x unknown element", said)
+        harmless = self.write("extra.csv", "id,min_x,min_y,max_x,max_y,colour\na,0,0,1,1,red\n")
+        self.succeed("check", "--fail-on-contact", harmless)
+        boxes = '<objectgroup><object id="1" width="2" height="2"/><object id="2" width="2" height="2"/></objectgroup>'
+        both = self.write("both.tmx", future.replace("</map>", boxes + "</map>"))
+        self.succeed("check", "--fail-on-contact", both, code=1)
+
+    def test_strict_refuses_whatever_is_not_read(self):
+        extra = self.write("extra.csv", "id,min_x,min_y,max_x,max_y,colour\na,0,0,1,1,red\n")
+        for command in (["check"], ["query", "--point", "0,0"], ["info"], ["simulate", "--frames", "1"],
+                        ["convert", "--", extra, self.folder / "c.json"]):
+            with self.subTest(command[0]):
+                arguments = command[1:] if command[0] == "convert" else [*command[1:], extra]
+                said = self.refused(command[0], "--strict", *arguments,
+                                    says=['extra.csv: refused, as --strict asks: not read: 1 x column "colour"'])
+                self.assertEqual(said.count("\n"), 1)
+        self.succeed("check", "--strict", self.yard())
+        self.refused("check", "--strict", "-", input=extra.read_bytes(), says="standard input: refused")
 
 
 if __name__ == "__main__":

@@ -70,7 +70,9 @@ class Info(CommandLineTest):
 
     def test_what_was_not_read_is_part_of_the_answer(self):
         scene = self.write("layers.tmx", IMAGE_LAYER)
-        self.assertEqual(self.info(scene)["not_read"], [{"what": "image layer", "count": 1}])
+        (omission,) = self.info(scene)["not_read"]
+        self.assertEqual((omission["what"], omission["count"]), ("image layer", 1))
+        self.assertEqual(set(omission), {"what", "count", "loss", "where", "why"})
         self.assertIn("\nnot read\n  image layer  1\n", self.succeed("info", scene)[0])
 
     def test_the_standard_input_is_read(self):

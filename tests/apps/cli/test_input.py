@@ -71,6 +71,15 @@ OTHER_CASES = {
     "empty file": ("empty.json", "", ["empty.json", "empty"]),
     "only blanks": ("blank.json", " \n\t\n", ["blank.json"]),
     "binary": ("b.bin", bytes(range(256)), ["b.bin"]),
+    "godot": ("level.tscn", "[gd_scene format=3]\n", ["level.tscn: this is a Godot scene; write its collision shapes"]),
+    "robot": ("r.urdf", '<?xml version="1.0"?><robot name="r"/>', ["r.urdf: this is a robot in URDF; write its"]),
+    "tileset": ("t.tsj", '{"type":"tileset","name":"a"}', ["t.tsj: this is a Tiled tileset; give the map"]),
+    "tileset in xml": ("t.tsx", '<tileset name="a"/>', ["t.tsx: this is a Tiled tileset; give the map"]),
+    "template": ("t.tj", '{"type":"template","object":{"id":1}}', ["t.tj: this is a Tiled template, a single object;"]),
+    "javascript": ("m.js", "(function(name,data){\n if(", ["m.js: this is a map that Tiled exported as JavaScript;"]),
+    "utf-16": ("s.json", json.dumps(YARD).encode("utf-16"), ["s.json: this is UTF-16; save it as UTF-8"]),
+    "a log": ("s.log", '{"schema": "graze.log/1", "dimension": 2}\n{}', ["s.log: this is a query log; perform it by"]),
+    "a report": ("r.csv", "a,b,relation\nx,y,touching\n", ["r.csv: this is a report of graze check; give the scene"]),
     "prose": ("prose.txt", "It was a dark and stormy night\n", ["prose.txt"]),
     "compressed": ("s.json.gz", gzip.compress(b"{}"), ["s.json.gz"]),
 }
@@ -107,6 +116,25 @@ class Input(CommandLineTest):
     def test_what_is_no_scene_is_refused(self):
         self.try_cases(OTHER_CASES)
 
+    def test_tables_of_every_kind_are_read(self):
+        for content in ("x,y,radius\n0,0,1\n1,0,1\n", "x;y;z;radius\r\n+0;0;0;1\r\n1;0;0;1\r\n",
+                        "ax\tay\tbx\tby\tradius\r0\t0\t1\t0\t1\r0\t1\t1\t1\t1\r"):
+            with self.subTest(content):
+                text, said = self.succeed("check", "--format", "csv", "-", input=content.encode())
+                self.assertEqual(text, "a,b,relation\n#0,#1,overlapping\n")
+                self.assertNotIn("warning", said)
+
+    def test_a_table_that_may_be_cut_off_is_warned_of(self):
+        cut = self.write("cut.csv", BOXES + "a,0,0,1,12")
+        _, said = self.succeed("info", cut)
+        self.assertIn("cut.csv: line 2, the last one, has no line break; if the file was cut off", said)
+        self.assertTrue(said.startswith("graze: warning: "), said)
+        self.refused("info", "--strict", cut, says="has no line break")
+
+    def test_a_scene_given_as_a_log_is_refused_as_one(self):
+        scene = self.write("s.json", json.dumps(YARD, indent=1))
+        self.refused("replay", scene, says="s.json: this is a scene, not a query log; graze simulate --log records one")
+
     def test_a_missing_file_and_a_folder_are_refused(self):
         self.assert_refused(self.folder / "missing.json", ["missing.json", "no such file"])
         self.assert_refused(self.folder, [str(self.folder)])
@@ -139,7 +167,7 @@ class Input(CommandLineTest):
             with self.subTest(name):
                 scene = self.write(name, content)
                 text, _ = self.succeed("check", scene, **with_memory_of(mebibytes=512))  # 1e9 of anything would not fit
-                self.assertTrue(text.startswith("0 pairs; 0 objects"))
+                self.assertRegex(text, r"(?m)^0 pairs; 0 objects")
 
     def test_the_standard_input_is_refused_by_that_name(self):
         self.refused("check", "-", input=b"", says=["standard input", "empty"])

@@ -3,11 +3,13 @@
 
 import json
 import os
+import resource
 import signal
 import subprocess
+import time
 import unittest
 
-from graze_program import PROGRAM, ROOT, TIMEOUT_SECONDS, CommandLineTest, environment, run_graze
+from graze_program import CAN_BE_LIMITED, PROGRAM, ROOT, TIMEOUT_SECONDS, CommandLineTest, environment, run_graze
 
 
 class Output(CommandLineTest):
@@ -42,8 +44,95 @@ class Output(CommandLineTest):
         self.assert_no_litter("many.csv", "report")
 
     def test_a_stream_begins_before_the_end_of_the_search(self):
-        first, _, _ = self.run_until_pipe_is_closed("check", "--format", "ndjson", self.many_boxes(1000))
+        # Of 50,000 boxes at one place there are more than 10^9 pairs, which nobody could wait for, or hold.
+        scene = self.many_boxes(50000)
+        for report_format in ("ndjson", "csv", "table"):
+            with self.subTest(report_format):
+                first, said, code = self.run_until_pipe_is_closed("check", "--format", report_format, scene)
+                self.assertEqual((said, code), (b"", -signal.SIGPIPE))
+                self.assertNotEqual(first, b"")
+        first, _, _ = self.run_until_pipe_is_closed("check", "--format", "ndjson", scene)
         self.assertEqual(json.loads(first), {"a": "box_0", "b": "box_1", "relation": "overlapping"})
+
+    def most_memory_of(self, *arguments):
+        """The largest resident size of the program that it had, in bytes, and how many lines it wrote."""
+        process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                                   env=environment())
+        with process.stdout:
+            lines = sum(block.count(b"\n") for block in iter(lambda: process.stdout.read(1 << 20), b""))
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(process.returncode, 0)
+        return usage.ru_maxrss * 1024, lines
+
+    def test_memory_does_not_grow_with_the_number_of_pairs(self):
+        # Four million pairs would take 100 MB as candidates, and 600 MB as rows of a table.
+        few = self.write("few.csv", self.many_boxes(200).read_bytes())
+        scene = self.many_boxes(2900)
+        for report_format in ("csv", "table"):
+            with self.subTest(report_format):
+                small, _ = self.most_memory_of("check", "--format", report_format, few)
+                large, lines = self.most_memory_of("check", "--format", report_format, scene)
+                self.assertGreaterEqual(lines, 2900 * 2899 // 2)
+                if CAN_BE_LIMITED:
+                    self.assertLess(large - small, 150 << 20)
+
+    def write_slowly(self, **options):
+        """A run that would write for hours, once its temporary file is there."""
+        report = self.write("report", "precious")
+        process = subprocess.Popen([PROGRAM, "check", "--format", "csv", "--output", report, self.many_boxes(50000)],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, env=environment(), **options)
+        self.addCleanup(process.stderr.close)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        deadline = time.monotonic() + TIMEOUT_SECONDS
+        while not any(file.stat().st_size for file in self.folder.glob(".graze-*.tmp")):
+            self.assertLess(time.monotonic(), deadline, "there is no temporary file")
+            self.assertIsNone(process.poll(), "the program has ended")
+            time.sleep(0.01)
+        return process
+
+    def test_signals_that_end_the_program_leave_no_half_written_file(self):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT, signal.SIGXCPU):
+            with self.subTest(number):
+                process = self.write_slowly(preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CORE, (0, 0)))
+                process.send_signal(number)
+                self.assertEqual(process.wait(TIMEOUT_SECONDS), -number)
+                self.assertEqual((self.folder / "report").read_text(), "precious")
+                self.assert_no_litter("many.csv", "report")
+
+    def test_a_signal_that_was_ignored_stays_ignored(self):
+        process = self.write_slowly(preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        process.send_signal(signal.SIGHUP)
+        time.sleep(0.2)
+        self.assertIsNone(process.poll())
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.wait(TIMEOUT_SECONDS), -signal.SIGTERM)
+        self.assert_no_litter("many.csv", "report")
+
+    def test_a_file_that_becomes_too_large_is_an_error(self):
+        report = self.write("report", "precious")
+        limit = {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (100000, 100000))}
+        self.refused("check", "--format", "csv", "--output", report, self.many_boxes(1000), **limit,
+                     says=["report", "File too large", "what was there is unchanged"])
+        self.assertEqual(report.read_text(), "precious")
+        self.assert_no_litter("many.csv", "report")
+
+    def test_what_a_killed_run_left_behind_is_removed_by_the_next(self):
+        process = self.write_slowly()
+        process.kill()
+        process.wait(TIMEOUT_SECONDS)
+        self.assertEqual(len(list(self.folder.glob(".graze-*.tmp"))), 1)
+        self.succeed("convert", self.yard(), self.folder / "other.json")
+        self.assert_no_litter("many.csv", "other.json", "report", "yard.json")
+
+    def test_the_file_of_a_run_that_goes_on_is_left_alone(self):
+        process = self.write_slowly()
+        self.succeed("convert", self.yard(), self.folder / "other.json")
+        self.assertEqual(len(list(self.folder.glob(".graze-*.tmp"))), 1)
+        process.terminate()
+        process.wait(TIMEOUT_SECONDS)
+        self.assert_no_litter("many.csv", "other.json", "report", "yard.json")
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "there is no /dev/full")
     def test_a_full_disk_is_an_error(self):

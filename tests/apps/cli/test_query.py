@@ -32,7 +32,7 @@ class Query(CommandLineTest):
         answer = self.query(scene, "--ray", "0,9,0,-1", "--first")
         self.assertGreaterEqual(answer["summary"].pop("seconds"), 0)
         self.assertEqual(answer, {
-            "schema": "graze.query/1", "scene": str(scene), "dimension": 2, "objects": 4,
+            "schema": "graze.query/1", "scene": str(scene), "dimension": 2, "objects": 4, "not_read": [],
             "found": [{"name": "lamp", "type": "sphere", "t": 0.5, "point": [0, 8.5], "normal": [0, 1]}],
             "summary": {"found": 1},
         })

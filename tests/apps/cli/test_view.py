@@ -8,7 +8,7 @@ import subprocess
 import unittest
 from pathlib import Path
 
-from graze_program import PROGRAM, ROOT, TIMEOUT_SECONDS, YARD, YARD_PAIRS, CommandLineTest, environment
+from graze_program import IMAGE_LAYER, PROGRAM, ROOT, TIMEOUT_SECONDS, YARD, YARD_PAIRS, CommandLineTest, environment
 
 PLACE = '<script type="application/json" id="graze-report">'
 TEMPLATE = f"<!doctype html>\n<title>graze</title>{PLACE}</script>\n<p>end</p>\n"
@@ -66,6 +66,17 @@ class Page(ViewTest):
         self.assertEqual(text, "a,b,relation\ncrate,ball,overlapping\n")
         data = self.data_of(page.read_text(encoding="utf-8"))
         self.assertEqual(data["check"]["pairs"], [{"a": "crate", "b": "ball", "relation": "overlapping"}])
+
+    def test_a_template_that_is_a_folder_is_refused_as_one(self):
+        self.refused("view", "--html", self.folder / "v.html", self.yard(), env=self.env(self.folder),
+                     says=[str(self.folder), "is a folder; GRAZE_REPORT_TEMPLATE must name a file"])
+        self.assert_no_litter("template.html", "yard.json")
+
+    def test_it_says_what_was_not_read(self):
+        data = self.view(self.write("layers.tmx", IMAGE_LAYER))
+        self.assertEqual([omission["what"] for omission in data["check"]["not_read"]], ["image layer"])
+        self.refused("view", "--strict", "--html", self.folder / "none.html", self.folder / "layers.tmx", env=self.env(),
+                     says="refused, as --strict asks")
 
     def test_names_cannot_end_the_script_nor_begin_a_comment(self):
         name = "</script><script>alert(1)</script><!-- \u2028 \" \\"

@@ -196,7 +196,7 @@ class SceneView implements OpenChapter {
     this.#figures.set("objects", "Objects", countText(model.objects.length));
     const { timeline } = model;
     this.#frames = timeline && new FrameControls(this.#context.stage, timeline, (frame) => this.#showFrame(frame));
-    const omissions = model.scene.omissions.map(({ what, count }) => `${count} × ${what}`).join(", ");
+    const omissions = model.omissions.map(({ what, count }) => `${count} × ${what}`).join(", ");
     const layers = model.layers.map((layer) =>
       toggle(layer, true, (on) => {
         if (on) model.hiddenLayers.delete(layer);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A scene from a file, with its pairs: what the lists, the inspector and the drawing have in common.
-import type { CheckReport, Graze, Relation, Scene, SceneFiles, Shape } from "graze";
+import type { CheckReport, Graze, Omission, Relation, Scene, SceneFiles, Shape } from "graze";
 
 import { Paint, paintOf, paintOfRelation } from "../drawing/paint";
 import { openRecording, timelineOf, type Timeline } from "./timeline";
@@ -39,6 +39,8 @@ export class SceneModel {
   readonly ids: Float64Array;
   readonly layers: readonly string[];
   readonly hiddenLayers = new Set<string>();
+  /** What the file holds and graze did not read; of a report, what its check says. */
+  readonly omissions: readonly Omission[];
   /** How the objects move, if they do. */
   readonly timeline: Timeline | undefined;
   /** Of each object that of its closest pair. */
@@ -51,6 +53,7 @@ export class SceneModel {
     const { scene, timeline } = opened(graze, source);
     this.scene = scene;
     this.timeline = timeline;
+    this.omissions = source.check?.not_read ?? scene.omissions;
     this.name = source.name;
     this.ids = this.scene.ids();
     this.#placesById = new Map(Array.from(this.ids, (id, place) => [id, place]));
