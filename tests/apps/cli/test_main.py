@@ -68,8 +68,8 @@ class Main(CommandLineTest):
 
     @unittest.skipUnless(CAN_BE_LIMITED, "the program is built with a sanitizer")
     def test_running_out_of_memory_is_said_in_one_line(self):
-        scene = self.write("many.csv", "id,min_x,min_y,max_x,max_y\n" + "".join(f"b{i},0,0,1,1\n" for i in range(6000)))
-        # Each box overlaps every other: 18 million pairs.
+        # As objects of a scene they take more than 256 MiB.
+        scene = self.write("many.csv", "x,y,radius\n" + "".join(f"{3 * i},0,1\n" for i in range(1_000_000)))
         self.refused("check", scene, code=70, says="out of memory", **with_memory_of(mebibytes=256))
 
 
