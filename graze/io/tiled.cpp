@@ -168,7 +168,7 @@ class MapReader {
     if (layer.cells.empty()) return;
     const std::string what = fmt::format("tile layer {}", in_quotes(placed.name));
     add_at(layer.offset, what, placed, [&] {
-      tile_layers.add(layer, placed.name, placed.shift, place_of(layer.offset), scene(), result_.omissions);
+      tile_layers.add({layer, placed.name, placed.shift, place_of(layer.offset)}, scene(), result_.omissions);
     });
     layer.cells = {};
   }

@@ -36,18 +36,20 @@ class LayerWriter {
     scene_.add(std::move(shape), {.name = std::move(name), .layer = layer_, .mobility = Mobility::fixed});
   }
 
-  /// The shapes of the tile in one cell.
-  void add_cell(const std::vector<Shape>& shapes, std::int64_t x, std::int64_t y, const Point& corner) {
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
+  /// The shapes of the tile in one cell, whose bottom left corner is `corner`; one that fills it waits for its
+  /// neighbours.
+  void add_cell(const TiledTileShapes& tile, std::int64_t x, std::int64_t y, const Point& corner) {
+    if (tile.fills_cell) return extend_run(x, y);
+    for (std::size_t i = 0; i < tile.shapes.size(); ++i) {
       std::string name = fmt::format("{}[{},{}]", name_, x, y);
       if (i > 0) name += fmt::format("#{}", i + 1);
-      add(translated<2, double>(shapes[i], corner), std::move(name));
+      add(translated<2, double>(tile.shapes[i], corner), std::move(name));
     }
   }
 
-  void add_rectangles(const std::vector<CellRectangle>& rectangles, const TiledProjection& projection,
-                      const Point& shift) {
-    for (const CellRectangle& cells : rectangles) {
+  /// The cells that were filled, as rectangles.
+  void add_rectangles(const TiledProjection& projection, const Point& shift) {
+    for (const CellRectangle& cells : merged_cells(std::move(runs_))) {
       std::array<Point, 4> corners =
           tiled_corners_of_cells(projection, {cells.begin, cells.top}, {cells.end, cells.bottom});
       for (Point& corner : corners) corner += shift;
@@ -62,11 +64,20 @@ class LayerWriter {
   }
 
  private:
+  void extend_run(std::int64_t x, std::int64_t y) {
+    if (!runs_.empty() && runs_.back().row == y && runs_.back().end == x) {
+      ++runs_.back().end;
+    } else {
+      runs_.push_back({y, x, x + 1});
+    }
+  }
+
   Scene<2, double>& scene_;
   const std::string& name_;
   const std::unordered_set<std::string>& taken_;
   Layer layer_ = 0;
   bool has_layer_ = false;
+  std::vector<CellRun> runs_;  ///< Of cells that were filled.
 };
 
 }  // namespace
@@ -87,11 +98,9 @@ std::size_t TiledTileLayers::index_of(std::uint32_t gid) {
   return place->second;
 }
 
-void TiledTileLayers::add(const TiledLayer& layer, const std::string& name, const Vec<2, double>& shift,
-                          const TiledPlace& place, Scene<2, double>& scene, std::vector<Omission>& omissions) {
-  LayerWriter writer(scene, name, taken_);
-  std::vector<CellRun> runs;
-  for (const TiledCells& cells : layer.cells) {
+void TiledTileLayers::add(const TiledPlacedTiles& tiles, Scene<2, double>& scene, std::vector<Omission>& omissions) {
+  LayerWriter writer(scene, tiles.name, taken_);
+  for (const TiledCells& cells : tiles.layer.cells) {
     std::uint32_t last_gid = 0;  // which is none
     Entry* entry = nullptr;
     for (std::size_t i = 0; i < cells.gids.size(); ++i) {
@@ -103,17 +112,11 @@ void TiledTileLayers::add(const TiledLayer& layer, const std::string& name, cons
       if (entry->tile.shapes.empty()) continue;
       const std::int64_t x = cells.x + static_cast<std::int64_t>(i % cells.width);
       const std::int64_t y = cells.y + static_cast<std::int64_t>(i / cells.width);
-      if (!entry->tile.fills_cell) {
-        writer.add_cell(entry->tile.shapes, x, y, projection_.corner_of_cell(x, y) + shift);
-      } else if (!runs.empty() && runs.back().row == y && runs.back().end == x) {
-        ++runs.back().end;
-      } else {
-        runs.push_back({y, x, x + 1});
-      }
+      writer.add_cell(entry->tile, x, y, projection_.corner_of_cell(x, y) + tiles.shift);
     }
   }
-  writer.add_rectangles(merged_cells(std::move(runs)), projection_, shift);
-  count_omissions(place, omissions);
+  writer.add_rectangles(projection_, tiles.shift);
+  count_omissions(tiles.place, omissions);
 }
 
 void TiledTileLayers::count_omissions(const TiledPlace& place, std::vector<Omission>& omissions) {

@@ -18,6 +18,14 @@
 
 namespace graze::io {
 
+/// A tile layer, the name and the shift on the screen that it has with the groups around it, and where it stands.
+struct TiledPlacedTiles {
+  const TiledLayer& layer;
+  const std::string& name;
+  Vec<2, double> shift;
+  TiledPlace place;
+};
+
 /// Makes objects of tile layers. Whatever it is given outlives it.
 class TiledTileLayers {
  public:
@@ -30,8 +38,7 @@ class TiledTileLayers {
   /// Neighbours whose cells are filled become rectangles of cells. An object is called by the layer and its cells:
   /// "walls[3,0]", "walls[0..31,7..9]", of several in one cell the second "walls[3,0]#2". What is not read is counted.
   /// Throws std::invalid_argument when a coordinate overflows, and what `Scene::layer` does.
-  void add(const TiledLayer& layer, const std::string& name, const Vec<2, double>& shift, const TiledPlace& place,
-           Scene<2, double>& scene, std::vector<Omission>& omissions);
+  void add(const TiledPlacedTiles& tiles, Scene<2, double>& scene, std::vector<Omission>& omissions);
 
  private:
   /// What a gid stands for.

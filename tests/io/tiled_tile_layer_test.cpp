@@ -46,7 +46,7 @@ struct Fixture {
   void add(const std::string& name, std::uint32_t width, std::vector<std::uint32_t> gids) {
     TiledLayer layer;
     layer.cells.push_back({0, 0, width, std::move(gids)});
-    layers.add(layer, name, {100.0, 0.0}, {file, 0}, scene, omissions);
+    layers.add({layer, name, {100.0, 0.0}, {file, 0}}, scene, omissions);
   }
 
   std::vector<std::string> names() const {
