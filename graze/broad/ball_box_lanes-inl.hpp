@@ -83,6 +83,7 @@ class BallTouchLanes {
     touch.on_second = ball_.center - off_;
     const DoublesMask is_inside = hn::Not(hn::Or(is_far, is_outside));
     if (!hn::AllFalse(Tag<double>(), is_inside)) take_inside(is_inside, touch);
+    touch.is_clear = hn::And(touch.is_clear, is_usual_size(whole));
     touch.error = hn::Mul(both(2 * tolerance::rounding), whole);
     return touch;
   }

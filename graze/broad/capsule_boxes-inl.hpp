@@ -58,7 +58,7 @@ class CapsuleOnBoxLanes {
     touch.is_clear = hn::AndNot(is_in, touch.is_clear);
     if (is_any(crosses)) cross_edges(crosses, {t, place, by_faces, is_in, out}, touch);
     if (is_any(lies)) lie_on_faces({t, place, by_faces, is_in, out}, touch);
-    touch.is_clear = hn::And(touch.is_clear, is_open);
+    touch.is_clear = hn::And(touch.is_clear, hn::And(is_open, is_usual_size(pair_.size)));
   }
 
  private:

@@ -101,6 +101,11 @@ HWY_INLINE Doubles clamped_to_one(Doubles v) {
 
 HWY_INLINE Doubles one_of(const DoublesMask& mask, Doubles yes, Doubles no) { return hn::IfThenElse(mask, yes, no); }
 
+/// Where products of four such lengths stay in the range of double: others are left to the single query, which scales.
+HWY_INLINE DoublesMask is_usual_size(Doubles size) {
+  return hn::And(hn::Gt(size, both(0x1p-200)), hn::Lt(size, both(0x1p200)));
+}
+
 HWY_INLINE Point zero_point() { return {{both(0), both(0), both(0)}}; }
 
 /// As feature_on_axis: which feature of a capsule, by its place in `touched_features`, and where it is known.

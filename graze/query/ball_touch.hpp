@@ -75,9 +75,10 @@ class BallTouch {
   /// A coordinate along an axis.
   double along_axis(const Vec<3, double>& v, Dim i) const { return along ? v[i] : dot(v, box_.axes[i]); }
 
-  static TouchLook<3> known_apart() {
+  TouchLook<3> known_apart() const {
     TouchLook<3> result;
     result.is_known = true;
+    result.found.error = error();
     return result;
   }
 
@@ -111,6 +112,7 @@ class BallTouch {
     const double depth = radius_ - distance;
     const double doubt = coarse_doubt();
     result.meets = depth > doubt;
+    result.found.error = error();
     if (depth < -doubt) {
       result.is_known = true;
       return result;
@@ -132,7 +134,6 @@ class BallTouch {
     result.set_features({FeatureKind::vertex, 0}, feature_of_box(nearest.place, is_beyond), turns_);
     const Vec<3, double> normal = nearest.off * (-1 / distance);
     result.set(normal, depth, origin_ + normal * radius_, origin_ - nearest.off, turns_);
-    result.found.error = error();
     return result;
   }
 

@@ -15,6 +15,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/distance_squared.hpp>
 #include <graze/query/obb_filter.hpp>
+#include <graze/query/range.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/obb.hpp>
@@ -160,6 +161,9 @@ template <Dim N, Dim Edges, class Real>
   // Products of two lengths must not come near the least numbers, whose rounding is coarse.
   constexpr Real least_product = Real(0x1p20) * std::numeric_limits<Real>::min();
   if (!(size * std::min(size, seen.length) > least_product)) return std::nullopt;
+  if constexpr (Edges == 1) {
+    if (!(size * seen.length < std::numeric_limits<Real>::max() / 8)) return std::nullopt;
+  }
   const Real band = static_cast<Real>(tolerance::box_filter) * skew * size;
   if (widest > band) return Relation::apart;
   if constexpr (Edges == N) {
@@ -326,6 +330,7 @@ std::optional<Relation> filter_of_ball(const Vec<N, T>& center, const Obb<N, T>&
     along[i] = inner(axes[i], rest);
     size += std::fabs(rest[i]) + half[i];
   }
+  if (!is_usual_size<T>(size)) return std::nullopt;
   const double slack = tolerance::box_filter * tolerance::orthonormal * size;
   bool is_inside = true;
   for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -355,6 +360,7 @@ std::optional<Relation> filter_of_widened(const Box& box, const Segment<N, T>& s
     edge[k] = 2 * seen.directions[0][i];
     half[k] = seen.box_half[i];
   }
+  if (!is_usual_size<T>(size)) return std::nullopt;
   const double slack = tolerance::box_filter * tolerance::orthonormal * size;
   if (widest > reach + slack) return Relation::apart;
   return clear_verdict(DistanceAlongSegment<N>(edge, {-half - start, half - start}).least(), reach, slack);

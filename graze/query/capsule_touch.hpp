@@ -125,6 +125,7 @@ class CapsuleTouch {
     const double reach = pair_.radius + doubt_;
     if (by_faces.squared > reach * reach) {
       look.is_known = true;
+      look.found.error = 2 * tolerance::rounding * size_;
       return look;
     }
     const Vec<3, double>& half = pair_.box.half_extents;

@@ -31,8 +31,14 @@ namespace graze {
 namespace detail {
 
 template <Shape S>
-PointOf<S> closest_boundary_point_of(const S& shape, const PointOf<S>& point) {
+PointOf<S> usual_closest_boundary_point(const S& shape, const PointOf<S>& point) {
   return settled(shape, surface_point(shape, wide<dimension_of<S>, scalar_of<S>>(point)));
+}
+
+template <Shape S>
+PointOf<S> closest_boundary_point_of(const S& shape, const PointOf<S>& point) {
+  if (is_usual_size<scalar_of<S>>(size_beside(shape, point))) return usual_closest_boundary_point(shape, point);
+  return point_in_range(shape, point, [](const auto& s, const auto& p) { return usual_closest_boundary_point(s, p); });
 }
 
 template <Dim N, class T>

@@ -140,10 +140,27 @@ Vec<N, T> nowhere() {
   return Vec<N, T>(std::numeric_limits<T>::quiet_NaN());
 }
 
+/// ask(shape, point) of what may be out of range.
+template <Shape S, class Ask>
+[[gnu::noinline, gnu::cold]] PointOf<S> point_in_range(const S& shape, const PointOf<S>& point, const Ask& ask) {
+  const auto answer = answer_in_range<PointOf<S>>(
+      [&ask](const auto& power, const auto& scaled_shape, const auto& scaled_point) {
+        return power.inverse()(ask(scaled_shape, scaled_point));
+      },
+      shape, point);
+  return answer ? *answer : ask(shape, point);
+}
+
 template <Shape S>
-PointOf<S> closest_point_of(const S& shape, const PointOf<S>& point) {
+PointOf<S> usual_closest_point(const S& shape, const PointOf<S>& point) {
   if (has_inside<S> && holds(shape, point)) return point;
   return settled(shape, surface_point(shape, wide<dimension_of<S>, scalar_of<S>>(point)));
+}
+
+template <Shape S>
+PointOf<S> closest_point_of(const S& shape, const PointOf<S>& point) {
+  if (is_usual_size<scalar_of<S>>(size_beside(shape, point))) return usual_closest_point(shape, point);
+  return point_in_range(shape, point, [](const auto& s, const auto& p) { return usual_closest_point(s, p); });
 }
 
 /// Exact.
@@ -162,7 +179,7 @@ Vec<N, T> closest_point_of(const AnyShape<N, T>& shape, const Vec<N, T>& point) 
 
 template <Dim N, class T>
 Vec<N, T> closest_point_of(const Compound<N, T>& compound, const Vec<N, T>& point) {
-  if (holds(compound, point)) return point;
+  if (is_held(compound, point)) return point;
   const Part<N, T>* part = deciding_part(compound, point).part;
   return part != nullptr ? closest_point_of(part->shape, point) : nowhere<N, T>();
 }

@@ -29,14 +29,15 @@
 // whose part of the lesser one is first, as shape_order.hpp sorts them); without parts it is infinitely far from
 // everything, and its points are NaN.
 //
-// `error` bounds the error of the distance before it is rounded to T: C a few epsilon of double of the pair's own size,
-// however far from the origin (of a ray beside something smaller than an ulp of T, of that ulp); S and G a few epsilon
-// of the largest coordinate (of T for a user's shape that calculates in T); G what is left between the bounds that GJK
-// has proved, and the status says if that is more than 1e-12 of the distance. The points are rounded to T: to half an
-// ulp of their coordinates they are in their shapes, and the distance of each other. Those of segments and capsules are
-// at the true place, too, however little it differs from others as segments become parallel; but of shapes a million
-// times longer than thick that meet, G may give a point that is 1e-9 of their size beside them. Coordinates of
-// magnitude 1e-140 to 1e140. Directions of rays and planes that are parallel up to a few epsilon are taken as parallel.
+// `error` bounds the error of the distance before it is rounded to T: C a few epsilon of double of the pair's own
+// size, however far from the origin (of a ray beside something smaller than an ulp of T, of that ulp); S and G a few
+// epsilon of the largest coordinate (of T for a user's shape that calculates in T); G what is left between the bounds
+// that GJK has proved, and the status says if that is more than 1e-12 of the distance. The points are rounded to T:
+// to half an ulp of their coordinates they are in their shapes, and the distance of each other. Those of segments and
+// capsules are at the true place, too, however little it differs from others as segments become parallel; but of
+// shapes a million times longer than thick that meet, G may give a point that is 1e-9 of their size beside them. Any
+// finite coordinates; range.hpp says what of sizes that differ by more than 2^900. Directions of rays and planes that
+// are parallel up to a few epsilon are taken as parallel.
 #pragma once
 
 #include <algorithm>
@@ -55,6 +56,7 @@
 #include <graze/query/distance_squared.hpp>
 #include <graze/query/nearly_parallel.hpp>
 #include <graze/query/proximity.hpp>
+#include <graze/query/range.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/query/shape_order.hpp>
 #include <graze/query/simplex_cache.hpp>
@@ -268,6 +270,11 @@ inline constexpr bool is_level<Plane<N, T>> = true;
 template <Dim N, class T>
 inline constexpr bool is_level<HalfSpace<N, T>> = true;
 
+/// Two simple shapes of which GJK finds the nearest points: it has to begin in range.
+template <class A, class B>
+inline constexpr bool is_found_by_support =
+    !is_level<A> && !is_level<B> && !(is_ray<A> && is_ray<B>)&&!(HasSimpleCore<A> && HasSimpleCore<B>);
+
 /// Of two simple shapes in the order of AnyShape.
 template <class A, class B>
 Proximity<dimension_of<A>, double> proximity_in_order(const A& a, const B& b, Relation relation) {
@@ -288,20 +295,67 @@ Proximity<dimension_of<A>, double> proximity_in_order(const A& a, const B& b, Re
   }
 }
 
+/// The same of shapes that are 2^k times as large.
+template <Dim N>
+Proximity<N, double> resized(Proximity<N, double> proximity, const PowerOfTwo& power) {
+  proximity.distance = power(proximity.distance);
+  proximity.point_a = power(proximity.point_a);
+  proximity.point_b = power(proximity.point_b);
+  proximity.error = power(proximity.error);
+  return proximity;
+}
+
+template <class A, class B>
+Proximity<dimension_of<A>, double> proximity(const A& a, const B& b, SimplexCache<dimension_of<A>>* cache = nullptr);
+
+/// Whether an answer has been calculated from numbers in range. Boxes along the axes that meet have an error of zero,
+/// and that of planes does not tell how long their normals are.
+template <class A, class B>
+bool is_in_range(const Proximity<dimension_of<A>, double>& found, const A& a, const B& b) {
+  if constexpr (is_level<A> && is_level<B>) return are_usual(a, b);
+  if (is_usual_error<scalar_of<A>>(found.error)) return true;
+  if constexpr (is_a<Aabb, A> && is_a<Aabb, B>) return found.point_a == found.point_b;
+  return false;
+}
+
+/// Puts the answer for shapes that are out of range in the place of what has been found, if they are. The verdict
+/// stays, which may have seen more of numbers that are too far apart in size.
+template <class A, class B>
+[[gnu::noinline, gnu::cold]] bool put_in_range(Proximity<dimension_of<A>, double>& found, Relation relation, const A& a,
+                                               const B& b) {
+  const auto rescaled = answer_in_range<Proximity<dimension_of<A>, double>>(
+      [](const auto& power, const auto& scaled_a, const auto& scaled_b) {
+        return resized(proximity(scaled_a, scaled_b), power.inverse());
+      },
+      a, b);
+  if (!rescaled) return false;
+  found = *rescaled;
+  found.relation = relation;
+  if (relation != Relation::apart) {
+    found.distance = 0;
+    found.point_b = found.point_a;
+  }
+  return true;
+}
+
 /// With the error as the verdict leaves it: overlapping is certain, but touching is what `relation` says of shapes that
 /// are apart by less than the rounding of its longest calculations, which is a few times ours.
 template <class A, class B>
 Proximity<dimension_of<A>, double> proximity_in_order(const A& a, const B& b) {
   constexpr double slack_of_touching = tolerance::coarse / tolerance::rounding;
   const Relation relation = decide(a, b);
+  if constexpr (is_found_by_support<A, B>) {
+    Proximity<dimension_of<A>, double> result;
+    if (!are_usual(a, b) && put_in_range(result, relation, a, b)) return result;
+  }
   Proximity<dimension_of<A>, double> result = proximity_in_order(a, b, relation);
+  if (!is_in_range(result, a, b)) {
+    if (put_in_range(result, relation, a, b)) return result;
+  }
   if (relation == Relation::touching) result.error *= slack_of_touching;
   if (relation == Relation::overlapping) result.error = 0;
   return result;
 }
-
-template <class A, class B>
-Proximity<dimension_of<A>, double> proximity(const A& a, const B& b, SimplexCache<dimension_of<A>>* cache = nullptr);
 
 /// Whether boxes are farther apart than this.
 template <Dim N, class T>
@@ -313,7 +367,7 @@ bool are_farther_apart(const Aabb<N, T>& a, const Aabb<N, T>& b, double distance
     const double gap = std::max({above, below, 0.0});
     squared += gap * gap;
   }
-  return squared > distance * distance;
+  return is_farther(squared, distance);
 }
 
 /// The nearest part, the first of several; parts whose boxes are farther away beyond all rounding are skipped.
@@ -326,7 +380,8 @@ Proximity<N, double> proximity_of_parts(const Compound<N, T>& compound, const S&
     if (are_farther_apart(touching_bounds(part.box), box, nearest.distance) && !is_hidden_by_box(part)) continue;
     const Proximity<N, double> candidate = proximity(part.shape, shape);
     const Relation relation = std::max(nearest.relation, candidate.relation);
-    if (is_nearer(candidate, nearest)) nearest = candidate;
+    const bool is_first = std::isnan(nearest.point_a[0]);  // however far away: distances may be too large for a number
+    if (is_nearer(candidate, nearest) || (is_first && candidate.distance == nearest.distance)) nearest = candidate;
     nearest.relation = relation;
   }
   return nearest;
@@ -340,6 +395,16 @@ bool are_in_order(const A& a, const B& b) {
   } else {
     return type_place<A> < type_place<B>;
   }
+}
+
+/// The largest coordinate of a hull, or more.
+template <class T>
+double size_of_hull(const Polytope<3, T>& hull) {
+  return rows_of(hull).largest();
+}
+template <class T>
+double size_of_hull(const Posed<Polytope<3, T>>& posed) {
+  return rows_of(posed.shape).largest() + static_cast<double>(max_abs(posed.pose.position));
 }
 
 /// Without a branch on the order, which is guessed wrong every other time.
@@ -374,7 +439,8 @@ Proximity<dimension_of<A>, double> proximity(const A& a, const B& b,
   } else {
     if constexpr (HullInSpace<A> && HullInSpace<B>) {
       Proximity<3, double> result;
-      if (find_proximity_of_hulls_in_any_order(a, b, cache, result)) return result;
+      const bool is_usual = is_usual_size<scalar_of<A>>(std::max(size_of_hull(a), size_of_hull(b)));
+      if (is_usual && find_proximity_of_hulls_in_any_order(a, b, cache, result)) return result;
     }
     if constexpr (type_place<A> < type_place<B>) {
       return proximity_in_order(a, b);

@@ -37,12 +37,12 @@
 // another. Swapping the arguments swaps the points and negates the normal, and changes no bit of anything else; but
 // for two equal shapes, of which none is the first.
 //
-// `error` bounds the error of the depth before it is rounded to T, and what is left of the shapes' overlap, or the gap
-// between them, after the move: C a few epsilon of double of the pair's own size, however far from the origin (rays: of
-// the larger of the size of the other shape and its distance from the ray's origin); S and G a few epsilon of the
-// largest coordinate (of T for a user's shape that calculates in T); G also what is left between the bounds that GJK or
-// EPA has proved, and the status says if that is more than 1e-12 of the depth. Coordinates of magnitude 1e-140 to
-// 1e140.
+// `error` bounds the error of the depth before it is rounded to T, and what is left of the shapes' overlap, or the
+// gap between them, after the move: C a few epsilon of double of the pair's own size, however far from the origin
+// (rays: of the larger of the size of the other shape and its distance from the ray's origin); S and G a few epsilon
+// of the largest coordinate (of T for a user's shape that calculates in T); G also what is left between the bounds
+// that GJK or EPA has proved, and the status says if that is more than 1e-12 of the depth. Any finite coordinates;
+// range.hpp says what of sizes that differ by more than 2^900.
 #pragma once
 
 #include <cassert>
@@ -127,9 +127,9 @@ inline constexpr bool are_simple = !is_any_shape<A> && !is_any_shape<B> && !is_c
 template <class S>
 inline constexpr std::size_t contact_place = 2 * type_place<S> + (is_a<Aabb, S> ? 3 : 0);
 
-/// Of two simple shapes that meet.
+/// Of two simple shapes that meet, in range.
 template <class A, class B>
-Penetration<dimension_of<A>> penetration_of_met(const A& a, const B& b) {
+Penetration<dimension_of<A>> penetration_in_any_order(const A& a, const B& b) {
   if constexpr (contact_place<A> < contact_place<B>) {
     return penetration_in_order(a, b);
   } else if constexpr (contact_place<A> > contact_place<B>) {
@@ -137,6 +137,32 @@ Penetration<dimension_of<A>> penetration_of_met(const A& a, const B& b) {
   } else {
     return is_in_order(a, b) ? penetration_in_order(a, b) : exchanged(penetration_in_order(b, a));
   }
+}
+
+/// Whether an answer has been calculated from numbers in range. Boxes along the axes have depths of any size. A ray of
+/// which nothing is beside the other shape is cut somewhere.
+template <class A, class B>
+bool is_in_range(const Penetration<dimension_of<A>>& found, const A& a, const B& b) {
+  if constexpr (is_a<Aabb, A> && is_a<Aabb, B>) return found.depth < 0x1p1000;
+  if constexpr (is_ray<A> || is_ray<B> || (is_level<A> && is_level<B>)) return are_usual(a, b);
+  return is_usual_error<scalar_of<A>>(found.error);
+}
+
+/// Of two simple shapes that meet.
+template <class A, class B>
+Penetration<dimension_of<A>> penetration_of_met(const A& a, const B& b) {
+  if constexpr (is_found_by_support<A, B>) {
+    if (!are_usual(a, b)) {
+      const auto rescaled = penetration_in_range(a, b);
+      if (rescaled && *rescaled) return **rescaled;
+    }
+  }
+  Penetration<dimension_of<A>> found = penetration_in_any_order(a, b);
+  if (!is_in_range(found, a, b)) {
+    const auto rescaled = penetration_in_range(a, b);
+    if (rescaled && *rescaled) found = **rescaled;
+  }
+  return found;
 }
 
 /// Two shapes of which GJK and EPA say whether they meet, and how deep.
@@ -149,6 +175,9 @@ template <class A, class B>
 std::optional<Penetration<dimension_of<A>>> penetration_if_met(const A& a, const B& b) {
   if constexpr (are_for_epa<A, B>) {
     if (hold_nan(a, b)) return std::nullopt;
+    if (!are_usual(a, b)) {
+      if (const auto rescaled = penetration_in_range(a, b)) return *rescaled;
+    }
     if (is_in_order(a, b)) return penetration_of_convex_if_met(a, b);
     auto found = penetration_of_convex_if_met(b, a);
     if (found) found = exchanged(*found);
@@ -158,9 +187,6 @@ std::optional<Penetration<dimension_of<A>>> penetration_if_met(const A& a, const
     return penetration_of_met(a, b);
   }
 }
-
-template <class A, class B>
-std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b);
 
 template <Dim N>
 std::optional<Penetration<N>> exchanged(std::optional<Penetration<N>> penetration) {
@@ -196,11 +222,17 @@ std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b) 
   } else if constexpr (are_quick_obbs<A, B>) {
     const bool turned = are_turned(a, b);
     const auto found = penetration_of_obbs(seen_in_order(a, b, turned));
+    if (found && !is_usual_error<scalar_of<A>>(found->error)) {
+      const auto rescaled = penetration_in_range(a, b);
+      if (rescaled && *rescaled) return *rescaled;
+    }
     return turned ? exchanged(found) : found;
   } else {
     if constexpr (has_quick_touch<A, B>) {
       const auto quick = quick_touch(a, b);
-      if (quick.is_known) return quick.meets ? std::optional(quick.found) : std::nullopt;
+      if (quick.is_known && is_usual_error<scalar_of<A>>(quick.found.error)) {
+        return quick.meets ? std::optional(quick.found) : std::nullopt;
+      }
     }
     return penetration_if_met(a, b);
   }
@@ -230,6 +262,10 @@ std::optional<Contact<3, scalar_of<A>>> rounded_contact_of_obbs(const A& a, cons
   contact.point_a = rounded(points.of[turns ? 1 : 0]);
   contact.point_b = rounded(points.of[turns ? 0 : 1]);
   contact.error = met.error();
+  if (!is_usual_error<T>(contact.error)) {
+    const auto rescaled = penetration_in_range(a, b);
+    if (rescaled && *rescaled) result = rounded_contact<T>(**rescaled);
+  }
   return result;
 }
 #endif
@@ -246,7 +282,7 @@ std::optional<Contact<dimension_of<A>, scalar_of<A>>> contact(const A& a, const 
   } else if constexpr (detail::are_simple<A, B>) {
     if constexpr (detail::has_quick_touch<A, B>) {
       const auto quick = detail::quick_touch(a, b);
-      if (quick.is_known) {
+      if (quick.is_known && detail::is_usual_error<scalar_of<A>>(quick.found.error)) {
         if (!quick.meets) return std::nullopt;
         return detail::rounded_contact<scalar_of<A>>(quick.found);
       }

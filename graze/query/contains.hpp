@@ -13,10 +13,10 @@
 //     triangle in 3D                                           coordinate
 //   compound                        part by part             that of the part
 //
-// Epsilon is that of double but where T is named. Hardly any point of T lies on a set without thickness exactly, hence
-// the tolerance there. A solid thinner than the tolerance (a flat box, a capsule of radius 1e-9 at coordinate 1 in
-// float) is tested as if it were as thick as that. A point with a NaN is in nothing. Coordinates are zero or of
-// magnitude 1e-140 to 1e140: outside, squares leave the range of double.
+// Epsilon is that of double but where T is named. Hardly any point of T lies on a set without thickness exactly,
+// hence the tolerance there. A solid thinner than the tolerance (a flat box, a capsule of radius 1e-9 at coordinate 1
+// in float) is tested as if it were as thick as that. A point with a NaN is in nothing. Any finite coordinates;
+// range.hpp says what of sizes that differ by more than 2^900.
 #pragma once
 
 #include <algorithm>
@@ -24,11 +24,13 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <optional>
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/distance_squared.hpp>
+#include <graze/query/range.hpp>
 #include <graze/query/surface_point.hpp>
 #include <graze/query/surface_point_box.hpp>
 #include <graze/query/surface_point_convex.hpp>
@@ -55,6 +57,68 @@ template <Scalar T>
 bool is_within_surface(double distance_squared, double largest_coordinate, double thickness = 0) {
   const double reach = tolerance::surface<T> * largest_coordinate - thickness;
   return reach >= 0 && distance_squared <= reach * reach;
+}
+
+// ---- The size of the numbers with which a shape and a point are calculated
+
+template <Dim N, class T>
+double size_beside(const Vec<N, T>& shape, const Vec<N, T>& point) {
+  return sum_abs(wide<N, T>(point) - wide<N, T>(shape));
+}
+template <Dim N, class T>
+double size_beside(const Segment<N, T>& segment, const Vec<N, T>& point) {
+  return size_beside(segment.start, point) + size_beside(segment.end, segment.start);
+}
+template <Dim N, class T>
+double size_beside(const Ray<N, T>& ray, const Vec<N, T>& point) {
+  const double size = size_beside(ray.origin, point);
+  return is_usual_size<T>(static_cast<double>(max_abs(ray.direction))) ? size : 0;
+}
+template <Dim N, class T>
+double size_beside(const Sphere<N, T>& sphere, const Vec<N, T>& point) {
+  return size_beside(sphere.center, point) + static_cast<double>(sphere.radius);
+}
+template <Dim N, class T>
+double size_beside(const Aabb<N, T>& box, const Vec<N, T>& point) {
+  return size_beside(box.min, point) + size_beside(box.max, box.min);
+}
+template <Dim N, class T>
+double size_beside(const Obb<N, T>& box, const Vec<N, T>& point) {
+  return size_beside(box.center, point) + sum_abs(wide<N, T>(box.half_extents));
+}
+template <Dim N, class T>
+double size_beside(const Plane<N, T>& plane, const Vec<N, T>& point) {
+  const Vec<N, double> normal = wide<N, T>(plane.normal);
+  const double size = dot(abs(normal), abs(wide<N, T>(point))) + std::fabs(static_cast<double>(plane.offset));
+  return is_usual_size<T>(dot(normal, normal)) ? size : 0;
+}
+template <Dim N, class T>
+double size_beside(const HalfSpace<N, T>& solid, const Vec<N, T>& point) {
+  return size_beside(boundary(solid), point);
+}
+template <Dim N, class T>
+double size_beside(const Triangle<N, T>& triangle, const Vec<N, T>& point) {
+  return size_beside(triangle.a, point) + (size_beside(triangle.b, triangle.a) + size_beside(triangle.c, triangle.a));
+}
+template <Dim N, class T>
+double size_beside(const Capsule<N, T>& capsule, const Vec<N, T>& point) {
+  return size_beside(axis(capsule), point) + static_cast<double>(capsule.radius);
+}
+template <Dim N, class T>
+double size_beside(const Polytope<N, T>& polytope, const Vec<N, T>& point) {
+  return rows_of(polytope).largest() + static_cast<double>(max_abs(point));
+}
+/// Of any convex shape the largest coordinate.
+template <Convex S>
+double size_beside(const S& shape, const PointOf<S>& point) {
+  if constexpr (!can_leave_range<S>) return 1;
+  double size = static_cast<double>(max_abs(point));
+  for (Dim i = 0; i < dimension_of<S>; ++i) {
+    for (const double sign : {-1.0, 1.0}) {
+      size = std::max(size, max_abs(wide_support(shape, unit_axis<dimension_of<S>>(i) * sign)));
+    }
+  }
+  return size;
 }
 
 // ---- Sets without thickness
@@ -245,14 +309,40 @@ bool holds(const S& shape, const PointOf<S>& point) {
   return !(depth.gap > depth.resolution) || is_on_thin(shape, point);
 }
 
+// ---- In range
+
+/// As `holds`, of what may be out of range.
+template <Shape S>
+[[gnu::noinline, gnu::cold]] bool is_held_in_range(const S& shape, const PointOf<S>& point) {
+  const auto answer = answer_in_range<bool>(
+      [](const auto&, const auto& scaled_shape, const auto& scaled_point) { return holds(scaled_shape, scaled_point); },
+      shape, point);
+  return answer ? *answer : holds(shape, point);
+}
+
+/// As `holds`, wherever the numbers are.
+template <Shape S>
+bool is_held(const S& shape, const PointOf<S>& point) {
+  if (!is_usual_size<scalar_of<S>>(size_beside(shape, point))) return is_held_in_range(shape, point);
+  return holds(shape, point);
+}
+template <Dim N, class T>
+bool is_held(const Vec<N, T>& shape, const Vec<N, T>& point) {
+  return holds(shape, point);
+}
+template <Dim N, class T>
+bool is_held(const Aabb<N, T>& box, const Vec<N, T>& point) {
+  return holds(box, point);
+}
+
 // ---- Shapes of shapes
 
 template <Dim N, class T>
-bool holds(const Compound<N, T>& compound, const Vec<N, T>& point);
+bool is_held(const Compound<N, T>& compound, const Vec<N, T>& point);
 
 template <Dim N, class T>
-bool holds(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
-  return detail::visit([&point](const auto& held) { return holds(held, point); }, shape);
+bool is_held(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
+  return detail::visit([&point](const auto& held) { return is_held(held, point); }, shape);
 }
 
 /// No part in the box holds a point that is farther from it than this; and if the point is, its distance from any part
@@ -269,11 +359,11 @@ double forgiven_outside(const Aabb<N, T>& box, const Vec<N, T>& point) {
 }
 
 template <Dim N, class T>
-bool holds(const Compound<N, T>& compound, const Vec<N, T>& point) {
+bool is_held(const Compound<N, T>& compound, const Vec<N, T>& point) {
   return std::any_of(compound.parts.begin(), compound.parts.end(), [&point](const Part<N, T>& part) {
     const double forgiven = forgiven_outside(part.box, point);
-    const bool is_near = distance_squared(point, part.box) <= forgiven * forgiven || is_hidden_by_box(part);
-    return is_near && holds(part.shape, point);
+    const bool is_near = !is_farther(distance_squared(point, part.box), forgiven) || is_hidden_by_box(part);
+    return is_near && is_held(part.shape, point);
   });
 }
 
@@ -291,7 +381,7 @@ bool is_accepted(const S& shape) {
 template <Shape S, PointIn<S> P = PointOf<S>>
 bool contains(const S& shape, const P& point) {
   assert(detail::is_accepted(shape));
-  return detail::holds(shape, point);
+  return detail::is_held(shape, point);
 }
 
 }  // namespace graze

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // distance_squared(a, b): the squared distance of points, segments, boxes and triangles, 0 when they touch or overlap,
 // in double. The cheaper sibling of a distance: no root. The error of its root is a few epsilon of the vectors between
-// and along the two shapes, however far from the origin they lie.
+// and along the two shapes, however far from the origin they lie. For vectors whose squares are in the range of double;
+// `distance` takes any.
 //
 //              point    segment   aabb     obb      triangle
 //   point      closed   closed    closed   closed   closed

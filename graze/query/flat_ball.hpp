@@ -39,6 +39,7 @@ class FlatBallTouch {
     const double doubt = tolerance::coarse * size_;
     TouchLook<2> look;
     look.is_known = gap - radius_ > doubt;
+    look.found.error = 2 * tolerance::rounding * size_;
     const double margin = tolerance::known_direction * size_;
     const bool is_plain = std::min(box_.half_length[0], box_.half_length[1]) > margin && size_ > 0x1p-400 &&
                           size_ < 0x1p400 && radius_ - gap > doubt;
@@ -63,7 +64,6 @@ class FlatBallTouch {
     look.is_known = look.meets = look.is_single = true;
     look.set(-up, radius_ - gap, center_ - up * radius_, center_ - up * gap, turns_);
     look.set_features({FeatureKind::vertex, 0}, of_box, turns_);
-    look.found.error = 2 * tolerance::rounding * size_;
   }
 
   /// Beyond both sides at a corner by more than what would be laid flat on one.

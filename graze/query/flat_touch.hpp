@@ -59,6 +59,7 @@ class FlatTouch {
     const double depth = reach_ - gap_;
     FlatLook look;
     look.is_known = depth < -doubt_;
+    look.found.error = 2 * noise_;
     // Sides that are too short to have a direction, and numbers that are not moderate, are left.
     const double shortest = std::min(first_.shortest(), second_.shortest());
     const bool is_plain = shortest > least_share * size_ && size_ > 0x1p-400 && size_ < 0x1p400 && depth > doubt_;
@@ -298,7 +299,6 @@ class FlatTouch {
     look.meets = depth > 0;
     look.found.normal = normal * turns_;
     look.found.depth = depth;
-    look.found.error = 2 * noise_;
   }
 
   [[gnu::always_inline]] static void take_point(FlatLook& look, bool is_second) {

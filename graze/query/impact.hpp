@@ -8,6 +8,7 @@
 #include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/penetration.hpp>
+#include <graze/query/range.hpp>
 #include <graze/query/status.hpp>
 
 namespace graze {
@@ -35,6 +36,15 @@ struct Strike {
   Status status = Status::converged;
   double error = 0;
 };
+
+/// The same of shapes that are 2^k times as large.
+template <Dim N>
+std::optional<Strike<N>> resized(std::optional<Strike<N>> strike, const PowerOfTwo& power) {
+  if (!strike) return strike;
+  strike->point = power(strike->point);
+  strike->error = power(strike->error);
+  return strike;
+}
 
 /// Down, so that t is not behind the touch by what T cannot tell.
 template <Scalar T, Dim N>

@@ -142,13 +142,21 @@ void move_points(WideManifold<N>& manifold, const Vec<N, double>& origin) {
   }
 }
 
-template <class A, class B>
-WideManifold<dimension_of<A>> manifold_of_found(const A& a, const B& b, const Penetration<dimension_of<A>>& found) {
-  constexpr Dim N = dimension_of<A>;
+/// The point of a contact alone: all that there is of some pairs, and of shapes whose sizes are too far apart for faces
+/// to be laid on each other.
+template <Dim N>
+WideManifold<N> manifold_of_one_point(const Penetration<N>& found) {
   WideManifold<N> result;
   result.found = found;
   result.size = 1;
   result.pairs[0] = {found.point_a, found.point_b, found.depth, {}, {}};
+  return result;
+}
+
+template <class A, class B>
+WideManifold<dimension_of<A>> manifold_of_found(const A& a, const B& b, const Penetration<dimension_of<A>>& found) {
+  constexpr Dim N = dimension_of<A>;
+  WideManifold<N> result = manifold_of_one_point(found);
   if (std::isinf(found.depth) || (is_level<A> && is_level<B>)) return result;
   const Vec<N, double> origin = found.point_a;
   const Patch<N> patch_a = patch_seen(a, origin, found.normal, found.point_a);
@@ -262,9 +270,9 @@ WideManifold<dimension_of<A>> manifold_of_look(const A& a, const B& b, const Loo
   return result;
 }
 
-/// Of two simple shapes that meet.
+/// Of two simple shapes that meet, in range.
 template <class A, class B>
-WideManifold<dimension_of<A>> manifold_of_met(const A& a, const B& b) {
+WideManifold<dimension_of<A>> manifold_in_any_order(const A& a, const B& b) {
   if constexpr (contact_place<A> < contact_place<B>) {
     return manifold_in_order(a, b);
   } else if constexpr (contact_place<A> > contact_place<B>) {
@@ -277,6 +285,43 @@ WideManifold<dimension_of<A>> manifold_of_met(const A& a, const B& b) {
     if (turns) exchange(result);
     return result;
   }
+}
+
+/// The same of shapes that are 2^k times as large.
+template <Dim N>
+void resize(WideManifold<N>& manifold, const PowerOfTwo& power) {
+  manifold.found = resized(manifold.found, power);
+  for (SurfacePair<N>& pair : std::span(manifold.pairs).first(manifold.size)) {
+    pair.point_a = power(pair.point_a);
+    pair.point_b = power(pair.point_b);
+    pair.depth = power(pair.depth);
+  }
+}
+
+/// Of two shapes that are out of range, if they meet; none of others.
+template <class A, class B>
+[[gnu::noinline, gnu::cold]] std::optional<std::optional<WideManifold<dimension_of<A>>>> manifold_in_range(const A& a,
+                                                                                                           const B& b) {
+  using Found = std::optional<WideManifold<dimension_of<A>>>;
+  return answer_in_range<Found>(
+      [](const auto& power, const auto& scaled_a, const auto& scaled_b) {
+        Found found = wide_manifold(scaled_a, scaled_b);
+        if (found) resize(*found, power.inverse());
+        return found;
+      },
+      a, b);
+}
+
+/// Of two simple shapes that meet.
+template <class A, class B>
+WideManifold<dimension_of<A>> manifold_of_met(const A& a, const B& b) {
+  constexpr bool are_along_axes = is_a<Aabb, A> && is_a<Aabb, B>;  // of these nothing is multiplied
+  if (!are_along_axes && !are_usual(a, b)) {
+    const auto rescaled = manifold_in_range(a, b);
+    if (rescaled && *rescaled) return **rescaled;
+    if (are_mixed(a, b)) return manifold_of_one_point(penetration_of_met(a, b));
+  }
+  return manifold_in_any_order(a, b);
 }
 
 // Not defined where there are no lanes, and so no `are_quick_obbs`; compilers look the names up all the same.
@@ -302,10 +347,16 @@ std::optional<WideManifold<dimension_of<A>>> wide_manifold(const A& a, const B& 
   } else {
     if constexpr (has_quick_touch<A, B>) {
       const auto quick = quick_touch(a, b);
-      if (quick.is_known) return quick.meets ? std::optional(manifold_of_look(a, b, quick)) : std::nullopt;
+      if (quick.is_known && is_usual_error<scalar_of<A>>(quick.found.error)) {
+        return quick.meets ? std::optional(manifold_of_look(a, b, quick)) : std::nullopt;
+      }
     }
     if constexpr (are_for_epa<A, B>) {
+      if (!are_usual(a, b)) {
+        if (const auto rescaled = manifold_in_range(a, b)) return *rescaled;
+      }
       const auto found = penetration_if_met(a, b);
+      if (found && !are_usual(a, b) && are_mixed(a, b)) return manifold_of_one_point(*found);
       return found ? std::optional(manifold_of_asked(a, b, *found)) : std::nullopt;
     } else {
       if (decide(a, b) == Relation::apart) return std::nullopt;
@@ -401,8 +452,14 @@ template <class R, class Seen>
 
 template <class A, class B>
 Manifold<3, scalar_of<A>> rounded_manifold_of_obbs(const A& a, const B& b) {
+  using T = scalar_of<A>;
   const bool turned = are_turned(a, b);
-  return quick_manifold_of_obbs<scalar_of<A>>(seen_in_order(a, b, turned), turned);
+  Manifold<3, T> result = quick_manifold_of_obbs<T>(seen_in_order(a, b, turned), turned);
+  if (result.size > 0 && !is_usual_error<T>(result.error)) {
+    const auto rescaled = manifold_in_range(a, b);
+    if (rescaled && *rescaled) result = rounded_manifold<T>(**rescaled);
+  }
+  return result;
 }
 
 template <class A, class B>
@@ -410,6 +467,10 @@ std::optional<WideManifold<3>> manifold_of_obbs(const A& a, const B& b) {
   const bool turned = are_turned(a, b);
   const Manifold<3, double> manifold = quick_manifold_of_obbs<double>(seen_in_order(a, b, turned), turned);
   if (manifold.size == 0) return std::nullopt;
+  if (!is_usual_error<scalar_of<A>>(manifold.error)) {
+    const auto rescaled = manifold_in_range(a, b);
+    if (rescaled && *rescaled) return *rescaled;
+  }
   WideManifold<3> wide;
   wide.found.normal = manifold.normal;
   wide.found.error = manifold.error;
@@ -434,7 +495,7 @@ Manifold<dimension_of<A>, scalar_of<A>> manifold(const A& a, const B& b) {
   } else if constexpr (detail::are_simple<A, B>) {
     if constexpr (detail::has_quick_touch<A, B>) {
       const auto quick = detail::quick_touch(a, b);
-      if (quick.is_known) {
+      if (quick.is_known && detail::is_usual_error<scalar_of<A>>(quick.found.error)) {
         if (!quick.meets) return {};
         return detail::rounded_manifold<scalar_of<A>>(detail::manifold_of_look(a, b, quick));
       }

@@ -25,6 +25,7 @@
 
 #include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/range.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/hull_faces.hpp>
 #include <graze/shape/posed.hpp>
@@ -278,6 +279,29 @@ Moments<dimension_of<S>> moments_of(const Posed<S>& posed) {
           rotation * before.second * transpose(rotation) * growth};
 }
 
+/// The moments of a shape, also of one that is out of range, but for what double cannot hold.
+template <class S>
+Moments<dimension_of<S>> moments_in_range(const S& shape) {
+  constexpr Dim N = dimension_of<S>;
+  if (!are_usual(shape)) {
+    const auto rescaled = answer_in_range<Moments<N>>(
+        [](const PowerOfTwo& power, const auto& scaled_shape) {
+          Moments<N> moments = moments_of(scaled_shape);
+          moments.volume = std::ldexp(moments.volume, -static_cast<int>(N) * power.exponent());
+          moments.centroid = power.inverse()(moments.centroid);
+          for (Dim j = 0; j < N; ++j) {
+            for (double& number : std::span(&moments.second[j][0], static_cast<std::size_t>(N))) {
+              number = std::ldexp(number, -static_cast<int>(N + 2) * power.exponent());
+            }
+          }
+          return moments;
+        },
+        shape);
+    if (rescaled) return *rescaled;
+  }
+  return moments_of(shape);
+}
+
 /// One of graze's own shapes, or such a one seen through one pose.
 template <class S>
 concept HasMoments = requires(const S& shape) {
@@ -288,12 +312,12 @@ concept HasMoments = requires(const S& shape) {
 
 /// Volume, centroid and inertia of a valid shape of density 1. The inertia of a body of mass m is m / volume times as
 /// large. Boxes are the sets that they store, as everywhere: axes that are not quite orthonormal count as they are.
-/// Volumes that leave the range of double are infinite. Mirtich, "Fast and Accurate Computation of Polyhedral Mass
-/// Properties" (1996), has the integrals; ours are over tetrahedra (Blow and Binstock, 2004).
+/// Volumes and inertias that leave the range of double are infinite, or zero. Mirtich, "Fast and Accurate Computation
+/// of Polyhedral Mass Properties" (1996), has the integrals; ours are over tetrahedra (Blow and Binstock, 2004).
 template <Shape S>
 requires detail::HasMoments<S> MassProperties<dimension_of<S>> mass_properties(const S& shape) {
   constexpr Dim N = dimension_of<S>;
-  const detail::Moments<N> moments = detail::moments_of(shape);
+  const detail::Moments<N> moments = detail::moments_in_range(shape);
   MassProperties<N> result;
   result.volume = moments.volume;
   result.centroid = moments.centroid;

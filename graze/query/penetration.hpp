@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <graze/math/vec.hpp>
+#include <graze/query/range.hpp>
 #include <graze/query/status.hpp>
 
 namespace graze::detail {
@@ -26,6 +27,16 @@ template <Dim N>
 Penetration<N> exchanged(Penetration<N> penetration) {
   std::swap(penetration.point_a, penetration.point_b);
   penetration.normal = Vec<N, double>(0.0) - penetration.normal;
+  return penetration;
+}
+
+/// The same of shapes that are 2^k times as large.
+template <Dim N>
+Penetration<N> resized(Penetration<N> penetration, const PowerOfTwo& power) {
+  penetration.depth = power(penetration.depth);
+  penetration.point_a = power(penetration.point_a);
+  penetration.point_b = power(penetration.point_b);
+  penetration.error = power(penetration.error);
   return penetration;
 }
 

@@ -16,6 +16,7 @@
 #include <graze/query/gjk.hpp>
 #include <graze/query/penetration.hpp>
 #include <graze/query/penetration_cores.hpp>
+#include <graze/query/range.hpp>
 #include <graze/query/relation_convex.hpp>
 #include <graze/query/surface_point.hpp>
 #include <graze/query/verdict.hpp>
@@ -90,6 +91,22 @@ Penetration<dimension_of<A>> penetration_of_convex(const A& a, const B& b) {
                 : penetration_of_depth(core_a, core_b, epa(core_a, core_b, distance.simplex), distance.upper, radii);
   result.error += tolerance::rounding * (radii.a + radii.b);
   return result;
+}
+
+template <class A, class B>
+std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b);
+
+/// Of shapes that are out of range, if they meet; none of others.
+template <class A, class B>
+[[gnu::noinline, gnu::cold]] std::optional<std::optional<Penetration<dimension_of<A>>>> penetration_in_range(
+    const A& a, const B& b) {
+  using Found = std::optional<Penetration<dimension_of<A>>>;
+  return answer_in_range<Found>(
+      [](const auto& power, const auto& scaled_a, const auto& scaled_b) -> Found {
+        const Found found = penetration(scaled_a, scaled_b);
+        return found ? Found(resized(*found, power.inverse())) : std::nullopt;
+      },
+      a, b);
 }
 
 /// The verdict of relation_convex.hpp, and the depth of what meets. Shapes without radii are measured on the way to it.

@@ -12,6 +12,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/nan_check.hpp>
+#include <graze/query/range.hpp>
 #include <graze/query/ray_advance.hpp>
 #include <graze/query/ray_hit.hpp>
 #include <graze/query/ray_portal.hpp>
@@ -328,6 +329,36 @@ template <class S, Dim N, class T>
   // A plane along a ray, up to rounding, is not met, though the ray may get to its other side in the end.
   const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(ray.direction), HasLevelSight<S> ? forever : t_max};
   return cast_along(shape, path, forever, side, AskAboutRay<N, T>{ray});
+}
+
+/// cast(shape, ray, t_max) of a shape and a ray that are out of range; none of others.
+template <class S, Dim N, class Cast>
+[[gnu::noinline, gnu::cold]] std::optional<std::optional<RayHit<N, double>>> unusual_hit(const S& shape,
+                                                                                         const Ray<N, double>& ray,
+                                                                                         double t_max,
+                                                                                         const Cast& cast) {
+  using Hit = std::optional<RayHit<N, double>>;
+  return answer_in_range<Hit>(
+      [&](const PowerOfTwo& power, const auto& scaled_shape, const auto& scaled_ray) {
+        const PowerOfTwo of_t(power.exponent() + unusual_exponent_of(ray.direction));
+        Hit hit = cast(scaled_shape, scaled_ray, of_t(t_max));
+        if (!hit) return hit;
+        hit->t = std::min(of_t.inverse()(hit->t), t_max);
+        hit->point = power.inverse()(hit->point);
+        hit->error = power.inverse()(hit->error);
+        return hit;
+      },
+      shape, ray);
+}
+
+/// The same, for shapes and rays of any kind.
+template <class S, Dim N, class T, class Cast>
+[[gnu::always_inline]] inline std::optional<std::optional<RayHit<N, T>>> hit_in_range(
+    const S& shape, const Ray<N, T>& ray, T t_max, [[maybe_unused]] const Cast& cast) {
+  if constexpr (can_leave_range<S>) {
+    if (!are_usual(shape, ray)) return unusual_hit(shape, ray, t_max, cast);
+  }
+  return std::nullopt;
 }
 
 template <class S, Dim N, class T>

@@ -29,8 +29,9 @@
 // the ray, and before t the ray is nowhere deeper than that inside the shape. A few epsilon of double of the vectors
 // from the origin to the shape and along it, however far from zero, for closed forms; of the largest coordinates for
 // planes, half-spaces, polytopes in 3D and what GJK finds (of T for a user's shape that calculates in T), where
-// `status` says if it is more. t is as exact as that allows: at a grazing angle the way along the ray is longer.
-// Coordinates of magnitude 1e-140 to 1e140, directions of any size; t may overflow or underflow T.
+// `status` says if it is more. t is as exact as that allows: at a grazing angle the way along the ray is longer. Any
+// finite coordinates and directions; range.hpp says what of sizes that differ by more than 2^900. t may overflow or
+// underflow T.
 #pragma once
 
 #include <cassert>
@@ -39,6 +40,7 @@
 #include <type_traits>
 
 #include <graze/math/vec.hpp>
+#include <graze/query/range.hpp>
 #include <graze/query/ray_careful.hpp>
 #include <graze/query/ray_filters.hpp>
 #include <graze/query/ray_hit.hpp>
@@ -72,14 +74,26 @@ template <class S, Dim N, class T>
 }
 
 template <class S, Dim N, class T>
+std::optional<RayHit<N, T>> first_hit(const S& shape, const Ray<N, T>& ray, T t_max);
+
+/// The first hit of a ray that no filter settles.
+template <class S, Dim N, class T>
+[[gnu::noinline]] std::optional<RayHit<N, T>> careful_first_hit(const S& shape, const Ray<N, T>& ray, T t_max) {
+  const auto rescaled =
+      hit_in_range(shape, ray, t_max, [](const auto& scaled_shape, const auto& scaled_ray, T scaled_t) {
+        return first_hit(scaled_shape, scaled_ray, scaled_t);
+      });
+  return rescaled ? *rescaled : first_hit_of_unclear(shape, ray, t_max);
+}
+
+template <class S, Dim N, class T>
 [[gnu::always_inline]] inline std::optional<RayHit<N, T>> first_hit(const S& shape, const Ray<N, T>& ray, T t_max) {
   if constexpr (HasQuickCast<S>) {
     const auto quick = quick_cast(shape, ray, t_max);
     if (quick.sight() == Sight::misses) return std::nullopt;
     if (quick.sight() == Sight::hits) return quick.hit();
-    return first_hit_of_unclear(shape, ray, t_max);
   }
-  return cast_ray(shape, ray, t_max, RaySide::entry);
+  return careful_first_hit(shape, ray, t_max);
 }
 
 template <Dim N, class T>
@@ -126,6 +140,11 @@ std::optional<RayHitOn<S>> ray_cast(const S& shape, const RayIn<S>& ray,
                                     RayOptions options = {}) {
   assert(detail::is_valid_if_known(shape) && is_valid(ray));
   if (options.side == RaySide::entry) return detail::first_hit(shape, ray, t_max);
+  const auto rescaled =
+      detail::hit_in_range(shape, ray, t_max, [options](const auto& scaled_shape, const auto& scaled_ray, auto t) {
+        return ray_cast(scaled_shape, scaled_ray, t, options);
+      });
+  if (rescaled) return *rescaled;
   if constexpr (detail::HoldsAnyShape<S>) {
     return detail::visit([&](const auto& held) { return detail::cast_ray(held, ray, t_max, options.side); }, shape);
   } else {
@@ -140,6 +159,21 @@ std::optional<RayHitOn<S>> ray_cast(const S& shape, const SegmentIn<S>& segment,
   constexpr Dim N = dimension_of<S>;
   using T = scalar_of<S>;
   assert(detail::is_valid_if_known(shape) && is_valid(segment));
+  if constexpr (detail::can_leave_range<S>) {
+    if (!detail::are_usual(shape, segment)) {
+      using Hit = std::optional<RayHitOn<S>>;
+      const auto rescaled = detail::answer_in_range<Hit>(
+          [options](const auto& power, const auto& scaled_shape, const auto& scaled_segment) {
+            Hit hit = ray_cast(scaled_shape, scaled_segment, options);
+            if (!hit) return hit;
+            hit->point = power.inverse()(hit->point);
+            hit->error = power.inverse()(hit->error);
+            return hit;
+          },
+          shape, segment);
+      if (rescaled) return *rescaled;
+    }
+  }
   const detail::AskAboutSegment<N, T> ask{segment};
   const Vec<N, double> start = wide<N, T>(segment.start);
   const Vec<N, double> edge = wide<N, T>(segment.end) - start;

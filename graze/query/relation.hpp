@@ -23,11 +23,11 @@
 // relation_unbounded.hpp; triangles in relation_triangle.hpp; a point and a polygon in relation_polygon.hpp; G in
 // relation_convex.hpp.
 //
-// Exact: aabb and point against aabb, points among themselves. The rest calculates in double and calls `touching` what
-// is nearer to touching than rounding can tell: C a few epsilon of the pair's own size, however far from the origin; S
-// and G a few epsilon of the largest coordinate (of T for a user's shape that calculates in T). Rays, planes and
-// half-spaces whose directions are parallel up to a few epsilon are taken as parallel. Coordinates of magnitude 1e-140
-// to 1e140: outside, squares leave the range of double.
+// Exact: aabb and point against aabb, points among themselves. The rest calculates in double and calls `touching`
+// what is nearer to touching than rounding can tell: C a few epsilon of the pair's own size, however far from the
+// origin; S and G a few epsilon of the largest coordinate (of T for a user's shape that calculates in T). Rays,
+// planes and half-spaces whose directions are parallel up to a few epsilon are taken as parallel. Any finite
+// coordinates; range.hpp says what of sizes that differ by more than 2^900.
 #pragma once
 
 #include <algorithm>

@@ -10,6 +10,7 @@
 #include <graze/query/ball_filter.hpp>
 #include <graze/query/box_filter.hpp>
 #include <graze/query/distance_squared.hpp>
+#include <graze/query/range.hpp>
 #include <graze/query/segment_filter.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/query/zonotope.hpp>
@@ -91,20 +92,56 @@ std::optional<Relation> filter_of_cores(const Segment<N, T>& segment, const Obb<
   return filter_of_widened(box, segment, reach);
 }
 
-/// The verdict on two cores widened by `reach` in all. Where rounding hides whether the widened shapes touch, the cores
-/// may still cross deeply: `relation_of_cores` is asked. Swapping the cores changes no bit.
+/// The distance against the reach. Where rounding hides whether the widened shapes touch, the cores may still cross
+/// deeply: `relation_of_cores(core_a, core_b)` is asked.
+template <class A, class B, class RelationOfCores>
+Relation careful_relation_of_widened(const A& core_a, const B& core_b, double reach, double slack,
+                                     const RelationOfCores& relation_of_cores) {
+  const Relation verdict = verdict_on_distance(distance_squared(core_a, core_b), reach, slack);
+  if (verdict == Relation::touching && relation_of_cores(core_a, core_b) == Relation::overlapping) {
+    return Relation::overlapping;
+  }
+  return verdict;
+}
+
+template <class A, class B, class RelationOfCores>
+Relation relation_of_widened(const A& core_a, const B& core_b, double reach, const RelationOfCores& relation_of_cores);
+
+/// The same of cores that may be out of range.
+template <class A, class B, class RelationOfCores>
+[[gnu::noinline, gnu::cold]] Relation widened_in_range(const A& core_a, const B& core_b, double reach, double slack,
+                                                       const RelationOfCores& relation_of_cores) {
+  const auto verdict =
+      answer_in_range<Relation>([&](const auto&, const auto& a, const auto& b,
+                                    const auto& at) { return relation_of_widened(a, b, at.x, relation_of_cores); },
+                                core_a, core_b, Vec<2, scalar_of<A>>(reach, 0));
+  return verdict ? *verdict : careful_relation_of_widened(core_a, core_b, reach, slack, relation_of_cores);
+}
+
+/// The verdict on two cores widened by `reach` in all. Swapping the cores changes no bit.
 template <class A, class B, class RelationOfCores>
 Relation relation_of_widened(const A& core_a, const B& core_b, double reach, const RelationOfCores& relation_of_cores) {
   if (const auto verdict = filter_of_cores(core_a, core_b, reach)) return *verdict;
   const double between = sum_abs(reference(core_b) - reference(core_a));
   const double slack = tolerance::rounding * (between + (extent(core_a) + extent(core_b)) + reach);
-  const Relation verdict = verdict_on_distance(distance_squared(core_a, core_b), reach, slack);
-  if (verdict == Relation::touching && relation_of_cores() == Relation::overlapping) return Relation::overlapping;
-  return verdict;
+  if (!is_usual_error<scalar_of<A>>(slack)) return widened_in_range(core_a, core_b, reach, slack, relation_of_cores);
+  return careful_relation_of_widened(core_a, core_b, reach, slack, relation_of_cores);
 }
 
 /// Points against points and segments have no depth.
-constexpr Relation never_overlapping() { return Relation::touching; }
+struct NeverOverlapping {
+  template <class A, class B>
+  constexpr Relation operator()(const A&, const B&) const {
+    return Relation::touching;
+  }
+};
+
+struct RelationByForm {
+  template <class A, class B>
+  Relation operator()(const A& a, const B& b) const {
+    return decide(a, b);
+  }
+};
 
 /// Exact. All is compared before anything is decided: a branch that guesses wrong costs more than six comparisons.
 template <Dim N, class T>
@@ -119,11 +156,20 @@ template <Dim N, class T>
   return is_deep != 0 ? Relation::overlapping : Relation::touching;
 }
 
+template <class Box, class Other>
+[[gnu::noinline]] Relation careful_relation_with_box(const Box& box, const Other& other) {
+  const double size = sum_abs(reference(other) - reference(box)) + (extent(box) + extent(other));
+  if (!is_usual_size<scalar_of<Box>>(size)) {
+    if (const auto verdict = verdict_in_range(box, other)) return *verdict;
+  }
+  return relation_of_zonotopes(zonotope(box), zonotope(other));
+}
+
 /// A box against a box or a segment.
 template <class Box, class Other>
 Relation relation_with_box(const Box& box, const Other& other) {
   if (const auto verdict = filter_of_box(box, other)) return *verdict;
-  return relation_of_zonotopes(zonotope(box), zonotope(other));
+  return careful_relation_with_box(box, other);
 }
 
 // ---- Segment against ...
@@ -131,15 +177,15 @@ Relation relation_with_box(const Box& box, const Other& other) {
 /// In 3D two segments touch at most; in 2D they overlap when they cross.
 template <Dim N, class T>
 Relation closed_form(const Segment<N, T>& a, const Segment<N, T>& b) {
-  return relation_of_widened(a, b, 0, [&] {
-    const bool can_cross = N == 2 && a.start != a.end && b.start != b.end;
-    return can_cross ? relation_of_zonotopes(zonotope(a), zonotope(b)) : Relation::touching;
+  return relation_of_widened(a, b, 0, [](const auto& first, const auto& second) {
+    const bool can_cross = N == 2 && first.start != first.end && second.start != second.end;
+    return can_cross ? relation_of_zonotopes(zonotope(first), zonotope(second)) : Relation::touching;
   });
 }
 
 template <Dim N, class T>
 Relation closed_form(const Segment<N, T>& segment, const Sphere<N, T>& sphere) {
-  return relation_of_widened(sphere.center, segment, static_cast<double>(sphere.radius), never_overlapping);
+  return relation_of_widened(sphere.center, segment, static_cast<double>(sphere.radius), NeverOverlapping());
 }
 
 template <Dim N, class T>
@@ -154,8 +200,7 @@ Relation closed_form(const Segment<N, T>& segment, const Obb<N, T>& box) {
 
 template <Dim N, class T>
 Relation closed_form(const Segment<N, T>& segment, const Capsule<N, T>& capsule) {
-  return relation_of_widened(segment, axis(capsule), static_cast<double>(capsule.radius),
-                             [&] { return closed_form(segment, axis(capsule)); });
+  return relation_of_widened(segment, axis(capsule), static_cast<double>(capsule.radius), RelationByForm());
 }
 
 // ---- Sphere against ...
@@ -163,7 +208,7 @@ Relation closed_form(const Segment<N, T>& segment, const Capsule<N, T>& capsule)
 template <Dim N, class T>
 [[gnu::noinline]] Relation careful_closed_form(const Sphere<N, T>& a, const Sphere<N, T>& b) {
   const double reach = static_cast<double>(a.radius) + static_cast<double>(b.radius);
-  return relation_of_widened(a.center, b.center, reach, never_overlapping);
+  return relation_of_widened(a.center, b.center, reach, NeverOverlapping());
 }
 
 template <Dim N, class T>
@@ -180,6 +225,9 @@ template <Dim N, class T>
   const Relation core = relation_of_boxes(Aabb<N, T>{sphere.center, sphere.center}, box);
   if (core == Relation::overlapping || sphere.radius == T(0)) return core;
   const double radius = static_cast<double>(sphere.radius);
+  if (!is_usual_size<T>(radius)) {
+    if (const auto verdict = verdict_in_range(sphere, box)) return *verdict;
+  }
   return verdict_on_distance(distance_squared(sphere.center, box), radius, tolerance::rounding * radius);
 }
 
@@ -197,14 +245,15 @@ template <Dim N, class T>
 
 template <Dim N, class T>
 Relation closed_form(const Sphere<N, T>& sphere, const Obb<N, T>& box) {
-  return relation_of_widened(sphere.center, box, static_cast<double>(sphere.radius),
-                             [&] { return relation_of_zonotopes(zonotope(sphere.center), zonotope(box)); });
+  return relation_of_widened(
+      sphere.center, box, static_cast<double>(sphere.radius),
+      [](const auto& center, const auto& around) { return relation_of_zonotopes(zonotope(center), zonotope(around)); });
 }
 
 template <Dim N, class T>
 Relation closed_form(const Sphere<N, T>& sphere, const Capsule<N, T>& capsule) {
   const double reach = static_cast<double>(sphere.radius) + static_cast<double>(capsule.radius);
-  return relation_of_widened(sphere.center, axis(capsule), reach, never_overlapping);
+  return relation_of_widened(sphere.center, axis(capsule), reach, NeverOverlapping());
 }
 
 // ---- Box against ...
@@ -221,8 +270,7 @@ Relation closed_form(const Aabb<N, T>& a, const Obb<N, T>& b) {
 
 template <Dim N, class T>
 Relation closed_form(const Aabb<N, T>& box, const Capsule<N, T>& capsule) {
-  return relation_of_widened(axis(capsule), box, static_cast<double>(capsule.radius),
-                             [&] { return closed_form(axis(capsule), box); });
+  return relation_of_widened(axis(capsule), box, static_cast<double>(capsule.radius), RelationByForm());
 }
 
 template <Dim N, class T>
@@ -232,8 +280,7 @@ Relation closed_form(const Obb<N, T>& a, const Obb<N, T>& b) {
 
 template <Dim N, class T>
 Relation closed_form(const Obb<N, T>& box, const Capsule<N, T>& capsule) {
-  return relation_of_widened(axis(capsule), box, static_cast<double>(capsule.radius),
-                             [&] { return closed_form(axis(capsule), box); });
+  return relation_of_widened(axis(capsule), box, static_cast<double>(capsule.radius), RelationByForm());
 }
 
 // ---- Capsule against capsule
@@ -241,7 +288,7 @@ Relation closed_form(const Obb<N, T>& box, const Capsule<N, T>& capsule) {
 template <Dim N, class T>
 Relation closed_form(const Capsule<N, T>& a, const Capsule<N, T>& b) {
   const double reach = static_cast<double>(a.radius) + static_cast<double>(b.radius);
-  return relation_of_widened(axis(a), axis(b), reach, [&] { return closed_form(axis(a), axis(b)); });
+  return relation_of_widened(axis(a), axis(b), reach, RelationByForm());
 }
 
 }  // namespace graze::detail

@@ -12,6 +12,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/epa.hpp>
 #include <graze/query/gjk.hpp>
+#include <graze/query/range.hpp>
 #include <graze/query/shape_order.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/query/wide_support.hpp>
@@ -29,20 +30,6 @@ Relation relation_of_meeting(const A& a, const B& b, const GjkResult<dimension_o
   if (depth.gap > reach + depth.resolution) return Relation::apart;
   const bool is_deep = depth.lower > depth.resolution || (depth.holds_origin && reach > depth.resolution);
   return is_deep ? Relation::overlapping : Relation::touching;
-}
-
-/// The cores' distance against the sum of their radii.
-template <Convex A, Convex B>
-Relation relation_of_convex(const A& a, const B& b) {
-  const auto& core_a = core(a);
-  const auto& core_b = core(b);
-  const double reach = core_radius(a) + core_radius(b);
-  const GjkResult<dimension_of<A>> distance = gjk(core_a, core_b, GjkOptions{reach});
-  const double slack = distance.resolution + tolerance::rounding * reach;
-  if (!(distance.upper >= 0) || distance.lower > reach + slack) return Relation::apart;
-  if (distance.upper < reach - slack) return Relation::overlapping;
-  if (distance.lower > slack) return Relation::touching;
-  return relation_of_meeting(core_a, core_b, distance, reach);
 }
 
 // ---- An order of shapes, so that swapped arguments take the same path.
@@ -111,6 +98,31 @@ bool is_in_order(const A& a, const B& b) {
   } else {
     return comes_first(a, b);  // users' types
   }
+}
+
+template <Convex A, Convex B>
+Relation relation_of_convex_ordered(const A& a, const B& b);
+
+/// The cores' distance against the sum of their radii.
+template <Convex A, Convex B>
+Relation relation_of_convex(const A& a, const B& b) {
+  if constexpr (!is_known_by_support<A> && !is_known_by_support<B>) {
+    if (!are_usual(a, b)) {
+      if (const auto verdict = verdict_in_range(a, b)) return *verdict;
+    }
+  }
+  const auto& core_a = core(a);
+  const auto& core_b = core(b);
+  const double reach = core_radius(a) + core_radius(b);
+  const GjkResult<dimension_of<A>> distance = gjk(core_a, core_b, GjkOptions{reach});
+  const double slack = distance.resolution + tolerance::rounding * reach;
+  if (!is_usual_error<scalar_of<A>>(slack)) {
+    if (const auto verdict = verdict_in_range(a, b)) return *verdict;
+  }
+  if (!(distance.upper >= 0) || distance.lower > reach + slack) return Relation::apart;
+  if (distance.upper < reach - slack) return Relation::overlapping;
+  if (distance.lower > slack) return Relation::touching;
+  return relation_of_meeting(core_a, core_b, distance, reach);
 }
 
 /// The same for swapped arguments.

@@ -20,6 +20,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/distance_squared.hpp>
 #include <graze/query/nan_check.hpp>
+#include <graze/query/range.hpp>
 #include <graze/query/triangle_axes.hpp>
 #include <graze/query/triangle_filter.hpp>
 #include <graze/query/verdict.hpp>
@@ -168,13 +169,16 @@ std::optional<Relation> quick_verdict(const S& other, const Triangle<N, double>&
   }
 }
 
-/// For a pair seen from near both; segments and boxes lie around zero.
-template <Dim N, class S>
-Relation relation_of_seen(const S& other, const Triangle<N, double>& triangle) {
+/// For a pair seen from near both; segments and boxes lie around zero. `rescaled()` is asked first if the pair is not
+/// of usual size.
+template <Dim N, class S, class Rescaled>
+Relation relation_of_seen(const S& other, const Triangle<N, double>& triangle, const Rescaled& rescaled) {
   const double extent = std::max(extent_around_zero(other), extent_around_zero(triangle));
   if (is_of_moderate_size(extent)) {
     const std::optional<Relation> quick = quick_verdict<N>(other, triangle, extent);
     if (quick) return *quick;
+  } else if (const std::optional<Relation> verdict = rescaled()) {
+    return *verdict;
   }
   if (!std::isfinite(extent)) return Relation::apart;
   if (extent == 0) return Relation::touching;
@@ -277,15 +281,17 @@ std::optional<Relation> quick_verdict_on_distance(const Core& core, const Triang
 }
 
 /// The relation of a triangle and a core around zero that is widened by `reach`. Where rounding hides whether they
-/// touch, `relation_of_cores` is asked, as in relation_bounded.hpp.
-template <Dim N, class Core, class RelationOfCores>
+/// touch, `relation_of_cores` is asked, as in relation_bounded.hpp. `rescaled()` as above.
+template <Dim N, class Core, class RelationOfCores, class Rescaled>
 Relation relation_to_widened(const Core& core, const Triangle<N, double>& triangle, double reach,
-                             const RelationOfCores& relation_of_cores) {
+                             const RelationOfCores& relation_of_cores, const Rescaled& rescaled) {
   const double extent = std::max(extent_around_zero(core), extent_around_zero(triangle));
   const double slack = 2 * tolerance::rounding * (extent + reach);
   if (is_of_moderate_size(extent + reach)) {
     const auto quick = quick_verdict_on_distance<N>(core, triangle, reach - 4 * slack, reach + 4 * slack);
     if (quick) return *quick;
+  } else if (const std::optional<Relation> verdict = rescaled()) {
+    return *verdict;
   }
   const Relation verdict = verdict_on_distance(distance_squared(core, sorted(triangle)), reach, slack);
   if (verdict == Relation::touching && relation_of_cores() == Relation::overlapping) return Relation::overlapping;
@@ -342,7 +348,8 @@ template <Dim N, class T>
   if (hold_nan(segment, triangle)) return Relation::apart;
   const Vec<N, double> start = wide<N, T>(segment.start);
   const Vec<N, double> half = 0.5 * (wide<N, T>(segment.end) - start);
-  return relation_of_seen<N>(Segment<N, double>{-half, half}, seen_triangle(start, half, triangle));
+  return relation_of_seen<N>(Segment<N, double>{-half, half}, seen_triangle(start, half, triangle),
+                             [&] { return verdict_in_range(segment, triangle); });
 }
 
 template <Dim N, class T>
@@ -359,9 +366,11 @@ template <Dim N, class T>
   if (hold_nan(sphere, triangle)) return Relation::apart;
   const Vec<N, double> zero(0.0);
   const auto seen = seen_triangle(wide<N, T>(sphere.center), zero, triangle);
-  return relation_to_widened<N>(zero, seen, static_cast<double>(sphere.radius), [&] {
-    return N == 3 ? Relation::touching : relation_of_seen<N>(Segment<N, double>{zero, zero}, seen);
-  });
+  const auto rescaled = [&] { return verdict_in_range(sphere, triangle); };
+  const auto of_center = [&] {
+    return N == 3 ? Relation::touching : relation_of_seen<N>(Segment<N, double>{zero, zero}, seen, rescaled);
+  };
+  return relation_to_widened<N>(zero, seen, static_cast<double>(sphere.radius), of_center, rescaled);
 }
 
 template <Dim N, class T>
@@ -380,14 +389,16 @@ template <Dim N, class T>
 Relation closed_form(const Aabb<N, T>& box, const Triangle<N, T>& triangle) {
   const Vec<N, double> min = wide<N, T>(box.min);
   const Vec<N, double> half = 0.5 * (wide<N, T>(box.max) - min);
-  return relation_of_seen<N>(Aabb<N, double>{-half, half}, seen_triangle(min, half, triangle));
+  return relation_of_seen<N>(Aabb<N, double>{-half, half}, seen_triangle(min, half, triangle),
+                             [&] { return verdict_in_range(box, triangle); });
 }
 
 template <Dim N, class T>
 Relation closed_form(const Obb<N, T>& box, const Triangle<N, T>& triangle) {
   const Vec<N, double> zero(0.0);
   const Obb<N, double> around_zero{zero, wide<N, T>(box.half_extents), wide_matrix<N, T>(box.axes)};
-  return relation_of_seen<N>(around_zero, seen_triangle(wide<N, T>(box.center), zero, triangle));
+  return relation_of_seen<N>(around_zero, seen_triangle(wide<N, T>(box.center), zero, triangle),
+                             [&] { return verdict_in_range(box, triangle); });
 }
 
 /// Seen from the least of their coordinates, which is the same for swapped triangles.
@@ -396,7 +407,8 @@ template <Dim N, class T>
   if (hold_nan(a, b)) return Relation::apart;
   const Vec<N, double> reference = wide<N, T>(min(box_around(a).min, box_around(b).min));
   const Vec<N, double> zero(0.0);
-  return relation_of_seen<N>(seen_triangle(reference, zero, a), seen_triangle(reference, zero, b));
+  return relation_of_seen<N>(seen_triangle(reference, zero, a), seen_triangle(reference, zero, b),
+                             [&] { return verdict_in_range(a, b); });
 }
 
 template <Dim N, class T>
@@ -413,8 +425,10 @@ Relation closed_form(const Triangle<N, T>& triangle, const Capsule<N, T>& capsul
   const Vec<N, double> half = 0.5 * (wide<N, T>(capsule.b) - start);
   const Segment<N, double> core{-half, half};
   const auto seen = seen_triangle(start, half, triangle);
-  return relation_to_widened<N>(core, seen, static_cast<double>(capsule.radius),
-                                [&] { return relation_of_seen<N>(core, seen); });
+  const auto rescaled = [&] { return verdict_in_range(triangle, capsule); };
+  return relation_to_widened<N>(
+      core, seen, static_cast<double>(capsule.radius), [&] { return relation_of_seen<N>(core, seen, rescaled); },
+      rescaled);
 }
 
 }  // namespace graze::detail

@@ -7,12 +7,14 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/ball_filter.hpp>
 #include <graze/query/bounds.hpp>
+#include <graze/query/range.hpp>
 #include <graze/query/relation_bounded.hpp>
 #include <graze/query/relation_convex.hpp>
 #include <graze/query/relation_triangle.hpp>
@@ -140,16 +142,25 @@ Heights heights_over(const Plane<N, T>& plane, const Ray<N, T>& ray) {
   return {climb < -least_climb ? -infinity : origin.low, climb > least_climb ? infinity : origin.high, origin.slack};
 }
 
+/// Whether the heights have been calculated without a product that leaves the range of double.
+template <Dim N, class T>
+bool are_usual(const Heights& heights, const Plane<N, T>& plane) {
+  const Vec<N, double> normal = wide<N, T>(plane.normal);
+  return is_usual_error<T>(heights.slack) && is_usual_size<T>(dot(normal, normal));
+}
+
 template <Dim N, class T, class S>
 Relation relation_to_plane(const Plane<N, T>& plane, const S& shape) {
   const Heights heights = heights_over(plane, shape);
-  return verdict_on_gap(std::max(heights.low, -heights.high), heights.slack);
+  const Relation verdict = verdict_on_gap(std::max(heights.low, -heights.high), heights.slack);
+  return are_usual(heights, plane) ? verdict : verdict_in_range_or(verdict, plane, shape);
 }
 
 template <Dim N, class T, class S>
 Relation relation_to_half_space(const HalfSpace<N, T>& solid, const S& shape) {
   const Heights heights = heights_over(boundary(solid), shape);
-  return verdict_on_gap(heights.low, heights.slack);
+  const Relation verdict = verdict_on_gap(heights.low, heights.slack);
+  return are_usual(heights, boundary(solid)) ? verdict : verdict_in_range_or(verdict, solid, shape);
 }
 
 template <Dim N, class T, Convex S>
@@ -195,10 +206,18 @@ Parallel compare_planes(const Plane<N, T>& a, const Plane<N, T>& b) {
           tolerance::rounding * (std::fabs(first) + std::fabs(second))};
 }
 
+/// The verdict of two planes or half-spaces whose numbers are out of range.
+template <class A, class B>
+std::optional<Relation> verdict_if_unusual(const Parallel& planes, const A& a, const B& b) {
+  if (is_usual_error<scalar_of<A>>(planes.slack)) return std::nullopt;
+  return verdict_in_range(a, b);
+}
+
 /// Planes cross unless they are parallel; the same plane touches itself.
 template <Dim N, class T>
 Relation closed_form(const Plane<N, T>& a, const Plane<N, T>& b) {
   const Parallel planes = compare_planes(a, b);
+  if (const auto verdict = verdict_if_unusual(planes, a, b)) return *verdict;
   if (!planes.parallel) return Relation::overlapping;
   return verdict_on_gap(std::fabs(planes.second - planes.first), planes.slack);
 }
@@ -206,6 +225,7 @@ Relation closed_form(const Plane<N, T>& a, const Plane<N, T>& b) {
 template <Dim N, class T>
 Relation closed_form(const Plane<N, T>& plane, const HalfSpace<N, T>& solid) {
   const Parallel planes = compare_planes(plane, boundary(solid));
+  if (const auto verdict = verdict_if_unusual(planes, plane, solid)) return *verdict;
   if (!planes.parallel) return Relation::overlapping;
   const double above = planes.first - planes.second;
   return verdict_on_gap(planes.same_way ? above : -above, planes.slack);
@@ -215,6 +235,7 @@ Relation closed_form(const Plane<N, T>& plane, const HalfSpace<N, T>& solid) {
 template <Dim N, class T>
 Relation closed_form(const HalfSpace<N, T>& a, const HalfSpace<N, T>& b) {
   const Parallel planes = compare_planes(boundary(a), boundary(b));
+  if (const auto verdict = verdict_if_unusual(planes, a, b)) return *verdict;
   if (!planes.parallel || planes.same_way) return Relation::overlapping;
   return verdict_on_gap(planes.second - planes.first, planes.slack);
 }
@@ -228,9 +249,7 @@ inline Vec<3, double> lifted(const Vec<3, double>& v) { return v; }
 template <Dim N, class T>
 Vec<3, double> direction_of(const Ray<N, T>& ray) {
   const Vec<N, double> direction = wide<N, T>(ray.direction);
-  int exponent = 0;  // of a coordinate between 1/2 and 1; of nonsense, such as a zero direction, 0
-  (void)std::frexp(max_abs(direction), &exponent);
-  return lifted(direction * std::ldexp(1.0, 1 - exponent));
+  return lifted(PowerOfTwo(-exponent_of(direction))(direction));
 }
 
 /// Parallel rays meet if they lie on one line and one runs towards the other's origin.
@@ -250,6 +269,9 @@ Relation closed_form(const Ray<N, T>& a, const Ray<N, T>& b) {
   const Vec<3, double> d = direction_of(a);
   const Vec<3, double> e = direction_of(b);
   const Vec<3, double> w = lifted(wide<N, T>(b.origin) - wide<N, T>(a.origin));
+  if (!is_usual_size<T>(sum_abs(w))) {
+    if (const auto verdict = verdict_in_range(a, b)) return *verdict;
+  }
   const Vec<3, double> n = accurate_cross(d, e);
   const double length = std::sqrt(length_squared(n));
   const double lengths = std::sqrt(length_squared(d) * length_squared(e));
@@ -333,10 +355,18 @@ Capsule<N, double> seen_from(const Vec<N, double>& origin, const Capsule<N, T>& 
   return {wide<N, T>(capsule.a) - origin, wide<N, T>(capsule.b) - origin, static_cast<double>(capsule.radius)};
 }
 
+/// The verdict where a ray cannot be cut in range.
+template <Dim N, class T, class S>
+std::optional<Relation> verdict_if_unusual(const Vec<N, double>& reach, const Ray<N, T>& ray, const S& shape) {
+  if (is_usual_size<T>(sum_abs(reach))) return std::nullopt;
+  return verdict_in_range(ray, shape);
+}
+
 template <Dim N, class T, Convex S>
 Relation closed_form(const Ray<N, T>& ray, const S& shape) {
   const Vec<N, double> origin = wide<N, T>(ray.origin);
   const Vec<N, double> reach = reach_to(ray, shape);
+  if (const auto verdict = verdict_if_unusual(reach, ray, shape)) return *verdict;
   if constexpr (requires { seen_from(origin, shape); }) {
     return closed_form(Segment<N, double>{Vec<N, double>(0.0), reach}, seen_from(origin, shape));
   } else {
@@ -352,14 +382,19 @@ Relation closed_form(const Ray<N, T>& ray, const Sphere<N, T>& sphere) {
       filter_of_ray_and_ball<N>(wide<N, T>(ray.direction), to_center, static_cast<double>(sphere.radius));
   if (verdict) return *verdict;
   const Vec<N, double> zero(0.0);
-  return closed_form(Segment<N, double>{zero, reach_to(ray, sphere)},
-                     Sphere<N, double>{to_center, static_cast<double>(sphere.radius)});
+  const Vec<N, double> reach = reach_to(ray, sphere);
+  if (const auto rescaled = verdict_if_unusual(reach, ray, sphere)) return *rescaled;
+  return closed_form(Segment<N, double>{zero, reach}, Sphere<N, double>{to_center, static_cast<double>(sphere.radius)});
 }
 
 template <Dim N, class T>
 Relation closed_form(const Segment<N, T>& segment, const Ray<N, T>& ray) {
   const Segment<N, double> seen = seen_from(wide<N, T>(ray.origin), segment);
-  return closed_form(seen, Segment<N, double>{Vec<N, double>(0.0), reach_to(ray, segment)});
+  const Vec<N, double> reach = reach_to(ray, segment);
+  if (!is_usual_size<T>(sum_abs(reach))) {
+    if (const auto verdict = verdict_in_range(segment, ray)) return *verdict;
+  }
+  return closed_form(seen, Segment<N, double>{Vec<N, double>(0.0), reach});
 }
 
 }  // namespace graze::detail

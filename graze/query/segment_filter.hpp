@@ -8,6 +8,7 @@
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/range.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/shape/segment.hpp>
 
@@ -31,9 +32,10 @@ std::optional<Relation> filter_of_segments(const Segment<N, T>& a, const Segment
   const double vw = dot(v, w);
   const double det = uu * vv - uv * uv;
   if (!(det > least_sine_squared * (uu * vv))) return std::nullopt;  // so uu, vv and det are not zero
+  const double slack = tolerance::segment_filter * (sum_abs(u) + sum_abs(v) + sum_abs(w) + reach);
+  if (!is_usual_error<T>(slack)) return std::nullopt;
   const double on_line_a = (uw * vv - vw * uv) / det;
   const double on_line_b = (uw * uv - vw * uu) / det;
-  const double slack = tolerance::segment_filter * (sum_abs(u) + sum_abs(v) + sum_abs(w) + reach);
   if constexpr (N == 2) {
     const auto is_inside = [slack](double place, double whole_squared) {
       const double to_end = std::max(0.0, std::min(place, 1 - place));

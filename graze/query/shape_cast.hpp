@@ -28,12 +28,13 @@
 // touch all along a face or an edge do so at one of many points, each as near to both as closest_points.hpp says. A
 // compound is its first part to be touched.
 //
-// `error` is a length: at t, before it is rounded to T, the shapes are no farther apart than that, and before t nowhere
-// deeper in each other. A few epsilon of double of the coordinates as seen from a or b, the motion's included, for the
-// bounded shapes of the closed forms and those without curved faces of their own; of the largest coordinate for planes,
-// half-spaces, polytopes and users' shapes (of T for those that calculate in T); of rays that are all but parallel also
-// of where they touch, which may be far away. `status` says if GJK could not get that near. At a grazing angle t is
-// less exact than the distance. Coordinates of magnitude 1e-140 to 1e140.
+// `error` is a length: at t, before it is rounded to T, the shapes are no farther apart than that, and before t
+// nowhere deeper in each other. A few epsilon of double of the coordinates as seen from a or b, the motion's
+// included, for the bounded shapes of the closed forms and those without curved faces of their own; of the largest
+// coordinate for planes, half-spaces, polytopes and users' shapes (of T for those that calculate in T); of rays that
+// are all but parallel also of where they touch, which may be far away. `status` says if GJK could not get that near.
+// At a grazing angle t is less exact than the distance. Any finite coordinates; range.hpp says what of sizes that
+// differ by more than 2^900.
 #pragma once
 
 #include <algorithm>
@@ -50,6 +51,7 @@
 #include <graze/query/impact.hpp>
 #include <graze/query/nan_check.hpp>
 #include <graze/query/obstacle.hpp>
+#include <graze/query/range.hpp>
 #include <graze/query/ray_cast.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/query/strike_of_hit.hpp>
@@ -360,6 +362,18 @@ std::optional<Strike<dimension_of<A>>> strike_exchanged(const A& a, const Vec<di
 template <class A, class B>
 std::optional<Strike<dimension_of<A>>> strike(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b);
 
+/// The strike of shapes that are out of range, if there is one; none of others.
+template <class A, class B>
+std::optional<std::optional<Strike<dimension_of<A>>>> strike_in_range(const A& a,
+                                                                      const Vec<dimension_of<A>, double>& motion,
+                                                                      const B& b) {
+  return answer_in_range<std::optional<Strike<dimension_of<A>>>>(
+      [](const auto& power, const auto& scaled_a, const auto& scaled_motion, const auto& scaled_b) {
+        return resized(strike(scaled_a, scaled_motion, scaled_b), power.inverse());
+      },
+      a, motion, b);
+}
+
 /// The first part to touch the shape, the first of several. `cast(part)` casts one, and what is left of the way once a
 /// part has touched is all that counts for the others; `motion` is that of the parts as the shape sees them.
 template <Dim N, class T, class S, class Cast>
@@ -390,6 +404,11 @@ std::optional<Strike<dimension_of<A>>> strike(const A& a, const Vec<dimension_of
     return strike_of_parts(b, -motion, a, [&](const auto& part) { return strike(a, motion, part); });
   } else {
     if (hold_nan(a, b)) return std::nullopt;
+    if constexpr (can_leave_range<A>) {
+      if (!are_usual(a, b, motion)) {
+        if (const auto rescaled = strike_in_range(a, motion, b)) return *rescaled;
+      }
+    }
     if constexpr (type_place<A> < type_place<B>) {
       return strike_in_order(a, motion, b);
     } else if constexpr (type_place<A> > type_place<B>) {

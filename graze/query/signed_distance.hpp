@@ -25,6 +25,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/contains.hpp>
 #include <graze/query/distance_squared.hpp>
+#include <graze/query/range.hpp>
 #include <graze/query/surface_point.hpp>
 #include <graze/query/surface_point_box.hpp>
 #include <graze/query/surface_point_convex.hpp>
@@ -36,13 +37,37 @@ namespace graze {
 
 namespace detail {
 
+/// A distance of a shape with an inside: zero or less if the point is inside, else more.
+inline double with_sign(double distance, bool is_inside) {
+  return is_inside ? std::min(distance, 0.0) : std::max(distance, std::numeric_limits<double>::denorm_min());
+}
+
+/// In range.
+template <Shape S>
+double usual_signed_distance(const S& shape, const PointOf<S>& point) {
+  const double distance = surface_point(shape, wide<dimension_of<S>, scalar_of<S>>(point)).distance;
+  if (!has_inside<S>) return distance;
+  return with_sign(distance, distance < 0 || holds(shape, point));
+}
+
+/// Of what may be out of range.
+template <Shape S>
+[[gnu::noinline, gnu::cold]] double signed_distance_in_range(const S& shape, const PointOf<S>& point) {
+  const auto answer = answer_in_range<double>(
+      [](const auto& power, const auto& scaled_shape, const auto& scaled_point) {
+        const double distance = usual_signed_distance(scaled_shape, scaled_point);
+        const double result = power.inverse()(distance);
+        return has_inside<S> ? with_sign(result, distance <= 0) : result;
+      },
+      shape, point);
+  return answer ? *answer : usual_signed_distance(shape, point);
+}
+
 /// The signed distance in double. What `contains` lets pass has none, and what it does not has some.
 template <Shape S>
 double signed_distance_of(const S& shape, const PointOf<S>& point) {
-  const double distance = surface_point(shape, wide<dimension_of<S>, scalar_of<S>>(point)).distance;
-  if (!has_inside<S>) return distance;
-  const bool is_inside = distance < 0 || holds(shape, point);
-  return is_inside ? std::min(distance, 0.0) : std::max(distance, std::numeric_limits<double>::denorm_min());
+  if (!is_usual_size<scalar_of<S>>(size_beside(shape, point))) return signed_distance_in_range(shape, point);
+  return usual_signed_distance(shape, point);
 }
 
 template <Dim N, class T>
@@ -72,9 +97,10 @@ DecidingPart<N, T> deciding_part(const Compound<N, T>& compound, const Vec<N, T>
   DecidingPart<N, T> best;
   for (const Part<N, T>& part : compound.parts) {
     const double far = std::max(best.distance, 0.0) + forgiven_outside(part.box, point);
-    if (distance_squared(point, part.box) > far * far && !is_hidden_by_box(part)) continue;
+    if (is_farther(distance_squared(point, part.box), far) && !is_hidden_by_box(part)) continue;
     const double distance = distance_of_part(part.shape, point);
-    if (distance < best.distance) best = {&part, distance};
+    const bool is_first = best.part == nullptr && distance == best.distance;  // infinitely far away
+    if (distance < best.distance || is_first) best = {&part, distance};
   }
   return best;
 }

@@ -10,11 +10,12 @@
 // error.
 //
 // `error` is a length: at t, before it is rounded to T, the shapes are no farther apart than that, and before t they
-// are not in touch. It is 2^-36 of the pair's size and way, or a few epsilon of the largest coordinate if that is more
-// (of T for a user's shape that calculates in T). So shapes that come nearer to each other than that without touching
-// have an impact as well. If the steps end before (they are at most 512: long shapes that turn much and graze take
-// them), or GJK cannot tell the distance, the status is `best_bound`: t is a bound all the same, and the error says how
-// far apart they are there. Coordinates of magnitude 1e-140 to 1e140.
+// are not in touch. It is 2^-36 of the pair's size and way, or a few epsilon of the largest coordinate if that is
+// more (of T for a user's shape that calculates in T). So shapes that come nearer to each other than that without
+// touching have an impact as well. If the steps end before (they are at most 512: long shapes that turn much and
+// graze take them), or GJK cannot tell the distance, the status is `best_bound`: t is a bound all the same, and the
+// error says how far apart they are there. Any finite coordinates; range.hpp says what of sizes that differ by more
+// than 2^900.
 #pragma once
 
 #include <algorithm>
@@ -30,6 +31,7 @@
 #include <graze/query/contact.hpp>
 #include <graze/query/impact.hpp>
 #include <graze/query/motion_advance.hpp>
+#include <graze/query/range.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/query/shape_cast.hpp>
 #include <graze/query/shape_order.hpp>
@@ -234,6 +236,19 @@ std::optional<Strike<dimension_of<A>>> strike_of_simple_motion(const A& a, const
 template <class A, class B>
 std::optional<Strike<dimension_of<A>>> strike_of_simple(const A& a, const MotionOf<A>& motion_a, const B& b,
                                                         const MotionOf<A>& motion_b) {
+  if constexpr (can_leave_range<A>) {
+    if (!are_usual(a, b, motion_a.linear, motion_a.center, motion_b.linear, motion_b.center)) {
+      const auto rescaled = answer_in_range<std::optional<Strike<dimension_of<A>>>>(
+          [&](const auto& power, const auto& scaled_a, const auto& scaled_b, const auto& linear_a, const auto& center_a,
+              const auto& linear_b, const auto& center_b) {
+            const MotionOf<A> scaled_motion_a{linear_a, motion_a.angular, center_a};
+            const MotionOf<A> scaled_motion_b{linear_b, motion_b.angular, center_b};
+            return resized(strike_of_simple(scaled_a, scaled_motion_a, scaled_b, scaled_motion_b), power.inverse());
+          },
+          a, b, motion_a.linear, motion_a.center, motion_b.linear, motion_b.center);
+      if (rescaled) return *rescaled;
+    }
+  }
   std::optional<Strike<dimension_of<A>>> found = strike_of_simple_motion(a, motion_a, b, motion_b);
   if (found && !(max_abs(found->normal) > 0)) found->normal = proximity(a, b).normal;
   return found;
@@ -262,7 +277,7 @@ std::optional<Strike<N>> strike_of_moving_parts(const Compound<N, T>& compound, 
   const Aabb<N, T> box = touching_bounds(shape);
   for (const Part<N, T>& part : compound.parts) {
     const Aabb<N, T> part_box = touching_bounds(part.box);
-    const bool may_touch = !is_bounded(box) || !is_bounded(part_box) ||
+    const bool may_touch = !is_bounded(box) || !is_bounded(part_box) || !are_usual(box, part_box) ||
                            may_touch_by(first ? first->t : 1.0, part_box, motion, box, motion_of_shape);
     if (may_touch) keep_earlier(first, find(part.shape));
   }

@@ -17,7 +17,7 @@ namespace graze::detail {
 template <Dim N>
 struct TouchLook {
   bool is_known = false;   ///< If not, nothing else counts.
-  bool meets = false;      ///< If not, nothing else counts, either.
+  bool meets = false;      ///< If not, nothing else counts, but the error.
   bool is_single = false;  ///< Whether the manifold is this point alone, on the features below.
   Penetration<N> found;
   Feature feature_a{FeatureKind::vertex, 0};

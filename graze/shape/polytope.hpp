@@ -29,7 +29,9 @@ class Polytope;
 namespace detail {
 template <Dim N, class T>
 const CornerRows<N, T>& rows_of(const Polytope<N, T>& polytope);
-}
+template <Dim N, class T, class F>
+Polytope<N, T> with_corners_mapped(const Polytope<N, T>& polytope, const F& f);
+}  // namespace detail
 
 /// A solid convex polytope: in 2D a convex polygon. Made by `convex_hull`; copies share one immutable list of vertices,
 /// so a copy costs as little as a sphere's. Default: the single point at the origin.
@@ -62,6 +64,8 @@ class Polytope {
   friend Polytope<M, U> transformed(const Polytope<M, U>& polytope, const Pose<M, U>& pose);
   template <Dim M, class U>
   friend const detail::CornerRows<M, U>& detail::rows_of(const Polytope<M, U>& polytope);
+  template <Dim M, class U, class F>
+  friend Polytope<M, U> detail::with_corners_mapped(const Polytope<M, U>& polytope, const F& f);
 
   // Shared, because a hull is built once and copied into scenes, parts and snapshots many times; it never changes.
   std::shared_ptr<const Corners> corners_;
@@ -72,6 +76,15 @@ namespace detail {
 template <Dim N, class T>
 const CornerRows<N, T>& rows_of(const Polytope<N, T>& polytope) {
   return polytope.corners_->rows;
+}
+
+/// Every corner replaced by f(corner), in the same order. Whoever asks knows that they are still the corners of a hull.
+template <Dim N, class T, class F>
+Polytope<N, T> with_corners_mapped(const Polytope<N, T>& polytope, const F& f) {
+  std::vector<Vec<N, T>> corners;
+  corners.reserve(polytope.vertices().size());
+  for (const Vec<N, T>& corner : polytope.vertices()) corners.push_back(f(corner));
+  return Polytope<N, T>(std::move(corners));
 }
 
 template <Dim N, class T>
