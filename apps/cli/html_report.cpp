@@ -86,6 +86,7 @@ std::string read_report_template() {
 
 HtmlReport::HtmlReport(std::string page, io::ReportHead head) : page_(std::move(page)) {
   head.source = io::file_name(head.source);
+  for (io::Omission& omission : head.not_read) omission.where = io::file_name(omission.where);
   writer_ = io::begin_report(check_, io::ReportFormat::json, head);
 }
 

@@ -100,9 +100,9 @@ std::optional<std::vector<std::uint32_t>> tiled_gids(std::string_view text, cons
   }
   const Unpacked packed = decoded_base64(text);
   if (packed.fault) fail_at(place, "the data " + packed.fault->fact);
-  const Unpacked plain = unpacked(packed.bytes, *packing, static_cast<std::size_t>(4 * count));
-  if (plain.fault) fail_at(place, "the data " + plain.fault->fact);
-  return gids_of_bytes(plain.bytes);
+  const Unpacked cells = unpacked(packed.bytes, *packing, static_cast<std::size_t>(4 * count));
+  if (cells.fault) fail_at(place, "the data " + cells.fault->fact);
+  return gids_of_bytes(cells.bytes);
 }
 
 }  // namespace graze::io

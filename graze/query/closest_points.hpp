@@ -313,7 +313,7 @@ Proximity<dimension_of<A>, double> proximity(const A& a, const B& b, SimplexCach
 template <class A, class B>
 bool is_in_range(const Proximity<dimension_of<A>, double>& found, const A& a, const B& b) {
   if constexpr (is_level<A> && is_level<B>) return are_usual(a, b);
-  if (is_usual_error<scalar_of<A>>(found.error)) return true;
+  if (is_usual_error<scalar_of<A>>(found.error)) return has_usual_normal(a) && has_usual_normal(b);
   if constexpr (is_a<Aabb, A> && is_a<Aabb, B>) return found.point_a == found.point_b;
   return false;
 }

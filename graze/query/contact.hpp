@@ -145,7 +145,7 @@ template <class A, class B>
 bool is_in_range(const Penetration<dimension_of<A>>& found, const A& a, const B& b) {
   if constexpr (is_a<Aabb, A> && is_a<Aabb, B>) return found.depth < 0x1p1000;
   if constexpr (is_ray<A> || is_ray<B> || (is_level<A> && is_level<B>)) return are_usual(a, b);
-  return is_usual_error<scalar_of<A>>(found.error);
+  return is_usual_error<scalar_of<A>>(found.error) && has_usual_normal(a) && has_usual_normal(b);
 }
 
 /// Of two simple shapes that meet.

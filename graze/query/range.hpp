@@ -46,6 +46,15 @@ constexpr bool is_usual_error(double error) {
   return error > 0x1p-150 && error < 0x1p60;
 }
 
+/// Whether the normal of a plane or half-space can be squared; other shapes have none.
+template <class S>
+constexpr bool has_usual_normal(const S& shape) {
+  if constexpr (requires { shape.normal; }) {
+    return is_usual_size<scalar_of<S>>(static_cast<double>(max_abs(shape.normal)));
+  }
+  return true;
+}
+
 /// Whether a squared distance is greater than the square of another distance: where squares are too small to tell, no.
 inline bool is_farther(double squared, double distance) { return squared > distance * distance && squared > 0x1p-960; }
 
@@ -284,9 +293,7 @@ class Scaler {
   double operator()(double length) const { return without_least(power_(length)); }
   template <Dim N>
   Vec<N, double> direction(const Vec<N, double>& direction) const {
-    const int exponent = unusual_exponent_of(direction);
-    if (exponent == 0) return direction;
-    Vec<N, double> result = PowerOfTwo(-exponent)(direction);
+    Vec<N, double> result = PowerOfTwo(-unusual_exponent_of(direction))(direction);
     for (Dim i = 0; i < N; ++i) result[i] = without_least(result[i]);
     return result;
   }

@@ -342,7 +342,7 @@ template <class S, Dim N, class Cast>
       [&](const PowerOfTwo& power, const auto& scaled_shape, const auto& scaled_ray) {
         const PowerOfTwo of_t(power.exponent() + unusual_exponent_of(ray.direction));
         Hit hit = cast(scaled_shape, scaled_ray, of_t(t_max));
-        if (!hit) return hit;
+        if (!hit || !is_finite(hit->point)) return Hit();  // or where no number reaches
         hit->t = std::min(of_t.inverse()(hit->t), t_max);
         hit->point = power.inverse()(hit->point);
         hit->error = power.inverse()(hit->error);
