@@ -21,6 +21,7 @@ from project_files import ROOT, includes, project_files
 COMPILED_ELSEWHERE = {
     "tests/fuzz": "Clang, which alone has libFuzzer: ./dev test asan",
     "bindings/wasm/src": "Emscripten, whose headers clang-tidy cannot read: ./dev web",
+    "tests/package/compiler": "the tests of compilers and their options",
     "tests/package/consumer": "the tests of the installed package",
 }
 

@@ -55,14 +55,13 @@ class PathFilter {
   /// Of a direction whose largest coordinate is 1, so that nothing of it underflows: its rounding moves the ray by less
   /// than the margin.
   template <class T>
-  explicit PathFilter(const Ray<N, T>& ray)
+  explicit PathFilter(const Ray<N, T>& ray, double t_max = std::numeric_limits<double>::infinity())
       : origin_(wide<N, T>(ray.origin)),
-        direction_(wide<N, T>(ray.direction) / static_cast<double>(max_abs(ray.direction))) {}  // valid: not zero
+        direction_(wide<N, T>(ray.direction) / static_cast<double>(max_abs(ray.direction))),  // valid: not zero
+        t_max_(t_max * static_cast<double>(max_abs(ray.direction))) {}
 
   template <class T>
-  explicit PathFilter(const RayUntil<N, T>& way) : PathFilter(way.ray) {
-    t_max_ = latest_t(way.t_max) * static_cast<double>(max_abs(way.ray.direction));
-  }
+  explicit PathFilter(const RayUntil<N, T>& way) : PathFilter(way.ray, latest_t(way.t_max)) {}
 
   template <class T>
   explicit PathFilter(const Segment<N, T>& segment)

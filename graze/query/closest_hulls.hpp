@@ -31,6 +31,16 @@
 
 namespace graze::detail {
 
+/// The largest coordinate of a hull, or more.
+template <class T>
+double size_of_hull(const Polytope<3, T>& hull) {
+  return rows_of(hull).largest();
+}
+template <class T>
+double size_of_hull(const Posed<Polytope<3, T>>& posed) {
+  return rows_of(posed.shape).largest() + static_cast<double>(max_abs(posed.pose.position));
+}
+
 /// A polytope as it is seen from a point.
 template <class T>
 class StillHull {

@@ -295,16 +295,6 @@ Proximity<dimension_of<A>, double> proximity_in_order(const A& a, const B& b, Re
   }
 }
 
-/// The same of shapes that are 2^k times as large.
-template <Dim N>
-Proximity<N, double> resized(Proximity<N, double> proximity, const PowerOfTwo& power) {
-  proximity.distance = power(proximity.distance);
-  proximity.point_a = power(proximity.point_a);
-  proximity.point_b = power(proximity.point_b);
-  proximity.error = power(proximity.error);
-  return proximity;
-}
-
 template <class A, class B>
 Proximity<dimension_of<A>, double> proximity(const A& a, const B& b, SimplexCache<dimension_of<A>>* cache = nullptr);
 
@@ -349,9 +339,7 @@ Proximity<dimension_of<A>, double> proximity_in_order(const A& a, const B& b) {
     if (!are_usual(a, b) && put_in_range(result, relation, a, b)) return result;
   }
   Proximity<dimension_of<A>, double> result = proximity_in_order(a, b, relation);
-  if (!is_in_range(result, a, b)) {
-    if (put_in_range(result, relation, a, b)) return result;
-  }
+  if (!is_in_range(result, a, b) && put_in_range(result, relation, a, b)) return result;
   if (relation == Relation::touching) result.error *= slack_of_touching;
   if (relation == Relation::overlapping) result.error = 0;
   return result;
@@ -395,16 +383,6 @@ bool are_in_order(const A& a, const B& b) {
   } else {
     return type_place<A> < type_place<B>;
   }
-}
-
-/// The largest coordinate of a hull, or more.
-template <class T>
-double size_of_hull(const Polytope<3, T>& hull) {
-  return rows_of(hull).largest();
-}
-template <class T>
-double size_of_hull(const Posed<Polytope<3, T>>& posed) {
-  return rows_of(posed.shape).largest() + static_cast<double>(max_abs(posed.pose.position));
 }
 
 /// Without a branch on the order, which is guessed wrong every other time.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <graze/math/vec.hpp>
+#include <graze/query/range.hpp>
 #include <graze/query/status.hpp>
 #include <graze/query/verdict.hpp>
 
@@ -32,6 +33,16 @@ template <Dim N, class T>
 Proximity<N, T> exchanged(Proximity<N, T> proximity) {
   std::swap(proximity.point_a, proximity.point_b);
   proximity.normal = Vec<N, T>(T(0)) - proximity.normal;
+  return proximity;
+}
+
+/// The same of shapes that are 2^k times as large.
+template <Dim N>
+Proximity<N, double> resized(Proximity<N, double> proximity, const PowerOfTwo& power) {
+  proximity.distance = power(proximity.distance);
+  proximity.point_a = power(proximity.point_a);
+  proximity.point_b = power(proximity.point_b);
+  proximity.error = power(proximity.error);
   return proximity;
 }
 

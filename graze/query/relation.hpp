@@ -91,9 +91,6 @@ inline constexpr bool sees_nan = (is_core<A> && is_core<B>) || (is_point<A> && i
                                  ((is_a<Plane, A> || is_a<HalfSpace, A>)&&(is_core<B> || is_a<Triangle, B>)) ||
                                  (dimension_of<A> == 3 && is_filtered<A> && is_a<Triangle, B>);
 
-template <class A, class B>
-Relation decide(const A& a, const B& b);
-
 /// The closest of the parts decides; parts whose boxes are apart beyond all rounding are skipped.
 template <Dim N, class T, class S>
 Relation relation_of_parts(const Compound<N, T>& compound, const S& shape) {

@@ -364,9 +364,7 @@ std::optional<Strike<dimension_of<A>>> strike(const A& a, const Vec<dimension_of
 
 /// The strike of shapes that are out of range, if there is one; none of others.
 template <class A, class B>
-std::optional<std::optional<Strike<dimension_of<A>>>> strike_in_range(const A& a,
-                                                                      const Vec<dimension_of<A>, double>& motion,
-                                                                      const B& b) {
+auto strike_in_range(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b) {
   return answer_in_range<std::optional<Strike<dimension_of<A>>>>(
       [](const auto& power, const auto& scaled_a, const auto& scaled_motion, const auto& scaled_b) {
         return resized(strike(scaled_a, scaled_motion, scaled_b), power.inverse());
