@@ -158,7 +158,9 @@ TEST(RestingManifold, EndsWhereMoreIsHidden) {
   V3 corner = plate.center;
   for (Dim i = 0; i < 3; ++i) corner -= plate.axes[i] * std::copysign(plate.half_extents[i], plate.axes[i].z);
   const Box pebble{corner - V3(0, 0, 0.1 - 1e-6), V3(0.5, 0.5, 0.1), Mat<3, double>(1.0)};
-  for (const ManifoldPoint<3, double>& point : manifold(pebble, plate).contacts()) {
+  const Manifold<3, double> under_the_rim = manifold(pebble, plate);
+  EXPECT_GT(under_the_rim.size, 0U);
+  for (const ManifoldPoint<3, double>& point : under_the_rim.contacts()) {
     EXPECT_LT(point.point_b.z, corner.z + 1e-5);
   }
 }
