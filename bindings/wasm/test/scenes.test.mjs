@@ -150,7 +150,7 @@ test("files that cannot be read are refused as by the command line", () => {
   assert.match(refusal('{"schema": "graze.scene/1",\n "dimension": 2,\n "objects": [{"type": "ball"}]}'),
     /^level: line 3, column \d+: object 0: unknown type "ball"; did you mean "sphere"\?$/);
   assert.match(refusal(new Uint8Array([0xff, 0xfe, 0x61, 0])), /UTF-16/);
-  assert.match(refusal(read("data/platform_level.tmx")), /the tileset "platform_tiles.tsx" cannot be read: there is no such/);
+  assert.match(refusal(read("data/platform_level.tmx")), /the template "templates\/crate.tx" cannot be read: there is no such/);
   assert.match(refusal("{}", { "/etc/passwd": "" }), /^files: "\/etc\/passwd" is not a path relative to the scene/);
   assert.match(refusal("{}", { "../../../../../../../../../../x": "" }), /at most eight folders up/);
 });
