@@ -64,11 +64,11 @@ struct ReportSummary {
 /// Writes one report: `write` for every pair in order, then `finish` once. Pairs are written as they come, and none is
 /// kept; a table holds the first ones back until it knows how wide its columns are. In a table and in CSV a pair has a
 /// row for each of its contacts. Names are quoted or escaped as the format needs it, whatever bytes they hold, and
-/// numbers are as short as they can be read back, but for those of a table. Where more is told than a relation, JSON and
-/// CSV always tell the status and the error; a table tells the error of what has not converged. What was not read of the
-/// scene is a field in JSON; where shapes are missing by it, the first lines of NDJSON, the first rows of CSV and a line
-/// over the summary of a table say so. Virtual because the format is chosen at run time; a call per pair is nothing
-/// beside the test of the pair.
+/// numbers are as short as they can be read back, but for those of a table. Where more is told than a relation, JSON
+/// and CSV always tell the status and the error; a table tells the error of what has not converged. What was not read
+/// of the scene is a field in JSON; where shapes are missing by it, the first lines of NDJSON, the first rows of CSV
+/// and a line over the summary of a table say so. Virtual because the format is chosen at run time; a call per pair is
+/// nothing beside the test of the pair.
 class ReportWriter {
  public:
   virtual ~ReportWriter() = default;
