@@ -341,7 +341,7 @@ class UnusualLengths {
  public:
   double operator()(double length) {
     constexpr std::uint64_t least = std::uint64_t{1023 - most_usual_exponent} << 53U;
-    constexpr std::uint64_t range = std::uint64_t{2U * most_usual_exponent} << 53U;
+    constexpr std::uint64_t range = std::uint64_t{most_usual_exponent} << 54U;
     const std::uint64_t bits = bit_cast<std::uint64_t>(length) << 1U;  // ordered by magnitude
     are_any_ |= static_cast<unsigned>(bits - least >= range) & static_cast<unsigned>(bits != 0);
     return length;
