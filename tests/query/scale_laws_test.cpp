@@ -142,9 +142,10 @@ void expect_same_hit(const Found& hit, const Found& large, int exponent) {
   ASSERT_EQ(hit.has_value(), large.has_value());
   if (!hit) return;
   EXPECT_EQ(large->t, hit->t);
-  // A point in the middle between two others is rounded once more where the least numbers are as far apart as it.
-  const double step = std::numeric_limits<double>::denorm_min();
-  EXPECT_LE(max_abs(large->point - scaled<N>(hit->point, exponent)), exponent < -1000 ? step : 0.0);
+  // The middle between two points is rounded where the least numbers are as far apart as it: by half a step in each
+  // half, and by one in their sum.
+  const double steps = 2 * std::numeric_limits<double>::denorm_min();
+  EXPECT_LE(max_abs(large->point - scaled<N>(hit->point, exponent)), exponent < -1000 ? steps : 0.0);
   EXPECT_EQ(large->normal, hit->normal);
 }
 
