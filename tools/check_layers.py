@@ -18,7 +18,7 @@ GLM_DOOR = Path("graze/math/vec.hpp")
 MAX_LINES = 450
 
 SPDX = "SPDX-License-Identifier: MIT"
-SOURCES = [".hpp", ".cpp", ".py", ".sh", ".cmake", ".cmake.in", "CMakeLists.txt", "dev", ".ci/run"]
+SOURCES = [".hpp", ".cpp", ".cpp.in", ".py", ".sh", ".cmake", ".cmake.in", "CMakeLists.txt", "dev", ".ci/run"]
 
 # Headers, and sources of another name than their header, without a test file of their own: the test file that covers them,
 # and why it is another's.
@@ -132,7 +132,7 @@ def include_problem(root, path, name, quoted):
 def check_includes(root, sources):
     problems = []
     for path in sources:
-        if path.suffix not in (".hpp", ".cpp"):
+        if not path.name.endswith((".hpp", ".cpp", ".cpp.in")):
             continue
         for line, name, quoted in includes((root / path).read_text(encoding="utf-8")):
             problem = include_problem(root, path, name, quoted)

@@ -60,7 +60,7 @@ def units_of(root, build):
             included = [Path(name).relative_to(root) for _, name, _ in includes(file.read_text(encoding="utf-8"))]
             # Tests are too many to be held in memory at once.
             batches.setdefault((flags, "" if is_looked_at_always(included[0]) else file), []).extend(included)
-        elif file.is_relative_to(root) and not file.is_relative_to(root / "build"):
+        elif file.is_relative_to(root) and file.stem != "cmake_pch.hxx":  # what CMake makes of a template is there, too
             source = file.relative_to(root)
             if source.parts[0] == "examples":
                 programs.setdefault((flags, source.parent), []).append(source)
@@ -80,9 +80,13 @@ def is_looked_at_always(path):
     return path.parts[0] in ("graze", "apps") or path.parent == Path("examples")
 
 
-def configuration_for(root, path):
-    """The nearest configuration above a source: for one in a batch, clang-tidy would look above the batch."""
-    return next(folder / ".clang-tidy" for folder in (root / path).parents if (folder / ".clang-tidy").is_file())
+def configuration_for(root, build, path):
+    """The nearest configuration above a source: for one in a batch, clang-tidy would look above the batch, and for one that
+    CMake makes of a template not where the template is."""
+    place = root / path
+    if place.is_relative_to(build):
+        place = root / place.relative_to(build)
+    return next(folder / ".clang-tidy" for folder in place.parents if (folder / ".clang-tidy").is_file())
 
 
 def is_compiled_elsewhere(path):
@@ -113,7 +117,7 @@ def main():
     checks.sort(key=lambda check: -len(check[0].sources))
 
     def tidy(unit):
-        command = ["clang-tidy", "--quiet", f"--config-file={configuration_for(root, unit.sources[0])}"]
+        command = ["clang-tidy", "--quiet", f"--config-file={configuration_for(root, build, unit.sources[0])}"]
         with tempfile.TemporaryDirectory() as scratch:
             file = root / unit.sources[0]
             if unit.text:

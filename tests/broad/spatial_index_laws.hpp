@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every index answers as BruteForce does, whatever came before, and refuses what it must. A new index adds one line to
-// Indexes. Instantiated in six files, spatial_index_laws_*_test.cpp, which compile at the same time: Grid in two of its
-// own.
+// Indexes.
 #pragma once
 
 #include <array>
@@ -34,7 +33,8 @@ template <Dim N, class T>
 using Indexes = testing::Types<  //
     BruteForce<N, T>,            //
     Orthtree<N, T>,              //
-    Bvh<N, T>>;
+    Bvh<N, T>,                   //
+    Grid<N, T>>;
 
 /// An index of that type; the number picks its settings. Small capacities make tall trees of a few boxes.
 template <class I>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a bounding volume as stored contains a point, in rational numbers. Compiled once for each space, in
-// exact_*.cpp.
+// Whether a bounding volume as stored contains a point, in rational numbers. Compiled once for each space, by
+// exact.cpp.in.
 #pragma once
 
 #include <graze/math/vec.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The exact answers to point queries, in rational numbers: how far a point is from a shape as stored, and how far a
-// claimed nearest point is from the true one. Compiled once for each space, in exact_*.cpp.
+// claimed nearest point is from the true one. Compiled once for each space, by exact.cpp.in.
 #pragma once
 
 #include <graze/math/vec.hpp>

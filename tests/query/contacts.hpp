@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What graze says about the contact of any two shapes: compiled once for each space, in contacts_*.cpp, because
+// What graze says about the contact of any two shapes: compiled once for each space, by contacts.cpp.in, because
 // hundreds of pairs take their time.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What graze says about the manifold of any two shapes: compiled once for each space, in manifolds_*.cpp, because
+// What graze says about the manifold of any two shapes: compiled once for each space, by manifolds.cpp.in, because
 // hundreds of pairs take their time.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What graze and what the oracle say about any two shapes: compiled once for each space, in pairs_*.cpp, because
+// What graze and what the oracle say about any two shapes: compiled once for each space, by pairs.cpp.in, because
 // hundreds of pairs take their time.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every point query at once, for any shape: compiled in point_answers_*.cpp,
+// Every point query at once, for any shape: compiled by point_answers.cpp.in,
 // because a dozen types of shapes take their time.
 #pragma once
 

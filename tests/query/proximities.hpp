@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What graze says about the distance of any two shapes: compiled once for each space, in proximities_*.cpp, because
+// What graze says about the distance of any two shapes: compiled once for each space, by proximities.cpp.in, because
 // hundreds of pairs take their time.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What graze says about rays and any shape: compiled once for each space, in ray_casts_*.cpp.
+// What graze says about rays and any shape: compiled once for each space, by ray_casts.cpp.in.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What graze says about moving shapes of any two types: compiled once for each space, in shape_casts_*.cpp.
+// What graze says about moving shapes of any two types: compiled once for each space, by shape_casts.cpp.in.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What graze says about shapes of any two types that move and turn: compiled once for each space that is tested, in
-// times_of_impact_*.cpp.
+// What graze says about shapes of any two types that move and turn: compiled once for each space, by
+// times_of_impact.cpp.in.
 #pragma once
 
 #include <optional>

@@ -69,6 +69,19 @@ class CheckTidy(TreeTest):
         self.assertIn("2 files in 1 units, 1 of them changed, 1 findings", said)
         self.assertEqual(status, 1)
 
+    def test_what_cmake_makes_of_a_template_is_looked_at_as_what_lies_beside_the_template(self):
+        self.write("tests/.clang-tidy", "Checks: '-*,bugprone-integer-division'\nWarningsAsErrors: '*'\n")
+        made = self.tree / "build/lint/tests/made_2d_float.cpp"
+        self.write(made, f"{LICENSE}#include <vector>\nbool none() {{ return std::vector<int>().size() == 0; }}\n"
+                   "double half(int i) { return i / 2; }\n")
+        self.write("build/lint/compile_commands.json", json.dumps([{
+            "directory": str(self.tree), "command": f"g++ -std=c++20 -c '{path}'", "file": str(path)}
+            for path in (self.tree / "apps/main.cpp", made, self.tree / "build/lint/cmake_pch.hxx.cxx")]))
+        status, said = self.run_tool("check_tidy.py", "--all")
+        self.assertIn("build/lint/tests/made_2d_float.cpp:4:29: error:", said)
+        self.assertIn("2 files in 2 units, 2 of them changed, 1 findings", said)
+        self.assertEqual(status, 1)
+
     def test_a_file_that_no_target_compiles_is_found(self):
         self.write("apps/forgotten.cpp", LICENSE)
         status, said = self.run_tool("check_tidy.py")
