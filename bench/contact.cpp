@@ -26,7 +26,7 @@
 
 #include <graze/broad/contacts.hpp>
 #include <graze/broad/executor.hpp>
-#include <graze/broad/manifolds.hpp>
+#include <graze/broad/touching/manifolds.hpp>
 #include <graze/math/pose.hpp>
 #include <graze/query/contact.hpp>
 #include <graze/query/intersects.hpp>

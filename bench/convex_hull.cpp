@@ -23,7 +23,7 @@
 #include <graze/query/mass_properties.hpp>
 #include <graze/query/signed_distance.hpp>
 #include <graze/shape/convex_mesh.hpp>
-#include <graze/shape/lexicographic.hpp>
+#include <graze/shape/hull/lexicographic.hpp>
 #include <graze/shape/polytope.hpp>
 #include <graze/shape/segment.hpp>
 

@@ -21,7 +21,7 @@
 
 #include <graze/broad/orthtree.hpp>
 #include <graze/broad/pairs.hpp>
-#include <graze/broad/worlds.hpp>
+#include <graze/broad/scene_generators.hpp>
 
 #include "several_leaves.hpp"
 #include "textbook_quad_tree.hpp"

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <graze/broad/entry_pool.hpp>
-#include <graze/broad/short_list.hpp>
+#include <graze/broad/memory/short_list.hpp>
+#include <graze/broad/orthtree/entry_pool.hpp>
 #include <graze/shape/aabb.hpp>
 
 namespace bench {

@@ -4,14 +4,28 @@
 include(CMakePackageConfigHelpers)
 set(graze_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/graze")
 
+# A header directly in a layer's folder is public; of the internal ones in sub-folders only those are installed that a public
+# one includes.
 if(TARGET graze_graze)
-  install(DIRECTORY graze/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/graze" FILES_MATCHING PATTERN "*.hpp")
+  file(GLOB open CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" graze/*.hpp graze/*/*.hpp)
   set(graze_arch)
 else()
-  install(DIRECTORY graze/math graze/shape graze/query DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/graze"
-          FILES_MATCHING PATTERN "*.hpp")
+  file(GLOB open CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" graze/math/*.hpp graze/shape/*.hpp graze/query/*.hpp)
   set(graze_arch ARCH_INDEPENDENT)
 endif()
+set(graze_headers)
+while(open)
+  list(POP_FRONT open header)
+  list(APPEND graze_headers "${header}")
+  file(STRINGS "${header}" included REGEX "^ *#include <graze/[^>]+>")
+  list(TRANSFORM included REPLACE "^ *#include <([^>]+)>.*" "\\1")
+  list(REMOVE_ITEM included ${graze_headers} ${open})
+  list(APPEND open ${included})
+endwhile()
+foreach(header IN LISTS graze_headers)
+  cmake_path(GET header PARENT_PATH folder)
+  install(FILES "${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/${folder}")
+endforeach()
 install(TARGETS graze_geometry EXPORT graze_geometry_targets)
 install(EXPORT graze_geometry_targets NAMESPACE graze:: DESTINATION "${graze_package_dir}"
         FILE graze-geometry-targets.cmake)

@@ -11,9 +11,9 @@
 #include <graze/broad/grid.hpp>
 #include <graze/broad/orthtree.hpp>
 #include <graze/broad/pairs.hpp>
+#include <graze/broad/scene_generators.hpp>
 #include <graze/broad/sorted_pairs.hpp>
 #include <graze/broad/touching_pairs.hpp>
-#include <graze/broad/worlds.hpp>
 #include <graze/query/bounding.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/closest_boundary_point.hpp>

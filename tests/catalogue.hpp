@@ -28,8 +28,8 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/visit.hpp>
 #include <graze/shape/shape.hpp>
-#include <graze/shape/visit.hpp>
 
 #include "catalogue/numbers.hpp"
 #include "catalogue/to_source.hpp"

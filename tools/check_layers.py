@@ -21,90 +21,72 @@ SPDX = "SPDX-License-Identifier: MIT"
 SOURCES = [".hpp", ".cpp", ".cpp.in", ".py", ".sh", ".cmake", ".cmake.in", "CMakeLists.txt", "dev", ".ci/run"]
 
 # Headers, and sources of another name than their header, without a test file of their own: the test file that covers them,
-# and why it is another's.
+# and why it is another's. Parts of kernels (`-inl.hpp`) are tested where the kernels are.
 TESTED_ELSEWHERE = {
-    "graze/broad/block.hpp": ("tests/broad/block_tree_test.cpp", "structs without functions: what the tree is made of"),
-    "graze/math/compiler.hpp": ("tests/package/test_compiler.py", "refuses compilers and flags"),
-    "graze/math/throw.hpp": ("tests/package/test_compiler.py", "what errors become without exceptions"),
-    "graze/math/has_lanes.hpp": ("tests/query/lanes_test.cpp", "two macros, for what is tested there"),
-    "graze/query/flat_core.hpp": ("tests/query/flat_touch_test.cpp", "what a touch in the plane is calculated from"),
-    "graze/query/flat_ball.hpp": ("tests/query/flat_touch_test.cpp", "compared there with all shapes, as the others"),
-    "graze/query/simplex_cache.hpp": ("tests/query/closest_hulls_test.cpp", "a struct, which the queries fill"),
-    "graze/broad/pair.hpp": ("tests/broad/pairs_test.cpp", "a struct without functions: it is what overlapping_pairs gives"),
-    "graze/broad/pair_room.hpp": ("tests/broad/dense_search_test.cpp", "a function's type, which both methods fill"),
-    "graze/broad/pair_search.hpp": ("tests/broad/pairs_test.cpp", "the method behind overlapping_pairs"),
-    "graze/broad/bucket_sort.hpp": ("tests/broad/pair_sort_test.cpp", "what the sorting of pairs is made of"),
-    "graze/broad/simd_choice.hpp": ("tests/broad/block_kernels_test.cpp", "one macro, whose sets the tests force one by one"),
-    "graze/broad/simd_lanes-inl.hpp": ("tests/broad/block_kernels_test.cpp", "names for vectors, which all kernels use"),
-    "graze/broad/box_lanes-inl.hpp": ("tests/broad/block_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/simd_compress-inl.hpp": ("tests/broad/center_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/pair_writer-inl.hpp": ("tests/broad/meet_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/touched_lanes-inl.hpp": ("tests/broad/meet_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/bvh_near-inl.hpp": ("tests/broad/bvh_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/bvh_ray-inl.hpp": ("tests/broad/bvh_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/cell_codes-inl.hpp": ("tests/broad/cell_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/prefetch.hpp": ("tests/broad/crowd_test.cpp", "changes nothing but the time"),
-    "graze/broad/manifolds.hpp": ("tests/broad/contacts_test.cpp", "instances of manifold(), which contacts calls"),
-    "graze/broad/manifolds_2d.cpp": ("tests/broad/contacts_test.cpp", "the same"),
-    "graze/broad/manifolds_3d.cpp": ("tests/broad/contacts_test.cpp", "the same"),
-    "graze/broad/pair_tasks.hpp": ("tests/broad/touching_pairs_test.cpp", "what it refuses, and the same from any executor"),
-    "graze/broad/relations.hpp": ("tests/broad/touching_pairs_test.cpp", "instances of relation(), for all who ask it"),
-    "graze/broad/round_contacts-inl.hpp": ("tests/broad/primitive_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/round_lanes-inl.hpp": ("tests/broad/primitive_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/ball_box_lanes-inl.hpp": ("tests/broad/primitive_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/aabb_contacts-inl.hpp": ("tests/broad/primitive_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/axis_over_face-inl.hpp": ("tests/broad/primitive_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/capsule_boxes-inl.hpp": ("tests/broad/primitive_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/way_out-inl.hpp": ("tests/broad/primitive_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/contact_groups-inl.hpp": ("tests/broad/primitive_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/flat_aabb_lanes-inl.hpp": ("tests/broad/flat_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/flat_ball_lanes-inl.hpp": ("tests/broad/flat_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/flat_contacts-inl.hpp": ("tests/broad/flat_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/flat_core_lanes-inl.hpp": ("tests/broad/flat_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/flat_touch_lanes-inl.hpp": ("tests/broad/flat_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/touch_boxes-inl.hpp": ("tests/broad/touch_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/touch_lanes-inl.hpp": ("tests/broad/touch_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/touch_round-inl.hpp": ("tests/broad/touch_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/manifold_axes-inl.hpp": ("tests/broad/manifold_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/manifold_lines-inl.hpp": ("tests/broad/manifold_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/manifold_looks-inl.hpp": ("tests/broad/manifold_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/manifold_choice-inl.hpp": ("tests/broad/manifold_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/manifold_clip-inl.hpp": ("tests/broad/manifold_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/manifold_edges-inl.hpp": ("tests/broad/manifold_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/manifold_faces-inl.hpp": ("tests/broad/manifold_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/manifold_lanes-inl.hpp": ("tests/broad/manifold_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/manifold_points-inl.hpp": ("tests/broad/manifold_kernels_test.cpp", "what the kernels are made of"),
-    "graze/broad/executor_alone.cpp": ("tests/broad/executor_test.cpp", "what executor.hpp promises, where there is no oneTBB"),
-    "graze/broad/executor_tbb.cpp": ("tests/broad/executor_test.cpp", "what executor.hpp promises, by oneTBB"),
-    "graze/broad/simd_wasm_doubles-inl.hpp": ("bindings/wasm/test/pairs.test.mjs", "compiled for WebAssembly only"),
-    "graze/query/paired.hpp": ("tests/query/ray_filters_test.cpp", "what the filters of rays calculate with"),
-    "graze/query/ray_ball_filter.hpp": ("tests/query/ray_filters_test.cpp", "one of the filters of rays"),
-    "graze/query/ray_capsule_filter.hpp": ("tests/query/ray_filters_test.cpp", "one of the filters of rays"),
-    "graze/query/ray_obb_filter.hpp": ("tests/query/ray_filters_test.cpp", "one of the filters of rays"),
-    "graze/query/ray_plane_filter.hpp": ("tests/query/ray_filters_test.cpp", "one of the filters of rays"),
-    "graze/query/ray_polygon_filter.hpp": ("tests/query/ray_filters_test.cpp", "one of the filters of rays"),
-    "graze/query/ray_rectangle_filter.hpp": ("tests/query/ray_filters_test.cpp", "one of the filters of rays"),
-    "graze/query/ray_slab_filter.hpp": ("tests/query/ray_box_filter_test.cpp", "what the filters of boxes are made of"),
-    "graze/query/ray_careful.hpp": ("tests/query/ray_cast_test.cpp", "ray_cast where no filter settles it"),
-    "graze/query/ray_hit.hpp": ("tests/query/ray_cast_test.cpp", "structs without functions: what ray_cast is asked and gives"),
-    "graze/query/ray_hit_lanes.hpp": ("tests/query/ray_box_filter_test.cpp", "writes what the filters of rays find"),
-    "graze/query/axis_over_face.hpp": ("tests/query/capsule_touch_test.cpp", "what the look at capsules is made of"),
-    "graze/query/touch_look.hpp": ("tests/query/quick_touch_test.cpp", "a struct that every quick look fills"),
-    "graze/query/patch_of_shape.hpp": ("tests/query/manifold_test.cpp", "which patch is whose, for manifolds"),
-    "graze/query/strike_of_hit.hpp": ("tests/query/shape_cast_test.cpp", "what shape_cast makes of rays"),
+    "graze/math/lanes/paired.hpp": ("tests/query/ray/filters_test.cpp", "what the filters of rays calculate with"),
+    "graze/math/platform/compiler.hpp": ("tests/package/test_compiler.py", "refuses compilers and flags"),
+    "graze/math/platform/has_lanes.hpp": ("tests/math/lanes/lanes_test.cpp", "two macros, for what is tested there"),
+    "graze/math/platform/throw.hpp": ("tests/package/test_compiler.py", "what errors become without exceptions"),
+    "graze/shape/hull/flat_points.hpp": ("tests/shape/hull/vertices_test.cpp", "the corners of flat points"),
+    "graze/shape/hull/input.hpp": ("tests/shape/polytope_test.cpp", "what convex_hull refuses"),
+    "graze/shape/hull/lexicographic.hpp": ("tests/shape/polytope_test.cpp", "the order of a polytope's vertices"),
+    "graze/shape/hull/monotone_chain.hpp": ("tests/shape/polytope_test.cpp", "convex_hull in the plane"),
+    "graze/shape/hull/quickhull.hpp": ("tests/shape/hull/faces_test.cpp", "the method behind hull_faces"),
+    "graze/query/cast/cast_hit.hpp": ("tests/query/shape_cast_test.cpp", "what shape_cast makes of rays"),
+    "graze/query/fast_contact/axis_over_face.hpp":
+        ("tests/query/fast_contact/capsule_box_test.cpp", "what the look at capsules is made of"),
+    "graze/query/fast_contact/cores_2d.hpp":
+        ("tests/query/fast_contact/boxes_2d_test.cpp", "what a touch in the plane is calculated from"),
+    "graze/query/fast_contact/fast_result.hpp":
+        ("tests/query/fast_contact/fast_contact_test.cpp", "a struct that every quick look fills"),
+    "graze/query/fast_contact/sphere_2d.hpp":
+        ("tests/query/fast_contact/boxes_2d_test.cpp", "compared there with all shapes, as the others"),
+    "graze/query/patch/of_shape.hpp": ("tests/query/manifold_test.cpp", "which patch is whose, for manifolds"),
+    "graze/query/ray/careful.hpp": ("tests/query/ray_cast_test.cpp", "ray_cast where no filter settles it"),
+    "graze/query/ray/filter/capsule.hpp": ("tests/query/ray/filters_test.cpp", "one of the filters of rays"),
+    "graze/query/ray/filter/obb.hpp": ("tests/query/ray/filters_test.cpp", "one of the filters of rays"),
+    "graze/query/ray/filter/plane.hpp": ("tests/query/ray/filters_test.cpp", "one of the filters of rays"),
+    "graze/query/ray/filter/polygon.hpp": ("tests/query/ray/filters_test.cpp", "one of the filters of rays"),
+    "graze/query/ray/filter/rectangle.hpp": ("tests/query/ray/filters_test.cpp", "one of the filters of rays"),
+    "graze/query/ray/filter/slab.hpp": ("tests/query/ray/filter/box_test.cpp", "what the filters of boxes are made of"),
+    "graze/query/ray/filter/sphere.hpp": ("tests/query/ray/filters_test.cpp", "one of the filters of rays"),
+    "graze/query/ray/hit_lanes.hpp": ("tests/query/ray/filter/box_test.cpp", "writes what the filters of rays find"),
+    "graze/query/ray_hit.hpp":
+        ("tests/query/ray_cast_test.cpp", "structs without functions: what ray_cast is asked and gives"),
+    "graze/query/simplex_cache.hpp": ("tests/query/closest/hulls_test.cpp", "a struct, which the queries fill"),
     "graze/query/status.hpp": ("tests/query/gjk_test.cpp", "an enum without functions: it is how gjk and epa end"),
-    "graze/scene/single_queries.hpp": ("tests/scene/plain_scene_test.cpp", "instances of what PlainScene asks"),
-    "graze/shape/hull_flat.hpp": ("tests/shape/hull_vertices_test.cpp", "the corners of flat points"),
-    "graze/shape/hull_input.hpp": ("tests/shape/polytope_test.cpp", "what convex_hull refuses"),
-    "graze/shape/lexicographic.hpp": ("tests/shape/polytope_test.cpp", "the order of a polytope's vertices"),
-    "graze/shape/monotone_chain.hpp": ("tests/shape/polytope_test.cpp", "convex_hull in the plane"),
-    "graze/shape/quickhull.hpp": ("tests/shape/hull_faces_test.cpp", "the method behind hull_faces"),
+    "graze/broad/executor/alone.cpp":
+        ("tests/broad/executor_test.cpp", "what executor.hpp promises, where there is no oneTBB"),
+    "graze/broad/executor/tbb.cpp": ("tests/broad/executor_test.cpp", "what executor.hpp promises, by oneTBB"),
+    "graze/broad/memory/prefetch.hpp": ("tests/broad/pairs/cluster_test.cpp", "changes nothing but the time"),
+    "graze/broad/pair.hpp": ("tests/broad/pairs_test.cpp", "a struct without functions: it is what overlapping_pairs gives"),
+    "graze/broad/pairs/bucket_sort.hpp": ("tests/broad/pairs/pair_sort_test.cpp", "what the sorting of pairs is made of"),
+    "graze/broad/pairs/pair_search.hpp": ("tests/broad/pairs_test.cpp", "the method behind overlapping_pairs"),
+    "graze/broad/pairs/pair_sink.hpp":
+        ("tests/broad/pairs/dense_search_test.cpp", "a function's type, which both methods fill"),
+    "graze/broad/simd/block.hpp":
+        ("tests/broad/pairs/block_tree_test.cpp", "structs without functions: what the tree is made of"),
+    "graze/broad/simd/choice.hpp":
+        ("tests/broad/pairs/block_kernels_test.cpp", "one macro, whose sets the tests force one by one"),
+    "graze/broad/touching/manifolds.hpp": ("tests/broad/contacts_test.cpp", "instances of manifold(), which contacts calls"),
+    "graze/broad/touching/manifolds_2d.cpp": ("tests/broad/contacts_test.cpp", "the same"),
+    "graze/broad/touching/manifolds_3d.cpp": ("tests/broad/contacts_test.cpp", "the same"),
+    "graze/broad/touching/pair_tasks.hpp":
+        ("tests/broad/touching_pairs_test.cpp", "what it refuses, and the same from any executor"),
+    "graze/broad/touching/relations.hpp":
+        ("tests/broad/touching_pairs_test.cpp", "instances of relation(), for all who ask it"),
+    "graze/scene/storage/single_queries.hpp": ("tests/scene/plain_scene_test.cpp", "instances of what PlainScene asks"),
 }
 
 
 def layer_of(path):
     """The layer of a file under graze/<layer>/, or None."""
-    return path.parts[1] if len(path.parts) == 3 and path.parts[0] == "graze" and path.parts[1] in LAYERS else None
+    return path.parts[1] if len(path.parts) >= 3 and path.parts[0] == "graze" and path.parts[1] in LAYERS else None
+
+
+def is_public(path):
+    """Whether a header is public API: those directly in a layer's folder are, those in sub-folders are internal."""
+    return path.suffix == ".hpp" and path.parts[0] == "graze" and len(path.parts) <= 3
 
 
 def include_problem(root, path, name, quoted):
@@ -119,6 +101,8 @@ def include_problem(root, path, name, quoted):
         return None
     if not (root / name).is_file():
         return f"includes {name}, which does not exist"
+    if path.parts[0] == "examples" and not is_public(Path(name)):
+        return f"includes {name}, which is internal; an example may use the public headers only"
     if layer is None:
         return None
     included = layer_of(Path(name))
@@ -141,6 +125,17 @@ def check_includes(root, sources):
     return problems
 
 
+def check_public_headers(root, sources):
+    """A header that declares nothing for users belongs into a sub-folder."""
+    problems = []
+    for path in sources:
+        if layer_of(path) and is_public(path):
+            namespaces = re.findall(r"^namespace ([\w:]+) {", (root / path).read_text(encoding="utf-8"), re.MULTILINE)
+            if namespaces and all("detail" in name.split("::") for name in namespaces):
+                problems.append(f"{path}:1: declares nothing public; move it into a sub-folder of graze/{layer_of(path)}")
+    return problems
+
+
 def check_throws(root, sources):
     """graze::geometry is also compiled without exceptions, so its headers throw by the macro that knows."""
     problems = []
@@ -149,7 +144,7 @@ def check_throws(root, sources):
             continue
         for number, line in enumerate((root / path).read_text(encoding="utf-8").splitlines(), 1):
             if not line.startswith("#") and re.search(r"\b(throw|try|catch)\b", line.split("//")[0]):
-                problems.append(f"{path}:{number}: throws or catches by itself; use GRAZE_THROW (graze/math/throw.hpp)")
+                problems.append(f"{path}:{number}: throws or catches by itself; use GRAZE_THROW (math/platform/throw.hpp)")
     return problems
 
 
@@ -166,9 +161,10 @@ def check_text(root, sources):
 
 def check_mirror_tests(root, sources, tested_elsewhere):
     problems = []
-    layered = [path for path in sources if path.suffix in (".hpp", ".cpp") and layer_of(path)]
+    layered = [path for path in sources
+               if path.suffix in (".hpp", ".cpp") and layer_of(path) and not path.stem.endswith("-inl")]
     for path in layered:
-        test = Path("tests") / layer_of(path) / f"{path.stem}_test.cpp"
+        test = Path("tests") / path.relative_to("graze").with_name(f"{path.stem}_test.cpp")
         other = tested_elsewhere.get(str(path.with_suffix(".hpp"))) or tested_elsewhere.get(str(path))
         if other and (root / test).is_file():
             problems.append(f"tools/check_layers.py:1: {path} has {test} now; remove its row from TESTED_ELSEWHERE")
@@ -190,7 +186,8 @@ def main():
     root = options.root.resolve()
 
     sources = project_files(root, SOURCES)
-    problems = check_includes(root, sources) + check_throws(root, sources) + check_text(root, sources)
+    problems = check_includes(root, sources) + check_public_headers(root, sources)
+    problems += check_throws(root, sources) + check_text(root, sources)
     mirror_problems, mirrored = check_mirror_tests(root, sources, TESTED_ELSEWHERE if root == ROOT else {})
     problems += mirror_problems
     compiled = 0

@@ -21,7 +21,7 @@
 
 #include <graze/broad/executor.hpp>
 #include <graze/broad/pairs.hpp>
-#include <graze/broad/worlds.hpp>
+#include <graze/broad/scene_generators.hpp>
 #include <graze/io/recording.hpp>
 
 #include "bench_report.hpp"

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <graze/io/printable.hpp>
+#include <graze/io/text/printable.hpp>
 
 namespace graze::cli {
 namespace {

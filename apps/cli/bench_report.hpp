@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include <graze/io/report.hpp>
+#include <graze/io/report/check.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze::cli {

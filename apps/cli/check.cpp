@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 
 #include <graze/io/input_error.hpp>
-#include <graze/io/report.hpp>
+#include <graze/io/report/check.hpp>
 #include <graze/io/svg.hpp>
 
 #include "command.hpp"

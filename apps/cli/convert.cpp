@@ -3,8 +3,8 @@
 #include <ostream>
 #include <string>
 
-#include <graze/io/in_quotes.hpp>
 #include <graze/io/json_scene.hpp>
+#include <graze/io/text/in_quotes.hpp>
 
 #include "command.hpp"
 #include "file_ending.hpp"

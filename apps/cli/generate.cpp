@@ -13,10 +13,10 @@
 
 #include <fmt/format.h>
 
-#include <graze/broad/worlds.hpp>
-#include <graze/io/in_quotes.hpp>
+#include <graze/broad/scene_generators.hpp>
 #include <graze/io/json_scene.hpp>
 #include <graze/io/recording.hpp>
+#include <graze/io/text/in_quotes.hpp>
 
 #include "command.hpp"
 #include "file_ending.hpp"

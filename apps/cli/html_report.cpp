@@ -13,12 +13,12 @@
 
 #include <fmt/format.h>
 
-#include <graze/io/file_name.hpp>
-#include <graze/io/in_quotes.hpp>
+#include <graze/io/file/whole_file.hpp>
 #include <graze/io/input_error.hpp>
 #include <graze/io/json_scene.hpp>
-#include <graze/io/quoting.hpp>
-#include <graze/io/whole_file.hpp>
+#include <graze/io/text/file_name.hpp>
+#include <graze/io/text/in_quotes.hpp>
+#include <graze/io/text/quoting.hpp>
 
 namespace graze::cli {
 namespace {

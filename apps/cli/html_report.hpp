@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include <graze/io/report.hpp>
+#include <graze/io/report/check.hpp>
 #include <graze/io/scene_file.hpp>
 
 namespace graze::cli {

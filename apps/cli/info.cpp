@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include <graze/io/summary.hpp>
+#include <graze/io/report/summary.hpp>
 
 #include "command.hpp"
 #include "input.hpp"

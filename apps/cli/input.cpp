@@ -13,8 +13,8 @@
 
 #include <fmt/format.h>
 
+#include <graze/io/file/whole_file.hpp>
 #include <graze/io/input_error.hpp>
-#include <graze/io/whole_file.hpp>
 
 #include "output.hpp"
 #include "terminal.hpp"

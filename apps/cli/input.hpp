@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include <graze/io/query_log.hpp>
+#include <graze/io/log/query_log.hpp>
 #include <graze/io/scene_file.hpp>
 
 namespace graze::cli {

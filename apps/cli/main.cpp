@@ -14,9 +14,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <graze/io/file/temporary_file.hpp>
 #include <graze/io/input_error.hpp>
 #include <graze/io/output_error.hpp>
-#include <graze/io/temporary_file.hpp>
 
 #include "command.hpp"
 #include "output.hpp"

@@ -15,7 +15,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <graze/io/atomic_file.hpp>
+#include <graze/io/file/atomic_file.hpp>
 #include <graze/io/output_error.hpp>
 
 #include "usage.hpp"

@@ -18,9 +18,9 @@
 
 #include <fmt/format.h>
 
-#include <graze/io/found.hpp>
-#include <graze/io/query_log.hpp>
-#include <graze/io/scene_after.hpp>
+#include <graze/io/log/query_log.hpp>
+#include <graze/io/log/scene_after.hpp>
+#include <graze/io/report/found.hpp>
 #include <graze/io/scene_file.hpp>
 #include <graze/scene/scene.hpp>
 

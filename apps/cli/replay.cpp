@@ -12,9 +12,9 @@
 
 #include <fmt/format.h>
 
-#include <graze/io/query_log.hpp>
+#include <graze/io/log/query_log.hpp>
 #include <graze/io/replay.hpp>
-#include <graze/io/replay_report.hpp>
+#include <graze/io/report/replay.hpp>
 #include <graze/io/shrink.hpp>
 
 #include "command.hpp"

@@ -10,7 +10,7 @@
 
 #include <graze/broad/contacts.hpp>
 #include <graze/broad/executor.hpp>
-#include <graze/broad/pair_tasks.hpp>
+#include <graze/broad/touching/pair_tasks.hpp>
 #include <graze/broad/touching_pairs.hpp>
 #include <graze/scene/visit_candidates.hpp>
 

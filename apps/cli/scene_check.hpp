@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include <graze/io/report.hpp>
+#include <graze/io/report/check.hpp>
 #include <graze/io/scene_file.hpp>
 #include <graze/scene/object.hpp>
 #include <graze/scene/scene.hpp>

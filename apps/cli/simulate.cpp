@@ -14,9 +14,9 @@
 
 #include <fmt/format.h>
 
-#include <graze/io/frame_report.hpp>
 #include <graze/io/input_error.hpp>
 #include <graze/io/recorded_scene.hpp>
+#include <graze/io/report/frames.hpp>
 #include <graze/query/transformed.hpp>
 #include <graze/scene/scene.hpp>
 

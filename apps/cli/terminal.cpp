@@ -11,7 +11,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <graze/io/printable.hpp>
+#include <graze/io/text/printable.hpp>
 
 namespace graze::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include <graze/io/report.hpp>
+#include <graze/io/report/check.hpp>
 
 namespace graze::cli {
 

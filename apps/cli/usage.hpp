@@ -11,8 +11,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include <graze/io/in_quotes.hpp>
-#include <graze/io/suggestion.hpp>
+#include <graze/io/text/in_quotes.hpp>
+#include <graze/io/text/suggestion.hpp>
 
 namespace graze::cli {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include <graze/io/report.hpp>
+#include <graze/io/report/check.hpp>
 
 #include "command.hpp"
 #include "html_report.hpp"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include <graze/broad/worlds.hpp>
+#include <graze/broad/scene_generators.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze::cli {

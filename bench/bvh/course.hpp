@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <graze/broad/worlds.hpp>
+#include <graze/broad/scene_generators.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/ray.hpp>

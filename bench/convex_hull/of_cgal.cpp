@@ -8,7 +8,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/convex_hull_2.h>
 
-#include <graze/shape/lexicographic.hpp>
+#include <graze/shape/hull/lexicographic.hpp>
 
 namespace graze::hull_bench {
 

@@ -11,7 +11,7 @@ extern "C" {
 #include <libqhull_r/qhull_ra.h>
 }
 
-#include <graze/shape/lexicographic.hpp>
+#include <graze/shape/hull/lexicographic.hpp>
 
 #include "convex_hull/crowds.hpp"
 

@@ -14,9 +14,9 @@
 #include <fcl/narrowphase/detail/gjk_solver_indep.h>
 #include <fcl/narrowphase/detail/gjk_solver_libccd.h>
 
-#include <graze/shape/hull_doubts.hpp>
-#include <graze/shape/hull_frame.hpp>
-#include <graze/shape/quickhull.hpp>
+#include <graze/shape/hull/frame.hpp>
+#include <graze/shape/hull/quickhull.hpp>
+#include <graze/shape/hull/undecided_points.hpp>
 
 #include "hull_distance/pairs.hpp"
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include <graze/broad/worlds.hpp>
+#include <graze/broad/scene_generators.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include <graze/io/atomic_file.hpp>
+#include <graze/io/file/atomic_file.hpp>
 
 #include "chart.hpp"
 #include "race.hpp"

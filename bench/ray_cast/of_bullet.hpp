@@ -24,7 +24,7 @@
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 #include <LinearMath/btAabbUtil2.h>
 
-#include <graze/shape/visit.hpp>
+#include <graze/shape/fields/visit.hpp>
 
 #include "ray_cast/cases.hpp"
 

@@ -13,7 +13,7 @@
 #include <benchmark/benchmark.h>
 
 #include <graze/broad/pair.hpp>
-#include <graze/broad/worlds.hpp>
+#include <graze/broad/scene_generators.hpp>
 #include <graze/shape/aabb.hpp>
 
 namespace bench {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <graze/broad/key_table.hpp>
-#include <graze/broad/region.hpp>
+#include <graze/broad/index/key_table.hpp>
+#include <graze/broad/index/region.hpp>
 #include <graze/broad/spatial_index.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/distance_squared.hpp>

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include <graze/broad/bvh_query.hpp>
-#include <graze/broad/bvh_tree.hpp>
+#include <graze/broad/bvh/query.hpp>
+#include <graze/broad/bvh/tree.hpp>
 #include <graze/broad/executor.hpp>
-#include <graze/broad/index_pairs.hpp>
-#include <graze/broad/key_table.hpp>
-#include <graze/broad/region.hpp>
+#include <graze/broad/index/index_pairs.hpp>
+#include <graze/broad/index/key_table.hpp>
+#include <graze/broad/index/region.hpp>
 #include <graze/broad/spatial_index.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/distance_squared.hpp>

@@ -9,16 +9,16 @@
 #include <vector>
 
 #include <graze/broad/contacts.hpp>
+#include <graze/broad/contacts/2d/contacts.hpp>
+#include <graze/broad/contacts/contact_kernels.hpp>
+#include <graze/broad/contacts/mixed_contacts.hpp>
+#include <graze/broad/contacts/obb/obb_kernels.hpp>
 #include <graze/broad/executor.hpp>
-#include <graze/broad/flat_contacts.hpp>
-#include <graze/broad/manifold_kernels.hpp>
-#include <graze/broad/manifolds.hpp>
-#include <graze/broad/mixed_contacts.hpp>
-#include <graze/broad/pair_tasks.hpp>
-#include <graze/broad/primitive_kernels.hpp>
-#include <graze/broad/relations.hpp>
+#include <graze/broad/touching/manifolds.hpp>
+#include <graze/broad/touching/pair_tasks.hpp>
+#include <graze/broad/touching/relations.hpp>
 #include <graze/query/relation.hpp>
-#include <graze/query/shape_order.hpp>
+#include <graze/shape/fields/shape_order.hpp>
 
 namespace graze {
 namespace detail {

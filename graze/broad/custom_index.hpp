@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include <graze/broad/index_pairs.hpp>
-#include <graze/broad/key_table.hpp>
-#include <graze/broad/region.hpp>
+#include <graze/broad/index/index_pairs.hpp>
+#include <graze/broad/index/key_table.hpp>
+#include <graze/broad/index/region.hpp>
 #include <graze/broad/spatial_index.hpp>
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>

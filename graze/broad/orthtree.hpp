@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include <graze/broad/cell_kernels.hpp>
-#include <graze/broad/cell_tree.hpp>
-#include <graze/broad/cell_walk.hpp>
-#include <graze/broad/index_pairs.hpp>
-#include <graze/broad/key_table.hpp>
-#include <graze/broad/region.hpp>
-#include <graze/broad/short_list.hpp>
+#include <graze/broad/index/index_pairs.hpp>
+#include <graze/broad/index/key_table.hpp>
+#include <graze/broad/index/region.hpp>
+#include <graze/broad/memory/short_list.hpp>
+#include <graze/broad/orthtree/cell_kernels.hpp>
+#include <graze/broad/orthtree/tree.hpp>
+#include <graze/broad/orthtree/walk.hpp>
 #include <graze/broad/spatial_index.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>

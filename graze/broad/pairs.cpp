@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include <graze/broad/pair_list.hpp>
-#include <graze/broad/pair_methods.hpp>
 #include <graze/broad/pairs.hpp>
+#include <graze/broad/pairs/pair_list.hpp>
+#include <graze/broad/pairs/pair_methods.hpp>
 
 namespace graze {
 namespace {

@@ -38,9 +38,9 @@
 #include <utility>
 #include <vector>
 
-#include <graze/broad/key_table.hpp>
-#include <graze/broad/region.hpp>
-#include <graze/math/throw.hpp>
+#include <graze/broad/index/key_table.hpp>
+#include <graze/broad/index/region.hpp>
+#include <graze/math/platform/throw.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>

@@ -7,10 +7,10 @@
 #include <utility>
 #include <variant>
 
-#include <graze/broad/pair_tasks.hpp>
-#include <graze/broad/prefetch.hpp>
-#include <graze/broad/relations.hpp>
-#include <graze/broad/touch_kernels.hpp>
+#include <graze/broad/memory/prefetch.hpp>
+#include <graze/broad/touching/pair_tasks.hpp>
+#include <graze/broad/touching/relations.hpp>
+#include <graze/broad/touching/touching_kernels.hpp>
 #include <graze/broad/touching_pairs.hpp>
 
 namespace graze {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include <graze/io/omission.hpp>
-#include <graze/io/quoting.hpp>
+#include <graze/io/text/quoting.hpp>
 
 namespace graze::io {
 namespace {

@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include <graze/io/query_log.hpp>
+#include <graze/io/log/query_log.hpp>
 #include <graze/io/recorded_scene.hpp>
 #include <graze/io/shape_numbers.hpp>
 

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include <graze/broad/executor.hpp>
-#include <graze/io/logged_answer.hpp>
-#include <graze/io/logged_call.hpp>
-#include <graze/io/logged_ids.hpp>
+#include <graze/io/log/logged_answer.hpp>
+#include <graze/io/log/logged_call.hpp>
+#include <graze/io/log/logged_ids.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/scene/scene.hpp>
 #include <graze/shape/any_shape.hpp>

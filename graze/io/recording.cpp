@@ -12,11 +12,11 @@
 
 #include <fmt/format.h>
 
-#include <graze/io/in_quotes.hpp>
 #include <graze/io/input_error.hpp>
 #include <graze/io/output_error.hpp>
 #include <graze/io/recording.hpp>
-#include <graze/math/bit_cast.hpp>
+#include <graze/io/text/in_quotes.hpp>
+#include <graze/math/platform/bit_cast.hpp>
 
 namespace graze::io {
 namespace {

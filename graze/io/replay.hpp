@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include <graze/io/logged_answer.hpp>
-#include <graze/io/query_log.hpp>
-#include <graze/io/side_by_side.hpp>
+#include <graze/io/log/logged_answer.hpp>
+#include <graze/io/log/query_log.hpp>
+#include <graze/io/log/side_by_side.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze::io {

@@ -3,16 +3,16 @@
 #include <string>
 #include <string_view>
 
-#include <graze/io/csv_records.hpp>
-#include <graze/io/csv_scene.hpp>
-#include <graze/io/foreign_format.hpp>
+#include <graze/io/csv/records.hpp>
+#include <graze/io/csv/scene.hpp>
+#include <graze/io/file/whole_file.hpp>
 #include <graze/io/input_error.hpp>
-#include <graze/io/json_document.hpp>
+#include <graze/io/json/document.hpp>
 #include <graze/io/json_scene.hpp>
 #include <graze/io/scene_file.hpp>
-#include <graze/io/tiled.hpp>
-#include <graze/io/utf8.hpp>
-#include <graze/io/whole_file.hpp>
+#include <graze/io/text/foreign_format.hpp>
+#include <graze/io/text/utf8.hpp>
+#include <graze/io/tiled/map.hpp>
 
 namespace graze::io {
 namespace {

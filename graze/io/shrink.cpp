@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
-#include <graze/io/ddmin.hpp>
-#include <graze/io/log_state.hpp>
+#include <graze/io/log/ddmin.hpp>
+#include <graze/io/log/state.hpp>
 #include <graze/io/shape_numbers.hpp>
 #include <graze/io/shrink.hpp>
 

@@ -6,8 +6,8 @@
 #include <functional>
 #include <optional>
 
-#include <graze/io/query_log.hpp>
-#include <graze/io/side_by_side.hpp>
+#include <graze/io/log/query_log.hpp>
+#include <graze/io/log/side_by_side.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze::io {

@@ -10,14 +10,14 @@
 #include <fmt/format.h>
 
 #include <graze/io/svg.hpp>
-#include <graze/io/svg_flat.hpp>
-#include <graze/io/svg_legend.hpp>
-#include <graze/io/svg_object.hpp>
-#include <graze/io/svg_solid.hpp>
-#include <graze/io/svg_stage.hpp>
-#include <graze/io/svg_style.hpp>
-#include <graze/io/svg_subject.hpp>
-#include <graze/io/svg_text.hpp>
+#include <graze/io/svg/flat.hpp>
+#include <graze/io/svg/legend.hpp>
+#include <graze/io/svg/object.hpp>
+#include <graze/io/svg/solid.hpp>
+#include <graze/io/svg/stage.hpp>
+#include <graze/io/svg/style.hpp>
+#include <graze/io/svg/subject.hpp>
+#include <graze/io/svg/text.hpp>
 
 namespace graze::io {
 namespace {

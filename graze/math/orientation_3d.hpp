@@ -8,11 +8,11 @@
 #include <limits>
 #include <optional>
 
+#include <graze/math/exact/exact_determinant.hpp>
 #include <graze/math/orientation.hpp>
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
-#include <graze/math/whole_determinant.hpp>
 
 namespace graze {
 

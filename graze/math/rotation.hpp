@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include <graze/math/platform/throw.hpp>
 #include <graze/math/rounding.hpp>
-#include <graze/math/throw.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze {

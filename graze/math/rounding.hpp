@@ -9,7 +9,7 @@
 #include <limits>
 #include <type_traits>
 
-#include <graze/math/bit_cast.hpp>
+#include <graze/math/platform/bit_cast.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze {

@@ -97,7 +97,7 @@ inline constexpr double hull_core = 1e-6;
 /// Provided that no face of that hull is nearer to the middle than this, relative to the box around the points.
 inline constexpr double hull_core_depth = 0x1p-20;
 
-/// Which side of an edge of the octagon in hull_octagon.hpp a point is on, relative to |edge| times the longest way
+/// Which side of an edge of the octagon in hull/octagon.hpp a point is on, relative to |edge| times the longest way
 /// along an axis between points: nine roundings, a half of epsilon each, bound the height, and few points are so near.
 inline constexpr double hull_octagon = 8 * epsilon;
 

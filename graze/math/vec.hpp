@@ -2,8 +2,6 @@
 // Vectors and matrices. The only file of graze that includes GLM.
 #pragma once
 
-#include <graze/math/compiler.hpp>  // first: it says what would not compile
-
 #include <algorithm>
 #include <cmath>
 #include <concepts>
@@ -21,6 +19,8 @@
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+
+#include <graze/math/platform/compiler.hpp>  // first: it says what would not compile
 
 namespace graze {
 

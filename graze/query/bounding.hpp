@@ -9,6 +9,6 @@
 // No points, or a coordinate that is not finite: std::invalid_argument, which tells the point.
 #pragma once
 
-#include <graze/query/bounding_box.hpp>     // IWYU pragma: export
-#include <graze/query/bounding_obb.hpp>     // IWYU pragma: export
-#include <graze/query/bounding_sphere.hpp>  // IWYU pragma: export
+#include <graze/query/bounding/box.hpp>     // IWYU pragma: export
+#include <graze/query/bounding/obb.hpp>     // IWYU pragma: export
+#include <graze/query/bounding/sphere.hpp>  // IWYU pragma: export

@@ -12,15 +12,15 @@
 #include <utility>
 #include <vector>
 
-#include <graze/math/bit_cast.hpp>
+#include <graze/math/platform/bit_cast.hpp>
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/visit.hpp>
 #include <graze/shape/frustum.hpp>
 #include <graze/shape/posed.hpp>
 #include <graze/shape/shape.hpp>
-#include <graze/shape/visit.hpp>
 
 namespace graze {
 

@@ -17,14 +17,14 @@
 #include <cassert>
 
 #include <graze/math/vec.hpp>
+#include <graze/query/closest/surface_point_convex.hpp>
 #include <graze/query/closest_point.hpp>
+#include <graze/query/cores/surface_point.hpp>
+#include <graze/query/cores/surface_point_box.hpp>
 #include <graze/query/signed_distance.hpp>
-#include <graze/query/surface_point.hpp>
-#include <graze/query/surface_point_box.hpp>
-#include <graze/query/surface_point_convex.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/visit.hpp>
 #include <graze/shape/shape.hpp>
-#include <graze/shape/visit.hpp>
 
 namespace graze {
 

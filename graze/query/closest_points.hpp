@@ -2,7 +2,7 @@
 // closest_points(a, b): how far apart any two shapes of one space are, where they are nearest, and in which direction.
 //
 // What finds them. C: a closed form. S: the supports along the plane's normal, a closed form for every convex shape. P:
-// part by part. G: GJK; for two polytopes in space first the quick walk of closest_hulls.hpp.
+// part by part. G: GJK; for two polytopes in space first the quick walk of closest/hulls.hpp.
 //
 //               segment ray sphere aabb obb plane half-space triangle capsule polytope compound user's
 //   point          C     C    C     C    C    S       S         C        C       G        P       G
@@ -49,20 +49,20 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
-#include <graze/query/closest_convex.hpp>
-#include <graze/query/closest_cores.hpp>
-#include <graze/query/closest_hulls.hpp>
-#include <graze/query/closest_unbounded.hpp>
+#include <graze/query/closest/convex.hpp>
+#include <graze/query/closest/hulls.hpp>
+#include <graze/query/closest/nearly_parallel.hpp>
+#include <graze/query/closest/unbounded.hpp>
+#include <graze/query/cores/closest.hpp>
 #include <graze/query/distance_squared.hpp>
-#include <graze/query/nearly_parallel.hpp>
 #include <graze/query/proximity.hpp>
-#include <graze/query/range.hpp>
 #include <graze/query/relation.hpp>
-#include <graze/query/shape_order.hpp>
+#include <graze/query/scaling/range.hpp>
 #include <graze/query/simplex_cache.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/shape_order.hpp>
+#include <graze/shape/fields/visit.hpp>
 #include <graze/shape/shape.hpp>
-#include <graze/shape/visit.hpp>
 
 namespace graze {
 
@@ -150,7 +150,7 @@ Vec<N, double> seen_from(const Vec<N, double>& origin, const Vec<N, T>& point) {
   return wide<N, T>(point) - origin;
 }
 
-/// A shape whose core has the features of core_features.hpp.
+/// A shape whose core has the features of cores/features.hpp.
 template <class S>
 concept HasSimpleCore = is_ray<S> || requires(const S& shape, const Vec<dimension_of<S>, double>& origin) {
   seen_from(origin, core(shape));

@@ -53,17 +53,17 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/closest_points.hpp>
-#include <graze/query/obb_touch.hpp>
-#include <graze/query/penetration.hpp>
-#include <graze/query/penetration_convex.hpp>
-#include <graze/query/penetration_cores.hpp>
-#include <graze/query/penetration_unbounded.hpp>
-#include <graze/query/quick_touch.hpp>
+#include <graze/query/contact/convex.hpp>
+#include <graze/query/contact/cores.hpp>
+#include <graze/query/contact/unbounded.hpp>
+#include <graze/query/cores/penetration.hpp>
+#include <graze/query/fast_contact/fast_contact.hpp>
+#include <graze/query/fast_contact/obb/contact.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/query/status.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/visit.hpp>
 #include <graze/shape/shape.hpp>
-#include <graze/shape/visit.hpp>
 
 namespace graze {
 
@@ -123,7 +123,7 @@ template <class A, class B>
 inline constexpr bool are_simple = !is_any_shape<A> && !is_any_shape<B> && !is_compound<A> && !is_compound<B>;
 
 /// Where a type stands in the order of contacts: as in AnyShape, but oriented boxes before those along the axes, which
-/// come next to them there, because seen_boxes.hpp sees both from the oriented one's center.
+/// come next to them there, because fast_contact/obb/boxes_in_frame.hpp sees both from the oriented one's center.
 template <class S>
 inline constexpr std::size_t contact_place = 2 * type_place<S> + (is_a<Aabb, S> ? 3 : 0);
 

@@ -16,7 +16,7 @@
 
 #include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
-#include <graze/query/zonotope.hpp>
+#include <graze/query/convex/zonotope.hpp>
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/obb.hpp>
 #include <graze/shape/segment.hpp>

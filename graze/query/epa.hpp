@@ -11,11 +11,11 @@
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/convex/growing_hull.hpp>
+#include <graze/query/convex/inplace_vector.hpp>
+#include <graze/query/convex/wide_support.hpp>
 #include <graze/query/gjk.hpp>
-#include <graze/query/growing_hull.hpp>
-#include <graze/query/inplace_vector.hpp>
 #include <graze/query/status.hpp>
-#include <graze/query/wide_support.hpp>
 #include <graze/shape/shape.hpp>
 
 namespace graze {

@@ -11,10 +11,10 @@
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
-#include <graze/query/fitting_face.hpp>
-#include <graze/query/simplex.hpp>
+#include <graze/query/closest/fitting_face.hpp>
+#include <graze/query/convex/simplex.hpp>
+#include <graze/query/convex/wide_support.hpp>
 #include <graze/query/status.hpp>
-#include <graze/query/wide_support.hpp>
 #include <graze/shape/shape.hpp>
 
 namespace graze {

@@ -7,8 +7,8 @@
 
 #include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
-#include <graze/query/penetration.hpp>
-#include <graze/query/range.hpp>
+#include <graze/query/cores/penetration.hpp>
+#include <graze/query/scaling/range.hpp>
 #include <graze/query/status.hpp>
 
 namespace graze {

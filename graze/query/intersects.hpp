@@ -5,8 +5,8 @@
 #include <cassert>
 #include <limits>
 
-#include <graze/query/ray_filters.hpp>
-#include <graze/query/ray_sight_flat.hpp>
+#include <graze/query/ray/filters.hpp>
+#include <graze/query/ray/verdict_2d.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/shape/ray.hpp>

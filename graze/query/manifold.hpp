@@ -39,21 +39,21 @@
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
-#include <graze/query/aabb_manifold.hpp>
-#include <graze/query/clipped_patch.hpp>
 #include <graze/query/contact.hpp>
-#include <graze/query/manifold_points.hpp>
-#include <graze/query/obb_choice.hpp>
-#include <graze/query/obb_manifold.hpp>
-#include <graze/query/obb_touch.hpp>
-#include <graze/query/patch.hpp>
-#include <graze/query/patch_of_shape.hpp>
-#include <graze/query/quick_touch.hpp>
+#include <graze/query/fast_contact/fast_contact.hpp>
+#include <graze/query/fast_contact/obb/choice.hpp>
+#include <graze/query/fast_contact/obb/contact.hpp>
+#include <graze/query/fast_contact/obb/manifold.hpp>
+#include <graze/query/patch/aabb_manifold.hpp>
+#include <graze/query/patch/clipped.hpp>
+#include <graze/query/patch/manifold_points.hpp>
+#include <graze/query/patch/of_shape.hpp>
+#include <graze/query/patch/patch.hpp>
+#include <graze/query/scaling/wide_manifold.hpp>
 #include <graze/query/status.hpp>
-#include <graze/query/wide_manifold.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/visit.hpp>
 #include <graze/shape/shape.hpp>
-#include <graze/shape/visit.hpp>
 
 namespace graze {
 

@@ -25,12 +25,12 @@
 
 #include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
-#include <graze/query/range.hpp>
+#include <graze/query/scaling/range.hpp>
 #include <graze/shape/any_shape.hpp>
-#include <graze/shape/hull_faces.hpp>
+#include <graze/shape/fields/visit.hpp>
+#include <graze/shape/hull/faces.hpp>
 #include <graze/shape/posed.hpp>
 #include <graze/shape/shape.hpp>
-#include <graze/shape/visit.hpp>
 
 namespace graze {
 

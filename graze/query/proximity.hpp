@@ -6,7 +6,7 @@
 #include <limits>
 
 #include <graze/math/vec.hpp>
-#include <graze/query/range.hpp>
+#include <graze/query/scaling/range.hpp>
 #include <graze/query/status.hpp>
 #include <graze/query/verdict.hpp>
 

@@ -14,7 +14,7 @@
 //   compound                                                 part by part
 //
 // Most rays are settled by a filter, query/ray_*_filter.hpp: the closed form by plain sums, or in float, which leaves
-// what is too near to call to the careful way, query/ray_careful.hpp.
+// what is too near to call to the careful way, query/ray/careful.hpp.
 //
 // Whether there is a hit is what intersects(shape, ray) says, and for a segment intersects(shape, segment): all that
 // nearly touches is decided by them, and hit where the ray comes nearest. So a ray through the common edge or corner of
@@ -40,14 +40,14 @@
 #include <type_traits>
 
 #include <graze/math/vec.hpp>
-#include <graze/query/range.hpp>
-#include <graze/query/ray_careful.hpp>
-#include <graze/query/ray_filters.hpp>
+#include <graze/query/ray/careful.hpp>
+#include <graze/query/ray/filters.hpp>
 #include <graze/query/ray_hit.hpp>
 #include <graze/query/relation.hpp>
+#include <graze/query/scaling/range.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/visit.hpp>
 #include <graze/shape/shape.hpp>
-#include <graze/shape/visit.hpp>
 
 namespace graze {
 

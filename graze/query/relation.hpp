@@ -19,9 +19,9 @@
 //   polytope                                                                     G        P       G
 //   compound                                                                              P       P
 //
-// Where the forms are: segments, spheres, boxes, capsules in relation_bounded.hpp; rays, planes, half-spaces in
-// relation_unbounded.hpp; triangles in relation_triangle.hpp; a point and a polygon in relation_polygon.hpp; G in
-// relation_convex.hpp.
+// Where the forms are: segments, spheres, boxes, capsules in relation/bounded.hpp; rays, planes, half-spaces in
+// relation/unbounded.hpp; triangles in relation/triangle.hpp; a point and a polygon in relation/polygon.hpp; G in
+// relation/convex.hpp.
 //
 // Exact: aabb and point against aabb, points among themselves. The rest calculates in double and calls `touching`
 // what is nearer to touching than rounding can tell: C a few epsilon of the pair's own size, however far from the
@@ -37,16 +37,16 @@
 
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
-#include <graze/query/nan_check.hpp>
-#include <graze/query/relation_bounded.hpp>
-#include <graze/query/relation_convex.hpp>
-#include <graze/query/relation_polygon.hpp>
-#include <graze/query/relation_triangle.hpp>
-#include <graze/query/relation_unbounded.hpp>
+#include <graze/query/relation/bounded.hpp>
+#include <graze/query/relation/convex.hpp>
+#include <graze/query/relation/polygon.hpp>
+#include <graze/query/relation/triangle.hpp>
+#include <graze/query/relation/unbounded.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/nan_check.hpp>
+#include <graze/shape/fields/visit.hpp>
 #include <graze/shape/shape.hpp>
-#include <graze/shape/visit.hpp>
 
 namespace graze {
 

@@ -46,19 +46,19 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
+#include <graze/query/cast/cast_hit.hpp>
+#include <graze/query/cast/minkowski_difference.hpp>
+#include <graze/query/cast/zonotope_cast.hpp>
 #include <graze/query/closest_points.hpp>
 #include <graze/query/contact.hpp>
 #include <graze/query/impact.hpp>
-#include <graze/query/nan_check.hpp>
-#include <graze/query/obstacle.hpp>
-#include <graze/query/range.hpp>
 #include <graze/query/ray_cast.hpp>
 #include <graze/query/relation.hpp>
-#include <graze/query/strike_of_hit.hpp>
-#include <graze/query/zonotope_cast.hpp>
+#include <graze/query/scaling/range.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/nan_check.hpp>
+#include <graze/shape/fields/visit.hpp>
 #include <graze/shape/shape.hpp>
-#include <graze/shape/visit.hpp>
 
 namespace graze {
 

@@ -23,15 +23,15 @@
 #include <variant>
 
 #include <graze/math/vec.hpp>
+#include <graze/query/closest/surface_point_convex.hpp>
 #include <graze/query/contains.hpp>
+#include <graze/query/cores/surface_point.hpp>
+#include <graze/query/cores/surface_point_box.hpp>
 #include <graze/query/distance_squared.hpp>
-#include <graze/query/range.hpp>
-#include <graze/query/surface_point.hpp>
-#include <graze/query/surface_point_box.hpp>
-#include <graze/query/surface_point_convex.hpp>
+#include <graze/query/scaling/range.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/visit.hpp>
 #include <graze/shape/shape.hpp>
-#include <graze/shape/visit.hpp>
 
 namespace graze {
 

@@ -27,20 +27,20 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
+#include <graze/query/cast/motion_advance.hpp>
 #include <graze/query/closest_points.hpp>
 #include <graze/query/contact.hpp>
 #include <graze/query/impact.hpp>
-#include <graze/query/motion_advance.hpp>
-#include <graze/query/range.hpp>
 #include <graze/query/relation.hpp>
+#include <graze/query/scaling/range.hpp>
 #include <graze/query/shape_cast.hpp>
-#include <graze/query/shape_order.hpp>
 #include <graze/query/status.hpp>
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/compound.hpp>
+#include <graze/shape/fields/shape_order.hpp>
+#include <graze/shape/fields/visit.hpp>
 #include <graze/shape/shape.hpp>
-#include <graze/shape/visit.hpp>
 
 namespace graze {
 

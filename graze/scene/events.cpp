@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include <graze/broad/buffer.hpp>
-#include <graze/broad/prefetch.hpp>
+#include <graze/broad/memory/buffer.hpp>
+#include <graze/broad/memory/prefetch.hpp>
 #include <graze/scene/events.hpp>
 
 namespace graze {

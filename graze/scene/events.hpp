@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
-#include <graze/broad/buffer.hpp>
-#include <graze/broad/key_table.hpp>
+#include <graze/broad/index/key_table.hpp>
+#include <graze/broad/memory/buffer.hpp>
 #include <graze/broad/pair.hpp>
-#include <graze/scene/list_edit.hpp>
 #include <graze/scene/object.hpp>
+#include <graze/scene/storage/list_edit.hpp>
 
 namespace graze {
 

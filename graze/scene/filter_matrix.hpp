@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include <graze/math/throw.hpp>
+#include <graze/math/platform/throw.hpp>
 #include <graze/scene/filter.hpp>
 
 namespace graze {

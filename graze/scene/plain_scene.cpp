@@ -6,13 +6,13 @@
 #include <utility>
 #include <variant>
 
-#include <graze/broad/manifolds.hpp>
 #include <graze/broad/pairs.hpp>
-#include <graze/broad/relations.hpp>
+#include <graze/broad/touching/manifolds.hpp>
+#include <graze/broad/touching/relations.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/scene/plain_scene.hpp>
-#include <graze/scene/single_queries.hpp>
+#include <graze/scene/storage/single_queries.hpp>
 
 namespace graze {
 namespace {

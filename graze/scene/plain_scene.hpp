@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include <graze/broad/key_table.hpp>
+#include <graze/broad/index/key_table.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/scene/events.hpp>
 #include <graze/scene/object.hpp>

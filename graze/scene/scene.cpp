@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include <graze/broad/cell_kernels.hpp>
+#include <graze/broad/orthtree/cell_kernels.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/scene/scene.hpp>
 

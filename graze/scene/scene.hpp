@@ -12,8 +12,8 @@
 #include <graze/math/vec.hpp>
 #include <graze/scene/events.hpp>
 #include <graze/scene/object.hpp>
-#include <graze/scene/pair_keeper.hpp>
 #include <graze/scene/scene_view.hpp>
+#include <graze/scene/update/pair_keeper.hpp>
 #include <graze/shape/any_shape.hpp>
 
 namespace graze {

@@ -7,7 +7,7 @@
 
 #include <graze/broad/contacts.hpp>
 #include <graze/broad/executor.hpp>
-#include <graze/broad/pair_tasks.hpp>
+#include <graze/broad/touching/pair_tasks.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/scene/scene_view.hpp>
 

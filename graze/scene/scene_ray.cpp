@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include <graze/broad/path_filter.hpp>
+#include <graze/broad/index/path_filter.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/ray_cast.hpp>
 #include <graze/scene/scene_view.hpp>
-#include <graze/scene/single_queries.hpp>
+#include <graze/scene/storage/single_queries.hpp>
 #include <graze/shape/any_shape.hpp>
 
 namespace graze {

@@ -6,14 +6,14 @@
 #include <type_traits>
 #include <variant>
 
+#include <graze/broad/index/path_filter.hpp>
+#include <graze/broad/index/region.hpp>
 #include <graze/broad/pairs.hpp>
-#include <graze/broad/path_filter.hpp>
-#include <graze/broad/region.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/signed_distance.hpp>
 #include <graze/scene/scene_view.hpp>
-#include <graze/scene/single_queries.hpp>
+#include <graze/scene/storage/single_queries.hpp>
 #include <graze/scene/visit_candidates.hpp>
 
 namespace graze {

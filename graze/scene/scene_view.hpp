@@ -13,17 +13,17 @@
 #include <vector>
 
 #include <graze/broad/executor.hpp>
-#include <graze/broad/key_table.hpp>
-#include <graze/broad/relations.hpp>
+#include <graze/broad/index/key_table.hpp>
+#include <graze/broad/touching/relations.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/manifold.hpp>
 #include <graze/query/ray_hit.hpp>
 #include <graze/scene/events.hpp>
 #include <graze/scene/filter.hpp>
 #include <graze/scene/object.hpp>
-#include <graze/scene/object_index.hpp>
-#include <graze/scene/shared_slots.hpp>
-#include <graze/scene/shared_value.hpp>
+#include <graze/scene/storage/object_index.hpp>
+#include <graze/scene/storage/shared_slots.hpp>
+#include <graze/scene/storage/shared_value.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/frustum.hpp>
 

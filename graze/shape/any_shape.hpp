@@ -8,6 +8,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/capsule.hpp>
+#include <graze/shape/fields/visit.hpp>
 #include <graze/shape/half_space.hpp>
 #include <graze/shape/obb.hpp>
 #include <graze/shape/plane.hpp>
@@ -17,7 +18,6 @@
 #include <graze/shape/shape.hpp>
 #include <graze/shape/sphere.hpp>
 #include <graze/shape/triangle.hpp>
-#include <graze/shape/visit.hpp>
 
 namespace graze {
 

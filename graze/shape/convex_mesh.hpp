@@ -14,15 +14,15 @@
 
 #include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
-#include <graze/shape/hull_doubts.hpp>
-#include <graze/shape/hull_flat.hpp>
-#include <graze/shape/hull_frame.hpp>
-#include <graze/shape/hull_input.hpp>
-#include <graze/shape/hull_vertices.hpp>
-#include <graze/shape/lexicographic.hpp>
+#include <graze/shape/hull/flat_points.hpp>
+#include <graze/shape/hull/frame.hpp>
+#include <graze/shape/hull/input.hpp>
+#include <graze/shape/hull/lexicographic.hpp>
+#include <graze/shape/hull/quickhull.hpp>
+#include <graze/shape/hull/undecided_points.hpp>
+#include <graze/shape/hull/vertices.hpp>
 #include <graze/shape/plane.hpp>
 #include <graze/shape/polytope.hpp>
-#include <graze/shape/quickhull.hpp>
 
 namespace graze {
 

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include <graze/math/platform/throw.hpp>
 #include <graze/math/pose.hpp>
-#include <graze/math/throw.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/clip_space.hpp>
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include <graze/math/platform/throw.hpp>
 #include <graze/math/rounding.hpp>
-#include <graze/math/throw.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/clip_space.hpp>
 #include <graze/shape/ray.hpp>

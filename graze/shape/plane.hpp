@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include <graze/math/orientation.hpp>
+#include <graze/math/platform/throw.hpp>
 #include <graze/math/pose.hpp>
 #include <graze/math/rounding.hpp>
-#include <graze/math/throw.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze {

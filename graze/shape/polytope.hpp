@@ -13,13 +13,13 @@
 
 #include <graze/math/pose.hpp>
 #include <graze/math/vec.hpp>
-#include <graze/shape/convex_ring.hpp>
-#include <graze/shape/corner_rows.hpp>
-#include <graze/shape/hull_input.hpp>
-#include <graze/shape/hull_octagon.hpp>
-#include <graze/shape/hull_vertices.hpp>
-#include <graze/shape/lexicographic.hpp>
-#include <graze/shape/monotone_chain.hpp>
+#include <graze/shape/hull/convex_ring.hpp>
+#include <graze/shape/hull/corner_rows.hpp>
+#include <graze/shape/hull/input.hpp>
+#include <graze/shape/hull/lexicographic.hpp>
+#include <graze/shape/hull/monotone_chain.hpp>
+#include <graze/shape/hull/octagon.hpp>
+#include <graze/shape/hull/vertices.hpp>
 
 namespace graze {
 

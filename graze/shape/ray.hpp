@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include <graze/math/platform/throw.hpp>
 #include <graze/math/pose.hpp>
-#include <graze/math/throw.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze {

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include <graze/broad/box_cover.hpp>
-#include <graze/broad/bvh_kernels.hpp>
-#include <graze/broad/bvh_query.hpp>
-#include <graze/broad/bvh_tree.hpp>
+#include <graze/broad/bvh/bvh_kernels.hpp>
+#include <graze/broad/bvh/query.hpp>
+#include <graze/broad/bvh/tree.hpp>
+#include <graze/broad/index/box_cover.hpp>
 #include <graze/shape/ray.hpp>
 #include <graze/shape/shape.hpp>
 

@@ -6,8 +6,8 @@
 
 #include <rapidcheck.h>
 
-#include <graze/broad/box_cover.hpp>
-#include <graze/broad/cell_tree.hpp>
+#include <graze/broad/index/box_cover.hpp>
+#include <graze/broad/orthtree/tree.hpp>
 
 namespace graze::test {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <graze/broad/center_kernels.hpp>
+#include <graze/broad/bvh/build_kernels.hpp>
 
 namespace graze::test {
 

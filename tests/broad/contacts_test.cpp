@@ -12,8 +12,8 @@
 
 #include <graze/broad/contacts.hpp>
 #include <graze/broad/executor.hpp>
-#include <graze/broad/manifolds.hpp>
-#include <graze/broad/relations.hpp>
+#include <graze/broad/touching/manifolds.hpp>
+#include <graze/broad/touching/relations.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/any_shape.hpp>
 

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <graze/broad/custom_index.hpp>
-#include <graze/broad/region.hpp>
+#include <graze/broad/index/region.hpp>
 #include <graze/shape/capsule.hpp>
 
 #include "spatial_index_laws.hpp"

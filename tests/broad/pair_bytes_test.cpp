@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <graze/broad/pairs.hpp>
-#include <graze/broad/worlds.hpp>
+#include <graze/broad/scene_generators.hpp>
 
 #include "soak.hpp"
 #include "thread_executor.hpp"

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <graze/broad/pairs.hpp>
-#include <graze/broad/worlds.hpp>
+#include <graze/broad/scene_generators.hpp>
 
 namespace graze::pair_hashes_test {
 namespace {

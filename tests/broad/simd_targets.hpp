@@ -6,7 +6,7 @@
 
 #include <hwy/targets.h>
 
-#include <graze/broad/block_kernels.hpp>
+#include <graze/broad/pairs/block_kernels.hpp>
 
 namespace graze::test {
 

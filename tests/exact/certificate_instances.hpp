@@ -13,7 +13,7 @@
 #include <variant>
 
 #include <graze/shape/any_shape.hpp>
-#include <graze/shape/visit.hpp>
+#include <graze/shape/fields/visit.hpp>
 
 #include "exact/body.hpp"
 #include "exact/certificate.hpp"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <graze/math/vec.hpp>
-#include <graze/shape/lexicographic.hpp>
+#include <graze/shape/hull/lexicographic.hpp>
 
 #include "exact/numbers.hpp"
 

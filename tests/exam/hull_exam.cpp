@@ -12,7 +12,7 @@
 
 #include <rapidcheck.h>
 
-#include <graze/shape/lexicographic.hpp>
+#include <graze/shape/hull/lexicographic.hpp>
 #include <graze/shape/polytope.hpp>
 
 #include "catalogue.hpp"

@@ -9,7 +9,7 @@
 
 #include <graze/math/vec.hpp>
 #include <graze/shape/any_shape.hpp>
-#include <graze/shape/visit.hpp>
+#include <graze/shape/fields/visit.hpp>
 
 #include "catalogue.hpp"
 #include "exact/kinds.hpp"

@@ -10,14 +10,14 @@
 #include <string>
 #include <variant>
 
-#include <graze/io/logged_answer.hpp>
-#include <graze/io/logged_call.hpp>
-#include <graze/io/query_log.hpp>
+#include <graze/io/log/logged_answer.hpp>
+#include <graze/io/log/logged_call.hpp>
+#include <graze/io/log/query_log.hpp>
+#include <graze/io/log/scene_after.hpp>
+#include <graze/io/log/side_by_side.hpp>
 #include <graze/io/replay.hpp>
-#include <graze/io/replay_report.hpp>
-#include <graze/io/scene_after.hpp>
+#include <graze/io/report/replay.hpp>
 #include <graze/io/shrink.hpp>
-#include <graze/io/side_by_side.hpp>
 
 #include "fuzz/input.hpp"
 #include "fuzz/texts.hpp"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include <graze/io/csv_scene.hpp>
+#include <graze/io/csv/scene.hpp>
 
 #include "fuzz/input.hpp"
 #include "fuzz/texts.hpp"

@@ -16,8 +16,8 @@
 
 #include <graze/io/input_error.hpp>
 #include <graze/io/json_scene.hpp>
-#include <graze/io/printable.hpp>
 #include <graze/io/scene_file.hpp>
+#include <graze/io/text/printable.hpp>
 
 #include "fuzz/require.hpp"
 #include "io/shape_bits.hpp"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include <graze/io/tiled_json.hpp>
+#include <graze/io/tiled/json.hpp>
 
 #include "fuzz/input.hpp"
 #include "fuzz/texts.hpp"

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include <graze/io/tiled.hpp>
-#include <graze/io/tiled_model.hpp>
+#include <graze/io/tiled/map.hpp>
+#include <graze/io/tiled/model.hpp>
 
 #include "fuzz/texts.hpp"
 #include "scratch_folder.hpp"

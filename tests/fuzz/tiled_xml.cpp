@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include <graze/io/tiled_xml.hpp>
+#include <graze/io/tiled/xml.hpp>
 
 #include "fuzz/input.hpp"
 #include "fuzz/texts.hpp"

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include <graze/io/query_log.hpp>
+#include <graze/io/log/query_log.hpp>
 #include <graze/io/recorded_scene.hpp>
 
 #include "cameras.hpp"

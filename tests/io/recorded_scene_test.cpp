@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <graze/io/log/query_log.hpp>
 #include <graze/io/output_error.hpp>
-#include <graze/io/query_log.hpp>
 #include <graze/io/recorded_scene.hpp>
 #include <graze/io/replay.hpp>
 #include <graze/math/pose.hpp>

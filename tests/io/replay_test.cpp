@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <graze/io/query_log.hpp>
+#include <graze/io/log/query_log.hpp>
 #include <graze/io/recorded_scene.hpp>
 #include <graze/io/replay.hpp>
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <graze/shape/any_shape.hpp>
-#include <graze/shape/visit.hpp>
+#include <graze/shape/fields/visit.hpp>
 
 #include "catalogue.hpp"
 

@@ -52,7 +52,7 @@ class Refused(unittest.TestCase):
     def test_the_x87_unit(self):
         flags = ["-m32", "-mno-sse"] if IS_CLANG else ["-mfpmath=387"]
         said = subprocess.run([COMPILER, "-std=c++20", "-fsyntax-only", f"-I{ROOT}", *flags, "-x", "c++", "-"], text=True,
-                              input="#include <graze/math/compiler.hpp>\n", capture_output=True, check=False).stderr
+                              input="#include <graze/math/platform/compiler.hpp>\n", capture_output=True, check=False).stderr
         self.assertIn("compile with -msse2 -mfpmath=sse", said)
 
     @unittest.skipUnless(IS_X86, "flags of x86")
@@ -73,7 +73,7 @@ class Refused(unittest.TestCase):
     def test_macros_of_windows(self):
         # Where no header of the standard library comes first: GCC's takes the macros back.
         self.assert_refused("define NOMINMAX before including windows.h", "-Dmin(a,b)=((a)<(b)?(a):(b))",
-                            header="graze/math/compiler.hpp")
+                            header="graze/math/platform/compiler.hpp")
 
 
 class EveryQuery(unittest.TestCase):

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <graze/math/bit_cast.hpp>
+#include <graze/math/platform/bit_cast.hpp>
 #include <graze/query/bounds.hpp>
 
 #include "catalogue.hpp"

@@ -16,7 +16,7 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/query/transformed.hpp>
 #include <graze/shape/any_shape.hpp>
-#include <graze/shape/visit.hpp>
+#include <graze/shape/fields/visit.hpp>
 
 #include "catalogue.hpp"
 #include "query/contacts.hpp"

@@ -7,7 +7,7 @@
 
 #include <graze/math/vec.hpp>
 #include <graze/query/contact.hpp>
-#include <graze/query/penetration.hpp>
+#include <graze/query/cores/penetration.hpp>
 #include <graze/shape/any_shape.hpp>
 
 // Compiled there as well, for the other files of instances.

@@ -14,11 +14,11 @@
 #include <gtest/gtest.h>
 
 #include <graze/math/tolerance.hpp>
+#include <graze/query/convex/wide_support.hpp>
 #include <graze/query/gjk.hpp>
 #include <graze/query/transformed.hpp>
-#include <graze/query/wide_support.hpp>
 #include <graze/shape/any_shape.hpp>
-#include <graze/shape/visit.hpp>
+#include <graze/shape/fields/visit.hpp>
 
 #include "catalogue.hpp"
 #include "query/numbers_of.hpp"

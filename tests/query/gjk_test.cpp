@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include <graze/query/convex/wide_support.hpp>
 #include <graze/query/gjk.hpp>
-#include <graze/query/wide_support.hpp>
 #include <graze/shape/any_shape.hpp>
-#include <graze/shape/visit.hpp>
+#include <graze/shape/fields/visit.hpp>
 
 #include "catalogue.hpp"
 #include "exact.hpp"

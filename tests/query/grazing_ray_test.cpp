@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <graze/shape/any_shape.hpp>
-#include <graze/shape/visit.hpp>
+#include <graze/shape/fields/visit.hpp>
 
 #include "catalogue.hpp"
 #include "query/contacts.hpp"

@@ -10,7 +10,7 @@
 
 #include <graze/query/bounds.hpp>
 #include <graze/shape/any_shape.hpp>
-#include <graze/shape/visit.hpp>
+#include <graze/shape/fields/visit.hpp>
 
 #include "catalogue.hpp"
 

@@ -15,7 +15,7 @@
 
 #include <graze/math/tolerance.hpp>
 #include <graze/shape/any_shape.hpp>
-#include <graze/shape/visit.hpp>
+#include <graze/shape/fields/visit.hpp>
 
 #include "catalogue.hpp"
 #include "exact/point.hpp"

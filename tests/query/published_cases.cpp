@@ -21,7 +21,7 @@
 
 #include <graze/math/motion.hpp>
 #include <graze/math/vec.hpp>
-#include <graze/query/bounding_sphere.hpp>
+#include <graze/query/bounding/sphere.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/mass_properties.hpp>
 #include <graze/query/verdict.hpp>

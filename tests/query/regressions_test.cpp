@@ -18,7 +18,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/shape/any_shape.hpp>
-#include <graze/shape/visit.hpp>
+#include <graze/shape/fields/visit.hpp>
 
 #include "catalogue.hpp"
 #include "exact.hpp"

@@ -14,11 +14,11 @@
 
 #include <gtest/gtest.h>
 
-#include <graze/math/draws.hpp>
+#include <graze/math/random/linear_congruential.hpp>
 #include <graze/math/vec.hpp>
-#include <graze/query/shape_order.hpp>
 #include <graze/shape/any_shape.hpp>
-#include <graze/shape/visit.hpp>
+#include <graze/shape/fields/shape_order.hpp>
+#include <graze/shape/fields/visit.hpp>
 
 #include "catalogue.hpp"
 #include "query/case_maker.hpp"

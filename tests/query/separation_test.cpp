@@ -9,8 +9,8 @@
 
 #include <graze/math/tolerance.hpp>
 #include <graze/query/separation.hpp>
-#include <graze/query/shape_order.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/shape_order.hpp>
 
 #include "catalogue.hpp"
 #include "query/contacts.hpp"

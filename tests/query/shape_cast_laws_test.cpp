@@ -16,9 +16,9 @@
 
 #include <graze/math/tolerance.hpp>
 #include <graze/query/contact.hpp>
-#include <graze/query/wide_support.hpp>
+#include <graze/query/convex/wide_support.hpp>
 #include <graze/shape/any_shape.hpp>
-#include <graze/shape/visit.hpp>
+#include <graze/shape/fields/visit.hpp>
 
 #include "catalogue.hpp"
 #include "exact.hpp"

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <graze/scene/plain_scene.hpp>
-#include <graze/scene/single_queries.hpp>
+#include <graze/scene/storage/single_queries.hpp>
 
 namespace graze::plain_scene_test {
 namespace {

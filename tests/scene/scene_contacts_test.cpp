@@ -13,8 +13,8 @@
 #include <rapidcheck/gtest.h>
 
 #include <graze/broad/executor.hpp>
-#include <graze/broad/manifolds.hpp>
-#include <graze/math/draws.hpp>
+#include <graze/broad/touching/manifolds.hpp>
+#include <graze/math/random/linear_congruential.hpp>
 #include <graze/math/rotation.hpp>
 #include <graze/scene/scene.hpp>
 

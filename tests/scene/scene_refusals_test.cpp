@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include <graze/broad/key_table.hpp>
+#include <graze/broad/index/key_table.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/scene/scene.hpp>
 #include <graze/shape/any_shape.hpp>

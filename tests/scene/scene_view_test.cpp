@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <graze/broad/region.hpp>
+#include <graze/broad/index/region.hpp>
 #include <graze/query/closest_point.hpp>
 #include <graze/query/intersects.hpp>
 #include <graze/query/ray_cast.hpp>

@@ -11,7 +11,7 @@
 
 #include <graze/math/orientation_3d.hpp>
 #include <graze/math/vec.hpp>
-#include <graze/shape/hull_faces.hpp>
+#include <graze/shape/hull/faces.hpp>
 
 namespace graze::test {
 

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <graze/math/draws.hpp>
+#include <graze/math/random/linear_congruential.hpp>
 #include <graze/shape/obb.hpp>
 
 #include "../catalogue/nasty.hpp"

@@ -16,12 +16,12 @@
 #include <emscripten/bind.h>
 #include <fmt/format.h>
 
-#include <graze/io/shape_fields.hpp>
-#include <graze/io/shape_members.hpp>
-#include <graze/math/bit_cast.hpp>
+#include <graze/io/json/shape_fields.hpp>
+#include <graze/io/json/shape_members.hpp>
+#include <graze/math/platform/bit_cast.hpp>
 #include <graze/math/pose.hpp>
 #include <graze/query/bounds.hpp>
-#include <graze/shape/visit.hpp>
+#include <graze/shape/fields/visit.hpp>
 
 #include "bridge.hpp"
 #include "shape_text.hpp"

@@ -17,7 +17,7 @@
 
 #include <emscripten/bind.h>
 
-#include <graze/query/growing_hull.hpp>
+#include <graze/query/convex/growing_hull.hpp>
 #include <graze/query/outline.hpp>
 #include <graze/query/union_outline.hpp>
 

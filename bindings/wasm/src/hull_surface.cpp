@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include <graze/query/growing_hull.hpp>
+#include <graze/query/convex/growing_hull.hpp>
 #include <graze/query/outline.hpp>
 
 namespace graze::wasm {

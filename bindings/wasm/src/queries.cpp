@@ -6,7 +6,7 @@
 
 #include <emscripten/bind.h>
 
-#include <graze/broad/relations.hpp>
+#include <graze/broad/touching/relations.hpp>
 #include <graze/query/bounding.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/closest_boundary_point.hpp>

@@ -13,8 +13,8 @@
 #include <emscripten/bind.h>
 #include <fmt/format.h>
 
-#include <graze/io/quoting.hpp>
 #include <graze/io/recording.hpp>
+#include <graze/io/text/quoting.hpp>
 
 #include "bridge.hpp"
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include <graze/io/in_quotes.hpp>
+#include <graze/io/text/in_quotes.hpp>
 
 namespace graze::wasm {
 namespace {

@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
-#include <graze/io/in_quotes.hpp>
 #include <graze/io/input_error.hpp>
-#include <graze/io/json_document.hpp>
-#include <graze/io/json_fields.hpp>
-#include <graze/io/suggestion.hpp>
+#include <graze/io/json/document.hpp>
+#include <graze/io/json/fields.hpp>
+#include <graze/io/text/in_quotes.hpp>
+#include <graze/io/text/suggestion.hpp>
 
 #include "scenes.hpp"
 #include "shape_text.hpp"

@@ -15,7 +15,7 @@
 #include <emscripten/bind.h>
 #include <fmt/format.h>
 
-#include <graze/io/in_quotes.hpp>
+#include <graze/io/text/in_quotes.hpp>
 #include <graze/math/pose.hpp>
 #include <graze/query/transformed.hpp>
 #include <graze/scene/scene.hpp>

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include <graze/io/input_error.hpp>
-#include <graze/io/json_document.hpp>
-#include <graze/io/json_fields.hpp>
-#include <graze/io/json_shape_reader.hpp>
+#include <graze/io/json/document.hpp>
+#include <graze/io/json/fields.hpp>
+#include <graze/io/json/shape_reader.hpp>
 
 namespace graze::wasm {
 

@@ -26,10 +26,10 @@
 #include <graze/broad/bvh.hpp>
 #include <graze/broad/orthtree.hpp>
 #include <graze/broad/pairs.hpp>
-#include <graze/broad/relations.hpp>
+#include <graze/broad/scene_generators.hpp>
+#include <graze/broad/touching/relations.hpp>
 #include <graze/broad/touching_pairs.hpp>
-#include <graze/broad/worlds.hpp>
-#include <graze/io/json_shape_writer.hpp>
+#include <graze/io/json/shape_writer.hpp>
 #include <graze/math/motion.hpp>
 #include <graze/query/closest_boundary_point.hpp>
 #include <graze/query/closest_point.hpp>

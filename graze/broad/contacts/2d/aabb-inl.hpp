@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// How boxes along the axes touch each other in the plane, a lane for each pair: penetration_of_simple and
+// query/patch/aabb_manifold.hpp, to the bit. Included once for each instruction set, hence no ordinary guard.
+#if defined(GRAZE_BROAD_CONTACTS_2D_AABB_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BROAD_CONTACTS_2D_AABB_INL_HPP
+#undef GRAZE_BROAD_CONTACTS_2D_AABB_INL_HPP
+#else
+#define GRAZE_BROAD_CONTACTS_2D_AABB_INL_HPP
+#endif
+
+#include <cstddef>
+#include <limits>
+
+#include <hwy/highway.h>
+
+#include <graze/broad/contacts/2d/boxes-inl.hpp>
+#include <graze/broad/contacts/2d/cores-inl.hpp>
+#include <graze/broad/contacts/manifold_lanes-inl.hpp>
+#include <graze/math/tolerance.hpp>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::detail::HWY_NAMESPACE {
+#if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
+
+/// Of two in the order of their contact.
+class FlatAabbTouch {
+ public:
+  HWY_INLINE FlatAabbTouch(const FlatAabbLanes& a, const FlatAabbLanes& b) : a_(a), b_(b) {
+    const Doubles across_x = depth_along(0, is_far_);
+    DoublesMask is_far_along_y;
+    const Doubles across_y = depth_along(1, is_far_along_y);
+    across_second_ = hn::Lt(across_y, across_x);
+    depth_ = hn::IfThenElse(across_second_, across_y, across_x);
+    is_far_ = hn::Or(hn::And(across_second_, is_far_along_y), hn::AndNot(across_second_, is_far_));
+  }
+
+  HWY_INLINE void run(FlatLookLanes& look) const {
+    look.is_clear =
+        hn::And(hn::And(has_faces(a_), has_faces(b_)), hn::Lt(depth_, both(std::numeric_limits<double>::infinity())));
+    look.has_two = every_lane();
+    look.error = hn::Mul(both(tolerance::epsilon), depth_);
+    const Doubles side = hn::IfThenElse(is_far_, both(1), both(-1));
+    look.normal = placed(side, both(0));
+    const Doubles slack = hn::Mul(both(tolerance::coarse), hn::Add(sum_abs(a_.max - a_.min), sum_abs(b_.max - b_.min)));
+    const Doubles of_a = hn::IfThenElse(is_far_, across(a_.max), across(a_.min));
+    const Doubles of_b = hn::IfThenElse(is_far_, across(b_.min), across(b_.max));
+    for (std::size_t i = 0; i < 2; ++i) {
+      const FlatPoint& end_of_a = i == 0 ? a_.min : a_.max;
+      const FlatPoint& end_of_b = i == 0 ? b_.min : b_.max;
+      const DoublesMask is_reference = is_beyond(i, along(end_of_b), along(end_of_a), slack);
+      const Doubles place = hn::IfThenElse(is_reference, along(end_of_a), along(end_of_b));
+      const Doubles end = both(i == 0 ? -1 : 1);
+      FlatPointLanes& point = look.points[i];
+      point.on_first = placed(of_a, place);
+      point.on_second = placed(of_b, place);
+      point.depth = depth_;
+      point.of_first =
+          hn::IfThenElse(is_reference, flat_corner_feature(placed(side, end)), flat_side_feature(across_second_, side));
+      point.of_second = hn::IfThenElse(is_reference, flat_side_feature(across_second_, hn::Neg(side)),
+                                       flat_corner_feature(placed(hn::Neg(side), end)));
+    }
+  }
+
+ private:
+  /// And whether it is the first box' far side that is in the second one.
+  HWY_INLINE Doubles depth_along(std::size_t axis, DoublesMask& is_far) const {
+    const Doubles ahead = hn::Sub(a_.max.at[axis], b_.min.at[axis]);
+    const Doubles behind = hn::Sub(b_.max.at[axis], a_.min.at[axis]);
+    is_far = hn::Le(ahead, behind);
+    return min_of(ahead, behind);
+  }
+
+  HWY_INLINE static DoublesMask has_faces(const FlatAabbLanes& box) {
+    return hn::And(hn::Lt(box.min.at[0], box.max.at[0]), hn::Lt(box.min.at[1], box.max.at[1]));
+  }
+
+  /// Whether an end of the second box is beyond the first one's, as shared_range has it.
+  HWY_INLINE static DoublesMask is_beyond(std::size_t end, Doubles of_b, Doubles of_a, Doubles slack) {
+    return end == 0 ? hn::Lt(of_b, hn::Sub(of_a, slack)) : hn::Gt(of_b, hn::Add(of_a, slack));
+  }
+
+  /// The number along the axis of least depth, and that along the other one; and a place of such two.
+  HWY_INLINE Doubles across(const FlatPoint& v) const { return hn::IfThenElse(across_second_, v.at[1], v.at[0]); }
+  HWY_INLINE Doubles along(const FlatPoint& v) const { return hn::IfThenElse(across_second_, v.at[0], v.at[1]); }
+  HWY_INLINE FlatPoint placed(Doubles on_axis, Doubles on_other) const {
+    return {{hn::IfThenElse(across_second_, on_other, on_axis), hn::IfThenElse(across_second_, on_axis, on_other)}};
+  }
+
+  const FlatAabbLanes& a_;
+  const FlatAabbLanes& b_;
+  DoublesMask across_second_;
+  DoublesMask is_far_;
+  Doubles depth_;
+};
+
+#endif
+}  // namespace graze::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

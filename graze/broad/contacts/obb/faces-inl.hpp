@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: MIT
+// The manifolds of many pairs of oriented boxes across a face of one of them, as manifold_of_met_obbs in
+// query/manifold.hpp makes them. Included once for each instruction set, hence no ordinary guard.
+#if defined(GRAZE_BROAD_CONTACTS_OBB_FACES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BROAD_CONTACTS_OBB_FACES_INL_HPP
+#undef GRAZE_BROAD_CONTACTS_OBB_FACES_INL_HPP
+#else
+#define GRAZE_BROAD_CONTACTS_OBB_FACES_INL_HPP
+#endif
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include <hwy/highway.h>
+
+#include <graze/broad/contacts/manifold_lanes-inl.hpp>
+#include <graze/broad/contacts/manifold_points-inl.hpp>
+#include <graze/broad/contacts/obb/choice-inl.hpp>
+#include <graze/broad/contacts/obb/clip-inl.hpp>
+#include <graze/broad/contacts/obb/lines-inl.hpp>
+#include <graze/broad/contacts/obb/obb_kernels.hpp>
+#include <graze/query/fast_contact/obb/contact.hpp>
+#include <graze/query/manifold.hpp>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::detail::HWY_NAMESPACE {
+#if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
+
+/// Beside the bits of an ObbsLook: the face that carries the points is the second box', which the axis is not the
+/// normal of.
+inline constexpr std::uint64_t carried_by_second = std::uint64_t{1} << 32U;
+
+/// As many pairs as are taken at once, with their looks and that bit.
+template <class T>
+struct PairGroup {
+  const T* const* first;
+  const T* const* second;
+  const std::uint64_t* looks;
+};
+
+/// The looks of a group.
+class LookLanes {
+ public:
+  HWY_INLINE explicit LookLanes(const std::uint64_t* looks)
+      : looks_(hn::LoadU(BitsTag(), looks)),
+        axis_(hn::ConvertTo(Tag<double>(), hn::BitCast(hn::RebindToSigned<Tag<double>>(),
+                                                       hn::And(looks_, hn::Set(BitsTag(), ObbsLook::axis_bits))))) {}
+
+  /// By its place, as in BoxesAxes.
+  Doubles axis() const { return axis_; }
+  /// Three places are one row: the faces of the first box, those of the second, and the edges of the first.
+  HWY_INLINE Doubles row() const { return hn::Floor(hn::Mul(hn::Add(axis_, both(0.5)), both(1.0 / 3))); }
+  HWY_INLINE DoublesMask turned() const { return has_bits(ObbsLook::turned); }
+  HWY_INLINE DoublesMask by_second() const { return has_bits(carried_by_second); }
+
+ private:
+  HWY_INLINE DoublesMask has_bits(std::uint64_t bits) const {
+    return hn::RebindMask(Tag<double>(), hn::TestBit(looks_, hn::Set(BitsTag(), bits)));
+  }
+
+  Bits looks_;
+  Doubles axis_;
+};
+
+/// Pairs whose axis is the normal of a face of the box `own`, which carries their points.
+template <class T>
+struct FacePairs {
+  const T* const* own;
+  const T* const* other;
+  Doubles axis;        ///< Of `own`.
+  DoublesMask of_b;    ///< `own` is the second in the order of the contact.
+  DoublesMask turned;  ///< The user's second box is the first in that order.
+
+  /// Of a group whose first boxes are those.
+  HWY_INLINE explicit FacePairs(const PairGroup<T>& group) : own(group.first), other(group.second) {
+    const LookLanes looks(group.looks);
+    of_b = hn::Gt(looks.axis(), both(2));
+    axis = hn::Sub(looks.axis(), hn::IfThenElseZero(of_b, both(3)));
+    turned = looks.turned();
+  }
+};
+
+/// Pairs in the order of their contact whose axis is another than the normal of the face that carries their points,
+/// which looks along it up to 1e-5.
+template <class T>
+struct CarriedPairs {
+  const T* const* first;
+  const T* const* second;
+  DoublesMask is_on_edges;  ///< The axis is across edges along these axes.
+  Doubles axis_a;
+  Doubles axis_b;    ///< Or it is the normal across this one of the second box.
+  DoublesMask of_b;  ///< The second box carries the points.
+  DoublesMask turned;
+
+  HWY_INLINE explicit CarriedPairs(const PairGroup<T>& group) : first(group.first), second(group.second) {
+    const LookLanes looks(group.looks);
+    const Doubles row = looks.row();
+    is_on_edges = hn::Gt(row, both(1));
+    axis_a = hn::IfThenElseZero(is_on_edges, hn::Sub(row, both(2)));
+    axis_b = hn::Sub(looks.axis(), hn::Mul(row, both(3)));
+    of_b = looks.by_second();
+    turned = looks.turned();
+  }
+};
+
+HWY_INLINE DoublesMask may_be_aligned(const BoxLanes& box, const Point& direction) {
+  const auto cosine = [&](Dim i) { return hn::Abs(dot(box.axes[i], direction)); };
+  return hn::Gt(hn::Max(hn::Max(cosine(0), cosine(1)), cosine(2)), both(1 - doubt_of_cosines));
+}
+
+/// The face of a box that looks most along a direction, as looking_face of query/fast_contact/obb/contact.hpp.
+struct LookingFace {
+  Doubles axis;
+  DoublesMask is_far;
+  DoublesMask is_open;
+
+  HWY_INLINE LookingFace(const BoxLanes& box, const Point& direction) {
+    const Doubles x = dot(box.axes[0], direction);
+    const Doubles y = dot(box.axes[1], direction);
+    const Doubles z = dot(box.axes[2], direction);
+    const Doubles larger = hn::Max(hn::Abs(x), hn::Abs(y));
+    const Doubles second = hn::Max(hn::Min(hn::Abs(x), hn::Abs(y)), hn::Min(larger, hn::Abs(z)));
+    const Doubles lead = hn::Sub(hn::Max(larger, hn::Abs(z)), second);
+    is_open = hn::Not(hn::Gt(lead, both(doubt_of_cosines)));
+    const DoublesMask is_second = hn::Gt(hn::Abs(y), hn::Abs(x));
+    const DoublesMask is_third = hn::Gt(hn::Abs(z), larger);
+    axis = hn::IfThenElse(is_third, both(2), hn::IfThenElseZero(is_second, both(1)));
+    is_far = hn::Gt(hn::IfThenElse(is_third, z, hn::IfThenElse(is_second, y, x)), both(0));
+  }
+};
+
+/// Its normal, of length 1.
+HWY_INLINE Point outward_normal(const BoxLanes& box_from_face, const Point& direction) {
+  const Point adjoint = cross(box_from_face.axes[1], box_from_face.axes[2]);
+  const Point side = adjoint * hn::Div(both(1), hn::Sqrt(dot(adjoint, adjoint)));
+  return one_of(hn::Lt(dot(side, direction), both(0)), side * both(-1), side);
+}
+
+/// Whether a face looks straight along a direction, as aligned_face of query/fast_contact/obb/contact.hpp says.
+HWY_INLINE DoublesMask is_face_along(const BoxLanes& box, const Point& direction) {
+  const DoublesMask may_be = may_be_aligned(box, direction);
+  if (hn::AllFalse(Tag<double>(), may_be)) return may_be;
+  const LookingFace face(box, direction);
+  const Point turn = outward_normal(turned_to(box, face.axis), direction) - direction;
+  return hn::And(may_be, hn::Le(dot(turn, turn), both(tolerance::aligned * tolerance::aligned)));
+}
+
+/// The face across the first axis.
+HWY_INLINE FaceLanes face_of(const BoxLanes& box, DoublesMask is_far) {
+  const Doubles side = hn::IfThenElse(is_far, both(1), both(-1));
+  return {box.center + box.half_edges[0] * side, box.half_edges[1], box.half_edges[2], box.half[1], box.half[2]};
+}
+
+/// As BoxFaceNumbers::face().
+HWY_INLINE Bits face_number(Doubles axis, DoublesMask is_far) {
+  return whole(hn::Add(hn::Add(axis, axis), hn::IfThenElseZero(is_far, both(1))));
+}
+
+/// What is known of pairs before their faces are laid on each other.
+struct CarriedLanes {
+  BoxLanes own;  ///< With the axis of the carrying face as the first.
+  BoxLanes other;
+  AxisLanes found;
+  UpwardLanes upward;
+  Doubles own_axis;
+  DoublesMask is_far;
+  Doubles size;
+  DoublesMask turned;  ///< The user's second box is the first in the order of the contact.
+  DoublesMask of_b;    ///< The second box in that order carries the points.
+  DoublesMask is_open;
+  Point origin;  ///< The center of the first box in that order.
+};
+
+HWY_INLINE Point upward_of(const Point& normal, DoublesMask of_b) {
+  return normal * hn::IfThenElse(of_b, both(-1), both(1));
+}
+
+/// The axis of each pair, in boxes seen from the first one's center.
+template <class T>
+HWY_INLINE AxisLanes axis_of_carried(const BoxPair& boxes, const CarriedPairs<T>& pairs) {
+  const BoxLanes a = turned_to(boxes.box[0], pairs.axis_a);
+  const BoxLanes b = turned_to(boxes.box[1], pairs.axis_b);
+  const DoublesMask on_edges = pairs.is_on_edges;
+  const AxisLanes across_edges = EdgesLanes(a, 0, b, 0).axis();
+  const AxisLanes across_face = axis_of_face(b, 0, boxes.box[0], b.center);
+  return {one_of(on_edges, across_edges.normal, across_face.normal),
+          hn::IfThenElse(on_edges, across_edges.gap, across_face.gap)};
+}
+
+/// Which box has a face along the axis of a pair and so carries the points: the first, or else, where the axis is
+/// across edges, the second.
+class CarryingBoxes {
+ public:
+  template <class T>
+  HWY_INLINE explicit CarryingBoxes(const CarriedPairs<T>& pairs) {
+    BoxPair boxes{{load_boxes(pairs.first), load_boxes(pairs.second)}};
+    see_from_first(boxes);
+    const Point normal = axis_of_carried(boxes, pairs).normal;
+    by_first_ = is_face_along(boxes.box[0], normal);
+    by_second_ = hn::AndNot(by_first_, hn::And(pairs.is_on_edges, is_face_along(boxes.box[1], normal * both(-1))));
+  }
+
+  /// One bit for each pair.
+  std::uint32_t by_first() const { return bits_of<double>(by_first_); }
+  std::uint32_t by_second() const { return bits_of<double>(by_second_); }
+
+ private:
+  DoublesMask by_first_;
+  DoublesMask by_second_;
+};
+
+template <class T>
+HWY_INLINE CarriedLanes carried_lanes(const FacePairs<T>& pairs) {
+  CarriedLanes carried;
+  BoxLanes own;
+  load_boxes(pairs.own, own);
+  load_boxes(pairs.other, carried.other);
+  carried.turned = pairs.turned;
+  carried.of_b = pairs.of_b;
+  carried.is_open = no_lane();
+  const Point zero{{both(0), both(0), both(0)}};
+  const Point of_own = own.center;
+  const Point of_other = carried.other.center;
+  const Point way = one_of(carried.of_b, of_own - of_other, of_other - of_own);
+  carried.origin = one_of(carried.of_b, of_other, of_own);
+  own.center = one_of(carried.of_b, way, zero);
+  carried.other.center = one_of(carried.of_b, zero, way);
+  carried.own_axis = pairs.axis;
+  carried.size = hn::Add(size_of(own), size_of(carried.other));
+  turn_to(own, carried.own_axis, carried.own);
+  carried.found = axis_of_face(carried.own, 0, carried.other, way);
+  const Point up = upward_of(carried.found.normal, carried.of_b);
+  carried.upward = {up, up};
+  carried.is_far = hn::Gt(dot(carried.own.axes[0], up), both(0));
+  return carried;
+}
+
+template <class T>
+HWY_INLINE CarriedLanes carried_lanes(const CarriedPairs<T>& pairs) {
+  BoxPair boxes{{load_boxes(pairs.first), load_boxes(pairs.second)}};
+  CarriedLanes carried;
+  carried.turned = pairs.turned;
+  carried.of_b = pairs.of_b;
+  carried.origin = see_from_first(boxes);
+  carried.size = hn::Add(size_of(boxes.box[0]), size_of(boxes.box[1]));
+  carried.found = axis_of_carried(boxes, pairs);
+  const Point up = upward_of(carried.found.normal, carried.of_b);
+  const BoxLanes own = one_of(carried.of_b, boxes.box[1], boxes.box[0]);
+  const LookingFace face(own, up);
+  carried.is_open = face.is_open;
+  carried.own_axis = face.axis;
+  carried.is_far = face.is_far;
+  carried.own = turned_to(own, face.axis);
+  carried.other = one_of(carried.of_b, boxes.box[0], boxes.box[1]);
+  carried.upward = {up, outward_normal(carried.own, up)};
+  return carried;
+}
+
+/// Where the carrying box has a face along the axis, as is_face_along says of it.
+HWY_INLINE DoublesMask are_carried(const CarriedLanes& carried) {
+  const Point turn = carried.upward.normal - carried.upward.up;
+  return hn::And(may_be_aligned(carried.own, carried.upward.up),
+                 hn::Le(dot(turn, turn), both(tolerance::aligned * tolerance::aligned)));
+}
+
+/// A group of pairs, the other box' face of each laid on the carrying one.
+template <class T>
+class FaceContacts {
+ public:
+  /// Before anything else.
+  HWY_INLINE void lay(const CarriedLanes& carried) {
+    up_ = carried.upward.up;
+    normal_ = carried.found.normal;
+    of_b_ = carried.of_b;
+    turns_ = hn::Xor(carried.of_b, carried.turned);
+    origin_ = carried.origin;
+    const LookingFace looking(carried.other, up_ * both(-1));
+    incident_ = face_of(turned_to(carried.other, looking.axis), looking.is_far);
+    const FaceClip clip(incident_, face_of(carried.own, carried.is_far), carried.upward,
+                        hn::Mul(both(tolerance::coarse), carried.size));
+    clip.give(clip_);
+    is_open_ = hn::Or(carried.is_open, hn::Or(looking.is_open, clip_.is_open()));
+    rows_.set(carried.found, carried.size, carried.turned);
+    store(face_number(carried.own_axis, carried.is_far), faces_[PlacesOnFaces::reference]);
+    store(face_number(looking.axis, looking.is_far), faces_[PlacesOnFaces::incident]);
+    store(clip_.turns(), places_);
+  }
+
+  /// All corners of each pair of two groups, or four of more. The groups may be the same one. A choice has little to do
+  /// and much to wait for: two take hardly longer than one.
+  HWY_INLINE static void choose(FaceContacts& a, FaceContacts& b) {
+    Lines lines = joined(a.clip_.left(), b.clip_.left());
+    Lines beyond = lines;
+    for (std::size_t k = 0; k < Manifold<3>::most_points; ++k) beyond = but_the_first(beyond);
+    auto is_open = are_none(lines);
+    const auto are_few = are_none(beyond);
+    if (!hn::AllTrue(TwoTag(), are_few)) {
+      const ChoiceLanes choice(lines, a.clip_, a.measures(), b.clip_, b.measures());
+      lines = hn::IfThenElse(hn::RebindMask(LinesTag(), are_few), lines, choice.chosen());
+      is_open = hn::Or(is_open, hn::Not(hn::Or(are_few, choice.is_clear())));
+    }
+    const Lines open = hn::IfThenElseZero(hn::RebindMask(LinesTag(), is_open), hn::Set(LinesTag(), 1));
+    a.take(widened(lines, 0), widened(open, 0));
+    if (&a != &b) b.take(widened(lines, 1), widened(open, 1));
+  }
+
+  /// Those that are chosen.
+  HWY_INLINE void set_points() {
+    Bits rest = chosen_;
+    for (std::size_t k = 0; k < Manifold<3>::most_points; ++k) {
+      const Bits line = first_of(rest);
+      set_point(k, line);
+      rest = hn::Xor(rest, line);
+    }
+  }
+
+  /// One bit for each pair of which not all is clear.
+  std::uint32_t open() const { return bits_of<double>(is_open_); }
+  /// And for each whose face is of the user's second box.
+  std::uint32_t turns() const { return bits_of<double>(turns_); }
+
+  /// `turns` where the user's second box has the face.
+  void write(std::size_t lane, bool turns, Manifold<3, T>& to) const {
+    const auto size = static_cast<std::size_t>(std::popcount(corners_[lane]));
+    const std::size_t on_a = turns ? PlacesOnFaces::incident : PlacesOnFaces::reference;
+    const std::size_t on_b = turns ? PlacesOnFaces::reference : PlacesOnFaces::incident;
+    const auto& of_a = features_of_faces[faces_[on_a].of[lane]];
+    const auto& of_b = features_of_faces[faces_[on_b].of[lane]];
+    const auto& places = places_by_lines[places_.of[lane]];
+    for (std::size_t k = 0; k < size; ++k) {
+      ManifoldPoint<3, T>& point = to.points[k];
+      points_[k].write(lane, point);
+      const PlacesOnFaces& of_lines = places[lines_[k].of[lane]];
+      write_feature(of_a[of_lines.on[on_a]], point.id.a);
+      write_feature(of_b[of_lines.on[on_b]], point.id.b);
+    }
+    rows_.write(lane, size, to);
+  }
+
+ private:
+  HWY_INLINE MeasuresLanes measures() const { return MeasuresLanes(clip_, incident_, normal_, of_b_); }
+
+  HWY_INLINE void take(Bits lines, Bits open) {
+    chosen_ = lines;
+    hn::Store(lines, BitsTag(), corners_);
+    is_open_ = hn::Or(is_open_, has_bit(open, 0));
+  }
+
+  /// The corner on a line, if there is one.
+  HWY_INLINE void set_point(std::size_t k, Bits line) {
+    const LineOfEach<Tag<double>> corner(line);
+    const Doubles within[2] = {corner.of([this](std::size_t s) { return clip_.within(s, 0); }),
+                               corner.of([this](std::size_t s) { return clip_.within(s, 1); })};
+    store(corner.of([this](std::size_t s) { return clip_.lines(s); }), lines_[k]);
+    const Doubles height = clip_.height_of(within[0], within[1]);
+    const Point point = incident_.middle + incident_.right * within[0] + incident_.up * within[1];
+    const Doubles depth = max_of(both(0), hn::Neg(height));
+    const Point first = (point + up_ * depth) + origin_;
+    points_[k].set(first, point + origin_, depth, turns_);
+  }
+
+  Point up_;
+  Point normal_;
+  DoublesMask of_b_;
+  DoublesMask turns_;  ///< The user's second box has the face.
+  Point origin_;
+  FaceLanes incident_;
+  ClipLanes clip_;
+  DoublesMask is_open_;
+  Bits chosen_;  ///< The lines where corners are that are taken.
+  ManifoldRows<T> rows_;
+  PointRows<T> points_[Manifold<3>::most_points];
+  alignas(64) std::uint64_t corners_[pairs_at_once];  ///< The same.
+  Row<std::uint64_t> faces_[2];
+  Row<std::uint64_t> places_;
+  Row<std::uint64_t> lines_[Manifold<3>::most_points];
+};
+
+#endif
+}  // namespace graze::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+// Compiled once per instruction set: Highway includes this file anew for each.
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+
+#include <graze/broad/contacts/obb/obb_kernels.hpp>
+#include <graze/broad/simd/choice.hpp>
+#include <graze/math/lanes/lanes.hpp>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "graze/broad/contacts/obb/obb_kernels.cpp"
+#include <hwy/foreach_target.h>  // must come before highway.h
+#include <hwy/highway.h>
+
+// Vectors of two doubles gain nothing over single calls, whose own are as long; and careful cross products are made by
+// instructions that round a product and a sum once. Elsewhere all pairs are left.
+#undef GRAZE_MANIFOLD_LANES
+#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_WASM && HWY_HAVE_FLOAT64 && \
+    defined(GRAZE_HAS_LANES)
+#define GRAZE_MANIFOLD_LANES (HWY_MAX_BYTES >= 32 && HWY_NATIVE_FMA)
+#include <graze/broad/contacts/obb/edges-inl.hpp>
+#include <graze/broad/contacts/obb/faces-inl.hpp>
+#include <graze/broad/contacts/obb/looks-inl.hpp>
+#else
+#define GRAZE_MANIFOLD_LANES 0
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::detail::HWY_NAMESPACE {
+namespace {
+
+#if GRAZE_MANIFOLD_LANES
+
+template <class T>
+void look_at_obbs(std::span<const TwoObbs<T>> pairs, FirstBox first, ObbsLook* looks) {
+  LooksAtObbs<T>(pairs, first, looks);
+}
+
+/// The manifolds of up to most_obbs_to_contact pairs: those across faces, then those across edges, then those whose
+/// axis is along another face, so that lanes have the same to do.
+template <class T>
+class ContactBatch {
+ public:
+  ContactBatch(std::span<const ObbsToContact<T>> pairs, std::uint32_t* left) : pairs_(pairs), left_(left) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) sort_in(i);
+    contact_level();
+    contact_faces(lists_[on_face], [](const PairGroup<T>& group, FaceContacts<T>& contacts) { lay(group, contacts); });
+    contact_edges(lists_[on_edges]);
+    contact_faces(lists_[carried],
+                  [](const PairGroup<T>& group, FaceContacts<T>& contacts) { lay_carried(group, true, contacts); });
+  }
+
+  std::size_t left_count() const { return left_count_; }
+
+ private:
+  enum Kind : std::uint8_t {
+    on_face,
+    on_edges,
+    level,    ///< May be carried by another face, or else is one of the two above.
+    carried,  ///< By a face that the axis is not the normal of.
+    unknown,
+    kinds
+  };
+
+  /// Pairs of a kind: their boxes, where they are carried by a face, first the one that has it, else in the order of
+  /// their contact; and their looks.
+  struct List {
+    static constexpr std::size_t room = most_obbs_to_contact + pairs_at_once;
+
+    std::array<const T*, room> first;
+    std::array<const T*, room> second;
+    std::array<std::uint64_t, room> looks;
+    std::array<std::uint16_t, room> pairs;
+    std::size_t count = 0;
+
+    HWY_INLINE void add(const T* its_first, const T* its_second, std::uint64_t look, std::size_t pair) {
+      first[count] = its_first;
+      second[count] = its_second;
+      looks[count] = look;
+      pairs[count] = static_cast<std::uint16_t>(pair);
+      ++count;
+    }
+
+    /// The last pair once more where a group has no more.
+    void fill_last_group() {
+      const std::size_t end = count;
+      while (count % pairs_at_once != 0) add(first[end - 1], second[end - 1], looks[end - 1], pairs[end - 1]);
+      count = end;
+    }
+
+    PairGroup<T> group(std::size_t from) const { return {&first[from], &second[from], &looks[from]}; }
+  };
+
+  /// The kind of pairs by their axis, and 16 more if that may be along a face; and whether the other box is the first
+  /// in its list.
+  struct Sort {
+    Kind kind;
+    bool exchanged;
+  };
+
+  static constexpr auto sorts = [] {
+    std::array<Sort, 32> result{};
+    for (std::uint32_t place = 0; place < result.size(); ++place) {
+      const std::uint32_t axis = place % 16;
+      const Kind across = axis < 6 ? on_face : on_edges;
+      result[place].kind = axis == ObbsLook::no_axis ? unknown : place >= 16 ? level : across;
+      result[place].exchanged = result[place].kind == on_face && axis >= 3;
+    }
+    return result;
+  }();
+
+  HWY_INLINE void sort_in(std::size_t i) {
+    const ObbsToContact<T>& pair = pairs_[i];
+    const std::uint32_t look = pair.look.bits;
+    static_assert(ObbsLook::along_face >> 20U == 16);
+    const Sort sort = sorts[(look & ObbsLook::axis_bits) | (look >> 20U & 16U)];
+    put(sort, pair.look.is_turned() != sort.exchanged, numbers_of(*pair.boxes.a), numbers_of(*pair.boxes.b), look, i);
+  }
+
+  HWY_INLINE void put(Sort sort, bool turned, const T* a, const T* b, std::uint64_t look, std::size_t i) {
+    lists_[sort.kind].add(turned ? b : a, turned ? a : b, look, i);
+  }
+
+  /// Those of a list. Functions of their own, or their many instructions would be there twice, and not stay near.
+  template <class Lay>
+  void contact_faces(List& list, const Lay& lay_group) {
+    list.fill_last_group();
+    for (std::size_t from = 0; from < list.count; from += 2 * pairs_at_once) {
+      const std::size_t groups = list.count - from > pairs_at_once ? 2 : 1;
+      const std::size_t places[2] = {from, from + pairs_at_once};
+      FaceContacts<T> contacts[2];
+      for (std::size_t g = 0; g < groups; ++g) lay_group(list.group(places[g]), contacts[g]);
+      write_two(contacts, places, groups, list);
+    }
+  }
+
+  HWY_NOINLINE static void lay(const PairGroup<T>& group, FaceContacts<T>& contacts) {
+    contacts.lay(carried_lanes(FacePairs<T>(group)));
+  }
+
+  /// One group or two, from these places of the list on.
+  HWY_INLINE void write_two(FaceContacts<T> (&contacts)[2], const std::size_t (&places)[2], std::size_t groups,
+                            const List& list) {
+    FaceContacts<T>::choose(contacts[0], contacts[groups - 1]);
+    for (std::size_t g = 0; g < groups; ++g) write_faces(contacts[g], list, places[g]);
+  }
+
+  HWY_NOINLINE void write_faces(FaceContacts<T>& contacts, const List& list, std::size_t from) {
+    contacts.set_points();
+    write(contacts, list, from);
+  }
+
+  /// Those of a group.
+  template <class Contacts>
+  HWY_INLINE void write(const Contacts& contacts, const List& list, std::size_t from) {
+    const std::uint32_t open = contacts.open();
+    const std::uint32_t turns = contacts.turns();
+    const std::size_t count = std::min(pairs_at_once, list.count - from);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const std::size_t i = list.pairs[from + lane];
+      if (HWY_UNLIKELY((open >> lane & 1U) != 0)) {
+        left_[left_count_++] = static_cast<std::uint32_t>(i);
+      } else {
+        contacts.write(lane, (turns >> lane & 1U) != 0, *pairs_[i].manifold);
+      }
+    }
+  }
+
+  HWY_INLINE void contact_edges(List& list) {
+    list.fill_last_group();
+    for (std::size_t from = 0; from < list.count; from += pairs_at_once) {
+      const EdgeContacts<T> contacts{EdgePairs<T>(list.group(from))};
+      write(contacts, list, from);
+    }
+  }
+
+  /// Of pairs whose axis may be along a face: those of groups that are all carried by their first boxes; the others are
+  /// sorted by what carries their points.
+  HWY_INLINE void contact_level() {
+    for (std::size_t i = 0; i < lists_[unknown].count; ++i) left_[left_count_++] = lists_[unknown].pairs[i];
+    List& list = lists_[level];
+    list.fill_last_group();
+    FaceContacts<T> contacts[2];
+    std::size_t from[2];
+    std::size_t laid = 0;
+    for (std::size_t next = 0; next < list.count; next += pairs_at_once) {
+      if (!lay_carried(list.group(next), false, contacts[laid])) {
+        sort_level(list, next);
+        continue;
+      }
+      from[laid++] = next;
+      if (laid < 2) continue;
+      write_two(contacts, from, laid, list);
+      laid = 0;
+    }
+    if (laid > 0) write_two(contacts, from, laid, list);
+  }
+
+  /// Of pairs that are carried by the faces that their looks say. Unless that `is_known` returns false if not all are.
+  HWY_NOINLINE static bool lay_carried(const PairGroup<T>& group, bool is_known, FaceContacts<T>& contacts) {
+    const CarriedLanes lanes = carried_lanes(CarriedPairs<T>(group));
+    if (!is_known && !hn::AllTrue(Tag<double>(), are_carried(lanes))) return false;
+    contacts.lay(lanes);
+    return true;
+  }
+
+  HWY_NOINLINE void sort_level(const List& list, std::size_t from) {
+    const CarryingBoxes carrying(CarriedPairs<T>(list.group(from)));
+    const std::uint32_t by_first = carrying.by_first();
+    const std::uint32_t by_second = carrying.by_second();
+    for (std::size_t lane = 0; lane < std::min(pairs_at_once, list.count - from); ++lane) {
+      const std::size_t at = from + lane;
+      const bool is_carried = ((by_first | by_second) >> lane & 1U) != 0;
+      const std::uint64_t of_second = (by_second >> lane & 1U) != 0 ? carried_by_second : 0;
+      const Sort sort = is_carried ? Sort{carried, false} : sorts[list.looks[at] & ObbsLook::axis_bits];
+      put(sort, sort.exchanged, list.first[at], list.second[at], list.looks[at] | of_second, list.pairs[at]);
+    }
+  }
+
+  std::span<const ObbsToContact<T>> pairs_;
+  std::uint32_t* left_;
+  std::size_t left_count_ = 0;
+  std::array<List, kinds> lists_;
+};
+
+template <class T>
+std::size_t contact_obbs(std::span<const ObbsToContact<T>> pairs, std::uint32_t* left) {
+  assert(pairs.size() <= most_obbs_to_contact);
+  return ContactBatch<T>(pairs, left).left_count();
+}
+
+#else
+
+template <class T>
+void look_at_obbs(std::span<const TwoObbs<T>> pairs, FirstBox /*first*/, ObbsLook* looks) {
+  std::fill_n(looks, pairs.size(), ObbsLook{});
+}
+
+template <class T>
+std::size_t contact_obbs(std::span<const ObbsToContact<T>> pairs, std::uint32_t* left) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) left[i] = static_cast<std::uint32_t>(i);
+  return pairs.size();
+}
+
+#endif
+
+}  // namespace
+
+const AllManifoldKernels& all_manifold_kernels() {
+  static const AllManifoldKernels kernels{{look_at_obbs<float>, contact_obbs<float>},
+                                          {look_at_obbs<double>, contact_obbs<double>}};
+  return kernels;
+}
+
+}  // namespace graze::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace graze::detail {
+namespace {
+HWY_EXPORT(all_manifold_kernels);
+}
+
+template <class T>
+const ManifoldKernels<T>& manifold_kernels() {
+  return HWY_DYNAMIC_DISPATCH(all_manifold_kernels)().template of<T>();
+}
+
+template const ManifoldKernels<float>& manifold_kernels<float>();
+template const ManifoldKernels<double>& manifold_kernels<double>();
+
+}  // namespace graze::detail
+#endif

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <memory>
+
+#include <graze/broad/memory/prefault.hpp>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
+
+namespace graze::detail {
+
+#if defined(__linux__) && defined(MADV_POPULATE_WRITE)
+
+namespace {
+
+constexpr std::size_t bytes_per_task = std::size_t{1} << 20U;
+constexpr std::size_t least = 4 * bytes_per_task;
+
+}  // namespace
+
+void populate(void* memory, std::size_t bytes) {
+  // Whole pages only: others share theirs with the neighbours.
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  if (std::align(page, page, memory, bytes) == nullptr) return;
+  madvise(memory, bytes - bytes % page, MADV_POPULATE_WRITE);
+}
+
+void populate(void* memory, std::size_t bytes, const Executor& executor) {
+  if (bytes < least || executor.concurrency() < 2) return;
+  // Parts that end with a page, but for the last.
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  if (std::align(page, bytes_per_task, memory, bytes) == nullptr) return;
+  executor.parallel_for((bytes + bytes_per_task - 1) / bytes_per_task, [&](std::size_t k) {
+    const std::size_t begin = k * bytes_per_task;
+    populate(static_cast<char*>(memory) + begin, std::min(bytes_per_task, bytes - begin));
+  });
+}
+
+#else
+
+void populate(void* /*memory*/, std::size_t /*bytes*/) {}
+void populate(void* /*memory*/, std::size_t /*bytes*/, const Executor& /*executor*/) {}
+
+#endif
+
+}  // namespace graze::detail

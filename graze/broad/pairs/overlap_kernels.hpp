@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The inner loops of meeting two block trees, once for every set of vector instructions that the compiler knows, as in
+// block_kernels.hpp.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <graze/broad/pair.hpp>
+#include <graze/broad/simd/block.hpp>
+#include <graze/broad/simd/space_kernels.hpp>
+#include <graze/math/vec.hpp>
+
+namespace graze::detail {
+
+/// The boxes from `first` to before `last`.
+struct Rows {
+  std::uint32_t first;
+  std::uint32_t last;
+};
+
+/// Blocks of boxes, who these are, and the bounds of the blocks.
+template <Dim N, class T>
+struct BlockLevel {
+  const Block<N, T>* blocks;
+  const std::uint32_t* ids;
+  const Block<N, T>* above;
+};
+
+template <Dim N, class T>
+struct MeetKernels {
+  /// The pairs of child blocks to compare, for `count` pairs of blocks of boxes of blocks; `a` and `b` hold these,
+  /// `above` the bounds of those of b, or is null. `out` has room for 256 per pair. Returns how many there are.
+  std::size_t (*descend)(const Block<N, T>* a, const Block<N, T>* b, const Block<N, T>* above, bool itself,
+                         const BlockPair* pairs, std::size_t count, BlockPair* out);
+
+  /// The overlapping boxes of `count` pairs of blocks of boxes. `out` has room for 256 per pair. Returns how many there
+  /// are. `itself`: one tree with itself, pairs have a < b.
+  std::size_t (*meet)(BlockLevel<N, T> a, BlockLevel<N, T> b, bool itself, const BlockPair* pairs, std::size_t count,
+                      Pair* out);
+
+  /// How many boxes of b the rows of a overlap; `itself`: of those that come later. Here boxes stand in their blocks in
+  /// their own order.
+  std::size_t (*count_rows)(const Block<N, T>* a, const Block<N, T>* b, std::size_t blocks_of_b, bool itself,
+                            Rows rows);
+
+  /// Writes these pairs, ascending, to `out`, which has room for as many and no more.
+  void (*meet_rows)(const Block<N, T>* a, const Block<N, T>* b, std::size_t blocks_of_b, bool itself, Rows rows,
+                    std::span<Pair> out);
+};
+
+/// The kernels of one instruction set.
+using AllMeetKernels = SpaceKernels<MeetKernels>;
+
+/// The kernels for this machine. Instantiated for 2D and 3D, float and double.
+template <Dim N, class T>
+const MeetKernels<N, T>& meet_kernels();
+
+}  // namespace graze::detail

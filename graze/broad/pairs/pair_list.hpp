@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <graze/broad/executor.hpp>
+#include <graze/broad/memory/buffer.hpp>
+#include <graze/broad/pairs/pair_sink.hpp>
+
+namespace graze::detail {
+
+/// Room that is kept from call to call.
+class KeptPairRoom final : public PairRoom {
+ public:
+  Pair* all(std::size_t count) override {
+    pairs_.require(count);
+    written_ = std::max(written_, count);
+    return pairs_.data();
+  }
+  std::span<Pair> ahead(std::size_t expected) override {
+    if (expected > pairs_.capacity()) pairs_.require(expected + expected / 16);
+    written_ = std::max(written_, expected);
+    return {pairs_.data(), pairs_.capacity()};
+  }
+  bool appends() const override { return false; }
+  const Pair* append(std::span<const Pair> /*pairs*/, std::size_t /*expected*/) override { return nullptr; }
+
+  /// The memory that is held: as far as it has been written to, since systems give it then.
+  std::size_t bytes() const { return std::min(written_, pairs_.capacity()) * sizeof(Pair); }
+
+ private:
+  Buffer<Pair> pairs_;
+  std::size_t written_ = 0;  // pairs, at most
+};
+
+/// Room in a list that is made anew. To have the system clear its pages may take longer than to find the pairs: they
+/// are asked for many at a time, just before they are written, by as many threads as there are.
+class PairList final : public PairRoom {
+ public:
+  explicit PairList(const Executor& executor) : executor_(executor) {}
+
+  Pair* all(std::size_t count) override;
+  Pair* all_in_turns(std::size_t count) override;
+  void reach(std::size_t end) override;
+  void reach_by_all(std::size_t end) override;
+  std::span<Pair> ahead(std::size_t expected) override;
+  bool appends() const override { return true; }
+  const Pair* append(std::span<const Pair> pairs, std::size_t expected) override;
+
+  /// The list, which is given away. It has at most twice the capacity that it needs.
+  std::vector<Pair> take();
+
+ private:
+  void populate_to(std::size_t count);
+
+  const Executor& executor_;
+  std::vector<Pair> pairs_;
+  std::size_t populated_ = 0;  // so many pairs' memory
+};
+
+}  // namespace graze::detail

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <graze/broad/memory/buffer.hpp>
+#include <graze/broad/memory/pool.hpp>
+#include <graze/broad/pairs.hpp>
+#include <graze/broad/pairs/block_tree.hpp>
+#include <graze/broad/pairs/pair_sink.hpp>
+#include <graze/broad/pairs/pair_sort.hpp>
+
+namespace graze::detail {
+
+/// The method `tree`: two block trees, or one and itself, are met from the top down to pairs of blocks above the boxes;
+/// these are cut into tasks, each of which finds its pairs.
+template <Dim N, class T>
+class PairSearch {
+ public:
+  using Boxes = std::span<const Aabb<N, T>>;
+
+  PairSearch();
+  ~PairSearch();
+
+  /// The pairs of one set, where `boxes_b` is null, or between two: in the room that is given for them, or in memory of
+  /// its own, where they stay until the next call.
+  std::span<const Pair> find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options, PairRoom& room);
+
+  /// The same pairs, in the order in which they are found, to a visitor, without holding more than a few blocks of
+  /// them.
+  void visit(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options, const PairVisitor& visitor);
+
+  std::size_t bytes() const;
+
+ private:
+  void build(Boxes boxes_a, const Boxes* boxes_b, T margin, const Executor& executor);
+  void descend();
+  const Block<N, T>* above_of(std::size_t level) const;
+  struct Found;
+  template <class Finds>
+  void meet(std::span<const BlockPair> parents, Buffer<BlockPair>& list, Finds& found) const;
+  std::size_t task_count() const;
+  PairForecast forecast() const;
+  std::span<const BlockPair> meetings_of(std::size_t task, std::size_t tasks) const;
+  void find_lists(std::size_t tasks, const Executor& executor);
+  std::span<const Pair> find_sorted(const PairLimits& limits, const Executor& executor, PairRoom& room);
+  std::span<const Pair> find_in_turns(PairRoom& room);
+  std::span<const Pair> find_any(const PairLimits& limits, const Executor& executor, PairRoom& room);
+  std::span<const Pair> find_in_lists(const Executor& executor, PairRoom& room);
+  std::span<const Pair> find_ahead(std::size_t expected, const Executor& executor, PairRoom& room);
+
+  BlockTree<N, T> tree_a_;
+  BlockTree<N, T> tree_b_;
+  const BlockTree<N, T>* other_ = nullptr;  // the tree that tree_a_ is met with
+  Buffer<BlockPair> meetings_;              // pairs of blocks above the boxes
+  Buffer<BlockPair> spare_meetings_;
+  std::size_t meeting_count_ = 0;
+  std::vector<std::unique_ptr<Found>> found_;  // by task
+  Pool<Found> workers_;                        // to find what is sorted at once
+  PairSort sort_;
+  std::size_t last_count_ = 0;  // found in any order by several threads, if there were many
+  PairLimits last_limits_{};
+};
+
+}  // namespace graze::detail

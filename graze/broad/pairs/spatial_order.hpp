@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <graze/broad/executor.hpp>
+#include <graze/broad/memory/buffer.hpp>
+#include <graze/broad/pairs/box_set.hpp>
+#include <graze/broad/pairs/cell_grid.hpp>
+#include <graze/broad/simd/block.hpp>
+#include <graze/shape/aabb.hpp>
+
+namespace graze::detail {
+
+/// Neighbouring boxes in a row: where they stand in the order.
+struct SpatialRun {
+  std::size_t first = 0;
+  std::size_t count = 0;  // at most longest_run
+  bool finite = true;
+};
+
+/// How long a run can be: a crowd of so many is fetched once, and sorted where it is close at hand. Of fewer boxes a
+/// third, so that there is something to do for several threads.
+inline constexpr std::size_t longest_run = (std::size_t{1} << 16U) - block_size;
+
+/// A coarse order of boxes in space, cut into runs of a thousand or two that lie close together. It comes from a
+/// counting sort by the cells of a grid over all centers; a crowded cell is a longer run, or divided again, so that
+/// clusters cost little more than even worlds. Boxes much larger than most would spoil the neighbourhoods of small
+/// ones: they stand in runs of their own, by powers of four of their size, and the infinite ones in a last one. Boxes
+/// that contain nothing are left out.
+template <Dim N, class T>
+class SpatialOrder {
+ public:
+  /// Sorts anew, in memory that is kept. Throws std::invalid_argument with the position of the first box that has a
+  /// NaN, and the set that it is from.
+  void sort(std::span<const Aabb<N, T>> boxes, const Executor& executor, BoxSet set = BoxSet::only);
+
+  std::span<const SpatialRun> runs() const { return runs_; }
+
+  /// Positions of boxes, run by run.
+  const std::uint32_t* order() const { return order_.data(); }
+
+  /// Memory that is free until the next sort for who needs the order no longer: it is lost where this is written to.
+  std::array<std::span<std::byte>, 3> idle_memory() {
+    return {std::as_writable_bytes(std::span(order_.data(), order_.capacity())),
+            std::as_writable_bytes(std::span(cells_.data(), cells_.capacity())),
+            std::as_writable_bytes(std::span(spare_.data(), spare_.capacity()))};
+  }
+
+  /// The memory that is held, and what the last sort needed in passing.
+  std::size_t bytes() const;
+
+ private:
+  struct Buckets;
+
+  void survey(std::span<const Aabb<N, T>> boxes);
+  T usual_size(std::span<const Aabb<N, T>> boxes) const;
+  std::size_t find_cells(std::span<const Aabb<N, T>> boxes, const Buckets& buckets, const Executor& executor);
+  void scatter(std::span<const Aabb<N, T>> boxes, const Buckets& buckets, const Executor& executor);
+  void divide_crowds(std::span<const Aabb<N, T>> boxes, const Buckets& buckets, const Executor& executor);
+
+  std::size_t run_limit() const;
+  void cut_runs(const Buckets& buckets);
+  void add_runs(std::size_t first, std::size_t count, bool finite);
+
+  Aabb<N, T> centers_;
+  std::vector<SpatialRun> runs_;
+  std::size_t box_count_ = 0;
+  Buffer<std::uint16_t> cells_;
+  Buffer<std::uint32_t> order_;
+  Buffer<std::uint32_t> spare_;
+  std::vector<std::uint32_t> counts_;  // of every cell in every chunk, then where its next box goes
+  std::vector<std::size_t> ends_;      // of every cell in the order
+  std::size_t passing_bytes_ = 0;
+};
+
+}  // namespace graze::detail

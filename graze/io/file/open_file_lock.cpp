@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include <graze/io/file/open_file_lock.hpp>
+
+#if __has_include(<sys/file.h>) && __has_include(<unistd.h>) && !defined(__EMSCRIPTEN__)
+#define GRAZE_HAS_FLOCK 1
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#else
+#define GRAZE_HAS_FLOCK 0
+#endif
+
+namespace graze::io {
+
+#if GRAZE_HAS_FLOCK
+
+namespace {
+
+/// The file of that descriptor, if it could be locked and has a name still: between opening and locking it, another may
+/// have removed it.
+int locked(int file) {
+  if (file == -1) return -1;
+  struct stat status {};
+  const bool is_good = flock(file, LOCK_EX | LOCK_NB) == 0 && fstat(file, &status) == 0 && status.st_nlink > 0 &&
+                       S_ISREG(status.st_mode) && status.st_uid == geteuid();
+  if (is_good) return file;
+  close(file);
+  return -1;
+}
+
+}  // namespace
+
+OpenFileLock OpenFileLock::of_new(const std::filesystem::path& path) {
+  constexpr mode_t usual = 0666;
+  return OpenFileLock(locked(open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, usual)));
+}
+
+OpenFileLock OpenFileLock::of_existing(const std::filesystem::path& path) {
+  return OpenFileLock(locked(open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)));
+}
+
+OpenFileLock::~OpenFileLock() {
+  if (is_held()) close(file_);
+}
+
+#else
+
+OpenFileLock OpenFileLock::of_new(const std::filesystem::path&) { return {}; }
+OpenFileLock OpenFileLock::of_existing(const std::filesystem::path&) { return {}; }
+OpenFileLock::~OpenFileLock() = default;
+
+#endif
+
+}  // namespace graze::io

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include <cerrno>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include <graze/io/file/whole_file.hpp>
+#include <graze/io/input_error.hpp>
+
+namespace graze::io {
+
+namespace fs = std::filesystem;
+
+// Read until its end: a pipe has no size to ask for, and a stated size is not to be trusted.
+std::string read_whole_file(const fs::path& path, std::string_view what) {
+  const std::string source = path.string();
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::status_known(status)) throw InputError(source + ": cannot be read: " + error.message());
+  if (!fs::exists(status)) throw InputError(source + ": there is no such file");
+  if (fs::is_directory(status)) throw InputError(source + ": this is a folder; give " + std::string(what) + " in it");
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw InputError(source + ": cannot be opened: " + std::generic_category().message(errno));
+  std::string text;
+  char chunk[1U << 16U];
+  while (in.read(chunk, sizeof chunk) || in.gcount() > 0) text.append(chunk, static_cast<std::size_t>(in.gcount()));
+  if (in.bad()) throw InputError(source + ": reading failed: " + std::generic_category().message(errno));
+  return text;
+}
+
+}  // namespace graze::io

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include <graze/io/json/fields.hpp>
+#include <graze/shape/any_shape.hpp>
+
+namespace graze::io {
+
+/// Reads the shape in a JSON object: its "type" and that type's fields. `other_fields` are the names that the object
+/// may have besides. Throws InputError; what it returns is valid.
+template <Dim N>
+AnyShape<N, double> read_json_shape(JsonValue object, const JsonPlace& place,
+                                    std::span<const std::string_view> other_fields);
+
+}  // namespace graze::io

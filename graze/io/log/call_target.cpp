@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <graze/io/log/call_target.hpp>
+#include <graze/io/log/logged_ids.hpp>
+#include <graze/io/shape_numbers.hpp>
+#include <graze/scene/plain_scene.hpp>
+#include <graze/scene/scene.hpp>
+
+namespace graze::io {
+namespace {
+
+/// A Scene or a PlainScene.
+template <class World, Dim N, class T>
+class WorldTarget final : public CallTarget<N> {
+ public:
+  LoggedAnswer perform(const LoggedCall<N>& call) override {
+    try {
+      return ids_.logged(form_of(call.kind).is_change ? change(call) : ask(call));
+    } catch (const std::exception& error) {
+      return {.refusal = error.what()};
+    }
+  }
+
+ private:
+  LoggedAnswer change(const LoggedCall<N>& call) {
+    switch (call.kind) {
+      case CallKind::plan_ids:
+        world_.plan_ids(call.ids, call.vacant_ids);
+        return {};
+      case CallKind::layer:
+        return logged(world_.layer(call.name));
+      case CallKind::add: {
+        const ObjectId id = world_.add(shape(call, 0), call.options);
+        ids_.learn_from(id);
+        return logged(id);
+      }
+      case CallKind::move:
+        world_.move(ids_.real(call.ids.front()), shape(call, 0));
+        return {};
+      case CallKind::move_many:
+        world_.move(moves(call));
+        return {};
+      default:
+        world_.remove(ids_.real(call.ids.front()));
+        return {};
+    }
+  }
+
+  LoggedAnswer ask(const LoggedCall<N>& call) {
+    switch (call.kind) {
+      case CallKind::update:
+        return logged(world_.update());
+      case CallKind::find:
+        return logged(world_.find(call.name));
+      case CallKind::candidates:
+        return logged(world_.candidates(call.margin));
+      case CallKind::pairs:
+        return logged(world_.pairs());
+      case CallKind::contacts:
+        return logged(world_.contacts());
+      case CallKind::cull_frustum:
+        return logged(world_.cull(frustum(call), call.layers));
+      default:
+        return ask_about_shape(call);
+    }
+  }
+
+  LoggedAnswer ask_about_shape(const LoggedCall<N>& call) {
+    const AnyShape<N, T> asked = shape(call, 0);
+    const T t_max = static_cast<T>(call.t_max);
+    switch (call.kind) {
+      case CallKind::overlapping:
+        return logged(world_.overlapping(asked, call.layers));
+      case CallKind::cull:
+        return logged(world_.cull(asked, call.layers));
+      case CallKind::nearest:
+        return logged(world_.nearest(std::get<Vec<N, T>>(asked), call.count, call.layers));
+      case CallKind::ray_cast:
+        return logged(world_.ray_cast(std::get<Ray<N, T>>(asked), t_max, call.layers));
+      default:
+        return logged(world_.ray_cast_all(std::get<Ray<N, T>>(asked), t_max, call.layers));
+    }
+  }
+
+  static AnyShape<N, T> shape(const LoggedCall<N>& call, std::size_t place) {
+    return with_numbers<T, N, double>(call.shapes[place]);
+  }
+
+  std::vector<ObjectMove<N, T>> moves(const LoggedCall<N>& call) const {
+    std::vector<ObjectMove<N, T>> result;
+    for (std::size_t i = 0; i < call.ids.size(); ++i) result.push_back({ids_.real(call.ids[i]), shape(call, i)});
+    return result;
+  }
+
+  static Frustum<N, T> frustum(const LoggedCall<N>& call) {
+    Frustum<N, T> result;
+    for (std::size_t i = 0; i < result.corners.size(); ++i) result.corners[i] = Vec<N, T>(call.corners[i]);
+    return result;
+  }
+
+  World world_;
+  LoggedIds ids_;
+};
+
+template <template <Dim, class> class World, Dim N>
+TargetMaker<N> makers_of(NumberType numbers) {
+  if (numbers == NumberType::single_precision) {
+    return [] { return std::make_unique<WorldTarget<World<N, float>, N, float>>(); };
+  }
+  return [] { return std::make_unique<WorldTarget<World<N, double>, N, double>>(); };
+}
+
+}  // namespace
+
+template <Dim N>
+TargetMaker<N> scene_targets(NumberType numbers) {
+  return makers_of<Scene, N>(numbers);
+}
+
+template <Dim N>
+TargetMaker<N> plain_scene_targets(NumberType numbers) {
+  return makers_of<PlainScene, N>(numbers);
+}
+
+template TargetMaker<2> scene_targets<2>(NumberType);
+template TargetMaker<3> scene_targets<3>(NumberType);
+template TargetMaker<2> plain_scene_targets<2>(NumberType);
+template TargetMaker<3> plain_scene_targets<3>(NumberType);
+
+}  // namespace graze::io

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include <graze/io/text/foreign_format.hpp>
+#include <graze/io/text/utf8.hpp>
+
+namespace graze::io {
+namespace {
+
+constexpr std::string_view write_shapes =
+    "write its collision shapes as graze's JSON or CSV, which docs/scene_format.md describes";
+constexpr std::string_view write_polytopes =
+    "graze reads no meshes: write its convex parts as polytopes in graze's JSON, which docs/scene_format.md describes";
+constexpr std::string_view give_map = "give the map (.tmx or .tmj) that uses it";
+constexpr std::string_view export_map = "give the map itself (.tmx), or export it as JSON (.tmj)";
+
+/// A format, what tells it, and what to do about it.
+struct KnownFormat {
+  std::string_view sign;
+  std::string_view what;
+  std::string_view way_out;
+};
+
+/// What the very first bytes tell.
+constexpr std::array beginnings = {
+    KnownFormat{"[gd_scene", "a Godot scene", write_shapes},
+    KnownFormat{"[gd_resource", "a Godot resource", write_shapes},
+    KnownFormat{"%YAML", "YAML, as Unity writes its scenes", write_shapes},
+    KnownFormat{"BLENDER", "a Blender file", write_polytopes},
+    KnownFormat{"Kaydara FBX", "a mesh in FBX", write_polytopes},
+    KnownFormat{"; FBX", "a mesh in FBX", write_polytopes},
+    KnownFormat{"glTF", "a mesh in glTF (.glb)", write_polytopes},
+    KnownFormat{"solid ", "a mesh in STL", write_polytopes},
+    KnownFormat{"ply\n", "a mesh in PLY", write_polytopes},
+    KnownFormat{"ply\r", "a mesh in PLY", write_polytopes},
+    KnownFormat{"OFF\n", "a mesh in OFF", write_polytopes},
+    KnownFormat{"mtllib ", "a mesh in OBJ", write_polytopes},
+    KnownFormat{"# Blender", "a mesh in OBJ", write_polytopes},
+    KnownFormat{"v ", "a mesh in OBJ", write_polytopes},
+    KnownFormat{"o ", "a mesh in OBJ", write_polytopes},
+    KnownFormat{"ISO-10303-21", "a CAD model in STEP", write_polytopes},
+    KnownFormat{"0\nSECTION", "a drawing in DXF", write_shapes},
+    KnownFormat{"0\r\nSECTION", "a drawing in DXF", write_shapes},
+    KnownFormat{"(function(name,data)", "a map that Tiled exported as JavaScript", export_map},
+    KnownFormat{"return {", "Lua, as Tiled exports its maps", export_map},
+    KnownFormat{"%PDF", "a PDF document", write_shapes},
+    KnownFormat{"\x89PNG", "a picture (PNG)", write_shapes},
+    KnownFormat{"\xff\xd8\xff", "a picture (JPEG)", write_shapes},
+    KnownFormat{"\x1f\x8b", "compressed by gzip", "unpack it first: gzip -dc FILE | graze check -"},
+    KnownFormat{"\x28\xb5\x2f\xfd", "compressed by zstd", "unpack it first: zstd -dc FILE | graze check -"},
+    KnownFormat{"PK\x03\x04", "a ZIP archive", "unpack it first, and give the scene in it"},
+    KnownFormat{"a,b,relation", "a report of graze check", "give the scene that it is about"},
+    KnownFormat{"name,type", "an answer of graze query", "give the scene that it is about"}};
+
+/// What the root element of XML tells.
+constexpr std::array roots = {KnownFormat{"tileset", "a Tiled tileset", give_map},
+                              KnownFormat{"template", "a Tiled template, a single object", give_map},
+                              KnownFormat{"robot", "a robot in URDF", write_shapes},
+                              KnownFormat{"sdf", "a robot or world in SDF", write_shapes},
+                              KnownFormat{"mujoco", "a model of MuJoCo", write_shapes},
+                              KnownFormat{"COLLADA", "a mesh in COLLADA", write_polytopes},
+                              KnownFormat{"X3D", "a mesh in X3D", write_polytopes},
+                              KnownFormat{"svg", "an SVG picture", write_shapes},
+                              KnownFormat{"html", "a web page", "give the scene file itself"},
+                              KnownFormat{"kml", "a map in KML", write_shapes},
+                              KnownFormat{"gpx", "a track in GPX", write_shapes},
+                              KnownFormat{"osm", "a map of OpenStreetMap", write_shapes}};
+
+/// What a JSON document tells that holds this early on; blanks are left out of both.
+constexpr std::array json_signs = {
+    KnownFormat{R"("type":"tileset")", "a Tiled tileset", give_map},
+    KnownFormat{R"("type":"template")", "a Tiled template, a single object", give_map},
+    KnownFormat{R"("type":"world")", "a Tiled world", "give one of the maps that it names"},
+    KnownFormat{R"("schema":"graze.log/)", "a query log", "perform it by graze replay, or ask it by graze query --log"},
+    KnownFormat{R"("schema":"graze.check/)", "a report of graze check", "give the scene that it is about"},
+    KnownFormat{R"("schema":"graze.query/)", "an answer of graze query", "give the scene that it is about"},
+    KnownFormat{R"("schema":"graze.info/)", "an answer of graze info", "give the scene that it is about"},
+    KnownFormat{R"("schema":"graze.bench/)", "an answer of graze bench", "give the scene that it is about"},
+    KnownFormat{R"("schema":"graze.replay/)", "an answer of graze replay", "give the scene that it is about"},
+    KnownFormat{R"("relation":")", "a report of graze check", "give the scene that it is about"},
+    KnownFormat{R"("tilecount":)", "a Tiled tileset", give_map},
+    KnownFormat{R"("type":"FeatureCollection")", "GeoJSON", write_shapes},
+    KnownFormat{R"("__header__":{"fileType":"LDtk)", "a project of LDtk", write_shapes},
+    KnownFormat{R"("asset":{)", "a mesh in glTF", write_polytopes},
+    KnownFormat{R"("meshes":[)", "a mesh in glTF", write_polytopes}};
+
+std::string sentence(const KnownFormat& format) { return fmt::format("this is {}; {}", format.what, format.way_out); }
+
+/// The name of the first element that is no declaration, comment or document type.
+std::string_view root_name(std::string_view text) {
+  for (std::size_t at = text.find('<'); at < text.size(); at = text.find('<', at + 1)) {
+    const std::string_view rest = text.substr(at + 1);
+    if (rest.starts_with("!--")) {
+      at = std::min(text.find("-->", at), text.size() - 1);
+    } else if (!rest.starts_with("!") && !rest.starts_with("?")) {
+      const std::string_view name = rest.substr(0, rest.find_first_of(" \t\r\n/>"));
+      return name.substr(name.rfind(':') + 1);  // without its prefix, if it has one
+    }
+  }
+  return {};
+}
+
+/// The beginning of JSON without blanks, which may differ from writer to writer.
+std::string without_blanks_between(std::string_view text) {
+  constexpr std::size_t enough = 600;
+  std::string result;
+  for (const char character : text.substr(0, enough)) {
+    if (std::string_view(" \t\r\n").find(character) == std::string_view::npos) result.push_back(character);
+  }
+  return result;
+}
+
+std::string xml_format(std::string_view text) {
+  const std::string_view root = root_name(text);
+  const auto* const known =
+      std::find_if(roots.begin(), roots.end(), [root](const KnownFormat& format) { return format.sign == root; });
+  if (known != roots.end()) return sentence(*known);
+  if (root.empty() || root == "map") return "";
+  return fmt::format(
+      "this is XML whose root is <{}>; the only XML that graze reads are maps of Tiled (.tmx), whose root "
+      "is <map>",
+      root.substr(0, 40));
+}
+
+std::string json_format(std::string_view text) {
+  const std::string start = without_blanks_between(text);
+  const bool is_scene = start.find(R"("schema":"graze.scene/)") != std::string::npos ||
+                        start.find(R"("type":"map")") != std::string::npos ||
+                        start.find(R"("layers":[)") != std::string::npos;
+  if (is_scene) return "";
+  const auto* const known = std::find_if(json_signs.begin(), json_signs.end(), [&start](const KnownFormat& format) {
+    return start.find(format.sign) != std::string::npos;
+  });
+  return known == json_signs.end() ? "" : sentence(*known);
+}
+
+}  // namespace
+
+std::string foreign_format(std::string_view text) {
+  const std::string_view encoding = other_encoding(text);
+  if (!encoding.empty()) return fmt::format("this is {}; save it as UTF-8", encoding);
+  const std::string_view content = text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  if (content.starts_with('<')) return xml_format(content);
+  if (content.starts_with('{')) return json_format(content);
+  const auto* const known = std::find_if(beginnings.begin(), beginnings.end(), [content](const KnownFormat& format) {
+    return content.starts_with(format.sign);
+  });
+  return known == beginnings.end() ? "" : sentence(*known);
+}
+
+}  // namespace graze::io

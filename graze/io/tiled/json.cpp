@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: MIT
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <graze/io/json/document.hpp>
+#include <graze/io/text/in_quotes.hpp>
+#include <graze/io/tiled/data.hpp>
+#include <graze/io/tiled/json.hpp>
+#include <graze/io/tiled/omissions.hpp>
+
+namespace graze::io {
+namespace {
+
+/// A JSON value, with the file to name when it is wrong.
+struct Value {
+  const TiledText& file;
+  JsonValue json;
+
+  std::size_t offset() const { return json.offset(); }
+  TiledPlace place() const { return {file, offset()}; }
+};
+
+/// A field of an object that must be of some kind if it is there; `what` says which, for the message.
+template <class Accept>
+std::optional<Value> field_of(const Value& object, std::string_view name, std::string_view what, const Accept& accept) {
+  const std::optional<JsonValue> field = object.json.find(name);
+  if (!field) return std::nullopt;
+  if (!accept(*field)) {
+    fail_at(object.file, field->offset(),
+            fmt::format("\"{}\" is {}; it must be {}", name, kind_name(field->kind()), what));
+  }
+  return Value{object.file, *field};
+}
+
+std::optional<Value> field_of(const Value& object, std::string_view name, JsonKind kind) {
+  return field_of(object, name, kind_name(kind), [&](const JsonValue& value) { return value.kind() == kind; });
+}
+
+std::optional<std::string> text_of(const Value& object, std::string_view name) {
+  const std::optional<Value> field = field_of(object, name, JsonKind::text);
+  if (!field) return std::nullopt;
+  return std::string(field->json.text());
+}
+
+std::optional<double> number_of(const Value& object, std::string_view name) {
+  const std::optional<Value> field =
+      field_of(object, name, "a number", [](const JsonValue& value) { return value.is_number(); });
+  if (!field) return std::nullopt;
+  return field->json.number();
+}
+
+std::optional<std::uint32_t> index_of(const Value& object, std::string_view name) {
+  constexpr std::uint64_t largest = std::numeric_limits<std::uint32_t>::max();
+  const std::optional<Value> field =
+      field_of(object, name, "a number", [](const JsonValue& value) { return value.is_number(); });
+  if (!field) return std::nullopt;
+  if (field->json.kind() != JsonKind::whole || field->json.whole() > largest) {
+    fail_at(object.file, field->offset(), fmt::format("\"{}\" must be a whole number from 0 to {}", name, largest));
+  }
+  return static_cast<std::uint32_t>(field->json.whole());
+}
+
+/// Calls `visit(element)` for each element of an array of objects, if the field is there.
+template <class Visit>
+void for_each_in(const Value& object, std::string_view name, const Visit& visit) {
+  const std::optional<Value> array = field_of(object, name, JsonKind::array);
+  if (!array) return;
+  for (const JsonValue element : array->json.items()) {
+    if (element.kind() != JsonKind::object) {
+      fail_at(object.file, element.offset(),
+              fmt::format("\"{}\" holds {} here; it must hold objects", name, kind_name(element.kind())));
+    }
+    visit(Value{object.file, element});
+  }
+}
+
+/// How many custom properties: Tiled writes an array of them, and wrote an object before version 1.2.
+std::size_t count_properties(const Value& object) {
+  const std::optional<Value> properties = field_of(object, "properties", "an array", [](const JsonValue& value) {
+    return value.kind() == JsonKind::array || value.kind() == JsonKind::object;
+  });
+  return properties ? properties->json.size() : 0;
+}
+
+/// A whole number that may be negative.
+std::optional<std::int32_t> whole_of(const Value& value, std::string_view name) {
+  const std::optional<double> number = number_of(value, name);
+  if (!number) return std::nullopt;
+  require_whole(*number, name, value.place());
+  return static_cast<std::int32_t>(*number);
+}
+
+Vec<2, double> shift_of(const Value& layer) {
+  return {number_of(layer, "offsetx").value_or(0), number_of(layer, "offsety").value_or(0)};
+}
+
+std::vector<Vec<2, double>> points_of(const Value& object, std::string_view name) {
+  std::vector<Vec<2, double>> points;
+  for_each_in(object, name, [&](const Value& point) {
+    const std::optional<double> x = number_of(point, "x");
+    const std::optional<double> y = number_of(point, "y");
+    if (!x || !y)
+      fail_at(point.file, point.offset(), fmt::format("this point of the {} needs both an x and a y", name));
+    points.emplace_back(*x, *y);
+  });
+  return points;
+}
+
+bool flag_of(const Value& object, std::string_view name) {
+  const std::optional<Value> flag = field_of(object, name, JsonKind::boolean);
+  return flag && object.file.text[flag->offset()] == 't';
+}
+
+void read_outline(const Value& value, TiledObject& object) {
+  if (flag_of(value, "ellipse")) object.outline = TiledOutline::ellipse;
+  if (flag_of(value, "capsule")) object.outline = TiledOutline::capsule;
+  if (flag_of(value, "point")) object.outline = TiledOutline::point;
+  if (value.json.find("text")) object.outline = TiledOutline::text;
+  for (const auto& [name, outline] :
+       {std::pair("polygon", TiledOutline::polygon), {"polyline", TiledOutline::polyline}}) {
+    if (!value.json.find(name)) continue;
+    object.outline = outline;
+    object.points = points_of(value, name);
+  }
+}
+
+TiledObject object_of(const Value& value) {
+  TiledObject object;
+  object.offset = value.offset();
+  object.name = text_of(value, "name");
+  object.id = index_of(value, "id");
+  object.x = number_of(value, "x");
+  object.y = number_of(value, "y");
+  object.width = number_of(value, "width");
+  object.height = number_of(value, "height");
+  object.rotation = number_of(value, "rotation");
+  object.gid = index_of(value, "gid");
+  object.template_source = text_of(value, "template").value_or("");
+  object.has_class = !text_of(value, "type").value_or("").empty() || !text_of(value, "class").value_or("").empty();
+  object.properties = count_properties(value);
+  read_outline(value, object);
+  require_sound(object, value.file);
+  return object;
+}
+
+/// The size of a tile, of the part of the image that it shows, else of the whole image; and its collision shapes.
+TiledTile tile_of(const Value& value) {
+  TiledTile tile;
+  tile.width = number_of(value, "width");
+  tile.height = number_of(value, "height");
+  if (!tile.width) tile.width = number_of(value, "imagewidth");
+  if (!tile.height) tile.height = number_of(value, "imageheight");
+  if (const auto shapes = field_of(value, "objectgroup", JsonKind::object)) {
+    for_each_in(*shapes, "objects", [&](const Value& object) { tile.shapes.push_back(object_of(object)); });
+  }
+  return tile;
+}
+
+void add_tile(const Value& value, std::uint32_t id, TiledTileset& tileset) {
+  if (value.json.find("image")) tileset.is_collection = true;
+  tileset.tiles.insert_or_assign(id, tile_of(value));
+}
+
+/// Tiles by their numbers as keys, as Tiled wrote them before version 1.2.
+void read_keyed_tiles(const Value& tiles, TiledTileset& tileset) {
+  for (const JsonField tile : tiles.json.fields()) {
+    std::uint32_t id = 0;
+    const char* last = tile.name.data() + tile.name.size();
+    const auto [end, error] = std::from_chars(tile.name.data(), last, id);
+    if (error != std::errc() || end != last || tile.value.kind() != JsonKind::object) {
+      fail_at(tiles.file, tile.offset,
+              fmt::format("{} is not the number of a tile, or holds no object", in_quotes(tile.name)));
+    }
+    add_tile({tiles.file, tile.value}, id, tileset);
+  }
+}
+
+void read_tiles(const Value& value, TiledTileset& tileset) {
+  const std::optional<Value> tiles = field_of(value, "tiles", "an array", [](const JsonValue& json) {
+    return json.kind() == JsonKind::array || json.kind() == JsonKind::object;
+  });
+  if (tiles && tiles->json.kind() == JsonKind::object) {
+    read_keyed_tiles(*tiles, tileset);
+  } else {
+    for_each_in(value, "tiles", [&](const Value& tile) {
+      const std::optional<std::uint32_t> id = index_of(tile, "id");
+      if (!id) fail_at(tile.file, tile.offset(), "this tile has no id");
+      add_tile(tile, *id, tileset);
+    });
+  }
+  if (value.json.find("image")) tileset.is_collection = false;
+}
+
+TiledTileset tileset_of(const Value& value) {
+  TiledTileset tileset;
+  tileset.offset = value.offset();
+  tileset.first_gid = index_of(value, "firstgid").value_or(1);
+  tileset.source = text_of(value, "source").value_or("");
+  tileset.tile_width = number_of(value, "tilewidth");
+  tileset.tile_height = number_of(value, "tileheight");
+  tileset.tile_count = index_of(value, "tilecount");
+  tileset.alignment = tiled_alignment(text_of(value, "objectalignment").value_or(""));
+  if (const auto offset = field_of(value, "tileoffset", JsonKind::object)) {
+    tileset.drawing_offset = {number_of(*offset, "x").value_or(0), number_of(*offset, "y").value_or(0)};
+  }
+  tileset.fills_grid = text_of(value, "tilerendersize") == "grid";
+  tileset.keeps_aspect = text_of(value, "fillmode") == "preserve-aspect-fit";
+  if (const auto grid = field_of(value, "grid", JsonKind::object)) {
+    tileset.grid = tiled_drawing_grid(text_of(*grid, "orientation").value_or(""), number_of(*grid, "width").value_or(0),
+                                      number_of(*grid, "height").value_or(0));
+  }
+  read_tiles(value, tileset);
+  require_sound(tileset, value.file);
+  return tileset;
+}
+
+/// What a layer of any kind says that graze does not read.
+void count_layer_omissions(const Value& layer, std::vector<Omission>& omissions) {
+  count_omission(omissions, tiled_omission::custom_property, layer.place(), count_properties(layer));
+  if (number_of(layer, "parallaxx").value_or(1) != 1 || number_of(layer, "parallaxy").value_or(1) != 1) {
+    count_omission(omissions, tiled_omission::layer_parallax, layer.place());
+  }
+}
+
+/// The gids of an array of numbers.
+std::vector<std::uint32_t> gids_of_array(const Value& array, std::uint64_t count, std::vector<Omission>& omissions) {
+  std::vector<std::uint32_t> gids(array.json.packed().begin(), array.json.packed().end());
+  if (gids.empty()) {
+    for (const JsonValue element : array.json.items()) {
+      if (element.kind() == JsonKind::whole && element.whole() <= std::numeric_limits<std::uint32_t>::max()) {
+        gids.push_back(static_cast<std::uint32_t>(element.whole()));
+        continue;
+      }
+      fail_at(array.file, element.offset(),
+              "\"data\" holds something else here; it must hold whole numbers from 0 to "
+              "4294967295");
+    }
+  }
+  check_count(gids.size(), count, array.place(), omissions);
+  return gids;
+}
+
+/// Reads the cells of the "data" of a layer or chunk.
+void read_cells(const Value& value, const TiledDataFormat& format, TiledLayer& layer, TiledMap& map) {
+  const std::optional<Value> data = field_of(value, "data", "an array or a string", [](const JsonValue& json) {
+    return json.kind() == JsonKind::array || json.kind() == JsonKind::text;
+  });
+  if (!data) return;
+  TiledCells cells;
+  cells.x = whole_of(value, "x").value_or(0);
+  cells.y = whole_of(value, "y").value_or(0);
+  cells.width = index_of(value, "width").value_or(0);
+  const std::uint64_t height = index_of(value, "height").value_or(0);
+  if (data->json.kind() == JsonKind::text) add_cells(map, cells.width, height, value.place());
+  const std::uint64_t count = cells.width * height;
+  if (data->json.kind() == JsonKind::array) {
+    cells.gids = gids_of_array(*data, count, map.omissions);
+  } else if (auto gids = tiled_gids(data->json.text(), format, count, data->place(), map.omissions)) {
+    cells.gids = *std::move(gids);
+  }
+  if (!cells.gids.empty()) layer.cells.push_back(std::move(cells));
+}
+
+/// Reads the cells of a tile layer: one rectangle, or the chunks of an infinite map.
+void read_tile_layer(const Value& value, TiledLayer& layer, TiledMap& map) {
+  const TiledDataFormat format{text_of(value, "encoding").value_or("csv"), text_of(value, "compression").value_or("")};
+  if (!value.json.find("chunks")) return read_cells(value, format, layer, map);
+  for_each_in(value, "chunks", [&](const Value& chunk) { read_cells(chunk, format, layer, map); });
+}
+
+/// Reads the layers of a map or group; `depth` counts the groups around them.
+void read_layers(const Value& parent, std::size_t depth, std::vector<TiledLayer>& layers, TiledMap& map) {
+  for_each_in(parent, "layers", [&](const Value& child) {
+    const std::string kind = text_of(child, "type").value_or("");
+    if (kind == "imagelayer") return count_omission(map.omissions, tiled_omission::image_layer, child.place());
+    if (kind != "tilelayer" && kind != "objectgroup" && kind != "group") {
+      return count_omission(map.omissions, tiled_omission::unknown_layer, child.place());
+    }
+    TiledLayer layer;
+    layer.offset = child.offset();
+    layer.name = text_of(child, "name").value_or("");
+    layer.shift = shift_of(child);
+    count_layer_omissions(child, map.omissions);
+    if (kind == "tilelayer") {
+      read_tile_layer(child, layer, map);
+    } else if (kind == "objectgroup") {
+      for_each_in(child, "objects", [&](const Value& object) { layer.objects.push_back(object_of(object)); });
+    } else {
+      require_group_depth(depth + 1, child.file, child.offset());
+      read_layers(child, depth + 1, layer.layers, map);
+    }
+    layers.push_back(std::move(layer));
+  });
+}
+
+TiledGrid grid_of(const Value& map) {
+  TiledGrid grid;
+  grid.orientation = text_of(map, "orientation").value_or(grid.orientation);
+  grid.height = number_of(map, "height").value_or(0);
+  grid.tile_width = number_of(map, "tilewidth").value_or(0);
+  grid.tile_height = number_of(map, "tileheight").value_or(0);
+  grid.hex_side = number_of(map, "hexsidelength").value_or(0);
+  grid.skew_x = number_of(map, "skewx").value_or(0);
+  grid.skew_y = number_of(map, "skewy").value_or(0);
+  grid.staggers_x = text_of(map, "staggeraxis") == "x";
+  grid.shifts_even = text_of(map, "staggerindex") == "even";
+  require_sound(grid, map.place());
+  return grid;
+}
+
+/// What kind of file an object is: what it says, or, as older files do not say it, what it holds.
+std::string kind_of(const JsonValue& root) {
+  if (const std::optional<JsonValue> type = root.find("type"); type && type->kind() == JsonKind::text) {
+    return std::string(type->text());
+  }
+  if (root.find("layers")) return "map";
+  if (root.find("object")) return "template";
+  if (root.find("tilewidth")) return "tileset";
+  return "";
+}
+
+Value root_of(const TiledText& file, std::string_view needed, const JsonDocument& document) {
+  const JsonValue root = document.root();
+  if (root.kind() != JsonKind::object) {
+    fail_at(file, root.offset(),
+            fmt::format("the file holds {}, but a Tiled {} is an object", kind_name(root.kind()), needed));
+  }
+  const std::string kind = kind_of(root);
+  if (kind != needed) fail_for_kind(file, root.offset(), kind, needed);
+  return {file, root};
+}
+
+}  // namespace
+
+TiledMap read_tiled_json_map(const TiledText& file) {
+  return read_tiled_json_map(file, JsonDocument(file.text, file.name, 1, "data"));
+}
+
+TiledMap read_tiled_json_map(const TiledText& file, const JsonDocument& document) {
+  const Value root = root_of(file, "map", document);
+  TiledMap map;
+  map.grid = grid_of(root);
+  for_each_in(root, "tilesets", [&](const Value& tileset) { map.tilesets.push_back(tileset_of(tileset)); });
+  count_omission(map.omissions, tiled_omission::custom_property, root.place(), count_properties(root));
+  read_layers(root, 0, map.layers, map);
+  return map;
+}
+
+TiledTileset read_tiled_json_tileset(const TiledText& file) {
+  const JsonDocument document(file.text, file.name);
+  return tileset_of(root_of(file, "tileset", document));
+}
+
+TiledTemplate read_tiled_json_template(const TiledText& file) {
+  const JsonDocument document(file.text, file.name);
+  const Value root = root_of(file, "template", document);
+  TiledTemplate result;
+  if (const auto tileset = field_of(root, "tileset", JsonKind::object)) result.tileset = tileset_of(*tileset);
+  const std::optional<Value> object = field_of(root, "object", JsonKind::object);
+  if (!object) fail_at(file, root.offset(), "this template holds no \"object\"");
+  result.object = object_of(*object);
+  return result;
+}
+
+}  // namespace graze::io

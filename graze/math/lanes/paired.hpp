@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Vectors in double of either dimension, two coordinates at a time: what filters of the plane and of space share.
+#pragma once
+
+#include <cmath>
+#include <type_traits>
+
+#include <graze/math/lanes/lanes.hpp>
+#include <graze/math/vec.hpp>
+
+#ifdef GRAZE_HAS_LANES
+
+namespace graze::detail {
+
+/// A vector of the plane, as PairedVec is one of space.
+struct FlatPair {
+  LanePair xy;
+
+  [[gnu::always_inline]] explicit FlatPair(LanePair both) : xy(both) {}
+  [[gnu::always_inline]] explicit FlatPair(const Vec<2, float>& v)
+      : xy{static_cast<double>(v.x), static_cast<double>(v.y)} {}
+  [[gnu::always_inline]] explicit FlatPair(const Vec<2, double>& v) : xy{v.x, v.y} {}
+
+  [[gnu::always_inline]] friend FlatPair operator+(FlatPair a, FlatPair b) { return FlatPair(a.xy + b.xy); }
+  [[gnu::always_inline]] friend FlatPair operator-(FlatPair a, FlatPair b) { return FlatPair(a.xy - b.xy); }
+  [[gnu::always_inline]] friend FlatPair operator*(FlatPair a, double factor) { return FlatPair(a.xy * factor); }
+};
+
+template <Dim N>
+using Paired = std::conditional_t<N == 2, FlatPair, PairedVec>;
+
+[[gnu::always_inline]] inline FlatPair products(FlatPair a, FlatPair b) { return FlatPair(a.xy * b.xy); }
+[[gnu::always_inline]] inline PairedVec products(const PairedVec& a, const PairedVec& b) {
+  return {a.xy * b.xy, a.z * b.z};
+}
+
+[[gnu::always_inline]] inline FlatPair magnitude(FlatPair v) { return FlatPair(magnitude(v.xy)); }
+[[gnu::always_inline]] inline double sum_of_coordinates(FlatPair v) { return v.xy[0] + v.xy[1]; }
+[[gnu::always_inline]] inline double dot(FlatPair a, FlatPair b) { return sum_of_coordinates(products(a, b)); }
+
+/// Of a vector that is as long as `length` but for rounding: along it, of length 1. The last steps of a root take less
+/// time than all of it.
+template <class V>
+[[gnu::always_inline]] inline V unit_of(const V& v, double length) {
+  const double inverse = 1 / length;
+  const double excess = 1 - dot(v, v) * (inverse * inverse);
+  constexpr double small = 0x1p-18;  // the next term is less than an eighth of epsilon
+  if (!(std::fabs(excess) < small)) return v * (1 / std::sqrt(dot(v, v)));
+  return v * (inverse * (1 + excess * (0.5 + 0.375 * excess)));
+}
+
+/// Never minus zero, also of what underflows.
+template <class T>
+[[gnu::always_inline]] inline Vec<2, T> rounded_vec(FlatPair v) {
+  return {static_cast<T>(v.xy[0]) + T(0), static_cast<T>(v.xy[1]) + T(0)};
+}
+
+/// The sums of the coordinates of two vectors, and those of their magnitudes.
+struct TwoSums {
+  LanePair value;
+  LanePair magnitude;
+};
+
+[[gnu::always_inline]] inline TwoSums two_sums(FlatPair a, FlatPair b) {
+  const LanePair x = __builtin_shufflevector(a.xy, b.xy, 0, 2);
+  const LanePair y = __builtin_shufflevector(a.xy, b.xy, 1, 3);
+  return {x + y, magnitude(x) + magnitude(y)};
+}
+[[gnu::always_inline]] inline TwoSums two_sums(const PairedVec& a, const PairedVec& b) {
+  const TwoSums xy = two_sums(FlatPair(a.xy), FlatPair(b.xy));
+  const LanePair z{a.z, b.z};
+  return {xy.value + z, xy.magnitude + magnitude(z)};
+}
+
+}  // namespace graze::detail
+
+#endif

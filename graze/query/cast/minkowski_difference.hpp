@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// The set of differences b - a. A shape a that moves by a vector touches b where the point zero that moves by the same
+// vector touches this set (Cameron and Culley, "Determining the minimum translational distance between two convex
+// polyhedra", 1986): so a moving shape is a ray. Include shape_cast.hpp.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/convex/wide_support.hpp>
+#include <graze/query/ray/verdict.hpp>
+#include <graze/query/ray/verdict_box.hpp>
+#include <graze/query/relation/convex.hpp>
+#include <graze/query/verdict.hpp>
+#include <graze/shape/aabb.hpp>
+#include <graze/shape/capsule.hpp>
+#include <graze/shape/segment.hpp>
+#include <graze/shape/shape.hpp>
+#include <graze/shape/sphere.hpp>
+
+namespace graze::detail {
+
+// ---- Any two convex shapes
+
+/// A convex shape of any type, known by its support points. What lasts longer than a call through a pointer, as GJK
+/// does, is compiled once for all pairs and not for each. It must not outlive the shape.
+template <Dim N>
+class ConvexView {
+ public:
+  template <Convex S>
+  explicit ConvexView(const S& shape) : shape_(&shape), support_(&support_of<S>) {}
+
+  Vec<N, double> support(const Vec<N, double>& direction) const { return support_(shape_, direction); }
+
+ private:
+  template <Convex S>
+  static Vec<N, double> support_of(const void* shape, const Vec<N, double>& direction) {
+    return wide_support(*static_cast<const S*>(shape), direction);
+  }
+
+  const void* shape_;
+  Vec<N, double> (*support_)(const void*, const Vec<N, double>&);
+};
+
+/// The set b - (a - place) of two cores, widened by a radius, which a ray from `place` meets where a that moves meets
+/// b. With a point of a as the place the coordinates are as large as those of the shapes, and rounding is judged by
+/// them. `Number` is what the supports are calculated in.
+template <Dim N, Scalar Number>
+struct Obstacle {
+  ConvexView<N> a;
+  ConvexView<N> b;
+  Vec<N, double> place;
+  double radius;
+};
+
+template <Dim N, Scalar Number>
+Vec<N, double> support_of_core(const Obstacle<N, Number>& obstacle, const Vec<N, double>& direction) {
+  return obstacle.b.support(direction) - (obstacle.a.support(-direction) - obstacle.place);
+}
+
+/// The same without the radius.
+template <Dim N, Scalar Number>
+struct ObstacleCore {
+  const Obstacle<N, Number>& obstacle;
+};
+
+template <Dim N, Scalar Number>
+Vec<N, double> support(const ObstacleCore<N, Number>& core, const std::type_identity_t<Vec<N, double>>& direction) {
+  return support_of_core(core.obstacle, direction);
+}
+
+template <Dim N, Scalar Number>
+Vec<N, double> support(const Obstacle<N, Number>& obstacle, const std::type_identity_t<Vec<N, double>>& direction) {
+  const double size = std::sqrt(dot(direction, direction));
+  return support_of_core(obstacle, direction) + direction * (obstacle.radius / size);
+}
+
+template <Dim N, Scalar Number>
+ObstacleCore<N, Number> core(const Obstacle<N, Number>& obstacle) {
+  return {obstacle};
+}
+
+template <Dim N, Scalar Number>
+double core_radius(const Obstacle<N, Number>& obstacle) {
+  return obstacle.radius;
+}
+
+template <Dim N>
+inline constexpr double support_error<Obstacle<N, float>> = tolerance::convex_in<float>;
+template <Dim N>
+inline constexpr double support_error<ObstacleCore<N, float>> = tolerance::convex_in<float>;
+
+/// What the support points of two shapes are calculated in.
+template <Convex A, Convex B>
+using SupportNumber =
+    std::conditional_t<SupportsIn<A, dimension_of<A>, double> && SupportsIn<B, dimension_of<A>, double>, double, float>;
+
+}  // namespace graze::detail
+
+namespace graze {
+
+// Their own numbers are double, whatever the supports are calculated in.
+
+template <Dim N, Scalar Number>
+struct ShapeTraits<detail::Obstacle<N, Number>> : Space<N, double> {};
+template <Dim N, Scalar Number>
+struct ShapeTraits<detail::ObstacleCore<N, Number>> : Space<N, double> {};
+
+}  // namespace graze
+
+namespace graze::detail {
+
+// ---- A box along the axes, and all that is nearer to it than a radius
+
+template <Dim N>
+struct RoundedBox {
+  Aabb<N, double> box;
+  double radius;
+};
+
+template <Dim N>
+Vec<N, double> support(const RoundedBox<N>& solid, const std::type_identity_t<Vec<N, double>>& direction) {
+  const double size = std::sqrt(dot(direction, direction));
+  return support(solid.box, direction) + direction * (solid.radius / size);
+}
+
+template <Dim N>
+const Aabb<N, double>& core(const RoundedBox<N>& solid) {
+  return solid.box;
+}
+
+template <Dim N>
+double core_radius(const RoundedBox<N>& solid) {
+  return solid.radius;
+}
+
+template <Dim N>
+RoundedBox<N> seen_from(const Vec<N, double>& origin, const RoundedBox<N>& solid) {
+  return {{solid.box.min - origin, solid.box.max - origin}, solid.radius};
+}
+
+/// Only for what the closed form leaves open.
+template <Dim N>
+Relation closed_form(const Segment<N, double>& segment, const RoundedBox<N>& solid) {
+  return relation_of_convex(segment, solid);
+}
+
+/// The times at which a path from zero crosses the planes of a box's sides, in order, between 0 and t_max.
+template <Dim N>
+class SideCrossings {
+ public:
+  SideCrossings(const Aabb<N, double>& box, const Vec<N, double>& direction, double t_max) {
+    for (Dim i = 0; i < N; ++i) {
+      if (!(std::fabs(direction[i]) > least_slope)) continue;
+      add(box.min[i] / direction[i], t_max);
+      add(box.max[i] / direction[i], t_max);
+    }
+    times_[count_++] = t_max;
+    std::sort(times_.begin(), times_.begin() + count_);
+  }
+
+  const double* begin() const { return times_.data(); }
+  const double* end() const { return times_.data() + count_; }
+
+ private:
+  void add(double t, double t_max) {
+    if (t > 0 && t < t_max) times_[count_++] = t;
+  }
+
+  std::array<double, static_cast<std::size_t>(2 * N + 1)> times_{};
+  std::size_t count_ = 0;
+};
+
+/// Seen from between two such times, the nearest point of the box is on a face, an edge or a corner of known place:
+/// the line meets a ball around that, seen across those axes alone whose coordinate is fixed. All of them are zero for
+/// a point in the box.
+template <Dim N>
+struct NearestSides {
+  NearestSides(const Aabb<N, double>& box, const Vec<N, double>& along, const Vec<N, double>& point) {
+    for (Dim i = 0; i < N; ++i) {
+      if (point[i] >= box.min[i] && point[i] <= box.max[i]) continue;
+      center[i] = point[i] < box.min[i] ? box.min[i] : box.max[i];
+      if (std::fabs(along[i]) > least_slope) direction[i] = along[i];
+    }
+  }
+
+  Vec<N, double> center = Vec<N, double>(0.0);
+  Vec<N, double> direction = Vec<N, double>(0.0);
+};
+
+/// The square of the distance to a box is made of parabolas, one for each way between two crossings, and convex: the
+/// first of them that comes down to the square of the radius is it. Graded by the bands of the ball in ray/verdict.hpp.
+template <Dim N>
+Sighting<N> sight_of(const RoundedBox<N>& solid, const Path<N>& path) {
+  const auto& [zero, direction, t_max, far] = path;
+  const double size = sum_abs(solid.box.min) + sum_abs(solid.box.max) + solid.radius + far;
+  const double band = tolerance::ray_filter * size * size;
+  const double squared_radius = solid.radius * solid.radius;
+  double from = 0;
+  for (const double to : SideCrossings<N>(solid.box, direction, t_max)) {
+    const double start = from;
+    from = to;
+    const NearestSides<N> sides(solid.box, direction, direction * (0.5 * start + 0.5 * to));
+    if (max_abs(sides.direction) == 0) continue;  // as far away as at the start; or inside, and then it has been met
+    const BallPassage<N> passage(sides.direction, sides.center, squared_radius);
+    if (passage.depth < -band) continue;
+    const double slack = tolerance::ray_end * size / std::sqrt(passage.whole);
+    if (passage.exit() < start - slack || passage.enter() > to + slack) continue;
+    const bool is_clear = passage.depth > band && passage.enter() > slack && passage.enter() < t_max - slack;
+    if (!is_clear) return unsettled<N>();
+    if (passage.enter() > to) continue;
+    Sighting<N> result{Sight::hits, {}};
+    result.touch.t = std::max(passage.enter(), start);
+    result.touch.error = tolerance::rounding * size;
+    result.touch.normal = normal_along(passage.spoke(sides.direction), direction, result.touch.error);
+    result.touch.point = direction * result.touch.t;
+    return result;
+  }
+  return missed<N>();
+}
+
+// ---- The obstacles with a closed form: of two cores seen from one place, and the sum of the shapes' radii
+
+template <Dim N>
+Sphere<N, double> obstacle_of(const Vec<N, double>& a, const Vec<N, double>& b, double radius) {
+  return {b - a, radius};
+}
+
+template <Dim N>
+Capsule<N, double> obstacle_of(const Segment<N, double>& a, const Vec<N, double>& b, double radius) {
+  return {b - a.start, b - a.end, radius};
+}
+
+template <Dim N>
+Capsule<N, double> obstacle_of(const Vec<N, double>& a, const Segment<N, double>& b, double radius) {
+  return {b.start - a, b.end - a, radius};
+}
+
+template <Dim N>
+RoundedBox<N> obstacle_of(const Vec<N, double>& a, const Aabb<N, double>& b, double radius) {
+  return {{b.min - a, b.max - a}, radius};
+}
+
+template <Dim N>
+Aabb<N, double> obstacle_of(const Aabb<N, double>& a, const Aabb<N, double>& b, double) {
+  return {b.min - a.max, b.max - a.min};
+}
+
+}  // namespace graze::detail

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// The nearest points of any two convex shapes, from nothing but their support functions: those of closest_points.hpp
+// without a closed form. Include closest_points.hpp.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include <graze/math/rounding.hpp>
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/convex/simplex.hpp>
+#include <graze/query/convex/wide_support.hpp>
+#include <graze/query/cores/closest.hpp>
+#include <graze/query/gjk.hpp>
+#include <graze/query/relation/unbounded.hpp>
+#include <graze/query/status.hpp>
+#include <graze/shape/shape.hpp>
+
+namespace graze::detail {
+
+/// How many support points are asked for: two walks to the end, and the directions that bounds are proved with in
+/// between.
+inline constexpr std::size_t most_supports = 2 * static_cast<std::size_t>(gjk_iteration_limit) + 32;
+
+/// The set of differences a - b, which remembers the points that its support points were made of.
+template <Convex A, Convex B>
+class WitnessedDifference {
+ public:
+  static constexpr Dim dimension = dimension_of<A>;
+  using Point = Vec<dimension, double>;
+
+  WitnessedDifference(const A& a, const B& b)
+      : a_(a), b_(b), largest_(std::max(largest_within(a), largest_within(b))) {}
+
+  Point support(const Point& direction) {
+    const Point on_a = wide_support(a_, direction);
+    const Point on_b = wide_support(b_, -direction);
+    largest_ = std::max({largest_, max_abs(on_a), max_abs(on_b)});
+    if (count_ < witnesses_.size()) witnesses_[count_++] = {on_a - on_b, on_a};
+    return on_a - on_b;
+  }
+
+  double resolution() const { return std::max(support_error<A>, support_error<B>) * largest_; }
+
+  /// The point of a that a support point was made of.
+  Point on_a(const Point& difference) const {
+    const auto* const end = witnesses_.begin() + count_;
+    return std::find_if(witnesses_.begin(), end, [&](const Witness& w) { return w.difference == difference; })->on_a;
+  }
+
+ private:
+  struct Witness {
+    Point difference;
+    Point on_a;
+  };
+
+  const A& a_;
+  const B& b_;
+  double largest_;
+  std::size_t count_ = 0;
+  std::array<Witness, most_supports> witnesses_;
+};
+
+/// GJK stops when the distance is known well enough, but then the points can be off by the root of that. So it goes on
+/// until no support point is nearer by more than rounding: on polytopes, until the right faces are found.
+template <class Differences>
+void go_on(Differences& differences, GjkResult<Differences::dimension>& result) {
+  constexpr Dim N = Differences::dimension;
+  GjkProgress<N> progress(result.separation);
+  for (int step = 0; step < gjk_iteration_limit && result.simplex.size <= static_cast<std::size_t>(N); ++step) {
+    if (!(result.upper > result.resolution)) return;
+    const Vec<N, double>& toward = progress.toward;
+    const Vec<N, double> next = differences.support(-toward);
+    raise_lower(result, dot(toward, next) / result.upper, toward);  // upper > resolution >= 0
+    const double nearer_by = dot(toward, result.separation - next);
+    const double noise = tolerance::epsilon * dot(abs(toward), abs(next));
+    if (!(nearer_by > noise) || is_corner_of(result.simplex, next)) return;
+    Simplex<N> extended = result.simplex;
+    extended.push(next);
+    const std::optional<NearestOnSimplex<N>> found = gjk_step(extended, result, progress);
+    if (!found) return;
+    result.separation = found->point;
+    result.simplex = found->face;
+    result.upper = std::sqrt(found->distance_squared);
+  }
+}
+
+// ---- The shares of a simplex's corners in one of its points
+
+/// A simplex in space, seen from its first corner: with edges e_i to the others, its point sum of s_i e_i has the
+/// shares s_i.
+template <Dim N>
+class SharesInSimplex {
+ public:
+  using Shares = std::array<double, 3>;
+
+  explicit SharesInSimplex(const Simplex<N>& simplex) : first_(simplex.points[0]), count_(simplex.size - 1) {
+    double size = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      edges_[i] = lifted(simplex.points[i + 1] - first_);
+      size = std::max(size, max_abs(edges_[i]));
+    }
+    scale_ = scale_to_moderate(size);
+    for (Vec<3, double>& edge : edges_) edge *= scale_;
+  }
+
+  /// From zero to one, and no more than one in all. Where a simplex is almost flat, its shares are rounded much; what
+  /// they leave of the point is shared out again.
+  Shares of(const Vec<N, double>& point) const {
+    constexpr int rounds = 3;
+    Shares shares{};
+    Vec<3, double> rest = lifted(point - first_) * scale_;
+    for (int round = 0; round < rounds; ++round) {
+      const Shares more = solve(rest);
+      rest = lifted(point - first_) * scale_;
+      for (std::size_t i = 0; i < count_; ++i) {
+        shares[i] += more[i];
+        rest -= edges_[i] * shares[i];
+      }
+    }
+    double sum = 0;
+    for (double& share : shares) sum += share = std::clamp(share, 0.0, 1.0);
+    if (sum > 1) {
+      for (double& share : shares) share /= sum;
+    }
+    return shares;
+  }
+
+ private:
+  /// None of a simplex that is flat up to rounding.
+  Shares solve(const Vec<3, double>& point) const {
+    const auto& [u, v, w] = edges_;
+    Shares shares{};
+    double whole = 0;
+    if (count_ == 1) {
+      whole = dot(u, u);
+      shares[0] = dot(point, u);
+    } else if (count_ == 2) {
+      const Vec<3, double> n = accurate_cross(u, v);
+      whole = dot(n, n);
+      shares = {dot(accurate_cross(point, v), n), dot(accurate_cross(u, point), n), 0};
+    } else if (count_ == 3) {
+      whole = dot(accurate_cross(u, v), w);
+      shares = {dot(accurate_cross(v, w), point), dot(accurate_cross(w, u), point), dot(accurate_cross(u, v), point)};
+    }
+    if (whole == 0) return {};
+    for (double& share : shares) share /= whole;
+    return shares;
+  }
+
+  Vec<N, double> first_;
+  std::size_t count_;
+  std::array<Vec<3, double>, 3> edges_{};
+  double scale_ = 1;
+};
+
+/// How GJK ended, beside the points.
+template <Dim N>
+struct ConvexCores {
+  ClosestPair<N> closest;
+  Status status;
+  double error;
+};
+
+/// From where GJK has ended; `differences` remember the points that its support points were made of.
+template <class Differences>
+ConvexCores<Differences::dimension> closest_from(Differences& differences, GjkResult<Differences::dimension> found) {
+  constexpr Dim N = Differences::dimension;
+  go_on(differences, found);
+  const std::array<double, 3> shares = SharesInSimplex<N>(found.simplex).of(found.separation);
+  // Corners are added to the first one, so that nothing is lost far from the origin.
+  const Vec<N, double> first = differences.on_a(found.simplex.points[0]);
+  const Vec<N, double> first_b = first - found.simplex.points[0];
+  ClosestPair<N> pair{first, first_b, -found.separation, dot(found.separation, found.separation)};
+  for (std::size_t i = 1; i < found.simplex.size; ++i) {
+    const Vec<N, double> on_a = differences.on_a(found.simplex.points[i]);
+    pair.on_a += (on_a - first) * shares[i - 1];
+    pair.on_b += ((on_a - found.simplex.points[i]) - first_b) * shares[i - 1];
+  }
+  return {pair, found.status, std::max(0.0, found.upper - found.lower) + found.resolution};
+}
+
+/// The nearest points of two cores, or a common one.
+template <Convex A, Convex B>
+ConvexCores<dimension_of<A>> closest_of_convex(const A& a, const B& b) {
+  WitnessedDifference<A, B> differences(a, b);
+  return closest_from(differences, gjk_on(differences, GjkOptions{}));
+}
+
+}  // namespace graze::detail

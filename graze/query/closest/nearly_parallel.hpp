@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// The nearest points of two segments in space that are nearly parallel. Over the length of such segments the distance
+// hardly changes, so that no comparison of distances finds the place where it is least: it is calculated, in twice the
+// precision of double.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include <graze/math/orientation_3d.hpp>
+#include <graze/math/rounding.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/cores/closest.hpp>
+#include <graze/query/cores/closest_on_core.hpp>
+#include <graze/shape/segment.hpp>
+
+namespace graze::detail {
+
+/// A vector whose coordinates are sums of two doubles.
+using TwofoldVec = std::array<Rounded, 3>;
+
+/// b - a, exactly.
+inline TwofoldVec twofold_difference(const Vec<3, double>& b, const Vec<3, double>& a) {
+  return {two_sum(b.x, -a.x), two_sum(b.y, -a.y), two_sum(b.z, -a.z)};
+}
+
+/// a x b, of a length of about 1 and with errors around epsilon squared divided by the sine: the factor between is a
+/// power of two. Zero if the product is.
+inline TwofoldVec twofold_normal(const TwofoldVec& a, const TwofoldVec& b) {
+  TwofoldVec normal{};
+  double size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    const Rounded left = two_product(a[j].value, b[k].value);
+    const Rounded right = two_product(a[k].value, b[j].value);
+    const double left_rest = left.error + (a[j].value * b[k].error + a[j].error * b[k].value);
+    const double right_rest = right.error + (a[k].value * b[j].error + a[k].error * b[j].value);
+    const Rounded difference = two_sum(left.value, -right.value);
+    normal[i] = two_sum(difference.value, difference.error + (left_rest - right_rest));
+    size = std::max(size, std::fabs(normal[i].value));
+  }
+  int exponent = 0;
+  (void)std::frexp(size, &exponent);
+  for (Rounded& x : normal) x = {std::ldexp(x.value, -exponent), std::ldexp(x.error, -exponent)};
+  return normal;
+}
+
+/// Whether the angle between two edges is so small, or so near a straight one, that distances lose too many digits.
+inline bool are_nearly_parallel(const Vec<3, double>& a, const Vec<3, double>& b) {
+  constexpr double most_sine = 1.0 / 8;
+  const Vec<3, double> normal = cross(a, b);
+  return max_abs(normal) <= most_sine * (max_abs(a) * max_abs(b));
+}
+
+/// Where the line of segment a is nearest to that of b, in lengths of a. With u and v along a and b, w from a's start
+/// to b's, n = u x v, it is det(w, v, n) / n^2. None if they are parallel.
+inline std::optional<double> place_of_perpendicular(const Segment<3, double>& a, const Segment<3, double>& b) {
+  const TwofoldVec u = twofold_difference(a.end, a.start);
+  const TwofoldVec v = twofold_difference(b.end, b.start);
+  const TwofoldVec n = twofold_normal(u, v);
+  const Vec<3, double> n0(n[0].value, n[1].value, n[2].value);
+  if (!(max_abs(n0) > 0)) return std::nullopt;
+  const double whole = twofold_determinant({u, v, n});  // (u x v) . n
+  return twofold_determinant({twofold_difference(b.start, a.start), v, n}) / whole;
+}
+
+/// The nearest points of two segments that are apart, seen from `origin`: none if they are parallel, or not nearly. The
+/// nearest point of a's line, cut off at a's ends, has the nearest point of b's line opposite; if that has to be cut
+/// off too, b's end is nearest, with its own foot on a (Ericson, Real-Time Collision Detection, 5.1.9). Every step is
+/// as exact as its points, where that of the perpendicular alone would not be.
+inline std::optional<ClosestPair<3>> closest_of_nearly_parallel(const Segment<3, double>& a,
+                                                                const Segment<3, double>& b,
+                                                                const Vec<3, double>& origin) {
+  if (!are_nearly_parallel(a.end - a.start, b.end - b.start)) return std::nullopt;
+  const std::optional<double> place = place_of_perpendicular(a, b);
+  if (!place) return std::nullopt;
+  const Segment<3, double> seen_a{a.start - origin, a.end - origin};
+  const Segment<3, double> seen_b{b.start - origin, b.end - origin};
+  const double share = std::clamp(*place, 0.0, 1.0);
+  const Vec<3, double> edge = seen_a.end - seen_a.start;
+  const Vec<3, double> on_a = share <= 0.5 ? seen_a.start + edge * share : seen_a.end - edge * (1 - share);
+  const Foot<3> on_b = foot_on(seen_b, on_a);
+  ClosestPair<3> pair;
+  if (is_between_ends(on_b)) {
+    pair.offer_from_a(on_a, on_b);
+  } else {
+    pair.offer_from_b(on_b.point, foot_on(seen_a, on_b.point));
+  }
+  return pair;
+}
+
+}  // namespace graze::detail

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// The depth of any two convex shapes, from nothing but their support functions: GJK where the cores are apart, EPA
+// where they meet. Include contact.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/closest/convex.hpp>
+#include <graze/query/closest_points.hpp>
+#include <graze/query/contact/cores.hpp>
+#include <graze/query/convex/wide_support.hpp>
+#include <graze/query/cores/penetration.hpp>
+#include <graze/query/cores/surface_point.hpp>
+#include <graze/query/epa.hpp>
+#include <graze/query/gjk.hpp>
+#include <graze/query/relation/convex.hpp>
+#include <graze/query/scaling/range.hpp>
+#include <graze/query/verdict.hpp>
+#include <graze/shape/ray.hpp>
+#include <graze/shape/segment.hpp>
+#include <graze/shape/shape.hpp>
+
+namespace graze::detail {
+
+/// A convex shape somewhere else.
+template <Convex S>
+struct Shifted {
+  const S& shape;
+  Vec<dimension_of<S>, double> way;
+};
+
+template <Convex S>
+Vec<dimension_of<S>, double> support(const Shifted<S>& shifted, const Vec<dimension_of<S>, double>& direction) {
+  return wide_support(shifted.shape, direction) + shifted.way;
+}
+
+/// It is as inaccurate as ever.
+template <Convex S>
+inline constexpr double support_error<Shifted<S>> = support_error<S>;
+
+/// Where two cores touch once b has been moved out of a.
+template <Convex A, Convex B>
+ClosestPair<dimension_of<A>> points_after(const A& a, const B& b, const Vec<dimension_of<A>, double>& way) {
+  ClosestPair<dimension_of<A>> pair = closest_of_convex(a, Shifted<B>{b, way}).closest;
+  pair.on_b -= way;
+  return pair;
+}
+
+/// Cores that are apart by more than GJK's resolution. Support points tell how much less than their distance is left
+/// along the vector between the nearest points.
+template <Convex A, Convex B>
+Penetration<dimension_of<A>> penetration_of_convex_apart(const A& a, const B& b, const Radii& radii) {
+  constexpr Dim N = dimension_of<A>;
+  const ConvexCores<N> cores = closest_of_convex(a, b);
+  const double distance = std::sqrt(cores.closest.squared);
+  const PartingAxis<N> between{unit_or(cores.closest.between, unit_axis<N>(0)), distance};
+  Penetration<N> result = widened_along(between, cores.closest, radii);
+  result.status = cores.status;
+  const double proved = dot(between.normal, wide_support(b, -between.normal) - wide_support(a, between.normal));
+  result.error += std::max(0.0, distance - proved) + cores.error;
+  return result;
+}
+
+/// Cores that meet, or do so up to GJK's resolution: EPA, which looks for a depth, need not see that there is none, but
+/// a distance, as far as GJK found them `apart`.
+template <Convex A, Convex B>
+Penetration<dimension_of<A>> penetration_of_depth(const A& a, const B& b, const EpaResult<dimension_of<A>>& depth,
+                                                  double apart, const Radii& radii) {
+  constexpr Dim N = dimension_of<A>;
+  const PartingAxis<N> axis{depth.normal, -depth.upper};
+  Penetration<N> result = widened_along(axis, points_after(a, b, depth.normal * depth.upper), radii);
+  result.status = depth.status;
+  result.error += std::max(0.0, depth.upper - depth.lower) + std::max(depth.gap, apart) + depth.resolution;
+  return result;
+}
+
+template <Convex A, Convex B>
+Penetration<dimension_of<A>> penetration_of_convex(const A& a, const B& b) {
+  const auto& core_a = core(a);
+  const auto& core_b = core(b);
+  const Radii radii{core_radius(a), core_radius(b)};
+  const GjkResult<dimension_of<A>> distance = gjk(core_a, core_b);
+  const bool are_apart = (radii.a > 0 || radii.b > 0) && distance.lower > distance.resolution;
+  Penetration<dimension_of<A>> result =
+      are_apart ? penetration_of_convex_apart(core_a, core_b, radii)
+                : penetration_of_depth(core_a, core_b, epa(core_a, core_b, distance.simplex), distance.upper, radii);
+  result.error += tolerance::rounding * (radii.a + radii.b);
+  return result;
+}
+
+template <class A, class B>
+std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b);
+
+/// Of shapes that are out of range, if they meet; none of others.
+template <class A, class B>
+[[gnu::noinline, gnu::cold]] std::optional<std::optional<Penetration<dimension_of<A>>>> penetration_in_range(
+    const A& a, const B& b) {
+  using Found = std::optional<Penetration<dimension_of<A>>>;
+  return answer_in_range<Found>(
+      [](const auto& power, const auto& scaled_a, const auto& scaled_b) -> Found {
+        const Found found = penetration(scaled_a, scaled_b);
+        return found ? Found(resized(*found, power.inverse())) : std::nullopt;
+      },
+      a, b);
+}
+
+/// The verdict of relation/convex.hpp, and the depth of what meets. Shapes without radii are measured on the way to it.
+template <Convex A, Convex B>
+std::optional<Penetration<dimension_of<A>>> penetration_of_convex_if_met(const A& a, const B& b) {
+  if (core_radius(a) > 0 || core_radius(b) > 0) {
+    if (relation_of_convex(a, b) == Relation::apart) return std::nullopt;
+    return penetration_of_convex(a, b);
+  }
+  const auto& core_a = core(a);
+  const auto& core_b = core(b);
+  const GjkResult<dimension_of<A>> distance = gjk(core_a, core_b, GjkOptions{0});
+  if (!(distance.upper >= 0) || distance.lower > distance.resolution) return std::nullopt;
+  const EpaResult<dimension_of<A>> depth = epa(core_a, core_b, distance.simplex);
+  if (depth.gap > depth.resolution) return std::nullopt;
+  return penetration_of_depth(core_a, core_b, depth, distance.upper, {0, 0});
+}
+
+template <Dim N, class T, Convex B>
+Penetration<N> penetration_of_convex(const Ray<N, T>& ray, const B& b) {
+  return penetration_of_convex(cut_for_depth(ray, b), b);
+}
+
+}  // namespace graze::detail

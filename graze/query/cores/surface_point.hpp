@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// The point of a shape's surface nearest to a given point, in double: what closest_point.hpp,
+// closest_boundary_point.hpp and signed_distance.hpp round. Closed forms; boxes are in surface_point_box.hpp, polytopes
+// in 3D and users' types in surface_point_convex.hpp. Include one of those three.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <type_traits>
+
+#include <graze/math/orientation.hpp>
+#include <graze/math/rounding.hpp>
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/cores/closest_on_core.hpp>
+#include <graze/shape/capsule.hpp>
+#include <graze/shape/half_space.hpp>
+#include <graze/shape/plane.hpp>
+#include <graze/shape/polytope.hpp>
+#include <graze/shape/ray.hpp>
+#include <graze/shape/segment.hpp>
+#include <graze/shape/sphere.hpp>
+#include <graze/shape/triangle.hpp>
+
+namespace graze::detail {
+
+/// Of a set without inside `point` is the set's point nearest to p, and `inner` the same.
+template <Dim N>
+struct SurfacePoint {
+  Vec<N, double> point;
+  Vec<N, double> inner;  ///< Where the shape is about as thick as it is
+                         ///< anywhere: rounding goes towards it.
+  double distance = 0;   ///< Of p: negative inside, or the side of a plane.
+};
+
+/// `v` at length 1, however small it is; `fallback` if it is zero.
+template <Dim N>
+[[gnu::always_inline]] inline Vec<N, double> unit_or(const Vec<N, double>& v, const Vec<N, double>& fallback) {
+  const double squared = dot(v, v);
+  if (squared > 0x1p-900 && squared < 0x1p900) return v / std::sqrt(squared);  // no square is lost
+  const double size = max_abs(v);
+  if (!(size > 0)) return fallback;
+  const Vec<N, double> scaled = v / size;
+  return scaled / std::sqrt(dot(scaled, scaled));
+}
+
+/// Whether a shape has an inside, however thin.
+template <class S>
+inline constexpr bool has_inside = true;
+template <Dim N, class T>
+inline constexpr bool has_inside<Vec<N, T>> = false;
+template <Dim N, class T>
+inline constexpr bool has_inside<Segment<N, T>> = false;
+template <Dim N, class T>
+inline constexpr bool has_inside<Ray<N, T>> = false;
+template <Dim N, class T>
+inline constexpr bool has_inside<Plane<N, T>> = false;
+template <class T>
+inline constexpr bool has_inside<Triangle<3, T>> = false;
+
+// ---- Points, segments, rays
+
+template <Dim N>
+SurfacePoint<N> without_inside(const Foot<N>& foot) {
+  return {foot.point, foot.point, std::sqrt(squared(foot))};
+}
+
+template <Dim N, class T>
+SurfacePoint<N> surface_point(const Vec<N, T>& point, const Vec<N, double>& p) {
+  return without_inside<N>({wide<N, T>(point), p - wide<N, T>(point)});
+}
+
+template <Dim N, class T>
+SurfacePoint<N> surface_point(const Segment<N, T>& segment, const Vec<N, double>& p) {
+  return without_inside(foot_on(segment, p));
+}
+
+template <Dim N, class T>
+SurfacePoint<N> surface_point(const Ray<N, T>& ray, const Vec<N, double>& p) {
+  return without_inside(foot_on(ray, p));
+}
+
+// ---- Spheres, capsules
+
+/// From the center of the sphere: the point in direction x.
+template <Dim N, class T>
+SurfacePoint<N> surface_point(const Sphere<N, T>& sphere, const Vec<N, double>& p) {
+  const Vec<N, double> center = wide<N, T>(sphere.center);
+  const Vec<N, double> off = p - center;
+  const auto radius = static_cast<double>(sphere.radius);
+  return {center + unit_or(off, unit_axis<N>(0)) * radius, center, std::sqrt(dot(off, off)) - radius};
+}
+
+/// A direction at right angles to `edge`, always the same; x if the edge is zero.
+inline Vec<2, double> across(const Vec<2, double>& edge) { return unit_or(perpendicular(edge), unit_axis<2>(0)); }
+
+inline Vec<3, double> across(const Vec<3, double>& edge) {
+  const Vec<3, double> size = abs(edge);
+  const Dim least = size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;
+  return unit_or(cross(edge, unit_axis<3>(least)), unit_axis<3>(0));
+}
+
+/// `off` less what leans along `edge` (not zero). Zero if hardly anything is left: then it was all rounding.
+template <Dim N>
+Vec<N, double> straightened(const Vec<N, double>& off, const Vec<N, double>& edge) {
+  const double whole = dot(edge, edge);
+  const Vec<N, double> once = off - edge * (dot(off, edge) / whole);
+  const Vec<N, double> twice = once - edge * (dot(once, edge) / whole);
+  return dot(twice, twice) > 0.25 * dot(once, once) ? twice : Vec<N, double>(0.0);
+}
+
+/// From the axis of a capsule: a point straight across. Beside the axis the vector from the foot may lean along it by
+/// roundings as large as itself, so it is straightened.
+template <Dim N, class T>
+SurfacePoint<N> surface_point(const Capsule<N, T>& capsule, const Vec<N, double>& p) {
+  const Foot<N> foot = foot_on(axis(capsule), p);
+  const auto radius = static_cast<double>(capsule.radius);
+  const Vec<N, double> edge = wide<N, T>(capsule.b) - wide<N, T>(capsule.a);
+  const bool is_at_end = foot.point == wide<N, T>(capsule.a) || foot.point == wide<N, T>(capsule.b);
+  const Vec<N, double> off = is_at_end ? foot.off : straightened(foot.off, edge);
+  return {foot.point + unit_or(off, across(edge)) * radius, foot.point, std::sqrt(dot(off, off)) - radius};
+}
+
+// ---- Planes, half-spaces
+
+/// dot(normal, p) - offset; for doubles with the rounding of every product and sum added up, so that little is lost
+/// where they cancel. The products of floats are exact as they are.
+template <Dim N, class T>
+double height_over(const Plane<N, T>& plane, const Vec<N, double>& p) {
+  const Vec<N, double> normal = wide<N, T>(plane.normal);
+  const auto offset = static_cast<double>(plane.offset);
+  if constexpr (std::same_as<T, float>) return dot(normal, p) - offset;
+  Rounded sum{-offset, 0};
+  for (Dim i = 0; i < N; ++i) {
+    const Rounded product = two_product(normal[i], p[i]);
+    const Rounded next = two_sum(sum.value, product.value);
+    sum = {next.value, sum.error + (next.error + product.error)};
+  }
+  return sum.value + sum.error;
+}
+
+/// The axis along which a vector is longest, the first of several.
+template <Dim N>
+Dim longest_axis(const Vec<N, double>& v) {
+  Dim longest = 0;
+  for (Dim i = 1; i < N; ++i) {
+    if (std::fabs(v[i]) > std::fabs(v[longest])) longest = i;
+  }
+  return longest;
+}
+
+/// The foot of the perpendicular, dropped twice: the rounding of the first is as large as p, that of the second as the
+/// foot. What remains is taken from the coordinate that the plane is steepest in, which the others determine: so the
+/// foot is on the plane as closely as those can tell, also where it should be zero.
+template <Dim N, class T>
+SurfacePoint<N> surface_point(const Plane<N, T>& plane, const Vec<N, double>& p) {
+  const Vec<N, double> normal = wide<N, T>(plane.normal);
+  const double squared_length = dot(normal, normal);  // a valid normal is not zero
+  const double height = height_over(plane, p);
+  const Vec<N, double> near = p - normal * (height / squared_length);
+  Vec<N, double> foot = near - normal * (height_over(plane, near) / squared_length);
+  const Dim steepest = longest_axis(normal);
+  foot[steepest] = 0;
+  foot[steepest] = -height_over(plane, foot) / normal[steepest];
+  return {foot, foot, height / std::sqrt(squared_length)};
+}
+
+/// As deep as one wants: as deep inside as the foot is far from the origin.
+template <Dim N, class T>
+SurfacePoint<N> surface_point(const HalfSpace<N, T>& solid, const Vec<N, double>& p) {
+  SurfacePoint<N> result = surface_point(boundary(solid), p);
+  result.inner = result.point - unit_or(wide<N, T>(solid.normal), unit_axis<N>(0)) * max_abs(result.point);
+  return result;
+}
+
+// ---- Triangles in space, polygons
+
+template <class T>
+SurfacePoint<3> surface_point(const Triangle<3, T>& triangle, const Vec<3, double>& p) {
+  const Triangle<3, double> corners{wide<3, T>(triangle.a), wide<3, T>(triangle.b), wide<3, T>(triangle.c)};
+  return without_inside(foot_on(corners, p));
+}
+
+/// Counter-clockwise; on one line they stay as they are.
+template <class T>
+std::array<Vec<2, T>, 3> counter_clockwise(const Triangle<2, T>& triangle) {
+  if (orientation(triangle.a, triangle.b, triangle.c) < 0) return {triangle.a, triangle.c, triangle.b};
+  return triangle.vertices();
+}
+
+/// The mean of the corners; subtracted from one first, so that it is right far from the origin too.
+template <Dim N, class T>
+Vec<N, double> middle_of(std::span<const Vec<N, T>> points) {
+  const Vec<N, double> first = wide<N, T>(points.front());
+  Vec<N, double> sum(0.0);
+  for (const Vec<N, T>& point : points) sum += wide<N, T>(point) - first;
+  return first + sum / static_cast<double>(points.size());  // never empty
+}
+
+/// Inside is what lies left of every edge of a polygon that has an area, which `orientation` decides exactly.
+template <class T>
+SurfacePoint<2> surface_point_of(Corners<T> corners, const Vec<2, double>& p) {
+  const FootOnPolygon foot = foot_on_polygon(corners, p);
+  const double distance = std::sqrt(squared(foot.foot));
+  return {foot.foot.point, middle_of(corners), foot.is_inside ? -distance : distance};
+}
+
+template <class T>
+SurfacePoint<2> surface_point(const Triangle<2, T>& triangle, const Vec<2, double>& p) {
+  return surface_point_of<T>(counter_clockwise(triangle), p);
+}
+
+template <class T>
+SurfacePoint<2> surface_point(const Polytope<2, T>& polygon, const Vec<2, double>& p) {
+  return surface_point_of<T>(polygon.vertices(), p);
+}
+
+}  // namespace graze::detail

@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: MIT
+// How capsules and boxes touch each other in the plane: what penetration_of_simple and the patches of
+// manifold.hpp find for any two shapes, of pairs whose cores are nearest, or least deep, at a side of one of them or
+// clearly between two corners. As Box2D has it (Catto, "Contact Manifolds", GDC 2007): a side of one is the reference,
+// and what lies over it of a side of the other is cut. Include manifold.hpp.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/fast_contact/cores_2d.hpp>
+#include <graze/query/fast_contact/fast_result.hpp>
+#include <graze/query/patch/clipped.hpp>
+#include <graze/query/patch/manifold_points.hpp>
+#include <graze/query/patch/patch.hpp>
+#include <graze/shape/aabb.hpp>
+#include <graze/shape/capsule.hpp>
+#include <graze/shape/fields/shape_order.hpp>
+#include <graze/shape/obb.hpp>
+
+namespace graze::detail {
+
+/// A look that may show both points of a manifold.
+struct FlatLook : TouchLook<2> {
+  std::array<SurfacePair<2>, 2> points;
+  std::size_t size = 0;
+
+  std::size_t put_points(SurfacePair<2>* to) const {
+    for (std::size_t i = 0; i < size; ++i) to[i] = points[i];
+    return size;
+  }
+};
+
+/// Two cores in the order of their contact, with so many axes each, one or two.
+template <std::size_t first_axes, std::size_t second_axes>
+class FlatTouch {
+ public:
+  using V = Vec<2, double>;
+
+  /// Seen from `origin`. `turns` if the second is the first of the pair.
+  [[gnu::always_inline]] FlatTouch(const V& origin, const FlatCore<first_axes>& first,
+                                   const FlatCore<second_axes>& second, bool turns)
+      : origin_(origin),
+        first_(first),
+        second_(second),
+        turns_(turns ? -1.0 : 1.0),
+        size_(first.size() + second.size()),
+        reach_(first.radius + second.radius),
+        noise_(tolerance::rounding * size_),
+        doubt_(tolerance::coarse * size_) {}
+
+  [[gnu::always_inline]] FlatLook run() {
+    find_side();
+    const double depth = reach_ - gap_;
+    FlatLook look;
+    look.is_known = depth < -doubt_;
+    look.found.error = 2 * noise_;
+    // Sides that are too short to have a direction, and numbers that are not moderate, are left.
+    const double shortest = std::min(first_.shortest(), second_.shortest());
+    const bool is_plain = shortest > least_share * size_ && size_ > 0x1p-400 && size_ < 0x1p400 && depth > doubt_;
+    if (!is_plain) return look;
+    if (is_of_first_) {
+      over_side<true>({across_second_, side_, up_}, look);
+    } else {
+      over_side<false>({across_second_, side_, up_}, look);
+      if (look.is_known) take_carried_points(look);
+    }
+    return look;
+  }
+
+ private:
+  static constexpr double least_share = tolerance::known_direction;
+  static constexpr bool are_boxes = first_axes == 2 && second_axes == 2;
+
+  /// A side of a core: across which axis, at its half edge or, with -1, against it, and its normal.
+  struct Side {
+    bool across_second;
+    double at;
+    V up;
+  };
+
+  /// The reference side and the other core's: the ends of that as the reference sees them from its middle, and what is
+  /// left of the way from one end to the other.
+  struct Cut {
+    Side own;
+    bool across_second;  ///< The other side is across that axis.
+    double at;
+    V middle;     ///< Of the other side.
+    V half_edge;  ///< From there to its end.
+    double half;  ///< Of the reference side.
+    double other_half;
+    std::array<double, 2> along;
+    std::array<double, 2> above;
+    std::array<double, 2> share;
+    std::array<bool, 2> is_cut;
+  };
+
+  template <bool of_first>
+  [[gnu::always_inline]] const auto& own() const {
+    if constexpr (of_first) {
+      return first_;
+    } else {
+      return second_;
+    }
+  }
+
+  // ---- The side on which the cores are least deep
+
+  [[gnu::always_inline]] void find_side() {
+    if constexpr (first_axes == 2) try_side(first_, second_, 0, true);
+    try_side(first_, second_, 1, true);
+    if constexpr (second_axes == 2) try_side(second_, first_, 0, false);
+    try_side(second_, first_, 1, false);
+  }
+
+  /// Of sides that are as good, up to rounding, the first.
+  template <class Own, class Other>
+  [[gnu::always_inline]] void try_side(const Own& own, const Other& other, std::size_t axis, bool is_of_first) {
+    const V& normal = own.normal[axis];
+    const double ahead = dot(normal, other.center - own.center);
+    const double reach = std::fabs(dot(normal, own.half_edge[axis])) + std::fabs(dot(normal, other.half_edge[0])) +
+                         std::fabs(dot(normal, other.half_edge[1]));
+    const double gap = std::fabs(ahead) - reach;
+    if (!(gap > gap_ + noise_)) return;
+    gap_ = gap;
+    side_ = std::copysign(1.0, ahead);
+    across_second_ = axis == 1;
+    is_of_first_ = is_of_first;
+    up_ = normal * side_;
+  }
+
+  // ---- What lies over the reference side
+
+  template <bool of_first>
+  [[gnu::always_inline]] void over_side(const Side& own_side, FlatLook& look) const {
+    Cut cut = cut_at_ends<of_first>(own_side);
+    const double margin = least_share * size_;
+    const double rise = cut.above[1] - cut.above[0];
+    // The lowest place is an end that is clearly over the side; where both are as low, any place that is left.
+    const double lowest = rise < 0 ? cut.along[1] : cut.along[0];
+    const double left = (cut.share[1] - cut.share[0]) * std::fabs(cut.along[1] - cut.along[0]);
+    const bool is_clear = std::fabs(lowest) < cut.half - margin || (std::fabs(rise) <= noise_ && left > margin);
+    if (is_clear || are_boxes) {
+      on_side<of_first>(cut, look);
+    } else if (gap_ > margin) {
+      between_corners<of_first>(look);
+    }
+  }
+
+  template <bool of_first>
+  [[gnu::always_inline]] Cut cut_at_ends(const Side& own_side) const {
+    const auto& own = this->own<of_first>();
+    const auto& other = this->own<!of_first>();
+    const auto of = [](bool is_second, const auto& of_axes) { return FlatCore<2>::of_axis(is_second, of_axes); };
+    Cut cut;
+    cut.own = own_side;
+    cut.across_second = is_second_incident(other, own_side.up);
+    cut.at = -std::copysign(1.0, dot(of(cut.across_second, other.normal), own_side.up));
+    cut.middle = other.center + of(cut.across_second, other.half_edge) * cut.at;
+    cut.half_edge = of(!cut.across_second, other.half_edge);
+    cut.half = of(!own_side.across_second, own.half_length);
+    cut.other_half = of(!cut.across_second, other.half_length);
+    const V off = cut.middle - (own.center + of(own_side.across_second, own.half_edge) * own_side.at);
+    const V along = of(!own_side.across_second, own.along);
+    const double middle = dot(off, along);
+    const double half_way = dot(cut.half_edge, along);
+    const double height = dot(off, own_side.up);
+    const double half_rise = dot(cut.half_edge, own_side.up);
+    cut.along = {middle - half_way, middle + half_way};
+    cut.above = {height - half_rise, height + half_rise};
+    // What is beyond the ends by more than rounding is cut.
+    const double per_way = 0.5 / half_way;
+    for (std::size_t i = 0; i < 2; ++i) {
+      cut.is_cut[i] = std::fabs(cut.along[i]) > cut.half + doubt_;
+      const double share = (std::copysign(cut.half, cut.along[i]) - cut.along[0]) * per_way;
+      cut.share[i] = cut.is_cut[i] ? share : static_cast<double>(i);
+    }
+    return cut;
+  }
+
+  /// Whether it is the side across the second axis that looks most against a direction: of those that do so as much the
+  /// first.
+  template <std::size_t axes>
+  [[gnu::always_inline]] static bool is_second_incident(const FlatCore<axes>& other, const V& up) {
+    if constexpr (axes < 2) return true;
+    return looks_more(std::fabs(dot(other.normal[1], up)), std::fabs(dot(other.normal[0], up)));
+  }
+
+  /// Whether a side of a box rests on one, up to `high`: as FacingPatches has it.
+  [[gnu::always_inline]] bool is_resting(const Cut& cut, double high) const {
+    return are_boxes && high <= 2 * tolerance::aligned * std::min(cut.half, cut.other_half);
+  }
+
+  /// Whatever is above the reach is cut, too, unless all rests.
+  template <bool of_first>
+  [[gnu::always_inline]] void on_side(Cut& cut, FlatLook& look) const {
+    if (!(cut.share[0] < cut.share[1])) return;  // beside the side
+    const double rise = cut.above[1] - cut.above[0];
+    const double start = cut.above[0] + rise * cut.share[0];
+    const double end = cut.above[0] + rise * cut.share[1];
+    bool is_start_high = start > reach_ + doubt_;
+    bool is_end_high = end > reach_ + doubt_;
+    if (is_start_high && is_end_high) return;  // rounding hides what is below
+    if (is_resting(cut, std::max(start, end))) is_start_high = is_end_high = false;
+    const double at_height = (reach_ - cut.above[0]) / rise;
+    if (is_start_high) cut.share[0] = at_height;
+    if (is_end_high) cut.share[1] = at_height;
+    put_found(reach_ - gap_, up_ * (is_of_first_ ? 1.0 : -1.0), look);
+    put_point<of_first>(cut, 0, is_start_high, look.points[0]);
+    put_point<of_first>(cut, 1, is_end_high, look.points[1]);
+    look.size = 2;
+    take_point(look, look.points[1].depth > look.points[0].depth);
+  }
+
+  /// What is left of a side at one of its ends.
+  template <bool of_first>
+  [[gnu::always_inline]] void put_point(const Cut& cut, std::size_t i, bool is_high, SurfacePair<2>& point) const {
+    const auto& own = this->own<of_first>();
+    const auto& other = this->own<!of_first>();
+    const V on_core = cut.middle + cut.half_edge * (2 * cut.share[i] - 1);
+    const V up = is_of_first_ == of_first ? up_ : -up_;
+    const V on_other = on_core - up * other.radius;
+    const double gap = cut.above[0] + (cut.above[1] - cut.above[0]) * cut.share[i];
+    const double depth = std::max(0.0, reach_ - gap);
+    const bool is_at_corner = cut.is_cut[i] && !is_high;
+    const Feature of_own = is_at_corner ? own.corner_of_side(cut.own.across_second, cut.own.at, cut.along[i])
+                                        : own.side(cut.own.across_second, cut.own.at);
+    const Feature of_other = is_high || cut.is_cut[i]
+                                 ? other.side(cut.across_second, cut.at)
+                                 : other.corner_of_side(cut.across_second, cut.at, i == 1 ? 1.0 : -1.0);
+    put_pair<of_first>(on_other + up * depth, on_other, depth, {of_own, of_other}, point);
+  }
+
+  /// Where a side of the first core looks along the normal, too, it is that which carries the points, if not the
+  /// contact.
+  [[gnu::always_inline]] void take_carried_points(FlatLook& look) const {
+    const bool is_first_along = first_axes == 2 && is_along(first_.normal[0]);
+    if (is_first_along || is_along(first_.normal[1])) carry(!is_first_along, look);
+  }
+
+  [[gnu::always_inline]] bool is_along(const V& normal) const {
+    return is_aligned(normal, up_) || is_aligned(normal, -up_);
+  }
+
+  [[gnu::noinline]] void carry(bool across_second, FlatLook& look) const {
+    const V normal = FlatCore<2>::of_axis(across_second, first_.normal);
+    const double side = -std::copysign(1.0, dot(normal, up_));
+    FlatLook carried;
+    over_side<true>({across_second, side, normal * side}, carried);
+    look.is_known = carried.is_known;
+    look.points = carried.points;
+    look.size = carried.size;
+  }
+
+  // ---- Corners
+
+  /// Cores that are apart, nearest at a corner of each.
+  template <bool of_first>
+  [[gnu::always_inline]] void between_corners(FlatLook& look) const {
+    const auto& own = this->own<of_first>();
+    const auto& other = this->own<!of_first>();
+    V own_sides = own.sides_of(other.center);
+    own_sides = own.sides_of(other.corner(other.sides_of(own.corner(own_sides))));
+    const V corner = own.corner(own_sides);
+    const V other_sides = other.sides_of(corner);
+    const V way = other.corner(other_sides) - corner;
+    const double distance = std::sqrt(dot(way, way));
+    const bool is_clear = distance > least_share * size_ && is_beyond(own, own_sides, way, distance) &&
+                          is_beyond(other, other_sides, -way, distance);
+    const double depth = reach_ - distance;
+    if (!is_clear || std::fabs(depth) <= doubt_) return;
+    const V normal = way * (1 / distance);
+    put_found(depth, of_first ? normal : -normal, look);
+    put_pair<of_first>(corner + normal * own.radius, corner + way - normal * other.radius, depth,
+                       {own.corner_feature(own_sides), other.corner_feature(other_sides)}, look.points[0]);
+    look.size = 1;
+    take_point(look, false);
+  }
+
+  /// Whether a way from a corner leads away from both sides, by more than what would be laid flat on one.
+  template <std::size_t axes>
+  [[gnu::always_inline]] static bool is_beyond(const FlatCore<axes>& core, const V& sides, const V& way,
+                                               double distance) {
+    constexpr double least_cosine = 16 * tolerance::aligned;
+    const bool of_first = dot(way, core.along[0]) * sides.x > least_cosine * distance;
+    return of_first && (axes == 1 || dot(way, core.along[1]) * sides.y > least_cosine * distance);
+  }
+
+  // ---- From the first of the pair to the second
+
+  /// With the normal from the first core to the second, but no points.
+  [[gnu::always_inline]] void put_found(double depth, const V& normal, FlatLook& look) const {
+    look.is_known = true;
+    look.meets = depth > 0;
+    look.found.normal = normal * turns_;
+    look.found.depth = depth;
+  }
+
+  [[gnu::always_inline]] static void take_point(FlatLook& look, bool is_second) {
+    look.found.point_a = is_second ? look.points[1].point_a : look.points[0].point_a;
+    look.found.point_b = is_second ? look.points[1].point_b : look.points[0].point_b;
+  }
+
+  template <bool of_first>
+  [[gnu::always_inline]] void put_pair(const V& on_own, const V& on_other, double depth,
+                                       const std::array<Feature, 2>& features, SurfacePair<2>& pair) const {
+    const V own = origin_ + on_own;
+    const V other = origin_ + on_other;
+    const bool is_own_first = (turns_ > 0) == of_first;
+    pair.point_a = is_own_first ? own : other;
+    pair.point_b = is_own_first ? other : own;
+    pair.depth = depth;
+    pair.feature_a = is_own_first ? features[0] : features[1];
+    pair.feature_b = is_own_first ? features[1] : features[0];
+  }
+
+  V origin_;
+  const FlatCore<first_axes>& first_;
+  const FlatCore<second_axes>& second_;
+  double turns_;
+  double size_;
+  double reach_;
+  double noise_;
+  double doubt_;
+  double gap_ = -std::numeric_limits<double>::infinity();
+  double side_ = 1;
+  bool across_second_ = false;
+  bool is_of_first_ = false;
+  V up_ = V(0.0);  ///< The normal of that side.
+};
+
+// ---- In the order of AnyShape
+
+template <class A, class B>
+[[gnu::always_inline]] inline FlatLook flat_look(const A& first, const B& second, bool turns) {
+  const Vec<2, double> origin = flat_origin(first);
+  const auto core_of_first = flat_core(first, origin);
+  const auto core_of_second = flat_core(second, origin);
+  return FlatTouch(origin, core_of_first, core_of_second, turns).run();
+}
+
+/// Of two of a type, in the order of their contact.
+template <class S>
+FlatLook flat_look_of_alike(const S& a, const S& b, bool turns) {
+  const bool is_first = is_in_order(a, b);
+  return flat_look(is_first ? a : b, is_first ? b : a, turns == is_first);
+}
+
+template <class T>
+FlatLook touch_look(const Aabb<2, T>& box, const Capsule<2, T>& capsule, bool turns) {
+  return flat_look(box, capsule, turns);
+}
+template <class T>
+FlatLook touch_look(const Obb<2, T>& box, const Capsule<2, T>& capsule, bool turns) {
+  return flat_look(box, capsule, turns);
+}
+/// The oriented one is the first in the order of contacts.
+template <class T>
+FlatLook touch_look(const Aabb<2, T>& a, const Obb<2, T>& b, bool turns) {
+  return flat_look(b, a, !turns);
+}
+template <class T>
+FlatLook touch_look(const Obb<2, T>& a, const Obb<2, T>& b, bool turns) {
+  return flat_look_of_alike(a, b, turns);
+}
+template <class T>
+FlatLook touch_look(const Capsule<2, T>& a, const Capsule<2, T>& b, bool turns) {
+  return flat_look_of_alike(a, b, turns);
+}
+
+}  // namespace graze::detail

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// quick_touch(a, b): a quick look at two shapes, either first, if there is one for their types.
+#pragma once
+
+#include <graze/query/fast_contact/boxes_2d.hpp>
+#include <graze/query/fast_contact/capsule_box.hpp>
+#include <graze/query/fast_contact/fast_result.hpp>
+#include <graze/query/fast_contact/half_space.hpp>
+#include <graze/query/fast_contact/sphere_2d.hpp>
+#include <graze/query/fast_contact/sphere_box.hpp>
+#include <graze/query/fast_contact/sphere_triangle.hpp>
+#include <graze/query/fast_contact/spheres_and_capsules.hpp>
+#include <graze/shape/shape.hpp>
+
+namespace graze::detail {
+
+/// Whether there is a quick look at two shapes in this order.
+template <class A, class B>
+concept HasTouchLook = requires(const A& a, const B& b) {
+  touch_look(a, b, false);
+};
+
+template <class A, class B>
+inline constexpr bool has_quick_touch = HasTouchLook<A, B> || HasTouchLook<B, A>;
+
+/// A TouchLook, or what is one and more, with the normal from the first of the two.
+template <class A, class B>
+requires has_quick_touch<A, B>
+auto quick_touch(const A& a, const B& b) {
+  if constexpr (HasTouchLook<A, B>) {
+    return touch_look(a, b, false);
+  } else {
+    return touch_look(b, a, true);
+  }
+}
+
+}  // namespace graze::detail

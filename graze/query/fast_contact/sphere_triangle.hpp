@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// How a ball touches a triangle in space: what penetration_of_simple finds for any two shapes, of balls whose center is
+// clearly off the triangle, and of triangles that are no needles. Include manifold.hpp.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/fast_contact/fast_result.hpp>
+#include <graze/query/fast_contact/spheres_and_capsules.hpp>
+#include <graze/query/patch/clipped.hpp>
+#include <graze/shape/sphere.hpp>
+#include <graze/shape/triangle.hpp>
+
+namespace graze::detail {
+
+/// The point of a triangle that is nearest to zero, and what of the triangle it lies on: known unless rounding may have
+/// moved it to a neighbour.
+struct NearOnTriangle {
+  Vec<3, double> place;
+  Feature feature;
+  bool is_known;
+};
+
+/// So far along a side.
+inline NearOnTriangle near_on_side(const Vec<3, double>& start, const Vec<3, double>& way, double along,
+                                   std::uint32_t side) {
+  constexpr double margin = 1e-9;
+  return {start + way * along, {FeatureKind::edge, side}, along > margin && along < 1 - margin};
+}
+
+/// By the region that zero is in (Ericson, Real-Time Collision Detection, 2005, 5.1.5), of a triangle that is no
+/// needle.
+inline NearOnTriangle nearest_to_zero(const Triangle<3, double>& triangle) {
+  constexpr double margin = 1e-9;
+  const auto& [a, b, c] = triangle;
+  const Vec<3, double> ab = b - a;
+  const Vec<3, double> ac = c - a;
+  const double a_along_ab = -dot(ab, a);
+  const double a_along_ac = -dot(ac, a);
+  if (a_along_ab <= 0 && a_along_ac <= 0) return {a, {FeatureKind::vertex, 0}, true};
+  const double b_along_ab = -dot(ab, b);
+  const double b_along_ac = -dot(ac, b);
+  if (b_along_ab >= 0 && b_along_ac <= b_along_ab) return {b, {FeatureKind::vertex, 1}, true};
+  const double c_along_ab = -dot(ab, c);
+  const double c_along_ac = -dot(ac, c);
+  if (c_along_ac >= 0 && c_along_ab <= c_along_ac) return {c, {FeatureKind::vertex, 2}, true};
+  const double of_c = a_along_ab * b_along_ac - b_along_ab * a_along_ac;
+  if (of_c <= 0 && a_along_ab >= 0 && b_along_ab <= 0) {
+    return near_on_side(a, ab, a_along_ab / (a_along_ab - b_along_ab), 0);
+  }
+  const double of_b = c_along_ab * a_along_ac - a_along_ab * c_along_ac;
+  if (of_b <= 0 && a_along_ac >= 0 && c_along_ac <= 0) {
+    return near_on_side(a, ac, a_along_ac / (a_along_ac - c_along_ac), 2);
+  }
+  const double of_a = b_along_ab * c_along_ac - c_along_ab * b_along_ac;
+  const double from_b = b_along_ac - b_along_ab;
+  const double from_c = c_along_ab - c_along_ac;
+  if (of_a <= 0 && from_b >= 0 && from_c >= 0) return near_on_side(b, c - b, from_b / (from_b + from_c), 1);
+  const Vec<3, double> normal = cross(ab, ac);
+  const double all = of_a + of_b + of_c;
+  return {normal * (dot(normal, a) / dot(normal, normal)),
+          {FeatureKind::face, 0},
+          of_a > margin * all && of_b > margin * all && of_c > margin * all};
+}
+
+/// The triangle as the center sees it. Its normal is known to a few hundred epsilon, since two sides are 7 degrees from
+/// parallel.
+template <class T>
+TouchLook<3> touch_look(const Sphere<3, T>& ball, const Triangle<3, T>& triangle, bool turns) {
+  const Vec<3, double> origin = wide<3, T>(ball.center);
+  const Triangle<3, double> seen{wide<3, T>(triangle.a) - origin, wide<3, T>(triangle.b) - origin,
+                                 wide<3, T>(triangle.c) - origin};
+  const NearOnTriangle near = nearest_to_zero(seen);
+  const double size = sum_abs(seen.a) + sum_abs(seen.b) + sum_abs(seen.c);
+  TouchLook<3> result =
+      touch_of_cores<3>({{origin}, {origin, near.place}, near.place, size}, static_cast<double>(ball.radius), 0, turns);
+  constexpr double least_sine_squared = 1.0 / 64;
+  const Vec<3, double> ab = seen.b - seen.a;
+  const Vec<3, double> ac = seen.c - seen.a;
+  const Vec<3, double> face = cross(ab, ac);
+  const double squared = dot(face, face);
+  const double distance = static_cast<double>(ball.radius) - result.found.depth;
+  result.is_known = result.is_known && near.is_known && squared > least_sine_squared * (dot(ab, ab) * dot(ac, ac)) &&
+                    squared > 0x1p-900 && (!result.meets || are_lines_apart(distance, size));
+  // Beside the face, but hardly off its normal, a ball lies on the face all the same.
+  constexpr double least_sine = 16 * tolerance::aligned;
+  const Vec<3, double> turn = cross(face, result.found.normal);
+  result.is_single = near.feature.kind == FeatureKind::face || dot(turn, turn) > least_sine * least_sine * squared;
+  result.set_features({FeatureKind::vertex, 0}, near.feature, turns);
+  return result;
+}
+
+}  // namespace graze::detail

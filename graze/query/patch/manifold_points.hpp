@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+// From two faces to the few points of a manifold. Include manifold.hpp.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/convex/inplace_vector.hpp>
+#include <graze/query/cores/penetration.hpp>
+#include <graze/query/cores/surface_point.hpp>
+#include <graze/query/patch/clipped.hpp>
+#include <graze/query/patch/patch.hpp>
+
+namespace graze::detail {
+
+/// A contact point on the surfaces of both shapes: point_a - point_b is normal * depth.
+template <Dim N>
+struct SurfacePair {
+  Vec<N, double> point_a;
+  Vec<N, double> point_b;
+  double depth;
+  Feature feature_a;
+  Feature feature_b;
+};
+
+/// The points of a patch, before few are chosen.
+template <Dim N>
+using SurfacePairs = InplaceVector<SurfacePair<N>, ClippedPatch<N>::most_corners>;
+
+/// The same of (b, a).
+template <Dim N>
+SurfacePair<N> exchanged(SurfacePair<N> pair) {
+  std::swap(pair.point_a, pair.point_b);
+  std::swap(pair.feature_a, pair.feature_b);
+  return pair;
+}
+
+/// Two cores' faces that look at each other along the normal of a penetration, and the radii around them.
+template <Dim N>
+struct FacingPatches {
+  const Patch<N>& a;
+  const Patch<N>& b;
+  double radius_a = 0;
+  double radius_b = 0;
+  /// Of what lies over a face without a radius all rests on it, if none of it is above by more than this share of half
+  /// the way around the smaller of the two: else what is above by more than rounding is cut off.
+  double flush = 0;
+};
+
+/// The same of (b, a).
+template <Dim N>
+FacingPatches<N> exchanged(const FacingPatches<N>& facing) {
+  return {facing.b, facing.a, facing.radius_b, facing.radius_a, facing.flush};
+}
+
+/// Whether a patch is a face that looks along the normal.
+template <Dim N>
+bool is_face_along(const Patch<N>& patch, const Vec<N, double>& normal) {
+  return is_aligned(patch.normal, normal);
+}
+
+/// Whether what lies over the face of a, which looks along the normal, all rests on it.
+template <Dim N>
+bool rests_on_face(const ClippedPatch<N>& incident, const FacingPatches<N>& facing) {
+  if (facing.flush == 0 || facing.radius_a + facing.radius_b > 0) return false;
+  double highest = 0;
+  for (std::size_t i = 0; i < incident.size(); ++i) {
+    highest = std::max(highest, dot(facing.a.normal, incident[i].point - facing.a.corners[0]));
+  }
+  return highest <= facing.flush * std::min(half_perimeter(facing.a), half_perimeter(facing.b));
+}
+
+/// What lies over the face of a, which looks along the normal, and not above the other surface: the incident face of b,
+/// cut. Points of b that are below are laid on the face of a along the normal.
+template <Dim N>
+SurfacePairs<N> pairs_over(const FacingPatches<N>& facing, const Vec<N, double>& normal, double slack) {
+  const Vec<N, double> on_face = facing.a.corners[0];
+  const double reach = facing.radius_a + facing.radius_b;
+  ClippedPatch<N> incident = clipped(facing.b, facing.a, normal, slack);
+  if (!rests_on_face(incident, facing)) {
+    incident.cut(facing.a.normal, on_face + facing.a.normal * reach, facing.a.size, slack);
+  }
+  const double climb = dot(facing.a.normal, normal);  // about 1, and 1 for exact faces
+  SurfacePairs<N> result;
+  for (std::size_t i = 0; i < incident.size(); ++i) {
+    const Vec<N, double>& point = incident[i].point;
+    const double gap = dot(facing.a.normal, point - on_face) / climb;
+    const double depth = std::max(0.0, reach - gap);
+    const Vec<N, double> point_b = point - normal * facing.radius_b;
+    result.push_back({point_b + normal * depth, point_b, depth, incident[i].reference, incident[i].incident});
+  }
+  return result;
+}
+
+/// Two edges side by side, whose common part has two ends; none if they are not parallel.
+template <Dim N>
+SurfacePairs<N> pairs_between_edges(const FacingPatches<N>& facing, const Vec<N, double>& normal, double slack) {
+  SurfacePairs<N> result;
+  if (facing.a.size != 2 || facing.b.size != 2) return result;
+  const Vec<N, double> along_a = unit_or(facing.a.corners[1] - facing.a.corners[0], Vec<N, double>(0.0));
+  const Vec<N, double> along_b = unit_or(facing.b.corners[1] - facing.b.corners[0], Vec<N, double>(0.0));
+  if (!is_aligned(along_a, along_b) && !is_aligned(along_a, -along_b)) return result;
+  if (std::fabs(dot(along_a, normal)) > tolerance::aligned) return result;
+  const ClippedPatch<N> incident = clipped(facing.b, facing.a, normal, slack);
+  for (std::size_t i = 0; i < incident.size(); ++i) {
+    const Vec<N, double>& point = incident[i].point;
+    const double gap = dot(normal, point - facing.a.corners[0]);
+    const double depth = facing.radius_a + facing.radius_b - gap;
+    if (depth < -slack) continue;
+    const Vec<N, double> point_b = point - normal * facing.radius_b;
+    result.push_back(
+        {point_b + normal * depth, point_b, std::max(0.0, depth), incident[i].reference, incident[i].incident});
+  }
+  return result;
+}
+
+/// The least feature of a patch that a point lies on.
+template <Dim N>
+Feature feature_at(const Patch<N>& patch, const Vec<N, double>& point, double slack) {
+  for (std::size_t i = 0; i < patch.size; ++i) {
+    if (sum_abs(patch.corners[i] - point) <= slack) return {FeatureKind::vertex, patch.vertices[i]};
+  }
+  if (patch.size == 1) return {FeatureKind::vertex, patch.vertices[0]};
+  if (N == 2 || patch.size == 2) return {FeatureKind::edge, patch.face};
+  for (std::size_t i = 0; i < patch.size; ++i) {
+    const std::size_t next = i + 1 < patch.size ? i + 1 : 0;
+    const Segment<N, double> edge{patch.corners[i], patch.corners[next]};
+    if (squared(foot_on(edge, point)) <= slack * slack) return {FeatureKind::edge, patch.edges[i]};
+  }
+  return {FeatureKind::face, patch.face};
+}
+
+/// The point of the contact alone.
+template <Dim N>
+SurfacePairs<N> single_pair(const FacingPatches<N>& facing, const Penetration<N>& found, double slack) {
+  const Vec<N, double> core_a = found.point_a - found.normal * facing.radius_a;
+  const Vec<N, double> core_b = found.point_b + found.normal * facing.radius_b;
+  SurfacePairs<N> result;
+  result.push_back({found.point_a, found.point_b, found.depth, feature_at(facing.a, core_a, slack),
+                    feature_at(facing.b, core_b, slack)});
+  return result;
+}
+
+/// The same over the face of b.
+template <Dim N>
+SurfacePairs<N> pairs_over_b(const FacingPatches<N>& facing, const Vec<N, double>& normal, double slack) {
+  SurfacePairs<N> result = pairs_over(exchanged(facing), -normal, slack);
+  for (SurfacePair<N>& pair : result) pair = exchanged(pair);
+  return result;
+}
+
+/// The face that looks along the normal carries the points, that of a if both do, but a plane's in any case: it has no
+/// corners to be laid on another. None if no face does.
+template <Dim N>
+SurfacePairs<N> face_pairs(const FacingPatches<N>& facing, const Vec<N, double>& normal, double slack) {
+  const bool b_is_unbounded = facing.b.size == 0;
+  if (is_face_along(facing.a, normal) && !b_is_unbounded) return pairs_over(facing, normal, slack);
+  if (is_face_along(facing.b, -normal)) return pairs_over_b(facing, normal, slack);
+  return {};
+}
+
+/// By their features, whichever of the shapes comes first: so that of points as good as each other the same are chosen
+/// where the shapes have been turned together, after which another may come first.
+template <Dim N>
+void sort_by_features(SurfacePairs<N>& pairs) {
+  const auto names = [](const SurfacePair<N>& pair) {
+    const std::pair a(pair.feature_a.kind, pair.feature_a.index);
+    const std::pair b(pair.feature_b.kind, pair.feature_b.index);
+    return std::tuple(std::min(a, b), std::max(a, b), a);
+  };
+  std::sort(pairs.begin(), pairs.end(),
+            [&](const SurfacePair<N>& a, const SurfacePair<N>& b) { return names(a) < names(b); });
+}
+
+/// Whether the deepest of some pairs is as deep as the contact. Of a face that is not exactly at right angles to the
+/// normal it may lie beside it, and what is over the face, of a steep edge, may be far less deep.
+template <Dim N>
+bool are_as_deep(const SurfacePairs<N>& pairs, const FacingPatches<N>& facing, double depth, double slack) {
+  double deepest = 0;
+  for (const SurfacePair<N>& pair : pairs) deepest = std::max(deepest, pair.depth);
+  const double size = (size_of_patch(facing.a) + size_of_patch(facing.b)) + (facing.radius_a + facing.radius_b) + depth;
+  return deepest >= depth - (slack + 0.5 * tolerance::aligned * size);
+}
+
+/// Those of faces, or of parallel edges; of everything else the deepest point is all there is.
+template <Dim N>
+SurfacePairs<N> surface_pairs(const FacingPatches<N>& facing, const Penetration<N>& found, double slack) {
+  SurfacePairs<N> result = face_pairs(facing, found.normal, slack);
+  if (result.empty()) result = pairs_between_edges(facing, found.normal, slack);
+  if (!result.empty() && !are_as_deep(result, facing, found.depth, slack)) result = {};
+  if (result.empty()) result = single_pair(facing, found, slack);
+  if (result.size() > 4) sort_by_features(result);  // four of them will be chosen
+  return result;
+}
+
+// ---- The few of many
+
+/// Chooses the deepest point; then the farthest from it; then, on either side of the line between the two, the one that
+/// makes the largest triangle with it. Of points that are as good, up to `slack` times the size of the patch, the
+/// first: so that motions smaller than that change none. `Pairs` holds pairs as SurfacePairs<3> does, or as much of
+/// each.
+template <class Pairs>
+class SpanningChoice {
+ public:
+  SpanningChoice(const Pairs& from, const Vec<3, double>& normal) : from_(from), normal_(normal) {}
+
+  /// Four of more than four, by their places.
+  std::array<std::size_t, 4> run() {
+    const double size = std::sqrt(best([&](std::size_t i) { return squared_from(0, i); }, 0).value);
+    const auto start = best([&](std::size_t i) { return from_[i].depth; }, size).place;
+    const auto end = best([&](std::size_t i) { return squared_from(start, i); }, size * size).place;
+    const auto left = best([&](std::size_t i) { return area(start, end, i); }, size * size).place;
+    const auto right = best([&](std::size_t i) { return -area(start, end, i); }, size * size).place;
+    return {start, end, left, right};
+  }
+
+ private:
+  struct Best {
+    std::size_t place;
+    double value;
+  };
+
+  template <class Value>
+  Best best(const Value& value, double size) const {
+    Best result{0, value(0)};
+    for (std::size_t i = 1; i < from_.size(); ++i) {
+      const double candidate = value(i);
+      if (candidate > result.value + tolerance::aligned * size) result = {i, candidate};
+    }
+    return result;
+  }
+
+  Vec<3, double> between(std::size_t i, std::size_t j) const { return from_[j].point_a - from_[i].point_a; }
+
+  double squared_from(std::size_t i, std::size_t j) const { return dot(between(i, j), between(i, j)); }
+
+  double area(std::size_t i, std::size_t j, std::size_t k) const {
+    return dot(cross(between(i, j), between(i, k)), normal_);
+  }
+
+  const Pairs& from_;
+  Vec<3, double> normal_;
+};
+
+}  // namespace graze::detail

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+// Where a ray meets any convex shape, from nothing but its support function. Include ray_cast.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/bounds.hpp>
+#include <graze/query/closest/surface_point_convex.hpp>
+#include <graze/query/closest_points.hpp>
+#include <graze/query/convex/simplex.hpp>
+#include <graze/query/convex/wide_support.hpp>
+#include <graze/query/cores/surface_point.hpp>
+#include <graze/query/gjk.hpp>
+#include <graze/query/proximity.hpp>
+#include <graze/query/ray/verdict.hpp>
+#include <graze/query/ray/verdict_2d.hpp>
+#include <graze/query/relation.hpp>
+#include <graze/query/status.hpp>
+#include <graze/query/verdict.hpp>
+#include <graze/shape/aabb.hpp>
+#include <graze/shape/ray.hpp>
+#include <graze/shape/segment.hpp>
+#include <graze/shape/shape.hpp>
+
+namespace graze::detail {
+
+/// A halving of the distance per step, as when a ray grazes a round shape, ends at rounding after 52 steps.
+inline constexpr int ray_step_limit = 64;
+
+/// A plane between a point of the ray and the shape.
+template <Dim N>
+struct Barrier {
+  Vec<N, double> normal = Vec<N, double>(0.0);  ///< Of length 1, towards the point.
+  double height = 0;                            ///< Of the point over the plane; not positive if there is none.
+  double gap = 0;                               ///< How far the shape may be at most.
+  double resolution = 0;
+};
+
+/// The plane by which GJK has proved the distance, moved to the shape's own farthest point. Next to the shape that is
+/// not the one across the shortest way, whose direction is mostly rounding there.
+template <Convex S>
+Barrier<dimension_of<S>> barrier_at(const S& shape, const Vec<dimension_of<S>, double>& point) {
+  constexpr Dim N = dimension_of<S>;
+  const auto& inner = core(shape);
+  const double radius = core_radius(shape);
+  const GjkResult<N> found = gjk(point, inner, GjkOptions{.radius = radius});
+  Barrier<N> barrier;
+  barrier.gap = std::max(0.0, found.upper - radius);
+  barrier.resolution = found.resolution + tolerance::rounding * radius;
+  if (!(found.upper > radius + barrier.resolution)) return barrier;
+  barrier.normal = unit_or(found.normal, Vec<N, double>(0.0));
+  barrier.height = dot(barrier.normal, point - wide_support(inner, barrier.normal)) - radius;
+  return barrier;
+}
+
+/// How near a missed shape must be for `relation` to have the last word.
+template <Convex S>
+double band_of_miss(const S& shape, const Path<dimension_of<S>>& path) {
+  constexpr Dim N = dimension_of<S>;
+  const auto box = bounds(shape);
+  const Vec<N, double> largest = max(abs(wide<N, scalar_of<S>>(box.min)), abs(wide<N, scalar_of<S>>(box.max)));
+  return 64 * support_error<S> * (sum_abs(path.origin) + sum_abs(largest) + core_radius(shape) + path.far);
+}
+
+/// Where a point that moves along a path has got to.
+template <Convex S>
+class Advance {
+ public:
+  static constexpr Dim N = dimension_of<S>;
+
+  Advance(const S& shape, const Path<N>& path) : shape_(shape), path_(path), point_(path.origin) {}
+
+  const Vec<N, double>& point() const { return point_; }
+
+  /// Moves on to the plane across `normal` (any length but zero), over which the point is `height` high, so that
+  /// nothing before it is in the shape. The end of the path if that comes first, or if the plane is not approached.
+  std::optional<Sighting<N>> move_to(const Vec<N, double>& normal, double height) {
+    const double approach = -dot(normal, path_.direction);
+    if (!(approach > 0)) return missed_by(height);
+    touch_.normal = normal;
+    const double next = touch_.t + height / approach;
+    touch_.t = std::min(next, path_.t_max);
+    point_ = path_.origin + path_.direction * touch_.t;
+    if (next > path_.t_max) return missed_by((next - path_.t_max) * approach);
+    return std::nullopt;
+  }
+
+  double t() const { return touch_.t; }
+
+  /// The point is this near to the shape.
+  Sighting<N> arrived(double error, Status status = Status::converged) {
+    touch_.point = point_;
+    touch_.error = error;
+    touch_.status = status;
+    return {Sight::hits, touch_, true, false};
+  }
+
+ private:
+  Sighting<N> missed_by(double height) {
+    Sighting<N> result = arrived(height);
+    result.sight = height > band_of_miss(shape_, path_) ? Sight::misses : Sight::unclear;
+    result.is_touch_known = false;
+    return result;
+  }
+
+  const S& shape_;
+  const Path<N>& path_;
+  Vec<N, double> point_;
+  Touch<N> touch_;
+};
+
+/// Moves along the path, each time to the plane that GJK has found between the point and the shape: Newton's method on
+/// the distance, which is a convex function of t, so it never gets past the first touch. Ends where the shape is as
+/// near as support points can tell, or is not met, or at the step limit, with the distance that is left as the error;
+/// what is farther than that, and yet finds no plane between, is unclear.
+template <Convex S>
+Sighting<dimension_of<S>> advance_by_distance(const S& shape, const Path<dimension_of<S>>& path) {
+  Advance<S> advance(shape, path);
+  Barrier<dimension_of<S>> barrier;
+  for (int step = 0; step < ray_step_limit; ++step) {
+    barrier = barrier_at(shape, advance.point());
+    if (!(barrier.height > barrier.resolution)) break;
+    const double before = advance.t();
+    if (const auto end = advance.move_to(barrier.normal, barrier.height - barrier.resolution / 2)) return *end;
+    if (advance.t() == before) break;
+  }
+  const bool has_arrived = barrier.gap <= 2 * barrier.resolution;
+  auto result = advance.arrived(barrier.gap + barrier.resolution, has_arrived ? Status::converged : Status::best_bound);
+  if (!has_arrived) {
+    result.sight = Sight::unclear;
+    result.is_touch_known = false;
+  }
+  return result;
+}
+
+/// A few points of a shape, seen from another that moves: GJK's simplex, but what belongs to the shape stays as it is.
+template <Dim N>
+class CornersInSight {
+ public:
+  /// False if it is there already.
+  bool add(const Vec<N, double>& corner) {
+    if (is_corner_of(corners_, corner)) return false;
+    corners_.push(corner);
+    return true;
+  }
+
+  /// Whether a ray goes through the hull of as many as there are dimensions by far more than rounding, which is
+  /// relative to `largest`.
+  bool are_passed(const Vec<N, double>& origin, const Vec<N, double>& direction, double largest) const {
+    if (corners_.size != static_cast<std::size_t>(N)) return false;
+    const double far = 4 * largest;
+    const Vec<N, double> first = corners_.points[0] - origin;
+    const Vec<N, double> second = corners_.points[1] - origin;
+    const auto is_ahead = [&](const Vec<N, double>& normal) {
+      const double height = dot(normal, first);
+      const bool comes_nearer = (height > 0) == (dot(normal, direction) > 0);
+      return comes_nearer && std::fabs(height) > tolerance::ray_side * far * sum_abs(normal);
+    };
+    if constexpr (N == 2) {
+      const double band = tolerance::ray_side * far * sum_abs(direction);
+      const double left = cross_2d(direction, first);
+      const double right = cross_2d(direction, second);
+      const bool is_between = std::min(left, right) < -band && std::max(left, right) > band;
+      return is_between && is_ahead(perpendicular(second - first));
+    } else {
+      const Vec<3, double> third = corners_.points[2] - origin;
+      const TriangleBesidePath beside({first, second, third}, {Vec<3, double>(0.0), direction, 0, far});
+      const bool is_between = beside.least > beside.band || beside.most < -beside.band;
+      return is_between && is_ahead(cross(second - first, third - first));
+    }
+  }
+
+  /// The vector from the nearest point of their hull. Those that have no part in it are forgotten.
+  Vec<N, double> nearest_to(const Vec<N, double>& point) {
+    Simplex<N> seen;
+    for (std::size_t i = 0; i < corners_.size; ++i) seen.push(point - corners_.points[i]);
+    const NearestOnSimplex<N> found = nearest_to_origin(seen);
+    Simplex<N> kept;
+    for (std::size_t i = 0; i < corners_.size; ++i) {
+      if (is_corner_of(found.face, seen.points[i]) && kept.size < found.face.size) kept.push(corners_.points[i]);
+    }
+    corners_ = kept;
+    return found.point;
+  }
+
+ private:
+  Simplex<N> corners_;
+};
+
+/// The same without waiting for GJK: the point moves as soon as a plane is found that allows it, and the simplex with
+/// it (van den Bergen, "Ray casting against general convex objects with application to continuous collision detection",
+/// 2004). None where neither the point nor the simplex gets on.
+template <Convex S>
+std::optional<Sighting<dimension_of<S>>> advance_at_once(const S& shape, const Path<dimension_of<S>>& path) {
+  constexpr Dim N = dimension_of<S>;
+  const auto& inner = core(shape);
+  const double radius = core_radius(shape);
+  Advance<S> advance(shape, path);
+  CornersInSight<N> corners;
+  Vec<N, double> nearest = path.origin - wide_support(inner, -path.direction);
+  double largest = max_abs(path.origin);
+  for (int step = 0; step < ray_step_limit; ++step) {
+    const double distance = std::sqrt(dot(nearest, nearest));
+    const double resolution = support_error<S> * largest + tolerance::rounding * radius;
+    if (distance <= radius + resolution) {
+      Sighting<N> result = advance.arrived(std::max(0.0, distance - radius) + resolution);
+      const bool is_exact = support_error<S> <= tolerance::convex;
+      result.is_certain = is_exact && corners.are_passed(path.origin, path.direction, largest);
+      return result;
+    }
+    const Vec<N, double> corner = wide_support(inner, nearest);
+    largest = std::max({largest, max_abs(corner), max_abs(advance.point())});
+    const Vec<N, double> normal = nearest / distance;  // over radius + resolution
+    const double height = dot(normal, advance.point() - corner) - radius;
+    const bool is_moving = height > resolution;
+    if (is_moving) {
+      if (const auto end = advance.move_to(normal, height - resolution / 2)) return end;
+    }
+    if (!corners.add(corner) && !is_moving) return std::nullopt;
+    const Vec<N, double> next = corners.nearest_to(advance.point());
+    if (!is_moving && !(dot(next, next) < dot(nearest, nearest))) return std::nullopt;
+    nearest = next;
+  }
+  return std::nullopt;
+}
+
+/// Where a path first touches any convex shape. One that is known to touch ends where it is nearest. Beside a shape
+/// that is nearer than rounding, a step to a plane along the path may lead past it: a miss found so is left open.
+template <Convex S>
+Sighting<dimension_of<S>> advance_to(const S& shape, const Path<dimension_of<S>>& path) {
+  if (const auto result = advance_at_once(shape, path)) return *result;
+  Sighting<dimension_of<S>> result = advance_by_distance(shape, path);
+  if (result.sight == Sight::misses) result.sight = Sight::unclear;
+  return result;
+}
+
+// ---- Where it is known to touch
+
+/// From the path's origin to where it has left a bounded shape.
+template <class S>
+Vec<dimension_of<S>, double> reach_past(const S& shape, const Path<dimension_of<S>>& path) {
+  constexpr Dim N = dimension_of<S>;
+  const Aabb<N, scalar_of<S>> box = bounds(shape);
+  return reach_to(Ray<N, double>{path.origin, path.direction},
+                  Aabb<N, double>{wide<N, scalar_of<S>>(box.min), wide<N, scalar_of<S>>(box.max)});
+}
+
+/// Where a path that only nearly touches is nearest to the shape. At a grazing angle Newton's method has gone past it:
+/// the last plane that it moved to gives the normal, nothing else.
+template <Convex S>
+Touch<dimension_of<S>> nearest_touch(const S& shape, const Path<dimension_of<S>>& path,
+                                     const Touch<dimension_of<S>>& passed) {
+  constexpr Dim N = dimension_of<S>;
+  const Vec<N, double> reach = reach_past(shape, path);
+  const Vec<N, double> end = path.direction * path.t_max;
+  const bool is_cut = is_finite(end) && dot(end, path.direction) < dot(reach, path.direction);
+  const Segment<N, double> way{path.origin, path.origin + (is_cut ? end : reach)};
+  const auto proximity_of = [&] {
+    if constexpr (HasSimpleCore<S>) {
+      return proximity_of_simple(shape, way, Relation::apart);
+    } else {
+      return proximity_of_convex(shape, way, Relation::apart);
+    }
+  };
+  const Proximity<N, double> nearest = proximity_of();
+  const double along = dot(nearest.point_b - path.origin, path.direction);
+  Touch<N> touch;
+  touch.t = std::clamp(along / dot(path.direction, path.direction), 0.0, path.t_max);  // a direction is not zero
+  touch.point = nearest.point_a;
+  touch.normal = passed.normal;
+  touch.error = nearest.distance + nearest.error;
+  touch.status = nearest.status;
+  return touch;
+}
+
+/// Where GJK says that a path touches which `relation` says does. Where no plane is left between the point and the
+/// shape, Newton's method may have come to rest at the entry without telling so; it has then not passed it. It is the
+/// answer where `relation` finds it on the shape, or where it is off by less than the ray is deep in the shape on the
+/// way to the nearest point: twice the depth in the middle, at most.
+template <Convex S>
+Touch<dimension_of<S>> touch_by_advance(const S& shape, const Path<dimension_of<S>>& path) {
+  const Sighting<dimension_of<S>> found = advance_to(shape, path);
+  if (found.sight == Sight::hits) return found.touch;
+  const Touch<dimension_of<S>> nearest = nearest_touch(shape, path, found.touch);
+  if (!(found.touch.t < nearest.t)) return nearest;
+  const auto barrier = barrier_at(shape, found.touch.point);
+  const double off = barrier.gap + barrier.resolution;
+  const bool is_on_shape = decide(shape, found.touch.point) != Relation::apart;
+  const Vec<dimension_of<S>, double> middle = path.origin + path.direction * (0.5 * found.touch.t + 0.5 * nearest.t);
+  const double deepest = std::max(0.0, -2 * surface_point(shape, middle).distance);
+  if (!is_on_shape && off >= std::max(nearest.error, deepest)) {
+    Touch<dimension_of<S>> touch = nearest;
+    touch.error = std::max(nearest.error, deepest);
+    return touch;
+  }
+  Touch<dimension_of<S>> touch = found.touch;
+  touch.error = is_on_shape ? std::max(found.touch.error, off) : off;
+  touch.status = is_on_shape ? Status::converged : Status::best_bound;
+  return touch;
+}
+
+}  // namespace graze::detail

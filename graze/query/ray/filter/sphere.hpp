@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// The first filter of a ray and a ball. Include ray_cast.hpp.
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include <graze/math/lanes/paired.hpp>
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/ray/verdict.hpp>
+#include <graze/query/ray_hit.hpp>
+#include <graze/shape/ray.hpp>
+#include <graze/shape/sphere.hpp>
+
+#ifdef GRAZE_HAS_LANES
+
+namespace graze::detail {
+
+/// A ray that misses a ball is told by three dot products. Of one that hits from outside and clearly before its end,
+/// place and normal are calculated as BallPassage does; all bands are those of sight_of. Others are unclear.
+template <Dim N, class T>
+class RayBallFilter {
+ public:
+  [[gnu::always_inline]] RayBallFilter(const Sphere<N, T>& ball, const Ray<N, T>& ray, T t_max)
+      : center_(Paired<N>(ball.center) - Paired<N>(ray.origin)),
+        direction_(ray.direction),
+        radius_(static_cast<double>(ball.radius)),
+        origin_(ray.origin) {
+    const double squared_radius = radius_ * radius_;
+    const double squared_way = dot(center_, center_);
+    const double whole = dot(direction_, direction_);
+    const double along = dot(center_, direction_);
+    const double squares = squared_way + squared_radius;
+    const double band = tolerance::ray_filter * squares;
+    const double outside = squared_way - squared_radius;
+    const bool is_moderate = (whole > 0x1p-400) & (whole < 0x1p400) & (squares > 0x1p-400) & (squares < 0x1p400);
+    if (!(is_moderate & (outside > band))) return;
+    const double squared_along = along * along;
+    if ((along < 0) | (outside * whole - squared_along > band * whole)) {
+      sight_ = Sight::misses;
+      return;
+    }
+    const double per_whole = 1 / whole;
+    const double middle = along * per_whole;
+    off_ = center_ - direction_ * middle;
+    const double depth = squared_radius - dot(off_, off_);
+    half_ = std::sqrt(std::fabs(depth) * per_whole);
+    t_ = middle - half_;
+    const double rest = static_cast<double>(t_max) - t_;
+    const double late = t_ - latest_t(t_max);
+    const double least = tolerance::ray_end * tolerance::ray_end * squares;
+    if (!(depth > band)) return;
+    if ((rest > 0) & (rest * rest * whole > least)) sight_ = Sight::hits;
+    if ((late > 0) & (late * late * whole > least)) sight_ = Sight::misses;
+  }
+
+  [[gnu::always_inline]] Sight sight() const { return sight_; }
+
+  [[gnu::always_inline]] std::optional<RayHit<N, T>> hit() const {
+    const Paired<N> spoke = off_ + direction_ * half_;  // to the center
+    const Paired<N> normal = unit_of(spoke * -1, radius_);
+    const double error = tolerance::rounding * (sum_of_coordinates(magnitude(center_)) + radius_);
+    return RayHit<N, T>{static_cast<T>(t_), rounded_vec<T>(center_ + normal * radius_ + origin_),
+                        rounded_vec<T>(normal), Status::converged, error};
+  }
+
+ private:
+  Paired<N> center_;  ///< As seen from the ray's origin.
+  Paired<N> direction_;
+  double radius_;
+  Paired<N> origin_;
+  Paired<N> off_{Vec<N, double>(0.0)};  ///< From the middle of the chord to the center.
+  double half_ = 0;
+  double t_ = 0;
+  Sight sight_ = Sight::unclear;
+};
+
+template <Dim N, class T>
+[[gnu::always_inline]] inline RayBallFilter<N, T> quick_cast(const Sphere<N, T>& ball, const Ray<N, T>& ray, T t_max) {
+  return {ball, ray, t_max};
+}
+
+}  // namespace graze::detail
+
+#endif

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+// Where most rays enter a polytope in space, or that they miss it. Include ray_cast.hpp.
+//
+// Seen along the ray, the polytope is a flat set of points, and the ray is one point. Three corners around it are a
+// portal, through which the ray must go (Snethen, "XenoCollide: complex collision made simple", 2008). The corner that
+// is farthest before the portal's plane takes the place of one of the three, until there is none: then the portal lies
+// in the face that the ray enters.
+//
+// How the portal was found need not be exact, for what is said of it is proved anew: the triangle belongs to the
+// polytope, and all corners are behind its plane, up to rounding. Of the three corners and the plane the ray's passage
+// is then as certain as that through a triangle. What is not proved so is left to advance.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/bounds.hpp>
+#include <graze/query/ray/advance.hpp>
+#include <graze/query/ray/corners_in_frame.hpp>
+#include <graze/query/ray/verdict.hpp>
+#include <graze/query/ray/verdict_2d.hpp>
+#include <graze/shape/aabb.hpp>
+#include <graze/shape/polytope.hpp>
+#include <graze/shape/triangle.hpp>
+
+namespace graze::detail {
+
+/// Six corners are looked up for a ray at a hull of 32 on average. What takes ten times as many is turned back and
+/// forth by rounding.
+inline constexpr int portal_step_limit = 64;
+
+/// Three corners as the ray's origin sees them. Seen along the ray they go counter-clockwise around it: direction .
+/// (a x b) is positive, and so of b and c, and c and a.
+struct Portal {
+  Vec<3, double> a;
+  Vec<3, double> b;
+  Vec<3, double> c;
+
+  /// Towards the ray's origin.
+  Vec<3, double> normal() const { return cross(c - a, b - a); }
+};
+
+/// More corners than SeenCorners has room for, each time looked up where they are.
+template <class T>
+class CornersInPlace {
+ public:
+  CornersInPlace(const Polytope<3, T>& polytope, const Vec<3, double>& origin) : polytope_(polytope), origin_(origin) {}
+
+  Aabb<3, double> bounds() const { return seen_from(origin_, graze::bounds(polytope_)); }
+  Vec<3, double> farthest(const Vec<3, double>& direction) const { return support(polytope_, direction) - origin_; }
+
+ private:
+  const Polytope<3, T>& polytope_;
+  const Vec<3, double>& origin_;
+};
+
+/// Finds what a ray from its origin goes through.
+template <class Corners>
+class PortalSearch {
+ public:
+  PortalSearch(const Corners& corners, const Path<3>& path)
+      : corners_(corners),
+        path_(path),
+        box_(corners.bounds()),
+        size_(sum_abs(path.origin) + sum_abs(max(abs(box_.min + path.origin), abs(box_.max + path.origin))) + path.far),
+        band_(64 * tolerance::convex * size_),
+        past_(2 * size_ / max_abs(path.direction)) {}
+
+  /// None where it is not certain by far.
+  std::optional<Sighting<3>> sighting() const {
+    const auto is_moderate = [](double x) { return x > 0x1p-160 && x < 0x1p160; };  // no product overflows
+    if (!is_moderate(size_) || !is_moderate(max_abs(path_.direction))) return std::nullopt;
+    if (is_behind()) return missed<3>();
+    Portal portal;
+    switch (find(portal)) {
+      case Sight::misses:
+        return missed<3>();
+      case Sight::hits:
+        return enter(portal);
+      default:
+        return std::nullopt;
+    }
+  }
+
+ private:
+  /// Whether the path moves away from the box, by what `relation` may call touching.
+  bool is_behind() const {
+    const Vec<3, double> corner = max(box_.min * path_.direction, box_.max * path_.direction);
+    return corner.x + corner.y + corner.z < -band_ * sum_abs(path_.direction);
+  }
+
+  /// Twice the area between the ray and two corners, seen along the ray.
+  double area(const Vec<3, double>& p, const Vec<3, double>& q) const { return dot(path_.direction, cross(p, q)); }
+
+  /// From a point at right angles to the ray.
+  Vec<3, double> towards_ray(const Vec<3, double>& p) const {
+    return path_.direction * (dot(p, path_.direction) / dot(path_.direction, path_.direction)) - p;
+  }
+
+  /// The corner farthest in a direction at right angles to the ray, and whether it is beyond the ray: if not, all are
+  /// on one side, and where it is before it by more than what `relation` may call touching, the ray misses. Of a
+  /// direction that is little more than rounding the angle may be any; then the ray itself comes towards the corners.
+  Sight reach(const Vec<3, double>& direction, Vec<3, double>& corner) const {
+    corner = corners_.farthest(direction);
+    const double height = dot(direction, corner);
+    if (height > 0) return Sight::hits;
+    const double lowest_of_ray = std::min(0.0, dot(direction, path_.direction)) * past_;
+    return height < lowest_of_ray - band_ * sum_abs(direction) ? Sight::misses : Sight::unclear;
+  }
+
+  /// Any portal. Two corners have the ray on their left; the farthest on that side makes three, or takes the place of
+  /// one of the two.
+  Sight find(Portal& portal) const {
+    auto& [a, b, c] = portal;
+    Sight sight = reach(towards_ray((box_.min + box_.max) * 0.5), a);
+    if (sight == Sight::misses) return sight;
+    sight = reach(towards_ray(a), b);
+    if (sight != Sight::hits) return sight;
+    if (area(a, b) < 0) std::swap(a, b);
+    for (int step = 0; step < portal_step_limit; ++step) {
+      sight = reach(cross(path_.direction, b - a), c);
+      if (sight != Sight::hits) return sight;
+      if (area(b, c) < 0) {
+        a = c;
+      } else if (area(c, a) < 0) {
+        b = c;
+      } else {
+        return Sight::hits;
+      }
+    }
+    return Sight::unclear;
+  }
+
+  std::optional<Sighting<3>> enter(Portal portal) const {
+    auto& [a, b, c] = portal;
+    for (int step = 0; step < portal_step_limit; ++step) {
+      const Vec<3, double> normal = portal.normal();
+      const Vec<3, double> corner = corners_.farthest(normal);
+      const double slack = tolerance::rounding * size_ * max_abs(normal);
+      if (dot(normal, corner - a) <= slack) {
+        const bool is_flat = dot(normal, corner - b) <= slack && dot(normal, corner - c) <= slack;
+        return is_flat ? passage(portal, normal) : std::nullopt;
+      }
+      if (corner == a || corner == b || corner == c) return std::nullopt;
+      const double beside_a = area(a, corner);
+      const double beside_b = area(b, corner);
+      if (beside_a <= 0 && beside_b >= 0) {
+        c = corner;
+      } else if (beside_b <= 0 && area(c, corner) >= 0) {
+        a = corner;
+      } else {
+        b = corner;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// The ray through a triangle of the polytope that no corner rises above by more than tolerance::rounding of the
+  /// size; as much again is what heights, t and the point are rounded by. Where the path ends is decided as for
+  /// triangles, whose steepness makes end_slack the same distance from the plane.
+  std::optional<Sighting<3>> passage(const Portal& portal, const Vec<3, double>& normal) const {
+    const auto& [origin, direction, t_max, far] = path_;
+    const TriangleBesidePath beside({portal.a, portal.b, portal.c}, {Vec<3, double>(0.0), direction, t_max, size_});
+    const bool is_inside = beside.least > beside.band;
+    const double climb = dot(normal, direction);
+    constexpr double least_sine_squared = 0x1p-20;
+    const bool is_steep = climb * climb > least_sine_squared * (dot(normal, normal) * dot(direction, direction));
+    if (!is_inside || !is_steep || climb > 0) return std::nullopt;
+    const double t = dot(normal, portal.a) / climb;
+    const double end_slack = 0x1p10 * tolerance::ray_side * size_ / max_abs(direction);
+    if (t > t_max + end_slack) return missed<3>();
+    if (!(t > -end_slack)) return std::nullopt;
+    Sighting<3> result{t > end_slack && t < t_max - end_slack ? Sight::hits : Sight::unclear, {}};
+    result.touch.t = std::clamp(t, 0.0, t_max);
+    result.touch.point = origin + direction * result.touch.t;
+    result.touch.normal = normal;
+    result.touch.error = 2 * tolerance::rounding * size_;
+    return result;
+  }
+
+  const Corners& corners_;
+  const Path<3>& path_;
+  Aabb<3, double> box_;  ///< From the path's origin.
+  double size_;          ///< No coordinates, of corners and path, sum up to more.
+  double band_;          ///< What `relation` may call touching.
+  double past_;          ///< The t at which the ray has left everything behind.
+};
+
+/// Where a path enters a polytope in space.
+template <class T>
+Sighting<3> sight_of_polytope(const Polytope<3, T>& polytope, const Path<3>& path) {
+  std::optional<Sighting<3>> result;
+  if (polytope.vertices().size() <= SeenCorners::room) {
+    result = PortalSearch(SeenCorners(polytope.vertices(), path.origin), path).sighting();
+  } else {
+    result = PortalSearch(CornersInPlace(polytope, path.origin), path).sighting();
+  }
+  return result ? *result : advance_to(polytope, path);
+}
+
+}  // namespace graze::detail

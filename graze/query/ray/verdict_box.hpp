@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+// The closed forms of ray_cast.hpp for boxes. Include ray_cast.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/ray/verdict.hpp>
+#include <graze/query/relation/unbounded.hpp>
+#include <graze/shape/aabb.hpp>
+#include <graze/shape/obb.hpp>
+
+namespace graze::detail {
+
+/// Where a path is between two sides of a box (Kay and Kajiya, "Ray tracing complex scenes", 1986). The default is an
+/// axis along which the box is infinite, the third one of a box in the plane.
+struct Slab {
+  double near = -std::numeric_limits<double>::infinity();
+  double far = std::numeric_limits<double>::infinity();
+  double slack = 0;  ///< What it takes to move by the margin across a side.
+
+  double earliest() const { return near - slack; }
+  double latest() const { return far + slack; }
+  Slab without_slack() const { return {near, far, 0}; }
+};
+
+/// No coordinate of a direction is taken as smaller. An axis across which the path runs has it between the sides always
+/// or never: the inverse stands for a number so large that the slab is as good as infinite, and is finite, so that no
+/// zero is multiplied by infinity.
+inline constexpr double least_slope = 0x1p-500;
+
+[[gnu::always_inline]] inline Slab slab_between(double min, double max, double slope, double margin) {
+  const double inverse = std::fabs(slope) > least_slope ? 1 / slope : 1 / least_slope;
+  const double to_min = min * inverse;
+  const double to_max = max * inverse;
+  return {std::min(to_min, to_max), std::max(to_min, to_max), margin * std::fabs(inverse)};
+}
+
+/// A box and a path from zero, in space.
+struct PathAtBox {
+  Vec<3, double> min;
+  Vec<3, double> max;
+  Vec<3, double> direction;
+  double far;  ///< As Path has it.
+};
+
+/// The slabs of a box. They are named, and nothing is in arrays or loops, so that compilers keep all of it in
+/// registers.
+struct Slabs {
+  Slab x;
+  Slab y;
+  Slab z;
+
+  /// Whether the path from 0 to t_max is outside the box even if its sides are moved out by the slack. So it is for
+  /// NaN.
+  [[gnu::always_inline]] inline bool are_missed(double t_max) const {
+    const double enter = std::max(std::max(x.earliest(), y.earliest()), std::max(z.earliest(), 0.0));
+    const double leave = std::min(std::min(x.latest(), y.latest()), std::min(z.latest(), t_max));
+    return !(enter <= leave) || std::isnan(x.slack);
+  }
+
+  /// Whether the path is between all sides at once, with the slack to spare where two axes are compared: of one axis
+  /// the near side comes first even if the box is flat.
+  [[gnu::always_inline]] inline bool are_entered(double t_max) const {
+    const auto enters = [t_max](const Slab& one, const Slab& two, const Slab& three) {
+      const double leave = std::min(std::min(two.far - two.slack, three.far - three.slack), t_max);
+      return one.near + one.slack <= leave && one.far >= one.slack;
+    };
+    return enters(x, y, z) && enters(y, z, x) && enters(z, x, y);
+  }
+};
+
+template <Dim N>
+[[gnu::always_inline]] inline Slabs slabs_of(const PathAtBox& path, double relative_margin) {
+  const double margin = relative_margin * (sum_abs(path.min) + sum_abs(path.max) + path.far);
+  return {slab_between(path.min.x, path.max.x, path.direction.x, margin),
+          slab_between(path.min.y, path.max.y, path.direction.y, margin),
+          N == 2 ? Slab() : slab_between(path.min.z, path.max.z, path.direction.z, margin)};
+}
+
+/// Where a path meets a box as the box's own axes see it.
+struct TouchOfBox {
+  Sight sight = Sight::misses;
+  double t = 0;
+  Vec<3, double> point = Vec<3, double>(0.0);
+  Vec<3, double> side = Vec<3, double>(0.0);  ///< -1 or 1 on the axis whose min or max side is met; else zero.
+  bool is_known = true;                       ///< False where the path is beside that side only before or after.
+};
+
+/// One coordinate of a point on a box: that of the side that is met, or any between the two.
+[[gnu::always_inline]] inline double coordinate_on(double side, double any, double min, double max) {
+  const double low = side > 0 ? max : min;
+  const double high = side < 0 ? min : max;
+  return std::min(std::max(any, low), high);
+}
+
+/// Where the path enters a box that it hits, if its sides are moved out by the slack of `slabs`.
+[[gnu::always_inline]] inline TouchOfBox enter_box(Sight sight, const PathAtBox& path, const Slabs& slabs,
+                                                   double t_max) {
+  const auto& [min, max, direction, far] = path;
+  const bool is_x = slabs.x.earliest() >= std::max(slabs.y.earliest(), slabs.z.earliest());
+  const bool is_y = !is_x && slabs.y.earliest() >= slabs.z.earliest();
+  const double near = is_x ? slabs.x.near : is_y ? slabs.y.near : slabs.z.near;
+  TouchOfBox touch{sight};
+  if (!(near >= 0)) return touch;
+  const double slope = is_x ? direction.x : is_y ? direction.y : direction.z;
+  const double low = is_x ? min.x : is_y ? min.y : min.z;
+  const double high = is_x ? max.x : is_y ? max.y : max.z;
+  // Divided once more, and so rounded once less, where the near side is not that of a path along it.
+  const double t = std::fabs(slope) > least_slope ? (slope > 0 ? low : high) / slope : near;
+  const double leave = std::min(std::min(slabs.x.latest(), slabs.y.latest()), std::min(slabs.z.latest(), t_max));
+  touch.t = std::min(t, std::max(0.0, leave));
+  touch.is_known = touch.t == t;
+  const double side = slope > 0 ? -1 : 1;
+  touch.side = {is_x ? side : 0, is_y ? side : 0, is_x || is_y ? 0 : side};
+  touch.point = {coordinate_on(touch.side.x, direction.x * touch.t, min.x, max.x),
+                 coordinate_on(touch.side.y, direction.y * touch.t, min.y, max.y),
+                 coordinate_on(touch.side.z, direction.z * touch.t, min.z, max.z)};
+  return touch;
+}
+
+/// What is moved by the slack across a side is moved by tolerance::ray_side of the box's size, so all verdicts hold for
+/// the true box. If it is touched after all, it is by no more than rounding.
+template <Dim N>
+[[gnu::always_inline]] inline TouchOfBox touch_of_box(const PathAtBox& path, double t_max) {
+  const Slabs slabs = slabs_of<N>(path, tolerance::ray_side);
+  if (slabs.are_missed(t_max)) return {};
+  // What is entered by a margin is entered where the last side is crossed, however nearly the path runs along it.
+  if (slabs.are_entered(t_max)) {
+    return enter_box(Sight::hits, path, {slabs.x.without_slack(), slabs.y.without_slack(), slabs.z.without_slack()},
+                     t_max);
+  }
+  return enter_box(Sight::unclear, path, slabs_of<N>(path, tolerance::rounding), t_max);
+}
+
+/// How far the point where a path meets a box may be off: by what rounds off and, where it may only have come near a
+/// side, by the slack of that.
+[[gnu::always_inline]] inline double error_at_box(const TouchOfBox& found, const PathAtBox& path) {
+  const double size = sum_abs(path.min) + sum_abs(path.max);
+  return tolerance::rounding * (found.sight == Sight::unclear ? 2 * size + path.far : size);
+}
+
+template <Dim N>
+[[gnu::always_inline]] inline PathAtBox path_at(const Aabb<N, double>& box, const Vec<N, double>& direction,
+                                                double far) {
+  return {lifted(box.min), lifted(box.max), lifted(direction), far};
+}
+
+/// Whether sight_of says that the box is missed. Of most paths this is all that is asked, and a verdict alone does not
+/// go through memory.
+template <Dim N>
+[[gnu::always_inline]] inline bool is_missed(const Aabb<N, double>& box, const Path<N>& path) {
+  return slabs_of<N>(path_at(box, path.direction, path.far), tolerance::ray_side).are_missed(path.t_max);
+}
+
+template <Dim N>
+[[gnu::always_inline]] inline Sighting<N> sight_of(const Aabb<N, double>& box, const Path<N>& path) {
+  const PathAtBox seen = path_at(box, path.direction, path.far);
+  const TouchOfBox found = touch_of_box<N>(seen, path.t_max);
+  return {found.sight,
+          {found.t, Vec<N, double>(found.point), Vec<N, double>(found.side), error_at_box(found, seen)},
+          found.is_known};
+}
+
+/// A box's own coordinates, where the point is on a side or was rounded out of the box. A normal along no axis is
+/// GJK's, and says nothing of sides, however little it is turned from an axis.
+template <Dim N, class T>
+[[gnu::always_inline]] inline void put_on_surface(Touch<N>& touch, const Aabb<N, T>& box) {
+  const Vec<N, double> min = wide<N, T>(box.min);
+  const Vec<N, double> max = wide<N, T>(box.max);
+  int axes = 0;
+  for (Dim i = 0; i < N; ++i) axes += touch.normal[i] != 0 ? 1 : 0;
+  const Vec<N, double> side = touch.normal * (axes == 1 ? 1.0 : 0.0);
+  touch.point.x = coordinate_on(side.x, touch.point.x, min.x, max.x);
+  touch.point.y = coordinate_on(side.y, touch.point.y, min.y, max.y);
+  if constexpr (N == 3) touch.point.z = coordinate_on(side.z, touch.point.z, min.z, max.z);
+}
+
+/// The rows of the inverse of a matrix, all as much too long as `determinant` says.
+template <Dim N>
+struct Inverse;
+
+template <>
+struct Inverse<2> {
+  Vec<2, double> x;
+  Vec<2, double> y;
+  double determinant;
+
+  [[gnu::always_inline]] Vec<2, double> rows_times(const Vec<2, double>& v) const { return {dot(x, v), dot(y, v)}; }
+  [[gnu::always_inline]] Vec<2, double> times_rows(const Vec<2, double>& v) const { return x * v.x + y * v.y; }
+};
+
+template <>
+struct Inverse<3> {
+  Vec<3, double> x;
+  Vec<3, double> y;
+  Vec<3, double> z;
+  double determinant;
+
+  [[gnu::always_inline]] Vec<3, double> rows_times(const Vec<3, double>& v) const {
+    return {dot(x, v), dot(y, v), dot(z, v)};
+  }
+  [[gnu::always_inline]] Vec<3, double> times_rows(const Vec<3, double>& v) const {
+    return x * v.x + y * v.y + z * v.z;
+  }
+};
+
+[[gnu::always_inline]] inline Inverse<2> inverse_of(const Mat<2, double>& m) {
+  return {{m[1].y, -m[1].x}, {-m[0].y, m[0].x}, cross_2d(m[0], m[1])};
+}
+[[gnu::always_inline]] inline Inverse<3> inverse_of(const Mat<3, double>& m) {
+  const Vec<3, double> first = cross(m[1], m[2]);
+  return {first, cross(m[2], m[0]), cross(m[0], m[1]), dot(first, m[0])};
+}
+
+/// The box as its own axes see it. They are orthonormal only up to rounding and the set is taken as stored, so the
+/// places on the axes are found with their inverse, where the transpose would be off by as much as they are. It is not
+/// divided by the determinant, which is positive or negative and nearly 1: box and direction grow alike.
+template <Dim N>
+[[gnu::always_inline]] inline Sighting<N> sight_of(const Obb<N, double>& box, const Path<N>& path) {
+  const Inverse<N> inverse = inverse_of(box.axes);
+  const double scale = std::fabs(inverse.determinant);
+  const double sign = inverse.determinant < 0 ? -1 : 1;
+  const Vec<N, double> center = inverse.rows_times(box.center) * sign;
+  const Vec<N, double> half = box.half_extents * scale;
+  const Aabb<N, double> seen{center - half, center + half};
+  const Vec<N, double> slope = inverse.rows_times(path.direction) * sign;
+  const PathAtBox path_seen = path_at(seen, slope, path.far);
+  const TouchOfBox found = touch_of_box<N>(path_seen, path.t_max);
+  const Vec<N, double> side(found.side);
+  // Of the axes across the side that is met the place is exact.
+  const Vec<N, double> place =
+      (Vec<N, double>(found.point) - center) / scale * (1.0 - abs(side)) + box.half_extents * side;
+  const bool is_inside = max_abs(side) == 0;
+  return {found.sight,
+          {found.t, is_inside ? Vec<N, double>(0.0) : box.center + box.axes * place, inverse.times_rows(side) * sign,
+           error_at_box(found, path_seen)},
+          found.is_known};
+}
+
+}  // namespace graze::detail

@@ -1,0 +1,446 @@
+// SPDX-License-Identifier: MIT
+// Every finite number counts. Queries calculate with products of a few lengths, which are in the range of double where
+// the lengths are of `usual` size, 2^-100 to 2^100. Floats never need more; doubles may. So a query that has found a
+// size, or a bound on its rounding, out of that range asks once more for the same shapes 2^k times as large, which is
+// exact, and divides the answer. On the usual path that costs the comparison of one number.
+//
+// One k brings numbers whose sizes differ by 2^900 at most into the range in which squares are exact enough. Of wider
+// apart ones the least count as zero: they are less than 2^-900 of the largest.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <graze/math/platform/bit_cast.hpp>
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/convex/wide_support.hpp>
+#include <graze/query/verdict.hpp>
+#include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/visit.hpp>
+#include <graze/shape/frustum.hpp>
+#include <graze/shape/posed.hpp>
+#include <graze/shape/shape.hpp>
+
+namespace graze::detail {
+
+/// Whether a length of shapes of T is of usual size: zero and NaN are not.
+template <class T>
+constexpr bool is_usual_size(double size) {
+  if constexpr (std::is_same_v<T, float>) return true;
+  return size > 0x1p-100 && size < 0x1p100;
+}
+
+/// The same of a rounding error, which is epsilon to some thousand epsilon of a size.
+template <class T>
+constexpr bool is_usual_error(double error) {
+  if constexpr (std::is_same_v<T, float>) return true;
+  return error > 0x1p-150 && error < 0x1p60;
+}
+
+/// Whether the normal of a plane or half-space can be squared; other shapes have none.
+template <class S>
+constexpr bool has_usual_normal(const S& shape) {
+  if constexpr (requires { shape.normal; }) {
+    return is_usual_size<scalar_of<S>>(static_cast<double>(max_abs(shape.normal)));
+  }
+  return true;
+}
+
+/// Whether a squared distance is greater than the square of another distance: where squares are too small to tell, no.
+inline bool is_farther(double squared, double distance) { return squared > distance * distance && squared > 0x1p-960; }
+
+/// Multiplies by 2^exponent: in two steps, since one factor might be beyond the range of double. Exact, but for what
+/// over- or underflows.
+class PowerOfTwo {
+ public:
+  explicit PowerOfTwo(int exponent)
+      : exponent_(exponent), first_(factor(exponent / 2)), second_(factor(exponent - exponent / 2)) {}
+
+  int exponent() const { return exponent_; }
+  PowerOfTwo inverse() const { return PowerOfTwo(-exponent_); }
+
+  double operator()(double x) const { return x * first_ * second_; }
+  template <Dim N>
+  Vec<N, double> operator()(const Vec<N, double>& v) const {
+    return v * first_ * second_;
+  }
+
+ private:
+  /// Never infinite, or zero times it would be no number: what is multiplied by two such factors is too large anyway.
+  static double factor(int exponent) { return std::ldexp(1.0, std::min(exponent, 1023)); }
+
+  int exponent_;
+  double first_;
+  double second_;
+};
+
+/// 2^n, the largest power of two in any coordinate.
+template <Dim N>
+int exponent_of(const Vec<N, double>& v) {
+  const double size = max_abs(v);
+  return size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
+}
+
+/// The exponents of usual sizes.
+inline constexpr int most_usual_exponent = 100;
+
+/// The same of a direction that is too long or too short for its length to be squared; of others 0.
+template <Dim N>
+int unusual_exponent_of(const Vec<N, double>& direction) {
+  const int exponent = exponent_of(direction);
+  return exponent < -most_usual_exponent || exponent >= most_usual_exponent ? exponent : 0;
+}
+
+// ---- mapped(shape, f): every length of a shape replaced by f(length), every direction of any length by
+// f.direction(direction). Axes of boxes and rotations stay as they are: their lengths are about 1.
+
+template <Dim N, class F>
+Vec<N, double> mapped(const Vec<N, double>& point, F& f) {
+  Vec<N, double> result;
+  for (Dim i = 0; i < N; ++i) result[i] = f(point[i]);
+  return result;
+}
+template <Dim N, class F>
+Segment<N, double> mapped(const Segment<N, double>& segment, F& f) {
+  return {mapped(segment.start, f), mapped(segment.end, f)};
+}
+template <Dim N, class F>
+Ray<N, double> mapped(const Ray<N, double>& ray, F& f) {
+  return {mapped(ray.origin, f), f.direction(ray.direction)};
+}
+template <Dim N, class F>
+Sphere<N, double> mapped(const Sphere<N, double>& sphere, F& f) {
+  return {mapped(sphere.center, f), f(sphere.radius)};
+}
+template <Dim N, class F>
+Aabb<N, double> mapped(const Aabb<N, double>& box, F& f) {
+  return {mapped(box.min, f), mapped(box.max, f)};
+}
+template <Dim N, class F>
+Obb<N, double> mapped(const Obb<N, double>& box, F& f) {
+  return {mapped(box.center, f), mapped(box.half_extents, f), box.axes};
+}
+template <Dim N, class F>
+Plane<N, double> mapped(const Plane<N, double>& plane, F& f) {
+  return {f.direction(plane.normal), f.along(plane.normal, plane.offset)};
+}
+template <Dim N, class F>
+HalfSpace<N, double> mapped(const HalfSpace<N, double>& solid, F& f) {
+  return {f.direction(solid.normal), f.along(solid.normal, solid.offset)};
+}
+template <Dim N, class F>
+Triangle<N, double> mapped(const Triangle<N, double>& triangle, F& f) {
+  return {mapped(triangle.a, f), mapped(triangle.b, f), mapped(triangle.c, f)};
+}
+template <Dim N, class F>
+Capsule<N, double> mapped(const Capsule<N, double>& capsule, F& f) {
+  return {mapped(capsule.a, f), mapped(capsule.b, f), f(capsule.radius)};
+}
+template <Dim N, class F>
+Frustum<N, double> mapped(const Frustum<N, double>& frustum, F& f) {
+  Frustum<N, double> result;
+  for (std::size_t k = 0; k < frustum.corners.size(); ++k) result.corners[k] = mapped(frustum.corners[k], f);
+  return result;
+}
+template <Dim N, class F>
+Polytope<N, double> mapped(const Polytope<N, double>& polytope, F& f) {
+  return with_corners_mapped(polytope, [&f](const Vec<N, double>& corner) { return mapped(corner, f); });
+}
+template <Dim N, class F>
+AnyShape<N, double> mapped(const AnyShape<N, double>& shape, F& f);
+template <Dim N, class F>
+Compound<N, double> mapped(const Compound<N, double>& compound, F& f) {
+  Compound<N, double> result;
+  result.parts.reserve(compound.parts.size());
+  for (const Part<N, double>& part : compound.parts) {
+    result.parts.push_back({mapped(part.shape, f), mapped(part.box, f)});
+  }
+  return result;
+}
+template <Dim N, class F>
+AnyShape<N, double> mapped(const AnyShape<N, double>& shape, F& f) {
+  return detail::visit([&f](const auto& held) -> AnyShape<N, double> { return mapped(held, f); }, shape);
+}
+
+/// A user's convex shape 2^k times as large; it must outlive this.
+template <Convex S>
+struct Scaled {
+  const S* shape;
+  PowerOfTwo power;
+};
+
+}  // namespace graze::detail
+
+namespace graze {
+template <Convex S>
+struct ShapeTraits<detail::Scaled<S>> : Space<dimension_of<S>, double> {};
+}  // namespace graze
+
+namespace graze::detail {
+
+template <Convex S>
+Vec<dimension_of<S>, double> support(const Scaled<S>& scaled,
+                                     const std::type_identity_t<Vec<dimension_of<S>, double>>& direction) {
+  return scaled.power(wide_support(*scaled.shape, direction));
+}
+
+template <Convex S>
+inline constexpr double support_error<Scaled<S>> = support_error<S>;
+
+// ---- How large the numbers of shapes are
+
+/// The exponents of the least and the greatest length that is not zero.
+class LengthRange {
+ public:
+  double operator()(double length) { return put(length, 0); }
+
+  template <Dim N>
+  Vec<N, double> direction(const Vec<N, double>& direction) {
+    is_odd_ = is_odd_ || unusual_exponent_of(direction) != 0;
+    return direction;
+  }
+  template <Dim N>
+  double along(const Vec<N, double>& normal, double offset) {
+    return put(offset, unusual_exponent_of(normal));
+  }
+
+  /// By which power of two all is brought into range; none if it is there. The largest number comes near 1 unless the
+  /// least ones would then be too small to square.
+  std::optional<PowerOfTwo> scale() const {
+    if (least_ > greatest_) return is_odd_ ? std::optional(PowerOfTwo(0)) : std::nullopt;
+    if (!is_odd_ && (!is_finite_ || (least_ >= -most_usual_exponent && greatest_ < most_usual_exponent)))
+      return std::nullopt;
+    const int target = std::clamp(greatest_ - least_ - most_to_square, 0, most_to_square);
+    if (!is_odd_ && target == greatest_) return std::nullopt;
+    return PowerOfTwo(target - greatest_);
+  }
+
+  int greatest() const { return greatest_; }
+
+  static constexpr int most_to_square = 450;
+
+ private:
+  double put(double length, int unit) {
+    if (length == 0 || std::isnan(length)) return length;
+    is_finite_ = is_finite_ && !std::isinf(length);
+    if (std::isinf(length)) return length;
+    const int exponent = std::ilogb(length) - unit;
+    least_ = std::min(least_, exponent);
+    greatest_ = std::max(greatest_, exponent);
+    return length;
+  }
+
+  int least_ = std::numeric_limits<int>::max();
+  int greatest_ = std::numeric_limits<int>::min();
+  bool is_odd_ = false;  ///< A direction is.
+  bool is_finite_ = true;
+};
+
+template <class S>
+void measure(const S& shape, LengthRange& range) {
+  mapped(shape, range);
+}
+template <Dim N>
+void measure(const Polytope<N, double>& polytope, LengthRange& range) {
+  for (const Vec<N, double>& corner : polytope.vertices()) mapped(corner, range);
+}
+template <Dim N>
+void measure(const AnyShape<N, double>& shape, LengthRange& range);
+template <Dim N>
+void measure(const Compound<N, double>& compound, LengthRange& range) {
+  for (const Part<N, double>& part : compound.parts) measure(part.shape, range);
+}
+template <Dim N>
+void measure(const AnyShape<N, double>& shape, LengthRange& range) {
+  detail::visit([&range](const auto& held) { measure(held, range); }, shape);
+}
+
+/// Shapes that are known by their support points alone.
+template <class S>
+inline constexpr bool is_known_by_support = Convex<S> && !requires(const S& shape, LengthRange& range) {
+  mapped(shape, range);
+};
+
+template <class S>
+requires is_known_by_support<S>
+void measure(const S& shape, LengthRange& range) {
+  for (Dim i = 0; i < dimension_of<S>; ++i) {
+    for (const double sign : {-1.0, 1.0}) mapped(wide_support(shape, unit_axis<dimension_of<S>>(i) * sign), range);
+  }
+}
+template <Convex S>
+void measure(const Posed<S>& posed, LengthRange& range) {
+  measure(posed.shape, range);
+  mapped(posed.pose.position, range);
+}
+
+// ---- scaled(shape, power)
+
+/// Lengths times a power of two; directions of unusual length with their largest coordinate between 1 and 2.
+class Scaler {
+ public:
+  explicit Scaler(const PowerOfTwo& power) : power_(power) {}
+
+  double operator()(double length) const { return without_least(power_(length)); }
+  template <Dim N>
+  Vec<N, double> direction(const Vec<N, double>& direction) const {
+    Vec<N, double> result = PowerOfTwo(-unusual_exponent_of(direction))(direction);
+    for (Dim i = 0; i < N; ++i) result[i] = without_least(result[i]);
+    return result;
+  }
+  template <Dim N>
+  double along(const Vec<N, double>& normal, double offset) const {
+    return without_least(PowerOfTwo(power_.exponent() - unusual_exponent_of(normal))(offset));
+  }
+
+ private:
+  static double without_least(double x) { return std::fabs(x) < 0x1p-460 ? 0.0 : x; }
+
+  PowerOfTwo power_;
+};
+
+template <class S>
+auto scaled(const S& shape, const PowerOfTwo& power) {
+  const Scaler scaler(power);
+  return mapped(shape, scaler);
+}
+template <class S>
+requires is_known_by_support<S>
+auto scaled(const S& shape, const PowerOfTwo& power) { return Scaled<S>{&shape, power}; }
+template <Convex S>
+Scaled<S> scaled(const Scaled<S>& shape, const PowerOfTwo& power) {
+  return {shape.shape, PowerOfTwo(shape.power.exponent() + power.exponent())};
+}
+template <Convex S>
+auto scaled(const Posed<S>& posed, const PowerOfTwo& power) {
+  using Inner = decltype(scaled(posed.shape, power));
+  return Posed<Inner>{scaled(posed.shape, power), {posed.pose.rotation, scaled(posed.pose.position, power)}};
+}
+
+// ---- What queries ask
+
+/// Of relation.hpp.
+template <class A, class B>
+Relation decide(const A& a, const B& b);
+
+/// Whether numbers of a shape can be out of range.
+template <class S>
+inline constexpr bool can_leave_range = std::is_same_v<scalar_of<S>, double>;
+
+/// Collects whether a length is neither zero nor of usual size.
+class UnusualLengths {
+ public:
+  double operator()(double length) {
+    constexpr std::uint64_t least = std::uint64_t{1023 - most_usual_exponent} << 53U;
+    constexpr std::uint64_t range = std::uint64_t{most_usual_exponent} << 54U;
+    const std::uint64_t bits = bit_cast<std::uint64_t>(length) << 1U;  // ordered by magnitude
+    are_any_ |= static_cast<unsigned>(bits - least >= range) & static_cast<unsigned>(bits != 0);
+    return length;
+  }
+  template <Dim N>
+  Vec<N, double> direction(const Vec<N, double>& direction) {
+    (*this)(max_abs(direction));
+    return direction;
+  }
+  template <Dim N>
+  double along(const Vec<N, double>& /*normal*/, double offset) {
+    return (*this)(offset);
+  }
+
+  bool are_any() const { return are_any_ != 0; }
+
+ private:
+  unsigned are_any_ = 0;
+};
+
+template <class S>
+void look_for_unusual(const S& shape, UnusualLengths& lengths) {
+  mapped(shape, lengths);
+}
+template <Dim N>
+void look_for_unusual(const Polytope<N, double>& polytope, UnusualLengths& lengths) {
+  lengths(rows_of(polytope).largest());
+}
+template <Dim N>
+void look_for_unusual(const AnyShape<N, double>& shape, UnusualLengths& lengths);
+template <Dim N>
+void look_for_unusual(const Compound<N, double>& compound, UnusualLengths& lengths) {
+  for (const Part<N, double>& part : compound.parts) look_for_unusual(part.shape, lengths);
+}
+template <Dim N>
+void look_for_unusual(const AnyShape<N, double>& shape, UnusualLengths& lengths) {
+  detail::visit([&lengths](const auto& held) { look_for_unusual(held, lengths); }, shape);
+}
+template <class S>
+requires is_known_by_support<S>
+void look_for_unusual(const S& shape, UnusualLengths& lengths) {
+  for (Dim i = 0; i < dimension_of<S>; ++i) {
+    lengths(max_abs(wide_support(shape, unit_axis<dimension_of<S>>(i))));
+    lengths(max_abs(wide_support(shape, -unit_axis<dimension_of<S>>(i))));
+  }
+}
+
+/// False if a length of shapes is neither zero nor of usual size; of polytopes and users' shapes the largest one
+/// counts.
+template <class... Shapes>
+bool are_usual([[maybe_unused]] const Shapes&... shapes) {
+  if constexpr ((can_leave_range<Shapes> && ...)) {
+    UnusualLengths lengths;
+    (look_for_unusual(shapes, lengths), ...);
+    return !lengths.are_any();
+  }
+  return true;
+}
+
+/// The power of two that brings shapes into range; none if they are there. For what has been found out of range by a
+/// quick test: this one takes longer.
+template <class... Shapes>
+[[gnu::noinline, gnu::cold]] std::optional<PowerOfTwo> scale_for(const Shapes&... shapes) {
+  if constexpr ((can_leave_range<Shapes> && ...)) {
+    LengthRange range;
+    (measure(shapes, range), ...);
+    return range.scale();
+  }
+  return std::nullopt;
+}
+
+/// Whether shapes that have been scaled still have lengths of which more than two cannot be multiplied.
+template <class... Shapes>
+[[gnu::noinline, gnu::cold]] bool are_mixed([[maybe_unused]] const Shapes&... shapes) {
+  LengthRange range;
+  if constexpr ((can_leave_range<Shapes> && ...)) (measure(shapes, range), ...);
+  return range.greatest() >= most_usual_exponent;
+}
+
+/// ask(power, scaled shapes ...) of shapes that are out of range; none of others.
+template <class Answer, class Ask, class... Shapes>
+std::optional<Answer> answer_in_range([[maybe_unused]] const Ask& ask, const Shapes&... shapes) {
+  if constexpr ((can_leave_range<Shapes> && ...)) {
+    if (const auto power = scale_for(shapes...)) return ask(*power, scaled(shapes, *power)...);
+  }
+  return std::nullopt;
+}
+
+/// The verdict on two shapes that are out of range; none of others.
+template <class A, class B>
+[[gnu::noinline, gnu::cold]] std::optional<Relation> verdict_in_range(const A& a, const B& b) {
+  return answer_in_range<Relation>(
+      [](const auto&, const auto& scaled_a, const auto& scaled_b) { return decide(scaled_a, scaled_b); }, a, b);
+}
+
+/// The same, or else the verdict that has been found. A call at the end of whoever asks costs others nothing.
+template <class A, class B>
+[[gnu::noinline, gnu::cold]] Relation verdict_in_range_or(Relation found, const A& a, const B& b) {
+  return verdict_in_range(a, b).value_or(found);
+}
+
+}  // namespace graze::detail

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What a scene asks of one object after the other. Each meets every type of shape in every space: compiled once, in
+// scene_ray.cpp and scene_view.cpp, for everyone who asks the same beside a scene.
+#pragma once
+
+#include <optional>
+
+#include <graze/broad/index/region.hpp>
+#include <graze/query/ray_cast.hpp>
+#include <graze/query/signed_distance.hpp>
+#include <graze/shape/any_shape.hpp>
+#include <graze/shape/frustum.hpp>
+
+namespace graze {
+
+extern template std::optional<RayHit<2, float>> ray_cast(const AnyShape<2, float>&, const Ray<2, float>&, float,
+                                                         RayOptions);
+extern template std::optional<RayHit<3, float>> ray_cast(const AnyShape<3, float>&, const Ray<3, float>&, float,
+                                                         RayOptions);
+extern template std::optional<RayHit<2, double>> ray_cast(const AnyShape<2, double>&, const Ray<2, double>&, double,
+                                                          RayOptions);
+extern template std::optional<RayHit<3, double>> ray_cast(const AnyShape<3, double>&, const Ray<3, double>&, double,
+                                                          RayOptions);
+
+extern template float signed_distance(const AnyShape<2, float>&, const Vec<2, float>&);
+extern template float signed_distance(const AnyShape<3, float>&, const Vec<3, float>&);
+extern template double signed_distance(const AnyShape<2, double>&, const Vec<2, double>&);
+extern template double signed_distance(const AnyShape<3, double>&, const Vec<3, double>&);
+
+/// Whether a region meets a box, or might if rounding had another last word: what SceneView::cull asks of the box of
+/// every object, which it takes from touching_bounds.
+template <class R>
+bool meets_generously(const R& region, const Aabb<dimension_of<R>, scalar_of<R>>& box) {
+  return detail::RegionProbe<Generous<R>>(Generous<R>{region}).meets(box);
+}
+
+extern template bool meets_generously(const AnyShape<2, float>&, const Aabb<2, float>&);
+extern template bool meets_generously(const AnyShape<3, float>&, const Aabb<3, float>&);
+extern template bool meets_generously(const AnyShape<2, double>&, const Aabb<2, double>&);
+extern template bool meets_generously(const AnyShape<3, double>&, const Aabb<3, double>&);
+extern template bool meets_generously(const Frustum<2, float>&, const Aabb<2, float>&);
+extern template bool meets_generously(const Frustum<3, float>&, const Aabb<3, float>&);
+extern template bool meets_generously(const Frustum<2, double>&, const Aabb<2, double>&);
+extern template bool meets_generously(const Frustum<3, double>&, const Aabb<3, double>&);
+
+}  // namespace graze

@@ -1,0 +1,450 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <graze/math/exact/exact_determinant.hpp>
+#include <graze/math/platform/throw.hpp>
+#include <graze/math/rounding.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/shape/hull/base.hpp>
+#include <graze/shape/hull/frame.hpp>
+#include <graze/shape/hull/point_buffer.hpp>
+
+namespace graze::detail {
+
+/// Grows a convex hull in space by the point that is farthest outside of a face, face by face. Barber, Dobkin,
+/// Huhdanpaa, "The Quickhull Algorithm for Convex Hulls" (1996), with exact tests of sides instead of their tolerances:
+/// a point outside a face is strictly outside, so the faces that see it are a disk, none of the new ones is degenerate,
+/// and each point that is still outside sees one of these.
+///
+/// Points whose side rounding hides are set aside until all others are decided: where many lie on a line or a plane up
+/// to their rounding, few of these have then to be decided exactly, see undecided_points.hpp.
+/// The points outside of a face lie on one stack, those of the newest faces on top. The newest face grows first, so
+/// that memory is read and written in order.
+template <class T>
+class Quickhull {
+ public:
+  static constexpr std::uint32_t none = HullPoint::none;
+
+  /// A half-edge is 4 * face + side; side i runs from corner i to the next, counter-clockwise seen from outside.
+  struct Face {
+    HullPlane plane;
+    std::array<std::uint32_t, 3> corners{};  ///< Places in `corners`.
+    std::array<std::uint32_t, 3> twins{};    ///< The half-edge the other way, of the neighbour.
+    std::size_t first = 0;                   ///< Of the points that see it, on the stack.
+    std::size_t last = 0;                    ///< Behind them.
+    std::size_t farthest = 0;                ///< Of these, roughly.
+    std::uint32_t whole = none;              ///< The place of its plane in whole numbers, once it was needed.
+    bool is_alive = true;
+    bool is_waiting = false;  ///< To grow.
+    bool sees = false;        ///< The point that is being added.
+    bool has_whole = false;   ///< Else what is at that place is the plane of a face before.
+  };
+
+  /// Of nothing: only memory for hulls.
+  Quickhull() = default;
+
+  /// Of the candidates, some points of the frame, at least one, that none of its corners is missing from; but those in
+  /// doubt are not in it until they are added. The frame must outlive it.
+  Quickhull(const HullFrame<T>& frame, std::vector<HullPoint> candidates) { start(frame, candidates); }
+
+  /// The same, in the memory of the hull before. In exchange for the candidates there is memory for others. If doubts
+  /// are settled at once, no points are set aside, and it is the hull of all.
+  void start(const HullFrame<T>& frame, std::vector<HullPoint>& candidates, bool settles_doubts = false) {
+    frame_ = &frame;
+    undecided_.swap(candidates);
+    candidates.clear();
+    forget_faces();
+    used_ = 0;
+    aside_.clear();
+    whole_points_.clear();
+    settles_doubts_ = settles_doubts;
+    if (settles_doubts) {
+      whole_points_.reserve(frame.size());
+      for (std::uint32_t i = 0; i < frame.size(); ++i) whole_points_.push_back(frame.whole_point(i));
+    }
+    base_ = HullBase<T>(frame, undecided_);
+    if (base().size() < 4) return;
+    begin();
+    grow_all();
+  }
+
+  /// A point, by its place, and a face.
+  struct Facing {
+    std::uint32_t face;
+    std::uint32_t point;
+  };
+
+  /// The points that were set aside, because they were in doubt about a face, which may be gone or another one by now,
+  /// and outside of no other one. If there are none, the hull is that of all.
+  std::span<const Facing> aside() const { return aside_; }
+
+  /// The same, which are then forgotten.
+  std::vector<Facing> take_aside() { return std::exchange(aside_, {}); }
+
+  /// Adds those points that are strictly outside of their faces to a hull that is that of all others but for those set
+  /// aside.
+  void add_outside(std::vector<Facing> points) {
+    std::sort(points.begin(), points.end(), [](const Facing& a, const Facing& b) { return a.face < b.face; });
+    outside_.make_room(points.size(), 0);
+    used_ = 0;
+    for (auto i = points.begin(); i != points.end();) {
+      const std::uint32_t face = i->face;
+      undecided_.clear();
+      for (; i != points.end() && i->face == face; ++i) undecided_.push_back(frame_->at(i->point));
+      faces_[face].first = used_;
+      divide_exactly(face);
+      put_to_wait(face);
+    }
+    grow_all();
+  }
+
+  /// From now on points are set aside no more: those in doubt are decided exactly.
+  void settle_doubts() { settles_doubts_ = true; }
+
+  /// Adds some of the points, none missing that are corners, and decides all of them exactly. What was set aside is
+  /// forgotten.
+  void add(std::span<const std::uint32_t> points) {
+    settle_doubts();
+    aside_.clear();
+    undecided_.clear();
+    for (const std::uint32_t index : points) undecided_.push_back(frame_->at(index));
+    used_ = 0;
+    const std::size_t alive = faces_.size() - free_.size();
+    // What it takes to ask all faces about all of them, beside what it takes to begin anew with all that is left.
+    constexpr std::size_t tests_of_a_point = 256;
+    if (undecided_.size() * alive <= tests_of_a_point * (undecided_.size() + corners_.size())) {
+      new_faces_.clear();
+      for (std::uint32_t face = 0; face < faces_.size(); ++face) {
+        if (faces_[face].is_alive) new_faces_.push_back(face);
+      }
+      deal();
+    } else {
+      undecided_.insert(undecided_.end(), corners_.begin(), corners_.end());
+      forget_faces();
+      begin();
+    }
+    grow_all();
+  }
+
+  /// Places of points that span what all of them span: one that all are at, two on the line they are on, three on the
+  /// plane they are on, or four. Exactly.
+  std::span<const std::uint32_t> base() const { return base_.places(); }
+
+  /// The candidates, if those span no volume: then there are no faces.
+  std::span<const HullPoint> flat_candidates() const {
+    return base().size() < 4 ? std::span<const HullPoint>(undecided_) : std::span<const HullPoint>();
+  }
+
+  const HullFrame<T>& frame() const { return *frame_; }
+
+  /// Those that are alive are the surface of the hull, none if all points lie on one plane: triangles that share their
+  /// edges two by two, none of them without area. Flat parts of the surface come in several.
+  std::span<const Face> faces() const { return faces_; }
+
+  /// What corners of faces are in the list of points; some of them may be in the middle of a flat part or of an edge.
+  std::span<const HullPoint> corners() const { return corners_; }
+
+  std::uint32_t twin(std::uint32_t half_edge) const { return faces_[half_edge / 4].twins[half_edge % 4]; }
+  std::uint32_t origin(std::uint32_t half_edge) const { return faces_[half_edge / 4].corners[half_edge % 4]; }
+
+  /// Around its face.
+  static std::uint32_t next(std::uint32_t half_edge) { return half_edge % 4 == 2 ? half_edge - 2 : half_edge + 1; }
+
+  /// Whether a point is strictly outside of a face, exactly.
+  bool is_outside(std::uint32_t face, const HullPoint& point) { return height_of(face, point).value > 0; }
+
+  /// The places of its corners.
+  std::array<std::uint32_t, 3> indices_of(const Face& face) const {
+    return {corners_[face.corners[0]].index, corners_[face.corners[1]].index, corners_[face.corners[2]].index};
+  }
+
+  /// Whether the faces on both sides of a half-edge are on different planes, exactly.
+  bool is_bent(std::uint32_t half_edge) const {
+    const Face& face = faces_[half_edge / 4];
+    const HullPoint& beyond = corners_[origin(next(next(twin(half_edge))))];
+    if (face.plane.height(beyond.place) < -face.plane.doubt) return true;
+    return !frame_->is_exact() && frame_->orientation_of(indices_of(face), beyond.index) != 0;
+  }
+
+ private:
+  struct HorizonEdge {
+    std::uint32_t from;
+    std::uint32_t beyond;  ///< The half-edge of the face that stays.
+  };
+
+  WholePoint whole(std::uint32_t point) const {
+    return whole_points_.empty() ? frame_->whole_point(point) : whole_points_[point];
+  }
+
+  /// Of the same sign as `orientation` of a face and a point, exactly, and the greater, the higher the point is,
+  /// roughly.
+  double exact_height(std::uint32_t place, std::uint32_t point) {
+    Face& face = faces_[place];
+    if (!face.has_whole) {
+      const std::array<std::uint32_t, 3> corners = indices_of(face);
+      const WholePlane plane = frame_->whole_plane({whole(corners[0]), whole(corners[1]), whole(corners[2])});
+      if (face.whole == none) {
+        face.whole = static_cast<std::uint32_t>(wholes_.size());
+        wholes_.push_back(plane);
+      } else {
+        wholes_[face.whole] = plane;
+      }
+      face.has_whole = true;
+    }
+    const std::optional<double> height = wholes_[face.whole].height_of(whole(point));
+    return height ? *height : frame_->orientation_of(indices_of(face), point);
+  }
+
+  /// Of a point above a face: above zero exactly if it is strictly outside. What is so by more than rounding is higher
+  /// than all else; only heights of one kind are in one unit.
+  struct Height {
+    double value = 0;
+    bool is_clear = false;
+
+    bool operator<(const Height& other) const {
+      return is_clear == other.is_clear ? value < other.value : other.is_clear;
+    }
+  };
+
+  Height height_of(std::uint32_t face, const HullPoint& point) {
+    const HullPlane& plane = faces_[face].plane;
+    const double height = plane.height(point.place);
+    if (height > plane.doubt || height <= -plane.doubt) return {height, true};
+    return {exact_height(face, point.index), false};
+  }
+
+  void forget_faces() {
+    corners_.clear();
+    faces_.clear();
+    wholes_.clear();
+    free_.clear();
+    waiting_.clear();
+  }
+
+  /// A tetrahedron, and the points that are outside of its faces.
+  void begin() {
+    for (const std::uint32_t index : base()) corners_.push_back(frame_->at(index));
+    // The last corner is on the inner side of the first three.
+    add_face({0, 1, 2}, {4, 8, 12});
+    add_face({1, 0, 3}, {0, 14, 9});
+    add_face({2, 1, 3}, {1, 6, 13});
+    add_face({0, 2, 3}, {2, 10, 5});
+    new_faces_ = {0, 1, 2, 3};
+    deal();
+  }
+
+  void grow_all() {
+    while (!waiting_.empty()) {
+      const std::uint32_t face = waiting_.back();
+      waiting_.pop_back();
+      faces_[face].is_waiting = false;
+      if (faces_[face].is_alive) {
+        grow(face);
+      } else {
+        free_.push_back(face);
+      }
+    }
+  }
+
+  std::uint32_t add_face(const std::array<std::uint32_t, 3>& corners, const std::array<std::uint32_t, 3>& twins) {
+    auto place = static_cast<std::uint32_t>(faces_.size());
+    if (!free_.empty()) {
+      place = free_.back();
+      free_.pop_back();
+    } else {
+      constexpr std::size_t most = none / 4;
+      if (faces_.size() == most) GRAZE_THROW(std::length_error("the convex hull has more than 2^30 triangles"));
+      faces_.emplace_back();
+    }
+    Face& face = faces_[place];
+    face.plane = frame_->plane(corners_[corners[0]], corners_[corners[1]], corners_[corners[2]]);
+    face.corners = corners;
+    face.twins = twins;
+    face.first = face.last = 0;
+    face.is_alive = true;
+    face.is_waiting = face.sees = face.has_whole = false;
+    return place;
+  }
+
+  /// Puts each of the undecided points on the stack, with others of the first of the new faces that it is outside of,
+  /// or sets it aside, or forgets it.
+  void deal() {
+    for (const std::uint32_t place : new_faces_) {
+      if (undecided_.empty()) return;
+      take_outside(place);
+      put_to_wait(place);
+    }
+    for (const HullPoint& point : undecided_) {
+      if (point.link != none) aside_.push_back({point.link, point.index});
+    }
+  }
+
+  /// A face, if the points from its first one on to the end of the stack are outside of it, and any are.
+  void put_to_wait(std::uint32_t place) {
+    Face& face = faces_[place];
+    face.last = used_;
+    if (face.first == face.last) return;
+    face.is_waiting = true;
+    waiting_.push_back(place);
+  }
+
+  /// Whether a plane is along two axes, so that `orientation` has to compare two coordinates at most.
+  static bool is_along_axes(const HullPlane& plane) {
+    const Vec<3, double>& normal = plane.normal;
+    return (normal.x == 0 ? 1 : 0) + (normal.y == 0 ? 1 : 0) + (normal.z == 0 ? 1 : 0) >= 2;
+  }
+
+  /// Moves the undecided points that are outside of a face to the stack.
+  void take_outside(std::uint32_t place) {
+    const std::size_t most = used_ + undecided_.size();
+    outside_.make_room(most, used_);
+    Face& face = faces_[place];
+    face.first = used_;
+    if (settles_doubts_ || is_along_axes(face.plane)) {
+      divide_exactly(place);
+    } else {
+      divide_clear(place);
+    }
+  }
+
+  void divide_exactly(std::uint32_t place) {
+    Height largest;
+    std::size_t kept = 0;
+    for (const HullPoint& point : undecided_) {
+      const Height height = height_of(place, point);
+      if (!(height.value > 0)) {
+        undecided_[kept++] = point;
+        continue;
+      }
+      if (largest < height) {
+        largest = height;
+        faces_[place].farthest = used_;
+      }
+      outside_[used_++] = point;
+    }
+    undecided_.resize(kept);
+  }
+
+  /// Those that are by more than rounding. All are written to both lists, and one is kept: a branch would be guessed
+  /// wrong every other time.
+  void divide_clear(std::uint32_t place) {
+    const HullPlane plane = faces_[place].plane;
+    double largest = plane.doubt;
+    HullPoint* const first = &outside_[used_];
+    HullPoint* last = first;
+    HullPoint* farthest = first;
+    HullPoint* kept = undecided_.data();
+    for (const HullPoint& undecided : undecided_) {
+      const double height = plane.height(undecided.place);
+      const std::uint32_t link = undecided.link;
+      const std::uint32_t in_doubt = height > -plane.doubt ? ~std::uint32_t{0} : 0;
+      const HullPoint point = undecided;  // which stays in registers, because nothing of it is read
+      *last = point;
+      *kept = point;
+      kept->link = link ^ ((link ^ place) & in_doubt);
+      farthest = height > largest ? last : farthest;
+      largest = height > largest ? height : largest;
+      last += height > plane.doubt ? 1 : 0;
+      kept += height > plane.doubt ? 0 : 1;
+    }
+    undecided_.resize(static_cast<std::size_t>(kept - undecided_.data()));
+    faces_[place].farthest = used_ + static_cast<std::size_t>(farthest - first);
+    used_ += static_cast<std::size_t>(last - first);
+  }
+
+  /// Adds the farthest of the points outside a face, the last one waiting.
+  void grow(std::uint32_t face) {
+    const std::size_t top = faces_[face].first;
+    const HullPoint point = outside_[faces_[face].farthest];
+    outside_[faces_[face].farthest] = outside_[--faces_[face].last];
+    find_horizon(face, point);
+    undecided_.clear();
+    for (const std::uint32_t seen : seen_) {
+      Face& old = faces_[seen];
+      undecided_.insert(undecided_.end(), outside_.at(old.first), outside_.at(old.last));
+      old.is_alive = false;
+      if (!old.is_waiting) free_.push_back(seen);
+    }
+    for (HullPoint& undecided : undecided_) undecided.link = none;
+    used_ = top;  // what lies above is of faces that are gone
+    add_cone(point);
+    deal();
+  }
+
+  /// The faces that see a point, and the edges around them, in order.
+  void find_horizon(std::uint32_t face, const HullPoint& point) {
+    std::uint32_t start = none;
+    seen_.assign(1, face);
+    faces_[face].sees = true;
+    for (std::size_t k = 0; k < seen_.size(); ++k) {
+      const std::array<std::uint32_t, 3> twins = faces_[seen_[k]].twins;
+      for (std::uint32_t side = 0; side < 3; ++side) {
+        Face& other = faces_[twins[side] / 4];
+        if (other.sees) continue;
+        if (is_outside(twins[side] / 4, point)) {
+          other.sees = true;
+          seen_.push_back(twins[side] / 4);
+        } else {
+          start = 4 * seen_[k] + side;
+        }
+      }
+    }
+    horizon_.clear();
+    std::uint32_t edge = start;
+    do {
+      horizon_.push_back({origin(edge), twin(edge)});
+      edge = next(edge);
+      while (faces_[twin(edge) / 4].sees) edge = next(twin(edge));
+    } while (edge != start);
+  }
+
+  /// Faces from all edges of the horizon to a point.
+  void add_cone(const HullPoint& point) {
+    const auto tip = static_cast<std::uint32_t>(corners_.size());
+    corners_.push_back(point);
+    new_faces_.clear();
+    for (std::size_t i = 0; i < horizon_.size(); ++i) {
+      const HorizonEdge& edge = horizon_[i];
+      const std::uint32_t to = horizon_[i + 1 == horizon_.size() ? 0 : i + 1].from;
+      const std::uint32_t face = add_face({edge.from, to, tip}, {edge.beyond, none, none});
+      faces_[edge.beyond / 4].twins[edge.beyond % 4] = 4 * face;
+      new_faces_.push_back(face);
+    }
+    for (std::size_t i = 0; i < new_faces_.size(); ++i) {
+      const std::uint32_t following = new_faces_[i + 1 == new_faces_.size() ? 0 : i + 1];
+      faces_[new_faces_[i]].twins[1] = 4 * following + 2;
+      faces_[following].twins[2] = 4 * new_faces_[i] + 1;
+    }
+  }
+
+  const HullFrame<T>* frame_ = nullptr;
+  std::vector<HullPoint> undecided_;
+  HullBase<T> base_;
+  std::vector<HullPoint> corners_;
+  std::vector<Face> faces_;
+  std::vector<WholePlane> wholes_;        // of some faces
+  std::vector<WholePoint> whole_points_;  // all of them, or none
+  std::vector<std::uint32_t> free_;       // places of faces that are gone
+  std::vector<std::uint32_t> waiting_;    // faces that had points outside when they were made, the newest last
+  HullPointRoom outside_;                 // the stack of these points, in the order of `waiting_`
+  std::size_t used_ = 0;                  // of that stack
+  std::vector<Facing> aside_;             // points in doubt
+  bool settles_doubts_ = false;           // exactly, at once
+  std::vector<std::uint32_t> seen_;
+  std::vector<std::uint32_t> new_faces_;
+  std::vector<HorizonEdge> horizon_;
+};
+
+}  // namespace graze::detail

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: MIT
+// hull_of(frame): the convex hull of points in space as triangles, decided exactly.
+//
+// Where many points are on an edge or a face of the hull up to the rounding of their coordinates, doubles cannot tell
+// which of them stick out, and to ask that of each exactly takes far longer than all else. But nearly all are inside of
+// the hull of those beside them on the same edge or face: under a map that makes this hull as thick as long
+// (HullShear), they are a cloud as any other, of which quickhull in doubles finds the outer ones. Each of these then
+// stands before one face of the hull of all others, which alone says whether it sticks out (HullSight).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <graze/math/vec.hpp>
+#include <graze/shape/hull/core.hpp>
+#include <graze/shape/hull/flat_parts.hpp>
+#include <graze/shape/hull/flat_points.hpp>
+#include <graze/shape/hull/frame.hpp>
+#include <graze/shape/hull/lexicographic.hpp>
+#include <graze/shape/hull/quickhull.hpp>
+#include <graze/shape/hull/visibility.hpp>
+
+namespace graze::detail {
+
+/// The corners of a hull's faces, as places of points.
+template <class T>
+std::vector<std::uint32_t> corners_of_faces(const Quickhull<T>& hull) {
+  std::vector<bool> is_corner(hull.corners().size(), false);
+  for (const auto& face : hull.faces()) {
+    if (!face.is_alive) continue;
+    for (const std::uint32_t corner : face.corners) is_corner[corner] = true;
+  }
+  std::vector<std::uint32_t> result;
+  for (std::size_t i = 0; i < is_corner.size(); ++i) {
+    if (is_corner[i]) result.push_back(hull.corners()[i].index);
+  }
+  return result;
+}
+
+/// Points that may be corners of the hull of all, none missing that are, beside those of a hull; and for each, what
+/// face of that hull it stands before, or some faces of which one is that, in a row. None where that is not known.
+struct Doubts {
+  struct Doubt {
+    std::uint32_t point;
+    std::uint32_t face_count;
+    std::size_t first_face;
+  };
+
+  std::vector<Doubt> doubts;
+  std::vector<std::uint32_t> faces;
+
+  std::span<const std::uint32_t> faces_of(const Doubt& doubt) const {
+    return std::span(faces).subspan(doubt.first_face, doubt.face_count);
+  }
+
+  void add(std::uint32_t point, std::span<const std::uint32_t> before) {
+    doubts.push_back({point, static_cast<std::uint32_t>(before.size()), faces.size()});
+    for (const std::uint32_t face : before) faces.push_back(face);
+  }
+};
+
+/// Of points, those that may be outside of a hull; and those that are by more than rounding, but for some in doubt
+/// about another face.
+template <class T>
+class HullDoubter {
+ public:
+  using Facing = typename Quickhull<T>::Facing;
+
+  /// To be asked about so many.
+  HullDoubter(const Quickhull<T>& hull, HullSight<T>& sight, std::size_t count) : hull_(&hull), sight_(&sight) {
+    found_.doubts.reserve(count);
+    found_.faces.reserve(count);
+  }
+
+  void ask(const Facing& aside) {
+    HullPoint point = hull_->frame().at(aside.point);
+    point.link = aside.face;
+    const std::span<const std::uint32_t> faces = sight_->faces_before(point);
+    bool is_in_doubt = faces.empty() && !sight_->is_at_corner();
+    for (const std::uint32_t place : faces) {
+      const HullPlane& plane = hull_->faces()[place].plane;
+      const double height = plane.height(point.place);
+      if (height > plane.doubt) {
+        outside_.push_back({place, point.index});
+        return;
+      }
+      is_in_doubt = is_in_doubt || height > -plane.doubt;
+    }
+    if (is_in_doubt) found_.add(point.index, faces);
+  }
+
+  const std::vector<Facing>& outside() const { return outside_; }
+  Doubts& doubts() { return found_; }
+
+ private:
+  const Quickhull<T>* hull_;
+  HullSight<T>* sight_;
+  Doubts found_;
+  std::vector<Facing> outside_;
+};
+
+/// Adds to a hull whatever of the points set aside is outside of it by more than rounding, and returns the others that
+/// may be.
+template <class T>
+Doubts settle_clear(Quickhull<T>& hull) {
+  constexpr int most_rounds = 8;
+  std::vector<typename Quickhull<T>::Facing> points = hull.take_aside();
+  for (int round = 0; round < most_rounds && !points.empty(); ++round) {
+    HullSight<T> sight(hull);
+    if (!sight.is_clear()) break;
+    HullDoubter<T> doubter(hull, sight, points.size());
+    for (const auto& point : points) doubter.ask(point);
+    if (doubter.outside().empty()) return std::move(doubter.doubts());
+    hull.add_outside(doubter.outside());
+    points = hull.take_aside();
+    for (const auto& doubt : doubter.doubts().doubts) points.push_back({HullPoint::none, doubt.point});
+  }
+  Doubts result;
+  for (const auto& point : points) result.add(point.point, {});
+  return result;
+}
+
+/// Doubts by their places, those before the same flat part of a hull's surface together, those before an edge of two
+/// such parts, and those of which it is not known.
+template <class T>
+class DoubtGroups {
+ public:
+  DoubtGroups(const Quickhull<T>& hull, const Doubts& doubts) : parts_(hull), first_(hull.faces().size() + 1, none) {
+    for (std::uint32_t i = 0; i < doubts.doubts.size(); ++i) {
+      group_before(doubts.faces_of(doubts.doubts[i])).push_back(i);
+    }
+  }
+
+  std::vector<std::vector<std::uint32_t>>& groups() { return groups_; }
+
+ private:
+  static constexpr std::uint32_t none = HullPoint::none;
+
+  /// A group before a part and another one, or none, and the next group before the first.
+  struct Link {
+    std::uint32_t other;
+    std::uint32_t next;
+  };
+
+  std::vector<std::uint32_t>& group_before(std::span<const std::uint32_t> faces) {
+    auto least = static_cast<std::uint32_t>(first_.size() - 1);
+    std::uint32_t other = none;
+    for (const std::uint32_t face : faces) {
+      const std::uint32_t part = parts_.of(face);
+      if (part == least) continue;
+      if (least + 1 < first_.size()) other = std::min(other, std::max(part, least));
+      least = std::min(part, least);
+    }
+    std::uint32_t group = first_[least];
+    while (group != none && links_[group].other != other) group = links_[group].next;
+    if (group == none) {
+      group = static_cast<std::uint32_t>(groups_.size());
+      groups_.emplace_back();
+      links_.push_back({other, std::exchange(first_[least], group)});
+    }
+    return groups_[group];
+  }
+
+  FlatParts<T> parts_;
+  std::vector<std::uint32_t> first_;  // group before a part
+  std::vector<Link> links_;
+  std::vector<std::vector<std::uint32_t>> groups_;
+};
+
+/// Memory for the hulls of groups.
+template <class T>
+struct GroupMemory {
+  std::vector<Vec<3, T>> points;
+  std::vector<HullPoint> candidates;
+  Quickhull<T> hull;
+};
+
+/// The points set aside, of those at one place one.
+template <class T>
+std::vector<std::uint32_t> distinct_aside(const Quickhull<T>& hull) {
+  std::vector<std::uint32_t> points;
+  for (const auto& aside : hull.aside()) points.push_back(aside.point);
+  const auto at = [&hull](std::uint32_t i) -> const Vec<3, T>& { return hull.frame().point(i); };
+  std::sort(points.begin(), points.end(), [&at](auto a, auto b) { return lexicographically_less<3, T>(at(a), at(b)); });
+  points.erase(std::unique(points.begin(), points.end(), [&at](auto a, auto b) { return at(a) == at(b); }),
+               points.end());
+  return points;
+}
+
+/// Leaves of a group those that may be corners of its hull.
+template <class T>
+void keep_outer(const HullFrame<T>& frame, const Doubts& doubts, std::vector<std::uint32_t>& group,
+                GroupMemory<T>& memory) {
+  constexpr std::size_t few = 32;
+  if (group.size() < few) return;
+  memory.points.clear();
+  for (const std::uint32_t doubt : group) memory.points.push_back(frame.point(doubts.doubts[doubt].point));
+  const HullFrame<T> sheared = HullFrame<T>::sheared(memory.points);
+  put_candidates(sheared, memory.candidates);
+  Quickhull<T>& hull = memory.hull;
+  hull.start(sheared, memory.candidates);
+  std::vector<std::uint32_t> outer = hull.base().size() < 4 ? flat_vertices(hull) : corners_of_faces(hull);
+  for (const std::uint32_t point : distinct_aside(hull)) outer.push_back(point);
+  for (std::uint32_t& place : outer) place = group[place];
+  group.swap(outer);
+}
+
+/// Leaves of doubts about a hull those that may be corners of the hull of all.
+template <class T>
+void keep_outer(const Quickhull<T>& hull, Doubts& doubts, GroupMemory<T>& memory) {
+  constexpr std::size_t few = 64;
+  if (doubts.doubts.size() < few) return;
+  DoubtGroups<T> groups(hull, doubts);
+  std::vector<Doubts::Doubt> outer;
+  for (std::vector<std::uint32_t>& group : groups.groups()) {
+    keep_outer(hull.frame(), doubts, group, memory);
+    for (const std::uint32_t doubt : group) outer.push_back(doubts.doubts[doubt]);
+  }
+  doubts.doubts.swap(outer);
+}
+
+/// Adds doubts to their hull, which is then that of all, exactly.
+template <class T>
+void settle(Quickhull<T>& hull, const Doubts& doubts) {
+  std::vector<typename Quickhull<T>::Facing> outside;
+  std::vector<std::uint32_t> others;
+  for (const auto& doubt : doubts.doubts) {
+    const auto faces = doubts.faces_of(doubt);
+    if (faces.empty()) others.push_back(doubt.point);
+    const HullPoint point = hull.frame().at(doubt.point);
+    const auto seen = std::find_if(faces.begin(), faces.end(), [&](auto face) { return hull.is_outside(face, point); });
+    if (seen != faces.end()) outside.push_back({*seen, doubt.point});
+  }
+  hull.settle_doubts();
+  hull.add_outside(std::move(outside));
+  if (!others.empty()) hull.add(others);
+}
+
+/// Memory for hulls and for those of their groups.
+template <class T>
+struct HullMemory {
+  Quickhull<T> hull;
+  GroupMemory<T> groups;
+};
+
+/// The hull of candidates, but for what it returns, which may be outside of it. In exchange for the candidates there is
+/// memory for others.
+template <class T>
+Doubts start_hull(const HullFrame<T>& frame, std::vector<HullPoint>& candidates, HullMemory<T>& memory) {
+  memory.hull.start(frame, candidates);
+  Doubts doubts = settle_clear(memory.hull);
+  keep_outer(memory.hull, doubts, memory.groups);
+  return doubts;
+}
+
+/// Adds some of the candidates to others, none missing that are corners of the hull of all. What the candidates are
+/// then is memory for more.
+template <class T>
+void add_sifted(const HullFrame<T>& frame, std::vector<HullPoint>& candidates, HullMemory<T>& memory,
+                std::vector<HullPoint>& result) {
+  const Doubts doubts = start_hull(frame, candidates, memory);
+  const Quickhull<T>& hull = memory.hull;
+  result.insert(result.end(), hull.flat_candidates().begin(), hull.flat_candidates().end());
+  for (const std::uint32_t point : corners_of_faces(hull)) result.push_back(frame.at(point));
+  for (const auto& doubt : doubts.doubts) result.push_back(frame.at(doubt.point));
+}
+
+/// Whether the core leaves most of a few points, and most of these are not near the surface of their hull.
+template <class T>
+bool pays_to_sift(const HullFrame<T>& frame, const HullCore& core, HullMemory<T>& memory) {
+  constexpr std::size_t enough = 4096;
+  std::vector<HullPoint> sample = sample_of(frame, enough);
+  sample.erase(std::remove_if(sample.begin(), sample.end(), [&](const HullPoint& p) { return core.holds(p.place); }),
+               sample.end());
+  if (sample.size() < enough / 2) return false;
+  std::vector<HullPoint> sifted;
+  add_sifted(frame, sample, memory, sifted);
+  return sifted.size() < enough / 2;
+}
+
+/// The points of a frame that may be corners. Where most are on some lines and planes, from pieces that a processor's
+/// cache holds.
+template <class T>
+std::vector<HullPoint> sifted_candidates(const HullFrame<T>& frame, HullMemory<T>& memory) {
+  constexpr std::uint32_t piece = 1U << 15U;
+  const HullCore core = core_of(frame);
+  std::vector<HullPoint> result;
+  if (frame.size() < 2 * piece || !pays_to_sift(frame, core, memory)) {
+    put_points_beside(core, frame, 0, frame.size(), result);
+    return result;
+  }
+  std::vector<HullPoint> candidates;
+  for (std::uint32_t first = 0; first < frame.size();) {
+    const std::uint32_t last = first + std::min(piece, frame.size() - first);
+    put_points_beside(core, frame, first, last, candidates);
+    add_sifted(frame, candidates, memory, result);
+    first = last;
+  }
+  return result;
+}
+
+/// The hull of the points of a frame, which must outlive it: of many, where those in doubt are sifted first.
+template <class T>
+Quickhull<T> sifted_hull(const HullFrame<T>& frame) {
+  HullMemory<T> memory;
+  std::vector<HullPoint> candidates = sifted_candidates(frame, memory);
+  settle(memory.hull, start_hull(frame, candidates, memory));
+  return std::move(memory.hull);
+}
+
+/// The same. Of few points it takes less to decide all exactly than to find which have to be.
+template <class T>
+Quickhull<T> hull_of(const HullFrame<T>& frame) {
+  constexpr std::uint32_t few = 4000;
+  if (frame.size() >= few) return sifted_hull(frame);
+  std::vector<HullPoint> candidates = all_points(frame);
+  Quickhull<T> hull;
+  hull.start(frame, candidates, true);
+  return hull;
+}
+
+}  // namespace graze::detail

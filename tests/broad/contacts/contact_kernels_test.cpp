@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+// What kernels write of spheres, capsules and boxes is what single calls say, to the bit and on every instruction set;
+// and they leave few pairs, so that the comparison is one.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <graze/broad/contacts.hpp>
+#include <graze/broad/contacts/contact_kernels.hpp>
+#include <graze/broad/executor.hpp>
+#include <graze/broad/touching/manifolds.hpp>
+#include <graze/math/pose.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/manifold.hpp>
+#include <graze/query/relation.hpp>
+#include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/shape_order.hpp>
+
+#include "catalogue.hpp"
+#include "same_manifolds.hpp"
+#include "simd_targets.hpp"
+
+namespace graze::detail::primitive_kernels_test {
+namespace {
+
+template <class T>
+using Ball = Sphere<3, T>;
+template <class T>
+using Rod = Capsule<3, T>;
+template <class T>
+using Box = Aabb<3, T>;
+template <class T>
+using TurnedBox = Obb<3, T>;
+template <class A, class B>
+using PairsOf = std::vector<std::pair<A, B>>;
+
+/// Whether this set of instructions has a kernel: those with vectors of four doubles or more.
+bool has_kernel([[maybe_unused]] std::int64_t target) {
+#if HWY_ARCH_X86
+  return target <= HWY_AVX2;  // a lower bit is a better set
+#else
+  return false;
+#endif
+}
+
+template <class A, class B>
+constexpr PrimitiveKind kind_of() {
+  if (is_a<Capsule, A> && is_a<Aabb, B>) return PrimitiveKind::capsule_aabb;
+  if (is_a<Capsule, A> && is_a<Obb, B>) return PrimitiveKind::capsule_obb;
+  if (is_a<Capsule, A>) return PrimitiveKind::capsule_capsule;
+  if (is_a<Aabb, A>) return PrimitiveKind::aabb_aabb;
+  if (is_a<Capsule, B>) return PrimitiveKind::sphere_capsule;
+  if (is_a<Aabb, B>) return PrimitiveKind::sphere_aabb;
+  return is_a<Obb, B> ? PrimitiveKind::sphere_obb : PrimitiveKind::sphere_sphere;
+}
+
+/// As kernels want it, of the manifold of (a, b), or the other way round.
+template <class T, class A, class B>
+PrimitivesToContact<3, T> to_contact(const A& a, const B& b, bool other_way, Manifold<3, T>& manifold) {
+  const auto* first = reinterpret_cast<const T*>(&a);
+  const auto* second = reinterpret_cast<const T*>(&b);
+  if constexpr (std::is_same_v<A, B> && !is_a<Sphere, A>) {
+    const bool turned = other_way ? !is_in_order(b, a) : !is_in_order(a, b);
+    if (turned != other_way) return {second, first, turned, &manifold};
+  }
+  return {first, second, other_way, &manifold};
+}
+
+/// Compares all that a kernel writes with single calls. Returns how many pairs it leaves.
+template <class T, class A, class B>
+std::size_t left_of(const PairsOf<A, B>& drawn, const std::string& where) {
+  std::vector<Manifold<3, T>> found(drawn.size());
+  std::vector<PrimitivesToContact<3, T>> pairs;
+  const auto other_way = [](std::size_t i) { return i % 3 == 0; };
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    pairs.push_back(to_contact<T>(drawn[i].first, drawn[i].second, other_way(i), found[i]));
+  }
+  std::vector<std::uint32_t> left(drawn.size());
+  const PrimitiveKernel<3, T> kernel = primitive_kernels<T>()[static_cast<std::size_t>(kind_of<A, B>())];
+  left.resize(kernel(pairs, left.data()));
+  std::vector<bool> is_left(drawn.size());
+  for (const std::uint32_t place : left) {
+    EXPECT_FALSE(is_left.at(place)) << where;
+    is_left[place] = true;
+  }
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const auto& [a, b] = drawn[i];
+    const Manifold<3, T> right = other_way(i) ? manifold(b, a) : manifold(a, b);
+    EXPECT_TRUE(is_left[i] ? found[i] == (Manifold<3, T>{}) : test::same_manifolds(found[i], right))
+        << where << '\n'
+        << test::to_source<3, T>(a) << '\n'
+        << test::to_source<3, T>(b);
+  }
+  return left.size();
+}
+
+/// On every set of instructions; and leaves no more than this share, where there is a kernel.
+template <class T, class A, class B>
+void expect_single_calls(const PairsOf<A, B>& drawn, double most_left) {
+  for (const std::int64_t target : test::simd_targets()) {
+    const test::ForcedTarget forced(target);
+    const std::size_t left = left_of<T>(drawn, hwy::TargetName(target));
+    if (!has_kernel(target)) continue;
+    EXPECT_LE(static_cast<double>(left), most_left * static_cast<double>(drawn.size())) << hwy::TargetName(target);
+  }
+}
+
+enum class Sort { random, grid, scaled, level };
+
+/// Draws shapes of about unit size near the origin; on a grid, so that ends, centers and sides coincide; of any size;
+/// or with axes that are all but parallel.
+class Drawer {
+ public:
+  using V3 = Vec<3, double>;
+
+  Drawer(std::uint32_t seed, Sort sort) : random_(seed), sort_(sort) {}
+
+  /// Those that meet or touch.
+  template <class A, class B>
+  PairsOf<A, B> many(std::size_t count) {
+    PairsOf<A, B> drawn;
+    for (std::size_t tried = 0; drawn.size() < count && tried < 40 * count; ++tried) {
+      scale_ = sort_ == Sort::scaled ? std::pow(10.0, number(-6, 6)) : 1;
+      std::pair<A, B> pair;
+      draw(pair.first);
+      draw(pair.second);
+      if (relation(pair.first, pair.second) != Relation::apart) drawn.push_back(pair);
+    }
+    return drawn;
+  }
+
+ private:
+  double number(double low, double high) {
+    const double drawn = std::uniform_real_distribution<double>(low, high)(random_);
+    return sort_ == Sort::grid ? std::round(2 * drawn) / 2 : drawn;
+  }
+  V3 vector(double size) { return V3(number(-size, size), number(-size, size), number(-size, size)) * scale_; }
+
+  template <class T>
+  void draw(Ball<T>& ball) {
+    ball = {Vec<3, T>(vector(0.6)), static_cast<T>(std::fabs(number(0.2, 0.8)) * scale_)};
+  }
+  template <class T>
+  void draw(Rod<T>& rod) {
+    const V3 start = vector(0.6);
+    const V3 way = sort_ == Sort::level ? V3(1, 0, 0) + vector(1e-9) : vector(1);
+    rod = {Vec<3, T>(start), Vec<3, T>(start + way), static_cast<T>(std::fabs(number(0.1, 0.4)) * scale_)};
+  }
+
+  template <class T>
+  void draw(Box<T>& box) {
+    const V3 center = vector(0.6);
+    const V3 half = abs(vector(0.8));
+    box = {Vec<3, T>(center - half), Vec<3, T>(center + half)};
+  }
+  /// Its axes are as orthonormal as T has them, or less.
+  template <class T>
+  void draw(TurnedBox<T>& box) {
+    V3 axis(number(-1, 1), number(-1, 1), 2);
+    Mat<3, T> axes(rotation_matrix(axis, sort_ == Sort::grid ? 90 : number(0, 360)));
+    if (number(-1, 1) > 0.8) axes[0].x *= static_cast<T>(1 + 1e-5);
+    box = {Vec<3, T>(vector(0.6)), Vec<3, T>(abs(vector(0.8))), axes};
+  }
+
+  std::mt19937 random_;
+  Sort sort_;
+  double scale_ = 1;
+};
+
+/// `check(pairs)` of all kinds.
+template <class T, class Check>
+void for_each_kind(Drawer drawer, std::size_t count, const Check& check) {
+  check(drawer.many<Ball<T>, Ball<T>>(count));
+  check(drawer.many<Ball<T>, Rod<T>>(count));
+  check(drawer.many<Rod<T>, Rod<T>>(count));
+  check(drawer.many<Ball<T>, Box<T>>(count));
+  check(drawer.many<Ball<T>, TurnedBox<T>>(count));
+  check(drawer.many<Box<T>, Box<T>>(count));
+  check(drawer.many<Rod<T>, Box<T>>(count));
+  check(drawer.many<Rod<T>, TurnedBox<T>>(count));
+}
+
+template <class T>
+void expect_most_taken() {
+  for_each_kind<T>(Drawer(5, Sort::random), 1000, [](const auto& drawn) {
+    ASSERT_EQ(drawn.size(), 1000U);
+    expect_single_calls<T>(drawn, 0.1);  // as rods that are less than seven degrees from parallel
+  });
+}
+
+TEST(PrimitiveKernels, LeaveHardlyAnyPairs) {
+  expect_most_taken<float>();
+  expect_most_taken<double>();
+}
+
+/// The last group is not full, and there may be none.
+TEST(PrimitiveKernels, TakeAnyNumberOfPairs) {
+  for (std::size_t count = 0; count < 20; ++count) {
+    for_each_kind<double>(Drawer(7, Sort::random), count,
+                          [](const auto& drawn) { expect_single_calls<double>(drawn, 1); });
+  }
+}
+
+RC_GTEST_PROP(PrimitiveKernels, SayOfAnyShapesWhatSingleCallsDo, ()) {
+  const auto seed = *rc::gen::arbitrary<std::uint32_t>();
+  for (const Sort sort : {Sort::random, Sort::grid, Sort::scaled, Sort::level}) {
+    for_each_kind<float>(Drawer(seed, sort), 24, [](const auto& drawn) { expect_single_calls<float>(drawn, 1); });
+    for_each_kind<double>(Drawer(seed, sort), 24, [](const auto& drawn) { expect_single_calls<double>(drawn, 1); });
+  }
+}
+
+/// Where halves are rounded, and where sums overflow.
+TEST(PrimitiveKernels, TakeBoxesWithTheLeastAndTheLargestNumbers) {
+  const double least = std::numeric_limits<double>::denorm_min();
+  const double most = 0.75 * std::numeric_limits<double>::max();
+  const std::vector<Box<double>> boxes{{{-least, 0, 0}, {least, 2, 3}},
+                                       {{0, -1, -least}, {1, least, 3 * least}},
+                                       {{least, least, least}, {2, 3, 4}},
+                                       {{most / 4, most / 4, most / 4}, {most, most, most}},
+                                       {{-most / 4, 0, 0}, {most / 2, most / 2, most / 2}},
+                                       {{-most, -most, -most}, {most, most, most}}};
+  PairsOf<Box<double>, Box<double>> drawn;
+  for (const auto& a : boxes) {
+    for (const auto& b : boxes) {
+      if (relation(a, b) != Relation::apart) drawn.emplace_back(a, b);
+    }
+  }
+  expect_single_calls<double>(drawn, 0.1);  // of all but the two that are too deep for a number
+}
+
+/// Whoever is named first, among pairs of other kinds, and more than a kernel takes in one go.
+TEST(PrimitiveKernels, ServeContacts) {
+  using Any = AnyShape<3, double>;
+  Drawer drawer(11, Sort::random);
+  std::vector<Any> shapes;
+  std::vector<Pair> candidates;
+  const auto add = [&](const Any& a, const Any& b) {
+    const auto place = static_cast<std::uint32_t>(shapes.size());
+    shapes.insert(shapes.end(), {a, b});
+    candidates.push_back(place % 4 == 0 ? Pair{place, place + 1} : Pair{place + 1, place});
+  };
+  const auto balls = drawer.many<Ball<double>, Ball<double>>(500);
+  const auto mixed = drawer.many<Ball<double>, Rod<double>>(500);
+  const auto rods = drawer.many<Rod<double>, Rod<double>>(500);
+  const auto boxes = drawer.many<Ball<double>, Box<double>>(500);
+  const auto turned = drawer.many<Ball<double>, TurnedBox<double>>(500);
+  const auto leaning = drawer.many<Rod<double>, Box<double>>(500);
+  const auto lying = drawer.many<Rod<double>, TurnedBox<double>>(500);
+  for (std::size_t i = 0; i < 500; ++i) {
+    add(leaning[i].first, leaning[i].second);
+    add(lying[i].first, lying[i].second);
+    add(balls[i].first, balls[i].second);
+    add(mixed[i].first, mixed[i].second);
+    add(rods[i].first, rods[i].second);
+    add(boxes[i].first, boxes[i].second);
+    add(turned[i].first, turned[i].second);
+    add(boxes[i].second, turned[i].second);
+    add(boxes[i].second, boxes[(i + 1) % 500].second);
+  }
+  const auto found = contacts(std::span<const Any>(shapes), candidates, {});
+  ASSERT_GE(found.size(), 3500U);  // boxes among themselves need not touch
+  for (const auto& one : found) {
+    EXPECT_TRUE(test::same_manifolds(one.manifold, manifold(shapes[one.pair.a], shapes[one.pair.b])));
+  }
+}
+
+}  // namespace
+}  // namespace graze::detail::primitive_kernels_test

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <graze/query/ray/advance.hpp>
+#include <graze/shape/polytope.hpp>
+
+namespace graze::detail::ray_advance_test {
+namespace {
+
+using Point = Vec<3, double>;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Polytope<3, double> pyramid() {
+  return convex_hull<3, double>(std::vector<Point>{{4, -1, -1}, {4, 1, -1}, {4, -1, 1}, {4, 1, 1}, {3, 0, 0}});
+}
+
+TEST(RayAdvance, StopsAtTheFaceAndKnowsItsNormal) {
+  for (const auto& found : {advance_to(pyramid(), Path<3>{{0, 0.25, 0}, {2, 0, 0}, infinity}),
+                            advance_by_distance(pyramid(), Path<3>{{0, 0.25, 0}, {2, 0, 0}, infinity})}) {
+    EXPECT_EQ(found.sight, Sight::hits);
+    EXPECT_NEAR(found.touch.t, 1.625, 1e-14);
+    EXPECT_LE(found.touch.t, 1.625 + 1e-15);
+    EXPECT_EQ(found.touch.status, Status::converged);
+    EXPECT_LT(found.touch.error, 1e-13);
+    const Point normal = found.touch.normal / std::sqrt(dot(found.touch.normal, found.touch.normal));
+    EXPECT_NEAR(normal.x, -std::sqrt(0.5), 1e-12);
+    EXPECT_NEAR(normal.y, std::sqrt(0.5), 1e-12);
+  }
+}
+
+/// What goes through the middle of a face needs no confirmation; what meets an edge or a corner, or begins inside,
+/// does.
+TEST(RayAdvance, IsCertainOnlyWhereTheRayGoesThroughAFace) {
+  EXPECT_TRUE(advance_to(pyramid(), Path<3>{{0, 0.25, 0}, {2, 0, 0}, infinity}).is_certain);
+  EXPECT_FALSE(advance_to(pyramid(), Path<3>{{0, 0, 0}, {2, 0, 0}, infinity}).is_certain);
+  EXPECT_FALSE(advance_to(pyramid(), Path<3>{{0, 0.25, 0.25}, {2, 0, 0}, infinity}).is_certain);
+  EXPECT_FALSE(advance_to(pyramid(), Path<3>{{3.5, 0, 0}, {0, 1, 0}, infinity}).is_certain);
+}
+
+TEST(RayAdvance, MissesByAPlaneOrLeavesItOpen) {
+  EXPECT_EQ(advance_to(pyramid(), {{0, 1.001, 0}, {1, 0, 0}, infinity}).sight, Sight::misses);
+  EXPECT_EQ(advance_to(pyramid(), {{0, 0, 0}, {-1, 0, 0}, infinity}).sight, Sight::misses);
+  EXPECT_EQ(advance_to(pyramid(), {{0, 0, 0}, {1, 0, 0}, 2.999}).sight, Sight::misses);
+  EXPECT_NE(advance_to(pyramid(), {{0, 1, 0}, {1, 0, 0}, infinity}).sight, Sight::misses);
+  EXPECT_NE(advance_to(pyramid(), {{0, 0, 0}, {1, 0, 0}, 3}).sight, Sight::misses);
+}
+
+TEST(RayAdvance, StartsInsideAtZero) {
+  const Sighting<3> inside = advance_to(pyramid(), {{3.5, 0, 0}, {0, 1, 0}, infinity});
+  EXPECT_EQ(inside.sight, Sight::hits);
+  EXPECT_EQ(inside.touch.t, 0);
+  EXPECT_EQ(inside.touch.normal, Point(0.0));
+}
+
+TEST(RayAdvance, GrazesARoundShape) {
+  // Newton's method at a double root: every step halves the way, and still it ends, at the shape.
+  const Capsule<3, double> capsule{{5, 0, -1}, {5, 0, 1}, 2};
+  const Sighting<3> found = advance_by_distance(capsule, Path<3>{{0, 2, 0}, {1, 0, 0}, infinity});
+  EXPECT_NE(found.sight, Sight::misses);
+  EXPECT_NEAR(found.touch.t, 5, 1e-6);
+  EXPECT_LE(found.touch.t, 5 + 1e-15);
+  EXPECT_LT(found.touch.error, 1e-13);
+}
+
+}  // namespace
+}  // namespace graze::detail::ray_advance_test
