@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // contact and manifold for pairs of bounded primitives in 3D, beside FCL's collide with up to four contacts (double),
 // ODE's dCollide (double) and, for two oriented boxes, Bullet's detector and the manifold that its worlds keep (float),
-// each in a file of bench/contact. A thousand random pairs each, all in cache, some of them apart; balls, capsules and
-// boxes also in one call of `contacts`, in double and in float; of most kinds also pairs that all meet, and of oriented
-// boxes some that lie on each other. A thousand pairs, asked again and again, are few enough that the processor learns
-// by heart where each branch goes; so of oriented boxes there are also sixteen thousand, of which it does not, as in a
-// world where nothing lies twice as it did. A scene of oriented boxes in towers tells its contacts, too, beside a call
-// of manifold for each of its pairs. Before anything is timed the others' depths are compared with graze's: graze's is
-// the least, so that none may be less; those of the others may be up to 5 % more where two edges meet, because they
-// prefer faces by as much.
+// each in a file of bench/contact. A thousand random pairs each, all in cache, some of them apart; spheres, capsules
+// and boxes also in one call of `contacts`, in double and in float; of most kinds also pairs that all meet, and of
+// oriented boxes some that lie on each other. A thousand pairs, asked again and again, are few enough that the
+// processor learns by heart where each branch goes; so of oriented boxes there are also sixteen thousand, of which it
+// does not, as in a world where nothing lies twice as it did. A scene of oriented boxes in towers tells its contacts,
+// too, beside a call of manifold for each of its pairs. Before anything is timed the others' depths are compared with
+// graze's: graze's is the least, so that none may be less; those of the others may be up to 5 % more where two edges
+// meet, because they prefer faces by as much.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

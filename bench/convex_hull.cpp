@@ -121,12 +121,12 @@ bool compare(const std::string& name, const Hull<N>& hull, const Points<N>& thei
 }
 
 template <Dim N>
-bool compare_with_qhull(const std::string& name, const Hull<N>& hull, const Points<N>& points, Crowd crowd) {
+bool compare_with_qhull(const std::string& name, const Hull<N>& hull, const Points<N>& points, Crowd cluster) {
   Qhull<N> qhull(points);
   const double volume = graze::mass_properties(hull).volume;
   const double off = std::fabs(qhull.volume() - volume) / volume;
   std::printf("%s/qhull: volumes differ by %.1e\n", name.c_str(), off);
-  return compare<N>(name + "/qhull", hull, qhull.corners(), is_in_general_position(crowd, N)) && off <= tolerance;
+  return compare<N>(name + "/qhull", hull, qhull.corners(), is_in_general_position(cluster, N)) && off <= tolerance;
 }
 
 // ---- Timing
@@ -148,16 +148,16 @@ bool add_cgal(const std::string& name, const Hull<2>& hull, const std::shared_pt
 
 /// Whether all agree about the hull.
 template <Dim N>
-bool register_crowd(Crowd crowd, std::size_t count) {
-  const auto points = std::make_shared<const Points<N>>(graze::hull_bench::points_of<N>(crowd, count));
-  const std::string name = std::string(name_of(crowd, N)) + ", " + std::to_string(count);
+bool register_crowd(Crowd cluster, std::size_t count) {
+  const auto points = std::make_shared<const Points<N>>(graze::hull_bench::points_of<N>(cluster, count));
+  const std::string name = std::string(name_of(cluster, N)) + ", " + std::to_string(count);
   const Hull<N> hull = graze::convex_hull(*points);
   time_build<N>(name + "/graze convex_hull", points, [](const Points<N>& p) { return graze::convex_hull(p); });
   if constexpr (N == 3) {
     time_build<N>(name + "/graze convex_mesh", points, [](const Points<N>& p) { return graze::convex_mesh(p); });
   }
   time_build<N>(name + "/qhull", points, [](const Points<N>& p) { return Qhull<N>(p).count(); });
-  bool do_agree = compare_with_qhull<N>(name, hull, *points, crowd);
+  bool do_agree = compare_with_qhull<N>(name, hull, *points, cluster);
   if constexpr (N == 2) do_agree = add_cgal(name, hull, points) && do_agree;
   if (!do_agree) std::fprintf(stderr, "%s: the hulls differ, see above\n", name.c_str());
   return do_agree;
@@ -168,11 +168,12 @@ bool register_crowd(Crowd crowd, std::size_t count) {
 int main(int argc, char** argv) {
   bool do_agree = true;
   for (const std::size_t count : {1000UL, 10000UL, 100000UL, 1000000UL}) {
-    for (const Crowd crowd : graze::hull_bench::all_crowds) {
-      do_agree = register_crowd<2>(crowd, count) && do_agree;
-      do_agree = register_crowd<3>(crowd, count) && do_agree;
+    for (const Crowd cluster : graze::hull_bench::all_crowds) {
+      do_agree = register_crowd<2>(cluster, count) && do_agree;
+      do_agree = register_crowd<3>(cluster, count) && do_agree;
     }
-    for (const Crowd crowd : graze::hull_bench::space_crowds) do_agree = register_crowd<3>(crowd, count) && do_agree;
+    for (const Crowd cluster : graze::hull_bench::space_crowds)
+      do_agree = register_crowd<3>(cluster, count) && do_agree;
   }
   if (!do_agree) return 1;
   return graze::bench::run_races(argc, argv);

@@ -47,9 +47,9 @@ class Contestant {
 
   virtual void build(std::span<const Box<N>> boxes) = 0;
   virtual void move(std::span<const Box<N>> boxes, const Share& share) = 0;
-  virtual void ask_regions(const Course<N>& course, std::span<std::uint64_t> digests) = 0;
-  virtual void ask_rays(const Course<N>& course, std::span<double> first) = 0;
-  virtual void ask_nearest(const Course<N>& course, std::size_t k, std::span<double> distances) = 0;
+  virtual void ask_regions(const Trajectory<N>& course, std::span<std::uint64_t> digests) = 0;
+  virtual void ask_rays(const Trajectory<N>& course, std::span<double> first) = 0;
+  virtual void ask_nearest(const Trajectory<N>& course, std::size_t k, std::span<double> distances) = 0;
 };
 
 /// Makes one number of a set of numbers: the sum of this.
@@ -74,7 +74,7 @@ class Racing final : public Contestant<N> {
   void move([[maybe_unused]] std::span<const Box<N>> boxes, [[maybe_unused]] const Share& share) override {
     if constexpr (moves) index_.move(boxes, share);
   }
-  void ask_regions([[maybe_unused]] const Course<N>& course,
+  void ask_regions([[maybe_unused]] const Trajectory<N>& course,
                    [[maybe_unused]] std::span<std::uint64_t> digests) override {
     if constexpr (has_regions) {
       for (std::size_t k = 0; k < digests.size(); ++k) {
@@ -84,12 +84,12 @@ class Racing final : public Contestant<N> {
       }
     }
   }
-  void ask_rays([[maybe_unused]] const Course<N>& course, [[maybe_unused]] std::span<double> first) override {
+  void ask_rays([[maybe_unused]] const Trajectory<N>& course, [[maybe_unused]] std::span<double> first) override {
     if constexpr (has_rays) {
       for (std::size_t k = 0; k < first.size(); ++k) first[k] = index_.first_hit(course.rays[k]);
     }
   }
-  void ask_nearest([[maybe_unused]] const Course<N>& course, [[maybe_unused]] std::size_t wanted,
+  void ask_nearest([[maybe_unused]] const Trajectory<N>& course, [[maybe_unused]] std::size_t wanted,
                    [[maybe_unused]] std::span<double> distances) override {
     if constexpr (has_nearest) {
       for (std::size_t k = 0; k < distances.size(); ++k) distances[k] = index_.nearest(course.points[k], wanted);

@@ -27,8 +27,8 @@ constexpr std::size_t questions = 100'000;
 /// A world of unit cubes that drift, frame by frame, and what is asked of it: regions that meet up to about a hundred
 /// boxes, rays from a center to another, and points.
 template <Dim N>
-struct Course {
-  explicit Course(std::size_t count) {
+struct Trajectory {
+  explicit Trajectory(std::size_t count) {
     graze::MovingBoxes<N, float> boxes(graze::World::brownian, count, 1);
     graze::MovingBoxes<N, float> elsewhere(graze::World::brownian, count, 2);
     for (std::vector<Box<N>>& place : places) {

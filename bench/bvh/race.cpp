@@ -68,7 +68,7 @@ double judged_nearest(const std::vector<Box<N>>& boxes, const Point<N>& point, s
 template <Dim N>
 class Race {
  public:
-  Race(std::size_t count, const RaceOptions& options) : options_(options), course_(count) {
+  Race(std::size_t count, const RaceOptions& options) : options_(options), trajectory_(count) {
     result_.dimensions = N;
     result_.count = count;
     Entrants<N> field;
@@ -85,22 +85,22 @@ class Race {
   }
 
   RaceResult run() {
-    run_heat(Work::build, [this](Contestant<N>& contestant) { contestant.build(course_.first()); });
+    run_heat(Work::build, [this](Contestant<N>& contestant) { contestant.build(trajectory_.first()); });
     run_regions();
     run_numbers(
         Work::rays,
-        [this](Contestant<N>& contestant, Answers& answers) { contestant.ask_rays(course_, answers.numbers); },
-        [this](std::size_t k) { return judged_ray(course_.first(), course_.rays[k]); });
-    run_nearest(Work::nearest_1, 1, course_.first());
-    run_nearest(Work::nearest_8, 8, course_.first());
+        [this](Contestant<N>& contestant, Answers& answers) { contestant.ask_rays(trajectory_, answers.numbers); },
+        [this](std::size_t k) { return judged_ray(trajectory_.first(), trajectory_.rays[k]); });
+    run_nearest(Work::nearest_1, 1, trajectory_.first());
+    run_nearest(Work::nearest_8, 8, trajectory_.first());
     run_moves(Work::update_all, 1);
     run_moves(Work::update_one_percent, 100);
     check_moved();
     for (Runner& runner : runners_) {
-      if (does(runner, Work::nearest_point_1)) runner.contestant->build(course_.centers);
+      if (does(runner, Work::nearest_point_1)) runner.contestant->build(trajectory_.centers);
     }
-    run_nearest(Work::nearest_point_1, 1, course_.centers);
-    run_nearest(Work::nearest_point_8, 8, course_.centers);
+    run_nearest(Work::nearest_point_1, 1, trajectory_.centers);
+    run_nearest(Work::nearest_point_8, 8, trajectory_.centers);
     return result_;
   }
 
@@ -161,15 +161,15 @@ class Race {
 
   void run_regions() {
     Answers expected;
-    runners_.front().contestant->ask_regions(course_, expected.regions);
+    runners_.front().contestant->ask_regions(trajectory_, expected.regions);
     for (std::size_t k = 0; k < questions; k += judged_step) {
-      if (expected.regions[k] == judged_region(course_.first(), course_.regions[k])) continue;
+      if (expected.regions[k] == judged_region(trajectory_.first(), trajectory_.regions[k])) continue;
       find_fault(runners_.front(), "a region, beside a loop over all boxes");
       break;
     }
     Answers answers;
     run_heat(
-        Work::regions, [&](Contestant<N>& contestant) { contestant.ask_regions(course_, answers.regions); },
+        Work::regions, [&](Contestant<N>& contestant) { contestant.ask_regions(trajectory_, answers.regions); },
         [&](const Runner& runner) {
           if (answers.regions != expected.regions) find_fault(runner, "regions");
           std::fill(answers.regions.begin(), answers.regions.end(), 0);
@@ -206,17 +206,19 @@ class Race {
   void run_nearest(Work work, std::size_t wanted, const std::vector<Box<N>>& boxes) {
     run_numbers(
         work,
-        [&](Contestant<N>& contestant, Answers& answers) { contestant.ask_nearest(course_, wanted, answers.numbers); },
-        [&](std::size_t k) { return judged_nearest(boxes, course_.points[k], wanted); });
+        [&](Contestant<N>& contestant, Answers& answers) {
+          contestant.ask_nearest(trajectory_, wanted, answers.numbers);
+        },
+        [&](std::size_t k) { return judged_nearest(boxes, trajectory_.points[k], wanted); });
   }
 
   /// To the last places and back, so many times as long as the seconds of the results. Of a share of the boxes it is
   /// another one in every frame.
   void run_moves(Work work, std::size_t step) {
-    constexpr std::size_t way = std::tuple_size_v<decltype(course_.places)> - 1;
+    constexpr std::size_t way = std::tuple_size_v<decltype(trajectory_.places)> - 1;
     run_heat(work, [&](Contestant<N>& contestant) {
       for (std::size_t frame = 1; frame <= 2 * way; ++frame) {
-        contestant.move(course_.places[std::min(frame, 2 * way - frame)], {frame * 7 % step, step});
+        contestant.move(trajectory_.places[std::min(frame, 2 * way - frame)], {frame * 7 % step, step});
       }
     });
     for (Result& result : result_.heats.back().results) result.seconds /= 2 * way;
@@ -227,11 +229,11 @@ class Race {
     Answers answers;
     for (Runner& runner : runners_) {
       if (!does(runner, Work::update_all) || !does(runner, Work::regions)) continue;
-      runner.contestant->move(course_.last(), {0, 2});
-      runner.contestant->move(course_.last(), {1, 2});
-      runner.contestant->ask_regions(course_, answers.regions);
+      runner.contestant->move(trajectory_.last(), {0, 2});
+      runner.contestant->move(trajectory_.last(), {1, 2});
+      runner.contestant->ask_regions(trajectory_, answers.regions);
       for (std::size_t k = 0; k < questions; k += judged_step) {
-        if (answers.regions[k] == judged_region(course_.last(), course_.regions[k])) continue;
+        if (answers.regions[k] == judged_region(trajectory_.last(), trajectory_.regions[k])) continue;
         find_fault(runner, "regions after boxes moved");
         break;
       }
@@ -239,7 +241,7 @@ class Race {
   }
 
   RaceOptions options_;
-  Course<N> course_;
+  Trajectory<N> trajectory_;
   std::vector<Runner> runners_;
   RaceResult result_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ODE's dCollide, in double as Debian builds it, on balls, capsules and boxes, with up to four contacts.
+// ODE's dCollide, in double as Debian builds it, on spheres, capsules and boxes, with up to four contacts.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,8 @@ namespace graze::contact_bench {
 /// A shape as ODE has it.
 class OdeShape {
  public:
-  explicit OdeShape(const Sphere& ball) : geometry_((start(), dCreateSphere(nullptr, ball.radius))) {
-    place(ball.center);
+  explicit OdeShape(const Sphere& sphere) : geometry_((start(), dCreateSphere(nullptr, sphere.radius))) {
+    place(sphere.center);
   }
   explicit OdeShape(const Aabb& box) : OdeShape(box.max - box.min) { place((box.min + box.max) * 0.5); }
   explicit OdeShape(const Obb& box) : OdeShape(box.half_extents * 2.0) {

@@ -37,9 +37,9 @@ inline constexpr std::array all_crowds = {Crowd::on_sphere, Crowd::in_ball, Crow
 
 inline constexpr std::array space_crowds = {Crowd::on_cube, Crowd::on_cube_edges, Crowd::on_cylinder_lines};
 
-inline const char* name_of(Crowd crowd, Dim dimension) {
+inline const char* name_of(Crowd cluster, Dim dimension) {
   const bool is_flat = dimension == 2;
-  switch (crowd) {
+  switch (cluster) {
     case Crowd::on_sphere:
       return is_flat ? "on a circle" : "on a sphere";
     case Crowd::in_ball:
@@ -67,9 +67,9 @@ inline const char* name_of(Crowd crowd, Dim dimension) {
 }
 
 /// Whether no corner is one by so little that rounding hides it: of points on a circle many are.
-inline bool is_in_general_position(Crowd crowd, Dim dimension) {
-  if (crowd == Crowd::on_sphere) return dimension == 3;
-  return crowd == Crowd::in_ball || crowd == Crowd::in_cube || crowd == Crowd::gaussian;
+inline bool is_in_general_position(Crowd cluster, Dim dimension) {
+  if (cluster == Crowd::on_sphere) return dimension == 3;
+  return cluster == Crowd::in_ball || cluster == Crowd::in_cube || cluster == Crowd::gaussian;
 }
 
 template <Dim N>
@@ -123,21 +123,21 @@ Points<N> on_lines(std::size_t count, std::mt19937_64& random) {
 }
 
 template <Dim N>
-Vec<N, double> random_point(Crowd crowd, std::mt19937_64& random) {
+Vec<N, double> random_point(Crowd cluster, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   Vec<N, double> point = direction<N>(random);
-  if (crowd == Crowd::gaussian) return point;
-  if (crowd == Crowd::in_cube) {
+  if (cluster == Crowd::gaussian) return point;
+  if (cluster == Crowd::in_cube) {
     for (Dim i = 0; i < N; ++i) point[i] = uniform(random);
     return point;
   }
   point /= std::sqrt(dot(point, point));
-  if (crowd == Crowd::on_sphere) return point;
+  if (cluster == Crowd::on_sphere) return point;
   return point * std::pow(0.5 + 0.5 * uniform(random), 1.0 / static_cast<double>(N));
 }
 
 /// On the faces, or the edges, of a cube, or on a hundred lines along a cylinder, up to rounding.
-inline Points<3> on_surface(Crowd crowd, std::size_t count, std::mt19937_64& random) {
+inline Points<3> on_surface(Crowd cluster, std::size_t count, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   const auto end = [&] { return uniform(random) < 0 ? -1.0 : 1.0; };
   Points<3> points;
@@ -145,8 +145,8 @@ inline Points<3> on_surface(Crowd crowd, std::size_t count, std::mt19937_64& ran
     Vec<3, double>& point = points.emplace_back(end(), end(), end());
     const auto axis = static_cast<Dim>(i % 3);
     point[axis] = uniform(random);
-    if (crowd == Crowd::on_cube) point[(axis + 1) % 3] = uniform(random);
-    if (crowd != Crowd::on_cylinder_lines) continue;
+    if (cluster == Crowd::on_cube) point[(axis + 1) % 3] = uniform(random);
+    if (cluster != Crowd::on_cylinder_lines) continue;
     const double angle = 0.0628 * static_cast<double>(i % 100);
     point = {std::cos(angle), std::sin(angle), uniform(random)};
   }
@@ -154,18 +154,18 @@ inline Points<3> on_surface(Crowd crowd, std::size_t count, std::mt19937_64& ran
 }
 
 template <Dim N>
-Points<N> points_of(Crowd crowd, std::size_t count) {
+Points<N> points_of(Crowd cluster, std::size_t count) {
   std::mt19937_64 random(20261122);
   if constexpr (N == 3) {
-    if (crowd >= Crowd::on_cube) return on_surface(crowd, count, random);
+    if (cluster >= Crowd::on_cube) return on_surface(cluster, count, random);
   }
-  if (crowd == Crowd::grid) return grid<N>(count, 1, random);
-  if (crowd == Crowd::decimal_grid) return grid<N>(count, 0.1, random);
-  if (crowd == Crowd::turned_grid) return turned(grid<N>(count, 1, random));
-  if (crowd == Crowd::on_lines) return on_lines<N>(count, random);
+  if (cluster == Crowd::grid) return grid<N>(count, 1, random);
+  if (cluster == Crowd::decimal_grid) return grid<N>(count, 0.1, random);
+  if (cluster == Crowd::turned_grid) return turned(grid<N>(count, 1, random));
+  if (cluster == Crowd::on_lines) return on_lines<N>(count, random);
   Points<N> points;
   points.reserve(count);
-  while (points.size() < count) points.push_back(random_point<N>(crowd, random));
+  while (points.size() < count) points.push_back(random_point<N>(cluster, random));
   return points;
 }
 

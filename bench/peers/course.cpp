@@ -64,8 +64,8 @@ double target_of(World world) {
 
 }  // namespace
 
-Course world_course(std::string_view text) {
-  Course course;
+Trajectory world_course(std::string_view text) {
+  Trajectory course;
   std::string_view rest = text;
   if (take_prefix(rest, "2d:")) course.dimension = 2;
   if (take_prefix(rest, "double:")) course.is_double = true;
@@ -79,10 +79,10 @@ Course world_course(std::string_view text) {
   return course;
 }
 
-std::vector<Course> file_courses(const std::string& path) {
+std::vector<Trajectory> file_courses(const std::string& path) {
   const auto courses = [&path](const auto& boxes, Dim dimension) {
-    const Course in_double{std::filesystem::path(path).filename().string(), std::nullopt, path, dimension, true};
-    std::vector<Course> found{in_double};
+    const Trajectory in_double{std::filesystem::path(path).filename().string(), std::nullopt, path, dimension, true};
+    std::vector<Trajectory> found{in_double};
     if (fit_float(boxes)) {
       found.push_back(in_double);
       found.back().is_double = false;
@@ -94,21 +94,21 @@ std::vector<Course> file_courses(const std::string& path) {
   return courses(boxes_of(std::get<Scene<3, double>>(scene)), 3);
 }
 
-std::string title_of(const Course& course) {
+std::string title_of(const Trajectory& course) {
   return fmt::format("{}, {}D {}", course.name, course.dimension, course.is_double ? "double" : "float");
 }
 
-double target_of(const Course& course, std::size_t count) {
+double target_of(const Trajectory& course, std::size_t count) {
   if (!course.world) return hostile_target;
   return count >= 100'000 && count <= 1'000'000 ? target_of(*course.world) : any_target;
 }
 
-std::size_t most_boxes_on(const Course& course) {
+std::size_t most_boxes_on(const Trajectory& course) {
   return course.world == World::point ? most_at_one_point : std::numeric_limits<std::size_t>::max();
 }
 
 template <Dim N, class T>
-Frames<N, T>::Frames(const Course& course, std::size_t count, std::uint64_t seed) {
+Frames<N, T>::Frames(const Trajectory& course, std::size_t count, std::uint64_t seed) {
   if (course.world) {
     world_.emplace(*course.world, count, seed);
     return;

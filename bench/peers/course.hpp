@@ -16,7 +16,7 @@
 
 namespace graze::race {
 
-struct Course {
+struct Trajectory {
   std::string name;            ///< "brownian", "chip_aes.csv"
   std::optional<World> world;  ///< None for a file.
   std::string file;            ///< Its path.
@@ -25,27 +25,27 @@ struct Course {
 };
 
 /// "brownian", "2d:heavy", "double:line", "2d:double:line". Throws std::invalid_argument for anything else.
-Course world_course(std::string_view text);
+Trajectory world_course(std::string_view text);
 
 /// The boxes of a scene file, in double, and in float too where that changes no coordinate. Throws io::InputError.
-std::vector<Course> file_courses(const std::string& path);
+std::vector<Trajectory> file_courses(const std::string& path);
 
 /// "brownian, 2D float".
-std::string title_of(const Course& course);
+std::string title_of(const Trajectory& course);
 
 /// How many times as long as graze the fastest peer should take: from 100,000 to a million boxes of a friendly world
 /// 10, of a hostile one 6; of a file 6; of anything else 2.
-double target_of(const Course& course, std::size_t count);
+double target_of(const Trajectory& course, std::size_t count);
 
 /// The most boxes that make sense there: n boxes at one point are n (n - 1) / 2 pairs.
-std::size_t most_boxes_on(const Course& course);
+std::size_t most_boxes_on(const Trajectory& course);
 
 /// The boxes of a course, frame by frame. Instantiated for 2D and 3D, float and double.
 template <Dim N, class T>
 class Frames {
  public:
   /// A file has as many boxes as it has, whatever the count.
-  Frames(const Course& course, std::size_t count, std::uint64_t seed);
+  Frames(const Trajectory& course, std::size_t count, std::uint64_t seed);
 
   std::span<const Aabb<N, T>> boxes() const { return world_ ? world_->boxes() : std::span<const Aabb<N, T>>(still_); }
   void step() {

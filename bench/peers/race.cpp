@@ -115,7 +115,7 @@ std::string reason_to_sit_out(const Entrant<N, T>& entrant, std::size_t count, c
 template <Dim N, class T>
 class CourseRace {
  public:
-  CourseRace(const Course& course, const Settings& settings, Outcome& outcome)
+  CourseRace(const Trajectory& course, const Settings& settings, Outcome& outcome)
       : settings_(settings), outcome_(outcome), result_{course, {}} {
     const auto is_wanted = [&settings](const Entrant<N, T>& entrant) {
       const auto holds = [&entrant](const std::string& part) { return entrant.name.find(part) != std::string::npos; };
@@ -250,7 +250,7 @@ class CourseRace {
 };
 
 template <Dim N>
-CourseResult run_course(const Course& course, const Settings& settings, Outcome& outcome) {
+CourseResult run_course(const Trajectory& course, const Settings& settings, Outcome& outcome) {
   if (course.is_double) return CourseRace<N, double>(course, settings, outcome).run();
   return CourseRace<N, float>(course, settings, outcome).run();
 }
@@ -262,7 +262,7 @@ Outcome run_race(const Settings& settings) {
   Settings extended = settings;
   if (settings.largest > 0) extended.counts.push_back(settings.largest);
   std::sort(extended.counts.begin(), extended.counts.end());
-  for (const Course& course : settings.courses) {
+  for (const Trajectory& course : settings.courses) {
     const Settings& of_course = outcome.results.empty() ? extended : settings;
     outcome.results.push_back(course.dimension == 2 ? run_course<2>(course, of_course, outcome)
                                                     : run_course<3>(course, of_course, outcome));

@@ -130,13 +130,13 @@ double ratio_of(const Heat& heat, const Discipline& discipline) {
   return graze == nullptr || peer == nullptr ? 0 : time_of(*peer, discipline.finish) / graze->median;
 }
 
-bool is_under_target(const Course& course, const Heat& heat, const Discipline& discipline) {
+bool is_under_target(const Trajectory& course, const Heat& heat, const Discipline& discipline) {
   const double ratio = ratio_of(heat, discipline);
   return ratio > 0 && ratio < target_of(course, heat.count);
 }
 
 /// "10.3", with a mark and the target where it is under that; a dash where there was nobody to compare with.
-std::string verdict(const Course& course, const Heat& heat, const Discipline& discipline) {
+std::string verdict(const Trajectory& course, const Heat& heat, const Discipline& discipline) {
   const double ratio = ratio_of(heat, discipline);
   if (ratio == 0) return "-";
   if (!is_under_target(course, heat, discipline)) return ratio_text(ratio);

@@ -32,7 +32,7 @@ struct Heat {
 };
 
 struct CourseResult {
-  Course course;
+  Trajectory course;
   std::vector<Heat> heats;  ///< By ascending count.
 };
 

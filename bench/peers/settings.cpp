@@ -76,8 +76,8 @@ void add_options(CLI::App& app, Words& words, Settings& settings) {
   app.add_option("--chart", settings.chart, "write a chart of the first scene to this SVG file");
 }
 
-std::vector<Course> courses_of(const Words& words) {
-  std::vector<Course> courses;
+std::vector<Trajectory> courses_of(const Words& words) {
+  std::vector<Trajectory> courses;
   for (const std::string& scene : words.scenes) {
     if (scene != "all") {
       if (scene != "none") courses.push_back(world_course(scene));
@@ -88,7 +88,7 @@ std::vector<Course> courses_of(const Words& words) {
     }
   }
   for (const std::string& file : words.files) {
-    for (Course& course : file_courses(file)) courses.push_back(std::move(course));
+    for (Trajectory& course : file_courses(file)) courses.push_back(std::move(course));
   }
   return courses;
 }

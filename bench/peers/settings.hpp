@@ -12,7 +12,7 @@
 namespace graze::race {
 
 struct Settings {
-  std::vector<Course> courses;
+  std::vector<Trajectory> courses;
   std::vector<std::size_t> counts;  ///< Ascending.
   std::size_t largest = 0;          ///< A further count for the first course, if not 0.
   std::size_t frames = 5;

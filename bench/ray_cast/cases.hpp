@@ -106,7 +106,7 @@ void draw(Random& random, Polytope<N, T>& polytope) {
   }
   polytope = convex_hull<N, T>(points);
 }
-/// Of six parts: balls, oriented boxes and capsules, up to another unit apart.
+/// Of six parts: spheres, oriented boxes and capsules, up to another unit apart.
 template <Dim N, class T>
 void draw(Random& random, Compound<N, T>& compound) {
   std::vector<AnyShape<N, T>> parts;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Embree's rtcIntersect1 (float) on a scene of one ball, one triangle, or the triangles of one hull, which it prepares
-// before any ray is cast.
+// Embree's rtcIntersect1 (float) on a scene of one sphere, one triangle, or the triangles of one hull, which it
+// prepares before any ray is cast.
 #pragma once
 
 #include <cstddef>

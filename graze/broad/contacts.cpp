@@ -67,9 +67,9 @@ void look_at_some_boxes(std::size_t count, const ShapesAt& shapes_at, ObbsLook* 
     places[box_count++] = static_cast<std::uint16_t>(i);
   }
   const auto some = std::span(boxes).first(box_count);
-  if (box_count == count) return manifold_kernels<T>().look(some, FirstBox::in_order, looks);
+  if (box_count == count) return obb_kernels<T>().look(some, FirstBox::in_order, looks);
   std::array<ObbsLook, most_obbs_to_contact> found;
-  manifold_kernels<T>().look(some, FirstBox::in_order, found.data());
+  obb_kernels<T>().look(some, FirstBox::in_order, found.data());
   for (std::size_t i = 0; i < box_count; ++i) looks[places[i]] = found[i];
 }
 
@@ -145,17 +145,17 @@ class PrimitivePairs {
 
   /// False for others. At most as many as a task has.
   bool add(const Shapes& shapes, Manifold<3, T>* manifold, std::size_t place) {
-    if (const auto* ball = std::get_if<Ball>(shapes.a)) return add_ball(*ball, *shapes.b, false, manifold, place);
-    if (const auto* ball = std::get_if<Ball>(shapes.b)) return add_ball(*ball, *shapes.a, true, manifold, place);
-    if (const auto* rod = std::get_if<Rod>(shapes.a);
-        rod != nullptr && add_rod(*rod, *shapes.b, false, manifold, place)) {
+    if (const auto* sphere = std::get_if<Sphere3>(shapes.a)) return add_sphere(*sphere, *shapes.b, false, manifold, place);
+    if (const auto* sphere = std::get_if<Sphere3>(shapes.b)) return add_sphere(*sphere, *shapes.a, true, manifold, place);
+    if (const auto* capsule = std::get_if<Capsule3>(shapes.a);
+        capsule != nullptr && add_capsule(*capsule, *shapes.b, false, manifold, place)) {
       return true;
     }
-    if (const auto* rod = std::get_if<Rod>(shapes.b);
-        rod != nullptr && add_rod(*rod, *shapes.a, true, manifold, place)) {
+    if (const auto* capsule = std::get_if<Capsule3>(shapes.b);
+        capsule != nullptr && add_capsule(*capsule, *shapes.a, true, manifold, place)) {
       return true;
     }
-    return add_alike<Rod>(PrimitiveKind::capsule_capsule, shapes, manifold, place) ||
+    return add_alike<Capsule3>(PrimitiveKind::capsule_capsule, shapes, manifold, place) ||
            add_alike<Aabb<3, T>>(PrimitiveKind::aabb_aabb, shapes, manifold, place);
   }
 
@@ -166,14 +166,14 @@ class PrimitivePairs {
       const List& list = lists_[kind];
       if (list.count == 0) continue;
       std::array<std::uint32_t, manifolds_per_task> left;
-      const std::size_t left_count = primitive_kernels<T>()[kind](std::span(list.pairs).first(list.count), left.data());
+      const std::size_t left_count = contact_kernels<T>()[kind](std::span(list.pairs).first(list.count), left.data());
       for (std::size_t i = 0; i < left_count; ++i) contact_one(list.places[left[i]]);
     }
   }
 
  private:
-  using Ball = Sphere<3, T>;
-  using Rod = Capsule<3, T>;
+  using Sphere3 = Sphere<3, T>;
+  using Capsule3 = Capsule<3, T>;
 
   struct List {
     std::array<PrimitivesToContact<3, T>, manifolds_per_task> pairs;
@@ -181,22 +181,23 @@ class PrimitivePairs {
     std::size_t count = 0;
   };
 
-  bool add_ball(const Ball& ball, const AnyShape<3, T>& other, bool turned, Manifold<3, T>* manifold,
-                std::size_t place) {
+  bool add_sphere(const Sphere3& sphere, const AnyShape<3, T>& other, bool turned, Manifold<3, T>* manifold,
+                  std::size_t place) {
     const auto add_to = [&](PrimitiveKind kind, const auto* held) {
-      if (held != nullptr) put(kind, {numbers(ball), numbers(*held), turned, manifold}, place);
+      if (held != nullptr) put(kind, {numbers(sphere), numbers(*held), turned, manifold}, place);
       return held != nullptr;
     };
-    return add_to(PrimitiveKind::sphere_sphere, std::get_if<Ball>(&other)) ||
-           add_to(PrimitiveKind::sphere_capsule, std::get_if<Rod>(&other)) ||
+    return add_to(PrimitiveKind::sphere_sphere, std::get_if<Sphere3>(&other)) ||
+           add_to(PrimitiveKind::sphere_capsule, std::get_if<Capsule3>(&other)) ||
            add_to(PrimitiveKind::sphere_aabb, std::get_if<Aabb<3, T>>(&other)) ||
            add_to(PrimitiveKind::sphere_obb, std::get_if<Obb<3, T>>(&other));
   }
 
   /// With a box.
-  bool add_rod(const Rod& rod, const AnyShape<3, T>& other, bool turned, Manifold<3, T>* manifold, std::size_t place) {
+  bool add_capsule(const Capsule3& capsule, const AnyShape<3, T>& other, bool turned, Manifold<3, T>* manifold,
+                   std::size_t place) {
     const auto add_to = [&](PrimitiveKind kind, const auto* held) {
-      if (held != nullptr) put(kind, {numbers(rod), numbers(*held), turned, manifold}, place);
+      if (held != nullptr) put(kind, {numbers(capsule), numbers(*held), turned, manifold}, place);
       return held != nullptr;
     };
     return add_to(PrimitiveKind::capsule_aabb, std::get_if<Aabb<3, T>>(&other)) ||
@@ -258,12 +259,12 @@ void write_manifolds(std::size_t count, const ShapesAt& shapes_at, const LookAt&
       places[box_count++] = static_cast<std::uint16_t>(i);
     }
     std::array<std::uint32_t, manifolds_per_task> left;
-    const std::size_t left_count = manifold_kernels<T>().contact(std::span(boxes).first(box_count), left.data());
+    const std::size_t left_count = obb_kernels<T>().contact(std::span(boxes).first(box_count), left.data());
     for (std::size_t i = 0; i < left_count; ++i) contact_one(places[left[i]]);
     primitives.contact(contact_one);
     mixed.contact(contact_one);
   } else {
-    FlatPairs<T, manifolds_per_task> pairs;
+    Pairs2d<T, manifolds_per_task> pairs;
     for (std::size_t i = 0; i < count; ++i) {
       if (!pairs.add(shapes_at(i), &manifold_at(i), i)) contact_one(i);
     }

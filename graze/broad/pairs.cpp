@@ -42,7 +42,7 @@ std::span<const PairMethod> all_pair_methods() { return methods; }
 template <Dim N, class T>
 struct PairFinder<N, T>::State {
   detail::PairMethods<N, T> methods;
-  detail::KeptPairRoom room;
+  detail::KeptPairSink room;
   std::size_t given = 0;  // pairs, which lie in the memory of one of both
 
   std::span<const Pair> find(std::span<const Aabb<N, T>> boxes_a, const std::span<const Aabb<N, T>>* boxes_b,

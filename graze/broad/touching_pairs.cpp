@@ -91,7 +91,7 @@ template <Dim N, class T>
 class Judge {
  public:
   Judge(std::span<const ShapePair<N, T>> pairs, Relation* out)
-      : pairs_(pairs), out_(out), kernels_(touch_kernels<N, T>()) {}
+      : pairs_(pairs), out_(out), kernels_(touching_kernels<N, T>()) {}
 
   void run() {
     static constexpr auto kinds = kinds_by_place<N, T>();
@@ -152,7 +152,7 @@ class Judge {
 
   std::span<const ShapePair<N, T>> pairs_;
   Relation* out_;
-  const TouchKernels<T>& kernels_;
+  const TouchingKernels<T>& kernels_;
   std::array<Queue, touch_kinds> queues_;
 };
 
@@ -163,19 +163,19 @@ struct ListKernels {
   TouchListKernel<T> of_open = nullptr;  ///< For what the first has left open, if it can say more.
 };
 template <Dim N, class T>
-ListKernels<T> kernels_of(const TouchKernels<T>& kernels, std::type_identity<Sphere<N, T>>) {
+ListKernels<T> kernels_of(const TouchingKernels<T>& kernels, std::type_identity<Sphere<N, T>>) {
   return {kernels.of_spheres};
 }
 template <Dim N, class T>
-ListKernels<T> kernels_of(const TouchKernels<T>& kernels, std::type_identity<Aabb<N, T>>) {
+ListKernels<T> kernels_of(const TouchingKernels<T>& kernels, std::type_identity<Aabb<N, T>>) {
   return {kernels.of_aabbs};
 }
 template <Dim N, class T>
-ListKernels<T> kernels_of(const TouchKernels<T>& kernels, std::type_identity<Obb<N, T>>) {
+ListKernels<T> kernels_of(const TouchingKernels<T>& kernels, std::type_identity<Obb<N, T>>) {
   return {kernels.of_obbs, kernels.of_open_obbs};
 }
 template <Dim N, class T>
-ListKernels<T> kernels_of(const TouchKernels<T>& kernels, std::type_identity<Capsule<N, T>>) {
+ListKernels<T> kernels_of(const TouchingKernels<T>& kernels, std::type_identity<Capsule<N, T>>) {
   return {kernels.of_capsules};
 }
 
@@ -194,7 +194,7 @@ class TaskOfOneType {
   TaskOfOneType(std::span<const S> shapes, std::span<const Pair> pairs)
       : shapes_(shapes),
         pairs_(pairs),
-        kernels_(touch_kernels<dimension_of<S>, T>()),
+        kernels_(touching_kernels<dimension_of<S>, T>()),
         judges_(kernels_of(kernels_, std::type_identity<S>())) {
     judge_all();
     judge_open();
@@ -276,7 +276,7 @@ class TaskOfOneType {
 
   std::span<const S> shapes_;
   std::span<const Pair> pairs_;
-  const TouchKernels<T>& kernels_;
+  const TouchingKernels<T>& kernels_;
   ListKernels<T> judges_;
   std::array<GroupVerdict, pairs_in_task / touch_group> verdicts_;
 };

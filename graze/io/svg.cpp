@@ -33,7 +33,7 @@ svg::Summary summary_of(const SceneFile& file, const svg::Subject<N>& subject, c
     if (touches.count == 0) ++summary.free;
     if (touches.count > 0) summary.objects.add(touches.closest);
   }
-  for (const svg::SeenPair& pair : subject.pairs) summary.pairs.add(pair.relation);
+  for (const svg::DrawnPair& pair : subject.pairs) summary.pairs.add(pair.relation);
   summary.too_far = stage.too_far;
   return summary;
 }

@@ -46,11 +46,11 @@ inline double turn_of(const Mat<2, double>& rotation) {
 /// on the axis is taken from the symmetric part, whose largest column does not.
 inline Vec<3, double> turn_of(const Mat<3, double>& rotation) {
   const Mat<3, double>& r = rotation;
-  const Vec<3, double> skew(r[1].z - r[2].y, r[2].x - r[0].z, r[0].y - r[1].x);  // 2 sin n
-  const double twice_sine = std::sqrt(dot(skew, skew));
+  const Vec<3, double> orthonormality_error(r[1].z - r[2].y, r[2].x - r[0].z, r[0].y - r[1].x);  // 2 sin n
+  const double twice_sine = std::sqrt(dot(orthonormality_error, orthonormality_error));
   const double twice_cosine = r[0].x + r[1].y + r[2].z - 1;
   const double angle = std::atan2(twice_sine, twice_cosine);
-  if (twice_cosine > 0) return twice_sine > 0 ? skew * (angle / twice_sine) : Vec<3, double>(0.0);
+  if (twice_cosine > 0) return twice_sine > 0 ? orthonormality_error * (angle / twice_sine) : Vec<3, double>(0.0);
   Vec<3, double> axis(0.0);
   for (Dim j = 0; j < 3; ++j) {
     const Vec<3, double> row(r[0][j], r[1][j], r[2][j]);
@@ -59,7 +59,7 @@ inline Vec<3, double> turn_of(const Mat<3, double>& rotation) {
     if (dot(column, column) > dot(axis, axis)) axis = column;
   }
   axis /= std::sqrt(dot(axis, axis));  // at least (1 - cos) / sqrt 3 long
-  return axis * (dot(axis, skew) < 0 ? -angle : angle);
+  return axis * (dot(axis, orthonormality_error) < 0 ? -angle : angle);
 }
 
 }  // namespace detail

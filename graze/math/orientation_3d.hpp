@@ -67,7 +67,7 @@ inline double twofold_determinant(const std::array<std::array<Rounded, 3>, 3>& r
 /// sum of its six products' absolute values.
 inline int sign_of_determinant(const std::array<Vec<3, double>, 3>& points, const Vec<3, double>& origin,
                                double magnitude) {
-  if (const std::optional<int> sign = sign_of_whole_determinant(points, origin)) return *sign;
+  if (const std::optional<int> sign = sign_of_exact_determinant(points, origin)) return *sign;
   bool are_exact = true;
   std::array<std::array<Rounded, 3>, 3> rows{};
   for (std::size_t row = 0; row < 3; ++row) {

@@ -46,7 +46,7 @@ inline constexpr double segment_filter = 4096 * epsilon;
 /// What kernels add to the skew that they measure of axes, both in T: the measure is rounded 4 times, and the 6 skew
 /// that box_filter has to spare hold the 24 roundings of a gap, each half an epsilon.
 template <Scalar T>
-inline constexpr T measured_skew = T(8) * std::numeric_limits<T>::epsilon();
+inline constexpr T measured_orthonormality_error = T(8) * std::numeric_limits<T>::epsilon();
 
 /// Kernels leave to the careful test segments that are closer to touching than this times the size: what they say is
 /// proved by two points, or by a direction, up to 12 epsilon of T; and the careful test's own band, of double, is
@@ -61,12 +61,12 @@ inline constexpr T segment_lanes = std::is_same_v<T, float> ? T(64 * std::numeri
 template <Scalar T>
 inline constexpr T squares = T(32) * std::numeric_limits<T>::epsilon();
 
-/// The quick test of a ray and a ball leaves to the careful one squared distances that differ from the squared radius
+/// The quick test of a ray and a sphere leaves to the careful one squared distances that differ from the squared radius
 /// by less than this times the sum of the squares of the center's distance from the origin and the radius: its own
 /// error is 10 epsilon of it, the careful test's band 300.
 inline constexpr double ray_filter = 1024 * epsilon;
 
-/// The quick test of a triangle and a ball leaves to the careful one squared distances that differ from the squared
+/// The quick test of a triangle and a sphere leaves to the careful one squared distances that differ from the squared
 /// radius by less than this times the sum of all squares: its own error is 3500 epsilon, the careful test's band 200.
 inline constexpr double triangle_filter = 8192 * epsilon;
 
@@ -149,7 +149,8 @@ inline constexpr T near_lanes = T(24) * std::numeric_limits<T>::epsilon();
 /// seen from the origin: over a hundred times the band of `relation`, and its own error is a few epsilon.
 inline constexpr double ray_side = 4096 * epsilon;
 
-/// And those that end, or start behind the shape, nearer than this times its size, where it is round: see sight_of.
+/// And those that end, or start behind the shape, nearer than this times its size, where it is round: see
+/// ray_verdict_of.
 inline constexpr double ray_end = 0x1p-20;
 
 /// The quick test of a ray and a plane leaves to the careful one a height at either end that is less than this times
@@ -158,7 +159,7 @@ inline constexpr double ray_plane = 0x1p-32;
 
 /// The quick test of a ray and an oriented box moves its sides by this times the size: axes that are not orthonormal by
 /// `orthonormal` move a place by that, and float by a thousandth of it.
-inline constexpr float ray_skew = 0x1p-12F;
+inline constexpr float ray_orthonormality_error = 0x1p-12F;
 
 /// The quick test of a ray and a capsule leaves to the careful one squared distances that differ from the squared
 /// radius by less than this times the sum of all squares: both are wrong by `segment_filter` of the size at most, and

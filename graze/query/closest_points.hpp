@@ -146,32 +146,33 @@ Vec<N, double> reference(const Triangle<N, T>& triangle) {
 }
 
 template <Dim N, class T>
-Vec<N, double> seen_from(const Vec<N, double>& origin, const Vec<N, T>& point) {
+Vec<N, double> relative_to(const Vec<N, double>& origin, const Vec<N, T>& point) {
   return wide<N, T>(point) - origin;
 }
 
 /// A shape whose core has the features of cores/features.hpp.
 template <class S>
 concept HasSimpleCore = is_ray<S> || requires(const S& shape, const Vec<dimension_of<S>, double>& origin) {
-  seen_from(origin, core(shape));
+  relative_to(origin, core(shape));
 };
 
 /// A core in double. A ray is cut where nothing of the other shape is beside it any more.
 template <class Core, class Other>
-auto seen_beside(const Vec<dimension_of<Core>, double>& origin, const Core& core, const Other& other) {
+auto local_beside(const Vec<dimension_of<Core>, double>& origin, const Core& core, const Other& other) {
   if constexpr (is_ray<Core>) {
     const Vec<dimension_of<Core>, double> start = reference(core) - origin;
     return Segment<dimension_of<Core>, double>{start, start + reach_to(core, bounds(other))};
   } else {
-    return seen_from(origin, core);
+    return relative_to(origin, core);
   }
 }
 
 /// The nearest points of two cores that are apart, seen from `origin`; nearly parallel segments in space are looked at
 /// as they are stored.
-template <class CoreA, class CoreB, class SeenA, class SeenB>
-ClosestPair<dimension_of<CoreA>> closest_of_cores(const CoreA& a, const CoreB& b, const SeenA& seen_a,
-                                                  const SeenB& seen_b, const Vec<dimension_of<CoreA>, double>& origin) {
+template <class CoreA, class CoreB, class LocalA, class LocalB>
+ClosestPair<dimension_of<CoreA>> closest_of_cores(const CoreA& a, const CoreB& b, const LocalA& local_a,
+                                                  const LocalB& local_b,
+                                                  const Vec<dimension_of<CoreA>, double>& origin) {
   if constexpr (dimension_of<CoreA> == 3 && is_a<Segment, CoreA> && is_a<Segment, CoreB>) {
     using T = scalar_of<CoreA>;
     const auto stored = [](const Segment<3, T>& segment) {
@@ -179,7 +180,7 @@ ClosestPair<dimension_of<CoreA>> closest_of_cores(const CoreA& a, const CoreB& b
     };
     if (const auto nearest = closest_of_nearly_parallel(stored(a), stored(b), origin)) return *nearest;
   }
-  return closest_of_apart(seen_a, seen_b, size_around_zero(seen_a) + size_around_zero(seen_b));
+  return closest_of_apart(local_a, local_b, size_around_zero(local_a) + size_around_zero(local_b));
 }
 
 /// Where round shapes meet, their cores may be apart: they are asked.
@@ -192,13 +193,13 @@ Proximity<dimension_of<A>, double> proximity_of_simple(const A& a, const B& b, R
   const bool is_decided = relation == Relation::apart || (radii.a == 0 && radii.b == 0);
   const Relation of_cores = is_decided ? relation : decide(core_a, core_b);
   const Vec<N, double> origin = reference(core_a);
-  const auto seen_a = seen_beside(origin, core_a, core_b);
-  const auto seen_b = seen_beside(origin, core_b, core_a);
-  const double size = size_around_zero(seen_a) + size_around_zero(seen_b);
+  const auto local_a = local_beside(origin, core_a, core_b);
+  const auto local_b = local_beside(origin, core_b, core_a);
+  const double size = size_around_zero(local_a) + size_around_zero(local_b);
   Proximity<N, double> result =
       of_cores == Relation::apart
-          ? widened(closest_of_cores(core_a, core_b, seen_a, seen_b, origin), origin, radii, relation)
-          : widened_meeting(closest_of_meeting(seen_a, seen_b, size), origin, radii, relation);
+          ? widened(closest_of_cores(core_a, core_b, local_a, local_b, origin), origin, radii, relation)
+          : widened_meeting(closest_of_meeting(local_a, local_b, size), origin, radii, relation);
   result.error = tolerance::rounding * (size + (radii.a + radii.b));
   return result;
 }
@@ -207,7 +208,7 @@ Proximity<dimension_of<A>, double> proximity_of_simple(const A& a, const B& b, R
 template <Dim N, class T>
 Proximity<N, double> proximity_of_simple(const Aabb<N, T>& a, const Aabb<N, T>& b, Relation relation) {
   const Vec<N, double> zero(0.0);
-  const ClosestPair<N> pair = closest_of_boxes(seen_from(zero, a), seen_from(zero, b));
+  const ClosestPair<N> pair = closest_of_boxes(relative_to(zero, a), relative_to(zero, b));
   Proximity<N, double> result = relation == Relation::apart ? widened(pair, zero, {0, 0}, relation)
                                                             : widened_meeting(pair, zero, {0, 0}, relation);
   result.error = tolerance::rounding * sum_abs(pair.between);
@@ -279,13 +280,13 @@ inline constexpr bool is_found_by_support =
 template <class A, class B>
 Proximity<dimension_of<A>, double> proximity_in_order(const A& a, const B& b, Relation relation) {
   if constexpr (is_level<A> && is_level<B>) {
-    return proximity_of_levels(a, b, relation);
+    return proximity_of_half_spaces(a, b, relation);
   } else if constexpr (is_ray<A> && is_level<B>) {
     return proximity_of_ray(a, b, relation);
   } else if constexpr (is_level<B>) {
-    return exchanged(proximity_to_level(b, a, relation));
+    return exchanged(proximity_to_half_space(b, a, relation));
   } else if constexpr (is_level<A>) {
-    return proximity_to_level(a, b, relation);
+    return proximity_to_half_space(a, b, relation);
   } else if constexpr (is_ray<A> && is_ray<B>) {
     return proximity_of_rays(a, b, relation);
   } else if constexpr (HasSimpleCore<A> && HasSimpleCore<B>) {

@@ -102,13 +102,13 @@ std::optional<Contact<N, T>> rounded_contact(const Penetration<N>& exact) {
 template <class A, class B>
 Penetration<dimension_of<A>> penetration_in_order(const A& a, const B& b) {
   if constexpr (is_level<A> && is_level<B>) {
-    return penetration_of_levels(a, b);
+    return penetration_of_half_spaces(a, b);
   } else if constexpr (is_ray<A> && is_level<B>) {
     return penetration_of_ray(a, b);
   } else if constexpr (is_level<B>) {
-    return exchanged(penetration_in_level(b, a));
+    return exchanged(penetration_in_half_space(b, a));
   } else if constexpr (is_level<A>) {
-    return penetration_in_level(a, b);
+    return penetration_in_half_space(a, b);
   } else if constexpr (is_ray<A> && is_ray<B>) {
     return penetration_of_rays(a, b);
   } else if constexpr (HasSimpleCore<A> && HasSimpleCore<B>) {
@@ -228,8 +228,8 @@ std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b) 
     }
     return turned ? exchanged(found) : found;
   } else {
-    if constexpr (has_quick_touch<A, B>) {
-      const auto quick = quick_touch(a, b);
+    if constexpr (has_fast_contact<A, B>) {
+      const auto quick = fast_contact(a, b);
       if (quick.is_known && is_usual_error<scalar_of<A>>(quick.found.error)) {
         return quick.meets ? std::optional(quick.found) : std::nullopt;
       }
@@ -280,8 +280,8 @@ std::optional<Contact<dimension_of<A>, scalar_of<A>>> contact(const A& a, const 
   if constexpr (detail::are_quick_obbs<A, B>) {
     return detail::rounded_contact_of_obbs(a, b);
   } else if constexpr (detail::are_simple<A, B>) {
-    if constexpr (detail::has_quick_touch<A, B>) {
-      const auto quick = detail::quick_touch(a, b);
+    if constexpr (detail::has_fast_contact<A, B>) {
+      const auto quick = detail::fast_contact(a, b);
       if (quick.is_known && detail::is_usual_error<scalar_of<A>>(quick.found.error)) {
         if (!quick.meets) return std::nullopt;
         return detail::rounded_contact<scalar_of<A>>(quick.found);

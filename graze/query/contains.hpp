@@ -131,13 +131,13 @@ bool holds(const Vec<N, T>& shape, const Vec<N, T>& point) {
 template <Dim N, class T>
 bool holds(const Segment<N, T>& segment, const Vec<N, T>& point) {
   const double largest = static_cast<double>(std::max(max_abs(segment.start), max_abs(segment.end)));
-  return is_within_surface<T>(squared(foot_on(segment, wide<N, T>(point))), largest);
+  return is_within_surface<T>(squared(closest_on(segment, wide<N, T>(point))), largest);
 }
 
 template <Dim N, class T>
 bool holds(const Ray<N, T>& ray, const Vec<N, T>& point) {
   const double largest = static_cast<double>(std::max(max_abs(ray.origin), max_abs(point)));
-  return is_within_surface<T>(squared(foot_on(ray, wide<N, T>(point))), largest);
+  return is_within_surface<T>(squared(closest_on(ray, wide<N, T>(point))), largest);
 }
 
 template <Dim N, class T>
@@ -165,8 +165,8 @@ template <class T>
 bool holds(const Triangle<3, T>& triangle, const Vec<3, T>& point) {
   const Vec<3, double> corner = wide<3, T>(triangle.a);
   const double reach = tolerance::surface<T> * largest_coordinate(triangle);
-  const auto quick = filter_of_triangle_and_ball(corner - wide<3, T>(point), wide<3, T>(triangle.b) - corner,
-                                                 wide<3, T>(triangle.c) - corner, reach);
+  const auto quick = filter_of_triangle_and_sphere(corner - wide<3, T>(point), wide<3, T>(triangle.b) - corner,
+                                                   wide<3, T>(triangle.c) - corner, reach);
   if (quick) return *quick != Relation::apart;
   return is_on(triangle, point);
 }
@@ -223,7 +223,7 @@ bool holds(const HalfSpace<N, T>& solid, const Vec<N, T>& point) {
   return height_over(boundary(solid), wide<N, T>(point)) <= slack;
 }
 
-/// However thin, a capsule is a ball around each point of its axis: it is the axis that the tolerance is for.
+/// However thin, a capsule is a sphere around each point of its axis: it is the axis that the tolerance is for.
 template <Dim N, class T>
 bool holds(const Capsule<N, T>& capsule, const Vec<N, T>& point) {
   const Vec<N, double> p = wide<N, T>(point);
@@ -231,7 +231,7 @@ bool holds(const Capsule<N, T>& capsule, const Vec<N, T>& point) {
   const auto radius = static_cast<double>(capsule.radius);
   const double extent = sum_abs(wide<N, T>(capsule.b) - start);
   const double reach = radius + tolerance::rounding * (sum_abs(p - start) + extent + radius);
-  const double distance_squared = squared(foot_on(axis(capsule), p));
+  const double distance_squared = squared(closest_on(axis(capsule), p));
   if (distance_squared <= reach * reach) return true;
   const T largest = std::max(max_abs(capsule.a), max_abs(capsule.b));
   return is_within_surface<T>(distance_squared, static_cast<double>(largest));

@@ -63,7 +63,7 @@ std::vector<Vec<2, T>> true_corners(std::span<const Vec<2, T>> polygon) {
 
 /// The two ends of a set of points on one line, one point if they are all equal; nothing when they span an area.
 template <class T>
-std::optional<std::vector<Vec<2, T>>> ends_of_flat(std::span<const Vec<2, T>> points) {
+std::optional<std::vector<Vec<2, T>>> ends_of_2d(std::span<const Vec<2, T>> points) {
   const auto less = [](const Vec<2, T>& a, const Vec<2, T>& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
   const auto ends = std::minmax_element(points.begin(), points.end(), less);
   const Vec<2, T> low = *ends.first;
@@ -273,7 +273,7 @@ std::optional<std::vector<std::vector<Vec<2, T>>>> convex_parts(
   if (!std::all_of(polygon.begin(), polygon.end(), [](const Vec<2, T>& point) { return is_finite(point); })) {
     return std::nullopt;
   }
-  if (auto ends = detail::ends_of_flat<T>(polygon)) return Parts{*std::move(ends)};
+  if (auto ends = detail::ends_of_2d<T>(polygon)) return Parts{*std::move(ends)};
   std::vector<Vec<2, T>> corners = detail::true_corners<T>(polygon);
   if (!detail::is_simple(corners)) return std::nullopt;
   if (!detail::runs_counter_clockwise(corners)) std::reverse(corners.begin(), corners.end());

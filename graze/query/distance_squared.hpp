@@ -246,7 +246,7 @@ namespace detail {
 /// at s u + t v with s n^2 = (w x v) . n, t n^2 = (u x w) . n. A needle's s and t may be rounded much; the foot that
 /// they make is a point of the triangle all the same, and where it is off by more than rounding, an edge is as near.
 template <Dim N>
-double foot_distance_squared(const Vec<N, double>& w, const Vec<N, double>& u, const Vec<N, double>& v) {
+double closest_distance_squared(const Vec<N, double>& w, const Vec<N, double>& u, const Vec<N, double>& v) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto n = cross_of_edges(u, v);
   const auto n0 = of_unit_size(n);
@@ -269,8 +269,8 @@ double foot_distance_squared(const Vec<N, double>& w, const Vec<N, double>& u, c
 template <Dim N, class T>
 double distance_squared(const Vec<N, T>& point, const Triangle<N, T>& triangle) {
   const Vec<N, double> corner = wide<N, T>(triangle.a);
-  const double inside = detail::foot_distance_squared(wide<N, T>(point) - corner, wide<N, T>(triangle.b) - corner,
-                                                      wide<N, T>(triangle.c) - corner);
+  const double inside = detail::closest_distance_squared(wide<N, T>(point) - corner, wide<N, T>(triangle.b) - corner,
+                                                         wide<N, T>(triangle.c) - corner);
   return std::min({inside, distance_squared(point, Segment<N, T>{triangle.a, triangle.b}),
                    distance_squared(point, Segment<N, T>{triangle.b, triangle.c}),
                    distance_squared(point, Segment<N, T>{triangle.c, triangle.a})});

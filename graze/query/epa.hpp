@@ -23,7 +23,7 @@ namespace graze {
 /// The depth of two convex shapes that meet, enclosed: lower <= depth <= upper, up to `resolution`.
 template <Dim N>
 struct EpaResult {
-  double lower = 0;  ///< A ball of this radius around the origin is in the set of differences a - b.
+  double lower = 0;  ///< A sphere of this radius around the origin is in the set of differences a - b.
   double upper = std::numeric_limits<double>::infinity();  ///< Moving b by `normal` * upper parts the shapes.
   double gap = 0;             ///< Proved distance along some direction, if the shapes turn out not to meet.
   double resolution = 0;      ///< The rounding of support points: all bounds may be off by it.

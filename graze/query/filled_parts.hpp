@@ -344,7 +344,7 @@ std::optional<std::vector<std::vector<Vec<2, T>>>> filled_parts_of_crossing(std:
   for (const auto& part : sweep.parts()) {
     std::vector<Vec<2, T>> corners = part.bottom;
     corners.insert(corners.end(), part.top.rbegin(), part.top.rend());
-    if (auto flat = ends_of_flat<T>(corners)) {
+    if (auto flat = ends_of_2d<T>(corners)) {
       result.push_back(*std::move(flat));
     } else {
       result.push_back(true_corners<T>(corners));

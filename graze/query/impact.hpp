@@ -29,7 +29,7 @@ namespace detail {
 
 /// An impact in double.
 template <Dim N>
-struct Strike {
+struct CastHit {
   double t = 0;
   Vec<N, double> point = Vec<N, double>(0.0);
   Vec<N, double> normal = Vec<N, double>(0.0);
@@ -39,29 +39,29 @@ struct Strike {
 
 /// The same of shapes that are 2^k times as large.
 template <Dim N>
-std::optional<Strike<N>> resized(std::optional<Strike<N>> strike, const PowerOfTwo& power) {
-  if (!strike) return strike;
-  strike->point = power(strike->point);
-  strike->error = power(strike->error);
-  return strike;
+std::optional<CastHit<N>> resized(std::optional<CastHit<N>> cast_hit, const PowerOfTwo& power) {
+  if (!cast_hit) return cast_hit;
+  cast_hit->point = power(cast_hit->point);
+  cast_hit->error = power(cast_hit->error);
+  return cast_hit;
 }
 
 /// Down, so that t is not behind the touch by what T cannot tell.
 template <Scalar T, Dim N>
-Impact<N, T> rounded_impact(const Strike<N>& exact) {
+Impact<N, T> rounded_impact(const CastHit<N>& exact) {
   return {std::max(T(0), round_down<T>(exact.t)) + T(0),  // never minus zero
           Vec<N, T>(exact.point) + T(0), Vec<N, T>(exact.normal) + T(0), exact.status, exact.error};
 }
 
 /// Shapes that meet before anything moves.
 template <Dim N>
-Strike<N> strike_at_start(const Penetration<N>& contact) {
+CastHit<N> cast_hit_at_start(const Penetration<N>& contact) {
   return {0, contact.point_a * 0.5 + contact.point_b * 0.5, contact.normal, contact.status, contact.error};
 }
 
 /// The first of two that is earlier.
 template <Dim N>
-void keep_earlier(std::optional<Strike<N>>& first, const std::optional<Strike<N>>& other) {
+void keep_earlier(std::optional<CastHit<N>>& first, const std::optional<CastHit<N>>& other) {
   if (other && (!first || other->t < first->t)) first = other;
 }
 

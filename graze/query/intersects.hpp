@@ -18,25 +18,25 @@ namespace detail {
 
 /// One of which the filters of ray_cast.hpp, or the closed form there, say of most rays whether they hit.
 template <class S>
-concept HasQuickSight = HasQuickCast<S> || requires(const S& shape, const Ray<dimension_of<S>, scalar_of<S>>& ray) {
-  sight_of_ray(shape, ray);
+concept HasFastRayVerdict = HasQuickCast<S> || requires(const S& shape, const Ray<dimension_of<S>, scalar_of<S>>& ray) {
+  ray_verdict_of_ray(shape, ray);
 };
 
-template <Dim N, class T, HasQuickSight S>
-Sight quick_sight(const S& shape, const Ray<N, T>& ray) {
+template <Dim N, class T, HasFastRayVerdict S>
+RayVerdict fast_ray_verdict(const S& shape, const Ray<N, T>& ray) {
   if constexpr (HasQuickCast<S>) {
-    return quick_cast(shape, ray, std::numeric_limits<T>::infinity()).sight();
+    return quick_cast(shape, ray, std::numeric_limits<T>::infinity()).verdict();
   } else {
-    return sight_of_ray(shape, ray);
+    return ray_verdict_of_ray(shape, ray);
   }
 }
 
 /// What these say, and where they are unclear, `relation`: in fewer steps, for touching need not be told from
 /// overlapping.
-template <Dim N, class T, HasQuickSight S>
+template <Dim N, class T, HasFastRayVerdict S>
 bool is_met(const Ray<N, T>& ray, const S& shape) {
-  const Sight sight = quick_sight(shape, ray);
-  if (sight != Sight::unclear) return sight == Sight::hits;
+  const RayVerdict verdict = fast_ray_verdict(shape, ray);
+  if (verdict != RayVerdict::unclear) return verdict == RayVerdict::hits;
   return decide(shape, ray) != Relation::apart;
 }
 
@@ -47,10 +47,10 @@ bool is_met(const Ray<N, T>& ray, const S& shape) {
 /// touching from overlapping.
 template <Shape A, SameSpace<A> B>
 inline bool intersects(const A& a, const B& b) {
-  if constexpr (detail::is_a<Ray, A> && detail::HasQuickSight<B>) {
+  if constexpr (detail::is_a<Ray, A> && detail::HasFastRayVerdict<B>) {
     assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));
     return detail::is_met(a, b);
-  } else if constexpr (detail::is_a<Ray, B> && detail::HasQuickSight<A>) {
+  } else if constexpr (detail::is_a<Ray, B> && detail::HasFastRayVerdict<A>) {
     assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));
     return detail::is_met(b, a);
   } else {

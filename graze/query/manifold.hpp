@@ -6,8 +6,8 @@
 // one shape looks along the normal (if both do, the same shape's whichever is called a; a plane's before all), the face
 // of the other that looks most against it is laid over it and cut at its sides and at its surface; every corner of what
 // is left is a contact of its own depth along the normal. Two parallel edges (of capsules and segments, in 3D) give the
-// ends of what they share; all else gives the point of `contact` alone. So a ball has one point; a capsule two where it
-// lies; boxes, triangles and polytopes up to four, of more those that span the patch: the deepest, the farthest from
+// ends of what they share; all else gives the point of `contact` alone. So a sphere has one point; a capsule two where
+// it lies; boxes, triangles and polytopes up to four, of more those that span the patch: the deepest, the farthest from
 // it, and on either side of the line between them the one that makes the largest triangle. Rays and users' shapes,
 // which have no faces to speak of, and pairs that no translation parts have the point of `contact`. A flat face rests
 // on the other, tilted by up to 1e-5 radians, if nothing of it over the other is higher than 1e-5 of half the perimeter
@@ -149,8 +149,8 @@ template <Dim N, class T>
 WideManifold<N> manifold_of_aabbs(const Aabb<N, T>& a, const Aabb<N, T>& b) {
   const Penetration<N> found = penetration_in_order(a, b);
   const Vec<N, double> zero(0.0);
-  const Aabb<N, double> box_a = seen_from(zero, a);
-  const Aabb<N, double> box_b = seen_from(zero, b);
+  const Aabb<N, double> box_a = relative_to(zero, a);
+  const Aabb<N, double> box_b = relative_to(zero, b);
   if (!has_faces(box_a) || !has_faces(box_b)) return manifold_of_found(a, b, found);
   WideManifold<N> result;
   result.found = found;
@@ -168,12 +168,12 @@ WideManifold<dimension_of<A>> manifold_in_order(const A& a, const B& b) {
   } else if constexpr (are_boxes<A, B>) {
     constexpr Dim N = dimension_of<A>;
     const Vec<N, double> origin = reference(a);
-    const auto seen_a = seen_from(origin, a);
-    const auto seen_b = seen_from(origin, b);
-    const BoxesContact<N> contact = contact_of_boxes(seen_a, seen_b);
+    const auto local_a = relative_to(origin, a);
+    const auto local_b = relative_to(origin, b);
+    const BoxesContact<N> contact = contact_of_boxes(local_a, local_b);
     WideManifold<N> result;
     result.found = contact.found;
-    choose_points(pairs_of_boxes(seen_a, seen_b, contact), result);
+    choose_points(pairs_of_boxes(local_a, local_b, contact), result);
     move_points(result, origin);
     return result;
   } else {
@@ -183,9 +183,9 @@ WideManifold<dimension_of<A>> manifold_in_order(const A& a, const B& b) {
 
 /// Of two simple shapes in the order of their contact, which has been found.
 template <class A, class B>
-WideManifold<dimension_of<A>> manifold_of_seen(const A& a, const B& b, const Penetration<dimension_of<A>>& found) {
+WideManifold<dimension_of<A>> manifold_in_frame(const A& a, const B& b, const Penetration<dimension_of<A>>& found) {
   if constexpr (is_box<A> && is_level<B>) {
-    if (const auto pairs = corners_on_level(a, found)) {
+    if (const auto pairs = corners_on_boundary(a, found)) {
       WideManifold<dimension_of<A>> result;
       result.found = found;
       result.pairs = *pairs;
@@ -199,8 +199,8 @@ WideManifold<dimension_of<A>> manifold_of_seen(const A& a, const B& b, const Pen
 /// Of two simple shapes in any order, of which has been found how they meet.
 template <class A, class B>
 WideManifold<dimension_of<A>> manifold_of_asked(const A& a, const B& b, const Penetration<dimension_of<A>>& found) {
-  if (is_in_order(a, b)) return manifold_of_seen(a, b, found);
-  WideManifold<dimension_of<A>> result = manifold_of_seen(b, a, exchanged(found));
+  if (is_in_order(a, b)) return manifold_in_frame(a, b, found);
+  WideManifold<dimension_of<A>> result = manifold_in_frame(b, a, exchanged(found));
   exchange(result);
   return result;
 }
@@ -279,8 +279,8 @@ std::optional<WideManifold<dimension_of<A>>> wide_manifold(const A& a, const B& 
   } else if constexpr (are_quick_obbs<A, B>) {
     return manifold_of_obbs(a, b);
   } else {
-    if constexpr (has_quick_touch<A, B>) {
-      const auto quick = quick_touch(a, b);
+    if constexpr (has_fast_contact<A, B>) {
+      const auto quick = fast_contact(a, b);
       if (quick.is_known && is_usual_error<scalar_of<A>>(quick.found.error)) {
         return quick.meets ? std::optional(manifold_of_look(a, b, quick)) : std::nullopt;
       }
@@ -334,7 +334,7 @@ template <class R, class Seen>
                                                           bool turned) {
   WideManifold<3> wide;
   wide.found = contact.found;
-  choose_points(pairs_of_boxes(seen.first_seen(), seen.second_seen(), contact), wide);
+  choose_points(pairs_of_boxes(seen.first_local(), seen.second_local(), contact), wide);
   move_points(wide, seen.origin());
   if (turned) exchange(wide);
   return rounded_manifold<R>(wide);
@@ -352,7 +352,7 @@ template <class R, class Seen>
                                                                   bool turned) {
   using Point = ManifoldPoint<3, R>;
   const PairedVec origin(seen.origin());
-  const CarryingFace face = carrying_face(met);
+  const ReferenceFace face = reference_face(met);
   const Vec<3, R> normal = rounded_vec<R>(met.normal * (turned ? -1.0 : 1.0));
   if (face.is_any) {
     FaceOverFace over = face_over(met, face, tolerance::aligned);
@@ -427,8 +427,8 @@ Manifold<dimension_of<A>, scalar_of<A>> manifold(const A& a, const B& b) {
   if constexpr (detail::are_quick_obbs<A, B>) {
     return detail::rounded_manifold_of_obbs(a, b);
   } else if constexpr (detail::are_simple<A, B>) {
-    if constexpr (detail::has_quick_touch<A, B>) {
-      const auto quick = detail::quick_touch(a, b);
+    if constexpr (detail::has_fast_contact<A, B>) {
+      const auto quick = detail::fast_contact(a, b);
       if (quick.is_known && detail::is_usual_error<scalar_of<A>>(quick.found.error)) {
         if (!quick.meets) return {};
         return detail::rounded_manifold<scalar_of<A>>(detail::manifold_of_look(a, b, quick));

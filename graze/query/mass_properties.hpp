@@ -150,14 +150,14 @@ Moments<N> moments_of(const HalfSpace<N, T>&) {
 }
 
 template <Dim N>
-double ball_volume(double radius) {
+double sphere_volume(double radius) {
   return N == 2 ? std::numbers::pi * radius * radius : 4 * std::numbers::pi / 3 * radius * radius * radius;
 }
 
 template <Dim N, class T>
 Moments<N> moments_of(const Sphere<N, T>& sphere) {
   const auto radius = static_cast<double>(sphere.radius);
-  const double volume = ball_volume<N>(radius);
+  const double volume = sphere_volume<N>(radius);
   return {volume, wide<N, T>(sphere.center), Mat<N, double>(volume * radius * radius / (N + 2))};
 }
 
@@ -200,23 +200,23 @@ Moments<N> moments_of(const Triangle<N, T>& triangle) {
   }
 }
 
-/// A cylinder, or in the plane a rectangle, with half a ball at either end.
+/// A cylinder, or in the plane a rectangle, with half a sphere at either end.
 template <Dim N, class T>
 Moments<N> moments_of(const Capsule<N, T>& capsule) {
   const Vec<N, double> start = wide<N, T>(capsule.a);
   const Vec<N, double> way = wide<N, T>(capsule.b) - start;
   const double length = std::sqrt(dot(way, way));
   const auto radius = static_cast<double>(capsule.radius);
-  const double ball = ball_volume<N>(radius);
+  const double sphere = sphere_volume<N>(radius);
   const double middle = length * (N == 2 ? 2 * radius : std::numbers::pi * radius * radius);
   const Vec<N, double> axis = length > 0 ? way / length : unit_axis<N>(0);
-  // How far the centroid of half a ball is from its flat side, in radii.
+  // How far the centroid of half a sphere is from its flat side, in radii.
   constexpr double rise = N == 2 ? 4 / (3 * std::numbers::pi) : 0.375;
   const double radius_squared = radius * radius;
-  const double along =
-      middle * length * length / 12 + ball * (radius_squared / (N + 2) + length * length / 4 + rise * length * radius);
-  const double across = middle * radius_squared / (N == 2 ? 3 : 4) + ball * radius_squared / (N + 2);
-  return {middle + ball, start + 0.5 * way, Mat<N, double>(across) + outer_product<N>(axis, axis) * (along - across)};
+  const double along = middle * length * length / 12 +
+                       sphere * (radius_squared / (N + 2) + length * length / 4 + rise * length * radius);
+  const double across = middle * radius_squared / (N == 2 ? 3 : 4) + sphere * radius_squared / (N + 2);
+  return {middle + sphere, start + 0.5 * way, Mat<N, double>(across) + outer_product<N>(axis, axis) * (along - across)};
 }
 
 template <Dim N, class T>

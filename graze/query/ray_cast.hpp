@@ -63,7 +63,7 @@ template <class S, Dim N, class T>
     constexpr T forever = std::numeric_limits<T>::infinity();
     if (t_max < forever) {
       const auto whole = quick_cast(shape, ray, forever);
-      if (whole.sight() == Sight::hits) {
+      if (whole.verdict() == RayVerdict::hits) {
         std::optional<RayHit<N, T>> hit = whole.hit();
         if (is_after(hit, t_max)) hit.reset();
         return hit;
@@ -90,8 +90,8 @@ template <class S, Dim N, class T>
 [[gnu::always_inline]] inline std::optional<RayHit<N, T>> first_hit(const S& shape, const Ray<N, T>& ray, T t_max) {
   if constexpr (HasQuickCast<S>) {
     const auto quick = quick_cast(shape, ray, t_max);
-    if (quick.sight() == Sight::misses) return std::nullopt;
-    if (quick.sight() == Sight::hits) return quick.hit();
+    if (quick.verdict() == RayVerdict::misses) return std::nullopt;
+    if (quick.verdict() == RayVerdict::hits) return quick.hit();
   }
   return careful_first_hit(shape, ray, t_max);
 }

@@ -80,9 +80,9 @@ template <template <Dim, class> class Type, Dim N, class T>
 inline constexpr bool is_a<Type, Type<N, T>> = true;
 
 template <class S>
-inline constexpr bool is_ball_or_box = is_a<Sphere, S> || is_a<Aabb, S> || is_a<Obb, S>;
+inline constexpr bool is_sphere_or_box = is_a<Sphere, S> || is_a<Aabb, S> || is_a<Obb, S>;
 template <class S>
-inline constexpr bool is_core = is_ball_or_box<S> || is_a<Segment, S> || is_a<Capsule, S>;
+inline constexpr bool is_core = is_sphere_or_box<S> || is_a<Segment, S> || is_a<Capsule, S>;
 template <class S>
 inline constexpr bool is_filtered = is_a<Sphere, S> || is_a<Segment, S> || is_a<Triangle, S>;
 

@@ -67,8 +67,8 @@ namespace detail {
 // ---- Planes and half-spaces: the gap along the normal is all that counts, and it shrinks evenly
 
 template <class A, class B>
-std::optional<Strike<dimension_of<A>>> strike_at_level(const A& a, const Vec<dimension_of<A>, double>& motion,
-                                                       const B& b) {
+std::optional<CastHit<dimension_of<A>>> cast_hit_at_half_space(const A& a, const Vec<dimension_of<A>, double>& motion,
+                                                               const B& b) {
   constexpr Dim N = dimension_of<A>;
   const Proximity<N, double> gap = proximity_in_order(a, b, Relation::apart);
   const double approach = dot(gap.normal, motion);
@@ -76,7 +76,7 @@ std::optional<Strike<dimension_of<A>>> strike_at_level(const A& a, const Vec<dim
   if (!(approach > 0) || gap.distance - approach > error) return std::nullopt;
   const double t = std::min(1.0, gap.distance / approach);
   const bool moves_with_a = is_level<B> && !is_level<A>;
-  return Strike<N>{t, moves_with_a ? gap.point_a + motion * t : gap.point_b, gap.normal, Status::converged, error};
+  return CastHit<N>{t, moves_with_a ? gap.point_a + motion * t : gap.point_b, gap.normal, Status::converged, error};
 }
 
 // ---- Rays
@@ -84,7 +84,7 @@ std::optional<Strike<dimension_of<A>>> strike_at_level(const A& a, const Vec<dim
 /// In front of both origins: where the two lines cross, which they do at one t, unless they are parallel or move in
 /// their common plane. With w from the origin of a to that of b and n = u x v, at t = (w . n) / (m . n).
 template <Dim N, class T>
-std::optional<Strike<N>> strike_of_lines(const Ray<N, T>& a, const Vec<N, double>& motion, const Ray<N, T>& b) {
+std::optional<CastHit<N>> cast_hit_of_lines(const Ray<N, T>& a, const Vec<N, double>& motion, const Ray<N, T>& b) {
   const Vec<3, double> u = direction_of(a);
   const Vec<3, double> v = direction_of(b);
   const Vec<3, double> w = lifted(wide<N, T>(b.origin) - wide<N, T>(a.origin));
@@ -101,23 +101,23 @@ std::optional<Strike<N>> strike_of_lines(const Ray<N, T>& a, const Vec<N, double
   if (!(on_a >= 0 && on_b >= 0)) return std::nullopt;
   const Vec<N, double> point = wide<N, T>(b.origin) + Vec<N, double>(v * on_b);
   const double size = sum_abs(w) + sum_abs(m) + sum_abs(v) * on_b + sum_abs(u) * on_a;
-  return Strike<N>{t, point, unit_or(Vec<N, double>(approach > 0 ? n : -n), Vec<N, double>(0.0)), Status::converged,
-                   tolerance::coarse * size};
+  return CastHit<N>{t, point, unit_or(Vec<N, double>(approach > 0 ? n : -n), Vec<N, double>(0.0)), Status::converged,
+                    tolerance::coarse * size};
 }
 
 /// The first touch is that of an origin and a ray, or in space of two inner points. Where the rays are not in one
 /// plane, the normal is at right angles to both.
 template <Dim N, class T>
-std::optional<Strike<N>> strike_of_rays(const Ray<N, T>& a, const Vec<N, double>& motion, const Ray<N, T>& b) {
-  std::optional<Strike<N>> first = strike_of_hit(hit_in_double(b, Ray<N, T>{a.origin, Vec<N, T>(motion)}));
-  std::optional<Strike<N>> other = strike_of_hit(hit_in_double(a, Ray<N, T>{b.origin, Vec<N, T>(-motion)}));
+std::optional<CastHit<N>> cast_hit_of_rays(const Ray<N, T>& a, const Vec<N, double>& motion, const Ray<N, T>& b) {
+  std::optional<CastHit<N>> first = cast_hit_of_ray(hit_in_double(b, Ray<N, T>{a.origin, Vec<N, T>(motion)}));
+  std::optional<CastHit<N>> other = cast_hit_of_ray(hit_in_double(a, Ray<N, T>{b.origin, Vec<N, T>(-motion)}));
   if (other) {
     other->normal = -other->normal;
     other->point = wide<N, T>(b.origin);
   }
   keep_earlier(first, other);
   if constexpr (N == 3) {
-    keep_earlier(first, strike_of_lines(a, motion, b));
+    keep_earlier(first, cast_hit_of_lines(a, motion, b));
     if (first) {
       const Vec<N, double> across = unit_or(accurate_cross(direction_of(a), direction_of(b)), Vec<N, double>(0.0));
       const double approach = dot(across, motion);
@@ -148,15 +148,15 @@ auto seen_beside_moving(const Vec<dimension_of<Core>, double>& origin, const Cor
     const Vec<N, double> start = ray.origin - origin;
     return Segment<N, double>{start, start + reach_to(ray, swept_box(other, motion))};
   } else {
-    return seen_from(origin, core);
+    return relative_to(origin, core);
   }
 }
 
 // ---- Shapes with simple cores, seen from one of them
 
 template <class A, class B>
-concept HasObstacle = requires(const A& a, const B& b) {
-  obstacle_of(a, b, 0.0);
+concept HasMinkowskiDifference = requires(const A& a, const B& b) {
+  minkowski_difference_of(a, b, 0.0);
 };
 
 /// Where a core that moves first touches another, both widened by radii; the point is not yet known.
@@ -165,10 +165,10 @@ std::optional<RayHit<dimension_of<A>, double>> hit_of_cores(const A& a, const Ve
                                                             const B& b, double radius) {
   constexpr Dim N = dimension_of<A>;
   const Ray<N, double> ray{Vec<N, double>(0.0), motion};
-  if constexpr (HasObstacle<A, B>) {
-    return hit_in_double(obstacle_of(a, b, radius), ray);
+  if constexpr (HasMinkowskiDifference<A, B>) {
+    return hit_in_double(minkowski_difference_of(a, b, radius), ray);
   } else {
-    return hit_in_double(Obstacle<N, double>{ConvexView<N>(a), ConvexView<N>(b), ray.origin, radius}, ray);
+    return hit_in_double(MinkowskiDifference<N, double>{ConvexView<N>(a), ConvexView<N>(b), ray.origin, radius}, ray);
   }
 }
 
@@ -190,7 +190,7 @@ std::optional<RayHit<dimension_of<A>, double>> advance_by_features(const A& a,
                                                                    RayHit<dimension_of<A>, double> hit) {
   constexpr Dim N = dimension_of<A>;
   for (int step = 0; step < ray_step_limit; ++step) {
-    const auto moved_a = seen_from(motion * -hit.t, a);
+    const auto moved_a = relative_to(motion * -hit.t, a);
     const double size = size_around_zero(moved_a) + size_around_zero(b);
     const ClosestPair<N> nearest = closest_of_touching(moved_a, b, size);
     const double distance = std::max(0.0, std::sqrt(nearest.squared) - radius);
@@ -226,8 +226,8 @@ Vec<N, double> normal_between(const Vec<N, double>& between, const Vec<N, double
 /// between the cores is known better. It also is where there was no plane to find, since the shapes are as good as
 /// touching at the start.
 template <Dim N>
-Strike<N> strike_between(const RayHit<N, double>& hit, const ClosestPair<N>& nearest, const Vec<N, double>& motion,
-                         const Radii& radii, bool is_proved) {
+CastHit<N> cast_hit_between(const RayHit<N, double>& hit, const ClosestPair<N>& nearest, const Vec<N, double>& motion,
+                            const Radii& radii, bool is_proved) {
   const bool are_apart = radii.a + radii.b > hit.error;
   const Vec<N, double> between = normal_between(nearest.between, motion, -hit.normal);
   const bool is_between = hit.t == 0 || (are_apart && !is_proved);
@@ -238,43 +238,43 @@ Strike<N> strike_between(const RayHit<N, double>& hit, const ClosestPair<N>& nea
 }
 
 template <class A, class B>
-concept HaveZonotopes = HasZonotope<std::decay_t<A>> && HasZonotope<std::decay_t<B>> && !HasObstacle<A, B>;
+concept HaveZonotopes = HasZonotope<std::decay_t<A>> && HasZonotope<std::decay_t<B>> && !HasMinkowskiDifference<A, B>;
 
 /// The first touch of two cores, one place as zero, by a ray at the set of their differences.
 template <class A, class B>
-std::optional<Strike<dimension_of<A>>> strike_of_cores(const A& a, const Vec<dimension_of<A>, double>& motion,
-                                                       const B& b, const Radii& radii) {
+std::optional<CastHit<dimension_of<A>>> cast_hit_of_cores(const A& a, const Vec<dimension_of<A>, double>& motion,
+                                                          const B& b, const Radii& radii) {
   constexpr Dim N = dimension_of<A>;
   auto hit = hit_of_cores(a, motion, b, radii.a + radii.b);
   if (hit && hit->status != Status::converged) hit = advance_by_features(a, motion, b, radii.a + radii.b, *hit);
   if (!hit) return std::nullopt;
-  const auto moved_a = seen_from(motion * -hit->t, a);
+  const auto moved_a = relative_to(motion * -hit->t, a);
   const double size = size_around_zero(moved_a) + size_around_zero(b);
   const ClosestPair<N> nearest = closest_of_touching(moved_a, b, size);
-  Strike<N> strike = strike_between(*hit, nearest, motion, radii, !HasObstacle<A, B>);
-  strike.error += tolerance::rounding * size;
-  return strike;
+  CastHit<N> cast_hit = cast_hit_between(*hit, nearest, motion, radii, !HasMinkowskiDifference<A, B>);
+  cast_hit.error += tolerance::rounding * size;
+  return cast_hit;
 }
 
 template <HasSimpleCore A, HasSimpleCore B>
-std::optional<Strike<dimension_of<A>>> strike_of_simple(const A& a, const Vec<dimension_of<A>, double>& motion,
-                                                        const B& b) {
+std::optional<CastHit<dimension_of<A>>> cast_hit_of_simple(const A& a, const Vec<dimension_of<A>, double>& motion,
+                                                           const B& b) {
   constexpr Dim N = dimension_of<A>;
   const auto& core_a = core(a);
   const auto& core_b = core(b);
   const Vec<N, double> origin = reference(core_a);
-  const auto seen_a = seen_beside_moving(origin, core_a, core_b, -motion);
-  const auto seen_b = seen_beside_moving(origin, core_b, core_a, motion);
+  const auto local_a = seen_beside_moving(origin, core_a, core_b, -motion);
+  const auto local_b = seen_beside_moving(origin, core_b, core_a, motion);
   const Radii radii{core_radius(a), core_radius(b)};
-  std::optional<Strike<N>> strike;
-  if constexpr (HaveZonotopes<decltype(seen_a), decltype(seen_b)>) {
-    const StrikeOfZonotopes<N> found = strike_of_zonotopes(seen_a, motion, seen_b, radii);
-    if (found.sight == Sight::misses) return std::nullopt;
-    if (found.sight == Sight::hits) strike = found.strike;
+  std::optional<CastHit<N>> cast_hit;
+  if constexpr (HaveZonotopes<decltype(local_a), decltype(local_b)>) {
+    const CastHitOfZonotopes<N> found = cast_hit_of_zonotopes(local_a, motion, local_b, radii);
+    if (found.verdict == RayVerdict::misses) return std::nullopt;
+    if (found.verdict == RayVerdict::hits) cast_hit = found.cast_hit;
   }
-  if (!strike) strike = strike_of_cores(seen_a, motion, seen_b, radii);
-  if (strike) strike->point += origin;
-  return strike;
+  if (!cast_hit) cast_hit = cast_hit_of_cores(local_a, motion, local_b, radii);
+  if (cast_hit) cast_hit->point += origin;
+  return cast_hit;
 }
 
 // ---- Everything else that is convex
@@ -295,8 +295,8 @@ template <Dim N>
 inline constexpr double support_error<MovedView<N, float>> = tolerance::convex_in<float>;
 
 template <Convex A, Convex B>
-std::optional<Strike<dimension_of<A>>> strike_of_convex(const A& a, const Vec<dimension_of<A>, double>& motion,
-                                                        const B& b) {
+std::optional<CastHit<dimension_of<A>>> cast_hit_of_convex(const A& a, const Vec<dimension_of<A>, double>& motion,
+                                                           const B& b) {
   constexpr Dim N = dimension_of<A>;
   using Number = SupportNumber<A, B>;
   const auto& core_a = core(a);
@@ -304,25 +304,25 @@ std::optional<Strike<dimension_of<A>>> strike_of_convex(const A& a, const Vec<di
   const ConvexView<N> view_a(core_a);
   const ConvexView<N> view_b(core_b);
   const Vec<N, double> place = view_a.support(motion);
-  const Obstacle<N, Number> obstacle{view_a, view_b, place, core_radius(a) + core_radius(b)};
-  const auto hit = hit_in_double(obstacle, Ray<N, double>{place, motion});
+  const MinkowskiDifference<N, Number> difference{view_a, view_b, place, core_radius(a) + core_radius(b)};
+  const auto hit = hit_in_double(difference, Ray<N, double>{place, motion});
   if (!hit) return std::nullopt;
   const ConvexCores<N> nearest = closest_of_convex(MovedView<N, Number>{view_a, motion * hit->t},
                                                    MovedView<N, Number>{view_b, Vec<N, double>(0.0)});
-  return strike_between(*hit, nearest.closest, motion, {core_radius(a), core_radius(b)}, true);
+  return cast_hit_between(*hit, nearest.closest, motion, {core_radius(a), core_radius(b)}, true);
 }
 
 /// A ray is cut first.
 template <class A, class B>
-std::optional<Strike<dimension_of<A>>> strike_past_ray(const A& a, const Vec<dimension_of<A>, double>& motion,
-                                                       const B& b) {
+std::optional<CastHit<dimension_of<A>>> cast_hit_past_ray(const A& a, const Vec<dimension_of<A>, double>& motion,
+                                                          const B& b) {
   const Vec<dimension_of<A>, double> zero(0.0);
   if constexpr (is_ray<A>) {
-    return strike_of_convex(seen_beside_moving(zero, a, b, -motion), motion, b);
+    return cast_hit_of_convex(seen_beside_moving(zero, a, b, -motion), motion, b);
   } else if constexpr (is_ray<B>) {
-    return strike_of_convex(a, motion, seen_beside_moving(zero, b, a, motion));
+    return cast_hit_of_convex(a, motion, seen_beside_moving(zero, b, a, motion));
   } else {
-    return strike_of_convex(a, motion, b);
+    return cast_hit_of_convex(a, motion, b);
   }
 }
 
@@ -330,44 +330,44 @@ std::optional<Strike<dimension_of<A>>> strike_past_ray(const A& a, const Vec<dim
 
 /// Of two simple shapes that are apart, in the order of AnyShape.
 template <class A, class B>
-std::optional<Strike<dimension_of<A>>> strike_in_order(const A& a, const Vec<dimension_of<A>, double>& motion,
-                                                       const B& b) {
+std::optional<CastHit<dimension_of<A>>> cast_hit_in_order(const A& a, const Vec<dimension_of<A>, double>& motion,
+                                                          const B& b) {
   constexpr Dim N = dimension_of<A>;
   using T = scalar_of<A>;
   if constexpr (is_point<A>) {
-    return strike_of_hit(hit_in_double(b, Ray<N, T>{a, Vec<N, T>(motion)}));
+    return cast_hit_of_ray(hit_in_double(b, Ray<N, T>{a, Vec<N, T>(motion)}));
   } else if constexpr (is_level<A> || is_level<B>) {
-    return strike_at_level(a, motion, b);
+    return cast_hit_at_half_space(a, motion, b);
   } else if constexpr (is_ray<A> && is_ray<B>) {
-    return strike_of_rays(a, motion, b);
+    return cast_hit_of_rays(a, motion, b);
   } else if constexpr (HasSimpleCore<A> && HasSimpleCore<B>) {
-    return strike_of_simple(a, motion, b);
+    return cast_hit_of_simple(a, motion, b);
   } else {
-    return strike_past_ray(a, motion, b);
+    return cast_hit_past_ray(a, motion, b);
   }
 }
 
 /// The same where b comes first: it moves the other way past a, which then goes along with it.
 template <class A, class B>
-std::optional<Strike<dimension_of<A>>> strike_exchanged(const A& a, const Vec<dimension_of<A>, double>& motion,
-                                                        const B& b) {
-  auto strike = strike_in_order(b, -motion, a);
-  if (strike) {
-    strike->point += motion * strike->t;
-    strike->normal = Vec<dimension_of<A>, double>(0.0) - strike->normal;
+std::optional<CastHit<dimension_of<A>>> exchanged_cast_hit(const A& a, const Vec<dimension_of<A>, double>& motion,
+                                                           const B& b) {
+  auto cast_hit = cast_hit_in_order(b, -motion, a);
+  if (cast_hit) {
+    cast_hit->point += motion * cast_hit->t;
+    cast_hit->normal = Vec<dimension_of<A>, double>(0.0) - cast_hit->normal;
   }
-  return strike;
+  return cast_hit;
 }
 
 template <class A, class B>
-std::optional<Strike<dimension_of<A>>> strike(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b);
+std::optional<CastHit<dimension_of<A>>> cast_hit(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b);
 
 /// The strike of shapes that are out of range, if there is one; none of others.
 template <class A, class B>
-auto strike_in_range(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b) {
-  return answer_in_range<std::optional<Strike<dimension_of<A>>>>(
+auto cast_hit_in_range(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b) {
+  return answer_in_range<std::optional<CastHit<dimension_of<A>>>>(
       [](const auto& power, const auto& scaled_a, const auto& scaled_motion, const auto& scaled_b) {
-        return resized(strike(scaled_a, scaled_motion, scaled_b), power.inverse());
+        return resized(cast_hit(scaled_a, scaled_motion, scaled_b), power.inverse());
       },
       a, motion, b);
 }
@@ -375,9 +375,9 @@ auto strike_in_range(const A& a, const Vec<dimension_of<A>, double>& motion, con
 /// The first part to touch the shape, the first of several. `cast(part)` casts one, and what is left of the way once a
 /// part has touched is all that counts for the others; `motion` is that of the parts as the shape sees them.
 template <Dim N, class T, class S, class Cast>
-std::optional<Strike<N>> strike_of_parts(const Compound<N, T>& compound, const Vec<N, double>& motion, const S& shape,
-                                         const Cast& cast) {
-  std::optional<Strike<N>> first;
+std::optional<CastHit<N>> cast_hit_of_parts(const Compound<N, T>& compound, const Vec<N, double>& motion,
+                                            const S& shape, const Cast& cast) {
+  std::optional<CastHit<N>> first;
   const auto box = touching_bounds(shape);
   const double slack = tolerance::box_slack * sum_abs(motion);  // what rounding makes of the way
   const Aabb<N, double> target{wide<N, T>(box.min) - slack, wide<N, T>(box.max) + slack};
@@ -391,28 +391,28 @@ std::optional<Strike<N>> strike_of_parts(const Compound<N, T>& compound, const V
 
 /// Of shapes that are apart, for a motion that is not zero.
 template <class A, class B>
-std::optional<Strike<dimension_of<A>>> strike(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b) {
+std::optional<CastHit<dimension_of<A>>> cast_hit(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b) {
   if constexpr (is_any_shape<A>) {
-    return detail::visit([&](const auto& held) { return strike(held, motion, b); }, a);
+    return detail::visit([&](const auto& held) { return cast_hit(held, motion, b); }, a);
   } else if constexpr (is_any_shape<B>) {
-    return detail::visit([&](const auto& held) { return strike(a, motion, held); }, b);
+    return detail::visit([&](const auto& held) { return cast_hit(a, motion, held); }, b);
   } else if constexpr (is_compound<A>) {
-    return strike_of_parts(a, motion, b, [&](const auto& part) { return strike(part, motion, b); });
+    return cast_hit_of_parts(a, motion, b, [&](const auto& part) { return cast_hit(part, motion, b); });
   } else if constexpr (is_compound<B>) {
-    return strike_of_parts(b, -motion, a, [&](const auto& part) { return strike(a, motion, part); });
+    return cast_hit_of_parts(b, -motion, a, [&](const auto& part) { return cast_hit(a, motion, part); });
   } else {
     if (hold_nan(a, b)) return std::nullopt;
     if constexpr (can_leave_range<A>) {
       if (!are_usual(a, b, motion)) {
-        if (const auto rescaled = strike_in_range(a, motion, b)) return *rescaled;
+        if (const auto rescaled = cast_hit_in_range(a, motion, b)) return *rescaled;
       }
     }
     if constexpr (type_place<A> < type_place<B>) {
-      return strike_in_order(a, motion, b);
+      return cast_hit_in_order(a, motion, b);
     } else if constexpr (type_place<A> > type_place<B>) {
-      return strike_exchanged(a, motion, b);
+      return exchanged_cast_hit(a, motion, b);
     } else {
-      return is_in_order(a, b) ? strike_in_order(a, motion, b) : strike_exchanged(a, motion, b);
+      return is_in_order(a, b) ? cast_hit_in_order(a, motion, b) : exchanged_cast_hit(a, motion, b);
     }
   }
 }
@@ -424,9 +424,9 @@ std::optional<Impact<dimension_of<A>, scalar_of<A>>> impact_of(const A& a,
                                                                const B& b) {
   using T = scalar_of<A>;
   if (!is_finite(motion)) return std::nullopt;
-  if (const auto contact = penetration(a, b)) return rounded_impact<T>(strike_at_start(*contact));
+  if (const auto contact = penetration(a, b)) return rounded_impact<T>(cast_hit_at_start(*contact));
   if (max_abs(motion) == T(0)) return std::nullopt;
-  const auto found = strike(a, wide<dimension_of<A>, T>(motion), b);
+  const auto found = cast_hit(a, wide<dimension_of<A>, T>(motion), b);
   if (!found) return std::nullopt;
   return rounded_impact<T>(*found);
 }

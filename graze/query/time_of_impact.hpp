@@ -53,7 +53,7 @@ Motion<N, double> wide_motion(const Motion<N, T>& motion) {
   return {wide<N, T>(motion.linear), Turn<N, double>(motion.angular), wide<N, T>(motion.center)};
 }
 
-/// What does not turn has its center anywhere: in the middle the ball around it is smallest.
+/// What does not turn has its center anywhere: in the middle the sphere around it is smallest.
 template <Convex S>
 Motion<dimension_of<S>, double> centered(Motion<dimension_of<S>, double> motion, const S& shape) {
   constexpr Dim N = dimension_of<S>;
@@ -67,8 +67,8 @@ template <class S>
 using MotionOf = Motion<dimension_of<S>, double>;
 
 template <Convex A, Convex B>
-std::optional<Strike<dimension_of<A>>> strike_of_moving(const A& a, const MotionOf<A>& motion_a, const B& b,
-                                                        const MotionOf<A>& motion_b) {
+std::optional<CastHit<dimension_of<A>>> cast_hit_of_moving(const A& a, const MotionOf<A>& motion_a, const B& b,
+                                                           const MotionOf<A>& motion_b) {
   constexpr Dim N = dimension_of<A>;
   const auto& core_a = core(a);
   const auto& core_b = core(b);
@@ -77,29 +77,30 @@ std::optional<Strike<dimension_of<A>>> strike_of_moving(const A& a, const Motion
   const Motion<N, double> about_a = centered(motion_a, core_a);
   const Motion<N, double> about_b = centered(motion_b, core_b);
   const double reach = reach_from(about_a.center, core_a);
-  const Course<N> course = course_of(about_a, about_b, reach, radius);
-  const std::optional<double> start = time_of_balls(course, reach + reach_from(about_b.center, core_b) + radius);
+  const Trajectory<N> trajectory = trajectory_of(about_a, about_b, reach, radius);
+  const std::optional<double> start = time_of_spheres(trajectory, reach + reach_from(about_b.center, core_b) + radius);
   if (!start) return std::nullopt;
-  return advance_to_impact(pair, course, *start, core_radius(b));
+  return advance_to_impact(pair, trajectory, *start, core_radius(b));
 }
 
 template <Convex A, class B>
-requires is_level<B> std::optional<Strike<dimension_of<A>>> strike_of_moving(const A& a, const MotionOf<A>& motion_a,
-                                                                             const B& b, const MotionOf<A>& motion_b) {
+requires is_level<B> std::optional<CastHit<dimension_of<A>>> cast_hit_of_moving(const A& a, const MotionOf<A>& motion_a,
+                                                                                const B& b,
+                                                                                const MotionOf<A>& motion_b) {
   constexpr Dim N = dimension_of<A>;
   const auto& core_a = core(a);
   const double radius = core_radius(a);
   const Proximity<N, double> gap = proximity(a, b);
   const double reach = reach_from(motion_a.center, core_a);
-  const Course<N> course = course_of(motion_a, motion_b, reach, radius);
-  const double largest = course.size + sum_abs(motion_a.center) + sum_abs(motion_b.center);
-  const LevelPair<N> pair(ConvexView<N>(core_a), radius, gap.normal, dot(gap.normal, gap.point_b),
-                          gap.error + support_error<A> * largest);
-  return advance_to_impact(pair, course, 0, 0);
+  const Trajectory<N> trajectory = trajectory_of(motion_a, motion_b, reach, radius);
+  const double largest = trajectory.size + sum_abs(motion_a.center) + sum_abs(motion_b.center);
+  const HalfSpacePair<N> pair(ConvexView<N>(core_a), radius, gap.normal, dot(gap.normal, gap.point_b),
+                              gap.error + support_error<A> * largest);
+  return advance_to_impact(pair, trajectory, 0, 0);
 }
 
-/// Whether a turns in the smaller ball, or as the first of two that are equal. It is to be the one that moves: a plane
-/// that rests on the larger one parts them longer, since less of what turns past it reaches far.
+/// Whether a turns in the smaller sphere, or as the first of two that are equal. It is to be the one that moves: a
+/// plane that rests on the larger one parts them longer, since less of what turns past it reaches far.
 template <Convex A, Convex B>
 bool is_smaller(const A& a, const MotionOf<A>& motion_a, const B& b, const MotionOf<A>& motion_b) {
   const double reach_a = reach_from(centered(motion_a, core(a)).center, core(a));
@@ -108,9 +109,9 @@ bool is_smaller(const A& a, const MotionOf<A>& motion_a, const B& b, const Motio
 }
 
 template <Dim N>
-std::optional<Strike<N>> with_normal_turned(std::optional<Strike<N>> strike) {
-  if (strike) strike->normal = Vec<N, double>(0.0) - strike->normal;
-  return strike;
+std::optional<CastHit<N>> with_normal_turned(std::optional<CastHit<N>> cast_hit) {
+  if (cast_hit) cast_hit->normal = Vec<N, double>(0.0) - cast_hit->normal;
+  return cast_hit;
 }
 
 // ---- Rays
@@ -137,44 +138,45 @@ inline constexpr bool is_endless = is_ray<S> || is_level<S>;
 
 /// Two parallel planes, or what they bound, that turn alike: any point of a's surface is as far from b as another.
 template <class A, class B>
-std::optional<Strike<dimension_of<A>>> strike_of_levels(const Proximity<dimension_of<A>, double>& gap,
-                                                        const MotionOf<A>& motion_a, const MotionOf<A>& motion_b) {
+std::optional<CastHit<dimension_of<A>>> cast_hit_of_half_spaces(const Proximity<dimension_of<A>, double>& gap,
+                                                                const MotionOf<A>& motion_a,
+                                                                const MotionOf<A>& motion_b) {
   constexpr Dim N = dimension_of<A>;
   const double reach = reach_from(motion_a.center, gap.point_a);
-  const Course<N> course = course_of(motion_a, motion_b, reach, 0.0);
-  const double largest = course.size + sum_abs(motion_a.center) + sum_abs(motion_b.center);
-  const LevelPair<N> pair(ConvexView<N>(gap.point_a), 0, gap.normal, dot(gap.normal, gap.point_b),
-                          gap.error + tolerance::rounding * largest);
-  return advance_to_impact(pair, course, 0, 0);
+  const Trajectory<N> trajectory = trajectory_of(motion_a, motion_b, reach, 0.0);
+  const double largest = trajectory.size + sum_abs(motion_a.center) + sum_abs(motion_b.center);
+  const HalfSpacePair<N> pair(ConvexView<N>(gap.point_a), 0, gap.normal, dot(gap.normal, gap.point_b),
+                              gap.error + tolerance::rounding * largest);
+  return advance_to_impact(pair, trajectory, 0, 0);
 }
 
 template <class A, class B>
-std::optional<Strike<dimension_of<A>>> strike_of_endless(const A& a, const MotionOf<A>& motion_a, const B& b,
-                                                         const MotionOf<A>& motion_b) {
+std::optional<CastHit<dimension_of<A>>> cast_hit_of_endless(const A& a, const MotionOf<A>& motion_a, const B& b,
+                                                            const MotionOf<A>& motion_b) {
   constexpr Dim N = dimension_of<A>;
   const Proximity<N, double> gap = proximity(a, b);
   if constexpr (is_level<A> && is_level<B>) {
-    if (motion_a.angular == motion_b.angular) return strike_of_levels<A, B>(gap, motion_a, motion_b);
+    if (motion_a.angular == motion_b.angular) return cast_hit_of_half_spaces<A, B>(gap, motion_a, motion_b);
   }
-  return Strike<N>{0, gap.point_b, gap.normal, Status::best_bound, gap.distance + gap.error};
+  return CastHit<N>{0, gap.point_b, gap.normal, Status::best_bound, gap.distance + gap.error};
 }
 
 // ---- Two shapes that do not turn
 
 /// What is cast along the way of a as b sees it. Rays in double, since what is cast has to hold the way's numbers.
 template <class A, class B>
-std::optional<Strike<dimension_of<A>>> strike_of_gliding(const A& a, const MotionOf<A>& motion_a, const B& b,
-                                                         const MotionOf<A>& motion_b) {
+std::optional<CastHit<dimension_of<A>>> cast_hit_of_gliding(const A& a, const MotionOf<A>& motion_a, const B& b,
+                                                            const MotionOf<A>& motion_b) {
   constexpr Dim N = dimension_of<A>;
   const Vec<N, double> way = motion_a.linear - motion_b.linear;
   if (max_abs(way) == 0) return std::nullopt;
-  std::optional<Strike<N>> found;
+  std::optional<CastHit<N>> found;
   if constexpr (is_ray<A> && is_ray<B>) {
     using T = scalar_of<A>;
-    found = strike(Ray<N, double>{wide<N, T>(a.origin), wide<N, T>(a.direction)}, way,
-                   Ray<N, double>{wide<N, T>(b.origin), wide<N, T>(b.direction)});
+    found = cast_hit(Ray<N, double>{wide<N, T>(a.origin), wide<N, T>(a.direction)}, way,
+                     Ray<N, double>{wide<N, T>(b.origin), wide<N, T>(b.direction)});
   } else {
-    found = strike(a, way, b);
+    found = cast_hit(a, way, b);
   }
   if (found) {
     found->point += motion_b.linear * found->t;
@@ -208,72 +210,72 @@ bool comes_first(const A& a, const B& b) {
 
 /// The same whichever of the two is named first.
 template <class A, class B>
-std::optional<Strike<dimension_of<A>>> strike_of_simple_motion(const A& a, const MotionOf<A>& motion_a, const B& b,
-                                                               const MotionOf<A>& motion_b) {
+std::optional<CastHit<dimension_of<A>>> cast_hit_of_simple_motion(const A& a, const MotionOf<A>& motion_a, const B& b,
+                                                                  const MotionOf<A>& motion_b) {
   if (do_glide<A, B>(motion_a, motion_b)) {
-    return comes_first(a, b) ? strike_of_gliding(a, motion_a, b, motion_b)
-                             : with_normal_turned(strike_of_gliding(b, motion_b, a, motion_a));
+    return comes_first(a, b) ? cast_hit_of_gliding(a, motion_a, b, motion_b)
+                             : with_normal_turned(cast_hit_of_gliding(b, motion_b, a, motion_a));
   }
   if constexpr (is_endless<A> && is_endless<B>) {
-    return comes_first(a, b) ? strike_of_endless(a, motion_a, b, motion_b)
-                             : with_normal_turned(strike_of_endless(b, motion_b, a, motion_a));
+    return comes_first(a, b) ? cast_hit_of_endless(a, motion_a, b, motion_b)
+                             : with_normal_turned(cast_hit_of_endless(b, motion_b, a, motion_a));
   } else if constexpr (is_ray<A>) {
-    return with_normal_turned(strike_of_moving(b, motion_b, piece_of_ray(a, motion_a, b, motion_b), motion_a));
+    return with_normal_turned(cast_hit_of_moving(b, motion_b, piece_of_ray(a, motion_a, b, motion_b), motion_a));
   } else if constexpr (is_ray<B>) {
-    return strike_of_moving(a, motion_a, piece_of_ray(b, motion_b, a, motion_a), motion_b);
+    return cast_hit_of_moving(a, motion_a, piece_of_ray(b, motion_b, a, motion_a), motion_b);
   } else if constexpr (is_level<B>) {
-    return strike_of_moving(a, motion_a, b, motion_b);
+    return cast_hit_of_moving(a, motion_a, b, motion_b);
   } else {
     if constexpr (!is_level<A>) {
-      if (is_smaller(a, motion_a, b, motion_b)) return strike_of_moving(a, motion_a, b, motion_b);
+      if (is_smaller(a, motion_a, b, motion_b)) return cast_hit_of_moving(a, motion_a, b, motion_b);
     }
-    return with_normal_turned(strike_of_moving(b, motion_b, a, motion_a));
+    return with_normal_turned(cast_hit_of_moving(b, motion_b, a, motion_a));
   }
 }
 
 /// Shapes that begin nearer to each other than GJK can tell a direction have touched when it is first asked: their
 /// normal is that of their distance.
 template <class A, class B>
-std::optional<Strike<dimension_of<A>>> strike_of_simple(const A& a, const MotionOf<A>& motion_a, const B& b,
-                                                        const MotionOf<A>& motion_b) {
+std::optional<CastHit<dimension_of<A>>> cast_hit_of_simple(const A& a, const MotionOf<A>& motion_a, const B& b,
+                                                           const MotionOf<A>& motion_b) {
   if constexpr (can_leave_range<A>) {
     if (!are_usual(a, b, motion_a.linear, motion_a.center, motion_b.linear, motion_b.center)) {
-      const auto rescaled = answer_in_range<std::optional<Strike<dimension_of<A>>>>(
+      const auto rescaled = answer_in_range<std::optional<CastHit<dimension_of<A>>>>(
           [&](const auto& power, const auto& scaled_a, const auto& scaled_b, const auto& linear_a, const auto& center_a,
               const auto& linear_b, const auto& center_b) {
             const MotionOf<A> scaled_motion_a{linear_a, motion_a.angular, center_a};
             const MotionOf<A> scaled_motion_b{linear_b, motion_b.angular, center_b};
-            return resized(strike_of_simple(scaled_a, scaled_motion_a, scaled_b, scaled_motion_b), power.inverse());
+            return resized(cast_hit_of_simple(scaled_a, scaled_motion_a, scaled_b, scaled_motion_b), power.inverse());
           },
           a, b, motion_a.linear, motion_a.center, motion_b.linear, motion_b.center);
       if (rescaled) return *rescaled;
     }
   }
-  std::optional<Strike<dimension_of<A>>> found = strike_of_simple_motion(a, motion_a, b, motion_b);
+  std::optional<CastHit<dimension_of<A>>> found = cast_hit_of_simple_motion(a, motion_a, b, motion_b);
   if (found && !(max_abs(found->normal) > 0)) found->normal = proximity(a, b).normal;
   return found;
 }
 
 // ---- Any two shapes
 
-/// Whether two boxes, both bounded, may touch up to a time, by the balls that they turn in.
+/// Whether two boxes, both bounded, may touch up to a time, by the spheres that they turn in.
 template <Dim N, class T>
 bool may_touch_by(double t, const Aabb<N, T>& a, const Motion<N, double>& motion_a, const Aabb<N, T>& b,
                   const Motion<N, double>& motion_b) {
   const Motion<N, double> about_a = centered(motion_a, a);
   const Motion<N, double> about_b = centered(motion_b, b);
   const double reach_a = reach_from(about_a.center, a);
-  const Course<N> course = course_of(about_a, about_b, reach_a, 0.0);
-  const std::optional<double> start = time_of_balls(course, reach_a + reach_from(about_b.center, b));
+  const Trajectory<N> trajectory = trajectory_of(about_a, about_b, reach_a, 0.0);
+  const std::optional<double> start = time_of_spheres(trajectory, reach_a + reach_from(about_b.center, b));
   return start && *start <= t;
 }
 
 /// The first part to touch the shape, the first of several. `find(part)` asks one that may come before the others.
 template <Dim N, class T, class S, class Find>
-std::optional<Strike<N>> strike_of_moving_parts(const Compound<N, T>& compound, const Motion<N, double>& motion,
-                                                const S& shape, const Motion<N, double>& motion_of_shape,
-                                                const Find& find) {
-  std::optional<Strike<N>> first;
+std::optional<CastHit<N>> cast_hit_of_moving_parts(const Compound<N, T>& compound, const Motion<N, double>& motion,
+                                                   const S& shape, const Motion<N, double>& motion_of_shape,
+                                                   const Find& find) {
+  std::optional<CastHit<N>> first;
   const Aabb<N, T> box = touching_bounds(shape);
   for (const Part<N, T>& part : compound.parts) {
     const Aabb<N, T> part_box = touching_bounds(part.box);
@@ -286,23 +288,23 @@ std::optional<Strike<N>> strike_of_moving_parts(const Compound<N, T>& compound, 
 
 /// Of shapes that are apart.
 template <class A, class B>
-std::optional<Strike<dimension_of<A>>> strike_in_motion(const A& a, const MotionOf<A>& motion_a, const B& b,
-                                                        const MotionOf<A>& motion_b) {
+std::optional<CastHit<dimension_of<A>>> cast_hit_in_motion(const A& a, const MotionOf<A>& motion_a, const B& b,
+                                                           const MotionOf<A>& motion_b) {
   if constexpr (is_any_shape<A>) {
-    return detail::visit([&](const auto& held) { return strike_in_motion(held, motion_a, b, motion_b); }, a);
+    return detail::visit([&](const auto& held) { return cast_hit_in_motion(held, motion_a, b, motion_b); }, a);
   } else if constexpr (is_any_shape<B>) {
-    return detail::visit([&](const auto& held) { return strike_in_motion(a, motion_a, held, motion_b); }, b);
+    return detail::visit([&](const auto& held) { return cast_hit_in_motion(a, motion_a, held, motion_b); }, b);
   } else if constexpr (is_compound<A>) {
     if constexpr (is_compound<B>) {
-      if (!is_in_order(a, b)) return with_normal_turned(strike_in_motion(b, motion_b, a, motion_a));
+      if (!is_in_order(a, b)) return with_normal_turned(cast_hit_in_motion(b, motion_b, a, motion_a));
     }
-    return strike_of_moving_parts(a, motion_a, b, motion_b,
-                                  [&](const auto& part) { return strike_in_motion(part, motion_a, b, motion_b); });
+    return cast_hit_of_moving_parts(a, motion_a, b, motion_b,
+                                    [&](const auto& part) { return cast_hit_in_motion(part, motion_a, b, motion_b); });
   } else if constexpr (is_compound<B>) {
-    return strike_of_moving_parts(b, motion_b, a, motion_a,
-                                  [&](const auto& part) { return strike_in_motion(a, motion_a, part, motion_b); });
+    return cast_hit_of_moving_parts(b, motion_b, a, motion_a,
+                                    [&](const auto& part) { return cast_hit_in_motion(a, motion_a, part, motion_b); });
   } else {
-    return strike_of_simple(a, motion_a, b, motion_b);
+    return cast_hit_of_simple(a, motion_a, b, motion_b);
   }
 }
 
@@ -323,11 +325,11 @@ std::optional<Impact<dimension_of<A>, scalar_of<A>>> time_of_impact(const A& a, 
   assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));
   if (!is_finite(motion_a) || !is_finite(motion_b)) return std::nullopt;
   if (const auto contact = detail::penetration(a, b)) {
-    return detail::rounded_impact<T>(detail::strike_at_start(*contact));
+    return detail::rounded_impact<T>(detail::cast_hit_at_start(*contact));
   }
-  const auto strike = detail::strike_in_motion(a, detail::wide_motion(motion_a), b, detail::wide_motion(motion_b));
-  if (!strike) return std::nullopt;
-  return detail::rounded_impact<T>(*strike);
+  const auto cast_hit = detail::cast_hit_in_motion(a, detail::wide_motion(motion_a), b, detail::wide_motion(motion_b));
+  if (!cast_hit) return std::nullopt;
+  return detail::rounded_impact<T>(*cast_hit);
 }
 
 }  // namespace graze

@@ -11,8 +11,8 @@ namespace graze {
 /// How two closed sets lie to each other. `apart` and `overlapping` are certain; `touching` means that the gap, or the
 /// depth, is zero within the rounding of the calculation (exactly zero where the calculation is exact). Overlapping is
 /// meant as depth: every translation that parts the two has some length, or: the zero vector is inside the set of
-/// differences a - b. So a segment through a ball overlaps it; a segment in a ball's tangent plane, or two triangles of
-/// one plane in 3D, only touch.
+/// differences a - b. So a segment through a sphere overlaps it; a segment in a sphere's tangent plane, or two
+/// triangles of one plane in 3D, only touch.
 enum class Relation { apart, touching, overlapping };
 
 /// "apart", "touching", "overlapping".

@@ -231,11 +231,11 @@ void clear(NextEvents& next, std::size_t most_stay, std::size_t found) {
 
 }  // namespace
 
-void find_events(const SceneEvents& last, std::span<const Pair> found, const KeyTable& ids, Tenants tenants,
+void find_events(const SceneEvents& last, std::span<const Pair> found, const KeyTable& ids, SlotReuse slot_reuse,
                  NextEvents& next) {
   clear(next, found.size(), found.size());
   const BothLists old(last);
-  if (tenants == Tenants::the_same) {
+  if (slot_reuse == SlotReuse::the_same) {
     find_events_of_the_same(old, found, ids, next);
   } else {
     find_events_of_others(old, found, ids, next);

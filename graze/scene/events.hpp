@@ -31,7 +31,7 @@ namespace detail {
 std::vector<ObjectPair> pairs_of(const SceneEvents& events);
 
 /// Who is in the slots, if it is known to be who was there at the last update.
-enum class Tenants : std::uint8_t { the_same, maybe_others };
+enum class SlotReuse : std::uint8_t { the_same, maybe_others };
 
 /// For each of the pairs that touched when events were found, ascending: 1 if it began then, else 0.
 using YoungMarks = BlankVector<char>;
@@ -52,7 +52,7 @@ struct ListedPairs {
 };
 
 /// The events between the pairs of the last update and what touches now: pairs of slots, ascending, and who is in them.
-void find_events(const SceneEvents& last, std::span<const Pair> found, const KeyTable& ids, Tenants tenants,
+void find_events(const SceneEvents& last, std::span<const Pair> found, const KeyTable& ids, SlotReuse slot_reuse,
                  NextEvents& next);
 
 /// The same by a list, where each slot has had one tenant. `young` is of the last events.

@@ -168,7 +168,7 @@ std::vector<ObjectId> PlainScene<N, T>::near(const R& region, LayerMask layers) 
   std::vector<ObjectId> result;
   for (const auto& [id, object] : objects_) {
     if (!is_on(layers, object.layer) || is_nothing(object.box)) continue;
-    if (meets_generously(region, touching_bounds(object))) result.push_back(id);
+    if (meets_inflated(region, touching_bounds(object))) result.push_back(id);
   }
   return result;
 }

@@ -20,7 +20,7 @@ namespace {
 /// How many objects ahead of their move they are asked for.
 constexpr std::size_t moves_ahead = 8;
 
-/// 'object "ball"' or 'the object', for messages.
+/// 'object "sphere"' or 'the object', for messages.
 std::string named(const std::string& name) { return name.empty() ? "the object" : "object \"" + name + "\""; }
 
 template <Dim N, class T>
@@ -267,12 +267,13 @@ const SceneEvents& Scene<N, T>::update(const Executor& executor) {
     next_edit_.make_room(events);
     next_edit_.apply(events);
   } else {
-    const auto tenants = ids_.changes() == last_changes_ ? detail::Tenants::the_same : detail::Tenants::maybe_others;
+    const auto slot_reuse =
+        ids_.changes() == last_changes_ ? detail::SlotReuse::the_same : detail::SlotReuse::maybe_others;
     const auto listed = keeper_.listed();
-    if (listed && tenants == detail::Tenants::the_same) {
+    if (listed && slot_reuse == detail::SlotReuse::the_same) {
       detail::find_events(*events_, young_, *listed, ids_, next_);
     } else {
-      detail::find_events(*events_, keeper_.found(), ids_, tenants, next_);
+      detail::find_events(*events_, keeper_.found(), ids_, slot_reuse, next_);
     }
     events_.exchange(next_.events);
     std::swap(young_, next_.young);

@@ -123,7 +123,7 @@ template <class R>
 std::vector<ObjectId> SceneView<N, T>::near(const R& region, LayerMask layers) const {
   std::vector<ObjectId> result;
   const detail::SlotIndex<N, T>& index = this->index();
-  index.query(Generous<R>{region}, [&](std::uint32_t slot) {
+  index.query(Inflated<R>{region}, [&](std::uint32_t slot) {
     if ((layers & only_layer(in_slot(slot).layer)) != 0) result.push_back(id_of(slot));
   });
   std::sort(result.begin(), result.end());
@@ -188,10 +188,10 @@ GRAZE_INSTANTIATE(3, double)
 #undef GRAZE_INSTANTIATE
 
 // What single_queries.hpp promises.
-#define GRAZE_INSTANTIATE(N, T)                                                    \
-  template T signed_distance(const AnyShape<N, T>&, const Vec<N, T>&);             \
-  template bool meets_generously(const AnyShape<N, T>& region, const Aabb<N, T>&); \
-  template bool meets_generously(const Frustum<N, T>& region, const Aabb<N, T>&);
+#define GRAZE_INSTANTIATE(N, T)                                                  \
+  template T signed_distance(const AnyShape<N, T>&, const Vec<N, T>&);           \
+  template bool meets_inflated(const AnyShape<N, T>& region, const Aabb<N, T>&); \
+  template bool meets_inflated(const Frustum<N, T>& region, const Aabb<N, T>&);
 GRAZE_INSTANTIATE(2, float)
 GRAZE_INSTANTIATE(3, float)
 GRAZE_INSTANTIATE(2, double)

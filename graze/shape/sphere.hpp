@@ -10,7 +10,7 @@
 
 namespace graze {
 
-/// The solid ball (in 2D the disc), surface included. A zero radius is valid: the sphere is a point.
+/// The solid sphere (in 2D the disc), surface included. A zero radius is valid: the sphere is a point.
 template <Dim N, class T = float>
 struct Sphere {
   Vec<N, T> center = Vec<N, T>(T(0));

@@ -110,9 +110,9 @@ TEST(Contacts, OfNoCandidatesAreNone) {
 }
 
 TEST(Contacts, RefuseAPairWhoseShapeIsNotThere) {
-  const std::vector<AnyShape<3>> balls(3, Sphere<3>{});
+  const std::vector<AnyShape<3>> spheres(3, Sphere<3>{});
   try {
-    contacts(balls, std::vector<Pair>{{0, 1}, {3, 1}});
+    contacts(spheres, std::vector<Pair>{{0, 1}, {3, 1}});
     FAIL() << "nothing was thrown";
   } catch (const std::out_of_range& error) {
     EXPECT_STREQ(error.what(), "contacts: pair 1 names shape 3, but there are only 3");

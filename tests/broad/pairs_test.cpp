@@ -103,7 +103,7 @@ TYPED_TEST(PairsTest, NeitherThreadsNorInstructionSetsChangeAnything) {
 
 /// A crowd among boxes so far away that a grid over all has one cell for it.
 template <Dim N, class T>
-std::vector<Aabb<N, T>> crowd(std::size_t count) {
+std::vector<Aabb<N, T>> cluster(std::size_t count) {
   test::Numbers numbers(23);
   const T width = N == 2 ? T(100) : T(30);
   std::vector<Aabb<N, T>> boxes;
@@ -118,7 +118,7 @@ TYPED_TEST(PairsTest, CrowdsAreFoundWhetherTheyAreOneRunOrMany) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
   for (const std::size_t count : {6000U, 15'000U, 25'000U}) {
-    const std::vector<Aabb<N, T>> boxes = crowd<N, T>(count);
+    const std::vector<Aabb<N, T>> boxes = cluster<N, T>(count);
     const std::vector<Pair> expected = overlapping_pairs(boxes, {.method = PairMethod::dense});
     EXPECT_GT(expected.size(), count / 2);
     EXPECT_EQ(overlapping_pairs(boxes, by_tree), expected) << count;

@@ -35,11 +35,11 @@ Rational replaced_determinant(const Obb<N, T>& box, Dim column, const RationalVe
 /// The point is center + axes * u with u by Cramer's rule.
 template <Dim N, class T>
 bool contains_exactly(const Obb<N, T>& box, const Vec<N, T>& point) {
-  const Rational whole_determinant = replaced_determinant<N, T>(box, 0, exact<N, T>(box.axes[0]));
+  const Rational exact_determinant = replaced_determinant<N, T>(box, 0, exact<N, T>(box.axes[0]));
   const RationalVec<N> to_point = exact(point) - exact(box.center);
   for (Dim i = 0; i < N; ++i) {
     const Rational reach = abs(replaced_determinant<N, T>(box, i, to_point));
-    if (reach > exact(static_cast<double>(box.half_extents[i])) * abs(whole_determinant)) return false;
+    if (reach > exact(static_cast<double>(box.half_extents[i])) * abs(exact_determinant)) return false;
   }
   return true;
 }

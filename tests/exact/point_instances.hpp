@@ -46,7 +46,7 @@ WideVec<N> nearest_in(const Solid<N>& solid, const RationalVec<N>& p) {
 
 /// The foot of the perpendicular on a plane.
 template <Dim N>
-WideVec<N> foot_on(const ExactLevel<N>& level, const RationalVec<N>& p) {
+WideVec<N> closest_on(const ExactLevel<N>& level, const RationalVec<N>& p) {
   const Rational height = dot(level.normal, p) - level.offset;
   return wide_vector<N>(p - level.normal * Rational(height / dot(level.normal, level.normal)));
 }
@@ -67,7 +67,7 @@ double signed_distance_of(const S& shape, const Vec<N, T>& point) {
 template <class S, Dim N, class T>
 WideVec<N> closest_point_of(const S& shape, const Vec<N, T>& point) {
   if constexpr (is_level<S>) {
-    return foot_on<N>(level(shape), exact(point));
+    return closest_on<N>(level(shape), exact(point));
   } else if constexpr (is_ray<S>) {
     return nearest_in<N>(solid_beside(shape, solid(point)), exact(point));
   } else if constexpr (has_parts<S>) {

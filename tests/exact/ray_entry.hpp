@@ -160,7 +160,7 @@ std::optional<Wide> round_entry(const RationalVec<N>& origin, const RationalVec<
   const std::optional<Wide> tube = first_root(across_squared, squared * dot(off, direction) - start * along,
                                               squared * dot(off, off) - start * start - radius_squared * squared);
   if (!tube) return first;
-  // Next to the ends, where the digits might not suffice, the balls are entered at the same place.
+  // Next to the ends, where the digits might not suffice, the spheres are entered at the same place.
   const Wide place = wide_of(start) + *tube * wide_of(along);
   if (place >= 0 && place <= wide_of(squared)) keep_lesser(first, tube);
   return first;

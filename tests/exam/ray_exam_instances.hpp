@@ -73,7 +73,7 @@ class RayExam {
       if (entry && !(*entry * length(wide<N, T>(ray.direction)) < reach)) return;
       bool is_asked = false;
       for (const RayRival<T>& rival : ray_rivals<T>()) {
-        const std::optional<Sight> answer = rival.answer(shape, ray, reach);
+        const std::optional<RayVerdict> answer = rival.answer(shape, ray, reach);
         if (!answer) continue;
         is_asked = true;
         count(tally_.rivals[rival.name], {shape, ray, truth, entry, size}, *answer);
@@ -81,7 +81,7 @@ class RayExam {
       if (!is_asked) return;
       const auto own = test::hit_of<N, T>(shape, ray, std::numeric_limits<T>::infinity());
       const double way = length(wide<N, T>(ray.direction));
-      const Sight answer = own ? Sight{true, static_cast<double>(own->t) * way} : Sight{};
+      const RayVerdict answer = own ? RayVerdict{true, static_cast<double>(own->t) * way} : RayVerdict{};
       count(tally_.rivals["graze"], {shape, ray, truth, entry, size}, answer);
     }
   }
@@ -101,7 +101,7 @@ class RayExam {
 
   static double size_of(const Any& shape, const Ray<N, T>& ray) { return test::size_of<N, T>({shape, Any(ray)}); }
 
-  void count(MeasureTally& tally, const Case& put, const Sight& answer) {
+  void count(MeasureTally& tally, const Case& put, const RayVerdict& answer) {
     ++tally.cases;
     const bool is_hit = put.truth.relation != Relation::apart;
     const double margin = std::fabs(put.truth.gap);

@@ -14,7 +14,7 @@
 namespace graze::exam {
 
 /// What a program says of a ray.
-struct Sight {
+struct RayVerdict {
   bool hits = false;
   double distance = 0;  ///< From the origin, only if it hits.
 };
@@ -22,7 +22,7 @@ struct Sight {
 /// The rival's opinion, of the ray up to a length of `reach` if it has to have an end; none if it has no such test for
 /// this type.
 template <class T>
-using SightAnswer = std::optional<Sight> (*)(const Solid3<T>& shape, const Ray<3, T>& ray, double reach);
+using SightAnswer = std::optional<RayVerdict> (*)(const Solid3<T>& shape, const Ray<3, T>& ray, double reach);
 
 template <class T>
 struct RayRival {
@@ -31,14 +31,14 @@ struct RayRival {
 };
 
 /// Bullet's btCollisionWorld::rayTestSingle, shapes without margin as in rival.hpp.
-std::optional<Sight> bullet_sight(const Solid3<float>& shape, const Ray<3, float>& ray, double reach);
+std::optional<RayVerdict> bullet_sight(const Solid3<float>& shape, const Ray<3, float>& ray, double reach);
 
 /// ODE's dCollide of a ray: spheres, boxes, capsules.
-std::optional<Sight> ode_sight(const Solid3<double>& shape, const Ray<3, double>& ray, double reach);
+std::optional<RayVerdict> ode_sight(const Solid3<double>& shape, const Ray<3, double>& ray, double reach);
 
 /// The formulas of textbook_ray.hpp.
-std::optional<Sight> textbook_sight(const Solid3<float>& shape, const Ray<3, float>& ray, double reach);
-std::optional<Sight> textbook_sight(const Solid3<double>& shape, const Ray<3, double>& ray, double reach);
+std::optional<RayVerdict> textbook_sight(const Solid3<float>& shape, const Ray<3, float>& ray, double reach);
+std::optional<RayVerdict> textbook_sight(const Solid3<double>& shape, const Ray<3, double>& ray, double reach);
 
 inline constexpr std::array<RayRival<float>, 2> float_ray_rivals = {
     {{"textbook", textbook_sight}, {"Bullet", bullet_sight}}};

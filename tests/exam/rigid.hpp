@@ -19,11 +19,12 @@ bool is_rigid(const AnyShape<3, T>& shape) {
   const auto* box = std::get_if<Obb<3, T>>(&shape);
   if (box == nullptr) return true;
   const Mat<3, double> axes = wide_matrix<3, T>(box->axes);
-  double skew = 0;
+  double orthonormality_error = 0;
   for (Dim i = 0; i < 3; ++i) {
-    for (Dim j = 0; j < 3; ++j) skew = std::max(skew, std::fabs(dot(axes[i], axes[j]) - (i == j ? 1 : 0)));
+    for (Dim j = 0; j < 3; ++j)
+      orthonormality_error = std::max(orthonormality_error, std::fabs(dot(axes[i], axes[j]) - (i == j ? 1 : 0)));
   }
-  return skew <= 4 * static_cast<double>(std::numeric_limits<T>::epsilon());
+  return orthonormality_error <= 4 * static_cast<double>(std::numeric_limits<T>::epsilon());
 }
 
 }  // namespace graze::exam

@@ -151,7 +151,7 @@ std::optional<Meeting> bullet_impact(const test::Moving<3, float>& moving) {
   return first_meeting(*body_a, end_of(*body_a, moving.motion_a), *body_b, end_of(*body_b, moving.motion_b));
 }
 
-std::optional<Sight> bullet_sight(const Solid3<float>& shape, const Ray<3, float>& ray, double reach) {
+std::optional<RayVerdict> bullet_sight(const Solid3<float>& shape, const Ray<3, float>& ray, double reach) {
   std::optional<Body> body = std::visit(BodyOf(), shape);
   if (!body) return std::nullopt;
   const Vec<3, double> direction = wide<3, float>(ray.direction);
@@ -165,7 +165,7 @@ std::optional<Sight> bullet_sight(const Solid3<float>& shape, const Ray<3, float
   btCollisionWorld::rayTestSingle(btTransform(btQuaternion::getIdentity(), from),
                                   btTransform(btQuaternion::getIdentity(), to), &object, body->shape.get(), body->pose,
                                   nearest);
-  return Sight{nearest.hasHit(), static_cast<double>(nearest.m_closestHitFraction) * reach};
+  return RayVerdict{nearest.hasHit(), static_cast<double>(nearest.m_closestHitFraction) * reach};
 }
 
 }  // namespace graze::exam

@@ -24,7 +24,8 @@ namespace {
 
 using Vec3 = Vec<3, double>;
 
-/// An assertion of ODE that failed, such as that of a normal for a ball of radius zero: by default it ends the program.
+/// An assertion of ODE that failed, such as that of a normal for a sphere of radius zero: by default it ends the
+/// program.
 struct Refusal {};
 
 // NOLINTNEXTLINE(cert-dcl50-cpp): what ODE calls
@@ -157,7 +158,7 @@ std::optional<bool> ode_answer(const Solid3<double>& a, const Solid3<double>& b)
   return parting->meets;
 }
 
-std::optional<Sight> ode_sight(const Solid3<double>& shape, const Ray<3, double>& ray, double reach) {
+std::optional<RayVerdict> ode_sight(const Solid3<double>& shape, const Ray<3, double>& ray, double reach) {
   if (std::holds_alternative<HalfSpace<3, double>>(shape)) return std::nullopt;  // of which it looks for the surface
   start_library();
   const Geometry body = std::visit(GeometryOf(), shape);
@@ -169,7 +170,7 @@ std::optional<Sight> ode_sight(const Solid3<double>& shape, const Ray<3, double>
   std::array<dContactGeom, most_contacts> contacts{};
   const std::optional<int> count = collide(path, body, contacts);
   if (!count) return std::nullopt;
-  return Sight{*count > 0, contacts[0].depth};
+  return RayVerdict{*count > 0, contacts[0].depth};
 }
 
 }  // namespace graze::exam

@@ -30,8 +30,8 @@ template <class T>
 std::optional<Parting> parting(const Solid3<T>& a, const Solid3<T>& b) {
   return std::visit(
       [](const auto& held_a, const auto& held_b) -> std::optional<Parting> {
-        if constexpr (requires { textbook::way_out(held_a, held_b); }) {
-          const auto found = textbook::way_out(held_a, held_b);
+        if constexpr (requires { textbook::minimum_translation(held_a, held_b); }) {
+          const auto found = textbook::minimum_translation(held_a, held_b);
           if (!found) return Parting{};
           return Parting{true, static_cast<double>(found->depth), Vec<3, double>(found->normal)};
         } else {
@@ -42,13 +42,13 @@ std::optional<Parting> parting(const Solid3<T>& a, const Solid3<T>& b) {
 }
 
 template <class T>
-std::optional<Sight> sight(const Solid3<T>& shape, const Ray<3, T>& ray) {
+std::optional<RayVerdict> verdict(const Solid3<T>& shape, const Ray<3, T>& ray) {
   const Vec<3, T> way = ray.direction / std::sqrt(dot(ray.direction, ray.direction));
   return std::visit(
-      [&ray, &way](const auto& held) -> std::optional<Sight> {
+      [&ray, &way](const auto& held) -> std::optional<RayVerdict> {
         if constexpr (requires { textbook::entry(held, ray.origin, way); }) {
           const std::optional<T> distance = textbook::entry(held, ray.origin, way);
-          return Sight{distance.has_value(), static_cast<double>(distance.value_or(T(0)))};
+          return RayVerdict{distance.has_value(), static_cast<double>(distance.value_or(T(0)))};
         } else {
           return std::nullopt;
         }
@@ -66,11 +66,11 @@ std::optional<Parting> textbook_parting(const Solid3<double>& a, const Solid3<do
   return parting<double>(a, b);
 }
 
-std::optional<Sight> textbook_sight(const Solid3<float>& shape, const Ray<3, float>& ray, double) {
-  return sight<float>(shape, ray);
+std::optional<RayVerdict> textbook_sight(const Solid3<float>& shape, const Ray<3, float>& ray, double) {
+  return verdict<float>(shape, ray);
 }
-std::optional<Sight> textbook_sight(const Solid3<double>& shape, const Ray<3, double>& ray, double) {
-  return sight<double>(shape, ray);
+std::optional<RayVerdict> textbook_sight(const Solid3<double>& shape, const Ray<3, double>& ray, double) {
+  return verdict<double>(shape, ray);
 }
 
 }  // namespace graze::exam

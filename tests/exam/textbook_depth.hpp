@@ -18,23 +18,23 @@
 namespace graze::exam::textbook {
 
 template <class T>
-struct WayOut {
+struct MinimumTranslation {
   T depth;
   Vec3<T> normal;
 };
 
 template <class T>
-std::optional<WayOut<T>> way_out(const Sphere<3, T>& a, const Sphere<3, T>& b) {
+std::optional<MinimumTranslation<T>> minimum_translation(const Sphere<3, T>& a, const Sphere<3, T>& b) {
   const Vec3<T> off = b.center - a.center;
   const T distance = std::sqrt(dot(off, off));
   const T depth = a.radius + b.radius - distance;
   if (depth < 0) return std::nullopt;
-  return WayOut<T>{depth, distance > 0 ? off / distance : Vec3<T>(T(1), T(0), T(0))};
+  return MinimumTranslation<T>{depth, distance > 0 ? off / distance : Vec3<T>(T(1), T(0), T(0))};
 }
 
 /// From the nearest point of the box to the center, or from a center inside it through the nearest face.
 template <class T>
-std::optional<WayOut<T>> way_out(const Sphere<3, T>& sphere, const Obb<3, T>& box) {
+std::optional<MinimumTranslation<T>> minimum_translation(const Sphere<3, T>& sphere, const Obb<3, T>& box) {
   const Vec3<T> to_center = sphere.center - box.center;
   Vec3<T> nearest = box.center;
   T least = std::numeric_limits<T>::infinity();
@@ -48,21 +48,21 @@ std::optional<WayOut<T>> way_out(const Sphere<3, T>& sphere, const Obb<3, T>& bo
     }
     nearest += box.axes[i] * std::clamp(along, -box.half_extents[i], box.half_extents[i]);
   }
-  if (least >= 0) return WayOut<T>{sphere.radius + least, -face};
+  if (least >= 0) return MinimumTranslation<T>{sphere.radius + least, -face};
   const Vec3<T> off = nearest - sphere.center;
   const T distance = std::sqrt(dot(off, off));
   if (distance > sphere.radius) return std::nullopt;
-  return WayOut<T>{sphere.radius - distance, off / distance};
+  return MinimumTranslation<T>{sphere.radius - distance, off / distance};
 }
 
 template <class T>
-std::optional<WayOut<T>> way_out(const Sphere<3, T>& sphere, const Aabb<3, T>& box) {
-  return way_out(sphere, oriented(box));
+std::optional<MinimumTranslation<T>> minimum_translation(const Sphere<3, T>& sphere, const Aabb<3, T>& box) {
+  return minimum_translation(sphere, oriented(box));
 }
 
 template <class T>
-std::optional<WayOut<T>> way_out(const Aabb<3, T>& a, const Aabb<3, T>& b) {
-  WayOut<T> least{std::numeric_limits<T>::infinity(), Vec3<T>(T(0))};
+std::optional<MinimumTranslation<T>> minimum_translation(const Aabb<3, T>& a, const Aabb<3, T>& b) {
+  MinimumTranslation<T> least{std::numeric_limits<T>::infinity(), Vec3<T>(T(0))};
   for (Dim i = 0; i < 3; ++i) {
     const T forward = a.max[i] - b.min[i];
     const T backward = b.max[i] - a.min[i];
@@ -76,9 +76,9 @@ std::optional<WayOut<T>> way_out(const Aabb<3, T>& a, const Aabb<3, T>& b) {
 
 /// The least overlap along fifteen axes (Gottschalk, Lin, Manocha 1996); cross products of parallel edges are left out.
 template <class T>
-std::optional<WayOut<T>> way_out(const Obb<3, T>& a, const Obb<3, T>& b) {
+std::optional<MinimumTranslation<T>> minimum_translation(const Obb<3, T>& a, const Obb<3, T>& b) {
   constexpr T usual = T(1e-6);
-  WayOut<T> least{std::numeric_limits<T>::infinity(), Vec3<T>(T(0))};
+  MinimumTranslation<T> least{std::numeric_limits<T>::infinity(), Vec3<T>(T(0))};
   const Vec3<T> between = b.center - a.center;
   const auto is_parted_along = [&](const Vec3<T>& way) {
     const T squared = dot(way, way);
@@ -106,8 +106,8 @@ std::optional<WayOut<T>> way_out(const Obb<3, T>& a, const Obb<3, T>& b) {
 }
 
 template <class T>
-std::optional<WayOut<T>> way_out(const Aabb<3, T>& a, const Obb<3, T>& b) {
-  return way_out(oriented(a), b);
+std::optional<MinimumTranslation<T>> minimum_translation(const Aabb<3, T>& a, const Obb<3, T>& b) {
+  return minimum_translation(oriented(a), b);
 }
 
 }  // namespace graze::exam::textbook

@@ -32,14 +32,14 @@ std::size_t differences_in(const std::string& text) {
 TEST(RecordedScene, WritesEachCallAndItsAnswer) {
   std::ostringstream log;
   World scene(log);
-  const ObjectId ball = scene.add(Ball{{0, 0}, 1}, {.name = "ball"});
+  const ObjectId sphere = scene.add(Ball{{0, 0}, 1}, {.name = "ball"});
   const ObjectId wall = scene.add(Aabb<2, double>{{1, -1}, {2, 1}});
-  EXPECT_EQ(scene.update().began, (std::vector<ObjectPair>{{ball, wall}}));
-  EXPECT_EQ(scene.find("ball"), ball);
+  EXPECT_EQ(scene.update().began, (std::vector<ObjectPair>{{sphere, wall}}));
+  EXPECT_EQ(scene.find("ball"), sphere);
   EXPECT_EQ(scene.ray_cast({{-2, 0}, {1, 0}})->hit.t, 1);
-  scene.remove(ball);
+  scene.remove(sphere);
   EXPECT_EQ(log.str(),
-            head + R"({"call": "add", "name": "ball", "shape": {"type": "sphere", "center": [0, 0], "radius": 1}}
+            head + R"({"call": "add", "name": "sphere", "shape": {"type": "sphere", "center": [0, 0], "radius": 1}}
 {"answer": [[0, 1]]}
 {"call": "add", "shape": {"type": "aabb", "min": [1, -1], "max": [2, 1]}}
 {"answer": [[1, 1]]}
@@ -75,15 +75,15 @@ TEST(RecordedScene, OfHullsThatWereMovedCanBeReplayed) {
 TEST(RecordedScene, MovesManyToShapesOfOneTypeAsByAList) {
   std::ostringstream log;
   World scene(log);
-  const std::vector<ObjectId> balls = {scene.add(Ball{{0, 0}, 1}), scene.add(Ball{{5, 0}, 1})};
+  const std::vector<ObjectId> spheres = {scene.add(Ball{{0, 0}, 1}), scene.add(Ball{{5, 0}, 1})};
   const std::size_t before = log.str().size();
-  scene.move(balls, std::vector<Ball>{{{1, 0}, 1}, {{2, 0}, 1}});
+  scene.move(spheres, std::vector<Ball>{{{1, 0}, 1}, {{2, 0}, 1}});
   EXPECT_EQ(
       log.str().substr(before),
       R"({"call": "move_many", "ids": [[0, 1], [1, 1]], "shapes": [{"type": "sphere", "center": [1, 0], "radius": 1}, )"
       R"({"type": "sphere", "center": [2, 0], "radius": 1}]})"
       "\n{\"answer\": []}\n");
-  EXPECT_THROW(scene.move(balls, std::vector<Ball>{{{1, 0}, 1}}), std::invalid_argument);
+  EXPECT_THROW(scene.move(spheres, std::vector<Ball>{{{1, 0}, 1}}), std::invalid_argument);
   EXPECT_EQ(scene.update().began.size(), 1U);
   EXPECT_EQ(differences_in(log.str()), 0U);
 }

@@ -15,9 +15,9 @@ namespace graze::io::shape_numbers_test {
 namespace {
 
 TEST(ShapeNumbers, AreRoundedToTheOtherType) {
-  const auto ball = with_numbers<float, 2, double>(Sphere<2, double>{{0.1, 2}, 1e-3});
-  EXPECT_EQ(std::get<Sphere<2>>(ball).center, (Vec<2>(0.1F, 2)));
-  EXPECT_EQ(std::get<Sphere<2>>(ball).radius, 1e-3F);
+  const auto sphere = with_numbers<float, 2, double>(Sphere<2, double>{{0.1, 2}, 1e-3});
+  EXPECT_EQ(std::get<Sphere<2>>(sphere).center, (Vec<2>(0.1F, 2)));
+  EXPECT_EQ(std::get<Sphere<2>>(sphere).radius, 1e-3F);
 }
 
 TEST(ShapeNumbers, CanBeChangedAtWill) {

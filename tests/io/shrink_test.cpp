@@ -94,8 +94,8 @@ TEST(Shrink, MakesNumbersRounderAndForgetsNames) {
     EXPECT_EQ(entry.call.options.name, "");
     EXPECT_EQ(entry.call.options.layer, 0);
     for (const AnyShape<2, double>& shape : entry.call.shapes) {
-      const auto* const ball = std::get_if<Ball>(&shape);
-      EXPECT_EQ(ball == nullptr ? 1 : ball->radius, 1) << text_of(*small);
+      const auto* const sphere = std::get_if<Ball>(&shape);
+      EXPECT_EQ(sphere == nullptr ? 1 : sphere->radius, 1) << text_of(*small);
     }
   }
 }

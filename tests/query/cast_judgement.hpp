@@ -61,15 +61,15 @@ class CastJudge {
       return errors_;
     }
     const std::optional<Impact<N, T>> impact = impact_of<N, T>(cast_.a, cast_.motion, cast_.b);
-    const std::optional<detail::Strike<N>> strike = strike_of<N, T>(cast_.a, cast_.motion, cast_.b);
-    expect(impact.has_value() == strike.has_value(), "it is rounded from something else");
-    if (!impact || !strike) {
+    const std::optional<detail::CastHit<N>> cast_hit = cast_hit_of<N, T>(cast_.a, cast_.motion, cast_.b);
+    expect(impact.has_value() == cast_hit.has_value(), "it is rounded from something else");
+    if (!impact || !cast_hit) {
       judge_miss();
     } else if (start_.relation != Relation::apart) {
       expect(impact->t == T(0), "what meets at the start does so at 0");
     } else {
-      judge_hit(*strike);
-      expect(static_cast<double>(impact->t) <= strike->t, "the time is not rounded down");
+      judge_hit(*cast_hit);
+      expect(static_cast<double>(impact->t) <= cast_hit->t, "the time is not rounded down");
     }
     return errors_;
   }
@@ -93,18 +93,18 @@ class CastJudge {
     expect(depth <= most_overlooked * tolerance::epsilon * size_, "it goes through");
   }
 
-  void judge_hit(const detail::Strike<N>& strike) {
-    const ExactPassage passage = *exact_passage<N, T>(cast_.a, cast_.motion, strike.t, cast_.b);
+  void judge_hit(const detail::CastHit<N>& cast_hit) {
+    const ExactPassage passage = *exact_passage<N, T>(cast_.a, cast_.motion, cast_hit.t, cast_.b);
     const double unit = tolerance::epsilon * size_;
-    expect(passage.there.gap <= strike.error, "it is too early, or nothing is hit");
-    expect(-passage.so_far.gap <= strike.error, "it is too late");
-    expect(strike.error <= most_claimed_of_casts * unit || strike.status == Status::best_bound,
+    expect(passage.there.gap <= cast_hit.error, "it is too early, or nothing is hit");
+    expect(-passage.so_far.gap <= cast_hit.error, "it is too late");
+    expect(cast_hit.error <= most_claimed_of_casts * unit || cast_hit.status == Status::best_bound,
            "too large an error is admitted");
     const bool meets_at_start = relation_of<N, T>(cast_.a, cast_.b) != Relation::apart;  // up to its band
-    expect(std::fabs(dot(strike.normal, strike.normal) - 1) <= 16 * tolerance::epsilon || meets_at_start,
+    expect(std::fabs(dot(cast_hit.normal, cast_hit.normal) - 1) <= 16 * tolerance::epsilon || meets_at_start,
            "the normal is not of length 1");
     errors_.gap = std::max(passage.there.gap, -passage.so_far.gap) / unit;
-    errors_.claimed = strike.error / unit;
+    errors_.claimed = cast_hit.error / unit;
   }
 
   const Cast<N, T>& cast_;

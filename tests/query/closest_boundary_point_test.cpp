@@ -69,13 +69,14 @@ TEST(ClosestBoundaryPoint, FromTheAxisOfACapsuleIsStraightAcross) {
   EXPECT_EQ(closest_boundary_point(Capsule<2>{{0, 0}, {4, 0}, 2}, V2(1, 0)), V2(1, 2));
   EXPECT_EQ(closest_boundary_point(Capsule<2>{{0, 0}, {4, 0}, 2}, V2(0, 0)), V2(0, 2));
   EXPECT_EQ(closest_boundary_point(Capsule<2>{{1, 1}, {1, 1}, 2}, V2(1, 1)), V2(3, 1));
-  const Capsule<3, double> skew{{0.1, 0.2, 0.3}, {1.3, -0.4, 2.2}, 1};
+  const Capsule<3, double> orthonormality_error{{0.1, 0.2, 0.3}, {1.3, -0.4, 2.2}, 1};
   for (int i = 0; i <= 20; ++i) {
     const double share = i / 20.0;
-    const D3 on_axis = skew.a * (1 - share) + skew.b * share;  // up to rounding that leans along the axis
-    const D3 out = closest_boundary_point(skew, on_axis) - on_axis;
+    const D3 on_axis = orthonormality_error.a * (1 - share) +
+                       orthonormality_error.b * share;  // up to rounding that leans along the axis
+    const D3 out = closest_boundary_point(orthonormality_error, on_axis) - on_axis;
     EXPECT_NEAR(std::sqrt(dot(out, out)), 1, 1e-14) << i;
-    EXPECT_NEAR(dot(out, skew.b - skew.a), 0, 1e-14) << i;
+    EXPECT_NEAR(dot(out, orthonormality_error.b - orthonormality_error.a), 0, 1e-14) << i;
   }
 }
 

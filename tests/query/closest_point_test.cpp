@@ -88,7 +88,7 @@ TEST(ClosestPoint, InABoxClampsEachCoordinateAgainstItsOwnBounds) {
 }
 
 TEST(ClosestPoint, FromTheCenterOfASphereIsTheCenter) {
-  // Scaling center - center to length r divides by zero; and like a box, a ball
+  // Scaling center - center to length r divides by zero; and like a box, a sphere
   // answers an inner point with itself.
   EXPECT_EQ(closest_point(Sphere<3>{{1, 2, 3}, 2}, V3(1, 2, 3)), V3(1, 2, 3));
   EXPECT_EQ(closest_point(Sphere<3>{{1, 2, 3}, 0}, V3(1, 2, 3)), V3(1, 2, 3));
@@ -147,11 +147,11 @@ TEST(ClosestPoint, TakesNormalsAndDirectionsOfAnyLength) {
 
 TEST(ClosestPoint, OfASolidIsRoundedInward) {
   // In about half of all directions the nearest float lies outside.
-  const Sphere<3> ball{{0.1F, 0.2F, 0.3F}, 1};
+  const Sphere<3> sphere{{0.1F, 0.2F, 0.3F}, 1};
   for (int i = 0; i < 1000; ++i) {
     const double angle = 0.001 + i;
     const V3 far(D3(std::cos(angle), std::sin(angle), 0.5 * std::cos(3 * angle)) * 7.0);
-    const D3 radius = D3(closest_point(ball, far)) - D3(ball.center);
+    const D3 radius = D3(closest_point(sphere, far)) - D3(sphere.center);
     EXPECT_LE(dot(radius, radius), 1 + 1e-14) << to_source(far);
     EXPECT_GE(dot(radius, radius), 1 - 1e-6) << to_source(far);
   }

@@ -33,11 +33,11 @@ void expect_closest(const A& a, const B& b, const V& on_a, const V& on_b) {
 }
 
 TEST(ClosestPoints, OfRoundShapesAreAsComputedByHand) {
-  const Sphere<3, double> ball{{0, 0, 0}, 1};
+  const Sphere<3, double> sphere{{0, 0, 0}, 1};
   const Capsule<3, double> pill{{4, -3, 0}, {4, 3, 0}, 2};
-  expect_closest(V3(0, 5, 0), ball, V3(0, 5, 0), V3(0, 1, 0));
-  expect_closest(ball, Sphere<3, double>{{3, 4, 0}, 2}, V3(0.6, 0.8, 0), V3(1.8, 2.4, 0));
-  expect_closest(ball, pill, V3(1, 0, 0), V3(2, 0, 0));
+  expect_closest(V3(0, 5, 0), sphere, V3(0, 5, 0), V3(0, 1, 0));
+  expect_closest(sphere, Sphere<3, double>{{3, 4, 0}, 2}, V3(0.6, 0.8, 0), V3(1.8, 2.4, 0));
+  expect_closest(sphere, pill, V3(1, 0, 0), V3(2, 0, 0));
   expect_closest(Segment<3, double>{{0, 0, -1}, {0, 0, 9}}, pill, V3(0, 0, 0), V3(2, 0, 0));
   expect_closest(Ray<3, double>{{-5, 0, 4}, {1, 0, 0}}, pill, V3(4, 0, 4), V3(4, 0, 2));
   expect_closest(Aabb<3, double>{{0, 8, -1}, {1, 9, 1}}, pill, V3(1, 8, 0),
@@ -101,9 +101,9 @@ TEST(ClosestPoints, OfCoresThatMeetHaveNoNormal) {
   EXPECT_EQ(found.relation, Relation::touching);
   EXPECT_EQ(found.point_a, V3(3, 3, 4));
   EXPECT_EQ(found.normal, V3(0, 0, 0));
-  const Sphere<3, double> ball{};
-  EXPECT_EQ(closest_points(ball, ball).normal, V3(0, 0, 0));
-  EXPECT_EQ(closest_points(V3(0, 0, 0), ball).normal, V3(0, 0, 0));
+  const Sphere<3, double> sphere{};
+  EXPECT_EQ(closest_points(sphere, sphere).normal, V3(0, 0, 0));
+  EXPECT_EQ(closest_points(V3(0, 0, 0), sphere).normal, V3(0, 0, 0));
 }
 
 TEST(ClosestPoints, OfACompoundAreThoseOfItsNearestPartTheFirstOfSeveral) {

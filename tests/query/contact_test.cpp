@@ -46,11 +46,11 @@ void expect_contact(const AnyShape<N, double>& a, const AnyShape<N, double>& b, 
 }
 
 TEST(Contact, OfRoundShapesIsAlongTheirNearestPoints) {
-  const Sphere<3, double> ball{{0, 0, 0}, 2};
-  expect_contact<3>(ball, Sphere<3, double>{{3, 0, 0}, 2}, {1, 0, 0}, 1, {2, 0, 0});
-  expect_contact<3>(ball, Sphere<3, double>{{3, 4, 0}, 5}, {0.6, 0.8, 0}, 2, {1.2, 1.6, 0});
-  expect_contact<3>(ball, Capsule<3, double>{{-5, 0, 3}, {5, 0, 3}, 2}, {0, 0, 1}, 1, {0, 0, 2});
-  expect_contact<3>(V3(0, 1, 0), ball, {0, -1, 0}, 1, {0, 1, 0});
+  const Sphere<3, double> sphere{{0, 0, 0}, 2};
+  expect_contact<3>(sphere, Sphere<3, double>{{3, 0, 0}, 2}, {1, 0, 0}, 1, {2, 0, 0});
+  expect_contact<3>(sphere, Sphere<3, double>{{3, 4, 0}, 5}, {0.6, 0.8, 0}, 2, {1.2, 1.6, 0});
+  expect_contact<3>(sphere, Capsule<3, double>{{-5, 0, 3}, {5, 0, 3}, 2}, {0, 0, 1}, 1, {0, 0, 2});
+  expect_contact<3>(V3(0, 1, 0), sphere, {0, -1, 0}, 1, {0, 1, 0});
   expect_contact<3>(Capsule<3, double>{{-2, 0, 0}, {2, 0, 0}, 1}, Capsule<3, double>{{0, -2, 1}, {0, 2, 1}, 1},
                     {0, 0, 1}, 1, {0, 0, 1});
 }
@@ -135,9 +135,9 @@ TEST(Contact, OfACompoundIsThatOfItsDeepestPartTheFirstOfSeveral) {
   const Any3 shallow = Sphere<3, double>{{1.75, 0, 0}, 1};
   const Any3 deep = Sphere<3, double>{{-1.5, 0, 0}, 1};
   const Any3 as_deep = Sphere<3, double>{{0, 1.5, 0}, 1};
-  const Any3 ball = Sphere<3, double>{{0, 0, 0}, 1};
-  expect_contact<3>(ball, compound_of<3, double>({shallow, deep, as_deep}), {-1, 0, 0}, 0.5, {-1, 0, 0});
-  expect_contact<3>(ball, compound_of<3, double>({as_deep, shallow, deep}), {0, 1, 0}, 0.5, {0, 1, 0});
+  const Any3 sphere = Sphere<3, double>{{0, 0, 0}, 1};
+  expect_contact<3>(sphere, compound_of<3, double>({shallow, deep, as_deep}), {-1, 0, 0}, 0.5, {-1, 0, 0});
+  expect_contact<3>(sphere, compound_of<3, double>({as_deep, shallow, deep}), {0, 1, 0}, 0.5, {0, 1, 0});
 }
 
 TEST(Contact, OfShapesThatNothingPartsIsInfinitelyDeepWithoutANormal) {

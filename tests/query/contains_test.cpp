@@ -109,8 +109,9 @@ TEST(Contains, SeesAnglesToARayThatACosineInFloatCannot) {
   EXPECT_TRUE(contains(ray, V2(1, 1e-7F)));
   // And where the dot product of two rounded unit vectors is below 1, it is on
   // the ray nevertheless.
-  const Ray<3> skew{{0, 0, 0}, {0.3F, 0.5F, 0.7F}};
-  for (int i = 1; i <= 20; ++i) EXPECT_TRUE(contains(skew, skew.direction * static_cast<float>(i)));
+  const Ray<3> orthonormality_error{{0, 0, 0}, {0.3F, 0.5F, 0.7F}};
+  for (int i = 1; i <= 20; ++i)
+    EXPECT_TRUE(contains(orthonormality_error, orthonormality_error.direction * static_cast<float>(i)));
 }
 
 TEST(Contains, ToleranceOfThinSetsGrowsWithTheCoordinates) {

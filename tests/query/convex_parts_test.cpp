@@ -277,7 +277,7 @@ RC_GTEST_PROP(ConvexParts, RefusesExactlyWhatIsNotSimple, ()) {
   const auto cells = *rc::gen::unique<std::vector<int>>(count, cell).as("cells of a 6 x 6 grid");
   Polygon polygon;
   for (const int place : cells) polygon.emplace_back(place % 6, place / 6);
-  RC_PRE(!detail::ends_of_flat<double>(polygon));
+  RC_PRE(!detail::ends_of_2d<double>(polygon));
   RC_LOG() << pasteable(polygon);
   const std::optional<Parts> parts = convex_parts<double>(polygon);
   RC_TAG(parts ? "simple" : "not simple");

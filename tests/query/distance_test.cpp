@@ -49,10 +49,10 @@ TEST(Distance, OfPointsIsOurs) {
 }
 
 TEST(Distance, OfAnyShapesIsThatOfWhatTheyHold) {
-  const AnyShape<3, double> ball = Sphere<3, double>{{0, 0, 0}, 1};
+  const AnyShape<3, double> sphere = Sphere<3, double>{{0, 0, 0}, 1};
   const AnyShape<3, double> point = V3(0, 0, 4);
-  EXPECT_EQ((distance_of<3, double>(ball, point)), 3.0);
-  EXPECT_EQ((distance_of<3, double>(point, ball)), 3.0);
+  EXPECT_EQ((distance_of<3, double>(sphere, point)), 3.0);
+  EXPECT_EQ((distance_of<3, double>(point, sphere)), 3.0);
 }
 
 TEST(Distance, OfACompoundIsThatOfItsNearestPart) {

@@ -70,13 +70,13 @@ TEST(Gjk, OfShapesThatMeetIsZero) {
 }
 
 TEST(Gjk, WithAThresholdStopsAsSoonAsItKnows) {
-  const Sphere<3, double> ball{{0, 0, 0}, 1};
+  const Sphere<3, double> sphere{{0, 0, 0}, 1};
   const Sphere<3, double> other{{10, 2, 3}, 1};
-  const auto far = gjk(ball, other, GjkOptions{1.0});
-  const auto near = gjk(ball, other, GjkOptions{100.0});
+  const auto far = gjk(sphere, other, GjkOptions{1.0});
+  const auto near = gjk(sphere, other, GjkOptions{100.0});
   EXPECT_GT(far.lower, 1.0);
   EXPECT_LT(near.upper, 100.0);
-  EXPECT_LT(far.iterations, gjk(ball, other).iterations);
+  EXPECT_LT(far.iterations, gjk(sphere, other).iterations);
   EXPECT_EQ(near.iterations, 0);
 }
 

@@ -63,12 +63,12 @@ class ImpactJudge {
       expect(impact && impact->t == T(0), "what meets at the start does so at 0");
       return errors_;
     }
-    const std::optional<detail::Strike<N>> strike = strike_of(moving_);
-    expect(impact.has_value() == strike.has_value(), "it is rounded from something else");
-    judge_way(strike ? strike->t : 1.0);
-    if (!impact || !strike) return errors_;
-    judge_hit(*strike);
-    expect(errors_.t <= strike->t, "the time is not rounded down");
+    const std::optional<detail::CastHit<N>> cast_hit = cast_hit_of(moving_);
+    expect(impact.has_value() == cast_hit.has_value(), "it is rounded from something else");
+    judge_way(cast_hit ? cast_hit->t : 1.0);
+    if (!impact || !cast_hit) return errors_;
+    judge_hit(*cast_hit);
+    expect(errors_.t <= cast_hit->t, "the time is not rounded down");
     return errors_;
   }
 
@@ -86,21 +86,21 @@ class ImpactJudge {
     }
   }
 
-  void judge_hit(const detail::Strike<N>& strike) {
+  void judge_hit(const detail::CastHit<N>& cast_hit) {
     constexpr double most_promised = 64;  // some epsilon of the largest coordinate, if that is more than the target
-    const double gap = gap_at(moving_, strike.t);
+    const double gap = gap_at(moving_, cast_hit.t);
     const double unit = impact_target * size_;
-    errors_.is_unfinished = strike.status == Status::best_bound;
-    expect(gap <= strike.error + rounding_, "they are farther apart than is said");
+    errors_.is_unfinished = cast_hit.status == Status::best_bound;
+    expect(gap <= cast_hit.error + rounding_, "they are farther apart than is said");
     // Two rays that are all but parallel may touch far from where they begin.
     const bool are_rays = moving_.a.index() == ray_type && moving_.b.index() == ray_type;
-    const double reached = are_rays ? impact_target * std::max(size_, max_abs(strike.point)) : unit;
-    expect(strike.error <= most_promised * reached || errors_.is_unfinished, "too large an error is admitted");
-    expect(std::fabs(dot(strike.normal, strike.normal) - 1) <= 16 * tolerance::epsilon,
+    const double reached = are_rays ? impact_target * std::max(size_, max_abs(cast_hit.point)) : unit;
+    expect(cast_hit.error <= most_promised * reached || errors_.is_unfinished, "too large an error is admitted");
+    expect(std::fabs(dot(cast_hit.normal, cast_hit.normal) - 1) <= 16 * tolerance::epsilon,
            "the normal is not of length 1");
     if (errors_.is_unfinished) return;
     errors_.gap = std::max(0.0, gap) / unit;
-    errors_.claimed = strike.error / unit;
+    errors_.claimed = cast_hit.error / unit;
   }
 
   const Moving<N, T>& moving_;

@@ -92,10 +92,10 @@ TEST(OverlapAfter, TakesTheWayThatTheShapeGoes) {
   EXPECT_EQ((overlap_after<3, double>(a, b, {0.25, 0, 0}, 0)), 0.25);
   EXPECT_EQ((overlap_after<3, double>(a, b, {-0.25, 0, 0}, 0)), 0.75);
   EXPECT_EQ((overlap_after<3, double>(a, b, {0, 4, 0}, 0)), 0);
-  // A ball that goes askew comes free of a corner before its plane is across the way.
-  const Any3 ball = Sphere<3, double>{{0.5, 0, 0}, 1};
-  EXPECT_EQ((overlap_after<3, double>(Any3(Point3(0, 0, 0)), ball, {0.5, 0, 0}, 0)), 0);
-  EXPECT_EQ((overlap_after<3, double>(Any3(Point3(0, 0, 0)), ball, {0, 1, 0}, 0)), 0);
+  // A sphere that goes askew comes free of a corner before its plane is across the way.
+  const Any3 sphere = Sphere<3, double>{{0.5, 0, 0}, 1};
+  EXPECT_EQ((overlap_after<3, double>(Any3(Point3(0, 0, 0)), sphere, {0.5, 0, 0}, 0)), 0);
+  EXPECT_EQ((overlap_after<3, double>(Any3(Point3(0, 0, 0)), sphere, {0, 1, 0}, 0)), 0);
   EXPECT_FALSE((overlap_after<3, double>(a, Any3(Plane<3, double>{{1, 0, 0}, 0}), {1, 0, 0}, 0)).has_value());
 }
 
@@ -149,14 +149,14 @@ TEST(RayJudgement, FindsOutAnExitAMissAndAPlaceThatAreWrong) {
 }
 
 TEST(RayJudgement, HoldsTheErrorOfAHitToTheGapWhereTheRayOnlyNearlyTouches) {
-  const Any3 ball = Sphere<3, double>{{0, 0, 0}, 3};
+  const Any3 sphere = Sphere<3, double>{{0, 0, 0}, 3};
   const Ray3 ray{{-8, 3 + 7e-15, 0}, {2, 0, 0}};
-  const ExactVerdict truth = exact_verdict<3, double>(ball, Any3(ray));
+  const ExactVerdict truth = exact_verdict<3, double>(sphere, Any3(ray));
   ASSERT_EQ(truth.relation, Relation::apart);
-  const auto right = hit_of<3, double>(ball, ray, std::numeric_limits<double>::infinity());
+  const auto right = hit_of<3, double>(sphere, ray, std::numeric_limits<double>::infinity());
   ASSERT_TRUE(right.has_value());
   const auto judged = [&](const RayHit<3, double>& hit) {
-    return ray_errors<3, double>(ball, ray, truth, 8, hit).judgement;
+    return ray_errors<3, double>(sphere, ray, truth, 8, hit).judgement;
   };
   EXPECT_EQ(judged(*right), Judgement::within_band);
   auto beyond = *right;

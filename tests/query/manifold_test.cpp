@@ -169,12 +169,12 @@ TEST(Manifold, IsEmptyForShapesThatAreApart) {
 TEST(Manifold, OfACompoundIsThatOfItsDeepestPartAndNamesIt) {
   const Any3 far = Sphere<3, double>{{9, 0, 0}, 1};
   const Any3 box = Obb<3, double>{{0.5, 0.5, 1.75}, {1, 1, 1}};
-  const Any3 ball = Sphere<3, double>{{-1, -1, 1.875}, 1};
-  const auto found = manifold_of<3, double>(Any3(table), compound_of<3, double>({far, ball, box}));
+  const Any3 sphere = Sphere<3, double>{{-1, -1, 1.875}, 1};
+  const auto found = manifold_of<3, double>(Any3(table), compound_of<3, double>({far, sphere, box}));
   ASSERT_EQ(found.size, 4U);
   EXPECT_EQ(found.points[0].id.part_b, 2U);
   EXPECT_EQ(found.points[0].id.part_a, 0U);
-  const Any3 nested = compound_of<3, double>({far, compound_of<3, double>({far, ball, box})});
+  const Any3 nested = compound_of<3, double>({far, compound_of<3, double>({far, sphere, box})});
   EXPECT_EQ((manifold_of<3, double>(nested, table).points[0].id.part_a), 2U * 2 + 1);
 }
 
@@ -199,9 +199,9 @@ TEST(Manifold, OfAFlatTriangleHasTheDeepestPoint) {
 }
 
 TEST(Manifold, HasNothingInThePlacesOfPointsThatItHasNot) {
-  const Sphere<3, double> ball{{1, 1, 1.75}, 1};
-  const Capsule<3, double> rod{{1, 1, 1.75}, {2, 1, 1.75}, 1};
-  for (const Any3& above : {Any3(ball), Any3(rod)}) {
+  const Sphere<3, double> sphere{{1, 1, 1.75}, 1};
+  const Capsule<3, double> capsule{{1, 1, 1.75}, {2, 1, 1.75}, 1};
+  for (const Any3& above : {Any3(sphere), Any3(capsule)}) {
     const auto found = manifold(Any3(Obb<3, double>{{0, 0, 0}, {4, 4, 1}}), above);
     const bool is_ball = std::holds_alternative<Sphere<3, double>>(above);
     ASSERT_EQ(found.size, is_ball ? 1U : 2U);

@@ -44,9 +44,9 @@ Mat<3, double> diagonal(double x, double y, double z) {
 
 TEST(MassProperties, OfRoundShapesAreThoseOfTables) {
   expect_near(mass_properties(Circle<double>{{1, 2}, 3}), 9 * pi, {1, 2}, 0.5 * 9 * pi * 9);
-  const double ball = 4.0 / 3 * pi * 8;
-  expect_near(mass_properties(Sphere<3, double>{{1, 2, 3}, 2}), ball, {1, 2, 3},
-              diagonal(0.4 * ball * 4, 0.4 * ball * 4, 0.4 * ball * 4));
+  const double sphere = 4.0 / 3 * pi * 8;
+  expect_near(mass_properties(Sphere<3, double>{{1, 2, 3}, 2}), sphere, {1, 2, 3},
+              diagonal(0.4 * sphere * 4, 0.4 * sphere * 4, 0.4 * sphere * 4));
 }
 
 TEST(MassProperties, OfBoxesAreThoseOfTables) {
@@ -94,8 +94,9 @@ TEST(MassProperties, OfACapsuleAreThoseOfItsSlices) {
 }
 
 TEST(MassProperties, OfACapsuleWithoutLengthAreThoseOfABall) {
-  const MassProperties<3> ball = mass_properties(Sphere<3, double>{{1, 2, 3}, 2});
-  expect_near(mass_properties(Capsule<3, double>{{1, 2, 3}, {1, 2, 3}, 2}), ball.volume, ball.centroid, ball.inertia);
+  const MassProperties<3> sphere = mass_properties(Sphere<3, double>{{1, 2, 3}, 2});
+  expect_near(mass_properties(Capsule<3, double>{{1, 2, 3}, {1, 2, 3}, 2}), sphere.volume, sphere.centroid,
+              sphere.inertia);
 }
 
 TEST(MassProperties, OfATriangleDoNotDependOnItsTurn) {

@@ -28,7 +28,7 @@ graze::Vec<2, double> support(const Ellipse& ellipse, const graze::Vec<2, double
   return {ellipse.a * x / size, ellipse.b * y / size};
 }
 
-/// A user's shape that calculates in float: a ball of radius 2 around (1, 2, 3).
+/// A user's shape that calculates in float: a sphere of radius 2 around (1, 2, 3).
 struct Ball {};
 
 graze::Vec<3, float> support(const Ball&, const graze::Vec<3, float>& direction) {

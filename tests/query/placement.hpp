@@ -110,9 +110,9 @@ struct PointOf {
   }
   Point operator()(const Plane<N, T>& plane) const {
     const Point normal = wide<N, T>(plane.normal);
-    const Point foot = normal * (static_cast<double>(plane.offset) / dot(normal, normal));
+    const Point closest = normal * (static_cast<double>(plane.offset) / dot(normal, normal));
     const Point way = any_way<N>(random);
-    return foot + way - normal * (dot(way, normal) / dot(normal, normal));
+    return closest + way - normal * (dot(way, normal) / dot(normal, normal));
   }
   Point operator()(const HalfSpace<N, T>& solid) const {
     return (*this)(boundary(solid)) - wide<N, T>(solid.normal) * share(random, 0, 1);

@@ -100,7 +100,7 @@ class Asked {
     if (question == "impact") return impact();
     if (question == "point") return point();
     if (question == "hull") return hull();
-    if (question == "ball") return ball();
+    if (question == "ball") return sphere();
     if (question == "mass") return mass();
     ADD_FAILURE() << "nothing is asked by \"" << question << "\"";
   }
@@ -303,12 +303,12 @@ class Asked {
     }
   }
 
-  void ball() const {
+  void sphere() const {
     const std::vector<Vec<N, T>> all = points();
-    const Sphere<N, T> ball = bounding_sphere(all);
-    expect_near(static_cast<double>(ball.radius), answer_.at(0), error_);
-    expect_near(ball.center, 1, error_);
-    for (const Vec<N, T>& place : all) EXPECT_TRUE((answers<N, T>(Any(ball), place).contained)) << place;
+    const Sphere<N, T> sphere = bounding_sphere(all);
+    expect_near(static_cast<double>(sphere.radius), answer_.at(0), error_);
+    expect_near(sphere.center, 1, error_);
+    for (const Vec<N, T>& place : all) EXPECT_TRUE((answers<N, T>(Any(sphere), place).contained)) << place;
   }
 
   void mass() const {

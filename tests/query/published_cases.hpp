@@ -19,7 +19,7 @@ namespace graze::test {
 ///   2D impact        a shape by its motion   the same         none, or the time of impact
 ///   3D point         a shape                 a point          the signed distance [the closest point]
 ///   3D hull          a polytope's points     -                the number of corners, the volume
-///   3D ball          a polytope's points     -                the radius of the smallest ball, its center
+///   3D sphere          a polytope's points     -                the radius of the smallest sphere, its center
 ///   3D mass          a shape                 -                volume, centroid
 ///
 /// Each is asked in float and in double, or as "3D double relation" in one of them: where the answer hangs on the last

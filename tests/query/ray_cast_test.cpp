@@ -19,7 +19,7 @@
 
 namespace graze::test::ray_cast_test {
 
-/// A ball that is known by its support points alone.
+/// A sphere that is known by its support points alone.
 struct Blob {
   Vec<3, double> center;
   double radius;
@@ -141,10 +141,10 @@ TEST(RayCast, RunsAlongTheSidesOfABox) {
 
 TEST(RayCast, TakesDirectionsOfAnySize) {
   const Aabb<3, double> box{{1, -1, -1}, {2, 1, 1}};
-  const Sphere<3, double> ball{{2, 0, 0}, 1};
+  const Sphere<3, double> sphere{{2, 0, 0}, 1};
   for (const double size : {1e30, 1e-30, 1e300, 1e-300, 1.0}) {
     const Ray<3, double> ray{{-3, 0, 0}, {size, 0, 0}};
-    for (const Shape& shape : {Shape(box), Shape(ball)}) {
+    for (const Shape& shape : {Shape(box), Shape(sphere)}) {
       const auto hit = hit_of<3, double>(shape, ray, infinity);
       ASSERT_TRUE(hit.has_value()) << size;
       EXPECT_DOUBLE_EQ(hit->t, 4 / size);
@@ -177,12 +177,12 @@ TEST(RayCast, GoesPastWhatLiesBehindItHoweverLateItEnds) {
 
 TEST(RayCast, FindsASmallBallFarAway) {
   // The half chord at 0.6 off the center is 0.8; b^2 - 4 a c in double would be rounding alone.
-  const Sphere<3, double> ball{{1e9, 0, 0}, 1};
-  const auto hit = ray_cast(ball, Ray<3, double>{{0, 0.6, 0}, {1, 0, 0}});
+  const Sphere<3, double> sphere{{1e9, 0, 0}, 1};
+  const auto hit = ray_cast(sphere, Ray<3, double>{{0, 0.6, 0}, {1, 0, 0}});
   ASSERT_TRUE(hit.has_value());
   EXPECT_NEAR(hit->t, 1e9 - 0.8, 1e-6);
   EXPECT_NEAR(hit->normal.y, 0.6, 1e-7);
-  EXPECT_FALSE(ray_cast(ball, Ray<3, double>{{0, 1.00001, 0}, {1, 0, 0}}).has_value());
+  EXPECT_FALSE(ray_cast(sphere, Ray<3, double>{{0, 1.00001, 0}, {1, 0, 0}}).has_value());
 }
 
 TEST(RayCast, FindsAUsersShapeAndSaysHowWell) {
@@ -328,7 +328,7 @@ TEST(RayCast, NanAndExtremesGetAnAnswer) {
         x = value;
         for (const RaySide side : {RaySide::entry, RaySide::exit}) {
           const auto found = detail::find_hit(shape, path, side, detail::AskAboutRay<3, double>{ray});
-          const bool is_hit = found.sight == detail::Sight::hits;
+          const bool is_hit = found.verdict == detail::RayVerdict::hits;
           EXPECT_FALSE(is_hit && (std::isnan(value) || found.touch.t < 0))
               << shape_type_names[type] << " with " << value;
         }

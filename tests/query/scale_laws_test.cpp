@@ -229,7 +229,7 @@ class MixedNumbers {
  private:
   int exponent() { return static_cast<int>(draws_.below(2090)) - 1072; }
 
-  detail::Draws draws_;
+  detail::LinearCongruential draws_;
 };
 
 template <Dim N>

@@ -29,9 +29,9 @@ using Box = Aabb<3, double>;
 // ---- As computed by hand
 
 TEST(Separation, GoesOnThroughTouchingIntoDepth) {
-  const Ball ball{{0, 0, 0}, 1};
+  const Ball sphere{{0, 0, 0}, 1};
   for (const double x : {4.0, 3.5, 3.0, 2.5, 1.25}) {
-    const auto found = separation(ball, Ball{{x, 0, 0}, 2});
+    const auto found = separation(sphere, Ball{{x, 0, 0}, 2});
     EXPECT_EQ(found.distance, x - 3) << x;
     EXPECT_EQ(found.point_a, V3(1, 0, 0)) << x;
     EXPECT_EQ(found.point_b, V3(x - 2, 0, 0)) << x;
@@ -70,8 +70,8 @@ TEST(Separation, OfCompoundsIsThatOfTheNearestOrTheDeepestPart) {
 
 TEST(Separation, OfUsersShapesIsThatOfTheirSupports) {
   const user::Ellipsoid<double> egg{{0, 0, 0}, {1, 2, 3}};
-  const Ball ball{{0, 0, 7}, 2};
-  const auto apart = separation(egg, ball);
+  const Ball sphere{{0, 0, 7}, 2};
+  const auto apart = separation(egg, sphere);
   EXPECT_NEAR(apart.distance, 2, 1e-9);
   const auto met = separation(egg, Ball{{0, 0, 4.5}, 2});
   EXPECT_NEAR(met.distance, -0.5, 1e-9);

@@ -88,8 +88,8 @@ class ShapeCastLaw : public ::testing::Test {
     return {std::move(a), motion, std::move(b)};
   }
 
-  static std::optional<detail::Strike<dimension>> strike(const Case& drawn) {
-    const auto found = strike_of<dimension, Number>(drawn.a, drawn.motion, drawn.b);
+  static std::optional<detail::CastHit<dimension>> cast_hit(const Case& drawn) {
+    const auto found = cast_hit_of<dimension, Number>(drawn.a, drawn.motion, drawn.b);
     if (found) RC_LOG() << "t = " << literal(found->t) << ", error " << found->error << "\n";
     return found;
   }
@@ -177,7 +177,7 @@ TYPED_TEST(ShapeCastLaw, ShapesThatMeetHaveTheirContactAndOthersNone) {
 TYPED_TEST(ShapeCastLaw, AtTheImpactTheShapesTouchAndBeforeItTheyAreApart) {
   check_property([] {
     const auto drawn = TestFixture::draw_case();
-    const auto found = TestFixture::strike(drawn);
+    const auto found = TestFixture::cast_hit(drawn);
     if (!found || found->t == 0) return;
     const double slack = found->error + TestFixture::place_error(drawn);
     const double gap = TestFixture::gap_at(drawn, found->t);
@@ -192,7 +192,7 @@ TYPED_TEST(ShapeCastLaw, AtTheImpactTheShapesTouchAndBeforeItTheyAreApart) {
 TYPED_TEST(ShapeCastLaw, WithoutImpactTheShapesAreApartAllAlongTheWay) {
   check_property([] {
     const auto drawn = TestFixture::draw_case();
-    if (TestFixture::strike(drawn)) return;
+    if (TestFixture::cast_hit(drawn)) return;
     for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
       RC_ASSERT(TestFixture::gap_at(drawn, t) >= -TestFixture::place_error(drawn));
   });
@@ -203,7 +203,7 @@ TYPED_TEST(ShapeCastLaw, TheNormalPartsTheShapesAtTheImpactAndIsNotAgainstTheMot
     constexpr Dim N = TypeParam::dimension;
     using T = typename TypeParam::scalar;
     const auto drawn = TestFixture::draw_case();
-    const auto found = TestFixture::strike(drawn);
+    const auto found = TestFixture::cast_hit(drawn);
     if (!found || found->t == 0) return;
     const Vec<N, double> motion = wide<N, T>(drawn.motion);
     RC_LOG() << "normal " << to_source<N, double>(AnyShape<N, double>(found->normal)) << "\n";
@@ -226,7 +226,7 @@ TYPED_TEST(ShapeCastLaw, ThePointIsOnBothShapes) {
     constexpr Dim N = TypeParam::dimension;
     using T = typename TypeParam::scalar;
     const auto drawn = TestFixture::draw_case();
-    const auto found = TestFixture::strike(drawn);
+    const auto found = TestFixture::cast_hit(drawn);
     if (!found || found->t == 0) return;
     // Of slivers GJK may give a point beside them, see closest_points.hpp.
     const double slack = 4 * (found->error + TestFixture::place_error(drawn)) + 1e-9 * TestFixture::size(drawn);
@@ -245,8 +245,8 @@ TYPED_TEST(ShapeCastLaw, SwappedShapesMoveTheOtherWayAndMeetAtTheSameTime) {
     constexpr Dim N = TypeParam::dimension;
     using T = typename TypeParam::scalar;
     const auto drawn = TestFixture::draw_case();
-    const auto one = TestFixture::strike(drawn);
-    const auto other = TestFixture::strike({drawn.b, -drawn.motion, drawn.a});
+    const auto one = TestFixture::cast_hit(drawn);
+    const auto other = TestFixture::cast_hit({drawn.b, -drawn.motion, drawn.a});
     RC_ASSERT(one.has_value() == other.has_value());
     if (!one) return;
     RC_ASSERT(one->t == other->t);
@@ -296,9 +296,9 @@ TYPED_TEST(ShapeCastLaw, ScalingByAPowerOfTwoChangesNoTime) {
     using T = typename TypeParam::scalar;
     const auto drawn = TestFixture::draw_case();
     const auto factor = std::ldexp(T(1), *rc::gen::inRange(-20, 21));
-    const auto one = TestFixture::strike(drawn);
+    const auto one = TestFixture::cast_hit(drawn);
     const auto other =
-        TestFixture::strike({scaled<N, T>(drawn.a, factor), drawn.motion * factor, scaled<N, T>(drawn.b, factor)});
+        TestFixture::cast_hit({scaled<N, T>(drawn.a, factor), drawn.motion * factor, scaled<N, T>(drawn.b, factor)});
     RC_ASSERT(one.has_value() == other.has_value());
     if (!one) return;
     RC_ASSERT(one->t == other->t);
@@ -315,9 +315,9 @@ TYPED_TEST(ShapeCastLaw, ACompoundTouchesWhenItsFirstPartDoes) {
     second.b = *any_shape<N, T>();
     auto both = drawn;
     both.b = compound_of<N, T>({drawn.b, second.b});
-    const auto one = TestFixture::strike(drawn);
-    const auto two = TestFixture::strike(second);
-    const auto first = TestFixture::strike(both);
+    const auto one = TestFixture::cast_hit(drawn);
+    const auto two = TestFixture::cast_hit(second);
+    const auto first = TestFixture::cast_hit(both);
     RC_ASSERT(first.has_value() == (one || two));
     if (!first) return;
     for (const auto& found : {one, two, first}) {

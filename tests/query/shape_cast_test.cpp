@@ -81,10 +81,10 @@ TEST(ShapeCast, FindsWhenEveryTwoShapesMeet) {
 
 TEST(ShapeCast, FindsWhereABallTouchesABox) {
   const Box box{{0, 0, 0}, {2, 2, 2}};
-  const Ball ball{{-5, 1, 1}, 1};
+  const Ball sphere{{-5, 1, 1}, 1};
   const double root = std::sqrt(0.5);
   const double third = std::sqrt(1.0 / 3);
-  expect_impact(shape_cast(ball, {8, 0, 0}, box), 0.5, {0, 1, 1}, {1, 0, 0}, "a face");
+  expect_impact(shape_cast(sphere, {8, 0, 0}, box), 0.5, {0, 1, 1}, {1, 0, 0}, "a face");
   // The center passes the edge along z at a height of 1/2 sqrt 2 over it: it is met 1/2 sqrt 2 before.
   expect_impact(shape_cast(Ball{{-5, 2 + root, 1}, 1}, {10, 0, 0}, box), (5 - root) / 10, {0, 2, 1}, {root, -root, 0},
                 "an edge");
@@ -95,7 +95,7 @@ TEST(ShapeCast, FindsWhereABallTouchesABox) {
 }
 
 TEST(ShapeCast, DoesNotTakeARoundedEdgeForACorner) {
-  // Past the corner at (0, 2, 2), outside its ball, and on to the edge along x.
+  // Past the corner at (0, 2, 2), outside its sphere, and on to the edge along x.
   const Box box{{0, 0, 0}, {20, 2, 2}};
   const double root = std::sqrt(0.5);
   const double t = 0.95 - root;
@@ -155,24 +155,24 @@ TEST(ShapeCast, TouchesWhatItGrazesAndNothingBesideIt) {
   for (const double gap : {0.0, 1e-9, 1e-3}) {
     const Box above{{-5, 1 + gap, 0}, {-4, 2 + gap, 1}};
     EXPECT_EQ(shape_cast(above, {8, 0, 0}, box).has_value(), gap == 0) << gap;
-    const Ball ball{{-5, 2 + gap, 0.5}, 1};
-    EXPECT_EQ(shape_cast(ball, {8, 0, 0}, box).has_value(), gap == 0) << gap;
-    EXPECT_EQ(shape_cast(ball, {8, 0, 0}, Ball{{0, 0, 0.5}, 1}).has_value(), gap == 0) << gap;
-    EXPECT_FALSE(shape_cast(ball, {8, 0, 0}, Plane<3, double>{{0, 1, 0}, 1 - 1e-9}).has_value()) << gap;
+    const Ball sphere{{-5, 2 + gap, 0.5}, 1};
+    EXPECT_EQ(shape_cast(sphere, {8, 0, 0}, box).has_value(), gap == 0) << gap;
+    EXPECT_EQ(shape_cast(sphere, {8, 0, 0}, Ball{{0, 0, 0.5}, 1}).has_value(), gap == 0) << gap;
+    EXPECT_FALSE(shape_cast(sphere, {8, 0, 0}, Plane<3, double>{{0, 1, 0}, 1 - 1e-9}).has_value()) << gap;
     const Obb<3, double> turned{{-5, 1.5 + gap, 0.5}, {0.5, 0.5, 0.5}};
     EXPECT_EQ(shape_cast(turned, {8, 0, 0}, box).has_value(), gap == 0) << gap;
   }
 }
 
 TEST(ShapeCast, CountsATouchAtTheEndAndNoneShortOfIt) {
-  const Ball ball{{0, 0, 0}, 1};
-  expect_impact(shape_cast(ball, {3, 0, 0}, Ball{{5, 0, 0}, 1}), 1, {4, 0, 0}, {1, 0, 0}, "balls");
-  expect_impact(shape_cast(ball, {3, 0, 0}, Plane<3, double>{{2, 0, 0}, 8}), 1, {4, 0, 0}, {1, 0, 0}, "a plane");
-  expect_impact(shape_cast(ball, {3, 0, 0}, Box{{4, -1, -1}, {5, 1, 1}}), 1, {4, 0, 0}, {1, 0, 0}, "a box");
+  const Ball sphere{{0, 0, 0}, 1};
+  expect_impact(shape_cast(sphere, {3, 0, 0}, Ball{{5, 0, 0}, 1}), 1, {4, 0, 0}, {1, 0, 0}, "balls");
+  expect_impact(shape_cast(sphere, {3, 0, 0}, Plane<3, double>{{2, 0, 0}, 8}), 1, {4, 0, 0}, {1, 0, 0}, "a plane");
+  expect_impact(shape_cast(sphere, {3, 0, 0}, Box{{4, -1, -1}, {5, 1, 1}}), 1, {4, 0, 0}, {1, 0, 0}, "a box");
   const double nearly = 3 - 1e-12;
-  EXPECT_FALSE(shape_cast(ball, {nearly, 0, 0}, Ball{{5, 0, 0}, 1}).has_value());
-  EXPECT_FALSE(shape_cast(ball, {nearly, 0, 0}, Plane<3, double>{{2, 0, 0}, 8}).has_value());
-  EXPECT_FALSE(shape_cast(ball, {nearly, 0, 0}, Box{{4, -1, -1}, {5, 1, 1}}).has_value());
+  EXPECT_FALSE(shape_cast(sphere, {nearly, 0, 0}, Ball{{5, 0, 0}, 1}).has_value());
+  EXPECT_FALSE(shape_cast(sphere, {nearly, 0, 0}, Plane<3, double>{{2, 0, 0}, 8}).has_value());
+  EXPECT_FALSE(shape_cast(sphere, {nearly, 0, 0}, Box{{4, -1, -1}, {5, 1, 1}}).has_value());
 }
 
 TEST(ShapeCast, StartsWithTheContactOfShapesThatMeet) {
@@ -208,14 +208,14 @@ TEST(ShapeCast, LosesNothingFarFromTheOrigin) {
 }
 
 TEST(ShapeCast, TakesMotionsOfAnySize) {
-  const Ball ball{};
+  const Ball sphere{};
   for (const double length : {1e3, 1e9, 1e100}) {
-    const auto found = shape_cast(ball, {length, 0, 0}, Ball{{12, 0, 0}, 1});
+    const auto found = shape_cast(sphere, {length, 0, 0}, Ball{{12, 0, 0}, 1});
     ASSERT_TRUE(found.has_value()) << length;
     EXPECT_NEAR(found->t * length, 10, 1e-13) << length;
   }
   for (const double length : {1e-30, 1e-200, 1e-320}) {
-    EXPECT_FALSE(shape_cast(ball, {length, 0, 0}, Ball{{12, 0, 0}, 1}).has_value()) << length;
+    EXPECT_FALSE(shape_cast(sphere, {length, 0, 0}, Ball{{12, 0, 0}, 1}).has_value()) << length;
   }
   for (const double size : {1e-100, 1e-30, 1e30, 1e100}) {
     const auto found =

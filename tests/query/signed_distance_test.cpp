@@ -88,11 +88,11 @@ TEST(SignedDistance, OfACompoundIsTheLeastOfItsParts) {
 // ---- How right it is
 
 TEST(SignedDistance, IsZeroOrLessExactlyWhereASolidContains) {
-  const Sphere<2> ball{{0.1F, 0.2F}, 0.7F};
+  const Sphere<2> sphere{{0.1F, 0.2F}, 0.7F};
   for (int i = 0; i < 2000; ++i) {
     const double angle = i;
-    const V2 point(Vec<2, double>(ball.center) + Vec<2, double>(std::cos(angle), std::sin(angle)) * 0.7);
-    EXPECT_EQ(signed_distance(ball, point) <= 0, contains(ball, point)) << to_source(point);
+    const V2 point(Vec<2, double>(sphere.center) + Vec<2, double>(std::cos(angle), std::sin(angle)) * 0.7);
+    EXPECT_EQ(signed_distance(sphere, point) <= 0, contains(sphere, point)) << to_source(point);
   }
 }
 

@@ -86,11 +86,11 @@ TYPED_TEST(TimeOfImpactLaw, AtTheImpactTheShapesTouchAndBeforeItTheyAreApart) {
 TYPED_TEST(TimeOfImpactLaw, SwappedShapesMeetAtTheSameTime) {
   check_property([] {
     const auto drawn = TestFixture::draw_case();
-    const auto one = strike_of(drawn);
+    const auto one = cast_hit_of(drawn);
     auto swapped = drawn;
     std::swap(swapped.a, swapped.b);
     std::swap(swapped.motion_a, swapped.motion_b);
-    const auto other = strike_of(swapped);
+    const auto other = cast_hit_of(swapped);
     RC_ASSERT(one.has_value() == other.has_value());
     if (!one) return;
     RC_ASSERT(one->t == other->t);
@@ -109,8 +109,8 @@ TYPED_TEST(TimeOfImpactLaw, HalfTheMotionTakesTwiceTheTime) {
       motion->linear *= T(0.5);
       motion->angular *= T(0.5);
     }
-    const auto found = strike_of(drawn);
-    const auto later = strike_of(slower);
+    const auto found = cast_hit_of(drawn);
+    const auto later = cast_hit_of(slower);
     // The slower one's target is smaller, so it may be past what the other one takes for a touch.
     if (!found || !later || found->t > 0.499) return;
     // Both are as near to the touch as their errors say: at each one's time the other has touched, or is as near.
@@ -131,9 +131,9 @@ TYPED_TEST(TimeOfImpactLaw, ACompoundTouchesWhenItsFirstPartDoes) {
     RC_PRE((relation_of<N, T>(other.a, other.b) == Relation::apart));
     auto both = drawn;
     both.b = compound_of<N, T>({drawn.b, other.b});
-    const auto one = strike_of(drawn);
-    const auto two = strike_of(other);
-    const auto first = strike_of(both);
+    const auto one = cast_hit_of(drawn);
+    const auto two = cast_hit_of(other);
+    const auto first = cast_hit_of(both);
     RC_ASSERT(first.has_value() == (one || two));
     if (!first) return;
     const bool is_one = one && (!two || one->t <= two->t);

@@ -22,11 +22,11 @@ namespace {
 
 using Point = Vec<3, double>;
 using Ball = Sphere<3, double>;
-using Course = Motion<3, double>;
+using Trajectory = Motion<3, double>;
 using Found = std::optional<Impact<3, double>>;
 
 constexpr double pi = 3.14159265358979323846;
-const Course rest;
+const Trajectory rest;
 
 /// `speed` is how fast the shapes approach when they touch: what the error, a length, makes of t.
 void expect_impact(const Found& found, double t, const Point& normal, double speed, const std::string& what) {
@@ -39,15 +39,15 @@ void expect_impact(const Found& found, double t, const Point& normal, double spe
 }
 
 TEST(TimeOfImpact, FindsWhenATurningRodStrikes) {
-  const Segment<3, double> rod{{0, 0, 0}, {4, 0, 0}};
-  const Course quarter_turn{{}, {0, 0, pi / 2}, {}};
-  expect_impact(time_of_impact(rod, quarter_turn, Plane<3, double>{{0, 2, 0}, 4}, rest), 1.0 / 3, {0, 1, 0},
+  const Segment<3, double> capsule{{0, 0, 0}, {4, 0, 0}};
+  const Trajectory quarter_turn{{}, {0, 0, pi / 2}, {}};
+  expect_impact(time_of_impact(capsule, quarter_turn, Plane<3, double>{{0, 2, 0}, 4}, rest), 1.0 / 3, {0, 1, 0},
                 4 * std::cos(pi / 6) * pi / 2, "its end a plane");
-  // A ball of radius 1 at (2, 2 sqrt 3): the rod is 30 degrees short of its center's direction when it touches.
-  expect_impact(time_of_impact(rod, quarter_turn, Ball{{1, std::sqrt(3.0), 0}, 1}, rest), 1.0 / 3,
+  // A sphere of radius 1 at (2, 2 sqrt 3): the rod is 30 degrees short of its center's direction when it touches.
+  expect_impact(time_of_impact(capsule, quarter_turn, Ball{{1, std::sqrt(3.0), 0}, 1}, rest), 1.0 / 3,
                 {-0.5, std::sqrt(0.75), 0}, std::sqrt(3.0) * pi / 2, "a ball");
-  EXPECT_FALSE(time_of_impact(rod, quarter_turn, Ball{{0, 5.1, 0}, 1}, rest).has_value());
-  EXPECT_FALSE(time_of_impact(rod, quarter_turn, Ball{{0, -1.1, 0}, 1}, rest).has_value());
+  EXPECT_FALSE(time_of_impact(capsule, quarter_turn, Ball{{0, 5.1, 0}, 1}, rest).has_value());
+  EXPECT_FALSE(time_of_impact(capsule, quarter_turn, Ball{{0, -1.1, 0}, 1}, rest).has_value());
 }
 
 /// From a pose at the origin turned about x to one that is moved and turned by a third about the diagonal besides: the
@@ -57,20 +57,21 @@ TEST(TimeOfImpact, OfTwoPosesIsThatOfTheMotionBetweenThem) {
   const Mat<3, double> before = rotation_matrix(Point(1, 0, 0), 40);
   const Pose<3, double> start{before, {0, 0, 0}};
   const Pose<3, double> end{rotation_matrix(diagonal, 120) * before, diagonal * 0.5};
-  const Segment<3, double> rod = transformed(Segment<3, double>{{0, 0, 0}, {4, 0, 0}}, start);
-  const Course motion = motion_between(start, end);
+  const Segment<3, double> capsule = transformed(Segment<3, double>{{0, 0, 0}, {4, 0, 0}}, start);
+  const Trajectory motion = motion_between(start, end);
   for (const double t : {0.25, 0.5, 0.875}) {
     const Point tip =
         transformed(Point(4, 0, 0), Pose<3, double>{rotation_matrix(diagonal, 120 * t), diagonal * (0.5 * t)});
     const Point velocity = diagonal * 0.5 + cross(diagonal * (2 * pi / 3 / std::sqrt(3.0)), tip - diagonal * (0.5 * t));
     const Point normal = velocity / std::sqrt(dot(velocity, velocity));
     const Plane<3, double> wall{normal, dot(normal, tip)};
-    expect_impact(time_of_impact(rod, motion, wall, rest), t, normal, std::sqrt(dot(velocity, velocity)), "its tip");
+    expect_impact(time_of_impact(capsule, motion, wall, rest), t, normal, std::sqrt(dot(velocity, velocity)),
+                  "its tip");
   }
 }
 
 TEST(TimeOfImpact, FindsWhenATurningPlaneStrikes) {
-  const Course turning{{}, {0, 0, 1}, {}};
+  const Trajectory turning{{}, {0, 0, 1}, {}};
   const double t = std::atan(0.5);
   const auto found = time_of_impact(Point(4, 2, 0), rest, Plane<3, double>{{0, 1, 0}, 0}, turning);
   expect_impact(found, t, {std::sin(t), -std::cos(t), 0}, std::sqrt(20.0), "a point");
@@ -81,9 +82,9 @@ TEST(TimeOfImpact, FindsWhenATurningPlaneStrikes) {
 TEST(TimeOfImpact, FindsWhenACornerOfATurningBoxStrikes) {
   // A cube of half extent 1 turns by an eighth while it comes; its edge is foremost at the end of the turn.
   const Obb<3, double> box{{0, 0, 0}, {1, 1, 1}};
-  const Course course{{4, 0, 0}, {0, 0, pi / 4}, {}};
+  const Trajectory trajectory{{4, 0, 0}, {0, 0, pi / 4}, {}};
   const double gap = 4;
-  const auto found = time_of_impact(box, course, HalfSpace<3, double>{{-1, 0, 0}, -1 - gap}, rest);
+  const auto found = time_of_impact(box, trajectory, HalfSpace<3, double>{{-1, 0, 0}, -1 - gap}, rest);
   ASSERT_TRUE(found.has_value());
   const double foremost = 4 * found->t + std::cos(pi / 4 * found->t) + std::sin(pi / 4 * found->t);
   EXPECT_NEAR(foremost, 1 + gap, 1.1 * found->error);
@@ -92,12 +93,12 @@ TEST(TimeOfImpact, FindsWhenACornerOfATurningBoxStrikes) {
 }
 
 TEST(TimeOfImpact, OfBothShapesOnlyTheRelativeMotionCounts) {
-  const Ball ball{};
+  const Ball sphere{};
   const Ball target{{12, 0, 0}, 1};
-  expect_impact(time_of_impact(ball, {{8, 0, 0}, {}, {}}, target, {{-12, 0, 0}, {}, {}}), 0.5, {1, 0, 0}, 20, "both");
-  EXPECT_FALSE(time_of_impact(ball, {{8, 0, 0}, {}, {}}, target, {{8, 0, 0}, {}, {}}).has_value());
+  expect_impact(time_of_impact(sphere, {{8, 0, 0}, {}, {}}, target, {{-12, 0, 0}, {}, {}}), 0.5, {1, 0, 0}, 20, "both");
+  EXPECT_FALSE(time_of_impact(sphere, {{8, 0, 0}, {}, {}}, target, {{8, 0, 0}, {}, {}}).has_value());
   // Two boxes on one turning table never meet.
-  const Course table{{5, 0, 0}, {0, 0, 20}, {3, 3, 3}};
+  const Trajectory table{{5, 0, 0}, {0, 0, 20}, {3, 3, 3}};
   const Obb<3, double> box{};
   const Obb<3, double> other{{2.001, 0, 0}, {1, 1, 1}};
   EXPECT_FALSE(time_of_impact(box, table, other, table).has_value());
@@ -119,12 +120,12 @@ TEST(TimeOfImpact, WithoutTurnsIsThatOfAShapeCast) {
 }
 
 TEST(TimeOfImpact, ABoxThatSpinsFastIsNotMissed) {
-  // A thin blade that turns ten times while it passes a ball: a test of a few poses in between sees nothing.
+  // A thin blade that turns ten times while it passes a sphere: a test of a few poses in between sees nothing.
   const Obb<3, double> blade{{0, 0, 0}, {3, 0.01, 0.5}};
   const auto found = time_of_impact(blade, {{0, 0, 0}, {0, 0, 20 * pi}, {}}, Ball{{0, 2, 0}, 0.1}, rest);
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->status, Status::converged);
-  // The side of the blade, 0.01 off its axis, touches the ball of radius 0.1 at a distance of 2: sin = 0.11 / 2.
+  // The side of the blade, 0.01 off its axis, touches the sphere of radius 0.1 at a distance of 2: sin = 0.11 / 2.
   EXPECT_NEAR(found->t, (pi / 2 - std::asin(0.055)) / (20 * pi), 1e-10);
 }
 
@@ -135,27 +136,27 @@ TEST(TimeOfImpact, SaysWhatIsProvedWhenTheStepsRunOut) {
   const auto found = time_of_impact(top, {{3, 0, 0}, {0, 0, 1e4}, {}}, Ball{{5, 0, 0}, 1}, rest);
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->status, Status::best_bound);
-  EXPECT_GE(found->t, (4 - std::sqrt(3.0)) / 3 - 1e-9);  // the balls that they turn in touch
+  EXPECT_GE(found->t, (4 - std::sqrt(3.0)) / 3 - 1e-9);  // the spheres that they turn in touch
   EXPECT_LE(found->t, (4 - std::sqrt(2.0)) / 3 + 1e-3);  // the edges strike as soon as they can, so often do they pass
   EXPECT_GT(found->error, 0);
 }
 
 TEST(TimeOfImpact, CountsTouchesAtTheStartAndAtTheEnd) {
-  const Ball ball{};
-  const auto start = time_of_impact(ball, {{-1, 0, 0}, {1, 2, 3}, {}}, Ball{{2, 0, 0}, 1}, rest);
+  const Ball sphere{};
+  const auto start = time_of_impact(sphere, {{-1, 0, 0}, {1, 2, 3}, {}}, Ball{{2, 0, 0}, 1}, rest);
   ASSERT_TRUE(start.has_value());
   EXPECT_EQ(start->t, 0);
   EXPECT_EQ(start->normal, Point(1, 0, 0));
-  expect_impact(time_of_impact(ball, {{3, 0, 0}, {}, {}}, Ball{{5, 0, 0}, 1}, rest), 1, {1, 0, 0}, 3, "the end");
-  EXPECT_FALSE(time_of_impact(ball, {{2.999, 0, 0}, {}, {}}, Ball{{5, 0, 0}, 1}, rest).has_value());
-  EXPECT_FALSE(time_of_impact(ball, rest, Ball{{2.001, 0, 0}, 1}, rest).has_value());
+  expect_impact(time_of_impact(sphere, {{3, 0, 0}, {}, {}}, Ball{{5, 0, 0}, 1}, rest), 1, {1, 0, 0}, 3, "the end");
+  EXPECT_FALSE(time_of_impact(sphere, {{2.999, 0, 0}, {}, {}}, Ball{{5, 0, 0}, 1}, rest).has_value());
+  EXPECT_FALSE(time_of_impact(sphere, rest, Ball{{2.001, 0, 0}, 1}, rest).has_value());
 }
 
-/// Nearer to each other, when the balls that they turn in touch, than GJK can tell of coordinates of a million; and
+/// Nearer to each other, when the spheres that they turn in touch, than GJK can tell of coordinates of a million; and
 /// from the start.
 TEST(TimeOfImpact, OfSmallThingsFarFromTheOriginHasANormal) {
   const Triangle<3, double> speck{{1e6, 1e6, 1e6}, {1e6, 1e6, 1e6}, {1e6, 1e6, 1e6}};
-  const Course flight{{80, 0, 0}, {0, 3, 0}, {1e6, 1e6, 1e6}};
+  const Trajectory flight{{80, 0, 0}, {0, 3, 0}, {1e6, 1e6, 1e6}};
   for (const double way : {60.0, 2e-9}) {
     const Polytope<3, double> other = convex_hull<3, double>(std::vector<Point>{{1e6 + way, 1e6, 1e6}});
     const Found found = time_of_impact(speck, flight, other, rest);
@@ -170,7 +171,7 @@ TEST(TimeOfImpact, OfACompoundIsThatOfItsFirstPartToTouch) {
   const Ball far{{5, 0, 0}, 1};
   const Ball near{{0, 4, 0}, 1};
   const Compound<3, double> pair = compound_of<3, double>({near, far});
-  const Course quarter_turn{{}, {0, 0, pi / 2}, {}};
+  const Trajectory quarter_turn{{}, {0, 0, pi / 2}, {}};
   const Ball target{{0, 5, 0}, 0.25};
   EXPECT_EQ(time_of_impact(pair, quarter_turn, target, rest)->t, 0);  // the near one touches before anything moves
   const Ball in_the_way{{3, 3, 0}, 0.5};
@@ -185,11 +186,11 @@ TEST(TimeOfImpact, OfACompoundIsThatOfItsFirstPartToTouch) {
 }
 
 TEST(TimeOfImpact, OfARayCountsAllOfIt) {
-  // The ball is 30 degrees wide on either side, as seen from the ray's origin.
+  // The sphere is 30 degrees wide on either side, as seen from the ray's origin.
   const Ray<3, double> beam{{0, 0, 0}, {0.001, 0, 0}};
-  const Ball ball{{0, 1000, 0}, 500};
-  const Course quarter_turn{{}, {0, 0, pi / 2}, {}};
-  const auto found = time_of_impact(beam, quarter_turn, ball, rest);
+  const Ball sphere{{0, 1000, 0}, 500};
+  const Trajectory quarter_turn{{}, {0, 0, pi / 2}, {}};
+  const auto found = time_of_impact(beam, quarter_turn, sphere, rest);
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->status, Status::converged);
   EXPECT_NEAR(found->t, 2.0 / 3, 1e-9);
@@ -209,7 +210,7 @@ TEST(TimeOfImpact, OfTwoWithoutEndIsThatOfACastIfTheyDoNotTurn) {
 TEST(TimeOfImpact, OfParallelPlanesThatTurnAlikeIsThatOfTheirDistance) {
   const HalfSpace<3, double> left{{1, 0, 0}, 0};
   const HalfSpace<3, double> right{{-1, 0, 0}, -4};
-  const Course turning{{}, {0, 0, 1}, {}};
+  const Trajectory turning{{}, {0, 0, 1}, {}};
   const auto found = time_of_impact(left, {{8, 0, 0}, {0, 0, 1}, {}}, right, turning);
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->status, Status::converged);

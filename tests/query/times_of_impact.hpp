@@ -27,6 +27,6 @@ std::optional<Impact<N, T>> impact_of(const Moving<N, T>& moving);
 
 /// What that is rounded from, of shapes that are apart.
 template <Dim N, class T>
-std::optional<detail::Strike<N>> strike_of(const Moving<N, T>& moving);
+std::optional<detail::CastHit<N>> cast_hit_of(const Moving<N, T>& moving);
 
 }  // namespace graze::test

@@ -171,7 +171,7 @@ RC_GTEST_PROP(SceneEvents, AreTheSameFoundAnewAndByWhatHasChanged, ()) {
       detail::NextEvents next;
       const bool are_the_same = world.ids.changes() == last_changes && *rc::gen::inRange(0, 4) != 0;
       detail::find_events(world.events, found, world.ids,
-                          are_the_same ? detail::Tenants::the_same : detail::Tenants::maybe_others, next);
+                          are_the_same ? detail::SlotReuse::the_same : detail::SlotReuse::maybe_others, next);
       world.events = next.events;
       RC_ASSERT(next.young == young_of(world.events));
     } else {

@@ -151,7 +151,7 @@ TYPED_TEST(MovedBoxes, BeginStayAndEndAsInAWorldWithoutLists) {
   worlds.expect_the_same_answer();
 }
 
-/// The same with a ball among them, which is no box until it is moved to one.
+/// The same with a sphere among them, which is no box until it is moved to one.
 TYPED_TEST(MovedBoxes, AreThoseOfAWorldThatHoldsMoreThanBoxes) {
   constexpr Dim N = TypeParam::N;
   using T = typename TypeParam::T;

@@ -34,7 +34,7 @@ TEST(SceneContacts, SayHowDeepAndWhereFromTheFirstToTheSecond) {
   World scene;
   const ObjectId floor = scene.add(HalfSpace<2, double>{{0, 1}, 0}, {.mobility = Mobility::fixed});
   const ObjectId crate = scene.add(Box{{1, -0.25}, {3, 2}});
-  const ObjectId ball = scene.add(Sphere<2, double>{{3.5, 1}, 1});
+  const ObjectId sphere = scene.add(Sphere<2, double>{{3.5, 1}, 1});
   scene.add(Sphere<2, double>{{9, 9}, 1});
   const std::vector<ObjectContact<2, double>> contacts = scene.contacts();
   ASSERT_EQ(contacts.size(), 3U);
@@ -43,10 +43,10 @@ TEST(SceneContacts, SayHowDeepAndWhereFromTheFirstToTheSecond) {
   ASSERT_EQ(contacts[0].manifold.size, 2U);
   for (const ManifoldPoint<2, double>& corner : contacts[0].manifold.contacts()) EXPECT_EQ(corner.depth, 0.25);
   EXPECT_NE(contacts[0].manifold.points[0].id, contacts[0].manifold.points[1].id);
-  EXPECT_EQ(contacts[1].pair, (ObjectPair{floor, ball}));
+  EXPECT_EQ(contacts[1].pair, (ObjectPair{floor, sphere}));
   EXPECT_EQ(contacts[1].manifold.points[0].depth, 0);
   EXPECT_EQ(contacts[1].manifold.points[0].point, V2(3.5, 0));
-  EXPECT_EQ(contacts[2].pair, (ObjectPair{crate, ball}));
+  EXPECT_EQ(contacts[2].pair, (ObjectPair{crate, sphere}));
   EXPECT_EQ(contacts[2].manifold.normal, V2(1, 0));
   EXPECT_EQ(contacts[2].manifold.points[0].depth, 0.5);
 }
@@ -130,12 +130,12 @@ RC_GTEST_PROP(SceneContacts, AreTheManifoldsOfAllPairs3d, ()) { check_against_ev
 template <Dim N, class T>
 Scene<N, T> towers() {
   Scene<N, T> scene;
-  detail::Draws draws;
+  detail::LinearCongruential random;
   for (std::size_t i = 0; i < 720; ++i) {
     Vec<N, double> center(0.0);
     center[0] = 3.0 * static_cast<double>(i / 24);
     center[N - 1] = 0.95 * static_cast<double>(i % 24);
-    const auto degrees = static_cast<double>(draws.below(360));
+    const auto degrees = static_cast<double>(random.below(360));
     Obb<N, T> box{Vec<N, T>(center), Vec<N, T>(T(0.5))};
     if constexpr (N == 2) {
       box.axes = Mat<N, T>(rotation_matrix(degrees));

@@ -38,7 +38,7 @@ class ShortMemory {
 /// Acts on a scene, with memory that ends one request later each time, until it is enough: before that nothing has
 /// changed, and then all that would have with no end of memory. Returns how often it failed.
 std::size_t expect_all_or_nothing(World& scene, const auto& act) {
-  const auto before = test::sight_of(scene);
+  const auto before = test::ray_verdict_of(scene);
   World calm = scene;
   act(calm);
   for (std::size_t grants = 0;; ++grants) {
@@ -46,10 +46,10 @@ std::size_t expect_all_or_nothing(World& scene, const auto& act) {
       const ShortMemory memory(grants);
       act(scene);
     } catch (const std::bad_alloc&) {
-      EXPECT_TRUE(test::sight_of(scene) == before) << grants << " grants";
+      EXPECT_TRUE(test::ray_verdict_of(scene) == before) << grants << " grants";
       continue;
     }
-    EXPECT_TRUE(test::sight_of(scene) == test::sight_of(calm)) << grants << " grants";
+    EXPECT_TRUE(test::ray_verdict_of(scene) == test::ray_verdict_of(calm)) << grants << " grants";
     return grants;
   }
 }

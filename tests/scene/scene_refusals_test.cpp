@@ -118,13 +118,13 @@ TYPED_TEST(SceneRefusals, AFaultyShapeIsNotAddedTheFactIsNamedAndNothingChanges)
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
   Scene<N, T> scene = some_scene<N, T>();
-  const test::SceneSight<N, T> before = test::sight_of(scene);
+  const test::SceneSight<N, T> before = test::ray_verdict_of(scene);
   for (const Faulty<N, T>& faulty : faulty_shapes<N, T>()) {
     const auto named = [&] { scene.add(faulty.shape, {.name = "bad"}); };
     EXPECT_EQ(message_of<std::invalid_argument>(named), "Scene: object \"bad\", " + faulty.words);
     const auto nameless = [&] { scene.add(faulty.shape); };
     EXPECT_EQ(message_of<std::invalid_argument>(nameless), "Scene: the object, " + faulty.words);
-    EXPECT_TRUE(test::sight_of(scene) == before) << faulty.words;
+    EXPECT_TRUE(test::ray_verdict_of(scene) == before) << faulty.words;
     EXPECT_EQ(scene.find("bad"), std::nullopt);
   }
   // The next ids are those that would have come without all this.
@@ -136,15 +136,15 @@ TYPED_TEST(SceneRefusals, NothingMovesToAFaultyShape) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
   Scene<N, T> scene = some_scene<N, T>();
-  const test::SceneSight<N, T> before = test::sight_of(scene);
-  const ObjectId ball = *scene.find("ball");
+  const test::SceneSight<N, T> before = test::ray_verdict_of(scene);
+  const ObjectId sphere = *scene.find("ball");
   for (const Faulty<N, T>& faulty : faulty_shapes<N, T>()) {
     const std::string words = "Scene: object \"ball\", " + faulty.words;
-    EXPECT_EQ(message_of<std::invalid_argument>([&] { scene.move(ball, faulty.shape); }), words);
-    const std::vector<ObjectMove<N, T>> moves{{before.ids[1], Sphere<N, T>{Vec<N, T>(T(7))}}, {ball, faulty.shape}};
+    EXPECT_EQ(message_of<std::invalid_argument>([&] { scene.move(sphere, faulty.shape); }), words);
+    const std::vector<ObjectMove<N, T>> moves{{before.ids[1], Sphere<N, T>{Vec<N, T>(T(7))}}, {sphere, faulty.shape}};
     EXPECT_EQ(message_of<std::invalid_argument>([&] { scene.move(moves); }), words);
-    EXPECT_TRUE(test::sight_of(scene) == before) << faulty.words;
-    EXPECT_TRUE((std::holds_alternative<Sphere<N, T>>(scene.object(ball).shape)));
+    EXPECT_TRUE(test::ray_verdict_of(scene) == before) << faulty.words;
+    EXPECT_TRUE((std::holds_alternative<Sphere<N, T>>(scene.object(sphere).shape)));
   }
 }
 
@@ -161,11 +161,11 @@ TEST(SceneThatIsFull, RefusesOneMoreSaysSoAndChangesNothing) {
   scene.add(Ball{});
   scene.add(Ball{});
   scene.update();
-  const test::SceneSight<2, double> before = test::sight_of<2, double>(scene);
+  const test::SceneSight<2, double> before = test::ray_verdict_of<2, double>(scene);
   for (int time = 0; time < 2; ++time) {
     EXPECT_EQ(message_of<std::length_error>([&] { scene.add(Ball{}, {.name = "more"}); }),
               "Scene: it is full; it holds 536870912 objects at most");
-    EXPECT_TRUE((test::sight_of<2, double>(scene) == before));
+    EXPECT_TRUE((test::ray_verdict_of<2, double>(scene) == before));
     EXPECT_EQ(scene.find("more"), std::nullopt);
   }
   EXPECT_EQ(max_objects, 536870912U);

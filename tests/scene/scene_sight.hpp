@@ -29,25 +29,25 @@ struct SceneSight {
 };
 
 template <Dim N, class T>
-SceneSight<N, T> sight_of(const Scene<N, T>& scene) {
-  SceneSight<N, T> sight;
-  sight.ids = scene.ids();
-  sight.vacant = scene.vacant_ids();
-  for (const ObjectId id : sight.ids) {
+SceneSight<N, T> ray_verdict_of(const Scene<N, T>& scene) {
+  SceneSight<N, T> verdict;
+  verdict.ids = scene.ids();
+  verdict.vacant = scene.vacant_ids();
+  for (const ObjectId id : verdict.ids) {
     const Object<N, T>& object = scene.object(id);
     // A name that leads elsewhere is seen as well.
     const bool is_found = object.name.empty() || scene.find(object.name) == id;
-    sight.objects.emplace_back(is_found ? object.name : "not found", object.box);
+    verdict.objects.emplace_back(is_found ? object.name : "not found", object.box);
   }
-  sight.layers = scene.layer_names();
-  sight.candidates = scene.candidates();
-  sight.pairs = scene.pairs();
-  sight.began = scene.events().began;
-  sight.stayed = scene.events().stayed;
-  sight.ended = scene.events().ended;
-  sight.overlapping = scene.overlapping(Sphere<N, T>{Vec<N, T>(T(0)), T(9)});
-  sight.nearest = scene.nearest(Vec<N, T>(T(0)), 9);
-  return sight;
+  verdict.layers = scene.layer_names();
+  verdict.candidates = scene.candidates();
+  verdict.pairs = scene.pairs();
+  verdict.began = scene.events().began;
+  verdict.stayed = scene.events().stayed;
+  verdict.ended = scene.events().ended;
+  verdict.overlapping = scene.overlapping(Sphere<N, T>{Vec<N, T>(T(0)), T(9)});
+  verdict.nearest = scene.nearest(Vec<N, T>(T(0)), 9);
+  return verdict;
 }
 
 }  // namespace graze::test

@@ -144,15 +144,15 @@ class SceneSoak {
   /// Several, which become shapes of one type.
   void move_balls() {
     std::vector<ObjectId> ids;
-    std::vector<Sphere<N, T>> balls;
+    std::vector<Sphere<N, T>> spheres;
     std::vector<ObjectMove<N, T>> judged;
     for (int k = 0; k < 5; ++k) {
       const Held& held = held_[pick()];
       ids.push_back(held.id);
-      balls.push_back({place(), length(1)});
-      judged.push_back({held.judged, balls.back()});
+      spheres.push_back({place(), length(1)});
+      judged.push_back({held.judged, spheres.back()});
     }
-    scene_.move(ids, balls);
+    scene_.move(ids, spheres);
     judge_.move(judged);
   }
 

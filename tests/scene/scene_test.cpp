@@ -243,21 +243,21 @@ TEST(Scene, TellsWhatBeganWhatStaysAndWhatEnded) {
   using Pairs = std::vector<ObjectPair>;
   const ObjectId wall = scene.add(HalfSpace<2, double>{{0, 1}, 0}, {.mobility = Mobility::fixed});
   const ObjectId floor = scene.add(Aabb<2, double>{{0, -1}, {9, 1}}, {.mobility = Mobility::fixed});
-  const ObjectId ball = scene.add(Ball{{2, 5}, 1});
+  const ObjectId sphere = scene.add(Ball{{2, 5}, 1});
   EXPECT_TRUE(scene.update().began.empty());  // wall and floor overlap, but both are fixed
-  scene.move(ball, Ball{{2, 2}, 1});
-  EXPECT_EQ(scene.update().began, (Pairs{{floor, ball}}));
-  scene.move(ball, Ball{{2, 0.5}, 1});
-  EXPECT_EQ(scene.update().began, (Pairs{{wall, ball}}));
-  EXPECT_EQ(scene.events().stayed, (Pairs{{floor, ball}}));
-  EXPECT_EQ(scene.update().stayed, (Pairs{{wall, ball}, {floor, ball}}));
+  scene.move(sphere, Ball{{2, 2}, 1});
+  EXPECT_EQ(scene.update().began, (Pairs{{floor, sphere}}));
+  scene.move(sphere, Ball{{2, 0.5}, 1});
+  EXPECT_EQ(scene.update().began, (Pairs{{wall, sphere}}));
+  EXPECT_EQ(scene.events().stayed, (Pairs{{floor, sphere}}));
+  EXPECT_EQ(scene.update().stayed, (Pairs{{wall, sphere}, {floor, sphere}}));
   scene.remove(floor);
   const ObjectId other = scene.add(Ball{{2, 0.5}, 1});
   EXPECT_EQ(other.index, floor.index);
   scene.update();
-  EXPECT_EQ(scene.events().began, (Pairs{{wall, other}, {other, ball}}));
-  EXPECT_EQ(scene.events().stayed, (Pairs{{wall, ball}}));
-  EXPECT_EQ(scene.events().ended, (Pairs{{floor, ball}}));
+  EXPECT_EQ(scene.events().began, (Pairs{{wall, other}, {other, sphere}}));
+  EXPECT_EQ(scene.events().stayed, (Pairs{{wall, sphere}}));
+  EXPECT_EQ(scene.events().ended, (Pairs{{floor, sphere}}));
 }
 
 /// Runs so many tasks, and fails at the next.
@@ -394,7 +394,7 @@ RC_GTEST_PROP(Scene, PairsAreThoseOfEveryObjectWithEveryOther3d, ()) { check_pai
 
 RC_GTEST_PROP(Scene, SurvivesAnySequenceOfAddsMovesAndRemoves, (const std::vector<std::uint32_t>& steps)) {
   World scene;
-  std::vector<std::pair<ObjectId, double>> alive;  // the oracle: each ball's radius
+  std::vector<std::pair<ObjectId, double>> alive;  // the oracle: each sphere's radius
   std::set<ObjectId> dead;
   for (const std::uint32_t step : steps) {
     const double radius = step % 100;

@@ -196,7 +196,7 @@ void check_what_a_camera_sees(const Scene<N, T>& scene) {
   const Frustum<N, T> frustum = test::any_frustum<N, T>(test::draw_source<N, T>());
   if (!is_valid(frustum)) return;
   RC_LOG() << test::to_source(frustum) << "\n";
-  const detail::RegionProbe<Generous<Frustum<N, T>>> probe(Generous<Frustum<N, T>>{frustum});
+  const detail::RegionProbe<Inflated<Frustum<N, T>>> probe(Inflated<Frustum<N, T>>{frustum});
   Ids expected;
   for (const ObjectId id : scene.ids()) {
     const Aabb<N, T>& box = scene.object(id).box;

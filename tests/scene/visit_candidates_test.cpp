@@ -13,7 +13,7 @@ namespace graze::visit_candidates_test {
 namespace {
 
 /// Boxes in a crowd, with gaps where some were removed, on layers of which two do not meet.
-Scene<2, double> crowd() {
+Scene<2, double> cluster() {
   Scene<2, double> scene;
   const Layer walls = scene.layer("walls");
   const Layer others = scene.layer("others");
@@ -29,7 +29,7 @@ Scene<2, double> crowd() {
 }
 
 TEST(VisitCandidates, gives_the_candidates_in_their_order_and_in_blocks) {
-  const Scene<2, double> scene = crowd();
+  const Scene<2, double> scene = cluster();
   for (const double margin : {0.0, 0.5}) {
     std::vector<ObjectPair> visited;
     const auto take = [&visited](std::span<const ObjectPair> block) {
@@ -45,7 +45,7 @@ TEST(VisitCandidates, gives_the_candidates_in_their_order_and_in_blocks) {
 }
 
 TEST(VisitCandidates, stops_when_the_visitor_has_enough) {
-  const Scene<2, double> scene = crowd();
+  const Scene<2, double> scene = cluster();
   int calls = 0;
   visit_candidates(scene, [&calls](std::span<const ObjectPair>) { return ++calls < 2; });
   EXPECT_EQ(calls, 2);

@@ -95,9 +95,9 @@ TEST(Obb, IsMadeFromAnAxisAndAnAngleOrAQuaternion) {
 }
 
 TEST(Obb, FromAnyAxisAngleAndQuaternionIsOrthonormalToRounding) {
-  detail::Draws draws(7);
-  const auto between = [&draws](double least, double most) {
-    return least + (most - least) * static_cast<double>(draws.below(1'000'000)) / 1e6;
+  detail::LinearCongruential random(7);
+  const auto between = [&random](double least, double most) {
+    return least + (most - least) * static_cast<double>(random.below(1'000'000)) / 1e6;
   };
   for (int i = 0; i < 10000; ++i) {
     const auto number = [&between] { return between(-1, 1) * std::exp2(between(-120, 120)); };

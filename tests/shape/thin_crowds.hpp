@@ -32,8 +32,8 @@ inline constexpr std::size_t thin_crowds = 7;
 /// A crowd as it is made: turned and moved, for axes hide rounding.
 class ThinCrowdSource {
  public:
-  ThinCrowdSource(ThinCrowd crowd, rc::Random& random)
-      : crowd_(crowd),
+  ThinCrowdSource(ThinCrowd cluster, rc::Random& random)
+      : crowd_(cluster),
         random_(random),
         turn_(rotation_matrix(Vec<3, double>(number(), number(), 2), 90 * number())),
         offset_(whole(random, 0, 2) == 0 ? vector() * 1e6 : Vec<3, double>(0.0)),
@@ -90,9 +90,9 @@ class ThinCrowdSource {
 
 /// Every eighth of the points, or so, is one of those before it.
 template <class T>
-std::vector<Vec<3, T>> thin_crowd(ThinCrowd crowd, std::size_t count, std::uint64_t seed) {
+std::vector<Vec<3, T>> thin_crowd(ThinCrowd cluster, std::size_t count, std::uint64_t seed) {
   rc::Random random(seed);
-  ThinCrowdSource source(crowd, random);
+  ThinCrowdSource source(cluster, random);
   std::vector<Vec<3, T>> points;
   while (points.size() < count) {
     const bool is_repeated = !points.empty() && whole(random, 0, 7) == 0;

@@ -65,7 +65,7 @@ class BvhBuilder {
     }
     Centers groups[block_size];
     Parent parent{level, index, first, next, groups};
-    build_entries(parent, {first, first + count, center_kernels<N, T>().bounds(centers.here, centers.count)}, centers);
+    build_entries(parent, {first, first + count, build_kernels<N, T>().bounds(centers.here, centers.count)}, centers);
     if (level == level_of_groups) build_groups(parent, count);
     return bvh_kernels<N, T>().around(node.boxes);
   }
@@ -204,13 +204,13 @@ void build_bvh(std::span<const std::uint32_t> slots, double margin, const BvhPla
   const std::span<std::uint32_t> sorted(centers.here.slots, count);
   std::copy(slots.begin(), slots.end(), sorted.begin());
   if (are_in_a_row(slots)) {
-    center_kernels<N, T>().centers(arrays.boxes + slots[0], count, centers.here);
+    build_kernels<N, T>().centers(arrays.boxes + slots[0], count, centers.here);
   } else {
     sort_slots(sorted);
     for (std::size_t first = 0; first < count;) {
       std::size_t last = first + 1;
       while (last < count && sorted[last] == sorted[last - 1] + 1) ++last;
-      center_kernels<N, T>().centers(arrays.boxes + sorted[first], last - first, centers.here.behind(first));
+      build_kernels<N, T>().centers(arrays.boxes + sorted[first], last - first, centers.here.behind(first));
       first = last;
     }
   }

@@ -337,7 +337,7 @@ std::size_t count_finite(const Aabb<N, T>* boxes, std::size_t count) {
 }
 
 template <Dim N, class T>
-CenterKernels<N, T> kernels() {
+BuildKernels<N, T> kernels() {
   return {hwy::TargetName(HWY_TARGET),
           count_finite<N, T>,
           centers_of<N, T>,
@@ -349,9 +349,9 @@ CenterKernels<N, T> kernels() {
 
 }  // namespace
 
-const AllCenterKernels& all_center_kernels() {
-  static const AllCenterKernels all{kernels<2, float>(), kernels<3, float>(), kernels<2, double>(),
-                                    kernels<3, double>()};
+const AllBuildKernels& all_build_kernels() {
+  static const AllBuildKernels all{kernels<2, float>(), kernels<3, float>(), kernels<2, double>(),
+                                   kernels<3, double>()};
   return all;
 }
 
@@ -361,20 +361,20 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace graze::detail {
 namespace {
-HWY_EXPORT(all_center_kernels);
+HWY_EXPORT(all_build_kernels);
 }
 
 std::int64_t center_kernel_targets() { return HWY_TARGETS; }
 
 template <Dim N, class T>
-const CenterKernels<N, T>& center_kernels() {
-  return HWY_DYNAMIC_DISPATCH(all_center_kernels)().template of<N, T>();
+const BuildKernels<N, T>& build_kernels() {
+  return HWY_DYNAMIC_DISPATCH(all_build_kernels)().template of<N, T>();
 }
 
-template const CenterKernels<2, float>& center_kernels();
-template const CenterKernels<3, float>& center_kernels();
-template const CenterKernels<2, double>& center_kernels();
-template const CenterKernels<3, double>& center_kernels();
+template const BuildKernels<2, float>& build_kernels();
+template const BuildKernels<3, float>& build_kernels();
+template const BuildKernels<2, double>& build_kernels();
+template const BuildKernels<3, double>& build_kernels();
 
 }  // namespace graze::detail
 #endif

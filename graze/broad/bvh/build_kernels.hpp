@@ -34,7 +34,7 @@ struct Selected {
 };
 
 template <Dim N, class T>
-struct CenterKernels {
+struct BuildKernels {
   /// The name of the instruction set.
   const char* target;
 
@@ -63,13 +63,13 @@ struct CenterKernels {
 };
 
 /// The kernels of one instruction set.
-using AllCenterKernels = SpaceKernels<CenterKernels>;
+using AllBuildKernels = SpaceKernels<BuildKernels>;
 
 /// The instruction sets that kernels are compiled for, in Highway's bits.
 std::int64_t center_kernel_targets();
 
 /// The kernels for this machine. Instantiated for 2D and 3D, float and double.
 template <Dim N, class T>
-const CenterKernels<N, T>& center_kernels();
+const BuildKernels<N, T>& build_kernels();
 
 }  // namespace graze::detail

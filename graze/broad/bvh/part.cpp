@@ -40,7 +40,7 @@ void part_equal(const BvhCenters<N, T>& centers, std::size_t lower, Dim axis, co
 
 template <Dim N, class T>
 T part_centers(const BvhCenters<N, T>& centers, std::size_t lower, Dim axis, BvhWanted wanted) {
-  const CenterKernels<N, T>& kernels = center_kernels<N, T>();
+  const BuildKernels<N, T>& kernels = build_kernels<N, T>();
   const Selected<T> border =
       kernels.select(centers.here.at[axis], centers.count, lower, centers.beside.at[0], centers.beside.at[1]);
   if (border.less != lower) {

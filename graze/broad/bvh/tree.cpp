@@ -46,7 +46,7 @@ std::optional<std::uint32_t> same_generation(std::span<const std::uint32_t> slot
 template <Dim N, class T>
 void require_boxes(std::span<const Aabb<N, T>> boxes) {
   std::size_t k = 0;
-  while ((k += center_kernels<N, T>().finite(boxes.data() + k, boxes.size() - k)) < boxes.size()) {
+  while ((k += build_kernels<N, T>().finite(boxes.data() + k, boxes.size() - k)) < boxes.size()) {
     require_box(boxes[k]);
     ++k;
   }
@@ -131,7 +131,7 @@ void BvhTree<N, T>::fill(std::span<const Box> boxes, std::span<const std::uint32
     for (std::size_t k = 0; k < boxes.size(); ++k) boxes_[slots[k]] = boxes[k];
   }
   PageVector<std::uint32_t> finite;
-  if (center_kernels<N, T>().finite(boxes.data(), boxes.size()) < boxes.size()) {
+  if (build_kernels<N, T>().finite(boxes.data(), boxes.size()) < boxes.size()) {
     finite.reserve(boxes.size());
     for (const std::uint32_t slot : slots) {
       if (is_finite_box(boxes_[slot])) {

@@ -42,7 +42,7 @@ struct CapsuleAndBoxLanes {
     origin = capsule.start;
     way = capsule.end - capsule.start;
     radius = capsule.radius;
-    const SeenBoxLanes<along> box(boxes, origin);
+    const BoxLanesInFrame<along> box(boxes, origin);
     center = box.center;
     half = box.half;
     for (std::size_t i = 0; i < 3; ++i) {

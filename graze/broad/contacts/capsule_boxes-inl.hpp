@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many pairs of capsules and boxes touch each other, a lane for each: the touch_look of
+// How many pairs of capsules and boxes touch each other, a lane for each: the find_fast_contact of
 // query/fast_contact/capsule_box.hpp and its points, to the bit. Included once for each instruction set, hence no
 // ordinary guard.
 #if defined(GRAZE_BROAD_CONTACTS_CAPSULE_BOXES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
@@ -33,8 +33,9 @@ namespace graze::detail::HWY_NAMESPACE {
 class CapsuleOnBoxLanes {
  public:
   HWY_INLINE explicit CapsuleOnBoxLanes(const CapsuleAndBoxLanes& pair) : pair_(pair) {
-    constexpr double least_skew = 1e-10;  // as CapsuleTouch has it
-    doubt_ = hn::Mul(hn::Mul(both(2 * tolerance::box_filter), hn::Add(skew_of_axes(pair.axes), both(least_skew))),
+    constexpr double least_orthonormality_error = 1e-10;  // as CapsuleTouch has it
+    doubt_ = hn::Mul(hn::Mul(both(2 * tolerance::box_filter),
+                             hn::Add(orthonormality_error_of_axes(pair.axes), both(least_orthonormality_error))),
                      pair.size);
   }
 
@@ -47,7 +48,7 @@ class CapsuleOnBoxLanes {
     const Doubles thickness = min_of(min_of(pair_.half.at[0], pair_.half.at[1]), pair_.half.at[2]);
     const DoublesMask is_open = hn::AndNot(hn::Gt(by_faces.squared, hn::Mul(reach, reach)), hn::Gt(thickness, doubt_));
     const DoublesMask is_in = hn::Le(by_faces.squared, hn::Mul(doubt_, doubt_));
-    const WayOutLanes out(way, doubt_, hn::Mul(both(tolerance::rounding), pair_.size), is_in);
+    const MinimumTranslationLanes out(way, doubt_, hn::Mul(both(tolerance::rounding), pair_.size), is_in);
     const DoublesMask lies =
         hn::Or(hn::And(is_in, hn::And(out.is_known, out.is_face)), hn::AndNot(is_in, by_faces.is_one));
     const DoublesMask is_past = hn::AndNot(is_at_end(t), hn::And(by_faces.is_two, by_faces.is_clear));
@@ -69,7 +70,7 @@ class CapsuleOnBoxLanes {
     const Point& place;
     const PlaceLanes& by_faces;
     const DoublesMask& is_in;
-    const WayOutLanes& out;
+    const MinimumTranslationLanes& out;
   };
 
   HWY_INLINE static bool is_any(const DoublesMask& lanes) { return !hn::AllFalse(Tag<double>(), lanes); }

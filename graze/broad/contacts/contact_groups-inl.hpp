@@ -21,7 +21,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 
-/// Writes the manifolds of pairs but for those that it leaves, as PrimitiveKernel. contacts_of(first, second, turned)
+/// Writes the manifolds of pairs but for those that it leaves, as ContactKernel. contacts_of(first, second, turned)
 /// makes those of a group: of shapes whose numbers lie at these places, and with a bit for each that is turned.
 template <Dim N, class T, class ContactsOf>
 HWY_INLINE std::size_t contact_groups(std::span<const PrimitivesToContact<N, T>> pairs, std::uint32_t* left,

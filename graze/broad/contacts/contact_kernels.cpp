@@ -51,7 +51,7 @@ std::size_t contact_primitives(std::span<const PrimitivesToContact<3, T>> pairs,
 }
 
 template <class T>
-constexpr PrimitiveKernels<T> kernels_of = {
+constexpr ContactKernels<T> kernels_of = {
     contact_primitives<PrimitiveKind::sphere_sphere, T>,   contact_primitives<PrimitiveKind::sphere_capsule, T>,
     contact_primitives<PrimitiveKind::capsule_capsule, T>, contact_primitives<PrimitiveKind::sphere_aabb, T>,
     contact_primitives<PrimitiveKind::sphere_obb, T>,      contact_primitives<PrimitiveKind::aabb_aabb, T>,
@@ -65,16 +65,16 @@ std::size_t leave_primitives(std::span<const PrimitivesToContact<3, T>> pairs, s
 }
 
 template <class T>
-constexpr PrimitiveKernels<T> kernels_of = {leave_primitives<T>, leave_primitives<T>, leave_primitives<T>,
-                                            leave_primitives<T>, leave_primitives<T>, leave_primitives<T>,
-                                            leave_primitives<T>, leave_primitives<T>};
+constexpr ContactKernels<T> kernels_of = {leave_primitives<T>, leave_primitives<T>, leave_primitives<T>,
+                                          leave_primitives<T>, leave_primitives<T>, leave_primitives<T>,
+                                          leave_primitives<T>, leave_primitives<T>};
 
 #endif
 
 }  // namespace
 
-const AllPrimitiveKernels& all_primitive_kernels() {
-  static const AllPrimitiveKernels kernels{kernels_of<float>, kernels_of<double>};
+const AllContactKernels& all_contact_kernels() {
+  static const AllContactKernels kernels{kernels_of<float>, kernels_of<double>};
   return kernels;
 }
 
@@ -84,16 +84,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace graze::detail {
 namespace {
-HWY_EXPORT(all_primitive_kernels);
+HWY_EXPORT(all_contact_kernels);
 }
 
 template <class T>
-const PrimitiveKernels<T>& primitive_kernels() {
-  return HWY_DYNAMIC_DISPATCH(all_primitive_kernels)().template of<T>();
+const ContactKernels<T>& contact_kernels() {
+  return HWY_DYNAMIC_DISPATCH(all_contact_kernels)().template of<T>();
 }
 
-template const PrimitiveKernels<float>& primitive_kernels<float>();
-template const PrimitiveKernels<double>& primitive_kernels<double>();
+template const ContactKernels<float>& contact_kernels<float>();
+template const ContactKernels<double>& contact_kernels<double>();
 
 }  // namespace graze::detail
 #endif

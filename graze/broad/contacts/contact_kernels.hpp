@@ -43,7 +43,7 @@ struct PrimitivesToContact {
 /// Writes the manifolds of most pairs, which must be as they are made: what stays zero in them is not written. `left`,
 /// which has room for all, receives the places of the others; returns how many these are.
 template <Dim N, class T>
-using PrimitiveKernel = std::size_t (*)(std::span<const PrimitivesToContact<N, T>> pairs, std::uint32_t* left);
+using ContactKernel = std::size_t (*)(std::span<const PrimitivesToContact<N, T>> pairs, std::uint32_t* left);
 
 /// What kernels do where there are no vectors for them.
 inline std::size_t leave_all(std::size_t count, std::uint32_t* left) {
@@ -53,13 +53,13 @@ inline std::size_t leave_all(std::size_t count, std::uint32_t* left) {
 
 /// By kind.
 template <class T>
-using PrimitiveKernels = std::array<PrimitiveKernel<3, T>, primitive_kinds>;
+using ContactKernels = std::array<ContactKernel<3, T>, primitive_kinds>;
 
 /// The kernels of one instruction set.
-using AllPrimitiveKernels = ScalarKernels<PrimitiveKernels>;
+using AllContactKernels = ScalarKernels<ContactKernels>;
 
 /// The kernels for this machine. Instantiated for float and double.
 template <class T>
-const PrimitiveKernels<T>& primitive_kernels();
+const ContactKernels<T>& contact_kernels();
 
 }  // namespace graze::detail

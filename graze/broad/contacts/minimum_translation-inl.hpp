@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Segments as boxes see them, a lane for each pair: WayPastBox and PlaceByFaces of query/fast_contact/capsule_box.hpp,
-// and WayOutSearch of query/fast_contact/minimum_translation.hpp, to the bit. Included once for each instruction set,
-// hence no ordinary guard.
+// and MinimumTranslationSearch of query/fast_contact/minimum_translation.hpp, to the bit. Included once for each
+// instruction set, hence no ordinary guard.
 #if defined(GRAZE_BROAD_CONTACTS_MINIMUM_TRANSLATION_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_MINIMUM_TRANSLATION_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_MINIMUM_TRANSLATION_INL_HPP
@@ -106,16 +106,16 @@ struct PlaceLanes {
   }
 };
 
-/// As WayOutSearch.
-class WayOutLanes {
+/// As MinimumTranslationSearch.
+class MinimumTranslationLanes {
  public:
   /// Of some lanes, if any.
-  HWY_INLINE WayOutLanes(const WayLanes& way, Doubles doubt, Doubles noise, const DoublesMask& lanes) {
+  HWY_INLINE MinimumTranslationLanes(const WayLanes& way, Doubles doubt, Doubles noise, const DoublesMask& lanes) {
     if (hn::AllFalse(Tag<double>(), lanes)) return;
     for (std::size_t i = 0; i < 3; ++i) look_across_face(way, i);
     is_level = hn::Le(hn::Abs(OneOfThree(face).of(way.way)), noise);
     const Doubles squared_noise = hn::Mul(noise, noise);
-    const Doubles least = hn::Mul(both(1e-8), dot(way.way, way.way));  // as WayOutSearch has it
+    const Doubles least = hn::Mul(both(1e-8), dot(way.way, way.way));  // as MinimumTranslationSearch has it
     for (std::size_t i = 0; i < 3; ++i) look_along_edge(way, i, squared_noise, least);
     is_face = hn::Ge(face_gap_, edge_gap_);
     const Doubles best = hn::IfThenElse(is_face, face_gap_, edge_gap_);

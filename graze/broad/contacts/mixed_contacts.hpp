@@ -95,7 +95,7 @@ class MixedPairs {
       named[i] = {&boxes[i].oriented, &boxes[i].along_axes};
     }
     std::array<ObbsLook, at_once> looks;
-    manifold_kernels<double>().look(std::span(named).first(pairs.size()), FirstBox::as_named, looks.data());
+    obb_kernels<double>().look(std::span(named).first(pairs.size()), FirstBox::as_named, looks.data());
     Seen seen;
     std::array<ObbsToContact<double>, at_once> known;
     std::array<std::uint8_t, at_once> places;
@@ -108,7 +108,7 @@ class MixedPairs {
       places[known_count++] = static_cast<std::uint8_t>(i);
     }
     std::array<std::uint32_t, at_once> left;
-    const std::size_t left_count = manifold_kernels<double>().contact(std::span(known).first(known_count), left.data());
+    const std::size_t left_count = obb_kernels<double>().contact(std::span(known).first(known_count), left.data());
     for (std::size_t i = 0; i < left_count; ++i) is_left[places[left[i]]] = true;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       if (is_left[i]) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The manifolds of many pairs that touch in one point: of balls and capsules, or of balls and boxes. Included once for
-// each instruction set, hence no ordinary guard.
+// The manifolds of many pairs that touch in one point: of spheres and capsules, or of spheres and boxes. Included once
+// for each instruction set, hence no ordinary guard.
 #if defined(GRAZE_BROAD_CONTACTS_ROUND_CONTACTS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_ROUND_CONTACTS_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_ROUND_CONTACTS_INL_HPP
@@ -30,15 +30,15 @@ namespace graze::detail::HWY_NAMESPACE {
 template <PrimitiveKind kind, class T>
 HWY_INLINE RoundTouch touch_of(const T* const* first, const T* const* second) {
   if constexpr (kind == PrimitiveKind::sphere_sphere) {
-    return touch_lanes(BallLanes::load<3>(first), BallLanes::load<3>(second));
+    return touch_lanes(SphereLanes::load<3>(first), SphereLanes::load<3>(second));
   } else if constexpr (kind == PrimitiveKind::sphere_capsule) {
-    return touch_lanes<3>(BallLanes::load<3>(first), CapsuleLanes::load<3>(second));
+    return touch_lanes<3>(SphereLanes::load<3>(first), CapsuleLanes::load<3>(second));
   } else if constexpr (kind == PrimitiveKind::capsule_capsule) {
     return touch_lanes(CapsuleLanes::load<3>(first), CapsuleLanes::load<3>(second));
   } else {
     constexpr bool along = kind == PrimitiveKind::sphere_aabb;
-    const BallLanes ball = BallLanes::load<3>(first);
-    return BallTouchLanes<along>(ball, SeenBoxLanes<along>(second, ball.center)).run();
+    const SphereLanes sphere = SphereLanes::load<3>(first);
+    return SphereContactLanes<along>(sphere, BoxLanesInFrame<along>(second, sphere.center)).run();
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How balls and capsules touch each other, a lane for each pair: the touch_look of
+// How spheres and capsules touch each other, a lane for each pair: the find_fast_contact of
 // query/fast_contact/spheres_and_capsules.hpp, to the bit. Included once for each instruction set, hence no ordinary
 // guard.
 #if defined(GRAZE_BROAD_CONTACTS_ROUND_LANES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
@@ -25,12 +25,12 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
-/// The features that a point may lie on, by place: of what is round those of feature_on_axis, and of a ball the first;
-/// then, by three bits for the axes along which it is at the box' end and three for on which side, those of
+/// The features that a point may lie on, by place: of what is round those of feature_on_axis, and of a sphere the
+/// first; then, by three bits for the axes along which it is at the box' end and three for on which side, those of
 /// feature_of_box; then the corners of a box in the plane, and its sides.
 inline constexpr std::size_t first_of_box = 3;
-inline constexpr std::size_t first_of_flat = first_of_box + 64;
-using TouchedFeatures = std::array<Feature, first_of_flat + 8>;
+inline constexpr std::size_t first_of_2d = first_of_box + 64;
+using TouchedFeatures = std::array<Feature, first_of_2d + 8>;
 inline const TouchedFeatures& touched_features() {
   static const auto features = [] {
     TouchedFeatures all{{{FeatureKind::vertex, 0}, {FeatureKind::vertex, 1}, {FeatureKind::edge, 0}}};
@@ -40,8 +40,8 @@ inline const TouchedFeatures& touched_features() {
       all[first_of_box + bits] = feature_of_box({side(0), side(1), side(2)}, is_beyond);
     }
     for (std::uint32_t number = 0; number < 4; ++number) {
-      all[first_of_flat + number] = {FeatureKind::vertex, number};
-      all[first_of_flat + 4 + number] = {FeatureKind::edge, number};
+      all[first_of_2d + number] = {FeatureKind::vertex, number};
+      all[first_of_2d + 4 + number] = {FeatureKind::edge, number};
     }
     return all;
   }();
@@ -69,12 +69,12 @@ HWY_INLINE Point place_at(const Doubles* numbers) {
 }
 
 /// Balls around centers.
-struct BallLanes {
+struct SphereLanes {
   Point center;
   Doubles radius;
 
   template <Dim N, class T>
-  HWY_INLINE static BallLanes load(const T* const* rows) {
+  HWY_INLINE static SphereLanes load(const T* const* rows) {
     Doubles numbers[N + 1];
     load_wide(rows, numbers);
     return {place_at<N>(numbers), numbers[N]};
@@ -136,7 +136,7 @@ struct NearLanes {
   Doubles size;
 };
 
-/// What a TouchLook says of pairs that meet in one point.
+/// What a FastContact says of pairs that meet in one point.
 struct RoundTouch {
   Point normal;  ///< From the first to the second.
   Doubles depth;
@@ -168,23 +168,23 @@ HWY_INLINE RoundTouch touch_of_near(const NearLanes& near, Doubles radius_first,
   return touch;
 }
 
-HWY_INLINE RoundTouch touch_lanes(const BallLanes& first, const BallLanes& second) {
+HWY_INLINE RoundTouch touch_lanes(const SphereLanes& first, const SphereLanes& second) {
   const Point between = second.center - first.center;
   return touch_of_near({first.center, zero_point(), second.center, zero_point(), between, sum_abs(between)},
                        first.radius, second.radius);
 }
 
 template <Dim N>
-HWY_INLINE RoundTouch touch_lanes(const BallLanes& ball, const CapsuleLanes& capsule) {
-  const Point start = capsule.start - ball.center;
-  const Point end = capsule.end - ball.center;
+HWY_INLINE RoundTouch touch_lanes(const SphereLanes& sphere, const CapsuleLanes& capsule) {
+  const Point start = capsule.start - sphere.center;
+  const Point end = capsule.end - sphere.center;
   const Point way = end - start;
   const Doubles whole = dot(way, way);
   const Doubles place = clamped_to_one(hn::Div(hn::Neg(dot(start, way)), whole));
   const Point on_axis = one_of(hn::Lt(place, both(1)), start + way * place, end);
-  RoundTouch touch =
-      touch_of_near({ball.center, zero_point(), ball.center, on_axis, on_axis, hn::Add(sum_abs(start), sum_abs(end))},
-                    ball.radius, capsule.radius);
+  RoundTouch touch = touch_of_near(
+      {sphere.center, zero_point(), sphere.center, on_axis, on_axis, hn::Add(sum_abs(start), sum_abs(end))},
+      sphere.radius, capsule.radius);
   const AxisFeatures feature(place);
   touch.feature_second = feature.feature;
   touch.is_clear = hn::And(touch.is_clear, hn::And(feature.is_known, hn::Gt(whole, both(0x1p-900))));

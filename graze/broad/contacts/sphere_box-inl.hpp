@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How balls touch boxes, a lane for each pair: the touch_look of query/fast_contact/sphere_box.hpp, to the bit.
-// Included once for each instruction set, hence no ordinary guard.
+// How spheres touch boxes, a lane for each pair: the find_fast_contact of query/fast_contact/sphere_box.hpp, to the
+// bit. Included once for each instruction set, hence no ordinary guard.
 #if defined(GRAZE_BROAD_CONTACTS_SPHERE_BOX_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_SPHERE_BOX_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_SPHERE_BOX_INL_HPP
@@ -20,15 +20,15 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
-/// A box as a ball's center sees it, whose axes are those of the coordinates if it is `along` them.
+/// A box as a sphere's center sees it, whose axes are those of the coordinates if it is `along` them.
 template <bool along>
-struct SeenBoxLanes {
+struct BoxLanesInFrame {
   Point center;
   Point half;
   Point axes[3];  ///< Not set if it is along them.
 
   template <class T>
-  HWY_INLINE SeenBoxLanes(const T* const* rows, const Point& origin) {
+  HWY_INLINE BoxLanesInFrame(const T* const* rows, const Point& origin) {
     if constexpr (along) {
       Doubles numbers[6];
       load_wide(rows, numbers);
@@ -50,23 +50,23 @@ struct SeenBoxLanes {
   HWY_INLINE Doubles along_axis(const Point& v, std::size_t i) const { return along ? v.at[i] : dot(v, axes[i]); }
 };
 
-/// BallTouch of query/fast_contact/sphere_box.hpp.
+/// SphereContact of query/fast_contact/sphere_box.hpp.
 template <bool along>
-class BallTouchLanes {
+class SphereContactLanes {
  public:
-  HWY_INLINE BallTouchLanes(const BallLanes& ball, const SeenBoxLanes<along>& box)
-      : ball_(ball),
+  HWY_INLINE SphereContactLanes(const SphereLanes& sphere, const BoxLanesInFrame<along>& box)
+      : sphere_(sphere),
         box_(box),
         size_(hn::Add(sum_abs(box.center), sum_abs(box.half))),
         place_(zero_point()),
         off_{{hn::Neg(box.center.at[0]), hn::Neg(box.center.at[1]), hn::Neg(box.center.at[2])}} {}
 
   HWY_INLINE RoundTouch run() {
-    const Doubles whole = hn::Add(size_, ball_.radius);
+    const Doubles whole = hn::Add(size_, sphere_.radius);
     const Doubles doubt = hn::Mul(both(tolerance::coarse), whole);
     Doubles moved = descend(hn::Eq(whole, whole));
-    const Doubles first_doubt = hn::Mul(both(tolerance::box_filter * tolerance::orthonormal), whole);
-    const Doubles reach = hn::Add(ball_.radius, along ? doubt : first_doubt);
+    const Doubles first_undecided = hn::Mul(both(tolerance::box_filter * tolerance::orthonormal), whole);
+    const Doubles reach = hn::Add(sphere_.radius, along ? doubt : first_undecided);
     const DoublesMask is_far = hn::Gt(dot(off_, off_), hn::Mul(reach, reach));
     if constexpr (!along) descend_to_noise(moved);
     const Doubles squared = dot(off_, off_);
@@ -74,13 +74,13 @@ class BallTouchLanes {
     const Doubles distance = hn::Sqrt(squared);
     RoundTouch touch;
     touch.feature_first = both(0);
-    touch.depth = hn::Sub(ball_.radius, distance);
+    touch.depth = hn::Sub(sphere_.radius, distance);
     const DoublesMask is_outside = hn::Gt(squared, hn::Mul(clear, clear));
     touch.is_clear = hn::AndNot(is_far, hn::And(is_outside, hn::Gt(touch.depth, doubt)));
     find_feature(clear, distance, touch);
     touch.normal = off_ * hn::Div(both(-1), distance);
-    touch.on_first = ball_.center + touch.normal * ball_.radius;
-    touch.on_second = ball_.center - off_;
+    touch.on_first = sphere_.center + touch.normal * sphere_.radius;
+    touch.on_second = sphere_.center - off_;
     const DoublesMask is_inside = hn::Not(hn::Or(is_far, is_outside));
     if (!hn::AllFalse(Tag<double>(), is_inside)) take_inside(is_inside, touch);
     touch.is_clear = hn::And(touch.is_clear, is_usual_size(whole));
@@ -89,7 +89,7 @@ class BallTouchLanes {
   }
 
  private:
-  static constexpr int rounds = 5;  // as BallTouch has both
+  static constexpr int rounds = 5;  // as SphereContact has both
   static constexpr double shrinks_to = 4 * tolerance::orthonormal;
 
   /// One round, in some lanes; by how much it has moved the place.
@@ -140,7 +140,7 @@ class BallTouchLanes {
     }
   }
 
-  /// Of balls whose center is in the box: across the nearest face.
+  /// Of spheres whose center is in the box: across the nearest face.
   HWY_INLINE void take_inside(DoublesMask lanes, RoundTouch& touch) const {
     const Point room = box_.half - Point{{hn::Abs(place_.at[0]), hn::Abs(place_.at[1]), hn::Abs(place_.at[2])}};
     const DoublesMask is_y = hn::Lt(room.at[1], room.at[0]);
@@ -159,14 +159,14 @@ class BallTouchLanes {
     const Doubles of_side = hn::IfThenElseZero(hn::Gt(place, both(0)), hn::Mul(face, both(8)));
     const FaceAhead ahead = face_ahead(chosen);
     touch.normal = one_of(lanes, ahead.normal, touch.normal);
-    touch.depth = one_of(lanes, hn::Sub(ball_.radius, ahead.gap), touch.depth);
-    touch.on_first = one_of(lanes, ball_.center + ahead.normal * ball_.radius, touch.on_first);
-    touch.on_second = one_of(lanes, ball_.center + ahead.normal * ahead.gap, touch.on_second);
+    touch.depth = one_of(lanes, hn::Sub(sphere_.radius, ahead.gap), touch.depth);
+    touch.on_first = one_of(lanes, sphere_.center + ahead.normal * sphere_.radius, touch.on_first);
+    touch.on_second = one_of(lanes, sphere_.center + ahead.normal * ahead.gap, touch.on_second);
     touch.feature_second = one_of(lanes, hn::Add(hn::Add(both(first_of_box), face), of_side), touch.feature_second);
     touch.is_clear = hn::Or(hn::AndNot(lanes, touch.is_clear), hn::And(lanes, is_known));
   }
 
-  /// The normal of a face from the ball to the box, and how far the face is along it, below zero.
+  /// The normal of a face from the sphere to the box, and how far the face is along it, below zero.
   struct FaceAhead {
     Point normal;
     Doubles gap;
@@ -200,8 +200,8 @@ class BallTouchLanes {
     return result;
   }
 
-  const BallLanes& ball_;
-  const SeenBoxLanes<along>& box_;
+  const SphereLanes& sphere_;
+  const BoxLanesInFrame<along>& box_;
   Doubles size_;
   Point place_;
   Point off_;

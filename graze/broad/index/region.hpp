@@ -36,16 +36,16 @@ concept RegionIn = SameSpace<R, Aabb<N, T>> && requires(const R& region) {
 /// touches the region, as long as its box holds it; of compounds that are not bounded, the box that touching_bounds
 /// gives. For a first look, before shapes are asked themselves.
 template <Shape R>
-struct Generous {
+struct Inflated {
   const R& region;
 };
 
 template <Shape R>
-struct ShapeTraits<Generous<R>> : Space<dimension_of<R>, scalar_of<R>> {};
+struct ShapeTraits<Inflated<R>> : Space<dimension_of<R>, scalar_of<R>> {};
 
 template <Shape R>
-Aabb<dimension_of<R>, scalar_of<R>> bounds(const Generous<R>& generous) {
-  return bounds(generous.region);
+Aabb<dimension_of<R>, scalar_of<R>> bounds(const Inflated<R>& inflated) {
+  return bounds(inflated.region);
 }
 
 namespace detail {
@@ -212,11 +212,11 @@ class RegionProbe {
 /// Everything as for the region itself, but that a box may lie off by the slack. A box with infinite sides is met if
 /// its bounds may.
 template <Shape R>
-class RegionProbe<Generous<R>> {
+class RegionProbe<Inflated<R>> {
  public:
   using Box = typename RegionProbe<R>::Box;
 
-  explicit RegionProbe(const Generous<R>& generous) : probe_(generous.region) {}
+  explicit RegionProbe(const Inflated<R>& inflated) : probe_(inflated.region) {}
 
   static constexpr bool is_box = false;
 

@@ -20,28 +20,28 @@ constexpr std::size_t least = 4 * bytes_per_task;
 
 }  // namespace
 
-void populate(void* memory, std::size_t bytes) {
+void prefault(void* memory, std::size_t bytes) {
   // Whole pages only: others share theirs with the neighbours.
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   if (std::align(page, page, memory, bytes) == nullptr) return;
   madvise(memory, bytes - bytes % page, MADV_POPULATE_WRITE);
 }
 
-void populate(void* memory, std::size_t bytes, const Executor& executor) {
+void prefault(void* memory, std::size_t bytes, const Executor& executor) {
   if (bytes < least || executor.concurrency() < 2) return;
   // Parts that end with a page, but for the last.
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   if (std::align(page, bytes_per_task, memory, bytes) == nullptr) return;
   executor.parallel_for((bytes + bytes_per_task - 1) / bytes_per_task, [&](std::size_t k) {
     const std::size_t begin = k * bytes_per_task;
-    populate(static_cast<char*>(memory) + begin, std::min(bytes_per_task, bytes - begin));
+    prefault(static_cast<char*>(memory) + begin, std::min(bytes_per_task, bytes - begin));
   });
 }
 
 #else
 
-void populate(void* /*memory*/, std::size_t /*bytes*/) {}
-void populate(void* /*memory*/, std::size_t /*bytes*/, const Executor& /*executor*/) {}
+void prefault(void* /*memory*/, std::size_t /*bytes*/) {}
+void prefault(void* /*memory*/, std::size_t /*bytes*/, const Executor& /*executor*/) {}
 
 #endif
 

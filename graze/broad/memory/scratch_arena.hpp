@@ -11,7 +11,7 @@
 namespace graze::detail {
 
 /// Memory of others who do not need it for a while, taken piece by piece by many threads if need be.
-class LentMemory {
+class ScratchArena {
  public:
   static constexpr std::size_t piece = std::size_t{1} << 16U;  ///< Bytes.
   static constexpr std::size_t alignment = 2048;               ///< Of pieces.

@@ -13,8 +13,8 @@
 namespace graze::detail {
 namespace {
 
-constexpr std::size_t crowd_size = 64;  // a fine cell with more boxes is divided again
-constexpr std::uint32_t row_cells = 8;  // as many fine cells in a row hold a block, which is about a cube then
+constexpr std::size_t cluster_size = 64;  // a fine cell with more boxes is divided again
+constexpr std::uint32_t row_cells = 8;    // as many fine cells in a row hold a block, which is about a cube then
 constexpr std::size_t boxes_per_task = 6144;
 constexpr std::size_t sample_stride = 128;  // blocks, of which one is looked at before all are refilled
 
@@ -59,15 +59,15 @@ class BlockTree<N, T>::Scratch {
     std::uint16_t next = 0;
     bool crowded = false;
     for (std::size_t c = 0; c < cell_count; ++c) {
-      crowded = crowded || ends_[c] > crowd_size;
+      crowded = crowded || ends_[c] > cluster_size;
       next = static_cast<std::uint16_t>(next + std::exchange(ends_[c], next));
     }
     for (std::size_t k = 0; k < count; ++k) order[ends_[cells_[k]]++] = static_cast<std::uint16_t>(k);
     if (!crowded) return;
     std::size_t begin = 0;
     for (std::size_t c = 0; c < cell_count; ++c) {
-      sort_crowd<N, T>(order.data() + begin, ends_[c] - begin, crowd_size, NearCenters<N, T>{boxes.data()},
-                       cells_.data() + begin, spare_.data() + begin);
+      sort_cluster<N, T>(order.data() + begin, ends_[c] - begin, cluster_size, NearCenters<N, T>{boxes.data()},
+                         cells_.data() + begin, spare_.data() + begin);
       begin = ends_[c];
     }
   }

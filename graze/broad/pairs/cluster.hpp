@@ -21,7 +21,7 @@ concept InARow = requires(const Center& center) {
 };
 
 template <Dim N, class T, class Index, class Center>
-Aabb<N, T> bounds_of_crowd(const Index* order, std::size_t count, const Center& center) {
+Aabb<N, T> bounds_of_cluster(const Index* order, std::size_t count, const Center& center) {
   if constexpr (InARow<Center>) {
     if (center.are_all(count)) return center.bounds();
   }
@@ -34,8 +34,8 @@ Aabb<N, T> bounds_of_crowd(const Index* order, std::size_t count, const Center& 
 }
 
 template <Dim N, class T, class Index, class Center>
-void find_cells_of_crowd(const Index* order, std::size_t count, const Center& center, const CellGrid<N, T>& grid,
-                         std::uint16_t* cells) {
+void find_cells_of_cluster(const Index* order, std::size_t count, const Center& center, const CellGrid<N, T>& grid,
+                           std::uint16_t* cells) {
   if constexpr (InARow<Center>) {
     if (center.are_all(count)) {
       center.find_cells(grid, cells);
@@ -55,14 +55,14 @@ void find_cells_of_crowd(const Index* order, std::size_t count, const Center& ce
 /// grids, so that the time is bounded by n log n for any centers.
 template <Dim N, class T, class Index, class Center>
 // NOLINTNEXTLINE(readability-function-size): with the memory to sort in
-void sort_crowd(Index* order, std::size_t count, std::size_t small, const Center& center, std::uint16_t* cells,
-                Index* spare) {
+void sort_cluster(Index* order, std::size_t count, std::size_t small, const Center& center, std::uint16_t* cells,
+                  Index* spare) {
   if (count <= small) return;
-  const auto bounds = bounds_of_crowd<N, T>(order, count, center);
+  const auto bounds = bounds_of_cluster<N, T>(order, count, center);
   constexpr std::size_t most_cells = 512;
   const CellGrid<N, T> grid = grid_over(bounds, std::min(most_cells / 2, 4 * count / small));
   std::array<std::size_t, most_cells + 1> end{};
-  find_cells_of_crowd(order, count, center, grid, cells);
+  find_cells_of_cluster(order, count, center, grid, cells);
   for (std::size_t k = 0; k < count; ++k) ++end[cells[k] + 1U];
   const std::size_t cell_count = grid.count();
   if (*std::max_element(end.begin(), end.begin() + static_cast<std::ptrdiff_t>(cell_count) + 1) > count - count / 8) {
@@ -82,7 +82,7 @@ void sort_crowd(Index* order, std::size_t count, std::size_t small, const Center
   for (std::size_t k = 0; k < count; ++k) order[end[cells[k]]++] = spare[k];
   std::size_t begin = 0;  // end[c] is now the end of cell c
   for (std::size_t c = 0; c < cell_count; ++c) {
-    sort_crowd<N, T>(order + begin, end[c] - begin, small, center, cells + begin, spare + begin);
+    sort_cluster<N, T>(order + begin, end[c] - begin, small, center, cells + begin, spare + begin);
     begin = end[c];
   }
 }

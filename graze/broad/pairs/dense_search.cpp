@@ -47,20 +47,20 @@ void DenseSearch<N, T>::take(Boxes boxes_a, const Boxes* boxes_b, T margin) {
 template <Dim N, class T>
 std::size_t DenseSearch<N, T>::count(Rows rows) const {
   const Buffer<Block<N, T>>& others = itself_ ? blocks_a_ : blocks_b_;
-  return meet_kernels<N, T>().count_rows(blocks_a_.data(), others.data(), blocks_of(columns_), itself_, rows);
+  return overlap_kernels<N, T>().count_rows(blocks_a_.data(), others.data(), blocks_of(columns_), itself_, rows);
 }
 
 template <Dim N, class T>
 void DenseSearch<N, T>::meet(Rows rows, std::span<Pair> out) const {
   const Buffer<Block<N, T>>& others = itself_ ? blocks_a_ : blocks_b_;
-  meet_kernels<N, T>().meet_rows(blocks_a_.data(), others.data(), blocks_of(columns_), itself_, rows, out);
+  overlap_kernels<N, T>().meet_rows(blocks_a_.data(), others.data(), blocks_of(columns_), itself_, rows, out);
 }
 
 /// Twice over all comparisons: to count, and to write where the pairs belong. Where pairs are many, that is less than
 /// to write them twice.
 template <Dim N, class T>
 std::span<const Pair> DenseSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options,
-                                              PairRoom& room) {
+                                              PairSink& room) {
   take(boxes_a, boxes_b, static_cast<T>(options.margin));
   const Executor& executor = executor_of(options);
   constexpr std::size_t comparisons_per_task = std::size_t{1} << 20U;

@@ -22,7 +22,7 @@ class DenseSearch {
 
   /// The pairs of one set, where `boxes_b` is null, or between two, ascending, into the room that is given for them.
   /// Throws std::invalid_argument with the position of the first box that has a NaN.
-  std::span<const Pair> find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options, PairRoom& room);
+  std::span<const Pair> find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options, PairSink& room);
 
   /// The same pairs to a visitor, without holding more than those of a few rows.
   void visit(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options, const PairVisitor& visitor);

@@ -17,7 +17,7 @@
 
 namespace graze::detail {
 
-/// Centers of boxes at hand, for sort_crowd; with `in_order` of them those 0, 1, ... are sorted.
+/// Centers of boxes at hand, for sort_cluster; with `in_order` of them those 0, 1, ... are sorted.
 template <Dim N, class T>
 struct NearCenters {
   const Aabb<N, T>* boxes;
@@ -42,9 +42,9 @@ void fetch_boxes(std::span<const Aabb<N, T>> from, const std::uint32_t* ids, std
   }
 }
 
-/// A crowd that a core's cache holds, to be sorted as sort_crowd does: its boxes are fetched once.
+/// A crowd that a core's cache holds, to be sorted as sort_cluster does: its boxes are fetched once.
 template <Dim N, class T>
-class NearCrowd {
+class NearCluster {
  public:
   static constexpr std::size_t most = std::size_t{1} << 17U;
 
@@ -56,7 +56,7 @@ class NearCrowd {
     spare_.require(count);
     fetch_boxes(from, ids, count, boxes_.data());
     std::iota(order_.data(), order_.data() + count, 0U);
-    sort_crowd<N, T>(order_.data(), count, small, NearCenters<N, T>{boxes_.data(), count}, cells, spare_.data());
+    sort_cluster<N, T>(order_.data(), count, small, NearCenters<N, T>{boxes_.data(), count}, cells, spare_.data());
     std::copy(ids, ids + count, spare_.data());
     for (std::size_t k = 0; k < count; ++k) ids[k] = spare_[order_[k]];
   }

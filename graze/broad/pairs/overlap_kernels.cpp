@@ -189,14 +189,15 @@ void meet_rows(const Block<N, T>* a, const Block<N, T>* b, std::size_t blocks_of
 }
 
 template <Dim N, class T>
-MeetKernels<N, T> kernels() {
+OverlapKernels<N, T> kernels() {
   return {descend_pairs<N, T>, meet_pairs<N, T>, count_rows<N, T>, meet_rows<N, T>};
 }
 
 }  // namespace
 
-const AllMeetKernels& all_meet_kernels() {
-  static const AllMeetKernels all{kernels<2, float>(), kernels<3, float>(), kernels<2, double>(), kernels<3, double>()};
+const AllOverlapKernels& all_overlap_kernels() {
+  static const AllOverlapKernels all{kernels<2, float>(), kernels<3, float>(), kernels<2, double>(),
+                                     kernels<3, double>()};
   return all;
 }
 
@@ -206,18 +207,18 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace graze::detail {
 namespace {
-HWY_EXPORT(all_meet_kernels);
+HWY_EXPORT(all_overlap_kernels);
 }
 
 template <Dim N, class T>
-const MeetKernels<N, T>& meet_kernels() {
-  return HWY_DYNAMIC_DISPATCH(all_meet_kernels)().template of<N, T>();
+const OverlapKernels<N, T>& overlap_kernels() {
+  return HWY_DYNAMIC_DISPATCH(all_overlap_kernels)().template of<N, T>();
 }
 
-template const MeetKernels<2, float>& meet_kernels();
-template const MeetKernels<3, float>& meet_kernels();
-template const MeetKernels<2, double>& meet_kernels();
-template const MeetKernels<3, double>& meet_kernels();
+template const OverlapKernels<2, float>& overlap_kernels();
+template const OverlapKernels<3, float>& overlap_kernels();
+template const OverlapKernels<2, double>& overlap_kernels();
+template const OverlapKernels<3, double>& overlap_kernels();
 
 }  // namespace graze::detail
 #endif

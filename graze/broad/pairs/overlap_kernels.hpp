@@ -29,7 +29,7 @@ struct BlockLevel {
 };
 
 template <Dim N, class T>
-struct MeetKernels {
+struct OverlapKernels {
   /// The pairs of child blocks to compare, for `count` pairs of blocks of boxes of blocks; `a` and `b` hold these,
   /// `above` the bounds of those of b, or is null. `out` has room for 256 per pair. Returns how many there are.
   std::size_t (*descend)(const Block<N, T>* a, const Block<N, T>* b, const Block<N, T>* above, bool itself,
@@ -51,10 +51,10 @@ struct MeetKernels {
 };
 
 /// The kernels of one instruction set.
-using AllMeetKernels = SpaceKernels<MeetKernels>;
+using AllOverlapKernels = SpaceKernels<OverlapKernels>;
 
 /// The kernels for this machine. Instantiated for 2D and 3D, float and double.
 template <Dim N, class T>
-const MeetKernels<N, T>& meet_kernels();
+const OverlapKernels<N, T>& overlap_kernels();
 
 }  // namespace graze::detail

@@ -10,7 +10,7 @@ namespace graze::detail {
 namespace {
 
 constexpr std::size_t line_bytes = 64;
-static_assert(LentMemory::alignment % static_cast<std::size_t>(PairChunk::large) == 0);
+static_assert(ScratchArena::alignment % static_cast<std::size_t>(PairChunk::large) == 0);
 
 }  // namespace
 
@@ -42,7 +42,7 @@ std::byte* PairBuckets::take_chunks(std::size_t count) {
   return result;
 }
 
-std::byte* PairBuckets::take_lent(Rest& rest) const {
+std::byte* PairBuckets::take_scratch(Rest& rest) const {
   if (rest.next == rest.end) {
     if (rest.lender == nullptr) return nullptr;
     rest.next = rest.lender->take();
@@ -50,7 +50,7 @@ std::byte* PairBuckets::take_lent(Rest& rest) const {
       rest = {};
       return nullptr;
     }
-    rest.end = rest.next + LentMemory::piece;
+    rest.end = rest.next + ScratchArena::piece;
   }
   std::byte* const result = rest.next;
   rest.next += chunk_;
@@ -61,10 +61,10 @@ std::byte* PairBuckets::take_chunk(std::size_t bucket) {
   if (loans_ != nullptr) {
     for (std::size_t k = 0; k < ahead_.size(); ++k) {
       if (bucket >= loans_->ahead[k].buckets_end) continue;
-      if (std::byte* const lent = take_lent(ahead_[k])) return lent;
+      if (std::byte* const lent = take_scratch(ahead_[k])) return lent;
       break;
     }
-    if (std::byte* const lent = take_lent(idle_)) return lent;
+    if (std::byte* const lent = take_scratch(idle_)) return lent;
   }
   return take_chunks(1);
 }

@@ -22,11 +22,11 @@ enum class PairChunk : std::uint32_t { large = 2048, small = 512 };
 struct PairLoans {
   /// For some of the first buckets.
   struct Ahead {
-    LentMemory memory;
+    ScratchArena memory;
     std::size_t buckets_end = 0;  ///< Of those that wait here: the first ones, but for who waits in one before.
   };
 
-  LentMemory idle;  ///< For all buckets.
+  ScratchArena idle;  ///< For all buckets.
   std::array<Ahead, 2> ahead;
 
   void clear() {
@@ -91,7 +91,7 @@ class PairBuckets {
 
   /// The rest of a piece that was lent.
   struct Rest {
-    LentMemory* lender = nullptr;  // none any more when it has nothing left
+    ScratchArena* lender = nullptr;  // none any more when it has nothing left
     std::byte* next = nullptr;
     std::byte* end = nullptr;
   };
@@ -105,7 +105,7 @@ class PairBuckets {
   void add_codes(std::span<const Pair> pairs);
   void add_slab(std::size_t chunks);
   std::byte* take_chunks(std::size_t count);
-  std::byte* take_lent(Rest& rest) const;
+  std::byte* take_scratch(Rest& rest) const;
   std::byte* take_chunk(std::size_t bucket);
   void move_home(Part& part);
   void close(std::size_t bucket);

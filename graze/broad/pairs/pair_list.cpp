@@ -8,8 +8,8 @@
 namespace graze::detail {
 namespace {
 
-constexpr std::size_t at_once = std::size_t{1} << 16U;  // pairs whose memory is populated, half a megabyte
-constexpr std::size_t populated_from = 8 * at_once;     // pairs for which that pays
+constexpr std::size_t at_once = std::size_t{1} << 16U;  // pairs whose memory is prefaulted, half a megabyte
+constexpr std::size_t prefaulted_from = 8 * at_once;    // pairs for which that pays
 
 // Whether an address sanitizer reports who writes to the room that a vector has to spare: libc++ tells it to.
 #if defined(_LIBCPP_VERSION) && defined(__has_feature)
@@ -20,12 +20,12 @@ constexpr bool watches_room_to_spare = false;
 
 }  // namespace
 
-/// Populates the memory of at least so many pairs, as far as there is room.
-void PairList::populate_to(std::size_t count) {
-  if (count <= populated_ || pairs_.capacity() < populated_from) return;
-  const std::size_t end = std::min(std::max(count, populated_ + at_once), pairs_.capacity());
-  populate(pairs_.data() + populated_, (end - populated_) * sizeof(Pair));
-  populated_ = end;
+/// Prefaults the memory of at least so many pairs, as far as there is room.
+void PairList::prefault_to(std::size_t count) {
+  if (count <= prefaulted_ || pairs_.capacity() < prefaulted_from) return;
+  const std::size_t end = std::min(std::max(count, prefaulted_ + at_once), pairs_.capacity());
+  prefault(pairs_.data() + prefaulted_, (end - prefaulted_) * sizeof(Pair));
+  prefaulted_ = end;
 }
 
 Pair* PairList::all(std::size_t count) {
@@ -42,7 +42,7 @@ Pair* PairList::all_in_turns(std::size_t count) {
 void PairList::reach(std::size_t end) {
   while (pairs_.size() < end) {
     const std::size_t next = std::min(end, pairs_.size() + at_once);
-    populate_to(next);
+    prefault_to(next);
     pairs_.resize(next);
   }
 }
@@ -50,7 +50,7 @@ void PairList::reach(std::size_t end) {
 void PairList::reach_by_all(std::size_t end) {
   if (executor_.concurrency() < 2) return reach(end);
   if (pairs_.size() >= end) return;
-  populate(pairs_.data() + pairs_.size(), (end - pairs_.size()) * sizeof(Pair), executor_);
+  prefault(pairs_.data() + pairs_.size(), (end - pairs_.size()) * sizeof(Pair), executor_);
   pairs_.resize(end);
 }
 
@@ -68,9 +68,9 @@ const Pair* PairList::append(std::span<const Pair> pairs, std::size_t expected) 
     reserve_in_large_pages(longer, std::clamp(expected + expected / 2, count + count / 2, 16 * count));
     longer.assign(pairs_.begin(), pairs_.end());
     pairs_ = std::move(longer);
-    populated_ = pairs_.size();
+    prefaulted_ = pairs_.size();
   }
-  populate_to(count);
+  prefault_to(count);
   pairs_.insert(pairs_.end(), pairs.begin(), pairs.end());
   return pairs_.data();
 }

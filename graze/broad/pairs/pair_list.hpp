@@ -13,7 +13,7 @@
 namespace graze::detail {
 
 /// Room that is kept from call to call.
-class KeptPairRoom final : public PairRoom {
+class KeptPairSink final : public PairSink {
  public:
   Pair* all(std::size_t count) override {
     pairs_.require(count);
@@ -38,7 +38,7 @@ class KeptPairRoom final : public PairRoom {
 
 /// Room in a list that is made anew. To have the system clear its pages may take longer than to find the pairs: they
 /// are asked for many at a time, just before they are written, by as many threads as there are.
-class PairList final : public PairRoom {
+class PairList final : public PairSink {
  public:
   explicit PairList(const Executor& executor) : executor_(executor) {}
 
@@ -54,11 +54,11 @@ class PairList final : public PairRoom {
   std::vector<Pair> take();
 
  private:
-  void populate_to(std::size_t count);
+  void prefault_to(std::size_t count);
 
   const Executor& executor_;
   std::vector<Pair> pairs_;
-  std::size_t populated_ = 0;  // so many pairs' memory
+  std::size_t prefaulted_ = 0;  // so many pairs' memory
 };
 
 }  // namespace graze::detail

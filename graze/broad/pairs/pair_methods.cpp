@@ -86,13 +86,13 @@ double share_overlapping(std::span<const Aabb<N, T>> boxes_a, const std::span<co
   constexpr std::size_t enough_to_see_one = 32;
   const std::size_t drawn = std::clamp<std::size_t>(boxes_a.size() + others.size(), enough_to_see_one, 256);
   const auto of_both = static_cast<T>(2 * margin);
-  Draws draws_a(1);
-  Draws draws_b(2);
+  LinearCongruential random_a(1);
+  LinearCongruential random_b(2);
   std::size_t overlapping = 0;
   for (std::size_t k = 0; k < drawn; ++k) {
     if (k == enough_to_see_one && overlapping == 0) return 0;
-    const std::size_t at = draws_a.below(boxes_a.size());
-    std::size_t other = draws_b.below(boxes_b != nullptr ? others.size() : others.size() - 1);
+    const std::size_t at = random_a.below(boxes_a.size());
+    std::size_t other = random_b.below(boxes_b != nullptr ? others.size() : others.size() - 1);
     if (boxes_b == nullptr && other >= at) ++other;  // not with itself
     const Aabb<N, T>& a = boxes_a[at];
     const Aabb<N, T>& b = others[other];
@@ -135,7 +135,7 @@ bool is_for_dense(std::type_identity_t<std::span<const Aabb<N, T>>> boxes_a,
 
 template <Dim N, class T>
 std::span<const Pair> PairMethods<N, T>::find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options,
-                                              PairRoom& room) {
+                                              PairSink& room) {
   last_ = checked_method(options, boxes_a, boxes_b);
   if (last_ == PairMethod::tree) return tree_.find(boxes_a, boxes_b, options, room);
   if (last_ == PairMethod::dense) return dense_.find(boxes_a, boxes_b, options, room);

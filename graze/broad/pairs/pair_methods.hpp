@@ -19,7 +19,7 @@ class PairMethods {
 
   /// The pairs of one set, where `boxes_b` is null, or between two: in the room that is given for them, or in memory of
   /// its own, where they stay until the next call.
-  std::span<const Pair> find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options, PairRoom& room);
+  std::span<const Pair> find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options, PairSink& room);
   void visit(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options, const PairVisitor& visitor);
 
   PairMethod last() const { return last_; }

@@ -78,7 +78,7 @@ struct FoundToSort {
 /// how many there will be.
 struct FoundToAppend {
   Buffer<Pair>& pairs;
-  PairRoom& room_of_all;
+  PairSink& room_of_all;
   std::size_t held = 0;
   std::size_t expected = 0;  ///< In all; zero for no guess.
   std::size_t count = 0;
@@ -173,9 +173,9 @@ void PairSearch<N, T>::descend() {
     for (std::size_t k = 0; k < meeting_count_; k += step) {
       const std::size_t parents = std::min(step, meeting_count_ - k);
       spare_meetings_.extend(children + parents * most_children, children);
-      children +=
-          meet_kernels<N, T>().descend(tree_a_.level(level), other_->level(level), above_of(level), other_ == &tree_a_,
-                                       meetings_.data() + k, parents, spare_meetings_.data() + children);
+      children += overlap_kernels<N, T>().descend(tree_a_.level(level), other_->level(level), above_of(level),
+                                                  other_ == &tree_a_, meetings_.data() + k, parents,
+                                                  spare_meetings_.data() + children);
     }
     std::swap(meetings_, spare_meetings_);
     meeting_count_ = children;
@@ -187,7 +187,7 @@ template <Dim N, class T>
 template <class Finds>
 void PairSearch<N, T>::meet(std::span<const BlockPair> parents, Buffer<BlockPair>& list, Finds& found) const {
   if (parents.empty()) return;  // a tree may have no levels
-  const MeetKernels<N, T>& kernels = meet_kernels<N, T>();
+  const OverlapKernels<N, T>& kernels = overlap_kernels<N, T>();
   const bool itself = other_ == &tree_a_;
   const BlockLevel<N, T> level_a{tree_a_.level(0), tree_a_.ids(), tree_a_.level(1)};
   const BlockLevel<N, T> level_b{other_->level(0), other_->ids(), other_->level(1)};
@@ -253,7 +253,7 @@ PairForecast PairSearch<N, T>::forecast() const {
 
 template <Dim N, class T>
 std::span<const Pair> PairSearch<N, T>::find_sorted(const PairLimits& limits, const Executor& executor,
-                                                    PairRoom& room) {
+                                                    PairSink& room) {
   sort_.begin(limits, executor.concurrency());
   for (BlockTree<N, T>* const tree : {&tree_a_, &tree_b_}) {
     for (const std::span<std::byte> memory : tree->idle_memory()) sort_.lend(memory);
@@ -292,7 +292,7 @@ void PairSearch<N, T>::find_lists(std::size_t tasks, const Executor& executor) {
 
 /// Finds the same as tasks would, task after task, and appends it.
 template <Dim N, class T>
-std::span<const Pair> PairSearch<N, T>::find_in_turns(PairRoom& room) {
+std::span<const Pair> PairSearch<N, T>::find_in_turns(PairSink& room) {
   constexpr std::size_t step = 2 * parents_at_once;  // a task is cut where it would be anyway, for the order of pairs
   const std::size_t tasks = task_count();
   const typename Pool<Found>::Loan memory(workers_);
@@ -312,7 +312,7 @@ std::span<const Pair> PairSearch<N, T>::find_in_turns(PairRoom& room) {
 
 /// Finds them in lists, which are then put together.
 template <Dim N, class T>
-std::span<const Pair> PairSearch<N, T>::find_in_lists(const Executor& executor, PairRoom& room) {
+std::span<const Pair> PairSearch<N, T>::find_in_lists(const Executor& executor, PairSink& room) {
   const std::size_t tasks = task_count();
   find_lists(tasks, executor);
   std::vector<std::size_t> begins = {0};  // of each list among all pairs
@@ -331,7 +331,7 @@ std::span<const Pair> PairSearch<N, T>::find_in_lists(const Executor& executor, 
 
 /// The same in the same order, where they are not to be held twice: the lists are put together while others are filled.
 template <Dim N, class T>
-std::span<const Pair> PairSearch<N, T>::find_ahead(std::size_t expected, const Executor& executor, PairRoom& room) {
+std::span<const Pair> PairSearch<N, T>::find_ahead(std::size_t expected, const Executor& executor, PairSink& room) {
   /// A list, until it has been copied.
   class List {
    public:
@@ -355,7 +355,7 @@ std::span<const Pair> PairSearch<N, T>::find_ahead(std::size_t expected, const E
 }
 
 template <Dim N, class T>
-std::span<const Pair> PairSearch<N, T>::find_any(const PairLimits& limits, const Executor& executor, PairRoom& room) {
+std::span<const Pair> PairSearch<N, T>::find_any(const PairLimits& limits, const Executor& executor, PairSink& room) {
   if (executor.concurrency() == 1) return room.appends() ? find_in_turns(room) : find_in_lists(executor, room);
   constexpr std::size_t many = 1;  // pairs for each box: they would take more memory than what is found by
   const bool is_like_last = last_count_ > 0 && last_limits_ == limits;
@@ -369,7 +369,7 @@ std::span<const Pair> PairSearch<N, T>::find_any(const PairLimits& limits, const
 
 template <Dim N, class T>
 std::span<const Pair> PairSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options,
-                                             PairRoom& room) {
+                                             PairSink& room) {
   const Executor& executor = executor_of(options);
   build(boxes_a, boxes_b, static_cast<T>(options.margin), executor);
   descend();

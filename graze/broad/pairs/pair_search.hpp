@@ -27,7 +27,7 @@ class PairSearch {
 
   /// The pairs of one set, where `boxes_b` is null, or between two: in the room that is given for them, or in memory of
   /// its own, where they stay until the next call.
-  std::span<const Pair> find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options, PairRoom& room);
+  std::span<const Pair> find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options, PairSink& room);
 
   /// The same pairs, in the order in which they are found, to a visitor, without holding more than a few blocks of
   /// them.
@@ -46,11 +46,11 @@ class PairSearch {
   PairForecast forecast() const;
   std::span<const BlockPair> meetings_of(std::size_t task, std::size_t tasks) const;
   void find_lists(std::size_t tasks, const Executor& executor);
-  std::span<const Pair> find_sorted(const PairLimits& limits, const Executor& executor, PairRoom& room);
-  std::span<const Pair> find_in_turns(PairRoom& room);
-  std::span<const Pair> find_any(const PairLimits& limits, const Executor& executor, PairRoom& room);
-  std::span<const Pair> find_in_lists(const Executor& executor, PairRoom& room);
-  std::span<const Pair> find_ahead(std::size_t expected, const Executor& executor, PairRoom& room);
+  std::span<const Pair> find_sorted(const PairLimits& limits, const Executor& executor, PairSink& room);
+  std::span<const Pair> find_in_turns(PairSink& room);
+  std::span<const Pair> find_any(const PairLimits& limits, const Executor& executor, PairSink& room);
+  std::span<const Pair> find_in_lists(const Executor& executor, PairSink& room);
+  std::span<const Pair> find_ahead(std::size_t expected, const Executor& executor, PairSink& room);
 
   BlockTree<N, T> tree_a_;
   BlockTree<N, T> tree_b_;

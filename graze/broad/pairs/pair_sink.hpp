@@ -9,12 +9,12 @@
 namespace graze::detail {
 
 /// Where a method puts the pairs that it finds: all at once, when it knows how many there are, or bit by bit.
-class PairRoom {
+class PairSink {
  public:
-  PairRoom() = default;
-  virtual ~PairRoom() = default;
-  PairRoom(const PairRoom&) = delete;
-  PairRoom& operator=(const PairRoom&) = delete;
+  PairSink() = default;
+  virtual ~PairSink() = default;
+  PairSink(const PairSink&) = delete;
+  PairSink& operator=(const PairSink&) = delete;
 
   /// Room for all pairs. Asked for once, and nothing is appended besides.
   virtual Pair* all(std::size_t count) = 0;

@@ -54,7 +54,7 @@ std::array<double, 2> PairSort::shares() const {
   return {wanted * ideal[0], wanted * ideal[1]};
 }
 
-void PairSort::wait_in(PairRoom& room, const PairForecast& forecast) {
+void PairSort::wait_in(PairSink& room, const PairForecast& forecast) {
   constexpr std::size_t many = 8;  // bytes of codes for each index
   if (forecast.count * code_bytes() <= many * (limits_.a + limits_.b)) return;
   const std::span<Pair> ahead = room.ahead(forecast.count);
@@ -100,7 +100,7 @@ std::size_t PairSort::count() {
 }
 
 template <class Code>
-void PairSort::sort_codes(const Executor& executor, PairRoom& room, Pair* out) {
+void PairSort::sort_codes(const Executor& executor, PairSink& room, Pair* out) {
   Pool<BucketMemory<Code>> memories;  // not kept: a bucket may have most of the pairs
   const auto sort_some = [&](std::size_t task) {
     const typename Pool<BucketMemory<Code>>::Loan loan(memories);
@@ -136,7 +136,7 @@ void PairSort::sort_codes(const Executor& executor, PairRoom& room, Pair* out) {
   for (const auto& memory : memories.all()) passing_bytes_ += memory->bytes();
 }
 
-Pair* PairSort::sort(const Executor& executor, PairRoom& room) {
+Pair* PairSort::sort(const Executor& executor, PairSink& room) {
   const std::size_t count = ends_.empty() ? 0 : static_cast<std::size_t>(ends_.back());
   const bool some_wait = loans_.ahead[0].buckets_end > 0 || loans_.ahead[1].buckets_end > 0;
   if (some_wait && !is_as_forecast()) {

@@ -43,7 +43,7 @@ class PairSort {
 
   /// Before the first sink: where very many pairs are expected, most of them wait in the room for all, each where
   /// nothing is written until it has been sorted.
-  void wait_in(PairRoom& room, const PairForecast& forecast);
+  void wait_in(PairSink& room, const PairForecast& forecast);
 
   /// The shares of pairs for which a forecast is to say where their first indices end.
   std::array<double, 2> shares() const;
@@ -66,7 +66,7 @@ class PairSort {
 
   /// Writes all pairs, ascending, to `room`, and returns the place of the first one: after count(). No pair may have
   /// come twice.
-  Pair* sort(const Executor& executor, PairRoom& room);
+  Pair* sort(const Executor& executor, PairSink& room);
 
   /// The memory that is held, and what the last sort needed in passing.
   std::size_t bytes() const;
@@ -74,7 +74,7 @@ class PairSort {
  private:
   void clear(PairBuckets& buckets);
   template <class Code>
-  void sort_codes(const Executor& executor, PairRoom& room, Pair* out);
+  void sort_codes(const Executor& executor, PairSink& room, Pair* out);
   std::size_t code_bytes() const { return code_.narrow() ? sizeof(std::int32_t) : sizeof(std::int64_t); }
   void remember_last(const PairLimits& limits);
   std::array<double, 2> ideal_shares() const;

@@ -50,7 +50,7 @@ void lower(std::atomic<std::size_t>& to_least, std::size_t value) {
   }
 }
 
-/// Centers of boxes, for sort_crowd.
+/// Centers of boxes, for sort_cluster.
 template <Dim N, class T>
 struct Centers {
   std::span<const Aabb<N, T>> boxes;
@@ -83,8 +83,8 @@ void SpatialOrder<N, T>::survey(std::span<const Aabb<N, T>> boxes) {
     centers_ = block_kernels<N, T>().survey(boxes.data(), boxes.size());
   } else {
     std::array<Aabb<N, T>, sample_size> sample;
-    Draws draws;
-    for (Aabb<N, T>& box : sample) box = boxes[draws.below(boxes.size())];
+    LinearCongruential random;
+    for (Aabb<N, T>& box : sample) box = boxes[random.below(boxes.size())];
     centers_ = block_kernels<N, T>().survey(sample.data(), sample.size());
   }
   if (is_nothing(centers_)) centers_ = {Vec<N, T>(T(0)), Vec<N, T>(T(0))};
@@ -161,31 +161,31 @@ void SpatialOrder<N, T>::scatter(std::span<const Aabb<N, T>> boxes, const Bucket
 }
 
 template <Dim N, class T>
-void SpatialOrder<N, T>::divide_crowds(std::span<const Aabb<N, T>> boxes, const Buckets& buckets,
-                                       const Executor& executor) {
-  std::vector<std::size_t> crowds;
+void SpatialOrder<N, T>::divide_clusters(std::span<const Aabb<N, T>> boxes, const Buckets& buckets,
+                                         const Executor& executor) {
+  std::vector<std::size_t> clusters;
   std::size_t largest = 0;
   for (std::size_t bucket = 0; bucket < buckets.of_class(class_count - 1); ++bucket) {
     const std::size_t count = ends_[bucket] - (bucket == 0 ? 0 : ends_[bucket - 1]);
-    if (count > run_limit()) crowds.push_back(bucket);
+    if (count > run_limit()) clusters.push_back(bucket);
     largest = std::max(largest, count);
   }
   passing_bytes_ = 0;
-  if (crowds.empty()) return;
-  if (largest > NearCrowd<N, T>::most) spare_.require(boxes.size());
-  Pool<NearCrowd<N, T>> near_crowds;  // not kept: with many threads they are as large as all the rest
-  executor.parallel_for(crowds.size(), [&](std::size_t k) {
-    const std::size_t begin = crowds[k] == 0 ? 0 : ends_[crowds[k] - 1];
-    const std::size_t count = ends_[crowds[k]] - begin;
-    if (count <= NearCrowd<N, T>::most) {
-      const typename Pool<NearCrowd<N, T>>::Loan near(near_crowds);
+  if (clusters.empty()) return;
+  if (largest > NearCluster<N, T>::most) spare_.require(boxes.size());
+  Pool<NearCluster<N, T>> near_clusters;  // not kept: with many threads they are as large as all the rest
+  executor.parallel_for(clusters.size(), [&](std::size_t k) {
+    const std::size_t begin = clusters[k] == 0 ? 0 : ends_[clusters[k] - 1];
+    const std::size_t count = ends_[clusters[k]] - begin;
+    if (count <= NearCluster<N, T>::most) {
+      const typename Pool<NearCluster<N, T>>::Loan near(near_clusters);
       near->sort(boxes, order_.data() + begin, count, boxes_per_bucket, cells_.data() + begin);
       return;
     }
-    sort_crowd<N, T>(order_.data() + begin, count, boxes_per_bucket, Centers<N, T>{boxes}, cells_.data() + begin,
-                     spare_.data() + begin);
+    sort_cluster<N, T>(order_.data() + begin, count, boxes_per_bucket, Centers<N, T>{boxes}, cells_.data() + begin,
+                       spare_.data() + begin);
   });
-  for (const auto& near : near_crowds.all()) passing_bytes_ += near->bytes();
+  for (const auto& near : near_clusters.all()) passing_bytes_ += near->bytes();
 }
 
 template <Dim N, class T>
@@ -199,7 +199,7 @@ void SpatialOrder<N, T>::sort(std::span<const Aabb<N, T>> boxes, const Executor&
   const std::size_t first_nan = find_cells(boxes, buckets, executor);
   if (first_nan < boxes.size()) refuse_nan(first_nan, set);
   scatter(boxes, buckets, executor);
-  divide_crowds(boxes, buckets, executor);
+  divide_clusters(boxes, buckets, executor);
   cut_runs(buckets);
 }
 

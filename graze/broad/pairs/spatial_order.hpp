@@ -61,7 +61,7 @@ class SpatialOrder {
   T usual_size(std::span<const Aabb<N, T>> boxes) const;
   std::size_t find_cells(std::span<const Aabb<N, T>> boxes, const Buckets& buckets, const Executor& executor);
   void scatter(std::span<const Aabb<N, T>> boxes, const Buckets& buckets, const Executor& executor);
-  void divide_crowds(std::span<const Aabb<N, T>> boxes, const Buckets& buckets, const Executor& executor);
+  void divide_clusters(std::span<const Aabb<N, T>> boxes, const Buckets& buckets, const Executor& executor);
 
   std::size_t run_limit() const;
   void cut_runs(const Buckets& buckets);

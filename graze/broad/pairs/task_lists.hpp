@@ -22,7 +22,7 @@ template <class List>
 class TaskLists {
  public:
   /// For the memory ahead in a room.
-  TaskLists(std::size_t tasks, PairRoom& room, std::span<Pair> ahead) : room_(room), ahead_(ahead), lists_(tasks) {}
+  TaskLists(std::size_t tasks, PairSink& room, std::span<Pair> ahead) : room_(room), ahead_(ahead), lists_(tasks) {}
 
   /// Takes what a task has found, from any thread.
   void add(std::size_t task, std::unique_ptr<List> list) {
@@ -66,7 +66,7 @@ class TaskLists {
 
   static void copy_to(std::span<const Pair> pairs, Pair* to) { std::copy(pairs.begin(), pairs.end(), to); }
 
-  PairRoom& room_;
+  PairSink& room_;
   std::span<Pair> ahead_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<List>> lists_;

@@ -35,16 +35,17 @@ HWY_INLINE LaneVerdict<T> verdict_of(const LaneAabb<N, T>& a, const LaneAabb<N, 
 
 /// How far axes are from orthonormal: the largest |axis i . axis j - (i == j)|.
 template <Dim N, class T>
-HWY_INLINE Lanes<T> skew_of(const LaneObb<N, T>& box) {
-  auto skew = hn::Zero(Tag<T>());
+HWY_INLINE Lanes<T> orthonormality_error_of(const LaneObb<N, T>& box) {
+  auto orthonormality_error = hn::Zero(Tag<T>());
   for (Dim i = 0; i < N; ++i) {
-    skew = hn::Max(skew, hn::Abs(hn::Sub(inner(box.axes[i], box.axes[i]), all(T(1)))));
-    for (Dim j = i + 1; j < N; ++j) skew = hn::Max(skew, hn::Abs(inner(box.axes[i], box.axes[j])));
+    orthonormality_error = hn::Max(orthonormality_error, hn::Abs(hn::Sub(inner(box.axes[i], box.axes[i]), all(T(1)))));
+    for (Dim j = i + 1; j < N; ++j)
+      orthonormality_error = hn::Max(orthonormality_error, hn::Abs(inner(box.axes[i], box.axes[j])));
   }
-  return skew;
+  return orthonormality_error;
 }
 template <Dim N, class T>
-HWY_INLINE Lanes<T> skew_of(const LaneAabb<N, T>&) {
+HWY_INLINE Lanes<T> orthonormality_error_of(const LaneAabb<N, T>&) {
   return hn::Zero(Tag<T>());
 }
 
@@ -155,8 +156,8 @@ HWY_INLINE hn::Mask<Tag<T>> are_usable(const LaneGaps<T>& gaps) {
 
 /// Gaps beyond this say the truth of boxes whose axes are orthonormal up to `skew`.
 template <class T>
-HWY_INLINE Lanes<T> band_of(const LaneGaps<T>& gaps, Lanes<T> skew) {
-  return hn::Mul(hn::Mul(all(static_cast<T>(tolerance::box_filter)), skew), gaps.size);
+HWY_INLINE Lanes<T> band_of(const LaneGaps<T>& gaps, Lanes<T> orthonormality_error) {
+  return hn::Mul(hn::Mul(all(static_cast<T>(tolerance::box_filter)), orthonormality_error), gaps.size);
 }
 
 /// What is clear on all axes at once; filter_of_boxes in query/relation/box_filter.hpp says why.
@@ -169,14 +170,15 @@ HWY_INLINE LaneVerdict<T> verdict_of_gaps(const LaneGaps<T>& gaps, Lanes<T> band
 
 /// The same, and what is clear but for edges that are nearly parallel.
 template <Dim N, class T>
-HWY_INLINE LaneVerdict<T> verdict_within(const LaneView<N, T>& view, const LaneGaps<T>& gaps, Lanes<T> skew) {
-  const auto band = band_of(gaps, skew);
+HWY_INLINE LaneVerdict<T> verdict_within(const LaneView<N, T>& view, const LaneGaps<T>& gaps,
+                                         Lanes<T> orthonormality_error) {
+  const auto band = band_of(gaps, orthonormality_error);
   LaneVerdict<T> verdict = verdict_of_gaps(gaps, band);
   if constexpr (N == 3) {
     const auto is_deep = hn::And(are_usable(gaps), hn::Lt(gaps.on_axes, hn::Mul(all(T(-8)), band)));
     const auto deep = hn::And(is_deep, hn::Not(hn::Or(verdict.apart, verdict.overlapping)));
     if (!hn::AllFalse(Tag<T>(), deep)) {
-      const auto parallel = hn::Mul(all(static_cast<T>(2 * tolerance::box_filter)), skew);
+      const auto parallel = hn::Mul(all(static_cast<T>(2 * tolerance::box_filter)), orthonormality_error);
       verdict.overlapping =
           hn::Or(verdict.overlapping, hn::And(deep, only_parallel_edges_are_open(view, band, parallel)));
     }
@@ -191,7 +193,8 @@ HWY_INLINE LaneVerdict<T> verdict_of_boxes(const First& a, const LaneObb<N, T>& 
   const LaneGaps<T> gaps = gaps_of(view);
   LaneVerdict<T> verdict = verdict_within(view, gaps, all(static_cast<T>(tolerance::orthonormal)));
   if (hn::AllTrue(Tag<T>(), hn::Or(verdict.apart, verdict.overlapping))) return verdict;
-  const auto measured = hn::Add(hn::Max(skew_of(a), skew_of(b)), all(tolerance::measured_skew<T>));
+  const auto measured = hn::Add(hn::Max(orthonormality_error_of(a), orthonormality_error_of(b)),
+                                all(tolerance::measured_orthonormality_error<T>));
   return verdict_within(view, gaps, hn::Min(measured, all(static_cast<T>(tolerance::orthonormal))));
 }
 
@@ -212,7 +215,7 @@ HWY_INLINE LaneVerdict<T> verdict_of(const LaneAabb<N, T>& a, const LaneObb<N, T
   return verdict_of_boxes(a, b);
 }
 
-/// The way from the center, clamped to the box along each axis, as filter_of_ball in query/relation/box_filter.hpp.
+/// The way from the center, clamped to the box along each axis, as filter_of_sphere in query/relation/box_filter.hpp.
 template <Dim N, class T>
 HWY_INLINE LaneVerdict<T> verdict_of(const LaneSphere<N, T>& sphere, const LaneObb<N, T>& box) {
   const Tag<T> d;
@@ -231,15 +234,15 @@ HWY_INLINE LaneVerdict<T> verdict_of(const LaneSphere<N, T>& sphere, const LaneO
   }
   const auto distance = hn::Sqrt(inner(rest, rest));
   const auto usable = hn::And(hn::Gt(size, all(least_size<T>)), hn::Lt(size, all(largest_size<T>)));
-  const auto verdict_within = [&](auto skew) -> LaneVerdict<T> {
-    const auto slack = hn::Mul(hn::Mul(all(static_cast<T>(tolerance::box_filter)), skew), size);
+  const auto verdict_within = [&](auto orthonormality_error) -> LaneVerdict<T> {
+    const auto slack = hn::Mul(hn::Mul(all(static_cast<T>(tolerance::box_filter)), orthonormality_error), size);
     const auto apart = hn::Gt(distance, hn::Add(sphere.radius, slack));
     const auto near = hn::Lt(distance, hn::Sub(sphere.radius, slack));
     return {hn::And(usable, apart), hn::And(usable, hn::Or(near, hn::Lt(outside, hn::Neg(slack))))};
   };
   const LaneVerdict<T> verdict = verdict_within(all(static_cast<T>(tolerance::orthonormal)));
   if (hn::AllTrue(d, hn::Or(verdict.apart, verdict.overlapping))) return verdict;
-  return verdict_within(hn::Add(skew_of(box), all(tolerance::measured_skew<T>)));
+  return verdict_within(hn::Add(orthonormality_error_of(box), all(tolerance::measured_orthonormality_error<T>)));
 }
 
 // ---- A capsule against a box
@@ -248,14 +251,14 @@ HWY_INLINE LaneVerdict<T> verdict_of(const LaneSphere<N, T>& sphere, const LaneO
 template <Dim N, class T>
 struct LaneAxis {
   LaneVec<N, T> start;
-  LaneVec<N, T> seen_start;
-  LaneVec<N, T> seen_along;
+  LaneVec<N, T> local_start;
+  LaneVec<N, T> local_along;
 
   HWY_INLINE LaneAxis(const LaneObb<N, T>& box, const LaneCapsule<N, T>& capsule)
       : start(difference(capsule.start, box.center)) {
     for (Dim i = 0; i < N; ++i) {
-      seen_start.at[i] = inner(box.axes[i], start);
-      seen_along.at[i] = inner(box.axes[i], capsule.along);
+      local_start.at[i] = inner(box.axes[i], start);
+      local_along.at[i] = inner(box.axes[i], capsule.along);
     }
   }
 };
@@ -265,9 +268,9 @@ template <Dim N, class T>
 HWY_INLINE Lanes<T> slope_at(const LaneAxis<N, T>& axis, const LaneVec<N, T>& half, Lanes<T> share) {
   auto slope = hn::Zero(Tag<T>());
   for (Dim i = 0; i < N; ++i) {
-    const auto place = hn::MulAdd(axis.seen_along.at[i], share, axis.seen_start.at[i]);
+    const auto place = hn::MulAdd(axis.local_along.at[i], share, axis.local_start.at[i]);
     const auto inside = hn::Min(hn::Max(place, hn::Neg(half.at[i])), half.at[i]);
-    slope = hn::MulAdd(axis.seen_along.at[i], hn::Sub(place, inside), slope);
+    slope = hn::MulAdd(axis.local_along.at[i], hn::Sub(place, inside), slope);
   }
   return slope;
 }
@@ -280,9 +283,9 @@ HWY_INLINE Lanes<T> nearest_share(const LaneAxis<N, T>& axis, const LaneVec<N, T
   auto low = zero;
   auto high = all(T(1));
   for (Dim i = 0; i < N; ++i) {
-    const auto inverse = hn::Div(all(T(1)), axis.seen_along.at[i]);
+    const auto inverse = hn::Div(all(T(1)), axis.local_along.at[i]);
     for (const auto& face : {half.at[i], hn::Neg(half.at[i])}) {
-      const auto share = clamped_share<T>(hn::Mul(hn::Sub(face, axis.seen_start.at[i]), inverse));
+      const auto share = clamped_share<T>(hn::Mul(hn::Sub(face, axis.local_start.at[i]), inverse));
       const auto rises = hn::Gt(slope_at(axis, half, share), zero);
       high = hn::IfThenElse(rises, hn::Min(high, share), high);
       low = hn::IfThenElse(rises, low, hn::Max(low, share));
@@ -304,7 +307,7 @@ HWY_INLINE LaneVerdict<T> verdict_of(const LaneObb<N, T>& box, const LaneCapsule
   auto size = hn::Add(hn::Add(sum_abs(axis.start), sum_abs(capsule.along)), capsule.radius);
   for (Dim k = 0; k < N; ++k) way.at[k] = hn::MulAdd(capsule.along.at[k], share, axis.start.at[k]);
   for (Dim i = 0; i < N; ++i) {
-    const auto place = hn::MulAdd(axis.seen_along.at[i], share, axis.seen_start.at[i]);
+    const auto place = hn::MulAdd(axis.local_along.at[i], share, axis.local_start.at[i]);
     const auto inside = hn::Min(hn::Max(place, hn::Neg(box.half.at[i])), box.half.at[i]);
     for (Dim k = 0; k < N; ++k) way.at[k] = hn::NegMulAdd(inside, box.axes[i].at[k], way.at[k]);
     size = hn::Add(size, box.half.at[i]);

@@ -88,7 +88,7 @@ std::size_t keep_overlapping(const Pair* pairs, const GroupVerdict* verdicts, st
 }
 
 template <Dim N, class T>
-TouchKernels<T> kernels() {
+TouchingKernels<T> kernels() {
   using Sphere = LaneSphere<N, T>;
   using Aabb = LaneAabb<N, T>;
   using Obb = LaneObb<N, T>;
@@ -106,10 +106,10 @@ TouchKernels<T> kernels() {
 
 }  // namespace
 
-const AllTouchKernels& all_touch_kernels() {
+const AllTouchingKernels& all_touching_kernels() {
   static_assert(touch_group == block_size && touch_kinds == 10);
-  static const AllTouchKernels all{kernels<2, float>(), kernels<3, float>(), kernels<2, double>(),
-                                   kernels<3, double>()};
+  static const AllTouchingKernels all{kernels<2, float>(), kernels<3, float>(), kernels<2, double>(),
+                                      kernels<3, double>()};
   return all;
 }
 
@@ -119,23 +119,23 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace graze::detail {
 namespace {
-HWY_EXPORT(all_touch_kernels);
+HWY_EXPORT(all_touching_kernels);
 }
 
 template <Dim N, class T>
-const TouchKernels<T>& touch_kernels() {
-  const AllTouchKernels& all = HWY_DYNAMIC_DISPATCH(all_touch_kernels)();
+const TouchingKernels<T>& touching_kernels() {
+  const AllTouchingKernels& all = HWY_DYNAMIC_DISPATCH(all_touching_kernels)();
   if constexpr (std::is_same_v<T, float>) {
-    return N == 2 ? all.flat_float : all.solid_float;
+    return N == 2 ? all.float_2d : all.solid_float;
   } else {
-    return N == 2 ? all.flat_double : all.solid_double;
+    return N == 2 ? all.double_2d : all.solid_double;
   }
 }
 
-template const TouchKernels<float>& touch_kernels<2, float>();
-template const TouchKernels<float>& touch_kernels<3, float>();
-template const TouchKernels<double>& touch_kernels<2, double>();
-template const TouchKernels<double>& touch_kernels<3, double>();
+template const TouchingKernels<float>& touching_kernels<2, float>();
+template const TouchingKernels<float>& touching_kernels<3, float>();
+template const TouchingKernels<double>& touching_kernels<2, double>();
+template const TouchingKernels<double>& touching_kernels<3, double>();
 
 }  // namespace graze::detail
 #endif

@@ -48,7 +48,7 @@ using TouchListKernel = void (*)(const T* shapes, const Pair* pairs, std::size_t
 using KeepKernel = std::size_t (*)(const Pair* pairs, const GroupVerdict* verdicts, std::size_t groups, Pair* out);
 
 template <class T>
-struct TouchKernels {
+struct TouchingKernels {
   TouchKernel<T> of[touch_kinds];
   TouchListKernel<T> of_spheres;
   TouchListKernel<T> of_aabbs;
@@ -61,15 +61,15 @@ struct TouchKernels {
 };
 
 /// The kernels of one instruction set.
-struct AllTouchKernels {
-  TouchKernels<float> flat_float;
-  TouchKernels<float> solid_float;
-  TouchKernels<double> flat_double;
-  TouchKernels<double> solid_double;
+struct AllTouchingKernels {
+  TouchingKernels<float> float_2d;
+  TouchingKernels<float> solid_float;
+  TouchingKernels<double> double_2d;
+  TouchingKernels<double> solid_double;
 };
 
 /// The kernels for this machine. Instantiated for 2D and 3D, float and double.
 template <Dim N, class T>
-const TouchKernels<T>& touch_kernels();
+const TouchingKernels<T>& touching_kernels();
 
 }  // namespace graze::detail

@@ -123,9 +123,9 @@ class HeaderReader {
   }
 
   InputError missing(std::string_view name, std::optional<std::string_view> nearest) const {
-    const std::string way_out =
+    const std::string minimum_translation =
         nearest ? fmt::format("is it the one called {}?", in_quotes(*nearest)) : std::string(all_columns);
-    return text_.error(fields_.front(), fmt::format("there is no column {}; {}", in_quotes(name), way_out));
+    return text_.error(fields_.front(), fmt::format("there is no column {}; {}", in_quotes(name), minimum_translation));
   }
 
   /// Objects without ids are named by their number; but "ID" was meant to be one.

@@ -48,7 +48,7 @@ std::string pair_marks(const Subject<N>& subject, const Stage<N>& stage) {
   std::vector<Manifold<N, double>> manifolds(subject.pairs.size());
   std::vector<graze::detail::ShapesToContact<N, double>> meeting;
   for (std::size_t i = 0; i < subject.pairs.size(); ++i) {
-    const SeenPair& pair = subject.pairs[i];
+    const DrawnPair& pair = subject.pairs[i];
     if (pair.relation == Relation::apart) continue;
     meeting.push_back({{&subject.objects[pair.a]->shape, &subject.objects[pair.b]->shape}, &manifolds[i]});
   }

@@ -63,7 +63,7 @@ std::vector<Vec<3, double>> grid(const Plane<3, double>& plane, Dim axis, const 
   return ends;
 }
 
-/// Draws one part.
+/// LinearCongruential one part.
 struct SolidBrush {
   const Stage<3>& stage;
   const Detail& detail;

@@ -82,7 +82,7 @@ Aabb<3, double> grown(const Aabb<3, double>& contents) {
   return Aabb<3, double>::from_center(contents.center(), half);
 }
 
-Aabb<2, double> seen_box(const Stage<3>& stage, const Subject<3>& subject) {
+Aabb<2, double> local_box(const Stage<3>& stage, const Subject<3>& subject) {
   Aabb<2, double> box = Aabb<2, double>::nothing();
   for (const std::size_t position : stage.drawn) {
     for_each_part<3>(subject.objects[position]->shape,
@@ -104,7 +104,7 @@ void set_up(Stage<2>& stage, const Subject<2>& subject, YAxis y_axis) {
 void set_up(Stage<3>& stage, const Subject<3>& subject, YAxis) {
   stage.view = isometric_view();
   stage.box = grown(contents(subject, stage.drawn));
-  stage.frame = frame_around(seen_box(stage, subject));
+  stage.frame = frame_around(local_box(stage, subject));
 }
 
 }  // namespace

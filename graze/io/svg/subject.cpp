@@ -30,8 +30,8 @@ void note(Touches& touches, std::uint32_t other, Relation relation) {
 }
 
 template <Dim N>
-std::vector<SeenPair> seen_pairs(const Subject<N>& subject, std::span<const ObjectPair> reported) {
-  std::vector<SeenPair> pairs;
+std::vector<DrawnPair> seen_pairs(const Subject<N>& subject, std::span<const ObjectPair> reported) {
+  std::vector<DrawnPair> pairs;
   std::vector<graze::detail::ShapePair<N, double>> shapes;
   pairs.reserve(reported.size());
   shapes.reserve(reported.size());
@@ -47,9 +47,9 @@ std::vector<SeenPair> seen_pairs(const Subject<N>& subject, std::span<const Obje
 
 }  // namespace
 
-std::vector<Touches> touches_by_object(std::size_t objects, std::span<const SeenPair> pairs) {
+std::vector<Touches> touches_by_object(std::size_t objects, std::span<const DrawnPair> pairs) {
   std::vector<Touches> touches(objects);
-  for (const SeenPair& pair : pairs) {
+  for (const DrawnPair& pair : pairs) {
     note(touches[pair.a], pair.b, pair.relation);
     note(touches[pair.b], pair.a, pair.relation);
   }

@@ -17,12 +17,12 @@ namespace graze::io::svg {
 
 /// A reported pair: the positions of its objects in the scene's list of ids, and how they meet. A pair that is `apart`
 /// was reported because its objects are near each other.
-struct SeenPair {
+struct DrawnPair {
   std::uint32_t a;
   std::uint32_t b;
   Relation relation;
 
-  friend bool operator==(const SeenPair&, const SeenPair&) = default;
+  friend bool operator==(const DrawnPair&, const DrawnPair&) = default;
 };
 
 /// The pairs an object is in: how many, the positions of the first few partners, and the closest relation among them.
@@ -35,7 +35,7 @@ struct Touches {
 };
 
 /// The pairs of each of so many objects, by position.
-std::vector<Touches> touches_by_object(std::size_t objects, std::span<const SeenPair> pairs);
+std::vector<Touches> touches_by_object(std::size_t objects, std::span<const DrawnPair> pairs);
 
 /// How the picture shows an object, as the class of its element: "overlapping", "touching" (what it meets it only
 /// touches), "near" (reported, but apart from all others), or empty where it is in no pair.
@@ -48,14 +48,14 @@ struct Subject {
   std::vector<const Object<N, double>*> objects;  ///< As long as the scene lives.
   std::vector<std::string> names;                 ///< "#7" for object 7 if it has none; shortened where very long.
   std::vector<Touches> touches;
-  std::vector<SeenPair> pairs;
+  std::vector<DrawnPair> pairs;
 };
 
 /// Decides how the objects of each pair meet. Throws std::invalid_argument when a pair names no object of the scene.
 template <Dim N>
 Subject<N> subject_of(const Scene<N, double>& scene, std::span<const ObjectPair> reported);
 
-/// The sentence shown when the mouse rests on an object: "crate (aabb), touches floor, ball and 3 more".
+/// The sentence shown when the mouse rests on an object: "crate (aabb), touches floor, sphere and 3 more".
 template <Dim N>
 std::string title(const Subject<N>& subject, std::size_t position);
 

@@ -24,7 +24,7 @@ constexpr std::string_view export_map = "give the map itself (.tmx), or export i
 struct KnownFormat {
   std::string_view sign;
   std::string_view what;
-  std::string_view way_out;
+  std::string_view minimum_translation;
 };
 
 /// What the very first bytes tell.
@@ -90,7 +90,9 @@ constexpr std::array json_signs = {
     KnownFormat{R"("asset":{)", "a mesh in glTF", write_polytopes},
     KnownFormat{R"("meshes":[)", "a mesh in glTF", write_polytopes}};
 
-std::string sentence(const KnownFormat& format) { return fmt::format("this is {}; {}", format.what, format.way_out); }
+std::string sentence(const KnownFormat& format) {
+  return fmt::format("this is {}; {}", format.what, format.minimum_translation);
+}
 
 /// The name of the first element that is no declaration, comment or document type.
 std::string_view root_name(std::string_view text) {

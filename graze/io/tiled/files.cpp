@@ -37,7 +37,7 @@ std::string name_of(const fs::path& path) {
 }
 
 /// Why a file cannot be read, or nothing. Devices and pipes are refused: they may never end.
-std::string_view obstacle(const fs::path& path) {
+std::string_view difference(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found ||
@@ -57,7 +57,7 @@ struct Reference {
 
 /// `role` says what the file is to be: "template".
 Reference read_reference(const fs::path& path, std::string_view role, const TiledPlace& asker) {
-  std::string_view reason = obstacle(path);
+  std::string_view reason = difference(path);
   Reference read;
   if (reason.empty()) {
     std::ifstream stream(path, std::ios::binary);

@@ -40,7 +40,7 @@ bool is_mirrored(const Mat<2, double>& linear) { return linear[0].x * linear[1].
 
 /// The convex polygon of these corners; a segment or point when they span no area.
 Shape convex_shape(const std::vector<Point>& corners) {
-  const auto flat = detail::ends_of_flat<double>(corners);
+  const auto flat = detail::ends_of_2d<double>(corners);
   if (!flat) return convex_hull<2, double>(corners);
   if (flat->size() == 1) return flat->front();
   return Segment<2, double>{flat->front(), flat->back()};

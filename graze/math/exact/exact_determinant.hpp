@@ -25,7 +25,7 @@ __extension__ using Int128 = __int128;
 
 /// A power of two times which all coordinates of some points are below 2^61; zero where they are beyond 1e90 or all are
 /// below 1e-90.
-inline double unit_of_whole(double largest) {
+inline double integer_unit(double largest) {
   constexpr int exponent_of_one = 1023;
   constexpr int bits = 60;
   constexpr int most = 300;
@@ -34,7 +34,7 @@ inline double unit_of_whole(double largest) {
   return bit_cast<double>(static_cast<std::uint64_t>(exponent_of_one + bits - exponent) << 52U);
 }
 
-using WholeVec = std::array<std::int64_t, 3>;
+using IntegerVec = std::array<std::int64_t, 3>;
 
 /// Numbers of up to 125 bits, in halves: high * 2^64 + low.
 struct HalvedVec {
@@ -52,7 +52,7 @@ inline double rough(Int128 number) {
 
 /// The sum of three numbers of up to 62 bits, each times one of up to 125 bits: its sign, and roughly its size in units
 /// of 2^64, or less than one of them.
-inline double rough_dot(const WholeVec& a, const HalvedVec& m) {
+inline double rough_dot(const IntegerVec& a, const HalvedVec& m) {
   Int128 high = 0;
   for (std::size_t i = 0; i < 3; ++i) high += Int128(a[i]) * m.high[i];
   // The lower halves add up to less than three times 2^62 of these units.
@@ -73,11 +73,11 @@ inline double rough_dot(const WholeVec& a, const HalvedVec& m) {
 inline int ternary_sign(double number) { return number > 0 ? 1 : (number < 0 ? -1 : 0); }
 
 /// A point in such units, unless it is between whole numbers, or beyond 2^61.
-struct WholePoint {
-  WholeVec at{};
+struct IntegerPoint {
+  IntegerVec at{};
   bool is_whole = true;
 
-  WholePoint(const Vec<3, double>& point, double unit) {
+  IntegerPoint(const Vec<3, double>& point, double unit) {
     constexpr double end = 0x1p61;
     for (Dim i = 0; i < 3; ++i) {
       const double scaled = point[i] * unit;
@@ -89,10 +89,12 @@ struct WholePoint {
   }
 };
 
-inline WholeVec difference(const WholeVec& a, const WholeVec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline IntegerVec difference(const IntegerVec& a, const IntegerVec& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 
 /// Of numbers of up to 62 bits.
-inline HalvedVec whole_cross(const WholeVec& a, const WholeVec& b) {
+inline HalvedVec integer_cross(const IntegerVec& a, const IntegerVec& b) {
   HalvedVec result;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
@@ -107,61 +109,61 @@ inline HalvedVec whole_cross(const WholeVec& a, const WholeVec& b) {
 /// The sign of det(a - o, b - o, c - o) where all coordinates are multiples of 2^-60 of the largest or so, as those of
 /// floats mostly are, and of doubles of like sizes; else none. For coordinates that are zero or of magnitude 1e-90 to
 /// 1e90.
-inline std::optional<int> sign_of_whole_determinant(const std::array<Vec<3, double>, 3>& points,
+inline std::optional<int> sign_of_exact_determinant(const std::array<Vec<3, double>, 3>& points,
                                                     const Vec<3, double>& origin) {
   double largest = max_abs(origin);
   for (const Vec<3, double>& point : points) largest = std::max(largest, max_abs(point));
-  const double unit = unit_of_whole(largest);
+  const double unit = integer_unit(largest);
   if (unit == 0) return std::nullopt;
-  const WholePoint from(origin, unit);
-  const std::array<WholePoint, 3> at = {WholePoint(points[0], unit), WholePoint(points[1], unit),
-                                        WholePoint(points[2], unit)};
+  const IntegerPoint from(origin, unit);
+  const std::array<IntegerPoint, 3> at = {IntegerPoint(points[0], unit), IntegerPoint(points[1], unit),
+                                          IntegerPoint(points[2], unit)};
   if (!from.is_whole || !at[0].is_whole || !at[1].is_whole || !at[2].is_whole) return std::nullopt;
   const auto way = [&](std::size_t i) { return difference(at[i].at, from.at); };
-  return ternary_sign(rough_dot(way(0), whole_cross(way(1), way(2))));
+  return ternary_sign(rough_dot(way(0), integer_cross(way(1), way(2))));
 }
 
 /// The plane through three points in whole numbers, calculated once for many points beside it.
-class WholePlane {
+class IntegerPlane {
  public:
   /// In units in which coordinates are whole numbers below 2^61; of others, and with a unit of zero, nothing is told.
-  WholePlane(const std::array<WholePoint, 3>& points, double unit)
+  IntegerPlane(const std::array<IntegerPoint, 3>& points, double unit)
       : is_whole_(unit != 0 && points[0].is_whole && points[1].is_whole && points[2].is_whole), from_(points[0].at) {
-    if (is_whole_) normal_ = whole_cross(difference(points[1].at, from_), difference(points[2].at, from_));
+    if (is_whole_) normal_ = integer_cross(difference(points[1].at, from_), difference(points[2].at, from_));
   }
 
   /// Of the same sign as `orientation` of the three points and this one, exactly, and roughly proportional to how high
   /// the point is; or none.
-  std::optional<double> height_of(const WholePoint& point) const {
+  std::optional<double> height_of(const IntegerPoint& point) const {
     if (!is_whole_ || !point.is_whole) return std::nullopt;
     return rough_dot(difference(point.at, from_), normal_);
   }
 
  private:
   bool is_whole_;
-  WholeVec from_{};
+  IntegerVec from_{};
   HalvedVec normal_;
 };
 
 #else
 
-inline std::optional<int> sign_of_whole_determinant(const std::array<Vec<3, double>, 3>& /*points*/,
+inline std::optional<int> sign_of_exact_determinant(const std::array<Vec<3, double>, 3>& /*points*/,
                                                     const Vec<3, double>& /*origin*/) {
   return std::nullopt;
 }
 
-struct WholePoint {
-  WholePoint(const Vec<3, double>& /*point*/, double /*unit*/) {}
+struct IntegerPoint {
+  IntegerPoint(const Vec<3, double>& /*point*/, double /*unit*/) {}
 };
 
-class WholePlane {
+class IntegerPlane {
  public:
-  WholePlane(const std::array<WholePoint, 3>& /*points*/, double /*unit*/) {}
+  IntegerPlane(const std::array<IntegerPoint, 3>& /*points*/, double /*unit*/) {}
 
-  std::optional<double> height_of(const WholePoint& /*point*/) const { return std::nullopt; }
+  std::optional<double> height_of(const IntegerPoint& /*point*/) const { return std::nullopt; }
 };
 
-inline double unit_of_whole(double /*largest*/) { return 0; }
+inline double integer_unit(double /*largest*/) { return 0; }
 
 #endif
 

@@ -13,30 +13,30 @@
 namespace graze::detail {
 
 /// A vector of the plane, as PairedVec is one of space.
-struct FlatPair {
+struct Pair2d {
   LanePair xy;
 
-  [[gnu::always_inline]] explicit FlatPair(LanePair both) : xy(both) {}
-  [[gnu::always_inline]] explicit FlatPair(const Vec<2, float>& v)
+  [[gnu::always_inline]] explicit Pair2d(LanePair both) : xy(both) {}
+  [[gnu::always_inline]] explicit Pair2d(const Vec<2, float>& v)
       : xy{static_cast<double>(v.x), static_cast<double>(v.y)} {}
-  [[gnu::always_inline]] explicit FlatPair(const Vec<2, double>& v) : xy{v.x, v.y} {}
+  [[gnu::always_inline]] explicit Pair2d(const Vec<2, double>& v) : xy{v.x, v.y} {}
 
-  [[gnu::always_inline]] friend FlatPair operator+(FlatPair a, FlatPair b) { return FlatPair(a.xy + b.xy); }
-  [[gnu::always_inline]] friend FlatPair operator-(FlatPair a, FlatPair b) { return FlatPair(a.xy - b.xy); }
-  [[gnu::always_inline]] friend FlatPair operator*(FlatPair a, double factor) { return FlatPair(a.xy * factor); }
+  [[gnu::always_inline]] friend Pair2d operator+(Pair2d a, Pair2d b) { return Pair2d(a.xy + b.xy); }
+  [[gnu::always_inline]] friend Pair2d operator-(Pair2d a, Pair2d b) { return Pair2d(a.xy - b.xy); }
+  [[gnu::always_inline]] friend Pair2d operator*(Pair2d a, double factor) { return Pair2d(a.xy * factor); }
 };
 
 template <Dim N>
-using Paired = std::conditional_t<N == 2, FlatPair, PairedVec>;
+using Paired = std::conditional_t<N == 2, Pair2d, PairedVec>;
 
-[[gnu::always_inline]] inline FlatPair products(FlatPair a, FlatPair b) { return FlatPair(a.xy * b.xy); }
+[[gnu::always_inline]] inline Pair2d products(Pair2d a, Pair2d b) { return Pair2d(a.xy * b.xy); }
 [[gnu::always_inline]] inline PairedVec products(const PairedVec& a, const PairedVec& b) {
   return {a.xy * b.xy, a.z * b.z};
 }
 
-[[gnu::always_inline]] inline FlatPair magnitude(FlatPair v) { return FlatPair(magnitude(v.xy)); }
-[[gnu::always_inline]] inline double sum_of_coordinates(FlatPair v) { return v.xy[0] + v.xy[1]; }
-[[gnu::always_inline]] inline double dot(FlatPair a, FlatPair b) { return sum_of_coordinates(products(a, b)); }
+[[gnu::always_inline]] inline Pair2d magnitude(Pair2d v) { return Pair2d(magnitude(v.xy)); }
+[[gnu::always_inline]] inline double sum_of_coordinates(Pair2d v) { return v.xy[0] + v.xy[1]; }
+[[gnu::always_inline]] inline double dot(Pair2d a, Pair2d b) { return sum_of_coordinates(products(a, b)); }
 
 /// Of a vector that is as long as `length` but for rounding: along it, of length 1. The last steps of a root take less
 /// time than all of it.
@@ -51,7 +51,7 @@ template <class V>
 
 /// Never minus zero, also of what underflows.
 template <class T>
-[[gnu::always_inline]] inline Vec<2, T> rounded_vec(FlatPair v) {
+[[gnu::always_inline]] inline Vec<2, T> rounded_vec(Pair2d v) {
   return {static_cast<T>(v.xy[0]) + T(0), static_cast<T>(v.xy[1]) + T(0)};
 }
 
@@ -61,13 +61,13 @@ struct TwoSums {
   LanePair magnitude;
 };
 
-[[gnu::always_inline]] inline TwoSums two_sums(FlatPair a, FlatPair b) {
+[[gnu::always_inline]] inline TwoSums two_sums(Pair2d a, Pair2d b) {
   const LanePair x = __builtin_shufflevector(a.xy, b.xy, 0, 2);
   const LanePair y = __builtin_shufflevector(a.xy, b.xy, 1, 3);
   return {x + y, magnitude(x) + magnitude(y)};
 }
 [[gnu::always_inline]] inline TwoSums two_sums(const PairedVec& a, const PairedVec& b) {
-  const TwoSums xy = two_sums(FlatPair(a.xy), FlatPair(b.xy));
+  const TwoSums xy = two_sums(Pair2d(a.xy), Pair2d(b.xy));
   const LanePair z{a.z, b.z};
   return {xy.value + z, xy.magnitude + magnitude(z)};
 }

@@ -35,14 +35,14 @@ struct LocalPoints {
   Vec<N, double> operator[](std::size_t i) const { return frame.local(points[i]); }
 };
 
-/// A ball by its squared radius; a negative one stands for no ball.
+/// A sphere by its squared radius; a negative one stands for no sphere.
 template <Dim N>
-struct Ball {
+struct BoundingBall {
   Vec<N, double> center = Vec<N, double>(0.0);
   double radius_squared = -1;
 };
 
-/// A few points: those that hold up a ball, and one more.
+/// A few points: those that hold up a sphere, and one more.
 template <Dim N>
 struct FewPoints {
   std::array<Vec<N, double>, static_cast<std::size_t>(N) + 2> points{};
@@ -106,16 +106,16 @@ Vec<N, double> equidistant_center(const FewPoints<N>& corners) {
   return corners[0] + c;
 }
 
-/// The smallest ball around the points of `support` and one more that it must touch; leaves in `support` those that
+/// The smallest sphere around the points of `support` and one more that it must touch; leaves in `support` those that
 /// hold it up. All subsets are tried, and every candidate is measured by the point farthest from it: where points are
 /// nearly dependent, and a center therefore wrong, it loses against the center of fewer points, which is then as good.
 /// (Points closer than d make a center wrong by epsilon / d, and can be left out at a cost of d^2. Where they are
 /// dependent but for rounding it may be no number at all.)
 template <Dim N>
-Ball<N> ball_with(FewPoints<N>& support, const Vec<N, double>& touched) {
+BoundingBall<N> sphere_with(FewPoints<N>& support, const Vec<N, double>& touched) {
   FewPoints<N> all = support;
   all.push_back(touched);
-  Ball<N> best{touched, std::numeric_limits<double>::infinity()};
+  BoundingBall<N> best{touched, std::numeric_limits<double>::infinity()};
   const std::size_t held = support.size();
   for (std::size_t subset = 0; subset < (std::size_t{1} << held); ++subset) {
     FewPoints<N> corners;
@@ -134,51 +134,51 @@ Ball<N> ball_with(FewPoints<N>& support, const Vec<N, double>& touched) {
   return best;
 }
 
-/// The center of the smallest ball around points in a local frame: the ball around a few of them grows until it
-/// contains all, each time to touch the point that is farthest out. Gärtner, "Fast and robust smallest enclosing balls"
-/// (1999), section 3: a small number of passes (5 to 15 on a million points). Of all centers seen the one whose
-/// farthest point is nearest counts.
+/// The center of the smallest sphere around points in a local frame: the sphere around a few of them grows until it
+/// contains all, each time to touch the point that is farthest out. Gärtner, "Fast and robust smallest enclosing
+/// spheres" (1999), section 3: a small number of passes (5 to 15 on a million points). Of all centers seen the one
+/// whose farthest point is nearest counts.
 ///
-/// A center that is off by d costs d, but the ball of a few points grows by d^2 only when it is put right: near the end
-/// it grows by less than rounding shows. So it ends when nothing is outside, up to rounding, or when the ball has not
-/// grown for some passes.
+/// A center that is off by d costs d, but the sphere of a few points grows by d^2 only when it is put right: near the
+/// end it grows by less than rounding shows. So it ends when nothing is outside, up to rounding, or when the sphere has
+/// not grown for some passes.
 template <Dim N, class Points>
-Vec<N, double> smallest_ball_center(const Points& points) {
+Vec<N, double> smallest_sphere_center(const Points& points) {
   constexpr int most_passes_without_growth = 16;
   FewPoints<N> support;
-  Ball<N> ball;
-  Vec<N, double> best = ball.center;
+  BoundingBall<N> sphere;
+  Vec<N, double> best = sphere.center;
   double reach = std::numeric_limits<double>::infinity();
   double largest = -1;
   for (int without_growth = 0; without_growth < most_passes_without_growth; ++without_growth) {
-    const Farthest farthest = farthest_point(ball.center, points);
+    const Farthest farthest = farthest_point(sphere.center, points);
     if (farthest.distance_squared < reach) {
       reach = farthest.distance_squared;
-      best = ball.center;
+      best = sphere.center;
     }
-    if (!(farthest.distance_squared > ball.radius_squared * (1 + tolerance::sphere_gap))) break;
-    ball = ball_with(support, points[farthest.index]);
-    if (!(ball.radius_squared > largest)) continue;
-    largest = ball.radius_squared;
+    if (!(farthest.distance_squared > sphere.radius_squared * (1 + tolerance::sphere_gap))) break;
+    sphere = sphere_with(support, points[farthest.index]);
+    if (!(sphere.radius_squared > largest)) continue;
+    largest = sphere.radius_squared;
     without_growth = 0;
   }
   return best;
 }
 
-/// The center of a ball that grows over the points in one pass: where a point is outside, to the smallest ball around
-/// itself and the point. Ritter, "An efficient bounding sphere" (1990).
+/// The center of a sphere that grows over the points in one pass: where a point is outside, to the smallest sphere
+/// around itself and the point. Ritter, "An efficient bounding sphere" (1990).
 template <Dim N, class Points>
-Vec<N, double> grown_ball_center(Ball<N> ball, const Points& points) {
+Vec<N, double> grown_sphere_center(BoundingBall<N> sphere, const Points& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec<N, double> to_point = points[i] - ball.center;
+    const Vec<N, double> to_point = points[i] - sphere.center;
     const double squared = length_squared(to_point);
-    if (!(squared > ball.radius_squared)) continue;
+    if (!(squared > sphere.radius_squared)) continue;
     const double distance = std::sqrt(squared);  // not zero: it is more than a radius
-    const double radius = 0.5 * (distance + std::sqrt(ball.radius_squared));
-    ball.center += to_point * (1 - radius / distance);
-    ball.radius_squared = radius * radius;
+    const double radius = 0.5 * (distance + std::sqrt(sphere.radius_squared));
+    sphere.center += to_point * (1 - radius / distance);
+    sphere.radius_squared = radius * radius;
   }
-  return ball.center;
+  return sphere.center;
 }
 
 /// A number that is not zero, but whose products with others of its kind may fall out of the range of double.
@@ -276,11 +276,11 @@ Sphere<N, T> sphere_around(std::span<const Vec<N, T>> points, const char* functi
 /// such radius: std::invalid_argument.
 ///
 /// A handful of passes over the points, 5 to 15 on a million; allocates nothing. The farthest point from the centroid,
-/// the usual recipe, gives a sphere up to twice as large. Method: `detail::smallest_ball_center`.
+/// the usual recipe, gives a sphere up to twice as large. Method: `detail::smallest_sphere_center`.
 template <Dim N, class T>
 Sphere<N, T> bounding_sphere(std::span<const Vec<N, T>> points) {
   return detail::sphere_around(points, "bounding_sphere",
-                               [](const auto& local) { return detail::smallest_ball_center<N>(local); });
+                               [](const auto& local) { return detail::smallest_sphere_center<N>(local); });
 }
 
 /// A sphere that contains the points, not the smallest: at most twice as large, measured within 1.05 times the minimum.
@@ -294,8 +294,8 @@ Sphere<N, T> bounding_sphere_fast(std::span<const Vec<N, T>> points) {
     std::array<Vec<N, double>, 2 * detail::fan_size<N>> few;
     const auto indices = detail::extreme_points(local.points);
     for (std::size_t i = 0; i < few.size(); ++i) few[i] = local[indices[i]];
-    const Vec<N, double> center = detail::smallest_ball_center<N>(few);
-    return detail::grown_ball_center<N>({center, detail::farthest_point(center, few).distance_squared}, local);
+    const Vec<N, double> center = detail::smallest_sphere_center<N>(few);
+    return detail::grown_sphere_center<N>({center, detail::farthest_point(center, few).distance_squared}, local);
   });
 }
 

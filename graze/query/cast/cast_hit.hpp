@@ -20,9 +20,9 @@ namespace graze::detail {
 
 /// Whether GJK's word is final for a set of differences. Of a shape as given it is `relation` that has it, as for rays.
 template <class S>
-inline constexpr bool is_obstacle = false;
+inline constexpr bool is_minkowski_difference = false;
 template <Dim N, Scalar Number>
-inline constexpr bool is_obstacle<Obstacle<N, Number>> = true;
+inline constexpr bool is_minkowski_difference<MinkowskiDifference<N, Number>> = true;
 
 /// A path with an end, from its own origin where the shape can be seen from there.
 template <Dim N>
@@ -31,9 +31,9 @@ struct AskAboutPath {
   Relation operator()(const S& shape) const {
     const Vec<N, double> end = path.direction * path.t_max;
     if (!is_finite(end)) return Relation::apart;
-    if constexpr (HasRaySight<S>) {
-      return decide(seen_from(path.origin, shape), Segment<N, double>{Vec<N, double>(0.0), end});
-    } else if constexpr (HasLevelSight<S>) {
+    if constexpr (HasRayVerdict<S>) {
+      return decide(relative_to(path.origin, shape), Segment<N, double>{Vec<N, double>(0.0), end});
+    } else if constexpr (HasBoundaryVerdict<S>) {
       return closed_form(shape, Segment<N, double>{path.origin, path.origin + end});
     } else {
       return relation_of_convex(Segment<N, double>{path.origin, path.origin + end}, shape);
@@ -46,19 +46,19 @@ struct AskAboutPath {
 /// Where a path that is the beginning of a ray first touches. Touching at its end counts, also where it is rounding
 /// alone that brings the end there.
 template <class S, class T>
-Sighting<dimension_of<S>> sight_along(const S& shape, const Ray<dimension_of<S>, T>& ray,
-                                      const Path<dimension_of<S>>& path) {
+RayFinding<dimension_of<S>> ray_verdict_along(const S& shape, const Ray<dimension_of<S>, T>& ray,
+                                              const Path<dimension_of<S>>& path) {
   constexpr Dim N = dimension_of<S>;
   const AskAboutRay<N, T> ask{ray};
-  const Sighting<N> start = sight(shape, path);
-  if constexpr (!HasLevelSight<S>) {
-    if (start.sight == Sight::misses) return start;
-    if (start.sight == Sight::hits) return is_obstacle<S> ? start : confirmed(shape, ask, start);
+  const RayFinding<N> start = verdict(shape, path);
+  if constexpr (!HasBoundaryVerdict<S>) {
+    if (start.verdict == RayVerdict::misses) return start;
+    if (start.verdict == RayVerdict::hits) return is_minkowski_difference<S> ? start : confirmed(shape, ask, start);
   }
   const Path<N> whole{path.origin, path.direction, std::numeric_limits<double>::infinity(), path.far};
-  const Sighting<N> found = entry(shape, whole, ask);
-  if (found.sight == Sight::misses || found.touch.t <= path.t_max) return found;
-  if (start.sight == Sight::misses) return start;
+  const RayFinding<N> found = entry(shape, whole, ask);
+  if (found.verdict == RayVerdict::misses || found.touch.t <= path.t_max) return found;
+  if (start.verdict == RayVerdict::misses) return start;
   return settled(shape, path, AskAboutPath<N>{path}, start);
 }
 
@@ -69,22 +69,22 @@ std::optional<RayHit<dimension_of<S>, double>> hit_in_double(const S& shape, con
   constexpr Dim N = dimension_of<S>;
   if constexpr (HasQuickCast<S> && std::is_same_v<T, double>) {
     const auto quick = quick_cast(shape, ray, 1.0);
-    if (quick.sight() == Sight::misses) return std::nullopt;
-    if (quick.sight() == Sight::hits) return quick.hit();
+    if (quick.verdict() == RayVerdict::misses) return std::nullopt;
+    if (quick.verdict() == RayVerdict::hits) return quick.hit();
   }
   const Usable<N, T> usable(ray);
   const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(usable.ray.direction), usable.to_usable(1.0)};
-  Sighting<N> found = sight_along(shape, usable.ray, path);
-  if (found.sight == Sight::misses) return std::nullopt;
+  RayFinding<N> found = ray_verdict_along(shape, usable.ray, path);
+  if (found.verdict == RayVerdict::misses) return std::nullopt;
   if constexpr (is_a<Aabb, S>) put_on_surface(found.touch, shape);
   const double t = std::min(1.0, usable.from_usable(found.touch.t));
   return rounded<N, double>(found.touch, t, path.direction, RaySide::entry);
 }
 
 template <Dim N>
-std::optional<Strike<N>> strike_of_hit(const std::optional<RayHit<N, double>>& hit) {
+std::optional<CastHit<N>> cast_hit_of_ray(const std::optional<RayHit<N, double>>& hit) {
   if (!hit) return std::nullopt;
-  return Strike<N>{hit->t, hit->point, -hit->normal, hit->status, hit->error};
+  return CastHit<N>{hit->t, hit->point, -hit->normal, hit->status, hit->error};
 }
 
 }  // namespace graze::detail

@@ -51,7 +51,7 @@ class ConvexView {
 /// b. With a point of a as the place the coordinates are as large as those of the shapes, and rounding is judged by
 /// them. `Number` is what the supports are calculated in.
 template <Dim N, Scalar Number>
-struct Obstacle {
+struct MinkowskiDifference {
   ConvexView<N> a;
   ConvexView<N> b;
   Vec<N, double> place;
@@ -59,41 +59,42 @@ struct Obstacle {
 };
 
 template <Dim N, Scalar Number>
-Vec<N, double> support_of_core(const Obstacle<N, Number>& obstacle, const Vec<N, double>& direction) {
-  return obstacle.b.support(direction) - (obstacle.a.support(-direction) - obstacle.place);
+Vec<N, double> support_of_core(const MinkowskiDifference<N, Number>& difference, const Vec<N, double>& direction) {
+  return difference.b.support(direction) - (difference.a.support(-direction) - difference.place);
 }
 
 /// The same without the radius.
 template <Dim N, Scalar Number>
-struct ObstacleCore {
-  const Obstacle<N, Number>& obstacle;
+struct DifferenceCore {
+  const MinkowskiDifference<N, Number>& difference;
 };
 
 template <Dim N, Scalar Number>
-Vec<N, double> support(const ObstacleCore<N, Number>& core, const std::type_identity_t<Vec<N, double>>& direction) {
-  return support_of_core(core.obstacle, direction);
+Vec<N, double> support(const DifferenceCore<N, Number>& core, const std::type_identity_t<Vec<N, double>>& direction) {
+  return support_of_core(core.difference, direction);
 }
 
 template <Dim N, Scalar Number>
-Vec<N, double> support(const Obstacle<N, Number>& obstacle, const std::type_identity_t<Vec<N, double>>& direction) {
+Vec<N, double> support(const MinkowskiDifference<N, Number>& difference,
+                       const std::type_identity_t<Vec<N, double>>& direction) {
   const double size = std::sqrt(dot(direction, direction));
-  return support_of_core(obstacle, direction) + direction * (obstacle.radius / size);
+  return support_of_core(difference, direction) + direction * (difference.radius / size);
 }
 
 template <Dim N, Scalar Number>
-ObstacleCore<N, Number> core(const Obstacle<N, Number>& obstacle) {
-  return {obstacle};
+DifferenceCore<N, Number> core(const MinkowskiDifference<N, Number>& difference) {
+  return {difference};
 }
 
 template <Dim N, Scalar Number>
-double core_radius(const Obstacle<N, Number>& obstacle) {
-  return obstacle.radius;
+double core_radius(const MinkowskiDifference<N, Number>& difference) {
+  return difference.radius;
 }
 
 template <Dim N>
-inline constexpr double support_error<Obstacle<N, float>> = tolerance::convex_in<float>;
+inline constexpr double support_error<MinkowskiDifference<N, float>> = tolerance::convex_in<float>;
 template <Dim N>
-inline constexpr double support_error<ObstacleCore<N, float>> = tolerance::convex_in<float>;
+inline constexpr double support_error<DifferenceCore<N, float>> = tolerance::convex_in<float>;
 
 /// What the support points of two shapes are calculated in.
 template <Convex A, Convex B>
@@ -107,9 +108,9 @@ namespace graze {
 // Their own numbers are double, whatever the supports are calculated in.
 
 template <Dim N, Scalar Number>
-struct ShapeTraits<detail::Obstacle<N, Number>> : Space<N, double> {};
+struct ShapeTraits<detail::MinkowskiDifference<N, Number>> : Space<N, double> {};
 template <Dim N, Scalar Number>
-struct ShapeTraits<detail::ObstacleCore<N, Number>> : Space<N, double> {};
+struct ShapeTraits<detail::DifferenceCore<N, Number>> : Space<N, double> {};
 
 }  // namespace graze
 
@@ -140,7 +141,7 @@ double core_radius(const RoundedBox<N>& solid) {
 }
 
 template <Dim N>
-RoundedBox<N> seen_from(const Vec<N, double>& origin, const RoundedBox<N>& solid) {
+RoundedBox<N> relative_to(const Vec<N, double>& origin, const RoundedBox<N>& solid) {
   return {{solid.box.min - origin, solid.box.max - origin}, solid.radius};
 }
 
@@ -177,8 +178,8 @@ class SideCrossings {
 };
 
 /// Seen from between two such times, the nearest point of the box is on a face, an edge or a corner of known place:
-/// the line meets a ball around that, seen across those axes alone whose coordinate is fixed. All of them are zero for
-/// a point in the box.
+/// the line meets a sphere around that, seen across those axes alone whose coordinate is fixed. All of them are zero
+/// for a point in the box.
 template <Dim N>
 struct NearestSides {
   NearestSides(const Aabb<N, double>& box, const Vec<N, double>& along, const Vec<N, double>& point) {
@@ -194,9 +195,10 @@ struct NearestSides {
 };
 
 /// The square of the distance to a box is made of parabolas, one for each way between two crossings, and convex: the
-/// first of them that comes down to the square of the radius is it. Graded by the bands of the ball in ray/verdict.hpp.
+/// first of them that comes down to the square of the radius is it. Graded by the bands of the sphere in
+/// ray/verdict.hpp.
 template <Dim N>
-Sighting<N> sight_of(const RoundedBox<N>& solid, const Path<N>& path) {
+RayFinding<N> ray_verdict_of(const RoundedBox<N>& solid, const Path<N>& path) {
   const auto& [zero, direction, t_max, far] = path;
   const double size = sum_abs(solid.box.min) + sum_abs(solid.box.max) + solid.radius + far;
   const double band = tolerance::ray_filter * size * size;
@@ -207,14 +209,14 @@ Sighting<N> sight_of(const RoundedBox<N>& solid, const Path<N>& path) {
     from = to;
     const NearestSides<N> sides(solid.box, direction, direction * (0.5 * start + 0.5 * to));
     if (max_abs(sides.direction) == 0) continue;  // as far away as at the start; or inside, and then it has been met
-    const BallPassage<N> passage(sides.direction, sides.center, squared_radius);
+    const SpherePassage<N> passage(sides.direction, sides.center, squared_radius);
     if (passage.depth < -band) continue;
     const double slack = tolerance::ray_end * size / std::sqrt(passage.whole);
     if (passage.exit() < start - slack || passage.enter() > to + slack) continue;
     const bool is_clear = passage.depth > band && passage.enter() > slack && passage.enter() < t_max - slack;
     if (!is_clear) return unsettled<N>();
     if (passage.enter() > to) continue;
-    Sighting<N> result{Sight::hits, {}};
+    RayFinding<N> result{RayVerdict::hits, {}};
     result.touch.t = std::max(passage.enter(), start);
     result.touch.error = tolerance::rounding * size;
     result.touch.normal = normal_along(passage.spoke(sides.direction), direction, result.touch.error);
@@ -227,27 +229,27 @@ Sighting<N> sight_of(const RoundedBox<N>& solid, const Path<N>& path) {
 // ---- The obstacles with a closed form: of two cores seen from one place, and the sum of the shapes' radii
 
 template <Dim N>
-Sphere<N, double> obstacle_of(const Vec<N, double>& a, const Vec<N, double>& b, double radius) {
+Sphere<N, double> minkowski_difference_of(const Vec<N, double>& a, const Vec<N, double>& b, double radius) {
   return {b - a, radius};
 }
 
 template <Dim N>
-Capsule<N, double> obstacle_of(const Segment<N, double>& a, const Vec<N, double>& b, double radius) {
+Capsule<N, double> minkowski_difference_of(const Segment<N, double>& a, const Vec<N, double>& b, double radius) {
   return {b - a.start, b - a.end, radius};
 }
 
 template <Dim N>
-Capsule<N, double> obstacle_of(const Vec<N, double>& a, const Segment<N, double>& b, double radius) {
+Capsule<N, double> minkowski_difference_of(const Vec<N, double>& a, const Segment<N, double>& b, double radius) {
   return {b.start - a, b.end - a, radius};
 }
 
 template <Dim N>
-RoundedBox<N> obstacle_of(const Vec<N, double>& a, const Aabb<N, double>& b, double radius) {
+RoundedBox<N> minkowski_difference_of(const Vec<N, double>& a, const Aabb<N, double>& b, double radius) {
   return {{b.min - a, b.max - a}, radius};
 }
 
 template <Dim N>
-Aabb<N, double> obstacle_of(const Aabb<N, double>& a, const Aabb<N, double>& b, double) {
+Aabb<N, double> minkowski_difference_of(const Aabb<N, double>& a, const Aabb<N, double>& b, double) {
   return {b.min - a.max, b.max - a.min};
 }
 

@@ -4,7 +4,7 @@
 // collision detection for non-convex polyhedra", 2006) in b's frame. Where those go on by the distance over a bound on
 // the speed, and slow down as they come near, this looks for the time at which the plane that now parts the shapes no
 // longer does, as Box2D does (Catto, "Continuous collision", 2013), but goes only as far as it can be proved that the
-// plane parts them all the way: see Course. What a step has found serves the next one: GJK begins at the corners
+// plane parts them all the way: see Trajectory. What a step has found serves the next one: GJK begins at the corners
 // between which the shapes were nearest before, and the plane's gap over time needs no poses, but two directions that
 // turn.
 #pragma once
@@ -42,12 +42,12 @@ inline double size_of_turn(const Vec<3, double>& turn) { return std::sqrt(dot(tu
 
 /// A turn at an even pace, its axis found once.
 template <Dim N>
-class EvenTurn;
+class ConstantRotation;
 
 template <>
-class EvenTurn<2> {
+class ConstantRotation<2> {
  public:
-  explicit EvenTurn(double whole) : angle_(whole) {}
+  explicit ConstantRotation(double whole) : angle_(whole) {}
 
   /// Cosine (x) and sine (y) of the turn up to t.
   Vec<2, double> at(double t) const { return angle_ == 0 ? Vec<2, double>(1, 0) : cosine_sine(angle_ * t); }
@@ -60,9 +60,9 @@ class EvenTurn<2> {
 };
 
 template <>
-class EvenTurn<3> {
+class ConstantRotation<3> {
  public:
-  explicit EvenTurn(const Vec<3, double>& whole)
+  explicit ConstantRotation(const Vec<3, double>& whole)
       : angle_(size_of_turn(whole)), axis_(angle_ == 0 ? unit_axis<3>(0) : whole / angle_) {}
 
   Vec<2, double> at(double t) const { return angle_ == 0 ? Vec<2, double>(1, 0) : cosine_sine(angle_ * t); }
@@ -90,13 +90,13 @@ struct Moment {
 /// h(x) is nowhere lower than the chord between its heights at both times by more than bend dt^2 / 8; so the gap is
 /// nowhere lower than the parabola below the chord of the gaps.
 template <Dim N>
-struct Course {
+struct Trajectory {
   Motion<N, double> a;
   Motion<N, double> b;
   double bend;
   double size;  ///< A bound on all lengths of the pair and its way: what rounding and the target are relative to.
-  EvenTurn<N> turn_a = EvenTurn<N>(a.angular);
-  EvenTurn<N> turn_b = EvenTurn<N>(b.angular);
+  ConstantRotation<N> turn_a = ConstantRotation<N>(a.angular);
+  ConstantRotation<N> turn_b = ConstantRotation<N>(b.angular);
 
   Moment at(double t) const { return {t, turn_a.at(t), turn_b.at(t)}; }
 
@@ -119,7 +119,7 @@ struct Course {
 /// what a's turning adds is (|w_a| + |w_b|)^2 r, or nothing if both turn alike, and what its center adds 2 |w_b| |v_a -
 /// v_b| (Coriolis) and |w_b|^2 |c_a - c_b|, as far apart as the centers get.
 template <Dim N>
-Course<N> course_of(const Motion<N, double>& a, const Motion<N, double>& b, double reach, double radius) {
+Trajectory<N> trajectory_of(const Motion<N, double>& a, const Motion<N, double>& b, double reach, double radius) {
   const Vec<N, double> way = a.linear - b.linear;
   const Vec<N, double> between = a.center - b.center;
   const double way_length = std::sqrt(dot(way, way));
@@ -195,10 +195,10 @@ class ConvexPair {
 
 /// A convex shape before a plane: one normal parts them all the time, or nothing does.
 template <Dim N>
-class LevelPair {
+class HalfSpacePair {
  public:
   /// The plane's normal of length 1, into it, and its height along that; what rounding makes of heights.
-  LevelPair(const ConvexView<N>& a, double radius, const Vec<N, double>& normal, double height, double slack)
+  HalfSpacePair(const ConvexView<N>& a, double radius, const Vec<N, double>& normal, double height, double slack)
       : a_(a), radius_(radius), normal_(normal), height_(height), slack_(slack) {}
 
   const ConvexView<N>& a() const { return a_; }
@@ -232,24 +232,24 @@ class LevelPair {
 template <Dim N, class Pair>
 class GapInTime {
  public:
-  GapInTime(const Pair& pair, const Course<N>& course, const Vec<N, double>& normal)
+  GapInTime(const Pair& pair, const Trajectory<N>& trajectory, const Vec<N, double>& normal)
       : pair_(pair),
-        course_(course),
+        trajectory_(trajectory),
         normal_(normal),
-        floor_(pair.floor_along(normal) - dot(normal, course.b.center)),
-        between_(course.a.center - course.b.center),
-        way_(course.a.linear - course.b.linear) {}
+        floor_(pair.floor_along(normal) - dot(normal, trajectory.b.center)),
+        between_(trajectory.a.center - trajectory.b.center),
+        way_(trajectory.a.linear - trajectory.b.linear) {}
 
   double at(const Moment& now) const {
-    const Vec<N, double> seen = course_.turn_b.turned(normal_, now.by_b);
-    const Vec<N, double> direction = course_.turn_a.turned(seen, Vec<2, double>(now.by_a.x, -now.by_a.y));
+    const Vec<N, double> seen = trajectory_.turn_b.turned(normal_, now.by_b);
+    const Vec<N, double> direction = trajectory_.turn_a.turned(seen, Vec<2, double>(now.by_a.x, -now.by_a.y));
     const Vec<N, double> foremost = pair_.a().support(direction);
-    return floor_ - dot(direction, foremost - course_.a.center) - dot(seen, between_ + way_ * now.t);
+    return floor_ - dot(direction, foremost - trajectory_.a.center) - dot(seen, between_ + way_ * now.t);
   }
 
  private:
   const Pair& pair_;
-  const Course<N>& course_;
+  const Trajectory<N>& trajectory_;
   Vec<N, double> normal_;
   double floor_;
   Vec<N, double> between_;
@@ -271,22 +271,22 @@ inline double least_between(double g, double h, double c) {
 /// stays, the Illinois algorithm: Dowell, Jarratt, "A modified regula falsi method", 1971) or each third time by
 /// halves, until little of it is left.
 template <Dim N, class Pair>
-Moment moment_parted(const Pair& pair, const Course<N>& course, const Moment& now, const Parting<N>& parting,
+Moment moment_parted(const Pair& pair, const Trajectory<N>& trajectory, const Moment& now, const Parting<N>& parting,
                      double goal) {
   constexpr int step_limit = 96;
-  const GapInTime<N, Pair> gap(pair, course, parting.normal);
+  const GapInTime<N, Pair> gap(pair, trajectory, parting.normal);
   const double spare = parting.gap - goal;
   Moment kept_moment = now;
   // What is left above the goal after a step, of a plane that is kept until then if that is not negative.
   const auto left_after = [&](double step) {
-    const Moment then = course.at(now.t + step);
+    const Moment then = trajectory.at(now.t + step);
     const double after = gap.at(then) - parting.resolution;
-    const double left = least_between(parting.gap, after, course.bend * step * step / 2) - goal;
+    const double left = least_between(parting.gap, after, trajectory.bend * step * step / 2) - goal;
     if (left >= 0) kept_moment = then;
     return left;
   };
   double latest = 1 - now.t;
-  if (course.bend * latest * latest > spare) latest = std::min(latest, std::sqrt(spare / course.bend));
+  if (trajectory.bend * latest * latest > spare) latest = std::min(latest, std::sqrt(spare / trajectory.bend));
   double over = left_after(latest);
   if (over >= 0) return kept_moment;
   const double little = std::max(goal / 2, spare * tolerance::impact_plane);
@@ -308,19 +308,19 @@ Moment moment_parted(const Pair& pair, const Course<N>& course, const Moment& no
   return kept_moment;
 }
 
-/// Before this time the balls that the shapes turn in do not touch; none if they never do. The balls are larger than
-/// they need be by twice the target, which hides all rounding, and by more than GJK cannot resolve: at their touch it
-/// still tells a normal.
+/// Before this time the spheres that the shapes turn in do not touch; none if they never do. The spheres are larger
+/// than they need be by twice the target, which hides all rounding, and by more than GJK cannot resolve: at their touch
+/// it still tells a normal.
 template <Dim N>
-std::optional<double> time_of_balls(const Course<N>& course, double reach) {
-  const double largest = reach + sum_abs(course.a.center) + sum_abs(course.b.center);
+std::optional<double> time_of_spheres(const Trajectory<N>& trajectory, double reach) {
+  const double largest = reach + sum_abs(trajectory.a.center) + sum_abs(trajectory.b.center);
   const double radius =
-      reach + 2 * tolerance::impact * (course.size + reach) + 16 * tolerance::convex * (course.size + largest);
-  const Vec<N, double> between = course.b.center - course.a.center;
-  const Vec<N, double> way = course.a.linear - course.b.linear;
+      reach + 2 * tolerance::impact * (trajectory.size + reach) + 16 * tolerance::convex * (trajectory.size + largest);
+  const Vec<N, double> between = trajectory.b.center - trajectory.a.center;
+  const Vec<N, double> way = trajectory.a.linear - trajectory.b.linear;
   if (dot(between, between) <= radius * radius) return 0;
   if (!(dot(way, way) > 0)) return std::nullopt;
-  const BallPassage<N> passage(way, between, radius * radius);
+  const SpherePassage<N> passage(way, between, radius * radius);
   if (!(passage.depth >= 0 && passage.exit() >= 0 && passage.enter() <= 1)) return std::nullopt;
   return std::max(0.0, passage.enter());
 }
@@ -328,28 +328,28 @@ std::optional<double> time_of_balls(const Course<N>& course, double reach) {
 /// Goes on from t until the shapes are as near as the target, or the motion ends. Half of the target is kept, so that
 /// rounding cannot spend it.
 template <Dim N, class Pair>
-std::optional<Strike<N>> advance_to_impact(Pair pair, const Course<N>& course, double t, double radius_b) {
-  Moment now = course.at(t);
+std::optional<CastHit<N>> advance_to_impact(Pair pair, const Trajectory<N>& trajectory, double t, double radius_b) {
+  Moment now = trajectory.at(t);
   Parting<N> parting;
   bool has_arrived = false;
   for (int step = 0; step < advance_step_limit; ++step) {
-    parting = pair.parting_at(course.pose_of_a(now));
-    const double target = std::max(tolerance::impact * course.size, 8 * parting.resolution);
+    parting = pair.parting_at(trajectory.pose_of_a(now));
+    const double target = std::max(tolerance::impact * trajectory.size, 8 * parting.resolution);
     has_arrived = parting.gap <= target;
     if (has_arrived) break;
     if (now.t >= 1) return std::nullopt;
-    const Moment next = moment_parted(pair, course, now, parting, target / 2);
+    const Moment next = moment_parted(pair, trajectory, now, parting, target / 2);
     if (!(next.t > now.t)) break;
     now = next;
   }
-  const Pose<N, double> pose_of_a = course.pose_of_a(now);
+  const Pose<N, double> pose_of_a = trajectory.pose_of_a(now);
   if (!has_arrived) parting = pair.parting_at(pose_of_a);  // at the limit t has gone on since
-  const bool is_near = parting.distance <= 2 * tolerance::impact * course.size + 16 * parting.resolution;
-  const Pose<N, double> back = course.pose_of_b(now);
+  const bool is_near = parting.distance <= 2 * tolerance::impact * trajectory.size + 16 * parting.resolution;
+  const Pose<N, double> back = trajectory.pose_of_b(now);
   const Vec<N, double> point = pair.point_at(pose_of_a, parting.normal, radius_b);
-  return Strike<N>{now.t, back.rotation * point + back.position, back.rotation * parting.normal,
-                   has_arrived && is_near ? Status::converged : Status::best_bound,
-                   parting.distance + parting.resolution};
+  return CastHit<N>{now.t, back.rotation * point + back.position, back.rotation * parting.normal,
+                    has_arrived && is_near ? Status::converged : Status::best_bound,
+                    parting.distance + parting.resolution};
 }
 
 }  // namespace graze::detail

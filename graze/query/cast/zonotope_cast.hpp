@@ -4,7 +4,7 @@
 //
 // The set of their differences is a zonotope with round edges. The last of its faces' planes to be crossed gives the
 // touch if it is there that the point meets the face; else one of the face's edges, as a tube, or one of its corners,
-// as a ball. Whatever is found is an answer only with a proof: the two points that it names are as near to each other
+// as a sphere. Whatever is found is an answer only with a proof: the two points that it names are as near to each other
 // as they should be, and the plane between has the shapes on its two sides. It need therefore not try all edges; what
 // it does not find, or what nearly touches, is unclear, and left to GJK.
 #pragma once
@@ -35,8 +35,8 @@ struct TouchOfZonotope {
 };
 
 template <Dim N, std::size_t Edges>
-struct SightOfZonotope {
-  Sight sight = Sight::unclear;
+struct RayVerdictOfZonotope {
+  RayVerdict verdict = RayVerdict::unclear;
   TouchOfZonotope<N, Edges> touch{};
   bool are_places_known = true;  ///< False on a face with edges in more than two directions.
 };
@@ -111,7 +111,7 @@ class ZonotopeCast {
  public:
   using Solid = RoundedZonotope<N, Edges>;
   using Face = FaceOfZonotope<N, Edges>;
-  using Result = SightOfZonotope<N, Edges>;
+  using Result = RayVerdictOfZonotope<N, Edges>;
 
   ZonotopeCast(const Solid& solid, const Vec<N, double>& motion)
       : solid_(solid), motion_(motion), size_(size_of(solid)), margin_(tolerance::ray_side * size_) {}
@@ -128,12 +128,12 @@ class ZonotopeCast {
   }
 
  private:
-  static Result missed() { return {Sight::misses}; }
+  static Result missed() { return {RayVerdict::misses}; }
 
   /// At the last plane to be crossed.
   Result at_plane(double t, const Vec<N, double>& normal) const {
     const Face face = lowest_face(solid_, normal, size_);
-    if (face.groups >= static_cast<std::size_t>(N)) return {Sight::unclear, {t, normal}, !is_on_way(t, normal)};
+    if (face.groups >= static_cast<std::size_t>(N)) return {RayVerdict::unclear, {t, normal}, !is_on_way(t, normal)};
     if (face.groups == 0) return at_corner(face);
     const Vec<N, double> place = motion_ * t + normal * solid_.radius - face.middle(solid_);
     if constexpr (N == 3) {
@@ -161,7 +161,7 @@ class ZonotopeCast {
     const double beside_second = (std::fabs(second) - 1) * sum_abs(face.sums[1]);
     const Result nearer =
         beside_first >= beside_second ? at_edge(face.at(0, clamped(first))) : at_edge(face.at(1, clamped(second)));
-    if (nearer.sight != Sight::unclear || std::min(beside_first, beside_second) < 0) return nearer;
+    if (nearer.verdict != RayVerdict::unclear || std::min(beside_first, beside_second) < 0) return nearer;
     return beside_first >= beside_second ? at_edge(face.at(1, clamped(second))) : at_edge(face.at(0, clamped(first)));
   }
 
@@ -175,7 +175,7 @@ class ZonotopeCast {
     if (!(dot(motion_across, motion_across) > tolerance::ray_side * dot(motion_, motion_))) {
       return at_corner(edge.at(0, dot(motion_, along) > 0 ? -1 : 1));
     }
-    const BallPassage<N> tube(motion_across, across(middle), solid_.radius * solid_.radius);
+    const SpherePassage<N> tube(motion_across, across(middle), solid_.radius * solid_.radius);
     const double band = tolerance::ray_filter * size_ * size_;
     if (tube.depth < -band) return passed(tube.off);
     if (!(tube.depth > band)) return {};
@@ -187,15 +187,15 @@ class ZonotopeCast {
 
   Result at_corner(const Face& corner) const {
     const Vec<N, double> center = corner.middle(solid_);
-    const BallPassage<N> ball(motion_, center, solid_.radius * solid_.radius);
+    const SpherePassage<N> sphere(motion_, center, solid_.radius * solid_.radius);
     const double band = tolerance::ray_filter * size_ * size_;
-    if (ball.depth < -band) return passed(ball.off);
-    if (!(ball.depth > band)) return {};
-    if (ball.enter() < 0) return passed(center);
-    return proved(ball.enter(), normal_of(ball.spoke(motion_)), corner);
+    if (sphere.depth < -band) return passed(sphere.off);
+    if (!(sphere.depth > band)) return {};
+    if (sphere.enter() < 0) return passed(center);
+    return proved(sphere.enter(), normal_of(sphere.spoke(motion_)), corner);
   }
 
-  /// Towards the set, from a spoke of the tube or the ball, which is about as long as the radius.
+  /// Towards the set, from a spoke of the tube or the sphere, which is about as long as the radius.
   static Vec<N, double> normal_of(const Vec<N, double>& spoke) { return spoke / -std::sqrt(dot(spoke, spoke)); }
 
   /// How far the whole set is along a normal of length 1 from where the point is at t.
@@ -222,7 +222,7 @@ class ZonotopeCast {
     const Vec<N, double> miss = motion_ * t + normal * solid_.radius - corner.middle(solid_);
     const double error = std::max(std::sqrt(dot(miss, miss)), -height_at(t, normal));
     if (!(error <= tolerance::rounding * size_)) return {};
-    return {Sight::hits, {t, normal, corner.places, error + tolerance::rounding * size_}, true};
+    return {RayVerdict::hits, {t, normal, corner.places, error + tolerance::rounding * size_}, true};
   }
 
   const Solid& solid_;
@@ -233,9 +233,9 @@ class ZonotopeCast {
 
 /// What the closed form says of two cores, widened by radii: if they hit, where.
 template <Dim N>
-struct StrikeOfZonotopes {
-  Sight sight = Sight::unclear;
-  Strike<N> strike{};
+struct CastHitOfZonotopes {
+  RayVerdict verdict = RayVerdict::unclear;
+  CastHit<N> cast_hit{};
 };
 
 /// A core that is a zonotope.
@@ -246,39 +246,39 @@ concept HasZonotope = requires(const Core& core) {
 
 /// On a face with edges in several directions, where both cores lie flat, the time is known and the point is sought.
 template <class A, class B, std::size_t Edges>
-StrikeOfZonotopes<dimension_of<A>> strike_of_flat(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b,
-                                                  const Radii& radii,
-                                                  const TouchOfZonotope<dimension_of<A>, Edges>& touch) {
+CastHitOfZonotopes<dimension_of<A>> cast_hit_of_flat(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b,
+                                                     const Radii& radii,
+                                                     const TouchOfZonotope<dimension_of<A>, Edges>& touch) {
   constexpr Dim N = dimension_of<A>;
-  const auto moved_a = seen_from(motion * -touch.t, a);
+  const auto moved_a = relative_to(motion * -touch.t, a);
   const double size = size_around_zero(moved_a) + size_around_zero(b);
   const Vec<N, double> gap = touch.normal * (radii.a + radii.b);
-  const ClosestPair<N> nearest = closest_of_touching(seen_from(-gap, moved_a), b, touch.normal, size);
+  const ClosestPair<N> nearest = closest_of_touching(relative_to(-gap, moved_a), b, touch.normal, size);
   const double error = std::sqrt(nearest.squared);
   if (!(error <= tolerance::rounding * size)) return {};
   const double rounding = tolerance::rounding * (size + radii.a + radii.b + sum_abs(motion));
-  return {Sight::hits,
+  return {RayVerdict::hits,
           {touch.t, nearest.on_b - touch.normal * radii.b, touch.normal, Status::converged, error + rounding}};
 }
 
 /// For a core a that moves along `motion`, not zero, from a place apart from b.
 template <HasZonotope A, HasZonotope B>
-StrikeOfZonotopes<dimension_of<A>> strike_of_zonotopes(const A& a, const Vec<dimension_of<A>, double>& motion,
-                                                       const B& b, const Radii& radii) {
+CastHitOfZonotopes<dimension_of<A>> cast_hit_of_zonotopes(const A& a, const Vec<dimension_of<A>, double>& motion,
+                                                          const B& b, const Radii& radii) {
   constexpr Dim N = dimension_of<A>;
   const auto zonotope_a = zonotope(a);
   const auto zonotope_b = zonotope(b);
   const auto solid = difference_of(zonotope_a, zonotope_b, radii.a + radii.b);
   const auto found = ZonotopeCast(solid, motion).run();
-  if (!found.are_places_known) return strike_of_flat(a, motion, b, radii, found.touch);
-  if (found.sight != Sight::hits) return {found.sight};
+  if (!found.are_places_known) return cast_hit_of_flat(a, motion, b, radii, found.touch);
+  if (found.verdict != RayVerdict::hits) return {found.verdict};
   Vec<N, double> on_b = zonotope_b.reference + zonotope_b.to_center;
   const std::size_t edges_of_a = zonotope_a.half_edges.size();
   for (std::size_t k = 0; k < zonotope_b.half_edges.size(); ++k) {
     on_b += zonotope_b.half_edges[k] * found.touch.places[edges_of_a + k];
   }
   const double error = found.touch.error + tolerance::rounding * sum_abs(motion);
-  return {Sight::hits,
+  return {RayVerdict::hits,
           {found.touch.t, on_b - found.touch.normal * radii.b, found.touch.normal, Status::converged, error}};
 }
 

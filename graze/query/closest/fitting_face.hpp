@@ -76,14 +76,14 @@ class FittingFaceSearch {
 
   /// A foot that is outside by no more than rounding is taken as it is, for it lies along the direction.
   template <std::size_t Count>
-  void offer(const Point& foot, const Place& inside, const std::array<std::size_t, Count>& corners) {
-    if (!(max_abs(foot) > 0)) return;
-    const double misfit = std::max(inside.off, depth_below(foot, simplex_.points[corners[0]]));
+  void offer(const Point& closest, const Place& inside, const std::array<std::size_t, Count>& corners) {
+    if (!(max_abs(closest) > 0)) return;
+    const double misfit = std::max(inside.off, depth_below(closest, simplex_.points[corners[0]]));
     if (!(misfit < best_.misfit)) return;
     best_.misfit = misfit;
-    best_.nearest.point = inside.off <= tolerance::rounding * size_ ? foot : inside.point;
+    best_.nearest.point = inside.off <= tolerance::rounding * size_ ? closest : inside.point;
     best_.nearest.distance_squared = dot(best_.nearest.point, best_.nearest.point);
-    best_.toward = foot * std::sqrt(best_.nearest.distance_squared / dot(foot, foot));
+    best_.toward = closest * std::sqrt(best_.nearest.distance_squared / dot(closest, closest));
     best_.nearest.face.size = 0;
     for (const std::size_t corner : corners) best_.nearest.face.push(simplex_.points[corner]);
   }
@@ -92,11 +92,11 @@ class FittingFaceSearch {
     const Point& start = simplex_.points[i];
     const Point edge = simplex_.points[last_] - start;
     if (!(max_abs(edge) > 0)) return;
-    const Point foot = foot_on_line(start, edge);
+    const Point closest = closest_on_line(start, edge);
     const double along = -dot(start, edge);
     const double whole = dot(edge, edge);
     const double outside = std::max({-along, along - whole, 0.0}) / std::sqrt(whole);
-    offer<2>(foot, {place_on_edge(start, edge, foot).point, outside}, {i, last_});
+    offer<2>(closest, {place_on_edge(start, edge, closest).point, outside}, {i, last_});
   }
 
   void try_triangle(std::size_t i, std::size_t j) {
@@ -104,15 +104,15 @@ class FittingFaceSearch {
     const Point normal = of_moderate_size(accurate_cross(corners[1] - corners[0], corners[2] - corners[0]));
     const double area_squared = dot(normal, normal);
     if (!(area_squared > 0)) return;
-    const Point foot = normal * (dot(normal, corners[0]) / area_squared);
-    Place inside{foot, 0};
+    const Point closest = normal * (dot(normal, corners[0]) / area_squared);
+    Place inside{closest, 0};
     for (std::size_t k = 0; k < 3; ++k) {
       const Point edge = corners[(k + 1) % 3] - corners[k];
-      if (!(dot(normal, cross(edge, foot - corners[k])) < 0)) continue;
-      const Place place = place_on_edge(corners[k], edge, foot);
+      if (!(dot(normal, cross(edge, closest - corners[k])) < 0)) continue;
+      const Place place = place_on_edge(corners[k], edge, closest);
       if (inside.off == 0 || place.off < inside.off) inside = place;
     }
-    offer<3>(foot, inside, {i, j, last_});
+    offer<3>(closest, inside, {i, j, last_});
   }
 
   const Simplex<N>& simplex_;

@@ -135,11 +135,11 @@ Vec<3, double> origin_of(const Posed<Polytope<3, T>>& posed) {
   return wide<3, T>(posed.pose.position);
 }
 template <class T>
-StillHull<T> seen_hull(const Polytope<3, T>& hull, const Vec<3, double>& origin) {
+StillHull<T> local_hull(const Polytope<3, T>& hull, const Vec<3, double>& origin) {
   return {hull, origin};
 }
 template <class T>
-PosedHull<T> seen_hull(const Posed<Polytope<3, T>>& posed, const Vec<3, double>& origin) {
+PosedHull<T> local_hull(const Posed<Polytope<3, T>>& posed, const Vec<3, double>& origin) {
   return {posed, origin};
 }
 
@@ -411,16 +411,16 @@ bool find_between(A& a, B& b, const Vec<3, double>& origin, const KnownCorners& 
 template <HullInSpace A, HullInSpace B>
 bool find_proximity_of_hulls(const A& a, const B& b, const KnownCorners& known, Proximity<3, double>& result) {
   const Vec<3, double> origin = origin_of(a);
-  const auto seen_a = seen_hull(a, origin);
-  const auto seen_b = seen_hull(b, origin);
+  const auto local_a = local_hull(a, origin);
+  const auto local_b = local_hull(b, origin);
 #ifdef GRAZE_HAS_LANES
-  if (std::max(seen_a.size(), seen_b.size()) <= FewCorners::room) {
-    FewHull few_a(seen_a);
-    FewHull few_b(seen_b);
+  if (std::max(local_a.size(), local_b.size()) <= FewCorners::room) {
+    FewHull few_a(local_a);
+    FewHull few_b(local_b);
     return find_between(few_a, few_b, origin, known, result);
   }
 #endif
-  return find_between(seen_a, seen_b, origin, known, result);
+  return find_between(local_a, local_b, origin, known, result);
 }
 
 }  // namespace graze::detail

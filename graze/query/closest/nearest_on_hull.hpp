@@ -67,7 +67,7 @@ class NearPlaceSearch {
     const Point& start = simplex_.points[i];
     const Point edge = simplex_.points[j] - start;
     const double along = dot(target_ - start, edge) / dot(edge, edge);
-    if (along > 0 && along < 1) offer(start + edge * along, -foot_on_line(start - target_, edge), {i, j});
+    if (along > 0 && along < 1) offer(start + edge * along, -closest_on_line(start - target_, edge), {i, j});
   }
 
   void try_triangle(std::size_t i, std::size_t j, std::size_t k) {

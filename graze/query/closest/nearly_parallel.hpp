@@ -78,17 +78,17 @@ inline std::optional<ClosestPair<3>> closest_of_nearly_parallel(const Segment<3,
   if (!are_nearly_parallel(a.end - a.start, b.end - b.start)) return std::nullopt;
   const std::optional<double> place = place_of_perpendicular(a, b);
   if (!place) return std::nullopt;
-  const Segment<3, double> seen_a{a.start - origin, a.end - origin};
-  const Segment<3, double> seen_b{b.start - origin, b.end - origin};
+  const Segment<3, double> local_a{a.start - origin, a.end - origin};
+  const Segment<3, double> local_b{b.start - origin, b.end - origin};
   const double share = std::clamp(*place, 0.0, 1.0);
-  const Vec<3, double> edge = seen_a.end - seen_a.start;
-  const Vec<3, double> on_a = share <= 0.5 ? seen_a.start + edge * share : seen_a.end - edge * (1 - share);
-  const Foot<3> on_b = foot_on(seen_b, on_a);
+  const Vec<3, double> edge = local_a.end - local_a.start;
+  const Vec<3, double> on_a = share <= 0.5 ? local_a.start + edge * share : local_a.end - edge * (1 - share);
+  const ClosestOnCore<3> on_b = closest_on(local_b, on_a);
   ClosestPair<3> pair;
   if (is_between_ends(on_b)) {
     pair.offer_from_a(on_a, on_b);
   } else {
-    pair.offer_from_b(on_b.point, foot_on(seen_a, on_b.point));
+    pair.offer_from_b(on_b.point, closest_on(local_a, on_b.point));
   }
   return pair;
 }

@@ -101,7 +101,7 @@ Vec<N, double> crossing_between(const CorePoint<N>& lowest, const CorePoint<N>& 
 }
 
 template <Dim N, class T, Convex S>
-Proximity<N, double> proximity_to_level(const Plane<N, T>& plane, const S& shape, Relation relation) {
+Proximity<N, double> proximity_to_half_space(const Plane<N, T>& plane, const S& shape, Relation relation) {
   const auto [lowest, highest] = extremes_over(plane, core(shape));
   const bool do_cores_meet = relation != Relation::apart && lowest.height <= 0 && highest.height >= 0;
   const CorePoint<N>& nearest = lowest.height >= -highest.height ? lowest : highest;
@@ -112,7 +112,7 @@ Proximity<N, double> proximity_to_level(const Plane<N, T>& plane, const S& shape
 }
 
 template <Dim N, class T, Convex S>
-Proximity<N, double> proximity_to_level(const HalfSpace<N, T>& solid, const S& shape, Relation relation) {
+Proximity<N, double> proximity_to_half_space(const HalfSpace<N, T>& solid, const S& shape, Relation relation) {
   const Plane<N, T> plane = boundary(solid);
   const auto [lowest, highest] = extremes_over(plane, core(shape));
   const bool do_cores_meet = relation != Relation::apart && lowest.height <= 0;
@@ -168,7 +168,7 @@ UnitPlane lifted_plane(const Plane<N, T>& plane) {
   return {lifted(unit.normal), unit.offset};
 }
 
-inline Vec<3, double> foot_of_origin(const UnitPlane& plane) { return plane.normal * plane.offset; }
+inline Vec<3, double> closest_to_origin(const UnitPlane& plane) { return plane.normal * plane.offset; }
 
 /// From the first plane's point nearest to the origin, along the plane and at right angles to n = m x k, where the
 /// planes have the normals m and k: the second plane is met after its height over that point, over n^2, times n x m.
@@ -176,7 +176,7 @@ inline Vec<3, double> foot_of_origin(const UnitPlane& plane) { return plane.norm
 inline Vec<3, double> crossing_of(const UnitPlane& first, const UnitPlane& second) {
   const Vec<3, double> n = accurate_cross(first.normal, second.normal);
   const double whole = dot(n, n);
-  const Vec<3, double> start = foot_of_origin(first);
+  const Vec<3, double> start = closest_to_origin(first);
   if (!(whole > 0)) return start;
   return start + cross(n, first.normal) * ((second.offset - dot(second.normal, start)) / whole);
 }
@@ -192,9 +192,9 @@ inline constexpr bool is_plane<Plane<N, T>> = true;
 
 /// A point of a's boundary in b if that is near the origin, or the like with b's; else where the boundaries cross.
 template <class A, class B>
-Vec<3, double> common_point_of_levels(const UnitPlane& a, const UnitPlane& b, bool are_parallel) {
-  const Vec<3, double> on_a = foot_of_origin(a);
-  const Vec<3, double> on_b = foot_of_origin(b);
+Vec<3, double> common_point_of_boundaries(const UnitPlane& a, const UnitPlane& b, bool are_parallel) {
+  const Vec<3, double> on_a = closest_to_origin(a);
+  const Vec<3, double> on_b = closest_to_origin(b);
   if (!is_plane<B> && is_behind(b, on_a)) return on_a;
   if (!is_plane<A> && is_behind(a, on_b)) return on_b;
   return are_parallel ? on_a : crossing_of(a, b);
@@ -211,7 +211,7 @@ auto boundary_of(const Level& level) {
 
 /// Two of planes and half-spaces: they are apart only when they are parallel.
 template <class A, class B>
-Proximity<dimension_of<A>, double> proximity_of_levels(const A& a, const B& b, Relation relation) {
+Proximity<dimension_of<A>, double> proximity_of_half_spaces(const A& a, const B& b, Relation relation) {
   constexpr Dim N = dimension_of<A>;
   const UnitPlane plane_a = lifted_plane(boundary_of(a));
   const UnitPlane plane_b = lifted_plane(boundary_of(b));
@@ -225,7 +225,7 @@ Proximity<dimension_of<A>, double> proximity_of_levels(const A& a, const B& b, R
     result.point_a = upward * planes.first;
     result.point_b = upward * planes.second;
   } else {
-    const Vec<3, double> common = common_point_of_levels<A, B>(plane_a, plane_b, planes.parallel);
+    const Vec<3, double> common = common_point_of_boundaries<A, B>(plane_a, plane_b, planes.parallel);
     result = meeting_at(Vec<N, double>(common), relation);
   }
   result.error = tolerance::rounding * (std::fabs(plane_a.offset) + std::fabs(plane_b.offset));
@@ -235,8 +235,8 @@ Proximity<dimension_of<A>, double> proximity_of_levels(const A& a, const B& b, R
 // ---- Rays among themselves
 
 template <Dim N>
-Foot<3> lifted(const Foot<N>& foot) {
-  return {lifted(foot.point), lifted(foot.off)};
+ClosestOnCore<3> lifted(const ClosestOnCore<N>& closest) {
+  return {lifted(closest.point), lifted(closest.off)};
 }
 
 /// Seen from the origin of a. The nearest of the feet from either origin and of the feet of the lines' perpendicular,
@@ -248,8 +248,8 @@ ClosestPair<3> closest_of_rays(const Ray<N, T>& a, const Ray<N, T>& b) {
   const Vec<3, double> w = lifted(wide<N, T>(b.origin) - wide<N, T>(a.origin));
   const Vec<3, double> zero(0.0);
   ClosestPair<3> best;
-  best.offer_from_a(zero, foot_on(Ray<3, double>{w, e}, zero));
-  best.offer_from_b(w, foot_on(Ray<3, double>{zero, d}, w));
+  best.offer_from_a(zero, closest_on(Ray<3, double>{w, e}, zero));
+  best.offer_from_b(w, closest_on(Ray<3, double>{zero, d}, w));
   const Vec<3, double> n = accurate_cross(d, e);
   const double whole = dot(n, n);
   const double lengths_squared = dot(d, d) * dot(e, e);

@@ -59,13 +59,13 @@ inline constexpr double same_axis = 3 * tolerance::rounding;
 
 /// How far three axes are from orthonormal, as orthonormal_error.
 template <class Axes>
-double skew_of_axes(const Axes& axes) {
-  double skew = 0;
+double orthonormality_error_of_axes(const Axes& axes) {
+  double orthonormality_error = 0;
   for (Dim i = 0; i < 3; ++i) {
-    skew = std::max(skew, std::fabs(dot(axes[i], axes[i]) - 1));
-    skew = std::max(skew, std::fabs(dot(axes[i], axes[(i + 1) % 3])));
+    orthonormality_error = std::max(orthonormality_error, std::fabs(dot(axes[i], axes[i]) - 1));
+    orthonormality_error = std::max(orthonormality_error, std::fabs(dot(axes[i], axes[(i + 1) % 3])));
   }
-  return skew;
+  return orthonormality_error;
 }
 
 /// Axes of two boxes in space that are a face's normal once more, or across parallel edges: a box on a box has six of
@@ -84,16 +84,16 @@ BoxesAxes repeated_axes(const Axes& a, const Axes& b) {
     }
   }
   if (least > 2 * same_axis) return 0;  // as of nearly all axes that were rounded to float
-  const double skew = 1.5 * std::max(skew_of_axes(a), skew_of_axes(b));
+  const double orthonormality_error = 1.5 * std::max(orthonormality_error_of_axes(a), orthonormality_error_of_axes(b));
   BoxesAxes result = 0;
   for (Dim j = 0; j < 3; ++j) {
     const auto& c = cosines[j];
     for (Dim i = 0; i < 3; ++i) {
-      const BoxesAxes along{1.5 * (std::max(c[(i + 1) % 3], c[(i + 2) % 3]) + skew) <= same_axis};
+      const BoxesAxes along{1.5 * (std::max(c[(i + 1) % 3], c[(i + 2) % 3]) + orthonormality_error) <= same_axis};
       result |= along << (3 + j) | along << (6 + 3 * i + j);
       const double in_a = std::min(c[(i + 1) % 3], c[(i + 2) % 3]);
       const double in_b = std::min(cosines[(j + 1) % 3][i], cosines[(j + 2) % 3][i]);
-      const double off = std::min(in_a, in_b) + skew;
+      const double off = std::min(in_a, in_b) + orthonormality_error;
       result |= BoxesAxes{off * off <= same_axis * same_axis * (1 - c[i] * c[i])} << (6 + 3 * i + j);
     }
   }

@@ -44,9 +44,9 @@ auto seen_whole(const Vec<dimension_of<Core>, double>& origin, const Core& core,
   if constexpr (is_ray<Core>) {
     constexpr Dim N = dimension_of<Core>;
     const Ray<N, double> seen{reference(core) - origin, wide<N, scalar_of<Core>>(core.direction)};
-    return cut_for_depth(seen, seen_from(origin, other));
+    return cut_for_depth(seen, relative_to(origin, other));
   } else {
-    return seen_from(origin, core);
+    return relative_to(origin, core);
   }
 }
 
@@ -116,7 +116,7 @@ inline constexpr bool are_boxes = is_box<A>&& is_box<B> && !(is_a<Aabb, A> && is
 template <class A, class B>
 requires are_boxes<A, B> Penetration<dimension_of<A>> penetration_of_simple(const A& a, const B& b) {
   const Vec<dimension_of<A>, double> origin = reference(a);
-  return moved_by(penetration_of_boxes(seen_from(origin, a), seen_from(origin, b)), origin);
+  return moved_by(penetration_of_boxes(relative_to(origin, a), relative_to(origin, b)), origin);
 }
 
 template <HasSimpleCore A, HasSimpleCore B>
@@ -125,13 +125,13 @@ requires(!are_boxes<A, B>) Penetration<dimension_of<A>> penetration_of_simple(co
   const auto& core_b = core(b);
   const Radii radii{core_radius(a), core_radius(b)};
   const Vec<dimension_of<A>, double> origin = reference(core_a);
-  const auto seen_a = seen_whole(origin, core_a, core_b);
-  const auto seen_b = seen_whole(origin, core_b, core_a);
-  const double size = size_around_zero(seen_a) + size_around_zero(seen_b);
+  const auto local_a = seen_whole(origin, core_a, core_b);
+  const auto local_b = seen_whole(origin, core_b, core_a);
+  const double size = size_around_zero(local_a) + size_around_zero(local_b);
   const bool has_radius = radii.a > 0 || radii.b > 0;
   const bool are_apart = has_radius && decide(core_a, core_b) == Relation::apart;
-  Penetration<dimension_of<A>> result = are_apart ? penetration_of_apart(seen_a, seen_b, size, radii)
-                                                  : penetration_of_meeting(seen_a, seen_b, size, radii);
+  Penetration<dimension_of<A>> result = are_apart ? penetration_of_apart(local_a, local_b, size, radii)
+                                                  : penetration_of_meeting(local_a, local_b, size, radii);
   result.error += 2 * tolerance::rounding * (size + (radii.a + radii.b));  // of the gap, and of the search's preference
   return moved_by(result, origin);
 }
@@ -141,8 +141,8 @@ requires(!are_boxes<A, B>) Penetration<dimension_of<A>> penetration_of_simple(co
 template <Dim N, class T>
 Penetration<N> penetration_of_simple(const Aabb<N, T>& a, const Aabb<N, T>& b) {
   const Vec<N, double> zero(0.0);
-  const Aabb<N, double> box_a = seen_from(zero, a);
-  const Aabb<N, double> box_b = seen_from(zero, b);
+  const Aabb<N, double> box_a = relative_to(zero, a);
+  const Aabb<N, double> box_b = relative_to(zero, b);
   Penetration<N> result;
   result.depth = std::numeric_limits<double>::infinity();
   Dim axis = 0;

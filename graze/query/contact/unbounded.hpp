@@ -52,7 +52,7 @@ Penetration<N> above_plane(const Plane<N, T>& plane, const CorePoint<N>& lowest,
 }
 
 template <Dim N, class T, Convex S>
-Penetration<N> penetration_in_level(const HalfSpace<N, T>& solid, const S& shape) {
+Penetration<N> penetration_in_half_space(const HalfSpace<N, T>& solid, const S& shape) {
   const auto extremes = extremes_over(boundary(solid), core(shape));
   Penetration<N> result = above_plane(boundary(solid), extremes.lowest, core_radius(shape), 1.0);
   result.error += error_of_extremes<S>(boundary(solid), extremes, core_radius(shape));
@@ -61,7 +61,7 @@ Penetration<N> penetration_in_level(const HalfSpace<N, T>& solid, const S& shape
 
 /// To the side on which less of the shape is on the wrong side; upward if that is equal.
 template <Dim N, class T, Convex S>
-Penetration<N> penetration_in_level(const Plane<N, T>& plane, const S& shape) {
+Penetration<N> penetration_in_half_space(const Plane<N, T>& plane, const S& shape) {
   const auto extremes = extremes_over(plane, core(shape));
   const auto& [lowest, highest] = extremes;
   Penetration<N> result = lowest.height >= -highest.height ? above_plane(plane, lowest, core_radius(shape), 1.0)
@@ -76,11 +76,11 @@ Penetration<N> penetration_in_level(const Plane<N, T>& plane, const S& shape) {
 template <Dim N, class T>
 Penetration<N> at_origin(const Ray<N, T>& ray, const Plane<N, T>& plane, bool is_upward) {
   const Vec<N, double> origin = wide<N, T>(ray.origin);
-  const auto foot = surface_point(plane, origin);
-  Penetration<N> result = of_depth<N>(is_upward ? foot.distance : -foot.distance);
+  const auto closest = surface_point(plane, origin);
+  Penetration<N> result = of_depth<N>(is_upward ? closest.distance : -closest.distance);
   result.normal = unit_or(wide<N, T>(plane.normal), unit_axis<N>(0)) * (is_upward ? 1.0 : -1.0);
   result.point_a = origin;
-  result.point_b = foot.point;
+  result.point_b = closest.point;
   result.error += error_of_heights(plane, abs(origin), tolerance::convex);
   return result;
 }
@@ -109,7 +109,7 @@ Penetration<N> penetration_of_ray(const Ray<N, T>& ray, const HalfSpace<N, T>& s
 
 /// Which way along the first one's normal b can leave a, or has left it: 1, -1; 0 for both ways, if both are planes.
 template <class A, class B>
-double way_out(bool face_the_same_way) {
+double minimum_translation(bool face_the_same_way) {
   if constexpr (!is_plane<A>) return 1;
   if constexpr (!is_plane<B>) return face_the_same_way ? -1 : 1;
   return 0;
@@ -117,16 +117,16 @@ double way_out(bool face_the_same_way) {
 
 /// Only parallel ones can be parted, and of half-spaces only those that face each other.
 template <class A, class B>
-Penetration<dimension_of<A>> penetration_of_levels(const A& a, const B& b) {
+Penetration<dimension_of<A>> penetration_of_half_spaces(const A& a, const B& b) {
   constexpr Dim N = dimension_of<A>;
   const UnitPlane plane_a = lifted_plane(boundary_of(a));
   const UnitPlane plane_b = lifted_plane(boundary_of(b));
   const Parallel planes = compare_planes(boundary_of(a), boundary_of(b));
   if (!planes.parallel || (!is_plane<A> && !is_plane<B> && planes.same_way)) {
-    return inseparable_at(Vec<N, double>(common_point_of_levels<A, B>(plane_a, plane_b, planes.parallel)));
+    return inseparable_at(Vec<N, double>(common_point_of_boundaries<A, B>(plane_a, plane_b, planes.parallel)));
   }
   const double rise = planes.second - planes.first;
-  const double way = way_out<A, B>(planes.same_way);
+  const double way = minimum_translation<A, B>(planes.same_way);
   const double side = way != 0 ? way : rise < 0 ? -1.0 : 1.0;
   const Vec<N, double> upward(plane_a.normal);
   Penetration<N> result = of_depth<N>(way != 0 ? -rise * side : 0.0);

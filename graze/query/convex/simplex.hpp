@@ -26,14 +26,14 @@ struct Simplex {
 /// rounding that leans it towards the edge would show as a distance to the edge's end. So it is made of the normal in
 /// 2D, and straightened once more in 3D.
 template <Dim N>
-Vec<N, double> foot_on_line(const Vec<N, double>& start, const Vec<N, double>& edge) {
+Vec<N, double> closest_on_line(const Vec<N, double>& start, const Vec<N, double>& edge) {
   const double whole = dot(edge, edge);
   if constexpr (N == 2) {
     const Vec<2, double> normal = perpendicular(edge);
     return normal * (dot(normal, start) / whole);
   } else {
-    const Vec<3, double> foot = start - edge * (dot(start, edge) / whole);
-    return foot - edge * (dot(foot, edge) / whole);
+    const Vec<3, double> closest = start - edge * (dot(start, edge) / whole);
+    return closest - edge * (dot(closest, edge) / whole);
   }
 }
 
@@ -89,7 +89,7 @@ class SimplexSearch {
     const Point& start = simplex_.points[i];
     const Point edge = simplex_.points[j] - start;
     const double along = -dot(start, edge);
-    if (along > 0 && along < dot(edge, edge)) offer(foot_on_line(start, edge), {i, j});
+    if (along > 0 && along < dot(edge, edge)) offer(closest_on_line(start, edge), {i, j});
   }
 
   /// In 3D the foot of the origin's perpendicular on the plane, n (n . p) / n^2, if it is inside; in 2D the origin
@@ -110,11 +110,11 @@ class SimplexSearch {
       const Point normal = of_moderate_size(accurate_cross(q - p, r - p));
       const double area_squared = dot(normal, normal);
       if (!(area_squared > 0)) return;
-      const Point foot = normal * (dot(normal, p) / area_squared);
+      const Point closest = normal * (dot(normal, p) / area_squared);
       const auto is_left = [&](const Point& from, const Point& to) {
-        return dot(normal, cross(to - from, foot - from)) > 0;
+        return dot(normal, cross(to - from, closest - from)) > 0;
       };
-      if (is_left(p, q) && is_left(q, r) && is_left(r, p)) offer(foot, {i, j, k});
+      if (is_left(p, q) && is_left(q, r) && is_left(r, p)) offer(closest, {i, j, k});
     }
   }
 
@@ -150,7 +150,7 @@ void for_each_perpendicular(const Simplex<N>& simplex, const Visit& visit) {
     visit(start);
     for (std::size_t j = i + 1; j < simplex.size; ++j) {
       const Vec<N, double> edge = simplex.points[j] - start;
-      if (max_abs(edge) > 0) visit(foot_on_line(start, edge));
+      if (max_abs(edge) > 0) visit(closest_on_line(start, edge));
       if constexpr (N == 3) {
         for (std::size_t k = j + 1; k < simplex.size; ++k) {
           const Vec<3, double> normal = of_moderate_size(accurate_cross(edge, simplex.points[k] - start));

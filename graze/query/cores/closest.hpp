@@ -36,10 +36,14 @@ struct ClosestPair {
   double squared = std::numeric_limits<double>::infinity();
 
   /// A point of a, and its foot on b.
-  void offer_from_a(const Vec<N, double>& point, const Foot<N>& foot) { offer({point, foot.point, -foot.off}); }
+  void offer_from_a(const Vec<N, double>& point, const ClosestOnCore<N>& closest) {
+    offer({point, closest.point, -closest.off});
+  }
 
   /// A point of b, and its foot on a.
-  void offer_from_b(const Vec<N, double>& point, const Foot<N>& foot) { offer({foot.point, point, foot.off}); }
+  void offer_from_b(const Vec<N, double>& point, const ClosestOnCore<N>& closest) {
+    offer({closest.point, point, closest.off});
+  }
 
   void offer(const ClosestPair& other) {
     const double candidate = dot(other.between, other.between);
@@ -96,21 +100,21 @@ template <class A, class B>
 void offer_corners(const A& a, const B& b, double size, const FacingBand<dimension_of<A>>& band,
                    ClosestPair<dimension_of<A>>& best) {
   if constexpr (!HasEdges<A>) {
-    best.offer_from_a(a, foot_on(b, a));
+    best.offer_from_a(a, closest_on(b, a));
   } else if constexpr (!HasEdges<B>) {
-    best.offer_from_b(b, foot_on(a, b));
+    best.offer_from_b(b, closest_on(a, b));
   } else {
     const auto& feet_a = with_feet(a);
     const auto& feet_b = with_feet(b);
     TooFar<B> is_too_far_of_a(b, 1, size);
     for (const auto& corner : corner_points(a)) {
       if (!band.reaches_a(corner) || is_too_far_of_a(corner, best)) continue;
-      best.offer_from_a(corner, foot_on(feet_b, corner));
+      best.offer_from_a(corner, closest_on(feet_b, corner));
     }
     TooFar<A> is_too_far_of_b(a, -1, size);
     for (const auto& corner : corner_points(b)) {
       if (!band.reaches_b(corner) || is_too_far_of_b(corner, best)) continue;
-      best.offer_from_b(corner, foot_on(feet_a, corner));
+      best.offer_from_b(corner, closest_on(feet_a, corner));
     }
   }
 }
@@ -126,10 +130,10 @@ void offer_projections(const A& a, const B& b, ClosestPair<dimension_of<A>>& bes
   Vec<dimension_of<A>, double> on_a(0.0);
   for (const auto& corner : corners) on_a += corner / static_cast<double>(corners.size());
   for (int step = 0; step < steps; ++step) {
-    const Vec<dimension_of<A>, double> on_b = foot_on(feet_b, on_a).point;
-    const Foot<dimension_of<A>> foot = foot_on(feet_a, on_b);
-    best.offer_from_b(on_b, foot);
-    on_a = foot.point;
+    const Vec<dimension_of<A>, double> on_b = closest_on(feet_b, on_a).point;
+    const ClosestOnCore<dimension_of<A>> closest = closest_on(feet_a, on_b);
+    best.offer_from_b(on_b, closest);
+    on_a = closest.point;
   }
 }
 
@@ -174,8 +178,8 @@ void offer_perpendicular(const Segment<N, double>& a, const Segment<N, double>& 
   if (!perpendicular.is_any()) return;
   const Vec<N, double> on_a = a.start + (a.end - a.start) * perpendicular.on_a();
   const Vec<N, double> on_b = b.start + (b.end - b.start) * perpendicular.on_b();
-  best.offer_from_a(on_a, foot_on(b, on_a));
-  best.offer_from_b(on_b, foot_on(a, on_b));
+  best.offer_from_a(on_a, closest_on(b, on_a));
+  best.offer_from_b(on_b, closest_on(a, on_b));
 }
 
 /// The gap between two cores along the common normal of an edge of each.
@@ -394,10 +398,10 @@ ClosestPair<dimension_of<A>> closest_of_meeting(const A& a, const B& b, double s
     const auto& feet_b = with_feet(b);
     offer_crossings(
         a, b, size, [&](const Point& point) { return band.reaches_a(point); },
-        [&](const Point& point) { best.offer_from_a(point, foot_on(feet_b, point)); });
+        [&](const Point& point) { best.offer_from_a(point, closest_on(feet_b, point)); });
     offer_crossings(
         b, a, size, [&](const Point& point) { return band.reaches_b(point); },
-        [&](const Point& point) { best.offer_from_b(point, foot_on(feet_a, point)); });
+        [&](const Point& point) { best.offer_from_b(point, closest_on(feet_a, point)); });
   }
   return best;
 }

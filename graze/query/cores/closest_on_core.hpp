@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// foot_on(shape, p): the point of a segment, a ray or a triangle in space that is nearest to p, and of a convex
+// closest_on(shape, p): the point of a segment, a ray or a triangle in space that is nearest to p, and of a convex
 // polygon's outline, in double.
 //
 // Of triangles and polygons the place is right to a few epsilon of the vectors from p to the corners, however thin they
@@ -26,21 +26,21 @@ namespace graze::detail {
 /// The nearest point of a line, and the vector from it to p: not their difference, but calculated from vectors between
 /// p and the shape, so that it is right far from the origin too.
 template <Dim N>
-struct Foot {
+struct ClosestOnCore {
   Vec<N, double> point;
   Vec<N, double> off;
   double share = 0;  // of a segment that lies before it
 };
 
 template <Dim N>
-double squared(const Foot<N>& foot) {
-  return dot(foot.off, foot.off);
+double squared(const ClosestOnCore<N>& closest) {
+  return dot(closest.off, closest.off);
 }
 
 /// Ericson, Real-Time Collision Detection (2005), 5.1.2, seen from the nearer end. Equal ends are never divided by:
 /// then `along` is zero.
 template <Dim N, class T>
-Foot<N> foot_on(const Segment<N, T>& segment, const Vec<N, double>& p) {
+ClosestOnCore<N> closest_on(const Segment<N, T>& segment, const Vec<N, double>& p) {
   const Vec<N, double> start = wide<N, T>(segment.start);
   const Vec<N, double> end = wide<N, T>(segment.end);
   const Vec<N, double> edge = end - start;
@@ -54,7 +54,7 @@ Foot<N> foot_on(const Segment<N, T>& segment, const Vec<N, double>& p) {
 }
 
 template <Dim N, class T>
-Foot<N> foot_on(const Ray<N, T>& ray, const Vec<N, double>& p) {
+ClosestOnCore<N> closest_on(const Ray<N, T>& ray, const Vec<N, double>& p) {
   const Vec<N, double> origin = wide<N, T>(ray.origin);
   const Vec<N, double> direction = wide<N, T>(ray.direction);
   const double along = dot(p - origin, direction);
@@ -65,8 +65,8 @@ Foot<N> foot_on(const Ray<N, T>& ray, const Vec<N, double>& p) {
 
 /// Whether the foot is between the ends of a segment.
 template <Dim N>
-bool is_between_ends(const Foot<N>& foot) {
-  return foot.share > 0 && foot.share < 1;
+bool is_between_ends(const ClosestOnCore<N>& closest) {
+  return closest.share > 0 && closest.share < 1;
 }
 
 // ---- Triangles in space, polygons
@@ -74,7 +74,7 @@ bool is_between_ends(const Foot<N>& foot) {
 /// The nearest corner, the first of several. Which of two is nearer is read off the vector between them, which is known
 /// as well as it is long.
 template <Dim N, class T>
-Foot<N> nearest_corner(std::span<const Vec<N, T>> corners, const Vec<N, double>& p) {
+ClosestOnCore<N> nearest_corner(std::span<const Vec<N, T>> corners, const Vec<N, double>& p) {
   Vec<N, double> best = wide<N, T>(corners.front());
   for (const Vec<N, T>& corner : corners.subspan(1)) {
     const Vec<N, double> other = wide<N, T>(corner);
@@ -140,20 +140,20 @@ inline FacedTriangle faced(const Triangle<3, double>& triangle) {
 /// beyond a blunt corner p can be near the line of one edge and surely inside the next, and then that has the foot. A
 /// triangle that is a line is its longest edge: the two others run along it, or the angle between them, from which the
 /// normal is calculated, would not be straight.
-inline Foot<3> foot_on(const FacedTriangle& face, const Vec<3, double>& p) {
+inline ClosestOnCore<3> closest_on(const FacedTriangle& face, const Vec<3, double>& p) {
   const std::array<Vec<3, double>, 3> corners = face.triangle.vertices();
   const auto edge_at = [&](std::size_t i) { return Segment<3, double>{corners[i % 3], corners[(i + 1) % 3]}; };
   const Vec<3, double>& normal = face.normal;
-  if (!(max_abs(normal) > 0)) return foot_on(edge_at(face.longest), p);
+  if (!(max_abs(normal) > 0)) return closest_on(edge_at(face.longest), p);
   std::array<double, 3> share{};  // inside an edge: any
   std::array<bool, 3> is_inside{};
   for (std::size_t i = 0; i < 3; ++i) {
     const Segment<3, double> edge = edge_at(i);
     is_inside[i] = is_surely_inside(normal, edge.end - edge.start, p - edge.start);
     if (is_inside[i]) continue;
-    const Foot<3> foot = foot_on(edge, p);
-    if (is_between_ends(foot)) return foot;
-    share[i] = foot.share;
+    const ClosestOnCore<3> closest = closest_on(edge, p);
+    if (is_between_ends(closest)) return closest;
+    share[i] = closest.share;
   }
   if (is_inside[0] && is_inside[1] && is_inside[2]) {
     const Vec<3, double> off = normal * (dot(normal, p - corners[0]) / dot(normal, normal));
@@ -162,14 +162,14 @@ inline Foot<3> foot_on(const FacedTriangle& face, const Vec<3, double>& p) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (share[i] == 0 ? i + 2 : i + 1) % 3;
     if (is_inside[i] || !is_inside[next]) continue;
-    const Foot<3> foot = foot_on(edge_at(next), p);
-    if (is_between_ends(foot)) return foot;
+    const ClosestOnCore<3> closest = closest_on(edge_at(next), p);
+    if (is_between_ends(closest)) return closest;
   }
   return nearest_corner<3, double>(corners, p);
 }
 
-inline Foot<3> foot_on(const Triangle<3, double>& triangle, const Vec<3, double>& p) {
-  return foot_on(faced(triangle), p);
+inline ClosestOnCore<3> closest_on(const Triangle<3, double>& triangle, const Vec<3, double>& p) {
+  return closest_on(faced(triangle), p);
 }
 
 /// A convex polygon's corners, counter-clockwise, none on the line between its neighbours: or one or two points.
@@ -179,30 +179,30 @@ using Corners = std::span<const Vec<2, T>>;
 /// The nearest of the feet on a polygon's edges from inside, the first of several, which is read off the vector between
 /// their places, seen from a corner.
 template <class T>
-Foot<2> foot_from_inside(Corners<T> corners, const Vec<2, double>& p) {
+ClosestOnCore<2> closest_from_inside(Corners<T> corners, const Vec<2, double>& p) {
   const Vec<2, double> corner = wide<2, T>(corners[0]);
-  Foot<2> best{Vec<2, double>(0.0), Vec<2, double>(0.0)};
+  ClosestOnCore<2> best{Vec<2, double>(0.0), Vec<2, double>(0.0)};
   Vec<2, double> best_place(0.0);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Segment<2, T> edge{corners[i], corners[i + 1 < corners.size() ? i + 1 : 0]};
-    const Foot<2> foot = foot_on(edge, p);
+    const ClosestOnCore<2> closest = closest_on(edge, p);
     const Vec<2, double> start = wide<2, T>(edge.start);
-    const Vec<2, double> place = start - corner + (wide<2, T>(edge.end) - start) * foot.share;
-    if (i > 0 && !(dot(place - best_place, foot.off + best.off) > 0)) continue;
-    best = foot;
+    const Vec<2, double> place = start - corner + (wide<2, T>(edge.end) - start) * closest.share;
+    if (i > 0 && !(dot(place - best_place, closest.off + best.off) > 0)) continue;
+    best = closest;
     best_place = place;
   }
   return best;
 }
 
-struct FootOnPolygon {
-  Foot<2> foot;    ///< On the outline.
-  bool is_inside;  ///< Of the polygon, its outline included; never of one without area.
+struct ClosestOnPolygon {
+  ClosestOnCore<2> closest;  ///< On the outline.
+  bool is_inside;            ///< Of the polygon, its outline included; never of one without area.
 };
 
 /// As of triangles in space, but which side of an edge p is on `orientation` decides exactly.
 template <class T>
-FootOnPolygon foot_on_polygon(Corners<T> corners, const Vec<2, double>& p) {
+ClosestOnPolygon closest_on_polygon(Corners<T> corners, const Vec<2, double>& p) {
   const std::size_t count = corners.size();
   const bool has_area = count > 3 || (count == 3 && orientation(corners[0], corners[1], corners[2]) != 0);
   bool is_inside = has_area;
@@ -210,10 +210,10 @@ FootOnPolygon foot_on_polygon(Corners<T> corners, const Vec<2, double>& p) {
     const Segment<2, T> edge{corners[i], corners[i + 1 < count ? i + 1 : 0]};
     if (has_area && orientation(wide<2, T>(edge.start), wide<2, T>(edge.end), p) >= 0) continue;
     is_inside = false;
-    const Foot<2> foot = foot_on(edge, p);
-    if (is_between_ends(foot)) return {foot, false};
+    const ClosestOnCore<2> closest = closest_on(edge, p);
+    if (is_between_ends(closest)) return {closest, false};
   }
-  return {is_inside ? foot_from_inside<T>(corners, p) : nearest_corner<2, T>(corners, p), is_inside};
+  return {is_inside ? closest_from_inside<T>(corners, p) : nearest_corner<2, T>(corners, p), is_inside};
 }
 
 }  // namespace graze::detail

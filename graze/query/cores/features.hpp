@@ -25,34 +25,34 @@
 
 namespace graze::detail {
 
-// ---- foot_on(core, p): the core's point nearest to p, and the vector from there to p. Segments and triangles in
+// ---- closest_on(core, p): the core's point nearest to p, and the vector from there to p. Segments and triangles in
 // space have theirs in closest_on_core.hpp.
 
 template <Dim N>
-Foot<N> foot_on(const Vec<N, double>& core, const Vec<N, double>& p) {
+ClosestOnCore<N> closest_on(const Vec<N, double>& core, const Vec<N, double>& p) {
   return {core, p - core};
 }
 
 template <Dim N>
-Foot<N> foot_on(const Aabb<N, double>& box, const Vec<N, double>& p) {
+ClosestOnCore<N> closest_on(const Aabb<N, double>& box, const Vec<N, double>& p) {
   const Vec<N, double> inside = clamp(p, box.min, box.max);
   return {inside, p - inside};
 }
 
 template <Dim N>
-Foot<N> foot_on(const Obb<N, double>& box, const Vec<N, double>& p) {
+ClosestOnCore<N> closest_on(const Obb<N, double>& box, const Vec<N, double>& p) {
   const PlaceInBox<N> nearest = place_in(box, p);
   return {box.center + box.axes * nearest.place, nearest.off};
 }
 
 /// A point inside is its own foot.
-inline Foot<2> foot_on(const Triangle<2, double>& triangle, const Vec<2, double>& p) {
+inline ClosestOnCore<2> closest_on(const Triangle<2, double>& triangle, const Vec<2, double>& p) {
   const std::array<Vec<2, double>, 3> corners = counter_clockwise(triangle);
-  const FootOnPolygon nearest = foot_on_polygon<double>(corners, p);
-  return nearest.is_inside ? Foot<2>{p, Vec<2, double>(0.0)} : nearest.foot;
+  const ClosestOnPolygon nearest = closest_on_polygon<double>(corners, p);
+  return nearest.is_inside ? ClosestOnCore<2>{p, Vec<2, double>(0.0)} : nearest.closest;
 }
 
-/// A core as foot_on takes it when it is asked for many points.
+/// A core as closest_on takes it when it is asked for many points.
 template <class Core>
 const Core& with_feet(const Core& core) {
   return core;

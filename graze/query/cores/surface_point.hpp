@@ -66,8 +66,8 @@ inline constexpr bool has_inside<Triangle<3, T>> = false;
 // ---- Points, segments, rays
 
 template <Dim N>
-SurfacePoint<N> without_inside(const Foot<N>& foot) {
-  return {foot.point, foot.point, std::sqrt(squared(foot))};
+SurfacePoint<N> without_inside(const ClosestOnCore<N>& closest) {
+  return {closest.point, closest.point, std::sqrt(squared(closest))};
 }
 
 template <Dim N, class T>
@@ -77,12 +77,12 @@ SurfacePoint<N> surface_point(const Vec<N, T>& point, const Vec<N, double>& p) {
 
 template <Dim N, class T>
 SurfacePoint<N> surface_point(const Segment<N, T>& segment, const Vec<N, double>& p) {
-  return without_inside(foot_on(segment, p));
+  return without_inside(closest_on(segment, p));
 }
 
 template <Dim N, class T>
 SurfacePoint<N> surface_point(const Ray<N, T>& ray, const Vec<N, double>& p) {
-  return without_inside(foot_on(ray, p));
+  return without_inside(closest_on(ray, p));
 }
 
 // ---- Spheres, capsules
@@ -118,12 +118,12 @@ Vec<N, double> straightened(const Vec<N, double>& off, const Vec<N, double>& edg
 /// roundings as large as itself, so it is straightened.
 template <Dim N, class T>
 SurfacePoint<N> surface_point(const Capsule<N, T>& capsule, const Vec<N, double>& p) {
-  const Foot<N> foot = foot_on(axis(capsule), p);
+  const ClosestOnCore<N> closest = closest_on(axis(capsule), p);
   const auto radius = static_cast<double>(capsule.radius);
   const Vec<N, double> edge = wide<N, T>(capsule.b) - wide<N, T>(capsule.a);
-  const bool is_at_end = foot.point == wide<N, T>(capsule.a) || foot.point == wide<N, T>(capsule.b);
-  const Vec<N, double> off = is_at_end ? foot.off : straightened(foot.off, edge);
-  return {foot.point + unit_or(off, across(edge)) * radius, foot.point, std::sqrt(dot(off, off)) - radius};
+  const bool is_at_end = closest.point == wide<N, T>(capsule.a) || closest.point == wide<N, T>(capsule.b);
+  const Vec<N, double> off = is_at_end ? closest.off : straightened(closest.off, edge);
+  return {closest.point + unit_or(off, across(edge)) * radius, closest.point, std::sqrt(dot(off, off)) - radius};
 }
 
 // ---- Planes, half-spaces
@@ -163,11 +163,11 @@ SurfacePoint<N> surface_point(const Plane<N, T>& plane, const Vec<N, double>& p)
   const double squared_length = dot(normal, normal);  // a valid normal is not zero
   const double height = height_over(plane, p);
   const Vec<N, double> near = p - normal * (height / squared_length);
-  Vec<N, double> foot = near - normal * (height_over(plane, near) / squared_length);
+  Vec<N, double> closest = near - normal * (height_over(plane, near) / squared_length);
   const Dim steepest = longest_axis(normal);
-  foot[steepest] = 0;
-  foot[steepest] = -height_over(plane, foot) / normal[steepest];
-  return {foot, foot, height / std::sqrt(squared_length)};
+  closest[steepest] = 0;
+  closest[steepest] = -height_over(plane, closest) / normal[steepest];
+  return {closest, closest, height / std::sqrt(squared_length)};
 }
 
 /// As deep as one wants: as deep inside as the foot is far from the origin.
@@ -183,7 +183,7 @@ SurfacePoint<N> surface_point(const HalfSpace<N, T>& solid, const Vec<N, double>
 template <class T>
 SurfacePoint<3> surface_point(const Triangle<3, T>& triangle, const Vec<3, double>& p) {
   const Triangle<3, double> corners{wide<3, T>(triangle.a), wide<3, T>(triangle.b), wide<3, T>(triangle.c)};
-  return without_inside(foot_on(corners, p));
+  return without_inside(closest_on(corners, p));
 }
 
 /// Counter-clockwise; on one line they stay as they are.
@@ -205,9 +205,9 @@ Vec<N, double> middle_of(std::span<const Vec<N, T>> points) {
 /// Inside is what lies left of every edge of a polygon that has an area, which `orientation` decides exactly.
 template <class T>
 SurfacePoint<2> surface_point_of(Corners<T> corners, const Vec<2, double>& p) {
-  const FootOnPolygon foot = foot_on_polygon(corners, p);
-  const double distance = std::sqrt(squared(foot.foot));
-  return {foot.foot.point, middle_of(corners), foot.is_inside ? -distance : distance};
+  const ClosestOnPolygon closest = closest_on_polygon(corners, p);
+  const double distance = std::sqrt(squared(closest.closest));
+  return {closest.closest.point, middle_of(corners), closest.is_inside ? -distance : distance};
 }
 
 template <class T>

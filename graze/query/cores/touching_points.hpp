@@ -93,12 +93,12 @@ ClosestPair<dimension_of<A>> closest_of_foremost(const A& a, const B& b, const V
   ClosestPair<N> best;
   const ForemostFeature<N> of_b = foremost_feature(with_edges(b), -normal, margin);
   if (of_b.count == 1) {
-    best.offer_from_b(of_b.corners[0], foot_on(a, of_b.corners[0]));
+    best.offer_from_b(of_b.corners[0], closest_on(a, of_b.corners[0]));
     return best;
   }
   const ForemostFeature<N> of_a = foremost_feature(with_edges(a), normal, margin);
   if (of_a.count == 1) {
-    best.offer_from_a(of_a.corners[0], foot_on(b, of_a.corners[0]));
+    best.offer_from_a(of_a.corners[0], closest_on(b, of_a.corners[0]));
   } else if constexpr (N == 3) {
     if (of_a.count == 2 && of_b.count == 2) {
       best = closest_of_crossing({of_a.corners[0], of_a.corners[1]}, {of_b.corners[0], of_b.corners[1]});

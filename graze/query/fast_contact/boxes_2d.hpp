@@ -26,7 +26,7 @@
 namespace graze::detail {
 
 /// A look that may show both points of a manifold.
-struct FlatLook : TouchLook<2> {
+struct FastContact2d : FastContact<2> {
   std::array<SurfacePair<2>, 2> points;
   std::size_t size = 0;
 
@@ -38,13 +38,13 @@ struct FlatLook : TouchLook<2> {
 
 /// Two cores in the order of their contact, with so many axes each, one or two.
 template <std::size_t first_axes, std::size_t second_axes>
-class FlatTouch {
+class Contact2d {
  public:
   using V = Vec<2, double>;
 
   /// Seen from `origin`. `turns` if the second is the first of the pair.
-  [[gnu::always_inline]] FlatTouch(const V& origin, const FlatCore<first_axes>& first,
-                                   const FlatCore<second_axes>& second, bool turns)
+  [[gnu::always_inline]] Contact2d(const V& origin, const Core2d<first_axes>& first, const Core2d<second_axes>& second,
+                                   bool turns)
       : origin_(origin),
         first_(first),
         second_(second),
@@ -54,10 +54,10 @@ class FlatTouch {
         noise_(tolerance::rounding * size_),
         doubt_(tolerance::coarse * size_) {}
 
-  [[gnu::always_inline]] FlatLook run() {
+  [[gnu::always_inline]] FastContact2d run() {
     find_side();
     const double depth = reach_ - gap_;
-    FlatLook look;
+    FastContact2d look;
     look.is_known = depth < -doubt_;
     look.found.error = 2 * noise_;
     // Sides that are too short to have a direction, and numbers that are not moderate, are left.
@@ -137,7 +137,7 @@ class FlatTouch {
   // ---- What lies over the reference side
 
   template <bool of_first>
-  [[gnu::always_inline]] void over_side(const Side& own_side, FlatLook& look) const {
+  [[gnu::always_inline]] void over_side(const Side& own_side, FastContact2d& look) const {
     Cut cut = cut_at_ends<of_first>(own_side);
     const double margin = least_share * size_;
     const double rise = cut.above[1] - cut.above[0];
@@ -156,7 +156,7 @@ class FlatTouch {
   [[gnu::always_inline]] Cut cut_at_ends(const Side& own_side) const {
     const auto& own = this->own<of_first>();
     const auto& other = this->own<!of_first>();
-    const auto of = [](bool is_second, const auto& of_axes) { return FlatCore<2>::of_axis(is_second, of_axes); };
+    const auto of = [](bool is_second, const auto& of_axes) { return Core2d<2>::of_axis(is_second, of_axes); };
     Cut cut;
     cut.own = own_side;
     cut.across_second = is_second_incident(other, own_side.up);
@@ -186,7 +186,7 @@ class FlatTouch {
   /// Whether it is the side across the second axis that looks most against a direction: of those that do so as much the
   /// first.
   template <std::size_t axes>
-  [[gnu::always_inline]] static bool is_second_incident(const FlatCore<axes>& other, const V& up) {
+  [[gnu::always_inline]] static bool is_second_incident(const Core2d<axes>& other, const V& up) {
     if constexpr (axes < 2) return true;
     return looks_more(std::fabs(dot(other.normal[1], up)), std::fabs(dot(other.normal[0], up)));
   }
@@ -198,7 +198,7 @@ class FlatTouch {
 
   /// Whatever is above the reach is cut, too, unless all rests.
   template <bool of_first>
-  [[gnu::always_inline]] void on_side(Cut& cut, FlatLook& look) const {
+  [[gnu::always_inline]] void on_side(Cut& cut, FastContact2d& look) const {
     if (!(cut.share[0] < cut.share[1])) return;  // beside the side
     const double rise = cut.above[1] - cut.above[0];
     const double start = cut.above[0] + rise * cut.share[0];
@@ -238,7 +238,7 @@ class FlatTouch {
 
   /// Where a side of the first core looks along the normal, too, it is that which carries the points, if not the
   /// contact.
-  [[gnu::always_inline]] void take_carried_points(FlatLook& look) const {
+  [[gnu::always_inline]] void take_carried_points(FastContact2d& look) const {
     const bool is_first_along = first_axes == 2 && is_along(first_.normal[0]);
     if (is_first_along || is_along(first_.normal[1])) carry(!is_first_along, look);
   }
@@ -247,10 +247,10 @@ class FlatTouch {
     return is_aligned(normal, up_) || is_aligned(normal, -up_);
   }
 
-  [[gnu::noinline]] void carry(bool across_second, FlatLook& look) const {
-    const V normal = FlatCore<2>::of_axis(across_second, first_.normal);
+  [[gnu::noinline]] void carry(bool across_second, FastContact2d& look) const {
+    const V normal = Core2d<2>::of_axis(across_second, first_.normal);
     const double side = -std::copysign(1.0, dot(normal, up_));
-    FlatLook carried;
+    FastContact2d carried;
     over_side<true>({across_second, side, normal * side}, carried);
     look.is_known = carried.is_known;
     look.points = carried.points;
@@ -261,7 +261,7 @@ class FlatTouch {
 
   /// Cores that are apart, nearest at a corner of each.
   template <bool of_first>
-  [[gnu::always_inline]] void between_corners(FlatLook& look) const {
+  [[gnu::always_inline]] void between_corners(FastContact2d& look) const {
     const auto& own = this->own<of_first>();
     const auto& other = this->own<!of_first>();
     V own_sides = own.sides_of(other.center);
@@ -284,7 +284,7 @@ class FlatTouch {
 
   /// Whether a way from a corner leads away from both sides, by more than what would be laid flat on one.
   template <std::size_t axes>
-  [[gnu::always_inline]] static bool is_beyond(const FlatCore<axes>& core, const V& sides, const V& way,
+  [[gnu::always_inline]] static bool is_beyond(const Core2d<axes>& core, const V& sides, const V& way,
                                                double distance) {
     constexpr double least_cosine = 16 * tolerance::aligned;
     const bool of_first = dot(way, core.along[0]) * sides.x > least_cosine * distance;
@@ -294,14 +294,14 @@ class FlatTouch {
   // ---- From the first of the pair to the second
 
   /// With the normal from the first core to the second, but no points.
-  [[gnu::always_inline]] void put_found(double depth, const V& normal, FlatLook& look) const {
+  [[gnu::always_inline]] void put_found(double depth, const V& normal, FastContact2d& look) const {
     look.is_known = true;
     look.meets = depth > 0;
     look.found.normal = normal * turns_;
     look.found.depth = depth;
   }
 
-  [[gnu::always_inline]] static void take_point(FlatLook& look, bool is_second) {
+  [[gnu::always_inline]] static void take_point(FastContact2d& look, bool is_second) {
     look.found.point_a = is_second ? look.points[1].point_a : look.points[0].point_a;
     look.found.point_b = is_second ? look.points[1].point_b : look.points[0].point_b;
   }
@@ -320,8 +320,8 @@ class FlatTouch {
   }
 
   V origin_;
-  const FlatCore<first_axes>& first_;
-  const FlatCore<second_axes>& second_;
+  const Core2d<first_axes>& first_;
+  const Core2d<second_axes>& second_;
   double turns_;
   double size_;
   double reach_;
@@ -337,40 +337,40 @@ class FlatTouch {
 // ---- In the order of AnyShape
 
 template <class A, class B>
-[[gnu::always_inline]] inline FlatLook flat_look(const A& first, const B& second, bool turns) {
-  const Vec<2, double> origin = flat_origin(first);
-  const auto core_of_first = flat_core(first, origin);
-  const auto core_of_second = flat_core(second, origin);
-  return FlatTouch(origin, core_of_first, core_of_second, turns).run();
+[[gnu::always_inline]] inline FastContact2d fast_contact_2d(const A& first, const B& second, bool turns) {
+  const Vec<2, double> origin = origin_2d(first);
+  const auto core_of_first = core_2d(first, origin);
+  const auto core_of_second = core_2d(second, origin);
+  return Contact2d(origin, core_of_first, core_of_second, turns).run();
 }
 
 /// Of two of a type, in the order of their contact.
 template <class S>
-FlatLook flat_look_of_alike(const S& a, const S& b, bool turns) {
+FastContact2d fast_contact_2d_of_alike(const S& a, const S& b, bool turns) {
   const bool is_first = is_in_order(a, b);
-  return flat_look(is_first ? a : b, is_first ? b : a, turns == is_first);
+  return fast_contact_2d(is_first ? a : b, is_first ? b : a, turns == is_first);
 }
 
 template <class T>
-FlatLook touch_look(const Aabb<2, T>& box, const Capsule<2, T>& capsule, bool turns) {
-  return flat_look(box, capsule, turns);
+FastContact2d find_fast_contact(const Aabb<2, T>& box, const Capsule<2, T>& capsule, bool turns) {
+  return fast_contact_2d(box, capsule, turns);
 }
 template <class T>
-FlatLook touch_look(const Obb<2, T>& box, const Capsule<2, T>& capsule, bool turns) {
-  return flat_look(box, capsule, turns);
+FastContact2d find_fast_contact(const Obb<2, T>& box, const Capsule<2, T>& capsule, bool turns) {
+  return fast_contact_2d(box, capsule, turns);
 }
 /// The oriented one is the first in the order of contacts.
 template <class T>
-FlatLook touch_look(const Aabb<2, T>& a, const Obb<2, T>& b, bool turns) {
-  return flat_look(b, a, !turns);
+FastContact2d find_fast_contact(const Aabb<2, T>& a, const Obb<2, T>& b, bool turns) {
+  return fast_contact_2d(b, a, !turns);
 }
 template <class T>
-FlatLook touch_look(const Obb<2, T>& a, const Obb<2, T>& b, bool turns) {
-  return flat_look_of_alike(a, b, turns);
+FastContact2d find_fast_contact(const Obb<2, T>& a, const Obb<2, T>& b, bool turns) {
+  return fast_contact_2d_of_alike(a, b, turns);
 }
 template <class T>
-FlatLook touch_look(const Capsule<2, T>& a, const Capsule<2, T>& b, bool turns) {
-  return flat_look_of_alike(a, b, turns);
+FastContact2d find_fast_contact(const Capsule<2, T>& a, const Capsule<2, T>& b, bool turns) {
+  return fast_contact_2d_of_alike(a, b, turns);
 }
 
 }  // namespace graze::detail

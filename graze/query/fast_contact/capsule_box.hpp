@@ -70,11 +70,11 @@ struct WayPastBox {
 };
 
 /// On a face a capsule may have two points, which not all who look want.
-struct CapsuleLook : TouchLook<3> {
+struct CapsuleLook : FastContact<3> {
   std::optional<AxisOverFace> over;
 
   std::size_t put_points(SurfacePair<3>* points) const {
-    if (!over) return TouchLook<3>::put_points(points);
+    if (!over) return FastContact<3>::put_points(points);
     return over->put_points(points);
   }
 };
@@ -112,9 +112,9 @@ class CapsuleTouch {
       seen_.way[i] = dot(pair_.way, box.axes[i]);
     }
     seen_.half_extents = box.half_extents;
-    // Of places, by the axes: twice what the quick test of a ball allows for, and what is far above rounding.
-    constexpr double least_skew = 1e-10;
-    doubt_ = 2 * tolerance::box_filter * (skew_of_axes(box.axes) + least_skew) * size_;
+    // Of places, by the axes: twice what the quick test of a sphere allows for, and what is far above rounding.
+    constexpr double least_orthonormality_error = 1e-10;
+    doubt_ = 2 * tolerance::box_filter * (orthonormality_error_of_axes(box.axes) + least_orthonormality_error) * size_;
   }
 
   CapsuleLook run() const {
@@ -131,7 +131,7 @@ class CapsuleTouch {
     const Vec<3, double>& half = pair_.box.half_extents;
     if (!(std::min(std::min(half.x, half.y), half.z) > doubt_)) return look;
     if (by_faces.squared <= doubt_ * doubt_) {
-      find_way_out(look);
+      find_minimum_translation(look);
     } else if (by_faces.count == 1) {
       lie_on_face({by_faces.last, place[by_faces.last] > 0}, false, look);
     } else if (by_faces.is_clear) {
@@ -142,9 +142,9 @@ class CapsuleTouch {
 
  private:
   /// Of an axis in the box.
-  void find_way_out(CapsuleLook& look) const {
-    const WayOut way =
-        WayOutSearch(seen_.start, seen_.way, pair_.box.half_extents, doubt_).run(tolerance::rounding * size_);
+  void find_minimum_translation(CapsuleLook& look) const {
+    const MinimumTranslation way = MinimumTranslationSearch(seen_.start, seen_.way, pair_.box.half_extents, doubt_)
+                                       .run(tolerance::rounding * size_);
     if (!way.is_known) return;
     if (way.is_face) {
       lie_on_face({way.axis, way.outward[way.axis] > 0}, way.is_level, look);
@@ -289,11 +289,11 @@ CapsuleLook look_at_capsule(const Box& box, const Capsule<3, T>& capsule, bool t
 }
 
 template <class T>
-CapsuleLook touch_look(const Aabb<3, T>& box, const Capsule<3, T>& capsule, bool turns) {
+CapsuleLook find_fast_contact(const Aabb<3, T>& box, const Capsule<3, T>& capsule, bool turns) {
   return look_at_capsule(box, capsule, turns);
 }
 template <class T>
-CapsuleLook touch_look(const Obb<3, T>& box, const Capsule<3, T>& capsule, bool turns) {
+CapsuleLook find_fast_contact(const Obb<3, T>& box, const Capsule<3, T>& capsule, bool turns) {
   return look_at_capsule(box, capsule, turns);
 }
 

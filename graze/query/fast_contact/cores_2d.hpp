@@ -20,7 +20,7 @@ namespace graze::detail {
 /// In double, seen from near the pair. The corners are at the center and a half edge, or minus that, along each of so
 /// many axes: a segment has one.
 template <std::size_t axes>
-struct FlatCore {
+struct Core2d {
   using V = Vec<2, double>;
 
   V center = V(0.0);
@@ -74,10 +74,10 @@ struct FlatCore {
 };
 
 template <class T>
-FlatCore<1> flat_core(const Capsule<2, T>& capsule, const Vec<2, double>& origin) {
+Core2d<1> core_2d(const Capsule<2, T>& capsule, const Vec<2, double>& origin) {
   const Vec<2, double> start = wide<2, T>(capsule.a) - origin;
   const Vec<2, double> end = wide<2, T>(capsule.b) - origin;
-  FlatCore<1> core;
+  Core2d<1> core;
   core.center = (start + end) * 0.5;
   core.set_edge(0, (end - start) * 0.5);
   core.normal[1] = perpendicular(core.along[0]);
@@ -86,8 +86,8 @@ FlatCore<1> flat_core(const Capsule<2, T>& capsule, const Vec<2, double>& origin
 }
 
 template <class T>
-[[gnu::always_inline]] inline FlatCore<2> flat_core(const Obb<2, T>& box, const Vec<2, double>& origin) {
-  FlatCore<2> core;
+[[gnu::always_inline]] inline Core2d<2> core_2d(const Obb<2, T>& box, const Vec<2, double>& origin) {
+  Core2d<2> core;
   core.center = wide<2, T>(box.center) - origin;
   const Mat<2, double> axes = wide_matrix<2, T>(box.axes);
   const Vec<2, double> half = wide<2, T>(box.half_extents);
@@ -100,11 +100,11 @@ template <class T>
 }
 
 template <class T>
-[[gnu::always_inline]] inline FlatCore<2> flat_core(const Aabb<2, T>& box, const Vec<2, double>& origin) {
+[[gnu::always_inline]] inline Core2d<2> core_2d(const Aabb<2, T>& box, const Vec<2, double>& origin) {
   const Vec<2, double> low = wide<2, T>(box.min) - origin;
   const Vec<2, double> high = wide<2, T>(box.max) - origin;
   const Vec<2, double> half = (high - low) * 0.5;
-  FlatCore<2> core;
+  Core2d<2> core;
   core.center = (low + high) * 0.5;
   core.half_edge = {Vec<2, double>(half.x, 0), Vec<2, double>(0, half.y)};
   core.half_length = {half.x, half.y};
@@ -114,15 +114,15 @@ template <class T>
 
 /// Where a pair that begins with such a shape is seen from.
 template <class T>
-Vec<2, double> flat_origin(const Capsule<2, T>& capsule) {
+Vec<2, double> origin_2d(const Capsule<2, T>& capsule) {
   return wide<2, T>(capsule.a);
 }
 template <class T>
-Vec<2, double> flat_origin(const Obb<2, T>& box) {
+Vec<2, double> origin_2d(const Obb<2, T>& box) {
   return wide<2, T>(box.center);
 }
 template <class T>
-Vec<2, double> flat_origin(const Aabb<2, T>& box) {
+Vec<2, double> origin_2d(const Aabb<2, T>& box) {
   return wide<2, T>(box.min);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// quick_touch(a, b): a quick look at two shapes, either first, if there is one for their types.
+// fast_contact(a, b): a quick look at two shapes, either first, if there is one for their types.
 #pragma once
 
 #include <graze/query/fast_contact/boxes_2d.hpp>
@@ -16,21 +16,21 @@ namespace graze::detail {
 
 /// Whether there is a quick look at two shapes in this order.
 template <class A, class B>
-concept HasTouchLook = requires(const A& a, const B& b) {
-  touch_look(a, b, false);
+concept HasFastContact = requires(const A& a, const B& b) {
+  find_fast_contact(a, b, false);
 };
 
 template <class A, class B>
-inline constexpr bool has_quick_touch = HasTouchLook<A, B> || HasTouchLook<B, A>;
+inline constexpr bool has_fast_contact = HasFastContact<A, B> || HasFastContact<B, A>;
 
-/// A TouchLook, or what is one and more, with the normal from the first of the two.
+/// A FastContact, or what is one and more, with the normal from the first of the two.
 template <class A, class B>
-requires has_quick_touch<A, B>
-auto quick_touch(const A& a, const B& b) {
-  if constexpr (HasTouchLook<A, B>) {
-    return touch_look(a, b, false);
+requires has_fast_contact<A, B>
+auto fast_contact(const A& a, const B& b) {
+  if constexpr (HasFastContact<A, B>) {
+    return find_fast_contact(a, b, false);
   } else {
-    return touch_look(b, a, true);
+    return find_fast_contact(b, a, true);
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a quick look at two shapes shows: touch_look(a, b, turns), in spheres_and_capsules.hpp, sphere_box.hpp,
+// What a quick look at two shapes shows: find_fast_contact(a, b, turns), in spheres_and_capsules.hpp, sphere_box.hpp,
 // capsule_box.hpp, sphere_2d.hpp, boxes_2d.hpp, half_space.hpp and sphere_triangle.hpp.
 #pragma once
 
@@ -15,7 +15,7 @@ namespace graze::detail {
 /// How two shapes touch, where that is plain to see. Whoever looks is told which way round it is wanted: to turn it
 /// afterwards means to copy it, which takes longer than to find it.
 template <Dim N>
-struct TouchLook {
+struct FastContact {
   bool is_known = false;   ///< If not, nothing else counts.
   bool meets = false;      ///< If not, nothing else counts, but the error.
   bool is_single = false;  ///< Whether the manifold is this point alone, on the features below.

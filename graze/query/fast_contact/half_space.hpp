@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How balls, capsules and boxes touch planes and half-spaces: what penetration_in_level finds for every convex shape,
-// of those that clearly meet or clearly do not, by plain sums. Include manifold.hpp.
+// How spheres, capsules and boxes touch planes and half-spaces: what penetration_in_half_space finds for every convex
+// shape, of those that clearly meet or clearly do not, by plain sums. Include manifold.hpp.
 #pragma once
 
 #include <algorithm>
@@ -26,10 +26,10 @@ namespace graze::detail {
 
 /// The boundary of a plane or a half-space, and what a look at it needs.
 template <Dim N>
-class LevelTouch {
+class HalfSpaceContact {
  public:
   template <class T>
-  LevelTouch(const Plane<N, T>& plane, bool is_solid)
+  HalfSpaceContact(const Plane<N, T>& plane, bool is_solid)
       : normal_(wide<N, T>(plane.normal)),
         offset_(static_cast<double>(plane.offset)),
         squared_(dot(normal_, normal_)),
@@ -44,8 +44,8 @@ class LevelTouch {
 
   /// Of a shape whose core has its lowest and its highest point at two places, with all that is added up for them in
   /// `magnitude`. From the level to the shape, unless it `turns`; a plane pushes it to the side that is nearer.
-  TouchLook<N> look(const Vec<N, double>& lowest, const Vec<N, double>& highest, double radius,
-                    const Vec<N, double>& magnitude, bool turns) const {
+  FastContact<N> look(const Vec<N, double>& lowest, const Vec<N, double>& highest, double radius,
+                      const Vec<N, double>& magnitude, bool turns) const {
     const double below = height_of(lowest);
     const double above = -height_of(highest);
     const double inverse = 1 / length_;
@@ -53,7 +53,7 @@ class LevelTouch {
     const double doubt = 4 * tolerance::convex * size;
     const bool is_upward = is_solid_ || below >= above;
     const double depth = radius - (is_upward ? below : above) * inverse;
-    TouchLook<N> result;
+    FastContact<N> result;
     result.meets = depth > doubt;
     const bool is_side_known = is_solid_ || std::fabs(below - above) * inverse > doubt;
     const bool is_moderate = squared_ > 0x1p-400 && squared_ < 0x1p400 && !std::isnan(below + above);
@@ -75,25 +75,26 @@ class LevelTouch {
 };
 
 template <Dim N, class T>
-LevelTouch<N> level_touch(const Plane<N, T>& plane) {
+HalfSpaceContact<N> half_space_contact(const Plane<N, T>& plane) {
   return {plane, false};
 }
 template <Dim N, class T>
-LevelTouch<N> level_touch(const HalfSpace<N, T>& solid) {
+HalfSpaceContact<N> half_space_contact(const HalfSpace<N, T>& solid) {
   return {boundary(solid), true};
 }
 
 template <class Level, Dim N, class T>
-TouchLook<N> look_at_level(const Level& level, const Sphere<N, T>& ball, bool turns) {
-  const Vec<N, double> center = wide<N, T>(ball.center);
-  TouchLook<N> result = level_touch(level).look(center, center, static_cast<double>(ball.radius), abs(center), turns);
+FastContact<N> look_at_half_space(const Level& level, const Sphere<N, T>& sphere, bool turns) {
+  const Vec<N, double> center = wide<N, T>(sphere.center);
+  FastContact<N> result =
+      half_space_contact(level).look(center, center, static_cast<double>(sphere.radius), abs(center), turns);
   result.is_single = true;
   return result;
 }
 
 template <class Level, Dim N, class T>
-TouchLook<N> look_at_level(const Level& level, const Capsule<N, T>& capsule, bool turns) {
-  const LevelTouch<N> touch = level_touch(level);
+FastContact<N> look_at_half_space(const Level& level, const Capsule<N, T>& capsule, bool turns) {
+  const HalfSpaceContact<N> touch = half_space_contact(level);
   const Vec<N, double> a = wide<N, T>(capsule.a);
   const Vec<N, double> b = wide<N, T>(capsule.b);
   const bool is_b_lower = touch.height_of(b) < touch.height_of(a);
@@ -102,9 +103,9 @@ TouchLook<N> look_at_level(const Level& level, const Capsule<N, T>& capsule, boo
 }
 
 template <class Level, Dim N>
-TouchLook<N> look_at_level(const Level& level, const Vec<N, double>& center, const Mat<N, double>& half_edges,
-                           bool turns) {
-  const LevelTouch<N> touch = level_touch(level);
+FastContact<N> look_at_half_space(const Level& level, const Vec<N, double>& center, const Mat<N, double>& half_edges,
+                                  bool turns) {
+  const HalfSpaceContact<N> touch = half_space_contact(level);
   Vec<N, double> lowest = center;
   Vec<N, double> highest = center;
   Vec<N, double> magnitude = abs(center);
@@ -118,13 +119,13 @@ TouchLook<N> look_at_level(const Level& level, const Vec<N, double>& center, con
 }
 
 template <class Level, Dim N, class T>
-TouchLook<N> look_at_level(const Level& level, const Obb<N, T>& box, bool turns) {
-  return look_at_level(level, wide<N, T>(box.center), half_edges(box), turns);
+FastContact<N> look_at_half_space(const Level& level, const Obb<N, T>& box, bool turns) {
+  return look_at_half_space(level, wide<N, T>(box.center), half_edges(box), turns);
 }
 
 template <class Level, Dim N, class T>
-TouchLook<N> look_at_level(const Level& level, const Aabb<N, T>& box, bool turns) {
-  const LevelTouch<N> touch = level_touch(level);
+FastContact<N> look_at_half_space(const Level& level, const Aabb<N, T>& box, bool turns) {
+  const HalfSpaceContact<N> touch = half_space_contact(level);
   const Vec<N, double> low = wide<N, T>(box.min);
   const Vec<N, double> high = wide<N, T>(box.max);
   Vec<N, double> lowest;
@@ -174,8 +175,8 @@ std::uint32_t vertex_of_face(const BoxFaceNumbers& face, std::uint32_t corner) {
 /// What holds a box apart from a level, `found` from the box to the level: the corners of the face that looks along the
 /// normal, where all of them are clearly in the level, so that nothing is to be cut.
 template <Dim N>
-std::optional<FacePairs<N>> corners_on_level(const Vec<N, double>& center, const Mat<N, double>& axes,
-                                             const Vec<N, double>& half_extents, const Penetration<N>& found) {
+std::optional<FacePairs<N>> corners_on_boundary(const Vec<N, double>& center, const Mat<N, double>& axes,
+                                                const Vec<N, double>& half_extents, const Penetration<N>& found) {
   const std::optional<BoxFaceNumbers> face = face_along<N>(axes, found.normal);
   bool is_clear = face.has_value();
   for (Dim i = 0; i < N; ++i) is_clear = is_clear && half_extents[i] > 0;
@@ -200,49 +201,50 @@ std::optional<FacePairs<N>> corners_on_level(const Vec<N, double>& center, const
 }
 
 template <Dim N, class T>
-std::optional<FacePairs<N>> corners_on_level(const Obb<N, T>& box, const Penetration<N>& found) {
-  return corners_on_level<N>(wide<N, T>(box.center), wide_matrix<N, T>(box.axes), wide<N, T>(box.half_extents), found);
+std::optional<FacePairs<N>> corners_on_boundary(const Obb<N, T>& box, const Penetration<N>& found) {
+  return corners_on_boundary<N>(wide<N, T>(box.center), wide_matrix<N, T>(box.axes), wide<N, T>(box.half_extents),
+                                found);
 }
 template <Dim N, class T>
-std::optional<FacePairs<N>> corners_on_level(const Aabb<N, T>& box, const Penetration<N>& found) {
+std::optional<FacePairs<N>> corners_on_boundary(const Aabb<N, T>& box, const Penetration<N>& found) {
   const Vec<N, double> low = wide<N, T>(box.min);
   const Vec<N, double> high = wide<N, T>(box.max);
-  return corners_on_level<N>(0.5 * (low + high), Mat<N, double>(1.0), 0.5 * (high - low), found);
+  return corners_on_boundary<N>(0.5 * (low + high), Mat<N, double>(1.0), 0.5 * (high - low), found);
 }
 
 // ---- In the order of AnyShape
 
 template <Dim N, class T>
-TouchLook<N> touch_look(const Sphere<N, T>& ball, const Plane<N, T>& plane, bool turns) {
-  return look_at_level(plane, ball, !turns);
+FastContact<N> find_fast_contact(const Sphere<N, T>& sphere, const Plane<N, T>& plane, bool turns) {
+  return look_at_half_space(plane, sphere, !turns);
 }
 template <Dim N, class T>
-TouchLook<N> touch_look(const Sphere<N, T>& ball, const HalfSpace<N, T>& solid, bool turns) {
-  return look_at_level(solid, ball, !turns);
+FastContact<N> find_fast_contact(const Sphere<N, T>& sphere, const HalfSpace<N, T>& solid, bool turns) {
+  return look_at_half_space(solid, sphere, !turns);
 }
 template <Dim N, class T>
-TouchLook<N> touch_look(const Aabb<N, T>& box, const Plane<N, T>& plane, bool turns) {
-  return look_at_level(plane, box, !turns);
+FastContact<N> find_fast_contact(const Aabb<N, T>& box, const Plane<N, T>& plane, bool turns) {
+  return look_at_half_space(plane, box, !turns);
 }
 template <Dim N, class T>
-TouchLook<N> touch_look(const Aabb<N, T>& box, const HalfSpace<N, T>& solid, bool turns) {
-  return look_at_level(solid, box, !turns);
+FastContact<N> find_fast_contact(const Aabb<N, T>& box, const HalfSpace<N, T>& solid, bool turns) {
+  return look_at_half_space(solid, box, !turns);
 }
 template <Dim N, class T>
-TouchLook<N> touch_look(const Obb<N, T>& box, const Plane<N, T>& plane, bool turns) {
-  return look_at_level(plane, box, !turns);
+FastContact<N> find_fast_contact(const Obb<N, T>& box, const Plane<N, T>& plane, bool turns) {
+  return look_at_half_space(plane, box, !turns);
 }
 template <Dim N, class T>
-TouchLook<N> touch_look(const Obb<N, T>& box, const HalfSpace<N, T>& solid, bool turns) {
-  return look_at_level(solid, box, !turns);
+FastContact<N> find_fast_contact(const Obb<N, T>& box, const HalfSpace<N, T>& solid, bool turns) {
+  return look_at_half_space(solid, box, !turns);
 }
 template <Dim N, class T>
-TouchLook<N> touch_look(const Plane<N, T>& plane, const Capsule<N, T>& capsule, bool turns) {
-  return look_at_level(plane, capsule, turns);
+FastContact<N> find_fast_contact(const Plane<N, T>& plane, const Capsule<N, T>& capsule, bool turns) {
+  return look_at_half_space(plane, capsule, turns);
 }
 template <Dim N, class T>
-TouchLook<N> touch_look(const HalfSpace<N, T>& solid, const Capsule<N, T>& capsule, bool turns) {
-  return look_at_level(solid, capsule, turns);
+FastContact<N> find_fast_contact(const HalfSpace<N, T>& solid, const Capsule<N, T>& capsule, bool turns) {
+  return look_at_half_space(solid, capsule, turns);
 }
 
 }  // namespace graze::detail

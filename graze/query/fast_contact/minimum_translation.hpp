@@ -16,7 +16,7 @@
 namespace graze::detail {
 
 /// Across a face, or across an edge of the box and the segment.
-struct WayOut {
+struct MinimumTranslation {
   bool is_known = false;  ///< If not, nothing else counts.
   bool is_face = false;
   bool is_level = false;    ///< Of a face: whether it is as far out of it all along, up to rounding.
@@ -26,18 +26,19 @@ struct WayOut {
 };
 
 /// A segment as a box sees it along its axes, and what is in doubt of how far out it is.
-class WayOutSearch {
+class MinimumTranslationSearch {
  public:
-  WayOutSearch(const Vec<3, double>& start, const Vec<3, double>& way, const Vec<3, double>& half_extents, double doubt)
+  MinimumTranslationSearch(const Vec<3, double>& start, const Vec<3, double>& way, const Vec<3, double>& half_extents,
+                           double doubt)
       : start_(start), way_(way), half_(half_extents), doubt_(doubt) {}
 
   /// `noise` is what rounding makes of a coordinate.
-  WayOut run(double noise) {
+  MinimumTranslation run(double noise) {
     for (Dim i = 0; i < 3; ++i) look_across_face(i);
     const bool is_level = std::fabs(way_[face_]) <= noise;
     for (Dim i = 0; i < 3; ++i) look_along_edge(i, is_level && i != face_, noise);
     const bool is_face = face_gap_ >= edge_gap_;
-    WayOut result;
+    MinimumTranslation result;
     const double best = is_face ? face_gap_ : edge_gap_;
     const double second = std::max(std::min(face_gap_, edge_gap_), is_face ? second_face_gap_ : second_edge_gap_);
     result.is_known = !is_in_doubt_ && best < -doubt_ && best - second > doubt_;

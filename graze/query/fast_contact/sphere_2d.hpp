@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a ball touches a box in the plane: what penetration_of_simple and the patches of manifold.hpp find for any two
-// shapes, of balls whose center is clearly in the box or clearly out of it, over a side or beyond a corner. Include
+// How a sphere touches a box in the plane: what penetration_of_simple and the patches of manifold.hpp find for any two
+// shapes, of spheres whose center is clearly in the box or clearly out of it, over a side or beyond a corner. Include
 // manifold.hpp.
 #pragma once
 
@@ -19,16 +19,16 @@
 
 namespace graze::detail {
 
-/// A ball and a box that is seen from its center.
-class FlatBallTouch {
+/// A sphere and a box that is seen from its center.
+class SphereContact2d {
  public:
   using V = Vec<2, double>;
 
   /// `turns` if the box is the first of both.
-  [[gnu::always_inline]] FlatBallTouch(const V& center, double radius, const FlatCore<2>& box, bool turns)
+  [[gnu::always_inline]] SphereContact2d(const V& center, double radius, const Core2d<2>& box, bool turns)
       : center_(center), radius_(radius), box_(box), turns_(turns), size_(box.size() + radius) {}
 
-  [[gnu::always_inline]] TouchLook<2> run() const {
+  [[gnu::always_inline]] FastContact<2> run() const {
     const V way = -box_.center;
     const double ahead_x = dot(way, box_.normal[0]);
     const double ahead_y = dot(way, box_.normal[1]);
@@ -37,7 +37,7 @@ class FlatBallTouch {
     const bool is_y = gap_y > gap_x + tolerance::rounding * size_;  // of sides that are as good the first
     const double gap = is_y ? gap_y : gap_x;
     const double doubt = tolerance::coarse * size_;
-    TouchLook<2> look;
+    FastContact<2> look;
     look.is_known = gap - radius_ > doubt;
     look.found.error = 2 * tolerance::rounding * size_;
     const double margin = tolerance::known_direction * size_;
@@ -60,14 +60,14 @@ class FlatBallTouch {
 
  private:
   /// From the box' surface, `gap` below the center, up to that.
-  [[gnu::always_inline]] void set(TouchLook<2>& look, const V& up, double gap, const Feature& of_box) const {
+  [[gnu::always_inline]] void set(FastContact<2>& look, const V& up, double gap, const Feature& of_box) const {
     look.is_known = look.meets = look.is_single = true;
     look.set(-up, radius_ - gap, center_ - up * radius_, center_ - up * gap, turns_);
     look.set_features({FeatureKind::vertex, 0}, of_box, turns_);
   }
 
   /// Beyond both sides at a corner by more than what would be laid flat on one.
-  [[gnu::always_inline]] void find_corner(TouchLook<2>& look, const V& way) const {
+  [[gnu::always_inline]] void find_corner(FastContact<2>& look, const V& way) const {
     constexpr double least_cosine = 16 * tolerance::aligned;
     const double x = dot(way, box_.half_edge[0]);
     const double y = dot(way, box_.half_edge[1]);
@@ -79,30 +79,32 @@ class FlatBallTouch {
     const bool is_beyond = dot(up, box_.along[0]) * sides.x > least && dot(up, box_.along[1]) * sides.y > least;
     if (!is_beyond || std::fabs(depth) <= tolerance::coarse * size_) return;
     look.is_known = true;
-    if (depth > 0) set(look, up * (1 / distance), distance, FlatCore<2>::corner_feature(sides));
+    if (depth > 0) set(look, up * (1 / distance), distance, Core2d<2>::corner_feature(sides));
   }
 
   V center_;
   double radius_;
-  const FlatCore<2>& box_;
+  const Core2d<2>& box_;
   bool turns_;
   double size_;
 };
 
 template <class T, class Box>
-[[gnu::always_inline]] inline TouchLook<2> look_at_flat_ball(const Sphere<2, T>& ball, const Box& box, bool turns) {
-  const Vec<2, double> center = wide<2, T>(ball.center);
-  const FlatCore<2> core = flat_core(box, center);
-  return FlatBallTouch(center, static_cast<double>(ball.radius), core, turns).run();
+[[gnu::always_inline]] inline FastContact<2> look_at_sphere_2d(const Sphere<2, T>& sphere, const Box& box, bool turns) {
+  const Vec<2, double> center = wide<2, T>(sphere.center);
+  const Core2d<2> core = core_2d(box, center);
+  return SphereContact2d(center, static_cast<double>(sphere.radius), core, turns).run();
 }
 
 template <class T>
-[[gnu::always_inline]] inline TouchLook<2> touch_look(const Sphere<2, T>& ball, const Aabb<2, T>& box, bool turns) {
-  return look_at_flat_ball(ball, box, turns);
+[[gnu::always_inline]] inline FastContact<2> find_fast_contact(const Sphere<2, T>& sphere, const Aabb<2, T>& box,
+                                                               bool turns) {
+  return look_at_sphere_2d(sphere, box, turns);
 }
 template <class T>
-[[gnu::always_inline]] inline TouchLook<2> touch_look(const Sphere<2, T>& ball, const Obb<2, T>& box, bool turns) {
-  return look_at_flat_ball(ball, box, turns);
+[[gnu::always_inline]] inline FastContact<2> find_fast_contact(const Sphere<2, T>& sphere, const Obb<2, T>& box,
+                                                               bool turns) {
+  return look_at_sphere_2d(sphere, box, turns);
 }
 
 }  // namespace graze::detail

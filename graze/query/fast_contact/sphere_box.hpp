@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a ball touches a box in space, in the box' own coordinates: what penetration_of_simple and the patches
-// of manifold.hpp find for any two shapes, of balls whose center is clearly in the box or clearly out of it, and not
+// How a sphere touches a box in space, in the box' own coordinates: what penetration_of_simple and the patches
+// of manifold.hpp find for any two shapes, of spheres whose center is clearly in the box or clearly out of it, and not
 // nearly above the line between two of its faces, edges and corners. Include manifold.hpp.
 #pragma once
 
@@ -39,22 +39,22 @@ inline Feature feature_of_box(const Vec<3, double>& place, const std::array<bool
   return {FeatureKind::face, BoxFaceNumbers{across, far(across) != 0}.face()};
 }
 
-/// The box as the ball's center sees it; its axes are those of the coordinates if it is `along` them.
+/// The box as the sphere's center sees it; its axes are those of the coordinates if it is `along` them.
 template <bool along>
-class BallTouch {
+class SphereContact {
  public:
   /// The center as it is, the box as it is seen from there. `turns` if the box is the first of both.
-  BallTouch(const Vec<3, double>& center, double radius, const Obb<3, double>& box, bool turns)
+  SphereContact(const Vec<3, double>& center, double radius, const Obb<3, double>& box, bool turns)
       : origin_(center),
         radius_(radius),
         box_(box),
         size_(sum_abs(box_.center) + sum_abs(box_.half_extents)),
         turns_(turns) {}
 
-  [[gnu::always_inline]] TouchLook<3> run() const {
+  [[gnu::always_inline]] FastContact<3> run() const {
     PlaceInBox<3> nearest{Vec<3, double>(0.0), -box_.center};
     [[maybe_unused]] double moved = descend(nearest);
-    const double reach = radius_ + (along ? coarse_doubt() : first_doubt());
+    const double reach = radius_ + (along ? coarse_doubt() : first_undecided());
     if (dot(nearest.off, nearest.off) > reach * reach) return known_apart();
     if constexpr (!along) {
       const double noise = tolerance::epsilon * sum_abs(box_.center);
@@ -75,15 +75,15 @@ class BallTouch {
   /// A coordinate along an axis.
   double along_axis(const Vec<3, double>& v, Dim i) const { return along ? v[i] : dot(v, box_.axes[i]); }
 
-  TouchLook<3> known_apart() const {
-    TouchLook<3> result;
+  FastContact<3> known_apart() const {
+    FastContact<3> result;
     result.is_known = true;
     result.found.error = error();
     return result;
   }
 
-  /// How far the axes may put the point wrong in the first round, as filter_of_ball has it.
-  double first_doubt() const { return tolerance::box_filter * tolerance::orthonormal * (size_ + radius_); }
+  /// How far the axes may put the point wrong in the first round, as filter_of_sphere has it.
+  double first_undecided() const { return tolerance::box_filter * tolerance::orthonormal * (size_ + radius_); }
 
   double coarse_doubt() const { return tolerance::coarse * (size_ + radius_); }
 
@@ -105,9 +105,9 @@ class BallTouch {
 
   /// The center is clearly out of the box: this far, if anything, along one, two or three axes, or between the faces
   /// across one by more than rounding.
-  [[gnu::always_inline]] TouchLook<3> from_outside(const PlaceInBox<3>& nearest, double distance) const {
+  [[gnu::always_inline]] FastContact<3> from_outside(const PlaceInBox<3>& nearest, double distance) const {
     constexpr double least_cosine = 16 * tolerance::aligned;  // with a face or edge it would not be laid flat on
-    TouchLook<3> result;
+    FastContact<3> result;
     result.is_single = true;
     const double depth = radius_ - distance;
     const double doubt = coarse_doubt();
@@ -138,8 +138,8 @@ class BallTouch {
   }
 
   /// The center is in the box. Of faces that are as near, by more than the box is oblique, the careful way chooses.
-  TouchLook<3> from_inside(const Vec<3, double>& place) const {
-    TouchLook<3> result;
+  FastContact<3> from_inside(const Vec<3, double>& place) const {
+    FastContact<3> result;
     result.is_single = true;
     Vec<3, double> room;
     for (Dim i = 0; i < 3; ++i) room[i] = box_.half_extents[i] - std::fabs(place[i]);
@@ -175,18 +175,20 @@ class BallTouch {
 };
 
 template <bool along, class T, class Box>
-[[gnu::always_inline]] inline TouchLook<3> look_at_ball(const Sphere<3, T>& ball, const Box& box, bool turns) {
-  const Vec<3, double> center = wide<3, T>(ball.center);
-  return BallTouch<along>(center, static_cast<double>(ball.radius), oriented_box_from(center, box), turns).run();
+[[gnu::always_inline]] inline FastContact<3> look_at_sphere(const Sphere<3, T>& sphere, const Box& box, bool turns) {
+  const Vec<3, double> center = wide<3, T>(sphere.center);
+  return SphereContact<along>(center, static_cast<double>(sphere.radius), oriented_box_from(center, box), turns).run();
 }
 
 template <class T>
-[[gnu::always_inline]] inline TouchLook<3> touch_look(const Sphere<3, T>& ball, const Aabb<3, T>& box, bool turns) {
-  return look_at_ball<true>(ball, box, turns);
+[[gnu::always_inline]] inline FastContact<3> find_fast_contact(const Sphere<3, T>& sphere, const Aabb<3, T>& box,
+                                                               bool turns) {
+  return look_at_sphere<true>(sphere, box, turns);
 }
 template <class T>
-[[gnu::always_inline]] inline TouchLook<3> touch_look(const Sphere<3, T>& ball, const Obb<3, T>& box, bool turns) {
-  return look_at_ball<false>(ball, box, turns);
+[[gnu::always_inline]] inline FastContact<3> find_fast_contact(const Sphere<3, T>& sphere, const Obb<3, T>& box,
+                                                               bool turns) {
+  return look_at_sphere<false>(sphere, box, turns);
 }
 
 }  // namespace graze::detail

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a ball touches a triangle in space: what penetration_of_simple finds for any two shapes, of balls whose center is
-// clearly off the triangle, and of triangles that are no needles. Include manifold.hpp.
+// How a sphere touches a triangle in space: what penetration_of_simple finds for any two shapes, of spheres whose
+// center is clearly off the triangle, and of triangles that are no needles. Include manifold.hpp.
 #pragma once
 
 #include <cmath>
@@ -69,23 +69,23 @@ inline NearOnTriangle nearest_to_zero(const Triangle<3, double>& triangle) {
 /// The triangle as the center sees it. Its normal is known to a few hundred epsilon, since two sides are 7 degrees from
 /// parallel.
 template <class T>
-TouchLook<3> touch_look(const Sphere<3, T>& ball, const Triangle<3, T>& triangle, bool turns) {
-  const Vec<3, double> origin = wide<3, T>(ball.center);
+FastContact<3> find_fast_contact(const Sphere<3, T>& sphere, const Triangle<3, T>& triangle, bool turns) {
+  const Vec<3, double> origin = wide<3, T>(sphere.center);
   const Triangle<3, double> seen{wide<3, T>(triangle.a) - origin, wide<3, T>(triangle.b) - origin,
                                  wide<3, T>(triangle.c) - origin};
   const NearOnTriangle near = nearest_to_zero(seen);
   const double size = sum_abs(seen.a) + sum_abs(seen.b) + sum_abs(seen.c);
-  TouchLook<3> result =
-      touch_of_cores<3>({{origin}, {origin, near.place}, near.place, size}, static_cast<double>(ball.radius), 0, turns);
+  FastContact<3> result = touch_of_cores<3>({{origin}, {origin, near.place}, near.place, size},
+                                            static_cast<double>(sphere.radius), 0, turns);
   constexpr double least_sine_squared = 1.0 / 64;
   const Vec<3, double> ab = seen.b - seen.a;
   const Vec<3, double> ac = seen.c - seen.a;
   const Vec<3, double> face = cross(ab, ac);
   const double squared = dot(face, face);
-  const double distance = static_cast<double>(ball.radius) - result.found.depth;
+  const double distance = static_cast<double>(sphere.radius) - result.found.depth;
   result.is_known = result.is_known && near.is_known && squared > least_sine_squared * (dot(ab, ab) * dot(ac, ac)) &&
                     squared > 0x1p-900 && (!result.meets || are_lines_apart(distance, size));
-  // Beside the face, but hardly off its normal, a ball lies on the face all the same.
+  // Beside the face, but hardly off its normal, a sphere lies on the face all the same.
   constexpr double least_sine = 16 * tolerance::aligned;
   const Vec<3, double> turn = cross(face, result.found.normal);
   result.is_single = near.feature.kind == FeatureKind::face || dot(turn, turn) > least_sine * least_sine * squared;

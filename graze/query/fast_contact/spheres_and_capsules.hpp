@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How balls and capsules touch each other: what penetration_of_simple finds for any two shapes, of those that clearly
+// How spheres and capsules touch each other: what penetration_of_simple finds for any two shapes, of those that clearly
 // meet or clearly do not, whose axes are not nearly parallel and nowhere near each other. Include manifold.hpp.
 #pragma once
 
@@ -34,9 +34,9 @@ struct NearCores {
 
 /// The answer from the nearest points, if it is plain: cores that nearly meet have a normal of another kind.
 template <Dim N>
-[[gnu::always_inline]] inline TouchLook<N> touch_of_cores(const NearCores<N>& near, double radius_a, double radius_b,
-                                                          bool turns) {
-  TouchLook<N> result;
+[[gnu::always_inline]] inline FastContact<N> touch_of_cores(const NearCores<N>& near, double radius_a, double radius_b,
+                                                            bool turns) {
+  FastContact<N> result;
   const double squared = dot(near.between, near.between);
   const double distance = std::sqrt(squared);
   const double depth = (radius_a + radius_b) - distance;
@@ -57,12 +57,12 @@ template <Dim N>
 inline bool are_lines_apart(double distance, double size) { return distance > 64 * tolerance::known_direction * size; }
 
 template <Dim N, class T>
-TouchLook<N> touch_look(const Sphere<N, T>& a, const Sphere<N, T>& b, bool turns) {
+FastContact<N> find_fast_contact(const Sphere<N, T>& a, const Sphere<N, T>& b, bool turns) {
   const Vec<N, double> center_a = wide<N, T>(a.center);
   const Vec<N, double> center_b = wide<N, T>(b.center);
   const Vec<N, double> between = center_b - center_a;
-  TouchLook<N> result = touch_of_cores<N>({{center_a}, {center_b}, between, sum_abs(between)},
-                                          static_cast<double>(a.radius), static_cast<double>(b.radius), turns);
+  FastContact<N> result = touch_of_cores<N>({{center_a}, {center_b}, between, sum_abs(between)},
+                                            static_cast<double>(a.radius), static_cast<double>(b.radius), turns);
   result.is_single = true;
   return result;
 }
@@ -81,18 +81,19 @@ inline AxisFeature feature_on_axis(double place) {
   return {{FeatureKind::edge, 0}, place > margin && place < 1 - margin};
 }
 
-/// The axis as the center sees it. In the plane it has sides, and near its ends a ball lies on one all the same.
+/// The axis as the center sees it. In the plane it has sides, and near its ends a sphere lies on one all the same.
 template <Dim N, class T>
-TouchLook<N> touch_look(const Sphere<N, T>& ball, const Capsule<N, T>& capsule, bool turns) {
-  const Vec<N, double> origin = wide<N, T>(ball.center);
+FastContact<N> find_fast_contact(const Sphere<N, T>& sphere, const Capsule<N, T>& capsule, bool turns) {
+  const Vec<N, double> origin = wide<N, T>(sphere.center);
   const Vec<N, double> start = wide<N, T>(capsule.a) - origin;
   const Vec<N, double> end = wide<N, T>(capsule.b) - origin;
   const Vec<N, double> way = end - start;
   const double whole = dot(way, way);
   const double place = std::clamp(-dot(start, way) / whole, 0.0, 1.0);
   const Vec<N, double> on_axis = place < 1 ? start + way * place : end;
-  TouchLook<N> result = touch_of_cores<N>({{origin}, {origin, on_axis}, on_axis, sum_abs(start) + sum_abs(end)},
-                                          static_cast<double>(ball.radius), static_cast<double>(capsule.radius), turns);
+  FastContact<N> result =
+      touch_of_cores<N>({{origin}, {origin, on_axis}, on_axis, sum_abs(start) + sum_abs(end)},
+                        static_cast<double>(sphere.radius), static_cast<double>(capsule.radius), turns);
   result.is_known = result.is_known && whole > 0x1p-900;
   const AxisFeature on_capsule = feature_on_axis(place);
   result.is_single = on_capsule.is_known;
@@ -108,7 +109,7 @@ TouchLook<N> touch_look(const Sphere<N, T>& ball, const Capsule<N, T>& capsule, 
 
 /// Where two axes in space are nearest, which are not nearly parallel: as in segment_filter.hpp.
 template <class T>
-TouchLook<3> look_in_order(const Capsule<3, T>& a, const Capsule<3, T>& b, bool turns) {
+FastContact<3> look_in_order(const Capsule<3, T>& a, const Capsule<3, T>& b, bool turns) {
   constexpr double least_sine_squared = 1.0 / 64;
   const Vec<3, double> origin = wide<3, T>(a.a);
   const Vec<3, double> u = wide<3, T>(a.b) - origin;
@@ -128,8 +129,8 @@ TouchLook<3> look_in_order(const Capsule<3, T>& a, const Capsule<3, T>& b, bool 
   const Vec<3, double> at_a = u * on_a;
   const Vec<3, double> at_b = on_b < 1 ? start + v * on_b : end;
   const double size = sum_abs(u) + sum_abs(start) + sum_abs(end);
-  TouchLook<3> result = touch_of_cores<3>({{origin, at_a}, {origin, at_b}, at_b - at_a, size},
-                                          static_cast<double>(a.radius), static_cast<double>(b.radius), turns);
+  FastContact<3> result = touch_of_cores<3>({{origin, at_a}, {origin, at_b}, at_b - at_a, size},
+                                            static_cast<double>(a.radius), static_cast<double>(b.radius), turns);
   const double reach = static_cast<double>(a.radius) + static_cast<double>(b.radius);
   result.is_known = result.is_known && det > least_sine_squared * (uu * vv) && det > 0x1p-900 &&
                     (!result.meets || are_lines_apart(reach - result.found.depth, size));
@@ -141,7 +142,7 @@ TouchLook<3> look_in_order(const Capsule<3, T>& a, const Capsule<3, T>& b, bool 
 }
 
 template <class T>
-TouchLook<3> touch_look(const Capsule<3, T>& a, const Capsule<3, T>& b, bool turns) {
+FastContact<3> find_fast_contact(const Capsule<3, T>& a, const Capsule<3, T>& b, bool turns) {
   const bool is_first = is_in_order(a, b);
   return look_in_order(is_first ? a : b, is_first ? b : a, turns == is_first);
 }

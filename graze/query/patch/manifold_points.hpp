@@ -133,7 +133,7 @@ Feature feature_at(const Patch<N>& patch, const Vec<N, double>& point, double sl
   for (std::size_t i = 0; i < patch.size; ++i) {
     const std::size_t next = i + 1 < patch.size ? i + 1 : 0;
     const Segment<N, double> edge{patch.corners[i], patch.corners[next]};
-    if (squared(foot_on(edge, point)) <= slack * slack) return {FeatureKind::edge, patch.edges[i]};
+    if (squared(closest_on(edge, point)) <= slack * slack) return {FeatureKind::edge, patch.edges[i]};
   }
   return {FeatureKind::face, patch.face};
 }

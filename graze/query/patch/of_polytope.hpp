@@ -33,7 +33,7 @@ Patch<2> patch_of_polytope(const Polytope<2, T>& polytope, const Vec<2, double>&
 }
 
 /// A corner of a polytope as it lies on a face, seen flat.
-struct FlatCorner {
+struct PolygonCorner {
   Vec<2, double> place;
   std::uint32_t index;
 };
@@ -46,18 +46,18 @@ struct FlatCorner {
 class FaceCorners {
  public:
   static constexpr std::size_t most_listed = 128;
-  using List = InplaceVector<FlatCorner, most_listed + 1>;
+  using List = InplaceVector<PolygonCorner, most_listed + 1>;
 
   explicit FaceCorners(double reach) : reach_(reach) {}
 
-  void add(const FlatCorner& corner) {
+  void add(const PolygonCorner& corner) {
     if (listed_.size() < most_listed) {
       listed_.push_back(corner);
       return;
     }
     if (farthest_.empty()) {
       for (std::size_t i = 0; i < directions.size(); ++i) farthest_.push_back(listed_[0]);
-      for (const FlatCorner& earlier : listed_) offer(earlier);
+      for (const PolygonCorner& earlier : listed_) offer(earlier);
     }
     offer(corner);
   }
@@ -73,18 +73,19 @@ class FaceCorners {
   static constexpr std::array<std::array<double, 2>, Patch<3>::most_corners> directions = {
       {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
-  static bool has_less_number(const FlatCorner& a, const FlatCorner& b) { return a.index < b.index; }
+  static bool has_less_number(const PolygonCorner& a, const PolygonCorner& b) { return a.index < b.index; }
 
-  bool are_beside(const FlatCorner& a, const FlatCorner& b) const { return sum_abs(b.place - a.place) <= reach_; }
+  bool are_beside(const PolygonCorner& a, const PolygonCorner& b) const { return sum_abs(b.place - a.place) <= reach_; }
 
-  static bool hardly_turns(const FlatCorner& before, const FlatCorner& corner, const FlatCorner& after) {
+  static bool hardly_turns(const PolygonCorner& before, const PolygonCorner& corner, const PolygonCorner& after) {
     const Vec<2, double> way_in = unit_or(corner.place - before.place, Vec<2, double>(0.0));
-    const Vec<2, double> way_out = unit_or(after.place - corner.place, Vec<2, double>(0.0));
-    return dot(way_in, way_out) > 0 && std::fabs(cross_2d<double>(way_in, way_out)) <= tolerance::aligned;
+    const Vec<2, double> minimum_translation = unit_or(after.place - corner.place, Vec<2, double>(0.0));
+    return dot(way_in, minimum_translation) > 0 &&
+           std::fabs(cross_2d<double>(way_in, minimum_translation)) <= tolerance::aligned;
   }
 
   /// Of corners as good as each other, up to `reach`, the first.
-  void offer(const FlatCorner& corner) {
+  void offer(const PolygonCorner& corner) {
     for (std::size_t i = 0; i < directions.size(); ++i) {
       const Vec<2, double> way = corner.place - farthest_[i].place;
       if (directions[i][0] * way.x + directions[i][1] * way.y > reach_) farthest_[i] = corner;
@@ -92,19 +93,19 @@ class FaceCorners {
   }
 
   List listed_around() {
-    std::sort(listed_.begin(), listed_.end(), [](const FlatCorner& p, const FlatCorner& q) {
+    std::sort(listed_.begin(), listed_.end(), [](const PolygonCorner& p, const PolygonCorner& q) {
       return p.place == q.place ? p.index < q.index : lexicographically_less<2, double>(p.place, q.place);
     });
-    const auto is_same_place = [](const FlatCorner& p, const FlatCorner& q) { return p.place == q.place; };
+    const auto is_same_place = [](const PolygonCorner& p, const PolygonCorner& q) { return p.place == q.place; };
     listed_.end_at(std::unique(listed_.begin(), listed_.end(), is_same_place));
-    const List all = monotone_chain(listed_, &FlatCorner::place);
+    const List all = monotone_chain(listed_, &PolygonCorner::place);
     const List turning = those_that_turn(those_apart(all));
     return turning.size() < 3 ? all : turning;
   }
 
   List those_apart(const List& all) const {
     List kept;
-    for (const FlatCorner& corner : all) {
+    for (const PolygonCorner& corner : all) {
       if (kept.empty() || !are_beside(kept.back(), corner)) {
         kept.push_back(corner);
       } else if (has_less_number(corner, kept.back())) {
@@ -121,8 +122,8 @@ class FaceCorners {
   static List those_that_turn(const List& all) {
     List kept;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const FlatCorner& before = kept.empty() ? all.back() : kept.back();
-      const FlatCorner& after = i + 1 < all.size() ? all[i + 1] : kept.empty() ? all[0] : kept[0];
+      const PolygonCorner& before = kept.empty() ? all.back() : kept.back();
+      const PolygonCorner& after = i + 1 < all.size() ? all[i + 1] : kept.empty() ? all[0] : kept[0];
       if (!hardly_turns(before, all[i], after)) kept.push_back(all[i]);
     }
     return kept;
@@ -130,8 +131,8 @@ class FaceCorners {
 
   List farthest_around() const {
     List corners;
-    for (const FlatCorner& corner : farthest_) {
-      const auto is_same = [&](const FlatCorner& other) { return other.index == corner.index; };
+    for (const PolygonCorner& corner : farthest_) {
+      const auto is_same = [&](const PolygonCorner& other) { return other.index == corner.index; };
       if (std::none_of(corners.begin(), corners.end(), is_same)) corners.push_back(corner);
     }
     return corners;
@@ -139,7 +140,7 @@ class FaceCorners {
 
   double reach_;
   List listed_;
-  InplaceVector<FlatCorner, directions.size()> farthest_;
+  InplaceVector<PolygonCorner, directions.size()> farthest_;
 };
 
 /// Finds a face by wrapping: a plane laid on the corner that is farthest along a direction is tilted as little as it

@@ -39,7 +39,7 @@ Patch<dimension_of<S>> patch_seen(const S& shape, const Vec<dimension_of<S>, dou
   } else if constexpr (is_polytope<S>) {
     return patch_of_polytope(shape, origin, direction);
   } else if constexpr (HasSimpleCore<S> && !is_ray<S>) {
-    return patch_of(seen_from(origin, core(shape)), direction);
+    return patch_of(relative_to(origin, core(shape)), direction);
   } else {
     return patch_of(point - origin, direction);
   }

@@ -79,7 +79,7 @@ class Advance {
 
   /// Moves on to the plane across `normal` (any length but zero), over which the point is `height` high, so that
   /// nothing before it is in the shape. The end of the path if that comes first, or if the plane is not approached.
-  std::optional<Sighting<N>> move_to(const Vec<N, double>& normal, double height) {
+  std::optional<RayFinding<N>> move_to(const Vec<N, double>& normal, double height) {
     const double approach = -dot(normal, path_.direction);
     if (!(approach > 0)) return missed_by(height);
     touch_.normal = normal;
@@ -93,17 +93,17 @@ class Advance {
   double t() const { return touch_.t; }
 
   /// The point is this near to the shape.
-  Sighting<N> arrived(double error, Status status = Status::converged) {
+  RayFinding<N> arrived(double error, Status status = Status::converged) {
     touch_.point = point_;
     touch_.error = error;
     touch_.status = status;
-    return {Sight::hits, touch_, true, false};
+    return {RayVerdict::hits, touch_, true, false};
   }
 
  private:
-  Sighting<N> missed_by(double height) {
-    Sighting<N> result = arrived(height);
-    result.sight = height > band_of_miss(shape_, path_) ? Sight::misses : Sight::unclear;
+  RayFinding<N> missed_by(double height) {
+    RayFinding<N> result = arrived(height);
+    result.verdict = height > band_of_miss(shape_, path_) ? RayVerdict::misses : RayVerdict::unclear;
     result.is_touch_known = false;
     return result;
   }
@@ -119,7 +119,7 @@ class Advance {
 /// near as support points can tell, or is not met, or at the step limit, with the distance that is left as the error;
 /// what is farther than that, and yet finds no plane between, is unclear.
 template <Convex S>
-Sighting<dimension_of<S>> advance_by_distance(const S& shape, const Path<dimension_of<S>>& path) {
+RayFinding<dimension_of<S>> advance_by_distance(const S& shape, const Path<dimension_of<S>>& path) {
   Advance<S> advance(shape, path);
   Barrier<dimension_of<S>> barrier;
   for (int step = 0; step < ray_step_limit; ++step) {
@@ -132,7 +132,7 @@ Sighting<dimension_of<S>> advance_by_distance(const S& shape, const Path<dimensi
   const bool has_arrived = barrier.gap <= 2 * barrier.resolution;
   auto result = advance.arrived(barrier.gap + barrier.resolution, has_arrived ? Status::converged : Status::best_bound);
   if (!has_arrived) {
-    result.sight = Sight::unclear;
+    result.verdict = RayVerdict::unclear;
     result.is_touch_known = false;
   }
   return result;
@@ -140,7 +140,7 @@ Sighting<dimension_of<S>> advance_by_distance(const S& shape, const Path<dimensi
 
 /// A few points of a shape, seen from another that moves: GJK's simplex, but what belongs to the shape stays as it is.
 template <Dim N>
-class CornersInSight {
+class CornersAhead {
  public:
   /// False if it is there already.
   bool add(const Vec<N, double>& corner) {
@@ -196,19 +196,19 @@ class CornersInSight {
 /// it (van den Bergen, "Ray casting against general convex objects with application to continuous collision detection",
 /// 2004). None where neither the point nor the simplex gets on.
 template <Convex S>
-std::optional<Sighting<dimension_of<S>>> advance_at_once(const S& shape, const Path<dimension_of<S>>& path) {
+std::optional<RayFinding<dimension_of<S>>> advance_at_once(const S& shape, const Path<dimension_of<S>>& path) {
   constexpr Dim N = dimension_of<S>;
   const auto& inner = core(shape);
   const double radius = core_radius(shape);
   Advance<S> advance(shape, path);
-  CornersInSight<N> corners;
+  CornersAhead<N> corners;
   Vec<N, double> nearest = path.origin - wide_support(inner, -path.direction);
   double largest = max_abs(path.origin);
   for (int step = 0; step < ray_step_limit; ++step) {
     const double distance = std::sqrt(dot(nearest, nearest));
     const double resolution = support_error<S> * largest + tolerance::rounding * radius;
     if (distance <= radius + resolution) {
-      Sighting<N> result = advance.arrived(std::max(0.0, distance - radius) + resolution);
+      RayFinding<N> result = advance.arrived(std::max(0.0, distance - radius) + resolution);
       const bool is_exact = support_error<S> <= tolerance::convex;
       result.is_certain = is_exact && corners.are_passed(path.origin, path.direction, largest);
       return result;
@@ -232,10 +232,10 @@ std::optional<Sighting<dimension_of<S>>> advance_at_once(const S& shape, const P
 /// Where a path first touches any convex shape. One that is known to touch ends where it is nearest. Beside a shape
 /// that is nearer than rounding, a step to a plane along the path may lead past it: a miss found so is left open.
 template <Convex S>
-Sighting<dimension_of<S>> advance_to(const S& shape, const Path<dimension_of<S>>& path) {
+RayFinding<dimension_of<S>> advance_to(const S& shape, const Path<dimension_of<S>>& path) {
   if (const auto result = advance_at_once(shape, path)) return *result;
-  Sighting<dimension_of<S>> result = advance_by_distance(shape, path);
-  if (result.sight == Sight::misses) result.sight = Sight::unclear;
+  RayFinding<dimension_of<S>> result = advance_by_distance(shape, path);
+  if (result.verdict == RayVerdict::misses) result.verdict = RayVerdict::unclear;
   return result;
 }
 
@@ -284,8 +284,8 @@ Touch<dimension_of<S>> nearest_touch(const S& shape, const Path<dimension_of<S>>
 /// way to the nearest point: twice the depth in the middle, at most.
 template <Convex S>
 Touch<dimension_of<S>> touch_by_advance(const S& shape, const Path<dimension_of<S>>& path) {
-  const Sighting<dimension_of<S>> found = advance_to(shape, path);
-  if (found.sight == Sight::hits) return found.touch;
+  const RayFinding<dimension_of<S>> found = advance_to(shape, path);
+  if (found.verdict == RayVerdict::hits) return found.touch;
   const Touch<dimension_of<S>> nearest = nearest_touch(shape, path, found.touch);
   if (!(found.touch.t < nearest.t)) return nearest;
   const auto barrier = barrier_at(shape, found.touch.point);

@@ -27,24 +27,24 @@
 namespace graze::detail {
 
 template <Dim N, class T>
-Ray<N, double> seen_from(const Vec<N, double>& origin, const Ray<N, T>& ray) {
+Ray<N, double> relative_to(const Vec<N, double>& origin, const Ray<N, T>& ray) {
   return {wide<N, T>(ray.origin) - origin, wide<N, T>(ray.direction)};
 }
 
 /// A shape with a closed form in double that sees it from the ray's origin.
 template <class S>
-concept HasRaySight = requires(const S& shape, const Path<dimension_of<S>>& path) {
-  sight_of(seen_from(path.origin, shape), path);
+concept HasRayVerdict = requires(const S& shape, const Path<dimension_of<S>>& path) {
+  ray_verdict_of(relative_to(path.origin, shape), path);
 };
 
 /// One of which most paths that miss can be told at once.
 template <class S>
 concept HasQuickMiss = requires(const S& shape, const Path<dimension_of<S>>& path) {
-  is_missed(seen_from(path.origin, shape), path);
+  is_missed(relative_to(path.origin, shape), path);
 };
 
 template <class S>
-concept HasLevelSight = is_a<Plane, S> || is_a<HalfSpace, S>;
+concept HasBoundaryVerdict = is_a<Plane, S> || is_a<HalfSpace, S>;
 
 // ---- What the path is, as `relation` is asked about it
 
@@ -73,20 +73,20 @@ struct AskAboutRay {
 
 /// What the shape's closed form says, its points where they belong.
 template <class S>
-[[gnu::always_inline]] inline Sighting<dimension_of<S>> sight(const S& shape, const Path<dimension_of<S>>& path) {
+[[gnu::always_inline]] inline RayFinding<dimension_of<S>> verdict(const S& shape, const Path<dimension_of<S>>& path) {
   constexpr Dim N = dimension_of<S>;
-  if constexpr (HasRaySight<S>) {
-    Sighting<N> result = sight_of(seen_from(path.origin, shape), path);
+  if constexpr (HasRayVerdict<S>) {
+    RayFinding<N> result = ray_verdict_of(relative_to(path.origin, shape), path);
     result.touch.point += path.origin;
     return result;
-  } else if constexpr (HasLevelSight<S>) {
-    return sight_of_level(shape, path);
+  } else if constexpr (HasBoundaryVerdict<S>) {
+    return ray_verdict_of_boundary(shape, path);
   } else if constexpr (N == 2 && is_a<Polytope, S>) {
-    Sighting<N> result = sight_of_polygon<scalar_of<S>>(shape.vertices(), sum_abs(path.origin), path);
+    RayFinding<N> result = ray_verdict_of_polygon<scalar_of<S>>(shape.vertices(), sum_abs(path.origin), path);
     result.touch.point += path.origin;
     return result;
   } else if constexpr (is_a<Polytope, S>) {
-    return sight_of_polytope(shape, path);
+    return ray_verdict_of_polytope(shape, path);
   } else {
     return advance_to(shape, path);
   }
@@ -95,19 +95,19 @@ template <class S>
 /// Where an unclear path touches, if `relation` says that it does. That says so of what is apart by less than the
 /// rounding of its longest calculations, which is a few times that of the closed forms here.
 template <class S, class Ask>
-Sighting<dimension_of<S>> settled(const S& shape, const Path<dimension_of<S>>& path, const Ask& ask,
-                                  const Sighting<dimension_of<S>>& unclear) {
+RayFinding<dimension_of<S>> settled(const S& shape, const Path<dimension_of<S>>& path, const Ask& ask,
+                                    const RayFinding<dimension_of<S>>& unclear) {
   constexpr Dim N = dimension_of<S>;
   if (ask(shape) == Relation::apart) return missed<N>();
-  Sighting<N> result{Sight::hits, unclear.touch};
+  RayFinding<N> result{RayVerdict::hits, unclear.touch};
   if (unclear.is_touch_known) {
     constexpr double slack_of_touching = tolerance::coarse / tolerance::rounding;
-    if constexpr (!HasLevelSight<S>) result.touch.error *= slack_of_touching;
+    if constexpr (!HasBoundaryVerdict<S>) result.touch.error *= slack_of_touching;
     return result;
   }
-  if constexpr (Convex<S> && HasRaySight<S>) {
+  if constexpr (Convex<S> && HasRayVerdict<S>) {
     const Path<N> from_zero{Vec<N, double>(0.0), path.direction, path.t_max, path.far};
-    result.touch = touch_by_advance(seen_from(path.origin, shape), from_zero);
+    result.touch = touch_by_advance(relative_to(path.origin, shape), from_zero);
     result.touch.point += path.origin;
   } else if constexpr (Convex<S>) {
     result.touch = touch_by_advance(shape, path);
@@ -117,16 +117,16 @@ Sighting<dimension_of<S>> settled(const S& shape, const Path<dimension_of<S>>& p
 
 /// A hit, if `relation` confirms it where it has to.
 template <class S, class Ask>
-Sighting<dimension_of<S>> confirmed(const S& shape, const Ask& ask, const Sighting<dimension_of<S>>& hit) {
+RayFinding<dimension_of<S>> confirmed(const S& shape, const Ask& ask, const RayFinding<dimension_of<S>>& hit) {
   return hit.is_certain || ask(shape) != Relation::apart ? hit : missed<dimension_of<S>>();
 }
 
 /// A touch, or that the path misses.
 template <class S, class Ask>
-Sighting<dimension_of<S>> entry(const S& shape, const Path<dimension_of<S>>& path, const Ask& ask) {
-  const Sighting<dimension_of<S>> result = sight(shape, path);
-  if (result.sight == Sight::unclear) return settled(shape, path, ask, result);
-  return result.sight == Sight::hits ? confirmed(shape, ask, result) : result;
+RayFinding<dimension_of<S>> entry(const S& shape, const Path<dimension_of<S>>& path, const Ask& ask) {
+  const RayFinding<dimension_of<S>> result = verdict(shape, path);
+  if (result.verdict == RayVerdict::unclear) return settled(shape, path, ask, result);
+  return result.verdict == RayVerdict::hits ? confirmed(shape, ask, result) : result;
 }
 
 /// A power of two that t can not reach before the path has left the shape; exact, so that turning the path round is.
@@ -141,20 +141,20 @@ double beyond(const S& shape, const Path<dimension_of<S>>& path) {
 
 /// The entry of the path turned round, from where it has left the shape.
 template <class S, class Ask>
-Sighting<dimension_of<S>> last_touch(const S& shape, const Path<dimension_of<S>>& path, const Ask& ask) {
+RayFinding<dimension_of<S>> last_touch(const S& shape, const Path<dimension_of<S>>& path, const Ask& ask) {
   constexpr Dim N = dimension_of<S>;
-  if constexpr (HasRaySight<S>) {
-    const auto seen = seen_from(path.origin, shape);
+  if constexpr (HasRayVerdict<S>) {
+    const auto seen = relative_to(path.origin, shape);
     const double last = beyond(seen, {Vec<N, double>(0.0), path.direction, path.t_max});
     const Path<N> back{path.direction * last, -path.direction, last, path.far};
-    Sighting<N> result = entry(seen, back, [&](const auto&) { return ask(shape); });
+    RayFinding<N> result = entry(seen, back, [&](const auto&) { return ask(shape); });
     result.touch.t = last - result.touch.t;
     result.touch.point += path.origin;
     return result;
   } else {
     const double last = beyond(shape, path);
     const Path<N> back{path.origin + path.direction * last, -path.direction, last, path.far};
-    Sighting<N> result = entry(shape, back, ask);
+    RayFinding<N> result = entry(shape, back, ask);
     result.touch.t = last - result.touch.t;
     return result;
   }
@@ -162,44 +162,45 @@ Sighting<dimension_of<S>> last_touch(const S& shape, const Path<dimension_of<S>>
 
 /// Where the path leaves a shape that it has entered, which may be after its end.
 template <class S, class Ask>
-Sighting<dimension_of<S>> exit(const S& shape, const Path<dimension_of<S>>& path, const Ask& ask) {
-  const Sighting<dimension_of<S>> last = last_touch(shape, path, ask);
-  if (last.sight == Sight::misses || last.touch.t <= path.t_max) return last;
-  return entry(shape, path, ask).sight == Sight::misses ? missed<dimension_of<S>>() : last;
+RayFinding<dimension_of<S>> exit(const S& shape, const Path<dimension_of<S>>& path, const Ask& ask) {
+  const RayFinding<dimension_of<S>> last = last_touch(shape, path, ask);
+  if (last.verdict == RayVerdict::misses || last.touch.t <= path.t_max) return last;
+  return entry(shape, path, ask).verdict == RayVerdict::misses ? missed<dimension_of<S>>() : last;
 }
 
 /// Never left: where a path leaves for good is then infinitely far away.
 template <Dim N>
-Sighting<N> never() {
-  return {Sight::hits, {std::numeric_limits<double>::infinity()}};
+RayFinding<N> never() {
+  return {RayVerdict::hits, {std::numeric_limits<double>::infinity()}};
 }
 
 /// A path meets a plane once, and leaves it there, but for one that runs along it.
 template <Dim N, class T, class Ask>
-Sighting<N> exit(const Plane<N, T>& plane, const Path<N>& path, const Ask& ask) {
-  Sighting<N> result = entry(plane, path, ask);
-  if (result.sight == Sight::hits && is_along(plane, path)) return never<N>();
+RayFinding<N> exit(const Plane<N, T>& plane, const Path<N>& path, const Ask& ask) {
+  RayFinding<N> result = entry(plane, path, ask);
+  if (result.verdict == RayVerdict::hits && is_along(plane, path)) return never<N>();
   result.touch.normal = -result.touch.normal;
   return result;
 }
 
 /// A half-space is left if the path climbs, and never if not.
 template <Dim N, class T, class Ask>
-Sighting<N> exit(const HalfSpace<N, T>& solid, const Path<N>& path, const Ask& ask) {
+RayFinding<N> exit(const HalfSpace<N, T>& solid, const Path<N>& path, const Ask& ask) {
   if (ask(solid) == Relation::apart) return missed<N>();
   const Vec<N, double> normal = wide<N, T>(solid.normal);
   if (!(dot(normal, path.direction) > 0) || is_along(boundary(solid), path)) return never<N>();
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  Sighting<N> result{Sight::hits, touch_of_plane(boundary(solid), Path<N>{path.origin, path.direction, infinity})};
+  RayFinding<N> result{RayVerdict::hits,
+                       touch_of_plane(boundary(solid), Path<N>{path.origin, path.direction, infinity})};
   result.touch.normal = normal;
   return result;
 }
 
 /// A ray on the same line is left at its origin, or never if it runs the same way; any other where it is met.
 template <Dim N, class T, class Ask>
-Sighting<N> exit(const Ray<N, T>& target, const Path<N>& path, const Ask& ask) {
-  Sighting<N> result = entry(target, path, ask);
-  if (result.sight == Sight::misses) return result;
+RayFinding<N> exit(const Ray<N, T>& target, const Path<N>& path, const Ask& ask) {
+  RayFinding<N> result = entry(target, path, ask);
+  if (result.verdict == RayVerdict::misses) return result;
   result.touch.normal = -result.touch.normal;
   const Vec<3, double> d = direction_of(Ray<N, double>{path.origin, path.direction});
   const Vec<3, double> e = direction_of(target);
@@ -207,7 +208,7 @@ Sighting<N> exit(const Ray<N, T>& target, const Path<N>& path, const Ask& ask) {
   if (std::sqrt(length_squared(accurate_cross(d, e))) > tolerance::rounding * lengths) return result;
   if (dot(d, e) > 0) return never<N>();
   const Vec<N, double> end = wide<N, T>(target.origin);
-  const Sighting<N> at_end = sight_of(end - path.origin, path);
+  const RayFinding<N> at_end = ray_verdict_of(end - path.origin, path);
   result.touch = {at_end.touch.t, end, Vec<N, double>(0.0), result.touch.error};
   return result;
 }
@@ -215,41 +216,41 @@ Sighting<N> exit(const Ray<N, T>& target, const Path<N>& path, const Ask& ask) {
 // ---- Any shape
 
 template <class S, class Ask>
-Sighting<dimension_of<S>> find_hit(const S& shape, const Path<dimension_of<S>>& path, RaySide side, const Ask& ask) {
+RayFinding<dimension_of<S>> find_hit(const S& shape, const Path<dimension_of<S>>& path, RaySide side, const Ask& ask) {
   if (side == RaySide::exit) return exit(shape, path, ask);
   return entry(shape, path, ask);
 }
 
 template <Dim N, class T, class Ask>
-Sighting<N> find_hit(const Aabb<N, T>& box, const Path<N>& path, RaySide side, const Ask& ask) {
-  Sighting<N> result = side == RaySide::exit ? exit(box, path, ask) : entry(box, path, ask);
-  if (result.sight == Sight::hits) put_on_surface(result.touch, box);
+RayFinding<N> find_hit(const Aabb<N, T>& box, const Path<N>& path, RaySide side, const Ask& ask) {
+  RayFinding<N> result = side == RaySide::exit ? exit(box, path, ask) : entry(box, path, ask);
+  if (result.verdict == RayVerdict::hits) put_on_surface(result.touch, box);
   return result;
 }
 
 template <Dim N, class T, class Ask>
-Sighting<N> find_hit(const AnyShape<N, T>& shape, const Path<N>& path, RaySide side, const Ask& ask);
+RayFinding<N> find_hit(const AnyShape<N, T>& shape, const Path<N>& path, RaySide side, const Ask& ask);
 
 /// Whether the path passes a part's box by far. The box of an unbounded part is never passed.
 template <Dim N, class T>
 bool passes_by(const Aabb<N, T>& box, const Path<N>& path) {
   if (!is_finite(box.min) || !is_finite(box.max)) return false;
-  const PathAtBox beside = path_at(seen_from(path.origin, box), path.direction, path.far);
+  const PathAtBox beside = path_at(relative_to(path.origin, box), path.direction, path.far);
   return slabs_of<N>(beside, tolerance::ray_side).are_missed(path.t_max);
 }
 
 /// The nearest entry, or the farthest exit; of several the first part's. Once a part is hit, only what has its box
 /// before that is of interest, but asked as if it were alone.
 template <Dim N, class T, class Ask>
-Sighting<N> find_hit(const Compound<N, T>& compound, const Path<N>& path, RaySide side, const Ask& ask) {
-  Sighting<N> best = missed<N>();
+RayFinding<N> find_hit(const Compound<N, T>& compound, const Path<N>& path, RaySide side, const Ask& ask) {
+  RayFinding<N> best = missed<N>();
   Path<N> rest = path;
   for (const Part<N, T>& part : compound.parts) {
     if (passes_by(touching_bounds(part.box), rest)) continue;
-    const Sighting<N> found = find_hit(part.shape, path, side, ask);
-    if (found.sight == Sight::misses) continue;
+    const RayFinding<N> found = find_hit(part.shape, path, side, ask);
+    if (found.verdict == RayVerdict::misses) continue;
     const double ahead = side == RaySide::entry ? best.touch.t - found.touch.t : found.touch.t - best.touch.t;
-    if (best.sight == Sight::hits && !(ahead > 0)) continue;
+    if (best.verdict == RayVerdict::hits && !(ahead > 0)) continue;
     best = found;
     if (side == RaySide::entry) rest.t_max = found.touch.t;
   }
@@ -257,7 +258,7 @@ Sighting<N> find_hit(const Compound<N, T>& compound, const Path<N>& path, RaySid
 }
 
 template <Dim N, class T, class Ask>
-Sighting<N> find_hit(const AnyShape<N, T>& shape, const Path<N>& path, RaySide side, const Ask& ask) {
+RayFinding<N> find_hit(const AnyShape<N, T>& shape, const Path<N>& path, RaySide side, const Ask& ask) {
   return detail::visit([&](const auto& held) { return find_hit(held, path, side, ask); }, shape);
 }
 
@@ -282,9 +283,9 @@ template <Dim N, Scalar T>
 
 /// The careful way for whatever needs it.
 template <class S, class Ask>
-[[gnu::noinline]] Sighting<dimension_of<S>> find_carefully(const S& shape, const Path<dimension_of<S>>& path,
-                                                           RaySide side, const Ask& ask) {
-  const Sighting<dimension_of<S>> result = find_hit(shape, path, side, ask);
+[[gnu::noinline]] RayFinding<dimension_of<S>> find_carefully(const S& shape, const Path<dimension_of<S>>& path,
+                                                             RaySide side, const Ask& ask) {
+  const RayFinding<dimension_of<S>> result = find_hit(shape, path, side, ask);
   const bool is_in_time = result.touch.t <= path.t_max && result.touch.t < std::numeric_limits<double>::infinity();
   return side == RaySide::entry || is_in_time ? result : missed<dimension_of<S>>();
 }
@@ -298,26 +299,26 @@ template <class S, class Ask>
   constexpr Dim N = dimension_of<S>;
   using T = scalar_of<S>;
   using Hit = std::optional<RayHit<N, T>>;
-  constexpr bool has_closed_form = HasRaySight<S> || HasLevelSight<S>;
+  constexpr bool has_closed_form = HasRayVerdict<S> || HasBoundaryVerdict<S>;
   if constexpr (!is_compound<S> && !is_any_shape<S>) {
     if (side == RaySide::entry && (has_closed_form || path.t_max < end)) {
       if constexpr (HasQuickMiss<S>) {
-        if (is_missed(seen_from(path.origin, shape), path)) return Hit();
+        if (is_missed(relative_to(path.origin, shape), path)) return Hit();
       }
-      Sighting<N> quick = sight(shape, path);
-      if (quick.sight == Sight::misses) return Hit();
+      RayFinding<N> quick = verdict(shape, path);
+      if (quick.verdict == RayVerdict::misses) return Hit();
       // How well a capsule's closed form knows the distance depends on where the path ends.
       const bool is_whole = !is_a<Capsule, S> || path.t_max == end;
-      if (quick.sight == Sight::hits && is_whole) {
+      if (quick.verdict == RayVerdict::hits && is_whole) {
         if constexpr (!has_closed_form) quick = confirmed(shape, ask, quick);
-        if (quick.sight == Sight::misses) return Hit();
+        if (quick.verdict == RayVerdict::misses) return Hit();
         if constexpr (is_a<Aabb, S>) put_on_surface(quick.touch, shape);
         return Hit(rounded<N, T>(quick.touch, quick.touch.t, path.direction, side));
       }
     }
   }
-  const Sighting<N> found = find_carefully(shape, Path<N>{path.origin, path.direction, end, path.far}, side, ask);
-  if (found.sight == Sight::misses) return Hit();
+  const RayFinding<N> found = find_carefully(shape, Path<N>{path.origin, path.direction, end, path.far}, side, ask);
+  if (found.verdict == RayVerdict::misses) return Hit();
   return Hit(rounded<N, T>(found.touch, found.touch.t, path.direction, side));
 }
 
@@ -327,7 +328,7 @@ template <class S, Dim N, class T>
                                                               RaySide side) {
   constexpr double forever = std::numeric_limits<double>::infinity();
   // A plane along a ray, up to rounding, is not met, though the ray may get to its other side in the end.
-  const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(ray.direction), HasLevelSight<S> ? forever : t_max};
+  const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(ray.direction), HasBoundaryVerdict<S> ? forever : t_max};
   return cast_along(shape, path, forever, side, AskAboutRay<N, T>{ray});
 }
 

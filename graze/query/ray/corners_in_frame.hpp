@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// SeenCorners(corners, origin): a few corners as they are seen from a point, in rows that are searched several times.
+// CornersInFrame(corners, origin): a few corners as they are seen from a point, in rows that are searched several
+// times.
 #pragma once
 
 #include <algorithm>
@@ -17,12 +18,12 @@ namespace graze::detail {
 
 /// Up to `room` corners, at least one, in double and relative to a point. To search them takes no branch on what is
 /// found, which would be guessed wrong every few corners, and longer than all products together.
-class SeenCorners {
+class CornersInFrame {
  public:
   static constexpr std::size_t room = 64;
 
   template <class T>
-  SeenCorners(std::span<const Vec<3, T>> corners, const Vec<3, double>& origin) {
+  CornersInFrame(std::span<const Vec<3, T>> corners, const Vec<3, double>& origin) {
     const Vec<3, double> first = wide<3, T>(corners.front()) - origin;
     for (std::size_t i = 0; i < together; ++i) put(i, first);
     for (std::size_t i = 1; i < corners.size(); ++i) put(i, wide<3, T>(corners[i]) - origin);

@@ -44,13 +44,13 @@ struct Portal {
   Vec<3, double> normal() const { return cross(c - a, b - a); }
 };
 
-/// More corners than SeenCorners has room for, each time looked up where they are.
+/// More corners than CornersInFrame has room for, each time looked up where they are.
 template <class T>
 class CornersInPlace {
  public:
   CornersInPlace(const Polytope<3, T>& polytope, const Vec<3, double>& origin) : polytope_(polytope), origin_(origin) {}
 
-  Aabb<3, double> bounds() const { return seen_from(origin_, graze::bounds(polytope_)); }
+  Aabb<3, double> bounds() const { return relative_to(origin_, graze::bounds(polytope_)); }
   Vec<3, double> farthest(const Vec<3, double>& direction) const { return support(polytope_, direction) - origin_; }
 
  private:
@@ -71,15 +71,15 @@ class PortalSearch {
         past_(2 * size_ / max_abs(path.direction)) {}
 
   /// None where it is not certain by far.
-  std::optional<Sighting<3>> sighting() const {
+  std::optional<RayFinding<3>> finding() const {
     const auto is_moderate = [](double x) { return x > 0x1p-160 && x < 0x1p160; };  // no product overflows
     if (!is_moderate(size_) || !is_moderate(max_abs(path_.direction))) return std::nullopt;
     if (is_behind()) return missed<3>();
     Portal portal;
     switch (find(portal)) {
-      case Sight::misses:
+      case RayVerdict::misses:
         return missed<3>();
-      case Sight::hits:
+      case RayVerdict::hits:
         return enter(portal);
       default:
         return std::nullopt;
@@ -104,38 +104,38 @@ class PortalSearch {
   /// The corner farthest in a direction at right angles to the ray, and whether it is beyond the ray: if not, all are
   /// on one side, and where it is before it by more than what `relation` may call touching, the ray misses. Of a
   /// direction that is little more than rounding the angle may be any; then the ray itself comes towards the corners.
-  Sight reach(const Vec<3, double>& direction, Vec<3, double>& corner) const {
+  RayVerdict reach(const Vec<3, double>& direction, Vec<3, double>& corner) const {
     corner = corners_.farthest(direction);
     const double height = dot(direction, corner);
-    if (height > 0) return Sight::hits;
+    if (height > 0) return RayVerdict::hits;
     const double lowest_of_ray = std::min(0.0, dot(direction, path_.direction)) * past_;
-    return height < lowest_of_ray - band_ * sum_abs(direction) ? Sight::misses : Sight::unclear;
+    return height < lowest_of_ray - band_ * sum_abs(direction) ? RayVerdict::misses : RayVerdict::unclear;
   }
 
   /// Any portal. Two corners have the ray on their left; the farthest on that side makes three, or takes the place of
   /// one of the two.
-  Sight find(Portal& portal) const {
+  RayVerdict find(Portal& portal) const {
     auto& [a, b, c] = portal;
-    Sight sight = reach(towards_ray((box_.min + box_.max) * 0.5), a);
-    if (sight == Sight::misses) return sight;
-    sight = reach(towards_ray(a), b);
-    if (sight != Sight::hits) return sight;
+    RayVerdict verdict = reach(towards_ray((box_.min + box_.max) * 0.5), a);
+    if (verdict == RayVerdict::misses) return verdict;
+    verdict = reach(towards_ray(a), b);
+    if (verdict != RayVerdict::hits) return verdict;
     if (area(a, b) < 0) std::swap(a, b);
     for (int step = 0; step < portal_step_limit; ++step) {
-      sight = reach(cross(path_.direction, b - a), c);
-      if (sight != Sight::hits) return sight;
+      verdict = reach(cross(path_.direction, b - a), c);
+      if (verdict != RayVerdict::hits) return verdict;
       if (area(b, c) < 0) {
         a = c;
       } else if (area(c, a) < 0) {
         b = c;
       } else {
-        return Sight::hits;
+        return RayVerdict::hits;
       }
     }
-    return Sight::unclear;
+    return RayVerdict::unclear;
   }
 
-  std::optional<Sighting<3>> enter(Portal portal) const {
+  std::optional<RayFinding<3>> enter(Portal portal) const {
     auto& [a, b, c] = portal;
     for (int step = 0; step < portal_step_limit; ++step) {
       const Vec<3, double> normal = portal.normal();
@@ -162,7 +162,7 @@ class PortalSearch {
   /// The ray through a triangle of the polytope that no corner rises above by more than tolerance::rounding of the
   /// size; as much again is what heights, t and the point are rounded by. Where the path ends is decided as for
   /// triangles, whose steepness makes end_slack the same distance from the plane.
-  std::optional<Sighting<3>> passage(const Portal& portal, const Vec<3, double>& normal) const {
+  std::optional<RayFinding<3>> passage(const Portal& portal, const Vec<3, double>& normal) const {
     const auto& [origin, direction, t_max, far] = path_;
     const TriangleBesidePath beside({portal.a, portal.b, portal.c}, {Vec<3, double>(0.0), direction, t_max, size_});
     const bool is_inside = beside.least > beside.band;
@@ -174,7 +174,7 @@ class PortalSearch {
     const double end_slack = 0x1p10 * tolerance::ray_side * size_ / max_abs(direction);
     if (t > t_max + end_slack) return missed<3>();
     if (!(t > -end_slack)) return std::nullopt;
-    Sighting<3> result{t > end_slack && t < t_max - end_slack ? Sight::hits : Sight::unclear, {}};
+    RayFinding<3> result{t > end_slack && t < t_max - end_slack ? RayVerdict::hits : RayVerdict::unclear, {}};
     result.touch.t = std::clamp(t, 0.0, t_max);
     result.touch.point = origin + direction * result.touch.t;
     result.touch.normal = normal;
@@ -192,12 +192,12 @@ class PortalSearch {
 
 /// Where a path enters a polytope in space.
 template <class T>
-Sighting<3> sight_of_polytope(const Polytope<3, T>& polytope, const Path<3>& path) {
-  std::optional<Sighting<3>> result;
-  if (polytope.vertices().size() <= SeenCorners::room) {
-    result = PortalSearch(SeenCorners(polytope.vertices(), path.origin), path).sighting();
+RayFinding<3> ray_verdict_of_polytope(const Polytope<3, T>& polytope, const Path<3>& path) {
+  std::optional<RayFinding<3>> result;
+  if (polytope.vertices().size() <= CornersInFrame::room) {
+    result = PortalSearch(CornersInFrame(polytope.vertices(), path.origin), path).finding();
   } else {
-    result = PortalSearch(CornersInPlace(polytope, path.origin), path).sighting();
+    result = PortalSearch(CornersInPlace(polytope, path.origin), path).finding();
   }
   return result ? *result : advance_to(polytope, path);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The closed forms of ray_cast.hpp for balls and capsules, and what all its closed forms give. Include ray_cast.hpp.
+// The closed forms of ray_cast.hpp for spheres and capsules, and what all its closed forms give. Include ray_cast.hpp.
 //
 // A closed form sees the shape from the ray's origin, in double, so that rounding does not grow with the distance from
 // zero. It settles all rays but those which nearly touch, and for those says where they would: `relation` decides.
@@ -74,7 +74,7 @@ struct Usable {
 };
 
 /// Whether a path touches a shape.
-enum class Sight {
+enum class RayVerdict {
   misses,  ///< By more than what `relation` would call touching.
   hits,    ///< In exact arithmetic, too.
   unclear,
@@ -82,33 +82,33 @@ enum class Sight {
 
 /// What a closed form says of a path from zero.
 template <Dim N>
-struct Sighting {
-  Sight sight = Sight::misses;
+struct RayFinding {
+  RayVerdict verdict = RayVerdict::misses;
   Touch<N> touch{};            ///< If the path hits, or if it is unclear but touches after all.
   bool is_touch_known = true;  ///< False where the closed form does not know where the path would touch.
   bool is_certain = true;      ///< False of a hit by GJK, which `relation` has to confirm.
 };
 
 template <Dim N>
-Sighting<N> missed() {
+RayFinding<N> missed() {
   return {};
 }
 
 /// Unclear, and the touch to be found by advance_to.
 template <Dim N>
-Sighting<N> unsettled() {
-  return {Sight::unclear, {}, false};
+RayFinding<N> unsettled() {
+  return {RayVerdict::unclear, {}, false};
 }
 
 // ---- Balls
 
-/// Where the line t * direction enters a ball that it meets, up to rounding. Seen along the ray, the center is off it
-/// by the vector l = center - direction * middle; calculated so, l is right for a small ball far away, where the
+/// Where the line t * direction enters a sphere that it meets, up to rounding. Seen along the ray, the center is off it
+/// by the vector l = center - direction * middle; calculated so, l is right for a small sphere far away, where the
 /// textbook's b^2 - 4 a c is rounding alone (Haines, Guenther, Akenine-Moeller, "Precision improvements for ray/sphere
 /// intersection", 2019).
 template <Dim N>
-struct BallPassage {
-  BallPassage(const Vec<N, double>& direction, const Vec<N, double>& center, double squared_radius)
+struct SpherePassage {
+  SpherePassage(const Vec<N, double>& direction, const Vec<N, double>& center, double squared_radius)
       : whole(dot(direction, direction)),
         middle(dot(center, direction) / whole),  // a valid direction is not zero
         off(center - direction * middle),
@@ -137,45 +137,45 @@ Vec<N, double> normal_along(const Vec<N, double>& spoke, const Vec<N, double>& d
   return length > error ? against / length : Vec<N, double>(0.0);
 }
 
-/// The touch on a ball. The origin is inside if the line entered before it.
+/// The touch on a sphere. The origin is inside if the line entered before it.
 template <Dim N>
-Touch<N> touch_of_ball(const Sphere<N, double>& ball, const BallPassage<N>& passage, const Vec<N, double>& direction,
-                       double t_max) {
+Touch<N> touch_of_sphere(const Sphere<N, double>& sphere, const SpherePassage<N>& passage,
+                         const Vec<N, double>& direction, double t_max) {
   Touch<N> touch;
-  touch.error = tolerance::rounding * (sum_abs(ball.center) + ball.radius);
+  touch.error = tolerance::rounding * (sum_abs(sphere.center) + sphere.radius);
   if (!(passage.enter() >= 0)) return touch;
   touch.t = std::min(passage.enter(), t_max);
   touch.normal = normal_along(passage.spoke(direction), direction, touch.error);
-  touch.point = ball.center + touch.normal * ball.radius;
+  touch.point = sphere.center + touch.normal * sphere.radius;
   return touch;
 }
 
-/// Whether the line of a path misses a ball by more than `sight_of` leaves open. Of most paths this is all that is
-/// asked, and a verdict alone does not go through memory.
+/// Whether the line of a path misses a sphere by more than `ray_verdict_of` leaves open. Of most paths this is all that
+/// is asked, and a verdict alone does not go through memory.
 template <Dim N>
-[[gnu::always_inline]] inline bool is_missed(const Sphere<N, double>& ball, const Path<N>& path) {
-  const double squared_radius = ball.radius * ball.radius;
-  const double squares = dot(ball.center, ball.center) + squared_radius + path.far * path.far;
-  return BallPassage<N>(path.direction, ball.center, squared_radius).depth < -tolerance::ray_filter * squares;
+[[gnu::always_inline]] inline bool is_missed(const Sphere<N, double>& sphere, const Path<N>& path) {
+  const double squared_radius = sphere.radius * sphere.radius;
+  const double squares = dot(sphere.center, sphere.center) + squared_radius + path.far * path.far;
+  return SpherePassage<N>(path.direction, sphere.center, squared_radius).depth < -tolerance::ray_filter * squares;
 }
 
 /// With size^2 = |center|^2 + radius^2: where the squares differ by more than tolerance::ray_filter of size^2, half the
 /// chord is at least 2^-21 of the size and known to 2^-28 of it. A point that is still 2^-20 of the size away from the
-/// ball along the ray is off it by 2^-41 of the size at least, for the square of its distance exceeds radius^2 by the
+/// sphere along the ray is off it by 2^-41 of the size at least, for the square of its distance exceeds radius^2 by the
 /// square of that.
 template <Dim N>
-[[gnu::always_inline]] inline Sighting<N> sight_of(const Sphere<N, double>& ball, const Path<N>& path) {
+[[gnu::always_inline]] inline RayFinding<N> ray_verdict_of(const Sphere<N, double>& sphere, const Path<N>& path) {
   const auto& [origin, direction, t_max, far] = path;
-  const double squared_radius = ball.radius * ball.radius;
-  const double squares = dot(ball.center, ball.center) + squared_radius + far * far;
-  const BallPassage<N> passage(direction, ball.center, squared_radius);
+  const double squared_radius = sphere.radius * sphere.radius;
+  const double squares = dot(sphere.center, sphere.center) + squared_radius + far * far;
+  const SpherePassage<N> passage(direction, sphere.center, squared_radius);
   const double band = tolerance::ray_filter * squares;
   if (passage.depth < -band) return missed<N>();
   const double end_slack = tolerance::ray_end * std::sqrt(squares / passage.whole);
   const bool is_chord = passage.depth > band;
   if (is_chord && (passage.exit() < -end_slack || passage.enter() > t_max + end_slack)) return missed<N>();
   const bool is_hit = is_chord && passage.exit() > end_slack && passage.enter() < t_max - end_slack;
-  return {is_hit ? Sight::hits : Sight::unclear, touch_of_ball(ball, passage, direction, t_max)};
+  return {is_hit ? RayVerdict::hits : RayVerdict::unclear, touch_of_sphere(sphere, passage, direction, t_max)};
 }
 
 // ---- Capsules
@@ -213,8 +213,8 @@ bool holds_zero(const Capsule<N, double>& capsule) {
   return dot(off, off) <= capsule.radius * capsule.radius;
 }
 
-/// The touch of a path that is known to hit and is not nearly parallel to the axis: on the tube, which is a ball as
-/// seen along the axis, if that is between the two ends, else on the ball around the nearer end.
+/// The touch of a path that is known to hit and is not nearly parallel to the axis: on the tube, which is a sphere as
+/// seen along the axis, if that is between the two ends, else on the sphere around the nearer end.
 template <Dim N>
 Touch<N> touch_of_capsule(const Capsule<N, double>& capsule, const Vec<N, double>& direction, double t_max) {
   Touch<N> touch;
@@ -224,13 +224,13 @@ Touch<N> touch_of_capsule(const Capsule<N, double>& capsule, const Vec<N, double
   const double whole = dot(edge, edge);
   const auto across = [&](const Vec<N, double>& v) { return v - edge * (dot(v, edge) / whole); };
   const Vec<N, double> direction_across = across(direction);
-  const BallPassage<N> tube(direction_across, across(capsule.a), capsule.radius * capsule.radius);
+  const SpherePassage<N> tube(direction_across, across(capsule.a), capsule.radius * capsule.radius);
   const double enter = std::clamp(tube.enter(), 0.0, t_max);
   const double place = dot(direction * enter - capsule.a, edge) / whole;
   if (!(place >= 0 && place <= 1)) {
     const Sphere<N, double> end{place < 0 ? capsule.a : capsule.b, capsule.radius};
     Touch<N> on_end =
-        touch_of_ball(end, BallPassage<N>(direction, end.center, end.radius * end.radius), direction, t_max);
+        touch_of_sphere(end, SpherePassage<N>(direction, end.center, end.radius * end.radius), direction, t_max);
     on_end.error = touch.error;
     return on_end;
   }
@@ -241,11 +241,11 @@ Touch<N> touch_of_capsule(const Capsule<N, double>& capsule, const Vec<N, double
 }
 
 template <Dim N>
-Sighting<N> sight_of(const Capsule<N, double>& capsule, const Path<N>& path) {
+RayFinding<N> ray_verdict_of(const Capsule<N, double>& capsule, const Path<N>& path) {
   const std::optional<Relation> verdict = filter_of_path(capsule, path);
   if (!verdict) return unsettled<N>();
   if (*verdict == Relation::apart) return missed<N>();
-  return {Sight::hits, touch_of_capsule(capsule, path.direction, path.t_max)};
+  return {RayVerdict::hits, touch_of_capsule(capsule, path.direction, path.t_max)};
 }
 
 }  // namespace graze::detail

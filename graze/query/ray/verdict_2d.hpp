@@ -28,10 +28,10 @@ namespace graze::detail {
 // ---- Points, segments, rays: sets that most rays miss and the others only just touch, which `relation` decides
 
 template <Dim N>
-Sighting<N> sight_of(const Vec<N, double>& point, const Path<N>& path) {
+RayFinding<N> ray_verdict_of(const Vec<N, double>& point, const Path<N>& path) {
   const auto& [zero, direction, t_max, far] = path;
   const double t = std::clamp(dot(point, direction) / dot(direction, direction), 0.0, t_max);
-  return {Sight::unclear, {t, point, Vec<N, double>(0.0), tolerance::rounding * sum_abs(point)}};
+  return {RayVerdict::unclear, {t, point, Vec<N, double>(0.0), tolerance::rounding * sum_abs(point)}};
 }
 
 /// Between these t the path is beside a part of a line.
@@ -45,13 +45,13 @@ struct Beside {
 /// ones may have that anywhere, but not where the path is not beside the edge; and they are as good as touching before,
 /// from where they are as near as rounding can tell. The normal is at right angles to the edge.
 template <Dim N>
-Sighting<N> sight_of_edge(const Vec<N, double>& start, const Vec<N, double>& edge, const Vec<N, double>& direction,
-                          const Beside& beside) {
+RayFinding<N> ray_verdict_of_edge(const Vec<N, double>& start, const Vec<N, double>& edge,
+                                  const Vec<N, double>& direction, const Beside& beside) {
   const Vec<3, double> d = lifted(direction);
   const Vec<3, double> e = of_moderate_size(lifted(edge));
   const Vec<3, double> n = accurate_cross(d, e);
   const double whole = dot(n, n);
-  Sighting<N> result{Sight::unclear, {}};
+  RayFinding<N> result{RayVerdict::unclear, {}};
   result.touch.error = tolerance::rounding * beside.size;
   double first = beside.first;
   if (whole > 0) {
@@ -68,7 +68,7 @@ Sighting<N> sight_of_edge(const Vec<N, double>& start, const Vec<N, double>& edg
 }
 
 template <Dim N>
-Sighting<N> sight_of(const Segment<N, double>& segment, const Path<N>& path) {
+RayFinding<N> ray_verdict_of(const Segment<N, double>& segment, const Path<N>& path) {
   const auto& [zero, direction, t_max, far] = path;
   const double whole = dot(direction, direction);
   const double start = dot(segment.start, direction) / whole;
@@ -76,18 +76,18 @@ Sighting<N> sight_of(const Segment<N, double>& segment, const Path<N>& path) {
   const Vec<N, double> edge = segment.end - segment.start;
   const Beside beside{std::clamp(std::min(start, end), 0.0, t_max), std::clamp(std::max(start, end), 0.0, t_max),
                       sum_abs(segment.start) + sum_abs(edge)};
-  return sight_of_edge<N>(segment.start, edge, direction, beside);
+  return ray_verdict_of_edge<N>(segment.start, edge, direction, beside);
 }
 
 /// Of a ray that starts farther along and comes against the path, all until its origin is beside it.
 template <Dim N>
-Sighting<N> sight_of(const Ray<N, double>& ray, const Path<N>& path) {
+RayFinding<N> ray_verdict_of(const Ray<N, double>& ray, const Path<N>& path) {
   const auto& [zero, direction, t_max, far] = path;
   const double origin = std::clamp(dot(ray.origin, direction) / dot(direction, direction), 0.0, t_max);
   const double size = sum_abs(ray.origin);
   const Beside beside = dot(ray.direction, direction) > 0 ? Beside{origin, t_max, size} : Beside{0, origin, size};
   const Vec<N, double> edge = ray.direction / max_abs(ray.direction);  // a valid direction is not zero
-  return sight_of_edge<N>(ray.origin, edge, direction, beside);
+  return ray_verdict_of_edge<N>(ray.origin, edge, direction, beside);
 }
 
 // ---- Triangles in space
@@ -124,13 +124,13 @@ struct TriangleBesidePath {
   bool is_passed() const { return least < -band && most > band; }
 };
 
-/// Whether the line of the path passes the triangle: then sight_of says that it is missed. Of most paths this is all
-/// that is asked, and a verdict alone does not go through memory.
+/// Whether the line of the path passes the triangle: then ray_verdict_of says that it is missed. Of most paths this is
+/// all that is asked, and a verdict alone does not go through memory.
 [[gnu::always_inline]] inline bool is_missed(const Triangle<3, double>& triangle, const Path<3>& path) {
   return TriangleBesidePath(triangle, path).is_passed();
 }
 
-inline Sighting<3> sight_of(const Triangle<3, double>& triangle, const Path<3>& path) {
+inline RayFinding<3> ray_verdict_of(const Triangle<3, double>& triangle, const Path<3>& path) {
   const auto& [zero, direction, t_max, far] = path;
   const TriangleBesidePath beside(triangle, path);
   if (beside.is_passed()) return missed<3>();
@@ -142,12 +142,12 @@ inline Sighting<3> sight_of(const Triangle<3, double>& triangle, const Path<3>& 
   constexpr double least_sine_squared = 0x1p-20;
   const bool is_steep = climb * climb > least_sine_squared * (dot(normal, normal) * dot(direction, direction));
   if (!is_steep) return unsettled<3>();
-  Sighting<3> result{Sight::unclear, {}};
+  RayFinding<3> result{RayVerdict::unclear, {}};
   const double t = dot(normal, triangle.a) / climb;
   const double end_slack = 0x1p10 * tolerance::ray_side * size / max_abs(direction);
   if (t < -end_slack || t > t_max + end_slack) return missed<3>();
   const bool is_inside = least > band || most < -band;
-  if (is_inside && t > end_slack && t < t_max - end_slack) result.sight = Sight::hits;
+  if (is_inside && t > end_slack && t < t_max - end_slack) result.verdict = RayVerdict::hits;
   result.touch.t = std::clamp(t, 0.0, t_max);
   result.touch.point = direction * result.touch.t;
   result.touch.normal = climb > 0 ? -normal : normal;
@@ -160,10 +160,10 @@ inline Sighting<3> sight_of(const Triangle<3, double>& triangle, const Path<3>& 
 }
 
 /// The same of a whole ray, for who only asks whether it hits; NaN is unclear, or misses.
-inline Sight sight_of_ray(const Triangle<3, double>& triangle, const Ray<3, double>& ray) {
-  if (!is_usable(ray.direction)) return Sight::unclear;
+inline RayVerdict ray_verdict_of_ray(const Triangle<3, double>& triangle, const Ray<3, double>& ray) {
+  if (!is_usable(ray.direction)) return RayVerdict::unclear;
   constexpr double forever = std::numeric_limits<double>::infinity();
-  return sight_of(seen_from(ray.origin, triangle), Path<3>{ray.origin, ray.direction, forever}).sight;
+  return ray_verdict_of(relative_to(ray.origin, triangle), Path<3>{ray.origin, ray.direction, forever}).verdict;
 }
 
 // ---- Polygons
@@ -203,16 +203,16 @@ class EdgeCrossings {
     return true;
   }
 
-  Sighting<2> sighting(const Vec<2, double>& direction, double t_max) const {
+  RayFinding<2> finding(const Vec<2, double>& direction, double t_max) const {
     const double exit = std::min(latest_exit_, t_max);
     if (!(std::max(earliest_enter_, 0.0) <= exit)) return missed<2>();
     if (is_along_) return unsettled<2>();
-    Sighting<2> result{Sight::unclear, {}};
+    RayFinding<2> result{RayVerdict::unclear, {}};
     // Past a corner the ray may leave before it enters, for all that rounding tells: far from where the sides say, if
     // they are nearly parallel to it.
     if (latest_enter_ > earliest_exit_) return unsettled<2>();
     const bool is_hit = latest_enter_ <= t_max && earliest_exit_ >= 0;
-    if (is_hit) result.sight = Sight::hits;
+    if (is_hit) result.verdict = RayVerdict::hits;
     if (!(enter_ >= 0)) return result;
     result.touch.t = std::min(enter_, exit);
     result.touch.point = direction * result.touch.t;
@@ -237,12 +237,12 @@ class EdgeCrossings {
 /// Corners as Polytope has them, seen from `origin`. `far` is what relation's rounding is relative to, beside the
 /// polygon's own size.
 template <class T>
-Sighting<2> sight_of_polygon(Corners<T> corners, double far, const Path<2>& path) {
+RayFinding<2> ray_verdict_of_polygon(Corners<T> corners, double far, const Path<2>& path) {
   const std::size_t count = corners.size();
   const auto corner = [&](std::size_t i) { return wide<2, T>(corners[i]) - path.origin; };
   if (count <= 2) {
-    Sighting<2> result =
-        count == 1 ? sight_of(corner(0), path) : sight_of(Segment<2, double>{corner(0), corner(1)}, path);
+    RayFinding<2> result =
+        count == 1 ? ray_verdict_of(corner(0), path) : ray_verdict_of(Segment<2, double>{corner(0), corner(1)}, path);
     result.touch.error += tolerance::convex * far;
     return result;
   }
@@ -255,15 +255,15 @@ Sighting<2> sight_of_polygon(Corners<T> corners, double far, const Path<2>& path
     if (!crossings.add(from, to, path.direction)) return missed<2>();
     from = to;
   }
-  Sighting<2> result = crossings.sighting(path.direction, path.t_max);
+  RayFinding<2> result = crossings.finding(path.direction, path.t_max);
   result.touch.error = tolerance::rounding * size + tolerance::convex * far;
   return result;
 }
 
-inline Sighting<2> sight_of(const Triangle<2, double>& triangle, const Path<2>& path) {
+inline RayFinding<2> ray_verdict_of(const Triangle<2, double>& triangle, const Path<2>& path) {
   if (orientation(triangle.a, triangle.b, triangle.c) == 0) return unsettled<2>();
   const std::array<Vec<2, double>, 3> corners = counter_clockwise(triangle);
-  return sight_of_polygon<double>(corners, 0, {Vec<2, double>(0.0), path.direction, path.t_max, path.far});
+  return ray_verdict_of_polygon<double>(corners, 0, {Vec<2, double>(0.0), path.direction, path.t_max, path.far});
 }
 
 // ---- Planes and half-spaces, where they are stored
@@ -316,38 +316,38 @@ SidesOfPath sides_of(const Path<N>& path, const Plane<N, T>& plane) {
 }
 
 template <Dim N, class T>
-Sight sight_of_plane(const Plane<N, T>& plane, const Path<N>& path) {
+RayVerdict ray_verdict_of_plane(const Plane<N, T>& plane, const Path<N>& path) {
   if (std::isinf(path.t_max)) {
     const Ray<N, T> ray{Vec<N, T>(path.origin), Vec<N, T>(path.direction)};
-    return relation_to_plane(plane, ray) == Relation::apart ? Sight::misses : Sight::hits;
+    return relation_to_plane(plane, ray) == Relation::apart ? RayVerdict::misses : RayVerdict::hits;
   }
   const SidesOfPath sides = sides_of(path, plane);
-  if (sides.start == 0 || sides.end == 0) return Sight::unclear;
-  return sides.start == sides.end ? Sight::misses : Sight::hits;
+  if (sides.start == 0 || sides.end == 0) return RayVerdict::unclear;
+  return sides.start == sides.end ? RayVerdict::misses : RayVerdict::hits;
 }
 
 template <Dim N, class T>
-Sighting<N> sight_of_level(const Plane<N, T>& plane, const Path<N>& path) {
-  const Sight sight = sight_of_plane(plane, path);
-  if (sight == Sight::misses) return missed<N>();
-  return {sight, touch_of_plane(plane, path)};
+RayFinding<N> ray_verdict_of_boundary(const Plane<N, T>& plane, const Path<N>& path) {
+  const RayVerdict verdict = ray_verdict_of_plane(plane, path);
+  if (verdict == RayVerdict::misses) return missed<N>();
+  return {verdict, touch_of_plane(plane, path)};
 }
 
 template <Dim N, class T>
-Sight sight_of_half_space(const HalfSpace<N, T>& solid, const Path<N>& path) {
+RayVerdict ray_verdict_of_half_space(const HalfSpace<N, T>& solid, const Path<N>& path) {
   if (std::isinf(path.t_max)) {
     const Ray<N, T> ray{Vec<N, T>(path.origin), Vec<N, T>(path.direction)};
-    return relation_to_half_space(solid, ray) == Relation::apart ? Sight::misses : Sight::hits;
+    return relation_to_half_space(solid, ray) == Relation::apart ? RayVerdict::misses : RayVerdict::hits;
   }
   const SidesOfPath sides = sides_of(path, boundary(solid));
-  if (sides.start < 0 || sides.end < 0) return Sight::hits;
-  return sides.start > 0 && sides.end > 0 ? Sight::misses : Sight::unclear;
+  if (sides.start < 0 || sides.end < 0) return RayVerdict::hits;
+  return sides.start > 0 && sides.end > 0 ? RayVerdict::misses : RayVerdict::unclear;
 }
 
 template <Dim N, class T>
-Sighting<N> sight_of_level(const HalfSpace<N, T>& solid, const Path<N>& path) {
-  Sighting<N> result{sight_of_half_space(solid, path), {}};
-  if (result.sight == Sight::misses) return missed<N>();
+RayFinding<N> ray_verdict_of_boundary(const HalfSpace<N, T>& solid, const Path<N>& path) {
+  RayFinding<N> result{ray_verdict_of_half_space(solid, path), {}};
+  if (result.verdict == RayVerdict::misses) return missed<N>();
   result.touch = touch_of_plane(boundary(solid), path);
   const bool is_leaving = dot(wide<N, T>(solid.normal), path.direction) >= 0;
   const bool is_inside = height_over(boundary(solid), path.origin) < 0;

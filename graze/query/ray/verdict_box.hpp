@@ -83,7 +83,7 @@ template <Dim N>
 
 /// Where a path meets a box as the box's own axes see it.
 struct TouchOfBox {
-  Sight sight = Sight::misses;
+  RayVerdict verdict = RayVerdict::misses;
   double t = 0;
   Vec<3, double> point = Vec<3, double>(0.0);
   Vec<3, double> side = Vec<3, double>(0.0);  ///< -1 or 1 on the axis whose min or max side is met; else zero.
@@ -98,13 +98,13 @@ struct TouchOfBox {
 }
 
 /// Where the path enters a box that it hits, if its sides are moved out by the slack of `slabs`.
-[[gnu::always_inline]] inline TouchOfBox enter_box(Sight sight, const PathAtBox& path, const Slabs& slabs,
+[[gnu::always_inline]] inline TouchOfBox enter_box(RayVerdict verdict, const PathAtBox& path, const Slabs& slabs,
                                                    double t_max) {
   const auto& [min, max, direction, far] = path;
   const bool is_x = slabs.x.earliest() >= std::max(slabs.y.earliest(), slabs.z.earliest());
   const bool is_y = !is_x && slabs.y.earliest() >= slabs.z.earliest();
   const double near = is_x ? slabs.x.near : is_y ? slabs.y.near : slabs.z.near;
-  TouchOfBox touch{sight};
+  TouchOfBox touch{verdict};
   if (!(near >= 0)) return touch;
   const double slope = is_x ? direction.x : is_y ? direction.y : direction.z;
   const double low = is_x ? min.x : is_y ? min.y : min.z;
@@ -130,17 +130,17 @@ template <Dim N>
   if (slabs.are_missed(t_max)) return {};
   // What is entered by a margin is entered where the last side is crossed, however nearly the path runs along it.
   if (slabs.are_entered(t_max)) {
-    return enter_box(Sight::hits, path, {slabs.x.without_slack(), slabs.y.without_slack(), slabs.z.without_slack()},
-                     t_max);
+    return enter_box(RayVerdict::hits, path,
+                     {slabs.x.without_slack(), slabs.y.without_slack(), slabs.z.without_slack()}, t_max);
   }
-  return enter_box(Sight::unclear, path, slabs_of<N>(path, tolerance::rounding), t_max);
+  return enter_box(RayVerdict::unclear, path, slabs_of<N>(path, tolerance::rounding), t_max);
 }
 
 /// How far the point where a path meets a box may be off: by what rounds off and, where it may only have come near a
 /// side, by the slack of that.
 [[gnu::always_inline]] inline double error_at_box(const TouchOfBox& found, const PathAtBox& path) {
   const double size = sum_abs(path.min) + sum_abs(path.max);
-  return tolerance::rounding * (found.sight == Sight::unclear ? 2 * size + path.far : size);
+  return tolerance::rounding * (found.verdict == RayVerdict::unclear ? 2 * size + path.far : size);
 }
 
 template <Dim N>
@@ -149,18 +149,18 @@ template <Dim N>
   return {lifted(box.min), lifted(box.max), lifted(direction), far};
 }
 
-/// Whether sight_of says that the box is missed. Of most paths this is all that is asked, and a verdict alone does not
-/// go through memory.
+/// Whether ray_verdict_of says that the box is missed. Of most paths this is all that is asked, and a verdict alone
+/// does not go through memory.
 template <Dim N>
 [[gnu::always_inline]] inline bool is_missed(const Aabb<N, double>& box, const Path<N>& path) {
   return slabs_of<N>(path_at(box, path.direction, path.far), tolerance::ray_side).are_missed(path.t_max);
 }
 
 template <Dim N>
-[[gnu::always_inline]] inline Sighting<N> sight_of(const Aabb<N, double>& box, const Path<N>& path) {
+[[gnu::always_inline]] inline RayFinding<N> ray_verdict_of(const Aabb<N, double>& box, const Path<N>& path) {
   const PathAtBox seen = path_at(box, path.direction, path.far);
   const TouchOfBox found = touch_of_box<N>(seen, path.t_max);
-  return {found.sight,
+  return {found.verdict,
           {found.t, Vec<N, double>(found.point), Vec<N, double>(found.side), error_at_box(found, seen)},
           found.is_known};
 }
@@ -220,7 +220,7 @@ struct Inverse<3> {
 /// places on the axes are found with their inverse, where the transpose would be off by as much as they are. It is not
 /// divided by the determinant, which is positive or negative and nearly 1: box and direction grow alike.
 template <Dim N>
-[[gnu::always_inline]] inline Sighting<N> sight_of(const Obb<N, double>& box, const Path<N>& path) {
+[[gnu::always_inline]] inline RayFinding<N> ray_verdict_of(const Obb<N, double>& box, const Path<N>& path) {
   const Inverse<N> inverse = inverse_of(box.axes);
   const double scale = std::fabs(inverse.determinant);
   const double sign = inverse.determinant < 0 ? -1 : 1;
@@ -235,7 +235,7 @@ template <Dim N>
   const Vec<N, double> place =
       (Vec<N, double>(found.point) - center) / scale * (1.0 - abs(side)) + box.half_extents * side;
   const bool is_inside = max_abs(side) == 0;
-  return {found.sight,
+  return {found.verdict,
           {found.t, is_inside ? Vec<N, double>(0.0) : box.center + box.axes * place, inverse.times_rows(side) * sign,
            error_at_box(found, path_seen)},
           found.is_known};

@@ -74,7 +74,7 @@ std::optional<Relation> filter_of_cores(const A&, const B&, double) {
 
 template <Dim N, class T>
 std::optional<Relation> filter_of_cores(const Vec<N, T>& center, const Obb<N, T>& box, double reach) {
-  return filter_of_ball(center, box, reach);
+  return filter_of_sphere(center, box, reach);
 }
 
 template <Dim N, class T>
@@ -213,7 +213,7 @@ template <Dim N, class T>
 
 template <Dim N, class T>
 [[gnu::always_inline]] inline Relation closed_form(const Sphere<N, T>& a, const Sphere<N, T>& b) {
-  if (const auto verdict = filter_of_balls(a.center, b.center, a.radius + b.radius)) return *verdict;
+  if (const auto verdict = filter_of_spheres(a.center, b.center, a.radius + b.radius)) return *verdict;
   return careful_closed_form(a, b);
 }
 
@@ -233,7 +233,7 @@ template <Dim N, class T>
 
 template <Dim N, class T>
 [[gnu::always_inline]] inline Relation closed_form(const Sphere<N, T>& sphere, const Aabb<N, T>& box) {
-  if (const auto verdict = filter_of_ball(sphere.center, box, sphere.radius)) return *verdict;
+  if (const auto verdict = filter_of_sphere(sphere.center, box, sphere.radius)) return *verdict;
   return careful_closed_form(sphere, box);
 }
 

@@ -31,7 +31,7 @@ using Numbers = std::array<Real, static_cast<std::size_t>(N)>;
 /// The second shape is all between + sum of u[j] * half[j] * directions[j] with |u[j]| <= 1. Plain arrays, because
 /// compilers do more with loops over them than over indexed vectors.
 template <Dim N, Dim Edges, class Real = double>
-struct SeenFromBox {
+struct InFrameOfBox {
   Numbers<N, Real> box_half{};  ///< The first box's half extents.
   Numbers<N, Real> between{};   ///< From center to center.
   std::array<Numbers<N, Real>, static_cast<std::size_t>(Edges)>
@@ -46,7 +46,7 @@ using PerDirection = std::array<Numbers<N, Real>, static_cast<std::size_t>(Edges
 
 /// The gap of the two on the cross product of the box's axis i and direction j, as long as that product is.
 template <Dim Edges, class Real>
-[[gnu::always_inline]] inline Real gap_across(const SeenFromBox<3, Edges, Real>& seen,
+[[gnu::always_inline]] inline Real gap_across(const InFrameOfBox<3, Edges, Real>& seen,
                                               const PerDirection<3, Edges, Real>& shadow, std::size_t i,
                                               std::size_t j) {
   const std::size_t i1 = (i + 1) % 3;
@@ -62,7 +62,7 @@ template <Dim Edges, class Real>
 
 /// Whether the axes that leave the verdict open are all cross products of nearly parallel edges.
 template <Dim Edges, class Real>
-[[gnu::noinline]] bool only_parallel_edges_are_open(const SeenFromBox<3, Edges, Real>& seen,
+[[gnu::noinline]] bool only_parallel_edges_are_open(const InFrameOfBox<3, Edges, Real>& seen,
                                                     const PerDirection<3, Edges, Real>& shadow, Real cross_band,
                                                     Real parallel) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -83,7 +83,7 @@ struct WidestGap {
 
 /// On the axes of the first box. The size is NaN if any number is.
 template <Dim N, Dim Edges, class Real>
-[[gnu::always_inline]] inline WidestGap<Real> widest_on_own_axes(const SeenFromBox<N, Edges, Real>& seen,
+[[gnu::always_inline]] inline WidestGap<Real> widest_on_own_axes(const InFrameOfBox<N, Edges, Real>& seen,
                                                                  const PerDirection<N, Edges, Real>& shadow) {
   WidestGap<Real> widest;
 #pragma GCC unroll 3
@@ -100,7 +100,7 @@ template <Dim N, Dim Edges, class Real>
 
 /// On the axes of a second box.
 template <Dim N, class Real>
-[[gnu::always_inline]] inline Real widest_on_other_axes(const SeenFromBox<N, N, Real>& seen,
+[[gnu::always_inline]] inline Real widest_on_other_axes(const InFrameOfBox<N, N, Real>& seen,
                                                         const PerDirection<N, N, Real>& shadow) {
   Real widest = -std::numeric_limits<Real>::infinity();
 #pragma GCC unroll 3
@@ -119,7 +119,7 @@ template <Dim N, class Real>
 
 /// On the cross products of an axis of the box and a direction.
 template <Dim Edges, class Real>
-[[gnu::always_inline]] inline Real widest_across(const SeenFromBox<3, Edges, Real>& seen,
+[[gnu::always_inline]] inline Real widest_across(const InFrameOfBox<3, Edges, Real>& seen,
                                                  const PerDirection<3, Edges, Real>& shadow) {
   Real widest = -std::numeric_limits<Real>::infinity();
 #pragma GCC unroll 3
@@ -134,7 +134,7 @@ template <Dim Edges, class Real>
 
 /// In 2D, on the normal of a segment.
 template <class Real>
-Real widest_across(const SeenFromBox<2, 1, Real>& seen, const PerDirection<2, 1, Real>& shadow) {
+Real widest_across(const InFrameOfBox<2, 1, Real>& seen, const PerDirection<2, 1, Real>& shadow) {
   const Real reach = seen.box_half[0] * shadow[0][1] + seen.box_half[1] * shadow[0][0];
   return std::fabs(seen.between[0] * seen.directions[0][1] - seen.between[1] * seen.directions[0][0]) - reach;
 }
@@ -149,8 +149,8 @@ Real widest_across(const SeenFromBox<2, 1, Real>& seen, const PerDirection<2, 1,
 /// find a depth of 4 s: seen along the edges, the two shapes are polygons that reach as deep into each other, less s
 /// for the edge that is not quite in the line of sight and 2 s for the turn of the others.
 template <Dim N, Dim Edges, class Real>
-[[gnu::always_inline]] inline std::optional<Relation> filter_of_boxes(const SeenFromBox<N, Edges, Real>& seen,
-                                                                      Real skew) {
+[[gnu::always_inline]] inline std::optional<Relation> filter_of_boxes(const InFrameOfBox<N, Edges, Real>& seen,
+                                                                      Real orthonormality_error) {
   PerDirection<N, Edges, Real> shadow;
 #pragma GCC unroll 3
   for (std::size_t j = 0; j < static_cast<std::size_t>(Edges); ++j) {
@@ -164,7 +164,7 @@ template <Dim N, Dim Edges, class Real>
   if constexpr (Edges == 1) {
     if (!(size * seen.length < std::numeric_limits<Real>::max() / 8)) return std::nullopt;
   }
-  const Real band = static_cast<Real>(tolerance::box_filter) * skew * size;
+  const Real band = static_cast<Real>(tolerance::box_filter) * orthonormality_error * size;
   if (widest > band) return Relation::apart;
   if constexpr (Edges == N) {
     widest = std::max(widest, widest_on_other_axes(seen, shadow));
@@ -179,7 +179,7 @@ template <Dim N, Dim Edges, class Real>
       if constexpr (N == 2) {
         return std::nullopt;
       } else {
-        const Real parallel = 2 * static_cast<Real>(tolerance::box_filter) * skew * seen.length;
+        const Real parallel = 2 * static_cast<Real>(tolerance::box_filter) * orthonormality_error * seen.length;
         if (!only_parallel_edges_are_open(seen, shadow, cross_band, parallel)) return std::nullopt;
         least_depth = 8 * band;
       }
@@ -217,8 +217,8 @@ template <std::size_t Count, class Real>
 }
 
 template <class Real, Dim N, class T>
-[[gnu::always_inline]] inline SeenFromBox<N, N, Real> seen_from_box(const Obb<N, T>& a, const Obb<N, T>& b) {
-  SeenFromBox<N, N, Real> seen;
+[[gnu::always_inline]] inline InFrameOfBox<N, N, Real> in_frame_of_box(const Obb<N, T>& a, const Obb<N, T>& b) {
+  InFrameOfBox<N, N, Real> seen;
   const auto axes_a = columns<Real, N, T>(a.axes);
   const auto axes_b = columns<Real, N, T>(b.axes);
   const auto between = numbers<Real, N, Real>(Vec<N, Real>(b.center) - Vec<N, Real>(a.center));
@@ -232,7 +232,7 @@ template <class Real, Dim N, class T>
 }
 
 template <class Real, Dim N, class T>
-[[gnu::always_inline]] inline SeenFromBox<N, N, Real> seen_from_box(const Aabb<N, T>& a, const Obb<N, T>& b) {
+[[gnu::always_inline]] inline InFrameOfBox<N, N, Real> in_frame_of_box(const Aabb<N, T>& a, const Obb<N, T>& b) {
   const Vec<N, Real> corner(a.min);
   const Vec<N, Real> half = Real(0.5) * (Vec<N, Real>(a.max) - corner);
   return {numbers<Real>(half), numbers<Real, N, Real>((Vec<N, Real>(b.center) - corner) - half),
@@ -240,8 +240,8 @@ template <class Real, Dim N, class T>
 }
 
 template <class Real, Dim N, class T>
-[[gnu::always_inline]] inline SeenFromBox<N, 1, Real> seen_from_box(const Aabb<N, T>& box,
-                                                                    const Segment<N, T>& segment) {
+[[gnu::always_inline]] inline InFrameOfBox<N, 1, Real> in_frame_of_box(const Aabb<N, T>& box,
+                                                                       const Segment<N, T>& segment) {
   const Vec<N, Real> corner(box.min);
   const Vec<N, Real> start(segment.start);
   const Vec<N, Real> box_half = Real(0.5) * (Vec<N, Real>(box.max) - corner);
@@ -254,9 +254,9 @@ template <class Real, Dim N, class T>
 }
 
 template <class Real, Dim N, class T>
-[[gnu::always_inline]] inline SeenFromBox<N, 1, Real> seen_from_box(const Obb<N, T>& box,
-                                                                    const Segment<N, T>& segment) {
-  SeenFromBox<N, 1, Real> seen;
+[[gnu::always_inline]] inline InFrameOfBox<N, 1, Real> in_frame_of_box(const Obb<N, T>& box,
+                                                                       const Segment<N, T>& segment) {
+  InFrameOfBox<N, 1, Real> seen;
   const auto axes = columns<Real, N, T>(box.axes);
   const Vec<N, Real> start(segment.start);
   const Vec<N, Real> half = Real(0.5) * (Vec<N, Real>(segment.end) - start);
@@ -273,30 +273,30 @@ template <class Real, Dim N, class T>
 }
 
 template <Dim N, class T>
-double skew_of(const Aabb<N, T>&) {
+double orthonormality_error_of(const Aabb<N, T>&) {
   return 0;
 }
 template <Dim N, class T>
-double skew_of(const Segment<N, T>&) {
+double orthonormality_error_of(const Segment<N, T>&) {
   return 0;
 }
 template <Dim N, class T>
-double skew_of(const Obb<N, T>& box) {
+double orthonormality_error_of(const Obb<N, T>& box) {
   const auto axes = columns<double, N, T>(box.axes);
-  double skew = 0;
+  double orthonormality_error = 0;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     for (std::size_t j = i; j < axes.size(); ++j) {
-      skew = std::max(skew, std::fabs(inner(axes[i], axes[j]) - (i == j ? 1.0 : 0.0)));
+      orthonormality_error = std::max(orthonormality_error, std::fabs(inner(axes[i], axes[j]) - (i == j ? 1.0 : 0.0)));
     }
   }
-  return skew;
+  return orthonormality_error;
 }
 
 /// In double, with the skew that these boxes have, and never with less than what rounds off.
 template <class Box, class Other>
 [[gnu::noinline]] std::optional<Relation> second_filter_of_box(const Box& box, const Other& other) {
-  return filter_of_boxes(seen_from_box<double>(box, other),
-                         std::max({skew_of(box), skew_of(other), tolerance::rounding}));
+  return filter_of_boxes(in_frame_of_box<double>(box, other),
+                         std::max({orthonormality_error_of(box), orthonormality_error_of(other), tolerance::rounding}));
 }
 
 /// First in the type of the shapes, which rounds off far less than the skew that any valid box may have. What overflows
@@ -310,17 +310,17 @@ std::optional<Relation> filter_of_box(const Box& box, const Other& other) {
     return second_filter_of_box(box, other);
   }
 #endif
-  const auto seen = seen_from_box<Real>(box, other);
+  const auto seen = in_frame_of_box<Real>(box, other);
   if (const auto verdict = filter_of_boxes(seen, static_cast<Real>(tolerance::orthonormal))) return verdict;
   return second_filter_of_box(box, other);
 }
 
-// ---- A ball, or a segment with a radius, against a box
+// ---- A sphere, or a segment with a radius, against a box
 
 /// The way from the center, clamped to the box along each axis. Axes that are orthonormal up to `skew` put the nearest
 /// point wrong by 6 skew of the size at most.
 template <Dim N, class T>
-std::optional<Relation> filter_of_ball(const Vec<N, T>& center, const Obb<N, T>& box, double reach) {
+std::optional<Relation> filter_of_sphere(const Vec<N, T>& center, const Obb<N, T>& box, double reach) {
   const auto axes = columns<double, N, T>(box.axes);
   const Numbers<N> half = numbers<double>(box.half_extents);
   Numbers<N> rest = numbers<double, N, double>(wide<N, T>(center) - wide<N, T>(box.center));
@@ -345,7 +345,7 @@ std::optional<Relation> filter_of_ball(const Vec<N, T>& center, const Obb<N, T>&
 /// Boxes, in their own frame, against the segment.
 template <Dim N, class Box, class T>
 std::optional<Relation> filter_of_widened(const Box& box, const Segment<N, T>& segment, double reach) {
-  const SeenFromBox<N, 1> seen = seen_from_box<double>(box, segment);
+  const InFrameOfBox<N, 1> seen = in_frame_of_box<double>(box, segment);
   double size = reach;
   double widest = -std::numeric_limits<double>::infinity();
   Vec<N, double> start;

@@ -42,7 +42,7 @@ struct LaneBox {
   }
 };
 
-/// SeenFromBox of box_filter.hpp: the second box as the axes of the first see it, coordinate i of a vector being its
+/// InFrameOfBox of box_filter.hpp: the second box as the axes of the first see it, coordinate i of a vector being its
 /// product with axis i, and the sizes of all coordinates of its directions.
 struct LanesFromBox {
   Lanes box_half, half, between;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Filters for a ball against a point, a box along the coordinate axes or a ray: settle, without a branch, all pairs but
-// those which nearly touch, and leave those to the careful closed forms of bounded.hpp.
-// No answer means "too close to tell", too large or small to square, or NaN.
+// Filters for a sphere against a point, a box along the coordinate axes or a ray: settle, without a branch, all pairs
+// but those which nearly touch, and leave those to the careful closed forms of bounded.hpp. No answer means "too close
+// to tell", too large or small to square, or NaN.
 #pragma once
 
 #include <cmath>
@@ -26,7 +26,8 @@ template <Scalar T>
 
 /// The verdict on two points, widened by `reach` in all.
 template <Dim N, Scalar T>
-[[gnu::always_inline]] inline std::optional<Relation> filter_of_balls(const Vec<N, T>& a, const Vec<N, T>& b, T reach) {
+[[gnu::always_inline]] inline std::optional<Relation> filter_of_spheres(const Vec<N, T>& a, const Vec<N, T>& b,
+                                                                        T reach) {
   T squared_distance = 0;
   for (Dim i = 0; i < N; ++i) squared_distance += (b[i] - a[i]) * (b[i] - a[i]);
   return filter_of_squares(squared_distance, reach * reach);
@@ -34,8 +35,8 @@ template <Dim N, Scalar T>
 
 /// The verdict on a point, widened by `reach`, and a box. |x| + x is twice what x is above zero, and NaN for NaN.
 template <Dim N, Scalar T>
-[[gnu::always_inline]] inline std::optional<Relation> filter_of_ball(const Vec<N, T>& center, const Aabb<N, T>& box,
-                                                                     T reach) {
+[[gnu::always_inline]] inline std::optional<Relation> filter_of_sphere(const Vec<N, T>& center, const Aabb<N, T>& box,
+                                                                       T reach) {
   T four_squares = 0;
   for (Dim i = 0; i < N; ++i) {
     const T below = box.min[i] - center[i];
@@ -49,12 +50,12 @@ template <Dim N, Scalar T>
 /// x, or 0 if it is below; NaN for NaN. Arithmetic does what a branch would guess wrong half of the time.
 inline double above_zero(double x) { return 0.5 * (x + std::fabs(x)); }
 
-/// The verdict on a ray from zero and a ball. The squared distance of the center from the ray, |c|^2 - (c.d)^2 / d.d or
-/// |c|^2, is known to 10 epsilon of |c|^2; where the careful test has the ray end, up to four times as far as the ball
-/// reaches, its band is 300 epsilon of that.
+/// The verdict on a ray from zero and a sphere. The squared distance of the center from the ray, |c|^2 - (c.d)^2 / d.d
+/// or |c|^2, is known to 10 epsilon of |c|^2; where the careful test has the ray end, up to four times as far as the
+/// sphere reaches, its band is 300 epsilon of that.
 template <Dim N>
-std::optional<Relation> filter_of_ray_and_ball(const Vec<N, double>& direction, const Vec<N, double>& center,
-                                               double radius) {
+std::optional<Relation> filter_of_ray_and_sphere(const Vec<N, double>& direction, const Vec<N, double>& center,
+                                                 double radius) {
   const double along = above_zero(dot(center, direction));
   const double whole = dot(direction, direction);
   const double squares = dot(center, center) + radius * radius;

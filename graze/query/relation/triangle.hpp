@@ -172,7 +172,7 @@ std::optional<Relation> quick_verdict(const S& other, const Triangle<N, double>&
 /// For a pair seen from near both; segments and boxes lie around zero. `rescaled()` is asked first if the pair is not
 /// of usual size.
 template <Dim N, class S, class Rescaled>
-Relation relation_of_seen(const S& other, const Triangle<N, double>& triangle, const Rescaled& rescaled) {
+Relation relation_in_frame(const S& other, const Triangle<N, double>& triangle, const Rescaled& rescaled) {
   const double extent = std::max(extent_around_zero(other), extent_around_zero(triangle));
   if (is_of_moderate_size(extent)) {
     const std::optional<Relation> quick = quick_verdict<N>(other, triangle, extent);
@@ -187,8 +187,8 @@ Relation relation_of_seen(const S& other, const Triangle<N, double>& triangle, c
 }
 
 template <Dim N, class T>
-Triangle<N, double> seen_triangle(const Vec<N, double>& reference, const Vec<N, double>& to_center,
-                                  const Triangle<N, T>& triangle) {
+Triangle<N, double> local_triangle(const Vec<N, double>& reference, const Vec<N, double>& to_center,
+                                   const Triangle<N, T>& triangle) {
   return {(wide<N, T>(triangle.a) - reference) - to_center, (wide<N, T>(triangle.b) - reference) - to_center,
           (wide<N, T>(triangle.c) - reference) - to_center};
 }
@@ -348,8 +348,8 @@ template <Dim N, class T>
   if (hold_nan(segment, triangle)) return Relation::apart;
   const Vec<N, double> start = wide<N, T>(segment.start);
   const Vec<N, double> half = 0.5 * (wide<N, T>(segment.end) - start);
-  return relation_of_seen<N>(Segment<N, double>{-half, half}, seen_triangle(start, half, triangle),
-                             [&] { return verdict_in_range(segment, triangle); });
+  return relation_in_frame<N>(Segment<N, double>{-half, half}, local_triangle(start, half, triangle),
+                              [&] { return verdict_in_range(segment, triangle); });
 }
 
 template <Dim N, class T>
@@ -365,10 +365,10 @@ template <Dim N, class T>
 [[gnu::noinline]] Relation careful_closed_form(const Sphere<N, T>& sphere, const Triangle<N, T>& triangle) {
   if (hold_nan(sphere, triangle)) return Relation::apart;
   const Vec<N, double> zero(0.0);
-  const auto seen = seen_triangle(wide<N, T>(sphere.center), zero, triangle);
+  const auto seen = local_triangle(wide<N, T>(sphere.center), zero, triangle);
   const auto rescaled = [&] { return verdict_in_range(sphere, triangle); };
   const auto of_center = [&] {
-    return N == 3 ? Relation::touching : relation_of_seen<N>(Segment<N, double>{zero, zero}, seen, rescaled);
+    return N == 3 ? Relation::touching : relation_in_frame<N>(Segment<N, double>{zero, zero}, seen, rescaled);
   };
   return relation_to_widened<N>(zero, seen, static_cast<double>(sphere.radius), of_center, rescaled);
 }
@@ -378,8 +378,8 @@ Relation closed_form(const Sphere<N, T>& sphere, const Triangle<N, T>& triangle)
   if constexpr (N == 3) {
     const Vec<3, double> corner = wide<3, T>(triangle.a);
     const auto verdict =
-        filter_of_triangle_and_ball(corner - wide<3, T>(sphere.center), wide<3, T>(triangle.b) - corner,
-                                    wide<3, T>(triangle.c) - corner, static_cast<double>(sphere.radius));
+        filter_of_triangle_and_sphere(corner - wide<3, T>(sphere.center), wide<3, T>(triangle.b) - corner,
+                                      wide<3, T>(triangle.c) - corner, static_cast<double>(sphere.radius));
     if (verdict) return *verdict;
   }
   return careful_closed_form(sphere, triangle);
@@ -389,16 +389,16 @@ template <Dim N, class T>
 Relation closed_form(const Aabb<N, T>& box, const Triangle<N, T>& triangle) {
   const Vec<N, double> min = wide<N, T>(box.min);
   const Vec<N, double> half = 0.5 * (wide<N, T>(box.max) - min);
-  return relation_of_seen<N>(Aabb<N, double>{-half, half}, seen_triangle(min, half, triangle),
-                             [&] { return verdict_in_range(box, triangle); });
+  return relation_in_frame<N>(Aabb<N, double>{-half, half}, local_triangle(min, half, triangle),
+                              [&] { return verdict_in_range(box, triangle); });
 }
 
 template <Dim N, class T>
 Relation closed_form(const Obb<N, T>& box, const Triangle<N, T>& triangle) {
   const Vec<N, double> zero(0.0);
   const Obb<N, double> around_zero{zero, wide<N, T>(box.half_extents), wide_matrix<N, T>(box.axes)};
-  return relation_of_seen<N>(around_zero, seen_triangle(wide<N, T>(box.center), zero, triangle),
-                             [&] { return verdict_in_range(box, triangle); });
+  return relation_in_frame<N>(around_zero, local_triangle(wide<N, T>(box.center), zero, triangle),
+                              [&] { return verdict_in_range(box, triangle); });
 }
 
 /// Seen from the least of their coordinates, which is the same for swapped triangles.
@@ -407,8 +407,8 @@ template <Dim N, class T>
   if (hold_nan(a, b)) return Relation::apart;
   const Vec<N, double> reference = wide<N, T>(min(box_around(a).min, box_around(b).min));
   const Vec<N, double> zero(0.0);
-  return relation_of_seen<N>(seen_triangle(reference, zero, a), seen_triangle(reference, zero, b),
-                             [&] { return verdict_in_range(a, b); });
+  return relation_in_frame<N>(local_triangle(reference, zero, a), local_triangle(reference, zero, b),
+                              [&] { return verdict_in_range(a, b); });
 }
 
 template <Dim N, class T>
@@ -424,10 +424,10 @@ Relation closed_form(const Triangle<N, T>& triangle, const Capsule<N, T>& capsul
   const Vec<N, double> start = wide<N, T>(capsule.a);
   const Vec<N, double> half = 0.5 * (wide<N, T>(capsule.b) - start);
   const Segment<N, double> core{-half, half};
-  const auto seen = seen_triangle(start, half, triangle);
+  const auto seen = local_triangle(start, half, triangle);
   const auto rescaled = [&] { return verdict_in_range(triangle, capsule); };
   return relation_to_widened<N>(
-      core, seen, static_cast<double>(capsule.radius), [&] { return relation_of_seen<N>(core, seen, rescaled); },
+      core, seen, static_cast<double>(capsule.radius), [&] { return relation_in_frame<N>(core, seen, rescaled); },
       rescaled);
 }
 

@@ -112,7 +112,7 @@ inline std::optional<Relation> filter_of_triangle_and_segment(const Corners3& co
   return least > 0 ? Relation::overlapping : Relation::apart;
 }
 
-// ---- A triangle and a ball
+// ---- A triangle and a sphere
 
 /// The least squared distance from zero along an edge, |corner|^2 - 2 t along + t^2 whole with 0 <= t <= 1. The edge
 /// has a length.
@@ -121,7 +121,7 @@ inline double least_along_edge(double squared_corner, double along, double whole
   return squared_corner + t * (t * whole - 2 * along);
 }
 
-/// The verdict on a triangle with the corners a, a + u, a + v and a ball around zero. The foot a + s u + t v of the
+/// The verdict on a triangle with the corners a, a + u, a + v and a sphere around zero. The foot a + s u + t v of the
 /// perpendicular from zero solves s u.u + t u.v = -u.a, s u.v + t v.v = -v.a; where it is outside, an edge is nearest
 /// (all from six dot products, as Eberly's "Distance between point and triangle in 3D", 1999, has it, but without his
 /// seven regions, whose branches take longer than the three edges do).
@@ -131,8 +131,8 @@ inline double least_along_edge(double squared_corner, double along, double whole
 /// epsilon of a.a; a foot that is taken for inside or outside by mistake is as near to the edge, and the distance from
 /// the edge the same to the square of that. The distances from the edges are known to 100 epsilon of the sum of the
 /// squares.
-inline std::optional<Relation> filter_of_triangle_and_ball(const Vec<3, double>& a, const Vec<3, double>& u,
-                                                           const Vec<3, double>& v, double radius) {
+inline std::optional<Relation> filter_of_triangle_and_sphere(const Vec<3, double>& a, const Vec<3, double>& u,
+                                                             const Vec<3, double>& v, double radius) {
   constexpr double least_sine_squared = 1.0 / 64;
   const double aa = dot(a, a);
   const double uu = dot(u, u);

@@ -49,7 +49,7 @@ Heights heights_over(const Plane<N, T>& plane, const S& shape) {
   return {dot(normal, lowest) - offset, dot(normal, highest) - offset, support_error<S> * magnitude};
 }
 
-// The same for balls and boxes from their centers: no support point is made. The error is as small, and if any number
+// The same for spheres and boxes from their centers: no support point is made. The error is as small, and if any number
 // is NaN, so are both heights.
 
 template <Dim N, class T>
@@ -331,27 +331,27 @@ Vec<N, double> reach_to(const Ray<N, T>& ray, const S& shape) {
 // ---- A shape seen from a point, so that the rounding of coordinates does not grow with the distance from zero.
 
 template <Dim N, class T>
-Segment<N, double> seen_from(const Vec<N, double>& origin, const Segment<N, T>& segment) {
+Segment<N, double> relative_to(const Vec<N, double>& origin, const Segment<N, T>& segment) {
   return {wide<N, T>(segment.start) - origin, wide<N, T>(segment.end) - origin};
 }
 template <Dim N, class T>
-Sphere<N, double> seen_from(const Vec<N, double>& origin, const Sphere<N, T>& sphere) {
+Sphere<N, double> relative_to(const Vec<N, double>& origin, const Sphere<N, T>& sphere) {
   return {wide<N, T>(sphere.center) - origin, static_cast<double>(sphere.radius)};
 }
 template <Dim N, class T>
-Aabb<N, double> seen_from(const Vec<N, double>& origin, const Aabb<N, T>& box) {
+Aabb<N, double> relative_to(const Vec<N, double>& origin, const Aabb<N, T>& box) {
   return {wide<N, T>(box.min) - origin, wide<N, T>(box.max) - origin};
 }
 template <Dim N, class T>
-Obb<N, double> seen_from(const Vec<N, double>& origin, const Obb<N, T>& box) {
+Obb<N, double> relative_to(const Vec<N, double>& origin, const Obb<N, T>& box) {
   return {wide<N, T>(box.center) - origin, wide<N, T>(box.half_extents), wide_matrix<N, T>(box.axes)};
 }
 template <Dim N, class T>
-Triangle<N, double> seen_from(const Vec<N, double>& origin, const Triangle<N, T>& triangle) {
+Triangle<N, double> relative_to(const Vec<N, double>& origin, const Triangle<N, T>& triangle) {
   return {wide<N, T>(triangle.a) - origin, wide<N, T>(triangle.b) - origin, wide<N, T>(triangle.c) - origin};
 }
 template <Dim N, class T>
-Capsule<N, double> seen_from(const Vec<N, double>& origin, const Capsule<N, T>& capsule) {
+Capsule<N, double> relative_to(const Vec<N, double>& origin, const Capsule<N, T>& capsule) {
   return {wide<N, T>(capsule.a) - origin, wide<N, T>(capsule.b) - origin, static_cast<double>(capsule.radius)};
 }
 
@@ -367,19 +367,19 @@ Relation closed_form(const Ray<N, T>& ray, const S& shape) {
   const Vec<N, double> origin = wide<N, T>(ray.origin);
   const Vec<N, double> reach = reach_to(ray, shape);
   if (const auto verdict = verdict_if_unusual(reach, ray, shape)) return *verdict;
-  if constexpr (requires { seen_from(origin, shape); }) {
-    return closed_form(Segment<N, double>{Vec<N, double>(0.0), reach}, seen_from(origin, shape));
+  if constexpr (requires { relative_to(origin, shape); }) {
+    return closed_form(Segment<N, double>{Vec<N, double>(0.0), reach}, relative_to(origin, shape));
   } else {
     return relation_of_convex(Segment<N, double>{origin, origin + reach}, shape);
   }
 }
 
-/// A ball meets the ray at once, or nearly, or not.
+/// A sphere meets the ray at once, or nearly, or not.
 template <Dim N, class T>
 Relation closed_form(const Ray<N, T>& ray, const Sphere<N, T>& sphere) {
   const Vec<N, double> to_center = wide<N, T>(sphere.center) - wide<N, T>(ray.origin);
   const auto verdict =
-      filter_of_ray_and_ball<N>(wide<N, T>(ray.direction), to_center, static_cast<double>(sphere.radius));
+      filter_of_ray_and_sphere<N>(wide<N, T>(ray.direction), to_center, static_cast<double>(sphere.radius));
   if (verdict) return *verdict;
   const Vec<N, double> zero(0.0);
   const Vec<N, double> reach = reach_to(ray, sphere);
@@ -389,7 +389,7 @@ Relation closed_form(const Ray<N, T>& ray, const Sphere<N, T>& sphere) {
 
 template <Dim N, class T>
 Relation closed_form(const Segment<N, T>& segment, const Ray<N, T>& ray) {
-  const Segment<N, double> seen = seen_from(wide<N, T>(ray.origin), segment);
+  const Segment<N, double> seen = relative_to(wide<N, T>(ray.origin), segment);
   const Vec<N, double> reach = reach_to(ray, segment);
   if (!is_usual_size<T>(sum_abs(reach))) {
     if (const auto verdict = verdict_in_range(segment, ray)) return *verdict;

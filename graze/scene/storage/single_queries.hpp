@@ -30,17 +30,17 @@ extern template double signed_distance(const AnyShape<3, double>&, const Vec<3, 
 /// Whether a region meets a box, or might if rounding had another last word: what SceneView::cull asks of the box of
 /// every object, which it takes from touching_bounds.
 template <class R>
-bool meets_generously(const R& region, const Aabb<dimension_of<R>, scalar_of<R>>& box) {
-  return detail::RegionProbe<Generous<R>>(Generous<R>{region}).meets(box);
+bool meets_inflated(const R& region, const Aabb<dimension_of<R>, scalar_of<R>>& box) {
+  return detail::RegionProbe<Inflated<R>>(Inflated<R>{region}).meets(box);
 }
 
-extern template bool meets_generously(const AnyShape<2, float>&, const Aabb<2, float>&);
-extern template bool meets_generously(const AnyShape<3, float>&, const Aabb<3, float>&);
-extern template bool meets_generously(const AnyShape<2, double>&, const Aabb<2, double>&);
-extern template bool meets_generously(const AnyShape<3, double>&, const Aabb<3, double>&);
-extern template bool meets_generously(const Frustum<2, float>&, const Aabb<2, float>&);
-extern template bool meets_generously(const Frustum<3, float>&, const Aabb<3, float>&);
-extern template bool meets_generously(const Frustum<2, double>&, const Aabb<2, double>&);
-extern template bool meets_generously(const Frustum<3, double>&, const Aabb<3, double>&);
+extern template bool meets_inflated(const AnyShape<2, float>&, const Aabb<2, float>&);
+extern template bool meets_inflated(const AnyShape<3, float>&, const Aabb<3, float>&);
+extern template bool meets_inflated(const AnyShape<2, double>&, const Aabb<2, double>&);
+extern template bool meets_inflated(const AnyShape<3, double>&, const Aabb<3, double>&);
+extern template bool meets_inflated(const Frustum<2, float>&, const Aabb<2, float>&);
+extern template bool meets_inflated(const Frustum<3, float>&, const Aabb<3, float>&);
+extern template bool meets_inflated(const Frustum<2, double>&, const Aabb<2, double>&);
+extern template bool meets_inflated(const Frustum<3, double>&, const Aabb<3, double>&);
 
 }  // namespace graze

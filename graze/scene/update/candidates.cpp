@@ -60,30 +60,30 @@ T excess_of(const Aabb<N, T>& box, const Aabb<N, T>& room) {
 
 /// Of all boxes.
 template <Dim N, class T>
-T largest_excess(const Aabb<N, T>* boxes, const Aabb<N, T>* rooms, std::size_t count) {
+T largest_excess(const Aabb<N, T>* boxes, const Aabb<N, T>* fat_boxes, std::size_t count) {
   T excess = std::numeric_limits<T>::lowest();
-  for (std::size_t i = 0; i < count; ++i) excess = std::max(excess, excess_of(boxes[i], rooms[i]));
+  for (std::size_t i = 0; i < count; ++i) excess = std::max(excess, excess_of(boxes[i], fat_boxes[i]));
   return excess;
 }
 
 #ifdef GRAZE_HAS_LANES
 
 /// By four coordinates at a time, of rows that are longer by one.
-float largest_excess(const Aabb<3, float>* boxes, const Aabb<3, float>* rooms, std::size_t count) {
+float largest_excess(const Aabb<3, float>* boxes, const Aabb<3, float>* fat_boxes, std::size_t count) {
   Lanes below = Lanes{} + std::numeric_limits<float>::lowest();
   Lanes above = below;
   for (std::size_t i = 0; i < count; ++i) {
-    below = larger(four_at(&rooms[i].min.x) - four_at(&boxes[i].min.x), below);
-    above = larger(four_at(&boxes[i].max.x) - four_at(&rooms[i].max.x), above);
+    below = larger(four_at(&fat_boxes[i].min.x) - four_at(&boxes[i].min.x), below);
+    above = larger(four_at(&boxes[i].max.x) - four_at(&fat_boxes[i].max.x), above);
   }
   return largest_of_three(larger(below, above));  // the fourth is of no meaning
 }
 
-float largest_excess(const Aabb<2, float>* boxes, const Aabb<2, float>* rooms, std::size_t count) {
+float largest_excess(const Aabb<2, float>* boxes, const Aabb<2, float>* fat_boxes, std::size_t count) {
   Lanes below = Lanes{} + std::numeric_limits<float>::lowest();
   Lanes above = below;
   for (std::size_t i = 0; i < count; ++i) {
-    const Lanes difference = four_at(&rooms[i].min.x) - four_at(&boxes[i].min.x);  // below twice, and minus above
+    const Lanes difference = four_at(&fat_boxes[i].min.x) - four_at(&boxes[i].min.x);  // below twice, and minus above
     below = larger(difference, below);
     above = larger(-difference, above);
   }
@@ -104,7 +104,7 @@ T longest_side(const Aabb<N, T>& box) {
 template <Dim N, class T>
 Candidates<N, T>::Candidates(const Candidates& other)
     : boxes_(other.boxes_),
-      rooms_(other.rooms_),
+      fat_boxes_(other.fat_boxes_),
       margins_(other.margins_),
       filters_(other.filters_),
       choosy_(other.choosy_),
@@ -129,7 +129,7 @@ template <Dim N, class T>
 void Candidates<N, T>::reserve(std::size_t slots) {
   strays_.reserve(slots);
   boxes_.resize(slots + 1, Box::nothing());
-  rooms_.resize(slots + 1, Box::nothing());
+  fat_boxes_.resize(slots + 1, Box::nothing());
   margins_.resize(slots, T(0));
   filters_.resize(slots);
   is_held_.resize(slots, 0);
@@ -149,7 +149,7 @@ void Candidates<N, T>::put(std::uint32_t slot, const Box& box, const PairFilter&
 
 template <Dim N, class T>
 bool Candidates<N, T>::is_at_home(std::uint32_t slot) const {
-  return covers(rooms_[slot], boxes_[slot]);
+  return covers(fat_boxes_[slot], boxes_[slot]);
 }
 
 // ---- The list
@@ -157,7 +157,7 @@ bool Candidates<N, T>::is_at_home(std::uint32_t slot) const {
 /// Whether all boxes are in their rooms. Notes how far one has gone.
 template <Dim N, class T>
 bool Candidates<N, T>::have_stayed(std::size_t slots) {
-  const T excess = largest_excess(boxes_.data(), rooms_.data(), slots);
+  const T excess = largest_excess(boxes_.data(), fat_boxes_.data(), slots);
   if (uses_ == 1) step_ = std::max(T(0), margin_ + excess);
   return !(excess > 0);
 }
@@ -180,9 +180,9 @@ T Candidates<N, T>::margin_for_all() {
 }
 
 template <Dim N, class T>
-void Candidates<N, T>::make_rooms(std::size_t slots, T margin) {
+void Candidates<N, T>::make_fat_boxes(std::size_t slots, T margin) {
   reaches_.resize(slots);
-  largest_ = detail::make_rooms(boxes_.data(), slots, margin, rooms_.data(), reaches_.data());
+  largest_ = detail::make_fat_boxes(boxes_.data(), slots, margin, fat_boxes_.data(), reaches_.data());
   std::fill(margins_.begin(), margins_.begin() + static_cast<std::ptrdiff_t>(slots), margin);
   measure_sides(slots);
 }
@@ -217,7 +217,7 @@ void Candidates<N, T>::make_list(std::size_t slots, T margin, const Executor& ex
   ++list_number_;
   margin_ = margin;
   uses_ = 1;
-  make_rooms(slots, margin_);
+  make_fat_boxes(slots, margin_);
   list_ = finder_.find({reaches_.data(), slots}, {.executor = &executor});
   if (choosy_ > 0) {
     admitted_.clear();
@@ -238,7 +238,7 @@ template <Dim N, class T>
 T Candidates<N, T>::margin_for_graph(std::size_t slots) const {
   std::vector<T> steps;
   for (std::size_t slot = 0; slot < slots; ++slot) {
-    const T excess = excess_of(boxes_[slot], rooms_[slot]);
+    const T excess = excess_of(boxes_[slot], fat_boxes_[slot]);
     if (excess > 0 && excess <= std::numeric_limits<T>::max()) steps.push_back(margin_ + excess);
   }
   if (steps.size() * least_share_of_strays <= slots) return margin_;
@@ -255,26 +255,26 @@ void Candidates<N, T>::link(std::size_t slots, std::span<const Pair> touching, c
   if (margin > margin_) make_list(slots, margin, executor);
   form_ = Form::none;
   graph_.assign(list_, touching, boxes_.size());
-  std::vector<Box> rooms;
+  std::vector<Box> fat_boxes;
   std::vector<std::uint32_t> places;
-  rooms.reserve(slots);
+  fat_boxes.reserve(slots);
   places.reserve(slots);
   std::fill(is_held_.begin(), is_held_.end(), char{0});
   for (std::uint32_t slot = 0; slot < slots; ++slot) {
-    if (is_nothing(boxes_[slot]) || is_nothing(rooms_[slot])) continue;
-    rooms.push_back(touching_bounds(rooms_[slot]));
+    if (is_nothing(boxes_[slot]) || is_nothing(fat_boxes_[slot])) continue;
+    fat_boxes.push_back(touching_bounds(fat_boxes_[slot]));
     places.push_back(slot);
     is_held_[slot] = 1;
   }
   tree_.clear();
-  tree_.fill(rooms, places, executor);
+  tree_.fill(fat_boxes, places, executor);
   form_ = Form::graph;
 }
 
 template <Dim N, class T>
 T Candidates<N, T>::margin_for(std::uint32_t slot) const {
   const T most = static_cast<T>(most_of_side) * std::max(mean_side_, longest_side(boxes_[slot]));
-  const T excess = excess_of(boxes_[slot], rooms_[slot]);
+  const T excess = excess_of(boxes_[slot], fat_boxes_[slot]);
   if (!(excess < most)) return 0;
   const T margin =
       static_cast<T>(margin_kept) * margins_[slot] + static_cast<T>(margin_missed) * std::max(excess, T(0));
@@ -288,8 +288,8 @@ void Candidates<N, T>::place(std::uint32_t slot) {
   const bool was_there = is_held_[slot] != 0;
   if (is_there) {
     margins_[slot] = was_there ? margin_for(slot) : T(0);
-    rooms_[slot] = room_around(boxes_[slot], margins_[slot]);
-    Box reach = rooms_[slot];
+    fat_boxes_[slot] = fat_box_around(boxes_[slot], margins_[slot]);
+    Box reach = fat_boxes_[slot];
     largest_ = std::max(largest_, grow_for_touching(reach));
     if (was_there) {
       tree_.update(slot, reach);
@@ -297,7 +297,7 @@ void Candidates<N, T>::place(std::uint32_t slot) {
       tree_.insert(slot, reach);
     }
   } else {
-    rooms_[slot] = boxes_[slot];
+    fat_boxes_[slot] = boxes_[slot];
     if (was_there) tree_.erase(slot);
   }
   is_held_[slot] = is_there ? 1 : 0;
@@ -375,7 +375,7 @@ void Candidates<N, T>::follow(std::span<const std::uint32_t> changed, const Exec
 
 template <Dim N, class T>
 void Candidates<N, T>::part(const Pair& pair, std::uint32_t edge) noexcept {
-  if (boxes_overlap(touching_bounds(rooms_[pair.a]), touching_bounds(rooms_[pair.b]))) {
+  if (boxes_overlap(touching_bounds(fat_boxes_[pair.a]), touching_bounds(fat_boxes_[pair.b]))) {
     graph_.set_touching(edge, false);
   } else {
     graph_.remove(edge);

@@ -104,14 +104,14 @@ class Candidates {
   T margin_for_graph(std::size_t slots) const;
   T margin_for(std::uint32_t slot) const;
   void make_list(std::size_t slots, T margin, const Executor& executor);
-  void make_rooms(std::size_t slots, T margin);
+  void make_fat_boxes(std::size_t slots, T margin);
   void measure_sides(std::size_t slots) noexcept;
   void place(std::uint32_t slot);
   void find_around_strays(const Executor& executor);
   void mend_graph();
 
   PageVector<Box> boxes_;           // by slot
-  PageVector<Box> rooms_;           // by slot
+  PageVector<Box> fat_boxes_;       // by slot
   PageVector<T> margins_;           // by slot: of its room
   PageVector<PairFilter> filters_;  // by slot
   std::size_t choosy_ = 0;          // filters that do not admit all

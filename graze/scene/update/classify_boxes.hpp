@@ -20,8 +20,8 @@ namespace graze::detail {
 /// is found.
 template <Dim N, class T, class AreBoxes>
 // NOLINTNEXTLINE(readability-function-size): what it is told, and where it writes
-std::size_t judge_bounds(const Aabb<N, T>* boxes, std::span<const Pair> pairs, T certain, const AreBoxes& are_boxes,
-                         char* touches, std::size_t* open) {
+std::size_t classify_bounds(const Aabb<N, T>* boxes, std::span<const Pair> pairs, T certain, const AreBoxes& are_boxes,
+                            char* touches, std::size_t* open) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     prefetch(&boxes[pairs[std::min(i + prefetch_distance, pairs.size() - 1)].b]);
@@ -38,17 +38,17 @@ std::size_t judge_bounds(const Aabb<N, T>* boxes, std::span<const Pair> pairs, T
 /// The same where all boxes are the shapes themselves.
 template <Dim N, class T>
 // NOLINTNEXTLINE(readability-function-size): as above
-std::size_t judge_boxes(const Aabb<N, T>* boxes, std::size_t /*boxes_in_row*/, std::span<const Pair> pairs, T certain,
-                        char* touches, std::size_t* open) {
-  return judge_bounds(
+std::size_t classify_boxes(const Aabb<N, T>* boxes, std::size_t /*boxes_in_row*/, std::span<const Pair> pairs,
+                           T certain, char* touches, std::size_t* open) {
+  return classify_bounds(
       boxes, pairs, certain, [](const Pair&) { return true; }, touches, open);
 }
 
 /// By vectors. The row of boxes is longer by one than the last that is named.
 template <Dim N>
 // NOLINTNEXTLINE(readability-function-size): as above
-std::size_t judge_boxes(const Aabb<N, float>* boxes, std::size_t boxes_in_row, std::span<const Pair> pairs,
-                        float certain, char* touches, std::size_t* open) {
+std::size_t classify_boxes(const Aabb<N, float>* boxes, std::size_t boxes_in_row, std::span<const Pair> pairs,
+                           float certain, char* touches, std::size_t* open) {
   return depth_kernels<N>().judge(boxes, boxes_in_row, pairs.data(), pairs.size(), certain, touches, open);
 }
 

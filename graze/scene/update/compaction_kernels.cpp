@@ -71,8 +71,8 @@ std::size_t choose(const Pair* pairs, const char* marks, std::size_t count, Pair
 
 }  // namespace
 
-const ChoiceKernels& all_choice_kernels() {
-  static const ChoiceKernels all{choose};
+const CompactionKernels& all_compaction_kernels() {
+  static const CompactionKernels all{choose};
   return all;
 }
 
@@ -82,10 +82,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace graze::detail {
 namespace {
-HWY_EXPORT(all_choice_kernels);
+HWY_EXPORT(all_compaction_kernels);
 }
 
-const ChoiceKernels& choice_kernels() { return HWY_DYNAMIC_DISPATCH(all_choice_kernels)(); }
+const CompactionKernels& compaction_kernels() { return HWY_DYNAMIC_DISPATCH(all_compaction_kernels)(); }
 
 }  // namespace graze::detail
 #endif

@@ -13,13 +13,13 @@ namespace graze::detail {
 /// So much room for pairs, and places, is to be had behind those that are chosen.
 inline constexpr std::size_t room_behind_chosen = 16;
 
-struct ChoiceKernels {
+struct CompactionKernels {
   /// Writes the pairs whose mark is 1, not 0, in their order, and where in the list they are. Returns how many. No
   /// branches on what is marked.
   std::size_t (*choose)(const Pair* pairs, const char* marks, std::size_t count, Pair* chosen, std::uint32_t* places);
 };
 
 /// The kernels for this machine.
-const ChoiceKernels& choice_kernels();
+const CompactionKernels& compaction_kernels();
 
 }  // namespace graze::detail

@@ -17,17 +17,17 @@ namespace graze::detail {
 
 /// Contains the box: a difference of floats is rounded, but not to the other side of one of them.
 template <Dim N, class T>
-Aabb<N, T> room_around(const Aabb<N, T>& box, T margin) {
+Aabb<N, T> fat_box_around(const Aabb<N, T>& box, T margin) {
   return {box.min - margin, box.max + margin};
 }
 
 /// Writes a room around each box, and what touching_bounds makes of it. Returns the largest finite coordinate of a
 /// room, without its sign.
 template <Dim N, class T>
-T make_rooms(const Aabb<N, T>* boxes, std::size_t count, T margin, Aabb<N, T>* rooms, Aabb<N, T>* reaches) {
+T make_fat_boxes(const Aabb<N, T>* boxes, std::size_t count, T margin, Aabb<N, T>* fat_boxes, Aabb<N, T>* reaches) {
   T largest = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    rooms[i] = reaches[i] = room_around(boxes[i], margin);
+    fat_boxes[i] = reaches[i] = fat_box_around(boxes[i], margin);
     largest = std::max(largest, grow_for_touching(reaches[i]));
   }
   return largest;
@@ -37,11 +37,11 @@ T make_rooms(const Aabb<N, T>* boxes, std::size_t count, T margin, Aabb<N, T>* r
 
 /// So many boxes of floats, four numbers at a time. What is the same in each four is which of them are of a min.
 template <Dim N>
-class RoomsOfBlock {
+class FatBoxesOfBlock {
  public:
   static constexpr std::size_t count = 16;
 
-  explicit RoomsOfBlock(float margin) {
+  explicit FatBoxesOfBlock(float margin) {
     for (std::size_t k = 0; k < period; ++k) {
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         const bool is_of_min = (k * lanes + lane) / N % 2 == 0;
@@ -53,7 +53,7 @@ class RoomsOfBlock {
 
   /// Writes rooms, and from them what they reach by a step of the bits of each number. Returns whether that is what
   /// grow_for_touching does with each of them, as it does where no number is far smaller than another of the block.
-  bool make(const Aabb<N, float>* boxes, Aabb<N, float>* rooms, Aabb<N, float>* reaches, float& largest) const {
+  bool make(const Aabb<N, float>* boxes, Aabb<N, float>* fat_boxes, Aabb<N, float>* reaches, float& largest) const {
     Lanes near_zero = Lanes{} + std::numeric_limits<float>::max();
     Lanes size = {};
     for (std::size_t k = 0; k < count * 2 * N / lanes; ++k) {
@@ -62,7 +62,7 @@ class RoomsOfBlock {
       const LaneBits bits = bit_cast<LaneBits>(room);
       const LaneBits is_negative = bits >> 31;
       const LaneBits reach = bits + ((steps_[k % period] ^ is_negative) - is_negative);
-      std::memcpy(&rooms->min.x + at, &room, sizeof room);
+      std::memcpy(&fat_boxes->min.x + at, &room, sizeof room);
       std::memcpy(&reaches->min.x + at, &reach, sizeof reach);
       near_zero = smaller(magnitude(room), near_zero);
       size = larger(magnitude(room), size);
@@ -83,16 +83,16 @@ class RoomsOfBlock {
 };
 
 template <Dim N>
-float make_rooms(const Aabb<N, float>* boxes, std::size_t count, float margin, Aabb<N, float>* rooms,
-                 Aabb<N, float>* reaches) {
-  const RoomsOfBlock<N> block(margin);
+float make_fat_boxes(const Aabb<N, float>* boxes, std::size_t count, float margin, Aabb<N, float>* fat_boxes,
+                     Aabb<N, float>* reaches) {
+  const FatBoxesOfBlock<N> block(margin);
   float largest = 0;
   std::size_t i = 0;
   for (; i + block.count <= count; i += block.count) {
-    if (block.make(boxes + i, rooms + i, reaches + i, largest)) continue;
-    largest = std::max(largest, make_rooms<N, float>(boxes + i, block.count, margin, rooms + i, reaches + i));
+    if (block.make(boxes + i, fat_boxes + i, reaches + i, largest)) continue;
+    largest = std::max(largest, make_fat_boxes<N, float>(boxes + i, block.count, margin, fat_boxes + i, reaches + i));
   }
-  return std::max(largest, make_rooms<N, float>(boxes + i, count - i, margin, rooms + i, reaches + i));
+  return std::max(largest, make_fat_boxes<N, float>(boxes + i, count - i, margin, fat_boxes + i, reaches + i));
 }
 
 #endif

@@ -138,10 +138,10 @@ void PairKeeper<N, T>::judge(std::span<const Pair> pairs, const Slots& slots, co
     char* const touches = touches_.data() + first;
     std::size_t open = 0;
     if (others_ == 0) {
-      open = judge_boxes(candidates_.boxes(), slots.size(), block, certain, touches, places.data());
+      open = classify_boxes(candidates_.boxes(), slots.size(), block, certain, touches, places.data());
     } else {
       const auto are_boxes = [this](const Pair& pair) { return kinds_[pair.a].is_box && kinds_[pair.b].is_box; };
-      open = judge_bounds(candidates_.boxes(), block, certain, are_boxes, touches, places.data());
+      open = classify_bounds(candidates_.boxes(), block, certain, are_boxes, touches, places.data());
     }
     for (std::size_t k = 0; k < open; ++k) {
       const auto [a, b] = ascending(block[places[k]]);
@@ -185,7 +185,7 @@ void PairKeeper<N, T>::keep_touching(std::span<const Pair> pairs) {
   give_room(found_);
   give_room(found_places_);
   const std::size_t count =
-      choice_kernels().choose(pairs.data(), touches_.data(), pairs.size(), found_.data(), found_places_.data());
+      compaction_kernels().choose(pairs.data(), touches_.data(), pairs.size(), found_.data(), found_places_.data());
   found_.resize(count);
   found_places_.resize(count);
 }

@@ -138,9 +138,9 @@ template <class T>
 std::vector<HullPoint> sample_of(const HullFrame<T>& frame, std::size_t count) {
   std::vector<HullPoint> sample;
   sample.reserve(count);
-  Draws draws;
+  LinearCongruential random;
   for (std::size_t i = 0; i < count; ++i) {
-    sample.push_back(frame.at(static_cast<std::uint32_t>(draws.below(frame.size()))));
+    sample.push_back(frame.at(static_cast<std::uint32_t>(random.below(frame.size()))));
   }
   return sample;
 }

@@ -108,10 +108,12 @@ class HullFrame {
   }
 
   /// A point in whole numbers, as exact heights above the planes of others are calculated with.
-  WholePoint whole_point(std::uint32_t index) const { return {wide<3, T>(points_[index]), unit_of_whole(largest_)}; }
+  IntegerPoint integer_point(std::uint32_t index) const { return {wide<3, T>(points_[index]), integer_unit(largest_)}; }
 
   /// The plane of three such points.
-  WholePlane whole_plane(const std::array<WholePoint, 3>& corners) const { return {corners, unit_of_whole(largest_)}; }
+  IntegerPlane integer_plane(const std::array<IntegerPoint, 3>& corners) const {
+    return {corners, integer_unit(largest_)};
+  }
 
   /// Whether heights above planes are free of rounding: the points lie on a grid of at most 2^15 steps.
   bool is_exact() const { return is_exact_; }

@@ -13,7 +13,7 @@ namespace graze::detail {
 
 /// Memory for points that are written before they are read. Where a stack of all points has to have room, but few come
 /// to lie on it, the system need not clear the pages that none comes to: a vector would write them all.
-class HullPointRoom {
+class HullPointBuffer {
  public:
   /// Room for at least so many, the first `kept` of which stay what they are. Where there was too little there is then
   /// half as much again.

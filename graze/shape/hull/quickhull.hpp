@@ -61,18 +61,18 @@ class Quickhull {
 
   /// The same, in the memory of the hull before. In exchange for the candidates there is memory for others. If doubts
   /// are settled at once, no points are set aside, and it is the hull of all.
-  void start(const HullFrame<T>& frame, std::vector<HullPoint>& candidates, bool settles_doubts = false) {
+  void start(const HullFrame<T>& frame, std::vector<HullPoint>& candidates, bool settles_undecided = false) {
     frame_ = &frame;
     undecided_.swap(candidates);
     candidates.clear();
     forget_faces();
     used_ = 0;
     aside_.clear();
-    whole_points_.clear();
-    settles_doubts_ = settles_doubts;
-    if (settles_doubts) {
-      whole_points_.reserve(frame.size());
-      for (std::uint32_t i = 0; i < frame.size(); ++i) whole_points_.push_back(frame.whole_point(i));
+    integer_points_.clear();
+    settles_undecided_ = settles_undecided;
+    if (settles_undecided) {
+      integer_points_.reserve(frame.size());
+      for (std::uint32_t i = 0; i < frame.size(); ++i) integer_points_.push_back(frame.integer_point(i));
     }
     base_ = HullBase<T>(frame, undecided_);
     if (base().size() < 4) return;
@@ -111,12 +111,12 @@ class Quickhull {
   }
 
   /// From now on points are set aside no more: those in doubt are decided exactly.
-  void settle_doubts() { settles_doubts_ = true; }
+  void settle_undecided() { settles_undecided_ = true; }
 
   /// Adds some of the points, none missing that are corners, and decides all of them exactly. What was set aside is
   /// forgotten.
   void add(std::span<const std::uint32_t> points) {
-    settle_doubts();
+    settle_undecided();
     aside_.clear();
     undecided_.clear();
     for (const std::uint32_t index : points) undecided_.push_back(frame_->at(index));
@@ -184,8 +184,8 @@ class Quickhull {
     std::uint32_t beyond;  ///< The half-edge of the face that stays.
   };
 
-  WholePoint whole(std::uint32_t point) const {
-    return whole_points_.empty() ? frame_->whole_point(point) : whole_points_[point];
+  IntegerPoint whole(std::uint32_t point) const {
+    return integer_points_.empty() ? frame_->integer_point(point) : integer_points_[point];
   }
 
   /// Of the same sign as `orientation` of a face and a point, exactly, and the greater, the higher the point is,
@@ -194,7 +194,7 @@ class Quickhull {
     Face& face = faces_[place];
     if (!face.has_whole) {
       const std::array<std::uint32_t, 3> corners = indices_of(face);
-      const WholePlane plane = frame_->whole_plane({whole(corners[0]), whole(corners[1]), whole(corners[2])});
+      const IntegerPlane plane = frame_->integer_plane({whole(corners[0]), whole(corners[1]), whole(corners[2])});
       if (face.whole == none) {
         face.whole = static_cast<std::uint32_t>(wholes_.size());
         wholes_.push_back(plane);
@@ -312,7 +312,7 @@ class Quickhull {
     outside_.make_room(most, used_);
     Face& face = faces_[place];
     face.first = used_;
-    if (settles_doubts_ || is_along_axes(face.plane)) {
+    if (settles_undecided_ || is_along_axes(face.plane)) {
       divide_exactly(place);
     } else {
       divide_clear(place);
@@ -434,14 +434,14 @@ class Quickhull {
   HullBase<T> base_;
   std::vector<HullPoint> corners_;
   std::vector<Face> faces_;
-  std::vector<WholePlane> wholes_;        // of some faces
-  std::vector<WholePoint> whole_points_;  // all of them, or none
-  std::vector<std::uint32_t> free_;       // places of faces that are gone
-  std::vector<std::uint32_t> waiting_;    // faces that had points outside when they were made, the newest last
-  HullPointRoom outside_;                 // the stack of these points, in the order of `waiting_`
-  std::size_t used_ = 0;                  // of that stack
-  std::vector<Facing> aside_;             // points in doubt
-  bool settles_doubts_ = false;           // exactly, at once
+  std::vector<IntegerPlane> wholes_;          // of some faces
+  std::vector<IntegerPoint> integer_points_;  // all of them, or none
+  std::vector<std::uint32_t> free_;           // places of faces that are gone
+  std::vector<std::uint32_t> waiting_;        // faces that had points outside when they were made, the newest last
+  HullPointBuffer outside_;                   // the stack of these points, in the order of `waiting_`
+  std::size_t used_ = 0;                      // of that stack
+  std::vector<Facing> aside_;                 // points in doubt
+  bool settles_undecided_ = false;            // exactly, at once
   std::vector<std::uint32_t> seen_;
   std::vector<std::uint32_t> new_faces_;
   std::vector<HorizonEdge> horizon_;

@@ -5,7 +5,7 @@
 // which of them stick out, and to ask that of each exactly takes far longer than all else. But nearly all are inside of
 // the hull of those beside them on the same edge or face: under a map that makes this hull as thick as long
 // (HullShear), they are a cloud as any other, of which quickhull in doubles finds the outer ones. Each of these then
-// stands before one face of the hull of all others, which alone says whether it sticks out (HullSight).
+// stands before one face of the hull of all others, which alone says whether it sticks out (HullVisibility).
 #pragma once
 
 #include <algorithm>
@@ -45,22 +45,22 @@ std::vector<std::uint32_t> corners_of_faces(const Quickhull<T>& hull) {
 
 /// Points that may be corners of the hull of all, none missing that are, beside those of a hull; and for each, what
 /// face of that hull it stands before, or some faces of which one is that, in a row. None where that is not known.
-struct Doubts {
-  struct Doubt {
+struct UndecidedPoints {
+  struct UndecidedPoint {
     std::uint32_t point;
     std::uint32_t face_count;
     std::size_t first_face;
   };
 
-  std::vector<Doubt> doubts;
+  std::vector<UndecidedPoint> undecided;
   std::vector<std::uint32_t> faces;
 
-  std::span<const std::uint32_t> faces_of(const Doubt& doubt) const {
+  std::span<const std::uint32_t> faces_of(const UndecidedPoint& doubt) const {
     return std::span(faces).subspan(doubt.first_face, doubt.face_count);
   }
 
   void add(std::uint32_t point, std::span<const std::uint32_t> before) {
-    doubts.push_back({point, static_cast<std::uint32_t>(before.size()), faces.size()});
+    undecided.push_back({point, static_cast<std::uint32_t>(before.size()), faces.size()});
     for (const std::uint32_t face : before) faces.push_back(face);
   }
 };
@@ -68,21 +68,22 @@ struct Doubts {
 /// Of points, those that may be outside of a hull; and those that are by more than rounding, but for some in doubt
 /// about another face.
 template <class T>
-class HullDoubter {
+class UndecidedPointSearch {
  public:
   using Facing = typename Quickhull<T>::Facing;
 
   /// To be asked about so many.
-  HullDoubter(const Quickhull<T>& hull, HullSight<T>& sight, std::size_t count) : hull_(&hull), sight_(&sight) {
-    found_.doubts.reserve(count);
+  UndecidedPointSearch(const Quickhull<T>& hull, HullVisibility<T>& verdict, std::size_t count)
+      : hull_(&hull), verdict_(&verdict) {
+    found_.undecided.reserve(count);
     found_.faces.reserve(count);
   }
 
   void ask(const Facing& aside) {
     HullPoint point = hull_->frame().at(aside.point);
     point.link = aside.face;
-    const std::span<const std::uint32_t> faces = sight_->faces_before(point);
-    bool is_in_doubt = faces.empty() && !sight_->is_at_corner();
+    const std::span<const std::uint32_t> faces = verdict_->faces_before(point);
+    bool is_in_doubt = faces.empty() && !verdict_->is_at_corner();
     for (const std::uint32_t place : faces) {
       const HullPlane& plane = hull_->faces()[place].plane;
       const double height = plane.height(point.place);
@@ -96,44 +97,45 @@ class HullDoubter {
   }
 
   const std::vector<Facing>& outside() const { return outside_; }
-  Doubts& doubts() { return found_; }
+  UndecidedPoints& undecided() { return found_; }
 
  private:
   const Quickhull<T>* hull_;
-  HullSight<T>* sight_;
-  Doubts found_;
+  HullVisibility<T>* verdict_;
+  UndecidedPoints found_;
   std::vector<Facing> outside_;
 };
 
 /// Adds to a hull whatever of the points set aside is outside of it by more than rounding, and returns the others that
 /// may be.
 template <class T>
-Doubts settle_clear(Quickhull<T>& hull) {
+UndecidedPoints settle_clear(Quickhull<T>& hull) {
   constexpr int most_rounds = 8;
   std::vector<typename Quickhull<T>::Facing> points = hull.take_aside();
   for (int round = 0; round < most_rounds && !points.empty(); ++round) {
-    HullSight<T> sight(hull);
-    if (!sight.is_clear()) break;
-    HullDoubter<T> doubter(hull, sight, points.size());
+    HullVisibility<T> verdict(hull);
+    if (!verdict.is_clear()) break;
+    UndecidedPointSearch<T> doubter(hull, verdict, points.size());
     for (const auto& point : points) doubter.ask(point);
-    if (doubter.outside().empty()) return std::move(doubter.doubts());
+    if (doubter.outside().empty()) return std::move(doubter.undecided());
     hull.add_outside(doubter.outside());
     points = hull.take_aside();
-    for (const auto& doubt : doubter.doubts().doubts) points.push_back({HullPoint::none, doubt.point});
+    for (const auto& doubt : doubter.undecided().undecided) points.push_back({HullPoint::none, doubt.point});
   }
-  Doubts result;
+  UndecidedPoints result;
   for (const auto& point : points) result.add(point.point, {});
   return result;
 }
 
-/// Doubts by their places, those before the same flat part of a hull's surface together, those before an edge of two
-/// such parts, and those of which it is not known.
+/// UndecidedPoints by their places, those before the same flat part of a hull's surface together, those before an edge
+/// of two such parts, and those of which it is not known.
 template <class T>
-class DoubtGroups {
+class UndecidedGroups {
  public:
-  DoubtGroups(const Quickhull<T>& hull, const Doubts& doubts) : parts_(hull), first_(hull.faces().size() + 1, none) {
-    for (std::uint32_t i = 0; i < doubts.doubts.size(); ++i) {
-      group_before(doubts.faces_of(doubts.doubts[i])).push_back(i);
+  UndecidedGroups(const Quickhull<T>& hull, const UndecidedPoints& undecided)
+      : parts_(hull), first_(hull.faces().size() + 1, none) {
+    for (std::uint32_t i = 0; i < undecided.undecided.size(); ++i) {
+      group_before(undecided.faces_of(undecided.undecided[i])).push_back(i);
     }
   }
 
@@ -195,12 +197,12 @@ std::vector<std::uint32_t> distinct_aside(const Quickhull<T>& hull) {
 
 /// Leaves of a group those that may be corners of its hull.
 template <class T>
-void keep_outer(const HullFrame<T>& frame, const Doubts& doubts, std::vector<std::uint32_t>& group,
+void keep_outer(const HullFrame<T>& frame, const UndecidedPoints& undecided, std::vector<std::uint32_t>& group,
                 GroupMemory<T>& memory) {
   constexpr std::size_t few = 32;
   if (group.size() < few) return;
   memory.points.clear();
-  for (const std::uint32_t doubt : group) memory.points.push_back(frame.point(doubts.doubts[doubt].point));
+  for (const std::uint32_t doubt : group) memory.points.push_back(frame.point(undecided.undecided[doubt].point));
   const HullFrame<T> sheared = HullFrame<T>::sheared(memory.points);
   put_candidates(sheared, memory.candidates);
   Quickhull<T>& hull = memory.hull;
@@ -213,31 +215,31 @@ void keep_outer(const HullFrame<T>& frame, const Doubts& doubts, std::vector<std
 
 /// Leaves of doubts about a hull those that may be corners of the hull of all.
 template <class T>
-void keep_outer(const Quickhull<T>& hull, Doubts& doubts, GroupMemory<T>& memory) {
+void keep_outer(const Quickhull<T>& hull, UndecidedPoints& undecided, GroupMemory<T>& memory) {
   constexpr std::size_t few = 64;
-  if (doubts.doubts.size() < few) return;
-  DoubtGroups<T> groups(hull, doubts);
-  std::vector<Doubts::Doubt> outer;
+  if (undecided.undecided.size() < few) return;
+  UndecidedGroups<T> groups(hull, undecided);
+  std::vector<UndecidedPoints::UndecidedPoint> outer;
   for (std::vector<std::uint32_t>& group : groups.groups()) {
-    keep_outer(hull.frame(), doubts, group, memory);
-    for (const std::uint32_t doubt : group) outer.push_back(doubts.doubts[doubt]);
+    keep_outer(hull.frame(), undecided, group, memory);
+    for (const std::uint32_t doubt : group) outer.push_back(undecided.undecided[doubt]);
   }
-  doubts.doubts.swap(outer);
+  undecided.undecided.swap(outer);
 }
 
 /// Adds doubts to their hull, which is then that of all, exactly.
 template <class T>
-void settle(Quickhull<T>& hull, const Doubts& doubts) {
+void settle(Quickhull<T>& hull, const UndecidedPoints& undecided) {
   std::vector<typename Quickhull<T>::Facing> outside;
   std::vector<std::uint32_t> others;
-  for (const auto& doubt : doubts.doubts) {
-    const auto faces = doubts.faces_of(doubt);
+  for (const auto& doubt : undecided.undecided) {
+    const auto faces = undecided.faces_of(doubt);
     if (faces.empty()) others.push_back(doubt.point);
     const HullPoint point = hull.frame().at(doubt.point);
     const auto seen = std::find_if(faces.begin(), faces.end(), [&](auto face) { return hull.is_outside(face, point); });
     if (seen != faces.end()) outside.push_back({*seen, doubt.point});
   }
-  hull.settle_doubts();
+  hull.settle_undecided();
   hull.add_outside(std::move(outside));
   if (!others.empty()) hull.add(others);
 }
@@ -252,11 +254,11 @@ struct HullMemory {
 /// The hull of candidates, but for what it returns, which may be outside of it. In exchange for the candidates there is
 /// memory for others.
 template <class T>
-Doubts start_hull(const HullFrame<T>& frame, std::vector<HullPoint>& candidates, HullMemory<T>& memory) {
+UndecidedPoints start_hull(const HullFrame<T>& frame, std::vector<HullPoint>& candidates, HullMemory<T>& memory) {
   memory.hull.start(frame, candidates);
-  Doubts doubts = settle_clear(memory.hull);
-  keep_outer(memory.hull, doubts, memory.groups);
-  return doubts;
+  UndecidedPoints undecided = settle_clear(memory.hull);
+  keep_outer(memory.hull, undecided, memory.groups);
+  return undecided;
 }
 
 /// Adds some of the candidates to others, none missing that are corners of the hull of all. What the candidates are
@@ -264,11 +266,11 @@ Doubts start_hull(const HullFrame<T>& frame, std::vector<HullPoint>& candidates,
 template <class T>
 void add_sifted(const HullFrame<T>& frame, std::vector<HullPoint>& candidates, HullMemory<T>& memory,
                 std::vector<HullPoint>& result) {
-  const Doubts doubts = start_hull(frame, candidates, memory);
+  const UndecidedPoints undecided = start_hull(frame, candidates, memory);
   const Quickhull<T>& hull = memory.hull;
   result.insert(result.end(), hull.flat_candidates().begin(), hull.flat_candidates().end());
   for (const std::uint32_t point : corners_of_faces(hull)) result.push_back(frame.at(point));
-  for (const auto& doubt : doubts.doubts) result.push_back(frame.at(doubt.point));
+  for (const auto& doubt : undecided.undecided) result.push_back(frame.at(doubt.point));
 }
 
 /// Whether the core leaves most of a few points, and most of these are not near the surface of their hull.

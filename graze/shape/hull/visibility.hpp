@@ -24,10 +24,10 @@ namespace graze::detail {
 /// Acyclicity Theorem for Cell Complexes in d Dimensions", 1990). Where rounding hides which side of a plane the point
 /// is on, both are walked.
 template <class T>
-class HullSight {
+class HullVisibility {
  public:
   /// The hull must outlive it, and stay as it is.
-  explicit HullSight(const Quickhull<T>& hull) : hull_(&hull) {
+  explicit HullVisibility(const Quickhull<T>& hull) : hull_(&hull) {
     find_middle();
     if (!is_clear_) return;
     planes_of_.assign(hull.faces().size(), HullPoint::none);

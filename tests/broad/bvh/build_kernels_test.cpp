@@ -35,7 +35,7 @@ class CenterKernelsTest : public testing::Test {
   void for_every_target(const Test& test) {
     for (const std::int64_t target : test::simd_targets()) {
       const test::ForcedTarget forced(target);
-      const auto& kernels = center_kernels<Space::dimension, typename Space::scalar>();
+      const auto& kernels = build_kernels<Space::dimension, typename Space::scalar>();
       SCOPED_TRACE(kernels.target);
       test(kernels);
     }
@@ -157,7 +157,7 @@ TYPED_TEST(CenterKernelsTest, PartKeepsTheOrderAndWritesNothingElse) {
   }
 }
 
-RC_GTEST_PROP(CenterKernels, SelectFindsWhatSortingDoesInAnyNumbers, (const std::vector<short>& some)) {
+RC_GTEST_PROP(BuildKernels, SelectFindsWhatSortingDoesInAnyNumbers, (const std::vector<short>& some)) {
   std::vector<float> numbers = {0.5F};
   for (int copy = 0; copy < 9; ++copy) {
     for (const short number : some) numbers.push_back(static_cast<float>(number % (1 << (copy + 2))));
@@ -168,7 +168,7 @@ RC_GTEST_PROP(CenterKernels, SelectFindsWhatSortingDoesInAnyNumbers, (const std:
   std::vector<float> room(numbers.size());
   std::vector<float> more_room(numbers.size());
   const Selected<float> found =
-      center_kernels<3, float>().select(numbers.data(), numbers.size(), rank, room.data(), more_room.data());
+      build_kernels<3, float>().select(numbers.data(), numbers.size(), rank, room.data(), more_room.data());
   RC_ASSERT(found.value == sorted[rank]);
   RC_ASSERT(static_cast<std::ptrdiff_t>(found.less) ==
             std::lower_bound(sorted.begin(), sorted.end(), sorted[rank]) - sorted.begin());

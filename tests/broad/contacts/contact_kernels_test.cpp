@@ -38,7 +38,7 @@ namespace {
 template <class T>
 using Ball = Sphere<3, T>;
 template <class T>
-using Rod = Capsule<3, T>;
+using Capsule3 = Capsule<3, T>;
 template <class T>
 using Box = Aabb<3, T>;
 template <class T>
@@ -88,7 +88,7 @@ std::size_t left_of(const PairsOf<A, B>& drawn, const std::string& where) {
     pairs.push_back(to_contact<T>(drawn[i].first, drawn[i].second, other_way(i), found[i]));
   }
   std::vector<std::uint32_t> left(drawn.size());
-  const PrimitiveKernel<3, T> kernel = primitive_kernels<T>()[static_cast<std::size_t>(kind_of<A, B>())];
+  const ContactKernel<3, T> kernel = contact_kernels<T>()[static_cast<std::size_t>(kind_of<A, B>())];
   left.resize(kernel(pairs, left.data()));
   std::vector<bool> is_left(drawn.size());
   for (const std::uint32_t place : left) {
@@ -119,8 +119,8 @@ void expect_single_calls(const PairsOf<A, B>& drawn, double most_left) {
 
 enum class Sort { random, grid, scaled, level };
 
-/// Draws shapes of about unit size near the origin; on a grid, so that ends, centers and sides coincide; of any size;
-/// or with axes that are all but parallel.
+/// LinearCongruential shapes of about unit size near the origin; on a grid, so that ends, centers and sides coincide;
+/// of any size; or with axes that are all but parallel.
 class Drawer {
  public:
   using V3 = Vec<3, double>;
@@ -149,14 +149,14 @@ class Drawer {
   V3 vector(double size) { return V3(number(-size, size), number(-size, size), number(-size, size)) * scale_; }
 
   template <class T>
-  void draw(Ball<T>& ball) {
-    ball = {Vec<3, T>(vector(0.6)), static_cast<T>(std::fabs(number(0.2, 0.8)) * scale_)};
+  void draw(Ball<T>& sphere) {
+    sphere = {Vec<3, T>(vector(0.6)), static_cast<T>(std::fabs(number(0.2, 0.8)) * scale_)};
   }
   template <class T>
-  void draw(Rod<T>& rod) {
+  void draw(Capsule3<T>& capsule) {
     const V3 start = vector(0.6);
     const V3 way = sort_ == Sort::level ? V3(1, 0, 0) + vector(1e-9) : vector(1);
-    rod = {Vec<3, T>(start), Vec<3, T>(start + way), static_cast<T>(std::fabs(number(0.1, 0.4)) * scale_)};
+    capsule = {Vec<3, T>(start), Vec<3, T>(start + way), static_cast<T>(std::fabs(number(0.1, 0.4)) * scale_)};
   }
 
   template <class T>
@@ -183,13 +183,13 @@ class Drawer {
 template <class T, class Check>
 void for_each_kind(Drawer drawer, std::size_t count, const Check& check) {
   check(drawer.many<Ball<T>, Ball<T>>(count));
-  check(drawer.many<Ball<T>, Rod<T>>(count));
-  check(drawer.many<Rod<T>, Rod<T>>(count));
+  check(drawer.many<Ball<T>, Capsule3<T>>(count));
+  check(drawer.many<Capsule3<T>, Capsule3<T>>(count));
   check(drawer.many<Ball<T>, Box<T>>(count));
   check(drawer.many<Ball<T>, TurnedBox<T>>(count));
   check(drawer.many<Box<T>, Box<T>>(count));
-  check(drawer.many<Rod<T>, Box<T>>(count));
-  check(drawer.many<Rod<T>, TurnedBox<T>>(count));
+  check(drawer.many<Capsule3<T>, Box<T>>(count));
+  check(drawer.many<Capsule3<T>, TurnedBox<T>>(count));
 }
 
 template <class T>
@@ -200,20 +200,20 @@ void expect_most_taken() {
   });
 }
 
-TEST(PrimitiveKernels, LeaveHardlyAnyPairs) {
+TEST(ContactKernels, LeaveHardlyAnyPairs) {
   expect_most_taken<float>();
   expect_most_taken<double>();
 }
 
 /// The last group is not full, and there may be none.
-TEST(PrimitiveKernels, TakeAnyNumberOfPairs) {
+TEST(ContactKernels, TakeAnyNumberOfPairs) {
   for (std::size_t count = 0; count < 20; ++count) {
     for_each_kind<double>(Drawer(7, Sort::random), count,
                           [](const auto& drawn) { expect_single_calls<double>(drawn, 1); });
   }
 }
 
-RC_GTEST_PROP(PrimitiveKernels, SayOfAnyShapesWhatSingleCallsDo, ()) {
+RC_GTEST_PROP(ContactKernels, SayOfAnyShapesWhatSingleCallsDo, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint32_t>();
   for (const Sort sort : {Sort::random, Sort::grid, Sort::scaled, Sort::level}) {
     for_each_kind<float>(Drawer(seed, sort), 24, [](const auto& drawn) { expect_single_calls<float>(drawn, 1); });
@@ -222,7 +222,7 @@ RC_GTEST_PROP(PrimitiveKernels, SayOfAnyShapesWhatSingleCallsDo, ()) {
 }
 
 /// Where halves are rounded, and where sums overflow.
-TEST(PrimitiveKernels, TakeBoxesWithTheLeastAndTheLargestNumbers) {
+TEST(ContactKernels, TakeBoxesWithTheLeastAndTheLargestNumbers) {
   const double least = std::numeric_limits<double>::denorm_min();
   const double most = 0.75 * std::numeric_limits<double>::max();
   const std::vector<Box<double>> boxes{{{-least, 0, 0}, {least, 2, 3}},
@@ -241,7 +241,7 @@ TEST(PrimitiveKernels, TakeBoxesWithTheLeastAndTheLargestNumbers) {
 }
 
 /// Whoever is named first, among pairs of other kinds, and more than a kernel takes in one go.
-TEST(PrimitiveKernels, ServeContacts) {
+TEST(ContactKernels, ServeContacts) {
   using Any = AnyShape<3, double>;
   Drawer drawer(11, Sort::random);
   std::vector<Any> shapes;
@@ -251,17 +251,17 @@ TEST(PrimitiveKernels, ServeContacts) {
     shapes.insert(shapes.end(), {a, b});
     candidates.push_back(place % 4 == 0 ? Pair{place, place + 1} : Pair{place + 1, place});
   };
-  const auto balls = drawer.many<Ball<double>, Ball<double>>(500);
-  const auto mixed = drawer.many<Ball<double>, Rod<double>>(500);
-  const auto rods = drawer.many<Rod<double>, Rod<double>>(500);
+  const auto spheres = drawer.many<Ball<double>, Ball<double>>(500);
+  const auto mixed = drawer.many<Ball<double>, Capsule3<double>>(500);
+  const auto rods = drawer.many<Capsule3<double>, Capsule3<double>>(500);
   const auto boxes = drawer.many<Ball<double>, Box<double>>(500);
   const auto turned = drawer.many<Ball<double>, TurnedBox<double>>(500);
-  const auto leaning = drawer.many<Rod<double>, Box<double>>(500);
-  const auto lying = drawer.many<Rod<double>, TurnedBox<double>>(500);
+  const auto leaning = drawer.many<Capsule3<double>, Box<double>>(500);
+  const auto lying = drawer.many<Capsule3<double>, TurnedBox<double>>(500);
   for (std::size_t i = 0; i < 500; ++i) {
     add(leaning[i].first, leaning[i].second);
     add(lying[i].first, lying[i].second);
-    add(balls[i].first, balls[i].second);
+    add(spheres[i].first, spheres[i].second);
     add(mixed[i].first, mixed[i].second);
     add(rods[i].first, rods[i].second);
     add(boxes[i].first, boxes[i].second);

@@ -30,7 +30,7 @@ using V3 = Vec<3, double>;
 
 enum class Sort { random, grid, stacked, resting, flat, far };
 
-/// Draws a box along the axes and an oriented one, of about unit size.
+/// LinearCongruential a box along the axes and an oriented one, of about unit size.
 class MixedDrawer {
  public:
   MixedDrawer(std::uint32_t seed, Sort sort) : random_(seed), sort_(sort) {}
@@ -162,10 +162,10 @@ TEST(MixedPairs, MayBeAnyNumber) {
 TEST(MixedPairs, AreNoOthers) {
   const AnyShape<3> box = Aabb<3>{{0, 0, 0}, {1, 1, 1}};
   const AnyShape<3> turned = Obb<3>{{0, 0, 0}, {1, 1, 1}, Mat<3, float>(1.0F)};
-  const AnyShape<3> ball = Sphere<3>{{0, 0, 0}, 1};
+  const AnyShape<3> sphere = Sphere<3>{{0, 0, 0}, 1};
   Manifold<3> found;
   MixedPairs<float> pairs;
-  for (const auto& pair : {ShapePair<3, float>{&box, &box}, {&turned, &turned}, {&ball, &turned}, {&box, &ball}}) {
+  for (const auto& pair : {ShapePair<3, float>{&box, &box}, {&turned, &turned}, {&sphere, &turned}, {&box, &sphere}}) {
     EXPECT_FALSE(pairs.add(pair, &found, 0));
   }
   pairs.contact([](std::size_t) { FAIL() << "there is none"; });

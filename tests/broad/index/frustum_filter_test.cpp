@@ -93,11 +93,11 @@ void check_probe(bool is_odd) {
   if (!is_valid(frustum)) return;
   RC_LOG() << test::to_source(frustum) << " " << test::to_source(box) << "\n";
   const RegionProbe<Frustum<N, T>> probe(frustum);
-  const RegionProbe<Generous<Frustum<N, T>>> generous(Generous<Frustum<N, T>>{frustum});
+  const RegionProbe<Inflated<Frustum<N, T>>> inflated(Inflated<Frustum<N, T>>{frustum});
   const bool is_met = intersects(frustum, box);
   RC_CLASSIFY(is_met, "met");
   RC_ASSERT(probe.meets(box) == is_met);
-  RC_ASSERT(!is_met || generous.meets(box));
+  RC_ASSERT(!is_met || inflated.meets(box));
   Aabb<N, T> larger = box;
   larger.grow(*from.point);
   RC_ASSERT(!is_met || (probe.may_meet(larger) && probe.may_meet_closely(larger)));
@@ -126,7 +126,7 @@ RC_GTEST_PROP(FrustumFilter, PartsAllThatACameraDoesNotSee, ()) {
   }
   const Box box = Box::from_corners({whole(), whole(), whole()}, {whole(), whole(), whole()});
   RC_LOG() << test::to_source(frustum) << " " << test::to_source(box) << "\n";
-  const bool looks_met = RegionProbe<Generous<Frustum<3, double>>>(Generous<Frustum<3, double>>{frustum}).meets(box);
+  const bool looks_met = RegionProbe<Inflated<Frustum<3, double>>>(Inflated<Frustum<3, double>>{frustum}).meets(box);
   const double distance = closest_points(frustum, box).distance;
   RC_CLASSIFY(looks_met, "looks met");
   RC_ASSERT(looks_met == (distance < 1e-11));

@@ -45,8 +45,8 @@ void check_generous_region() {
   EXPECT_TRUE(rc::check([] {
     const auto [region, shape] = *test::any_pair<R, S>();
     if (!intersects(region, shape)) return;
-    const Generous<R> generous{region};
-    const RegionProbe<Generous<R>> probe(generous);
+    const Inflated<R> inflated{region};
+    const RegionProbe<Inflated<R>> probe(inflated);
     RC_ASSERT(probe.meets(bounds(shape)));
     RC_ASSERT(probe.may_meet(bounds(shape)));
     RC_ASSERT(boxes_overlap(probe.reach(detail::finite_size(bounds(shape))), bounds(shape)));
@@ -62,10 +62,10 @@ TEST(Region, AGenerousOneIsMetByTheBoxesOfAllThatTouchesIt) {
   const Ray<2, double> ray{{0x1p-52, 0}, {1, 0}};
   ASSERT_TRUE(intersects(region, ray));
   const RegionProbe<Aabb<2, double>> strict(bounds(region));
-  const RegionProbe<Generous<Segment<2, double>>> generous(Generous<Segment<2, double>>{region});
+  const RegionProbe<Inflated<Segment<2, double>>> inflated(Inflated<Segment<2, double>>{region});
   EXPECT_FALSE(strict.meets(bounds(ray)));
-  EXPECT_TRUE(generous.meets(bounds(ray)));
-  EXPECT_FALSE(generous.meets({{0x1p-30, 0}, {1, 1}}));
+  EXPECT_TRUE(inflated.meets(bounds(ray)));
+  EXPECT_FALSE(inflated.meets({{0x1p-30, 0}, {1, 1}}));
 }
 
 TEST(Region, OfACompoundThatIsNotBoundedMeetsWhatAFarPartOfItTouches) {
@@ -76,11 +76,11 @@ TEST(Region, OfACompoundThatIsNotBoundedMeetsWhatAFarPartOfItTouches) {
     const Any region = test::beside_a_plane<2, double>(far);
     const RegionProbe<Any> strict(region);
     EXPECT_EQ(strict.meets(below), intersects(region, below));
-    const RegionProbe<Generous<Any>> generous(Generous<Any>{region});
+    const RegionProbe<Inflated<Any>> inflated(Inflated<Any>{region});
     const auto box = bounds(test::along_x<2, double>());
-    EXPECT_TRUE(generous.may_meet(box));
-    EXPECT_TRUE(generous.meets(box));
-    EXPECT_TRUE(boxes_overlap(generous.reach(detail::finite_size(box)), box));
+    EXPECT_TRUE(inflated.may_meet(box));
+    EXPECT_TRUE(inflated.meets(box));
+    EXPECT_TRUE(boxes_overlap(inflated.reach(detail::finite_size(box)), box));
   }
 }
 

@@ -26,10 +26,10 @@ TEST(Populate, LeavesWhatWasWritten) {
   for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = static_cast<std::uint32_t>(k * 2'654'435'761U);
   const std::vector<std::uint32_t> before = numbers;
   for (const std::size_t first : {std::size_t{0}, std::size_t{1}, std::size_t{1'000'003}}) {
-    populate(numbers.data() + first, (numbers.size() - first) * sizeof(std::uint32_t), two);
+    prefault(numbers.data() + first, (numbers.size() - first) * sizeof(std::uint32_t), two);
   }
-  populate(numbers.data(), 1, two);
-  populate(nullptr, 0, two);
+  prefault(numbers.data(), 1, two);
+  prefault(nullptr, 0, two);
   EXPECT_EQ(numbers, before);
 }
 
@@ -61,10 +61,10 @@ class FreshMemory {
 TEST(Populate, FetchesAllWholePagesForTwoThreadsAndNoneForOne) {
   const FreshMemory memory;
   ASSERT_TRUE(memory.exists());
-  populate(memory.data(), large, serial_executor());
+  prefault(memory.data(), large, serial_executor());
   EXPECT_EQ(memory.pages_in_memory(), 0U);
   if (madvise(memory.data(), FreshMemory::page(), MADV_POPULATE_WRITE) != 0) GTEST_SKIP() << "this system cannot";
-  populate(memory.data() + 1, large - 2, test::ThreadExecutor(2));
+  prefault(memory.data() + 1, large - 2, test::ThreadExecutor(2));
   EXPECT_EQ(memory.pages_in_memory(), large / FreshMemory::page() - 1) << "the last page is not whole";
 }
 
@@ -72,9 +72,9 @@ TEST(Populate, FetchesTheWholePagesOfAnyMemoryOnTheCallingThread) {
   const FreshMemory memory;
   ASSERT_TRUE(memory.exists());
   if (madvise(memory.data(), FreshMemory::page(), MADV_POPULATE_WRITE) != 0) GTEST_SKIP() << "this system cannot";
-  populate(memory.data() + 1, FreshMemory::page());
+  prefault(memory.data() + 1, FreshMemory::page());
   EXPECT_EQ(memory.pages_in_memory(), 1U) << "no page is whole";
-  populate(memory.data() + 1, 3 * FreshMemory::page());
+  prefault(memory.data() + 1, 3 * FreshMemory::page());
   EXPECT_EQ(memory.pages_in_memory(), 3U);
 }
 

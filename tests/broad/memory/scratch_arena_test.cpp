@@ -16,9 +16,9 @@
 namespace graze::detail::lent_memory_test {
 namespace {
 
-constexpr std::size_t piece = LentMemory::piece;
+constexpr std::size_t piece = ScratchArena::piece;
 
-TEST(LentMemory, IsTakenPieceByPieceEachWithinWhatWasGivenAndApartFromTheOthers) {
+TEST(ScratchArena, IsTakenPieceByPieceEachWithinWhatWasGivenAndApartFromTheOthers) {
   EXPECT_TRUE(rc::check([] {
     const std::size_t sizes[] = {*rc::gen::inRange<std::size_t>(0, 5 * piece),
                                  *rc::gen::inRange<std::size_t>(0, 5 * piece)};
@@ -26,7 +26,7 @@ TEST(LentMemory, IsTakenPieceByPieceEachWithinWhatWasGivenAndApartFromTheOthers)
     std::vector<std::byte> memory(10 * piece + 5000);
     const std::span<std::byte> first(memory.data() + offset, sizes[0]);
     const std::span<std::byte> second(memory.data() + offset + sizes[0], sizes[1]);
-    LentMemory lent;
+    ScratchArena lent;
     lent.give(first);
     lent.give(second);
     std::vector<std::byte*> taken;
@@ -36,7 +36,7 @@ TEST(LentMemory, IsTakenPieceByPieceEachWithinWhatWasGivenAndApartFromTheOthers)
     RC_ASSERT(taken.size() + 2 >= most);  // the way to the first multiple takes one of each at most
     std::sort(taken.begin(), taken.end());
     for (std::size_t k = 0; k < taken.size(); ++k) {
-      RC_ASSERT(reinterpret_cast<std::uintptr_t>(taken[k]) % LentMemory::alignment == 0);
+      RC_ASSERT(reinterpret_cast<std::uintptr_t>(taken[k]) % ScratchArena::alignment == 0);
       if (k > 0) RC_ASSERT(taken[k] - taken[k - 1] >= static_cast<std::ptrdiff_t>(piece));
       const auto is_in = [&](std::span<std::byte> part) {
         return taken[k] >= part.data() && taken[k] + piece <= part.data() + part.size();
@@ -50,10 +50,10 @@ TEST(LentMemory, IsTakenPieceByPieceEachWithinWhatWasGivenAndApartFromTheOthers)
   }));
 }
 
-TEST(LentMemory, GivesNoPieceToTwoThreads) {
+TEST(ScratchArena, GivesNoPieceToTwoThreads) {
   constexpr std::size_t pieces = 200;
-  std::vector<std::byte> memory(pieces * piece + LentMemory::alignment);
-  LentMemory lent;
+  std::vector<std::byte> memory(pieces * piece + ScratchArena::alignment);
+  ScratchArena lent;
   lent.give(memory);
   std::vector<std::byte*> taken(2 * pieces);
   test::ThreadExecutor(4).parallel_for(taken.size(), [&](std::size_t k) { taken[k] = lent.take(); });

@@ -27,7 +27,7 @@ std::vector<std::uint32_t> sorted_crowd(const std::vector<Vec<N, double>>& point
   std::iota(order.begin(), order.end(), 0U);
   std::vector<std::uint16_t> cells(points.size());
   std::vector<std::uint32_t> spare(points.size());
-  sort_crowd<N, double>(order.data(), order.size(), small, Points<N>{points}, cells.data(), spare.data());
+  sort_cluster<N, double>(order.data(), order.size(), small, Points<N>{points}, cells.data(), spare.data());
   return order;
 }
 

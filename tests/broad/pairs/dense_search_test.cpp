@@ -23,7 +23,7 @@ namespace graze::detail::dense_search_test {
 namespace {
 
 /// Room in memory that is larger than it says.
-class MarkedRoom final : public PairRoom {
+class MarkedRoom final : public PairSink {
  public:
   static constexpr Pair mark = {~0U, ~0U};
 

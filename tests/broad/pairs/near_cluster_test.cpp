@@ -33,7 +33,7 @@ std::vector<std::uint32_t> some_ids(const Boxes& boxes) {
 
 template <Dim N, class T>
 void expect_sorted_as_from_afar(std::uint64_t seed) {
-  NearCrowd<N, T> crowd;
+  NearCluster<N, T> cluster;
   for (const std::size_t count : {10U, 9'000U}) {
     for (const auto& world : test::box_worlds<N, T>(count, seed)) {
       SCOPED_TRACE(world.name);
@@ -41,24 +41,24 @@ void expect_sorted_as_from_afar(std::uint64_t seed) {
       std::vector<std::uint16_t> cells(ids.size());
       std::vector<std::uint32_t> spare(ids.size());
       std::vector<std::uint32_t> expected = ids;
-      sort_crowd<N, T>(expected.data(), ids.size(), 64, FarCenters<N, T>{world.boxes}, cells.data(), spare.data());
+      sort_cluster<N, T>(expected.data(), ids.size(), 64, FarCenters<N, T>{world.boxes}, cells.data(), spare.data());
       std::vector<std::uint32_t> sorted = ids;
-      crowd.sort(world.boxes, sorted.data(), ids.size(), 64, cells.data());
+      cluster.sort(world.boxes, sorted.data(), ids.size(), 64, cells.data());
       EXPECT_EQ(sorted, expected);
     }
   }
-  EXPECT_GE(crowd.bytes(), 3'000 * sizeof(Aabb<N, T>));
+  EXPECT_GE(cluster.bytes(), 3'000 * sizeof(Aabb<N, T>));
 }
 
-TEST(NearCrowd, IsSortedAsIfItWereFarAway) {
+TEST(NearCluster, IsSortedAsIfItWereFarAway) {
   expect_sorted_as_from_afar<3, float>(1);
   expect_sorted_as_from_afar<2, double>(2);
 }
 
-TEST(NearCrowd, OfNoneIsNone) {
-  NearCrowd<3, float> crowd;
-  crowd.sort({}, nullptr, 0, 64, nullptr);
-  EXPECT_EQ(crowd.bytes(), 0U);
+TEST(NearCluster, OfNoneIsNone) {
+  NearCluster<3, float> cluster;
+  cluster.sort({}, nullptr, 0, 64, nullptr);
+  EXPECT_EQ(cluster.bytes(), 0U);
 }
 
 }  // namespace

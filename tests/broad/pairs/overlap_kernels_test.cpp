@@ -33,7 +33,7 @@ class MeetKernelsTest : public testing::Test {
   void for_every_target(const Test& test) {
     for (const std::int64_t target : test::simd_targets()) {
       const test::ForcedTarget forced(target);
-      const auto& kernels = meet_kernels<Space::dimension, typename Space::scalar>();
+      const auto& kernels = overlap_kernels<Space::dimension, typename Space::scalar>();
       SCOPED_TRACE(hwy::TargetName(target));
       test(kernels);
     }

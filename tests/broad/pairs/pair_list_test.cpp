@@ -107,8 +107,8 @@ TEST(PairList, KeepsWhatWaitsInItUntilItIsReachedWhoeverPopulatesIt) {
   }
 }
 
-TEST(KeptPairRoom, SaysHowMuchOfItWasWrittenTo) {
-  KeptPairRoom room;
+TEST(KeptPairSink, SaysHowMuchOfItWasWrittenTo) {
+  KeptPairSink room;
   const std::span<Pair> ahead = room.ahead(1'000);
   EXPECT_GE(ahead.size(), 1'050U);
   EXPECT_EQ(room.bytes(), 1'000 * sizeof(Pair));

@@ -100,7 +100,7 @@ TEST(PairMethods, AMarginMakesACrowd) {
 
 TEST(PairMethods, RemembersWhatItChose) {
   PairMethods<3, float> methods;
-  KeptPairRoom room;
+  KeptPairSink room;
   EXPECT_EQ(methods.last(), PairMethod::automatic);
   methods.find(boxes_of(World::point, 100), nullptr, {}, room);
   EXPECT_EQ(methods.last(), PairMethod::dense);

@@ -18,7 +18,7 @@ namespace graze::detail::pair_sort_test {
 namespace {
 
 /// Room that has nothing before or after it.
-class ExactRoom final : public PairRoom {
+class ExactRoom final : public PairSink {
  public:
   Pair* all(std::size_t count) override {
     pairs.resize(count);
@@ -125,7 +125,7 @@ TEST(PairSort, OfEveryoneWithEveryone) {
 }
 
 /// Room of which a part is known beforehand, and whose neighbours are watched.
-class RoomAhead final : public PairRoom {
+class RoomAhead final : public PairSink {
  public:
   static constexpr Pair mark = {7, 3};
 

@@ -36,7 +36,7 @@ class List {
 };
 
 /// Room that loses what was ahead where more is asked for, and wants to be told how far it is written to.
-class Room final : public PairRoom {
+class Room final : public PairSink {
  public:
   std::span<Pair> ahead(std::size_t expected) override {
     pairs_.resize(expected);

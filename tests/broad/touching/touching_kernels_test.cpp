@@ -37,7 +37,7 @@ double settled_share(TouchKind kind, const std::vector<A>& a, const std::vector<
   for (const std::int64_t target : test::simd_targets()) {
     const test::ForcedTarget forced(target);
     std::vector<GroupVerdict> verdicts(count / touch_group);
-    touch_kernels<dimension_of<A>, T>()[kind](rows_a.data(), rows_b.data(), verdicts.size(), verdicts.data());
+    touching_kernels<dimension_of<A>, T>()[kind](rows_a.data(), rows_b.data(), verdicts.size(), verdicts.data());
     std::size_t settled = 0;
     std::size_t apart = 0;
     for (const GroupVerdict& verdict : verdicts) {
@@ -119,7 +119,7 @@ void expect_most_settled(double share) {
   EXPECT_GE(settled_share(TouchKind::capsule_capsule, capsules, other_capsules), share);
 }
 
-TEST(TouchKernels, SettleAllButAFewRandomPairsOfAThousand) {
+TEST(TouchingKernels, SettleAllButAFewRandomPairsOfAThousand) {
   expect_most_settled<2, float>(0.997);
   expect_most_settled<3, float>(0.997);
   expect_most_settled<2, double>(0.997);
@@ -128,7 +128,7 @@ TEST(TouchKernels, SettleAllButAFewRandomPairsOfAThousand) {
 
 /// Crates turned alike, in a row, each a hundredth of its size into the next: no two edges cross, which leaves nine of
 /// fifteen axes without a meaning.
-TEST(TouchKernels, SettleCratesInARow) {
+TEST(TouchingKernels, SettleCratesInARow) {
   std::vector<Obb<3>> crates;
   std::vector<Obb<3>> others;
   Room<3, float> room;
@@ -173,7 +173,7 @@ void expect_two_kernels_for_oriented_boxes() {
   }
   for (const std::int64_t target : test::simd_targets()) {
     const test::ForcedTarget forced(target);
-    const TouchKernels<T>& kernels = touch_kernels<N, T>();
+    const TouchingKernels<T>& kernels = touching_kernels<N, T>();
     const std::size_t open = left_open(kernels.of_obbs, boxes, pairs);
     EXPECT_GT(open, pairs.size() / 500) << hwy::TargetName(target);
     EXPECT_LT(open, pairs.size() / 25) << hwy::TargetName(target);
@@ -181,14 +181,14 @@ void expect_two_kernels_for_oriented_boxes() {
   }
 }
 
-TEST(TouchKernels, LeaveFewOrientedBoxesToTheSecondKernelAndHardlyAnyToNone) {
+TEST(TouchingKernels, LeaveFewOrientedBoxesToTheSecondKernelAndHardlyAnyToNone) {
   expect_two_kernels_for_oriented_boxes<2, float>();
   expect_two_kernels_for_oriented_boxes<3, float>();
   expect_two_kernels_for_oriented_boxes<2, double>();
   expect_two_kernels_for_oriented_boxes<3, double>();
 }
 
-TEST(TouchKernels, KeepTheOverlappingPairsInTheirOrder) {
+TEST(TouchingKernels, KeepTheOverlappingPairsInTheirOrder) {
   std::mt19937 random(11);
   std::vector<Pair> pairs(20 * touch_group);
   std::vector<GroupVerdict> verdicts(20);
@@ -203,7 +203,7 @@ TEST(TouchKernels, KeepTheOverlappingPairsInTheirOrder) {
   for (const std::int64_t target : test::simd_targets()) {
     const test::ForcedTarget forced(target);
     std::vector<Pair> kept(pairs.size());
-    kept.resize(touch_kernels<3, float>().keep(pairs.data(), verdicts.data(), verdicts.size(), kept.data()));
+    kept.resize(touching_kernels<3, float>().keep(pairs.data(), verdicts.data(), verdicts.size(), kept.data()));
     EXPECT_EQ(kept, expected) << hwy::TargetName(target);
   }
 }

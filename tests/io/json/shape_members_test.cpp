@@ -39,10 +39,10 @@ TEST(ShapeMembers, AreTheFirstFieldsOfEachTypeInTheSceneFormat) {
 }
 
 TEST(ShapeMembers, CanBeReadAndWritten) {
-  Sphere<3, double> ball{{1, 2, 3}, 4};
+  Sphere<3, double> sphere{{1, 2, 3}, 4};
   const auto& [center, radius] = shape_members<Sphere<3, double>>;
-  std::invoke(radius.of, ball) += std::invoke(center.of, ball).z;
-  EXPECT_EQ(ball.radius, 7);
+  std::invoke(radius.of, sphere) += std::invoke(center.of, sphere).z;
+  EXPECT_EQ(sphere.radius, 7);
   Vec<2, double> point(1, 2);
   std::invoke(std::get<0>(shape_members<Vec<2, double>>).of, point).x = 5;
   EXPECT_EQ(point, (Vec<2, double>(5, 2)));

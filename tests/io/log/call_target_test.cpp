@@ -14,23 +14,23 @@ using Ball = Sphere<2, double>;
 
 constexpr ObjectId first{0, 1, logged_scene};
 
-/// What a target says of a small ball and a large one, as a log has it.
+/// What a target says of a small sphere and a large one, as a log has it.
 std::vector<std::string> answers_of(const TargetMaker<2>& maker, double radius) {
   const auto target = maker();
-  const AnyShape<2, double> ball = Ball{{1, 0}, 1};
+  const AnyShape<2, double> sphere = Ball{{1, 0}, 1};
   const AnyShape<2, double> ray = Ray<2, double>{{-4, 0}, {1, 0}};
   const std::vector<Call> calls{
       {.kind = CallKind::layer, .name = "walls"},
       {.kind = CallKind::add, .shapes = {Ball{}}, .options = {.name = "a"}},
       {.kind = CallKind::add, .shapes = {Ball{}}, .options = {.name = "a"}},
-      {.kind = CallKind::add, .shapes = {ball}},
+      {.kind = CallKind::add, .shapes = {sphere}},
       {.kind = CallKind::move, .ids = {first}, .shapes = {Ball{{0, 0}, radius}}},
       {.kind = CallKind::update},
       {.kind = CallKind::find, .name = "a"},
       {.kind = CallKind::candidates, .margin = 1},
       {.kind = CallKind::pairs},
-      {.kind = CallKind::overlapping, .shapes = {ball}},
-      {.kind = CallKind::cull, .shapes = {ball}},
+      {.kind = CallKind::overlapping, .shapes = {sphere}},
+      {.kind = CallKind::cull, .shapes = {sphere}},
       {.kind = CallKind::cull_frustum, .corners = {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}},
       {.kind = CallKind::nearest, .shapes = {Vec<2, double>(3, 0)}, .count = 1},
       {.kind = CallKind::ray_cast, .shapes = {ray}},

@@ -30,10 +30,10 @@ TEST(LoggedCall, IsALineOfJson) {
 }
 
 TEST(LoggedCall, WritesOfOptionsWhatIsNotTheDefault) {
-  const AnyShape<2, double> ball = Ball{{0, -0.0}, 1};
-  EXPECT_EQ(call_line(Call{.kind = CallKind::add, .shapes = {ball}}),
+  const AnyShape<2, double> sphere = Ball{{0, -0.0}, 1};
+  EXPECT_EQ(call_line(Call{.kind = CallKind::add, .shapes = {sphere}}),
             R"({"call": "add", "shape": {"type": "sphere", "center": [0, -0.0], "radius": 1}})");
-  EXPECT_EQ(call_line(Call{.kind = CallKind::add, .shapes = {ball}, .options = {"b", 2, 5, 7, Mobility::fixed}}),
+  EXPECT_EQ(call_line(Call{.kind = CallKind::add, .shapes = {sphere}, .options = {"b", 2, 5, 7, Mobility::fixed}}),
             R"({"call": "add", "name": "b", "layer": 2, "mask": 5, "user": 7, "fixed": true, )"
             R"("shape": {"type": "sphere", "center": [0, -0.0], "radius": 1}})");
 }

@@ -16,8 +16,8 @@ namespace {
 QueryLog<2> log_of(const std::string& text) { return std::get<QueryLog<2>>(parse_query_log(text, "log")); }
 
 const std::string head = "{\"schema\": \"graze.log/1\", \"dimension\": 2, \"numbers\": \"double\"}\n";
-const std::string ball =
-    R"({"call": "add", "name": "ball", "shape": {"type": "sphere", "center": [0, 0], "radius": 1}})"
+const std::string sphere =
+    R"({"call": "add", "name": "sphere", "shape": {"type": "sphere", "center": [0, 0], "radius": 1}})"
     "\n{\"answer\": [[0, 1]]}\n";
 
 /// A program's own scene, recorded, with objects that come, move and go.
@@ -61,14 +61,14 @@ TEST(SceneAfter, KnowsPlannedIds) {
 }
 
 TEST(SceneAfter, ACallThatTheProgramDidNotSurviveChangesNothing) {
-  const auto scene = scene_after(log_of(head + ball + "{\"call\": \"remove\", \"id\": [0, 1]}\n"), "log");
+  const auto scene = scene_after(log_of(head + sphere + "{\"call\": \"remove\", \"id\": [0, 1]}\n"), "log");
   EXPECT_EQ(scene.size(), 1U);
   EXPECT_EQ(scene_after(log_of(head), "log").size(), 0U);
 }
 
 TEST(SceneAfter, ALogThatIsWrongIsRefusedWithItsLine) {
   try {
-    scene_after(log_of(head + ball + ball), "yard.log");
+    scene_after(log_of(head + sphere + sphere), "yard.log");
     ADD_FAILURE() << "a name was taken twice";
   } catch (const InputError& error) {
     const std::string what = error.what();

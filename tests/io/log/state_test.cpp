@@ -14,8 +14,8 @@ using Ball = Sphere<2, double>;
 constexpr ObjectId a{0, 1, logged_scene};
 constexpr ObjectId b{1, 1, logged_scene};
 
-Entry add(const ObjectId& id, const Ball& ball) {
-  return {{.kind = CallKind::add, .shapes = {ball}, .options = {.name = "n"}}, logged(id)};
+Entry add(const ObjectId& id, const Ball& sphere) {
+  return {{.kind = CallKind::add, .shapes = {sphere}, .options = {.name = "n"}}, logged(id)};
 }
 
 TEST(LogState, IsWhatTheLastCallsMakeOfEachObject) {

@@ -39,8 +39,8 @@ TEST(SvgLabels, stand_above_a_small_box) {
 
 TEST(SvgLabels, stand_elsewhere_when_the_best_place_is_taken) {
   const Label small{"a", {{100, 100}, {110, 110}}};
-  const Label obstacle{"", {{104, 80}, {140, 97}}};                // has no name
-  EXPECT_EQ(places({small, obstacle}), (Places{"a 117.72 109"}));  // to the right
+  const Label difference{"", {{104, 80}, {140, 97}}};                // has no name
+  EXPECT_EQ(places({small, difference}), (Places{"a 117.72 109"}));  // to the right
 }
 
 TEST(SvgLabels, may_lie_on_a_larger_thing) {
@@ -56,12 +56,12 @@ TEST(SvgLabels, do_not_cover_a_smaller_thing_in_the_middle_of_a_larger) {
 }
 
 TEST(SvgLabels, of_things_in_pairs_come_first_and_of_the_others_those_of_the_largest) {
-  std::vector<Label> crowd;
+  std::vector<Label> cluster;
   for (int i = 0; i < 40; ++i) {
     const double size = i == 7 ? 4 : i == 23 ? 3 : 1;
-    crowd.push_back({"n" + std::to_string(i), {{500, 250}, {500 + size, 250 + size}}, i == 31});
+    cluster.push_back({"n" + std::to_string(i), {{500, 250}, {500 + size, 250 + size}}, i == 31});
   }
-  const Places found = places(crowd);
+  const Places found = places(cluster);
   ASSERT_GE(found.size(), 2U);
   EXPECT_EQ(found[0].substr(0, 4), "n31 ");
   EXPECT_EQ(found[1].substr(0, 3), "n7 ");

@@ -73,7 +73,7 @@ TEST(SvgSolid, draws_planes_as_sheets_with_a_grid_across_an_axis) {
 }
 
 TEST(SvgSolid, draws_the_parts_of_a_compound_from_back_to_front) {
-  // The ball is in front of the box.
+  // The sphere is in front of the box.
   const auto lamp = compound_of<3, double>({Sphere<3, double>{{0, 0, 3}, 1}, Aabb<3, double>{{-1, -1, 0}, {1, 1, 2}}});
   EXPECT_EQ(pieces(lamp), (Pieces{"path l1", "path l3", "path l4", "circle sphere"}));
   EXPECT_EQ(pieces(Compound<3, double>{}), Pieces{});

@@ -24,7 +24,7 @@ struct SvgSubject : ::testing::Test {
 };
 
 TEST_F(SvgSubject, counts_partners_and_keeps_the_first_four) {
-  std::vector<SeenPair> pairs;
+  std::vector<DrawnPair> pairs;
   for (std::uint32_t i = 1; i < ids.size(); ++i) pairs.push_back({0, i, Relation::touching});
   const std::vector<Touches> touches = touches_by_object(ids.size(), pairs);
   EXPECT_EQ(touches[0].count, 5U);
@@ -36,10 +36,10 @@ TEST_F(SvgSubject, counts_partners_and_keeps_the_first_four) {
 TEST_F(SvgSubject, knows_how_the_objects_of_a_pair_meet) {
   const std::vector<ObjectPair> pairs = {{ids[0], ids[1]}, {ids[1], ids[3]}, {ids[3], ids[5]}, {ids[4], ids[0]}};
   const Subject<2> subject = subject_of<2>(scene, pairs);
-  EXPECT_EQ(subject.pairs, (std::vector<SeenPair>{{0, 1, Relation::overlapping},
-                                                  {1, 3, Relation::touching},
-                                                  {3, 5, Relation::touching},
-                                                  {4, 0, Relation::apart}}));
+  EXPECT_EQ(subject.pairs, (std::vector<DrawnPair>{{0, 1, Relation::overlapping},
+                                                   {1, 3, Relation::touching},
+                                                   {3, 5, Relation::touching},
+                                                   {4, 0, Relation::apart}}));
   std::vector<std::string> classes;
   for (const Touches& touches : subject.touches) classes.emplace_back(class_of(touches));
   EXPECT_EQ(classes, (std::vector<std::string>{"overlapping", "overlapping", "", "touching", "near", "touching"}));

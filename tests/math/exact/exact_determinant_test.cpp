@@ -37,16 +37,16 @@ int exact_sign(const Points& points, const V& origin) {
 
 #ifdef GRAZE_HAS_INT128
 
-WholePlane plane_of(const Points& points, double unit) {
-  return {{WholePoint(points[0], unit), WholePoint(points[1], unit), WholePoint(points[2], unit)}, unit};
+IntegerPlane plane_of(const Points& points, double unit) {
+  return {{IntegerPoint(points[0], unit), IntegerPoint(points[1], unit), IntegerPoint(points[2], unit)}, unit};
 }
 
 /// On which side of the plane of three points another one is, in units that leave room for all four.
 std::optional<int> side_of_plane(const Points& points, const V& origin) {
   double largest = max_abs(origin);
   for (const V& point : points) largest = std::max(largest, max_abs(point));
-  const double unit = unit_of_whole(largest);
-  const std::optional<double> height = plane_of(points, unit).height_of(WholePoint(origin, unit));
+  const double unit = integer_unit(largest);
+  const std::optional<double> height = plane_of(points, unit).height_of(IntegerPoint(origin, unit));
   return height ? std::optional<int>(ternary_sign(*height)) : std::nullopt;
 }
 
@@ -79,7 +79,7 @@ TEST(WholeDeterminant, HasTheSignThatRationalNumbersGive) {
                 : i % 3 == 1 ? o + (a - o) * number(random) + (b - o) * number(random)
                              : o + (a - o) * number(random);
     const Points points = {a, i % 2 == 0 ? b : o + (a - o) * 0.3, c};
-    const std::optional<int> sign = sign_of_whole_determinant(points, o);
+    const std::optional<int> sign = sign_of_exact_determinant(points, o);
     if (!sign) continue;
     ++counted;
     EXPECT_EQ(*sign, exact_sign(points, o)) << i;
@@ -97,18 +97,18 @@ TEST(WholeDeterminant, HasRoomForTheLargest) {
     Points points;
     for (V& point : points) point = V(end(), end(), end());
     const V origin(end(), end(), end());
-    const std::optional<int> sign = sign_of_whole_determinant(points, origin);
+    const std::optional<int> sign = sign_of_exact_determinant(points, origin);
     ASSERT_TRUE(sign.has_value());
     EXPECT_EQ(*sign, exact_sign(points, origin)) << i;
     EXPECT_EQ(side_of_plane(points, origin), -exact_sign(points, origin)) << i;
   }
 }
 
-TEST(WholePlane, SaysOfAPointWhatOrientationSays) {
+TEST(IntegerPlane, SaysOfAPointWhatOrientationSays) {
   const Points points{V(0.5, 0.25, 1), V(1, -0.75, 1), V(-0.125, 0.375, 1)};
-  const double unit = unit_of_whole(1);
-  const WholePlane plane = plane_of(points, unit);
-  const auto height = [&](const V& point) { return plane.height_of(WholePoint(point, unit)); };
+  const double unit = integer_unit(1);
+  const IntegerPlane plane = plane_of(points, unit);
+  const auto height = [&](const V& point) { return plane.height_of(IntegerPoint(point, unit)); };
   for (const double z : {0.5, std::nextafter(1.0, 0.0), 1.0}) {
     const V point(0.25, 0.75, z);
     ASSERT_TRUE(height(point));
@@ -117,15 +117,15 @@ TEST(WholePlane, SaysOfAPointWhatOrientationSays) {
   EXPECT_EQ(height(V(0, 0, 1e-30)), std::nullopt) << "far more bits";
   EXPECT_EQ(height(V(1e30, 0, 0)), std::nullopt) << "far beyond";
   const Points fine{points[0], points[1], V(1.0 / 3, 0, 0x1p-70)};
-  EXPECT_EQ(plane_of(fine, unit).height_of(WholePoint(points[0], unit)), std::nullopt);
-  EXPECT_EQ(plane_of(points, 0).height_of(WholePoint(points[0], 0)), std::nullopt);
+  EXPECT_EQ(plane_of(fine, unit).height_of(IntegerPoint(points[0], unit)), std::nullopt);
+  EXPECT_EQ(plane_of(points, 0).height_of(IntegerPoint(points[0], 0)), std::nullopt);
 }
 
-TEST(WholePlane, SaysRoughlyHowHighAPointIs) {
+TEST(IntegerPlane, SaysRoughlyHowHighAPointIs) {
   const std::array<V, 3> points = {V(1, 0, 0), V(0, 1, 0), V(0, 0, 1)};
-  const double unit = unit_of_whole(1);
-  const WholePlane plane = plane_of(points, unit);
-  const auto height = [&](double x) { return *plane.height_of(WholePoint(V(x, x, x), unit)); };
+  const double unit = integer_unit(1);
+  const IntegerPlane plane = plane_of(points, unit);
+  const auto height = [&](double x) { return *plane.height_of(IntegerPoint(V(x, x, x), unit)); };
   const double step = height(1) / 2;  // of x + y + z - 1
   EXPECT_NEAR(height(0.5) / step, 0.5, 1e-12);
   EXPECT_NEAR(height(0.25) / step, -0.25, 1e-12);
@@ -138,23 +138,23 @@ TEST(WholeDeterminant, IsZeroOnAPlaneAndAHairBesideItIsNot) {
   const V a(0.5, 0.25, 1);
   const V b(1, -0.75, 1);
   const V c(-0.125, 0.375, 1);
-  EXPECT_EQ(sign_of_whole_determinant({a, b, c}, V(0.1, 0.2, 1)), 0);
-  const int above = *sign_of_whole_determinant({a, b, c}, V(0.1, 0.2, std::nextafter(1, 2)));
+  EXPECT_EQ(sign_of_exact_determinant({a, b, c}, V(0.1, 0.2, 1)), 0);
+  const int above = *sign_of_exact_determinant({a, b, c}, V(0.1, 0.2, std::nextafter(1, 2)));
   EXPECT_NE(above, 0);
-  EXPECT_EQ(sign_of_whole_determinant({a, b, c}, V(0.1, 0.2, std::nextafter(1, 0))), -above);
-  EXPECT_EQ(sign_of_whole_determinant({b, a, c}, V(0.1, 0.2, std::nextafter(1, 0))), above);
+  EXPECT_EQ(sign_of_exact_determinant({a, b, c}, V(0.1, 0.2, std::nextafter(1, 0))), -above);
+  EXPECT_EQ(sign_of_exact_determinant({b, a, c}, V(0.1, 0.2, std::nextafter(1, 0))), above);
 }
 
 TEST(WholeDeterminant, KnowsWhatItDoesNotKnow) {
   const V a(1, 0, 0);
   const V b(0, 1, 0);
   const V third(1.0 / 3, 1.0 / 3, 1.0 / 3);
-  EXPECT_EQ(sign_of_whole_determinant({a, b, third}, V(0.0)), 1);
-  EXPECT_EQ(sign_of_whole_determinant({a, b, V(0, 0, 1e-30)}, V(0.0)), std::nullopt) << "far more bits";
-  EXPECT_EQ(sign_of_whole_determinant({a, b, third * 0x1p-20}, V(0.0)), std::nullopt);
-  EXPECT_EQ(sign_of_whole_determinant({a, b, V(0, 0, 0x1p-40)}, V(0.0)), 1) << "a single bit";
-  EXPECT_EQ(sign_of_whole_determinant({V(0.0), V(0.0), V(0.0)}, V(0.0)), std::nullopt);
-  EXPECT_EQ(sign_of_whole_determinant({a * 1e95, b * 1e95, third}, V(0.0)), std::nullopt);
+  EXPECT_EQ(sign_of_exact_determinant({a, b, third}, V(0.0)), 1);
+  EXPECT_EQ(sign_of_exact_determinant({a, b, V(0, 0, 1e-30)}, V(0.0)), std::nullopt) << "far more bits";
+  EXPECT_EQ(sign_of_exact_determinant({a, b, third * 0x1p-20}, V(0.0)), std::nullopt);
+  EXPECT_EQ(sign_of_exact_determinant({a, b, V(0, 0, 0x1p-40)}, V(0.0)), 1) << "a single bit";
+  EXPECT_EQ(sign_of_exact_determinant({V(0.0), V(0.0), V(0.0)}, V(0.0)), std::nullopt);
+  EXPECT_EQ(sign_of_exact_determinant({a * 1e95, b * 1e95, third}, V(0.0)), std::nullopt);
 }
 
 #endif

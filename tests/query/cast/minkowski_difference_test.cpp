@@ -18,7 +18,7 @@ using Box = Aabb<3, double>;
 
 /// The obstacle of any two cores, seen from zero.
 template <class A, class B>
-detail::Obstacle<3, double> generic(const A& a, const B& b, double radius) {
+detail::MinkowskiDifference<3, double> generic(const A& a, const B& b, double radius) {
   return {detail::ConvexView<3>(a), detail::ConvexView<3>(b), Point(0.0), radius};
 }
 
@@ -32,35 +32,35 @@ void expect_same_set(const Closed& closed, const Generic& other) {
   }
 }
 
-TEST(Obstacle, ClosedFormsAreTheSetsOfDifferences) {
+TEST(MinkowskiDifference, ClosedFormsAreTheSetsOfDifferences) {
   const Point p(1, 2, 3);
   const Point q(4, -2, 7);
   const Segment<3, double> s{{1, 0, 0}, {2, 5, -1}};
   const Box box{{-1, 0, 2}, {3, 1, 4}};
   const Box other{{5, 6, 7}, {6, 8, 10}};
-  expect_same_set(detail::obstacle_of(p, q, 0.5), generic(p, q, 0.5));
-  expect_same_set(detail::obstacle_of(s, q, 0.5), generic(s, q, 0.5));
-  expect_same_set(detail::obstacle_of(p, s, 0.5), generic(p, s, 0.5));
-  expect_same_set(detail::obstacle_of(p, box, 0.5), generic(p, box, 0.5));
-  expect_same_set(detail::obstacle_of(box, other, 0.0), generic(box, other, 0.0));
+  expect_same_set(detail::minkowski_difference_of(p, q, 0.5), generic(p, q, 0.5));
+  expect_same_set(detail::minkowski_difference_of(s, q, 0.5), generic(s, q, 0.5));
+  expect_same_set(detail::minkowski_difference_of(p, s, 0.5), generic(p, s, 0.5));
+  expect_same_set(detail::minkowski_difference_of(p, box, 0.5), generic(p, box, 0.5));
+  expect_same_set(detail::minkowski_difference_of(box, other, 0.0), generic(box, other, 0.0));
 }
 
-TEST(Obstacle, IsKnownFromItsPlace) {
+TEST(MinkowskiDifference, IsKnownFromItsPlace) {
   const Point p(1, 2, 3);
   const Box box{{4, 4, 4}, {5, 5, 5}};
-  const detail::Obstacle<3, double> obstacle{detail::ConvexView<3>(p), detail::ConvexView<3>(box), p, 2};
-  EXPECT_EQ(support(obstacle, Point(3, 0, 0)), Point(7, 4, 4));  // of the box itself, 2 farther out
-  EXPECT_EQ(detail::wide_support(detail::core(obstacle), Point(3, 0, 0)), Point(5, 4, 4));
-  EXPECT_EQ(detail::core_radius(obstacle), 2);
+  const detail::MinkowskiDifference<3, double> difference{detail::ConvexView<3>(p), detail::ConvexView<3>(box), p, 2};
+  EXPECT_EQ(support(difference, Point(3, 0, 0)), Point(7, 4, 4));  // of the box itself, 2 farther out
+  EXPECT_EQ(detail::wide_support(detail::core(difference), Point(3, 0, 0)), Point(5, 4, 4));
+  EXPECT_EQ(detail::core_radius(difference), 2);
 }
 
-TEST(Obstacle, RoundingIsThatOfTheNumbersThatSupportsAreCalculatedIn) {
-  EXPECT_EQ((detail::support_error<detail::Obstacle<3, double>>), tolerance::convex);
-  EXPECT_EQ((detail::support_error<detail::Obstacle<3, float>>), tolerance::convex_in<float>);
-  EXPECT_EQ((detail::support_error<detail::ObstacleCore<2, float>>), tolerance::convex_in<float>);
+TEST(MinkowskiDifference, RoundingIsThatOfTheNumbersThatSupportsAreCalculatedIn) {
+  EXPECT_EQ((detail::support_error<detail::MinkowskiDifference<3, double>>), tolerance::convex);
+  EXPECT_EQ((detail::support_error<detail::MinkowskiDifference<3, float>>), tolerance::convex_in<float>);
+  EXPECT_EQ((detail::support_error<detail::DifferenceCore<2, float>>), tolerance::convex_in<float>);
 }
 
-TEST(Obstacle, APathCrossesTheSidesOfABoxInOrder) {
+TEST(MinkowskiDifference, APathCrossesTheSidesOfABoxInOrder) {
   const Aabb<2, double> box{{1, -3}, {2, -2}};
   const auto times = [&box](const Vec<2, double>& direction) {
     const detail::SideCrossings<2> crossings(box, direction, 1);
@@ -71,8 +71,8 @@ TEST(Obstacle, APathCrossesTheSidesOfABoxInOrder) {
   EXPECT_EQ(times({-1, 1}), (std::vector<double>{1}));
 }
 
-/// GJK and the closed form see a rounded box alike, wherever a ball comes from.
-TEST(Obstacle, RaysMeetARoundedBoxWhereGjkFindsIt) {
+/// GJK and the closed form see a rounded box alike, wherever a sphere comes from.
+TEST(MinkowskiDifference, RaysMeetARoundedBoxWhereGjkFindsIt) {
   check_property([] {
     const std::uint64_t seed = *choice(std::size_t{1} << 31U);
     rc::Random random(seed);
@@ -88,7 +88,7 @@ TEST(Obstacle, RaysMeetARoundedBoxWhereGjkFindsIt) {
     RC_LOG() << "box " << to_source(box) << ", from " << to_source(start) << " along " << to_source(motion) << ", "
              << literal(radius) << "\n";
     const Ray<3, double> ray{Point(0.0), motion};
-    const auto closed = detail::hit_in_double(detail::obstacle_of(start, box, radius), ray);
+    const auto closed = detail::hit_in_double(detail::minkowski_difference_of(start, box, radius), ray);
     const auto by_gjk = detail::hit_in_double(generic(start, box, radius), ray);
     RC_ASSERT(closed.has_value() == by_gjk.has_value());
     if (!closed) return;

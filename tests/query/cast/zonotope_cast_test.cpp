@@ -19,7 +19,7 @@
 namespace graze::test::zonotope_cast_test {
 namespace {
 
-using detail::Sight;
+using detail::RayVerdict;
 
 /// Two shapes that are apart, as the closed form sees them.
 template <class A, class B>
@@ -29,17 +29,17 @@ struct Flight {
 
   Flight(const A& a, const Vec<dimension, scalar_of<A>>& way, const B& b)
       : origin(detail::reference(detail::core(a))),
-        core_a(detail::seen_from(origin, detail::core(a))),
-        core_b(detail::seen_from(origin, detail::core(b))),
+        core_a(detail::relative_to(origin, detail::core(a))),
+        core_b(detail::relative_to(origin, detail::core(b))),
         motion(wide<dimension, scalar_of<A>>(way)),
         radii{detail::core_radius(a), detail::core_radius(b)} {}
 
-  detail::StrikeOfZonotopes<dimension> closed() const {
-    return detail::strike_of_zonotopes(core_a, motion, core_b, radii);
+  detail::CastHitOfZonotopes<dimension> closed() const {
+    return detail::cast_hit_of_zonotopes(core_a, motion, core_b, radii);
   }
-  auto by_gjk() const { return detail::strike_of_cores(core_a, motion, core_b, radii); }
+  auto by_gjk() const { return detail::cast_hit_of_cores(core_a, motion, core_b, radii); }
 
-  auto a_at(double t) const { return detail::seen_from(motion * -t, core_a); }
+  auto a_at(double t) const { return detail::relative_to(motion * -t, core_a); }
   double size() const {
     return detail::size_around_zero(core_a) + detail::size_around_zero(core_b) + radii.a + radii.b + sum_abs(motion);
   }
@@ -51,8 +51,8 @@ struct Flight {
   }
 
   Vector origin;
-  decltype(detail::seen_from(origin, detail::core(std::declval<const A&>()))) core_a;
-  decltype(detail::seen_from(origin, detail::core(std::declval<const B&>()))) core_b;
+  decltype(detail::relative_to(origin, detail::core(std::declval<const A&>()))) core_a;
+  decltype(detail::relative_to(origin, detail::core(std::declval<const B&>()))) core_b;
   Vector motion;
   detail::Radii radii;
 };
@@ -64,16 +64,16 @@ void expect_hit(const A& a, const Vec<3, double>& motion, const B& b, double t, 
                 const Vec<3, double>& normal) {
   const Flight<A, B> flight(a, motion, b);
   const auto found = flight.closed();
-  ASSERT_EQ(found.sight, Sight::hits);
-  EXPECT_NEAR(found.strike.t, t, 1e-14);
-  EXPECT_LE(max_abs(found.strike.point + flight.origin - point), 1e-14);
-  EXPECT_LE(max_abs(found.strike.normal - normal), 1e-14);
-  EXPECT_LE(found.strike.error, 1e-12);
+  ASSERT_EQ(found.verdict, RayVerdict::hits);
+  EXPECT_NEAR(found.cast_hit.t, t, 1e-14);
+  EXPECT_LE(max_abs(found.cast_hit.point + flight.origin - point), 1e-14);
+  EXPECT_LE(max_abs(found.cast_hit.normal - normal), 1e-14);
+  EXPECT_LE(found.cast_hit.error, 1e-12);
 }
 
 template <class A, class B>
-Sight sight_of_cast(const A& a, const Vec<3, double>& motion, const B& b) {
-  return Flight<A, B>(a, motion, b).closed().sight;
+RayVerdict sight_of_cast(const A& a, const Vec<3, double>& motion, const B& b) {
+  return Flight<A, B>(a, motion, b).closed().verdict;
 }
 
 const double root = std::sqrt(0.5);
@@ -103,10 +103,10 @@ TEST(ZonotopeCast, FindsWhereCapsulesMeetCrossedInLineAndSideBySide) {
   expect_hit(Capsule<3, double>{{0, 0, 9}, {0, 0, 12}, 1}, {0, 0, -8}, standing, 0.5, {0, 0, 4}, {0, 0, -1});
   const Flight side_by_side(Capsule<3, double>{{-6, 0, 1}, {-6, 0, 9}, 1}, Vec<3, double>(8, 0, 0), standing);
   const auto found = side_by_side.closed();
-  ASSERT_EQ(found.sight, Sight::hits);
-  EXPECT_NEAR(found.strike.t, 0.5, 1e-15);
-  EXPECT_NEAR(found.strike.point.x + side_by_side.origin.x, -1, 1e-14);
-  const double height = found.strike.point.z + side_by_side.origin.z;
+  ASSERT_EQ(found.verdict, RayVerdict::hits);
+  EXPECT_NEAR(found.cast_hit.t, 0.5, 1e-15);
+  EXPECT_NEAR(found.cast_hit.point.x + side_by_side.origin.x, -1, 1e-14);
+  const double height = found.cast_hit.point.z + side_by_side.origin.z;
   EXPECT_TRUE(height >= 1 && height <= 3) << "anywhere along what both share";
 }
 
@@ -116,9 +116,9 @@ TEST(ZonotopeCast, FindsAPointWhereShapesLieFlatOnEachOther) {
   const Capsule<3, double> log{{-2, -1, 9}, {2, 0.5, 9}, 1};
   for (const auto& found : {Flight(falling, Vec<3, double>(0, 0, -8), upright).closed(),
                             Flight(log, Vec<3, double>(0, 0, -8), upright).closed()}) {
-    ASSERT_EQ(found.sight, Sight::hits);
-    EXPECT_NEAR(found.strike.t, 0.5, 1e-15);
-    EXPECT_EQ(found.strike.normal, (Vec<3, double>(0, 0, -1)));
+    ASSERT_EQ(found.verdict, RayVerdict::hits);
+    EXPECT_NEAR(found.cast_hit.t, 0.5, 1e-15);
+    EXPECT_EQ(found.cast_hit.normal, (Vec<3, double>(0, 0, -1)));
   }
 }
 
@@ -126,22 +126,23 @@ TEST(ZonotopeCast, LeavesOpenWhatNearlyTouches) {
   const Obb<3, double> cube{{0, 0, 0}, {1, 1, 1}};
   const Capsule<3, double> pole{{-6, 0, -1}, {-6, 0, 1}, 1};
   for (const double off : {-1e-14, 0.0, 1e-14}) {
-    EXPECT_EQ(sight_of_cast(Obb<3, double>{{-6, 2 + off, 0}, {1, 1, 1}}, {8, 0, 0}, cube), Sight::unclear) << off;
-    EXPECT_EQ(sight_of_cast(cube, {4 + off, 0, 0}, Obb<3, double>{{6, 0, 0}, {1, 1, 1}}), Sight::unclear) << off;
-    EXPECT_EQ(sight_of_cast(pole, {8, 0, 0}, Capsule<3, double>{{0, 2 + off, 0}, {0, 2, 0}, 1}), Sight::unclear) << off;
+    EXPECT_EQ(sight_of_cast(Obb<3, double>{{-6, 2 + off, 0}, {1, 1, 1}}, {8, 0, 0}, cube), RayVerdict::unclear) << off;
+    EXPECT_EQ(sight_of_cast(cube, {4 + off, 0, 0}, Obb<3, double>{{6, 0, 0}, {1, 1, 1}}), RayVerdict::unclear) << off;
+    EXPECT_EQ(sight_of_cast(pole, {8, 0, 0}, Capsule<3, double>{{0, 2 + off, 0}, {0, 2, 0}, 1}), RayVerdict::unclear)
+        << off;
   }
   for (const double off : {1e-9, 1e-3}) {
-    EXPECT_EQ(sight_of_cast(Obb<3, double>{{-6, 2 + off, 0}, {1, 1, 1}}, {8, 0, 0}, cube), Sight::misses) << off;
-    EXPECT_EQ(sight_of_cast(Obb<3, double>{{-6, 2 - off, 0}, {1, 1, 1}}, {8, 0, 0}, cube), Sight::hits) << off;
+    EXPECT_EQ(sight_of_cast(Obb<3, double>{{-6, 2 + off, 0}, {1, 1, 1}}, {8, 0, 0}, cube), RayVerdict::misses) << off;
+    EXPECT_EQ(sight_of_cast(Obb<3, double>{{-6, 2 - off, 0}, {1, 1, 1}}, {8, 0, 0}, cube), RayVerdict::hits) << off;
   }
 }
 
 TEST(ZonotopeCast, LeavesOpenWhatItHasNoNumbersFor) {
   const Obb<3, double> cube{{0, 0, 0}, {1, 1, 1}};
   const Obb<3, double> other{{6, 0, 0}, {1, 1, 1}};
-  EXPECT_EQ(sight_of_cast(cube, {1e-40, 0, 0}, other), Sight::unclear);
-  EXPECT_EQ(sight_of_cast(cube, {1e40, 0, 0}, other), Sight::unclear);
-  EXPECT_EQ(sight_of_cast(cube, {8, 0, 0}, Obb<3, double>{{6e40, 0, 0}, {1e40, 1e40, 1e40}}), Sight::unclear);
+  EXPECT_EQ(sight_of_cast(cube, {1e-40, 0, 0}, other), RayVerdict::unclear);
+  EXPECT_EQ(sight_of_cast(cube, {1e40, 0, 0}, other), RayVerdict::unclear);
+  EXPECT_EQ(sight_of_cast(cube, {8, 0, 0}, Obb<3, double>{{6e40, 0, 0}, {1e40, 1e40, 1e40}}), RayVerdict::unclear);
 }
 
 // ---- Against GJK
@@ -152,7 +153,7 @@ struct Tally {
 };
 
 template <Dim N>
-void expect_same_strike(const detail::Strike<N>& closed, const detail::Strike<N>& by_gjk,
+void expect_same_strike(const detail::CastHit<N>& closed, const detail::CastHit<N>& by_gjk,
                         const Vec<N, double>& motion) {
   if (by_gjk.status != Status::converged) return;
   // Along the normal they are as near as their errors say; t is less exact at a grazing angle.
@@ -162,15 +163,15 @@ void expect_same_strike(const detail::Strike<N>& closed, const detail::Strike<N>
 
 /// What is promised of a strike, as far as nearest points tell.
 template <class A, class B>
-void expect_touch(const Flight<A, B>& flight, const detail::Strike<dimension_of<A>>& strike) {
-  const auto a = flight.a_at(strike.t);
-  EXPECT_TRUE(strike.t > 0 && strike.t <= 1);
-  EXPECT_LE(std::fabs(flight.gap(a, flight.core_b, flight.radii.a + flight.radii.b)), strike.error);
-  EXPECT_LE(flight.gap(strike.point, flight.core_b, flight.radii.b), 2 * strike.error);
-  EXPECT_LE(flight.gap(strike.point, a, flight.radii.a), 2 * strike.error);
-  EXPECT_LE(std::fabs(length(strike.normal) - 1), 4 * tolerance::epsilon);
-  EXPECT_GT(dot(strike.normal, flight.motion), 0);
-  EXPECT_LE(strike.error, tolerance::coarse * flight.size());
+void expect_touch(const Flight<A, B>& flight, const detail::CastHit<dimension_of<A>>& cast_hit) {
+  const auto a = flight.a_at(cast_hit.t);
+  EXPECT_TRUE(cast_hit.t > 0 && cast_hit.t <= 1);
+  EXPECT_LE(std::fabs(flight.gap(a, flight.core_b, flight.radii.a + flight.radii.b)), cast_hit.error);
+  EXPECT_LE(flight.gap(cast_hit.point, flight.core_b, flight.radii.b), 2 * cast_hit.error);
+  EXPECT_LE(flight.gap(cast_hit.point, a, flight.radii.a), 2 * cast_hit.error);
+  EXPECT_LE(std::fabs(length(cast_hit.normal) - 1), 4 * tolerance::epsilon);
+  EXPECT_GT(dot(cast_hit.normal, flight.motion), 0);
+  EXPECT_LE(cast_hit.error, tolerance::coarse * flight.size());
 }
 
 template <class A, class B>
@@ -179,13 +180,13 @@ void expect_agreement(const A& a, const Vec<dimension_of<A>, scalar_of<A>>& moti
   SCOPED_TRACE(to_source(a) + ", " + to_source(motion) + ", " + to_source(b));
   const Flight<A, B> flight(a, motion, b);
   const auto closed = flight.closed();
-  (closed.sight == Sight::unclear ? tally.open : tally.settled) += 1;
-  if (closed.sight == Sight::unclear) return;
+  (closed.verdict == RayVerdict::unclear ? tally.open : tally.settled) += 1;
+  if (closed.verdict == RayVerdict::unclear) return;
   const auto by_gjk = flight.by_gjk();
-  EXPECT_EQ(closed.sight == Sight::hits, by_gjk.has_value());
-  if (closed.sight != Sight::hits) return;
-  expect_touch(flight, closed.strike);
-  if (by_gjk) expect_same_strike(closed.strike, *by_gjk, flight.motion);
+  EXPECT_EQ(closed.verdict == RayVerdict::hits, by_gjk.has_value());
+  if (closed.verdict != RayVerdict::hits) return;
+  expect_touch(flight, closed.cast_hit);
+  if (by_gjk) expect_same_strike(closed.cast_hit, *by_gjk, flight.motion);
 }
 
 /// The first shape is moved off, by up to a few times the size of both, and comes back: to where it was and on, past it

@@ -137,7 +137,7 @@ TEST(ClosestHulls, AreAsThoseOfAllConvexShapes) {
 }
 
 /// Round hulls, which are in no special place to each other.
-Polytope<3, double> ball(Random& random, std::size_t corners) {
+Polytope<3, double> sphere(Random& random, std::size_t corners) {
   std::vector<Vec<3, double>> points(corners);
   for (auto& point : points) {
     point = random.vector<double>(1);
@@ -149,8 +149,8 @@ Polytope<3, double> ball(Random& random, std::size_t corners) {
 TEST(ClosestHulls, AreFoundForAllThatAreClearlyApart) {
   Random random(3);
   for (int i = 0; i < 2000; ++i) {
-    const Posed<Polytope<3, double>> a{ball(random, 4 + random.below(60)), random.pose<double>(1)};
-    const Posed<Polytope<3, double>> b{ball(random, 4 + random.below(60)), random.pose<double>(1)};
+    const Posed<Polytope<3, double>> a{sphere(random, 4 + random.below(60)), random.pose<double>(1)};
+    const Posed<Polytope<3, double>> b{sphere(random, 4 + random.below(60)), random.pose<double>(1)};
     const auto right = closest_points(a, b);
     const auto found = proximity_of_hulls(a, b, nullptr);
     if (right.relation == Relation::apart && right.distance > 1e-9) {
@@ -254,7 +254,7 @@ TEST(ClosestHulls, AreTheSameByVectorsOfAnyWidth) {
   Random random(13);
   for (int i = 0; i < 2000 && !testing::Test::HasFailure(); ++i) {
     const bool are_few = i % 2 == 0;
-    const auto draw = [&] { return are_few ? random.hull<double>() : ball(random, 33 + random.below(60)); };
+    const auto draw = [&] { return are_few ? random.hull<double>() : sphere(random, 33 + random.below(60)); };
     const Posed<Polytope<3, double>> posed_a{draw(), random.pose<double>(2)};
     const Posed<Polytope<3, double>> posed_b{draw(), random.pose<double>(2)};
     const Vec<3, double> origin = posed_a.pose.position;
@@ -275,8 +275,8 @@ TEST(ClosestHulls, AreTheSameByVectorsOfAnyWidth) {
 TEST(SimplexCache, ServesAPairThatMoves) {
   Random random(5);
   for (int pair = 0; pair < 50; ++pair) {
-    const auto a = ball(random, 30);
-    const auto b = ball(random, 30);
+    const auto a = sphere(random, 30);
+    const auto b = sphere(random, 30);
     SimplexCache<3> cache;
     SimplexCache<3> back;
     for (int frame = 0; frame < 40; ++frame) {
@@ -302,8 +302,8 @@ TEST(SimplexCache, ServesAPairThatMoves) {
 TEST(SimplexCache, OfAnythingDoesNoHarm) {
   Random random(9);
   for (int i = 0; i < 1000; ++i) {
-    const Posed<Polytope<3, double>> a{ball(random, 4 + random.below(20)), random.pose<double>(2)};
-    const Posed<Polytope<3, double>> b{ball(random, 4 + random.below(20)), random.pose<double>(2)};
+    const Posed<Polytope<3, double>> a{sphere(random, 4 + random.below(20)), random.pose<double>(2)};
+    const Posed<Polytope<3, double>> b{sphere(random, 4 + random.below(20)), random.pose<double>(2)};
     SimplexCache<3> cache;
     cache.size = static_cast<std::uint32_t>(random.below(7));
     for (auto* const corners : {&cache.corners_a, &cache.corners_b}) {
@@ -318,8 +318,8 @@ TEST(SimplexCache, OfAnythingDoesNoHarm) {
 
 TEST(SimplexCache, IsPassedThroughAnyShapeAndLeftAloneByOthers) {
   Random random(1);
-  const AnyShape<3, double> a = ball(random, 12);
-  const AnyShape<3, double> b = transformed(ball(random, 12), {Mat<3, double>(1.0), {3, 1, 0}});
+  const AnyShape<3, double> a = sphere(random, 12);
+  const AnyShape<3, double> b = transformed(sphere(random, 12), {Mat<3, double>(1.0), {3, 1, 0}});
   SimplexCache<3> cache;
   EXPECT_EQ(closest_points(a, b, cache), closest_points(a, b));
   EXPECT_GT(cache.size, 0U);

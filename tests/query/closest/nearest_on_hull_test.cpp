@@ -57,8 +57,8 @@ TEST(NearestOnHull, OfAPointOrAPointOnTheShapeIsThat) {
 }
 
 TEST(NearestOnHull, ComesCloseOnACurvedSurface) {
-  const user::Ellipsoid<double> ball{{1, 2, 3}, {2, 2, 2}};
-  const auto nearest = nearest_on_hull(ball, D3(1 + 6, 2 + 6, 3 + 3));
+  const user::Ellipsoid<double> sphere{{1, 2, 3}, {2, 2, 2}};
+  const auto nearest = nearest_on_hull(sphere, D3(1 + 6, 2 + 6, 3 + 3));
   EXPECT_NEAR(max_abs(nearest.point - D3(1 + 4.0 / 3, 2 + 4.0 / 3, 3 + 2.0 / 3)), 0, 1e-6);
   EXPECT_NEAR(std::sqrt(dot(nearest.off, nearest.off)), 7, 1e-12);
 }

@@ -98,7 +98,7 @@ TEST(Rays, ThatAreNearlyParallelAreNearestFarAway) {
 
 TEST(SeenBeside, CutsARayBehindWhatItIsCutFor) {
   const R3 ray{{1, 0, 0}, {1e-3, 0, 0}};
-  const auto cut = seen_beside(V3(1, 0, 0), ray, Sphere<3, double>{{6, 0, 0}, 2});
+  const auto cut = local_beside(V3(1, 0, 0), ray, Sphere<3, double>{{6, 0, 0}, 2});
   EXPECT_EQ(cut.start, V3(0, 0, 0));
   EXPECT_GT(cut.end.x, 7);
   EXPECT_LT(cut.end.x, 15);

@@ -31,8 +31,8 @@ TEST(Shifted, IsTheSameShapeElsewhereAndAsInaccurate) {
 TEST(PenetrationOfConvex, OfABallBesideAHullIsAlongTheirNearestPoints) {
   const double third = 1 / std::sqrt(3.0);
   const V3 diagonal(third, third, third);
-  const Sphere<3, double> ball{diagonal * 2.0, 1};  // the face is 2 / sqrt(3) away
-  const Penetration<3> found = penetration_of_convex(ball, octahedron);
+  const Sphere<3, double> sphere{diagonal * 2.0, 1};  // the face is 2 / sqrt(3) away
+  const Penetration<3> found = penetration_of_convex(sphere, octahedron);
   EXPECT_NEAR(found.depth, 1 - (2 - 2 * third), 1e-14);
   EXPECT_NEAR(length(found.normal + diagonal), 0, 1e-14);
   EXPECT_NEAR(length(found.point_b - diagonal * (2 * third)), 0, 1e-14);

@@ -48,8 +48,8 @@ TEST(PenetrationOfSimple, OfABallWhoseCenterIsARoundingAboveAFaceIsAlongItsNorma
   const V3 along = box.axes[0];
   for (const double height : {0.0, 1e-17, 1e-16, 1e-15, 1e-13, 1e-10, 1e-7, 1e-5, 1e-3}) {
     for (const double place : {0.0, 0.3, 0.999}) {
-      const Sphere<3, double> ball{up * (1 + height) + along * place, 0.5};
-      const Penetration<3> found = penetration_of_simple(ball, box);
+      const Sphere<3, double> sphere{up * (1 + height) + along * place, 0.5};
+      const Penetration<3> found = penetration_of_simple(sphere, box);
       EXPECT_NEAR(length(found.normal + up), 0, 1e-9) << height << " at " << place;
       EXPECT_NEAR(found.depth, 0.5 - height, 1e-15) << height << " at " << place;
       EXPECT_LE(found.error, 1e-12);

@@ -32,17 +32,19 @@ const HalfSpace<3, double> ceiling{{0, 0, -1}, -1};  // z >= 1
 const HalfSpace<3, double> wall{{1, 0, 0}, 0};       // x <= 0
 
 TEST(PenetrationInLevel, IsUpToThePlaneFromTheLowestPoint) {
-  const Sphere<3, double> ball{{1, 2, 4}, 3};
-  expect_penetration<3>(penetration_in_level(ground, ball), {0, 0, 1}, 1, {1, 2, 2});
-  expect_penetration<3>(penetration_in_level(ground, Sphere<3, double>{{1, 2, -4}, 3}), {0, 0, 1}, 9, {1, 2, 2});
+  const Sphere<3, double> sphere{{1, 2, 4}, 3};
+  expect_penetration<3>(penetration_in_half_space(ground, sphere), {0, 0, 1}, 1, {1, 2, 2});
+  expect_penetration<3>(penetration_in_half_space(ground, Sphere<3, double>{{1, 2, -4}, 3}), {0, 0, 1}, 9, {1, 2, 2});
   const Capsule<3, double> pill{{5, 5, 7}, {1, 2, 4}, 3};
-  expect_penetration<3>(penetration_in_level(ground, pill), {0, 0, 1}, 1, {1, 2, 2});
+  expect_penetration<3>(penetration_in_half_space(ground, pill), {0, 0, 1}, 1, {1, 2, 2});
 }
 
 TEST(PenetrationInLevel, OfAPlaneIsToTheNearerSide) {
-  expect_penetration<3>(penetration_in_level(floor_plane, Sphere<3, double>{{1, 2, 4}, 3}), {0, 0, 1}, 1, {1, 2, 2});
-  expect_penetration<3>(penetration_in_level(floor_plane, Sphere<3, double>{{1, 2, 1}, 3}), {0, 0, -1}, 2, {1, 2, 2});
-  expect_penetration<3>(penetration_in_level(floor_plane, V3(1, 2, 2)), {0, 0, 1}, 0, {1, 2, 2});
+  expect_penetration<3>(penetration_in_half_space(floor_plane, Sphere<3, double>{{1, 2, 4}, 3}), {0, 0, 1}, 1,
+                        {1, 2, 2});
+  expect_penetration<3>(penetration_in_half_space(floor_plane, Sphere<3, double>{{1, 2, 1}, 3}), {0, 0, -1}, 2,
+                        {1, 2, 2});
+  expect_penetration<3>(penetration_in_half_space(floor_plane, V3(1, 2, 2)), {0, 0, 1}, 0, {1, 2, 2});
 }
 
 TEST(PenetrationOfRay, EndsAtItsOrigin) {
@@ -65,15 +67,16 @@ TEST(PenetrationOfRay, OfOneThatRunsOnIntoAHalfSpaceIsInfinite) {
 }
 
 TEST(PenetrationOfLevels, IsBetweenThoseThatFaceEachOther) {
-  expect_penetration<3>(penetration_of_levels(ground, ceiling), {0, 0, 1}, 1, {0, 0, 2});
-  expect_penetration<3>(penetration_of_levels(Plane<3, double>{{0, 0, 1}, 0}, ground), {0, 0, -1}, 2, {0, 0, 0});
-  expect_penetration<3>(penetration_of_levels(floor_plane, ceiling), {0, 0, 1}, 1, {0, 0, 2});
-  expect_penetration<3>(penetration_of_levels(floor_plane, floor_plane), {0, 0, 1}, 0, {0, 0, 2});
+  expect_penetration<3>(penetration_of_half_spaces(ground, ceiling), {0, 0, 1}, 1, {0, 0, 2});
+  expect_penetration<3>(penetration_of_half_spaces(Plane<3, double>{{0, 0, 1}, 0}, ground), {0, 0, -1}, 2, {0, 0, 0});
+  expect_penetration<3>(penetration_of_half_spaces(floor_plane, ceiling), {0, 0, 1}, 1, {0, 0, 2});
+  expect_penetration<3>(penetration_of_half_spaces(floor_plane, floor_plane), {0, 0, 1}, 0, {0, 0, 2});
 }
 
 TEST(PenetrationOfLevels, OfThoseThatCrossOrFaceTheSameWayIsInfinite) {
-  for (const Penetration<3>& found : {penetration_of_levels(ground, wall), penetration_of_levels(ground, ground),
-                                      penetration_of_levels(Plane<3, double>{{1, 0, 0}, 3}, ground)}) {
+  for (const Penetration<3>& found :
+       {penetration_of_half_spaces(ground, wall), penetration_of_half_spaces(ground, ground),
+        penetration_of_half_spaces(Plane<3, double>{{1, 0, 0}, 3}, ground)}) {
     EXPECT_EQ(found.depth, infinity);
     EXPECT_EQ(found.normal, V3(0, 0, 0));
     EXPECT_EQ(found.point_a, found.point_b);

@@ -130,7 +130,7 @@ TEST(GrowingHull, OfThePlaneIsAsMadeAnewFromAllPoints) {
   expect_as_made_anew(false);
 }
 
-/// Points far out on a ball, every one of them a corner, spread over it by the golden angle.
+/// Points far out on a sphere, every one of them a corner, spread over it by the golden angle.
 template <Dim N>
 Vec<N, double> far_corner(std::size_t i, std::size_t count) {
   const double angle = 2.399963229728653 * static_cast<double>(i);

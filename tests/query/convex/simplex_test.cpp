@@ -78,9 +78,9 @@ TEST(FootOnLine, IsAtRightAnglesToTheEdgeHoweverNear) {
   const Vec<3, double> edge(0.7, -0.3, 0.9);
   const Vec<3, double> across = cross(edge, Vec<3, double>(0.1, 0.2, 0.4));
   for (const double distance : {1.0, 1e-4, 1e-8, 1e-12}) {
-    const Vec<3, double> foot = detail::foot_on_line<3>(across * distance - edge * 0.3, edge);
-    EXPECT_LE(std::fabs(dot(foot, edge)), 1e-15 * max_abs(foot)) << distance;
-    const Vec<2, double> flat = detail::foot_on_line<2>(Vec<2, double>(-0.3, 0.4 + distance), Vec<2, double>(3, -4));
+    const Vec<3, double> closest = detail::closest_on_line<3>(across * distance - edge * 0.3, edge);
+    EXPECT_LE(std::fabs(dot(closest, edge)), 1e-15 * max_abs(closest)) << distance;
+    const Vec<2, double> flat = detail::closest_on_line<2>(Vec<2, double>(-0.3, 0.4 + distance), Vec<2, double>(3, -4));
     EXPECT_LE(std::fabs(dot(flat, Vec<2, double>(3, -4))), 1e-15 * max_abs(flat)) << distance;
   }
 }

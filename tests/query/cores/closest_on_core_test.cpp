@@ -46,8 +46,8 @@ class Numbers {
 double foot_error(const Triangle<3, double>& triangle, const D3& p) {
   double largest = max_abs(p);
   for (const D3& corner : triangle.vertices()) largest = std::max(largest, max_abs(corner));
-  const D3 foot = detail::foot_on(triangle, p).point;
-  return exact_miss<3, double>(triangle, p, foot) / (largest * std::numeric_limits<double>::epsilon());
+  const D3 closest = detail::closest_on(triangle, p).point;
+  return exact_miss<3, double>(triangle, p, closest) / (largest * std::numeric_limits<double>::epsilon());
 }
 
 /// A triangle up to 2^45 times longer than wide, and a point on it, near it, or far above.
@@ -68,7 +68,7 @@ Needle draw_needle(Numbers& numbers) {
   return {needle, needle.a + (needle.b - needle.a) * share + across + numbers.vector(0, 0) * height};
 }
 
-TEST(Foot, OnANeedleInSpaceIsRightToAFewUlpWhereverItIsSeenFrom) {
+TEST(ClosestOnCore, OnANeedleInSpaceIsRightToAFewUlpWhereverItIsSeenFrom) {
   Numbers numbers;
   double worst = 0;
   std::size_t seen = 0;
@@ -82,7 +82,7 @@ TEST(Foot, OnANeedleInSpaceIsRightToAFewUlpWhereverItIsSeenFrom) {
   EXPECT_LE(worst, 8) << "measured: 3.7";
 }
 
-TEST(Foot, OfNeedlesThatOnceHadItAWidthAwayOrAtTheOtherEnd) {
+TEST(ClosestOnCore, OfNeedlesThatOnceHadItAWidthAwayOrAtTheOtherEnd) {
   // The plane of the first was turned by the rounding of its edges; the feet on the edges of the second were as far
   // away for all that their distances told; the third's point is near the line of an edge, and behind it.
   const std::array<Needle, 3> needles = {{
@@ -102,54 +102,54 @@ TEST(Foot, OfNeedlesThatOnceHadItAWidthAwayOrAtTheOtherEnd) {
   for (const Needle& needle : needles) EXPECT_LE(foot_error(needle.triangle, needle.point), 4);
 }
 
-TEST(Foot, OnATriangleOfAnySizeScalesByPowersOfTwoExactly) {
+TEST(ClosestOnCore, OnATriangleOfAnySizeScalesByPowersOfTwoExactly) {
   const Triangle<3, double> triangle{{0, 0, 0}, {3, 1, 0}, {1, 4, 0.5}};
   for (const D3 p : {D3(1, 1, 2), D3(5, 1, 1), D3(-1, -1, 3), D3(3, 4, -1)}) {
-    const D3 foot = detail::foot_on(triangle, p).point;
+    const D3 closest = detail::closest_on(triangle, p).point;
     for (const double scale : {0x1p-460, 0x1p460}) {
       const Triangle<3, double> scaled{triangle.a * scale, triangle.b * scale, triangle.c * scale};
-      EXPECT_EQ(detail::foot_on(scaled, p * scale).point, foot * scale);
+      EXPECT_EQ(detail::closest_on(scaled, p * scale).point, closest * scale);
     }
   }
 }
 
-TEST(Foot, OfTrianglesThatAreLinesOrPointsIsThatOfTheirEdges) {
+TEST(ClosestOnCore, OfTrianglesThatAreLinesOrPointsIsThatOfTheirEdges) {
   const Triangle<3, double> line{{0, 0, 0}, {3, 3, 3}, {1, 1, 1}};
-  EXPECT_EQ(detail::foot_on(line, D3(2, 2, 2) + D3(1, -1, 0)).point, D3(2, 2, 2));
-  EXPECT_EQ(detail::foot_on(line, D3(4, 5, 6)).point, D3(3, 3, 3));
-  EXPECT_EQ(detail::foot_on(line, D3(-1, 0, 0)).point, D3(0, 0, 0));
+  EXPECT_EQ(detail::closest_on(line, D3(2, 2, 2) + D3(1, -1, 0)).point, D3(2, 2, 2));
+  EXPECT_EQ(detail::closest_on(line, D3(4, 5, 6)).point, D3(3, 3, 3));
+  EXPECT_EQ(detail::closest_on(line, D3(-1, 0, 0)).point, D3(0, 0, 0));
   const Triangle<3, double> point{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}};
-  EXPECT_EQ(detail::foot_on(point, D3(1, 2, 8)).point, D3(1, 2, 3));
-  EXPECT_EQ(detail::foot_on(point, D3(1, 2, 8)).off, D3(0, 0, 5));
+  EXPECT_EQ(detail::closest_on(point, D3(1, 2, 8)).point, D3(1, 2, 3));
+  EXPECT_EQ(detail::closest_on(point, D3(1, 2, 8)).off, D3(0, 0, 5));
 }
 
 /// A corner that is hardly one, at zero, with a point beyond the edge before it, next to the corner: feet there and on
 /// the corner are as far from it.
-TEST(Foot, BesideABluntCornerOfAPolygonIsOnTheRightEdge) {
+TEST(ClosestOnCore, BesideABluntCornerOfAPolygonIsOnTheRightEdge) {
   const std::vector<D2> corners = {{-4, 1}, {-1, 0}, {0, 0}, {1, 0x1p-12}, {4, 2}};
   const Polytope<2, double> polygon = convex_hull<2, double>(corners);
   ASSERT_EQ(polygon.vertices().size(), 5U);
   for (const double place : {-1e-3, -1e-6, -1e-9, -1e-12, 0.0}) {
     for (const double height : {1e-3, 1.0, 1e3}) {
       const D2 p(place, -height);
-      const D2 foot = closest_point(polygon, p);
+      const D2 closest = closest_point(polygon, p);
       const double unit = std::max(4.0, height) * std::numeric_limits<double>::epsilon();
-      EXPECT_LE((exact_miss<2, double>(polygon, p, foot)), 4 * unit) << place << " " << height;
+      EXPECT_LE((exact_miss<2, double>(polygon, p, closest)), 4 * unit) << place << " " << height;
     }
   }
 }
 
-TEST(Foot, FromInsideAPolygonIsOnTheNearestEdge) {
+TEST(ClosestOnCore, FromInsideAPolygonIsOnTheNearestEdge) {
   const std::array<D2, 4> square = {D2(0, 0), D2(4, 0), D2(4, 4), D2(0, 4)};
-  const auto found = detail::foot_on_polygon<double>(square, D2(3, 2.5));
+  const auto found = detail::closest_on_polygon<double>(square, D2(3, 2.5));
   EXPECT_TRUE(found.is_inside);
-  EXPECT_EQ(found.foot.point, D2(4, 2.5));
-  const auto corner = detail::foot_on_polygon<double>(square, D2(5, 7));
+  EXPECT_EQ(found.closest.point, D2(4, 2.5));
+  const auto corner = detail::closest_on_polygon<double>(square, D2(5, 7));
   EXPECT_FALSE(corner.is_inside);
-  EXPECT_EQ(corner.foot.point, D2(4, 4));
+  EXPECT_EQ(corner.closest.point, D2(4, 4));
   const std::array<D2, 2> line = {D2(0, 0), D2(4, 0)};
-  EXPECT_EQ(detail::foot_on_polygon<double>(line, D2(1, 0)).foot.point, D2(1, 0));
-  EXPECT_FALSE(detail::foot_on_polygon<double>(line, D2(1, 0)).is_inside);
+  EXPECT_EQ(detail::closest_on_polygon<double>(line, D2(1, 0)).closest.point, D2(1, 0));
+  EXPECT_FALSE(detail::closest_on_polygon<double>(line, D2(1, 0)).is_inside);
 }
 
 TEST(FacedTriangle, HasANormalAboutAsLongAsOneAcrossAllButALine) {
@@ -159,7 +159,7 @@ TEST(FacedTriangle, HasANormalAboutAsLongAsOneAcrossAllButALine) {
   const detail::FacedTriangle line = detail::faced({{1, 1, 1}, {2, 2, 2}, {4, 4, 4}});
   EXPECT_EQ(line.normal, D3(0, 0, 0));
   EXPECT_EQ(line.longest, 2U);
-  EXPECT_EQ(foot_on(line, D3(3, 3, 3)).point, D3(3, 3, 3));
+  EXPECT_EQ(closest_on(line, D3(3, 3, 3)).point, D3(3, 3, 3));
 }
 
 }  // namespace

@@ -80,10 +80,10 @@ TEST(ClosestOfApart, AgreesWithTheSquaredDistance) {
   test::check_property([] {
     const auto [a, b] = *test::any_pair<S3, S3>();
     const V3 start = a.start;
-    const S3 seen_a{a.start - start, a.end - start};
-    const S3 seen_b{b.start - start, b.end - start};
-    const double size = size_around_zero(seen_a) + size_around_zero(seen_b);
-    const double found = std::sqrt(closest_of_apart(seen_a, seen_b, size).squared);
+    const S3 local_a{a.start - start, a.end - start};
+    const S3 local_b{b.start - start, b.end - start};
+    const double size = size_around_zero(local_a) + size_around_zero(local_b);
+    const double found = std::sqrt(closest_of_apart(local_a, local_b, size).squared);
     RC_ASSERT(std::fabs(found - std::sqrt(distance_squared(a, b))) <= tolerance::rounding * size);
   });
 }

@@ -17,39 +17,39 @@ using Edge = Segment<3, double>;
 const Obb<3, double> turned{{1, 2, 3}, {1, 2, 3}, Mat<3, double>(0, 1, 0, -1, 0, 0, 0, 0, 1)};
 const Triangle<3, double> triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
 
-void expect_foot(const Foot<3>& foot, const V3& point, const V3& off) {
-  EXPECT_EQ(foot.point, point);
-  EXPECT_EQ(foot.off, off);
+void expect_foot(const ClosestOnCore<3>& closest, const V3& point, const V3& off) {
+  EXPECT_EQ(closest.point, point);
+  EXPECT_EQ(closest.off, off);
 }
 
 TEST(FootOn, CoresIsAsComputedByHand) {
-  expect_foot(foot_on(V3(1, 2, 3), V3(4, 4, 4)), {1, 2, 3}, {3, 2, 1});
-  expect_foot(foot_on(Aabb<3, double>{}, V3(3, 0.5, -2)), {1, 0.5, -1}, {2, 0, -1});
-  expect_foot(foot_on(Aabb<3, double>{}, V3(0, 0.5, 0)), {0, 0.5, 0}, {0, 0, 0});
-  expect_foot(foot_on(turned, V3(9, 3, 7)), {3, 3, 6}, {6, 0, 1});  // x runs along y, y against x
-  expect_foot(foot_on(triangle, V3(1, 1, 5)), {1, 1, 0}, {0, 0, 5});
-  expect_foot(foot_on(triangle, V3(4, 4, 1)), {2, 2, 0}, {2, 2, 1});
-  expect_foot(foot_on(triangle, V3(-1, -2, 3)), {0, 0, 0}, {-1, -2, 3});
+  expect_foot(closest_on(V3(1, 2, 3), V3(4, 4, 4)), {1, 2, 3}, {3, 2, 1});
+  expect_foot(closest_on(Aabb<3, double>{}, V3(3, 0.5, -2)), {1, 0.5, -1}, {2, 0, -1});
+  expect_foot(closest_on(Aabb<3, double>{}, V3(0, 0.5, 0)), {0, 0.5, 0}, {0, 0, 0});
+  expect_foot(closest_on(turned, V3(9, 3, 7)), {3, 3, 6}, {6, 0, 1});  // x runs along y, y against x
+  expect_foot(closest_on(triangle, V3(1, 1, 5)), {1, 1, 0}, {0, 0, 5});
+  expect_foot(closest_on(triangle, V3(4, 4, 1)), {2, 2, 0}, {2, 2, 1});
+  expect_foot(closest_on(triangle, V3(-1, -2, 3)), {0, 0, 0}, {-1, -2, 3});
 }
 
 TEST(FootOn, ATriangleOfThePlaneIsThePointItselfInside) {
   using V2 = Vec<2, double>;
   const Triangle<2, double> clockwise{{0, 0}, {0, 4}, {4, 0}};
-  EXPECT_EQ(foot_on(clockwise, V2(1, 1)).point, V2(1, 1));
-  EXPECT_EQ(foot_on(clockwise, V2(1, 1)).off, V2(0, 0));
-  EXPECT_EQ(foot_on(clockwise, V2(3, 3)).point, V2(2, 2));
+  EXPECT_EQ(closest_on(clockwise, V2(1, 1)).point, V2(1, 1));
+  EXPECT_EQ(closest_on(clockwise, V2(1, 1)).off, V2(0, 0));
+  EXPECT_EQ(closest_on(clockwise, V2(3, 3)).point, V2(2, 2));
   const Triangle<2, double> flat{{0, 0}, {4, 0}, {2, 0}};
-  EXPECT_EQ(foot_on(flat, V2(3, 2)).point, V2(3, 0));
-  EXPECT_EQ(foot_on(Triangle<2, double>{{1, 1}, {1, 1}, {1, 1}}, V2(3, 2)).off, V2(2, 1));
+  EXPECT_EQ(closest_on(flat, V2(3, 2)).point, V2(3, 0));
+  EXPECT_EQ(closest_on(Triangle<2, double>{{1, 1}, {1, 1}, {1, 1}}, V2(3, 2)).off, V2(2, 1));
 }
 
 // A foot outside of a needle is easily taken for one inside, and the way back to the needle is long.
 TEST(FootOn, ANeedleIsOneOfItsPoints) {
   for (const double half_width : {1e-3, 1e-8, 1e-12, 1e-16, 0.0}) {
     const Triangle<3, double> needle{{0, 0, 0}, {1, half_width, 0}, {1, -half_width, 0}};
-    EXPECT_NEAR(length(foot_on(needle, V3(-0.3, 0, 0.4)).off), 0.5, 1e-15);
-    EXPECT_NEAR(length(foot_on(needle, V3(0.7, 0, 0.4)).off), 0.4, 1e-15);
-    EXPECT_NEAR(length(foot_on(needle, V3(0.7, 0, 0.4)).point - V3(0.7, 0, 0)), 0, half_width + 1e-15);
+    EXPECT_NEAR(length(closest_on(needle, V3(-0.3, 0, 0.4)).off), 0.5, 1e-15);
+    EXPECT_NEAR(length(closest_on(needle, V3(0.7, 0, 0.4)).off), 0.4, 1e-15);
+    EXPECT_NEAR(length(closest_on(needle, V3(0.7, 0, 0.4)).point - V3(0.7, 0, 0)), 0, half_width + 1e-15);
   }
 }
 

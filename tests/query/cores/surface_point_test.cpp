@@ -49,8 +49,8 @@ TEST(SurfacePoint, AHeightOverAPlaneKeepsWhatItsProductsLose) {
 
 TEST(SurfacePoint, TheFootOnAPlaneIsAsExactAsItsOwnSize) {
   const Plane<2, double> plane{{1, 3}, 1};
-  const D2 foot = detail::surface_point(plane, D2(1e12, 3e12 + 7)).point;
-  EXPECT_NEAR(foot.x + 3 * foot.y, 1, 1e-14);
+  const D2 closest = detail::surface_point(plane, D2(1e12, 3e12 + 7)).point;
+  EXPECT_NEAR(closest.x + 3 * closest.y, 1, 1e-14);
 }
 
 TEST(SurfacePoint, APolygonKnowsItsInsideExactly) {

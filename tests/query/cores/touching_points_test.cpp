@@ -64,8 +64,8 @@ void expect_as_near_as_the_search() {
   test::check_property([] {
     const auto [first, second] = *test::any_pair<A, B>();
     const V3 origin = reference(first);
-    const A a = seen_from(origin, first);
-    const B b = seen_from(origin, second);
+    const A a = relative_to(origin, first);
+    const B b = relative_to(origin, second);
     const double size = size_around_zero(a) + size_around_zero(b);
     PartingSearch<A, B> search(a, b, size);
     offer_faces(a, b, search);
@@ -75,8 +75,8 @@ void expect_as_near_as_the_search() {
       const ClosestPair<3> careful = closest_of_meeting(a, moved, size);
       const double near = tolerance::coarse * size;
       RC_ASSERT(std::sqrt(quick.squared) <= std::sqrt(careful.squared) + near);
-      const V3 off_a = foot_on(a, quick.on_a).off;
-      const V3 off_b = foot_on(moved, quick.on_b).off;
+      const V3 off_a = closest_on(a, quick.on_a).off;
+      const V3 off_b = closest_on(moved, quick.on_b).off;
       RC_ASSERT(length(off_a) <= near);
       RC_ASSERT(length(off_b) <= near);
       RC_ASSERT(length(quick.on_b - quick.on_a - quick.between) <= near);

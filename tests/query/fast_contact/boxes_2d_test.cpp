@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The quick way of balls, capsules and boxes in the plane against the way of all shapes.
+// The quick way of spheres, capsules and boxes in the plane against the way of all shapes.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,7 +25,7 @@ using V2 = Vec<2, double>;
 template <class T>
 using Ball = Sphere<2, T>;
 template <class T>
-using Rod = Capsule<2, T>;
+using Capsule3 = Capsule<2, T>;
 template <class T>
 using Box = Aabb<2, T>;
 template <class T>
@@ -43,28 +43,28 @@ struct Seen {
   explicit Seen(const auto& look) : found(look.found) { size = look.put_points(points.data()); }
 };
 
-TEST(FlatBallTouch, IsAtTheLowestPoint) {
+TEST(SphereContact2d, IsAtTheLowestPoint) {
   const Box<double> box{{0, 0}, {4, 2}};
-  const TouchLook<2> on_top = touch_look(Ball<double>{{1, 2.5}, 1}, box, false);
+  const FastContact<2> on_top = find_fast_contact(Ball<double>{{1, 2.5}, 1}, box, false);
   ASSERT_TRUE(on_top.is_known && on_top.meets && on_top.is_single);
   EXPECT_EQ(on_top.found.normal, V2(0, -1));
   EXPECT_NEAR(on_top.found.depth, 0.5, on_top.found.error);
   EXPECT_EQ(on_top.feature_a, vertex(0));
   EXPECT_EQ(on_top.feature_b, flat_side(3));
-  const TouchLook<2> at_corner = touch_look(Ball<double>{{7, 6}, 6}, box, true);
+  const FastContact<2> at_corner = find_fast_contact(Ball<double>{{7, 6}, 6}, box, true);
   ASSERT_TRUE(at_corner.is_known && at_corner.meets);
   EXPECT_NEAR(at_corner.found.depth, 1, at_corner.found.error);
   EXPECT_NEAR(length(at_corner.found.normal - V2(0.6, 0.8)), 0, 1e-15);
   EXPECT_EQ(at_corner.feature_a, vertex(3));
-  const TouchLook<2> inside = touch_look(Ball<double>{{1, 1.75}, 0.5}, box, false);
+  const FastContact<2> inside = find_fast_contact(Ball<double>{{1, 1.75}, 0.5}, box, false);
   ASSERT_TRUE(inside.is_known && inside.meets);
   EXPECT_NEAR(inside.found.depth, 0.75, inside.found.error);
 }
 
-TEST(FlatTouch, OfTwoBoxesIsWhatTheirSidesShare) {
+TEST(Contact2d, OfTwoBoxesIsWhatTheirSidesShare) {
   const Turned<double> below{{0, 0}, {2, 1}, Mat<2, double>(1.0)};
   const Turned<double> above{{1.5, 1.9}, {1, 1}, Mat<2, double>(1.0)};
-  const FlatLook look = touch_look(below, above, false);
+  const FastContact2d look = find_fast_contact(below, above, false);
   ASSERT_TRUE(look.is_known && look.meets);
   EXPECT_EQ(look.found.normal, V2(0, 1));
   ASSERT_EQ(look.size, 2U);
@@ -76,10 +76,10 @@ TEST(FlatTouch, OfTwoBoxesIsWhatTheirSidesShare) {
   EXPECT_EQ(look.points[1].feature_b, flat_side(2));
 }
 
-TEST(FlatTouch, OfTwoRodsSideBySideIsWhatTheyShare) {
-  const Rod<double> below{{0, 0}, {4, 0}, 1};
-  const Rod<double> above{{5, 1.5}, {1, 1.5}, 1};
-  const FlatLook look = touch_look(below, above, false);
+TEST(Contact2d, OfTwoRodsSideBySideIsWhatTheyShare) {
+  const Capsule3<double> below{{0, 0}, {4, 0}, 1};
+  const Capsule3<double> above{{5, 1.5}, {1, 1.5}, 1};
+  const FastContact2d look = find_fast_contact(below, above, false);
   ASSERT_TRUE(look.is_known && look.meets);
   EXPECT_NEAR(look.found.depth, 0.5, look.found.error);
   ASSERT_EQ(look.size, 2U);
@@ -90,9 +90,9 @@ TEST(FlatTouch, OfTwoRodsSideBySideIsWhatTheyShare) {
   EXPECT_EQ(look.points[1].feature_b, vertex(1));
 }
 
-TEST(FlatBallTouch, IsApartWhereThatIsPlainAndNotKnownWhereItIsNot) {
+TEST(SphereContact2d, IsApartWhereThatIsPlainAndNotKnownWhereItIsNot) {
   const Box<double> box{{0, 0}, {4, 2}};
-  const auto look = [&box](const Ball<double>& ball) { return touch_look(ball, box, false); };
+  const auto look = [&box](const Ball<double>& sphere) { return find_fast_contact(sphere, box, false); };
   EXPECT_TRUE(look({{1, 4}, 1}).is_known);
   EXPECT_FALSE(look({{1, 4}, 1}).meets);
   EXPECT_TRUE(look({{7, 6}, 4.5}).is_known) << "beyond a corner";
@@ -101,23 +101,23 @@ TEST(FlatBallTouch, IsApartWhereThatIsPlainAndNotKnownWhereItIsNot) {
   EXPECT_FALSE(look({{4, 2.5}, 1}).is_known) << "above a corner";
   EXPECT_FALSE(look({{4, 2}, 1}).is_known) << "at a corner";
   EXPECT_FALSE(look({{1, std::nan("")}, 1}).is_known);
-  EXPECT_FALSE(touch_look(Ball<double>{{1, 2}, 1}, Box<double>{{0, 1}, {4, 1}}, false).is_known) << "a flat box";
+  EXPECT_FALSE(find_fast_contact(Ball<double>{{1, 2}, 1}, Box<double>{{0, 1}, {4, 1}}, false).is_known) << "a flat box";
 }
 
 // ---- Against the way of all shapes
 
-enum class Kind { any, grid, level, far, skew };
+enum class Kind { any, grid, level, far, orthonormality_error };
 
 class Drawer {
  public:
   explicit Drawer(Kind kind) : kind_(kind) {}
 
-  void draw(Ball<double>& ball) const { ball = {place(0.6), 0.2 + 0.6 * share()}; }
-  void draw(Rod<double>& rod) const {
+  void draw(Ball<double>& sphere) const { sphere = {place(0.6), 0.2 + 0.6 * share()}; }
+  void draw(Capsule3<double>& capsule) const {
     const V2 start = place(0.6);
     const double angle = share() < 0.5 ? 0 : 1e-7 * (share() - 0.5);
     const V2 way = kind_ == Kind::level ? V2(1 + share(), angle) : (V2(share(), share()) - 0.5) * 2.0;
-    rod = {start, start + (kind_ == Kind::grid ? V2(1, 0) : way), 0.1 + 0.3 * share()};
+    capsule = {start, start + (kind_ == Kind::grid ? V2(1, 0) : way), 0.1 + 0.3 * share()};
   }
   void draw(Box<double>& box) const {
     const V2 center = place(0.6);
@@ -127,7 +127,7 @@ class Drawer {
   void draw(Turned<double>& box) const {
     const bool is_level = kind_ == Kind::grid || kind_ == Kind::level;
     Mat<2, double> axes = rotation_matrix(is_level ? 90.0 * static_cast<double>(*test::choice(4)) : 360 * share());
-    if (kind_ == Kind::skew) axes[0] += (V2(share(), share()) - 0.5) * 4e-5;
+    if (kind_ == Kind::orthonormality_error) axes[0] += (V2(share(), share()) - 0.5) * 4e-5;
     box = {place(0.6), half_extents(), axes};
   }
 
@@ -148,7 +148,7 @@ Ball<T> as(const Ball<double>& s) {
   return {Vec<2, T>(s.center), static_cast<T>(s.radius)};
 }
 template <class T>
-Rod<T> as(const Rod<double>& s) {
+Capsule3<T> as(const Capsule3<double>& s) {
   return {Vec<2, T>(s.a), Vec<2, T>(s.b), static_cast<T>(s.radius)};
 }
 template <class T>
@@ -172,14 +172,15 @@ void expect_agreement(const A& a, const B& b, const Seen& look, Kind kind) {
   if (max_abs(look.found.normal - plain.found.normal) > 1e-7) return;
   RC_ASSERT(look.size == plain.size);
   if (kind == Kind::far && look.size == 1) return;
-  const double allowed = kind == Kind::skew ? 1e-4 : 64 * error + 4 * tolerance::epsilon * max_abs(look.found.point_a);
+  const double allowed =
+      kind == Kind::orthonormality_error ? 1e-4 : 64 * error + 4 * tolerance::epsilon * max_abs(look.found.point_a);
   for (std::size_t i = 0; i < look.size; ++i) {
     const SurfacePair<2>& point = look.points[i];
     const auto* const end = plain.pairs.data() + plain.size;
     const auto* same = std::find_if(plain.pairs.data(), end, [&](const SurfacePair<2>& pair) {
       return pair.feature_a == point.feature_a && pair.feature_b == point.feature_b;
     });
-    if (same == end && kind == Kind::skew) return;
+    if (same == end && kind == Kind::orthonormality_error) return;
     RC_ASSERT(same != end);
     RC_ASSERT(std::fabs(same->depth - point.depth) <= allowed);
     RC_ASSERT(max_abs(point.point_a - point.point_b - look.found.normal * point.depth) <= allowed);
@@ -200,8 +201,8 @@ void compare(Kind kind, int& cases, int& known) {
     const auto a = as<T>(drawn_a);
     const auto b = as<T>(drawn_b);
     RC_LOG() << test::to_source(a) << ", " << test::to_source(b) << "\n";
-    const auto look = touch_look(a, b, false);
-    const auto turned = touch_look(a, b, true);
+    const auto look = find_fast_contact(a, b, false);
+    const auto turned = find_fast_contact(a, b, true);
     ++cases;
     RC_ASSERT(look.is_known == turned.is_known);
     if (!look.is_known) return;
@@ -223,9 +224,9 @@ void compare_all(Kind kind, double least_known) {
   int known = 0;
   compare<T, Ball<double>, Box<double>>(kind, cases, known);
   compare<T, Ball<double>, Turned<double>>(kind, cases, known);
-  compare<T, Rod<double>, Rod<double>>(kind, cases, known);
-  compare<T, Box<double>, Rod<double>>(kind, cases, known);
-  compare<T, Turned<double>, Rod<double>>(kind, cases, known);
+  compare<T, Capsule3<double>, Capsule3<double>>(kind, cases, known);
+  compare<T, Box<double>, Capsule3<double>>(kind, cases, known);
+  compare<T, Turned<double>, Capsule3<double>>(kind, cases, known);
   compare<T, Box<double>, Turned<double>>(kind, cases, known);
   compare<T, Turned<double>, Turned<double>>(kind, cases, known);
   // Of few cases fewer may happen to be: four deviations of a drawing by chance.
@@ -233,14 +234,15 @@ void compare_all(Kind kind, double least_known) {
   EXPECT_GE(known, least_known * cases - 4 * deviation);
 }
 
-TEST(FlatTouch, IsThatOfAllShapes) {
-  for (const auto& [kind, least_known] : {std::pair(Kind::any, 0.95), {Kind::level, 0.9}, {Kind::skew, 0.9}}) {
+TEST(Contact2d, IsThatOfAllShapes) {
+  for (const auto& [kind, least_known] :
+       {std::pair(Kind::any, 0.95), {Kind::level, 0.9}, {Kind::orthonormality_error, 0.9}}) {
     compare_all<float>(kind, least_known);
     compare_all<double>(kind, least_known);
   }
 }
 
-TEST(FlatTouch, IsThatOfAllShapesWhereMuchIsInDoubt) {
+TEST(Contact2d, IsThatOfAllShapesWhereMuchIsInDoubt) {
   for (const Kind kind : {Kind::grid, Kind::far}) {
     compare_all<float>(kind, 0.2);
     compare_all<double>(kind, 0.2);

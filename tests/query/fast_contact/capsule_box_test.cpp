@@ -30,7 +30,7 @@ constexpr Feature start{FeatureKind::vertex, 0};
 constexpr Feature end{FeatureKind::vertex, 1};
 
 void expect_touch(const Pill& pill, const V3& normal, double depth, const Feature& of_box, const Feature& of_pill) {
-  const TouchLook<3> look = touch_look(brick, pill, false);
+  const FastContact<3> look = find_fast_contact(brick, pill, false);
   ASSERT_TRUE(look.is_known && look.meets);
   EXPECT_NEAR(length(look.found.normal - normal), 0, 1e-15);
   EXPECT_NEAR(look.found.depth, depth, look.found.error);
@@ -75,20 +75,20 @@ TEST(CapsuleOnBox, HasTwoPointsOnAFace) {
   const Feature left{FeatureKind::edge, 5};
   const Feature right{FeatureKind::edge, 7};
   std::array<SurfacePair<3>, 2> pairs;
-  ASSERT_EQ(touch_look(brick, Pill{{-2, 0, 1.5}, {2, 0, 3.5}, 1}, false).put_points(pairs.data()), 2U);
+  ASSERT_EQ(find_fast_contact(brick, Pill{{-2, 0, 1.5}, {2, 0, 3.5}, 1}, false).put_points(pairs.data()), 2U);
   expect_pair(pairs[0], {-2, 0, 1}, 0.5, top, start);
   expect_pair(pairs[1], {-1, 0, 1}, 0, top, edge);
-  ASSERT_EQ(touch_look(brick, Pill{{5, 0, 1.5}, {-5, 0, 1.5}, 1}, false).put_points(pairs.data()), 2U);
+  ASSERT_EQ(find_fast_contact(brick, Pill{{5, 0, 1.5}, {-5, 0, 1.5}, 1}, false).put_points(pairs.data()), 2U);
   expect_pair(pairs[0], {3, 0, 1}, 0.5, right, edge);
   expect_pair(pairs[1], {-3, 0, 1}, 0.5, left, edge);
-  ASSERT_EQ(touch_look(brick, Pill{{-5, 0, 0.875}, {2, 0, 0.75}, 1}, false).put_points(pairs.data()), 2U);
+  ASSERT_EQ(find_fast_contact(brick, Pill{{-5, 0, 0.875}, {2, 0, 0.75}, 1}, false).put_points(pairs.data()), 2U);
   expect_pair(pairs[1], {2, 0, 1}, 1.25, top, end);
   expect_pair(pairs[0], {-3, 0, 1}, 1.25 - 0.125 * 5 / 7, left, edge);
 }
 
 TEST(CapsuleOnBox, LyingFlatIsAsDeepAsItsEnds) {
   const Pill pill{{-2, -1, 1.5}, {2, 1, 1.5}, 1};
-  const TouchLook<3> look = touch_look(brick, pill, false);
+  const FastContact<3> look = find_fast_contact(brick, pill, false);
   ASSERT_TRUE(look.is_known && look.meets);
   EXPECT_FALSE(look.is_single);
   EXPECT_NEAR(look.found.depth, 0.5, look.found.error);
@@ -98,20 +98,21 @@ TEST(CapsuleOnBox, LyingFlatIsAsDeepAsItsEnds) {
 }
 
 TEST(CapsuleOnBox, IsApartWherePlainToSee) {
-  const TouchLook<3> past_edge = touch_look(brick, Pill{{2, 1, 4}, {6, 1, 0}, 1}, false);
+  const FastContact<3> past_edge = find_fast_contact(brick, Pill{{2, 1, 4}, {6, 1, 0}, 1}, false);
   EXPECT_TRUE(past_edge.is_known);
   EXPECT_FALSE(past_edge.meets);
 }
 
 TEST(CapsuleOnBox, IsNotKnownWhereItIsTooCloseToTell) {
-  const auto is_known = [](const Pill& pill) { return touch_look(brick, pill, false).is_known; };
+  const auto is_known = [](const Pill& pill) { return find_fast_contact(brick, pill, false).is_known; };
   EXPECT_FALSE(is_known({{0, 0, 2}, {0, 0, 5}, 1})) << "touches";
   EXPECT_FALSE(is_known({{0, 0, 0}, {5, 0, 0}, 1})) << "as far from two faces";
   EXPECT_FALSE(is_known({{-9, 0, 0}, {9, 0, 0}, 1})) << "its axis in the middle of the box";
   EXPECT_FALSE(is_known({{-5, 0, 1.5}, {5, 0, 1.5 + 1e-12}, 1})) << "nearly level, and longer than the face";
   EXPECT_FALSE(is_known({{-5, 2, 1.5}, {5, 2, 1.5}, 1})) << "level above an edge";
   EXPECT_FALSE(is_known({{0, 0, std::nan("")}, {0, 0, 5}, 1}));
-  EXPECT_FALSE(touch_look(Box{{0, 0, 0}, {3, 2, 0}}, Pill{{2, 1, 2}, {6, 1, -2}, 2}, false).is_known) << "a flat box";
+  EXPECT_FALSE(find_fast_contact(Box{{0, 0, 0}, {3, 2, 0}}, Pill{{2, 1, 2}, {6, 1, -2}, 2}, false).is_known)
+      << "a flat box";
 }
 
 // ---- Against the way of all shapes
@@ -209,7 +210,7 @@ void expect_the_same_answers() {
     const Capsule<3, T> pill{Vec<3, T>(drawn.pill.a), Vec<3, T>(drawn.pill.b), static_cast<T>(drawn.pill.radius)};
     const BoxType box = box_like(drawn.box, BoxType());
     RC_LOG() << test::to_source(box) << ", " << test::to_source(pill) << "\n";
-    const CapsuleLook quick = touch_look(box, pill, false);
+    const CapsuleLook quick = find_fast_contact(box, pill, false);
     const bool is_apart = decide(box, pill) == Relation::apart;
     if (quick.is_known) RC_ASSERT(quick.meets == !is_apart);
     RC_ASSERT(contact(box, pill).has_value() == !is_apart);
@@ -268,7 +269,7 @@ double share_with_known_points() {
     const Capsule<3, T> pill{Vec<3, T>(low), Vec<3, T>(low + vector(1)), static_cast<T>(number(0.1, 0.4))};
     if (decide(box, pill) == Relation::apart) continue;
     ++count;
-    const CapsuleLook look = touch_look(box, pill, false);
+    const CapsuleLook look = find_fast_contact(box, pill, false);
     std::array<SurfacePair<3>, 2> pairs;
     known += look.is_known && look.put_points(pairs.data()) > 0 ? 1 : 0;
   }

@@ -10,16 +10,16 @@ namespace {
 using Ball = Sphere<3, double>;
 using Box = Obb<3, double>;
 
-static_assert(has_quick_touch<Ball, Box> && has_quick_touch<Box, Ball>);
-static_assert(has_quick_touch<Sphere<2, float>, Capsule<2, float>>);
-static_assert(has_quick_touch<Sphere<2, float>, Obb<2, float>> && !has_quick_touch<Aabb<2, float>, Aabb<2, float>>);
-static_assert(has_quick_touch<Triangle<3, double>, Ball> && !has_quick_touch<Sphere<2, double>, Triangle<2, double>>);
+static_assert(has_fast_contact<Ball, Box> && has_fast_contact<Box, Ball>);
+static_assert(has_fast_contact<Sphere<2, float>, Capsule<2, float>>);
+static_assert(has_fast_contact<Sphere<2, float>, Obb<2, float>> && !has_fast_contact<Aabb<2, float>, Aabb<2, float>>);
+static_assert(has_fast_contact<Triangle<3, double>, Ball> && !has_fast_contact<Sphere<2, double>, Triangle<2, double>>);
 
 TEST(QuickTouch, TurnsWhatItSeesWithTheShapes) {
-  const Ball ball{{0, 0, 1.5}, 1};
+  const Ball sphere{{0, 0, 1.5}, 1};
   const Box box{{0, 0, 0}, {3, 2, 1}};
-  const TouchLook<3> one = quick_touch(ball, box);
-  const TouchLook<3> other = quick_touch(box, ball);
+  const FastContact<3> one = fast_contact(sphere, box);
+  const FastContact<3> other = fast_contact(box, sphere);
   ASSERT_TRUE(one.is_known && one.meets && other.is_known && other.meets);
   EXPECT_EQ(one.found.normal, -other.found.normal);
   EXPECT_EQ(one.found.depth, other.found.depth);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The quick way of balls, capsules and boxes on planes and half-spaces against the way of all convex shapes.
+// The quick way of spheres, capsules and boxes on planes and half-spaces against the way of all convex shapes.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -20,45 +20,46 @@ namespace {
 using V3 = Vec<3, double>;
 const HalfSpace<3, double> ground{{0, 0, 2}, 2};  // up to z = 1
 
-TEST(LevelTouch, IsAsCalculatedByHand) {
-  const TouchLook<3> ball = touch_look(Sphere<3, double>{{5, 6, 1.5}, 1}, ground, false);
-  ASSERT_TRUE(ball.is_known && ball.meets && ball.is_single);
-  EXPECT_EQ(ball.found.normal, V3(0, 0, -1));
-  EXPECT_EQ(ball.found.depth, 0.5);
-  EXPECT_EQ(ball.found.point_a, V3(5, 6, 0.5));
-  EXPECT_EQ(ball.found.point_b, V3(5, 6, 1));
-  const TouchLook<3> turned = touch_look(Sphere<3, double>{{5, 6, 1.5}, 1}, ground, true);
+TEST(HalfSpaceContact, IsAsCalculatedByHand) {
+  const FastContact<3> sphere = find_fast_contact(Sphere<3, double>{{5, 6, 1.5}, 1}, ground, false);
+  ASSERT_TRUE(sphere.is_known && sphere.meets && sphere.is_single);
+  EXPECT_EQ(sphere.found.normal, V3(0, 0, -1));
+  EXPECT_EQ(sphere.found.depth, 0.5);
+  EXPECT_EQ(sphere.found.point_a, V3(5, 6, 0.5));
+  EXPECT_EQ(sphere.found.point_b, V3(5, 6, 1));
+  const FastContact<3> turned = find_fast_contact(Sphere<3, double>{{5, 6, 1.5}, 1}, ground, true);
   EXPECT_EQ(turned.found.normal, V3(0, 0, 1));
   EXPECT_EQ(turned.found.point_b, V3(5, 6, 0.5));
   EXPECT_EQ(turned.feature_a, (Feature{FeatureKind::face, 0}));
-  const TouchLook<3> pill = touch_look(ground, Capsule<3, double>{{0, 0, 4}, {3, 0, 1.75}, 1}, false);
+  const FastContact<3> pill = find_fast_contact(ground, Capsule<3, double>{{0, 0, 4}, {3, 0, 1.75}, 1}, false);
   EXPECT_EQ(pill.found.depth, 0.25);
   EXPECT_EQ(pill.found.normal, V3(0, 0, 1));
   EXPECT_EQ(pill.found.point_b, V3(3, 0, 0.75));
 }
 
-TEST(LevelTouch, OfAPlaneIsToTheNearerSide) {
+TEST(HalfSpaceContact, OfAPlaneIsToTheNearerSide) {
   const Plane<3, double> plane = boundary(ground);
-  const TouchLook<3> above = touch_look(Aabb<3, double>{{0, 0, 0}, {1, 1, 4}}, plane, false);
+  const FastContact<3> above = find_fast_contact(Aabb<3, double>{{0, 0, 0}, {1, 1, 4}}, plane, false);
   EXPECT_EQ(above.found.depth, 1);
   EXPECT_EQ(above.found.normal, V3(0, 0, -1));
-  const TouchLook<3> below = touch_look(Aabb<3, double>{{0, 0, -9}, {1, 1, 2}}, plane, false);
+  const FastContact<3> below = find_fast_contact(Aabb<3, double>{{0, 0, -9}, {1, 1, 2}}, plane, false);
   EXPECT_EQ(below.found.depth, 1);
   EXPECT_EQ(below.found.normal, V3(0, 0, 1));
 }
 
-TEST(LevelTouch, IsNotKnownWhereItIsTooCloseToTell) {
+TEST(HalfSpaceContact, IsNotKnownWhereItIsTooCloseToTell) {
   const Plane<3, double> plane = boundary(ground);
-  EXPECT_FALSE(touch_look(Sphere<3, double>{{0, 0, 2}, 1}, ground, false).is_known) << "touches";
-  EXPECT_TRUE(touch_look(Sphere<3, double>{{0, 0, 1}, 1}, ground, false).is_known);
-  EXPECT_FALSE(touch_look(Sphere<3, double>{{0, 0, 1}, 1}, plane, false).is_known) << "either side is as near";
-  EXPECT_FALSE(touch_look(Sphere<3, double>{{0, 0, std::nan("")}, 1}, ground, false).is_known);
-  EXPECT_FALSE(touch_look(ground, Capsule<3, double>{{0, 0, 0}, {0, 0, std::nan("")}, 1}, false).is_known);
-  EXPECT_FALSE(touch_look(Aabb<3, double>{{0, 0, 0}, {1, 1, std::nan("")}}, ground, false).is_known);
-  EXPECT_FALSE(touch_look(Sphere<3, double>{{0, 0, 0}, 1}, HalfSpace<3, double>{{0, 0, 1e-90}, 1e-90}, false).is_known);
+  EXPECT_FALSE(find_fast_contact(Sphere<3, double>{{0, 0, 2}, 1}, ground, false).is_known) << "touches";
+  EXPECT_TRUE(find_fast_contact(Sphere<3, double>{{0, 0, 1}, 1}, ground, false).is_known);
+  EXPECT_FALSE(find_fast_contact(Sphere<3, double>{{0, 0, 1}, 1}, plane, false).is_known) << "either side is as near";
+  EXPECT_FALSE(find_fast_contact(Sphere<3, double>{{0, 0, std::nan("")}, 1}, ground, false).is_known);
+  EXPECT_FALSE(find_fast_contact(ground, Capsule<3, double>{{0, 0, 0}, {0, 0, std::nan("")}, 1}, false).is_known);
+  EXPECT_FALSE(find_fast_contact(Aabb<3, double>{{0, 0, 0}, {1, 1, std::nan("")}}, ground, false).is_known);
+  EXPECT_FALSE(
+      find_fast_contact(Sphere<3, double>{{0, 0, 0}, 1}, HalfSpace<3, double>{{0, 0, 1e-90}, 1e-90}, false).is_known);
 }
 
-TEST(LevelTouch, ABoxOnTheGroundStandsOnFourCorners) {
+TEST(HalfSpaceContact, ABoxOnTheGroundStandsOnFourCorners) {
   const Obb<3, double> box{{3, 4, 1.5}, {2, 1, 0.75}, rotation_matrix(V3(0, 0, 1), 30)};
   const auto found = manifold(ground, box);
   ASSERT_EQ(found.size, 4U);
@@ -92,8 +93,8 @@ Mat<N, double> turn() {
 }
 
 template <Dim N, class T>
-void draw(Sphere<N, T>& ball, double far) {
-  ball = {Vec<N, T>(place<N>() * far), static_cast<T>(share())};
+void draw(Sphere<N, T>& sphere, double far) {
+  sphere = {Vec<N, T>(place<N>() * far), static_cast<T>(share())};
 }
 template <Dim N, class T>
 void draw(Capsule<N, T>& capsule, double far) {
@@ -135,7 +136,7 @@ void expect_the_same_answers() {
     draw(shape, far);
     const auto level = draw_level<Level>(shape);
     RC_LOG() << test::to_source(level) << ", " << test::to_source(shape) << "\n";
-    const TouchLook<N> quick = quick_touch(level, shape);
+    const FastContact<N> quick = fast_contact(level, shape);
     const bool is_apart = decide(level, shape) == Relation::apart;
     if (quick.is_known) RC_ASSERT(quick.meets == !is_apart);
     RC_ASSERT(contact(level, shape).has_value() == !is_apart);
@@ -179,12 +180,12 @@ void expect_the_same_of_all() {
   expect_the_same_answers<HalfSpace<N, T>, Obb<N, T>>();
 }
 
-TEST(LevelTouch, IsWhatAllShapesAnswerInThePlane) {
+TEST(HalfSpaceContact, IsWhatAllShapesAnswerInThePlane) {
   expect_the_same_of_all<2, float>();
   expect_the_same_of_all<2, double>();
 }
 
-TEST(LevelTouch, IsWhatAllShapesAnswerInSpace) {
+TEST(HalfSpaceContact, IsWhatAllShapesAnswerInSpace) {
   expect_the_same_of_all<3, float>();
   expect_the_same_of_all<3, double>();
 }

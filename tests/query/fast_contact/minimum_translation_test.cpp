@@ -14,54 +14,54 @@ constexpr double doubt = 1e-8;
 constexpr double noise = 1e-14;
 
 /// Out of a box three long, two wide and one high from the middle.
-WayOut way_out(const V3& start, const V3& end) {
-  return WayOutSearch(start, end - start, V3(3, 2, 1), doubt).run(noise);
+MinimumTranslation minimum_translation(const V3& start, const V3& end) {
+  return MinimumTranslationSearch(start, end - start, V3(3, 2, 1), doubt).run(noise);
 }
 
 void expect_face(const V3& start, const V3& end, const V3& outward) {
-  const WayOut way = way_out(start, end);
+  const MinimumTranslation way = minimum_translation(start, end);
   ASSERT_TRUE(way.is_known && way.is_face);
   EXPECT_EQ(way.outward, outward);
   EXPECT_EQ(way.outward[way.axis] * way.outward[way.axis], 1);
 }
 
-TEST(WayOut, IsAcrossTheFaceThatTheLowestPlaceIsNearestTo) {
+TEST(MinimumTranslation, IsAcrossTheFaceThatTheLowestPlaceIsNearestTo) {
   expect_face({0, 0, 0.5}, {1, 1, 0.7}, {0, 0, 1});
   expect_face({0, 0, -0.5}, {1, 1, -0.7}, {0, 0, -1});
   expect_face({2.9, 0, 0.5}, {9, 1, 0.5}, {1, 0, 0});
   expect_face({0, -1.9, 0.1}, {1, -9, 0.2}, {0, -1, 0});
 }
 
-TEST(WayOut, IsAcrossAnEdgeThatTheSegmentCuts) {
+TEST(MinimumTranslation, IsAcrossAnEdgeThatTheSegmentCuts) {
   // Past the edge along x at +y and +z, and along y at -x and +z.
-  WayOut way = way_out({0, 1.8, 9.8}, {0, 9.8, 1.8});
+  MinimumTranslation way = minimum_translation({0, 1.8, 9.8}, {0, 9.8, 1.8});
   EXPECT_FALSE(way.is_known) << "out of the box";
-  way = way_out({0.1, -1.2, 4}, {0.2, 4, -1.2});
+  way = minimum_translation({0.1, -1.2, 4}, {0.2, 4, -1.2});
   ASSERT_TRUE(way.is_known && !way.is_face);
   EXPECT_EQ(way.axis, 0);
   EXPECT_GT(way.outward.y, 0);
   EXPECT_GT(way.outward.z, 0);
   EXPECT_TRUE(way.is_oblique);
-  way = way_out({-6, 0.5, -2.1}, {-0.5, 0, 3.3});
+  way = minimum_translation({-6, 0.5, -2.1}, {-0.5, 0, 3.3});
   ASSERT_TRUE(way.is_known && !way.is_face);
   EXPECT_EQ(way.axis, 1);
   EXPECT_LT(way.outward.x, 0);
   EXPECT_GT(way.outward.z, 0);
 }
 
-TEST(WayOut, IsTheFaceThatALevelSegmentIsUnder) {
-  const WayOut way = way_out({-9, -1, 0.5}, {9, 1, 0.5});
+TEST(MinimumTranslation, IsTheFaceThatALevelSegmentIsUnder) {
+  const MinimumTranslation way = minimum_translation({-9, -1, 0.5}, {9, 1, 0.5});
   ASSERT_TRUE(way.is_known && way.is_face && way.is_level);
   EXPECT_EQ(way.outward, V3(0, 0, 1));
-  const WayOut along_edges = way_out({-9, 1, 0.5}, {9, 1, 0.5});
+  const MinimumTranslation along_edges = minimum_translation({-9, 1, 0.5}, {9, 1, 0.5});
   EXPECT_TRUE(along_edges.is_known && along_edges.is_face && along_edges.is_level);
-  EXPECT_FALSE(way_out({-9, -1, 0.5}, {9, 1, 0.5 + 1e-9}).is_known) << "too close to level to tell";
+  EXPECT_FALSE(minimum_translation({-9, -1, 0.5}, {9, 1, 0.5 + 1e-9}).is_known) << "too close to level to tell";
 }
 
-TEST(WayOut, IsNotKnownWhereTwoAreAsGood) {
-  EXPECT_FALSE(way_out({0, 0, 0}, {1, 0, 0}).is_known) << "in the middle of two faces";
-  EXPECT_FALSE(way_out({2.5, 0, 0.5}, {2.6, 0, 0.6}).is_known) << "as far from two faces that meet";
-  EXPECT_FALSE(way_out({0, -9, 0}, {0, 9, 1e-9}).is_known) << "through the middle";
+TEST(MinimumTranslation, IsNotKnownWhereTwoAreAsGood) {
+  EXPECT_FALSE(minimum_translation({0, 0, 0}, {1, 0, 0}).is_known) << "in the middle of two faces";
+  EXPECT_FALSE(minimum_translation({2.5, 0, 0.5}, {2.6, 0, 0.6}).is_known) << "as far from two faces that meet";
+  EXPECT_FALSE(minimum_translation({0, -9, 0}, {0, 9, 1e-9}).is_known) << "through the middle";
 }
 
 }  // namespace

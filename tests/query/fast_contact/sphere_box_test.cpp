@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The quick way of a ball and a box in space against the way of all shapes.
+// The quick way of a sphere and a box in space against the way of all shapes.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -24,13 +24,13 @@ using Box = Obb<3, double>;
 
 const Box brick{{0, 0, 0}, {3, 2, 1}};
 
-void expect_touch(const Ball& ball, const V3& normal, double depth, const Feature& feature) {
-  const TouchLook<3> touch = touch_look(ball, brick, false);
+void expect_touch(const Ball& sphere, const V3& normal, double depth, const Feature& feature) {
+  const FastContact<3> touch = find_fast_contact(sphere, brick, false);
   ASSERT_TRUE(touch.is_known);
   ASSERT_TRUE(touch.meets);
   EXPECT_NEAR(length(touch.found.normal - normal), 0, 1e-15);
   EXPECT_NEAR(touch.found.depth, depth, touch.found.error);
-  EXPECT_NEAR(length(touch.found.point_a - (ball.center + normal * ball.radius)), 0, 1e-14);
+  EXPECT_NEAR(length(touch.found.point_a - (sphere.center + normal * sphere.radius)), 0, 1e-14);
   EXPECT_NEAR(length(touch.found.point_b - (touch.found.point_a - normal * depth)), 0, 1e-14);
   EXPECT_EQ(touch.feature_b, feature);
   EXPECT_TRUE(touch.is_single);
@@ -53,20 +53,20 @@ TEST(BallOnBox, LeavesFromInsideThroughTheNearestFace) {
 }
 
 TEST(BallOnBox, IsApartWhereNoPointIsNearEnough) {
-  const TouchLook<3> far = touch_look(Ball{{4, 3, 2}, 1.7}, brick, false);
+  const FastContact<3> far = find_fast_contact(Ball{{4, 3, 2}, 1.7}, brick, false);
   EXPECT_TRUE(far.is_known);
   EXPECT_FALSE(far.meets);
 }
 
 TEST(BallOnBox, IsNotKnownWhereItIsTooCloseToTell) {
-  const auto is_known = [](const Ball& ball) { return touch_look(ball, brick, false).is_known; };
+  const auto is_known = [](const Ball& sphere) { return find_fast_contact(sphere, brick, false).is_known; };
   EXPECT_FALSE(is_known({{0, 0, 2}, 1}));             // touches
   EXPECT_FALSE(is_known({{0, 0, 1}, 1}));             // its center on a face
   EXPECT_FALSE(is_known({{3, 0, 1.5}, 1}));           // over the line between face and edge
   EXPECT_FALSE(is_known({{0, 0, 0}, 1}));             // two faces are as near
   EXPECT_FALSE(is_known({{2.5, 1.5, 0}, 1}));         // two faces are as near
   EXPECT_FALSE(is_known({{0, 0, std::nan("")}, 1}));  // nonsense
-  EXPECT_FALSE(touch_look(Ball{{0, 0, 0.5}, 1}, Box{{0, 0, 0}, {3, 2, 0}}, false).is_known);  // a flat box
+  EXPECT_FALSE(find_fast_contact(Ball{{0, 0, 0.5}, 1}, Box{{0, 0, 0}, {3, 2, 0}}, false).is_known);  // a flat box
 }
 
 // ---- Against the way of all shapes
@@ -109,31 +109,31 @@ void expect_the_same_answers() {
   int known = 0;
   test::check_property([&known] {
     const auto [wide_ball, wide_box] = draw();
-    const Sphere<3, T> ball{Vec<3, T>(wide_ball.center), static_cast<T>(wide_ball.radius)};
+    const Sphere<3, T> sphere{Vec<3, T>(wide_ball.center), static_cast<T>(wide_ball.radius)};
     const BoxType box = box_like(wide_box, BoxType());
-    RC_LOG() << test::to_source(ball) << ", " << test::to_source(box) << "\n";
-    const TouchLook<3> quick = touch_look(ball, box, false);
-    const bool is_apart = decide(ball, box) == Relation::apart;
+    RC_LOG() << test::to_source(sphere) << ", " << test::to_source(box) << "\n";
+    const FastContact<3> quick = find_fast_contact(sphere, box, false);
+    const bool is_apart = decide(sphere, box) == Relation::apart;
     if (quick.is_known) RC_ASSERT(quick.meets == !is_apart);
-    RC_ASSERT(contact(ball, box).has_value() == !is_apart);
-    RC_ASSERT((manifold(box, ball).size == 0) == is_apart);
+    RC_ASSERT(contact(sphere, box).has_value() == !is_apart);
+    RC_ASSERT((manifold(box, sphere).size == 0) == is_apart);
     RC_PRE(quick.is_known && !is_apart);
     ++known;
-    const WideManifold<3> plain = manifold_of_met(ball, box);
+    const WideManifold<3> plain = manifold_of_met(sphere, box);
     const double allowed = 4 * (quick.found.error + plain.found.error);
     RC_ASSERT(std::fabs(quick.found.depth - plain.found.depth) <= allowed);
     expect_near(quick.found.normal, plain.found.normal, 1e-9);
     const double allowed_off =
-        allowed + 1e-9 * wide_ball.radius + tolerance::epsilon * static_cast<double>(max_abs(ball.center));
+        allowed + 1e-9 * wide_ball.radius + tolerance::epsilon * static_cast<double>(max_abs(sphere.center));
     expect_near(quick.found.point_a, plain.found.point_a, allowed_off);
     expect_near(quick.found.point_b, plain.found.point_b, allowed_off + 1e-9 * plain.found.depth);
     RC_ASSERT(plain.size == 1U);
     RC_ASSERT(plain.pairs[0].feature_a == (Feature{FeatureKind::vertex, 0}));
     // Far from the origin the way of all shapes loses edges and vertices to rounding.
     if (max_abs(wide_box.center) <= 1) RC_ASSERT(plain.pairs[0].feature_b == quick.feature_b);
-    const auto turned = manifold(box, ball);
+    const auto turned = manifold(box, sphere);
     RC_ASSERT(turned.points[0].id == (ContactId{quick.feature_b, {FeatureKind::vertex, 0}}));
-    RC_ASSERT(turned.normal == -manifold(ball, box).normal);
+    RC_ASSERT(turned.normal == -manifold(sphere, box).normal);
   });
   EXPECT_GT(known, 0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The quick way of a ball and a triangle in space against the way of all shapes.
+// The quick way of a sphere and a triangle in space against the way of all shapes.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -21,8 +21,8 @@ using Roof = Triangle<3, double>;
 
 const Roof roof{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
 
-void expect_touch(const Ball& ball, const V3& normal, double depth, const Feature& feature) {
-  const TouchLook<3> look = touch_look(ball, roof, false);
+void expect_touch(const Ball& sphere, const V3& normal, double depth, const Feature& feature) {
+  const FastContact<3> look = find_fast_contact(sphere, roof, false);
   ASSERT_TRUE(look.is_known && look.meets && look.is_single);
   EXPECT_NEAR(length(look.found.normal - normal), 0, 1e-15);
   EXPECT_NEAR(look.found.depth, depth, look.found.error);
@@ -43,8 +43,8 @@ TEST(BallOnTriangle, NamesTheFaceSideOrCornerThatItLiesOn) {
 }
 
 TEST(BallOnTriangle, IsNotKnownWhereItIsTooCloseToTell) {
-  const auto is_known = [](const Ball& ball, const Roof& triangle) {
-    return touch_look(ball, triangle, false).is_known;
+  const auto is_known = [](const Ball& sphere, const Roof& triangle) {
+    return find_fast_contact(sphere, triangle, false).is_known;
   };
   EXPECT_TRUE(is_known({{1, 1, 3}, 1}, roof)) << "apart";
   EXPECT_FALSE(is_known({{1, 1, 1}, 1}, roof)) << "touches";
@@ -52,7 +52,7 @@ TEST(BallOnTriangle, IsNotKnownWhereItIsTooCloseToTell) {
   EXPECT_FALSE(is_known({{1, 1, std::nan("")}, 1}, roof));
   EXPECT_FALSE(is_known({{1, 0, 1}, 2}, Roof{{0, 0, 0}, {4, 0, 0}, {4, 0.1, 0}})) << "a needle";
   EXPECT_FALSE(is_known({{1, 0, 1}, 2}, Roof{{0, 0, 0}, {0, 0, 0}, {4, 0, 0}})) << "two corners at one place";
-  EXPECT_FALSE(touch_look(Ball{{2, -1e-9, 1}, 2}, roof, false).is_single) << "hardly beside the face";
+  EXPECT_FALSE(find_fast_contact(Ball{{2, -1e-9, 1}, 2}, roof, false).is_single) << "hardly beside the face";
 }
 
 // ---- Against the way of all shapes
@@ -72,24 +72,24 @@ void expect_the_same_answers() {
     V3 center = place();
     if (*test::choice(4) == 0) center = a + (b - a) * share() + V3(0, 0, share());
     const Triangle<3, T> triangle{Vec<3, T>(a + at), Vec<3, T>(b + at), Vec<3, T>(c + at)};
-    const Sphere<3, T> ball{Vec<3, T>(center + at), static_cast<T>(*test::choice(8) == 0 ? 0 : share())};
-    RC_LOG() << test::to_source(ball) << ", " << test::to_source(triangle) << "\n";
-    const TouchLook<3> quick = touch_look(ball, triangle, false);
-    const bool is_apart = decide(ball, triangle) == Relation::apart;
+    const Sphere<3, T> sphere{Vec<3, T>(center + at), static_cast<T>(*test::choice(8) == 0 ? 0 : share())};
+    RC_LOG() << test::to_source(sphere) << ", " << test::to_source(triangle) << "\n";
+    const FastContact<3> quick = find_fast_contact(sphere, triangle, false);
+    const bool is_apart = decide(sphere, triangle) == Relation::apart;
     if (quick.is_known) RC_ASSERT(quick.meets == !is_apart);
-    RC_ASSERT(contact(ball, triangle).has_value() == !is_apart);
-    RC_ASSERT((manifold(triangle, ball).size == 0) == is_apart);
+    RC_ASSERT(contact(sphere, triangle).has_value() == !is_apart);
+    RC_ASSERT((manifold(triangle, sphere).size == 0) == is_apart);
     RC_PRE(quick.is_known && !is_apart);
     ++known;
-    const WideManifold<3> plain = manifold_of_met(ball, triangle);
+    const WideManifold<3> plain = manifold_of_met(sphere, triangle);
     const double allowed = 4 * (quick.found.error + plain.found.error);
     RC_ASSERT(std::fabs(quick.found.depth - plain.found.depth) <= allowed);
     RC_ASSERT(max_abs(quick.found.normal - plain.found.normal) <= 1e-8);
     const double allowed_off = allowed + 1e-8 + tolerance::epsilon * far;
     RC_ASSERT(max_abs(quick.found.point_a - plain.found.point_a) <= allowed_off);
     RC_ASSERT(max_abs(quick.found.point_b - plain.found.point_b) <= allowed_off);
-    const auto turned = manifold(triangle, ball);
-    const auto same = manifold(ball, triangle);
+    const auto turned = manifold(triangle, sphere);
+    const auto same = manifold(sphere, triangle);
     RC_ASSERT(same.size == 1U && turned.size == 1U && plain.size == 1U);
     RC_ASSERT(turned.normal == -same.normal && turned.points[0].point_a == same.points[0].point_b);
     RC_ASSERT(turned.points[0].id.a == same.points[0].id.b);

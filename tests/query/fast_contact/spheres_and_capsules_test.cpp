@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The quick way of balls and capsules against the way of all shapes.
+// The quick way of spheres and capsules against the way of all shapes.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -26,7 +26,7 @@ constexpr Feature end{FeatureKind::vertex, 1};
 
 template <class A, class B>
 void expect_touch(const A& a, const B& b, const V3& normal, double depth, const Feature& of_a, const Feature& of_b) {
-  const TouchLook<3> look = touch_look(a, b, false);
+  const FastContact<3> look = find_fast_contact(a, b, false);
   ASSERT_TRUE(look.is_known && look.meets && look.is_single);
   EXPECT_NEAR(length(look.found.normal - normal), 0, 1e-15);
   EXPECT_NEAR(look.found.depth, depth, look.found.error);
@@ -36,9 +36,9 @@ void expect_touch(const A& a, const B& b, const V3& normal, double depth, const 
 }
 
 TEST(RoundTouch, IsAsCalculatedByHand) {
-  const Ball ball{{1, 2, 3}, 2};
+  const Ball sphere{{1, 2, 3}, 2};
   const Pill pill{{5, 0, 0}, {5, 10, 0}, 1};
-  expect_touch(ball, Ball{{1, 2, 5.5}, 1}, {0, 0, 1}, 0.5, start, start);
+  expect_touch(sphere, Ball{{1, 2, 5.5}, 1}, {0, 0, 1}, 0.5, start, start);
   expect_touch(Ball{{2.5, 4, 0}, 2}, pill, {1, 0, 0}, 0.5, start, edge);
   expect_touch(Ball{{5, -2, 0}, 1.5}, pill, {0, 1, 0}, 0.5, start, start);
   expect_touch(Ball{{5, 12, 0}, 1.5}, pill, {0, -1, 0}, 0.5, start, end);
@@ -47,24 +47,25 @@ TEST(RoundTouch, IsAsCalculatedByHand) {
 }
 
 TEST(RoundTouch, IsApartWhereNoPointIsNearEnough) {
-  const TouchLook<3> look = touch_look(Ball{{0, 0, 0}, 1}, Ball{{3, 0, 0}, 1.9}, false);
+  const FastContact<3> look = find_fast_contact(Ball{{0, 0, 0}, 1}, Ball{{3, 0, 0}, 1.9}, false);
   EXPECT_TRUE(look.is_known);
   EXPECT_FALSE(look.meets);
 }
 
 TEST(RoundTouch, IsNotKnownWhereItIsTooCloseToTell) {
-  const Ball ball{{0, 0, 0}, 1};
+  const Ball sphere{{0, 0, 0}, 1};
   const Pill pill{{-1, 0, 0}, {1, 0, 0}, 1};
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(touch_look(ball, Ball{{3, 0, 0}, 2}, false).is_known) << "touching";
-  EXPECT_FALSE(touch_look(ball, Ball{{0, 0, 0}, 2}, false).is_known) << "one center";
-  EXPECT_FALSE(touch_look(ball, Ball{{nan, 0, 0}, 2}, false).is_known);
-  EXPECT_FALSE(touch_look(ball, pill, false).is_known) << "a center on an axis";
-  EXPECT_FALSE(touch_look(ball, Pill{{1, 0, 0}, {1, 0, 0}, 1}, false).is_known) << "an axis without length";
-  EXPECT_FALSE(touch_look(pill, Pill{{-1, 1, 0}, {1, 1.1, 0}, 1}, false).is_known) << "nearly parallel";
-  EXPECT_FALSE(touch_look(pill, Pill{{0, -1, 0}, {0, 1, 0}, 1}, false).is_known) << "axes that cross";
-  EXPECT_FALSE(touch_look(ball, Pill{{1, 1e-11, 0}, {-1, 1e-11, 1e-6}, 1}, false).is_known) << "nearly so";
-  EXPECT_FALSE(touch_look(Ball{{-1 - 1e-13, 1, 0}, 1}, Pill{{-1 - 1e-13 - 1e-12, 0, 0}, {1, 0, 0}, 1}, false).is_single)
+  EXPECT_FALSE(find_fast_contact(sphere, Ball{{3, 0, 0}, 2}, false).is_known) << "touching";
+  EXPECT_FALSE(find_fast_contact(sphere, Ball{{0, 0, 0}, 2}, false).is_known) << "one center";
+  EXPECT_FALSE(find_fast_contact(sphere, Ball{{nan, 0, 0}, 2}, false).is_known);
+  EXPECT_FALSE(find_fast_contact(sphere, pill, false).is_known) << "a center on an axis";
+  EXPECT_FALSE(find_fast_contact(sphere, Pill{{1, 0, 0}, {1, 0, 0}, 1}, false).is_known) << "an axis without length";
+  EXPECT_FALSE(find_fast_contact(pill, Pill{{-1, 1, 0}, {1, 1.1, 0}, 1}, false).is_known) << "nearly parallel";
+  EXPECT_FALSE(find_fast_contact(pill, Pill{{0, -1, 0}, {0, 1, 0}, 1}, false).is_known) << "axes that cross";
+  EXPECT_FALSE(find_fast_contact(sphere, Pill{{1, 1e-11, 0}, {-1, 1e-11, 1e-6}, 1}, false).is_known) << "nearly so";
+  EXPECT_FALSE(
+      find_fast_contact(Ball{{-1 - 1e-13, 1, 0}, 1}, Pill{{-1 - 1e-13 - 1e-12, 0, 0}, {1, 0, 0}, 1}, false).is_single)
       << "over an end, or not";
 }
 
@@ -82,8 +83,8 @@ Vec<N, double> place() {
 double radius() { return *test::choice(8) == 0 ? 0 : share(); }
 
 template <Dim N, class T>
-void draw(Sphere<N, T>& ball, const Vec<N, double>& far) {
-  ball = {Vec<N, T>(place<N>() + far), static_cast<T>(radius())};
+void draw(Sphere<N, T>& sphere, const Vec<N, double>& far) {
+  sphere = {Vec<N, T>(place<N>() + far), static_cast<T>(radius())};
 }
 
 template <Dim N, class T>
@@ -111,7 +112,7 @@ void expect_the_same_answers() {
     draw(a, far);
     draw(b, far);
     RC_LOG() << test::to_source(a) << ", " << test::to_source(b) << "\n";
-    const TouchLook<N> quick = touch_look(a, b, false);
+    const FastContact<N> quick = find_fast_contact(a, b, false);
     const bool is_apart = decide(a, b) == Relation::apart;
     if (quick.is_known) RC_ASSERT(quick.meets == !is_apart);
     if (quick.is_known && is_apart) ++apart;

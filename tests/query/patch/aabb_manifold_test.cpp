@@ -96,7 +96,7 @@ void expect_the_same() {
       RC_ASSERT(max_abs(quick_points.at(id) - point) <= 64 * tolerance::epsilon * size);
     }
     const Vec<N, double> zero(0.0);
-    if (!has_faces(seen_from(zero, a)) || !has_faces(seen_from(zero, b))) return;
+    if (!has_faces(relative_to(zero, a)) || !has_faces(relative_to(zero, b))) return;
     for (std::size_t i = 0; i < quick.size; ++i) {
       RC_ASSERT(quick.pairs[i].depth == quick.found.depth);
       const Vec<N, double> way = quick.pairs[i].point_a - quick.pairs[i].point_b;

@@ -82,18 +82,18 @@ TEST(ClippedPatch, UpToTheSlackIsNotCut) {
 }
 
 TEST(ClippedPatch, CutAtTheFaceItselfNamesTheFace) {
-  ClippedPatch<3> rod(patch_of(Segment<3, double>{{1, 1, -1}, {1, 1, 3}}, up), table);
-  rod.cut(up, V3(0, 0, 0), table.size, 0);
-  ASSERT_EQ(rod.size(), 2U);
-  expect_corner(rod[0], {1, 1, -1}, face(5), vertex(0));
-  expect_corner(rod[1], {1, 1, 0}, face(5), edge(0));
+  ClippedPatch<3> capsule(patch_of(Segment<3, double>{{1, 1, -1}, {1, 1, 3}}, up), table);
+  capsule.cut(up, V3(0, 0, 0), table.size, 0);
+  ASSERT_EQ(capsule.size(), 2U);
+  expect_corner(capsule[0], {1, 1, -1}, face(5), vertex(0));
+  expect_corner(capsule[1], {1, 1, 0}, face(5), edge(0));
 }
 
 TEST(ClippedPatch, OfAnEdgeIsCutAtBothEnds) {
-  const auto rod = clipped(patch_of(Segment<3, double>{{-9, 2, 0}, {9, 2, 0}}, up), table, up, 0);
-  ASSERT_EQ(rod.size(), 2U);
-  expect_corner(rod[0], {0, 2, 0}, edge(5), edge(0));
-  expect_corner(rod[1], {4, 2, 0}, edge(7), edge(0));
+  const auto capsule = clipped(patch_of(Segment<3, double>{{-9, 2, 0}, {9, 2, 0}}, up), table, up, 0);
+  ASSERT_EQ(capsule.size(), 2U);
+  expect_corner(capsule[0], {0, 2, 0}, edge(5), edge(0));
+  expect_corner(capsule[1], {4, 2, 0}, edge(7), edge(0));
 }
 
 TEST(ClippedPatch, InThePlaneIsCutAtTheEndsOfTheEdge) {

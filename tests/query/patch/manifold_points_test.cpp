@@ -19,11 +19,11 @@ using V3 = Vec<3, double>;
 const V3 up(0, 0, 1);
 
 Patch<3> table() { return patch_of(Aabb<3, double>{{0, 0, -1}, {4, 4, 0}}, up); }
-Patch<3> rod(const V3& start, const V3& end) { return patch_of(Segment<3, double>{start, end}, -up); }
+Patch<3> capsule(const V3& start, const V3& end) { return patch_of(Segment<3, double>{start, end}, -up); }
 
 TEST(PairsOver, LayPointsOfTheIncidentFaceOnTheReferenceFace) {
   const Patch<3> below = table();
-  const Patch<3> above = rod({1, 1, 0.25}, {9, 1, 0.5});
+  const Patch<3> above = capsule({1, 1, 0.25}, {9, 1, 0.5});
   const FacingPatches<3> facing{below, above, 0, 1};
   const SurfacePairs<3> pairs = pairs_over(facing, up, 0);
   ASSERT_EQ(pairs.size(), 2U);
@@ -36,7 +36,7 @@ TEST(PairsOver, LayPointsOfTheIncidentFaceOnTheReferenceFace) {
 
 TEST(PairsOver, LeaveOutWhatIsAboveTheSurface) {
   const Patch<3> below = table();
-  const Patch<3> above = rod({1, 1, -1}, {3, 1, 1});
+  const Patch<3> above = capsule({1, 1, -1}, {3, 1, 1});
   const FacingPatches<3> facing{below, above, 0, 0};
   const SurfacePairs<3> pairs = pairs_over(facing, up, 0);
   ASSERT_EQ(pairs.size(), 2U);
@@ -46,8 +46,8 @@ TEST(PairsOver, LeaveOutWhatIsAboveTheSurface) {
 }
 
 TEST(PairsBetweenEdges, AreTheEndsOfWhatTheyShare) {
-  const Patch<3> below = rod({0, 0, 0}, {4, 0, 0});
-  const Patch<3> above = rod({6, 0, 1}, {1, 0, 1});
+  const Patch<3> below = capsule({0, 0, 0}, {4, 0, 0});
+  const Patch<3> above = capsule({6, 0, 1}, {1, 0, 1});
   const FacingPatches<3> facing{below, above, 1, 0.5};
   const SurfacePairs<3> pairs = pairs_between_edges(facing, up, 0);
   ASSERT_EQ(pairs.size(), 2U);
@@ -58,8 +58,8 @@ TEST(PairsBetweenEdges, AreTheEndsOfWhatTheyShare) {
 }
 
 TEST(PairsBetweenEdges, AreNoneOfEdgesThatAreNotParallel) {
-  const Patch<3> below = rod({0, 0, 0}, {4, 0, 0});
-  const Patch<3> above = rod({2, -1, 1}, {2, 1, 1});
+  const Patch<3> below = capsule({0, 0, 0}, {4, 0, 0});
+  const Patch<3> above = capsule({2, -1, 1}, {2, 1, 1});
   const FacingPatches<3> facing{below, above, 1, 0.5};
   EXPECT_EQ(pairs_between_edges(facing, up, 0).size(), 0U);
 }
@@ -69,7 +69,7 @@ TEST(FeatureAt, IsTheLeastOneThatThePointIsOn) {
   EXPECT_EQ(feature_at(patch, V3(4, 0, 0), 1e-9), (Feature{FeatureKind::vertex, 5}));
   EXPECT_EQ(feature_at(patch, V3(4, 1, 0), 1e-9), (Feature{FeatureKind::edge, 7}));
   EXPECT_EQ(feature_at(patch, V3(3, 1, 0), 1e-9), (Feature{FeatureKind::face, 5}));
-  EXPECT_EQ(feature_at(rod({0, 0, 0}, {4, 0, 0}), V3(2, 0, 0), 1e-9), (Feature{FeatureKind::edge, 0}));
+  EXPECT_EQ(feature_at(capsule({0, 0, 0}, {4, 0, 0}), V3(2, 0, 0), 1e-9), (Feature{FeatureKind::edge, 0}));
 }
 
 SurfacePairs<3> pairs_at(const std::vector<V3>& points) {

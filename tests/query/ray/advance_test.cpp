@@ -21,7 +21,7 @@ Polytope<3, double> pyramid() {
 TEST(RayAdvance, StopsAtTheFaceAndKnowsItsNormal) {
   for (const auto& found : {advance_to(pyramid(), Path<3>{{0, 0.25, 0}, {2, 0, 0}, infinity}),
                             advance_by_distance(pyramid(), Path<3>{{0, 0.25, 0}, {2, 0, 0}, infinity})}) {
-    EXPECT_EQ(found.sight, Sight::hits);
+    EXPECT_EQ(found.verdict, RayVerdict::hits);
     EXPECT_NEAR(found.touch.t, 1.625, 1e-14);
     EXPECT_LE(found.touch.t, 1.625 + 1e-15);
     EXPECT_EQ(found.touch.status, Status::converged);
@@ -42,16 +42,16 @@ TEST(RayAdvance, IsCertainOnlyWhereTheRayGoesThroughAFace) {
 }
 
 TEST(RayAdvance, MissesByAPlaneOrLeavesItOpen) {
-  EXPECT_EQ(advance_to(pyramid(), {{0, 1.001, 0}, {1, 0, 0}, infinity}).sight, Sight::misses);
-  EXPECT_EQ(advance_to(pyramid(), {{0, 0, 0}, {-1, 0, 0}, infinity}).sight, Sight::misses);
-  EXPECT_EQ(advance_to(pyramid(), {{0, 0, 0}, {1, 0, 0}, 2.999}).sight, Sight::misses);
-  EXPECT_NE(advance_to(pyramid(), {{0, 1, 0}, {1, 0, 0}, infinity}).sight, Sight::misses);
-  EXPECT_NE(advance_to(pyramid(), {{0, 0, 0}, {1, 0, 0}, 3}).sight, Sight::misses);
+  EXPECT_EQ(advance_to(pyramid(), {{0, 1.001, 0}, {1, 0, 0}, infinity}).verdict, RayVerdict::misses);
+  EXPECT_EQ(advance_to(pyramid(), {{0, 0, 0}, {-1, 0, 0}, infinity}).verdict, RayVerdict::misses);
+  EXPECT_EQ(advance_to(pyramid(), {{0, 0, 0}, {1, 0, 0}, 2.999}).verdict, RayVerdict::misses);
+  EXPECT_NE(advance_to(pyramid(), {{0, 1, 0}, {1, 0, 0}, infinity}).verdict, RayVerdict::misses);
+  EXPECT_NE(advance_to(pyramid(), {{0, 0, 0}, {1, 0, 0}, 3}).verdict, RayVerdict::misses);
 }
 
 TEST(RayAdvance, StartsInsideAtZero) {
-  const Sighting<3> inside = advance_to(pyramid(), {{3.5, 0, 0}, {0, 1, 0}, infinity});
-  EXPECT_EQ(inside.sight, Sight::hits);
+  const RayFinding<3> inside = advance_to(pyramid(), {{3.5, 0, 0}, {0, 1, 0}, infinity});
+  EXPECT_EQ(inside.verdict, RayVerdict::hits);
   EXPECT_EQ(inside.touch.t, 0);
   EXPECT_EQ(inside.touch.normal, Point(0.0));
 }
@@ -59,8 +59,8 @@ TEST(RayAdvance, StartsInsideAtZero) {
 TEST(RayAdvance, GrazesARoundShape) {
   // Newton's method at a double root: every step halves the way, and still it ends, at the shape.
   const Capsule<3, double> capsule{{5, 0, -1}, {5, 0, 1}, 2};
-  const Sighting<3> found = advance_by_distance(capsule, Path<3>{{0, 2, 0}, {1, 0, 0}, infinity});
-  EXPECT_NE(found.sight, Sight::misses);
+  const RayFinding<3> found = advance_by_distance(capsule, Path<3>{{0, 2, 0}, {1, 0, 0}, infinity});
+  EXPECT_NE(found.verdict, RayVerdict::misses);
   EXPECT_NEAR(found.touch.t, 5, 1e-6);
   EXPECT_LE(found.touch.t, 5 + 1e-15);
   EXPECT_LT(found.touch.error, 1e-13);

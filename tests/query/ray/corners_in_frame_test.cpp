@@ -23,13 +23,13 @@ std::vector<Vec<3>> corners_on_lattice(std::mt19937& engine, std::size_t count) 
   return corners;
 }
 
-TEST(SeenCorners, FarthestIsTheFirstOfTheFarthestForEveryCount) {
+TEST(CornersInFrame, FarthestIsTheFirstOfTheFarthestForEveryCount) {
   std::mt19937 engine(20261123);
   std::uniform_int_distribution<int> step(-2, 2);
   const Point origin(5, -7, 0.5);
-  for (std::size_t count = 1; count <= SeenCorners::room; ++count) {
+  for (std::size_t count = 1; count <= CornersInFrame::room; ++count) {
     const std::vector<Vec<3>> corners = corners_on_lattice(engine, count);
-    const SeenCorners seen(std::span<const Vec<3>>(corners), origin);
+    const CornersInFrame seen(std::span<const Vec<3>>(corners), origin);
     for (int i = 0; i < 50; ++i) {
       const Point direction(step(engine), step(engine), step(engine));
       Point expected = Point(corners[0]) - origin;
@@ -42,14 +42,14 @@ TEST(SeenCorners, FarthestIsTheFirstOfTheFarthestForEveryCount) {
   }
 }
 
-TEST(SeenCorners, BoundsHoldAllOfThemAndNoMore) {
+TEST(CornersInFrame, BoundsHoldAllOfThemAndNoMore) {
   std::mt19937 engine(20261124);
   const Point origin(-0.25, 2, 9);
-  for (std::size_t count = 1; count <= SeenCorners::room; ++count) {
+  for (std::size_t count = 1; count <= CornersInFrame::room; ++count) {
     const std::vector<Vec<3>> corners = corners_on_lattice(engine, count);
     Aabb<3, double> expected{Point(corners[0]) - origin, Point(corners[0]) - origin};
     for (const Vec<3>& corner : corners) expected.grow(Point(corner) - origin);
-    const Aabb<3, double> box = SeenCorners(std::span<const Vec<3>>(corners), origin).bounds();
+    const Aabb<3, double> box = CornersInFrame(std::span<const Vec<3>>(corners), origin).bounds();
     EXPECT_EQ(box.min, expected.min) << count;
     EXPECT_EQ(box.max, expected.max) << count;
   }

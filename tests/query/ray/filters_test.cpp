@@ -113,8 +113,8 @@ struct Nasty {
 };
 
 template <class From, Dim N, class T>
-void draw(From& from, const Vec<N, double>& center, Sphere<N, T>& ball) {
-  ball = {Vec<N, T>(center + from.template point<N>()), static_cast<T>(from.size())};
+void draw(From& from, const Vec<N, double>& center, Sphere<N, T>& sphere) {
+  sphere = {Vec<N, T>(center + from.template point<N>()), static_cast<T>(from.size())};
 }
 template <class From, Dim N, class T>
 void draw(From& from, const Vec<N, double>& center, Capsule<N, T>& capsule) {
@@ -200,12 +200,12 @@ class RayFilters : public ::testing::Test {
       ASSERT_EQ(intersects(ray, shape), is_met) << described(shape, ray);
     }
     const auto filter = quick_cast(shape, ray, t_max);
-    if (filter.sight() == Sight::unclear) {
+    if (filter.verdict() == RayVerdict::unclear) {
       ++counts.unclear;
       return;
     }
     const Hit careful = cast_ray(shape, ray, t_max, RaySide::entry);
-    ASSERT_EQ(filter.sight() == Sight::hits, careful.has_value()) << described(shape, ray) << t_max;
+    ASSERT_EQ(filter.verdict() == RayVerdict::hits, careful.has_value()) << described(shape, ray) << t_max;
     ++(careful ? counts.hit : counts.missed);
     if (!careful) return;
     const RayHit<dimension, Number> hit = *filter.hit();
@@ -323,14 +323,14 @@ TYPED_TEST(RayFilters, LeaveOpenWhatIsNoNumber) {
   draw(from, Vec<N, double>(0.0), shape);
   for (Dim i = 0; i < N; ++i) {
     Ray<N, T> ray{Vec<N, T>(T(4)), Vec<N, T>(T(-1))};
-    EXPECT_NE(quick_cast(shape, ray, nan).sight(), Sight::hits);
-    EXPECT_NE(quick_cast(shape, ray, T(-1)).sight(), Sight::hits);
+    EXPECT_NE(quick_cast(shape, ray, nan).verdict(), RayVerdict::hits);
+    EXPECT_NE(quick_cast(shape, ray, T(-1)).verdict(), RayVerdict::hits);
     Ray<N, T> wrong = ray;
     wrong.origin[i] = nan;
-    EXPECT_EQ(quick_cast(shape, wrong, TestFixture::infinity).sight(), Sight::unclear);
+    EXPECT_EQ(quick_cast(shape, wrong, TestFixture::infinity).verdict(), RayVerdict::unclear);
     wrong = ray;
     wrong.direction[i] = nan;
-    EXPECT_EQ(quick_cast(shape, wrong, TestFixture::infinity).sight(), Sight::unclear);
+    EXPECT_EQ(quick_cast(shape, wrong, TestFixture::infinity).verdict(), RayVerdict::unclear);
   }
 }
 

@@ -22,13 +22,13 @@ using Hull = Polytope<3, double>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <class T>
-std::optional<Sighting<3>> portal_of(const Polytope<3, T>& polytope, const Path<3>& path) {
-  return PortalSearch(SeenCorners(polytope.vertices(), path.origin), path).sighting();
+std::optional<RayFinding<3>> portal_of(const Polytope<3, T>& polytope, const Path<3>& path) {
+  return PortalSearch(CornersInFrame(polytope.vertices(), path.origin), path).finding();
 }
 
 template <class T>
-std::optional<Sighting<3>> portal_in_place(const Polytope<3, T>& polytope, const Path<3>& path) {
-  return PortalSearch(CornersInPlace(polytope, path.origin), path).sighting();
+std::optional<RayFinding<3>> portal_in_place(const Polytope<3, T>& polytope, const Path<3>& path) {
+  return PortalSearch(CornersInPlace(polytope, path.origin), path).finding();
 }
 
 Hull pyramid() {
@@ -36,9 +36,9 @@ Hull pyramid() {
 }
 
 TEST(RayPortal, EntersThroughTheFace) {
-  const std::optional<Sighting<3>> found = portal_of(pyramid(), {{0, 0.25, 0.125}, {2, 0, 0}, infinity});
+  const std::optional<RayFinding<3>> found = portal_of(pyramid(), {{0, 0.25, 0.125}, {2, 0, 0}, infinity});
   ASSERT_TRUE(found.has_value());
-  EXPECT_EQ(found->sight, Sight::hits);
+  EXPECT_EQ(found->verdict, RayVerdict::hits);
   EXPECT_NEAR(found->touch.t, 1.625, 1e-15);
   EXPECT_NEAR(found->touch.point.x, 3.25, 1e-15);
   EXPECT_EQ(found->touch.normal / found->touch.normal.y, Point(-1, 1, 0));
@@ -47,8 +47,8 @@ TEST(RayPortal, EntersThroughTheFace) {
 
 TEST(RayPortal, SaysWhatIsMissedByFar) {
   const auto misses = [](const Path<3>& path) {
-    const std::optional<Sighting<3>> found = portal_of(pyramid(), path);
-    return found && found->sight == Sight::misses;
+    const std::optional<RayFinding<3>> found = portal_of(pyramid(), path);
+    return found && found->verdict == RayVerdict::misses;
   };
   EXPECT_TRUE(misses({{0, 1.001, 0}, {1, 0, 0}, infinity}));
   EXPECT_TRUE(misses({{0, 0, 0}, {-1, 0, 0}, infinity}));
@@ -65,9 +65,9 @@ TEST(RayPortal, LeavesOpenWhatIsNearlySo) {
     EXPECT_FALSE(portal_of(pyramid(), {{0, 0.25, 0.25 + off}, {1, 0, 0}, infinity}).has_value()) << off;
     for (const Path<3>& path :
          {Path<3>{{0, 0.25, 0.125}, {1, 0, 0}, 3.25 + off}, Path<3>{{3.25 + off, 0.25, 0.125}, {1, 0, 0}, infinity}}) {
-      const std::optional<Sighting<3>> found = portal_of(pyramid(), path);
+      const std::optional<RayFinding<3>> found = portal_of(pyramid(), path);
       ASSERT_TRUE(found.has_value()) << off;
-      EXPECT_EQ(found->sight, Sight::unclear) << off;
+      EXPECT_EQ(found->verdict, RayVerdict::unclear) << off;
       EXPECT_LE(found->touch.t, path.t_max);
       EXPECT_GE(found->touch.t, 0);
     }
@@ -77,18 +77,18 @@ TEST(RayPortal, LeavesOpenWhatIsNearlySo) {
 
 TEST(RayPortal, OfFlatPolytopesIsATriangleOrNone) {
   const Hull square = convex_hull<3, double>(std::vector<Point>{{1, 0, 0}, {1, 4, 0}, {1, 0, 4}, {1, 4, 4}});
-  const std::optional<Sighting<3>> crossed = portal_of(square, {{3, 1, 2}, {-2, 0, 0}, infinity});
+  const std::optional<RayFinding<3>> crossed = portal_of(square, {{3, 1, 2}, {-2, 0, 0}, infinity});
   ASSERT_TRUE(crossed.has_value());
-  EXPECT_EQ(crossed->sight, Sight::hits);
+  EXPECT_EQ(crossed->verdict, RayVerdict::hits);
   EXPECT_EQ(crossed->touch.t, 1);
   EXPECT_GT(crossed->touch.normal.x, 0);
   EXPECT_FALSE(portal_of(square, {{1, -1, 2}, {0, 1, 0}, infinity}).has_value());
   const Hull segment = convex_hull<3, double>(std::vector<Point>{{1, 0, 0}, {1, 4, 0}});
   EXPECT_FALSE(portal_of(segment, {{0, 2, 0}, {1, 0, 0}, infinity}).has_value());
   EXPECT_FALSE(portal_of(segment, {{1, -2, 0}, {0, 1, 0}, infinity}).has_value());
-  EXPECT_EQ(portal_of(segment, {{0, 2, 0.001}, {1, 0, 0}, infinity})->sight, Sight::misses);
+  EXPECT_EQ(portal_of(segment, {{0, 2, 0.001}, {1, 0, 0}, infinity})->verdict, RayVerdict::misses);
   EXPECT_FALSE(portal_of(Hull(), {{-1, 0, 0}, {1, 0, 0}, infinity}).has_value());
-  EXPECT_EQ(portal_of(Hull(), {{-1, 0, 1}, {1, 0, 0}, infinity})->sight, Sight::misses);
+  EXPECT_EQ(portal_of(Hull(), {{-1, 0, 1}, {1, 0, 0}, infinity})->verdict, RayVerdict::misses);
 }
 
 TEST(RayPortal, LeavesExtremesToOthers) {
@@ -136,23 +136,23 @@ void expect_exact_entries() {
     Ray<3, T> ray{random.vector<T>(4) + far, {}};
     ray.direction = random.vector<T>(1) + far - ray.origin;
     const Path<3> path{wide<3, T>(ray.origin), wide<3, T>(ray.direction), infinity};
-    const std::optional<Sighting<3>> found = portal_of(hull, path);
+    const std::optional<RayFinding<3>> found = portal_of(hull, path);
     const std::optional<double> entry = test::exact_entry<3, T>(AnyShape<3, T>(hull), ray);
     if (!found) {
       ++open;
       continue;
     }
-    ++seen[static_cast<std::size_t>(found->sight)];
-    if (found->sight == Sight::unclear) continue;
-    ASSERT_EQ(found->sight == Sight::hits, entry.has_value()) << i;
+    ++seen[static_cast<std::size_t>(found->verdict)];
+    if (found->verdict == RayVerdict::unclear) continue;
+    ASSERT_EQ(found->verdict == RayVerdict::hits, entry.has_value()) << i;
     if (!entry) continue;
     const Touch<3>& touch = found->touch;
     const double height = dot(touch.normal, path.direction * (touch.t - *entry)) / length(touch.normal);
     EXPECT_LE(std::fabs(height), touch.error) << i;
     EXPECT_LT(dot(touch.normal, path.direction), 0) << i;
   }
-  EXPECT_GT(seen[static_cast<std::size_t>(Sight::hits)], 150U);
-  EXPECT_GT(seen[static_cast<std::size_t>(Sight::misses)], 150U);
+  EXPECT_GT(seen[static_cast<std::size_t>(RayVerdict::hits)], 150U);
+  EXPECT_GT(seen[static_cast<std::size_t>(RayVerdict::misses)], 150U);
   EXPECT_LT(open, 200U);  // most of them begin inside
 }
 
@@ -175,9 +175,9 @@ TEST(RayPortal, HitsThroughTheMiddleOfTheBox) {
     const Point origin = random.vector<double>(1) + Point(5, 0, 0);
     const Ray<3, double> ray{origin, (middle - origin) * random.number(0.3, 3)};
     const Hull box = convex_hull<3, double>(corners);
-    const std::optional<Sighting<3>> found = portal_of(box, {ray.origin, ray.direction, infinity});
+    const std::optional<RayFinding<3>> found = portal_of(box, {ray.origin, ray.direction, infinity});
     if (!found) continue;
-    ASSERT_EQ(found->sight, Sight::hits) << i;
+    ASSERT_EQ(found->verdict, RayVerdict::hits) << i;
     ++hits;
   }
   EXPECT_GT(hits, 1000U);
@@ -197,13 +197,13 @@ TEST(RayPortal, AgreesWithGjkOnRoundHullsOfAnyNumberOfCorners) {
     const Polytope<3> hull = convex_hull<3, float>(points);
     const Point origin = random.vector<double>(1) + Point(0, 0, 3);
     const Path<3> path{origin, random.vector<double>(1.2) - origin, 4};
-    const bool is_small = hull.vertices().size() <= SeenCorners::room;
-    const std::optional<Sighting<3>> found = is_small ? portal_of(hull, path) : portal_in_place(hull, path);
+    const bool is_small = hull.vertices().size() <= CornersInFrame::room;
+    const std::optional<RayFinding<3>> found = is_small ? portal_of(hull, path) : portal_in_place(hull, path);
     if (!found) continue;
     ++settled;
-    const Sighting<3> expected = advance_to(hull, path);
-    ASSERT_EQ(found->sight, expected.sight) << i;
-    if (found->sight == Sight::hits) {
+    const RayFinding<3> expected = advance_to(hull, path);
+    ASSERT_EQ(found->verdict, expected.verdict) << i;
+    if (found->verdict == RayVerdict::hits) {
       const double way = length(path.direction) * std::fabs(found->touch.t - expected.touch.t);
       EXPECT_LT(way, 1e-9) << i;
       EXPECT_LE(length(found->touch.point - expected.touch.point), 1e-9) << i;

@@ -19,15 +19,15 @@ Path<N> path(const Vec<N, double>& direction, double t_max) {
 }
 
 TEST(RaySightBox, IsClearBeyondRoundingAndUnclearWithin) {
-  const auto sight = [](double height, double t_max) {
-    return sight_of(Box{{4, height - 1, -1}, {6, height + 1, 1}}, path(Point(2, 0, 0), t_max)).sight;
+  const auto verdict = [](double height, double t_max) {
+    return ray_verdict_of(Box{{4, height - 1, -1}, {6, height + 1, 1}}, path(Point(2, 0, 0), t_max)).verdict;
   };
-  EXPECT_EQ(sight(0.999, infinity), Sight::hits);
-  EXPECT_EQ(sight(1.001, infinity), Sight::misses);
-  EXPECT_EQ(sight(1, infinity), Sight::unclear);
-  EXPECT_EQ(sight(0, 2), Sight::unclear);
-  EXPECT_EQ(sight(0, 2.001), Sight::hits);
-  EXPECT_EQ(sight(0, 1.999), Sight::misses);
+  EXPECT_EQ(verdict(0.999, infinity), RayVerdict::hits);
+  EXPECT_EQ(verdict(1.001, infinity), RayVerdict::misses);
+  EXPECT_EQ(verdict(1, infinity), RayVerdict::unclear);
+  EXPECT_EQ(verdict(0, 2), RayVerdict::unclear);
+  EXPECT_EQ(verdict(0, 2.001), RayVerdict::hits);
+  EXPECT_EQ(verdict(0, 1.999), RayVerdict::misses);
 }
 
 /// Rays to a lattice of points around the box and on it, some of them next to an edge by less than rounding.
@@ -40,7 +40,7 @@ TEST(RaySightBox, IsMissedJustWhereSightSaysSo) {
       for (const double y : {-1.25, -1.0, -1.0 - 0x1p-50, 0.0, 0.5, 1.0, 1.0 + 0x1p-35, 2.0}) {
         for (const double z : {-3.0, -1.0, -0.0, 1.0 - 0x1p-52, std::numeric_limits<double>::quiet_NaN()}) {
           const Path<3> towards = path(Point(x, y, z), t_max);
-          const bool misses = sight_of(box, towards).sight == Sight::misses;
+          const bool misses = ray_verdict_of(box, towards).verdict == RayVerdict::misses;
           EXPECT_EQ(is_missed(box, towards), misses) << x << ' ' << y << ' ' << z << ' ' << t_max;
           ++(misses ? missed : met);
         }
@@ -52,8 +52,8 @@ TEST(RaySightBox, IsMissedJustWhereSightSaysSo) {
 }
 
 TEST(RaySightBox, OfAFlatBoxIsClearWhereItIsCrossed) {
-  const Sighting<3> crossed = sight_of(Box{{4, -1, -1}, {4, 1, 1}}, path(Point(2, 0.25, 0), infinity));
-  EXPECT_EQ(crossed.sight, Sight::hits);
+  const RayFinding<3> crossed = ray_verdict_of(Box{{4, -1, -1}, {4, 1, 1}}, path(Point(2, 0.25, 0), infinity));
+  EXPECT_EQ(crossed.verdict, RayVerdict::hits);
   EXPECT_EQ(crossed.touch.t, 2);
   EXPECT_EQ(crossed.touch.point, Point(4, 0.5, 0));
 }
@@ -66,11 +66,11 @@ TEST(RaySightBox, EntersNextToAnEdgeThroughTheSideThatItComesToLast) {
       const Box box{{4, bottom, -1}, {6, bottom + 2, 1}};
       const Obb<3, double> turned{box.center(), box.half_extents(), Mat<3, double>(1.0)};
       const Path<3> rising = path(Point(2, slope, 0), infinity);
-      for (const Sighting<3>& found : {sight_of(box, rising), sight_of(turned, rising)}) {
+      for (const RayFinding<3>& found : {ray_verdict_of(box, rising), ray_verdict_of(turned, rising)}) {
         const double height = slope * found.touch.t - bottom;
-        EXPECT_NE(found.sight, Sight::misses) << slope << ", " << below;
+        EXPECT_NE(found.verdict, RayVerdict::misses) << slope << ", " << below;
         EXPECT_LE(std::fabs(height), found.touch.error) << slope << ", " << below;
-        EXPECT_LE(found.touch.error, 3e-14 * (found.sight == Sight::unclear ? 2 : 1));
+        EXPECT_LE(found.touch.error, 3e-14 * (found.verdict == RayVerdict::unclear ? 2 : 1));
       }
     }
   }
@@ -78,8 +78,8 @@ TEST(RaySightBox, EntersNextToAnEdgeThroughTheSideThatItComesToLast) {
 
 TEST(RaySightBox, RunsAlongASideWithEitherZero) {
   for (const double zero : {0.0, -0.0}) {
-    const Sighting<3> along = sight_of(Box{{4, 0, -1}, {6, 1, 1}}, path(Point(2, zero, zero), infinity));
-    EXPECT_EQ(along.sight, Sight::unclear);
+    const RayFinding<3> along = ray_verdict_of(Box{{4, 0, -1}, {6, 1, 1}}, path(Point(2, zero, zero), infinity));
+    EXPECT_EQ(along.verdict, RayVerdict::unclear);
     EXPECT_EQ(along.touch.t, 2);
     EXPECT_EQ(along.touch.normal, Point(-1, 0, 0));
   }
@@ -98,8 +98,8 @@ TEST(RaySightBox, PutsAPointOnTheSideOfANormalAlongAnAxisAlone) {
 }
 
 TEST(RaySightBox, WorksInThePlane) {
-  const Sighting<2> hit = sight_of(Aabb<2, double>{{-1, 3}, {1, 5}}, path(Vec<2, double>(0.1, 2), infinity));
-  EXPECT_EQ(hit.sight, Sight::hits);
+  const RayFinding<2> hit = ray_verdict_of(Aabb<2, double>{{-1, 3}, {1, 5}}, path(Vec<2, double>(0.1, 2), infinity));
+  EXPECT_EQ(hit.verdict, RayVerdict::hits);
   EXPECT_EQ(hit.touch.t, 1.5);
   EXPECT_EQ(hit.touch.normal, (Vec<2, double>(0, -1)));
 }
@@ -109,8 +109,8 @@ TEST(RaySightBox, TakesAxesAsTheyAreStored) {
   Mat<3, double> axes(1.0);
   axes[1] = Point(0x1p-10, 1, 0);
   const Obb<3, double> box{{4, 0, 0}, {1, 2, 1}, axes};
-  const Sighting<3> hit = sight_of(box, path(Point(1, 0.25, 0), infinity));
-  EXPECT_EQ(hit.sight, Sight::hits);
+  const RayFinding<3> hit = ray_verdict_of(box, path(Point(1, 0.25, 0), infinity));
+  EXPECT_EQ(hit.verdict, RayVerdict::hits);
   EXPECT_NEAR(hit.touch.t, 3 / (1 - 0.25 * 0x1p-10), 1e-15);
   EXPECT_NEAR(hit.touch.normal.y / hit.touch.normal.x, -0x1p-10, 1e-18);
 }
@@ -118,8 +118,9 @@ TEST(RaySightBox, TakesAxesAsTheyAreStored) {
 TEST(RaySightBox, TakesAxesThatAreMirrored) {
   Mat<3, double> axes(1.0);
   axes[0] = Point(-1, 0, 0);
-  const Sighting<3> hit = sight_of(Obb<3, double>{{4, 0, 0}, {1, 2, 1}, axes}, path(Point(1, 0.25, 0), infinity));
-  EXPECT_EQ(hit.sight, Sight::hits);
+  const RayFinding<3> hit =
+      ray_verdict_of(Obb<3, double>{{4, 0, 0}, {1, 2, 1}, axes}, path(Point(1, 0.25, 0), infinity));
+  EXPECT_EQ(hit.verdict, RayVerdict::hits);
   EXPECT_EQ(hit.touch.t, 3);
   EXPECT_EQ(hit.touch.point, Point(3, 0.75, 0));
   EXPECT_EQ(hit.touch.normal, Point(-1, 0, 0));
@@ -127,9 +128,9 @@ TEST(RaySightBox, TakesAxesThatAreMirrored) {
 
 TEST(RaySightBox, NanIsNeverHit) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_NE(sight_of(Box{{nan, -1, -1}, {6, 1, 1}}, path(Point(1, 0, 0), infinity)).sight, Sight::hits);
-  EXPECT_NE(sight_of(Box{{4, -1, -1}, {6, nan, 1}}, path(Point(1, 0, 0), infinity)).sight, Sight::hits);
-  EXPECT_NE(sight_of(Box{{4, -1, -1}, {6, 1, nan}}, path(Point(1, 0, 0), infinity)).sight, Sight::hits);
+  EXPECT_NE(ray_verdict_of(Box{{nan, -1, -1}, {6, 1, 1}}, path(Point(1, 0, 0), infinity)).verdict, RayVerdict::hits);
+  EXPECT_NE(ray_verdict_of(Box{{4, -1, -1}, {6, nan, 1}}, path(Point(1, 0, 0), infinity)).verdict, RayVerdict::hits);
+  EXPECT_NE(ray_verdict_of(Box{{4, -1, -1}, {6, 1, nan}}, path(Point(1, 0, 0), infinity)).verdict, RayVerdict::hits);
 }
 
 }  // namespace

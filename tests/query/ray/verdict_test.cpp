@@ -19,30 +19,30 @@ Path<N> path(const Vec<N, double>& direction, double t_max) {
 
 TEST(RaySight, OfABallIsClearBeyondRoundingAndUnclearWithin) {
   const Point along(2, 0, 0);
-  const auto sight = [&along](double height, double t_max) {
-    return sight_of(Sphere<3, double>{{10, height, 0}, 1}, path(along, t_max)).sight;
+  const auto verdict = [&along](double height, double t_max) {
+    return ray_verdict_of(Sphere<3, double>{{10, height, 0}, 1}, path(along, t_max)).verdict;
   };
-  EXPECT_EQ(sight(0.999, infinity), Sight::hits);
-  EXPECT_EQ(sight(1.001, infinity), Sight::misses);
-  EXPECT_EQ(sight(1, infinity), Sight::unclear);
-  EXPECT_EQ(sight(1 + 1e-15, infinity), Sight::unclear);
-  EXPECT_EQ(sight(0, 4.5), Sight::unclear);
-  EXPECT_EQ(sight(0, 4.51), Sight::hits);
-  EXPECT_EQ(sight(0, 4.49), Sight::misses);
+  EXPECT_EQ(verdict(0.999, infinity), RayVerdict::hits);
+  EXPECT_EQ(verdict(1.001, infinity), RayVerdict::misses);
+  EXPECT_EQ(verdict(1, infinity), RayVerdict::unclear);
+  EXPECT_EQ(verdict(1 + 1e-15, infinity), RayVerdict::unclear);
+  EXPECT_EQ(verdict(0, 4.5), RayVerdict::unclear);
+  EXPECT_EQ(verdict(0, 4.51), RayVerdict::hits);
+  EXPECT_EQ(verdict(0, 4.49), RayVerdict::misses);
 }
 
 TEST(RaySight, OfABallBehindTheOriginMisses) {
   const Point along(1, 0, 0);
-  EXPECT_EQ(sight_of(Sphere<3, double>{{-3, 0, 0}, 1}, path(along, infinity)).sight, Sight::misses);
-  EXPECT_EQ(sight_of(Sphere<3, double>{{-1, 0, 0}, 1}, path(along, infinity)).sight, Sight::unclear);
-  const Sighting<3> inside = sight_of(Sphere<3, double>{{-0.5, 0, 0}, 1}, path(along, infinity));
-  EXPECT_EQ(inside.sight, Sight::hits);
+  EXPECT_EQ(ray_verdict_of(Sphere<3, double>{{-3, 0, 0}, 1}, path(along, infinity)).verdict, RayVerdict::misses);
+  EXPECT_EQ(ray_verdict_of(Sphere<3, double>{{-1, 0, 0}, 1}, path(along, infinity)).verdict, RayVerdict::unclear);
+  const RayFinding<3> inside = ray_verdict_of(Sphere<3, double>{{-0.5, 0, 0}, 1}, path(along, infinity));
+  EXPECT_EQ(inside.verdict, RayVerdict::hits);
   EXPECT_EQ(inside.touch.t, 0);
   EXPECT_EQ(inside.touch.normal, Point(0.0));
 }
 
 TEST(RaySight, OfABallKnowsWhereAGrazingRayTouches) {
-  const Sighting<3> grazing = sight_of(Sphere<3, double>{{10, 1, 0}, 1}, path(Point(2, 0, 0), infinity));
+  const RayFinding<3> grazing = ray_verdict_of(Sphere<3, double>{{10, 1, 0}, 1}, path(Point(2, 0, 0), infinity));
   EXPECT_EQ(grazing.touch.t, 5);
   EXPECT_EQ(grazing.touch.point, Point(10, 0, 0));
   EXPECT_EQ(grazing.touch.normal, Point(0, -1, 0));
@@ -50,23 +50,24 @@ TEST(RaySight, OfABallKnowsWhereAGrazingRayTouches) {
 
 TEST(RaySight, OfACapsuleMeetsTheTubeOrAnEnd) {
   const Capsule<3, double> capsule{{10, -2, 0}, {10, 2, 0}, 1};
-  const Sighting<3> tube = sight_of(capsule, path(Point(1, 0, 0), infinity));
-  EXPECT_EQ(tube.sight, Sight::hits);
+  const RayFinding<3> tube = ray_verdict_of(capsule, path(Point(1, 0, 0), infinity));
+  EXPECT_EQ(tube.verdict, RayVerdict::hits);
   EXPECT_EQ(tube.touch.t, 9);
   EXPECT_EQ(tube.touch.normal, Point(-1, 0, 0));
   // Through (10, 2.6, 0) parallel to x, seen from (0, 2.6, 0): 0.6 over the upper end's center, 0.8 before it.
   const Capsule<3, double> lower{{10, -4.6, 0}, {10, -0.6, 0}, 1};
-  const Sighting<3> end = sight_of(lower, path(Point(1, 0, 0), infinity));
-  EXPECT_EQ(end.sight, Sight::hits);
+  const RayFinding<3> end = ray_verdict_of(lower, path(Point(1, 0, 0), infinity));
+  EXPECT_EQ(end.verdict, RayVerdict::hits);
   EXPECT_DOUBLE_EQ(end.touch.t, 9.2);
   EXPECT_NEAR(end.touch.normal.y, 0.6, 1e-15);
-  EXPECT_EQ(sight_of(capsule, path(Point(1, 0, 0), 8.9)).sight, Sight::misses);
-  EXPECT_EQ(sight_of(capsule, path(Point(1, 0.4, 0), infinity)).sight, Sight::misses);
+  EXPECT_EQ(ray_verdict_of(capsule, path(Point(1, 0, 0), 8.9)).verdict, RayVerdict::misses);
+  EXPECT_EQ(ray_verdict_of(capsule, path(Point(1, 0.4, 0), infinity)).verdict, RayVerdict::misses);
 }
 
 TEST(RaySight, OfACapsuleLeavesNearlyParallelRaysOpen) {
-  const Sighting<3> along = sight_of(Capsule<3, double>{{2, 0, 0}, {5, 0, 0}, 1}, path(Point(1, 0, 0), infinity));
-  EXPECT_EQ(along.sight, Sight::unclear);
+  const RayFinding<3> along =
+      ray_verdict_of(Capsule<3, double>{{2, 0, 0}, {5, 0, 0}, 1}, path(Point(1, 0, 0), infinity));
+  EXPECT_EQ(along.verdict, RayVerdict::unclear);
   EXPECT_FALSE(along.is_touch_known);
 }
 

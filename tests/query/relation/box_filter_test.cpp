@@ -189,7 +189,7 @@ TEST(BoxFilter, OfABallAgreesWithTheCarefulDistance) {
     const Obb<3, double> box = make.obb();
     const Vec<3, double> center = make.vector(3);
     const double reach = make.number(0, 1.5);
-    const auto quick = detail::filter_of_ball(center, box, reach);
+    const auto quick = detail::filter_of_sphere(center, box, reach);
     if (!quick) continue;
     const double distance = std::sqrt(distance_squared(center, box));
     if (distance > 0) {
@@ -228,7 +228,7 @@ TEST(BoxFilter, CallsNothingOverlappingThatHoldsNaN) {
     EXPECT_NE(detail::filter_of_box(box, whole), Relation::overlapping) << field;
     EXPECT_NE(detail::filter_of_box(whole, box), Relation::overlapping) << field;
     EXPECT_NE(detail::filter_of_box(box, segment), Relation::overlapping) << field;
-    EXPECT_NE(detail::filter_of_ball(Vec<3, double>(0.0), box, 1), Relation::overlapping) << field;
+    EXPECT_NE(detail::filter_of_sphere(Vec<3, double>(0.0), box, 1), Relation::overlapping) << field;
     EXPECT_NE(detail::filter_of_widened(box, segment, 1), Relation::overlapping) << field;
   }
 }

@@ -26,9 +26,9 @@ using S3 = Segment<3, double>;
 
 std::optional<Relation> filter(const T3& a, const T3& b) { return detail::filter_of_corners(a, b); }
 std::optional<Relation> filter(const T3& a, const S3& b) { return detail::filter_of_corners(a, b); }
-std::optional<Relation> filter(const T3& triangle, const Sphere<3, double>& ball) {
-  return detail::filter_of_triangle_and_ball(triangle.a - ball.center, triangle.b - triangle.a, triangle.c - triangle.a,
-                                             ball.radius);
+std::optional<Relation> filter(const T3& triangle, const Sphere<3, double>& sphere) {
+  return detail::filter_of_triangle_and_sphere(triangle.a - sphere.center, triangle.b - triangle.a,
+                                               triangle.c - triangle.a, sphere.radius);
 }
 
 const T3 floor_triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
@@ -148,11 +148,11 @@ TEST(TriangleFilter, NeverContradictsTheCarefulForm) {
 
 TEST(TriangleFilter, NeverContradictsTheCarefulFormOfBalls) {
   check_property([] {
-    const auto [triangle, ball] = *any_pair<T3, Sphere<3, double>>();
-    const double distance = std::sqrt(distance_squared(ball.center, triangle));
+    const auto [triangle, sphere] = *any_pair<T3, Sphere<3, double>>();
+    const double distance = std::sqrt(distance_squared(sphere.center, triangle));
     const double size = distance + detail::extent_around_zero(triangle);
     const double off = *rc::gen::inRange(-4000, 4001) * tolerance::epsilon * size;
-    const Sphere<3, double> near{ball.center, std::max(0.0, distance + off)};
+    const Sphere<3, double> near{sphere.center, std::max(0.0, distance + off)};
     const auto quick = filter(triangle, near);
     RC_ASSERT(!quick || *quick == detail::careful_closed_form(near, triangle));
   });

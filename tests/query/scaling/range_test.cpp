@@ -41,26 +41,26 @@ TEST(Range, ShapesOfUsualSizeStayAsTheyAre) {
 }
 
 TEST(Range, OthersAreScaledSoThatTheLargestNumberIsNearOne) {
-  const Ball ball{{0x1p-1000, 0, 0}, 0x1p-1070};
-  EXPECT_FALSE(detail::are_usual(ball));
-  const std::optional<detail::PowerOfTwo> power = detail::scale_for(ball);
+  const Ball sphere{{0x1p-1000, 0, 0}, 0x1p-1070};
+  EXPECT_FALSE(detail::are_usual(sphere));
+  const std::optional<detail::PowerOfTwo> power = detail::scale_for(sphere);
   ASSERT_TRUE(power);
-  const Ball larger = detail::scaled(ball, *power);
+  const Ball larger = detail::scaled(sphere, *power);
   EXPECT_EQ(larger.center.x, 1);
   EXPECT_EQ(larger.radius, 0x1p-70);
 }
 
 TEST(Range, TheLeastNumbersAreKeptLargeEnoughToSquareWhileTheLargestAllow) {
-  const Ball ball{{0x1p300, 0, 0}, 0x1p-300};
-  const Ball scaled = detail::scaled(ball, *detail::scale_for(ball));
+  const Ball sphere{{0x1p300, 0, 0}, 0x1p-300};
+  const Ball scaled = detail::scaled(sphere, *detail::scale_for(sphere));
   EXPECT_EQ(scaled.center.x / scaled.radius, 0x1p600);
   EXPECT_GE(scaled.radius * scaled.radius, std::numeric_limits<double>::min());
   EXPECT_FALSE(detail::scale_for(scaled));  // once is enough
 }
 
 TEST(Range, NumbersThatAreTooFarApartCountAsZero) {
-  const Ball ball{{0x1p1000, 0, 0}, 0x1p-1000};
-  const Ball scaled = detail::scaled(ball, *detail::scale_for(ball));
+  const Ball sphere{{0x1p1000, 0, 0}, 0x1p-1000};
+  const Ball scaled = detail::scaled(sphere, *detail::scale_for(sphere));
   EXPECT_EQ(scaled.center.x, 0x1p450);
   EXPECT_EQ(scaled.radius, 0);
 }
@@ -74,7 +74,7 @@ TEST(Range, DirectionsAreScaledByThemselves) {
   EXPECT_EQ(scaled.offset, std::ldexp(2.0, power->exponent()));
 }
 
-/// A shape of one's own: a ball that calculates in double.
+/// A shape of one's own: a sphere that calculates in double.
 struct Bubble {
   double radius;
 };
@@ -120,11 +120,11 @@ TEST(Range, DistancesThatNoDoubleHoldsAreInfiniteOrTheLeastNumber) {
 }
 
 TEST(Range, RaysOfAnyLengthHitAtTheirT) {
-  const Ball ball{{1e-300, 0, 0}, 0x1p-1000};
-  const auto hit = ray_cast(ball, Ray<3, double>{{0, 0, 0}, {1e300, 0, 0}});
+  const Ball sphere{{1e-300, 0, 0}, 0x1p-1000};
+  const auto hit = ray_cast(sphere, Ray<3, double>{{0, 0, 0}, {1e300, 0, 0}});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->t, 0);  // below the least number
-  const auto slow = ray_cast(ball, Ray<3, double>{{0, 0, 0}, {1e-320, 0, 0}});
+  const auto slow = ray_cast(sphere, Ray<3, double>{{0, 0, 0}, {1e-320, 0, 0}});
   ASSERT_TRUE(slow);
   EXPECT_NEAR(slow->t / ((1e-300 - 0x1p-1000) / 1e-320), 1, 1e-12);
   EXPECT_EQ(slow->normal, V3(-1, 0, 0));

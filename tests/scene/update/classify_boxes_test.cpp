@@ -49,7 +49,7 @@ Verdicts verdicts_of(const std::vector<Aabb<N, T>>& boxes, const std::vector<Pai
   verdicts.touches.resize(pairs.size());
   verdicts.open.resize(pairs.size() + 1);
   verdicts.open.resize(
-      judge_boxes(boxes.data(), boxes.size() - 1, pairs, certain, verdicts.touches.data(), verdicts.open.data()));
+      classify_boxes(boxes.data(), boxes.size() - 1, pairs, certain, verdicts.touches.data(), verdicts.open.data()));
   return verdicts;
 }
 
@@ -126,7 +126,7 @@ TYPED_TEST(JudgeBoxes, LeavesOpenWhatIsNotItsBox) {
   std::vector<std::size_t> open(3);
   const auto are_boxes = [](const Pair& pair) { return pair.a == 1 && pair.b == 1; };
   const std::size_t count =
-      judge_bounds(boxes.data(), std::span<const Pair>(pairs), T(0.1), are_boxes, touches.data(), open.data());
+      classify_bounds(boxes.data(), std::span<const Pair>(pairs), T(0.1), are_boxes, touches.data(), open.data());
   ASSERT_EQ(count, 1U);
   EXPECT_EQ(open[0], 0U);
   EXPECT_EQ(touches, (std::vector<char>{0, 1}));

@@ -17,7 +17,7 @@ namespace {
 constexpr Pair untouched{7, 7};
 constexpr std::uint32_t nowhere = 0xFFFFFFFFU;
 
-TEST(ChoiceKernels, KeepTheMarkedPairsAndTheirPlacesInOrder) {
+TEST(CompactionKernels, KeepTheMarkedPairsAndTheirPlacesInOrder) {
   std::mt19937 random(3);
   for (std::size_t count = 0; count < 70; ++count) {
     for (const unsigned marked_of_8 : {0U, 1U, 4U, 7U, 8U}) {
@@ -37,7 +37,7 @@ TEST(ChoiceKernels, KeepTheMarkedPairsAndTheirPlacesInOrder) {
         std::vector<Pair> chosen(count + room_behind_chosen + 1, untouched);
         std::vector<std::uint32_t> places(count + room_behind_chosen + 1, nowhere);
         const std::size_t number =
-            choice_kernels().choose(pairs.data(), marks.data(), count, chosen.data(), places.data());
+            compaction_kernels().choose(pairs.data(), marks.data(), count, chosen.data(), places.data());
         ASSERT_EQ(number, expected.size()) << hwy::TargetName(target);
         EXPECT_TRUE(std::equal(expected.begin(), expected.end(), chosen.begin())) << hwy::TargetName(target);
         EXPECT_TRUE(std::equal(expected_places.begin(), expected_places.end(), places.begin()))
@@ -50,14 +50,14 @@ TEST(ChoiceKernels, KeepTheMarkedPairsAndTheirPlacesInOrder) {
 }
 
 /// Signals among what is only moved: pairs whose bits are a NaN that traps.
-TEST(ChoiceKernels, MovePairsAsTheyAre) {
+TEST(CompactionKernels, MovePairsAsTheyAre) {
   const std::vector<Pair> pairs(16, Pair{1, 0x7FF00000U});
   const std::vector<char> marks(16, 1);
   for (const std::int64_t target : test::simd_targets()) {
     const test::ForcedTarget forced(target);
     std::vector<Pair> chosen(16 + room_behind_chosen);
     std::vector<std::uint32_t> places(16 + room_behind_chosen);
-    ASSERT_EQ(choice_kernels().choose(pairs.data(), marks.data(), 16, chosen.data(), places.data()), 16U);
+    ASSERT_EQ(compaction_kernels().choose(pairs.data(), marks.data(), 16, chosen.data(), places.data()), 16U);
     chosen.resize(16);
     EXPECT_EQ(chosen, pairs) << hwy::TargetName(target);
   }

@@ -46,20 +46,20 @@ TYPED_TEST(Rooms, OfManyBoxesAreThoseOfEach) {
   EXPECT_TRUE(rc::check([] {
     const std::vector<Aabb<N, T>> boxes = some_boxes<N, T>(*rc::gen::arbitrary<bool>());
     const T margin = *rc::gen::element(T(0), T(0.25), T(1e-3), T(1e10));
-    std::vector<Aabb<N, T>> rooms(boxes.size() + 1);
+    std::vector<Aabb<N, T>> fat_boxes(boxes.size() + 1);
     std::vector<Aabb<N, T>> reaches(boxes.size() + 1);
-    const T largest = make_rooms(boxes.data(), boxes.size(), margin, rooms.data(), reaches.data());
+    const T largest = make_fat_boxes(boxes.data(), boxes.size(), margin, fat_boxes.data(), reaches.data());
     T expected_largest = 0;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       const Aabb<N, T> room{boxes[i].min - margin, boxes[i].max + margin};
-      RC_ASSERT(rooms[i] == room);
+      RC_ASSERT(fat_boxes[i] == room);
       RC_ASSERT(reaches[i] == touching_bounds(room));
       for (Dim k = 0; k < N; ++k) {
         expected_largest = std::max({expected_largest, finite_magnitude(room.min[k]), finite_magnitude(room.max[k])});
       }
     }
     RC_ASSERT(largest == expected_largest);
-    RC_ASSERT(rooms.back() == (Aabb<N, T>{}));
+    RC_ASSERT(fat_boxes.back() == (Aabb<N, T>{}));
     RC_ASSERT(reaches.back() == (Aabb<N, T>{}));
   }));
 }

@@ -172,7 +172,7 @@ void check_every_plan() {
   }
 }
 
-/// Boxes and balls on a walk of small steps, from time to time of a large one; all of them or few.
+/// Boxes and spheres on a walk of small steps, from time to time of a large one; all of them or few.
 template <Dim N, class T>
 void check_walk() {
   constexpr std::uint32_t count = 20;

@@ -21,7 +21,7 @@ class HullCoreOf : public testing::Test {
   double number(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
   Vec<3, double> vector() { return {number(-1, 1), number(-1, 1), number(-1, 1)}; }
 
-  Points ball(std::size_t count, const Vec<3, double>& extents, const Vec<3, double>& center) {
+  Points sphere(std::size_t count, const Vec<3, double>& extents, const Vec<3, double>& center) {
     Points points;
     while (points.size() < count) {
       const Vec<3, double> point = vector();
@@ -53,15 +53,15 @@ class HullCoreOf : public testing::Test {
   std::mt19937 random_{11};
 };
 
-TEST_F(HullCoreOf, ABallHoldsMostOfIt) { EXPECT_GT(share_held(ball(2000, {1, 1, 1}, {0, 0, 0}), 500), 0.6); }
+TEST_F(HullCoreOf, ABallHoldsMostOfIt) { EXPECT_GT(share_held(sphere(2000, {1, 1, 1}, {0, 0, 0}), 500), 0.6); }
 
 TEST_F(HullCoreOf, ABallFarFromTheOriginHoldsAsMuch) {
-  EXPECT_GT(share_held(ball(2000, {1, 1, 1}, {1e7, -1e7, 3}), 500), 0.6);
+  EXPECT_GT(share_held(sphere(2000, {1, 1, 1}, {1e7, -1e7, 3}), 500), 0.6);
 }
 
 TEST_F(HullCoreOf, ANeedleAndADiskAlongTheAxesHoldAsMuch) {
-  EXPECT_GT(share_held(ball(2000, {1e-2, 1, 1e-2}, {0, 0, 0}), 500), 0.5);
-  EXPECT_GT(share_held(ball(2000, {1e3, 1, 1e3}, {0, 7, 0}), 500), 0.5);
+  EXPECT_GT(share_held(sphere(2000, {1e-2, 1, 1e-2}, {0, 0, 0}), 500), 0.5);
+  EXPECT_GT(share_held(sphere(2000, {1e3, 1, 1e3}, {0, 7, 0}), 500), 0.5);
 }
 
 TEST_F(HullCoreOf, ATetrahedronHoldsOnlyWhatIsInside) {
@@ -100,11 +100,11 @@ TEST_F(HullCoreOf, FlatPointsOrCornersAloneHoldsNothing) {
 }
 
 TEST_F(HullCoreOf, CandidatesAreAllPointsOfAFewAndOfManyTheOuterOnes) {
-  const Points few = ball(3000, {1, 1, 1}, {0, 0, 0});
+  const Points few = sphere(3000, {1, 1, 1}, {0, 0, 0});
   std::vector<HullPoint> candidates;
   put_candidates(HullFrame<double>(few), candidates);
   EXPECT_EQ(candidates.size(), few.size());
-  const Points many = ball(20000, {1, 1, 1}, {0, 0, 0});
+  const Points many = sphere(20000, {1, 1, 1}, {0, 0, 0});
   const HullFrame<double> frame(many);
   put_candidates(frame, candidates);
   EXPECT_LT(candidates.size(), many.size() / 3);

@@ -98,8 +98,8 @@ void expect_right_planes(const std::vector<Vec<3, T>>& points) {
 TYPED_TEST(HullShearIn, KeepsSidesOfPlanes) {
   using T = TypeParam;
   test::check_property([] {
-    const auto crowd = static_cast<test::ThinCrowd>(*test::choice(test::thin_crowds));
-    expect_right_planes(test::thin_crowd<T>(crowd, 1 + *test::choice(600), *test::choice(1U << 30U)));
+    const auto cluster = static_cast<test::ThinCrowd>(*test::choice(test::thin_crowds));
+    expect_right_planes(test::thin_crowd<T>(cluster, 1 + *test::choice(600), *test::choice(1U << 30U)));
     const std::vector<Vec<3, T>> points = test::draw_points<3, T>(12);
     const HullFrame<T> in_range(points);
     std::vector<Vec<3, T>> moderate;
@@ -112,8 +112,8 @@ TYPED_TEST(HullShearIn, KeepsSidesOfPlanes) {
 TYPED_TEST(HullShearIn, IsExactUpToItsTolerance) {
   using T = TypeParam;
   test::check_property([] {
-    const auto crowd = static_cast<test::ThinCrowd>(*test::choice(test::thin_crowds));
-    const std::vector<Vec<3, T>> points = test::thin_crowd<T>(crowd, 40, *test::choice(1U << 30U));
+    const auto cluster = static_cast<test::ThinCrowd>(*test::choice(test::thin_crowds));
+    const std::vector<Vec<3, T>> points = test::thin_crowd<T>(cluster, 40, *test::choice(1U << 30U));
     const std::vector<Vec<3, double>> places = places_of(points);
     const auto volume = [](const auto& list, const std::array<std::uint32_t, 4>& four) {
       std::array<std::array<test::Rational, 3>, 3> rows;

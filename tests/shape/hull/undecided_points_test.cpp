@@ -83,13 +83,13 @@ TEST(HullDoubts, AreSiftedToAFewOfManyPointsOnALine) {
   hull.start(frame, candidates);
   EXPECT_TRUE(candidates.empty());
   EXPECT_GT(hull.aside().size(), 2000U);
-  Doubts doubts = settle_clear(hull);
-  EXPECT_GT(doubts.doubts.size(), 2000U);
+  UndecidedPoints undecided = settle_clear(hull);
+  EXPECT_GT(undecided.undecided.size(), 2000U);
   EXPECT_LT(corners_of_faces(hull).size(), 30U);
   GroupMemory<double> memory;
-  keep_outer(hull, doubts, memory);
-  EXPECT_LT(doubts.doubts.size(), 500U);
-  EXPECT_GT(doubts.doubts.size(), 20U);
+  keep_outer(hull, undecided, memory);
+  EXPECT_LT(undecided.undecided.size(), 500U);
+  EXPECT_GT(undecided.undecided.size(), 20U);
 }
 
 TEST(HullDoubts, AreNoneOnAGrid) {
@@ -109,7 +109,7 @@ TEST(HullDoubts, AreNoneAtACornerOfManyFaces) {
   }
   const HullFrame<double> frame(cone);
   Quickhull<double> hull(frame, all_points(frame));
-  for (const auto& doubt : settle_clear(hull).doubts) EXPECT_GE(doubt.point, static_cast<std::uint32_t>(count));
+  for (const auto& doubt : settle_clear(hull).undecided) EXPECT_GE(doubt.point, static_cast<std::uint32_t>(count));
 }
 
 /// A cone of so many faces, and as often a point at each of 27 places a hair apart around its tip.
@@ -140,11 +140,11 @@ TEST(HullDoubts, AreFewAtFewPlaces) {
   const std::vector<Vec<3, double>> cone = cone_with_blunt_tip(300, 100);
   const HullFrame<double> frame(cone);
   Quickhull<double> hull(frame, all_points(frame));
-  Doubts doubts = settle_clear(hull);
-  EXPECT_GT(doubts.doubts.size(), 1000U);
+  UndecidedPoints undecided = settle_clear(hull);
+  EXPECT_GT(undecided.undecided.size(), 1000U);
   GroupMemory<double> memory;
-  keep_outer(hull, doubts, memory);
-  EXPECT_LE(doubts.doubts.size(), 54U);
+  keep_outer(hull, undecided, memory);
+  EXPECT_LE(undecided.undecided.size(), 54U);
   EXPECT_EQ(sifted_vertices(cone), sifted_vertices(cone_with_blunt_tip(300, 1)));
 }
 
@@ -163,9 +163,9 @@ TEST(HullDoubts, PayToBeSiftedWhereMostPointsAreOnLines) {
 // What is left of the hull before must not get into the next one.
 TEST(HullDoubts, AreTheSameInMemoryThatHasBeenUsed) {
   HullMemory<double> used;
-  for (std::size_t crowd = 0; crowd < test::thin_crowds; ++crowd) {
+  for (std::size_t cluster = 0; cluster < test::thin_crowds; ++cluster) {
     for (const std::size_t count : {3U, 900U, 40U}) {
-      const auto points = test::thin_crowd<double>(static_cast<ThinCrowd>(crowd), count, crowd);
+      const auto points = test::thin_crowd<double>(static_cast<ThinCrowd>(cluster), count, cluster);
       const HullFrame<double> frame(points);
       const auto of = [&frame](HullMemory<double>& memory) {
         std::vector<HullPoint> candidates = all_points(frame);
@@ -176,7 +176,7 @@ TEST(HullDoubts, AreTheSameInMemoryThatHasBeenUsed) {
         return places;
       };
       HullMemory<double> fresh;
-      EXPECT_EQ(of(used), of(fresh)) << crowd << ", " << count;
+      EXPECT_EQ(of(used), of(fresh)) << cluster << ", " << count;
     }
   }
 }
@@ -189,8 +189,9 @@ TYPED_TEST_SUITE(HullDoubtsIn, Scalars);
 TYPED_TEST(HullDoubtsIn, LeaveAClosedSurfaceAroundAllPoints) {
   using T = TypeParam;
   test::check_property([] {
-    const auto crowd = static_cast<ThinCrowd>(*test::choice(test::thin_crowds));
-    const std::vector<Vec<3, T>> points = test::thin_crowd<T>(crowd, 4 + *test::choice(250), *test::choice(1U << 30U));
+    const auto cluster = static_cast<ThinCrowd>(*test::choice(test::thin_crowds));
+    const std::vector<Vec<3, T>> points =
+        test::thin_crowd<T>(cluster, 4 + *test::choice(250), *test::choice(1U << 30U));
     const HullFrame<T> frame{std::span<const Vec<3, T>>(points)};
     const Quickhull<T> hull = sifted_hull(frame);
     std::vector<HullTriangle> faces;
@@ -204,8 +205,8 @@ TYPED_TEST(HullDoubtsIn, LeaveAClosedSurfaceAroundAllPoints) {
 TYPED_TEST(HullDoubtsIn, AreSettledAsTheCarefulWaySettlesThem) {
   using T = TypeParam;
   test::check_property([] {
-    const auto crowd = static_cast<ThinCrowd>(*test::choice(test::thin_crowds));
-    std::vector<Vec<3, T>> points = test::thin_crowd<T>(crowd, 4 + *test::choice(800), *test::choice(1U << 30U));
+    const auto cluster = static_cast<ThinCrowd>(*test::choice(test::thin_crowds));
+    std::vector<Vec<3, T>> points = test::thin_crowd<T>(cluster, 4 + *test::choice(800), *test::choice(1U << 30U));
     const std::vector<Vec<3, T>> expected = careful_vertices(points);
     RC_ASSERT(vertices_of(points) == expected);
     RC_ASSERT(sifted_vertices(points) == expected);
@@ -218,17 +219,17 @@ TYPED_TEST(HullDoubtsIn, AreSettledAsTheCarefulWaySettlesThem) {
 // So many that they are sifted before all others are decided.
 TYPED_TEST(HullDoubtsIn, AreSettledTheSameForMany) {
   using T = TypeParam;
-  for (std::size_t crowd = 0; crowd < test::thin_crowds; ++crowd) {
-    const auto points = test::thin_crowd<T>(static_cast<ThinCrowd>(crowd), 12000, crowd);
-    EXPECT_EQ(vertices_of(points), careful_vertices(points)) << crowd;
+  for (std::size_t cluster = 0; cluster < test::thin_crowds; ++cluster) {
+    const auto points = test::thin_crowd<T>(static_cast<ThinCrowd>(cluster), 12000, cluster);
+    EXPECT_EQ(vertices_of(points), careful_vertices(points)) << cluster;
   }
 }
 
 // So many that they are sifted piece by piece, where that pays.
 TYPED_TEST(HullDoubtsIn, AreSettledTheSameByPieces) {
   using T = TypeParam;
-  for (const ThinCrowd crowd : {ThinCrowd::lines, ThinCrowd::cube_edges}) {
-    const auto points = test::thin_crowd<T>(crowd, 70000, 5);
+  for (const ThinCrowd cluster : {ThinCrowd::lines, ThinCrowd::cube_edges}) {
+    const auto points = test::thin_crowd<T>(cluster, 70000, 5);
     const HullFrame<T> frame{std::span<const Vec<3, T>>(points)};
     HullMemory<T> memory;
     EXPECT_LT(sifted_candidates(frame, memory).size(), points.size() / 5);

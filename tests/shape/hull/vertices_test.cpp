@@ -122,9 +122,9 @@ TYPED_TEST(HullVerticesIn, AreThoseOfTheExactHullOfLayers) {
 enum class Crowd { grid, sphere, box, needle };
 
 template <class T>
-Vec<3, T> draw_member(Crowd crowd, rc::Random& random) {
+Vec<3, T> draw_member(Crowd cluster, rc::Random& random) {
   const auto number = [&] { return test::between(random, -1, 1); };
-  switch (crowd) {
+  switch (cluster) {
     case Crowd::grid:
       return {test::whole(random, -9, 9), test::whole(random, -9, 9), test::whole(random, -9, 9)};
     case Crowd::sphere:
@@ -139,11 +139,11 @@ Vec<3, T> draw_member(Crowd crowd, rc::Random& random) {
 // Enough of them for what is deep inside to be dropped at a glance.
 TYPED_TEST(HullVerticesIn, AreTheSameForManyPointsWithoutThoseInside) {
   using T = TypeParam;
-  for (const Crowd crowd : {Crowd::grid, Crowd::sphere, Crowd::box, Crowd::needle}) {
-    rc::Random random(static_cast<std::uint64_t>(crowd));
+  for (const Crowd cluster : {Crowd::grid, Crowd::sphere, Crowd::box, Crowd::needle}) {
+    rc::Random random(static_cast<std::uint64_t>(cluster));
     std::vector<Vec<3, T>> points;
     points.reserve(5000);
-    for (int i = 0; i < 5000; ++i) points.push_back(draw_member<T>(crowd, random));
+    for (int i = 0; i < 5000; ++i) points.push_back(draw_member<T>(cluster, random));
     // A thousand at a time nothing is dropped.
     std::vector<Vec<3, T>> expected;
     for (std::size_t first = 0; first < points.size(); first += 1000) {

@@ -28,58 +28,58 @@ bool is_outside(Quickhull<double>& hull, const HullPoint& point) {
   return false;
 }
 
-TEST(HullSight, TellsTheFacesThatAPointStandsBefore) {
+TEST(HullVisibility, TellsTheFacesThatAPointStandsBefore) {
   Points points;
   for (int i = 0; i < 8; ++i) points.emplace_back((i & 1) / 3.0, (i >> 1 & 1) / 3.0, (i >> 2 & 1) / 3.0);
   points.push_back(points[5]);
   points.push_back((points[6] + points[7]) * 0.5);
   const HullFrame<double> frame(points);
   const Quickhull<double> hull(frame, all_points(frame));
-  HullSight<double> sight(hull);
-  ASSERT_TRUE(sight.is_clear());
+  HullVisibility<double> verdict(hull);
+  ASSERT_TRUE(verdict.is_clear());
   const auto count_before = [&](const Vec<3, double>& point) {
     HullPoint seen = frame.seen(point);
     seen.index = 0;
-    return sight.faces_before(seen).size();
+    return verdict.faces_before(seen).size();
   };
   EXPECT_EQ(count_before(Vec<3, double>(0.2, 0.1, 0.6)), 1U);
   EXPECT_EQ(count_before(Vec<3, double>(0.18, 0.19, 0.1)), 1U) << "inside";
-  EXPECT_EQ(sight.faces_before(frame.at(9)).size(), 2U) << "on an edge";
-  EXPECT_FALSE(sight.is_at_corner());
-  EXPECT_TRUE(sight.faces_before(frame.at(8)).empty());
-  EXPECT_TRUE(sight.is_at_corner());
+  EXPECT_EQ(verdict.faces_before(frame.at(9)).size(), 2U) << "on an edge";
+  EXPECT_FALSE(verdict.is_at_corner());
+  EXPECT_TRUE(verdict.faces_before(frame.at(8)).empty());
+  EXPECT_TRUE(verdict.is_at_corner());
   EXPECT_EQ(count_before(Vec<3, double>(0.2, 0.1, 0.6)), 1U);
-  EXPECT_FALSE(sight.is_at_corner());
+  EXPECT_FALSE(verdict.is_at_corner());
 }
 
-TEST(HullSight, IsNotClearWhereNothingIsInside) {
+TEST(HullVisibility, IsNotClearWhereNothingIsInside) {
   Points flat;
   for (int i = 0; i < 5; ++i) flat.emplace_back(0.1 * i, 0.1 * i * i, 1.0);
   flat.emplace_back(0.2, 0.7, 1 + 0x1p-52);
   const HullFrame<double> frame(flat);
   const Quickhull<double> hull(frame, all_points(frame));
   ASSERT_EQ(hull.base().size(), 4U);
-  EXPECT_FALSE(HullSight<double>(hull).is_clear());
+  EXPECT_FALSE(HullVisibility<double>(hull).is_clear());
 }
 
 // Whether a point is outside of a hull is told by the faces before it alone.
-TEST(HullSight, KnowsWhatIsOutside) {
+TEST(HullVisibility, KnowsWhatIsOutside) {
   test::check_property([] {
-    const auto crowd = static_cast<test::ThinCrowd>(*test::choice(test::thin_crowds));
-    const Points points = test::thin_crowd<double>(crowd, 5 + *test::choice(200), *test::choice(1U << 30U));
+    const auto cluster = static_cast<test::ThinCrowd>(*test::choice(test::thin_crowds));
+    const Points points = test::thin_crowd<double>(cluster, 5 + *test::choice(200), *test::choice(1U << 30U));
     const HullFrame<double> frame(points);
     std::vector<HullPoint> some;
     for (std::uint32_t i = 0; i < frame.size(); i += 2) some.push_back(frame.at(i));
     for (const std::uint32_t end : frame.ends()) some.push_back(frame.at(end));
     Quickhull<double> hull(frame, some);
     if (hull.base().size() < 4) return;
-    HullSight<double> sight(hull);
-    if (!sight.is_clear()) return;
+    HullVisibility<double> verdict(hull);
+    if (!verdict.is_clear()) return;
     for (std::uint32_t i = 0; i < frame.size(); ++i) {
       HullPoint point = frame.at(i);
       point.link = static_cast<std::uint32_t>(i % (hull.faces().size() + 3));
-      const auto faces = sight.faces_before(point);
-      if (sight.is_at_corner()) {
+      const auto faces = verdict.faces_before(point);
+      if (verdict.is_at_corner()) {
         RC_ASSERT(!is_outside(hull, point));
         continue;
       }

@@ -23,9 +23,9 @@ namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
 /// Of two in the order of their contact.
-class FlatAabbTouch {
+class AabbContact2d {
  public:
-  HWY_INLINE FlatAabbTouch(const FlatAabbLanes& a, const FlatAabbLanes& b) : a_(a), b_(b) {
+  HWY_INLINE AabbContact2d(const AabbLanes2d& a, const AabbLanes2d& b) : a_(a), b_(b) {
     const Doubles across_x = depth_along(0, is_far_);
     DoublesMask is_far_along_y;
     const Doubles across_y = depth_along(1, is_far_along_y);
@@ -34,7 +34,7 @@ class FlatAabbTouch {
     is_far_ = hn::Or(hn::And(across_second_, is_far_along_y), hn::AndNot(across_second_, is_far_));
   }
 
-  HWY_INLINE void run(FlatLookLanes& look) const {
+  HWY_INLINE void run(FastContactLanes2d& look) const {
     look.is_clear =
         hn::And(hn::And(has_faces(a_), has_faces(b_)), hn::Lt(depth_, both(std::numeric_limits<double>::infinity())));
     look.has_two = every_lane();
@@ -45,19 +45,19 @@ class FlatAabbTouch {
     const Doubles of_a = hn::IfThenElse(is_far_, across(a_.max), across(a_.min));
     const Doubles of_b = hn::IfThenElse(is_far_, across(b_.min), across(b_.max));
     for (std::size_t i = 0; i < 2; ++i) {
-      const FlatPoint& end_of_a = i == 0 ? a_.min : a_.max;
-      const FlatPoint& end_of_b = i == 0 ? b_.min : b_.max;
+      const Point2d& end_of_a = i == 0 ? a_.min : a_.max;
+      const Point2d& end_of_b = i == 0 ? b_.min : b_.max;
       const DoublesMask is_reference = is_beyond(i, along(end_of_b), along(end_of_a), slack);
       const Doubles place = hn::IfThenElse(is_reference, along(end_of_a), along(end_of_b));
       const Doubles end = both(i == 0 ? -1 : 1);
-      FlatPointLanes& point = look.points[i];
+      PointLanes2d& point = look.points[i];
       point.on_first = placed(of_a, place);
       point.on_second = placed(of_b, place);
       point.depth = depth_;
       point.of_first =
-          hn::IfThenElse(is_reference, flat_corner_feature(placed(side, end)), flat_side_feature(across_second_, side));
-      point.of_second = hn::IfThenElse(is_reference, flat_side_feature(across_second_, hn::Neg(side)),
-                                       flat_corner_feature(placed(hn::Neg(side), end)));
+          hn::IfThenElse(is_reference, corner_feature_2d(placed(side, end)), side_feature_2d(across_second_, side));
+      point.of_second = hn::IfThenElse(is_reference, side_feature_2d(across_second_, hn::Neg(side)),
+                                       corner_feature_2d(placed(hn::Neg(side), end)));
     }
   }
 
@@ -70,7 +70,7 @@ class FlatAabbTouch {
     return min_of(ahead, behind);
   }
 
-  HWY_INLINE static DoublesMask has_faces(const FlatAabbLanes& box) {
+  HWY_INLINE static DoublesMask has_faces(const AabbLanes2d& box) {
     return hn::And(hn::Lt(box.min.at[0], box.max.at[0]), hn::Lt(box.min.at[1], box.max.at[1]));
   }
 
@@ -80,14 +80,14 @@ class FlatAabbTouch {
   }
 
   /// The number along the axis of least depth, and that along the other one; and a place of such two.
-  HWY_INLINE Doubles across(const FlatPoint& v) const { return hn::IfThenElse(across_second_, v.at[1], v.at[0]); }
-  HWY_INLINE Doubles along(const FlatPoint& v) const { return hn::IfThenElse(across_second_, v.at[0], v.at[1]); }
-  HWY_INLINE FlatPoint placed(Doubles on_axis, Doubles on_other) const {
+  HWY_INLINE Doubles across(const Point2d& v) const { return hn::IfThenElse(across_second_, v.at[1], v.at[0]); }
+  HWY_INLINE Doubles along(const Point2d& v) const { return hn::IfThenElse(across_second_, v.at[0], v.at[1]); }
+  HWY_INLINE Point2d placed(Doubles on_axis, Doubles on_other) const {
     return {{hn::IfThenElse(across_second_, on_other, on_axis), hn::IfThenElse(across_second_, on_axis, on_other)}};
   }
 
-  const FlatAabbLanes& a_;
-  const FlatAabbLanes& b_;
+  const AabbLanes2d& a_;
+  const AabbLanes2d& b_;
   DoublesMask across_second_;
   DoublesMask is_far_;
   Doubles depth_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How capsules and boxes touch each other in the plane, a lane for each pair: FlatTouch of
+// How capsules and boxes touch each other in the plane, a lane for each pair: Contact2d of
 // query/fast_contact/boxes_2d.hpp, to the bit. Included once for each instruction set, hence no ordinary guard.
 #if defined(GRAZE_BROAD_CONTACTS_2D_BOXES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_2D_BOXES_INL_HPP
@@ -25,33 +25,33 @@ HWY_INLINE DoublesMask every_lane() { return hn::Le(both(0), both(0)); }
 
 /// One point of a manifold, on the first core and on the second in the order of their contact; features by their places
 /// in `touched_features`.
-struct FlatPointLanes {
-  FlatPoint on_first;
-  FlatPoint on_second;
+struct PointLanes2d {
+  Point2d on_first;
+  Point2d on_second;
   Doubles depth;
   Doubles of_first;
   Doubles of_second;
 };
 
-/// As FlatLook.
-struct FlatLookLanes {
-  FlatPoint normal;  ///< From the first to the second.
+/// As FastContact2d.
+struct FastContactLanes2d {
+  Point2d normal;  ///< From the first to the second.
   Doubles error;
-  FlatPointLanes points[2];
+  PointLanes2d points[2];
   DoublesMask has_two;
   DoublesMask is_clear;
 };
 
 /// A core of either kind in each lane.
 struct EitherCore {
-  FlatCoreLanes<2> core;
+  CoreLanes2d<2> core;
   DoublesMask is_box;
 
-  HWY_INLINE Doubles corner_feature(const FlatPoint& sides) const {
-    return flat_corner_feature({{sides.at[0], hn::IfThenElseZero(is_box, sides.at[1])}});
+  HWY_INLINE Doubles corner_feature(const Point2d& sides) const {
+    return corner_feature_2d({{sides.at[0], hn::IfThenElseZero(is_box, sides.at[1])}});
   }
   HWY_INLINE Doubles side_feature(DoublesMask across_second, Doubles at) const {
-    return hn::IfThenElse(is_box, flat_side_feature(across_second, at), both(first_of_flat + 4));
+    return hn::IfThenElse(is_box, side_feature_2d(across_second, at), both(first_of_2d + 4));
   }
   /// Of the corner at one end of that side.
   HWY_INLINE Doubles corner_of_side(DoublesMask across_second, Doubles at, Doubles end) const {
@@ -62,16 +62,16 @@ struct EitherCore {
 HWY_INLINE Doubles one_of_two(DoublesMask is_second, const Doubles (&of_axes)[2]) {
   return hn::IfThenElse(is_second, of_axes[1], of_axes[0]);
 }
-HWY_INLINE FlatPoint one_of_two(DoublesMask is_second, const FlatPoint (&of_axes)[2]) {
+HWY_INLINE Point2d one_of_two(DoublesMask is_second, const Point2d (&of_axes)[2]) {
   return one_of(is_second, of_axes[1], of_axes[0]);
 }
 
 /// Two cores in the order of their contact, with so many axes each, one or two, seen from `origin`.
 template <std::size_t first_axes, std::size_t second_axes>
-class FlatTouchLanes {
+class ContactLanes2d {
  public:
-  HWY_INLINE FlatTouchLanes(const FlatPoint& origin, const FlatCoreLanes<first_axes>& first,
-                            const FlatCoreLanes<second_axes>& second)
+  HWY_INLINE ContactLanes2d(const Point2d& origin, const CoreLanes2d<first_axes>& first,
+                            const CoreLanes2d<second_axes>& second)
       : origin_(origin),
         first_(first),
         second_(second),
@@ -84,7 +84,7 @@ class FlatTouchLanes {
         side_{no_lane(), both(1), {{both(0), both(0)}}},
         is_of_first_(no_lane()) {}
 
-  HWY_INLINE void run(FlatLookLanes& look) {
+  HWY_INLINE void run(FastContactLanes2d& look) {
     find_side();
     const Doubles shortest = min_of(first_.shortest(), second_.shortest());
     const DoublesMask is_moderate = hn::And(hn::Gt(size_, both(0x1p-400)), hn::Lt(size_, both(0x1p400)));
@@ -106,15 +106,15 @@ class FlatTouchLanes {
   struct Side {
     DoublesMask across_second;
     Doubles at;
-    FlatPoint up;
+    Point2d up;
   };
 
-  /// The reference side and the other core's, as FlatTouch has it.
+  /// The reference side and the other core's, as Contact2d has it.
   struct Cut {
     DoublesMask across_second;
     Doubles at;
-    FlatPoint middle;
-    FlatPoint half_edge;
+    Point2d middle;
+    Point2d half_edge;
     Doubles half;  ///< Of the reference side.
     Doubles other_half;
     Doubles along[2];
@@ -147,8 +147,8 @@ class FlatTouchLanes {
   }
 
   template <std::size_t yes_axes, std::size_t no_axes>
-  HWY_INLINE static void choose(DoublesMask mask, const FlatCoreLanes<yes_axes>& yes, const FlatCoreLanes<no_axes>& no,
-                                FlatCoreLanes<2>& to) {
+  HWY_INLINE static void choose(DoublesMask mask, const CoreLanes2d<yes_axes>& yes, const CoreLanes2d<no_axes>& no,
+                                CoreLanes2d<2>& to) {
     to.center = one_of(mask, yes.center, no.center);
     to.radius = hn::IfThenElse(mask, yes.radius, no.radius);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -170,9 +170,9 @@ class FlatTouchLanes {
 
   template <class Own, class Other>
   HWY_INLINE void try_side(const Own& own, const Other& other, std::size_t axis, bool is_of_first) {
-    const FlatPoint& normal = own.normal[axis];
+    const Point2d& normal = own.normal[axis];
     const Doubles ahead = dot(normal, other.center - own.center);
-    const auto reach_of = [&normal](const FlatPoint& half_edge) HWY_ATTR { return hn::Abs(dot(normal, half_edge)); };
+    const auto reach_of = [&normal](const Point2d& half_edge) HWY_ATTR { return hn::Abs(dot(normal, half_edge)); };
     const Doubles reach =
         sum(reach_of(own.half_edge[axis]), reach_of(other.half_edge[0]), reach_of(other.half_edge[1]));
     const Doubles gap = hn::Sub(hn::Abs(ahead), reach);
@@ -190,10 +190,10 @@ class FlatTouchLanes {
 
   /// Puts the points, and takes away from what is clear. `is_against`: the side looks against the contact's.
   HWY_INLINE void over_sides(const Side& own_side, DoublesMask own_is_first, DoublesMask is_against,
-                             FlatLookLanes& look) const {
+                             FastContactLanes2d& look) const {
     const Cores cores = cores_by(own_is_first);
     Cut cut = cut_at_ends(cores, own_side);
-    const FlatPoint up = one_of(is_against, -side_.up, side_.up);
+    const Point2d up = one_of(is_against, -side_.up, side_.up);
     DoublesMask is_over = every_lane();
     if constexpr (!are_boxes) is_over = is_lowest_clear(cut);
     const DoublesMask is_on_side = on_side(cores, own_side, up, cut, look);
@@ -214,8 +214,8 @@ class FlatTouchLanes {
   }
 
   HWY_INLINE Cut cut_at_ends(const Cores& cores, const Side& own_side) const {
-    const FlatCoreLanes<2>& own = cores.own.core;
-    const FlatCoreLanes<2>& other = cores.other.core;
+    const CoreLanes2d<2>& own = cores.own.core;
+    const CoreLanes2d<2>& other = cores.other.core;
     Cut cut;
     const auto looks = [&](std::size_t axis) HWY_ATTR { return hn::Abs(dot(other.normal[axis], own_side.up)); };
     cut.across_second =
@@ -227,8 +227,8 @@ class FlatTouchLanes {
     cut.half_edge = one_of_two(across_first, other.half_edge);
     cut.half = one_of_two(own_along, own.half_length);
     cut.other_half = one_of_two(across_first, other.half_length);
-    const FlatPoint off = cut.middle - (own.center + one_of_two(own_side.across_second, own.half_edge) * own_side.at);
-    const FlatPoint along = one_of_two(own_along, own.along);
+    const Point2d off = cut.middle - (own.center + one_of_two(own_side.across_second, own.half_edge) * own_side.at);
+    const Point2d along = one_of_two(own_along, own.along);
     const Doubles middle = dot(off, along);
     const Doubles half_way = dot(cut.half_edge, along);
     const Doubles height = dot(off, own_side.up);
@@ -247,8 +247,8 @@ class FlatTouchLanes {
   }
 
   /// Returns where something is left of the side.
-  HWY_INLINE DoublesMask on_side(const Cores& cores, const Side& own_side, const FlatPoint& up, Cut& cut,
-                                 FlatLookLanes& look) const {
+  HWY_INLINE DoublesMask on_side(const Cores& cores, const Side& own_side, const Point2d& up, Cut& cut,
+                                 FastContactLanes2d& look) const {
     const DoublesMask is_beside = hn::Not(hn::Lt(cut.share[0], cut.share[1]));
     const Doubles rise = hn::Sub(cut.above[1], cut.above[0]);
     const Doubles at_height = hn::Div(hn::Sub(reach_, cut.above[0]), rise);
@@ -271,10 +271,10 @@ class FlatTouchLanes {
     return hn::Not(hn::Or(is_beside, is_all_high));
   }
 
-  HWY_INLINE void put_point(const Cores& cores, const Side& own_side, const FlatPoint& up, const Cut& cut,
-                            std::size_t i, DoublesMask is_high, FlatPointLanes& point) const {
-    const FlatPoint on_core = cut.middle + cut.half_edge * hn::Sub(hn::Mul(both(2), cut.share[i]), both(1));
-    const FlatPoint on_other = on_core - up * cores.other.core.radius;
+  HWY_INLINE void put_point(const Cores& cores, const Side& own_side, const Point2d& up, const Cut& cut, std::size_t i,
+                            DoublesMask is_high, PointLanes2d& point) const {
+    const Point2d on_core = cut.middle + cut.half_edge * hn::Sub(hn::Mul(both(2), cut.share[i]), both(1));
+    const Point2d on_other = on_core - up * cores.other.core.radius;
     const Doubles gap = hn::Add(cut.above[0], hn::Mul(hn::Sub(cut.above[1], cut.above[0]), cut.share[i]));
     const Doubles depth = max_of(both(0), hn::Sub(reach_, gap));
     const DoublesMask is_at_corner = hn::AndNot(is_high, cut.is_cut[i]);
@@ -289,17 +289,17 @@ class FlatTouchLanes {
 
   // ---- Sides of the first core that look along the normal, too, carry the points, if not the contact
 
-  HWY_INLINE DoublesMask is_along_side(const FlatPoint& normal) const {
+  HWY_INLINE DoublesMask is_along_side(const Point2d& normal) const {
     constexpr double most = tolerance::aligned * tolerance::aligned;
-    const auto is_aligned = [&normal](const FlatPoint& up) HWY_ATTR {
-      const FlatPoint turn = normal - up;
+    const auto is_aligned = [&normal](const Point2d& up) HWY_ATTR {
+      const Point2d turn = normal - up;
       return hn::Le(dot(turn, turn), both(most));
     };
     return hn::Or(is_aligned(side_.up), is_aligned(-side_.up));
   }
 
-  HWY_NOINLINE void carry(DoublesMask is_carried, DoublesMask across_second, FlatLookLanes& look) const {
-    const FlatPoint normal = one_of_two(across_second, first_.normal);
+  HWY_NOINLINE void carry(DoublesMask is_carried, DoublesMask across_second, FastContactLanes2d& look) const {
+    const Point2d normal = one_of_two(across_second, first_.normal);
     const Doubles at = hn::Neg(side_of(dot(normal, side_.up)));
     const Side carrying{hn::Or(hn::And(is_carried, across_second), hn::AndNot(is_carried, side_.across_second)),
                         hn::IfThenElse(is_carried, at, side_.at), one_of(is_carried, normal * at, side_.up)};
@@ -310,17 +310,17 @@ class FlatTouchLanes {
 
   /// Cores that are apart, nearest at a corner of each. Only in some lanes, and clear where that is.
   HWY_NOINLINE void between_corners(const Cores& cores, DoublesMask lanes, DoublesMask is_against,
-                                    FlatLookLanes& look) const {
-    const FlatCoreLanes<2>& own = cores.own.core;
-    const FlatCoreLanes<2>& other = cores.other.core;
-    FlatPoint own_sides = own.sides_of(other.center);
+                                    FastContactLanes2d& look) const {
+    const CoreLanes2d<2>& own = cores.own.core;
+    const CoreLanes2d<2>& other = cores.other.core;
+    Point2d own_sides = own.sides_of(other.center);
     own_sides = own.sides_of(other.corner(other.sides_of(own.corner(own_sides))));
-    const FlatPoint corner = own.corner(own_sides);
-    const FlatPoint other_sides = other.sides_of(corner);
-    const FlatPoint way = other.corner(other_sides) - corner;
+    const Point2d corner = own.corner(own_sides);
+    const Point2d other_sides = other.sides_of(corner);
+    const Point2d way = other.corner(other_sides) - corner;
     const Doubles distance = hn::Sqrt(dot(way, way));
     const Doubles depth = hn::Sub(reach_, distance);
-    const FlatPoint normal = way * hn::Div(both(1), distance);
+    const Point2d normal = way * hn::Div(both(1), distance);
     const DoublesMask is_apart = hn::And(hn::Gt(gap_, margin_), hn::Gt(distance, margin_));
     const DoublesMask are_beyond =
         hn::And(is_beyond(cores.own, own_sides, way, distance), is_beyond(cores.other, other_sides, -way, distance));
@@ -328,10 +328,10 @@ class FlatTouchLanes {
     look.is_clear = hn::And(look.is_clear, hn::Or(is_clear, hn::Not(lanes)));
     // What is carried keeps the normal that it has.
     look.normal = one_of(hn::AndNot(is_against, lanes), one_of(cores.own_is_first, normal, -normal), look.normal);
-    FlatPointLanes single;
+    PointLanes2d single;
     put_pair(cores, corner + normal * own.radius, (corner + way) - normal * other.radius, depth,
              cores.own.corner_feature(own_sides), cores.other.corner_feature(other_sides), single);
-    FlatPointLanes& point = look.points[0];
+    PointLanes2d& point = look.points[0];
     point.on_first = one_of(lanes, single.on_first, point.on_first);
     point.on_second = one_of(lanes, single.on_second, point.on_second);
     point.depth = hn::IfThenElse(lanes, single.depth, point.depth);
@@ -339,7 +339,7 @@ class FlatTouchLanes {
     point.of_second = hn::IfThenElse(lanes, single.of_second, point.of_second);
   }
 
-  HWY_INLINE static DoublesMask is_beyond(const EitherCore& core, const FlatPoint& sides, const FlatPoint& way,
+  HWY_INLINE static DoublesMask is_beyond(const EitherCore& core, const Point2d& sides, const Point2d& way,
                                           Doubles distance) {
     constexpr double least_cosine = 16 * tolerance::aligned;
     const Doubles least = hn::Mul(both(least_cosine), distance);
@@ -349,8 +349,8 @@ class FlatTouchLanes {
     return hn::And(of_axis(0), hn::Or(of_axis(1), hn::Not(core.is_box)));
   }
 
-  HWY_INLINE void put_pair(const Cores& cores, const FlatPoint& on_own, const FlatPoint& on_other, Doubles depth,
-                           Doubles of_own, Doubles of_other, FlatPointLanes& point) const {
+  HWY_INLINE void put_pair(const Cores& cores, const Point2d& on_own, const Point2d& on_other, Doubles depth,
+                           Doubles of_own, Doubles of_other, PointLanes2d& point) const {
     const DoublesMask own_is_first = cores.own_is_first;
     point.on_first = origin_ + one_of(own_is_first, on_own, on_other);
     point.on_second = origin_ + one_of(own_is_first, on_other, on_own);
@@ -359,9 +359,9 @@ class FlatTouchLanes {
     point.of_second = hn::IfThenElse(own_is_first, of_other, of_own);
   }
 
-  FlatPoint origin_;
-  const FlatCoreLanes<first_axes>& first_;
-  const FlatCoreLanes<second_axes>& second_;
+  Point2d origin_;
+  const CoreLanes2d<first_axes>& first_;
+  const CoreLanes2d<second_axes>& second_;
   Doubles size_;
   Doubles reach_;
   Doubles noise_;

@@ -30,56 +30,55 @@ namespace {
 
 #if GRAZE_FLAT_LANES
 
-/// Of a ball and what is named second, as their numbers lie in memory.
-template <FlatKind kind, class T>
-HWY_INLINE RoundTouch flat_ball_touch(const T* const* first, const T* const* second) {
-  const BallLanes ball = BallLanes::load<2>(first);
-  if constexpr (kind == FlatKind::sphere_sphere) {
-    return touch_lanes(ball, BallLanes::load<2>(second));
-  } else if constexpr (kind == FlatKind::sphere_capsule) {
-    return touch_lanes<2>(ball, CapsuleLanes::load<2>(second));
-  } else if constexpr (kind == FlatKind::sphere_aabb) {
-    return FlatBallLanes(ball, flat_core_of(FlatAabbLanes(second), in_plane(ball.center))).run();
+/// Of a sphere and what is named second, as their numbers lie in memory.
+template <Kind2d kind, class T>
+HWY_INLINE RoundTouch sphere_contact_2d(const T* const* first, const T* const* second) {
+  const SphereLanes sphere = SphereLanes::load<2>(first);
+  if constexpr (kind == Kind2d::sphere_sphere) {
+    return touch_lanes(sphere, SphereLanes::load<2>(second));
+  } else if constexpr (kind == Kind2d::sphere_capsule) {
+    return touch_lanes<2>(sphere, CapsuleLanes::load<2>(second));
+  } else if constexpr (kind == Kind2d::sphere_aabb) {
+    return SphereLanes2d(sphere, core_2d_of(AabbLanes2d(second), in_plane(sphere.center))).run();
   } else {
-    return FlatBallLanes(ball, flat_core_of(FlatObbLanes(second), in_plane(ball.center))).run();
+    return SphereLanes2d(sphere, core_2d_of(ObbLanes2d(second), in_plane(sphere.center))).run();
   }
 }
 
-template <FlatKind kind, class T>
-std::size_t contact_flat(std::span<const PrimitivesToContact<2, T>> pairs, std::uint32_t* left) {
-  if constexpr (kind <= FlatKind::sphere_capsule) {
+template <Kind2d kind, class T>
+std::size_t contact_2d(std::span<const PrimitivesToContact<2, T>> pairs, std::uint32_t* left) {
+  if constexpr (kind <= Kind2d::sphere_capsule) {
     return contact_groups<2, T>(pairs, left,
                                 [](const T* const* first, const T* const* second, std::uint32_t turned) HWY_ATTR {
-                                  return RoundContacts<T, 2>(flat_ball_touch<kind>(first, second), turned);
+                                  return RoundContacts<T, 2>(sphere_contact_2d<kind>(first, second), turned);
                                 });
   } else {
     return contact_groups<2, T>(pairs, left,
                                 [](const T* const* first, const T* const* second, std::uint32_t turned)
-                                    HWY_ATTR { return flat_contacts<kind>(first, second, turned); });
+                                    HWY_ATTR { return contacts_2d<kind>(first, second, turned); });
   }
 }
 
 #else
 
-template <FlatKind /*kind*/, class T>
-std::size_t contact_flat(std::span<const PrimitivesToContact<2, T>> pairs, std::uint32_t* left) {
+template <Kind2d /*kind*/, class T>
+std::size_t contact_2d(std::span<const PrimitivesToContact<2, T>> pairs, std::uint32_t* left) {
   return leave_all(pairs.size(), left);
 }
 
 #endif
 
 template <class T>
-constexpr FlatKernels<T> flat_kernels_of = {
-    contact_flat<FlatKind::sphere_sphere, T>, contact_flat<FlatKind::sphere_obb, T>,
-    contact_flat<FlatKind::sphere_aabb, T>,   contact_flat<FlatKind::sphere_capsule, T>,
-    contact_flat<FlatKind::obb_obb, T>,       contact_flat<FlatKind::obb_aabb, T>,
-    contact_flat<FlatKind::obb_capsule, T>,   contact_flat<FlatKind::aabb_aabb, T>,
-    contact_flat<FlatKind::aabb_capsule, T>,  contact_flat<FlatKind::capsule_capsule, T>};
+constexpr ContactKernels2d<T> contact_kernels_2d_of = {
+    contact_2d<Kind2d::sphere_sphere, T>,  contact_2d<Kind2d::sphere_obb, T>, contact_2d<Kind2d::sphere_aabb, T>,
+    contact_2d<Kind2d::sphere_capsule, T>, contact_2d<Kind2d::obb_obb, T>,    contact_2d<Kind2d::obb_aabb, T>,
+    contact_2d<Kind2d::obb_capsule, T>,    contact_2d<Kind2d::aabb_aabb, T>,  contact_2d<Kind2d::aabb_capsule, T>,
+    contact_2d<Kind2d::capsule_capsule, T>};
 
 }  // namespace
 
-const AllFlatKernels& all_flat_kernels() {
-  static const AllFlatKernels kernels{flat_kernels_of<float>, flat_kernels_of<double>};
+const AllContactKernels2d& all_contact_kernels_2d() {
+  static const AllContactKernels2d kernels{contact_kernels_2d_of<float>, contact_kernels_2d_of<double>};
   return kernels;
 }
 
@@ -89,16 +88,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace graze::detail {
 namespace {
-HWY_EXPORT(all_flat_kernels);
+HWY_EXPORT(all_contact_kernels_2d);
 }
 
 template <class T>
-const FlatKernels<T>& flat_kernels() {
-  return HWY_DYNAMIC_DISPATCH(all_flat_kernels)().template of<T>();
+const ContactKernels2d<T>& contact_kernels_2d() {
+  return HWY_DYNAMIC_DISPATCH(all_contact_kernels_2d)().template of<T>();
 }
 
-template const FlatKernels<float>& flat_kernels<float>();
-template const FlatKernels<double>& flat_kernels<double>();
+template const ContactKernels2d<float>& contact_kernels_2d<float>();
+template const ContactKernels2d<double>& contact_kernels_2d<double>();
 
 }  // namespace graze::detail
 #endif

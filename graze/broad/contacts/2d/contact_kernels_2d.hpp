@@ -13,7 +13,7 @@
 namespace graze::detail {
 
 /// Two of a kind are in the order of shapes of one type (shape/fields/shape_order.hpp), but for spheres.
-enum class FlatKind : std::uint8_t {
+enum class Kind2d : std::uint8_t {
   sphere_sphere,
   sphere_obb,
   sphere_aabb,
@@ -25,17 +25,17 @@ enum class FlatKind : std::uint8_t {
   aabb_capsule,
   capsule_capsule
 };
-inline constexpr std::size_t flat_kinds = 10;
+inline constexpr std::size_t kinds_2d = 10;
 
 /// By kind.
 template <class T>
-using FlatKernels = std::array<PrimitiveKernel<2, T>, flat_kinds>;
+using ContactKernels2d = std::array<ContactKernel<2, T>, kinds_2d>;
 
 /// The kernels of one instruction set.
-using AllFlatKernels = ScalarKernels<FlatKernels>;
+using AllContactKernels2d = ScalarKernels<ContactKernels2d>;
 
 /// The kernels for this machine. Instantiated for float and double.
 template <class T>
-const FlatKernels<T>& flat_kernels();
+const ContactKernels2d<T>& contact_kernels_2d();
 
 }  // namespace graze::detail

@@ -28,15 +28,15 @@ namespace graze::detail::HWY_NAMESPACE {
 
 /// The manifolds of a group of pairs, to be written one by one.
 template <class T>
-class FlatContacts {
+class Contacts2d {
  public:
-  HWY_INLINE FlatContacts(const FlatLookLanes& look, std::uint32_t turned)
+  HWY_INLINE Contacts2d(const FastContactLanes2d& look, std::uint32_t turned)
       : clear_(bits_of<double>(look.is_clear)), two_(bits_of<double>(look.has_two)), turned_(turned) {
     const DoublesMask turns = mask_of(Tag<double>(), turned);
     rows_.set(in_space(look.normal), look.error, turns);
     for (std::size_t i = 0; i < 2; ++i) {
-      const FlatPointLanes& point = look.points[i];
-      const FlatPoint middle = point.on_first * both(0.5) + point.on_second * both(0.5);
+      const PointLanes2d& point = look.points[i];
+      const Point2d middle = point.on_first * both(0.5) + point.on_second * both(0.5);
       points_[i].set(in_space(point.on_first), in_space(point.on_second), in_space(middle), point.depth, turns);
       store(point.of_first, features_[i][0]);
       store(point.of_second, features_[i][1]);
@@ -73,43 +73,43 @@ class FlatContacts {
   Row<double> features_[2][2];
 };
 
-// ---- Where a pair is seen from, as flat_origin
+// ---- Where a pair is seen from, as origin_2d
 
-HWY_INLINE FlatPoint flat_origin_of(const CapsuleLanes& capsule) { return in_plane(capsule.start); }
-HWY_INLINE FlatPoint flat_origin_of(const FlatObbLanes& box) { return box.center; }
-HWY_INLINE FlatPoint flat_origin_of(const FlatAabbLanes& box) { return box.min; }
+HWY_INLINE Point2d origin_2d_of(const CapsuleLanes& capsule) { return in_plane(capsule.start); }
+HWY_INLINE Point2d origin_2d_of(const ObbLanes2d& box) { return box.center; }
+HWY_INLINE Point2d origin_2d_of(const AabbLanes2d& box) { return box.min; }
 
 template <class T, class First, class Second>
-HWY_INLINE FlatContacts<T> flat_contacts_of(const First& first, const Second& second, std::uint32_t turned) {
-  const FlatPoint origin = flat_origin_of(first);
-  const auto core_of_first = flat_core_of(first, origin);
-  const auto core_of_second = flat_core_of(second, origin);
-  FlatLookLanes look;
-  FlatTouchLanes(origin, core_of_first, core_of_second).run(look);
-  return FlatContacts<T>(look, turned);
+HWY_INLINE Contacts2d<T> contacts_2d_of(const First& first, const Second& second, std::uint32_t turned) {
+  const Point2d origin = origin_2d_of(first);
+  const auto core_of_first = core_2d_of(first, origin);
+  const auto core_of_second = core_2d_of(second, origin);
+  FastContactLanes2d look;
+  ContactLanes2d(origin, core_of_first, core_of_second).run(look);
+  return Contacts2d<T>(look, turned);
 }
 
 /// Of shapes whose numbers lie at these places.
-template <FlatKind kind, class T>
-HWY_INLINE FlatContacts<T> flat_contacts(const T* const* first, const T* const* second, std::uint32_t turned) {
-  if constexpr (kind == FlatKind::obb_obb) {
-    return flat_contacts_of<T>(FlatObbLanes(first), FlatObbLanes(second), turned);
-  } else if constexpr (kind == FlatKind::aabb_aabb) {
-    const FlatAabbLanes a(first);
-    const FlatAabbLanes b(second);
-    FlatLookLanes look;
-    FlatAabbTouch(a, b).run(look);
-    return FlatContacts<T>(look, turned);
-  } else if constexpr (kind == FlatKind::obb_aabb) {
-    return flat_contacts_of<T>(FlatObbLanes(first), FlatAabbLanes(second), turned);
+template <Kind2d kind, class T>
+HWY_INLINE Contacts2d<T> contacts_2d(const T* const* first, const T* const* second, std::uint32_t turned) {
+  if constexpr (kind == Kind2d::obb_obb) {
+    return contacts_2d_of<T>(ObbLanes2d(first), ObbLanes2d(second), turned);
+  } else if constexpr (kind == Kind2d::aabb_aabb) {
+    const AabbLanes2d a(first);
+    const AabbLanes2d b(second);
+    FastContactLanes2d look;
+    AabbContact2d(a, b).run(look);
+    return Contacts2d<T>(look, turned);
+  } else if constexpr (kind == Kind2d::obb_aabb) {
+    return contacts_2d_of<T>(ObbLanes2d(first), AabbLanes2d(second), turned);
   } else {
     const CapsuleLanes capsule = CapsuleLanes::load<2>(second);
-    if constexpr (kind == FlatKind::obb_capsule) {
-      return flat_contacts_of<T>(FlatObbLanes(first), capsule, turned);
-    } else if constexpr (kind == FlatKind::aabb_capsule) {
-      return flat_contacts_of<T>(FlatAabbLanes(first), capsule, turned);
+    if constexpr (kind == Kind2d::obb_capsule) {
+      return contacts_2d_of<T>(ObbLanes2d(first), capsule, turned);
+    } else if constexpr (kind == Kind2d::aabb_capsule) {
+      return contacts_2d_of<T>(AabbLanes2d(first), capsule, turned);
     } else {
-      return flat_contacts_of<T>(CapsuleLanes::load<2>(first), capsule, turned);
+      return contacts_2d_of<T>(CapsuleLanes::load<2>(first), capsule, turned);
     }
   }
 }

@@ -25,7 +25,7 @@ namespace graze::detail {
 
 /// Collects such pairs of a task, which touch: at most `room`.
 template <class T, std::size_t room>
-class FlatPairs {
+class Pairs2d {
  public:
   /// False for others.
   bool add(const ShapePair<2, T>& shapes, Manifold<2, T>* manifold, std::size_t place) {
@@ -48,11 +48,12 @@ class FlatPairs {
   /// contact_one(place) for those that the kernels leave.
   template <class ContactOne>
   void contact(const ContactOne& contact_one) const {
-    for (std::size_t kind = 0; kind < flat_kinds; ++kind) {
+    for (std::size_t kind = 0; kind < kinds_2d; ++kind) {
       const List& list = lists_[kind];
       if (list.count == 0) continue;
       std::array<std::uint32_t, room> left;
-      const std::size_t left_count = flat_kernels<T>()[kind](std::span(list.pairs).first(list.count), left.data());
+      const std::size_t left_count =
+          contact_kernels_2d<T>()[kind](std::span(list.pairs).first(list.count), left.data());
       for (std::size_t i = 0; i < left_count; ++i) contact_one(list.places[left[i]]);
     }
   }
@@ -69,19 +70,19 @@ class FlatPairs {
   static constexpr auto kinds = [] {
     std::array<std::array<int, ranks>, ranks> result{};
     for (auto& row : result) row.fill(-1);
-    const auto set = [&result](Rank first, Rank second, FlatKind kind) {
+    const auto set = [&result](Rank first, Rank second, Kind2d kind) {
       result[first][second] = static_cast<int>(kind);
     };
-    set(sphere, sphere, FlatKind::sphere_sphere);
-    set(sphere, obb, FlatKind::sphere_obb);
-    set(sphere, aabb, FlatKind::sphere_aabb);
-    set(sphere, capsule, FlatKind::sphere_capsule);
-    set(obb, obb, FlatKind::obb_obb);
-    set(obb, aabb, FlatKind::obb_aabb);
-    set(obb, capsule, FlatKind::obb_capsule);
-    set(aabb, aabb, FlatKind::aabb_aabb);
-    set(aabb, capsule, FlatKind::aabb_capsule);
-    set(capsule, capsule, FlatKind::capsule_capsule);
+    set(sphere, sphere, Kind2d::sphere_sphere);
+    set(sphere, obb, Kind2d::sphere_obb);
+    set(sphere, aabb, Kind2d::sphere_aabb);
+    set(sphere, capsule, Kind2d::sphere_capsule);
+    set(obb, obb, Kind2d::obb_obb);
+    set(obb, aabb, Kind2d::obb_aabb);
+    set(obb, capsule, Kind2d::obb_capsule);
+    set(aabb, aabb, Kind2d::aabb_aabb);
+    set(aabb, capsule, Kind2d::aabb_capsule);
+    set(capsule, capsule, Kind2d::capsule_capsule);
     return result;
   }();
 
@@ -116,7 +117,7 @@ class FlatPairs {
     std::size_t count = 0;
   };
 
-  std::array<List, flat_kinds> lists_;
+  std::array<List, kinds_2d> lists_;
 };
 
 }  // namespace graze::detail

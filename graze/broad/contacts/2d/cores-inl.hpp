@@ -19,44 +19,44 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
-using FlatPoint = LaneVec<2, double>;
+using Point2d = LaneVec<2, double>;
 
-HWY_INLINE FlatPoint operator+(const FlatPoint& a, const FlatPoint& b) {
+HWY_INLINE Point2d operator+(const Point2d& a, const Point2d& b) {
   return {{hn::Add(a.at[0], b.at[0]), hn::Add(a.at[1], b.at[1])}};
 }
-HWY_INLINE FlatPoint operator-(const FlatPoint& a, const FlatPoint& b) { return difference(a, b); }
-HWY_INLINE FlatPoint operator-(const FlatPoint& v) { return {{hn::Neg(v.at[0]), hn::Neg(v.at[1])}}; }
-HWY_INLINE FlatPoint operator*(const FlatPoint& v, Doubles factor) {
+HWY_INLINE Point2d operator-(const Point2d& a, const Point2d& b) { return difference(a, b); }
+HWY_INLINE Point2d operator-(const Point2d& v) { return {{hn::Neg(v.at[0]), hn::Neg(v.at[1])}}; }
+HWY_INLINE Point2d operator*(const Point2d& v, Doubles factor) {
   return {{hn::Mul(v.at[0], factor), hn::Mul(v.at[1], factor)}};
 }
-HWY_INLINE Doubles dot(const FlatPoint& a, const FlatPoint& b) {
+HWY_INLINE Doubles dot(const Point2d& a, const Point2d& b) {
   return hn::Add(hn::Mul(a.at[0], b.at[0]), hn::Mul(a.at[1], b.at[1]));
 }
-HWY_INLINE Doubles sum_abs(const FlatPoint& v) { return hn::Add(hn::Abs(v.at[0]), hn::Abs(v.at[1])); }
-HWY_INLINE FlatPoint perpendicular(const FlatPoint& v) { return {{hn::Neg(v.at[1]), v.at[0]}}; }
-HWY_INLINE FlatPoint one_of(const DoublesMask& mask, const FlatPoint& yes, const FlatPoint& no) {
+HWY_INLINE Doubles sum_abs(const Point2d& v) { return hn::Add(hn::Abs(v.at[0]), hn::Abs(v.at[1])); }
+HWY_INLINE Point2d perpendicular(const Point2d& v) { return {{hn::Neg(v.at[1]), v.at[0]}}; }
+HWY_INLINE Point2d one_of(const DoublesMask& mask, const Point2d& yes, const Point2d& no) {
   return {{hn::IfThenElse(mask, yes.at[0], no.at[0]), hn::IfThenElse(mask, yes.at[1], no.at[1])}};
 }
 /// As std::copysign(1.0, v).
 HWY_INLINE Doubles side_of(Doubles v) { return hn::CopySign(both(1), v); }
 
 /// As kernels of space have it.
-HWY_INLINE Point in_space(const FlatPoint& v) { return {{v.at[0], v.at[1], both(0)}}; }
-HWY_INLINE FlatPoint in_plane(const Point& v) { return {{v.at[0], v.at[1]}}; }
+HWY_INLINE Point in_space(const Point2d& v) { return {{v.at[0], v.at[1], both(0)}}; }
+HWY_INLINE Point2d in_plane(const Point& v) { return {{v.at[0], v.at[1]}}; }
 
-/// As FlatCore.
+/// As Core2d.
 template <std::size_t axes>
-struct FlatCoreLanes {
-  FlatPoint center;
-  FlatPoint half_edge[2];
-  FlatPoint along[2];
+struct CoreLanes2d {
+  Point2d center;
+  Point2d half_edge[2];
+  Point2d along[2];
   Doubles half_length[2];
-  FlatPoint normal[2];
+  Point2d normal[2];
   Doubles radius;
 
   /// A constructor would be called by those of structs that hold one, which are compiled for any machine.
   HWY_INLINE void clear() {
-    const FlatPoint zero{{both(0), both(0)}};
+    const Point2d zero{{both(0), both(0)}};
     center = zero;
     radius = both(0);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -73,28 +73,28 @@ struct FlatCoreLanes {
 
   HWY_INLINE Doubles shortest() const { return axes == 1 ? half_length[0] : min_of(half_length[0], half_length[1]); }
 
-  HWY_INLINE FlatPoint corner(const FlatPoint& sides) const {
+  HWY_INLINE Point2d corner(const Point2d& sides) const {
     return center + half_edge[0] * sides.at[0] + half_edge[1] * sides.at[1];
   }
 
-  HWY_INLINE FlatPoint sides_of(const FlatPoint& place) const {
-    const FlatPoint off = place - center;
+  HWY_INLINE Point2d sides_of(const Point2d& place) const {
+    const Point2d off = place - center;
     return {{side_of(dot(off, half_edge[0])), side_of(dot(off, half_edge[1]))}};
   }
 
-  HWY_INLINE void set_edge(std::size_t i, const FlatPoint& half) {
+  HWY_INLINE void set_edge(std::size_t i, const Point2d& half) {
     half_edge[i] = half;
     half_length[i] = hn::Sqrt(dot(half, half));
     along[i] = half * hn::Div(both(1), half_length[i]);
   }
 };
 
-// ---- Of shapes in memory, as flat_core(shape, origin): `origin` where they are seen from
+// ---- Of shapes in memory, as core_2d(shape, origin): `origin` where they are seen from
 
-HWY_INLINE FlatCoreLanes<1> flat_core_of(const CapsuleLanes& capsule, const FlatPoint& origin) {
-  const FlatPoint start = in_plane(capsule.start) - origin;
-  const FlatPoint end = in_plane(capsule.end) - origin;
-  FlatCoreLanes<1> core;
+HWY_INLINE CoreLanes2d<1> core_2d_of(const CapsuleLanes& capsule, const Point2d& origin) {
+  const Point2d start = in_plane(capsule.start) - origin;
+  const Point2d end = in_plane(capsule.end) - origin;
+  CoreLanes2d<1> core;
   core.clear();
   core.center = (start + end) * both(0.5);
   core.set_edge(0, (end - start) * both(0.5));
@@ -104,13 +104,13 @@ HWY_INLINE FlatCoreLanes<1> flat_core_of(const CapsuleLanes& capsule, const Flat
 }
 
 /// An oriented box' center, half extents and axes.
-struct FlatObbLanes {
-  FlatPoint center;
+struct ObbLanes2d {
+  Point2d center;
   Doubles half[2];
-  FlatPoint axes[2];
+  Point2d axes[2];
 
   template <class T>
-  HWY_INLINE explicit FlatObbLanes(const T* const* rows) {
+  HWY_INLINE explicit ObbLanes2d(const T* const* rows) {
     Doubles numbers[8];
     load_wide(rows, numbers);
     center = {{numbers[0], numbers[1]}};
@@ -121,8 +121,8 @@ struct FlatObbLanes {
   }
 };
 
-HWY_INLINE FlatCoreLanes<2> flat_core_of(const FlatObbLanes& box, const FlatPoint& origin) {
-  FlatCoreLanes<2> core;
+HWY_INLINE CoreLanes2d<2> core_2d_of(const ObbLanes2d& box, const Point2d& origin) {
+  CoreLanes2d<2> core;
   core.clear();
   core.center = box.center - origin;
   for (std::size_t i = 0; i < 2; ++i) core.set_edge(i, box.axes[i] * box.half[i]);
@@ -134,12 +134,12 @@ HWY_INLINE FlatCoreLanes<2> flat_core_of(const FlatObbLanes& box, const FlatPoin
 }
 
 /// The ends of a box along the axes.
-struct FlatAabbLanes {
-  FlatPoint min;
-  FlatPoint max;
+struct AabbLanes2d {
+  Point2d min;
+  Point2d max;
 
   template <class T>
-  HWY_INLINE explicit FlatAabbLanes(const T* const* rows) {
+  HWY_INLINE explicit AabbLanes2d(const T* const* rows) {
     Doubles numbers[4];
     load_wide(rows, numbers);
     min = {{numbers[0], numbers[1]}};
@@ -147,11 +147,11 @@ struct FlatAabbLanes {
   }
 };
 
-HWY_INLINE FlatCoreLanes<2> flat_core_of(const FlatAabbLanes& box, const FlatPoint& origin) {
-  const FlatPoint low = box.min - origin;
-  const FlatPoint high = box.max - origin;
-  const FlatPoint half = (high - low) * both(0.5);
-  FlatCoreLanes<2> core;
+HWY_INLINE CoreLanes2d<2> core_2d_of(const AabbLanes2d& box, const Point2d& origin) {
+  const Point2d low = box.min - origin;
+  const Point2d high = box.max - origin;
+  const Point2d half = (high - low) * both(0.5);
+  CoreLanes2d<2> core;
   core.clear();
   core.center = (low + high) * both(0.5);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -164,14 +164,14 @@ HWY_INLINE FlatCoreLanes<2> flat_core_of(const FlatAabbLanes& box, const FlatPoi
 
 // ---- Features
 
-/// By their places in `touched_features`, those of FlatCore: of a corner on these sides of the middle, and of the side
+/// By their places in `touched_features`, those of Core2d: of a corner on these sides of the middle, and of the side
 /// across the first axis or the second (`across_second`: 1 or 0) that is `at` its half edge or, with -1, against it.
-HWY_INLINE Doubles flat_corner_feature(const FlatPoint& sides) {
+HWY_INLINE Doubles corner_feature_2d(const Point2d& sides) {
   const auto bit = [](Doubles side, double value) { return hn::IfThenElseZero(hn::Gt(side, both(0)), both(value)); };
-  return hn::Add(both(first_of_flat), hn::Add(bit(sides.at[0], 1), bit(sides.at[1], 2)));
+  return hn::Add(both(first_of_2d), hn::Add(bit(sides.at[0], 1), bit(sides.at[1], 2)));
 }
-HWY_INLINE Doubles flat_side_feature(DoublesMask across_second, Doubles at) {
-  return hn::Add(both(first_of_flat + 4),
+HWY_INLINE Doubles side_feature_2d(DoublesMask across_second, Doubles at) {
+  return hn::Add(both(first_of_2d + 4),
                  hn::Add(hn::IfThenElseZero(across_second, both(2)), hn::IfThenElseZero(hn::Gt(at, both(0)), both(1))));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How balls touch boxes in the plane, a lane for each pair: FlatBallTouch of query/fast_contact/sphere_2d.hpp, to the
-// bit. Included once for each instruction set, hence no ordinary guard.
+// How spheres touch boxes in the plane, a lane for each pair: SphereContact2d of query/fast_contact/sphere_2d.hpp, to
+// the bit. Included once for each instruction set, hence no ordinary guard.
 #if defined(GRAZE_BROAD_CONTACTS_2D_SPHERE_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_2D_SPHERE_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_2D_SPHERE_INL_HPP
@@ -19,14 +19,14 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
-/// A box is seen from the ball's center.
-class FlatBallLanes {
+/// A box is seen from the sphere's center.
+class SphereLanes2d {
  public:
-  HWY_INLINE FlatBallLanes(const BallLanes& ball, const FlatCoreLanes<2>& box)
-      : ball_(ball),
+  HWY_INLINE SphereLanes2d(const SphereLanes& sphere, const CoreLanes2d<2>& box)
+      : sphere_(sphere),
         box_(box),
         way_(-box.center),
-        size_(hn::Add(box.size(), ball.radius)),
+        size_(hn::Add(box.size(), sphere.radius)),
         doubt_(hn::Mul(both(tolerance::coarse), size_)),
         margin_(hn::Mul(both(tolerance::known_direction), size_)) {}
 
@@ -36,15 +36,15 @@ class FlatBallLanes {
     const DoublesMask is_y = hn::Gt(gaps[1], hn::Add(gaps[0], hn::Mul(both(tolerance::rounding), size_)));
     const Doubles gap = hn::IfThenElse(is_y, gaps[1], gaps[0]);
     const Doubles side = side_of(hn::IfThenElse(is_y, ahead[1], ahead[0]));
-    const FlatPoint half_edge = one_of(is_y, box_.half_edge[1], box_.half_edge[0]);
-    const FlatPoint along = one_of(is_y, box_.along[0], box_.along[1]);
+    const Point2d half_edge = one_of(is_y, box_.half_edge[1], box_.half_edge[0]);
+    const Point2d along = one_of(is_y, box_.along[0], box_.along[1]);
     const Doubles half = hn::IfThenElse(is_y, box_.half_length[0], box_.half_length[1]);
     const Doubles place = dot(way_ - half_edge * side, along);
     const DoublesMask is_over = hn::Lt(hn::Abs(place), hn::Sub(half, margin_));
     const Corner corner(*this);
     RoundTouch touch = touch_at(one_of(is_over, one_of(is_y, box_.normal[1], box_.normal[0]) * side, corner.up),
                                 hn::IfThenElse(is_over, gap, corner.distance));
-    touch.feature_second = hn::IfThenElse(is_over, flat_side_feature(is_y, side), corner.feature);
+    touch.feature_second = hn::IfThenElse(is_over, side_feature_2d(is_y, side), corner.feature);
     touch.is_clear = hn::And(is_plain(gap), hn::Or(is_over, hn::And(hn::Gt(gap, margin_), corner.is_known)));
     return touch;
   }
@@ -56,47 +56,48 @@ class FlatBallLanes {
 
   HWY_INLINE DoublesMask is_plain(Doubles gap) const {
     const DoublesMask is_moderate = hn::And(hn::Gt(size_, both(0x1p-400)), hn::Lt(size_, both(0x1p400)));
-    return hn::And(hn::And(hn::Gt(box_.shortest(), margin_), is_moderate), hn::Gt(hn::Sub(ball_.radius, gap), doubt_));
+    return hn::And(hn::And(hn::Gt(box_.shortest(), margin_), is_moderate),
+                   hn::Gt(hn::Sub(sphere_.radius, gap), doubt_));
   }
 
   /// The one on the center's side of both axes.
   struct Corner {
-    FlatPoint up;  ///< From there to the center, of length 1.
+    Point2d up;  ///< From there to the center, of length 1.
     Doubles distance;
     Doubles feature;
     DoublesMask is_known;
 
-    HWY_INLINE explicit Corner(const FlatBallLanes& of) {
+    HWY_INLINE explicit Corner(const SphereLanes2d& of) {
       constexpr double least_cosine = 16 * tolerance::aligned;
-      const FlatPoint sides{{side_of(dot(of.way_, of.box_.half_edge[0])), side_of(dot(of.way_, of.box_.half_edge[1]))}};
-      const FlatPoint whole_up = -of.box_.corner(sides);
+      const Point2d sides{{side_of(dot(of.way_, of.box_.half_edge[0])), side_of(dot(of.way_, of.box_.half_edge[1]))}};
+      const Point2d whole_up = -of.box_.corner(sides);
       distance = hn::Sqrt(dot(whole_up, whole_up));
       const Doubles least = hn::Mul(both(least_cosine), distance);
       const auto is_beyond = [&](std::size_t axis) HWY_ATTR {
         return hn::Gt(hn::Mul(dot(whole_up, of.box_.along[axis]), sides.at[axis]), least);
       };
-      is_known = hn::And(hn::And(is_beyond(0), is_beyond(1)), hn::Gt(hn::Sub(of.ball_.radius, distance), of.doubt_));
+      is_known = hn::And(hn::And(is_beyond(0), is_beyond(1)), hn::Gt(hn::Sub(of.sphere_.radius, distance), of.doubt_));
       up = whole_up * hn::Div(both(1), distance);
-      feature = flat_corner_feature(sides);
+      feature = corner_feature_2d(sides);
     }
   };
 
   /// From the box' surface, `gap` below the center, up to that.
-  HWY_INLINE RoundTouch touch_at(const FlatPoint& up, Doubles gap) const {
-    const FlatPoint center = in_plane(ball_.center);
+  HWY_INLINE RoundTouch touch_at(const Point2d& up, Doubles gap) const {
+    const Point2d center = in_plane(sphere_.center);
     RoundTouch touch;
     touch.normal = in_space(-up);
-    touch.depth = hn::Sub(ball_.radius, gap);
-    touch.on_first = in_space(center - up * ball_.radius);
+    touch.depth = hn::Sub(sphere_.radius, gap);
+    touch.on_first = in_space(center - up * sphere_.radius);
     touch.on_second = in_space(center - up * gap);
     touch.error = hn::Mul(both(2 * tolerance::rounding), size_);
     touch.feature_first = both(0);
     return touch;
   }
 
-  const BallLanes& ball_;
-  const FlatCoreLanes<2>& box_;
-  FlatPoint way_;
+  const SphereLanes& sphere_;
+  const CoreLanes2d<2>& box_;
+  Point2d way_;
   Doubles size_;
   Doubles doubt_;
   Doubles margin_;

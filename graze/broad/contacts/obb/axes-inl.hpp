@@ -65,9 +65,10 @@ class AxesLook {
   /// Of boxes near the origin.
   HWY_INLINE AxesLook(const LaneObb<3, float>& a, const LaneObb<3, float>& b)
       : view_(a, b),
-        skew_(hn::Add(hn::Max(skew_of(a), skew_of(b)), all(tolerance::measured_skew<float>))),
+        orthonormality_error_(hn::Add(hn::Max(orthonormality_error_of(a), orthonormality_error_of(b)),
+                                      all(tolerance::measured_orthonormality_error<float>))),
         size_(find_face_gaps()),
-        band_(hn::Mul(hn::Mul(all(static_cast<float>(tolerance::box_filter)), skew_), size_)),
+        band_(hn::Mul(hn::Mul(all(static_cast<float>(tolerance::box_filter)), orthonormality_error_), size_)),
         bits_(hn::Zero(BitsTag())) {
     widest_ = gaps_[0];
     for (std::size_t i = 1; i < 6; ++i) widest_ = hn::Max(widest_, gaps_[i]);
@@ -108,7 +109,7 @@ class AxesLook {
   }
 
   HWY_INLINE void look_across_edges(Mask has_size, Mask apart_by_faces) {
-    const auto parallel = hn::Mul(all(static_cast<float>(2 * tolerance::box_filter)), skew_);
+    const auto parallel = hn::Mul(all(static_cast<float>(2 * tolerance::box_filter)), orthonormality_error_);
     const auto squared_parallel = hn::Mul(hn::Mul(all(0.5F), parallel), parallel);
     Lanes<float> squared_length[9];
     Lanes<float> least_squared = hn::Mul(size_, size_);
@@ -161,7 +162,7 @@ class AxesLook {
 
   LaneView<3, float> view_;
   Lanes<float> gaps_[15];
-  Lanes<float> skew_;
+  Lanes<float> orthonormality_error_;
   Lanes<float> size_;
   Lanes<float> band_;
   Lanes<float> widest_;  ///< Of the gaps across faces.
@@ -279,13 +280,13 @@ class SearchLanes {
 };
 
 /// How far axes are from orthonormal, as orthonormal_error.
-HWY_INLINE Doubles skew_of_axes(const Point (&axes)[3]) {
-  auto skew = both(0);
+HWY_INLINE Doubles orthonormality_error_of_axes(const Point (&axes)[3]) {
+  auto orthonormality_error = both(0);
   for (Dim i = 0; i < 3; ++i) {
-    skew = hn::Max(skew, hn::Abs(hn::Sub(dot(axes[i], axes[i]), both(1))));
-    skew = hn::Max(skew, hn::Abs(dot(axes[i], axes[(i + 1) % 3])));
+    orthonormality_error = hn::Max(orthonormality_error, hn::Abs(hn::Sub(dot(axes[i], axes[i]), both(1))));
+    orthonormality_error = hn::Max(orthonormality_error, hn::Abs(dot(axes[i], axes[(i + 1) % 3])));
   }
-  return skew;
+  return orthonormality_error;
 }
 
 /// As repeated_axes, of many pairs.
@@ -300,16 +301,17 @@ HWY_INLINE Bits repeated_axes(const Point (&a)[3], const Point (&b)[3]) {
   }
   Bits result = hn::Zero(BitsTag());
   if (hn::AllTrue(Tag<double>(), hn::Gt(least, both(2 * same_axis)))) return result;
-  const Doubles skew = hn::Mul(both(1.5), hn::Max(skew_of_axes(a), skew_of_axes(b)));
+  const Doubles orthonormality_error =
+      hn::Mul(both(1.5), hn::Max(orthonormality_error_of_axes(a), orthonormality_error_of_axes(b)));
   for (Dim j = 0; j < 3; ++j) {
     const auto& c = cosines[j];
     for (Dim i = 0; i < 3; ++i) {
       const Doubles larger = hn::Max(c[(i + 1) % 3], c[(i + 2) % 3]);
-      const DoublesMask along = hn::Le(hn::Mul(both(1.5), hn::Add(larger, skew)), both(same_axis));
+      const DoublesMask along = hn::Le(hn::Mul(both(1.5), hn::Add(larger, orthonormality_error)), both(same_axis));
       result = hn::Or(result, hn::Or(bit_where(along, 3 + j), bit_where(along, 6 + 3 * i + j)));
       const Doubles in_a = hn::Min(c[(i + 1) % 3], c[(i + 2) % 3]);
       const Doubles in_b = hn::Min(cosines[(j + 1) % 3][i], cosines[(j + 2) % 3][i]);
-      const Doubles off = hn::Add(hn::Min(in_a, in_b), skew);
+      const Doubles off = hn::Add(hn::Min(in_a, in_b), orthonormality_error);
       const Doubles squared_sine = hn::Sub(both(1), hn::Mul(c[i], c[i]));
       result = hn::Or(result, bit_where(hn::Le(hn::Mul(off, off), hn::Mul(both(same_axis * same_axis), squared_sine)),
                                         6 + 3 * i + j));

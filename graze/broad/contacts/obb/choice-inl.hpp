@@ -115,11 +115,11 @@ class ChoiceLanes {
         xy_(joined(of_a.xy, of_b.xy)),
         area_(joined(of_a.area, of_b.area)),
         sink_{joined(of_a.sink[0], of_b.sink[0]), joined(of_a.sink[1], of_b.sink[1])} {
-    const CornersLanes seen_a(a);
-    const CornersLanes seen_b(b);
+    const CornersLanes local_a(a);
+    const CornersLanes local_b(b);
     for (std::size_t s = 0; s < face_lines; ++s) {
-      x_[s] = joined(seen_a.x[s], seen_b.x[s]);
-      y_[s] = joined(seen_a.y[s], seen_b.y[s]);
+      x_[s] = joined(local_a.x[s], local_b.x[s]);
+      y_[s] = joined(local_a.y[s], local_b.y[s]);
     }
     run();
   }

@@ -190,10 +190,10 @@ HWY_INLINE AxisLanes axis_of_carried(const BoxPair& boxes, const CarriedPairs<T>
 
 /// Which box has a face along the axis of a pair and so carries the points: the first, or else, where the axis is
 /// across edges, the second.
-class CarryingBoxes {
+class ReferenceBoxes {
  public:
   template <class T>
-  HWY_INLINE explicit CarryingBoxes(const CarriedPairs<T>& pairs) {
+  HWY_INLINE explicit ReferenceBoxes(const CarriedPairs<T>& pairs) {
     BoxPair boxes{{load_boxes(pairs.first), load_boxes(pairs.second)}};
     see_from_first(boxes);
     const Point normal = axis_of_carried(boxes, pairs).normal;

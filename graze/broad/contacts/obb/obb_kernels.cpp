@@ -208,7 +208,7 @@ class ContactBatch {
   }
 
   HWY_NOINLINE void sort_level(const List& list, std::size_t from) {
-    const CarryingBoxes carrying(CarriedPairs<T>(list.group(from)));
+    const ReferenceBoxes carrying(CarriedPairs<T>(list.group(from)));
     const std::uint32_t by_first = carrying.by_first();
     const std::uint32_t by_second = carrying.by_second();
     for (std::size_t lane = 0; lane < std::min(pairs_at_once, list.count - from); ++lane) {
@@ -249,9 +249,9 @@ std::size_t contact_obbs(std::span<const ObbsToContact<T>> pairs, std::uint32_t*
 
 }  // namespace
 
-const AllManifoldKernels& all_manifold_kernels() {
-  static const AllManifoldKernels kernels{{look_at_obbs<float>, contact_obbs<float>},
-                                          {look_at_obbs<double>, contact_obbs<double>}};
+const AllObbKernels& all_obb_kernels() {
+  static const AllObbKernels kernels{{look_at_obbs<float>, contact_obbs<float>},
+                                     {look_at_obbs<double>, contact_obbs<double>}};
   return kernels;
 }
 
@@ -261,16 +261,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace graze::detail {
 namespace {
-HWY_EXPORT(all_manifold_kernels);
+HWY_EXPORT(all_obb_kernels);
 }
 
 template <class T>
-const ManifoldKernels<T>& manifold_kernels() {
-  return HWY_DYNAMIC_DISPATCH(all_manifold_kernels)().template of<T>();
+const ObbKernels<T>& obb_kernels() {
+  return HWY_DYNAMIC_DISPATCH(all_obb_kernels)().template of<T>();
 }
 
-template const ManifoldKernels<float>& manifold_kernels<float>();
-template const ManifoldKernels<double>& manifold_kernels<double>();
+template const ObbKernels<float>& obb_kernels<float>();
+template const ObbKernels<double>& obb_kernels<double>();
 
 }  // namespace graze::detail
 #endif

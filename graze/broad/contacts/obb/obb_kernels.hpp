@@ -72,17 +72,17 @@ template <class T>
 using ManifoldKernel = std::size_t (*)(std::span<const ObbsToContact<T>> pairs, std::uint32_t* left);
 
 template <class T>
-struct ManifoldKernels {
+struct ObbKernels {
   AxisKernel<T> look;
   ManifoldKernel<T> contact;
 };
 
 /// The kernels of one instruction set.
-using AllManifoldKernels = ScalarKernels<ManifoldKernels>;
+using AllObbKernels = ScalarKernels<ObbKernels>;
 
 /// The kernels for this machine. Those without vectors of four doubles or more know nothing and leave all pairs.
 /// Instantiated for float and double.
 template <class T>
-const ManifoldKernels<T>& manifold_kernels();
+const ObbKernels<T>& obb_kernels();
 
 }  // namespace graze::detail

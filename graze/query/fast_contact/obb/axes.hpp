@@ -28,7 +28,7 @@ struct ObbAxes {
 };
 
 /// How far the axes are from orthonormal, as orthonormal_error in obb.hpp.
-[[gnu::always_inline]] inline float skew_of(const LaneMatrix& axes) {
+[[gnu::always_inline]] inline float orthonormality_error_of(const LaneMatrix& axes) {
   const LaneMatrix rows = transposed(axes);
   Lanes squares = {-1, -1, -1, -1};
   Lanes products = {0, 0, 0, 0};
@@ -48,10 +48,10 @@ struct GapsAcross {
   Lanes least_squared;  ///< Depths by length, with a band more: no pair of edges with a depth above all is of use.
   LaneBits are_open;    ///< Where a gap may be, of edges that are not nearly parallel.
 
-  [[gnu::always_inline]] GapsAcross(const LanesFromBox& seen, float size, float skew)
+  [[gnu::always_inline]] GapsAcross(const LanesFromBox& seen, float size, float orthonormality_error)
       : widest{-size, -size, -size, -size}, least_squared(widest * widest), are_open{0, 0, 0, 0} {
-    const float band = static_cast<float>(tolerance::box_filter) * skew * size;
-    const float parallel = 2 * static_cast<float>(tolerance::box_filter) * skew;
+    const float band = static_cast<float>(tolerance::box_filter) * orthonormality_error * size;
+    const float parallel = 2 * static_cast<float>(tolerance::box_filter) * orthonormality_error;
 #pragma GCC unroll 3
     for (std::size_t j = 0; j < 3; ++j) {
       const Lanes gap = seen.gaps_across(j);
@@ -88,20 +88,20 @@ struct GapsAcross {
 /// of any cross product of length l with the gap g: with w the largest of these, no face is the widest with a gap below
 /// w - band, nor a cross product with g + band < (w - band) l. What the search takes for equal is less than the least
 /// band by a factor of ten thousand; what is left of a band holds the rounding of w.
-[[gnu::always_inline]] inline ObbAxes axes_of(const LanesFromBox& seen, float skew) {
+[[gnu::always_inline]] inline ObbAxes axes_of(const LanesFromBox& seen, float orthonormality_error) {
   const Lanes reach_of_own = seen.box_half + combined(seen.shadow, seen.half);
   const Lanes distance_of_own = magnitude(seen.between);
   const float size = sum_of_three(distance_of_own + reach_of_own);
   // Squares of a band must not come near the least numbers, nor those of a length near the largest.
   if (!(size > 0x1p-30F && size < 0x1p30F)) return {};
-  const float band = static_cast<float>(tolerance::box_filter) * skew * size;
+  const float band = static_cast<float>(tolerance::box_filter) * orthonormality_error * size;
   const Lanes own = distance_of_own - reach_of_own;
   const LaneMatrix rows = transposed(seen.directions);
   const Lanes other = magnitude(combined(rows, seen.between)) - (seen.half + combined(magnitude(rows), seen.box_half));
   const float widest = largest_of_three(larger(own, other));
   if (widest > band) return {0, Relation::apart};
 
-  const GapsAcross across(seen, size, skew);
+  const GapsAcross across(seen, size, orthonormality_error);
   const float least = std::max(widest - band, -std::sqrt(smallest_of_three(across.least_squared))) - band;
   const LaneBits candidates = ((own >= least) & LaneBits{1, 2, 4, 0}) | ((other >= least) & LaneBits{8, 16, 32, 0}) |
                               across.candidates(least, band);
@@ -131,8 +131,9 @@ struct GapsAcross {
 }
 
 [[gnu::always_inline]] inline ObbAxes axes_of_lanes(const LaneBox& a, const LaneBox& b) {
-  const float skew = std::max(skew_of(a.axes), skew_of(b.axes)) + tolerance::measured_skew<float>;
-  return axes_of(LanesFromBox(a, b), skew);
+  const float orthonormality_error = std::max(orthonormality_error_of(a.axes), orthonormality_error_of(b.axes)) +
+                                     tolerance::measured_orthonormality_error<float>;
+  return axes_of(LanesFromBox(a, b), orthonormality_error);
 }
 
 template <class T>

@@ -18,9 +18,10 @@ namespace graze::detail {
 
 /// Two oriented boxes, seen from the first one's center.
 template <class T>
-class SeenObbs {
+class ObbsInFrame {
  public:
-  [[gnu::always_inline]] SeenObbs(const Obb<3, T>& first, const Obb<3, T>& second) : first_(first), second_(second) {}
+  [[gnu::always_inline]] ObbsInFrame(const Obb<3, T>& first, const Obb<3, T>& second)
+      : first_(first), second_(second) {}
 
   [[gnu::always_inline]] Vec<3, double> origin() const { return reference(first_); }
 
@@ -31,8 +32,8 @@ class SeenObbs {
   [[gnu::always_inline]] Vec<3, double> second_center() const { return reference(second_) - reference(first_); }
 
   /// The same for the careful way.
-  Obb<3, double> first_seen() const { return seen_from(origin(), first_); }
-  Obb<3, double> second_seen() const { return seen_from(origin(), second_); }
+  Obb<3, double> first_local() const { return relative_to(origin(), first_); }
+  Obb<3, double> second_local() const { return relative_to(origin(), second_); }
 
   [[gnu::always_inline]] ObbAxes axes() const { return axes_of(first_, second_); }
   bool are_apart_for_certain() const { return decide(first_, second_) == Relation::apart; }
@@ -58,9 +59,9 @@ MixedBoxes mixed_boxes(const Obb<3, T>& oriented, const Aabb<3, T>& along_axes) 
 
 /// The same as a contact sees them: the oriented one is the first.
 template <class T>
-class SeenObbAndAabb {
+class ObbAndAabbInFrame {
  public:
-  SeenObbAndAabb(const Obb<3, T>& first, const Aabb<3, T>& second)
+  ObbAndAabbInFrame(const Obb<3, T>& first, const Aabb<3, T>& second)
       : stored_first_(first), stored_second_(second), boxes_(mixed_boxes(first, second)) {}
 
   Vec<3, double> origin() const { return wide<3, T>(stored_first_.center); }
@@ -69,8 +70,8 @@ class SeenObbAndAabb {
   const Obb<3, double>& second() const { return boxes_.along_axes; }
   Vec<3, double> first_center() const { return Vec<3, double>(0.0); }
   const Vec<3, double>& second_center() const { return second().center; }
-  const Obb<3, double>& first_seen() const { return first(); }
-  const Obb<3, double>& second_seen() const { return second(); }
+  const Obb<3, double>& first_local() const { return first(); }
+  const Obb<3, double>& second_local() const { return second(); }
 
   ObbAxes axes() const { return axes_of(first(), second()); }
   bool are_apart_for_certain() const { return decide(stored_second_, stored_first_) == Relation::apart; }
@@ -97,16 +98,16 @@ constexpr bool are_turned(const Obb<3, T>& /*a*/, const Aabb<3, T>& /*b*/) {
 
 /// Two boxes in that order, `turned` if it is not the one in which they are given.
 template <class T>
-[[gnu::always_inline]] inline SeenObbs<T> seen_in_order(const Obb<3, T>& a, const Obb<3, T>& b, bool turned) {
-  return turned ? SeenObbs<T>(b, a) : SeenObbs<T>(a, b);
+[[gnu::always_inline]] inline ObbsInFrame<T> seen_in_order(const Obb<3, T>& a, const Obb<3, T>& b, bool turned) {
+  return turned ? ObbsInFrame<T>(b, a) : ObbsInFrame<T>(a, b);
 }
 template <class T>
-SeenObbAndAabb<T> seen_in_order(const Aabb<3, T>& a, const Obb<3, T>& b, bool /*turned*/) {
-  return SeenObbAndAabb<T>(b, a);
+ObbAndAabbInFrame<T> seen_in_order(const Aabb<3, T>& a, const Obb<3, T>& b, bool /*turned*/) {
+  return ObbAndAabbInFrame<T>(b, a);
 }
 template <class T>
-SeenObbAndAabb<T> seen_in_order(const Obb<3, T>& a, const Aabb<3, T>& b, bool /*turned*/) {
-  return SeenObbAndAabb<T>(a, b);
+ObbAndAabbInFrame<T> seen_in_order(const Obb<3, T>& a, const Aabb<3, T>& b, bool /*turned*/) {
+  return ObbAndAabbInFrame<T>(a, b);
 }
 
 }  // namespace graze::detail

@@ -92,8 +92,8 @@ struct AxisAcrossEdges {
 /// and whatever their lengths, which are about 1.
 inline constexpr double least_squared_sine = 1.001 / 64;
 
-/// Two boxes in space that meet, as SeenObbs or SeenObbAndAabb sees them, and the axis that parts them: across a face
-/// of one of them, or across an edge of each.
+/// Two boxes in space that meet, as ObbsInFrame or ObbAndAabbInFrame sees them, and the axis that parts them: across a
+/// face of one of them, or across an edge of each.
 struct MeetingObbs {
   PairedBox box[2];
   double size;  ///< Of both.
@@ -241,7 +241,7 @@ struct MeetingObbs {
 };
 
 /// A face that the points of a contact are laid on, with its own normal; or none.
-struct CarryingFace {
+struct ReferenceFace {
   bool is_any;
   bool is_of_b;
   BoxFaceNumbers numbers;
@@ -249,21 +249,21 @@ struct CarryingFace {
 };
 
 /// The face of a box that looks straight along a direction, if any does.
-[[gnu::noinline]] inline CarryingFace aligned_face(const PairedBox& box, const PairedVec& direction, bool is_of_b) {
+[[gnu::noinline]] inline ReferenceFace aligned_face(const PairedBox& box, const PairedVec& direction, bool is_of_b) {
   const BoxFaceNumbers face = looking_face(box, direction);
   const Vec<3, double> side = sides_of(box).normal(face.axis);
   const Vec<3, double> normal = dot(side, plain(direction)) < 0 ? -side : side;
   return {is_aligned(normal, plain(direction)), is_of_b, face, PairedVec(normal)};
 }
 
-[[gnu::always_inline]] inline CarryingFace face_along(const PairedBox& box, const PairedVec& direction, bool is_of_b) {
+[[gnu::always_inline]] inline ReferenceFace face_along(const PairedBox& box, const PairedVec& direction, bool is_of_b) {
   if (may_be_aligned(box, direction)) [[unlikely]]
     return aligned_face(box, direction, is_of_b);
   return {false, is_of_b, {}, direction};
 }
 
 /// The face that the axis is the normal of.
-[[gnu::always_inline]] inline CarryingFace face_of_axis(const MeetingObbs& met) {
+[[gnu::always_inline]] inline ReferenceFace face_of_axis(const MeetingObbs& met) {
   const PairedVec up = met.normal * (met.is_of_b ? -1.0 : 1.0);
   return {true, met.is_of_b, {met.axis, dot(met.box[met.is_of_b ? 1 : 0].axes[met.axis], up) > 0}, up};
 }
@@ -281,22 +281,22 @@ struct CarryingFace {
 }
 
 /// The face that carries the points of a manifold: face_pairs in manifold_points.hpp.
-[[gnu::always_inline]] inline CarryingFace carrying_face(const MeetingObbs& met) {
+[[gnu::always_inline]] inline ReferenceFace reference_face(const MeetingObbs& met) {
   if (met.is_on_edges) {
     if (!may_be_along_face(met)) [[likely]]
       return {false, false, {}, met.normal};
-    const CarryingFace face = face_along(met.box[0], met.normal, false);
+    const ReferenceFace face = face_along(met.box[0], met.normal, false);
     return face.is_any ? face : face_along(met.box[1], -met.normal, true);
   }
   if (met.is_of_b) {
-    const CarryingFace face = face_along(met.box[0], met.normal, false);
+    const ReferenceFace face = face_along(met.box[0], met.normal, false);
     if (face.is_any) return face;
   }
   return face_of_axis(met);
 }
 
 /// The other box' face on a carrying face, `flush` as FacingPatches has it.
-[[gnu::always_inline]] inline FaceOverFace face_over(const MeetingObbs& met, const CarryingFace& face, double flush) {
+[[gnu::always_inline]] inline FaceOverFace face_over(const MeetingObbs& met, const ReferenceFace& face, double flush) {
   const PairedBox& box = met.box[face.is_of_b ? 1 : 0];
   const PairedBox& other = met.box[face.is_of_b ? 0 : 1];
   const PairedVec up = met.normal * (face.is_of_b ? -1.0 : 1.0);
@@ -373,7 +373,7 @@ struct TouchingPoints {
 /// The careful way to them.
 template <class Seen>
 [[gnu::noinline]] void find_points_carefully(const Seen& seen, const BoxesContact<3>& contact, TouchingPoints& points) {
-  const auto pair = touching_pair(seen.first_seen(), seen.second_seen(), contact);
+  const auto pair = touching_pair(seen.first_local(), seen.second_local(), contact);
   points.of[0] = PairedVec(pair.point_a + seen.origin());
   points.of[1] = PairedVec(pair.point_b + seen.origin());
 }

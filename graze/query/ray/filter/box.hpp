@@ -23,7 +23,7 @@
 namespace graze::detail {
 
 /// Whether a ray hits by slabs in float; where it does, only the side that is met is left to calculate, in double: so
-/// place, t and normal are those of `sight_of`, to the bit, and the error up to its rounding to float.
+/// place, t and normal are those of `ray_verdict_of`, to the bit, and the error up to its rounding to float.
 template <class T>
 class RayBoxFilter;
 
@@ -38,7 +38,7 @@ class RayBoxFilter<float> {
                  arranged<1, 2, 3>(four_of(ray, 2)), t_max, tolerance::ray_lanes<float>);
   }
 
-  [[gnu::always_inline]] Sight sight() const { return slabs_.sight(); }
+  [[gnu::always_inline]] RayVerdict verdict() const { return slabs_.verdict(); }
 
   /// The t of the side that is met is the largest, and the place is between all others by the margin.
   [[gnu::always_inline]] std::optional<RayHit<3, float>> hit() const {
@@ -79,7 +79,7 @@ class RayBoxFilter<double> {
                  tolerance::ray_lanes<float>);
   }
 
-  [[gnu::always_inline]] Sight sight() const { return slabs_.sight(); }
+  [[gnu::always_inline]] RayVerdict verdict() const { return slabs_.verdict(); }
 
   [[gnu::always_inline]] std::optional<RayHit<3, double>> hit() const {
     const LanePairBits is_down = bit_cast<LanePairBits>(LanePair(slope_.xy)) < 0;

@@ -21,8 +21,8 @@ namespace graze::detail {
 /// How near a ray comes to a capsule's axis settles whether it hits, unless they are next to parallel: the nearest
 /// point of the axis to the two lines' common perpendicular, held between its ends, and the nearest point of the ray to
 /// that (Ericson, "Real-Time Collision Detection", 2005, section 5.1.9). A ray that hits from outside
-/// enters by the tube, which is a ball as seen along the axis, if that is between the two ends, else by the ball around
-/// the nearer end. Others are unclear.
+/// enters by the tube, which is a sphere as seen along the axis, if that is between the two ends, else by the sphere
+/// around the nearer end. Others are unclear.
 template <Dim N, class T>
 class RayCapsuleFilter {
  public:
@@ -44,7 +44,7 @@ class RayCapsuleFilter {
     constexpr double least_sine_squared = 0x1p-20;
     const bool is_moderate = (dd_ > 0x1p-400) & (dd_ < 0x1p400) & (ee_ > 0x1p-400) & (ee_ + aa < 0x1p400);
     if (is_moderate & passes_by(da, aa)) {
-      sight_ = Sight::misses;
+      verdict_ = RayVerdict::misses;
       return;
     }
     if (!(is_moderate & (det_ > least_sine_squared * products) & (t_max >= T(0)))) return;
@@ -57,12 +57,13 @@ class RayCapsuleFilter {
     const double squared_radius = radius_ * radius_;
     const double outside = dot(between, between) - squared_radius;
     band_ = band_of(aa);
-    if (outside > band_) sight_ = Sight::misses;
+    if (outside > band_) verdict_ = RayVerdict::misses;
     if (outside < -band_) enter();
-    if (!(t_ <= static_cast<double>(t_max)) && sight_ == Sight::hits) sight_ = Sight::unclear;  // T may round it
+    if (!(t_ <= static_cast<double>(t_max)) && verdict_ == RayVerdict::hits)
+      verdict_ = RayVerdict::unclear;  // T may round it
   }
 
-  [[gnu::always_inline]] Sight sight() const { return sight_; }
+  [[gnu::always_inline]] RayVerdict verdict() const { return verdict_; }
 
   [[gnu::always_inline]] std::optional<RayHit<N, T>> hit() const {
     const Paired<N> normal = unit_of(spoke_ * -1, radius_);
@@ -106,7 +107,7 @@ class RayCapsuleFilter {
     const double place = (de_ * t_ - ea_) * per_ee_;
     if (place >= 0 && place <= 1) {
       constexpr double least_sine_squared = 1.0 / 64;
-      if (!(whole > least_sine_squared * dd_)) sight_ = Sight::unclear;
+      if (!(whole > least_sine_squared * dd_)) verdict_ = RayVerdict::unclear;
       center_ = a_ + edge_ * place;
     } else {
       center_ = place < 0 ? a_ : a_ + edge_;
@@ -114,7 +115,7 @@ class RayCapsuleFilter {
     }
   }
 
-  /// Where a line through zero enters a ball; nothing is settled if it nearly misses it.
+  /// Where a line through zero enters a sphere; nothing is settled if it nearly misses it.
   [[gnu::always_inline]] void pass(Paired<N> center, Paired<N> direction, double per_whole) {
     const double middle = dot(center, direction) * per_whole;
     const Paired<N> off = center - direction * middle;
@@ -122,7 +123,7 @@ class RayCapsuleFilter {
     const double half = std::sqrt(std::fabs(depth) * per_whole);
     t_ = middle - half;
     spoke_ = off + direction * half;  // to the center
-    sight_ = depth > band_ ? Sight::hits : Sight::unclear;
+    verdict_ = depth > band_ ? RayVerdict::hits : RayVerdict::unclear;
   }
 
   Paired<N> origin_;
@@ -143,7 +144,7 @@ class RayCapsuleFilter {
   double t_ = 0;
   Paired<N> spoke_{Vec<N, double>(0.0)};
   Paired<N> center_{Vec<N, double>(0.0)};
-  Sight sight_ = Sight::unclear;
+  RayVerdict verdict_ = RayVerdict::unclear;
 };
 
 template <Dim N, class T>

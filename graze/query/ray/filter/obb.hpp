@@ -56,10 +56,11 @@ class RayObbFilter {
     const float slopes = sum_of_three(magnitude(slope_));
     const bool is_moderate = (slopes > 0x1p-60F) & (slopes < 0x1p60F);  // of slower rays rounding is all that is left
     if (!is_moderate) return;
-    slabs_.cross(center - seen.half, center + seen.half, slope_, static_cast<float>(t_max), tolerance::ray_skew);
+    slabs_.cross(center - seen.half, center + seen.half, slope_, static_cast<float>(t_max),
+                 tolerance::ray_orthonormality_error);
   }
 
-  [[gnu::always_inline]] Sight sight() const { return slabs_.sight(); }
+  [[gnu::always_inline]] RayVerdict verdict() const { return slabs_.verdict(); }
 
   [[gnu::always_inline]] std::optional<RayHit<3, T>> hit() const {
     const LaneBits met = slabs_.is_side();

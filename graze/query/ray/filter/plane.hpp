@@ -51,9 +51,9 @@ class RayPlaneFilter {
     is_missed_ = is_settled & (beyond_latest < -slack[0]);
   }
 
-  [[gnu::always_inline]] Sight sight() const {
-    if (is_hit_) return Sight::hits;
-    return is_missed_ ? Sight::misses : Sight::unclear;
+  [[gnu::always_inline]] RayVerdict verdict() const {
+    if (is_hit_) return RayVerdict::hits;
+    return is_missed_ ? RayVerdict::misses : RayVerdict::unclear;
   }
 
   [[gnu::always_inline]] std::optional<RayHit<N, T>> hit() const {

@@ -50,7 +50,8 @@ class RayEdgeFilter {
   /// Settles a ray whose line is known to cross an edge. With t = height / climb the edge's line is met at height zero.
   /// What is clear of it at twice the t is at all later ones. `far` is what the rounding of `relation` is relative to,
   /// beside the size.
-  [[gnu::always_inline]] Sight cross(const Vec<2, double>& from, const Vec<2, double>& to, double size, double far) {
+  [[gnu::always_inline]] RayVerdict cross(const Vec<2, double>& from, const Vec<2, double>& to, double size,
+                                          double far) {
     edge_ = to - from;
     climb_ = cross_2d(direction_, edge_);
     height_ = cross_2d(from, edge_);
@@ -61,9 +62,9 @@ class RayEdgeFilter {
     const double beyond_latest = approach * latest_t(static_cast<T>(t_max_)) - height;
     is_behind_ = approach < 0;
     size_ = size;
-    if ((height > slack) & (beyond > slack)) return Sight::hits;
-    if ((height > slack) & (beyond_latest < -slack)) return Sight::misses;
-    return Sight::unclear;
+    if ((height > slack) & (beyond > slack)) return RayVerdict::hits;
+    if ((height > slack) & (beyond_latest < -slack)) return RayVerdict::misses;
+    return RayVerdict::unclear;
   }
 
   /// Whether an edge that is missed is behind the ray's origin, rather than past its end.
@@ -102,15 +103,15 @@ class RaySegmentFilter {
     const double band = edge_.band(size);
     const double least = std::min(std::fabs(first), std::fabs(second));
     if (!(least > band)) return;
-    sight_ = (first > 0) == (second > 0) ? Sight::misses : edge_.cross(start, end, size, 0);
+    verdict_ = (first > 0) == (second > 0) ? RayVerdict::misses : edge_.cross(start, end, size, 0);
   }
 
-  [[gnu::always_inline]] Sight sight() const { return sight_; }
+  [[gnu::always_inline]] RayVerdict verdict() const { return verdict_; }
   [[gnu::always_inline]] std::optional<RayHit<2, T>> hit() const { return edge_.hit(); }
 
  private:
   RayEdgeFilter<T> edge_;
-  Sight sight_ = Sight::unclear;
+  RayVerdict verdict_ = RayVerdict::unclear;
 };
 
 template <class T>
@@ -167,7 +168,7 @@ class RayPolygonFilter {
     settle(corners, count, size, far, ~left & (~std::uint64_t{0} >> (most_corners - count)));
   }
 
-  [[gnu::always_inline]] Sight sight() const { return sight_; }
+  [[gnu::always_inline]] RayVerdict verdict() const { return verdict_; }
   [[gnu::always_inline]] std::optional<RayHit<2, T>> hit() const { return edge_.hit(); }
 
  private:
@@ -182,19 +183,19 @@ class RayPolygonFilter {
     const std::uint64_t all = ~std::uint64_t{0} >> (most_corners - count);
     const std::uint64_t entering = left & ~next & all;
     if (entering == 0) {
-      sight_ = Sight::misses;
+      verdict_ = RayVerdict::misses;
       return;
     }
-    sight_ = cross(entering);
+    verdict_ = cross(entering);
     // Entered before the ray begins, and missed only if it is left before, too.
-    if (sight_ == Sight::misses && edge_.is_behind()) {
-      const bool is_left = cross(~left & next & all) == Sight::misses && edge_.is_behind();
-      if (!is_left) sight_ = Sight::unclear;
+    if (verdict_ == RayVerdict::misses && edge_.is_behind()) {
+      const bool is_left = cross(~left & next & all) == RayVerdict::misses && edge_.is_behind();
+      if (!is_left) verdict_ = RayVerdict::unclear;
     }
   }
 
   RayEdgeFilter<T> edge_;
-  Sight sight_ = Sight::unclear;
+  RayVerdict verdict_ = RayVerdict::unclear;
 };
 
 template <class T>

@@ -49,9 +49,9 @@ class RayTwoSlabs {
               (last < t_max) & (last < 0x1p500);
   }
 
-  [[gnu::always_inline]] Sight sight() const {
-    if (is_hit_) return Sight::hits;
-    return is_missed_ ? Sight::misses : Sight::unclear;
+  [[gnu::always_inline]] RayVerdict verdict() const {
+    if (is_hit_) return RayVerdict::hits;
+    return is_missed_ ? RayVerdict::misses : RayVerdict::unclear;
   }
   [[gnu::always_inline]] bool is_x() const { return is_x_; }
   [[gnu::always_inline]] double size() const { return size_; }
@@ -74,7 +74,7 @@ class RayRectangleFilter {
     slabs_.cross((min_ - origin_).xy, (max_ - origin_).xy, direction_.xy, static_cast<double>(t_max), latest_t(t_max));
   }
 
-  [[gnu::always_inline]] Sight sight() const { return slabs_.sight(); }
+  [[gnu::always_inline]] RayVerdict verdict() const { return slabs_.verdict(); }
 
   [[gnu::always_inline]] std::optional<RayHit<2, T>> hit() const {
     const bool is_x = slabs_.is_x();
@@ -93,10 +93,10 @@ class RayRectangleFilter {
   }
 
  private:
-  FlatPair min_;
-  FlatPair max_;
-  FlatPair origin_;
-  FlatPair direction_;
+  Pair2d min_;
+  Pair2d max_;
+  Pair2d origin_;
+  Pair2d direction_;
   RayTwoSlabs slabs_;
 };
 
@@ -105,21 +105,22 @@ template <class T>
   return {box, ray, t_max};
 }
 
-/// The places on the axes are found with their inverse, as in sight_of: each row is at right angles to the other axis.
+/// The places on the axes are found with their inverse, as in ray_verdict_of: each row is at right angles to the other
+/// axis.
 template <class T>
 class RayOrientedRectangleFilter {
  public:
   [[gnu::always_inline]] RayOrientedRectangleFilter(const Obb<2, T>& box, const Ray<2, T>& ray, T t_max)
       : origin_(ray.origin), direction_(ray.direction) {
-    const FlatPair first(box.axes[0]);
-    const FlatPair second(box.axes[1]);
+    const Pair2d first(box.axes[0]);
+    const Pair2d second(box.axes[1]);
     const double determinant = first.xy[0] * second.xy[1] - first.xy[1] * second.xy[0];
     const double sign = std::copysign(1.0, determinant);
     const LanePair rows_x = LanePair{second.xy[1], -first.xy[1]} * sign;
     const LanePair rows_y = LanePair{-second.xy[0], first.xy[0]} * sign;
-    const FlatPair from_origin = FlatPair(box.center) - origin_;
+    const Pair2d from_origin = Pair2d(box.center) - origin_;
     const LanePair center = rows_x * from_origin.xy[0] + rows_y * from_origin.xy[1];
-    const LanePair half = FlatPair(box.half_extents).xy * std::fabs(determinant);
+    const LanePair half = Pair2d(box.half_extents).xy * std::fabs(determinant);
     low_ = center - half;
     high_ = center + half;
     slope_ = rows_x * direction_.xy[0] + rows_y * direction_.xy[1];
@@ -128,7 +129,7 @@ class RayOrientedRectangleFilter {
     slabs_.cross(low_, high_, slope_, static_cast<double>(t_max), latest_t(t_max));
   }
 
-  [[gnu::always_inline]] Sight sight() const { return slabs_.sight(); }
+  [[gnu::always_inline]] RayVerdict verdict() const { return slabs_.verdict(); }
 
   [[gnu::always_inline]] std::optional<RayHit<2, T>> hit() const {
     const bool is_x = slabs_.is_x();
@@ -137,14 +138,14 @@ class RayOrientedRectangleFilter {
     const double t = (is_x ? sides[0] : sides[1]) / slope;
     const LanePair row{is_x ? rows_x_[0] : rows_x_[1], is_x ? rows_y_[0] : rows_y_[1]};
     const LanePair squares = row * row;
-    const FlatPair normal(row * std::copysign(1 / std::sqrt(squares[0] + squares[1]), -slope));
+    const Pair2d normal(row * std::copysign(1 / std::sqrt(squares[0] + squares[1]), -slope));
     return RayHit<2, T>{static_cast<T>(t), rounded_vec<T>(direction_ * t + origin_), rounded_vec<T>(normal),
                         Status::converged, 2 * tolerance::rounding * slabs_.size()};
   }
 
  private:
-  FlatPair origin_;
-  FlatPair direction_;
+  Pair2d origin_;
+  Pair2d direction_;
   LanePair rows_x_;  ///< The first numbers of both rows of the inverse, but for its determinant, and the second ones.
   LanePair rows_y_;
   LanePair low_;

@@ -39,7 +39,7 @@ class RaySlabFilter {
     const float most_t = most_size * size[0];
     size_ = size[0];
     if (std::max(0.0F, enter) > leave) {
-      if (leave < most_t && is_moderate(size_)) sight_ = Sight::misses;
+      if (leave < most_t && is_moderate(size_)) verdict_ = RayVerdict::misses;
       return;
     }
     const Lanes low_inside = low + margin;
@@ -52,10 +52,10 @@ class RaySlabFilter {
     const float last = last_and_left[0];
     is_side_ = ~(late < arranged<0, 0, 0>(enter_and_left)) & LaneBits{-1, -1, -1, 0};  // or NaN
     const bool is_in_time = enter > 0 && last < -last_and_left[1] && last < t_max && last < most_t;
-    if (is_in_time && has_one(is_side_ + is_flat) && is_moderate(size_)) sight_ = Sight::hits;
+    if (is_in_time && has_one(is_side_ + is_flat) && is_moderate(size_)) verdict_ = RayVerdict::hits;
   }
 
-  [[gnu::always_inline]] Sight sight() const { return sight_; }
+  [[gnu::always_inline]] RayVerdict verdict() const { return verdict_; }
   /// The sum of all magnitudes of sides.
   [[gnu::always_inline]] float size() const { return size_; }
   /// All bits of the lane of the slab whose side is met, if there is a hit.
@@ -72,7 +72,7 @@ class RaySlabFilter {
     return sums[0] + sums[1] == -1;
   }
 
-  Sight sight_ = Sight::unclear;
+  RayVerdict verdict_ = RayVerdict::unclear;
   float size_ = 0;
   LaneBits is_side_{};
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The first filter of a ray and a ball. Include ray_cast.hpp.
+// The first filter of a ray and a sphere. Include ray_cast.hpp.
 #pragma once
 
 #include <cmath>
@@ -17,15 +17,15 @@
 
 namespace graze::detail {
 
-/// A ray that misses a ball is told by three dot products. Of one that hits from outside and clearly before its end,
-/// place and normal are calculated as BallPassage does; all bands are those of sight_of. Others are unclear.
+/// A ray that misses a sphere is told by three dot products. Of one that hits from outside and clearly before its end,
+/// place and normal are calculated as SpherePassage does; all bands are those of ray_verdict_of. Others are unclear.
 template <Dim N, class T>
-class RayBallFilter {
+class RaySphereFilter {
  public:
-  [[gnu::always_inline]] RayBallFilter(const Sphere<N, T>& ball, const Ray<N, T>& ray, T t_max)
-      : center_(Paired<N>(ball.center) - Paired<N>(ray.origin)),
+  [[gnu::always_inline]] RaySphereFilter(const Sphere<N, T>& sphere, const Ray<N, T>& ray, T t_max)
+      : center_(Paired<N>(sphere.center) - Paired<N>(ray.origin)),
         direction_(ray.direction),
-        radius_(static_cast<double>(ball.radius)),
+        radius_(static_cast<double>(sphere.radius)),
         origin_(ray.origin) {
     const double squared_radius = radius_ * radius_;
     const double squared_way = dot(center_, center_);
@@ -38,7 +38,7 @@ class RayBallFilter {
     if (!(is_moderate & (outside > band))) return;
     const double squared_along = along * along;
     if ((along < 0) | (outside * whole - squared_along > band * whole)) {
-      sight_ = Sight::misses;
+      verdict_ = RayVerdict::misses;
       return;
     }
     const double per_whole = 1 / whole;
@@ -51,11 +51,11 @@ class RayBallFilter {
     const double late = t_ - latest_t(t_max);
     const double least = tolerance::ray_end * tolerance::ray_end * squares;
     if (!(depth > band)) return;
-    if ((rest > 0) & (rest * rest * whole > least)) sight_ = Sight::hits;
-    if ((late > 0) & (late * late * whole > least)) sight_ = Sight::misses;
+    if ((rest > 0) & (rest * rest * whole > least)) verdict_ = RayVerdict::hits;
+    if ((late > 0) & (late * late * whole > least)) verdict_ = RayVerdict::misses;
   }
 
-  [[gnu::always_inline]] Sight sight() const { return sight_; }
+  [[gnu::always_inline]] RayVerdict verdict() const { return verdict_; }
 
   [[gnu::always_inline]] std::optional<RayHit<N, T>> hit() const {
     const Paired<N> spoke = off_ + direction_ * half_;  // to the center
@@ -73,12 +73,13 @@ class RayBallFilter {
   Paired<N> off_{Vec<N, double>(0.0)};  ///< From the middle of the chord to the center.
   double half_ = 0;
   double t_ = 0;
-  Sight sight_ = Sight::unclear;
+  RayVerdict verdict_ = RayVerdict::unclear;
 };
 
 template <Dim N, class T>
-[[gnu::always_inline]] inline RayBallFilter<N, T> quick_cast(const Sphere<N, T>& ball, const Ray<N, T>& ray, T t_max) {
-  return {ball, ray, t_max};
+[[gnu::always_inline]] inline RaySphereFilter<N, T> quick_cast(const Sphere<N, T>& sphere, const Ray<N, T>& ray,
+                                                               T t_max) {
+  return {sphere, ray, t_max};
 }
 
 }  // namespace graze::detail

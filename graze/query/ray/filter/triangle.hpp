@@ -28,8 +28,9 @@ namespace graze::detail {
 /// careful way leaves to `relation`.
 ///
 /// What passes all edges on one side by as much goes through the triangle, if its plane is met in time. Where, is
-/// calculated in double as in `sight_of`: place, t and normal are the same to the bit, and the error up to its rounding
-/// to float. Needles, along whose plane more care is needed, and rays at a small angle are unclear, as is all else.
+/// calculated in double as in `ray_verdict_of`: place, t and normal are the same to the bit, and the error up to its
+/// rounding to float. Needles, along whose plane more care is needed, and rays at a small angle are unclear, as is all
+/// else.
 class RayTriangleFilter {
  public:
   [[gnu::always_inline]] RayTriangleFilter(const Triangle<3, float>& triangle, const Ray<3, float>& ray, float t_max)
@@ -57,15 +58,15 @@ class RayTriangleFilter {
         (size < no_product_overflows) & (slope < no_product_overflows) & (band > no_product_underflows) & (t_max >= 0);
     if (!is_moderate) return;
     if ((least < -band) & (most > band)) {
-      sight_ = Sight::misses;
+      verdict_ = RayVerdict::misses;
     } else if ((least > band) | (most < -band)) {
-      const float two_edges = edges[0] + edges[2];  // all that sight_of looks at
+      const float two_edges = edges[0] + edges[2];  // all that ray_verdict_of looks at
       error_ = tolerance::rounding * static_cast<double>(size + two_edges);
       cross_plane(triangle, size, t_max);
     }
   }
 
-  [[gnu::always_inline]] Sight sight() const { return sight_; }
+  [[gnu::always_inline]] RayVerdict verdict() const { return verdict_; }
 
   [[gnu::always_inline]] std::optional<RayHit<3, float>> hit() const {
     const double length = std::sqrt(dot(normal_, normal_));
@@ -76,7 +77,7 @@ class RayTriangleFilter {
   }
 
  private:
-  /// Whether the ray meets the plane in time. The slack at its ends is four times that of sight_of.
+  /// Whether the ray meets the plane in time. The slack at its ends is four times that of ray_verdict_of.
   [[gnu::always_inline]] void cross_plane(const Triangle<3, float>& triangle, float size, float t_max) {
     const PairedVec origin(ray_.origin);
     const PairedVec direction(ray_.direction);
@@ -97,8 +98,8 @@ class RayTriangleFilter {
     const double to_end = (static_cast<double>(t_max) - t_) * largest;
     const double to_latest = (latest_t(t_max) - t_) * largest;
     const double slack = 0x1p12 * tolerance::ray_side * static_cast<double>(size);
-    if (to_start > slack && to_end > slack) sight_ = Sight::hits;
-    if (to_start < -slack || to_latest < -slack) sight_ = Sight::misses;
+    if (to_start > slack && to_end > slack) verdict_ = RayVerdict::hits;
+    if (to_start < -slack || to_latest < -slack) verdict_ = RayVerdict::misses;
   }
 
   /// Four of the nine floats that a triangle is.
@@ -110,7 +111,7 @@ class RayTriangleFilter {
   }
 
   const Ray<3, float>& ray_;
-  Sight sight_ = Sight::unclear;
+  RayVerdict verdict_ = RayVerdict::unclear;
   double error_ = 0;
   // The plane that is met, where it is.
   PairedVec normal_{LanePair{}, 0};

@@ -37,7 +37,7 @@ using V2 = Vec<2, double>;
 template <class T>
 using Ball = Sphere<2, T>;
 template <class T>
-using Rod = Capsule<2, T>;
+using Capsule3 = Capsule<2, T>;
 template <class T>
 using Box = Aabb<2, T>;
 template <class T>
@@ -55,16 +55,16 @@ bool has_kernels([[maybe_unused]] std::int64_t target) {
 }
 
 template <class A, class B>
-constexpr FlatKind kind_of() {
+constexpr Kind2d kind_of() {
   if (is_a<Sphere, A>) {
-    if (is_a<Sphere, B>) return FlatKind::sphere_sphere;
-    if (is_a<Obb, B>) return FlatKind::sphere_obb;
-    return is_a<Aabb, B> ? FlatKind::sphere_aabb : FlatKind::sphere_capsule;
+    if (is_a<Sphere, B>) return Kind2d::sphere_sphere;
+    if (is_a<Obb, B>) return Kind2d::sphere_obb;
+    return is_a<Aabb, B> ? Kind2d::sphere_aabb : Kind2d::sphere_capsule;
   }
-  if (is_a<Capsule, A>) return FlatKind::capsule_capsule;
-  if (is_a<Aabb, A>) return is_a<Aabb, B> ? FlatKind::aabb_aabb : FlatKind::aabb_capsule;
-  if (is_a<Obb, B>) return FlatKind::obb_obb;
-  return is_a<Aabb, B> ? FlatKind::obb_aabb : FlatKind::obb_capsule;
+  if (is_a<Capsule, A>) return Kind2d::capsule_capsule;
+  if (is_a<Aabb, A>) return is_a<Aabb, B> ? Kind2d::aabb_aabb : Kind2d::aabb_capsule;
+  if (is_a<Obb, B>) return Kind2d::obb_obb;
+  return is_a<Aabb, B> ? Kind2d::obb_aabb : Kind2d::obb_capsule;
 }
 
 /// As kernels want it, of the manifold of (a, b), or the other way round.
@@ -89,7 +89,7 @@ std::size_t left_of(const PairsOf<A, B>& drawn, const std::string& where) {
     pairs.push_back(to_contact<T>(drawn[i].first, drawn[i].second, other_way(i), found[i]));
   }
   std::vector<std::uint32_t> left(drawn.size());
-  const PrimitiveKernel<2, T> kernel = flat_kernels<T>()[static_cast<std::size_t>(kind_of<A, B>())];
+  const ContactKernel<2, T> kernel = contact_kernels_2d<T>()[static_cast<std::size_t>(kind_of<A, B>())];
   left.resize(kernel(pairs, left.data()));
   std::vector<bool> is_left(drawn.size());
   for (const std::uint32_t place : left) {
@@ -120,8 +120,8 @@ void expect_single_calls(const PairsOf<A, B>& drawn, double most_left) {
 
 enum class Sort { random, grid, scaled, level, far };
 
-/// Draws shapes of about unit size near the origin; on a grid, so that ends, centers and sides coincide; of any size;
-/// with sides that are all but parallel; or far away.
+/// LinearCongruential shapes of about unit size near the origin; on a grid, so that ends, centers and sides coincide;
+/// of any size; with sides that are all but parallel; or far away.
 class Drawer {
  public:
   Drawer(std::uint32_t seed, Sort sort) : random_(seed), sort_(sort) {}
@@ -156,15 +156,15 @@ class Drawer {
   }
 
   template <class T>
-  void draw(Ball<T>& ball) {
+  void draw(Ball<T>& sphere) {
     const V2 center = place();
-    ball = {Vec<2, T>(center), static_cast<T>(std::fabs(number(0.2, 0.8)) * scale_)};
+    sphere = {Vec<2, T>(center), static_cast<T>(std::fabs(number(0.2, 0.8)) * scale_)};
   }
   template <class T>
-  void draw(Rod<T>& rod) {
+  void draw(Capsule3<T>& capsule) {
     const V2 start = place();
     const V2 way = sort_ == Sort::level ? V2(1 + number(0, 1), 0) + vector(1e-9) : vector(1);
-    rod = {Vec<2, T>(start), Vec<2, T>(start + way), static_cast<T>(std::fabs(number(0.1, 0.4)) * scale_)};
+    capsule = {Vec<2, T>(start), Vec<2, T>(start + way), static_cast<T>(std::fabs(number(0.1, 0.4)) * scale_)};
   }
   template <class T>
   void draw(Box<T>& box) {
@@ -193,13 +193,13 @@ void for_each_kind(Drawer drawer, std::size_t count, const Check& check) {
   check(drawer.many<Ball<T>, Ball<T>>(count));
   check(drawer.many<Ball<T>, TurnedBox<T>>(count));
   check(drawer.many<Ball<T>, Box<T>>(count));
-  check(drawer.many<Ball<T>, Rod<T>>(count));
+  check(drawer.many<Ball<T>, Capsule3<T>>(count));
   check(drawer.many<TurnedBox<T>, TurnedBox<T>>(count));
   check(drawer.many<TurnedBox<T>, Box<T>>(count));
-  check(drawer.many<TurnedBox<T>, Rod<T>>(count));
+  check(drawer.many<TurnedBox<T>, Capsule3<T>>(count));
   check(drawer.many<Box<T>, Box<T>>(count));
-  check(drawer.many<Box<T>, Rod<T>>(count));
-  check(drawer.many<Rod<T>, Rod<T>>(count));
+  check(drawer.many<Box<T>, Capsule3<T>>(count));
+  check(drawer.many<Capsule3<T>, Capsule3<T>>(count));
 }
 
 template <class T>
@@ -210,13 +210,13 @@ void expect_most_taken() {
   });
 }
 
-TEST(FlatKernels, LeaveHardlyAnyPairs) {
+TEST(ContactKernels2d, LeaveHardlyAnyPairs) {
   expect_most_taken<float>();
   expect_most_taken<double>();
 }
 
 /// A box on a box, tilted by next to nothing and sunk in by less than that makes of depth.
-TEST(FlatKernels, TakeBoxesThatRestOnBoxes) {
+TEST(ContactKernels2d, TakeBoxesThatRestOnBoxes) {
   std::mt19937 random(11);
   const auto number = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
@@ -243,7 +243,7 @@ TEST(FlatKernels, TakeBoxesThatRestOnBoxes) {
 }
 
 /// The last group is not full, and there may be none.
-TEST(FlatKernels, TakeAnyNumberOfPairs) {
+TEST(ContactKernels2d, TakeAnyNumberOfPairs) {
   for (std::size_t count = 0; count < 20; ++count) {
     for_each_kind<double>(Drawer(7, Sort::random), count,
                           [](const auto& drawn) { expect_single_calls<double>(drawn, 1); });
@@ -251,7 +251,7 @@ TEST(FlatKernels, TakeAnyNumberOfPairs) {
 }
 
 /// Where halves are rounded, and where sums overflow.
-TEST(FlatKernels, TakeBoxesWithTheLeastAndTheLargestNumbers) {
+TEST(ContactKernels2d, TakeBoxesWithTheLeastAndTheLargestNumbers) {
   const double least = std::numeric_limits<double>::denorm_min();
   const double most = 0.75 * std::numeric_limits<double>::max();
   const std::vector<Box<double>> boxes{{{-least, 0}, {least, 2}},          {{0, -least}, {1, 3 * least}},
@@ -266,7 +266,7 @@ TEST(FlatKernels, TakeBoxesWithTheLeastAndTheLargestNumbers) {
   expect_single_calls<double>(drawn, 0.1);  // of all but those that are too deep for a number
 }
 
-RC_GTEST_PROP(FlatKernels, SayOfAnyShapesWhatSingleCallsDo, ()) {
+RC_GTEST_PROP(ContactKernels2d, SayOfAnyShapesWhatSingleCallsDo, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint32_t>();
   for (const Sort sort : {Sort::random, Sort::grid, Sort::scaled, Sort::level, Sort::far}) {
     for_each_kind<float>(Drawer(seed, sort), 24, [](const auto& drawn) { expect_single_calls<float>(drawn, 1); });

@@ -35,10 +35,10 @@ std::vector<Any> some_shapes(const Vec<2, double>& place, double turn) {
           Segment<2, double>{place - x, place + x}};
 }
 
-TEST(FlatPairs, TakeSpheresCapsulesAndBoxes) {
+TEST(Pairs2d, TakeSpheresCapsulesAndBoxes) {
   const std::vector<Any> shapes = some_shapes({1, 2}, 30);
   constexpr std::size_t simple = 4;
-  FlatPairs<double, 64> pairs;
+  Pairs2d<double, 64> pairs;
   Manifold<2, double> manifold;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     for (std::size_t j = 0; j < shapes.size(); ++j) {
@@ -48,7 +48,7 @@ TEST(FlatPairs, TakeSpheresCapsulesAndBoxes) {
 }
 
 /// Every two, either first, and more of a kind than a kernel takes in one go.
-TEST(FlatPairs, ServeContacts) {
+TEST(Pairs2d, ServeContacts) {
   std::vector<Any> shapes;
   for (int i = 0; i < 40; ++i) {
     const auto some = some_shapes(Vec<2, double>(0.01 * i, -0.003 * i), 11.0 * i);

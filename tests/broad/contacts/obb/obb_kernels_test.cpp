@@ -61,7 +61,7 @@ std::vector<ObbsLook> looks_at(std::span<const std::pair<Obb<3, T>, Obb<3, T>>> 
   std::vector<TwoObbs<T>> pairs;
   for (const auto& [a, b] : boxes) pairs.push_back({&a, &b});
   std::vector<ObbsLook> looks(boxes.size(), ObbsLook{~0U});  // what is left as it was
-  manifold_kernels<T>().look(pairs, FirstBox::in_order, looks.data());
+  obb_kernels<T>().look(pairs, FirstBox::in_order, looks.data());
   return looks;
 }
 
@@ -79,7 +79,7 @@ std::size_t left_of(const Boxes<T>& boxes, const std::string& where) {
       EXPECT_FALSE(looks[i].is_apart()) << where;
     }
     std::vector<std::uint32_t> left(count);
-    left.resize(manifold_kernels<T>().contact(pairs, left.data()));
+    left.resize(obb_kernels<T>().contact(pairs, left.data()));
     left_count += left.size();
     std::vector<bool> is_left(count);
     for (const std::uint32_t place : left) {
@@ -107,7 +107,7 @@ void expect_single_calls(const Boxes<T>& boxes, double most_left) {
   }
 }
 
-/// Draws pairs of boxes that meet.
+/// LinearCongruential pairs of boxes that meet.
 class Pairs {
  public:
   using V3 = Vec<3, double>;
@@ -248,13 +248,13 @@ void expect_most_taken() {
   check([&] { return pairs.edge_on_edge(); }, 0.02);
 }
 
-TEST(ManifoldKernels, LeaveHardlyAnyPairs) {
+TEST(ObbKernels, LeaveHardlyAnyPairs) {
   expect_most_taken<float>();
   expect_most_taken<double>();
 }
 
 /// The last group of a list is not full, and a list may be empty.
-TEST(ManifoldKernels, TakeAnyNumberOfPairs) {
+TEST(ObbKernels, TakeAnyNumberOfPairs) {
   Pairs pairs(3);
   for (std::size_t count = 0; count < 20; ++count) {
     expect_single_calls<double>(pairs.many<double>(count, [&] { return pairs.random(); }), 1);
@@ -289,7 +289,7 @@ void expect_single_calls_of_all_sorts() {
   expect_single_calls<T>(boxes, 1);
 }
 
-RC_GTEST_PROP(ManifoldKernels, SayOfAnyBoxesWhatSingleCallsDo, ()) {
+RC_GTEST_PROP(ObbKernels, SayOfAnyBoxesWhatSingleCallsDo, ()) {
   expect_single_calls_of_all_sorts<float>();
   expect_single_calls_of_all_sorts<double>();
 }
@@ -361,12 +361,12 @@ void expect_right_looks() {
   }
 }
 
-RC_GTEST_PROP(ManifoldKernels, TakeForCertainOnlyWhatIsSo, ()) {
+RC_GTEST_PROP(ObbKernels, TakeForCertainOnlyWhatIsSo, ()) {
   expect_right_looks<float>();
   expect_right_looks<double>();
 }
 
-TEST(ManifoldKernels, KnowOfNearlyAllBoxesWhetherTheyMeet) {
+TEST(ObbKernels, KnowOfNearlyAllBoxesWhetherTheyMeet) {
   Pairs pairs(7);
   const Boxes<double> boxes = boxes_about_to_touch<double>(pairs, 1000, 1e-3);
   for (const std::int64_t target : test::simd_targets()) {
@@ -402,7 +402,7 @@ void expect_contacts() {
   }
 }
 
-TEST(ManifoldKernels, ServeContacts) {
+TEST(ObbKernels, ServeContacts) {
   expect_contacts<float>();
   expect_contacts<double>();
 }

@@ -49,8 +49,8 @@ void expect_no_axis_left_out() {
     }
     RC_PRE(axes.verdict != Relation::apart);
     const V3 origin = reference(a);
-    const BoxSides<3> sides_a = sides_of(seen_from(origin, a));
-    const BoxSides<3> sides_b = sides_of(seen_from(origin, b));
+    const BoxSides<3> sides_a = sides_of(relative_to(origin, a));
+    const BoxSides<3> sides_b = sides_of(relative_to(origin, b));
     const double size = size_of_box(sides_a.frame) + size_of_box(sides_b.frame);
     const BoxesAxis<3> all = BoxesSearch<3>(sides_a, sides_b, size).run();
     const BoxesAxis<3> found = BoxesSearch<3>(sides_a, sides_b, size).run(axes.candidates);

@@ -21,10 +21,10 @@ namespace {
 
 using V3 = Vec<3, double>;
 
-TEST(SeenObbAndAabb, IsSeenFromTheOrientedOne) {
+TEST(ObbAndAabbInFrame, IsSeenFromTheOrientedOne) {
   const Aabb<3, double> box{{1e6, 0, 0}, {1e6 + 2, 4, 6}};
   const Obb<3, double> other{{1e6 + 8, 1, 1}, {1, 2, 3}, rotation_matrix(V3(0, 0, 1), 30)};
-  const SeenObbAndAabb<double> seen(other, box);
+  const ObbAndAabbInFrame<double> seen(other, box);
   EXPECT_EQ(seen.origin(), other.center);
   EXPECT_EQ(seen.first().center, V3(0.0));
   EXPECT_EQ(seen.second().center, V3(-7, 1, 2));
@@ -89,16 +89,16 @@ void expect_the_same(Kind kind) {
     RC_PRE(!is_apart);
     ++seen;
     const V3 origin = reference(b);
-    const auto seen_a = seen_from(origin, a);
-    const auto seen_b = seen_from(origin, b);
-    const BoxesContact<3> plain = contact_of_boxes(seen_b, seen_a);
+    const auto local_a = relative_to(origin, a);
+    const auto local_b = relative_to(origin, b);
+    const BoxesContact<3> plain = contact_of_boxes(local_b, local_a);
     const double error = quick->error + plain.found.error;
     const double ulp = static_cast<double>(std::numeric_limits<T>::epsilon());
     RC_ASSERT(std::fabs(static_cast<double>(quick->depth) - plain.found.depth) <= error + ulp * plain.found.depth);
     RC_ASSERT(points.normal == quick->normal);
     // Another axis may be as good.
     if (max_abs(V3(quick->normal) + plain.found.normal) > 1e-9 + ulp) return;
-    const SurfacePairs<3> pairs = pairs_of_boxes(seen_b, seen_a, plain);
+    const SurfacePairs<3> pairs = pairs_of_boxes(local_b, local_a, plain);
     if (pairs.size() <= 4) {
       RC_ASSERT(points.size == pairs.size());
     } else {
@@ -117,7 +117,7 @@ void expect_the_same(Kind kind) {
   EXPECT_GT(seen, 0);
 }
 
-TEST(SeenObbAndAabb, TouchAsAllBoxesDo) {
+TEST(ObbAndAabbInFrame, TouchAsAllBoxesDo) {
   for (const Kind kind : {Kind::any, Kind::stacked, Kind::flat, Kind::far}) {
     expect_the_same<float>(kind);
     expect_the_same<double>(kind);

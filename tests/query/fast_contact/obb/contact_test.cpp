@@ -42,7 +42,7 @@ TEST(LookingFace, IsTheOneThatSideAlongChooses) {
 TEST(FaceAlong, LooksStraightUpToTheToleranceOfManifolds) {
   const PairedBox box = paired_box(Box{{0, 0, 0}, {1, 1, 1}, tilt}, V3(0.0));
   const V3 straight = -tilt[1];
-  const CarryingFace face = face_along(box, PairedVec(straight), true);
+  const ReferenceFace face = face_along(box, PairedVec(straight), true);
   ASSERT_TRUE(face.is_any);
   EXPECT_EQ(face.numbers.face(), 2U);
   EXPECT_TRUE(face.is_of_b);
@@ -53,20 +53,20 @@ TEST(FaceAlong, LooksStraightUpToTheToleranceOfManifolds) {
 TEST(QuickPairOnEdges, IsWhereTheyCross) {
   const Box below{{0, 0, 0}, {1, 1, 1}, rotation_matrix(V3(0, 1, 0), 45)};
   const Box above{{0, 0, 2.5}, {1, 1, 1}, rotation_matrix(V3(1, 0, 0), 45)};
-  const CrossingEdges edges = quick_pair_on_edges(MeetingObbs(SeenObbs(below, above), all_boxes_axes<3>));
+  const CrossingEdges edges = quick_pair_on_edges(MeetingObbs(ObbsInFrame(below, above), all_boxes_axes<3>));
   ASSERT_TRUE(edges.is_known);
   EXPECT_NEAR(length(plain(edges.points.point_a) - V3(0, 0, std::sqrt(2.0))), 0, 1e-15);
   EXPECT_NEAR(length(plain(edges.points.point_b) - V3(0, 0, 2.5 - std::sqrt(2.0))), 0, 1e-15);
   EXPECT_EQ(edges.points.feature_a.kind, FeatureKind::edge);
   const Box beside{{0, 1, 2.5}, {1, 1, 1}, above.axes};  // at the end of the lower edge
-  EXPECT_FALSE(quick_pair_on_edges(MeetingObbs(SeenObbs(below, beside), 1U << (6U + 3 * 1 + 0))).is_known);
+  EXPECT_FALSE(quick_pair_on_edges(MeetingObbs(ObbsInFrame(below, beside), 1U << (6U + 3 * 1 + 0))).is_known);
 }
 
 TEST(CornerOverFace, IsTheDeepestOneIfItIsOverTheFace) {
   const Box table{{0, 0, -1}, {4, 4, 1}};
   const auto tilted = [](double x) { return Box{{x, 0, 1.5}, {1, 1, 1}, rotation_matrix(V3(1, 1, 0), 40)}; };
   constexpr BoxesAxes upward = 1U << 2U;
-  const CornerOverFace over = corner_over_face(MeetingObbs(SeenObbs(table, tilted(0)), upward));
+  const CornerOverFace over = corner_over_face(MeetingObbs(ObbsInFrame(table, tilted(0)), upward));
   ASSERT_TRUE(over.is_any);
   V3 lowest(0.0);
   for (const V3& corner : corner_points(tilted(0))) {
@@ -75,18 +75,18 @@ TEST(CornerOverFace, IsTheDeepestOneIfItIsOverTheFace) {
   lowest.z += 1;  // seen from the table's middle
   EXPECT_NEAR(length(plain(over.corner) - lowest), 0, 1e-14);
   EXPECT_NEAR(length(plain(over.on_face) - V3(lowest.x, lowest.y, 1)), 0, 1e-14);
-  EXPECT_FALSE(corner_over_face(MeetingObbs(SeenObbs(table, tilted(4.5)), upward)).is_any);
-  const CornerOverFace below = corner_over_face(MeetingObbs(SeenObbs(tilted(0), table), upward << 3U));
+  EXPECT_FALSE(corner_over_face(MeetingObbs(ObbsInFrame(table, tilted(4.5)), upward)).is_any);
+  const CornerOverFace below = corner_over_face(MeetingObbs(ObbsInFrame(tilted(0), table), upward << 3U));
   ASSERT_TRUE(below.is_any);
   EXPECT_NEAR(length(plain(below.corner) + V3(0, 0, 1.5) - (lowest - V3(0, 0, 1))), 0, 1e-14);
 }
 
 // To the bit.
 void expect_what_the_search_finds(const Box& a, const Box& b, BoxesAxes axes) {
-  const BoxSides<3> sides_a = sides_of(seen_from(a.center, a));
-  const BoxSides<3> sides_b = sides_of(seen_from(a.center, b));
+  const BoxSides<3> sides_a = sides_of(relative_to(a.center, a));
+  const BoxSides<3> sides_b = sides_of(relative_to(a.center, b));
   const BoxesContact<3> plain = contact_of_sides(sides_a, sides_b, axes);
-  const BoxesContact<3> quick = MeetingObbs(SeenObbs(a, b), axes).contact();
+  const BoxesContact<3> quick = MeetingObbs(ObbsInFrame(a, b), axes).contact();
   RC_ASSERT(quick.size == plain.size);
   RC_ASSERT(quick.found.normal == plain.found.normal);
   RC_ASSERT(quick.found.depth == plain.found.depth);
@@ -171,7 +171,7 @@ struct Corner {
 };
 
 /// By the quick way, in its order. None if it leaves them to the other, or if no face carries points.
-std::vector<Corner> quick_corners(const MeetingObbs& met, const CarryingFace& face) {
+std::vector<Corner> quick_corners(const MeetingObbs& met, const ReferenceFace& face) {
   std::vector<Corner> corners;
   if (!face.is_any) return corners;
   FaceOverFace over = face_over(met, face, tolerance::aligned);
@@ -233,8 +233,8 @@ void expect_the_same_manifold(Kind kind) {
     const auto plain = rounded_manifold<T>(manifold_of_met(a, b));
     RC_ASSERT(quick.normal == plain.normal);
     RC_ASSERT(quick.error == plain.error);
-    const MeetingObbs met(SeenObbs(a, b), axes_of(a, b).candidates);
-    const std::vector<Corner> found = quick_corners(met, carrying_face(met));
+    const MeetingObbs met(ObbsInFrame(a, b), axes_of(a, b).candidates);
+    const std::vector<Corner> found = quick_corners(met, reference_face(met));
     const double allowed = allowed_off(a, b, plain.error);
     if (found.empty()) {
       RC_ASSERT(quick.size == plain.size);
@@ -247,7 +247,7 @@ void expect_the_same_manifold(Kind kind) {
       return;
     }
     const V3 origin = reference(a);
-    const SurfacePairs<3> pairs = pairs_of_boxes(seen_from(origin, a), seen_from(origin, b), met.contact());
+    const SurfacePairs<3> pairs = pairs_of_boxes(relative_to(origin, a), relative_to(origin, b), met.contact());
     RC_ASSERT(found.size() == pairs.size());
     const std::vector<Corner> expected = corners_in_order(pairs, found);
     RC_ASSERT(found.size() == expected.size());

@@ -29,12 +29,12 @@ struct Counts {
 
 void expect_same(const Box& box, const RayOfFloats& ray, float t_max, Counts& counts) {
   const auto filter = quick_cast(box, ray, t_max);
-  if (filter.sight() == Sight::unclear) {
+  if (filter.verdict() == RayVerdict::unclear) {
     ++counts.unclear;
     return;
   }
   const std::optional<RayHit<3, float>> careful = cast_ray(box, ray, t_max, RaySide::entry);
-  ASSERT_EQ(filter.sight() == Sight::hits, careful.has_value());
+  ASSERT_EQ(filter.verdict() == RayVerdict::hits, careful.has_value());
   ++(careful ? counts.hit : counts.missed);
   if (!careful) return;
   std::optional<RayHit<3, float>> hit = filter.hit();
@@ -127,9 +127,9 @@ TEST(RayBoxFilter, LeavesOpenWhatIsNoNumberOrTooLarge) {
   constexpr float huge = std::numeric_limits<float>::max();
   const Box box{{-1, -1, -1}, {1, 1, 1}};
   const RayOfFloats ray{{-3, 0.25F, 0.125F}, {1, 0, 0}};
-  ASSERT_EQ(quick_cast(box, ray, infinity).sight(), Sight::hits);
-  EXPECT_EQ(quick_cast(box, ray, nan).sight(), Sight::unclear);
-  EXPECT_EQ(quick_cast(box, ray, -1.0F).sight(), Sight::misses);
+  ASSERT_EQ(quick_cast(box, ray, infinity).verdict(), RayVerdict::hits);
+  EXPECT_EQ(quick_cast(box, ray, nan).verdict(), RayVerdict::unclear);
+  EXPECT_EQ(quick_cast(box, ray, -1.0F).verdict(), RayVerdict::misses);
   for (Dim i = 0; i < 3; ++i) {
     for (const float value : {nan, -huge, huge}) {
       Box wrong_min = box;
@@ -142,10 +142,10 @@ TEST(RayBoxFilter, LeavesOpenWhatIsNoNumberOrTooLarge) {
       wrong_direction.direction[i] = value;
       Counts counts;
       if (std::isnan(value)) {
-        EXPECT_EQ(quick_cast(wrong_min, ray, infinity).sight(), Sight::unclear);
-        EXPECT_EQ(quick_cast(wrong_max, ray, infinity).sight(), Sight::unclear);
-        EXPECT_EQ(quick_cast(box, wrong_origin, infinity).sight(), Sight::unclear);
-        EXPECT_EQ(quick_cast(box, wrong_direction, infinity).sight(), Sight::unclear);
+        EXPECT_EQ(quick_cast(wrong_min, ray, infinity).verdict(), RayVerdict::unclear);
+        EXPECT_EQ(quick_cast(wrong_max, ray, infinity).verdict(), RayVerdict::unclear);
+        EXPECT_EQ(quick_cast(box, wrong_origin, infinity).verdict(), RayVerdict::unclear);
+        EXPECT_EQ(quick_cast(box, wrong_direction, infinity).verdict(), RayVerdict::unclear);
       } else {
         if (wrong_min.min[i] <= box.max[i]) expect_same(wrong_min, ray, infinity, counts);
         if (wrong_max.max[i] >= box.min[i]) expect_same(wrong_max, ray, infinity, counts);

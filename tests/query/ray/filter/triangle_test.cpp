@@ -31,9 +31,9 @@ void expect_same(const Triangle<3, float>& triangle, const Ray<3, float>& ray, C
   const std::optional<RayHit<3, float>> careful = cast_ray(triangle, ray, t_max, RaySide::entry);
   const RayTriangleFilter filter = quick_cast(triangle, ray, t_max);
   ++(careful ? counts.hits : counts.missed);
-  if (filter.sight() == Sight::unclear) return;
+  if (filter.verdict() == RayVerdict::unclear) return;
   ++(careful ? counts.told_hits : counts.told);
-  ASSERT_EQ(filter.sight() == Sight::hits, careful.has_value());
+  ASSERT_EQ(filter.verdict() == RayVerdict::hits, careful.has_value());
   if (!careful) return;
   std::optional<RayHit<3, float>> hit = filter.hit();
   ASSERT_NEAR(hit->error, careful->error, 0x1p-20 * careful->error);
@@ -129,15 +129,15 @@ TEST(RayTriangleFilter, LeavesOpenWhatIsNoNumber) {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   const Triangle<3, float> triangle{{1, 0, 0}, {1, 1, 0}, {1, 0, 1}};
   const Ray<3, float> ray{{0, 0, 0}, {1, 2, 2}};
-  ASSERT_EQ(quick_cast(triangle, ray, infinity).sight(), Sight::misses);
-  EXPECT_EQ(quick_cast(triangle, ray, nan).sight(), Sight::unclear);
+  ASSERT_EQ(quick_cast(triangle, ray, infinity).verdict(), RayVerdict::misses);
+  EXPECT_EQ(quick_cast(triangle, ray, nan).verdict(), RayVerdict::unclear);
   for (Dim i = 0; i < 3; ++i) {
     Triangle<3, float> wrong = triangle;
     wrong.b[i] = nan;
     Ray<3, float> wrong_ray = ray;
     wrong_ray.direction[i] = nan;
-    EXPECT_EQ(quick_cast(wrong, ray, infinity).sight(), Sight::unclear);
-    EXPECT_EQ(quick_cast(triangle, wrong_ray, infinity).sight(), Sight::unclear);
+    EXPECT_EQ(quick_cast(wrong, ray, infinity).verdict(), RayVerdict::unclear);
+    EXPECT_EQ(quick_cast(triangle, wrong_ray, infinity).verdict(), RayVerdict::unclear);
   }
 }
 
