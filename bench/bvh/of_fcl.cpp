@@ -3,8 +3,8 @@
 
 #include <fcl/narrowphase/collision_object.h>
 
+#include "../bench/fcl_box.hpp"
 #include "contestant.hpp"
-#include "fcl_box.hpp"
 
 namespace bench {
 namespace {

@@ -19,7 +19,7 @@
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <benchmark/benchmark.h>
 
-#include "contact/answer.hpp"
+#include "../bench/contact/answer.hpp"
 
 namespace graze::contact_bench {
 

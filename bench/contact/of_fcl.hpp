@@ -8,7 +8,7 @@
 
 #include <fcl/narrowphase/collision.h>
 
-#include "contact/answer.hpp"
+#include "../bench/contact/answer.hpp"
 
 namespace graze::contact_bench {
 

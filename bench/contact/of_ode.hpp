@@ -12,7 +12,7 @@
 #include <benchmark/benchmark.h>
 #include <ode/ode.h>
 
-#include "contact/answer.hpp"
+#include "../bench/contact/answer.hpp"
 
 namespace graze::contact_bench {
 

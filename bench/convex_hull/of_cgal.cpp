@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "convex_hull/of_cgal.hpp"
+#include "../bench/convex_hull/of_cgal.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <memory>
 
-#include "convex_hull/crowds.hpp"
+#include "../bench/convex_hull/crowds.hpp"
 
 namespace graze::hull_bench {
 

@@ -13,7 +13,7 @@ extern "C" {
 
 #include <graze/shape/hull/lexicographic.hpp>
 
-#include "convex_hull/crowds.hpp"
+#include "../bench/convex_hull/crowds.hpp"
 
 namespace graze::hull_bench {
 

@@ -13,7 +13,7 @@
 #include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 
-#include "hull_distance/pairs.hpp"
+#include "../bench/hull_distance/pairs.hpp"
 
 namespace graze::hull_bench {
 

@@ -18,7 +18,7 @@
 #include <graze/shape/hull/quickhull.hpp>
 #include <graze/shape/hull/undecided_points.hpp>
 
-#include "hull_distance/pairs.hpp"
+#include "../bench/hull_distance/pairs.hpp"
 
 namespace graze::hull_bench {
 

@@ -12,8 +12,8 @@
 #include <fcl/config.h>
 #include <fcl/narrowphase/collision_object.h>
 
+#include "../bench/fcl_box.hpp"
 #include "contestant.hpp"
-#include "fcl_box.hpp"
 
 namespace graze::race {
 namespace {

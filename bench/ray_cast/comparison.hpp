@@ -15,7 +15,7 @@
 #include <graze/query/ray_hit.hpp>
 #include <graze/shape/segment.hpp>
 
-#include "ray_cast/cases.hpp"
+#include "../bench/ray_cast/cases.hpp"
 
 namespace graze::ray_bench {
 

@@ -14,7 +14,7 @@
 #include <box2d/b2_edge_shape.h>
 #include <box2d/b2_polygon_shape.h>
 
-#include "ray_cast/cases.hpp"
+#include "../bench/ray_cast/cases.hpp"
 
 namespace graze::ray_bench {
 

@@ -26,7 +26,7 @@
 
 #include <graze/shape/fields/visit.hpp>
 
-#include "ray_cast/cases.hpp"
+#include "../bench/ray_cast/cases.hpp"
 
 namespace graze::ray_bench {
 

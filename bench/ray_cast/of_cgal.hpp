@@ -10,7 +10,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/intersections.h>
 
-#include "ray_cast/cases.hpp"
+#include "../bench/ray_cast/cases.hpp"
 
 namespace graze::ray_bench {
 

@@ -14,7 +14,7 @@
 
 #include <graze/shape/convex_mesh.hpp>
 
-#include "ray_cast/cases.hpp"
+#include "../bench/ray_cast/cases.hpp"
 
 namespace graze::ray_bench {
 

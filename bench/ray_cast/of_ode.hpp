@@ -10,7 +10,7 @@
 
 #include <ode/ode.h>
 
-#include "ray_cast/cases.hpp"
+#include "../bench/ray_cast/cases.hpp"
 
 namespace graze::ray_bench {
 

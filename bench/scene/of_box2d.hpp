@@ -8,7 +8,7 @@
 
 #include <box2d/b2_broad_phase.h>
 
-#include "scene/frames.hpp"
+#include "../bench/scene/frames.hpp"
 
 namespace bench {
 

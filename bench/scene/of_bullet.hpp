@@ -7,7 +7,7 @@
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
 
-#include "scene/frames.hpp"
+#include "../bench/scene/frames.hpp"
 
 namespace bench {
 

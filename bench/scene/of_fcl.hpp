@@ -7,8 +7,8 @@
 
 #include <fcl/narrowphase/collision_object.h>
 
-#include "fcl_box.hpp"
-#include "scene/frames.hpp"
+#include "../bench/fcl_box.hpp"
+#include "../bench/scene/frames.hpp"
 
 namespace bench {
 

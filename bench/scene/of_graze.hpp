@@ -8,7 +8,7 @@
 #include <graze/broad/executor.hpp>
 #include <graze/scene/scene.hpp>
 
-#include "scene/frames.hpp"
+#include "../bench/scene/frames.hpp"
 
 namespace bench {
 

@@ -14,9 +14,9 @@
 #include <graze/broad/bvh/build_kernels.hpp>
 #include <graze/shape/shape.hpp>
 
-#include "box_worlds.hpp"
-#include "center_room.hpp"
-#include "simd_targets.hpp"
+#include "broad/box_worlds.hpp"
+#include "broad/center_room.hpp"
+#include "broad/simd_targets.hpp"
 
 namespace graze::detail::center_kernels_test {
 namespace {

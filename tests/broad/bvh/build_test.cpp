@@ -14,9 +14,9 @@
 #include <graze/broad/bvh/build.hpp>
 #include <graze/broad/bvh/tree.hpp>
 
-#include "box_worlds.hpp"
-#include "bvh_checks.hpp"
-#include "thread_executor.hpp"
+#include "broad/box_worlds.hpp"
+#include "broad/bvh_checks.hpp"
+#include "broad/thread_executor.hpp"
 
 namespace graze::detail::bvh_build_test {
 namespace {

@@ -10,9 +10,9 @@
 
 #include <graze/broad/bvh/part.hpp>
 
-#include "box_worlds.hpp"
-#include "center_room.hpp"
-#include "simd_targets.hpp"
+#include "broad/box_worlds.hpp"
+#include "broad/center_room.hpp"
+#include "broad/simd_targets.hpp"
 
 namespace graze::detail::bvh_part_test {
 namespace {

@@ -16,9 +16,9 @@
 #include <graze/broad/bvh/query.hpp>
 #include <graze/broad/bvh/tree.hpp>
 
-#include "box_worlds.hpp"
-#include "bvh_checks.hpp"
-#include "simd_targets.hpp"
+#include "broad/box_worlds.hpp"
+#include "broad/bvh_checks.hpp"
+#include "broad/simd_targets.hpp"
 
 namespace graze::detail::bvh_query_test {
 namespace {

@@ -10,7 +10,7 @@
 #include <graze/broad/bvh/split.hpp>
 #include <graze/shape/shape.hpp>
 
-#include "box_worlds.hpp"
+#include "broad/box_worlds.hpp"
 
 namespace graze::detail::bvh_split_test {
 namespace {

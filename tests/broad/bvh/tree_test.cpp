@@ -19,8 +19,8 @@
 #include <graze/broad/spatial_index.hpp>
 #include <graze/shape/ray.hpp>
 
-#include "box_worlds.hpp"
-#include "bvh_checks.hpp"
+#include "broad/box_worlds.hpp"
+#include "broad/bvh_checks.hpp"
 
 namespace graze::detail::bvh_tree_test {
 namespace {

@@ -19,9 +19,9 @@
 #include <graze/query/relation.hpp>
 #include <graze/shape/any_shape.hpp>
 
+#include "broad/same_manifolds.hpp"
+#include "broad/simd_targets.hpp"
 #include "catalogue.hpp"
-#include "same_manifolds.hpp"
-#include "simd_targets.hpp"
 
 namespace graze::detail::mixed_contacts_test {
 namespace {

@@ -15,7 +15,7 @@
 #include <graze/broad/grid/cells.hpp>
 #include <graze/broad/index/box_cover.hpp>
 
-#include "box_worlds.hpp"
+#include "broad/box_worlds.hpp"
 
 namespace graze::detail::grid_cells_test {
 namespace {

@@ -16,7 +16,7 @@
 #include <graze/query/closest_points.hpp>
 #include <graze/query/intersects.hpp>
 
-#include "../cameras.hpp"
+#include "cameras.hpp"
 
 namespace graze::frustum_filter_test {
 namespace {

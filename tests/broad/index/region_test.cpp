@@ -10,9 +10,9 @@
 #include <graze/query/bounds.hpp>
 #include <graze/query/intersects.hpp>
 
-#include "../query/user_shapes.hpp"
-#include "../unbounded_compound.hpp"
 #include "catalogue.hpp"
+#include "query/user_shapes.hpp"
+#include "unbounded_compound.hpp"
 
 namespace graze::region_test {
 namespace {

@@ -13,7 +13,7 @@
 #include <unistd.h>
 #endif
 
-#include "thread_executor.hpp"
+#include "broad/thread_executor.hpp"
 
 namespace graze::detail::populate_test {
 namespace {

@@ -11,7 +11,7 @@
 
 #include <graze/broad/memory/scratch_arena.hpp>
 
-#include "thread_executor.hpp"
+#include "broad/thread_executor.hpp"
 
 namespace graze::detail::lent_memory_test {
 namespace {

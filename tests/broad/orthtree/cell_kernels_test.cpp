@@ -20,8 +20,8 @@
 #include <graze/broad/orthtree/walk.hpp>
 #include <graze/shape/shape.hpp>
 
-#include "box_worlds.hpp"
-#include "simd_targets.hpp"
+#include "broad/box_worlds.hpp"
+#include "broad/simd_targets.hpp"
 
 namespace graze::detail::cell_kernels_test {
 namespace {

@@ -13,7 +13,7 @@
 
 #include <graze/broad/orthtree/tree.hpp>
 
-#include "cell_checks.hpp"
+#include "broad/cell_checks.hpp"
 
 namespace graze::detail::cell_tree_test {
 namespace {

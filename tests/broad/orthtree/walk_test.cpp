@@ -9,7 +9,7 @@
 #include <graze/broad/grid/cells.hpp>
 #include <graze/broad/orthtree/walk.hpp>
 
-#include "box_worlds.hpp"
+#include "broad/box_worlds.hpp"
 
 namespace graze::detail::cell_walk_test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <graze/broad/pairs/block_tree.hpp>
 
-#include "box_worlds.hpp"
+#include "broad/box_worlds.hpp"
 
 namespace graze::detail::block_tree_test {
 namespace {

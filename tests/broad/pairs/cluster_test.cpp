@@ -9,7 +9,7 @@
 
 #include <graze/broad/pairs/cluster.hpp>
 
-#include "box_worlds.hpp"
+#include "broad/box_worlds.hpp"
 
 namespace graze::detail::crowd_test {
 namespace {

@@ -15,9 +15,9 @@
 #include <graze/broad/brute_force_pairs.hpp>
 #include <graze/broad/pairs/dense_search.hpp>
 
-#include "box_worlds.hpp"
-#include "simd_targets.hpp"
-#include "thread_executor.hpp"
+#include "broad/box_worlds.hpp"
+#include "broad/simd_targets.hpp"
+#include "broad/thread_executor.hpp"
 
 namespace graze::detail::dense_search_test {
 namespace {

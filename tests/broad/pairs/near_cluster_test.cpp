@@ -7,7 +7,7 @@
 
 #include <graze/broad/pairs/near_cluster.hpp>
 
-#include "box_worlds.hpp"
+#include "broad/box_worlds.hpp"
 
 namespace graze::detail::near_crowd_test {
 namespace {

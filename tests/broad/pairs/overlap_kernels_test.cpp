@@ -13,8 +13,8 @@
 #include <graze/broad/pairs/block_kernels.hpp>
 #include <graze/broad/pairs/overlap_kernels.hpp>
 
-#include "box_worlds.hpp"
-#include "simd_targets.hpp"
+#include "broad/box_worlds.hpp"
+#include "broad/simd_targets.hpp"
 
 namespace graze::detail::meet_kernels_test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <graze/broad/pairs/pair_list.hpp>
 
-#include "thread_executor.hpp"
+#include "broad/thread_executor.hpp"
 
 namespace graze::detail::pair_list_test {
 namespace {

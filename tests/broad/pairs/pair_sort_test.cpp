@@ -12,7 +12,7 @@
 
 #include <graze/broad/pairs/pair_sort.hpp>
 
-#include "simd_targets.hpp"
+#include "broad/simd_targets.hpp"
 
 namespace graze::detail::pair_sort_test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <graze/broad/pairs/sort_kernels.hpp>
 
-#include "simd_targets.hpp"
+#include "broad/simd_targets.hpp"
 
 namespace graze::detail::sort_kernels_test {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <graze/broad/pairs/spatial_order.hpp>
 
-#include "box_worlds.hpp"
+#include "broad/box_worlds.hpp"
 
 namespace graze::detail::spatial_order_test {
 namespace {

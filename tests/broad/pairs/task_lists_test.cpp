@@ -16,7 +16,7 @@
 #include <graze/broad/pairs/pair_list.hpp>
 #include <graze/broad/pairs/task_lists.hpp>
 
-#include "thread_executor.hpp"
+#include "broad/thread_executor.hpp"
 
 namespace graze::detail::task_lists_test {
 namespace {

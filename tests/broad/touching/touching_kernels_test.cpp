@@ -17,7 +17,7 @@
 #include <graze/query/relation.hpp>
 #include <graze/shape/any_shape.hpp>
 
-#include "simd_targets.hpp"
+#include "broad/simd_targets.hpp"
 
 namespace graze::detail::touch_kernels_test {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <graze/io/csv/header.hpp>
 
-#include "scene_text.hpp"
+#include "io/scene_text.hpp"
 
 namespace graze::io::csv_header_test {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <graze/io/csv/records.hpp>
 
-#include "scene_text.hpp"
+#include "io/scene_text.hpp"
 
 namespace graze::io::csv_records_test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <graze/io/csv/scene.hpp>
 
-#include "scene_text.hpp"
+#include "io/scene_text.hpp"
 
 namespace graze::io::csv_scene_test {
 namespace {

@@ -12,8 +12,8 @@
 #include <graze/io/file/atomic_file.hpp>
 #include <graze/io/output_error.hpp>
 
-#include "scene_text.hpp"
-#include "tiled_folder.hpp"
+#include "io/scene_text.hpp"
+#include "io/tiled_folder.hpp"
 
 namespace graze::io::atomic_file_test {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <graze/io/file/open_file_lock.hpp>
 
-#include "tiled_folder.hpp"
+#include "io/tiled_folder.hpp"
 
 namespace graze::io::open_file_lock_test {
 namespace {

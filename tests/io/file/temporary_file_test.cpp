@@ -9,7 +9,7 @@
 
 #include <graze/io/file/temporary_file.hpp>
 
-#include "tiled_folder.hpp"
+#include "io/tiled_folder.hpp"
 
 namespace graze::io::temporary_file_test {
 namespace {

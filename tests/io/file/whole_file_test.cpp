@@ -5,7 +5,7 @@
 
 #include <graze/io/file/whole_file.hpp>
 
-#include "scene_text.hpp"
+#include "io/scene_text.hpp"
 
 namespace graze::io::whole_file_test {
 namespace {

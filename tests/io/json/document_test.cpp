@@ -8,7 +8,7 @@
 
 #include <graze/io/json/document.hpp>
 
-#include "scene_text.hpp"
+#include "io/scene_text.hpp"
 
 namespace graze::io::json_document_test {
 namespace {

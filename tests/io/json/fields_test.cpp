@@ -7,7 +7,7 @@
 
 #include <graze/io/json/fields.hpp>
 
-#include "scene_text.hpp"
+#include "io/scene_text.hpp"
 
 namespace graze::io::json_fields_test {
 namespace {

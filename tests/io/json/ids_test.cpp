@@ -12,7 +12,7 @@
 #include <graze/io/json/ids.hpp>
 #include <graze/io/json_scene.hpp>
 
-#include "scene_text.hpp"
+#include "io/scene_text.hpp"
 
 namespace graze::io::json_ids_test {
 namespace {

@@ -11,7 +11,7 @@
 #include <graze/io/json/document.hpp>
 #include <graze/io/json_scene.hpp>
 
-#include "scene_text.hpp"
+#include "io/scene_text.hpp"
 
 namespace graze::io::json_scene_reader_test {
 namespace {

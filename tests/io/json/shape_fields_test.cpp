@@ -10,7 +10,7 @@
 #include <graze/io/json/shape_fields.hpp>
 #include <graze/shape/any_shape.hpp>
 
-#include "scene_text.hpp"
+#include "io/scene_text.hpp"
 
 namespace graze::io::shape_fields_test {
 namespace {

@@ -11,8 +11,8 @@
 #include <graze/io/json/shape_reader.hpp>
 #include <graze/query/bounds.hpp>
 
-#include "scene_text.hpp"
-#include "shape_bits.hpp"
+#include "io/scene_text.hpp"
+#include "io/shape_bits.hpp"
 
 namespace graze::io::json_shape_reader_test {
 namespace {

@@ -9,8 +9,8 @@
 #include <graze/io/input_error.hpp>
 #include <graze/io/log/line_reader.hpp>
 
-#include "json_schema.hpp"
-#include "scene_text.hpp"
+#include "io/json_schema.hpp"
+#include "io/scene_text.hpp"
 
 namespace graze::io::log_line_reader_test {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <graze/io/log/query_log.hpp>
 
-#include "scene_text.hpp"
+#include "io/scene_text.hpp"
 
 namespace graze::io::query_log_test {
 namespace {

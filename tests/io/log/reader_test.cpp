@@ -6,7 +6,7 @@
 
 #include <graze/io/log/query_log.hpp>
 
-#include "scene_text.hpp"
+#include "io/scene_text.hpp"
 
 namespace graze::io::query_log_reader_test {
 namespace {

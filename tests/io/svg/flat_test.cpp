@@ -10,7 +10,7 @@
 #include <graze/query/bounds.hpp>
 #include <graze/query/convex_parts.hpp>
 
-#include "svg_picture.hpp"
+#include "io/svg_picture.hpp"
 
 namespace graze::io::svg::svg_flat_test {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <graze/io/svg/labels.hpp>
 
-#include "svg_picture.hpp"
+#include "io/svg_picture.hpp"
 
 namespace graze::io::svg::svg_labels_test {
 namespace {

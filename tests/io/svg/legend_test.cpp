@@ -8,7 +8,7 @@
 #include <graze/io/svg/labels.hpp>
 #include <graze/io/svg/legend.hpp>
 
-#include "svg_picture.hpp"
+#include "io/svg_picture.hpp"
 
 namespace graze::io::svg::svg_legend_test {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <graze/io/svg/object.hpp>
 
-#include "svg_picture.hpp"
+#include "io/svg_picture.hpp"
 
 namespace graze::io::svg::svg_object_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <graze/io/svg/solid.hpp>
 #include <graze/query/bounds.hpp>
 
-#include "svg_picture.hpp"
+#include "io/svg_picture.hpp"
 
 namespace graze::io::svg::svg_solid_test {
 namespace {

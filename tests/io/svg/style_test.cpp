@@ -7,7 +7,7 @@
 
 #include <graze/io/svg/style.hpp>
 
-#include "svg_picture.hpp"
+#include "io/svg_picture.hpp"
 
 namespace graze::io::svg::svg_style_test {
 namespace {

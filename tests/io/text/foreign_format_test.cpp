@@ -8,7 +8,7 @@
 
 #include <graze/io/text/foreign_format.hpp>
 
-#include "scene_text.hpp"
+#include "io/scene_text.hpp"
 
 namespace graze::io::foreign_format_test {
 namespace {

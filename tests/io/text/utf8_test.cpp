@@ -7,7 +7,7 @@
 
 #include <graze/io/text/utf8.hpp>
 
-#include "scene_text.hpp"
+#include "io/scene_text.hpp"
 
 namespace graze::io::utf8_test {
 namespace {

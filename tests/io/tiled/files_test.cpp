@@ -9,7 +9,7 @@
 #include <graze/io/input_error.hpp>
 #include <graze/io/tiled/files.hpp>
 
-#include "tiled_folder.hpp"
+#include "io/tiled_folder.hpp"
 
 namespace graze::io::tiled_files_test {
 namespace {

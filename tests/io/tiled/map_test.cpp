@@ -19,7 +19,7 @@
 #include <graze/io/json_scene.hpp>
 #include <graze/io/tiled/map.hpp>
 
-#include "tiled_folder.hpp"
+#include "io/tiled_folder.hpp"
 
 namespace graze::io::tiled_test {
 namespace {

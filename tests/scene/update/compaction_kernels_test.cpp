@@ -9,7 +9,7 @@
 
 #include <graze/scene/update/compaction_kernels.hpp>
 
-#include "simd_targets.hpp"
+#include "broad/simd_targets.hpp"
 
 namespace graze::detail::choice_kernels_test {
 namespace {

@@ -10,7 +10,7 @@
 #include <graze/scene/update/box_depth.hpp>
 #include <graze/scene/update/depth_kernels.hpp>
 
-#include "simd_targets.hpp"
+#include "broad/simd_targets.hpp"
 
 namespace graze::detail::depth_kernels_test {
 namespace {

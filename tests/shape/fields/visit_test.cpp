@@ -14,7 +14,7 @@
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/fields/visit.hpp>
 
-#include "../catalogue.hpp"
+#include "catalogue.hpp"
 
 namespace graze::visit_test {
 namespace {

@@ -26,9 +26,9 @@
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/fields/shape_order.hpp>
 
+#include "broad/same_manifolds.hpp"
+#include "broad/simd_targets.hpp"
 #include "catalogue.hpp"
-#include "same_manifolds.hpp"
-#include "simd_targets.hpp"
 
 namespace graze::detail::flat_kernels_test {
 namespace {

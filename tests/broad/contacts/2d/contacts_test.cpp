@@ -17,7 +17,7 @@
 #include <graze/query/relation.hpp>
 #include <graze/shape/any_shape.hpp>
 
-#include "same_manifolds.hpp"
+#include "broad/same_manifolds.hpp"
 
 namespace graze::detail::flat_contacts_test {
 namespace {

@@ -25,8 +25,8 @@
 #include <graze/query/relation.hpp>
 #include <graze/shape/any_shape.hpp>
 
-#include "same_manifolds.hpp"
-#include "simd_targets.hpp"
+#include "broad/same_manifolds.hpp"
+#include "broad/simd_targets.hpp"
 
 namespace graze::detail::manifold_kernels_test {
 namespace {
