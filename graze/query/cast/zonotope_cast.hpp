@@ -20,6 +20,7 @@
 #include <graze/query/closest_points.hpp>
 #include <graze/query/convex/zonotope.hpp>
 #include <graze/query/cores/closest.hpp>
+#include <graze/query/cores/touching_points.hpp>
 #include <graze/query/impact.hpp>
 #include <graze/query/ray/verdict.hpp>
 
