@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// relation(a, b) against the exact oracle: every pair of shape types, seven kinds of cases, four spaces. A verdict may
+// relation(a, b) against the exact oracle: every pair of shape types, eight kinds of cases, four spaces. A verdict may
 // differ from the true one only where gap or depth are within the documented band, and `apart` and `overlapping` are
 // promises: only `touching` may stand for something else.
 //
@@ -100,6 +100,7 @@ TYPED_TEST(Agreement, FarFromTheOrigin) { TestFixture::run(CaseKind::far); }
 TYPED_TEST(Agreement, OnShapesThatShareCorners) { TestFixture::run(CaseKind::shared_points); }
 TYPED_TEST(Agreement, WhereTheVerdictChanges) { TestFixture::run(CaseKind::border); }
 TYPED_TEST(Agreement, WhereTheVerdictOfNearlyParallelEdgesChanges) { TestFixture::run(CaseKind::nearly_parallel); }
+TYPED_TEST(Agreement, OfFacesThatAreNearlyFlush) { TestFixture::run(CaseKind::flush_faces); }
 
 }  // namespace
 }  // namespace graze::test::agreement_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pairs of shapes of which verdicts are hard, without end: seven kinds of cases for any two types, the same ones for
+// Pairs of shapes of which verdicts are hard, without end: eight kinds of cases for any two types, the same ones for
 // the same seed.
 #pragma once
 
@@ -22,6 +22,7 @@
 #include <graze/shape/any_shape.hpp>
 
 #include "catalogue.hpp"
+#include "query/flush_faces.hpp"
 #include "query/pairs.hpp"
 #include "query/placement.hpp"
 
@@ -35,10 +36,11 @@ enum class CaseKind {
   shared_points,    ///< Shapes whose corners, centers and ends coincide or lie on a line.
   border,           ///< Either side of the place, to the last bit, where graze's verdict changes.
   nearly_parallel,  ///< The same, of edges that are parallel but for 1e-17 to 1e-6 radians (in float: 1e-9 to 1e-5).
+  flush_faces,      ///< Faces before each other, parallel but for a little: see FlushFaces.
 };
-inline constexpr std::size_t case_kind_count = 7;
+inline constexpr std::size_t case_kind_count = 8;
 inline constexpr std::array<std::string_view, case_kind_count> case_kind_names = {
-    "uniform", "grid", "scales", "far", "shared points", "border", "nearly parallel"};
+    "uniform", "grid", "scales", "far", "shared points", "border", "nearly parallel", "flush faces"};
 
 /// RapidCheck's generators that call others share one stack among all threads.
 inline std::mutex generators_in_use;
@@ -77,6 +79,8 @@ class CaseMaker {
         return border(placed_together<N, T>(draw_from(source_of<N, T>(any_kind(random))), random));
       case CaseKind::nearly_parallel:
         return border(placed_together<N, T>(nearly_parallel(random), random));
+      case CaseKind::flush_faces:
+        return {FlushFaces<N, T>(random).make(draw_from(source_of<N, T>(Kind::grid)))};
     }
     return {};
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// contact(a, b) against the exact oracle: every pair of shape types, seven kinds of cases, four spaces. There is one
+// contact(a, b) against the exact oracle: every pair of shape types, eight kinds of cases, four spaces. There is one
 // exactly where `relation` says that the shapes meet; the depth is within the error that comes with it, which is no
 // larger than documented; both points are in their shapes, and as far from each other as normal * depth; and moving b
 // by that leaves the shapes touching.
@@ -192,6 +192,7 @@ TYPED_TEST(ContactAgreement, FarFromTheOrigin) { TestFixture::run(CaseKind::far)
 TYPED_TEST(ContactAgreement, OnShapesThatShareCorners) { TestFixture::run(CaseKind::shared_points); }
 TYPED_TEST(ContactAgreement, WhereTheVerdictChanges) { TestFixture::run(CaseKind::border); }
 TYPED_TEST(ContactAgreement, OfNearlyParallelEdges) { TestFixture::run(CaseKind::nearly_parallel); }
+TYPED_TEST(ContactAgreement, OfFacesThatAreNearlyFlush) { TestFixture::run(CaseKind::flush_faces); }
 
 }  // namespace
 }  // namespace graze::test::contact_agreement_test
