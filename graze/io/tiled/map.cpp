@@ -162,7 +162,7 @@ class MapReader {
     });
   }
 
-  /// Adds what the tiles of a layer cover, and forgets them: there may be many.
+  /// Adds what the tiles of a layer cover.
   void add_tiles(const PlacedLayer& placed, TiledTileLayers& tile_layers) {
     TiledLayer& layer = *placed.layer;
     if (layer.cells.empty()) return;
@@ -170,7 +170,6 @@ class MapReader {
     add_at(layer.offset, what, placed, [&] {
       tile_layers.add({layer, placed.name, placed.shift, place_of(layer.offset)}, scene(), result_.omissions);
     });
-    layer.cells = {};
   }
 
   /// What the scene refuses becomes an error that names the place.

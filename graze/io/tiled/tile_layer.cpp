@@ -3,12 +3,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include <graze/io/tiled/merged_cells.hpp>
+#include <graze/io/tiled/tile_blocks.hpp>
 #include <graze/io/tiled/tile_layer.hpp>
 #include <graze/query/transformed.hpp>
 #include <graze/scene/object.hpp>
@@ -23,53 +25,62 @@ std::string numbers(std::int64_t begin, std::int64_t end) {
   return end - begin == 1 ? fmt::format("{}", begin) : fmt::format("{}..{}", begin, end - 1);
 }
 
+std::string name_of(const std::string& layer, const CellRectangle& cells) {
+  return fmt::format("{}[{},{}]", layer, numbers(cells.begin, cells.end), numbers(cells.top, cells.bottom));
+}
+
+void extend_run(std::vector<CellRun>& runs, std::int64_t x, std::int64_t y) {
+  if (!runs.empty() && runs.back().row == y && runs.back().end == x) {
+    ++runs.back().end;
+  } else {
+    runs.push_back({y, x, x + 1});
+  }
+}
+
 /// The objects of one layer on their way into the scene.
 class LayerWriter {
  public:
   LayerWriter(Scene<2, double>& scene, const std::string& name, const std::unordered_set<std::string>& taken)
       : scene_(scene), name_(name), taken_(taken) {}
 
-  void add(Shape shape, std::string name) {
+  /// From now on small pieces become one object for each block of cells, by `add_blocks`.
+  void gather_blocks() { gathers_ = true; }
+
+  /// The shapes of the tile in one cell, whose bottom left corner is `corner`.
+  void add_cell(const TiledTileShapes& tile, std::int64_t x, std::int64_t y, const Point& corner) {
+    for (std::size_t i = 0; i < tile.shapes.size(); ++i) {
+      const std::string suffix = i == 0 ? "" : fmt::format("#{}", i + 1);
+      add({x, x + 1, y, y + 1}, suffix, translated<2, double>(tile.shapes[i], corner));
+    }
+  }
+
+  /// Cells that are filled.
+  void add_rectangle(const CellRectangle& cells, const TiledProjection& projection, const Point& shift) {
+    std::array<Point, 4> corners =
+        tiled_corners_of_cells(projection, {cells.begin, cells.top}, {cells.end, cells.bottom});
+    for (Point& corner : corners) corner += shift;
+    if (corners[0].y == corners[1].y && corners[1].x == corners[2].x) {
+      add(cells, "", Aabb<2, double>::from_corners(corners[0], corners[2]));
+    } else {
+      add(cells, "", convex_hull<2, double>(corners));
+    }
+  }
+
+  void add_blocks() {
+    blocks_.drain([this](TileBlock block) { add_object(name_of(name_, block.cells), std::move(block.shape)); });
+  }
+
+ private:
+  void add(const CellRectangle& cells, std::string_view suffix, Shape shape) {
+    if (gathers_ && fits_tile_block(cells)) return blocks_.add(cells, std::move(shape));
+    add_object(name_of(name_, cells).append(suffix), std::move(shape));
+  }
+
+  void add_object(std::string name, Shape shape) {
     if (!has_layer_) layer_ = scene_.layer(name_);
     has_layer_ = true;
     while (taken_.contains(name) || scene_.find(name)) name += '+';
     scene_.add(std::move(shape), {.name = std::move(name), .layer = layer_, .mobility = Mobility::fixed});
-  }
-
-  /// The shapes of the tile in one cell, whose bottom left corner is `corner`; one that fills it waits for its
-  /// neighbours.
-  void add_cell(const TiledTileShapes& tile, std::int64_t x, std::int64_t y, const Point& corner) {
-    if (tile.fills_cell) return extend_run(x, y);
-    for (std::size_t i = 0; i < tile.shapes.size(); ++i) {
-      std::string name = fmt::format("{}[{},{}]", name_, x, y);
-      if (i > 0) name += fmt::format("#{}", i + 1);
-      add(translated<2, double>(tile.shapes[i], corner), std::move(name));
-    }
-  }
-
-  /// The cells that were filled, as rectangles.
-  void add_rectangles(const TiledProjection& projection, const Point& shift) {
-    for (const CellRectangle& cells : merged_cells(std::move(runs_))) {
-      std::array<Point, 4> corners =
-          tiled_corners_of_cells(projection, {cells.begin, cells.top}, {cells.end, cells.bottom});
-      for (Point& corner : corners) corner += shift;
-      std::string name =
-          fmt::format("{}[{},{}]", name_, numbers(cells.begin, cells.end), numbers(cells.top, cells.bottom));
-      if (corners[0].y == corners[1].y && corners[1].x == corners[2].x) {
-        add(Aabb<2, double>::from_corners(corners[0], corners[2]), std::move(name));
-      } else {
-        add(convex_hull<2, double>(corners), std::move(name));
-      }
-    }
-  }
-
- private:
-  void extend_run(std::int64_t x, std::int64_t y) {
-    if (!runs_.empty() && runs_.back().row == y && runs_.back().end == x) {
-      ++runs_.back().end;
-    } else {
-      runs_.push_back({y, x, x + 1});
-    }
   }
 
   Scene<2, double>& scene_;
@@ -77,7 +88,8 @@ class LayerWriter {
   const std::unordered_set<std::string>& taken_;
   Layer layer_ = 0;
   bool has_layer_ = false;
-  std::vector<CellRun> runs_;  ///< Of cells that were filled.
+  bool gathers_ = false;
+  TileBlocks blocks_;
 };
 
 }  // namespace
@@ -98,9 +110,9 @@ std::size_t TiledTileLayers::index_of(std::uint32_t gid) {
   return place->second;
 }
 
-void TiledTileLayers::add(const TiledPlacedTiles& tiles, Scene<2, double>& scene, std::vector<Omission>& omissions) {
-  LayerWriter writer(scene, tiles.name, taken_);
-  for (const TiledCells& cells : tiles.layer.cells) {
+template <class Visit>
+void TiledTileLayers::for_each_tile(const TiledLayer& layer, const Visit& visit) {
+  for (const TiledCells& cells : layer.cells) {
     std::uint32_t last_gid = 0;  // which is none
     Entry* entry = nullptr;
     for (std::size_t i = 0; i < cells.gids.size(); ++i) {
@@ -108,14 +120,40 @@ void TiledTileLayers::add(const TiledPlacedTiles& tiles, Scene<2, double>& scene
       if ((gid & tiled_gid_bits) == 0) continue;
       if (gid != last_gid) entry = &entries_[index_of(gid)];
       last_gid = gid;
-      ++entry->count;
-      if (entry->tile.shapes.empty()) continue;
-      const std::int64_t x = cells.x + static_cast<std::int64_t>(i % cells.width);
-      const std::int64_t y = cells.y + static_cast<std::int64_t>(i / cells.width);
-      writer.add_cell(entry->tile, x, y, projection_.corner_of_cell(x, y) + tiles.shift);
+      visit(*entry, cells.x + static_cast<std::int64_t>(i % cells.width),
+            cells.y + static_cast<std::int64_t>(i / cells.width));
     }
   }
-  writer.add_rectangles(projection_, tiles.shift);
+}
+
+void TiledTileLayers::add(const TiledPlacedTiles& tiles, Scene<2, double>& scene, std::vector<Omission>& omissions) {
+  std::vector<CellRun> runs;  // of cells that are filled
+  std::size_t shapes = 0;     // of all others
+  for_each_tile(tiles.layer, [&](Entry& entry, std::int64_t x, std::int64_t y) {
+    ++entry.count;
+    if (entry.tile.fills_cell) {
+      extend_run(runs, x, y);
+    } else {
+      shapes += entry.tile.shapes.size();
+    }
+  });
+  const std::vector<CellRectangle> rectangles = merged_cells(std::move(runs));
+  LayerWriter writer(scene, tiles.name, taken_);
+  const std::size_t objects = shapes + rectangles.size();
+  if (objects <= room_) {
+    room_ -= objects;
+  } else {
+    writer.gather_blocks();
+  }
+  if (shapes > 0) {
+    for_each_tile(tiles.layer, [&](const Entry& entry, std::int64_t x, std::int64_t y) {
+      if (entry.tile.fills_cell) return;
+      writer.add_cell(entry.tile, x, y, projection_.corner_of_cell(x, y) + tiles.shift);
+    });
+  }
+  tiles.layer.cells = {};  // before there are many objects
+  for (const CellRectangle& cells : rectangles) writer.add_rectangle(cells, projection_, tiles.shift);
+  writer.add_blocks();
   count_omissions(tiles.place, omissions);
 }
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <unordered_set>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -44,9 +48,18 @@ struct Fixture {
   }
 
   void add(const std::string& name, std::uint32_t width, std::vector<std::uint32_t> gids) {
+    add(name, width, std::move(gids), layers);
+  }
+
+  void add(const std::string& name, std::uint32_t width, std::vector<std::uint32_t> gids, std::size_t most_objects) {
+    TiledTileLayers those(tilesets, projection, taken, most_objects);
+    add(name, width, std::move(gids), those);
+  }
+
+  void add(const std::string& name, std::uint32_t width, std::vector<std::uint32_t> gids, TiledTileLayers& to) {
     TiledLayer layer;
     layer.cells.push_back({0, 0, width, std::move(gids)});
-    layers.add({layer, name, {100.0, 0.0}, {file, 0}}, scene, omissions);
+    to.add({layer, name, {100.0, 0.0}, {file, 0}}, scene, omissions);
   }
 
   std::vector<std::string> names() const {
@@ -70,6 +83,32 @@ TEST(TiledTileLayers, GiveNoNameTwice) {
   map.add("a", 1, {2});
   map.add("a", 1, {2});
   EXPECT_EQ(map.names(), (std::vector<std::string>{"a[0,0]++", "a[0,0]+++"}));
+}
+
+TEST(TiledTileLayers, JoinSmallObjectsBlockByBlockWhereTheyAreTooMany) {
+  std::vector<std::uint32_t> gids(2 * 20, 0);
+  gids[0] = gids[2] = gids[17] = gids[18] = gids[19] = 1;
+  gids[5] = 2;
+  std::fill(gids.begin() + 20, gids.begin() + 37, 1U);
+  Fixture few;
+  few.add("a", 20, gids, 5);
+  EXPECT_EQ(few.names(), (std::vector<std::string>{"a[5,0]", "a[0,0]", "a[2,0]", "a[17..19,0]", "a[0..16,1]"}));
+  Fixture many;
+  many.add("a", 20, gids, 4);
+  EXPECT_EQ(many.names(), (std::vector<std::string>{"a[0..16,1]", "a[0..5,0]", "a[17..19,0]"}))
+      << "rectangles wider than a block stay alone, also where they begin in one";
+  const auto& joined = std::get<Compound<2, double>>(many.scene.object(*many.scene.find("a[0..5,0]")).shape);
+  ASSERT_EQ(joined.parts.size(), 3U);
+  EXPECT_EQ(joined.parts[0].box, (Box{{140, 0}, {142, 8}}));
+  EXPECT_EQ(joined.parts[2].box, (Box{{116, 0}, {124, 8}}));
+  EXPECT_EQ(many.scene.object(many.scene.ids()[1]).mobility, Mobility::fixed);
+}
+
+TEST(TiledTileLayers, CountTheObjectsOfAllLayers) {
+  Fixture map;
+  TiledTileLayers layers(map.tilesets, map.projection, map.taken, 3);
+  for (const char* name : {"a", "b", "c"}) map.add(name, 3, {1, 0, 1}, layers);
+  EXPECT_EQ(map.names(), (std::vector<std::string>{"a[0,0]", "a[2,0]", "b[0..2,0]", "c[0..2,0]"}));
 }
 
 TEST(TiledTileLayers, CountWhatHasNoShapeInOrderOfAppearance) {
