@@ -10,7 +10,7 @@ namespace {
 using Point = Vec<2, double>;
 
 /// Tiled halves lengths as whole numbers.
-double half(double length) { return std::floor(length / 2); }
+double half(double length) { return std::trunc(length / 2); }
 
 }  // namespace
 
@@ -46,15 +46,14 @@ Point TiledProjection::corner_of_cell(std::int64_t x, std::int64_t y) const {
 Point TiledProjection::corner_of_staggered_cell(std::int64_t x, std::int64_t y) const {
   const Point side =
       is_hexagonal_ ? (grid_.staggers_x ? Point(grid_.hex_side, 0.0) : Point(0.0, grid_.hex_side)) : Point(0.0, 0.0);
-  const Point slant(half(grid_.tile_width - side.x), half(grid_.tile_height - side.y));
+  const Point cell(2 * half(grid_.tile_width), 2 * half(grid_.tile_height));
+  const Point slant(half(cell.x - side.x), half(cell.y - side.y));
   const Point step = slant + side;  // from one row or column to the next
-  const Point cell = step + slant;  // a cell's size, rounded down to even slants
-  const Point alone = cell + side;  // from one cell to the next that is not shifted
   const std::int64_t line = grid_.staggers_x ? x : y;
   const bool is_shifted = (line % 2 != 0) != grid_.shifts_even;
   const Point at(static_cast<double>(x), static_cast<double>(y));
-  const Point corner = grid_.staggers_x ? Point(at.x * step.x, at.y * alone.y + (is_shifted ? step.y : 0.0))
-                                        : Point(at.x * alone.x + (is_shifted ? step.x : 0.0), at.y * step.y);
+  const Point corner = grid_.staggers_x ? Point(at.x * step.x, at.y * cell.y + (is_shifted ? step.y : 0.0))
+                                        : Point(at.x * cell.x + (is_shifted ? step.x : 0.0), at.y * step.y);
   return corner + Point(0.0, cell.y);
 }
 

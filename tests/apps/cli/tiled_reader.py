@@ -182,15 +182,16 @@ class Map:
             return (column - row) * width / 2 + self.rows * width // 2 - width / 2, (column + row) * height / 2 + height
         if self.orientation in ("staggered", "hexagonal"):
             along_x, along_y = (self.hex_side, 0) if self.staggers_x else (0, self.hex_side)
+            width, height = width & ~1, height & ~1
             slant_x, slant_y = (width - along_x) // 2, (height - along_y) // 2
             step_x, step_y = slant_x + along_x, slant_y + along_y
             odd = (column if self.staggers_x else row) % 2
             shifted = odd != self.shifts_even
             if self.staggers_x:
-                x, y = column * step_x, row * (step_y + slant_y + along_y) + (step_y if shifted else 0)
+                x, y = column * step_x, row * height + (step_y if shifted else 0)
             else:
-                x, y = column * (step_x + slant_x + along_x) + (step_x if shifted else 0), row * step_y
-            return x, y + step_y + slant_y
+                x, y = column * width + (step_x if shifted else 0), row * step_y
+            return x, y + height
         return self.matrix((column * width, (row + 1) * height))
 
     def cell_covers(self, column, row, gid, shift):

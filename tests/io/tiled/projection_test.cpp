@@ -85,5 +85,15 @@ TEST(TiledProjection, KeepsTheSidesOfHexagonsApart) {
   EXPECT_FALSE(TiledProjection(grid).has_rows());
 }
 
+TEST(TiledProjection, RoundsOddSizesAndSlantsOfStaggeredCellsDownAsTiledDoes) {
+  TiledGrid grid = grid_of("hexagonal", 15, 11, 7);
+  expect_corners(grid, {{0, 0, {0, 10}}, {1, 0, {14, 10}}, {0, 1, {7, 18}}, {0, 2, {0, 26}}});
+  grid.staggers_x = true;
+  expect_corners(grid, {{0, 0, {0, 10}}, {1, 0, {10, 15}}, {2, 0, {20, 10}}, {0, 1, {0, 20}}});
+  grid = grid_of("hexagonal", 16, 12, 7);
+  expect_corners(grid, {{0, 0, {0, 12}}, {0, 1, {8, 21}}, {0, 2, {0, 30}}});
+  expect_corners(grid_of("staggered", 15, 11, 7), {{1, 1, {21, 15}}});
+}
+
 }  // namespace
 }  // namespace graze::io::tiled_projection_test
