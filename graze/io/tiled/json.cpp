@@ -15,6 +15,7 @@
 #include <graze/io/json/document.hpp>
 #include <graze/io/text/in_quotes.hpp>
 #include <graze/io/tiled/data.hpp>
+#include <graze/io/tiled/fields.hpp>
 #include <graze/io/tiled/json.hpp>
 #include <graze/io/tiled/omissions.hpp>
 
@@ -92,18 +93,6 @@ std::size_t count_properties(const Value& object) {
   return properties ? properties->json.size() : 0;
 }
 
-/// A whole number that may be negative.
-std::optional<std::int32_t> whole_of(const Value& value, std::string_view name) {
-  const std::optional<double> number = number_of(value, name);
-  if (!number) return std::nullopt;
-  require_whole(*number, name, value.place());
-  return static_cast<std::int32_t>(*number);
-}
-
-Vec<2, double> shift_of(const Value& layer) {
-  return {number_of(layer, "offsetx").value_or(0), number_of(layer, "offsety").value_or(0)};
-}
-
 std::vector<Vec<2, double>> points_of(const Value& object, std::string_view name) {
   std::vector<Vec<2, double>> points;
   for_each_in(object, name, [&](const Value& point) {
@@ -135,18 +124,7 @@ void read_outline(const Value& value, TiledObject& object) {
 }
 
 TiledObject object_of(const Value& value) {
-  TiledObject object;
-  object.offset = value.offset();
-  object.name = text_of(value, "name");
-  object.id = index_of(value, "id");
-  object.x = number_of(value, "x");
-  object.y = number_of(value, "y");
-  object.width = number_of(value, "width");
-  object.height = number_of(value, "height");
-  object.rotation = number_of(value, "rotation");
-  object.gid = index_of(value, "gid");
-  object.template_source = text_of(value, "template").value_or("");
-  object.has_class = !text_of(value, "type").value_or("").empty() || !text_of(value, "class").value_or("").empty();
+  TiledObject object = tiled_object_of(value);
   object.properties = count_properties(value);
   read_outline(value, object);
   require_sound(object, value.file);
@@ -202,34 +180,14 @@ void read_tiles(const Value& value, TiledTileset& tileset) {
 }
 
 TiledTileset tileset_of(const Value& value) {
-  TiledTileset tileset;
-  tileset.offset = value.offset();
-  tileset.first_gid = index_of(value, "firstgid").value_or(1);
-  tileset.source = text_of(value, "source").value_or("");
-  tileset.tile_width = number_of(value, "tilewidth");
-  tileset.tile_height = number_of(value, "tileheight");
-  tileset.tile_count = index_of(value, "tilecount");
-  tileset.alignment = tiled_alignment(text_of(value, "objectalignment").value_or(""));
+  TiledTileset tileset = tiled_tileset_of(value);
   if (const auto offset = field_of(value, "tileoffset", JsonKind::object)) {
-    tileset.drawing_offset = {number_of(*offset, "x").value_or(0), number_of(*offset, "y").value_or(0)};
+    tileset.drawing_offset = tiled_vector_of(*offset, "x", "y");
   }
-  tileset.fills_grid = text_of(value, "tilerendersize") == "grid";
-  tileset.keeps_aspect = text_of(value, "fillmode") == "preserve-aspect-fit";
-  if (const auto grid = field_of(value, "grid", JsonKind::object)) {
-    tileset.grid = tiled_drawing_grid(text_of(*grid, "orientation").value_or(""), number_of(*grid, "width").value_or(0),
-                                      number_of(*grid, "height").value_or(0));
-  }
+  if (const auto grid = field_of(value, "grid", JsonKind::object)) tileset.grid = tiled_drawing_grid_of(*grid);
   read_tiles(value, tileset);
   require_sound(tileset, value.file);
   return tileset;
-}
-
-/// What a layer of any kind says that graze does not read.
-void count_layer_omissions(const Value& layer, std::vector<Omission>& omissions) {
-  count_omission(omissions, tiled_omission::custom_property, layer.place(), count_properties(layer));
-  if (number_of(layer, "parallaxx").value_or(1) != 1 || number_of(layer, "parallaxy").value_or(1) != 1) {
-    count_omission(omissions, tiled_omission::layer_parallax, layer.place());
-  }
 }
 
 /// The gids of an array of numbers.
@@ -256,10 +214,7 @@ void read_cells(const Value& value, const TiledDataFormat& format, TiledLayer& l
     return json.kind() == JsonKind::array || json.kind() == JsonKind::text;
   });
   if (!data) return;
-  TiledCells cells;
-  cells.x = whole_of(value, "x").value_or(0);
-  cells.y = whole_of(value, "y").value_or(0);
-  cells.width = index_of(value, "width").value_or(0);
+  TiledCells cells = tiled_cells_of(value);
   const std::uint64_t height = index_of(value, "height").value_or(0);
   if (data->json.kind() == JsonKind::text) add_cells(map, cells.width, height, value.place());
   const std::uint64_t count = cells.width * height;
@@ -286,11 +241,8 @@ void read_layers(const Value& parent, std::size_t depth, std::vector<TiledLayer>
     if (kind != "tilelayer" && kind != "objectgroup" && kind != "group") {
       return count_omission(map.omissions, tiled_omission::unknown_layer, child.place());
     }
-    TiledLayer layer;
-    layer.offset = child.offset();
-    layer.name = text_of(child, "name").value_or("");
-    layer.shift = shift_of(child);
-    count_layer_omissions(child, map.omissions);
+    count_omission(map.omissions, tiled_omission::custom_property, child.place(), count_properties(child));
+    TiledLayer layer = tiled_layer_of(child, map.omissions);
     if (kind == "tilelayer") {
       read_tile_layer(child, layer, map);
     } else if (kind == "objectgroup") {
@@ -301,21 +253,6 @@ void read_layers(const Value& parent, std::size_t depth, std::vector<TiledLayer>
     }
     layers.push_back(std::move(layer));
   });
-}
-
-TiledGrid grid_of(const Value& map) {
-  TiledGrid grid;
-  grid.orientation = text_of(map, "orientation").value_or(grid.orientation);
-  grid.height = number_of(map, "height").value_or(0);
-  grid.tile_width = number_of(map, "tilewidth").value_or(0);
-  grid.tile_height = number_of(map, "tileheight").value_or(0);
-  grid.hex_side = number_of(map, "hexsidelength").value_or(0);
-  grid.skew_x = number_of(map, "skewx").value_or(0);
-  grid.skew_y = number_of(map, "skewy").value_or(0);
-  grid.staggers_x = text_of(map, "staggeraxis") == "x";
-  grid.shifts_even = text_of(map, "staggerindex") == "even";
-  require_sound(grid, map.place());
-  return grid;
 }
 
 /// What kind of file an object is: what it says, or, as older files do not say it, what it holds.
@@ -349,7 +286,7 @@ TiledMap read_tiled_json_map(const TiledText& file) {
 TiledMap read_tiled_json_map(const TiledText& file, const JsonDocument& document) {
   const Value root = root_of(file, "map", document);
   TiledMap map;
-  map.grid = grid_of(root);
+  map.grid = tiled_grid_of(root);
   for_each_in(root, "tilesets", [&](const Value& tileset) { map.tilesets.push_back(tileset_of(tileset)); });
   count_omission(map.omissions, tiled_omission::custom_property, root.place(), count_properties(root));
   read_layers(root, 0, map.layers, map);

@@ -17,6 +17,7 @@
 #include <graze/io/text/in_quotes.hpp>
 #include <graze/io/text/utf8.hpp>
 #include <graze/io/tiled/data.hpp>
+#include <graze/io/tiled/fields.hpp>
 #include <graze/io/tiled/omissions.hpp>
 #include <graze/io/tiled/tile_elements.hpp>
 #include <graze/io/tiled/xml.hpp>
@@ -100,18 +101,6 @@ std::optional<std::uint32_t> index_of(const Element& element, const char* name) 
   return value;
 }
 
-/// A whole number that may be negative.
-std::optional<std::int32_t> whole_of(const Element& element, const char* name) {
-  const std::optional<double> value = number_of(element, name);
-  if (!value) return std::nullopt;
-  require_whole(*value, name, element.place());
-  return static_cast<std::int32_t>(*value);
-}
-
-Vec<2, double> shift_of(const Element& layer) {
-  return {number_of(layer, "offsetx").value_or(0), number_of(layer, "offsety").value_or(0)};
-}
-
 /// The points of "0,0 16,8 -3.5,2".
 std::vector<Vec<2, double>> points_of(const Element& outline) {
   std::vector<Vec<2, double>> points;
@@ -146,18 +135,7 @@ std::optional<TiledOutline> outline_named(std::string_view name) {
 }
 
 TiledObject object_of(const Element& element, std::vector<Omission>& omissions) {
-  TiledObject object;
-  object.offset = element.offset();
-  object.name = text_of(element, "name");
-  object.id = index_of(element, "id");
-  object.x = number_of(element, "x");
-  object.y = number_of(element, "y");
-  object.width = number_of(element, "width");
-  object.height = number_of(element, "height");
-  object.rotation = number_of(element, "rotation");
-  object.gid = index_of(element, "gid");
-  object.template_source = text_of(element, "template").value_or("");
-  object.has_class = !text_of(element, "type").value_or("").empty() || !text_of(element, "class").value_or("").empty();
+  TiledObject object = tiled_object_of(element);
   object.properties = count_children(element.child("properties"), "property");
   for_each_child(element, [&](const Element& child) {
     if (const std::optional<TiledOutline> outline = outline_named(child.kind())) {
@@ -187,22 +165,9 @@ TiledTile tile_of(const Element& element) {
 }
 
 TiledTileset tileset_of(const Element& element) {
-  TiledTileset tileset;
-  tileset.offset = element.offset();
-  tileset.first_gid = index_of(element, "firstgid").value_or(1);
-  tileset.source = text_of(element, "source").value_or("");
-  tileset.tile_width = number_of(element, "tilewidth");
-  tileset.tile_height = number_of(element, "tileheight");
-  tileset.tile_count = index_of(element, "tilecount");
-  tileset.alignment = tiled_alignment(text_of(element, "objectalignment").value_or(""));
-  const Element offset = element.child("tileoffset");
-  tileset.drawing_offset = {number_of(offset, "x").value_or(0), number_of(offset, "y").value_or(0)};
-  tileset.fills_grid = text_of(element, "tilerendersize") == "grid";
-  tileset.keeps_aspect = text_of(element, "fillmode") == "preserve-aspect-fit";
-  if (const Element grid = element.child("grid")) {
-    tileset.grid = tiled_drawing_grid(text_of(grid, "orientation").value_or(""), number_of(grid, "width").value_or(0),
-                                      number_of(grid, "height").value_or(0));
-  }
+  TiledTileset tileset = tiled_tileset_of(element);
+  tileset.drawing_offset = tiled_vector_of(element.child("tileoffset"), "x", "y");
+  if (const Element grid = element.child("grid")) tileset.grid = tiled_drawing_grid_of(grid);
   const bool one_image = static_cast<bool>(element.child("image"));
   for_each_child(element, [&](const Element& child) {
     if (child.kind() != "tile") return;
@@ -213,15 +178,6 @@ TiledTileset tileset_of(const Element& element) {
   });
   require_sound(tileset, element.file);
   return tileset;
-}
-
-/// What a layer of any kind says that graze does not read.
-void count_layer_omissions(const Element& layer, std::vector<Omission>& omissions) {
-  count_omission(omissions, tiled_omission::custom_property, layer.place(),
-                 count_children(layer.child("properties"), "property"));
-  if (number_of(layer, "parallaxx").value_or(1) != 1 || number_of(layer, "parallaxy").value_or(1) != 1) {
-    count_omission(omissions, tiled_omission::layer_parallax, layer.place());
-  }
 }
 
 /// The gids of <tile> elements, or of the numbers that stand for them since shorten_tile_elements; there may be fewer
@@ -239,10 +195,7 @@ std::vector<std::uint32_t> gids_of_elements(const Element& parent, std::uint64_t
 /// Reads the cells that <data> or <chunk> holds, which begin at (x, y) and are as many as `sized` says.
 void read_cells(const Element& data, const Element& sized, const TiledDataFormat& format, TiledLayer& layer,
                 TiledMap& map) {
-  TiledCells cells;
-  cells.x = whole_of(sized, "x").value_or(0);
-  cells.y = whole_of(sized, "y").value_or(0);
-  cells.width = index_of(sized, "width").value_or(0);
+  TiledCells cells = tiled_cells_of(sized);
   const std::uint64_t height = index_of(sized, "height").value_or(0);
   if (format.encoding == "base64") add_cells(map, cells.width, height, sized.place());
   const std::uint64_t count = cells.width * height;
@@ -284,11 +237,9 @@ void read_layers(const Element& parent, std::size_t depth, std::vector<TiledLaye
     if (kind != "layer" && kind != "objectgroup" && kind != "group") {
       return count_omission(map.omissions, tiled_omission::unknown_element, child.place());
     }
-    TiledLayer layer;
-    layer.offset = child.offset();
-    layer.name = text_of(child, "name").value_or("");
-    layer.shift = shift_of(child);
-    count_layer_omissions(child, map.omissions);
+    count_omission(map.omissions, tiled_omission::custom_property, child.place(),
+                   count_children(child.child("properties"), "property"));
+    TiledLayer layer = tiled_layer_of(child, map.omissions);
     if (kind == "layer") {
       read_tile_layer(child, layer, map);
     } else if (kind == "objectgroup") {
@@ -299,21 +250,6 @@ void read_layers(const Element& parent, std::size_t depth, std::vector<TiledLaye
     }
     layers.push_back(std::move(layer));
   });
-}
-
-TiledGrid grid_of(const Element& map) {
-  TiledGrid grid;
-  grid.orientation = text_of(map, "orientation").value_or(grid.orientation);
-  grid.height = number_of(map, "height").value_or(0);
-  grid.tile_width = number_of(map, "tilewidth").value_or(0);
-  grid.tile_height = number_of(map, "tileheight").value_or(0);
-  grid.hex_side = number_of(map, "hexsidelength").value_or(0);
-  grid.skew_x = number_of(map, "skewx").value_or(0);
-  grid.skew_y = number_of(map, "skewy").value_or(0);
-  grid.staggers_x = text_of(map, "staggeraxis") == "x";
-  grid.shifts_even = text_of(map, "staggerindex") == "even";
-  require_sound(grid, map.place());
-  return grid;
 }
 
 /// A file's elements, and the text that they lie in.
@@ -345,7 +281,7 @@ TiledMap read_tiled_xml_map(const TiledText& file) {
   ParsedXml parsed;
   const Element root = root_of(file, "map", parsed);
   TiledMap map;
-  map.grid = grid_of(root);
+  map.grid = tiled_grid_of(root);
   for_each_child(root, [&](const Element& child) {
     if (child.kind() == "tileset") map.tilesets.push_back(tileset_of(child));
   });
