@@ -7,8 +7,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
+#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
 #include <graze/io/csv/header.hpp>
@@ -51,6 +53,7 @@ class HeaderReader {
  public:
   HeaderReader(const CsvText& text, const std::vector<CsvField>& fields) : text_(text), fields_(fields) {
     for (const CsvField& field : fields) names_.push_back(without_blanks(field.text));
+    refuse_numbers();
     refuse_duplicates();
   }
 
@@ -73,6 +76,22 @@ class HeaderReader {
   }
 
  private:
+  /// A table without a header; its ids may be words.
+  void refuse_numbers() const {
+    const auto is_number = [](std::string_view name) {
+      double value = 0;
+      const auto [end, error] = fast_float::from_chars(name.data(), name.data() + name.size(), value);
+      return error == std::errc() && end == name.data() + name.size();
+    };
+    const auto numbers = static_cast<std::size_t>(std::count_if(names_.begin(), names_.end(), is_number));
+    if (2 * numbers <= names_.size()) return;
+    const auto first = std::find_if(names_.begin(), names_.end(), is_number);
+    throw text_.error(fields_[static_cast<std::size_t>(first - names_.begin())],
+                      fmt::format("the first line holds numbers such as {}; it must be a header that names the "
+                                  "columns: {}",
+                                  *first, all_columns));
+  }
+
   void refuse_duplicates() const {
     std::vector<std::size_t> order(names_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

@@ -18,6 +18,7 @@ constexpr std::string_view write_shapes =
 constexpr std::string_view write_polytopes =
     "graze reads no meshes: write its convex parts as polytopes in graze's JSON, which docs/scene_format.md describes";
 constexpr std::string_view give_map = "give the map (.tmx or .tmj) that uses it";
+constexpr std::string_view no_comments = "remove it: neither JSON nor CSV has comments";
 constexpr std::string_view export_map = "give the map itself (.tmx), or export it as JSON (.tmj)";
 
 /// A format, what tells it, and what to do about it.
@@ -44,11 +45,22 @@ constexpr std::array beginnings = {
     KnownFormat{"# Blender", "a mesh in OBJ", write_polytopes},
     KnownFormat{"v ", "a mesh in OBJ", write_polytopes},
     KnownFormat{"o ", "a mesh in OBJ", write_polytopes},
+    KnownFormat{"#usda", "a scene in USD", write_polytopes},
+    KnownFormat{"# .PCD", "a point cloud in PCD", write_shapes},
     KnownFormat{"ISO-10303-21", "a CAD model in STEP", write_polytopes},
     KnownFormat{"0\nSECTION", "a drawing in DXF", write_shapes},
     KnownFormat{"0\r\nSECTION", "a drawing in DXF", write_shapes},
     KnownFormat{"(function(name,data)", "a map that Tiled exported as JavaScript", export_map},
     KnownFormat{"return {", "Lua, as Tiled exports its maps", export_map},
+    KnownFormat{"POLYGON (", "geometry in WKT", write_shapes},
+    KnownFormat{"POLYGON(", "geometry in WKT", write_shapes},
+    KnownFormat{"POINT (", "geometry in WKT", write_shapes},
+    KnownFormat{"POINT(", "geometry in WKT", write_shapes},
+    KnownFormat{"LINESTRING", "geometry in WKT", write_shapes},
+    KnownFormat{"MULTIPOLYGON", "geometry in WKT", write_shapes},
+    KnownFormat{"GEOMETRYCOLLECTION", "geometry in WKT", write_shapes},
+    KnownFormat{"//", "text that begins with a comment (//)", no_comments},
+    KnownFormat{"/*", "text that begins with a comment (/*)", no_comments},
     KnownFormat{"%PDF", "a PDF document", write_shapes},
     KnownFormat{"\x89PNG", "a picture (PNG)", write_shapes},
     KnownFormat{"\xff\xd8\xff", "a picture (JPEG)", write_shapes},
@@ -87,6 +99,9 @@ constexpr std::array json_signs = {
     KnownFormat{R"("tilecount":)", "a Tiled tileset", give_map},
     KnownFormat{R"("type":"FeatureCollection")", "GeoJSON", write_shapes},
     KnownFormat{R"("__header__":{"fileType":"LDtk)", "a project of LDtk", write_shapes},
+    KnownFormat{R"("ogmoVersion":)", "a level or project of Ogmo", write_shapes},
+    KnownFormat{R"("automappingRulesFile":)", "a Tiled project", "give one of its maps (.tmx or .tmj)"},
+    KnownFormat{R"({"classname""worldspawn")", "a map of Quake", write_shapes},
     KnownFormat{R"("asset":{)", "a mesh in glTF", write_polytopes},
     KnownFormat{R"("meshes":[)", "a mesh in glTF", write_polytopes}};
 
@@ -134,12 +149,31 @@ std::string json_format(std::string_view text) {
   const std::string start = without_blanks_between(text);
   const bool is_scene = start.find(R"("schema":"graze.scene/)") != std::string::npos ||
                         start.find(R"("type":"map")") != std::string::npos ||
-                        start.find(R"("layers":[)") != std::string::npos;
+                        (start.find(R"("layers":[)") != std::string::npos && start.find("ogmo") == std::string::npos);
   if (is_scene) return "";
   const auto* const known = std::find_if(json_signs.begin(), json_signs.end(), [&start](const KnownFormat& format) {
     return start.find(format.sign) != std::string::npos;
   });
   return known == json_signs.end() ? "" : sentence(*known);
+}
+
+/// "[section]" on a line of its own begins INI and TOML, which would be taken for broken JSON.
+bool is_section(std::string_view text) {
+  const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  const std::size_t end = line.find(']');
+  if (!line.starts_with('[') || end == std::string_view::npos || end == 1) return false;
+  const std::string_view name = line.substr(1, end - 1);
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-. ";
+  if (name.find_first_not_of(letters) != std::string_view::npos || name == "true" || name == "false") return false;
+  return name != "null" && name.find_first_not_of("0123456789-. eE") != std::string_view::npos;
+}
+
+/// What begins with "#": a comment, of which many formats have one first.
+std::string commented_format(std::string_view text) {
+  constexpr std::size_t enough = 2000;
+  const std::string_view start = text.substr(0, enough);
+  if (start.find("\nv ") != std::string_view::npos) return sentence({"#", "a mesh in OBJ", write_polytopes});
+  return sentence({"#", "text that begins with a comment (#)", no_comments});
 }
 
 }  // namespace
@@ -153,7 +187,9 @@ std::string foreign_format(std::string_view text) {
   const auto* const known = std::find_if(beginnings.begin(), beginnings.end(), [content](const KnownFormat& format) {
     return content.starts_with(format.sign);
   });
-  return known == beginnings.end() ? "" : sentence(*known);
+  if (known != beginnings.end()) return sentence(*known);
+  if (is_section(content)) return sentence({"[", "INI or TOML", write_shapes});
+  return content.starts_with('#') ? commented_format(content) : "";
 }
 
 }  // namespace graze::io

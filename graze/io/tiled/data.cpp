@@ -94,7 +94,8 @@ std::optional<std::vector<std::uint32_t>> tiled_gids(std::string_view text, cons
   }
   const std::optional<Packing> packing = packing_named(format.compression);
   if (format.encoding != "base64" || !packing || !can_unpack(*packing)) {
-    count_unknown_format(format.encoding != "base64" ? format.encoding : format.compression, packing.has_value(), place,
+    const bool is_encoded = format.encoding == "base64";
+    count_unknown_format(is_encoded ? format.compression : format.encoding, is_encoded && packing.has_value(), place,
                          omissions);
     return std::nullopt;
   }

@@ -99,7 +99,7 @@ class XmlCheck {
   std::optional<std::size_t> pass_markup(std::size_t begin) {
     const std::string_view rest = text_.substr(begin);
     if (rest.starts_with("<!--")) return behind("-->", begin + 4);
-    if (rest.starts_with("<?")) return behind("?>", begin + 2);
+    if (rest.starts_with("<?")) return pass_instruction(begin);
     if (rest.starts_with("<![CDATA[")) {
       if (depth_ == 0) fail(begin, "a CDATA section stands outside the root element; remove it");
       return behind("]]>", begin + 9);
@@ -114,6 +114,14 @@ class XmlCheck {
     const std::size_t found = text_.find(mark, from);
     if (found == std::string_view::npos) return std::nullopt;
     return found + mark.size();
+  }
+
+  std::optional<std::size_t> pass_instruction(std::size_t begin) const {
+    const std::string_view target = text_.substr(begin + 2, text_.find_first_of(" \t\r\n?", begin + 2) - begin - 2);
+    if (target == "xml" && begin != text_.find_first_not_of(xml_space)) {
+      fail(begin, "an XML declaration stands here, which may stand at the beginning of a file only; remove it");
+    }
+    return behind("?>", begin + 2);
   }
 
   /// Behind a document type, which may hold declarations in brackets.

@@ -87,6 +87,11 @@ TEST(CsvScene, WrongHeadersAreNamed) {
             0U);
   EXPECT_EQ(refusal("id,min_x,min_y,min_x,max_x,max_y\n"),
             "a.csv: line 1, column 16: column \"min_x\" appears twice, as number 2 and 4");
+  EXPECT_EQ(refusal("wall,0,0,2.5,1\n")
+                .find("a.csv: line 1, column 6: the first line holds numbers such as 0; it must be "
+                      "a header that names the columns: boxes need min_x"),
+            0U);
+  EXPECT_EQ(refusal("0,0,1e3\n").find("a.csv: line 1, column 1: the first line holds numbers"), 0U);
   EXPECT_EQ(refusal(""), "a.csv: empty; CSV begins with a line like id,min_x,min_y,max_x,max_y");
 }
 

@@ -37,6 +37,17 @@ TEST(ForeignFormat, IsNamedWithTheWayOut) {
       {"return {\n  version = \"1.10\",", "this is Lua, as Tiled exports its maps"},
       {"solid cube\n facet normal", "this is a mesh in STL"},
       {"v 0 0 1\nv 1 0 0\n", "this is a mesh in OBJ"},
+      {"# by hand\no Cube\nv 0 0 1\n", "this is a mesh in OBJ"},
+      {"# .PCD v0.7\nVERSION 0.7\n", "this is a point cloud in PCD"},
+      {"#usda 1.0\n", "this is a scene in USD"},
+      {"POLYGON ((30 10, 40 40))", "this is geometry in WKT"},
+      {"# made by me\nx,y,radius\n", "this is text that begins with a comment (#); remove it: neither JSON nor CSV"},
+      {"// made by me\n{}", "this is text that begins with a comment (//); remove it"},
+      {"[physics]\ngravity=9\n", "this is INI or TOML; write its collision shapes"},
+      {"[a.b-2]\r\n", "this is INI or TOML"},
+      {R"({"ogmoVersion": "3.3.0", "layers": []})", "this is a level or project of Ogmo"},
+      {R"({"automappingRulesFile": ""})", "this is a Tiled project; give one of its maps"},
+      {"{\n\"classname\" \"worldspawn\"\n}", "this is a map of Quake"},
       {"glTF\2\0\0\0"s, "this is a mesh in glTF (.glb)"},
       {"\x1f\x8b\x08", "this is compressed by gzip; unpack it first"},
       {"\xff\xfe{\0\"\0"s, "this is UTF-16; save it as UTF-8"},
@@ -49,8 +60,8 @@ TEST(ForeignFormat, IsNamedWithTheWayOut) {
 TEST(ForeignFormat, IsNoneOfWhatMayBeAScene) {
   for (const std::string text : {R"({"schema": "graze.scene/1", "dimension": 2)", R"({"type": "map", "tilecount": 4)",
                                  R"({"height": 1, "layers": [{"type": "tilelayer"}], "tilesets": [{"tilecount": 4}])",
-                                 "<?xml version=\"1.0\"?>\n<map version=\"1.10\">", "<", "{", "[1]", "", "id,min_x\n",
-                                 "x,y,radius\n", "hello", "<!-- no end"}) {
+                                 "<?xml version=\"1.0\"?>\n<map version=\"1.10\">", "<", "{", "[1]", "[1e5]", "[true]",
+                                 "[null]", "[[a]]", "[]", "", "id,min_x\n", "x,y,radius\n", "hello", "<!-- no end"}) {
     EXPECT_EQ(foreign_format(text), "") << text;
   }
 }

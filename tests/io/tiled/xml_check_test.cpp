@@ -22,7 +22,7 @@ std::string error_of(std::string_view text) {
 TEST(XmlCheck, AcceptsWhatXmlAllows) {
   for (const char* text :
        {"<a/>", " \n<a></a>\n ",
-        "<?xml version=\"1.0\"?><!-- x --><a b='1' c=\"2\" ><!-- <a b b> & --></a><!-- y --><?p?>",
+        "<?xml version=\"1.0\"?><!-- x --><a b='1' c=\"2\" ><!-- <a b b> & --></a><!-- y --><?p?><?xml-stylesheet?>",
         "<!DOCTYPE map SYSTEM \"http://mapeditor.org/dtd/1.0/map.dtd\">\n<map/>",
         "<!DOCTYPE a [<!ENTITY n \"x\">]><a>&lt;&#65;&#x41;&#x1F600;&quot;</a>", "<a><![CDATA[ & < ]]></a>",
         "<a b='>' c='/>' d = \"'\"/>", "<a\n b='1'\n/>", "<a x='1'><b x='2'/></a>"}) {
@@ -38,6 +38,9 @@ TEST(XmlCheck, RefusesASecondRootAndTextAroundTheFirst) {
             "f.tmx: line 2, column 3: \"garbage\" stands after the root element, where XML allows no text; remove it");
   EXPECT_EQ(error_of("x<a/>"),
             "f.tmx: line 1, column 1: \"x\" stands before the root element, where XML allows no text; remove it");
+  EXPECT_EQ(error_of("<?xml version='1.0'?>\n<?xml version='1.0'?><a/>"),
+            "f.tmx: line 2, column 1: an XML declaration stands here, which may stand at the beginning of a file only; "
+            "remove it");
   EXPECT_EQ(error_of("<a/><![CDATA[]]>"),
             "f.tmx: line 1, column 5: a CDATA section stands outside the root element; remove it");
 }
