@@ -169,8 +169,14 @@ export class Arguments {
     return found;
   }
 
+  /** As #list, which calls a function for each: a polytope has many points. */
   points(value, n) {
-    return this.#list(value, n, (point, found) => this.vector(point, found));
+    if (!Array.isArray(value)) return refused;
+    const count = value.length;
+    this.#put(count);
+    let found = n;
+    for (let i = 0; i < count && found !== refused; ++i) found = this.vector(value[i], found);
+    return found;
   }
 
   parts(value, n, depth) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "arguments.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <functional>
 #include <optional>
 #include <string>
@@ -80,21 +81,26 @@ AnyShape<N, double> read_members(Arguments& in) {
 }
 
 /// Hulls of points that were given before: a program asks about the same polytopes again and again, and to find which
-/// points are corners takes longer than most questions.
+/// points are corners takes longer than most questions. The hash of the numbers says in which few places to look.
 template <Dim N>
 class KnownHulls {
  public:
   Polytope<N, double> of(std::span<const double> numbers) {
     if (numbers.size() > most_numbers) return hull_of(numbers);
-    Known& known = known_[place_of(numbers)];
-    if (!known.hull || !has_bits_of(known, numbers)) known = {{numbers.begin(), numbers.end()}, hull_of(numbers)};
-    return *known.hull;
+    Known* const places = known_.data() + hash_of(numbers) % sets * places_in_set;
+    for (std::size_t i = 0; i < places_in_set; ++i) {
+      if (places[i].hull && has_bits_of(places[i], numbers)) return *places[i].hull;
+    }
+    Known& replaced = places[next_++ % places_in_set];
+    replaced = {{numbers.begin(), numbers.end()}, hull_of(numbers)};
+    return *replaced.hull;
   }
 
  private:
   /// So that all of them together take a few megabytes at most.
   static constexpr std::size_t most_numbers = 768;
-  static constexpr std::size_t size = 256;
+  static constexpr std::size_t sets = 64;
+  static constexpr std::size_t places_in_set = 4;
 
   struct Known {
     std::vector<double> numbers;
@@ -107,20 +113,34 @@ class KnownHulls {
     return convex_hull_in_order<N, double>(points);
   }
 
-  /// By bits, as 0 and -0 are not the same corner.
+  static std::uint64_t bits(double number) { return bit_cast<std::uint64_t>(number); }
+
+  /// By bits, as 0 and -0 are not the same corner; not by memcmp, as that of Emscripten goes byte by byte.
   static bool has_bits_of(const Known& known, std::span<const double> numbers) {
-    return known.numbers.size() == numbers.size() &&
-           std::memcmp(known.numbers.data(), numbers.data(), numbers.size_bytes()) == 0;
+    return std::equal(known.numbers.begin(), known.numbers.end(), numbers.begin(), numbers.end(),
+                      [](double a, double b) { return bits(a) == bits(b); });
   }
 
-  /// The hash of Fowler, Noll and Vo, of whole numbers instead of bytes, whose upper bits are the better ones.
-  static std::size_t place_of(std::span<const double> numbers) {
-    std::uint64_t hash = 0xcbf29ce484222325U;
-    for (const double number : numbers) hash = (hash ^ bit_cast<std::uint64_t>(number)) * 0x100000001b3U;
-    return static_cast<std::size_t>((hash ^ (hash >> 32U)) * 0x9e3779b97f4a7c15U >> 56U);
+  /// A multiplication for each number, in four rows of which none waits for another. What distinguishes simple numbers
+  /// are their upper bits, which multiplications do not carry down; so these are added to the lower ones first.
+  static std::size_t hash_of(std::span<const double> numbers) {
+    constexpr std::uint64_t factor = 0x9e3779b97f4a7c15U;
+    const auto mixed = [](std::uint64_t hash, double number) {
+      return (hash ^ bits(number) ^ (bits(number) >> 32U)) * factor;
+    };
+    std::array<std::uint64_t, 4> rows = {1, 2, 3, 4};
+    std::size_t i = 0;
+    for (; i + rows.size() <= numbers.size(); i += rows.size()) {
+      for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = mixed(rows[k], numbers[i + k]);
+    }
+    std::uint64_t hash = 0;
+    for (; i < numbers.size(); ++i) hash = mixed(hash, numbers[i]);
+    for (const std::uint64_t row : rows) hash = (hash ^ row ^ (row >> 32U)) * factor;
+    return static_cast<std::size_t>(hash >> 32U);
   }
 
-  std::array<Known, size> known_;
+  std::array<Known, sets * places_in_set> known_;
+  std::size_t next_ = 0;  ///< Counts replacements, which go round each set.
 };
 
 template <Dim N>
