@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
@@ -10,7 +13,19 @@
 
 namespace graze::io {
 
+namespace {
+
 namespace fs = std::filesystem;
+
+/// What a file says of its size, to have room for it at once. Not of sizes that nobody could want to read.
+std::size_t expected_size(const fs::path& path) {
+  constexpr std::uintmax_t most = std::uintmax_t{1} << 32U;
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(path, error);
+  return error || size > most ? 0 : static_cast<std::size_t>(size);
+}
+
+}  // namespace
 
 // Read until its end: a pipe has no size to ask for, and a stated size is not to be trusted.
 std::string read_whole_file(const fs::path& path, std::string_view what) {
@@ -24,6 +39,7 @@ std::string read_whole_file(const fs::path& path, std::string_view what) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw InputError(source + ": cannot be opened: " + std::generic_category().message(errno));
   std::string text;
+  text.reserve(expected_size(path));
   char chunk[1U << 16U];
   while (in.read(chunk, sizeof chunk) || in.gcount() > 0) text.append(chunk, static_cast<std::size_t>(in.gcount()));
   if (in.bad()) throw InputError(source + ": reading failed: " + std::generic_category().message(errno));

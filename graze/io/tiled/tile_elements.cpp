@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,28 +22,29 @@ std::size_t behind_blanks(std::string_view text, std::size_t at) {
   return at;
 }
 
+/// Behind `word` where the text goes on with it, else 0. A comparison of known length, as there are millions.
+template <std::size_t size>
+std::size_t behind(std::string_view text, std::size_t at, const char (&word)[size]) {
+  constexpr std::size_t length = size - 1;
+  if (text.size() < length || at > text.size() - length) return 0;
+  return std::memcmp(text.data() + at, word, length) == 0 ? at + length : 0;
+}
+
 /// The element that begins at `at`, if it is a <tile> with nothing but a gid of digits.
 std::optional<TileElement> tile_element_at(std::string_view text, std::size_t at) {
-  constexpr std::string_view begin = "<tile";
-  if (text.substr(at, begin.size()) != begin) return std::nullopt;
+  const std::size_t name_end = behind(text, at, "<tile");
+  if (name_end == 0) return std::nullopt;
   TileElement element;
-  const std::size_t name_end = at + begin.size();
   at = behind_blanks(text, name_end);
-  constexpr std::string_view gid = "gid=\"";
-  if (at > name_end && text.substr(at, gid.size()) == gid) {
-    const std::size_t first = at + gid.size();
+  if (const std::size_t first = behind(text, at, "gid=\""); first > 0 && at > name_end) {
     std::size_t last = first;
     while (last < text.size() && text[last] >= '0' && text[last] <= '9') ++last;
-    if (last == first || text.substr(last, 1) != "\"") return std::nullopt;
+    if (last == first || behind(text, last, "\"") == 0) return std::nullopt;
     element.gid = text.substr(first, last - first);
     at = behind_blanks(text, last + 1);
   }
-  for (const std::string_view end : {"/>", "></tile>"}) {
-    if (text.substr(at, end.size()) != end) continue;
-    element.end = at + end.size();
-    return element;
-  }
-  return std::nullopt;
+  element.end = std::max(behind(text, at, "/>"), behind(text, at, "></tile>"));
+  return element.end == 0 ? std::nullopt : std::optional(element);
 }
 
 /// Calls `visit(element)` for each of the <tile> elements from `at` on, and returns where the first of another kind
@@ -75,6 +77,12 @@ std::size_t shorten_row(std::string& xml, std::size_t begin) {
 }
 
 }  // namespace
+
+std::size_t behind_tile_elements(std::string_view xml, std::size_t at) {
+  std::size_t end = at;
+  for_each_tile(xml, at, [&end](const TileElement& element) { end = element.end; });
+  return end;
+}
 
 void shorten_tile_elements(std::string& xml) {
   std::size_t at = 0;

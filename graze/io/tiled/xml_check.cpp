@@ -14,6 +14,7 @@
 
 #include <graze/io/text/in_quotes.hpp>
 #include <graze/io/text/position.hpp>
+#include <graze/io/tiled/tile_elements.hpp>
 #include <graze/io/tiled/xml_check.hpp>
 
 namespace graze::io {
@@ -44,6 +45,9 @@ class XmlCheck {
       const std::size_t tag = std::min(text_.find('<', at_), text_.size());
       check_text(at_, tag);
       if (tag == text_.size()) return;
+      // Of <tile gid="7"/> there are millions, in which nothing can be wrong.
+      at_ = depth_ > 0 ? behind_tile_elements(text_, tag) : tag;
+      if (at_ > tag) continue;
       const std::optional<std::size_t> end = pass_markup(tag);
       if (!end) return;
       at_ = *end;

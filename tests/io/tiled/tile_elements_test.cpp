@@ -36,5 +36,13 @@ TEST(TileElements, StayWhereTheyAreNotAlone) {
   }
 }
 
+TEST(TileElements, AreAllPassedAtOnce) {
+  const std::string_view text = "<a><tile/> <tile gid=\"7\" />\n<tile gid='8'/>";
+  EXPECT_EQ(behind_tile_elements(text, 3), text.find('\n'));
+  EXPECT_EQ(behind_tile_elements(text, 0), 0U);
+  EXPECT_EQ(behind_tile_elements(text, text.size()), text.size());
+  EXPECT_EQ(behind_tile_elements("<tile gid=\"1\"", 0), 0U) << "cut off";
+}
+
 }  // namespace
 }  // namespace graze::io::tile_elements_test

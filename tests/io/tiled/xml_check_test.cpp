@@ -48,6 +48,8 @@ TEST(XmlCheck, RefusesASecondRootAndTextAroundTheFirst) {
 TEST(XmlCheck, RefusesAnAttributeThatIsGivenTwice) {
   EXPECT_EQ(error_of("<a>\n<b x='0' y='1' x='2'/></a>"),
             "f.tmx: line 2, column 16: the attribute \"x\" is given twice; remove one");
+  EXPECT_EQ(error_of("<a><tile gid=\"1\"/>\n<tile gid=\"1\" gid=\"2\"/></a>"),
+            "f.tmx: line 2, column 15: the attribute \"gid\" is given twice; remove one");
   EXPECT_EQ(error_of("<b x='0'y='1'/>"),
             "f.tmx: line 1, column 9: two attributes stand side by side without a blank between them; put one there");
 }

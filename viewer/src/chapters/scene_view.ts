@@ -53,7 +53,7 @@ class SceneView implements OpenChapter {
     const buttons = Object.keys(examples).map((name) => button(`Example: ${name}`, () => this.#openExample(name)));
     context.panel.append(
       title("Scene"),
-      element("p", { class: "lead" }, "Drop a scene file on the page: graze JSON, a CSV table of boxes, a Tiled map together with the files it refers to, or a recording (.aabbs). Nothing leaves this machine."),
+      element("p", { class: "lead" }, "Drop a scene file on the page: graze JSON, a CSV table, a Tiled map together with the files it refers to, or a recording (.aabbs). Nothing leaves this machine."),
       row(button("Open a file…", () => chooser.click()), ...buttons),
       chooser,
       this.#content,
