@@ -166,6 +166,14 @@ class TiledMaps(CommandLineTest):
         scene = json.loads(self.succeed("info", "--format", "json", path, **with_memory_of(mebibytes=1024))[0])
         self.assertEqual(scene["objects"], 64 * 2048)
 
+    def test_noise_takes_little_memory(self):
+        draw = random.Random(20261128)
+        gids = array.array("I", (byte & 1 for byte in draw.randbytes(2048 * 2048)))
+        path = self.packed_map(2048, zlib.compress(gids.tobytes(), 1), "zlib")
+        scene = json.loads(self.succeed("info", "--format", "json", path, **with_memory_of(mebibytes=512))[0])
+        self.assertGreaterEqual(scene["objects"], 128 * 128)
+        self.assertLess(scene["objects"], 128 * 128 + 100)
+
 
 if __name__ == "__main__":
     unittest.main()
