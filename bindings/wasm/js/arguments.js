@@ -152,16 +152,6 @@ export class Arguments {
     return length;
   }
 
-  /** A list, its count before it. */
-  #list(values, n, write) {
-    if (!Array.isArray(values)) return refused;
-    const count = values.length;
-    this.#put(count);
-    let found = n;
-    for (let i = 0; i < count && found !== refused; ++i) found = write(values[i], found);
-    return found;
-  }
-
   axes(value, n) {
     if (!Array.isArray(value) || value.length !== n) return refused;
     let found = n;
@@ -169,7 +159,8 @@ export class Arguments {
     return found;
   }
 
-  /** As #list, which calls a function for each: a polytope has many points. */
+  // Lists, their count before them. Each has its own loop, as a function that is called for each element takes longer.
+
   points(value, n) {
     if (!Array.isArray(value)) return refused;
     const count = value.length;
@@ -184,7 +175,12 @@ export class Arguments {
   }
 
   shapes(value, n, depth = 0) {
-    return this.#list(value, n, (shape, found) => this.shape(shape, found, depth));
+    if (!Array.isArray(value)) return refused;
+    const count = value.length;
+    this.#put(count);
+    let found = n;
+    for (let i = 0; i < count && found !== refused; ++i) found = this.shape(value[i], found, depth);
+    return found;
   }
 
   rotation(value, n) {
