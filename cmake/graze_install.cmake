@@ -42,6 +42,13 @@ if(TARGET graze_cli)
   # The page that `graze view` fills in, if `./dev web` has built it.
   install(FILES "${PROJECT_SOURCE_DIR}/build/web/viewer/report.html" DESTINATION "${CMAKE_INSTALL_DATADIR}/graze" OPTIONAL)
 endif()
+if(TARGET graze_cli)
+  set(share "${PROJECT_SOURCE_DIR}/apps/cli/share")
+  install(FILES "${share}/graze.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
+  install(FILES "${share}/graze.bash" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME graze)
+  install(FILES "${share}/graze.fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d")
+  install(FILES "${share}/_graze" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/site-functions")
+endif()
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
 configure_package_config_file(
