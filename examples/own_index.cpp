@@ -23,8 +23,8 @@ struct Ahead {
 int main() {
   graze::CustomIndex<Ahead> index;
   for (int i = 0; i < 100; ++i) index.insert(graze::Aabb<2>::from_center({static_cast<float>(i), 0}, {1, 1}));
-  const graze::Sphere<2> sphere{{40, 2}, 5};
-  const std::size_t touched = graze::count(index, sphere);  // takes every SpatialIndex
+  const graze::Sphere<2> ball{{40, 2}, 5};
+  const std::size_t touched = graze::count(index, ball);  // takes every SpatialIndex
   std::printf("%zu boxes touch the ball\n", touched);
   index.ray_cast(graze::Ray<2>{{90.25F, 0.5F}, {1, 0}}, [](graze::Key key, double t) {
     std::printf("the ray enters box %u at t = %g\n", key.index, t);

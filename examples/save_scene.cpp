@@ -13,7 +13,7 @@ int main() {
   const graze::ObjectId lamp = scene.add(graze::Circle<double>{{0, 8}, 0.5}, {.name = "lamp"});
   scene.add(graze::Rect<double>{{2, 0}, {3, 1}}, {.name = "crate"});
   scene.remove(lamp);
-  const graze::ObjectId sphere = scene.add(graze::Circle<double>{{1, 1}, 1}, {.name = "ball"});
+  const graze::ObjectId ball = scene.add(graze::Circle<double>{{1, 1}, 1}, {.name = "ball"});
   scene.update();
 
   std::stringstream file;  // or a std::ofstream
@@ -21,8 +21,8 @@ int main() {
 
   const graze::io::SceneFile saved = graze::io::parse_json_scene(file.str(), "save.json");
   auto loaded = std::get<graze::Scene<2, double>>(saved.scene);
-  const std::optional<graze::ObjectId> same = loaded.find(sphere.index, sphere.generation);
-  std::printf("index %u, generation %u: %s\n", sphere.index, sphere.generation, loaded.object(*same).name.c_str());
+  const std::optional<graze::ObjectId> same = loaded.find(ball.index, ball.generation);
+  std::printf("index %u, generation %u: %s\n", ball.index, ball.generation, loaded.object(*same).name.c_str());
   std::printf("the lamp is %s\n", loaded.find(lamp.index, lamp.generation) ? "back" : "still gone");
   std::printf("%zu pair begins to touch, %zu in the scene that goes on\n", loaded.update().began.size(),
               scene.update().began.size());

@@ -12,11 +12,11 @@ using Point = graze::Vec<3>;
 using Wide = graze::Vec<3, double>;
 
 // A leaning tower: a square, the same one above it, and all lattice points between them.
-std::vector<Point> tower(const Point& closest, float lean) {
+std::vector<Point> tower(const Point& foot, float lean) {
   std::vector<Point> points;
   for (const float z : {0.0F, 1.0F, 2.0F, 3.0F, 4.0F}) {
     for (const float x : {-1.0F, 0.0F, 1.0F}) {
-      for (const float y : {-1.0F, 0.0F, 1.0F}) points.push_back(closest + Point(x + lean * z, y, z));
+      for (const float y : {-1.0F, 0.0F, 1.0F}) points.push_back(foot + Point(x + lean * z, y, z));
     }
   }
   return points;

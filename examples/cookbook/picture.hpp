@@ -24,7 +24,7 @@ class Picture {
   /// Adds a shape that is only drawn.
   void draw(const graze::AnyShape<N>& shape, const std::string& name = "");
 
-  /// LinearCongruential the way from a point to an answer, both highlighted.
+  /// Draws the way from a point to an answer, both highlighted.
   void connect(const graze::Vec<N>& from, const graze::Vec<N>& to, const std::string& name = "");
 
   /// Writes the picture to the file that the first argument names, if there is one. Returns the program's exit status.

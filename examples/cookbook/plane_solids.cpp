@@ -22,15 +22,15 @@ bool naive(const graze::Plane<3>& plane, const graze::Aabb<3>& box) {
 int main(int argc, char** argv) {
   // A small triangle of the floor; the normal is as long as twice its area.
   const graze::Plane<3> floor = graze::plane_through(Point(0, 0, 0), Point(0.5F, 0, 0), Point(0, 0.5F, 0));
-  const graze::Sphere<3> sphere{{-4, 0, 2}, 1};
+  const graze::Sphere<3> ball{{-4, 0, 2}, 1};
   const graze::Sphere<3> lying{{-4, 4, 1}, 1};
   const graze::Aabb<3> slab{{-1.5F, -2, 1}, {1.5F, 2, 1.2F}};
   const graze::Obb<3> edge{{4, 3, std::sqrt(2.0F)}, {1, 1, 1}, graze::Mat<3>(graze::rotation_matrix({1, 0, 0}, 45))};
   const graze::Obb<3> sunk{{4, -1, 0.5F}, {1, 1, 1}, graze::Mat<3>(graze::rotation_matrix({0, 0, 1}, 30))};
   const auto say = [](bool yes) { return yes ? "touching" : "apart"; };
   std::printf("normal of length %g\n", length(floor.normal));
-  std::printf("ball, 1 above the floor: %s, naively %s\n", graze::name_of(graze::relation(floor, sphere)).data(),
-              say(naive(floor, sphere)));
+  std::printf("ball, 1 above the floor: %s, naively %s\n", graze::name_of(graze::relation(floor, ball)).data(),
+              say(naive(floor, ball)));
   std::printf("ball lying on the floor: %s, naively %s\n", graze::name_of(graze::relation(floor, lying)).data(),
               say(naive(floor, lying)));
   std::printf("slab, 1 above the floor: %s, naively %s\n", graze::name_of(graze::relation(floor, slab)).data(),
@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
 
   cookbook::Picture<3> picture("a plane and solids");
   picture.add(floor, "floor");
-  picture.add(sphere, "ball above");
+  picture.add(ball, "ball above");
   picture.add(lying, "ball lying");
   picture.add(slab, "slab above");
   picture.add(edge, "on its edge");

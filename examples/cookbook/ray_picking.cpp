@@ -37,20 +37,20 @@ int main(int argc, char** argv) {
   const graze::Mat<4> camera = camera_at(eye, {3, 0.5F, 1});
   for (const graze::Vec<2> pixel : {graze::Vec<2>(400, 300), graze::Vec<2>(240, 280), graze::Vec<2>(400, 20)}) {
     const graze::Vec<2> mouse = graze::device_point(pixel, graze::Vec<2>(800, 600));
-    const graze::Ray<3> verdict = graze::pick_ray(camera, mouse, graze::ClipDepth::one_to_zero);
+    const graze::Ray<3> sight = graze::pick_ray(camera, mouse, graze::ClipDepth::one_to_zero);
     std::printf("pixel (%.0f, %.0f):", pixel.x, pixel.y);
-    for (const auto& [id, hit] : yard.ray_cast_all(verdict)) {
+    for (const auto& [id, hit] : yard.ray_cast_all(sight)) {
       std::printf(" %s at (%.2f, %.2f, %.2f),", yard.object(id).name.c_str(), hit.point.x, hit.point.y, hit.point.z);
     }
     std::printf(" then nothing\n");
   }
-  const graze::Ray<3> verdict = graze::pick_ray(camera, {0, 0}, graze::ClipDepth::one_to_zero);
-  const auto floor = yard.ray_cast(verdict, std::numeric_limits<float>::infinity(), graze::only_layer(ground));
+  const graze::Ray<3> sight = graze::pick_ray(camera, {0, 0}, graze::ClipDepth::one_to_zero);
+  const auto floor = yard.ray_cast(sight, std::numeric_limits<float>::infinity(), graze::only_layer(ground));
   std::printf("the ground behind: (%.2f, %.2f)\n", floor->hit.point.x, floor->hit.point.y);
 
   cookbook::Picture<3> picture("what is under the mouse");
   for (const graze::ObjectId id : yard.ids()) picture.draw(yard.object(id).shape, yard.object(id).name);
   picture.draw(eye, "eye");
-  picture.connect(verdict.origin, yard.ray_cast(verdict)->hit.point, "picked");
+  picture.connect(sight.origin, yard.ray_cast(sight)->hit.point, "picked");
   return picture.save(argc, argv);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A sphere against walls: when it strikes, where, and how it goes on from there. A test of its places frame by frame
-// sees none of it.
+// A ball against walls: when it strikes, where, and how it goes on from there. A test of its places frame by frame sees
+// none of it.
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -14,12 +14,12 @@
 using Point = graze::Vec<2>;
 using Shape = graze::AnyShape<2>;
 
-// The first wall that the sphere strikes on its way.
-std::optional<graze::Impact<2>> first_impact(const graze::Circle<>& sphere, const Point& way,
+// The first wall that the ball strikes on its way.
+std::optional<graze::Impact<2>> first_impact(const graze::Circle<>& ball, const Point& way,
                                              const std::vector<Shape>& walls) {
   std::optional<graze::Impact<2>> first;
   for (const Shape& wall : walls) {
-    const auto impact = graze::shape_cast(sphere, way, wall);
+    const auto impact = graze::shape_cast(ball, way, wall);
     if (impact && (!first || impact->t < first->t)) first = impact;
   }
   return first;
@@ -28,28 +28,28 @@ std::optional<graze::Impact<2>> first_impact(const graze::Circle<>& sphere, cons
 int main(int argc, char** argv) {
   const std::vector<Shape> walls{graze::Segment<2>{{6, -5}, {6, 5}}, graze::HalfSpace<2>{{0, 1}, -5},
                                  graze::Triangle<2>{{-6, 5}, {-6, 1}, {-2, 5}}};
-  graze::Circle<> sphere{{-8, 0}, 0.5F};
+  graze::Circle<> ball{{-8, 0}, 0.5F};
   Point way{18, -7};  // of one frame
 
   cookbook::Picture<2> picture("a ball between walls");
   for (std::size_t i = 0; i < walls.size(); ++i) picture.draw(walls[i], "wall " + std::to_string(i + 1));
-  picture.draw(sphere, "start");
+  picture.draw(ball, "start");
   for (const Shape& wall : walls) {
-    const graze::Circle<> end{sphere.center + way, sphere.radius};
+    const graze::Circle<> end{ball.center + way, ball.radius};
     std::printf("at the end of the frame: %s\n", graze::intersects(end, wall) ? "touching" : "apart");
   }
-  while (const auto impact = first_impact(sphere, way, walls)) {
-    const Point from = sphere.center;
-    sphere.center += way * impact->t;
+  while (const auto impact = first_impact(ball, way, walls)) {
+    const Point from = ball.center;
+    ball.center += way * impact->t;
     std::printf("t = %.3f at (%.2f, %.2f), normal (%.2f, %.2f)\n", static_cast<double>(impact->t),
                 static_cast<double>(impact->point.x), static_cast<double>(impact->point.y),
                 static_cast<double>(impact->normal.x), static_cast<double>(impact->normal.y));
-    picture.connect(from, sphere.center);
-    picture.draw(sphere);
+    picture.connect(from, ball.center);
+    picture.draw(ball);
     const Point left = way * (1 - impact->t);
     way = left - impact->normal * (2 * dot(left, impact->normal));  // what is left of the way, mirrored
-    sphere.center -= impact->normal * 1e-4F;  // off the wall, or the next cast starts with this contact
+    ball.center -= impact->normal * 1e-4F;  // off the wall, or the next cast starts with this contact
   }
-  picture.connect(sphere.center, sphere.center + way, "end");
+  picture.connect(ball.center, ball.center + way, "end");
   return picture.save(argc, argv);
 }

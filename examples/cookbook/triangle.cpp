@@ -26,11 +26,11 @@ float naive_height(const Triangle& t, const Point& p) {
 
 int main(int argc, char** argv) {
   const Triangle sail{{0, -4, 0}, {0, 4, 0}, {0, 0, 6}};
-  const graze::Sphere<3> sphere{{1, 0, 2}, 1};
+  const graze::Sphere<3> ball{{1, 0, 2}, 1};
   const graze::Aabb<3> crate{{-2, 2, 0}, {0, 4, 1}};
   const Triangle blade{{-2, -1, 1}, {2, -3, 1}, {2, -1, 1}};
-  std::printf("sail and ball: %s, by corners %s\n", graze::name_of(graze::relation(sail, sphere)).data(),
-              naive(sail, sphere) ? "they touch" : "apart");
+  std::printf("sail and ball: %s, by corners %s\n", graze::name_of(graze::relation(sail, ball)).data(),
+              naive(sail, ball) ? "they touch" : "apart");
   std::printf("sail and crate: %s; sail and blade: %s\n", graze::name_of(graze::relation(sail, crate)).data(),
               graze::name_of(graze::relation(sail, blade)).data());
 
@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
 
   cookbook::Picture<3> picture("triangles");
   picture.add(sail, "sail");
-  picture.add(sphere, "ball");
+  picture.add(ball, "ball");
   picture.add(crate, "crate");
   picture.add(blade, "blade");
   picture.draw(Triangle{{3, 3, 0}, {5, 3, 0}, {4, 3, 3}}, "apart");

@@ -9,7 +9,7 @@
 
 namespace graze::io {
 
-/// LinearCongruential a scene: every shape, those of the `reported` pairs in other colours and patterns, one for what
+/// Draws a scene: every shape, those of the `reported` pairs in other colours and patterns, one for what
 /// overlaps and one for what only touches, with a mark where they meet, and a legend, which also says what of the file
 /// was not read. 2D as it is, with y as the file has it; 3D seen isometrically. Unbounded shapes are cut off at the
 /// edge of the picture; what lies beyond 1e100 is counted, not drawn. Of thousands of objects less is shown of each, so

@@ -110,7 +110,7 @@ class HullSurface {
   Point flat_normal_ = Point(0.0);
 };
 
-/// LinearCongruential the edges at which the surface bends, each once.
+/// Draws the edges at which the surface bends, each once.
 void add_edges(Drawing<3>& drawing, const std::vector<Face>& faces, const std::vector<std::uint32_t>& places) {
   std::map<Edge, Point> normals;
   for (const Face& face : faces) {

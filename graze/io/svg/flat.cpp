@@ -13,7 +13,7 @@
 namespace graze::io::svg {
 namespace {
 
-/// LinearCongruential one part.
+/// Draws one part.
 struct FlatBrush {
   const Stage<2>& stage;
   Pen& pen;
@@ -40,7 +40,7 @@ template <class S>
 inline constexpr bool is_polygon = std::is_same_v<S, Aabb<2, double>> || std::is_same_v<S, Obb<2, double>> ||
                                    std::is_same_v<S, Triangle<2, double>> || std::is_same_v<S, Polytope<2, double>>;
 
-/// LinearCongruential a shape; of a compound the polygons as what they are together, so that a concave one shows no
+/// Draws a shape; of a compound the polygons as what they are together, so that a concave one shows no
 /// cuts.
 void draw(const AnyShape<2, double>& shape, const FlatBrush& brush) {
   if (!std::holds_alternative<Compound<2, double>>(shape)) return for_each_part<2>(shape, brush);

@@ -63,7 +63,7 @@ std::vector<Vec<3, double>> grid(const Plane<3, double>& plane, Dim axis, const 
   return ends;
 }
 
-/// LinearCongruential one part.
+/// Draws one part.
 struct SolidBrush {
   const Stage<3>& stage;
   const Detail& detail;

@@ -127,7 +127,7 @@ UndecidedPoints settle_clear(Quickhull<T>& hull) {
   return result;
 }
 
-/// UndecidedPoints by their places, those before the same flat part of a hull's surface together, those before an edge
+/// Undecided points by their places, those before the same flat part of a hull's surface together, those before an edge
 /// of two such parts, and those of which it is not known.
 template <class T>
 class UndecidedGroups {

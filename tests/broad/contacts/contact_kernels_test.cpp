@@ -119,7 +119,7 @@ void expect_single_calls(const PairsOf<A, B>& drawn, double most_left) {
 
 enum class Sort { random, grid, scaled, level };
 
-/// LinearCongruential shapes of about unit size near the origin; on a grid, so that ends, centers and sides coincide;
+/// Draws shapes of about unit size near the origin; on a grid, so that ends, centers and sides coincide;
 /// of any size; or with axes that are all but parallel.
 class Drawer {
  public:

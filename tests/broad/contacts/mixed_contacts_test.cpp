@@ -30,7 +30,7 @@ using V3 = Vec<3, double>;
 
 enum class Sort { random, grid, stacked, resting, flat, far };
 
-/// LinearCongruential a box along the axes and an oriented one, of about unit size.
+/// Draws a box along the axes and an oriented one, of about unit size.
 class MixedDrawer {
  public:
   MixedDrawer(std::uint32_t seed, Sort sort) : random_(seed), sort_(sort) {}

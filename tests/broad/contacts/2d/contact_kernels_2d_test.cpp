@@ -120,7 +120,7 @@ void expect_single_calls(const PairsOf<A, B>& drawn, double most_left) {
 
 enum class Sort { random, grid, scaled, level, far };
 
-/// LinearCongruential shapes of about unit size near the origin; on a grid, so that ends, centers and sides coincide;
+/// Draws shapes of about unit size near the origin; on a grid, so that ends, centers and sides coincide;
 /// of any size; with sides that are all but parallel; or far away.
 class Drawer {
  public:

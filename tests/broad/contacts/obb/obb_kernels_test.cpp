@@ -107,7 +107,7 @@ void expect_single_calls(const Boxes<T>& boxes, double most_left) {
   }
 }
 
-/// LinearCongruential pairs of boxes that meet.
+/// Draws pairs of boxes that meet.
 class Pairs {
  public:
   using V3 = Vec<3, double>;
