@@ -18,7 +18,8 @@ constexpr std::string_view write_shapes =
 constexpr std::string_view write_polytopes =
     "graze reads no meshes: write its convex parts as polytopes in graze's JSON, which docs/scene_format.md describes";
 constexpr std::string_view give_map = "give the map (.tmx or .tmj) that uses it";
-constexpr std::string_view no_comments = "remove it: neither JSON nor CSV has comments";
+constexpr std::string_view no_comments =
+    "remove it: none of what graze reads, its own JSON, CSV and maps of Tiled, begins with one";
 constexpr std::string_view export_map = "give the map itself (.tmx), or export it as JSON (.tmj)";
 
 /// A format, what tells it, and what to do about it.
@@ -67,6 +68,7 @@ constexpr std::array beginnings = {
     KnownFormat{"\x1f\x8b", "compressed by gzip", "unpack it first: gzip -dc FILE | graze check -"},
     KnownFormat{"\x28\xb5\x2f\xfd", "compressed by zstd", "unpack it first: zstd -dc FILE | graze check -"},
     KnownFormat{"PK\x03\x04", "a ZIP archive", "unpack it first, and give the scene in it"},
+    KnownFormat{"A  ", "a report of graze check", "give the scene that it is about"},
     KnownFormat{"a,b,relation", "a report of graze check", "give the scene that it is about"},
     KnownFormat{"name,type", "an answer of graze query", "give the scene that it is about"}};
 
@@ -95,6 +97,7 @@ constexpr std::array json_signs = {
     KnownFormat{R"("schema":"graze.info/)", "an answer of graze info", "give the scene that it is about"},
     KnownFormat{R"("schema":"graze.bench/)", "an answer of graze bench", "give the scene that it is about"},
     KnownFormat{R"("schema":"graze.replay/)", "an answer of graze replay", "give the scene that it is about"},
+    KnownFormat{R"({"frame":0,"seconds":)", "a report of graze simulate", "give the scene that it is about"},
     KnownFormat{R"("relation":")", "a report of graze check", "give the scene that it is about"},
     KnownFormat{R"("tilecount":)", "a Tiled tileset", give_map},
     KnownFormat{R"("type":"FeatureCollection")", "GeoJSON", write_shapes},
