@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -30,9 +31,9 @@ void join_in_rows(std::vector<CellRun>& runs) {
 
 }  // namespace
 
-std::vector<CellRectangle> merged_cells(std::vector<CellRun> runs) {
+std::deque<CellRectangle> merged_cells(std::vector<CellRun> runs) {
   join_in_rows(runs);
-  std::vector<CellRectangle> rectangles;
+  std::deque<CellRectangle> rectangles;
   std::vector<std::size_t> above;  // rectangles that reach down to the row at hand, by column
   std::vector<std::size_t> here;   // those that reach through it
   std::size_t candidate = 0;       // in `above`: the first that does not begin before the run at hand

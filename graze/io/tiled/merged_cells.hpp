@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 namespace graze::io {
@@ -26,7 +27,8 @@ struct CellRectangle {
 };
 
 /// Rectangles that cover the cells of all runs, each cell once: runs that adjoin or overlap in a row become one, and
-/// those that begin and end alike in rows on top of each other a rectangle. By top, then begin.
-std::vector<CellRectangle> merged_cells(std::vector<CellRun> runs);
+/// those that begin and end alike in rows on top of each other a rectangle. By top, then begin. In a deque, as there
+/// may be millions, of which a reader can give up those that it has passed.
+std::deque<CellRectangle> merged_cells(std::vector<CellRun> runs);
 
 }  // namespace graze::io

@@ -8,14 +8,12 @@
 #include <graze/query/bounds.hpp>
 
 namespace graze::io {
-namespace {
-
-std::int64_t block_of(std::int64_t cell) { return (cell >= 0 ? cell : cell - (tile_block_side - 1)) / tile_block_side; }
-
-}  // namespace
-
 bool fits_tile_block(const CellRectangle& cells) {
   return cells.end - cells.begin <= tile_block_side && cells.bottom - cells.top <= tile_block_side;
+}
+
+std::int64_t TileBlocks::block_of(std::int64_t cell) {
+  return (cell >= 0 ? cell : cell - (tile_block_side - 1)) / tile_block_side;
 }
 
 void TileBlocks::add(const CellRectangle& cells, AnyShape<2, double> shape) {

@@ -3,6 +3,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -33,9 +34,15 @@ class TileBlocks {
   /// Calls visit(block) for each block that has pieces, row by row, and forgets them. Pieces keep their order.
   template <class Visit>
   void drain(const Visit& visit) {
-    for (auto& [place, pieces] : blocks_) visit(joined(std::move(pieces)));
-    blocks_.clear();
-    last_ = nullptr;
+    drain_to(blocks_.end(), visit);
+  }
+
+  /// The same for the blocks above the one that holds a row of cells.
+  template <class Visit>
+  void drain_above(std::int64_t row, const Visit& visit) {
+    if (!blocks_.empty() && blocks_.begin()->first.row < block_of(row)) {
+      drain_to(blocks_.lower_bound({block_of(row), std::numeric_limits<std::int64_t>::min()}), visit);
+    }
   }
 
  private:
@@ -50,9 +57,20 @@ class TileBlocks {
     std::vector<AnyShape<2, double>> shapes;
   };
 
+  using Blocks = std::map<Place, Pieces>;
+
+  static std::int64_t block_of(std::int64_t cell);
   static TileBlock joined(Pieces pieces);
 
-  std::map<Place, Pieces> blocks_;
+  template <class Visit>
+  void drain_to(Blocks::iterator end, const Visit& visit) {
+    last_ = nullptr;
+    for (auto block = blocks_.begin(); block != end; block = blocks_.erase(block)) {
+      visit(joined(std::move(block->second)));
+    }
+  }
+
+  Blocks blocks_;
   Place last_place_{};
   Pieces* last_ = nullptr;  ///< Of the last piece: the next one is mostly in the same block.
 };

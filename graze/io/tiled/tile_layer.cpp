@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -54,8 +55,9 @@ class LayerWriter {
     }
   }
 
-  /// Cells that are filled.
+  /// Cells that are filled. No later rectangle begins in a row above: the blocks there are complete.
   void add_rectangle(const CellRectangle& cells, const TiledProjection& projection, const Point& shift) {
+    blocks_.drain_above(cells.top, [this](TileBlock block) { add_block(std::move(block)); });
     std::array<Point, 4> corners =
         tiled_corners_of_cells(projection, {cells.begin, cells.top}, {cells.end, cells.bottom});
     for (Point& corner : corners) corner += shift;
@@ -67,7 +69,7 @@ class LayerWriter {
   }
 
   void add_blocks() {
-    blocks_.drain([this](TileBlock block) { add_object(name_of(name_, block.cells), std::move(block.shape)); });
+    blocks_.drain([this](TileBlock block) { add_block(std::move(block)); });
   }
 
  private:
@@ -75,6 +77,8 @@ class LayerWriter {
     if (gathers_ && fits_tile_block(cells)) return blocks_.add(cells, std::move(shape));
     add_object(name_of(name_, cells).append(suffix), std::move(shape));
   }
+
+  void add_block(TileBlock block) { add_object(name_of(name_, block.cells), std::move(block.shape)); }
 
   void add_object(std::string name, Shape shape) {
     if (!has_layer_) layer_ = scene_.layer(name_);
@@ -137,7 +141,7 @@ void TiledTileLayers::add(const TiledPlacedTiles& tiles, Scene<2, double>& scene
       shapes += entry.tile.shapes.size();
     }
   });
-  const std::vector<CellRectangle> rectangles = merged_cells(std::move(runs));
+  std::deque<CellRectangle> rectangles = merged_cells(std::move(runs));
   LayerWriter writer(scene, tiles.name, taken_);
   const std::size_t objects = shapes + rectangles.size();
   if (objects <= room_) {
@@ -152,7 +156,9 @@ void TiledTileLayers::add(const TiledPlacedTiles& tiles, Scene<2, double>& scene
     });
   }
   tiles.layer.cells = {};  // before there are many objects
-  for (const CellRectangle& cells : rectangles) writer.add_rectangle(cells, projection_, tiles.shift);
+  for (; !rectangles.empty(); rectangles.pop_front()) {
+    writer.add_rectangle(rectangles.front(), projection_, tiles.shift);
+  }
   writer.add_blocks();
   count_omissions(tiles.place, omissions);
 }

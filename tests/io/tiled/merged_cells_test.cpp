@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <set>
 #include <utility>
 #include <vector>
@@ -13,7 +14,7 @@
 namespace graze::io::merged_cells_test {
 namespace {
 
-using Rectangles = std::vector<CellRectangle>;
+using Rectangles = std::deque<CellRectangle>;
 
 TEST(MergedCells, MakeRectanglesOfRunsThatBeginAndEndAlike) {
   EXPECT_EQ(merged_cells({}), Rectangles{});

@@ -54,6 +54,20 @@ TEST(TileBlocks, ComeRowByRowAlsoLeftOfAndAboveCellZero) {
           {{0, 1, -1, 0}, {5}}, {{-16, 0, 0, 16}, {3, 4}}, {{16, 17, 0, 1}, {1}}, {{0, 1, 16, 17}, {2}}}));
 }
 
+TEST(TileBlocks, GiveUpThoseAboveARow) {
+  TileBlocks blocks;
+  std::vector<std::int64_t> tops;
+  const auto note = [&tops](const TileBlock& block) { tops.push_back(block.cells.top); };
+  for (const std::int64_t top : {-17, -1, 15, 16}) blocks.add({0, 1, top, top + 1}, Point(0, 0));
+  blocks.drain_above(-17, note);
+  EXPECT_TRUE(tops.empty());
+  blocks.drain_above(15, note);
+  EXPECT_EQ(tops, (std::vector<std::int64_t>{-17, -1}));
+  blocks.add({0, 1, 14, 15}, Point(0, 0));
+  blocks.drain(note);
+  EXPECT_EQ(tops, (std::vector<std::int64_t>{-17, -1, 14, 16}));
+}
+
 TEST(TileBlocks, LeaveAPieceThatIsAloneAsItIs) {
   TileBlocks blocks;
   blocks.add({5, 6, 7, 8}, Point(1, 2));
