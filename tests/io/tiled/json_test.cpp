@@ -10,10 +10,10 @@
 #include <graze/io/input_error.hpp>
 #include <graze/io/tiled/json.hpp>
 
+#include "io/tiled/same_content.hpp"
+
 namespace graze::io::tiled_json_test {
 namespace {
-
-using Point = Vec<2, double>;
 
 TiledMap read(std::string_view text) { return read_tiled_json_map({"m.tmj", text}); }
 
@@ -38,25 +38,7 @@ TEST(TiledJson, ReadsEveryFieldOfAnObject) {
     {"type": "objectgroup", "name": "things", "offsetx": 3, "offsety": -4.5, "objects": [
       {"id": 7, "name": "box", "type": "crate", "gid": 2147483651, "x": 1.5, "y": -2, "width": 3, "height": 4e1,
        "rotation": -270, "template": "t/x.tj", "visible": false, "properties": [{"name": "a"}, {"name": "b"}]}]}]})");
-  EXPECT_EQ(map.grid.orientation, "isometric");
-  ASSERT_EQ(map.layers.size(), 1U);
-  EXPECT_EQ(map.layers[0].name, "things");
-  EXPECT_EQ(map.layers[0].shift, Point(3, -4.5));
-  ASSERT_EQ(map.layers[0].objects.size(), 1U);
-  const TiledObject& object = map.layers[0].objects[0];
-  EXPECT_EQ(object.id, 7U);
-  EXPECT_EQ(object.name, "box");
-  EXPECT_TRUE(object.has_class);
-  EXPECT_EQ(object.gid, 2147483651U);
-  EXPECT_EQ(object.x, 1.5);
-  EXPECT_EQ(object.y, -2.0);
-  EXPECT_EQ(object.width, 3.0);
-  EXPECT_EQ(object.height, 40.0);
-  EXPECT_EQ(object.rotation, -270.0);
-  EXPECT_EQ(object.template_source, "t/x.tj");
-  EXPECT_EQ(object.properties, 2U);
-  EXPECT_FALSE(object.outline);
-  EXPECT_TRUE(map.omissions.empty());
+  expect_every_field(map, "t/x.tj");
 }
 
 TEST(TiledJson, ReadsEveryOutline) {
@@ -64,17 +46,7 @@ TEST(TiledJson, ReadsEveryOutline) {
     {"ellipse": false}, {"ellipse": true}, {"capsule": true}, {"point": true},
     {"polygon": [{"x": 0, "y": 0}, {"x": 8, "y": -2.5}, {"x": 1e1, "y": 4}]},
     {"polyline": [{"x": 0, "y": 0}, {"x": 8, "y": 0}]}, {"text": {"text": "Hello"}}]}]})");
-  const std::vector<TiledObject>& objects = map.layers.at(0).objects;
-  ASSERT_EQ(objects.size(), 7U);
-  EXPECT_FALSE(objects[0].outline);
-  EXPECT_EQ(objects[1].outline, TiledOutline::ellipse);
-  EXPECT_EQ(objects[2].outline, TiledOutline::capsule);
-  EXPECT_EQ(objects[3].outline, TiledOutline::point);
-  EXPECT_EQ(objects[4].outline, TiledOutline::polygon);
-  EXPECT_EQ(objects[4].points, (std::vector<Point>{{0, 0}, {8, -2.5}, {10, 4}}));
-  EXPECT_EQ(objects[5].outline, TiledOutline::polyline);
-  EXPECT_EQ(objects[5].points, (std::vector<Point>{{0, 0}, {8, 0}}));
-  EXPECT_EQ(objects[6].outline, TiledOutline::text);
+  expect_every_outline(map);
 }
 
 TEST(TiledJson, KeepsGroupsAndCountsWhatItDoesNotRead) {
@@ -83,15 +55,7 @@ TEST(TiledJson, KeepsGroupsAndCountsWhatItDoesNotRead) {
     {"type": "group", "name": "g", "parallaxx": 0.5, "layers": [{"type": "imagelayer"},
       {"type": "group", "name": "h", "layers": [{"type": "objectgroup", "name": "o", "objects": [{}]}]}]},
     {"type": "surprise"}]})");
-  ASSERT_EQ(map.layers.size(), 2U);
-  EXPECT_TRUE(map.layers[0].cells.empty());
-  EXPECT_EQ(map.layers[1].name, "g");
-  ASSERT_EQ(map.layers[1].layers.size(), 1U);
-  EXPECT_EQ(map.layers[1].layers[0].layers.at(0).name, "o");
-  std::string omissions;
-  for (const Omission& omission : map.omissions)
-    omissions += std::to_string(omission.count) + " " + omission.what + "; ";
-  EXPECT_EQ(omissions, "1 custom property; 1 layer parallax; 1 image layer; 1 unknown layer; ");
+  expect_groups(map, "1 custom property; 1 layer parallax; 1 image layer; 1 unknown layer; ");
 }
 
 using Gids = std::vector<std::uint32_t>;
@@ -107,10 +71,7 @@ TEST(TiledJson, ReadsTheCellsOfTileLayers) {
   EXPECT_EQ(map.layers[0].cells.at(0).gids, (Gids{1, 0, 2147483650, 4294967295}));
   EXPECT_EQ(map.layers[0].cells.at(0).width, 2U);
   EXPECT_EQ(map.layers[1].cells.at(0).gids, (Gids{1, 2147483650}));
-  EXPECT_EQ(map.layers[2].cells.at(0).x, -16);
-  EXPECT_EQ(map.layers[2].cells.at(0).y, 32);
-  EXPECT_EQ(map.layers[2].cells.at(0).gids, (Gids{5, 6}));
-  EXPECT_EQ(map.layers[2].cells.at(1).gids, Gids{7});
+  expect_chunks(map.layers[2]);
 }
 
 TEST(TiledJson, RefusesCellsThatAreNone) {
@@ -136,13 +97,7 @@ TEST(TiledJson, ReadsATilesetOfOneImage) {
       read_tiled_json_tileset({"t.tsj", R"({"type": "tileset", "tilewidth": 32, "tileheight": 16,
     "tilecount": 8, "objectalignment": "center", "tileoffset": {"x": 0, "y": 3}, "image": "i.png",
     "tiles": [{"id": 5, "objectgroup": {"objects": [{}, {}]}}]})"});
-  EXPECT_EQ(tileset.tile_width, 32.0);
-  EXPECT_EQ(tileset.tile_height, 16.0);
-  EXPECT_EQ(tileset.tile_count, 8U);
-  EXPECT_EQ(tileset.alignment->fraction, Point(0.5, 0.5));
-  EXPECT_EQ(tileset.drawing_offset, Point(0, 3));
-  EXPECT_FALSE(tileset.is_collection);
-  EXPECT_EQ(tileset.tiles.at(5).shapes.size(), 2U);
+  expect_tileset_of_one_image(tileset);
 }
 
 TEST(TiledJson, ReadsATilesetOfManyImagesNewAndOld) {
@@ -152,11 +107,7 @@ TEST(TiledJson, ReadsATilesetOfManyImagesNewAndOld) {
                                 "9": {"image": "b.png", "imagewidth": 64, "imageheight": 96, "width": 10, "height": 20}})"}) {
     const std::string text = R"({"tilewidth": 64, "tiles": )" + std::string(tiles) + "}";
     const TiledTileset tileset = read_tiled_json_tileset({"t.json", text});
-    EXPECT_TRUE(tileset.is_collection);
-    EXPECT_EQ(tileset.tiles.at(3).width, 64.0);
-    EXPECT_EQ(tileset.tiles.at(3).height, 96.0);
-    EXPECT_EQ(tileset.tiles.at(9).width, 10.0);
-    EXPECT_EQ(tileset.tiles.at(9).height, 20.0);
+    expect_tileset_of_many_images(tileset);
   }
   EXPECT_THROW(read_tiled_json_tileset({"t.json", R"({"tilewidth": 1, "tiles": {"x": {}}})"}), InputError);
 }
@@ -164,11 +115,7 @@ TEST(TiledJson, ReadsATilesetOfManyImagesNewAndOld) {
 TEST(TiledJson, ReadsATemplate) {
   const TiledTemplate read = read_tiled_json_template({"t.tj", R"({"type": "template",
     "tileset": {"firstgid": 4, "source": "a.tsx"}, "object": {"gid": 5, "width": 7}})"});
-  ASSERT_TRUE(read.tileset);
-  EXPECT_EQ(read.tileset->first_gid, 4U);
-  EXPECT_EQ(read.tileset->source, "a.tsx");
-  EXPECT_EQ(read.object.gid, 5U);
-  EXPECT_EQ(read.object.width, 7.0);
+  expect_template(read);
   EXPECT_THROW(read_tiled_json_template({"t.tj", R"({"type": "template"})"}), InputError);
 }
 

@@ -10,10 +10,10 @@
 #include <graze/io/input_error.hpp>
 #include <graze/io/tiled/xml.hpp>
 
+#include "io/tiled/same_content.hpp"
+
 namespace graze::io::tiled_xml_test {
 namespace {
-
-using Point = Vec<2, double>;
 
 TiledMap read(std::string_view text) { return read_tiled_xml_map({"m.tmx", text}); }
 
@@ -42,25 +42,7 @@ TEST(TiledXml, ReadsEveryFieldOfAnObject) {
   </object>
  </objectgroup>
 </map>)");
-  EXPECT_EQ(map.grid.orientation, "isometric");
-  ASSERT_EQ(map.layers.size(), 1U);
-  EXPECT_EQ(map.layers[0].name, "things");
-  EXPECT_EQ(map.layers[0].shift, Point(3, -4.5));
-  ASSERT_EQ(map.layers[0].objects.size(), 1U);
-  const TiledObject& object = map.layers[0].objects[0];
-  EXPECT_EQ(object.id, 7U);
-  EXPECT_EQ(object.name, "box");
-  EXPECT_TRUE(object.has_class);
-  EXPECT_EQ(object.gid, 2147483651U);
-  EXPECT_EQ(object.x, 1.5);
-  EXPECT_EQ(object.y, -2.0);
-  EXPECT_EQ(object.width, 3.0);
-  EXPECT_EQ(object.height, 40.0);
-  EXPECT_EQ(object.rotation, -270.0);
-  EXPECT_EQ(object.template_source, "t/x.tx");
-  EXPECT_EQ(object.properties, 2U);
-  EXPECT_FALSE(object.outline);
-  EXPECT_TRUE(map.omissions.empty());
+  expect_every_field(map, "t/x.tx");
 }
 
 TEST(TiledXml, ReadsEveryOutline) {
@@ -69,17 +51,7 @@ TEST(TiledXml, ReadsEveryOutline) {
     <object><polygon points="0,0 8,-2.5
       1e1,4"/></object>
     <object><polyline points=" 0,0   8,0 "/></object> <object><text>Hello</text></object></objectgroup></map>)");
-  const std::vector<TiledObject>& objects = map.layers.at(0).objects;
-  ASSERT_EQ(objects.size(), 7U);
-  EXPECT_FALSE(objects[0].outline);
-  EXPECT_EQ(objects[1].outline, TiledOutline::ellipse);
-  EXPECT_EQ(objects[2].outline, TiledOutline::capsule);
-  EXPECT_EQ(objects[3].outline, TiledOutline::point);
-  EXPECT_EQ(objects[4].outline, TiledOutline::polygon);
-  EXPECT_EQ(objects[4].points, (std::vector<Point>{{0, 0}, {8, -2.5}, {10, 4}}));
-  EXPECT_EQ(objects[5].outline, TiledOutline::polyline);
-  EXPECT_EQ(objects[5].points, (std::vector<Point>{{0, 0}, {8, 0}}));
-  EXPECT_EQ(objects[6].outline, TiledOutline::text);
+  expect_every_outline(map);
 }
 
 TEST(TiledXml, KeepsGroupsAndCountsWhatItDoesNotRead) {
@@ -87,15 +59,7 @@ TEST(TiledXml, KeepsGroupsAndCountsWhatItDoesNotRead) {
     <layer width="1000000000" height="1000000000"/>
     <group name="g" parallaxx="0.5"><imagelayer/><group name="h"><objectgroup name="o"><object/></objectgroup></group>
     </group><surprise/></map>)");
-  ASSERT_EQ(map.layers.size(), 2U);
-  EXPECT_TRUE(map.layers[0].cells.empty());
-  EXPECT_EQ(map.layers[1].name, "g");
-  ASSERT_EQ(map.layers[1].layers.size(), 1U);
-  EXPECT_EQ(map.layers[1].layers[0].layers.at(0).name, "o");
-  std::string omissions;
-  for (const Omission& omission : map.omissions)
-    omissions += std::to_string(omission.count) + " " + omission.what + "; ";
-  EXPECT_EQ(omissions, "1 custom property; 1 layer parallax; 1 image layer; 1 unknown element; ");
+  expect_groups(map, "1 custom property; 1 layer parallax; 1 image layer; 1 unknown element; ");
 }
 
 using Gids = std::vector<std::uint32_t>;
@@ -122,10 +86,7 @@ TEST(TiledXml, ReadsTheCellsOfTileLayers) {
   EXPECT_EQ(map.layers[1].cells.at(0).gids, (Gids{1, 2147483650}));
   EXPECT_EQ(map.layers[2].cells.at(0).gids, (Gids{1, 0, 2147483650})) << "the rest of the cells is empty";
   EXPECT_EQ(map.layers[3].cells.at(0).gids, (Gids{1, 2}));
-  EXPECT_EQ(map.layers[4].cells.at(0).x, -16);
-  EXPECT_EQ(map.layers[4].cells.at(0).y, 32);
-  EXPECT_EQ(map.layers[4].cells.at(0).gids, (Gids{5, 6}));
-  EXPECT_EQ(map.layers[4].cells.at(1).gids, Gids{7});
+  expect_chunks(map.layers[4]);
   EXPECT_EQ(map.layers[5].cells.at(0).gids, (Gids{5, 6}));
   EXPECT_TRUE(map.layers[6].cells.empty());
 }
@@ -165,37 +126,20 @@ TEST(TiledXml, ReadsATilesetOfOneImage) {
   const TiledTileset tileset = read_tiled_xml_tileset({"t.tsx", R"(<tileset tilewidth="32" tileheight="16" tilecount="8"
     objectalignment="center"><tileoffset x="0" y="3"/><image source="i.png" width="128" height="32"/>
     <tile id="5"><objectgroup><object/><object/></objectgroup></tile></tileset>)"});
-  EXPECT_EQ(tileset.first_gid, 1U);
-  EXPECT_EQ(tileset.tile_width, 32.0);
-  EXPECT_EQ(tileset.tile_height, 16.0);
-  EXPECT_EQ(tileset.tile_count, 8U);
-  EXPECT_EQ(tileset.alignment->fraction, Point(0.5, 0.5));
-  EXPECT_EQ(tileset.drawing_offset, Point(0, 3));
-  EXPECT_FALSE(tileset.is_collection);
-  EXPECT_EQ(tileset.tiles.at(5).shapes.size(), 2U);
-  EXPECT_FALSE(tileset.tiles.at(5).width);
+  expect_tileset_of_one_image(tileset);
 }
 
 TEST(TiledXml, ReadsATilesetOfManyImages) {
   const TiledTileset tileset = read_tiled_xml_tileset({"t.tsx", R"(<tileset objectalignment="unspecified">
     <tile id="3"><image width="64" height="96"/></tile>
     <tile id="9" x="0" y="0" width="10" height="20"><image width="64" height="96"/></tile></tileset>)"});
-  EXPECT_TRUE(tileset.is_collection);
-  EXPECT_FALSE(tileset.alignment);
-  EXPECT_EQ(tileset.tiles.at(3).width, 64.0);
-  EXPECT_EQ(tileset.tiles.at(3).height, 96.0);
-  EXPECT_EQ(tileset.tiles.at(9).width, 10.0) << "the part of the image that the tile shows";
-  EXPECT_EQ(tileset.tiles.at(9).height, 20.0);
+  expect_tileset_of_many_images(tileset);
 }
 
 TEST(TiledXml, ReadsATemplate) {
   const TiledTemplate read = read_tiled_xml_template(
       {"t.tx", R"(<template><tileset firstgid="4" source="a.tsx"/><object gid="5" width="7"/></template>)"});
-  ASSERT_TRUE(read.tileset);
-  EXPECT_EQ(read.tileset->first_gid, 4U);
-  EXPECT_EQ(read.tileset->source, "a.tsx");
-  EXPECT_EQ(read.object.gid, 5U);
-  EXPECT_EQ(read.object.width, 7.0);
+  expect_template(read);
   EXPECT_THROW(read_tiled_xml_template({"t.tx", "<template/>"}), InputError);
 }
 
