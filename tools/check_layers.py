@@ -33,12 +33,12 @@ TESTED_ELSEWHERE = {
     "graze/shape/hull/monotone_chain.hpp": ("tests/shape/polytope_test.cpp", "convex_hull in the plane"),
     "graze/shape/hull/quickhull.hpp": ("tests/shape/hull/faces_test.cpp", "the method behind hull_faces"),
     "graze/query/cast/cast_hit.hpp": ("tests/query/shape_cast_test.cpp", "what shape_cast makes of rays"),
-    "graze/query/fast_contact/axis_over_face.hpp":
-        ("tests/query/fast_contact/capsule_box_test.cpp", "what the look at capsules is made of"),
     "graze/query/fast_contact/cores_2d.hpp":
         ("tests/query/fast_contact/boxes_2d_test.cpp", "what a touch in the plane is calculated from"),
     "graze/query/fast_contact/fast_result.hpp":
         ("tests/query/fast_contact/fast_contact_test.cpp", "a struct that every quick look fills"),
+    "graze/query/fast_contact/one_pair.hpp":
+        ("tests/query/fast_contact/sphere_box_test.cpp", "the numbers that fast contacts calculate with"),
     "graze/query/fast_contact/sphere_2d.hpp":
         ("tests/query/fast_contact/boxes_2d_test.cpp", "compared there with all shapes, as the others"),
     "graze/query/patch/of_shape.hpp": ("tests/query/manifold_test.cpp", "which patch is whose, for manifolds"),

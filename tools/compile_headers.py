@@ -28,10 +28,15 @@ def _precompile(root, compiler, header, folder):
     return named, done.stderr if done.returncode else ""
 
 
+def _is_part(path):
+    """Whether a header beside it includes this file, into a namespace of its own: one source for one pair and for many."""
+    return path.parts[1] == "query" and path.stem.endswith("-inl")
+
+
 def compile_headers(root, compiler):
     """Returns the problems as texts, and how many headers were looked at. Those that passed unchanged are not compiled again."""
     version = subprocess.run([compiler, "--version"], capture_output=True, text=True, check=True).stdout
-    headers = [path for path in project_files(root, [".hpp"]) if path.parts[0] == "graze"]
+    headers = [path for path in project_files(root, [".hpp"]) if path.parts[0] == "graze" and not _is_part(path)]
     checks = [(path, content_key(root, path, version, _FLAGS)) for path in headers]
     cache = ContentCache(root / "build" / "cache" / "headers")
 

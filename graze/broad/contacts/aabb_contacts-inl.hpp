@@ -15,9 +15,9 @@
 
 #include <hwy/highway.h>
 
+#include <graze/broad/contacts/fast_contact-inl.hpp>
 #include <graze/broad/contacts/manifold_lanes-inl.hpp>
 #include <graze/broad/contacts/manifold_points-inl.hpp>
-#include <graze/broad/contacts/round_lanes-inl.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/query/manifold.hpp>
 #include <graze/query/patch/aabb_manifold.hpp>

@@ -39,15 +39,16 @@ HWY_INLINE auto contacts_of_group(const T* const* first, const T* const* second,
   } else if constexpr (kind == PrimitiveKind::capsule_aabb || kind == PrimitiveKind::capsule_obb) {
     return capsule_contacts<kind>(first, second, turned);
   } else {
-    return RoundContacts<T>(touch_of<kind>(first, second), turned);
+    return RoundContacts<T>(contact_of<kind>(first, second), turned);
   }
 }
 
 template <PrimitiveKind kind, class T>
 std::size_t contact_primitives(std::span<const PrimitivesToContact<3, T>> pairs, std::uint32_t* left) {
-  return contact_groups<3, T>(pairs, left,
-                              [](const T* const* first, const T* const* second, std::uint32_t turned)
-                                  HWY_ATTR { return contacts_of_group<kind>(first, second, turned); });
+  return contact_groups<3, T>(
+      pairs, left,
+      [](const T* const* first, const T* const* second, std::uint32_t turned)
+          HWY_ATTR GRAZE_INLINE_LAMBDA { return contacts_of_group<kind>(first, second, turned); });
 }
 
 template <class T>

@@ -37,18 +37,19 @@ HWY_INLINE void store_rounded(Doubles v, Row<float>& row) {
 /// A contact point of each pair: three places and the depth.
 template <class T, Dim N = 3>
 struct PointRows {
+  using V = LaneVec<N, double>;
+
   Row<T> point[N];
   Row<T> point_a[N];
   Row<T> point_b[N];
   Row<T> depth;
 
   /// `first` lies on the user's second box where `turns`.
-  HWY_INLINE void set(const Point& first, const Point& second, Doubles its_depth, DoublesMask turns) {
+  HWY_INLINE void set(const V& first, const V& second, Doubles its_depth, DoublesMask turns) {
     set(first, second, (first + second) * both(0.5), its_depth, turns);
   }
 
-  HWY_INLINE void set(const Point& first, const Point& second, const Point& middle, Doubles its_depth,
-                      DoublesMask turns) {
+  HWY_INLINE void set(const V& first, const V& second, const V& middle, Doubles its_depth, DoublesMask turns) {
     for (std::size_t k = 0; k < N; ++k) {
       const Doubles a = first.at[k];
       const Doubles b = second.at[k];
@@ -124,7 +125,7 @@ struct ManifoldRows {
     set(axis.normal, hn::Add(max_of(both(0), axis.gap), hn::Mul(both(boxes_error), size)), turned);
   }
 
-  HWY_INLINE void set(const Point& its_normal, Doubles its_error, DoublesMask turned) {
+  HWY_INLINE void set(const LaneVec<N, double>& its_normal, Doubles its_error, DoublesMask turned) {
     const Doubles side = hn::IfThenElse(turned, both(-1), both(1));
     for (std::size_t k = 0; k < N; ++k) store_rounded(hn::Mul(its_normal.at[k], side), normal[k]);
     store(its_error, error);

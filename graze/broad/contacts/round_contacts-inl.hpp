@@ -15,30 +15,33 @@
 #include <hwy/highway.h>
 
 #include <graze/broad/contacts/contact_kernels.hpp>
+#include <graze/broad/contacts/fast_contact-inl.hpp>
 #include <graze/broad/contacts/manifold_lanes-inl.hpp>
 #include <graze/broad/contacts/manifold_points-inl.hpp>
-#include <graze/broad/contacts/round_lanes-inl.hpp>
-#include <graze/broad/contacts/sphere_box-inl.hpp>
 #include <graze/query/manifold.hpp>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
-// ---- The touch of each lane's pair, as their numbers lie in memory
-
+/// Of each lane's pair, as their numbers lie in memory.
 template <PrimitiveKind kind, class T>
-HWY_INLINE RoundTouch touch_of(const T* const* first, const T* const* second) {
+HWY_INLINE RoundContact<Point> contact_of(const T* const* first, const T* const* second) {
   if constexpr (kind == PrimitiveKind::sphere_sphere) {
-    return touch_lanes(SphereLanes::load<3>(first), SphereLanes::load<3>(second));
+    return contact_of(load_spheres<3>(first), load_spheres<3>(second));
   } else if constexpr (kind == PrimitiveKind::sphere_capsule) {
-    return touch_lanes<3>(SphereLanes::load<3>(first), CapsuleLanes::load<3>(second));
+    return contact_of(load_spheres<3>(first), load_capsules<3>(second));
   } else if constexpr (kind == PrimitiveKind::capsule_capsule) {
-    return touch_lanes(CapsuleLanes::load<3>(first), CapsuleLanes::load<3>(second));
+    return contact_of(load_capsules<3>(first), load_capsules<3>(second));
   } else {
     constexpr bool along = kind == PrimitiveKind::sphere_aabb;
-    const SphereLanes sphere = SphereLanes::load<3>(first);
-    return SphereContactLanes<along>(sphere, BoxLanesInFrame<along>(second, sphere.center)).run();
+    const SphereNumbers<Point> sphere = load_spheres<3>(first);
+    BoxNumbers<along> box;
+    load_boxes_from(sphere.center, second, box);
+    SphereOnBox<along> pair(sphere, box);
+    RoundContact<Point> contact = pair.run();
+    contact.meets = contact.meets && is_usual_size(pair.size());
+    return contact;
   }
 }
 
@@ -46,13 +49,13 @@ HWY_INLINE RoundTouch touch_of(const T* const* first, const T* const* second) {
 template <class T, Dim N = 3>
 class RoundContacts {
  public:
-  HWY_INLINE RoundContacts(const RoundTouch& touch, std::uint32_t turned)
-      : clear_(bits_of<double>(touch.is_clear)), turned_(turned) {
-    const DoublesMask turns = mask_of(Tag<double>(), turned);
-    rows_.set(touch.normal, touch.error, turns);
-    point_.set(touch.on_first, touch.on_second, touch.depth, turns);
-    store(touch.feature_first, features_[0]);
-    store(touch.feature_second, features_[1]);
+  HWY_INLINE RoundContacts(const RoundContact<LaneVec<N, double>>& contact, std::uint32_t turned)
+      : clear_(bits_of<double>(contact.meets && contact.is_single)), turned_(turned) {
+    const Mask turns = mask_of(Tag<double>(), turned);
+    rows_.set(contact.normal, contact.error, turns);
+    point_.set(contact.on_first, contact.on_second, contact.depth, turns);
+    store(contact.of_first, features_[0]);
+    store(contact.of_second, features_[1]);
   }
 
   bool is_clear(std::size_t lane) const { return (clear_ >> lane & 1U) != 0; }

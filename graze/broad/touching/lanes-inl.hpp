@@ -27,6 +27,9 @@ namespace graze::detail::HWY_NAMESPACE {
 template <Dim N, class T>
 struct LaneVec {
   Lanes<T> at[N];
+
+  HWY_INLINE Lanes<T>& operator[](Dim i) { return at[i]; }
+  HWY_INLINE const Lanes<T>& operator[](Dim i) const { return at[i]; }
 };
 
 template <Dim N, class T>

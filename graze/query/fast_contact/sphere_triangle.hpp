@@ -75,22 +75,24 @@ FastContact<3> find_fast_contact(const Sphere<3, T>& sphere, const Triangle<3, T
                                  wide<3, T>(triangle.c) - origin};
   const NearOnTriangle near = nearest_to_zero(seen);
   const double size = sum_abs(seen.a) + sum_abs(seen.b) + sum_abs(seen.c);
-  FastContact<3> result = touch_of_cores<3>({{origin}, {origin, near.place}, near.place, size},
-                                            static_cast<double>(sphere.radius), 0, turns);
+  const auto radius = static_cast<double>(sphere.radius);
+  one_pair::RoundContact<Vec<3, double>> contact = one_pair::contact_of_cores<Vec<3, double>>(
+      {origin, Vec<3, double>(0.0), origin, near.place, near.place, size}, radius, 0);
   constexpr double least_sine_squared = 1.0 / 64;
   const Vec<3, double> ab = seen.b - seen.a;
   const Vec<3, double> ac = seen.c - seen.a;
   const Vec<3, double> face = cross(ab, ac);
   const double squared = dot(face, face);
-  const double distance = static_cast<double>(sphere.radius) - result.found.depth;
-  result.is_known = result.is_known && near.is_known && squared > least_sine_squared * (dot(ab, ab) * dot(ac, ac)) &&
-                    squared > 0x1p-900 && (!result.meets || are_lines_apart(distance, size));
+  const bool is_plain =
+      near.is_known && squared > least_sine_squared * (dot(ab, ab) * dot(ac, ac)) && squared > 0x1p-900;
+  contact.is_apart = contact.is_apart && is_plain;
+  contact.meets = contact.meets && is_plain && one_pair::are_lines_apart(radius - contact.depth, size);
   // Beside the face, but hardly off its normal, a sphere lies on the face all the same.
   constexpr double least_sine = 16 * tolerance::aligned;
-  const Vec<3, double> turn = cross(face, result.found.normal);
-  result.is_single = near.feature.kind == FeatureKind::face || dot(turn, turn) > least_sine * least_sine * squared;
-  result.set_features({FeatureKind::vertex, 0}, near.feature, turns);
-  return result;
+  const Vec<3, double> turn = cross(face, contact.normal);
+  contact.is_single = near.feature.kind == FeatureKind::face || dot(turn, turn) > least_sine * least_sine * squared;
+  contact.of_second = near.feature;
+  return fast_contact_of(contact, turns);
 }
 
 }  // namespace graze::detail

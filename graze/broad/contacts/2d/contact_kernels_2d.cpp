@@ -32,16 +32,16 @@ namespace {
 
 /// Of a sphere and what is named second, as their numbers lie in memory.
 template <Kind2d kind, class T>
-HWY_INLINE RoundTouch sphere_contact_2d(const T* const* first, const T* const* second) {
-  const SphereLanes sphere = SphereLanes::load<2>(first);
+HWY_INLINE RoundContact<Point2d> sphere_contact_2d(const T* const* first, const T* const* second) {
+  const SphereNumbers<Point2d> sphere = load_spheres<2>(first);
   if constexpr (kind == Kind2d::sphere_sphere) {
-    return touch_lanes(sphere, SphereLanes::load<2>(second));
+    return contact_of(sphere, load_spheres<2>(second));
   } else if constexpr (kind == Kind2d::sphere_capsule) {
-    return touch_lanes<2>(sphere, CapsuleLanes::load<2>(second));
+    return contact_of(sphere, load_capsules<2>(second));
   } else if constexpr (kind == Kind2d::sphere_aabb) {
-    return SphereLanes2d(sphere, core_2d_of(AabbLanes2d(second), in_plane(sphere.center))).run();
+    return SphereLanes2d(sphere, core_2d_of(AabbLanes2d(second), sphere.center)).run();
   } else {
-    return SphereLanes2d(sphere, core_2d_of(ObbLanes2d(second), in_plane(sphere.center))).run();
+    return SphereLanes2d(sphere, core_2d_of(ObbLanes2d(second), sphere.center)).run();
   }
 }
 

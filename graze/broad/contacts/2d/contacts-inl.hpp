@@ -17,9 +17,9 @@
 #include <graze/broad/contacts/2d/boxes-inl.hpp>
 #include <graze/broad/contacts/2d/contact_kernels_2d.hpp>
 #include <graze/broad/contacts/2d/cores-inl.hpp>
+#include <graze/broad/contacts/fast_contact-inl.hpp>
 #include <graze/broad/contacts/manifold_lanes-inl.hpp>
 #include <graze/broad/contacts/manifold_points-inl.hpp>
-#include <graze/broad/contacts/round_lanes-inl.hpp>
 #include <graze/query/manifold.hpp>
 
 HWY_BEFORE_NAMESPACE();
@@ -33,11 +33,11 @@ class Contacts2d {
   HWY_INLINE Contacts2d(const FastContactLanes2d& look, std::uint32_t turned)
       : clear_(bits_of<double>(look.is_clear)), two_(bits_of<double>(look.has_two)), turned_(turned) {
     const DoublesMask turns = mask_of(Tag<double>(), turned);
-    rows_.set(in_space(look.normal), look.error, turns);
+    rows_.set(look.normal, look.error, turns);
     for (std::size_t i = 0; i < 2; ++i) {
       const PointLanes2d& point = look.points[i];
       const Point2d middle = point.on_first * both(0.5) + point.on_second * both(0.5);
-      points_[i].set(in_space(point.on_first), in_space(point.on_second), in_space(middle), point.depth, turns);
+      points_[i].set(point.on_first, point.on_second, middle, point.depth, turns);
       store(point.of_first, features_[i][0]);
       store(point.of_second, features_[i][1]);
     }
@@ -75,7 +75,7 @@ class Contacts2d {
 
 // ---- Where a pair is seen from, as origin_2d
 
-HWY_INLINE Point2d origin_2d_of(const CapsuleLanes& capsule) { return in_plane(capsule.start); }
+HWY_INLINE Point2d origin_2d_of(const CapsuleNumbers<Point2d>& capsule) { return capsule.start; }
 HWY_INLINE Point2d origin_2d_of(const ObbLanes2d& box) { return box.center; }
 HWY_INLINE Point2d origin_2d_of(const AabbLanes2d& box) { return box.min; }
 
@@ -103,13 +103,13 @@ HWY_INLINE Contacts2d<T> contacts_2d(const T* const* first, const T* const* seco
   } else if constexpr (kind == Kind2d::obb_aabb) {
     return contacts_2d_of<T>(ObbLanes2d(first), AabbLanes2d(second), turned);
   } else {
-    const CapsuleLanes capsule = CapsuleLanes::load<2>(second);
+    const CapsuleNumbers<Point2d> capsule = load_capsules<2>(second);
     if constexpr (kind == Kind2d::obb_capsule) {
       return contacts_2d_of<T>(ObbLanes2d(first), capsule, turned);
     } else if constexpr (kind == Kind2d::aabb_capsule) {
       return contacts_2d_of<T>(AabbLanes2d(first), capsule, turned);
     } else {
-      return contacts_2d_of<T>(CapsuleLanes::load<2>(first), capsule, turned);
+      return contacts_2d_of<T>(load_capsules<2>(first), capsule, turned);
     }
   }
 }

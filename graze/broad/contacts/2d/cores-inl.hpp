@@ -12,37 +12,18 @@
 
 #include <hwy/highway.h>
 
+#include <graze/broad/contacts/fast_contact-inl.hpp>
 #include <graze/broad/contacts/manifold_lanes-inl.hpp>
-#include <graze/broad/contacts/round_lanes-inl.hpp>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
-using Point2d = LaneVec<2, double>;
-
-HWY_INLINE Point2d operator+(const Point2d& a, const Point2d& b) {
-  return {{hn::Add(a.at[0], b.at[0]), hn::Add(a.at[1], b.at[1])}};
-}
-HWY_INLINE Point2d operator-(const Point2d& a, const Point2d& b) { return difference(a, b); }
-HWY_INLINE Point2d operator-(const Point2d& v) { return {{hn::Neg(v.at[0]), hn::Neg(v.at[1])}}; }
-HWY_INLINE Point2d operator*(const Point2d& v, Doubles factor) {
-  return {{hn::Mul(v.at[0], factor), hn::Mul(v.at[1], factor)}};
-}
-HWY_INLINE Doubles dot(const Point2d& a, const Point2d& b) {
-  return hn::Add(hn::Mul(a.at[0], b.at[0]), hn::Mul(a.at[1], b.at[1]));
-}
-HWY_INLINE Doubles sum_abs(const Point2d& v) { return hn::Add(hn::Abs(v.at[0]), hn::Abs(v.at[1])); }
-HWY_INLINE Point2d perpendicular(const Point2d& v) { return {{hn::Neg(v.at[1]), v.at[0]}}; }
 HWY_INLINE Point2d one_of(const DoublesMask& mask, const Point2d& yes, const Point2d& no) {
   return {{hn::IfThenElse(mask, yes.at[0], no.at[0]), hn::IfThenElse(mask, yes.at[1], no.at[1])}};
 }
 /// As std::copysign(1.0, v).
 HWY_INLINE Doubles side_of(Doubles v) { return hn::CopySign(both(1), v); }
-
-/// As kernels of space have it.
-HWY_INLINE Point in_space(const Point2d& v) { return {{v.at[0], v.at[1], both(0)}}; }
-HWY_INLINE Point2d in_plane(const Point& v) { return {{v.at[0], v.at[1]}}; }
 
 /// As Core2d.
 template <std::size_t axes>
@@ -91,9 +72,9 @@ struct CoreLanes2d {
 
 // ---- Of shapes in memory, as core_2d(shape, origin): `origin` where they are seen from
 
-HWY_INLINE CoreLanes2d<1> core_2d_of(const CapsuleLanes& capsule, const Point2d& origin) {
-  const Point2d start = in_plane(capsule.start) - origin;
-  const Point2d end = in_plane(capsule.end) - origin;
+HWY_INLINE CoreLanes2d<1> core_2d_of(const CapsuleNumbers<Point2d>& capsule, const Point2d& origin) {
+  const Point2d start = capsule.start - origin;
+  const Point2d end = capsule.end - origin;
   CoreLanes2d<1> core;
   core.clear();
   core.center = (start + end) * both(0.5);

@@ -11,8 +11,8 @@
 #include <hwy/highway.h>
 
 #include <graze/broad/contacts/2d/cores-inl.hpp>
+#include <graze/broad/contacts/fast_contact-inl.hpp>
 #include <graze/broad/contacts/manifold_lanes-inl.hpp>
-#include <graze/broad/contacts/round_lanes-inl.hpp>
 #include <graze/math/tolerance.hpp>
 
 HWY_BEFORE_NAMESPACE();
@@ -22,7 +22,7 @@ namespace graze::detail::HWY_NAMESPACE {
 /// A box is seen from the sphere's center.
 class SphereLanes2d {
  public:
-  HWY_INLINE SphereLanes2d(const SphereLanes& sphere, const CoreLanes2d<2>& box)
+  HWY_INLINE SphereLanes2d(const SphereNumbers<Point2d>& sphere, const CoreLanes2d<2>& box)
       : sphere_(sphere),
         box_(box),
         way_(-box.center),
@@ -30,7 +30,7 @@ class SphereLanes2d {
         doubt_(hn::Mul(both(tolerance::coarse), size_)),
         margin_(hn::Mul(both(tolerance::known_direction), size_)) {}
 
-  HWY_INLINE RoundTouch run() const {
+  HWY_INLINE RoundContact<Point2d> run() const {
     const Doubles ahead[2] = {dot(way_, box_.normal[0]), dot(way_, box_.normal[1])};
     const Doubles gaps[2] = {gap_of(0, ahead[0]), gap_of(1, ahead[1])};
     const DoublesMask is_y = hn::Gt(gaps[1], hn::Add(gaps[0], hn::Mul(both(tolerance::rounding), size_)));
@@ -42,10 +42,11 @@ class SphereLanes2d {
     const Doubles place = dot(way_ - half_edge * side, along);
     const DoublesMask is_over = hn::Lt(hn::Abs(place), hn::Sub(half, margin_));
     const Corner corner(*this);
-    RoundTouch touch = touch_at(one_of(is_over, one_of(is_y, box_.normal[1], box_.normal[0]) * side, corner.up),
-                                hn::IfThenElse(is_over, gap, corner.distance));
-    touch.feature_second = hn::IfThenElse(is_over, side_feature_2d(is_y, side), corner.feature);
-    touch.is_clear = hn::And(is_plain(gap), hn::Or(is_over, hn::And(hn::Gt(gap, margin_), corner.is_known)));
+    RoundContact<Point2d> touch =
+        touch_at(one_of(is_over, one_of(is_y, box_.normal[1], box_.normal[0]) * side, corner.up),
+                 hn::IfThenElse(is_over, gap, corner.distance));
+    touch.of_second = hn::IfThenElse(is_over, side_feature_2d(is_y, side), corner.feature);
+    touch.meets = hn::And(is_plain(gap), hn::Or(is_over, hn::And(hn::Gt(gap, margin_), corner.is_known)));
     return touch;
   }
 
@@ -83,19 +84,19 @@ class SphereLanes2d {
   };
 
   /// From the box' surface, `gap` below the center, up to that.
-  HWY_INLINE RoundTouch touch_at(const Point2d& up, Doubles gap) const {
-    const Point2d center = in_plane(sphere_.center);
-    RoundTouch touch;
-    touch.normal = in_space(-up);
+  HWY_INLINE RoundContact<Point2d> touch_at(const Point2d& up, Doubles gap) const {
+    RoundContact<Point2d> touch;
+    touch.normal = -up;
     touch.depth = hn::Sub(sphere_.radius, gap);
-    touch.on_first = in_space(center - up * sphere_.radius);
-    touch.on_second = in_space(center - up * gap);
+    touch.on_first = sphere_.center - up * sphere_.radius;
+    touch.on_second = sphere_.center - up * gap;
     touch.error = hn::Mul(both(2 * tolerance::rounding), size_);
-    touch.feature_first = both(0);
+    touch.of_first = both(0);
+    touch.is_single = all(true);
     return touch;
   }
 
-  const SphereLanes& sphere_;
+  const SphereNumbers<Point2d>& sphere_;
   const CoreLanes2d<2>& box_;
   Point2d way_;
   Doubles size_;

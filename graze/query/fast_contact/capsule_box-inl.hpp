@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// How a capsule touches a box in space, for one pair or many (one_pair.hpp): what penetration_of_simple and the patches
+// of manifold.hpp find for any two shapes, of capsules whose axis is clearly out of the box or clearly in it, and the
+// nearest to its surface over one of its faces, or at one place of an edge or a corner.
+
+struct CapsuleContact {
+  Mask is_apart;   ///< For certain; then nothing else counts, but the error.
+  Mask meets;      ///< For certain, as is said below. If neither, nothing counts.
+  Mask is_over;    ///< Whether it is on a face.
+  Mask is_single;  ///< If not, whether the manifold is the point below alone.
+  Point normal;    ///< From the box to the capsule.
+  Real error;
+  CapsulePoint point;  ///< If it is not on a face.
+  AxisOverFace over;   ///< If it is.
+};
+
+/// Of many pairs a group goes all the ways that one of them has to, and each keeps what its own has found.
+class CapsuleOnBox {
+ public:
+  [[gnu::always_inline]] CapsuleOnBox(const CapsuleAndBox& pair, CapsuleContact& contact)
+      : pair_(pair), contact_(contact) {
+    for (Dim i = 0; i < 3; ++i) {
+      way_.start[i] = -dot(pair.center, pair.axes[i]);
+      way_.way[i] = dot(pair.way, pair.axes[i]);
+    }
+    way_.half = pair.half;
+    // Of places, by the axes: twice what the quick test of a sphere allows for, and what is far above rounding.
+    constexpr double least_orthonormality_error = 1e-10;
+    doubt_ =
+        2 * tolerance::box_filter * (orthonormality_error_of_axes(pair.axes) + least_orthonormality_error) * pair.size;
+  }
+
+  [[gnu::always_inline]] void run() {
+    contact_.error = 2 * tolerance::rounding * pair_.size;
+    contact_.is_over = contact_.is_single = contact_.meets = all(false);
+    const Real t = way_.nearest();
+    const Point place = way_.at(t);
+    const PlaceByFaces by_faces(place, pair_.half, doubt_);
+    const Real reach = pair_.radius + doubt_;
+    const Mask is_apart = by_faces.squared > reach * reach;
+    contact_.is_apart = is_apart;
+    const Mask is_open = !is_apart && min_of(min_of(pair_.half[0], pair_.half[1]), pair_.half[2]) > doubt_;
+    if (!any_likely(is_open)) return;
+    const Mask is_in = by_faces.squared <= doubt_ * doubt_;
+    const MinimumTranslation out(way_, doubt_, tolerance::rounding * pair_.size, is_in);
+    const Mask is_at_end = t <= 0.0 || t >= 1.0;
+    const Mask is_beside = !is_in && !by_faces.is_one && by_faces.is_clear;
+    const Mask is_past_edge = is_beside && !is_at_end && by_faces.is_two;
+    const Mask crosses = select(is_in, out.is_known && !out.is_face, is_past_edge);
+    const Mask is_over = select(is_in, out.is_known && out.is_face, by_faces.is_one);
+    const Mask passes = is_beside && !is_past_edge;
+    const Seen seen{t, place, by_faces, is_in, out};
+    if (any(passes)) pass_by(passes, seen);
+    if (any(crosses)) cross_edge(crosses, seen);
+    if (any(is_over)) lie_on_face(is_over, seen);
+    contact_.meets = contact_.meets && is_open;
+  }
+
+ private:
+  /// Where the axis is seen to be: nearest at t, which is there.
+  struct Seen {
+    Real t;
+    const Point& place;
+    const PlaceByFaces& by_faces;
+    Mask is_in;
+    const MinimumTranslation& out;
+  };
+
+  /// The middle of the edge at the sides that a place is beyond, or a corner.
+  struct BoxFeature {
+    Point middle;
+    FeatureName name;
+    Point edge;
+    Real half;
+
+    [[gnu::always_inline]] BoxFeature(const CapsuleAndBox& pair, const Point& place, const Mask (&is_beyond)[3]) {
+      middle = pair.center;
+      for (Dim i = 0; i < 3; ++i) {
+        middle = middle + pair.axes[i] * or_zero(is_beyond[i], copysign(pair.half[i], place[i]));
+      }
+      name = feature_of_box(place, is_beyond);
+      const Axis not_x = select(is_beyond[1], axis_number(2), axis_number(1));
+      const Axis along = select(is_beyond[0], not_x, axis_number(0));
+      edge = turned(pair.axes, along);
+      half = turned(pair.half, along);
+    }
+  };
+
+  /// On a face that the normal is hardly turned from it would be laid flat.
+  [[gnu::always_inline]] static Mask is_steep(const PlaceByFaces& by_faces) {
+    constexpr double least_cosine = 16 * tolerance::aligned;
+    return by_faces.least_beyond > least_cosine * sqrt(by_faces.squared);
+  }
+
+  /// Whether a place on the axis is clearly between its ends.
+  [[gnu::always_inline]] Mask is_between_ends(Real t) const {
+    const Real length = max_abs(pair_.way);
+    const Real along = t * length;
+    return along > doubt_ && length - along > doubt_;
+  }
+
+  /// An end beside an edge or a corner, or the axis beside a corner. The axis' place at an end is the nearest if the
+  /// way from it leads away from the box' nearest point: both are convex.
+  [[gnu::always_inline]] void pass_by(Mask pairs, const Seen& seen) {
+    const auto& [t, place, by_faces, is_in, out] = seen;
+    const Point& way = pair_.way;
+    const BoxFeature feature(pair_, place, by_faces.is_beyond);
+    const Mask is_start = t <= 0.0;
+    const Mask is_at_end = is_start || t >= 1.0;
+    const Real end = select(is_start, all(0.0), all(1.0));
+    const Real beside_corner = dot(way, feature.middle) / dot(way, way);
+    const Point on_axis = way * select(is_at_end, end, beside_corner);
+    const Real on_edge = dot(feature.edge, on_axis - feature.middle) / dot(feature.edge, feature.edge);
+    const Point on_box = select(by_faces.is_two, feature.middle + feature.edge * on_edge, feature.middle);
+    const Point between = on_axis - on_box;
+    const Real distance = sqrt(dot(between, between));
+    const Point normal = between * (1.0 / distance);
+
+    const Real climb = dot(way, normal);
+    const Real away = select(is_start, climb, -climb);
+    const Mask is_end_known =
+        away >= -tolerance::rounding * sum_abs(way) && (!by_faces.is_two || fabs(on_edge) < feature.half);
+    const Mask is_corner_known = beside_corner > 0.0 && beside_corner < 1.0 && is_between_ends(t);
+    const Mask is_place_known =
+        select(is_at_end, is_end_known, is_corner_known) && distance > tolerance::known_direction * pair_.size;
+    const FeatureName of_end = select(is_start, all(first_vertex), all(second_vertex));
+    const Real depth = pair_.radius - distance;
+    const Real doubt = tolerance::coarse * pair_.size;
+    contact_.is_apart = is_place_known && depth < -doubt;
+    contact_.meets = pairs && is_place_known && depth > doubt;
+    contact_.normal = normal;
+    contact_.point = {pair_.origin + on_box, pair_.origin + (on_axis - normal * pair_.radius), depth, feature.name,
+                      select(is_at_end, of_end, all(first_edge))};
+    contact_.is_single = is_steep(by_faces);
+  }
+
+  /// The axis is nearest to an edge between its ends, or the soonest out of the box past one. Where two lines are
+  /// nearest, as in segment_filter.hpp. The normal is across both, on the side of the edge that is out of the box, on
+  /// which the axis need not be.
+  [[gnu::always_inline]] void cross_edge(Mask pairs, const Seen& seen) {
+    const auto& [t, outer_place, by_faces, is_in, out] = seen;
+    constexpr double least_sine_squared = 1.0 / 64;
+    const Point place = select(is_in, out.outward, outer_place);
+    Mask is_beyond[3];
+    for (Dim i = 0; i < 3; ++i) is_beyond[i] = select(is_in, !is_axis(out.edge, i), by_faces.is_beyond[i]);
+    const BoxFeature feature(pair_, place, is_beyond);
+    const Point& way = pair_.way;
+    const Real uu = dot(way, way);
+    const Real vv = dot(feature.edge, feature.edge);
+    const Real uv = dot(way, feature.edge);
+    const Real uw = dot(way, feature.middle);
+    const Real vw = dot(feature.edge, feature.middle);
+    const Real det = uu * vv - uv * uv;
+    const Real per_det = 1.0 / det;
+    const Real on_axis = (uw * vv - vw * uv) * per_det;
+    const Real on_edge = (uw * uv - vw * uu) * per_det;
+    const Point across = cross(way, feature.edge);
+    const Real length = sqrt(dot(across, across));
+    const Point normal = across * (copysign(all(1.0), dot(across, feature.middle - pair_.center)) / length);
+    const Real depth = pair_.radius - -dot(normal, feature.middle);
+    const Mask is_place_known = det > least_sine_squared * (uu * vv) && is_between_ends(on_axis) &&
+                                feature.half - fabs(on_edge) > doubt_ && (is_in || is_between_ends(t));
+    put(pairs, normal, depth, is_place_known);
+    take_point(pairs,
+               {pair_.origin + (feature.middle + feature.edge * on_edge),
+                pair_.origin + (way * on_axis - normal * pair_.radius), depth, feature.name, all(first_edge)},
+               contact_.point);
+    take(pairs, select(is_in, out.is_oblique, is_steep(by_faces)), contact_.is_single);
+  }
+
+  /// On a face, or the soonest out of the box across it. The lowest place is the nearest, or the deepest, if it is over
+  /// the face.
+  [[gnu::always_inline]] void lie_on_face(Mask pairs, const Seen& seen) {
+    const auto& [t, place, by_faces, is_in, out] = seen;
+    const Axis axis = select(is_in, out.face, by_faces.last);
+    const Mask is_far = select(is_in, out.is_far, turned(place, by_faces.last) > 0.0);
+    AxisOverFace& over = contact_.over;
+    over.set(pair_, axis, is_far);
+    const Mask is_level_enough = over.is_level() || !(is_in && out.is_level);
+    put(pairs, over.up(), pair_.radius - over.lowest_gap(), over.is_lowest_over() && is_level_enough);
+    contact_.is_over = pairs;
+  }
+
+  /// Of these pairs; what is known of a depth, if it is known where it is.
+  [[gnu::always_inline]] void put(Mask pairs, const Point& normal, Real depth, Mask is_place_known) {
+    const Real doubt = tolerance::coarse * pair_.size;
+    take(pairs, is_place_known && depth < -doubt, contact_.is_apart);
+    take(pairs, is_place_known && depth > doubt, contact_.meets);
+    take(pairs, normal, contact_.normal);
+  }
+
+  const CapsuleAndBox& pair_;
+  CapsuleContact& contact_;
+  WayPastBox way_;
+  Real doubt_;
+};

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// The numbers of one pair, for calculations that are written once for one pair and for many: the `-inl.hpp` files of
+// this folder are included in namespace one_pair by the headers beside them, and once for each instruction set, a lane
+// for each pair, by graze/broad/contacts/many_pairs-inl.hpp, which has the same functions of vectors. (They cannot be
+// templates: the compiler has to be told the instruction set where it reads a function.) Of many pairs `&&` and `||`
+// evaluate both sides, and what only some lanes want is taken by `take`.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include <graze/math/vec.hpp>
+#include <graze/query/patch/clipped.hpp>
+#include <graze/query/patch/patch.hpp>
+
+namespace graze::detail::one_pair {
+
+using Real = double;
+using Mask = bool;
+using Axis = Dim;  ///< A number of each pair, from 0 to 2.
+using Point = Vec<3, double>;
+using Point2d = Vec<2, double>;
+using FeatureName = Feature;
+
+using std::copysign;
+using std::fabs;
+using std::sqrt;
+
+/// The same for all pairs.
+constexpr Real all(double value) { return value; }
+constexpr Mask all(bool value) { return value; }
+constexpr FeatureName all(const FeatureName& value) { return value; }
+constexpr Axis axis_number(Dim i) { return i; }
+constexpr Mask is_axis(Axis axis, Dim i) { return axis == i; }
+template <class P>
+constexpr P zero() {
+  return P(0.0);
+}
+
+/// Whether any pair has it.
+constexpr bool any(Mask mask) { return mask; }
+/// The same where nearly every group of pairs has it, so that of many it is true without being asked.
+constexpr bool any_likely(Mask mask) { return mask; }
+
+template <class V>
+[[gnu::always_inline]] constexpr V select(Mask mask, const V& yes, const V& no) {
+  return mask ? yes : no;
+}
+[[gnu::always_inline]] constexpr Real or_zero(Mask mask, Real number) { return mask ? number : 0.0; }
+/// Sets what these pairs have, of which there are some.
+template <class V>
+[[gnu::always_inline]] constexpr void take(Mask /*some*/, const V& value, V& to) {
+  to = value;
+}
+
+/// Without a branch, for which of both is not to be guessed.
+[[gnu::always_inline]] constexpr Mask both_of(Mask a, Mask b) {
+  return (static_cast<unsigned>(a) & static_cast<unsigned>(b)) != 0;
+}
+[[gnu::always_inline]] constexpr Mask either_of(Mask a, Mask b) {
+  return (static_cast<unsigned>(a) | static_cast<unsigned>(b)) != 0;
+}
+constexpr Mask are_same(Mask a, Mask b) { return a == b; }
+
+[[gnu::always_inline]] inline Real min_of(Real a, Real b) { return std::min(a, b); }
+[[gnu::always_inline]] inline Real max_of(Real a, Real b) { return std::max(a, b); }
+
+/// The number, or the axis, that is `turns` on from each pair's own.
+[[gnu::always_inline]] inline Real turned(const Point& v, Axis axis, Dim turns = 0) { return v[(axis + turns) % 3]; }
+template <class V>
+[[gnu::always_inline]] inline const V& turned(const V (&of_axes)[3], Axis axis, Dim turns = 0) {
+  return of_axes[(axis + turns) % 3];
+}
+
+/// The cross product of the two axes after each pair's own.
+[[gnu::always_inline]] inline Point across_others(const Point (&axes)[3], Axis axis) {
+  return cross(turned(axes, axis, 1), turned(axes, axis, 2));
+}
+
+/// The other way round: with these numbers along each pair's own axis, along the next one and along the last.
+[[gnu::always_inline]] inline Point placed(Axis axis, Real on_axis, Real on_next, Real on_last) {
+  Point result;
+  result[axis] = on_axis;
+  result[(axis + 1) % 3] = on_next;
+  result[(axis + 2) % 3] = on_last;
+  return result;
+}
+[[gnu::always_inline]] inline Point unit_point(Axis axis) { return unit_axis<3>(axis); }
+
+// ---- Features
+
+inline constexpr FeatureName first_vertex{FeatureKind::vertex, 0};
+inline constexpr FeatureName second_vertex{FeatureKind::vertex, 1};
+inline constexpr FeatureName first_edge{FeatureKind::edge, 0};
+
+/// That of a box that a place lies on, by the axes along which it is at the end.
+inline FeatureName feature_of_box(const Point& place, const Mask (&is_beyond)[3]) {
+  const auto far = [&](Dim i) { return place[i] > 0 ? 1U : 0U; };
+  const int count = (is_beyond[0] ? 1 : 0) + (is_beyond[1] ? 1 : 0) + (is_beyond[2] ? 1 : 0);
+  if (count == 3) return {FeatureKind::vertex, far(0) | far(1) << 1U | far(2) << 2U};
+  const Dim other = is_beyond[0] ? (is_beyond[1] ? 2 : 1) : 0;  // of an edge: along which it lies
+  if (count == 2) {
+    const Dim along = is_beyond[0] && is_beyond[2] ? 1 : other;
+    return {FeatureKind::edge, static_cast<std::uint32_t>(4 * along) + far((along + 1) % 3) + 2 * far((along + 2) % 3)};
+  }
+  const Dim across = is_beyond[0] ? 0 : (is_beyond[1] ? 1 : 2);
+  return {FeatureKind::face, BoxFaceNumbers{across, far(across) != 0}.face()};
+}
+
+inline FeatureName feature_of_face(Axis axis, Mask is_far) {
+  return {FeatureKind::face, BoxFaceNumbers{axis, is_far}.face()};
+}
+/// The edge of a face at its far or near end along the next axis, or along the last one.
+inline FeatureName feature_of_side(Axis axis, Mask is_far, Mask is_along_last, Mask is_at_far_end) {
+  const BoxFaceNumbers face{axis, is_far};
+  if (is_along_last) return {FeatureKind::edge, face.edge(is_at_far_end ? 2 : 0)};
+  return {FeatureKind::edge, face.edge(is_at_far_end ? 1 : 3)};
+}
+
+}  // namespace graze::detail::one_pair
