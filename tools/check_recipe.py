@@ -5,7 +5,7 @@
 - a picture docs/pictures/cookbook/NAME.svg, which the program draws, byte for byte;
 - a page docs/cookbook/NAME.md, which shows the program (check_docs.py compares it), the picture and, below
   <!-- output: examples/cookbook/NAME.cpp -->, what the program prints; and a link to the tab of the viewer that shows its
-  shapes, http://localhost:8000/#TAB?STATE (the viewer's tests follow it);
+  shapes, ../../viewer/index.html#TAB?STATE (the viewer's tests follow it);
 - a link from the index docs/cookbook/README.md to the page.
 """
 
@@ -21,7 +21,7 @@ from project_files import ROOT
 
 _TIMEOUT_SECONDS = 120
 _MAX_LINES = 60
-_VIEWER = "http://localhost:8000/#"
+_VIEWER = "../../viewer/index.html#"
 
 
 def run(program):

@@ -6,7 +6,7 @@ from project_tree import LICENSE, TreeTest
 SOURCE = "examples/cookbook/two.cpp"
 PAGE = f"""# Two
 ![Two](../pictures/cookbook/two.svg)
-[Live](http://localhost:8000/#rays)
+[Live](../../viewer/index.html#rays)
 
 <!-- file: {SOURCE} -->
 ```cpp
@@ -58,7 +58,7 @@ class CheckRecipe(TreeTest):
         self.assert_problem("does not show docs/pictures/cookbook/two.svg")
 
     def test_the_page_must_link_to_the_viewer(self):
-        self.write("docs/cookbook/two.md", PAGE.replace("localhost:8000/#", "localhost:8000/"))
+        self.write("docs/cookbook/two.md", PAGE.replace("viewer/index.html#", "viewer/index.html"))
         self.assert_problem("docs/cookbook/two.md has no link to the viewer")
 
     def test_the_picture_must_be_what_the_program_draws(self):

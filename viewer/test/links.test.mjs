@@ -21,7 +21,7 @@ async function links() {
   const found = [];
   for (const name of await readdir(folder)) {
     const text = await readFile(`${folder}${name}`, "utf8");
-    for (const [, hash] of text.matchAll(/\(http:\/\/localhost:8000\/(#[^)\s]*)\)/g)) found.push([name, hash]);
+    for (const [, hash] of text.matchAll(/\(\.\.\/\.\.\/viewer\/index\.html(#[^)\s]*)\)/g)) found.push([name, hash]);
   }
   return found;
 }
