@@ -265,27 +265,23 @@ Proximity<N, double> proximity_of_convex(const Ray<N, T>& ray, const B& b, Relat
 // ---- Any two shapes
 
 template <class S>
-inline constexpr bool is_level = false;
-template <Dim N, class T>
-inline constexpr bool is_level<Plane<N, T>> = true;
-template <Dim N, class T>
-inline constexpr bool is_level<HalfSpace<N, T>> = true;
+inline constexpr bool is_plane_or_half_space = is_a<Plane, S> || is_a<HalfSpace, S>;
 
 /// Two simple shapes of which GJK finds the nearest points: it has to begin in range.
 template <class A, class B>
-inline constexpr bool is_found_by_support =
-    !is_level<A> && !is_level<B> && !(is_ray<A> && is_ray<B>)&&!(HasSimpleCore<A> && HasSimpleCore<B>);
+inline constexpr bool is_found_by_support = !is_plane_or_half_space<A> && !is_plane_or_half_space<B> &&
+                                            !(is_ray<A> && is_ray<B>)&&!(HasSimpleCore<A> && HasSimpleCore<B>);
 
 /// Of two simple shapes in the order of AnyShape.
 template <class A, class B>
 Proximity<dimension_of<A>, double> proximity_in_order(const A& a, const B& b, Relation relation) {
-  if constexpr (is_level<A> && is_level<B>) {
+  if constexpr (is_plane_or_half_space<A> && is_plane_or_half_space<B>) {
     return proximity_of_half_spaces(a, b, relation);
-  } else if constexpr (is_ray<A> && is_level<B>) {
+  } else if constexpr (is_ray<A> && is_plane_or_half_space<B>) {
     return proximity_of_ray(a, b, relation);
-  } else if constexpr (is_level<B>) {
+  } else if constexpr (is_plane_or_half_space<B>) {
     return exchanged(proximity_to_half_space(b, a, relation));
-  } else if constexpr (is_level<A>) {
+  } else if constexpr (is_plane_or_half_space<A>) {
     return proximity_to_half_space(a, b, relation);
   } else if constexpr (is_ray<A> && is_ray<B>) {
     return proximity_of_rays(a, b, relation);
@@ -303,7 +299,7 @@ Proximity<dimension_of<A>, double> proximity(const A& a, const B& b, SimplexCach
 /// and that of planes does not tell how long their normals are.
 template <class A, class B>
 bool is_in_range(const Proximity<dimension_of<A>, double>& found, const A& a, const B& b) {
-  if constexpr (is_level<A> && is_level<B>) return are_usual(a, b);
+  if constexpr (is_plane_or_half_space<A> && is_plane_or_half_space<B>) return are_usual(a, b);
   if (is_usual_error<scalar_of<A>>(found.error)) return has_usual_normal(a) && has_usual_normal(b);
   if constexpr (is_a<Aabb, A> && is_a<Aabb, B>) return found.point_a == found.point_b;
   return false;

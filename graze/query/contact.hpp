@@ -101,13 +101,13 @@ std::optional<Contact<N, T>> rounded_contact(const Penetration<N>& exact) {
 /// Of two simple shapes that meet, in the order of AnyShape.
 template <class A, class B>
 Penetration<dimension_of<A>> penetration_in_order(const A& a, const B& b) {
-  if constexpr (is_level<A> && is_level<B>) {
+  if constexpr (is_plane_or_half_space<A> && is_plane_or_half_space<B>) {
     return penetration_of_half_spaces(a, b);
-  } else if constexpr (is_ray<A> && is_level<B>) {
+  } else if constexpr (is_ray<A> && is_plane_or_half_space<B>) {
     return penetration_of_ray(a, b);
-  } else if constexpr (is_level<B>) {
+  } else if constexpr (is_plane_or_half_space<B>) {
     return exchanged(penetration_in_half_space(b, a));
-  } else if constexpr (is_level<A>) {
+  } else if constexpr (is_plane_or_half_space<A>) {
     return penetration_in_half_space(a, b);
   } else if constexpr (is_ray<A> && is_ray<B>) {
     return penetration_of_rays(a, b);
@@ -144,7 +144,8 @@ Penetration<dimension_of<A>> penetration_in_any_order(const A& a, const B& b) {
 template <class A, class B>
 bool is_in_range(const Penetration<dimension_of<A>>& found, const A& a, const B& b) {
   if constexpr (is_a<Aabb, A> && is_a<Aabb, B>) return found.depth < 0x1p1000;
-  if constexpr (is_ray<A> || is_ray<B> || (is_level<A> && is_level<B>)) return are_usual(a, b);
+  if constexpr (is_ray<A> || is_ray<B> || (is_plane_or_half_space<A> && is_plane_or_half_space<B>))
+    return are_usual(a, b);
   return is_usual_error<scalar_of<A>>(found.error) && has_usual_normal(a) && has_usual_normal(b);
 }
 
@@ -167,8 +168,9 @@ Penetration<dimension_of<A>> penetration_of_met(const A& a, const B& b) {
 
 /// Two shapes of which GJK and EPA say whether they meet, and how deep.
 template <class A, class B>
-inline constexpr bool are_for_epa = !HasClosedForm<A, B> && !HasClosedForm<B, A> && !is_point<A> && !is_point<B> &&
-                                    !is_ray<A> && !is_ray<B> && !is_level<A> && !is_level<B>;
+inline constexpr bool are_for_epa =
+    !HasClosedForm<A, B> && !HasClosedForm<B, A> && !is_point<A> && !is_point<B> && !is_ray<A> && !is_ray<B> &&
+    !is_plane_or_half_space<A> && !is_plane_or_half_space<B>;
 
 /// Of two simple shapes, if they meet.
 template <class A, class B>

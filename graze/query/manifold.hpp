@@ -102,7 +102,7 @@ template <class A, class B>
 WideManifold<dimension_of<A>> manifold_of_found(const A& a, const B& b, const Penetration<dimension_of<A>>& found) {
   constexpr Dim N = dimension_of<A>;
   WideManifold<N> result = manifold_of_one_point(found);
-  if (std::isinf(found.depth) || (is_level<A> && is_level<B>)) return result;
+  if (std::isinf(found.depth) || (is_plane_or_half_space<A> && is_plane_or_half_space<B>)) return result;
   const Vec<N, double> origin = found.point_a;
   const Patch<N> patch_a = patch_seen(a, origin, found.normal, found.point_a);
   const Patch<N> patch_b = patch_seen(b, origin, -found.normal, found.point_b);
@@ -184,7 +184,7 @@ WideManifold<dimension_of<A>> manifold_in_order(const A& a, const B& b) {
 /// Of two simple shapes in the order of their contact, which has been found.
 template <class A, class B>
 WideManifold<dimension_of<A>> manifold_in_frame(const A& a, const B& b, const Penetration<dimension_of<A>>& found) {
-  if constexpr (is_box<A> && is_level<B>) {
+  if constexpr (is_box<A> && is_plane_or_half_space<B>) {
     if (const auto pairs = corners_on_boundary(a, found)) {
       WideManifold<dimension_of<A>> result;
       result.found = found;

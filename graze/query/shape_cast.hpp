@@ -75,7 +75,7 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_at_half_space(const A& a, const
   const double error = gap.error + tolerance::rounding * sum_abs(motion);
   if (!(approach > 0) || gap.distance - approach > error) return std::nullopt;
   const double t = std::min(1.0, gap.distance / approach);
-  const bool moves_with_a = is_level<B> && !is_level<A>;
+  const bool moves_with_a = is_plane_or_half_space<B> && !is_plane_or_half_space<A>;
   return CastHit<N>{t, moves_with_a ? gap.point_a + motion * t : gap.point_b, gap.normal, Status::converged, error};
 }
 
@@ -336,7 +336,7 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_in_order(const A& a, const Vec<
   using T = scalar_of<A>;
   if constexpr (is_point<A>) {
     return cast_hit_of_ray(hit_in_double(b, Ray<N, T>{a, Vec<N, T>(motion)}));
-  } else if constexpr (is_level<A> || is_level<B>) {
+  } else if constexpr (is_plane_or_half_space<A> || is_plane_or_half_space<B>) {
     return cast_hit_at_half_space(a, motion, b);
   } else if constexpr (is_ray<A> && is_ray<B>) {
     return cast_hit_of_rays(a, motion, b);

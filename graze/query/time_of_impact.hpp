@@ -84,9 +84,8 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_of_moving(const A& a, const Mot
 }
 
 template <Convex A, class B>
-requires is_level<B> std::optional<CastHit<dimension_of<A>>> cast_hit_of_moving(const A& a, const MotionOf<A>& motion_a,
-                                                                                const B& b,
-                                                                                const MotionOf<A>& motion_b) {
+requires is_plane_or_half_space<B> std::optional<CastHit<dimension_of<A>>> cast_hit_of_moving(
+    const A& a, const MotionOf<A>& motion_a, const B& b, const MotionOf<A>& motion_b) {
   constexpr Dim N = dimension_of<A>;
   const auto& core_a = core(a);
   const double radius = core_radius(a);
@@ -134,7 +133,7 @@ Segment<N, double> piece_of_ray(const Ray<N, T>& ray, const MotionOf<B>& motion,
 // ---- Two shapes without end
 
 template <class S>
-inline constexpr bool is_endless = is_ray<S> || is_level<S>;
+inline constexpr bool is_endless = is_ray<S> || is_plane_or_half_space<S>;
 
 /// Two parallel planes, or what they bound, that turn alike: any point of a's surface is as far from b as another.
 template <class A, class B>
@@ -155,7 +154,7 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_of_endless(const A& a, const Mo
                                                             const MotionOf<A>& motion_b) {
   constexpr Dim N = dimension_of<A>;
   const Proximity<N, double> gap = proximity(a, b);
-  if constexpr (is_level<A> && is_level<B>) {
+  if constexpr (is_plane_or_half_space<A> && is_plane_or_half_space<B>) {
     if (motion_a.angular == motion_b.angular) return cast_hit_of_half_spaces<A, B>(gap, motion_a, motion_b);
   }
   return CastHit<N>{0, gap.point_b, gap.normal, Status::best_bound, gap.distance + gap.error};
@@ -223,10 +222,10 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_of_simple_motion(const A& a, co
     return with_normal_turned(cast_hit_of_moving(b, motion_b, piece_of_ray(a, motion_a, b, motion_b), motion_a));
   } else if constexpr (is_ray<B>) {
     return cast_hit_of_moving(a, motion_a, piece_of_ray(b, motion_b, a, motion_a), motion_b);
-  } else if constexpr (is_level<B>) {
+  } else if constexpr (is_plane_or_half_space<B>) {
     return cast_hit_of_moving(a, motion_a, b, motion_b);
   } else {
-    if constexpr (!is_level<A>) {
+    if constexpr (!is_plane_or_half_space<A>) {
       if (is_smaller(a, motion_a, b, motion_b)) return cast_hit_of_moving(a, motion_a, b, motion_b);
     }
     return with_normal_turned(cast_hit_of_moving(b, motion_b, a, motion_a));

@@ -9,9 +9,9 @@ namespace graze::test {
 template <class S>
 inline constexpr bool is_level = false;
 template <Dim N, class T>
-inline constexpr bool is_level<Plane<N, T>> = true;
+inline constexpr bool is_plane_or_half_space<Plane<N, T>> = true;
 template <Dim N, class T>
-inline constexpr bool is_level<HalfSpace<N, T>> = true;
+inline constexpr bool is_plane_or_half_space<HalfSpace<N, T>> = true;
 
 template <class S>
 inline constexpr bool is_ray = false;

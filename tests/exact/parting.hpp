@@ -21,7 +21,7 @@
 namespace graze::test {
 
 template <class S>
-inline constexpr bool is_bounded_and_convex = !is_level<S> && !is_ray<S> && !has_parts<S>;
+inline constexpr bool is_bounded_and_convex = !is_plane_or_half_space<S> && !is_ray<S> && !has_parts<S>;
 
 /// What the oracle takes a shape for; none for levels, rays and compounds.
 template <Dim N, class T>

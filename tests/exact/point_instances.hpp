@@ -66,7 +66,7 @@ double signed_distance_of(const S& shape, const Vec<N, T>& point) {
 
 template <class S, Dim N, class T>
 WideVec<N> closest_point_of(const S& shape, const Vec<N, T>& point) {
-  if constexpr (is_level<S>) {
+  if constexpr (is_plane_or_half_space<S>) {
     return closest_on<N>(level(shape), exact(point));
   } else if constexpr (is_ray<S>) {
     return nearest_in<N>(solid_beside(shape, solid(point)), exact(point));

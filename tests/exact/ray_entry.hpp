@@ -189,7 +189,7 @@ std::optional<double> exact_entry(const AnyShape<N, T>& shape, const Ray<N, T>& 
         } else {
           const AnyShape<N, T> start(ray.origin);
           if (exact_verdict<N, T>(start, shape, Measure::distance).relation != Relation::apart) return 0.0;
-          if constexpr (is_level<S>) {
+          if constexpr (is_plane_or_half_space<S>) {
             const ExactLevel<N> surface = level(held);
             const Rational climb = dot(surface.normal, direction);
             if (climb == 0) return std::nullopt;

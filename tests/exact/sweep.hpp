@@ -43,7 +43,7 @@ std::optional<ExactVerdict> solid_verdict_with(const Solid<N>& solid_a, const An
   return std::visit(
       [&solid_a](const auto& held) -> std::optional<ExactVerdict> {
         using S = std::decay_t<decltype(held)>;
-        if constexpr (is_level<S>) {
+        if constexpr (is_plane_or_half_space<S>) {
           return level_verdict(level(held), solid_a);
         } else if constexpr (is_bounded_and_convex<S>) {
           return solid_verdict(solid_a, solid(held), Measure::depth);

@@ -63,13 +63,13 @@ ExactVerdict solid_verdict(const Solid<N>& a, const Solid<N>& b, Measure measure
 /// The verdict of two simple shapes of one space.
 template <class A, class B>
 ExactVerdict simple_verdict(const A& a, const B& b, Measure measure) {
-  if constexpr (is_level<A> && is_level<B>) {
+  if constexpr (is_plane_or_half_space<A> && is_plane_or_half_space<B>) {
     return level_verdict(level(a), level(b));
-  } else if constexpr (is_level<B>) {
+  } else if constexpr (is_plane_or_half_space<B>) {
     return simple_verdict(b, a, measure);
-  } else if constexpr (is_level<A> && is_ray<B>) {
+  } else if constexpr (is_plane_or_half_space<A> && is_ray<B>) {
     return level_verdict(level(a), b);
-  } else if constexpr (is_level<A>) {
+  } else if constexpr (is_plane_or_half_space<A>) {
     return level_verdict(level(a), solid(b));
   } else if constexpr (is_ray<A> && is_ray<B>) {
     const auto [first, second] = cut_rays(a, b);

@@ -79,8 +79,8 @@ inline constexpr bool is_triangle<Triangle<3, T>> = true;
 template <class S>
 inline constexpr bool is_level = false;
 template <class T>
-inline constexpr bool is_level<Plane<3, T>> = true;
+inline constexpr bool is_plane_or_half_space<Plane<3, T>> = true;
 template <class T>
-inline constexpr bool is_level<HalfSpace<3, T>> = true;
+inline constexpr bool is_plane_or_half_space<HalfSpace<3, T>> = true;
 
 }  // namespace graze::exam

@@ -109,7 +109,8 @@ std::optional<bool> answer(const Solid3<T>& a, const Solid3<T>& b) {
         using B = std::decay_t<decltype(held_b)>;
         if constexpr (is_triangle<A> && is_triangle<B>) {
           return meet(held_a, held_b);
-        } else if constexpr ((is_level<A> && is_level<B>) || (is_level<A> && is_triangle<B>)) {
+        } else if constexpr ((is_plane_or_half_space<A> && is_plane_or_half_space<B>) ||
+                             (is_plane_or_half_space<A> && is_triangle<B>)) {
           return std::nullopt;
         } else if constexpr (is_triangle<A> && requires { placed(held_b); }) {
           return meet(placed(held_b), held_a);
@@ -130,7 +131,8 @@ std::optional<Parting> parting_of(const Solid3<T>& a, const Solid3<T>& b) {
       [](const auto& held_a, const auto& held_b) -> std::optional<Parting> {
         using A = std::decay_t<decltype(held_a)>;
         using B = std::decay_t<decltype(held_b)>;
-        if constexpr ((is_level<A> && is_level<B>) || (is_level<A> && is_triangle<B>)) {
+        if constexpr ((is_plane_or_half_space<A> && is_plane_or_half_space<B>) ||
+                      (is_plane_or_half_space<A> && is_triangle<B>)) {
           return std::nullopt;
         } else if constexpr (is_triangle<A> && requires { placed(held_b); }) {
           return parting(placed(held_b), held_a);  // the normal has no sign
@@ -151,7 +153,8 @@ std::optional<ContactPatch> patch_of(const Solid3<T>& a, const Solid3<T>& b) {
       [](const auto& held_a, const auto& held_b) -> std::optional<ContactPatch> {
         using A = std::decay_t<decltype(held_a)>;
         using B = std::decay_t<decltype(held_b)>;
-        if constexpr ((is_level<A> && is_level<B>) || (is_level<A> && is_triangle<B>)) {
+        if constexpr ((is_plane_or_half_space<A> && is_plane_or_half_space<B>) ||
+                      (is_plane_or_half_space<A> && is_triangle<B>)) {
           return std::nullopt;
         } else if constexpr (is_triangle<A> && requires { placed(held_b); }) {
           return patch(placed(held_b), held_a);

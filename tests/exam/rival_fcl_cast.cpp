@@ -44,7 +44,7 @@ std::optional<Meeting> meeting_of(const Solid3<double>& a, const Solid3<double>&
         [&meet](const auto& held_a, const auto& held_b) -> std::optional<Meeting> {
           using A = std::decay_t<decltype(held_a)>;
           using B = std::decay_t<decltype(held_b)>;
-          if constexpr (is_level<A> || is_level<B>) {
+          if constexpr (is_plane_or_half_space<A> || is_plane_or_half_space<B>) {
             return std::nullopt;
           } else if constexpr (requires { placed(held_a), placed(held_b); }) {
             return meet(placed(held_a), placed(held_b));

@@ -69,7 +69,7 @@ std::optional<Separation> separation_of(const Solid3<T>& a, const Solid3<T>& b) 
       [](const auto& held_a, const auto& held_b) -> std::optional<Separation> {
         using A = std::decay_t<decltype(held_a)>;
         using B = std::decay_t<decltype(held_b)>;
-        if constexpr (is_level<A> || is_level<B>) {
+        if constexpr (is_plane_or_half_space<A> || is_plane_or_half_space<B>) {
           return std::nullopt;
         } else if constexpr (is_triangle<A> && is_triangle<B>) {
           return apart<Solver>(held_a, held_b);

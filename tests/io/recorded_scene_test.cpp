@@ -39,7 +39,7 @@ TEST(RecordedScene, WritesEachCallAndItsAnswer) {
   EXPECT_EQ(scene.ray_cast({{-2, 0}, {1, 0}})->hit.t, 1);
   scene.remove(sphere);
   EXPECT_EQ(log.str(),
-            head + R"({"call": "add", "name": "sphere", "shape": {"type": "sphere", "center": [0, 0], "radius": 1}}
+            head + R"({"call": "add", "name": "ball", "shape": {"type": "sphere", "center": [0, 0], "radius": 1}}
 {"answer": [[0, 1]]}
 {"call": "add", "shape": {"type": "aabb", "min": [1, -1], "max": [2, 1]}}
 {"answer": [[1, 1]]}

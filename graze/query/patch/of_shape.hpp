@@ -34,7 +34,7 @@ template <class S>
 Patch<dimension_of<S>> patch_seen(const S& shape, const Vec<dimension_of<S>, double>& origin,
                                   const Vec<dimension_of<S>, double>& direction,
                                   const Vec<dimension_of<S>, double>& point) {
-  if constexpr (is_level<S>) {
+  if constexpr (is_plane_or_half_space<S>) {
     return unbounded_patch(boundary_of(shape), origin, direction);
   } else if constexpr (is_polytope<S>) {
     return patch_of_polytope(shape, origin, direction);
@@ -47,7 +47,7 @@ Patch<dimension_of<S>> patch_seen(const S& shape, const Vec<dimension_of<S>, dou
 
 template <class S>
 double radius_of_core(const S& shape) {
-  if constexpr (!is_level<S>) return core_radius(shape);
+  if constexpr (!is_plane_or_half_space<S>) return core_radius(shape);
   return 0;
 }
 

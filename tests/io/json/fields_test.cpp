@@ -34,7 +34,7 @@ TEST(JsonFields, NumbersAndVectorsAreRead) {
 
 TEST(JsonFields, AMissingFieldIsNamed) {
   EXPECT_EQ(message_for("{}", [](const JsonFields& fields) { fields.number("radius"); }),
-            R"(a.json: line 1, column 1: object 3 "sphere": a sphere needs the field "radius")");
+            R"(a.json: line 1, column 1: object 3 "ball": a sphere needs the field "radius")");
 }
 
 TEST(JsonFields, AnUnknownFieldIsNamedWithTheNearestKnown) {
@@ -43,12 +43,12 @@ TEST(JsonFields, AnUnknownFieldIsNamedWithTheNearestKnown) {
   };
   EXPECT_NO_THROW(with_fields(R"({"center": 1, "radius": 2})", allow));
   EXPECT_EQ(message_for("{\"center\": 1,\n \"raduis\": 2}", allow),
-            R"(a.json: line 2, column 2: object 3 "sphere": unknown field "raduis"; did you mean "radius"?)");
+            R"(a.json: line 2, column 2: object 3 "ball": unknown field "raduis"; did you mean "radius"?)");
 }
 
 TEST(JsonFields, AValueOfTheWrongKindIsNamed) {
   const auto number = [](const JsonFields& fields) { fields.number("radius"); };
-  const std::string begin = R"(a.json: line 1, column 12: object 3 "sphere": "radius" must be a number, not )";
+  const std::string begin = R"(a.json: line 1, column 12: object 3 "ball": "radius" must be a number, not )";
   EXPECT_EQ(message_for(R"({"radius": null})", number), begin + "null");
   EXPECT_EQ(message_for(R"({"radius": "2"})", number), begin + "a string");
   EXPECT_EQ(message_for(R"({"radius": [2]})", number), begin + "an array");
@@ -58,13 +58,13 @@ TEST(JsonFields, AValueOfTheWrongKindIsNamed) {
 
 TEST(JsonFields, AVectorNeedsAsManyNumbersAsThereAreDimensions) {
   const auto vector = [](const JsonFields& fields) { fields.vector<3>("center"); };
-  const std::string begin = R"(a.json: line 1, column 12: object 3 "sphere": "center" )";
+  const std::string begin = R"(a.json: line 1, column 12: object 3 "ball": "center" )";
   EXPECT_EQ(message_for(R"({"center": [1, 2]})", vector), begin + "has 2 numbers; this scene has dimension 3");
   EXPECT_EQ(message_for(R"({"center": [1]})", vector), begin + "has 1 number; this scene has dimension 3");
   EXPECT_EQ(message_for(R"({"center": []})", vector), begin + "has 0 numbers; this scene has dimension 3");
   EXPECT_EQ(message_for(R"({"center": 1})", vector), begin + "must be an array of 3 numbers, not a number");
   EXPECT_EQ(message_for(R"({"center": [1, null, 2]})", vector),
-            R"(a.json: line 1, column 16: object 3 "sphere": "center" must hold numbers; coordinate 1 is null)");
+            R"(a.json: line 1, column 16: object 3 "ball": "center" must hold numbers; coordinate 1 is null)");
 }
 
 TEST(JsonFields, WholeNumbersAreToBeWhole) {
@@ -72,7 +72,7 @@ TEST(JsonFields, WholeNumbersAreToBeWhole) {
     return read_whole(fields.require("user"), {"user"}, fields.place());
   };
   EXPECT_EQ(with_fields(R"({"user": 18446744073709551615})", whole), 18446744073709551615U);
-  EXPECT_EQ(message_for(R"({"user": -1})", whole), R"(a.json: line 1, column 10: object 3 "sphere": "user" is -1; )"
+  EXPECT_EQ(message_for(R"({"user": -1})", whole), R"(a.json: line 1, column 10: object 3 "ball": "user" is -1; )"
                                                    "it must be a whole number from 0 to 18446744073709551615");
   EXPECT_NE(message_for(R"({"user": 1.5})", whole).find("\"user\" is 1.5; it must be"), std::string::npos);
   EXPECT_NE(message_for(R"({"user": "7"})", whole).find("must be a whole number, not a string"), std::string::npos);

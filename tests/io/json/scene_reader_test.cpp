@@ -109,7 +109,7 @@ TEST(JsonSceneReader, ThereAreAtMost64Layers) {
 TEST(JsonSceneReader, TwoObjectsOfOneNameAreBothNamed) {
   EXPECT_EQ(refusal("{\"schema\": \"graze.scene/1\", \"dimension\": 2, \"objects\": [\n{\"name\": \"ball\", " + dot +
                     "},\n{" + dot + "},\n{\"name\": \"ball\", " + dot + "}]}"),
-            R"(a.json: line 4, column 10: object 2: the name "sphere" is taken by object 0; names must be unique)");
+            R"(a.json: line 4, column 10: object 2: the name "ball" is taken by object 0; names must be unique)");
 }
 
 TEST(JsonSceneReader, OtherSchemasAreRefusedWithTheReason) {
@@ -196,8 +196,8 @@ TEST(JsonSceneReader, VelocitiesComeBesideTheSceneAndAreWrittenAgain) {
 
 TEST(JsonSceneReader, ThePlaceOfAMistakeIsCountedInTheWholeFile) {
   EXPECT_EQ(refusal("{\"schema\": \"graze.scene/1\",\n\"dimension\": 2, \"objects\": [\n" + ("{" + dot + "},\n") +
-                    R"({"name": "sphere", "type": "sphere", "center": [1, 2], "raduis": 2}]})"),
-            R"(a.json: line 4, column 54: object 1 "sphere": unknown field "raduis"; did you mean "radius"?)");
+                    R"({"name": "ball", "type": "sphere", "center": [1, 2], "raduis": 2}]})"),
+            R"(a.json: line 4, column 54: object 1 "ball": unknown field "raduis"; did you mean "radius"?)");
 }
 
 TEST(JsonSceneReader, TheJsonSchemaHasTheSameFieldsAroundTheShapes) {

@@ -17,7 +17,7 @@ QueryLog<2> log_of(const std::string& text) { return std::get<QueryLog<2>>(parse
 
 const std::string head = "{\"schema\": \"graze.log/1\", \"dimension\": 2, \"numbers\": \"double\"}\n";
 const std::string sphere =
-    R"({"call": "add", "name": "sphere", "shape": {"type": "sphere", "center": [0, 0], "radius": 1}})"
+    R"({"call": "add", "name": "ball", "shape": {"type": "sphere", "center": [0, 0], "radius": 1}})"
     "\n{\"answer\": [[0, 1]]}\n";
 
 /// A program's own scene, recorded, with objects that come, move and go.

@@ -54,7 +54,7 @@ TEST(Report, as_json_of_no_pair_is_a_whole_document) {
 }
 
 TEST(Report, as_ndjson_is_one_object_per_line) {
-  EXPECT_EQ(report(ReportFormat::ndjson, two_pairs), R"({"a": "sphere", "b": "ground", "relation": "touching"}
+  EXPECT_EQ(report(ReportFormat::ndjson, two_pairs), R"({"a": "ball", "b": "ground", "relation": "touching"}
 {"a": "ground", "b": "wall", "relation": "overlapping"}
 )");
   EXPECT_EQ(report(ReportFormat::ndjson, {}), "");

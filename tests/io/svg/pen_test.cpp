@@ -49,7 +49,7 @@ TEST(SvgPen, draws_what_is_too_small_to_see_as_a_dot) {
 }
 
 TEST(SvgPen, gives_elements_their_class) {
-  EXPECT_EQ(drawn({{{10, 20}}, 5}, "ball"), R"(<circle class="sphere" cx="70" cy="628" r="5"/>)");
+  EXPECT_EQ(drawn({{{10, 20}}, 5}, "ball"), R"(<circle class="ball" cx="70" cy="628" r="5"/>)");
 }
 
 TEST(SvgPen, draws_an_arrow_with_its_head_at_the_end) {
