@@ -7,7 +7,7 @@
 namespace graze::test {
 
 template <class S>
-inline constexpr bool is_level = false;
+inline constexpr bool is_plane_or_half_space = false;
 template <Dim N, class T>
 inline constexpr bool is_plane_or_half_space<Plane<N, T>> = true;
 template <Dim N, class T>

@@ -77,7 +77,7 @@ inline constexpr bool is_triangle = false;
 template <class T>
 inline constexpr bool is_triangle<Triangle<3, T>> = true;
 template <class S>
-inline constexpr bool is_level = false;
+inline constexpr bool is_plane_or_half_space = false;
 template <class T>
 inline constexpr bool is_plane_or_half_space<Plane<3, T>> = true;
 template <class T>
