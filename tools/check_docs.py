@@ -7,6 +7,7 @@
 - A block below <!-- file: PATH --> is that file, one below <!-- from: PATH --> consecutive lines of it, one below
   <!-- output: PATH --> what that program prints, which check_recipe.py compares.
 - Links to files and headings lead somewhere.
+- The tables of accuracy are those of docs/accuracy.json.
 """
 
 import argparse
@@ -20,6 +21,7 @@ import textwrap
 from pathlib import Path
 from urllib.parse import unquote
 
+import exam_tables
 from markdown import read_page
 from project_files import ROOT, project_files
 
@@ -169,6 +171,7 @@ def main():
                                         for entry in commands_of(block)):
             counts["commands"] += 1
             problems.append((path, line, shell.problem(command, expected)))
+    problems += exam_tables.problems(root)
     problems = [f"{path}:{line}: {problem}" for path, line, problem in problems if problem]
     for problem in problems:
         print(problem, file=sys.stderr)

@@ -16,12 +16,6 @@
 #include <graze/math/vec.hpp>
 
 #include "exam/bullet_shapes.hpp"
-#include "exam/cast_rival.hpp"
-#include "exam/contact_rival.hpp"
-#include "exam/distance_rival.hpp"
-#include "exam/impact_rival.hpp"
-#include "exam/manifold_rival.hpp"
-#include "exam/ray_rival.hpp"
 #include "exam/rival.hpp"
 #include "query/placement.hpp"
 #include "query/times_of_impact.hpp"

@@ -7,7 +7,7 @@
 
 #include <graze/math/vec.hpp>
 
-#include "exam/hull_rival.hpp"
+#include "exam/rival.hpp"
 
 namespace graze::exam {
 

@@ -11,9 +11,7 @@
 
 #include <graze/math/vec.hpp>
 
-#include "exam/contact_rival.hpp"
 #include "exam/fcl_shapes.hpp"
-#include "exam/manifold_rival.hpp"
 #include "exam/rival.hpp"
 
 namespace graze::exam {

@@ -13,9 +13,8 @@
 #include <graze/math/motion.hpp>
 #include <graze/math/vec.hpp>
 
-#include "exam/cast_rival.hpp"
 #include "exam/fcl_shapes.hpp"
-#include "exam/impact_rival.hpp"
+#include "exam/rival.hpp"
 #include "query/times_of_impact.hpp"
 
 namespace graze::exam {

@@ -12,8 +12,8 @@
 
 #include <graze/math/vec.hpp>
 
-#include "exam/distance_rival.hpp"
 #include "exam/fcl_shapes.hpp"
+#include "exam/rival.hpp"
 
 namespace graze::exam {
 namespace {

@@ -11,7 +11,6 @@
 
 #include <graze/math/vec.hpp>
 
-#include "exam/contact_rival.hpp"
 #include "exam/rival.hpp"
 
 namespace graze::exam {

@@ -14,9 +14,6 @@
 
 #include <graze/math/vec.hpp>
 
-#include "exam/contact_rival.hpp"
-#include "exam/manifold_rival.hpp"
-#include "exam/ray_rival.hpp"
 #include "exam/rival.hpp"
 
 namespace graze::exam {

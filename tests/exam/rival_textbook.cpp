@@ -3,8 +3,6 @@
 #include <optional>
 #include <variant>
 
-#include "exam/contact_rival.hpp"
-#include "exam/ray_rival.hpp"
 #include "exam/rival.hpp"
 #include "exam/textbook.hpp"
 #include "exam/textbook_depth.hpp"

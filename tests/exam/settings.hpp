@@ -2,6 +2,7 @@
 // What the exam is asked to do, and where it keeps the cases that failed.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
@@ -9,6 +10,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -28,11 +30,31 @@ struct Settings {
   std::uint64_t seed = 1;
   double seconds = 0;  ///< Each pair stops after this; 0 for never.
   std::string pairs;   ///< Only pairs whose name, such as "3D float obb, triangle", holds this.
-  std::string output;  ///< The page that the tables go to; standard output if empty.
+  std::string output;  ///< The data file; standard output if empty.
   std::string regressions = "tests/exam/regressions.csv";
   bool keeps_hardest = false;  ///< Adds the hardest case of each pair and shape to the regressions, though right.
   std::size_t jobs = 1;
 };
+
+/// How many cases there are of a question: an option of the command line, and a number in the data file.
+struct Limit {
+  std::string_view name;
+  std::size_t Settings::*number;
+  std::string_view help;
+};
+
+inline constexpr std::array<Limit, 10> limits = {{
+    {"cases", &Settings::cases, "cases per pair of types and space"},
+    {"points", &Settings::points, "cases per shape and space for point queries"},
+    {"contacts", &Settings::contacts, "cases per pair of types and space for contact"},
+    {"distances", &Settings::distances, "cases per pair of types and space for closest_points"},
+    {"manifolds", &Settings::manifolds, "cases per pair of types and space for manifold"},
+    {"casts", &Settings::casts, "cases per pair of types and space for shape_cast"},
+    {"impacts", &Settings::impacts, "cases per pair of types and space for time_of_impact"},
+    {"rays", &Settings::rays, "cases per shape and space for ray_cast"},
+    {"hulls", &Settings::hulls, "sets of points per kind and space for convex_hull"},
+    {"masses", &Settings::masses, "cases per shape and space for mass_properties"},
+}};
 
 /// What the command line asks for; or, where help was asked for and given or an error was reported, the exit status.
 std::variant<Settings, int> read_settings(int argc, const char* const* argv);

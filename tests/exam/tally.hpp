@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What the exam has seen: plain counts, which the report turns into tables.
+// The results of the exam: counts, shares and largest errors by name, which data_file.hpp writes.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -10,9 +10,6 @@
 #include <type_traits>
 
 #include <graze/math/vec.hpp>
-#include <graze/shape/any_shape.hpp>
-
-#include "query/case_maker.hpp"
 
 namespace graze::exam {
 
@@ -32,61 +29,58 @@ inline std::string label(const SpaceName& space) {
   return std::to_string(space.dimension) + "D " + std::string(space.scalar);
 }
 
-/// "sphere, obb", by places in AnyShape.
-inline std::string pair_name(std::size_t a, std::size_t b) {
-  return std::string(shape_type_names[a]) + ", " + std::string(shape_type_names[b]);
-}
+/// How a largest error is reported: one for all spaces, one each for float and double, or one for each space.
+enum class By { all, scalar, space };
 
-/// The answers of one program to the same cases.
-struct RivalTally {
-  std::size_t cases = 0;
-  std::size_t false_yes = 0;
-  std::size_t false_no = 0;
-  std::size_t touching = 0;         ///< Cases that touch exactly.
-  std::size_t touching_missed = 0;  ///< Of those the ones called apart.
-  std::array<std::size_t, test::case_kind_count> cases_of_kind{};
-  std::array<std::size_t, test::case_kind_count> wrong_of_kind{};
+/// Figures of the same cases. Each is added in every case, also if it is zero, so that all subjects have the same ones.
+struct Figures {
+  struct Share {
+    std::size_t part = 0;
+    std::size_t whole = 0;
 
-  RivalTally& operator+=(const RivalTally& other) {
-    cases += other.cases;
-    false_yes += other.false_yes;
-    false_no += other.false_no;
-    touching += other.touching;
-    touching_missed += other.touching_missed;
-    for (std::size_t kind = 0; kind < test::case_kind_count; ++kind) {
-      cases_of_kind[kind] += other.cases_of_kind[kind];
-      wrong_of_kind[kind] += other.wrong_of_kind[kind];
+    void add(const Share& other) {
+      part += other.part;
+      whole += other.whole;
     }
+  };
+  struct Largest {
+    double value = 0;
+    By by = By::all;
+  };
+
+  std::size_t cases = 0;
+  std::map<std::string_view, std::size_t> counts;
+  std::map<std::string_view, Share> shares;         ///< Reported as part / whole.
+  std::map<std::string_view, Share> wrong_of_kind;  ///< By kind of case; reported for all subjects together.
+  std::map<std::string_view, Largest> largest;
+
+  void count(std::string_view name, std::size_t number) { counts[name] += number; }
+
+  void share(std::string_view name, std::size_t part, std::size_t whole = 1) { shares[name].add({part, whole}); }
+
+  void keep(std::string_view name, double error, By by = By::all) {
+    Largest& kept = largest[name];
+    kept = {std::max(kept.value, error), by};
+  }
+
+  Figures& operator+=(const Figures& other) {
+    cases += other.cases;
+    for (const auto& [name, number] : other.counts) count(name, number);
+    for (const auto& [name, share] : other.shares) shares[name].add(share);
+    for (const auto& [kind, share] : other.wrong_of_kind) wrong_of_kind[kind].add(share);
+    for (const auto& [name, kept] : other.largest) keep(name, kept.value, kept.by);
     return *this;
   }
 };
 
-/// graze's verdicts on one pair of types in one space.
-struct PairTally {
+/// The answers to one question about one subject, such as a pair of types, in one space.
+struct Tally {
+  std::string_view question;
   SpaceName space{};
-  std::string pair;
-  std::size_t cases = 0;
-  std::size_t certified = 0;  ///< Judged by a certificate; the others by the oracle.
-  std::size_t hits = 0;
-  std::size_t in_band = 0;  ///< Called touching within the documented band, though apart or overlapping.
-  std::size_t outside = 0;  ///< Beyond what is documented: numbers that squares cannot hold, almost parallel rays.
-  std::size_t wrong = 0;
-  double worst = 0;  ///< The largest gap or depth called touching, in epsilon of double times the pair's size.
-  std::map<std::string_view, RivalTally> rivals;  ///< By name, graze's own answers among them.
-};
-
-/// The errors of one point query, in ulp: epsilon of T times the largest coordinate of shape, point and answer.
-struct PointTally {
-  SpaceName space{};
-  std::string shape;
-  std::size_t cases = 0;
-  std::size_t held = 0;
-  std::size_t wrong = 0;  ///< Any answer beyond its bound, or one that the shape does not contain.
-  double forgiven = 0;    ///< Of the distance of points that are outside, but contained.
-  double distance = 0;    ///< Of the others.
-  double closest = 0;     ///< Of needles, divided by how many times longer than thick they are; so `boundary`.
-  double boundary = 0;
-  double needle = 0;  ///< The larger of both, of needles, not divided.
+  std::string subject;
+  Figures own;  ///< graze's answers to all cases.
+  std::map<std::string_view, Figures>
+      programs;  ///< All answers to the cases put to rivals, by name, graze's among them.
 };
 
 }  // namespace graze::exam

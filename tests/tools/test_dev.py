@@ -62,19 +62,22 @@ class DevTest(TreeTest):
         done = self.dev("bench", "graze_peers", GRAZE_SHARED_DATA="data_beside")
         self.assertIn("--boxes data_beside/chip_aes.csv", done.stdout)
 
-    def test_the_exam_is_built_alone_and_gets_the_options_after_the_number_of_jobs(self):
+    def test_the_exam_is_built_alone_and_gets_the_options_after_those_of_dev(self):
         self.write_program("build/exam/bin/graze_exam", 'for word in "$@"; do echo "[$word]"; done')
         done = self.dev("exam", "--cases", "20", "--pairs", "3D float obb, triangle")
         self.assertEqual(done.returncode, 0)
         words = done.stdout.splitlines()
         self.assertEqual(words[0], "[--jobs]")
-        self.assertEqual(words[2:], ["[--cases]", "[20]", "[--pairs]", "[3D float obb, triangle]"])
+        self.assertEqual(words[2:], ["[--output]", "[build/exam/accuracy.json]", "[--cases]", "[20]", "[--pairs]", "[3D float obb, triangle]"])
         self.assertIn("cmake --build --preset exam", done.stderr)
         self.assertIn("--target graze_exam", done.stderr)
 
-    def test_the_exam_fails_when_an_answer_was_wrong(self):
-        self.write_program("build/exam/bin/graze_exam", "exit 1")
-        self.assertEqual(self.dev("exam").returncode, 1)
+    def test_the_exam_prints_tables_of_what_it_has_written_and_fails_when_an_answer_was_wrong(self):
+        self.write_program("build/exam/bin/graze_exam", 'echo data >build/exam/accuracy.json; exit 1')
+        self.write("tools/exam_tables.py", "import sys\nprint('tables of', open(sys.argv[1]).read())\n")
+        done = self.dev("exam")
+        self.assertIn("tables of data", done.stdout)
+        self.assertEqual(done.returncode, 1)
 
     def write_node(self, version, summary):
         self.write_program("bin/node", f'if [ "$1" = -p ]; then echo {version}; else printf "{summary}"; fi')

@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: MIT
-#include "exam/contact_exam_instances.hpp"
-
-namespace graze::exam {
-
-template MeasuredPair examine_contacts<3, float>(std::size_t, std::size_t, const Settings&, RegressionLog&);
-
-}  // namespace graze::exam

@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: MIT
-#include "exam/manifold_exam_instances.hpp"
-
-namespace graze::exam {
-
-template MeasuredPair examine_manifolds<2, double>(std::size_t, std::size_t, const Settings&, RegressionLog&);
-
-}  // namespace graze::exam

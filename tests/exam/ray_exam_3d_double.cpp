@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: MIT
-#include "exam/ray_exam_instances.hpp"
-
-namespace graze::exam {
-
-template MeasuredPair examine_rays<3, double>(std::size_t, const Settings&, RegressionLog&);
-
-}  // namespace graze::exam
