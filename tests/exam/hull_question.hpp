@@ -17,8 +17,8 @@
 
 #include <rapidcheck.h>
 
-#include <graze/shape/polytope.hpp>
 #include <graze/shape/hull/lexicographic.hpp>
+#include <graze/shape/polytope.hpp>
 
 #include "exact/extreme.hpp"
 #include "exact/solid.hpp"
