@@ -15,7 +15,6 @@
 #include <ostream>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -28,6 +27,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/description.hpp>
 #include <graze/shape/fields/visit.hpp>
 #include <graze/shape/shape.hpp>
 
@@ -39,10 +39,10 @@ namespace graze::test {
 /// The four spaces, for TYPED_TEST_SUITE: a test body reads TypeParam::dimension and TypeParam::scalar.
 using Spaces = testing::Types<Space<2, float>, Space<3, float>, Space<2, double>, Space<3, double>>;
 
-/// What the catalogue knows of a type: its name, its fields in the order of braces, and `draw(source)`, which makes a
-/// random valid value. Types without public fields have `source(value)` instead, the expression that makes the value. A
-/// convex shape has `point_in(shape, w)`: for each w with coordinates in [-1, 1] a point of the shape, up to rounding,
-/// found without `support`.
+/// What the catalogue knows of a type: its name and `draw(source)`, which makes a random valid value. Types that braces
+/// around the fields of their description do not make have `source(value)`, the expression that does. A convex shape
+/// has `point_in(shape, w)`: for each w with coordinates in [-1, 1] a point of the shape, up to rounding, found without
+/// `support`.
 template <class S>
 struct Entry;
 
@@ -71,7 +71,6 @@ struct Entry<Vec<N, T>> : Generated<Vec<N, T>, N, T> {
 template <Dim N, class T>
 struct Entry<Segment<N, T>> : Generated<Segment<N, T>, N, T> {
   static constexpr std::string_view name = "Segment";
-  static constexpr auto fields = std::tuple(&Segment<N, T>::start, &Segment<N, T>::end);
   static Segment<N, T> draw(const Source<N, T>& from) { return {*from.point, *from.point}; }
   static Vec<N, double> point_in(const Segment<N, T>& segment, const Vec<N, double>& w) {
     return wide<N, T>(segment.start) * (0.5 - w[0] / 2) + wide<N, T>(segment.end) * (0.5 + w[0] / 2);
@@ -81,14 +80,12 @@ struct Entry<Segment<N, T>> : Generated<Segment<N, T>, N, T> {
 template <Dim N, class T>
 struct Entry<Ray<N, T>> : Generated<Ray<N, T>, N, T> {
   static constexpr std::string_view name = "Ray";
-  static constexpr auto fields = std::tuple(&Ray<N, T>::origin, &Ray<N, T>::direction);
   static Ray<N, T> draw(const Source<N, T>& from) { return {*from.point, *from.direction}; }
 };
 
 template <Dim N, class T>
 struct Entry<Sphere<N, T>> : Generated<Sphere<N, T>, N, T> {
   static constexpr std::string_view name = "Sphere";
-  static constexpr auto fields = std::tuple(&Sphere<N, T>::center, &Sphere<N, T>::radius);
   static Sphere<N, T> draw(const Source<N, T>& from) { return {*from.point, *from.size}; }
   static Vec<N, double> point_in(const Sphere<N, T>& sphere, const Vec<N, double>& w) {
     return wide<N, T>(sphere.center) + w * (static_cast<double>(sphere.radius) / std::fmax(1, length(w)));
@@ -98,7 +95,6 @@ struct Entry<Sphere<N, T>> : Generated<Sphere<N, T>, N, T> {
 template <Dim N, class T>
 struct Entry<Aabb<N, T>> : Generated<Aabb<N, T>, N, T> {
   static constexpr std::string_view name = "Aabb";
-  static constexpr auto fields = std::tuple(&Aabb<N, T>::min, &Aabb<N, T>::max);
   static Aabb<N, T> draw(const Source<N, T>& from) {
     const Vec<N, T> corner = *from.point;
     return Aabb<N, T>::from_corners(corner, *from.point);
@@ -111,7 +107,6 @@ struct Entry<Aabb<N, T>> : Generated<Aabb<N, T>, N, T> {
 template <Dim N, class T>
 struct Entry<Obb<N, T>> : Generated<Obb<N, T>, N, T> {
   static constexpr std::string_view name = "Obb";
-  static constexpr auto fields = std::tuple(&Obb<N, T>::center, &Obb<N, T>::half_extents, &Obb<N, T>::axes);
   static Obb<N, T> draw(const Source<N, T>& from) {
     return {*from.point, *vector_of<N, T>(from.size), *any_rotation<N, T>()};
   }
@@ -130,21 +125,18 @@ S<N, T> draw_level(const Source<N, T>& from) {
 template <Dim N, class T>
 struct Entry<Plane<N, T>> : Generated<Plane<N, T>, N, T> {
   static constexpr std::string_view name = "Plane";
-  static constexpr auto fields = std::tuple(&Plane<N, T>::normal, &Plane<N, T>::offset);
   static Plane<N, T> draw(const Source<N, T>& from) { return draw_level<Plane, N, T>(from); }
 };
 
 template <Dim N, class T>
 struct Entry<HalfSpace<N, T>> : Generated<HalfSpace<N, T>, N, T> {
   static constexpr std::string_view name = "HalfSpace";
-  static constexpr auto fields = std::tuple(&HalfSpace<N, T>::normal, &HalfSpace<N, T>::offset);
   static HalfSpace<N, T> draw(const Source<N, T>& from) { return draw_level<HalfSpace, N, T>(from); }
 };
 
 template <Dim N, class T>
 struct Entry<Triangle<N, T>> : Generated<Triangle<N, T>, N, T> {
   static constexpr std::string_view name = "Triangle";
-  static constexpr auto fields = std::tuple(&Triangle<N, T>::a, &Triangle<N, T>::b, &Triangle<N, T>::c);
   static Triangle<N, T> draw(const Source<N, T>& from) { return {*from.point, *from.point, *from.point}; }
   static Vec<N, double> point_in(const Triangle<N, T>& triangle, const Vec<N, double>& w) {
     const double along = 0.5 + w[0] / 2;
@@ -156,7 +148,6 @@ struct Entry<Triangle<N, T>> : Generated<Triangle<N, T>, N, T> {
 template <Dim N, class T>
 struct Entry<Capsule<N, T>> : Generated<Capsule<N, T>, N, T> {
   static constexpr std::string_view name = "Capsule";
-  static constexpr auto fields = std::tuple(&Capsule<N, T>::a, &Capsule<N, T>::b, &Capsule<N, T>::radius);
   static Capsule<N, T> draw(const Source<N, T>& from) { return {*from.point, *from.point, *from.size}; }
   static Vec<N, double> point_in(const Capsule<N, T>& capsule, const Vec<N, double>& w) {
     const Vec<N, double> center = Entry<Segment<N, T>>::point_in(axis(capsule), w);
@@ -215,18 +206,18 @@ struct Entry<Compound<N, T>> : Generated<Compound<N, T>, N, T> {
 template <Dim N, class T>
 struct Entry<Pose<N, T>> : Generated<Pose<N, T>, N, T> {
   static constexpr std::string_view name = "Pose";
-  static constexpr auto fields = std::tuple(&Pose<N, T>::rotation, &Pose<N, T>::position);
   static Pose<N, T> draw(const Source<N, T>& from) { return {*any_rotation<N, T>(), *from.point}; }
+  static std::string source(const Pose<N, T>& pose) {
+    return type_source<N, T>(name) + "{" + initializer(pose.rotation) + ", " + initializer(pose.position) + "}";
+  }
 };
 
 template <template <Dim, class> class S, Dim N, class T>
 std::string fields_source(const S<N, T>& value) {
-  const auto join = [&value](auto... fields) {
-    std::string text;
-    ((text += (text.empty() ? "" : ", ") + initializer(value.*fields)), ...);
-    return text;
-  };
-  return type_source<N, T>(Entry<S<N, T>>::name) + "{" + std::apply(join, Entry<S<N, T>>::fields) + "}";
+  std::string text;
+  detail::for_each_field(
+      value, [&text](const auto&, const auto& field) { text += (text.empty() ? "" : ", ") + initializer(field); });
+  return type_source<N, T>(Entry<S<N, T>>::name) + "{" + text + "}";
 }
 
 template <Catalogued S>
@@ -254,7 +245,10 @@ AnyShape<N, T> draw_shape_at(std::size_t index, const Source<N, T>& from, int de
   if (index == compound_index<N, T>) return Entry<Compound<N, T>>::draw(from, depth);
   Any shape;
   [&]<std::size_t... Indices>(std::index_sequence<Indices...>) {
-    const auto draw = [&]<class S>(std::type_identity<S>) { shape = Entry<S>::draw(from); };
+    const auto draw = [&]<class S>(std::type_identity<S>) {
+      static_assert(Catalogued<S>, "a shape of AnyShape has no Entry: add one to tests/catalogue.hpp");
+      shape = Entry<S>::draw(from);
+    };
     ((index == Indices ? draw(std::type_identity<std::variant_alternative_t<Indices, Any>>()) : void()), ...);
   }
   (std::make_index_sequence<compound_index<N, T>>());

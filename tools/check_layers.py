@@ -27,6 +27,7 @@ TESTED_ELSEWHERE = {
     "graze/math/platform/compiler.hpp": ("tests/package/test_compiler.py", "refuses compilers and flags"),
     "graze/math/platform/has_lanes.hpp": ("tests/math/lanes/lanes_test.cpp", "two macros, for what is tested there"),
     "graze/math/platform/throw.hpp": ("tests/package/test_compiler.py", "what errors become without exceptions"),
+    "graze/shape/fields/transformed.hpp": ("tests/query/transformed_test.cpp", "how every shape moves"),
     "graze/shape/hull/flat_points.hpp": ("tests/shape/hull/vertices_test.cpp", "the corners of flat points"),
     "graze/shape/hull/input.hpp": ("tests/shape/polytope_test.cpp", "what convex_hull refuses"),
     "graze/shape/hull/lexicographic.hpp": ("tests/shape/polytope_test.cpp", "the order of a polytope's vertices"),

@@ -9,6 +9,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/converted.hpp>
 #include <graze/shape/fields/visit.hpp>
 
 namespace graze::io {
@@ -28,48 +29,14 @@ class ShapeNumbers {
   template <Dim N, class From>
   Vec<N, To> of(const Vec<N, From>& point) const {
     Vec<N, To> changed;
-    for (Dim i = 0; i < N; ++i) changed[i] = change_(point[i]);
+    detail::convert(point, changed, change_);
     return changed;
   }
 
  private:
-  template <Dim N, class From>
-  Segment<N, To> of(const Segment<N, From>& segment) const {
-    return {of(segment.start), of(segment.end)};
-  }
-  template <Dim N, class From>
-  Ray<N, To> of(const Ray<N, From>& ray) const {
-    return {of(ray.origin), of(ray.direction)};
-  }
-  template <Dim N, class From>
-  Sphere<N, To> of(const Sphere<N, From>& sphere) const {
-    return {of(sphere.center), change_(sphere.radius)};
-  }
-  template <Dim N, class From>
-  Aabb<N, To> of(const Aabb<N, From>& box) const {
-    return {of(box.min), of(box.max)};
-  }
-  template <Dim N, class From>
-  Obb<N, To> of(const Obb<N, From>& box) const {
-    Mat<N, To> axes;
-    for (Dim i = 0; i < N; ++i) axes[i] = of<N, From>(box.axes[i]);
-    return {of(box.center), of(box.half_extents), axes};
-  }
-  template <Dim N, class From>
-  Plane<N, To> of(const Plane<N, From>& plane) const {
-    return {of(plane.normal), change_(plane.offset)};
-  }
-  template <Dim N, class From>
-  HalfSpace<N, To> of(const HalfSpace<N, From>& solid) const {
-    return {of(solid.normal), change_(solid.offset)};
-  }
-  template <Dim N, class From>
-  Triangle<N, To> of(const Triangle<N, From>& triangle) const {
-    return {of(triangle.a), of(triangle.b), of(triangle.c)};
-  }
-  template <Dim N, class From>
-  Capsule<N, To> of(const Capsule<N, From>& capsule) const {
-    return {of(capsule.a), of(capsule.b), change_(capsule.radius)};
+  template <template <Dim, class> class S, Dim N, class From>
+  S<N, To> of(const S<N, From>& shape) const {
+    return detail::converted<To>(shape, change_);
   }
   template <Dim N, class From>
   Polytope<N, To> of(const Polytope<N, From>& polytope) const {

@@ -161,4 +161,17 @@ Mat<3, double> rotation_from_quaternion(const Q& quaternion) {
   return result;
 }
 
+/// The deviation of a matrix' columns from orthonormal: the largest |dot(column i, column j) - (i == j)|.
+template <Dim N, class T>
+double orthonormal_error(const Mat<N, T>& axes) {
+  double error = 0;
+  for (Dim i = 0; i < N; ++i) {
+    for (Dim j = i; j < N; ++j) {
+      const double deviation = std::fabs(dot(wide<N, T>(axes[i]), wide<N, T>(axes[j])) - (i == j ? 1.0 : 0.0));
+      if (!(deviation <= error)) error = deviation;
+    }
+  }
+  return error;
+}
+
 }  // namespace graze

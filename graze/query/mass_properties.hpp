@@ -263,7 +263,14 @@ Moments<N> moments_of(const Compound<N, T>& compound) {
 
 template <Dim N, class T>
 Moments<N> moments_of(const AnyShape<N, T>& shape) {
-  return detail::visit([](const auto& held) -> Moments<N> { return moments_of(held); }, shape);
+  return detail::visit(
+      [](const auto& held) -> Moments<N> {
+        static_assert(
+            requires { moments_of(held); },
+            "a shape of AnyShape has no moments_of: add one to graze/query/mass_properties.hpp");
+        return moments_of(held);
+      },
+      shape);
 }
 
 /// Of all rotation * x + position, also for a rotation that is only nearly one.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// transformed(shape, pose) for shapes that hold other shapes, which simple shapes have beside their definition; and
+// transformed(shape, pose) for shapes that hold other shapes (simple ones: shape/fields/transformed.hpp); and
 // translated(shape, offset).
 #pragma once
 

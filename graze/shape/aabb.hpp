@@ -6,6 +6,8 @@
 #include <type_traits>
 
 #include <graze/math/vec.hpp>
+#include <graze/shape/fields/defect.hpp>
+#include <graze/shape/fields/description.hpp>
 
 namespace graze {
 
@@ -68,16 +70,6 @@ template <class T = float>
 using Rect = Aabb<2, T>;
 
 template <Dim N, class T>
-std::string_view defect(const Aabb<N, T>& box) {
-  if (!is_finite(box.min)) return "has a min that is not finite";
-  if (!is_finite(box.max)) return "has a max that is not finite";
-  for (Dim i = 0; i < N; ++i) {
-    if (box.min[i] > box.max[i]) return "has a min above its max";
-  }
-  return "";
-}
-
-template <Dim N, class T>
 Vec<N, double> support(const Aabb<N, T>& box, const std::type_identity_t<Vec<N, double>>& direction) {
   Vec<N, double> corner;
   for (Dim i = 0; i < N; ++i) corner[i] = static_cast<double>(direction[i] > 0 ? box.max[i] : box.min[i]);
@@ -91,6 +83,19 @@ bool is_nothing(const Aabb<N, T>& box) {
     if (box.min[i] > box.max[i]) return true;
   }
   return false;
+}
+
+namespace detail {
+template <Dim N, class T>
+inline constexpr auto description_of<Aabb<N, T>> = Description("aabb", field::point("min", &Aabb<N, T>::min),
+                                                               field::point("max", &Aabb<N, T>::max));
+}  // namespace detail
+
+/// As of every shape, and its corners must be in order.
+template <Dim N, class T>
+std::string_view defect(const Aabb<N, T>& box) {
+  if (const std::string_view found = detail::defect_of_fields(box); !found.empty()) return found;
+  return is_nothing(box) ? "has a min above its max" : "";
 }
 
 /// True when the boxes, neither of them `is_nothing`, share a point; touching counts. Exact. False when a coordinate is

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <cmath>
-#include <string_view>
 #include <type_traits>
 
-#include <graze/math/pose.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/shape/fields/defect.hpp>
+#include <graze/shape/fields/description.hpp>
+#include <graze/shape/fields/transformed.hpp>
 #include <graze/shape/segment.hpp>
 
 namespace graze {
@@ -26,24 +27,17 @@ Segment<N, T> axis(const Capsule<N, T>& capsule) {
   return {capsule.a, capsule.b};
 }
 
+namespace detail {
 template <Dim N, class T>
-std::string_view defect(const Capsule<N, T>& capsule) {
-  if (!is_finite(capsule.a)) return "has an a that is not finite";
-  if (!is_finite(capsule.b)) return "has a b that is not finite";
-  if (!std::isfinite(capsule.radius)) return "has a radius that is not finite";
-  if (capsule.radius < T(0)) return "has a negative radius";
-  return "";
-}
+inline constexpr auto description_of<Capsule<N, T>> = Description("capsule", field::point("a", &Capsule<N, T>::a),
+                                                                  field::point("b", &Capsule<N, T>::b),
+                                                                  field::length("radius", &Capsule<N, T>::radius));
+}  // namespace detail
 
 template <Dim N, class T>
 Vec<N, double> support(const Capsule<N, T>& capsule, const std::type_identity_t<Vec<N, double>>& direction) {
   const double size = std::sqrt(dot(direction, direction));
   return support(axis(capsule), direction) + direction * (static_cast<double>(capsule.radius) / size);
-}
-
-template <Dim N, class T>
-Capsule<N, T> transformed(const Capsule<N, T>& capsule, const Pose<N, T>& pose) {
-  return {transformed(capsule.a, pose), transformed(capsule.b, pose), capsule.radius};
 }
 
 }  // namespace graze

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include <graze/math/vec.hpp>
-#include <graze/shape/aabb.hpp>
-#include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/defect.hpp>
+#include <graze/shape/fields/description.hpp>
 
 namespace graze {
 
-/// One shape of a compound, and a box around it by which queries skip the part.
-template <Dim N, class T = float>
-struct Part {
-  AnyShape<N, T> shape;
-  Aabb<N, T> box;
-};
+/// A shape and a box around it; defined in any_shape.hpp.
+template <Dim N, class T>
+struct Part;
 
 /// The union of its parts, which it owns; compounds may be parts. Without parts it is valid and touches nothing.
 /// Make one with `compound_of(shapes)` from query/bounds.hpp, which calculates the boxes.
@@ -24,12 +20,13 @@ struct Compound {
   std::vector<Part<N, T>> parts;
 };
 
+namespace detail {
 template <Dim N, class T>
-std::string_view defect(const Compound<N, T>& compound) {
-  for (const Part<N, T>& part : compound.parts) {
-    if (!defect(part.shape).empty()) return "has a part that is not valid";
-  }
-  return "";
-}
+inline constexpr auto description_of<Compound<N, T>> = Description("compound",
+                                                                   field::parts("parts", &Compound<N, T>::parts));
+}  // namespace detail
 
 }  // namespace graze
+
+// AnyShape and Compound are one recursive definition in two files: a compound's parts are any shapes.
+#include <graze/shape/any_shape.hpp>  // IWYU pragma: export

@@ -11,9 +11,11 @@
 #include <type_traits>
 
 #include <graze/math/platform/throw.hpp>
-#include <graze/math/pose.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/clip_space.hpp>
+#include <graze/shape/fields/defect.hpp>
+#include <graze/shape/fields/description.hpp>
+#include <graze/shape/fields/transformed.hpp>
 
 namespace graze {
 
@@ -37,13 +39,11 @@ struct Frustum {
   }
 };
 
+namespace detail {
 template <Dim N, class T>
-std::string_view defect(const Frustum<N, T>& frustum) {
-  for (const Vec<N, T>& corner : frustum.corners) {
-    if (!is_finite(corner)) return "has a corner that is not finite";
-  }
-  return "";
-}
+inline constexpr auto description_of<Frustum<N, T>> = Description("", field::corners("corners", &Frustum<N, T>::corners,
+                                                                                     "corner"));
+}  // namespace detail
 
 template <Dim N, class T>
 Vec<N, double> support(const Frustum<N, T>& frustum, const std::type_identity_t<Vec<N, double>>& direction) {
@@ -58,13 +58,6 @@ Vec<N, double> support(const Frustum<N, T>& frustum, const std::type_identity_t<
     }
   }
   return best;
-}
-
-template <Dim N, class T>
-Frustum<N, T> transformed(const Frustum<N, T>& frustum, const Pose<N, T>& pose) {
-  Frustum<N, T> moved;
-  for (std::size_t k = 0; k < frustum.corners.size(); ++k) moved.corners[k] = transformed(frustum.corners[k], pose);
-  return moved;
 }
 
 /// How a view-projection matrix is to be read.

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
-#include <string_view>
-
-#include <graze/math/pose.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/shape/fields/defect.hpp>
+#include <graze/shape/fields/description.hpp>
+#include <graze/shape/fields/transformed.hpp>
 #include <graze/shape/plane.hpp>
 
 namespace graze {
@@ -18,21 +17,18 @@ struct HalfSpace {
   T offset = T(0);
 };
 
+namespace detail {
+template <Dim N, class T>
+inline constexpr auto description_of<HalfSpace<N, T>> = Description("half_space",
+                                                                    field::direction("normal",
+                                                                                     &HalfSpace<N, T>::normal),
+                                                                    field::offset("offset", &HalfSpace<N, T>::offset));
+}  // namespace detail
+
 /// The plane that bounds a half-space.
 template <Dim N, class T>
 Plane<N, T> boundary(const HalfSpace<N, T>& solid) {
   return {solid.normal, solid.offset};
-}
-
-template <Dim N, class T>
-std::string_view defect(const HalfSpace<N, T>& solid) {
-  return defect(boundary(solid));
-}
-
-template <Dim N, class T>
-HalfSpace<N, T> transformed(const HalfSpace<N, T>& solid, const Pose<N, T>& pose) {
-  const Plane<N, T> moved = transformed(boundary(solid), pose);
-  return {moved.normal, moved.offset};
 }
 
 }  // namespace graze

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
-#include <string_view>
 #include <type_traits>
 
 #include <graze/math/pose.hpp>
-#include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
+#include <graze/shape/fields/defect.hpp>
+#include <graze/shape/fields/description.hpp>
+#include <graze/shape/fields/transformed.hpp>
 
 namespace graze {
 
@@ -46,32 +46,13 @@ struct Obb {
 template <class T = float>
 using OrientedRect = Obb<2, T>;
 
-/// The deviation of a matrix' columns from orthonormal: the largest |dot(column i, column j) - (i == j)|.
+namespace detail {
 template <Dim N, class T>
-double orthonormal_error(const Mat<N, T>& axes) {
-  double error = 0;
-  for (Dim i = 0; i < N; ++i) {
-    for (Dim j = i; j < N; ++j) {
-      const double deviation = std::fabs(dot(wide<N, T>(axes[i]), wide<N, T>(axes[j])) - (i == j ? 1.0 : 0.0));
-      if (!(deviation <= error)) error = deviation;
-    }
-  }
-  return error;
-}
-
-template <Dim N, class T>
-std::string_view defect(const Obb<N, T>& box) {
-  if (!is_finite(box.center)) return "has a center that is not finite";
-  if (!is_finite(box.half_extents)) return "has half_extents that are not finite";
-  for (Dim i = 0; i < N; ++i) {
-    if (box.half_extents[i] < T(0)) return "has a negative half extent";
-    if (!is_finite<N, T>(box.axes[i])) return "has axes that are not finite";
-  }
-  if (!(orthonormal_error<N, T>(box.axes) <= tolerance::orthonormal)) {
-    return "has axes that are not orthonormal (unit length, at right angles)";
-  }
-  return "";
-}
+inline constexpr auto description_of<Obb<N, T>> = Description("obb", field::point("center", &Obb<N, T>::center),
+                                                              field::half_extents("half_extents",
+                                                                                  &Obb<N, T>::half_extents),
+                                                              field::axes("axes", &Obb<N, T>::axes));
+}  // namespace detail
 
 /// The vectors from the center to the middles of the faces: column i is axes[i] * half_extents[i].
 template <Dim N, class T>
@@ -87,11 +68,6 @@ Vec<N, double> support(const Obb<N, T>& box, const std::type_identity_t<Vec<N, d
   const Mat<N, double> edges = half_edges(box);
   for (Dim i = 0; i < N; ++i) corner += dot(edges[i], direction) > 0 ? edges[i] : -edges[i];
   return corner;
-}
-
-template <Dim N, class T>
-Obb<N, T> transformed(const Obb<N, T>& box, const Pose<N, T>& pose) {
-  return {transformed(box.center, pose), box.half_extents, rotated<N, T>(box.axes, pose)};
 }
 
 /// The oriented box that equals an axis-aligned one, up to the rounding of its center and half extents.

@@ -3,13 +3,14 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <string_view>
 
 #include <graze/math/orientation.hpp>
 #include <graze/math/platform/throw.hpp>
-#include <graze/math/pose.hpp>
 #include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/shape/fields/defect.hpp>
+#include <graze/shape/fields/description.hpp>
+#include <graze/shape/fields/transformed.hpp>
 
 namespace graze {
 
@@ -20,20 +21,12 @@ struct Plane {
   T offset = T(0);
 };
 
+namespace detail {
 template <Dim N, class T>
-std::string_view defect(const Plane<N, T>& plane) {
-  if (!is_finite(plane.normal)) return "has a normal that is not finite";
-  if (max_abs(plane.normal) == T(0)) return "has a normal of length zero";
-  if (!std::isfinite(plane.offset)) return "has an offset that is not finite";
-  return "";
-}
-
-template <Dim N, class T>
-Plane<N, T> transformed(const Plane<N, T>& plane, const Pose<N, T>& pose) {
-  const Vec<N, T> normal = rotated<N, T>(plane.normal, pose);
-  return {normal,
-          static_cast<T>(static_cast<double>(plane.offset) + dot(wide<N, T>(normal), wide<N, T>(pose.position)))};
-}
+inline constexpr auto description_of<Plane<N, T>> = Description("plane",
+                                                                field::direction("normal", &Plane<N, T>::normal),
+                                                                field::offset("offset", &Plane<N, T>::offset));
+}  // namespace detail
 
 /// The same plane, its normal of length 1. Nothing over- or underflows but the offset, which is infinite when the plane
 /// is farther away than doubles reach.

@@ -6,13 +6,14 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <graze/math/pose.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/shape/fields/defect.hpp>
+#include <graze/shape/fields/description.hpp>
 #include <graze/shape/hull/convex_ring.hpp>
 #include <graze/shape/hull/corner_rows.hpp>
 #include <graze/shape/hull/input.hpp>
@@ -176,11 +177,11 @@ auto convex_hull_in_order(const Row& points) {
   return convex_hull_in_order<detail::vec_dimension<Point>, typename Point::value_type>(span_of(points));
 }
 
-/// A polytope cannot be built with a defect.
+namespace detail {
 template <Dim N, class T>
-std::string_view defect(const Polytope<N, T>&) {
-  return "";
-}
+inline constexpr auto description_of<Polytope<N, T>> = Description("polytope",
+                                                                   field::hull("points", &Polytope<N, T>::vertices));
+}  // namespace detail
 
 template <Dim N, class T>
 Vec<N, double> support(const Polytope<N, T>& polytope, const std::type_identity_t<Vec<N, double>>& direction) {

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <stdexcept>
-#include <string_view>
 
 #include <graze/math/platform/throw.hpp>
-#include <graze/math/pose.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/shape/fields/defect.hpp>
+#include <graze/shape/fields/description.hpp>
+#include <graze/shape/fields/transformed.hpp>
 
 namespace graze {
 
@@ -17,18 +18,11 @@ struct Ray {
   Vec<N, T> direction = unit_axis<N, T>(0);
 };
 
+namespace detail {
 template <Dim N, class T>
-std::string_view defect(const Ray<N, T>& ray) {
-  if (!is_finite(ray.origin)) return "has an origin that is not finite";
-  if (!is_finite(ray.direction)) return "has a direction that is not finite";
-  if (max_abs(ray.direction) == T(0)) return "has a direction of length zero";
-  return "";
-}
-
-template <Dim N, class T>
-Ray<N, T> transformed(const Ray<N, T>& ray, const Pose<N, T>& pose) {
-  return {transformed(ray.origin, pose), rotated<N, T>(ray.direction, pose)};
-}
+inline constexpr auto description_of<Ray<N, T>> = Description("ray", field::point("origin", &Ray<N, T>::origin),
+                                                              field::direction("direction", &Ray<N, T>::direction));
+}  // namespace detail
 
 /// The ray from one point through another, at t = 1. Equal points have no direction: std::invalid_argument.
 template <Dim N, class T>

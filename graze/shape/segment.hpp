@@ -2,11 +2,12 @@
 #pragma once
 
 #include <cmath>
-#include <string_view>
 #include <type_traits>
 
-#include <graze/math/pose.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/shape/fields/defect.hpp>
+#include <graze/shape/fields/description.hpp>
+#include <graze/shape/fields/transformed.hpp>
 
 namespace graze {
 
@@ -17,23 +18,18 @@ struct Segment {
   Vec<N, T> end = unit_axis<N, T>(0);
 };
 
+namespace detail {
 template <Dim N, class T>
-std::string_view defect(const Segment<N, T>& segment) {
-  if (!is_finite(segment.start)) return "has a start that is not finite";
-  if (!is_finite(segment.end)) return "has an end that is not finite";
-  return "";
-}
+inline constexpr auto description_of<Segment<N, T>> = Description("segment",
+                                                                  field::point("start", &Segment<N, T>::start),
+                                                                  field::point("end", &Segment<N, T>::end));
+}  // namespace detail
 
 template <Dim N, class T>
 Vec<N, double> support(const Segment<N, T>& segment, const std::type_identity_t<Vec<N, double>>& direction) {
   const Vec<N, double> start = wide<N, T>(segment.start);
   const Vec<N, double> end = wide<N, T>(segment.end);
   return dot(end, direction) > dot(start, direction) ? end : start;
-}
-
-template <Dim N, class T>
-Segment<N, T> transformed(const Segment<N, T>& segment, const Pose<N, T>& pose) {
-  return {transformed(segment.start, pose), transformed(segment.end, pose)};
 }
 
 /// The squared length: the cheaper sibling of `length`, enough for comparisons.

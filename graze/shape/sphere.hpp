@@ -2,11 +2,12 @@
 #pragma once
 
 #include <cmath>
-#include <string_view>
 #include <type_traits>
 
-#include <graze/math/pose.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/shape/fields/defect.hpp>
+#include <graze/shape/fields/description.hpp>
+#include <graze/shape/fields/transformed.hpp>
 
 namespace graze {
 
@@ -20,23 +21,17 @@ struct Sphere {
 template <class T = float>
 using Circle = Sphere<2, T>;
 
+namespace detail {
 template <Dim N, class T>
-std::string_view defect(const Sphere<N, T>& sphere) {
-  if (!is_finite(sphere.center)) return "has a center that is not finite";
-  if (!std::isfinite(sphere.radius)) return "has a radius that is not finite";
-  if (sphere.radius < T(0)) return "has a negative radius";
-  return "";
-}
+inline constexpr auto description_of<Sphere<N, T>> = Description("sphere",
+                                                                 field::point("center", &Sphere<N, T>::center),
+                                                                 field::length("radius", &Sphere<N, T>::radius));
+}  // namespace detail
 
 template <Dim N, class T>
 Vec<N, double> support(const Sphere<N, T>& sphere, const std::type_identity_t<Vec<N, double>>& direction) {
   const double size = std::sqrt(dot(direction, direction));
   return wide<N, T>(sphere.center) + direction * (static_cast<double>(sphere.radius) / size);
-}
-
-template <Dim N, class T>
-Sphere<N, T> transformed(const Sphere<N, T>& sphere, const Pose<N, T>& pose) {
-  return {transformed(sphere.center, pose), sphere.radius};
 }
 
 }  // namespace graze

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <array>
-#include <string_view>
 #include <type_traits>
 
-#include <graze/math/pose.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/shape/fields/defect.hpp>
+#include <graze/shape/fields/description.hpp>
+#include <graze/shape/fields/transformed.hpp>
 
 namespace graze {
 
@@ -20,13 +21,13 @@ struct Triangle {
   std::array<Vec<N, T>, 3> vertices() const { return {a, b, c}; }
 };
 
+namespace detail {
 template <Dim N, class T>
-std::string_view defect(const Triangle<N, T>& triangle) {
-  for (const Vec<N, T>& vertex : triangle.vertices()) {
-    if (!is_finite(vertex)) return "has a corner that is not finite";
-  }
-  return "";
-}
+inline constexpr auto description_of<Triangle<N, T>> = Description("triangle",
+                                                                   field::point("a", &Triangle<N, T>::a, "corner"),
+                                                                   field::point("b", &Triangle<N, T>::b, "corner"),
+                                                                   field::point("c", &Triangle<N, T>::c, "corner"));
+}  // namespace detail
 
 template <Dim N, class T>
 Vec<N, double> support(const Triangle<N, T>& triangle, const std::type_identity_t<Vec<N, double>>& direction) {
@@ -35,11 +36,6 @@ Vec<N, double> support(const Triangle<N, T>& triangle, const std::type_identity_
     if (dot(vertex, direction) > dot(best, direction)) best = vertex;
   }
   return best;
-}
-
-template <Dim N, class T>
-Triangle<N, T> transformed(const Triangle<N, T>& triangle, const Pose<N, T>& pose) {
-  return {transformed(triangle.a, pose), transformed(triangle.b, pose), transformed(triangle.c, pose)};
 }
 
 }  // namespace graze

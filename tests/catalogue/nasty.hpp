@@ -7,11 +7,11 @@
 #include <cstddef>
 #include <limits>
 #include <string_view>
-#include <tuple>
 
 #include <gtest/gtest.h>
 
 #include <graze/math/vec.hpp>
+#include <graze/shape/fields/description.hpp>
 #include <graze/shape/shape.hpp>
 
 #include "../catalogue.hpp"
@@ -54,19 +54,19 @@ template <class S, class... Expected>
 std::size_t expect_defects(const S& shape, const Expected&... expected) {
   using T = scalar_of<S>;
   std::size_t cases = 0;
-  const auto replace_in = [&](auto field, const auto& expected_defect) {
-    constexpr std::size_t count = sizeof(shape.*field) / sizeof(T);
+  const auto replace_in = [&](const auto& field, const auto& expected_defect) {
+    constexpr std::size_t count = sizeof(field.in(shape)) / sizeof(T);
     for (Dim index = 0; index < static_cast<Dim>(count); ++index) {
       for (const T value : nasty_values<T>) {
         S changed = shape;
-        set_number(changed.*field, index, value);
+        set_number(field.in(changed), index, value);
         EXPECT_EQ(defect(changed), expected_defect(value, index)) << to_source(changed);
         EXPECT_EQ(is_valid(changed), expected_defect(value, index).empty()) << to_source(changed);
         ++cases;
       }
     }
   };
-  std::apply([&](auto... fields) { (replace_in(fields, expected), ...); }, Entry<S>::fields);
+  detail::description_of<S>.apply([&](const auto&... fields) { (replace_in(fields, expected), ...); });
   return cases;
 }
 

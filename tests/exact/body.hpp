@@ -141,8 +141,9 @@ struct BodyMaker {
     return body;
   }
 
-  /// Compounds are taken part by part before.
-  Made operator()(const Compound<Dimension, T>&) const {
+  /// Others are not seen; compounds are taken part by part before.
+  template <class S>
+  Made operator()(const S&) const {
     Made body;
     body.form = BodyForm::not_seen;
     return body;

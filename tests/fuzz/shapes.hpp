@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <ostream>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -14,6 +13,7 @@
 #include <graze/math/pose.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/description.hpp>
 
 #include "catalogue.hpp"
 #include "fuzz/input.hpp"
@@ -74,12 +74,7 @@ void fill(Input& input, S& shape) {
       field = rotation<N, T>(input);
     }
   };
-  std::apply([&](auto... fields) { (set(shape.*fields), ...); }, Entry<S>::fields);
-}
-
-template <Dim N, class T>
-void fill(Input& input, Vec<N, T>& point) {
-  point = input.vec<N, T>();
+  detail::for_each_field(shape, [&](const auto&, auto& field) { set(field); });
 }
 
 /// Of numbers that are finite: convex_hull refuses others.

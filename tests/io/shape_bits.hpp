@@ -4,10 +4,10 @@
 
 #include <bit>
 #include <cstdint>
-#include <tuple>
 #include <vector>
 
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/description.hpp>
 #include <graze/shape/fields/visit.hpp>
 
 #include "catalogue.hpp"
@@ -31,7 +31,7 @@ void append_bits(Bits& bits, const Mat<N, double>& matrix) {
 
 template <template <Dim, class> class S, Dim N>
 void append_bits(Bits& bits, const S<N, double>& shape) {
-  std::apply([&](auto... fields) { (append_bits(bits, shape.*fields), ...); }, test::Entry<S<N, double>>::fields);
+  detail::for_each_field(shape, [&bits](const auto&, const auto& value) { append_bits(bits, value); });
 }
 
 template <Dim N>

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -19,6 +18,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/transformed.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/converted.hpp>
 #include <graze/shape/fields/visit.hpp>
 
 #include "catalogue.hpp"
@@ -28,21 +28,6 @@
 #include "query/times_of_impact.hpp"
 
 namespace graze::test {
-
-/// The same shape in double.
-template <template <Dim, class> class S, Dim N, class T>
-S<N, double> widened(const S<N, T>& shape) {
-  const auto wide_of = []<class Field>(const Field& field) {
-    if constexpr (std::is_same_v<Field, T>) {
-      return static_cast<double>(field);
-    } else if constexpr (std::is_same_v<Field, Vec<N, T>>) {
-      return wide<N, T>(field);
-    } else {
-      return wide_matrix<N, T>(field);
-    }
-  };
-  return std::apply([&](auto... fields) { return S<N, double>{wide_of(shape.*fields)...}; }, Entry<S<N, T>>::fields);
-}
 
 /// Where a motion has brought a shape at t, up to rounding.
 template <Dim N, class T>
@@ -63,7 +48,7 @@ AnyShape<N, double> place_at(const AnyShape<N, T>& shape, const Motion<N, T>& mo
           for (const auto& part : held.parts) parts.push_back(place_at<N, T>(part.shape, motion, t));
           return compound_of<N, double>(std::move(parts));
         } else {
-          return transformed(widened(held), pose);
+          return transformed(detail::widened(held), pose);
         }
       },
       shape);

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/description.hpp>
 #include <graze/shape/fields/visit.hpp>
 
 #include "catalogue.hpp"
@@ -20,42 +22,25 @@ namespace graze::test {
 // ---- moved(shape, offset): the same shape elsewhere, up to rounding; it stays of its type.
 
 template <Dim N, class T>
-AnyShape<N, T> moved(const AnyShape<N, T>& shape, const Vec<N, T>& offset);
-
-template <Dim N, class T>
-struct Mover {
-  using Any = AnyShape<N, T>;
-  Vec<N, T> offset;
-
-  Any operator()(const Vec<N, T>& point) const { return point + offset; }
-  Any operator()(const Segment<N, T>& s) const { return Segment<N, T>{s.start + offset, s.end + offset}; }
-  Any operator()(const Ray<N, T>& ray) const { return Ray<N, T>{ray.origin + offset, ray.direction}; }
-  Any operator()(const Sphere<N, T>& sphere) const { return Sphere<N, T>{sphere.center + offset, sphere.radius}; }
-  Any operator()(const Aabb<N, T>& box) const { return Aabb<N, T>{box.min + offset, box.max + offset}; }
-  Any operator()(const Obb<N, T>& box) const { return Obb<N, T>{box.center + offset, box.half_extents, box.axes}; }
-  Any operator()(const Plane<N, T>& plane) const {
-    return Plane<N, T>{plane.normal, plane.offset + dot(plane.normal, offset)};
-  }
-  Any operator()(const HalfSpace<N, T>& solid) const {
-    return HalfSpace<N, T>{solid.normal, solid.offset + dot(solid.normal, offset)};
-  }
-  Any operator()(const Triangle<N, T>& t) const { return Triangle<N, T>{t.a + offset, t.b + offset, t.c + offset}; }
-  Any operator()(const Capsule<N, T>& c) const { return Capsule<N, T>{c.a + offset, c.b + offset, c.radius}; }
-  Any operator()(const Polytope<N, T>& polytope) const {
+AnyShape<N, T> moved(AnyShape<N, T> shape, const Vec<N, T>& offset) {
+  if (const auto* polytope = std::get_if<Polytope<N, T>>(&shape)) {
     std::vector<Vec<N, T>> points;
-    for (const Vec<N, T>& vertex : polytope.vertices()) points.push_back(vertex + offset);
+    for (const Vec<N, T>& vertex : polytope->vertices()) points.push_back(vertex + offset);
     return convex_hull<N, T>(points);
   }
-  Any operator()(const Compound<N, T>& compound) const {
-    std::vector<Any> parts;
-    for (const Part<N, T>& part : compound.parts) parts.push_back(moved<N, T>(part.shape, offset));
+  if (const auto* compound = std::get_if<Compound<N, T>>(&shape)) {
+    std::vector<AnyShape<N, T>> parts;
+    for (const Part<N, T>& part : compound->parts) parts.push_back(moved<N, T>(part.shape, offset));
     return compound_of<N, T>(std::move(parts));
   }
-};
-
-template <Dim N, class T>
-AnyShape<N, T> moved(const AnyShape<N, T>& shape, const Vec<N, T>& offset) {
-  return detail::visit(Mover<N, T>{offset}, shape);
+  const auto move = [&offset](auto& held) {
+    detail::for_each_field(held, [&]<class Field>(const Field&, auto& value) {
+      if constexpr (Field::kind == detail::FieldKind::point) value += offset;
+      if constexpr (Field::kind == detail::FieldKind::offset) value += dot(held.normal, offset);
+    });
+  };
+  detail::visit(move, shape);
+  return shape;
 }
 
 // ---- A point of a shape, often on its surface, an edge or a corner, up to rounding.
@@ -120,6 +105,13 @@ struct PointOf {
   Point operator()(const Triangle<N, T>& t) const { return mix({wide<N, T>(t.a), wide<N, T>(t.b), wide<N, T>(t.c)}); }
   Point operator()(const Capsule<N, T>& capsule) const {
     return (*this)(axis(capsule)) + any_way<N>(random) * (static_cast<double>(capsule.radius) * share(random, 0, 1));
+  }
+  /// Of any other the catalogue knows one.
+  template <class S>
+  Point operator()(const S& shape) const {
+    Point place;
+    for (Dim i = 0; i < N; ++i) place[i] = share(random, -1, 1);
+    return Entry<S>::point_in(shape, place);
   }
   Point operator()(const Polytope<N, T>& polytope) const {
     std::vector<Point> corners;

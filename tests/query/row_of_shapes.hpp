@@ -45,6 +45,8 @@ AnyShape<N, T> row_shape(std::size_t type, T side, T size = T(1)) {
       Capsule<N, T>{up, -up, size},
       convex_hull<N, T>(corners),
   };
+  static_assert(simple.size() + 1 == shape_type_names.size(),
+                "tests/query/row_of_shapes.hpp has a row of one shape of each type: add the new one");
   if (type < simple.size()) return simple[type];
   return compound_of<N, T>({simple[3], Sphere<N, T>{end * T(-3), size}});
 }

@@ -18,12 +18,12 @@
 #include <graze/math/vec.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/fields/shape_order.hpp>
-#include <graze/shape/fields/visit.hpp>
 
 #include "catalogue.hpp"
 #include "query/case_maker.hpp"
 #include "query/contacts.hpp"
 #include "query/manifolds.hpp"
+#include "query/numbers_of.hpp"
 #include "query/pairs.hpp"
 #include "query/point_answers.hpp"
 #include "query/proximities.hpp"
@@ -46,42 +46,9 @@ Vec<N, double> scaled(Vec<N, double> v, int exponent) {
   return v;
 }
 
-/// Every length times a power of two; directions stay.
-template <Dim N>
-struct Scaler {
-  using V = Vec<N, double>;
-  int exponent;
-
-  V at(const V& v) const { return scaled<N>(v, exponent); }
-  double at(double x) const { return scaled(x, exponent); }
-
-  Any<N> operator()(const V& point) const { return at(point); }
-  Any<N> operator()(const Segment<N, double>& s) const { return Segment<N, double>{at(s.start), at(s.end)}; }
-  Any<N> operator()(const Ray<N, double>& ray) const { return Ray<N, double>{at(ray.origin), ray.direction}; }
-  Any<N> operator()(const Sphere<N, double>& s) const { return Sphere<N, double>{at(s.center), at(s.radius)}; }
-  Any<N> operator()(const Aabb<N, double>& box) const { return Aabb<N, double>{at(box.min), at(box.max)}; }
-  Any<N> operator()(const Obb<N, double>& box) const {
-    return Obb<N, double>{at(box.center), at(box.half_extents), box.axes};
-  }
-  Any<N> operator()(const Plane<N, double>& p) const { return Plane<N, double>{p.normal, at(p.offset)}; }
-  Any<N> operator()(const HalfSpace<N, double>& h) const { return HalfSpace<N, double>{h.normal, at(h.offset)}; }
-  Any<N> operator()(const Triangle<N, double>& t) const { return Triangle<N, double>{at(t.a), at(t.b), at(t.c)}; }
-  Any<N> operator()(const Capsule<N, double>& c) const { return Capsule<N, double>{at(c.a), at(c.b), at(c.radius)}; }
-  Any<N> operator()(const Polytope<N, double>& polytope) const {
-    std::vector<V> points;
-    for (const V& vertex : polytope.vertices()) points.push_back(at(vertex));
-    return convex_hull_in_order<N, double>(points);
-  }
-  Any<N> operator()(const Compound<N, double>& compound) const {
-    std::vector<Any<N>> parts;
-    for (const Part<N, double>& part : compound.parts) parts.push_back(detail::visit(*this, part.shape));
-    return compound_of<N, double>(std::move(parts));
-  }
-};
-
 template <Dim N>
 Any<N> scaled(const Any<N>& shape, int exponent) {
-  return detail::visit(Scaler<N>{exponent}, shape);
+  return with_lengths<N, double>(shape, [exponent](double x) { return scaled(x, exponent); });
 }
 
 /// Whether no number of a shape loses a bit on the way: the least ones have fewer.

@@ -18,6 +18,7 @@
 #include <graze/query/contact.hpp>
 #include <graze/query/convex/wide_support.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/converted.hpp>
 #include <graze/shape/fields/visit.hpp>
 
 #include "catalogue.hpp"
@@ -37,13 +38,9 @@ template <Dim N, class T>
 struct Widener {
   using Any = AnyShape<N, double>;
 
-  static Vec<N, double> wide_of(const Vec<N, T>& v) { return wide<N, T>(v); }
-  static double wide_of(T x) { return static_cast<double>(x); }
-  static Mat<N, double> wide_of(const Mat<N, T>& m) { return wide_matrix<N, T>(m); }
-
   template <template <Dim, class> class S>
   Any operator()(const S<N, T>& shape) const {
-    return std::apply([&](auto... fields) { return S<N, double>{wide_of(shape.*fields)...}; }, Entry<S<N, T>>::fields);
+    return detail::widened(shape);
   }
   Any operator()(const Vec<N, T>& point) const { return wide<N, T>(point); }
   Any operator()(const Polytope<N, T>& polytope) const {

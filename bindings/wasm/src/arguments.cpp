@@ -5,23 +5,23 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <emscripten/bind.h>
 #include <fmt/format.h>
 
 #include <graze/io/json/shape_fields.hpp>
-#include <graze/io/json/shape_members.hpp>
 #include <graze/math/platform/bit_cast.hpp>
 #include <graze/math/pose.hpp>
 #include <graze/query/bounds.hpp>
+#include <graze/shape/fields/description.hpp>
 #include <graze/shape/fields/visit.hpp>
 
 #include "bridge.hpp"
@@ -32,13 +32,24 @@ namespace {
 
 std::vector<double> argument_numbers;
 
+using detail::FieldKind;
+
 /// What a field holds, by the names of the methods in js/ that write and read it.
-template <class Value>
-constexpr std::string_view kind_of = "vector";
-template <>
-constexpr std::string_view kind_of<double> = "number";
-template <Dim N>
-constexpr std::string_view kind_of<Mat<N, double>> = "axes";
+constexpr std::string_view kind_name(FieldKind kind) {
+  switch (kind) {
+    case FieldKind::length:
+    case FieldKind::offset:
+      return "number";
+    case FieldKind::axes:
+      return "axes";
+    case FieldKind::hull:
+      return "points";
+    case FieldKind::parts:
+      return "parts";
+    default:
+      return "vector";
+  }
+}
 
 struct Field {
   std::string_view name;
@@ -63,21 +74,6 @@ void read(Arguments& in, double& number) { number = in.number(); }
 template <Dim N>
 void read(Arguments& in, Mat<N, double>& axes) {
   for (Dim i = 0; i < N; ++i) axes[i] = in.vector<N>();
-}
-
-template <class Shape>
-constexpr auto fields_of_members = std::apply(
-    [](const auto&... each) {
-      return std::array<Field, sizeof...(each)>{
-          Field{each.name, kind_of<std::remove_cvref_t<std::invoke_result_t<decltype(each.of), Shape&>>>}...};
-    },
-    io::shape_members<Shape>);
-
-template <Dim N, class Shape>
-AnyShape<N, double> read_members(Arguments& in) {
-  Shape shape;
-  std::apply([&](const auto&... each) { (read(in, std::invoke(each.of, shape)), ...); }, io::shape_members<Shape>);
-  return shape;
 }
 
 /// Hulls of points that were given before: a program asks about the same polytopes again and again, and to find which
@@ -144,16 +140,21 @@ class KnownHulls {
 };
 
 template <Dim N>
-AnyShape<N, double> read_polytope(Arguments& in) {
+void read(Arguments& in, Polytope<N, double>& polytope) {
   static KnownHulls<N> known;
   const std::size_t points = in.count();
   if (points == 0) throw Refused("has no points");
-  return known.of(in.numbers(points * static_cast<std::size_t>(N)));
+  polytope = known.of(in.numbers(points * static_cast<std::size_t>(N)));
 }
 
 template <Dim N>
-AnyShape<N, double> read_compound(Arguments& in) {
-  return compound_of<N, double>(in.shapes<N>());
+void read(Arguments& in, Compound<N, double>& compound) {
+  compound = compound_of<N, double>(in.shapes<N>());
+}
+
+template <template <Dim, class> class S, Dim N>
+void read(Arguments& in, S<N, double>& shape) {
+  detail::for_each_field(shape, [&in](const auto&, auto& value) { read(in, value); });
 }
 
 template <Dim N>
@@ -183,40 +184,45 @@ AnyShape<N, double> read_turned_obb(Arguments& in) {
   return box;
 }
 
-constexpr std::array<Field, 1> points_field = {{{"points", "points"}}};
-constexpr std::array<Field, 1> parts_field = {{{"parts", "parts"}}};
 constexpr std::array<Field, 2> center_fields = {{{"center", "vector"}, {"half_extents", "vector"}}};
 constexpr std::array<Field, 3> angle_fields = {{center_fields[0], center_fields[1], {"angle", "number"}}};
 constexpr std::array<Field, 3> rotation_fields = {{center_fields[0], center_fields[1], {"rotation", "rotation"}}};
 
-template <Dim N, class Shape>
-constexpr Form<N> form_of_members(std::size_t type) {
-  return {shape_type_names[type], fields_of_members<Shape>, &read_members<N, Shape>};
+template <class S>
+constexpr auto own_fields = detail::description_of<S>.apply([]<class... Fields>(const Fields&... own) {
+  return std::array{Field{own.name, kind_name(Fields::kind)}...};
+});
+
+/// A shape as graze itself says it.
+template <Dim N, class S>
+AnyShape<N, double> read_own(Arguments& in) {
+  S shape;
+  read(in, shape);
+  return shape;
 }
 
-/// The forms in which graze itself says a shape come first, in the order of AnyShape.
+/// In the order of AnyShape.
 template <Dim N>
-constexpr std::array forms = {
-    form_of_members<N, Vec<N, double>>(0),
-    form_of_members<N, Segment<N, double>>(1),
-    form_of_members<N, Ray<N, double>>(2),
-    form_of_members<N, Sphere<N, double>>(3),
-    form_of_members<N, Aabb<N, double>>(4),
-    form_of_members<N, Obb<N, double>>(5),
-    form_of_members<N, Plane<N, double>>(6),
-    form_of_members<N, HalfSpace<N, double>>(7),
-    form_of_members<N, Triangle<N, double>>(8),
-    form_of_members<N, Capsule<N, double>>(9),
-    Form<N>{"polytope", points_field, &read_polytope<N>},
-    Form<N>{"compound", parts_field, &read_compound<N>},
-    Form<N>{"aabb", center_fields, &read_aabb_by_center<N>},
-    Form<N>{"obb", center_fields, &read_upright_obb<N>},
+constexpr auto own_forms = detail::table_of_shapes<N, double>([]<class S>(std::type_identity<S>) {
+  return Form<N>{detail::description_of<S>.name, own_fields<S>, &read_own<N, S>};
+});
+
+/// The others, whose numbers follow.
+template <Dim N>
+constexpr std::array other_forms = {
+    Form<N>{"aabb", center_fields, &read_aabb_by_center<N>}, Form<N>{"obb", center_fields, &read_upright_obb<N>},
     Form<N>{"obb", N == 2 ? std::span<const Field>(angle_fields) : rotation_fields, &read_turned_obb<N>}};
+
+template <Dim N>
+const Form<N>& form_at(std::size_t place) {
+  return place < own_forms<N>.size() ? own_forms<N>[place] : other_forms<N>[place - own_forms<N>.size()];
+}
 
 template <Dim N>
 std::string described_forms() {
   std::string text;
-  for (const Form<N>& form : forms<N>) {
+  for (std::size_t place = 0; place < own_forms<N>.size() + other_forms<N>.size(); ++place) {
+    const Form<N>& form = form_at<N>(place);
     std::string fields;
     for (const auto& [name, kind] : form.fields) {
       fields += fmt::format(R"({}["{}", "{}"])", fields.empty() ? "" : ", ", name, kind);
@@ -244,21 +250,16 @@ void put_value(const Mat<N, double>& axes) {
   for (Dim i = 0; i < N; ++i) put<N>(axes[i]);
 }
 
-template <class Shape>
-void put_fields(const Shape& shape) {
-  std::apply([&](const auto&... each) { (put_value(std::invoke(each.of, shape)), ...); }, io::shape_members<Shape>);
+template <Dim N>
+void put_value(std::span<const Vec<N, double>> points) {
+  answer().push_back(static_cast<double>(points.size()));
+  for (const Vec<N, double>& point : points) put<N>(point);
 }
 
 template <Dim N>
-void put_fields(const Polytope<N, double>& polytope) {
-  answer().push_back(static_cast<double>(polytope.vertices().size()));
-  for (const Vec<N, double>& vertex : polytope.vertices()) put<N>(vertex);
-}
-
-template <Dim N>
-void put_fields(const Compound<N, double>& compound) {
-  answer().push_back(static_cast<double>(compound.parts.size()));
-  for (const Part<N, double>& part : compound.parts) put_shape<N>(part.shape);
+void put_value(const std::vector<Part<N, double>>& parts) {
+  answer().push_back(static_cast<double>(parts.size()));
+  for (const Part<N, double>& part : parts) put_shape<N>(part.shape);
 }
 
 /// Room for so many numbers of arguments, those that are there kept.
@@ -287,7 +288,7 @@ Arguments::Arguments(std::size_t place) : numbers_(argument_numbers), place_(pla
 
 template <Dim N>
 AnyShape<N, double> Arguments::shape() {
-  AnyShape<N, double> shape = forms<N>[count()].read(*this);
+  AnyShape<N, double> shape = form_at<N>(count()).read(*this);
   if (const std::string_view flaw = defect(shape); !flaw.empty()) throw Refused(std::string(flaw));
   return shape;
 }
@@ -309,7 +310,9 @@ std::vector<AnyShape<N, double>> Arguments::shapes() {
 template <Dim N>
 void put_shape(const AnyShape<N, double>& shape) {
   answer().push_back(static_cast<double>(shape.index()));
-  detail::visit([](const auto& held) { put_fields(held); }, shape);
+  detail::visit(
+      [](const auto& held) { detail::for_each_field(held, [](const auto&, const auto& value) { put_value(value); }); },
+      shape);
 }
 
 template AnyShape<2, double> Arguments::shape<2>();

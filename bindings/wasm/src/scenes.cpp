@@ -21,8 +21,8 @@
 #include <graze/scene/scene.hpp>
 
 #include "arguments.hpp"
+#include "placed.hpp"
 #include "scene_files.hpp"
-#include "translated.hpp"
 
 namespace graze::wasm {
 namespace {
@@ -180,7 +180,7 @@ void translate(SceneHandle& self, std::size_t count) {
   self.visit([&]<Dim N>(Scene<N, double>& scene) {
     move_many(self, scene, count, static_cast<std::size_t>(N),
               [](const Object<N, double>& object, std::span<const double> numbers, std::size_t i) {
-                return translated<N>(object.shape, vector_at<N>(numbers, i));
+                return graze::translated<N, double>(object.shape, vector_at<N>(numbers, i));
               });
   });
 }

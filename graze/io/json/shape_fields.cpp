@@ -1,46 +1,38 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
+#include <type_traits>
 #include <utility>
 
 #include <graze/io/json/shape_fields.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/description.hpp>
 
 namespace graze::io {
 namespace {
 
 using Name = std::string_view;
 
-constexpr std::array<Name, 1> fields_of_point = {"position"};
-constexpr std::array<Name, 2> fields_of_segment = {"start", "end"};
-constexpr std::array<Name, 2> fields_of_ray = {"origin", "direction"};
-constexpr std::array<Name, 2> fields_of_sphere = {"center", "radius"};
-constexpr std::array<Name, 4> fields_of_aabb = {"min", "max", "center", "half_extents"};
-constexpr std::array<Name, 4> fields_of_obb_2d = {"center", "half_extents", "axes", "angle"};
-constexpr std::array<Name, 4> fields_of_obb_3d = {"center", "half_extents", "axes", "rotation"};
-constexpr std::array<Name, 2> fields_of_plane = {"normal", "offset"};
-constexpr std::array<Name, 3> fields_of_triangle = {"a", "b", "c"};
-constexpr std::array<Name, 3> fields_of_capsule = {"a", "b", "radius"};
-constexpr std::array<Name, 1> fields_of_polytope = {"points"};
-constexpr std::array<Name, 1> fields_of_compound = {"parts"};
+/// What a shape may have instead of its own fields.
+template <class S>
+constexpr std::array<Name, 0> other_fields = {};
+template <Dim N>
+constexpr std::array<Name, 2> other_fields<Aabb<N, double>> = {"center", "half_extents"};
+template <Dim N>
+constexpr std::array<Name, 1> other_fields<Obb<N, double>> = {orientation_field<N>};
 
-struct Fields {
-  std::span<const Name> in_2d;
-  std::span<const Name> in_3d;
-};
+/// Those of the description, then the others.
+template <class S>
+constexpr auto fields_of = detail::description_of<S>.apply([](const auto&... own) {
+  std::array<Name, sizeof...(own) + other_fields<S>.size()> names = {own.name...};
+  std::copy(other_fields<S>.begin(), other_fields<S>.end(), names.begin() + sizeof...(own));
+  return names;
+});
 
-/// In the order of `shape_type_names`.
-constexpr std::array<Fields, shape_type_names.size()> fields_by_type = {{{fields_of_point, fields_of_point},
-                                                                         {fields_of_segment, fields_of_segment},
-                                                                         {fields_of_ray, fields_of_ray},
-                                                                         {fields_of_sphere, fields_of_sphere},
-                                                                         {fields_of_aabb, fields_of_aabb},
-                                                                         {fields_of_obb_2d, fields_of_obb_3d},
-                                                                         {fields_of_plane, fields_of_plane},
-                                                                         {fields_of_plane, fields_of_plane},
-                                                                         {fields_of_triangle, fields_of_triangle},
-                                                                         {fields_of_capsule, fields_of_capsule},
-                                                                         {fields_of_polytope, fields_of_polytope},
-                                                                         {fields_of_compound, fields_of_compound}}};
+template <Dim N>
+constexpr auto fields_by_type = detail::table_of_shapes<N, double>([]<class S>(std::type_identity<S>) {
+  return std::span<const Name>(fields_of<S>);
+});
 
 constexpr std::array<std::pair<Name, Name>, 30> foreign_names = {{
     {"circle", "sphere"},
@@ -92,8 +84,7 @@ std::optional<std::string_view> our_shape_name(std::string_view foreign) {
 }
 
 std::span<const std::string_view> shape_fields(std::size_t type_index, Dim dimension) {
-  const Fields& fields = fields_by_type[type_index];
-  return dimension == 2 ? fields.in_2d : fields.in_3d;
+  return dimension == 2 ? fields_by_type<2>[type_index] : fields_by_type<3>[type_index];
 }
 
 }  // namespace graze::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words of the scene format: which fields each type of shape has.
+// The words of the scene format: which fields each type of shape has, by its description and the ways beside it.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +13,10 @@ namespace graze::io {
 
 /// How many compounds may lie inside each other in a scene file, the outermost included.
 inline constexpr std::size_t max_compound_depth = 32;
+
+/// The field that turns an oriented box, instead of its axes.
+template <Dim N>
+inline constexpr std::string_view orientation_field = N == 2 ? "angle" : "rotation";
 
 /// The place in `shape_type_names` of a type's name.
 std::optional<std::size_t> shape_type_index(std::string_view type);

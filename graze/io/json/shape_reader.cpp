@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -12,25 +13,29 @@
 #include <graze/io/json/shape_reader.hpp>
 #include <graze/io/text/in_quotes.hpp>
 #include <graze/io/text/suggestion.hpp>
-#include <graze/math/pose.hpp>
+#include <graze/math/rotation.hpp>
+#include <graze/math/tolerance.hpp>
 #include <graze/query/bounds.hpp>
+#include <graze/shape/fields/description.hpp>
 
 namespace graze::io {
 namespace {
 
-double read_radius(const JsonFields& fields) {
-  const double radius = fields.number("radius");
-  if (radius < 0) throw fields.error("radius", fmt::format("is {}; it must not be negative", radius));
-  return radius;
+using detail::FieldKind;
+
+/// A number that is not negative.
+double read_length(const JsonFields& fields, std::string_view name) {
+  const double length = fields.number(name);
+  if (length < 0) throw fields.error(name, fmt::format("is {}; it must not be negative", length));
+  return length;
 }
 
 template <Dim N>
-Vec<N, double> read_half_extents(const JsonFields& fields) {
-  const Vec<N, double> half_extents = fields.vector<N>("half_extents");
+Vec<N, double> read_half_extents(const JsonFields& fields, std::string_view name) {
+  const Vec<N, double> half_extents = fields.vector<N>(name);
   for (Dim i = 0; i < N; ++i) {
     if (half_extents[i] < 0) {
-      throw fields.error("half_extents",
-                         fmt::format("has {} as coordinate {}; none may be negative", half_extents[i], i));
+      throw fields.error(name, fmt::format("has {} as coordinate {}; none may be negative", half_extents[i], i));
     }
   }
   return half_extents;
@@ -45,61 +50,19 @@ Vec<N, double> read_direction(const JsonFields& fields, std::string_view name) {
 }
 
 template <Dim N>
-AnyShape<N, double> read_point(const JsonFields& fields) {
-  return fields.vector<N>("position");
-}
-
-template <Dim N>
-AnyShape<N, double> read_segment(const JsonFields& fields) {
-  return Segment<N, double>{fields.vector<N>("start"), fields.vector<N>("end")};
-}
-
-template <Dim N>
-AnyShape<N, double> read_ray(const JsonFields& fields) {
-  return Ray<N, double>{fields.vector<N>("origin"), read_direction<N>(fields, "direction")};
-}
-
-template <Dim N>
-AnyShape<N, double> read_sphere(const JsonFields& fields) {
-  return Sphere<N, double>{fields.vector<N>("center"), read_radius(fields)};
-}
-
-template <Dim N>
-AnyShape<N, double> read_aabb(const JsonFields& fields) {
-  const bool by_corners = fields.find("min") || fields.find("max");
-  const bool by_center = fields.find("center") || fields.find("half_extents");
-  if (by_corners == by_center) {
-    throw fields.place().error(fields.offset(),
-                               R"(an aabb needs either "min" and "max" or "center" and "half_extents")");
-  }
-  if (by_center) {
-    const auto box = Aabb<N, double>::from_center(fields.vector<N>("center"), read_half_extents<N>(fields));
-    if (!is_valid(box)) throw fields.error("half_extents", "reaches beyond the largest number there is, about 1.8e308");
-    return box;
-  }
-  const Aabb<N, double> box{fields.vector<N>("min"), fields.vector<N>("max")};
-  for (Dim i = 0; i < N; ++i) {
-    if (box.min[i] > box.max[i]) {
-      throw fields.error("min", fmt::format("is above \"max\" in coordinate {}: {} > {}", i, box.min[i], box.max[i]));
-    }
-  }
-  return box;
-}
-
-template <Dim N>
-Mat<N, double> read_axes(const JsonFields& fields) {
-  const JsonValue columns = fields.array("axes");
+Mat<N, double> read_axes(const JsonFields& fields, std::string_view name) {
+  const JsonValue columns = fields.array(name);
   if (columns.size() != static_cast<std::size_t>(N)) {
-    throw fields.error("axes", fmt::format("must be {} columns, not {}", N, columns.size()));
+    throw fields.error(name, fmt::format("must be {} columns, not {}", N, columns.size()));
   }
   Mat<N, double> axes;
   Dim i = 0;
   for (const JsonValue column : columns.items()) {
-    axes[i] = read_vector<N>(column, {"axes", static_cast<std::size_t>(i)}, fields.place());
+    axes[i] = read_vector<N>(column, {name, static_cast<std::size_t>(i)}, fields.place());
     ++i;
   }
   if (!(orthonormal_error<N, double>(axes) <= tolerance::orthonormal)) {
-    throw fields.error("axes", "are not orthonormal: columns must have length 1 and be at right angles");
+    throw fields.error(name, "are not orthonormal: columns must have length 1 and be at right angles");
   }
   return axes;
 }
@@ -118,49 +81,69 @@ Mat<3, double> read_rotation(const JsonFields& fields) {
   return rotation_matrix(axis / max_abs(axis), rotation.number("angle"));
 }
 
+/// The axes of a box, or the angle or rotation that turns it; by default those of the world.
 template <Dim N>
-Mat<N, double> read_orientation(const JsonFields& fields) {
-  constexpr std::string_view turn = N == 2 ? "angle" : "rotation";
+Mat<N, double> read_orientation(const JsonFields& fields, std::string_view axes) {
+  constexpr std::string_view turn = orientation_field<N>;
   const bool turned = fields.find(turn).has_value();
-  if (fields.find("axes")) {
-    if (turned) throw fields.error(turn, R"(and "axes" say the same thing; give one of them)");
-    return read_axes<N>(fields);
+  if (fields.find(axes)) {
+    if (turned) throw fields.error(turn, fmt::format("and {} say the same thing; give one of them", in_quotes(axes)));
+    return read_axes<N>(fields, axes);
   }
   if (!turned) return Mat<N, double>(1.0);
   if constexpr (N == 2) {
-    return rotation_matrix(fields.number("angle"));
+    return rotation_matrix(fields.number(turn));
   } else {
     return read_rotation(fields);
   }
 }
 
-template <Dim N>
-AnyShape<N, double> read_obb(const JsonFields& fields) {
-  return Obb<N, double>{fields.vector<N>("center"), read_half_extents<N>(fields), read_orientation<N>(fields)};
+template <FieldKind kind, Dim N>
+auto read_value(const JsonFields& fields, std::string_view name) {
+  if constexpr (kind == FieldKind::point) return fields.vector<N>(name);
+  if constexpr (kind == FieldKind::direction) return read_direction<N>(fields, name);
+  if constexpr (kind == FieldKind::length) return read_length(fields, name);
+  if constexpr (kind == FieldKind::half_extents) return read_half_extents<N>(fields, name);
+  if constexpr (kind == FieldKind::offset) return fields.number(name);
+  if constexpr (kind == FieldKind::axes) return read_orientation<N>(fields, name);
+}
+
+/// A shape whose fields stand by themselves.
+template <class S>
+S read_shape(const JsonFields& fields, std::type_identity<S>) {
+  S shape;
+  detail::for_each_field(shape, [&fields]<class Field>(const Field& field, auto& value) {
+    value = read_value<Field::kind, dimension_of<S>>(fields, field.name);
+  });
+  if (const std::string_view flaw = defect(shape); !flaw.empty()) throw fields.place().error(fields.offset(), flaw);
+  return shape;
 }
 
 template <Dim N>
-AnyShape<N, double> read_plane(const JsonFields& fields) {
-  return Plane<N, double>{read_direction<N>(fields, "normal"), fields.number("offset")};
+Aabb<N, double> read_shape(const JsonFields& fields, std::type_identity<Aabb<N, double>>) {
+  const bool by_corners = fields.find("min") || fields.find("max");
+  const bool by_center = fields.find("center") || fields.find("half_extents");
+  if (by_corners == by_center) {
+    throw fields.place().error(fields.offset(),
+                               R"(an aabb needs either "min" and "max" or "center" and "half_extents")");
+  }
+  if (by_center) {
+    const auto box =
+        Aabb<N, double>::from_center(fields.vector<N>("center"), read_half_extents<N>(fields, "half_extents"));
+    if (!is_valid(box)) throw fields.error("half_extents", "reaches beyond the largest number there is, about 1.8e308");
+    return box;
+  }
+  const Aabb<N, double> box{fields.vector<N>("min"), fields.vector<N>("max")};
+  for (Dim i = 0; i < N; ++i) {
+    if (box.min[i] > box.max[i]) {
+      throw fields.error("min", fmt::format("is above \"max\" in coordinate {}: {} > {}", i, box.min[i], box.max[i]));
+    }
+  }
+  return box;
 }
 
 template <Dim N>
-AnyShape<N, double> read_half_space(const JsonFields& fields) {
-  return HalfSpace<N, double>{read_direction<N>(fields, "normal"), fields.number("offset")};
-}
-
-template <Dim N>
-AnyShape<N, double> read_triangle(const JsonFields& fields) {
-  return Triangle<N, double>{fields.vector<N>("a"), fields.vector<N>("b"), fields.vector<N>("c")};
-}
-
-template <Dim N>
-AnyShape<N, double> read_capsule(const JsonFields& fields) {
-  return Capsule<N, double>{fields.vector<N>("a"), fields.vector<N>("b"), read_radius(fields)};
-}
-
-template <Dim N>
-AnyShape<N, double> read_polytope(const JsonFields& fields) {
+Polytope<N, double> read_shape(const JsonFields& fields, std::type_identity<Polytope<N, double>>) {
   std::vector<Vec<N, double>> points;
   for (const JsonValue point : fields.array("points").items()) {
     points.push_back(read_vector<N>(point, {"points", points.size()}, fields.place()));
@@ -176,7 +159,7 @@ std::size_t part_depth(const JsonPlace& place) {
 }
 
 template <Dim N>
-AnyShape<N, double> read_compound(const JsonFields& fields) {
+Compound<N, double> read_shape(const JsonFields& fields, std::type_identity<Compound<N, double>>) {
   const JsonPlace& place = fields.place();
   if (part_depth(place) >= max_compound_depth) {
     throw place.error(fields.offset(), fmt::format("compounds are nested deeper than {}", max_compound_depth));
@@ -189,11 +172,13 @@ AnyShape<N, double> read_compound(const JsonFields& fields) {
   return compound_of<N, double>(std::move(parts));
 }
 
-/// In the order of AnyShape.
 template <Dim N>
-constexpr std::array<AnyShape<N, double> (*)(const JsonFields&), std::variant_size_v<AnyShape<N, double>>> readers = {
-    read_point<N>, read_segment<N>,    read_ray<N>,      read_sphere<N>,  read_aabb<N>,     read_obb<N>,
-    read_plane<N>, read_half_space<N>, read_triangle<N>, read_capsule<N>, read_polytope<N>, read_compound<N>};
+using ReadFunction = AnyShape<N, double> (*)(const JsonFields&);
+
+template <Dim N>
+constexpr auto readers = detail::table_of_shapes<N, double>([]<class S>(std::type_identity<S>) -> ReadFunction<N> {
+  return [](const JsonFields& fields) -> AnyShape<N, double> { return read_shape(fields, std::type_identity<S>()); };
+});
 
 std::size_t read_type(JsonValue object, const JsonPlace& place) {
   const std::string_view type = read_text(JsonFields(object, place, "a shape").require("type"), {"type"}, place);
@@ -205,13 +190,6 @@ std::size_t read_type(JsonValue object, const JsonPlace& place) {
     message += did_you_mean(type, shape_type_names);
   }
   throw place.error(object.find("type")->offset(), message);
-}
-
-std::string_view with_article(std::size_t type_index) {
-  constexpr std::array<std::string_view, shape_type_names.size()> names = {
-      "a point", "a segment",    "a ray",      "a sphere",  "an aabb",    "an obb",
-      "a plane", "a half_space", "a triangle", "a capsule", "a polytope", "a compound"};
-  return names[type_index];
 }
 
 /// A field that the type has in the other dimension only deserves more than "unknown".
@@ -234,7 +212,9 @@ AnyShape<N, double> read_json_shape(JsonValue object, const JsonPlace& place,
     throw place.error(object.offset(), fmt::format("must be an object, not {}", kind_name(object.kind())));
   }
   const std::size_t type_index = read_type(object, place);
-  const JsonFields fields(object, place, with_article(type_index));
+  const std::string_view type = shape_type_names[type_index];
+  const std::string what = std::string(detail::article_of(type)) += type;
+  const JsonFields fields(object, place, what);
   refuse_other_dimension<N>(fields, type_index);
   const auto own_fields = shape_fields(type_index, N);
   std::vector<std::string_view> allowed = {"type"};

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
-#include <functional>
 #include <iterator>
+#include <span>
 #include <string>
-#include <string_view>
-#include <tuple>
 #include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include <graze/io/json/shape_fields.hpp>
-#include <graze/io/json/shape_members.hpp>
 #include <graze/io/json/shape_writer.hpp>
 #include <graze/io/output_error.hpp>
+#include <graze/shape/fields/description.hpp>
 #include <graze/shape/fields/visit.hpp>
 
 namespace graze::io {
@@ -48,60 +47,57 @@ void append(std::string& out, const Mat<N, double>& axes) {
   out += ']';
 }
 
-template <class Value>
-void append_field(std::string& out, std::string_view name, const Value& value) {
-  fmt::format_to(std::back_inserter(out), ", \"{}\": ", name);
-  append(out, value);
-}
-
-template <class Shape>
-void append_fields(std::string& out, const Shape& shape) {
-  std::apply([&](const auto&... each) { (append_field(out, each.name, std::invoke(each.of, shape)), ...); },
-             shape_members<Shape>);
-}
-
-template <Dim N>
-void append_fields(std::string& out, const Polytope<N, double>& polytope) {
-  out += ", \"points\": [";
-  bool first = true;
-  for (const Vec<N, double>& vertex : polytope.vertices()) {
-    if (!first) out += ", ";
-    append(out, vertex);
-    first = false;
-  }
-  out += ']';
-}
-
 template <Dim N>
 void append_shape(std::string& out, const AnyShape<N, double>& shape, std::size_t outer_compounds);
 
-template <Dim N>
-void append_parts(std::string& out, const Compound<N, double>& compound, std::size_t outer_compounds) {
-  if (outer_compounds >= max_compound_depth) {
-    throw OutputError(
-        fmt::format("compounds are nested deeper than {}, the most that the scene format allows", max_compound_depth));
-  }
-  out += ", \"parts\": [";
+/// A list of what `append_one` writes of each element.
+template <class List, class AppendOne>
+void append_list(std::string& out, const List& list, const AppendOne& append_one) {
+  out += '[';
   bool first = true;
-  for (const Part<N, double>& part : compound.parts) {
-    out += first ? "{" : ", {";
-    append_shape<N>(out, part.shape, outer_compounds + 1);
-    out += '}';
+  for (const auto& element : list) {
+    if (!first) out += ", ";
+    append_one(element);
     first = false;
   }
   out += ']';
+}
+
+template <Dim N>
+void append(std::string& out, std::span<const Vec<N, double>> points) {
+  append_list(out, points, [&out](const Vec<N, double>& point) { append(out, point); });
+}
+
+template <Dim N>
+void append_parts(std::string& out, const std::vector<Part<N, double>>& parts, std::size_t outer_compounds) {
+  append_list(out, parts, [&](const Part<N, double>& part) {
+    out += '{';
+    append_shape<N>(out, part.shape, outer_compounds + 1);
+    out += '}';
+  });
+}
+
+template <class Field, class Value>
+void append_field(std::string& out, const Field& field, const Value& value, std::size_t outer_compounds) {
+  fmt::format_to(std::back_inserter(out), ", \"{}\": ", field.name);
+  if constexpr (Field::kind == detail::FieldKind::parts) {
+    append_parts(out, value, outer_compounds);
+  } else {
+    append(out, value);
+  }
 }
 
 template <Dim N>
 void append_shape(std::string& out, const AnyShape<N, double>& shape, std::size_t outer_compounds) {
-  fmt::format_to(std::back_inserter(out), "\"type\": \"{}\"", type_name<N, double>(shape));
-  if (const auto* compound = std::get_if<Compound<N, double>>(&shape)) {
-    append_parts(out, *compound, outer_compounds);
-    return;
+  if (outer_compounds >= max_compound_depth && std::holds_alternative<Compound<N, double>>(shape)) {
+    throw OutputError(
+        fmt::format("compounds are nested deeper than {}, the most that the scene format allows", max_compound_depth));
   }
+  fmt::format_to(std::back_inserter(out), "\"type\": \"{}\"", type_name<N, double>(shape));
   detail::visit(
-      [&out](const auto& held) {
-        if constexpr (!std::is_same_v<std::decay_t<decltype(held)>, Compound<N, double>>) append_fields(out, held);
+      [&](const auto& held) {
+        detail::for_each_field(
+            held, [&](const auto& field, const auto& value) { append_field(out, field, value, outer_compounds); });
       },
       shape);
 }

@@ -25,8 +25,8 @@
 #include <graze/query/convex/wide_support.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/description.hpp>
 #include <graze/shape/fields/visit.hpp>
-#include <graze/shape/frustum.hpp>
 #include <graze/shape/posed.hpp>
 #include <graze/shape/shape.hpp>
 
@@ -100,6 +100,10 @@ int unusual_exponent_of(const Vec<N, double>& direction) {
   return exponent < -most_usual_exponent || exponent >= most_usual_exponent ? exponent : 0;
 }
 
+/// Whether numbers of a shape can be out of range.
+template <class S>
+inline constexpr bool can_leave_range = std::is_same_v<scalar_of<S>, double>;
+
 // ---- mapped(shape, f): every length of a shape replaced by f(length), every direction of any length by
 // f.direction(direction). Axes of boxes and rotations stay as they are: their lengths are about 1.
 
@@ -109,47 +113,28 @@ Vec<N, double> mapped(const Vec<N, double>& point, F& f) {
   for (Dim i = 0; i < N; ++i) result[i] = f(point[i]);
   return result;
 }
-template <Dim N, class F>
-Segment<N, double> mapped(const Segment<N, double>& segment, F& f) {
-  return {mapped(segment.start, f), mapped(segment.end, f)};
+template <FieldKind kind, class S, class Value, class F>
+Value mapped_field([[maybe_unused]] const S& shape, const Value& value, F& f) {
+  if constexpr (kind == FieldKind::point || kind == FieldKind::half_extents) {
+    return mapped(value, f);
+  } else if constexpr (kind == FieldKind::direction) {
+    return f.direction(value);
+  } else if constexpr (kind == FieldKind::length) {
+    return f(value);
+  } else if constexpr (kind == FieldKind::offset) {
+    return f.along(shape.normal, value);
+  } else if constexpr (kind == FieldKind::corners) {
+    Value result;
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = mapped(value[i], f);
+    return result;
+  } else {
+    return value;
+  }
 }
-template <Dim N, class F>
-Ray<N, double> mapped(const Ray<N, double>& ray, F& f) {
-  return {mapped(ray.origin, f), f.direction(ray.direction)};
-}
-template <Dim N, class F>
-Sphere<N, double> mapped(const Sphere<N, double>& sphere, F& f) {
-  return {mapped(sphere.center, f), f(sphere.radius)};
-}
-template <Dim N, class F>
-Aabb<N, double> mapped(const Aabb<N, double>& box, F& f) {
-  return {mapped(box.min, f), mapped(box.max, f)};
-}
-template <Dim N, class F>
-Obb<N, double> mapped(const Obb<N, double>& box, F& f) {
-  return {mapped(box.center, f), mapped(box.half_extents, f), box.axes};
-}
-template <Dim N, class F>
-Plane<N, double> mapped(const Plane<N, double>& plane, F& f) {
-  return {f.direction(plane.normal), f.along(plane.normal, plane.offset)};
-}
-template <Dim N, class F>
-HalfSpace<N, double> mapped(const HalfSpace<N, double>& solid, F& f) {
-  return {f.direction(solid.normal), f.along(solid.normal, solid.offset)};
-}
-template <Dim N, class F>
-Triangle<N, double> mapped(const Triangle<N, double>& triangle, F& f) {
-  return {mapped(triangle.a, f), mapped(triangle.b, f), mapped(triangle.c, f)};
-}
-template <Dim N, class F>
-Capsule<N, double> mapped(const Capsule<N, double>& capsule, F& f) {
-  return {mapped(capsule.a, f), mapped(capsule.b, f), f(capsule.radius)};
-}
-template <Dim N, class F>
-Frustum<N, double> mapped(const Frustum<N, double>& frustum, F& f) {
-  Frustum<N, double> result;
-  for (std::size_t k = 0; k < frustum.corners.size(); ++k) result.corners[k] = mapped(frustum.corners[k], f);
-  return result;
+template <Described S, class F>
+requires can_leave_range<S> S mapped(const S& shape, F& f) {
+  return with_fields_changed(
+      shape, [&]<class Field>(const Field&, const auto& value) { return mapped_field<Field::kind>(shape, value, f); });
 }
 template <Dim N, class F>
 Polytope<N, double> mapped(const Polytope<N, double>& polytope, F& f) {
@@ -331,10 +316,6 @@ auto scaled(const Posed<S>& posed, const PowerOfTwo& power) {
 /// Of relation.hpp.
 template <class A, class B>
 Relation decide(const A& a, const B& b);
-
-/// Whether numbers of a shape can be out of range.
-template <class S>
-inline constexpr bool can_leave_range = std::is_same_v<scalar_of<S>, double>;
 
 /// Collects whether a length is neither zero nor of usual size.
 class UnusualLengths {

@@ -3,14 +3,15 @@
 // the same bits whichever is named first.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <tuple>
+#include <span>
 #include <variant>
+#include <vector>
 
 #include <graze/math/vec.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/description.hpp>
 #include <graze/shape/fields/visit.hpp>
 
 namespace graze::detail {
@@ -50,80 +51,38 @@ int compare(const Mat<N, T>& a, const Mat<N, T>& b) {
 }
 
 template <Dim N, class T>
-auto fields_of(const Segment<N, T>& segment) {
-  return std::tie(segment.start, segment.end);
-}
-template <Dim N, class T>
-auto fields_of(const Ray<N, T>& ray) {
-  return std::tie(ray.origin, ray.direction);
-}
-template <Dim N, class T>
-auto fields_of(const Sphere<N, T>& sphere) {
-  return std::tie(sphere.center, sphere.radius);
-}
-template <Dim N, class T>
-auto fields_of(const Aabb<N, T>& box) {
-  return std::tie(box.min, box.max);
-}
-template <Dim N, class T>
-auto fields_of(const Obb<N, T>& box) {
-  return std::tie(box.center, box.half_extents, box.axes);
-}
-template <Dim N, class T>
-auto fields_of(const Plane<N, T>& plane) {
-  return std::tie(plane.normal, plane.offset);
-}
-template <Dim N, class T>
-auto fields_of(const HalfSpace<N, T>& solid) {
-  return std::tie(solid.normal, solid.offset);
-}
-template <Dim N, class T>
-auto fields_of(const Triangle<N, T>& triangle) {
-  return std::tie(triangle.a, triangle.b, triangle.c);
-}
-template <Dim N, class T>
-auto fields_of(const Capsule<N, T>& capsule) {
-  return std::tie(capsule.a, capsule.b, capsule.radius);
-}
-
-/// The first field that differs decides.
-template <class S>
-int compare(const S& a, const S& b) requires requires {
-  fields_of(a);
-}
-{
-  return std::apply(
-      [&b](const auto&... of_a) {
-        return std::apply(
-            [&of_a...](const auto&... of_b) {
-              int result = 0;
-              (void)(((result = compare(of_a, of_b)) != 0) || ...);
-              return result;
-            },
-            fields_of(b));
-      },
-      fields_of(a));
-}
+int compare(const Part<N, T>& a, const Part<N, T>& b);
 
 /// Lists of different lengths are told apart by them.
-template <class List, class Compare>
-int compare_lists(const List& a, const List& b, const Compare& compare_elements) {
+template <class List>
+int compare_lists(const List& a, const List& b) {
   if (a.size() != b.size()) return a.size() < b.size() ? -1 : 1;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const int elements = compare_elements(a[i], b[i]);
-    if (elements != 0) return elements;
-  }
-  return 0;
+  int result = 0;
+  for (std::size_t i = 0; i < a.size() && result == 0; ++i) result = compare(a[i], b[i]);
+  return result;
+}
+
+template <Dim N, Scalar T>
+int compare(std::span<const Vec<N, T>> a, std::span<const Vec<N, T>> b) {
+  return compare_lists(a, b);
 }
 
 template <Dim N, class T>
-int compare(const Polytope<N, T>& a, const Polytope<N, T>& b) {
-  return compare_lists(a.vertices(), b.vertices(),
-                       [](const Vec<N, T>& p, const Vec<N, T>& q) { return compare<N, T>(p, q); });
+int compare(const std::vector<Part<N, T>>& a, const std::vector<Part<N, T>>& b) {
+  return compare_lists(a, b);
 }
 
-template <Dim N, class T>
-int compare(const Compound<N, T>& a, const Compound<N, T>& b);
+template <class S>
+concept Ordered = Described<S> && !description_of<S>.name.empty();
+
+/// The first field that differs decides.
+template <Ordered S>
+int compare(const S& a, const S& b) {
+  int result = 0;
+  description_of<S>.apply(
+      [&](const auto&... fields) { (void)(((result = compare(fields.in(a), fields.in(b))) != 0) || ...); });
+  return result;
+}
 
 /// Different types by their place in AnyShape.
 template <Dim N, class T>
@@ -133,9 +92,8 @@ int compare(const AnyShape<N, T>& a, const AnyShape<N, T>& b) {
 }
 
 template <Dim N, class T>
-int compare(const Compound<N, T>& a, const Compound<N, T>& b) {
-  return compare_lists(a.parts, b.parts,
-                       [](const Part<N, T>& p, const Part<N, T>& q) { return compare<N, T>(p.shape, q.shape); });
+int compare(const Part<N, T>& a, const Part<N, T>& b) {
+  return compare<N, T>(a.shape, b.shape);
 }
 
 }  // namespace graze::detail

@@ -9,7 +9,7 @@
 
 namespace graze::detail {
 
-/// As std::visit for one variant of at most twelve types: calls `visitor` with what `held` holds, and gives back what
+/// As std::visit for one variant of at most sixteen types: calls `visitor` with what `held` holds, and gives back what
 /// it gives back, which is of one type for all. The library's own makes a table of pointers to functions and passes
 /// through four layers of templates for each type; every query of any two shapes is 144 of them, and they took a
 /// quarter of the time that it takes to compile. A switch is also open to the optimiser.
@@ -17,7 +17,7 @@ namespace graze::detail {
 template <class Visitor, class Variant>
 constexpr decltype(auto) visit(Visitor&& visitor, Variant& held) {
   constexpr std::size_t types = std::variant_size_v<std::remove_const_t<Variant>>;
-  static_assert(types <= 12, "visit has a case for each of at most twelve types: add some");
+  static_assert(types <= 16, "visit in graze/shape/fields/visit.hpp has a case for each of sixteen types: add some");
   switch (held.index()) {
     case 0:
       if constexpr (0 < types) return visitor(*std::get_if<0>(&held));
@@ -54,6 +54,18 @@ constexpr decltype(auto) visit(Visitor&& visitor, Variant& held) {
       break;
     case 11:
       if constexpr (11 < types) return visitor(*std::get_if<11>(&held));
+      break;
+    case 12:
+      if constexpr (12 < types) return visitor(*std::get_if<12>(&held));
+      break;
+    case 13:
+      if constexpr (13 < types) return visitor(*std::get_if<13>(&held));
+      break;
+    case 14:
+      if constexpr (14 < types) return visitor(*std::get_if<14>(&held));
+      break;
+    case 15:
+      if constexpr (15 < types) return visitor(*std::get_if<15>(&held));
       break;
     default:
       break;

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <graze/shape/any_shape.hpp>
 #include <graze/shape/fields/nan_check.hpp>
+#include <graze/shape/frustum.hpp>
 
 namespace graze::nan_check_test {
 namespace {

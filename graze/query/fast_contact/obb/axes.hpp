@@ -27,7 +27,7 @@ struct ObbAxes {
   Relation verdict = Relation::touching;  ///< Touching: too close to tell.
 };
 
-/// How far the axes are from orthonormal, as orthonormal_error in obb.hpp.
+/// How far the axes are from orthonormal, as orthonormal_error in rotation.hpp.
 [[gnu::always_inline]] inline float orthonormality_error_of(const LaneMatrix& axes) {
   const LaneMatrix rows = transposed(axes);
   Lanes squares = {-1, -1, -1, -1};

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// converted<To>(shape, change): a shape with its numbers in another type.
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+
+#include <graze/math/vec.hpp>
+#include <graze/shape/fields/description.hpp>
+
+namespace graze::detail {
+
+/// Sets each number of `to` to change(number) of `from`: of numbers, vectors, matrices and arrays of vectors.
+template <class From, class To, class Change>
+void convert(const From& from, To& to, const Change& change) {
+  if constexpr (std::is_floating_point_v<From>) {
+    to = change(from);
+  } else if constexpr (requires { from.size(); }) {
+    for (std::size_t i = 0; i < from.size(); ++i) convert(from[i], to[i], change);
+  } else {
+    for (Dim i = 0; i < from.length(); ++i) convert(from[i], to[i], change);
+  }
+}
+
+/// Of a shape that is neither a polytope nor a compound, with every number replaced by change(number), a To.
+template <class To, template <Dim, class> class S, Dim N, class From, class Change>
+S<N, To> converted(const S<N, From>& shape, const Change& change) {
+  S<N, To> result;
+  description_of<S<N, From>>.apply([&](const auto&... fields) {
+    description_of<S<N, To>>.apply(
+        [&](const auto&... result_fields) { (convert(fields.in(shape), result_fields.in(result), change), ...); });
+  });
+  return result;
+}
+
+/// The same of a float or double as a double: exact.
+template <template <Dim, class> class S, Dim N, class T>
+S<N, double> widened(const S<N, T>& shape) {
+  return converted<double>(shape, [](T number) { return static_cast<double>(number); });
+}
+
+}  // namespace graze::detail

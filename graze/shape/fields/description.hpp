@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// description_of<S>: what the fields of a shape are called and what they mean, said once, in the shape's own header.
+// Order, NaN checks, defects, conversion to other number types, scaling, scene files and the WebAssembly bridge derive
+// from it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include <graze/math/vec.hpp>
+
+namespace graze::detail {
+
+enum class FieldKind {
+  point,         ///< A vector that moves with the shape.
+  direction,     ///< A vector of any length but zero.
+  length,        ///< A number, never negative.
+  half_extents,  ///< A vector of lengths.
+  offset,        ///< A number: where along its `normal`, a direction, a plane is.
+  axes,          ///< A matrix whose columns are orthonormal.
+  corners,       ///< An array of points.
+  hull,          ///< The corners of a convex hull, any number of them. Read only: `convex_hull` makes it.
+  parts,         ///< A vector of `Part`s.
+};
+
+/// A text of a few words that is put together at compile time.
+class ShortText {
+ public:
+  constexpr ShortText(std::initializer_list<std::string_view> pieces) {
+    for (const std::string_view piece : pieces) {
+      for (const char letter : piece) letters_[size_++] = letter;  // too many do not compile
+    }
+  }
+  constexpr std::string_view view() const { return {letters_.data(), size_}; }
+
+ private:
+  std::array<char, 64> letters_{};
+  std::size_t size_ = 0;
+};
+
+constexpr std::string_view article_of(std::string_view noun) {
+  return std::string_view("aeiou").find(noun.front()) == std::string_view::npos ? "a " : "an ";
+}
+
+/// Says that the shape is its own field, as a point is.
+struct Itself {};
+
+/// A field: its name in scene files, and how to reach it in a shape.
+template <FieldKind kind_of_field, class Member>
+class Field {
+ public:
+  static constexpr FieldKind kind = kind_of_field;
+
+  /// `noun` is what messages call the field, or each of its elements.
+  constexpr Field(std::string_view field_name, Member member, std::string_view noun)
+      : name(field_name), not_finite(flaw_of(noun)), refused(refusal_of(noun)), member_(member) {}
+
+  /// The field of a shape: a reference, but for a hull.
+  template <class S>
+  constexpr decltype(auto) in(S& shape) const {
+    if constexpr (std::is_same_v<Member, Itself>) {
+      return (shape);
+    } else if constexpr (std::is_member_function_pointer_v<Member>) {
+      return (shape.*member_)();
+    } else {
+      return (shape.*member_);
+    }
+  }
+
+  std::string_view name;
+  ShortText not_finite;  ///< The defect of a number that is not finite.
+  ShortText refused;     ///< The defect of finite numbers that this kind does not accept.
+
+ private:
+  static constexpr bool is_plural = kind == FieldKind::half_extents || kind == FieldKind::axes;
+
+  static constexpr ShortText flaw_of(std::string_view noun) {
+    if (is_plural) return {"has ", noun, " that are not finite"};
+    return {"has ", article_of(noun), noun, " that is not finite"};
+  }
+  static constexpr ShortText refusal_of(std::string_view noun) {
+    switch (kind) {
+      case FieldKind::direction:
+        return {"has ", article_of(noun), noun, " of length zero"};
+      case FieldKind::length:
+        return {"has a negative ", noun};
+      case FieldKind::half_extents:
+        return {"has a negative half extent"};
+      case FieldKind::axes:
+        return {"has ", noun, " that are not orthonormal (unit length, at right angles)"};
+      case FieldKind::parts:
+        return {"has a part that is not valid"};
+      default:
+        return {};
+    }
+  }
+
+  Member member_;
+};
+
+/// Makes fields of one kind.
+template <FieldKind kind>
+struct FieldOf {
+  template <class Member>
+  constexpr Field<kind, Member> operator()(std::string_view name, Member member, std::string_view noun = {}) const {
+    return {name, member, noun.empty() ? name : noun};
+  }
+};
+
+/// `field::point("center", &Sphere<N, T>::center)`
+namespace field {
+inline constexpr FieldOf<FieldKind::point> point;
+inline constexpr FieldOf<FieldKind::direction> direction;
+inline constexpr FieldOf<FieldKind::length> length;
+inline constexpr FieldOf<FieldKind::half_extents> half_extents;
+inline constexpr FieldOf<FieldKind::offset> offset;
+inline constexpr FieldOf<FieldKind::axes> axes;
+inline constexpr FieldOf<FieldKind::corners> corners;
+inline constexpr FieldOf<FieldKind::hull> hull;
+inline constexpr FieldOf<FieldKind::parts> parts;
+}  // namespace field
+
+// ---- A std::tuple would take longer to compile than all that is made of it.
+
+template <std::size_t place, class Field>
+struct FieldAt {
+  Field field;
+};
+
+template <class Places, class... Fields>
+struct FieldList;
+template <std::size_t... places, class... Fields>
+struct FieldList<std::index_sequence<places...>, Fields...> : FieldAt<places, Fields>... {
+  constexpr explicit FieldList(const Fields&... fields) : FieldAt<places, Fields>{fields}... {}
+
+  /// use(fields...)
+  template <class Use>
+  constexpr decltype(auto) apply(const Use& use) const {
+    return use(static_cast<const FieldAt<places, Fields>*>(this)->field...);
+  }
+};
+
+/// The name of a type of shape, as scene files and reports write it, and its fields in the order of braces. The name is
+/// empty if the type is no alternative of AnyShape.
+template <class... Fields>
+struct Description : FieldList<std::index_sequence_for<Fields...>, Fields...> {
+  constexpr explicit Description(std::string_view name_of_type, const Fields&... fields)
+      : FieldList<std::index_sequence_for<Fields...>, Fields...>(fields...), name(name_of_type) {}
+
+  std::string_view name;
+};
+
+/// Of a type that is not described: a user's.
+struct NoDescription {};
+
+/// Each shape specialises this behind its struct.
+template <class S>
+inline constexpr NoDescription description_of{};
+
+/// One of graze's own shapes.
+template <class S>
+concept Described = !std::is_same_v<const NoDescription, decltype(description_of<S>)>;
+
+/// Calls visit(number) for each number of a field's value: a number, vector, matrix, or an array of vectors.
+template <class Value, class Visit>
+constexpr void for_each_number(Value& value, const Visit& visit) {
+  if constexpr (std::is_floating_point_v<std::remove_const_t<Value>>) {
+    visit(value);
+  } else if constexpr (requires { value.size(); }) {
+    for (auto& element : value) for_each_number(element, visit);
+  } else {
+    for (Dim i = 0; i < value.length(); ++i) for_each_number(value[i], visit);
+  }
+}
+
+/// Calls visit(field, value) for each field of a shape, in order. A value can be changed if the shape can, but a hull.
+template <class S, class Visit>
+constexpr void for_each_field(S& shape, const Visit& visit) {
+  const auto visit_field = [&visit](const auto& field, auto&& value) { visit(field, value); };
+  description_of<std::remove_const_t<S>>.apply(
+      [&](const auto&... fields) { (visit_field(fields, fields.in(shape)), ...); });
+}
+
+/// A shape whose fields are `change(field, value)` of those of another.
+template <class S, class Change>
+constexpr S with_fields_changed(const S& shape, const Change& change) {
+  return description_of<S>.apply([&](const auto&... fields) { return S{change(fields, fields.in(shape))...}; });
+}
+
+}  // namespace graze::detail
