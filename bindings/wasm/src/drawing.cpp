@@ -213,6 +213,22 @@ class Brush {
   void draw_solid(const Aabb<3, double>& box) const { draw_box(box); }
   void draw_solid(const Obb<3, double>& box) const { draw_box(box); }
 
+  /// Of any other the hull of support points in directions all around, up to two thousand.
+  template <Convex S>
+  void draw_solid(const S& shape) const {
+    const int circle = std::min(options_.circle, 64);
+    std::vector<Vec<3, double>> points;
+    for (int ring = 0; 2 * ring <= circle; ++ring) {
+      const double polar = 2 * pi * ring / circle;
+      const double across = std::sin(polar);
+      for (int k = 0; k < circle; ++k) {
+        const double angle = 2 * pi * k / circle;
+        points.push_back(support(shape, {across * std::cos(angle), across * std::sin(angle), std::cos(polar)}));
+      }
+    }
+    add_hull(drawing_, points);
+  }
+
   template <class Box>
   void draw_box(const Box& box) const {
     std::array<Vec<3, double>, 8> corners;

@@ -16,6 +16,7 @@
 #include <graze/io/svg/pen.hpp>
 #include <graze/io/svg/solid.hpp>
 #include <graze/query/bounds.hpp>
+#include <graze/shape/shape.hpp>
 
 namespace graze::io::svg {
 namespace {
@@ -78,11 +79,13 @@ struct SolidBrush {
   void operator()(const Vec<3, double>& point) const { pen.mark(seen(point, stage.view)); }
   void operator()(const Segment<3, double>& segment) const { pen.outline(outline(segment, stage.view)); }
   void operator()(const Sphere<3, double>& sphere) const { body(outline(sphere, stage.view), "sphere"); }
-  void operator()(const Capsule<3, double>& capsule) const { body(outline(capsule, stage.view)); }
-  void operator()(const Polytope<3, double>& polytope) const { body(outline(polytope, stage.view)); }
   void operator()(const Aabb<3, double>& box) const { (*this)(oriented(box)); }
   void operator()(const Plane<3, double>& plane) const { sheet(plane); }
   void operator()(const HalfSpace<3, double>& solid) const { sheet(boundary(solid)); }
+  template <Convex S>
+  void operator()(const S& shape) const {
+    body(outline(shape, stage.view));
+  }
 
   void operator()(const Triangle<3, double>& triangle) const {
     const Vec<3, double> normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
