@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Rays and segments that pass shapes of every type by a few ulp, near zero and far from it: all queries say the same of
 // whether they meet, and a finite t_max hides what lies beyond it and nothing else.
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <optional>
 
 #include <gtest/gtest.h>
 
 #include <graze/shape/any_shape.hpp>
-#include <graze/shape/fields/visit.hpp>
 
 #include "catalogue.hpp"
 #include "query/contacts.hpp"
+#include "query/grazing_rays.hpp"
 #include "query/manifolds.hpp"
 #include "query/pairs.hpp"
-#include "query/placement.hpp"
 #include "query/proximities.hpp"
 #include "query/ray_casts.hpp"
 #include "query/shape_casts.hpp"
@@ -27,40 +22,6 @@ namespace graze::test::grazing_ray_test {
 namespace {
 
 constexpr RayOptions at_exit{RaySide::exit};
-
-template <Dim N>
-Vec<N, double> across(const Vec<N, double>& way, rc::Random& random) {
-  const Vec<N, double> other = any_way<N>(random);
-  return other - way * (dot(other, way) / dot(way, way));
-}
-
-/// A point of a shape, a direction in which little of the shape is near it, and a way past it.
-template <Dim N>
-struct Passage {
-  Vec<N, double> point;
-  Vec<N, double> outward;
-  Vec<N, double> way;
-};
-
-/// The farthest point along a direction, and a way at right angles to that; of what has none, and in one case of two,
-/// the way between two points, often of one edge.
-template <Dim N, class T>
-Passage<N> passage_at(const AnyShape<N, T>& shape, rc::Random& random) {
-  const Vec<N, double> outward = any_way<N>(random);
-  std::optional<Vec<N, double>> farthest;
-  if (whole(random, 0, 1) == 0) {
-    detail::visit(
-        [&](const auto& held) {
-          if constexpr (requires { support(held, outward); }) farthest = support(held, outward);
-        },
-        shape);
-  }
-  if (farthest) return {*farthest, outward, across<N>(outward, random)};
-  const Vec<N, double> point = point_of(shape, random);
-  const Vec<N, double> way = point_of(shape, random) - point;
-  if (!(max_abs(way) > 0)) return {point, outward, across<N>(outward, random)};
-  return {point, across<N>(way, random), way};
-}
 
 template <class SpaceType>
 class GrazingRay : public ::testing::Test {
@@ -72,31 +33,9 @@ class GrazingRay : public ::testing::Test {
   using Hit = std::optional<RayHit<dimension, Number>>;
   static constexpr Number infinity = std::numeric_limits<Number>::infinity();
 
-  struct Case {
-    Any shape;
-    Way ray;
-  };
-
-  /// Calls check(shape, ray) for rays past one shape, by 0 to 64 ulp of T or of double.
   template <class Check>
   static void for_rays_past_a_shape(const Check& check) {
-    rc::Random random(*rc::gen::arbitrary<std::uint64_t>());
-    const Number far = std::array<Number, 5>{0, 0, 100, 65536, 1e6F}[static_cast<std::size_t>(whole(random, 0, 4))];
-    Vec<dimension, Number> offset;
-    for (Dim i = 0; i < dimension; ++i) offset[i] = far * static_cast<Number>(whole(random, -1, 1));
-    const Any drawn = *any_shape<dimension, Number>();
-    const Any shape = far == 0 ? drawn : moved<dimension, Number>(drawn, offset);
-    for (int i = 0; i < 8; ++i) {
-      const Passage<dimension> at = passage_at<dimension, Number>(shape, random);
-      const double ulp = max_abs(at.point) * std::ldexp(1.0, whole(random, 0, 1) == 0 ? -53 : -24);
-      const double size = std::sqrt(dot(at.outward, at.outward));
-      if (!(max_abs(at.way) > 0) || !(size > 0)) continue;
-      const Vec<dimension, double> beside = at.point + at.outward * (whole(random, 0, 64) * ulp / size);
-      const Vec<dimension, double> way = at.way * between(random, 0.1, 4);
-      const Way ray{Vec<dimension, Number>(beside - way * between(random, 0, 2)), Vec<dimension, Number>(way)};
-      if (!is_valid(ray) || !(max_abs(ray.direction) > Number(1e-6F))) continue;
-      check(shape, ray);
-    }
+    test::for_rays_past_a_shape<dimension, Number>(check);
   }
 
   static void log(const Any& shape, const Any& path) {
@@ -145,7 +84,7 @@ TYPED_TEST(GrazingRay, AllQueriesSayTheSameOfASegment) {
     constexpr Dim N = TypeParam::dimension;
     using T = typename TypeParam::scalar;
     TestFixture::for_rays_past_a_shape([](const auto& shape, const auto& ray) {
-      const Segment<N, T> segment{ray.origin, ray.origin + ray.direction};
+      const Segment<N, T> segment = beginning_of(ray);
       TestFixture::log(shape, segment);
       const bool is_met = relation_of<N, T>(shape, segment) != Relation::apart;
       TestFixture::expect_agreement(shape, segment, is_met);

@@ -179,6 +179,25 @@ TYPED_TEST(RayCastLaw, TheNormalIsAgainstTheRayAtTheEntryAndWithItAtTheExit) {
   });
 }
 
+TYPED_TEST(RayCastLaw, AFiniteTMaxHidesOnlyWhatIsBeyondIt) {
+  check_property([] {
+    using T = typename TypeParam::scalar;
+    auto drawn = TestFixture::draw_case();
+    drawn.t_max = TestFixture::infinity;
+    for (const RayOptions options : {RayOptions{}, at_exit}) {
+      const auto hit = TestFixture::cast(drawn, options);
+      const T t = hit ? hit->t : T(1);
+      for (const T t_max :
+           {T(0), t / 2, std::nextafter(t, T(0)), t, std::nextafter(t, TestFixture::infinity), t * T(2)}) {
+        auto part = drawn;
+        part.t_max = t_max;
+        RC_LOG() << "up to " << t_max << "\n";
+        RC_ASSERT((TestFixture::cast(part, options)) == (hit && t <= t_max ? hit : std::nullopt));
+      }
+    }
+  });
+}
+
 TYPED_TEST(RayCastLaw, ScalingByAPowerOfTwoScalesItExactly) {
   check_property([] {
     constexpr Dim N = TypeParam::dimension;
