@@ -145,8 +145,10 @@ class PrimitivePairs {
 
   /// False for others. At most as many as a task has.
   bool add(const Shapes& shapes, Manifold<3, T>* manifold, std::size_t place) {
-    if (const auto* sphere = std::get_if<Sphere3>(shapes.a)) return add_sphere(*sphere, *shapes.b, false, manifold, place);
-    if (const auto* sphere = std::get_if<Sphere3>(shapes.b)) return add_sphere(*sphere, *shapes.a, true, manifold, place);
+    if (const auto* sphere = std::get_if<Sphere3>(shapes.a))
+      return add_sphere(*sphere, *shapes.b, false, manifold, place);
+    if (const auto* sphere = std::get_if<Sphere3>(shapes.b))
+      return add_sphere(*sphere, *shapes.a, true, manifold, place);
     if (const auto* capsule = std::get_if<Capsule3>(shapes.a);
         capsule != nullptr && add_capsule(*capsule, *shapes.b, false, manifold, place)) {
       return true;

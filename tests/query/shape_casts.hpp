@@ -17,6 +17,7 @@ std::optional<Impact<N, T>> impact_of(const AnyShape<N, T>& a, const Vec<N, T>& 
 
 /// What that is rounded from.
 template <Dim N, class T>
-std::optional<detail::CastHit<N>> cast_hit_of(const AnyShape<N, T>& a, const Vec<N, T>& motion, const AnyShape<N, T>& b);
+std::optional<detail::CastHit<N>> cast_hit_of(const AnyShape<N, T>& a, const Vec<N, T>& motion,
+                                              const AnyShape<N, T>& b);
 
 }  // namespace graze::test
