@@ -95,7 +95,7 @@ template <Dim N, class T>
 [[gnu::always_inline]] constexpr T max_abs(const Vec<N, T>& v) {
   T largest = T(0);
   for (Dim i = 0; i < N; ++i) {
-    largest = std::max(largest, std::max(v[i], -v[i]));
+    largest = std::max(largest, std::fabs(v[i]));
   }
   return largest;
 }
@@ -104,7 +104,7 @@ template <Dim N, class T>
 template <Dim N, class T>
 [[gnu::always_inline]] constexpr T sum_abs(const Vec<N, T>& v) {
   T sum = T(0);
-  for (Dim i = 0; i < N; ++i) sum += std::max(v[i], -v[i]);
+  for (Dim i = 0; i < N; ++i) sum += std::fabs(v[i]);
   return sum;
 }
 

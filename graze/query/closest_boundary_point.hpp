@@ -31,14 +31,12 @@ namespace graze {
 namespace detail {
 
 template <Shape S>
-PointOf<S> usual_closest_boundary_point(const S& shape, const PointOf<S>& point) {
-  return settled(shape, surface_point(shape, wide<dimension_of<S>, scalar_of<S>>(point)));
-}
-
-template <Shape S>
-PointOf<S> closest_boundary_point_of(const S& shape, const PointOf<S>& point) {
-  if (is_usual_size<scalar_of<S>>(size_beside(shape, point))) return usual_closest_boundary_point(shape, point);
-  return point_in_range(shape, point, [](const auto& s, const auto& p) { return usual_closest_boundary_point(s, p); });
+[[gnu::always_inline]] inline PointOf<S> closest_boundary_point_of(const S& shape, const PointOf<S>& point) {
+  using T = scalar_of<S>;
+  const auto at = surface_point(shape, wide<dimension_of<S>, T>(point));
+  if (is_usual_measure<T>(at.measure)) return settled(shape, at);
+  return point_in_range_or(at, shape, point,
+                           [](const auto& s, const auto& p) { return closest_boundary_point_of(s, p); });
 }
 
 template <Dim N, class T>

@@ -110,14 +110,12 @@ bool holds_rounded(const Triangle<3, T>& triangle, const SurfacePoint<3>& at, co
   return is_on(triangle, rounded);
 }
 
-/// A surface point, or one that is not quite on the surface, as a point of T that the shape holds. A first answer that
-/// was calculated from far away is improved by asking again from there.
+/// A point of T near a surface point, of which the nearest one is not in the shape. A first answer that was calculated
+/// from far away is improved by asking again from there.
 template <Shape S>
-PointOf<S> settled(const S& shape, const SurfacePoint<dimension_of<S>>& first) {
+[[gnu::noinline]] PointOf<S> settled_nearby(const S& shape, SurfacePoint<dimension_of<S>> first) {
   constexpr Dim N = dimension_of<S>;
   using T = scalar_of<S>;
-  const PointOf<S> rounded = nearest_of<T>(first.point);
-  if (holds_rounded(shape, first, rounded)) return rounded;
   if constexpr (inner_is_near<S>) {
     return settled_inwards(shape, first);
   } else {
@@ -132,6 +130,13 @@ PointOf<S> settled(const S& shape, const SurfacePoint<dimension_of<S>>& first) {
   }
 }
 
+/// A surface point, or one that is not quite on the surface, as a point of T that the shape holds.
+template <Shape S>
+[[gnu::always_inline]] inline PointOf<S> settled(const S& shape, const SurfacePoint<dimension_of<S>>& first) {
+  const PointOf<S> rounded = nearest_of<scalar_of<S>>(first.point);
+  return holds_rounded(shape, first, rounded) ? rounded : settled_nearby(shape, first);
+}
+
 // ---- The answers
 
 /// Where nothing is.
@@ -140,27 +145,33 @@ Vec<N, T> nowhere() {
   return Vec<N, T>(std::numeric_limits<T>::quiet_NaN());
 }
 
-/// ask(shape, point) of what may be out of range.
+/// ask(shape, point) of what is out of range, or else the surface point that has been found.
 template <Shape S, class Ask>
-[[gnu::noinline, gnu::cold]] PointOf<S> point_in_range(const S& shape, const PointOf<S>& point, const Ask& ask) {
+[[gnu::noinline, gnu::cold]] PointOf<S> point_in_range_or(SurfacePoint<dimension_of<S>> found, const S& shape,
+                                                          const PointOf<S>& point, const Ask& ask) {
   const auto answer = answer_in_range<PointOf<S>>(
       [&ask](const auto& power, const auto& scaled_shape, const auto& scaled_point) {
         return power.inverse()(ask(scaled_shape, scaled_point));
       },
       shape, point);
-  return answer ? *answer : ask(shape, point);
+  return answer ? *answer : settled(shape, found);
 }
 
 template <Shape S>
-PointOf<S> usual_closest_point(const S& shape, const PointOf<S>& point) {
-  if (has_inside<S> && holds(shape, point)) return point;
-  return settled(shape, surface_point(shape, wide<dimension_of<S>, scalar_of<S>>(point)));
-}
-
-template <Shape S>
-PointOf<S> closest_point_of(const S& shape, const PointOf<S>& point) {
-  if (is_usual_size<scalar_of<S>>(size_beside(shape, point))) return usual_closest_point(shape, point);
-  return point_in_range(shape, point, [](const auto& s, const auto& p) { return usual_closest_point(s, p); });
+[[gnu::always_inline]] inline PointOf<S> closest_point_of(const S& shape, const PointOf<S>& point) {
+  using T = scalar_of<S>;
+  const auto ask = [](const auto& scaled_shape, const auto& scaled_point) {
+    return closest_point_of(scaled_shape, scaled_point);
+  };
+  const auto p = wide<dimension_of<S>, T>(point);
+  if constexpr (has_inside<S>) {
+    const Containment found = contained(shape, point);
+    if (found.is_inside) {
+      return is_usual_measure<T>(found.measure) ? point : point_in_range_or({p, p}, shape, point, ask);
+    }
+  }
+  const auto at = surface_point(shape, p);
+  return is_usual_measure<T>(at.measure) ? settled(shape, at) : point_in_range_or(at, shape, point, ask);
 }
 
 /// Exact.

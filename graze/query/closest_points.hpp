@@ -328,7 +328,7 @@ template <class A, class B>
 /// With the error as the verdict leaves it: overlapping is certain, but touching is what `relation` says of shapes that
 /// are apart by less than the rounding of its longest calculations, which is a few times ours.
 template <class A, class B>
-Proximity<dimension_of<A>, double> proximity_in_order(const A& a, const B& b) {
+[[gnu::always_inline]] inline Proximity<dimension_of<A>, double> proximity_in_order(const A& a, const B& b) {
   constexpr double slack_of_touching = tolerance::coarse / tolerance::rounding;
   const Relation relation = decide(a, b);
   if constexpr (is_found_by_support<A, B>) {

@@ -59,94 +59,40 @@ bool is_within_surface(double distance_squared, double largest_coordinate, doubl
   return reach >= 0 && distance_squared <= reach * reach;
 }
 
-// ---- The size of the numbers with which a shape and a point are calculated
-
-template <Dim N, class T>
-double size_beside(const Vec<N, T>& shape, const Vec<N, T>& point) {
-  return sum_abs(wide<N, T>(point) - wide<N, T>(shape));
-}
-template <Dim N, class T>
-double size_beside(const Segment<N, T>& segment, const Vec<N, T>& point) {
-  return size_beside(segment.start, point) + size_beside(segment.end, segment.start);
-}
-template <Dim N, class T>
-double size_beside(const Ray<N, T>& ray, const Vec<N, T>& point) {
-  const double size = size_beside(ray.origin, point);
-  return is_usual_size<T>(static_cast<double>(max_abs(ray.direction))) ? size : 0;
-}
-template <Dim N, class T>
-double size_beside(const Sphere<N, T>& sphere, const Vec<N, T>& point) {
-  return size_beside(sphere.center, point) + static_cast<double>(sphere.radius);
-}
-template <Dim N, class T>
-double size_beside(const Aabb<N, T>& box, const Vec<N, T>& point) {
-  return size_beside(box.min, point) + size_beside(box.max, box.min);
-}
-template <Dim N, class T>
-double size_beside(const Obb<N, T>& box, const Vec<N, T>& point) {
-  return size_beside(box.center, point) + sum_abs(wide<N, T>(box.half_extents));
-}
-template <Dim N, class T>
-double size_beside(const Plane<N, T>& plane, const Vec<N, T>& point) {
-  const Vec<N, double> normal = wide<N, T>(plane.normal);
-  const double size = dot(abs(normal), abs(wide<N, T>(point))) + std::fabs(static_cast<double>(plane.offset));
-  return is_usual_size<T>(dot(normal, normal)) ? size : 0;
-}
-template <Dim N, class T>
-double size_beside(const HalfSpace<N, T>& solid, const Vec<N, T>& point) {
-  return size_beside(boundary(solid), point);
-}
-template <Dim N, class T>
-double size_beside(const Triangle<N, T>& triangle, const Vec<N, T>& point) {
-  return size_beside(triangle.a, point) + (size_beside(triangle.b, triangle.a) + size_beside(triangle.c, triangle.a));
-}
-template <Dim N, class T>
-double size_beside(const Capsule<N, T>& capsule, const Vec<N, T>& point) {
-  return size_beside(axis(capsule), point) + static_cast<double>(capsule.radius);
-}
-template <Dim N, class T>
-double size_beside(const Polytope<N, T>& polytope, const Vec<N, T>& point) {
-  return rows_of(polytope).largest() + static_cast<double>(max_abs(point));
-}
-/// Of any convex shape the largest coordinate.
-template <Convex S>
-double size_beside(const S& shape, const PointOf<S>& point) {
-  if constexpr (!can_leave_range<S>) return 1;
-  double size = static_cast<double>(max_abs(point));
-  for (Dim i = 0; i < dimension_of<S>; ++i) {
-    for (const double sign : {-1.0, 1.0}) {
-      size = std::max(size, max_abs(wide_support(shape, unit_axis<dimension_of<S>>(i) * sign)));
-    }
-  }
-  return size;
-}
+/// Whether a shape holds a point, and what tells whether that was calculated in range: `is_usual_measure` asks it.
+struct Containment {
+  bool is_inside;
+  double measure;
+};
 
 // ---- Sets without thickness
 
+/// Exact.
 template <Dim N, class T>
-bool holds(const Vec<N, T>& shape, const Vec<N, T>& point) {
-  return shape == point;
+Containment contained(const Vec<N, T>& shape, const Vec<N, T>& point) {
+  return {shape == point, 1};
 }
 
 template <Dim N, class T>
-bool holds(const Segment<N, T>& segment, const Vec<N, T>& point) {
+Containment contained(const Segment<N, T>& segment, const Vec<N, T>& point) {
   const double largest = static_cast<double>(std::max(max_abs(segment.start), max_abs(segment.end)));
-  return is_within_surface<T>(squared(closest_on(segment, wide<N, T>(point))), largest);
+  return {is_within_surface<T>(squared(closest_on(segment, wide<N, T>(point))), largest), largest};
 }
 
 template <Dim N, class T>
-bool holds(const Ray<N, T>& ray, const Vec<N, T>& point) {
+Containment contained(const Ray<N, T>& ray, const Vec<N, T>& point) {
   const double largest = static_cast<double>(std::max(max_abs(ray.origin), max_abs(point)));
-  return is_within_surface<T>(squared(closest_on(ray, wide<N, T>(point))), largest);
+  const ClosestOnCore<N> closest = closest_on(ray, wide<N, T>(point));
+  return {is_within_surface<T>(squared(closest), largest), is_usual_measure<T>(closest.whole) ? largest : 0};
 }
 
 template <Dim N, class T>
-bool holds(const Plane<N, T>& plane, const Vec<N, T>& point) {
+Containment contained(const Plane<N, T>& plane, const Vec<N, T>& point) {
   const Vec<N, double> normal = wide<N, T>(plane.normal);
   const double height = height_over(plane, wide<N, T>(point));
+  const double whole = dot(normal, normal);  // a valid normal is not zero
   const auto largest = static_cast<double>(max_abs(point));
-  return is_within_surface<T>(height * height / dot(normal, normal),
-                              largest);  // a valid normal is not zero
+  return {is_within_surface<T>(height * height / whole, largest), is_usual_measure<T>(whole) ? largest : 0};
 }
 
 template <class T>
@@ -162,49 +108,42 @@ bool is_on(const Triangle<3, T>& triangle, const Vec<3, T>& point) {
 }
 
 template <class T>
-bool holds(const Triangle<3, T>& triangle, const Vec<3, T>& point) {
+Containment contained(const Triangle<3, T>& triangle, const Vec<3, T>& point) {
   const Vec<3, double> corner = wide<3, T>(triangle.a);
-  const double reach = tolerance::surface<T> * largest_coordinate(triangle);
+  const double largest = largest_coordinate(triangle);
+  const double reach = tolerance::surface<T> * largest;
   const auto quick = filter_of_triangle_and_sphere(corner - wide<3, T>(point), wide<3, T>(triangle.b) - corner,
                                                    wide<3, T>(triangle.c) - corner, reach);
-  if (quick) return *quick != Relation::apart;
-  return is_on(triangle, point);
+  if (quick) return {*quick != Relation::apart, 1};  // the filter has looked at its products
+  return {is_on(triangle, point), largest + static_cast<double>(max_abs(point))};
 }
 
 // ---- Solids
 
+/// What is inside, or outside by half the radius, is so for any rounding.
 template <Dim N, class T>
-bool holds(const Sphere<N, T>& sphere, const Vec<N, T>& point) {
+[[gnu::always_inline]] inline Containment contained(const Sphere<N, T>& sphere, const Vec<N, T>& point) {
   const Vec<N, double> off = wide<N, T>(point) - wide<N, T>(sphere.center);
   const auto radius = static_cast<double>(sphere.radius);
+  const double squared_way = dot(off, off);
+  const double squared_radius = radius * radius;
+  if (squared_way > 2 * squared_radius) return {false, squared_way};
   const double reach = radius + tolerance::rounding * (sum_abs(off) + radius);
-  return dot(off, off) <= reach * reach;
+  return {squared_way <= reach * reach, squared_radius};
 }
 
+/// Exact.
 template <Dim N, class T>
-bool holds(const Aabb<N, T>& box, const Vec<N, T>& point) {
+[[gnu::always_inline]] inline Containment contained(const Aabb<N, T>& box, const Vec<N, T>& point) {
   for (Dim i = 0; i < N; ++i) {
-    if (!(box.min[i] <= point[i] && point[i] <= box.max[i])) return false;
+    if (!(box.min[i] <= point[i] && point[i] <= box.max[i])) return {false, 1};
   }
-  return true;
+  return {true, 1};
 }
 
-/// Projected on axes that are orthonormal up to tolerance::orthonormal = e, a point of the box is at most e (|u_0| +
-/// ... ) off its place u, and that sum is at most sqrt(N) (1 + e) times its distance from the center: what is farther
-/// in or out than that needs no closer look.
+/// For a point near the surface.
 template <Dim N, class T>
-bool holds(const Obb<N, T>& box, const Vec<N, T>& point) {
-  const Vec<N, double> p = wide<N, T>(point);
-  const Vec<N, double> off = p - wide<N, T>(box.center);
-  const Vec<N, double> halves = wide<N, T>(box.half_extents);
-  const double size = static_cast<double>(max_abs(box.center)) + sum_abs(off) + sum_abs(halves);
-  const double margin = 2 * (2 * tolerance::orthonormal * sum_abs(off) + tolerance::surface<T> * size);
-  double beyond = -std::numeric_limits<double>::infinity();
-  for (Dim i = 0; i < N; ++i) {
-    beyond = std::max(beyond, std::fabs(dot(off, wide<N, T>(box.axes[i]))) - halves[i]);
-  }
-  if (!(beyond <= margin) || std::isnan(margin)) return false;  // NaN
-  if (beyond < -margin) return true;
+bool holds_nearly(const Obb<N, T>& box, const Vec<N, double>& p) {
   const double beyond_true_faces = beyond_faces(box, p);
   if (beyond_true_faces <= 0) return true;
   const double slack = slack_of(box, p);
@@ -216,25 +155,48 @@ bool holds(const Obb<N, T>& box, const Vec<N, T>& point) {
   return is_within_surface<T>(distance_squared, largest, thickness_of(box));
 }
 
+/// Projected on axes that are orthonormal up to tolerance::orthonormal = e, a point of the box is at most e (|u_0| +
+/// ... ) off its place u, and that sum is at most sqrt(N) (1 + e) times its distance from the center: what is farther
+/// in or out than that needs no closer look.
 template <Dim N, class T>
-bool holds(const HalfSpace<N, T>& solid, const Vec<N, T>& point) {
+Containment contained(const Obb<N, T>& box, const Vec<N, T>& point) {
+  const Vec<N, double> p = wide<N, T>(point);
+  const Vec<N, double> off = p - wide<N, T>(box.center);
+  const Vec<N, double> halves = wide<N, T>(box.half_extents);
+  const double own_size = sum_abs(off) + sum_abs(halves);
+  const double size = static_cast<double>(max_abs(box.center)) + own_size;
+  const double margin = 2 * (2 * tolerance::orthonormal * sum_abs(off) + tolerance::surface<T> * size);
+  double beyond = -std::numeric_limits<double>::infinity();
+  for (Dim i = 0; i < N; ++i) {
+    beyond = std::max(beyond, std::fabs(dot(off, wide<N, T>(box.axes[i]))) - halves[i]);
+  }
+  if (!(beyond <= margin) || std::isnan(margin)) return {false, own_size};  // NaN
+  if (beyond < -margin) return {true, own_size};
+  return {holds_nearly(box, p), own_size};
+}
+
+/// In units of the normal. A height that is NaN is out of range, too.
+template <Dim N, class T>
+Containment contained(const HalfSpace<N, T>& solid, const Vec<N, T>& point) {
   const double magnitude = dot(abs(wide<N, T>(solid.normal)), abs(wide<N, T>(point)));
-  const double slack = tolerance::convex * (magnitude + std::fabs(static_cast<double>(solid.offset)));
-  return height_over(boundary(solid), wide<N, T>(point)) <= slack;
+  const double size = magnitude + std::fabs(static_cast<double>(solid.offset));
+  const double height = height_over(boundary(solid), wide<N, T>(point));
+  return {height <= tolerance::convex * size, size + std::fabs(height)};
 }
 
 /// However thin, a capsule is a sphere around each point of its axis: it is the axis that the tolerance is for.
 template <Dim N, class T>
-bool holds(const Capsule<N, T>& capsule, const Vec<N, T>& point) {
+Containment contained(const Capsule<N, T>& capsule, const Vec<N, T>& point) {
   const Vec<N, double> p = wide<N, T>(point);
   const Vec<N, double> start = wide<N, T>(capsule.a);
   const auto radius = static_cast<double>(capsule.radius);
   const double extent = sum_abs(wide<N, T>(capsule.b) - start);
-  const double reach = radius + tolerance::rounding * (sum_abs(p - start) + extent + radius);
+  const double size = sum_abs(p - start) + extent + radius;
+  const double reach = radius + tolerance::rounding * size;
   const double distance_squared = squared(closest_on(axis(capsule), p));
-  if (distance_squared <= reach * reach) return true;
+  if (distance_squared <= reach * reach) return {true, size};
   const T largest = std::max(max_abs(capsule.a), max_abs(capsule.b));
-  return is_within_surface<T>(distance_squared, static_cast<double>(largest));
+  return {is_within_surface<T>(distance_squared, static_cast<double>(largest)), size};
 }
 
 /// The distance of the middle from the nearest edge: zero if the polygon is flat.
@@ -252,10 +214,10 @@ double thickness_of(Corners<T> corners) {
   return least;
 }
 
+/// With the distance of the point from the outline, negative inside.
 template <class T>
-bool polygon_holds(Corners<T> corners, const Vec<2, T>& point) {
+bool polygon_holds(Corners<T> corners, const Vec<2, T>& point, double distance) {
   const Vec<2, double> p = wide<2, T>(point);
-  const double distance = surface_point_of<T>(corners, p).distance;
   if (distance <= 0) return true;
   double own_size = 0;
   double largest = 0;
@@ -270,13 +232,15 @@ bool polygon_holds(Corners<T> corners, const Vec<2, T>& point) {
 }
 
 template <class T>
-bool holds(const Triangle<2, T>& triangle, const Vec<2, T>& point) {
-  return polygon_holds<T>(counter_clockwise(triangle), point);
+Containment contained(const Triangle<2, T>& triangle, const Vec<2, T>& point) {
+  const SurfacePoint<2> at = surface_point(triangle, wide<2, T>(point));
+  return {polygon_holds<T>(counter_clockwise(triangle), point, at.distance), at.measure};
 }
 
 template <class T>
-bool holds(const Polytope<2, T>& polygon, const Vec<2, T>& point) {
-  return polygon_holds<T>(polygon.vertices(), point);
+Containment contained(const Polytope<2, T>& polygon, const Vec<2, T>& point) {
+  const SurfacePoint<2> at = surface_point(polygon, wide<2, T>(point));
+  return {polygon_holds<T>(polygon.vertices(), point, at.distance), at.measure};
 }
 
 // ---- Any convex shape
@@ -285,7 +249,7 @@ bool holds(const Polytope<2, T>& polygon, const Vec<2, T>& point) {
 template <Convex S>
 double thickness_of(const S& shape) {
   const Vec<dimension_of<S>, double> middle = middle_of(shape);
-  return epa(middle, shape, gjk(middle, shape).simplex).lower;
+  return usual_epa(middle, shape, usual_gjk(middle, shape).simplex).lower;
 }
 
 /// For a point that is not in the shape: whether it is on it, for all that T can resolve.
@@ -301,38 +265,42 @@ bool is_on_thin(const S& shape, const PointOf<S>& point) {
 }
 
 template <Convex S>
-bool holds(const S& shape, const PointOf<S>& point) {
-  const auto distance = gjk(point, shape, GjkOptions{0});
-  if (!(distance.upper >= 0)) return false;  // NaN
-  if (distance.lower > distance.resolution) return is_on_thin(shape, point);
-  const auto depth = epa(point, shape, distance.simplex, EpaOptions{0});
-  return !(depth.gap > depth.resolution) || is_on_thin(shape, point);
+Containment contained(const S& shape, const PointOf<S>& point) {
+  const auto distance = usual_gjk(point, shape, GjkOptions{0});
+  const double measure = measure_of(distance);
+  if (!(distance.upper >= 0)) return {false, measure};  // NaN
+  if (distance.lower > distance.resolution) return {is_on_thin(shape, point), measure};
+  const auto depth = usual_epa(point, shape, distance.simplex, EpaOptions{0});
+  return {!(depth.gap > depth.resolution) || is_on_thin(shape, point), measure};
 }
 
 // ---- In range
 
-/// As `holds`, of what may be out of range.
+/// Of what is in range.
 template <Shape S>
-[[gnu::noinline, gnu::cold]] bool is_held_in_range(const S& shape, const PointOf<S>& point) {
-  const auto answer = answer_in_range<bool>(
-      [](const auto&, const auto& scaled_shape, const auto& scaled_point) { return holds(scaled_shape, scaled_point); },
-      shape, point);
-  return answer ? *answer : holds(shape, point);
+bool holds(const S& shape, const PointOf<S>& point) {
+  return contained(shape, point).is_inside;
+}
+
+template <Shape S>
+bool is_held(const S& shape, const PointOf<S>& point);
+
+/// The answer for what is out of range, or else the one that has been found.
+template <Shape S>
+[[gnu::noinline, gnu::cold]] bool is_held_in_range_or(bool found, const S& shape, const PointOf<S>& point) {
+  const auto answer =
+      answer_in_range<bool>([](const auto&, const auto& scaled_shape,
+                               const auto& scaled_point) { return is_held(scaled_shape, scaled_point); },
+                            shape, point);
+  return answer.value_or(found);
 }
 
 /// As `holds`, wherever the numbers are.
 template <Shape S>
-bool is_held(const S& shape, const PointOf<S>& point) {
-  if (!is_usual_size<scalar_of<S>>(size_beside(shape, point))) return is_held_in_range(shape, point);
-  return holds(shape, point);
-}
-template <Dim N, class T>
-bool is_held(const Vec<N, T>& shape, const Vec<N, T>& point) {
-  return holds(shape, point);
-}
-template <Dim N, class T>
-bool is_held(const Aabb<N, T>& box, const Vec<N, T>& point) {
-  return holds(box, point);
+[[gnu::always_inline]] inline bool is_held(const S& shape, const PointOf<S>& point) {
+  const Containment found = contained(shape, point);
+  if (is_usual_measure<scalar_of<S>>(found.measure)) return found.is_inside;
+  return is_held_in_range_or(found.is_inside, shape, point);
 }
 
 // ---- Shapes of shapes

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // distance_squared(a, b): the squared distance of points, segments, boxes and triangles, 0 when they touch or overlap,
 // in double. The cheaper sibling of a distance: no root. The error of its root is a few epsilon of the vectors between
-// and along the two shapes, however far from the origin they lie. For vectors whose squares are in the range of double;
-// `distance` takes any.
+// and along the two shapes, however far from the origin they lie. These vectors are zero or 1e-130 to 1e150 long;
+// between points, and from points to axis-aligned boxes, of any length: a square that overflows is infinite, one below
+// half the least double zero. `distance` takes any shapes.
 //
 //              point    segment   aabb     obb      triangle
 //   point      closed   closed    closed   closed   closed

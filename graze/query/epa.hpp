@@ -15,6 +15,7 @@
 #include <graze/query/convex/inplace_vector.hpp>
 #include <graze/query/convex/wide_support.hpp>
 #include <graze/query/gjk.hpp>
+#include <graze/query/scaling/range.hpp>
 #include <graze/query/status.hpp>
 #include <graze/shape/shape.hpp>
 
@@ -120,17 +121,51 @@ class Expansion {
   EpaResult<N> result_;
 };
 
+/// Of shapes in range.
+template <Convex A, SameDimension<A> B>
+EpaResult<dimension_of<A>> usual_epa(const A& a, const B& b, const Simplex<dimension_of<A>>& simplex,
+                                     const EpaOptions& options = {}) {
+  Difference<A, B> differences(a, b);
+  for (Dim i = 0; i < dimension_of<A>; ++i) differences.support(unit_axis<dimension_of<A>>(i));  // for the resolution
+  return Expansion<Difference<A, B>>(differences, options).run(simplex);
+}
+
+/// The same of shapes that are 2^k times as large.
+template <Dim N>
+EpaResult<N> resized(EpaResult<N> result, const PowerOfTwo& power) {
+  result.lower = power(result.lower);
+  result.upper = power(result.upper);
+  result.gap = power(result.gap);
+  result.resolution = resized_distance(result.resolution, power);
+  return result;
+}
+
+/// Puts the answer for shapes that are out of range in the place of what has been found, if they are. Their simplex is
+/// found again: its points may have been rounded.
+template <Convex A, Convex B>
+[[gnu::noinline, gnu::cold]] void put_in_range(EpaResult<dimension_of<A>>& found, const A& a, const B& b,
+                                               const EpaOptions& options) {
+  const auto rescaled = answer_in_range<EpaResult<dimension_of<A>>>(
+      [&options](const PowerOfTwo& power, const auto& scaled_a, const auto& scaled_b) {
+        const auto simplex = usual_gjk(scaled_a, scaled_b).simplex;
+        return resized(usual_epa(scaled_a, scaled_b, simplex, {power(options.threshold)}), power.inverse());
+      },
+      a, b);
+  if (rescaled) found = *rescaled;
+}
+
 }  // namespace detail
 
 /// The depth of two convex shapes that meet, given the simplex with which `gjk` found that they do. Flat sets of
 /// differences, such as those of two triangles in one plane, have depth 0. At most 128 steps; if they, or the numbers'
 /// precision, end before the bounds meet, the status says so. Takes no memory from the heap, up to 18 KiB of the stack.
+/// Any finite coordinates, as scaling/range.hpp says, if both shapes are in double.
 template <Convex A, SameDimension<A> B>
 EpaResult<dimension_of<A>> epa(const A& a, const B& b, const detail::Simplex<dimension_of<A>>& simplex,
                                const EpaOptions& options = {}) {
-  detail::Difference<A, B> differences(a, b);
-  for (Dim i = 0; i < dimension_of<A>; ++i) differences.support(unit_axis<dimension_of<A>>(i));  // for the resolution
-  return detail::Expansion<detail::Difference<A, B>>(differences, options).run(simplex);
+  EpaResult<dimension_of<A>> result = detail::usual_epa(a, b, simplex, options);
+  if (!detail::is_usual_error<scalar_of<A>>(result.resolution)) detail::put_in_range(result, a, b, options);
+  return result;
 }
 
 }  // namespace graze

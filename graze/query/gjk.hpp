@@ -14,6 +14,7 @@
 #include <graze/query/closest/fitting_face.hpp>
 #include <graze/query/convex/simplex.hpp>
 #include <graze/query/convex/wide_support.hpp>
+#include <graze/query/scaling/range.hpp>
 #include <graze/query/status.hpp>
 #include <graze/shape/shape.hpp>
 
@@ -166,14 +167,47 @@ GjkResult<Differences::dimension> gjk_on(Differences& differences, const GjkOpti
   return gjk_walk(differences, start, options);
 }
 
+/// Of shapes in range.
+template <Convex A, SameDimension<A> B>
+GjkResult<dimension_of<A>> usual_gjk(const A& a, const B& b, const GjkOptions& options = {}) {
+  Difference<A, B> differences(a, b);
+  return gjk_on(differences, options);
+}
+
+/// The same of shapes that are 2^k times as large. A bound that is not zero stays so.
+template <Dim N>
+GjkResult<N> resized(GjkResult<N> result, const PowerOfTwo& power) {
+  result.lower = power(result.lower);
+  result.upper = resized_distance(result.upper, power);
+  result.resolution = resized_distance(result.resolution, power);
+  result.separation = power(result.separation);
+  for (std::size_t i = 0; i < result.simplex.size; ++i) result.simplex.points[i] = power(result.simplex.points[i]);
+  return result;
+}
+
+/// Puts the answer for shapes that are out of range in the place of what has been found, if they are.
+template <Convex A, Convex B>
+[[gnu::noinline, gnu::cold]] void put_in_range(GjkResult<dimension_of<A>>& found, const A& a, const B& b,
+                                               const GjkOptions& options) {
+  const auto rescaled = answer_in_range<GjkResult<dimension_of<A>>>(
+      [&options](const PowerOfTwo& power, const auto& scaled_a, const auto& scaled_b) {
+        const GjkOptions scaled_options{power(options.threshold), power(options.radius)};
+        return resized(usual_gjk(scaled_a, scaled_b, scaled_options), power.inverse());
+      },
+      a, b);
+  if (rescaled) found = *rescaled;
+}
+
 }  // namespace detail
 
 /// The distance between two convex shapes, enclosed. Shapes that meet have upper = 0 or below `resolution`. At most 128
 /// steps; if they, or the numbers' precision, end before the bounds meet, the status says so and the bounds still hold.
+/// Any finite coordinates, as scaling/range.hpp says, if both shapes are in double.
 template <Convex A, SameDimension<A> B>
 GjkResult<dimension_of<A>> gjk(const A& a, const B& b, const GjkOptions& options = {}) {
-  detail::Difference<A, B> differences(a, b);
-  return detail::gjk_on(differences, options);
+  GjkResult<dimension_of<A>> result = detail::usual_gjk(a, b, options);
+  if (!detail::is_usual_error<scalar_of<A>>(result.resolution)) detail::put_in_range(result, a, b, options);
+  return result;
 }
 
 }  // namespace graze

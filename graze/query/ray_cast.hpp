@@ -83,7 +83,8 @@ template <class S, Dim N, class T>
       hit_in_range(shape, ray, t_max, [](const auto& scaled_shape, const auto& scaled_ray, T scaled_t) {
         return first_hit(scaled_shape, scaled_ray, scaled_t);
       });
-  return rescaled ? *rescaled : first_hit_of_unclear(shape, ray, t_max);
+  if (rescaled) return *rescaled;
+  return first_hit_of_unclear(shape, ray, t_max);
 }
 
 template <class S, Dim N, class T>
@@ -120,6 +121,21 @@ std::optional<RayHit<N, T>> first_hit(const Compound<N, T>& compound, const Ray<
   return best;
 }
 
+/// Where a ray leaves a shape for good.
+template <class S, Dim N, class T>
+[[gnu::noinline]] std::optional<RayHit<N, T>> last_hit(const S& shape, const Ray<N, T>& ray, T t_max) {
+  const auto rescaled =
+      hit_in_range(shape, ray, t_max, [](const auto& scaled_shape, const auto& scaled_ray, T scaled_t) {
+        return last_hit(scaled_shape, scaled_ray, scaled_t);
+      });
+  if (rescaled) return *rescaled;
+  if constexpr (HoldsAnyShape<S>) {
+    return detail::visit([&](const auto& held) { return cast_ray(held, ray, t_max, RaySide::exit); }, shape);
+  } else {
+    return cast_ray(shape, ray, t_max, RaySide::exit);
+  }
+}
+
 }  // namespace detail
 
 /// The space that a shape lives in, for the arguments that go with it.
@@ -139,17 +155,7 @@ std::optional<RayHitOn<S>> ray_cast(const S& shape, const RayIn<S>& ray,
                                     scalar_of<S> t_max = std::numeric_limits<scalar_of<S>>::infinity(),
                                     RayOptions options = {}) {
   assert(detail::is_valid_if_known(shape) && is_valid(ray));
-  if (options.side == RaySide::entry) return detail::first_hit(shape, ray, t_max);
-  const auto rescaled =
-      detail::hit_in_range(shape, ray, t_max, [options](const auto& scaled_shape, const auto& scaled_ray, auto t) {
-        return ray_cast(scaled_shape, scaled_ray, t, options);
-      });
-  if (rescaled) return *rescaled;
-  if constexpr (detail::HoldsAnyShape<S>) {
-    return detail::visit([&](const auto& held) { return detail::cast_ray(held, ray, t_max, options.side); }, shape);
-  } else {
-    return detail::cast_ray(shape, ray, t_max, options.side);
-  }
+  return options.side == RaySide::entry ? detail::first_hit(shape, ray, t_max) : detail::last_hit(shape, ray, t_max);
 }
 
 /// The same for a segment from its start, at t = 0, to its end, at t = 1. If the ends are equal, a hit is an entry with
@@ -160,7 +166,7 @@ std::optional<RayHitOn<S>> ray_cast(const S& shape, const SegmentIn<S>& segment,
   using T = scalar_of<S>;
   assert(detail::is_valid_if_known(shape) && is_valid(segment));
   if constexpr (detail::can_leave_range<S>) {
-    if (!detail::are_usual(shape, segment)) {
+    if (!detail::can_be_cast(shape, segment)) {
       using Hit = std::optional<RayHitOn<S>>;
       const auto rescaled = detail::answer_in_range<Hit>(
           [options](const auto& power, const auto& scaled_shape, const auto& scaled_segment) {

@@ -42,32 +42,30 @@ inline double with_sign(double distance, bool is_inside) {
   return is_inside ? std::min(distance, 0.0) : std::max(distance, std::numeric_limits<double>::denorm_min());
 }
 
-/// In range.
 template <Shape S>
-double usual_signed_distance(const S& shape, const PointOf<S>& point) {
-  const double distance = surface_point(shape, wide<dimension_of<S>, scalar_of<S>>(point)).distance;
-  if (!has_inside<S>) return distance;
-  return with_sign(distance, distance < 0 || holds(shape, point));
-}
+double signed_distance_of(const S& shape, const PointOf<S>& point);
 
-/// Of what may be out of range.
+/// The answer for what is out of range, or else the one that has been found.
 template <Shape S>
-[[gnu::noinline, gnu::cold]] double signed_distance_in_range(const S& shape, const PointOf<S>& point) {
+[[gnu::noinline, gnu::cold]] double signed_distance_in_range_or(double found, const S& shape, const PointOf<S>& point) {
   const auto answer = answer_in_range<double>(
       [](const auto& power, const auto& scaled_shape, const auto& scaled_point) {
-        const double distance = usual_signed_distance(scaled_shape, scaled_point);
+        const double distance = signed_distance_of(scaled_shape, scaled_point);
         const double result = power.inverse()(distance);
         return has_inside<S> ? with_sign(result, distance <= 0) : result;
       },
       shape, point);
-  return answer ? *answer : usual_signed_distance(shape, point);
+  return answer.value_or(found);
 }
 
 /// The signed distance in double. What `contains` lets pass has none, and what it does not has some.
 template <Shape S>
-double signed_distance_of(const S& shape, const PointOf<S>& point) {
-  if (!is_usual_size<scalar_of<S>>(size_beside(shape, point))) return signed_distance_in_range(shape, point);
-  return usual_signed_distance(shape, point);
+[[gnu::always_inline]] inline double signed_distance_of(const S& shape, const PointOf<S>& point) {
+  const SurfacePoint<dimension_of<S>> at = surface_point(shape, wide<dimension_of<S>, scalar_of<S>>(point));
+  double distance = at.distance;
+  if constexpr (has_inside<S>) distance = with_sign(distance, distance < 0 || holds(shape, point));
+  if (is_usual_measure<scalar_of<S>>(at.measure)) return distance;
+  return signed_distance_in_range_or(distance, shape, point);
 }
 
 template <Dim N, class T>

@@ -50,6 +50,19 @@ TEST(Epa, FindsDepthsComputedByHand) {
       0.25);
 }
 
+TEST(Epa, ScalesWithThePowersOfTwoFromTheLeastNumbersToTheLargest) {
+  for (const int exponent : {-1060, -1022, -600, -120, 120, 600, 1015}) {
+    const auto at = [exponent](double x) { return std::ldexp(x, exponent); };
+    const auto point = [&at](double x, double y, double z) { return Vec<3, double>(at(x), at(y), at(z)); };
+    const Aabb<3, double> box{point(-1, -1, -1), point(1, 1, 1)};
+    const auto of_boxes = depth_of(box, Aabb<3, double>{point(0.25, -1, -1), point(9, 1, 1)});
+    EXPECT_NEAR(of_boxes.upper, at(0.75), of_boxes.resolution);
+    EXPECT_NEAR(of_boxes.lower, at(0.75), at(1e-12) + of_boxes.resolution);
+    EXPECT_EQ(of_boxes.status, Status::converged);
+    EXPECT_NEAR(depth_of(box, point(0, 0, 0.5)).upper, at(0.5), of_boxes.resolution);
+  }
+}
+
 TEST(Epa, OfATouchOrAFlatSetOfDifferencesIsZero) {
   const Triangle<3, double> floor{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
   expect_depth(depth_of(floor, floor), 0);                                                       // a face

@@ -46,6 +46,24 @@ TEST(Gjk, FindsDistancesComputedByHand) {
   expect_distance(gjk(Obb<3, double>{{0, 0, 0}, {1, 2, 3}, Mat<3, double>(1.0)}, V3(3, 5, 9)), 7);
 }
 
+TEST(Gjk, ScalesWithThePowersOfTwoFromTheLeastNumbersToTheLargest) {
+  for (const int exponent : {-1060, -1022, -600, -120, 120, 600, 1015}) {
+    const auto at = [exponent](double x) { return std::ldexp(x, exponent); };
+    const auto point = [&at](double x, double y, double z) { return Vec<3, double>(at(x), at(y), at(z)); };
+    const Aabb<3, double> box{point(0, 0, 0), point(4, 2, 6)};
+    const auto apart = gjk(box, Segment<3, double>{point(7, 6, 9), point(9, 8, 7)});
+    EXPECT_EQ(apart.status, Status::converged);
+    EXPECT_GT(apart.lower, 0);
+    EXPECT_LE(apart.lower, at(5.875));  // the root of 34
+    EXPECT_GE(apart.upper, apart.lower);
+    EXPECT_LE(apart.upper - apart.lower, at(1e-11) + 2 * apart.resolution);
+    EXPECT_EQ(gjk(box, point(7, 6, 6)).upper, at(5));
+    EXPECT_GT(gjk(box, point(7, 6, 6), GjkOptions{at(2)}).lower, at(2));
+    const auto met = gjk(box, Triangle<3, double>{point(1, 1, 1), point(9, 9, 9), point(8, 0, 0)});
+    EXPECT_LE(met.upper, met.resolution);
+  }
+}
+
 TEST(Gjk, GivesTheSeparationFromTheSecondToTheFirst) {
   const auto result = gjk(Vec<2, double>(1, 2), Aabb<2, double>{{3, 0}, {5, 9}});
   EXPECT_EQ(result.separation, (Vec<2, double>(-2, 0)));

@@ -32,21 +32,29 @@ Vec<N, double> middle_of(const Polytope<N, T>& polytope) {
   return middle_of<N, T>(polytope.vertices());
 }
 
+/// The largest coordinate that GJK has met, or less by a few powers of two.
+template <Dim N>
+double measure_of(const GjkResult<N>& found) {
+  return found.resolution / tolerance::convex;
+}
+
 template <Convex S>
-SurfacePoint<dimension_of<S>> surface_point_outside(const S& shape, const Vec<dimension_of<S>, double>& p) {
+SurfacePoint<dimension_of<S>> surface_point_outside(const S& shape, const Vec<dimension_of<S>, double>& p,
+                                                    double measure = 0) {
   const NearestOnHull<dimension_of<S>> nearest = nearest_on_hull(shape, p);
-  return {nearest.point, middle_of(shape), std::sqrt(dot(nearest.off, nearest.off))};
+  return {nearest.point, middle_of(shape), std::sqrt(dot(nearest.off, nearest.off)), measure};
 }
 
 /// From inside: where the least translation that would take p out leads to.
 template <Convex S>
 SurfacePoint<dimension_of<S>> surface_point(const S& shape, const Vec<dimension_of<S>, double>& p) {
   constexpr Dim N = dimension_of<S>;
-  const GjkResult<N> distance = gjk(p, shape, GjkOptions{0});
-  if (!(distance.lower <= distance.resolution)) return surface_point_outside(shape, p);
-  const EpaResult<N> depth = epa(p, shape, distance.simplex);
-  if (depth.gap > depth.resolution) return surface_point_outside(shape, p);
-  return {p - depth.normal * depth.upper, middle_of(shape), -depth.upper};
+  const GjkResult<N> distance = usual_gjk(p, shape, GjkOptions{0});
+  const double measure = measure_of(distance);
+  if (!(distance.lower <= distance.resolution)) return surface_point_outside(shape, p, measure);
+  const EpaResult<N> depth = usual_epa(p, shape, distance.simplex);
+  if (depth.gap > depth.resolution) return surface_point_outside(shape, p, measure);
+  return {p - depth.normal * depth.upper, middle_of(shape), -depth.upper, measure};
 }
 
 }  // namespace graze::detail

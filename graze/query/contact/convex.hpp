@@ -84,11 +84,12 @@ Penetration<dimension_of<A>> penetration_of_convex(const A& a, const B& b) {
   const auto& core_a = core(a);
   const auto& core_b = core(b);
   const Radii radii{core_radius(a), core_radius(b)};
-  const GjkResult<dimension_of<A>> distance = gjk(core_a, core_b);
+  const GjkResult<dimension_of<A>> distance = usual_gjk(core_a, core_b);
   const bool are_apart = (radii.a > 0 || radii.b > 0) && distance.lower > distance.resolution;
   Penetration<dimension_of<A>> result =
-      are_apart ? penetration_of_convex_apart(core_a, core_b, radii)
-                : penetration_of_depth(core_a, core_b, epa(core_a, core_b, distance.simplex), distance.upper, radii);
+      are_apart
+          ? penetration_of_convex_apart(core_a, core_b, radii)
+          : penetration_of_depth(core_a, core_b, usual_epa(core_a, core_b, distance.simplex), distance.upper, radii);
   result.error += tolerance::rounding * (radii.a + radii.b);
   return result;
 }
@@ -118,9 +119,9 @@ std::optional<Penetration<dimension_of<A>>> penetration_of_convex_if_met(const A
   }
   const auto& core_a = core(a);
   const auto& core_b = core(b);
-  const GjkResult<dimension_of<A>> distance = gjk(core_a, core_b, GjkOptions{0});
+  const GjkResult<dimension_of<A>> distance = usual_gjk(core_a, core_b, GjkOptions{0});
   if (!(distance.upper >= 0) || distance.lower > distance.resolution) return std::nullopt;
-  const EpaResult<dimension_of<A>> depth = epa(core_a, core_b, distance.simplex);
+  const EpaResult<dimension_of<A>> depth = usual_epa(core_a, core_b, distance.simplex);
   if (depth.gap > depth.resolution) return std::nullopt;
   return penetration_of_depth(core_a, core_b, depth, distance.upper, {0, 0});
 }

@@ -29,7 +29,8 @@ template <Dim N>
 struct ClosestOnCore {
   Vec<N, double> point;
   Vec<N, double> off;
-  double share = 0;  // of a segment that lies before it
+  double share = 0;  ///< Of a segment that lies before it.
+  double whole = 0;  ///< The squared length of what it is on, where that was calculated.
 };
 
 template <Dim N>
@@ -40,27 +41,28 @@ double squared(const ClosestOnCore<N>& closest) {
 /// Ericson, Real-Time Collision Detection (2005), 5.1.2, seen from the nearer end. Equal ends are never divided by:
 /// then `along` is zero.
 template <Dim N, class T>
-ClosestOnCore<N> closest_on(const Segment<N, T>& segment, const Vec<N, double>& p) {
+[[gnu::always_inline]] inline ClosestOnCore<N> closest_on(const Segment<N, T>& segment, const Vec<N, double>& p) {
   const Vec<N, double> start = wide<N, T>(segment.start);
   const Vec<N, double> end = wide<N, T>(segment.end);
   const Vec<N, double> edge = end - start;
   const double along = dot(p - start, edge);
   const double whole = dot(edge, edge);
-  if (!(along > 0)) return {start, p - start};
-  if (!(along < whole)) return {end, p - end, 1};
+  if (!(along > 0)) return {start, p - start, 0, whole};
+  if (!(along < whole)) return {end, p - end, 1, whole};
   const double share = along / whole;  // whole > along > 0
-  if (share <= 0.5) return {start + edge * share, p - start - edge * share, share};
-  return {end - edge * (1 - share), p - end + edge * (1 - share), share};
+  if (share <= 0.5) return {start + edge * share, p - start - edge * share, share, whole};
+  return {end - edge * (1 - share), p - end + edge * (1 - share), share, whole};
 }
 
 template <Dim N, class T>
-ClosestOnCore<N> closest_on(const Ray<N, T>& ray, const Vec<N, double>& p) {
+[[gnu::always_inline]] inline ClosestOnCore<N> closest_on(const Ray<N, T>& ray, const Vec<N, double>& p) {
   const Vec<N, double> origin = wide<N, T>(ray.origin);
   const Vec<N, double> direction = wide<N, T>(ray.direction);
   const double along = dot(p - origin, direction);
-  if (!(along > 0)) return {origin, p - origin};
-  const double share = along / dot(direction, direction);  // a valid direction is not zero
-  return {origin + direction * share, p - origin - direction * share};
+  const double whole = dot(direction, direction);
+  if (!(along > 0)) return {origin, p - origin, 0, whole};
+  const double share = along / whole;  // a valid direction is not zero
+  return {origin + direction * share, p - origin - direction * share, 0, whole};
 }
 
 /// Whether the foot is between the ends of a segment.

@@ -18,6 +18,7 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/cores/closest_on_core.hpp>
+#include <graze/query/scaling/range.hpp>
 #include <graze/shape/capsule.hpp>
 #include <graze/shape/half_space.hpp>
 #include <graze/shape/plane.hpp>
@@ -36,6 +37,7 @@ struct SurfacePoint {
   Vec<N, double> inner;  ///< Where the shape is about as thick as it is
                          ///< anywhere: rounding goes towards it.
   double distance = 0;   ///< Of p: negative inside, or the side of a plane.
+  double measure = 0;    ///< Whether it was calculated in range: `is_usual_measure` asks it.
 };
 
 /// `v` at length 1, however small it is; `fallback` if it is zero.
@@ -65,35 +67,43 @@ inline constexpr bool has_inside<Triangle<3, T>> = false;
 
 // ---- Points, segments, rays
 
+/// With a square that is as large as those of the shape's lengths.
 template <Dim N>
-SurfacePoint<N> without_inside(const ClosestOnCore<N>& closest) {
-  return {closest.point, closest.point, std::sqrt(squared(closest))};
+[[gnu::always_inline]] inline SurfacePoint<N> without_inside(const ClosestOnCore<N>& closest, double whole) {
+  const double squared_distance = squared(closest);
+  return {closest.point, closest.point, std::sqrt(squared_distance), squared_distance + whole};
 }
 
 template <Dim N, class T>
-SurfacePoint<N> surface_point(const Vec<N, T>& point, const Vec<N, double>& p) {
-  return without_inside<N>({wide<N, T>(point), p - wide<N, T>(point)});
+[[gnu::always_inline]] inline SurfacePoint<N> surface_point(const Vec<N, T>& point, const Vec<N, double>& p) {
+  return without_inside<N>({wide<N, T>(point), p - wide<N, T>(point)}, 0);
 }
 
 template <Dim N, class T>
-SurfacePoint<N> surface_point(const Segment<N, T>& segment, const Vec<N, double>& p) {
-  return without_inside(closest_on(segment, p));
+[[gnu::always_inline]] inline SurfacePoint<N> surface_point(const Segment<N, T>& segment, const Vec<N, double>& p) {
+  const ClosestOnCore<N> closest = closest_on(segment, p);
+  return without_inside(closest, closest.whole);
 }
 
 template <Dim N, class T>
-SurfacePoint<N> surface_point(const Ray<N, T>& ray, const Vec<N, double>& p) {
-  return without_inside(closest_on(ray, p));
+[[gnu::always_inline]] inline SurfacePoint<N> surface_point(const Ray<N, T>& ray, const Vec<N, double>& p) {
+  const ClosestOnCore<N> closest = closest_on(ray, p);
+  SurfacePoint<N> result = without_inside(closest, 0);
+  if (!is_usual_measure<T>(closest.whole)) result.measure = 0;
+  return result;
 }
 
 // ---- Spheres, capsules
 
 /// From the center of the sphere: the point in direction x.
 template <Dim N, class T>
-SurfacePoint<N> surface_point(const Sphere<N, T>& sphere, const Vec<N, double>& p) {
+[[gnu::always_inline]] inline SurfacePoint<N> surface_point(const Sphere<N, T>& sphere, const Vec<N, double>& p) {
   const Vec<N, double> center = wide<N, T>(sphere.center);
   const Vec<N, double> off = p - center;
   const auto radius = static_cast<double>(sphere.radius);
-  return {center + unit_or(off, unit_axis<N>(0)) * radius, center, std::sqrt(dot(off, off)) - radius};
+  const double squared_way = dot(off, off);
+  return {center + unit_or(off, unit_axis<N>(0)) * radius, center, std::sqrt(squared_way) - radius,
+          squared_way + radius * radius};
 }
 
 /// A direction at right angles to `edge`, always the same; x if the edge is zero.
@@ -123,7 +133,9 @@ SurfacePoint<N> surface_point(const Capsule<N, T>& capsule, const Vec<N, double>
   const Vec<N, double> edge = wide<N, T>(capsule.b) - wide<N, T>(capsule.a);
   const bool is_at_end = closest.point == wide<N, T>(capsule.a) || closest.point == wide<N, T>(capsule.b);
   const Vec<N, double> off = is_at_end ? closest.off : straightened(closest.off, edge);
-  return {closest.point + unit_or(off, across(edge)) * radius, closest.point, std::sqrt(dot(off, off)) - radius};
+  const double squared_way = dot(off, off);
+  return {closest.point + unit_or(off, across(edge)) * radius, closest.point, std::sqrt(squared_way) - radius,
+          closest.whole + squared_way + radius * radius};
 }
 
 // ---- Planes, half-spaces
@@ -167,7 +179,9 @@ SurfacePoint<N> surface_point(const Plane<N, T>& plane, const Vec<N, double>& p)
   const Dim steepest = longest_axis(normal);
   closest[steepest] = 0;
   closest[steepest] = -height_over(plane, closest) / normal[steepest];
-  return {closest, closest, height / std::sqrt(squared_length)};
+  const double distance = height / std::sqrt(squared_length);
+  const double measure = is_usual_measure<T>(squared_length) ? max_abs(p) + std::fabs(distance) : 0;
+  return {closest, closest, distance, measure};
 }
 
 /// As deep as one wants: as deep inside as the foot is far from the origin.
@@ -183,7 +197,8 @@ SurfacePoint<N> surface_point(const HalfSpace<N, T>& solid, const Vec<N, double>
 template <class T>
 SurfacePoint<3> surface_point(const Triangle<3, T>& triangle, const Vec<3, double>& p) {
   const Triangle<3, double> corners{wide<3, T>(triangle.a), wide<3, T>(triangle.b), wide<3, T>(triangle.c)};
-  return without_inside(closest_on(corners, p));
+  return without_inside(closest_on(corners, p),
+                        length_squared(corners.b - corners.a) + length_squared(corners.c - corners.a));
 }
 
 /// Counter-clockwise; on one line they stay as they are.
@@ -204,20 +219,22 @@ Vec<N, double> middle_of(std::span<const Vec<N, T>> points) {
 
 /// Inside is what lies left of every edge of a polygon that has an area, which `orientation` decides exactly.
 template <class T>
-SurfacePoint<2> surface_point_of(Corners<T> corners, const Vec<2, double>& p) {
+SurfacePoint<2> surface_point_of(Corners<T> corners, const Vec<2, double>& p, double measure = 0) {
   const ClosestOnPolygon closest = closest_on_polygon(corners, p);
   const double distance = std::sqrt(squared(closest.closest));
-  return {closest.closest.point, middle_of(corners), closest.is_inside ? -distance : distance};
+  return {closest.closest.point, middle_of(corners), closest.is_inside ? -distance : distance, measure};
 }
 
 template <class T>
 SurfacePoint<2> surface_point(const Triangle<2, T>& triangle, const Vec<2, double>& p) {
-  return surface_point_of<T>(counter_clockwise(triangle), p);
+  const Vec<2, double> corner = wide<2, T>(triangle.a);
+  const double edges = sum_abs(wide<2, T>(triangle.b) - corner) + sum_abs(wide<2, T>(triangle.c) - corner);
+  return surface_point_of<T>(counter_clockwise(triangle), p, sum_abs(p - corner) + edges);
 }
 
 template <class T>
 SurfacePoint<2> surface_point(const Polytope<2, T>& polygon, const Vec<2, double>& p) {
-  return surface_point_of<T>(polygon.vertices(), p);
+  return surface_point_of<T>(polygon.vertices(), p, rows_of(polygon).largest() + max_abs(p));
 }
 
 }  // namespace graze::detail

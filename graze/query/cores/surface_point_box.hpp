@@ -16,11 +16,14 @@ namespace graze::detail {
 
 /// From inside the nearest face; of faces as near the first, by coordinates, min before max.
 template <Dim N, class T>
-SurfacePoint<N> surface_point(const Aabb<N, T>& box, const Vec<N, double>& p) {
+[[gnu::always_inline]] inline SurfacePoint<N> surface_point(const Aabb<N, T>& box, const Vec<N, double>& p) {
   const Vec<N, double> min = wide<N, T>(box.min);
   const Vec<N, double> max = wide<N, T>(box.max);
   const Vec<N, double> inside = clamp(p, min, max);
-  if (inside != p) return {inside, inside, std::sqrt(dot(p - inside, p - inside))};
+  if (inside != p) {
+    const double squared_distance = dot(p - inside, p - inside);
+    return {inside, inside, std::sqrt(squared_distance), squared_distance};
+  }
   SurfacePoint<N> nearest{p, p, -std::numeric_limits<double>::infinity()};
   for (Dim i = 0; i < N; ++i) {
     for (const double face : {min[i], max[i]}) {
@@ -32,6 +35,7 @@ SurfacePoint<N> surface_point(const Aabb<N, T>& box, const Vec<N, double>& p) {
     }
   }
   nearest.inner = nearest.point;  // exact: rounding never leaves the box
+  nearest.measure = std::isfinite(nearest.distance) ? 1 : 0;
   return nearest;
 }
 
@@ -128,10 +132,16 @@ double thickness_of(const Obb<N, T>& box) {
   return static_cast<double>(least);
 }
 
+/// The size of a point and a box as seen from its center.
+template <Dim N, class T>
+double size_beside(const Obb<N, T>& box, const Vec<N, double>& p) {
+  return sum_abs(p - wide<N, T>(box.center)) + 2 * sum_abs(wide<N, T>(box.half_extents));
+}
+
 /// What rounding may hide of the distance between a point and a box.
 template <Dim N, class T>
 double slack_of(const Obb<N, T>& box, const Vec<N, double>& p) {
-  return tolerance::rounding * (sum_abs(p - wide<N, T>(box.center)) + 2 * sum_abs(wide<N, T>(box.half_extents)));
+  return tolerance::rounding * size_beside(box, p);
 }
 
 /// From inside the nearest face; of faces as near the first, by axes, negative side first.
@@ -141,13 +151,14 @@ SurfacePoint<N> surface_point(const Obb<N, T>& box, const Vec<N, double>& p) {
   const Vec<N, double> halves = wide<N, T>(box.half_extents);
   const Mat<N, double> axes = wide_matrix<N, T>(box.axes);
   const double thickness = thickness_of(box);
+  const double size = size_beside(box, p);
   const auto finished = [&](const Vec<N, double>& place, double distance) -> SurfacePoint<N> {
     const Vec<N, double> room = halves - thickness;
-    return {center + axes * place, center + axes * clamp(place, -room, room), distance};
+    return {center + axes * place, center + axes * clamp(place, -room, room), distance, size};
   };
   const PlaceInBox<N> nearest = place_in(box, p);
   const double distance = std::sqrt(dot(nearest.off, nearest.off));
-  if (!(distance <= slack_of(box, p))) return finished(nearest.place, distance);
+  if (!(distance <= tolerance::rounding * size)) return finished(nearest.place, distance);
   const Mat<N, double> normals = face_normals(axes);
   SurfacePoint<N> best{p, p, -std::numeric_limits<double>::infinity()};
   for (Dim i = 0; i < N; ++i) {

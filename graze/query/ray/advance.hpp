@@ -48,7 +48,7 @@ Barrier<dimension_of<S>> barrier_at(const S& shape, const Vec<dimension_of<S>, d
   constexpr Dim N = dimension_of<S>;
   const auto& inner = core(shape);
   const double radius = core_radius(shape);
-  const GjkResult<N> found = gjk(point, inner, GjkOptions{.radius = radius});
+  const GjkResult<N> found = usual_gjk(point, inner, GjkOptions{.radius = radius});
   Barrier<N> barrier;
   barrier.gap = std::max(0.0, found.upper - radius);
   barrier.resolution = found.resolution + tolerance::rounding * radius;

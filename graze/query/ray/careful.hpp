@@ -332,6 +332,29 @@ template <class S, Dim N, class T>
   return cast_along(shape, path, forever, side, AskAboutRay<N, T>{ray});
 }
 
+/// The shapes of which all lengths are seen from the ray's origin.
+template <class S>
+inline constexpr bool is_seen_from_ray = is_core<S> || is_a<Triangle, S>;
+
+/// Whether a ray or segment can be cast at a shape as they are.
+template <class S, Dim N, class T>
+bool can_be_cast(const S& shape, const Ray<N, T>& ray) {
+  if constexpr (is_seen_from_ray<S>) {
+    return is_usual_size<T>(sum_abs(farthest_from(ray.origin, shape))) && is_usable(ray.direction);
+  } else {
+    return are_usual(shape, ray);
+  }
+}
+template <class S, Dim N, class T>
+bool can_be_cast(const S& shape, const Segment<N, T>& segment) {
+  if constexpr (is_seen_from_ray<S>) {
+    const double length = sum_abs(wide<N, T>(segment.end) - wide<N, T>(segment.start));
+    return is_usual_size<T>(sum_abs(farthest_from(segment.start, shape)) + length);
+  } else {
+    return are_usual(shape, segment);
+  }
+}
+
 /// cast(shape, ray, t_max) of a shape and a ray that are out of range; none of others.
 template <class S, Dim N, class Cast>
 [[gnu::noinline, gnu::cold]] std::optional<std::optional<RayHit<N, double>>> unusual_hit(const S& shape,
@@ -357,7 +380,7 @@ template <class S, Dim N, class T, class Cast>
 [[gnu::always_inline]] inline std::optional<std::optional<RayHit<N, T>>> hit_in_range(
     const S& shape, const Ray<N, T>& ray, T t_max, [[maybe_unused]] const Cast& cast) {
   if constexpr (can_leave_range<S>) {
-    if (!are_usual(shape, ray)) return unusual_hit(shape, ray, t_max, cast);
+    if (!can_be_cast(shape, ray)) return unusual_hit(shape, ray, t_max, cast);
   }
   return std::nullopt;
 }

@@ -26,7 +26,7 @@ namespace graze::detail {
 /// are farther apart than `reach` after all.
 template <Convex A, Convex B>
 Relation relation_of_meeting(const A& a, const B& b, const GjkResult<dimension_of<A>>& distance, double reach) {
-  const EpaResult<dimension_of<A>> depth = epa(a, b, distance.simplex, EpaOptions{0});
+  const EpaResult<dimension_of<A>> depth = usual_epa(a, b, distance.simplex, EpaOptions{0});
   if (depth.gap > reach + depth.resolution) return Relation::apart;
   const bool is_deep = depth.lower > depth.resolution || (depth.holds_origin && reach > depth.resolution);
   return is_deep ? Relation::overlapping : Relation::touching;
@@ -114,7 +114,7 @@ Relation relation_of_convex(const A& a, const B& b) {
   const auto& core_a = core(a);
   const auto& core_b = core(b);
   const double reach = core_radius(a) + core_radius(b);
-  const GjkResult<dimension_of<A>> distance = gjk(core_a, core_b, GjkOptions{reach});
+  const GjkResult<dimension_of<A>> distance = usual_gjk(core_a, core_b, GjkOptions{reach});
   const double slack = distance.resolution + tolerance::rounding * reach;
   if (!is_usual_error<scalar_of<A>>(slack)) {
     if (const auto verdict = verdict_in_range(a, b)) return *verdict;

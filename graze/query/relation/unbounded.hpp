@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
@@ -36,8 +37,16 @@ namespace graze::detail {
 struct Heights {
   double low;
   double high;
-  double slack;  ///< Both may be off by it.
+  double slack;  ///< Both may be off by it. NaN if the normal is too short to be squared.
 };
+
+/// The length of a normal; NaN if its square is too small to tell, and infinite if it is too large.
+template <class T, Dim N>
+[[gnu::always_inline]] inline double length_of_normal(const Vec<N, double>& normal) {
+  const double squared = dot(normal, normal);
+  if (std::is_same_v<T, float> || squared > 0x1p-900) return std::sqrt(squared);
+  return std::numeric_limits<double>::quiet_NaN();
+}
 
 template <Dim N, class T, Convex S>
 Heights heights_over(const Plane<N, T>& plane, const S& shape) {
@@ -53,18 +62,18 @@ Heights heights_over(const Plane<N, T>& plane, const S& shape) {
 // is NaN, so are both heights.
 
 template <Dim N, class T>
-Heights heights_over(const Plane<N, T>& plane, const Sphere<N, T>& sphere) {
+[[gnu::always_inline]] inline Heights heights_over(const Plane<N, T>& plane, const Sphere<N, T>& sphere) {
   const Vec<N, double> normal = wide<N, T>(plane.normal);
-  const Vec<N, double> center = wide<N, T>(sphere.center);
   const double offset = static_cast<double>(plane.offset);
+  const Vec<N, double> center = wide<N, T>(sphere.center);
   const double height = dot(normal, center) - offset;
-  const double reach = static_cast<double>(sphere.radius) * std::sqrt(dot(normal, normal));
-  const double magnitude = dot(abs(normal), abs(center)) + (reach + std::fabs(offset));
+  const double reach = static_cast<double>(sphere.radius) * length_of_normal<T>(normal);
+  const double magnitude = sum_abs(normal * center) + (reach + std::fabs(offset));
   return {height - reach, height + reach, tolerance::convex * magnitude};
 }
 
 template <Dim N, class T>
-Heights heights_over(const Plane<N, T>& plane, const Aabb<N, T>& box) {
+[[gnu::always_inline]] inline Heights heights_over(const Plane<N, T>& plane, const Aabb<N, T>& box) {
   const Vec<N, double> normal = wide<N, T>(plane.normal);
   const Vec<N, double> low = wide<N, T>(box.min);
   const Vec<N, double> high = wide<N, T>(box.max);
@@ -76,7 +85,7 @@ Heights heights_over(const Plane<N, T>& plane, const Aabb<N, T>& box) {
 }
 
 template <Dim N, class T>
-Heights heights_over(const Plane<N, T>& plane, const Obb<N, T>& box) {
+[[gnu::always_inline]] inline Heights heights_over(const Plane<N, T>& plane, const Obb<N, T>& box) {
   const Vec<N, double> normal = wide<N, T>(plane.normal);
   const Vec<N, double> center = wide<N, T>(box.center);
   const double offset = static_cast<double>(plane.offset);
@@ -96,10 +105,11 @@ Heights heights_over(const Plane<N, T>& plane, const Obb<N, T>& box) {
 /// The same of few corners, widened by a radius, by the height of each: nobody chooses the lowest, which a processor
 /// cannot foresee.
 template <Dim N, class T, std::size_t count>
-Heights heights_of_corners(const Plane<N, T>& plane, const std::array<Vec<N, T>, count>& corners, T radius) {
+[[gnu::always_inline]] inline Heights heights_of_corners(const Plane<N, T>& plane,
+                                                         const std::array<Vec<N, T>, count>& corners, T radius) {
   const Vec<N, double> normal = wide<N, T>(plane.normal);
   const double offset = static_cast<double>(plane.offset);
-  const double reach = radius == T(0) ? 0.0 : static_cast<double>(radius) * std::sqrt(dot(normal, normal));
+  const double reach = radius == T(0) ? 0.0 : static_cast<double>(radius) * length_of_normal<T>(normal);
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   double sum = 0;  // not a number if any is none
@@ -118,15 +128,15 @@ Heights heights_of_corners(const Plane<N, T>& plane, const std::array<Vec<N, T>,
 }
 
 template <Dim N, class T>
-Heights heights_over(const Plane<N, T>& plane, const Segment<N, T>& segment) {
+[[gnu::always_inline]] inline Heights heights_over(const Plane<N, T>& plane, const Segment<N, T>& segment) {
   return heights_of_corners(plane, std::array{segment.start, segment.end}, T(0));
 }
 template <Dim N, class T>
-Heights heights_over(const Plane<N, T>& plane, const Triangle<N, T>& triangle) {
+[[gnu::always_inline]] inline Heights heights_over(const Plane<N, T>& plane, const Triangle<N, T>& triangle) {
   return heights_of_corners(plane, std::array{triangle.a, triangle.b, triangle.c}, T(0));
 }
 template <Dim N, class T>
-Heights heights_over(const Plane<N, T>& plane, const Capsule<N, T>& capsule) {
+[[gnu::always_inline]] inline Heights heights_over(const Plane<N, T>& plane, const Capsule<N, T>& capsule) {
   return heights_of_corners(plane, std::array{capsule.a, capsule.b}, capsule.radius);
 }
 
@@ -142,25 +152,18 @@ Heights heights_over(const Plane<N, T>& plane, const Ray<N, T>& ray) {
   return {climb < -least_climb ? -infinity : origin.low, climb > least_climb ? infinity : origin.high, origin.slack};
 }
 
-/// Whether the heights have been calculated without a product that leaves the range of double.
-template <Dim N, class T>
-bool are_usual(const Heights& heights, const Plane<N, T>& plane) {
-  const Vec<N, double> normal = wide<N, T>(plane.normal);
-  return is_usual_error<T>(heights.slack) && is_usual_size<T>(dot(normal, normal));
-}
-
 template <Dim N, class T, class S>
 Relation relation_to_plane(const Plane<N, T>& plane, const S& shape) {
   const Heights heights = heights_over(plane, shape);
   const Relation verdict = verdict_on_gap(std::max(heights.low, -heights.high), heights.slack);
-  return are_usual(heights, plane) ? verdict : verdict_in_range_or(verdict, plane, shape);
+  return is_usual_measure<T>(heights.slack) ? verdict : verdict_in_range_or(verdict, plane, shape);
 }
 
 template <Dim N, class T, class S>
 Relation relation_to_half_space(const HalfSpace<N, T>& solid, const S& shape) {
   const Heights heights = heights_over(boundary(solid), shape);
   const Relation verdict = verdict_on_gap(heights.low, heights.slack);
-  return are_usual(heights, boundary(solid)) ? verdict : verdict_in_range_or(verdict, solid, shape);
+  return is_usual_measure<T>(heights.slack) ? verdict : verdict_in_range_or(verdict, solid, shape);
 }
 
 template <Dim N, class T, Convex S>
@@ -191,53 +194,49 @@ struct Parallel {
   bool same_way;  ///< The normals point the same way.
   double first;   ///< The places of the planes along the first one's normal.
   double second;
-  double slack;
+  double slack;  ///< Out of range where the planes' numbers are.
+
+  Relation verdict_on(double gap) const { return parallel ? verdict_on_gap(gap, slack) : Relation::overlapping; }
 };
 
 template <Dim N, class T>
 Parallel compare_planes(const Plane<N, T>& a, const Plane<N, T>& b) {
-  const Vec<N, double> normal_a = wide<N, T>(a.normal) / std::sqrt(dot(wide<N, T>(a.normal), wide<N, T>(a.normal)));
-  const Vec<N, double> normal_b = wide<N, T>(b.normal) / std::sqrt(dot(wide<N, T>(b.normal), wide<N, T>(b.normal)));
+  const double length_a = length_of_normal<T>(wide<N, T>(a.normal));
+  const double length_b = length_of_normal<T>(wide<N, T>(b.normal));
+  const Vec<N, double> normal_a = wide<N, T>(a.normal) / length_a;
+  const Vec<N, double> normal_b = wide<N, T>(b.normal) / length_b;
   const bool same_way = dot(normal_a, normal_b) > 0;
   const Vec<N, double> turn = same_way ? normal_b - normal_a : normal_b + normal_a;
-  const double first = static_cast<double>(a.offset) / std::sqrt(dot(wide<N, T>(a.normal), wide<N, T>(a.normal)));
-  const double second = static_cast<double>(b.offset) / std::sqrt(dot(wide<N, T>(b.normal), wide<N, T>(b.normal)));
-  return {sum_abs(turn) <= tolerance::rounding, same_way, first, same_way ? second : -second,
-          tolerance::rounding * (std::fabs(first) + std::fabs(second))};
-}
-
-/// The verdict of two planes or half-spaces whose numbers are out of range.
-template <class A, class B>
-std::optional<Relation> verdict_if_unusual(const Parallel& planes, const A& a, const B& b) {
-  if (is_usual_error<scalar_of<A>>(planes.slack)) return std::nullopt;
-  return verdict_in_range(a, b);
+  const double first = static_cast<double>(a.offset) / length_a;
+  const double second = static_cast<double>(b.offset) / length_b;
+  const double slack = tolerance::rounding * (std::fabs(first) + std::fabs(second));
+  const double none = 0 * (length_a + length_b);  // or NaN, if one of them is infinite
+  return {sum_abs(turn) <= tolerance::rounding, same_way, first, same_way ? second : -second, slack + none};
 }
 
 /// Planes cross unless they are parallel; the same plane touches itself.
 template <Dim N, class T>
 Relation closed_form(const Plane<N, T>& a, const Plane<N, T>& b) {
   const Parallel planes = compare_planes(a, b);
-  if (const auto verdict = verdict_if_unusual(planes, a, b)) return *verdict;
-  if (!planes.parallel) return Relation::overlapping;
-  return verdict_on_gap(std::fabs(planes.second - planes.first), planes.slack);
+  const Relation verdict = planes.verdict_on(std::fabs(planes.second - planes.first));
+  return is_usual_measure<T>(planes.slack) ? verdict : verdict_in_range_or(verdict, a, b);
 }
 
 template <Dim N, class T>
 Relation closed_form(const Plane<N, T>& plane, const HalfSpace<N, T>& solid) {
   const Parallel planes = compare_planes(plane, boundary(solid));
-  if (const auto verdict = verdict_if_unusual(planes, plane, solid)) return *verdict;
-  if (!planes.parallel) return Relation::overlapping;
   const double above = planes.first - planes.second;
-  return verdict_on_gap(planes.same_way ? above : -above, planes.slack);
+  const Relation verdict = planes.verdict_on(planes.same_way ? above : -above);
+  return is_usual_measure<T>(planes.slack) ? verdict : verdict_in_range_or(verdict, plane, solid);
 }
 
 /// Half-spaces miss each other only back to back.
 template <Dim N, class T>
 Relation closed_form(const HalfSpace<N, T>& a, const HalfSpace<N, T>& b) {
   const Parallel planes = compare_planes(boundary(a), boundary(b));
-  if (const auto verdict = verdict_if_unusual(planes, a, b)) return *verdict;
-  if (!planes.parallel || planes.same_way) return Relation::overlapping;
-  return verdict_on_gap(planes.second - planes.first, planes.slack);
+  const Relation back_to_back = planes.verdict_on(planes.second - planes.first);
+  const Relation verdict = planes.same_way ? Relation::overlapping : back_to_back;
+  return is_usual_measure<T>(planes.slack) ? verdict : verdict_in_range_or(verdict, a, b);
 }
 
 // ---- Rays against rays and bounded shapes

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Every finite number counts. Queries calculate with products of a few lengths, which are in the range of double where
-// the lengths are of `usual` size, 2^-100 to 2^100. Floats never need more; doubles may. So a query that has found a
-// size, or a bound on its rounding, out of that range asks once more for the same shapes 2^k times as large, which is
-// exact, and divides the answer. On the usual path that costs the comparison of one number.
+// the lengths are of `usual` size, 2^-100 to 2^100. Floats never need more; doubles may. So a query looks at a number
+// that it calculates anyway and that is as large as its lengths, their squares or its rounding. If that is out of
+// range, it asks once more for the same shapes 2^k times as large, which is exact, and divides the answer. On the usual
+// path that costs the comparison of one number.
 //
 // One k brings numbers whose sizes differ by 2^900 at most into the range in which squares are exact enough. Of wider
 // apart ones the least count as zero: they are less than 2^-900 of the largest.
@@ -32,11 +33,25 @@
 
 namespace graze::detail {
 
-/// Whether a length of shapes of T is of usual size: zero and NaN are not.
+/// The exponents of usual sizes.
+inline constexpr int most_usual_exponent = 100;
+
+/// Whether a positive number is between 2^-most and 2^most: zero and NaN are not. By its bits, in one comparison.
+constexpr bool is_between_powers(double number, unsigned most) {
+  return (bit_cast<std::uint64_t>(number) >> 52U) - (1023 - most) < 2 * most;
+}
+
+/// Whether a length of shapes of T is of usual size.
 template <class T>
 constexpr bool is_usual_size(double size) {
-  if constexpr (std::is_same_v<T, float>) return true;
-  return size > 0x1p-100 && size < 0x1p100;
+  return std::is_same_v<T, float> || is_between_powers(size, most_usual_exponent);
+}
+
+/// Whether products of a few lengths are in range, by what is as large as the lengths or as their squares and is
+/// calculated anyway.
+template <class T>
+constexpr bool is_usual_measure(double measure) {
+  return std::is_same_v<T, float> || is_between_powers(measure, 128);
 }
 
 /// The same of a rounding error, which is epsilon to some thousand epsilon of a size.
@@ -83,15 +98,18 @@ class PowerOfTwo {
   double second_;
 };
 
+/// A distance times 2^exponent, which is zero only if the distance is.
+inline double resized_distance(double distance, const PowerOfTwo& power) {
+  const double result = power(distance);
+  return distance > 0 && result == 0 ? std::numeric_limits<double>::denorm_min() : result;
+}
+
 /// 2^n, the largest power of two in any coordinate.
 template <Dim N>
 int exponent_of(const Vec<N, double>& v) {
   const double size = max_abs(v);
   return size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
 }
-
-/// The exponents of usual sizes.
-inline constexpr int most_usual_exponent = 100;
 
 /// The same of a direction that is too long or too short for its length to be squared; of others 0.
 template <Dim N>
@@ -186,6 +204,8 @@ inline constexpr double support_error<Scaled<S>> = support_error<S>;
 /// The exponents of the least and the greatest length that is not zero.
 class LengthRange {
  public:
+  static constexpr bool wants_largest = false;
+
   double operator()(double length) { return put(length, 0); }
 
   template <Dim N>
@@ -230,23 +250,30 @@ class LengthRange {
   bool is_finite_ = true;
 };
 
-template <class S>
-void measure(const S& shape, LengthRange& range) {
-  mapped(shape, range);
+// ---- The lengths of a shape: each is shown to f, the directions to f.direction. Of many corners f may want the
+// largest coordinate alone.
+
+template <class S, class F>
+void visit_lengths(const S& shape, F& f) {
+  mapped(shape, f);
 }
-template <Dim N>
-void measure(const Polytope<N, double>& polytope, LengthRange& range) {
-  for (const Vec<N, double>& corner : polytope.vertices()) mapped(corner, range);
+template <Dim N, class F>
+void visit_lengths(const Polytope<N, double>& polytope, F& f) {
+  if constexpr (F::wants_largest) {
+    f(rows_of(polytope).largest());
+  } else {
+    for (const Vec<N, double>& corner : polytope.vertices()) mapped(corner, f);
+  }
 }
-template <Dim N>
-void measure(const AnyShape<N, double>& shape, LengthRange& range);
-template <Dim N>
-void measure(const Compound<N, double>& compound, LengthRange& range) {
-  for (const Part<N, double>& part : compound.parts) measure(part.shape, range);
+template <Dim N, class F>
+void visit_lengths(const AnyShape<N, double>& shape, F& f);
+template <Dim N, class F>
+void visit_lengths(const Compound<N, double>& compound, F& f) {
+  for (const Part<N, double>& part : compound.parts) visit_lengths(part.shape, f);
 }
-template <Dim N>
-void measure(const AnyShape<N, double>& shape, LengthRange& range) {
-  detail::visit([&range](const auto& held) { measure(held, range); }, shape);
+template <Dim N, class F>
+void visit_lengths(const AnyShape<N, double>& shape, F& f) {
+  detail::visit([&f](const auto& held) { visit_lengths(held, f); }, shape);
 }
 
 /// Shapes that are known by their support points alone.
@@ -255,17 +282,24 @@ inline constexpr bool is_known_by_support = Convex<S> && !requires(const S& shap
   mapped(shape, range);
 };
 
-template <class S>
+template <class S, class F>
 requires is_known_by_support<S>
-void measure(const S& shape, LengthRange& range) {
+void visit_lengths(const S& shape, F& f) {
   for (Dim i = 0; i < dimension_of<S>; ++i) {
-    for (const double sign : {-1.0, 1.0}) mapped(wide_support(shape, unit_axis<dimension_of<S>>(i) * sign), range);
+    for (const double sign : {-1.0, 1.0}) {
+      const auto corner = wide_support(shape, unit_axis<dimension_of<S>>(i) * sign);
+      if constexpr (F::wants_largest) {
+        f(max_abs(corner));
+      } else {
+        mapped(corner, f);
+      }
+    }
   }
 }
-template <Convex S>
-void measure(const Posed<S>& posed, LengthRange& range) {
-  measure(posed.shape, range);
-  mapped(posed.pose.position, range);
+template <Convex S, class F>
+void visit_lengths(const Posed<S>& posed, F& f) {
+  visit_lengths(posed.shape, f);
+  mapped(posed.pose.position, f);
 }
 
 // ---- scaled(shape, power)
@@ -320,11 +354,12 @@ Relation decide(const A& a, const B& b);
 /// Collects whether a length is neither zero nor of usual size.
 class UnusualLengths {
  public:
+  static constexpr bool wants_largest = true;
+
   double operator()(double length) {
     constexpr std::uint64_t least = std::uint64_t{1023 - most_usual_exponent} << 53U;
-    constexpr std::uint64_t range = std::uint64_t{most_usual_exponent} << 54U;
     const std::uint64_t bits = bit_cast<std::uint64_t>(length) << 1U;  // ordered by magnitude
-    are_any_ |= static_cast<unsigned>(bits - least >= range) & static_cast<unsigned>(bits != 0);
+    farthest_ = std::max(farthest_, bits == 0 ? 0 : bits - least);
     return length;
   }
   template <Dim N>
@@ -337,38 +372,11 @@ class UnusualLengths {
     return (*this)(offset);
   }
 
-  bool are_any() const { return are_any_ != 0; }
+  bool are_any() const { return farthest_ >= std::uint64_t{most_usual_exponent} << 54U; }
 
  private:
-  unsigned are_any_ = 0;
+  std::uint64_t farthest_ = 0;  ///< From the least usual size on; less than that is beyond all.
 };
-
-template <class S>
-void look_for_unusual(const S& shape, UnusualLengths& lengths) {
-  mapped(shape, lengths);
-}
-template <Dim N>
-void look_for_unusual(const Polytope<N, double>& polytope, UnusualLengths& lengths) {
-  lengths(rows_of(polytope).largest());
-}
-template <Dim N>
-void look_for_unusual(const AnyShape<N, double>& shape, UnusualLengths& lengths);
-template <Dim N>
-void look_for_unusual(const Compound<N, double>& compound, UnusualLengths& lengths) {
-  for (const Part<N, double>& part : compound.parts) look_for_unusual(part.shape, lengths);
-}
-template <Dim N>
-void look_for_unusual(const AnyShape<N, double>& shape, UnusualLengths& lengths) {
-  detail::visit([&lengths](const auto& held) { look_for_unusual(held, lengths); }, shape);
-}
-template <class S>
-requires is_known_by_support<S>
-void look_for_unusual(const S& shape, UnusualLengths& lengths) {
-  for (Dim i = 0; i < dimension_of<S>; ++i) {
-    lengths(max_abs(wide_support(shape, unit_axis<dimension_of<S>>(i))));
-    lengths(max_abs(wide_support(shape, -unit_axis<dimension_of<S>>(i))));
-  }
-}
 
 /// False if a length of shapes is neither zero nor of usual size; of polytopes and users' shapes the largest one
 /// counts.
@@ -376,7 +384,7 @@ template <class... Shapes>
 bool are_usual([[maybe_unused]] const Shapes&... shapes) {
   if constexpr ((can_leave_range<Shapes> && ...)) {
     UnusualLengths lengths;
-    (look_for_unusual(shapes, lengths), ...);
+    (visit_lengths(shapes, lengths), ...);
     return !lengths.are_any();
   }
   return true;
@@ -388,7 +396,7 @@ template <class... Shapes>
 [[gnu::noinline, gnu::cold]] std::optional<PowerOfTwo> scale_for(const Shapes&... shapes) {
   if constexpr ((can_leave_range<Shapes> && ...)) {
     LengthRange range;
-    (measure(shapes, range), ...);
+    (visit_lengths(shapes, range), ...);
     return range.scale();
   }
   return std::nullopt;
@@ -398,7 +406,7 @@ template <class... Shapes>
 template <class... Shapes>
 [[gnu::noinline, gnu::cold]] bool are_mixed([[maybe_unused]] const Shapes&... shapes) {
   LengthRange range;
-  if constexpr ((can_leave_range<Shapes> && ...)) (measure(shapes, range), ...);
+  if constexpr ((can_leave_range<Shapes> && ...)) (visit_lengths(shapes, range), ...);
   return range.greatest() >= most_usual_exponent;
 }
 
