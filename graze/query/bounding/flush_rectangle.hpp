@@ -13,10 +13,12 @@
 namespace graze::detail {
 
 /// A pointer that walks the corners of a convex polygon, counter-clockwise, without end. Differences of corners are
-/// exact up to one rounding, wherever the polygon lies.
+/// exact up to one rounding, wherever the polygon lies. They are multiplied by `scale`, a power of two that makes the
+/// largest about 1.
 template <class T>
 struct CornerWalk {
   std::span<const Vec<2, T>> corners;
+  double scale;
   std::size_t corner = 0;  ///< Where the pointer is.
   std::size_t steps = 0;   ///< How far it has come.
 
@@ -26,7 +28,9 @@ struct CornerWalk {
     ++steps;
   }
 
-  Vec<2, double> to(std::size_t other) const { return wide<2, T>(corners[other]) - wide<2, T>(corners[corner]); }
+  Vec<2, double> to(std::size_t other) const {
+    return (wide<2, T>(corners[other]) - wide<2, T>(corners[corner])) * scale;
+  }
 
   /// On to the first corner, at least `least_steps` from the start, after which the polygon turns back along
   /// `direction`; at most one round more.
@@ -48,8 +52,8 @@ Vec<2, double> edge_direction(const Vec<2, T>& from, const Vec<2, T>& to) {
 /// A vector along the edge after a corner, whose square is in the range of double. Long edges, nearly all, are taken as
 /// they are; divisions would take longer than all the rest.
 template <class T>
-Vec<2, double> moderate_edge(const CornerWalk<T>& walk, double scale) {
-  const Vec<2, double> edge = walk.to(walk.next()) * scale;
+Vec<2, double> moderate_edge(const CornerWalk<T>& walk) {
+  const Vec<2, double> edge = walk.to(walk.next());
   return max_abs(edge) > 0x1p-400 ? edge : edge_direction(walk.corners[walk.corner], walk.corners[walk.next()]);
 }
 
@@ -61,16 +65,16 @@ template <class T, class Measure>
 Vec<2, double> best_flush_direction(std::span<const Vec<2, T>> corners, double scale, Measure measure) {
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
-  CornerWalk<T> start{corners};
+  CornerWalk<T> start{corners, scale};
   CornerWalk<T> right = start;
   CornerWalk<T> top = start;
   CornerWalk<T> left = start;
   for (; start.steps < corners.size(); start.step()) {
-    const Vec<2, double> edge = moderate_edge(start, scale);
+    const Vec<2, double> edge = moderate_edge(start);
     right.advance(start.steps + 1, edge);
     top.advance(right.steps, perpendicular(edge));
     left.advance(top.steps, -edge);
-    const double per_length = scale / std::sqrt(dot(edge, edge));  // not zero: corners are distinct
+    const double per_length = 1 / std::sqrt(dot(edge, edge));  // not zero: corners are distinct
     const double width = dot(left.to(right.corner), edge) * per_length;
     const double height = dot(start.to(top.corner), perpendicular(edge)) * per_length;
     const double size = measure(width, height);

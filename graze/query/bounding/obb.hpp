@@ -56,15 +56,15 @@ inline std::array<Vec<3, double>, 3> adjoint_rows(const Mat<3, double>& axes) {
 }
 
 /// True when `row` is exactly at right angles to a point's offset from a center, known only where rows are exact: in
-/// 2D.
+/// 2D. Times the scale, products and their errors are in the range of double.
 template <class T>
-bool is_on_axis(const Vec<2, double>& row, const Vec<2, T>& point, const Vec<2, T>& center) {
+bool is_on_axis(const Vec<2, double>& row, const Vec<2, T>& point, const Vec<2, T>& center, double scale) {
   std::array<double, 8> terms{};
   std::size_t count = 0;
   for (Dim i = 0; i < 2; ++i) {
     const Rounded offset = two_sum(static_cast<double>(point[i]), -static_cast<double>(center[i]));
     for (const double part : {offset.value, offset.error}) {
-      const Rounded product = two_product(row[i], part);
+      const Rounded product = two_product(row[i], part * scale);
       terms[count++] = product.value;
       terms[count++] = product.error;
     }
@@ -72,7 +72,7 @@ bool is_on_axis(const Vec<2, double>& row, const Vec<2, T>& point, const Vec<2, 
   return sign_of_sum(terms) == 0;
 }
 template <class T>
-bool is_on_axis(const Vec<3, double>&, const Vec<3, T>&, const Vec<3, T>&) {
+bool is_on_axis(const Vec<3, double>&, const Vec<3, T>&, const Vec<3, T>&, double) {
   return false;
 }
 
@@ -87,7 +87,7 @@ double reach_of(const Vec<N, double>& row, const Vec<N, T>& point, const LocalFr
   for (Dim i = 0; i < N; ++i) size += std::fabs(row[i] * offset[i]);
   const double reach = std::fabs(dot(row, offset));
   const double error = static_cast<double>(N - 1) * tolerance::rounding * size;
-  return reach <= error && is_on_axis(row, point, center) ? 0 : reach + error;
+  return reach <= error && is_on_axis(row, point, center, frame.scale) ? 0 : reach + error;
 }
 
 /// The smallest box with the given axes (orthonormal, right-handed) around points, up to rounding; with those axes as
@@ -152,9 +152,10 @@ Obb<3, T> turned_obb(std::span<const Vec<3, T>> points, const LocalFrame<3>& fra
 /// set that is flat along an axis. One point, or all points equal: zero half extents. For points farther apart than the
 /// largest T the box is axis-aligned. No points, or a coordinate that is not finite: std::invalid_argument.
 ///
-/// 2D: the convex hull, exact for coordinates that are zero or of magnitude 1e-140 to 1e140, and rotating calipers
-/// (`detail::best_flush_direction`); n log n in those points that do not lie inside of the extreme ones. 3D: a few
-/// passes (`detail::fitted_axes`). Both allocate.
+/// 2D: the convex hull by the exact `orientation` and rotating calipers (`detail::best_flush_direction`); n log n in
+/// those points that do not lie inside of the extreme ones. 3D: a few passes (`detail::fitted_axes`). Both allocate.
+/// Any finite coordinates; half extents below the least normal number of T are rounded up to a multiple of the least
+/// number.
 template <Dim N, class T>
 Obb<N, T> bounding_obb(std::span<const Vec<N, T>> points) {
   const Aabb<N, T> box = detail::checked_box(points, "bounding_obb");

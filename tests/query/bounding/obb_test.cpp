@@ -156,6 +156,33 @@ TYPED_TEST(BoundingObbIn, ScalesWithPowersOfTwoBitByBit) {
   });
 }
 
+TYPED_TEST(BoundingObbIn, OfTheLeastAndTheLargestNumbersContainsEveryPointAndIsAsSmall) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  using Limits = std::numeric_limits<T>;
+  for (const int exponent :
+       {Limits::min_exponent - Limits::digits + 8, Limits::min_exponent - 8, Limits::max_exponent - 6}) {
+    const T unit = std::ldexp(T(1), exponent);
+    std::vector<Vec<N, T>> points;
+    for (int i = 0; i < 9; ++i) {
+      Vec<N, T> point(T(i % 3));
+      point[0] = T(4 * i - 16);
+      point[1] = T(3 * i - 8 + i * i % 5);
+      points.push_back(point);
+    }
+    const Obb<N, T> expected = bounding_obb(points);
+    for (Vec<N, T>& point : points) point *= unit;
+    const Obb<N, T> box = bounding_obb(points);
+    EXPECT_TRUE(contains_all(box, points)) << "times 2^" << exponent;
+    if (N == 2) EXPECT_EQ(box.axes, expected.axes) << "times 2^" << exponent;
+    const double step = static_cast<double>(std::max(Limits::denorm_min() / unit, 4 * Limits::epsilon()));
+    for (Dim i = 0; i < N; ++i) {
+      EXPECT_NEAR(static_cast<double>(box.half_extents[i]) / static_cast<double>(unit),
+                  static_cast<double>(expected.half_extents[i]), 4 * step * 32);
+    }
+  }
+}
+
 TYPED_TEST(BoundingObbIn, FindsTheBoxOfWhichThePointsAreTheCorners) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
