@@ -170,8 +170,11 @@ std::vector<NearObject<T>> SceneView<N, T>::nearest(const Vec<N, T>& point, std:
     std::sort(result.begin(), result.end(), is_nearer<T>);
     if (result.size() > count) result.resize(count);
     if (asked >= size()) return result;
+    // Squares that overflow, or that are too small to tell, are in no order: then all boxes are asked for.
+    const double squared = boxes.back().distance_squared;
+    if (!(squared > 0x1p-960 && std::isfinite(squared))) continue;
     // Rounded as distances are, so that one that is just as far is not left out.
-    const T reached = static_cast<T>(std::sqrt(boxes.back().distance_squared));
+    const T reached = static_cast<T>(std::sqrt(squared));
     if (result.size() == count && reached > result.back().distance) return result;
   }
 }
