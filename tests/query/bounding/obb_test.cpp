@@ -174,7 +174,9 @@ TYPED_TEST(BoundingObbIn, OfTheLeastAndTheLargestNumbersContainsEveryPointAndIsA
     for (Vec<N, T>& point : points) point *= unit;
     const Obb<N, T> box = bounding_obb(points);
     EXPECT_TRUE(contains_all(box, points)) << "times 2^" << exponent;
-    if (N == 2) EXPECT_EQ(box.axes, expected.axes) << "times 2^" << exponent;
+    if (N == 2) {
+      EXPECT_EQ(box.axes, expected.axes) << "times 2^" << exponent;
+    }
     const double step = static_cast<double>(std::max(Limits::denorm_min() / unit, 4 * Limits::epsilon()));
     for (Dim i = 0; i < N; ++i) {
       EXPECT_NEAR(static_cast<double>(box.half_extents[i]) / static_cast<double>(unit),
