@@ -110,7 +110,9 @@ TYPED_TEST(SceneScale, PairsContactsAndHitsAreTheSameAtEitherEndOfTheNumbers) {
     EXPECT_EQ((numbers_of<N, T>(large.pairs())), pairs);
     EXPECT_EQ((hits_in<N, T>(large, exponent)), hits);
     // Of the least numbers a distance has few bits, so that many are equal.
-    if (exponent > -std::numeric_limits<T>::max_exponent + 20) EXPECT_EQ((near_in<N, T>(large, exponent)), near);
+    if (exponent > -std::numeric_limits<T>::max_exponent + 20) {
+      EXPECT_EQ((near_in<N, T>(large, exponent)), near);
+    }
     for (const auto& contact : large.contacts()) {
       EXPECT_TRUE(same_manifolds(contact.manifold,
                                  manifold(large.object(contact.pair.a).shape, large.object(contact.pair.b).shape)));
