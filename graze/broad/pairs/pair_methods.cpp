@@ -125,7 +125,7 @@ bool is_for_dense(std::type_identity_t<std::span<const Aabb<N, T>>> boxes_a,
   const auto columns = static_cast<double>(boxes_b != nullptr ? boxes_b->size() : boxes_a.size());
   const double comparisons = rows * columns / (boxes_b != nullptr ? 1 : 2);
   const double boxes = boxes_b != nullptr ? rows + columns : rows;
-  // Nanoseconds, roughly (docs/performance.md). Only the time depends on them, no answer.
+  // Nanoseconds, as measured on one machine. Only the time depends on them, no answer.
   const double dense = 15 * rows + 0.32 * comparisons;
   const double tree = 300 + 8 * boxes;
   if (comparisons == 0 || dense <= tree) return true;  // however many overlap
