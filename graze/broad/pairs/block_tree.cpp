@@ -76,8 +76,8 @@ class BlockTree<N, T>::Scratch {
 
  private:
   void require(std::size_t count) {
-    constexpr std::size_t least = 1024;  // so that memory seldom grows
-    const std::size_t room = std::bit_ceil(std::max(count, least));
+    constexpr std::size_t least_room = 1024;  // so that memory seldom grows
+    const std::size_t room = std::bit_ceil(std::max(count, least_room));
     boxes.require(room);
     order.require(room);
     cells_.require(room);

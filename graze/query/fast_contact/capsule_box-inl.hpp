@@ -73,12 +73,11 @@ class CapsuleOnBox {
     Point edge;
     Real half;
 
-    [[gnu::always_inline]] BoxFeature(const CapsuleAndBox& pair, const Point& place, const Mask (&is_beyond)[3]) {
-      middle = pair.center;
+    [[gnu::always_inline]] BoxFeature(const CapsuleAndBox& pair, const Point& place, const Mask (&is_beyond)[3])
+        : middle(pair.center), name(feature_of_box(place, is_beyond)) {
       for (Dim i = 0; i < 3; ++i) {
         middle = middle + pair.axes[i] * or_zero(is_beyond[i], copysign(pair.half[i], place[i]));
       }
-      name = feature_of_box(place, is_beyond);
       const Axis not_x = select(is_beyond[1], axis_number(2), axis_number(1));
       const Axis along = select(is_beyond[0], not_x, axis_number(0));
       edge = turned(pair.axes, along);

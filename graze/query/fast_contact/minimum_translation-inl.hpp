@@ -61,12 +61,12 @@ struct PlaceByFaces {
   Real squared;   ///< How far it is from the box.
   Real least_beyond;
 
-  [[gnu::always_inline]] PlaceByFaces(const Point& place, const Point& half, Real doubt) {
-    is_clear = all(true);
-    squared = all(0.0);
-    last = axis_number(0);
+  [[gnu::always_inline]] PlaceByFaces(const Point& place, const Point& half, Real doubt)
+      : last(axis_number(0)),
+        is_clear(all(true)),
+        squared(all(0.0)),
+        least_beyond(all(std::numeric_limits<double>::infinity())) {
     Real count = all(0.0);
-    least_beyond = all(std::numeric_limits<double>::infinity());
     for (Dim i = 0; i < 3; ++i) {
       const Real beyond = fabs(place[i]) - half[i];
       is_clear = is_clear && fabs(beyond) > doubt;

@@ -37,7 +37,7 @@ namespace graze::detail {
 inline constexpr int most_usual_exponent = 100;
 
 /// Whether a positive number is between 2^-most and 2^most: zero and NaN are not. By its bits, in one comparison.
-constexpr bool is_between_powers(double number, unsigned most) {
+constexpr bool is_between_powers(double number, std::uint64_t most) {
   return (bit_cast<std::uint64_t>(number) >> 52U) - (1023 - most) < 2 * most;
 }
 

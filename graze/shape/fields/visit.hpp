@@ -15,6 +15,7 @@ namespace graze::detail {
 /// quarter of the time that it takes to compile. A switch is also open to the optimiser.
 /// @throws std::bad_variant_access for a variant that an exception left without a value
 template <class Visitor, class Variant>
+// NOLINTNEXTLINE(readability-function-size): a case for each type
 constexpr decltype(auto) visit(Visitor&& visitor, Variant& held) {
   constexpr std::size_t types = std::variant_size_v<std::remove_const_t<Variant>>;
   static_assert(types <= 16, "visit in graze/shape/fields/visit.hpp has a case for each of sixteen types: add some");
