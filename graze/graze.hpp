@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Everything below io: shapes, queries, many things at once, scenes. Files are read by <graze/io/scene_file.hpp>.
+/// @file
+/// Includes the whole library except io: shapes, queries on pairs, queries on many objects, scenes. To read and write
+/// files, include `<graze/io/scene_file.hpp>`.
 #pragma once
 
 #include <graze/broad/brute_force.hpp>

@@ -16,13 +16,16 @@
 
 namespace graze {
 
-/// A SpatialIndex that looks at every box every time: the judge of the others, and quick enough for a few dozen.
-/// Queries visit in ascending order of the keys.
+/// A SpatialIndex that tests every box in every query: the reference for the others, and fast enough for a few dozen
+/// boxes. Queries visit in ascending order of the keys.
 template <Dim N, class T = float>
 class BruteForce {
  public:
+  /// The boxes that the index holds.
   using Box = Aabb<N, T>;
 
+  /// Adds a box and returns its key. Throws std::invalid_argument for a box with a NaN, with a min above its max, or at
+  /// infinity, and std::length_error beyond 2^32 - 1 boxes.
   Key insert(const Box& box) {
     detail::require_box(box);
     const std::uint32_t slot = keys_.prepare().index;
@@ -31,6 +34,7 @@ class BruteForce {
     return keys_.take();
   }
 
+  /// Replaces a box. Throws std::invalid_argument like `insert` and std::out_of_range like `box`.
   void update(const Key& key, const Box& box) {
     const std::uint32_t slot = keys_.slot_of(key);
     detail::require_box(box);
@@ -38,17 +42,25 @@ class BruteForce {
     keys_.count_change();
   }
 
+  /// Removes a box; its key is never valid again. Throws std::out_of_range like `box`.
   void erase(const Key& key) { keys_.release(keys_.slot_of(key)); }
 
+  /// Removes all boxes; their keys are never valid again.
   void clear() { keys_.release_all(); }
 
+  /// True while the key names a box of this index.
   bool contains(const Key& key) const { return keys_.contains(key); }
+  /// The box of a key. Throws std::out_of_range for the key of a removed box, of another index, or a default one. The
+  /// reference is valid until the next change of the index.
   const Box& box(const Key& key) const { return boxes_[keys_.slot_of(key)]; }
+  /// Number of boxes.
   std::size_t size() const { return keys_.size(); }
 
-  /// The memory that is held, in bytes.
+  /// Memory in use, in bytes.
   std::size_t bytes() const { return keys_.bytes() + boxes_.capacity() * sizeof(Box); }
 
+  /// Calls visit(key) for every box that meets the region, ascending, until it returns false. Throws
+  /// std::invalid_argument for an invalid region.
   template <RegionIn<N, T> R, VisitorOf<Key> Visit>
   void query(const R& region, Visit&& visit) const {
     const detail::RegionProbe<R> probe(region);
@@ -58,6 +70,8 @@ class BruteForce {
     }
   }
 
+  /// Calls visit(key, t) for every box that the ray enters, in order of t, ties by key, until it returns false. t is 0
+  /// if the ray starts inside the box. Allocates a list of all hits. Throws std::invalid_argument for an invalid ray.
   template <VisitorOf<Key, double> Visit>
   void ray_cast(const Ray<N, T>& ray, Visit&& visit) const {
     detail::require_ray(ray);
@@ -73,6 +87,8 @@ class BruteForce {
     }
   }
 
+  /// The k boxes nearest to the point, or all if there are fewer: by distance, ties by key. Throws
+  /// std::invalid_argument if the point is not finite.
   std::vector<Neighbour> nearest(const Vec<N, T>& point, std::size_t k) const {
     detail::require_point(point);
     detail::NearestKeys nearest(std::min(k, size()));
@@ -82,6 +98,8 @@ class BruteForce {
     return nearest.sorted();
   }
 
+  /// Calls visit(a, b) once for every two boxes that share a point, ascending, a < b, until it returns false. Tests all
+  /// pairs.
   template <VisitorOf<Key, Key> Visit>
   void pairs(Visit&& visit) const {
     detail::GuardedVisit guarded(visit, keys_);

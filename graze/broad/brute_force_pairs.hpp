@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The plain double loop: too slow for many boxes, too simple to be wrong. The judge of every other method.
+/// @file
+/// The plain double loop: too slow for many boxes, too simple to be wrong. The reference for every other method.
 #pragma once
 
 #include <cmath>
@@ -21,7 +22,7 @@ bool has_nan(const Aabb<N, T>& box) {
   return false;
 }
 
-/// Adds the pairs of box `a` with the boxes from `first` on.
+/// Adds the pairs of box `a` and the boxes from `first` on.
 template <Dim N, class T>
 void add_brute_force_pairs(const Aabb<N, T>& box, std::uint32_t a, std::span<const Aabb<N, T>> boxes,
                            std::uint32_t first, std::vector<Pair>& pairs) {
@@ -33,7 +34,8 @@ void add_brute_force_pairs(const Aabb<N, T>& box, std::uint32_t a, std::span<con
 
 }  // namespace detail
 
-/// Every pair of boxes that share a point, ascending. A box with min above max contains nothing and overlaps none.
+/// Every pair of boxes that share a point (touching counts), ascending, with a < b. Exact. A box that contains nothing
+/// (min above max) or has a NaN overlaps none. `overlapping_pairs` is faster.
 template <Dim N, class T>
 std::vector<Pair> brute_force_pairs(std::span<const Aabb<N, T>> boxes) {
   std::vector<Pair> pairs;
@@ -41,7 +43,7 @@ std::vector<Pair> brute_force_pairs(std::span<const Aabb<N, T>> boxes) {
   return pairs;
 }
 
-/// The same between two sets.
+/// Every pair of a box of one sequence (index a) and a box of another (index b) that share a point, ascending.
 template <Dim N, class T>
 std::vector<Pair> brute_force_pairs(std::span<const Aabb<N, T>> boxes_a, std::span<const Aabb<N, T>> boxes_b) {
   std::vector<Pair> pairs;

@@ -22,38 +22,42 @@
 
 namespace graze {
 
+/// Options of a Bvh.
 struct BvhOptions {
-  /// How much farther than its boxes a smallest group reaches, so that its bounds need not change while boxes move
-  /// within them; finite, 0 or more. Answers never depend on it.
+  /// How far the bounds of a smallest group extend beyond its boxes, so that boxes can move without a change of bounds;
+  /// finite, at least 0. Results never depend on it.
   double margin = 0;
 };
 
-/// A group of boxes of a Bvh, for pictures and for the curious.
+/// A group of boxes of a Bvh, for visualization and debugging.
 template <Dim N, class T = float>
 struct BvhCell {
-  Aabb<N, T> box;     ///< Contains all boxes of the group; the smallest groups' are grown by the margin.
-  int depth;          ///< That of all boxes has 0.
-  std::size_t count;  ///< How many boxes the group has.
-  bool is_leaf;       ///< A single box, as it is.
+  Aabb<N, T> box;     ///< Contains all boxes of the group; smallest groups are grown by the margin.
+  int depth;          ///< 0 for the group of all boxes.
+  std::size_t count;  ///< Number of boxes in the group.
+  bool is_leaf;       ///< True for a single box.
 };
 
-/// A SpatialIndex (spatial_index.hpp says what its members do) that groups up to sixteen boxes, groups likewise, and
-/// keeps the bounds of each: a bounding volume hierarchy, whose groups are looked at by vector instructions, sixteen at
-/// a time. It asks nothing about where the boxes are or how large, and cannot degenerate: whatever comes, moves and
-/// goes, all boxes are equally deep and every group but the first has six members or more, so that there are at most 1
-/// + log(n / 2) / log(6) levels of groups. A change takes O(log n) steps.
+/// A SpatialIndex (its members' contracts are in spatial_index.hpp) that groups up to sixteen boxes, groups of groups
+/// likewise, and stores the bounds of each: a bounding volume hierarchy whose nodes are tested by vector instructions,
+/// sixteen entries at a time. It makes no assumptions about positions and sizes and cannot degenerate: after any
+/// sequence of changes all boxes have the same depth, and every group but the first has at least six members, so there
+/// are at most 1 + log(n / 2) / log(6) levels. A change takes O(log n) steps.
 ///
-/// Boxes with infinite sides are kept in a list beside the tree: each of them costs every query a look.
+/// Boxes with infinite sides are kept in a list beside the tree, which every query scans.
 template <Dim N, class T = float>
 class Bvh {
  public:
+  /// The boxes that the index holds.
   using Box = Aabb<N, T>;
 
-  /// Throws std::invalid_argument for a margin that is negative or not finite.
+  /// Creates an empty index. Throws std::invalid_argument if the margin is negative or not finite.
   explicit Bvh(const BvhOptions& options = {}) : keys_(detail::bvh_most), tree_(options.margin) {}
+  /// Creates an empty index with BvhOptions::margin. Throws std::invalid_argument if it is negative or not finite.
   explicit Bvh(double margin) : Bvh(BvhOptions{margin}) {}
 
-  /// At most 2^31 - 1 boxes.
+  /// Adds a box and returns its key. Throws std::invalid_argument for a box with a NaN, with a min above its max, or at
+  /// infinity, and std::length_error beyond 2^31 - 1 boxes.
   Key insert(const Box& box) {
     detail::require_box(box);
     const Key key = keys_.prepare();
@@ -61,7 +65,8 @@ class Bvh {
     return keys_.take();
   }
 
-  /// Changes no bounds while the box stays within those of its smallest group, margin included.
+  /// Replaces a box. Changes no bounds while the box stays within those of its smallest group, margin included. Throws
+  /// std::invalid_argument like `insert` and std::out_of_range like `box`.
   void update(const Key& key, const Box& box) {
     const std::uint32_t slot = keys_.slot_of(key);
     detail::require_box(box);
@@ -69,20 +74,22 @@ class Bvh {
     keys_.count_change();
   }
 
+  /// Removes a box; its key is never valid again. Throws std::out_of_range like `box`.
   void erase(const Key& key) {
     const std::uint32_t slot = keys_.slot_of(key);
     tree_.erase(slot);
     keys_.release(slot);
   }
 
+  /// Removes all boxes; their keys are never valid again.
   void clear() {
     tree_.clear();
     keys_.release_all();
   }
 
-  /// Erases all boxes, inserts these, and gives their keys in the order of the boxes: quicker than one by one, and the
-  /// better tree, which does not depend on the executor. The first change afterwards takes O(n) steps. Throws like
-  /// insert and what the executor throws, and then changes nothing.
+  /// Removes all boxes, inserts these, and returns their keys in the order of the boxes. Faster than inserting one by
+  /// one and gives a better tree, which does not depend on the executor. The first change afterwards takes O(n) steps.
+  /// Throws like `insert`, and what the executor throws; then nothing has changed.
   std::vector<Key> assign(std::span<const Box> boxes, const Executor& executor = default_executor()) {
     detail::require_boxes(boxes);
     detail::KeyTable keys = keys_;
@@ -91,7 +98,7 @@ class Bvh {
     keys.take_many(slots);
     std::vector<Key> given = keys.keys_of(slots);
     Tree tree(tree_.margin());
-    if (size() == 0) std::swap(tree, tree_);  // whose memory is used again
+    if (size() == 0) std::swap(tree, tree_);  // reuses its memory
     tree.fill(boxes, slots, executor, keys.generations());
     keys.count_change();
     keys_ = std::move(keys);
@@ -99,15 +106,21 @@ class Bvh {
     return given;
   }
 
+  /// True while the key names a box of this index.
   bool contains(const Key& key) const { return keys_.contains(key); }
+  /// The box of a key. Throws std::out_of_range for the key of a removed box, of another index, or a default one. The
+  /// reference is valid until the next change of the index.
   const Box& box(const Key& key) const { return tree_.box(keys_.slot_of(key)); }
+  /// Number of boxes.
   std::size_t size() const { return keys_.size(); }
+  /// The options that the index was created with.
   BvhOptions options() const { return {tree_.margin()}; }
 
-  /// The memory that is held, in bytes.
+  /// Memory in use, in bytes.
   std::size_t bytes() const { return keys_.bytes() + tree_.bytes(); }
 
-  /// Allocates nothing.
+  /// Calls visit(key) once for every box that meets the region, until it returns false. Allocates nothing. Throws
+  /// std::invalid_argument for an invalid region, and what the visitor throws.
   template <RegionIn<N, T> R, VisitorOf<Key> Visit>
   void query(const R& region, Visit&& visit) const {
     const detail::RegionProbe<R> probe(region);
@@ -115,6 +128,8 @@ class Bvh {
     detail::visit_met(tree_, probe, [&](const detail::BvhName& name) { return guarded(key_of(name)); });
   }
 
+  /// Calls visit(key, t) for every box that the ray enters, in order of t, ties by key, until it returns false. t is 0
+  /// if the ray starts inside the box. Throws std::invalid_argument for an invalid ray.
   template <VisitorOf<Key, double> Visit>
   void ray_cast(const Ray<N, T>& ray, Visit&& visit) const {
     detail::require_ray(ray);
@@ -122,6 +137,8 @@ class Bvh {
     detail::visit_along(tree_, ray, [&](const detail::BvhName& name, double t) { return guarded(key_of(name), t); });
   }
 
+  /// The k boxes nearest to the point, or all if there are fewer: by distance, ties by key. Throws
+  /// std::invalid_argument if the point is not finite.
   std::vector<Neighbour> nearest(const Vec<N, T>& point, std::size_t k) const {
     detail::require_point(point);
     if (k == 0 || size() == 0) return {};
@@ -132,14 +149,16 @@ class Bvh {
     return sorted;
   }
 
-  /// By the batch method, which is quicker than any walk through a tree; holds all pairs while it visits them.
+  /// Calls visit(a, b) once for every two boxes that share a point, ascending, a < b, until it returns false. Uses the
+  /// batch method, which is faster than walking the tree; holds all pairs in memory while it visits them.
   template <VisitorOf<Key, Key> Visit>
   void pairs(Visit&& visit) const {
     detail::visit_index_pairs(
         keys_, [this](std::uint32_t slot) { return tree_.box(slot); }, visit);
   }
 
-  /// visit(BvhCell) for every group, the whole before its parts. Boxes with infinite sides are in none.
+  /// Calls visit(BvhCell) for every group, groups before their members, until it returns false. Boxes with infinite
+  /// sides are in no group.
   template <VisitorOf<BvhCell<N, T>> Visit>
   void visit_cells(Visit&& visit) const {
     detail::GuardedVisit guarded(visit, keys_);
@@ -159,7 +178,7 @@ class Bvh {
   }
 
  private:
-  /// What a visit of all groups still has to look at: a node by its link's code, or a box by its slot.
+  /// What `visit_cells` has yet to visit: a node by its link's code, or a box by its slot.
   struct Group {
     Box box;
     std::uint32_t code;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the shapes of many candidate pairs touch, after the broad phase.
+/// @file
+/// Contact points of many candidate pairs, after the broad phase.
 #pragma once
 
 #include <span>
@@ -13,24 +14,24 @@
 
 namespace graze {
 
-/// Where two shapes of a sequence touch.
+/// The contact points of two shapes of a sequence.
 template <Dim N, class T = float>
 struct PairContact {
-  Pair pair;
-  Manifold<N, T> manifold;  ///< From the first to the second.
+  Pair pair;                ///< Indices of the two shapes.
+  Manifold<N, T> manifold;  ///< The normal points from pair.a to pair.b; at least one point.
 
   friend bool operator==(const PairContact&, const PairContact&) = default;
 };
 
-/// manifold(shapes[pair.a], shapes[pair.b]) of those candidates whose shapes intersect (touching counts), in their
-/// order: the same answers as one call each, whoever runs them. What does not touch costs little more than with
-/// `touching_pairs`, oriented boxes in space up to half as much again. Shapes must be valid, as for `manifold`. Throws
-/// std::out_of_range when a pair names a shape that is not there. Instantiated for 2D and 3D, float and double.
+/// manifold(shapes[pair.a], shapes[pair.b]) for the candidates whose shapes intersect (touching counts), in their
+/// order, with the results of single calls on any executor. Candidates that do not touch cost little more than with
+/// `touching_pairs`, oriented boxes in 3D up to 1.5x. Shapes must be valid, as for `manifold`. Throws std::out_of_range
+/// if an index of a pair is not below the number of shapes. Instantiated for 2D and 3D, float and double.
 template <Dim N, class T>
 std::vector<PairContact<N, T>> contacts(std::span<const AnyShape<N, T>> shapes, std::span<const Pair> candidates,
                                         const TouchOptions& options = {});
 
-/// The same for a vector. (A span's type does not deduce from one, nor N and T from AnyShape.)
+/// The overload for a vector, from which a span's template arguments cannot be deduced.
 template <class Any>
 requires detail::is_any_shape<Any>
 auto contacts(const std::vector<Any>& shapes, std::span<const Pair> candidates, const TouchOptions& options = {}) {
@@ -39,15 +40,15 @@ auto contacts(const std::vector<Any>& shapes, std::span<const Pair> candidates, 
 
 namespace detail {
 
-/// Two shapes, and where their manifold from a to b goes, which must be as it is made.
+/// Two shapes, and the place for their manifold from a to b, which must be default-constructed.
 template <Dim N, class T>
 struct ShapesToContact {
   ShapePair<N, T> shapes;
   Manifold<N, T>* manifold;
 };
 
-/// Writes manifold(*a, *b) of each two, bit for bit, in the calling thread. All must touch, which is not asked again of
-/// oriented boxes in space. Takes no memory from the heap.
+/// Writes manifold(*a, *b) of each pair, bit for bit, in the calling thread. All must touch; this is not tested again
+/// for oriented boxes in 3D. Allocates nothing.
 template <Dim N, class T>
 void contacts_of(std::span<const ShapesToContact<N, T>> pairs);
 

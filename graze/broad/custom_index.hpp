@@ -23,15 +23,15 @@
 
 namespace graze {
 
-/// What CustomIndex builds on: numbers of boxes, kept in an order of yours.
+/// What CustomIndex builds on: box numbers, stored in any way you like.
 ///
-///   add(number, box)           Takes a box in, which may have infinite sides. It may throw, and then changes nothing.
-///   remove(number, box)        Takes it out; `box` is the one that was added. It does not throw, and an `add` of the
-///                              same box after it does not either.
-///   candidates(region, visit)  visit(number) for every box that shares a point with the region, a box, and for others
-///                              as it likes, but once for each, until visit returns false.
+///     add(number, box)           Adds a box, which may have infinite sides. May throw, and then changes nothing.
+///     remove(number, box)        Removes it; `box` is the one that was added. Does not throw, and neither does an
+///                                `add` of the same box after it.
+///     candidates(region, visit)  Calls visit(number) once for every box that shares a point with the region, a box,
+///                                and for any others, until visit returns false.
 ///
-/// A number is the index of the box's key. It is used again when its box is gone.
+/// A number is the index of the box's key. It is reused after its box is removed.
 template <class F>
 concept BoxFinder = std::copyable<F> && requires(F& finder, const F& reading, const typename F::Box& box,
                                                  std::uint32_t number, bool (*visit)(std::uint32_t)) {
@@ -41,18 +41,24 @@ concept BoxFinder = std::copyable<F> && requires(F& finder, const F& reading, co
   reading.candidates(box, visit);
 };
 
-/// A SpatialIndex of your own, from nothing but a way to find candidates: it sees to keys, to what is refused, and to
-/// the exact answers. `query`, `ray_cast` and `nearest` cost what the candidates of a box around the answer cost; a
-/// ray's box reaches to infinity.
+/// A SpatialIndex made from a way to find candidates: it handles keys, rejects invalid input, and filters the
+/// candidates exactly. `query`, `ray_cast` and `nearest` cost what the candidates of a box around the answer cost; a
+/// ray's box extends to infinity.
 template <BoxFinder F>
 class CustomIndex {
  public:
+  /// The boxes that the index holds: those of the finder.
   using Box = typename F::Box;
+  /// The dimension of the boxes.
   static constexpr Dim N = dimension_of<Box>;
+  /// The number type of the boxes.
   using T = scalar_of<Box>;
 
+  /// Creates an empty index on a finder that holds no boxes.
   explicit CustomIndex(F finder = F()) : finder_(std::move(finder)) {}
 
+  /// Adds a box and returns its key. Throws std::invalid_argument for a box with a NaN, with a min above its max, or at
+  /// infinity, std::length_error beyond 2^32 - 1 boxes, and what the finder throws.
   Key insert(const Box& box) {
     detail::require_box(box);
     const std::uint32_t slot = keys_.prepare().index;
@@ -62,6 +68,8 @@ class CustomIndex {
     return keys_.take();
   }
 
+  /// Replaces a box. Throws std::invalid_argument like `insert`, std::out_of_range like `box`, and what the finder
+  /// throws; then the box is as it was.
   void update(const Key& key, const Box& box) {
     const std::uint32_t slot = keys_.slot_of(key);
     detail::require_box(box);
@@ -76,12 +84,14 @@ class CustomIndex {
     keys_.count_change();
   }
 
+  /// Removes a box; its key is never valid again. Throws std::out_of_range like `box`.
   void erase(const Key& key) {
     const std::uint32_t slot = keys_.slot_of(key);
     finder_.remove(slot, boxes_[slot]);
     keys_.release(slot);
   }
 
+  /// Removes all boxes one by one from the finder; their keys are never valid again.
   void clear() {
     for (std::uint32_t slot = 0; slot < keys_.slots(); ++slot) {
       if (keys_.is_taken(slot)) finder_.remove(slot, boxes_[slot]);
@@ -89,13 +99,19 @@ class CustomIndex {
     keys_.release_all();
   }
 
+  /// True while the key names a box of this index.
   bool contains(const Key& key) const { return keys_.contains(key); }
+  /// The box of a key. Throws std::out_of_range for the key of a removed box, of another index, or a default one. The
+  /// reference is valid until the next change of the index.
   const Box& box(const Key& key) const { return boxes_[keys_.slot_of(key)]; }
+  /// Number of boxes.
   std::size_t size() const { return keys_.size(); }
 
-  /// What finds the candidates.
+  /// The finder, for reading.
   const F& finder() const { return finder_; }
 
+  /// Calls visit(key) once for every box that meets the region, in the order of the finder, until it returns false.
+  /// Throws std::invalid_argument for an invalid region.
   template <RegionIn<N, T> R, VisitorOf<Key> Visit>
   void query(const R& region, Visit&& visit) const {
     const detail::RegionProbe<R> probe(region);
@@ -104,6 +120,8 @@ class CustomIndex {
                      [&](std::uint32_t slot) { return !probe.meets(boxes_[slot]) || guarded(keys_.key_of(slot)); });
   }
 
+  /// Calls visit(key, t) for every box that the ray enters, in order of t, ties by key, until it returns false. t is 0
+  /// if the ray starts inside the box. Allocates a list of all hits. Throws std::invalid_argument for an invalid ray.
   template <VisitorOf<Key, double> Visit>
   void ray_cast(const Ray<N, T>& ray, Visit&& visit) const {
     detail::require_ray(ray);
@@ -119,6 +137,8 @@ class CustomIndex {
     }
   }
 
+  /// The k boxes nearest to the point, or all if there are fewer: by distance, ties by key. Searches boxes of growing
+  /// size around the point. Throws std::invalid_argument if the point is not finite.
   std::vector<Neighbour> nearest(const Vec<N, T>& point, std::size_t k) const {
     detail::require_point(point);
     const std::size_t wanted = std::min(k, size());
@@ -130,12 +150,13 @@ class CustomIndex {
         nearest.offer({keys_.key_of(slot), distance_squared(point, boxes_[slot])});
         return true;
       });
-      // The distance of what lies outside is rounded, too.
+      // The distance of a box outside is rounded, too.
       if (nearest.reach() < radius * radius * (1 - tolerance::box_slack) || std::isinf(radius)) return nearest.sorted();
     }
   }
 
-  /// By the batch method, without the candidates; holds all pairs while it visits them.
+  /// Calls visit(a, b) once for every two boxes that share a point, ascending, a < b, until it returns false. Uses the
+  /// batch method, not the finder; holds all pairs in memory while it visits them.
   template <VisitorOf<Key, Key> Visit>
   void pairs(Visit&& visit) const {
     detail::visit_index_pairs(
@@ -148,13 +169,13 @@ class CustomIndex {
     largest_ = std::max(largest_, detail::finite_size(box));
   }
 
-  /// Of a reach that nothing can meet a finder hears nothing.
+  /// A finder is not asked about a region that nothing can meet.
   template <class Visit>
   void visit_candidates(const Box& reach, Visit&& visit) const {
     if (!detail::has_nan_coordinate(reach) && !is_nothing(reach)) finder_.candidates(reach, visit);
   }
 
-  /// No box that the ray enters misses it: an entry is at t >= 0, and differences have the right sign.
+  /// Every box that the ray enters meets this one: an entry is at t >= 0, and differences have the right sign.
   static Box reach_of(const Ray<N, T>& ray) {
     constexpr T infinity = std::numeric_limits<T>::infinity();
     Box reach{ray.origin, ray.origin};
@@ -165,7 +186,7 @@ class CustomIndex {
     return reach;
   }
 
-  /// What lies outside is farther away on some axis, and not by rounding alone.
+  /// What lies outside is farther away on some axis, by more than rounding.
   static Box around(const Vec<N, T>& point, double radius) {
     Box box;
     for (Dim i = 0; i < N; ++i) {
@@ -175,10 +196,11 @@ class CustomIndex {
     return box;
   }
 
-  /// A guess that is doubled until it holds enough: as if the boxes lay evenly within the farthest of a few.
+  /// A guess that is doubled until the box contains enough: as if the boxes were evenly distributed up to the farthest
+  /// of a sample.
   double first_radius(const Vec<N, T>& point, std::size_t wanted) const {
     constexpr std::size_t sample = 16;
-    constexpr double least = 1e-100;  // whose square is not zero
+    constexpr double least = 1e-100;  // its square is not zero
     double farthest = 0;
     std::size_t seen = 0;
     for (std::uint32_t slot = 0; slot < keys_.slots() && seen < sample; ++slot) {
@@ -195,7 +217,7 @@ class CustomIndex {
   F finder_;
   detail::KeyTable keys_;
   std::vector<Box> boxes_;  // by slot
-  double largest_ = 0;      // no finite coordinate was ever larger
+  double largest_ = 0;      // largest finite coordinate so far
 };
 
 }  // namespace graze

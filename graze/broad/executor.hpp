@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Who runs parallel work: oneTBB, the calling thread, or the job system of the program that graze is part of.
+/// @file
+/// What runs parallel work: oneTBB, the calling thread, or the job system of the host program.
 #pragma once
 
 #include <cstddef>
@@ -8,33 +9,33 @@
 
 namespace graze {
 
-/// Runs independent tasks. Answers never depend on it: work is cut into the same tasks whoever runs them.
+/// Runs independent tasks. Results never depend on it, because work is split into the same tasks for every executor.
 class Executor {
  public:
   virtual ~Executor() = default;
 
   /// Calls task(i) once for every i below count, in any order and on any threads, and returns when all have ended. May
-  /// be called from several threads, and from within a task. When a task throws, one of the exceptions comes out
-  /// of here, and tasks that have not begun may be left out.
+  /// be called from several threads and from within a task. If tasks throw, rethrows one of the exceptions; tasks that
+  /// have not started may be skipped.
   virtual void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task) const = 0;
 
-  /// How many tasks may run at the same time; at least 1. Only a hint.
+  /// The number of tasks that may run at the same time, at least 1. A hint only.
   virtual std::size_t concurrency() const = 0;
 };
 
-/// All cores of the machine, through oneTBB's shared pool.
+/// Uses all cores, through oneTBB's shared pool.
 const Executor& default_executor();
 
-/// The calling thread alone, task by task in ascending order.
+/// Uses the calling thread alone, with tasks in ascending order.
 const Executor& serial_executor();
 
-/// At most so many threads of oneTBB's pool, the calling thread among them, and no more than the machine has. Throws
-/// std::invalid_argument for none.
+/// Uses at most this many threads of oneTBB's pool, the calling thread included, and at most as many as the machine
+/// has. Throws std::invalid_argument for 0.
 std::unique_ptr<Executor> limited_executor(std::size_t threads);
 
 namespace detail {
 
-/// Who runs the work of a call: the executor that its options name, or the usual one.
+/// The executor of a call: the one in its options, or the default.
 template <class Options>
 const Executor& executor_of(const Options& options) {
   return options.executor != nullptr ? *options.executor : default_executor();

@@ -22,38 +22,40 @@
 
 namespace graze {
 
-/// A cell of an Orthtree, for pictures and for the curious.
+/// A cell of an Orthtree, for visualization and debugging.
 template <Dim N, class T = float>
 struct OrthtreeCell {
-  Aabb<N, T> box;     ///< The square. A box belongs to it by its center, and may stick out by half the square's size.
-  int depth;          ///< The root has 0.
-  std::size_t count;  ///< How many boxes it holds itself.
-  bool is_leaf;
+  Aabb<N, T> box;     ///< The cell. A box belongs to it by its center and may extend beyond it by half its size.
+  int depth;          ///< 0 for the root.
+  std::size_t count;  ///< Number of boxes in the cell itself, without its children.
+  bool is_leaf;       ///< True if it has no children.
 };
 
-/// A SpatialIndex (spatial_index.hpp says what its members do) that cuts space into 2^N equal cells where there are
-/// many boxes, and those again: in 2D a quad tree, in 3D an octree. Splits and merges by itself, and lays its root by
-/// itself around the boxes; the few that are far off or infinite are kept in a list beside it and found like the
-/// others.
+/// A SpatialIndex (its members' contracts are in spatial_index.hpp) that splits crowded cells into 2^N equal ones: in
+/// 2D a quadtree, in 3D an octree. It splits and merges cells and places its root around the boxes by itself; the few
+/// boxes that are far away or infinite are kept in a list beside it and found like the others.
 ///
-/// A box lies in one cell only, whose bounds reach as far as its boxes do. A tree as flat whose boxes lie in every leaf
-/// that they touch takes as long to fill one by one, three times as long to ask and 15 times as long to move
+/// A box is in one cell only, whose bounds extend as far as its boxes do. An equally shallow tree that stores a box in
+/// every leaf that it touches takes as long to fill one by one, 3x as long to query and 15x as long to move boxes
 /// (bench/orthtree.cpp).
 template <Dim N, class T = float>
 class Orthtree {
  public:
+  /// The boxes that the index holds.
   using Box = Aabb<N, T>;
 
-  /// Throws std::invalid_argument for a capacity of 0 and a max_depth that is not in 0 to 32.
+  /// Creates an empty index. Throws std::invalid_argument if the capacity is 0 or max_depth is not from 0 to 32.
   explicit Orthtree(const OrthtreeOptions& options = {}) : keys_(most), tree_(options) {}
 
-  /// At most 2^29 boxes.
+  /// Adds a box and returns its key. Throws std::invalid_argument for a box with a NaN, with a min above its max, or at
+  /// infinity, and std::length_error beyond 2^29 boxes.
   Key insert(const Box& box) {
     detail::require_box(box);
     tree_.insert(keys_.prepare().index, box);
     return keys_.take();
   }
 
+  /// Replaces a box. Throws std::invalid_argument like `insert` and std::out_of_range like `box`.
   void update(const Key& key, const Box& box) {
     const std::uint32_t slot = keys_.slot_of(key);
     detail::require_box(box);
@@ -61,20 +63,22 @@ class Orthtree {
     keys_.count_change();
   }
 
+  /// Removes a box; its key is never valid again. Throws std::out_of_range like `box`.
   void erase(const Key& key) {
     const std::uint32_t slot = keys_.slot_of(key);
     tree_.erase(slot);
     keys_.release(slot);
   }
 
+  /// Removes all boxes; their keys are never valid again.
   void clear() {
     tree_.clear();
     keys_.release_all();
   }
 
-  /// Erases all boxes, inserts these, and gives their keys in the order of the boxes: several times as quick as one by
-  /// one, and neighbours come to lie side by side in memory. Its cells may be others than one by one. Throws like
-  /// insert, and then changes nothing.
+  /// Removes all boxes, inserts these, and returns their keys in the order of the boxes. Several times faster than
+  /// inserting one by one, and neighbours become adjacent in memory; the cells may differ. Throws like `insert`; then
+  /// nothing has changed.
   std::vector<Key> assign(std::span<const Box> boxes) {
     if (is_nothing(detail::cell_kernels<N, T>().bounds(boxes.data(), boxes.size()))) {
       for (const Box& box : boxes) detail::require_box(box);
@@ -92,18 +96,24 @@ class Orthtree {
     return given;
   }
 
+  /// True while the key names a box of this index.
   bool contains(const Key& key) const { return keys_.contains(key); }
+  /// The box of a key. Throws std::out_of_range for the key of a removed box, of another index, or a default one. The
+  /// reference is valid until the next change of the index.
   const Box& box(const Key& key) const { return tree_.box(keys_.slot_of(key)); }
+  /// Number of boxes.
   std::size_t size() const { return keys_.size(); }
+  /// The options that the index was created with.
   const OrthtreeOptions& options() const { return tree_.options(); }
 
-  /// How many boxes are in no cell, because they are far off or infinite.
+  /// Number of boxes in no cell, because they are far away or infinite.
   std::size_t outside() const { return tree_.cell(Tree::outside).entries.count; }
 
-  /// The memory that is held, in bytes.
+  /// Memory in use, in bytes.
   std::size_t bytes() const { return keys_.bytes() + tree_.bytes(); }
 
-  /// Visits cell by cell, from the root down.
+  /// Calls visit(key) once for every box that meets the region, cell by cell from the root down, until it returns
+  /// false. Throws std::invalid_argument for an invalid region.
   template <RegionIn<N, T> R, VisitorOf<Key> Visit>
   void query(const R& region, Visit&& visit) const {
     const detail::RegionProbe<R> probe(region);
@@ -111,6 +121,8 @@ class Orthtree {
     detail::visit_cells_met(tree_, probe, [&](std::uint32_t slot) { return guarded(keys_.key_of(slot)); });
   }
 
+  /// Calls visit(key, t) for every box that the ray enters, in order of t, ties by key, until it returns false. t is 0
+  /// if the ray starts inside the box. Throws std::invalid_argument for an invalid ray.
   template <VisitorOf<Key, double> Visit>
   void ray_cast(const Ray<N, T>& ray, Visit&& visit) const {
     detail::require_ray(ray);
@@ -118,6 +130,8 @@ class Orthtree {
     detail::visit_cells_along(tree_, ray, [&](std::uint32_t slot, double t) { return guarded(keys_.key_of(slot), t); });
   }
 
+  /// The k boxes nearest to the point, or all if there are fewer: by distance, ties by key. Throws
+  /// std::invalid_argument if the point is not finite.
   std::vector<Neighbour> nearest(const Vec<N, T>& point, std::size_t k) const {
     detail::require_point(point);
     if (k == 0 || size() == 0) return {};
@@ -127,14 +141,15 @@ class Orthtree {
     return nearest.sorted();
   }
 
-  /// By the batch method, which is quicker than any walk through a tree; holds all pairs while it visits them.
+  /// Calls visit(a, b) once for every two boxes that share a point, ascending, a < b, until it returns false. Uses the
+  /// batch method, which is faster than walking the tree; holds all pairs in memory while it visits them.
   template <VisitorOf<Key, Key> Visit>
   void pairs(Visit&& visit) const {
     detail::visit_index_pairs(
         keys_, [this](std::uint32_t slot) { return tree_.box(slot); }, visit);
   }
 
-  /// visit(OrthtreeCell) for every cell, parents before their children.
+  /// Calls visit(OrthtreeCell) for every cell, parents before their children, until it returns false.
   template <VisitorOf<OrthtreeCell<N, T>> Visit>
   void visit_cells(Visit&& visit) const {
     detail::GuardedVisit guarded(visit, keys_);
@@ -154,16 +169,18 @@ class Orthtree {
  private:
   using Tree = detail::CellTree<N, T>;
 
-  /// Positions of boxes fit 32 bits even if each has a block of eight to itself.
+  /// Positions fit 32 bits even if each box has a block of eight to itself.
   static constexpr std::uint32_t most = std::uint32_t{1} << 29U;
 
   detail::KeyTable keys_;
   Tree tree_;
 };
 
+/// The 2D Orthtree.
 template <class T = float>
 using QuadTree = Orthtree<2, T>;
 
+/// The 3D Orthtree.
 template <class T = float>
 using Octree = Orthtree<3, T>;
 

@@ -6,10 +6,10 @@
 
 namespace graze {
 
-/// Two boxes by their position in the caller's sequence. Pairs of one set have a < b.
+/// Two boxes by their indices in the caller's sequences. Pairs within one sequence have a < b.
 struct Pair {
-  std::uint32_t a = 0;
-  std::uint32_t b = 0;
+  std::uint32_t a = 0;  ///< Index of the first box.
+  std::uint32_t b = 0;  ///< Index of the second box.
 
   friend auto operator<=>(const Pair&, const Pair&) = default;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All overlapping pairs in order, without holding all of them.
+/// @file
+/// All overlapping pairs in order, without storing all of them.
 #pragma once
 
 #include <cstddef>
@@ -11,16 +12,16 @@
 
 namespace graze {
 
-/// The pairs of `overlapping_pairs(boxes, options)`, ascending by a, then b, given to a visitor by the block; false
-/// asks for no more. Memory grows with the boxes, not with the pairs: at most 2^22 of these, or 8 for each box, are
-/// held at a time. Pairs begin to come before all are found. Up to that number it takes about twice the time of
-/// `overlapping_pairs`; beyond, boxes are searched range by range. Throws like `overlapping_pairs`.
+/// Passes the pairs of `overlapping_pairs(boxes, options)`, ascending by a, then b, to a visitor in blocks; it returns
+/// false to stop. Memory grows with the boxes, not with the pairs: at most 2^22 pairs, or 8 per box, are held at a
+/// time. The first pairs come before all are found. Up to that number it takes about twice the time of
+/// `overlapping_pairs`; beyond it, boxes are searched range by range. Throws like `overlapping_pairs`.
 template <Dim N, class T>
 void visit_sorted_pairs(std::span<const Aabb<N, T>> boxes, const PairVisitor& visit, const PairOptions& options = {});
 
 namespace detail {
 
-/// The same with at most `most` pairs at a time, or twice the boxes if that is more.
+/// Holds at most `most` pairs at a time, or twice the number of boxes if that is more.
 template <Dim N, class T>
 void visit_sorted_pairs(std::span<const Aabb<N, T>> boxes, const PairVisitor& visit, const PairOptions& options,
                         std::size_t most);

@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: MIT
-// What every index of moving boxes can do. BruteForce, Grid, Orthtree (QuadTree, Octree) and Bvh model it; one typed
-// test holds each of them to BruteForce. CustomIndex makes one of a way to find candidates.
-//
-//   insert(box) -> Key        Throws std::invalid_argument for a box with a NaN or with min above max; infinite sides
-//                             are welcome. std::length_error when it is full: with 2^29 boxes an Orthtree and a Grid,
-//                             with 2^31 - 1 a Bvh, with 2^32 - 1 BruteForce.
-//   update(key, box)          The box is now this one. Throws like insert and box.
-//   erase(key)                The key is never valid again. Throws like box.
-//   box(key), contains(key)   box throws std::out_of_range for the key of an erased box, of another index, or none.
-//   size(), clear()
-//   assign(boxes)             Bvh and Orthtree only: these boxes in the place of all, at once. Their keys, in order.
-//   query(region, visit)      visit(key) for every box that meets the region (region.hpp), once.
-//   ray_cast(ray, visit)      visit(key, t) for every box that the ray enters, in order of t, equal ones by key.
-//                             From origin + t * direction on the ray is inside of the box; t = 0 when it starts there.
-//   nearest(point, k)         The k boxes nearest to the point, or all: by distance, equal ones by key.
-//   pairs(visit)              visit(a, b) for every two boxes that share a point, once, ascending, a < b.
-//
-// A call that throws leaves the index as it was. A visitor returns nothing, or a bool: false ends the visit. In what
-// order query visits is up to the index, but the same sequence of calls gives the same order on every machine. Reading
-// is const, allocates next to nothing, and is safe from many threads at once; writing is for one. A visitor may not
-// change the index that it visits: std::logic_error. What a visitor throws passes through. Queries throw
-// std::invalid_argument when they are asked about nonsense: a region, ray or point with a NaN, a negative radius.
+/// @file
+/// The interface of all indexes of moving boxes. BruteForce, Grid, Orthtree (QuadTree, Octree) and Bvh model it; one
+/// typed test compares each with BruteForce. CustomIndex turns a way to find candidates into an index.
+///
+///     insert(box) -> Key        Adds a box. Throws std::invalid_argument for a box with a NaN, with min above max, or
+///                               at infinity; infinite sides are valid. Throws std::length_error if it is full: an
+///                               Orthtree and a Grid with 2^29 boxes, a Bvh with 2^31 - 1, a BruteForce with 2^32 - 1.
+///     update(key, box)          Replaces a box. Throws like insert and box.
+///     erase(key)                Removes a box. The key is never valid again. Throws like box.
+///     box(key), contains(key)   box throws std::out_of_range for the key of a removed box, of another index, or a
+///                               default one.
+///     size(), clear()
+///     assign(boxes)             Bvh and Orthtree only: replaces all boxes at once. Returns their keys, in order.
+///     query(region, visit)      Calls visit(key) once for every box that meets the region (region.hpp).
+///     ray_cast(ray, visit)      Calls visit(key, t) for every box that the ray enters, in order of t, ties by key. The
+///                               ray is inside the box from origin + t * direction on; t is 0 if it starts there.
+///     nearest(point, k)         Returns the k boxes nearest to the point, or all: by distance, ties by key.
+///     pairs(visit)              Calls visit(a, b) once for every two boxes that share a point, ascending, a < b.
+///
+/// A call that throws leaves the index unchanged. A visitor returns void or bool; false ends the visit. The order of
+/// visits in `query` depends on the index, but the same sequence of calls gives the same order on every machine.
+/// Reading is const, allocates almost nothing, and is safe from many threads at once; writing needs exclusive access. A
+/// visitor must not change the index that it visits: that throws std::logic_error. Exceptions of a visitor propagate.
+/// Queries throw std::invalid_argument for invalid input: a region, ray or point with a NaN, a negative radius.
 #pragma once
 
 #include <algorithm>
@@ -49,20 +51,20 @@
 
 namespace graze {
 
-/// A box by its distance from a point, squared, as `distance_squared(point, box)` has it: 0 when the point is inside.
+/// A box and its squared distance from a point, as `distance_squared(point, box)` returns it: 0 if the point is inside.
 struct Neighbour {
-  Key key;
-  double distance_squared = 0;
+  Key key;                      ///< Names the box.
+  double distance_squared = 0;  ///< In double, whatever the type of the boxes.
 
   friend bool operator==(const Neighbour&, const Neighbour&) = default;
 };
 
-/// Called with these values it returns nothing, or whether to go on.
+/// A callable that takes these values and returns void, or a bool that tells whether to go on.
 template <class V, class... Values>
 concept VisitorOf = std::invocable<V&, Values...> &&(std::same_as<std::invoke_result_t<V&, Values...>, void> ||
                                                      std::same_as<std::invoke_result_t<V&, Values...>, bool>);
 
-/// See the top of this file.
+/// The interface described at the top of this file.
 template <class I>
 concept SpatialIndex = requires(I& index, const I& reading, const Key& key, bool (*visit)(Key),
                                 bool (*visit_hit)(Key, double), bool (*visit_pair)(Key, Key)) {
@@ -81,7 +83,7 @@ concept SpatialIndex = requires(I& index, const I& reading, const Key& key, bool
   reading.pairs(visit_pair);
 };
 
-/// How many boxes of an index meet a region.
+/// The number of boxes of an index that meet a region.
 template <SpatialIndex I, class R>
 std::size_t count(const I& index, const R& region) {
   std::size_t found = 0;
@@ -115,7 +117,7 @@ void require_point(const Vec<N, T>& point) {
     GRAZE_THROW(std::invalid_argument("SpatialIndex: the point has a coordinate that is not finite"));
 }
 
-/// A visitor that answers whether to go on, and sees to it that it leaves the index alone.
+/// Wraps a visitor: returns whether to go on, and throws if it has changed the index.
 template <class Visit>
 class GuardedVisit {
  public:
@@ -142,9 +144,9 @@ class GuardedVisit {
   std::uint64_t changes_;
 };
 
-/// The t at which a ray enters a box, 0 when it starts inside; none when it misses the box, or t is beyond all numbers.
-/// Each t is off by two roundings, so a ray that passes a corner by that much enters. Never later for a box that
-/// contains another: differences, quotients and maxima are rounded monotonically.
+/// The t at which a ray enters a box, 0 if it starts inside; none if it misses the box or t overflows. Each t has two
+/// roundings, so a ray that passes a corner by that little enters. Never later for a box that contains another, because
+/// differences, quotients and maxima round monotonically.
 template <Dim N, class T>
 std::optional<double> entry_of(const Ray<N, T>& ray, const Aabb<N, T>& box) {
   double enter = 0;
@@ -165,10 +167,10 @@ std::optional<double> entry_of(const Ray<N, T>& ray, const Aabb<N, T>& box) {
   return enter;
 }
 
-/// The k nearest of all that were offered: a few sorted, many in a heap. Only many take memory before the end.
+/// The k nearest of all boxes offered: few are kept sorted, many in a heap. Only many allocate before the end.
 class NearestKeys {
  public:
-  /// Up to so many are sorted all the time.
+  /// Up to this many are kept sorted.
   static constexpr std::size_t few = 32;
 
   explicit NearestKeys(std::size_t k) : k_(k) {
@@ -177,18 +179,18 @@ class NearestKeys {
 
   std::size_t wanted() const { return k_; }
 
-  /// Those of all that were offered, in some order.
+  /// The nearest so far, in some order.
   std::span<const Neighbour> kept() const {
     return is_heap() ? std::span<const Neighbour>(many_) : std::span<const Neighbour>(few_.all, count_);
   }
 
-  /// No box that is farther away is among them any more.
+  /// Boxes farther away than this are no longer candidates.
   double reach() const {
     if (is_heap()) return many_.size() < k_ ? infinity : many_.front().distance_squared;
     return count_ < k_ ? infinity : few_.all[count_ - 1].distance_squared;
   }
 
-  /// With k of zero nothing is offered.
+  /// Not to be called if k is zero.
   void offer(const Neighbour& candidate) {
     if (!is_heap()) return offer_to_few(candidate);
     if (many_.size() == k_) {
@@ -201,13 +203,13 @@ class NearestKeys {
     std::push_heap(many_.begin(), many_.end(), comes_first);
   }
 
-  /// Keeps these, in their order, instead of all others: k of them, which is up to `few`.
+  /// Replaces all by these, in their order: k of them, at most `few`.
   void replace(std::span<const Neighbour> sorted) {
     std::uninitialized_copy(sorted.begin(), sorted.end(), few_.all);
     count_ = sorted.size();
   }
 
-  /// Ends the search.
+  /// The result, sorted; ends the search.
   std::vector<Neighbour> sorted() {
     if (!is_heap()) return {few_.all, few_.all + count_};
     std::sort_heap(many_.begin(), many_.end(), comes_first);
@@ -217,7 +219,7 @@ class NearestKeys {
  private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  /// Room that nobody writes to before there is something to keep.
+  /// Storage that is not written before there is something to keep.
   union Few {
     Few() {}  // NOLINT(modernize-use-equals-default): which would be deleted
     Neighbour all[few];

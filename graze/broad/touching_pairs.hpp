@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The exact test of many candidate pairs at once, after the broad phase.
+/// @file
+/// The exact test of many candidate pairs, after the broad phase.
 #pragma once
 
 #include <cstddef>
@@ -14,29 +15,30 @@
 
 namespace graze {
 
+/// Options of `relations`, `touching_pairs` and `contacts`.
 struct TouchOptions {
-  const Executor* executor = nullptr;  ///< Who runs parallel work; none means default_executor().
+  const Executor* executor = nullptr;  ///< Runs parallel work; nullptr means default_executor().
 };
 
-/// relation(shapes[pair.a], shapes[pair.b]) of every pair, in their order: the same answers as one call each. Pairs of
-/// spheres, boxes, oriented boxes and capsules are settled by vectors of the shapes' own type where they clearly touch
-/// or do not, all others one by one in double. Shapes must be valid, as for `relation`. Throws std::out_of_range when a
-/// pair names a shape that is not there. Instantiated for 2D and 3D, float and double.
+/// relation(shapes[pair.a], shapes[pair.b]) for every pair, in their order, with the results of single calls. Vector
+/// instructions in the shapes' own type decide clear cases of spheres, boxes, oriented boxes and capsules; all others
+/// are decided one by one in double. Shapes must be valid, as for `relation`. Throws std::out_of_range if an index of a
+/// pair is not below the number of shapes. Instantiated for 2D and 3D, float and double.
 template <Dim N, class T>
 std::vector<Relation> relations(std::span<const AnyShape<N, T>> shapes, std::span<const Pair> pairs,
                                 const TouchOptions& options = {});
 
-/// Those of the candidates whose shapes intersect (touching counts), in their order. Errors as above.
+/// The candidates whose shapes intersect (touching counts), in their order. Shapes and errors as for `relations`.
 template <Dim N, class T>
 std::vector<Pair> touching_pairs(std::span<const AnyShape<N, T>> shapes, std::span<const Pair> candidates,
                                  const TouchOptions& options = {});
 
-/// The same for shapes of one type, which need not be sorted by kind first: Sphere, Aabb, Obb or Capsule.
+/// The overload for shapes of one type, which avoids sorting by type: Sphere, Aabb, Obb or Capsule.
 template <class S>
 std::vector<Pair> touching_pairs(std::span<const S> shapes, std::span<const Pair> candidates,
                                  const TouchOptions& options = {});
 
-/// The same for a vector, whose type deduces where a span's does not.
+/// The overload for a vector, from which a span's template arguments cannot be deduced.
 template <class S>
 std::vector<Pair> touching_pairs(const std::vector<S>& shapes, std::span<const Pair> candidates,
                                  const TouchOptions& options = {}) {
@@ -45,14 +47,14 @@ std::vector<Pair> touching_pairs(const std::vector<S>& shapes, std::span<const P
 
 namespace detail {
 
-/// Two shapes wherever they are kept.
+/// Pointers to two shapes.
 template <Dim N, class T>
 struct ShapePair {
   const AnyShape<N, T>* a;
   const AnyShape<N, T>* b;
 };
 
-/// Their relations, found by the calling thread. `out` has room for as many.
+/// Writes the relations of the pairs to `out`, which has room for them; runs in the calling thread.
 template <Dim N, class T>
 void relations_of(std::span<const ShapePair<N, T>> pairs, Relation* out);
 

@@ -5,8 +5,8 @@
 
 namespace graze::io {
 
-/// Input that cannot be used. The message names the file, the place in it (line and column, or object and field), the
-/// fact found and what would be allowed, and is ready to be shown to a person.
+/// Thrown for input that cannot be used. The message names the file, the place in it (line and column, or object and
+/// field), the fault and what is allowed; it can be shown to users as it is.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -5,8 +5,8 @@
 
 namespace graze::io {
 
-/// Output that cannot be written. The message names the file, the fact found and the way out, and is ready to be shown
-/// to a person.
+/// Thrown for output that cannot be written. The message names the file, the fault and the way out; it can be shown to
+/// users as it is.
 class OutputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene whose calls are written to a log, so that a bug report can carry what happened.
+/// @file
+/// A scene that writes its calls to a log, so that a bug report can contain what happened.
 #pragma once
 
 #include <cstddef>
@@ -24,66 +25,92 @@
 
 namespace graze::io {
 
-/// Has the calls of a Scene, with the same meaning, and writes each to a log (docs/query_log.md) with what came of it:
-/// an answer, or the message of an exception. It is around a scene, not in it: a Scene that nobody records has no
-/// observer to ask, and knows nothing of text. A program that says `using World = graze::Scene<3>;` once records by
-/// saying `graze::io::RecordedScene<3>` there.
+/// Has the calls of a Scene, with the same meaning, and writes each to a log (docs/query_log.md) with its result: an
+/// answer, or the message of an exception. It wraps a scene, so a Scene that is not recorded pays nothing. A program
+/// that names its scene type once, `using World = graze::Scene<3>;`, records by changing it to
+/// `graze::io::RecordedScene<3>`.
 ///
-/// A call stands in the log, flushed, before it is performed: it is there also if the program does not survive it. What
-/// only reads what was stored (`object`, `contains`, `size`, snapshots) is asked of `scene()` and not recorded. Const
-/// calls are safe from many threads at once, and are performed one after the other. Every call throws, beside what
-/// Scene throws, OutputError before it does anything when its arguments cannot be written (see call_line). The state of
-/// the stream is the caller's to check. Instantiated for 2D and 3D, float and double.
+/// A call is written and flushed before it is performed, so it is in the log even if the program crashes in it. What
+/// only reads stored values (`object`, `contains`, `size`, snapshots) goes to `scene()` and is not recorded. Const
+/// calls are safe from many threads at once and run one after the other. Beside what Scene throws, every call throws
+/// OutputError, before it does anything, if its arguments cannot be written (see call_line). The caller checks the
+/// state of the stream. Instantiated for 2D and 3D, float and double.
 template <Dim N, class T = float>
 class RecordedScene {
  public:
-  /// Begins a log on a stream, which must outlive this, with a scene as it is. Throws std::logic_error for a scene that
-  /// has changed since its last update, whose next events a log could not tell.
+  /// Starts a log on a stream, which must outlive this object, with the current state of a scene. Throws
+  /// std::logic_error if the scene has changed since its last update, because the log could not reproduce its next
+  /// events.
   explicit RecordedScene(std::ostream& log, Scene<N, T> scene = {});
 
   /// The scene, for calls that are not recorded.
   const Scene<N, T>& scene() const { return scene_; }
 
+  /// As Scene::add. Recorded.
   ObjectId add(AnyShape<N, T> shape, ObjectOptions options = {});
+  /// As Scene::plan_ids. Recorded.
   void plan_ids(std::span<const ObjectId> next, std::span<const ObjectId> vacant);
+  /// As Scene::move of one object. Recorded.
   void move(ObjectId id, AnyShape<N, T> shape);
+  /// As Scene::move of many objects. Recorded.
   void move(std::span<const ObjectMove<N, T>> moves);
 
-  /// Recorded as a list of any shapes; not at all where there are not as many shapes as ids.
+  /// As Scene::move of many objects to shapes of one type. Recorded as a list of any shapes, but not if the numbers of
+  /// shapes and ids differ.
   template <detail::CopiedIntoAnyShape<N, T> S>
   void move(std::span<const ObjectId> ids, std::span<const S> shapes) {
-    if (ids.size() != shapes.size()) return scene_.move(ids, shapes);  // which says what is wrong
+    if (ids.size() != shapes.size()) return scene_.move(ids, shapes);  // throws
     std::vector<ObjectMove<N, T>> moves;
     moves.reserve(ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i) moves.push_back({ids[i], shapes[i]});
     move(std::span<const ObjectMove<N, T>>(moves.data(), moves.size()));
   }
+  /// The overload for vectors, from which the spans' template arguments cannot be deduced.
   template <class S>
   void move(const std::vector<ObjectId>& ids, const std::vector<S>& shapes) {
     move(std::span<const ObjectId>(ids.data(), ids.size()), std::span<const S>(shapes.data(), shapes.size()));
   }
 
+  /// As Scene::remove. Recorded.
   void remove(ObjectId id);
+  /// As Scene::layer. Recorded.
   Layer layer(std::string_view name);
+  /// As Scene::update. Recorded with its events.
   const SceneEvents& update(const Executor& executor = default_executor());
+  /// As Scene::snapshot. Not recorded.
   std::shared_ptr<const SceneView<N, T>> snapshot() { return scene_.snapshot(); }
 
+  /// As SceneView::contains. Not recorded.
   bool contains(ObjectId id) const { return scene_.contains(id); }
+  /// As SceneView::object. Not recorded.
   const Object<N, T>& object(ObjectId id) const { return scene_.object(id); }
+  /// As Scene::events. Not recorded.
   const SceneEvents& events() const { return scene_.events(); }
+  /// As SceneView::ids. Not recorded.
   std::vector<ObjectId> ids() const { return scene_.ids(); }
+  /// As SceneView::size. Not recorded.
   std::size_t size() const { return scene_.size(); }
 
+  /// As SceneView::find. Recorded.
   std::optional<ObjectId> find(std::string_view name) const;
+  /// As SceneView::candidates. Recorded.
   std::vector<ObjectPair> candidates(double margin = 0) const;
+  /// As SceneView::pairs. Recorded.
   std::vector<ObjectPair> pairs() const;
+  /// As SceneView::contacts. Recorded.
   std::vector<ObjectContact<N, T>> contacts(const Executor& executor = default_executor()) const;
+  /// As SceneView::overlapping. Recorded.
   std::vector<ObjectId> overlapping(const AnyShape<N, T>& region, LayerMask layers = all_layers) const;
+  /// As SceneView::cull of a shape. Recorded.
   std::vector<ObjectId> cull(const AnyShape<N, T>& region, LayerMask layers = all_layers) const;
+  /// As SceneView::cull of a frustum. Recorded.
   std::vector<ObjectId> cull(const Frustum<N, T>& frustum, LayerMask layers = all_layers) const;
+  /// As SceneView::nearest. Recorded.
   std::vector<NearObject<T>> nearest(const Vec<N, T>& point, std::size_t count, LayerMask layers = all_layers) const;
+  /// As SceneView::ray_cast. Recorded.
   std::optional<ObjectHit<N, T>> ray_cast(const Ray<N, T>& ray, T t_max = std::numeric_limits<T>::infinity(),
                                           LayerMask layers = all_layers) const;
+  /// As SceneView::ray_cast_all. Recorded.
   std::vector<ObjectHit<N, T>> ray_cast_all(const Ray<N, T>& ray, T t_max = std::numeric_limits<T>::infinity(),
                                             LayerMask layers = all_layers) const;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Performs the calls of a query log again and compares the answers.
+/// @file
+/// Performs the calls of a query log again and compares the results.
 #pragma once
 
 #include <cstddef>
@@ -14,26 +15,28 @@
 
 namespace graze::io {
 
-/// A call whose answer is not what it should be.
+/// A call whose result differs from the expected one.
 struct ReplayDifference {
-  std::size_t entry = 0;                 ///< Its place in the log.
-  LoggedAnswer given;                    ///< By the subject.
-  LoggedAnswer expected;                 ///< By the judge.
-  std::optional<LoggedAnswer> recorded;  ///< In the log, if it has an answer.
-  bool is_from_judge = false;            ///< The subject does not say what the judge says.
-  bool is_from_record = false;           ///< The subject does not say what the log says.
+  std::size_t entry = 0;                 ///< Index of the call in the log.
+  LoggedAnswer given;                    ///< Result of the subject.
+  LoggedAnswer expected;                 ///< Result of the judge.
+  std::optional<LoggedAnswer> recorded;  ///< Result in the log, if there is one.
+  bool is_from_judge = false;            ///< The subject differs from the judge.
+  bool is_from_record = false;           ///< The subject differs from the log.
 };
 
+/// The result of `replay`.
 struct ReplayReport {
-  std::size_t calls = 0;                     ///< Performed.
-  std::size_t differing = 0;                 ///< Calls whose answers differ.
-  std::vector<ReplayDifference> first = {};  ///< The first of them, at most `most_differences`.
+  std::size_t calls = 0;                     ///< Number of calls performed.
+  std::size_t differing = 0;                 ///< Number of calls whose results differ.
+  std::vector<ReplayDifference> first = {};  ///< The first of these, at most `most_differences`.
 };
 
+/// The number of differences that a report describes.
 inline constexpr std::size_t most_differences = 10;
 
-/// Performs all calls on a new subject and a new judge. Answers must be the same to the bit, of refusals only that they
-/// are refusals. `on_call` is told how many calls are done.
+/// Performs all calls on a new subject and a new judge. Results must be equal to the bit; of exceptions only that both
+/// throw. `on_call` is called with the number of calls done.
 template <Dim N>
 ReplayReport replay(const QueryLog<N>& log, const ReplayTargets<N>& targets,
                     const std::function<void(std::size_t)>& on_call = {});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scenes of one number type as scenes of another.
+/// @file
+/// Converts scenes between number types.
 #pragma once
 
 #include <string>
@@ -11,11 +12,11 @@
 
 namespace graze::io {
 
-/// A scene with the same objects, whose shapes have numbers of another type: exactly the same ones where that type is
-/// the larger one, else rounded. Indexes and generations of ids, of those that are vacant too, names, layers, masks and
-/// what the user keeps stay as they are; owners of ids do not, and nothing was updated yet. As files hold numbers in
-/// double, this is how a scene in float is saved, and how it comes back as it was. Throws std::invalid_argument, naming
-/// the fact, where a rounded shape is not valid any more.
+/// A scene with the same objects, whose shapes are converted to another number type: exactly if it is the larger one,
+/// otherwise rounded. Indices and generations of ids, vacant ones included, names, layers, masks and user values are
+/// kept; owners of ids are not, and the new scene has had no update. Files hold numbers in double, so this is how a
+/// float scene is saved and restored exactly. Throws std::invalid_argument, naming the fault, if a rounded shape is
+/// invalid.
 template <Scalar To, Dim N, class From>
 Scene<N, To> scene_with_numbers(const Scene<N, From>& scene) {
   Scene<N, To> result;

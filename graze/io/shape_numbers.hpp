@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Shapes of one number type as shapes of another.
+/// @file
+/// Converts shapes between number types.
 #pragma once
 
 #include <type_traits>
@@ -14,18 +15,22 @@
 
 namespace graze::io {
 
-/// Shapes with every number of theirs changed by `change(number)`, which gives the number of the new type. The boxes of
-/// a compound's parts are calculated anew. Throws std::invalid_argument when a polytope's point ceases to be finite.
+/// Converts shapes by applying `change(number)`, which returns a number of the new type, to every number. The boxes of
+/// a compound's parts are recalculated. Throws std::invalid_argument if a corner of a polytope is no longer finite.
 template <class To, class Change>
 class ShapeNumbers {
  public:
+  /// Keeps a copy of the function.
   explicit ShapeNumbers(Change change) : change_(std::move(change)) {}
 
+  /// The converted shape, of the same alternative. A polytope becomes the hull of its converted corners, in their
+  /// order.
   template <Dim N, class From>
   AnyShape<N, To> operator()(const AnyShape<N, From>& shape) const {
     return detail::visit([this](const auto& held) { return AnyShape<N, To>(this->of(held)); }, shape);
   }
 
+  /// The converted point.
   template <Dim N, class From>
   Vec<N, To> of(const Vec<N, From>& point) const {
     Vec<N, To> changed;
@@ -54,7 +59,8 @@ class ShapeNumbers {
   Change change_;
 };
 
-/// A shape with its numbers rounded to another type: exactly the same shape where that type is the larger one.
+/// A shape converted to another number type: exactly if it is the larger one, otherwise rounded. Throws like
+/// ShapeNumbers.
 template <class To, Dim N, class From>
 AnyShape<N, To> with_numbers(const AnyShape<N, From>& shape) {
   if constexpr (std::is_same_v<To, From>) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes a failing query log small.
+/// @file
+/// Reduces a failing query log.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +13,17 @@
 
 namespace graze::io {
 
-/// A small log that fails as a log does, or none if it does not fail. No call of it, and no object of a call that moves
-/// many, can be left out; it may still not be the smallest that there is.
+/// A small log that fails as the given one does, or none if that does not fail. No single call of it, and no single
+/// object of a bulk move, can be left out; there may still be smaller logs.
 ///
-/// A log fails first of all when the subject does not say what the judge says. Then calls go (ddmin), objects of bulk
-/// moves go, and what is left gets simpler values: no names, layers and masks, rounder numbers. Otherwise it fails when
-/// the subject does not say what the log says, for instance because it was written by another program: then only what
-/// says nothing about the first such answer goes, that is other questions and objects with all calls about them, and
-/// the objects that stay are where they were. The new log holds what the subject says; of an answer in the log that
-/// it contradicts, what the log said of the objects that stay.
+/// First, a log fails if the subject differs from the judge. Then calls are removed (ddmin), then objects of bulk
+/// moves, and the rest gets simpler values: no names, layers and masks, rounder numbers. Otherwise it fails if the
+/// subject differs from the log, for instance because another program wrote it; then only what does not concern the
+/// first such result is removed: other queries, and objects with all calls about them. The remaining objects stay where
+/// they were. The new log contains the subject's results; for a recorded result that the subject contradicts, what the
+/// log recorded about the remaining objects.
 ///
-/// Both targets are made and run again for every try; `on_try` is told how many there were. A subject that ends the
+/// Both targets are created and run for every try; `on_try` is called with the number of tries. A subject that ends the
 /// process cannot be shrunk.
 template <Dim N>
 std::optional<QueryLog<N>> shrunk(const QueryLog<N>& log, const ReplayTargets<N>& targets,

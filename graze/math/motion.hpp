@@ -9,16 +9,16 @@
 
 namespace graze {
 
-/// A rigid motion in time, at constant velocities, from t = 0 to t = 1: the center goes straight on, and everything
-/// turns about it evenly. Default: rest.
+/// A rigid motion at constant linear and angular velocity from t = 0 to t = 1: the center moves in a straight line, and
+/// the body rotates about it. Default: no motion.
 template <Dim N, class T = float>
 struct Motion {
-  Vec<N, T> linear = Vec<N, T>(T(0));  ///< The way of the center.
-  Turn<N, T> angular = Turn<N, T>(0);  ///< The whole turn, of any size.
-  Vec<N, T> center = Vec<N, T>(T(0));  ///< Where the center is at t = 0.
+  Vec<N, T> linear = Vec<N, T>(T(0));  ///< Displacement of the center from t = 0 to t = 1.
+  Turn<N, T> angular = Turn<N, T>(0);  ///< Total rotation from t = 0 to t = 1; may exceed a full turn.
+  Vec<N, T> center = Vec<N, T>(T(0));  ///< Center of rotation at t = 0.
 };
 
-/// True when every number is neither infinite nor NaN.
+/// True if no number is infinite or NaN.
 template <Dim N, class T>
 bool is_finite(const Motion<N, T>& motion) {
   if constexpr (N == 2) {
@@ -28,7 +28,7 @@ bool is_finite(const Motion<N, T>& motion) {
   }
 }
 
-/// Where a motion has brought everything at t: x goes from where it was at t = 0 to rotation * x + position.
+/// The pose at time t, in double: a point that was at x at t = 0 is at rotation * x + position at t.
 template <Dim N, class T>
 Pose<N, double> pose_at(const Motion<N, T>& motion, double t) {
   const Mat<N, double> rotation = rotation_of(Turn<N, double>(motion.angular) * t);
@@ -42,8 +42,8 @@ inline double turn_of(const Mat<2, double>& rotation) {
   return std::atan2(rotation[0].y - rotation[1].x, rotation[0].x + rotation[1].y);
 }
 
-/// With R = cos + sin [n x] + (1 - cos) n n^T: the skew part is sin n, but vanishes for half turns; from a quarter turn
-/// on the axis is taken from the symmetric part, whose largest column does not.
+/// With R = cos + sin [n x] + (1 - cos) n n^T, the skew part of R is sin n, which vanishes for half turns. From a
+/// quarter turn on, the axis is taken from the largest column of the symmetric part, which does not vanish.
 inline Vec<3, double> turn_of(const Mat<3, double>& rotation) {
   const Mat<3, double>& r = rotation;
   const Vec<3, double> orthonormality_error(r[1].z - r[2].y, r[2].x - r[0].z, r[0].y - r[1].x);  // 2 sin n
@@ -58,15 +58,15 @@ inline Vec<3, double> turn_of(const Mat<3, double>& rotation) {
     column[j] -= twice_cosine * 0.5;
     if (dot(column, column) > dot(axis, axis)) axis = column;
   }
-  axis /= std::sqrt(dot(axis, axis));  // at least (1 - cos) / sqrt 3 long
+  axis /= std::sqrt(dot(axis, axis));  // length at least (1 - cos) / sqrt 3
   return axis * (dot(axis, orthonormality_error) < 0 ? -angle : angle);
 }
 
 }  // namespace detail
 
-/// The motion that takes a body from one pose to another: its origin goes straight, and it turns the shorter way, by at
-/// most half a turn. Shapes are to be given as they are at `start`: transformed(shape, start). The rotations are
-/// orthonormal up to rounding, and the motion ends at `end` up to rounding.
+/// The motion that takes a body from `start` to `end`: its origin moves in a straight line, and it rotates the shorter
+/// way, by at most half a turn. Queries expect the shapes as they are at `start`, that is transformed(shape, start).
+/// The rotations must be orthonormal up to rounding; the motion then ends at `end` up to rounding.
 template <Dim N, class T>
 Motion<N, T> motion_between(const Pose<N, T>& start, const Pose<N, T>& end) {
   const Mat<N, double> turned = wide_matrix<N, T>(end.rotation) * transpose(wide_matrix<N, T>(start.rotation));

@@ -13,8 +13,8 @@
 namespace graze {
 
 /// The sign (-1, 0, 1) of the exact sum of the terms. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast
-/// Robust Geometric Predicates" (1997), section 2.4: the terms are added one by one into a list of doubles that overlap
-/// nowhere, so the last one that is not zero carries the sign. Exact while nothing over- or underflows.
+/// Robust Geometric Predicates" (1997), section 2.4: the terms are added one by one to a list of doubles with no
+/// overlapping bits, so the last nonzero one carries the sign. Exact unless something overflows or underflows.
 template <std::size_t Count>
 int sign_of_sum(const std::array<double, Count>& terms) {
   std::array<double, Count> parts{};
@@ -33,8 +33,7 @@ int sign_of_sum(const std::array<double, Count>& terms) {
   return parts[used - 1] > 0 ? 1 : -1;
 }
 
-/// The sign of a - b for two exact products. Rounding is monotonous, so the rounded values decide unless they are
-/// equal.
+/// The sign of a - b for two exact products. Rounding is monotonic, so the rounded values decide unless they are equal.
 inline int sign_of_difference(const Rounded& a, const Rounded& b) {
   if (a.value != b.value) return a.value > b.value ? 1 : -1;
   if (a.error != b.error) return a.error > b.error ? 1 : -1;
@@ -43,8 +42,8 @@ inline int sign_of_difference(const Rounded& a, const Rounded& b) {
 
 namespace detail {
 
-/// The power of two that brings numbers up to `largest` to where products of two of them, and the errors of products,
-/// are doubles: 1 if they are there.
+/// The power of two that scales numbers up to `largest` so that products of two of them, and the errors of these
+/// products, are representable as doubles; 1 if they already are.
 inline double scale_for_products(double largest) {
   if (largest > 0x1p-60 && largest < 0x1p500) return 1;
   if (!(largest > 0) || std::isinf(largest)) return 1;
@@ -53,7 +52,7 @@ inline double scale_for_products(double largest) {
   return std::ldexp(1.0, std::min(460 - exponent, 1000));
 }
 
-/// The exact sign of (p - r) x (q - r), where rounding hides it.
+/// The exact sign of (p - r) x (q - r), for points where rounding hides it.
 inline int sign_of_turn(const Vec<2, double>& p, const Vec<2, double>& q, const Vec<2, double>& r) {
   const Rounded px = two_sum(p.x, -r.x);
   const Rounded py = two_sum(p.y, -r.y);
@@ -80,11 +79,11 @@ inline int sign_of_turn(const Vec<2, double>& p, const Vec<2, double>& q, const 
 
 }  // namespace detail
 
-/// Which way the path a, b, c turns: 1 counter-clockwise (y up), -1 clockwise, 0 straight on or back. The exact sign of
-/// (a - c) x (b - c): a double evaluation decides unless it is within its error bound (Shewchuk 1997, section 4.2) or
-/// leaves the range of double; where the differences are exact, as those of neighbours on a grid, their two products
-/// are compared exactly; else the six products of the expanded determinant are summed exactly. For coordinates of any
-/// magnitude, but what is less than 1e-120 of the largest may count as zero.
+/// The turn of the path a, b, c: 1 counter-clockwise (y up), -1 clockwise, 0 if the points are collinear. This is the
+/// exact sign of (a - c) x (b - c). It is evaluated in double, which decides unless the result is within its error
+/// bound (Shewchuk 1997, section 4.2) or out of range. Otherwise, if the differences are exact, as for neighbours on a
+/// grid, their two products are compared exactly; if not, the six products of the expanded determinant are summed
+/// exactly. Coordinates may have any magnitude, but what is below 1e-120 of the largest may count as zero.
 template <class T>
 int orientation(const Vec<2, T>& a, const Vec<2, T>& b, const Vec<2, T>& c) {
   const Vec<2, double> p = wide<2, T>(a);
@@ -94,7 +93,7 @@ int orientation(const Vec<2, T>& a, const Vec<2, T>& b, const Vec<2, T>& c) {
   const double right = (p.y - r.y) * (q.x - r.x);
   const double determinant = left - right;
   constexpr double bound = 4 * std::numeric_limits<double>::epsilon();
-  constexpr double underflow = 0x1p-1000;  // far above what products lose that are less than all doubles
+  constexpr double underflow = 0x1p-1000;  // far above what products lose by underflow
   if (std::fabs(determinant) > bound * (std::fabs(left) + std::fabs(right)) + underflow)
     return determinant > 0 ? 1 : -1;
   const double scale = detail::scale_for_products(std::max({max_abs(p), max_abs(q), max_abs(r)}));

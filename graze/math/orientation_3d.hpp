@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// On which side of a plane through three points a fourth one lies, exactly.
+/// @file
+/// The exact side of a plane through three points on which a fourth point lies.
 #pragma once
 
 #include <array>
@@ -18,7 +19,7 @@ namespace graze {
 
 namespace detail {
 
-/// Adds x y z, exactly, to `terms`: the rounded product of the first two and its error, each times the third.
+/// Adds x y z exactly to `terms`: the rounded product of the first two and its error, each multiplied by the third.
 template <std::size_t Count>
 void add_triple_product(double x, double y, double z, std::array<double, Count>& terms, std::size_t& count) {
   const Rounded product = two_product(x, y);
@@ -41,8 +42,8 @@ void add_determinant(const Vec<3, double>& a, const Vec<3, double>& b, const Vec
   }
 }
 
-/// det(a, b, c) of vectors whose coordinates are sums of two doubles, the second under an epsilon of the first, within
-/// `twofold_rounding` of the sum of its six products' absolute values.
+/// det(a, b, c) of vectors whose coordinates are sums of two doubles, the second below one epsilon of the first. The
+/// error is at most `twofold_rounding` times the sum of the absolute values of its six products.
 inline double twofold_determinant(const std::array<std::array<Rounded, 3>, 3>& rows) {
   const auto times = [](const Rounded& a, const Rounded& b) {
     const Rounded product = two_product(a.value, b.value);
@@ -63,8 +64,8 @@ inline double twofold_determinant(const std::array<std::array<Rounded, 3>, 3>& r
   return total.value + total.error;
 }
 
-/// The sign of det(a - o, b - o, c - o), where rounding hides it from doubles: exactly. `magnitude`, not zero, is the
-/// sum of its six products' absolute values.
+/// The exact sign of det(a - o, b - o, c - o), for points where rounding in double hides it. `magnitude`, not zero, is
+/// the sum of the absolute values of its six products.
 inline int sign_of_determinant(const std::array<Vec<3, double>, 3>& points, const Vec<3, double>& origin,
                                double magnitude) {
   if (const std::optional<int> sign = sign_of_exact_determinant(points, origin)) return *sign;
@@ -77,7 +78,7 @@ inline int sign_of_determinant(const std::array<Vec<3, double>, 3>& points, cons
       rows[row][static_cast<std::size_t>(i)] = difference;
     }
   }
-  constexpr double least = 0x1p-600;  // above it, errors of products that are lost are far below the bound
+  constexpr double least = 0x1p-600;  // above it, lost errors of products are far below the bound
   const double twofold = twofold_determinant(rows);
   if (magnitude > least && std::fabs(twofold) > tolerance::twofold_rounding * magnitude) return twofold > 0 ? 1 : -1;
   std::size_t count = 0;
@@ -97,13 +98,14 @@ inline int sign_of_determinant(const std::array<Vec<3, double>, 3>& points, cons
 
 }  // namespace detail
 
-/// 1 when d lies on that side of the plane through a, b, c from which these run counter-clockwise, -1 on the other
-/// side, 0 when the four lie on one plane. The exact sign of dot(a - d, cross(b - d, c - d)), negated: a double
-/// evaluation decides unless it is within its error bound (Shewchuk, "Adaptive Precision Floating-Point Arithmetic and
-/// Fast Robust Geometric Predicates", 1997, section 4.3); then it is evaluated in integers where coordinates are of
-/// like sizes, else in twice the precision of double, and only if that does not decide, a sum is taken exactly: one
-/// determinant where the differences are exact, as those of neighbours on a grid, else the four of the expanded one.
-/// For coordinates that are zero or of magnitude 1e-90 to 1e90: outside, products leave the range of double.
+/// The side of the plane through a, b, c on which d lies: 1 if a, b, c run counter-clockwise as seen from d, -1 on the
+/// other side, 0 if the four points are coplanar. This is the negated exact sign of dot(a - d, cross(b - d, c - d)). It
+/// is evaluated in double, which decides unless the result is within its error bound (Shewchuk, "Adaptive Precision
+/// Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997, section 4.3); then in integers if the
+/// coordinates have similar sizes, otherwise in twice the precision of double. If that does not decide either, the sum
+/// is exact: one determinant if the differences are exact, as for neighbours on a grid, otherwise the four determinants
+/// of the expanded one. Coordinates must be zero or have a magnitude from 1e-90 to 1e90; outside, products leave the
+/// range of double.
 template <class T>
 int orientation(const Vec<3, T>& a, const Vec<3, T>& b, const Vec<3, T>& c, const Vec<3, T>& d) {
   const Vec<3, double> wide_d = wide<3, T>(d);
@@ -119,7 +121,7 @@ int orientation(const Vec<3, T>& a, const Vec<3, T>& b, const Vec<3, T>& c, cons
     determinant += off[0][i] * (left - right);
     magnitude += std::fabs(off[0][i]) * (std::fabs(left) + std::fabs(right));
   }
-  // The first error bound of that paper is (7 + 56 u) u with u half an epsilon; ours has the products in another order.
+  // The paper's first error bound is (7 + 56 u) u with u half an epsilon; here the order of the products differs.
   constexpr double bound = 8 * std::numeric_limits<double>::epsilon();
   if (std::fabs(determinant) > bound * magnitude) return determinant > 0 ? -1 : 1;
   if (magnitude == 0) return 0;  // as on a plane of the grid: one of the factors of each product is zero, exactly

@@ -6,45 +6,45 @@
 
 namespace graze {
 
-/// A rigid motion: x goes to rotation * x + position. Default: the identity.
+/// A rigid transform: maps x to rotation * x + position. Default: the identity.
 template <Dim N, class T = float>
 struct Pose {
-  Mat<N, T> rotation = Mat<N, T>(T(1));
-  Vec<N, T> position = Vec<N, T>(T(0));
+  Mat<N, T> rotation = Mat<N, T>(T(1));  ///< Orthonormal columns; not checked or restored here.
+  Vec<N, T> position = Vec<N, T>(T(0));  ///< Image of the origin.
 
-  /// Turned by an angle in radians, counter-clockwise when y points up, then moved. Throws std::invalid_argument for an
-  /// angle that is not finite.
+  /// Rotates by an angle in radians, counter-clockwise when y points up, then translates. Throws std::invalid_argument
+  /// if the angle is not finite.
   static Pose from_angle(const Vec<N, T>& position, double radians) requires(N == 2) {
     return {Mat<N, T>(rotation_from_angle(radians)), position};
   }
 
-  /// Turned about an axis of any length but zero by an angle in radians, right-handed, then moved. Throws
-  /// std::invalid_argument for an axis of zero, or numbers that are not finite.
+  /// Rotates right-handed about an axis of any nonzero length by an angle in radians, then translates. Throws
+  /// std::invalid_argument if the axis is zero or a number is not finite.
   static Pose from_axis_angle(const Vec<N, T>& position, const Vec<N, T>& axis, double radians) requires(N == 3) {
     return {Mat<N, T>(rotation_from_axis_angle(wide<N, T>(axis), radians)), position};
   }
 
-  /// Turned as a quaternion of any length but zero says, then moved. Throws std::invalid_argument for a quaternion of
-  /// zero, or numbers that are not finite.
+  /// Rotates by a quaternion of any nonzero length, then translates. Throws std::invalid_argument if the quaternion is
+  /// zero or a number is not finite.
   template <Quaternion Q>
   static Pose from_quaternion(const Vec<N, T>& position, const Q& quaternion) requires(N == 3) {
     return {Mat<N, T>(rotation_from_quaternion(quaternion)), position};
   }
 };
 
-/// The image of a point. Calculated in double, rounded once.
+/// The image of a point. Calculated in double and rounded once.
 template <Dim N, class T>
 Vec<N, T> transformed(const Vec<N, T>& point, const Pose<N, T>& pose) {
   return Vec<N, T>(wide_matrix<N, T>(pose.rotation) * wide<N, T>(point) + wide<N, T>(pose.position));
 }
 
-/// The image of a direction: turned, not moved.
+/// The image of a direction: rotated, not translated.
 template <Dim N, class T>
 Vec<N, T> rotated(const Vec<N, T>& direction, const Pose<N, T>& pose) {
   return Vec<N, T>(wide_matrix<N, T>(pose.rotation) * wide<N, T>(direction));
 }
 
-/// The image of a frame of axes (columns): turned, not moved.
+/// The image of a frame of axes (columns): rotated, not translated.
 template <Dim N, class T>
 Mat<N, T> rotated(const Mat<N, T>& axes, const Pose<N, T>& pose) {
   Mat<N, T> result;

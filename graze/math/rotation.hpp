@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Angles and turns with nothing but what every machine rounds alike: std::cos and std::sin differ in the last bit from
-// one C library to the next, and with them would all answers about what is turned.
+/// @file
+/// Angles and rotations, calculated only with operations that every machine rounds identically: std::cos and std::sin
+/// differ in the last bit between C libraries, and so would every result about rotated shapes.
 #pragma once
 
 #include <cmath>
@@ -15,12 +16,12 @@
 
 namespace graze {
 
-/// How far something turns: in the plane an angle in radians, counter-clockwise when y points up; in space a vector
-/// along the axis, as long as the angle, right-handed.
+/// A rotation as a number or vector. In 2D an angle in radians, counter-clockwise when y points up; in 3D a vector
+/// along the axis whose length is the angle, right-handed.
 template <Dim N, class T = float>
 using Turn = std::conditional_t<N == 2, T, Vec<N, T>>;
 
-/// A quaternion of any library: w is the real part. glm::quat is one, and so is a vector of four.
+/// A quaternion type of any library; w is the real part. glm::quat qualifies, and so does a vector of four.
 template <class Q>
 concept Quaternion = requires(const Q& q) {
   { static_cast<double>(q.x) } -> std::same_as<double>;
@@ -31,8 +32,8 @@ concept Quaternion = requires(const Q& q) {
 
 namespace detail {
 
-/// Cosine (x) and sine (y) of an angle of at most a quarter of pi, by their power series. What is left out of the
-/// series is below 1e-19; the error is less than one ulp.
+/// Cosine (x) and sine (y) of an angle of at most a quarter of pi, by their power series. The truncated terms are below
+/// 1e-19; the error is below one ulp.
 inline Vec<2, double> cosine_sine_of_small(double radians) {
   const double square = radians * radians;
   double sine = 0;    // (sin(x) - x) / x, from its last term on
@@ -44,9 +45,9 @@ inline Vec<2, double> cosine_sine_of_small(double radians) {
   return {near + ((1 - near) - half - half * cosine), radians + radians * sine};
 }
 
-/// Turned on by `quarters` quarter turns, which is a whole number.
+/// `turn` rotated by a whole number of quarter turns.
 inline Vec<2, double> turned_by_quarters(const Vec<2, double>& turn, double quarters) {
-  if (quarters == 0) return turn;  // as of most turns
+  if (quarters == 0) return turn;  // the usual case
   switch ((static_cast<int>(std::fmod(quarters, 4.0)) + 4) % 4) {
     case 0:
       return turn;
@@ -59,7 +60,7 @@ inline Vec<2, double> turned_by_quarters(const Vec<2, double>& turn, double quar
   }
 }
 
-/// The direction of any vector but zero, of length 1.
+/// The unit vector along any vector but zero.
 inline Vec<3, double> unit_of(const Vec<3, double>& axis) {
   const Vec<3, double> direction = of_moderate_size(axis);
   return direction / std::sqrt(dot(direction, direction));
@@ -77,8 +78,8 @@ inline Mat<3, double> rotation_about(const Vec<3, double>& unit, const Vec<2, do
 
 }  // namespace detail
 
-/// Cosine (x) and sine (y) of an angle in radians, to two epsilon where it is under a million, and to what half a step
-/// of the angle changes where it is more. The angle must be finite.
+/// Cosine (x) and sine (y) of an angle in radians. The angle must be finite. The error is at most two epsilon up to a
+/// million radians; above, it is the change caused by half an ulp of the angle.
 inline Vec<2, double> cosine_sine(double radians) {
   if (std::fabs(radians) > 1e6) radians = std::remainder(radians, 2 * std::numbers::pi);
   constexpr double quarter = 0x1.921fb54400000p+0;        // of pi * 2: 33 bits, so that products with it are exact
@@ -88,7 +89,7 @@ inline Vec<2, double> cosine_sine(double radians) {
   return detail::turned_by_quarters(detail::cosine_sine_of_small(rest), quarters);
 }
 
-/// Cosine (x) and sine (y) of an angle in degrees; exact at the multiples of 90. The angle must be finite.
+/// Cosine (x) and sine (y) of an angle in degrees, which must be finite. Exact at multiples of 90.
 inline Vec<2, double> cosine_sine_of_degrees(double degrees) {
   constexpr double radians_per_degree = std::numbers::pi / 180;
   const double turn = std::fmod(degrees, 360.0);
@@ -97,31 +98,31 @@ inline Vec<2, double> cosine_sine_of_degrees(double degrees) {
   return detail::turned_by_quarters(detail::cosine_sine_of_small(rest), quarters);
 }
 
-/// The turn of the plane by `degrees`, counter-clockwise when y points up; exact for multiples of 90.
+/// The 2D rotation by `degrees`, counter-clockwise when y points up. Exact at multiples of 90.
 inline Mat<2, double> rotation_matrix(double degrees) {
   const Vec<2, double> turn = cosine_sine_of_degrees(degrees);
   return Mat<2, double>(turn, perpendicular(turn));
 }
 
-/// The turn of space about `axis` (any length but zero) by `degrees`, right-handed.
+/// The 3D rotation about `axis`, of any nonzero length, by `degrees`, right-handed.
 inline Mat<3, double> rotation_matrix(const Vec<3, double>& axis, double degrees) {
   return detail::rotation_about(detail::unit_of(axis), cosine_sine_of_degrees(degrees));
 }
 
-/// A turn as a matrix.
+/// The matrix of a 2D rotation by an angle in radians.
 inline Mat<2, double> rotation_of(double turn) {
   const Vec<2, double> by = cosine_sine(turn);
   return Mat<2, double>(by, perpendicular(by));
 }
 
-/// The same in space; a turn of zero has no axis and needs none.
+/// The matrix of a 3D rotation. Zero gives the identity.
 inline Mat<3, double> rotation_of(const Vec<3, double>& turn) {
   const double angle = std::sqrt(dot(turn, turn));
   return angle == 0 ? Mat<3, double>(1.0) : detail::rotation_about(turn / angle, cosine_sine(angle));
 }
 
-/// The turn of space about `axis` by an angle in radians, right-handed; orthonormal to a few epsilon. The axis may have
-/// any length. Throws std::invalid_argument for an axis of zero and for numbers that are not finite.
+/// The 3D rotation about `axis` by an angle in radians, right-handed; orthonormal to a few epsilon. The axis may have
+/// any nonzero length. Throws std::invalid_argument if the axis is zero or a number is not finite.
 inline Mat<3, double> rotation_from_axis_angle(const Vec<3, double>& axis, double radians) {
   if (!is_finite(axis))
     GRAZE_THROW(std::invalid_argument("rotation_from_axis_angle: the axis has a coordinate that is not finite"));
@@ -131,14 +132,15 @@ inline Mat<3, double> rotation_from_axis_angle(const Vec<3, double>& axis, doubl
   return detail::rotation_about(detail::unit_of(axis), cosine_sine(radians));
 }
 
-/// The same in the plane, counter-clockwise when y points up.
+/// The 2D rotation by an angle in radians, counter-clockwise when y points up. Throws std::invalid_argument if the
+/// angle is not finite.
 inline Mat<2, double> rotation_from_angle(double radians) {
   if (!std::isfinite(radians)) GRAZE_THROW(std::invalid_argument("rotation_from_angle: the angle is not finite"));
   return rotation_of(radians);
 }
 
-/// The turn of space that a quaternion stands for, orthonormal to a few epsilon. Its length does not matter, nor does
-/// its sign. Throws std::invalid_argument for a quaternion of zero and for numbers that are not finite.
+/// The 3D rotation of a quaternion, orthonormal to a few epsilon. The quaternion's length and sign do not matter.
+/// Throws std::invalid_argument if the quaternion is zero or a number is not finite.
 template <Quaternion Q>
 Mat<3, double> rotation_from_quaternion(const Q& quaternion) {
   Vec<3, double> v(static_cast<double>(quaternion.x), static_cast<double>(quaternion.y),

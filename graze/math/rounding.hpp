@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Sums and products rounded in a chosen direction, for results that promise to contain something.
-// Exact results stay exact; anything else moves to the neighbouring double on the safe side.
-// Error-free transformations: Knuth, TAOCP 2 (1969), 4.2.2, and Dekker, Numer. Math. 18 (1971).
+/// @file
+/// Sums and products rounded in a chosen direction, for results that must contain the true value. Exact results stay
+/// exact; others move to the neighbouring double on the safe side. Error-free transformations: Knuth, TAOCP 2 (1969),
+/// 4.2.2, and Dekker, Numer. Math. 18 (1971).
 #pragma once
 
 #include <cmath>
@@ -14,13 +15,13 @@
 
 namespace graze {
 
-/// A rounded result together with the exact rounding error: `value + error` is the true result.
+/// A rounded result and its exact rounding error: `value + error` is the true result.
 struct Rounded {
-  double value;
-  double error;
+  double value;  ///< The nearest double.
+  double error;  ///< The true result minus `value`.
 };
 
-/// a + b with its error. Exact unless the sum overflows.
+/// a + b and its rounding error (Knuth). Exact unless the sum overflows.
 inline Rounded two_sum(double a, double b) {
   const double sum = a + b;
   const double b_part = sum - a;
@@ -37,8 +38,8 @@ inline Rounded halves(double x) {
   return {upper, x - upper};
 }
 
-/// What std::fma(a, b, -product) gives for the rounded product of a and b, to the bit, by products of halves (Dekker
-/// 1971) where none of them over- or underflows.
+/// The same bits as std::fma(a, b, -product) for the rounded product of a and b, from products of halves (Dekker 1971)
+/// if none of them overflows or underflows.
 inline double product_error_by_halves(double a, double b, double product) {
   const double size = std::fabs(product);
   const bool is_moderate = size > 0x1p-900 && size < 0x1p900 && std::fabs(a) < 0x1p900 && std::fabs(b) < 0x1p900;
@@ -51,18 +52,18 @@ inline double product_error_by_halves(double a, double b, double product) {
 
 }  // namespace detail
 
-/// a * b with its error. Exact unless the product over- or underflows.
+/// a * b and its rounding error. Exact unless the product overflows or underflows.
 inline Rounded two_product(double a, double b) {
   const double product = a * b;
-#if defined(__wasm__)  // has no instruction for it, and the C library's function takes as long as dozens of others
+#if defined(__wasm__)  // has no FMA instruction, and the C library's function is dozens of times slower
   return {product, detail::product_error_by_halves(a, b, product)};
 #else
   return {product, std::fma(a, b, -product)};
 #endif
 }
 
-/// a * b - c * d within two epsilon of itself, however much of the products cancels; exactly negated when the products
-/// change places. Exact zero is found exactly. Products must neither over- nor underflow.
+/// a * b - c * d with a relative error of at most two epsilon, however much cancels. Swapping the products negates the
+/// result exactly, and a zero result is exact. The products must not overflow or underflow.
 inline double difference_of_products(double a, double b, double c, double d) {
   const Rounded first = two_product(a, b);
   const Rounded second = two_product(c, d);
@@ -70,19 +71,21 @@ inline double difference_of_products(double a, double b, double c, double d) {
   return difference.value + (difference.error + (first.error - second.error));
 }
 
-/// The cross product with every coordinate known to two epsilon of itself, so that the direction holds even for vectors
-/// that are almost parallel, where `cross` gives mostly rounding. In 2D a number.
+/// The 2D cross product, a number, with a relative error of at most two epsilon. Its sign is right even for nearly
+/// parallel vectors, where `cross_2d` returns mostly rounding error.
 inline double accurate_cross(const Vec<2, double>& a, const Vec<2, double>& b) {
   return difference_of_products(a.x, b.y, a.y, b.x);
 }
 
+/// The 3D cross product, each coordinate with a relative error of at most two epsilon. So its direction is right even
+/// for nearly parallel vectors, where `cross` returns mostly rounding error; `cross` is cheaper.
 inline Vec<3, double> accurate_cross(const Vec<3, double>& a, const Vec<3, double>& b) {
   return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
           difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
 /// The power of two that brings `size` near 1, so that products of several numbers of that size stay in the range of
-/// double; 1 if they do anyway, or if it is zero or not finite. To multiply by it rounds nothing.
+/// double; 1 if they do anyway, or if `size` is zero or not finite. Multiplying by it is exact.
 inline double scale_to_moderate(double size) {
   const bool is_moderate = size > 0x1p-200 && size < 0x1p200;
   if (is_moderate || !(size > 0) || std::isinf(size)) return 1;
@@ -91,14 +94,14 @@ inline double scale_to_moderate(double size) {
   return std::ldexp(1.0, -exponent < 1000 ? -exponent : 1000);
 }
 
-/// The same direction, of a length whose powers stay in the range of double.
+/// The vector scaled by a power of two so that powers of its length stay in the range of double.
 template <Dim N>
 Vec<N, double> of_moderate_size(const Vec<N, double>& direction) {
   return direction * scale_to_moderate(max_abs(direction));
 }
 
-/// The neighbouring number above, that of minus infinity the lowest finite one; plus infinity and NaN stay. What
-/// std::nextafter gives, whose calls take most of the time of bounds.
+/// The next larger number, as std::nextafter returns it but faster. Minus infinity gives the lowest finite number; plus
+/// infinity and NaN are returned unchanged.
 template <Scalar T>
 T next_up(T x) {
   using Bits = std::conditional_t<sizeof(T) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;
@@ -108,13 +111,14 @@ T next_up(T x) {
   return bit_cast<T>(x > T(0) ? bits + 1 : bits - 1);
 }
 
-/// The neighbouring number below, likewise.
+/// The next smaller number: `next_up` with the signs reversed.
 template <Scalar T>
 T next_down(T x) {
   return -next_up(-x);
 }
 
-/// The magnitude of a finite number; 0 of infinity and NaN. By its bits, for compilers make a branch of comparisons.
+/// The absolute value of a finite number; 0 for infinity and NaN. Works on the bits, because compilers turn comparisons
+/// into a branch.
 template <Scalar T>
 T finite_magnitude(T x) {
   using Bits = std::conditional_t<sizeof(T) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;
@@ -123,30 +127,30 @@ T finite_magnitude(T x) {
   return bit_cast<T>(bits < infinity ? bits : Bits{0});
 }
 
-/// The least double that is not below a + b.
+/// The least double that is at least a + b.
 inline double add_up(double a, double b) {
   const Rounded sum = two_sum(a, b);
   const bool overflow = std::isinf(sum.value) && std::isfinite(a) && std::isfinite(b);
   return sum.error > 0 || overflow ? next_up(sum.value) : sum.value;
 }
 
-/// The greatest double that is not above a + b.
+/// The greatest double that is at most a + b.
 inline double add_down(double a, double b) { return -add_up(-a, -b); }
 
-/// The rounding error of a smaller product can have bits below the last of all doubles, 2^-1074: `two_product` may lose
-/// it. A product spans at most 106 bits.
+/// For products of at least this magnitude, `two_product` loses no error bits. A product spans at most 106 bits, and
+/// those below 2^-1074, the least double, are lost.
 inline constexpr double least_product_with_error = 0x1p-969;
 
-/// A double that is not below a * b: the least one, except that a product below `least_product_with_error` may come out
-/// one step higher.
+/// A double that is at least a * b: the least one, but one step higher for some products below
+/// `least_product_with_error`.
 inline double multiply_up(double a, double b) {
   const Rounded product = two_product(a, b);
   const bool error_lost = std::fabs(product.value) < least_product_with_error && a != 0 && b != 0;
   return product.error > 0 || error_lost ? next_up(product.value) : product.value;
 }
 
-/// The least T that is not below x. Without a branch, for that would guess wrong every other time: below x are minus
-/// infinity and other numbers, but never minus zero, so that one step up is one of its bits.
+/// The least T that is at least x. Branchless, because the branch would be mispredicted half of the time: minus
+/// infinity and other numbers are below x, but never minus zero, so one step up is one step of the bits.
 template <Scalar T>
 T round_up(double x) {
   const T rounded = static_cast<T>(x);
@@ -159,7 +163,7 @@ T round_up(double x) {
   }
 }
 
-/// The greatest T that is not above x.
+/// The greatest T that is at most x.
 template <Scalar T>
 T round_down(double x) {
   return -round_up<T>(-x);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vectors and matrices. The only file of graze that includes GLM.
+/// @file
+/// Vectors and matrices. The only file of the library that includes GLM.
 #pragma once
 
 #include <algorithm>
@@ -20,18 +21,18 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <graze/math/platform/compiler.hpp>  // first: it says what would not compile
+#include <graze/math/platform/compiler.hpp>  // first, because it reports compilers that are not supported
 
 namespace graze {
 
-/// The dimension of space, 2 or 3.
+/// The number of dimensions, 2 or 3.
 using Dim = glm::length_t;
 
-/// A point or direction. The qualifier is spelled out so that a user's GLM macros cannot change our layout.
+/// A point or direction. The qualifier is explicit so that a user's GLM macros cannot change the memory layout.
 template <Dim N, class T = float>
 using Vec = glm::vec<N, T, glm::packed_highp>;
 
-/// A square matrix, stored by columns: `matrix[j]` is column j. Of N + 1 columns where points are projected.
+/// A square matrix, stored by columns: `matrix[j]` is column j. Projections use matrices of N + 1 columns.
 template <Dim N, class T = float>
 using Mat = glm::mat<N, N, T, glm::packed_highp>;
 
@@ -39,17 +40,17 @@ static_assert(sizeof(Vec<2, float>) == 8 && alignof(Vec<2, float>) == alignof(fl
 static_assert(sizeof(Vec<3, float>) == 12 && alignof(Vec<3, float>) == alignof(float));
 static_assert(sizeof(Vec<3, double>) == 24 && alignof(Vec<3, double>) == alignof(double));
 
-/// The numbers shapes are stored in.
+/// The number types that shapes can be stored in.
 template <class T>
 concept Scalar = std::same_as<T, float> || std::same_as<T, double>;
 
-/// The same vector in double, the type that queries calculate in. Exact.
+/// Converts a vector to double, the type that queries calculate in. Exact.
 template <Dim N, class T>
 constexpr Vec<N, double> wide(const Vec<N, T>& v) {
   return Vec<N, double>(v);
 }
 
-/// The same matrix in double. Exact.
+/// Converts a matrix to double. Exact.
 template <Dim N, class T>
 constexpr Mat<N, double> wide_matrix(const Mat<N, T>& m) {
   Mat<N, double> result;
@@ -65,24 +66,28 @@ constexpr Vec<N, T> unit_axis(Dim i) {
   return axis;
 }
 
-/// `v` turned a quarter turn counter-clockwise.
+/// `v` rotated by a quarter turn counter-clockwise (y up).
 template <class T>
 constexpr Vec<2, T> perpendicular(const Vec<2, T>& v) {
   return {-v.y, v.x};
 }
 
-/// The z component of the 3D cross product: positive when `b` lies counter-clockwise of `a`.
+/// The z component of the 3D cross product: positive if `b` points counter-clockwise of `a`. Not robust for nearly
+/// parallel vectors: see `accurate_cross`.
 template <class T>
 constexpr T cross_2d(const Vec<2, T>& a, const Vec<2, T>& b) {
   return a.x * b.y - a.y * b.x;
 }
 
+/// The squared length in T, without a square root. Overflows to infinity for coordinates above the square root of T's
+/// largest number.
 template <Dim N, class T>
 constexpr T length_squared(const Vec<N, T>& v) {
   return dot(v, v);
 }
 
-/// The absolute coordinates. GLM's own function compiles to a branch for each, which random signs mislead.
+/// The absolute value of each coordinate. GLM's own function compiles to a branch per coordinate, which random signs
+/// mispredict.
 template <Dim N, Scalar T>
 [[gnu::always_inline]] inline Vec<N, T> abs(const Vec<N, T>& v) {
   Vec<N, T> result;
@@ -90,7 +95,7 @@ template <Dim N, Scalar T>
   return result;
 }
 
-/// The largest absolute coordinate; NaN counts as nothing.
+/// The largest absolute coordinate; NaN coordinates are ignored.
 template <Dim N, class T>
 [[gnu::always_inline]] constexpr T max_abs(const Vec<N, T>& v) {
   T largest = T(0);
@@ -108,35 +113,36 @@ template <Dim N, class T>
   return sum;
 }
 
-/// What a row holds: std::vector, std::array, std::span and plain arrays are rows.
+/// The element type of a contiguous range: std::vector, std::array, std::span or a plain array.
 template <class Row>
 using ElementOf = std::remove_cvref_t<decltype(*std::data(std::declval<const Row&>()))>;
 
 namespace detail {
-/// The dimension of a vector, 0 of anything else. GLM's own `length()` is not constexpr with all of its macros.
+/// The dimension of a vector, 0 for any other type. GLM's own `length()` is not constexpr with all of its macros.
 template <class V>
 inline constexpr Dim vec_dimension = 0;
 template <Dim N, Scalar T>
 inline constexpr Dim vec_dimension<Vec<N, T>> = N;
 }  // namespace detail
 
-/// Points one after the other in memory. Functions of points take a std::span, and any such row besides, because a
-/// span's dimension and number type are not deduced from what only converts to it.
+/// A contiguous range of points. Functions of many points take a std::span and have an overload for such ranges,
+/// because the dimension and number type of a span cannot be deduced from a type that only converts to it.
 template <class Row>
 concept PointRow = (detail::vec_dimension<ElementOf<Row>> > 0) && requires(const Row& row) {
   std::size(row);
 };
 
-/// The same, of points of this dimension.
+/// A contiguous range of points of dimension N.
 template <class Row, Dim N>
 concept PointRowIn = PointRow<Row> &&(detail::vec_dimension<ElementOf<Row>> == N);
 
+/// A view of the points; it is valid as long as `points` is neither changed nor destroyed.
 template <PointRow Row>
 std::span<const ElementOf<Row>> span_of(const Row& points) {
   return {std::data(points), std::size(points)};
 }
 
-/// True when every coordinate is neither infinite nor NaN.
+/// True if no coordinate is infinite or NaN.
 template <Dim N, class T>
 bool is_finite(const Vec<N, T>& v) {
   for (Dim i = 0; i < N; ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// bounds(shape): the smallest axis-aligned box in T that contains the shape, rounded outward: never smaller than the
-// shape, exact where the numbers allow it. A user's convex shape gets the generic form at the end.
+/// @file
+/// bounds(shape): an axis-aligned box in T that contains the shape; rounded outward, and the smallest one if the
+/// numbers allow it. Users' convex shapes have a generic form at the end.
 #pragma once
 
 #include <algorithm>
@@ -24,17 +25,19 @@
 
 namespace graze {
 
+/// The box of a point: both corners are the point. Exact.
 template <Dim N, class T>
 Aabb<N, T> bounds(const Vec<N, T>& point) {
   return {point, point};
 }
 
+/// The least box of a segment. Exact.
 template <Dim N, class T>
 Aabb<N, T> bounds(const Segment<N, T>& segment) {
   return Aabb<N, T>::from_corners(segment.start, segment.end);
 }
 
-/// Infinite on the sides that the ray runs to.
+/// The least box of a ray: infinite on the sides to which the ray runs. Exact.
 template <Dim N, class T>
 Aabb<N, T> bounds(const Ray<N, T>& ray) {
   Aabb<N, T> box{ray.origin, ray.origin};
@@ -57,17 +60,20 @@ Aabb<N, T> inflated(Aabb<N, T> box, T radius) {
 }
 }  // namespace detail
 
+/// The least box of T that contains the sphere: every side is rounded outward.
 template <Dim N, class T>
 Aabb<N, T> bounds(const Sphere<N, T>& sphere) {
   return detail::inflated(Aabb<N, T>{sphere.center, sphere.center}, sphere.radius);
 }
 
+/// The box itself.
 template <Dim N, class T>
 Aabb<N, T> bounds(const Aabb<N, T>& box) {
   return box;
 }
 
-/// Along coordinate i the box reaches sum_j |axes[j][i]| * half_extents[j] from its center.
+/// A box that contains an oriented box; rounded outward, at most a few ulp larger than the least one. Along coordinate
+/// i it reaches sum_j |axes[j][i]| * half_extents[j] from the center.
 template <Dim N, class T>
 Aabb<N, T> bounds(const Obb<N, T>& box) {
   Aabb<N, T> result;
@@ -85,7 +91,7 @@ Aabb<N, T> bounds(const Obb<N, T>& box) {
 }
 
 namespace detail {
-/// The coordinate that a plane is perpendicular to, or -1: only then is the plane bounded anywhere.
+/// The coordinate axis to which a plane is perpendicular, or -1: otherwise the plane is unbounded everywhere.
 template <Dim N, class T>
 Dim only_axis(const Vec<N, T>& normal) {
   Dim axis = -1;
@@ -97,7 +103,7 @@ Dim only_axis(const Vec<N, T>& normal) {
   return axis;
 }
 
-/// Where a plane perpendicular to axis i crosses it, enclosed: the quotient is rounded to nearest, then stepped both
+/// Bounds on where a plane perpendicular to axis i crosses it: the quotient is rounded to nearest, then stepped both
 /// ways unless the division was certainly exact.
 template <Dim N, class T>
 std::pair<T, T> crossing(const Plane<N, T>& plane, Dim axis) {
@@ -110,7 +116,7 @@ std::pair<T, T> crossing(const Plane<N, T>& plane, Dim axis) {
 }
 }  // namespace detail
 
-/// Infinite, but across the axis of a plane that is perpendicular to one.
+/// The box of a plane: infinite, except along the axis to which the plane is perpendicular, if there is one.
 template <Dim N, class T>
 Aabb<N, T> bounds(const Plane<N, T>& plane) {
   Aabb<N, T> box = Aabb<N, T>::everything();
@@ -120,7 +126,7 @@ Aabb<N, T> bounds(const Plane<N, T>& plane) {
   return box;
 }
 
-/// Infinite, but for one side of a half-space whose plane is perpendicular to an axis.
+/// The box of a half-space: infinite, except on one side if its plane is perpendicular to an axis.
 template <Dim N, class T>
 Aabb<N, T> bounds(const HalfSpace<N, T>& solid) {
   Aabb<N, T> box = Aabb<N, T>::everything();
@@ -135,6 +141,7 @@ Aabb<N, T> bounds(const HalfSpace<N, T>& solid) {
   return box;
 }
 
+/// The least box of a triangle. Exact.
 template <Dim N, class T>
 Aabb<N, T> bounds(const Triangle<N, T>& triangle) {
   Aabb<N, T> box = Aabb<N, T>::from_corners(triangle.a, triangle.b);
@@ -142,11 +149,13 @@ Aabb<N, T> bounds(const Triangle<N, T>& triangle) {
   return box;
 }
 
+/// A box that contains the capsule: that of its axis, grown by the radius and rounded outward.
 template <Dim N, class T>
 Aabb<N, T> bounds(const Capsule<N, T>& capsule) {
   return detail::inflated(bounds(axis(capsule)), capsule.radius);
 }
 
+/// The least box of a polytope. Exact; takes time proportional to the number of vertices.
 template <Dim N, class T>
 Aabb<N, T> bounds(const Polytope<N, T>& polytope) {
   Aabb<N, T> box = Aabb<N, T>::nothing();
@@ -154,6 +163,7 @@ Aabb<N, T> bounds(const Polytope<N, T>& polytope) {
   return box;
 }
 
+/// The least box of a frustum. Exact.
 template <Dim N, class T>
 Aabb<N, T> bounds(const Frustum<N, T>& frustum) {
   Aabb<N, T> box = Aabb<N, T>::nothing();
@@ -161,7 +171,7 @@ Aabb<N, T> bounds(const Frustum<N, T>& frustum) {
   return box;
 }
 
-/// The box that contains nothing, for a compound without parts.
+/// The box around the boxes of a compound's parts; Aabb::nothing() for a compound without parts.
 template <Dim N, class T>
 Aabb<N, T> bounds(const Compound<N, T>& compound) {
   Aabb<N, T> box = Aabb<N, T>::nothing();
@@ -169,12 +179,14 @@ Aabb<N, T> bounds(const Compound<N, T>& compound) {
   return box;
 }
 
+/// The box of the shape held.
 template <Dim N, class T>
 Aabb<N, T> bounds(const AnyShape<N, T>& shape) {
   return detail::visit([](const auto& held) { return bounds(held); }, shape);
 }
 
-/// A user's convex shape: its supports along the axes, widened by the rounding that `support` may have suffered.
+/// A box that contains a user's convex shape: its supports along the axes, widened by the rounding that `support` may
+/// have.
 template <Convex S>
 Aabb<dimension_of<S>, scalar_of<S>> bounds(const S& shape) {
   constexpr Dim N = dimension_of<S>;
@@ -190,7 +202,7 @@ Aabb<dimension_of<S>, scalar_of<S>> bounds(const S& shape) {
   return box;
 }
 
-/// The same, where the rounding is relative to the shape before it was moved, too.
+/// A box that contains a posed shape, widened by the rounding relative to the shape before and after it is moved.
 template <Convex S>
 Aabb<dimension_of<S>, scalar_of<S>> bounds(const Posed<S>& posed) {
   constexpr Dim N = dimension_of<S>;
@@ -209,7 +221,7 @@ Aabb<dimension_of<S>, scalar_of<S>> bounds(const Posed<S>& posed) {
 }
 
 namespace detail {
-/// Grows any box as touching_bounds says, and returns the largest of its finite coordinates before.
+/// Grows a box as touching_bounds does, and returns the largest of its finite coordinates before.
 template <Dim N, class T>
 T grow_by_slack(Aabb<N, T>& box) {
   T size = 0;
@@ -224,19 +236,19 @@ T grow_by_slack(Aabb<N, T>& box) {
   return size;
 }
 
-/// Whether the slack of a box is at most a step of the floats around each coordinate, as it is of nearly all boxes: by
-/// the least and the greatest magnitude among its numbers. None of them is zero then, nor infinite. Bits are ordered as
+/// Whether the slack of a box is at most one step of the floats around each coordinate, as for nearly all boxes, from
+/// the least and greatest magnitude among its numbers. Then none of them is zero or infinite. Bits are ordered as
 /// magnitudes are.
 inline bool is_slack_within_a_step(float least, float greatest) {
   constexpr std::uint32_t infinity = 255U << 23U;
-  constexpr std::uint32_t most_apart = 20U << 23U;  // so many powers of two
+  constexpr std::uint32_t most_apart = 20U << 23U;  // in powers of two
   static_assert(tolerance::box_slack * 0x1p20 <= 0x1p-24, "a step from x is 2^-24 |x| or more");
   const auto low = bit_cast<std::uint32_t>(least);
   const auto high = bit_cast<std::uint32_t>(greatest);
   return low != 0 && high < infinity && high - low <= most_apart;
 }
 
-/// The same, mostly by one step of each side's bits.
+/// Grows a box likewise, usually by one step of each side's bits.
 template <Dim N, class T>
 T grow_for_touching(Aabb<N, T>& box) {
   if constexpr (std::is_same_v<T, float>) {
@@ -262,9 +274,9 @@ T grow_for_touching(Aabb<N, T>& box) {
 }
 }  // namespace detail
 
-/// A box grown by more than the rounding that `relation` may call touching (math/tolerance.hpp): simple shapes whose
-/// grown boxes do not overlap are apart for certain. Infinite and empty boxes stay. Of a compound that is not bounded,
-/// its box does not tell how large the coordinates of its parts are; ask with the shape, as below.
+/// A box grown by more than the rounding error within which `relation` returns `touching` (math/tolerance.hpp): simple
+/// shapes whose grown boxes do not overlap are certainly apart. Infinite and empty boxes stay as they are. For an
+/// unbounded compound pass the shape instead, because its box does not tell how large the coordinates of its parts are.
 template <Dim N, class T>
 Aabb<N, T> touching_bounds(Aabb<N, T> box) {
   detail::grow_for_touching(box);
@@ -277,19 +289,20 @@ bool is_bounded(const Aabb<N, T>& box) {
   return is_finite(box.min) && is_finite(box.max);
 }
 
-/// The union of the boxes of parts, each grown. Not inline: it is for what is rare, beside what is not.
+/// The union of the parts' boxes, each grown. Not inlined, because it is rare.
 template <Dim N, class T>
 [[gnu::noinline]] Aabb<N, T> union_of_grown(const Compound<N, T>& compound);
 
-/// A box around a shape that touching_bounds grows by enough: its own, which the caller knows, but of a compound that
-/// is not bounded the union of its parts' boxes, each grown. Beside the plane y = 0 nothing tells of the box of all
-/// that a part lies at x = 1e33, by which y is rounded, too. Of other boxes the largest coordinate is that of a part.
+/// A box around a shape, large enough for touching_bounds to grow: its own, which the caller knows, or for an unbounded
+/// compound the union of its parts' boxes, each grown. With a plane y = 0 as another part, the box of all does not
+/// reveal that a part lies at x = 1e33, which also determines the rounding of y. For other boxes the largest coordinate
+/// is that of a part.
 template <Dim N, class T>
 Aabb<N, T> sized_box(const Compound<N, T>& compound, Aabb<N, T> box) {
   return is_bounded(box) ? box : union_of_grown(compound);
 }
 
-/// The box is looked at first, for the shape is farther away.
+/// Tests the box first, because the shape is farther away in memory.
 template <Dim N, class T>
 Aabb<N, T> sized_box(const AnyShape<N, T>& shape, Aabb<N, T> box) {
   if (is_bounded(box)) return box;
@@ -303,8 +316,7 @@ Aabb<dimension_of<S>, scalar_of<S>> sized_box(const S& /*shape*/, Aabb<dimension
 }
 }  // namespace detail
 
-/// The box of a shape, grown in the same way: shapes of any type whose grown boxes do not overlap are apart for
-/// certain.
+/// The box of a shape, grown likewise: shapes of any type whose grown boxes do not overlap are certainly apart.
 template <Shape S>
 Aabb<dimension_of<S>, scalar_of<S>> touching_bounds(const S& shape) {
   return touching_bounds(detail::sized_box(shape, bounds(shape)));
@@ -318,22 +330,22 @@ Aabb<N, T> union_of_grown(const Compound<N, T>& compound) {
   return box;
 }
 
-/// Whether a part's box does not tell how large the coordinates in it are: then no query skips it by that, but asks the
-/// parts that it has. It is what is rare, to be asked last.
+/// Whether a part's box does not reveal how large the coordinates in it are. Then no query skips it by its box, but
+/// tests its parts. Rare, so test it last.
 template <Dim N, class T>
 bool is_hidden_by_box(const Part<N, T>& part) {
   return std::holds_alternative<Compound<N, T>>(part.shape) && !is_bounded(part.box);
 }
 
-/// Whether a part may touch what has this grown box. All in one piece: boxes that are grown through memory keep a
-/// processor waiting for its own writes.
+/// Whether a part may touch what has this grown box. In one function, because boxes that are grown through memory make
+/// the processor wait for its own stores.
 template <Dim N, class T>
 [[gnu::flatten]] bool may_part_touch(const Part<N, T>& part, const Aabb<N, T>& grown) {
   return boxes_overlap(touching_bounds(part.box), grown) || is_hidden_by_box(part);
 }
 }  // namespace detail
 
-/// The union of shapes; moves them in and calculates the box of each.
+/// The union of shapes, in their order. Moves them in and calculates the box of each.
 template <Dim N, class T>
 Compound<N, T> compound_of(std::vector<AnyShape<N, T>> shapes) {
   Compound<N, T> compound;

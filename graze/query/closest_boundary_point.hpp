@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// closest_boundary_point(shape, point): the point of a shape's surface nearest to a given one, from outside or inside.
-//
-//   point, segment, ray, sphere, aabb, obb, plane, half-space, triangle, capsule     closed form
-//   polytope in 2D                                                                   closed form
-//   polytope in 3D, user's convex shape                                              GJK from outside, EPA from inside
-//   compound                              of the part that is nearest, or that the point is deepest in
-//
-// From outside, and for shapes without an inside, it is closest_point(shape, point). Where several points are as near,
-// always the same one: from the center of a sphere the point in direction x; from the axis of a capsule a point
-// straight across; in boxes the first face by axes, the lower side before the upper; in polygons the first edge.
-// Rounded to T as closest_point is, so that the shape contains it, and with the same error; from inside, EPA's answer
-// is off by up to 1e-12 of the depth and a few epsilon of the largest coordinate, farther inside of a curved user's
-// shape, where EPA may end at its step limit (a cone in float: 4e-4 of the depth).
+/// @file
+/// closest_boundary_point(shape, point): the point of a shape's surface nearest to a point outside or inside.
+///
+///     point, segment, ray, sphere, aabb, obb, plane, half-space, triangle, capsule  closed form
+///     polytope in 2D                                                                closed form
+///     polytope in 3D, user's convex shape                                           GJK from outside, EPA from inside
+///     compound                           of the part that is nearest, or that the point is deepest in
+///
+/// From outside, and for shapes without an inside, it is closest_point(shape, point). If there are several nearest
+/// points, the choice is fixed: from the center of a sphere the point in direction x; from the axis of a capsule a
+/// point perpendicular to it; in boxes the first face by axes, the lower side before the upper; in polygons the first
+/// edge. Rounded to T as in closest_point, so that the shape contains it, with the same error. From inside, EPA's
+/// result is off by up to 1e-12 of the depth plus a few epsilon of the largest coordinate; more inside a curved user's
+/// shape, for which EPA may reach its step limit (a cone in float: 4e-4 of the depth).
 #pragma once
 
 #include <cassert>
@@ -55,9 +56,9 @@ Vec<N, T> closest_boundary_point_of(const Compound<N, T>& compound, const Vec<N,
 
 }  // namespace detail
 
-/// The nearest point of a valid shape's (asserted) surface. Of a compound, from inside: of the part that the point is
-/// deepest in, so where parts overlap it may lie inside another part. A compound without parts has no surface: every
-/// coordinate is NaN.
+/// The nearest point on the surface of a valid shape (asserted). Inside a compound it is that of the part in which the
+/// point is deepest; where parts overlap, it may lie inside another part. For a compound without parts every coordinate
+/// is NaN. `closest_point` is cheaper if points inside need no answer.
 template <Shape S, PointIn<S> P = PointOf<S>>
 P closest_boundary_point(const S& shape, const P& point) {
   assert(detail::is_accepted(shape));

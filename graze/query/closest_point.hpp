@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-// closest_point(shape, point): the point of a shape nearest to a given one. Of a solid, a point inside is its own
-// answer.
-//
-//   point, segment, ray, sphere, aabb, obb, plane, half-space, triangle, capsule     closed form
-//   polytope in 2D                                                                   closed form
-//   polytope in 3D, user's convex shape                                              GJK, until the right face is found
-//   compound                                                                         its nearest part, the first of
-//   several
-//
-// contains(shape, closest_point(shape, point)) always holds: where rounding to T would leave a solid, it goes inward.
-// The error is at most a few ulp of T of the largest coordinate of point and shape. Two exceptions. Next to corners of
-// a triangle or polytope that are sharper than about 20 degrees, where there may be no point of T that is both inside
-// and near: the error can be as many times larger as the shape is longer than thick. Of a curved user's shape GJK's
-// answer is within 1e-12 of the least distance, but the point off by up to 1e-6 of the distance.
+/// @file
+/// closest_point(shape, point): the point of a shape nearest to a given one. If a solid contains the point, it is the
+/// point itself.
+///
+///     point, segment, ray, sphere, aabb, obb, plane, half-space, triangle, capsule  closed form
+///     polytope in 2D                                                                closed form
+///     polytope in 3D, user's convex shape                                           GJK, until the right face is found
+///     compound                                                                      its nearest part (the first)
+///
+/// contains(shape, closest_point(shape, point)) always holds: if rounding to T would leave a solid, the result moves
+/// inward. The error is at most a few ulp of T of the largest coordinate of point and shape, with two exceptions. Next
+/// to corners of a triangle or polytope that are sharper than about 20 degrees there may be no point of T that is both
+/// inside and near; there the error can be larger by the ratio of the shape's length to its thickness. For a curved
+/// user's shape, GJK's distance is within 1e-12 of the least distance, but the point may be off by up to 1e-6 of the
+/// distance.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +37,7 @@ namespace graze {
 
 namespace detail {
 
-/// Whether SurfacePoint::inner is as near to the surface point as the shape is thin.
+/// Whether SurfacePoint::inner is within the shape's thickness of the surface point.
 template <class S>
 inline constexpr bool inner_is_near = false;
 template <Dim N, class T>
@@ -48,8 +49,8 @@ inline constexpr bool inner_is_near<Obb<N, T>> = true;
 template <Dim N, class T>
 inline constexpr bool inner_is_near<HalfSpace<N, T>> = true;
 
-/// The nearest point of T. Not to be inlined: with it, GCC 12 at -O3 joins the rounding with the question whether a
-/// sphere holds what came of it, and answers for another point.
+/// The nearest point of T. Not inlined, because GCC 12 at -O3 would merge the rounding with the test whether a sphere
+/// contains the result, and test a different point.
 template <Scalar T, Dim N>
 [[gnu::noinline]] Vec<N, T> nearest_of(const Vec<N, double>& point) {
   return Vec<N, T>(point);
@@ -61,7 +62,7 @@ double step_at(const Vec<N, double>& point) {
   return static_cast<double>(std::numeric_limits<T>::epsilon()) * max_abs(point);
 }
 
-/// The first point towards `inner` that the shape holds, in steps that double. `inner` itself if none is.
+/// The first point towards `inner`, in steps that double, that the shape contains; `inner` itself if there is none.
 template <Shape S>
 PointOf<S> settled_inwards(const S& shape, const SurfacePoint<dimension_of<S>>& at) {
   constexpr Dim N = dimension_of<S>;
@@ -75,7 +76,7 @@ PointOf<S> settled_inwards(const S& shape, const SurfacePoint<dimension_of<S>>& 
   return nearest_of<T>(at.inner);
 }
 
-/// The nearest of the points around `center` on a grid of this step that the shape holds.
+/// The nearest point of a grid around `center` with this step that the shape contains.
 template <Shape S>
 std::optional<PointOf<S>> settled_around(const S& shape, const Vec<dimension_of<S>, double>& center, double step) {
   constexpr Dim N = dimension_of<S>;
@@ -95,14 +96,13 @@ std::optional<PointOf<S>> settled_around(const S& shape, const Vec<dimension_of<
   return best;
 }
 
-/// Whether a shape holds the nearest point of T to one of its surface points.
+/// Whether a shape contains the point of T nearest to one of its surface points.
 template <Shape S>
 bool holds_rounded(const S& shape, const SurfacePoint<dimension_of<S>>&, const PointOf<S>& rounded) {
   return holds(shape, rounded);
 }
 
-/// In float rounding takes one eighth of the tolerance at most, and what double was off by, calculating from afar,
-/// less.
+/// In float, rounding takes at most one eighth of the tolerance, and the error of calculating in double from afar less.
 template <class T>
 bool holds_rounded(const Triangle<3, T>& triangle, const SurfacePoint<3>& at, const Vec<3, T>& rounded) {
   const double reach = tolerance::surface<T> * largest_coordinate(triangle);
@@ -110,8 +110,8 @@ bool holds_rounded(const Triangle<3, T>& triangle, const SurfacePoint<3>& at, co
   return is_on(triangle, rounded);
 }
 
-/// A point of T near a surface point, of which the nearest one is not in the shape. A first answer that was calculated
-/// from far away is improved by asking again from there.
+/// A point of T that the shape contains, near a surface point whose rounded value the shape does not contain. A first
+/// result calculated from far away is improved by a second query from there.
 template <Shape S>
 [[gnu::noinline]] PointOf<S> settled_nearby(const S& shape, SurfacePoint<dimension_of<S>> first) {
   constexpr Dim N = dimension_of<S>;
@@ -130,22 +130,22 @@ template <Shape S>
   }
 }
 
-/// A surface point, or one that is not quite on the surface, as a point of T that the shape holds.
+/// A surface point, up to an error, as a point of T that the shape contains.
 template <Shape S>
 [[gnu::always_inline]] inline PointOf<S> settled(const S& shape, const SurfacePoint<dimension_of<S>>& first) {
   const PointOf<S> rounded = nearest_of<scalar_of<S>>(first.point);
   return holds_rounded(shape, first, rounded) ? rounded : settled_nearby(shape, first);
 }
 
-// ---- The answers
+// ---- The results
 
-/// Where nothing is.
+/// The result for an empty compound.
 template <Dim N, class T>
 Vec<N, T> nowhere() {
   return Vec<N, T>(std::numeric_limits<T>::quiet_NaN());
 }
 
-/// ask(shape, point) of what is out of range, or else the surface point that has been found.
+/// ask(shape, point) of rescaled shapes if a number is out of range, otherwise `found` as a point of T.
 template <Shape S, class Ask>
 [[gnu::noinline, gnu::cold]] PointOf<S> point_in_range_or(SurfacePoint<dimension_of<S>> found, const S& shape,
                                                           const PointOf<S>& point, const Ask& ask) {
@@ -197,8 +197,8 @@ Vec<N, T> closest_point_of(const Compound<N, T>& compound, const Vec<N, T>& poin
 
 }  // namespace detail
 
-/// The nearest point of a valid shape (asserted) to a point; the point itself if a solid contains it. Of several
-/// nearest points always the same. A compound without parts has none: every coordinate is NaN.
+/// The nearest point of a valid shape (asserted) to a point; the point itself if a solid contains it. If there are
+/// several, the choice depends only on the arguments. For a compound without parts every coordinate is NaN.
 template <Shape S, PointIn<S> P = PointOf<S>>
 P closest_point(const S& shape, const P& point) {
   assert(detail::is_accepted(shape));

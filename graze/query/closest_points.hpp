@@ -1,43 +1,44 @@
 // SPDX-License-Identifier: MIT
-// closest_points(a, b): how far apart any two shapes of one space are, where they are nearest, and in which direction.
-//
-// What finds them. C: a closed form. S: the supports along the plane's normal, a closed form for every convex shape. P:
-// part by part. G: GJK; for two polytopes in space first the quick walk of closest/hulls.hpp.
-//
-//               segment ray sphere aabb obb plane half-space triangle capsule polytope compound user's
-//   point          C     C    C     C    C    S       S         C        C       G        P       G
-//   segment        C     C    C     C    C    S       S         C        C       G        P       G
-//   ray                  C    C     C    C    C       C         C        C       G        P       G
-//   sphere                    C     C    C    S       S         C        C       G        P       G
-//   aabb                            C    C    S       S         C        C       G        P       G
-//   obb                                  C    S       S         C        C       G        P       G
-//   plane                                     C       C         S        S       S        P       S
-//   half-space                                        C         S        S       S        P       S
-//   triangle                                                    C        C       G        P       G
-//   capsule                                                              C       G        P       G
-//   polytope                                                                     G        P       G
-//   compound                                                                              P       P
-//
-// relation(a, b) decides whether the two meet: the distance is 0 if and only if they touch or overlap, and then both
-// points are the same point of both shapes. A round shape is its core (a center or an axis) and a radius; a shape
-// without radius is its own core. The normal leads from the nearest point of a's core to that of b's, also when shapes
-// of which one is round meet; it is zero when the cores meet, and when planes or half-spaces meet,
-// and may be where the cores are apart by less than the error.
-//
-// Of several nearest points always the same. Swapping the arguments swaps the points and negates the normal, and
-// changes no bit of anything else. A compound is its nearest part, the first of several (of two compounds the pair
-// whose part of the lesser one is first, as shape_order.hpp sorts them); without parts it is infinitely far from
-// everything, and its points are NaN.
-//
-// `error` bounds the error of the distance before it is rounded to T: C a few epsilon of double of the pair's own
-// size, however far from the origin (of a ray beside something smaller than an ulp of T, of that ulp); S and G a few
-// epsilon of the largest coordinate (of T for a user's shape that calculates in T); G what is left between the bounds
-// that GJK has proved, and the status says if that is more than 1e-12 of the distance. The points are rounded to T:
-// to half an ulp of their coordinates they are in their shapes, and the distance of each other. Those of segments and
-// capsules are at the true place, too, however little it differs from others as segments become parallel; but of
-// shapes a million times longer than thick that meet, G may give a point that is 1e-9 of their size beside them. Any
-// finite coordinates; range.hpp says what of sizes that differ by more than 2^900. Directions of rays and planes that
-// are parallel up to a few epsilon are taken as parallel.
+/// @file
+/// closest_points(a, b): the distance of any two shapes, their nearest points, and the direction between them.
+///
+/// What finds them. C: closed form. S: the supports along the plane's normal, a closed form for every convex shape. P:
+/// part by part. G: GJK; for two 3D polytopes first the fast walk of closest/hulls.hpp.
+///
+///                 segment ray sphere aabb obb plane half-space triangle capsule polytope compound user's
+///     point          C     C    C     C    C    S       S         C        C       G        P       G
+///     segment        C     C    C     C    C    S       S         C        C       G        P       G
+///     ray                  C    C     C    C    C       C         C        C       G        P       G
+///     sphere                    C     C    C    S       S         C        C       G        P       G
+///     aabb                            C    C    S       S         C        C       G        P       G
+///     obb                                  C    S       S         C        C       G        P       G
+///     plane                                     C       C         S        S       S        P       S
+///     half-space                                        C         S        S       S        P       S
+///     triangle                                                    C        C       G        P       G
+///     capsule                                                              C       G        P       G
+///     polytope                                                                     G        P       G
+///     compound                                                                              P       P
+///
+/// relation(a, b) decides whether the shapes meet: the distance is 0 if and only if they touch or overlap, and then
+/// both points are one common point. A round shape is a core (a center or an axis) and a radius; a shape without radius
+/// is its own core. The normal points from the nearest point of a's core to that of b's, also if the shapes meet and
+/// one of them is round. It is zero if the cores meet, or if planes or half-spaces meet; it may be zero if the gap
+/// between the cores is below the error.
+///
+/// If there are several nearest points, the choice depends only on the shapes. Swapping the arguments swaps the points,
+/// negates the normal and changes no bit of anything else. A compound counts as its nearest part, of several the first
+/// (for two compounds the pair whose part of the lesser compound comes first, as shape_order.hpp sorts them). Without
+/// parts it is infinitely far from everything, and its points are NaN.
+///
+/// `error` bounds the error of the distance before rounding to T. C: a few epsilon of double of the pair's own size,
+/// however far from the origin (for a ray beside something smaller than an ulp of T: of that ulp). S and G: a few
+/// epsilon of the largest coordinate (of T for a user's shape that calculates in T). G adds the gap between the bounds
+/// that GJK has proved; the status tells if it exceeds 1e-12 of the distance. The points are rounded to T: within half
+/// an ulp of their coordinates they lie in their shapes, at the distance from each other. For segments and capsules
+/// they are also at the true place, even for nearly parallel segments, where other points are hardly farther apart. For
+/// shapes a million times longer than thick that meet, G may return a point that is 1e-9 of their size outside. Any
+/// finite coordinates are allowed; see range.hpp for sizes that differ by more than a factor of 2^900. Directions of
+/// rays and planes that are parallel up to a few epsilon count as parallel.
 #pragma once
 
 #include <algorithm>
@@ -68,7 +69,7 @@ namespace graze {
 
 namespace detail {
 
-/// An apart candidate is never as near as one that meets, even if its distance is below all doubles.
+/// A candidate that is apart is never as near as one that meets, even if its distance underflows.
 template <Dim N>
 bool is_nearer(const Proximity<N, double>& candidate, const Proximity<N, double>& nearest) {
   if (candidate.relation == Relation::apart || nearest.relation == Relation::apart) {
@@ -79,7 +80,7 @@ bool is_nearer(const Proximity<N, double>& candidate, const Proximity<N, double>
 
 // ---- From cores to shapes
 
-/// A common point of two shapes whose cores are this far apart: in the middle of what both reach of the way between.
+/// A common point of two shapes whose cores are this far apart: the middle of what both cover of the segment between.
 inline double common_share(double distance, double radius_a, double radius_b) {
   return 0.5 * (std::max(0.0, distance - radius_b) + std::min(distance, radius_a));
 }
@@ -89,7 +90,7 @@ struct Radii {
   double b;
 };
 
-/// The answer for two shapes, given the nearest points of their cores, seen from `reference`.
+/// The result for two shapes, from the nearest points of their cores relative to `reference`.
 template <Dim N>
 Proximity<N, double> widened(const ClosestPair<N>& cores, const Vec<N, double>& reference, const Radii& radii,
                              Relation relation) {
@@ -109,8 +110,8 @@ Proximity<N, double> widened(const ClosestPair<N>& cores, const Vec<N, double>& 
   return result;
 }
 
-/// The same of cores that meet, or miss each other by so little that `relation` calls it touching: a shape without
-/// radius is its core, and so the point is of that.
+/// The result for cores that meet, or whose gap is so small that `relation` returns touching: a shape without radius is
+/// its core, so the point is on it.
 template <Dim N>
 Proximity<N, double> widened_meeting(const ClosestPair<N>& cores, const Vec<N, double>& reference, const Radii& radii,
                                      Relation relation) {
@@ -135,7 +136,7 @@ double core_radius(const Ray<N, T>&) {
   return 0;
 }
 
-/// The stored point that a pair is seen from.
+/// The stored point that becomes the origin for a pair.
 template <Dim N, class T>
 Vec<N, double> reference(const Ray<N, T>& ray) {
   return wide<N, T>(ray.origin);
@@ -156,7 +157,7 @@ concept HasSimpleCore = is_ray<S> || requires(const S& shape, const Vec<dimensio
   relative_to(origin, core(shape));
 };
 
-/// A core in double. A ray is cut where nothing of the other shape is beside it any more.
+/// A core in double. A ray is cut where it has passed the other shape.
 template <class Core, class Other>
 auto local_beside(const Vec<dimension_of<Core>, double>& origin, const Core& core, const Other& other) {
   if constexpr (is_ray<Core>) {
@@ -167,8 +168,8 @@ auto local_beside(const Vec<dimension_of<Core>, double>& origin, const Core& cor
   }
 }
 
-/// The nearest points of two cores that are apart, seen from `origin`; nearly parallel segments in space are looked at
-/// as they are stored.
+/// The nearest points of two cores that are apart, relative to `origin`; nearly parallel segments in 3D are used as
+/// stored.
 template <class CoreA, class CoreB, class LocalA, class LocalB>
 ClosestPair<dimension_of<CoreA>> closest_of_cores(const CoreA& a, const CoreB& b, const LocalA& local_a,
                                                   const LocalB& local_b,
@@ -183,7 +184,7 @@ ClosestPair<dimension_of<CoreA>> closest_of_cores(const CoreA& a, const CoreB& b
   return closest_of_apart(local_a, local_b, size_around_zero(local_a) + size_around_zero(local_b));
 }
 
-/// Where round shapes meet, their cores may be apart: they are asked.
+/// If round shapes meet, their cores may still be apart.
 template <HasSimpleCore A, HasSimpleCore B>
 Proximity<dimension_of<A>, double> proximity_of_simple(const A& a, const B& b, Relation relation) {
   constexpr Dim N = dimension_of<A>;
@@ -204,7 +205,7 @@ Proximity<dimension_of<A>, double> proximity_of_simple(const A& a, const B& b, R
   return result;
 }
 
-/// Of boxes along the axes the gaps alone are calculated, wherever they are.
+/// For axis-aligned boxes only the gaps are calculated, wherever the boxes are.
 template <Dim N, class T>
 Proximity<N, double> proximity_of_simple(const Aabb<N, T>& a, const Aabb<N, T>& b, Relation relation) {
   const Vec<N, double> zero(0.0);
@@ -215,7 +216,7 @@ Proximity<N, double> proximity_of_simple(const Aabb<N, T>& a, const Aabb<N, T>& 
   return result;
 }
 
-/// Two rays have a form of their own: neither can be cut before it is known where they are nearest.
+/// Two rays have their own closed form: neither can be cut before their nearest points are known.
 template <Dim N, class T>
 Proximity<N, double> proximity_of_rays(const Ray<N, T>& a, const Ray<N, T>& b, Relation relation) {
   const ClosestPair<3> in_space = closest_of_rays(a, b);
@@ -230,7 +231,7 @@ Proximity<N, double> proximity_of_rays(const Ray<N, T>& a, const Ray<N, T>& b, R
 
 // ---- Everything else that is convex
 
-/// What `relation` cannot resolve: it may have looked at more of the shapes than the way to the nearest points did.
+/// What `relation` cannot resolve: it may have used larger parts of the shapes than the nearest points did.
 template <Convex A, Convex B>
 double resolution_of_convex(const A& a, const B& b) {
   const auto largest = [](const auto& box) {
@@ -267,12 +268,12 @@ Proximity<N, double> proximity_of_convex(const Ray<N, T>& ray, const B& b, Relat
 template <class S>
 inline constexpr bool is_plane_or_half_space = is_a<Plane, S> || is_a<HalfSpace, S>;
 
-/// Two simple shapes of which GJK finds the nearest points: it has to begin in range.
+/// Two simple shapes whose nearest points GJK finds; it must start in range.
 template <class A, class B>
 inline constexpr bool is_found_by_support = !is_plane_or_half_space<A> && !is_plane_or_half_space<B> &&
                                             !(is_ray<A> && is_ray<B>)&&!(HasSimpleCore<A> && HasSimpleCore<B>);
 
-/// Of two simple shapes in the order of AnyShape.
+/// For two simple shapes in the order of AnyShape.
 template <class A, class B>
 Proximity<dimension_of<A>, double> proximity_in_order(const A& a, const B& b, Relation relation) {
   if constexpr (is_plane_or_half_space<A> && is_plane_or_half_space<B>) {
@@ -295,8 +296,8 @@ Proximity<dimension_of<A>, double> proximity_in_order(const A& a, const B& b, Re
 template <class A, class B>
 Proximity<dimension_of<A>, double> proximity(const A& a, const B& b, SimplexCache<dimension_of<A>>* cache = nullptr);
 
-/// Whether an answer has been calculated from numbers in range. Boxes along the axes that meet have an error of zero,
-/// and that of planes does not tell how long their normals are.
+/// Whether a result was calculated from numbers in range. Axis-aligned boxes that meet have an error of zero, and that
+/// of planes does not reveal how long their normals are.
 template <class A, class B>
 bool is_in_range(const Proximity<dimension_of<A>, double>& found, const A& a, const B& b) {
   if constexpr (is_plane_or_half_space<A> && is_plane_or_half_space<B>) return are_usual(a, b);
@@ -305,8 +306,8 @@ bool is_in_range(const Proximity<dimension_of<A>, double>& found, const A& a, co
   return false;
 }
 
-/// Puts the answer for shapes that are out of range in the place of what has been found, if they are. The verdict
-/// stays, which may have seen more of numbers that are too far apart in size.
+/// Replaces the result for shapes that are out of range. The verdict stays, because it may have used numbers that
+/// differ too much in size.
 template <class A, class B>
 [[gnu::noinline, gnu::cold]] bool put_in_range(Proximity<dimension_of<A>, double>& found, Relation relation, const A& a,
                                                const B& b) {
@@ -325,8 +326,8 @@ template <class A, class B>
   return true;
 }
 
-/// With the error as the verdict leaves it: overlapping is certain, but touching is what `relation` says of shapes that
-/// are apart by less than the rounding of its longest calculations, which is a few times ours.
+/// With the error that the verdict leaves: overlapping is certain, but `relation` returns touching for shapes with a
+/// gap below the rounding of its longest calculations, which is a few times the one here.
 template <class A, class B>
 [[gnu::always_inline]] inline Proximity<dimension_of<A>, double> proximity_in_order(const A& a, const B& b) {
   constexpr double slack_of_touching = tolerance::coarse / tolerance::rounding;
@@ -355,7 +356,7 @@ bool are_farther_apart(const Aabb<N, T>& a, const Aabb<N, T>& b, double distance
   return is_farther(squared, distance);
 }
 
-/// The nearest part, the first of several; parts whose boxes are farther away beyond all rounding are skipped.
+/// The nearest part, of several the first; parts whose boxes are farther away beyond rounding are skipped.
 template <Dim N, class T, class S>
 Proximity<N, double> proximity_of_parts(const Compound<N, T>& compound, const S& shape) {
   const Aabb<N, T> box = touching_bounds(shape);
@@ -365,14 +366,14 @@ Proximity<N, double> proximity_of_parts(const Compound<N, T>& compound, const S&
     if (are_farther_apart(touching_bounds(part.box), box, nearest.distance) && !is_hidden_by_box(part)) continue;
     const Proximity<N, double> candidate = proximity(part.shape, shape);
     const Relation relation = std::max(nearest.relation, candidate.relation);
-    const bool is_first = std::isnan(nearest.point_a[0]);  // however far away: distances may be too large for a number
+    const bool is_first = std::isnan(nearest.point_a[0]);  // at any distance, which may overflow
     if (is_nearer(candidate, nearest) || (is_first && candidate.distance == nearest.distance)) nearest = candidate;
     nearest.relation = relation;
   }
   return nearest;
 }
 
-/// The other way around.
+/// True if a and b are in the order of calculation.
 template <class A, class B>
 bool are_in_order(const A& a, const B& b) {
   if constexpr (type_place<A> == type_place<B>) {
@@ -382,7 +383,7 @@ bool are_in_order(const A& a, const B& b) {
   }
 }
 
-/// Without a branch on the order, which is guessed wrong every other time.
+/// Without a branch on the order, which would be mispredicted half of the time.
 template <class S>
 bool find_proximity_of_hulls_in_any_order(const S& a, const S& b, SimplexCache<3>* cache,
                                           Proximity<3, double>& result) {
@@ -429,15 +430,17 @@ Proximity<dimension_of<A>, double> proximity(const A& a, const B& b,
 
 }  // namespace detail
 
-/// The nearest points of two valid shapes (asserted) of the same dimension and number type, as described above.
+/// The nearest points and the distance of two valid shapes (asserted) of the same dimension and number type. See the
+/// top of this file for ties, special cases and errors. `distance` returns the distance alone; `intersects` is cheaper
+/// if only the yes or no matters.
 template <Shape A, SameSpace<A> B>
 Proximity<dimension_of<A>, scalar_of<A>> closest_points(const A& a, const B& b) {
   assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));
   return detail::rounded<scalar_of<A>>(detail::proximity(a, b));
 }
 
-/// The same, faster for two polytopes in space, also seen through poses, that have moved a little since the cache was
-/// given last. Other pairs leave it as it is.
+/// The same result, found faster for two 3D polytopes, posed ones included, that have moved little since the last call
+/// with this cache. Of several nearest points others may be returned. Other pairs leave the cache unchanged.
 template <Shape A, SameSpace<A> B>
 Proximity<dimension_of<A>, scalar_of<A>> closest_points(const A& a, const B& b, SimplexCache<dimension_of<A>>& cache) {
   assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));

@@ -1,48 +1,51 @@
 // SPDX-License-Identifier: MIT
-// contact(a, b): how deep two shapes that meet are in each other, where, and which way out is the shortest.
-//
-// What finds it. C: a closed form. S: the supports along the plane's normal, a closed form for every convex shape. P:
-// part by part. G: GJK where the cores are apart, EPA where they meet.
-//
-//               segment ray sphere aabb obb plane half-space triangle capsule polytope compound user's
-//   point          C     C    C     C    C    S       S         C        C       G        P       G
-//   segment        C     C    C     C    C    S       S         C        C       G        P       G
-//   ray                  C    C     C    C    C       C         C        C       G        P       G
-//   sphere                    C     C    C    S       S         C        C       G        P       G
-//   aabb                            C    C    S       S         C        C       G        P       G
-//   obb                                  C    S       S         C        C       G        P       G
-//   plane                                     C       C         S        S       S        P       S
-//   half-space                                        C         S        S       S        P       S
-//   triangle                                                    C        C       G        P       G
-//   capsule                                                              C       G        P       G
-//   polytope                                                                     G        P       G
-//   compound                                                                              P       P
-//
-// relation(a, b) decides whether there is a contact. Moving b by normal * depth is the least translation that leaves
-// the shapes touching, at point_a, which point_b comes to lie on. A round shape is its core (a center or an axis) and a
-// radius. Cores that are apart are parted along the vector between their nearest points; cores that meet along the
-// normal of the nearest face of the set of differences a - b, which is a face of one of them or spanned by an edge of
-// each. Of directions that are as good up to rounding: normals of faces before pairs of edges, those of a before those
-// of b, coordinate axes and boxes' axes in their order, forward before backward.
-//
-// Shapes whose differences fill no volume (in 2D: no area) only touch: their depth is 0, and the normal is at right
-// angles to them all: that of the plane of two triangles or segments that lie in one plane, straight across two
-// segments on one line, and x for a point on a point. For the same reason x for the centers of concentric spheres, and
-// straight across for capsules whose axes lie on one line.
-//
-// Planes that cross, half-spaces unless they face each other, and a ray that runs on into a half-space or crosses
-// another boundary for good cannot be parted: depth is infinite, the normal zero, both points a common one.
-//
-// A compound is its deepest part, the first of several; where parts overlap, the way out of one may lead deeper into
-// another. Swapping the arguments swaps the points and negates the normal, and changes no bit of anything else; but
-// for two equal shapes, of which none is the first.
-//
-// `error` bounds the error of the depth before it is rounded to T, and what is left of the shapes' overlap, or the
-// gap between them, after the move: C a few epsilon of double of the pair's own size, however far from the origin
-// (rays: of the larger of the size of the other shape and its distance from the ray's origin); S and G a few epsilon
-// of the largest coordinate (of T for a user's shape that calculates in T); G also what is left between the bounds
-// that GJK or EPA has proved, and the status says if that is more than 1e-12 of the depth. Any finite coordinates;
-// range.hpp says what of sizes that differ by more than 2^900.
+/// @file
+/// contact(a, b): how deep two shapes that meet overlap, where, and in which direction they separate with the shortest
+/// translation.
+///
+/// What finds it. C: closed form. S: the supports along the plane's normal, a closed form for every convex shape. P:
+/// part by part. G: GJK if the cores are apart, EPA if they meet.
+///
+///                 segment ray sphere aabb obb plane half-space triangle capsule polytope compound user's
+///     point          C     C    C     C    C    S       S         C        C       G        P       G
+///     segment        C     C    C     C    C    S       S         C        C       G        P       G
+///     ray                  C    C     C    C    C       C         C        C       G        P       G
+///     sphere                    C     C    C    S       S         C        C       G        P       G
+///     aabb                            C    C    S       S         C        C       G        P       G
+///     obb                                  C    S       S         C        C       G        P       G
+///     plane                                     C       C         S        S       S        P       S
+///     half-space                                        C         S        S       S        P       S
+///     triangle                                                    C        C       G        P       G
+///     capsule                                                              C       G        P       G
+///     polytope                                                                     G        P       G
+///     compound                                                                              P       P
+///
+/// relation(a, b) decides whether there is a contact. Moving b by normal * depth is the shortest translation that
+/// leaves the shapes touching; point_b moves onto point_a. A round shape is a core (a center or an axis) and a radius.
+/// If the cores are apart, the normal is along the vector between their nearest points. If they meet, it is the normal
+/// of the nearest face of the set of differences a - b, which is a face of one shape or spanned by an edge of each.
+/// Among directions that are equally good up to rounding the order is: face normals before pairs of edges, those of a
+/// before those of b, coordinate axes and boxes' axes in their order, forward before backward.
+///
+/// Shapes whose differences fill no volume (in 2D: no area) only touch: their depth is 0, and the normal is
+/// perpendicular to all differences. For two coplanar triangles or segments it is the normal of their plane, for two
+/// collinear segments perpendicular to their line, for a point on a point x. It is also x for concentric spheres, and
+/// perpendicular to the axes for capsules whose axes are collinear.
+///
+/// No translation separates planes that cross, half-spaces unless they face each other, and a ray that runs into a
+/// half-space, or crosses another boundary and does not come back. For these the depth is infinite, the normal zero,
+/// and both points are a common point.
+///
+/// A compound counts as its deepest part, of several the first; where parts overlap, the way out of one may lead deeper
+/// into another. Swapping the arguments swaps the points, negates the normal and changes no bit of anything else,
+/// except for two equal shapes.
+///
+/// `error` bounds the error of the depth before rounding to T, and the overlap or gap that remains after the move. C: a
+/// few epsilon of double of the pair's own size, however far from the origin (for rays: of the larger of the other
+/// shape's size and its distance from the ray's origin). S and G: a few epsilon of the largest coordinate (of T for a
+/// user's shape that calculates in T). G adds the gap between the bounds that GJK or EPA has proved; the status tells
+/// if it exceeds 1e-12 of the depth. Coordinates may be any finite numbers; see range.hpp for sizes that differ by more
+/// than a factor of 2^900.
 #pragma once
 
 #include <cassert>
@@ -67,23 +70,23 @@
 
 namespace graze {
 
-/// How deep two shapes are in each other, and where.
+/// The penetration of two shapes that meet.
 template <Dim N, class T = float>
 struct Contact {
-  Vec<N, T> point = Vec<N, T>(T(0));    ///< In the middle between the two below.
-  Vec<N, T> normal = Vec<N, T>(T(0));   ///< Of length 1, from a to b; or zero if nothing parts them.
-  T depth = T(0);                       ///< How far b has to go along the normal.
-  Vec<N, T> point_a = Vec<N, T>(T(0));  ///< Of a's surface, deepest in b: point_b + normal * depth.
-  Vec<N, T> point_b = Vec<N, T>(T(0));  ///< Of b's surface, deepest in a.
+  Vec<N, T> point = Vec<N, T>(T(0));    ///< Midpoint of point_a and point_b.
+  Vec<N, T> normal = Vec<N, T>(T(0));   ///< Of length 1, from a to b; zero if no translation separates them.
+  T depth = T(0);                       ///< How far b must move along the normal until the shapes only touch.
+  Vec<N, T> point_a = Vec<N, T>(T(0));  ///< On the surface of a, deepest in b: point_b + normal * depth.
+  Vec<N, T> point_b = Vec<N, T>(T(0));  ///< On the surface of b, deepest in a.
   Status status = Status::converged;    ///< Always `converged` for closed forms.
-  double error = 0;                     ///< How far `depth` may be off, its rounding to T left out.
+  double error = 0;                     ///< Largest error of `depth` before rounding to T.
 
   friend bool operator==(const Contact&, const Contact&) = default;
 };
 
 namespace detail {
 
-/// Written where it stays: a copy would have to wait for what was stored.
+/// Constructed in place: a copy would wait for the stores.
 template <Scalar T, Dim N>
 std::optional<Contact<N, T>> rounded_contact(const Penetration<N>& exact) {
   std::optional<Contact<N, T>> result;
@@ -98,7 +101,7 @@ std::optional<Contact<N, T>> rounded_contact(const Penetration<N>& exact) {
   return result;
 }
 
-/// Of two simple shapes that meet, in the order of AnyShape.
+/// For two simple shapes that meet, in the order of AnyShape.
 template <class A, class B>
 Penetration<dimension_of<A>> penetration_in_order(const A& a, const B& b) {
   if constexpr (is_plane_or_half_space<A> && is_plane_or_half_space<B>) {
@@ -118,16 +121,17 @@ Penetration<dimension_of<A>> penetration_in_order(const A& a, const B& b) {
   }
 }
 
-/// Two shapes that are neither made of others nor one of several kinds.
+/// True if neither shape is a compound or a variant.
 template <class A, class B>
 inline constexpr bool are_simple = !is_any_shape<A> && !is_any_shape<B> && !is_compound<A> && !is_compound<B>;
 
-/// Where a type stands in the order of contacts: as in AnyShape, but oriented boxes before those along the axes, which
-/// come next to them there, because fast_contact/obb/boxes_in_frame.hpp sees both from the oriented one's center.
+/// The rank of a type in the order of contacts: that of AnyShape, but oriented boxes before axis-aligned ones, which
+/// follow each other there, because fast_contact/obb/boxes_in_frame.hpp takes both relative to the center of the
+/// oriented one.
 template <class S>
 inline constexpr std::size_t contact_place = 2 * type_place<S> + (is_a<Aabb, S> ? 3 : 0);
 
-/// Of two simple shapes that meet, in range.
+/// For two simple shapes that meet and are in range.
 template <class A, class B>
 Penetration<dimension_of<A>> penetration_in_any_order(const A& a, const B& b) {
   if constexpr (contact_place<A> < contact_place<B>) {
@@ -139,8 +143,8 @@ Penetration<dimension_of<A>> penetration_in_any_order(const A& a, const B& b) {
   }
 }
 
-/// Whether an answer has been calculated from numbers in range. Boxes along the axes have depths of any size. A ray of
-/// which nothing is beside the other shape is cut somewhere.
+/// Whether a result was calculated from numbers in range. Axis-aligned boxes may have depths of any size. A ray that
+/// has no part beside the other shape is cut somewhere.
 template <class A, class B>
 bool is_in_range(const Penetration<dimension_of<A>>& found, const A& a, const B& b) {
   if constexpr (is_a<Aabb, A> && is_a<Aabb, B>) return found.depth < 0x1p1000;
@@ -149,7 +153,7 @@ bool is_in_range(const Penetration<dimension_of<A>>& found, const A& a, const B&
   return is_usual_error<scalar_of<A>>(found.error) && has_usual_normal(a) && has_usual_normal(b);
 }
 
-/// Of two simple shapes that meet.
+/// For two simple shapes that meet.
 template <class A, class B>
 Penetration<dimension_of<A>> penetration_of_met(const A& a, const B& b) {
   if constexpr (is_found_by_support<A, B>) {
@@ -166,13 +170,13 @@ Penetration<dimension_of<A>> penetration_of_met(const A& a, const B& b) {
   return found;
 }
 
-/// Two shapes of which GJK and EPA say whether they meet, and how deep.
+/// True if GJK and EPA decide whether two shapes meet, and how deep.
 template <class A, class B>
 inline constexpr bool are_for_epa =
     !HasClosedForm<A, B> && !HasClosedForm<B, A> && !is_point<A> && !is_point<B> && !is_ray<A> && !is_ray<B> &&
     !is_plane_or_half_space<A> && !is_plane_or_half_space<B>;
 
-/// Of two simple shapes, if they meet.
+/// For two simple shapes; none if they are apart.
 template <class A, class B>
 std::optional<Penetration<dimension_of<A>>> penetration_if_met(const A& a, const B& b) {
   if constexpr (are_for_epa<A, B>) {
@@ -196,7 +200,7 @@ std::optional<Penetration<N>> exchanged(std::optional<Penetration<N>> penetratio
   return penetration;
 }
 
-/// The deepest part, the first of several.
+/// The deepest part, of several the first.
 template <Dim N, class T, class S>
 std::optional<Penetration<N>> penetration_of_parts(const Compound<N, T>& compound, const S& shape) {
   const Aabb<N, T> box = touching_bounds(shape);
@@ -240,8 +244,8 @@ std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b) 
   }
 }
 
-/// Of two boxes in space, one of them oriented at least, rounded as it is found, so that nothing is copied. Declared
-/// even where there are no lanes, and so no `are_quick_obbs`: compilers look the name up all the same.
+/// For two boxes in 3D, at least one of them oriented; rounded in place, so that nothing is copied. Declared even
+/// without vector lanes, and so without `are_quick_obbs`, because compilers look the name up anyway.
 template <class A, class B>
 std::optional<Contact<3, scalar_of<A>>> rounded_contact_of_obbs(const A& a, const B& b);
 
@@ -274,8 +278,9 @@ std::optional<Contact<3, scalar_of<A>>> rounded_contact_of_obbs(const A& a, cons
 
 }  // namespace detail
 
-/// The contact of two valid shapes (asserted) of the same dimension and number type, as described above; none if they
-/// are apart. Cheaper where only that is asked: `intersects`.
+/// The contact of two valid shapes (asserted) of the same dimension and number type, or none if they are apart. See the
+/// top of this file for what it is and how exact. `intersects` is cheaper if only the yes or no matters; `manifold`
+/// returns all contact points.
 template <Shape A, SameSpace<A> B>
 std::optional<Contact<dimension_of<A>, scalar_of<A>>> contact(const A& a, const B& b) {
   assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));

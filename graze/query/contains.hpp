@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
-// contains(shape, point): whether a point belongs to a shape, its surface included.
-//
-// What decides it, and from how far outside a point is still contained (nothing inside is ever missed):
-//
-//   point, aabb                     comparisons              nothing: exact
-//   sphere, capsule, obb            closed form in double    a few epsilon of the pair's own size, wherever it is
-//   half-space                      closed form in double    a few epsilon of the largest coordinate
-//   triangle, polytope, in 2D       exact orientations       a few epsilon of the pair's own size
-//   polytope in 3D                  GJK, then EPA            a few epsilon of the largest coordinate
-//   user's convex shape             GJK, then EPA            the same, but epsilon of T if its `support` uses T
-//   segment, ray, plane,            closed form in double    tolerance::surface<T>, 8 epsilon of T, of the largest
-//     triangle in 3D                                           coordinate
-//   compound                        part by part             that of the part
-//
-// Epsilon is that of double but where T is named. Hardly any point of T lies on a set without thickness exactly,
-// hence the tolerance there. A solid thinner than the tolerance (a flat box, a capsule of radius 1e-9 at coordinate 1
-// in float) is tested as if it were as thick as that. A point with a NaN is in nothing. Any finite coordinates;
-// range.hpp says what of sizes that differ by more than 2^900.
+/// @file
+/// contains(shape, point): whether a point belongs to a shape, its surface included.
+///
+/// What decides it, and how far outside a point still counts as contained (no inside point is ever missed):
+///
+///     point, aabb                     comparisons              nothing: exact
+///     sphere, capsule, obb            closed form in double    a few epsilon of the pair's own size, wherever it is
+///     half-space                      closed form in double    a few epsilon of the largest coordinate
+///     triangle, polytope, in 2D       exact orientations       a few epsilon of the pair's own size
+///     polytope in 3D                  GJK, then EPA            a few epsilon of the largest coordinate
+///     user's convex shape             GJK, then EPA            the same, but epsilon of T if its `support` uses T
+///     segment, ray, plane,            closed form in double    tolerance::surface<T>, 8 epsilon of T, of the largest
+///       triangle in 3D                                           coordinate
+///     compound                        part by part             that of the part
+///
+/// Epsilon is that of double unless T is named. Hardly any point of T lies exactly on a set without thickness, hence
+/// the tolerance there. A solid thinner than the tolerance (a flat box, a capsule of radius 1e-9 at coordinate 1 in
+/// float) is tested as if it were that thick. A point with a NaN is in nothing. Coordinates may be any finite numbers;
+/// see range.hpp for sizes that differ by more than a factor of 2^900.
 #pragma once
 
 #include <algorithm>
@@ -41,25 +42,26 @@
 
 namespace graze {
 
-/// The points that a shape is made of.
+/// A point with the dimension and number type of a shape.
 template <Shape S>
 using PointOf = Vec<dimension_of<S>, scalar_of<S>>;
 
-/// A point in the space of S, and of its number type.
+/// A type that is the PointOf of a shape.
 template <class P, class S>
 concept PointIn = Shape<S> && std::same_as<P, PointOf<S>>;
 
 namespace detail {
 
-/// Whether a point at this squared distance from a set is on it for all that T can resolve, when the set is `thickness`
-/// thick at least on either side of its middle.
+/// Whether a point at this squared distance from a set is on it as far as T can resolve, if the set extends at least
+/// `thickness` on either side of its middle.
 template <Scalar T>
 bool is_within_surface(double distance_squared, double largest_coordinate, double thickness = 0) {
   const double reach = tolerance::surface<T> * largest_coordinate - thickness;
   return reach >= 0 && distance_squared <= reach * reach;
 }
 
-/// Whether a shape holds a point, and what tells whether that was calculated in range: `is_usual_measure` asks it.
+/// Whether a shape contains a point, and the number by which `is_usual_measure` decides whether that was calculated in
+/// range.
 struct Containment {
   bool is_inside;
   double measure;
@@ -114,13 +116,13 @@ Containment contained(const Triangle<3, T>& triangle, const Vec<3, T>& point) {
   const double reach = tolerance::surface<T> * largest;
   const auto quick = filter_of_triangle_and_sphere(corner - wide<3, T>(point), wide<3, T>(triangle.b) - corner,
                                                    wide<3, T>(triangle.c) - corner, reach);
-  if (quick) return {*quick != Relation::apart, 1};  // the filter has looked at its products
+  if (quick) return {*quick != Relation::apart, 1};  // the filter has checked the range
   return {is_on(triangle, point), largest + static_cast<double>(max_abs(point))};
 }
 
 // ---- Solids
 
-/// What is inside, or outside by half the radius, is so for any rounding.
+/// A point farther out than sqrt(2) radii is outside for any rounding.
 template <Dim N, class T>
 [[gnu::always_inline]] inline Containment contained(const Sphere<N, T>& sphere, const Vec<N, T>& point) {
   const Vec<N, double> off = wide<N, T>(point) - wide<N, T>(sphere.center);
@@ -156,8 +158,8 @@ bool holds_nearly(const Obb<N, T>& box, const Vec<N, double>& p) {
 }
 
 /// Projected on axes that are orthonormal up to tolerance::orthonormal = e, a point of the box is at most e (|u_0| +
-/// ... ) off its place u, and that sum is at most sqrt(N) (1 + e) times its distance from the center: what is farther
-/// in or out than that needs no closer look.
+/// ... ) away from its place u, and that sum is at most sqrt(N) (1 + e) times its distance from the center. Points that
+/// are inside or outside by more than that need no closer test.
 template <Dim N, class T>
 Containment contained(const Obb<N, T>& box, const Vec<N, T>& point) {
   const Vec<N, double> p = wide<N, T>(point);
@@ -175,7 +177,7 @@ Containment contained(const Obb<N, T>& box, const Vec<N, T>& point) {
   return {holds_nearly(box, p), own_size};
 }
 
-/// In units of the normal. A height that is NaN is out of range, too.
+/// The measure is in units of the normal. It is NaN, out of range, if the height is.
 template <Dim N, class T>
 Containment contained(const HalfSpace<N, T>& solid, const Vec<N, T>& point) {
   const double magnitude = dot(abs(wide<N, T>(solid.normal)), abs(wide<N, T>(point)));
@@ -184,7 +186,7 @@ Containment contained(const HalfSpace<N, T>& solid, const Vec<N, T>& point) {
   return {height <= tolerance::convex * size, size + std::fabs(height)};
 }
 
-/// However thin, a capsule is a sphere around each point of its axis: it is the axis that the tolerance is for.
+/// A capsule of any thickness contains a sphere around each point of its axis; so the tolerance applies to the axis.
 template <Dim N, class T>
 Containment contained(const Capsule<N, T>& capsule, const Vec<N, T>& point) {
   const Vec<N, double> p = wide<N, T>(point);
@@ -214,7 +216,7 @@ double thickness_of(Corners<T> corners) {
   return least;
 }
 
-/// With the distance of the point from the outline, negative inside.
+/// `distance`: the signed distance of the point from the outline, negative inside.
 template <class T>
 bool polygon_holds(Corners<T> corners, const Vec<2, T>& point, double distance) {
   const Vec<2, double> p = wide<2, T>(point);
@@ -226,7 +228,7 @@ bool polygon_holds(Corners<T> corners, const Vec<2, T>& point, double distance) 
     largest = std::max(largest, static_cast<double>(max_abs(corner)));
   }
   if (distance <= tolerance::rounding * own_size) return true;
-  // The thickness takes longer, and is asked for next to the polygon only.
+  // The thickness takes longer and is calculated only next to the polygon.
   const bool is_near = is_within_surface<T>(distance * distance, largest);
   return is_near && is_within_surface<T>(distance * distance, largest, thickness_of<T>(corners));
 }
@@ -245,14 +247,14 @@ Containment contained(const Polytope<2, T>& polygon, const Vec<2, T>& point) {
 
 // ---- Any convex shape
 
-/// How far the middle of a shape is from its surface.
+/// The distance of the middle of a shape from its surface.
 template <Convex S>
 double thickness_of(const S& shape) {
   const Vec<dimension_of<S>, double> middle = middle_of(shape);
   return usual_epa(middle, shape, usual_gjk(middle, shape).simplex).lower;
 }
 
-/// For a point that is not in the shape: whether it is on it, for all that T can resolve.
+/// For a point outside the shape: whether it is on it, as far as T can resolve.
 template <Convex S>
 bool is_on_thin(const S& shape, const PointOf<S>& point) {
   constexpr Dim N = dimension_of<S>;
@@ -274,9 +276,9 @@ Containment contained(const S& shape, const PointOf<S>& point) {
   return {!(depth.gap > depth.resolution) || is_on_thin(shape, point), measure};
 }
 
-// ---- In range
+// ---- Numbers out of range
 
-/// Of what is in range.
+/// For numbers in range.
 template <Shape S>
 bool holds(const S& shape, const PointOf<S>& point) {
   return contained(shape, point).is_inside;
@@ -285,7 +287,7 @@ bool holds(const S& shape, const PointOf<S>& point) {
 template <Shape S>
 bool is_held(const S& shape, const PointOf<S>& point);
 
-/// The answer for what is out of range, or else the one that has been found.
+/// The result of rescaled shapes if a number is out of range, otherwise `found`.
 template <Shape S>
 [[gnu::noinline, gnu::cold]] bool is_held_in_range_or(bool found, const S& shape, const PointOf<S>& point) {
   const auto answer =
@@ -295,7 +297,7 @@ template <Shape S>
   return answer.value_or(found);
 }
 
-/// As `holds`, wherever the numbers are.
+/// As `holds`, for numbers of any size.
 template <Shape S>
 [[gnu::always_inline]] inline bool is_held(const S& shape, const PointOf<S>& point) {
   const Containment found = contained(shape, point);
@@ -303,7 +305,7 @@ template <Shape S>
   return is_held_in_range_or(found.is_inside, shape, point);
 }
 
-// ---- Shapes of shapes
+// ---- Compounds and variants
 
 template <Dim N, class T>
 bool is_held(const Compound<N, T>& compound, const Vec<N, T>& point);
@@ -313,8 +315,8 @@ bool is_held(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
   return detail::visit([&point](const auto& held) { return is_held(held, point); }, shape);
 }
 
-/// No part in the box holds a point that is farther from it than this; and if the point is, its distance from any part
-/// is more than the difference.
+/// No part in the box contains a point that is farther from the box than this; if the point is farther, its distance
+/// from any part exceeds the difference.
 template <Dim N, class T>
 double forgiven_outside(const Aabb<N, T>& box, const Vec<N, T>& point) {
   double largest = static_cast<double>(max_abs(point));
@@ -335,7 +337,7 @@ bool is_held(const Compound<N, T>& compound, const Vec<N, T>& point) {
   });
 }
 
-/// Whether the query may go on: a user's type need not have `defect`; then it is taken to be valid.
+/// Whether the query accepts the shape. A user's type without `defect` counts as valid.
 template <Shape S>
 bool is_accepted(const S& shape) {
   if constexpr (requires { defect(shape); }) return is_valid(shape);
@@ -344,8 +346,8 @@ bool is_accepted(const S& shape) {
 
 }  // namespace detail
 
-/// True when the point belongs to the closed set: on the surface counts. For any valid shape (asserted), up to the
-/// bands in the table above. A compound is the union of its parts.
+/// True if the point belongs to the closed set; the surface counts. For any valid shape (asserted), up to the
+/// tolerances in the table at the top of this file. A compound is the union of its parts.
 template <Shape S, PointIn<S> P = PointOf<S>>
 bool contains(const S& shape, const P& point) {
   assert(detail::is_accepted(shape));

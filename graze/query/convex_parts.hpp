@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// convex_parts(polygon): a simple polygon as a union of convex ones. Ears are clipped off (Meisters, "Polygons have
-// ears", 1975), then every diagonal that convexity does not need is taken out again (Hertel and Mehlhorn, "Fast
-// triangulation of simple polygons", 1983): at most four times as many parts as the least possible number. All
-// decisions are signs of exact orientations, and no corner is invented, so the parts cover the polygon without gap or
-// overlap.
+/// @file
+/// convex_parts(polygon): a simple polygon as a union of convex ones. Clips ears (Meisters, "Polygons have ears",
+/// 1975), then removes every diagonal that convexity does not need (Hertel and Mehlhorn, "Fast triangulation of simple
+/// polygons", 1983): at most four times the least possible number of parts. All decisions are signs of exact
+/// orientations, and no corners are added, so the parts cover the polygon without gap or overlap.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ Aabb<2, T> edge_box(const Segment<2, T>& edge) {
   return Aabb<2, T>::from_corners(edge.start, edge.end);
 }
 
-/// True when two edges share a point. Where all orientations are 0 the edges lie on one line, and their boxes decide.
+/// True if two edges share a point. If all orientations are 0, the edges are collinear, and their boxes decide.
 template <class T>
 bool edges_meet(const Segment<2, T>& a, const Segment<2, T>& b) {
   return boxes_overlap(edge_box(a), edge_box(b)) &&
@@ -40,12 +40,12 @@ bool edges_meet(const Segment<2, T>& a, const Segment<2, T>& b) {
          orientation(b.start, b.end, a.start) * orientation(b.start, b.end, a.end) <= 0;
 }
 
-/// The corners without repetitions, and without those that lie straight on between their neighbours.
+/// The corners without repetitions and without those that lie straight between their neighbours.
 template <class T>
 std::vector<Vec<2, T>> true_corners(std::span<const Vec<2, T>> polygon) {
   std::vector<Vec<2, T>> corners;
   const auto straight_on = [](const Vec<2, T>& a, const Vec<2, T>& b, const Vec<2, T>& c) {
-    // On one line, b is passed if it lies in the box of the others.
+    // If they are collinear, b is passed if it lies in the box of the others.
     return orientation(a, b, c) == 0 && boxes_overlap(edge_box<T>({a, c}), Aabb<2, T>{b, b});
   };
   const auto drop_passed = [&](const Vec<2, T>& next) {
@@ -61,7 +61,7 @@ std::vector<Vec<2, T>> true_corners(std::span<const Vec<2, T>> polygon) {
   return corners;
 }
 
-/// The two ends of a set of points on one line, one point if they are all equal; nothing when they span an area.
+/// The two ends of a set of collinear points, one point if they are all equal; none if they span an area.
 template <class T>
 std::optional<std::vector<Vec<2, T>>> ends_of_2d(std::span<const Vec<2, T>> points) {
   const auto less = [](const Vec<2, T>& a, const Vec<2, T>& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
@@ -75,9 +75,9 @@ std::optional<std::vector<Vec<2, T>>> ends_of_2d(std::span<const Vec<2, T>> poin
   return std::vector<Vec<2, T>>{low, high};
 }
 
-/// True when neighbouring edges meet in their common corner alone and other edges do not meet. `corners` are true
-/// corners. Edges are taken from left to right and compared with those that still reach so far: fast unless all lie
-/// above each other.
+/// True if neighbouring edges meet only in their common corner and other edges do not meet. `corners` are true corners.
+/// Edges are taken from left to right and compared with those that still reach that far: fast unless all lie above each
+/// other.
 template <class T>
 bool is_simple(const std::vector<Vec<2, T>>& corners) {
   const std::size_t count = corners.size();
@@ -87,7 +87,7 @@ bool is_simple(const std::vector<Vec<2, T>>& corners) {
   const auto left = [&](std::size_t i) { return edge_box(edge(i)).min.x; };
   std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return left(i) < left(j); });
   const auto neighbours_fold = [&](std::size_t i, std::size_t j) {
-    // j follows i. True corners turn, or go straight back on the same line.
+    // j follows i. True corners change direction, or go straight back on the same line.
     return orientation(edge(i).start, edge(i).end, edge(j).end) == 0;
   };
   std::vector<std::size_t> active;
@@ -107,7 +107,7 @@ bool is_simple(const std::vector<Vec<2, T>>& corners) {
   return true;
 }
 
-/// True when a simple polygon runs counter-clockwise: its lowest leftmost corner turns left.
+/// True if a simple polygon runs counter-clockwise: its lowest leftmost corner turns left.
 template <class T>
 bool runs_counter_clockwise(const std::vector<Vec<2, T>>& corners) {
   const std::size_t count = corners.size();
@@ -121,7 +121,7 @@ bool runs_counter_clockwise(const std::vector<Vec<2, T>>& corners) {
 }
 
 /// A polygon cut into triangles: half-edge h of triangle h / 3 runs from corner `origin[h]` to that of the next one in
-/// the same triangle; `twin[h]` is the same edge as its other triangle has it, or `none` on the outline.
+/// the same triangle; `twin[h]` is the same edge in the other triangle, or `none` on the outline.
 struct Triangles {
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
@@ -129,11 +129,11 @@ struct Triangles {
   std::vector<std::size_t> twin;
 };
 
-/// Clips ears off a polygon until a triangle is left.
+/// Clips the ears of a polygon until a triangle is left.
 template <class T>
 class EarClipper {
  public:
-  /// `corners` run counter-clockwise around a simple polygon, and outlive the clipper.
+  /// `corners` run counter-clockwise around a simple polygon and must outlive the clipper.
   explicit EarClipper(std::span<const Vec<2, T>> corners) : corners_(corners) {
     const std::size_t count = corners.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -146,7 +146,7 @@ class EarClipper {
     }
   }
 
-  /// The triangles; none when no ear is found, which happens only if coordinates are so large that products overflow.
+  /// The triangles; none if no ear is found, which happens only if products of coordinates overflow.
   std::optional<Triangles> clip() {
     std::size_t left = corners_.size();
     std::size_t corner = 0;
@@ -156,7 +156,7 @@ class EarClipper {
         cut(corner);
         --left;
         misses = 0;
-        corner = previous_[corner];  // the corner before the ear has changed: look there first, else walk on
+        corner = previous_[corner];  // the corner before the ear has changed, so test it first
       } else {
         if (++misses > left) return std::nullopt;
         corner = next_[corner];
@@ -172,8 +172,8 @@ class EarClipper {
  private:
   int turn(std::size_t i) const { return orientation(corners_[previous_[i]], corners_[i], corners_[next_[i]]); }
 
-  /// True when the triangle at a corner has an area and holds no other corner. Only corners that are not convex can be
-  /// the one nearest to the tip, so only those are looked at.
+  /// True if the triangle at a corner has an area and contains no other corner. Only reflex corners can be the nearest
+  /// to the tip, so only those are tested.
   bool is_ear(std::size_t tip) const {
     if (turn(tip) <= 0) return false;
     const std::array<std::size_t, 3> ear{previous_[tip], tip, next_[tip]};
@@ -194,7 +194,7 @@ class EarClipper {
     if (twin != Triangles::none) triangles_.twin[twin] = half_edge;
   }
 
-  /// Makes a triangle of a corner and its neighbours, and takes the corner out of what is left.
+  /// Makes a triangle of a corner and its neighbours, and removes the corner from the rest.
   void cut(std::size_t tip) {
     const std::size_t before = previous_[tip];
     const std::size_t after = next_[tip];
@@ -217,7 +217,7 @@ class EarClipper {
   Triangles triangles_;
 };
 
-/// Takes out every diagonal at whose two ends the corners stay convex, and gives the loops of half-edges that remain.
+/// Removes every diagonal at whose two ends the corners stay convex, and returns the remaining loops of half-edges.
 template <class T>
 std::vector<std::vector<Vec<2, T>>> merged(const std::vector<Vec<2, T>>& corners, const Triangles& triangles) {
   const std::size_t count = triangles.origin.size();
@@ -228,7 +228,7 @@ std::vector<std::vector<Vec<2, T>>> merged(const std::vector<Vec<2, T>>& corners
     previous[h] = h % 3 == 0 ? h + 2 : h - 1;
   }
   const auto at = [&](std::size_t h) -> const Vec<2, T>& { return corners[triangles.origin[h]]; };
-  // The corner where `arriving` ends when the diagonal after it is gone and `leaving` follows.
+  // The corner where `arriving` ends if the diagonal after it is removed and `leaving` follows.
   const auto stays_convex = [&](std::size_t arriving, std::size_t leaving) {
     return orientation(at(arriving), at(leaving), at(next[leaving])) >= 0;
   };
@@ -260,11 +260,11 @@ std::vector<std::vector<Vec<2, T>>> merged(const std::vector<Vec<2, T>>& corners
 
 }  // namespace detail
 
-/// Convex polygons that together are the given one and overlap nowhere; each counter-clockwise (y up), without straight
-/// corners. The polygon may run either way round and repeat corners one after the other. A convex one is its own only
-/// part; one whose corners lie on one line gives its two ends, or its only point; no corners give no parts. None when
-/// the outline crosses or touches itself, or a coordinate is not finite. Decided exactly. The time grows with the
-/// number of corners times the number of those that are not convex; a convex polygon takes n log n.
+/// Splits a polygon into convex ones that do not overlap, each counter-clockwise (y up) and without collinear corners.
+/// The polygon may have either orientation and repeat consecutive corners. A convex polygon is its only part; collinear
+/// corners give the two ends, or the only point; no corners give no parts. Returns std::nullopt if the outline crosses
+/// or touches itself, which is decided exactly, or a coordinate is not finite; `filled_parts` accepts outlines that
+/// cross. Time: corners times reflex corners; n log n for a convex polygon.
 template <class T>
 std::optional<std::vector<std::vector<Vec<2, T>>>> convex_parts(
     std::type_identity_t<std::span<const Vec<2, T>>> polygon) {
@@ -282,7 +282,7 @@ std::optional<std::vector<std::vector<Vec<2, T>>>> convex_parts(
   return detail::merged(corners, *triangles);
 }
 
-/// The same for any row of points.
+/// The overload for any contiguous range of points.
 template <PointRow Row>
 auto convex_parts(const Row& polygon) {
   return convex_parts<typename ElementOf<Row>::value_type>(span_of(polygon));

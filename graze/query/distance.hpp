@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// distance(a, b) for every two shapes; the table of what finds it for each pair is at the top of closest_points.hpp.
+/// @file
+/// distance(a, b) for any two shapes; the table at the top of closest_points.hpp lists the algorithm of each pair.
 #pragma once
 
 #include <cassert>
@@ -25,30 +26,32 @@ scalar_of<A> distance_of(const A& a, const B& b, SimplexCache<dimension_of<A>>* 
 
 }  // namespace detail
 
-/// How far apart two valid shapes (asserted) of the same dimension and number type are: 0 if and only if they touch or
-/// overlap, as intersects(a, b) says. Swapping the arguments changes no bit. A compound without parts is infinitely far
-/// from everything. The error is that of `closest_points`, half an ulp of T more. Cheaper for points, segments, boxes
-/// and triangles, but squared and without that promise: `distance_squared`.
+/// The distance of two valid shapes (asserted) of the same dimension and number type: 0 if and only if they touch or
+/// overlap, as `intersects(a, b)` decides. Symmetric to the last bit. A compound without parts is infinitely far from
+/// everything. The error is that of `closest_points` plus half an ulp of T. For points, segments, boxes and triangles
+/// `distance_squared` is cheaper, but squared and not consistent with `intersects`.
 template <Shape A, SameSpace<A> B>
 scalar_of<A> distance(const A& a, const B& b) {
   return detail::distance_of(a, b);
 }
 
-/// The same, faster for polytopes in space that have moved a little since the cache was given last: see
+/// The same distance, found faster for 3D polytopes that have moved little since the last call with this cache: see
 /// `closest_points`.
 template <Shape A, SameSpace<A> B>
 scalar_of<A> distance(const A& a, const B& b, SimplexCache<dimension_of<A>>& cache) {
   return detail::distance_of(a, b, &cache);
 }
 
-// GLM has a `distance` of its own, which takes two of any one type and is found for vectors, and so for variants of
-// them, without being asked for. These two are preferred to it.
+// GLM has its own `distance` for two arguments of any one type, which argument-dependent lookup finds for vectors, and
+// therefore for variants of them. Overload resolution prefers these two.
 
+/// The distance of two points; exactly 0 if and only if they are equal. Preferred to GLM's function of the same name.
 template <Dim N, Scalar T>
 T distance(const Vec<N, T>& a, const Vec<N, T>& b) {
   return detail::distance_of(a, b);
 }
 
+/// The distance of two variants, as for the shapes that they hold.
 template <Dim N, Scalar T>
 T distance(const AnyShape<N, T>& a, const AnyShape<N, T>& b) {
   return detail::distance_of(a, b);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// distance_squared(a, b): the squared distance of points, segments, boxes and triangles, 0 when they touch or overlap,
-// in double. The cheaper sibling of a distance: no root. The error of its root is a few epsilon of the vectors between
-// and along the two shapes, however far from the origin they lie. These vectors are zero or 1e-130 to 1e150 long;
-// between points, and from points to axis-aligned boxes, of any length: a square that overflows is infinite, one below
-// half the least double zero. `distance` takes any shapes.
-//
-//              point    segment   aabb     obb      triangle
-//   point      closed   closed    closed   closed   closed
-//   segment             closed    closed   closed   closed
+/// @file
+/// distance_squared(a, b): the squared distance of points, segments, boxes and triangles, 0 if they touch or overlap,
+/// in double. Cheaper than `distance`, because it takes no square root. The error of its root is a few epsilon of the
+/// vectors between and along the two shapes, however far from the origin. These vectors must be zero or 1e-130 to 1e150
+/// long. Between points, and from points to axis-aligned boxes, any length is allowed: a square that overflows is
+/// infinite, one below half the least positive double is 0. `distance` accepts shapes of any size.
+///
+///                point    segment   aabb     obb      triangle
+///     point      closed   closed    closed   closed   closed
+///     segment             closed    closed   closed   closed
 #pragma once
 
 #include <algorithm>
@@ -25,14 +26,16 @@
 
 namespace graze {
 
+/// The squared distance of two points.
 template <Dim N, class T>
 double distance_squared(const Vec<N, T>& a, const Vec<N, T>& b) {
   const Vec<N, double> between = wide<N, T>(b) - wide<N, T>(a);
   return dot(between, between);
 }
 
-/// The foot of the perpendicular, or the nearer end (Ericson, Real-Time Collision Detection, 5.1.2). Past the far end
-/// the vector is taken from that end, so that no rounding of the foot enters.
+/// The squared distance of a point from a segment: to the foot of the perpendicular, or to the nearer end (Ericson,
+/// Real-Time Collision Detection, 5.1.2). Beyond the far end the vector starts at that end, so that no rounding of the
+/// foot enters.
 template <Dim N, class T>
 double distance_squared(const Vec<N, T>& point, const Segment<N, T>& segment) {
   const Vec<N, double> edge = wide<N, T>(segment.end) - wide<N, T>(segment.start);
@@ -50,14 +53,14 @@ namespace detail {
 inline double inner(double a, double b) { return a * b; }
 inline double inner(const Vec<3, double>& a, const Vec<3, double>& b) { return dot(a, b); }
 
-/// The same direction with a largest coordinate of 1; zero stays zero.
+/// The vector scaled to a largest coordinate of 1; zero stays zero.
 inline double of_unit_size(double a) { return a > 0 ? 1.0 : a < 0 ? -1.0 : 0.0; }
 inline Vec<3, double> of_unit_size(const Vec<3, double>& a) {
   const double size = max_abs(a);
   return size > 0 ? a / size : a;
 }
 
-/// The cross product known to a few epsilon of itself.
+/// The cross product with a relative error of a few epsilon.
 inline double cross_of_edges(const Vec<2, double>& a, const Vec<2, double>& b) { return accurate_cross(a, b); }
 inline Vec<3, double> cross_of_edges(const Vec<3, double>& a, const Vec<3, double>& b) {
   return cross_of_directions(a, b);
@@ -73,17 +76,17 @@ double distance_squared_from_edge(const Vec<N, double>& point, const Vec<N, doub
   return dot(off, off);
 }
 
-/// The squared distance about the mutual perpendicular of two lines, as far as it meets the segments; +infinity if they
-/// are parallel. With p(s) = start_a + s u, q(t) = start_b + t v, w = start_b - start_a, n = u x v the perpendicular
-/// is at s n^2 = (w x v) . n, t n^2 = (w x u) . n. Both feet are rounded, and the more the more parallel the lines are,
-/// but not apart from each other: each foot's own distance from the other segment is what counts, and the better one.
+/// The squared distance along the common perpendicular of two lines, if it meets both segments; +infinity if they are
+/// parallel. With p(s) = start_a + s u, q(t) = start_b + t v, w = start_b - start_a, n = u x v, the perpendicular is at
+/// s n^2 = (w x v) . n, t n^2 = (w x u) . n. Both feet are rounded, more so the more parallel the lines are, so each
+/// foot's own distance from the other segment counts, and the smaller one is returned.
 template <Dim N>
 double perpendicular_distance_squared(const Segment<N, double>& first, const Segment<N, double>& second) {
   const Vec<N, double> u = first.end - first.start;
   const Vec<N, double> v = second.end - second.start;
   const Vec<N, double> w = second.start - first.start;
   const auto n = accurate_cross(u, v);
-  const auto n0 = of_unit_size(n);  // in place of one n, or n^2 leaves the range of double
+  const auto n0 = of_unit_size(n);  // replaces one n; n^2 could leave the range of double
   const double whole = inner(n, n0);
   if (!(whole > 0)) return std::numeric_limits<double>::infinity();
   const double s = std::clamp(inner(accurate_cross(w, v), n0) / whole, 0.0, 1.0);
@@ -98,7 +101,8 @@ Segment<N, double> wide_segment(const Segment<N, T>& segment) {
 
 }  // namespace detail
 
-/// The least of the four distances from an end and of that about the mutual perpendicular. Swapping changes no bit.
+/// The squared distance of two segments: the least of the four distances from an end and of that along the common
+/// perpendicular. Symmetric to the last bit.
 template <Dim N, class T>
 double distance_squared(const Segment<N, T>& a, const Segment<N, T>& b) {
   const double from_a = std::min(distance_squared(a.start, b), distance_squared(a.end, b));
@@ -107,6 +111,7 @@ double distance_squared(const Segment<N, T>& a, const Segment<N, T>& b) {
   return std::min({from_a, from_b, inside});
 }
 
+/// The squared distance of a point from a box; exactly 0 if the box contains the point.
 template <Dim N, class T>
 double distance_squared(const Vec<N, T>& point, const Aabb<N, T>& box) {
   double sum = 0;
@@ -122,7 +127,7 @@ double distance_squared(const Vec<N, T>& point, const Aabb<N, T>& box) {
 namespace detail {
 
 /// The squared distance of a box from the points t * edge, 0 <= t <= 1: a convex function of t, quadratic between the
-/// knots, where the segment crosses a face's plane. Its derivative tells which piece holds the minimum.
+/// knots, where the segment crosses a face's plane. Its derivative tells which piece contains the minimum.
 template <Dim N>
 class DistanceAlongSegment {
  public:
@@ -152,7 +157,7 @@ class DistanceAlongSegment {
   }
 
  private:
-  /// Half the derivative at a place, and how fast it changes there.
+  /// Half the derivative at t, and its slope there.
   struct Slope {
     double value = 0;
     double change = 0;
@@ -186,7 +191,8 @@ class DistanceAlongSegment {
 
 }  // namespace detail
 
-/// Both are seen from the segment's start, so that no rounding grows with the distance from zero.
+/// The squared distance of a segment from a box; 0 if they meet. Calculated relative to the segment's start, so that
+/// rounding does not grow with the distance from zero.
 template <Dim N, class T>
 double distance_squared(const Segment<N, T>& segment, const Aabb<N, T>& box) {
   const Vec<N, double> start = wide<N, T>(segment.start);
@@ -194,9 +200,9 @@ double distance_squared(const Segment<N, T>& segment, const Aabb<N, T>& box) {
   return detail::DistanceAlongSegment<N>(wide<N, T>(segment.end) - start, seen).least();
 }
 
-/// Starting from the clamped projections on the axes, two steps of projected descent take up what the axes lack of
-/// being orthonormal: each step shrinks that error by tolerance::orthonormal at least, and it enters the distance
-/// squared.
+/// The squared distance of a point from an oriented box; 0 inside. From the clamped projections on the axes, two steps
+/// of projected descent compensate axes that are not quite orthonormal: each step shrinks that error by at least
+/// tolerance::orthonormal, and it enters the distance squared.
 template <Dim N, class T>
 double distance_squared(const Vec<N, T>& point, const Obb<N, T>& box) {
   Vec<N, double> off = wide<N, T>(point) - wide<N, T>(box.center);
@@ -214,14 +220,14 @@ double distance_squared(const Vec<N, T>& point, const Obb<N, T>& box) {
   return dot(off, off);
 }
 
-/// Zero if they meet; else the nearest points are an end of the segment and the box, or the segment and an edge of the
-/// box.
+/// The squared distance of a segment from an oriented box: 0 if they meet; else the nearest points are an end of the
+/// segment and the box, or the segment and an edge of the box.
 template <Dim N, class T>
 double distance_squared(const Segment<N, T>& segment, const Obb<N, T>& box) {
   const Vec<N, double> center = wide<N, T>(box.center);
   if (detail::relation_of_zonotopes(detail::zonotope(segment), detail::zonotope(box)) != Relation::apart) return 0;
   double best = std::min(distance_squared(segment.start, box), distance_squared(segment.end, box));
-  // Seen from the box's center, so that no rounding grows with the distance from zero.
+  // Relative to the box's center, so that rounding does not grow with the distance from zero.
   const Segment<N, double> line{wide<N, T>(segment.start) - center, wide<N, T>(segment.end) - center};
   const Mat<N, double> edges = half_edges(box);
   constexpr unsigned corners_of_face = 1U << (N - 1);
@@ -242,10 +248,10 @@ double distance_squared(const Segment<N, T>& segment, const Obb<N, T>& box) {
 
 namespace detail {
 
-/// The squared distance of a point from the foot of its perpendicular on a triangle's plane, if the foot is inside, or
-/// +infinity: then an edge is nearest. With edges u, v from a corner, w from it to the point and n = u x v the foot is
-/// at s u + t v with s n^2 = (w x v) . n, t n^2 = (u x w) . n. A needle's s and t may be rounded much; the foot that
-/// they make is a point of the triangle all the same, and where it is off by more than rounding, an edge is as near.
+/// The squared distance of a point from the foot of its perpendicular on a triangle's plane, if the foot is inside,
+/// else +infinity: then an edge is nearest. With edges u, v from a corner, w from it to the point and n = u x v, the
+/// foot is at s u + t v with s n^2 = (w x v) . n, t n^2 = (u x w) . n. For a needle, s and t may have large rounding
+/// errors; their foot is still a point of the triangle, and if it is off by more than rounding, an edge is as near.
 template <Dim N>
 double closest_distance_squared(const Vec<N, double>& w, const Vec<N, double>& u, const Vec<N, double>& v) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -264,9 +270,9 @@ double closest_distance_squared(const Vec<N, double>& w, const Vec<N, double>& u
 
 }  // namespace detail
 
-/// The least of the distances from the edges and from the plane beside the face. Ericson, Real-Time Collision
-/// Detection, 5.1.5, tells the regions apart by differences of products, which a needle's angles are lost in; here no
-/// region is believed in, only distances from points of the triangle are.
+/// The squared distance of a point from a triangle: the least of those from the edges and from the plane over the face.
+/// Ericson, Real-Time Collision Detection, 5.1.5, selects a region by differences of products, in which the angles of a
+/// needle are lost; here every candidate is the distance from a point of the triangle.
 template <Dim N, class T>
 double distance_squared(const Vec<N, T>& point, const Triangle<N, T>& triangle) {
   const Vec<N, double> corner = wide<N, T>(triangle.a);
@@ -279,8 +285,8 @@ double distance_squared(const Vec<N, T>& point, const Triangle<N, T>& triangle) 
 
 namespace detail {
 
-/// The squared distance of a triangle from the place where the line through zero along `edge` crosses its plane, if
-/// that is between zero and `edge`, or +infinity. However that place is rounded, it is a point of the segment.
+/// The squared distance of a triangle from the point where the line through zero along `edge` crosses its plane, if
+/// that is between zero and `edge`, else +infinity. However it is rounded, it is a point of the segment.
 inline double crossing_distance_squared(const Vec<3, double>& edge, const Triangle<3, double>& triangle) {
   const Vec<3, double> n = of_unit_size(cross_of_directions(triangle.b - triangle.a, triangle.c - triangle.a));
   const double climb = dot(n, edge);
@@ -292,11 +298,12 @@ inline double crossing_distance_squared(const Vec<3, double>& edge, const Triang
 
 }  // namespace detail
 
-/// The least of the distances of the ends from the triangle, of the corners from the segment, about the mutual
-/// perpendiculars with the edges, and of the place where the segment crosses the triangle's plane.
+/// The squared distance of a segment from a triangle: the least of those of the ends from the triangle, of the corners
+/// from the segment, along the common perpendiculars with the edges, and where the segment crosses the triangle's
+/// plane.
 template <Dim N, class T>
 double distance_squared(const Segment<N, T>& segment, const Triangle<N, T>& triangle) {
-  // Seen from the segment's start, so that no rounding grows with the distance from zero.
+  // Relative to the segment's start, so that rounding does not grow with the distance from zero.
   const Vec<N, double> start = wide<N, T>(segment.start);
   const Segment<N, double> line{Vec<N, double>(0.0), wide<N, T>(segment.end) - start};
   const Triangle<N, double> seen{wide<N, T>(triangle.a) - start, wide<N, T>(triangle.b) - start,

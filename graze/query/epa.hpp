@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The penetration depth of any two convex shapes: the length of the least translation that parts them.
-// van den Bergen, "Proximity queries and penetration depth computation on 3D game objects" (2001), section 4.
+/// @file
+/// The penetration depth of any two convex shapes: the length of the shortest translation that separates them. van den
+/// Bergen, "Proximity queries and penetration depth computation on 3D game objects" (2001), section 4.
 #pragma once
 
 #include <algorithm>
@@ -21,23 +22,24 @@
 
 namespace graze {
 
-/// The depth of two convex shapes that meet, enclosed: lower <= depth <= upper, up to `resolution`.
+/// Bounds on the depth of two convex shapes that meet: lower <= depth <= upper, up to `resolution`.
 template <Dim N>
 struct EpaResult {
-  double lower = 0;  ///< A sphere of this radius around the origin is in the set of differences a - b.
-  double upper = std::numeric_limits<double>::infinity();  ///< Moving b by `normal` * upper parts the shapes.
-  double gap = 0;             ///< Proved distance along some direction, if the shapes turn out not to meet.
-  double resolution = 0;      ///< The rounding of support points: all bounds may be off by it.
-  bool holds_origin = false;  ///< The shapes meet: no face of a polytope in the set of differences parts it from zero.
-  Vec<N, double> normal = unit_axis<N>(0);
-  Status status = Status::converged;
-  int iterations = 0;
+  double lower = 0;  ///< A sphere of this radius around the origin lies in the set of differences a - b.
+  double upper = std::numeric_limits<double>::infinity();  ///< Moving b by `normal` * upper separates the shapes.
+  double gap = 0;         ///< A proved distance along some direction, if the shapes turn out not to meet.
+  double resolution = 0;  ///< The rounding error of support points, and so of all bounds.
+  /// The shapes meet: no face of a polytope in the set of differences separates it from the origin.
+  bool holds_origin = false;
+  Vec<N, double> normal = unit_axis<N>(0);  ///< Of length 1, from a to b: the direction of `upper`.
+  Status status = Status::converged;        ///< `best_bound`: the bounds hold, but did not meet.
+  int iterations = 0;                       ///< Steps taken, at most 128.
 };
 
-/// When an answer about a threshold is enough: stops as soon as lower > threshold or upper <= threshold, by more than
-/// rounding.
+/// Lets EPA stop early if only the comparison with a threshold matters: as soon as lower > threshold or upper <=
+/// threshold, by more than rounding.
 struct EpaOptions {
-  double threshold = std::numeric_limits<double>::quiet_NaN();  ///< NaN: go on until the bounds meet.
+  double threshold = std::numeric_limits<double>::quiet_NaN();  ///< NaN: continue until the bounds meet.
 };
 
 namespace detail {
@@ -45,7 +47,7 @@ namespace detail {
 inline constexpr int epa_iteration_limit = 128;
 static_assert(epa_iteration_limit <= static_cast<int>(most_hull_inserts));
 
-/// Collects the bounds of an expanding polytope.
+/// Computes the bounds by expanding a polytope.
 template <class Differences>
 class Expansion {
  public:
@@ -63,7 +65,7 @@ class Expansion {
   }
 
  private:
-  /// The support point along a unit direction; its height bounds the depth from above, whatever the direction.
+  /// The support point along a unit direction; its height is an upper bound of the depth for any direction.
   Point probe(const Point& direction) {
     const Point point = differences_.support(direction);
     const double signed_height = dot(direction, point);
@@ -76,9 +78,9 @@ class Expansion {
     return point;
   }
 
-  /// Points whose hull holds the simplex and has an inside, or nothing if the difference set is so flat that the depth
-  /// is within rounding: then the upper bound says so. To the simplex both extremes across the span of the points so
-  /// far are added: at most two points for each dimension.
+  /// Points whose hull contains the simplex and has an interior; none if the difference set is so flat that the depth
+  /// is within rounding, as the upper bound then states. Adds both extremes perpendicular to the span so far: at most
+  /// two points for each dimension.
   std::optional<Start> spanning_points(const Simplex<N>& simplex) {
     Start points(std::span(simplex.points).first(simplex.size));
     Frame<N> frame;
@@ -94,8 +96,8 @@ class Expansion {
     return points;
   }
 
-  /// Pushes the hull's face nearest to the origin outward until it is a face of the difference set itself. A face that
-  /// the origin lies outside of comes first: the shapes may not meet after all.
+  /// Moves the hull's face nearest to the origin outward until it is a face of the difference set itself. A face that
+  /// has the origin outside comes first, because the shapes may not meet after all.
   void expand(GrowingHull<N> hull) {
     for (; result_.iterations < epa_iteration_limit; ++result_.iterations) {
       const auto face = hull.nearest_face();
@@ -121,7 +123,7 @@ class Expansion {
   EpaResult<N> result_;
 };
 
-/// Of shapes in range.
+/// For numbers in range.
 template <Convex A, SameDimension<A> B>
 EpaResult<dimension_of<A>> usual_epa(const A& a, const B& b, const Simplex<dimension_of<A>>& simplex,
                                      const EpaOptions& options = {}) {
@@ -130,7 +132,7 @@ EpaResult<dimension_of<A>> usual_epa(const A& a, const B& b, const Simplex<dimen
   return Expansion<Difference<A, B>>(differences, options).run(simplex);
 }
 
-/// The same of shapes that are 2^k times as large.
+/// The result for shapes 2^k times as large.
 template <Dim N>
 EpaResult<N> resized(EpaResult<N> result, const PowerOfTwo& power) {
   result.lower = power(result.lower);
@@ -140,8 +142,8 @@ EpaResult<N> resized(EpaResult<N> result, const PowerOfTwo& power) {
   return result;
 }
 
-/// Puts the answer for shapes that are out of range in the place of what has been found, if they are. Their simplex is
-/// found again: its points may have been rounded.
+/// If numbers are out of range, replaces `found` by the result of rescaled shapes. Their simplex is computed anew,
+/// because the points of the given one may have been rounded.
 template <Convex A, Convex B>
 [[gnu::noinline, gnu::cold]] void put_in_range(EpaResult<dimension_of<A>>& found, const A& a, const B& b,
                                                const EpaOptions& options) {
@@ -156,10 +158,11 @@ template <Convex A, Convex B>
 
 }  // namespace detail
 
-/// The depth of two convex shapes that meet, given the simplex with which `gjk` found that they do. Flat sets of
-/// differences, such as those of two triangles in one plane, have depth 0. At most 128 steps; if they, or the numbers'
-/// precision, end before the bounds meet, the status says so. Takes no memory from the heap, up to 18 KiB of the stack.
-/// Any finite coordinates, as scaling/range.hpp says, if both shapes are in double.
+/// Bounds on the depth of two convex shapes that meet, given the simplex with which `gjk` ended. Flat sets of
+/// differences, as of two coplanar triangles, have depth 0. At most 128 steps; if these or the precision end before the
+/// bounds meet, the status says so and the bounds still hold. If both shapes are in double, coordinates may be any
+/// finite numbers. Allocates nothing on the heap; uses up to 18 KiB of stack. `contact` uses closed forms where there
+/// are any and is cheaper.
 template <Convex A, SameDimension<A> B>
 EpaResult<dimension_of<A>> epa(const A& a, const B& b, const detail::Simplex<dimension_of<A>>& simplex,
                                const EpaOptions& options = {}) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// filled_parts(polygon): any closed polygon, filled by the nonzero rule, as a union of convex ones. A simple polygon is
-// cut by convex_parts. Of any other, edges are cut where they meet until they share nothing but ends; then a vertical
-// line sweeps over them (Bentley and Ottmann, 1979), and between the lines through two neighbouring ends what is filled
-// falls into trapezoids.
+/// @file
+/// filled_parts(polygon): any closed polygon, filled by the nonzero rule, as a union of convex ones. A simple polygon
+/// is split by convex_parts. For any other, edges are cut where they meet until they share only ends. Then a vertical
+/// line sweeps over them (Bentley and Ottmann, 1979), and the filled area between the lines through two neighbouring
+/// ends is split into trapezoids.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +26,7 @@
 
 namespace graze {
 
-/// Into how many pieces `filled_parts` cuts edges where they meet each other; it gives up beyond.
+/// The largest number of pieces into which `filled_parts` cuts edges that meet; it returns std::nullopt beyond.
 inline constexpr std::size_t max_filled_pieces = 50'000;
 
 namespace detail {
@@ -44,7 +45,7 @@ struct FilledEdge {
   int winding = 0;  ///< The winding number just above it less that just below it.
 };
 
-/// Where two edges meet in one point, rounded; it lies in the boxes of both.
+/// The point where two edges cross, rounded; it lies in the boxes of both.
 template <class T>
 Vec<2, T> rounded_crossing(const FilledEdge<T>& a, const FilledEdge<T>& b) {
   const Vec<2, double> start = wide<2, T>(a.left);
@@ -52,7 +53,7 @@ Vec<2, T> rounded_crossing(const FilledEdge<T>& a, const FilledEdge<T>& b) {
   const Vec<2, double> along_b = wide<2, T>(b.right) - wide<2, T>(b.left);
   const double sine = along_a.x * along_b.y - along_a.y * along_b.x;
   const Vec<2, double> between = wide<2, T>(b.left) - start;
-  // Zero by rounding only: then the lines are so close to each other that any point of the edges' common box will do.
+  // Zero only by rounding: the lines are so close to each other that any point of the edges' common box will do.
   const double part = sine == 0 ? 0.5 : (between.x * along_b.y - between.y * along_b.x) / sine;
   const Vec<2, T> point = Vec<2, T>(start + part * along_a);
   const Vec<2, T> low = glm::max(glm::min(a.left, a.right), glm::min(b.left, b.right));
@@ -60,7 +61,7 @@ Vec<2, T> rounded_crossing(const FilledEdge<T>& a, const FilledEdge<T>& b) {
   return glm::clamp(point, low, high);
 }
 
-/// Edges between the same two points become one; those that do not change the winding number stay, with 0.
+/// Merges edges between the same two points; edges that do not change the winding number stay, with 0.
 template <class T>
 void unite_equal_edges(std::vector<FilledEdge<T>>& edges) {
   const auto key = [](const FilledEdge<T>& edge) {
@@ -78,7 +79,7 @@ void unite_equal_edges(std::vector<FilledEdge<T>>& edges) {
   edges.resize(kept);
 }
 
-/// Where edges are to be cut: for each the points in it.
+/// For each edge, the points at which to cut it.
 template <class T>
 struct Cuts {
   explicit Cuts(std::size_t edges) : points(edges) {}
@@ -92,14 +93,14 @@ struct Cuts {
   std::size_t count = 0;
 };
 
-/// Where edges meet but in a common end.
+/// Where edges meet, other than in a common end.
 template <class T>
 struct Meetings {
   Cuts<T> ends;       ///< Cuts at an end of another edge: exact.
   Cuts<T> crossings;  ///< Cuts where two edges cross: rounded.
 };
 
-/// Notes where two edges meet but in a common end.
+/// Records where two edges meet, other than in a common end.
 template <class T>
 void note_meeting(const std::vector<FilledEdge<T>>& edges, std::size_t i, std::size_t j, Meetings<T>& found) {
   const FilledEdge<T>& a = edges[i];
@@ -116,7 +117,7 @@ void note_meeting(const std::vector<FilledEdge<T>>& edges, std::size_t i, std::s
     found.crossings.add(j, point);
     return;
   }
-  // An end on the other's line: between its ends it cuts the other. The order along a line is that of is_left_of.
+  // An end on the other's line, between its ends, cuts the other. The order along a line is that of is_left_of.
   const auto note_inner = [&](const Vec<2, T>& point, std::size_t edge) {
     if (is_left_of(edges[edge].left, point) && is_left_of(point, edges[edge].right)) found.ends.add(edge, point);
   };
@@ -126,7 +127,7 @@ void note_meeting(const std::vector<FilledEdge<T>>& edges, std::size_t i, std::s
   if (right_of_b == 0) note_inner(a.right, j);
 }
 
-/// All places where two edges meet but in a common end.
+/// All points where two edges meet, other than in a common end.
 template <class T>
 Meetings<T> meetings(const std::vector<FilledEdge<T>>& edges) {
   Meetings<T> found{Cuts<T>(edges.size()), Cuts<T>(edges.size())};
@@ -147,25 +148,25 @@ Meetings<T> meetings(const std::vector<FilledEdge<T>>& edges) {
   return found;
 }
 
-/// Puts an edge's pieces behind `pieces`. Cuts that rounding has moved off the edge bend it.
+/// Appends an edge's pieces to `pieces`. Cuts that rounding has moved off the edge bend it.
 template <class T>
 void add_pieces(const FilledEdge<T>& edge, std::vector<Vec<2, T>>& points, std::vector<FilledEdge<T>>& pieces) {
   std::sort(points.begin(), points.end(), is_left_of<T>);
   points.push_back(edge.right);
   Vec<2, T> at = edge.left;
   for (const Vec<2, T>& next : points) {
-    // Rounding may put a cut of an almost vertical edge on the wrong side of its end.
+    // Rounding may move a cut of an almost vertical edge to the wrong side of its end.
     if (is_left_of(at, next)) pieces.push_back({at, next, edge.winding});
     if (is_left_of(next, at)) pieces.push_back({next, at, -edge.winding});
     at = next;
   }
 }
 
-/// Cuts edges where they meet until they share nothing but ends. False when that makes too many, or takes too long.
-/// Exact cuts go first: what lies on each other is one edge, then, and has one rounded crossing with a third.
+/// Cuts edges where they meet until they share only ends. Returns false if that makes too many pieces or takes too
+/// long. Exact cuts come first: edges that lie on each other then become one, with one rounded crossing with a third.
 template <class T>
 bool cut_where_they_meet(std::vector<FilledEdge<T>>& edges) {
-  constexpr int rounds = 32;  // rounding bends pieces, which may then meet others; hardly ever more than a few times
+  constexpr int rounds = 32;  // rounding bends pieces, which may meet others; a few are enough
   for (int round = 0; round < rounds; ++round) {
     unite_equal_edges(edges);
     Meetings<T> found = meetings(edges);
@@ -179,7 +180,7 @@ bool cut_where_they_meet(std::vector<FilledEdge<T>>& edges) {
   return false;
 }
 
-/// The height of an edge that is not vertical, at an x between those of its ends.
+/// The y of an edge that is not vertical, at an x between those of its ends.
 template <class T>
 T height_at(const FilledEdge<T>& edge, T x) {
   if (x == edge.left.x) return edge.left.y;
@@ -189,12 +190,12 @@ T height_at(const FilledEdge<T>& edge, T x) {
   return std::clamp(y, std::min(edge.left.y, edge.right.y), std::max(edge.left.y, edge.right.y));
 }
 
-/// Sweeps over edges that share nothing but ends, and collects trapezoids with vertical sides.
+/// Sweeps over edges that share only ends, and collects trapezoids with vertical sides.
 template <class T>
 class TrapezoidSweep {
  public:
-  /// Corners along the bottom and the top, from left to right; the vertical sides are between their first and between
-  /// their last ones.
+  /// Corners along the bottom and the top, from left to right; the vertical sides connect the first two and the last
+  /// two.
   struct Part {
     std::vector<Vec<2, T>> bottom;
     std::vector<Vec<2, T>> top;
@@ -223,7 +224,7 @@ class TrapezoidSweep {
 
   std::vector<Part>& parts() { return parts_; }
 
-  /// True when an edge bounds what is filled, from below or above, or lies in it.
+  /// True if an edge bounds the filled area, from below or above, or lies in it.
   bool is_covered(std::size_t edge) const { return is_covered_[edge]; }
 
  private:
@@ -234,7 +235,7 @@ class TrapezoidSweep {
     T left;
   };
 
-  /// For two edges that have an x in common, more than an end.
+  /// For two edges whose ranges of x overlap in more than an end.
   static bool is_below(const FilledEdge<T>& a, const FilledEdge<T>& b) {
     const bool a_first = !is_left_of(b.left, a.left);
     const FilledEdge<T>& first = a_first ? a : b;
@@ -244,7 +245,7 @@ class TrapezoidSweep {
     return a_first ? side > 0 : side < 0;
   }
 
-  /// At the line through x: what is filled to its right, and what has ended there.
+  /// The state at the line through x: the filled intervals to its right, and the parts that end there.
   void pass(T x) {
     std::vector<Open> open;
     int winding = 0;
@@ -289,7 +290,7 @@ class TrapezoidSweep {
   std::vector<Part> parts_;
 };
 
-/// Puts parts together that have a whole side in common and stay convex.
+/// Merges parts that share a whole side if the result is convex.
 template <class T, class Part>
 void join_neighbours(std::vector<Part>& parts) {
   std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
@@ -319,7 +320,7 @@ void join_neighbours(std::vector<Part>& parts) {
   parts = std::move(joined);
 }
 
-/// The edges of a closed polygon, without those of no length.
+/// The edges of a closed polygon, without those of zero length.
 template <class T>
 std::vector<FilledEdge<T>> edges_of(std::span<const Vec<2, T>> polygon) {
   std::vector<FilledEdge<T>> edges;
@@ -332,7 +333,7 @@ std::vector<FilledEdge<T>> edges_of(std::span<const Vec<2, T>> polygon) {
   return edges;
 }
 
-/// What `filled_parts` gives for a polygon that meets itself.
+/// `filled_parts` of a polygon that meets itself.
 template <class T>
 std::optional<std::vector<std::vector<Vec<2, T>>>> filled_parts_of_crossing(std::span<const Vec<2, T>> polygon) {
   std::vector<FilledEdge<T>> edges = edges_of(polygon);
@@ -350,7 +351,7 @@ std::optional<std::vector<std::vector<Vec<2, T>>>> filled_parts_of_crossing(std:
       result.push_back(true_corners<T>(corners));
     }
   }
-  // The outline belongs to the polygon where it bounds nothing, too: there it goes back on itself.
+  // The outline belongs to the polygon even where it bounds nothing, because it goes back on itself there.
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const bool is_vertical = edges[i].left.x == edges[i].right.x;
     if (edges[i].winding == 0 && !is_vertical && !sweep.is_covered(i))
@@ -362,12 +363,12 @@ std::optional<std::vector<std::vector<Vec<2, T>>>> filled_parts_of_crossing(std:
 
 }  // namespace detail
 
-/// Convex polygons whose union is a closed polygon filled by the nonzero rule: its outline, and all points around which
-/// that runs a number of times other than 0. The outline may cross and touch itself. A simple polygon gives its
-/// convex_parts, exactly. Of another one the insides of parts are disjoint, and the union is off by the rounding of
-/// corners that are not the polygon's own: a few units in the last place of its largest coordinate. Each part is
-/// counter-clockwise (y up); where the outline only goes back on itself, it is the two ends of a segment. None when a
-/// coordinate is not finite, or edges meet more than `max_filled_pieces` times.
+/// Splits a closed polygon, filled by the nonzero rule, into convex ones. Filled are the outline and all points with a
+/// winding number other than 0. The outline may cross and touch itself. A simple polygon gives its `convex_parts`,
+/// exactly. For others the interiors of the parts are disjoint, and the union is off by the rounding of new corners: a
+/// few ulp of the largest coordinate. Each part is counter-clockwise (y up); where the outline only goes back on
+/// itself, it is the two ends of a segment. Returns std::nullopt if a coordinate is not finite, or edges meet more than
+/// `max_filled_pieces` times.
 template <class T>
 std::optional<std::vector<std::vector<Vec<2, T>>>> filled_parts(
     std::type_identity_t<std::span<const Vec<2, T>>> polygon) {
@@ -381,7 +382,7 @@ std::optional<std::vector<std::vector<Vec<2, T>>>> filled_parts(
     Parts simple = convex_parts<T>(points);
     return simple ? simple : detail::filled_parts_of_crossing<T>(points);
   };
-  // Products of products must neither overflow nor be lost, so far away from 1 a power of two brings them near.
+  // Products of products must not overflow or underflow, so coordinates far from 1 are scaled by a power of two.
   constexpr int farthest = std::numeric_limits<T>::max_exponent / 4;
   if (largest == 0 || std::abs(std::ilogb(largest)) <= farthest) return parts_of(polygon);
   const int exponent = std::ilogb(largest);
@@ -395,7 +396,7 @@ std::optional<std::vector<std::vector<Vec<2, T>>>> filled_parts(
   return parts;
 }
 
-/// The same for any row of points.
+/// The overload for any contiguous range of points.
 template <PointRow Row>
 auto filled_parts(const Row& polygon) {
   return filled_parts<typename ElementOf<Row>::value_type>(span_of(polygon));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The distance between any two convex shapes, from nothing but their support functions.
-// Gilbert, Johnson, Keerthi, "A fast procedure for computing the distance between complex objects in three-dimensional
-// space" (1988); bounds after van den Bergen, "A fast and robust GJK implementation" (1999).
+/// @file
+/// The distance between any two convex shapes, from their support functions alone. Gilbert, Johnson, Keerthi, "A fast
+/// procedure for computing the distance between complex objects in three-dimensional space" (1988); bounds after van
+/// den Bergen, "A fast and robust GJK implementation" (1999).
 #pragma once
 
 #include <algorithm>
@@ -20,25 +21,27 @@
 
 namespace graze {
 
-/// The distance of two convex shapes, enclosed: lower <= distance <= upper, up to `resolution`.
+/// Bounds on the distance of two convex shapes: lower <= distance <= upper, up to `resolution`.
 template <Dim N>
 struct GjkResult {
-  double lower = 0;                                 ///< Proved by a plane across `normal`.
-  double upper = 0;                                 ///< Attained by two points of the shapes; 0 when they meet.
-  double resolution = 0;                            ///< The rounding of support points: both bounds may be off by it.
-  Vec<N, double> separation = Vec<N, double>(0.0);  ///< From b to a, as long as `upper`.
-  Vec<N, double> normal = Vec<N, double>(0.0);      ///< Of any length, towards a; zero if nothing parts them.
-  Status status = Status::converged;
-  int iterations = 0;
+  double lower = 0;                                 ///< Proved by a plane perpendicular to `normal`.
+  double upper = 0;                                 ///< Attained by two points of the shapes; 0 if they meet.
+  double resolution = 0;                            ///< The rounding error of support points, and so of both bounds.
+  Vec<N, double> separation = Vec<N, double>(0.0);  ///< From b to a; its length is `upper`.
+  Vec<N, double> normal = Vec<N, double>(0.0);      ///< Towards a, of any length; zero if nothing separates the shapes.
+  Status status = Status::converged;                ///< `best_bound`: the bounds hold, but did not meet.
+  int iterations = 0;                               ///< Steps taken, at most 128.
   detail::Simplex<N>
-      simplex;  ///< Points of the set of differences a - b whose hull holds the nearest one to the origin.
+      simplex;  ///< Points of the set of differences a - b whose hull contains the one nearest to the origin.
 };
 
-/// When an answer about a threshold is enough: GJK stops as soon as lower > threshold or upper < threshold, by more
-/// than rounding, and not before unless the bounds meet up to rounding.
+/// Lets GJK stop early if only the comparison with a threshold matters: as soon as lower > threshold or upper <
+/// threshold by more than rounding, and not before unless the bounds meet up to rounding.
 struct GjkOptions {
-  double threshold = std::numeric_limits<double>::quiet_NaN();  ///< NaN: go on until the bounds meet.
-  double radius = 0;  ///< Of what the shapes are the cores of: they meet relative to what is left of the distance.
+  double threshold = std::numeric_limits<double>::quiet_NaN();  ///< NaN: continue until the bounds meet.
+  /// The total radius if the shapes are the cores of round shapes: the bounds must then meet relative to distance -
+  /// radius.
+  double radius = 0;
 };
 
 namespace detail {
@@ -51,7 +54,7 @@ bool is_corner_of(const Simplex<N>& simplex, const Vec<N, double>& point) {
          simplex.points.begin() + simplex.size;
 }
 
-/// All differences lie beyond a plane across `normal`, at `distance` from the origin.
+/// All differences lie beyond a plane perpendicular to `normal`, at `distance` from the origin.
 template <Dim N>
 void raise_lower(GjkResult<N>& result, double distance, const Vec<N, double>& normal) {
   if (!(distance > result.lower)) return;
@@ -59,8 +62,8 @@ void raise_lower(GjkResult<N>& result, double distance, const Vec<N, double>& no
   result.normal = normal;
 }
 
-/// Raises the lower bound: near the origin the nearest point is mostly rounding, and so is its direction, but those at
-/// right angles to the simplex' faces are not.
+/// Raises the lower bound. Near the origin the nearest point, and so its direction, is mostly rounding error, but the
+/// directions perpendicular to the simplex' faces are not.
 template <class Differences>
 void prove_distance(Differences& differences, const Simplex<Differences::dimension>& simplex,
                     GjkResult<Differences::dimension>& result) {
@@ -72,23 +75,23 @@ void prove_distance(Differences& differences, const Simplex<Differences::dimensi
   result.resolution = differences.resolution();
 }
 
-/// How often in a row a step may bring nothing that can be measured.
+/// The largest number of consecutive steps without measurable progress.
 inline constexpr int gjk_stall_limit = 24;
 
-/// What the next step goes on from.
+/// The state of the iteration.
 template <Dim N>
 struct GjkProgress {
   explicit GjkProgress(const Vec<N, double>& nearest) : toward(nearest), least_squared(dot(nearest, nearest)) {}
 
-  Vec<N, double> toward;  ///< The direction of the nearest point, as long as that is far.
+  Vec<N, double> toward;  ///< The direction of the nearest point; its length is the distance.
   double least_squared;   ///< The least distance so far.
-  int stalls = 0;         ///< How many steps have not made it less.
+  int stalls = 0;         ///< Number of steps that have not reduced it.
 };
 
-/// The next nearest point. Beside a long edge, and where faces meet nearly flat, a step may be too small to make the
-/// distance less, and yet turn the direction towards a corner that does: then the face that fits best is the next one.
-/// None when that makes the distance larger, or has not helped for some time. No point is taken that is
-/// nearer than the proved bound: of a needle, rounding turns the faces, and the origin may seem to lie between them.
+/// The next nearest point. Beside a long edge, and where faces meet nearly flat, a step may be too small to reduce the
+/// distance and still turn the direction towards a corner that does; then the best-fitting face is next. None if that
+/// increases the distance or has not helped for some steps. No point nearer than the proved bound is accepted: rounding
+/// turns the faces of a needle, so that the origin may seem to lie between them.
 template <Dim N>
 std::optional<NearestOnSimplex<N>> gjk_step(const Simplex<N>& extended, const GjkResult<N>& result,
                                             GjkProgress<N>& progress) {
@@ -107,10 +110,10 @@ std::optional<NearestOnSimplex<N>> gjk_step(const Simplex<N>& extended, const Gj
   return fitting.nearest;
 }
 
-/// Each step asks for the point of the difference set farthest against the nearest one found. That point bounds the
-/// distance from below; the simplex of such points, reduced to the face that matters, from above. Without progress the
-/// bounds at hand are the answer. The walk begins at `start`, the
-/// nearest point of the hull of some differences, and its face.
+/// Each step takes the point of the difference set that is farthest against the nearest point found. It bounds the
+/// distance from below; the simplex of such points, reduced to the face that matters, bounds it from above. Without
+/// progress the current bounds are the result. The iteration starts at `start`, the nearest point of the hull of some
+/// differences, and its face.
 template <class Differences>
 GjkResult<Differences::dimension> gjk_walk(Differences& differences,
                                            const NearestOnSimplex<Differences::dimension>& start,
@@ -121,7 +124,7 @@ GjkResult<Differences::dimension> gjk_walk(Differences& differences,
   result.simplex = start.face;
   Simplex<N> extended = result.simplex;
   GjkProgress<N> progress(start.point);
-  // As much beyond the threshold as whoever compares with it wants to see: less would leave the verdict open.
+  // Beyond the threshold by as much as the caller's comparison needs; less would leave the verdict open.
   const auto margin = [&] { return result.resolution + tolerance::rounding * options.threshold; };
   const auto bounds_meet = [&] {
     const double wanted =
@@ -157,7 +160,7 @@ GjkResult<Differences::dimension> gjk_walk(Differences& differences,
   return result;
 }
 
-/// From the support point of an axis.
+/// Starts at the support point of an axis.
 template <class Differences>
 GjkResult<Differences::dimension> gjk_on(Differences& differences, const GjkOptions& options) {
   constexpr Dim N = Differences::dimension;
@@ -167,14 +170,14 @@ GjkResult<Differences::dimension> gjk_on(Differences& differences, const GjkOpti
   return gjk_walk(differences, start, options);
 }
 
-/// Of shapes in range.
+/// For numbers in range.
 template <Convex A, SameDimension<A> B>
 GjkResult<dimension_of<A>> usual_gjk(const A& a, const B& b, const GjkOptions& options = {}) {
   Difference<A, B> differences(a, b);
   return gjk_on(differences, options);
 }
 
-/// The same of shapes that are 2^k times as large. A bound that is not zero stays so.
+/// The result for shapes 2^k times as large. A bound that is not zero stays nonzero.
 template <Dim N>
 GjkResult<N> resized(GjkResult<N> result, const PowerOfTwo& power) {
   result.lower = power(result.lower);
@@ -185,7 +188,7 @@ GjkResult<N> resized(GjkResult<N> result, const PowerOfTwo& power) {
   return result;
 }
 
-/// Puts the answer for shapes that are out of range in the place of what has been found, if they are.
+/// If numbers are out of range, replaces `found` by the result of rescaled shapes.
 template <Convex A, Convex B>
 [[gnu::noinline, gnu::cold]] void put_in_range(GjkResult<dimension_of<A>>& found, const A& a, const B& b,
                                                const GjkOptions& options) {
@@ -200,9 +203,10 @@ template <Convex A, Convex B>
 
 }  // namespace detail
 
-/// The distance between two convex shapes, enclosed. Shapes that meet have upper = 0 or below `resolution`. At most 128
-/// steps; if they, or the numbers' precision, end before the bounds meet, the status says so and the bounds still hold.
-/// Any finite coordinates, as scaling/range.hpp says, if both shapes are in double.
+/// Bounds on the distance of two convex shapes, in double. If the shapes meet, upper is 0 or below `resolution`. At
+/// most 128 steps; if these or the precision end before the bounds meet, the status says so and the bounds still hold.
+/// If both shapes are in double, coordinates may be any finite numbers. `distance` and `intersects` use closed forms
+/// where there are any and are cheaper.
 template <Convex A, SameDimension<A> B>
 GjkResult<dimension_of<A>> gjk(const A& a, const B& b, const GjkOptions& options = {}) {
   GjkResult<dimension_of<A>> result = detail::usual_gjk(a, b, options);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What shape_cast(a, motion, b) and time_of_impact answer.
+/// @file
+/// The result of shape_cast(a, motion, b) and time_of_impact.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +14,14 @@
 
 namespace graze {
 
-/// When two shapes of which one moves, or both, first touch, and where.
+/// When and where two shapes, one or both of them moving, first touch.
 template <Dim N, class T = float>
 struct Impact {
-  T t = T(0);                          ///< From 0, the start of the motion, to 1, its end; rounded down.
-  Vec<N, T> point = Vec<N, T>(T(0));   ///< Where they touch at t.
-  Vec<N, T> normal = Vec<N, T>(T(0));  ///< Of length 1, from a to b; or zero, as contact.hpp says, at t = 0.
-  Status status = Status::converged;   ///< `best_bound`: they do not touch before t, and maybe only after it.
-  double error = 0;                    ///< A length: see shape_cast.hpp and time_of_impact.hpp.
+  T t = T(0);                          ///< Time, from 0 (start of the motion) to 1 (its end); rounded down.
+  Vec<N, T> point = Vec<N, T>(T(0));   ///< A point where they touch at t.
+  Vec<N, T> normal = Vec<N, T>(T(0));  ///< Of length 1, from a to b; at t = 0 that of `contact`, which may be zero.
+  Status status = Status::converged;   ///< `best_bound`: they do not touch before t, but may touch only later.
+  double error = 0;                    ///< Largest gap left at t, a length: see shape_cast.hpp and time_of_impact.hpp.
 
   friend bool operator==(const Impact&, const Impact&) = default;
 };
@@ -37,7 +38,7 @@ struct CastHit {
   double error = 0;
 };
 
-/// The same of shapes that are 2^k times as large.
+/// The impact of shapes that are 2^k times as large.
 template <Dim N>
 std::optional<CastHit<N>> resized(std::optional<CastHit<N>> cast_hit, const PowerOfTwo& power) {
   if (!cast_hit) return cast_hit;
@@ -46,20 +47,20 @@ std::optional<CastHit<N>> resized(std::optional<CastHit<N>> cast_hit, const Powe
   return cast_hit;
 }
 
-/// Down, so that t is not behind the touch by what T cannot tell.
+/// Rounds t down, so that it is not after the touch by what T cannot represent.
 template <Scalar T, Dim N>
 Impact<N, T> rounded_impact(const CastHit<N>& exact) {
   return {std::max(T(0), round_down<T>(exact.t)) + T(0),  // never minus zero
           Vec<N, T>(exact.point) + T(0), Vec<N, T>(exact.normal) + T(0), exact.status, exact.error};
 }
 
-/// Shapes that meet before anything moves.
+/// The impact of shapes that meet at the start.
 template <Dim N>
 CastHit<N> cast_hit_at_start(const Penetration<N>& contact) {
   return {0, contact.point_a * 0.5 + contact.point_b * 0.5, contact.normal, contact.status, contact.error};
 }
 
-/// The first of two that is earlier.
+/// Keeps the earlier of two impacts.
 template <Dim N>
 void keep_earlier(std::optional<CastHit<N>>& first, const std::optional<CastHit<N>>& other) {
   if (other && (!first || other->t < first->t)) first = other;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// intersects(a, b) for every two shapes; the table of what decides each pair is at the top of relation.hpp.
+/// @file
+/// intersects(a, b) for any two shapes; the table at the top of relation.hpp lists the algorithm of each pair.
 #pragma once
 
 #include <cassert>
@@ -16,7 +17,7 @@ namespace graze {
 
 namespace detail {
 
-/// One of which the filters of ray_cast.hpp, or the closed form there, say of most rays whether they hit.
+/// A shape for which the filters of ray_cast.hpp, or the closed form there, decide most rays.
 template <class S>
 concept HasFastRayVerdict = HasQuickCast<S> || requires(const S& shape, const Ray<dimension_of<S>, scalar_of<S>>& ray) {
   ray_verdict_of_ray(shape, ray);
@@ -31,8 +32,8 @@ RayVerdict fast_ray_verdict(const S& shape, const Ray<N, T>& ray) {
   }
 }
 
-/// What these say, and where they are unclear, `relation`: in fewer steps, for touching need not be told from
-/// overlapping.
+/// Uses the fast verdict, and `relation` where that is unclear. Fewer steps than `relation`, because touching need not
+/// be distinguished from overlapping.
 template <Dim N, class T, HasFastRayVerdict S>
 bool is_met(const Ray<N, T>& ray, const S& shape) {
   const RayVerdict verdict = fast_ray_verdict(shape, ray);
@@ -42,9 +43,9 @@ bool is_met(const Ray<N, T>& ray, const S& shape) {
 
 }  // namespace detail
 
-/// True when two valid shapes share a point; touching counts. The same dimension and number type are required, any pair
-/// has an algorithm, and swapping the arguments changes nothing. The error is that of `relation`, which also tells
-/// touching from overlapping.
+/// True if two valid shapes (asserted) share a point; touching counts. Every pair of the same dimension and number type
+/// has an algorithm. Symmetric in its arguments. The error is that of `relation`, which also distinguishes touching
+/// from overlapping.
 template <Shape A, SameSpace<A> B>
 inline bool intersects(const A& a, const B& b) {
   if constexpr (detail::is_a<Ray, A> && detail::HasFastRayVerdict<B>) {

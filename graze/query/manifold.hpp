@@ -1,29 +1,32 @@
 // SPDX-License-Identifier: MIT
-// manifold(a, b): the few contact points that hold two shapes apart as all their common patch would: what a solver
-// needs so that a box stands on a floor and does not topple.
-//
-// The normal and the depth are those of contact(a, b), and so is who decides whether there is a contact. If a face of
-// one shape looks along the normal (if both do, the same shape's whichever is called a; a plane's before all), the face
-// of the other that looks most against it is laid over it and cut at its sides and at its surface; every corner of what
-// is left is a contact of its own depth along the normal. Two parallel edges (of capsules and segments, in 3D) give the
-// ends of what they share; all else gives the point of `contact` alone. So a sphere has one point; a capsule two where
-// it lies; boxes, triangles and polytopes up to four, of more those that span the patch: the deepest, the farthest from
-// it, and on either side of the line between them the one that makes the largest triangle. Rays and users' shapes,
-// which have no faces to speak of, and pairs that no translation parts have the point of `contact`. A flat face rests
-// on the other, tilted by up to 1e-5 radians, if nothing of it over the other is higher than 1e-5 of half the perimeter
-// of the smaller one: then nothing is cut at the surface, and corners above it have depth 0.
-//
-// Each point has an id: which corner, edge or face of a, and which of b, it lies on; no two of a manifold have the
-// same. It stays the same from frame to frame until a corner crosses a side of the other shape, so that a solver can go
-// on with the impulses of the last frame. Features have the shape's own numbers (patch.hpp) whatever its pose, if its
-// corners keep their order, as by `transformed`. Of points as good as each other up to 1e-5 of the patch always the
-// same are taken (others of two boxes that cross in an octagon, where both are turned far). Up to 1e-5 radians faces
-// look along the normal and edges are parallel; up to 1e-5 of its size a polytope's corners are one.
-//
-// A compound is its deepest part, which the ids name. Swapping the arguments exchanges everything, up to the order of
-// shapes that equal each other. Coordinates as in contact.hpp; points are off by no more than those of `contact`, and
-// the depths by `error`; but of faces that are not exactly at right angles to the normal or rest on each other, and of
-// polytopes with corners that close to each other, by 1e-5 of their size more.
+/// @file
+/// manifold(a, b): a few contact points that hold two shapes apart as their whole contact area would. A solver needs
+/// them so that a box rests on a floor without toppling.
+///
+/// The normal and the depth are those of contact(a, b), which also decides whether there is a contact. If a face of one
+/// shape lies across the normal (of both: the same shape's whichever is called a; a plane's first), the other shape's
+/// face that points most against it is projected onto it and clipped at its sides and at its surface. Every corner of
+/// the result is a contact with its own depth along the normal. Two parallel edges (of capsules and segments in 3D)
+/// give the ends of their common part; everything else gives the single point of `contact`. So a sphere has one point,
+/// a lying capsule two, and boxes, triangles and polytopes have up to four. If there are more, those that span the area
+/// are chosen: the deepest, the farthest from it, and on either side of the line between them the one that makes the
+/// largest triangle. Rays and users' shapes, which have no faces, and pairs that no translation separates have the
+/// point of `contact`. A flat face rests on another one that is tilted by up to 1e-5 radians if no part of it above the
+/// other is higher than 1e-5 of half the perimeter of the smaller one; then nothing is clipped at the surface, and
+/// corners above it have depth 0.
+///
+/// Each point has an id that tells on which corner, edge or face of a, and of b, it lies. No two points of a manifold
+/// have the same id. It is stable from frame to frame until a corner crosses a side of the other shape, so a solver can
+/// reuse the impulses of the last frame. Features are numbered by the shape itself (patch.hpp) whatever its pose, if
+/// its corners keep their order, as with `transformed`. Among points that are equally good up to 1e-5 of the area the
+/// choice is stable (except for two boxes that cross in an octagon when both rotate far). Faces lie across the normal,
+/// and edges are parallel, up to 1e-5 radians; corners of a polytope that are closer than 1e-5 of its size count as
+/// one.
+///
+/// A compound counts as its deepest part, which the ids name. Swapping the arguments swaps everything, except for the
+/// order of equal shapes. Coordinates as in contact.hpp. Errors of the points are those of `contact`, and errors of the
+/// depths are at most `error`; both are larger by 1e-5 of the size for faces that are not exactly perpendicular to the
+/// normal or rest on each other, and for polytopes with corners that close to each other.
 #pragma once
 
 #include <algorithm>
@@ -57,40 +60,41 @@
 
 namespace graze {
 
-/// Which features of two shapes a contact point lies on.
+/// The features of two shapes on which a contact point lies.
 struct ContactId {
-  Feature a{};
-  Feature b{};
-  std::uint32_t part_a = 0;  ///< The place of the part in a compound; 0 without parts.
-  std::uint32_t part_b = 0;
+  Feature a{};               ///< Corner, edge or face of a.
+  Feature b{};               ///< Corner, edge or face of b.
+  std::uint32_t part_a = 0;  ///< The index of a's part in a compound; 0 without parts.
+  std::uint32_t part_b = 0;  ///< The index of b's part in a compound; 0 without parts.
 
   friend bool operator==(const ContactId&, const ContactId&) = default;
 };
 
-/// One point of a manifold; as in Contact, but of this point.
+/// One point of a manifold; members as in Contact, but of this point.
 template <Dim N, class T = float>
 struct ManifoldPoint {
-  Vec<N, T> point = Vec<N, T>(T(0));    ///< In the middle between the two below.
-  Vec<N, T> point_a = Vec<N, T>(T(0));  ///< Of a's surface.
-  Vec<N, T> point_b = Vec<N, T>(T(0));  ///< Of b's surface: point_a - normal * depth.
-  T depth = T(0);
-  ContactId id;
+  Vec<N, T> point = Vec<N, T>(T(0));    ///< Midpoint of point_a and point_b.
+  Vec<N, T> point_a = Vec<N, T>(T(0));  ///< On the surface of a.
+  Vec<N, T> point_b = Vec<N, T>(T(0));  ///< On the surface of b: point_a - normal * depth.
+  T depth = T(0);                       ///< Along the normal of the manifold; at least zero.
+  ContactId id;                         ///< Identifies the point across frames.
 
   friend bool operator==(const ManifoldPoint&, const ManifoldPoint&) = default;
 };
 
-/// The contacts of two shapes; none if they are apart.
+/// The contact points of two shapes; none if they are apart.
 template <Dim N, class T = float>
 struct Manifold {
-  static constexpr std::size_t most_points = N == 2 ? 2 : 4;
+  static constexpr std::size_t most_points = N == 2 ? 2 : 4;  ///< 2 in 2D, 4 in 3D.
 
-  std::array<ManifoldPoint<N, T>, most_points> points;
-  std::size_t size = 0;  ///< How many of them there are.
+  std::array<ManifoldPoint<N, T>, most_points> points;  ///< The first `size` are contacts; see `contacts()`.
+  std::size_t size = 0;                                 ///< Number of contacts; 0 if the shapes are apart.
   Vec<N, T> normal =
-      Vec<N, T>(T(0));  ///< Of length 1, from a to b; zero if nothing parts the shapes, or they are apart.
+      Vec<N, T>(T(0));  ///< Of length 1, from a to b; zero if nothing separates the shapes, or they are apart.
   Status status = Status::converged;  ///< As in Contact.
   double error = 0;                   ///< As in Contact.
 
+  /// The contacts; empty if the shapes are apart. A view of this manifold.
   std::span<const ManifoldPoint<N, T>> contacts() const { return {points.data(), size}; }
 
   friend bool operator==(const Manifold&, const Manifold&) = default;
@@ -124,7 +128,7 @@ std::optional<WideManifold<N>> exchanged(std::optional<WideManifold<N>> manifold
   return manifold;
 }
 
-/// That of the deepest part, the first of several, as `contact` has it. Parts of parts are numbered on.
+/// The manifold of the deepest part, of several the first, as in `contact`. Nested parts are numbered consecutively.
 template <Dim N, class T, class S>
 std::optional<WideManifold<N>> manifold_of_parts(const Compound<N, T>& compound, const S& shape) {
   const Aabb<N, T> box = touching_bounds(shape);
@@ -144,7 +148,7 @@ std::optional<WideManifold<N>> manifold_of_parts(const Compound<N, T>& compound,
   return result;
 }
 
-/// Of two boxes along the axes that meet.
+/// For two axis-aligned boxes that meet.
 template <Dim N, class T>
 WideManifold<N> manifold_of_aabbs(const Aabb<N, T>& a, const Aabb<N, T>& b) {
   const Penetration<N> found = penetration_in_order(a, b);
@@ -160,7 +164,7 @@ WideManifold<N> manifold_of_aabbs(const Aabb<N, T>& a, const Aabb<N, T>& b) {
   return result;
 }
 
-/// Of two simple shapes in the order in which their contact is calculated. That of boxes has their faces at hand.
+/// For two simple shapes in the order in which their contact is calculated. That of boxes has their faces ready.
 template <class A, class B>
 WideManifold<dimension_of<A>> manifold_in_order(const A& a, const B& b) {
   if constexpr (is_a<Aabb, A> && is_a<Aabb, B>) {
@@ -181,7 +185,7 @@ WideManifold<dimension_of<A>> manifold_in_order(const A& a, const B& b) {
   }
 }
 
-/// Of two simple shapes in the order of their contact, which has been found.
+/// For two simple shapes in the order of their contact, which is known.
 template <class A, class B>
 WideManifold<dimension_of<A>> manifold_in_frame(const A& a, const B& b, const Penetration<dimension_of<A>>& found) {
   if constexpr (is_box<A> && is_plane_or_half_space<B>) {
@@ -196,7 +200,7 @@ WideManifold<dimension_of<A>> manifold_in_frame(const A& a, const B& b, const Pe
   return manifold_of_found(a, b, found);
 }
 
-/// Of two simple shapes in any order, of which has been found how they meet.
+/// For two simple shapes in any order, whose contact is known.
 template <class A, class B>
 WideManifold<dimension_of<A>> manifold_of_asked(const A& a, const B& b, const Penetration<dimension_of<A>>& found) {
   if (is_in_order(a, b)) return manifold_in_frame(a, b, found);
@@ -205,7 +209,7 @@ WideManifold<dimension_of<A>> manifold_of_asked(const A& a, const B& b, const Pe
   return result;
 }
 
-/// Of two simple shapes that a quick look shows to meet.
+/// For two simple shapes that a fast test shows to meet.
 template <class A, class B, class Look>
 WideManifold<dimension_of<A>> manifold_of_look(const A& a, const B& b, const Look& look) {
   WideManifold<dimension_of<A>> result;
@@ -215,7 +219,7 @@ WideManifold<dimension_of<A>> manifold_of_look(const A& a, const B& b, const Loo
   return result;
 }
 
-/// Of two simple shapes that meet, in range.
+/// For two simple shapes that meet and are in range.
 template <class A, class B>
 WideManifold<dimension_of<A>> manifold_in_any_order(const A& a, const B& b) {
   if constexpr (contact_place<A> < contact_place<B>) {
@@ -232,7 +236,7 @@ WideManifold<dimension_of<A>> manifold_in_any_order(const A& a, const B& b) {
   }
 }
 
-/// Of two shapes that are out of range, if they meet; none of others.
+/// For two shapes that are out of range, if they meet; none for others.
 template <class A, class B>
 [[gnu::noinline, gnu::cold]] std::optional<std::optional<WideManifold<dimension_of<A>>>> manifold_in_range(const A& a,
                                                                                                            const B& b) {
@@ -246,10 +250,10 @@ template <class A, class B>
       a, b);
 }
 
-/// Of two simple shapes that meet.
+/// For two simple shapes that meet.
 template <class A, class B>
 WideManifold<dimension_of<A>> manifold_of_met(const A& a, const B& b) {
-  constexpr bool are_along_axes = is_a<Aabb, A> && is_a<Aabb, B>;  // of these nothing is multiplied
+  constexpr bool are_along_axes = is_a<Aabb, A> && is_a<Aabb, B>;  // needs no multiplications
   if (!are_along_axes && !are_usual(a, b)) {
     const auto rescaled = manifold_in_range(a, b);
     if (rescaled && *rescaled) return **rescaled;
@@ -258,7 +262,7 @@ WideManifold<dimension_of<A>> manifold_of_met(const A& a, const B& b) {
   return manifold_in_any_order(a, b);
 }
 
-// Not defined where there are no lanes, and so no `are_quick_obbs`; compilers look the names up all the same.
+// Not defined without vector lanes, and so without `are_quick_obbs`; compilers look the names up anyway.
 template <class A, class B>
 std::optional<WideManifold<3>> manifold_of_obbs(const A& a, const B& b);
 template <class A, class B>
@@ -311,7 +315,7 @@ ManifoldPoint<N, T> rounded_point(const WideManifold<N>& exact, std::size_t plac
           {pair.feature_a, pair.feature_b, exact.part_a, exact.part_b}};
 }
 
-/// Every point is made where it stays: to clear them all first takes as long as a quick contact.
+/// Constructs every point in place: to clear them all first takes as long as a fast contact.
 template <Scalar T, Dim N, std::size_t... places>
 Manifold<N, T> rounded_manifold(const WideManifold<N>& exact, std::index_sequence<places...>) {
   return {{{rounded_point<T>(exact, places)...}},
@@ -328,7 +332,7 @@ Manifold<N, T> rounded_manifold(const WideManifold<N>& exact) {
 
 #ifdef GRAZE_HAS_LANES
 
-/// Of two in the order of their contact, or `turned`.
+/// For two boxes in the order of their contact, or `turned`.
 template <class R, class Seen>
 [[gnu::noinline]] Manifold<3, R> careful_manifold_of_obbs(const Seen& seen, const BoxesContact<3>& contact,
                                                           bool turned) {
@@ -340,13 +344,13 @@ template <class R, class Seen>
   return rounded_manifold<R>(wide);
 }
 
-/// Four of more than four.
+/// Chooses four corners if there are more.
 [[gnu::always_inline]] inline unsigned chosen_corners(const FaceOverFace& over, const PairedVec& normal, bool is_of_b) {
   if (over.size() > Manifold<3>::most_points) return LaneChoice(over, normal, is_of_b).run();
   return over.left();
 }
 
-/// Of two that meet, in the order of their contact, or `turned`.
+/// For two boxes that meet, in the order of their contact, or `turned`.
 template <class R, class Seen>
 [[gnu::always_inline]] inline Manifold<3, R> manifold_of_met_obbs(const Seen& seen, const MeetingObbs& met,
                                                                   bool turned) {
@@ -419,8 +423,8 @@ std::optional<WideManifold<3>> manifold_of_obbs(const A& a, const B& b) {
 
 }  // namespace detail
 
-/// The contact points of two valid shapes (asserted) of the same dimension and number type, as described above; none if
-/// they are apart. Cheaper where one point is enough: `contact`.
+/// The contact points of two valid shapes (asserted) of the same dimension and number type; none if they are apart. See
+/// the top of this file for what they are and how exact. `contact` is cheaper if one point is enough.
 template <Shape A, SameSpace<A> B>
 Manifold<dimension_of<A>, scalar_of<A>> manifold(const A& a, const B& b) {
   assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-// mass_properties(shape): volume, centroid and inertia of a solid of density 1.
-//
-//   sphere, aabb, obb, capsule            closed form
-//   triangle and polytope in 2D           sum over triangles
-//   polytope in 3D                        sum over tetrahedra under the faces of the hull
-//   compound                              sum of its parts: where parts overlap, what they share counts twice
-//   posed                                 that of the shape, turned and moved
-//   point, segment; triangle in 3D        without volume: their middle, and no inertia
-//   ray, plane, half-space                without end: no centroid (NaN); half-spaces have an infinite volume
-//
-// Shapes of your own, which are known by their support points alone, have none.
-//
-// In double whatever the shape's type is, because volumes of floats leave the range of float. Errors are a few epsilon
-// of double of the volume, and of the centroid and inertia that a box around the shape would have.
+/// @file
+/// mass_properties(shape): volume, centroid and inertia of a solid of density 1.
+///
+///     sphere, aabb, obb, capsule            closed form
+///     triangle and polytope in 2D           sum over triangles
+///     polytope in 3D                        sum over tetrahedra under the faces of the hull
+///     compound                              sum of its parts: where parts overlap, the common volume counts twice
+///     posed                                 that of the shape, rotated and moved
+///     point, segment; triangle in 3D        no volume, no inertia; the centroid is the middle
+///     ray, plane, half-space                unbounded: no centroid (NaN); half-spaces have an infinite volume
+///
+/// Users' shapes, which are known by their support points alone, have no mass properties.
+///
+/// Calculated in double for every type, because volumes of floats can leave the range of float. Errors are a few
+/// epsilon of double of the volume, and of the centroid and inertia of a box around the shape.
 #pragma once
 
 #include <cmath>
@@ -34,15 +35,17 @@
 
 namespace graze {
 
-/// In space a symmetric matrix; in the plane one number, for the turn around the centroid.
+/// In 3D a symmetric matrix; in 2D one number, for rotation about the centroid.
 template <Dim N>
 using Inertia = std::conditional_t<N == 2, double, Mat<3, double>>;
 
+/// The result of `mass_properties`.
 template <Dim N>
 struct MassProperties {
-  double volume = 0;  ///< In the plane: the area.
+  double volume = 0;  ///< In 2D the area.
+  /// In world coordinates; NaN for unbounded shapes and empty compounds.
   Vec<N, double> centroid = Vec<N, double>(0.0);
-  Inertia<N> inertia = Inertia<N>(0.0);  ///< About the centroid, along the world's axes.
+  Inertia<N> inertia = Inertia<N>(0.0);  ///< About the centroid, along the world's axes, at density 1.
 };
 
 namespace detail {
@@ -62,7 +65,7 @@ Mat<N, double> outer_product(const Vec<N, double>& a, const Vec<N, double>& b) {
   return result;
 }
 
-/// Of simplices, each of them the origin and N corners more; their signed volumes are added up.
+/// The moments of simplices that consist of the origin and N corners each; their signed volumes are added.
 template <Dim N>
 class SimplexSum {
  public:
@@ -84,7 +87,7 @@ class SimplexSum {
     second_ += (squares + outer_product<N>(sum, sum)) * (volume / ((N + 1) * (N + 2)));
   }
 
-  /// Seen from where the origin was; `middle` is the centroid if there is no volume.
+  /// Relative to the former origin; `middle` is the centroid if there is no volume.
   Moments<N> moments(const Vec<N, double>& origin, const Vec<N, double>& middle) const {
     if (!(volume_ > 0)) return {0, middle};
     const Vec<N, double> off = first_ / volume_;
@@ -116,7 +119,7 @@ Moments<2> moments_of_polygon(std::span<const Vec<2, T>> corners) {
   return sum.moments(origin, origin);
 }
 
-// ---- Of each type
+// ---- The moments of each type
 
 template <Dim N, class T>
 Moments<N> moments_of(const Vec<N, T>& point) {
@@ -200,7 +203,7 @@ Moments<N> moments_of(const Triangle<N, T>& triangle) {
   }
 }
 
-/// A cylinder, or in the plane a rectangle, with half a sphere at either end.
+/// A cylinder, in 2D a rectangle, with half a sphere at either end.
 template <Dim N, class T>
 Moments<N> moments_of(const Capsule<N, T>& capsule) {
   const Vec<N, double> start = wide<N, T>(capsule.a);
@@ -210,7 +213,7 @@ Moments<N> moments_of(const Capsule<N, T>& capsule) {
   const double sphere = sphere_volume<N>(radius);
   const double middle = length * (N == 2 ? 2 * radius : std::numbers::pi * radius * radius);
   const Vec<N, double> axis = length > 0 ? way / length : unit_axis<N>(0);
-  // How far the centroid of half a sphere is from its flat side, in radii.
+  // The distance of the centroid of half a sphere from its flat side, in radii.
   constexpr double rise = N == 2 ? 4 / (3 * std::numbers::pi) : 0.375;
   const double radius_squared = radius * radius;
   const double along = middle * length * length / 12 +
@@ -238,7 +241,7 @@ Moments<N> moments_of(const Polytope<N, T>& polytope) {
 template <Dim N, class T>
 Moments<N> moments_of(const AnyShape<N, T>& shape);
 
-/// Parts by Steiner's theorem. Without any volume, the mean of the parts' centroids.
+/// Adds the parts by Steiner's theorem. Without any volume, the centroid is the mean of the parts' centroids.
 template <Dim N, class T>
 Moments<N> moments_of(const Compound<N, T>& compound) {
   if (compound.parts.empty()) return moments_without_end<N>(0);
@@ -273,7 +276,7 @@ Moments<N> moments_of(const AnyShape<N, T>& shape) {
       shape);
 }
 
-/// Of all rotation * x + position, also for a rotation that is only nearly one.
+/// For all rotation * x + position, also for a rotation that is orthonormal only nearly.
 template <class S>
 requires requires(const S& shape) { moments_of(shape); }
 Moments<dimension_of<S>> moments_of(const Posed<S>& posed) {
@@ -286,7 +289,7 @@ Moments<dimension_of<S>> moments_of(const Posed<S>& posed) {
           rotation * before.second * transpose(rotation) * growth};
 }
 
-/// The moments of a shape, also of one that is out of range, but for what double cannot hold.
+/// The moments of a shape, also of one that is out of range, except for what double cannot represent.
 template <class S>
 Moments<dimension_of<S>> moments_in_range(const S& shape) {
   constexpr Dim N = dimension_of<S>;
@@ -309,7 +312,7 @@ Moments<dimension_of<S>> moments_in_range(const S& shape) {
   return moments_of(shape);
 }
 
-/// One of graze's own shapes, or such a one seen through one pose.
+/// A built-in shape, posed or not.
 template <class S>
 concept HasMoments = requires(const S& shape) {
   moments_of(shape);
@@ -317,10 +320,10 @@ concept HasMoments = requires(const S& shape) {
 
 }  // namespace detail
 
-/// Volume, centroid and inertia of a valid shape of density 1. The inertia of a body of mass m is m / volume times as
-/// large. Boxes are the sets that they store, as everywhere: axes that are not quite orthonormal count as they are.
-/// Volumes and inertias that leave the range of double are infinite, or zero. Mirtich, "Fast and Accurate Computation
-/// of Polyhedral Mass Properties" (1996), has the integrals; ours are over tetrahedra (Blow and Binstock, 2004).
+/// Volume, centroid and inertia of a valid shape of density 1. Multiply the inertia by m / volume for a body of mass m.
+/// Boxes count as stored, even if their axes are orthonormal only nearly. Volumes and inertias out of the range of
+/// double are infinite or zero. The integrals are those of Mirtich, "Fast and Accurate Computation of Polyhedral Mass
+/// Properties" (1996), summed over tetrahedra (Blow and Binstock, 2004).
 template <Shape S>
 requires detail::HasMoments<S> MassProperties<dimension_of<S>> mass_properties(const S& shape) {
   constexpr Dim N = dimension_of<S>;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// outline(shape, view): what a drawing shows of a shape, in the coordinates of a flat picture.
-//
-//   bounded and convex       outline(shape, view)          exact
-//   ray, plane, half-space   outline(shape, view, box)     exact, cut off at the box
-//   a user's convex shape    outline(shape, view)          a polygon through sampled support points
-//   compound                 is not convex: outline its parts
+/// @file
+/// outline(shape, view): the outline of a shape in a drawing, in picture coordinates.
+///
+///     bounded and convex       outline(shape, view)          exact
+///     ray, plane, half-space   outline(shape, view, box)     exact, cut off at the box
+///     a user's convex shape    outline(shape, view)          a polygon through sampled support points
+///     compound                 is not convex: outline its parts
 #pragma once
 
 #include <array>
@@ -33,15 +34,16 @@
 
 namespace graze {
 
-/// How a picture is taken: parallel light, nothing gets smaller with distance. `right` and `up` are orthonormal and
-/// point along the edges of the picture. Default: the plane as it is, space from above (x to the right, y up).
+/// A parallel projection onto a picture; size does not decrease with distance. `right` and `up` are orthonormal and
+/// point along the edges of the picture. Default: in 2D the identity, in 3D from above (x to the right, y up).
 template <Dim N>
 struct View {
-  Vec<N, double> right = unit_axis<N>(0);
+  Vec<N, double> right = unit_axis<N>(0);  ///< The direction that points right in the picture; length 1.
+  /// The direction that points up in the picture; length 1, perpendicular to `right`.
   Vec<N, double> up = unit_axis<N>(1);
 };
 
-/// The view in which x, y and z are equally long: z up, x to the lower right, y to the upper right.
+/// The isometric view: x, y and z appear equally long, z up, x to the lower right, y to the upper right.
 inline View<3> isometric_view() {
   return {Vec<3, double>(1, 1, 0) / std::sqrt(2.0), Vec<3, double>(-1, 1, 2) / std::sqrt(6.0)};
 }
@@ -49,21 +51,21 @@ inline View<3> isometric_view() {
 /// The direction from the scene to the eye, of length 1.
 inline Vec<3, double> to_viewer(const View<3>& view) { return cross(view.right, view.up); }
 
-/// Where a point, or a direction, is seen.
+/// Picture coordinates of a point or direction.
 template <Dim N>
 Vec<2, double> seen(const std::type_identity_t<Vec<N, double>>& point, const View<N>& view) {
   return {dot(point, view.right), dot(point, view.up)};
 }
 
-/// All points of the picture within `radius` of the convex hull of `core`: every bounded convex shape that graze knows,
-/// seen from anywhere, is one. The core holds its corners counter-clockwise (y up), each once; without any the outline
-/// is empty.
+/// The projection of a bounded convex shape: all points of the picture within `radius` of the convex hull of `core`. An
+/// outline with an empty core is empty.
 struct Outline {
-  std::vector<Vec<2, double>> core;
-  double radius = 0;
+  std::vector<Vec<2, double>> core;  ///< Corners counter-clockwise (y up), each once.
+  double radius = 0;                 ///< At least zero.
 };
 
-/// An outline that is not empty is a convex shape itself, with `bounds` and all queries.
+/// The point of a nonempty outline that is farthest along `direction` (any nonzero length). It makes outlines convex
+/// shapes, for `bounds` and all queries.
 inline Vec<2, double> support(const Outline& outline, const Vec<2, double>& direction) {
   Vec<2, double> best = outline.core.front();
   for (const Vec<2, double>& corner : outline.core) {
@@ -72,8 +74,8 @@ inline Vec<2, double> support(const Outline& outline, const Vec<2, double>& dire
   return best + direction * (outline.radius / std::sqrt(dot(direction, direction)));
 }
 
-/// The outline of the convex hull of points, and of all within `radius` of it; empty when there are none. Finite
-/// coordinates.
+/// The outline of all points within `radius` of the convex hull of points; empty if there are none. Throws
+/// std::invalid_argument if a coordinate is not finite.
 template <Dim N>
 Outline outline_of_hull(std::span<const Vec<N, double>> points, const View<N>& view, double radius = 0) {
   if (points.empty()) return {};
@@ -114,43 +116,51 @@ Outline outline_of_box(const Box& box, const View<N>& view) {
 
 }  // namespace detail
 
+/// The outline of a point: one corner.
 template <Dim N, class T>
 Outline outline(const Vec<N, T>& point, const View<N>& view = {}) {
   return {{seen(wide<N, T>(point), view)}, 0};
 }
 
+/// The outline of a segment: two corners, or one if its image is a point.
 template <Dim N, class T>
 Outline outline(const Segment<N, T>& segment, const View<N>& view = {}) {
   return outline_of_hull<N>(std::array{wide<N, T>(segment.start), wide<N, T>(segment.end)}, view);
 }
 
+/// The outline of a sphere: its center and radius.
 template <Dim N, class T>
 Outline outline(const Sphere<N, T>& sphere, const View<N>& view = {}) {
   return {{seen(wide<N, T>(sphere.center), view)}, static_cast<double>(sphere.radius)};
 }
 
+/// The outline of an axis-aligned box: in 3D up to six corners.
 template <Dim N, class T>
 Outline outline(const Aabb<N, T>& box, const View<N>& view = {}) {
   return detail::outline_of_box(box, view);
 }
 
+/// The outline of an oriented box: in 3D up to six corners.
 template <Dim N, class T>
 Outline outline(const Obb<N, T>& box, const View<N>& view = {}) {
   return detail::outline_of_box(box, view);
 }
 
+/// The outline of a triangle: fewer than three corners if it is seen edge-on.
 template <Dim N, class T>
 Outline outline(const Triangle<N, T>& triangle, const View<N>& view = {}) {
   const std::array corners = {wide<N, T>(triangle.a), wide<N, T>(triangle.b), wide<N, T>(triangle.c)};
   return outline_of_hull<N>(corners, view);
 }
 
+/// The outline of a capsule: the ends of its axis and its radius.
 template <Dim N, class T>
 Outline outline(const Capsule<N, T>& capsule, const View<N>& view = {}) {
   const std::array ends = {wide<N, T>(capsule.a), wide<N, T>(capsule.b)};
   return outline_of_hull<N>(ends, view, static_cast<double>(capsule.radius));
 }
 
+/// The outline of a polytope: the convex hull of its projected vertices.
 template <Dim N, class T>
 Outline outline(const Polytope<N, T>& polytope, const View<N>& view = {}) {
   std::vector<Vec<N, double>> points;
@@ -159,8 +169,8 @@ Outline outline(const Polytope<N, T>& polytope, const View<N>& view = {}) {
   return outline_of_hull<N>(points, view);
 }
 
-/// The piece of a ray inside a box, in the ray's direction; none when the ray misses it. Slabs (Kay and Kajiya 1986),
-/// with rays along a slab decided by comparison.
+/// The part of a ray inside a box, in the ray's direction; none if the ray misses the box. Slabs (Kay and Kajiya 1986);
+/// rays parallel to a slab are decided by comparison.
 template <Dim N, class T>
 std::optional<Segment<N, double>> cut(const Ray<N, T>& ray, const Aabb<N, double>& box) {
   const Vec<N, double> origin = wide<N, T>(ray.origin);
@@ -181,9 +191,9 @@ std::optional<Segment<N, double>> cut(const Ray<N, T>& ray, const Aabb<N, double
   return Segment<N, double>{origin + direction * enter, origin + direction * leave};
 }
 
-/// The corners of the piece of a plane inside a box, in no particular order, up to rounding: where it crosses the edges
-/// of the box. In 2D the two ends of a line, in 3D up to six corners of a polygon; fewer where it only touches, none
-/// where it misses.
+/// The corners of the part of a plane inside a box, in no particular order, up to rounding: where the plane crosses the
+/// edges of the box. In 2D the two ends of a segment, in 3D up to six corners of a polygon; fewer if the plane only
+/// touches the box, none if it misses it.
 template <Dim N, class T>
 std::vector<Vec<N, double>> cut(const Plane<N, T>& plane, const Aabb<N, double>& box) {
   const Plane<N, double> unit = unit_plane(plane);
@@ -205,7 +215,8 @@ std::vector<Vec<N, double>> cut(const Plane<N, T>& plane, const Aabb<N, double>&
   return corners;
 }
 
-/// The corners of the piece of a half-space inside a box, in no particular order, up to rounding; none where it misses.
+/// The corners of the part of a half-space inside a box, in no particular order, up to rounding; none if it misses the
+/// box.
 template <Dim N, class T>
 std::vector<Vec<N, double>> cut(const HalfSpace<N, T>& solid, const Aabb<N, double>& box) {
   std::vector<Vec<N, double>> corners = cut(boundary(solid), box);
@@ -217,28 +228,31 @@ std::vector<Vec<N, double>> cut(const HalfSpace<N, T>& solid, const Aabb<N, doub
   return corners;
 }
 
+/// The outline of the part of a ray inside a box; empty if the ray misses it.
 template <Dim N, class T>
 Outline outline(const Ray<N, T>& ray, const View<N>& view, const std::type_identity_t<Aabb<N, double>>& box) {
   const std::optional<Segment<N, double>> piece = cut(ray, box);
   return piece ? outline(*piece, view) : Outline{};
 }
 
+/// The outline of the part of a plane inside a box; empty if the plane misses it.
 template <Dim N, class T>
 Outline outline(const Plane<N, T>& plane, const View<N>& view, const std::type_identity_t<Aabb<N, double>>& box) {
   return outline_of_hull<N>(cut(plane, box), view);
 }
 
+/// The outline of the part of a half-space inside a box; empty if it misses the box.
 template <Dim N, class T>
 Outline outline(const HalfSpace<N, T>& solid, const View<N>& view, const std::type_identity_t<Aabb<N, double>>& box) {
   return outline_of_hull<N>(cut(solid, box), view);
 }
 
-/// The directions in which a user's shape is sampled.
+/// The number of directions in which a user's shape is sampled.
 inline constexpr int outline_samples = 64;
 
-/// A user's convex shape: the polygon through its support points in 64 directions of the picture. It lies inside the
-/// true outline, and between neighbouring corners p and q falls short of it by at most tan(pi / 64) |pq| / 2, 2.5 % of
-/// |pq|.
+/// The outline of a user's convex shape: the polygon through its support points in 64 directions of the picture. It
+/// lies inside the true outline and, between neighbouring corners p and q, falls short of it by at most tan(pi / 64)
+/// |pq| / 2, which is 2.5 % of |pq|.
 template <Convex S>
 Outline outline(const S& shape, const View<dimension_of<S>>& view = {}) {
   constexpr Dim N = dimension_of<S>;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What closest_points(a, b) answers.
+/// @file
+/// The result of closest_points(a, b).
 #pragma once
 
 #include <algorithm>
@@ -12,23 +13,25 @@
 
 namespace graze {
 
-/// How near two shapes are to each other, and where. Default: infinitely far from nothing.
+/// The distance of two shapes and their nearest points. Default: infinitely far, no points.
 template <Dim N, class T = float>
 struct Proximity {
   T distance = std::numeric_limits<T>::infinity();  ///< 0 if and only if the shapes touch or overlap.
-  Vec<N, T> point_a = Vec<N, T>(std::numeric_limits<T>::quiet_NaN());  ///< Of a, nearest to b; or of both.
-  Vec<N, T> point_b = Vec<N, T>(std::numeric_limits<T>::quiet_NaN());  ///< Of b, nearest to a; or the same.
-  Vec<N, T> normal = Vec<N, T>(T(0));   ///< Of length 1, from a to b; or zero, see closest_points.hpp.
-  Relation relation = Relation::apart;  ///< What relation(a, b) says.
+  /// The point of a nearest to b; a common point if they meet.
+  Vec<N, T> point_a = Vec<N, T>(std::numeric_limits<T>::quiet_NaN());
+  /// The point of b nearest to a; the same if they meet.
+  Vec<N, T> point_b = Vec<N, T>(std::numeric_limits<T>::quiet_NaN());
+  Vec<N, T> normal = Vec<N, T>(T(0));   ///< Of length 1, from a to b; or zero: see closest_points.hpp.
+  Relation relation = Relation::apart;  ///< relation(a, b).
   Status status = Status::converged;    ///< Always `converged` for closed forms.
-  double error = 0;                     ///< How far `distance` may be off, its rounding to T left out.
+  double error = 0;                     ///< Largest error of `distance` before rounding to T.
 
   friend bool operator==(const Proximity&, const Proximity&) = default;
 };
 
 namespace detail {
 
-/// The same of (b, a). Subtracted from zero, so that a zero keeps its sign.
+/// The result for (b, a). Subtracts from zero, so that a zero keeps its sign.
 template <Dim N, class T>
 Proximity<N, T> exchanged(Proximity<N, T> proximity) {
   std::swap(proximity.point_a, proximity.point_b);
@@ -36,7 +39,7 @@ Proximity<N, T> exchanged(Proximity<N, T> proximity) {
   return proximity;
 }
 
-/// The same of shapes that are 2^k times as large.
+/// The result for shapes that are 2^k times as large.
 template <Dim N>
 Proximity<N, double> resized(Proximity<N, double> proximity, const PowerOfTwo& power) {
   proximity.distance = power(proximity.distance);
@@ -46,7 +49,7 @@ Proximity<N, double> resized(Proximity<N, double> proximity, const PowerOfTwo& p
   return proximity;
 }
 
-/// A distance in T, which is zero for shapes that meet and for no others.
+/// A distance in T, which is zero if and only if the shapes meet.
 template <Scalar T>
 T rounded_distance(double distance, Relation relation) {
   if (relation != Relation::apart) return T(0);

@@ -1,37 +1,38 @@
 // SPDX-License-Identifier: MIT
-// ray_cast(shape, ray, t_max): where a ray first meets a shape, or where it leaves it; and the same for a segment.
-//
-// What finds it:
-//
-//   sphere, capsule, aabb, obb, triangle, polytope in 2D     closed form
-//   plane, half-space                                        closed form
-//   point, segment, ray                                      closed form
-//   polytope in 3D                                           the face that the ray goes through, found among the
-//   corners user's convex shape in 3D                                GJK, a few steps; so are rays along a triangle's
-//   plane,
-//                                                            nearly along a capsule's axis, from inside a polytope in
-//                                                            3D, or nearly at its edges
-//   compound                                                 part by part
-//
-// Most rays are settled by a filter, query/ray_*_filter.hpp: the closed form by plain sums, or in float, which leaves
-// what is too near to call to the careful way, query/ray/careful.hpp.
-//
-// Whether there is a hit is what intersects(shape, ray) says, and for a segment intersects(shape, segment): all that
-// nearly touches is decided by them, and hit where the ray comes nearest. So a ray through the common edge or corner of
-// two triangles hits both. A finite t_max hides hits beyond it and changes nothing else: ray_cast(shape, ray, t_max) is
-// ray_cast(shape, ray), to the bit, if that has t <= t_max, and otherwise none.
-//
-// The normal points out of the shape, against the ray; on a set without thickness, to the side that the ray comes from.
-// A ray that starts in a shape hits it at t = 0, and a ray that runs along a set without thickness where that begins;
-// both have the normal against the ray's direction. At an exit the normal points out of the shape with the ray.
-//
-// `error` is a length: before it is rounded to T, the point is no farther than that from the shape's surface and from
-// the ray, and before t the ray is nowhere deeper than that inside the shape. A few epsilon of double of the vectors
-// from the origin to the shape and along it, however far from zero, for closed forms; of the largest coordinates for
-// planes, half-spaces, polytopes in 3D and what GJK finds (of T for a user's shape that calculates in T), where
-// `status` says if it is more. t is as exact as that allows: at a grazing angle the way along the ray is longer. Any
-// finite coordinates and directions; range.hpp says what of sizes that differ by more than 2^900. t may overflow or
-// underflow T.
+/// @file
+/// ray_cast(shape, ray, t_max): where a ray or a segment first meets a shape, or where it leaves the shape.
+///
+/// What finds it:
+///
+///     sphere, capsule, aabb, obb, triangle, polytope in 2D     closed form
+///     plane, half-space                                        closed form
+///     point, segment, ray                                      closed form
+///     polytope in 3D                                           the face that the ray passes, found among the corners
+///     user's convex shape in 3D                                GJK, a few steps; also for rays in a triangle's plane,
+///                                                              nearly along a capsule's axis, from inside a polytope
+///                                                              in 3D, or nearly at its edges
+///     compound                                                 part by part
+///
+/// A filter, query/ray_*_filter.hpp, decides most rays: the closed form with plain sums, or in float. Close cases are
+/// left to the careful calculation, query/ray/careful.hpp.
+///
+/// There is a hit if and only if intersects(shape, ray), or for a segment intersects(shape, segment), is true: it
+/// decides near misses, which then hit where the ray comes nearest. So a ray through the common edge or corner of two
+/// triangles hits both. A finite t_max hides hits beyond it and changes nothing else: ray_cast(shape, ray, t_max) is
+/// ray_cast(shape, ray), to the bit, if that has t <= t_max, and otherwise none.
+///
+/// The normal points out of the shape, against the ray; on a set without thickness, to the side from which the ray
+/// comes. A ray that starts in a shape hits it at t = 0; a ray that runs along a set without thickness hits it where
+/// the set begins. Both have the normal against the ray's direction. At an exit the normal points out of the shape,
+/// along the ray.
+///
+/// `error` is a length: before rounding to T, the point is at most that far from the shape's surface and from the ray,
+/// and before t the ray is nowhere deeper than that inside the shape. For closed forms it is a few epsilon of double of
+/// the vectors from the origin to the shape and along it, however far from zero; for planes, half-spaces, 3D polytopes
+/// and GJK it is a few epsilon of the largest coordinate (of T for a user's shape that calculates in T), and `status`
+/// tells if it is more. The error of t is larger at a grazing angle, where the way along the ray is longer. Coordinates
+/// and directions may be any finite numbers; see range.hpp for sizes that differ by more than a factor of 2^900. t may
+/// overflow or underflow T.
 #pragma once
 
 #include <cassert>
@@ -56,7 +57,7 @@ namespace detail {
 template <class S>
 concept HoldsAnyShape = std::is_same_v<S, AnyShape<dimension_of<S>, scalar_of<S>>>;
 
-/// Of what a filter is unclear about, perhaps only because the ray ends there: then the whole ray is not.
+/// For rays that a filter leaves open, perhaps only because the ray ends there; then the whole ray is clear.
 template <class S, Dim N, class T>
 [[gnu::noinline]] std::optional<RayHit<N, T>> first_hit_of_unclear(const S& shape, const Ray<N, T>& ray, T t_max) {
   if constexpr (HasQuickCast<S>) {
@@ -76,7 +77,7 @@ template <class S, Dim N, class T>
 template <class S, Dim N, class T>
 std::optional<RayHit<N, T>> first_hit(const S& shape, const Ray<N, T>& ray, T t_max);
 
-/// The first hit of a ray that no filter settles.
+/// The first hit of a ray that no filter decides.
 template <class S, Dim N, class T>
 [[gnu::noinline]] std::optional<RayHit<N, T>> careful_first_hit(const S& shape, const Ray<N, T>& ray, T t_max) {
   const auto rescaled =
@@ -105,8 +106,8 @@ std::optional<RayHit<N, T>> first_hit(const AnyShape<N, T>& shape, const Ray<N, 
   return detail::visit([&](const auto& held) { return first_hit(held, ray, t_max); }, shape);
 }
 
-/// The nearest of its parts' hits, of several the first part's. Once a part is hit, only what has its box before that
-/// is of interest, but asked as if it were alone.
+/// The nearest hit of the parts, of several the first part's. After a hit, only parts with their box before it matter,
+/// but each is tested as if it were alone.
 template <Dim N, class T>
 std::optional<RayHit<N, T>> first_hit(const Compound<N, T>& compound, const Ray<N, T>& ray, T t_max) {
   std::optional<RayHit<N, T>> best;
@@ -138,18 +139,20 @@ template <class S, Dim N, class T>
 
 }  // namespace detail
 
-/// The space that a shape lives in, for the arguments that go with it.
+/// A ray with the dimension and number type of a shape.
 template <Shape S>
 using RayIn = Ray<dimension_of<S>, scalar_of<S>>;
+/// A segment with the dimension and number type of a shape.
 template <Shape S>
 using SegmentIn = Segment<dimension_of<S>, scalar_of<S>>;
+/// A hit with the dimension and number type of a shape.
 template <Shape S>
 using RayHitOn = RayHit<dimension_of<S>, scalar_of<S>>;
 
 /// Where a valid ray (asserted) first meets a valid shape (asserted), or leaves it for good, at a t from 0 to t_max;
-/// none if it does not. A ray that starts in the shape has its first point there, t = 0; one that never leaves, as in a
-/// half-space, has no exit. The direction has any length but zero, and t is in units of it. A compound is the union of
-/// its parts; its exit is the last of theirs. A negative t_max has no hits. The cheaper sibling is `intersects`.
+/// none if it does not. The direction may have any nonzero length, which is the unit of t. A ray that starts in the
+/// shape enters at t = 0; one that never leaves, as in a half-space, has no exit. A compound is the union of its parts;
+/// its exit is the last of theirs. A negative t_max has no hits. `intersects` is cheaper if only the yes or no matters.
 template <Shape S>
 std::optional<RayHitOn<S>> ray_cast(const S& shape, const RayIn<S>& ray,
                                     scalar_of<S> t_max = std::numeric_limits<scalar_of<S>>::infinity(),
@@ -158,8 +161,8 @@ std::optional<RayHitOn<S>> ray_cast(const S& shape, const RayIn<S>& ray,
   return options.side == RaySide::entry ? detail::first_hit(shape, ray, t_max) : detail::last_hit(shape, ray, t_max);
 }
 
-/// The same for a segment from its start, at t = 0, to its end, at t = 1. If the ends are equal, a hit is an entry with
-/// a normal of zero.
+/// The same query for a segment: t is 0 at its start and 1 at its end. If the ends are equal, a hit has a normal of
+/// zero, and there is no exit.
 template <Shape S>
 std::optional<RayHitOn<S>> ray_cast(const S& shape, const SegmentIn<S>& segment, RayOptions options = {}) {
   constexpr Dim N = dimension_of<S>;

@@ -1,33 +1,35 @@
 // SPDX-License-Identifier: MIT
-// relation(a, b): apart, touching or overlapping, for any two shapes of one space; the verdict under `intersects`.
-//
-// What decides it. C: a closed form. S: the supports along the plane's normal, a closed form for every convex shape. P:
-// part by part. G: GJK, then EPA. C/G: C in 2D, G in 3D. A point is a sphere of radius zero. The lower left half is the
-// upper right one, swapped.
-//
-//               segment ray sphere aabb obb plane half-space triangle capsule polytope compound user's
-//   point          C     C    C     C    C    S       S         C        C      C/G       P       G
-//   segment        C     C    C     C    C    S       S         C        C       G        P       G
-//   ray                  C    C     C    C    C       C         C        C       G        P       G
-//   sphere                    C     C    C    S       S         C        C       G        P       G
-//   aabb                            C    C    S       S         C        C       G        P       G
-//   obb                                  C    S       S         C        C       G        P       G
-//   plane                                     C       C         S        S       S        P       S
-//   half-space                                        C         S        S       S        P       S
-//   triangle                                                    C        C       G        P       G
-//   capsule                                                              C       G        P       G
-//   polytope                                                                     G        P       G
-//   compound                                                                              P       P
-//
-// Where the forms are: segments, spheres, boxes, capsules in relation/bounded.hpp; rays, planes, half-spaces in
-// relation/unbounded.hpp; triangles in relation/triangle.hpp; a point and a polygon in relation/polygon.hpp; G in
-// relation/convex.hpp.
-//
-// Exact: aabb and point against aabb, points among themselves. The rest calculates in double and calls `touching`
-// what is nearer to touching than rounding can tell: C a few epsilon of the pair's own size, however far from the
-// origin; S and G a few epsilon of the largest coordinate (of T for a user's shape that calculates in T). Rays,
-// planes and half-spaces whose directions are parallel up to a few epsilon are taken as parallel. Any finite
-// coordinates; range.hpp says what of sizes that differ by more than 2^900.
+/// @file
+/// relation(a, b): apart, touching or overlapping, for any two shapes of the same dimension and number type. It decides
+/// `intersects`.
+///
+/// What decides it. C: closed form. S: the supports along the plane's normal, a closed form for every convex shape. P:
+/// part by part. G: GJK, then EPA. C/G: C in 2D, G in 3D. A point counts as a sphere of radius zero. The lower left
+/// half of the table equals the upper right one.
+///
+///                 segment ray sphere aabb obb plane half-space triangle capsule polytope compound user's
+///     point          C     C    C     C    C    S       S         C        C      C/G       P       G
+///     segment        C     C    C     C    C    S       S         C        C       G        P       G
+///     ray                  C    C     C    C    C       C         C        C       G        P       G
+///     sphere                    C     C    C    S       S         C        C       G        P       G
+///     aabb                            C    C    S       S         C        C       G        P       G
+///     obb                                  C    S       S         C        C       G        P       G
+///     plane                                     C       C         S        S       S        P       S
+///     half-space                                        C         S        S       S        P       S
+///     triangle                                                    C        C       G        P       G
+///     capsule                                                              C       G        P       G
+///     polytope                                                                     G        P       G
+///     compound                                                                              P       P
+///
+/// The closed forms: segments, spheres, boxes and capsules in relation/bounded.hpp; rays, planes and half-spaces in
+/// relation/unbounded.hpp; triangles in relation/triangle.hpp; a point and a polygon in relation/polygon.hpp. G is in
+/// relation/convex.hpp.
+///
+/// Exact: aabb and point against aabb, and points against points. Everything else is calculated in double and returns
+/// `touching` if the gap or depth is below the rounding error: C a few epsilon of the pair's own size, however far from
+/// the origin; S and G a few epsilon of the largest coordinate (of T for a user's shape that calculates in T). Rays,
+/// planes and half-spaces whose directions are parallel up to a few epsilon count as parallel. Coordinates may be any
+/// finite numbers; see range.hpp for sizes that differ by more than a factor of 2^900.
 #pragma once
 
 #include <algorithm>
@@ -72,7 +74,7 @@ inline constexpr bool is_any_shape = false;
 template <Dim N, class T>
 inline constexpr bool is_any_shape<AnyShape<N, T>> = true;
 
-// ---- Whether the closed form of two shapes sees NaN for what it is.
+// Whether the closed form of two shapes detects NaN by itself.
 
 template <template <Dim, class> class Type, class S>
 inline constexpr bool is_a = false;
@@ -91,7 +93,7 @@ inline constexpr bool sees_nan = (is_core<A> && is_core<B>) || (is_point<A> && i
                                  ((is_a<Plane, A> || is_a<HalfSpace, A>)&&(is_core<B> || is_a<Triangle, B>)) ||
                                  (dimension_of<A> == 3 && is_filtered<A> && is_a<Triangle, B>);
 
-/// The closest of the parts decides; parts whose boxes are apart beyond all rounding are skipped.
+/// The closest part decides; parts whose boxes are apart beyond rounding are skipped.
 template <Dim N, class T, class S>
 Relation relation_of_parts(const Compound<N, T>& compound, const S& shape) {
   const Aabb<N, T> box = touching_bounds(shape);
@@ -103,7 +105,7 @@ Relation relation_of_parts(const Compound<N, T>& compound, const S& shape) {
   return closest;
 }
 
-/// A verdict, but apart if any number is NaN. That is asked last, and seldom: most pairs are apart anyway.
+/// The verdict, but apart if any number is NaN. The check comes last and is rare, because most pairs are apart anyway.
 template <class A, class B>
 inline Relation unless_nan(const A& a, const B& b, Relation verdict) {
   if constexpr (sees_nan<A, B> || sees_nan<B, A>) return verdict;
@@ -111,9 +113,9 @@ inline Relation unless_nan(const A& a, const B& b, Relation verdict) {
   return verdict;
 }
 
-/// The verdict, without asking whether the shapes are valid: nonsense may get a nonsensical verdict, but it ends, and
-/// NaN is apart from everything. Said to be inline, as all on the way to `intersects`: else compilers call a function
-/// for what is a few comparisons.
+/// The verdict, without checking that the shapes are valid. Invalid shapes may get a meaningless verdict, but the call
+/// returns, and NaN is apart from everything. Declared inline, as is everything on the way to `intersects`; otherwise
+/// compilers emit a function call for a few comparisons.
 template <class A, class B>
 inline Relation decide(const A& a, const B& b) {
   if constexpr (is_any_shape<A>) {
@@ -140,7 +142,7 @@ inline Relation decide(const A& a, const B& b) {
   }
 }
 
-/// A user's type need not have `defect`; then it is taken to be valid.
+/// A user's type without `defect` counts as valid.
 template <class S>
 bool is_valid_if_known(const S& shape) {
   if constexpr (requires { defect(shape); }) return is_valid(shape);
@@ -149,16 +151,17 @@ bool is_valid_if_known(const S& shape) {
 
 }  // namespace detail
 
-/// How two valid shapes (asserted) of the same dimension and number type lie to each other. Swapping the arguments
-/// changes nothing. A compound is the union of its parts; one without parts is apart from everything.
+/// Whether two valid shapes (asserted) of the same dimension and number type are apart, touching or overlapping.
+/// Symmetric in its arguments. A compound is the union of its parts; without parts it is apart from everything. See the
+/// top of this file for the algorithm and error of each pair; `intersects` is cheaper for some pairs.
 template <Shape A, SameSpace<A> B>
 inline Relation relation(const A& a, const B& b) {
   assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));
   return detail::decide(a, b);
 }
 
-/// The same for any two shapes: every pair of types at once, and therefore not inline, so that `extern template` can
-/// keep it from being compiled everywhere.
+/// The overload for variants. It compiles every pair of types and is therefore not inline, so that `extern template`
+/// avoids compiling it everywhere.
 template <Dim N, class T>
 Relation relation(const AnyShape<N, T>& a, const AnyShape<N, T>& b) {
   assert(is_valid(a) && is_valid(b));

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// separation(a, b): the signed distance of any two shapes of one space, which goes on through touching into depth.
+/// @file
+/// separation(a, b): the signed distance of any two shapes of the same dimension and number type, negative where they
+/// overlap.
 #pragma once
 
 #include <graze/query/closest_points.hpp>
@@ -10,21 +12,20 @@
 
 namespace graze {
 
-/// How far apart two valid shapes (asserted) of the same dimension and number type are, negative where they are in each
-/// other. Where they are apart, all is what `closest_points` says. Where they meet, `distance` is minus the depth of
-/// `contact`, zero for shapes that only touch up to `error`, minus infinity for those that no translation parts; the
-/// points are of the two surfaces, each the deepest in the other shape, and normal, status and error those of the
-/// contact. So everywhere to move b by normal * -distance leaves the two touching within the error, and point_b is
-/// point_a + normal * distance, as far as the numbers of T go; but for a normal that is zero (shapes apart by less than
-/// the error, or with no way out).
+/// The signed distance of two valid shapes (asserted) of the same dimension and number type. If they are apart, the
+/// result is that of `closest_points`. If they meet, `distance` is minus the depth of `contact`: zero, up to `error`,
+/// if they only touch, and minus infinity if no translation separates them. The points are then the deepest point of
+/// each surface in the other shape; normal, status and error are those of the contact. So moving b by normal *
+/// -distance leaves the shapes touching within the error, and point_b is point_a + normal * distance up to rounding to
+/// T, unless the normal is zero (the gap is below the error, or nothing separates the shapes).
 ///
-/// `distance` is above zero if and only if `intersects(a, b)` says no. Swapping the arguments swaps the points and
-/// negates the normal, and changes no bit of anything else, where that holds of both queries: see closest_points.hpp
-/// and contact.hpp, also for what finds it and how exactly. A compound is its nearest part, or where it is met its
-/// deepest; without parts it is infinitely far from everything.
+/// `distance` is above zero if and only if `intersects(a, b)` is false. Swapping the arguments swaps the points,
+/// negates the normal and changes nothing else, as far as both queries guarantee it: see closest_points.hpp and
+/// contact.hpp, also for algorithms and errors. A compound counts as its nearest part, or its deepest if it is met;
+/// without parts it is infinitely far from everything.
 ///
-/// Of a shape and a point `signed_distance` says how far the point is from the surface. It is the same but for planes,
-/// where it tells one side from the other by its sign.
+/// For a shape and a point, `signed_distance` is the distance from the surface. It is the same except for planes, whose
+/// two sides it distinguishes by the sign.
 template <Shape A, SameSpace<A> B>
 Proximity<dimension_of<A>, scalar_of<A>> separation(const A& a, const B& b) {
   using T = scalar_of<A>;

@@ -1,40 +1,41 @@
 // SPDX-License-Identifier: MIT
-// shape_cast(a, motion, b): when a shape that moves along a vector, without turning, first touches another, and where.
-//
-// What finds it. C: a closed form, but GJK for what nearly touches. S: the supports along the plane's normal, a closed
-// form for every convex shape. P: part by part. G: GJK, a few steps. C/G: C in 2D, G in 3D.
-//
-//               segment ray sphere aabb obb plane half-space triangle capsule polytope compound user's
-//   point          C     C    C     C    C    S       S         C        C      C/G       P       G
-//   segment       C/G   C/G   C     C    C    S       S         G        C       G        P       G
-//   ray                  C    C     C    C    S       S         G        C       G        P       G
-//   sphere                    C     C    C    S       S         G        C       G        P       G
-//   aabb                            C    C    S       S         G        C       G        P       G
-//   obb                                  C    S       S         G        C       G        P       G
-//   plane                                     S       S         S        S       S        P       S
-//   half-space                                        S         S        S       S        P       S
-//   triangle                                                    G        G       G        P       G
-//   capsule                                                              C       G        P       G
-//   polytope                                                                     G        P       G
-//   compound                                                                              P       P
-//
-// A point is what ray_cast.hpp says of the ray from it along `motion`, with t_max = 1, and of what it nearly touches
-// there. Any two shapes are a ray from zero and the set of differences b - a: a sphere and a capsule make a capsule,
-// two boxes along the axes a box, any two of segments and boxes a zonotope (see zonotope_cast.hpp), with round edges if
-// one of them is the core of a capsule or a sphere, and of any two convex shapes the set has support points.
-//
-// Shapes that meet at the start, as relation(a, b) says, have their contact(a, b) as the impact, at t = 0. Later the
-// normal is that of a plane that has a on one side at t, and b on the other, and a has moved towards it. Shapes that
-// touch all along a face or an edge do so at one of many points, each as near to both as closest_points.hpp says. A
-// compound is its first part to be touched.
-//
-// `error` is a length: at t, before it is rounded to T, the shapes are no farther apart than that, and before t
-// nowhere deeper in each other. A few epsilon of double of the coordinates as seen from a or b, the motion's
-// included, for the bounded shapes of the closed forms and those without curved faces of their own; of the largest
-// coordinate for planes, half-spaces, polytopes and users' shapes (of T for those that calculate in T); of rays that
-// are all but parallel also of where they touch, which may be far away. `status` says if GJK could not get that near.
-// At a grazing angle t is less exact than the distance. Any finite coordinates; range.hpp says what of sizes that
-// differ by more than 2^900.
+/// @file
+/// shape_cast(a, motion, b): when and where a shape that translates along a vector first touches another one.
+///
+/// What finds it. C: closed form, with GJK for near misses. S: the supports along the plane's normal, a closed form for
+/// every convex shape. P: part by part. G: GJK, a few steps. C/G: C in 2D, G in 3D.
+///
+///                 segment ray sphere aabb obb plane half-space triangle capsule polytope compound user's
+///     point          C     C    C     C    C    S       S         C        C      C/G       P       G
+///     segment       C/G   C/G   C     C    C    S       S         G        C       G        P       G
+///     ray                  C    C     C    C    S       S         G        C       G        P       G
+///     sphere                    C     C    C    S       S         G        C       G        P       G
+///     aabb                            C    C    S       S         G        C       G        P       G
+///     obb                                  C    S       S         G        C       G        P       G
+///     plane                                     S       S         S        S       S        P       S
+///     half-space                                        S         S        S       S        P       S
+///     triangle                                                    G        G       G        P       G
+///     capsule                                                              C       G        P       G
+///     polytope                                                                     G        P       G
+///     compound                                                                              P       P
+///
+/// For a point, the result is that of ray_cast.hpp for the ray from the point along `motion` with t_max = 1, near
+/// misses included. Any two shapes become a ray from zero and the set of differences b - a: a sphere and a capsule make
+/// a capsule, two axis-aligned boxes a box, and segments and boxes a zonotope (see zonotope_cast.hpp), with round edges
+/// if one of them is the core of a capsule or a sphere. The set of any two convex shapes has support points.
+///
+/// Shapes that meet at the start, as relation(a, b) decides, have contact(a, b) as the impact, at t = 0. Later, the
+/// normal is that of a plane with a on one side at t and b on the other, and a has moved towards it. Shapes that touch
+/// along a face or an edge return one of many points; it is as near to both as closest_points.hpp states. A compound
+/// counts as its first part to touch.
+///
+/// `error` is a length: at t, before rounding to T, the shapes are at most that far apart, and before t they are
+/// nowhere deeper in each other. For closed forms of bounded shapes, and shapes without curved faces, it is a few
+/// epsilon of double of the coordinates relative to a or b, the motion's included; for planes, half-spaces, polytopes
+/// and users' shapes a few epsilon of the largest coordinate (of T for those that calculate in T); for nearly parallel
+/// rays also of where they touch, which may be far away. `status` tells if GJK could not come that near. At a grazing
+/// angle t is less exact than the distance. Coordinates may be any finite numbers; see range.hpp for sizes that differ
+/// by more than a factor of 2^900.
 #pragma once
 
 #include <algorithm>
@@ -81,8 +82,8 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_at_half_space(const A& a, const
 
 // ---- Rays
 
-/// In front of both origins: where the two lines cross, which they do at one t, unless they are parallel or move in
-/// their common plane. With w from the origin of a to that of b and n = u x v, at t = (w . n) / (m . n).
+/// The touch in front of both origins: where the two lines cross, at one t unless they are parallel or move in their
+/// common plane. With w from the origin of a to that of b and n = u x v, it is at t = (w . n) / (m . n).
 template <Dim N, class T>
 std::optional<CastHit<N>> cast_hit_of_lines(const Ray<N, T>& a, const Vec<N, double>& motion, const Ray<N, T>& b) {
   const Vec<3, double> u = direction_of(a);
@@ -105,8 +106,8 @@ std::optional<CastHit<N>> cast_hit_of_lines(const Ray<N, T>& a, const Vec<N, dou
                     tolerance::coarse * size};
 }
 
-/// The first touch is that of an origin and a ray, or in space of two inner points. Where the rays are not in one
-/// plane, the normal is at right angles to both.
+/// The first touch is between an origin and a ray, or in 3D between two inner points. If the rays are not coplanar, the
+/// normal is perpendicular to both.
 template <Dim N, class T>
 std::optional<CastHit<N>> cast_hit_of_rays(const Ray<N, T>& a, const Vec<N, double>& motion, const Ray<N, T>& b) {
   std::optional<CastHit<N>> first = cast_hit_of_ray(hit_in_double(b, Ray<N, T>{a.origin, Vec<N, T>(motion)}));
@@ -127,7 +128,7 @@ std::optional<CastHit<N>> cast_hit_of_rays(const Ray<N, T>& a, const Vec<N, doub
   return first;
 }
 
-/// The box that a shape's points pass which sees the other one stand still.
+/// The box of all points that a shape passes as it moves.
 template <class S>
 Aabb<dimension_of<S>, double> swept_box(const S& shape, const Vec<dimension_of<S>, double>& motion) {
   constexpr Dim N = dimension_of<S>;
@@ -137,7 +138,7 @@ Aabb<dimension_of<S>, double> swept_box(const S& shape, const Vec<dimension_of<S
   return swept;
 }
 
-/// A core in double; a ray is cut where nothing is beside it any more of a shape that moves.
+/// A core in double; a ray is cut where it has passed the other, moving shape.
 template <class Core, class Other>
 auto seen_beside_moving(const Vec<dimension_of<Core>, double>& origin, const Core& core, const Other& other,
                         const Vec<dimension_of<Core>, double>& motion) {
@@ -152,14 +153,14 @@ auto seen_beside_moving(const Vec<dimension_of<Core>, double>& origin, const Cor
   }
 }
 
-// ---- Shapes with simple cores, seen from one of them
+// ---- Shapes with simple cores, relative to one of them
 
 template <class A, class B>
 concept HasMinkowskiDifference = requires(const A& a, const B& b) {
   minkowski_difference_of(a, b, 0.0);
 };
 
-/// Where a core that moves first touches another, both widened by radii; the point is not yet known.
+/// Where a moving core first touches another, both widened by radii; the point is not yet known.
 template <class A, class B>
 std::optional<RayHit<dimension_of<A>, double>> hit_of_cores(const A& a, const Vec<dimension_of<A>, double>& motion,
                                                             const B& b, double radius) {
@@ -181,8 +182,8 @@ ClosestPair<dimension_of<A>> closest_of_touching(const A& a, const B& b, double 
   return closest_of_apart(a, b, size);
 }
 
-/// Where GJK could not get on, as between slivers: from where it had to stop, moves on to the plane across the way
-/// between the nearest points of both cores, as advance_by_distance does, but those of the closed forms.
+/// If GJK stalled, as between slivers: advances from there to the plane between the nearest points of both cores, as
+/// advance_by_distance does, but with the closed forms.
 template <class A, class B>
 std::optional<RayHit<dimension_of<A>, double>> advance_by_features(const A& a,
                                                                    const Vec<dimension_of<A>, double>& motion,
@@ -202,7 +203,7 @@ std::optional<RayHit<dimension_of<A>, double>> advance_by_features(const A& a,
     const double height = span_along(normal, b).low - span_along(normal, moved_a).high - radius;
     const double approach = dot(normal, motion);
     if (!(height > resolution / 2)) return hit;
-    if (!(height - approach * (1 - hit.t) <= resolution)) return std::nullopt;  // nor does it come near till the end
+    if (!(height - approach * (1 - hit.t) <= resolution)) return std::nullopt;  // never near enough
     const double next = std::min(1.0, hit.t + (height - resolution / 2) / approach);
     if (!(next > hit.t)) return hit;
     hit.t = next;
@@ -211,20 +212,19 @@ std::optional<RayHit<dimension_of<A>, double>> advance_by_features(const A& a,
   return hit;
 }
 
-/// The direction between two cores that are apart, of which the motion goes on along no part backward; else
-/// `otherwise`.
+/// The direction between two cores that are apart, unless the motion goes backward along it; else `otherwise`.
 template <Dim N>
 Vec<N, double> normal_between(const Vec<N, double>& between, const Vec<N, double>& motion,
                               const Vec<N, double>& otherwise) {
-  const Vec<N, double> way = motion / max_abs(motion);  // which is not zero, but its square may be
+  const Vec<N, double> way = motion / max_abs(motion);  // not zero, though its square may be
   const double back = dot(between, way);
   return unit_or(back < 0 ? between - way * (back / dot(way, way)) : between, otherwise);
 }
 
 /// The impact of two cores widened by radii, from the hit and their nearest points at its t. GJK's planes are proved to
-/// part the shapes, up to rounding; the spokes of round obstacles are rounded by as much as their centers, and the way
-/// between the cores is known better. It also is where there was no plane to find, since the shapes are as good as
-/// touching at the start.
+/// separate the shapes up to rounding; the spokes of round obstacles have the rounding of their centers, and the vector
+/// between the cores is more exact. It also is used if there was no plane, because the shapes nearly touch at the
+/// start.
 template <Dim N>
 CastHit<N> cast_hit_between(const RayHit<N, double>& hit, const ClosestPair<N>& nearest, const Vec<N, double>& motion,
                             const Radii& radii, bool is_proved) {
@@ -240,7 +240,7 @@ CastHit<N> cast_hit_between(const RayHit<N, double>& hit, const ClosestPair<N>& 
 template <class A, class B>
 concept HaveZonotopes = HasZonotope<std::decay_t<A>> && HasZonotope<std::decay_t<B>> && !HasMinkowskiDifference<A, B>;
 
-/// The first touch of two cores, one place as zero, by a ray at the set of their differences.
+/// The first touch of two cores, by a ray at the set of their differences, relative to a stored point.
 template <class A, class B>
 std::optional<CastHit<dimension_of<A>>> cast_hit_of_cores(const A& a, const Vec<dimension_of<A>, double>& motion,
                                                           const B& b, const Radii& radii) {
@@ -279,7 +279,7 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_of_simple(const A& a, const Vec
 
 // ---- Everything else that is convex
 
-/// An obstacle's a, where it has moved to, and its b, in the numbers that their supports are calculated in.
+/// The moved shape a and the shape b of an obstacle, in the number type of their supports.
 template <Dim N, Scalar Number>
 struct MovedView {
   ConvexView<N> view;
@@ -312,7 +312,7 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_of_convex(const A& a, const Vec
   return cast_hit_between(*hit, nearest.closest, motion, {core_radius(a), core_radius(b)}, true);
 }
 
-/// A ray is cut first.
+/// Cuts the ray first.
 template <class A, class B>
 std::optional<CastHit<dimension_of<A>>> cast_hit_past_ray(const A& a, const Vec<dimension_of<A>, double>& motion,
                                                           const B& b) {
@@ -328,7 +328,7 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_past_ray(const A& a, const Vec<
 
 // ---- Any two shapes
 
-/// Of two simple shapes that are apart, in the order of AnyShape.
+/// For two simple shapes that are apart, in the order of AnyShape.
 template <class A, class B>
 std::optional<CastHit<dimension_of<A>>> cast_hit_in_order(const A& a, const Vec<dimension_of<A>, double>& motion,
                                                           const B& b) {
@@ -347,7 +347,7 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_in_order(const A& a, const Vec<
   }
 }
 
-/// The same where b comes first: it moves the other way past a, which then goes along with it.
+/// For b before a: b moves the opposite way past a, and the result is moved along.
 template <class A, class B>
 std::optional<CastHit<dimension_of<A>>> exchanged_cast_hit(const A& a, const Vec<dimension_of<A>, double>& motion,
                                                            const B& b) {
@@ -362,7 +362,7 @@ std::optional<CastHit<dimension_of<A>>> exchanged_cast_hit(const A& a, const Vec
 template <class A, class B>
 std::optional<CastHit<dimension_of<A>>> cast_hit(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b);
 
-/// The strike of shapes that are out of range, if there is one; none of others.
+/// The impact of shapes that are out of range, if there is one; none for others.
 template <class A, class B>
 auto cast_hit_in_range(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b) {
   return answer_in_range<std::optional<CastHit<dimension_of<A>>>>(
@@ -372,14 +372,14 @@ auto cast_hit_in_range(const A& a, const Vec<dimension_of<A>, double>& motion, c
       a, motion, b);
 }
 
-/// The first part to touch the shape, the first of several. `cast(part)` casts one, and what is left of the way once a
-/// part has touched is all that counts for the others; `motion` is that of the parts as the shape sees them.
+/// The first part to touch the shape, of several the first in order. `cast(part)` casts one. After a part has touched,
+/// only the motion before that matters for the others. `motion` is that of the parts relative to the shape.
 template <Dim N, class T, class S, class Cast>
 std::optional<CastHit<N>> cast_hit_of_parts(const Compound<N, T>& compound, const Vec<N, double>& motion,
                                             const S& shape, const Cast& cast) {
   std::optional<CastHit<N>> first;
   const auto box = touching_bounds(shape);
-  const double slack = tolerance::box_slack * sum_abs(motion);  // what rounding makes of the way
+  const double slack = tolerance::box_slack * sum_abs(motion);  // the rounding of the motion
   const Aabb<N, double> target{wide<N, T>(box.min) - slack, wide<N, T>(box.max) + slack};
   for (const Part<N, T>& part : compound.parts) {
     const Vec<N, double> way = first ? motion * first->t : motion;
@@ -389,7 +389,7 @@ std::optional<CastHit<N>> cast_hit_of_parts(const Compound<N, T>& compound, cons
   return first;
 }
 
-/// Of shapes that are apart, for a motion that is not zero.
+/// For shapes that are apart and a nonzero motion.
 template <class A, class B>
 std::optional<CastHit<dimension_of<A>>> cast_hit(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b) {
   if constexpr (is_any_shape<A>) {
@@ -433,11 +433,12 @@ std::optional<Impact<dimension_of<A>, scalar_of<A>>> impact_of(const A& a,
 
 }  // namespace detail
 
-/// The first touch of a valid shape (asserted) that moves by `motion`, from t = 0 to t = 1, and another of the same
-/// space that stays; none if there is none. Touching counts, also at the start and at the end; a motion of zero touches
-/// what it touches already. t is never after the first touch and no earlier than the error explains. Swapping the
-/// shapes and turning the motion round moves the point along with them, negates the normal and changes nothing else. A
-/// compound is the union of its parts. A shape or a motion with a NaN touches nothing.
+/// The first touch of a valid shape (asserted) that translates by `motion` from t = 0 to t = 1, and a fixed one of the
+/// same dimension and number type; none if they do not touch. Touching counts, also at the start and at the end; a zero
+/// motion hits what the shape touches already. t is never after the first touch and no earlier than the error explains.
+/// Swapping the shapes and reversing the motion moves the point along, negates the normal and changes nothing else. A
+/// compound is the union of its parts. Shapes or motions with a NaN touch nothing. For shapes that also rotate:
+/// `time_of_impact`.
 template <Shape A, SameSpace<A> B>
 std::optional<Impact<dimension_of<A>, scalar_of<A>>> shape_cast(const A& a,
                                                                 const Vec<dimension_of<A>, scalar_of<A>>& motion,

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
-// signed_distance(shape, point): how far a point is from a shape's surface, negative inside.
-//
-//   sphere, capsule, aabb, obb, half-space     closed form; negative inside
-//   triangle, polytope, in 2D                  closed form; negative inside
-//   polytope in 3D, user's convex shape        GJK outside; EPA inside: minus the depth
-//   point, segment, ray, triangle in 3D        closed form; zero or more, for they have no inside
-//   plane                                      closed form; positive on the side that the normal points to
-//   compound                                   the least over its parts, planes positive on both sides
-//
-// In units of length, whatever the length of a normal. Calculated in double, rounded to T. The error before rounding is
-// a few epsilon of double of the pair's own size, but a few epsilon of the largest coordinate for half-spaces,
-// polytopes in 3D and users' shapes (of T where `support` calculates in T), and of the distance itself for points,
-// boxes and, up to the square of epsilon, planes. GJK and EPA may stop 1e-12 of the distance early; inside of a curved
-// user's shape EPA may end at its step limit, farther off (a cone in float: 4e-4 of the depth). For shapes with an
-// inside, signed_distance(shape, point) <= 0 is the same question as contains(shape, point).
+/// @file
+/// signed_distance(shape, point): the distance of a point from a shape's surface, negative inside.
+///
+///     sphere, capsule, aabb, obb, half-space     closed form; negative inside
+///     triangle, polytope, in 2D                  closed form; negative inside
+///     polytope in 3D, user's convex shape        GJK outside; EPA inside: minus the depth
+///     point, segment, ray, triangle in 3D        closed form; zero or more, for they have no inside
+///     plane                                      closed form; positive on the side that the normal points to
+///     compound                                   the least over its parts, planes positive on both sides
+///
+/// A length, whatever the length of a normal. Calculated in double and rounded to T. The error before rounding is a few
+/// epsilon of double of the pair's own size; for half-spaces, 3D polytopes and users' shapes a few epsilon of the
+/// largest coordinate (of T if `support` calculates in T); for points, boxes and, up to epsilon squared, planes a few
+/// epsilon of the distance itself. GJK and EPA may stop 1e-12 of the distance early; inside a curved user's shape EPA
+/// may reach its step limit with a larger error (a cone in float: 4e-4 of the depth). For shapes with an inside,
+/// signed_distance(shape, point) <= 0 if and only if contains(shape, point).
 #pragma once
 
 #include <algorithm>
@@ -37,7 +38,7 @@ namespace graze {
 
 namespace detail {
 
-/// A distance of a shape with an inside: zero or less if the point is inside, else more.
+/// The distance of a shape with an inside: at most zero if the point is inside, else positive.
 inline double with_sign(double distance, bool is_inside) {
   return is_inside ? std::min(distance, 0.0) : std::max(distance, std::numeric_limits<double>::denorm_min());
 }
@@ -45,7 +46,7 @@ inline double with_sign(double distance, bool is_inside) {
 template <Shape S>
 double signed_distance_of(const S& shape, const PointOf<S>& point);
 
-/// The answer for what is out of range, or else the one that has been found.
+/// The result of rescaled shapes if a number is out of range, otherwise `found`.
 template <Shape S>
 [[gnu::noinline, gnu::cold]] double signed_distance_in_range_or(double found, const S& shape, const PointOf<S>& point) {
   const auto answer = answer_in_range<double>(
@@ -58,7 +59,7 @@ template <Shape S>
   return answer.value_or(found);
 }
 
-/// The signed distance in double. What `contains` lets pass has none, and what it does not has some.
+/// The signed distance in double, consistent with `contains`.
 template <Shape S>
 [[gnu::always_inline]] inline double signed_distance_of(const S& shape, const PointOf<S>& point) {
   const SurfacePoint<dimension_of<S>> at = surface_point(shape, wide<dimension_of<S>, scalar_of<S>>(point));
@@ -76,7 +77,7 @@ double signed_distance_of(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
   return detail::visit([&point](const auto& held) { return signed_distance_of(held, point); }, shape);
 }
 
-/// As a part of a compound a plane has no negative side: it holds nothing there.
+/// As a part of a compound, a plane has no negative side, because it contains nothing there.
 template <Dim N, class T>
 double distance_of_part(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
   const double distance = signed_distance_of(shape, point);
@@ -89,7 +90,7 @@ struct DecidingPart {
   double distance = std::numeric_limits<double>::infinity();
 };
 
-/// The part with the least signed distance, the first of several. Parts whose boxes are farther away are skipped.
+/// The part with the least signed distance, of several the first. Parts whose boxes are farther away are skipped.
 template <Dim N, class T>
 DecidingPart<N, T> deciding_part(const Compound<N, T>& compound, const Vec<N, T>& point) {
   DecidingPart<N, T> best;
@@ -110,9 +111,10 @@ double signed_distance_of(const Compound<N, T>& compound, const Vec<N, T>& point
 
 }  // namespace detail
 
-/// The distance of a point from the surface of a valid shape (asserted), with the sign of the table above. Of a
-/// compound: exact outside; inside the depth in its deepest part, which where parts overlap may be less than the way
-/// out of them all; +infinity without parts.
+/// The distance of a point from the surface of a valid shape (asserted), with the sign of the table at the top of this
+/// file. For a compound: exact outside; inside, minus the depth in the part where the point is deepest, which may be
+/// less than the way out of all parts if they overlap; +infinity without parts. `contains` is cheaper if only the sign
+/// matters.
 template <Shape S, PointIn<S> P = PointOf<S>>
 scalar_of<S> signed_distance(const S& shape, const P& point) {
   assert(detail::is_accepted(shape));

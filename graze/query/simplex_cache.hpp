@@ -9,15 +9,15 @@
 
 namespace graze {
 
-/// Between which corners two convex polytopes were nearest when they were last asked about: `closest_points` and
-/// `distance` begin there if they are given it again, and are the faster the less the two have moved since. It is for
-/// one pair, in one order of arguments; whatever it holds, also of other shapes, changes no more than the time and, of
-/// several nearest points, which of them are found. Default: nothing is known.
+/// The corners between which two convex polytopes were nearest in the last query. `closest_points` and `distance` start
+/// from them, and are faster the less the polytopes have moved. Keep one cache per pair and order of arguments. Its
+/// contents, even of other shapes, affect only the time and, if there are several nearest points, which of them are
+/// returned. Default: empty.
 template <Dim N>
 struct SimplexCache {
-  std::array<std::uint32_t, static_cast<std::size_t>(N) + 1> corners_a{};  ///< Places in `vertices()`.
-  std::array<std::uint32_t, static_cast<std::size_t>(N) + 1> corners_b{};
-  std::uint32_t size = 0;  ///< So many of each.
+  std::array<std::uint32_t, static_cast<std::size_t>(N) + 1> corners_a{};  ///< Indices into `vertices()` of a.
+  std::array<std::uint32_t, static_cast<std::size_t>(N) + 1> corners_b{};  ///< Indices into `vertices()` of b.
+  std::uint32_t size = 0;  ///< The number of corners in use, the same for a and b.
 };
 
 namespace detail {

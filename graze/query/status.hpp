@@ -3,10 +3,10 @@
 
 namespace graze {
 
-/// How an iteration ended.
+/// How an iterative algorithm ended.
 enum class Status {
-  converged,   ///< The bounds met, to the stated tolerance.
-  best_bound,  ///< Precision or the step limit ended it: the bounds given hold, but are not as close as wanted.
+  converged,   ///< The bounds met within the stated tolerance.
+  best_bound,  ///< Rounding or the step limit ended it: the bounds hold, but are wider than intended.
 };
 
 }  // namespace graze

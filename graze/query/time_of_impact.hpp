@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// time_of_impact(a, motion_a, b, motion_b): when two shapes that move and turn first touch, and where.
-//
-// For any two shapes. Those that meet at the start, as relation(a, b) says, have their contact(a, b) as the impact, at
-// t = 0; those that do not turn are cast, as by shape_cast.hpp. Of convex shapes, and of one and a plane or half-space,
-// motion_advance.hpp finds the time; a ray is cut where nothing of the other shape ever comes; a compound is its first
-// part to touch. Of two that have no end, a ray, plane or half-space each, parallel planes that turn alike have the
-// time of their distance; but planes that begin to turn against each other meet at once, far away, and of other two of
-// these that turn no more is said than that they do not meet before t = 0, with `best_bound` and their distance as the
-// error.
-//
-// `error` is a length: at t, before it is rounded to T, the shapes are no farther apart than that, and before t they
-// are not in touch. It is 2^-36 of the pair's size and way, or a few epsilon of the largest coordinate if that is
-// more (of T for a user's shape that calculates in T). So shapes that come nearer to each other than that without
-// touching have an impact as well. If the steps end before (they are at most 512: long shapes that turn much and
-// graze take them), or GJK cannot tell the distance, the status is `best_bound`: t is a bound all the same, and the
-// error says how far apart they are there. Any finite coordinates; range.hpp says what of sizes that differ by more
-// than 2^900.
+/// @file
+/// time_of_impact(a, motion_a, b, motion_b): when and where two shapes that move and rotate first touch.
+///
+/// For any two shapes. If they meet at the start, as relation(a, b) decides, the impact is contact(a, b) at t = 0. If
+/// neither rotates, it is that of shape_cast.hpp. For convex shapes, and for one and a plane or half-space,
+/// motion_advance.hpp finds the time. A ray is cut where the other shape never comes; a compound counts as its first
+/// part to touch. For two unbounded shapes (rays, planes, half-spaces), parallel planes with equal rotations have the
+/// time of their distance; planes that start to rotate against each other meet at once, far away. For other unbounded
+/// pairs that rotate, the result only states that they do not meet before t = 0, with `best_bound` and their distance
+/// as the error.
+///
+/// `error` is a length: at t, before rounding to T, the shapes are at most that far apart, and before t they do not
+/// touch. It is 2^-36 of the pair's size and path, or a few epsilon of the largest coordinate if that is more (of T for
+/// a user's shape that calculates in T). So shapes that come nearer than that without touching have an impact as well.
+/// The status is `best_bound` if the step limit of 512 is reached (long shapes that rotate far and graze each other),
+/// or GJK cannot resolve the distance: t is still a bound, and the error tells how far apart the shapes are there.
+/// Coordinates may be any finite numbers; see range.hpp for sizes that differ by more than a factor of 2^900.
 #pragma once
 
 #include <algorithm>
@@ -53,7 +53,7 @@ Motion<N, double> wide_motion(const Motion<N, T>& motion) {
   return {wide<N, T>(motion.linear), Turn<N, double>(motion.angular), wide<N, T>(motion.center)};
 }
 
-/// What does not turn has its center anywhere: in the middle the sphere around it is smallest.
+/// Without rotation any center will do; in the middle of the shape the sphere around it is smallest.
 template <Convex S>
 Motion<dimension_of<S>, double> centered(Motion<dimension_of<S>, double> motion, const S& shape) {
   constexpr Dim N = dimension_of<S>;
@@ -98,8 +98,8 @@ requires is_plane_or_half_space<B> std::optional<CastHit<dimension_of<A>>> cast_
   return advance_to_impact(pair, trajectory, 0, 0);
 }
 
-/// Whether a turns in the smaller sphere, or as the first of two that are equal. It is to be the one that moves: a
-/// plane that rests on the larger one parts them longer, since less of what turns past it reaches far.
+/// Whether a rotates within the smaller sphere, or is the first of two equal ones. That shape moves: a plane attached
+/// to the larger one separates them longer, because less of what rotates past it reaches far.
 template <Convex A, Convex B>
 bool is_smaller(const A& a, const MotionOf<A>& motion_a, const B& b, const MotionOf<A>& motion_b) {
   const double reach_a = reach_from(centered(motion_a, core(a)).center, core(a));
@@ -115,8 +115,8 @@ std::optional<CastHit<N>> with_normal_turned(std::optional<CastHit<N>> cast_hit)
 
 // ---- Rays
 
-/// Nothing of b ever comes farther from the ray's origin than the end of this piece, which is twice as long as it need
-/// be.
+/// The part of a ray that b can reach: b never comes farther from the ray's origin than its end, which is twice as far
+/// as needed.
 template <Dim N, class T, Convex B>
 Segment<N, double> piece_of_ray(const Ray<N, T>& ray, const MotionOf<B>& motion, const B& b,
                                 const MotionOf<B>& motion_b) {
@@ -130,12 +130,12 @@ Segment<N, double> piece_of_ray(const Ray<N, T>& ray, const MotionOf<B>& motion,
   return {origin, origin + unit_or(wide<N, T>(ray.direction), Vec<N, double>(0.0)) * (2 * reach)};
 }
 
-// ---- Two shapes without end
+// ---- Two unbounded shapes
 
 template <class S>
 inline constexpr bool is_endless = is_ray<S> || is_plane_or_half_space<S>;
 
-/// Two parallel planes, or what they bound, that turn alike: any point of a's surface is as far from b as another.
+/// Two parallel planes or half-spaces with equal rotations: every point of a's surface is equally far from b.
 template <class A, class B>
 std::optional<CastHit<dimension_of<A>>> cast_hit_of_half_spaces(const Proximity<dimension_of<A>, double>& gap,
                                                                 const MotionOf<A>& motion_a,
@@ -160,9 +160,10 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_of_endless(const A& a, const Mo
   return CastHit<N>{0, gap.point_b, gap.normal, Status::best_bound, gap.distance + gap.error};
 }
 
-// ---- Two shapes that do not turn
+// ---- Two shapes without rotation
 
-/// What is cast along the way of a as b sees it. Rays in double, since what is cast has to hold the way's numbers.
+/// The shape cast along the motion of a relative to b. Rays in double, because the cast shape must represent the
+/// motion's numbers.
 template <class A, class B>
 std::optional<CastHit<dimension_of<A>>> cast_hit_of_gliding(const A& a, const MotionOf<A>& motion_a, const B& b,
                                                             const MotionOf<A>& motion_b) {
@@ -184,7 +185,8 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_of_gliding(const A& a, const Mo
   return found;
 }
 
-/// Whether it may be: neither turns, and a point, which is cast in its own numbers, can go the way in them.
+/// Whether a shape cast suffices: neither rotates, and a point, which is cast in its own type, can represent the
+/// motion.
 template <class A, class B>
 bool do_glide(const MotionOf<A>& motion_a, const MotionOf<A>& motion_b) {
   constexpr Dim N = dimension_of<A>;
@@ -197,7 +199,7 @@ bool do_glide(const MotionOf<A>& motion_a, const MotionOf<A>& motion_b) {
 
 // ---- Any two simple shapes
 
-/// Whether a comes first, where the answer is to be the same whichever is named first.
+/// Whether a comes first, so that the result does not depend on the order of arguments.
 template <class A, class B>
 bool comes_first(const A& a, const B& b) {
   if constexpr (type_place<A> == type_place<B>) {
@@ -207,7 +209,7 @@ bool comes_first(const A& a, const B& b) {
   }
 }
 
-/// The same whichever of the two is named first.
+/// Independent of the order of arguments.
 template <class A, class B>
 std::optional<CastHit<dimension_of<A>>> cast_hit_of_simple_motion(const A& a, const MotionOf<A>& motion_a, const B& b,
                                                                   const MotionOf<A>& motion_b) {
@@ -232,8 +234,8 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_of_simple_motion(const A& a, co
   }
 }
 
-/// Shapes that begin nearer to each other than GJK can tell a direction have touched when it is first asked: their
-/// normal is that of their distance.
+/// Shapes that start nearer to each other than GJK can resolve a direction touch at the start; their normal is that of
+/// their distance.
 template <class A, class B>
 std::optional<CastHit<dimension_of<A>>> cast_hit_of_simple(const A& a, const MotionOf<A>& motion_a, const B& b,
                                                            const MotionOf<A>& motion_b) {
@@ -257,7 +259,7 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_of_simple(const A& a, const Mot
 
 // ---- Any two shapes
 
-/// Whether two boxes, both bounded, may touch up to a time, by the spheres that they turn in.
+/// Whether two bounded boxes may touch up to a time, by the spheres in which they rotate.
 template <Dim N, class T>
 bool may_touch_by(double t, const Aabb<N, T>& a, const Motion<N, double>& motion_a, const Aabb<N, T>& b,
                   const Motion<N, double>& motion_b) {
@@ -269,7 +271,8 @@ bool may_touch_by(double t, const Aabb<N, T>& a, const Motion<N, double>& motion
   return start && *start <= t;
 }
 
-/// The first part to touch the shape, the first of several. `find(part)` asks one that may come before the others.
+/// The first part to touch the shape, of several the first in order. `find(part)` tests one that may touch before the
+/// others.
 template <Dim N, class T, class S, class Find>
 std::optional<CastHit<N>> cast_hit_of_moving_parts(const Compound<N, T>& compound, const Motion<N, double>& motion,
                                                    const S& shape, const Motion<N, double>& motion_of_shape,
@@ -285,7 +288,7 @@ std::optional<CastHit<N>> cast_hit_of_moving_parts(const Compound<N, T>& compoun
   return first;
 }
 
-/// Of shapes that are apart.
+/// For shapes that are apart.
 template <class A, class B>
 std::optional<CastHit<dimension_of<A>>> cast_hit_in_motion(const A& a, const MotionOf<A>& motion_a, const B& b,
                                                            const MotionOf<A>& motion_b) {
@@ -309,14 +312,15 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_in_motion(const A& a, const Mot
 
 }  // namespace detail
 
+/// A motion with the dimension and number type of a shape.
 template <Shape S>
 using MotionIn = Motion<dimension_of<S>, scalar_of<S>>;
 
-/// The first touch, from t = 0 to t = 1, of two valid shapes (asserted) of one space that move; none if there is none.
-/// The shapes are given as they are at t = 0. Touching counts, also at the start and at the end. t is never after the
-/// first touch; see above for how much before. Swapping the shapes negates the normal and changes nothing else. A
-/// compound is the union of its parts. A motion without turning costs what `shape_cast` does. Motions
-/// whose numbers are not finite touch nothing.
+/// The first touch, from t = 0 to t = 1, of two valid shapes (asserted) of the same dimension and number type that
+/// move; none if they do not touch. Pass the shapes as they are at t = 0. Touching counts, also at the start and at the
+/// end. t is never after the first touch and earlier by at most the error; see the top of this file. Swapping the
+/// shapes negates the normal and changes nothing else. A compound is the union of its parts. Motions with numbers that
+/// are not finite touch nothing. Without rotation it costs as much as `shape_cast`.
 template <Shape A, SameSpace<A> B>
 std::optional<Impact<dimension_of<A>, scalar_of<A>>> time_of_impact(const A& a, const MotionIn<A>& motion_a, const B& b,
                                                                     const MotionIn<A>& motion_b) {

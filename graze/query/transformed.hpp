@@ -18,6 +18,8 @@ namespace graze {
 template <Dim N, class T>
 AnyShape<N, T> transformed(const AnyShape<N, T>& shape, const Pose<N, T>& pose);
 
+/// A compound of the transformed parts, in the same order, with new boxes. Axis-aligned boxes become oriented ones.
+/// Throws like `transformed` of a polytope.
 template <Dim N, class T>
 Compound<N, T> transformed(const Compound<N, T>& compound, const Pose<N, T>& pose) {
   std::vector<AnyShape<N, T>> moved;
@@ -26,13 +28,15 @@ Compound<N, T> transformed(const Compound<N, T>& compound, const Pose<N, T>& pos
   return compound_of<N, T>(std::move(moved));
 }
 
-/// The image under a rigid motion. An axis-aligned box becomes an oriented one.
+/// The image of the shape held under a rigid transform. An axis-aligned box becomes an oriented one. Throws like
+/// `transformed` of a polytope.
 template <Dim N, class T>
 AnyShape<N, T> transformed(const AnyShape<N, T>& shape, const Pose<N, T>& pose) {
   return detail::visit([&pose](const auto& held) -> AnyShape<N, T> { return transformed(held, pose); }, shape);
 }
 
-/// The image under a translation, which leaves a box along the axes what it is.
+/// The image of the shape held under a translation. Unlike `transformed`, an axis-aligned box stays one. Each
+/// coordinate is rounded to T once. Throws like `transformed` of a polytope.
 template <Dim N, class T>
 AnyShape<N, T> translated(const AnyShape<N, T>& shape, const std::type_identity_t<Vec<N, T>>& offset) {
   if (const auto* const box = std::get_if<Aabb<N, T>>(&shape)) {

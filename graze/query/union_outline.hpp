@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// union_outline(polygons): the outline of the union of convex polygons, for pictures of shapes that are held as convex
-// parts. Of every edge the pieces are kept that lie in no other polygon and on no edge that another shares; these are
-// joined end to end. An edge is clipped by a polygon as by Cyrus and Beck, "Generalized two- and three-dimensional
-// clipping" (1978).
+/// @file
+/// union_outline(polygons): the outline of the union of convex polygons, for pictures of shapes that consist of convex
+/// parts. Keeps the pieces of every edge that lie in no other polygon and on no edge that another one shares, and joins
+/// them end to end. An edge is clipped by a polygon as by Cyrus and Beck, "Generalized two- and three-dimensional
+/// clipping" (1978).
 #pragma once
 
 #include <algorithm>
@@ -21,14 +22,14 @@
 
 namespace graze {
 
-/// An outline of a union takes for one line what differs by less than this times the size of all: far above the
-/// rounding of coordinates that were moved, far below what a picture shows.
+/// `union_outline` merges lines that differ by less than this, relative to the total size: far above the rounding of
+/// moved coordinates, far below what a picture shows.
 inline constexpr double picture_resolution = 1e-9;
 
 namespace detail {
 
-/// Pieces are joined at ends that differ by up to so many times that: where two edges cross at a small angle, rounding
-/// moves the crossing of each along it.
+/// Pieces are joined at ends that differ by at most this many times the resolution: where two edges cross at a small
+/// angle, rounding moves the crossing along each of them.
 inline constexpr double crossing_slack = 64;
 
 /// An edge with the polygon on its left, and the direction out of the polygon.
@@ -37,7 +38,7 @@ struct RimEdge {
   Vec<2, double> end;
   Vec<2, double> outward;  ///< Of length 1.
 
-  /// How far a point lies outside of the edge's line.
+  /// The height of a point above the edge's line, outward.
   double height(const Vec<2, double>& point) const { return dot(outward, point - start); }
 };
 
@@ -96,7 +97,7 @@ class UnionOutline {
     if (polygon.edges.size() > 2) polygons_.push_back(std::move(polygon));
   }
 
-  /// Of each polygon the others whose boxes it meets, by a sweep from left to right.
+  /// For each polygon, the others whose boxes it meets, by a sweep from left to right.
   std::vector<std::vector<std::size_t>> overlapping() const {
     std::vector<std::size_t> order(polygons_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -118,7 +119,7 @@ class UnionOutline {
     return result;
   }
 
-  /// True when two edges lie on one line, as far as the shorter one tells.
+  /// True if two edges are collinear, as far as the shorter one tells.
   bool on_one_line(const RimEdge& a, const RimEdge& b) const {
     const auto lies_on = [this](const RimEdge& edge, const RimEdge& line) {
       return std::fabs(line.height(edge.start)) <= tolerance_ && std::fabs(line.height(edge.end)) <= tolerance_;
@@ -126,8 +127,8 @@ class UnionOutline {
     return lies_on(a, b) || lies_on(b, a);
   }
 
-  /// The part of an edge that a polygon hides: what lies inside, or on an edge from the other side. Of two that run the
-  /// same way one is hidden, by the polygon that `comes_first`.
+  /// The part of an edge that a polygon hides: what lies inside, or on an edge from the other side. Of two edges in the
+  /// same direction one is hidden, by the polygon that `comes_first`.
   std::optional<Interval> hidden(const RimEdge& edge, const RimPolygon& by, bool comes_first) const {
     Interval part{0, 1};
     for (const RimEdge& side : by.edges) {
@@ -138,7 +139,7 @@ class UnionOutline {
       const double start = side.height(edge.start);
       const double end = side.height(edge.end);
       if (start >= 0 && end >= 0) return std::nullopt;
-      // Of opposite signs where one is positive, so that their difference is not zero.
+      // They have opposite signs if one is positive, so their difference is not zero.
       if (start > 0) part.from = std::max(part.from, start / (start - end));
       if (end > 0) part.to = std::min(part.to, start / (start - end));
     }
@@ -171,7 +172,7 @@ class UnionOutline {
     if (from != to) next_[from].push_back(to);
   }
 
-  /// The number of a point; one number for all that are as good as equal. A cell holds one point at most.
+  /// The index of a point; the same for points that nearly coincide. A cell contains at most one point.
   std::size_t place_of(const Vec<2, double>& point) {
     const double step = tolerance_ * crossing_slack;
     const Vec<2, double> cell = point / step;
@@ -189,7 +190,7 @@ class UnionOutline {
     return place;
   }
 
-  /// At every point as many pieces end as begin, so that a way that follows them comes back to where it began.
+  /// At every point as many pieces end as start, so a path that follows them returns to its start.
   std::vector<Polygon> joined() {
     std::vector<Polygon> loops;
     for (std::size_t first = 0; first < points_.size(); ++first) {
@@ -211,16 +212,16 @@ class UnionOutline {
   std::vector<RimPolygon> polygons_;
   std::vector<Vec<2, double>> points_;
   std::map<std::pair<double, double>, std::size_t> places_;
-  std::vector<std::vector<std::size_t>> next_;  ///< Of each point, those that a piece leads to.
+  std::vector<std::vector<std::size_t>> next_;  ///< For each point, the points to which a piece leads.
 };
 
 }  // namespace detail
 
-/// The outline of the union of convex polygons, each given by its corners in either sense: closed ways, outer ones
-/// counter-clockwise (y up) and those around holes clockwise, without the edges that two polygons share. Filled by the
-/// nonzero rule they show the union. For pictures: up to a billionth of the size of all, and gaps narrower than that
-/// are closed. Polygons of fewer than three corners are left out; corners are finite. The time grows with the number
-/// of pairs of polygons whose boxes overlap.
+/// The outline of the union of convex polygons, each given by its corners in either orientation. Returns closed loops,
+/// outer ones counter-clockwise (y up) and those around holes clockwise, without the edges that two polygons share;
+/// filled by the nonzero rule they show the union. Intended for pictures: exact to `picture_resolution` of the total
+/// size, and narrower gaps are closed. Polygons of fewer than three corners are ignored; coordinates must be finite.
+/// Time grows with the number of pairs of polygons whose boxes overlap.
 inline std::vector<std::vector<Vec<2, double>>> union_outline(std::span<const std::vector<Vec<2, double>>> polygons) {
   return detail::UnionOutline(polygons).loops();
 }

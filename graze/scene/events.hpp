@@ -14,15 +14,15 @@
 
 namespace graze {
 
-/// What became of touching between two updates of a scene; each list ascending. A pair of which an object was removed
-/// has ended, and its id no longer names an object.
+/// How the touching pairs changed between two updates of a scene; each list is ascending. If an object of a touching
+/// pair was removed, the pair has ended, and its id no longer names an object.
 struct SceneEvents {
-  std::vector<ObjectPair> began;
-  std::vector<ObjectPair> stayed;
-  std::vector<ObjectPair> ended;
+  std::vector<ObjectPair> began;   ///< Pairs that touch now and did not before.
+  std::vector<ObjectPair> stayed;  ///< Pairs that touched before and still do.
+  std::vector<ObjectPair> ended;   ///< Pairs that touched before and do not now.
 };
 
-/// The events between two ascending lists of pairs.
+/// The events between two ascending lists of pairs, neither with duplicates.
 SceneEvents events_between(const std::vector<ObjectPair>& before, const std::vector<ObjectPair>& after);
 
 namespace detail {
@@ -30,43 +30,43 @@ namespace detail {
 /// The pairs that touched when these events were found, ascending: those that began and those that stayed.
 std::vector<ObjectPair> pairs_of(const SceneEvents& events);
 
-/// Who is in the slots, if it is known to be who was there at the last update.
+/// Whether the objects in the slots are known to be those of the last update.
 enum class SlotReuse : std::uint8_t { the_same, maybe_others };
 
 /// For each of the pairs that touched when events were found, ascending: 1 if it began then, else 0.
 using YoungMarks = BlankVector<char>;
 
-/// Events that are being found, in the place of older ones, whose memory is used again.
+/// Events under construction in the memory of older ones.
 struct NextEvents {
   SceneEvents events;
   YoungMarks young;
 };
 
-/// What touches now and what did at the last update, of one list of pairs that could touch.
+/// What touches now and what did at the last update, among the pairs of a list that could touch.
 struct ListedPairs {
-  std::span<const Pair> found;                   ///< That touch now, ascending.
-  std::span<const std::uint32_t> places;         ///< Where in the list these are.
-  std::span<const std::uint32_t> places_before;  ///< Where those are that touched at the last update.
-  const char* touches;                           ///< By place: 1 if it touches now, else 0.
-  const char* touched;                           ///< By place: the same at the last update.
+  std::span<const Pair> found;                   ///< Touching now, ascending.
+  std::span<const std::uint32_t> places;         ///< Their positions in the list.
+  std::span<const std::uint32_t> places_before;  ///< Positions of those that touched at the last update.
+  const char* touches;                           ///< By position: 1 if it touches now, else 0.
+  const char* touched;                           ///< By position: 1 if it touched at the last update, else 0.
 };
 
-/// The events between the pairs of the last update and what touches now: pairs of slots, ascending, and who is in them.
+/// The events between the pairs of the last update and those that touch now, given as ascending pairs of slots.
 void find_events(const SceneEvents& last, std::span<const Pair> found, const KeyTable& ids, SlotReuse slot_reuse,
                  NextEvents& next);
 
-/// The same by a list, where each slot has had one tenant. `young` is of the last events.
+/// The same by a list of pairs, if each slot has had one object. `young` belongs to the last events.
 void find_events(const SceneEvents& last, const YoungMarks& young, const ListedPairs& pairs, const KeyTable& ids,
                  NextEvents& next);
 
-/// Makes the events of the last update those of the next, where few pairs begin and end. Keeps its memory.
+/// Turns the events of the last update into the next ones if few pairs begin and end. Keeps its memory.
 class EventsEdit {
  public:
-  /// What is to be done: these pairs of slots have begun, and these of the last ones ended, both ascending. A pair is
-  /// in both if the objects in its slots are others.
+  /// Plans an edit: these pairs of slots have begun, and these of the last ones ended, both ascending. A pair is in
+  /// both if the objects in its slots have changed.
   void plan(const SceneEvents& last, std::span<const Pair> began, std::span<const Pair> ended, const KeyTable& ids);
 
-  /// In the events that were planned for, so that `apply` cannot fail.
+  /// Reserves memory in the events that `plan` was called for, so that `apply` cannot fail.
   void make_room(SceneEvents& events) const;
 
   void apply(SceneEvents& events) noexcept;

@@ -10,36 +10,37 @@
 
 namespace graze {
 
-/// Which layers can touch which, the same whichever comes first: a table with a row of one bit per layer for each
-/// layer. All can at first. An object obeys it by the mask of its layer:
+/// A symmetric table of which layers can touch each other; initially all can. An object obeys it through the mask of
+/// its layer:
 ///
 ///     scene.add(shape, {.layer = enemy, .mask = matrix.mask_of(enemy)});
 ///
-/// All functions throw std::out_of_range, naming the number, for a layer that is not below `max_layers`.
+/// All functions throw std::out_of_range, naming the layer, for a layer that is not below `max_layers`.
 class FilterMatrix {
  public:
   FilterMatrix() { rows_.fill(all_layers); }
 
-  /// Lets the objects of two layers, or of one, touch each other.
+  /// Lets the objects of two layers, or within one, touch each other.
   void join(Layer a, Layer b) {
     require(a, b);
     rows_[a] |= only_layer(b);
     rows_[b] |= only_layer(a);
   }
 
-  /// Lets them pass through each other.
+  /// Lets the objects of two layers, or within one, pass through each other.
   void part(Layer a, Layer b) {
     require(a, b);
     rows_[a] &= ~only_layer(b);
     rows_[b] &= ~only_layer(a);
   }
 
+  /// True if objects of these layers can touch. Symmetric.
   bool can_touch(Layer a, Layer b) const {
     require(a, b);
     return (rows_[a] & only_layer(b)) != 0;
   }
 
-  /// The layers that objects of a layer can touch.
+  /// The mask of all layers that objects of this layer can touch.
   LayerMask mask_of(Layer layer) const {
     require(layer, layer);
     return rows_[layer];

@@ -12,65 +12,66 @@
 
 namespace graze {
 
-/// As many objects a scene can hold; its index holds no more.
+/// The largest number of objects in a scene, limited by its index.
 inline constexpr std::uint32_t max_objects = std::uint32_t{1} << 29U;
 
-/// Names an object of a scene for as long as it lives. The id of an object that was removed, one that another scene
-/// gave out, and one made by default are errors when they are used, never another object. Ordered by index, which is a
-/// place that is used again. Copies and snapshots of a scene answer to the ids of the original. Of ids given out after
-/// they part each is to be asked about its own alone: it cannot tell the other's from them.
+/// Names an object of a scene during its lifetime. Using the id of a removed object, of another scene, or a default one
+/// is an error and never means another object. Ordered by index; indices are reused. Copies and snapshots of a scene
+/// accept the ids of the original. Ids given out after the copy are valid only for the scene that gave them out, which
+/// cannot be detected.
 struct ObjectId {
-  std::uint32_t index = 0;
+  std::uint32_t index = 0;       ///< Position of the object; reused after it is removed.
   std::uint32_t generation = 0;  ///< Odd in every id that is given out.
-  std::uint32_t owner = 0;       ///< Tells the ids of one scene from those of others. Says nothing else.
+  std::uint32_t owner = 0;       ///< Distinguishes the ids of different scenes; has no other meaning.
 
   friend auto operator<=>(const ObjectId&, const ObjectId&) = default;
 };
 
-/// Two objects of a scene, that of the lower index as `a`.
+/// Two objects of a scene, the one with the lower index as `a`.
 struct ObjectPair {
-  ObjectId a;
-  ObjectId b;
+  ObjectId a;  ///< The lower index.
+  ObjectId b;  ///< The higher index.
 
   friend auto operator<=>(const ObjectPair&, const ObjectPair&) = default;
 };
 
-/// Whether an object goes about.
+/// Whether an object moves during the simulation.
 enum class Mobility : std::uint8_t {
-  moving,
-  fixed,  ///< Part of the world: two fixed objects are never a pair. It may be moved all the same.
+  moving,  ///< Can be a pair with any object.
+  fixed,   ///< Part of the world: two fixed objects are never a pair. It can still be moved.
 };
 
-/// What a caller may say about an object beside its shape.
+/// Properties of an object beside its shape.
 struct ObjectOptions {
   std::string name = {};                 ///< Unique in the scene, or empty for none.
   Layer layer = 0;                       ///< The layer it is on.
   LayerMask mask = all_layers;           ///< The layers it can touch.
-  std::uint64_t user = 0;                ///< The caller's own; graze does not look at it.
-  Mobility mobility = Mobility::moving;  ///< Whether it can be a pair with what is fixed.
+  std::uint64_t user = 0;                ///< For the caller; the library does not use it.
+  Mobility mobility = Mobility::moving;  ///< Whether it can be a pair with fixed objects.
 };
 
-/// An object of a scene. What a move writes comes first: of a shape that is small, all of it in a cache line or two.
+/// An object of a scene. The members that a move writes come first, so that for a small shape they fill one or two
+/// cache lines.
 template <Dim N, class T = float>
 struct Object {
-  Aabb<N, T> box;  ///< bounds(shape)
-  AnyShape<N, T> shape;
-  std::string name;
-  Layer layer;
-  Mobility mobility;
-  LayerMask mask;
-  std::uint64_t user;
+  Aabb<N, T> box;        ///< bounds(shape).
+  AnyShape<N, T> shape;  ///< Where it is now.
+  std::string name;      ///< Unique in the scene, or empty.
+  Layer layer;           ///< The layer that it is on.
+  Mobility mobility;     ///< Whether it can be a pair with fixed objects.
+  LayerMask mask;        ///< The layers that it can touch.
+  std::uint64_t user;    ///< For the caller; the library does not use it.
 };
 
 namespace detail {
 
-/// What decides with whom an object may be a pair.
+/// The properties that decide which pairs an object can be in.
 struct PairFilter {
   LayerMask mask = all_layers;
   Layer layer = 0;
   Mobility mobility = Mobility::moving;
 
-  /// Whether it may be a pair with all that admit it.
+  /// True if it can be a pair with every object that admits it.
   bool admits_all() const { return mask == all_layers && mobility == Mobility::moving; }
 };
 
@@ -84,7 +85,7 @@ PairFilter filter_of(const Object<N, T>& object) {
   return {object.mask, object.layer, object.mobility};
 }
 
-/// The box of an object that touching_bounds grows by enough.
+/// The object's box, ready for touching_bounds to grow.
 template <Dim N, class T>
 Aabb<N, T> sized_box(const Object<N, T>& object) {
   return sized_box(object.shape, object.box);
@@ -92,13 +93,14 @@ Aabb<N, T> sized_box(const Object<N, T>& object) {
 
 }  // namespace detail
 
-/// touching_bounds of an object's shape, whose box is at hand.
+/// touching_bounds of an object's shape, from its stored box.
 template <Dim N, class T>
 Aabb<N, T> touching_bounds(const Object<N, T>& object) {
   return touching_bounds(detail::sized_box(object));
 }
 
-/// Whether two objects are asked about at all: both masks admit the other's layer, and not both are fixed.
+/// True if two objects can be a pair: both masks contain the other's layer, and not both are fixed. Other pairs are
+/// never tested.
 template <Dim N, class T>
 bool may_touch(const Object<N, T>& a, const Object<N, T>& b) {
   return detail::may_touch(detail::filter_of(a), detail::filter_of(b));

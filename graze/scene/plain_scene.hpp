@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The judge of Scene: the same calls, answered by asking every object by itself.
+/// @file
+/// The reference for Scene: the same calls, answered by testing every object.
 #pragma once
 
 #include <cstddef>
@@ -22,31 +23,48 @@
 
 namespace graze {
 
-/// Answers as a Scene does, and throws the same types of exceptions where it does, but without an index, memory of
-/// pairs or threads: each question goes to all objects one after the other, those about pairs to all pairs. Too slow
-/// for many objects, too simple to be wrong; for tests, and to judge what a scene answered. What the calls mean is said
-/// in scene.hpp and scene_view.hpp. Instantiated for 2D and 3D, float and double.
+/// Gives the same results as a Scene, and throws the same types of exceptions, but without an index, stored pairs or
+/// threads: every query tests all objects, or all pairs. Too slow for many objects, too simple to be wrong; intended
+/// for tests and for checking the results of a scene. The contracts of its members are those in scene.hpp and
+/// scene_view.hpp. Instantiated for 2D and 3D, float and double.
 template <Dim N, class T = float>
 class PlainScene {
  public:
+  /// As Scene::add.
   ObjectId add(AnyShape<N, T> shape, ObjectOptions options = {});
+  /// As Scene::plan_ids.
   void plan_ids(std::span<const ObjectId> next, std::span<const ObjectId> vacant);
+  /// As Scene::move of one object.
   void move(ObjectId id, AnyShape<N, T> shape);
+  /// As Scene::move of many objects.
   void move(std::span<const ObjectMove<N, T>> moves);
+  /// As Scene::remove.
   void remove(ObjectId id);
+  /// As Scene::layer.
   Layer layer(std::string_view name);
+  /// As Scene::update, but returns the events by value.
   SceneEvents update();
 
+  /// As SceneView::find. Takes linear time.
   std::optional<ObjectId> find(std::string_view name) const;
+  /// As SceneView::candidates. Tests all pairs.
   std::vector<ObjectPair> candidates(double margin = 0) const;
+  /// As SceneView::pairs. Tests all pairs.
   std::vector<ObjectPair> pairs() const;
+  /// As SceneView::contacts. Tests all pairs.
   std::vector<ObjectContact<N, T>> contacts() const;
+  /// As SceneView::overlapping. Tests all objects.
   std::vector<ObjectId> overlapping(const AnyShape<N, T>& region, LayerMask layers = all_layers) const;
+  /// As SceneView::cull of a shape. Tests all objects.
   std::vector<ObjectId> cull(const AnyShape<N, T>& region, LayerMask layers = all_layers) const;
+  /// As SceneView::cull of a frustum. Tests all objects.
   std::vector<ObjectId> cull(const Frustum<N, T>& frustum, LayerMask layers = all_layers) const;
+  /// As SceneView::nearest. Tests all objects.
   std::vector<NearObject<T>> nearest(const Vec<N, T>& point, std::size_t count, LayerMask layers = all_layers) const;
+  /// As SceneView::ray_cast. Tests all objects.
   std::optional<ObjectHit<N, T>> ray_cast(const Ray<N, T>& ray, T t_max = std::numeric_limits<T>::infinity(),
                                           LayerMask layers = all_layers) const;
+  /// As SceneView::ray_cast_all. Tests all objects.
   std::vector<ObjectHit<N, T>> ray_cast_all(const Ray<N, T>& ray, T t_max = std::numeric_limits<T>::infinity(),
                                             LayerMask layers = all_layers) const;
 
@@ -55,8 +73,8 @@ class PlainScene {
   template <class R>
   std::vector<ObjectId> near(const R& region, LayerMask layers) const;
 
-  std::map<ObjectId, Object<N, T>> objects_;  // so that all answers ascend
-  detail::KeyTable ids_{max_objects};         // a stack of vacant places
+  std::map<ObjectId, Object<N, T>> objects_;  // in the order of results
+  detail::KeyTable ids_{max_objects};         // vacant places are a stack
   std::vector<std::string> layer_names_;
   std::vector<ObjectPair> touching_;  // at the last update
 };

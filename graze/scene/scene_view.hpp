@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What can be read of a scene: of one that lives on, and of a snapshot that stays as it is.
+/// @file
+/// The read-only part of a scene, and of a snapshot.
 #pragma once
 
 #include <cstddef>
@@ -29,130 +30,136 @@
 
 namespace graze {
 
-/// An object by its distance from a point.
+/// An object and its distance from a point.
 template <class T = float>
 struct NearObject {
-  ObjectId id;
-  T distance;  ///< 0 when the point is in the object.
+  ObjectId id;  ///< Names the object.
+  T distance;   ///< 0 if the point is in the object.
 
   friend bool operator==(const NearObject&, const NearObject&) = default;
 };
 
-/// An object that a ray hits, and where.
+/// An object that a ray hits, and the hit.
 template <Dim N, class T = float>
 struct ObjectHit {
-  ObjectId id;
-  RayHit<N, T> hit;
+  ObjectId id;       ///< Names the object.
+  RayHit<N, T> hit;  ///< Where the ray meets the object's shape.
 
   friend bool operator==(const ObjectHit&, const ObjectHit&) = default;
 };
 
-/// Two objects that touch or overlap, and where.
+/// Two objects that touch or overlap, and their contact points.
 template <Dim N, class T = float>
 struct ObjectContact {
-  ObjectPair pair;
-  Manifold<N, T> manifold;  ///< From pair.a to pair.b; at least one point.
+  ObjectPair pair;          ///< The two objects.
+  Manifold<N, T> manifold;  ///< The normal points from pair.a to pair.b; at least one point.
 
   friend bool operator==(const ObjectContact&, const ObjectContact&) = default;
 };
 
-/// Objects with names, layers and places. All of it is const and safe from many threads at once, as long as none writes
-/// to the scene; a snapshot has nobody who could. Queries that look for objects take a mask: only objects on its layers
-/// are found. Instantiated for 2D and 3D, float and double.
+/// Queries on the objects of a scene. All are const and safe from many threads at once while none writes to the scene;
+/// nothing writes to a snapshot. Queries for objects take a mask and find only objects on its layers. Instantiated for
+/// 2D and 3D, float and double.
 template <Dim N, class T = float>
 class SceneView {
  public:
   /// True while the id names an object.
   bool contains(ObjectId id) const { return ids_.contains({id.index, id.generation, id.owner}); }
 
-  /// The object. Throws std::out_of_range, saying what is wrong with the id, when it names none.
+  /// The object with this id. Throws std::out_of_range, naming the reason, if there is none.
   const Object<N, T>& object(ObjectId id) const;
 
-  /// The object of that name, if there is one. Empty names are not found.
+  /// The object with this name, or none. Empty names are not found.
   std::optional<ObjectId> find(std::string_view name) const;
 
-  /// The object of this index and generation, by which a saved scene knows it, if it lives.
+  /// The object with this index and generation, by which saved scenes refer to it, or none.
   std::optional<ObjectId> find(std::uint32_t index, std::uint32_t generation) const;
 
-  /// The places that are free, of removed objects and of those that `plan_ids` has planned and nobody added yet: their
-  /// index, and a generation that is even, zero where no object was there ever. They are used from the back, each for
-  /// an id of the next generation, but for those of generation 4294967294, the last, which are used up.
+  /// The vacant places: those of removed objects, and those that `plan_ids` has planned and that are not used yet. Each
+  /// has its index and an even generation, zero if it never had an object. They are used from the back, each for an id
+  /// with the next generation; places of generation 4294967294, the last, are not reused.
   std::vector<ObjectId> vacant_ids() const;
 
-  /// All ids, ascending: in the order of adding while nothing is removed.
+  /// All ids, ascending: in the order of adding as long as nothing is removed.
   std::vector<ObjectId> ids() const;
 
+  /// Number of objects.
   std::size_t size() const { return ids_.size(); }
 
-  /// The names of the layers made so far, by number.
+  /// The names of the layers created so far, by index.
   const std::vector<std::string>& layer_names() const { return layer_names_; }
 
-  /// All pairs whose boxes overlap, or are no farther apart than `margin` along any axis, and that may touch: what is
-  /// worth an exact test. Ascending. Throws std::invalid_argument for a margin that is negative or not finite.
+  /// All pairs whose boxes overlap, or are at most `margin` apart along every axis, and that the filters admit: the
+  /// pairs worth an exact test. Ascending. Throws std::invalid_argument if the margin is negative or not finite.
+  /// `visit_candidates` does not store them all.
   std::vector<ObjectPair> candidates(double margin = 0) const;
 
-  /// All pairs that touch or overlap and may, exactly tested. Ascending.
+  /// All pairs that touch or overlap and that the filters admit, exactly tested. Ascending.
   std::vector<ObjectPair> pairs() const;
 
-  /// Where the pairs touch, in the order of `pairs`: along which normal, how deep, at which points and on which
-  /// features of the two, as query/manifold.hpp has it. Throws what the executor throws.
+  /// The contact points of `pairs`, in that order: normal, depths, points and features of both objects, as in
+  /// query/manifold.hpp. Throws what the executor throws. `pairs` is cheaper.
   std::vector<ObjectContact<N, T>> contacts(const Executor& executor = default_executor()) const;
 
-  /// The objects that touch or overlap a region, which may be any shape, exactly tested. Ascending. Throws
-  /// std::invalid_argument when the region is not valid.
+  /// The objects that touch or overlap a region of any shape, exactly tested. Ascending. Throws std::invalid_argument
+  /// if the region is invalid. `cull` is cheaper.
   std::vector<ObjectId> overlapping(const AnyShape<N, T>& region, LayerMask layers = all_layers) const;
 
-  /// The objects whose boxes touch or overlap a region: quicker, and never fewer than `overlapping`. Ascending. Throws
-  /// like it.
+  /// The objects whose boxes touch or overlap a region: cheaper, and never fewer than `overlapping`. Ascending. Throws
+  /// std::invalid_argument if the region is invalid.
   std::vector<ObjectId> cull(const AnyShape<N, T>& region, LayerMask layers = all_layers) const;
 
-  /// The same for what a camera sees (shape/frustum.hpp: frustum_of). What touches it exactly says
-  /// `overlapping(convex_hull<N, T>(frustum.corners))`.
+  /// The objects whose boxes touch or overlap a camera's view volume (shape/frustum.hpp: frustum_of). For an exact test
+  /// use `overlapping(convex_hull<N, T>(frustum.corners))`.
   std::vector<ObjectId> cull(const Frustum<N, T>& frustum, LayerMask layers = all_layers) const;
 
-  /// The `count` objects nearest to a point, or all if there are fewer: by distance, equal ones by id. The distance is
-  /// that of the shape, of a compound that of its nearest part; an empty one is infinitely far and never found. Throws
-  /// std::invalid_argument when the point is not finite.
+  /// The `count` objects nearest to a point, or all if there are fewer: by distance, ties by id. The distance is that
+  /// of the shape, for a compound that of its nearest part; empty compounds are infinitely far away and never found.
+  /// Throws std::invalid_argument if the point is not finite.
   std::vector<NearObject<T>> nearest(const Vec<N, T>& point, std::size_t count, LayerMask layers = all_layers) const;
 
-  /// The object that a ray hits first, of equal ones that of the lowest id; none beyond `t_max`, in units of the ray's
-  /// direction: with 1, a segment. A ray that starts in an object hits it at t = 0 (query/ray_cast.hpp). Throws
-  /// std::invalid_argument when the ray is not valid or t_max is negative or NaN.
+  /// The first object that a ray hits, of several the one with the lowest id; none beyond `t_max`, in units of the
+  /// ray's direction: 1 makes it a segment. A ray that starts in an object hits it at t = 0 (query/ray_cast.hpp).
+  /// Throws std::invalid_argument if the ray is invalid or t_max is negative or NaN.
   std::optional<ObjectHit<N, T>> ray_cast(const Ray<N, T>& ray, T t_max = std::numeric_limits<T>::infinity(),
                                           LayerMask layers = all_layers) const;
 
-  /// All objects that a ray hits, each where it hits it first, in order of t, equal ones by id. Throws like ray_cast.
+  /// All objects that a ray hits, each with its first hit, by t, ties by id. Throws like ray_cast.
   std::vector<ObjectHit<N, T>> ray_cast_all(const Ray<N, T>& ray, T t_max = std::numeric_limits<T>::infinity(),
                                             LayerMask layers = all_layers) const;
 
  protected:
+  /// The objects by name.
   using Names = std::unordered_map<std::string, ObjectId>;
 
-  /// All of this as it is now, for reading.
+  /// A read-only copy of the current state: see Scene::snapshot.
   std::shared_ptr<const SceneView> share();
 
+  /// The id of the object in a slot, which must be taken.
   ObjectId id_of(std::uint32_t slot) const {
     const Key key = ids_.key_of(slot);
     return {key.index, key.generation, key.owner};
   }
 
+  /// The object in a slot, which must be taken.
   const Object<N, T>& in_slot(std::uint32_t slot) const { return *objects_[slot]; }
+  /// The index of the boxes, up to date.
   const detail::SlotIndex<N, T>& index() const { return index_.over(objects_); }
 
-  /// The objects on these layers whose boxes a region meets, rounding allowed for. Ascending.
+  /// The objects on these layers whose boxes meet a region, up to rounding. Ascending.
   template <class R>
   std::vector<ObjectId> near(const R& region, LayerMask layers) const;
 
-  /// Those which a ray meets up to t_max.
+  /// The objects on these layers whose boxes a ray meets up to t_max, up to rounding.
   std::vector<ObjectId> near_way(const Ray<N, T>& ray, T t_max, LayerMask layers) const;
 
-  detail::KeyTable ids_{max_objects};
-  detail::SharedSlots<Object<N, T>> objects_;  // by slot: the index of an id
-  detail::SharedValue<Names> names_;
-  std::vector<std::string> layer_names_;
-  detail::ObjectIndex<N, T> index_;
-  detail::SharedValue<SceneEvents> events_;  // of the last update
-  bool is_current_ = false;                  // nothing has changed since
+  detail::KeyTable ids_{max_objects};          ///< Which slots are taken, and their ids.
+  detail::SharedSlots<Object<N, T>> objects_;  ///< By slot, the index of an id.
+  detail::SharedValue<Names> names_;           ///< Of the objects that have a name.
+  std::vector<std::string> layer_names_;       ///< By layer.
+  detail::ObjectIndex<N, T> index_;            ///< Finds objects by their boxes.
+  detail::SharedValue<SceneEvents> events_;    ///< Those of the last update.
+  bool is_current_ = false;                    ///< True if nothing has changed since the last update.
 };
 
 extern template class SceneView<2, float>;

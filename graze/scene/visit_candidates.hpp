@@ -11,18 +11,19 @@
 
 namespace graze {
 
-/// Takes candidates by the block; false asks for no more.
+/// Receives a block of candidates; returns false to stop.
 using CandidateVisitor = std::function<bool(std::span<const ObjectPair>)>;
 
-/// The pairs of `scene.candidates(margin)` in the same order, given to a visitor by blocks of at most 4096. Memory
-/// grows with the objects, not with the pairs, and pairs begin to come before all are found. Throws like `candidates`.
+/// Passes the pairs of `scene.candidates(margin)`, in the same order, to a visitor in blocks of at most 4096. Memory
+/// grows with the objects, not with the pairs, and the first pairs come before all are found. Throws
+/// std::invalid_argument if the margin is negative or not finite, and what the visitor throws.
 template <Dim N, class T>
 void visit_candidates(const SceneView<N, T>& scene, const CandidateVisitor& visit, double margin = 0);
 
 namespace detail {
 
-/// How the boxes of a scene are held against each other, so that no pair within the margin is missed. Throws
-/// std::invalid_argument for a margin that is negative or not finite.
+/// The options to compare the boxes of a scene so that no pair within the margin is missed. Throws
+/// std::invalid_argument if the margin is negative or not finite.
 template <class T>
 PairOptions candidate_options(double margin);
 

@@ -11,43 +11,44 @@
 
 namespace graze {
 
-/// An axis-aligned box: all x with min <= x <= max in every coordinate. Flat boxes (min == max somewhere) are valid.
-/// Bounds of unbounded shapes have infinite corners, bounds of nothing have min = +infinity and max = -infinity:
-/// both work in every comparison below, though `is_valid` accepts neither as a shape.
+/// An axis-aligned box: all x with min <= x <= max in every coordinate. Flat boxes (min == max in some coordinate) are
+/// valid. Bounds of unbounded shapes have infinite corners; bounds of nothing have min = +infinity and max = -infinity.
+/// All comparisons below accept both, but as shapes neither is valid (`is_valid`).
 template <Dim N, class T = float>
 struct Aabb {
-  Vec<N, T> min = Vec<N, T>(T(-1));
-  Vec<N, T> max = Vec<N, T>(T(1));
+  Vec<N, T> min = Vec<N, T>(T(-1));  ///< Least coordinates; at most `max` in each.
+  Vec<N, T> max = Vec<N, T>(T(1));   ///< Greatest coordinates.
 
-  /// The box around `center`; each half extent is zero or more.
+  /// The box with this center; each half extent must be at least zero.
   static Aabb from_center(const Vec<N, T>& center, const Vec<N, T>& half_extents) {
     return {center - half_extents, center + half_extents};
   }
 
-  /// The box between two opposite corners, in any order.
+  /// The box with two opposite corners, in any order.
   static Aabb from_corners(const Vec<N, T>& a, const Vec<N, T>& b) {
     Aabb box{a, a};
     box.grow(b);
     return box;
   }
 
-  /// The box that contains nothing.
+  /// The empty box: min = +infinity, max = -infinity. `grow` starts from it.
   static Aabb nothing() {
     constexpr T infinity = std::numeric_limits<T>::infinity();
     return {Vec<N, T>(infinity), Vec<N, T>(-infinity)};
   }
 
-  /// The box that contains everything.
+  /// The unbounded box: min = -infinity, max = +infinity.
   static Aabb everything() {
     constexpr T infinity = std::numeric_limits<T>::infinity();
     return {Vec<N, T>(-infinity), Vec<N, T>(infinity)};
   }
 
-  /// Halved before adding, so that no finite box overflows.
+  /// The midpoint, rounded. Both corners are halved before they are added, so that no finite box overflows.
   Vec<N, T> center() const { return min * T(0.5) + max * T(0.5); }
+  /// Half the size along each axis, rounded; no finite box overflows.
   Vec<N, T> half_extents() const { return max * T(0.5) - min * T(0.5); }
 
-  /// Extends the box to contain a point.
+  /// Extends the box to contain a point. NaN coordinates are ignored.
   void grow(const Vec<N, T>& point) {
     for (Dim i = 0; i < N; ++i) {
       if (point[i] < min[i]) min[i] = point[i];
@@ -55,7 +56,7 @@ struct Aabb {
     }
   }
 
-  /// Extends the box to contain another.
+  /// Extends the box to contain another one. NaN coordinates are ignored.
   void grow(const Aabb& other) {
     for (Dim i = 0; i < N; ++i) {
       if (other.min[i] < min[i]) min[i] = other.min[i];
@@ -66,9 +67,12 @@ struct Aabb {
   friend bool operator==(const Aabb&, const Aabb&) = default;
 };
 
+/// The axis-aligned rectangle: a 2D Aabb.
 template <class T = float>
 using Rect = Aabb<2, T>;
 
+/// The corner that is farthest along `direction` (any nonzero length), in double. Exact. Where the direction has a zero
+/// coordinate, min's is taken.
 template <Dim N, class T>
 Vec<N, double> support(const Aabb<N, T>& box, const std::type_identity_t<Vec<N, double>>& direction) {
   Vec<N, double> corner;
@@ -76,7 +80,7 @@ Vec<N, double> support(const Aabb<N, T>& box, const std::type_identity_t<Vec<N, 
   return corner;
 }
 
-/// True when the box contains no point: its min is above its max in some coordinate.
+/// True if the box contains no point: its min is above its max in some coordinate.
 template <Dim N, class T>
 bool is_nothing(const Aabb<N, T>& box) {
   for (Dim i = 0; i < N; ++i) {

@@ -34,8 +34,8 @@ using AnyShape = std::variant<Vec<N, T>, Segment<N, T>, Ray<N, T>, Sphere<N, T>,
 /// One shape of a compound, and a box around it by which queries skip the part.
 template <Dim N, class T = float>
 struct Part {
-  AnyShape<N, T> shape;
-  Aabb<N, T> box;
+  AnyShape<N, T> shape;  ///< Any shape, another compound included.
+  Aabb<N, T> box;        ///< Contains the shape, as `bounds(shape)` does.
 };
 
 namespace detail {
@@ -59,11 +59,14 @@ inline constexpr auto shape_type_names =
 template <Dim N, Scalar T>
 struct ShapeTraits<AnyShape<N, T>> : Space<N, T> {};
 
+/// The name of the alternative that the variant holds, one of `shape_type_names`.
 template <Dim N, class T>
 std::string_view type_name(const AnyShape<N, T>& shape) {
   return shape_type_names[shape.index()];
 }
 
+/// The `defect` of the shape that the variant holds: empty for valid values, otherwise the first fault, worded as the
+/// rest of a sentence.
 template <Dim N, class T>
 std::string_view defect(const AnyShape<N, T>& shape) {
   return detail::visit([](const auto& held) { return defect(held); }, shape);

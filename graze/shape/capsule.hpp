@@ -12,16 +12,16 @@
 
 namespace graze {
 
-/// All points within `radius` of the segment from a to b. Equal ends make it a sphere, a zero radius a segment; both
-/// are valid.
+/// All points at most `radius` away from the segment from a to b. Equal ends make it a sphere, a zero radius a segment;
+/// both are valid.
 template <Dim N, class T = float>
 struct Capsule {
-  Vec<N, T> a = -unit_axis<N, T>(1);
-  Vec<N, T> b = unit_axis<N, T>(1);
-  T radius = T(1);
+  Vec<N, T> a = -unit_axis<N, T>(1);  ///< First end of the axis.
+  Vec<N, T> b = unit_axis<N, T>(1);   ///< Second end of the axis.
+  T radius = T(1);                    ///< At least zero.
 };
 
-/// The segment that a capsule is built around.
+/// The axis of a capsule: the segment from a to b.
 template <Dim N, class T>
 Segment<N, T> axis(const Capsule<N, T>& capsule) {
   return {capsule.a, capsule.b};
@@ -34,6 +34,8 @@ inline constexpr auto description_of<Capsule<N, T>> = Description("capsule", fie
                                                                   field::length("radius", &Capsule<N, T>::radius));
 }  // namespace detail
 
+/// The point that is farthest along `direction` (any nonzero length), in double: that of the axis, moved by the radius.
+/// If both ends are equally far, a's. The square of the length must not overflow or underflow.
 template <Dim N, class T>
 Vec<N, double> support(const Capsule<N, T>& capsule, const std::type_identity_t<Vec<N, double>>& direction) {
   const double size = std::sqrt(dot(direction, direction));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What a view-projection matrix means: it takes a point p, with a 1 behind its coordinates, to clip coordinates
-// (x, y, z, w), in the plane (x, y, w). The point is seen at x / w, y / w if these are within -1 and 1, w is positive,
-// and in space z / w is between what the near and the far plane have. Those are the coordinates of the device.
+/// @file
+/// The meaning of a view-projection matrix: it maps a point p, extended by a coordinate 1, to clip coordinates: (x, y,
+/// z, w) in 3D, (x, y, w) in 2D. The point is visible at the device coordinates (x / w, y / w) if w is positive, both
+/// are from -1 to 1, and in 3D z / w is between its values on the near and far plane.
 #pragma once
 
 #include <array>
@@ -12,11 +13,11 @@
 
 namespace graze {
 
-/// What z / w is on the near and on the far plane. A matrix does not tell; whoever made it knows.
+/// The range of z / w, which the matrix alone does not tell.
 enum class ClipDepth {
-  minus_one_to_one,  ///< OpenGL; glm::perspective, if GLM_FORCE_DEPTH_ZERO_TO_ONE is not defined.
-  zero_to_one,       ///< Direct3D, Vulkan, Metal, WebGPU.
-  one_to_zero,       ///< The same reversed: the far plane at 0, for the sake of precision.
+  minus_one_to_one,  ///< OpenGL; also glm::perspective unless GLM_FORCE_DEPTH_ZERO_TO_ONE is defined.
+  zero_to_one,       ///< Near 0, far 1: Direct3D, Vulkan, Metal, WebGPU.
+  one_to_zero,       ///< Near 1, far 0: reversed depth, for the same interfaces with better precision.
 };
 
 namespace detail {
@@ -28,7 +29,7 @@ constexpr double near_depth(ClipDepth depth) {
 
 constexpr double far_depth(ClipDepth depth) { return depth == ClipDepth::one_to_zero ? 0 : 1; }
 
-/// All x with dot(normal, x) + offset = 0. The normal may be zero: then all points, or none.
+/// All x with dot(normal, x) + offset = 0. If the normal is zero, that is all points or none.
 template <Dim N>
 struct ClipPlane {
   Vec<N, double> normal;
@@ -37,7 +38,7 @@ struct ClipPlane {
   double height(const Vec<N, double>& point) const { return dot(normal, point) + offset; }
 };
 
-/// The point that all these planes share. Not finite where there is none, or more than one.
+/// The common point of the planes. Not finite if there is none or more than one.
 inline Vec<2, double> meeting_point(const std::array<ClipPlane<2>, 2>& lines) {
   const auto& [a, b] = lines;
   const double area = accurate_cross(a.normal, b.normal);
@@ -53,7 +54,7 @@ inline Vec<3, double> meeting_point(const std::array<ClipPlane<3>, 3>& planes) {
          volume;
 }
 
-/// A matrix by its rows, each a function of the point, in double.
+/// The rows of a matrix, each a function of the point, in double.
 template <Dim N>
 class ClipSpace {
  public:
@@ -73,13 +74,13 @@ class ClipSpace {
     return true;
   }
 
-  /// Where clip coordinate `axis`, divided by w, has this value.
+  /// The plane on which clip coordinate `axis`, divided by w, has this value.
   ClipPlane<N> level(Dim axis, double value) const {
     const ClipPlane<N>& row = rows_[static_cast<std::size_t>(axis)];
     return {row.normal - w().normal * value, row.offset - w().offset * value};
   }
 
-  /// w as a function of the point: for a camera with perspective its height is 0 on the plane through the eye.
+  /// w as a function of the point. For a perspective camera it is zero on the plane through the eye.
   const ClipPlane<N>& w() const { return rows_[N]; }
 
  private:

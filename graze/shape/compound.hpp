@@ -13,11 +13,11 @@ namespace graze {
 template <Dim N, class T>
 struct Part;
 
-/// The union of its parts, which it owns; compounds may be parts. Without parts it is valid and touches nothing.
-/// Make one with `compound_of(shapes)` from query/bounds.hpp, which calculates the boxes.
+/// The union of its parts, which it owns; parts may be compounds. Without parts it is valid and touches nothing. Use
+/// `compound_of(shapes)` from query/bounds.hpp, which calculates the boxes.
 template <Dim N, class T = float>
 struct Compound {
-  std::vector<Part<N, T>> parts;
+  std::vector<Part<N, T>> parts;  ///< In any order; the order decides ties between parts.
 };
 
 namespace detail {

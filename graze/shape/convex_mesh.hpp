@@ -26,29 +26,31 @@
 
 namespace graze {
 
-/// One side of an edge, from `origin` to the origin of `next`, counter-clockwise around its face seen from outside. All
-/// are places in the lists of a ConvexMesh.
+/// One side of an edge, from `origin` to the origin of `next`, counter-clockwise around its face as seen from outside.
+/// All members are indices into the lists of a ConvexMesh.
 struct HalfEdge {
-  std::uint32_t origin = 0;  ///< A vertex.
-  std::uint32_t twin = 0;    ///< The other way, around the neighbour.
-  std::uint32_t next = 0;    ///< Around the same face.
-  std::uint32_t face = 0;
+  std::uint32_t origin = 0;  ///< Start, in `vertices`.
+  std::uint32_t twin = 0;    ///< The opposite half-edge, in `half_edges`; it belongs to the neighbouring face.
+  std::uint32_t next = 0;    ///< The following half-edge of the same face, in `half_edges`.
+  std::uint32_t face = 0;    ///< In `faces`.
 
+  /// True if all four indices are equal.
   bool operator==(const HalfEdge&) const = default;
 };
 
-/// The surface of a convex polytope in space: its corners, edges and faces, who is next to whom. Made by `convex_mesh`.
-/// Faces have as many corners as they have: triangles on one plane, which is decided exactly, are one face.
+/// The surface of a 3D convex polytope: corners, edges and faces with their neighbours. Made by `convex_mesh`. Faces
+/// are polygons of any number of corners: coplanar triangles, which is decided exactly, form one face.
 template <class T = float>
 struct ConvexMesh {
-  std::vector<Vec<3, T>> vertices;   ///< In lexicographic order, as those of a convex_hull.
-  std::vector<HalfEdge> half_edges;  ///< Face by face, from the least vertex of each.
-  std::vector<std::uint32_t> faces;  ///< The first half-edge of each; by its origin, then the next one's.
+  std::vector<Vec<3, T>> vertices;   ///< In lexicographic order, as in `convex_hull`.
+  std::vector<HalfEdge> half_edges;  ///< Face by face, each face from its least vertex on.
+  /// The first half-edge of each face; sorted by its origin, then by the next one's.
+  std::vector<std::uint32_t> faces;
 };
 
 namespace detail {
 
-/// Makes the mesh of a hull that is not flat.
+/// Builds the mesh of a hull that is not flat.
 template <class T>
 class MeshMaker {
  public:
@@ -73,7 +75,7 @@ class MeshMaker {
         mesh.half_edges.push_back({number_of(edge), edge, first + (i + 1) % ring.size, face});
       }
     }
-    // Until here each had the triangle's edge that it begins with in place of its twin.
+    // Up to here `twin` holds the triangle edge with which each one begins.
     for (HalfEdge& edge : mesh.half_edges) edge.twin = place_of_edge_[beginning_of_twin(edge.twin)];
     return mesh;
   }
@@ -115,7 +117,8 @@ class MeshMaker {
     return edge;
   }
 
-  /// An edge of the hull may be a row of triangles' edges: from the first of them to the first of the other side.
+  /// An edge of the polytope may consist of several collinear triangle edges: returns the twin side's first, given the
+  /// first of this side.
   std::uint32_t beginning_of_twin(std::uint32_t edge) const {
     std::uint32_t after = following(edge);
     while (!are_vertices_[hull_.origin(after)]) {
@@ -161,7 +164,7 @@ class MeshMaker {
   std::vector<std::uint32_t> place_of_edge_;
 };
 
-/// Both sides of a polygon, whose corners are given in order around it, or of less.
+/// The two faces of a polygon whose corners are given in order, or the mesh without faces of fewer than three corners.
 template <class T>
 ConvexMesh<T> flat_mesh(std::vector<Vec<3, T>> polygon) {
   const auto count = static_cast<std::uint32_t>(polygon.size());
@@ -177,7 +180,7 @@ ConvexMesh<T> flat_mesh(std::vector<Vec<3, T>> polygon) {
         std::lower_bound(mesh.vertices.begin(), mesh.vertices.end(), corner, lexicographically_less<3, T>);
     numbers.push_back(static_cast<std::uint32_t>(place - mesh.vertices.begin()));
   }
-  // The other side has the corners 0, count - 1, ..., 1.
+  // The second face has the corners 0, count - 1, ..., 1.
   mesh.faces = {0, count};
   for (std::uint32_t i = 0; i < count; ++i) {
     mesh.half_edges.push_back({numbers[i], 2 * count - 1 - i, (i + 1) % count, 0});
@@ -190,9 +193,9 @@ ConvexMesh<T> flat_mesh(std::vector<Vec<3, T>> polygon) {
 
 }  // namespace detail
 
-/// The surface of the convex hull of points, as half-edges; what is said of `convex_hull` holds. Points on one plane
-/// give the polygon around them twice, one face for each side; points on a line no faces, but their two ends, or one.
-/// The same mesh whatever the order of the points.
+/// The surface of the convex hull of points, as half-edges. Coplanar points give two faces, one for each side of the
+/// polygon around them; collinear points give no faces and their two ends, or one vertex, as vertices. The mesh does
+/// not depend on the order of the points. Exactness and errors are those of `convex_hull`, which is cheaper.
 template <class T>
 ConvexMesh<T> convex_mesh(std::type_identity_t<std::span<const Vec<3, T>>> points) {
   detail::check_hull_points<3, T>("convex_mesh", points);
@@ -204,19 +207,21 @@ ConvexMesh<T> convex_mesh(std::type_identity_t<std::span<const Vec<3, T>>> point
   return detail::flat_mesh(std::move(polygon));
 }
 
-/// The same for any row of points.
+/// The overload for any contiguous range of points.
 template <PointRow Row>
 auto convex_mesh(const Row& points) {
   return convex_mesh<typename ElementOf<Row>::value_type>(span_of(points));
 }
 
+/// The surface of a polytope. Equals the mesh of its vertices, so the mesh's vertices are in lexicographic order, which
+/// may differ from the polytope's.
 template <class T>
 ConvexMesh<T> convex_mesh(const Polytope<3, T>& polytope) {
   return convex_mesh<T>(polytope.vertices());
 }
 
-/// The plane of a face, its normal outward and of length 1, off by a few epsilon of double times how many times longer
-/// than wide the face is. Nothing over- or underflows but what is longer than doubles reach.
+/// The plane of a face, with an outward normal of length 1. Its error is a few epsilon of double times the ratio of the
+/// face's length to its width. Nothing overflows or underflows except what exceeds the range of double.
 template <class T>
 Plane<3, double> face_plane(const ConvexMesh<T>& mesh, std::size_t face) {
   const std::uint32_t first = mesh.faces[face];
@@ -227,9 +232,9 @@ Plane<3, double> face_plane(const ConvexMesh<T>& mesh, std::size_t face) {
   for (std::uint32_t edge = next(first); edge != first; edge = next(edge)) {
     size = std::max(size, max_abs(corner(edge) - start));
   }
-  const double to_units = std::ldexp(1.0, -std::ilogb(size));  // of distinct corners: not zero
+  const double to_units = std::ldexp(1.0, -std::ilogb(size));  // corners are distinct, so not zero
   const auto way = [&](std::uint32_t edge) { return (corner(edge) - start) * to_units; };
-  // Of all triangles of a fan: their normals point the same way, so nothing cancels.
+  // Sums the triangles of a fan: their normals point the same way, so nothing cancels.
   Vec<3, double> sum(0.0);
   for (std::uint32_t edge = next(first); next(edge) != first; edge = next(edge)) {
     sum += accurate_cross(way(edge), way(next(edge)));

@@ -19,15 +19,15 @@
 
 namespace graze {
 
-/// What a camera sees: the convex hull of its corners, eight in space, four in the plane. Corner k is on the right if
-/// bit 0 of k is set, at the top if bit 1 is, on the far plane if bit 2 is. Corners may coincide: a pyramid is a
-/// frustum. It is no alternative of AnyShape; where one is wanted, `convex_hull<N, T>(frustum.corners)` is the same
-/// set.
+/// The view volume of a camera: the convex hull of its corners, eight in 3D, four in 2D. Bit 0 of a corner's index
+/// tells left (0) from right (1), bit 1 bottom from top, bit 2 the near from the far plane. Corners may coincide, so a
+/// pyramid is a frustum. It is not an alternative of AnyShape; where you need one, `convex_hull<N, T>(frustum.corners)`
+/// is the same set.
 template <Dim N, class T = float>
 struct Frustum {
-  static constexpr std::size_t corner_count = std::size_t{1} << static_cast<unsigned>(N);
+  static constexpr std::size_t corner_count = std::size_t{1} << static_cast<unsigned>(N);  ///< 8 in 3D, 4 in 2D.
 
-  std::array<Vec<N, T>, corner_count> corners = unit_corners();  ///< Default: those of the box from -1 to 1.
+  std::array<Vec<N, T>, corner_count> corners = unit_corners();  ///< Default: the box from -1 to 1.
 
  private:
   static constexpr std::array<Vec<N, T>, corner_count> unit_corners() {
@@ -45,6 +45,7 @@ inline constexpr auto description_of<Frustum<N, T>> = Description("", field::cor
                                                                                      "corner"));
 }  // namespace detail
 
+/// The corner that is farthest along `direction` (any nonzero length), in double; of several the first.
 template <Dim N, class T>
 Vec<N, double> support(const Frustum<N, T>& frustum, const std::type_identity_t<Vec<N, double>>& direction) {
   Vec<N, double> best = wide<N, T>(frustum.corners[0]);
@@ -62,15 +63,15 @@ Vec<N, double> support(const Frustum<N, T>& frustum, const std::type_identity_t<
 
 /// How a view-projection matrix is to be read.
 struct FrustumOptions {
-  ClipDepth depth = ClipDepth::minus_one_to_one;
-  /// No more is seen than what is this far off the plane through the eye. A projection without a far plane needs it,
-  /// one with a nearer far plane does not notice it, nor does one without perspective.
+  ClipDepth depth = ClipDepth::minus_one_to_one;  ///< The depth range that the projection was made for.
+  /// The largest distance from the plane through the eye that is seen, above zero. Required for a projection without a
+  /// far plane. Without effect if the far plane is nearer, and for projections without perspective.
   double far_limit = std::numeric_limits<double>::infinity();
 };
 
 namespace detail {
 
-/// The corner that bits of k say, in space with this plane for the near or the far one.
+/// The corner with index k; in 3D it lies on the plane `last`, the near or the far one.
 template <Dim N>
 Vec<N, double> frustum_corner(const ClipSpace<N>& clip, std::size_t k, const ClipPlane<N>& last) {
   std::array<ClipPlane<N>, static_cast<std::size_t>(N)> planes;
@@ -80,7 +81,8 @@ Vec<N, double> frustum_corner(const ClipSpace<N>& clip, std::size_t k, const Cli
   return meeting_point(planes);
 }
 
-/// The corners of the far plane; those of the limit if one of them is beyond it, at infinity, or behind the eye.
+/// The corners on the far plane; those on the plane at the limit if one of them is beyond it, at infinity, or behind
+/// the eye.
 inline std::array<Vec<3, double>, 4> far_corners(const ClipSpace<3>& clip, const FrustumOptions& options) {
   const double unit = std::sqrt(length_squared(clip.w().normal));
   const double limit = unit > 0 ? options.far_limit * unit : std::numeric_limits<double>::infinity();
@@ -126,9 +128,10 @@ void require_finite_matrix(const ClipSpace<N>& clip, std::string_view function) 
 
 }  // namespace detail
 
-/// What a camera in space sees, by its view-projection matrix: where the planes meet that its rows describe (Gribb and
-/// Hartmann 2001), calculated in double and rounded to T. Throws std::invalid_argument for a matrix with a number that
-/// is not finite, one that is not that of a camera, and one without a far plane if there is no `far_limit`.
+/// The view volume of a 3D camera, from its view-projection matrix: the intersections of the six planes that the rows
+/// of the matrix describe (Gribb and Hartmann 2001), calculated in double and rounded to T. Throws
+/// std::invalid_argument if a number is not finite, the matrix is not that of a camera, it has no far plane and
+/// `far_limit` is infinite, `far_limit` is not above zero, or a corner is out of the range of T.
 template <class T>
 Frustum<3, T> frustum_of(const Mat<4, T>& view_projection, const FrustumOptions& options = {}) {
   const detail::ClipSpace<3> clip(view_projection);
@@ -144,7 +147,8 @@ Frustum<3, T> frustum_of(const Mat<4, T>& view_projection, const FrustumOptions&
   return detail::rounded_frustum<3, T>(corners, clip);
 }
 
-/// The same in the plane, where nothing is near or far: the quadrilateral that fills the screen.
+/// The view area of a 2D camera: the quadrilateral that fills the screen. Throws std::invalid_argument if a number is
+/// not finite, the matrix is not that of a camera, or a corner is out of the range of T.
 template <class T>
 Frustum<2, T> frustum_of(const Mat<3, T>& view_projection) {
   const detail::ClipSpace<2> clip(view_projection);

@@ -9,12 +9,12 @@
 
 namespace graze {
 
-/// All x with dot(normal, x) <= offset: the solid behind a plane, the plane included. In 2D the half-plane beside a
-/// line. The normal points out of the solid and has any length but zero.
+/// All x with dot(normal, x) <= offset: everything on one side of a plane, the plane included; in 2D a half-plane. The
+/// normal points out of the solid and may have any nonzero length.
 template <Dim N, class T = float>
 struct HalfSpace {
-  Vec<N, T> normal = unit_axis<N, T>(1);
-  T offset = T(0);
+  Vec<N, T> normal = unit_axis<N, T>(1);  ///< Points out of the solid; any nonzero length.
+  T offset = T(0);                        ///< dot(normal, x) on the boundary.
 };
 
 namespace detail {

@@ -13,29 +13,29 @@
 namespace graze {
 
 /// An oriented box: all center + axes * u with |u[i]| <= half_extents[i]. The columns of `axes` are its axes,
-/// orthonormal up to rounding. The set is taken as stored, without making the axes orthonormal again: what you see is
-/// what is tested. Zero half extents are valid.
+/// orthonormal up to rounding. Queries use the axes as stored and do not orthonormalize them again. Zero half extents
+/// are valid.
 template <Dim N, class T = float>
 struct Obb {
-  Vec<N, T> center = Vec<N, T>(T(0));
-  Vec<N, T> half_extents = Vec<N, T>(T(1));
-  Mat<N, T> axes = Mat<N, T>(T(1));
+  Vec<N, T> center = Vec<N, T>(T(0));        ///< Center of the box.
+  Vec<N, T> half_extents = Vec<N, T>(T(1));  ///< Half the size along each axis; at least zero.
+  Mat<N, T> axes = Mat<N, T>(T(1));          ///< Column i is axis i, of length 1; axes are at right angles, up to 1e-4.
 
-  /// The box turned about its center by an angle in radians, counter-clockwise when y points up; the axes are
-  /// orthonormal to rounding. Throws std::invalid_argument for an angle that is not finite.
+  /// The box rotated about its center by an angle in radians, counter-clockwise when y points up. The axes are
+  /// orthonormal up to rounding. Throws std::invalid_argument if the angle is not finite.
   static Obb from_angle(const Vec<N, T>& center, const Vec<N, T>& half_extents, double radians) requires(N == 2) {
     return {center, half_extents, Mat<N, T>(rotation_from_angle(radians))};
   }
 
-  /// The box turned about an axis of any length but zero by an angle in radians, right-handed. Throws
-  /// std::invalid_argument for an axis of zero, or numbers that are not finite.
+  /// The box rotated right-handed about its center, around an axis of any nonzero length, by an angle in radians.
+  /// Throws std::invalid_argument if the axis is zero or a number is not finite.
   static Obb from_axis_angle(const Vec<N, T>& center, const Vec<N, T>& half_extents, const Vec<N, T>& axis,
                              double radians) requires(N == 3) {
     return {center, half_extents, Mat<N, T>(rotation_from_axis_angle(wide<N, T>(axis), radians))};
   }
 
-  /// The box turned as a quaternion of any length but zero says. Throws std::invalid_argument for a quaternion of zero,
-  /// or numbers that are not finite.
+  /// The box rotated about its center by a quaternion of any nonzero length. Throws std::invalid_argument if the
+  /// quaternion is zero or a number is not finite.
   template <Quaternion Q>
   static Obb from_quaternion(const Vec<N, T>& center, const Vec<N, T>& half_extents,
                              const Q& quaternion) requires(N == 3) {
@@ -43,6 +43,7 @@ struct Obb {
   }
 };
 
+/// The oriented rectangle: a 2D Obb.
 template <class T = float>
 using OrientedRect = Obb<2, T>;
 
@@ -54,7 +55,7 @@ inline constexpr auto description_of<Obb<N, T>> = Description("obb", field::poin
                                                               field::axes("axes", &Obb<N, T>::axes));
 }  // namespace detail
 
-/// The vectors from the center to the middles of the faces: column i is axes[i] * half_extents[i].
+/// The vectors from the center to the centers of the faces, in double: column i is axes[i] * half_extents[i].
 template <Dim N, class T>
 Mat<N, double> half_edges(const Obb<N, T>& box) {
   Mat<N, double> edges;
@@ -62,6 +63,8 @@ Mat<N, double> half_edges(const Obb<N, T>& box) {
   return edges;
 }
 
+/// The corner that is farthest along `direction` (any nonzero length), in double, with a few roundings. If the
+/// direction is at right angles to an axis, the lower end of that axis.
 template <Dim N, class T>
 Vec<N, double> support(const Obb<N, T>& box, const std::type_identity_t<Vec<N, double>>& direction) {
   Vec<N, double> corner = wide<N, T>(box.center);
@@ -78,7 +81,8 @@ Obb<N, double> oriented(const Aabb<N, T>& box) {
   return {min * 0.5 + max * 0.5, max * 0.5 - min * 0.5, Mat<N, double>(1.0)};
 }
 
-/// An axis-aligned box that is turned becomes an oriented one.
+/// A rigidly transformed axis-aligned box, which is an oriented one. Center and half extents are rounded to T. To only
+/// move a box, use `translated`, which keeps it axis-aligned.
 template <Dim N, class T>
 Obb<N, T> transformed(const Aabb<N, T>& box, const Pose<N, T>& pose) {
   const Obb<N, double> upright = oriented(box);

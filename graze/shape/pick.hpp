@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What in the world a place on the screen may be.
+/// @file
+/// What lies in the world at a point of the screen.
 #pragma once
 
 #include <cmath>
@@ -16,9 +17,9 @@
 
 namespace graze {
 
-/// Where in the device's coordinates a place in a window is: pixels count from its upper left corner to the right and
-/// down, the middle of the first one is at (0.5, 0.5); the device's go from -1 to 1, to the right and up. Throws
-/// std::invalid_argument when the window has no area.
+/// Converts window coordinates to device coordinates. Pixels count from the upper left corner of the window to the
+/// right and down; the center of the first one is (0.5, 0.5). Device coordinates run from -1 to 1, to the right and up.
+/// Throws std::invalid_argument if the window has no area.
 template <class T>
 Vec<2, T> device_point(const Vec<2, T>& pixel, const Vec<2, T>& window_size) {
   if (!(window_size.x > T(0) && window_size.y > T(0))) {
@@ -43,9 +44,9 @@ ClipSpace<N> clip_space_for_picking(const Mat<N + 1, T>& view_projection, const 
 
 }  // namespace detail
 
-/// All that a camera in space shows at one point of the device: the ray from the near plane on, its direction of length
-/// 1, so that t is a distance. Calculated in double, rounded to T. Throws std::invalid_argument for numbers that are
-/// not finite and for a matrix that shows no line there. A projection without a far plane is as good as any.
+/// Everything that a 3D camera shows at one point of the device: a ray that starts on the near plane, with a direction
+/// of length 1, so that t is a distance. Calculated in double and rounded to T. Accepts projections without a far
+/// plane. Throws std::invalid_argument if a number is not finite or the matrix shows no line at that point.
 template <class T>
 Ray<3, T> pick_ray(const Mat<4, T>& view_projection, const std::type_identity_t<Vec<2, T>>& device,
                    ClipDepth depth = ClipDepth::minus_one_to_one) {
@@ -63,7 +64,8 @@ Ray<3, T> pick_ray(const Mat<4, T>& view_projection, const std::type_identity_t<
   return ray;
 }
 
-/// The point that a camera in the plane shows at one point of the device. Calculated and refused likewise.
+/// The point that a 2D camera shows at one point of the device. Calculated in double and rounded to T. Throws
+/// std::invalid_argument if a number is not finite or the matrix shows no single point there.
 template <class T>
 Vec<2, T> pick_point(const Mat<3, T>& view_projection, const std::type_identity_t<Vec<2, T>>& device) {
   const auto clip = detail::clip_space_for_picking<2, T>(view_projection, device, "pick_point");

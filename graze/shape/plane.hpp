@@ -14,11 +14,11 @@
 
 namespace graze {
 
-/// All x with dot(normal, x) = offset: a plane, in 2D a line. The normal has any length but zero.
+/// All x with dot(normal, x) = offset: a plane, in 2D a line. The normal may have any nonzero length.
 template <Dim N, class T = float>
 struct Plane {
-  Vec<N, T> normal = unit_axis<N, T>(1);
-  T offset = T(0);
+  Vec<N, T> normal = unit_axis<N, T>(1);  ///< Any nonzero length; points to the positive side.
+  T offset = T(0);  ///< dot(normal, x) on the plane: the distance from the origin times the length of the normal.
 };
 
 namespace detail {
@@ -28,11 +28,11 @@ inline constexpr auto description_of<Plane<N, T>> = Description("plane",
                                                                 field::offset("offset", &Plane<N, T>::offset));
 }  // namespace detail
 
-/// The same plane, its normal of length 1. Nothing over- or underflows but the offset, which is infinite when the plane
-/// is farther away than doubles reach.
+/// The same plane with a normal of length 1, in double. Nothing overflows or underflows except the offset, which is
+/// infinite if the plane is farther away than doubles reach.
 template <Dim N, class T>
 Plane<N, double> unit_plane(const Plane<N, T>& plane) {
-  // By the largest coordinate first, so that the squares stay in range.
+  // Divides by the largest coordinate first, so that the squares stay in range.
   const double size = static_cast<double>(max_abs(plane.normal));  // not zero in a valid plane
   const Vec<N, double> scaled = wide<N, T>(plane.normal) / size;
   const double length = std::sqrt(dot(scaled, scaled));
@@ -51,7 +51,7 @@ Plane<N, T> plane_at(const Vec<N, double>& normal, const Vec<N, T>& point) {
   return plane;
 }
 
-/// Exact: on one line are points whose shadows on the three coordinate planes are.
+/// Exact: points are collinear if their projections on the three coordinate planes are.
 template <class T>
 bool are_on_one_line(const Vec<3, T>& a, const Vec<3, T>& b, const Vec<3, T>& c) {
   for (Dim i = 0; i < 3; ++i) {
@@ -62,9 +62,9 @@ bool are_on_one_line(const Vec<3, T>& a, const Vec<3, T>& b, const Vec<3, T>& c)
 }
 }  // namespace detail
 
-/// The plane through three points, its normal on the side from which they run counter-clockwise, of length twice their
-/// triangle's area. Points on one line, which is decided exactly, determine none, and a normal or offset that T cannot
-/// hold is none: std::invalid_argument.
+/// The plane through three points. The normal points to the side from which they run counter-clockwise; its length is
+/// twice the area of their triangle. Throws std::invalid_argument if the points are collinear, which is decided
+/// exactly, or if T cannot represent the normal or the offset.
 template <class T>
 Plane<3, T> plane_through(const Vec<3, T>& a, const Vec<3, T>& b, const Vec<3, T>& c) {
   if (detail::are_on_one_line(a, b, c))
@@ -73,8 +73,8 @@ Plane<3, T> plane_through(const Vec<3, T>& a, const Vec<3, T>& b, const Vec<3, T
   return detail::plane_at<3, T>(normal, a);
 }
 
-/// The line through two points; its normal points to the left of the way from a to b and is as long as that way.
-/// Equal points determine none, and an offset that T cannot hold is none: std::invalid_argument.
+/// The line through two points. The normal points to the left of the way from a to b; its length is their distance.
+/// Throws std::invalid_argument if the points are equal or T cannot represent the offset.
 template <class T>
 Plane<2, T> plane_through(const Vec<2, T>& a, const Vec<2, T>& b) {
   if (a == b) GRAZE_THROW(std::invalid_argument("plane_through: the two points are equal"));

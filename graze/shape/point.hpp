@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A point is a GLM vector; these overloads let it stand wherever a shape may.
+/// @file
+/// A point is a GLM vector; these overloads make it a shape.
 #pragma once
 
 #include <type_traits>
@@ -17,8 +18,8 @@ inline constexpr auto description_of<Vec<N, T>> = Description("point",
                                                               field::point("position", Itself(), "coordinate"));
 }  // namespace detail
 
-/// The point of a convex shape that lies farthest along `direction` (not zero, any length), in double.
-/// Of several such points any one, always the same.
+/// The point of a convex shape that lies farthest along `direction` (any nonzero length), in double. If there are
+/// several, which one is returned depends only on the arguments.
 template <Dim N, class T>
 Vec<N, double> support(const Vec<N, T>& point, const std::type_identity_t<Vec<N, double>>&) {
   return wide<N, T>(point);

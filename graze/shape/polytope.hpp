@@ -34,18 +34,17 @@ template <Dim N, class T, class F>
 Polytope<N, T> with_corners_mapped(const Polytope<N, T>& polytope, const F& f);
 }  // namespace detail
 
-/// A solid convex polytope: in 2D a convex polygon. Made by `convex_hull`; copies share one immutable list of vertices,
-/// so a copy costs as little as a sphere's. Default: the single point at the origin.
+/// A solid convex polytope, in 2D a convex polygon. Made by `convex_hull`. Copies share one immutable list of vertices,
+/// so a copy is as cheap as a sphere's. Default: the single point at the origin.
 template <Dim N, class T = float>
 class Polytope {
  public:
   Polytope() : Polytope(std::vector<Vec<N, T>>{Vec<N, T>(T(0))}) {}
 
-  /// At least one; the place of each is its number, by which the ids of contacts name it. In 2D the corners in
-  /// counter-clockwise order (y up), none of them on the line between its neighbours: of a `convex_hull` from the
-  /// lexicographically least on. In 3D the corners, no point that lies in the hull of the others: of a `convex_hull` in
-  /// lexicographic order. Of a polytope that was `transformed`, the moved corners in the order that they had; in 3D
-  /// rounding may have put one of them into the hull of the others, or upon another.
+  /// The corners, at least one; a corner's index is its id in contacts. In 2D they are in counter-clockwise order (y
+  /// up), and none lies on the line between its neighbours; `convex_hull` starts with the lexicographically least. In
+  /// 3D none lies in the hull of the others; `convex_hull` sorts them lexicographically. `transformed` keeps the order;
+  /// in 3D rounding may then move a corner into the hull of the others, or onto another one.
   std::span<const Vec<N, T>> vertices() const { return corners_->vertices; }
 
  private:
@@ -68,7 +67,7 @@ class Polytope {
   template <Dim M, class U, class F>
   friend Polytope<M, U> detail::with_corners_mapped(const Polytope<M, U>& polytope, const F& f);
 
-  // Shared, because a hull is built once and copied into scenes, parts and snapshots many times; it never changes.
+  // Shared, because a hull is built once and copied many times into scenes, parts and snapshots; it never changes.
   std::shared_ptr<const Corners> corners_;
 };
 
@@ -79,7 +78,8 @@ const CornerRows<N, T>& rows_of(const Polytope<N, T>& polytope) {
   return polytope.corners_->rows;
 }
 
-/// Every corner replaced by f(corner), in the same order. Whoever asks knows that they are still the corners of a hull.
+/// Every corner replaced by f(corner), in the same order. The caller guarantees that the results are still the corners
+/// of a hull.
 template <Dim N, class T, class F>
 Polytope<N, T> with_corners_mapped(const Polytope<N, T>& polytope, const F& f) {
   std::vector<Vec<N, T>> corners;
@@ -94,7 +94,7 @@ void sort_and_forget_duplicates(std::vector<Vec<N, T>>& points) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
 }
 
-/// Those of the points that are corners, each where it first comes. The corners are sorted lexicographically.
+/// Those of the points that are corners, each where it first occurs. `corners` is sorted lexicographically.
 template <class T>
 std::vector<Vec<3, T>> sorted_as(std::span<const Vec<3, T>> points, const std::vector<Vec<3, T>>& corners) {
   std::vector<Vec<3, T>> sorted;
@@ -109,7 +109,7 @@ std::vector<Vec<3, T>> sorted_as(std::span<const Vec<3, T>> points, const std::v
   return sorted;
 }
 
-/// The corner that comes first among the points, each of which is a corner or within their hull.
+/// The corner that occurs first among the points, each of which is a corner or within their hull.
 template <class T>
 typename std::vector<Vec<2, T>>::iterator find_first_corner(std::vector<Vec<2, T>>& corners,
                                                             std::span<const Vec<2, T>> points) {
@@ -124,9 +124,9 @@ typename std::vector<Vec<2, T>>::iterator find_first_corner(std::vector<Vec<2, T
 }  // namespace detail
 
 /// The convex hull of points in any order, duplicates allowed; which of them are corners is decided exactly. One point,
-/// points on a line, or in 3D on a plane, give a flat polytope, which is valid. No points, or a coordinate that is not
-/// finite: std::invalid_argument. For coordinates of any magnitude, but points that differ by less than 1e-120 of the
-/// largest coordinate may count as one. More than 2^32 - 1 points in 3D: std::length_error.
+/// collinear points, or in 3D coplanar points give a flat polytope, which is valid. Coordinates may have any magnitude,
+/// but points that differ by less than 1e-120 of the largest coordinate may count as one. Throws std::invalid_argument
+/// if there are no points or a coordinate is not finite, and std::length_error for more than 2^32 - 1 points in 3D.
 template <Dim N, class T>
 Polytope<N, T> convex_hull(std::type_identity_t<std::span<const Vec<N, T>>> points) {
   detail::check_hull_points<N, T>("convex_hull", points);
@@ -142,22 +142,22 @@ Polytope<N, T> convex_hull(std::type_identity_t<std::span<const Vec<N, T>>> poin
   return Polytope<N, T>(std::move(corners));
 }
 
-/// The same for any row of points.
+/// The overload for any contiguous range of points.
 template <PointRow Row>
 auto convex_hull(const Row& points) {
   using Point = ElementOf<Row>;
   return convex_hull<detail::vec_dimension<Point>, typename Point::value_type>(span_of(points));
 }
 
-/// The same where the dimension is given.
+/// The overload for a contiguous range of points if the dimension is given: convex_hull<3>(points).
 template <Dim N, PointRowIn<N> Row>
 auto convex_hull(const Row& points) {
   return convex_hull(points);
 }
 
-/// The convex hull with its corners numbered as they first come among the points: in 3D in that order, in 2D
-/// counter-clockwise from the one that comes first. So points that are moved, or written down and read again, give
-/// corners of the same numbers, whose contacts keep their ids. All else is as of `convex_hull`, which is cheaper.
+/// The convex hull with its corners in the order in which they first occur among the points: in 3D in that order, in 2D
+/// counter-clockwise from the first one. So points that are moved, or written to a file and read again, give corners of
+/// the same indices, and contacts keep their ids. Otherwise as `convex_hull`, which is cheaper.
 template <Dim N, class T>
 Polytope<N, T> convex_hull_in_order(std::type_identity_t<std::span<const Vec<N, T>>> points) {
   const Polytope<N, T> hull = convex_hull<N, T>(points);
@@ -170,7 +170,7 @@ Polytope<N, T> convex_hull_in_order(std::type_identity_t<std::span<const Vec<N, 
   }
 }
 
-/// The same for any row of points.
+/// The overload for any contiguous range of points.
 template <PointRow Row>
 auto convex_hull_in_order(const Row& points) {
   using Point = ElementOf<Row>;
@@ -183,14 +183,15 @@ inline constexpr auto description_of<Polytope<N, T>> = Description("polytope",
                                                                    field::hull("points", &Polytope<N, T>::vertices));
 }  // namespace detail
 
+/// The vertex that is farthest along `direction` (any nonzero length), in double; of several, always the same.
 template <Dim N, class T>
 Vec<N, double> support(const Polytope<N, T>& polytope, const std::type_identity_t<Vec<N, double>>& direction) {
   return wide<N, T>(polytope.vertices()[detail::rows_of(polytope).farthest(direction)]);
 }
 
-/// Every corner moved, with the number that it had, so that the ids of contacts go on naming it. In 2D a corner that
-/// rounding has put between its neighbours, or behind the line through them, is left out, and those after it come one
-/// place earlier. A coordinate that is not finite: std::invalid_argument.
+/// Every corner moved, with its index kept, so that the ids of contacts continue. In 2D a corner that rounding has put
+/// between its neighbours, or behind the line through them, is dropped, and the following ones move up. Throws
+/// std::invalid_argument if a coordinate is not finite.
 template <Dim N, class T>
 Polytope<N, T> transformed(const Polytope<N, T>& polytope, const Pose<N, T>& pose) {
   std::vector<Vec<N, T>> moved;
@@ -200,7 +201,7 @@ Polytope<N, T> transformed(const Polytope<N, T>& polytope, const Pose<N, T>& pos
   if constexpr (N == 2) {
     if (!detail::is_convex_ring<T>(moved)) return convex_hull_in_order<N, T>(moved);
   }
-  // In space, who moves thousands of polytopes does not want to pay for as many hulls.
+  // In 3D a new hull for each of thousands of moving polytopes would cost too much.
   return Polytope<N, T>(std::move(moved));
 }
 

@@ -12,16 +12,16 @@
 
 namespace graze {
 
-/// A convex shape seen through a pose: turned, then moved. What it is for are shapes of one's own, which `transformed`
-/// does not know: through it they are placed without being written anew. Every query answers about it from its support
-/// points, in the shape's own numbers, rounded relative to where it is before and after: shapes of one's own are best
-/// written around zero. For graze's own shapes `transformed(shape, pose)` is as good and has their closed forms.
-/// `Polytope`s seen through poses are not copied. A radius is not changed by a rotation that is only nearly one.
-/// Default: the default shape where it is.
+/// A convex shape seen through a pose: rotated, then translated. Intended for user-defined shapes, which `transformed`
+/// does not know: it places them without a new class. Queries use its support points, in the shape's own number type.
+/// Their errors are relative to the coordinates before and after the pose, so define such shapes around the origin. For
+/// built-in shapes `transformed(shape, pose)` is equally exact and has closed forms; but a posed `Polytope` is not
+/// copied. A radius does not change if the rotation is orthonormal only nearly. Default: the default shape with the
+/// identity.
 template <Convex S>
 struct Posed {
-  S shape{};
-  Pose<dimension_of<S>, scalar_of<S>> pose{};
+  S shape{};                                   ///< In its own coordinates.
+  Pose<dimension_of<S>, scalar_of<S>> pose{};  ///< Takes the shape's coordinates to the world's.
 };
 
 template <Convex S>
@@ -29,7 +29,7 @@ struct ShapeTraits<Posed<S>> : Space<dimension_of<S>, scalar_of<S>> {};
 
 namespace detail {
 
-/// What a shape's support points are calculated in.
+/// The number type of a shape's support points.
 template <Convex S>
 using SupportScalar = std::conditional_t<SupportsIn<S, dimension_of<S>, double>, double, scalar_of<S>>;
 template <Convex S>
@@ -37,8 +37,8 @@ using SupportVec = Vec<dimension_of<S>, SupportScalar<S>>;
 
 }  // namespace detail
 
-/// Of the set of all rotation * x + position with x in the shape: exactly that set up to rounding, also for a rotation
-/// that is only nearly one.
+/// The point farthest along `direction` (any nonzero length) of the set of all rotation * x + position with x in the
+/// shape. Exact up to rounding, also for a rotation that is orthonormal only nearly.
 template <Convex S>
 detail::SupportVec<S> support(const Posed<S>& posed, const std::type_identity_t<detail::SupportVec<S>>& direction) {
   constexpr Dim N = dimension_of<S>;
@@ -50,8 +50,9 @@ detail::SupportVec<S> support(const Posed<S>& posed, const std::type_identity_t<
   return Vec<N, Number>(rotation * wide<N, Number>(on_shape) + wide<N, T>(posed.pose.position));
 }
 
-/// What is wrong with the shape, if that can be told, or with the pose: its numbers are finite, its rotation is
-/// orthonormal up to tolerance::orthonormal.
+/// Empty for valid values. Otherwise the first fault, worded as the rest of a sentence: the shape's own defect if it
+/// has one, a position that is not finite, or a rotation that deviates from orthonormal by more than
+/// `tolerance::orthonormal`.
 template <Convex S>
 std::string_view defect(const Posed<S>& posed) {
   constexpr Dim N = dimension_of<S>;
@@ -66,6 +67,7 @@ std::string_view defect(const Posed<S>& posed) {
   return "";
 }
 
+/// Applies `pose` after the pose it has; the shape itself is kept. Each number is rounded to the shape's type once.
 template <Convex S>
 Posed<S> transformed(const Posed<S>& posed, const Pose<dimension_of<S>, scalar_of<S>>& pose) {
   constexpr Dim N = dimension_of<S>;

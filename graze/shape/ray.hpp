@@ -11,11 +11,11 @@
 
 namespace graze {
 
-/// All points origin + t * direction with t >= 0. The direction has any length but zero.
+/// All points origin + t * direction with t >= 0. The direction may have any nonzero length, which is the unit of t.
 template <Dim N, class T = float>
 struct Ray {
-  Vec<N, T> origin = Vec<N, T>(T(0));
-  Vec<N, T> direction = unit_axis<N, T>(0);
+  Vec<N, T> origin = Vec<N, T>(T(0));        ///< Where t is 0.
+  Vec<N, T> direction = unit_axis<N, T>(0);  ///< Any nonzero length; t counts in units of it.
 };
 
 namespace detail {
@@ -24,7 +24,7 @@ inline constexpr auto description_of<Ray<N, T>> = Description("ray", field::poin
                                                               field::direction("direction", &Ray<N, T>::direction));
 }  // namespace detail
 
-/// The ray from one point through another, at t = 1. Equal points have no direction: std::invalid_argument.
+/// The ray from one point through another, which is at t = 1. Throws std::invalid_argument if the points are equal.
 template <Dim N, class T>
 Ray<N, T> ray_between(const Vec<N, T>& from, const Vec<N, T>& to) {
   if (from == to)

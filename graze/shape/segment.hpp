@@ -11,11 +11,11 @@
 
 namespace graze {
 
-/// The straight line between two points, both included. Equal ends are valid: the segment is a point.
+/// All points between two ends, both included. Equal ends are valid: the segment is then a point.
 template <Dim N, class T = float>
 struct Segment {
-  Vec<N, T> start = Vec<N, T>(T(0));
-  Vec<N, T> end = unit_axis<N, T>(0);
+  Vec<N, T> start = Vec<N, T>(T(0));   ///< First end; t = 0 in ray casts.
+  Vec<N, T> end = unit_axis<N, T>(0);  ///< Second end; t = 1 in ray casts.
 };
 
 namespace detail {
@@ -25,6 +25,7 @@ inline constexpr auto description_of<Segment<N, T>> = Description("segment",
                                                                   field::point("end", &Segment<N, T>::end));
 }  // namespace detail
 
+/// The end that is farthest along `direction` (any nonzero length), in double; the start if both are equally far.
 template <Dim N, class T>
 Vec<N, double> support(const Segment<N, T>& segment, const std::type_identity_t<Vec<N, double>>& direction) {
   const Vec<N, double> start = wide<N, T>(segment.start);
@@ -39,6 +40,7 @@ double length_squared(const Segment<N, T>& segment) {
   return dot(edge, edge);
 }
 
+/// The length, in double; 0 if the ends are equal. To compare lengths, `length_squared` is cheaper.
 template <Dim N, class T>
 double length(const Segment<N, T>& segment) {
   return std::sqrt(length_squared(segment));

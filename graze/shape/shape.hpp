@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What makes a type a shape. Nothing needs to be inherited or registered: a type in any namespace is a convex shape as
-// soon as argument-dependent lookup finds `support(shape, direction)` for it.
+/// @file
+/// What makes a type a shape. No base class and no registration is needed: a type in any namespace is a convex shape if
+/// argument-dependent lookup finds `support(shape, direction)` for it.
 #pragma once
 
 #include <concepts>
@@ -11,21 +12,21 @@
 
 namespace graze {
 
-/// `support(shape, direction)` takes and gives vectors of this dimension and number type.
+/// `support(shape, direction)` takes and returns vectors of this dimension and number type.
 template <class S, Dim N, class T>
 concept SupportsIn = requires(const S& shape, const Vec<N, T>& direction) {
   { support(shape, direction) } -> std::same_as<Vec<N, T>>;
 };
 
-/// A dimension and a number type.
+/// A dimension and a number type, as ShapeTraits has them.
 template <Dim N, Scalar T>
 struct Space {
-  static constexpr Dim dimension = N;
-  using scalar = T;
+  static constexpr Dim dimension = N;  ///< 2 or 3.
+  using scalar = T;                    ///< float or double.
 };
 
-/// The space a shape lives in: read off the arguments of our templates, off the type of `support` for a user's type.
-/// Specialise it for a type that fits neither way.
+/// The dimension and number type of a shape. For built-in types they are read off the template arguments, for a user's
+/// type off the type of `support`. Specialise it for a type to which neither applies.
 template <class S>
 struct ShapeTraits {};
 
@@ -47,20 +48,23 @@ struct ShapeTraits<S> : Space<3, float> {};
 template <SupportsIn<3, double> S>
 struct ShapeTraits<S> : Space<3, double> {};
 
-/// A type that lives in a known space.
+/// A type with a known dimension and number type.
 template <class S>
 concept Shape = requires {
   typename ShapeTraits<S>::scalar;
   { ShapeTraits<S>::dimension } -> std::convertible_to<Dim>;
 };
 
+/// The dimension of a shape, 2 or 3.
 template <Shape S>
 inline constexpr Dim dimension_of = ShapeTraits<S>::dimension;
 
+/// The number type of a shape, float or double.
 template <Shape S>
 using scalar_of = typename ShapeTraits<S>::scalar;
 
-/// A bounded convex shape: it has a support function, in double (ours, whatever they store) or in its own number type.
+/// A bounded convex shape: it has a support function, in double (built-in shapes, whatever they store) or in its own
+/// number type.
 template <class S>
 concept Convex = Shape<S> &&(SupportsIn<S, dimension_of<S>, double> || SupportsIn<S, dimension_of<S>, scalar_of<S>>);
 
@@ -69,13 +73,13 @@ template <class B, class A>
 concept SameDimension = Convex<A> && Convex<B> && dimension_of<A>
 == dimension_of<B>;
 
-/// A shape that lives in the same space as another.
+/// A shape of the same dimension and number type as another.
 template <class B, class A>
 concept SameSpace = Shape<A> && Shape<B> && dimension_of<A>
 == dimension_of<B>&& std::same_as<scalar_of<A>, scalar_of<B>>;
 
-/// True when a shape's numbers make sense: finite, no negative size, no zero direction. Queries may assume it;
-/// degenerate shapes (zero radius, equal ends, flat boxes) are valid. `defect(shape)` says in words what is wrong.
+/// True if a shape's numbers make sense: finite, no negative size, no zero direction. Queries may assume it. Degenerate
+/// shapes (zero radius, equal ends, flat boxes) are valid. `defect(shape)` tells in words what is wrong.
 template <Shape S>
 bool is_valid(const S& shape) {
   return defect(shape).empty();

@@ -11,13 +11,14 @@
 
 namespace graze {
 
-/// The solid sphere (in 2D the disc), surface included. A zero radius is valid: the sphere is a point.
+/// The solid sphere, in 2D the disc, surface included. A zero radius is valid: the sphere is a point.
 template <Dim N, class T = float>
 struct Sphere {
-  Vec<N, T> center = Vec<N, T>(T(0));
-  T radius = T(1);
+  Vec<N, T> center = Vec<N, T>(T(0));  ///< Center of the sphere.
+  T radius = T(1);                     ///< At least zero.
 };
 
+/// The solid circle: a 2D Sphere.
 template <class T = float>
 using Circle = Sphere<2, T>;
 
@@ -28,6 +29,8 @@ inline constexpr auto description_of<Sphere<N, T>> = Description("sphere",
                                                                  field::length("radius", &Sphere<N, T>::radius));
 }  // namespace detail
 
+/// The point that is farthest along `direction` (any nonzero length), in double. The square of the length must not
+/// overflow or underflow.
 template <Dim N, class T>
 Vec<N, double> support(const Sphere<N, T>& sphere, const std::type_identity_t<Vec<N, double>>& direction) {
   const double size = std::sqrt(dot(direction, direction));

@@ -11,13 +11,14 @@
 
 namespace graze {
 
-/// The convex hull of three points; in 3D it has no thickness. Corners on one line, or in one place, are valid.
+/// The convex hull of three points; in 3D it has no thickness. Collinear and equal corners are valid.
 template <Dim N, class T = float>
 struct Triangle {
-  Vec<N, T> a = Vec<N, T>(T(0));
-  Vec<N, T> b = unit_axis<N, T>(0);
-  Vec<N, T> c = unit_axis<N, T>(1);
+  Vec<N, T> a = Vec<N, T>(T(0));     ///< First corner.
+  Vec<N, T> b = unit_axis<N, T>(0);  ///< Second corner.
+  Vec<N, T> c = unit_axis<N, T>(1);  ///< Third corner.
 
+  /// The corners a, b, c.
   std::array<Vec<N, T>, 3> vertices() const { return {a, b, c}; }
 };
 
@@ -29,6 +30,7 @@ inline constexpr auto description_of<Triangle<N, T>> = Description("triangle",
                                                                    field::point("c", &Triangle<N, T>::c, "corner"));
 }  // namespace detail
 
+/// The corner that is farthest along `direction` (any nonzero length), in double; of several the first of a, b, c.
 template <Dim N, class T>
 Vec<N, double> support(const Triangle<N, T>& triangle, const std::type_identity_t<Vec<N, double>>& direction) {
   Vec<N, double> best = wide<N, T>(triangle.a);
