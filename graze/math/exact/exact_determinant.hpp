@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sign of a determinant of differences in whole numbers, of which few bits are more than doubles have.
+// The exact sign of a determinant of differences, in 128-bit integers. Intermediate results have few more bits than
+// doubles.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 #include <graze/math/platform/bit_cast.hpp>
 #include <graze/math/vec.hpp>
 
-// Without integers of 128 bits nothing is whole, and all else has to tell signs.
+// Without 128-bit integers, these functions return nothing and callers use their other methods.
 #ifdef __SIZEOF_INT128__
 #define GRAZE_HAS_INT128
 #endif
@@ -23,8 +24,8 @@ namespace graze::detail {
 
 __extension__ using Int128 = __int128;
 
-/// A power of two times which all coordinates of some points are below 2^61; zero where they are beyond 1e90 or all are
-/// below 1e-90.
+/// A power of two that scales all coordinates of some points below 2^61; zero if some are beyond 1e90 or all are below
+/// 1e-90.
 inline double integer_unit(double largest) {
   constexpr int exponent_of_one = 1023;
   constexpr int bits = 60;
@@ -36,13 +37,13 @@ inline double integer_unit(double largest) {
 
 using IntegerVec = std::array<std::int64_t, 3>;
 
-/// Numbers of up to 125 bits, in halves: high * 2^64 + low.
+/// Integers of up to 125 bits, split into halves: high * 2^64 + low.
 struct HalvedVec {
   std::array<std::int64_t, 3> high{};
   std::array<std::uint64_t, 3> low{};
 };
 
-/// Of the same sign. What the language converts takes a call.
+/// The rounded number, with the same sign. The built-in conversion is a library call.
 inline double rough(Int128 number) {
   const auto low = static_cast<std::int64_t>(number);
   if (number == low) return static_cast<double>(low);
@@ -50,12 +51,12 @@ inline double rough(Int128 number) {
          static_cast<double>(static_cast<std::uint64_t>(number));
 }
 
-/// The sum of three numbers of up to 62 bits, each times one of up to 125 bits: its sign, and roughly its size in units
-/// of 2^64, or less than one of them.
+/// The dot product of numbers of up to 62 bits and numbers of up to 125 bits, in units of 2^64. The sign is exact and
+/// the size is approximate; results below one unit are returned as 0.5.
 inline double rough_dot(const IntegerVec& a, const HalvedVec& m) {
   Int128 high = 0;
   for (std::size_t i = 0; i < 3; ++i) high += Int128(a[i]) * m.high[i];
-  // The lower halves add up to less than three times 2^62 of these units.
+  // The low halves add up to less than 3 * 2^62 of these units.
   constexpr Int128 most_of_low = Int128{3} << 62U;
   if (high > most_of_low || high < -most_of_low) return rough(high);
   Int128 low = 0;
@@ -69,10 +70,9 @@ inline double rough_dot(const IntegerVec& a, const HalvedVec& m) {
   return static_cast<std::uint64_t>(low) != 0 ? 0.5 : 0;
 }
 
-/// -1, 0 or 1.
 inline int ternary_sign(double number) { return number > 0 ? 1 : (number < 0 ? -1 : 0); }
 
-/// A point in such units, unless it is between whole numbers, or beyond 2^61.
+/// A point in integer units. `is_whole` is false if a coordinate is not an integer or not below 2^61.
 struct IntegerPoint {
   IntegerVec at{};
   bool is_whole = true;
@@ -93,7 +93,7 @@ inline IntegerVec difference(const IntegerVec& a, const IntegerVec& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-/// Of numbers of up to 62 bits.
+/// The cross product of numbers of up to 62 bits.
 inline HalvedVec integer_cross(const IntegerVec& a, const IntegerVec& b) {
   HalvedVec result;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -106,9 +106,9 @@ inline HalvedVec integer_cross(const IntegerVec& a, const IntegerVec& b) {
   return result;
 }
 
-/// The sign of det(a - o, b - o, c - o) where all coordinates are multiples of 2^-60 of the largest or so, as those of
-/// floats mostly are, and of doubles of like sizes; else none. For coordinates that are zero or of magnitude 1e-90 to
-/// 1e90.
+/// The sign of det(a - o, b - o, c - o) if all coordinates are multiples of about 2^-60 of the largest; none otherwise.
+/// This holds for most floats, and for doubles of similar sizes. Coordinates must be zero or have a magnitude from
+/// 1e-90 to 1e90.
 inline std::optional<int> sign_of_exact_determinant(const std::array<Vec<3, double>, 3>& points,
                                                     const Vec<3, double>& origin) {
   double largest = max_abs(origin);
@@ -123,17 +123,18 @@ inline std::optional<int> sign_of_exact_determinant(const std::array<Vec<3, doub
   return ternary_sign(rough_dot(way(0), integer_cross(way(1), way(2))));
 }
 
-/// The plane through three points in whole numbers, calculated once for many points beside it.
+/// The plane through three points in integer units, calculated once to test many points.
 class IntegerPlane {
  public:
-  /// In units in which coordinates are whole numbers below 2^61; of others, and with a unit of zero, nothing is told.
+  /// `unit` must scale coordinates to integers below 2^61. If it is zero or a point is not whole, `height_of` returns
+  /// none.
   IntegerPlane(const std::array<IntegerPoint, 3>& points, double unit)
       : is_whole_(unit != 0 && points[0].is_whole && points[1].is_whole && points[2].is_whole), from_(points[0].at) {
     if (is_whole_) normal_ = integer_cross(difference(points[1].at, from_), difference(points[2].at, from_));
   }
 
-  /// Of the same sign as `orientation` of the three points and this one, exactly, and roughly proportional to how high
-  /// the point is; or none.
+  /// A number with the exact sign of `orientation` of the three points and this one, approximately proportional to the
+  /// height of the point above the plane; or none.
   std::optional<double> height_of(const IntegerPoint& point) const {
     if (!is_whole_ || !point.is_whole) return std::nullopt;
     return rough_dot(difference(point.at, from_), normal_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors in double of either dimension, two coordinates at a time: what filters of the plane and of space share.
+// Vectors in double, 2D and 3D, with two coordinates per register: shared by the 2D and 3D filters.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace graze::detail {
 
-/// A vector of the plane, as PairedVec is one of space.
+/// The 2D counterpart of PairedVec.
 struct Pair2d {
   LanePair xy;
 
@@ -38,24 +38,24 @@ using Paired = std::conditional_t<N == 2, Pair2d, PairedVec>;
 [[gnu::always_inline]] inline double sum_of_coordinates(Pair2d v) { return v.xy[0] + v.xy[1]; }
 [[gnu::always_inline]] inline double dot(Pair2d a, Pair2d b) { return sum_of_coordinates(products(a, b)); }
 
-/// Of a vector that is as long as `length` but for rounding: along it, of length 1. The last steps of a root take less
-/// time than all of it.
+/// Normalises a vector whose length is `length` up to rounding. The last steps of Newton's iteration are faster than a
+/// square root.
 template <class V>
 [[gnu::always_inline]] inline V unit_of(const V& v, double length) {
   const double inverse = 1 / length;
   const double excess = 1 - dot(v, v) * (inverse * inverse);
-  constexpr double small = 0x1p-18;  // the next term is less than an eighth of epsilon
+  constexpr double small = 0x1p-18;  // the next term is below an eighth of epsilon
   if (!(std::fabs(excess) < small)) return v * (1 / std::sqrt(dot(v, v)));
   return v * (inverse * (1 + excess * (0.5 + 0.375 * excess)));
 }
 
-/// Never minus zero, also of what underflows.
+/// Rounds to T; adding zero turns -0 into +0, also after underflow.
 template <class T>
 [[gnu::always_inline]] inline Vec<2, T> rounded_vec(Pair2d v) {
   return {static_cast<T>(v.xy[0]) + T(0), static_cast<T>(v.xy[1]) + T(0)};
 }
 
-/// The sums of the coordinates of two vectors, and those of their magnitudes.
+/// For two vectors: the sum of the coordinates and the sum of their magnitudes.
 struct TwoSums {
   LanePair value;
   LanePair magnitude;

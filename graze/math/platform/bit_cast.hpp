@@ -7,8 +7,7 @@
 
 namespace graze {
 
-/// The value of another type that has the same bits: std::bit_cast, by what it is made of in every compiler that graze
-/// knows, since the standard library of Emscripten 3.1 (libc++ 13) does not have it yet.
+/// std::bit_cast, by the builtin that it uses: the standard library of Emscripten 3.1 (libc++ 13) lacks std::bit_cast.
 template <class To, class From>
 constexpr To bit_cast(const From& from) {
   static_assert(sizeof(To) == sizeof(From) && std::is_trivially_copyable_v<To> && std::is_trivially_copyable_v<From>);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Refuses compilers and options that cannot keep graze's promises: one #error, which says the way out. Included before
-// anything that would not compile either.
+// Rejects compilers and options that break graze's guarantees, with one #error that names the way out. Include it
+// before anything else that such a compiler would reject.
 #pragma once
 
-// Where the processor multiplies and adds in one step, GCC and Clang merge a * b + c into it ("contraction") unless
-// they are told not to, which no macro of theirs shows. x86 has the step from FMA on, WebAssembly never, all others
-// always.
+// If the processor has a fused multiply-add, GCC and Clang contract a * b + c to it unless told not to, and define no
+// macro for that option. x86 has it from FMA on, WebAssembly never, all other processors always.
 #if (defined(__GNUC__) || defined(__clang__)) && !defined(GRAZE_NO_CONTRACTION)
 #if defined(__x86_64__) || defined(__i386__)
 #if defined(__FMA__) || defined(__FMA4__) || defined(__AVX512F__)
@@ -52,10 +51,10 @@
 #endif
 
 #ifdef GRAZE_IS_REFUSED
-#include "see the error above"  // GCC and Clang go on after an #error; this ends them
+#include "see the error above"  // GCC and Clang continue after an #error; a missing include stops them
 #endif
 
-// Clang has no macro for the parts of fast math, but refuses exceptions together with any of them.
+// Clang has no macro for parts of fast math, but rejects this pragma together with any of them.
 #ifdef __clang__
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wignored-pragmas"

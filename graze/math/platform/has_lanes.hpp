@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// GRAZE_HAS_LANES: vectors as a type of the language. GCC 12 and Clang have them on every processor, by its registers
-// or by plain numbers. Other compilers do without, and so do these where GRAZE_NO_LANES is defined: verdicts are the
-// same, but contacts, manifolds and ray hits are calculated in another order, so they differ within their error.
+// GRAZE_HAS_LANES: the compiler has vector types. GCC 12 and Clang support them on every processor, in registers or
+// emulated. Other compilers, and these with GRAZE_NO_LANES defined, use scalar code: verdicts are the same, but
+// contacts, manifolds and ray hits are calculated in another order and differ within their error.
 #pragma once
 
 #if defined(__has_builtin) && !defined(GRAZE_NO_LANES)
@@ -10,7 +10,7 @@
 #endif
 #endif
 
-// Functions for wider registers, chosen at run time. Those of AVX-512 could be contracted, see compiler.hpp.
+// Functions for wider registers, chosen at run time. The AVX-512 ones could be contracted, see compiler.hpp.
 #if defined(GRAZE_HAS_LANES) && defined(__x86_64__) && defined(GRAZE_NO_CONTRACTION)
 #define GRAZE_HAS_WIDER_LANES
 #endif

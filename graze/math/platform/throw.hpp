@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// GRAZE_THROW(error): how the headers report what a caller must handle. It throws, or without exceptions prints the
-// message and aborts. A program may define it before it includes graze, the same in all its files; it must not return.
+// GRAZE_THROW(error): how headers report errors. It throws; without exceptions it prints the message and aborts. A
+// program may define it before including graze, identically in all its files; it must not return.
 #pragma once
 
 #ifndef GRAZE_THROW

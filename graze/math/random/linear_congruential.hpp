@@ -6,14 +6,13 @@
 
 namespace graze::detail {
 
-/// Places drawn one after another, for samples: the same ones each time and on every machine, spread evenly and without
-/// regard to each other. Knuth's linear congruential generator, TAOCP 2, 3.3.4, of which the upper half is taken.
+/// Pseudo-random indices for sampling: the same sequence on every machine, evenly distributed. Knuth's linear
+/// congruential generator (TAOCP 2, 3.3.4); only the upper half of the state is used.
 class LinearCongruential {
  public:
-  /// Other seeds give other rows of places.
   explicit LinearCongruential(std::uint64_t seed = 1) : state_(seed * 0x9E3779B97F4A7C15U) {}
 
-  /// A place below `count`, which is at least 1 and at most 2^32.
+  /// An index below `count`, which must be from 1 to 2^32.
   std::size_t below(std::size_t count) {
     state_ = state_ * 6364136223846793005U + 1442695040888963407U;
     return static_cast<std::size_t>(((state_ >> 32U) * count) >> 32U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// converted<To>(shape, change): a shape with its numbers in another type.
+// converted<To>(shape, change): a shape with its numbers converted to another type.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace graze::detail {
 
-/// Sets each number of `to` to change(number) of `from`: of numbers, vectors, matrices and arrays of vectors.
+/// Sets each number of `to` to change(number) of `from`. Values are numbers, vectors, matrices or arrays of vectors.
 template <class From, class To, class Change>
 void convert(const From& from, To& to, const Change& change) {
   if constexpr (std::is_floating_point_v<From>) {
@@ -22,7 +22,7 @@ void convert(const From& from, To& to, const Change& change) {
   }
 }
 
-/// Of a shape that is neither a polytope nor a compound, with every number replaced by change(number), a To.
+/// A shape with every number replaced by change(number), of type To. Not for polytopes and compounds.
 template <class To, template <Dim, class> class S, Dim N, class From, class Change>
 S<N, To> converted(const S<N, From>& shape, const Change& change) {
   S<N, To> result;
@@ -33,7 +33,7 @@ S<N, To> converted(const S<N, From>& shape, const Change& change) {
   return result;
 }
 
-/// The same of a float or double as a double: exact.
+/// A shape of floats or doubles converted to double, exactly.
 template <template <Dim, class> class S, Dim N, class T>
 S<N, double> widened(const S<N, T>& shape) {
   return converted<double>(shape, [](T number) { return static_cast<double>(number); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with a shape, by the kinds of its fields.
+// Describes what makes a shape invalid, by the kinds of its fields.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace graze {
 namespace detail {
 
-/// Whether a field of this kind may have a value, which is finite.
+/// Whether a finite value is valid for a field of this kind.
 template <FieldKind kind, class Value>
 bool is_accepted_as(const Value& value) {
   bool is_accepted = true;
@@ -24,7 +24,6 @@ bool is_accepted_as(const Value& value) {
   return is_accepted;
 }
 
-/// Whether every number of a value is finite.
 template <class Value>
 bool has_finite_numbers(const Value& value) {
   bool are_finite = true;
@@ -32,21 +31,21 @@ bool has_finite_numbers(const Value& value) {
   return are_finite;
 }
 
-/// What is wrong with a field's value; empty when nothing is.
+/// The defect of a field's value; empty if the value is valid.
 template <class Field, class Value>
 std::string_view defect_of_field(const Field& field, const Value& value) {
   if constexpr (Field::kind == FieldKind::parts) {
     for (const auto& part : value) {
       if (!defect(part.shape).empty()) return field.refused.view();
     }
-  } else if constexpr (Field::kind != FieldKind::hull) {  // which cannot be made with a defect
+  } else if constexpr (Field::kind != FieldKind::hull) {  // a hull is always valid
     if (!has_finite_numbers(value)) return field.not_finite.view();
     if (!is_accepted_as<Field::kind>(value)) return field.refused.view();
   }
   return {};
 }
 
-/// The first defect of a shape's fields, each by itself.
+/// The first defect of a shape's fields; fields are checked one by one.
 template <Described S>
 std::string_view defect_of_fields(const S& shape) {
   std::string_view found;
@@ -58,7 +57,7 @@ std::string_view defect_of_fields(const S& shape) {
 
 }  // namespace detail
 
-/// What is wrong with a shape's numbers, as the rest of a sentence that begins with the shape; empty when nothing is.
+/// The defect of a shape's numbers, worded as the end of a sentence whose subject is the shape; empty if it is valid.
 template <detail::Described S>
 std::string_view defect(const S& shape) {
   return detail::defect_of_fields(shape);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// description_of<S>: what the fields of a shape are called and what they mean, said once, in the shape's own header.
-// Order, NaN checks, defects, conversion to other number types, scaling, scene files and the WebAssembly bridge derive
-// from it.
+// description_of<S>: the names and meanings of a shape's fields, declared once, in the shape's own header. Ordering,
+// NaN checks, validation, conversion between number types, scaling, scene files and the WebAssembly bridge derive from
+// it.
 #pragma once
 
 #include <array>
@@ -16,23 +16,23 @@
 namespace graze::detail {
 
 enum class FieldKind {
-  point,         ///< A vector that moves with the shape.
-  direction,     ///< A vector of any length but zero.
-  length,        ///< A number, never negative.
-  half_extents,  ///< A vector of lengths.
-  offset,        ///< A number: where along its `normal`, a direction, a plane is.
+  point,         ///< A position that moves with the shape.
+  direction,     ///< A vector of any nonzero length.
+  length,        ///< A non-negative number.
+  half_extents,  ///< A vector of non-negative numbers.
+  offset,        ///< A number: the position of a plane along its `normal`, a `direction`.
   axes,          ///< A matrix whose columns are orthonormal.
   corners,       ///< An array of points.
-  hull,          ///< The corners of a convex hull, any number of them. Read only: `convex_hull` makes it.
+  hull,          ///< The corners of a convex hull, of any number. Read-only: `convex_hull` creates it.
   parts,         ///< A vector of `Part`s.
 };
 
-/// A text of a few words that is put together at compile time.
+/// A short text that is concatenated at compile time.
 class ShortText {
  public:
   constexpr ShortText(std::initializer_list<std::string_view> pieces) {
     for (const std::string_view piece : pieces) {
-      for (const char letter : piece) letters_[size_++] = letter;  // too many do not compile
+      for (const char letter : piece) letters_[size_++] = letter;  // too many letters fail to compile
     }
   }
   constexpr std::string_view view() const { return {letters_.data(), size_}; }
@@ -46,20 +46,20 @@ constexpr std::string_view article_of(std::string_view noun) {
   return std::string_view("aeiou").find(noun.front()) == std::string_view::npos ? "a " : "an ";
 }
 
-/// Says that the shape is its own field, as a point is.
+/// The member of a shape that is its own single field, such as a point.
 struct Itself {};
 
-/// A field: its name in scene files, and how to reach it in a shape.
+/// A field: its name in scene files and how to access it in a shape.
 template <FieldKind kind_of_field, class Member>
 class Field {
  public:
   static constexpr FieldKind kind = kind_of_field;
 
-  /// `noun` is what messages call the field, or each of its elements.
+  /// `noun` is how messages name the field, or each of its elements.
   constexpr Field(std::string_view field_name, Member member, std::string_view noun)
       : name(field_name), not_finite(flaw_of(noun)), refused(refusal_of(noun)), member_(member) {}
 
-  /// The field of a shape: a reference, but for a hull.
+  /// The field's value in a shape, by reference except for a hull.
   template <class S>
   constexpr decltype(auto) in(S& shape) const {
     if constexpr (std::is_same_v<Member, Itself>) {
@@ -72,8 +72,8 @@ class Field {
   }
 
   std::string_view name;
-  ShortText not_finite;  ///< The defect of a number that is not finite.
-  ShortText refused;     ///< The defect of finite numbers that this kind does not accept.
+  ShortText not_finite;  ///< The message for a number that is not finite.
+  ShortText refused;     ///< The message for finite numbers that are invalid for this kind.
 
  private:
   static constexpr bool is_plural = kind == FieldKind::half_extents || kind == FieldKind::axes;
@@ -124,7 +124,7 @@ inline constexpr FieldOf<FieldKind::hull> hull;
 inline constexpr FieldOf<FieldKind::parts> parts;
 }  // namespace field
 
-// ---- A std::tuple would take longer to compile than all that is made of it.
+// ---- A minimal tuple: std::tuple would take longer to compile than everything built on this list.
 
 template <std::size_t place, class Field>
 struct FieldAt {
@@ -137,15 +137,15 @@ template <std::size_t... places, class... Fields>
 struct FieldList<std::index_sequence<places...>, Fields...> : FieldAt<places, Fields>... {
   constexpr explicit FieldList(const Fields&... fields) : FieldAt<places, Fields>{fields}... {}
 
-  /// use(fields...)
+  /// Returns use(fields...).
   template <class Use>
   constexpr decltype(auto) apply(const Use& use) const {
     return use(static_cast<const FieldAt<places, Fields>*>(this)->field...);
   }
 };
 
-/// The name of a type of shape, as scene files and reports write it, and its fields in the order of braces. The name is
-/// empty if the type is no alternative of AnyShape.
+/// The type name of a shape in scene files and reports, and its fields in the order of aggregate initialization. The
+/// name is empty if the type is not an alternative of AnyShape.
 template <class... Fields>
 struct Description : FieldList<std::index_sequence_for<Fields...>, Fields...> {
   constexpr explicit Description(std::string_view name_of_type, const Fields&... fields)
@@ -154,18 +154,18 @@ struct Description : FieldList<std::index_sequence_for<Fields...>, Fields...> {
   std::string_view name;
 };
 
-/// Of a type that is not described: a user's.
+/// For types without a description: user-defined shapes.
 struct NoDescription {};
 
-/// Each shape specialises this behind its struct.
+/// Each shape specialises this after its definition.
 template <class S>
 inline constexpr NoDescription description_of{};
 
-/// One of graze's own shapes.
+/// True for graze's own shapes.
 template <class S>
 concept Described = !std::is_same_v<const NoDescription, decltype(description_of<S>)>;
 
-/// Calls visit(number) for each number of a field's value: a number, vector, matrix, or an array of vectors.
+/// Calls visit(number) for each number of a field's value: a number, a vector, a matrix or an array of vectors.
 template <class Value, class Visit>
 constexpr void for_each_number(Value& value, const Visit& visit) {
   if constexpr (std::is_floating_point_v<std::remove_const_t<Value>>) {
@@ -177,7 +177,7 @@ constexpr void for_each_number(Value& value, const Visit& visit) {
   }
 }
 
-/// Calls visit(field, value) for each field of a shape, in order. A value can be changed if the shape can, but a hull.
+/// Calls visit(field, value) for each field of a shape, in order. Values are mutable if the shape is, except hulls.
 template <class S, class Visit>
 constexpr void for_each_field(S& shape, const Visit& visit) {
   const auto visit_field = [&visit](const auto& field, auto&& value) { visit(field, value); };
@@ -185,7 +185,7 @@ constexpr void for_each_field(S& shape, const Visit& visit) {
       [&](const auto&... fields) { (visit_field(fields, fields.in(shape)), ...); });
 }
 
-/// A shape whose fields are `change(field, value)` of those of another.
+/// A shape whose fields are change(field, value) of another shape's fields.
 template <class S, class Change>
 constexpr S with_fields_changed(const S& shape, const Change& change) {
   return description_of<S>.apply([&](const auto&... fields) { return S{change(fields, fields.in(shape))...}; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hold_nan(a, b): whether any number of two shapes is NaN. Comparisons drop a NaN as easily as not; sums keep it.
+// hold_nan(a, b): whether any number of two shapes is NaN. It sums them, because comparisons can drop a NaN.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace graze::detail {
 
-// ---- The sum of the absolute numbers of a shape, or of a field's value; it may overflow. A polytope holds no NaN; a
-// compound and a user's type are not looked into.
+// ---- The sum of the absolute values of a shape's or field's numbers; it may overflow. Polytopes never contain NaN;
+// compounds and user-defined shapes are not checked.
 
 template <class Value>
 float numbers_of(const Value&) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An order of shapes of one type by their numbers. A query of pairs that calculates with the lesser shape first gives
-// the same bits whichever is named first.
+// A total order of shapes of the same type, by their numbers. A symmetric query that puts the lesser shape first
+// returns the same bits for both orders of its arguments.
 #pragma once
 
 #include <array>
@@ -16,22 +16,22 @@
 
 namespace graze::detail {
 
-// ---- compare(a, b): -1, 0 or 1. Equal are those whose numbers are, so that nothing can tell them apart.
+// ---- compare(a, b): -1, 0 or 1. Shapes with equal numbers are equal, because nothing can distinguish them.
 
 template <Scalar T>
 int compare(T a, T b) {
   return a < b ? -1 : b < a ? 1 : 0;
 }
 
-/// A direction that is at right angles to no way along an axis, a diagonal, or the like.
+/// A direction that is not perpendicular to an axis, a diagonal or another common direction.
 inline constexpr std::array<double, 3> order_direction = {0.97, 0.58, 0.43};
 
-/// By how far they are along that. Of two boxes that stand on each other neither is far along x, so there the next
-/// rounding would change which comes first.
+/// Compares positions along `order_direction`. Lexicographic order would be unstable: for two stacked boxes, x is
+/// nearly equal, and rounding of x would decide the order.
 template <Dim N, Scalar T>
 int compare(const Vec<N, T>& a, const Vec<N, T>& b) {
   const Vec<N, double> way = wide<N, T>(b) - wide<N, T>(a);
-  double along = 0;  // the opposite number, to the bit, of b and a
+  double along = 0;  // exactly the negative of what b and a give
   for (Dim i = 0; i < N; ++i) along += order_direction[static_cast<std::size_t>(i)] * way[i];
   if (along > 0) return -1;
   if (along < 0) return 1;
@@ -53,7 +53,7 @@ int compare(const Mat<N, T>& a, const Mat<N, T>& b) {
 template <Dim N, class T>
 int compare(const Part<N, T>& a, const Part<N, T>& b);
 
-/// Lists of different lengths are told apart by them.
+/// The shorter list comes first.
 template <class List>
 int compare_lists(const List& a, const List& b) {
   if (a.size() != b.size()) return a.size() < b.size() ? -1 : 1;
@@ -84,7 +84,7 @@ int compare(const S& a, const S& b) {
   return result;
 }
 
-/// Different types by their place in AnyShape.
+/// Different types are ordered by their index in AnyShape.
 template <Dim N, class T>
 int compare(const AnyShape<N, T>& a, const AnyShape<N, T>& b) {
   if (a.index() != b.index()) return a.index() < b.index() ? -1 : 1;

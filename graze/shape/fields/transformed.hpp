@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The image of a shape under a rigid motion, by the kinds of its fields.
+// The image of a shape under a rigid transform, by the kinds of its fields.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 namespace graze {
 namespace detail {
 
-/// A field's value when its shape has moved.
+/// A field's value after its shape has moved.
 template <FieldKind kind, Dim N, class T, class S, class Value>
 Value transformed_field([[maybe_unused]] const S& shape, const Value& value, const Pose<N, T>& pose) {
   if constexpr (kind == FieldKind::point) {
@@ -33,7 +33,7 @@ Value transformed_field([[maybe_unused]] const S& shape, const Value& value, con
 
 }  // namespace detail
 
-/// The image under a rigid motion, rounded to the shape's numbers. Lengths stay what they are.
+/// The image of a shape under a rigid transform, rounded to the shape's number type. Lengths are unchanged.
 template <detail::Described S>
 S transformed(const S& shape, const Pose<dimension_of<S>, scalar_of<S>>& pose) {
   return detail::with_fields_changed(shape, [&]<class Field>(const Field&, const auto& value) {

@@ -9,11 +9,11 @@
 
 namespace graze::detail {
 
-/// As std::visit for one variant of at most sixteen types: calls `visitor` with what `held` holds, and gives back what
-/// it gives back, which is of one type for all. The library's own makes a table of pointers to functions and passes
-/// through four layers of templates for each type; every query of any two shapes is 144 of them, and they took a
-/// quarter of the time that it takes to compile. A switch is also open to the optimiser.
-/// @throws std::bad_variant_access for a variant that an exception left without a value
+/// std::visit for one variant of at most sixteen types: calls `visitor` with the held value and returns its result,
+/// which must have the same type for all alternatives. The standard library builds a table of function pointers through
+/// four layers of templates for each type. A query on any two shapes has 144 combinations, and these templates took a
+/// quarter of its compile time. A switch can also be inlined.
+/// @throws std::bad_variant_access if the variant is valueless after an exception
 template <class Visitor, class Variant>
 // NOLINTNEXTLINE(readability-function-size): a case for each type
 constexpr decltype(auto) visit(Visitor&& visitor, Variant& held) {
@@ -74,7 +74,7 @@ constexpr decltype(auto) visit(Visitor&& visitor, Variant& held) {
   GRAZE_THROW(std::bad_variant_access());
 }
 
-/// The same for two variants: visitor(what a holds, what b holds).
+/// The same for two variants: calls visitor(value of a, value of b).
 template <class Visitor, class VariantA, class VariantB>
 constexpr decltype(auto) visit(Visitor&& visitor, VariantA& a, VariantB& b) {
   return visit(

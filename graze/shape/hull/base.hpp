@@ -15,15 +15,15 @@
 
 namespace graze::detail {
 
-/// Places of points that span what some points of a frame span: one that all are at, two on the line they are on, three
-/// on the plane they are on, or four, of which the last is on the inner side of the first three. Exactly; far from each
-/// other, roughly.
+/// Indices of points that span the affine hull of some points of a frame, decided exactly: one if all coincide, two on
+/// a line, three in a plane, otherwise four, the last on the inner side of the first three. They are chosen
+/// approximately as far apart as possible.
 template <class T>
 class HullBase {
  public:
   HullBase() = default;
 
-  /// The points must have the frame's ends among them, or lie between.
+  /// The points must include the frame's ends or lie between them.
   HullBase(const HullFrame<T>& frame, std::span<const HullPoint> points) {
     const auto [a, b] = frame.ends();
     add(a);
@@ -55,8 +55,8 @@ class HullBase {
   void add(std::uint32_t place) { places_[size_++] = place; }
   std::array<std::uint32_t, 3> first_three() const { return {places_[0], places_[1], places_[2]}; }
 
-  /// A point for which `counts` holds, the one for which `measure` is largest if it does for that one; none if it holds
-  /// for none.
+  /// The point with the largest `measure` if `counts` holds for it; otherwise any point for which `counts` holds;
+  /// otherwise none.
   template <class Measure, class Counts>
   static std::uint32_t farthest_by(std::span<const HullPoint> points, const Measure& measure, const Counts& counts) {
     std::uint32_t best = points.front().index;

@@ -10,8 +10,8 @@
 
 namespace graze::detail {
 
-/// Whether points, at least one, are the corners of a convex polygon, once around and counter-clockwise, none of them
-/// on the line between its neighbours; decided exactly. Two points, if they differ, are the ends of a flat one.
+/// Whether points, at least one, are the corners of a convex polygon in counter-clockwise order, with no corner on the
+/// line between its neighbours; decided exactly. Two distinct points are a degenerate polygon.
 template <class T>
 bool is_convex_ring(std::span<const Vec<2, T>> points) {
   const std::size_t count = points.size();
@@ -21,7 +21,7 @@ bool is_convex_ring(std::span<const Vec<2, T>> points) {
   for (std::size_t i = 0; i < count; ++i) {
     const Vec<2, T>& next = points[i + 1 < count ? i + 1 : 0];
     if (orientation(points[i > 0 ? i - 1 : count - 1], points[i], next) <= 0) return false;
-    // With left turns alone, every time around has one lexicographically least point.
+    // If all turns are left turns, each revolution passes one lexicographic minimum.
     const bool is_falling = lexicographically_less<2, T>(next, points[i]);
     if (was_falling && !is_falling) ++valleys;
     was_falling = is_falling;

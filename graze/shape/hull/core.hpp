@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// put_candidates(frame, list): the points that may be corners of a hull. Most of many points are deep inside, which the
-// hull of a few of them tells at a glance.
+// put_candidates(frame, list): the points that may be corners of a hull. Most points of a large set are deep inside,
+// which the hull of a small sample shows quickly.
 #pragma once
 
 #include <algorithm>
@@ -20,18 +20,18 @@
 
 namespace graze::detail {
 
-/// A solid inside the hull of some points, made to be asked what it holds in constant time. Seen from a middle, on a
-/// cube around it, the hull's surface in direction (1, u, v) is at the distance 1 / f(u, v), where f, the largest of
-/// (n.x + n.y u + n.z v) / offset over the faces, is convex. So what is interpolated between values of f on a lattice
-/// is nowhere below f, and what is nearer than one by it is inside.
+/// A solid inside the convex hull of some points, with a point-containment test in constant time. Project the hull's
+/// surface from its center onto a cube: in direction (1, u, v) the surface is at distance 1 / f(u, v), where f is the
+/// maximum of (n.x + n.y u + n.z v) / offset over the faces. f is convex, so interpolation between its values on a
+/// lattice is never below f, and a point is inside if the interpolated value for its position is below one.
 class HullCore {
  public:
-  /// Holds nothing.
+  /// An empty core.
   HullCore() = default;
 
-  /// Of places in a frame whose box has these half extents. The places are moved to a grid, on which planes are exact,
-  /// and the hull then loses as much all around. Holds nothing where that leaves no middle to speak of, or would not
-  /// pay: most of the places are corners, or near the surface.
+  /// The core of a sample of points in a frame whose box has these half extents. The points are rounded to a grid, on
+  /// which planes are exact, and the hull shrinks by as much on all sides. The core is empty if nothing significant
+  /// remains, or if it would not pay because most of the sample are corners or near the surface.
   HullCore(std::span<const HullPoint> sample, const Vec<3, double>& half_extents)
       : to_units_(1.0 / max(half_extents, Vec<3, double>(1 / steps))) {
     std::vector<Vec<3, double>> on_grid;
@@ -41,7 +41,7 @@ class HullCore {
       for (Dim i = 0; i < 3; ++i) place[i] = std::round(point.place[i] * steps);
     }
     const HullFrame<double> frame(on_grid);
-    const Quickhull<double> hull(frame, all_points(frame));  // nothing is in doubt on a grid
+    const Quickhull<double> hull(frame, all_points(frame));  // exact on a grid: no point is undecided
     if (hull.base().size() < 4 || hull.corners().size() > sample.size() / 2 || !are_deep(hull)) return;
     Vec<3, double> sum(0.0);
     for (const HullPoint& corner : hull.corners()) sum += on_grid[corner.index];
@@ -57,7 +57,7 @@ class HullCore {
 
   bool holds_something() const { return holds_something_; }
 
-  /// True only for what is strictly inside the hull.
+  /// True only for points strictly inside the hull.
   bool holds(const Vec<3, double>& place) const {
     if (!holds_something_) return false;
     const Vec<3, double> way = (place - middle_) * to_units_;
@@ -79,11 +79,11 @@ class HullCore {
   }
 
  private:
-  static constexpr std::int32_t cells = 8;  // along each side of the cube
-  static constexpr double steps = 0x1p14;   // of the grid, in 1
+  static constexpr std::int32_t cells = 8;  // along each edge of the cube
+  static constexpr double steps = 0x1p14;   // grid steps per unit
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  /// Whether of some points of a hull a quarter are inside by more than a few steps.
+  /// Whether at least a quarter of some hull's points are inside by more than a few steps.
   static bool are_deep(const Quickhull<double>& hull) {
     constexpr std::uint32_t looked_at = 32;
     constexpr double least = 4 / steps;
@@ -106,7 +106,8 @@ class HullCore {
     return (side * (cells + 1) + static_cast<std::size_t>(row)) * (cells + 1) + static_cast<std::size_t>(column);
   }
 
-  /// Takes away what is outside of a face, or nearer to it than a step in each coordinate. In steps, from the middle.
+  /// Removes what is outside a face, or closer to it than one step in each coordinate. Coordinates are in steps,
+  /// relative to the center.
   void cut(const Vec<3, double>& a, const Vec<3, double>& b, const Vec<3, double>& c) {
     const Vec<3, double> normal = cross(b - a, c - a);
     const double size = sum_abs(normal);
@@ -129,11 +130,11 @@ class HullCore {
 
   Vec<3, double> to_units_ = Vec<3, double>(1.0);
   Vec<3, double> middle_ = Vec<3, double>(0.0);
-  std::array<double, 6UL * (cells + 1) * (cells + 1)> inverse_{};  // f
+  std::array<double, 6UL * (cells + 1) * (cells + 1)> inverse_{};  // f, on the lattice
   bool holds_something_ = false;
 };
 
-/// Some of the points of a frame, the same ones each time.
+/// A sample of a frame's points, always the same.
 template <class T>
 std::vector<HullPoint> sample_of(const HullFrame<T>& frame, std::size_t count) {
   std::vector<HullPoint> sample;
@@ -145,8 +146,8 @@ std::vector<HullPoint> sample_of(const HullFrame<T>& frame, std::size_t count) {
   return sample;
 }
 
-/// What the hull of some points of a frame holds for certain: nothing where there are too few for it to pay, of which
-/// more are needed where most of them may be near the surface.
+/// The core of a frame's points; empty if there are too few points for it to pay. More are required where most may be
+/// near the surface.
 template <class T>
 HullCore core_of(const HullFrame<T>& frame) {
   constexpr std::uint32_t many = 16000;
@@ -156,7 +157,7 @@ HullCore core_of(const HullFrame<T>& frame) {
   return {sample_of(frame, static_cast<std::size_t>(2 * root * root)), frame.half_extents()};
 }
 
-/// Puts the points of a frame from one place to before another one into a list, but for those that the core holds.
+/// Appends the points with index in [first, last) to a list, except those that the core contains.
 template <class T>
 void put_points_beside(const HullCore& core, const HullFrame<T>& frame, std::uint32_t first, std::uint32_t last,
                        std::vector<HullPoint>& result) {
@@ -168,7 +169,7 @@ void put_points_beside(const HullCore& core, const HullFrame<T>& frame, std::uin
   }
 }
 
-/// Puts the points of a frame into a list, but for some that are strictly inside the hull of others.
+/// Appends the points of a frame to a list, except some that are strictly inside the hull of others.
 template <class T>
 void put_candidates(const HullFrame<T>& frame, std::vector<HullPoint>& result) {
   put_points_beside(core_of(frame), frame, 0, frame.size(), result);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// CornerRows(corners): the corners of a polytope once more, coordinate by coordinate, to be searched.
+// CornerRows(corners): a copy of a polytope's corners, one row per coordinate, for searching.
 #pragma once
 
 #include <algorithm>
@@ -19,10 +19,10 @@
 
 namespace graze::detail {
 
-/// At least one corner. To search them takes no branch for each, which would be guessed wrong every few corners, and
-/// longer than all products together. By two or four at once heights are calculated a block at a time, and only a block
-/// that has the highest one so far is asked where that is; eight at once are compared with their places. By the widest
-/// vectors that the processor has; the answer is the same by all.
+/// At least one corner. The search has no branch per corner, since its mispredictions would cost more than all
+/// products. With two or four lanes, heights are calculated block by block, and only a block with a new maximum is
+/// searched for its index; with eight lanes, heights are compared together with their indices. The widest vectors of
+/// the processor are used; all give the same answer.
 template <Dim N, class T>
 class CornerRows {
  public:
@@ -41,18 +41,17 @@ class CornerRows {
     }
   }
 
-  /// Of all corners: somewhere inside.
+  /// The mean of all corners: a point inside.
   const Vec<N, double>& middle() const { return middle_; }
-  /// The largest coordinate, without its sign.
+  /// The largest magnitude of a coordinate.
   double largest() const { return largest_; }
 
-  /// How many corners there are.
   std::size_t size() const { return count_; }
-  /// Of each row, a multiple of eight: behind the last corner stands the first.
+  /// The length of each row, a multiple of eight: padding repeats the first corner.
   std::size_t length() const { return length_; }
 
 #ifdef GRAZE_HAS_LANES
-  /// So many coordinates of a row, from one corner on.
+  /// Reads consecutive coordinates of a row, starting at one corner.
   template <std::size_t lanes>
   [[gnu::always_inline]] void read(Dim k, std::size_t from, typename LaneTypes<lanes>::Doubles& numbers) const {
     Stored<lanes> stored;
@@ -61,7 +60,7 @@ class CornerRows {
   }
 #endif
 
-  /// The place of the corner that is farthest in a direction, of several the first; calculated in double.
+  /// The index of the corner farthest in a direction, the first of several; calculated in double.
   std::uint32_t farthest(const Vec<N, double>& direction) const {
 #ifdef GRAZE_HAS_WIDER_LANES
     if (length_ > few) {
@@ -72,7 +71,7 @@ class CornerRows {
     return farthest_by_two(direction);
   }
 
-  // The same by so many heights at once, for processors that can.
+  // The same with a given number of lanes, for processors that support it.
 
   std::uint32_t farthest_by_two(const Vec<N, double>& direction) const { return search<2>(direction); }
 #ifdef GRAZE_HAS_WIDER_LANES
@@ -101,11 +100,12 @@ class CornerRows {
   using Stored = std::conditional_t<std::is_same_v<T, double>, Numbers<lanes>, typename LaneTypes<lanes>::Floats>;
 #endif
   static constexpr std::size_t together = 8;
-  static constexpr std::size_t few = 8;  ///< So few that it takes longer to call for wider vectors.
+  static constexpr std::size_t few = 8;  ///< Up to this length, calling the wider version costs more than it saves.
   static constexpr std::size_t block = 64;
   using Heights = std::array<double, block>;
 
-  /// With so many at once. Always inline, as all that it calls, to be compiled for the processor of who calls it.
+  /// Searches with this number of lanes. Always inlined, like everything it calls, to be compiled for the caller's
+  /// target.
   template <std::size_t lanes>
   [[gnu::always_inline]] std::uint32_t search(const Vec<N, double>& direction) const {
     alignas(64) Heights heights;
@@ -118,12 +118,12 @@ class CornerRows {
       highest = found;
       place = from + place_of<lanes>(highest, heights, count);
     }
-    // Behind the last corner stands the first.
+    // Padding repeats the first corner.
     return static_cast<std::uint32_t>(place < length_ ? place : 0);
   }
 
 #ifdef GRAZE_HAS_WIDER_LANES
-  /// By two rows of lanes in turn, neither of which waits for the other.
+  /// Alternates between two sets of accumulators, so that neither waits for the other.
   [[gnu::always_inline]] std::uint32_t search_by_eight(const Vec<N, double>& direction) const {
     constexpr double low = -std::numeric_limits<double>::infinity();
     PlacedHeights<8, 8> even{{{low, low, low, low, low, low, low, low}}, {{0, 0, 0, 0, 0, 0, 0, 0}}};
@@ -143,7 +143,7 @@ class CornerRows {
       even.meet_later(next);
     }
     even.meet(odd);
-    // Behind the last corner stands the first.
+    // Padding repeats the first corner.
     const std::uint32_t place = even.highest();
     return place < count_ ? place : 0;
   }
@@ -160,7 +160,7 @@ class CornerRows {
 #endif
 
 #ifdef GRAZE_HAS_LANES
-  /// The heights of some corners, and the largest of them.
+  /// Calculates the heights of some corners and returns the largest.
   template <std::size_t lanes>
   [[gnu::always_inline]] double lift(std::size_t from, std::size_t count, const Vec<N, double>& direction,
                                      Heights& heights) const {
@@ -178,10 +178,11 @@ class CornerRows {
     return largest_of<lanes>(largest);
   }
 
-  /// The first place of a height; without a branch, whose end would be guessed wrong. Of what is no number, `count`.
+  /// The first index of a height; branch-free, because the end of a loop would be mispredicted. Returns `count` for
+  /// NaN.
   template <std::size_t lanes>
   [[gnu::always_inline]] static std::size_t place_of(double height, const Heights& heights, std::size_t count) {
-    // From a place to the end; of all places with that height the largest is looked for.
+    // Tracks the distance to the end: the largest distance belongs to the first index.
     static constexpr std::array<double, together> steps = {0, 1, 2, 3, 4, 5, 6, 7};
     Numbers<lanes> left;
     std::memcpy(&left, steps.data(), sizeof(left));

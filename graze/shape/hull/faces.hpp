@@ -14,13 +14,13 @@
 
 namespace graze::detail {
 
-/// The places of three points, counter-clockwise seen from outside.
+/// The indices of three points, counter-clockwise as seen from outside.
 using HullTriangle = std::array<std::uint32_t, 3>;
 
-/// The surface of the convex hull, for finite points in any order, duplicates allowed: triangles that share their edges
-/// two by two, none of them without area. Which side a point is on is decided exactly, so no corner is lost, whatever
-/// is nearly on one plane. Faces with more than three corners come in several triangles, which may have corners more in
-/// the middle of a face or edge. Empty when all points lie on one plane, exactly.
+/// The surface of the convex hull, for finite points in any order, with duplicates allowed: a closed mesh of triangles,
+/// none of them degenerate. Sides are decided exactly, so no corner is lost, however nearly coplanar the points are. A
+/// face with more than three corners becomes several triangles, whose corners may include points inside that face or on
+/// its edges. Empty if all points are coplanar, exactly.
 template <class T>
 std::vector<HullTriangle> hull_faces(std::span<const Vec<3, T>> points) {
   if (points.empty()) return {};

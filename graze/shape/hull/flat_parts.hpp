@@ -14,7 +14,8 @@
 
 namespace graze::detail {
 
-/// Which faces of a hull are one part of its surface but for rounding, by the least of their places.
+/// Groups the faces of a hull that are coplanar up to rounding, by union-find. A group is identified by its smallest
+/// face index.
 template <class T>
 class FlatParts {
  public:
@@ -39,8 +40,8 @@ class FlatParts {
     parts_[std::max(a, b)] = std::min(a, b);
   }
 
-  /// Points far from a needle are in doubt about its plane. It goes with what is beyond its longest side, and joins
-  /// nothing else, or it would join what meets in an edge.
+  /// For a needle-shaped face, even distant points are within the error of its plane. It joins only the face beyond its
+  /// longest side; otherwise it would join faces that meet at an edge.
   void join_around(std::uint32_t place) {
     const Face& face = hull_->faces()[place];
     if (is_needle(face)) {
@@ -71,7 +72,7 @@ class FlatParts {
     return longest;
   }
 
-  /// Whether the face beyond a half-edge is not clearly bent away from its own.
+  /// Whether the face beyond a half-edge is not clearly bent away from this one.
   bool is_flat(std::uint32_t half_edge) const {
     const HullPlane& plane = hull_->faces()[half_edge / 4].plane;
     const std::uint32_t last = Quickhull<T>::next(Quickhull<T>::next(hull_->twin(half_edge)));

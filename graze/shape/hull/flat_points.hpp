@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// flat_vertices(hull): the corners of the hull of points in space that are all on one plane, a line or at one place.
+// flat_vertices(hull): the corners of the hull of 3D points that are coplanar, collinear or coincident.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace graze::detail {
 
-/// The corners of the hull of points on a line or at one place.
+/// The corners of the hull of collinear or coincident points.
 template <class T>
 std::vector<std::uint32_t> ends_of_line(const Quickhull<T>& hull) {
   const std::array<std::uint32_t, 2> ends = hull.frame().ends();
@@ -26,7 +26,7 @@ std::vector<std::uint32_t> ends_of_line(const Quickhull<T>& hull) {
   return {ends[0], ends[1]};
 }
 
-/// The corners of the hull of points on one plane, around it.
+/// The corners of the hull of coplanar points, in order around it.
 template <class T>
 std::vector<std::uint32_t> corners_of_polygon(const Quickhull<T>& hull) {
   const HullFrame<T>& frame = hull.frame();
@@ -46,7 +46,7 @@ std::vector<std::uint32_t> corners_of_polygon(const Quickhull<T>& hull) {
   return monotone_chain(order, shadow);
 }
 
-/// The corners of a hull without inside: of a polygon in order around it.
+/// The corners of a hull without volume; of a polygon in order around it.
 template <class T>
 std::vector<std::uint32_t> flat_vertices(const Quickhull<T>& hull) {
   return hull.base().size() == 3 ? corners_of_polygon(hull) : ends_of_line(hull);

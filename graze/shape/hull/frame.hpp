@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// On which side of planes the points of a hull are: quickly where that is clear, exactly where it is not.
+// On which side of planes the points of a hull are: decided by a filter in double, exactly where that is uncertain.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 
 namespace graze::detail {
 
-/// A point of a HullFrame: where its frame sees it, and its place in the list it came from.
+/// A point of a HullFrame: its position in the frame and its index in the original list.
 struct HullPoint {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
@@ -31,8 +31,8 @@ struct HullPoint {
   std::uint32_t link = none;  ///< A face of a Quickhull that it may be outside of.
 };
 
-/// A plane through three points of a HullFrame. Points whose height is above `doubt` are strictly on the side from
-/// which the three run counter-clockwise; those at -doubt or below are not; between them rounding hides the sign.
+/// A plane through three points of a HullFrame. Points with height above `doubt` are strictly on the side from which
+/// the three are counter-clockwise; points at -doubt or below are not; in between the sign is uncertain.
 struct HullPlane {
   Vec<3, double> normal = Vec<3, double>(0.0);
   double offset = 0;
@@ -43,10 +43,10 @@ struct HullPlane {
   }
 };
 
-/// At least one point, finite, fewer than 2^32, seen from the middle of their box, with lengths in units of a power of
-/// two that leave no coordinate above 1. The points must outlive the frame. Coordinates that differ by more than a
-/// factor of 1e179, the least of them under 1e-90, are more than products of doubles can hold: the smaller ones count
-/// as zero.
+/// A coordinate frame for points: relative to the center of their box, scaled by a power of two so that no coordinate
+/// exceeds 1. Requires at least one point and fewer than 2^32, all finite; the points must outlive the frame. If
+/// coordinates differ by more than a factor of 1e179 and the smallest is below 1e-90, products would leave the range of
+/// double, so the smaller ones count as zero.
 template <class T>
 class HullFrame {
  public:
@@ -56,34 +56,35 @@ class HullFrame {
     is_exact_ = is_on_grid();
   }
 
-  /// Points as near to a line or a plane as rounding allows, seen where a HullShear takes them, which hides the fewest
-  /// sides. They are in range.
+  /// A frame for points that are collinear or coplanar up to rounding: positions are the images under HullShear, where
+  /// the fewest sides are uncertain. The points must be in range.
   static HullFrame sheared(std::span<const Vec<3, T>> points) {
     return HullFrame(points, HullShear<T>(points).places());
   }
 
   bool is_sheared() const { return !places_.empty(); }
 
-  // The span may be of a member.
+  // The span may refer to a member.
   HullFrame(const HullFrame&) = delete;
   HullFrame& operator=(const HullFrame&) = delete;
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(points_.size()); }
 
-  /// The points with the least and the greatest coordinate along the longest side of the box: equal only if all are.
+  /// The points with the smallest and the largest coordinate along the longest side of the box; equal only if all
+  /// points coincide.
   std::array<std::uint32_t, 2> ends() const { return ends_; }
 
-  /// Half the sides of the box of the places, in the frame's units; the longest is from a half to 1, or all are 0.
+  /// Half extents of the box of the positions, in the frame's units; the largest is from 0.5 to 1, or all are 0.
   const Vec<3, double>& half_extents() const { return half_extents_; }
 
   HullPoint at(std::uint32_t index) const {
     return {places_.empty() ? place_of(points_[index]) : places_[index], index};
   }
 
-  /// Where another point in the box of these is seen. Not of a sheared frame.
+  /// The position of another point inside the box. Not for a sheared frame.
   HullPoint seen(const Vec<3, T>& point) const { return {place_of(point), HullPoint::none}; }
 
-  /// The point as it was given, in range.
+  /// The original point, scaled into range if necessary.
   const Vec<3, T>& point(std::uint32_t index) const { return points_[index]; }
 
   HullPlane plane(const HullPoint& a, const HullPoint& b, const HullPoint& c) const {
@@ -97,25 +98,25 @@ class HullFrame {
     return {normal, offset, tolerance::hull_sheared_plane * (size + 8 * tolerance::hull_shear)};
   }
 
-  /// `orientation` of the points at four places of the list.
+  /// `orientation` of the points at four indices.
   int orientation_of(const std::array<std::uint32_t, 3>& corners, std::uint32_t point) const {
     return orientation_of(corners, points_[point]);
   }
 
-  /// The same of any point.
+  /// The same for any point.
   int orientation_of(const std::array<std::uint32_t, 3>& corners, const Vec<3, T>& point) const {
     return orientation(points_[corners[0]], points_[corners[1]], points_[corners[2]], point);
   }
 
-  /// A point in whole numbers, as exact heights above the planes of others are calculated with.
+  /// A point in integer units, for exact heights above planes.
   IntegerPoint integer_point(std::uint32_t index) const { return {wide<3, T>(points_[index]), integer_unit(largest_)}; }
 
-  /// The plane of three such points.
+  /// The plane through three such points.
   IntegerPlane integer_plane(const std::array<IntegerPoint, 3>& corners) const {
     return {corners, integer_unit(largest_)};
   }
 
-  /// Whether heights above planes are free of rounding: the points lie on a grid of at most 2^15 steps.
+  /// Whether heights above planes are exact: the points lie on a grid of at most 2^15 steps.
   bool is_exact() const { return is_exact_; }
 
  private:
@@ -134,7 +135,7 @@ class HullFrame {
   Vec<3, double> place_of(const Vec<3, T>& point) const { return (wide<3, T>(point) - middle_) * scale_; }
 
   void bring_into_range() {
-    constexpr double most = 0x1p298;  // what `orientation` is exact for, 1e-90 to 1e90
+    constexpr double most = 0x1p298;  // the range of `orientation`, 1e-90 to 1e90
     constexpr double least = 0x1p-298;
     double largest = 0;
     bool is_in_range = true;
@@ -183,7 +184,7 @@ class HullFrame {
     half_extents_ *= scale_;
   }
 
-  /// With whole numbers up to 2^15 as coordinates, a normal is below 2^34 and a height below 2^52: all are exact.
+  /// With integer coordinates up to 2^15, a normal is below 2^34 and a height below 2^52: all are exact.
   bool is_on_grid() const {
     constexpr double steps = 0x1p15;
     for (const Vec<3, T>& point : points_) {
@@ -197,12 +198,12 @@ class HullFrame {
   }
 
   std::span<const Vec<3, T>> points_;
-  std::vector<Vec<3, T>> scaled_;       // only where points_ were out of range
+  std::vector<Vec<3, T>> scaled_;       // only if points_ were out of range
   std::vector<Vec<3, double>> places_;  // only if sheared
   Vec<3, double> middle_ = Vec<3, double>(0.0);
   Vec<3, double> half_extents_ = Vec<3, double>(0.0);
   double scale_ = 1;
-  double largest_ = 0;  ///< Coordinate, without its sign.
+  double largest_ = 0;  ///< The largest magnitude of a coordinate.
   std::array<std::uint32_t, 2> ends_{};
   bool is_exact_ = false;
 };

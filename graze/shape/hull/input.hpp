@@ -14,8 +14,8 @@
 
 namespace graze::detail {
 
-/// Throws std::invalid_argument in the name of `function` where there are no points, or one has a coordinate that is
-/// not finite, and std::length_error where there are more than 2^32 - 1 of them in 3D, where they are numbered.
+/// Throws std::invalid_argument, naming `function`, if there are no points or a coordinate is not finite;
+/// std::length_error if there are more than 2^32 - 1 points in 3D, where indices have 32 bits.
 template <Dim N, class T>
 void check_hull_points(std::string_view function, std::span<const Vec<N, T>> points) {
   const auto error = [function](std::string_view fact) { return std::string(function) + ": " + std::string(fact); };

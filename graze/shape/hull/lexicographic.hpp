@@ -5,7 +5,6 @@
 
 namespace graze::detail {
 
-/// By the first coordinate that differs.
 template <Dim N, class T>
 bool lexicographically_less(const Vec<N, T>& a, const Vec<N, T>& b) {
   for (Dim i = 0; i < N; ++i) {

@@ -9,10 +9,10 @@
 
 namespace graze::detail {
 
-/// The corners, counter-clockwise from the first, of the hull of things that are distinct points of the plane, or lie
-/// at such, `place(thing)`, and are sorted lexicographically by these. Andrew, "Another efficient algorithm for convex
-/// hulls in two dimensions" (1979), with an exact orientation test: no corner is lost to rounding. The list is of any
-/// kind that grows at its end and has room for one more than there are things.
+/// The corners of the 2D convex hull, counter-clockwise from the first. The things have positions `place(thing)`, which
+/// must be distinct and sorted lexicographically. Andrew, "Another efficient algorithm for convex hulls in two
+/// dimensions" (1979), with an exact orientation test: no corner is lost to rounding. `List` supports push_back and
+/// pop_back; its size reaches at most the number of things plus one.
 template <class List, class Place = std::identity>
 List monotone_chain(const List& things, const Place& place = {}) {
   using Thing = typename List::value_type;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// outer_points(points): the points of the plane that may be corners of a hull. Most of many points are inside the
-// octagon of those that are farthest along eight directions, and need not be sorted.
+// outer_points(points): the 2D points that may be corners of a hull. Most points of a large set are inside the octagon
+// of the extreme points in eight directions and need not be sorted.
 #pragma once
 
 #include <algorithm>
@@ -16,13 +16,13 @@
 
 namespace graze::detail {
 
-/// The hull of the points that are farthest along the axes and between them (Akl and Toussaint, "A fast convex hull
-/// algorithm", 1978), made to be asked what it holds. Which points they are is not exact, but each is one of all; so
-/// what is strictly inside is no corner of the hull of all.
+/// The hull of the extreme points along the axes and the diagonals (Akl and Toussaint, "A fast convex hull algorithm",
+/// 1978), with a fast containment test. The choice of extreme points is not exact, but any of the points would do: what
+/// is strictly inside their hull is no corner of the hull of all.
 class HullOctagon {
  public:
-  /// Of at least one point, finite. Holds nothing if they are on a line, or so near to each other or far from each
-  /// other that products of their differences are no doubles.
+  /// At least one finite point. The octagon is empty if the points are collinear, or if products of their differences
+  /// leave the range of double.
   template <class T>
   explicit HullOctagon(std::span<const Vec<2, T>> points) {
     const std::vector<Vec<2, double>> corners = monotone_chain(farthest_of(points));
@@ -39,7 +39,7 @@ class HullOctagon {
 
   bool holds_something() const { return holds_something_; }
 
-  /// True only for what is strictly inside. Without a branch, for which sides a point is behind cannot be foreseen.
+  /// True only for points strictly inside. Branch-free, because the side that excludes a point is unpredictable.
   bool holds(const Vec<2, double>& point) const {
     const Vec<2, double> place = point - origin_;
     bool is_inside = holds_something_;
@@ -55,7 +55,7 @@ class HullOctagon {
     double least = 0;
   };
 
-  /// The points farthest along each direction, sorted, each once.
+  /// The extreme points in each direction, sorted, without duplicates.
   template <class T>
   std::vector<Vec<2, double>> farthest_of(std::span<const Vec<2, T>> points) {
     std::vector<Vec<2, double>> farthest(directions, wide<2, T>(points.front()));
@@ -79,12 +79,12 @@ class HullOctagon {
     return {p.x, -p.x, p.y, -p.y, p.x + p.y, -(p.x + p.y), p.x - p.y, p.y - p.x};
   }
 
-  /// What is to the left of an edge by more than rounding: its ends are `size` or less apart from all points along each
-  /// axis, and so is `origin_`.
+  /// The half-plane to the left of an edge, reduced by the rounding error. The ends of the edge and `origin_` are at
+  /// most `size` away from all points along each axis.
   Side side_along(const Vec<2, double>& start, const Vec<2, double>& end, double size) const {
     const Vec<2, double> edge = end - start;
     const Vec<2, double> inward(-edge.y, edge.x);
-    constexpr double underflow = 0x1p-1000;  // far above what products lose that are less than all doubles
+    constexpr double underflow = 0x1p-1000;  // far above errors of products that underflow
     return {inward, dot(inward, start - origin_) + tolerance::hull_octagon * sum_abs(edge) * size + underflow};
   }
 
@@ -95,7 +95,7 @@ class HullOctagon {
   bool holds_something_ = false;
 };
 
-/// The points but for some that are strictly inside the hull of others.
+/// The points except some that are strictly inside the hull of others.
 template <class T>
 std::vector<Vec<2, T>> outer_points(std::span<const Vec<2, T>> points) {
   constexpr std::size_t many = 128;

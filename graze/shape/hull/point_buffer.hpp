@@ -11,12 +11,11 @@
 
 namespace graze::detail {
 
-/// Memory for points that are written before they are read. Where a stack of all points has to have room, but few come
-/// to lie on it, the system need not clear the pages that none comes to: a vector would write them all.
+/// Uninitialised memory for a stack of points. Capacity for all points is needed, but usually few are written, and the
+/// system need not clear pages that are never touched; a vector would write them all.
 class HullPointBuffer {
  public:
-  /// Room for at least so many, the first `kept` of which stay what they are. Where there was too little there is then
-  /// half as much again.
+  /// Ensures the capacity for `count` points, keeping the first `kept`. Grows to at least half as much again.
   void make_room(std::size_t count, std::size_t kept) {
     if (count <= size_) return;
     const std::size_t size = std::max(count, size_ + size_ / 2);

@@ -23,15 +23,15 @@
 
 namespace graze::detail {
 
-/// Grows a convex hull in space by the point that is farthest outside of a face, face by face. Barber, Dobkin,
-/// Huhdanpaa, "The Quickhull Algorithm for Convex Hulls" (1996), with exact tests of sides instead of their tolerances:
-/// a point outside a face is strictly outside, so the faces that see it are a disk, none of the new ones is degenerate,
-/// and each point that is still outside sees one of these.
+/// Grows a 3D convex hull face by face, adding the point farthest outside a face. Barber, Dobkin, Huhdanpaa, "The
+/// Quickhull Algorithm for Convex Hulls" (1996), with exact tests of sides instead of tolerances: a point outside a
+/// face is strictly outside, so the faces that see it form a disk, no new face is degenerate, and each point that is
+/// still outside sees one of the new faces.
 ///
-/// Points whose side rounding hides are set aside until all others are decided: where many lie on a line or a plane up
-/// to their rounding, few of these have then to be decided exactly, see undecided_points.hpp.
-/// The points outside of a face lie on one stack, those of the newest faces on top. The newest face grows first, so
-/// that memory is read and written in order.
+/// Points whose side is uncertain in double are set aside until all others are decided. If many points are collinear or
+/// coplanar up to rounding, only few of them then need an exact decision; see undecided_points.hpp. The points outside
+/// of faces are on one stack, those of the newest faces on top. The newest face grows first, so memory is accessed in
+/// order.
 template <class T>
 class Quickhull {
  public:
@@ -40,27 +40,27 @@ class Quickhull {
   /// A half-edge is 4 * face + side; side i runs from corner i to the next, counter-clockwise seen from outside.
   struct Face {
     HullPlane plane;
-    std::array<std::uint32_t, 3> corners{};  ///< Places in `corners`.
-    std::array<std::uint32_t, 3> twins{};    ///< The half-edge the other way, of the neighbour.
-    std::size_t first = 0;                   ///< Of the points that see it, on the stack.
-    std::size_t last = 0;                    ///< Behind them.
-    std::size_t farthest = 0;                ///< Of these, roughly.
-    std::uint32_t whole = none;              ///< The place of its plane in whole numbers, once it was needed.
+    std::array<std::uint32_t, 3> corners{};  ///< Indices into `corners`.
+    std::array<std::uint32_t, 3> twins{};    ///< The opposite half-edges, of the neighbours.
+    std::size_t first = 0;                   ///< Begin of the range of points that see the face, on the stack.
+    std::size_t last = 0;                    ///< End of that range.
+    std::size_t farthest = 0;                ///< Of these points, approximately.
+    std::uint32_t whole = none;              ///< Index of its plane in integer units, once needed.
     bool is_alive = true;
-    bool is_waiting = false;  ///< To grow.
-    bool sees = false;        ///< The point that is being added.
-    bool has_whole = false;   ///< Else what is at that place is the plane of a face before.
+    bool is_waiting = false;  ///< Has points outside.
+    bool sees = false;        ///< Sees the point that is being added.
+    bool has_whole = false;   ///< False if the plane at that index belongs to an earlier face.
   };
 
-  /// Of nothing: only memory for hulls.
+  /// An empty hull, which only holds memory.
   Quickhull() = default;
 
-  /// Of the candidates, some points of the frame, at least one, that none of its corners is missing from; but those in
-  /// doubt are not in it until they are added. The frame must outlive it.
+  /// The hull of candidates: some points of the frame, at least one, including all its corners. Undecided points are
+  /// set aside until they are added. The frame must outlive the hull.
   Quickhull(const HullFrame<T>& frame, std::vector<HullPoint> candidates) { start(frame, candidates); }
 
-  /// The same, in the memory of the hull before. In exchange for the candidates there is memory for others. If doubts
-  /// are settled at once, no points are set aside, and it is the hull of all.
+  /// The same, reusing the memory of the previous hull. `candidates` is swapped with an empty list that has memory. If
+  /// `settles_undecided`, undecided points are decided exactly at once; none is set aside, and the hull is complete.
   void start(const HullFrame<T>& frame, std::vector<HullPoint>& candidates, bool settles_undecided = false) {
     frame_ = &frame;
     undecided_.swap(candidates);
@@ -80,20 +80,20 @@ class Quickhull {
     grow_all();
   }
 
-  /// A point, by its place, and a face.
+  /// A point and a face, by index.
   struct Facing {
     std::uint32_t face;
     std::uint32_t point;
   };
 
-  /// The points that were set aside, because they were in doubt about a face, which may be gone or another one by now,
-  /// and outside of no other one. If there are none, the hull is that of all.
+  /// The points that were set aside: undecided about one face, which may no longer exist or be another one now, and
+  /// outside of no other. If there are none, the hull is complete.
   std::span<const Facing> aside() const { return aside_; }
 
-  /// The same, which are then forgotten.
+  /// Returns the points that were set aside and clears the list.
   std::vector<Facing> take_aside() { return std::exchange(aside_, {}); }
 
-  /// Adds those points that are strictly outside of their faces to a hull that is that of all others but for those set
+  /// Adds those of the points that are strictly outside of their faces. The hull must be complete except for points set
   /// aside.
   void add_outside(std::vector<Facing> points) {
     std::sort(points.begin(), points.end(), [](const Facing& a, const Facing& b) { return a.face < b.face; });
@@ -110,11 +110,10 @@ class Quickhull {
     grow_all();
   }
 
-  /// From now on points are set aside no more: those in doubt are decided exactly.
+  /// From now on, undecided points are decided exactly instead of being set aside.
   void settle_undecided() { settles_undecided_ = true; }
 
-  /// Adds some of the points, none missing that are corners, and decides all of them exactly. What was set aside is
-  /// forgotten.
+  /// Adds points, which must include all missing corners, and decides all of them exactly. Discards points set aside.
   void add(std::span<const std::uint32_t> points) {
     settle_undecided();
     aside_.clear();
@@ -122,7 +121,8 @@ class Quickhull {
     for (const std::uint32_t index : points) undecided_.push_back(frame_->at(index));
     used_ = 0;
     const std::size_t alive = faces_.size() - free_.size();
-    // What it takes to ask all faces about all of them, beside what it takes to begin anew with all that is left.
+    // Compares the cost of testing all points against all faces with the cost of starting anew with all points that
+    // remain.
     constexpr std::size_t tests_of_a_point = 256;
     if (undecided_.size() * alive <= tests_of_a_point * (undecided_.size() + corners_.size())) {
       new_faces_.clear();
@@ -138,39 +138,39 @@ class Quickhull {
     grow_all();
   }
 
-  /// Places of points that span what all of them span: one that all are at, two on the line they are on, three on the
-  /// plane they are on, or four. Exactly.
+  /// Indices of points that span the affine hull of all, exactly: one if all coincide, two on a line, three in a plane,
+  /// otherwise four.
   std::span<const std::uint32_t> base() const { return base_.places(); }
 
-  /// The candidates, if those span no volume: then there are no faces.
+  /// The candidates if they have no volume; then there are no faces.
   std::span<const HullPoint> flat_candidates() const {
     return base().size() < 4 ? std::span<const HullPoint>(undecided_) : std::span<const HullPoint>();
   }
 
   const HullFrame<T>& frame() const { return *frame_; }
 
-  /// Those that are alive are the surface of the hull, none if all points lie on one plane: triangles that share their
-  /// edges two by two, none of them without area. Flat parts of the surface come in several.
+  /// The faces with `is_alive` form the surface of the hull: a closed mesh of triangles, none of them degenerate. Flat
+  /// parts consist of several triangles. Empty if all points are coplanar.
   std::span<const Face> faces() const { return faces_; }
 
-  /// What corners of faces are in the list of points; some of them may be in the middle of a flat part or of an edge.
+  /// The corners of faces, with their indices in the list of points. Some may be inside a flat part or an edge.
   std::span<const HullPoint> corners() const { return corners_; }
 
   std::uint32_t twin(std::uint32_t half_edge) const { return faces_[half_edge / 4].twins[half_edge % 4]; }
   std::uint32_t origin(std::uint32_t half_edge) const { return faces_[half_edge / 4].corners[half_edge % 4]; }
 
-  /// Around its face.
+  /// The next half-edge around the face.
   static std::uint32_t next(std::uint32_t half_edge) { return half_edge % 4 == 2 ? half_edge - 2 : half_edge + 1; }
 
-  /// Whether a point is strictly outside of a face, exactly.
+  /// Whether a point is strictly outside of a face, decided exactly.
   bool is_outside(std::uint32_t face, const HullPoint& point) { return height_of(face, point).value > 0; }
 
-  /// The places of its corners.
+  /// The indices of the face's corners in the list of points.
   std::array<std::uint32_t, 3> indices_of(const Face& face) const {
     return {corners_[face.corners[0]].index, corners_[face.corners[1]].index, corners_[face.corners[2]].index};
   }
 
-  /// Whether the faces on both sides of a half-edge are on different planes, exactly.
+  /// Whether the faces on both sides of a half-edge are not coplanar, decided exactly.
   bool is_bent(std::uint32_t half_edge) const {
     const Face& face = faces_[half_edge / 4];
     const HullPoint& beyond = corners_[origin(next(next(twin(half_edge))))];
@@ -181,15 +181,14 @@ class Quickhull {
  private:
   struct HorizonEdge {
     std::uint32_t from;
-    std::uint32_t beyond;  ///< The half-edge of the face that stays.
+    std::uint32_t beyond;  ///< The half-edge of the face that remains.
   };
 
   IntegerPoint whole(std::uint32_t point) const {
     return integer_points_.empty() ? frame_->integer_point(point) : integer_points_[point];
   }
 
-  /// Of the same sign as `orientation` of a face and a point, exactly, and the greater, the higher the point is,
-  /// roughly.
+  /// A number with the exact sign of `orientation` of a face and a point, approximately proportional to the height.
   double exact_height(std::uint32_t place, std::uint32_t point) {
     Face& face = faces_[place];
     if (!face.has_whole) {
@@ -207,8 +206,8 @@ class Quickhull {
     return height ? *height : frame_->orientation_of(indices_of(face), point);
   }
 
-  /// Of a point above a face: above zero exactly if it is strictly outside. What is so by more than rounding is higher
-  /// than all else; only heights of one kind are in one unit.
+  /// The height of a point above a face; positive exactly if the point is strictly outside. Clear heights compare
+  /// greater than all others, because the two kinds have different units.
   struct Height {
     double value = 0;
     bool is_clear = false;
@@ -233,7 +232,7 @@ class Quickhull {
     waiting_.clear();
   }
 
-  /// A tetrahedron, and the points that are outside of its faces.
+  /// Builds a tetrahedron and assigns the points to its faces.
   void begin() {
     for (const std::uint32_t index : base()) corners_.push_back(frame_->at(index));
     // The last corner is on the inner side of the first three.
@@ -278,8 +277,7 @@ class Quickhull {
     return place;
   }
 
-  /// Puts each of the undecided points on the stack, with others of the first of the new faces that it is outside of,
-  /// or sets it aside, or forgets it.
+  /// Assigns each undecided point to the first new face that it is outside of, sets it aside, or drops it.
   void deal() {
     for (const std::uint32_t place : new_faces_) {
       if (undecided_.empty()) return;
@@ -291,7 +289,7 @@ class Quickhull {
     }
   }
 
-  /// A face, if the points from its first one on to the end of the stack are outside of it, and any are.
+  /// Queues a face if any point is outside of it; these are on the stack from `face.first` to the top.
   void put_to_wait(std::uint32_t place) {
     Face& face = faces_[place];
     face.last = used_;
@@ -300,7 +298,7 @@ class Quickhull {
     waiting_.push_back(place);
   }
 
-  /// Whether a plane is along two axes, so that `orientation` has to compare two coordinates at most.
+  /// Whether the normal is parallel to an axis, so that `orientation` compares one coordinate only.
   static bool is_along_axes(const HullPlane& plane) {
     const Vec<3, double>& normal = plane.normal;
     return (normal.x == 0 ? 1 : 0) + (normal.y == 0 ? 1 : 0) + (normal.z == 0 ? 1 : 0) >= 2;
@@ -337,8 +335,8 @@ class Quickhull {
     undecided_.resize(kept);
   }
 
-  /// Those that are by more than rounding. All are written to both lists, and one is kept: a branch would be guessed
-  /// wrong every other time.
+  /// Moves only the points that are outside by more than rounding. Each point is written to both lists, and one list
+  /// advances: a branch would be mispredicted half of the time.
   void divide_clear(std::uint32_t place) {
     const HullPlane plane = faces_[place].plane;
     double largest = plane.doubt;
@@ -350,7 +348,7 @@ class Quickhull {
       const double height = plane.height(undecided.place);
       const std::uint32_t link = undecided.link;
       const std::uint32_t in_doubt = height > -plane.doubt ? ~std::uint32_t{0} : 0;
-      const HullPoint point = undecided;  // which stays in registers, because nothing of it is read
+      const HullPoint point = undecided;  // a copy that stays in registers
       *last = point;
       *kept = point;
       kept->link = link ^ ((link ^ place) & in_doubt);
@@ -364,7 +362,7 @@ class Quickhull {
     used_ += static_cast<std::size_t>(last - first);
   }
 
-  /// Adds the farthest of the points outside a face, the last one waiting.
+  /// Adds the farthest point outside of a face. The face must be the last one queued.
   void grow(std::uint32_t face) {
     const std::size_t top = faces_[face].first;
     const HullPoint point = outside_[faces_[face].farthest];
@@ -378,12 +376,12 @@ class Quickhull {
       if (!old.is_waiting) free_.push_back(seen);
     }
     for (HullPoint& undecided : undecided_) undecided.link = none;
-    used_ = top;  // what lies above is of faces that are gone
+    used_ = top;  // everything above belongs to removed faces
     add_cone(point);
     deal();
   }
 
-  /// The faces that see a point, and the edges around them, in order.
+  /// Finds the faces that see a point and the horizon around them, in order.
   void find_horizon(std::uint32_t face, const HullPoint& point) {
     std::uint32_t start = none;
     seen_.assign(1, face);
@@ -410,7 +408,7 @@ class Quickhull {
     } while (edge != start);
   }
 
-  /// Faces from all edges of the horizon to a point.
+  /// Adds a face from each horizon edge to a point.
   void add_cone(const HullPoint& point) {
     const auto tip = static_cast<std::uint32_t>(corners_.size());
     corners_.push_back(point);
@@ -435,13 +433,13 @@ class Quickhull {
   std::vector<HullPoint> corners_;
   std::vector<Face> faces_;
   std::vector<IntegerPlane> wholes_;          // of some faces
-  std::vector<IntegerPoint> integer_points_;  // all of them, or none
-  std::vector<std::uint32_t> free_;           // places of faces that are gone
-  std::vector<std::uint32_t> waiting_;        // faces that had points outside when they were made, the newest last
+  std::vector<IntegerPoint> integer_points_;  // of all points, or empty
+  std::vector<std::uint32_t> free_;           // indices of removed faces
+  std::vector<std::uint32_t> waiting_;        // faces with points outside when they were created, the newest last
   HullPointBuffer outside_;                   // the stack of these points, in the order of `waiting_`
-  std::size_t used_ = 0;                      // of that stack
-  std::vector<Facing> aside_;                 // points in doubt
-  bool settles_undecided_ = false;            // exactly, at once
+  std::size_t used_ = 0;                      // size of that stack
+  std::vector<Facing> aside_;                 // undecided points
+  bool settles_undecided_ = false;            // decide exactly at once
   std::vector<std::uint32_t> seen_;
   std::vector<std::uint32_t> new_faces_;
   std::vector<HorizonEdge> horizon_;

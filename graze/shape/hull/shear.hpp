@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// sheared_places(points): where points that are all but on a line or a plane are far from it, so that doubles tell on
-// which side of planes they are.
+// sheared_places(points): maps points that are collinear or coplanar up to rounding so that doubles decide on which
+// side of planes they are.
 #pragma once
 
 #include <algorithm>
@@ -19,15 +19,16 @@
 
 namespace graze::detail {
 
-/// The points of a cloud under a map that keeps what is on a plane, and what on which side of it. It is Gaussian
-/// elimination with complete pivoting, among some of the points: of the longest coordinate nothing is taken away, of
-/// the others a multiple of that, of the last one then a multiple of the second. What is left of them tells how far
-/// points are from a line and from a plane through points of the cloud, and each is measured in a unit of its own. In
-/// twice the precision of double, for what is left may be all rounding of the coordinates.
+/// Maps points by a linear map that preserves planes and their sides. The map is Gaussian elimination with complete
+/// pivoting on a sample of the points: the coordinate with the largest extent stays, a multiple of it is subtracted
+/// from the other two, then a multiple of the second from the third. The remainders measure the distance from a line
+/// and from a plane through points of the cloud, and each is scaled to a unit of its own. Calculated in twice the
+/// precision of double, because the remainders may be pure rounding of the coordinates.
 template <class T>
 class HullShear {
  public:
-  /// Of at least one point, zero or from 1e-90 to 1e90. They must outlive it.
+  /// At least one point; coordinates must be zero or have a magnitude from 1e-90 to 1e90. The points must outlive this
+  /// object.
   explicit HullShear(std::span<const Vec<3, T>> points) : points_(points) {
     constexpr std::size_t enough = 32;
     const std::size_t stride = points.size() / enough + 1;
@@ -39,8 +40,8 @@ class HullShear {
     }
   }
 
-  /// With coordinates up to 1, wrong by `tolerance::hull_shear` or less. Each of them is a half or more somewhere,
-  /// unless rounding has a part in it, as where all points are on one plane.
+  /// The images, with coordinates up to 1 and an error of at most `tolerance::hull_shear`. Some coordinate along each
+  /// axis is at least a half, unless all points are coplanar or the remainder is pure rounding.
   std::vector<Vec<3, double>> places() const {
     std::vector<Vec<3, double>> places;
     places.reserve(points_.size());
@@ -62,7 +63,7 @@ class HullShear {
   }
 
  private:
-  using Way = std::array<Rounded, 3>;  // from the first point, or what is left of it, in the order of elimination
+  using Way = std::array<Rounded, 3>;  // relative to the first point, in the order of elimination
 
   static Vec<3, double> values_of(const Way& way) { return {way[0].value, way[1].value, way[2].value}; }
 
@@ -75,7 +76,7 @@ class HullShear {
     return way;
   }
 
-  /// The longest coordinate that is left becomes that of this step.
+  /// Makes the coordinate with the largest remainder the pivot of this step.
   void choose_pivot(std::size_t step, std::vector<Way>& ways) {
     std::size_t pivot = 0;
     std::size_t longest = step;
@@ -90,12 +91,12 @@ class HullShear {
     if (step == 1) std::swap(slopes_[0][1], slopes_[0][longest]);
     for (Way& way : ways) std::swap(way[step], way[longest]);
     const Way& way = ways[pivot];
-    if (way[step].value == 0) return;  // nothing is left
+    if (way[step].value == 0) return;  // nothing remains
     for (std::size_t k = step + 1; k < 3; ++k) slopes_[step][k] = Halves(way[k].value / way[step].value);
   }
 
-  /// Takes the coordinate of a step out of the later ones. The slopes, up to 1, are taken as exact: any give such a
-  /// map.
+  /// Eliminates the coordinate of a step from the later ones. The slopes, at most 1, are taken as exact: the map has
+  /// the required properties for any slopes.
   void eliminate(std::size_t step, Way& way) const {
     const Rounded from = way[step];
     const Halves halves(from.value);
@@ -108,7 +109,7 @@ class HullShear {
     }
   }
 
-  /// A number, and it as a sum of two of 26 bits, rounded, whose products are exact.
+  /// A number and its split into two rounded numbers of 26 bits, whose products are exact.
   struct Halves {
     double whole = 0;
     double high = 0;
@@ -124,8 +125,8 @@ class HullShear {
     static constexpr std::uint64_t low_bits = (std::uint64_t{1} << 27U) - 1;
   };
 
-  /// As two_product, which is a call where the processor may lack an instruction for it. Dekker, "A Floating-Point
-  /// Technique for Extending the Available Precision" (1971).
+  /// Like two_product, which is a function call if the processor may lack FMA. Dekker, "A Floating-Point Technique for
+  /// Extending the Available Precision" (1971).
   static Rounded product_of(const Halves& a, const Halves& b) {
     const double product = a.whole * b.whole;
     return {product, (((a.high * b.high - product) + a.high * b.low) + a.low * b.high) + a.low * b.low};
@@ -153,7 +154,7 @@ class HullShear {
 
   std::span<const Vec<3, T>> points_;
   std::array<Dim, 3> axes_ = {0, 1, 2};            // in the order of elimination
-  std::array<std::array<Halves, 3>, 2> slopes_{};  // by step and place in that order
+  std::array<std::array<Halves, 3>, 2> slopes_{};  // by step and index in that order
 };
 
 }  // namespace graze::detail

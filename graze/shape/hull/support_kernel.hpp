@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Some heights and the places that they are of, by vectors of two, four or eight numbers: which of them is the highest.
+// Finds the highest of some heights and its index, in vectors of two, four or eight numbers.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace graze::detail {
 
-/// So many numbers that are calculated with at once: two, four or eight.
+/// Vector types with two, four or eight lanes.
 template <std::size_t lanes>
 struct LaneTypes;
 
@@ -37,9 +37,9 @@ struct LaneTypes<8> {
   using Floats = float __attribute__((vector_size(32)));
 };
 
-/// `count` heights in vectors of so many lanes: the same answers by all. All of it is always inline, and goes by
-/// reference, to be compiled for the processor of who calls it. Places are doubles, too, because GCC 12 compiles a
-/// choice between vectors of integers by a comparison of doubles to one for each lane.
+/// `count` heights with indices, in vectors of this many lanes; all widths give the same answers. Everything is always
+/// inlined and passed by reference, to be compiled for the caller's target. Indices are stored as doubles, because GCC
+/// 12 compiles a selection between integer vectors by a comparison of doubles lane by lane.
 template <std::size_t count, std::size_t lanes>
 struct PlacedHeights {
   using Numbers = typename LaneTypes<lanes>::Doubles;
@@ -48,16 +48,16 @@ struct PlacedHeights {
   Numbers height[parts];
   Numbers place[parts];
 
-  /// In each lane the higher; of two that are equal the one that was here first.
+  /// Per lane, takes the higher; of two equal ones the earlier.
   [[gnu::always_inline]] void meet_later(const PlacedHeights& later) {
     for (std::size_t i = 0; i < parts; ++i) {
       place[i] = later.height[i] > height[i] ? later.place[i] : place[i];
-      // Not by the same comparison, whose result GCC would wait for: as a maximum.
+      // A separate maximum, because GCC would wait for the result of the comparison.
       height[i] = height[i] > later.height[i] ? height[i] : later.height[i];
     }
   }
 
-  /// In each lane the higher; of two that are equal the one with the lesser place.
+  /// Per lane, takes the higher; of two equal ones the one with the smaller index.
   [[gnu::always_inline]] void meet(const PlacedHeights& other) {
     for (std::size_t i = 0; i < parts; ++i) {
       const Numbers least = other.place[i] < place[i] ? other.place[i] : place[i];
@@ -67,8 +67,8 @@ struct PlacedHeights {
     }
   }
 
-  /// The place of the highest of all, of several the least; where some are NaN any of the places. Without a branch,
-  /// which would be guessed wrong.
+  /// The index of the highest, the smallest of several; any index if some are NaN. Branch-free, because a branch would
+  /// be mispredicted.
   [[gnu::always_inline]] std::uint32_t highest() const {
     if constexpr (count == 2) {
       PlacedHeights exchanged;
@@ -104,7 +104,7 @@ struct PlacedHeights {
   }
 };
 
-/// The largest of a vector, by halves.
+/// The largest lane of a vector, by halving.
 template <std::size_t lanes>
 [[gnu::always_inline]] inline double largest_of(const typename LaneTypes<lanes>::Doubles& numbers) {
   if constexpr (lanes == 2) {
@@ -124,11 +124,12 @@ template <std::size_t lanes>
   }
 }
 
-/// How much lower than another height, relative to the larger of the two, that of `lane_of_highest` may be.
+/// The error of `lane_of_highest`: how far its height may be below the highest, relative to the larger magnitude of the
+/// two.
 inline constexpr double lane_of_highest_error = 8 * std::numeric_limits<double>::epsilon();
 
-/// The lane of the highest of eight, up to `lane_of_highest_error`; where some are NaN any lane. Lanes have their
-/// numbers in the last bits of their heights, so that the largest is all there is to look for.
+/// The lane of the highest of eight heights, up to `lane_of_highest_error`; any lane if some are NaN. The last bits of
+/// each height are replaced by its lane number, so only a maximum is needed.
 template <std::size_t lanes>
 [[gnu::always_inline]] inline std::uint32_t lane_of_highest(
     const typename LaneTypes<lanes>::Doubles (&heights)[8 / lanes]) {

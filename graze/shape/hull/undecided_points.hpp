@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// hull_of(frame): the convex hull of points in space as triangles, decided exactly.
+// hull_of(frame): the convex hull of 3D points as triangles, decided exactly.
 //
-// Where many points are on an edge or a face of the hull up to the rounding of their coordinates, doubles cannot tell
-// which of them stick out, and to ask that of each exactly takes far longer than all else. But nearly all are inside of
-// the hull of those beside them on the same edge or face: under a map that makes this hull as thick as long
-// (HullShear), they are a cloud as any other, of which quickhull in doubles finds the outer ones. Each of these then
-// stands before one face of the hull of all others, which alone says whether it sticks out (HullVisibility).
+// If many points are on an edge or a face of the hull up to rounding, doubles cannot decide which of them are corners,
+// and an exact test of each takes far longer than everything else. But nearly all of them are inside the hull of their
+// neighbours on the same edge or face. HullShear maps such a group to a cloud that is as thick as long, and quickhull
+// in double finds its outer points. For each of these, HullVisibility finds the one face of the hull of all others that
+// the ray from the center to the point crosses; this face alone decides whether the point is outside.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@
 
 namespace graze::detail {
 
-/// The corners of a hull's faces, as places of points.
+/// The indices of the points that are corners of a hull's faces.
 template <class T>
 std::vector<std::uint32_t> corners_of_faces(const Quickhull<T>& hull) {
   std::vector<bool> is_corner(hull.corners().size(), false);
@@ -43,8 +43,8 @@ std::vector<std::uint32_t> corners_of_faces(const Quickhull<T>& hull) {
   return result;
 }
 
-/// Points that may be corners of the hull of all, none missing that are, beside those of a hull; and for each, what
-/// face of that hull it stands before, or some faces of which one is that, in a row. None where that is not known.
+/// Points outside a hull that may be corners of the complete hull, including all that are. For each: the face of the
+/// hull that it faces, or several candidates for that face, stored consecutively. No faces if unknown.
 struct UndecidedPoints {
   struct UndecidedPoint {
     std::uint32_t point;
@@ -65,14 +65,14 @@ struct UndecidedPoints {
   }
 };
 
-/// Of points, those that may be outside of a hull; and those that are by more than rounding, but for some in doubt
-/// about another face.
+/// Sorts points into those that are clearly outside of a hull and those that may be, some of which are undecided about
+/// other faces.
 template <class T>
 class UndecidedPointSearch {
  public:
   using Facing = typename Quickhull<T>::Facing;
 
-  /// To be asked about so many.
+  /// Reserves memory for `count` points.
   UndecidedPointSearch(const Quickhull<T>& hull, HullVisibility<T>& verdict, std::size_t count)
       : hull_(&hull), verdict_(&verdict) {
     found_.undecided.reserve(count);
@@ -106,8 +106,7 @@ class UndecidedPointSearch {
   std::vector<Facing> outside_;
 };
 
-/// Adds to a hull whatever of the points set aside is outside of it by more than rounding, and returns the others that
-/// may be.
+/// Adds the points set aside that are clearly outside of a hull, and returns the others that may be.
 template <class T>
 UndecidedPoints settle_clear(Quickhull<T>& hull) {
   constexpr int most_rounds = 8;
@@ -127,8 +126,8 @@ UndecidedPoints settle_clear(Quickhull<T>& hull) {
   return result;
 }
 
-/// Undecided points by their places, those before the same flat part of a hull's surface together, those before an edge
-/// of two such parts, and those of which it is not known.
+/// Groups undecided points: those facing the same flat part of a hull's surface, those facing an edge between two
+/// parts, and those whose face is unknown.
 template <class T>
 class UndecidedGroups {
  public:
@@ -144,7 +143,7 @@ class UndecidedGroups {
  private:
   static constexpr std::uint32_t none = HullPoint::none;
 
-  /// A group before a part and another one, or none, and the next group before the first.
+  /// The second part of a group, or none, and the next group with the same first part.
   struct Link {
     std::uint32_t other;
     std::uint32_t next;
@@ -170,7 +169,7 @@ class UndecidedGroups {
   }
 
   FlatParts<T> parts_;
-  std::vector<std::uint32_t> first_;  // group before a part
+  std::vector<std::uint32_t> first_;  // first group of each part
   std::vector<Link> links_;
   std::vector<std::vector<std::uint32_t>> groups_;
 };
@@ -183,7 +182,7 @@ struct GroupMemory {
   Quickhull<T> hull;
 };
 
-/// The points set aside, of those at one place one.
+/// The points set aside, without duplicates.
 template <class T>
 std::vector<std::uint32_t> distinct_aside(const Quickhull<T>& hull) {
   std::vector<std::uint32_t> points;
@@ -195,7 +194,7 @@ std::vector<std::uint32_t> distinct_aside(const Quickhull<T>& hull) {
   return points;
 }
 
-/// Leaves of a group those that may be corners of its hull.
+/// Removes points from a group that are not corners of the group's hull.
 template <class T>
 void keep_outer(const HullFrame<T>& frame, const UndecidedPoints& undecided, std::vector<std::uint32_t>& group,
                 GroupMemory<T>& memory) {
@@ -213,7 +212,7 @@ void keep_outer(const HullFrame<T>& frame, const UndecidedPoints& undecided, std
   group.swap(outer);
 }
 
-/// Leaves of doubts about a hull those that may be corners of the hull of all.
+/// Removes undecided points that are not corners of their group's hull.
 template <class T>
 void keep_outer(const Quickhull<T>& hull, UndecidedPoints& undecided, GroupMemory<T>& memory) {
   constexpr std::size_t few = 64;
@@ -227,7 +226,7 @@ void keep_outer(const Quickhull<T>& hull, UndecidedPoints& undecided, GroupMemor
   undecided.undecided.swap(outer);
 }
 
-/// Adds doubts to their hull, which is then that of all, exactly.
+/// Adds the undecided points to their hull, which is then complete, exactly.
 template <class T>
 void settle(Quickhull<T>& hull, const UndecidedPoints& undecided) {
   std::vector<typename Quickhull<T>::Facing> outside;
@@ -244,15 +243,15 @@ void settle(Quickhull<T>& hull, const UndecidedPoints& undecided) {
   if (!others.empty()) hull.add(others);
 }
 
-/// Memory for hulls and for those of their groups.
+/// Memory for a hull and for those of its groups.
 template <class T>
 struct HullMemory {
   Quickhull<T> hull;
   GroupMemory<T> groups;
 };
 
-/// The hull of candidates, but for what it returns, which may be outside of it. In exchange for the candidates there is
-/// memory for others.
+/// Starts the hull of the candidates and returns the points that may be outside of it. `candidates` is swapped with a
+/// list that has memory.
 template <class T>
 UndecidedPoints start_hull(const HullFrame<T>& frame, std::vector<HullPoint>& candidates, HullMemory<T>& memory) {
   memory.hull.start(frame, candidates);
@@ -261,8 +260,7 @@ UndecidedPoints start_hull(const HullFrame<T>& frame, std::vector<HullPoint>& ca
   return undecided;
 }
 
-/// Adds some of the candidates to others, none missing that are corners of the hull of all. What the candidates are
-/// then is memory for more.
+/// Appends those candidates to `result` that may be corners of the complete hull. `candidates` then holds only memory.
 template <class T>
 void add_sifted(const HullFrame<T>& frame, std::vector<HullPoint>& candidates, HullMemory<T>& memory,
                 std::vector<HullPoint>& result) {
@@ -273,7 +271,8 @@ void add_sifted(const HullFrame<T>& frame, std::vector<HullPoint>& candidates, H
   for (const auto& doubt : undecided.undecided) result.push_back(frame.at(doubt.point));
 }
 
-/// Whether the core leaves most of a few points, and most of these are not near the surface of their hull.
+/// Whether sifting pays: the core leaves most points of a sample, and most of these are not near the surface of their
+/// hull.
 template <class T>
 bool pays_to_sift(const HullFrame<T>& frame, const HullCore& core, HullMemory<T>& memory) {
   constexpr std::size_t enough = 4096;
@@ -286,8 +285,8 @@ bool pays_to_sift(const HullFrame<T>& frame, const HullCore& core, HullMemory<T>
   return sifted.size() < enough / 2;
 }
 
-/// The points of a frame that may be corners. Where most are on some lines and planes, from pieces that a processor's
-/// cache holds.
+/// The points of a frame that may be corners. If most are on a few lines and planes, they are sifted in pieces that fit
+/// the cache.
 template <class T>
 std::vector<HullPoint> sifted_candidates(const HullFrame<T>& frame, HullMemory<T>& memory) {
   constexpr std::uint32_t piece = 1U << 15U;
@@ -307,7 +306,7 @@ std::vector<HullPoint> sifted_candidates(const HullFrame<T>& frame, HullMemory<T
   return result;
 }
 
-/// The hull of the points of a frame, which must outlive it: of many, where those in doubt are sifted first.
+/// The hull of the points of a frame, which must outlive it. For many points: sifts the undecided ones first.
 template <class T>
 Quickhull<T> sifted_hull(const HullFrame<T>& frame) {
   HullMemory<T> memory;
@@ -316,7 +315,8 @@ Quickhull<T> sifted_hull(const HullFrame<T>& frame) {
   return std::move(memory.hull);
 }
 
-/// The same. Of few points it takes less to decide all exactly than to find which have to be.
+/// The hull of the points of a frame, which must outlive it. For few points, deciding all exactly is faster than
+/// sifting.
 template <class T>
 Quickhull<T> hull_of(const HullFrame<T>& frame) {
   constexpr std::uint32_t few = 4000;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hull_vertices(points): the corners of the convex hull of points in space.
+// hull_vertices(points): the corners of the convex hull of 3D points.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace graze::detail {
 
-/// By half-edge, whether the triangles on both sides are on different planes.
+/// For each half-edge, whether the triangles on both sides are not coplanar.
 template <class T>
 std::vector<bool> bent_edges(const Quickhull<T>& hull) {
   std::vector<bool> are_bent(4 * hull.faces().size(), false);
@@ -32,8 +32,8 @@ std::vector<bool> bent_edges(const Quickhull<T>& hull) {
   return are_bent;
 }
 
-/// Whether each corner of a hull's triangles is one of the hull: there, three planes or more meet, and as many bent
-/// edges. In the middle of an edge of the hull two do, in that of a flat part none.
+/// Whether each corner of a hull's triangles is a corner of the hull. At a corner, at least three planes meet, in as
+/// many bent edges; inside an edge of the hull two meet, inside a flat part none.
 template <class T>
 std::vector<bool> are_vertices(const Quickhull<T>& hull, const std::vector<bool>& are_bent) {
   constexpr std::uint8_t enough = 3;
@@ -48,8 +48,8 @@ std::vector<bool> are_vertices(const Quickhull<T>& hull, const std::vector<bool>
   return result;
 }
 
-/// The places of the corners of the convex hull, each once, decided exactly: a point that is in the hull of the others
-/// is none. At least one point, finite, fewer than 2^32.
+/// The indices of the corners of the convex hull, each once, decided exactly: a point in the hull of the others is not
+/// a corner. At least one point and fewer than 2^32, all finite.
 template <class T>
 std::vector<std::uint32_t> hull_vertices(std::span<const Vec<3, T>> points) {
   const HullFrame<T> frame(points);

@@ -16,17 +16,17 @@
 
 namespace graze::detail {
 
-/// A hull seen from a point inside: which face each point stands before. A point is strictly outside of the hull
-/// exactly where it is strictly outside of that one face, so that no other one has to be asked about it.
+/// Finds the face of a hull that a point faces: the one hit by the ray from a point inside the hull ("center") to it. A
+/// point is strictly outside of the hull exactly if it is strictly outside of that face, so no other face needs a test.
 ///
-/// The faces are walked from one to the next through the plane of the middle and an edge that the point is beyond. Such
-/// a walk never comes back, because the cones from the middle over the faces are a regular complex (Edelsbrunner, "An
-/// Acyclicity Theorem for Cell Complexes in d Dimensions", 1990). Where rounding hides which side of a plane the point
-/// is on, both are walked.
+/// The search walks from face to face, through planes spanned by the center and an edge that the point is beyond. Such
+/// a walk never cycles, because the cones from the center over the faces form a regular complex (Edelsbrunner, "An
+/// Acyclicity Theorem for Cell Complexes in d Dimensions", 1990). If the side of a plane is uncertain, both faces are
+/// walked.
 template <class T>
 class HullVisibility {
  public:
-  /// The hull must outlive it, and stay as it is.
+  /// The hull must outlive this object and must not change.
   explicit HullVisibility(const Quickhull<T>& hull) : hull_(&hull) {
     find_middle();
     if (!is_clear_) return;
@@ -37,13 +37,13 @@ class HullVisibility {
     start_.fill(any);
   }
 
-  /// Whether a point was found that is strictly inside, as in any hull but those hardly thicker than rounding. Else
-  /// there is nothing to be asked.
+  /// Whether a point strictly inside was found, as in any hull clearly thicker than rounding. If false, do not call
+  /// `faces_before`.
   bool is_clear() const { return is_clear_; }
 
-  /// Faces of which one is what a point of the frame stands before: one, or where it is so near to edges that rounding
-  /// hides which one it is, several. None where these are too many to be listed, or a corner of the hull is at the same
-  /// place. Good until the next call. The point's link, if that is a face, is tried first.
+  /// The face that a point of the frame faces, or several candidates if the point is so near to edges that rounding
+  /// hides which. Empty if there are too many, or if a corner of the hull coincides with the point. Valid until the
+  /// next call. The face in the point's link, if any, is tried first.
   std::span<const std::uint32_t> faces_before(const HullPoint& point) {
     begin();
     if (point.link < hull_->faces().size() && hull_->faces()[point.link].is_alive) walk(point.link, point);
@@ -57,17 +57,17 @@ class HullVisibility {
     return found_;
   }
 
-  /// Whether a corner of the hull is where the last point was.
+  /// Whether the last point coincides with a corner of the hull.
   bool is_at_corner() const { return is_at_corner_; }
 
  private:
-  /// The planes of the middle and each side of a face, which look away from the face.
+  /// The planes through the center and each side of a face; their normals point away from the face.
   using SidePlanes = std::array<HullPlane, 3>;
 
   static constexpr std::int32_t cells = 16;      // along each side of a square
   static constexpr std::size_t most_found = 64;  // faces
 
-  /// The middle of the hull's first corners, if that is strictly inside once it is rounded.
+  /// Sets the center to the mean of the hull's first corners, if it is strictly inside after rounding.
   void find_middle() {
     Vec<3, double> sum(0.0);
     for (const std::uint32_t corner : hull_->base()) sum += 0.25 * wide<3, T>(hull_->frame().point(corner));
@@ -82,8 +82,8 @@ class HullVisibility {
     }
   }
 
-  /// Where a place is seen through the octahedron around the middle, whose upper and whose lower half are both laid on
-  /// a square. Without a branch, for one would be guessed wrong.
+  /// The cell of a position on an octahedron around the center, whose upper and lower halves are each unfolded to a
+  /// square. Branch-free, because a branch would be mispredicted.
   std::size_t cell_of(const Vec<3, double>& place) const {
     const Vec<3, double> way = (place - middle_.place) * to_units_;
     const double to_cells = 0.5 * cells / std::max(sum_abs(way), std::numeric_limits<double>::min());
@@ -101,14 +101,14 @@ class HullVisibility {
     is_at_corner_ = false;
   }
 
-  /// If the point stands before that face, or as near as rounding, finds all such faces. Else finds none.
+  /// If the point faces that face up to rounding, finds all such faces; otherwise finds none.
   void walk(std::uint32_t face, const HullPoint& point) {
     seen_for_[face] = call_;
     look(face, point);
     if (!found_.empty()) walk_on(point);
   }
 
-  /// The same from any face.
+  /// The same, starting at any face.
   void walk_far(std::uint32_t face, const HullPoint& point) {
     seen_for_[face] = call_;
     look(face, point);
@@ -123,7 +123,7 @@ class HullVisibility {
     }
   }
 
-  /// Whether a face may be before a point, and which others have to be looked at.
+  /// Tests whether a point may face this face, and queues the neighbours to visit.
   void look(std::uint32_t face, const HullPoint& point) {
     const SidePlanes& planes = planes_of(face);
     std::array<bool, 3> may_be_beyond{};
@@ -131,7 +131,7 @@ class HullVisibility {
       const double height = planes[side].height(point.place);
       may_be_beyond[side] = height > -planes[side].doubt;
       if (!(height > planes[side].doubt)) continue;
-      go_through(face, side);  // and whatever is behind other sides, this way leads there
+      go_through(face, side);  // this way also leads to what is beyond the other sides
       return;
     }
     found_.push_back(face);
@@ -173,12 +173,12 @@ class HullVisibility {
   HullPoint middle_;
   Vec<3, double> to_units_ = Vec<3, double>(1.0);
   bool is_clear_ = false;
-  std::vector<SidePlanes> planes_;                          // of faces that were looked at
-  std::vector<std::uint32_t> planes_of_;                    // their places by faces, or none
-  std::array<std::uint32_t, 2UL * cells * cells> start_{};  // faces that something seen through a cell stands before
-  std::vector<std::uint32_t> seen_for_;                     // the call in which a face was come to, by faces
+  std::vector<SidePlanes> planes_;                          // of visited faces
+  std::vector<std::uint32_t> planes_of_;                    // their indices by face, or none
+  std::array<std::uint32_t, 2UL * cells * cells> start_{};  // a face to start from, by cell
+  std::vector<std::uint32_t> seen_for_;                     // the call in which a face was queued, by face
   std::uint32_t call_ = 0;
-  std::vector<std::uint32_t> ways_;  // faces to look at
+  std::vector<std::uint32_t> ways_;  // faces to visit
   std::vector<std::uint32_t> found_;
   bool is_at_corner_ = false;
 };
