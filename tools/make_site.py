@@ -3,8 +3,8 @@
 
 usage: python3 tools/make_site.py [--output build/site] [--viewer build/web/viewer]
 
-The reference comes from the headers that lie directly in a layer's folder, the pages from README.md, docs/ and the other
-Markdown files that they link to. Every warning of Doxygen is an error. Without a built viewer its pages are left out.
+The reference comes from the headers that lie directly in a layer's folder and from EXPORTED, the pages from README.md, docs/
+and the other Markdown files that they link to. Every warning of Doxygen is an error. Without a built viewer its pages are left out.
 """
 
 import argparse
@@ -20,6 +20,11 @@ from markdown import anchor_of
 from project_files import ROOT, project_files
 
 LAYERS = ["math", "shape", "query", "broad", "scene", "io"]
+# Headers in sub-folders that declare, outside namespace detail, what public headers re-export.
+EXPORTED = ["broad/grid/cells.hpp", "broad/index/key_table.hpp", "broad/index/region.hpp", "broad/orthtree/place.hpp",
+            "io/log/logged_answer.hpp", "io/log/logged_call.hpp", "io/log/query_log.hpp", "io/log/side_by_side.hpp",
+            "query/bounding/box.hpp", "query/bounding/obb.hpp", "query/bounding/sphere.hpp", "query/patch/clipped.hpp",
+            "shape/fields/defect.hpp", "shape/fields/transformed.hpp"]
 THEME = Path("/usr/share/doxygen-awesome-css")
 VIEWER = Path("viewer/index.html")
 # The order of the guide in the site's navigation.
@@ -43,7 +48,8 @@ class Site:
         self.source = output.parent / "site-source"
         self.pages = {path for path in project_files(root, [".md"]) if path.parts[0] in ("docs", "bindings") or len(path.parts) == 1}
         self.headers = [Path("graze/graze.hpp"), *(path for path in project_files(root, [".hpp"]) if len(path.parts) == 3
-                                                   and path.parts[0] == "graze" and path.parts[1] in LAYERS)]
+                                                   and path.parts[0] == "graze" and path.parts[1] in LAYERS),
+                        *(Path("graze", name) for name in EXPORTED)]
         self.children = set()
         self.copies = set()  # files that pages link to and that are no pages: the site has them as they are
 

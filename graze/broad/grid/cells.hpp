@@ -15,11 +15,11 @@
 
 namespace graze {
 
-/// How large the cells of a Grid are.
+/// The cell size of a Grid.
 struct GridOptions {
-  /// Boxes up to this size share the cells of that size, or of the next power of two; none are smaller. Finite, 0 or
-  /// more. 0: the grid sees to it by itself that there are a few boxes in a cell, where they are not too large for
-  /// that.
+  /// The least size of a cell, rounded up to a power of two. Boxes up to this size share cells of this size; larger
+  /// boxes are in larger cells. Finite and not negative. 0: the grid chooses it so that a cell holds a few boxes, and
+  /// adapts it as boxes change.
   double smallest_cell = 0;
 };
 

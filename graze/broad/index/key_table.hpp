@@ -14,14 +14,14 @@
 
 namespace graze {
 
-/// Names a box of a spatial index for as long as it is held there. The key of a box that was erased, one that another
-/// index gave out, and a key made by default are errors when they are used, never another box. Ordered by index, which
-/// is a place that is used again. A copy of an index answers to the keys of the original. Of keys given out after they
-/// part each is to be asked about its own alone: it cannot tell the other's from them.
+/// Identifies a box in a spatial index until the box is erased. An index detects the key of an erased box, a key of
+/// another index and a default-constructed key; it never takes one for another box. A copy of an index accepts the keys
+/// of the original, but cannot distinguish keys that the original returns after the copy was made from its own. Keys
+/// are ordered by index.
 struct Key {
-  std::uint32_t index = 0;
-  std::uint32_t generation = 0;  ///< Odd in every key that is given out.
-  std::uint32_t owner = 0;       ///< Tells the keys of one index from those of others. Says nothing else.
+  std::uint32_t index = 0;       ///< The slot of the box. Slots of erased boxes are reused.
+  std::uint32_t generation = 0;  ///< Changes when the slot is reused. Odd in every valid key.
+  std::uint32_t owner = 0;       ///< Differs between indexes. Has no other meaning.
 
   friend auto operator<=>(const Key&, const Key&) = default;
 };

@@ -24,25 +24,25 @@
 
 namespace graze {
 
-/// Any shape is a region: point, segment, ray, box, sphere, oriented box, capsule, plane, half-space, triangle,
-/// polytope, compound, frustum, and every type of a user's with `support`. The pruning rests on its box: an unbounded
-/// region costs more.
+/// A region that a spatial index can be queried with: any shape, a frustum, or a user's type with `support`. Indexes
+/// prune by its bounding box, so unbounded regions cost more.
 template <class R, Dim N, class T>
 concept RegionIn = SameSpace<R, Aabb<N, T>> && requires(const R& region) {
   { bounds(region) } -> std::same_as<Aabb<N, T>>;
 };
 
-/// A region that boxes meet already where rounding may have the last word: no shape is missed that `intersects` says
-/// touches the region, as long as its box holds it; of compounds that are not bounded, the box that touching_bounds
-/// gives. For a first look, before shapes are asked themselves.
+/// A region extended by the rounding error of `intersects`, to find candidates: every shape that touches the region
+/// according to `intersects` is in a box that meets the inflated region. For unbounded compounds this holds for the box
+/// from `touching_bounds`.
 template <Shape R>
 struct Inflated {
-  const R& region;
+  const R& region;  ///< Must outlive this object.
 };
 
 template <Shape R>
 struct ShapeTraits<Inflated<R>> : Space<dimension_of<R>, scalar_of<R>> {};
 
+/// The box of the region itself.
 template <Shape R>
 Aabb<dimension_of<R>, scalar_of<R>> bounds(const Inflated<R>& inflated) {
   return bounds(inflated.region);

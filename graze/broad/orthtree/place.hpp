@@ -17,8 +17,8 @@ namespace graze {
 
 /// When an Orthtree splits its cells.
 struct OrthtreeOptions {
-  std::size_t capacity = 32;  ///< A cell that holds so many boxes splits before it takes in one more; at least 1.
-  int max_depth = 16;         ///< The root has depth 0; cells of this depth do not split. 0 to 32.
+  std::size_t capacity = 32;  ///< A cell with more boxes than this is split. At least 1.
+  int max_depth = 16;         ///< Cells of this depth are not split; the root has depth 0. 0 to 32.
 };
 
 namespace detail {

@@ -16,65 +16,76 @@
 
 namespace graze::io {
 
-/// One of the things that an answer lists: an object, a pair, a hit.
+/// One entry of a result: an object, a pair, a hit.
 struct AnswerRow {
   std::string_view word = {};        ///< "began", "stayed" or "ended" for the events of an update.
   std::vector<ObjectId> ids = {};    ///< At most two.
-  std::vector<double> numbers = {};  ///< Of a neighbour, its distance; of a hit, t, point and normal; of contacts, the
-                                     ///< normal, and of each point those on a and b, and the depth.
+  std::vector<double> numbers = {};  ///< For a neighbour its distance; for a hit t, point and normal; for contacts the
+                                     ///< normal, then for each point its place on a, its place on b and its depth.
 };
 
-/// What stands for an answer that is too long for a log.
+/// Replaces a result that is too long for a log.
 struct AnswerDigest {
-  std::size_t count = 0;  ///< Of rows.
-  std::uint64_t digest = 0;
+  std::size_t count = 0;     ///< The number of rows.
+  std::uint64_t digest = 0;  ///< The hash of the rows; see `digest_of`.
 
   friend bool operator==(const AnswerDigest&, const AnswerDigest&) = default;
 };
 
-/// What a call gave: a list of rows, which is empty for a call that only does something; or a refusal.
+/// The result of a call: a list of rows, empty if the call returns nothing; or an exception.
 struct LoggedAnswer {
-  std::vector<AnswerRow> rows = {};
-  std::optional<AnswerDigest> digest = std::nullopt;  ///< Instead of rows.
+  std::vector<AnswerRow> rows = {};                   ///< What the call returned.
+  std::optional<AnswerDigest> digest = std::nullopt;  ///< Instead of rows, if there are more than `most_rows`.
   std::optional<std::string> refusal = std::nullopt;  ///< The message of the exception, instead of both.
 };
 
-/// Answers with more rows are written as a digest.
+/// Results with more rows than this are written as a digest.
 inline constexpr std::size_t most_rows = 64;
 
-/// FNV-1a of the text of all rows (Fowler, Noll and Vo 1991), 64 bits.
+/// The 64-bit FNV-1a hash of the text of all rows (Fowler, Noll and Vo 1991).
 AnswerDigest digest_of(const std::vector<AnswerRow>& rows);
 
-/// Whether two answers say the same, numbers bit for bit; a digest stands for all rows that have it. Two refusals are
-/// the same whatever their messages, which are for people and may change.
+/// Whether two results are equal, numbers bit for bit; rows equal a digest if they have it. Two exceptions are equal
+/// whatever their messages, which may change between versions.
 bool say_the_same(const LoggedAnswer& a, const LoggedAnswer& b);
 
-/// The answer's line in a log, without an end of line: {"answer": [[3, 1]]}, {"count": 99, "digest": "..."} or
+/// The line of a result in a log, without the newline: {"answer": [[3, 1]]}, {"count": 99, "digest": "..."} or
 /// {"refused": "..."}.
 std::string answer_line(const LoggedAnswer& answer);
 
-/// An id as it is written: [index, generation]; null for one made by default, {"other_scene": [...]} for a foreign one.
+/// The text of an id: [index, generation]; null for a default-constructed one, {"other_scene": [...]} for one of
+/// another scene.
 std::string id_text(const ObjectId& id);
 
-/// The shortest text that reads back as the same double, the sign of zero included. JSON has no words for what is not
-/// finite: it becomes "inf", "-inf" or "nan", with the quotes.
+/// The shortest text that is read as the same double, including the sign of zero. Numbers that are not finite become
+/// the JSON strings "inf", "-inf" or "nan".
 std::string number_text(double number);
 
-// ---- The answers of a scene. Ids are taken over as they are.
+// ---- The results of a scene, with ids unchanged
 
+/// The result of `add`.
 inline LoggedAnswer logged(const ObjectId& id) { return {{{{}, {id}, {}}}}; }
+/// The result of `find`.
 inline LoggedAnswer logged(const std::optional<ObjectId>& id) { return id ? logged(*id) : LoggedAnswer{}; }
+/// The result of `layer`.
 inline LoggedAnswer logged(Layer layer) { return {{{{}, {}, {static_cast<double>(layer)}}}}; }
+/// The result of `overlapping` and `cull`.
 LoggedAnswer logged(const std::vector<ObjectId>& ids);
+/// The result of `candidates` and `pairs`.
 LoggedAnswer logged(const std::vector<ObjectPair>& pairs);
+/// The result of `update`.
 LoggedAnswer logged(const SceneEvents& events);
+/// The result of `nearest`.
 template <class T>
 LoggedAnswer logged(const std::vector<NearObject<T>>& neighbours);
+/// The result of `ray_cast_all`.
 template <Dim N, class T>
 LoggedAnswer logged(const std::vector<ObjectHit<N, T>>& hits);
+/// The result of `contacts`.
 template <Dim N, class T>
 LoggedAnswer logged(const std::vector<ObjectContact<N, T>>& contacts);
 
+/// The result of `ray_cast`.
 template <Dim N, class T>
 LoggedAnswer logged(const std::optional<ObjectHit<N, T>>& hit) {
   return logged(hit ? std::vector<ObjectHit<N, T>>{*hit} : std::vector<ObjectHit<N, T>>{});

@@ -18,10 +18,11 @@
 
 namespace graze::io {
 
-/// What `owner` says in the ids of a log, where no scene's own number has a meaning. It is zero in an id that was made
-/// by default.
-inline constexpr std::uint32_t logged_scene = 1;  ///< The id is one of the scene that the log is about.
-inline constexpr std::uint32_t other_scene = 2;   ///< Another scene gave it.
+/// The `owner` of ids that the logged scene returned. Logs do not contain the scenes' own numbers; the owner of a
+/// default-constructed id is 0.
+inline constexpr std::uint32_t logged_scene = 1;
+/// The `owner` of ids that another scene returned.
+inline constexpr std::uint32_t other_scene = 2;
 
 /// The member functions of Scene and SceneView that a log can hold.
 enum class CallKind : std::uint8_t {
@@ -43,9 +44,10 @@ enum class CallKind : std::uint8_t {
   ray_cast,
   ray_cast_all,
 };
+/// The number of CallKinds.
 inline constexpr std::size_t call_kinds = 17;
 
-/// What a call can be given: bits of a set.
+/// The arguments of a call, as bits of a set.
 enum CallFields : std::uint32_t {
   field_id = 1U << 0U,
   field_ids = 1U << 1U,
@@ -63,12 +65,12 @@ enum CallFields : std::uint32_t {
 
 /// How a kind of call is written.
 struct CallForm {
-  std::string_view name;
-  std::uint32_t fields;  ///< A set of CallFields.
-  bool is_change;        ///< Whether it changes what objects and layers there are.
+  std::string_view name;  ///< The name in a log.
+  std::uint32_t fields;   ///< A set of CallFields.
+  bool is_change;         ///< Whether it changes objects or layers.
 };
 
-/// In the order of CallKind.
+/// The forms of all calls, in the order of CallKind.
 inline constexpr std::array<CallForm, call_kinds> call_forms = {{
     {"plan_ids", field_ids | field_vacant_ids, true},
     {"layer", field_name, true},
@@ -89,32 +91,34 @@ inline constexpr std::array<CallForm, call_kinds> call_forms = {{
     {"ray_cast_all", field_shape | field_t_max | field_layers, false},
 }};
 
+/// The form of a kind of call.
 constexpr const CallForm& form_of(CallKind kind) { return call_forms[static_cast<std::size_t>(kind)]; }
 
+/// Whether a kind of call has an argument.
 constexpr bool has_field(CallKind kind, CallFields field) { return (form_of(kind).fields & field) != 0; }
 
-/// A call with what it was given; `form_of(kind)` says which of these have a meaning. Numbers of a scene in float are
-/// widened, which loses nothing.
+/// A call with its arguments; `form_of(kind)` tells which members it uses. Numbers of a scene in float are widened to
+/// double, exactly.
 template <Dim N>
 struct LoggedCall {
-  CallKind kind = CallKind::update;
-  std::vector<ObjectId> ids = {};  ///< One for `move` and `remove`.
-  std::vector<ObjectId> vacant_ids = {};
-  std::vector<AnyShape<N, double>> shapes = {};  ///< As many as ids for `move_many`; one for all others: of an object,
-                                                 ///< the region, the point (`nearest`), the ray.
-  std::vector<Vec<N, double>> corners = {};      ///< Of a frustum.
-  ObjectOptions options = {};
-  std::string name = {};
-  LayerMask layers = all_layers;
-  std::uint64_t count = 0;
-  double t_max = std::numeric_limits<double>::infinity();
-  double margin = 0;
-  std::string fault = {};  ///< What is wrong with arguments that no log can hold, since they are no numbers or make no
-                           ///< valid shape; none of the others has a meaning then. Scenes refuse such calls.
+  CallKind kind = CallKind::update;              ///< The function that was called.
+  std::vector<ObjectId> ids = {};                ///< One for `move` and `remove`.
+  std::vector<ObjectId> vacant_ids = {};         ///< The second argument of `plan_ids`.
+  std::vector<AnyShape<N, double>> shapes = {};  ///< As many as ids for `move_many`, otherwise one: the shape of an
+                                                 ///< object, the region, the point (`nearest`) or the ray.
+  std::vector<Vec<N, double>> corners = {};      ///< The corners of a frustum.
+  ObjectOptions options = {};                    ///< The options of an object.
+  std::string name = {};                         ///< The name of a layer or object.
+  LayerMask layers = all_layers;                 ///< The layers of a query.
+  std::uint64_t count = 0;                       ///< The number of objects for `nearest`.
+  double t_max = std::numeric_limits<double>::infinity();  ///< The end of a ray.
+  double margin = 0;                                       ///< The margin of `candidates`.
+  std::string fault = {};  ///< If the arguments cannot be written, because they are not numbers or not a valid shape,
+                           ///< what is wrong with them; then only `kind` is used. Scenes reject such calls.
 };
 
-/// The call's line in a log, without an end of line: {"call": "remove", "id": [3, 1]}. Throws OutputError for what no
-/// log can hold although scenes take it: names that are not UTF-8, compounds nested deeper than 32.
+/// The line of a call in a log, without the newline: {"call": "remove", "id": [3, 1]}. Throws OutputError for arguments
+/// that a scene accepts but a log cannot contain: names that are not UTF-8, compounds nested deeper than 32.
 template <Dim N>
 std::string call_line(const LoggedCall<N>& call);
 

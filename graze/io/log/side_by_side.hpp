@@ -15,45 +15,45 @@
 
 namespace graze::io {
 
-/// What is put to the test, and what is taken to be right.
+/// The two scenes of a replay.
 template <Dim N>
 struct ReplayTargets {
-  TargetMaker<N> subject;
-  TargetMaker<N> judge;
+  TargetMaker<N> subject;  ///< Makes the scene under test.
+  TargetMaker<N> judge;    ///< Makes the scene whose results are taken as right.
 };
 
-/// The library's scene, judged by the one that asks every object.
+/// `Scene` as the subject and `PlainScene`, which tests every object, as the judge.
 template <Dim N>
 ReplayTargets<N> library_targets(NumberType numbers) {
   return {scene_targets<N>(numbers), plain_scene_targets<N>(numbers)};
 }
 
-/// A call as both targets were given it, and what they said.
+/// A call as both scenes performed it, and their results.
 template <Dim N>
 struct ReplayStep {
-  LoggedCall<N> call;
-  LoggedAnswer given;     ///< By the subject.
-  LoggedAnswer expected;  ///< By the judge.
+  LoggedCall<N> call;     ///< With the ids of this replay.
+  LoggedAnswer given;     ///< The result of the subject.
+  LoggedAnswer expected;  ///< The result of the judge.
 };
 
-/// The subject and the judge, performing the same calls. The ids of a log are names here: objects are found again under
-/// whatever ids the subject gives, so that calls can be left out.
+/// Performs the same calls on the subject and the judge. The ids of the log are translated to those that the subject
+/// returns, so calls can be left out.
 template <Dim N>
 class SideBySide {
  public:
-  /// `names` are the ids of the log that name objects; calls about those that were not added here are left out. All
-  /// other ids are taken as they are. It must outlive this.
+  /// `names` are the ids of objects in the log and must outlive this object. Calls about an object that was not added
+  /// in this replay are left out. All other ids are used unchanged.
   explicit SideBySide(const ReplayTargets<N>& targets, const std::set<ObjectId>& names)
       : subject_(targets.subject()), judge_(targets.judge()), names_(names) {}
 
-  /// Performs a call of the log; of moves of many objects those that are here. None when nothing is left of it. A call
-  /// with a fault is not performed, and refused by both.
+  /// Performs a call of the log; a bulk move only for the objects added in this replay. Returns none if nothing of the
+  /// call is left. A call with a fault is not performed and counts as rejected by both.
   std::optional<ReplayStep<N>> perform(const LogEntry<N>& entry);
 
-  /// The log's answer with the ids that objects have here, without the rows that name others.
+  /// A result in the log with the ids of this replay, without the rows of objects that were not added.
   LoggedAnswer translated(const LoggedAnswer& answer) const;
 
-  /// Whether the id names an object that was added here.
+  /// Whether the id is of an object that was added in this replay.
   bool was_added(const ObjectId& name) const { return here_.contains(name); }
 
  private:
@@ -66,10 +66,10 @@ class SideBySide {
   std::map<ObjectId, ObjectId> here_;  // by the log's ids
 };
 
-/// The id that an answered `add` gave.
+/// The id that an `add` returned; none for other calls and exceptions.
 std::optional<ObjectId> added_id(CallKind kind, const LoggedAnswer& answer);
 
-/// The ids that a log's `add`s gave.
+/// The ids that the `add` calls of a log returned.
 template <Dim N>
 std::set<ObjectId> added_ids(const std::vector<LogEntry<N>>& entries);
 

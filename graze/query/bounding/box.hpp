@@ -75,26 +75,26 @@ LocalFrame<N> local_frame(const Aabb<N, T>& box) {
 
 }  // namespace detail
 
-/// The smallest axis-aligned box that contains the points; exact. No points, or a coordinate that is not finite:
-/// std::invalid_argument.
+/// The smallest axis-aligned box that contains the points; exact. Throws std::invalid_argument if there are no points
+/// or a coordinate is not finite.
 template <Dim N, class T>
 Aabb<N, T> bounding_box(std::span<const Vec<N, T>> points) {
   return detail::checked_box(points, "bounding_box");
 }
 
-/// The same for a vector, or a list in braces.
+/// The overload for a vector or a braced list.
 template <Dim N, class T>
 Aabb<N, T> bounding_box(const std::vector<Vec<N, T>>& points) {
   return bounding_box(std::span<const Vec<N, T>>(points));
 }
 
-/// The same for any row of points.
+/// The overload for anything that converts to a span of points.
 template <PointRow Row>
 auto bounding_box(const Row& points) {
   return bounding_box(span_of(points));
 }
 
-/// The same where the dimension is given.
+/// The overload with the dimension given explicitly.
 template <Dim N, PointRowIn<N> Row>
 auto bounding_box(const Row& points) {
   return bounding_box(span_of(points));

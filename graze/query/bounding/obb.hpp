@@ -138,24 +138,24 @@ Obb<3, T> turned_obb(std::span<const Vec<3, T>> points, const LocalFrame<3>& fra
 
 }  // namespace detail
 
-/// An oriented box around points. In 2D a rectangle of the least area; in 3D a box of small surface: never more than
-/// that of the axis-aligned box, and where the points are the corners of a box, that box (not proven in general).
+/// An oriented box around points. In 2D a rectangle of the least area. In 3D a box of small surface: never more than
+/// that of the axis-aligned box, and for the corners of a box that box itself (observed, not proven).
 ///
 /// Every point is contained exactly in the box as stored: center + axes * u with |u[i]| <= half_extents[i]. The axes
-/// are right-handed and orthonormal up to rounding; since they are rounded, in 2D the half extents are larger than
-/// those of the least rectangle by up to
+/// are right-handed and orthonormal up to rounding. Because they are rounded, in 2D the half extents exceed those of
+/// the least rectangle by up to
 ///
 ///     2 * epsilon(T) * (size + largest |coordinate|) + 16 * epsilon(double) * size
 ///
-/// where size is the longer side of `bounding_box`, and a flat set may need a thickness of that order. Where an
-/// axis-aligned box is no larger, the axes are the coordinate axes, and the half extents the least in T: zero across a
-/// set that is flat along an axis. One point, or all points equal: zero half extents. For points farther apart than the
-/// largest T the box is axis-aligned. No points, or a coordinate that is not finite: std::invalid_argument.
+/// where size is the longer side of `bounding_box`; a flat set may get a thickness of that order. If the axis-aligned
+/// box is no larger, the axes are the coordinate axes and the half extents are the least in T: zero along an axis
+/// across which the set is flat. One point, or all points equal: zero half extents. For points farther apart than the
+/// largest T, the box is axis-aligned. Throws std::invalid_argument if there are no points or a coordinate is not
+/// finite.
 ///
-/// 2D: the convex hull by the exact `orientation` and rotating calipers (`detail::best_flush_direction`); n log n in
-/// those points that do not lie inside of the extreme ones. 3D: a few passes (`detail::fitted_axes`). Both allocate.
-/// Any finite coordinates; half extents below the least normal number of T are rounded up to a multiple of the least
-/// number.
+/// 2D: convex hull with the exact `orientation`, then rotating calipers; n log n in the number of points outside the
+/// polygon of a few extreme ones. 3D: a few passes over the points. Both allocate. Coordinates may be any finite
+/// numbers; half extents below the least normal number of T are rounded up to a multiple of its least number.
 template <Dim N, class T>
 Obb<N, T> bounding_obb(std::span<const Vec<N, T>> points) {
   const Aabb<N, T> box = detail::checked_box(points, "bounding_obb");
@@ -167,19 +167,19 @@ Obb<N, T> bounding_obb(std::span<const Vec<N, T>> points) {
   return detail::size_of(turned, frame.scale) < detail::size_of(upright, frame.scale) ? turned : upright;
 }
 
-/// The same for a vector, or a list in braces.
+/// The overload for a vector or a braced list.
 template <Dim N, class T>
 Obb<N, T> bounding_obb(const std::vector<Vec<N, T>>& points) {
   return bounding_obb(std::span<const Vec<N, T>>(points));
 }
 
-/// The same for any row of points.
+/// The overload for anything that converts to a span of points.
 template <PointRow Row>
 auto bounding_obb(const Row& points) {
   return bounding_obb(span_of(points));
 }
 
-/// The same where the dimension is given.
+/// The overload with the dimension given explicitly.
 template <Dim N, PointRowIn<N> Row>
 auto bounding_obb(const Row& points) {
   return bounding_obb(span_of(points));

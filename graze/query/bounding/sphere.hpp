@@ -270,24 +270,24 @@ Sphere<N, T> sphere_around(std::span<const Vec<N, T>> points, const char* functi
 ///
 ///     epsilon(double) * 4 * r + epsilon(T) * (r + largest |coordinate of the center|)
 ///
-/// of the true minimum r, most of which is the rounding of the center. Points in another order may give a center and a
-/// radius that differ within that. One point, or all points equal: radius zero. Duplicates, points on a line, a plane
-/// or a sphere are nothing special. No points, a coordinate that is not finite, or points so far apart that T has no
-/// such radius: std::invalid_argument.
+/// of the true minimum r; most of this is the rounding of the center. The order of the points may change center and
+/// radius within this error. One point, or all points equal: radius zero. Duplicates and points on a common line, plane
+/// or sphere are allowed. Throws std::invalid_argument if there are no points, a coordinate is not finite, or the
+/// points are too far apart for a finite radius in T.
 ///
-/// A handful of passes over the points, 5 to 15 on a million; allocates nothing. The farthest point from the centroid,
-/// the usual recipe, gives a sphere up to twice as large. Method: `detail::smallest_sphere_center`.
+/// Takes 5 to 15 passes over a million points and allocates nothing. Gärtner, "Fast and robust smallest enclosing
+/// spheres" (1999). `bounding_sphere_fast` is cheaper.
 template <Dim N, class T>
 Sphere<N, T> bounding_sphere(std::span<const Vec<N, T>> points) {
   return detail::sphere_around(points, "bounding_sphere",
                                [](const auto& local) { return detail::smallest_sphere_center<N>(local); });
 }
 
-/// A sphere that contains the points, not the smallest: at most twice as large, measured within 1.05 times the minimum.
-/// Contains every point exactly, and treats one point, equal points and wrong input as `bounding_sphere` does. Always
-/// five passes over the points: the smallest sphere of a few extreme points (Larsson, "Fast and tight fitting bounding
-/// spheres", 2008), grown to contain all (Ritter, "An efficient bounding sphere", 1990), then the radius that its
-/// center needs.
+/// A sphere that contains the points exactly but is not the smallest: its radius is at most twice the minimum, and was
+/// within 1.05 times the minimum in measurements. One point, equal points and errors are as for `bounding_sphere`.
+/// Always five passes over the points: the smallest sphere of a few extreme points (Larsson, "Fast and tight fitting
+/// bounding spheres", 2008), grown to contain all (Ritter, "An efficient bounding sphere", 1990), then the least radius
+/// for its center.
 template <Dim N, class T>
 Sphere<N, T> bounding_sphere_fast(std::span<const Vec<N, T>> points) {
   return detail::sphere_around(points, "bounding_sphere_fast", [](const detail::LocalPoints<N, T>& local) {
@@ -299,34 +299,37 @@ Sphere<N, T> bounding_sphere_fast(std::span<const Vec<N, T>> points) {
   });
 }
 
-/// The same for a vector, or a list in braces.
+/// The overload for a vector or a braced list.
 template <Dim N, class T>
 Sphere<N, T> bounding_sphere(const std::vector<Vec<N, T>>& points) {
   return bounding_sphere(std::span<const Vec<N, T>>(points));
 }
 
+/// The overload for a vector or a braced list.
 template <Dim N, class T>
 Sphere<N, T> bounding_sphere_fast(const std::vector<Vec<N, T>>& points) {
   return bounding_sphere_fast(std::span<const Vec<N, T>>(points));
 }
 
-/// The same for any row of points.
+/// The overload for anything that converts to a span of points.
 template <PointRow Row>
 auto bounding_sphere(const Row& points) {
   return bounding_sphere(span_of(points));
 }
 
+/// The overload for anything that converts to a span of points.
 template <PointRow Row>
 auto bounding_sphere_fast(const Row& points) {
   return bounding_sphere_fast(span_of(points));
 }
 
-/// The same where the dimension is given.
+/// The overload with the dimension given explicitly.
 template <Dim N, PointRowIn<N> Row>
 auto bounding_sphere(const Row& points) {
   return bounding_sphere(span_of(points));
 }
 
+/// The overload with the dimension given explicitly.
 template <Dim N, PointRowIn<N> Row>
 auto bounding_sphere_fast(const Row& points) {
   return bounding_sphere_fast(span_of(points));

@@ -16,14 +16,24 @@
 
 namespace graze {
 
-/// What a feature of a shape is.
+/// The kind of a feature of a shape.
 enum class FeatureKind : std::uint8_t { vertex, edge, face };
 
-/// A corner, edge or face of a shape, by the numbers that patch.hpp lists. What is round has one vertex; a capsule two,
-/// and an edge between.
+/// A vertex, edge or face of a shape.
+///
+/// Vertices of boxes: bit i of the index is set on the far side of axis i. Vertices of segments, triangles and
+/// polytopes are in the order of their points. A sphere has one vertex; a capsule has two and an edge between them.
+///
+/// Edges of a 3D box: 4 * axis, plus 1 on the far side of the next axis, plus 2 on the far side of the axis after it.
+/// Edges of triangles and polygons have the index of their first vertex; the edge of a segment is 0. The edge between
+/// vertices i < j of a 3D polytope with n vertices is n * i + j.
+///
+/// Sides of boxes, which are edges in 2D and faces in 3D: 2 * axis, plus 1 on the far side. The face of a triangle is
+/// 0. A face of a 3D polytope is n * i + j if i is its least vertex and j the next one around it, counter-clockwise
+/// seen from outside. With more than 65,535 vertices these indices are taken modulo 2^32 and may repeat.
 struct Feature {
-  FeatureKind kind;
-  std::uint32_t index;
+  FeatureKind kind;     ///< Vertex, edge or face.
+  std::uint32_t index;  ///< Distinguishes features of the same kind.
 
   friend bool operator==(const Feature&, const Feature&) = default;
 };

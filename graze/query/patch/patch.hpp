@@ -2,12 +2,7 @@
 // The face of a core that looks most along a direction, as a few numbered corners: what manifold.hpp lays on each
 // other. In double, seen from near the pair.
 //
-// Numbers of features: corners of boxes by bits, bit i for the far side of axis i; of segments, triangles and polytopes
-// in the order of their points. Sides of boxes 2 * axis, and one more for the far one. Edges of boxes in space 4 * axis
-// and bits for the sides of the next axis and the one after it; of triangles and polygons by their first corner. The
-// one face of a triangle, the only edge of a segment: 0. Of polytopes in space with n corners, the edge between corners
-// i < j is n * i + j; a face is n * i + j if i is its least corner and j the next one around it, counter-clockwise seen
-// from outside, so that no other face has the number. (Of more than 65,535 corners, that is taken modulo 2^32.)
+// The numbers of features are those of `Feature` in clipped.hpp.
 #pragma once
 
 #include <algorithm>

@@ -57,7 +57,9 @@ std::string_view defect_of_fields(const S& shape) {
 
 }  // namespace detail
 
-/// The defect of a shape's numbers, worded as the end of a sentence whose subject is the shape; empty if it is valid.
+/// Empty for valid values. Otherwise the first fault, worded as the rest of a sentence: a number that is not finite, a
+/// negative length, a direction of zero length, axes that deviate from orthonormal by more than
+/// `tolerance::orthonormal`, or an invalid part.
 template <detail::Described S>
 std::string_view defect(const S& shape) {
   return detail::defect_of_fields(shape);
