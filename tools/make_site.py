@@ -135,7 +135,8 @@ class Site:
             shutil.copy(self.root / path, target)
         if self.viewer:
             shutil.copytree(self.viewer, self.output / "viewer")
-        return [line.replace(f"{self.source}/", "").replace(f"{self.root}/", "") for line in done.stderr.splitlines() if line.strip()]
+        return [line.replace(f"{self.source}/", "").replace(f"{self.root}/", "").replace(": warning: ", ": ")
+                for line in done.stderr.splitlines() if line.strip()]
 
 
 def main():
