@@ -62,6 +62,8 @@ inline Rounded two_product(double a, double b) {
 #endif
 }
 
+namespace detail {
+
 /// a * b - c * d with a relative error of at most two epsilon, however much cancels. Swapping the products negates the
 /// result exactly, and a zero result is exact. The products must not overflow or underflow.
 inline double difference_of_products(double a, double b, double c, double d) {
@@ -69,19 +71,6 @@ inline double difference_of_products(double a, double b, double c, double d) {
   const Rounded second = two_product(c, d);
   const Rounded difference = two_sum(first.value, -second.value);
   return difference.value + (difference.error + (first.error - second.error));
-}
-
-/// The 2D cross product, a number, with a relative error of at most two epsilon. Its sign is right even for nearly
-/// parallel vectors, where `cross_2d` returns mostly rounding error.
-inline double accurate_cross(const Vec<2, double>& a, const Vec<2, double>& b) {
-  return difference_of_products(a.x, b.y, a.y, b.x);
-}
-
-/// The 3D cross product, each coordinate with a relative error of at most two epsilon. So its direction is right even
-/// for nearly parallel vectors, where `cross` returns mostly rounding error; `cross` is cheaper.
-inline Vec<3, double> accurate_cross(const Vec<3, double>& a, const Vec<3, double>& b) {
-  return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
-          difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
 /// The power of two that brings `size` near 1, so that products of several numbers of that size stay in the range of
@@ -98,6 +87,25 @@ inline double scale_to_moderate(double size) {
 template <Dim N>
 Vec<N, double> of_moderate_size(const Vec<N, double>& direction) {
   return direction * scale_to_moderate(max_abs(direction));
+}
+
+/// For products of at least this magnitude, `two_product` loses no error bits. A product spans at most 106 bits, and
+/// those below 2^-1074, the least double, are lost.
+inline constexpr double least_product_with_error = 0x1p-969;
+
+}  // namespace detail
+
+/// The 2D cross product, a number, with a relative error of at most two epsilon. Its sign is right even for nearly
+/// parallel vectors, where `cross_2d` returns mostly rounding error.
+inline double accurate_cross(const Vec<2, double>& a, const Vec<2, double>& b) {
+  return detail::difference_of_products(a.x, b.y, a.y, b.x);
+}
+
+/// The 3D cross product, each coordinate with a relative error of at most two epsilon. So its direction is right even
+/// for nearly parallel vectors, where `cross` returns mostly rounding error; `cross` is cheaper.
+inline Vec<3, double> accurate_cross(const Vec<3, double>& a, const Vec<3, double>& b) {
+  return {detail::difference_of_products(a.y, b.z, a.z, b.y), detail::difference_of_products(a.z, b.x, a.x, b.z),
+          detail::difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
 /// The next larger number, as std::nextafter returns it but faster. Minus infinity gives the lowest finite number; plus
@@ -137,15 +145,10 @@ inline double add_up(double a, double b) {
 /// The greatest double that is at most a + b.
 inline double add_down(double a, double b) { return -add_up(-a, -b); }
 
-/// For products of at least this magnitude, `two_product` loses no error bits. A product spans at most 106 bits, and
-/// those below 2^-1074, the least double, are lost.
-inline constexpr double least_product_with_error = 0x1p-969;
-
-/// A double that is at least a * b: the least one, but one step higher for some products below
-/// `least_product_with_error`.
+/// A double that is at least a * b: the least one, but one step higher for some products below 2^-969.
 inline double multiply_up(double a, double b) {
   const Rounded product = two_product(a, b);
-  const bool error_lost = std::fabs(product.value) < least_product_with_error && a != 0 && b != 0;
+  const bool error_lost = std::fabs(product.value) < detail::least_product_with_error && a != 0 && b != 0;
   return product.error > 0 || error_lost ? next_up(product.value) : product.value;
 }
 

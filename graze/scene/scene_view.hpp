@@ -129,6 +129,8 @@ class SceneView {
                                             LayerMask layers = all_layers) const;
 
  protected:
+  /// @cond protected
+
   /// The objects by name.
   using Names = std::unordered_map<std::string, ObjectId>;
 
@@ -160,6 +162,8 @@ class SceneView {
   detail::ObjectIndex<N, T> index_;            ///< Finds objects by their boxes.
   detail::SharedValue<SceneEvents> events_;    ///< Those of the last update.
   bool is_current_ = false;                    ///< True if nothing has changed since the last update.
+
+  /// @endcond
 };
 
 extern template class SceneView<2, float>;
