@@ -23,14 +23,14 @@ BvhPlan::BvhPlan(std::size_t boxes) : sizes_(1, boxes), firsts_(1, 0) {
 
 namespace {
 
-/// Parts of larger trees may be built by different threads.
+/// Subtrees with at least this many boxes are built by parallel tasks.
 constexpr std::size_t worth_a_task = 4096;
 
-/// A node of this level holds a few thousand boxes at most. Their centers are parted as a whole before a leaf node is
-/// filled, so that what is in the next nodes is known while one is built.
+/// A node of this level holds a few thousand boxes at most. All its centers are partitioned before the first leaf node
+/// is filled, so that the boxes of the next nodes are known, and prefetched, while one is built.
 constexpr std::size_t level_of_groups = 2;
 
-/// How many leaf nodes ahead memory is asked for to write them to.
+/// How many leaf nodes ahead memory is prefetched for writing.
 constexpr std::size_t nodes_ahead = 2;
 
 template <Dim N, class T>
@@ -50,7 +50,7 @@ class BvhBuilder {
   BvhBuilder(double margin, const BvhPlan& plan, const BvhArrays<N, T>& arrays, const Executor& executor)
       : margin_(margin), plan_(plan), arrays_(arrays), executor_(executor) {}
 
-  /// Builds a node of a level from the boxes that are its own, and returns its bounds.
+  /// Builds a node of a level from its boxes, and returns its bounds.
   Aabb<N, T> build_node(  // NOLINT(misc-no-recursion): no deeper than the tree
       std::size_t level, std::size_t number, const Centers& centers, std::span<const std::uint32_t> next = {}) const {
     const std::uint32_t index = plan_.index(level, number);
@@ -75,11 +75,11 @@ class BvhBuilder {
     std::size_t level;
     std::uint32_t index;
     std::size_t first;
-    std::span<const std::uint32_t> next;  ///< Slots of boxes that the node beside it will hold, not asked for yet.
-    Centers* groups;                      ///< Of its entries, which are built when all are known.
+    std::span<const std::uint32_t> next;  ///< Slots of the next sibling's boxes that are not prefetched yet.
+    Centers* groups;                      ///< Centers of its entries, which are built once all are known.
   };
 
-  /// Entries of a parent, by number, and a box that holds their boxes' centers.
+  /// A range of a parent's entries, and a box that contains the centers of their boxes.
   struct Entries {
     std::size_t first;
     std::size_t last;
@@ -88,7 +88,7 @@ class BvhBuilder {
 
   static std::span<const std::uint32_t> slots_of(const Centers& centers) { return {centers.here.slots, centers.count}; }
 
-  /// In the order of slots, since parting keeps it.
+  /// Entries are in the order of slots, since partitioning is stable.
   void fill_leaf_node(std::uint32_t index, const Centers& centers) const {
     BvhNode<N, T>& node = arrays_.nodes[index];
     if (index + nodes_ahead < plan_.nodes()) prefetch_whole_to_write(arrays_.nodes + index + nodes_ahead);
@@ -106,8 +106,8 @@ class BvhBuilder {
     for (const std::uint32_t slot : slots) prefetch(&arrays_.generations[slot]);
   }
 
-  /// The same for as many boxes as a node takes, the first of those that are not asked for yet. Writes nothing where
-  /// there are none: above groups there never are, and there several threads share a parent.
+  /// Prefetches up to a node's worth of boxes, the first that are not prefetched yet. Does not write if there are none:
+  /// above the level of groups there never are, and there several threads share a parent.
   void ask_for_some(std::span<const std::uint32_t>& slots) const {
     if (slots.empty()) return;
     const std::size_t some = std::min<std::size_t>(block_size, slots.size());
@@ -115,7 +115,7 @@ class BvhBuilder {
     slots = slots.subspan(some);
   }
 
-  /// Builds a node that is an entry of a parent.
+  /// Builds a node and enters it in its parent.
   void build_entry(  // NOLINT(misc-no-recursion)
       Parent& parent, std::size_t entry, const Centers& centers, std::span<const std::uint32_t> next) const {
     const std::uint32_t index = plan_.index(parent.level - 1, entry);
@@ -126,7 +126,7 @@ class BvhBuilder {
     arrays_.places[index].parent = parent.index;
   }
 
-  /// Builds the entries of a parent that were put off, asking for what the next one will hold while one is built.
+  /// Builds the postponed entries of a parent, prefetching for the next entry while one is built.
   void build_groups(Parent& parent, std::size_t count) const {  // NOLINT(misc-no-recursion)
     ask_for(slots_of(parent.groups[0]));
     for (std::size_t k = 0; k < count; ++k) {
@@ -136,7 +136,7 @@ class BvhBuilder {
     }
   }
 
-  /// Builds the nodes that are entries of a parent.
+  /// Builds the nodes of a range of a parent's entries.
   void build_entries(  // NOLINT(misc-no-recursion)
       Parent& parent, const Entries& entries, const Centers& centers) const {
     if (entries.last - entries.first == 1) {
@@ -162,7 +162,7 @@ class BvhBuilder {
       build_entries(parent, sides[side], side == 0 ? parted.first(count) : parted.behind(count));
     };
     if (centers.count > worth_a_task) {
-      executor_.parallel_for(2, std::ref(build_side));  // by reference, which allocates nothing
+      executor_.parallel_for(2, std::ref(build_side));  // by reference, which does not allocate
     } else {
       build_side(0);
       build_side(1);
@@ -175,8 +175,7 @@ class BvhBuilder {
   const Executor& executor_;
 };
 
-/// In no more steps than needed where they are sorted already, or the other way round, as they come where all boxes
-/// before were erased.
+/// Fast if the slots are already ascending, or descending as they are after all boxes were erased.
 void sort_slots(std::span<std::uint32_t> slots) {
   if (std::is_sorted(slots.rbegin(), slots.rend())) {
     std::reverse(slots.begin(), slots.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled once per instruction set: Highway includes this file anew for each.
+// Compiled once per instruction set: Highway includes this file again for each.
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -79,23 +79,23 @@ Aabb<N, T> bounds_of_centers(const CenterLists<N, T>& centers, std::size_t count
 
 // ---- Selection
 
-/// So many numbers are each compared with all.
+/// Up to this count, each number is compared with all.
 constexpr std::size_t few = 32;
 
-/// So many numbers are worth a larger sample, whose numbers are compared with each other.
+/// From this count on, a larger sample pays. Its numbers are compared with each other.
 template <class T>
 constexpr std::size_t worth_a_sample = lanes_of<T> == 1 ? 4096 : 512;
 
-/// How often one looks between others before an ordinary selection takes over.
+/// The number of rounds before std::nth_element takes over.
 constexpr int most_rounds = 24;
 
-/// Up to `most` numbers, and behind them such as are greater than all.
+/// Up to `most` numbers, padded with numbers greater than all.
 template <class T, std::size_t most>
 struct Numbers {
   static constexpr std::size_t vectors = most / lanes_of<T>;
 
   alignas(64) T all[most];
-  alignas(64) T less[most];  // how many are less than each
+  alignas(64) T less[most];  // for each, how many are less
   std::size_t count;
 
   HWY_INLINE void count_less() {
@@ -116,7 +116,7 @@ struct Numbers {
     for (std::size_t k = 0; k < vectors; ++k) hn::Store(sums[k], d, less + k * lanes_of<T>);
   }
 
-  /// The one of a rank: the greatest of those that fewer or as many are less than.
+  /// The number of a rank: the greatest with at most `rank` smaller ones.
   HWY_INLINE Selected<T> of_rank(std::size_t rank) const {
     const Tag<T> d;
     const auto most_less = hn::Set(d, static_cast<T>(rank));
@@ -148,7 +148,7 @@ struct Bracket {
   T high;
 };
 
-/// Those of a sample that are so many places before and behind where a rank would be in it.
+/// The sample's numbers `off` places before and after the expected place of the rank.
 template <std::size_t sampled, class T>
 HWY_INLINE Bracket<T> bracket_from_sample(const T* numbers, std::size_t count, std::size_t rank, std::size_t off) {
   Numbers<T, sampled> sample;
@@ -167,7 +167,7 @@ Bracket<T> bracket_of(const T* numbers, std::size_t count, std::size_t rank, boo
   return bracket_from_sample<64>(numbers, count, rank, is_narrow ? 0 : 6);
 }
 
-/// How many numbers are below a bracket, and in it; these are in `to`, which may be where they were.
+/// The count of numbers below a bracket, and of those in it, which are copied to `to`; `to` may be the input.
 struct Between {
   std::size_t below;
   std::size_t within;
@@ -208,7 +208,7 @@ Selected<T> select_by_order(const T* numbers, std::size_t count, std::size_t ran
 template <class T>
 Selected<T> select(const T* numbers, std::size_t count, std::size_t rank, T* room, T* more_room) {
   constexpr T most = std::numeric_limits<T>::max();
-  std::size_t less = 0;  // of those that are left behind
+  std::size_t less = 0;  // of those already excluded
   bool is_narrow = false;
   for (int round = 0; count > few; ++round) {
     if (round == most_rounds) {
@@ -236,37 +236,38 @@ Selected<T> select(const T* numbers, std::size_t count, std::size_t rank, T* roo
   return {found.value, found.less + less};
 }
 
-// ---- Parting
+// ---- Partitioning
 
-/// How many are in both parts so far, each with where it ends.
+/// The number of centers in each part so far, and the end of each part.
 struct Ends {
   std::size_t low;
   std::size_t high;
 };
 
-/// Centers before a value along an axis are low.
+/// Centers below a border along an axis go to the low part.
 template <class T>
 struct Cut {
   Dim axis;
   T value;
 };
 
-/// As many slots as there are lanes of T.
+/// A vector of slots with as many lanes as one of T.
 template <class T>
 using SlotTag = hn::Rebind<std::uint32_t, Tag<T>>;
 
-/// Whether vectors are parted as a whole. Shorter ones are not worth it.
+/// Whether whole vectors are partitioned; short ones are not worth it.
 template <class T>
 constexpr bool parts_vectors = lanes_of<T> >= 4;
 
-/// Parts some centers one by one. Copies the first `copied` coordinates.
+/// Partitions centers one by one. Copies the first `copied` coordinates.
 template <Dim copied, Dim N, class T>
 HWY_INLINE void part_some(const CenterLists<N, T>& from, std::size_t some, Cut<T> cut, const CenterLists<N, T>& to,
                           Ends& ends) {
   const T* const along = from.at[cut.axis];
   for (std::size_t k = 0; k < some; ++k) {
     const std::size_t is_low = along[k] < cut.value ? 1 : 0;
-    const std::size_t place = ends.high ^ ((ends.high ^ ends.low) & (0 - is_low));  // compilers would make a branch
+    // compilers would turn this into a branch
+    const std::size_t place = ends.high ^ ((ends.high ^ ends.low) & (0 - is_low));
     for (Dim i = 0; i < copied; ++i) to.at[i][place] = from.at[i][k];
     to.slots[place] = from.slots[k];
     ends.low += is_low;
@@ -274,7 +275,7 @@ HWY_INLINE void part_some(const CenterLists<N, T>& from, std::size_t some, Cut<T
   }
 }
 
-/// The same for a whole vector where as much may be written behind both ends.
+/// Partitions a whole vector; both ends need space for a full vector.
 template <Dim copied, Dim N, class T>
 HWY_INLINE void part_vector(const CenterLists<N, T>& from, Cut<T> cut, const CenterLists<N, T>& to, Ends& ends) {
   constexpr std::uint32_t all = (1U << lanes_of<T>)-1U;
@@ -300,7 +301,7 @@ HWY_INLINE void part_vector(const CenterLists<N, T>& from, Cut<T> cut, const Cen
 template <Dim copied, Dim N, class T>
 void part(const CenterLists<N, T>& centers, std::size_t count, Dim axis, const Selected<T>& border,
           const CenterLists<N, T>& parts) {
-  const CenterLists<N, T> from = centers;  // its pointers in registers, whatever is written
+  const CenterLists<N, T> from = centers;  // keeps the pointers in registers across stores
   const CenterLists<N, T> to = parts;
   const Cut<T> cut{axis, border.value};
   Ends ends{0, border.less};

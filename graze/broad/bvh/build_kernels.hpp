@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The inner loops of building a Bvh at once, once for every set of vector instructions that the compiler knows. Which
-// one runs is chosen at run time, and makes no difference to any answer.
+// Inner loops of building a Bvh, compiled for each instruction set and chosen at run time. All give the same answers.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +11,7 @@
 
 namespace graze::detail {
 
-/// Centers of boxes, coordinate by coordinate, and whose they are.
+/// Centers of boxes, coordinate by coordinate, and their slots.
 template <Dim N, class T>
 struct CenterLists {
   T* at[N];
@@ -26,7 +25,7 @@ struct CenterLists {
   }
 };
 
-/// One of some numbers, and how many are less.
+/// A number of given rank, and how many numbers are less.
 template <class T>
 struct Selected {
   T value;
@@ -38,26 +37,25 @@ struct BuildKernels {
   /// The name of the instruction set.
   const char* target;
 
-  /// How many boxes from the first one on are finite and contain something.
+  /// The length of the longest prefix of boxes that are finite and not empty.
   std::size_t (*finite)(const Aabb<N, T>* boxes, std::size_t count);
 
   /// The centers of finite boxes.
   void (*centers)(const Aabb<N, T>* boxes, std::size_t count, const CenterLists<N, T>& to);
 
-  /// The bounds of one center at least.
+  /// The bounds of at least one center.
   Aabb<N, T> (*bounds)(const CenterLists<N, T>& centers, std::size_t count);
 
-  /// The number that would be at place `rank` were they sorted. They are finite and more than `rank`; there is room for
-  /// as many twice. O(count) steps, O(count log count) where that fails: a sample tells two numbers between which it
-  /// nearly always is, with few others (Floyd and Rivest 1975, "Expected time bounds for selection").
+  /// The number that would be at index `rank` after sorting. Numbers must be finite and more than `rank`; `room` and
+  /// `more_room` hold as many. O(count) expected, O(count log count) in the worst case: a sample gives two numbers that
+  /// nearly always enclose it, with few others (Floyd and Rivest 1975, "Expected time bounds for selection").
   Selected<T> (*select)(const T* numbers, std::size_t count, std::size_t rank, T* room, T* more_room);
 
-  /// Copies those that are less than `border` along an axis, `less` in number, to the front, the others behind them.
-  /// In their order.
+  /// Copies the `less` centers below `border` along an axis to the front and the others behind them. Stable.
   void (*part)(const CenterLists<N, T>& from, std::size_t count, Dim axis, const Selected<T>& border,
                const CenterLists<N, T>& to);
 
-  /// The same, but copies the slots alone.
+  /// The same, but copies the slots only.
   void (*part_slots)(const CenterLists<N, T>& from, std::size_t count, Dim axis, const Selected<T>& border,
                      const CenterLists<N, T>& to);
 };

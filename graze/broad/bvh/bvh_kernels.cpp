@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled once per instruction set: Highway includes this file anew for each.
+// Compiled once per instruction set: Highway includes this file again for each.
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -39,7 +39,7 @@ HWY_INLINE std::uint32_t boxes_met(const Block<N, T>& block, const Lanes<T>* low
   return met;
 }
 
-/// Writes the entries whose bits are set one after another, and up to sixteen numbers of no meaning behind them.
+/// Writes the entries whose bits are set contiguously, followed by up to sixteen unspecified numbers.
 HWY_INLINE std::size_t write_chosen(const std::uint32_t* entries, std::uint32_t chosen, std::uint32_t* to) {
   using D = Tag<std::uint32_t>;
   std::size_t count = 0;
@@ -119,7 +119,7 @@ Aabb<N, T> around(const Block<N, T>& block) {
   return box;
 }
 
-/// Where the least of sixteen numbers is, among those of the candidates: a bit each.
+/// The index of the least of sixteen numbers, among the lanes in the mask `candidates`.
 template <class T>
 HWY_INLINE std::uint32_t least_of(const Lanes<T>* numbers, std::uint32_t candidates) {
   const Tag<T> d;
@@ -134,7 +134,7 @@ HWY_INLINE std::uint32_t least_of(const Lanes<T>* numbers, std::uint32_t candida
 template <Dim N, class T>
 std::uint32_t least_grown(const Block<N, T>& block, const Aabb<N, T>& box) {
   const Tag<T> d;
-  // Sums without a number are as large as a number can be: Highway's emulation finds no least one among infinities.
+  // Sums that overflow become the largest number: Highway's emulation finds no minimum among infinities.
   const auto most = hn::Set(d, std::numeric_limits<T>::max());
   Lanes<T> growth[vectors_of<T>];
   Lanes<T> size[vectors_of<T>];

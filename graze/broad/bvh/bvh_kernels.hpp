@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The inner loops of a Bvh, once for every set of vector instructions that the compiler knows. Which one runs is chosen
-// at run time, and makes no difference to any answer: every lane is calculated as every other.
+// Inner loops of a Bvh, compiled for each instruction set and chosen at run time. All give the same answers, because
+// every lane is calculated alike.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@
 
 namespace graze::detail {
 
-/// A walk to all boxes that share a point with a region, which can be interrupted when much was found. Without initial
-/// values, so that room for many costs nothing.
+/// The state of a walk to all boxes that share a point with a region. It can be interrupted when enough was found.
+/// Members are uninitialised, because the arrays are large.
 template <Dim N, class T>
 struct BvhMetWalk {
   static constexpr std::size_t most_found = 240;
@@ -30,18 +30,18 @@ struct BvhMetWalk {
   std::uint32_t generations[most_found + block_size];
 };
 
-/// How a ray is held against the slab between two sides of a box.
+/// How a ray relates to the slab between two sides of a box.
 enum class BvhSlab : std::uint8_t {
-  crossed,   ///< By (side - origin) * inverse.
+  crossed,   ///< Crosses it, by (side - origin) * inverse.
   parallel,  ///< The origin is in the slab, or no point of the ray is.
-  any,       ///< Numbers so small or so large that nothing is known without a quotient.
+  any,       ///< So close to the limits of T that only a division is safe.
 };
 
-/// Where no coordinate is farther from zero, differences are numbers.
+/// If no coordinate exceeds this, differences do not overflow.
 template <class T>
 inline constexpr T most_for_slabs = std::numeric_limits<T>::max() / 4;
 
-/// A ray as boxes are held against it in T.
+/// A ray prepared for slab tests in T.
 template <Dim N, class T>
 struct BvhSlabs {
   Vec<N, T> origin;
@@ -49,13 +49,13 @@ struct BvhSlabs {
   BvhSlab kinds[N];
 };
 
-/// A walk to the first box that a ray enters.
+/// The state of a walk to the first box that a ray enters.
 template <Dim N, class T>
 struct BvhFirstWalk {
   Ray<N, T> ray;
-  BvhSlabs<N, T> slabs;  // of the ray among boxes of usual numbers; the walk sees to others
-  double t;              // of the first so far, infinity when there is none
-  BvhName name;          // and who it is
+  BvhSlabs<N, T> slabs;  // for boxes with ordinary numbers; the walk handles others
+  double t;              // of the first box so far, or infinity
+  BvhName name;          // the name of that box
 };
 
 template <Dim N, class T>
@@ -63,27 +63,27 @@ struct BvhKernels {
   /// The name of the instruction set.
   const char* target;
 
-  /// Goes on with a walk until nothing is open or there is no room for what another leaf node may hold.
+  /// Continues a walk until no node is open or `found` has no space for another leaf node.
   void (*find_met)(const BvhNode<N, T>* nodes, BvhMetWalk<N, T>& walk);
 
-  /// Which boxes of a block share a point with a box; a bit each.
+  /// Which boxes of a block share a point with a box, as a bit mask.
   std::uint32_t (*met)(const Block<N, T>& block, const Aabb<N, T>& box);
 
-  /// Walks all the way down from `root`. Returns how many nodes it looked at.
+  /// Walks the whole tree from `root`. Returns the number of nodes visited.
   std::size_t (*find_first)(const BvhNode<N, T>* nodes, BvhLink root, BvhFirstWalk<N, T>& walk);
 
-  /// Which boxes of a block a ray may enter, and for each a t that is not above the first.
+  /// Which boxes of a block a ray may enter, as a bit mask, and a lower bound of t for each.
   std::uint32_t (*entered)(const Block<N, T>& block, const BvhSlabs<N, T>& slabs, T* soonest);
 
-  /// Offers to `nearest` the boxes near a point, by keys without an owner, until all that is left is
-  /// beyond its reach. Returns how many nodes it looked at.
+  /// Offers the boxes near a point to `nearest`, by keys without an owner, until the rest is beyond its reach. Returns
+  /// the number of nodes visited.
   std::size_t (*find_near)(const BvhNode<N, T>* nodes, BvhLink root, const Vec<N, T>& point, NearestKeys& nearest);
 
-  /// The box around all boxes of a block.
+  /// The bounds of all boxes of a block.
   Aabb<N, T> (*around)(const Block<N, T>& block);
 
-  /// Which box of a block grows least, as the sum of its extents, if it is to contain another; of equal ones the
-  /// smallest, of those the first. The block has one at least.
+  /// Which box of a non-empty block grows least, by the sum of its extents, to contain another; ties go to the
+  /// smallest, then to the first.
   std::uint32_t (*least_grown)(const Block<N, T>& block, const Aabb<N, T>& box);
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The walk through a Bvh to the boxes near a point. Included once for each instruction set, hence no ordinary guard.
+// Walks a Bvh to the boxes near a point. Included once per instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_BVH_NEAR_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_BVH_NEAR_INL_HPP
 #undef GRAZE_BROAD_BVH_NEAR_INL_HPP
@@ -27,7 +27,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 
-/// Whole numbers as wide as T, whose bits are those of T.
+/// Unsigned integers of the width of T.
 template <class T>
 using BitsOf = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
 
@@ -45,7 +45,7 @@ HWY_INLINE Lanes<double> load_as(Tag<double> d, const float* from) {
   return hn::PromoteTo(d, hn::Load(hn::Rebind<float, Tag<double>>(), from));
 }
 
-/// The squared distances from a point to boxes of a node, calculated in `To` as distance_squared does in double.
+/// The squared distances from a point to boxes of a node, calculated in `To` by the operations of distance_squared.
 template <class To, Dim N, class T>
 HWY_INLINE Lanes<To> distances_from(const Vec<N, T>& point, const BvhNode<N, T>& node, std::uint32_t lane) {
   const Tag<To> d;
@@ -61,9 +61,8 @@ HWY_INLINE Lanes<To> distances_from(const Vec<N, T>& point, const BvhNode<N, T>&
   return sum;
 }
 
-/// The children of an inner node by their ranks: squared distances in T, at most the largest number, infinite where
-/// there is no child. The lowest bits of a rank say which lane it is in, so that the least one tells where the nearest
-/// child is.
+/// The children of an inner node with their ranks: squared distances in T, capped at the largest number, infinite for
+/// lanes without a child. The lowest bits of a rank hold the lane, so the minimum identifies the nearest child.
 template <Dim N, class T>
 struct NearChildren {
   alignas(64) T ranks[block_size];
@@ -72,13 +71,13 @@ struct NearChildren {
   BvhLink link(std::uint32_t lane) const { return BvhLink::of_code(node->entries[lane]); }
 };
 
-/// Gives the least ranks, lane by lane.
+/// Returns the lane-wise minima of the ranks.
 template <Dim N, class T>
 HWY_INLINE Lanes<T> rank_children(const Vec<N, T>& point, const BvhNode<N, T>& node, NearChildren<N, T>& children) {
   using Bits = BitsOf<T>;
   const Tag<T> d;
   const hn::Rebind<Bits, Tag<T>> bits;
-  prefetch(&node.entries);  // which are read as soon as the least rank is known
+  prefetch(&node.entries);  // read as soon as the least rank is known
   const auto infinity = hn::Set(d, std::numeric_limits<T>::infinity());
   auto least = infinity;
   for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
@@ -99,7 +98,7 @@ HWY_INLINE std::uint32_t lane_of_least(Lanes<T> ranks) {
   return static_cast<std::uint32_t>(bit_cast<BitsOf<T>>(least)) & (block_size - 1);
 }
 
-/// Which children have a rank up to a limit; a bit each.
+/// Which children have a rank up to a limit, as a bit mask.
 template <Dim N, class T>
 HWY_INLINE std::uint32_t ranked_within(const NearChildren<N, T>& children, T limit) {
   const Tag<T> d;
@@ -110,13 +109,13 @@ HWY_INLINE std::uint32_t ranked_within(const NearChildren<N, T>& children, T lim
   return within;
 }
 
-/// The squared distances from a point to the boxes of a leaf node, to the bit as distance_squared has them; infinite
-/// where there is no box.
+/// The squared distances from a point to the boxes of a leaf node, bit-identical to distance_squared; infinite for
+/// lanes without a box.
 struct NearBoxes {
   alignas(64) double distances[block_size];
   const std::uint32_t* slots;
   const std::uint32_t* generations;
-  std::uint32_t within;  // which boxes are not beyond the reach; a bit each
+  std::uint32_t within;  // bit mask of the boxes within reach
 
   Neighbour neighbour(std::uint32_t lane) const { return {{slots[lane], generations[lane], 0}, distances[lane]}; }
 };
@@ -138,7 +137,7 @@ HWY_INLINE void measure_boxes(const Vec<N, T>& point, const BvhNode<N, T>& node,
   }
 }
 
-/// Keeps the nearest of all.
+/// Keeps the nearest box only.
 class NearestOne {
  public:
   static constexpr bool wants_order = false;
@@ -161,7 +160,7 @@ class NearestOne {
     }
     first &= boxes.within;
     double distance = hn::GetLane(least);
-    if (first == 0) {  // where all are infinitely far, Highway's emulation finds a smaller number
+    if (first == 0) {  // if all are infinitely far, Highway's emulation returns a smaller number
       first = boxes.within;
       distance = std::numeric_limits<double>::infinity();
     }
@@ -185,8 +184,8 @@ class NearestOne {
   Key key_{no_box, 0, 0};
 };
 
-/// Keeps a few: their distances, ascending, by minima and maxima instead of branches, and all boxes that were within
-/// reach when they came.
+/// Keeps a small number of boxes: their distances, ascending, by branch-free minima and maxima, and all boxes that were
+/// within reach when they were offered.
 template <std::size_t Most>
 class NearestFew {
  public:
@@ -208,8 +207,8 @@ class NearestFew {
     if (count_ > room) finish();
   }
 
-  /// The place of each is how many distances are less than its own, where none is equally far. Slots decide between
-  /// those that are, also where they share the last place that is wanted and every place seems to be taken.
+  /// A box's rank is the number of smaller distances, if no other is equal. Ties are broken by slots, also where tied
+  /// boxes share the last wanted rank and every rank seems to be taken.
   void finish() {
     const Tag<double> d;
     constexpr std::uint32_t lanes = lanes_of<double>;
@@ -254,7 +253,7 @@ class NearestFew {
     Neighbour neighbour() const { return {{slot, generation, 0}, distance}; }
   };
 
-  /// Of the boxes that were offered before the candidates.
+  /// Among the boxes offered before the candidates.
   bool keeps_any_within_reach() const {
     bool any = false;
     for (const Neighbour& neighbour : nearest_.kept()) any |= neighbour.distance_squared <= reach();
@@ -277,7 +276,7 @@ class NearestFew {
   Candidate candidates_[room + block_size];
 };
 
-/// Keeps any number. To take one in costs so much that it pays to see the nearest nodes first.
+/// Keeps any number of boxes. Insertion is so expensive that visiting the nearest nodes first pays.
 class NearestMany {
  public:
   static constexpr bool wants_order = true;
@@ -298,15 +297,15 @@ class NearestMany {
   NearestKeys& nearest_;
 };
 
-/// A walk to the boxes near a point: down to the leaf node that seems nearest, then to all that is within reach of what
-/// was found there, from below.
+/// A walk to the boxes near a point: first down to the leaf node that seems nearest, then bottom-up to everything
+/// within reach of what was found there.
 template <Dim N, class T, class Keep>
 class NearWalk {
  public:
   NearWalk(const BvhNode<N, T>* nodes, const Vec<N, T>& point, NearestKeys& nearest)
       : nodes_(nodes), point_(point), keep_(nearest) {}
 
-  /// Returns how many nodes it looked at.
+  /// Returns the number of nodes visited.
   HWY_INLINE std::size_t walk(BvhLink root) {
     NearChildren<N, T> path[bvh_height_limit];
     std::uint32_t lanes[bvh_height_limit];
@@ -318,7 +317,7 @@ class NearWalk {
     }
     looks_ = depth;
     prefetch_whole(nodes_ + link.index());
-    if (depth > 0) ask_for_near(path[depth - 1], lanes[depth - 1]);  // while that one is on its way
+    if (depth > 0) ask_for_near(path[depth - 1], lanes[depth - 1]);  // while that one is being fetched
     look_at_boxes(link);
     while (depth-- > 0) {
       const std::uint32_t others = ranked_within(path[depth], limit_) & ~(1U << lanes[depth]);
@@ -345,8 +344,8 @@ class NearWalk {
     limit_ = rank_of<T>(keep_.reach());
   }
 
-  /// Asks for the other children that may have to be looked at after the nearest one: those hardly farther away than
-  /// it, by a quarter of its own width, in which a box is mostly found.
+  /// Prefetches the other children likely to be visited after the nearest: those at most a quarter of its width farther
+  /// away, where a box is usually found.
   HWY_INLINE void ask_for_near(const NearChildren<N, T>& children, std::uint32_t nearest) const {
     const Block<N, T>& boxes = children.node->boxes;
     const T quarter = (boxes.max[0][nearest] - boxes.min[0][nearest]) * T(0.25);
@@ -357,7 +356,7 @@ class NearWalk {
     }
   }
 
-  /// At boxes of children that are leaf nodes now, at what is in others later.
+  /// Visits the boxes of children that are leaf nodes now, and queues inner nodes.
   HWY_INLINE void look_at(const NearChildren<N, T>& children, std::uint32_t lanes) {
     if (lanes == 0) return;
     std::uint32_t order[block_size];

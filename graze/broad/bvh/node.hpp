@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a Bvh is made of.
+// The nodes and links of a Bvh.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace graze::detail {
 
-/// The name of a node where it hangs: its number, and whether it is a leaf node, so that a walk knows before it looks.
+/// A link to a node: its number, and whether it is a leaf node, so that a walk knows before reading the node.
 class BvhLink {
  public:
   BvhLink() = default;
@@ -22,7 +22,7 @@ class BvhLink {
   static BvhLink of_code(std::uint32_t code) { return BvhLink(code); }
 
   bool is_none() const { return code_ == no_box; }
-  bool is_leaf() const { return (code_ & 1U) != 0; }  ///< Of a link that is not none.
+  bool is_leaf() const { return (code_ & 1U) != 0; }  ///< Only for a link to a node.
   std::uint32_t index() const { return code_ >> 1U; }
   std::uint32_t code() const { return code_; }
 
@@ -34,8 +34,8 @@ class BvhLink {
   std::uint32_t code_ = no_box;
 };
 
-/// Who a box of a tree is: its slot, and the generation with which it came there, so that who finds the box knows its
-/// key without a look elsewhere.
+/// Identifies a box of a tree: its slot and the generation at insertion, so that a search has the key without another
+/// lookup.
 struct BvhName {
   std::uint32_t slot;
   std::uint32_t generation;
@@ -43,30 +43,29 @@ struct BvhName {
   friend bool operator==(const BvhName&, const BvhName&) = default;
 };
 
-/// Up to sixteen entries side by side: the first lanes, with the codes of links where the node is an inner one, slots
-/// and their generations where it is a leaf node. Lanes behind them are NaN.
+/// Up to sixteen entries in the first lanes: codes of links in an inner node; slots and generations in a leaf node. The
+/// boxes of unused lanes are NaN.
 template <Dim N, class T>
 struct BvhNode {
   Block<N, T> boxes;
   alignas(64) std::uint32_t entries[block_size];
-  std::uint32_t generations[block_size];  // of no meaning in an inner node
+  std::uint32_t generations[block_size];  // unused in an inner node
 
   BvhName name(std::uint32_t lane) const { return {entries[lane], generations[lane]}; }
 };
 
-/// How many entries a node has at least, but for the root, which may have fewer: so many, and as many again and one
-/// more, are what a full node is split into (Bayer and McCreight 1972, "Organization and maintenance of large ordered
-/// indexes").
+/// The minimum number of entries of a node other than the root. A full node and one more entry are split into nodes
+/// with at least this many (Bayer and McCreight 1972, "Organization and maintenance of large ordered indexes").
 inline constexpr std::uint32_t bvh_least = 6;
 
-/// How many boxes a Bvh takes in: so that the code of a link fits 32 bits.
+/// The maximum number of boxes in a Bvh; with it, the code of a link fits 32 bits.
 inline constexpr std::uint32_t bvh_most = (std::uint32_t{1} << 31U) - 1;
 
-/// The height of the tallest Bvh, whose root has two entries and all others six: 2 * 6^11 < 2^31 < 2 * 6^12.
+/// The height of the tallest Bvh, whose root has two entries and all other nodes six: 2 * 6^11 < 2^31 < 2 * 6^12.
 inline constexpr std::size_t bvh_height_limit = 12;
 
-/// What a walk that goes down first keeps in mind at most: of each level on its path fifteen others, and sixteen new.
-/// Room for a whole vector more.
+/// The maximum stack of a depth-first walk: fifteen siblings for each level on its path and sixteen new nodes, plus a
+/// whole vector for stores.
 inline constexpr std::size_t bvh_path = (bvh_height_limit + 2) * block_size;
 
 template <Dim N, class T>
@@ -87,7 +86,7 @@ void put_box(Block<N, T>& block, std::uint32_t lane, const Aabb<N, T>& box) {
   }
 }
 
-/// A box and a margin around it, as far as there are finite numbers.
+/// A box grown by a margin, clamped to finite numbers.
 template <Dim N, class T>
 Aabb<N, T> grown_by(const Aabb<N, T>& box, double margin) {
   constexpr auto most = static_cast<double>(std::numeric_limits<T>::max());
@@ -100,14 +99,14 @@ Aabb<N, T> grown_by(const Aabb<N, T>& box, double margin) {
   return grown;
 }
 
-/// What a lane without an entry has for a box.
+/// The box of a lane without an entry.
 template <Dim N, class T>
 Aabb<N, T> no_box_in() {
   constexpr T nan = std::numeric_limits<T>::quiet_NaN();
   return {Vec<N, T>(nan), Vec<N, T>(nan)};
 }
 
-/// Leaves a lane without an entry.
+/// Clears a lane.
 template <Dim N, class T>
 void clear_lane(BvhNode<N, T>& node, std::uint32_t lane) {
   put_box(node.boxes, lane, no_box_in<N, T>());
@@ -115,7 +114,7 @@ void clear_lane(BvhNode<N, T>& node, std::uint32_t lane) {
   node.generations[lane] = 0;
 }
 
-/// All lanes from the first on.
+/// Clears all lanes from `first` on.
 template <Dim N, class T>
 void clear_lanes(BvhNode<N, T>& node, std::uint32_t first) {
   for (std::uint32_t lane = first; lane < block_size; ++lane) clear_lane(node, lane);

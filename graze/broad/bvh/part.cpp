@@ -6,7 +6,7 @@
 namespace graze::detail {
 namespace {
 
-/// Of centers that are equal to the border along an axis, the slot of the first that belongs to the upper part.
+/// Among the centers equal to the border along an axis, the slot of the first one that belongs to the upper part.
 template <Dim N, class T>
 std::uint32_t border_slot(const BvhCenters<N, T>& centers, Dim axis, T border, std::size_t lower) {
   std::uint32_t* const slots = centers.beside.slots;
@@ -19,7 +19,7 @@ std::uint32_t border_slot(const BvhCenters<N, T>& centers, Dim axis, T border, s
   return slots[lower];
 }
 
-/// Parts centers where there are equal ones on both sides of the border.
+/// Partitions centers when some equal to the border belong to each part.
 template <Dim N, class T>
 void part_equal(const BvhCenters<N, T>& centers, std::size_t lower, Dim axis, const Selected<T>& border) {
   const std::uint32_t slot = border_slot(centers, axis, border.value, lower - border.less);

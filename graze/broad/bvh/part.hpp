@@ -9,7 +9,7 @@
 
 namespace graze::detail {
 
-/// Centers that are to be parted, and as much room beside them.
+/// Centers to partition, and space for a copy.
 template <Dim N, class T>
 struct BvhCenters {
   CenterLists<N, T> here;
@@ -20,13 +20,12 @@ struct BvhCenters {
   BvhCenters behind(std::size_t some) const { return {here.behind(some), beside.behind(some), count - some}; }
 };
 
-/// What of centers is still wanted after they are parted.
+/// What is still needed after the partition.
 enum class BvhWanted : std::uint8_t { all, slots };
 
-/// Copies centers, or their slots, into the room beside, the `lower` first ones along an axis before the others; of
-/// equal ones those of the lower slots are first. Returns where along the axis the first of the others is, which there
-/// are some of. What is in a part depends on nothing but the centers. They are finite, and slots differ. O(count)
-/// steps, O(count log count) where that fails.
+/// Copies centers, or only their slots, to `beside`, the `lower` first ones along an axis before the others; ties go by
+/// slot. Returns the smallest coordinate of the upper part, which must not be empty. The parts depend on the centers
+/// alone. Centers must be finite and slots distinct. O(count) expected, O(count log count) in the worst case.
 template <Dim N, class T>
 T part_centers(const BvhCenters<N, T>& centers, std::size_t lower, Dim axis, BvhWanted wanted = BvhWanted::all);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a BvhTree is walked.
+// Walks of a BvhTree.
 #pragma once
 
 #include <bit>
@@ -22,8 +22,8 @@
 
 namespace graze::detail {
 
-/// Calls visit(name) for every box in the tree that shares a point with `region`, until it returns false. Returns
-/// whether it never did.
+/// Calls visit(name) for every box in the tree that shares a point with `region`, until it returns false. Returns false
+/// if it did.
 template <Dim N, class T, class Visit>
 bool visit_in_box(const BvhTree<N, T>& tree, const Aabb<N, T>& region, const Visit& visit) {
   BvhMetWalk<N, T> walk;
@@ -40,7 +40,8 @@ bool visit_in_box(const BvhTree<N, T>& tree, const Aabb<N, T>& region, const Vis
   return true;
 }
 
-/// The same for every box in the tree that `probe` says is met, passing by groups that a closer look shows not to be.
+/// Calls visit(name) for every box in the tree that meets the region of `probe`, as above. Prunes nodes by
+/// may_meet_closely.
 template <Dim N, class T, class Probe, class Visit>
 bool visit_closely(const BvhTree<N, T>& tree, const Probe& probe, const Visit& visit) {
   const auto met = bvh_kernels<N, T>().met;
@@ -62,8 +63,8 @@ bool visit_closely(const BvhTree<N, T>& tree, const Probe& probe, const Visit& v
   return true;
 }
 
-/// Calls visit(name) for every box that `probe` (a RegionProbe, or what counts as one) says is met, until it returns
-/// false. Returns whether it never did.
+/// Calls visit(name) for every box that meets the region of `probe` (a RegionProbe or a class with its interface),
+/// until it returns false. Returns false if it did.
 template <Dim N, class T, class Probe, class Visit>
 bool visit_met(const BvhTree<N, T>& tree, const Probe& probe, const Visit& visit) {
   for (const BvhName& name : tree.infinite()) {
@@ -86,8 +87,8 @@ struct BvhHit {
   friend bool operator<(const BvhHit& a, const BvhHit& b) { return a.t != b.t ? a.t < b.t : a.name.slot < b.name.slot; }
 };
 
-/// How a ray is held against boxes of a tree whose largest coordinate is known: where numbers come so near to the ends
-/// of T that differences or inverses might not be numbers, by what is sure all the same.
+/// Prepares a ray for boxes of a tree whose largest coordinate is known. Chooses safe methods where differences or
+/// inverses might overflow.
 template <Dim N, class T>
 BvhSlabs<N, T> slabs_of(const Ray<N, T>& ray, double size) {
   constexpr auto most = static_cast<double>(most_for_slabs<T>);
@@ -102,7 +103,7 @@ BvhSlabs<N, T> slabs_of(const Ray<N, T>& ray, double size) {
   return slabs;
 }
 
-/// The first box that a ray enters, of equal ones that of the lowest slot.
+/// The first box that a ray enters; ties go to the lowest slot.
 template <Dim N, class T>
 std::optional<BvhHit> first_along(const BvhTree<N, T>& tree, const Ray<N, T>& ray) {
   BvhHit first{std::numeric_limits<double>::infinity(), {0, 0}};
@@ -119,15 +120,15 @@ std::optional<BvhHit> first_along(const BvhTree<N, T>& tree, const Ray<N, T>& ra
   return first;
 }
 
-/// What a walk in order of rank still has to look at: a node by its link's code, or a box by its slot. A rank is the t
-/// at which a ray enters. Without initial values, so that room for many costs nothing.
+/// What a walk in order of rank has yet to visit: a node by its link's code, or a box by its slot. The rank is the t at
+/// which the ray enters. Members are uninitialised, because arrays of them are large.
 struct BvhRanked {
   double rank;
   std::uint32_t index;
   std::uint32_t generation;
   bool is_box;
 
-  /// A node before boxes of the same rank: it may hold one that comes before them.
+  /// Nodes come before boxes of the same rank: a node may contain a box that precedes them.
   struct Before {
     bool operator()(const BvhRanked& a, const BvhRanked& b) const {
       if (a.rank != b.rank) return a.rank < b.rank;
@@ -136,8 +137,7 @@ struct BvhRanked {
   };
 };
 
-/// Calls visit(name, t) for every box that a ray enters after another, in order of t, equal ones by slot, until it
-/// returns false.
+/// Calls visit(name, t) for every box that a ray enters, in order of t, ties by slot, until it returns false.
 template <Dim N, class T, class Visit>
 void visit_along_after(const BvhTree<N, T>& tree, const Ray<N, T>& ray, const BvhHit& former, const Visit& visit) {
   ShortHeap<BvhRanked, bvh_path, BvhRanked::Before> open;
@@ -169,16 +169,15 @@ void visit_along_after(const BvhTree<N, T>& tree, const Ray<N, T>& ray, const Bv
   }
 }
 
-/// Calls visit(name, t) for every box that a ray enters, in order of t, equal ones by slot, until it returns false.
-/// Most want the first box only, which is found quicker by itself.
+/// The same. The first box is searched separately, because this is faster and most callers need only that one.
 template <Dim N, class T, class Visit>
 void visit_along(const BvhTree<N, T>& tree, const Ray<N, T>& ray, const Visit& visit) {
   const std::optional<BvhHit> first = first_along(tree, ray);
   if (first && visit(first->name, first->t)) visit_along_after(tree, ray, *first, visit);
 }
 
-/// Offers to `nearest` the boxes near a point, by keys without an owner, until all that is left is
-/// beyond its reach. Returns how many nodes it looked at.
+/// Offers the boxes near a point to `nearest`, by keys without an owner, until the rest is beyond its reach. Returns
+/// the number of nodes visited.
 template <Dim N, class T>
 std::size_t find_near(const BvhTree<N, T>& tree, const Vec<N, T>& point, NearestKeys& nearest) {
   for (const BvhName& name : tree.infinite()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The walk through a Bvh to the first box that a ray enters. Included once for each instruction set, hence no ordinary
+// Walks a Bvh to the first box that a ray enters. Included once per instruction set, so it has no ordinary include
 // guard.
 #if defined(GRAZE_BROAD_BVH_RAY_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_BVH_RAY_INL_HPP
@@ -31,8 +31,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 
-/// Which lanes a ray may enter that comes into their slabs and leaves them so late, if it enters before a limit; a bit
-/// each. Writes for each a t that is not above the first.
+/// Which lanes a ray may enter before a limit, as a bit mask, given the t at which it enters and leaves their slabs.
+/// Writes a lower bound of t for each.
 template <class T, class Mask>
 HWY_INLINE std::uint32_t lanes_entered(Lanes<T> enter, const Lanes<T>& leave, const Mask& may_be, T limit, T* soonest) {
   const Tag<T> d;
@@ -44,8 +44,8 @@ HWY_INLINE std::uint32_t lanes_entered(Lanes<T> enter, const Lanes<T>& leave, co
   return bits_of<T>(hn::And(may_be, hn::And(hn::Le(enter, latest), hn::Le(earliest, hn::Set(d, limit)))));
 }
 
-/// Which boxes of a block a ray may enter before a limit, whatever their slabs are to it, and for each a t that is not
-/// above the first.
+/// Which boxes of a block a ray may enter before a limit, as a bit mask, for slabs of any kind, and a lower bound of t
+/// for each.
 template <Dim N, class T>
 HWY_INLINE std::uint32_t boxes_entered(const Block<N, T>& block, const BvhSlabs<N, T>& slabs, T limit, T* soonest) {
   const Tag<T> d;
@@ -75,7 +75,7 @@ HWY_INLINE std::uint32_t boxes_entered(const Block<N, T>& block, const BvhSlabs<
   return entered;
 }
 
-/// Any ray that goes down a tree.
+/// A ray for which no special case applies.
 template <Dim N, class T>
 class AnyRay {
  public:
@@ -85,7 +85,7 @@ class AnyRay {
     return boxes_entered(block, slabs_, limit, soonest);
   }
 
-  /// The t at which the ray enters a box of a block, infinity where it does not.
+  /// The t at which the ray enters a box of a block; infinity if it misses.
   HWY_INLINE double entry(const Block<N, T>& block, std::uint32_t lane) const {
     return entry_of(ray_, box_in(block, lane)).value_or(std::numeric_limits<double>::infinity());
   }
@@ -95,8 +95,8 @@ class AnyRay {
   const BvhSlabs<N, T>& slabs_;
 };
 
-/// A ray that crosses the slabs of all boxes, which is that of most. It knows once and for all which sides are near, so
-/// that nothing branches by its direction, which is another with every ray.
+/// A ray that crosses the slabs of all boxes, as most do. The near sides are selected once, so no branch depends on the
+/// direction, which is different for every ray.
 template <Dim N, class T>
 class CrossingRay {
  public:
@@ -129,7 +129,7 @@ class CrossingRay {
     return entered;
   }
 
-  /// As of AnyRay, by the same operations as entry_of().
+  /// As in AnyRay, by the operations of entry_of().
   HWY_INLINE double entry(const Block<N, T>& block, std::uint32_t lane) const {
     double enter = 0;
     double leave = std::numeric_limits<double>::infinity();
@@ -145,7 +145,7 @@ class CrossingRay {
   using Row = T[block_size];
   static_assert(std::is_standard_layout_v<Box>);
 
-  /// A row of coordinates by its offset in a block.
+  /// A row of coordinates at an offset in a block.
   static HWY_INLINE const T* row(const Box& block, std::size_t offset) {
     return reinterpret_cast<const T*>(reinterpret_cast<const std::byte*>(&block) + offset);
   }
@@ -157,8 +157,8 @@ class CrossingRay {
   std::size_t far_[N];
 };
 
-/// How many of the candidates have a later t than one of them, or the same in a lower lane. Nothing branches by numbers
-/// that no machine can foresee.
+/// For each candidate, how many others have a smaller t, or the same t in a lower lane. Branch-free, because the order
+/// is unpredictable.
 template <class T>
 HWY_INLINE std::size_t later_than(const T* soonest, std::uint32_t candidates, std::uint32_t one) {
   const Tag<T> d;
@@ -174,7 +174,7 @@ HWY_INLINE std::size_t later_than(const T* soonest, std::uint32_t candidates, st
   return static_cast<std::size_t>(std::popcount(candidates & (later | (not_sooner & lower))));
 }
 
-/// Whether all coordinates are less than what is allowed for `crossed` slabs.
+/// Whether all coordinates are within the limit for `crossed` slabs.
 template <Dim N, class T>
 HWY_INLINE bool are_usual(const Block<N, T>& block) {
   const Tag<T> d;
@@ -182,7 +182,7 @@ HWY_INLINE bool are_usual(const Block<N, T>& block) {
   std::uint32_t beyond = 0;
   for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
     auto is_beyond = hn::Gt(hn::Zero(d), hn::Zero(d));
-    for (Dim i = 0; i < N; ++i) {  // both are numbers, or there is no box in the lane
+    for (Dim i = 0; i < N; ++i) {  // both are numbers, or the lane is empty
       is_beyond = hn::Or(is_beyond, hn::Ge(hn::Abs(hn::Load(d, block.min[i] + lane)), most));
       is_beyond = hn::Or(is_beyond, hn::Ge(hn::Abs(hn::Load(d, block.max[i] + lane)), most));
     }
@@ -191,18 +191,16 @@ HWY_INLINE bool are_usual(const Block<N, T>& block) {
   return beyond == 0;
 }
 
-/// So many children of a node that a ray enters are asked for, those that are looked at next: the second one while the
-/// first is looked at.
+/// How many of the children that a ray enters are prefetched: the next to visit and the one after it.
 constexpr std::size_t asked_ahead = 2;
 
-/// The nearest child first; what waits is passed by when a box was found before it. The ray is an AnyRay or a
-/// CrossingRay.
+/// Visits the nearest child first; skips open nodes beyond the first hit so far. HeldRay is AnyRay or CrossingRay.
 template <Dim N, class T, class HeldRay>
 HWY_INLINE std::size_t walk_down(const BvhNode<N, T>* nodes, BvhLink root, const HeldRay& ray,
                                  BvhFirstWalk<N, T>& walk) {
   alignas(64) T soonest[block_size];
-  // What is open: from which t on, and its link's code. Apart, since a processor waits where it reads in one go what it
-  // has just written in two.
+  // The stack: the t at which the ray enters each open node, and the link's code. Two arrays, because one load of two
+  // values that were just stored separately would stall.
   T open_from[bvh_path];
   std::uint32_t open[bvh_path];
   open_from[0] = 0;

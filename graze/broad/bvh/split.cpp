@@ -15,7 +15,7 @@ double sum_of_extents(const Aabb<N, T>& box) {
   return sum;
 }
 
-/// Twice the center, without overflow for the largest numbers of T; equal ones by entry.
+/// Orders entries by twice their center, which does not overflow for the largest numbers of T; ties by entry.
 template <Dim N, class T>
 void sort_along(BvhEntries<N, T>& entries, Dim axis) {
   const auto center = [axis](const BvhEntry<N, T>& entry) {
@@ -28,7 +28,7 @@ void sort_along(BvhEntries<N, T>& entries, Dim axis) {
   });
 }
 
-/// Where to cut entries in this order, and at what cost.
+/// Where to cut a sequence of entries, and the cost of the cut.
 struct BvhCut {
   std::uint32_t first;
   double cost;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the entries of a Bvh's node that has too many are shared between two.
+// How the entries of an overfull node of a Bvh are distributed to two nodes.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ void put_entry(BvhNode<N, T>& node, std::uint32_t lane, const BvhEntry<N, T>& en
   node.generations[lane] = entry.generation;
 }
 
-/// The entries of two nodes, or of one and one more.
+/// The entries of two nodes, or of one node and one more entry.
 template <Dim N, class T>
 struct BvhEntries {
   std::array<BvhEntry<N, T>, std::size_t{2} * block_size> all;
@@ -45,10 +45,10 @@ struct BvhEntries {
   }
 };
 
-/// Sorts more than sixteen entries and returns how many come first: of all ways to cut them between two neighbours
-/// along an axis, with bvh_least or more on either side and sixteen or less, the one that leaves the boxes around the
-/// two the smallest, each by the sum of its extents and weighed with its entries (after Beckmann, Kriegel, Schneider
-/// and Seeger 1990, "The R*-tree"). Depends on the set of entries alone.
+/// Sorts more than sixteen entries and returns how many go to the first node. Among all cuts of the entries sorted
+/// along an axis that leave bvh_least to sixteen on either side, it minimises the sum of the extents of both bounds,
+/// weighted by the number of entries (after Beckmann, Kriegel, Schneider and Seeger 1990, "The R*-tree"). Depends only
+/// on the set of entries.
 template <Dim N, class T>
 std::uint32_t split_entries(BvhEntries<N, T>& entries);
 

@@ -21,13 +21,13 @@
 namespace graze::detail {
 namespace {
 
-/// Makes room for one more, and for as many again when there is none.
+/// Reserves space for one more; doubles the capacity if there is none.
 template <class Value>
 void reserve_one_more(std::vector<Value>& values) {
   if (values.size() == values.capacity()) values.reserve(2 * values.size() + 1);
 }
 
-/// The generation of all these slots, where it is the same, as it mostly is: all have come together.
+/// The generation of these slots if all have the same, as they usually do after a bulk insertion.
 std::optional<std::uint32_t> same_generation(std::span<const std::uint32_t> slots,
                                              std::span<const std::uint32_t> generations) {
   if (generations.empty()) return std::nullopt;
@@ -149,7 +149,7 @@ void BvhTree<N, T>::fill(std::span<const Box> boxes, std::span<const std::uint32
   places_.resize(plan.nodes());
   BvhArrays<N, T> arrays{boxes_.data(), nodes_.data(), places_.data(), generations};
   if (const std::optional<std::uint32_t> same = same_generation(slots, generations)) {
-    arrays.generations = {};  // none needs to be looked up when its leaf node is filled
+    arrays.generations = {};  // none needs a lookup when its leaf node is filled
     arrays.generation = *same;
   }
   build_bvh<N, T>(slots, margin_, plan, arrays, executor);
@@ -191,7 +191,7 @@ BvhName BvhTree<N, T>::remove_from_list(std::uint32_t slot) noexcept {
 
 // ---- Nodes
 
-/// Lets all boxes know their leaf nodes, those that were built at once and are as they were.
+/// Records the leaf node of every box whose node was built in bulk and has not changed since.
 template <Dim N, class T>
 void BvhTree<N, T>::note_leaf_nodes() noexcept {
   for (std::uint32_t node = 0; node < unknown_leaf_nodes_; ++node) {
@@ -200,8 +200,8 @@ void BvhTree<N, T>::note_leaf_nodes() noexcept {
   unknown_leaf_nodes_ = 0;
 }
 
-/// Sees to it that as many nodes are at hand as one change may need: one for each level, and a new root; and that all
-/// that are made may be given back.
+/// Ensures that enough spare nodes exist for one change: one per level and a new root. Also reserves space to return
+/// every node.
 template <Dim N, class T>
 void BvhTree<N, T>::require_nodes() {
   const std::size_t wanted = height_ + 1;
@@ -210,7 +210,7 @@ void BvhTree<N, T>::require_nodes() {
   spare_.reserve(nodes_.capacity());
 }
 
-/// One that is at hand.
+/// Takes a spare node.
 template <Dim N, class T>
 std::uint32_t BvhTree<N, T>::take_node() noexcept {
   if (spare_.empty()) {
@@ -234,7 +234,7 @@ std::uint32_t BvhTree<N, T>::lane_of(std::uint32_t node, std::uint32_t entry) co
   return static_cast<std::uint32_t>(std::find(entries, entries + block_size, entry) - entries);
 }
 
-/// Writes an entry into a lane of a node, and lets it know its node.
+/// Writes an entry into a lane of a node, and records the node in the entry.
 template <Dim N, class T>
 void BvhTree<N, T>::put(BvhLink link, std::uint32_t lane, const BvhEntry<N, T>& entry) noexcept {
   put_entry(nodes_[link.index()], lane, entry);
@@ -253,7 +253,7 @@ void BvhTree<N, T>::fill_node(BvhLink link, std::span<const BvhEntry<N, T>> entr
   places_[link.index()].count = count;
 }
 
-/// The last entry comes in its place.
+/// Removes an entry by moving the last one to its lane.
 template <Dim N, class T>
 void BvhTree<N, T>::remove_lane(std::uint32_t node, std::uint32_t lane) noexcept {
   Node& from = nodes_[node];
@@ -262,7 +262,7 @@ void BvhTree<N, T>::remove_lane(std::uint32_t node, std::uint32_t lane) noexcept
   clear_lane(from, last);
 }
 
-/// What a node above has as a node's bounds.
+/// The bounds of a node as stored in its parent.
 template <Dim N, class T>
 Aabb<N, T> BvhTree<N, T>::bounds_of(BvhLink link) const {
   const Box around = bvh_kernels<N, T>().around(node(link).boxes);
@@ -280,7 +280,7 @@ void BvhTree<N, T>::plant(BvhLink link, const BvhEntry<N, T>& first) noexcept {
 
 // ---- Changes
 
-/// Brings a new box into the leaf node whose bounds grow least.
+/// Inserts a box into the leaf node whose bounds grow least.
 template <Dim N, class T>
 void BvhTree<N, T>::attach(const BvhEntry<N, T>& leaf) noexcept {
   if (root_.is_none()) return plant(BvhLink::leaf(take_node()), leaf);
@@ -297,7 +297,8 @@ void BvhTree<N, T>::attach(const BvhEntry<N, T>& leaf) noexcept {
   add(link, leaf);
 }
 
-/// Adds an entry to a node, which is split if it is full, and so on upwards. The bounds above contain it already.
+/// Adds an entry to a node. Splits the node if it is full, and so on upwards. The bounds above already contain the
+/// entry.
 template <Dim N, class T>
 void BvhTree<N, T>::add(BvhLink link, BvhEntry<N, T> entry) noexcept {
   const bool is_split = count(link) == block_size;
@@ -322,10 +323,10 @@ void BvhTree<N, T>::add(BvhLink link, BvhEntry<N, T> entry) noexcept {
     }
   }
   put(link, places_[link.index()].count++, entry);
-  if (is_split) tighten_above(link);  // the margin is around two nodes now
+  if (is_split) tighten_above(link);  // the margin now surrounds two nodes
 }
 
-/// Takes a box out of the tree.
+/// Removes a box from the tree.
 template <Dim N, class T>
 BvhEntry<N, T> BvhTree<N, T>::detach(std::uint32_t slot) noexcept {
   const std::uint32_t node = leaf_nodes_[slot];
@@ -336,7 +337,7 @@ BvhEntry<N, T> BvhTree<N, T>::detach(std::uint32_t slot) noexcept {
   return entry;
 }
 
-/// After an entry was taken out of a node: joins it with another if it has too few, and so on upwards.
+/// After removal from a node: merges it with a sibling if it has too few entries, and so on upwards.
 template <Dim N, class T>
 void BvhTree<N, T>::mend(BvhLink link) noexcept {
   while (link != root_ && count(link) < bvh_least) {
@@ -355,8 +356,8 @@ void BvhTree<N, T>::mend(BvhLink link) noexcept {
   }
 }
 
-/// Brings the entries of a node to the one beside it that grows least, or shares those of both if they are too many for
-/// one. Whether the node is gone.
+/// Moves the entries of a node to the sibling that grows least, or redistributes both if they are too many for one.
+/// Returns whether the node was removed.
 template <Dim N, class T>
 bool BvhTree<N, T>::join(BvhLink link) noexcept {
   const BvhLink above = parent_link(link);
@@ -383,7 +384,7 @@ bool BvhTree<N, T>::join(BvhLink link) noexcept {
   return fit_in_one;
 }
 
-/// Leaves a box that has moved in its node, if the node's bounds contain it or no node beside it would grow less.
+/// Keeps a moved box in its node if the node's bounds contain it or no sibling would grow less. Returns whether it did.
 template <Dim N, class T>
 bool BvhTree<N, T>::shift(std::uint32_t slot, const Box& box) noexcept {
   const BvhLink link = BvhLink::leaf(leaf_nodes_[slot]);
@@ -399,7 +400,7 @@ bool BvhTree<N, T>::shift(std::uint32_t slot, const Box& box) noexcept {
   return true;
 }
 
-/// Whether bounds need not change for boxes in a leaf node that reach so far.
+/// Whether bounds may remain for boxes of a leaf node with these bounds.
 template <Dim N, class T>
 bool BvhTree<N, T>::fit(const Box& bounds, const Box& around) const {
   if (margin_ == 0) return bounds == around;
@@ -407,7 +408,7 @@ bool BvhTree<N, T>::fit(const Box& bounds, const Box& around) const {
   return covers(bounds, around) && covers(grown_by(around, room), bounds);
 }
 
-/// Sees to it that the bounds of a node, and of those above it, are as their entries have it.
+/// Recalculates the bounds of a node and those above it from their entries.
 template <Dim N, class T>
 void BvhTree<N, T>::tighten_above(BvhLink link) noexcept {
   while (link != root_) {
@@ -422,7 +423,7 @@ void BvhTree<N, T>::tighten_above(BvhLink link) noexcept {
   }
 }
 
-/// Nothing is left but boxes in the list.
+/// Removes everything except the infinite boxes.
 template <Dim N, class T>
 void BvhTree<N, T>::clear_tree() noexcept {
   nodes_.clear();

@@ -17,36 +17,36 @@
 
 namespace graze::detail {
 
-/// require_box of each; soon done where all are finite.
+/// Calls require_box for each; fast if all are finite.
 template <Dim N, class T>
 void require_boxes(std::span<const Aabb<N, T>> boxes);
 
 /// The boxes of a Bvh by slot, and the tree over them: an R-tree (Guttman 1984, "R-trees: a dynamic index structure for
-/// spatial searching") whose nodes have up to sixteen entries. All leaf nodes are equally deep, and all nodes but the
-/// root have bvh_least entries or more, by which the height is bounded and every change takes O(log n) steps. A new box
-/// goes down to where the bounds grow least. A node that has too many entries is split; one that has too few takes some
-/// of a neighbour's or goes up in it. A box that moves stays in its node while it has no better place near by.
+/// spatial searching") whose nodes have up to sixteen entries. All leaf nodes have the same depth, and all nodes except
+/// the root have at least bvh_least entries, which bounds the height; every change takes O(log n) steps. A new box
+/// descends to where the bounds grow least. An overfull node is split; an underfull one takes entries from a sibling or
+/// merges with it. A box that moves stays in its node unless a sibling is better.
 ///
-/// The bounds of leaf nodes are grown by the margin, those of the others as tight as can be. Boxes with infinite sides
-/// are in a list beside the tree, whose boxes are all finite.
+/// The bounds of leaf nodes are grown by the margin; all others are tight. Boxes with infinite sides are in a list
+/// beside the tree, whose boxes are all finite.
 template <Dim N, class T>
 class BvhTree {
  public:
   using Box = Aabb<N, T>;
   using Node = BvhNode<N, T>;
 
-  /// Throws std::invalid_argument for a margin that is negative or not finite.
+  /// Throws std::invalid_argument if the margin is negative or not finite.
   explicit BvhTree(double margin);
 
-  /// Each of these throws nothing but std::bad_alloc, and then changes nothing that can be seen. The generation is what
-  /// the names of the box will say, wherever it moves.
+  /// These throw only std::bad_alloc, and then have no visible effect. `generation` becomes part of the box's name,
+  /// wherever it moves.
   void insert(std::uint32_t slot, const Box& box, std::uint32_t generation = 0);
   void update(std::uint32_t slot, const Box& box);
 
   void erase(std::uint32_t slot) noexcept;
   void clear() noexcept;
 
-  /// Asks for what says where a box is; and for the node that it is in, when that is there. For slots that are held.
+  /// Prefetches where a box is stored, and the node that contains it if known. Only for occupied slots.
   void prefetch_place(std::uint32_t slot) const {
     prefetch(&leaf_nodes_[slot]);
     prefetch(&boxes_[slot]);
@@ -55,9 +55,9 @@ class BvhTree {
     if (are_leaf_nodes_known() && leaf_nodes_[slot] < nodes_.size()) prefetch_whole(&nodes_[leaf_nodes_[slot]]);
   }
 
-  /// Into an empty tree: boxes[i] in slots[i]. Generations are by slot; where there are none, all are 0. Throws also
-  /// what the executor does; the tree is then of no use. Which leaf node each box is in is noted before the first
-  /// change afterwards, in O(n) steps: who only asks need not wait.
+  /// Fills an empty tree: boxes[i] in slots[i]. Generations are by slot; if the span is empty, all are 0. Also throws
+  /// what the executor throws; the tree is unusable after an exception. The leaf node of each box is recorded before
+  /// the next change, in O(n) steps, so queries need not wait for it.
   void fill(std::span<const Box> boxes, std::span<const std::uint32_t> slots, const Executor& executor,
             std::span<const std::uint32_t> generations = {});
 
@@ -75,10 +75,10 @@ class BvhTree {
   /// The boxes beside the tree.
   std::span<const BvhName> infinite() const { return infinite_; }
 
-  /// Of all nodes that were ever made, how many are not in the tree.
+  /// The number of allocated nodes that are not in the tree.
   std::size_t spare_nodes() const { return spare_.size(); }
 
-  /// The memory that is held, in bytes.
+  /// The memory held, in bytes.
   std::size_t bytes() const;
 
  private:
@@ -114,8 +114,9 @@ class BvhTree {
   BvhLink root_;
   std::size_t height_ = 0;                 // levels of nodes
   BlankVector<Box> boxes_;                 // by slot
-  BlankVector<std::uint32_t> leaf_nodes_;  // by slot: the number of the node, or where in the list
-  std::uint32_t unknown_leaf_nodes_ = 0;   // so many of the first nodes are leaf nodes that their boxes do not know yet
+  BlankVector<std::uint32_t> leaf_nodes_;  // by slot: the number of the node, or the index in `infinite_`
+  // the boxes of this many first leaf nodes do not have their nodes recorded yet
+  std::uint32_t unknown_leaf_nodes_ = 0;
   std::vector<BvhName> infinite_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands in for tbb.cpp where there is no oneTBB: the calling thread.
+// Replaces tbb.cpp if oneTBB is not available: everything runs on the calling thread.
 #include <stdexcept>
 
 #include <graze/broad/executor.hpp>

@@ -23,7 +23,7 @@ class TbbExecutor final : public Executor {
       for (std::size_t i = 0; i < count; ++i) task(i);
       return;
     }
-    // Tasks of graze are large, so each may go to another thread.
+    // graze's tasks are large, so each may run on another thread.
     arena_.execute([&] { tbb::parallel_for(std::size_t{0}, count, task, tbb::simple_partitioner()); });
   }
 
@@ -42,7 +42,7 @@ const Executor& default_executor() {
 
 std::unique_ptr<Executor> limited_executor(std::size_t threads) {
   if (threads == 0) throw std::invalid_argument("limited_executor: at least one thread is needed, 0 were asked for");
-  // oneTBB warns on the error stream when it is asked for more than there are.
+  // oneTBB prints a warning if more threads are requested than exist.
   const auto available = static_cast<std::size_t>(tbb::info::default_concurrency());
   return std::make_unique<TbbExecutor>(static_cast<int>(std::min(threads, available)));
 }

@@ -13,18 +13,18 @@
 namespace graze::detail {
 namespace {
 
-/// How many boxes a cell that has any should have on average: cells of the base level are too small below, and too
-/// large above. A level more or less changes the number by up to eight.
+/// The minimum average number of boxes in an occupied cell: cells of lower levels are too small, of higher levels too
+/// large. One level changes the number by a factor of up to eight.
 constexpr std::size_t boxes_per_cell = 2;
 constexpr std::size_t too_many = 16;
 
-/// Fewer boxes than that are well off in any cells.
+/// With fewer boxes, any cell size is fine.
 constexpr std::size_t worth_a_review = 64;
 
-/// A base that turned out to be as good as there is may be left alone for so many times as long.
+/// If the base level was found to be best, the interval until the next review grows up to this factor.
 constexpr std::size_t most_patience = 64;
 
-/// Makes room for so many more, and for as many again when there is none.
+/// Reserves space for `more` elements; at least doubles the capacity if it is insufficient.
 template <class Value>
 void reserve_more(std::vector<Value>& values, std::size_t more) {
   if (values.size() + more > values.capacity()) values.reserve(2 * values.size() + more);
@@ -98,7 +98,7 @@ std::size_t GridCells<N, T>::bytes() const {
          pool_.bytes() + positions_.capacity() * sizeof(std::uint32_t);
 }
 
-// ---- Where a box belongs
+// ---- The cell of a box
 
 template <Dim N, class T>
 GridPlace<N> GridCells<N, T>::place(std::uint32_t cell) const {
@@ -117,7 +117,7 @@ bool GridCells<N, T>::is_at(std::uint32_t cell, const GridPlace<N>& where) const
   return cell != outside && place(cell) == where;
 }
 
-/// The cell for a box, made where there is none. The roots are raised until they reach as far.
+/// The cell for a box, created if necessary. Raises the level of the roots until they contain it.
 template <Dim N, class T>
 std::uint32_t GridCells<N, T>::home_of(const Box& box) {
   if (!has_grid_place(box)) return outside;
@@ -135,7 +135,7 @@ std::uint32_t GridCells<N, T>::home_of(const Box& box) {
   return group == no_index ? open_cell(where) : first_of(group) + child_number(where);
 }
 
-/// Makes what is missing of the way down to a cell below the roots.
+/// Creates the missing cells between a root and a cell.
 template <Dim N, class T>
 std::uint32_t GridCells<N, T>::open_cell(const GridPlace<N>& where) {
   prepare_groups(static_cast<std::size_t>(top_ - where.level));
@@ -148,7 +148,7 @@ std::uint32_t GridCells<N, T>::open_cell(const GridPlace<N>& where) {
   return cell;
 }
 
-/// Sees to it that so many groups can be made without a failure.
+/// Reserves memory so that this many groups can be created without failure.
 template <Dim N, class T>
 void GridCells<N, T>::prepare_groups(std::size_t count) {
   table_.prepare(count);
@@ -175,7 +175,7 @@ std::uint32_t GridCells<N, T>::new_group(std::uint32_t parent, const GridPlace<N
   return first;
 }
 
-/// Each root that holds anything becomes a child of a new root, which has its place in the array.
+/// Every non-empty root becomes a child of a new root, which takes its index.
 template <Dim N, class T>
 void GridCells<N, T>::raise_roots() {
   prepare_groups(children);
@@ -193,7 +193,7 @@ void GridCells<N, T>::raise_roots() {
 
 // ---- Adding and removing entries
 
-/// There is a free block for it.
+/// A free block must be available.
 template <Dim N, class T>
 void GridCells<N, T>::add(std::uint32_t cell, const Entry<N, T>& entry) noexcept {
   EntryList& list = cells_[cell].entries;
@@ -213,7 +213,7 @@ void GridCells<N, T>::remove(std::uint32_t position) noexcept {
   prune_from(cell);
 }
 
-/// Takes back groups of which no cell is used any more, from this cell's upwards.
+/// Frees groups without occupied cells, from this cell's group upwards.
 template <Dim N, class T>
 void GridCells<N, T>::prune_from(std::uint32_t cell) noexcept {
   while (is_unused(cell)) {
@@ -237,7 +237,7 @@ bool GridCells<N, T>::is_unused(std::uint32_t cell) const {
   return cells_[cell].entries.count == 0 && cells_[cell].first_child == no_index;
 }
 
-/// What contains the box contains it all the way up.
+/// Ancestors whose bounds already contain the box end the loop.
 template <Dim N, class T>
 void GridCells<N, T>::grow_bounds(std::uint32_t cell, const Box& box) noexcept {
   if (cell == outside) return;
@@ -246,7 +246,7 @@ void GridCells<N, T>::grow_bounds(std::uint32_t cell, const Box& box) noexcept {
   }
 }
 
-/// Calculates the bounds of a cell and all below it. No deeper than there are levels.
+/// Recalculates the bounds of a cell and all below it. The recursion is at most as deep as there are levels.
 template <Dim N, class T>
 Aabb<N, T> GridCells<N, T>::refresh(std::uint32_t cell) noexcept {  // NOLINT(misc-no-recursion)
   Box bounds = Box::nothing();
@@ -258,7 +258,7 @@ Aabb<N, T> GridCells<N, T>::refresh(std::uint32_t cell) noexcept {  // NOLINT(mi
 
 // ---- The base level
 
-/// Where a base turns out to be as good as there is, the next look at it may wait the longer.
+/// Each time the base is found to be best, the interval until the next review grows.
 template <Dim N, class T>
 void GridCells<N, T>::review() {
   ++changes_since_refresh_;
@@ -283,7 +283,7 @@ bool GridCells<N, T>::base_is_due() const {
          (boxes > too_many * filled_ || boxes < boxes_per_cell * filled_);
 }
 
-/// The lowest level at which the boxes that are no larger, if they are a good part of all, fill its cells well enough.
+/// The lowest level that fills its cells well: the boxes that are no larger must be a substantial part of all.
 template <Dim N, class T>
 int GridCells<N, T>::better_base() const {
   std::vector<std::pair<int, std::uint32_t>> boxes;  // own levels and positions
@@ -296,12 +296,12 @@ int GridCells<N, T>::better_base() const {
     low = std::min(low, own);
     high = std::max(high, own);
   }
-  high = std::min(high + grid_digits + 1, highest_grid_level);  // where all are in the cells around the origin
+  high = std::min(high + grid_digits + 1, highest_grid_level);  // at that level, all are in the cells around the origin
   std::vector<bool> is_met;
   const auto is_full = [&](int level) {
     std::size_t present = 0;
     std::size_t cells = 0;
-    is_met.assign(16 * boxes.size(), false);  // so that few cells share a place
+    is_met.assign(16 * boxes.size(), false);  // sparse, so that few cells collide
     for (const auto& [own, position] : boxes) {
       if (own > level) continue;
       const std::uint64_t hash = GridTable<N>::hash_of(grid_place(pool_.box(position), level));
@@ -323,7 +323,7 @@ int GridCells<N, T>::better_base() const {
   return low;
 }
 
-/// Lays all boxes into new cells, with roots no larger than they must be.
+/// Moves all boxes to new cells, with roots as low as possible.
 template <Dim N, class T>
 void GridCells<N, T>::rebuild(int base) {
   GridCells fresh(options_);

@@ -26,25 +26,26 @@ struct GridOptions {
 namespace detail {
 
 /// The cells of a Grid and the boxes in them, by slot. A box is in the cell that contains its center, of the lowest
-/// level whose cells are no smaller than the box, nor smaller than those of the base level. Cells that hold boxes hang
-/// below larger ones, all the way up to the 2^N roots around the origin, so that whoever asks can pass empty space by;
-/// but none is reached that way when a box comes or moves: their groups are found by hashing.
+/// level whose cells are at least as large as the box and at least at the base level. Occupied cells are linked to
+/// their ancestors, up to the 2^N roots around the origin, so queries can skip empty space. Insertions and moves do not
+/// descend from the roots: they find groups by hashing.
 ///
-/// The base level is chosen anew when cells have become too full or too empty, and bounds are calculated anew, when as
-/// many boxes have come, moved and gone as there are.
+/// After as many insertions, moves and removals as there are boxes, the base level is chosen again if cells are too
+/// full or too empty, and bounds are recalculated.
 template <Dim N, class T>
 class GridCells {
  public:
   using Box = Aabb<N, T>;
 
   static constexpr std::uint32_t children = 1U << static_cast<unsigned>(N);
-  static constexpr std::uint32_t outside = 0;  ///< The list of the boxes that have no place, as a cell without bounds.
-  static constexpr std::uint32_t root = 1;     ///< The first of root_count().
+  /// The list of the boxes that are in no cell, stored as a cell without bounds.
+  static constexpr std::uint32_t outside = 0;
+  static constexpr std::uint32_t root = 1;  ///< The first of root_count().
 
-  /// Throws std::invalid_argument for options beyond their limits.
+  /// Throws std::invalid_argument if an option is out of range.
   explicit GridCells(const GridOptions& options);
 
-  /// Each of these throws nothing but std::bad_alloc, and then changes nothing that can be seen.
+  /// These throw only std::bad_alloc, and then have no visible effect.
   void insert(std::uint32_t slot, const Box& box);
   void update(std::uint32_t slot, const Box& box);
 
@@ -60,10 +61,10 @@ class GridCells {
   const EntryPool<N, T>& pool() const { return pool_; }
   const GridOptions& options() const { return options_; }
 
-  /// How many cells hold boxes.
+  /// The number of occupied cells.
   std::size_t filled() const { return filled_; }
 
-  /// The memory that is held, in bytes.
+  /// The memory held, in bytes.
   std::size_t bytes() const;
 
  private:
@@ -92,8 +93,8 @@ class GridCells {
   int base_;
   int top_ = 0;                          // the level of the roots
   std::vector<Cell<N, T>> cells_;        // outside, the roots, then groups of children
-  std::vector<GridGroup<N>> groups_;     // the first is the roots'
-  std::uint32_t free_group_ = no_index;  // a chain by first_child of the group's first cell
+  std::vector<GridGroup<N>> groups_;     // the first is the roots' group
+  std::uint32_t free_group_ = no_index;  // a chain by first_child of each group's first cell
   std::size_t free_groups_ = 0;
   GridTable<N> table_;
   EntryPool<N, T> pool_;
@@ -101,7 +102,7 @@ class GridCells {
   std::size_t size_ = 0;
   std::size_t filled_ = 0;
   std::size_t changes_since_refresh_ = 0;
-  std::size_t changes_since_choice_ = 0;  // of the base
+  std::size_t changes_since_choice_ = 0;  // choice of the base level
   std::size_t patience_ = 1;
 };
 

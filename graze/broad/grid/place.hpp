@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which cell of a Grid a box belongs to. Nothing that is found depends on it, for cells know the bounds of what they
-// hold: so it may round.
+// Which cell of a Grid a box belongs to. This may round: cells know the bounds of their content, so no answer depends
+// on it.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace graze::detail {
 
-/// A cell of level l has size 2^l, and contains the x with number * size <= x < (number + 1) * size along each axis.
-/// Two along each axis make one of the next level.
+/// A cell of level l has size 2^l and contains the x with number * size <= x < (number + 1) * size along each axis. Two
+/// along each axis form one of the next level.
 template <Dim N>
 struct GridPlace {
   int level = 0;
@@ -23,35 +23,36 @@ struct GridPlace {
   friend bool operator==(const GridPlace&, const GridPlace&) = default;
 };
 
-/// The levels that there are. Beyond, a box is in no cell.
+/// The range of levels. A box beyond it is in no cell.
 inline constexpr int lowest_grid_level = -1000;
 inline constexpr int highest_grid_level = 1000;
 
-/// Numbers of cells do not have more binary digits: a box so far off goes to a level with larger cells.
+/// The maximum number of binary digits of a cell number. A box farther from the origin goes to a level with larger
+/// cells.
 inline constexpr int grid_digits = 40;
 
 /// 2^level.
 inline double grid_size(int level) { return bit_cast<double>(static_cast<std::uint64_t>(1023 + level) << 52U); }
 
-/// The lowest level whose cells are no smaller than this length, 0 or more; lower than all levels there are for 0.
+/// The lowest level whose cells are at least this long (0 or more); for 0, below all levels.
 inline int grid_level_of(double length) {
   const auto bits = bit_cast<std::uint64_t>(length);
   const bool is_between_powers = (bits & ((std::uint64_t{1} << 52U) - 1)) != 0;
   return static_cast<int>(bits >> 52U) - 1023 + (is_between_powers ? 1 : 0);
 }
 
-/// Whether a box has its place in a cell at all: it is finite, and not as large as numbers get.
+/// Whether a box can be in a cell: it is finite and below the size of the highest level.
 template <Dim N, class T>
 bool has_grid_place(const Aabb<N, T>& box) {
-  constexpr double most = 0x1p999;  // of the highest level
+  constexpr double most = 0x1p999;  // half a cell of the highest level
   for (Dim i = 0; i < N; ++i) {
     if (!(static_cast<double>(box.min[i]) >= -most && static_cast<double>(box.max[i]) <= most)) return false;
   }
   return true;
 }
 
-/// The lowest level whose cells are no smaller than the longest side of a box that has its place, and near enough to
-/// the origin.
+/// The lowest level whose cells are at least as long as the longest side of a box, and large enough for its distance
+/// from the origin. The box must have a place in a cell.
 template <Dim N, class T>
 int own_grid_level(const Aabb<N, T>& box) {
   constexpr double sizes_to_origin = static_cast<double>(std::int64_t{1} << grid_digits);
@@ -67,7 +68,7 @@ int own_grid_level(const Aabb<N, T>& box) {
   return level > lowest_grid_level ? level : lowest_grid_level;
 }
 
-/// The cell of a level that contains the box's center, for a level no lower than the box's own.
+/// The cell of a level that contains the box's center; the level must not be below the box's own.
 template <Dim N, class T>
 GridPlace<N> grid_place(const Aabb<N, T>& box, int level) {
   const double cells_per_unit = grid_size(-level);
@@ -81,7 +82,7 @@ GridPlace<N> grid_place(const Aabb<N, T>& box, int level) {
   return place;
 }
 
-/// The cell of a higher level that contains a cell.
+/// The ancestor of a cell at a higher level.
 template <Dim N>
 GridPlace<N> place_above(const GridPlace<N>& place, int level) {
   GridPlace<N> above{level, {}};
@@ -95,7 +96,7 @@ GridPlace<N> parent_of(const GridPlace<N>& place) {
   return place_above(place, place.level + 1);
 }
 
-/// Which of its parent's children a cell is: the last digits of its numbers.
+/// The index of a cell among its parent's children: the last binary digits of its numbers.
 template <Dim N>
 std::uint32_t child_number(const GridPlace<N>& place) {
   std::uint32_t child = 0;
@@ -114,8 +115,8 @@ GridPlace<N> child_of(const GridPlace<N>& parent, std::uint32_t child) {
   return place;
 }
 
-/// The cells that touch the origin, whose numbers are all 0 or -1, are those of their level that have no neighbours
-/// above: 2^N, numbered as children are.
+/// The cells that touch the origin, with numbers 0 and -1 only, are the possible roots of their level: 2^N, indexed
+/// like children.
 template <Dim N>
 GridPlace<N> place_at_origin(int level, std::uint32_t child) {
   GridPlace<N> place{level, {}};
@@ -125,7 +126,7 @@ GridPlace<N> place_at_origin(int level, std::uint32_t child) {
   return place;
 }
 
-/// The lowest level at which the cell above a cell touches the origin.
+/// The lowest level at which the ancestor of a cell touches the origin.
 template <Dim N>
 int level_at_origin(const GridPlace<N>& place) {
   std::uint64_t digits = 0;

@@ -32,7 +32,7 @@ void GridTable<N>::add(const GridPlace<N>& place, std::uint32_t group) noexcept 
   ++count_;
 }
 
-/// What follows without a gap, and would not be found any more, moves up into the gap.
+/// Entries of the same run that would no longer be found move up to fill the gap.
 template <Dim N>
 void GridTable<N>::remove(const GridPlace<N>& place, std::uint32_t group) noexcept {
   std::size_t gap = hash_of(place) & mask();

@@ -14,16 +14,16 @@ namespace graze::detail {
 /// The children of a cell of a Grid.
 template <Dim N>
 struct GridGroup {
-  GridPlace<N> place;               ///< Of the cell whose children they are.
-  std::uint32_t parent = no_index;  ///< The cell itself; none above the roots.
+  GridPlace<N> place;               ///< Of the parent cell.
+  std::uint32_t parent = no_index;  ///< The index of the parent cell; none above the roots.
 };
 
-/// Finds groups by their places: a hash table with open addressing and linear steps (Knuth, TAOCP 3, 6.4, algorithms L
-/// and R), which knows so much of each hash that hardly any group is looked at in vain.
+/// Finds groups by their cells: a hash table with open addressing and linear probing (Knuth, TAOCP 3, 6.4, algorithms L
+/// and R). It stores the hashes, so that it rarely reads a wrong group.
 template <Dim N>
 class GridTable {
  public:
-  /// Which of the groups is that of a place; no_index if none is.
+  /// The group of a cell's children; no_index if there is none.
   std::uint32_t find(const GridPlace<N>& place, const std::vector<GridGroup<N>>& groups) const {
     if (slots_.empty()) return no_index;
     const std::uint32_t hash = hash_of(place);
@@ -34,22 +34,22 @@ class GridTable {
     }
   }
 
-  /// Sees to room for so many more. May throw.
+  /// Reserves space for `more` groups. May throw.
   void prepare(std::size_t more);
 
-  /// The place is not in the table yet, and there is room.
+  /// The cell must not be in the table, and space must be reserved.
   void add(const GridPlace<N>& place, std::uint32_t group) noexcept;
 
-  /// The group is in the table.
+  /// The group must be in the table.
   void remove(const GridPlace<N>& place, std::uint32_t group) noexcept;
 
-  /// Forgets all groups and keeps the memory.
+  /// Removes all groups and keeps the memory.
   void clear() noexcept;
 
   std::size_t size() const { return count_; }
   std::size_t bytes() const { return slots_.capacity() * sizeof(Slot); }
 
-  /// The same on every machine. Each number is mixed in as in splitmix64 (Steele, Lea and Flood 2014, "Fast splittable
+  /// The same on every machine. Mixes in each number as splitmix64 does (Steele, Lea and Flood 2014, "Fast splittable
   /// pseudorandom number generators").
   static std::uint32_t hash_of(const GridPlace<N>& place) {
     auto hash = static_cast<std::uint64_t>(place.level) * 0x9E3779B97F4A7C15U;
@@ -69,7 +69,7 @@ class GridTable {
 
   std::size_t mask() const { return slots_.size() - 1; }
 
-  std::vector<Slot> slots_;  // a power of two, at most half of them full
+  std::vector<Slot> slots_;  // a power of two; at most half of them are occupied
   std::size_t count_ = 0;
 };
 

@@ -16,7 +16,7 @@ bool covers(const Aabb<N, T>& bounds, const Aabb<N, T>& box) {
   return true;
 }
 
-/// is_valid without branches.
+/// Branch-free is_valid.
 template <Dim N, class T>
 bool is_finite_box(const Aabb<N, T>& box) {
   constexpr T most = std::numeric_limits<T>::max();
@@ -29,7 +29,7 @@ bool is_finite_box(const Aabb<N, T>& box) {
   return faults == 0;
 }
 
-/// Aabb::grow without branches, for boxes without NaN.
+/// Branch-free Aabb::grow, for boxes without NaN.
 template <Dim N, class T>
 void grow_at_once(Aabb<N, T>& bounds, const Aabb<N, T>& box) {
   for (Dim i = 0; i < N; ++i) {
@@ -44,9 +44,9 @@ Aabb<N, T> box_around(Aabb<N, T> a, const Aabb<N, T>& b) {
   return a;
 }
 
-/// What a query pays for a box, up to a factor: the chance that a random line meets it, which is as its surface, in 2D
-/// its circumference (Goldsmith and Salmon 1987, "Automatic creation of object hierarchies for ray tracing"). Infinite
-/// or NaN where the sides are so long that the product has no number.
+/// The expected cost of a box for a query, up to a factor: the probability that a random line hits it, which is
+/// proportional to its surface area, in 2D to its perimeter (Goldsmith and Salmon 1987, "Automatic creation of object
+/// hierarchies for ray tracing"). Infinite or NaN if the product overflows.
 template <Dim N, class T>
 double surface_of(const Aabb<N, T>& box) {
   Vec<N, double> side;

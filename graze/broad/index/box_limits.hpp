@@ -12,11 +12,11 @@
 
 namespace graze::detail {
 
-/// A box that many are held against: the same answers as boxes_overlap gives, without a branch, for where the answer is
-/// hard to predict. One with a NaN meets none.
+/// A box to test against many others: the same answers as boxes_overlap, without branches, for unpredictable answers. A
+/// box with a NaN overlaps none.
 ///
-/// The six numbers of a box in space, its max negated, are compared with six limits at once. Every x86-64 has vectors
-/// for that; elsewhere they are compared one by one.
+/// The six numbers of a 3D box, with max negated, are compared with six limits at once. Every x86-64 processor has the
+/// vector instructions; elsewhere they are compared one by one.
 template <Dim N, class T>
 class BoxLimits {
  public:
@@ -45,7 +45,7 @@ class BoxLimits {
 
  private:
 #if defined(__SSE2__)
-  /// Of four consecutive numbers from the k-th on, whether one is beyond its limit.
+  /// Whether one of four consecutive numbers, from the k-th on, is beyond its limit.
   int apart_from(const float* box, Dim k) const {
     const auto sign = [k](Dim at) { return k + at < N ? 0.0F : -0.0F; };
     const __m128 signs = _mm_setr_ps(sign(0), sign(1), sign(2), sign(3));
@@ -56,7 +56,7 @@ class BoxLimits {
     if constexpr (N == 2) {
       return apart_from(box, 0);
     } else {
-      return apart_from(box, 0) | apart_from(box, 2);  // two numbers twice
+      return apart_from(box, 0) | apart_from(box, 2);  // the middle two numbers are compared twice
     }
   }
 

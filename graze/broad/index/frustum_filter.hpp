@@ -13,9 +13,8 @@
 
 namespace graze::detail {
 
-/// Settles for most boxes, and beyond all doubt, whether a frustum meets them, by what is found out about it once.
-/// `slack` is by how much to be on the safe side: more than the rounding of numbers as large as theirs. Boxes are
-/// finite.
+/// Decides for most boxes, with certainty, whether a frustum meets them, from axes calculated once. `slack` is a safety
+/// margin that must exceed the rounding errors. Boxes must be finite.
 template <Dim N>
 class FrustumFilter {
  public:
@@ -28,10 +27,9 @@ class FrustumFilter {
     depth_ = depth_direction();
   }
 
-  /// True only if box and frustum, whose bounds were compared before, are apart by more than the slack. Of a camera's
-  /// frustum, whose near and far plane are parallel, every box is found that is so far apart along any direction:
-  /// those tried are all that can part two such bodies (Gottschalk, Lin and Manocha 1996). Of other hulls of eight
-  /// points, some boxes beside an edge are not.
+  /// True only if box and frustum, whose bounds were compared before, are farther apart than the slack. It is complete
+  /// for a camera's frustum, whose near and far planes are parallel: the axes tested are all separating axes of the two
+  /// bodies (Gottschalk, Lin and Manocha 1996). For other hulls of eight points, it misses some boxes beside an edge.
   template <class T>
   bool part(const Aabb<N, T>& box, double slack) const {
     const Vec<N, double> center = center_of(box);
@@ -48,8 +46,8 @@ class FrustumFilter {
     return false;
   }
 
-  /// True only if a point of the box is in the frustum: a mean of its corners, found as if the section through the
-  /// box's center, between near and far, were a parallelogram.
+  /// True only if box and frustum share a point. It tests one convex combination of the frustum's corners: the one
+  /// nearest the box's center if the section through the center, between near and far, were a parallelogram.
   template <class T>
   bool share_point(const Aabb<N, T>& box, double slack) const {
     const Vec<N, double> center = center_of(box);
@@ -72,13 +70,13 @@ class FrustumFilter {
   static constexpr std::size_t half_count = corner_count / 2;
 
   struct Axis {
-    Vec<N, double> direction;  // of length 1
+    Vec<N, double> direction;  // unit vector
     Vec<N, double> magnitude;  // its absolute values
-    double low;                // where the frustum begins on it
+    double low;                // the frustum's interval on it
     double high;
   };
 
-  /// Six faces, and three axes with eight edges.
+  /// Six face normals, and cross products of three axes with eight edges.
   static constexpr std::size_t most = N == 2 ? 4 : 6 + 3 * 8;
 
   template <class T>
@@ -91,7 +89,7 @@ class FrustumFilter {
     return wide<N, T>(box.max) * 0.5 - wide<N, T>(box.min) * 0.5;
   }
 
-  /// A direction of length zero, where corners coincide, parts nothing.
+  /// A zero direction, where corners coincide, separates nothing and is skipped.
   void add(const Vec<N, double>& direction) {
     const double largest = max_abs(direction);
     if (!(largest > 0 && largest < std::numeric_limits<double>::infinity())) return;
@@ -109,7 +107,7 @@ class FrustumFilter {
 
   Vec<N, double> way(unsigned from, unsigned to) const { return corners_[to] - corners_[from]; }
 
-  /// By the diagonals of faces, which have a length also where a side has none.
+  /// Uses the diagonals of faces, which are nonzero even if a side has length zero.
   void add_faces() {
     if constexpr (N == 2) {
       for (const auto& [from, to] : {std::array{0U, 1U}, {2U, 3U}, {0U, 2U}, {1U, 3U}})
@@ -121,7 +119,7 @@ class FrustumFilter {
     }
   }
 
-  /// Edges from near to far, and, of those that are parallel in pairs for a camera, those of the far face.
+  /// The edges from near to far, and those of the far face; for a camera the near face's edges are parallel to these.
   void add_edges() {
     constexpr std::array<std::array<unsigned, 2>, 8> edges = {
         {{0, 4}, {1, 5}, {2, 6}, {3, 7}, {4, 5}, {6, 7}, {4, 6}, {5, 7}}};
@@ -130,7 +128,7 @@ class FrustumFilter {
     }
   }
 
-  /// At right angles to the far face, from the first corner of the near one to the first of the far one.
+  /// The normal of the far face, with the depths of the first near and the first far corner.
   Axis depth_direction() const {
     Axis depth{};
     if constexpr (N == 2) {
@@ -143,7 +141,7 @@ class FrustumFilter {
     return depth;
   }
 
-  /// A mean of the points of a section; the one at `point` if the section is a parallelogram around it.
+  /// A convex combination of the points of a section; equal to `point` if the section is a parallelogram around it.
   static Vec<N, double> mean_near(const std::array<Vec<N, double>, half_count>& section, const Vec<N, double>& point) {
     const Vec<N, double> right = section[1] - section[0];
     const Vec<N, double> to_point = point - section[0];
@@ -151,7 +149,7 @@ class FrustumFilter {
       const double u = std::clamp(dot(to_point, right) / dot(right, right), 0.0, 1.0);
       return section[0] * (1 - u) + section[1] * u;
     } else {
-      // to_point = u right + v up, by least squares.
+      // Solves to_point = u right + v up by least squares.
       const Vec<3, double> up = section[2] - section[0];
       const double mixed = dot(right, up);
       const double area_squared = dot(right, right) * dot(up, up) - mixed * mixed;
@@ -166,7 +164,7 @@ class FrustumFilter {
   std::array<Vec<N, double>, corner_count> corners_;
   std::array<Axis, most> axes_;
   std::size_t size_ = 0;
-  std::size_t faces_ = 0;  // so many of the axes are normals of faces
+  std::size_t faces_ = 0;  // the number of axes that are face normals
   Axis depth_{};
 };
 

@@ -11,8 +11,8 @@
 
 namespace graze::detail {
 
-/// SpatialIndex::pairs by the batch method, which is quicker than any walk through a tree; `box_of(slot)` is the box of
-/// a slot that is taken. Holds all pairs while it visits them.
+/// SpatialIndex::pairs by the batch method, which is faster than a walk through any tree. `box_of(slot)` returns the
+/// box of an occupied slot. Holds all pairs in memory while visiting them.
 template <class BoxOf, class Visit>
 void visit_index_pairs(const KeyTable& keys, const BoxOf& box_of, Visit& visit) {
   std::vector<std::decay_t<std::invoke_result_t<const BoxOf&, std::uint32_t>>> boxes;

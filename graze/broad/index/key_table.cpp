@@ -11,8 +11,8 @@
 namespace graze::detail {
 namespace {
 
-/// The one piece of global state in graze: without a number of its own an index could not tell its keys from another's.
-/// No answer depends on it. Zero is left to keys made by default.
+/// The only global state in graze: with a number of its own, an index recognises keys of other indexes. No answer
+/// depends on it. Zero is reserved for default-constructed keys.
 std::uint32_t new_owner() {
   static std::atomic<std::uint32_t> owners{0};
   const std::uint32_t owner = owners.fetch_add(1, std::memory_order_relaxed) + 1;

@@ -28,46 +28,46 @@ struct Key {
 
 namespace detail {
 
-/// Which slots of an index are taken, and by which key.
+/// Which slots of an index are occupied, and by which key.
 class KeyTable {
  public:
-  /// The generation of a slot that is never taken again: the last one that is even.
+  /// The generation of a retired slot: the greatest even number.
   static constexpr std::uint32_t used_up = std::numeric_limits<std::uint32_t>::max() - 1;
 
-  /// With more than `most` slots the table is full.
+  /// The table is full when it has `most` slots.
   explicit KeyTable(std::uint32_t most = std::numeric_limits<std::uint32_t>::max());
 
-  /// The key that `take` will give. After it `take` cannot fail; throws std::length_error when the table is full.
+  /// The key that `take` will return. Afterwards `take` cannot fail. Throws std::length_error if the table is full.
   Key prepare();
 
-  /// Takes the slot that `prepare` named.
+  /// Occupies the slot of the key from `prepare`.
   Key take() noexcept;
 
-  /// Takes as many slots as `prepare` and `take` would one after another, and writes down which. Throws
-  /// std::length_error, and takes none, when there are fewer.
+  /// Occupies as many slots as `slots` has elements, as repeated calls of `prepare` and `take` would, and writes them
+  /// there. Throws std::length_error, and occupies none, if there are fewer.
   void take_many(std::span<std::uint32_t> slots);
 
-  /// The keys of slots that are taken.
+  /// The keys of occupied slots.
   std::vector<Key> keys_of(std::span<const std::uint32_t> slots) const;
 
-  /// Frees a slot that is taken. A slot whose generations are used up is never taken again.
+  /// Frees an occupied slot. A slot that has used all its generations is retired.
   void release(std::uint32_t slot) noexcept;
 
-  /// The same for all slots that are taken, the first one first.
+  /// Frees all occupied slots, in ascending order.
   void release_all() noexcept;
 
-  /// For a table that never held anything: it comes to be as if the keys `next`, in this order, were the next that
-  /// `take` gives, and then places that are free, used from the back. Of a free one the generation is even: zero where
-  /// none was ever taken, as of a place that is planned, `used_up` where none will be. Owners do not count. Throws
-  /// std::logic_error when the table is not new; std::invalid_argument unless the places are the first ones, each once,
-  /// and generations are odd, up to that of the last key of a place, and even.
+  /// Prepares a new table to issue the keys `next`, in this order, and afterwards to use the slots in `free`, from the
+  /// back. A key in `free` has an even generation: zero if the slot was never occupied, like a slot in `next`;
+  /// `used_up` if it is retired. Owners are ignored. Throws std::logic_error if the table is not new;
+  /// std::invalid_argument unless the slots are the first ones, each once, and the generations are odd in `next`, up to
+  /// the last key of a slot, and even in `free`.
   void plan(std::span<const Key> next, std::span<const Key> free);
 
-  /// The places that are free, as `plan` takes them: first those that are used up. Those that were planned and are not
-  /// taken yet are among them.
+  /// The free slots, in the form that `plan` takes: retired ones first. Includes planned slots that are not occupied
+  /// yet.
   std::vector<Key> free_keys() const;
 
-  /// Whether `prepare` would throw that it is full.
+  /// Whether `prepare` would throw because the table is full.
   bool is_full() const { return room() == 0; }
 
   bool contains(const Key& key) const {
@@ -75,7 +75,7 @@ class KeyTable {
            generations_[key.index] == key.generation;
   }
 
-  /// Of many keys, or what has an index, a generation and an owner as they have: whether it contains each. No branches.
+  /// For many keys, or types with the members of one: whether the table contains each. Branch-free.
   template <class Name>
   bool contains_all(std::span<const Name> names) const {
     if (generations_.empty()) return names.empty();
@@ -91,36 +91,36 @@ class KeyTable {
     return wrong == 0;
   }
 
-  /// The slot of a key. Throws std::out_of_range, naming the key, when it names none.
+  /// The slot of a key. Throws std::out_of_range, naming the key, if the key is not valid here.
   std::uint32_t slot_of(const Key& key) const;
 
   bool is_taken(std::uint32_t slot) const { return (generations_[slot] & 1U) != 0; }
   Key key_of(std::uint32_t slot) const { return {slot, generations_[slot], owner_}; }
 
-  /// Asks for what key_of will read.
+  /// Prefetches what key_of reads.
   void prefetch_key(std::uint32_t slot) const { prefetch(&generations_[slot]); }
 
-  /// By slot; those of the slots that are taken are odd.
+  /// By slot; odd for occupied slots.
   std::span<const std::uint32_t> generations() const { return generations_; }
 
-  /// How many slots were ever taken: all slots are below it.
+  /// The number of slots ever occupied: all slots are below it.
   std::uint32_t slots() const { return static_cast<std::uint32_t>(generations_.size()); }
   std::size_t size() const { return size_; }
   std::uint32_t owner() const { return owner_; }
 
-  /// Counts changes, so that whoever visits can see that there was one. `take` and `release` count themselves.
+  /// Counts changes, so that a visitor can detect them. `take` and `release` increment it.
   std::uint64_t changes() const { return changes_; }
   void count_change() { ++changes_; }
 
-  /// The memory that is held, in bytes.
+  /// The memory held, in bytes.
   std::size_t bytes() const { return (generations_.capacity() + free_.capacity()) * sizeof(std::uint32_t); }
 
  private:
   std::size_t room() const { return free_.size() + (most_ - generations_.size()); }
   [[noreturn]] void throw_full() const;
 
-  PageVector<std::uint32_t> generations_;  // odd: taken
-  PageVector<std::uint32_t> free_;         // room for all slots, so that `release` cannot fail
+  PageVector<std::uint32_t> generations_;  // odd: occupied
+  PageVector<std::uint32_t> free_;         // with capacity for all slots, so that `release` cannot fail
   std::size_t size_ = 0;
   std::uint64_t changes_ = 0;
   std::uint32_t most_;

@@ -17,7 +17,7 @@
 
 namespace graze {
 
-/// The beginning of a ray, up to t_max and all that rounds to it: a region, but no shape. The ray must outlive it.
+/// The part of a ray up to t_max, and what rounds to it: a region, but not a shape. The ray must outlive it.
 template <Dim N, class T>
 struct RayUntil {
   const Ray<N, T>& ray;
@@ -47,17 +47,16 @@ Aabb<N, T> bounds(const RayUntil<N, T>& way) {
 
 namespace graze::detail {
 
-/// Settles for most boxes, and beyond all doubt, that a ray or a segment misses them: by the slabs between their sides,
-/// where `intersects` looks at one axis after the other.
+/// Decides for most boxes, with certainty, that a ray or a segment misses them, by a slab test with a margin.
 template <Dim N>
 class PathFilter {
  public:
-  /// Of a direction whose largest coordinate is 1, so that nothing of it underflows: its rounding moves the ray by less
+  /// The direction is scaled to a largest coordinate of 1, so that nothing underflows; rounding moves the ray by less
   /// than the margin.
   template <class T>
   explicit PathFilter(const Ray<N, T>& ray, double t_max = std::numeric_limits<double>::infinity())
       : origin_(wide<N, T>(ray.origin)),
-        direction_(wide<N, T>(ray.direction) / static_cast<double>(max_abs(ray.direction))),  // valid: not zero
+        direction_(wide<N, T>(ray.direction) / static_cast<double>(max_abs(ray.direction))),  // valid, so not zero
         t_max_(t_max * static_cast<double>(max_abs(ray.direction))) {}
 
   template <class T>
@@ -67,8 +66,8 @@ class PathFilter {
   explicit PathFilter(const Segment<N, T>& segment)
       : origin_(wide<N, T>(segment.start)), direction_(wide<N, T>(segment.end) - origin_), t_max_(1) {}
 
-  /// True only if they are apart by more than the slack along one axis, or between two. Nothing is said of boxes that
-  /// are infinite, or nearly so.
+  /// True only if they are farther apart than the slack along one axis or a cross product of two. Always false for
+  /// boxes that are infinite or nearly so.
   template <class T>
   bool part(const Aabb<N, T>& box, double slack) const {
     const PathAtBox path{lifted(wide<N, T>(box.min) - origin_ - slack), lifted(wide<N, T>(box.max) - origin_ + slack),
@@ -78,7 +77,7 @@ class PathFilter {
     return slabs_of<N>(path, tolerance::ray_side).are_missed(t_max_);
   }
 
-  /// Of what is not missed nothing is known.
+  /// A box that is not missed remains undecided.
   template <class T>
   bool share_point(const Aabb<N, T>& /*box*/, double /*slack*/) const {
     return false;

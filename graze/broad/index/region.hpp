@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a spatial index can be asked about, and how it prunes by it.
+// The regions of queries on a spatial index, and how they prune.
 #pragma once
 
 #include <cmath>
@@ -62,7 +62,7 @@ bool has_nan_coordinate(const Aabb<N, T>& box) {
   GRAZE_THROW(std::invalid_argument("SpatialIndex: the region has a coordinate that is not a number"));
 }
 
-/// The largest absolute value among the finite coordinates.
+/// The largest magnitude of the finite coordinates.
 template <Dim N, class T>
 double finite_size(const Aabb<N, T>& box) {
   double size = 0;
@@ -75,7 +75,7 @@ double finite_size(const Aabb<N, T>& box) {
   return size;
 }
 
-/// boxes_overlap without a branch, for where the answer is hard to predict.
+/// Branch-free boxes_overlap, for unpredictable answers.
 template <Dim N, class T>
 bool boxes_overlap_at_once(const Aabb<N, T>& a, const Aabb<N, T>& b) {
   unsigned apart = 0;
@@ -85,7 +85,7 @@ bool boxes_overlap_at_once(const Aabb<N, T>& a, const Aabb<N, T>& b) {
   return apart == 0;
 }
 
-/// The box that two boxes share; nothing, when they share none.
+/// The intersection of two boxes; none if they do not overlap.
 template <Dim N, class T>
 Aabb<N, T> shared_box(const Aabb<N, T>& a, const Aabb<N, T>& b) {
   Aabb<N, T> shared;
@@ -96,7 +96,7 @@ Aabb<N, T> shared_box(const Aabb<N, T>& a, const Aabb<N, T>& b) {
   return shared;
 }
 
-/// What settles most boxes before `intersects` is asked: for most regions nothing but their bounds.
+/// Decides most boxes before `intersects` is called; most regions have nothing but their bounds.
 template <class R>
 struct RegionFilter {
   static constexpr bool exists = false;
@@ -127,9 +127,9 @@ struct RegionFilter<Segment<N, T>> : PathFilter<N> {
   using PathFilter<N>::PathFilter;
 };
 
-/// A region during one query. A box meets it when `intersects(region, box)` says so. Of a box with infinite sides the
-/// part within the region's bounds is asked; where that is still infinite, the bounds decide. Throws
-/// std::invalid_argument for a region with a defect.
+/// A region during one query. A box meets it if `intersects(region, box)`. A box with infinite sides is first clipped
+/// to the region's bounds; if it is still infinite, the bounds decide. Throws std::invalid_argument for an invalid
+/// region.
 template <Shape R>
 class RegionProbe {
  public:
@@ -146,22 +146,22 @@ class RegionProbe {
     slack_ = band * finite_size(bounds_);
   }
 
-  /// False only if no box within this one meets the region. The box is finite, or that of a single object.
+  /// False only if no box inside this one meets the region. The box is finite, or that of a single object.
   bool may_meet(const Box& box) const {
     const double slack = slack_with(box);
     for (Dim i = 0; i < N; ++i) {
       const double above = static_cast<double>(box.min[i]) - static_cast<double>(bounds_.max[i]);
       const double below = static_cast<double>(bounds_.min[i]) - static_cast<double>(box.max[i]);
-      if (!(above <= slack && below <= slack)) return false;  // a region that is empty gives NaN or infinity
+      if (!(above <= slack && below <= slack)) return false;  // an empty region gives NaN or infinity
     }
     return true;
   }
 
   static constexpr bool is_box = false;
 
-  /// No box with coordinates up to `size` that may meet the region misses this box.
+  /// A box that overlaps every box with coordinates up to `size` that may meet the region.
   Box reach(double size) const {
-    const double slack = 2 * (slack_ + band * size);  // may_meet rounds too
+    const double slack = 2 * (slack_ + band * size);  // may_meet rounds, too
     Box box;
     for (Dim i = 0; i < N; ++i) {
       box.min[i] = round_down<T>(static_cast<double>(bounds_.min[i]) - slack);
@@ -170,8 +170,8 @@ class RegionProbe {
     return box;
   }
 
-  /// For a box that may meet the region by its bounds: whether it may by the region itself. Dearer, and worth it where
-  /// much is at stake.
+  /// For a box that may meet the region's bounds: whether it may meet the region itself. More expensive; use it where
+  /// it can prune much.
   bool may_meet_closely(const Box& box) const {
     if (is_nothing(box)) return false;
     if constexpr (RegionFilter<R>::exists) {
@@ -189,7 +189,8 @@ class RegionProbe {
   }
 
  private:
-  /// More than the band in which `intersects` calls touching what is apart; a user's shape may calculate in T.
+  /// Greater than the band in which `intersects` reports touching for separate shapes; a user's shape may calculate in
+  /// T.
   static constexpr double band =
       SupportsIn<R, N, double> || !SupportsIn<R, N, T> ? tolerance::box_slack : 4 * tolerance::convex_in<T>;
 
@@ -209,8 +210,8 @@ class RegionProbe {
   RegionFilter<R> filter_;
 };
 
-/// Everything as for the region itself, but that a box may lie off by the slack. A box with infinite sides is met if
-/// its bounds may.
+/// Like the region itself, but a box may be off by the slack. A box with infinite sides is met if its bounds may be
+/// met.
 template <Shape R>
 class RegionProbe<Inflated<R>> {
  public:
@@ -229,24 +230,24 @@ class RegionProbe<Inflated<R>> {
   RegionProbe<R> probe_;
 };
 
-/// A box is asked exactly. It may have infinite sides; with min above max it contains nothing, and nothing meets it.
+/// A box as region, tested exactly. It may have infinite sides; with min above max it is empty, and nothing meets it.
 template <Dim M, class U>
 class RegionProbe<Aabb<M, U>> {
  public:
   using Box = Aabb<M, U>;
 
-  /// Made where it is used, for a walk through a box takes few steps: from memory it would be read twice.
+  /// Always inlined: a walk with a box is so short that loading these members twice would matter.
   [[gnu::always_inline]] explicit RegionProbe(const Box& region) : region_(region) {
     if (has_nan_coordinate(region)) refuse_nan_in_region();
     if (is_nothing(region)) region_.min = Vec<M, U>(std::numeric_limits<U>::quiet_NaN());  // overlaps no box at all
     limits_ = BoxLimits<M, U>(region_);
   }
 
-  static constexpr bool is_box = true;  // meets whatever shares a point with its reach
+  static constexpr bool is_box = true;  // meets every box that shares a point with its reach
 
   bool may_meet(const Box& box) const { return limits_.meets(box); }
   Box reach(double /*size*/) const { return region_; }
-  bool may_meet_closely(const Box&) const { return true; }  // nothing is closer than may_meet
+  bool may_meet_closely(const Box&) const { return true; }  // nothing is tighter than may_meet
   bool meets(const Box& box) const { return limits_.meets(box); }
 
  private:

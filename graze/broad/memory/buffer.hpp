@@ -14,17 +14,17 @@
 
 namespace graze::detail {
 
-/// Memory that begins at a cache line, which is also the widest vector; where it is large, at a large page of the
-/// system, as far as the system has such. Throws std::bad_alloc. What is released is kept for the next one who needs as
-/// much, where it is 32 KiB or more, but never more than 64 MiB in all, or half of what is in use where that is more.
+/// Memory aligned to a cache line, which is also the widest vector; large blocks to a large page of the system, if it
+/// has such. Throws std::bad_alloc. Released blocks of 32 KiB or more are kept for later requests, up to a total of 64
+/// MiB, or half of what is in use if that is more.
 void* allocate_pages(std::size_t bytes);
 void release_pages(void* memory, std::size_t bytes) noexcept;
 
-/// Has the system use large pages for what lies in whole ones of other memory that nobody has written to yet. Only
-/// advice: does nothing for less, or where the system has none.
+/// Advises the system to use large pages for the whole ones inside memory that has not been written yet. Does nothing
+/// for less, or if the system has none.
 void advise_large_pages(void* memory, std::size_t bytes) noexcept;
 
-/// Room for so many values, of large pages where that is much, in an empty vector whose memory is for its user.
+/// Reserves capacity for this many values in an empty vector, with large pages if that is much.
 template <class Value>
 void reserve_in_large_pages(std::vector<Value>& values, std::size_t count) {
   if (count <= values.capacity()) return;
@@ -32,7 +32,7 @@ void reserve_in_large_pages(std::vector<Value>& values, std::size_t count) {
   advise_large_pages(values.data(), values.capacity() * sizeof(Value));
 }
 
-/// For vectors that may become long: their memory is that of allocate_pages.
+/// For vectors that may become long: memory from allocate_pages.
 template <class Value>
 struct PageAllocator : std::allocator<Value> {
   template <class Other>
@@ -50,7 +50,7 @@ struct PageAllocator : std::allocator<Value> {
 template <class Value>
 using PageVector = std::vector<Value, PageAllocator<Value>>;
 
-/// The same for values that are written before they are read: what is made without a value is not initialised.
+/// The same for values that are written before they are read: default-inserted values are not initialised.
 template <class Value>
 struct BlankAllocator : PageAllocator<Value> {
   template <class Other>
@@ -72,7 +72,7 @@ template <class Value>
 using BlankVector = std::vector<Value, BlankAllocator<Value>>;
 
 /// Memory for values that are written before they are read: nothing is initialised, and growing keeps only what is
-/// asked for.
+/// requested.
 template <class Value>
 class Buffer {
   static_assert(std::is_trivially_copyable_v<Value> && std::is_trivially_destructible_v<Value>);
@@ -88,7 +88,7 @@ class Buffer {
   }
   ~Buffer() { release(); }
 
-  /// Room for `count` values; what was there is lost when the room has to grow.
+  /// Ensures capacity for `count` values; the content is lost if the memory has to grow.
   void require(std::size_t count) {
     if (count <= capacity_) return;
     release();
@@ -96,7 +96,7 @@ class Buffer {
     capacity_ = count;
   }
 
-  /// Room for `count` values, half more at least when it has to grow; the first `kept` values stay.
+  /// Ensures capacity for `count` values, growing by at least half; keeps the first `kept` values.
   void extend(std::size_t count, std::size_t kept) {
     if (count <= capacity_) return;
     Buffer larger;

@@ -9,34 +9,34 @@
 
 namespace graze::detail {
 
-/// Blocks of memory that nobody uses at present, kept for the next one who needs as much: what comes from the system
-/// has to be cleared page by page. Holds a few blocks, of a limited size in all, and gives up those for which there was
-/// no use for long. A program that works with much may keep much: the limit is a share of what is in use, where that is
-/// more. Safe to use from many threads.
+/// A cache of unused memory blocks: fresh memory must be cleared by the system page by page. Holds a few blocks of
+/// limited total size and releases those that have not been needed for long. The limit is a share of what is in use, so
+/// a program that works with much may keep much. Thread-safe.
 class KeptBlocks {
  public:
   using Release = void (*)(void* block, std::size_t bytes) noexcept;
 
-  /// How many times blocks are asked for until one that none of them needed is given up.
+  /// A block is released after this many requests that did not use it.
   static constexpr std::uint64_t patience = 1024;
 
-  /// Keeps at most `most_bytes`, or one byte for `used_per_kept` that are in use; what is given up goes to `release`.
+  /// Keeps at most `most_bytes`, or one byte for every `used_per_kept` bytes in use if that is more; surplus blocks go
+  /// to `release`.
   KeptBlocks(std::size_t most_bytes, std::size_t used_per_kept, Release release) noexcept
       : most_bytes_(most_bytes), used_per_kept_(used_per_kept), release_(release) {}
   KeptBlocks(const KeptBlocks&) = delete;
   KeptBlocks& operator=(const KeptBlocks&) = delete;
   ~KeptBlocks();
 
-  /// A block of just so many bytes, or null.
+  /// A block of exactly this size, or null.
   void* take(std::size_t bytes) noexcept;
 
-  /// A new block of so many bytes is in use.
+  /// Records that a new block of this size is in use.
   void note_new(std::size_t bytes) noexcept;
 
-  /// Nobody uses the block any more. Keeps it, or gives it up, or others for it.
+  /// Returns a block that is no longer used. Keeps it, or releases it or others.
   void keep(void* block, std::size_t bytes) noexcept;
 
-  /// All that is held now.
+  /// The total size of the kept blocks.
   std::size_t bytes() const noexcept;
 
  private:
@@ -57,7 +57,7 @@ class KeptBlocks {
   std::array<Block, 64> blocks_{};  // the oldest first
   std::size_t count_ = 0;
   std::size_t bytes_ = 0;
-  std::size_t used_ = 0;  // bytes of blocks that somebody uses
+  std::size_t used_ = 0;  // bytes of blocks in use
   std::uint64_t clock_ = 0;
 };
 

@@ -8,11 +8,11 @@
 
 namespace graze::detail {
 
-/// Things to work with that many tasks need one after the other, as many as run at the same time. Kept for later.
+/// Reusable objects for tasks, as many as run at the same time. They are kept for later.
 template <class Value>
 class Pool {
  public:
-  /// One of the things, to be used by nobody else until this ends.
+  /// Exclusive use of one object until destruction.
   class Loan {
    public:
     explicit Loan(Pool& pool) : pool_(pool), value_(pool.take()) {}
@@ -28,14 +28,14 @@ class Pool {
     Value& value_;
   };
 
-  /// All things that there are, while none is lent.
+  /// All objects; no loan may exist.
   const std::vector<std::unique_ptr<Value>>& all() const { return all_; }
 
  private:
   Value& take() {
     const std::lock_guard lock(mutex_);
     if (free_.empty()) {
-      free_.reserve(all_.size() + 1);  // so that to give back needs no memory
+      free_.reserve(all_.size() + 1);  // so that returning needs no memory
       all_.push_back(std::make_unique<Value>());
       return *all_.back();
     }

@@ -21,7 +21,7 @@ constexpr std::size_t least = 4 * bytes_per_task;
 }  // namespace
 
 void prefault(void* memory, std::size_t bytes) {
-  // Whole pages only: others share theirs with the neighbours.
+  // Whole pages only: others are shared with neighbouring memory.
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   if (std::align(page, page, memory, bytes) == nullptr) return;
   madvise(memory, bytes - bytes % page, MADV_POPULATE_WRITE);
@@ -29,7 +29,7 @@ void prefault(void* memory, std::size_t bytes) {
 
 void prefault(void* memory, std::size_t bytes, const Executor& executor) {
   if (bytes < least || executor.concurrency() < 2) return;
-  // Parts that end with a page, but for the last.
+  // Parts end at page boundaries, except the last.
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   if (std::align(page, bytes_per_task, memory, bytes) == nullptr) return;
   executor.parallel_for((bytes + bytes_per_task - 1) / bytes_per_task, [&](std::size_t k) {

@@ -7,13 +7,13 @@
 
 namespace graze::detail {
 
-/// Has the system find and clear the pages of memory that is about to be written, by all threads of an executor: who
-/// writes first would wait for it page by page, alone. What was written before stays. Only advice: does nothing for one
-/// thread, for memory of less than a few megabytes, or where the system cannot.
+/// Makes the system map and clear the pages of memory that is about to be written, on all threads of an executor:
+/// otherwise the first writer would wait for it page by page, alone. Keeps the content. A hint only: does nothing with
+/// one thread, for less than a few megabytes, or if the system does not support it.
 void prefault(void* memory, std::size_t bytes, const Executor& executor);
 
-/// The same on the calling thread, for the whole pages of any memory. That pays where few enough are asked for at a
-/// time that they are written while they are in a cache.
+/// The same on the calling thread, for the whole pages of any memory. Pays if few enough pages are requested that they
+/// are written while still cached.
 void prefault(void* memory, std::size_t bytes);
 
 }  // namespace graze::detail

@@ -6,22 +6,22 @@
 
 namespace graze::detail {
 
-/// How many values ahead of their use scattered ones are asked for.
+/// How many values ahead scattered values are prefetched.
 inline constexpr std::size_t prefetch_distance = 32;
 
-/// Of more bytes, some have left the second cache when they are used again.
+/// Working sets above this size partly leave the L2 cache between uses.
 inline constexpr std::size_t bytes_near = std::size_t{1} << 19U;
 
-/// GCC 12 takes a function that only asks ahead for one that does nothing, and drops calls of it and of those that do
-/// nothing but call it: unless they say that the address matters.
+/// GCC 12 takes a function that only prefetches for one without effect, and drops calls to it and to functions that
+/// only call it. This makes the address observable.
 [[gnu::always_inline]] inline void keep_calls([[maybe_unused]] const void* address) {
 #if defined(__GNUC__) && !defined(__clang__)
   __asm__ volatile("" : : "r"(address));
 #endif
 }
 
-/// Asks for the first and the last cache line of a value that will be read soon, which are all that most values have.
-/// Changes nothing but the time.
+/// Prefetches the first and the last cache line of a value that will be read soon, which are all of most values.
+/// Affects only the time.
 template <class Value>
 [[gnu::always_inline]] inline void prefetch([[maybe_unused]] const Value* value) {
 #ifdef __GNUC__
@@ -32,7 +32,7 @@ template <class Value>
 #endif
 }
 
-/// The same for the first bytes of a value of any size, wherever it begins.
+/// Prefetches the first bytes of a value of any size and alignment.
 template <std::size_t bytes, class Value>
 [[gnu::always_inline]] inline void prefetch_first([[maybe_unused]] const Value* value) {
 #ifdef __GNUC__
@@ -45,7 +45,7 @@ template <std::size_t bytes, class Value>
 #endif
 }
 
-/// The same for all cache lines of a value, which begins at one.
+/// Prefetches all cache lines of a value that is aligned to one.
 template <class Value>
 [[gnu::always_inline]] inline void prefetch_whole([[maybe_unused]] const Value* value) {
 #ifdef __GNUC__
@@ -57,7 +57,7 @@ template <class Value>
 #endif
 }
 
-/// The same for values in a row.
+/// Prefetches consecutive values.
 template <class Value>
 [[gnu::always_inline]] inline void prefetch_all([[maybe_unused]] std::span<const Value> values) {
 #ifdef __GNUC__
@@ -67,7 +67,7 @@ template <class Value>
 #endif
 }
 
-/// Asks for all cache lines of a value that will be written to, which begins at one.
+/// Prefetches for writing all cache lines of a value that is aligned to one.
 template <class Value>
 [[gnu::always_inline]] inline void prefetch_whole_to_write([[maybe_unused]] Value* value) {
 #ifdef __GNUC__
@@ -79,7 +79,7 @@ template <class Value>
 #endif
 }
 
-/// Asks for a cache line that will be written to.
+/// Prefetches a cache line for writing.
 [[gnu::always_inline]] inline void prefetch_to_write([[maybe_unused]] const void* place) {
 #ifdef __GNUC__
   __builtin_prefetch(place, 1);

@@ -10,7 +10,7 @@
 
 namespace graze::detail {
 
-/// Memory of others who do not need it for a while, taken piece by piece by many threads if need be.
+/// Memory borrowed from owners that do not need it for a while, handed out in pieces; thread-safe.
 class ScratchArena {
  public:
   static constexpr std::size_t piece = std::size_t{1} << 16U;  ///< Bytes.
@@ -21,7 +21,7 @@ class ScratchArena {
     given_.clear();
   }
 
-  /// Adds the whole pieces of some memory.
+  /// Adds the whole pieces inside some memory.
   void give(std::span<std::byte> memory) {
     const std::size_t beyond = reinterpret_cast<std::uintptr_t>(memory.data()) % alignment;
     const std::size_t skipped = beyond == 0 ? 0 : alignment - beyond;
@@ -41,7 +41,7 @@ class ScratchArena {
     return result;
   }
 
-  /// Whether this is where a place lies.
+  /// Whether a place is inside this memory.
   bool has(const std::byte* place) const {
     for (const std::span<std::byte> one : given_) {
       if (std::less_equal<>()(one.data(), place) && std::less<>()(place, one.data() + one.size())) return true;

@@ -10,8 +10,8 @@
 
 namespace graze::detail {
 
-/// A stack that lives on the stack while it holds no more than `Room` elements, and allocates only beyond: what a
-/// traversal keeps in mind, whose bound is seldom reached.
+/// A stack with storage for `Room` elements in the object itself; it allocates only beyond that. For traversals, which
+/// seldom need more.
 template <class Element, std::size_t Room>
 class ShortList {
   static_assert(std::is_trivially_copyable_v<Element>);
@@ -32,14 +32,14 @@ class ShortList {
     ++size_;
   }
 
-  /// The same under a condition, without a branch on it.
+  /// Branch-free conditional push.
   void push_if(bool condition, const Element& element) {
     if (size_ == room_) grow();
     *end() = element;
     size_ += condition ? 1U : 0U;
   }
 
-  /// Room for so many more behind the last one. `append` says how many were written there.
+  /// Space for `more` elements behind the last one. `append` says how many were written there.
   Element* room_for(std::size_t more) {
     while (room_ - size_ < more) grow();
     return end();
@@ -65,13 +65,13 @@ class ShortList {
   std::size_t room_ = Room;
 };
 
-/// A heap on a ShortList: `pop` gives the element that comes before all others.
+/// A heap on a ShortList: `pop` returns the element that comes before all others.
 template <class Element, std::size_t Room, class Before>
 class ShortHeap {
  public:
   bool empty() const { return elements_.empty(); }
 
-  /// What `pop` would give.
+  /// What `pop` would return.
   const Element& top() { return *elements_.begin(); }
 
   void push(const Element& element) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled once per instruction set: Highway includes this file anew for each.
+// Compiled once per instruction set: Highway includes this file again for each.
 #include <algorithm>
 #include <bit>
 #include <numeric>
@@ -22,14 +22,14 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 namespace {
 
-/// Of numbers of boxes in a row, some bits a box: for each box whether all of its bits are set, side by side.
+/// From a bit string with N bits for each of several boxes: one bit per box, set if all N bits of the box are set.
 template <Dim N>
 HWY_INLINE std::uint32_t boxes_of(std::uint64_t numbers) {
-  constexpr std::uint64_t firsts = N == 2 ? 0x1111'1111U : 0x0410'4104'1041U;  // of each box the lowest bit
+  constexpr std::uint64_t firsts = N == 2 ? 0x1111'1111U : 0x0410'4104'1041U;  // the lowest bit of each box
   numbers &= numbers >> static_cast<unsigned>(N);
   numbers &= N == 2 ? numbers >> 1U : numbers >> 1U & numbers >> 2U;
 #if HWY_TARGET <= HWY_AVX3 && HWY_ARCH_X86_64
-  return static_cast<std::uint32_t>(_pext_u64(numbers, firsts));  // quick on all processors with AVX-512
+  return static_cast<std::uint32_t>(_pext_u64(numbers, firsts));  // fast on all processors with AVX-512
 #else
   numbers &= firsts;
   if constexpr (N == 2) {
@@ -44,8 +44,8 @@ HWY_INLINE std::uint32_t boxes_of(std::uint64_t numbers) {
 #endif
 }
 
-/// A region that boxes in a row are held against, their numbers as they lie in memory: each min with the region's max,
-/// each max, negated, with its min, negated. NaN is beyond every limit.
+/// A region in the form in which consecutive boxes are compared with it in memory order: each min with the region's
+/// max, each negated max with the region's negated min. NaN exceeds every limit.
 template <Dim N, class T>
 class RowLimits {
  public:
@@ -64,7 +64,7 @@ class RowLimits {
     }
   }
 
-  /// Which of the boxes share a point with the region; a bit each.
+  /// Which of the boxes share a point with the region, as a bit mask.
   template <std::size_t count>
   HWY_INLINE std::uint32_t met(const Aabb<N, T> (&boxes)[count]) const {
     static_assert(sizeof(boxes) == count * numbers * sizeof(T) && count * numbers % lanes == 0);
@@ -91,7 +91,7 @@ class RowLimits {
 template <class D, class Mask>
 HWY_INLINE std::uint32_t bits_in([[maybe_unused]] D d, const Mask& mask) {
 #if HWY_TARGET <= HWY_AVX3
-  return mask.raw;  // a bit for each lane as it is, and zeros beyond them
+  return mask.raw;  // one bit per lane, zeros beyond
 #else
   std::uint64_t bits = 0;
   hn::StoreMaskBits(d, mask, reinterpret_cast<std::uint8_t*>(&bits));
@@ -99,7 +99,7 @@ HWY_INLINE std::uint32_t bits_in([[maybe_unused]] D d, const Mask& mask) {
 #endif
 }
 
-/// Vectors of what each of `count` cells or entries has, or of as many as the machine has lanes.
+/// Vectors with one lane for each of `count` cells or entries, or as many lanes as the machine has.
 template <std::size_t count>
 using Numbers = hn::CappedTag<std::uint32_t, count>;
 
@@ -114,7 +114,7 @@ HWY_INLINE std::uint32_t other_than(std::uint32_t none, const std::uint32_t (&va
   return others;
 }
 
-/// Writes the values whose bits are set one after another, and up to a vector of numbers of no meaning behind them.
+/// Writes the values whose bits are set contiguously, followed by up to a vector of unspecified numbers.
 template <std::size_t count>
 HWY_INLINE std::size_t write_those(std::uint32_t chosen, const std::uint32_t (&values)[count], std::uint32_t* to) {
   const Numbers<count> d;
@@ -128,7 +128,7 @@ HWY_INLINE std::size_t write_those(std::uint32_t chosen, const std::uint32_t (&v
   return written;
 }
 
-/// Which cells of a group a region meets; a bit each.
+/// Which cells of a group a region meets, as a bit mask.
 template <Dim N, class T>
 class GroupLimits {
  public:
@@ -161,17 +161,17 @@ class GroupLimits {
   hn::Vec<D> high_[N];
 };
 
-/// Asks for a block and the one before it, which is mostly the next of its list: those of a leaf that was filled at
-/// once lie in a row, the last one first in the list. So whoever looks need not wait for one after the other.
+/// Prefetches a block and the one before it, which is usually the next of its list: the blocks of a leaf that was
+/// filled in bulk are consecutive, in reverse order of the list.
 template <Dim N, class T>
 HWY_INLINE void prefetch_list(const EntryPage<N, T>* pages, std::uint32_t head) {
   prefetch_whole(pages + head);
   prefetch_whole(pages + (head - (head > 0 ? 1 : 0)));
 }
 
-/// Goes through groups until none is left or there is no room for more blocks. The first child that is met is next,
-/// taken straight from its group: on the stack, where the others wait, it would not be found so soon. What will be
-/// looked at is asked for as soon as it is known, blocks too, for the way down to the last cells waits for memory.
+/// Visits groups until none is left or there is no space for more blocks. The first child met is visited next,
+/// directly, without waiting for the stack that holds the others. Whatever will be visited is prefetched as soon as it
+/// is known, including blocks, because the way down to the last cells is bound by memory latency.
 template <Dim N, class T>
 HWY_INLINE void look_at_groups(const CellGroup<N, T>* groups, const EntryPage<N, T>* pages,
                                const GroupLimits<N, T>& limits, CellMetWalk<N, T>& walk) {
@@ -184,7 +184,7 @@ HWY_INLINE void look_at_groups(const CellGroup<N, T>* groups, const EntryPage<N,
     const CellGroup<N, T>& group = groups[next];
     const std::uint32_t met = limits.met(group);
     const std::uint32_t opened = met & other_than(0, group.below);
-    const std::uint32_t waits = walk.open[open];  // 0 where none does
+    const std::uint32_t waits = walk.open[open];  // 0 if there is none
     const std::uint32_t first = group.below[std::countr_zero(opened | 1U << (cells_per_group<N> - 1U))];
     next = opened != 0 ? first : waits;
     open -= opened == 0 && open > 0 ? 1 : 0;
@@ -201,8 +201,8 @@ HWY_INLINE void look_at_groups(const CellGroup<N, T>* groups, const EntryPage<N,
   walk.block_count = blocks;
 }
 
-/// Goes down to the cell around the region's center as far as cells are met on the way. Which they are is known from
-/// the code of the center, so that no group waits for what was found in the one above it.
+/// Descends to the cell around the region's center, as far as cells are met on the way. The path is known from the code
+/// of the center, so no group waits for the result of the one above it.
 template <Dim N, class T>
 HWY_INLINE void look_along_way(const CellGroup<N, T>* groups, const EntryPage<N, T>* pages,
                                const GroupLimits<N, T>& limits, CellMetWalk<N, T>& walk) {
@@ -223,7 +223,7 @@ HWY_INLINE void look_along_way(const CellGroup<N, T>* groups, const EntryPage<N,
     prefetch_whole(groups + stack[open]);
     open += waiting;
     blocks += write_those(met & other_than(no_index, group.heads), group.heads, walk.blocks + blocks);
-    if ((met >> child & 1U) == 0) {  // a branch: to choose would be to wait
+    if ((met >> child & 1U) == 0) {  // a branch, because a select would wait for the result
       next = 0;
       break;
     }
@@ -237,8 +237,8 @@ HWY_INLINE void look_along_way(const CellGroup<N, T>* groups, const EntryPage<N,
   walk.block_count = blocks;
 }
 
-/// Goes through the row of blocks, to which those that hang behind them are added. A row that is about to grow beyond
-/// its room moves to the front: it is never longer than it was.
+/// Visits the queue of blocks, appending the blocks linked from them. When the queue is about to reach its capacity, it
+/// moves to the front; it never grows longer than it was.
 template <Dim N, class T>
 HWY_INLINE void look_at_blocks(const EntryPage<N, T>* pages, const RowLimits<N, T>& limits, CellMetWalk<N, T>& walk) {
   using Walk = CellMetWalk<N, T>;
@@ -257,7 +257,7 @@ HWY_INLINE void look_at_blocks(const EntryPage<N, T>* pages, const RowLimits<N, 
     blocks[end] = page.next;
     const std::uint32_t goes_on = page.next == no_index ? 0 : 1;
     end += goes_on;
-    prefetch_whole(pages + ((std::max(page.next, 1U) - 1U) & (0U - goes_on)));  // what comes after the next
+    prefetch_whole(pages + ((std::max(page.next, 1U) - 1U) & (0U - goes_on)));  // the block after the next
     found += write_those(limits.met(page.boxes), page.slots, walk.found + found);
   }
   std::copy(blocks + next, blocks + end, blocks);

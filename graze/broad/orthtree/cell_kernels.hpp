@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The inner loops of an Orthtree, once for every set of vector instructions that the compiler knows. Which one runs is
-// chosen at run time, and makes no difference to any answer, nor to its order: nothing here rounds differently from
-// lane to lane.
+// Inner loops of an Orthtree, compiled for each instruction set and chosen at run time. All give the same answers in
+// the same order, because every lane is calculated alike.
 #pragma once
 
 #include <cstddef>
@@ -16,29 +15,29 @@
 
 namespace graze::detail {
 
-/// A walk to all boxes that share a point with a region, which can be interrupted when much was found. Groups of cells
-/// wait on a stack, blocks of entries in a row. Without initial values, so that room for many costs nothing: start()
-/// gives them.
+/// The state of a walk to all boxes that share a point with a region. It can be interrupted when enough was found.
+/// Groups of cells wait on a stack, blocks of entries in a queue. Members are uninitialised, because the arrays are
+/// large; start() initialises them.
 template <Dim N, class T>
 struct CellMetWalk {
   static constexpr std::size_t depth_limit = 32;
   static constexpr std::size_t most_found = 240;
-  static constexpr std::size_t most_blocks = 96;  // when no more groups are opened
-  static constexpr std::size_t slack = 16;        // for a vector that is written whole
+  static constexpr std::size_t most_blocks = 96;  // no more groups are opened from here on
+  static constexpr std::size_t slack = 16;        // for storing a whole vector
   Aabb<N, T> region;
-  std::uint32_t next;  // the group that is looked at first; 0 when there is none
-  bool has_way;        // whether that one is below the root, from where the way to the region's middle is known
+  std::uint32_t next;  // the group to visit first; 0 if there is none
+  bool has_way;        // whether `next` is below the root, so that `way` gives the path to the region's center
   CellWay<N> way;
   std::size_t open_count;
   std::size_t block_count;
   std::size_t found_count;
-  std::size_t groups_seen;  // so far, for whoever wants to know
+  std::size_t groups_seen;  // statistics
   std::size_t blocks_seen;
-  std::uint32_t open[1 + (depth_limit + 1) * cells_per_group<N> + slack];  // groups, by number, the first 0
+  std::uint32_t open[1 + (depth_limit + 1) * cells_per_group<N> + slack];  // group numbers; the first is 0
   std::uint32_t blocks[most_blocks + cells_per_group<N> + slack];
   std::uint32_t found[most_found + entries_per_block + slack];  // slots
 
-  /// Begins anew, with nothing to look at.
+  /// Starts with nothing to visit.
   void start(const Aabb<N, T>& asked) {
     region = asked;
     next = open[0] = 0;
@@ -46,7 +45,7 @@ struct CellMetWalk {
     open_count = block_count = found_count = groups_seen = blocks_seen = 0;
   }
 
-  /// Adds the boxes of a cell, those below it, or both to what is looked at. For a cell or two, at the beginning.
+  /// Adds the boxes of a cell, or those below it. Only for one or two cells, at the start.
   void add_entries(const EntryList& list) {
     if (list.count > 0) blocks[block_count++] = list.head;
   }
@@ -55,8 +54,7 @@ struct CellMetWalk {
     next = group;
   }
 
-  /// Goes down to where the middle of the region is first, and then aside. Once the group below the root has been
-  /// added, and none after it.
+  /// Descends to the center of the region first. Call it after the group below the root was added, with none after it.
   void follow(const CellWay<N>& from_root) {
     has_way = true;
     way = from_root;
@@ -70,13 +68,13 @@ struct CellKernels {
   /// The name of the instruction set.
   const char* target;
 
-  /// Goes on with a walk until it is over or there is no room for what another block may hold.
+  /// Continues a walk until it is finished or there is no space for the boxes of another block.
   void (*find_met)(const CellGroup<N, T>* groups, const EntryPage<N, T>* pages, CellMetWalk<N, T>& walk);
 
-  /// The codes of the centers of boxes, which code_of gives, and their places in the row.
+  /// The codes of the centers of boxes, as by code_of, with the boxes' indices.
   void (*code)(const Aabb<N, T>* boxes, std::size_t count, const CodeScale<N, T>& scale, CodedBox* coded);
 
-  /// The box around all, if all are finite and contain something; nothing otherwise.
+  /// The bounds of all boxes if all are finite and not empty; otherwise an empty box.
   Aabb<N, T> (*bounds)(const Aabb<N, T>* boxes, std::size_t count);
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where boxes stand when those of every cell of an Orthtree are to stand in a row.
+// Codes that sort boxes so that those of every cell of an Orthtree are consecutive.
 #pragma once
 
 #include <cmath>
@@ -11,19 +11,19 @@
 
 namespace graze::detail {
 
-/// A box by its place among all, and the number of the cell of a fine grid that its center is in: `levels` below the
-/// root, numbered level by level as child_towards does, so that the boxes of every cell between stand in a row when
-/// they are sorted by it (Morton 1966).
+/// A box by its index, and the number of the cell of a fine grid that contains its center. The grid is `levels` below
+/// the root and numbered level by level as by child_towards, so sorting by code makes the boxes of every cell
+/// consecutive (Morton 1966).
 struct CodedBox {
   std::uint32_t index;
   std::uint32_t code;
 };
 
-/// How many levels below the root a code tells apart.
+/// The number of levels below the root that a code distinguishes.
 template <Dim N>
 inline constexpr int code_levels = 32 / N;
 
-/// Spreads the lowest bits of a number, so that between two of them there is room for those of the other axes.
+/// Spreads the lowest bits of a number, leaving gaps between them for the bits of the other axes.
 template <Dim N>
 std::uint32_t spread_bits(std::uint32_t bits) {
   if constexpr (N == 2) {
@@ -39,8 +39,8 @@ std::uint32_t spread_bits(std::uint32_t bits) {
   }
 }
 
-/// How a point becomes the numbers of the fine cell around it: (point - center) * cells_per_unit + middle, cut off
-/// below 0 and above `last`. A root that is a point, or too small for T, has one cell only.
+/// Maps a point to the numbers of its fine cell: (point - center) * cells_per_unit + middle, clamped to 0 and `last`. A
+/// root that is a point, or too small for T, has one cell only.
 template <Dim N, class T>
 struct CodeScale {
   explicit CodeScale(const CellPlace<N>& root) {
@@ -54,18 +54,17 @@ struct CodeScale {
 
   Vec<N, T> center;
   T cells_per_unit;
-  T middle;  ///< The number that the center has along each axis.
+  T middle;  ///< The number of the center along each axis.
   T last;
 };
 
-/// Cuts off what is beyond the fine cells; 0 for NaN, which a point that is not finite may give.
+/// Clamps to the range of fine cells; 0 for NaN, which a point that is not finite may give.
 template <Dim N, class T>
 std::uint32_t fine_cell(T along, const CodeScale<N, T>& scale) {
   const T positive = along > T(0) ? along : T(0);
   return static_cast<std::uint32_t>(positive < scale.last ? positive : scale.last);
 }
 
-/// The code of a point.
 template <Dim N, class T>
 std::uint32_t code_of(const Vec<N, T>& point, const CodeScale<N, T>& scale) {
   std::uint32_t code = 0;
@@ -76,23 +75,23 @@ std::uint32_t code_of(const Vec<N, T>& point, const CodeScale<N, T>& scale) {
   return code;
 }
 
-/// The way from the root down to the fine cell around a point, by its numbers along the axes: of which the highest bits
-/// say which child of the root it is in, the next ones which child of that, and so on.
+/// The path from the root to the fine cell around a point, as the cell's numbers along the axes: the highest bits
+/// select the child of the root, the next ones the child of that, and so on.
 template <Dim N>
 class CellWay {
  public:
-  /// To the middle of a box, give or take some rounding.
+  /// The path to the center of a box, up to rounding.
   template <class T>
   static CellWay to_middle(const Aabb<N, T>& box, const CodeScale<N, T>& scale) {
     CellWay way;
-    for (Dim i = 0; i < N; ++i) {  // in as few steps as can be, one after the other: all else waits for them
+    for (Dim i = 0; i < N; ++i) {  // a short dependency chain, because everything else waits for it
       const T twice = (box.min[i] - scale.center[i]) + (box.max[i] - scale.center[i]);
       way.numbers_[i] = fine_cell(twice * (scale.cells_per_unit * T(0.5)) + scale.middle, scale);
     }
     return way;
   }
 
-  /// The number of the next child on the way; 0 below the fine cell.
+  /// The number of the next child on the path; 0 below the fine cell.
   std::uint32_t next() {
     std::uint32_t child = 0;
     for (Dim i = 0; i < N; ++i) {

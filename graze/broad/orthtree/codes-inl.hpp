@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The codes of many boxes, and what is around them all. Included once for each instruction set, hence no ordinary
-// guard.
+// The codes and the bounds of many boxes. Included once per instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_ORTHTREE_CODES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_ORTHTREE_CODES_INL_HPP
 #undef GRAZE_BROAD_ORTHTREE_CODES_INL_HPP
@@ -24,7 +23,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 
-/// spread_bits of every lane.
+/// spread_bits for every lane.
 template <Dim N, class D>
 HWY_INLINE hn::Vec<D> spread_lanes(D d, hn::Vec<D> bits) {
   if constexpr (N == 2) {
@@ -40,7 +39,7 @@ HWY_INLINE hn::Vec<D> spread_lanes(D d, hn::Vec<D> bits) {
   }
 }
 
-/// The codes of the centers of so many boxes as there are lanes, the first of which has this index.
+/// The codes of the centers of one vector of boxes, starting at an index.
 template <Dim N>
 HWY_INLINE void code_lanes(const Aabb<N, float>* boxes, std::uint32_t index, const CodeScale<N, float>& scale,
                            CodedBox* coded) {

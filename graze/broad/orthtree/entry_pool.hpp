@@ -13,26 +13,26 @@
 
 namespace graze::detail {
 
-/// Takes the place of an index where there is none.
+/// No index.
 inline constexpr std::uint32_t no_index = std::numeric_limits<std::uint32_t>::max();
 
-/// A box in the slot of its key.
+/// A box and its slot.
 template <Dim N, class T>
 struct Entry {
   Aabb<N, T> box;
   std::uint32_t slot;
 };
 
-/// How many entries a block of a pool has room for.
+/// The number of entries in a block of a pool.
 inline constexpr std::uint32_t entries_per_block = 8;
 
-/// A block in memory: all that is looked at together, from a cache line on. Where there is no entry the box is NaN,
-/// which meets nothing, so that whoever looks need not know how many there are.
+/// A block in memory: everything that is read together, aligned to a cache line. Unused boxes are NaN, which meets
+/// nothing, so a reader need not know the count.
 template <Dim N, class T>
 struct alignas(64) EntryPage {
   Aabb<N, T> boxes[entries_per_block];
   std::uint32_t slots[entries_per_block];
-  std::uint32_t next;  ///< The next block of the list, or of the free ones.
+  std::uint32_t next;  ///< The next block of the list, or of the free list.
 };
 
 template <Dim N, class T>
@@ -41,13 +41,13 @@ Aabb<N, T> no_entry() {
   return {Vec<N, T>(nan), Vec<N, T>(nan)};
 }
 
-/// A list in a pool. Its first block may be partly filled, all others are full.
+/// A list in a pool. Its first block may be partly filled; all others are full.
 struct EntryList {
   std::uint32_t head = no_index;
   std::uint32_t count = 0;
 };
 
-/// A block of a list: where it is, and how many of its places are filled.
+/// A block of a list: its number and its count of entries.
 struct EntryBlock {
   std::uint32_t index;
   std::uint32_t filled;
@@ -55,29 +55,30 @@ struct EntryBlock {
   bool is_none() const { return index == no_index; }
 };
 
-/// Lists of entries in one array: each is a chain of blocks of eight, so that entries of a list lie side by side, and
-/// adding and removing cost the same however long it is. Each list has a number, its owner.
+/// Lists of entries in one array: each is a chain of blocks of eight, so that entries of a list are adjacent in memory,
+/// and adding and removing take constant time. Each list has a number, its owner.
 template <Dim N, class T>
 class EntryPool {
  public:
   static constexpr std::uint32_t block_size = entries_per_block;
   using Page = EntryPage<N, T>;
 
-  /// Sees to so many free blocks: as many calls of `add` cannot fail, more if they share blocks. May throw.
+  /// Ensures this many free blocks, so that as many calls of `add` cannot fail. May throw.
   void prepare(std::size_t blocks = 1) {
     while (free_count_ < blocks) make_block();
   }
 
-  /// Makes room for so many blocks, so that adding them moves nothing. May throw.
+  /// Reserves memory for this many blocks, so that adding them moves nothing. May throw.
   void reserve(std::size_t blocks) {
     pages_.reserve(blocks);
     owners_.reserve(blocks);
   }
 
-  /// How many blocks a list of so many entries fills.
+  /// The number of blocks of a list with this many entries.
   static std::size_t blocks_of(std::size_t count) { return (count + block_size - 1) / block_size; }
 
-  /// Adds an entry to a list and gives its position, which it keeps until it, or another entry of its list, is removed.
+  /// Adds an entry to a list and returns its position, which is valid until this or another entry of the list is
+  /// removed.
   std::uint32_t add(EntryList& list, std::uint32_t owner, const Entry<N, T>& entry) {
     if (list.count % block_size == 0) open_block(list, owner, 1);
     const std::uint32_t position = last_position(list.head, ++list.count);
@@ -87,8 +88,8 @@ class EntryPool {
     return position;
   }
 
-  /// Adds a block to a list without entries or with full blocks only, for `count` entries, one to block_size, and gives
-  /// the position of the first: their boxes and slots are to be written by whoever asks, at once.
+  /// Adds a block for `count` entries, from one to block_size, to a list that is empty or has only full blocks, and
+  /// returns the position of the first. The caller must write their boxes and slots immediately.
   std::uint32_t add_block(EntryList& list, std::uint32_t owner, std::uint32_t count) {
     open_block(list, owner, count);
     list.count += count;
@@ -96,8 +97,8 @@ class EntryPool {
   }
   Page& page(std::uint32_t position) { return pages_[position / block_size]; }
 
-  /// Takes the entry at a position out of its list and puts the last one in its place. Returns the slot of that one,
-  /// which is the removed one's own if it was last.
+  /// Removes the entry at a position from its list and moves the last entry there. Returns the slot of the moved entry,
+  /// or of the removed one if it was the last.
   std::uint32_t remove(EntryList& list, std::uint32_t position) {
     const std::uint32_t last = last_position(list.head, list.count);
     const std::uint32_t moved = slot(last);
@@ -108,13 +109,12 @@ class EntryPool {
     return moved;
   }
 
-  /// Removes all entries of a list.
   void release(EntryList& list) {
     while (list.head != no_index) close_block(list);
     list.count = 0;
   }
 
-  /// Forgets all lists and keeps the memory.
+  /// Removes all lists and keeps the memory.
   void clear() {
     pages_.clear();
     owners_.clear();
@@ -133,15 +133,15 @@ class EntryPool {
   /// All blocks, by number.
   const Page* pages() const { return pages_.data(); }
 
-  /// Gives a list another number.
+  /// Changes the owner of a list.
   void set_owner(const EntryList& list, std::uint32_t owner) {
     for (std::uint32_t block = list.head; block != no_index; block = pages_[block].next) owners_[block] = owner;
   }
 
-  /// The number of the list that holds the entry at a position.
+  /// The owner of the list that contains the entry at a position.
   std::uint32_t owner(std::uint32_t position) const { return owners_[position / block_size]; }
 
-  /// Calls visit(entry) for each entry of a list until it returns false. Returns whether it never did.
+  /// Calls visit(entry) for each entry of a list until it returns false. Returns false if it did.
   template <class Visit>
   bool visit(const EntryList& list, const Visit& visit) const {
     if (list.count == 0) return true;
@@ -149,7 +149,7 @@ class EntryPool {
     std::uint32_t next = no_index;
     for (std::uint32_t block = list.head; block != no_index; block = next) {
       const Page& page = pages_[block];
-      next = page.next;  // what is visited may be put into other lists, but pages stay where they are
+      next = page.next;  // visit may move entries to other lists, but pages do not move
       for (std::uint32_t k = 0; k < filled; ++k) {
         if (!visit(Entry<N, T>{page.boxes[k], page.slots[k]})) return false;
       }
@@ -158,8 +158,8 @@ class EntryPool {
     return true;
   }
 
-  /// Calls visit(slot) for each entry whose box passes a test until it returns false. Returns whether it never did. A
-  /// block is tested as a whole first: which boxes pass is hard to predict, and a wrong guess costs more than the test.
+  /// Calls visit(slot) for each entry whose box passes a test until it returns false. Returns false if it did. A block
+  /// is tested as a whole first, because the outcome is unpredictable and a misprediction costs more than the test.
   template <class Test, class Visit>
   bool visit_where(const EntryList& list, const Test& test, const Visit& visit) const {
     if (list.count == 0) return true;
@@ -180,28 +180,27 @@ class EntryPool {
     return true;
   }
 
-  /// The first block of a list, with the number of its entries. A list without entries has none.
+  /// The first block of a list and its count of entries, which is 0 for an empty list.
   EntryBlock first_block(const EntryList& list) const {
     return {list.head, list.count == 0 ? 0 : (list.count - 1) % block_size + 1};
   }
 
-  /// The one behind a block.
+  /// The block after a block.
   EntryBlock next_block(const EntryBlock& block) const { return {pages_[block.index].next, block_size}; }
 
-  /// Writes the slots of those entries of a block whose boxes pass a test, without a branch on it, and returns how many
-  /// they are. There must be room for block_size slots. The test is asked of NaN boxes, too, where no entry is.
+  /// Writes the slots of the entries of a block whose boxes pass a test, branch-free, and returns their number. The
+  /// output needs space for block_size slots. The test is also called for NaN boxes of unused entries.
   template <class Test>
   std::size_t write_where(const EntryBlock& block, const Test& test, std::uint32_t* slots) const {
     const Page& page = pages_[block.index];
     std::size_t count = 0;
-    for (std::uint32_t k = 0; k < block_size; ++k) {  // those that are no more are not counted
+    for (std::uint32_t k = 0; k < block_size; ++k) {  // unused ones are not counted
       slots[count] = page.slots[k];
       count += static_cast<unsigned>(k < block.filled) & static_cast<unsigned>(test(page.boxes[k]));
     }
     return count;
   }
 
-  /// Asks for a block.
   void prefetch_block(const EntryBlock& block) const { prefetch_whole(pages_.data() + block.index); }
 
   template <class Use>
@@ -212,7 +211,7 @@ class EntryPool {
     });
   }
 
-  /// The memory that is held, in bytes.
+  /// The memory held, in bytes.
   std::size_t bytes() const { return pages_.capacity() * sizeof(Page) + owners_.capacity() * sizeof(std::uint32_t); }
 
  private:
@@ -229,7 +228,7 @@ class EntryPool {
     ++free_count_;
   }
 
-  /// The first entries are about to be written.
+  /// Starts a new block for `count` first entries.
   void open_block(EntryList& list, std::uint32_t owner, std::uint32_t count) {
     prepare();
     const std::uint32_t block = free_;
@@ -251,9 +250,10 @@ class EntryPool {
     ++free_count_;
   }
 
-  BlankVector<Page> pages_;            // block k holds the entries from 8 k on
-  BlankVector<std::uint32_t> owners_;  // by block: whoever moves a box asks for nothing else of it
-  std::uint32_t free_ = no_index;      // a chain, too
+  BlankVector<Page> pages_;  // block k holds the entries from 8 k on
+  // by block, in an array of its own, because moving a box reads nothing else of the block
+  BlankVector<std::uint32_t> owners_;
+  std::uint32_t free_ = no_index;  // the first free block
   std::size_t free_count_ = 0;
 };
 

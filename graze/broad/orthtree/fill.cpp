@@ -19,8 +19,8 @@
 namespace graze::detail {
 namespace {
 
-/// Sorts by some digits of the code, those alike as they stand; by counting, the lower half of the digits first (Knuth,
-/// "The Art of Computer Programming", volume 3, section 5.2.5).
+/// A stable counting sort by some digits of the code, the lower half of the digits first (Knuth, "The Art of Computer
+/// Programming", volume 3, section 5.2.5).
 void sort_by_digits(std::span<CodedBox> boxes, std::span<CodedBox> spare, unsigned lowest, unsigned bits) {
   constexpr unsigned most_bits = 20;
   std::array<std::array<std::uint32_t, 1U << most_bits / 2>, 2> places;  // NOLINT(*-member-init): as far as needed
@@ -40,7 +40,7 @@ void sort_by_digits(std::span<CodedBox> boxes, std::span<CodedBox> spare, unsign
   }
 }
 
-/// How many levels boxes are sorted by at a time: as many as they will fill, and one more.
+/// The number of levels to sort by at a time: as many as the boxes will fill, and one more.
 template <Dim N>
 int levels_for(std::size_t count, std::size_t capacity) {
   constexpr int most = 20 / N;
@@ -49,7 +49,7 @@ int levels_for(std::size_t count, std::size_t capacity) {
   return levels;
 }
 
-/// All finite boxes, thinned out evenly when they are many.
+/// The finite boxes, or an evenly spaced sample of them.
 template <Dim N, class T>
 std::vector<Aabb<N, T>> sample_of(std::span<const Aabb<N, T>> boxes) {
   constexpr std::size_t enough = 512;
@@ -61,7 +61,7 @@ std::vector<Aabb<N, T>> sample_of(std::span<const Aabb<N, T>> boxes) {
   return sample;
 }
 
-/// place_of_root, told from a sample of the boxes and from what is around all of them.
+/// place_of_root, estimated from a sample of the boxes and the bounds of all.
 template <Dim N, class T>
 CellPlace<N> place_of_root_for(std::span<const Aabb<N, T>> boxes, const OrthtreeOptions& options) {
   std::vector<Aabb<N, T>> sample = sample_of(boxes);
@@ -73,7 +73,7 @@ CellPlace<N> place_of_root_for(std::span<const Aabb<N, T>> boxes, const Orthtree
   return place_of_root(sample, all, boxes.size(), options);
 }
 
-/// Boxes of so many bytes are found as soon as they are asked for.
+/// Boxes up to this many bytes stay in the cache and need no prefetch.
 constexpr std::size_t in_cache = std::size_t{1} << 18U;
 
 }  // namespace
@@ -115,8 +115,8 @@ void CellFilling<N, T>::code_boxes() {
   cell_kernels<N, T>().code(boxes_.data(), boxes_.size(), CodeScale<N, T>(tree_.places_[Tree::root]), sorted_.data());
 }
 
-/// Whether the boxes that are left for a cell stay there: because they are few, or because no cell below takes any.
-/// Above the levels where leaves are expected the boxes are not looked at for it.
+/// Whether the boxes remaining for a cell stay there: because they are few, or because no child takes any. Above the
+/// levels where leaves are expected, the boxes are not tested.
 template <Dim N, class T>
 bool CellFilling<N, T>::is_leaf(std::uint32_t cell, const Range& range) const {
   const CellPlace<N>& place = tree_.places_[cell];
@@ -130,10 +130,10 @@ bool CellFilling<N, T>::is_leaf(std::uint32_t cell, const Range& range) const {
   return true;
 }
 
-/// Where the boxes of each child end. Few are counted, for whether one belongs to a child is hard to predict.
+/// The end of the range of each child. Short ranges are counted, because a search would mispredict.
 template <Dim N, class T>
 auto CellFilling<N, T>::ends_in(const Range& range) const -> std::array<std::size_t, Tree::children> {
-  constexpr unsigned bits = 64U / Tree::children;  // for a count
+  constexpr unsigned bits = 64U / Tree::children;  // per count
   constexpr std::size_t few = 128;
   const auto shift = static_cast<unsigned>(N * (code_levels<N> - 1 - range.depth));
   const auto child_of = [shift](const CodedBox& box) { return box.code >> shift & (Tree::children - 1); };
@@ -158,7 +158,7 @@ auto CellFilling<N, T>::ends_in(const Range& range) const -> std::array<std::siz
   return ends;
 }
 
-/// Returns the bounds. Calls itself code_levels deep at most.
+/// Returns the bounds. Recurses at most code_levels deep.
 template <Dim N, class T>
 Aabb<N, T> CellFilling<N, T>::fill_cell(std::uint32_t cell, Range range) {  // NOLINT(misc-no-recursion)
   if (is_leaf(cell, range)) return fill_leaf(cell, range);
@@ -184,7 +184,7 @@ Aabb<N, T> CellFilling<N, T>::fill_cell(std::uint32_t cell, Range range) {  // N
   return bounds;
 }
 
-/// Asks for what will be looked at after the box at a place of the row: it lies anywhere in memory.
+/// Prefetches what the boxes after this position of the order need: they are scattered in memory.
 template <Dim N, class T>
 [[gnu::always_inline]] inline void CellFilling<N, T>::ask_ahead(std::size_t place) const {
   constexpr std::size_t ahead = 12;
@@ -195,8 +195,8 @@ template <Dim N, class T>
   prefetch_to_write(&tree_.positions_[slot_of(sorted_[place + ahead].index)]);
 }
 
-/// Fills a leaf with boxes that its square contains when it is grown to twice its size, as it contains most. Codes
-/// tell centers, and may round. Returns the bounds of all; if they do not fit nothing is filled.
+/// Fills a leaf with all boxes of a range, which usually fit its loose bounds; codes only describe centers, and may
+/// round. Returns the bounds of all boxes. If they do not fit, the leaf stays empty.
 template <Dim N, class T>
 Aabb<N, T> CellFilling<N, T>::fill_at_once(std::uint32_t cell, const Range& range) {
   EntryList list;

@@ -14,9 +14,9 @@
 
 namespace graze::detail {
 
-/// How a CellTree that holds none takes in many boxes at once: it sorts them by their codes, as far as there are cells,
-/// divides the row from the root down, and so comes by cells, entries and bounds in one walk along it. What does not
-/// fit where its code leads is added at the end, one by one.
+/// Bulk insertion into an empty CellTree: sorts the boxes by their codes as deep as cells are needed, divides the
+/// sequence from the root down, and creates cells, entries and bounds in one pass. Boxes that do not fit where their
+/// code leads are added at the end, one by one.
 template <Dim N, class T>
 class CellFilling {
  public:
@@ -26,16 +26,16 @@ class CellFilling {
   CellFilling(Tree& tree, std::span<const Box> boxes, std::span<const std::uint32_t> slots)
       : tree_(tree), boxes_(boxes), slots_(slots) {}
 
-  /// To be called once.
+  /// Must be called only once.
   void run();
 
  private:
-  /// Boxes in a row whose centers are in one cell.
+  /// Consecutive boxes whose centers are in one cell.
   struct Range {
     std::size_t first;
     std::size_t last;
     int depth;
-    int sorted_depth;  // down to which cells stand in their order
+    int sorted_depth;  // depth to which the boxes are sorted
 
     std::size_t count() const { return last - first; }
   };
@@ -54,10 +54,10 @@ class CellFilling {
   Tree& tree_;
   std::span<const Box> boxes_;
   std::span<const std::uint32_t> slots_;
-  bool slots_are_row_ = false;   // each is the next after the one before
-  std::size_t asked_until_ = 0;  // the place in the row up to which boxes are asked for ahead
+  bool slots_are_row_ = false;   // whether the slots are consecutive
+  std::size_t asked_until_ = 0;  // position in the order up to which boxes are prefetched
   BlankVector<CodedBox> sorted_;
-  BlankVector<CodedBox> spare_;           // for whoever sorts
+  BlankVector<CodedBox> spare_;           // for sorting
   std::vector<std::uint32_t> left_over_;  // indices
 };
 

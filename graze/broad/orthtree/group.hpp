@@ -18,28 +18,28 @@ template <Dim N, class T>
 struct Cell {
   Aabb<N, T> bounds = Aabb<N, T>::nothing();
   EntryList entries;
-  std::uint32_t first_child = no_index;  ///< The children lie side by side.
+  std::uint32_t first_child = no_index;  ///< Children are consecutive.
 };
 
-/// How many cells a cell is divided into.
+/// The number of children of a cell.
 template <Dim N>
 inline constexpr std::uint32_t cells_per_group = 1U << static_cast<unsigned>(N);
 
-/// The cells below one, as queries look at them together: in 2D, of floats, two cache lines, of which the first alone
-/// says which are met.
+/// The children of a cell in the layout that queries read: in 2D, with floats, two cache lines, of which the first
+/// suffices to decide which are met.
 template <Dim N, class T>
 struct alignas(64) CellGroup {
   static constexpr std::uint32_t size = cells_per_group<N>;
 
-  T min[N][size];  ///< Of the bounds, as max.
+  T min[N][size];  ///< Of the bounds, like max.
   T max[N][size];
-  std::uint32_t below[size];   ///< The numbers of the groups of their children; 0 where there are none.
+  std::uint32_t below[size];   ///< The numbers of the groups of their children; 0 if there are none.
   std::uint32_t heads[size];   ///< Of their lists of entries.
   std::uint32_t counts[size];  ///< The same.
 };
 
-/// Cells in groups, the first of which has no cell above it. A cell's index is its group's number times the size of a
-/// group, and its place there.
+/// Cells in groups; the first group has no parent. A cell's index is its group's number times the group size, plus its
+/// position in the group.
 template <Dim N, class T>
 class CellGroups {
  public:
@@ -48,11 +48,10 @@ class CellGroups {
 
   CellGroups() { add_group(); }
 
-  /// How many cells there are.
   std::size_t size() const { return groups_.size() * Group::size; }
   const Group* groups() const { return groups_.data(); }
 
-  /// Adds a group of empty cells and gives the index of its first. May throw.
+  /// Adds a group of empty cells and returns the index of the first. May throw.
   std::uint32_t add_group() {
     const auto first = static_cast<std::uint32_t>(size());
     groups_.resize(groups_.size() + 1);
@@ -60,12 +59,12 @@ class CellGroups {
     return first;
   }
 
-  /// Makes all cells of a group empty ones, given the first.
+  /// Empties all cells of a group, given its first cell.
   void reset(std::uint32_t first) {
     for (std::uint32_t k = 0; k < Group::size; ++k) set(first + k, {});
   }
 
-  /// Forgets all groups but the first, and what was in that. The memory is kept.
+  /// Removes all groups except the first, which is emptied. The memory is kept.
   void clear() {
     groups_.resize(1);
     reset(0);
@@ -97,7 +96,7 @@ class CellGroups {
     }
   }
 
-  /// Makes the bounds contain a box, too.
+  /// Grows the bounds to contain a box.
   void grow(std::uint32_t cell, const Box& box) { set_bounds(cell, box_around(bounds(cell), box)); }
 
   EntryList entries(std::uint32_t cell) const {
@@ -118,7 +117,7 @@ class CellGroups {
     group(cell).below[cell % Group::size] = first == no_index ? 0 : first / Group::size;
   }
 
-  /// The memory that is held, in bytes.
+  /// The memory held, in bytes.
   std::size_t bytes() const { return groups_.capacity() * sizeof(Group); }
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the cells of an Orthtree are, and which takes in what. Nothing that is found depends on it, for cells know the
-// bounds of what they hold: so it may round.
+// The positions of an Orthtree's cells, and which cell takes a box. This may round: cells know the bounds of their
+// content, so no answer depends on it.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +23,8 @@ struct OrthtreeOptions {
 
 namespace detail {
 
-/// A square or cubic cell: where it is. Each level below has cells of half the size; the root's level goes down when it
-/// grows.
+/// The position of a square or cubic cell. Cells of the next level have half the size; the root's level decreases when
+/// it grows.
 template <Dim N>
 struct CellPlace {
   Vec<N, double> center = Vec<N, double>(0.0);
@@ -38,11 +38,11 @@ Vec<N, double> center_of(const Aabb<N, T>& box) {
   return wide<N, T>(box.min) * 0.5 + wide<N, T>(box.max) * 0.5;
 }
 
-/// A cell takes in what its square contains when it is grown to twice its size: boxes up to its own size, then, whose
+/// A cell takes boxes that are inside its square grown to twice its size (a loose tree): boxes up to its own size whose
 /// center it contains.
 template <Dim N, class T>
 bool fits(const CellPlace<N>& place, const Aabb<N, T>& box) {
-  unsigned sticks_out = 0;  // without branches, whose outcome is hard to predict
+  unsigned sticks_out = 0;  // branch-free, because the outcome is unpredictable
   for (Dim i = 0; i < N; ++i) {
     sticks_out |= static_cast<unsigned>(!(static_cast<double>(box.min[i]) >= place.center[i] - 2 * place.half)) |
                   static_cast<unsigned>(!(static_cast<double>(box.max[i]) <= place.center[i] + 2 * place.half));
@@ -64,7 +64,7 @@ bool takes(const CellPlace<N>& place, const Aabb<N, T>& box) {
   return contains_center(place, center_of(box)) && fits(place, box);
 }
 
-/// The number of the child on whose side a point is.
+/// The number of the child on a point's side.
 template <Dim N>
 std::uint32_t child_towards(const CellPlace<N>& place, const Vec<N, double>& center) {
   std::uint32_t child = 0;
@@ -82,7 +82,7 @@ CellPlace<N> child_place(const CellPlace<N>& place, std::uint32_t child) {
   return result;
 }
 
-/// The cell of twice the size that has this one as a child and lies towards a point.
+/// The cell of twice the size that has this one as a child and extends towards a point.
 template <Dim N>
 CellPlace<N> doubled_place(const CellPlace<N>& place, const Vec<N, double>& target) {
   CellPlace<N> result{place.center, place.half * 2, place.level - 1, no_index};
@@ -99,7 +99,7 @@ bool is_as_good(const CellPlace<N>& root, const CellPlace<N>& other) {
   return root.half < 1.5 * other.half;
 }
 
-/// The middle of a range and half its length, kept from overflow.
+/// The middle and half the length of a range, without overflow.
 struct AxisRange {
   double center;
   double half;
@@ -118,8 +118,8 @@ CellPlace<N> place_over(const Ranges& ranges) {
   return place;
 }
 
-/// The square for a root of `count` boxes: around all; or, where a few far away would cost more levels than there are,
-/// around the middle seven eighths of the centers along each axis and as much again, as some of the boxes tell.
+/// The square for a root of `count` boxes: around all; or, if a few distant boxes would cost more levels than there
+/// are, around the central seven eighths of the centers along each axis, doubled, estimated from a sample.
 template <Dim N, class T>
 CellPlace<N> place_of_root(const std::vector<Aabb<N, T>>& some, const Aabb<N, T>& all, std::size_t count,
                            const OrthtreeOptions& options) {
@@ -135,13 +135,13 @@ CellPlace<N> place_of_root(const std::vector<Aabb<N, T>>& some, const Aabb<N, T>
     const AxisRange range = range_between(low, *(centers.end() - 1 - skipped));
     return AxisRange{range.center, 2 * range.half};
   });
-  if (!(middle.half > 0)) return whole;  // all centers are one: the boxes' own size is as good as any
+  if (!(middle.half > 0)) return whole;  // all centers coincide: the size of the boxes is as good as any
   const double leaves = static_cast<double>(count) / static_cast<double>(options.capacity);
   const int levels = std::ilogb(std::max(1.0, leaves)) / N + 3 + std::ilogb(whole.half) - std::ilogb(middle.half);
   return levels > options.max_depth ? middle : whole;
 }
 
-/// The same as all of them tell.
+/// The same, from all boxes.
 template <Dim N, class T>
 CellPlace<N> place_of_root(const std::vector<Aabb<N, T>>& boxes, const OrthtreeOptions& options) {
   Aabb<N, T> all = Aabb<N, T>::nothing();

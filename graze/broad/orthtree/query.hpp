@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the boxes that share a point with a box are found in cells: without a branch on whether a cell or a box is met,
-// for that is hard to predict, and a wrong guess costs more than to look at some in vain.
+// Finds the boxes in cells that share a point with a box. Branch-free in the tests of cells and boxes, because the
+// outcomes are unpredictable and a misprediction costs more than some needless tests.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@
 
 namespace graze::detail {
 
-/// What a walk keeps in mind without allocating: the brothers of a path down through 32 levels of a quad tree.
+/// The stack of a walk that does not allocate: the siblings on a path down through 32 levels of a quadtree.
 inline constexpr std::size_t cell_walk_room = 128;
 
-/// Cells whose boxes are to be looked at, all in one go: so that what comes next is asked for early.
+/// Collects cells whose boxes are then tested together, so that the next ones are prefetched early.
 template <class Cells, class Probe>
 class MetCells {
  public:
@@ -29,8 +29,8 @@ class MetCells {
 
   bool has_room_for(std::size_t more) const { return met_.size() - count_ > more; }
 
-  /// Calls visit(slot) for every box in the cells that is met until it returns false, and forgets the cells. Returns
-  /// whether it never did.
+  /// Calls visit(slot) for every box in the cells that is met until it returns false, and clears the cells. Returns
+  /// false if it did.
   template <class Visit>
   bool visit_boxes(const Visit& visit) {
     const auto& pool = cells_.pool();

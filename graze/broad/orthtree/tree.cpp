@@ -56,7 +56,7 @@ void CellTree<N, T>::update(std::uint32_t slot, const Box& box) {
   count_change();
 }
 
-/// Cells may have split, or all been laid anew, since anything else was looked up.
+/// Looks up the cell last: it may have been split, or all cells rebuilt, in between.
 template <Dim N, class T>
 void CellTree<N, T>::move(std::uint32_t slot, std::uint32_t cell, const Box& box) {
   pool_.prepare();
@@ -102,9 +102,9 @@ std::size_t CellTree<N, T>::bytes() const {
          positions_.capacity() * sizeof(std::uint32_t);
 }
 
-// ---- Where a box belongs
+// ---- The cell of a box
 
-/// Whether a box that is in the cell may stay there, now that it has moved.
+/// Whether a box in the cell may stay there after it moved.
 template <Dim N, class T>
 bool CellTree<N, T>::stays(std::uint32_t cell, const Box& box) const {
   if (cell == outside) return !(has_root() && takes(places_[root], box));
@@ -113,7 +113,7 @@ bool CellTree<N, T>::stays(std::uint32_t cell, const Box& box) const {
   return is_leaf(cell) || !fits(child_place(place, child_towards(place, center_of(box))), box);
 }
 
-/// The cell for a box. Splits cells that are full, and lays a new root when that is due.
+/// The cell for a box. Splits full cells, and creates a new root if necessary.
 template <Dim N, class T>
 std::uint32_t CellTree<N, T>::home_of(const Box& box) {
   const auto find = [&] {
@@ -121,17 +121,17 @@ std::uint32_t CellTree<N, T>::home_of(const Box& box) {
   };
   const std::uint32_t cell = find();
   if (refit_is_due(cell)) {
-    refit(cell == outside ? 2 : 1);  // a world that has outgrown its root once goes on growing
+    refit(cell == outside ? 2 : 1);  // if the world has outgrown its root before, leave space to grow
   } else if (root_is_too_large()) {
-    refit(1.125);  // so that a little to and fro does not make it grow at once
+    refit(1.125);  // so that small movements do not make it grow again at once
   } else {
     return cell;
   }
   return find();
 }
 
-/// The same for a box that a cell is known to take in. The bounds grow on the way, while the cells are at hand; the
-/// places of children are calculated, which costs less than fetching them.
+/// The same, starting at a cell that takes the box. Grows the bounds on the way, while the cells are cached;
+/// recalculates the positions of children, which is cheaper than loading them.
 template <Dim N, class T>
 std::uint32_t CellTree<N, T>::home_below(std::uint32_t cell, const Box& box) {
   grow_bounds(cell, box);
@@ -152,7 +152,7 @@ std::uint32_t CellTree<N, T>::home_below(std::uint32_t cell, const Box& box) {
   }
 }
 
-/// The same for a box that leaves a cell, often for its neighbour.
+/// The same for a box that leaves a cell, often to a neighbour.
 template <Dim N, class T>
 std::uint32_t CellTree<N, T>::home_near(std::uint32_t cell, const Box& box) {
   while (cell != no_index && cell != outside && !takes(places_[cell], box)) cell = places_[cell].parent;
@@ -177,7 +177,7 @@ void CellTree<N, T>::remove(std::uint32_t position) noexcept {
   if (list.count == 0 && is_leaf(cell)) cells_.set_bounds(cell, Box::nothing());
 }
 
-/// What contains the box contains it all the way up.
+/// Ancestors whose bounds already contain the box end the loop.
 template <Dim N, class T>
 void CellTree<N, T>::grow_bounds(std::uint32_t cell, const Box& box) {
   for (; cell != no_index && !covers(cells_.bounds(cell), box); cell = places_[cell].parent) {
@@ -197,7 +197,7 @@ void CellTree<N, T>::count_change() {
   }
 }
 
-/// Calculates the bounds of a cell and all below it. No deeper than the tree.
+/// Recalculates the bounds of a cell and all below it. The recursion is at most as deep as the tree.
 template <Dim N, class T>
 Aabb<N, T> CellTree<N, T>::refresh(std::uint32_t cell) {  // NOLINT(misc-no-recursion)
   Box bounds = Box::nothing();
@@ -212,13 +212,13 @@ Aabb<N, T> CellTree<N, T>::refresh(std::uint32_t cell) {  // NOLINT(misc-no-recu
 
 // ---- Splitting and merging
 
-/// Whether a leaf has room below, beside the limit of depth.
+/// Whether a leaf may be split apart from the depth limit.
 template <Dim N, class T>
 bool CellTree<N, T>::can_split(const CellPlace<N>& place) const {
   return place.half > 0 && cells_.size() < no_index - children;
 }
 
-/// So that adding them moves nothing.
+/// Reserves memory so that adding blocks moves nothing.
 template <Dim N, class T>
 void CellTree<N, T>::reserve_groups(std::size_t count) {
   cells_.reserve(count);
@@ -242,7 +242,7 @@ std::uint32_t CellTree<N, T>::new_group(std::uint32_t parent) {
   return first;
 }
 
-/// Hands each box to the child where it belongs; those too large for theirs stay.
+/// Moves each box to the child that takes it; those too large for any child stay.
 template <Dim N, class T>
 void CellTree<N, T>::split(std::uint32_t cell) {
   pool_.prepare(pool_.blocks_of(cells_.count(cell)) + children);
@@ -266,8 +266,9 @@ void CellTree<N, T>::merge_from(std::uint32_t cell) noexcept {
   merge_upwards(is_leaf(cell) ? places_[cell].parent : cell);
 }
 
-/// Takes back the children of a cell, then of its parent and so on, as long as they leave it half empty: so that a box
-/// that comes and goes does not split and merge each time. Where memory is lacking the children are kept.
+/// Merges the children of a cell into it, then those of its parent and so on, as long as they leave it at most half
+/// full, so that a box that comes and goes does not split and merge each time. If memory is lacking, the children are
+/// kept.
 template <Dim N, class T>
 void CellTree<N, T>::merge_upwards(std::uint32_t cell) noexcept {
   for (; cell != no_index; cell = places_[cell].parent) {
@@ -304,7 +305,7 @@ void CellTree<N, T>::lay_root(const CellPlace<N>& place) {
   has_root_ = true;
 }
 
-/// Doubles the root until a box fits, if the cells below stay within the limit of depth.
+/// Doubles the root until a box fits, if the cells below stay within the depth limit.
 template <Dim N, class T>
 bool CellTree<N, T>::grow_root(const Box& box) {
   CellPlace<N> place = places_[root];
@@ -318,7 +319,7 @@ bool CellTree<N, T>::grow_root(const Box& box) {
   return true;
 }
 
-/// The root becomes a child of a new root, which has its place in the array.
+/// The root becomes a child of a new root, which takes its index.
 template <Dim N, class T>
 void CellTree<N, T>::double_root(const Vec<N, double>& target) {
   const CellPlace<N> old_place = places_[root];
@@ -337,15 +338,16 @@ void CellTree<N, T>::double_root(const Vec<N, double>& target) {
   for (std::uint32_t k = 0; k < children; ++k) places_[former.first_child + k].parent = child;
 }
 
-/// When many boxes are outside, or in a cell that may not split, and as many have come and moved as make it worth
-/// while.
+/// Whether a new root may pay: many boxes are outside, or in a cell that cannot be split, and enough have been added or
+/// moved since.
 template <Dim N, class T>
 bool CellTree<N, T>::refit_is_due(std::uint32_t cell) const {
   if (cell != outside && depth(cell) < options_.max_depth) return false;
   return changes_since_refit_ >= size_ / 2 && cells_.count(cell) >= options_.capacity + size_ / 32;
 }
 
-/// When two thirds of the root's size would do in every direction: levels that part nothing cost every query.
+/// Whether two thirds of the root's size would suffice in every direction: levels that do not separate boxes cost every
+/// query.
 template <Dim N, class T>
 bool CellTree<N, T>::root_is_too_large() const {
   if (!has_root() || changes_since_refit_ < size_ / 2) return false;
@@ -357,8 +359,8 @@ bool CellTree<N, T>::root_is_too_large() const {
   return true;
 }
 
-/// Builds all cells anew below a new root, if a new one is better; larger by a factor than it must be if it follows
-/// another.
+/// Rebuilds all cells below a new root if it is better. If it follows another root, it is larger than necessary by a
+/// factor.
 template <Dim N, class T>
 void CellTree<N, T>::refit(double margin) {
   std::vector<Box> finite;

@@ -20,32 +20,33 @@ namespace graze::detail {
 template <Dim N, class T>
 class CellFilling;
 
-/// The cells of an Orthtree and the boxes in them, by slot. A box is in one cell: the deepest that was split on its way
-/// down and whose square, grown to twice its size, contains the box; the box's center decides the way. What does not
-/// fit the root so makes it grow, by doubling, as long as the cells below are not pushed deeper than the limit; what
-/// is too far off even so is outside. Where that, or cells at the limit, hold too many the root is laid anew.
+/// The cells of an Orthtree and the boxes in them, by slot. The center of a box determines its path from the root; the
+/// box is in the deepest split cell on it whose square, grown to twice its size, contains the box. If a box does not
+/// fit the root, the root doubles until it does, unless cells below would exceed the depth limit; a box that is too far
+/// away is outside. If that list, or a cell at the limit, becomes too long, all cells are rebuilt below a new root.
 ///
-/// Bounds grow with every box, and shrink when as many boxes have come, moved and gone as there are: then all are
-/// calculated anew.
+/// Bounds grow with every box. After as many insertions, moves and removals as there are boxes, all bounds are
+/// recalculated.
 template <Dim N, class T>
 class CellTree {
  public:
   using Box = Aabb<N, T>;
 
   static constexpr std::uint32_t children = cells_per_group<N>;
-  static constexpr std::uint32_t outside = 0;  ///< The list of the boxes outside of the root, as a cell without bounds.
-  static constexpr std::uint32_t root = 1;     ///< Exists when has_root(); one of root_count().
+  /// The list of the boxes outside the root, stored as a cell without bounds.
+  static constexpr std::uint32_t outside = 0;
+  static constexpr std::uint32_t root = 1;  ///< Exists if has_root(); one of root_count().
   static constexpr int depth_limit = 32;
 
-  /// Throws std::invalid_argument for options beyond their limits.
+  /// Throws std::invalid_argument if an option is out of range.
   explicit CellTree(const OrthtreeOptions& options);
 
-  /// Each of these throws nothing but std::bad_alloc, and then changes nothing that can be seen.
+  /// These throw only std::bad_alloc, and then have no visible effect.
   void insert(std::uint32_t slot, const Box& box);
   void update(std::uint32_t slot, const Box& box);
 
-  /// Takes in many boxes at once, each in its slot, which differ; for a tree that holds none. Cells of boxes that are
-  /// near each other come to lie near each other. Throws nothing but std::bad_alloc; what it holds then is of no use.
+  /// Fills an empty tree with many boxes, each in its slot; slots must be distinct. Cells of nearby boxes are near each
+  /// other in memory. Throws only std::bad_alloc; the content is unusable after an exception.
   void fill(std::span<const Box> boxes, std::span<const std::uint32_t> slots);
 
   void erase(std::uint32_t slot) noexcept;
@@ -61,12 +62,12 @@ class CellTree {
   const CellPlace<N>& place(std::uint32_t index) const { return places_[index]; }
   const EntryPool<N, T>& pool() const { return pool_; }
   const OrthtreeOptions& options() const { return options_; }
-  /// By which the way down to a point is known, as its code.
+  /// The scale that maps a point to its code.
   const CodeScale<N, T>& code_scale() const { return code_scale_; }
 
   int depth(std::uint32_t cell) const { return places_[cell].level - places_[root].level; }
 
-  /// The memory that is held, in bytes.
+  /// The memory held, in bytes.
   std::size_t bytes() const;
 
  private:
@@ -101,11 +102,11 @@ class CellTree {
   std::vector<CellPlace<N>> places_;            // by cell
   CodeScale<N, T> code_scale_{CellPlace<N>{}};  // of the root
   bool has_root_ = false;
-  std::uint32_t free_group_ = no_index;  // a chain by first_child of the group's first cell
+  std::uint32_t free_group_ = no_index;  // a chain by first_child of each group's first cell
   EntryPool<N, T> pool_;
   BlankVector<std::uint32_t> positions_;  // in the pool, by slot
   std::size_t size_ = 0;
-  int deepest_level_ = 0;  // no cell is deeper; lowered by a refresh
+  int deepest_level_ = 0;  // an upper bound, lowered by a refresh
   std::size_t changes_since_refresh_ = 0;
   std::size_t changes_since_refit_ = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How cells that hang below each other are walked: those of a CellTree and those of GridCells, which have the same
-// parts. The bounds of a cell contain all boxes in it and below it.
+// Walks of linked cells: those of a CellTree and of GridCells, which have the same interface. The bounds of a cell
+// contain all boxes in it and below it.
 #pragma once
 
 #include <cstddef>
@@ -18,14 +18,14 @@
 
 namespace graze::detail {
 
-/// Cells that kernels look at.
+/// Cells that the kernels support.
 template <class Cells>
 concept HasGroups = requires(const Cells& cells) {
   cells.groups();
 };
 
-/// Calls visit(slot) for every box that shares a point with `region` until it returns false; `region` may have a NaN,
-/// and then there is none.
+/// Calls visit(slot) for every box that shares a point with `region` until it returns false. If `region` has a NaN,
+/// there is none.
 template <HasGroups Cells, Dim N, class T, class Visit>
 void visit_groups_in_box(const Cells& cells, const Aabb<N, T>& region, const Visit& visit) {
   CellMetWalk<N, T> walk;
@@ -47,8 +47,8 @@ void visit_groups_in_box(const Cells& cells, const Aabb<N, T>& region, const Vis
   }
 }
 
-/// Calls visit(slot) for every box that `probe` (a RegionProbe, or what counts as one) says is met, cell by cell, until
-/// it returns false.
+/// Calls visit(slot) for every box that meets the region of `probe` (a RegionProbe or a class with its interface), cell
+/// by cell, until it returns false.
 template <class Cells, class Probe, class Visit>
 void visit_cells_met(const Cells& cells, const Probe& probe, const Visit& visit) {
   if constexpr (Probe::is_box && HasGroups<Cells>) return visit_groups_in_box(cells, probe.reach(0), visit);
@@ -76,7 +76,7 @@ struct CellHit {
   bool is_box;
   std::uint32_t index;
 
-  /// A cell before boxes with the same t: it may hold one that comes before them.
+  /// Cells come before boxes with the same t: a cell may contain a box that precedes them.
   struct Sooner {
     bool operator()(const CellHit& a, const CellHit& b) const {
       if (a.t != b.t) return a.t < b.t;
@@ -85,7 +85,7 @@ struct CellHit {
   };
 };
 
-/// Calls visit(slot, t) for every box that a ray enters, in order of t, equal ones by slot, until it returns false.
+/// Calls visit(slot, t) for every box that a ray enters, in order of t, ties by slot, until it returns false.
 template <class Cells, Dim N, class T, class Visit>
 void visit_cells_along(const Cells& cells, const Ray<N, T>& ray, const Visit& visit) {
   ShortHeap<CellHit, cell_walk_room, CellHit::Sooner> open;
@@ -113,7 +113,7 @@ void visit_cells_along(const Cells& cells, const Ray<N, T>& ray, const Visit& vi
   }
 }
 
-/// A cell by its distance from a point.
+/// A cell and its distance from a point.
 struct NearCell {
   double distance_squared;
   std::uint32_t index;
@@ -123,7 +123,7 @@ struct NearCell {
   };
 };
 
-/// Calls offer(slot, distance squared) for boxes near a point until the nearest of what is left is beyond reach().
+/// Calls offer(slot, squared distance) for boxes near a point until everything left is beyond reach().
 template <class Cells, Dim N, class T, class Offer, class Reach>
 void visit_cells_near(const Cells& cells, const Vec<N, T>& point, const Offer& offer, const Reach& reach) {
   const auto offer_entries = [&](const Cell<N, T>& cell) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled once per instruction set: Highway includes this file anew for each.
+// Compiled once per instruction set: Highway includes this file again for each.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -69,7 +69,7 @@ Aabb<N, T> survey_boxes(const Aabb<N, T>* boxes, std::size_t count) {
   return centers;
 }
 
-/// Numbers the cells of centers, a vector at a time.
+/// Calculates the cell numbers of centers, a vector at a time.
 template <Dim N, class T>
 class CellNumbers {
  public:
@@ -153,7 +153,7 @@ void cells_of_boxes(const Aabb<N, T>* boxes, std::size_t count, const CellGrid<N
   for (; k < count; ++k) cell[k] = cell_of_box(boxes[k], grid, largest, unusual);
 }
 
-/// The centers of as many boxes in a row as there are lanes.
+/// The centers of one vector of consecutive boxes.
 template <Dim N, class T>
 HWY_INLINE void load_centers(const Aabb<N, T>* boxes, Lanes<T> (&center)[N]) {
   const auto half = hn::Set(Tag<T>(), T(0.5));
@@ -210,7 +210,7 @@ void fill_with_nan(Block<N, T>& block) {
   }
 }
 
-/// Whether the first lanes have boxes that contain something.
+/// Whether the boxes in the first lanes are all non-empty.
 template <Dim N, class T>
 HWY_INLINE bool are_boxes(const Block<N, T>& block, std::uint32_t lanes) {
   const Tag<T> d;
@@ -237,7 +237,7 @@ HWY_INLINE void grow(Block<N, T>& block, T margin) {
   }
 }
 
-/// Fills blocks with boxes in a row.
+/// Fills blocks with consecutive boxes.
 template <Dim N, class T>
 HWY_INLINE void fill_in_order(const Aabb<N, T>* boxes, std::size_t count, Block<N, T>* blocks) {
   const Tag<T> d;
@@ -256,7 +256,7 @@ template <Dim N, class T>
 // NOLINTNEXTLINE(readability-function-size): arrays, one by one, as the loop needs them
 void fill_blocks(const Aabb<N, T>* boxes, const std::uint16_t* order, std::size_t count, T margin,
                  Block<N, T>* blocks) {
-  // Some blocks at a time are put in order, and then read: whole vectors cannot be read from stores under way.
+  // This many blocks are stored before they are read: loading a vector right after narrower stores would stall.
   constexpr std::size_t blocks_at_once = 8;
   Aabb<N, T> ordered[blocks_at_once * block_size];
   const std::size_t full = count / block_size;
@@ -284,7 +284,7 @@ template <Dim N, class T>
 // NOLINTNEXTLINE(readability-function-size): arrays, one by one, as the loop needs them
 bool refill_blocks(const Aabb<N, T>* boxes, T margin, const std::uint32_t* ids, std::size_t count,
                    Block<N, T>* blocks) {
-  constexpr std::size_t ahead = std::size_t{2} * block_size;  // boxes on their way
+  constexpr std::size_t ahead = std::size_t{2} * block_size;  // prefetch distance, in boxes
   const std::uint32_t* const end = ids + count * block_size;
   for (std::size_t k = 0; k < count; ++k, ids += block_size) {
     Block<N, T>& block = blocks[k];

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The inner loops of building a block tree, once for every set of vector instructions that the compiler knows. Which
-// one runs is chosen at run time, and makes no difference to any answer: nothing here rounds differently from lane to
-// lane.
+// Inner loops of building a block tree, compiled for each instruction set and chosen at run time. All give the same
+// answers, because every lane is calculated alike.
 #pragma once
 
 #include <cstddef>
@@ -20,28 +19,28 @@ struct BlockKernels {
   /// The name of the instruction set.
   const char* target;
 
-  /// The bounds of the centers of those boxes that are finite and contain something.
+  /// The bounds of the centers of the boxes that are finite and not empty.
   Aabb<N, T> (*survey)(const Aabb<N, T>* boxes, std::size_t count);
 
-  /// The cell of every box's center, or the nearest cell to it. A box larger than `largest` on some axis, infinite,
-  /// empty or with a NaN gets `unusual`.
+  /// The cell of every box's center, or the nearest cell to it. Boxes that are larger than `largest` on some axis,
+  /// infinite or empty, or have a NaN, get `unusual`.
   void (*cells)(const Aabb<N, T>* boxes, std::size_t count, const CellGrid<N, T>& grid, T largest,
                 std::uint16_t unusual, std::uint16_t* cell);
 
   /// The bounds of the centers of finite boxes.
   Aabb<N, T> (*center_bounds)(const Aabb<N, T>* boxes, std::size_t count);
 
-  /// The cell of every center of finite boxes, or the nearest cell to it, whatever their size.
+  /// The cell of every center, or the nearest cell to it, for finite boxes of any size.
   void (*center_cells)(const Aabb<N, T>* boxes, std::size_t count, const CellGrid<N, T>& grid, std::uint16_t* cell);
 
   /// Fills blocks with the boxes at order[0], order[1], ..., each grown by `margin`, and pads the last block with NaN.
   void (*fill)(const Aabb<N, T>* boxes, const std::uint16_t* order, std::size_t count, T margin, Block<N, T>* blocks);
 
-  /// Fills `count` blocks anew with the boxes that `ids` names, each grown by `margin`. False if one of them has a NaN
-  /// or contains nothing.
+  /// Refills `count` blocks with the boxes that `ids` names, each grown by `margin`. Returns false if one has a NaN or
+  /// is empty.
   bool (*refill)(const Aabb<N, T>* boxes, T margin, const std::uint32_t* ids, std::size_t count, Block<N, T>* blocks);
 
-  /// Stores the bounds of each block in its lane of the level above, where lanes beyond the last become NaN.
+  /// Stores the bounds of each block in its lane of the level above; unused lanes become NaN.
   void (*close)(const Block<N, T>* blocks, std::size_t count, Block<N, T>* above);
 };
 

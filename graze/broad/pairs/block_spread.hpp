@@ -13,13 +13,13 @@
 
 namespace graze::detail {
 
-/// How far blocks reach, as a measure of what an order of boxes is still worth after they have moved: the number of
-/// others that a block would meet if all were of the usual extents and spread evenly. In whole numbers, so that sums
-/// are the same in any order.
+/// Measures how well an order of boxes still clusters them after they have moved: the number of other blocks that a
+/// block would overlap if all had typical extents and were evenly distributed. In integers, so that sums do not depend
+/// on the order.
 template <Dim N, class T>
 class BlockSpread {
  public:
-  /// Takes the median extents of blocks, whose bounds are in the lanes of `above`, as usual.
+  /// Sets the typical extents to the median of some blocks, whose bounds are in the lanes of `above`.
   void take_as_usual(const Block<N, T>* above, std::size_t count) {
     most_ = static_cast<double>(count);
     const std::size_t stride = count / most_samples + 1;
@@ -40,7 +40,7 @@ class BlockSpread {
     return static_cast<std::uint64_t>(met < most_ ? met * 64 : most_ * 64);
   }
 
-  /// The sum over the blocks from `first` to before `last`.
+  /// The sum over the blocks in [first, last).
   std::uint64_t of(const Block<N, T>* above, std::size_t first, std::size_t last) const {
     std::uint64_t sum = 0;
     for (std::size_t k = first; k < last; ++k) sum += of(above, k);
@@ -50,7 +50,7 @@ class BlockSpread {
  private:
   static constexpr std::size_t most_samples = 1024;
 
-  /// Infinity instead of NaN, so that extents can be sorted.
+  /// Replaces NaN by infinity, so that extents can be sorted.
   static T extent_of(const Block<N, T>* above, std::size_t block, Dim i) {
     const Block<N, T>& bounds = above[block / block_size];
     const T extent = bounds.max[i][block % block_size] - bounds.min[i][block % block_size];
@@ -58,7 +58,7 @@ class BlockSpread {
   }
 
   Vec<N, double> per_extent_ = Vec<N, double>(0.0);
-  double most_ = 0;  // no block meets more than there are
+  double most_ = 0;  // no block overlaps more than there are
 };
 
 }  // namespace graze::detail

@@ -14,11 +14,11 @@ namespace graze::detail {
 namespace {
 
 constexpr std::size_t cluster_size = 64;  // a fine cell with more boxes is divided again
-constexpr std::uint32_t row_cells = 8;    // as many fine cells in a row hold a block, which is about a cube then
+constexpr std::uint32_t row_cells = 8;    // this many fine cells in a row contain a block, which is then roughly a cube
 constexpr std::size_t boxes_per_task = 6144;
-constexpr std::size_t sample_stride = 128;  // blocks, of which one is looked at before all are refilled
+constexpr std::size_t sample_stride = 128;  // one in this many blocks is tested before all are refilled
 
-/// Cuts runs into tasks: the first run of each, and the end.
+/// Groups runs into tasks: the first run of each, and the end.
 std::vector<std::size_t> tasks_of(std::span<const SpatialRun> runs) {
   std::vector<std::size_t> first_run(1, 0);
   std::size_t boxes = 0;
@@ -40,13 +40,13 @@ class BlockTree<N, T>::Scratch {
   Buffer<Aabb<N, T>> boxes;
   Buffer<std::uint16_t> order;
 
-  /// Copies boxes from wherever they are.
+  /// Gathers boxes from scattered positions.
   void load(std::span<const Aabb<N, T>> from, const std::uint32_t* ids, std::size_t count) {
     require(count);
     fetch_boxes(from, ids, count, boxes.data());
   }
 
-  /// Orders the boxes by the cells of a grid over them: columns as wide as a block, cut finely along their length.
+  /// Orders the boxes by the cells of a grid: columns as wide as a block, finely divided along their length.
   void sort(std::size_t count) {
     const BlockKernels<N, T>& kernels = block_kernels<N, T>();
     const Aabb<N, T> bounds = kernels.center_bounds(boxes.data(), count);
@@ -89,7 +89,7 @@ class BlockTree<N, T>::Scratch {
   Buffer<std::uint16_t> ends_;  // of every cell in the order
 };
 
-/// Scratches for as many threads as ask for one.
+/// Scratch memory, one for each running task.
 template <Dim N, class T>
 class BlockTree<N, T>::ScratchPool {
  public:
@@ -121,7 +121,7 @@ BlockTree<N, T>::BlockTree() : scratches_(std::make_unique<ScratchPool>()) {}
 template <Dim N, class T>
 BlockTree<N, T>::~BlockTree() = default;
 
-/// Makes room for all levels.
+/// Allocates all levels.
 template <Dim N, class T>
 void BlockTree<N, T>::lay_out() {
   level_first_.assign(1, 0);
@@ -191,10 +191,10 @@ void BlockTree<N, T>::build(std::span<const Aabb<N, T>> boxes, T margin, const E
   knows_spread_ = false;
   std::size_t held = 0;
   for (const SpatialRun& run : runs) held += run.count;
-  if (held == boxes.size()) box_count_ = held;  // as the last thing: what was built by half is not refitted
+  if (held == boxes.size()) box_count_ = held;  // last, so that an incomplete build is never refitted
 }
 
-/// How far the blocks reach that were built: only asked for when boxes move.
+/// How spread out the blocks are; calculated only when boxes move.
 template <Dim N, class T>
 void BlockTree<N, T>::remember_spread() {
   if (std::exchange(knows_spread_, true)) return;
@@ -205,7 +205,7 @@ void BlockTree<N, T>::remember_spread() {
   lost_ = 0;
 }
 
-/// Looks at a few blocks, for boxes that have nothing in common with the last ones.
+/// Tests a few blocks, to detect boxes that have nothing in common with the last ones.
 template <Dim N, class T>
 bool BlockTree<N, T>::has_drifted(std::span<const Aabb<N, T>> boxes, T margin) const {
   std::uint64_t sample = 0;

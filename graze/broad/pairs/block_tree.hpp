@@ -18,40 +18,40 @@
 
 namespace graze::detail {
 
-/// Boxes sorted so that neighbours in space share a block of sixteen, the blocks again in blocks of sixteen, and so on
-/// up to a single one. Built anew for each set of boxes, or refitted to boxes that have moved, in memory that is kept.
+/// Boxes sorted so that spatial neighbours share a block of sixteen, these blocks again in blocks of sixteen, and so on
+/// up to a single one. It is built for each set of boxes, or refitted to boxes that have moved, in memory that is kept.
 template <Dim N, class T>
 class BlockTree {
  public:
   BlockTree();
   ~BlockTree();
 
-  /// Takes the boxes, each grown by `margin`, but those that contain nothing. Throws std::invalid_argument with the
-  /// position of the first box that has a NaN, and the set that it is from.
+  /// Builds the tree of all non-empty boxes, each grown by `margin`. Throws std::invalid_argument, naming the index of
+  /// the first box that has a NaN, and its set.
   void build(std::span<const Aabb<N, T>> boxes, T margin, const Executor& executor, BoxSet set = BoxSet::only);
 
-  /// Takes boxes in the order of the last ones, as many, without sorting them anew: quick, and good while they have
-  /// moved little. False, with nothing to be relied upon, where that would not do: boxes have come, gone or moved so
-  /// far that sorting pays, or one has a NaN or contains nothing.
+  /// Updates to as many boxes in the same order without sorting: fast, and good while they have moved little. Returns
+  /// false, with unusable content, if that is not possible: boxes were added or removed, have moved so far that sorting
+  /// pays, have a NaN or are empty.
   bool refit(std::span<const Aabb<N, T>> boxes, T margin, const Executor& executor);
 
-  /// Adds levels of a single block on top until there are so many.
+  /// Adds levels of a single block on top up to a height of `wanted`.
   void raise(std::size_t wanted);
 
-  /// How many levels there are: at least two, or none, when no box contains anything.
+  /// The number of levels: at least two, or none if all boxes are empty.
   std::size_t height() const { return level_first_.size() - 1; }
 
-  /// The blocks of a level: 0 holds the boxes, level k + 1 the bounds of the blocks of level k.
+  /// The blocks of a level: level 0 holds the boxes, level k + 1 the bounds of the blocks of level k.
   const Block<N, T>* level(std::size_t k) const { return blocks_.data() + level_first_[k]; }
   std::size_t level_size(std::size_t k) const { return level_first_[k + 1] - level_first_[k]; }
 
-  /// The boxes of level 0 by their positions in the sequence that the tree was built of.
+  /// The boxes of level 0, as indices into the sequence that the tree was built from.
   const std::uint32_t* ids() const { return ids_.data(); }
 
-  /// Memory that the tree needs only while it is built.
+  /// Memory that is used only while the tree is built.
   auto idle_memory() { return order_.idle_memory(); }
 
-  /// The memory that is held.
+  /// The memory held, in bytes.
   std::size_t bytes() const;
 
  private:
@@ -71,7 +71,7 @@ class BlockTree {
   Buffer<std::uint32_t> ids_;
   std::unique_ptr<ScratchPool> scratches_;
 
-  // What the order was worth when it was made, and what has been lost since.
+  // The quality of the order when it was created, and its loss since then.
   std::size_t box_count_ = 0;  // of the last build, if all of its boxes are in the tree
   std::size_t built_height_ = 0;
   bool knows_spread_ = false;

@@ -9,10 +9,10 @@
 
 namespace graze::detail {
 
-/// Which boxes of a call are meant.
+/// Which set of boxes of a call a message refers to.
 enum class BoxSet { only, first, second };
 
-/// Throws std::invalid_argument, which names the box.
+/// Throws std::invalid_argument, naming the box.
 [[noreturn]] inline void refuse_nan(std::size_t box, BoxSet set) {
   const char* const of_set = set == BoxSet::only    ? ""
                              : set == BoxSet::first ? " of the first set"

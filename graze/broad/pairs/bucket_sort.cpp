@@ -12,7 +12,7 @@
 namespace graze::detail {
 namespace {
 
-/// Sorts by one digit, from one place to another.
+/// One pass of a radix sort.
 void sort_by_digit(const std::uint32_t* from, std::size_t count, std::uint32_t shift, std::uint32_t* to) {
   std::array<std::uint32_t, 257> ends{};
   for (std::size_t k = 0; k < count; ++k) ++ends[(from[k] >> shift & 0xFFU) + 1];
@@ -20,11 +20,11 @@ void sort_by_digit(const std::uint32_t* from, std::size_t count, std::uint32_t s
   for (std::size_t k = 0; k < count; ++k) to[ends[from[k] >> shift & 0xFFU]++] = from[k];
 }
 
-/// Sorts many numbers below a limit, none of which comes twice. `to` is memory for as many.
+/// Sorts distinct numbers below a limit. `to` is memory for as many.
 void sort_numbers(std::uint32_t* numbers, std::size_t count, std::size_t limit, std::uint32_t* to,
                   std::vector<std::uint64_t>& bits) {
   constexpr std::size_t many = 96;
-  constexpr std::size_t dense = 32;  // a word of bits for two numbers
+  constexpr std::size_t dense = 32;  // at most a word of bits for two numbers
   if (count * dense >= limit) {
     bits.assign(limit / 64 + 1, 0);
     for (std::size_t k = 0; k < count; ++k) bits[numbers[k] / 64] |= std::uint64_t{1} << numbers[k] % 64;
@@ -43,8 +43,8 @@ void sort_numbers(std::uint32_t* numbers, std::size_t count, std::size_t limit, 
   }
 }
 
-/// Calls use(code) for all codes, from two places in turns: neighbours are often of one row, whose counter each would
-/// wait for.
+/// Calls use(code) for all codes, alternating between two positions: neighbours are often of the same row, and would
+/// wait for the same counter.
 template <class Code, class Use>
 void for_each_in_turns(std::span<const Code> codes, const Use& use) {
   const std::size_t half = codes.size() / 2;
@@ -55,8 +55,8 @@ void for_each_in_turns(std::span<const Code> codes, const Use& use) {
   if (codes.size() % 2 != 0) use(codes.back());
 }
 
-/// Sorts a bucket whose rows are nearly all very short: codes by row, then all rows at once. `begins` has where rows
-/// begin.
+/// Sorts a bucket whose rows are nearly all very short: codes by row, then all rows at once. `begins` contains where
+/// each row begins.
 template <class Code>
 void sort_very_short_rows(const SortedBucket<Code>& bucket, BucketMemory<Code>& memory) {
   constexpr std::size_t margin = very_short_row;
@@ -96,7 +96,7 @@ void sort_rows(const SortedBucket<Code>& bucket, std::size_t limit_b, BucketMemo
         part, [=, form = bucket.code](Code code) { seconds[next[form.row_of(code)]++] = form.second_of(code); });
   }
   std::fill(seconds + count, seconds + count + short_row, 0U);
-  constexpr std::size_t many = 4;  // pairs a row
+  constexpr std::size_t many = 4;  // pairs per row
   const bool by_rows = sort_kernels().rows_pay && count >= many * rows;
   if (by_rows) {
     sort_kernels().place_rows(memory.begins.data(), rows, bucket.first, seconds, bucket.out.data());
@@ -117,7 +117,7 @@ void sort_rows(const SortedBucket<Code>& bucket, std::size_t limit_b, BucketMemo
   }
 }
 
-/// Sorts a bucket of few pairs of many boxes: to count them by row would take longer.
+/// Sorts a bucket of few pairs among many boxes, for which counting by row would take longer.
 template <class Code>
 void sort_few(const SortedBucket<Code>& bucket, const BucketMemory<Code>& memory) {
   Pair* out = bucket.out.data();

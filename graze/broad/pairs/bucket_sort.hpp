@@ -16,25 +16,25 @@ namespace graze::detail {
 template <class Code>
 struct SortedBucket {
   PairCode code;
-  std::uint32_t first;  ///< Of its first indices.
+  std::uint32_t first;  ///< The bucket's lowest first index.
   std::span<Pair> out;
 };
 
-/// Memory to sort buckets in, one after the other.
+/// Scratch memory for sorting one bucket after another.
 template <class Code>
 struct BucketMemory {
   std::vector<std::span<const Code>> parts;  ///< Of the bucket.
   Buffer<std::uint32_t> seconds;             ///< Second indices by row, then the same sorted.
-  std::vector<std::uint32_t> begins;         ///< Of rows.
-  std::vector<std::uint32_t> next;           ///< The place of the next one of a row.
-  std::vector<std::uint64_t> bits;           ///< Of second indices.
+  std::vector<std::uint32_t> begins;         ///< Where each row begins.
+  std::vector<std::uint32_t> next;           ///< Where the next pair of each row goes.
+  std::vector<std::uint64_t> bits;           ///< A bit set of second indices.
   Buffer<Code> keys;                         ///< Codes by row.
-  std::uint32_t longest = 0;                 ///< Of the rows.
+  std::uint32_t longest = 0;                 ///< Length of the longest row.
 
   std::size_t bytes() const;
 };
 
-/// Sorts the parts of a bucket. No pair may be there twice; every second index is less than `limit_b`.
+/// Sorts the parts of a bucket. Pairs must be distinct, and second indices below `limit_b`.
 template <class Code>
 void sort_bucket(const SortedBucket<Code>& bucket, std::size_t limit_b, BucketMemory<Code>& memory);
 

@@ -11,7 +11,7 @@
 
 namespace graze::detail {
 
-/// A regular grid over centers, whose cells are numbered along a snake: each cell shares a face with the next.
+/// A regular grid over centers, with cells numbered in boustrophedon order: each cell shares a face with the next.
 template <Dim N, class T>
 struct CellGrid {
   Vec<N, T> origin = Vec<N, T>(T(0));
@@ -25,7 +25,7 @@ struct CellGrid {
   }
 };
 
-/// Fits the cells along one axis to the bounds: one only where they are too flat, or too wide, to be divided.
+/// Fits the cells along one axis to the bounds; a single cell if these are too flat or too wide to be divided.
 template <Dim N, class T>
 void fit_cells(CellGrid<N, T>& grid, const Aabb<N, T>& bounds, Dim axis) {
   const T extent = bounds.max[axis] - bounds.min[axis];
@@ -33,11 +33,12 @@ void fit_cells(CellGrid<N, T>& grid, const Aabb<N, T>& bounds, Dim axis) {
   if (std::isfinite(extent) && std::isfinite(grid.cells_per_unit[axis])) return;
   grid.cells[axis] = 1;
   grid.cells_per_unit[axis] = T(0);
-  grid.origin[axis] = T(0);  // from where no finite point is infinitely far
+  grid.origin[axis] = T(0);  // from here, no finite point is infinitely far
 }
 
-/// A grid over finite bounds with at least `wanted` cells, less than twice as many, or with one, where the bounds are a
-/// point. Cells are as near to cubes as halving allows. Divisions by two only: the same grid on every machine.
+/// A grid over finite bounds with at least `wanted` cells and less than twice as many; a single cell if the bounds are
+/// a point. Cells are as close to cubes as halving permits. All divisions are by two, so the grid is the same on every
+/// machine.
 template <Dim N, class T>
 CellGrid<N, T> grid_over(const Aabb<N, T>& bounds, std::size_t wanted) {
   CellGrid<N, T> grid;
@@ -57,7 +58,7 @@ CellGrid<N, T> grid_over(const Aabb<N, T>& bounds, std::size_t wanted) {
   return grid;
 }
 
-/// The same grid with every row of cells, along which the snake moves, cut into `times` as many; a power of two.
+/// The same grid with every row of cells divided into `times` as many; a power of two.
 template <Dim N, class T>
 CellGrid<N, T> with_finer_rows(CellGrid<N, T> grid, const Aabb<N, T>& bounds, std::uint32_t times) {
   Dim row = 0;
@@ -67,7 +68,7 @@ CellGrid<N, T> with_finer_rows(CellGrid<N, T> grid, const Aabb<N, T>& bounds, st
   return grid;
 }
 
-/// The number of the cell that is so far along each axis.
+/// The number of the cell with these coordinates along each axis.
 template <Dim N, class T, class Along>
 std::uint16_t cell_number(const CellGrid<N, T>& grid, const Along& along) {
   std::uint32_t number = 0;
@@ -88,7 +89,7 @@ std::uint16_t cell_of(const Vec<N, T>& point, const CellGrid<N, T>& grid) {
   });
 }
 
-/// The number of the cell that is nearest to a finite point, which may be beyond the bounds.
+/// The number of the cell nearest to a finite point, which may be out of bounds.
 template <Dim N, class T>
 std::uint16_t nearest_cell_of(const Vec<N, T>& point, const CellGrid<N, T>& grid) {
   return cell_number(grid, [&](Dim i) {

@@ -13,8 +13,8 @@
 
 namespace graze::detail {
 
-/// Centers of which all can be looked at in a row: center.are_all(count) where so many indices are all there are, in
-/// their order, center.bounds() and center.find_cells(grid, cells).
+/// Centers that can be processed as a sequence: are_all(count) tells whether the indices are all there are, in order;
+/// bounds() and find_cells(grid, cells) then process all.
 template <class Center>
 concept InARow = requires(const Center& center) {
   center.are_all(std::size_t{});
@@ -48,11 +48,11 @@ void find_cells_of_cluster(const Index* order, std::size_t count, const Center& 
   }
 }
 
-/// Sorts indices of centers so that each piece of at most `small` in a row lies close together, as far as the centers
-/// can be told apart: by a grid over their bounds, then each crowded cell by a grid of its own. center(index) gives a
-/// finite center, center.prefetch(index) asks for it early; `cells` and `spare` are memory for as many as there are
-/// indices. Where almost all lie in one cell of a grid, an ordinary sort along the widest axis takes the place of more
-/// grids, so that the time is bounded by n log n for any centers.
+/// Sorts indices of centers so that each consecutive piece of at most `small` is spatially compact, as far as the
+/// centers differ: by a grid over their bounds, then each overfull cell by a grid of its own. center(index) returns a
+/// finite center, center.prefetch(index) prefetches it; `cells` and `spare` are memory for as many elements as there
+/// are indices. If almost all centers are in one cell of a grid, a sort along the widest axis replaces further grids,
+/// so the time is O(n log n) for any centers.
 template <Dim N, class T, class Index, class Center>
 // NOLINTNEXTLINE(readability-function-size): with the memory to sort in
 void sort_cluster(Index* order, std::size_t count, std::size_t small, const Center& center, std::uint16_t* cells,

@@ -17,7 +17,7 @@ namespace {
 
 std::size_t blocks_of(std::size_t boxes) { return (boxes + block_size - 1) / block_size; }
 
-/// Puts boxes into blocks in their own order, each grown by a margin; NaN where a box contains nothing.
+/// Stores boxes in blocks in their original order, each grown by a margin; NaN if a box is empty.
 template <Dim N, class T>
 void fill(std::span<const Aabb<N, T>> boxes, T margin, BoxSet set, Buffer<Block<N, T>>& blocks) {
   blocks.require(blocks_of(boxes.size()));
@@ -56,8 +56,8 @@ void DenseSearch<N, T>::meet(Rows rows, std::span<Pair> out) const {
   overlap_kernels<N, T>().meet_rows(blocks_a_.data(), others.data(), blocks_of(columns_), itself_, rows, out);
 }
 
-/// Twice over all comparisons: to count, and to write where the pairs belong. Where pairs are many, that is less than
-/// to write them twice.
+/// Runs all comparisons twice: to count, and to write pairs to their final positions. If there are many pairs, this is
+/// faster than writing them twice.
 template <Dim N, class T>
 std::span<const Pair> DenseSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options,
                                               PairSink& room) {
@@ -81,7 +81,7 @@ std::span<const Pair> DenseSearch<N, T>::find(Boxes boxes_a, const Boxes* boxes_
   return pairs;
 }
 
-/// Wave by wave of a few rows for each task, so that no more is held than the pairs of one wave.
+/// Processes waves of a few rows per task, so that only the pairs of one wave are held.
 template <Dim N, class T>
 void DenseSearch<N, T>::visit(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options,
                               const PairVisitor& visitor) {

@@ -12,22 +12,22 @@
 
 namespace graze::detail {
 
-/// The method `dense`: every box against every other, a block at a time. Its work grows with the square of the number
-/// of boxes, but takes nothing else: there is no tree to build, and pairs are found in ascending order. The best for
-/// hundreds of boxes, and for any number when most of them overlap.
+/// The method `dense`: every box against every other, a block at a time. Quadratic, but without other costs: there is
+/// no tree to build, and pairs are found in ascending order. The fastest method for hundreds of boxes, and for any
+/// number if most of them overlap.
 template <Dim N, class T>
 class DenseSearch {
  public:
   using Boxes = std::span<const Aabb<N, T>>;
 
-  /// The pairs of one set, where `boxes_b` is null, or between two, ascending, into the room that is given for them.
-  /// Throws std::invalid_argument with the position of the first box that has a NaN.
+  /// The pairs within one set if `boxes_b` is null, otherwise between two; ascending, written to `room`. Throws
+  /// std::invalid_argument, naming the index of the first box that has a NaN.
   std::span<const Pair> find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options, PairSink& room);
 
-  /// The same pairs to a visitor, without holding more than those of a few rows.
+  /// Passes the same pairs to a visitor, holding only those of a few rows.
   void visit(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options, const PairVisitor& visitor);
 
-  /// The memory that is held.
+  /// The memory held, in bytes.
   std::size_t bytes() const { return blocks_a_.bytes() + blocks_b_.bytes(); }
 
  private:

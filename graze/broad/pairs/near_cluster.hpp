@@ -17,7 +17,7 @@
 
 namespace graze::detail {
 
-/// Centers of boxes at hand, for sort_cluster; with `in_order` of them those 0, 1, ... are sorted.
+/// Centers of gathered boxes, for sort_cluster; `in_order` of them have the indices 0, 1, ...
 template <Dim N, class T>
 struct NearCenters {
   const Aabb<N, T>* boxes;
@@ -33,7 +33,7 @@ struct NearCenters {
   }
 };
 
-/// Copies boxes from wherever they are.
+/// Gathers boxes from scattered positions.
 template <Dim N, class T>
 void fetch_boxes(std::span<const Aabb<N, T>> from, const std::uint32_t* ids, std::size_t count, Aabb<N, T>* to) {
   for (std::size_t k = 0; k < count; ++k) {
@@ -42,13 +42,13 @@ void fetch_boxes(std::span<const Aabb<N, T>> from, const std::uint32_t* ids, std
   }
 }
 
-/// A crowd that a core's cache holds, to be sorted as sort_cluster does: its boxes are fetched once.
+/// A cluster that fits a core's cache, to be sorted as by sort_cluster; its boxes are gathered once.
 template <Dim N, class T>
 class NearCluster {
  public:
   static constexpr std::size_t most = std::size_t{1} << 17U;
 
-  /// Sorts up to `most` ids of finite boxes, which ascend; `cells` is memory for as many.
+  /// Sorts up to `most` ids of finite boxes, in ascending order on input; `cells` is memory for as many.
   void sort(std::span<const Aabb<N, T>> from, std::uint32_t* ids, std::size_t count, std::size_t small,
             std::uint16_t* cells) {
     boxes_.require(count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled once per instruction set: Highway includes this file anew for each.
+// Compiled once per instruction set: Highway includes this file again for each.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -24,8 +24,8 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 namespace {
 
-/// Writes the pairs of one box with lanes of a block, whose first box is `base`. Where vectors can, it stores as many
-/// as a block has.
+/// Writes the pairs of one box with lanes of a block, whose first box is `base`. Vector code stores a whole block's
+/// worth.
 template <class Two>
 HWY_INLINE Two* write_row(std::uint32_t box, std::uint32_t base, std::uint32_t lanes, Two* out) {
 #if HWY_TARGET <= HWY_AVX3
@@ -35,7 +35,7 @@ HWY_INLINE Two* write_row(std::uint32_t box, std::uint32_t base, std::uint32_t l
   for (std::uint32_t half = 0; half < 2; ++half, lanes >>= block_size / 2) {
     const auto bits = static_cast<std::uint8_t>(lanes);
     const auto lane = hn::ShiftLeft<32>(hn::Iota(d, std::uint64_t{half} * (block_size / 2)));
-    // By its intrinsic: for Highway's Compress, GCC copies a table of 2 KiB to the stack each time.
+    // Uses the intrinsic: for Highway's Compress, GCC copies a table of 2 KiB to the stack each time.
     _mm512_storeu_si512(out, _mm512_maskz_compress_epi64(bits, hn::Add(first, lane).raw));
     out += std::popcount(bits);
   }
@@ -47,8 +47,8 @@ HWY_INLINE Two* write_row(std::uint32_t box, std::uint32_t base, std::uint32_t l
   return out;
 }
 
-/// Lists the boxes of a that can touch boxes of b, for some pairs of blocks: all of a block that meets itself, or whose
-/// other's bounds are not known.
+/// Lists the boxes of a that may touch boxes of b, for some pairs of blocks. Lists all boxes of a block paired with
+/// itself, or if the other block's bounds are unknown.
 template <Dim N, class T>
 HWY_INLINE void list_rows(const Block<N, T>* a, const Block<N, T>* above, bool itself, std::span<const BlockPair> pairs,
                           RowList& list) {
@@ -90,7 +90,7 @@ HWY_INLINE std::uint32_t rows_near(const BlockLevel<N, T>& of, std::uint32_t at,
   return touched_lanes(OneBox<N, T>(other.above[at_other / block_size], at_other % block_size), of.blocks[at]);
 }
 
-/// What rows touch of the blocks they are listed with.
+/// Writes the pairs of listed boxes with the blocks they are listed with.
 template <Dim N, class T, class Writer>
 HWY_INLINE void meet_listed(const Block<N, T>* rows, const Block<N, T>* others, const RowList& list, Writer& writer) {
   for (std::size_t k = 0; k < list.count; ++k) {
@@ -100,7 +100,7 @@ HWY_INLINE void meet_listed(const Block<N, T>* rows, const Block<N, T>* others, 
   }
 }
 
-/// Every two boxes of a block.
+/// Writes the pairs within a block.
 template <Dim N, class T, class Writer>
 HWY_INLINE void meet_itself(const Block<N, T>& block, std::uint32_t at, Writer& writer) {
   for (std::uint32_t row = 0; row + 1 < block_size; ++row) {
@@ -108,11 +108,11 @@ HWY_INLINE void meet_itself(const Block<N, T>& block, std::uint32_t at, Writer& 
   }
 }
 
-/// The pairs of boxes of some pairs of blocks. `itself`: b is a, and a block may meet itself.
+/// Writes the pairs of boxes of some pairs of blocks. If `itself`, b is a, and a block may be paired with itself.
 template <bool itself, Dim N, class T>
 HWY_INLINE Pair* meet_blocks(const BlockLevel<N, T>& a, const BlockLevel<N, T>& b, std::span<const BlockPair> pairs,
                              Pair* out) {
-  constexpr int few = 8;  // to look at the other side costs as much as some rows
+  constexpr int few = 8;  // testing the other side costs as much as this many rows
   RowList rows_of_a;
   RowList rows_of_b;
   PairWriter<itself ? Order::ascending : Order::a_first> writer(a.ids, b.ids, out);
@@ -122,7 +122,7 @@ HWY_INLINE Pair* meet_blocks(const BlockLevel<N, T>& a, const BlockLevel<N, T>& 
       continue;
     }
     const std::uint32_t near_b = rows_near(a, at_a, b, at_b);
-    // A block of large boxes may have none that does not touch the bounds of a block of small ones.
+    // Every box of a block of large boxes may touch the bounds of a block of small ones.
     if (HWY_UNLIKELY(std::popcount(near_b) > few)) {
       const std::uint32_t near_a = rows_near(b, at_b, a, at_a);
       if (std::popcount(near_a) < std::popcount(near_b)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The inner loops of meeting two block trees, once for every set of vector instructions that the compiler knows, as in
+// Inner loops of finding the overlaps between two block trees, compiled for each instruction set as in
 // block_kernels.hpp.
 #pragma once
 
@@ -14,13 +14,13 @@
 
 namespace graze::detail {
 
-/// The boxes from `first` to before `last`.
+/// The boxes in [first, last).
 struct Rows {
   std::uint32_t first;
   std::uint32_t last;
 };
 
-/// Blocks of boxes, who these are, and the bounds of the blocks.
+/// Blocks of boxes, their ids, and the bounds of the blocks.
 template <Dim N, class T>
 struct BlockLevel {
   const Block<N, T>* blocks;
@@ -30,22 +30,23 @@ struct BlockLevel {
 
 template <Dim N, class T>
 struct OverlapKernels {
-  /// The pairs of child blocks to compare, for `count` pairs of blocks of boxes of blocks; `a` and `b` hold these,
-  /// `above` the bounds of those of b, or is null. `out` has room for 256 per pair. Returns how many there are.
+  /// The pairs of child blocks to compare, for `count` pairs of blocks whose lanes are bounds of blocks. `a` and `b`
+  /// hold these blocks; `above` the bounds of those of b, or is null. `out` needs space for 256 per pair. Returns their
+  /// number.
   std::size_t (*descend)(const Block<N, T>* a, const Block<N, T>* b, const Block<N, T>* above, bool itself,
                          const BlockPair* pairs, std::size_t count, BlockPair* out);
 
-  /// The overlapping boxes of `count` pairs of blocks of boxes. `out` has room for 256 per pair. Returns how many there
-  /// are. `itself`: one tree with itself, pairs have a < b.
+  /// The overlapping boxes of `count` pairs of blocks of boxes. `out` needs space for 256 per pair. Returns their
+  /// number. `itself`: both are the same tree, and pairs have a < b.
   std::size_t (*meet)(BlockLevel<N, T> a, BlockLevel<N, T> b, bool itself, const BlockPair* pairs, std::size_t count,
                       Pair* out);
 
-  /// How many boxes of b the rows of a overlap; `itself`: of those that come later. Here boxes stand in their blocks in
-  /// their own order.
+  /// The number of overlaps of the rows of a with boxes of b; if `itself`, with later boxes only. Boxes are in their
+  /// original order.
   std::size_t (*count_rows)(const Block<N, T>* a, const Block<N, T>* b, std::size_t blocks_of_b, bool itself,
                             Rows rows);
 
-  /// Writes these pairs, ascending, to `out`, which has room for as many and no more.
+  /// Writes these pairs, ascending, to `out`, which has space for exactly as many.
   void (*meet_rows)(const Block<N, T>* a, const Block<N, T>* b, std::size_t blocks_of_b, bool itself, Rows rows,
                     std::span<Pair> out);
 };

@@ -14,14 +14,14 @@ static_assert(ScratchArena::alignment % static_cast<std::size_t>(PairChunk::larg
 
 }  // namespace
 
-/// Adds room for so many chunks, and for an eighth of all that there are, in whole large pages where it is as much: to
-/// double would leave up to a half of all without use. Chunks begin at multiples of their size, so that the place of a
-/// code tells whether it is the last of its chunk.
+/// Adds a slab for at least `chunks` chunks and an eighth of all existing ones, in whole large pages if that is as
+/// much: doubling would waste up to half of the memory. Chunks are aligned to their size, so that an address shows
+/// whether it is the last of its chunk.
 void PairBuckets::add_slab(std::size_t chunks) {
   constexpr std::size_t page = std::size_t{1} << 21U;
   std::size_t all = 0;
   for (const Slab& other : slabs_) all += other.chunks;
-  std::size_t bytes = (std::max(chunks, all / 8) + 1) * chunk_;  // one for the way to the first multiple
+  std::size_t bytes = (std::max(chunks, all / 8) + 1) * chunk_;  // one for aligning the first
   if (all * chunk_ >= page) bytes = (bytes + page - 1) / page * page;
   Slab slab;
   slab.memory.require(bytes);
@@ -83,13 +83,13 @@ void PairBuckets::clear(std::size_t buckets, PairCode code, PairChunk chunk, Pai
   full_parts_.assign(buckets, no_part);
   std::byte* const first = take_chunks(buckets);
   for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
-    // Not all at the same place of their chunks: their lines would share a few sets of the caches.
+    // Staggered within their chunks: otherwise their lines would compete for a few sets of the caches.
     next_[bucket] = first + bucket * chunk_ + bucket * line_bytes % chunk_;
   }
   begins_ = next_;
 }
 
-/// Makes a part of a chunk that is full, and begins another.
+/// Records a full chunk as a part, and starts another.
 void PairBuckets::close(std::size_t bucket) {
   parts_.push_back({begins_[bucket], next_[bucket], full_parts_[bucket]});
   full_parts_[bucket] = static_cast<std::uint32_t>(parts_.size() - 1);
@@ -108,7 +108,7 @@ void PairBuckets::add_codes(std::span<const Pair> pairs) {
     if ((reinterpret_cast<std::uintptr_t>(next) & within_chunk) == 0) [[unlikely]]
       close(bucket);
   };
-  // From four places in turns: neighbours are often of one bucket, and each would wait for the one before.
+  // Alternates between four positions: neighbours are often of the same bucket, and each would wait for the one before.
   const std::size_t quarter = pairs.size() / 4;
   for (std::size_t k = 0; k < quarter; ++k) {
     for (std::size_t place = 0; place < 4; ++place) add_one(pairs[place * quarter + k]);

@@ -14,16 +14,17 @@
 
 namespace graze::detail {
 
-/// How many bytes a chunk has: each bucket has one that is not full. Where many threads have buckets of their own,
-/// large ones would take more memory than the pairs.
+/// The size of a chunk in bytes. Each bucket has one incomplete chunk; if many threads have buckets of their own, large
+/// ones would take more memory than the pairs.
 enum class PairChunk : std::uint32_t { large = 2048, small = 512 };
 
-/// Memory of others that pairs may lie in until they are sorted.
+/// Borrowed memory for pairs until they are sorted.
 struct PairLoans {
   /// For some of the first buckets.
   struct Ahead {
     ScratchArena memory;
-    std::size_t buckets_end = 0;  ///< Of those that wait here: the first ones, but for who waits in one before.
+    /// End of the range of buckets stored here; those of an earlier range may be stored there.
+    std::size_t buckets_end = 0;
   };
 
   ScratchArena idle;  ///< For all buckets.
@@ -38,31 +39,31 @@ struct PairLoans {
   }
 };
 
-/// Pairs in buckets of neighbouring first indices, as codes: each bucket a chain of chunks, so that nobody has to know
-/// beforehand how many pairs it gets. Keeps its memory, unless chunks become of another size.
+/// Pairs as codes in buckets of neighbouring first indices. Each bucket is a chain of chunks, so that the number of its
+/// pairs need not be known in advance. Keeps its memory, unless the chunk size changes.
 class PairBuckets {
  public:
-  /// Forgets all pairs. Those that come now lie in so many buckets, and are written as such codes, also to what others
-  /// lend, as long as there are any.
+  /// Removes all pairs. New pairs go to this many buckets, as codes of this form, also in borrowed memory while it
+  /// lasts.
   void clear(std::size_t buckets, PairCode code, PairChunk chunk = PairChunk::large, PairLoans* loans = nullptr);
 
-  /// How many buckets there are: none at first.
+  /// The number of buckets; none initially.
   std::size_t buckets() const { return next_.size(); }
 
   void add(std::span<const Pair> pairs);
 
   std::size_t count(std::size_t bucket) const;
 
-  /// Moves what lies in memory that was lent for some buckets alone. Nothing is added any more.
+  /// Moves the content of memory that was lent for some buckets only. No pairs may be added afterwards.
   void leave_ahead();
 
-  /// The part of a bucket that is written to, the first that for_each_part gives.
+  /// The incomplete part of a bucket, the first that for_each_part visits.
   template <class Code>
   std::span<const Code> open_part(std::size_t bucket) const {
     return codes_of<Code>({begins_[bucket], next_[bucket]});
   }
 
-  /// Calls use(codes) for each part of a bucket, in no order that matters. Code is the narrow one if the codes are.
+  /// Calls use(codes) for each part of a bucket, in unspecified order. Code must match the form of the codes.
   template <class Code, class Use>
   void for_each_part(std::size_t bucket, const Use& use) const {
     const std::span<const Code> last = open_part<Code>(bucket);
@@ -89,9 +90,9 @@ class PairBuckets {
     std::size_t chunks = 0;
   };
 
-  /// The rest of a piece that was lent.
+  /// The rest of a borrowed piece.
   struct Rest {
-    ScratchArena* lender = nullptr;  // none any more when it has nothing left
+    ScratchArena* lender = nullptr;  // null once it is exhausted
     std::byte* next = nullptr;
     std::byte* end = nullptr;
   };
@@ -113,11 +114,11 @@ class PairBuckets {
   PairCode code_;
   std::size_t chunk_ = static_cast<std::size_t>(PairChunk::large);
   std::vector<std::byte*> next_;           // where the next pair of a bucket goes
-  std::vector<std::byte*> begins_;         // of what is not yet in a part
+  std::vector<std::byte*> begins_;         // of the incomplete part
   std::vector<std::uint32_t> full_parts_;  // the last one of each bucket
   std::vector<Part> parts_;
   std::vector<Slab> slabs_;
-  std::size_t slab_ = 0;   // that chunks are taken from
+  std::size_t slab_ = 0;   // from which chunks are taken
   std::size_t taken_ = 0;  // of its chunks
   PairLoans* loans_ = nullptr;
   Rest idle_;

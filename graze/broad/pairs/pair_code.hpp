@@ -9,10 +9,10 @@
 
 namespace graze::detail {
 
-/// What is left of a pair in a bucket of neighbouring first indices, as one number: the row, which is how many first
-/// indices of the bucket come before that of the pair, above the second index. Numbers of one bucket are in the order
-/// of their pairs. A number is a Code, std::int32_t where it has no more than 31 bits, else std::int64_t: with a sign,
-/// because vectors compare such faster, but never negative.
+/// A pair in a bucket of neighbouring first indices as one number: the row, which is the first index relative to the
+/// bucket's lowest, in the bits above the second index. Numbers of one bucket sort like their pairs. The number type
+/// Code is std::int32_t if 31 bits suffice, otherwise std::int64_t; signed, because vectors compare signed numbers
+/// faster, but never negative.
 struct PairCode {
   std::uint32_t row_bits = 0;
   std::uint32_t second_bits = 0;

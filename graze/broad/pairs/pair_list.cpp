@@ -8,10 +8,10 @@
 namespace graze::detail {
 namespace {
 
-constexpr std::size_t at_once = std::size_t{1} << 16U;  // pairs whose memory is prefaulted, half a megabyte
-constexpr std::size_t prefaulted_from = 8 * at_once;    // pairs for which that pays
+constexpr std::size_t at_once = std::size_t{1} << 16U;  // pairs prefaulted at a time, half a megabyte
+constexpr std::size_t prefaulted_from = 8 * at_once;    // pairs from which that pays
 
-// Whether an address sanitizer reports who writes to the room that a vector has to spare: libc++ tells it to.
+// Whether an address sanitizer reports writes to a vector's spare capacity: libc++ annotates it.
 #if defined(_LIBCPP_VERSION) && defined(__has_feature)
 constexpr bool watches_room_to_spare = __has_feature(address_sanitizer);
 #else
@@ -20,7 +20,7 @@ constexpr bool watches_room_to_spare = false;
 
 }  // namespace
 
-/// Prefaults the memory of at least so many pairs, as far as there is room.
+/// Prefaults the memory of at least this many pairs, within the capacity.
 void PairList::prefault_to(std::size_t count) {
   if (count <= prefaulted_ || pairs_.capacity() < prefaulted_from) return;
   const std::size_t end = std::min(std::max(count, prefaulted_ + at_once), pairs_.capacity());
@@ -63,7 +63,8 @@ std::span<Pair> PairList::ahead(std::size_t expected) {
 const Pair* PairList::append(std::span<const Pair> pairs, std::size_t expected) {
   const std::size_t count = pairs_.size() + pairs.size();
   if (count > pairs_.capacity()) {
-    // A guess after few pairs may be far too high; later ones allow for half as many more, whose pages nobody asks for.
+    // The estimate after few pairs may be far too high; later ones allow for half as many more, whose pages are never
+    // touched.
     std::vector<Pair> longer;
     reserve_in_large_pages(longer, std::clamp(expected + expected / 2, count + count / 2, 16 * count));
     longer.assign(pairs_.begin(), pairs_.end());

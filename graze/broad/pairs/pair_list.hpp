@@ -12,7 +12,7 @@
 
 namespace graze::detail {
 
-/// Room that is kept from call to call.
+/// Memory that is kept between calls.
 class KeptPairSink final : public PairSink {
  public:
   Pair* all(std::size_t count) override {
@@ -28,7 +28,7 @@ class KeptPairSink final : public PairSink {
   bool appends() const override { return false; }
   const Pair* append(std::span<const Pair> /*pairs*/, std::size_t /*expected*/) override { return nullptr; }
 
-  /// The memory that is held: as far as it has been written to, since systems give it then.
+  /// The memory held, as far as it has been written to: the system provides pages only then.
   std::size_t bytes() const { return std::min(written_, pairs_.capacity()) * sizeof(Pair); }
 
  private:
@@ -36,8 +36,8 @@ class KeptPairSink final : public PairSink {
   std::size_t written_ = 0;  // pairs, at most
 };
 
-/// Room in a list that is made anew. To have the system clear its pages may take longer than to find the pairs: they
-/// are asked for many at a time, just before they are written, by as many threads as there are.
+/// Pairs in a new vector. Clearing its pages may take longer than finding the pairs, so pages are prefaulted in
+/// batches, just before they are written, by all threads.
 class PairList final : public PairSink {
  public:
   explicit PairList(const Executor& executor) : executor_(executor) {}
@@ -50,7 +50,7 @@ class PairList final : public PairSink {
   bool appends() const override { return true; }
   const Pair* append(std::span<const Pair> pairs, std::size_t expected) override;
 
-  /// The list, which is given away. It has at most twice the capacity that it needs.
+  /// Returns the list. Its capacity is at most twice its size.
   std::vector<Pair> take();
 
  private:
@@ -58,7 +58,7 @@ class PairList final : public PairSink {
 
   const Executor& executor_;
   std::vector<Pair> pairs_;
-  std::size_t prefaulted_ = 0;  // so many pairs' memory
+  std::size_t prefaulted_ = 0;  // pairs whose memory is prefaulted
 };
 
 }  // namespace graze::detail

@@ -52,7 +52,7 @@ class Grown {
   std::vector<Aabb<N, T>> larger_;
 };
 
-/// Gives the pairs away before they become many. `itself`: of one set, each pair once.
+/// Passes pairs on in batches. `itself`: of one set, each pair once.
 template <Dim N, class T>
 void visit_brute_force_pairs(std::span<const Aabb<N, T>> boxes_a, std::span<const Aabb<N, T>> boxes_b, bool itself,
                              const PairVisitor& visit) {
@@ -76,9 +76,9 @@ auto with_grown(std::span<const Aabb<N, T>> boxes_a, const std::span<const Aabb<
   return use(grown_a.boxes(), Grown<N, T>(*boxes_b, margin, BoxSet::second).boxes(), false);
 }
 
-/// The share of all pairs that overlap once all boxes are grown by the margin, as far as a sample tells. Both boxes of
-/// each pair are drawn anew: boxes of two sets that follow each other (a region for each box) meet their like no more
-/// often than in all pairs, and a large box that is drawn counts for one pair. There is a pair at least.
+/// The estimated share of all pairs that overlap when the boxes are grown by the margin, from a sample. Both boxes of
+/// each pair are drawn independently: if the two sets correspond to each other (a region for each box), matching boxes
+/// are not drawn more often than others, and a large box counts for one pair only. There must be at least one pair.
 template <Dim N, class T>
 double share_overlapping(std::span<const Aabb<N, T>> boxes_a, const std::span<const Aabb<N, T>>* boxes_b,
                          double margin) {
@@ -96,7 +96,7 @@ double share_overlapping(std::span<const Aabb<N, T>> boxes_a, const std::span<co
     if (boxes_b == nullptr && other >= at) ++other;  // not with itself
     const Aabb<N, T>& a = boxes_a[at];
     const Aabb<N, T>& b = others[other];
-    unsigned overlap = 1;  // told without a branch, which nobody could foresee
+    unsigned overlap = 1;  // branch-free, because the outcome is unpredictable
     for (Dim i = 0; i < N; ++i) {
       overlap &=
           static_cast<unsigned>(a.min[i] - of_both <= b.max[i]) & static_cast<unsigned>(b.min[i] <= a.max[i] + of_both);
@@ -106,7 +106,7 @@ double share_overlapping(std::span<const Aabb<N, T>> boxes_a, const std::span<co
   return static_cast<double>(overlapping) / static_cast<double>(drawn);
 }
 
-/// Refuses what has no answer, and chooses the method.
+/// Rejects invalid input, and chooses the method.
 template <Dim N, class T>
 PairMethod checked_method(const PairOptions& options, std::span<const Aabb<N, T>> boxes_a,
                           const std::span<const Aabb<N, T>>* boxes_b) {
@@ -125,10 +125,10 @@ bool is_for_dense(std::type_identity_t<std::span<const Aabb<N, T>>> boxes_a,
   const auto columns = static_cast<double>(boxes_b != nullptr ? boxes_b->size() : boxes_a.size());
   const double comparisons = rows * columns / (boxes_b != nullptr ? 1 : 2);
   const double boxes = boxes_b != nullptr ? rows + columns : rows;
-  // Nanoseconds, as measured on one machine. Only the time depends on them, no answer.
+  // Nanoseconds, as measured on one machine. They affect only the time, not the answer.
   const double dense = 15 * rows + 0.32 * comparisons;
   const double tree = 300 + 8 * boxes;
-  if (comparisons == 0 || dense <= tree) return true;  // however many overlap
+  if (comparisons == 0 || dense <= tree) return true;  // regardless of how many overlap
   constexpr double more_per_pair_of_tree = 4.8;
   return dense <= tree + more_per_pair_of_tree * comparisons * share_overlapping<N, T>(boxes_a, boxes_b, margin);
 }

@@ -14,7 +14,7 @@ namespace graze::detail {
 constexpr std::size_t most_children = std::size_t{block_size} * block_size;  // of a pair of blocks
 constexpr std::size_t parents_at_once = 16;                                  // the order of pairs depends on it
 
-/// What tasks have found, for the room of those that follow: to grow means to copy, and pages of memory anew.
+/// What tasks have found so far, to size the memory of later tasks: growing costs a copy and fresh pages.
 class FoundSoFar {
  public:
   void add(std::size_t count) {
@@ -22,7 +22,7 @@ class FoundSoFar {
     ++tasks_;
   }
 
-  /// What a task finds on average and a quarter more, with room for a last round of blocks.
+  /// The average result of a task and a quarter more, plus space for a last batch of blocks.
   std::size_t expected() const {
     const std::size_t tasks = tasks_;
     return tasks == 0 ? 0 : pairs_ / tasks * 5 / 4 + block_pairs_at_once * most_children;
@@ -33,7 +33,7 @@ class FoundSoFar {
   std::atomic<std::size_t> tasks_ = 0;
 };
 
-/// What one task finds, and its memory.
+/// The result of one task, and its memory.
 template <Dim N, class T>
 struct PairSearch<N, T>::Found {
   Buffer<BlockPair> blocks;
@@ -42,7 +42,7 @@ struct PairSearch<N, T>::Found {
 
   std::span<const Pair> all() const { return {pairs.data(), count}; }
 
-  /// Where the next pairs go, `most` of them.
+  /// Space for `most` more pairs.
   Pair* room(std::size_t most) {
     pairs.extend(count + most, count);
     return pairs.data() + count;
@@ -52,8 +52,8 @@ struct PairSearch<N, T>::Found {
     written_ = std::max(written_, count);
   }
 
-  /// The memory that is held, of pairs as far as it has been written to: systems give it then, and there is much room
-  /// to spare where so many were expected.
+  /// The memory held, in bytes. Pairs count as far as they have been written: the system provides pages only then, and
+  /// much of the capacity may never be used.
   std::size_t bytes() const { return blocks.bytes() + std::min(written_ * sizeof(Pair), pairs.bytes()); }
 
  private:
@@ -62,7 +62,7 @@ struct PairSearch<N, T>::Found {
 
 namespace {
 
-/// Has what a task finds sorted, by way of a list that is used again and again.
+/// Passes the pairs of a task to a sort, through a buffer that is reused.
 struct FoundToSort {
   Buffer<Pair>& pairs;
   PairSort::Sink sink;
@@ -74,13 +74,13 @@ struct FoundToSort {
   void add(std::size_t count) { sink.add({pairs.data(), count}); }
 };
 
-/// Appends what is found to a room: a few pairs at a time, while they are in the first cache, once there is a guess at
-/// how many there will be.
+/// Appends pairs to a sink. Once their total number is estimated, it appends in small batches, while they are in the L1
+/// cache.
 struct FoundToAppend {
   Buffer<Pair>& pairs;
   PairSink& room_of_all;
   std::size_t held = 0;
-  std::size_t expected = 0;  ///< In all; zero for no guess.
+  std::size_t expected = 0;  ///< Estimated total; zero if unknown.
   std::size_t count = 0;
   const Pair* first = nullptr;
 
@@ -105,7 +105,7 @@ struct FoundToAppend {
   }
 };
 
-/// Counts what is found, and notes some of the first indices.
+/// Counts pairs, and samples their first indices.
 struct FoundToForecast {
   std::size_t count = 0;
   std::vector<std::uint32_t> firsts = {};
@@ -120,7 +120,7 @@ struct FoundToForecast {
     count += more;
   }
 
-  /// About the one before which a share of all first indices is. There is one at least.
+  /// The approximate quantile of the first indices. There must be at least one.
   std::uint32_t first_after(double share) {
     const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(firsts.size()));
     std::nth_element(firsts.begin(), firsts.begin() + place, firsts.end());
@@ -153,13 +153,13 @@ void PairSearch<N, T>::build(Boxes boxes_a, const Boxes* boxes_b, T margin, cons
   tree_b_.raise(tree_a_.height());
 }
 
-/// The bounds of a level's blocks, if it is not the last.
+/// The bounds of a level's blocks; null for the last level.
 template <Dim N, class T>
 const Block<N, T>* PairSearch<N, T>::above_of(std::size_t level) const {
   return level + 1 < other_->height() ? other_->level(level + 1) : nullptr;
 }
 
-/// Finds the pairs of blocks of level 1 that may hold pairs of boxes.
+/// Finds the pairs of level-1 blocks that may contain pairs of boxes.
 template <Dim N, class T>
 void PairSearch<N, T>::descend() {
   meeting_count_ = 0;
@@ -182,7 +182,7 @@ void PairSearch<N, T>::descend() {
   }
 }
 
-/// Finds the pairs of boxes below pairs of blocks of level 1: writes them where `found` has room, and says how many.
+/// Finds the pairs of boxes below pairs of level-1 blocks and writes them to the space that `found` provides.
 template <Dim N, class T>
 template <class Finds>
 void PairSearch<N, T>::meet(std::span<const BlockPair> parents, Buffer<BlockPair>& list, Finds& found) const {
@@ -199,7 +199,7 @@ void PairSearch<N, T>::meet(std::span<const BlockPair> parents, Buffer<BlockPair
     for (std::size_t j = 0; j < blocks; j += block_pairs_at_once) {
       const std::size_t following = j + block_pairs_at_once;
       for (std::size_t i = following; i < std::min(blocks, following + block_pairs_at_once); ++i) {
-        prefetch_whole(other_->level(0) + list[i].b);  // a is often that of the pair before
+        prefetch_whole(other_->level(0) + list[i].b);  // a is often that of the previous pair
       }
       Pair* const room = found.room(block_pairs_at_once * most_children);
       found.add(kernels.meet(level_a, level_b, itself, list.data() + j,
@@ -208,7 +208,8 @@ void PairSearch<N, T>::meet(std::span<const BlockPair> parents, Buffer<BlockPair
   }
 }
 
-/// As many tasks as there is work for, not as there are threads: so the order of pairs is the same for any.
+/// The number of tasks depends on the work, not on the threads, so the order of pairs is the same for any number of
+/// threads.
 template <Dim N, class T>
 std::size_t PairSearch<N, T>::task_count() const {
   constexpr std::size_t least_meetings = 128;
@@ -222,8 +223,8 @@ std::span<const BlockPair> PairSearch<N, T>::meetings_of(std::size_t task, std::
   return {meetings_.data() + first, (task + 1) * meeting_count_ / tasks - first};
 }
 
-/// From a sample of the pairs of blocks, one in so many of those of a block with itself, of which all have much the
-/// same number of pairs, and of the others. Of fewer nothing can be told.
+/// Estimates from a sample of the pairs of blocks, taken separately from blocks paired with themselves, which all have
+/// similar numbers of pairs, and from the others. Returns an empty forecast if there are too few.
 template <Dim N, class T>
 PairForecast PairSearch<N, T>::forecast() const {
   constexpr std::size_t stride = 37;
@@ -269,19 +270,19 @@ std::span<const Pair> PairSearch<N, T>::find_sorted(const PairLimits& limits, co
   return {sort_.sort(executor, room), count};
 }
 
-/// Finds what is below the pairs of blocks of each task, in the order of tasks: in the list of the first one, as long
-/// as each begins after the one before has ended; in lists of their own from then on.
+/// Finds the pairs of all tasks. As long as each task starts after the previous one has ended, they share the first
+/// list; later tasks have lists of their own.
 template <Dim N, class T>
 void PairSearch<N, T>::find_lists(std::size_t tasks, const Executor& executor) {
   while (found_.size() < tasks) found_.push_back(std::make_unique<Found>());
   for (std::size_t task = 0; task < tasks; ++task) found_[task]->count = 0;
   FoundSoFar so_far;
-  std::atomic<std::size_t> in_order = 0;  // so many tasks have ended, and the first list has what they found
+  std::atomic<std::size_t> in_order = 0;  // this many tasks have ended and are in the first list
   executor.parallel_for(tasks, [&](std::size_t task) {
     const bool next_in_order = in_order == task;
     Found& found = *found_[next_in_order ? 0 : task];
     const std::size_t before = found.count;
-    // On one thread it will be the list of all; on several, room for all would be a third copy of them.
+    // On one thread it becomes the list of all pairs; on several, memory for all would be a third copy of them.
     const std::size_t tasks_to_come = next_in_order && executor.concurrency() == 1 ? tasks - task : 1;
     found.pairs.extend(before + so_far.expected() * tasks_to_come, before);
     meet(meetings_of(task, tasks), found.blocks, found);
@@ -290,10 +291,10 @@ void PairSearch<N, T>::find_lists(std::size_t tasks, const Executor& executor) {
   });
 }
 
-/// Finds the same as tasks would, task after task, and appends it.
+/// Finds the same pairs as the tasks would, one task after another, and appends them.
 template <Dim N, class T>
 std::span<const Pair> PairSearch<N, T>::find_in_turns(PairSink& room) {
-  constexpr std::size_t step = 2 * parents_at_once;  // a task is cut where it would be anyway, for the order of pairs
+  constexpr std::size_t step = 2 * parents_at_once;  // cut tasks where they are cut anyway, to keep the order of pairs
   const std::size_t tasks = task_count();
   const typename Pool<Found>::Loan memory(workers_);
   FoundToAppend found{memory->pairs, room};
@@ -310,7 +311,7 @@ std::span<const Pair> PairSearch<N, T>::find_in_turns(PairSink& room) {
   return {found.first, found.count};
 }
 
-/// Finds them in lists, which are then put together.
+/// Finds the pairs in lists, then concatenates these.
 template <Dim N, class T>
 std::span<const Pair> PairSearch<N, T>::find_in_lists(const Executor& executor, PairSink& room) {
   const std::size_t tasks = task_count();
@@ -329,10 +330,10 @@ std::span<const Pair> PairSearch<N, T>::find_in_lists(const Executor& executor, 
   return {pairs, count};
 }
 
-/// The same in the same order, where they are not to be held twice: the lists are put together while others are filled.
+/// The same in the same order, without holding all pairs twice: lists are concatenated while others are filled.
 template <Dim N, class T>
 std::span<const Pair> PairSearch<N, T>::find_ahead(std::size_t expected, const Executor& executor, PairSink& room) {
-  /// A list, until it has been copied.
+  /// A list that is kept until it has been copied.
   class List {
    public:
     explicit List(Pool<Found>& pool) : loan(pool) { loan->count = 0; }
@@ -344,7 +345,7 @@ std::span<const Pair> PairSearch<N, T>::find_ahead(std::size_t expected, const E
   const std::span<Pair> ahead = room.ahead(expected);
   if (ahead.empty()) return find_in_lists(executor, room);
   TaskLists<List> lists(tasks, room, ahead);
-  std::atomic<std::size_t> next = 0;  // tasks in order of time: few wait for one before them
+  std::atomic<std::size_t> next = 0;  // tasks in order of time, so few wait for an earlier one
   executor.parallel_for(tasks, [&](std::size_t /*turn*/) {
     const std::size_t task = next++;
     auto list = std::make_unique<List>(workers_);
@@ -357,7 +358,7 @@ std::span<const Pair> PairSearch<N, T>::find_ahead(std::size_t expected, const E
 template <Dim N, class T>
 std::span<const Pair> PairSearch<N, T>::find_any(const PairLimits& limits, const Executor& executor, PairSink& room) {
   if (executor.concurrency() == 1) return room.appends() ? find_in_turns(room) : find_in_lists(executor, room);
-  constexpr std::size_t many = 1;  // pairs for each box: they would take more memory than what is found by
+  constexpr std::size_t many = 1;  // pairs per box, above which they take more memory than the search
   const bool is_like_last = last_count_ > 0 && last_limits_ == limits;
   const std::size_t expected = is_like_last ? last_count_ : forecast().count;
   const std::span<const Pair> found =
@@ -384,7 +385,7 @@ void PairSearch<N, T>::visit(Boxes boxes_a, const Boxes* boxes_b, const PairOpti
   const Executor& executor = executor_of(options);
   build(boxes_a, boxes_b, static_cast<T>(options.margin), executor);
   descend();
-  // Wave by wave, so that no more is held than the pairs of one wave.
+  // Processes tasks in waves, so that only the pairs of one wave are held.
   constexpr std::size_t meetings_per_task = 4;
   constexpr std::size_t tasks_per_wave = 32;
   while (found_.size() < tasks_per_wave) found_.push_back(std::make_unique<Found>());

@@ -15,8 +15,8 @@
 
 namespace graze::detail {
 
-/// The method `tree`: two block trees, or one and itself, are met from the top down to pairs of blocks above the boxes;
-/// these are cut into tasks, each of which finds its pairs.
+/// The method `tree`: two block trees, or one and itself, are traversed together down to pairs of blocks above the
+/// boxes; these are distributed to tasks, each of which finds its pairs.
 template <Dim N, class T>
 class PairSearch {
  public:
@@ -25,12 +25,11 @@ class PairSearch {
   PairSearch();
   ~PairSearch();
 
-  /// The pairs of one set, where `boxes_b` is null, or between two: in the room that is given for them, or in memory of
-  /// its own, where they stay until the next call.
+  /// The pairs within one set if `boxes_b` is null, otherwise between two. They are written to `room` or to memory of
+  /// this object, where they are valid until the next call.
   std::span<const Pair> find(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options, PairSink& room);
 
-  /// The same pairs, in the order in which they are found, to a visitor, without holding more than a few blocks of
-  /// them.
+  /// Passes the same pairs to a visitor, in the order in which they are found, holding only those of a few blocks.
   void visit(Boxes boxes_a, const Boxes* boxes_b, const PairOptions& options, const PairVisitor& visitor);
 
   std::size_t bytes() const;
@@ -54,14 +53,14 @@ class PairSearch {
 
   BlockTree<N, T> tree_a_;
   BlockTree<N, T> tree_b_;
-  const BlockTree<N, T>* other_ = nullptr;  // the tree that tree_a_ is met with
+  const BlockTree<N, T>* other_ = nullptr;  // the tree that tree_a_ is compared with
   Buffer<BlockPair> meetings_;              // pairs of blocks above the boxes
   Buffer<BlockPair> spare_meetings_;
   std::size_t meeting_count_ = 0;
   std::vector<std::unique_ptr<Found>> found_;  // by task
-  Pool<Found> workers_;                        // to find what is sorted at once
+  Pool<Found> workers_;                        // for finding what is sorted at once
   PairSort sort_;
-  std::size_t last_count_ = 0;  // found in any order by several threads, if there were many
+  std::size_t last_count_ = 0;  // of the last unordered search by several threads, if large
   PairLimits last_limits_{};
 };
 

@@ -8,7 +8,7 @@
 
 namespace graze::detail {
 
-/// Where a method puts the pairs that it finds: all at once, when it knows how many there are, or bit by bit.
+/// Receives the pairs that a method finds: all at once, if it knows their number, or in batches.
 class PairSink {
  public:
   PairSink() = default;
@@ -16,27 +16,28 @@ class PairSink {
   PairSink(const PairSink&) = delete;
   PairSink& operator=(const PairSink&) = delete;
 
-  /// Room for all pairs. Asked for once, and nothing is appended besides.
+  /// Memory for all pairs. Called at most once, and not together with append().
   virtual Pair* all(std::size_t count) = 0;
 
-  /// The same for who writes pairs in order, more or less: before any of them, reach() with an end beyond it. So the
-  /// room is made ready while it is near.
+  /// The same for a caller that writes roughly in ascending order and calls reach() with a later end before it writes
+  /// any pair. The memory can then be prefaulted while it is cached.
   virtual Pair* all_in_turns(std::size_t count) { return all(count); }
   virtual void reach(std::size_t /*end*/) {}
 
-  /// The same by all threads there are, for who is not in a task of theirs.
+  /// reach() on all threads, for calls from outside a task.
   virtual void reach_by_all(std::size_t end) { reach(end); }
 
-  /// Memory that the room for all is likely to begin with, of somewhat more pairs than are expected: to be used for
-  /// something else until all are asked for, and to be written over by pairs then, one after the other, each time
-  /// reach() has been called with an end beyond them. Where it cannot be told, none; and who then asks for more than
-  /// this has gets other memory, and has lost what was here.
+  /// The memory in which all pairs will probably begin, for somewhat more than the expected number. It may be used for
+  /// other purposes until all() is called. Then pairs overwrite it in order, each after reach() was called with a later
+  /// end. Empty if it cannot be predicted. If all() is called for more pairs than it has space for, they get other
+  /// memory, and its content is lost.
   virtual std::span<Pair> ahead(std::size_t /*expected*/) { return {}; }
 
-  /// Whether pairs may be appended. If not, a method keeps in memory of its own what it finds before it has counted.
+  /// Whether append() is supported. If not, a method that does not know the number of pairs holds them in its own
+  /// memory.
   virtual bool appends() const = 0;
 
-  /// Adds pairs to those before; roughly so many are expected in all. The place of the first one of all is returned.
+  /// Appends pairs; about `expected` pairs are expected in total. Returns the first of all pairs.
   virtual const Pair* append(std::span<const Pair> pairs, std::size_t expected) = 0;
 };
 

@@ -28,7 +28,7 @@ void PairSort::begin(const PairLimits& limits, std::size_t threads) {
   for (const auto& buckets : buckets_.all()) clear(*buckets);
 }
 
-/// Before anything else is forgotten.
+/// Must be called before any other state is cleared.
 void PairSort::remember_last(const PairLimits& limits) {
   last_ = {};
   if (!(limits == limits_) || ends_.empty()) return;
@@ -40,8 +40,8 @@ void PairSort::remember_last(const PairLimits& limits) {
   }
 }
 
-/// The first share waits where the second is written to, the second where all others are: so each is as large as its
-/// codes, seen as pairs, let it be.
+/// The first range of pairs is stored where the second is sorted to, the second where the rest is sorted to; so each is
+/// as large as the codes, compared with pairs, permit.
 std::array<double, 2> PairSort::ideal_shares() const {
   const double ratio = static_cast<double>(code_bytes()) / sizeof(Pair);
   const double first = 1 / (1 + ratio + ratio * ratio);
@@ -49,13 +49,13 @@ std::array<double, 2> PairSort::ideal_shares() const {
 }
 
 std::array<double, 2> PairSort::shares() const {
-  constexpr double wanted = 0.97;  // the rest is for forecasts that are a little too low, and chunks that are not full
+  constexpr double wanted = 0.97;  // the rest is reserve for low forecasts and incomplete chunks
   const std::array<double, 2> ideal = ideal_shares();
   return {wanted * ideal[0], wanted * ideal[1]};
 }
 
 void PairSort::wait_in(PairSink& room, const PairForecast& forecast) {
-  constexpr std::size_t many = 8;  // bytes of codes for each index
+  constexpr std::size_t many = 8;  // bytes of codes per index
   if (forecast.count * code_bytes() <= many * (limits_.a + limits_.b)) return;
   const std::span<Pair> ahead = room.ahead(forecast.count);
   if (ahead.empty()) return;
@@ -74,7 +74,7 @@ void PairSort::wait_in(PairSink& room, const PairForecast& forecast) {
   }
 }
 
-/// Whether all are written to where nobody waits any more.
+/// Whether sorting overwrites only memory that no unsorted pairs occupy.
 bool PairSort::is_as_forecast() const {
   if (ends_.back() > ahead_size_) return false;
   for (std::size_t k = 0; k < ahead_firsts_.size(); ++k) {
@@ -101,7 +101,7 @@ std::size_t PairSort::count() {
 
 template <class Code>
 void PairSort::sort_codes(const Executor& executor, PairSink& room, Pair* out) {
-  Pool<BucketMemory<Code>> memories;  // not kept: a bucket may have most of the pairs
+  Pool<BucketMemory<Code>> memories;  // temporary: a bucket may contain most of the pairs
   const auto sort_some = [&](std::size_t task) {
     const typename Pool<BucketMemory<Code>>::Loan loan(memories);
     BucketMemory<Code>& memory = *loan;
@@ -131,7 +131,7 @@ void PairSort::sort_codes(const Executor& executor, PairSink& room, Pair* out) {
     done = end;
   };
   for (const PairLoans::Ahead& ahead : loans_.ahead) sort_until(std::max(done, ahead.buckets_end / buckets_per_task));
-  sort_until(tasks);  // where the others waited
+  sort_until(tasks);  // where the others were stored
   passing_bytes_ = 0;
   for (const auto& memory : memories.all()) passing_bytes_ += memory->bytes();
 }

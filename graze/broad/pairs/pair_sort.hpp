@@ -16,7 +16,7 @@
 
 namespace graze::detail {
 
-/// What first and second indices are less than.
+/// Exclusive upper bounds of the first and second indices.
 struct PairLimits {
   std::size_t a;
   std::size_t b;
@@ -24,34 +24,33 @@ struct PairLimits {
   friend bool operator==(const PairLimits&, const PairLimits&) = default;
 };
 
-/// What is expected of pairs before they are found: only the memory depends on it.
+/// An estimate before pairs are found; only the use of memory depends on it.
 struct PairForecast {
-  std::size_t count = 0;                  ///< Zero for no idea.
-  std::array<std::uint32_t, 2> firsts{};  ///< First indices below which the shares of them lie that were asked for.
+  std::size_t count = 0;                  ///< Zero if unknown.
+  std::array<std::uint32_t, 2> firsts{};  ///< First indices below which the shares of pairs lie, see shares().
 };
 
-/// Sorts pairs by counting: first into buckets of neighbouring first indices, as they are found, then each bucket by
+/// A counting sort of pairs: first, as they are found, into buckets of neighbouring first indices, then each bucket by
 /// itself. Keeps its memory.
 class PairSort {
  public:
-  /// Forgets all pairs. Those that come have indices less than the limits, and are brought by so many threads, or about
-  /// as many.
+  /// Removes all pairs. New pairs have indices below the limits and come from about this many threads.
   void begin(const PairLimits& limits, std::size_t threads = 1);
 
-  /// Before the first sink: lends memory that nobody needs until all pairs are sorted.
+  /// Lends memory that is not needed until all pairs are sorted. Call it before the first sink.
   void lend(std::span<std::byte> memory) { loans_.idle.give(memory); }
 
-  /// Before the first sink: where very many pairs are expected, most of them wait in the room for all, each where
-  /// nothing is written until it has been sorted.
+  /// If very many pairs are expected, stores most of them in `room`, each where nothing is written until it has been
+  /// sorted. Call it before the first sink.
   void wait_in(PairSink& room, const PairForecast& forecast);
 
-  /// The shares of pairs for which a forecast is to say where their first indices end.
+  /// The shares of pairs for which a forecast must give the limits of first indices.
   std::array<double, 2> shares() const;
 
-  /// What the last pairs were, if they had the same limits as those to come.
+  /// The result of the previous sort, if it had the same limits.
   const PairForecast& last() const { return last_; }
 
-  /// Takes pairs, from many threads if need be.
+  /// Accepts pairs, from many threads concurrently.
   class Sink {
    public:
     explicit Sink(PairSort& sort);
@@ -61,14 +60,13 @@ class PairSort {
     Pool<PairBuckets>::Loan buckets_;
   };
 
-  /// How many pairs there are, once no sink is left.
+  /// The number of pairs. All sinks must have been destroyed.
   std::size_t count();
 
-  /// Writes all pairs, ascending, to `room`, and returns the place of the first one: after count(). No pair may have
-  /// come twice.
+  /// Writes all pairs, ascending, to `room`, and returns the first one. Call it after count(). Pairs must be distinct.
   Pair* sort(const Executor& executor, PairSink& room);
 
-  /// The memory that is held, and what the last sort needed in passing.
+  /// The memory held, including temporary memory of the last sort, in bytes.
   std::size_t bytes() const;
 
  private:
@@ -88,8 +86,8 @@ class PairSort {
   std::vector<std::uint64_t> ends_;  // of every bucket
   PairForecast last_;
   PairLoans loans_;
-  std::size_t ahead_size_ = 0;                 // pairs of the room that are known to be at hand
-  std::array<std::size_t, 2> ahead_firsts_{};  // pairs before those that others wait in
+  std::size_t ahead_size_ = 0;                 // pairs of `room` whose memory is known
+  std::array<std::size_t, 2> ahead_firsts_{};  // where in it the two borrowed ranges begin
 };
 
 }  // namespace graze::detail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes the pairs of boxes that were found to touch. Included once for each instruction set, hence no ordinary guard.
+// Writes the pairs of boxes that touch. Included once per instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_PAIRS_PAIR_WRITER_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_PAIRS_PAIR_WRITER_INL_HPP
 #undef GRAZE_BROAD_PAIRS_PAIR_WRITER_INL_HPP
@@ -22,18 +22,18 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 namespace {
 
-/// Boxes, each with a block that it is to be compared with. Lists of them are gone through without branches that depend
-/// on what is found: a wrong guess costs more than the comparisons.
+/// Boxes, each with a block to compare it with. Such lists are processed without data-dependent branches, because
+/// mispredictions would cost more than the comparisons.
 struct RowList {
   static constexpr std::size_t most = std::size_t{block_pairs_at_once} * block_size;
-  static constexpr std::size_t slack = block_size;  // whole vectors are stored, of which some lanes count
+  static constexpr std::size_t slack = block_size;  // whole vectors are stored, of which some lanes are valid
 
-  std::uint32_t box[most + slack];    // the place of the box: its block and lane
-  std::uint32_t block[most + slack];  // the block of the others
+  std::uint32_t box[most + slack];    // the box's position: its block and lane
+  std::uint32_t block[most + slack];  // the other block
   std::size_t count = 0;
 };
 
-/// Adds the boxes of block a that the mask has, as candidates.
+/// Adds the boxes of block a in the mask as candidates.
 HWY_INLINE void add_rows(std::uint32_t at_a, std::uint32_t at_b, std::uint32_t rows, RowList& list) {
 #if HWY_TARGET <= HWY_AVX3
   const hn::CappedTag<std::uint32_t, block_size> d;
@@ -56,7 +56,7 @@ enum class Order { ascending, a_first, b_first };
 
 #if HWY_TARGET <= HWY_AVX3
 
-/// Writes the pairs of one box with some of a block, all at once; stores eight or sixteen.
+/// Writes the pairs of one box with some lanes of a block at once; stores eight or sixteen.
 template <Order order>
 HWY_INLINE Pair* write_pairs_of(std::uint32_t id, const std::uint32_t* others, std::uint32_t lanes, Pair* out) {
   const hn::CappedTag<std::uint32_t, block_size> d;
@@ -76,20 +76,20 @@ HWY_INLINE Pair* write_pairs_of(std::uint32_t id, const std::uint32_t* others, s
   return out + count;
 }
 
-/// Writes the pairs of boxes with lanes of blocks, one box after the other, at once: to list first what is touched
-/// takes longer, even where most boxes touch nothing.
+/// Writes the pairs of boxes with lanes of blocks immediately, box by box: listing them first takes longer, even if
+/// most boxes touch nothing.
 template <Order order>
 class PairWriter {
  public:
   PairWriter(const std::uint32_t* ids_a, const std::uint32_t* ids_b, Pair* out)
       : ids_a_(ids_a), ids_b_(ids_b), out_(out) {}
 
-  /// The lanes of a block that a box touches; there may be none.
+  /// Adds the lanes of a block that a box touches; there may be none.
   HWY_INLINE void add(std::uint32_t box, std::uint32_t block, std::uint32_t lanes) {
     out_ = write_pairs_of<order>(ids_a_[box], ids_b_ + std::size_t{block} * block_size, lanes, out_);
   }
 
-  /// The end of what was written.
+  /// The end of the written pairs.
   HWY_INLINE Pair* finish() { return out_; }
 
  private:
@@ -104,20 +104,20 @@ template <Order order>
 HWY_INLINE Pair pair_of(std::uint32_t a, std::uint32_t b) {
   if (order == Order::a_first) return {a, b};
   if (order == Order::b_first) return {b, a};
-  // In arithmetic, because compilers make a branch of min and max, and every second guess at it is wrong.
+  // Arithmetic instead of min and max, which compilers turn into a branch that is mispredicted half of the time.
   const std::uint32_t exchange = (a ^ b) & (0U - static_cast<std::uint32_t>(b < a));
   return {a ^ exchange, b ^ exchange};
 }
 
-/// Writes the pairs of boxes with lanes of blocks, one box after the other, at the end: the first lane of each, then
-/// the second of those that have one, and so on.
+/// Writes the pairs of boxes with lanes of blocks at the end: the first lane of each box, then the second of those that
+/// have one, and so on.
 template <Order order>
 class PairWriter {
  public:
   PairWriter(const std::uint32_t* ids_a, const std::uint32_t* ids_b, Pair* out)
       : ids_a_(ids_a), ids_b_(ids_b), out_(out) {}
 
-  /// The lanes of a block that a box touches; there may be none.
+  /// Adds the lanes of a block that a box touches; there may be none.
   HWY_INLINE void add(std::uint32_t box, std::uint32_t block, std::uint32_t lanes) {
     touches_.box[touches_.count] = ids_a_[box];
     touches_.block[touches_.count] = block;
@@ -125,7 +125,7 @@ class PairWriter {
     touches_.count += lanes != 0 ? 1U : 0U;
   }
 
-  /// The end of what was written.
+  /// The end of the written pairs.
   HWY_INLINE Pair* finish() {
     std::uint32_t end = 0;
     for (std::size_t k = 0; k < touches_.count; ++k) {
@@ -137,7 +137,7 @@ class PairWriter {
   }
 
  private:
-  /// Leaves the boxes that have more.
+  /// Keeps the boxes that have more.
   HWY_INLINE void write_first_lanes() {
     const std::size_t count = std::exchange(touches_.count, 0);
     for (std::size_t k = 0; k < count; ++k) {
@@ -159,9 +159,9 @@ class PairWriter {
   const std::uint32_t* ids_a_;
   const std::uint32_t* ids_b_;
   Pair* out_;
-  RowList touches_;  // whose boxes are named by their ids
+  RowList touches_;  // boxes by their ids
   std::uint32_t lanes_[RowList::most + RowList::slack];
-  std::uint32_t places_[RowList::most + RowList::slack];  // of the next pair of each, among all
+  std::uint32_t places_[RowList::most + RowList::slack];  // index of the next pair of each, among all
 };
 
 #endif

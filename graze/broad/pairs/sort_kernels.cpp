@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled once per instruction set: Highway includes this file anew for each.
+// Compiled once per instruction set: Highway includes this file again for each.
 #include <algorithm>
 #include <bit>
 #include <cstddef>
@@ -56,7 +56,7 @@ void place_keys(const Code* codes, std::size_t count, const CodeBucket& bucket, 
     for (std::uint32_t at = 0; at < 2 * very_short_row; at += lanes_of<Code>) {
       smaller |= bits_of<Code>(hn::Lt(hn::LoadU(d, near + at), mine)) << at;
     }
-    // All before the row are smaller, all after it greater.
+    // All numbers before the row are smaller, all after it greater.
     const std::size_t place = k + static_cast<std::size_t>(std::popcount(smaller)) - before;
     out[place] = {bucket.first + form.row_of(code), form.second_of(code)};
   }
@@ -70,7 +70,7 @@ constexpr CodeKernels<Code> code_kernels{lanes_of<Code> >= 8, place_keys<Code>, 
 constexpr std::uint32_t row_lanes = 16;
 using Row = hn::CappedTag<std::uint32_t, row_lanes>;
 
-/// One step of a sorting network: the partner of each lane, and who takes the greater number.
+/// One step of a sorting network: the partner of each lane, and which lanes take the greater number.
 struct Step {
   alignas(64) std::uint32_t partner[row_lanes];
   __mmask16 upper;
@@ -85,9 +85,9 @@ constexpr Step step_by(std::uint32_t difference) {
   return step;
 }
 
-/// The steps of the bitonic sorter (Batcher 1968, "Sorting networks and their applications") of sixteen numbers, whose
-/// runs all ascend: each merge begins by meeting a run with the next one turned around. The last four merge what first
-/// falls, then rises, or the other way round.
+/// The steps of the bitonic sorter (Batcher 1968, "Sorting networks and their applications") for sixteen numbers, with
+/// ascending runs only: each merge begins by comparing a run with the reversed next one. The last four steps sort a
+/// bitonic sequence.
 constexpr Step steps[] = {step_by(1), step_by(3), step_by(1), step_by(7), step_by(2), step_by(1), step_by(15),
                           step_by(4), step_by(2), step_by(1), step_by(8), step_by(4), step_by(2), step_by(1)};
 constexpr std::uint32_t steps_to_sort = 10;
@@ -102,7 +102,7 @@ HWY_INLINE __m512i turned_around(__m512i row) {
   return _mm512_permutexvar_epi32(hn::Load(Row(), ends.partner).raw, row);
 }
 
-/// Some numbers, ascending, and the greatest number there is in the other lanes.
+/// Some numbers, ascending; unused lanes hold the maximum.
 HWY_INLINE __m512i sorted_lanes(const std::uint32_t* numbers, std::uint32_t filled) {
   __m512i row = _mm512_mask_loadu_epi32(_mm512_set1_epi32(-1), static_cast<__mmask16>(filled), numbers);
   for (std::uint32_t k = 0; k < steps_to_sort; ++k) row = take(steps[k], row);
@@ -114,8 +114,8 @@ HWY_INLINE __m512i merged_lanes(__m512i row) {
   return row;
 }
 
-/// Writes pairs of one first index with sixteen second ones, of which the first `count` matter: all, where they fit in
-/// before `end`.
+/// Writes the pairs of one first index with up to sixteen second ones, of which the first `count` are valid. Stores all
+/// sixteen if they fit before `end`.
 HWY_INLINE void write_row(std::uint32_t first, __m512i seconds, std::uint32_t filled, Pair* out, const Pair* end) {
   alignas(64) static constexpr std::uint32_t in_turns[] = {0,  16, 1,  17, 2,  18, 3,  19, 4,  20, 5,
                                                            21, 6,  22, 7,  23, 8,  24, 9,  25, 10, 26,

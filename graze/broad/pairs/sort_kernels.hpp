@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The inner loop of sorting pairs, once for every set of vector instructions that the compiler knows, as in
-// block_kernels.hpp.
+// Inner loops of sorting pairs, compiled for each instruction set as in block_kernels.hpp.
 #pragma once
 
 #include <cstddef>
@@ -11,16 +10,17 @@
 
 namespace graze::detail {
 
-/// A row of so many pairs, of one first index, is sorted by counting for each how many have a smaller second index.
+/// A row is the pairs of one first index. A row up to this length is sorted by counting, for each pair, the smaller
+/// second indices.
 inline constexpr std::uint32_t short_row = 16;
 
-/// A row of so many pairs is sorted as a whole, where place_rows pays.
+/// A row up to this length is sorted as a whole if place_rows pays.
 inline constexpr std::uint32_t placed_row = 32;
 
-/// A row of so many pairs is sorted by counting smaller ones among all keys near to each.
+/// A row up to this length is sorted by counting the smaller keys among all nearby keys.
 inline constexpr std::uint32_t very_short_row = 8;
 
-/// What codes of a bucket mean.
+/// The meaning of the codes of a bucket.
 struct CodeBucket {
   PairCode code;
   std::uint32_t first;  ///< The first index of row 0.
@@ -29,17 +29,17 @@ struct CodeBucket {
 /// For codes of one width.
 template <class Code>
 struct CodeKernels {
-  /// Whether place_keys takes less time than place: where a vector holds eight codes.
+  /// Whether place_keys is faster than place: true if a vector holds eight codes.
   bool keys_pay;
 
-  /// Puts pairs in their places, given by codes that are in the order of their rows. `codes` can be read by
-  /// very_short_row further to either side, where there are numbers less than all before the first and not less than
-  /// any after the last. Longer rows come in any order, not even each pair once, but where they belong.
+  /// Writes pairs to their final positions, given codes sorted by row. `codes` must be readable for very_short_row
+  /// elements on either side, with numbers less than all before the first code and not less than any after the last.
+  /// Rows longer than very_short_row are left in unspecified order, possibly with duplicates, but in the right range.
   void (*place_keys)(const Code* codes, std::size_t count, const CodeBucket& bucket, Pair* out);
 
-  /// Puts pairs in their places, given by codes in any order. A row begins at begins[row] and ends before
-  /// begins[row + 1], where `seconds` has the second indices of the row in any order, and `out` wants the pairs sorted.
-  /// `seconds` can be read 16 numbers further than the last row. Pairs of rows that are not short are left out.
+  /// Writes pairs to their final positions, given codes in any order. A row occupies the range from begins[row] to
+  /// begins[row + 1], where `seconds` contains its second indices in any order and `out` receives the sorted pairs.
+  /// `seconds` must be readable for 16 numbers after the last row. Skips rows longer than short_row.
   void (*place)(const Code* codes, std::size_t count, const CodeBucket& bucket, const std::uint32_t* begins,
                 const std::uint32_t* seconds, Pair* out);
 };
@@ -57,11 +57,11 @@ struct SortKernels {
     }
   }
 
-  /// Whether place_rows takes less time than place: where a vector holds sixteen indices.
+  /// Whether place_rows is faster than place: true if a vector holds sixteen indices.
   bool rows_pay;
 
-  /// Puts pairs in their places as place does, row by row, from their second indices alone. Rows longer than placed_row
-  /// are left out; what they have in `out` is lost.
+  /// Like place, row by row, from the second indices alone. Skips rows longer than placed_row, whose range of `out` is
+  /// overwritten.
   void (*place_rows)(const std::uint32_t* begins, std::uint32_t rows, std::uint32_t first, const std::uint32_t* seconds,
                      Pair* out);
 };

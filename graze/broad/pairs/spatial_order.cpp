@@ -17,13 +17,13 @@
 namespace graze::detail {
 namespace {
 
-constexpr std::size_t chunk_size = 1U << 16U;              // boxes that one task looks at
-constexpr std::size_t boxes_per_bucket = 1024;             // between this and twice as many, if boxes are spread evenly
+constexpr std::size_t chunk_size = 1U << 16U;   // boxes per task
+constexpr std::size_t boxes_per_bucket = 1024;  // between this and twice as many, if boxes are evenly distributed
 constexpr std::size_t long_enough = 2 * boxes_per_bucket;  // for a run of several buckets
 constexpr std::size_t most_buckets_in_order = 16384;
 
-// Classes of sizes: 0 are the usual ones, sorted by cells; each further class reaches four times as far, but for the
-// last, which holds what is infinite.
+// Size classes: class 0 contains ordinary boxes, sorted by cells; each further class reaches four times as far; the
+// last contains infinite boxes.
 constexpr std::size_t class_count = 16;
 
 std::size_t chunks_of(std::size_t count) { return (count + chunk_size - 1) / chunk_size; }
@@ -61,8 +61,7 @@ struct Centers {
 
 }  // namespace
 
-/// What the order is cut into: the cells of the usual boxes, one bucket for each further class, one for what is left
-/// out.
+/// The buckets of the order: the cells of ordinary boxes, one bucket for each further class, one for empty boxes.
 template <Dim N, class T>
 struct SpatialOrder<N, T>::Buckets {
   CellGrid<N, T> grid;
@@ -74,8 +73,8 @@ struct SpatialOrder<N, T>::Buckets {
   std::size_t count() const { return cells + class_count; }
 };
 
-/// Where centers lie, of many boxes as a sample shows it: those beyond are sorted into the outermost cells. To look at
-/// all boxes takes as long as to find their cells.
+/// The bounds of the centers, estimated from a sample if there are many boxes; centers beyond go to the outermost
+/// cells. Reading all boxes takes as long as finding their cells.
 template <Dim N, class T>
 void SpatialOrder<N, T>::survey(std::span<const Aabb<N, T>> boxes) {
   constexpr std::size_t sample_size = 1024;
@@ -90,8 +89,8 @@ void SpatialOrder<N, T>::survey(std::span<const Aabb<N, T>> boxes) {
   if (is_nothing(centers_)) centers_ = {Vec<N, T>(T(0)), Vec<N, T>(T(0))};
 }
 
-/// The largest extent that counts as usual: what sixteen boxes take up where they are spread evenly, for so large is a
-/// block anyway, or twice what is common among the smaller ones.
+/// The largest extent of an ordinary box: the space of sixteen evenly distributed boxes, which is the size of a block
+/// anyway, or twice the common extent of the smaller ones.
 template <Dim N, class T>
 T SpatialOrder<N, T>::usual_size(std::span<const Aabb<N, T>> boxes) const {
   constexpr std::size_t most_samples = 256;
@@ -112,7 +111,7 @@ T SpatialOrder<N, T>::usual_size(std::span<const Aabb<N, T>> boxes) const {
   return std::isfinite(block) ? std::max(block, T(2) * *quarter) : T(2) * *quarter;
 }
 
-/// Says which box is the first with a NaN: if it is past all of them, none has.
+/// Returns the index of the first box with a NaN; the number of boxes if there is none.
 template <Dim N, class T>
 std::size_t SpatialOrder<N, T>::find_cells(std::span<const Aabb<N, T>> boxes, const Buckets& buckets,
                                            const Executor& executor) {
@@ -173,7 +172,7 @@ void SpatialOrder<N, T>::divide_clusters(std::span<const Aabb<N, T>> boxes, cons
   passing_bytes_ = 0;
   if (clusters.empty()) return;
   if (largest > NearCluster<N, T>::most) spare_.require(boxes.size());
-  Pool<NearCluster<N, T>> near_clusters;  // not kept: with many threads they are as large as all the rest
+  Pool<NearCluster<N, T>> near_clusters;  // temporary: with many threads they are as large as everything else
   executor.parallel_for(clusters.size(), [&](std::size_t k) {
     const std::size_t begin = clusters[k] == 0 ? 0 : ends_[clusters[k] - 1];
     const std::size_t count = ends_[clusters[k]] - begin;
@@ -209,7 +208,7 @@ std::size_t SpatialOrder<N, T>::run_limit() const {
   return std::clamp(box_count_ / 3, shortest, longest_run);
 }
 
-/// Adds a stretch of the order, as equal runs where it is too long for one.
+/// Adds a range of the order, as runs of equal length if it is too long for one.
 template <Dim N, class T>
 void SpatialOrder<N, T>::add_runs(std::size_t first, std::size_t count, bool finite) {
   const std::size_t pieces = (count + run_limit() - 1) / run_limit();
@@ -230,7 +229,7 @@ void SpatialOrder<N, T>::cut_runs(const Buckets& buckets) {
   for (std::size_t bucket = 0; bucket + 1 < buckets.count(); ++bucket) {
     const std::size_t end = ends_[bucket];
     const bool is_class = bucket >= buckets.cells;
-    // Cells with few boxes share a run with the next; classes of sizes do not.
+    // Cells with few boxes share a run with the next; size classes do not.
     if (end - first > long_enough && first < (bucket == 0 ? 0 : ends_[bucket - 1])) flush(ends_[bucket - 1], true);
     if (end - first >= boxes_per_bucket / 2 || is_class || bucket + 1 == buckets.cells) {
       flush(end, bucket != buckets.of_class(class_count - 1));

@@ -16,42 +16,42 @@
 
 namespace graze::detail {
 
-/// Neighbouring boxes in a row: where they stand in the order.
+/// A range of the order with boxes near each other.
 struct SpatialRun {
   std::size_t first = 0;
   std::size_t count = 0;  // at most longest_run
   bool finite = true;
 };
 
-/// How long a run can be: a crowd of so many is fetched once, and sorted where it is close at hand. Of fewer boxes a
-/// third, so that there is something to do for several threads.
+/// The maximum length of a run: a cluster of this many boxes is gathered once and sorted in the cache. Also limited to
+/// a third of all boxes, so that several threads have work.
 inline constexpr std::size_t longest_run = (std::size_t{1} << 16U) - block_size;
 
-/// A coarse order of boxes in space, cut into runs of a thousand or two that lie close together. It comes from a
-/// counting sort by the cells of a grid over all centers; a crowded cell is a longer run, or divided again, so that
-/// clusters cost little more than even worlds. Boxes much larger than most would spoil the neighbourhoods of small
-/// ones: they stand in runs of their own, by powers of four of their size, and the infinite ones in a last one. Boxes
-/// that contain nothing are left out.
+/// A coarse spatial order of boxes, divided into runs of one or two thousand that are near each other. It is a counting
+/// sort by the cells of a grid over all centers; an overfull cell is a longer run or divided again, so that clustered
+/// scenes cost little more than uniform ones. Boxes much larger than most would spread out the runs of small ones; they
+/// have runs of their own, by powers of four of their size, with infinite boxes last. Empty boxes are omitted.
 template <Dim N, class T>
 class SpatialOrder {
  public:
-  /// Sorts anew, in memory that is kept. Throws std::invalid_argument with the position of the first box that has a
-  /// NaN, and the set that it is from.
+  /// Sorts boxes, in memory that is kept. Throws std::invalid_argument, naming the index of the first box that has a
+  /// NaN, and its set.
   void sort(std::span<const Aabb<N, T>> boxes, const Executor& executor, BoxSet set = BoxSet::only);
 
   std::span<const SpatialRun> runs() const { return runs_; }
 
-  /// Positions of boxes, run by run.
+  /// Indices of boxes, run by run.
   const std::uint32_t* order() const { return order_.data(); }
 
-  /// Memory that is free until the next sort for who needs the order no longer: it is lost where this is written to.
+  /// Memory that is free until the next sort, for callers that no longer need the order; writing to it destroys the
+  /// order.
   std::array<std::span<std::byte>, 3> idle_memory() {
     return {std::as_writable_bytes(std::span(order_.data(), order_.capacity())),
             std::as_writable_bytes(std::span(cells_.data(), cells_.capacity())),
             std::as_writable_bytes(std::span(spare_.data(), spare_.capacity()))};
   }
 
-  /// The memory that is held, and what the last sort needed in passing.
+  /// The memory held, including temporary memory of the last sort, in bytes.
   std::size_t bytes() const;
 
  private:

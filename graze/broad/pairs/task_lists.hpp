@@ -15,16 +15,16 @@
 
 namespace graze::detail {
 
-/// What tasks find, one after the other in the order of tasks, however they end: each is copied to the room for all as
-/// soon as those before have ended, so that few lists are held at a time. A List is what keeps the memory of
+/// Concatenates the results of tasks in the order of tasks, whatever the order in which they end: each list is copied
+/// as soon as all earlier tasks have ended, so that few lists are held at a time. A List keeps the memory of
 /// list->all(), a span of pairs, until it is destroyed.
 template <class List>
 class TaskLists {
  public:
-  /// For the memory ahead in a room.
+  /// `ahead` is the result of room.ahead().
   TaskLists(std::size_t tasks, PairSink& room, std::span<Pair> ahead) : room_(room), ahead_(ahead), lists_(tasks) {}
 
-  /// Takes what a task has found, from any thread.
+  /// Takes the result of a task, from any thread.
   void add(std::size_t task, std::unique_ptr<List> list) {
     std::vector<Copy> copies;
     {
@@ -34,14 +34,14 @@ class TaskLists {
         const std::size_t end = end_ + lists_[next_]->all().size();
         has_room_ = end <= ahead_.size();
         if (!has_room_) break;  // from now on all are kept
-        room_.reach(end);       // not by all threads: they may be in need of this lock
+        room_.reach(end);       // not reach_by_all: other threads may need this lock
         copies.push_back({std::move(lists_[next_]), std::exchange(end_, end)});
       }
     }
     for (const Copy& copy : copies) copy_to(copy.list->all(), ahead_.data() + copy.place);
   }
 
-  /// All of them, when all tasks have ended.
+  /// All pairs, when all tasks have ended.
   std::span<const Pair> take() {
     std::size_t count = end_;
     for (std::size_t k = next_; k < lists_.size(); ++k) count += lists_[k]->all().size();
@@ -71,7 +71,7 @@ class TaskLists {
   std::mutex mutex_;
   std::vector<std::unique_ptr<List>> lists_;
   std::size_t next_ = 0;  // the first task whose list has not been copied
-  std::size_t end_ = 0;   // of those that have
+  std::size_t end_ = 0;   // end of the copied pairs
   bool has_room_ = true;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which boxes of a block one box touches. Included once for each instruction set, hence no ordinary guard.
+// Which boxes of a block one box touches. Included once per instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_PAIRS_TOUCHED_LANES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_PAIRS_TOUCHED_LANES_INL_HPP
 #undef GRAZE_BROAD_PAIRS_TOUCHED_LANES_INL_HPP
@@ -35,7 +35,7 @@ struct OneBox {
 
 #if HWY_TARGET <= HWY_AVX3
 
-/// Those of some lanes whose first number is at most the second. A comparison under a mask saves the And.
+/// The lanes among `lanes` with a <= b. A masked comparison saves an And.
 HWY_INLINE __mmask16 ordered_lanes(__mmask16 lanes, __m512 a, __m512 b) {
   return _mm512_mask_cmp_ps_mask(lanes, a, b, _CMP_LE_OQ);
 }
@@ -46,14 +46,14 @@ HWY_INLINE __mmask8 ordered_lanes(__mmask8 lanes, __m512d a, __m512d b) {
 HWY_INLINE __mmask16 both(__mmask16 a, __mmask16 b) { return _kand_mask16(a, b); }
 HWY_INLINE __mmask8 both(__mmask8 a, __mmask8 b) { return _kand_mask8(a, b); }
 
-/// The lanes of a block that the box touches, one bit each. What is found along each axis stays in a mask register.
+/// The lanes of a block that the box touches, as a bit mask. The result for each axis stays in a mask register.
 template <Dim N, class T>
 HWY_INLINE std::uint32_t touched_lanes(const OneBox<N, T>& box, const Block<N, T>& block) {
   const Tag<T> d;
   std::uint32_t touched = 0;
   for (std::uint32_t k = 0; k < vectors_of<T>; ++k) {
     const std::uint32_t at = k * lanes_of<T>;
-    const auto along = [&](Dim i) {  // each by itself, for a comparison under a mask waits for it
+    const auto along = [&](Dim i) {  // independent per axis, because a masked comparison waits for its mask
       const auto below = hn::Le(hn::Load(d, block.min[i] + at), box.max[i]).raw;
       return ordered_lanes(below, box.min[i].raw, hn::Load(d, block.max[i] + at).raw);
     };
@@ -66,7 +66,7 @@ HWY_INLINE std::uint32_t touched_lanes(const OneBox<N, T>& box, const Block<N, T
 
 #else
 
-/// The lanes of a block that the box touches, one bit each.
+/// The lanes of a block that the box touches, as a bit mask.
 template <Dim N, class T>
 HWY_INLINE std::uint32_t touched_lanes(const OneBox<N, T>& box, const Block<N, T>& block) {
   const Tag<T> d;

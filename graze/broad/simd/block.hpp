@@ -7,25 +7,25 @@
 
 namespace graze::detail {
 
-/// How many boxes a block holds: the lanes of the widest vector of floats. Fixed, so that answers come in the same
-/// order whatever the width of the machine's vectors.
+/// The number of boxes in a block: the lanes of the widest vector of floats. Fixed, so that the order of answers does
+/// not depend on the width of the machine's vectors.
 inline constexpr std::uint32_t block_size = 16;
 
-/// Sixteen boxes side by side, coordinate by coordinate. A lane without a box is NaN, which no comparison lets through.
+/// Sixteen boxes as a structure of arrays. Unused lanes are NaN, which fails every comparison.
 template <Dim N, class T>
 struct alignas(64) Block {
   T min[N][block_size];
   T max[N][block_size];
 };
 
-/// Stands for the box of a lane without one.
+/// The id of a lane without a box.
 inline constexpr std::uint32_t no_box = 0xFFFF'FFFF;
 
-/// How many pairs of blocks are compared in one go.
+/// The number of pairs of blocks that are compared in one batch.
 inline constexpr std::uint32_t block_pairs_at_once = 32;
 
-/// Two blocks of one level whose boxes are to be compared. Of one tree with itself a <= b, and a == b means every two
-/// boxes of the block.
+/// Two blocks of one level whose boxes are to be compared. For a tree paired with itself, a <= b, and a == b means all
+/// pairs within the block.
 struct BlockPair {
   std::uint32_t a;
   std::uint32_t b;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Boxes in a row, taken apart into vectors of one coordinate each. Included once for each instruction set, hence no
-// ordinary guard.
+// Loads consecutive boxes into one vector per coordinate. Included once per instruction set, so it has no ordinary
+// include guard.
 #if defined(GRAZE_BROAD_SIMD_BOX_LANES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_SIMD_BOX_LANES_INL_HPP
 #undef GRAZE_BROAD_SIMD_BOX_LANES_INL_HPP
@@ -26,7 +26,7 @@ struct BoxLanes {
   Lanes<T> max[N];
 };
 
-/// Of half as many boxes as there are lanes: ends[i] holds the lower and the upper end along axis i in turn.
+/// For half as many boxes as lanes: ends[i] holds min and max along axis i alternately.
 template <class T>
 HWY_INLINE void load_ends(const T* box, Lanes<T> (&ends)[2]) {
   hn::LoadInterleaved2(Tag<T>(), box, ends[0], ends[1]);
@@ -36,8 +36,8 @@ HWY_INLINE void load_ends(const T* box, Lanes<T> (&ends)[3]) {
   hn::LoadInterleaved3(Tag<T>(), box, ends[0], ends[1], ends[2]);
 }
 
-/// The boxes at `boxes` and after it, as many as there are lanes. Loads and shuffles: a gather of as many numbers takes
-/// several times as long on most machines.
+/// Loads one box per lane, starting at `boxes`. Loads and shuffles: a gather takes several times as long on most
+/// machines.
 template <Dim N, class T>
 HWY_INLINE BoxLanes<N, T> load_boxes(const Aabb<N, T>* boxes) {
   static_assert(sizeof(Aabb<N, T>) == std::size_t{2} * N * sizeof(T));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lanes that are chosen, one after another. Included once for each instruction set, hence no ordinary guard.
+// Moves selected lanes together. Included once per instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_SIMD_COMPRESS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_SIMD_COMPRESS_INL_HPP
 #undef GRAZE_BROAD_SIMD_COMPRESS_INL_HPP
@@ -18,9 +18,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 
-// Highway's Compress looks up a table that GCC 12 copies to the stack each time, wherever there is no instruction.
+// For Highway's Compress, GCC 12 copies a lookup table to the stack each time if there is no instruction.
 
-/// The lanes whose bits are set, then the others, both in their order.
+/// The selected lanes, then the others, both in order.
 template <std::size_t lanes>
 constexpr std::array<std::size_t, lanes> chosen_first(std::size_t bits) {
   std::array<std::size_t, lanes> order{};
@@ -33,7 +33,7 @@ constexpr std::array<std::size_t, lanes> chosen_first(std::size_t bits) {
   return order;
 }
 
-/// For each choice of lanes of some bytes, at most sixteen together, the numbers of their bytes.
+/// A table of byte shuffles for each selection of lanes, for vectors of at most sixteen bytes.
 template <std::size_t lanes, std::size_t bytes>
 constexpr auto make_byte_orders() {
   std::array<std::array<std::uint8_t, 16>, std::size_t{1} << lanes> orders{};
@@ -49,8 +49,7 @@ constexpr auto make_byte_orders() {
 template <std::size_t lanes, std::size_t bytes>
 alignas(16) inline constexpr auto byte_orders = make_byte_orders<lanes, bytes>();
 
-/// For each choice of lanes of some words, eight together, the numbers of their words: four bits each, the first
-/// lowest.
+/// A table of shuffles for each selection of eight lanes: four bits per index, the first lowest.
 template <std::size_t lanes>
 constexpr auto make_word_orders() {
   constexpr std::size_t words = 8 / lanes;
@@ -69,7 +68,7 @@ inline constexpr auto word_orders = make_word_orders<lanes>();
 
 #if HWY_TARGET <= HWY_AVX3
 
-/// Brings the lanes whose bits are set to the front, in their order. Lanes behind them have no meaning.
+/// Moves the lanes whose bits are set to the front, in order. The lanes behind them are unspecified.
 template <class D>
 class ToFront {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors as kernels use them. Included once for each instruction set, hence no ordinary guard.
+// The vector types of kernels. Included once per instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_SIMD_LANES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_SIMD_LANES_INL_HPP
 #undef GRAZE_BROAD_SIMD_LANES_INL_HPP
@@ -20,7 +20,7 @@ namespace graze::detail::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// As many lanes as the machine has, at most a block's.
+/// A vector with as many lanes as the machine has, but at most those of a block.
 template <class T>
 using Tag = hn::CappedTag<T, block_size>;
 
@@ -30,16 +30,16 @@ using Lanes = hn::Vec<Tag<T>>;
 template <class T>
 constexpr std::uint32_t lanes_of = static_cast<std::uint32_t>(hn::MaxLanes(Tag<T>()));
 
-/// How many vectors make a block.
+/// The number of vectors in a block.
 template <class T>
 constexpr std::uint32_t vectors_of = block_size / lanes_of<T>;
 
-/// After the parameters of a lambda: it becomes part of its caller, however long both are.
+/// Placed after the parameters of a lambda: always inlines it, whatever its length.
 #undef GRAZE_INLINE_LAMBDA
 #define GRAZE_INLINE_LAMBDA __attribute__((always_inline))
 
-/// use(0), use(1) ... of as many constants. What is in an array stays in registers if its places are constants before
-/// anything else is done; those of a loop in a loop are not.
+/// Calls use(0), use(1), ... with constants. Arrays stay in registers only if indices are constants early in
+/// compilation, which those of nested loops are not.
 template <std::size_t count, class Use>
 HWY_INLINE void unrolled(const Use& use) {
   [&use]<std::size_t... i>(std::index_sequence<i...>) GRAZE_INLINE_LAMBDA {
@@ -56,7 +56,7 @@ HWY_INLINE std::uint32_t bits_of(const Mask& mask) {
   return static_cast<std::uint32_t>(bits) & ((1U << lanes_of<T>)-1U);
 }
 
-/// Of numbers that are not NaN, which Highway asks about where there are no vectors.
+/// For numbers that are not NaN, which Highway's emulation would test for.
 template <class T>
 HWY_INLINE Lanes<T> lesser(const Lanes<T>& a, const Lanes<T>& b) {
 #if HWY_TARGET == HWY_SCALAR
@@ -75,7 +75,7 @@ HWY_INLINE Lanes<T> greater(const Lanes<T>& a, const Lanes<T>& b) {
 #endif
 }
 
-/// Which lanes of a block have a box.
+/// Which lanes of a block contain a box.
 template <class T>
 HWY_INLINE auto is_full(const Lanes<T>& coordinate) {
   return hn::Eq(coordinate, coordinate);

@@ -29,7 +29,7 @@ struct SpaceKernels {
   }
 };
 
-/// Those of kernels for one dimension alone.
+/// The kernels of one instruction set, for one dimension.
 template <template <class> class Kernels>
 struct ScalarKernels {
   Kernels<float> of_float;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What Highway's vectors of doubles can do on every machine but WebAssembly, whose own have been added after
-// Highway 1.0: the operations that kernels use. Included by lanes-inl.hpp, hence no ordinary guard.
+// Operations on vectors of doubles that Highway 1.0 lacks for WebAssembly only, as far as kernels use them. Included by
+// lanes-inl.hpp, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_SIMD_WASM_DOUBLES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_SIMD_WASM_DOUBLES_INL_HPP
 #undef GRAZE_BROAD_SIMD_WASM_DOUBLES_INL_HPP
@@ -27,7 +27,7 @@ HWY_API Vec128<double, N> PromoteTo(Simd<double, N, 0>, Vec128<float, N> v) {
   return {wasm_f64x2_promote_low_f32x4(v.raw)};
 }
 
-/// Highway's own gives the bits of a double as a whole number.
+/// Highway's own version returns the bits of a double as an integer.
 template <std::size_t N>
 HWY_API double GetLane(Vec128<double, N> v) {
   return wasm_f64x2_extract_lane(v.raw, 0);

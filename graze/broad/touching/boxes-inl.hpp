@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Verdicts on many pairs of boxes, and of spheres and oriented boxes. Included once for each instruction set, hence no
-// ordinary guard.
+// Verdicts on many pairs of boxes, and of spheres and oriented boxes. Included once per instruction set, so it has no
+// ordinary include guard.
 #if defined(GRAZE_BROAD_TOUCHING_BOXES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_TOUCHING_BOXES_INL_HPP
 #undef GRAZE_BROAD_TOUCHING_BOXES_INL_HPP
@@ -19,7 +19,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 
-/// Comparisons are exact; boxes that share no more than a face are left to the careful test, and so are NaN.
+/// The comparisons are exact. Boxes that share only a face, and NaN, remain undecided.
 template <Dim N, class T>
 HWY_INLINE LaneVerdict<T> verdict_of(const LaneAabb<N, T>& a, const LaneAabb<N, T>& b) {
   auto gap = hn::Or(hn::Lt(a.max.at[0], b.min.at[0]), hn::Lt(b.max.at[0], a.min.at[0]));
@@ -33,7 +33,7 @@ HWY_INLINE LaneVerdict<T> verdict_of(const LaneAabb<N, T>& a, const LaneAabb<N, 
   return {hn::And(gap, numbers), hn::And(within, numbers)};
 }
 
-/// How far axes are from orthonormal: the largest |axis i . axis j - (i == j)|.
+/// The orthonormality error of axes: the largest |axis i . axis j - (i == j)|.
 template <Dim N, class T>
 HWY_INLINE Lanes<T> orthonormality_error_of(const LaneObb<N, T>& box) {
   auto orthonormality_error = hn::Zero(Tag<T>());
@@ -49,13 +49,13 @@ HWY_INLINE Lanes<T> orthonormality_error_of(const LaneAabb<N, T>&) {
   return hn::Zero(Tag<T>());
 }
 
-/// A second box as the axes of a first one see it, as in query/relation/box_filter.hpp.
+/// A second box in the frame of the first, as in query/relation/box_filter.hpp.
 template <Dim N, class T>
 struct LaneView {
   LaneVec<N, T> half;
   LaneVec<N, T> other_half;
   LaneVec<N, T> between;        ///< From center to center.
-  LaneVec<N, T> directions[N];  ///< The other's axes.
+  LaneVec<N, T> directions[N];  ///< The second box's axes.
   LaneVec<N, T> shadow[N];      ///< Their absolute values.
 
   HWY_INLINE LaneView(const LaneObb<N, T>& a, const LaneObb<N, T>& b) : half(a.half), other_half(b.half) {
@@ -84,8 +84,8 @@ struct LaneView {
   }
 };
 
-/// The widest gaps on the axes of both boxes and, in space, on the cross products of their edges; and the sum of all
-/// lengths that came into them.
+/// The largest gap along the axes of both boxes and, in 3D, along the cross products of their edges, and the sum of all
+/// lengths involved.
 template <class T>
 struct LaneGaps {
   Lanes<T> on_axes;
@@ -93,7 +93,7 @@ struct LaneGaps {
   Lanes<T> size;
 };
 
-/// The gap on the cross product of the first box's axis i and the other's axis j.
+/// The gap along the cross product of the first box's axis i and the second's axis j.
 template <class T>
 HWY_INLINE Lanes<T> gap_across(const LaneView<3, T>& view, Dim i, Dim j) {
   const Dim i1 = (i + 1) % 3;
@@ -133,7 +133,7 @@ HWY_INLINE LaneGaps<T> gaps_of(const LaneView<N, T>& view) {
   return gaps;
 }
 
-/// Whether the axes that leave the verdict open are all cross products of nearly parallel edges.
+/// Whether only cross products of nearly parallel edges leave the verdict open.
 template <class T>
 HWY_INLINE hn::Mask<Tag<T>> only_parallel_edges_are_open(const LaneView<3, T>& view, Lanes<T> band, Lanes<T> parallel) {
   auto settled = hn::Lt(hn::Zero(Tag<T>()), band);
@@ -147,20 +147,20 @@ HWY_INLINE hn::Mask<Tag<T>> only_parallel_edges_are_open(const LaneView<3, T>& v
   return settled;
 }
 
-/// Whether no product of these lengths is lost to underflow. None is of NaN.
+/// Whether no product of these lengths is affected by underflow. False if one is NaN.
 template <class T>
 HWY_INLINE hn::Mask<Tag<T>> are_usable(const LaneGaps<T>& gaps) {
   constexpr T least_product = T(0x1p20) * std::numeric_limits<T>::min();
   return hn::Gt(hn::Mul(gaps.size, hn::Min(gaps.size, all(T(1)))), all(least_product));
 }
 
-/// Gaps beyond this say the truth of boxes whose axes are orthonormal up to `skew`.
+/// Gaps beyond this prove the verdict for boxes whose axes are orthonormal up to `skew`.
 template <class T>
 HWY_INLINE Lanes<T> band_of(const LaneGaps<T>& gaps, Lanes<T> orthonormality_error) {
   return hn::Mul(hn::Mul(all(static_cast<T>(tolerance::box_filter)), orthonormality_error), gaps.size);
 }
 
-/// What is clear on all axes at once; filter_of_boxes in query/relation/box_filter.hpp says why.
+/// What is certain from all axes together; filter_of_boxes in query/relation/box_filter.hpp gives the reason.
 template <class T>
 HWY_INLINE LaneVerdict<T> verdict_of_gaps(const LaneGaps<T>& gaps, Lanes<T> band) {
   const auto usable = are_usable(gaps);
@@ -168,7 +168,7 @@ HWY_INLINE LaneVerdict<T> verdict_of_gaps(const LaneGaps<T>& gaps, Lanes<T> band
   return {hn::And(usable, hn::Gt(widest, band)), hn::And(usable, hn::Lt(widest, hn::Neg(band)))};
 }
 
-/// The same, and what is clear but for edges that are nearly parallel.
+/// The same, and what is certain apart from nearly parallel edges.
 template <Dim N, class T>
 HWY_INLINE LaneVerdict<T> verdict_within(const LaneView<N, T>& view, const LaneGaps<T>& gaps,
                                          Lanes<T> orthonormality_error) {
@@ -186,7 +186,7 @@ HWY_INLINE LaneVerdict<T> verdict_within(const LaneView<N, T>& view, const LaneG
   return verdict;
 }
 
-/// First with the skew that any valid box may have; where that leaves a lane open, with what these boxes have.
+/// Tries the greatest skew of any valid box first; if a lane remains open, the actual skew of these boxes.
 template <Dim N, class T, class First>
 HWY_INLINE LaneVerdict<T> verdict_of_boxes(const First& a, const LaneObb<N, T>& b) {
   const LaneView<N, T> view(a, b);
@@ -198,8 +198,8 @@ HWY_INLINE LaneVerdict<T> verdict_of_boxes(const First& a, const LaneObb<N, T>& 
   return verdict_within(view, gaps, hn::Min(measured, all(static_cast<T>(tolerance::orthonormal))));
 }
 
-/// Without a branch, and so with the skew that any valid box may have. It leaves two or three in a hundred open, which
-/// is one lane in every third vector: to look at those again at once would take as long as the guess that no lane is.
+/// Branch-free, so it assumes the greatest skew of any valid box. This leaves two or three percent of the lanes open,
+/// at least one in every third vector: retrying those at once would mispredict as much as it saves.
 template <Dim N, class T>
 HWY_INLINE LaneVerdict<T> quick_verdict_of(const LaneObb<N, T>& a, const LaneObb<N, T>& b) {
   const LaneGaps<T> gaps = gaps_of(LaneView<N, T>(a, b));
@@ -215,7 +215,8 @@ HWY_INLINE LaneVerdict<T> verdict_of(const LaneAabb<N, T>& a, const LaneObb<N, T
   return verdict_of_boxes(a, b);
 }
 
-/// The way from the center, clamped to the box along each axis, as filter_of_sphere in query/relation/box_filter.hpp.
+/// The vector from the center, clamped to the box along each axis, as filter_of_sphere in
+/// query/relation/box_filter.hpp.
 template <Dim N, class T>
 HWY_INLINE LaneVerdict<T> verdict_of(const LaneSphere<N, T>& sphere, const LaneObb<N, T>& box) {
   const Tag<T> d;
@@ -247,7 +248,7 @@ HWY_INLINE LaneVerdict<T> verdict_of(const LaneSphere<N, T>& sphere, const LaneO
 
 // ---- A capsule against a box
 
-/// The capsule's axis from the box's center, in the world and as the box's axes see it.
+/// The capsule's axis relative to the box's center, in world axes and in the box's axes.
 template <Dim N, class T>
 struct LaneAxis {
   LaneVec<N, T> start;
@@ -263,7 +264,7 @@ struct LaneAxis {
   }
 };
 
-/// How fast the squared distance from the box changes, halved, at a share of the axis.
+/// Half the derivative of the squared distance from the box along the capsule's axis, at a parameter of the axis.
 template <Dim N, class T>
 HWY_INLINE Lanes<T> slope_at(const LaneAxis<N, T>& axis, const LaneVec<N, T>& half, Lanes<T> share) {
   auto slope = hn::Zero(Tag<T>());
@@ -275,8 +276,8 @@ HWY_INLINE Lanes<T> slope_at(const LaneAxis<N, T>& axis, const LaneVec<N, T>& ha
   return slope;
 }
 
-/// The share of the axis that is nearest to the box, roughly. The slope rises all the way, and evenly between the
-/// places where the axis passes a plane of one of the faces: these close in on where it is zero.
+/// The approximate parameter of the axis's point nearest to the box. The derivative is increasing, and linear between
+/// the points where the axis crosses a face's plane; these bracket its zero.
 template <Dim N, class T>
 HWY_INLINE Lanes<T> nearest_share(const LaneAxis<N, T>& axis, const LaneVec<N, T>& half) {
   const auto zero = hn::Zero(Tag<T>());
@@ -297,8 +298,8 @@ HWY_INLINE Lanes<T> nearest_share(const LaneAxis<N, T>& axis, const LaneVec<N, T
   return hn::MulAdd(hn::Sub(high, low), part, low);
 }
 
-/// As for two capsules: two points prove that they overlap, a direction that they are apart. Both are those of the set
-/// that the box is, whose axes need not be quite orthonormal.
+/// As for two capsules: two points prove overlap, a direction proves separation. Both refer to the set that the box
+/// represents, whose axes are orthonormal only up to rounding.
 template <Dim N, class T>
 HWY_INLINE LaneVerdict<T> verdict_of(const LaneObb<N, T>& box, const LaneCapsule<N, T>& capsule) {
   const LaneAxis<N, T> axis(box, capsule);
@@ -320,7 +321,7 @@ HWY_INLINE LaneVerdict<T> verdict_of(const LaneObb<N, T>& box, const LaneCapsule
 
 template <Dim N, class T>
 HWY_INLINE LaneVerdict<T> verdict_of(const LaneAabb<N, T>& box, const LaneCapsule<N, T>& capsule) {
-  // Seen from the box's center, and along the world's axes.
+  // Relative to the box's center, in world axes.
   LaneCapsule<N, T> seen = capsule;
   const LaneObb<N, T> around_origin(box);
   for (Dim i = 0; i < N; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Shapes of many pairs side by side: every number of a struct as a vector, a lane for each pair. Included once for each
-// instruction set, hence no ordinary guard.
+// Shapes of many pairs side by side: every number of a struct as a vector with a lane per pair. Included once per
+// instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_TOUCHING_LANES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_TOUCHING_LANES_INL_HPP
 #undef GRAZE_BROAD_TOUCHING_LANES_INL_HPP
@@ -23,7 +23,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 
-/// A vector of the plane or of space, in every lane.
+/// A 2D or 3D vector in every lane.
 template <Dim N, class T>
 struct LaneVec {
   Lanes<T> at[N];
@@ -59,7 +59,7 @@ HWY_INLINE Lanes<T> all(T value) {
   return hn::Set(Tag<T>(), value);
 }
 
-/// Where the structs of a group begin: rows[lane], and rows + n for what follows. Pointers, or:
+/// The addresses of a group's structs: rows[lane], and rows + n for subsequent numbers. Either pointers or PairRows.
 template <class Rows, class T>
 concept RowsOf = requires(const Rows& rows, std::size_t lane) {
   { *rows[lane] } -> std::convertible_to<T>;
@@ -77,7 +77,7 @@ struct SideOfPairs {
 
 #if HWY_TARGET != HWY_SCALAR
 
-/// How many numbers a block of 128 bits has: within blocks, numbers move freely.
+/// The numbers in a 128-bit block: within blocks, shuffles are cheap.
 template <class T>
 constexpr std::size_t per_block = 16 / sizeof(T);
 
@@ -93,7 +93,7 @@ HWY_INLINE hn::Vec<D> load_blocks(D d, const Rows& rows, std::size_t offset) {
   }
 }
 
-/// Number `offset` + k of every row into out[k], for a block's worth of numbers: a transposition within blocks.
+/// Loads number `offset` + k of every row into out[k], for one block of numbers: a transposition within blocks.
 template <class T, class Rows>
 HWY_INLINE void load_numbers(const Rows& rows, std::size_t offset, Lanes<T>* out) {
   const Tag<T> d;
@@ -118,7 +118,7 @@ HWY_INLINE void load_numbers(const Rows& rows, std::size_t offset, Lanes<T>* out
   }
 }
 
-/// Written out block by block: in a loop, vectors would be kept in memory.
+/// Unrolled block by block: a loop would keep the vectors in memory.
 template <class T, class Rows, std::size_t Count, std::size_t... Block>
 HWY_INLINE void load_all_blocks(const Rows& rows, Lanes<T> (&out)[Count], std::index_sequence<Block...>) {
   (load_numbers<T>(rows, std::min(Block * per_block<T>, Count - per_block<T>),
@@ -128,8 +128,8 @@ HWY_INLINE void load_all_blocks(const Rows& rows, Lanes<T> (&out)[Count], std::i
 
 #endif
 
-/// The first `Count` numbers of each lane's struct. Where Count is not a multiple of a block, the last block begins
-/// earlier, so that nothing behind the struct is read.
+/// The first `Count` numbers of each lane's struct. If Count is not a multiple of a block, the last block overlaps the
+/// previous one, so that nothing beyond the struct is read.
 template <class T, class Rows, std::size_t Count>
 HWY_INLINE void load_struct(const Rows& rows, Lanes<T> (&out)[Count]) {
 #if HWY_TARGET == HWY_SCALAR
@@ -192,10 +192,10 @@ struct LaneObb {
     set(number);
   }
 
-  /// Of its numbers, in the order of the struct.
+  /// Takes numbers in the order of the struct.
   HWY_INLINE explicit LaneObb(const Lanes<T> (&number)[2 * N + N * N]) { set(number); }
 
-  /// As large as a box along the world's axes, but around the origin: from far away its center would be rounded.
+  /// The oriented box of an AABB's size around the origin: far from the origin, its center would be rounded.
   HWY_INLINE explicit LaneObb(const LaneAabb<N, T>& box) {
     for (Dim i = 0; i < N; ++i) {
       center.at[i] = hn::Zero(Tag<T>());
@@ -214,7 +214,7 @@ struct LaneObb {
   }
 };
 
-/// A capsule; of a sphere that of length zero.
+/// A capsule; a sphere is a capsule of length zero.
 template <Dim N, class T>
 struct LaneCapsule {
   LaneVec<N, T> start;

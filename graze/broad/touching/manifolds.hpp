@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// manifold(AnyShape, AnyShape) meets every pair of types in every space: compiled once in manifolds_2d.cpp and
-// manifolds_3d.cpp, for everyone above.
+// manifold(AnyShape, AnyShape) instantiates every pair of types: compiled once in manifolds_2d.cpp and manifolds_3d.cpp
+// for all callers.
 #pragma once
 
 #include <graze/query/manifold.hpp>

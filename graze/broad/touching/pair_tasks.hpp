@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Work on a list of pairs that name shapes, in tasks.
+// Distributes a list of pairs of shapes to tasks.
 #pragma once
 
 #include <algorithm>
@@ -16,12 +16,12 @@
 
 namespace graze::detail {
 
-/// Throws std::out_of_range when a pair names a shape that is not there.
+/// Throws std::out_of_range if a pair names a shape that does not exist.
 inline void check_pairs(std::span<const Pair> pairs, std::size_t shapes, const char* caller) {
   if (pairs.empty()) return;
   if (shapes > 0 && shapes <= std::size_t{1} << 31U) {
-    // The highest bit of an index, or of how far it is below the last one, is set just if it is too large: three
-    // operations for four indices, where a comparison without sign takes more.
+    // The highest bit of an index, or of its distance below the last one, is set exactly if it is too large: three
+    // operations for four indices, fewer than unsigned comparisons take.
     const auto last = static_cast<std::uint32_t>(shapes - 1);
     std::uint32_t any = 0;
     for (const Pair& pair : pairs) any |= pair.a | (last - pair.a) | pair.b | (last - pair.b);
@@ -35,14 +35,14 @@ inline void check_pairs(std::span<const Pair> pairs, std::size_t shapes, const c
   }
 }
 
-/// Runs work(first, last) for tasks of 0 ... count, each of `task_size` but the last.
+/// Calls work(first, last) for ranges of [0, count), each of length `task_size` except the last.
 template <class Work>
 void in_tasks(std::size_t count, std::size_t task_size, const Executor& executor, const Work& work) {
   executor.parallel_for((count + task_size - 1) / task_size,
                         [&](std::size_t task) { work(task * task_size, std::min(count, (task + 1) * task_size)); });
 }
 
-/// What keep(first, last, out) leaves of each task, one after the other: it writes as many as it returns.
+/// Concatenates what keep(first, last, out) writes for each task; it returns how many it wrote.
 template <class Kept, class Keep>
 std::vector<Kept> kept_of_tasks(std::size_t count, std::size_t task_size, const Executor& executor, const Keep& keep) {
   std::vector<Kept> kept(count);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// relation(AnyShape, AnyShape) meets every pair of types in every space: compiled once in relations.cpp, for everyone
-// above.
+// relation(AnyShape, AnyShape) instantiates every pair of types: compiled once in relations.cpp for all callers.
 #pragma once
 
 #include <graze/query/relation.hpp>

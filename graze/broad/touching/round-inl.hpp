@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Verdicts on many pairs of what is round: spheres and capsules, and spheres against boxes along the axes. Included
-// once for each instruction set, hence no ordinary guard.
+// Verdicts on many pairs of spheres and capsules, and of spheres and AABBs. Included once per instruction set, so it
+// has no ordinary include guard.
 #if defined(GRAZE_BROAD_TOUCHING_ROUND_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_TOUCHING_ROUND_INL_HPP
 #undef GRAZE_BROAD_TOUCHING_ROUND_INL_HPP
@@ -19,7 +19,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 
-/// What is certain of each lane's pair.
+/// The certain part of the verdict on each lane's pair.
 template <class T>
 struct LaneVerdict {
   hn::Mask<Tag<T>> apart;
@@ -44,7 +44,7 @@ HWY_INLINE LaneVerdict<T> verdict_of(const LaneSphere<N, T>& a, const LaneSphere
 
 template <Dim N, class T>
 HWY_INLINE LaneVerdict<T> verdict_of(const LaneSphere<N, T>& sphere, const LaneAabb<N, T>& box) {
-  LaneVec<N, T> outside;  // twice as far as it is; |x| + x instead of a maximum keeps NaN
+  LaneVec<N, T> outside;  // twice the distance; |x| + x instead of a maximum preserves NaN
   for (Dim i = 0; i < N; ++i) {
     const auto below = hn::Sub(box.min.at[i], sphere.center.at[i]);
     const auto above = hn::Sub(sphere.center.at[i], box.max.at[i]);
@@ -54,20 +54,20 @@ HWY_INLINE LaneVerdict<T> verdict_of(const LaneSphere<N, T>& sphere, const LaneA
   return verdict_of_squares<T>(inner(outside, outside), hn::Mul(reach, reach));
 }
 
-/// Between these sizes the products of three numbers neither overflow nor lose what counts to underflow.
+/// Between these sizes, products of three numbers neither overflow nor lose significant digits to underflow.
 template <class T>
 inline constexpr T least_size = std::is_same_v<T, float> ? T(0x1p-30) : T(0x1p-300);
 template <class T>
 inline constexpr T largest_size = std::is_same_v<T, float> ? T(0x1p30) : T(0x1p300);
 
-/// Where x lies between 0 and 1, whatever it was.
+/// Clamps x to [0, 1], also NaN.
 template <class T>
 HWY_INLINE Lanes<T> clamped_share(Lanes<T> x) {
   return hn::Min(hn::Max(x, hn::Zero(Tag<T>())), all(T(1)));
 }
 
-/// From a's nearest point to b's, roughly: the lines' points, clamped one after the other (Ericson, Real-Time Collision
-/// Detection, 2005, 5.1.9). Where a quotient is not a number, any share will do.
+/// The approximate vector from a's nearest point to b's: the lines' nearest points, clamped one after the other
+/// (Ericson, Real-Time Collision Detection, 2005, 5.1.9). If a quotient is NaN, any parameter will do.
 template <Dim N, class T>
 HWY_INLINE LaneVec<N, T> way_between(const LaneVec<N, T>& u, const LaneVec<N, T>& v, const LaneVec<N, T>& w) {
   const auto zero = hn::Zero(Tag<T>());
@@ -87,9 +87,9 @@ HWY_INLINE LaneVec<N, T> way_between(const LaneVec<N, T>& u, const LaneVec<N, T>
   return way;
 }
 
-/// The verdict on two cores that are widened, by `reach` in all. Two points of theirs, a way of `length` from each
-/// other, prove that they overlap if that is short; `gap`, the distance along the way between where one ends and the
-/// other begins, times the length, proves that they are apart. So the verdict is right however rough the points are.
+/// The verdict on two cores inflated by `reach` in total, from one point of each. They overlap if the distance `length`
+/// between the points is clearly less than `reach`. They are apart if the gap between the cores along the vector
+/// between the points is clearly more; `gap` is that gap times `length`. Any two points give a correct verdict.
 template <class T>
 HWY_INLINE LaneVerdict<T> proved_verdict(Lanes<T> gap, Lanes<T> length, Lanes<T> reach, Lanes<T> size) {
   const auto usable = hn::And(hn::Gt(size, all(least_size<T>)), hn::Lt(size, all(largest_size<T>)));

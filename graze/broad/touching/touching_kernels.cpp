@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled once per instruction set: Highway includes this file anew for each.
+// Compiled once per instruction set: Highway includes this file again for each.
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -63,7 +63,7 @@ void list_kernel(const T* shapes, const Pair* pairs, std::size_t groups, GroupVe
                         SideOfPairs<T, Stride, &Pair::b>{shapes, pairs}, groups, verdicts, Verdict());
 }
 
-/// Without a branch, which would guess wrong all the time: every pair is written, and the end moves or does not.
+/// Branch-free, because branches would be mispredicted: every pair is written, and the end advances conditionally.
 std::size_t keep_overlapping(const Pair* pairs, const GroupVerdict* verdicts, std::size_t groups, Pair* out) {
   std::size_t kept = 0;
   for (std::size_t group = 0; group < groups; ++group, pairs += touch_group) {
@@ -71,7 +71,7 @@ std::size_t keep_overlapping(const Pair* pairs, const GroupVerdict* verdicts, st
 #if HWY_TARGET <= HWY_AVX3
     static_assert(sizeof(Pair) == sizeof(std::uint64_t));
     for (std::size_t half = 0; half < touch_group; half += touch_group / 2) {
-      // By its intrinsic: for Highway's Compress, GCC copies a table of 2 KiB to the stack each time.
+      // Uses the intrinsic: for Highway's Compress, GCC copies a table of 2 KiB to the stack each time.
       const auto bits = static_cast<std::uint8_t>(overlapping >> half);
       const auto row = _mm512_maskz_compress_epi64(bits, _mm512_loadu_si512(pairs + half));
       _mm512_storeu_si512(out + kept, row);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Quick verdicts on many pairs of one kind at a time, once for every set of vector instructions that the compiler
-// knows. They settle all pairs but those which nearly touch; `relation` settles the rest. So which lanes are left open
-// may depend on the machine, but the answers never do.
+// Fast verdicts on many pairs of one kind at a time, compiled for each instruction set. They decide all pairs except
+// those that nearly touch; `relation` decides the rest. Which lanes remain open may depend on the machine, but the
+// answers never do.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@
 
 namespace graze::detail {
 
-/// How many pairs a kernel takes in one go: the lanes of the widest vector of floats.
+/// The number of pairs in a group: the lanes of the widest vector of floats.
 inline constexpr std::size_t touch_group = 16;
 
-/// What is certain of a group of pairs, one bit each. Neither: too close to tell, or not numbers.
+/// The certain verdicts on a group of pairs, one bit each. Neither bit set: too close to decide, or NaN.
 struct GroupVerdict {
   std::uint16_t apart = 0;
   std::uint16_t overlapping = 0;
@@ -40,11 +40,11 @@ inline constexpr std::size_t touch_kinds = 10;
 template <class T>
 using TouchKernel = void (*)(const T* const* a, const T* const* b, std::size_t groups, GroupVerdict* verdicts);
 
-/// The same for shapes of one type that lie side by side, by the pairs that name them.
+/// The same for arrays of shapes of one type, by the pairs that name them.
 template <class T>
 using TouchListKernel = void (*)(const T* shapes, const Pair* pairs, std::size_t groups, GroupVerdict* verdicts);
 
-/// Writes the pairs of whole groups that overlap to `out`, which has room for all, in their order. Returns how many.
+/// Writes the overlapping pairs of whole groups to `out`, which has space for all, in order. Returns their number.
 using KeepKernel = std::size_t (*)(const Pair* pairs, const GroupVerdict* verdicts, std::size_t groups, Pair* out);
 
 template <class T>
@@ -52,8 +52,8 @@ struct TouchingKernels {
   TouchKernel<T> of[touch_kinds];
   TouchListKernel<T> of_spheres;
   TouchListKernel<T> of_aabbs;
-  TouchListKernel<T> of_obbs;       ///< Leaves two or three of a hundred pairs open, to
-  TouchListKernel<T> of_open_obbs;  ///< this one, which leaves one of thousands.
+  TouchListKernel<T> of_obbs;       ///< Leaves two or three percent of the pairs open, for
+  TouchListKernel<T> of_open_obbs;  ///< this one, which leaves one in thousands.
   TouchListKernel<T> of_capsules;
   KeepKernel keep;
 
