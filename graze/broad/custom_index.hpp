@@ -23,7 +23,7 @@
 
 namespace graze {
 
-/// What CustomIndex builds on: box numbers, stored in any way you like.
+/// What CustomIndex requires of a finder, which stores numbered boxes in any data structure.
 ///
 ///     add(number, box)           Adds a box, which may have infinite sides. May throw, and then changes nothing.
 ///     remove(number, box)        Removes it; `box` is the one that was added. Does not throw, and neither does an
@@ -186,7 +186,7 @@ class CustomIndex {
     return reach;
   }
 
-  /// What lies outside is farther away on some axis, by more than rounding.
+  /// A point outside this box is farther away than `radius` along some axis, by more than rounding.
   static Box around(const Vec<N, T>& point, double radius) {
     Box box;
     for (Dim i = 0; i < N; ++i) {

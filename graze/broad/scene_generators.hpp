@@ -23,8 +23,8 @@ enum class World {
   /// Uniformly distributed; the cubes fill 0.1 of the volume, in 2D 0.3 of the area (Serpa and Rodrigues 2020,
   /// "Broadmark").
   brownian,
-  heavy,    ///< Sizes over 1 to 1000 with a heavy tail: one in s is larger than s. The volumes of the boxes add up to
-            ///< that of the world.
+  heavy,  ///< Sizes over 1 to 1000 with a heavy tail: one box in s is larger than s. The volumes of the boxes add up to
+          ///< that of the world.
   cluster,  ///< Dense clouds of various sizes far from each other: one per 10,000 boxes, at least eight.
   line,     ///< All centers on one line along the first axis.
   plane,    ///< All centers on one plane across the last axis; in 2D the same as line.

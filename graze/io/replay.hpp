@@ -35,8 +35,8 @@ struct ReplayReport {
 /// The number of differences that a report describes.
 inline constexpr std::size_t most_differences = 10;
 
-/// Performs all calls on a new subject and a new judge. Results must be equal to the bit; of exceptions only that both
-/// throw. `on_call` is called with the number of calls done.
+/// Performs all calls on a new subject and a new judge, and compares the results bit for bit; exceptions count as equal
+/// whatever their messages. `on_call` is called with the number of calls done.
 template <Dim N>
 ReplayReport replay(const QueryLog<N>& log, const ReplayTargets<N>& targets,
                     const std::function<void(std::size_t)>& on_call = {});

@@ -29,7 +29,7 @@ struct ObjectVelocity {
 
 /// A scene and the other contents of its file.
 struct SceneFile {
-  AnyScene scene;                               ///< No update was made yet.
+  AnyScene scene;                               ///< Not updated yet.
   std::string source;                           ///< The file's name as the user gave it, for messages and reports.
   std::string format;                           ///< "graze.scene/1", "csv", "tiled"
   YAxis y_axis = YAxis::up;                     ///< Down for Tiled maps, else up.

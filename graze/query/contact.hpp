@@ -32,9 +32,9 @@
 /// collinear segments perpendicular to their line, for a point on a point x. It is also x for concentric spheres, and
 /// perpendicular to the axes for capsules whose axes are collinear.
 ///
-/// No translation separates planes that cross, half-spaces unless they face each other, and a ray that runs into a
-/// half-space, or crosses another boundary and does not come back. For these the depth is infinite, the normal zero,
-/// and both points are a common point.
+/// No translation separates planes and half-spaces that are not parallel, half-spaces that do not face each other, or a
+/// half-space and a ray that runs into it. For these the depth is infinite, the normal zero, and both points are a
+/// common point.
 ///
 /// A compound counts as its deepest part, of several the first; where parts overlap, the way out of one may lead deeper
 /// into another. Swapping the arguments swaps the points, negates the normal and changes no bit of anything else,

@@ -16,8 +16,8 @@
 ///
 /// Epsilon is that of double unless T is named. Hardly any point of T lies exactly on a set without thickness, hence
 /// the tolerance there. A solid thinner than the tolerance (a flat box, a capsule of radius 1e-9 at coordinate 1 in
-/// float) is tested as if it were that thick. A point with a NaN is in nothing. Coordinates may be any finite numbers;
-/// see range.hpp for sizes that differ by more than a factor of 2^900.
+/// float) is tested as if it were that thick. No shape contains a point with a NaN. Coordinates may be any finite
+/// numbers; see range.hpp for sizes that differ by more than a factor of 2^900.
 #pragma once
 
 #include <algorithm>

@@ -3,30 +3,30 @@
 /// manifold(a, b): a few contact points that hold two shapes apart as their whole contact area would. A solver needs
 /// them so that a box rests on a floor without toppling.
 ///
-/// The normal and the depth are those of contact(a, b), which also decides whether there is a contact. If a face of one
-/// shape lies across the normal (of both: the same shape's whichever is called a; a plane's first), the other shape's
-/// face that points most against it is projected onto it and clipped at its sides and at its surface. Every corner of
-/// the result is a contact with its own depth along the normal. Two parallel edges (of capsules and segments in 3D)
-/// give the ends of their common part; everything else gives the single point of `contact`. So a sphere has one point,
-/// a lying capsule two, and boxes, triangles and polytopes have up to four. If there are more, those that span the area
-/// are chosen: the deepest, the farthest from it, and on either side of the line between them the one that makes the
-/// largest triangle. Rays and users' shapes, which have no faces, and pairs that no translation separates have the
-/// point of `contact`. A flat face rests on another one that is tilted by up to 1e-5 radians if no part of it above the
-/// other is higher than 1e-5 of half the perimeter of the smaller one; then nothing is clipped at the surface, and
-/// corners above it have depth 0.
+/// The normal and the depth are those of contact(a, b), which also decides whether there is a contact. A face of either
+/// shape that is perpendicular to the normal is the reference face; if both shapes have one, a plane's comes first, and
+/// otherwise the choice does not depend on the order of the arguments. The face of the other shape that points most
+/// against it is projected onto it and clipped at its sides and at its surface. Every corner of the result is a contact
+/// with its own depth along the normal. Two parallel edges (of capsules and segments in 3D) give the ends of their
+/// common part. Everything else, also rays, users' shapes and pairs that no translation separates, gives the single
+/// point of `contact`. So a sphere has one point, a lying capsule two, a box up to four. Of more points, those that
+/// span the area are chosen: the deepest, the farthest from it, and on either side of the line between them the one
+/// that makes the largest triangle. A face that is tilted against another by up to 1e-5 radians rests on it if no part
+/// of it is higher above the other than 1e-5 of half the perimeter of the smaller face; then nothing is clipped at the
+/// surface, and corners above it have depth 0.
 ///
-/// Each point has an id that tells on which corner, edge or face of a, and of b, it lies. No two points of a manifold
-/// have the same id. It is stable from frame to frame until a corner crosses a side of the other shape, so a solver can
-/// reuse the impulses of the last frame. Features are numbered by the shape itself (patch.hpp) whatever its pose, if
-/// its corners keep their order, as with `transformed`. Among points that are equally good up to 1e-5 of the area the
-/// choice is stable (except for two boxes that cross in an octagon when both rotate far). Faces lie across the normal,
-/// and edges are parallel, up to 1e-5 radians; corners of a polytope that are closer than 1e-5 of its size count as
-/// one.
+/// Each point has an id that tells on which vertex, edge or face of a, and of b, it lies; no two points of a manifold
+/// have the same one. It is stable from frame to frame until a corner crosses a side of the other shape, so a solver
+/// can reuse the impulses of the last frame. The index of a feature (see `Feature`) does not depend on the pose of a
+/// shape whose corners keep their order, as with `transformed`. Among points that are equally good up to 1e-5 of the
+/// area the choice is stable (except for two boxes that cross in an octagon when both rotate far). Faces count as
+/// perpendicular to the normal, and edges as parallel, within 1e-5 radians; corners of a polytope that are closer than
+/// 1e-5 of its size count as one.
 ///
 /// A compound counts as its deepest part, which the ids name. Swapping the arguments swaps everything, except for the
-/// order of equal shapes. Coordinates as in contact.hpp. Errors of the points are those of `contact`, and errors of the
-/// depths are at most `error`; both are larger by 1e-5 of the size for faces that are not exactly perpendicular to the
-/// normal or rest on each other, and for polytopes with corners that close to each other.
+/// order of equal shapes. Any finite coordinates are allowed, as in contact.hpp. Errors of the points are those of
+/// `contact`, and errors of the depths are at most `error`; both are larger by 1e-5 of the size for faces that are not
+/// exactly perpendicular to the normal or rest on each other, and for polytopes with corners that close to each other.
 #pragma once
 
 #include <algorithm>

@@ -13,8 +13,8 @@
 ///                                                              in 3D, or nearly at its edges
 ///     compound                                                 part by part
 ///
-/// A filter, query/ray_*_filter.hpp, decides most rays: the closed form with plain sums, or in float. Close cases are
-/// left to the careful calculation, query/ray/careful.hpp.
+/// Filters, in query/ray/filter, decide most rays: the closed form with plain sums, or in float. Close cases are left
+/// to the careful calculation, query/ray/careful.hpp.
 ///
 /// There is a hit if and only if intersects(shape, ray), or for a segment intersects(shape, segment), is true: it
 /// decides near misses, which then hit where the ray comes nearest. So a ray through the common edge or corner of two

@@ -3,12 +3,11 @@
 /// time_of_impact(a, motion_a, b, motion_b): when and where two shapes that move and rotate first touch.
 ///
 /// For any two shapes. If they meet at the start, as relation(a, b) decides, the impact is contact(a, b) at t = 0. If
-/// neither rotates, it is that of shape_cast.hpp. For convex shapes, and for one and a plane or half-space,
-/// motion_advance.hpp finds the time. A ray is cut where the other shape never comes; a compound counts as its first
-/// part to touch. For two unbounded shapes (rays, planes, half-spaces), parallel planes with equal rotations have the
-/// time of their distance; planes that start to rotate against each other meet at once, far away. For other unbounded
-/// pairs that rotate, the result only states that they do not meet before t = 0, with `best_bound` and their distance
-/// as the error.
+/// neither rotates, it is that of shape_cast.hpp. For two convex shapes, and for a convex shape and a plane or
+/// half-space, motion_advance.hpp finds the time. A ray is cut beyond the reach of the other shape; a compound counts
+/// as its first part to touch. Of two unbounded shapes that rotate (rays, planes, half-spaces), the time is exact for
+/// parallel planes and half-spaces with equal rotations. For all others the result is only the lower bound t = 0, with
+/// `best_bound` and their distance as the error; planes that rotate against each other do meet at once, far away.
 ///
 /// `error` is a length: at t, before rounding to T, the shapes are at most that far apart, and before t they do not
 /// touch. It is 2^-36 of the pair's size and path, or a few epsilon of the largest coordinate if that is more (of T for

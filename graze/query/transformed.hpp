@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// transformed(shape, pose) for shapes that hold other shapes (simple ones: shape/fields/transformed.hpp); and
-// translated(shape, offset).
+/// @file
+/// transformed(shape, pose) and translated(shape, offset) for compounds and variants. `transformed` for other shapes is
+/// declared with their types.
 #pragma once
 
 #include <type_traits>

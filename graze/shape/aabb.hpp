@@ -95,15 +95,16 @@ inline constexpr auto description_of<Aabb<N, T>> = Description("aabb", field::po
                                                                field::point("max", &Aabb<N, T>::max));
 }  // namespace detail
 
-/// As of every shape, and its corners must be in order.
+/// Empty for valid values. Otherwise the first fault, worded as the rest of a sentence: a coordinate that is not
+/// finite, or a min above its max.
 template <Dim N, class T>
 std::string_view defect(const Aabb<N, T>& box) {
   if (const std::string_view found = detail::defect_of_fields(box); !found.empty()) return found;
   return is_nothing(box) ? "has a min above its max" : "";
 }
 
-/// True when the boxes, neither of them `is_nothing`, share a point; touching counts. Exact. False when a coordinate is
-/// NaN.
+/// True if two boxes share a point; touching counts. Exact. False if a coordinate is NaN. Neither box may be
+/// `is_nothing`.
 template <Dim N, class T>
 bool boxes_overlap(const Aabb<N, T>& a, const Aabb<N, T>& b) {
   for (Dim i = 0; i < N; ++i) {

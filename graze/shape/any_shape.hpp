@@ -25,8 +25,8 @@
 
 namespace graze {
 
-/// Any one shape, a point (a plain vector) included. The order here is the order of arguments in which functions of
-/// pairs are written.
+/// A shape of any type; a point is a plain vector. Algorithms for pairs are written for arguments in the order of these
+/// alternatives.
 template <Dim N, class T = float>
 using AnyShape = std::variant<Vec<N, T>, Segment<N, T>, Ray<N, T>, Sphere<N, T>, Aabb<N, T>, Obb<N, T>, Plane<N, T>,
                               HalfSpace<N, T>, Triangle<N, T>, Capsule<N, T>, Polytope<N, T>, Compound<N, T>>;

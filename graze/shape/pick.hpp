@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What lies in the world at a point of the screen.
+/// Finds the ray or point of the world that is shown at a point of the screen.
 #pragma once
 
 #include <cmath>

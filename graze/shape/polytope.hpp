@@ -189,8 +189,8 @@ Vec<N, double> support(const Polytope<N, T>& polytope, const std::type_identity_
   return wide<N, T>(polytope.vertices()[detail::rows_of(polytope).farthest(direction)]);
 }
 
-/// Every corner moved, with its index kept, so that the ids of contacts continue. In 2D a corner that rounding has put
-/// between its neighbours, or behind the line through them, is dropped, and the following ones move up. Throws
+/// The image of a polytope. Corners keep their indices, so that contact ids stay the same. In 2D a corner that rounding
+/// has put between its neighbours, or behind the line through them, is dropped, and the following ones move up. Throws
 /// std::invalid_argument if a coordinate is not finite.
 template <Dim N, class T>
 Polytope<N, T> transformed(const Polytope<N, T>& polytope, const Pose<N, T>& pose) {

@@ -33,7 +33,7 @@ Vec<N, double> support(const Segment<N, T>& segment, const std::type_identity_t<
   return dot(end, direction) > dot(start, direction) ? end : start;
 }
 
-/// The squared length: the cheaper sibling of `length`, enough for comparisons.
+/// The squared length, in double. Cheaper than `length`, and enough for comparisons.
 template <Dim N, class T>
 double length_squared(const Segment<N, T>& segment) {
   const Vec<N, double> edge = wide<N, T>(segment.end) - wide<N, T>(segment.start);

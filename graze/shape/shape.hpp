@@ -25,8 +25,8 @@ struct Space {
   using scalar = T;                    ///< float or double.
 };
 
-/// The dimension and number type of a shape. For built-in types they are read off the template arguments, for a user's
-/// type off the type of `support`. Specialise it for a type to which neither applies.
+/// The dimension and number type of a shape. For built-in types they are taken from the template arguments, for a
+/// user's type from the type of `support`. Specialise it for a type to which neither applies.
 template <class S>
 struct ShapeTraits {};
 
