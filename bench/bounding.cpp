@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Bounding volumes of n points: graze's beside the usual recipes, on the same points in float and double, 2D and 3D.
-// The recipes: the farthest point from the centroid, and Ritter's sphere (1990); they calculate in T, so that points
-// may stick out of theirs. Before anything is timed, every volume of graze is checked to contain all points, and the
-// sizes to be in order: smallest sphere <= fast sphere, recipes; oriented box <= axis-aligned box.
+// Compares graze's bounding volumes of n points with the usual methods on the same points, in float and double, 2D and
+// 3D: the sphere around the centroid, and Ritter's sphere (1990). These calculate in T, so points may be outside of
+// their volumes. Before timing, every volume of graze is checked to contain all points, and sizes are checked: smallest
+// sphere <= fast sphere, other methods; oriented box <= axis-aligned box.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,7 +24,7 @@ using graze::Dim;
 using graze::Sphere;
 using graze::Vec;
 
-/// How points are spread: in a cube, around a middle, on a sphere, on a line that is no axis.
+/// How points are distributed: in a cube, normally, on a sphere, on a line not parallel to an axis.
 enum class Spread { cube, normal, shell, line };
 constexpr std::array<const char*, 4> spread_names = {"cube", "normal", "shell", "line"};
 
@@ -45,7 +45,7 @@ std::vector<Vec<N, T>> random_points(std::size_t count, Spread spread) {
   return points;
 }
 
-/// The recipe of most textbooks: around the mean of the points, as far as the farthest.
+/// The usual textbook method: centered at the centroid, with the distance of the farthest point as radius.
 template <Dim N, class T>
 Sphere<N, T> centroid_sphere(const std::vector<Vec<N, T>>& points) {
   Vec<N, T> sum(T(0));
@@ -66,7 +66,7 @@ Vec<N, T> farthest_point(const std::vector<Vec<N, T>>& points, const Vec<N, T>& 
   });
 }
 
-/// Ritter's sphere: on two points far apart, grown to each point outside.
+/// Ritter's sphere: spans two points far apart, and grows to contain each point outside.
 template <Dim N, class T>
 Sphere<N, T> ritter_sphere(const std::vector<Vec<N, T>>& points) {
   const Vec<N, T> a = farthest_point(points, points.front());
@@ -84,7 +84,7 @@ Sphere<N, T> ritter_sphere(const std::vector<Vec<N, T>>& points) {
   return sphere;
 }
 
-/// How far points stick out of a sphere, relative to its radius, in double.
+/// How far points are outside of a sphere, relative to its radius, in double.
 template <Dim N, class T>
 double overhang(const Sphere<N, T>& sphere, const std::vector<Vec<N, T>>& points) {
   const Vec<N, double> center = graze::wide<N, T>(sphere.center);
@@ -121,7 +121,7 @@ void require_valid_answers() {
   }
 }
 
-/// Times `bound(points)` and reports what `size_of` says of the result.
+/// Times `bound(points)` and reports `size_of` of the result.
 template <Dim N, class T, class Bound, class Size>
 void add(const std::string& name, Bound bound, Size size_of, double unit_of_size) {
   const std::string space = std::to_string(N) + "D " + (sizeof(T) == sizeof(float) ? "float" : "double");
@@ -146,7 +146,7 @@ void add_all() {
     return graze::detail::size_of(graze::detail::upright_obb(box), 1);
   };
   const auto obb_size = [](const graze::Obb<N, T>& box) { return graze::detail::size_of(box, 1); };
-  const double whole = N == 2 ? 4 : 8;  // of half extents: the area, the surface
+  const double whole = N == 2 ? 4 : 8;  // of half extents: area, volume
   add<N, T>(
       "bounding_box", [](const Points& points) { return graze::bounding_box(points); }, box_size, whole);
   add<N, T>(

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Bvh and graze's other indexes beside those of Boost, Box2D, Bullet, Embree, FCL and nanoflann, on the bounding boxes
-// of cubes that drift in a plane or in space: build, move all or one in a hundred, and 100,000 questions each: what is
-// around, what does a ray enter first, what is nearest. Who does not offer something is left out of it. Every answer
-// that is timed is compared; a wrong one makes the status 1. The folder beside this file has the contestants.
+// Compares Bvh and graze's other indexes with those of Boost, Box2D, Bullet, Embree, FCL and nanoflann, on the bounding
+// boxes of cubes that drift, in 2D or 3D: build, move all or one percent, and 100,000 queries each for the boxes in a
+// region, the first box on a ray, and the nearest boxes. A library that lacks an operation does not take part in it.
+// All timed answers are compared; a wrong one makes the exit status 1. The contestants are in the folder beside this
+// file.
 #include <cctype>
 #include <cstdio>
 #include <exception>

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// contact and manifold for pairs of bounded primitives in 3D, beside FCL's collide with up to four contacts (double),
-// ODE's dCollide (double) and, for two oriented boxes, Bullet's detector and the manifold that its worlds keep (float),
-// each in a file of bench/contact. A thousand random pairs each, all in cache, some of them apart; spheres, capsules
-// and boxes also in one call of `contacts`, in double and in float; of most kinds also pairs that all meet, and of
-// oriented boxes some that lie on each other. A thousand pairs, asked again and again, are few enough that the
-// processor learns by heart where each branch goes; so of oriented boxes there are also sixteen thousand, of which it
-// does not, as in a world where nothing lies twice as it did. A scene of oriented boxes in towers tells its contacts,
-// too, beside a call of manifold for each of its pairs. Before anything is timed the others' depths are compared with
-// graze's: graze's is the least, so that none may be less; those of the others may be up to 5 % more where two edges
-// meet, because they prefer faces by as much.
+// Compares contact and manifold for pairs of bounded primitives in 3D with FCL's collide with up to four contacts
+// (double), ODE's dCollide (double) and, for two oriented boxes, Bullet's detector and its persistent manifold (float);
+// each library has a file in bench/contact. A thousand random pairs each, all in cache, some of them apart. Spheres,
+// capsules and boxes also in one call of `contacts`, in double and in float; most kinds also with overlapping pairs
+// only, and oriented boxes also resting on each other. The branch predictor learns a thousand pairs that are queried
+// repeatedly; so oriented boxes are also timed with sixteen thousand pairs, which it does not learn, as in a simulation
+// where no two frames are alike. The contacts of a scene of towers of oriented boxes are also compared with a call of
+// manifold for each of its pairs. Before timing, depths are compared: graze's is the minimum, so no other may be less;
+// others may be up to 5 % more where two edges meet, because they prefer faces by that much.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -126,7 +125,7 @@ Pairs<A, B> random_pairs(double spread, std::size_t count = few_pairs) {
   return pairs;
 }
 
-/// Pairs that meet, in each other by up to `most_depth`.
+/// Pairs that overlap by up to `most_depth`.
 template <class A, class B>
 Pairs<A, B> meeting_pairs(double most_depth = std::numeric_limits<double>::infinity(), std::size_t count = few_pairs) {
   Pairs<A, B> pairs;
@@ -141,7 +140,7 @@ Pairs<A, B> meeting_pairs(double most_depth = std::numeric_limits<double>::infin
   return pairs;
 }
 
-/// Boxes on boxes, turned about the upright axis and sunk in a little; every stack turned as a whole.
+/// Boxes stacked on boxes, rotated about the vertical axis and slightly overlapping; every stack is rotated as a whole.
 Pairs<Obb, Obb> stacked_boxes(std::size_t count) {
   Pairs<Obb, Obb> pairs(count);
   Random random(1);
@@ -159,7 +158,7 @@ Pairs<Obb, Obb> stacked_boxes(std::size_t count) {
 
 // ---- Timing
 
-/// Times `measure` of each of some items, which are pairs of shapes.
+/// Times `measure` for each of some items, which are pairs of shapes.
 template <class Item, class Measure>
 void time_each(const std::string& name, std::shared_ptr<const std::vector<Item>> items, Measure measure) {
   benchmark::RegisterBenchmark(name.c_str(), [items, measure](benchmark::State& state) {
@@ -173,7 +172,7 @@ void time_each(const std::string& name, std::shared_ptr<const std::vector<Item>>
   });
 }
 
-/// Compares, prints, and times another library: Theirs is a pair of shapes as it has them.
+/// Compares, prints, and times another library; Theirs is a pair of shapes in its form.
 template <class Theirs, class A, class B>
 void time_other(const std::string& title, const Pairs<A, B>& pairs) {
   const std::string name = title + "/" + Theirs::name;
@@ -220,8 +219,8 @@ graze::Capsule<3, T> stored(const Capsule& capsule) {
   return {stored<T>(capsule.a), stored<T>(capsule.b), static_cast<T>(capsule.radius)};
 }
 
-/// `contacts` of all pairs as candidates, in one call. Before they are timed, the answers are compared with those of
-/// single calls.
+/// `contacts` of all pairs as candidates, in one call. Before timing, its answers are compared with those of single
+/// calls.
 template <class T, class A, class B>
 void time_batch(const std::string& name, const Pairs<A, B>& pairs) {
   using Any = graze::AnyShape<3, T>;
@@ -252,7 +251,7 @@ void time_batch(const std::string& name, const Pairs<A, B>& pairs) {
 using Scene = graze::Scene<3, double>;
 using ObjectContacts = std::vector<graze::ObjectContact<3, double>>;
 
-/// Towers of boxes that lie on each other, turned about the upright axis and sunk in a little.
+/// Towers of boxes resting on each other, rotated about the vertical axis and slightly overlapping.
 std::shared_ptr<const Scene> towers() {
   constexpr std::size_t tower_count = 32;
   constexpr std::size_t boxes_in_tower = 32;
@@ -350,7 +349,7 @@ int main(int argc, char** argv) {
   register_pairs("aabb, capsule that meet", meeting_pairs<Aabb, Capsule>());
   register_pairs("obb, capsule", random_pairs<Obb, Capsule>(1));
   register_pairs("obb, capsule that meet", meeting_pairs<Obb, Capsule>());
-  constexpr double hardly = 0.1;  // as shapes meet in a simulation
+  constexpr double hardly = 0.1;  // as shapes in a simulation do
   register_pairs("obb, capsule that meet by up to 0.1", meeting_pairs<Obb, Capsule>(hardly));
   register_pairs("obb, triangle", random_pairs<Obb, Triangle>(1));
   register_pairs("obb, triangle that meet", meeting_pairs<Obb, Triangle>());

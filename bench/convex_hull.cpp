@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Convex hulls of points in the plane and in space, double: convex_hull, which gives the corners, and in space
-// convex_mesh, which gives faces and edges too, beside qhull, which gives facets, with its default options, and in the
-// plane beside CGAL. All on one thread.
+// Compares convex hulls of points in double: convex_hull, which returns corners, and in 3D convex_mesh, which also
+// returns faces and edges, with qhull, which returns facets, with its default options, and in 2D with CGAL. All on one
+// thread.
 //
-// Before anything is timed all answers are compared, and the program ends with an error where they differ: CGAL, which
-// decides exactly too, has to find the same corners, and so has qhull where no three or four points are nearly on a
-// line or plane. Elsewhere qhull drops what sticks out by no more than its rounding, and keeps some that are no
-// corners: such a point may be no farther from the other hull's surface than a trillionth. Area or volume have to be
-// the same up to that, everywhere.
+// Before timing, all answers are compared, and the program fails if they differ: CGAL, which also decides exactly, must
+// find the same corners, and so must qhull unless three or four points are nearly collinear or coplanar. In those cases
+// qhull drops points that stick out by no more than its rounding error and keeps some that are not corners; such a
+// point may be no farther than 1e-12 from the other hull's surface. Areas and volumes must always agree up to that.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -44,10 +43,10 @@ using graze::hull_bench::Qhull;
 template <Dim N>
 using Hull = graze::Polytope<N, double>;
 
-/// Relative to the size of the points.
+/// Relative to the extent of the points.
 constexpr double tolerance = 1e-12;
 
-// ---- Comparing
+// ---- Comparison
 
 template <Dim N>
 Points<N> sorted(std::span<const Vec<N, double>> points) {
@@ -65,7 +64,7 @@ Points<N> only_in(const Points<N>& one, const Points<N>& other) {
   return result;
 }
 
-/// How far corners of a polygon stick out of that which the shared ones make.
+/// How far corners are outside of the polygon of the shared corners.
 double farthest_dropped(const Hull<2>& hull, const Points<2>& dropped) {
   const auto corners = hull.vertices();
   const auto is_dropped = [&](std::size_t i) {
@@ -95,7 +94,7 @@ double farthest_dropped(const Hull<3>& hull, const Points<3>& dropped) {
   return farthest;
 }
 
-/// How deep points are inside, a thousand of them if there are more.
+/// How deep points are inside, for at most a thousand of them.
 template <Dim N>
 double deepest(const Hull<N>& hull, const Points<N>& points) {
   double depth = 0;
@@ -104,7 +103,7 @@ double deepest(const Hull<N>& hull, const Points<N>& points) {
   return depth;
 }
 
-/// Says how two hulls of the same points differ; whether by no more than they may.
+/// Prints how two hulls of the same points differ. Returns whether the differences are within the tolerance.
 template <Dim N>
 bool compare(const std::string& name, const Hull<N>& hull, const Points<N>& theirs, bool are_same_required) {
   const Points<N> ours = sorted<N>(hull.vertices());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// closest_points for pairs of bounded primitives in 3D, beside FCL's distance with nearest points (double). A thousand
-// random pairs each, one in four or fewer of them hits, all in cache. FCL's answers are compared with graze's before
-// anything is timed, and the largest difference on pairs that are apart is printed.
+// Compares closest_points for pairs of bounded primitives in 3D with FCL's distance with nearest points (double). A
+// thousand random pairs each, at most one in four of them overlapping, all in cache. FCL's answers are compared with
+// graze's before timing, and the largest difference on pairs that are apart is printed.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -127,7 +127,7 @@ FclShape fcl_shape(const Obb& box) {
   return shape;
 }
 
-/// FCL's capsules stand along z.
+/// FCL's capsules are parallel to z.
 FclShape fcl_shape(const Capsule& capsule) {
   const fcl::Vector3d way = fcl_vector(capsule.b - capsule.a);
   FclShape shape{std::make_shared<fcl::Capsuled>(capsule.radius, way.norm())};

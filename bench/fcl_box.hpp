@@ -13,7 +13,7 @@
 
 namespace bench {
 
-/// A numbered object of FCL whose box is given, not calculated from a shape and its place, which would round.
+/// A numbered object of FCL with a given box, not one calculated from its shape and pose, which would round.
 template <class T>
 class FclBox final : public fcl::CollisionObject<T> {
  public:
@@ -38,9 +38,9 @@ class FclBox final : public fcl::CollisionObject<T> {
   std::size_t number_;
 };
 
-/// FCL's manager of a tree in arrays; the one with pointers is slower. By its defaults FCL 0.7 balances the tree anew
-/// from the top once it is ten levels too high, and no longer knows which leaf is whose: of a thousand boxes in
-/// clusters, pairs of other boxes are found from the 43rd frame on. So that is left out here.
+/// FCL's manager with a tree in arrays; the one with pointers is slower. By default, FCL 0.7 rebalances the tree from
+/// the top once it is ten levels too high, and then loses track of the leaves: for a thousand boxes in clusters, wrong
+/// pairs are found from the 43rd frame on. So rebalancing is disabled here.
 template <class T>
 class FclTree : public fcl::DynamicAABBTreeCollisionManager_Array<T> {
  public:

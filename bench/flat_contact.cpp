@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// contact, manifold and contacts of circles, capsules and boxes in the plane, in float, beside Box2D's b2Collide... and
-// the world points of its manifolds. Pairs that all meet: a thousand, few enough that the processor learns by heart
-// where each branch goes, and sixteen thousand, of which it does not. Before anything is timed, depths are compared:
-// graze's is the least, so that Box2D's may be more, by what it prefers the first polygon's sides for and by what
-// floats round, but not less.
+// Compares contact, manifold and contacts of circles, capsules and boxes in 2D, in float, with Box2D's b2Collide... and
+// the world points of its manifolds. All pairs overlap: a thousand, which the branch predictor learns, and sixteen
+// thousand, which it does not. Before timing, depths are compared: graze's is the minimum, so Box2D's may be more, by
+// its preference for the first polygon's sides and by rounding, but not less.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -90,7 +89,7 @@ b2CircleShape box2d_shape(const Circle& circle) {
 }
 b2Transform box2d_pose(const Circle& circle) { return {box2d(circle.center), b2Rot(0)}; }
 
-/// Without the skin that Box2D gives polygons.
+/// Without the polygon skin of Box2D.
 b2PolygonShape box2d_box(const Point& half) {
   b2PolygonShape shape;
   shape.SetAsBox(half.x, half.y);
@@ -120,14 +119,14 @@ void collide(b2Manifold& manifold, const b2PolygonShape& a, const b2Transform& a
   b2CollidePolygons(&manifold, &a, at_a, &b, at_b);
 }
 
-/// Two shapes as Box2D has them.
+/// Two shapes in Box2D's form.
 template <class A, class B>
 class Box2DPair {
  public:
   Box2DPair(const A& a, const B& b)
       : a_(box2d_shape(a)), b_(box2d_shape(b)), at_a_(box2d_pose(a)), at_b_(box2d_pose(b)) {}
 
-  /// The deepest of the points, where they are in the world; less than zero if there is none.
+  /// The depth of the deepest world point; negative if there is none.
   float find() const {
     b2Manifold manifold;
     collide(manifold, a_, at_a_, b_, at_b_);

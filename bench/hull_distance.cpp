@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The distance and the nearest points of two convex hulls of 8 to 256 corners, each seen through a pose, beside Bullet
-// (float) and FCL with either of its solvers (double), each in a file of bench/hull_distance. ODE has no distances, and
-// libccd none of its own. Pairs are apart. Cold: frame after frame, all pairs in turns, each from nothing. Cold, by
-// heart: of each pair the first frame, which are few enough that the processor learns where each branch goes. Followed:
-// frame after frame and back, each with what its library remembers of the frame before. Before
-// anything is timed graze's answers are proved by planes that part the hulls, and the others' distances compared with
-// them: how many are off by more than a library's numbers and its tolerance explain is printed.
+// Compares the distance and the nearest points of two convex hulls of 8 to 256 corners, each with a pose, with Bullet
+// (float) and both of FCL's solvers (double); each library has a file in bench/hull_distance. ODE has no distance
+// query, and libccd has none of its own. Pairs are apart. "Cold": all pairs in turn, frame after frame, without cached
+// data. "Cold, by heart": only the first frame of each pair, so few queries that the branch predictor learns them.
+// "Followed": frame after frame and back, each with the library's cached data of the previous frame. Before timing,
+// graze's answers are proved by separating planes, and the others' distances are compared with them: the number of
+// those that are off by more than a library's precision and tolerance explain is printed.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -62,7 +62,7 @@ class Graze {
   graze::SimplexCache<3> cache_;
 };
 
-/// A library's view of all pairs.
+/// All pairs in a library's form.
 template <class Library>
 using Entrants = std::vector<std::unique_ptr<Library>>;
 
@@ -73,7 +73,8 @@ std::shared_ptr<Entrants<Library>> entered(const std::vector<MovingPair>& pairs)
   return result;
 }
 
-/// How a library's distances of all frames differ from graze's. More than a few that do say that it is asked wrongly.
+/// Compares a library's distances in all frames with graze's. More than a few differences indicate that it is called
+/// incorrectly.
 template <class Library>
 void compare(const std::string& title, const std::vector<MovingPair>& pairs, double tolerance) {
   const auto graze = entered<Graze>(pairs);
@@ -98,8 +99,8 @@ void compare(const std::string& title, const std::vector<MovingPair>& pairs, dou
   std::exit(1);
 }
 
-/// Ends the program unless graze's points are as far apart as it says, and planes across its normal through them part
-/// the hulls: then there is no smaller distance.
+/// Ends the program unless graze's points are as far apart as it says, and the planes through them, perpendicular to
+/// its normal, separate the hulls: then no smaller distance exists.
 void require_proof(const std::string& title, const std::vector<MovingPair>& pairs) {
   constexpr double slack = 1e-12;
   for (const MovingPair& pair : pairs) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The quad tree beside the one of most textbooks, made right, at its usual limits (15 boxes, depth 5) and as deep as
-// the number of boxes asks for; and beside a flat one whose boxes lie in every leaf that they touch. Squares that drift
-// in a plane: insert all, ask for each what is around it, move all. Answers are compared before anything is timed, and
-// the number of hits in what is timed. At the end: how many times as long the faster textbook one takes as graze, which
-// takes in its boxes at once.
+// Compares the quadtree with the usual textbook one, without its errors, at its usual limits (15 boxes, depth 5) and as
+// deep as the number of boxes requires; and with a flat one that stores boxes in every leaf that they touch. Drifting
+// squares: insert all, query the neighbourhood of each, move all. Answers are compared before timing, and the number of
+// hits in the timed run. At the end, the ratio of the faster textbook tree's time to that of graze with bulk insertion
+// is printed.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -30,7 +30,7 @@ namespace {
 
 using Box = graze::Aabb<2, float>;
 
-/// Two frames of a world that end as they began, so that everything can move to and fro.
+/// Two frames of a scene that is cyclic, so that everything can move back and forth.
 struct Frames {
   explicit Frames(std::size_t count) {
     graze::MovingBoxes<2, float> boxes(graze::World::brownian, count, 1);
@@ -47,7 +47,7 @@ struct Frames {
   std::vector<Box> second;
 };
 
-/// What is around a box: a unit more on each side.
+/// The region around a box: one unit more on each side.
 Box around(const Box& box) { return {box.min - 1.0F, box.max + 1.0F}; }
 
 // ---- The contestants: insert(), move(frame), query(region, visit)
@@ -84,7 +84,7 @@ class Graze {
 };
 graze::OrthtreeOptions Graze::options;
 
-/// As boxes come when nobody knows them beforehand.
+/// Boxes are inserted one by one.
 class OneByOne : public Graze {
  public:
   static constexpr const char* name = "graze, one by one";
@@ -185,7 +185,7 @@ void require_the_same(const Frames& frames, const std::vector<std::size_t>& expe
   std::exit(1);
 }
 
-/// As many as the batch method finds: in worlds too large to keep each answer.
+/// Compares the number of hits with the batch method, for scenes too large to store each answer.
 void require_all_hits(const Frames& frames, std::size_t hits, const char* name) {
   std::vector<Box> regions;
   for (const Box& box : frames.second) regions.push_back(around(box));
@@ -229,7 +229,7 @@ void add(std::size_t count) {
   });
 }
 
-/// Prints as usual but for the colours, and keeps the times.
+/// Prints like the base class without colours, and stores the times.
 class Ratios : public benchmark::ConsoleReporter {
  public:
   Ratios() : ConsoleReporter(OO_None) {}

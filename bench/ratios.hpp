@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a benchmark that races others prints at its end, beside what it prints of each: for every case a row of a table
-// with what graze takes, what the fastest of the others takes and how many times as long that is. Sorted by name, for
-// runs in random turns begin anywhere.
+// Prints a summary table after a comparison benchmark: for every case, graze's time, the fastest other library's time,
+// and their ratio. Sorted by name, because runs in random order begin anywhere.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +13,14 @@
 
 namespace graze::bench {
 
-/// What each thing of `count` takes in nanoseconds: the counter of that name, which RatioReporter reads.
+/// Sets the counter that RatioReporter reads: nanoseconds for each of `count` items.
 inline void count_things(benchmark::State& state, std::size_t count) {
   state.counters["ns"] = benchmark::Counter(
       1e-9 * static_cast<double>(count), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-/// For benchmarks named "case/who", of which who begins with "graze" or is another; the first of graze's is what others
-/// are held against. Of several repetitions the median counts.
+/// For benchmarks named "case/contestant", where graze's contestants begin with "graze". Others are compared with
+/// graze's first one. Of several repetitions, the median counts.
 class RatioReporter : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override {
@@ -91,7 +90,7 @@ class RatioReporter : public benchmark::ConsoleReporter {
   std::vector<Race> races_;
 };
 
-/// What the program's arguments ask for, with the table at the end; what main is to return.
+/// Runs the benchmarks that the program's arguments select, prints the table, and returns the exit status.
 inline int run_races(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

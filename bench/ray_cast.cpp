@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// ray_cast against each primitive in the plane and in space, with point and normal, beside Bullet and Embree (float),
-// ODE (double) and Box2D (float, in the plane); and intersects, which says whether there is a hit alone, beside CGAL's
-// do_intersect. About one random ray in three hits, and all are in cache; of segments and points in space none does. A
-// thousand rays, cast again and again, are so few that the processor learns by heart what each branch does; of many
-// that it guesses wrong as often as in a program that never casts the same ray twice.
+// Compares ray_cast against each primitive in 2D and 3D, with point and normal, with Bullet and Embree (float), ODE
+// (double) and Box2D (float, 2D); and intersects, which only tells whether there is a hit, with CGAL's do_intersect.
+// About one random ray in three hits, and all are in cache; in 3D, none hits segments and points. The branch predictor
+// learns a thousand rays that are cast repeatedly; with many rays it mispredicts as often as in a program that never
+// casts the same ray twice.
 //
-// Before anything is timed all answers are compared with graze's, and the differences printed: if one is more than the
-// tolerance of a library, which its file in bench/ray_cast states, the program ends with an error; Bullet's convex cast
-// alone may be wrong at times, as is stated there.
+// Before timing, all answers are compared with graze's, and the differences are printed. If one exceeds the tolerance
+// of a library, which its file in bench/ray_cast states, the program fails; only Bullet's convex cast may be wrong at
+// times, as stated there.
 #include <cstddef>
 #include <cstdio>
 #include <memory>
@@ -44,13 +44,13 @@ using Cases = std::vector<Case<S>>;
 /// Whether all answers so far are within their tolerance.
 bool do_all_agree = true;
 
-/// What graze answers, the path ending where the rays of the others do.
+/// graze's answer, for a path that ends where the rays of the others do.
 template <class S>
 auto cast(const Case<S>& asked) {
   return graze::ray_cast(asked.shape, asked.ray, static_cast<graze::scalar_of<S>>(graze::ray_bench::t_max));
 }
 
-/// A plane is met behind t_max by many rays, and so asked about their segment.
+/// Many rays hit a plane beyond t_max, so the segment is queried instead.
 template <class S>
 bool meets(const Case<S>& asked) {
   constexpr Dim N = graze::dimension_of<S>;
@@ -74,7 +74,7 @@ void time_all(const std::string& name, std::shared_ptr<const std::vector<Asked>>
   });
 }
 
-/// Compares what a library answers, and times it.
+/// Compares a library's answers, and times it.
 template <class Peer, class S, class Ask>
 void add_peer(const std::string& title, const Cases<S>& cases, const Ask& ask) {
   auto peers = std::make_shared<std::vector<Peer>>();
@@ -114,7 +114,7 @@ void register_casts(const std::string& title, const std::shared_ptr<const Cases<
   if constexpr (requires(const S& shape) { peers::box2d_shape(shape); }) {
     add_peer_that_casts<peers::Box2dRay<S>>(title, *cases);
   }
-  // A scene for each ray is more than a cache holds, if there are many.
+  // A scene for each of many rays would exceed the cache.
   if (cases->size() == few_rays) add_peer_that_casts<peers::EmbreeRay>(title, *cases);
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A living world from frame to frame: boxes that move, all of them or one in a hundred, and after each frame which
-// pairs touch, which began to and which no longer do. Beside the broad phases of Bullet and FCL, in a plane also
-// Box2D's, from which that is made in the quickest way found for each. Answers are compared in small worlds before
-// anything is timed, events and all, and in those that are timed after the last frame: a wrong one ends the program.
-// The folder beside this file has the contestants.
+// Compares a scene from frame to frame: all boxes move, or one in a hundred, and after each frame the pairs that touch,
+// begin to and end are needed. Compared with the broad phases of Bullet and FCL, and in 2D of Box2D, each used in the
+// fastest way found. Before timing, answers are compared in small scenes, including events, and in the timed scenes
+// after the last frame; a wrong answer ends the program. The contestants are in the folder beside this file.
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -60,7 +59,7 @@ void add(std::size_t count, std::size_t step) {
   benchmark::RegisterBenchmark(name.c_str(), [count, step](benchmark::State& state) {
     const Frames<N> frames(count, step);
     Contestant contestant(frames);
-    constexpr std::size_t warm_up = 3;  // the first frames make lists, and memory for them
+    constexpr std::size_t warm_up = 3;  // the first frames allocate lists
     for (std::size_t frame = 0; frame < warm_up; ++frame) contestant.step(frame);
     std::size_t frame = warm_up;
     for (auto _ : state) contestant.step(frame++);

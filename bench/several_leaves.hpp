@@ -11,9 +11,9 @@
 
 namespace bench {
 
-/// The road not taken: a quad tree as flat as graze's whose boxes lie in every leaf that they touch. Each is given
-/// once, without flags: by the leaf that holds the lower corner of what it shares with the region. Splits as graze's
-/// does; does not merge, which favours it.
+/// The alternative that graze did not choose: a quadtree as flat as graze's that stores boxes in every leaf that they
+/// touch. Each box is reported once, without flags, by the leaf that contains the lower corner of its intersection with
+/// the region. Splits as graze's does; does not merge, which favours it.
 class SeveralLeaves {
  public:
   using Box = graze::Aabb<2, float>;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// shape_cast and time_of_impact in 3D (double) beside Bullet's btGjkConvexCast and btContinuousConvexCollision (float)
-// and FCL's conservative advancement (double). A thousand random pairs each, all in cache: a flies past b, or at it,
-// straight on or turning by up to 40 degrees. Every answer is looked at before anything is timed, by where it leaves
-// the shapes: graze's may be no deeper in each other, and no farther apart, than its error says; of the others it is
-// printed how far apart and how deep theirs are at worst. Bullet stops a thousandth before the touch, FCL as near as it
-// is asked, here 1e-6; both miss some hits, and each may be wrong as often as Allowance says. Else the program ends
-// with an error.
+// Compares shape_cast and time_of_impact in 3D (double) with Bullet's btGjkConvexCast and btContinuousConvexCollision
+// (float) and FCL's conservative advancement (double). A thousand random pairs each, all in cache: a moves past b or
+// into it, without rotation or rotating by up to 40 degrees. Before timing, every answer is tested by the distance of
+// the shapes at that time: for graze, depth and gap must be within its error; for the others, the largest gap and depth
+// are printed. Bullet stops 1e-3 before contact, FCL at the requested distance, here 1e-6; both miss some hits, and
+// each may be wrong as often as Allowance states. Otherwise the program fails.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -58,7 +57,7 @@ using Polytope = graze::Polytope<3, double>;
 
 const Motion rest;
 
-// ---- Random shapes of about unit size, and their flights
+// ---- Random shapes of about unit size, and their motions
 
 class Random {
  public:
@@ -78,10 +77,10 @@ class Random {
   std::mt19937 engine_{20261122};
 };
 
-/// A shape as another library sees it: one that stands at its own origin, and where it is.
+/// A shape for another library: one at its own origin, and its pose.
 template <class S>
 struct Placed {
-  S shape;  ///< In the world.
+  S shape;  ///< In world coordinates.
   Pose<3, double> pose;
 };
 
@@ -97,7 +96,7 @@ Placed<Obb> draw(Random& random, const Point& center) {
   const Mat<3, double> axes = random.rotation();
   return {{center, abs(random.vector(0.8)) + 0.05, axes}, {axes, center}};
 }
-/// Capsules stand along the z axis of their pose.
+/// Capsules are parallel to the z axis of their pose.
 template <>
 Placed<Capsule> draw(Random& random, const Point& center) {
   const Mat<3, double> axes = random.rotation();
@@ -118,7 +117,7 @@ struct Flight {
   Placed<B> b;
 };
 
-/// Two of three or so hit.
+/// About two of three hit.
 template <class A, class B>
 std::vector<Flight<A, B>> flights(bool turning) {
   std::vector<Flight<A, B>> result;
@@ -159,7 +158,7 @@ std::unique_ptr<btConvexShape> bullet_shape(const Placed<Sphere>& placed) {
 }
 std::unique_ptr<btConvexShape> bullet_shape(const Placed<Obb>& placed) {
   auto shape = std::make_unique<btBoxShape>(bullet_vector(placed.shape.half_extents));
-  shape->setMargin(0);  // else its corners are round
+  shape->setMargin(0);  // otherwise its corners are rounded
   return shape;
 }
 std::unique_ptr<btConvexShape> bullet_shape(const Placed<Capsule>& placed) {
@@ -254,9 +253,9 @@ std::optional<double> fcl_advancement(const FclFlight& flight, fcl::CCDMotionTyp
   return result.time_of_contact;
 }
 
-// ---- What the answers are worth
+// ---- Checks of the answers
 
-/// How far apart the shapes are at t, or how deep in each other if that is negative.
+/// The distance of the shapes at t; negative if they overlap.
 template <class A, class B>
 double gap_at(const Flight<A, B>& flight, double t) {
   const A there = transformed(flight.a.shape, pose_at(flight.motion, t));
@@ -264,7 +263,7 @@ double gap_at(const Flight<A, B>& flight, double t) {
   return closest_points(there, flight.b.shape).distance;
 }
 
-/// Ends the program if graze is late, or early.
+/// Ends the program if graze is late or early.
 template <class A, class B, class Ask>
 void require_right(const std::string& name, const std::vector<Flight<A, B>>& all, const Ask& ask) {
   for (const Flight<A, B>& flight : all) {
@@ -276,20 +275,20 @@ void require_right(const std::string& name, const std::vector<Flight<A, B>>& all
   }
 }
 
-/// What is known of another library: its hits leave the shapes no farther apart and no deeper in each other than
-/// `gap`, and it misses nothing, but for this share of all flights.
+/// The known limits of another library: at its hits, gap and depth are at most `gap`, and it misses at most this share
+/// of all hits.
 struct Allowance {
   double gap;
   double share_wrong;
 };
 
-/// A convex cast stops after 32 steps, which are too few for every other pair of hulls and boxes without a margin.
+/// A convex cast stops after 32 steps, which are too few for half of the pairs of hulls and boxes without a margin.
 constexpr Allowance of_bullet_cast = {2e-3, 0.7};
 constexpr Allowance of_bullet_continuous = {1e-2, 0.005};
-/// Where boxes pass at an edge, it misses.
+/// It misses some contacts of boxes at an edge.
 constexpr Allowance of_fcl = {2e-2, 0.2};
 
-/// What another library's answers are worth.
+/// The quality of another library's answers.
 struct Worth {
   std::size_t hits = 0;
   std::size_t misses = 0;
@@ -309,7 +308,7 @@ struct Worth {
   }
 };
 
-/// Ends the program if another library is wrong more often than is known.
+/// Ends the program if another library is wrong more often than its allowance.
 template <class A, class B, class Theirs, class Ours, class Ask>
 void require_worth(const std::string& name, const std::vector<Flight<A, B>>& all, const std::vector<Theirs>& copies,
                    const Ours& ours, const Ask& ask, const Allowance& allowance) {
@@ -341,7 +340,7 @@ void time_all(const std::string& name, std::shared_ptr<const std::vector<Work>> 
   });
 }
 
-/// Another library's copies of the flights, compared and timed.
+/// Another library's copies of the motions, compared and timed.
 template <class A, class B, class Make, class Ours, class Ask>
 void add_other(const std::string& name, const std::vector<Flight<A, B>>& all, Make make, const Ours& ours, Ask ask,
                const Allowance& allowance) {

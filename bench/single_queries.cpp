@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One query at a time: `intersects` for pairs of primitives in 3D, beside FCL (double), Bullet (float) and, for
-// oriented boxes, the textbook's separating-axis test in float; and the point queries of each primitive. A thousand
-// random pairs each, in cache. Every peer's answers are compared with graze's before anything is timed; a peer that
-// disagrees is reported by name, with the count.
+// Single queries: `intersects` for pairs of primitives in 3D, compared with FCL (double), Bullet (float) and, for
+// oriented boxes, the textbook separating-axis test in float; and the point queries of each primitive. A thousand
+// random pairs each, in cache. Every peer's answers are compared with graze's before timing; a peer that disagrees is
+// reported by name, with the count.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -109,7 +109,7 @@ void draw(Random& random, graze::HalfSpace<3, T>& solid) {
   solid = {Vec<3, T>(random.vector(1)), static_cast<T>(random.number(-0.5, 0.5))};
 }
 
-/// The pairs, and what graze says to them.
+/// The pairs, and graze's answers.
 template <class A, class B>
 struct Work {
   std::vector<std::pair<A, B>> pairs = std::vector<std::pair<A, B>>(pair_count);
@@ -156,7 +156,7 @@ FclTriangle fcl_shape(const graze::Triangle<3, double>& triangle) {
   return {fcl_vector(triangle.a), fcl_vector(triangle.b), fcl_vector(triangle.c)};
 }
 
-/// FCL's capsules stand along z.
+/// FCL's capsules are parallel to z.
 FclShape fcl_shape(const graze::Capsule<3, double>& capsule) {
   const fcl::Vector3d way = fcl_vector(capsule.b - capsule.a);
   FclShape shape{std::make_shared<fcl::Capsuled>(capsule.radius, way.norm())};
@@ -171,7 +171,7 @@ bool fcl_intersects(const FclShape& a, const FclShape& b) {
   return fcl::collide(a.geometry.get(), a.pose, b.geometry.get(), b.pose, request, result) > 0;
 }
 
-/// FCL knows triangles as parts of meshes only: these are the tests that it runs on them.
+/// FCL supports triangles only as parts of meshes: these are the tests that it runs on them.
 bool fcl_intersects(const FclShape& solid, const FclTriangle& triangle) {
   static const fcl::detail::GJKSolver_libccdd solver;
   const auto test = [&](const auto& geometry) {
@@ -216,7 +216,7 @@ BulletShape bullet_shape(const graze::Obb<3, float>& box) {
   return shape;
 }
 
-/// The distance of the shapes without their margins; that of a sphere is its radius.
+/// The distance of the shapes without their margins; the margin of a sphere is its radius.
 bool bullet_intersects(const BulletShape& a, const BulletShape& b) {
   btGjkEpaSolver2::sResults results;
   const btVector3 guess = b.pose.getOrigin() - a.pose.getOrigin();
@@ -232,7 +232,7 @@ void count_pairs(benchmark::State& state, std::size_t pairs) {
       1e-9 * static_cast<double>(pairs), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-/// Times `decide(first, second)` over pairs of anything that stands for the pairs of `work`.
+/// Times `decide(first, second)` for pairs in any form that correspond to the pairs of `work`.
 template <class Pairs, class Decide>
 void time_pairs(const std::string& name, const std::vector<bool>& answers, std::shared_ptr<const Pairs> pairs,
                 Decide decide) {
@@ -293,7 +293,7 @@ void register_pair(const std::string& pair) {
   }
 }
 
-/// Times `query(shape, point)`; there is nothing to compare it with.
+/// Times `query(shape, point)`, without comparison.
 template <class S, class Query>
 void time_query(const std::string& name, const std::shared_ptr<const Work<S, graze::Vec<3, graze::scalar_of<S>>>>& work,
                 Query query) {

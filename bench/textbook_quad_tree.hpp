@@ -10,10 +10,10 @@
 
 namespace bench {
 
-/// The quad tree of most textbooks: nodes and objects behind pointers, an object in every leaf that it touches, results
-/// in vectors, and merging by counting what is below. Its usual faults are mended and nothing else: a split hands each
-/// object to all children that it touches, removal goes by the box that was inserted, a query gives each object once,
-/// by a flag, and what touches no leaf is kept in a list beside the root.
+/// The quadtree of most textbooks: nodes and objects behind pointers, an object in every leaf that it touches, results
+/// in vectors, and merging by counting the objects below. Only its usual errors are fixed: a split moves each object to
+/// all children that it touches, removal uses the box at insertion, a query reports each object once, by a flag, and
+/// objects that touch no leaf are in a list beside the root.
 class TextbookQuadTree {
  public:
   using Box = graze::Aabb<2, float>;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// touching_pairs beside one call for each pair, beside the textbook's tests in float where it has them and, for
-// oriented boxes, beside those of FCL, Bullet and ODE: candidates are the pairs of overlapping boxes of random shapes,
-// of one type or mixed, in cache (1,000 shapes) and out of it (100,000). Before anything is timed all answers are
-// compared: those at once are to be those of single calls, and where others differ the shapes may be in each other, or
-// apart, by no more than a hundred thousandth; else the program ends with an error.
+// Compares touching_pairs with one call for each pair, with textbook tests in float if there are any, and, for oriented
+// boxes, with those of FCL, Bullet and ODE. Candidates are the pairs of overlapping boxes of random shapes, of one type
+// or mixed, in cache (1,000 shapes) and out of it (100,000). Before timing, all answers are compared: batch answers
+// must equal those of single calls; where others differ, the shapes' depth or gap must be at most 1e-5. Otherwise the
+// program fails.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -45,7 +45,7 @@ using Aabb = graze::Aabb<3, float>;
 using Obb = graze::Obb<3, float>;
 using Capsule = graze::Capsule<3, float>;
 
-/// Shapes of about unit size, so dense that each has a handful of neighbours.
+/// Shapes of about unit size, so dense that each has a few neighbours.
 class Random {
  public:
   explicit Random(std::size_t count) : reach_(0.75 * std::cbrt(static_cast<double>(count))) {}
@@ -133,7 +133,7 @@ struct World {
   }
 };
 
-// ---- Comparing
+// ---- Comparison
 
 constexpr double tolerance = 1e-5;
 
@@ -147,7 +147,7 @@ void report(const std::string& name, std::size_t differing, double worst) {
   do_all_agree = false;
 }
 
-/// How far two shapes would have to move for another answer.
+/// How far two shapes would have to move to change the answer.
 template <class S>
 double room_of(const S& a, const S& b) {
   if (const auto touch = contact(a, b)) return static_cast<double>(touch->depth);
@@ -178,7 +178,7 @@ benchmark::internal::Benchmark* time(const std::string& name, std::size_t pairs,
       ->Unit(benchmark::kMicrosecond);
 }
 
-/// Compares a test of one pair with graze's, and times it on all of them.
+/// Compares a test of single pairs with graze's, and times it on all of them.
 template <class S, class Test>
 void add_test(const std::string& name, const std::shared_ptr<const World<S>>& world, const Test& test) {
   compare(name, *world, test);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a library has to do to race, and who does.
+// The interface of a library in the comparison, and the list of contestants.
 #pragma once
 
 #include <cstddef>
@@ -22,9 +22,9 @@ enum class Work {
   rays,
   nearest_1,  ///< Box.
   nearest_8,
-  nearest_point_1,  ///< Of points, each a box without extent to those who know only boxes.
+  nearest_point_1,  ///< Of points, each a box without extent for libraries that support only boxes.
   nearest_point_8,
-  update_all,  ///< Boxes move a little; nobody asks about pairs.
+  update_all,  ///< Boxes move a little; pairs are not requested.
   update_one_percent,
 };
 
@@ -34,9 +34,9 @@ struct Share {
   std::size_t step;
 };
 
-/// An index of numbered boxes. It does what `can` says, and writes its answers where they are wanted, one for each
-/// question: of regions a digest of the numbers of the boxes found, of rays at which t the first box is entered
-/// (infinity when none is), of points the squared distance of the k-th nearest.
+/// An index of numbered boxes. It supports the works in `can`, and writes one answer for each query: for regions a
+/// digest of the numbers of the boxes found; for rays the t at which the first box is entered (infinity if none is);
+/// for points the squared distance of the k-th nearest.
 template <Dim N>
 class Contestant {
  public:
@@ -52,14 +52,14 @@ class Contestant {
   virtual void ask_nearest(const Trajectory<N>& course, std::size_t k, std::span<double> distances) = 0;
 };
 
-/// Makes one number of a set of numbers: the sum of this.
+/// Adding this for each number gives one number for a set of numbers.
 inline std::uint64_t digest_of(std::size_t number) {
   const std::uint64_t product = (std::uint64_t{number} + 1) * 0x9e37'79b9'7f4a'7c15U;
   return product ^ (product >> 29U);
 }
 
-/// A Contestant made of an index that has some of the members
-///   build(boxes), move(boxes, share), query(region, visit), first_hit(ray), nearest(point, k).
+/// A Contestant from an index that has some of the members
+/// build(boxes), move(boxes, share), query(region, visit), first_hit(ray), nearest(point, k).
 template <Dim N, class Index>
 class Racing final : public Contestant<N> {
  public:
@@ -102,20 +102,20 @@ class Racing final : public Contestant<N> {
 
 constexpr unsigned bit_of(Work work) { return 1U << static_cast<unsigned>(work); }
 
-/// Who takes part, and in what.
+/// A contestant and the works that it supports.
 template <Dim N>
 struct Entrant {
   std::string name;
   bool is_graze = false;
-  bool is_judged = false;  ///< By how far it is ahead of the peers.
-  unsigned works = 0;      ///< A bit for each.
+  bool is_judged = false;  ///< Whether its lead over the peers is compared with the targets.
+  unsigned works = 0;      ///< One bit per work.
   std::function<std::unique_ptr<Contestant<N>>()> make;
 };
 
 template <Dim N>
 using Entrants = std::vector<Entrant<N>>;
 
-/// What an index keeps: boxes, or points alone.
+/// What an index stores: boxes, or only points.
 enum class Keeps { boxes, points, both };
 
 template <Dim N, class Index>
@@ -137,7 +137,7 @@ Entrant<N> entrant(std::string name, Keeps keeps = Keeps::boxes) {
   return result;
 }
 
-// Each adds what it has in so many dimensions.
+// Each adds the library's contestants for a dimension.
 template <Dim N>
 void enter_graze(Entrants<N>& field);
 template <Dim N>

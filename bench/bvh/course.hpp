@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The world in which the indexes of bench/bvh.cpp race, and what they are asked.
+// The boxes and queries of bench/bvh.cpp.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ using Ray = graze::Ray<N, float>;
 
 constexpr std::size_t questions = 100'000;
 
-/// A world of unit cubes that drift, frame by frame, and what is asked of it: regions that meet up to about a hundred
-/// boxes, rays from a center to another, and points.
+/// Unit cubes that drift, frame by frame, and the queries on them: regions that meet up to about a hundred boxes, rays
+/// from one center to another, and points.
 template <Dim N>
 struct Trajectory {
   explicit Trajectory(std::size_t count) {
@@ -50,7 +50,7 @@ struct Trajectory {
   const std::vector<Box<N>>& last() const { return places.back(); }
 
   std::array<std::vector<Box<N>>, 5> places;
-  std::vector<Box<N>> centers;  ///< Of the first places, as boxes without extent.
+  std::vector<Box<N>> centers;  ///< Of the initial boxes, as boxes without extent.
   std::vector<Point<N>> points;
   std::vector<Box<N>> regions;
   std::vector<Ray<N>> rays;

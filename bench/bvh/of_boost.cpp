@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Boost.Geometry's R-tree. Nodes of 8 answer quickest, those of 32 are packed quickest. Tried as well: packed by 16,
-// which is in between; boxes inserted one by one with linear (answers take two to three times as long) and with the
-// R*-tree's splits (five times as long to build, answers a third quicker, still behind the packed tree's).
+// Boost.Geometry's R-tree. Queries are fastest with nodes of 8, packing with nodes of 32. Also tried: nodes of 16,
+// which is in between; insertion one by one with linear splits (queries take two to three times as long) and with the
+// splits of the R*-tree (five times as long to build; queries take two thirds of the time, still slower than the packed
+// tree).
 #include <algorithm>
 #include <utility>
 
@@ -30,8 +31,7 @@ Corner<N> corner(const Point<N>& p) {
   }
 }
 
-/// Packed where it is built at once, by the constructor that takes all. `Kept` is what stands for a box: a box or a
-/// point.
+/// Packed if it is built from all boxes, by the range constructor. `Kept` is the stored value: a box or a point.
 template <Dim N, class Kept, class Parameters>
 class RTree {
  public:

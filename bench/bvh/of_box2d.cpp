@@ -22,7 +22,7 @@ b2AABB bounds(const Box<2>& box) {
   return result;
 }
 
-/// Boxes in the tree are larger by b2_aabbExtension, so what it finds is tested.
+/// Boxes in the tree are enlarged by b2_aabbExtension, so hits are tested.
 class DynamicTree {
  public:
   void build(std::span<const Box<2>> boxes) {
@@ -56,14 +56,14 @@ class DynamicTree {
     tree_->Query(&callback, bounds(region));
   }
   double first_hit(const Ray<2>& ray) const {
-    constexpr float length = 1e4F;  // longer than any way through the world
+    constexpr float length = 1e4F;  // longer than any path through the scene
     struct Callback {
       float RayCastCallback(const b2RayCastInput& input, std::int32_t proxy) {  // NOLINT(readability-identifier-naming)
         const auto t = graze::detail::entry_of(ray, boxes[number_of[static_cast<std::size_t>(proxy)]]);
         if (!t || !(*t < first)) return input.maxFraction;
         first = *t;
         if (first == 0) return 0;
-        return static_cast<float>((first + 1e-3) / static_cast<double>(length));  // what Box2D's rounding may take away
+        return static_cast<float>((first + 1e-3) / static_cast<double>(length));  // margin for Box2D's rounding
       }
       const Ray<2>& ray;
       const std::vector<Box<2>>& boxes;

@@ -16,8 +16,8 @@ btVector3 vector(const Point<3>& p) { return {p.x, p.y, p.z}; }
 
 btDbvtVolume volume(const Box<3>& box) { return btDbvtVolume::FromMM(vector(box.min), vector(box.max)); }
 
-/// The tree under Bullet's broad phase, with the margin of its makers' larger worlds for boxes that move: without, they
-/// take longer. What it finds is tested, since boxes in the tree may be larger.
+/// The tree of Bullet's broad phase. Moving boxes have the margin that Bullet's authors use for larger worlds; it is
+/// slower without. Boxes in the tree may be enlarged, so hits are tested.
 class DynamicTree {
  public:
   void build(std::span<const Box<3>> boxes) {
@@ -49,8 +49,8 @@ class DynamicTree {
     policy.visit = &visit;
     tree_->collideTVNoStackAlloc(tree_->m_root, volume(region), stack_, policy);
   }
-  /// Bullet's own walk along rays does not stop at the first box. Its walk that asks before it descends does where it
-  /// is told, and is quicker by far.
+  /// Bullet's own ray traversal does not stop at the first box. The traversal with a callback before each descent can
+  /// be made to, and is much faster.
   double first_hit(const Ray<3>& ray) const {
     struct Policy : btDbvt::ICollide {
       bool Descent(const btDbvtNode* node) {  // NOLINT(readability-identifier-naming)
@@ -60,7 +60,7 @@ class DynamicTree {
         const auto t = graze::detail::entry_of(*ray, *static_cast<const Box<3>*>(leaf->data));
         if (!t || !(*t < first)) return;
         first = *t;
-        last = static_cast<float>(first + 1e-3);  // what Bullet's rounding may take away
+        last = static_cast<float>(first + 1e-3);  // margin for Bullet's rounding
       }
       const btVector3* corners(const btDbvtNode* node) {
         both[0] = node->volume.Mins();

@@ -10,8 +10,8 @@
 namespace bench {
 namespace {
 
-/// Boxes as a geometry of the user's own, of the quality that its makers call medium, for rays only. One thread.
-/// What its makers call robust takes no longer, and misses the same boxes.
+/// Boxes as a user geometry of medium quality, for rays only; one thread. Embree's robust mode takes as long and misses
+/// the same boxes.
 class Tracer {
  public:
   Tracer() : device_(rtcNewDevice("threads=1")) {}

@@ -9,8 +9,7 @@
 namespace bench {
 namespace {
 
-/// When all have moved it is fitted as a whole,
-/// otherwise told which. It has no rays.
+/// If all boxes have moved, the whole tree is refitted; otherwise single boxes are updated. It has no ray queries.
 class DynamicTree {
  public:
   void build(std::span<const Box<3>> boxes) {
@@ -39,7 +38,7 @@ class DynamicTree {
     asked_.place(region);
     const auto take = [](fcl::CollisionObject<float>* found, fcl::CollisionObject<float>* /*asked*/, void* data) {
       (*static_cast<const Visit*>(data))(FclBox<float>::number_of(found));
-      return false;  // lets FCL go on
+      return false;  // continues the search
     };
     manager_->collide(&asked_, const_cast<Visit*>(&visit), take);
   }

@@ -41,7 +41,7 @@ class OneByOne {
   }
 
  protected:
-  /// Into an empty index, so that indices of keys are the numbers of boxes.
+  /// Inserts into an empty index, so that the indices of keys are the numbers of boxes.
   void build_at_once(std::span<const Box<N>> boxes) {
     index_ = empty_;
     keys_ = index_.assign(boxes, graze::serial_executor());

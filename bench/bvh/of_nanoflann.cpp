@@ -9,7 +9,7 @@
 namespace bench {
 namespace {
 
-/// Points in the way nanoflann asks for them; the names are its own.
+/// Points in the interface of nanoflann, which prescribes the names.
 template <Dim N>
 struct Cloud {
   std::vector<Point<N>> points;
@@ -22,7 +22,7 @@ struct Cloud {
   }
 };
 
-/// Of points only. Tried: leaves of 5 points, which is slower, of 10 and of 32.
+/// Points only. Tried: leaves of 5 points (slower), 10 and 32.
 template <Dim N>
 class KdTree {
  public:

@@ -13,13 +13,13 @@
 namespace bench {
 namespace {
 
-/// What all must answer.
+/// The reference answers.
 struct Answers {
   std::vector<std::uint64_t> regions = std::vector<std::uint64_t>(questions);
   std::vector<double> numbers = std::vector<double>(questions);
 };
 
-/// Which answers are not the same. Peers that calculate in float may be off by some of its steps.
+/// Which answers differ. Peers that calculate in float may differ by a few units in the last place.
 std::vector<std::size_t> differences(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<std::size_t> found;
   for (std::size_t k = 0; k < a.size(); ++k) {
@@ -28,16 +28,16 @@ std::vector<std::size_t> differences(const std::vector<double>& a, const std::ve
   return found;
 }
 
-/// How many boxes a peer may miss that a ray barely touches.
+/// How many boxes that a ray barely touches a peer may miss.
 constexpr std::size_t forgiven = questions / 10'000;
 
-/// Work that takes less than so many seconds is done again in the same turn: what the others have left in the caches is
-/// not what is timed.
+/// Work that takes less than this many seconds is repeated in the same turn, so that the caches left by other
+/// contestants do not matter.
 constexpr double shortest_turn = 0.01;
 
-// ---- The judge: a loop over all boxes
+// ---- The reference: a loop over all boxes
 
-constexpr std::size_t judged_step = 1000;  // every so manieth question
+constexpr std::size_t judged_step = 1000;  // every query at this step is compared with the reference
 
 template <Dim N>
 std::uint64_t judged_region(const std::vector<Box<N>>& boxes, const Box<N>& region) {
@@ -63,7 +63,7 @@ double judged_nearest(const std::vector<Box<N>>& boxes, const Point<N>& point, s
   return *last;
 }
 
-// ---- The race
+// ---- The comparison
 
 template <Dim N>
 class Race {
@@ -127,7 +127,7 @@ class Race {
     result_.faults.push_back(runner.entrant.name + ": " + what);
   }
 
-  /// do_work(contestant) in turns, check(runner) after each.
+  /// Calls do_work(contestant) in turns, and check(runner) after each.
   template <class DoWork, class Check>
   void run_heat(Work work, const DoWork& do_work, const Check& check) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -176,7 +176,7 @@ class Race {
         });
   }
 
-  /// ask(contestant, answers) writes numbers; judge(question) is right.
+  /// ask(contestant, answers) writes numbers; judge(query) returns the right one.
   template <class Ask, class Judge>
   void run_numbers(Work work, const Ask& ask, const Judge& judge) {
     Answers expected;
@@ -212,8 +212,7 @@ class Race {
         [&](std::size_t k) { return judged_nearest(boxes, trajectory_.points[k], wanted); });
   }
 
-  /// To the last places and back, so many times as long as the seconds of the results. Of a share of the boxes it is
-  /// another one in every frame.
+  /// Moves to the final positions and back, repeatedly. If only some boxes move, others move in each frame.
   void run_moves(Work work, std::size_t step) {
     constexpr std::size_t way = std::tuple_size_v<decltype(trajectory_.places)> - 1;
     run_heat(work, [&](Contestant<N>& contestant) {
@@ -224,7 +223,7 @@ class Race {
     for (Result& result : result_.heats.back().results) result.seconds /= 2 * way;
   }
 
-  /// Whether those who move find what is around at the last places.
+  /// Whether the region queries of those that move are right at the final positions.
   void check_moved() {
     Answers answers;
     for (Runner& runner : runners_) {

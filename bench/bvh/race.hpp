@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lets indexes work side by side, and compares all their answers.
+// Times indexes side by side, and compares all their answers.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +12,15 @@ namespace bench {
 
 struct RaceOptions {
   std::size_t rounds = 3;          ///< In which all take turns; the best counts.
-  double enough_seconds = 4;       ///< Who has worked so long at one thing sits out its other rounds.
-  std::vector<std::string> names;  ///< Of the peers that take part, or parts of them; none for all.
+  double enough_seconds = 4;       ///< A contestant that has spent this time on one work skips its remaining rounds.
+  std::vector<std::string> names;  ///< Peers whose names contain one of these take part; all if empty.
 };
 
 struct Result {
   std::string name;
   bool is_graze;
   bool is_judged;
-  double seconds;  ///< Of processor time.
+  double seconds;  ///< Processor time.
 };
 
 struct Heat {
@@ -32,12 +32,12 @@ struct RaceResult {
   Dim dimensions;
   std::size_t count;
   std::vector<Heat> heats;
-  std::vector<std::string> faults;  ///< Who gave a wrong answer to what.
-  std::vector<std::string> notes;   ///< Who missed boxes by rounding, which is forgiven where they are few.
+  std::vector<std::string> faults;  ///< Wrong answers, and whose they are.
+  std::vector<std::string> notes;   ///< Boxes missed by rounding, tolerated if they are few.
 };
 
-/// All works with so many boxes, on one thread. Answers are those that were timed; they are compared with each other
-/// whole, and some of them with those of a loop over all boxes.
+/// Times all works for a number of boxes, on one thread. All timed answers are compared with each other, and some with
+/// a loop over all boxes.
 template <Dim N>
 RaceResult race(std::size_t count, const RaceOptions& options);
 

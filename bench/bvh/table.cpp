@@ -11,8 +11,8 @@
 namespace bench {
 namespace {
 
-/// Whose time is to be so many times graze's at least: that of peers whose names begin like this, or of all the others.
-/// Zero only tells the ratio.
+/// The ratio to graze's time that a peer must at least reach: peers whose names begin like this, or all others. Zero
+/// only prints the ratio.
 struct Target {
   Work work;
   std::string_view peer;
@@ -72,7 +72,8 @@ std::optional<Result> fastest(const Heat& heat, std::string_view peer) {
   return best;
 }
 
-/// The targets are for what is built at once, as the fastest peers are; of what is built box by box the ratio is told.
+/// Targets apply to trees built from all boxes, as the fastest peers are; for trees built box by box only the ratio is
+/// printed.
 std::string ratio_lines(const Heat& heat, std::string_view peer, double target) {
   const std::optional<Result> rival = fastest(heat, peer);
   if (!rival) return "";

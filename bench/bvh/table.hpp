@@ -7,8 +7,8 @@
 
 namespace bench {
 
-/// The times of all, and how many times as long as graze's the fastest peer takes, beside what graze aims at: marked
-/// where it falls short.
+/// The times of all contestants, and the ratio of the fastest peer's time to graze's, with graze's targets; missed
+/// targets are marked.
 std::string table_of(const RaceResult& result);
 
 }  // namespace bench

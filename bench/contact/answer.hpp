@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the libraries answer that bench/contact.cpp times, and the shapes they are asked about.
+// The answers that bench/contact.cpp compares, and its shapes.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ using Aabb = graze::Aabb<3, double>;
 using Obb = graze::Obb<3, double>;
 using Capsule = graze::Capsule<3, double>;
 
-/// How many contacts were found, and the depth of the deepest.
+/// The number of contacts, and the depth of the deepest.
 struct Answer {
   std::size_t count = 0;
   double depth = 0;

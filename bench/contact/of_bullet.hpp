@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Bullet, in float, on two oriented boxes. Once its detector alone, whose points are written down as they come; and
-// once what its worlds call, btBoxBoxCollisionAlgorithm with the manifold that it keeps, so that each point finds
-// itself again in the next frame, for which graze's have ids.
+// Bullet, in float, for two oriented boxes: its detector alone, with its points stored as they come; and what its
+// worlds use, btBoxBoxCollisionAlgorithm with a persistent manifold that recognises points of the previous frame, which
+// graze supports by ids.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +41,7 @@ struct BulletBox {
   }
 };
 
-/// What a detector tells, as one would keep it.
+/// Stores the detector's points.
 class BulletPoints : public btDiscreteCollisionDetectorInterface::Result {
  public:
   struct Contact {
@@ -88,7 +88,7 @@ class BulletDetectorPair {
   BulletBox b_;
 };
 
-/// Like a pair of a world: its objects, its algorithm and its manifold live from frame to frame.
+/// Like a pair in a world: its objects, algorithm and manifold persist between frames.
 class BulletManifoldPair {
  public:
   static constexpr const char* name = "Bullet manifold";
@@ -108,7 +108,7 @@ class BulletManifoldPair {
   }
 
  private:
-  /// Pairs live as long as the benchmarks that they are registered with: all of them, to the end of the program.
+  /// Pairs live as long as the registered benchmarks, until the program ends.
   struct World {
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher{&configuration};

@@ -24,7 +24,7 @@ class FclShape {
     for (Dim i = 0; i < 3; ++i) pose_.linear().col(static_cast<int>(i)) = vector(box.axes[i]);
     pose_.translation() = vector(box.center);
   }
-  /// FCL's capsules stand along z.
+  /// FCL's capsules are parallel to z.
   explicit FclShape(const Capsule& capsule) {
     const fcl::Vector3d way = vector(capsule.b - capsule.a);
     geometry_ = std::make_shared<fcl::Capsuled>(capsule.radius, way.norm());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ODE's dCollide, in double as Debian builds it, on spheres, capsules and boxes, with up to four contacts.
+// ODE's dCollide, in double as Debian builds it, for spheres, capsules and boxes, with up to four contacts.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace graze::contact_bench {
 
-/// A shape as ODE has it.
+/// A shape in ODE's form.
 class OdeShape {
  public:
   explicit OdeShape(const Sphere& sphere) : geometry_((start(), dCreateSphere(nullptr, sphere.radius))) {
@@ -48,7 +48,7 @@ class OdeShape {
     void operator()(dGeomID geometry) const { dGeomDestroy(geometry); }
   };
 
-  /// ODE has tables for the whole program and for each thread; they go with the program.
+  /// ODE has tables for the program and for each thread; they are never freed.
   static void start() {
     static const bool is_started = dInitODE2(0) != 0 && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
     static_cast<void>(is_started);

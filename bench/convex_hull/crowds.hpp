@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sets of points whose hulls bench/convex_hull.cpp makes, in the plane and in space.
+// The sets of points whose hulls bench/convex_hull.cpp calculates, in 2D and 3D.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ enum class Crowd {
   grid,
   decimal_grid,
   turned_grid,
-  // In space alone:
+  // 3D only:
   on_cube,
   on_cube_edges,
   on_cylinder_lines,
@@ -66,7 +66,7 @@ inline const char* name_of(Crowd cluster, Dim dimension) {
   return "";
 }
 
-/// Whether no corner is one by so little that rounding hides it: of points on a circle many are.
+/// Whether every corner is clearly one; many points on a circle are not.
 inline bool is_in_general_position(Crowd cluster, Dim dimension) {
   if (cluster == Crowd::on_sphere) return dimension == 3;
   return cluster == Crowd::in_ball || cluster == Crowd::in_cube || cluster == Crowd::gaussian;
@@ -80,7 +80,7 @@ Vec<N, double> direction(std::mt19937_64& random) {
   return way;
 }
 
-/// A square or cube of points a step apart, the number of them rounded to a power of the dimension, in random order.
+/// A square or cubic lattice of points, their number rounded to a power of the dimension, in random order.
 template <Dim N>
 Points<N> grid(std::size_t count, double step, std::mt19937_64& random) {
   const auto side = std::lround(std::pow(static_cast<double>(count), 1.0 / static_cast<double>(N)));
@@ -136,7 +136,7 @@ Vec<N, double> random_point(Crowd cluster, std::mt19937_64& random) {
   return point * std::pow(0.5 + 0.5 * uniform(random), 1.0 / static_cast<double>(N));
 }
 
-/// On the faces, or the edges, of a cube, or on a hundred lines along a cylinder, up to rounding.
+/// On the faces or the edges of a cube, or on a hundred lines along a cylinder, up to rounding.
 inline Points<3> on_surface(Crowd cluster, std::size_t count, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   const auto end = [&] { return uniform(random) < 0 ? -1.0 : 1.0; };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// CGAL's convex_hull_2, which decides exactly, as graze does: a method of Akl and Toussaint.
+// CGAL's convex_hull_2, which decides exactly, like graze: the method of Akl and Toussaint.
 #pragma once
 
 #include <cstddef>
@@ -11,16 +11,16 @@ namespace graze::hull_bench {
 
 class CgalHull {
  public:
-  /// Copies the points, as CGAL has them.
+  /// Copies the points into CGAL's form.
   explicit CgalHull(const Points<2>& points);
   CgalHull(const CgalHull&) = delete;
   CgalHull& operator=(const CgalHull&) = delete;
   ~CgalHull();
 
-  /// Makes the hull; how many corners it has.
+  /// Calculates the hull; returns its number of corners.
   std::size_t find();
 
-  /// Of what was found, in lexicographic order.
+  /// The corners of the hull, in lexicographic order.
   Points<2> corners() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// qhull's hulls, with its default options: facets, and whose corners these are.
+// qhull's hulls, with its default options: facets and their corners.
 #pragma once
 
 #include <algorithm>
@@ -50,7 +50,7 @@ class Qhull {
     return result;
   }
 
-  /// Or, in the plane, area.
+  /// In 2D, the area.
   double volume() {
     qh_getarea(&qh_, qh_.facet_list);
     return qh_.totvol;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bullet's distances of two convex hulls, in float and without margins: that of its worlds, btGjkPairDetector, which
-// keeps the axis that parted the two last; and btGjkEpaSolver2::Distance, which takes a guess.
+// Bullet's distances of two convex hulls, in float and without margins: btGjkPairDetector, which its worlds use and
+// which caches the last separating axis; and btGjkEpaSolver2::Distance, which takes an initial guess.
 #pragma once
 
 #include <array>
@@ -59,7 +59,7 @@ class BulletDetector : BulletHulls {
       : BulletHulls(pair), detector_(&shape(0), &shape(1), &simplex_, nullptr) {}
 
   double find(std::size_t i) {
-    detector_.setCachedSeparatingAxis(btVector3(0, 1, 0));  // as it is made
+    detector_.setCachedSeparatingAxis(btVector3(0, 1, 0));  // the initial value in Bullet
     return follow(i);
   }
   double follow(std::size_t i) {

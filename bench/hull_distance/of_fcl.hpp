@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// FCL's distances of two convex hulls, in double: by a solver of its own, and by one that is made of libccd's. Both
-// take a guess. The hulls know their faces, by which FCL climbs from corner to corner where there are more than 32.
+// FCL's distances of two convex hulls, in double: by its own solver, and by one based on libccd's. Both take an initial
+// guess. The hulls have faces, which FCL uses to climb from corner to corner if there are more than 32.
 #pragma once
 
 #include <algorithm>

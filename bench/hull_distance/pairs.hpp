@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pairs of convex hulls that move past each other, frame by frame, as every library gets them.
+// Pairs of convex hulls that move past each other, frame by frame, as input for every library.
 #pragma once
 
 #include <array>
@@ -38,7 +38,7 @@ class Random {
   std::mt19937 engine_{20261126};
 };
 
-/// The hull of so many points on an ellipsoid around the origin, all of them its corners.
+/// The hull of points on an ellipsoid around the origin; all are corners.
 inline Hull draw_hull(Random& random, std::size_t corners) {
   const Point half{random.number(0.4, 1), random.number(0.4, 1), random.number(0.4, 1)};
   std::vector<Point> points(corners);
@@ -46,7 +46,7 @@ inline Hull draw_hull(Random& random, std::size_t corners) {
   return convex_hull(points);
 }
 
-/// Two hulls, each with a place for every frame. In all of them they are apart.
+/// Two hulls with a pose for every frame. They are apart in all frames.
 struct MovingPair {
   std::array<Hull, 2> hulls;
   std::vector<std::array<Place, 2>> frames;
@@ -56,8 +56,8 @@ inline bool are_apart(const MovingPair& pair, const std::array<Place, 2>& places
   return !intersects(Posed<Hull>{pair.hulls[0], places[0]}, Posed<Hull>{pair.hulls[1], places[1]});
 }
 
-/// A gap of a twentieth of their size to as much as that between the centers of most; in each frame both turn by one
-/// degree and come a hundredth of their size closer or not so close.
+/// The gap is from a twentieth of their size to about half of the distance of the centers; in each frame, both rotate
+/// by one degree and move a hundredth of their size closer or farther.
 inline MovingPair draw_pair(Random& random, std::size_t corners, std::size_t frames) {
   MovingPair pair;
   do {

@@ -18,13 +18,13 @@ namespace {
 constexpr double width = 960;
 constexpr double height = 560;
 constexpr double left = 76;
-constexpr double right = 310;  // room for the names
+constexpr double right = 310;  // space for the names
 constexpr double top = 74;
 constexpr double bottom = 62;
 constexpr double line_height = 17;
 
-// After Okabe and Ito, "Color Universal Design" (2008): vermillion is graze's, the others the peers'. The second colour
-// is for dark pages.
+// Colours after Okabe and Ito, "Color Universal Design" (2008): vermillion for graze, the others for peers. The second
+// colour is for dark pages.
 struct Colour {
   std::string_view on_light;
   std::string_view on_dark;
@@ -54,7 +54,7 @@ struct Line {
   double label_y = 0;
 };
 
-/// Powers of ten below and above all values, and the way from values to pixels.
+/// Powers of ten below and above all values, and the mapping from values to pixels.
 struct Axis {
   int low = 0;
   int high = 1;
@@ -65,7 +65,7 @@ struct Axis {
 };
 
 Axis axis_around(const std::vector<double>& values, double from, double to) {
-  constexpr double slack = 1e-9;  // a power of ten is its own floor and ceiling, however its logarithm is rounded
+  constexpr double slack = 1e-9;  // so that the logarithm of a power of ten may be rounded either way
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   Axis axis{static_cast<int>(std::floor(std::log10(*least) + slack)),
             static_cast<int>(std::ceil(std::log10(*most) - slack)), from, to};
@@ -107,8 +107,8 @@ Chart plot(const CourseResult& result) {
   return chart;
 }
 
-/// Spreads the names at the ends of the lines so that none covers another: downwards from the top, then up again from
-/// the bottom where that ran out of the picture.
+/// Spreads the names at the ends of the lines so that none overlaps another: downwards from the top, then upwards from
+/// the bottom if that ran out of the picture.
 void place_labels(std::vector<Line>& lines) {
   std::vector<Line*> ordered;
   ordered.reserve(lines.size());
@@ -128,7 +128,7 @@ void place_labels(std::vector<Line>& lines) {
   }
 }
 
-/// A marker for each number, around the origin; graze's are filled.
+/// A marker for each number, centered at the origin; graze's are filled.
 std::string_view marker(std::size_t number) {
   constexpr std::array<std::string_view, peer_colours.size()> markers = {
       "M-4.5 0A4.5 4.5 0 1 0 4.5 0A4.5 4.5 0 1 0 -4.5 0Z",
@@ -243,7 +243,7 @@ std::string chart_of(const CourseResult& result) {
   svg += grid(chart);
   svg += fmt::format("<text class=\"note\" x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">boxes</text>\n",
                      (left + width - right) / 2, height - 20);
-  // Peers first, so that graze's lines lie on top.
+  // Peers first, so that graze's lines are on top.
   for (const Side side : {Side::peer, Side::graze}) {
     for (const Line& line : chart.lines) {
       if (line.side == side) svg += drawn(line);

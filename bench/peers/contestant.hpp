@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who races: graze and other libraries, behind one small interface. Each library is one file, peer_<name>.cpp.
+// The interface of graze and other libraries in the comparison. Each library is one file, peer_<name>.cpp.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace graze::race {
 
-/// One way to find all overlapping pairs, at work on the frames of one scene. Virtual: who races is chosen at run time.
+/// One way to find all overlapping pairs in the frames of a scene. Virtual, because contestants are chosen at run time.
 template <Dim N, class T>
 class Contestant {
  public:
@@ -28,8 +28,8 @@ class Contestant {
   Contestant(const Contestant&) = delete;
   Contestant& operator=(const Contestant&) = delete;
 
-  /// Every overlapping pair of the boxes (touching counts), once, with a < b, in any order. The boxes are those of the
-  /// frame before, moved a little, and as many. The pairs stay until the next call. This is what is timed.
+  /// Every overlapping pair of boxes (touching counts) exactly once, with a < b, in any order. The boxes are those of
+  /// the previous frame, as many, moved a little. The pairs are valid until the next call. This is what is timed.
   virtual std::span<const Pair> find(std::span<const Aabb<N, T>> boxes) = 0;
 };
 
@@ -38,22 +38,22 @@ enum class Side { graze, peer };
 /// A contestant before it starts.
 template <Dim N, class T>
 struct Entrant {
-  std::string name;      ///< What tables and charts call it.
+  std::string name;      ///< Its name in tables and charts.
   std::string settings;  ///< Version, and how it is used.
   Side side = Side::peer;
   std::size_t threads = 1;
-  bool keeps = false;  ///< A tree, the memory of its list, or what else, from frame to frame.
+  bool keeps = false;  ///< Whether it keeps a tree, the memory of its list or other data between frames.
   std::size_t most_boxes = std::numeric_limits<std::size_t>::max();
   std::string why_no_more;  ///< The reason for most_boxes.
-  /// Makes it ready for frames like this one. Not timed: what moves from frame to frame is built here.
+  /// Prepares it for frames like this one. Not timed: data that is updated from frame to frame is created here.
   std::function<std::unique_ptr<Contestant<N, T>>(std::span<const Aabb<N, T>>)> prepare;
 };
 
 template <Dim N, class T>
 using Entrants = std::vector<Entrant<N, T>>;
 
-/// Each adds the library's contestants to the field, if it has any for this space. Those that can run on several
-/// threads enter once with one thread and, where `threads` is more, once with so many.
+/// Each adds the library's contestants for a space, if any. Those that support several threads enter once with one
+/// thread and, if `threads` is more, once with that many.
 template <Dim N, class T>
 void enter_graze(Entrants<N, T>& field, std::size_t threads);
 template <Dim N, class T>
@@ -86,8 +86,8 @@ Entrants<N, T> all_entrants(std::size_t threads) {
   return field;
 }
 
-/// What becomes of the memory of a contestant's list from frame to frame: kept, which is quicker, or given up, as by
-/// whoever asks only once.
+/// Whether the memory of a contestant's list is kept between frames, which is faster, or allocated anew, as for a
+/// single call.
 enum class ListMemory { kept, anew };
 
 inline constexpr std::array list_memories{ListMemory::kept, ListMemory::anew};
@@ -97,7 +97,7 @@ inline void clear(std::vector<Pair>& list, ListMemory memory) {
   if (memory == ListMemory::anew) list.shrink_to_fit();
 }
 
-/// Names an entrant after what becomes of its list.
+/// Appends the treatment of its list to an entrant's name.
 template <Dim N, class T>
 void set_list_memory(Entrant<N, T>& entrant, ListMemory memory) {
   entrant.keeps = memory == ListMemory::kept;
@@ -106,7 +106,7 @@ void set_list_memory(Entrant<N, T>& entrant, ListMemory memory) {
   entrant.settings += "; its list of pairs made anew";
 }
 
-/// The pair of two indices that come in any order.
+/// The pair of two indices in any order.
 inline Pair ascending(std::size_t i, std::size_t j) {
   const auto a = static_cast<std::uint32_t>(i);
   const auto b = static_cast<std::uint32_t>(j);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is raced on: made-up worlds of boxes that move, and boxes from files, which stay where they are.
+// The scenes of the comparison: generated moving boxes, and static boxes from files.
 #pragma once
 
 #include <cstddef>
@@ -24,27 +24,27 @@ struct Trajectory {
   bool is_double = false;
 };
 
-/// "brownian", "2d:heavy", "double:line", "2d:double:line". Throws std::invalid_argument for anything else.
+/// Parses "brownian", "2d:heavy", "double:line", "2d:double:line". Throws std::invalid_argument for anything else.
 Trajectory world_course(std::string_view text);
 
-/// The boxes of a scene file, in double, and in float too where that changes no coordinate. Throws io::InputError.
+/// The boxes of a scene file, in double, and also in float if that is exact. Throws io::InputError.
 std::vector<Trajectory> file_courses(const std::string& path);
 
 /// "brownian, 2D float".
 std::string title_of(const Trajectory& course);
 
-/// How many times as long as graze the fastest peer should take: from 100,000 to a million boxes of a friendly world
-/// 10, of a hostile one 6; of a file 6; of anything else 2.
+/// The target for the ratio of the fastest peer's time to graze's: from 100,000 to a million boxes 10 for easy scenes
+/// and 6 for hard ones; 6 for files; otherwise 2.
 double target_of(const Trajectory& course, std::size_t count);
 
-/// The most boxes that make sense there: n boxes at one point are n (n - 1) / 2 pairs.
+/// The largest useful number of boxes: n boxes at one point have n (n - 1) / 2 pairs.
 std::size_t most_boxes_on(const Trajectory& course);
 
 /// The boxes of a course, frame by frame. Instantiated for 2D and 3D, float and double.
 template <Dim N, class T>
 class Frames {
  public:
-  /// A file has as many boxes as it has, whatever the count.
+  /// `count` is ignored for a file.
   Frames(const Trajectory& course, std::size_t count, std::uint64_t seed);
 
   std::span<const Aabb<N, T>> boxes() const { return world_ ? world_->boxes() : std::span<const Aabb<N, T>>(still_); }

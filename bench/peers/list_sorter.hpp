@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sorts the lists of those who give pairs as they find them.
+// Sorts the lists of contestants that return unsorted pairs.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 namespace graze::race {
 
-/// By Highway's VQSort, on the numbers that pairs are if their first index counts more: of the sorts that Debian has
-/// the fastest by far. Tried: Boost's integer_sort takes 1.8 to 5 times as long, std::sort and Boost's pdqsort 2.3 to
-/// 10 times. Its memory is kept, which is in the peers' favour.
+/// Uses Highway's VQSort on pairs as numbers with the first index in the high half: by far the fastest sort that Debian
+/// packages. Tried: Boost's integer_sort takes 1.8 to 5 times as long, std::sort and Boost's pdqsort 2.3 to 10 times.
+/// Its memory is kept, which favours the peers.
 class ListSorter {
  public:
-  /// The same pairs, ascending. They stay until the next call.
+  /// The same pairs, ascending; valid until the next call.
   std::span<const Pair> sort(std::span<const Pair> pairs);
 
  private:

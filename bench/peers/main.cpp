@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// graze_peers: graze's overlapping_pairs and other libraries on the same boxes, side by side in one run. The report
-// goes to standard output or a file; the status is 1 if an answer was wrong.
+// graze_peers: times graze's overlapping_pairs and other libraries on the same boxes, side by side. The report goes to
+// standard output or a file; the status is 1 if an answer was wrong.
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -24,7 +24,7 @@ void write(const std::filesystem::path& path, const std::string& text) {
   io::write_atomically(path, [&text](std::ostream& stream) { stream << text; });
 }
 
-/// Writes the chart, if one is asked for and there is something to draw, and says where it lies, seen from the report.
+/// Writes the chart, if one is requested and there is data for it, and returns its path relative to the report.
 std::string write_chart(const Outcome& outcome, const Settings& settings) {
   if (settings.chart.empty() || outcome.results.empty()) return "";
   const std::string svg = chart_of(outcome.results.front());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tried with 4, 6, 8, 12 and 16 boxes in a node, and built with -march=native: 8 without is the quickest.
+// Tried with 4, 6, 8, 12 and 16 boxes per node, and built with -march=native: 8 without is the fastest.
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -20,9 +20,8 @@ namespace {
 
 namespace geometry = boost::geometry;
 
-/// The R-tree has no search for pairs: it is packed anew in every frame, and asked once for each box. Asked in the
-/// order of its leaves, where neighbours follow each other, a million boxes take 0.6 of the time that they take in the
-/// order of indices.
+/// The R-tree has no query for pairs: it is packed in every frame and queried once for each box. Queries are in the
+/// order of its leaves, where neighbours are adjacent; a million boxes take 0.6 of the time of queries in index order.
 template <Dim N, class T>
 class PackedTree final : public Contestant<N, T> {
  public:
@@ -47,7 +46,7 @@ class PackedTree final : public Contestant<N, T> {
  private:
   using Point = geometry::model::point<T, N, geometry::cs::cartesian>;
   using Entry = std::pair<geometry::model::box<Point>, std::uint32_t>;
-  // Of a packed tree the rule by which nodes split is never asked.
+  // A packed tree never uses its splitting rule.
   using Tree = geometry::index::rtree<Entry, geometry::index::linear<8>>;
 
   static Point corner(const Vec<N, T>& v) {

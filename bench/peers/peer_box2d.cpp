@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tried: telling the tree how far each box moves, a new tree in every frame; neither is quicker.
+// Tried: passing each box's displacement to the tree, and a new tree in every frame; neither is faster.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -26,21 +26,21 @@ b2AABB as_b2(const Aabb<2, float>& box) {
   return result;
 }
 
-/// Lists the leaves that a query meets.
+/// Collects the leaves that a query meets.
 struct Leaves {
   std::vector<std::int32_t> nodes;
 
-  /// Box2D's name for it. True lets the query go on.
+  /// The name that Box2D requires. Returning true continues the query.
   bool QueryCallback(std::int32_t node) {  // NOLINT(readability-identifier-naming)
     nodes.push_back(node);
     return true;
   }
 };
 
-/// Box2D's broad phase reports only pairs that are new, so its tree is asked directly, once for each box. Boxes in the
-/// tree are larger than they are, by b2_aabbExtension, so that they need not be put in anew whenever they move: every
-/// hit is tested. Boxes are put in, moved and asked for in the order of the leaves of a first tree, so that neighbours
-/// follow each other in memory and in time; in the order of indices it takes up to twice as long.
+/// Box2D's broad phase reports only new pairs, so its tree is queried directly, once for each box. Boxes in the tree
+/// are enlarged by b2_aabbExtension, so that they need not be reinserted with every move; every hit is tested. Boxes
+/// are inserted, moved and queried in the order of the leaves of a first tree, so that neighbours are adjacent in
+/// memory and in time; index order takes up to twice as long.
 class DynamicTree final : public Contestant<2, float> {
  public:
   explicit DynamicTree(Boxes boxes) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tried with Bullet's own pair cache, cleaned a tenth (the default) or all of it per frame, which takes 1.1 to 2 times
-// as long; with margins of 0, 0.05 (the default), 0.1 and 0.2; with 1 % and 3 % of the tree improved per frame.
+// Tried with Bullet's own pair cache, of which a tenth (the default) or all is cleaned per frame, which takes 1.1 to 2
+// times as long; with margins of 0, 0.05 (the default), 0.1 and 0.2; with 1 % and 3 % of the tree improved per frame.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -18,9 +18,9 @@
 namespace graze::race {
 namespace {
 
-/// Where the broad phase puts its pairs, in place of Bullet's own cache: with collisions deferred, every pair of moving
-/// boxes is reported in every frame, so nothing need be remembered. Boxes in the tree are larger than they are, so that
-/// they need not be put in anew whenever they move: hence the test.
+/// Receives the pairs in place of Bullet's own cache: with deferred collision, every pair of moving boxes is reported
+/// in every frame, so nothing need be stored. Boxes in the tree are enlarged, so that they need not be reinserted with
+/// every move; hence the test.
 class PairList final : public btNullPairCache {
  public:
   std::span<const Aabb<3, float>> boxes;
@@ -42,7 +42,7 @@ class AabbTree final : public Contestant<3, float> {
  public:
   explicit AabbTree(std::span<const Aabb<3, float>> boxes) {
     broadphase_.m_deferedcollide = true;
-    gDbvtMargin = 0.2F;  // of all trees of this kind; no other is alive
+    gDbvtMargin = 0.2F;  // global for all such trees; no other one exists
     list_.boxes = boxes;
     proxies_.reserve(boxes.size());
     for (const Aabb<3, float>& box : boxes) {

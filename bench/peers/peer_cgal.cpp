@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Tried with cutoffs of 10, 100, 1,000, 4,000, 16,000 and of 3, 4 and 8 times the root of n, on boxes and on pointers
-// to them: values and 4 sqrt(n) are the quickest, from a thousand boxes to a million.
-#define CGAL_LINKED_WITH_TBB  // what CGAL's support target for oneTBB defines
-#include <array>              // which CGAL forgets
+// Tried with cutoffs of 10, 100, 1,000, 4,000, 16,000 and of 3, 4 and 8 times the square root of n, on boxes and on
+// pointers to them: values and 4 sqrt(n) are the fastest, from a thousand to a million boxes.
+#define CGAL_LINKED_WITH_TBB  // defined by CGAL's support target for oneTBB
+#include <array>              // missing in CGAL
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,8 @@
 namespace graze::race {
 namespace {
 
-/// What CGAL asks of a box. Its own Box_d draws numbers from a counter shared by all threads; an index costs less.
+/// The interface that CGAL requires of a box. Its own Box_d draws ids from a counter shared by all threads; an index
+/// costs less.
 template <Dim N, class T>
 struct NumberedBox {
   using NT = T;
@@ -37,8 +38,8 @@ struct NumberedBox {
   T max_coord(int axis) const { return box.max[axis]; }
 };
 
-/// A streamed segment tree (Zomorodian and Edelsbrunner 2000) over boxes that it moves about: they are copied anew in
-/// every frame. Sets smaller than the cutoff are swept. With the default, 10, it takes three times as long.
+/// A streamed segment tree (Zomorodian and Edelsbrunner 2000) that reorders the boxes, so they are copied in every
+/// frame. Sets smaller than the cutoff are swept. The default of 10 takes three times as long.
 template <Dim N, class T>
 class SegmentTree final : public Contestant<N, T> {
  public:
@@ -62,8 +63,8 @@ class SegmentTree final : public Contestant<N, T> {
   std::vector<Pair> pairs_;
 };
 
-/// The same by CGAL's Parallel_tag, which copies the boxes four times more and cuts the work into 16 tasks, however
-/// many threads there are. Each thread has a list of its own; together they are copied into one.
+/// The same with CGAL's Parallel_tag, which copies the boxes four more times and always divides the work into 16 tasks.
+/// Each thread has a list of its own; the lists are concatenated.
 template <Dim N, class T>
 class ParallelSegmentTree final : public Contestant<N, T> {
  public:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tried: trees of low and medium quality, scenes for change, compact or neither. Medium takes twice as long.
+// Tried: trees of low and medium quality, scenes with the dynamic or the compact flag or neither. Medium takes twice as
+// long.
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -21,7 +22,7 @@
 namespace graze::race {
 namespace {
 
-/// What happens to the tree from frame to frame.
+/// How the tree is updated between frames.
 enum class Upkeep { rebuild, refit };
 
 struct Manner {
@@ -30,10 +31,9 @@ struct Manner {
   ListMemory memory;
 };
 
-/// The boxes are one geometry of a kind that Embree knows only by its bounds. Its tree is built anew in every frame, or
-/// fitted to where the boxes are now, by which it ages, and then met with itself. Embree reports whole leaves against
-/// each other, each pair from both sides: what is left is our part. Embree's own trees are in space: boxes of the plane
-/// are flat, at z = 0.
+/// The boxes are one user geometry, of which Embree knows only the bounds. Its tree is rebuilt in every frame, or
+/// refitted, which degrades it, and then collided with itself. Embree reports pairs of leaves, each in both orders; the
+/// adapter tests the boxes. Embree's trees are 3D: 2D boxes are flat, at z = 0.
 template <Dim N>
 class Collider final : public Contestant<N, float> {
  public:
@@ -66,7 +66,7 @@ class Collider final : public Contestant<N, float> {
   }
 
  private:
-  /// What one thread found; apart, so that threads do not share a cache line.
+  /// The result of one thread, aligned so that threads do not share a cache line.
   struct alignas(64) Found {
     std::vector<Pair> pairs;
     std::atomic_flag is_taken;
@@ -102,7 +102,7 @@ class Collider final : public Contestant<N, float> {
     }
   }
 
-  /// May be called by several threads at once: the first store that nobody uses is ours for this call.
+  /// May be called by several threads at once: claims the first unused store for this call.
   static void take(void* collider, RTCCollision* collisions, unsigned count) {
     auto& self = *static_cast<Collider*>(collider);
     std::size_t i = 0;
@@ -116,8 +116,8 @@ class Collider final : public Contestant<N, float> {
   }
 
   ListMemory memory_;
-  // What limits the threads. Embree's own limit would outlast its device, and hold for everybody who uses oneTBB here;
-  // its device takes as many threads as the arena has that it is made in.
+  // Limits the threads. Embree's own limit would outlast its device and apply to all users of oneTBB in this program;
+  // its device uses as many threads as the arena in which it is created.
   tbb::task_arena arena_;
   RTCDevice device_ = nullptr;
   RTCScene scene_ = nullptr;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tried: the manager with pointers instead of arrays (1.4 times as slow), telling it of each object that moved (three
-// times), and building the tree anew from the top (twice) or by Morton codes (twice).
+// Tried: the manager with pointers instead of arrays (1.4 times as slow), reporting each moved object (three times),
+// and rebuilding the tree from the top (twice) or by Morton codes (twice).
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -18,8 +18,8 @@
 namespace graze::race {
 namespace {
 
-/// The tree is built at the start; in every frame its boxes are fitted to where the objects are now, and some leaves
-/// are moved to better places.
+/// The tree is built at the start; in every frame it is refitted to the objects' new boxes, and some leaves are moved
+/// to better places.
 template <class T>
 class DynamicTree final : public Contestant<3, T> {
  public:
@@ -43,7 +43,7 @@ class DynamicTree final : public Contestant<3, T> {
   }
 
  private:
-  /// False lets FCL go on.
+  /// Returning false continues the search.
   static bool take(fcl::CollisionObject<T>* one, fcl::CollisionObject<T>* other, void* pairs) {
     static_cast<std::vector<Pair>*>(pairs)->push_back(
         ascending(bench::FclBox<T>::number_of(one), bench::FclBox<T>::number_of(other)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tried with 4, 6, 10 (the default) and 16 boxes in a node: within 5 % of each other.
+// Tried with 4, 6, 10 (the default) and 16 boxes per node: within 5 % of each other.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -17,9 +17,8 @@
 namespace graze::race {
 namespace {
 
-/// The tree is packed anew in every frame and asked once for each box: in the order of its leaves, where neighbours
-/// follow each other, a million boxes take half of the time that they take in the order of indices. Floats become
-/// doubles, which changes none of them.
+/// The tree is packed in every frame and queried once for each box, in the order of its leaves, where neighbours are
+/// adjacent; a million boxes take half of the time of queries in index order. Floats are converted to doubles, exactly.
 template <class T>
 class StrTree final : public Contestant<2, T> {
  public:

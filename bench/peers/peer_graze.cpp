@@ -13,7 +13,7 @@
 namespace graze::race {
 namespace {
 
-/// Everything anew in every frame, the memory too: what one gets without knowing anything.
+/// Keeps nothing between frames, not even memory: the simplest way to use graze.
 template <Dim N, class T>
 class FreeFunction final : public Contestant<N, T> {
  public:

@@ -22,16 +22,16 @@
 namespace graze::race {
 namespace {
 
-/// The frames of a round are held in memory, at most so many bytes of them.
+/// The frames of a round are held in memory, with at most this many bytes.
 constexpr std::size_t most_frame_bytes = std::size_t{3} << 30U;
 
-/// Of fewer boxes than this there are more frames in a round, up to so many times as many: one of a thousand boxes is
-/// over in microseconds, and anything that comes between is longer; the first lists of a hundred thousand are made of
-/// memory that the system has to find, as nobody's list is later.
+/// Rounds with fewer boxes than this have more frames, up to a limit: a frame of a thousand boxes takes microseconds,
+/// less than any interruption, and the first lists of a hundred thousand boxes need fresh memory from the system, as
+/// later ones do not.
 constexpr std::size_t boxes_of_few_frames = 400'000;
 constexpr std::size_t most_times_frames = 25;
 
-/// Lines on stderr; the last one is written over where it is a terminal.
+/// Lines on stderr; on a terminal, the last one is overwritten.
 class Progress {
  public:
   void now(const std::string& text) const {
@@ -43,7 +43,7 @@ class Progress {
   bool is_terminal_ = isatty(STDERR_FILENO) == 1;
 };
 
-/// How an answer differs from the right one, both sorted; empty when it does not.
+/// How an answer differs from the right one, both sorted; empty if it does not.
 std::string difference(std::span<const Pair> sorted, const std::vector<Pair>& right) {
   if (std::equal(sorted.begin(), sorted.end(), right.begin(), right.end())) return "";
   std::vector<Pair> missing;
@@ -93,8 +93,8 @@ struct Round {
   std::vector<Pair> last_pairs;
 };
 
-/// Why an entrant sits out a count; empty when it runs. Peers that were too slow at the count before do, but for the
-/// two fastest of them, without whom there would be nothing to compare with.
+/// Why an entrant skips a count; empty if it runs. Peers that were too slow at the previous count are skipped, except
+/// the two fastest, so that there is something to compare with.
 template <Dim N, class T>
 std::string reason_to_sit_out(const Entrant<N, T>& entrant, std::size_t count, const Heat* previous, double slowest) {
   if (count > entrant.most_boxes) return entrant.why_no_more;

@@ -23,21 +23,21 @@ using Cells = std::vector<std::string>;
 
 std::string row(const Cells& cells) { return fmt::format("| {} |\n", fmt::join(cells, " | ")); }
 
-/// The first column holds words, the others numbers.
+/// The first column contains words, the others numbers.
 std::string head(const Cells& cells) {
   std::string rule = "|---|";
   for (std::size_t i = 1; i < cells.size(); ++i) rule += "--:|";
   return row(cells) + rule + "\n";
 }
 
-/// Three digits that count: "0.0123", "1.23", "12.3", "1,234".
+/// Three significant digits: "0.0123", "1.23", "12.3", "1,234".
 std::string milliseconds(double value) {
   if (value >= 1000) return grouped(static_cast<std::size_t>(std::lround(value)));
   const int digits = value <= 0 ? 0 : 2 - static_cast<int>(std::floor(std::log10(value)));
   return fmt::format("{:.{}f}", value, std::clamp(digits, 0, 6));
 }
 
-/// Without rounding up to a target: 9.98 is "9.9".
+/// Truncated, so that it never rounds up to a target: 9.98 is "9.9".
 std::string ratio_text(double ratio) { return fmt::format("{:.1f}", std::floor(ratio * 10) / 10); }
 
 std::string processor() {
@@ -87,7 +87,7 @@ std::string contestants(const Outcome& outcome) {
   return text + "\n";
 }
 
-/// A way to use graze that is held against the targets.
+/// A way to use graze that is compared with the targets.
 struct Discipline {
   std::string contestant;
   std::string title;
@@ -123,7 +123,7 @@ const std::array<Discipline, 5>& disciplines() {
   return all;
 }
 
-/// How many times as long the fastest peer with one thread takes; 0 when either did not run.
+/// The ratio of the fastest single-threaded peer's time to graze's; 0 if either did not run.
 double ratio_of(const Heat& heat, const Discipline& discipline) {
   const Timing* graze = timing_of(heat, discipline.contestant);
   const Timing* peer = fastest(heat, Side::peer, 1, discipline.field, discipline.finish);
@@ -135,7 +135,7 @@ bool is_under_target(const Trajectory& course, const Heat& heat, const Disciplin
   return ratio > 0 && ratio < target_of(course, heat.count);
 }
 
-/// "10.3", with a mark and the target where it is under that; a dash where there was nobody to compare with.
+/// "10.3", with a mark and the target if it is below; a dash if there is no peer to compare with.
 std::string verdict(const Trajectory& course, const Heat& heat, const Discipline& discipline) {
   const double ratio = ratio_of(heat, discipline);
   if (ratio == 0) return "-";
@@ -143,7 +143,7 @@ std::string verdict(const Trajectory& course, const Heat& heat, const Discipline
   return fmt::format("{} (< {:g})", ratio_text(ratio), target_of(course, heat.count));
 }
 
-/// Nanoseconds of a frame for each box.
+/// Nanoseconds of a frame per box.
 double per_box(const Heat& heat, const Timing& timing) {
   return timing.median * 1e6 / static_cast<double>(std::max<std::size_t>(1, heat.count));
 }
@@ -203,12 +203,12 @@ std::string under_target(const Outcome& outcome, const Discipline& discipline) {
   return "Under target:\n\n" + (lines.empty() ? "- none of the above\n" : lines) + "\n";
 }
 
-/// A table of what graze alone promises: for each scene that has it, one number of each of its contestants, which is
-/// marked where `is_good` denies it.
+/// A table of graze's own targets: one number for each contestant of every scene that has it, marked if `is_good` is
+/// false.
 struct OwnTarget {
   std::string title;
   std::string explanation;
-  std::function<double(const CourseResult&, const std::string& contestant)> number;  ///< 0 where there is none.
+  std::function<double(const CourseResult&, const std::string& contestant)> number;  ///< 0 if there is none.
   std::function<bool(double)> is_good;
 };
 
@@ -291,7 +291,7 @@ std::string cell(const Timing& timing, bool is_fastest) {
   return fmt::format("{} ±{:.0f} %", is_fastest ? "**" + time + "**" : time, timing.spread * 100);
 }
 
-/// One row of the table of a course: a name, and what there is to say of each heat.
+/// One row of the table of a course: a name, and one cell per heat.
 std::string line(const std::string& name, const CourseResult& result,
                  const std::function<std::string(const Heat&)>& say) {
   Cells cells = {name};

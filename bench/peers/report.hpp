@@ -8,8 +8,8 @@
 
 namespace graze::race {
 
-/// The whole report as Markdown: what was compared and how, the ratios against the targets, and a table for each
-/// course. `chart`, when not empty, is the path of a picture from where the report lies.
+/// The whole report as Markdown: what was compared and how, the ratios compared with the targets, and a table for each
+/// course. `chart`, if not empty, is the path of a picture relative to the report.
 std::string markdown(const Outcome& outcome, const Settings& settings, const std::string& chart);
 
 /// "1,000,000".

@@ -22,7 +22,7 @@ const Timing* fastest(const Heat& heat, Side side, std::size_t threads, Field fi
   return best;
 }
 
-// Of graze's contestants the plain function enters first.
+// The plain function is the first of graze's contestants.
 const Timing* judged(const Heat& heat, std::size_t threads) {
   for (const Timing& timing : heat.timings) {
     if (timing.side == Side::graze && timing.threads == threads) return timing.frames > 0 ? &timing : nullptr;

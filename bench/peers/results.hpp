@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a race leaves behind.
+// The results of a comparison.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,18 @@
 
 namespace graze::race {
 
-/// How one contestant did at one count.
+/// The times of one contestant at one count.
 struct Timing {
   std::string name;
   std::string settings;
   Side side = Side::peer;
   std::size_t threads = 1;
-  bool keeps = false;      ///< What it knows, from frame to frame.
-  std::size_t frames = 0;  ///< How many were timed; 0 when it did not run.
-  std::string why_not;     ///< Then the reason.
+  bool keeps = false;      ///< Whether it keeps data between frames.
+  std::size_t frames = 0;  ///< The number of timed frames; 0 if it did not run.
+  std::string why_not;     ///< The reason, if it did not run.
   double median = 0;       ///< Milliseconds per frame.
-  double sorted = 0;       ///< The same until its list is sorted, whoever does it.
-  double spread = 0;       ///< Half of what lies between the quartiles, relative to the median.
+  double sorted = 0;       ///< The same including sorting its list.
+  double spread = 0;       ///< Half of the interquartile range, relative to the median.
 };
 
 struct Heat {
@@ -36,23 +36,23 @@ struct CourseResult {
   std::vector<Heat> heats;  ///< By ascending count.
 };
 
-/// The timing of that name, or null when it did not run.
+/// The timing of that name, or null if it did not run.
 const Timing* timing_of(const Heat& heat, const std::string& name);
 
-/// Whom a contestant is compared with.
+/// Which contestants are considered.
 enum class Field { all, from_nothing };
 
-/// Until when it is timed.
+/// The end of the timed interval.
 enum class Finish { found, sorted };
 
 /// Milliseconds per frame.
 double time_of(const Timing& timing, Finish finish);
 
-/// The fastest contestant of that side that uses at most so many threads, or null when none ran.
+/// The fastest contestant of that side with at most this many threads, or null if none ran.
 const Timing* fastest(const Heat& heat, Side side, std::size_t threads, Field field = Field::all,
                       Finish finish = Finish::found);
 
-/// What graze is judged by: plain overlapping_pairs, with so many threads. Null when it did not run.
+/// The contestant by which graze is judged: plain overlapping_pairs with this many threads. Null if it did not run.
 const Timing* judged(const Heat& heat, std::size_t threads);
 
 }  // namespace graze::race

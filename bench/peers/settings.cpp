@@ -37,7 +37,7 @@ std::string joined(int argc, const char* const* argv) {
   return command;
 }
 
-/// What the command line says, before it is looked at.
+/// The command line before validation.
 struct Words {
   std::vector<std::string> scenes = {"brownian", "2d:brownian"};
   std::vector<std::string> counts = {"1k", "10k", "100k"};

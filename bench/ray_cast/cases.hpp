@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random shapes of about unit size about the origin, and rays from outside towards them.
+// Random shapes of about unit size near the origin, and rays from outside towards them.
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,7 @@
 
 namespace graze::ray_bench {
 
-/// Rays go up to here: twice as far as the point that each is aimed at, and so past every bounded shape.
+/// The length of rays in t: twice as far as the point that each is aimed at, and so past every bounded shape.
 inline constexpr float t_max = 2;
 
 class Random {
@@ -31,7 +31,7 @@ class Random {
     return v;
   }
 
-  /// Of at least a tenth of the size.
+  /// At least a tenth of the size.
   template <Dim N>
   Vec<N, double> way(double size) {
     Vec<N, double> v = vector<N>(size);
@@ -96,7 +96,7 @@ void draw(Random& random, Capsule<N, T>& capsule) {
   const Vec<N, double> a = random.vector<N>(1);
   capsule = {Vec<N, T>(a), Vec<N, T>(a + random.way<N>(1)), static_cast<T>(random.number(0.2, 0.6))};
 }
-/// Of 32 corners in space; in the plane of 8, which are the most that Box2D has.
+/// With 32 corners in 3D, and 8 in 2D, the maximum of Box2D.
 template <Dim N, class T>
 void draw(Random& random, Polytope<N, T>& polytope) {
   std::vector<Vec<N, T>> points(N == 2 ? 8 : 32);
@@ -106,7 +106,7 @@ void draw(Random& random, Polytope<N, T>& polytope) {
   }
   polytope = convex_hull<N, T>(points);
 }
-/// Of six parts: spheres, oriented boxes and capsules, up to another unit apart.
+/// With six parts: spheres, oriented boxes and capsules, up to another unit apart.
 template <Dim N, class T>
 void draw(Random& random, Compound<N, T>& compound) {
   std::vector<AnyShape<N, T>> parts;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far what another library answers is from what graze answers.
+// Measures how far another library's answers are from graze's.
 #pragma once
 
 #include <algorithm>
@@ -19,12 +19,12 @@
 
 namespace graze::ray_bench {
 
-/// Counts the answers that differ by more than a length, the tolerance of a library, as the shape's surface would have
-/// to move for both to be right: where one alone hits, how far the ray passes the shape or how deep it is in it; where
-/// both hit, how far one point is behind the other, across the surface.
+/// Counts the answers that differ by more than a library's tolerance. The difference is the distance by which the
+/// shape's surface would have to move for both to be right: if only one hits, how far the ray passes the shape or how
+/// deep it is inside; if both hit, the offset of the points across the surface.
 class Comparison {
  public:
-  /// Of a library some answers may be off by more: this share of all.
+  /// A share of a library's answers may be off by more.
   explicit Comparison(double tolerance, double share_wrong = 0) : tolerance_(tolerance), share_wrong_(share_wrong) {}
 
   template <class S, class T, class Theirs>
@@ -38,13 +38,13 @@ class Comparison {
     }
   }
 
-  /// Of a library that says only whether the ray hits.
+  /// For a library that only tells whether the ray hits.
   template <class S>
   void add(const Case<S>& asked, bool ours, bool theirs) {
     if (ours != theirs) add_verdict(asked, ours);
   }
 
-  /// Prints what was found; whether it is as it may be.
+  /// Prints the result. Returns whether it is within the limits.
   bool report(const std::string& name, std::size_t count) const {
     std::printf("%s: %zu of %zu rays hit for one alone; off by up to %.1e, may be %.1e: %zu are more\n", name.c_str(),
                 verdicts_, count, worst_, tolerance_, beyond_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Box2D's RayCast (float) of a circle, an edge, a polygon, which is what it has for boxes and triangles too, and a box
-// along the axes. Shapes stand where they are: they are not moved.
+// Box2D's RayCast (float) against a circle, an edge, a polygon, which it also uses for boxes and triangles, and an
+// axis-aligned box. Shapes have no transform.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ namespace graze::ray_bench {
 
 inline b2Vec2 box2d(const Vec<2, float>& v) { return {v.x, v.y}; }
 
-/// Of corners in counter-clockwise order. Filled in by hand, for Set would weld those that are near to each other.
+/// Takes corners in counter-clockwise order. Filled in by hand, because Set would weld nearby corners.
 inline b2PolygonShape box2d_polygon(std::span<const Vec<2, float>> corners) {
   b2PolygonShape polygon;
   polygon.m_count = static_cast<int32>(corners.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bullet (float): its own tests of a ray against a box along the axes and a triangle, its convex cast, which is what it
-// has for all others that are convex, and what its worlds do with a plane and a compound.
+// Bullet (float): its ray tests against an axis-aligned box and a triangle, its convex cast for all other convex
+// shapes, and what its worlds do with a plane and a compound.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ namespace graze::ray_bench {
 
 inline btVector3 bullet(const Vec<3, float>& v) { return {v.x, v.y, v.z}; }
 
-/// From the origin to the ray's point at t_max; Bullet finds a fraction of that way.
+/// From the origin to the ray's point at t_max; Bullet finds a fraction of that path.
 struct BulletPath {
   explicit BulletPath(const Ray<3, float>& ray)
       : from(bullet(ray.origin)), to(bullet(ray.origin + ray.direction * t_max)) {}
@@ -46,7 +46,7 @@ struct BulletHit {
   btVector3 normal;
 };
 
-// ---- Shapes, and where they are
+// ---- Shapes and their poses
 
 template <class Geometry>
 struct BulletPlaced {
@@ -68,7 +68,7 @@ inline BulletConvex bullet_shape(const Obb<3, float>& box) {
   shape.pose.setOrigin(bullet(box.center));
   return shape;
 }
-/// Bullet's capsules stand along y.
+/// Bullet's capsules are parallel to y.
 inline BulletConvex bullet_shape(const Capsule<3, float>& capsule) {
   const btVector3 way = bullet(capsule.b - capsule.a);
   BulletConvex shape{std::make_shared<btCapsuleShape>(capsule.radius, way.length())};
@@ -93,7 +93,7 @@ concept IsConvexForBullet = requires(const S& shape) {
   { bullet_shape(shape) } -> std::same_as<BulletConvex>;
 };
 
-/// A compound, and its parts, which Bullet does not own.
+/// A compound with its parts, which Bullet does not own.
 struct BulletCompound : btCompoundShape {
   std::vector<BulletConvex> parts;
 };
@@ -111,7 +111,7 @@ inline BulletShape bullet_shape(const Compound<3, float>& compound) {
   return {whole};
 }
 
-/// What only a world knows how to cast a ray at.
+/// Shapes that only a world can cast a ray at.
 template <class S>
 concept IsWholeForBullet = requires(const S& shape) {
   { bullet_shape(shape) } -> std::same_as<BulletShape>;
@@ -119,12 +119,12 @@ concept IsWholeForBullet = requires(const S& shape) {
 
 // ---- Tests
 
-/// Bullet's convex cast stops where the square of the distance is a ten thousandth; and it gives up, with whatever it
-/// has, where its simplex comes to be flat.
+/// Bullet's convex cast stops when the squared distance is 1e-4, and gives up, with its current result, if its simplex
+/// becomes flat.
 inline constexpr double bullet_cast_tolerance = 3e-2;
 inline constexpr double bullet_cast_share_wrong = 0.05;
 
-/// A point that is cast against a convex shape at rest, as Bullet's ray tests do.
+/// Casts a point against a convex shape at rest, as Bullet's ray tests do.
 class BulletConvexCast {
  public:
   static constexpr const char* name = "Bullet btSubsimplexConvexCast";
@@ -159,7 +159,7 @@ class BulletConvexCast {
   BulletPath path_;
 };
 
-/// What is done with each object of a world that a ray may meet.
+/// What a world does with each object that a ray may hit.
 class BulletObjectCast {
  public:
   static constexpr const char* name = "Bullet rayTestSingle";
@@ -212,7 +212,7 @@ class BulletBoxCast {
   BulletPath path_;
 };
 
-/// The test of the boxes in Bullet's trees, which finds no normal, and what it is to be given of the ray.
+/// The box test in Bullet's trees, which finds no normal, with its precomputed ray data.
 class BulletSlabs {
  public:
   static constexpr const char* name = "Bullet btRayAabb2 (t alone)";
@@ -244,14 +244,14 @@ class BulletSlabs {
 class BulletTriangleCast {
  public:
   static constexpr const char* name = "Bullet btTriangleRaycastCallback";
-  static constexpr double tolerance = 1e-3;  // its edges are as wide as 1e-4 of the triangle
+  static constexpr double tolerance = 1e-3;  // its edges have a tolerance of 1e-4 of the triangle
 
   explicit BulletTriangleCast(const Case<Triangle<3, float>>& asked)
       : corners_{bullet(asked.shape.a), bullet(asked.shape.b), bullet(asked.shape.c)}, path_(asked.ray) {}
 
   std::optional<BulletHit> cast() const {
     Callback callback(path_.from, path_.to);
-    std::array<btVector3, 3> copy = corners_;  // processTriangle takes them by a pointer to non-const
+    std::array<btVector3, 3> copy = corners_;  // processTriangle takes a pointer to non-const
     callback.processTriangle(copy.data(), 0, 0);
     return callback.hit;
   }

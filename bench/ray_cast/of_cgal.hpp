@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// CGAL's do_intersect of a ray or, where the shape has no end, its segment up to t_max, by the kernel that calculates
-// in plain floats or doubles. It says whether there is a hit, not where.
+// CGAL's do_intersect of a ray or, if the shape is unbounded, its segment up to t_max, with the kernel that calculates
+// in plain floats or doubles. It tells whether there is a hit, not where.
 #pragma once
 
 #include <type_traits>
@@ -41,7 +41,7 @@ template <class T>
 auto cgal(const Aabb<2, T>& box) {
   return typename CgalKernel<T>::Iso_rectangle_2(cgal(box.min), cgal(box.max));
 }
-/// Its box of doubles, as its trees have it.
+/// Its box of doubles, as used in its trees.
 template <class T>
 auto cgal(const Aabb<3, T>& box) {
   return CGAL::Bbox_3(box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z);
@@ -59,7 +59,7 @@ auto cgal(const Plane<3, T>& plane) {
   return typename CgalKernel<T>::Plane_3(plane.normal.x, plane.normal.y, plane.normal.z, -plane.offset);
 }
 
-/// What CGAL is asked about.
+/// The query passed to CGAL.
 template <class S>
 auto cgal_path(const Case<S>& asked) {
   constexpr Dim N = dimension_of<S>;

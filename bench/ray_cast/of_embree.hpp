@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Embree's rtcIntersect1 (float) on a scene of one sphere, one triangle, or the triangles of one hull, which it
-// prepares before any ray is cast.
+// Embree's rtcIntersect1 (float) on a scene of one sphere, one triangle, or the triangles of one hull, built before any
+// ray is cast.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ struct ReleaseScene {
 };
 using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
 
-/// One for the whole program, which it goes with.
+/// One for the whole program, never freed.
 inline RTCDevice embree_device() {
   static const RTCDevice device = rtcNewDevice("threads=1");
   return device;
@@ -38,7 +38,7 @@ inline EmbreeScene embree_scene(RTCGeometry geometry) {
   return scene;
 }
 
-/// Corners of triangles, three and three.
+/// Corners of triangles, in threes.
 inline EmbreeScene embree_triangles(const std::vector<Vec<3, float>>& corners) {
   const RTCGeometry geometry = rtcNewGeometry(embree_device(), RTC_GEOMETRY_TYPE_TRIANGLE);
   const auto buffer = [&](RTCBufferType type, RTCFormat format, std::size_t size, std::size_t count) {

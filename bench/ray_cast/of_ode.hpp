@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// ODE's dCollide of a ray, in double as Debian builds it. Each ray is made once, before it is cast. Not of a convex
-// body, given by its planes, of which it missed 712 of 716 that were hit.
+// ODE's dCollide of a ray, in double as Debian builds it. Each ray is created once, before it is cast. Without convex
+// polytopes, given by planes: ODE missed 712 of 716 hits on them.
 #pragma once
 
 #include <cmath>
@@ -19,7 +19,7 @@ struct DestroyGeometry {
 };
 using OdeGeometry = std::unique_ptr<std::remove_pointer_t<dGeomID>, DestroyGeometry>;
 
-/// ODE has tables for the whole program and for each thread; they go with the program.
+/// ODE has tables for the program and for each thread; they are never freed.
 inline void start_ode() {
   static const bool is_started = dInitODE2(0) != 0 && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
   static_cast<void>(is_started);
@@ -45,7 +45,7 @@ inline OdeGeometry ode_geometry(const Obb<3, double>& box) {
   dGeomSetRotation(geometry.get(), rotation);
   return geometry;
 }
-/// ODE's capsules stand along z, and their length is that of the axis.
+/// ODE's capsules are parallel to z, and their length is that of the axis.
 inline OdeGeometry ode_geometry(const Capsule<3, double>& capsule) {
   const Vec<3, double> way = capsule.b - capsule.a;
   OdeGeometry geometry =
@@ -55,7 +55,7 @@ inline OdeGeometry ode_geometry(const Capsule<3, double>& capsule) {
   dGeomSetRotation(geometry.get(), rotation);
   return geometry;
 }
-/// What ODE calls a plane is solid below, but rays find its surface from both sides.
+/// ODE's planes are solid below, but rays hit the surface from both sides.
 inline OdeGeometry ode_geometry(const Plane<3, double>& plane) {
   const double length = std::sqrt(dot(plane.normal, plane.normal));
   const Vec<3, double> normal = plane.normal / length;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What happens in a living world, and what is to be said of each frame.
+// The movements in a scene, and the required answer for each frame.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ using graze::Pair;
 template <Dim N>
 using Box = graze::Aabb<N, float>;
 
-/// A world in which every `step`-th box moves, others in each frame: a walk of some steps, to and fro.
+/// A scene in which every `step`-th box moves, others in each frame: a walk of some steps, back and forth.
 template <Dim N>
 class Frames {
  public:
@@ -40,20 +40,20 @@ class Frames {
 
   bool all_move() const { return step_ == 1; }
 
-  /// Where boxes are after this frame, if they move in it.
+  /// The boxes after this frame, if they move in it.
   const std::vector<Box<N>>& places(std::size_t frame) const {
     const std::size_t way = (frame / step_ + 1) % (2 * places_.size() - 2);
     return places_[std::min(way, 2 * places_.size() - 2 - way)];
   }
 
-  /// Calls move(box number, box) for what moves in this frame.
+  /// Calls move(box number, box) for the boxes that move in this frame.
   template <class Move>
   void each_move(std::size_t frame, const Move& move) const {
     const std::vector<Box<N>>& boxes = places(frame);
     for (std::size_t k = frame % step_; k < boxes.size(); k += step_) move(k, boxes[k]);
   }
 
-  /// Where all boxes are after this frame, and those before it.
+  /// The boxes after this frame, including those that moved earlier.
   std::vector<Box<N>> all_places(std::size_t frame) const {
     std::vector<Box<N>> boxes = start();
     for (std::size_t k = frame + 1 - std::min(frame + 1, step_); k <= frame; ++k) {
@@ -63,8 +63,8 @@ class Frames {
   }
 
  private:
-  /// Memory that was written and never read may cost its first reader microseconds a page, which are not the
-  /// contestant's: in a living world what moves has just been calculated.
+  /// The first read of memory that was written and never read may cost microseconds per page, which should not count:
+  /// in a simulation, boxes that move have just been calculated.
   static void read_once(const std::vector<Box<N>>& place) {
     for (const Box<N>& box : place) benchmark::DoNotOptimize(box.min.x);
   }
@@ -73,7 +73,7 @@ class Frames {
   std::array<std::vector<Box<N>>, 16> places_;
 };
 
-/// What touches after a frame, and what is new and what is over; in any order.
+/// The pairs that touch after a frame, and those that began and ended; in any order.
 struct Outcome {
   std::vector<Pair> touching;
   std::vector<Pair> began;
@@ -99,7 +99,7 @@ inline Pair ascending(std::size_t i, std::size_t j) {
   return {static_cast<std::uint32_t>(std::min(i, j)), static_cast<std::uint32_t>(std::max(i, j))};
 }
 
-/// For who knows all pairs of a frame, but not those of the last: makes the next outcome of them.
+/// For contestants that know all pairs of a frame, but not those of the last: makes the next outcome of them.
 inline void go_on(Outcome& outcome, std::vector<Pair>& found) {
   std::sort(found.begin(), found.end());
   outcome.began.clear();

@@ -12,8 +12,8 @@
 
 namespace bench {
 
-/// Box2D enlarges boxes by b2_aabbExtension and reports pairs of those when one of them has left its own; who uses it
-/// keeps them until they are apart, as Box2D's contact manager does.
+/// Box2D enlarges boxes by b2_aabbExtension and reports pairs when one of the boxes leaves its enlarged box; the user
+/// keeps them until they separate, as Box2D's contact manager does.
 class OfBox2d {
  public:
   static constexpr const char* name = "Box2D b2BroadPhase";
@@ -36,7 +36,7 @@ class OfBox2d {
 
   const Outcome& outcome() const { return outcome_; }
 
-  /// Box2D's name for it.
+  /// The name that Box2D requires.
   void AddPair(void* one, void* other) {  // NOLINT(readability-identifier-naming)
     const Pair pair = ascending(reinterpret_cast<std::size_t>(one), reinterpret_cast<std::size_t>(other));
     if (known_.insert(key_of(pair)).second) kept_.push_back({pair, false});

@@ -11,8 +11,8 @@
 
 namespace bench {
 
-/// Bullet keeps the pairs of boxes that it has enlarged by a margin. Each kept pair has a flag, whether the boxes
-/// themselves touch: so what began and ended is known without looking for it. A box in a plane is flat.
+/// Bullet keeps the pairs of boxes enlarged by a margin. A flag in each kept pair tells whether the boxes themselves
+/// touch, so begin and end events need no search. 2D boxes are flat.
 template <Dim N>
 class OfBullet {
  public:
@@ -53,7 +53,7 @@ class OfBullet {
     return ascending(index_of(pair.m_pProxy0), index_of(pair.m_pProxy1));
   }
 
-  /// Tells of pairs that Bullet no longer keeps.
+  /// Reports pairs that Bullet no longer keeps.
   class KeptPairs final : public btHashedOverlappingPairCache {
    public:
     explicit KeptPairs(Outcome& outcome) : outcome_(outcome) {}

@@ -12,8 +12,8 @@
 
 namespace bench {
 
-/// FCL's tree knows no pairs of the last frame, so all are found anew. When everything has moved it is fitted as a
-/// whole, otherwise told what.
+/// FCL's tree does not store pairs between frames, so all are found again. If everything has moved, the whole tree is
+/// refitted, otherwise single objects are updated.
 class OfFcl {
  public:
   static constexpr const char* name = "FCL DynamicAABBTree_Array";
@@ -53,7 +53,7 @@ class OfFcl {
     go_on(outcome_, found_);
   }
 
-  /// False lets FCL go on.
+  /// Returning false continues the search.
   static bool take(fcl::CollisionObject<float>* one, fcl::CollisionObject<float>* other, void* found) {
     static_cast<std::vector<Pair>*>(found)->push_back(
         ascending(FclBox<float>::number_of(one), FclBox<float>::number_of(other)));

@@ -63,7 +63,7 @@ class OfGraze {
   std::vector<Box<N>> places_;
 };
 
-/// The same where somebody reads each frame while the next one is made: one snapshot is always held.
+/// The same while a reader holds the snapshot of the previous frame.
 template <Dim N>
 class OfGrazeRead : public OfGraze<N> {
  public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Other libraries' tests whether two oriented boxes meet, none of which looks for a contact if it can help it. Each has
-// its own copies of all boxes, made before any pair is asked about.
+// Other libraries' tests whether two oriented boxes intersect, without finding contacts if possible. Each has its own
+// copies of all boxes, created before any query.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ namespace graze::touching_bench {
 
 using Boxes = std::vector<Obb<3, float>>;
 
-/// FCL's bounding volume (float): the fifteen axes, one after the other, until one parts the boxes.
+/// FCL's bounding volume (float): the fifteen axes, one after the other, until one separates the boxes.
 class FclBoxes {
  public:
   static constexpr const char* name = "FCL OBB::overlap";
@@ -41,7 +41,7 @@ class FclBoxes {
   std::vector<fcl::OBB<float>> boxes_;
 };
 
-/// What Bullet's trees of boxes ask (float): the fifteen axes in the coordinates of the first box.
+/// The test in Bullet's trees of boxes (float): the fifteen axes in the frame of the first box.
 class BulletBoxes {
  public:
   static constexpr const char* name = "Bullet overlapping_trans_cache";
@@ -73,7 +73,7 @@ class BulletBoxes {
   std::vector<Box> boxes_;
 };
 
-/// ODE's (double), which finds a contact too.
+/// ODE's test (double), which finds a contact, too.
 class OdeBoxes {
  public:
   static constexpr const char* name = "ODE dBoxTouchesBox";
