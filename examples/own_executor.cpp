@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pairs found by the threads of a program's own job system, here the plainest one there is.
+// Finds pairs on the threads of a program's own job system, here a minimal one.
 #include <atomic>
 #include <cstdio>
 #include <thread>

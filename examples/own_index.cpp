@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// An index of your own in ten lines: say which boxes may meet a region, and CustomIndex makes a SpatialIndex of it,
-// with keys, exact answers, and errors for what is wrong. This one knows what lies ahead: it keeps boxes by their right
-// sides.
+// A user-defined index in ten lines: implement which boxes may meet a region, and CustomIndex turns it into a
+// SpatialIndex with keys, exact answers and error checks. This one supports queries for what lies ahead: it stores
+// boxes by their right sides.
 #include <cstdint>
 #include <cstdio>
 #include <set>
@@ -24,7 +24,7 @@ int main() {
   graze::CustomIndex<Ahead> index;
   for (int i = 0; i < 100; ++i) index.insert(graze::Aabb<2>::from_center({static_cast<float>(i), 0}, {1, 1}));
   const graze::Sphere<2> ball{{40, 2}, 5};
-  const std::size_t touched = graze::count(index, ball);  // takes every SpatialIndex
+  const std::size_t touched = graze::count(index, ball);  // accepts every SpatialIndex
   std::printf("%zu boxes touch the ball\n", touched);
   index.ray_cast(graze::Ray<2>{{90.25F, 0.5F}, {1, 0}}, [](graze::Key key, double t) {
     std::printf("the ray enters box %u at t = %g\n", key.index, t);

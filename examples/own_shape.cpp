@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A type of your own is a shape as soon as `support` is found for it: the point of the shape farthest along a
-// direction.
+// A user-defined type is a shape if `support` is found for it: the point of the shape farthest along a direction.
 #include <cmath>
 #include <cstdio>
 

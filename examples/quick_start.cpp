@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What touches what: two shapes, then many.
+// Which shapes touch: two of them, then many.
 #include <cstdio>
 
 #include <graze/graze.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads a scene file of any format and says what touches what in it.
+// Reads a scene file of any supported format and prints which objects touch.
 #include <cstdio>
 #include <variant>
 

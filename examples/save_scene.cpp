@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Saves a scene and goes on with what was saved: an index and a generation mean the same object as before.
+// Saves a scene and continues with the loaded one: an index and a generation mean the same object as before.
 #include <cstdio>
 #include <optional>
 #include <sstream>

@@ -103,7 +103,7 @@ void set_list_memory(Entrant<N, T>& entrant, ListMemory memory) {
   entrant.keeps = memory == ListMemory::kept;
   if (entrant.keeps) return;
   entrant.name += ", list anew";
-  entrant.settings += "; its list of pairs made anew";
+  entrant.settings += "; new list of pairs";
 }
 
 /// The pair of two indices in any order.

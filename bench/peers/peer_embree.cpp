@@ -131,7 +131,7 @@ void enter_with(Entrants<N, float>& field, const Manner& manner) {
   Entrant<N, float> entrant;
   entrant.name = manner.upkeep == Upkeep::refit ? "Embree rtcCollide, refitted" : "Embree rtcCollide";
   entrant.settings = "Embree " RTC_VERSION_STRING ", user geometry, low quality, dynamic scene; ";
-  entrant.settings += manner.upkeep == Upkeep::refit ? "the tree kept and refitted" : "the tree built anew";
+  entrant.settings += manner.upkeep == Upkeep::refit ? "the tree kept and refitted" : "the tree rebuilt";
   set_list_memory(entrant, manner.memory);
   if (manner.threads > 1) entrant.name += ", " + std::to_string(manner.threads) + " threads";
   entrant.threads = manner.threads;

@@ -66,11 +66,11 @@ void enter_with(Entrants<N, T>& field, std::size_t threads) {
     entrant.prepare = prepare;
     field.push_back(std::move(entrant));
   };
-  enter("graze overlapping_pairs", "the defaults: method picked from the data, pairs sorted, in a list made anew",
+  enter("graze overlapping_pairs", "the defaults: method chosen from the data, pairs sorted, new list",
         [executor](Boxes) { return std::make_unique<FreeFunction<N, T>>(executor, PairOrder::sorted); });
   enter("graze overlapping_pairs, any order", "the same, pairs as they are found",
         [executor](Boxes) { return std::make_unique<FreeFunction<N, T>>(executor, PairOrder::any); });
-  enter("graze PairFinder", "memory, and the order of boxes while it serves, kept from frame to frame, pairs sorted",
+  enter("graze PairFinder", "memory, and the order of boxes while it is useful, kept between frames, pairs sorted",
         [executor](Boxes) { return std::make_unique<Finder<N, T>>(executor, PairOrder::sorted); });
   enter("graze PairFinder, any order", "the same, pairs as they are found",
         [executor](Boxes) { return std::make_unique<Finder<N, T>>(executor, PairOrder::any); });

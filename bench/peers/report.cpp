@@ -52,16 +52,15 @@ std::string introduction(const Settings& settings) {
   const std::time_t now = std::time(nullptr);
   std::string text = "# Benchmarks: all overlapping pairs\n\n";
   text +=
-      "Every contestant gets the same boxes in the same run, frame by frame, and finds all overlapping pairs, touching "
-      "ones too. In every round the answers of each contestant to the first frame, which is not timed, and to the last "
-      "one, unless its time is up before, are compared with graze's, pair by pair. The times are milliseconds per "
-      "frame, from boxes to the list of pairs: the median, and half of what lies between the quartiles, in per "
-      "cent. Making the boxes and comparing the answers is not in them; what a library keeps from frame to frame (a "
-      "tree whose boxes are moved, memory) is made before. All boxes have moved between two frames, except those from "
-      "files: there, whoever keeps a tree has nothing to do to it. graze gives its pairs sorted unless it is told that "
-      "any order will do; the others give them as they find them, and where theirs are to be sorted as well, that is "
-      "done by Highway's VQSort, the fastest sort that was found. Only ratios within one run count: machines differ "
-      "and are noisy.\n\n";
+      "Every contestant gets the same boxes in the same run, frame by frame, and finds all overlapping pairs; "
+      "touching counts as overlapping. In every round, each contestant's answers to the first frame, which is not "
+      "timed, and to the last one, unless its time is up before, are compared with graze's, pair by pair. Times are "
+      "milliseconds per frame, from boxes to the list of pairs: the median, and half of the interquartile range, in "
+      "per cent. Generating boxes and comparing answers is not timed; what a library keeps between frames (a tree "
+      "whose boxes are moved, memory) is created before. All boxes have moved between two frames, except those from "
+      "files: for these, a kept tree needs no update. graze sorts its pairs unless told otherwise; the others return "
+      "them as they find them. If theirs are to be sorted as well, this is done by Highway's VQSort, the fastest sort "
+      "that was found. Only ratios within one run are meaningful: machines differ, and timings are noisy.\n\n";
   text += "| | |\n|---|---|\n";
   text += row({"Machine", fmt::format("{}, {} cores", processor(), std::thread::hardware_concurrency())});
   text += row({"Compiler", fmt::format("{}, {}", GRAZE_PEERS_COMPILER, GRAZE_PEERS_FLAGS)});
@@ -73,8 +72,10 @@ std::string introduction(const Settings& settings) {
 }
 
 std::string contestants(const Outcome& outcome) {
-  std::string text = "## Who, and how\n\n";
-  text += "The best settings that were found; what else was tried is said in `bench/peers`, one file for each.\n\n";
+  std::string text = "## Contestants\n\n";
+  text +=
+      "The best settings that were found. The files in `bench/peers`, one for each library, state what else was "
+      "tried.\n\n";
   text += "| contestant | how |\n|---|---|\n";
   std::set<std::string> told;
   for (const CourseResult& result : outcome.results) {
@@ -98,27 +99,25 @@ struct Discipline {
 
 const std::array<Discipline, 5>& disciplines() {
   static const std::array<Discipline, 5> all{
-      {{"graze PairFinder, any order", "From frame to frame",
-        "Like with like: `PairFinder` keeps what it knows from the last frame and gives pairs as it finds them, as the "
-        "peers do. One thread.",
+      {{"graze PairFinder, any order", "Between frames",
+        "Equal terms: `PairFinder` keeps data from the previous frame and returns pairs as it finds them, as the peers "
+        "do. One thread.",
         Field::all, Finish::found},
-       {"graze overlapping_pairs, any order", "One call, from nothing",
-        "Like with like again: `overlapping_pairs` makes its list anew and knows nothing of the last frame, beside the "
-        "peers that know nothing of it either and make their lists anew, too; pairs come as they are found. One "
-        "thread.",
+       {"graze overlapping_pairs, any order", "Single call",
+        "Equal terms again: `overlapping_pairs` keeps nothing from the previous frame and allocates a new list, and so "
+        "do the peers in this table; pairs are unsorted. One thread.",
         Field::from_nothing, Finish::found},
-       {"graze PairFinder", "From frame to frame, sorted",
-        "Both give a sorted list: `PairFinder` by itself, which is its default, the peers' lists by VQSort, in memory "
-        "that is kept.",
-        Field::all, Finish::sorted},
-       {"graze overlapping_pairs", "One call, from nothing, sorted",
-        "The call with its defaults, beside the peers that know nothing of the last frame; both give a sorted list.",
+       {"graze PairFinder", "Between frames, sorted",
+        "Both return a sorted list: `PairFinder` by default, the peers by VQSort, in memory that is kept.", Field::all,
+        Finish::sorted},
+       {"graze overlapping_pairs", "Single call, sorted",
+        "The call with its defaults, compared with the peers that keep nothing from the previous frame; both return a "
+        "sorted list.",
         Field::from_nothing, Finish::sorted},
-       {"graze overlapping_pairs", "One call that sorts, beside trees that are kept",
-        "Unlike with unlike, and the hardest: the call sorts, begins from nothing and makes its list anew, while the "
-        "fastest peer is mostly one that was told all boxes before, fits its tree to where they are now, and leaves "
-        "its "
-        "pairs as it finds them, in a list that it keeps.",
+       {"graze overlapping_pairs", "Single sorting call against kept trees",
+        "Unequal terms, and the hardest: the call sorts, keeps nothing from the previous frame and allocates a new "
+        "list, while the fastest peer is usually one that keeps and refits its tree, does not sort, and keeps the "
+        "memory of its list.",
         Field::all, Finish::found}}};
   return all;
 }
@@ -247,11 +246,10 @@ std::string own_targets(const Outcome& outcome, std::size_t threads) {
       const Timing* const two = heat == nullptr ? nullptr : timing_of(*heat, name + ", 2 threads");
       return one == nullptr || two == nullptr ? 0.0 : one->median / two->median;
     };
-    text +=
-        table(outcome, {"Two threads beside one",
-                        "How many times as long one thread takes for a million boxes. It should be 1.7 at least, on "
-                        "a quiet machine.",
-                        gain, [](double number) { return number >= least; }});
+    text += table(outcome, {"Two threads against one",
+                            "The ratio of one thread's time to two threads', for a million boxes. The target is at "
+                            "least 1.7, on an idle machine.",
+                            gain, [](double number) { return number >= least; }});
   }
   constexpr double most = 2;
   const auto growth = [](const CourseResult& result, const std::string& name) {
@@ -262,16 +260,16 @@ std::string own_targets(const Outcome& outcome, std::size_t threads) {
     const Timing* const in_small = timing_of(*small, name);
     return in_large == nullptr || in_small == nullptr ? 0.0 : per_box(*large, *in_large) / per_box(*small, *in_small);
   };
-  return text + table(outcome, {"A box among ten million beside one among 100,000",
-                                "How many times as long a box takes. It should be 2 at most.", growth,
+  return text + table(outcome, {"Growth from 100,000 to ten million boxes",
+                                "The ratio of the times per box. The target is at most 2.", growth,
                                 [](double number) { return number <= most; }});
 }
 
 std::string targets(const Outcome& outcome) {
-  std::string text = "## How many times as long the fastest peer takes\n\n";
+  std::string text = "## Ratio of the fastest peer's time to graze's\n\n";
   text +=
       "The targets: 10 for brownian, cluster and lattice, 6 for heavy, line and giants, both from 100,000 to a million "
-      "boxes; 6 for files; 2 for everything else. A ratio under its target is marked with it.\n\n";
+      "boxes; 6 for files; 2 for everything else. A ratio below its target is followed by the target.\n\n";
   for (const Discipline& discipline : disciplines()) {
     text += ratios(outcome, discipline) + under_target(outcome, discipline);
   }

@@ -11,7 +11,7 @@
 using Box = graze::Aabb<2>;
 using Tilted = graze::OrientedRect<>;
 
-// The oriented box taken for the box around it.
+// Uses the oriented box's bounding box instead.
 bool by_bounds(const Box& box, const Tilted& tilted) { return graze::boxes_overlap(box, graze::bounds(tilted)); }
 
 int main(int argc, char** argv) {
@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
   }
   std::printf("a plank touches at %d positions, its bounds at %d\n", touching, by_box);
 
-  // The gap along an axis of the oriented box: the distance of the centers less what either box reaches.
+  // The gap along an axis of the oriented box: the distance of the centers minus the extents of both boxes.
   const graze::Vec<2> axis = near.axes[1];
   const float reach = std::fabs(axis.x) * 2 + std::fabs(axis.y) * 2 + near.half_extents.y;
   std::printf("gap along the second axis of near: %.3f\n", std::fabs(dot(near.center, axis)) - reach);

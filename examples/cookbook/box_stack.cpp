@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A stack of boxes at rest, frame by frame: where they touch, and which contact is which of the frame before.
+// A stack of boxes at rest, frame by frame: where they touch, and how contacts correspond to those of the previous
+// frame.
 #include <algorithm>
 #include <cstdio>
 #include <string>
@@ -12,14 +13,14 @@
 
 using Box = graze::OrientedRect<>;
 
-/// A contact of two neighbours, and for how many frames it has lasted: a solver keeps its impulse here.
+/// A contact of two neighbours, and the number of frames it has lasted: a solver stores its impulse here.
 struct Known {
   std::size_t upper;
   graze::ContactId id;
   int frames = 1;
 };
 
-/// The stack in a frame: the boxes slip and tilt by what a solver leaves, and the top box slides to the right.
+/// The stack in a frame: the boxes move slightly, as after a solver step, and the top box slides to the right.
 std::vector<Box> stack_in(int frame) {
   const auto wobble = static_cast<float>(frame % 2) * 0.02F;
   std::vector<Box> boxes{{{0, -0.5F}, {4, 0.5F}}};

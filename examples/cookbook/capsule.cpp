@@ -12,7 +12,7 @@
 using Capsule = graze::Capsule<3>;
 using Point = graze::Vec<3>;
 
-// The closest points of the two lines, each clamped to its segment by itself; for parallel lines it divides by zero.
+// The closest points of the two lines, each clamped to its segment independently; divides by zero for parallel lines.
 float naive_distance(const Capsule& a, const Capsule& b) {
   const Point u = a.b - a.a, v = b.b - b.a, w = a.a - b.a;
   const float uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The clearance of an assembly: which parts are nearer to each other than they may be, how near, and where.
+// The clearance of an assembly: which parts are closer to each other than allowed, how close, and where.
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
   std::vector<graze::Rect<>> boxes;
   boxes.reserve(parts.size());
   for (const Part& part : parts) boxes.push_back(graze::bounds(part.shape));
-  // Boxes that are this near overlap when each is grown by half of it.
+  // Boxes within this distance overlap when each is grown by half of it.
   const auto candidates = graze::overlapping_pairs(boxes, {.margin = clearance / 2});
   std::printf("%zu of %zu pairs are worth a look\n", candidates.size(), parts.size() * (parts.size() - 1) / 2);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The nearest point of a surface, from outside and from inside: where to push something that got in.
+// The nearest point of a surface, from outside and from inside: where to push an object that has entered.
 #include <cmath>
 #include <cstdio>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The nearest point of a shape: three formulas, and where their usual versions break.
+// The nearest point of a shape: three formulas, and where their usual versions fail.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,12 +11,12 @@
 
 using Point = graze::Vec<2>;
 
-// As often printed: y is clamped between the x of the corners.
+// A common error: y is clamped between the x coordinates of the corners.
 Point naive_on_box(const graze::Aabb<2>& box, const Point& p) {
   return {std::clamp(p.x, box.min.x, box.max.x), std::clamp(p.y, box.min.x, box.max.x)};
 }
 
-// Without asking whether the segment has a length.
+// Does not check that the segment's length is positive.
 Point naive_on_segment(const graze::Segment<2>& s, const Point& p) {
   const Point edge = s.end - s.start;
   return s.start + edge * std::clamp(dot(p - s.start, edge) / dot(edge, edge), 0.0F, 1.0F);

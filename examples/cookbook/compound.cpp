@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A thing built of several shapes: it owns them, and touches what one of them touches.
+// An object made of several shapes: it owns them, and touches whatever one of them touches.
 #include <cstdio>
 #include <variant>
 

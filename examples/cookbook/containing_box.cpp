@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The box around points, and the two ways in which it usually loses some.
+// The bounding box of points, and two common ways to lose some of them.
 #include <algorithm>
 #include <cstdio>
 #include <limits>
@@ -13,7 +13,7 @@
 
 using Point = graze::Vec<2>;
 
-// Begins the search for the largest coordinate at "the smallest float".
+// Starts the search for the largest coordinate at "the smallest float".
 Point naive_max(const std::vector<Point>& points) {
   Point max(std::numeric_limits<float>::min());
   for (const Point& point : points) max = {std::max(max.x, point.x), std::max(max.y, point.y)};
@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
   std::printf("box from (%g, %g) to (%g, %g)\n", box.min.x, box.min.y, box.max.x, box.max.y);
   std::printf("naive max: (%.3g, %.3g)\n", wrong.x, wrong.y);
 
-  // A rectangle kept as a corner and a size: does it still reach the corner that it was made from?
+  // A rectangle stored as a corner and a size: does it still contain the opposite corner?
   std::mt19937 random(1);
   int lost = 0;
   int kept = 0;

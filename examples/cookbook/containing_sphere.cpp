@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A circle around points: the smallest, a quick one, and the usual one from the centroid.
+// A circle around points: the smallest, a fast approximation, and the usual one from the centroid.
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -12,7 +12,7 @@
 
 using Points = std::vector<graze::Vec<2>>;
 
-// The usual recipe: the centroid, and the distance to the point that is farthest from it.
+// The usual method: the centroid, and the distance to the point farthest from it.
 graze::Circle<> naive_circle(const Points& points) {
   graze::Vec<2> sum(0);
   for (const auto& point : points) sum += point;
@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
   const auto naive = naive_circle(points);
   std::printf("radius: smallest %.4f, fast %.4f, from the centroid %.4f\n", smallest.radius, fast.radius, naive.radius);
 
-  // A thousand sets of three points: does the circle hold the points that it was made of?
+  // A thousand sets of three points: does the circle contain the points that it was made from?
   std::mt19937 random(1);
   const auto coordinate = [&random] { return static_cast<float>(random() % 1000) / 10; };
   int naive_losses = 0;

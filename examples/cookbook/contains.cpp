@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a point is in a solid: the surface belongs to it.
+// Whether a point is in a solid: the surface belongs to the solid.
 #include <cstdio>
 
 #include <graze/query/contains.hpp>
@@ -8,7 +8,7 @@
 
 using Point = graze::Vec<2>;
 
-// The usual test of a sphere: its surface is left out, and everything is calculated in float.
+// The usual test of a sphere: it excludes the surface and calculates in float.
 bool naive_in_disc(const graze::Circle<>& disc, const Point& p) {
   return dot(p - disc.center, p - disc.center) < disc.radius * disc.radius;
 }
@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
   const graze::Circle<> spot{{3, 4}, 0};
   std::printf("a disc of radius 0 contains its center: %d, naively %d\n", graze::contains(spot, Point(3, 4)) ? 1 : 0,
               naive_in_disc(spot, {3, 4}) ? 1 : 0);
-  // Squares of 1e20 are infinite in float, and infinity is not less than infinity.
+  // Squares of 1e20 overflow to infinity in float, and infinity is not less than infinity.
   const graze::Circle<> galaxy{{0, 0}, 1e20F};
   std::printf("a disc of radius 1e20 contains its center's neighbour at 5e19: %d, naively %d\n",
               graze::contains(galaxy, Point(5e19F, 0)) ? 1 : 0, naive_in_disc(galaxy, {5e19F, 0}) ? 1 : 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The convex hull of points in space: its corners and faces, and whether it stands on the lowest one or falls over.
+// The convex hull of 3D points: its corners and faces, and whether it stands on its lowest face or falls over.
 #include <cstdio>
 #include <vector>
 

@@ -9,7 +9,7 @@
 
 #include "picture.hpp"
 
-/// A camera in the plane: where it is, which way it looks, and how far; it sees half as far to either side as ahead.
+/// A 2D camera: its position, viewing direction and range; its view is as wide as it is long.
 graze::Mat<3> camera_at(const graze::Vec<2>& eye, const graze::Vec<2>& ahead, float reach) {
   const graze::Vec<2> right(2 * ahead.y, -2 * ahead.x);
   // Clip coordinates of a point p: x = (p - eye) * right, w = (p - eye) * ahead, and y from -w at the near plane, at 1,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A shot that hits at once: who stands in its way, who is behind, and whom it must not hit.
+// A shot that hits instantly: the first object in its path, those behind it, and those that it must not hit.
 #include <cstdio>
 #include <string>
 

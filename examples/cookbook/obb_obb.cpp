@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two oriented boxes in space: 15 axes can separate them, of which 9 nearly vanish when edges are nearly parallel.
+// Two oriented boxes in 3D: 15 axes can separate them, of which 9 nearly vanish when edges are nearly parallel.
 #include <cmath>
 #include <cstdio>
 #include <random>

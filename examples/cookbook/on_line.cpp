@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a point is on a line, a segment, a ray or a plane: sets without thickness, which hardly any float is on.
+// Whether a point is on a line, a segment, a ray or a plane: sets without thickness, which contain hardly any points
+// with float coordinates.
 #include <cmath>
 #include <cstdio>
 
@@ -15,7 +16,7 @@ bool naive_on_segment(const graze::Segment<2>& s, const Point& p) {
   return p.y == slope * p.x + (s.start.y - slope * s.start.x);
 }
 
-// The unit vector to the point against the unit direction: their dot product is 1.
+// Compares the unit vector to the point with the unit direction: their dot product should be 1.
 bool naive_on_ray(const graze::Ray<2>& ray, const Point& p) {
   return dot(normalize(p - ray.origin), normalize(ray.direction)) == 1.0F;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The oriented box of least area around points, and the usual one along their principal axes.
+// The oriented box of minimum area around points, and the usual one along their principal axes.
 #include <cmath>
 #include <cstdio>
 #include <vector>
@@ -10,7 +10,7 @@
 
 using Points = std::vector<graze::Vec<2>>;
 
-// The usual recipe: the eigenvectors of the covariance matrix are the axes.
+// The usual method: the eigenvectors of the covariance matrix are the axes.
 graze::OrientedRect<> naive_box(const Points& points) {
   graze::Vec<2> mean(0);
   for (const auto& point : points) mean += point / static_cast<float>(points.size());

@@ -16,7 +16,7 @@ namespace {
 
 using namespace graze;
 
-/// The group of the ways that `connect` draws.
+/// The layer of the lines that `connect` draws.
 constexpr Layer ways = 63;
 
 /// The same shape in double: exact, as every float is a double.

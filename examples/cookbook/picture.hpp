@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pictures that the programs of the cookbook draw of what they calculate.
+// The pictures that the programs of the cookbook draw of their results.
 #pragma once
 
 #include <string>
@@ -11,23 +11,22 @@
 
 namespace cookbook {
 
-/// Shapes with names, in double because pictures are drawn of scenes in double. Names are unique; an empty one is not
-/// shown.
+/// Named shapes, in double because scenes for pictures are in double. Names must be unique; an empty name is not shown.
 template <graze::Dim N>
 class Picture {
  public:
   explicit Picture(std::string heading) : heading_(std::move(heading)) {}
 
-  /// Adds a shape that is highlighted, with its partner, if it touches another one of the same group.
+  /// Adds a shape. If it touches another one added this way, both are highlighted.
   void add(const graze::AnyShape<N>& shape, const std::string& name = "", graze::Layer group = 0);
 
   /// Adds a shape that is only drawn.
   void draw(const graze::AnyShape<N>& shape, const std::string& name = "");
 
-  /// Draws the way from a point to an answer, both highlighted.
+  /// Draws the line from a point to an answer, both highlighted.
   void connect(const graze::Vec<N>& from, const graze::Vec<N>& to, const std::string& name = "");
 
-  /// Writes the picture to the file that the first argument names, if there is one. Returns the program's exit status.
+  /// Writes the picture to the file named by the first argument, if any. Returns the program's exit status.
   int save(int argc, char** argv) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two planes meet unless they are parallel and apart. The same plane meets itself.
+// Two planes intersect unless they are parallel and apart. A plane intersects itself.
 #include <cstdio>
 
 #include <graze/query/intersects.hpp>
@@ -8,7 +8,7 @@
 
 using Plane = graze::Plane<3>;
 
-// "They meet when the normals are not parallel": unit normals whose dot product is not 1 or -1.
+// "They intersect if the normals are not parallel": unit normals whose dot product is not 1 or -1.
 bool naive(const Plane& a, const Plane& b) {
   const float cosine = dot(normalize(a.normal), normalize(b.normal));
   return cosine != 1 && cosine != -1;

@@ -9,18 +9,18 @@
 
 using Point = graze::Vec<3>;
 
-// The equation of the plane, taken for a distance.
+// Takes the value of the plane's equation for a distance.
 bool naive(const graze::Plane<3>& plane, const graze::Sphere<3>& sphere) {
   return std::fabs(dot(plane.normal, sphere.center) - plane.offset) <= sphere.radius;
 }
 
-// The sphere through the box's corners, in place of the box.
+// Uses the sphere through the box's corners instead of the box.
 bool naive(const graze::Plane<3>& plane, const graze::Aabb<3>& box) {
   return naive(plane, graze::Sphere<3>{box.center(), length(box.half_extents())});
 }
 
 int main(int argc, char** argv) {
-  // A small triangle of the floor; the normal is as long as twice its area.
+  // A small triangle in the floor; the normal's length is twice its area.
   const graze::Plane<3> floor = graze::plane_through(Point(0, 0, 0), Point(0.5F, 0, 0), Point(0, 0.5F, 0));
   const graze::Sphere<3> ball{{-4, 0, 2}, 1};
   const graze::Sphere<3> lying{{-4, 4, 1}, 1};
@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
   std::printf("box on its edge: %s; sunk box: %s\n", graze::name_of(graze::relation(floor, edge)).data(),
               graze::name_of(graze::relation(floor, sunk)).data());
 
-  // The plane is a sheet. The solid below it is a half-space.
+  // The plane is only a surface. The solid below it is a half-space.
   const graze::HalfSpace<3> ground{floor.normal, floor.offset};
   const graze::Sphere<3> buried{{0, 0, -5}, 1};
   std::printf("buried ball: floor %s, ground %s\n", say(graze::intersects(floor, buried)),

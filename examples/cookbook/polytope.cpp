@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The convex hull of points against any shape; a polygon with dents as several convex ones.
+// The convex hull of points against any shape; a non-convex polygon as several convex ones.
 #include <cstdio>
 #include <vector>
 
@@ -13,7 +13,7 @@
 using Point = graze::Vec<2>;
 using Points = std::vector<Point>;
 
-// A polygon that may have dents; nothing when its outline crosses itself.
+// The convex parts of a polygon that need not be convex; empty if its outline crosses itself.
 graze::Compound<2> solid_polygon(const Points& outline) {
   std::vector<graze::AnyShape<2>> parts;
   if (const auto convex = graze::convex_parts<float>(outline)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every primitive, what it is by default, and the helpers that make one from points.
+// Every primitive, its default value, and the helpers that create one from points.
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>

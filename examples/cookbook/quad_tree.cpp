@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A quad tree of boxes: what is in a region, what a ray hits first, what is
-// near, and what becomes of its cells.
+// A quadtree of boxes: what is in a region, what a ray hits first, what is near, and how its cells change.
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -10,7 +9,7 @@
 
 #include "picture.hpp"
 
-// Coins on a spiral that gets denser towards its middle.
+// Coins on a spiral that becomes denser towards its center.
 graze::Circle<> coin(std::size_t i) {
   const auto from_middle = static_cast<float>(91 - i);
   const float radius = 0.0025F * from_middle * from_middle;
@@ -36,7 +35,7 @@ int main(int argc, char** argv) {
   const graze::Ray<2> shot{{-20, -11}, {2, 1}};
   tree.ray_cast(shot, [](graze::Key key, double t) {
     std::printf("the shot hits box %u first, at t = %.3f\n", key.index, t);
-    return false;  // no need for the others, which come in order of t
+    return false;  // the others, which come in order of t, are not needed
   });
   for (const graze::Neighbour& near : tree.nearest({10, 10}, 2)) {
     std::printf("near (10, 10): box %u, %.3f away\n", near.key.index, std::sqrt(near.distance_squared));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is under the mouse in space: a ray from the camera's own matrix, the first object on it, and what lies behind.
+// What is under the mouse in 3D: a ray from the camera's matrix, the first object on it, and what is behind.
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -11,8 +11,8 @@
 
 using Point = graze::Vec<3>;
 
-/// projection * view of a camera that looks from `eye` at `target`, z up: reversed depth, no far plane, near at 0.1,
-/// and 90 degrees wide and high.
+/// projection * view of a camera that looks from `eye` at `target`, with z up: reversed depth, no far plane, near plane
+/// at 0.1, and a field of view of 90 degrees in both directions.
 graze::Mat<4> camera_at(const Point& eye, const Point& target) {
   const Point ahead = (target - eye) / std::sqrt(dot(target - eye, target - eye));
   const Point side = cross(ahead, Point(0, 0, 1));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A player among a thousand coins, all of which move: which it meets and leaves, what is near it, what its shot hits,
-// and what an id is worth after a removal.
+// A player among a thousand moving coins: which coins it begins and ceases to touch, what is near it, what its shot
+// hits, and what happens to an id after removal.
 #include <algorithm>
 #include <cstdio>
 #include <stdexcept>

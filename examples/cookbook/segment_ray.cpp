@@ -11,7 +11,7 @@ using Point = graze::Vec<2>;
 using Ray = graze::Ray<2>;
 using Segment = graze::Segment<2>;
 
-// The slab test: where the ray enters and leaves the box along x, along y; zero times infinity is not a number.
+// The slab test: where the ray enters and leaves the box along x and along y; zero times infinity is NaN.
 bool naive(const Ray& ray, const graze::Aabb<2>& box) {
   float enter = 0;
   float leave = 1e30F;
@@ -25,7 +25,7 @@ bool naive(const Ray& ray, const graze::Aabb<2>& box) {
   return enter <= leave;
 }
 
-// Both ends of one on different sides of the other's line, and the other way round.
+// The ends of each segment are on different sides of the other's line.
 bool naive(const Segment& a, const Segment& b) {
   const auto side = [](const Segment& s, const Point& p) { return graze::cross_2d(s.end - s.start, p - s.start); };
   return side(a, b.start) * side(a, b.end) < 0 && side(b, a.start) * side(b, a.end) < 0;

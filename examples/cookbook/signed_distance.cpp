@@ -9,7 +9,7 @@
 
 using Point = graze::Vec<2>;
 
-// The equation of the plane, taken for a distance.
+// Takes the value of the line's equation for a distance.
 float naive_distance(const graze::Plane<2>& plane, const Point& p) { return dot(plane.normal, p) - plane.offset; }
 
 int main(int argc, char** argv) {
@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
   std::printf("disc, (12, 6): %g; center: %g\n", graze::signed_distance(disc, Point(12, 6)),
               graze::signed_distance(disc, disc.center));
 
-  // A disc as large as the distance just touches the surface.
+  // A disc with this distance as radius just touches the surface.
   cookbook::Picture<2> picture("discs of the size of the distance");
   picture.draw(line, "line");
   picture.draw(box, "box");

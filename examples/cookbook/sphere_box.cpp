@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sphere touches a box when the box's point that is closest to its center is within the radius.
+// A sphere touches a box if the point of the box closest to its center is within the radius.
 #include <cstdio>
 
 #include <graze/query/bounds.hpp>
@@ -8,7 +8,7 @@
 
 #include "picture.hpp"
 
-// The sphere taken for the box around it.
+// Uses the sphere's bounding box instead.
 bool naive(const graze::Circle<>& disc, const graze::Aabb<2>& box) {
   return graze::boxes_overlap(graze::bounds(disc), box);
 }

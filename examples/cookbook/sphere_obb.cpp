@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sphere against an oriented box: the sphere against an upright box, seen from the oriented box.
+// A sphere against an oriented box: in the box's frame, this is a sphere against an axis-aligned box.
 #include <algorithm>
 #include <cstdio>
 
@@ -10,7 +10,7 @@
 
 using Point = graze::Vec<2>;
 
-// The matrix takes the box's coordinates to the world's; the way back is its transpose. Here it is forgotten.
+// The matrix maps the box's coordinates to the world's; the inverse is its transpose. Here the transpose is forgotten.
 bool naive(const graze::Circle<>& disc, const graze::OrientedRect<>& box) {
   const Point local = box.axes * (disc.center - box.center);
   const Point nearest = clamp(local, -box.half_extents, box.half_extents);

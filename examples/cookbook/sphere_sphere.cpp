@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two spheres touch when their centers are no farther apart than their radii together.
+// Two spheres touch if the distance of their centers is at most the sum of their radii.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -17,7 +17,7 @@ bool naive(const Disc& a, const Disc& b) {
 }
 
 int main(int argc, char** argv) {
-  // Whole numbers, so that integers know the answer: centers at (0, 0) and (x, y), radii that nearly reach.
+  // Integers, so that exact answers are known: centers at (0, 0) and (x, y), radii that almost suffice.
   int cases = 0;
   int naive_wrong = 0;
   int wrong = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A ball against walls: when it strikes, where, and how it goes on from there. A test of its places frame by frame sees
-// none of it.
+// A ball against walls: when and where it hits, and how it bounces. Testing its positions frame by frame would miss
+// every hit.
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -14,7 +14,7 @@
 using Point = graze::Vec<2>;
 using Shape = graze::AnyShape<2>;
 
-// The first wall that the ball strikes on its way.
+// The first wall that the ball hits on its path.
 std::optional<graze::Impact<2>> first_impact(const graze::Circle<>& ball, const Point& way,
                                              const std::vector<Shape>& walls) {
   std::optional<graze::Impact<2>> first;
@@ -47,8 +47,8 @@ int main(int argc, char** argv) {
     picture.connect(from, ball.center);
     picture.draw(ball);
     const Point left = way * (1 - impact->t);
-    way = left - impact->normal * (2 * dot(left, impact->normal));  // what is left of the way, mirrored
-    ball.center -= impact->normal * 1e-4F;  // off the wall, or the next cast starts with this contact
+    way = left - impact->normal * (2 * dot(left, impact->normal));  // the rest of the path, reflected
+    ball.center -= impact->normal * 1e-4F;  // away from the wall, or the next cast would start with this contact
   }
   picture.connect(ball.center, ball.center + way, "end");
   return picture.save(argc, argv);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An arm that swings from one pose to another past a crate that slides by: whether they meet on the way, when and
-// where. Both ends of the way are free, and so is the way of an arm that does not turn.
+// An arm that swings from one pose to another past a sliding crate: whether they meet, when and where. Start and end
+// poses are free of contact, and so is the path of an arm that does not rotate.
 #include <cstdio>
 
 #include <graze/math/motion.hpp>

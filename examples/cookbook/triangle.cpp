@@ -19,7 +19,7 @@ bool naive(const Triangle& triangle, const graze::Sphere<3>& sphere) {
   return false;
 }
 
-// The height of a point over the triangle's plane, by the unit normal.
+// The height of a point above the triangle's plane, by the unit normal.
 float naive_height(const Triangle& t, const Point& p) {
   return std::fabs(dot(normalize(cross(t.b - t.a, t.c - t.a)), p - t.a));
 }
@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
   std::printf("sail and crate: %s; sail and blade: %s\n", graze::name_of(graze::relation(sail, crate)).data(),
               graze::name_of(graze::relation(sail, blade)).data());
 
-  // Two triangles of one plane, and triangles that are a segment or a point.
+  // Two triangles in one plane, and triangles that are a segment or a point.
   const Triangle patch{{0, -6, 6}, {0, 0, 5}, {0, 0, 8}};
   const Triangle needle{{-1, 0, 3}, {1, 0, 3}, {0, 0, 3}};
   const Triangle speck{{0, 0, 3}, {0, 0, 3}, {0, 0, 3}};
