@@ -19,7 +19,7 @@
 namespace graze::io {
 namespace {
 
-/// Gives a call a shape, or what is wrong with it: an invalid one cannot be written.
+/// Adds a shape to a call, or a description of its fault: an invalid shape cannot be written.
 template <Dim N, class T>
 void give(LoggedCall<N>& call, const AnyShape<N, T>& shape) {
   const std::string_view fault = defect(shape);
@@ -46,7 +46,7 @@ LoggedCall<N> ray_call(CallKind kind, const Ray<N, T>& ray, T t_max, LayerMask l
   return call;
 }
 
-/// Whether ids are other than those that adding the objects gives anyway.
+/// Whether the ids differ from those that adding the objects in order would give.
 template <Dim N, class T>
 bool needs_plan_of_ids(const Scene<N, T>& scene) {
   const std::vector<ObjectId> ids = scene.ids();
@@ -63,7 +63,7 @@ RecordedScene<N, T>::RecordedScene(std::ostream& log, Scene<N, T> scene) : scene
   log_->flush();
 }
 
-/// The calls that make the scene what it is.
+/// The calls that recreate the scene.
 template <Dim N, class T>
 void RecordedScene<N, T>::write_past() {
   const std::vector<ObjectId> ids = scene_.ids();

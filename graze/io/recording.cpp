@@ -32,7 +32,7 @@ constexpr std::size_t boxes_per_block = 4096;
 constexpr std::size_t largest_count = std::numeric_limits<std::int32_t>::max();
 constexpr std::array<std::string_view, 3> axis_letters = {"x", "y", "z"};
 
-/// Four bytes, the lowest first, whatever the machine's own order is.
+/// Four bytes, little endian.
 std::uint32_t read_bits(const char* bytes) {
   std::uint32_t bits = 0;
   for (unsigned i = 0; i < 4; ++i) bits |= std::uint32_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
@@ -43,7 +43,7 @@ void write_bits(char* bytes, std::uint32_t bits) {
   for (unsigned i = 0; i < 4; ++i) bytes[i] = static_cast<char>(static_cast<unsigned char>(bits >> (8 * i)));
 }
 
-/// Where a coordinate of a corner stands.
+/// The offset of a corner's coordinate.
 std::size_t place_of(Dim axis) { return number_bytes * static_cast<std::size_t>(axis); }
 
 Aabb<3, float> read_box(const char* bytes) {
@@ -64,7 +64,7 @@ void write_box(char* bytes, const Aabb<N, float>& box) {
   }
 }
 
-/// What makes a box useless, or nothing.
+/// Describes what is wrong with a box; empty if it is valid.
 std::string fault_of(const Aabb<3, float>& box) {
   for (Dim i = 0; i < 3; ++i) {
     const std::string_view axis = axis_letters[static_cast<std::size_t>(i)];
@@ -78,16 +78,16 @@ std::string fault_of(const Aabb<3, float>& box) {
   return "";
 }
 
-/// What makes it useless in a recording of that dimension.
+/// Describes what is wrong with a box in a recording of that dimension.
 std::string fault_of(const Aabb<3, float>& box, Dim dimension) {
   std::string fault = fault_of(box);
   if (fault.empty() && dimension == 2 && (box.min.z != 0 || box.max.z != 0)) {
-    fault = fmt::format("z reaches from {} to {}; it must be 0, as the world is flat", box.min.z, box.max.z);
+    fault = fmt::format("z reaches from {} to {}; it must be 0, as the recording is 2D", box.min.z, box.max.z);
   }
   return fault;
 }
 
-/// A count of the head. Throws InputError when it is negative.
+/// A count in the header. Throws InputError if it is negative.
 std::size_t read_count(const char* bytes, const std::string& source, std::string_view what) {
   const auto count = static_cast<std::int32_t>(read_bits(bytes));
   if (count >= 0) return static_cast<std::size_t>(count);
@@ -117,12 +117,12 @@ void require_size(const RecordingHead& head, std::uint64_t size, const std::stri
   const std::uint64_t rest = size - head_bytes;
   if (rest % box_bytes == 0 && rest / box_bytes == std::uint64_t{head.boxes} * head.frames) return;
   throw InputError(
-      fmt::format("{}: holds {} bytes, but its head promises {} bytes and {} frame{} of {} boxes of {} bytes; it is "
+      fmt::format("{}: holds {} bytes, but its header announces {} bytes and {} frame{} of {} boxes of {} bytes; it is "
                   "not complete, or not a recording in Broadmark's format",
                   source, size, head_bytes, head.frames, head.frames == 1 ? "" : "s", head.boxes, box_bytes));
 }
 
-/// The box without its z, of which a 2D recording has none.
+/// The box without its z, which a 2D recording does not use.
 template <Dim N>
 Aabb<N, float> narrowed(const Aabb<3, float>& box) {
   return {Vec<N, float>(box.min), Vec<N, float>(box.max)};
@@ -165,7 +165,7 @@ RecordingReader::RecordingReader(const fs::path& path) : source_(path.string()) 
   if (!in_) throw InputError(source_ + ": cannot be opened: " + std::generic_category().message(errno));
   std::array<char, head_bytes> bytes{};
   if (size < head_bytes || !in_.read(bytes.data(), bytes.size())) {
-    throw InputError(fmt::format("{}: holds {} bytes; a recording in Broadmark's format begins with a head of {}",
+    throw InputError(fmt::format("{}: holds {} bytes; a recording in Broadmark's format begins with a header of {}",
                                  source_, size, head_bytes));
   }
   head_.scene = read_name(bytes.data());
@@ -205,7 +205,7 @@ bool RecordingReader::next(std::vector<Aabb<N, float>>& boxes) {
 
 void RecordingReader::seek(std::size_t frame) {
   if (frame > head_.frames) throw std::out_of_range("RecordingReader::seek: the recording has no such frame");
-  in_.clear();  // also after a frame that could not be read
+  in_.clear();  // clears the error state after a frame that could not be read
   in_.seekg(static_cast<std::streamoff>(head_bytes + std::uint64_t{frame} * head_.boxes * box_bytes));
   next_frame_ = frame;
 }

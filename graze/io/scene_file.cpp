@@ -19,8 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Tiled writes its own version into every map, and "type": "map" since 1.0. Before, a map had no more than its
-/// orientation and its layers.
+/// Tiled writes its version into every map, and "type": "map" since 1.0. Older maps only have an orientation and
+/// layers.
 bool is_tiled_map(JsonValue root) {
   if (root.kind() != JsonKind::object) return false;
   const std::optional<JsonValue> type = root.find("type");
@@ -29,7 +29,7 @@ bool is_tiled_map(JsonValue root) {
 }
 
 SceneFile parse_json(std::string_view text, const std::string& source, const fs::path& folder) {
-  const JsonDocument document(text, source, 1, "data");  // the tiles of Tiled's layers
+  const JsonDocument document(text, source, 1, "data");  // the field that holds the tiles of Tiled's layers
   return is_tiled_map(document.root()) ? read_tiled_map(document, text, source, folder) : read_json_scene(document);
 }
 

@@ -21,7 +21,7 @@ namespace {
 template <Dim N>
 using Entries = std::vector<LogEntry<N>>;
 
-/// Of the entry's moves of many those of objects that are here.
+/// A bulk move, restricted to the objects that exist here.
 template <Dim N>
 LogEntry<N> with_objects_of(const LogEntry<N>& entry, const SideBySide<N>& run, const std::set<ObjectId>& names) {
   if (entry.call.kind != CallKind::move_many) return entry;
@@ -37,7 +37,7 @@ LogEntry<N> with_objects_of(const LogEntry<N>& entry, const SideBySide<N>& run, 
   return result;
 }
 
-/// How often a log may be tried, and what is told of it.
+/// Counts and reports the attempts.
 template <Dim N>
 class Trials {
  public:
@@ -59,7 +59,7 @@ class Trials {
   std::size_t count_ = 0;
 };
 
-/// Performs entries and gives those that were performed, up to the first in which subject and judge disagree.
+/// Executes entries and returns those that were executed, up to the first on which subject and judge disagree.
 template <Dim N>
 std::optional<Entries<N>> until_they_disagree(Trials<N>& trials, const Entries<N>& entries) {
   SideBySide<N> run = trials.start();
@@ -74,18 +74,18 @@ std::optional<Entries<N>> until_they_disagree(Trials<N>& trials, const Entries<N
   return std::nullopt;
 }
 
-/// Whether the answer to the last of `entries` can be foretold from the log's when only some are performed.
+/// Whether the answer to the last of `entries` follows from the log's even if only some of them are executed.
 template <Dim N>
 class RecordCheck {
  public:
-  /// Of `entries`, the last is the first whose answer is not the recorded one.
+  /// The last of `entries` is the first whose answer is not the recorded one.
   RecordCheck(Trials<N>& trials, const Entries<N>& entries) : trials_(trials), entries_(entries) {
     for (std::size_t i = 0; i < entries_.size(); ++i) entries_[i].line = i;
   }
 
   const Entries<N>& entries() const { return entries_; }
 
-  /// Those of the entries that were performed, if the subject still does not say what the log says of them.
+  /// The executed entries, if the subject still disagrees with the log's answer to them.
   std::optional<Entries<N>> operator()(const Entries<N>& some) {
     if (some.empty() || some.back().line != entries_.back().line || !keeps_what_matters(some)) return std::nullopt;
     SideBySide<N> run = trials_.start();
@@ -101,10 +101,11 @@ class RecordCheck {
     return performed;
   }
 
-  /// What the log says about the objects that are in a run, with the ids that they have there. A digest says it only of
-  /// all objects, if they have the ids of the log.
+  /// The log's answer restricted to the objects of a run, with the ids that they have there. A digest can only be used
+  /// if all objects exist and have the ids of the log.
   std::optional<LoggedAnswer> foretold(const SideBySide<N>& run) const {
-    if (form_of(target().call.kind).is_change) return target().answer;  // all changes are there, and so the same ids
+    if (form_of(target().call.kind).is_change)
+      return target().answer;  // all changes are executed, so the ids are equal
     if (target().answer->digest) {
       const LoggedAnswer all = logged(std::vector<ObjectId>(trials_.names().begin(), trials_.names().end()));
       return say_the_same(run.translated(all), all) ? target().answer : std::nullopt;
@@ -128,7 +129,7 @@ class RecordCheck {
     return (before == 0) == (all_before == 0) && is_like(some, before, all_before);
   }
 
-  /// How many calls change something, and objects in them.
+  /// The number of calls that change something, and of objects in them.
   static std::size_t changes_in(const Entries<N>& entries) {
     std::size_t count = 0;
     for (const LogEntry<N>& entry : entries) {
@@ -137,13 +138,13 @@ class RecordCheck {
     return count;
   }
 
-  /// Where the last update among the first `count` entries ends; 0 if there is none.
+  /// The end of the last update among the first `count` entries; 0 if there is none.
   static std::size_t updates_until(const Entries<N>& entries, std::size_t count) {
     while (count > 0 && entries[count - 1].call.kind != CallKind::update) --count;
     return count;
   }
 
-  /// Whether the objects that `some` has added are after `count` of them what they are after `all` of the entries.
+  /// Whether the objects that `some` adds have the same state after `count` of its entries as after all of `entries`.
   bool is_like(const Entries<N>& some, std::size_t count, std::size_t all) const {
     const std::set<ObjectId> here = added_ids(some);
     auto wanted = state_after<N>(std::span(entries_).first(all));
@@ -157,7 +158,7 @@ class RecordCheck {
   Entries<N> entries_;
 };
 
-/// Leaves out whole calls, then objects of calls that move many, until nothing more can go.
+/// Removes whole calls, then objects from bulk moves, until nothing more can be removed.
 template <Dim N, class StillFails>
 Entries<N> fewest(Entries<N> entries, const StillFails& still_fails) {
   std::size_t size_before = 0;
@@ -191,8 +192,8 @@ Entries<N> fewest(Entries<N> entries, const StillFails& still_fails) {
   return entries;
 }
 
-/// A shape with numbers that are multiples of a power of two, or as it is where that would make it invalid. Compounds
-/// stay as they are.
+/// A shape whose numbers are multiples of a power of two; unchanged if rounding would make it invalid, and for
+/// compounds.
 template <Dim N>
 AnyShape<N, double> rounder(const AnyShape<N, double>& shape, double per_unit) {
   if (std::holds_alternative<Compound<N, double>>(shape)) return shape;
@@ -205,7 +206,7 @@ AnyShape<N, double> rounder(const AnyShape<N, double>& shape, double per_unit) {
   return defect(result).empty() ? result : shape;
 }
 
-/// Ways to make a call simpler, the most welcome first.
+/// Ways to simplify a call, the most effective first.
 template <Dim N>
 std::vector<LoggedCall<N>> simpler_calls(const LoggedCall<N>& call) {
   std::vector<LoggedCall<N>> result;
@@ -240,7 +241,7 @@ std::vector<LoggedCall<N>> simpler_calls(const LoggedCall<N>& call) {
 template <Dim N, class StillFails>
 Entries<N> simplest(Entries<N> entries, const StillFails& still_fails) {
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    // Simpler ones are tried of what is simpler already, until none of them fails any more.
+    // Simplified calls are simplified further, until no simpler one fails.
     for (bool is_simpler = true; is_simpler;) {
       is_simpler = false;
       for (LoggedCall<N>& call : simpler_calls(entries[i].call)) {
@@ -257,7 +258,7 @@ Entries<N> simplest(Entries<N> entries, const StillFails& still_fails) {
   return entries;
 }
 
-/// The entries as the subject performs them now, with its ids and answers.
+/// The entries with the ids and answers of the subject.
 template <Dim N>
 QueryLog<N> performed(Trials<N>& trials, const Entries<N>& entries, NumberType numbers) {
   SideBySide<N> run = trials.start();
@@ -269,7 +270,7 @@ QueryLog<N> performed(Trials<N>& trials, const Entries<N>& entries, NumberType n
   return log;
 }
 
-/// The place of the first entry of which the log does not say what the subject says.
+/// The index of the first entry whose answer in the log differs from the subject's.
 template <Dim N>
 std::optional<std::size_t> first_contradiction(Trials<N>& trials, const QueryLog<N>& log) {
   SideBySide<N> run = trials.start();
@@ -281,7 +282,7 @@ std::optional<std::size_t> first_contradiction(Trials<N>& trials, const QueryLog
   return std::nullopt;
 }
 
-/// Shrinks entries of which the last is the first contradiction.
+/// Shrinks entries whose last one is the first contradiction.
 template <Dim N>
 QueryLog<N> shrunk_contradiction(const Entries<N>& entries, NumberType numbers, const ReplayTargets<N>& targets,
                                  const std::function<void(std::size_t)>& on_try) {
@@ -295,7 +296,7 @@ QueryLog<N> shrunk_contradiction(const Entries<N>& entries, NumberType numbers, 
   return result;
 }
 
-/// Shrinks a log of which subject and judge disagree; none if they do not.
+/// Shrinks a log on which subject and judge disagree; none if they agree.
 template <Dim N>
 std::optional<QueryLog<N>> shrunk_disagreement(Trials<N>& trials, const QueryLog<N>& log) {
   const auto disagree = [&trials](const Entries<N>& entries) { return until_they_disagree(trials, entries); };

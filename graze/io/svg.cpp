@@ -48,7 +48,7 @@ std::vector<svg::Axis> axes_of(const View<N>& view) {
   return axes;
 }
 
-/// The page, and on it the card that the scene is drawn on.
+/// The page, and on it the card that shows the scene.
 std::string page(const svg::Frame& frame) {
   const Vec<2, double> size = frame.card.max - frame.card.min;
   const std::string card = fmt::format(R"(x="{}" y="{}" width="{}" height="{}" rx="8")", svg::number(frame.card.min.x),
@@ -67,7 +67,7 @@ std::string opening(const svg::Frame& frame) {
                      svg::number(svg::picture_width), svg::number(frame.height));
 }
 
-/// A word where there is nothing to see, so that nobody waits for more to appear, and why.
+/// The text of an empty picture, so that nobody waits for more to appear, and the reason.
 std::string empty_note(const svg::Frame& frame, std::span<const Omission> omissions) {
   const Vec<2, double> middle = frame.card.center();
   const std::string_view why =

@@ -197,11 +197,12 @@ TEST_F(Recording, NamesMayFillTheirPlace) {
 
 TEST_F(Recording, FilesThatAreTooShortOrTooLongAreRefused) {
   const std::string text = text_of_recording(head_of_two(), two_frames());
-  EXPECT_EQ(refusal(""), "holds 0 bytes; a recording in Broadmark's format begins with a head of 304");
+  EXPECT_EQ(refusal(""), "holds 0 bytes; a recording in Broadmark's format begins with a header of 304");
   EXPECT_EQ(refusal(text.substr(0, 303)),
-            "holds 303 bytes; a recording in Broadmark's format begins with a head of 304");
+            "holds 303 bytes; a recording in Broadmark's format begins with a header of 304");
   const std::string promise =
-      ", but its head promises 304 bytes and 2 frames of 2 boxes of 32 bytes; it is not complete, or not a recording "
+      ", but its header announces 304 bytes and 2 frames of 2 boxes of 32 bytes; it is not complete, or not a "
+      "recording "
       "in "
       "Broadmark's format";
   EXPECT_EQ(refusal(text.substr(0, 304)), "holds 304 bytes" + promise);
@@ -243,7 +244,7 @@ TEST_F(Recording, AFlatWorldHasNoBoxesWithDepth) {
   const Frames<2> frames = {{{{0, 1}, {2, 3}}}};
   const std::string text = text_of_recording<2>({"flat", "", 1, 1, {{-9, -9, 0}, {9, 9, 0}}}, frames);
   EXPECT_EQ(refusal<2>(with(text, place_of_boxes + 24, bytes_of(0.5F))),
-            "frame 0, box 0: z reaches from 0 to 0.5; it must be 0, as the world is flat");
+            "frame 0, box 0: z reaches from 0 to 0.5; it must be 0, as the recording is 2D");
 }
 
 TEST_F(Recording, FilesThatAreNoneAreRefused) {

@@ -131,7 +131,7 @@ test("a recording that is cut off is refused in words that help", async () => {
   await openScene([], async (page) => {
     await page.setInputFiles("#scene-file", path);
     await page.locator("#scene-error").waitFor();
-    assert.match(await page.locator("#scene-error").textContent(), /^cut\.aabbs: holds 500 bytes, but its head promises 304 bytes and 3 frames of 10/);
+    assert.match(await page.locator("#scene-error").textContent(), /^cut\.aabbs: holds 500 bytes, but its header announces 304 bytes and 3 frames of 10/);
     assert.equal(await figure(page, "source"), "workshop.json");
   });
 });

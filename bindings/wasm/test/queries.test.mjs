@@ -152,7 +152,7 @@ test("errors are of type Error, with the library's message and without a place i
   thrown(() => graze.convexHull([], 2), "convex_hull: there are no points");
   thrown(() => graze.convexHull(new Float32Array(5), 2), "points: 5 numbers are not a multiple of 2");
   thrown(() => graze.boundingSphere([[0, 0], [0, 0, 0]]), "points: one has 3 numbers; this set has dimension 2");
-  thrown(() => graze.rayCast(point, { origin: [0, 0], direction: [0, 0] }), 'ray: "direction" is zero, which points nowhere; any other length will do');
+  thrown(() => graze.rayCast(point, { origin: [0, 0], direction: [0, 0] }), 'ray: "direction" is zero and so has no direction; any other length is allowed');
   assert.throws(() => graze.relation(point, { type: "point", position: [0, 0, 0] }), /^Error: b: .*3 numbers/);
 });
 

@@ -53,8 +53,8 @@ for (const [dimension, world] of [[2, "2d:brownian:500"], [3, "brownian:5000"]])
 test("files that are no whole recordings are refused as by the command line", () => {
   const bytes = generated("brownian:100", 3);
   const refused = (content, message) => assert.throws(() => graze.readRecording(content, "cut.aabbs"), { message });
-  refused(bytes.subarray(0, 100), /^cut\.aabbs: holds 100 bytes; a recording in Broadmark's format begins with a head of 304$/);
-  refused(bytes.subarray(0, bytes.length - 5), /^cut\.aabbs: holds \d+ bytes, but its head promises 304 bytes and 3 frames of 100 boxes/);
+  refused(bytes.subarray(0, 100), /^cut\.aabbs: holds 100 bytes; a recording in Broadmark's format begins with a header of 304$/);
+  refused(bytes.subarray(0, bytes.length - 5), /^cut\.aabbs: holds \d+ bytes, but its header announces 304 bytes and 3 frames of 100 boxes/);
   const broken = Buffer.from(bytes);
   broken.writeFloatLE(NaN, 304 + 32 * 107 + 4);
   const recording = graze.readRecording(broken, "nan.aabbs");

@@ -22,7 +22,8 @@ namespace {
 
 constexpr std::string_view column_axes = "xyz";
 
-/// How a shape's columns are called: for each of its points a prefix and the axis, then the radius if it has one.
+/// The columns of a kind of shape: a prefix for each of its points, combined with the axis names, then the radius if it
+/// has one.
 struct Naming {
   CsvShape shape;
   std::array<std::string_view, 2> prefixes;
@@ -46,7 +47,7 @@ constexpr std::array<Naming, 3> namings = {{{CsvShape::box, {"min_", "max_"}, 2,
                                             {CsvShape::sphere, {"", ""}, 1, true}}};
 
 constexpr std::string_view all_columns =
-    "boxes need min_x, min_y, max_x, max_y, circles x, y, radius, capsules ax, ay, bx, by, radius, in 3D also those of "
+    "boxes need min_x, min_y, max_x, max_y; circles x, y, radius; capsules ax, ay, bx, by, radius; in 3D also those of "
     "z; id and layer are optional";
 
 class HeaderReader {
@@ -76,7 +77,7 @@ class HeaderReader {
   }
 
  private:
-  /// A table without a header; its ids may be words.
+  /// Detects a table without a header; its ids may be words.
   void refuse_numbers() const {
     const auto is_number = [](std::string_view name) {
       double value = 0;
@@ -126,7 +127,7 @@ class HeaderReader {
                        [name](std::string_view known) { return edit_distance(name, known, 0) == 0; });
   }
 
-  /// The first kind of shape of which a point has a column here, be it in capitals; else boxes.
+  /// The first kind of shape with a column here for one of its points, ignoring case; otherwise boxes.
   const Naming& naming_of_columns() const {
     for (const Naming& naming : namings) {
       for (const std::string& name : naming.names(3)) {
@@ -147,7 +148,7 @@ class HeaderReader {
     return text_.error(fields_.front(), fmt::format("there is no column {}; {}", in_quotes(name), minimum_translation));
   }
 
-  /// Objects without ids are named by their number; but "ID" was meant to be one.
+  /// Without an id column, objects are named by their number, but a column "ID" was probably meant as one.
   void refuse_misspelt_id() const {
     for (const std::string_view meant : {"id", "name"}) {
       for (const std::string_view name : names_) {
@@ -156,7 +157,7 @@ class HeaderReader {
     }
   }
 
-  /// The columns that could be misspelt: not those whose names mean something already.
+  /// The columns that may be misspelt, which excludes those with a known name.
   std::vector<std::string_view> unknown_names() const {
     std::vector<std::string> known{"id", "layer"};
     for (const Naming& naming : namings) {

@@ -82,7 +82,7 @@ void CsvRecords::read_field() {
 void CsvRecords::read_quoted_field() {
   const std::size_t begin = at_;
   std::string* unescaped = nullptr;
-  std::size_t run = begin + 1;  // where the characters begin that are not yet in `unescaped`
+  std::size_t run = begin + 1;  // start of the characters not yet copied to `unescaped`
   while (true) {
     const std::size_t quote = text_.find('"', run);
     if (quote == std::string_view::npos) throw error_at(text_, source_, begin, "this quote is never closed");
@@ -101,7 +101,7 @@ void CsvRecords::read_quoted_field() {
   }
   if (at_ < text_.size() && text_[at_] != separator_ && line_break_length(text_, at_) == 0) {
     throw error_at(text_, source_, at_,
-                   fmt::format("text behind a closing quote; only a {} or the end of the line may follow",
+                   fmt::format("text after a closing quote; only a {} or the end of the line may follow",
                                separator_ == ','   ? "comma"
                                : separator_ == ';' ? "semicolon"
                                                    : "tab"));

@@ -12,25 +12,25 @@ namespace graze::io {
 /// One field of a record, unquoted.
 struct CsvField {
   std::string_view text;
-  std::size_t offset = 0;  ///< Where it begins in the file, its quote included.
+  std::size_t offset = 0;  ///< Its position in the file, including the opening quote.
 };
 
-/// The character that separates the fields of a text, by its first line: whichever of comma, semicolon and tab comes
-/// first outside of quotes; a comma where there is none.
+/// The separator of a text's fields, by its first line: whichever of comma, semicolon and tab occurs first outside
+/// quotes; a comma if there is none.
 char csv_separator(std::string_view text);
 
-/// The text without blanks and tabs around it.
+/// The text without leading and trailing blanks and tabs.
 std::string_view without_blanks(std::string_view text);
 
 /// Reads comma-separated values (RFC 4180), or with another separator, record by record, lines ended by CRLF or LF.
-/// Blank lines are passed over. Refers to the text given, which must outlive it.
+/// Blank lines are skipped. Refers to the given text, which must outlive this.
 class CsvRecords {
  public:
   /// `source` names the text in messages.
   CsvRecords(std::string_view text, std::string_view source, char separator = ',')
       : text_(text), source_(source), separator_(separator) {}
 
-  /// Goes to the next record; false at the end. Throws InputError where quotes do not match.
+  /// Moves to the next record; false at the end. Throws InputError for unmatched quotes.
   bool next();
 
   /// The current record's fields; valid until `next`.

@@ -20,7 +20,7 @@
 namespace graze::io {
 namespace {
 
-/// A sign that nobody needs, but some write.
+/// Skips a leading plus sign, which some programs write.
 std::string_view without_plus(std::string_view number) {
   const bool has_plus = number.size() > 1 && number[0] == '+' && number[1] != '-' && number[1] != '+';
   return has_plus ? number.substr(1) : number;
@@ -35,15 +35,15 @@ double read_number(const CsvText& text, const CsvField& field, std::string_view 
   const bool is_infinite =
       is_complete && std::isinf(value) && digits.find_first_of("0123456789") != std::string_view::npos;
   if (is_infinite) {
-    throw text.error(field, fmt::format("{} is {}, beyond the largest number there is, about 1.8e308", column,
-                                        in_quotes(field.text)));
+    throw text.error(field,
+                     fmt::format("{} is {}; the largest number is about 1.8e308", column, in_quotes(field.text)));
   }
   if (is_complete && !std::isfinite(value)) {
     throw text.error(field, fmt::format("{} is {}; it must be a finite number", column, in_quotes(field.text)));
   }
   const bool has_comma = digits.find(',') != std::string_view::npos;
   throw text.error(field, fmt::format("{} is {}, which is not a number{}", column, in_quotes(field.text),
-                                      has_comma ? "; decimals stand behind a point" : ""));
+                                      has_comma ? "; write decimals with a point" : ""));
 }
 
 std::string_view name_of(CsvShape shape, Dim dimension) {
@@ -52,7 +52,7 @@ std::string_view name_of(CsvShape shape, Dim dimension) {
   return dimension == 2 ? "circle" : "sphere";
 }
 
-/// Reads the lines behind the header into a scene.
+/// Reads the lines after the header into a scene.
 template <Dim N>
 class ShapeReader {
  public:
@@ -89,7 +89,7 @@ class ShapeReader {
     id_offsets_.push_back(place.offset);
   }
 
-  /// Refuses a box that is turned inside out, and a radius below zero.
+  /// Refuses a box whose min is above its max, and a negative radius.
   void require_sound(const std::vector<CsvField>& fields) const {
     constexpr auto dimension = static_cast<std::size_t>(N);
     const std::vector<std::string>& names = columns_.number_names;
@@ -128,8 +128,8 @@ class ShapeReader {
     }
   }
 
-  /// The scene's refusal in this file's words. Only the first of two equal ids can be in the scene, at the index of its
-  /// line.
+  /// Translates the scene's error into the terms of this file. Of two equal ids only the first can be in the scene, at
+  /// the index of its line.
   InputError refused(const CsvField& id, const std::invalid_argument& refusal) const {
     const auto other = scene_.find(id.text);
     if (!other) return text_.error(id, refusal.what());
@@ -140,23 +140,23 @@ class ShapeReader {
 
   const CsvText& text_;
   const CsvColumns& columns_;
-  std::vector<double> numbers_;  // of the line that is being read
+  std::vector<double> numbers_;  // of the current line
   Scene<N, double> scene_;
   std::vector<std::size_t> id_offsets_;
 };
 
-/// Text whose lines all end with CR, as old programs write them, with LF instead: each byte stays in its place.
+/// Text whose lines all end with CR, as old programs write them, with LF instead; offsets do not change.
 std::string with_line_feeds(std::string_view text) {
   std::string result(text);
   if (text.find('\n') == std::string_view::npos) std::replace(result.begin(), result.end(), '\r', '\n');
   return result;
 }
 
-/// What is doubtful about the end of the text, if anything: a number that was cut off is still a number.
+/// Warns if the last line may be cut off: a truncated number is still a number.
 std::vector<std::string> warnings_about_end(const CsvText& csv) {
   if (csv.text.empty() || csv.text.back() == '\n' || csv.text.back() == '\r') return {};
   return {
-      fmt::format("{}: line {}, the last one, has no line break; if the file was cut off, its last field is not whole",
+      fmt::format("{}: line {}, the last one, has no line break; if the file was cut off, its last field is incomplete",
                   csv.source, position_of(csv.text, csv.text.size()).line)};
 }
 

@@ -21,32 +21,30 @@ OutputError cannot_write(const fs::path& path, std::string_view reason) {
   return OutputError(fmt::format("cannot write {}: {}", in_quotes(path.string()), reason));
 }
 
-/// What the system said last, in words.
+/// The description of the last system error.
 std::string system_reason() {
   const int error = errno;
   return error == 0 ? "the system gives no reason" : std::generic_category().message(error);
 }
 
-/// Where a chain of symbolic links ends; there need not be a file.
+/// Where a chain of symbolic links ends; the final target need not exist.
 fs::path link_target(const fs::path& path) {
   constexpr int longest_chain = 40;  // as in Linux
   fs::path target = path;
   for (int links = 0; fs::is_symlink(fs::symlink_status(target)); ++links) {
-    if (links == longest_chain) throw cannot_write(path, "its symbolic links go round in a circle");
+    if (links == longest_chain) throw cannot_write(path, "its symbolic links form a loop");
     target = target.parent_path() / fs::read_symlink(target);
   }
   return target;
 }
 
-/// /dev/stdout and /dev/fd/3 lead to whatever was opened for the process, perhaps a regular file that others write to
-/// too.
+/// /dev/stdout and /dev/fd/3 refer to whatever the process has open, possibly a regular file that others also write to.
 bool names_open_stream(const fs::path& path) {
   const std::string name = path.lexically_normal().string();
   return name.starts_with("/dev/") || name.starts_with("/proc/");
 }
 
-/// Appends, so that nothing is lost of what an open stream's file holds already; to devices and pipes it is all the
-/// same.
+/// Appends, so that existing content of an open stream's file is kept. For devices and pipes it makes no difference.
 void write_directly(const fs::path& path, const std::function<void(std::ostream&)>& write) {
   errno = 0;
   std::ofstream out(path, std::ios::binary | std::ios::app);
@@ -56,18 +54,18 @@ void write_directly(const fs::path& path, const std::function<void(std::ostream&
   if (!out) throw cannot_write(path, system_reason());
 }
 
-/// Puts what was written in the target's place.
+/// Moves the temporary file onto the target.
 void take_place(TemporaryFile& file, const fs::path& target, const fs::file_status& old) {
   std::ofstream& out = file.stream();
   out.close();
-  if (!out) throw cannot_write(target, system_reason() + "; what was there is unchanged");
+  if (!out) throw cannot_write(target, system_reason() + "; the target is unchanged");
   std::error_code error;
   if (fs::exists(old)) fs::permissions(file.path(), old.permissions(), error);
   if (!error) fs::rename(file.path(), target, error);
-  if (error) throw cannot_write(target, error.message() + "; what was there is unchanged");
+  if (error) throw cannot_write(target, error.message() + "; the target is unchanged");
 }
 
-/// Replacing a file needs no right to write to it, only to its folder; but a file that is protected is meant to stay.
+/// Replacing a file needs write permission for its folder only, but a write-protected file must not be replaced.
 void require_writable(const fs::path& path) {
   errno = 0;
   const std::ofstream probe(path, std::ios::binary | std::ios::app);
@@ -89,7 +87,7 @@ void write_file(const fs::path& path, const std::function<void(std::ostream&)>& 
   if (fs::exists(status)) require_writable(target);
   errno = 0;
   TemporaryFile file(target.parent_path());
-  if (!file.stream()) throw cannot_write(target, "its folder takes no new file: " + system_reason());
+  if (!file.stream()) throw cannot_write(target, "no file can be created in its folder: " + system_reason());
   write(file.stream());
   take_place(file, target, status);
 }

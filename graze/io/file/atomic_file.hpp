@@ -7,10 +7,10 @@
 
 namespace graze::io {
 
-/// Writes a file whole or not at all: `write` fills a temporary file in the same folder, which takes the target's place
-/// only when all has been written (temporary_file.hpp). If `write` throws or the disk is full, an existing target stays
-/// as it was and no temporary file remains. A symbolic link is followed, an existing file's permissions are kept; a
-/// pipe, a device or an open stream by its name (/dev/stdout) is written directly, at its end. Throws OutputError, and
+/// Writes a file completely or not at all: `write` fills a temporary file in the same folder, which replaces the target
+/// once everything has been written (temporary_file.hpp). If `write` throws or the disk is full, an existing target
+/// stays unchanged and no temporary file remains. Symbolic links are followed and an existing file's permissions are
+/// kept. Pipes, devices and open streams given by name (/dev/stdout) are appended to directly. Throws OutputError, and
 /// whatever `write` throws.
 void write_atomically(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 

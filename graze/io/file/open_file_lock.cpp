@@ -17,8 +17,8 @@ namespace graze::io {
 
 namespace {
 
-/// The file of that descriptor, if it could be locked and has a name still: between opening and locking it, another may
-/// have removed it.
+/// The file of that descriptor if it could be locked and still has a name: another process may have removed it between
+/// opening and locking.
 int locked(int file) {
   if (file == -1) return -1;
   struct stat status {};

@@ -6,16 +6,17 @@
 
 namespace graze::io {
 
-/// An advisory lock (flock) on a file, which the system drops when the process ends, however it ends. Where there are
-/// no such locks, none is ever held.
+/// An advisory lock (flock) on a file. The system releases it when the process ends for any reason. On systems without
+/// such locks, none is ever held.
 class OpenFileLock {
  public:
   OpenFileLock() = default;
 
-  /// Makes a new file and locks it. Not held where the file exists already or cannot be made or locked.
+  /// Creates a new file and locks it. Holds no lock if the file exists or cannot be created or locked.
   static OpenFileLock of_new(const std::filesystem::path& path);
 
-  /// Locks an existing regular file of this user. Not held where it is none, or somebody has a lock on it.
+  /// Locks an existing regular file of this user. Holds no lock if there is no such file or another process has locked
+  /// it.
   static OpenFileLock of_existing(const std::filesystem::path& path);
 
   OpenFileLock(OpenFileLock&& other) noexcept : file_(std::exchange(other.file_, none)) {}

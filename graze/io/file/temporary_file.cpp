@@ -27,8 +27,7 @@ constexpr std::string_view temporary_name_start = ".graze-";
 constexpr std::string_view temporary_name_end = ".tmp";
 constexpr std::size_t name_digits = 16;
 
-/// The path of a file that is being written. Global and of fixed size, because a handler of signals can reach nothing
-/// else.
+/// The path of a file being written. Global and of fixed size, because a signal handler can access nothing else.
 struct Slot {
   enum State : int { vacant, filling, filled };
 
@@ -40,8 +39,8 @@ constexpr std::size_t slot_count = 16;
 std::array<Slot, slot_count> slots;
 static_assert(std::atomic<int>::is_always_lock_free);
 
-/// Takes a slot for a path; slot_count if all are taken or it is too long. Then no handler removes the file, but the
-/// next program that writes there does.
+/// Reserves a slot for a path. Returns slot_count if all are taken or the path is too long; then no handler removes the
+/// file, but the next program that writes to the folder does.
 std::size_t take_slot(const fs::path& path) {
   const std::string text = path.string();
   if (text.size() >= slots[0].path.size()) return slot_count;
@@ -72,7 +71,7 @@ bool is_temporary_name(std::string_view name) {
          digits.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
-/// Removes files that a program has left which could not clean up. What cannot be read or removed stays.
+/// Removes files left by programs that could not clean up. Files that cannot be read or removed stay.
 void remove_leftovers(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, error), end; !error && entry != end;
@@ -88,13 +87,13 @@ void remove_leftovers(const fs::path& folder) {
 
 TemporaryFile::TemporaryFile(const fs::path& folder) : slot_(slot_count) {
   remove_leftovers(folder);
-  // Again if another program took the new file for a leftover before it was locked. Files that cannot be locked are
-  // written without.
+  // Retried if another program removed the new file as a leftover before it was locked. Files that cannot be locked are
+  // written without a lock.
   constexpr int most_tries = 8;
   for (int tries = 0; tries < most_tries && !lock_.is_held(); ++tries) {
     release_slot(slot_);
     path_ = folder / random_name();
-    slot_ = take_slot(path_);  // before there is a file, so that no signal comes too early
+    slot_ = take_slot(path_);  // before the file exists, so that a signal in between is handled
     lock_ = OpenFileLock::of_new(path_);
     std::error_code error;
     if (!lock_.is_held() && fs::exists(path_, error)) break;
@@ -105,7 +104,7 @@ TemporaryFile::TemporaryFile(const fs::path& folder) : slot_(slot_count) {
 TemporaryFile::~TemporaryFile() {
   out_.close();
   std::error_code ignored;
-  fs::remove(path_, ignored);  // nothing, if it was renamed
+  fs::remove(path_, ignored);  // no effect if it was renamed
   release_slot(slot_);
 }
 

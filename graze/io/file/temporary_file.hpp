@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files that are to take another's place when they are complete, and are removed otherwise.
+// Files that replace another file when they are complete, and are removed otherwise.
 #pragma once
 
 #include <filesystem>
@@ -10,12 +10,12 @@
 
 namespace graze::io {
 
-/// A new file in a folder, called `.graze-<16 hex digits>.tmp`, which is removed when this goes and nothing has renamed
-/// it. The system keeps a lock on it as long as this lives, by which others know that it is in use.
+/// A new file in a folder, named `.graze-<16 hex digits>.tmp`. The destructor removes it unless it was renamed. It
+/// stays locked during its lifetime, which tells other processes that it is in use.
 class TemporaryFile {
  public:
-  /// Opens the file; whether that worked is the stream's to say. Files of this name in the folder that nobody has a
-  /// lock on, as a program leaves them that was killed, are removed first.
+  /// Opens the file; check `stream()` for success. First removes files of this naming pattern in the folder that nobody
+  /// holds a lock on: killed programs leave them behind.
   explicit TemporaryFile(const std::filesystem::path& folder);
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -29,12 +29,11 @@ class TemporaryFile {
  private:
   std::filesystem::path path_;
   OpenFileLock lock_;
-  std::size_t slot_;  // in the list for remove_temporary_files
+  std::size_t slot_;  // in the list that remove_temporary_files reads
   std::ofstream out_;
 };
 
-/// Removes the temporary files that are being written. For handlers of signals that are about to end the program:
-/// async-signal-safe.
+/// Removes the temporary files being written. For handlers of signals that end the program: async-signal-safe.
 void remove_temporary_files() noexcept;
 
 }  // namespace graze::io

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #if GRAZE_COMPRESSION
-#define ZLIB_CONST  // its input is const, as the library has it
+#define ZLIB_CONST  // makes zlib declare its input const
 #include <zlib.h>
 #include <zstd.h>
 #endif
@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::uint8_t no_digit = 0xFF;
 
-/// The value of each character of base64, `no_digit` for others.
+/// The value of each base64 character, `no_digit` for all others.
 constexpr std::array<std::uint8_t, 256> base64_digits() {
   std::array<std::uint8_t, 256> digits{};
   for (auto& digit : digits) digit = no_digit;
@@ -37,10 +37,11 @@ constexpr std::array<std::uint8_t, 256> base64_digits() {
 Unpacked refused(std::string fact) { return {"", UnpackFault{std::move(fact)}}; }
 
 #if GRAZE_COMPRESSION
-/// How many bytes are unpacked at a time: a few that claim to be many cost no more than this.
+/// Data is unpacked in blocks of this size, so that a short input that claims to be long costs no more memory than
+/// this.
 constexpr std::size_t unpack_step = std::size_t{1} << 18U;
 
-/// Makes room for the next bytes, at most one more than `size`, by which too many are noticed.
+/// Makes room for the next bytes, at most one more than `size`; that one reveals excess data.
 std::size_t make_room(std::string& bytes, std::size_t size) {
   const std::size_t room = std::min(unpack_step, size - bytes.size() + 1);
   bytes.resize(bytes.size() + room);
@@ -58,7 +59,7 @@ Unpacked checked(std::string bytes, bool is_complete, std::size_t size) {
 
 Unpacked inflated(std::string_view packed, int window_bits, std::size_t size) {
   z_stream stream{};
-  if (inflateInit2(&stream, window_bits) != Z_OK) return refused("cannot be unpacked: zlib has no memory");
+  if (inflateInit2(&stream, window_bits) != Z_OK) return refused("cannot be unpacked: zlib is out of memory");
   const std::unique_ptr<z_stream, int (*)(z_stream*)> closing(&stream, inflateEnd);
   std::string bytes;
   int status = Z_OK;
@@ -78,14 +79,14 @@ Unpacked inflated(std::string_view packed, int window_bits, std::size_t size) {
     bytes.resize(before + room - stream.avail_out);
   }
   if (status == Z_DATA_ERROR || status == Z_NEED_DICT) {
-    return refused(fmt::format("is broken: {}", stream.msg != nullptr ? stream.msg : "it needs a dictionary"));
+    return refused(fmt::format("is broken: {}", stream.msg != nullptr ? stream.msg : "it needs a preset dictionary"));
   }
   return checked(std::move(bytes), status == Z_STREAM_END, size);
 }
 
 Unpacked unpacked_zstd(std::string_view packed, std::size_t size) {
   const std::unique_ptr<ZSTD_DStream, std::size_t (*)(ZSTD_DStream*)> stream(ZSTD_createDStream(), ZSTD_freeDStream);
-  if (!stream) return refused("cannot be unpacked: Zstandard has no memory");
+  if (!stream) return refused("cannot be unpacked: Zstandard is out of memory");
   ZSTD_inBuffer input{packed.data(), packed.size(), 0};
   std::string bytes;
   std::size_t status = 1;  // 0 at the end of a frame
@@ -117,7 +118,7 @@ Unpacked decoded_base64(std::string_view text) {
     const std::uint8_t digit = digits[static_cast<unsigned char>(text[i])];
     if (digit == no_digit) {
       if (std::string_view(" \t\r\n").find(text[i]) != std::string_view::npos) continue;
-      return refused(fmt::format("is no base64: its character {} is none of A-Z, a-z, 0-9, + and /", i + 1));
+      return refused(fmt::format("is not base64: character {} is not one of A-Z, a-z, 0-9, + and /", i + 1));
     }
     group = (group << 6U) | digit;
     bits += 6;
@@ -126,9 +127,9 @@ Unpacked decoded_base64(std::string_view text) {
     bytes.push_back(static_cast<char>((group >> static_cast<unsigned>(bits)) & 0xFFU));
   }
   if (text.find_first_not_of("= \t\r\n", i) != std::string_view::npos) {
-    return refused("is no base64: it goes on behind \"=\"");
+    return refused("is not base64: it continues after \"=\"");
   }
-  if (bits == 6) return refused("is no base64: it ends in the middle of a byte; is the file cut off?");
+  if (bits == 6) return refused("is not base64: it ends in the middle of a byte; is the file cut off?");
   return {std::move(bytes)};
 }
 
@@ -137,7 +138,7 @@ bool can_unpack(Packing packing) { return packing == Packing::none || GRAZE_COMP
 Unpacked unpacked(std::string_view packed, Packing packing, std::size_t size) {
 #if GRAZE_COMPRESSION
   if (packing == Packing::zlib) return inflated(packed, MAX_WBITS, size);
-  constexpr int with_gzip_header = 16;  // zlib.h: added to the window's size
+  constexpr int with_gzip_header = 16;  // zlib.h: added to the window size
   if (packing == Packing::gzip) return inflated(packed, MAX_WBITS + with_gzip_header, size);
   if (packing == Packing::zstd) return unpacked_zstd(packed, size);
 #endif

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a file says of its size, to have room for it at once. Not of sizes that nobody could want to read.
+/// The size that the system reports, to reserve memory at once. Zero for implausibly large sizes.
 std::size_t expected_size(const fs::path& path) {
   constexpr std::uintmax_t most = std::uintmax_t{1} << 32U;
   std::error_code error;
@@ -27,7 +27,7 @@ std::size_t expected_size(const fs::path& path) {
 
 }  // namespace
 
-// Read until its end: a pipe has no size to ask for, and a stated size is not to be trusted.
+// Read to the end: a pipe has no size, and a reported size is not to be trusted.
 std::string read_whole_file(const fs::path& path, std::string_view what) {
   const std::string source = path.string();
   std::error_code error;

@@ -15,7 +15,7 @@
 namespace graze::io {
 namespace {
 
-/// Reads a text and lets the builder see how far the parser has come, which nlohmann's events do not tell.
+/// An iterator that shows how far the parser has read, which nlohmann's events do not report.
 class CountingIterator {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -37,7 +37,7 @@ class CountingIterator {
   const char** farthest_;
 };
 
-/// nlohmann's account of a syntax error without its prefix and without the text it has read last, whose place we give.
+/// nlohmann's description of a syntax error without its prefix and its last token, whose position our message gives.
 std::string reason_of(std::string message, const std::string& last_token) {
   if (const std::size_t dash = message.find(" - "); dash != std::string::npos) message.erase(0, dash + 3);
   const std::string last_read = "; last read: '" + last_token + "'";
@@ -47,7 +47,7 @@ std::string reason_of(std::string message, const std::string& last_token) {
   return message;
 }
 
-/// True when the text begins with a way of writing NaN or infinity that other programs use.
+/// True if the text begins with a spelling of NaN or infinity that other programs use.
 bool begins_with_non_finite(std::string_view text) {
   if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
   return text.starts_with("NaN") || text.starts_with("nan") || text.starts_with("Inf") || text.starts_with("inf");
@@ -74,7 +74,7 @@ std::string_view kind_name(JsonKind kind) {
   return "";
 }
 
-/// Takes the events of nlohmann's parser, which does not recurse, and appends nodes.
+/// Receives the events of nlohmann's parser, which does not recurse, and appends nodes.
 class JsonDocument::Builder {
  public:
   Builder(JsonDocument& document, std::string_view packed_field)
@@ -89,11 +89,11 @@ class JsonDocument::Builder {
     nlohmann::json::sax_parse(CountingIterator(text_begin_, &seen_), CountingIterator(end, &seen_), this);
   }
 
-  // What nlohmann's parser calls. All return true (go on) or throw.
+  // Called by nlohmann's parser. All return true (continue) or throw.
   bool null() { return scalar(JsonKind::null, 0); }
   bool boolean(bool value) { return scalar(JsonKind::boolean, value ? 1 : 0); }
   bool number_integer(std::int64_t value) {
-    // -0 is a number of its own in binary floating point, and text is the only place where nlohmann still shows it.
+    // -0 differs from 0 in binary floating point, but nlohmann shows it only in the token's text.
     return real(value == 0 ? -0.0 : static_cast<double>(value));
   }
   bool number_unsigned(std::uint64_t value) {
@@ -114,7 +114,7 @@ class JsonDocument::Builder {
     is_packed_field_ = !packed_field_.empty() && value == packed_field_;
     return true;
   }
-  bool binary(nlohmann::json::binary_t&) { return false; }  // not in text
+  bool binary(nlohmann::json::binary_t&) { return false; }  // does not occur in text
   bool start_object(std::size_t) { return open(JsonKind::object); }
   bool start_array(std::size_t) {
     const bool packs = is_packed_field_;
@@ -138,11 +138,10 @@ class JsonDocument::Builder {
     const std::string_view rest = document_.text_.substr(token);
     if (exception.id == out_of_range) {
       throw document_.error(token, in_quotes(rest.substr(0, rest.find_first_of(" \t\r\n,]}"))) +
-                                       " is beyond the largest number there is, about 1.8e308");
+                                       " is too large; the largest number is about 1.8e308");
     }
     if (begins_with_non_finite(rest)) {
-      throw document_.error(token,
-                            "NaN and infinity are not numbers that a scene or JSON can hold; give a finite number");
+      throw document_.error(token, "neither JSON nor a scene can hold NaN or infinity; give a finite number");
     }
     if (position > document_.text_.size()) {
       throw document_.error(position, "the JSON text ends here, before it is complete; is the file cut off?");
@@ -151,13 +150,13 @@ class JsonDocument::Builder {
   }
 
  private:
-  /// Where the token that the parser has just read begins: behind the last one, after blanks, commas and colons.
+  /// The position of the token that was just read: after the previous token, blanks, commas and colons.
   std::size_t token_offset() const {
     const auto last = static_cast<std::size_t>(last_end_ - text_begin_);
     return std::min(document_.text_.find_first_not_of(" \t\r\n,:", last), document_.text_.size());
   }
 
-  /// Gives the elements of the array at hand nodes, because it holds something that cannot be packed.
+  /// Stores the elements of the current array as nodes, because one of them cannot be packed.
   void unpack() {
     is_packing_ = false;
     const Node array = document_.nodes_[open_.back()];
@@ -201,7 +200,7 @@ class JsonDocument::Builder {
     count_in_array();
     if (open_.size() == max_depth) {
       throw document_.error(token_offset(),
-                            fmt::format("nested deeper than {} levels, which no scene needs", max_depth));
+                            fmt::format("nested deeper than {} levels, the most that is allowed", max_depth));
     }
     open_.push_back(append(kind, 0, 0));
     return true;
@@ -233,10 +232,10 @@ class JsonDocument::Builder {
   JsonDocument& document_;
   std::string_view packed_field_;
   bool is_packed_field_ = false;  ///< The last token was the name of the packed field.
-  bool is_packing_ = false;       ///< The array at hand is its value, and has held nothing else so far.
+  bool is_packing_ = false;       ///< The current array is its value, with no other elements so far.
   const char* text_begin_;
   const char* seen_;      ///< How far the parser has read.
-  const char* last_end_;  ///< How far it had read when the last token was complete.
+  const char* last_end_;  ///< How far it had read when the previous token ended.
   std::vector<std::uint32_t> open_;
   std::vector<std::pair<std::string_view, std::uint32_t>> keys_;
 };

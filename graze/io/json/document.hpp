@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// JSON text, parsed, with the place of every value. Stricter than JSON parsers are by default: a key that appears twice
-// is an error, and so is nesting beyond a limit.
+// Parsed JSON text with the position of every value. Stricter than most JSON parsers: duplicate keys and too deep
+// nesting are errors.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@
 
 namespace graze::io {
 
-/// `whole` is a number written as an integer from 0 to 2^64 - 1; any other is `number`.
+/// `whole` is a number written as an integer from 0 to 2^64 - 1; any other number is `number`.
 enum class JsonKind : std::uint8_t { null, boolean, whole, number, text, array, object };
 
 /// "a number", "an array", ...: for messages.
@@ -26,13 +26,13 @@ class JsonDocument;
 class JsonItems;
 class JsonFieldRange;
 
-/// One value of a document, as light as a pointer; valid while the document lives where it is.
+/// One value of a document, as cheap as a pointer. Valid as long as the document exists and is not moved.
 class JsonValue {
  public:
   JsonKind kind() const;
   bool is_number() const { return kind() == JsonKind::whole || kind() == JsonKind::number; }
 
-  /// Where its text begins in the document.
+  /// The position of its text in the document.
   std::size_t offset() const;
 
   /// The value of a `whole` or `number`, rounded to double.
@@ -44,15 +44,15 @@ class JsonValue {
   /// The value of a `text`.
   std::string_view text() const;
 
-  /// The number of an array's elements or of an object's fields.
+  /// The number of elements of an array or fields of an object.
   std::size_t size() const;
-  /// An array's elements, in order.
+  /// The elements of an array, in order.
   JsonItems items() const;
-  /// The elements of a packed array, none of any other: see JsonDocument.
+  /// The elements of a packed array, and none of any other; see JsonDocument.
   std::span<const std::uint32_t> packed() const;
-  /// An object's fields, in order.
+  /// The fields of an object, in order.
   JsonFieldRange fields() const;
-  /// The value of an object's field, if there is one of that name.
+  /// The value of the field of that name, if there is one.
   std::optional<JsonValue> find(std::string_view name) const;
 
  private:
@@ -68,19 +68,20 @@ class JsonValue {
 /// A field of an object.
 struct JsonField {
   std::string_view name;
-  std::size_t offset;  ///< Where the name stands.
+  std::size_t offset;  ///< Position of the name.
   JsonValue value;
 };
 
-/// A parsed text. Refers to the text given, which must outlive it.
+/// A parsed text. Refers to the given text, which must outlive this.
 class JsonDocument {
  public:
-  /// How many arrays and objects may be open inside each other.
+  /// How deeply arrays and objects may be nested.
   static constexpr std::size_t max_depth = 128;
 
   /// Throws InputError with line and column. A byte order mark is allowed. `source` names the text in messages, and its
-  /// first line has the number `first_line`: of newline-delimited JSON, each line is a document. An array in a field
-  /// named `packed_field` that holds nothing but whole numbers below 2^32 is packed: it has a size, but no `items`.
+  /// first line has the number `first_line`, because each line of newline-delimited JSON is its own document. An array
+  /// in a field named `packed_field` that contains only whole numbers below 2^32 is packed: it has a size, but no
+  /// `items`.
   JsonDocument(std::string_view text, std::string source, std::size_t first_line = 1,
                std::string_view packed_field = {});
   JsonDocument(const JsonDocument&) = delete;
@@ -101,14 +102,14 @@ class JsonDocument {
   friend class JsonFieldRange;
   class Builder;
 
-  /// Values stand in the order of their text, a container before what it holds, a field's name (of kind `text`) before
-  /// its value; so the first child is the next node, and `end` is where the next sibling stands.
+  /// Values are in the order of their text: a container before its content, a field's name (of kind `text`) before its
+  /// value. So the first child is the next node, and `end` is the position of the next sibling.
   struct Node {
     JsonKind kind;
     std::uint32_t offset;
     std::uint32_t end;
-    std::uint32_t size;     ///< Characters of a text, elements, fields.
-    std::uint64_t payload;  ///< A whole number, the bits of a number, where a text or a packed array begins.
+    std::uint32_t size;     ///< Number of characters, elements or fields.
+    std::uint64_t payload;  ///< A whole number, the bits of a number, or the start of a text or packed array.
   };
 
   std::string_view text_of(const Node& node) const;
@@ -116,12 +117,12 @@ class JsonDocument {
   std::string_view text_;
   std::string source_;
   std::vector<Node> nodes_;
-  std::string characters_;             ///< All texts, unescaped, one behind the other.
-  std::vector<std::uint32_t> packed_;  ///< The elements of packed arrays, one behind the other.
+  std::string characters_;             ///< All texts, unescaped and concatenated.
+  std::vector<std::uint32_t> packed_;  ///< The elements of all packed arrays, concatenated.
   std::size_t first_line_;
 };
 
-/// An array's elements, for a range-based for.
+/// Range of an array's elements.
 class JsonItems {
  public:
   class Iterator {
@@ -147,7 +148,7 @@ class JsonItems {
   JsonValue array_;
 };
 
-/// An object's fields, for a range-based for.
+/// Range of an object's fields.
 class JsonFieldRange {
  public:
   class Iterator {

@@ -23,7 +23,7 @@ std::string description(const JsonPlace& place) {
   return result;
 }
 
-/// The error "radius" must be a number, not a string'.
+/// The error '"radius" must be a number, not a string'.
 InputError wrong_kind(JsonValue value, const JsonFieldName& name, std::string_view wanted, const JsonPlace& place) {
   const std::string given(kind_name(value.kind()));
   return place.error(value.offset(), fmt::format("{} must be {}, not {}", description(name), wanted, given));

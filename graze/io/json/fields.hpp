@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The fields of a JSON object, read with checks. What is wrong becomes an InputError that names file, line, column,
-// object and field.
+// Reads and validates the fields of JSON objects. Faults become an InputError that names file, line, column, object and
+// field.
 #pragma once
 
 #include <cstddef>
@@ -15,10 +15,10 @@
 
 namespace graze::io {
 
-/// Where in a scene a reader is: 'object 3 "chair", part 2'. Lives on the stack; turned into words only for an error.
+/// A reader's position in a scene: 'object 3 "chair", part 2'. Lives on the stack; converted to text only for errors.
 struct JsonPlace {
   const JsonDocument& document;
-  const JsonPlace* outer = nullptr;  ///< What it is inside, if anything.
+  const JsonPlace* outer = nullptr;  ///< The enclosing place, if any.
   std::string_view word = {};        ///< "object" or "part"; empty for the document.
   std::size_t index = 0;
   std::string_view name = {};
@@ -27,7 +27,7 @@ struct JsonPlace {
   InputError error(std::size_t offset, std::string_view message) const;
 };
 
-/// A field's name, or one of the elements of its array, for messages: "points" or "points"[3].
+/// The name of a field or of an array element in messages: "points" or "points"[3].
 struct JsonFieldName {
   std::string_view name;
   std::optional<std::size_t> element = std::nullopt;
@@ -42,24 +42,24 @@ std::string_view read_text(JsonValue value, const JsonFieldName& name, const Jso
 /// A whole number from 0 to 2^64 - 1. Throws InputError.
 std::uint64_t read_whole(JsonValue value, const JsonFieldName& name, const JsonPlace& place);
 
-/// The same value, if it is an array. Throws InputError.
+/// The value, checked to be an array. Throws InputError.
 JsonValue read_array(JsonValue value, const JsonFieldName& name, const JsonPlace& place);
 
 /// An array of N numbers. Throws InputError.
 template <Dim N>
 Vec<N, double> read_vector(JsonValue value, const JsonFieldName& name, const JsonPlace& place);
 
-/// One object, asked for its fields by name. All members but `find` throw InputError.
+/// Finds the fields of one object by name. All members but `find` throw InputError.
 class JsonFields {
  public:
-  /// `what` says in messages what lacks a field: "a sphere".
+  /// `what` names the object in messages about missing fields: "a sphere".
   JsonFields(JsonValue object, const JsonPlace& place, std::string_view what)
       : object_(object), place_(&place), what_(what) {}
 
   const JsonPlace& place() const { return *place_; }
   std::size_t offset() const { return object_.offset(); }
 
-  /// Refuses fields of other names, with the nearest allowed one.
+  /// Refuses fields with other names and suggests the nearest allowed one.
   void allow_only(std::span<const std::string_view> names) const;
 
   std::optional<JsonValue> find(std::string_view name) const { return object_.find(name); }
@@ -71,7 +71,7 @@ class JsonFields {
     return read_vector<N>(require(name), {name}, *place_);
   }
 
-  /// The error of the field of that name, which the object has.
+  /// An error about the field of that name, which must exist.
   InputError error(std::string_view name, std::string_view message) const;
 
  private:

@@ -15,9 +15,9 @@ namespace graze::io {
 namespace {
 
 constexpr std::uint64_t largest_id = std::numeric_limits<std::uint32_t>::max();
-constexpr std::uint64_t last_generation = detail::KeyTable::used_up - 1;  // of an object
+constexpr std::uint64_t last_generation = detail::KeyTable::used_up - 1;  // the last generation of an object
 
-/// [index, generation]; `last_bit` is 1 for the generations of objects, 0 for those of vacant places.
+/// [index, generation]; `last_bit` is 1 for generations of objects, 0 for those of vacant ids.
 ObjectId read_id(JsonValue value, std::string_view name, unsigned last_bit, const JsonPlace& place) {
   const JsonValue array = read_array(value, {name}, place);
   std::uint64_t numbers[2] = {};
@@ -32,7 +32,7 @@ ObjectId read_id(JsonValue value, std::string_view name, unsigned last_bit, cons
   }
   if ((numbers[1] & 1U) != last_bit) {
     throw place.error(value.offset(), fmt::format("\"{}\" has the generation {}; that of {}", name, numbers[1],
-                                                  last_bit == 1 ? "an object is odd" : "a vacant place is even"));
+                                                  last_bit == 1 ? "an object is odd" : "a vacant id is even"));
   }
   if (last_bit == 1 && numbers[1] > last_generation) {
     throw place.error(value.offset(), fmt::format("\"{}\" has the generation {}; the last of an object is {}", name,
@@ -41,7 +41,7 @@ ObjectId read_id(JsonValue value, std::string_view name, unsigned last_bit, cons
   return {static_cast<std::uint32_t>(numbers[0]), static_cast<std::uint32_t>(numbers[1]), 0};
 }
 
-/// Sees to it that indexes are 0, 1, ..., each once.
+/// Checks that the indexes are 0, 1, ..., each once.
 class Indexes {
  public:
   explicit Indexes(std::size_t count) : is_taken_(count, false) {}
@@ -52,7 +52,7 @@ class Indexes {
                                                     id.index, is_taken_.size()));
     }
     if (is_taken_[id.index]) {
-      throw place.error(value.offset(), fmt::format("the index {} is there twice; ids must be unique", id.index));
+      throw place.error(value.offset(), fmt::format("the index {} appears twice; ids must be unique", id.index));
     }
     is_taken_[id.index] = true;
   }

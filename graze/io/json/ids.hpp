@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ids in a saved scene: so that an object is the same object after it was read.
+// The ids in a saved scene, which make objects identifiable across saving and loading.
 #pragma once
 
 #include <vector>
@@ -9,15 +9,15 @@
 
 namespace graze::io {
 
-/// What Scene::plan_ids takes: the ids of the objects, in their order, and of the places that are free. Both are
-/// empty for a scene that was not saved with its ids.
+/// The arguments of Scene::plan_ids: the ids of the objects, in order, and the vacant ids. Both are empty for a scene
+/// that was saved without ids.
 struct SavedIds {
   std::vector<ObjectId> next;
   std::vector<ObjectId> vacant;
 };
 
 /// Reads "id" of all objects and "vacant_ids" of a scene. Throws InputError, naming the object, unless all objects have
-/// ids or none, and the indexes of all ids are 0, 1, ..., each once.
+/// ids or none has, and the indexes of all ids are 0, 1, ..., each once.
 SavedIds read_saved_ids(const JsonFields& scene);
 
 }  // namespace graze::io

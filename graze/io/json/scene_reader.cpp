@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 6> scene_fields = {"schema", "dimension",
                                                           "layers", "vacant_ids", "objects"};
 constexpr std::array<std::string_view, 7> object_fields = {"id", "name", "layer", "mask", "fixed", "user", "velocity"};
 
-/// The layer of objects that name none in a file where others do.
+/// The layer of objects without one, in a file where other objects have a layer.
 constexpr std::string_view default_layer = "default";
 
 /// True for "graze.scene/2" and later.
@@ -42,7 +42,7 @@ void require_schema(const JsonFields& scene) {
   const auto value = scene.find("schema");
   if (!value) {
     throw scene.place().error(
-        scene.offset(), fmt::format(R"(there is no "schema"; a scene of graze has "schema": "{}")", json_scene_schema));
+        scene.offset(), fmt::format(R"(there is no "schema"; a graze scene has "schema": "{}")", json_scene_schema));
   }
   const std::string_view schema = read_text(*value, {"schema"}, scene.place());
   if (schema == json_scene_schema) return;
@@ -79,7 +79,7 @@ bool read_flag(JsonValue value, const JsonFieldName& name, const JsonPlace& plac
                     fmt::format("\"{}\" is {}; it must be true or false", name.name, kind_name(value.kind())));
 }
 
-/// Reads the objects of one file into a scene.
+/// Reads the objects of a file into a scene.
 template <Dim N>
 class ObjectReader {
  public:
@@ -90,7 +90,7 @@ class ObjectReader {
     if (!ids.next.empty() || !ids.vacant.empty()) scene_.plan_ids(ids.next, ids.vacant);
   }
 
-  /// Gives the scene and leaves the velocities, which no scene has.
+  /// Returns the scene without the velocities, which a scene does not store.
   AnyScene read(std::vector<ObjectVelocity>& velocities) {
     std::size_t index = 0;
     for (const JsonValue object : objects_.items()) add(object, index++);
@@ -116,7 +116,7 @@ class ObjectReader {
     }
   }
 
-  /// Two objects must not share a name, and one without a name must not get another's: so all names come first.
+  /// Names must be unique, and generated names must not clash with given ones, so all given names are read first.
   void collect_names() {
     std::size_t index = 0;
     for (const JsonValue object : objects_.items()) {
@@ -138,7 +138,7 @@ class ObjectReader {
                                                   in_quotes(name), taken->second));
   }
 
-  /// "#7" for object 7; "#7-2" and so on where another object has that name.
+  /// "#7" for object 7; "#7-2" and so on if another object has that name.
   std::string name_for_unnamed(std::size_t index) const {
     std::string name = fmt::format("#{}", index);
     for (int next = 2; index_by_name_.contains(name); ++next) name = fmt::format("#{}-{}", index, next);
@@ -190,7 +190,7 @@ class ObjectReader {
     return mask;
   }
 
-  /// The layer of that name, made if the file does not list its layers. `value` is where the file asks for it.
+  /// The layer of that name; created if the file does not list its layers. `value` is the position for errors.
   Layer layer_number(JsonValue value, std::string_view name, const JsonPlace& place) {
     const std::vector<std::string>& known = scene_.layer_names();
     const bool is_object = !place.word.empty();

@@ -21,7 +21,8 @@
 namespace graze::io {
 namespace {
 
-/// RFC 8259, section 7: quotes, backslashes and control characters must be escaped; all else may stand as it is.
+/// RFC 8259, section 7: quotes, backslashes and control characters must be escaped; everything else may be written
+/// unchanged.
 std::string quoted_name(std::string_view text) {
   if (find_invalid_utf8(text) != std::string_view::npos) {
     throw OutputError(fmt::format("the name {} is not UTF-8 text, so a scene file cannot hold it", in_quotes(text)));
@@ -46,8 +47,8 @@ std::string json_strings(const std::vector<std::string>& texts) {
   return result + ']';
 }
 
-/// Names for all layers that a scene uses, by number. Programs may use layers by number alone; a file calls all by
-/// name. Empty when nothing but the defaults is used.
+/// Names for all layers of a scene, by number. Programs may use layers by number only, but a file refers to layers by
+/// name. Empty if the scene uses only the defaults.
 template <Dim N>
 std::vector<std::string> names_of_layers(const Scene<N, double>& scene) {
   std::vector<std::string> names = scene.layer_names();
@@ -76,7 +77,7 @@ std::vector<std::string> names_in_mask(LayerMask mask, const std::vector<std::st
 
 std::string json_id(const ObjectId& id) { return fmt::format("[{}, {}]", id.index, id.generation); }
 
-/// Whether the ids are not those that reading gives anyway: of first generation, in the order of objects.
+/// Whether the ids differ from those that reading would assign: generation 1, in the order of objects.
 template <Dim N>
 bool has_ids_of_its_own(const Scene<N, double>& scene) {
   if (!scene.vacant_ids().empty()) return true;
@@ -87,11 +88,12 @@ bool has_ids_of_its_own(const Scene<N, double>& scene) {
 template <Dim N>
 std::string json_velocity(const Vec<3, double>& velocity) {
   std::string text = ", \"velocity\": [";
-  for (Dim i = 0; i < N; ++i) text += (i > 0 ? ", " : "") + fmt::format("{}", velocity[i] + 0.0);  // never minus zero
+  for (Dim i = 0; i < N; ++i)
+    text += (i > 0 ? ", " : "") + fmt::format("{}", velocity[i] + 0.0);  // + 0.0 turns minus zero into zero
   return text + ']';
 }
 
-/// What a file says of an object that a scene does not: the fields before and after the others, with their commas.
+/// What a file stores of an object in addition to the scene: fields before and after the others, with their commas.
 struct Around {
   std::string before;
   std::string after;

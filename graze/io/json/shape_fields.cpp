@@ -13,7 +13,7 @@ namespace {
 
 using Name = std::string_view;
 
-/// What a shape may have instead of its own fields.
+/// Alternatives to a shape's own fields.
 template <class S>
 constexpr std::array<Name, 0> other_fields = {};
 template <Dim N>
@@ -21,7 +21,7 @@ constexpr std::array<Name, 2> other_fields<Aabb<N, double>> = {"center", "half_e
 template <Dim N>
 constexpr std::array<Name, 1> other_fields<Obb<N, double>> = {orientation_field<N>};
 
-/// Those of the description, then the others.
+/// The described fields, then the alternatives.
 template <class S>
 constexpr auto fields_of = detail::description_of<S>.apply([](const auto&... own) {
   std::array<Name, sizeof...(own) + other_fields<S>.size()> names = {own.name...};

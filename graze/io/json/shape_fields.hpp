@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words of the scene format: which fields each type of shape has, by its description and the ways beside it.
+// The names in the scene format: which fields each type of shape has, from its description and as alternatives.
 #pragma once
 
 #include <cstddef>
@@ -11,21 +11,20 @@
 
 namespace graze::io {
 
-/// How many compounds may lie inside each other in a scene file, the outermost included.
+/// How deeply compounds may be nested in a scene file, the outermost included.
 inline constexpr std::size_t max_compound_depth = 32;
 
-/// The field that turns an oriented box, instead of its axes.
+/// The field that gives the rotation of an oriented box, instead of its axes.
 template <Dim N>
 inline constexpr std::string_view orientation_field = N == 2 ? "angle" : "rotation";
 
-/// The place in `shape_type_names` of a type's name.
+/// The index of a type's name in `shape_type_names`.
 std::optional<std::size_t> shape_type_index(std::string_view type);
 
-/// Our name for a type that others call differently: "sphere" for "circle".
+/// The graze name of a type that other programs name differently: "sphere" for "circle".
 std::optional<std::string_view> our_shape_name(std::string_view foreign);
 
-/// The fields that a shape of a type (by its place in `shape_type_names`) can have in a scene file, "type" not among
-/// them.
+/// The fields that a shape of a type (by its index in `shape_type_names`) can have in a scene file, except "type".
 std::span<const std::string_view> shape_fields(std::size_t type_index, Dim dimension);
 
 }  // namespace graze::io

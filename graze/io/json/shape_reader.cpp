@@ -23,7 +23,7 @@ namespace {
 
 using detail::FieldKind;
 
-/// A number that is not negative.
+/// A nonnegative number.
 double read_length(const JsonFields& fields, std::string_view name) {
   const double length = fields.number(name);
   if (length < 0) throw fields.error(name, fmt::format("is {}; it must not be negative", length));
@@ -41,11 +41,11 @@ Vec<N, double> read_half_extents(const JsonFields& fields, std::string_view name
   return half_extents;
 }
 
-/// A vector of any length but zero.
+/// A vector of any nonzero length.
 template <Dim N>
 Vec<N, double> read_direction(const JsonFields& fields, std::string_view name) {
   const Vec<N, double> direction = fields.vector<N>(name);
-  if (max_abs(direction) == 0) throw fields.error(name, "is zero, which points nowhere; any other length will do");
+  if (max_abs(direction) == 0) throw fields.error(name, "is zero and so has no direction; any other length is allowed");
   return direction;
 }
 
@@ -77,17 +77,17 @@ Mat<3, double> read_rotation(const JsonFields& fields) {
   const JsonFields rotation(value, fields.place(), "a rotation");
   rotation.allow_only(names);
   const Vec<3, double> axis = read_direction<3>(rotation, "axis");
-  // Scaled first, so that the square of no axis over- or underflows.
+  // Scaled first, so that no square over- or underflows.
   return rotation_matrix(axis / max_abs(axis), rotation.number("angle"));
 }
 
-/// The axes of a box, or the angle or rotation that turns it; by default those of the world.
+/// The axes of a box, or the angle or rotation that gives them; by default those of the world.
 template <Dim N>
 Mat<N, double> read_orientation(const JsonFields& fields, std::string_view axes) {
   constexpr std::string_view turn = orientation_field<N>;
   const bool turned = fields.find(turn).has_value();
   if (fields.find(axes)) {
-    if (turned) throw fields.error(turn, fmt::format("and {} say the same thing; give one of them", in_quotes(axes)));
+    if (turned) throw fields.error(turn, fmt::format("and {} both give the rotation; give only one", in_quotes(axes)));
     return read_axes<N>(fields, axes);
   }
   if (!turned) return Mat<N, double>(1.0);
@@ -108,7 +108,7 @@ auto read_value(const JsonFields& fields, std::string_view name) {
   if constexpr (kind == FieldKind::axes) return read_orientation<N>(fields, name);
 }
 
-/// A shape whose fields stand by themselves.
+/// Reads a shape directly from its fields.
 template <class S>
 S read_shape(const JsonFields& fields, std::type_identity<S>) {
   S shape;
@@ -130,7 +130,8 @@ Aabb<N, double> read_shape(const JsonFields& fields, std::type_identity<Aabb<N, 
   if (by_center) {
     const auto box =
         Aabb<N, double>::from_center(fields.vector<N>("center"), read_half_extents<N>(fields, "half_extents"));
-    if (!is_valid(box)) throw fields.error("half_extents", "reaches beyond the largest number there is, about 1.8e308");
+    if (!is_valid(box))
+      throw fields.error("half_extents", "is too large: the box exceeds the largest number, about 1.8e308");
     return box;
   }
   const Aabb<N, double> box{fields.vector<N>("min"), fields.vector<N>("max")};
@@ -192,7 +193,7 @@ std::size_t read_type(JsonValue object, const JsonPlace& place) {
   throw place.error(object.find("type")->offset(), message);
 }
 
-/// A field that the type has in the other dimension only deserves more than "unknown".
+/// A field that the type has only in the other dimension gets a more specific message than "unknown".
 template <Dim N>
 void refuse_other_dimension(const JsonFields& fields, std::size_t type_index) {
   for (const std::string_view name : shape_fields(type_index, 5 - N)) {

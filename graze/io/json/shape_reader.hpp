@@ -9,8 +9,8 @@
 
 namespace graze::io {
 
-/// Reads the shape in a JSON object: its "type" and that type's fields. `other_fields` are the names that the object
-/// may have besides. Throws InputError; what it returns is valid.
+/// Reads the shape in a JSON object: its "type" and that type's fields. `other_fields` are the names of further allowed
+/// fields. Throws InputError; the returned shape is valid.
 template <Dim N>
 AnyShape<N, double> read_json_shape(JsonValue object, const JsonPlace& place,
                                     std::span<const std::string_view> other_fields);

@@ -17,8 +17,8 @@
 namespace graze::io {
 namespace {
 
-/// The shortest text that reads back as the same double; independent of the locale. A negative zero keeps its sign also
-/// in readers that take -0 for an integer.
+/// The shortest text that parses to the same double, independent of the locale. A negative zero is written so that it
+/// keeps its sign even in readers that take -0 for an integer.
 void append(std::string& out, double value) {
   if (value == 0) {
     out += std::signbit(value) ? "-0.0" : "0";
@@ -50,7 +50,7 @@ void append(std::string& out, const Mat<N, double>& axes) {
 template <Dim N>
 void append_shape(std::string& out, const AnyShape<N, double>& shape, std::size_t outer_compounds);
 
-/// A list of what `append_one` writes of each element.
+/// A JSON array; `append_one` writes each element.
 template <class List, class AppendOne>
 void append_list(std::string& out, const List& list, const AppendOne& append_one) {
   out += '[';

@@ -15,7 +15,7 @@
 namespace graze::io {
 namespace {
 
-/// A Scene or a PlainScene.
+/// A target that wraps a Scene or a PlainScene.
 template <class World, Dim N, class T>
 class WorldTarget final : public CallTarget<N> {
  public:

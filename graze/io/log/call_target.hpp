@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the calls of a query log are performed on.
+// What the calls of a query log are executed on.
 #pragma once
 
 #include <functional>
@@ -12,16 +12,16 @@
 
 namespace graze::io {
 
-/// A scene that begins empty and takes calls as a log has them. Virtual because a replay is given what to try: the
-/// library's scene, the one that asks every object, or, in a test, one with a fault. Beside the calls themselves, the
-/// calls of a virtual function cost nothing.
+/// A scene that starts empty and executes logged calls. Virtual because a replay chooses the target at run time: the
+/// library's scene, the brute-force one or, in tests, a faulty one. A virtual call costs nothing compared to the logged
+/// calls.
 template <Dim N>
 class CallTarget {
  public:
   virtual ~CallTarget() = default;
 
-  /// Performs a call without a fault and gives its answer; an exception becomes a refusal. Ids are those that this
-  /// target gave, with owners as in a log.
+  /// Executes a call without a fault and returns its answer; an exception becomes a refusal. Ids are those that this
+  /// target returned, with owners as in a log.
   virtual LoggedAnswer perform(const LoggedCall<N>& call) = 0;
 
  protected:
@@ -30,15 +30,15 @@ class CallTarget {
   CallTarget& operator=(const CallTarget&) = default;
 };
 
-/// Makes a new, empty target.
+/// Creates a new, empty target.
 template <Dim N>
 using TargetMaker = std::function<std::unique_ptr<CallTarget<N>>()>;
 
-/// Makes scenes of the library.
+/// Creates targets with the library's scene.
 template <Dim N>
 TargetMaker<N> scene_targets(NumberType numbers);
 
-/// Makes plain scenes, which ask every object.
+/// Creates targets with the brute-force scene (PlainScene).
 template <Dim N>
 TargetMaker<N> plain_scene_targets(NumberType numbers);
 

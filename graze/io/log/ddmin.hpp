@@ -9,10 +9,10 @@
 
 namespace graze::io {
 
-/// The items that a failure needs, found by delta debugging (Zeller and Hildebrandt 2002): parts of the list, and what
-/// is left without them, are tried, at first halves, in the end single items. `still_fails(items)` gives the items that
-/// the failure showed with, all or some of those it was given, or none if it did not fail. In the result, no single
-/// item can be left out. The items that come in must fail; their order is kept.
+/// Reduces a failing list by delta debugging (Zeller and Hildebrandt 2002): tries parts of the list and their
+/// complements, first halves, finally single items. `still_fails(items)` returns the items that were used when the
+/// failure occurred (all or some of its input), or none if it did not fail. No single item can be removed from the
+/// result. The initial items must fail; their order is kept.
 template <class Item, class StillFails>
 std::vector<Item> ddmin(std::vector<Item> items, const StillFails& still_fails) {
   std::size_t parts = 2;
@@ -38,7 +38,7 @@ std::vector<Item> ddmin(std::vector<Item> items, const StillFails& still_fails) 
     parts = std::min(parts, items.size());
     if (try_all(false)) {
       parts = 2;
-    } else if (parts > 2 && try_all(true)) {  // of two parts, each is what is left without the other
+    } else if (parts > 2 && try_all(true)) {  // with two parts, each is the complement of the other
       parts = std::max<std::size_t>(parts - 1, 2);
     } else if (parts == items.size()) {
       break;

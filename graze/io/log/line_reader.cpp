@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> event_words = {"began", "stayed", "ended"};
 
-/// Which fields a line has for each bit of CallFields.
+/// The name of the field for each bit of CallFields.
 struct FieldNames {
   CallFields field;
   std::array<std::string_view, 5> names;
@@ -151,7 +151,7 @@ void require_types(const LoggedCall<N>& call, const JsonFields& line) {
   }
 }
 
-/// A number, or the text of one that is not finite.
+/// A number, or the text that stands for a non-finite one.
 double read_any_number(JsonValue value, const JsonPlace& place) {
   if (value.is_number()) return value.number();
   const std::string_view text = read_text(value, {"answer"}, place);
@@ -159,7 +159,7 @@ double read_any_number(JsonValue value, const JsonPlace& place) {
   if (text == "inf") return infinity;
   if (text == "-inf") return -infinity;
   if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
-  throw place.error(value.offset(), in_quotes(text) + " is no part of an answer");
+  throw place.error(value.offset(), in_quotes(text) + " is not valid in an answer");
 }
 
 AnswerRow read_row(JsonValue value, const JsonPlace& place) {
@@ -186,9 +186,9 @@ AnswerRow read_row(JsonValue value, const JsonPlace& place) {
       row.numbers.push_back(read_any_number(part, place));
     }
   }
-  // Written again, [1e1, 1] would be an id.
+  // Converted back to text, [1e1, 1] would look like an id.
   if (row.word.empty() && row.ids.empty() && row.numbers.size() > 1) {
-    throw place.error(value.offset(), "a list of numbers is no part of an answer without an id before them");
+    throw place.error(value.offset(), "a list of numbers in an answer must begin with an id");
   }
   return row;
 }

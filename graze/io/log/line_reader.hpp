@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lines of a query log, read with checks.
+// Reads and validates the lines of a query log.
 #pragma once
 
 #include <graze/io/json/document.hpp>

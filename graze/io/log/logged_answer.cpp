@@ -27,7 +27,7 @@ std::string row_text(const AnswerRow& row) {
   return '[' + text + ']';
 }
 
-/// NaN has many bits, which no log keeps.
+/// NaN has many bit patterns, which a log does not distinguish.
 bool same_number(double a, double b) {
   return bit_cast<std::uint64_t>(a) == bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
 }

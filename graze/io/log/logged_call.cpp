@@ -19,7 +19,7 @@
 namespace graze::io {
 namespace {
 
-/// Writes the fields of one call behind each other.
+/// Writes the fields of one call in order.
 class CallWriter {
  public:
   explicit CallWriter(std::string_view name) : text_(fmt::format("{{\"call\": \"{}\"", name)) {}

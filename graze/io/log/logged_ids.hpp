@@ -9,11 +9,11 @@
 
 namespace graze::io {
 
-/// Turns the ids of a running scene into those of a log, and back. A scene's number is known from the first id that it
-/// gives; no id of its own exists before.
+/// Converts between the ids of a running scene and those of a log. A scene's number becomes known with the first id
+/// that it returns; before that, none of its ids exists.
 class LoggedIds {
  public:
-  /// The scene gave this id.
+  /// Notes an id that the scene returned.
   void learn_from(const ObjectId& id) { owner_ = id.owner; }
 
   ObjectId logged(const ObjectId& id) const {
@@ -21,7 +21,7 @@ class LoggedIds {
     return {id.index, id.generation, id.owner == owner_ ? logged_scene : other_scene};
   }
 
-  /// An id of another scene becomes one that is none of this one.
+  /// An id of another scene is converted to one that does not belong to this scene.
   ObjectId real(const ObjectId& id) const {
     if (id == ObjectId{}) return id;
     return {id.index, id.generation, id.owner == logged_scene ? owner_ : owner_ + 1};

@@ -23,12 +23,12 @@
 namespace graze::io {
 namespace {
 
-/// The lines of a text that are not empty, one after the other.
+/// Iterates over the non-empty lines of a text.
 class Lines {
  public:
   explicit Lines(std::string_view text) : rest_(text) {}
 
-  /// False, and no line, after the last one.
+  /// Moves to the next line; false after the last one.
   bool next() {
     do {
       if (rest_.empty()) return false;
@@ -57,14 +57,14 @@ struct LogHead {
 void require_log_schema(const JsonFields& head) {
   const auto value = head.find("schema");
   if (!value) {
-    throw head.place().error(head.offset(), fmt::format("there is no \"schema\"; a log of graze begins with {}",
+    throw head.place().error(head.offset(), fmt::format("there is no \"schema\"; a graze log begins with {}",
                                                         log_head(2, NumberType::double_precision)));
   }
   const std::string_view schema = read_text(*value, {"schema"}, head.place());
   if (schema == query_log_schema) return;
   const bool is_log = schema.starts_with(query_log_schema.substr(0, query_log_schema.find('/') + 1));
   throw head.error("schema",
-                   fmt::format("is {}{}; this graze reads \"{}\"", in_quotes(schema),
+                   fmt::format("is {}{}; this version reads \"{}\"", in_quotes(schema),
                                is_log ? ", another version" : ", which is not a query log", query_log_schema));
 }
 
@@ -74,7 +74,7 @@ LogHead read_head(const JsonDocument& document) {
   if (document.root().kind() != JsonKind::object) {
     throw place.error(document.root().offset(), "a log begins with a JSON object");
   }
-  const JsonFields head(document.root(), place, "the head of a log");
+  const JsonFields head(document.root(), place, "the header of a log");
   require_log_schema(head);
   head.allow_only(known);
   const double dimension = head.number("dimension");
@@ -88,7 +88,7 @@ LogHead read_head(const JsonDocument& document) {
   throw head.error("numbers", fmt::format("is {}; it must be \"float\" or \"double\"", in_quotes(numbers)));
 }
 
-/// Whether no number of the shape is beyond those that float has.
+/// Whether all numbers of the shape are within the range of float.
 template <Dim N>
 bool fits_float(const AnyShape<N, double>& shape) {
   bool fits = true;
@@ -101,7 +101,7 @@ bool fits_float(const AnyShape<N, double>& shape) {
   return fits;
 }
 
-/// Reads what comes after the head.
+/// Reads the lines after the header.
 template <Dim N>
 class LogReader {
  public:
@@ -128,7 +128,7 @@ class LogReader {
   void take_call(const JsonDocument& document) {
     LoggedCall<N> call = read_call<N>(document);
     if (is_open_) {
-      throw error(lines_.number(), fmt::format("the call in line {} has no answer; only the last call may have none",
+      throw error(lines_.number(), fmt::format("the call in line {} has no answer; only the last call may lack one",
                                                log_.entries.back().line));
     }
     for (const AnyShape<N, double>& shape : call.shapes) {
@@ -142,7 +142,7 @@ class LogReader {
 
   void take_answer(const JsonDocument& document) {
     LoggedAnswer answer = read_answer(document);
-    if (!is_open_) throw error(lines_.number(), "this answers no call; a call comes before each answer");
+    if (!is_open_) throw error(lines_.number(), "this answer has no call; each answer must follow its call");
     is_open_ = false;
     LogEntry<N>& entry = log_.entries.back();
     if (!answer.refusal) {
@@ -156,7 +156,7 @@ class LogReader {
     if (entry.call.kind == CallKind::plan_ids) return;
     for (const ObjectId& id : entry.call.ids) {
       if (given_.contains(id)) continue;
-      throw error(entry.line, fmt::format("the id {} was given out by no line before, so this call cannot have been "
+      throw error(entry.line, fmt::format("no earlier line returned the id {}, so this call cannot have been "
                                           "answered",
                                           id_text(id)));
     }
@@ -172,10 +172,10 @@ class LogReader {
   const std::string& source_;
   QueryLog<N> log_;
   std::set<ObjectId> given_;
-  bool is_open_ = false;  // the last call waits for its answer
+  bool is_open_ = false;  // the last call has no answer yet
 };
 
-/// Whether a text whose first line is no whole JSON object begins as a scene.
+/// Whether a text whose first line is not a complete JSON object begins like a scene.
 bool is_scene_of_many_lines(std::string_view text, std::string_view first_line) {
   constexpr std::string_view sign = "\"graze.scene/";
   constexpr std::size_t enough = 200;
@@ -188,7 +188,7 @@ bool is_scene_of_many_lines(std::string_view text, std::string_view first_line) 
 AnyQueryLog parse_query_log(std::string_view text, const std::string& source) {
   require_utf8(text, source);
   Lines lines(without_byte_order_mark(text));
-  if (!lines.next()) throw InputError(source + ": this is empty; a log has at least its head");
+  if (!lines.next()) throw InputError(source + ": this is empty; a log has at least a header");
   if (is_scene_of_many_lines(text, lines.line())) {
     throw InputError(source + ": this is a scene, not a query log; graze simulate --log records one");
   }

@@ -14,11 +14,11 @@
 namespace graze::io {
 namespace {
 
-/// A scene that goes through what a log's scene went through.
+/// Applies the logged changes to a new scene.
 template <Dim N>
 class Successor {
  public:
-  /// An answered call that was not refused.
+  /// Applies an answered call that was not refused.
   void perform(const LogEntry<N>& entry) {
     const LoggedCall<N>& call = entry.call;
     switch (call.kind) {
@@ -35,7 +35,7 @@ class Successor {
       case CallKind::remove:
         return scene_.remove(here(call.ids.front()));
       default:
-        return;  // a question
+        return;  // a query: changes nothing
     }
   }
 
@@ -53,7 +53,7 @@ class Successor {
     return result;
   }
 
-  /// The id that an object has here; one that names nothing if the log is wrong about it.
+  /// The id of an object in this scene; an invalid id if the log is inconsistent.
   ObjectId here(const ObjectId& name) const {
     const auto found = here_.find(name);
     return found == here_.end() ? ObjectId{} : found->second;
@@ -73,10 +73,10 @@ Scene<N, double> scene_after(const QueryLog<N>& log, const std::string& source) 
     try {
       successor.perform(entry);
     } catch (const std::exception& error) {
-      throw InputError(
-          fmt::format("{}: line {}: the log says that its scene took this \"{}\", but a scene refuses it ({}); the log "
-                      "must be as it was recorded",
-                      source, entry.line, form_of(entry.call.kind).name, error.what()));
+      throw InputError(fmt::format(
+          "{}: line {}: the log says that its scene accepted this \"{}\", but a scene refuses it ({}); the log "
+          "must be as it was recorded",
+          source, entry.line, form_of(entry.call.kind).name, error.what()));
     }
   }
   return successor.take();

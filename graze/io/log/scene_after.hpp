@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scene that the calls of a query log leave behind.
+// The scene after the calls of a query log.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace graze::io {
 
-/// Performs the calls of a log that change a scene and were not refused; one without an answer, which the program did
-/// not survive, changes nothing. Shapes are kept in double, which loses nothing of those in float. Objects are in the
-/// order, and have the ids, names and layers, that the log has. `source` names the log in messages. Throws InputError,
-/// which names the line, where a scene refuses what the log says it took.
+/// Executes the calls of a log that change a scene and were not refused; a last call without an answer changes nothing.
+/// Shapes are stored in double, which represents float exactly. Objects have the order, ids, names and layers of the
+/// log. `source` names the log in messages. Throws InputError, naming the line, where a scene refuses a call that the
+/// log says was accepted.
 template <Dim N>
 Scene<N, double> scene_after(const QueryLog<N>& log, const std::string& source);
 

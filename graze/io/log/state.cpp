@@ -7,7 +7,7 @@
 namespace graze::io {
 namespace {
 
-/// An object as an `add` would make it.
+/// An object as the `add` call that would create it.
 template <Dim N>
 std::string text_of(const ObjectOptions& options, const AnyShape<N, double>& shape) {
   LoggedCall<N> call{.kind = CallKind::add, .shapes = {shape}, .options = options};

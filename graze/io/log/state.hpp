@@ -14,13 +14,13 @@
 
 namespace graze::io {
 
-/// What the entries of a log say that the objects of a scene are, as text, by the ids of the log. Two scenes with the
-/// same texts answer the same.
+/// The state of each object according to the entries of a log, as text, by the log's ids. Two scenes with equal texts
+/// give equal answers.
 template <Dim N>
 std::map<ObjectId, std::string> state_after(std::span<const LogEntry<N>> entries);
 
-/// What an answer would have been, had only some objects ever been there: those for which `is_here(id)`. None where
-/// that cannot be known: another object might come first, or there is but a digest.
+/// The answer that a scene would have given if only the objects with `is_here(id)` had ever existed. None if that
+/// cannot be known: because another object might have come first, or because the log has a digest only.
 template <class IsHere>
 std::optional<LoggedAnswer> without_others(CallKind kind, const LoggedAnswer& answer, const IsHere& is_here) {
   LoggedAnswer result = answer;

@@ -31,17 +31,17 @@ std::string_view relation_name(Relation relation) {
   return "overlapping";
 }
 
-/// As the module for JavaScript has them.
+/// The names that the JavaScript module uses.
 std::string_view status_name(Status status) { return status == Status::converged ? "converged" : "best_bound"; }
 
-/// How deep two objects are in each other: as deep as at the deepest of their contacts.
+/// The penetration depth of two objects: that of their deepest contact.
 double depth_of(const ReportedPair& pair) {
   double depth = 0;
   for (const ReportedContact& contact : pair.contacts) depth = std::max(depth, contact.depth);
   return depth;
 }
 
-/// JSON has no infinity.
+/// JSON cannot represent infinity.
 std::string json_number(double number) { return std::isfinite(number) ? fmt::format("{}", number) : "null"; }
 
 std::string json_contacts(const ReportedPair& pair) {
@@ -134,13 +134,13 @@ class CsvReport final : public ReportWriter {
   PairDetail detail_;
 };
 
-/// Cyan and yellow are told apart by the colour-blind as well.
+/// People with colour blindness can tell cyan from yellow.
 std::string_view colour_of(Relation relation) {
   if (relation == Relation::apart) return "";
   return relation == Relation::overlapping ? "\x1b[33m" : "\x1b[36m";
 }
 
-/// A distance or a depth as a table has it.
+/// A distance or depth as shown in a table.
 std::string measured(double number, const ReportedPair& pair) {
   if (pair.status == Status::converged) return short_number(number);
   return fmt::format("{} +- {}", short_number(number), short_number(pair.error));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a check of a scene found, written for people or for programs. The formats are documented in docs/cli.md.
+// The result of checking a scene, written for people or programs. docs/cli.md documents the formats.
 #pragma once
 
 #include <cstddef>
@@ -19,10 +19,10 @@ namespace graze::io {
 
 enum class ReportFormat { table, json, ndjson, csv };
 
-/// What is told of each pair beside its relation.
+/// What is reported for each pair in addition to its relation.
 enum class PairDetail {
   none,
-  contacts,  ///< Along which normal, how deep and where.
+  contacts,  ///< Normal, depth and position of contacts.
   distance,
 };
 
@@ -35,13 +35,13 @@ struct ReportHead {
   std::vector<Omission> not_read = {};
 };
 
-/// A point at which two objects touch, and how deep they are in each other there: infinitely, if nothing parts them.
+/// A point at which two objects touch, and their depth there; infinite if no translation separates them.
 struct ReportedContact {
   std::vector<double> point;
   double depth = 0;
 };
 
-/// Two objects by name. Vectors have as many coordinates as the scene.
+/// Two objects by name. Vectors have as many coordinates as the scene has dimensions.
 struct ReportedPair {
   std::string_view a;
   std::string_view b;
@@ -49,26 +49,26 @@ struct ReportedPair {
   double distance = 0;                         ///< For PairDetail::distance.
   std::vector<double> normal = {};             ///< For PairDetail::contacts: from a to b, or zero.
   std::vector<ReportedContact> contacts = {};  ///< For PairDetail::contacts: at least one.
-  Status status = Status::converged;           ///< How the search for the distance, or the depth, ended.
-  double error = 0;                            ///< How far that may be off.
+  Status status = Status::converged;           ///< How the search for the distance or depth ended.
+  double error = 0;                            ///< Bound on the error of the distance or depth.
 };
 
 /// What is known after the last pair.
 struct ReportSummary {
   std::size_t pairs = 0;          ///< Pairs reported.
-  std::size_t candidates = 0;     ///< Pairs tested exactly, because their boxes overlap.
-  double seconds = 0;             ///< The search, without reading and writing.
-  std::size_t not_converged = 0;  ///< Of the pairs reported.
+  std::size_t candidates = 0;     ///< Pairs whose boxes overlap, and which were therefore tested exactly.
+  double seconds = 0;             ///< Time of the search, without reading and writing.
+  std::size_t not_converged = 0;  ///< Number of reported pairs without convergence.
 };
 
-/// Writes one report: `write` for every pair in order, then `finish` once. Pairs are written as they come, and none is
-/// kept; a table holds the first ones back until it knows how wide its columns are. In a table and in CSV a pair has a
-/// row for each of its contacts. Names are quoted or escaped as the format needs it, whatever bytes they hold, and
-/// numbers are as short as they can be read back, but for those of a table. Where more is told than a relation, JSON
-/// and CSV always tell the status and the error; a table tells the error of what has not converged. What was not read
-/// of the scene is a field in JSON; where shapes are missing by it, the first lines of NDJSON, the first rows of CSV
-/// and a line over the summary of a table say so. Virtual because the format is chosen at run time; a call per pair is
-/// nothing beside the test of the pair.
+/// Writes one report: call `write` for every pair in order, then `finish` once. Pairs are written as they arrive and
+/// not stored; only a table buffers the first ones to find its column widths. Tables and CSV have one row for each
+/// contact. Names are quoted or escaped as the format requires, whatever bytes they contain. Numbers are the shortest
+/// that parse to the same value, except in tables. If more than the relation is reported, JSON and CSV always include
+/// status and error; a table shows the error only where the search did not converge. What was not read of the scene is
+/// a field in JSON; if shapes are missing because of it, NDJSON and CSV begin with lines or rows that say so, and a
+/// table has a line above the summary. Virtual because the format is chosen at run time; one virtual call is nothing
+/// compared to the test of a pair.
 class ReportWriter {
  public:
   virtual ~ReportWriter() = default;
@@ -81,15 +81,14 @@ class ReportWriter {
   ReportWriter& operator=(const ReportWriter&) = delete;
 };
 
-/// Begins a report on `out`, which must outlive the writer. Only a table has colours.
+/// Begins a report on `out`, which must outlive the writer. Only tables use colours.
 std::unique_ptr<ReportWriter> begin_report(std::ostream& out, ReportFormat format, const ReportHead& head,
                                            Colours colours = Colours::off);
 
-/// The fields of a JSON document that say what it is about, each but the first on a line of its own.
+/// The header fields of a JSON document, each but the first on its own line.
 std::string json_head(const ReportHead& head);
 
-/// The sentence that closes a table: "2 pairs; 5 objects, 3 candidates, 0.001 seconds", or "2 pairs, 1 not converged;
-/// ...".
+/// The last line of a table: "2 pairs; 5 objects, 3 candidates, 0.001 seconds", or "2 pairs, 1 not converged; ...".
 std::string summary_line(const ReportHead& head, const ReportSummary& summary);
 
 }  // namespace graze::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a question to a scene found, written for people or for programs. The formats are documented in docs/cli.md.
+// The result of a scene query, written for people or programs. docs/cli.md documents the formats.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,14 @@
 
 namespace graze::io {
 
-/// What is known of each object beside its name and type.
+/// What is reported for each object in addition to its name and type.
 enum class FoundDetail {
   none,
-  distance,  ///< `number` is how far it is from a point.
-  hit,       ///< `number` is the t of a ray, `point` where it hits, `normal` out of the object.
+  distance,  ///< `number` is the distance from a point.
+  hit,       ///< `number` is the t of a ray, `point` the hit point, `normal` the outward normal of the object there.
 };
 
-/// One object, by name and type; vectors have as many coordinates as the scene.
+/// One object, by name and type. Vectors have as many coordinates as the scene has dimensions.
 struct FoundObject {
   std::string name;
   std::string_view type;
@@ -29,18 +29,18 @@ struct FoundObject {
   std::vector<double> normal = {};
 };
 
-/// Everything that was found.
+/// All results of a query.
 struct FoundReport {
   ReportHead head;
   FoundDetail detail = FoundDetail::none;
   std::vector<FoundObject> objects;
-  double seconds = 0;  ///< To find them, without reading and writing.
+  double seconds = 0;  ///< Time of the search, without reading and writing.
 };
 
-/// Writes what was found, in the order in which it is given. Numbers are as short as they can be read back.
+/// Writes the objects in the given order. Numbers are the shortest that parse to the same value.
 void write_found(std::ostream& out, ReportFormat format, const FoundReport& report, Colours colours = Colours::off);
 
-/// The sentence that closes a table: "2 found; 5 objects, 0.001 seconds".
+/// The last line of a table: "2 found; 5 objects, 0.001 seconds".
 std::string summary_line(const FoundReport& report);
 
 }  // namespace graze::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What began to touch and what no longer does, frame by frame. The format is documented in docs/cli.md.
+// Pairs that begin and end to touch, frame by frame. docs/cli.md documents the format.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,10 @@ namespace graze::io {
 /// Two objects, by name.
 using NamePair = std::pair<std::string_view, std::string_view>;
 
-/// What became of touching from one frame to the next.
+/// The changes of contact from one frame to the next.
 struct FrameReport {
   std::size_t frame = 0;
-  double seconds = 0;        ///< Since frame 0.
+  double seconds = 0;        ///< Time since frame 0.
   std::size_t touching = 0;  ///< Pairs that touch or overlap now.
   std::vector<NamePair> began;
   std::vector<NamePair> ended;

@@ -59,8 +59,8 @@ Extent extent_of(const Aabb<N, double>& box) {
   return extent;
 }
 
-/// Bins whose edges are powers of two; as many octaves to a bin as it takes to need at most eleven for the sizes above
-/// zero. `sizes` ascend.
+/// Bins whose edges are powers of two; each bin spans as many octaves as needed so that at most eleven bins hold the
+/// sizes above zero. `sizes` are ascending.
 std::vector<SizeBin> bins_of(const std::vector<double>& sizes) {
   std::vector<SizeBin> bins;
   const auto positive = std::find_if(sizes.begin(), sizes.end(), [](double size) { return size > 0; });
@@ -72,7 +72,7 @@ std::vector<SizeBin> bins_of(const std::vector<double>& sizes) {
   const int octaves_per_bin = (octaves + most_bins - 1) / most_bins;
   auto from = positive;
   for (int octave = lowest; from != sizes.end(); octave += octaves_per_bin) {
-    // The edge beyond the largest double is clamped to it, so it has to take in that size itself.
+    // An edge beyond the largest double is clamped to it, so the bin must include that size.
     const double edge = std::ldexp(1.0, octave + octaves_per_bin);
     const auto to = std::isinf(edge) ? sizes.end() : std::lower_bound(from, sizes.end(), edge);
     bins.push_back({std::ldexp(1.0, octave), std::min(edge, std::numeric_limits<double>::max()),
@@ -82,7 +82,7 @@ std::vector<SizeBin> bins_of(const std::vector<double>& sizes) {
   return bins;
 }
 
-/// None without sizes. The rank of a share is rounded up, so that the size of that rank occurs.
+/// None without sizes. The rank is rounded up, so that the result is one of the sizes.
 std::optional<SizeSpread> spread_of(std::vector<double> sizes) {
   if (sizes.empty()) return std::nullopt;
   std::sort(sizes.begin(), sizes.end());

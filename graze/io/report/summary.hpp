@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene in a few figures: what `graze info` says.
+// Statistics of a scene: the output of `graze info`.
 #pragma once
 
 #include <cstddef>
@@ -14,27 +14,29 @@
 
 namespace graze::io {
 
-/// So many objects of a type or on a layer.
+/// The number of objects of a type or on a layer.
 struct Count {
   std::string name;
   std::size_t objects = 0;
 };
 
-/// So many objects with a size from `from` up to, but not including, `to`. The bin of size zero has both zero.
+/// The number of objects with a size from `from` up to, but not including, `to`. Both are zero for the bin of size
+/// zero.
 struct SizeBin {
   double from = 0;
   double to = 0;
   std::size_t objects = 0;
 };
 
-/// How the sizes of the bounded objects spread. An object's size is the largest extent of its box, at most the largest
-/// double. Median and p90 are sizes that occur: the least that at least 50 % or 90 % of the objects do not exceed.
+/// The distribution of the sizes of bounded objects. An object's size is the largest extent of its box, at most the
+/// largest double. Median and p90 are sizes of objects: the smallest that at least 50 % or 90 % of the objects do not
+/// exceed.
 struct SizeSpread {
   double min = 0;
   double median = 0;
   double p90 = 0;
   double max = 0;
-  std::vector<SizeBin> bins;  ///< Ascending without gaps, edges are powers of two; at most twelve.
+  std::vector<SizeBin> bins;  ///< Ascending without gaps; the edges are powers of two. At most twelve.
 };
 
 /// The box around all bounded objects.
@@ -48,11 +50,11 @@ struct SceneSummary {
   std::string format;
   Dim dimension = 2;
   std::size_t objects = 0;
-  std::vector<Count> types;   ///< Those that occur, in AnyShape's order.
-  std::vector<Count> layers;  ///< By number: those that have a name or objects. One without a name is called "layer 3".
-  std::optional<Extent> bounds;     ///< None when no object is bounded.
-  std::size_t unbounded = 0;        ///< Rays, planes, half-spaces and compounds with one: without a size.
-  std::size_t empty = 0;            ///< Compounds without parts: without a size too.
+  std::vector<Count> types;      ///< The types that occur, in AnyShape's order.
+  std::vector<Count> layers;     ///< By number: layers that have a name or objects. An unnamed one is called "layer 3".
+  std::optional<Extent> bounds;  ///< None when no object is bounded.
+  std::size_t unbounded = 0;     ///< Rays, planes, half-spaces and compounds that contain one: they have no size.
+  std::size_t empty = 0;         ///< Compounds without parts, which have no size either.
   std::optional<SizeSpread> sizes;  ///< None when no object is bounded.
   std::vector<Omission> omissions;
 };

@@ -81,7 +81,7 @@ void add_space(Block& block, const SceneSummary& summary) {
   if (summary.empty != 0) block.add("empty", fmt::format("{}", summary.empty));
 }
 
-/// The figures, then a bar for each bin; the longest has 40 signs, and one that is not empty has at least one.
+/// The statistics, then a bar for each bin. The longest has 40 characters; a bin that is not empty has at least one.
 void add_sizes(Block& block, const SizeSpread& sizes) {
   block.add("min", fmt::format("{}", sizes.min));
   block.add("median", fmt::format("{}", sizes.median));

@@ -15,20 +15,20 @@ namespace {
 constexpr std::size_t most_comparisons = 30'000'000;
 constexpr std::size_t most_orders = 4'000'000;
 
-/// `first` is to be painted before `second`.
+/// `first` must be painted before `second`.
 struct Order {
   std::uint32_t first;
   std::uint32_t second;
 };
 
-/// The box of a box, as seen.
+/// The 2D bounds of a 3D box as seen.
 Aabb<2, double> shadow(const Aabb<3, double>& box, const View<3>& view) {
   const Vec<3, double> half = box.half_extents();
   const Vec<2, double> reach(dot(half, abs(view.right)), dot(half, abs(view.up)));
   return Aabb<2, double>::from_center(seen(box.center(), view), reach);
 }
 
-/// How far `back` lies behind `front`: the widest gap along an axis, negative where they overlap along all of them.
+/// How far `back` lies behind `front`: the widest gap along an axis; negative if they overlap along all axes.
 double gap_behind(const Aabb<3, double>& back, const Aabb<3, double>& front, const Vec<3, double>& viewer) {
   double widest = -std::numeric_limits<double>::infinity();
   for (Dim i = 0; i < 3; ++i) {
@@ -70,14 +70,14 @@ class DepthOrder {
     return rank_[a] < rank_[b];
   }
 
-  /// True when the box's middle lies on the viewer's side of the sheet.
+  /// True if the box's centre lies on the viewer's side of the sheet.
   bool is_under(const Plane<3, double>& sheet, const Aabb<3, double>& box) const {
     const Plane<3, double> unit = unit_plane(sheet);
     const double height = dot(unit.normal, box.center()) - unit.offset;
     return dot(unit.normal, viewer_) >= 0 ? height >= 0 : height <= 0;
   }
 
-  /// All pairs seen one over the other, by a sweep from left to right; false when there are too many.
+  /// All pairs that overlap on screen, found by a sweep from left to right; false if there are too many.
   bool find_orders() {
     std::vector<Aabb<2, double>> shadows;
     shadows.reserve(things_.size());
@@ -101,7 +101,7 @@ class DepthOrder {
     return true;
   }
 
-  /// Topological (Kahn 1962); of the things that nothing needs to precede the farthest comes first.
+  /// Topological sort (Kahn 1962); of the items without predecessors the farthest comes first.
   std::vector<std::size_t> sorted() {
     std::sort(orders_.begin(), orders_.end(), [](const Order& a, const Order& b) {
       return std::pair(a.first, a.second) < std::pair(b.first, b.second);
@@ -118,7 +118,7 @@ class DepthOrder {
     std::uint32_t farthest = 0;
     while (result.size() < things_.size()) {
       while (done[by_depth_[farthest]]) ++farthest;
-      std::uint32_t next = by_depth_[farthest];  // breaks a circle when nothing is ready
+      std::uint32_t next = by_depth_[farthest];  // breaks a cycle if nothing is ready
       if (!ready.empty()) {
         next = by_depth_[ready.top()];
         ready.pop();
@@ -138,8 +138,8 @@ class DepthOrder {
   std::span<const Layered> things_;
   View<3> view_;
   Vec<3, double> viewer_;
-  std::vector<std::uint32_t> by_depth_;  ///< Things from far to near, by their middles.
-  std::vector<std::uint32_t> rank_;      ///< The place of each in `by_depth_`.
+  std::vector<std::uint32_t> by_depth_;  ///< Items from far to near, by their centres.
+  std::vector<std::uint32_t> rank_;      ///< The position of each item in `by_depth_`.
   std::vector<Order> orders_;
 };
 

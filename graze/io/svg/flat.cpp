@@ -40,8 +40,7 @@ template <class S>
 inline constexpr bool is_polygon = std::is_same_v<S, Aabb<2, double>> || std::is_same_v<S, Obb<2, double>> ||
                                    std::is_same_v<S, Triangle<2, double>> || std::is_same_v<S, Polytope<2, double>>;
 
-/// Draws a shape; of a compound the polygons as what they are together, so that a concave one shows no
-/// cuts.
+/// Draws a shape. The polygons of a compound are drawn as their union, so that a concave polygon shows no cuts.
 void draw(const AnyShape<2, double>& shape, const FlatBrush& brush) {
   if (!std::holds_alternative<Compound<2, double>>(shape)) return for_each_part<2>(shape, brush);
   std::vector<std::vector<Vec<2, double>>> polygons;
@@ -60,7 +59,7 @@ void draw(const AnyShape<2, double>& shape, const FlatBrush& brush) {
   });
 }
 
-/// The area of a shape's box, infinite for an unbounded shape. An empty compound counts as unbounded; it shows nothing.
+/// The area of a shape's box; infinite for an unbounded shape. An empty compound counts as unbounded; it is invisible.
 double size(const Object<2, double>& object) {
   const Vec<2, double> extent = object.box.max - object.box.min;
   const bool unbounded = !(max_abs(extent) <= std::numeric_limits<double>::max());

@@ -11,10 +11,10 @@ namespace {
 constexpr double least_card_height = 320;
 constexpr double greatest_card_height = 900;
 
-/// Smaller extents are drawn as if they were this large, so that no scale overflows.
+/// Smaller extents are enlarged to this, so that no scale overflows.
 constexpr double least_extent = 1e-100;
 
-/// Content smaller than this, relative to its coordinates, consists of rounding errors.
+/// Extents below this, relative to the coordinates, are rounding errors.
 constexpr double least_relative_extent = 64 * tolerance::epsilon;
 
 Vec<2, double> extent_of(const Aabb<2, double>& content) {
@@ -65,10 +65,10 @@ Aabb<2, double> picture_box(const Frame& frame, const Outline& outline) {
 
 double round_length(double limit) {
   const double power = std::pow(10.0, std::floor(std::log10(limit)));
-  for (const double factor : {10.0, 5.0, 2.0, 1.0}) {  // 10: log10 may be rounded down to the integer below
+  for (const double factor : {10.0, 5.0, 2.0, 1.0}) {  // 10: log10 may have been rounded down to the integer below
     if (power * factor <= limit) return power * factor;
   }
-  return power * 0.5;  // log10 was rounded up: the limit is a whisker below the power
+  return power * 0.5;  // log10 was rounded up: the limit is slightly below the power
 }
 
 }  // namespace graze::io::svg

@@ -7,16 +7,16 @@
 
 namespace graze::io::svg {
 
-/// The picture's fixed measures, in pixels.
+/// Fixed measures of the picture, in pixels.
 inline constexpr double picture_width = 1200;
 inline constexpr double side_margin = 20;
 inline constexpr double header_height = 68;
 inline constexpr double footer_height = 64;
-/// Kept free between the things drawn and the edge of the card they are drawn on.
+/// Margin between the content and the edge of the card.
 inline constexpr double card_padding = 40;
 
-/// How the flat coordinates of a view (y up) become those of the picture (pixels, y down): `center` lies in the middle
-/// of the card, the part of the picture that shows the scene.
+/// Maps the 2D coordinates of a view (y up) to those of the picture (pixels, y down): `center` lies in the middle of
+/// the card, the part of the picture that shows the scene.
 struct Frame {
   Vec<2, double> center = Vec<2, double>(0.0);
   double scale = 1;  ///< pixels per unit
@@ -24,24 +24,23 @@ struct Frame {
   double height = 0;  ///< of the whole picture
 };
 
-/// The frame that shows `content` as large as it goes. Flat and empty content is valid: a width and height of zero show
-/// two units around the point.
+/// The frame that shows `content` as large as possible. Content of zero width or height is valid: if both are zero, the
+/// frame shows two units around the point.
 Frame frame_around(const Aabb<2, double>& content);
 
-/// Where a point of the view lies in the picture, clamped to the card: what is drawn at a finite place stays in the
-/// picture.
+/// The position of a view point in the picture, clamped to the card, so that everything finite stays in the picture.
 Vec<2, double> to_picture(const Frame& frame, const Vec<2, double>& point);
 
 /// The part of the view that the card shows.
 Aabb<2, double> visible(const Frame& frame);
 
-/// The box around an outline, up to rounding; `Aabb::nothing()` around an empty one.
+/// The box around an outline, up to rounding; `Aabb::nothing()` for an empty outline.
 Aabb<2, double> box_around(const Outline& outline);
 
-/// The same for an outline that is not empty, in pixels.
+/// The same for a nonempty outline, in pixels.
 Aabb<2, double> picture_box(const Frame& frame, const Outline& outline);
 
-/// The largest 1, 2 or 5 times a power of ten that is not above `limit`, which is positive.
+/// The largest 1, 2 or 5 times a power of ten that is at most `limit`, which is positive.
 double round_length(double limit);
 
 }  // namespace graze::io::svg

@@ -17,8 +17,8 @@ constexpr double font_size = 12;
 constexpr double line_height = 15;
 constexpr double gap = 4;
 constexpr std::size_t most_tried = 1000;
-/// Beside a box that reaches farther from its middle, a name would seem to belong to something else: what is in the box
-/// may lie across it.
+/// Beyond this extent, a name beside a box could be taken for another object's, because other objects may overlap the
+/// box.
 constexpr double farthest_side = 60;
 
 bool lies_within(const Aabb<2, double>& inner, const Aabb<2, double>& outer) {
@@ -28,15 +28,15 @@ bool lies_within(const Aabb<2, double>& inner, const Aabb<2, double>& outer) {
 
 double area(const Aabb<2, double>& box) { return (box.max.x - box.min.x) * (box.max.y - box.min.y); }
 
-/// Where a text of size 2 * half may go, the best first: in the middle of the box, elsewhere in it, above, right, left,
-/// below.
+/// Candidate positions of a text of size 2 * half, the best first: in the middle of the box, elsewhere in it, above,
+/// right, left, below.
 std::vector<Aabb<2, double>> places(const Aabb<2, double>& box, const Vec<2, double>& half) {
   const Vec<2, double> center = box.center();
   std::vector<Vec<2, double>> middles;
   const Vec<2, double> play = box.half_extents() - half;
   if (play.x >= 0 && play.y >= 0) {
     middles.push_back(center);
-    // Off the middle along one axis only: the corners of the box are likely not part of what is in it.
+    // Moved along one axis only: the content of the box is unlikely to reach into its corners.
     for (const auto& side :
          {Vec<2, double>(0, 0.6), Vec<2, double>(0, -0.6), Vec<2, double>(-0.6, 0), Vec<2, double>(0.6, 0)}) {
       middles.push_back(center + side * play);
@@ -52,9 +52,8 @@ std::vector<Aabb<2, double>> places(const Aabb<2, double>& box, const Vec<2, dou
   return boxes;
 }
 
-/// Where label `which` goes, if anywhere. A larger box that encloses the place is no obstacle but the ground it lies
-/// on. In a crowd that leaves no place, the name of a thing in a pair may cover smaller things in the middle of its
-/// own.
+/// The position of label `which`, if there is one. A larger box around the position is background, not an obstacle. In
+/// a crowded picture, the name of an object in a pair may cover smaller objects in the middle of its own box.
 std::optional<Aabb<2, double>> place_for(std::size_t which, std::span<const Label> labels,
                                          std::span<const Aabb<2, double>> taken, const Aabb<2, double>& card) {
   const Label& label = labels[which];
@@ -80,7 +79,7 @@ std::optional<Aabb<2, double>> place_for(std::size_t which, std::span<const Labe
   return std::nullopt;
 }
 
-/// Which names to try, those first that matter most.
+/// The order in which names are tried, the most important first.
 std::vector<std::size_t> by_weight(std::span<const Label> labels) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < labels.size(); ++i) {

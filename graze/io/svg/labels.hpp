@@ -8,19 +8,19 @@
 
 namespace graze::io::svg {
 
-/// A name, and the box of the thing it belongs to, in pixels. Without a name the box is but in the way.
+/// A name, and the box of its object in pixels. A box without a name is only an obstacle.
 struct Label {
   std::string text;
   Aabb<2, double> box;
-  bool in_pair = false;  ///< Named before those that are in no pair.
+  bool in_pair = false;  ///< These are named first.
 };
 
-/// The names as SVG elements, each inside its box or beside it; those that fit in neither place, because the card ends
-/// or other boxes or names are in the way, are left out. Things in pairs come first, of these and of the others the
-/// largest. Of thousands of names the first thousand are tried.
+/// The names as SVG elements, each inside or beside its box; left out if the edge of the card, other boxes or other
+/// names leave no room. Objects in pairs come first, and larger before smaller ones. At most the first thousand names
+/// are tried.
 std::string placed_labels(std::span<const Label> labels, const Aabb<2, double>& card);
 
-/// About how wide a text is in the picture, in pixels; generous, for the font is the viewer's choice.
+/// The approximate width of a text in pixels; an upper estimate, because the viewer chooses the font.
 double text_width(const std::string& text, double font_size);
 
 }  // namespace graze::io::svg

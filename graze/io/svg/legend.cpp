@@ -22,14 +22,14 @@ constexpr double item_gap = 26;
 constexpr double longest_bar = 200;
 constexpr double axis_length = 24;
 
-/// One entry of the legend, at the left of the picture; whoever uses it moves it to its place.
+/// One entry of the legend, drawn at the left edge; the caller moves it into place.
 struct Item {
   std::string sample;
   std::string text;
   std::string id;
 };
 
-/// A rectangle as objects of a class are drawn.
+/// A rectangle in the style of a class of objects.
 std::string sample(std::string_view style, Dim dimension) {
   constexpr std::string_view frame = R"(y="-8" width="30" height="16" rx="3")";
   std::string drawn = fmt::format("<rect{} {}/>", dimension == 3 ? R"( class="l4")" : "", frame);
@@ -38,7 +38,7 @@ std::string sample(std::string_view style, Dim dimension) {
   return fmt::format(R"(<g class="shapes"><g{}>{}</g></g>)", group, drawn);
 }
 
-/// A kind of object or pair, for those that there are any of.
+/// Adds an entry for a kind of object or pair that occurs.
 void add_item(std::vector<Item>& items, std::size_t count, const Item& item) {
   if (count > 0) items.push_back(item);
 }
@@ -61,7 +61,7 @@ std::vector<Item> items_of(const Summary& summary) {
 
 double width_of(const Item& item) { return swatch_width + text_gap + text_width(item.text, count_font_size); }
 
-/// The entries side by side, beginning at `left`.
+/// The entries side by side, starting at `left`.
 std::string row(std::span<const Item> items, double left) {
   std::string svg;
   for (const Item& item : items) {

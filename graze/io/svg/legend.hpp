@@ -12,7 +12,7 @@
 
 namespace graze::io::svg {
 
-/// How many objects or pairs there are of each kind. Objects count by the closest pair they are in.
+/// The number of objects or pairs of each kind. An object counts by the closest pair that contains it.
 struct Counts {
   std::size_t near = 0;  ///< Reported, but apart.
   std::size_t touching = 0;
@@ -22,7 +22,7 @@ struct Counts {
   std::size_t all() const { return near + touching + overlapping; }
 };
 
-/// What the header of a picture says.
+/// The content of a picture's header.
 struct Summary {
   std::string source;  ///< A path; its last part becomes the heading.
   Dim dimension = 2;
@@ -32,23 +32,24 @@ struct Summary {
   std::size_t too_far = 0;  ///< Objects that are not drawn.
 };
 
-/// The heading, and the legend: a sample of each colour and pattern with its count, and of each mark where two meet.
+/// The heading, and the legend: a sample of each colour and pattern with its count, and of each mark.
 std::string header(const Summary& summary);
 
-/// The mark of a pair that touches or overlaps, as one element.
+/// The mark of a touching or overlapping pair, as one element.
 std::string pair_mark(Relation relation, const Vec<2, double>& place);
 
-/// What of the file is not in the picture, "not read: 3 x tile layer", as one line below the card, lost shapes first;
-/// empty for nothing.
+/// What was not read of the file, "not read: 3 x tile layer", as one line below the card, missing shapes first; empty
+/// if everything was read.
 std::string omission_note(const Frame& frame, std::span<const Omission> omissions);
 
-/// An axis of the scene as the picture shows it: its name, and where a step of length 1 along it leads.
+/// An axis of the scene as drawn: its name, and the screen vector of a unit step along it.
 struct Axis {
   std::string name;
   Vec<2, double> step;
 };
 
-/// The directions of the axes, and a bar that is a round number of units long along them (isometrically all alike).
+/// The directions of the axes, and a scale bar whose length is a round number of units (the same along all isometric
+/// axes).
 std::string footer(const Frame& frame, std::span<const Axis> axes);
 
 }  // namespace graze::io::svg

@@ -11,17 +11,17 @@
 
 namespace graze::io::svg {
 
-/// What the pen has drawn of an object, as one element: a group with its title and, when it is in a pair, the class
-/// that `class_of` gives; bare where neither is called for.
+/// What the pen has drawn of an object, as one element: a group with its title and, if it is in a pair, the class that
+/// `class_of` returns; no group if neither is needed.
 template <Dim N>
 std::string object_element(const Subject<N>& subject, std::size_t position, const Detail& detail, Pen& pen);
 
-/// The names of the objects, as SVG, as many as fit; empty when `detail` leaves them out.
+/// The names of the objects, as SVG, as many as fit; empty if `detail` omits them.
 template <Dim N>
 std::string name_labels(const Subject<N>& subject, const Stage<N>& stage, const Detail& detail);
 
-/// A mark where the objects of each pair meet, as SVG: in the middle of their contact points. Empty for more pairs than
-/// can be told apart.
+/// A mark where the objects of each pair meet, as SVG: at the average of their contact points. Empty for too many pairs
+/// to tell apart.
 template <Dim N>
 std::string pair_marks(const Subject<N>& subject, const Stage<N>& stage);
 

@@ -29,16 +29,16 @@ std::string polyline(std::span<const Vec<2, double>> points) {
   return data;
 }
 
-/// An edge of a polygon (counter-clockwise as seen) moved outward.
+/// An edge of a polygon (counter-clockwise as seen), moved outward.
 Segment<2, double> moved_outward(const Vec<2, double>& from, const Vec<2, double>& to, double distance) {
   const Vec<2, double> edge = to - from;
   const double length = std::sqrt(dot(edge, edge));
-  if (!(length > 0)) return {from, to};  // two corners that fall on one spot of the picture
+  if (!(length > 0)) return {from, to};  // two corners that coincide in the picture
   const Vec<2, double> outward = Vec<2, double>(-edge.y, edge.x) * (distance / length);
   return {from + outward, to + outward};
 }
 
-/// The outline of all points within `radius` of a polygon: its edges moved outward, joined by arcs. Of two corners: a
+/// The outline of all points within `radius` of a polygon: its edges moved outward, joined by arcs. Two corners give a
 /// capsule.
 std::string rounded_polygon(std::span<const Vec<2, double>> corners, double radius) {
   const std::string arc = fmt::format("A{0} {0} 0 0 0 ", number(radius));

@@ -13,18 +13,18 @@
 
 namespace graze::io::svg {
 
-/// Writes SVG elements for things given in the coordinates of a view. Each call writes one element, with the class
-/// `style` unless that is empty; an empty outline writes none.
+/// Writes SVG elements for geometry in view coordinates. Each call writes one element, with the class `style` unless
+/// that is empty; an empty outline writes none.
 class Pen {
  public:
-  /// `mark_size` is the arm of the cross that stands for a point, in pixels.
+  /// `mark_size` is the arm length of the cross that represents a point, in pixels.
   Pen(const Frame& frame, double mark_size) : frame_(frame), mark_size_(mark_size) {}
 
-  /// A disc, a polygon, a polygon with round corners, a line or a cross: whatever the outline is. What is smaller than
-  /// a tenth of a pixel becomes a dot of that size, so that nothing gets lost.
+  /// A disc, polygon, rounded polygon, line or cross, according to the outline. Anything smaller than a tenth of a
+  /// pixel becomes a dot of that size, so that nothing disappears.
   void outline(const Outline& outline, std::string_view style = {});
 
-  /// An area within closed ways, one after the other as one element; holes run the other way round.
+  /// An area bounded by closed paths, as one element; holes have the opposite orientation.
   void area(std::span<const std::vector<Vec<2, double>>> ways, std::string_view style = {});
 
   /// A cross of fixed size.
@@ -32,10 +32,10 @@ class Pen {
 
   void line(const Vec<2, double>& from, const Vec<2, double>& to, std::string_view style = "line");
 
-  /// Many lines as one element: points 2i and 2i + 1 are the ends of line i. None: nothing is written.
+  /// Many lines as one element: points 2i and 2i + 1 are the ends of line i. Writes nothing for no lines.
   void lines(std::span<const Vec<2, double>> ends, std::string_view style);
 
-  /// A line with a head at `to`.
+  /// A line with an arrowhead at `to`.
   void arrow(const Vec<2, double>& from, const Vec<2, double>& to);
 
   /// A rectangle along the edges of the picture.
@@ -44,7 +44,7 @@ class Pen {
   /// The number of elements written since `take`.
   std::size_t elements() const { return elements_; }
 
-  /// What has been written; the pen starts anew.
+  /// Returns the elements written so far and clears the pen.
   std::string take();
 
  private:

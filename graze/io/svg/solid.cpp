@@ -21,13 +21,13 @@
 namespace graze::io::svg {
 namespace {
 
-/// Where the light comes from: above, from the left of the viewer.
+/// The direction towards the light: above, from the viewer's left.
 const Vec<3, double> light = normalize(Vec<3, double>(0.25, -0.62, 0.9));
 
-/// A sheet's grid has at least this many lines along its longer side, and at most two and a half times as many.
+/// The grid of a sheet has at least this many lines along its longer side, and at most two and a half times as many.
 constexpr double least_grid_lines = 6;
 
-/// The shade of a face; the normal has any length and points to the viewer.
+/// The shade of a face; the normal has any length and points towards the viewer.
 std::string shade(const Vec<3, double>& normal) {
   const double size = std::sqrt(dot(normal, normal));
   const double brightness = size > 0 ? std::max(0.0, dot(normal, light) / size) : 0.0;
@@ -45,10 +45,10 @@ std::optional<Dim> axis_of(const Plane<3, double>& plane) {
   return axis;
 }
 
-/// The ends of lines at round distances across the sheet that a plane perpendicular to `axis` makes in a box.
+/// The ends of grid lines, at round distances, on the sheet where a plane perpendicular to `axis` crosses a box.
 std::vector<Vec<3, double>> grid(const Plane<3, double>& plane, Dim axis, const Aabb<3, double>& box) {
   std::vector<Vec<3, double>> ends;
-  const double height = plane.offset / plane.normal[axis];  // not zero: the axis was chosen so
+  const double height = plane.offset / plane.normal[axis];  // not zero: the plane is perpendicular to `axis`
   const double step = round_length(2 * max_abs(box.half_extents()) / least_grid_lines);
   for (const Dim across : {(axis + 1) % 3, (axis + 2) % 3}) {
     const double first = std::ceil(box.min[across] / step);
@@ -68,7 +68,7 @@ std::vector<Vec<3, double>> grid(const Plane<3, double>& plane, Dim axis, const 
 struct SolidBrush {
   const Stage<3>& stage;
   const Detail& detail;
-  bool patterned;  ///< In a pair whose pattern is drawn over it.
+  bool patterned;  ///< In a pair, and drawn with that pair's pattern.
   Pen& pen;
 
   void operator()(const Ray<3, double>& ray) const {
@@ -126,14 +126,14 @@ struct SolidBrush {
   }
 };
 
-/// A shape that is no compound, or the parts of a compound at all depths.
+/// A shape other than a compound, or the parts of a compound at all nesting levels.
 void collect_parts(const AnyShape<3, double>& shape, std::vector<const AnyShape<3, double>*>& parts) {
   const auto* compound = std::get_if<Compound<3, double>>(&shape);
   if (compound == nullptr) return parts.push_back(&shape);
   for (const Part<3, double>& part : compound->parts) collect_parts(part.shape, parts);
 }
 
-/// Where a shape stands among others: a ray as far as it is drawn, a compound that holds planes as its first plane.
+/// What determines the painting order of a shape: for a ray its drawn part, for a compound with planes the first plane.
 Layered layered(const AnyShape<3, double>& shape, const Stage<3>& stage) {
   Layered thing{Aabb<3, double>::nothing(), std::nullopt};
   for_each_part<3>(shape, [&]<class S>(const S& part) {

@@ -9,9 +9,9 @@
 
 namespace graze::io::svg {
 
-/// The objects of a 3D scene as SVG, one element each, those in front painted over those behind. Boxes and triangles
-/// are shaded by how their faces turn to the light, spheres and other bodies by a gradient; planes and half-spaces are
-/// translucent sheets, with a grid where they are perpendicular to an axis.
+/// The objects of a 3D scene as SVG, one element each, from back to front. Boxes and triangles are shaded by the angle
+/// between face and light, spheres and other bodies by a gradient; planes and half-spaces are translucent sheets, with
+/// a grid if they are perpendicular to an axis.
 std::string paint_solid(const Subject<3>& subject, const Stage<3>& stage, const Detail& detail);
 
 }  // namespace graze::io::svg

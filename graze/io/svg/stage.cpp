@@ -8,20 +8,20 @@
 namespace graze::io::svg {
 namespace {
 
-/// How much larger than its contents the box is that cuts off planes and rays in 3D, and how flat it may be, relative
-/// to its largest side.
+/// The size of the box that cuts off planes and rays in 3D, relative to its content, and its smallest side, relative to
+/// its largest.
 constexpr double stage_growth = 1.15;
 constexpr double flattest_stage = 0.1;
 
-/// The point of a plane that lies nearest to another.
+/// The point of a plane that is nearest to another point.
 template <Dim N>
 Vec<N, double> foot(const Plane<N, double>& plane, const Vec<N, double>& point) {
   const Plane<N, double> unit = unit_plane(plane);
   return point + unit.normal * (unit.offset - dot(unit.normal, point));
 }
 
-/// What must be in the picture of a part: all of a bounded one, the beginning of a ray, of a plane the foot below
-/// `center`.
+/// The points of a part that must be in the picture: all of a bounded part, the origin of a ray, and for a plane the
+/// foot of the perpendicular from `center`.
 template <Dim N>
 struct Essence {
   Vec<N, double> center;
@@ -39,7 +39,7 @@ inline constexpr bool passes_through<Plane<N, double>> = true;
 template <Dim N>
 inline constexpr bool passes_through<HalfSpace<N, double>> = true;
 
-/// False also for coordinates that overflowed to infinity or NaN.
+/// Also false for coordinates that overflowed to infinity or NaN.
 template <Dim N>
 bool is_near(const Aabb<N, double>& box) {
   for (Dim i = 0; i < N; ++i) {
@@ -55,7 +55,8 @@ bool can_be_drawn(const AnyShape<N, double>& shape) {
   return near;
 }
 
-/// The box around what must be seen. Planes come last: of each, only the part next to everything else is needed.
+/// The box around everything that must be visible. Planes come last, because only their part next to everything else is
+/// needed.
 template <Dim N>
 Aabb<N, double> contents(const Subject<N>& subject, const std::vector<std::size_t>& drawn) {
   Aabb<N, double> box = Aabb<N, double>::nothing();
@@ -73,7 +74,7 @@ Aabb<N, double> contents(const Subject<N>& subject, const std::vector<std::size_
   return box.min.x <= box.max.x ? box : Aabb<N, double>{Vec<N, double>(0.0), Vec<N, double>(0.0)};
 }
 
-/// The box of space that planes and rays fill: somewhat larger than the contents, never flat.
+/// The 3D box that planes and rays fill: somewhat larger than the content, never flat.
 Aabb<3, double> grown(const Aabb<3, double>& contents) {
   Vec<3, double> half = contents.half_extents();
   const double size = std::max({half.x, half.y, half.z});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a scene is drawn: from which side it is seen, how large, and where unbounded shapes end.
+// How a scene is drawn: the direction of view, the scale, and where unbounded shapes are cut off.
 #pragma once
 
 #include <cstddef>
@@ -15,24 +15,24 @@
 
 namespace graze::io::svg {
 
-/// Shapes that reach farther out than this (unbounded ones: that start or pass farther out) are not drawn: their
-/// squares, and those of their differences, must stay far from the largest double.
+/// Shapes that extend beyond this (unbounded ones: that start or pass beyond it) are not drawn, because squares of
+/// coordinates and of their differences must not overflow.
 inline constexpr double farthest_drawn = 1e100;
 
 template <Dim N>
 struct Stage {
   View<N> view;
-  Aabb<N, double> box;  ///< What unbounded shapes are cut off at: in 2D what the card shows, in 3D a box of space.
+  Aabb<N, double> box;  ///< What unbounded shapes are cut off at: the card in 2D, a 3D box in 3D.
   Frame frame;
   std::vector<std::size_t> drawn;  ///< The positions of the objects that can be drawn, ascending.
-  std::size_t too_far = 0;         ///< How many cannot, see `farthest_drawn`.
+  std::size_t too_far = 0;         ///< Number of objects that cannot be drawn, see `farthest_drawn`.
 };
 
-/// The stage on which every object is seen whole, an unbounded one in part.
+/// The stage that shows every bounded object completely and every unbounded one in part.
 template <Dim N>
 Stage<N> stage_for(const Subject<N>& subject, YAxis y_axis);
 
-/// Calls `visit` with a shape that is no compound, as its own type, or with all such parts of a compound.
+/// Calls `visit` with a shape in its own type; for a compound with each of its parts, at all nesting levels.
 template <Dim N, class Visit>
 void for_each_part(const AnyShape<N, double>& shape, const Visit& visit) {
   detail::visit(
@@ -46,8 +46,8 @@ void for_each_part(const AnyShape<N, double>& shape, const Visit& visit) {
       shape);
 }
 
-/// The outline of a part on the stage, cut off where it is unbounded; empty when the stage shows nothing of it. Of a
-/// half-space in 3D only the boundary is drawn, for its inside would hide everything.
+/// The outline of a part on the stage, cut off if it is unbounded; empty if no part of it is visible. Of a half-space
+/// in 3D only the boundary is drawn, because its interior would hide everything.
 template <Dim N, class S>
 Outline outline_on(const Stage<N>& stage, const S& part) {
   if constexpr (std::is_same_v<S, HalfSpace<3, double>>) {
@@ -59,7 +59,7 @@ Outline outline_on(const Stage<N>& stage, const S& part) {
   }
 }
 
-/// The box in the picture around all that is seen of a shape; `Aabb::nothing()` when nothing is.
+/// The box in the picture around the visible part of a shape; `Aabb::nothing()` if none is visible.
 template <Dim N>
 Aabb<2, double> picture_box(const Stage<N>& stage, const AnyShape<N, double>& shape);
 

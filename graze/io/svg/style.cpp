@@ -15,7 +15,7 @@ constexpr std::size_t most_with_titles = 5000;
 constexpr std::size_t most_with_patterns = 5000;
 constexpr std::size_t most_with_faces = 10000;
 
-/// The colours of objects of one class.
+/// The colours of one class of objects.
 struct Colours {
   std::string_view name;
   std::string_view line;
@@ -24,8 +24,8 @@ struct Colours {
   std::array<std::string_view, shades> shaded;
 };
 
-// Blue-grey, and vermillion and a calmer bluish green after Okabe and Ito, "Color Universal Design" (2008): vermillion
-// is told apart with every kind of colour vision, and by lightness alone; the green by its pattern or dashes.
+// Blue-grey, vermillion and a muted bluish green after Okabe and Ito, "Color Universal Design" (2008). Vermillion is
+// distinguishable with every kind of colour vision, and by lightness alone; the green by its pattern or dashes.
 constexpr Colours free_colours = {
     "free", "#3f5f7f", "#9db6cc", "#2a4560", {"#5d7791", "#7089a3", "#859db6", "#9bb2c8", "#b3c7d9", "#cddce8"}};
 constexpr Colours touching_colours = {
@@ -41,7 +41,7 @@ constexpr std::string_view page_style = R"(text{font-family:system-ui,"Segoe UI"
 .scale,.axis{fill:none;stroke:#4a505a;stroke-width:1.5}.small{font-size:12px;text-anchor:middle;fill:#4a505a}
 )";
 
-/// What a pattern repeats on a tinted ground: slanted lines, or dots.
+/// The tile of a pattern on a tinted background: slanted lines, or dots.
 struct Pattern {
   std::string_view id;
   std::string_view line;
@@ -74,7 +74,7 @@ std::string sphere_gradient(const Colours& colours) {
       colours.name, colours.shaded[5], colours.shaded[3], colours.shaded[0]);
 }
 
-/// Light above, shade below: a body of which only the silhouette is known.
+/// Light above, shadow below: for bodies whose silhouette only is known.
 std::string body_gradient(const Colours& colours) {
   return fmt::format(
       "<linearGradient id=\"body-{}\" x1=\".25\" y1=\"0\" x2=\".7\" y2=\"1\"><stop offset=\"0\" stop-color=\"{}\"/>"
@@ -82,8 +82,8 @@ std::string body_gradient(const Colours& colours) {
       colours.name, colours.shaded[5], colours.shaded[3], colours.shaded[1]);
 }
 
-/// What 2D and 3D have in common. Lines keep their width when the picture is enlarged. What overlaps is drawn wider
-/// than what touches, and that wider than the rest; lines that only touch or are near are dashed.
+/// Common styles of 2D and 3D. Line widths do not scale with the picture. Overlapping objects have the widest lines,
+/// then touching, then all others; lines that only touch or are near are dashed.
 std::string shared_style(const Detail& detail) {
   std::string css = fmt::format(
       ".shapes{{stroke:{0};stroke-width:{1};stroke-linejoin:round;stroke-linecap:round}}.shapes "

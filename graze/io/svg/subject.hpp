@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a picture is to show: the objects of a scene and what they touch.
+// The content of a picture: the objects of a scene and their reported pairs.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace graze::io::svg {
 
-/// A reported pair: the positions of its objects in the scene's list of ids, and how they meet. A pair that is `apart`
+/// A reported pair: the positions of its objects in the scene's list of ids, and their relation. A pair that is `apart`
 /// was reported because its objects are near each other.
 struct DrawnPair {
   std::uint32_t a;
@@ -25,7 +25,7 @@ struct DrawnPair {
   friend bool operator==(const DrawnPair&, const DrawnPair&) = default;
 };
 
-/// The pairs an object is in: how many, the positions of the first few partners, and the closest relation among them.
+/// The pairs of an object: their number, the positions of the first few partners, and the closest relation.
 struct Touches {
   static constexpr std::size_t named = 4;
 
@@ -34,28 +34,29 @@ struct Touches {
   Relation closest = Relation::apart;
 };
 
-/// The pairs of each of so many objects, by position.
+/// The pairs of each object, by position.
 std::vector<Touches> touches_by_object(std::size_t objects, std::span<const DrawnPair> pairs);
 
-/// How the picture shows an object, as the class of its element: "overlapping", "touching" (what it meets it only
-/// touches), "near" (reported, but apart from all others), or empty where it is in no pair.
+/// The CSS class of an object: "overlapping", "touching" (all its contacts only touch), "near" (reported, but apart
+/// from all others), or empty if it is in no pair.
 std::string_view class_of(const Touches& touches);
 
-/// A scene ready to be drawn: an object is spoken of by its position here.
+/// A scene prepared for drawing; objects are referred to by their position here.
 template <Dim N>
 struct Subject {
   std::vector<ObjectId> ids;
-  std::vector<const Object<N, double>*> objects;  ///< As long as the scene lives.
-  std::vector<std::string> names;                 ///< "#7" for object 7 if it has none; shortened where very long.
+  std::vector<const Object<N, double>*> objects;  ///< Valid as long as the scene.
+  std::vector<std::string> names;                 ///< "#7" for object 7 without a name; long names are shortened.
   std::vector<Touches> touches;
   std::vector<DrawnPair> pairs;
 };
 
-/// Decides how the objects of each pair meet. Throws std::invalid_argument when a pair names no object of the scene.
+/// Determines the relation of each pair. Throws std::invalid_argument if a pair names an object that is not in the
+/// scene.
 template <Dim N>
 Subject<N> subject_of(const Scene<N, double>& scene, std::span<const ObjectPair> reported);
 
-/// The sentence shown when the mouse rests on an object: "crate (aabb), touches floor, sphere and 3 more".
+/// The tooltip of an object: "crate (aabb), touches floor, sphere and 3 more".
 template <Dim N>
 std::string title(const Subject<N>& subject, std::size_t position);
 

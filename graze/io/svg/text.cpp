@@ -11,12 +11,12 @@
 namespace graze::io::svg {
 namespace {
 
-/// The first character of a text that is not empty; one byte where that begins none.
+/// The first character of a nonempty text; one byte if that does not begin a valid character.
 std::string_view first_character(std::string_view text) {
   return text.substr(0, std::max<std::size_t>(utf8_sequence_length(text, 0), 1));
 }
 
-/// How a character is written that XML gives a meaning to; empty for others.
+/// The escape of a character with a meaning in XML; empty for others.
 std::string_view entity(char character) {
   switch (character) {
     case '<':
@@ -29,7 +29,7 @@ std::string_view entity(char character) {
       return "&quot;";
     case '\'':
       return "&apos;";
-    // As they are, these three would come back from an attribute as spaces, and a carriage return as a line feed.
+    // Unescaped, an attribute would turn these three into spaces, and a carriage return into a line feed.
     case '\t':
       return "&#9;";
     case '\n':
@@ -41,8 +41,8 @@ std::string_view entity(char character) {
   }
 }
 
-/// The characters that XML 1.0 (fifth edition, production 2) allows in a document: not bytes that are no UTF-8, not
-/// most control characters, not U+FFFE and U+FFFF.
+/// Whether XML 1.0 (fifth edition, production 2) allows the character in a document: invalid UTF-8, most control
+/// characters, U+FFFE and U+FFFF are not allowed.
 bool allowed_in_xml(std::string_view character) {
   if (utf8_sequence_length(character, 0) == 0) return false;
   if (character.size() == 1) return static_cast<unsigned char>(character[0]) >= 0x20 || !entity(character[0]).empty();

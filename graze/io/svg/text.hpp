@@ -7,21 +7,22 @@
 
 namespace graze::io::svg {
 
-/// Text that may stand in XML, between tags or in an attribute. What XML 1.0 forbids even as an entity (most control
-/// characters, surrogates, U+FFFE and U+FFFF) and bytes that are not UTF-8 become U+FFFD, the replacement character.
+/// Text escaped for XML, between tags or in an attribute. Characters that XML 1.0 forbids even as entities (most
+/// control characters, surrogates, U+FFFE and U+FFFF) and bytes that are not UTF-8 become U+FFFD, the replacement
+/// character.
 std::string escaped(std::string_view text);
 
-/// The number of characters (code points); every byte that is not part of one counts as one.
+/// The number of characters (code points); every invalid byte counts as one.
 std::size_t character_count(std::string_view text);
 
-/// The text, or its first `limit - 1` characters and an ellipsis where it is longer. `limit` is at least 1.
+/// The text, or if it is longer its first `limit - 1` characters and an ellipsis. `limit` is at least 1.
 std::string shortened(std::string_view text, std::size_t limit);
 
-/// A number with at most three decimals, as short as it goes: "12.5", "-3", "0". Never locale dependent, never "-0".
-/// The value is finite.
+/// A number with at most three decimals, as short as possible: "12.5", "-3", "0". Independent of the locale, never
+/// "-0". The value must be finite.
 std::string number(double value);
 
-/// A length for people: up to six digits, with an exponent where it is very large or small: "250", "0.05", "1e+09".
+/// A length for display: up to six digits, with an exponent if it is very large or small: "250", "0.05", "1e+09".
 std::string length_text(double value);
 
 /// "1 pair", "2 pairs"; the plural adds an s unless it is given.

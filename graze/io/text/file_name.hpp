@@ -6,8 +6,8 @@
 
 namespace graze::io {
 
-/// The last part of a path with slashes of either kind: what may be shown to others, who need not know of the folders.
-/// The path itself where it ends in a slash.
+/// The last component of a path with slashes of either kind, for output that should not reveal folders. The path itself
+/// if it ends in a slash.
 std::string file_name(std::string_view path);
 
 }  // namespace graze::io

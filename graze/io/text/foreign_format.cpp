@@ -19,17 +19,17 @@ constexpr std::string_view write_polytopes =
     "graze reads no meshes: write its convex parts as polytopes in graze's JSON, which docs/scene_format.md describes";
 constexpr std::string_view give_map = "give the map (.tmx or .tmj) that uses it";
 constexpr std::string_view no_comments =
-    "remove it: none of what graze reads, its own JSON, CSV and maps of Tiled, begins with one";
+    "remove it: no format that graze reads (its own JSON, CSV and Tiled maps) has comments at its start";
 constexpr std::string_view export_map = "give the map itself (.tmx), or export it as JSON (.tmj)";
 
-/// A format, what tells it, and what to do about it.
+/// A format, how to recognise it, and what to do about it.
 struct KnownFormat {
   std::string_view sign;
   std::string_view what;
   std::string_view minimum_translation;
 };
 
-/// What the very first bytes tell.
+/// Recognised by the first bytes.
 constexpr std::array beginnings = {
     KnownFormat{"[gd_scene", "a Godot scene", write_shapes},
     KnownFormat{"[gd_resource", "a Godot resource", write_shapes},
@@ -67,44 +67,45 @@ constexpr std::array beginnings = {
     KnownFormat{"\xff\xd8\xff", "a picture (JPEG)", write_shapes},
     KnownFormat{"\x1f\x8b", "compressed by gzip", "unpack it first: gzip -dc FILE | graze check -"},
     KnownFormat{"\x28\xb5\x2f\xfd", "compressed by zstd", "unpack it first: zstd -dc FILE | graze check -"},
-    KnownFormat{"PK\x03\x04", "a ZIP archive", "unpack it first, and give the scene in it"},
-    KnownFormat{"A  ", "a report of graze check", "give the scene that it is about"},
-    KnownFormat{"a,b,relation", "a report of graze check", "give the scene that it is about"},
-    KnownFormat{"name,type", "an answer of graze query", "give the scene that it is about"}};
+    KnownFormat{"PK\x03\x04", "a ZIP archive", "unpack it first and give the scene inside"},
+    KnownFormat{"A  ", "a report of graze check", "give the scene itself"},
+    KnownFormat{"a,b,relation", "a report of graze check", "give the scene itself"},
+    KnownFormat{"name,type", "output of graze query", "give the scene itself"}};
 
-/// What the root element of XML tells.
+/// Recognised by the root element of XML.
 constexpr std::array roots = {KnownFormat{"tileset", "a Tiled tileset", give_map},
                               KnownFormat{"template", "a Tiled template, a single object", give_map},
                               KnownFormat{"robot", "a robot in URDF", write_shapes},
                               KnownFormat{"sdf", "a robot or world in SDF", write_shapes},
-                              KnownFormat{"mujoco", "a model of MuJoCo", write_shapes},
+                              KnownFormat{"mujoco", "a MuJoCo model", write_shapes},
                               KnownFormat{"COLLADA", "a mesh in COLLADA", write_polytopes},
                               KnownFormat{"X3D", "a mesh in X3D", write_polytopes},
                               KnownFormat{"svg", "an SVG picture", write_shapes},
                               KnownFormat{"html", "a web page", "give the scene file itself"},
                               KnownFormat{"kml", "a map in KML", write_shapes},
                               KnownFormat{"gpx", "a track in GPX", write_shapes},
-                              KnownFormat{"osm", "a map of OpenStreetMap", write_shapes}};
+                              KnownFormat{"osm", "an OpenStreetMap file", write_shapes}};
 
-/// What a JSON document tells that holds this early on; blanks are left out of both.
+/// Recognised by this text near the beginning of a JSON document; blanks are ignored.
 constexpr std::array json_signs = {
     KnownFormat{R"("type":"tileset")", "a Tiled tileset", give_map},
     KnownFormat{R"("type":"template")", "a Tiled template, a single object", give_map},
     KnownFormat{R"("type":"world")", "a Tiled world", "give one of the maps that it names"},
-    KnownFormat{R"("schema":"graze.log/)", "a query log", "perform it by graze replay, or ask it by graze query --log"},
-    KnownFormat{R"("schema":"graze.check/)", "a report of graze check", "give the scene that it is about"},
-    KnownFormat{R"("schema":"graze.query/)", "an answer of graze query", "give the scene that it is about"},
-    KnownFormat{R"("schema":"graze.info/)", "an answer of graze info", "give the scene that it is about"},
-    KnownFormat{R"("schema":"graze.bench/)", "an answer of graze bench", "give the scene that it is about"},
-    KnownFormat{R"("schema":"graze.replay/)", "an answer of graze replay", "give the scene that it is about"},
-    KnownFormat{R"({"frame":0,"seconds":)", "a report of graze simulate", "give the scene that it is about"},
-    KnownFormat{R"("relation":")", "a report of graze check", "give the scene that it is about"},
+    KnownFormat{R"("schema":"graze.log/)", "a query log",
+                "run it with graze replay, or query it with graze query --log"},
+    KnownFormat{R"("schema":"graze.check/)", "a report of graze check", "give the scene itself"},
+    KnownFormat{R"("schema":"graze.query/)", "output of graze query", "give the scene itself"},
+    KnownFormat{R"("schema":"graze.info/)", "output of graze info", "give the scene itself"},
+    KnownFormat{R"("schema":"graze.bench/)", "output of graze bench", "give the scene itself"},
+    KnownFormat{R"("schema":"graze.replay/)", "output of graze replay", "give the scene itself"},
+    KnownFormat{R"({"frame":0,"seconds":)", "a report of graze simulate", "give the scene itself"},
+    KnownFormat{R"("relation":")", "a report of graze check", "give the scene itself"},
     KnownFormat{R"("tilecount":)", "a Tiled tileset", give_map},
     KnownFormat{R"("type":"FeatureCollection")", "GeoJSON", write_shapes},
-    KnownFormat{R"("__header__":{"fileType":"LDtk)", "a project of LDtk", write_shapes},
-    KnownFormat{R"("ogmoVersion":)", "a level or project of Ogmo", write_shapes},
+    KnownFormat{R"("__header__":{"fileType":"LDtk)", "an LDtk project", write_shapes},
+    KnownFormat{R"("ogmoVersion":)", "an Ogmo level or project", write_shapes},
     KnownFormat{R"("automappingRulesFile":)", "a Tiled project", "give one of its maps (.tmx or .tmj)"},
-    KnownFormat{R"({"classname""worldspawn")", "a map of Quake", write_shapes},
+    KnownFormat{R"({"classname""worldspawn")", "a Quake map", write_shapes},
     KnownFormat{R"("asset":{)", "a mesh in glTF", write_polytopes},
     KnownFormat{R"("meshes":[)", "a mesh in glTF", write_polytopes}};
 
@@ -112,7 +113,7 @@ std::string sentence(const KnownFormat& format) {
   return fmt::format("this is {}; {}", format.what, format.minimum_translation);
 }
 
-/// The name of the first element that is no declaration, comment or document type.
+/// The name of the first element after declarations, comments and document types.
 std::string_view root_name(std::string_view text) {
   for (std::size_t at = text.find('<'); at < text.size(); at = text.find('<', at + 1)) {
     const std::string_view rest = text.substr(at + 1);
@@ -120,13 +121,13 @@ std::string_view root_name(std::string_view text) {
       at = std::min(text.find("-->", at), text.size() - 1);
     } else if (!rest.starts_with("!") && !rest.starts_with("?")) {
       const std::string_view name = rest.substr(0, rest.find_first_of(" \t\r\n/>"));
-      return name.substr(name.rfind(':') + 1);  // without its prefix, if it has one
+      return name.substr(name.rfind(':') + 1);  // without its namespace prefix
     }
   }
   return {};
 }
 
-/// The beginning of JSON without blanks, which may differ from writer to writer.
+/// The beginning of JSON without blanks, which may differ between writers.
 std::string without_blanks_between(std::string_view text) {
   constexpr std::size_t enough = 600;
   std::string result;
@@ -143,7 +144,7 @@ std::string xml_format(std::string_view text) {
   if (known != roots.end()) return sentence(*known);
   if (root.empty() || root == "map") return "";
   return fmt::format(
-      "this is XML whose root is <{}>; the only XML that graze reads are maps of Tiled (.tmx), whose root "
+      "this is XML whose root is <{}>; the only XML that graze reads are Tiled maps (.tmx), whose root "
       "is <map>",
       root.substr(0, 40));
 }
@@ -160,7 +161,7 @@ std::string json_format(std::string_view text) {
   return known == json_signs.end() ? "" : sentence(*known);
 }
 
-/// "[section]" on a line of its own begins INI and TOML, which would be taken for broken JSON.
+/// "[section]" on a line of its own begins INI and TOML files, which would otherwise be reported as broken JSON.
 bool is_section(std::string_view text) {
   const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
   const std::size_t end = line.find(']');
@@ -171,7 +172,7 @@ bool is_section(std::string_view text) {
   return name != "null" && name.find_first_not_of("0123456789-. eE") != std::string_view::npos;
 }
 
-/// What begins with "#": a comment, of which many formats have one first.
+/// Text that begins with "#": in many formats a comment.
 std::string commented_format(std::string_view text) {
   constexpr std::size_t enough = 2000;
   const std::string_view start = text.substr(0, enough);

@@ -6,9 +6,9 @@
 
 namespace graze::io {
 
-/// What a text is that is given as a scene and is none, and what to give instead: "this is a Godot scene; ...". Empty
-/// for what may be a scene, and for what it does not know. It looks at the beginning only, so that a scene costs
-/// nothing.
+/// Identifies a text that was given as a scene but has another format, and what to give instead: "this is a Godot
+/// scene; ...". Empty for possible scenes and for unknown formats. Looks at the beginning only, so that reading scenes
+/// costs nothing.
 std::string foreign_format(std::string_view text);
 
 }  // namespace graze::io

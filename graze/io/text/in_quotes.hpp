@@ -6,9 +6,8 @@
 
 namespace graze::io {
 
-/// A name or value from a file as messages show it: in double quotes, `printable`, and of a long one only the
-/// beginning, with
-/// "..." behind it.
+/// A name or value from a file for display in messages: in double quotes, `printable`, and if it is long, cut off and
+/// followed by "...".
 std::string in_quotes(std::string_view text);
 
 }  // namespace graze::io

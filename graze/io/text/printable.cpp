@@ -20,12 +20,12 @@ struct CodePoint {
   std::size_t bytes = 1;
 };
 
-/// The first code point of a text that is not empty; none when the bytes are not UTF-8.
+/// The first code point of a nonempty text; none if the bytes are not UTF-8.
 std::optional<CodePoint> first_code_point(std::string_view text) {
   const std::size_t length = utf8_sequence_length(text, 0);
   if (length == 0) return std::nullopt;
   const auto bits_below = [&](std::size_t i, unsigned mask) { return static_cast<unsigned char>(text[i]) & mask; };
-  // A lead byte of a sequence of 2, 3, 4 bytes keeps 5, 4, 3 bits for the value, each byte after it 6.
+  // The lead byte of a sequence of 2, 3, 4 bytes holds 5, 4, 3 bits of the value, each byte after it 6.
   char32_t value = bits_below(0, length == 1 ? 0x7fU : 0x7fU >> length);
   for (std::size_t i = 1; i < length; ++i) value = value << 6U | bits_below(i, 0x3fU);
   return CodePoint{value, length};
@@ -55,7 +55,7 @@ constexpr std::array<Range, 7> deceptive{{{0x061c, 0x061c},
 constexpr std::array<Range, 6> without_width{
     {{0x0300, 0x036f}, {0x1ab0, 0x1aff}, {0x1dc0, 0x1dff}, {0x20d0, 0x20ff}, {0xfe00, 0xfe0f}, {0xfe20, 0xfe2f}}};
 
-/// Unicode's East Asian Width W and F, in whole blocks.
+/// Unicode's East Asian Width W and F, in complete blocks.
 constexpr std::array<Range, 10> double_width{{{0x1100, 0x115f},
                                               {0x2e80, 0x303e},
                                               {0x3041, 0xa4cf},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text from a stranger's file on the way to a terminal.
+// Makes text from untrusted files safe to print on a terminal.
 #pragma once
 
 #include <cstddef>
@@ -8,12 +8,13 @@
 
 namespace graze::io {
 
-/// The text with nothing in it that a terminal would obey: control characters become `\x1b`, those that turn or hide
-/// text (U+202E, U+200B and their like) become `\u{202e}`, bytes that are not UTF-8 become U+FFFD. Other text stays as
-/// it is.
+/// The text without anything that controls a terminal: control characters become `\x1b`, characters that reverse or
+/// hide text (U+202E, U+200B and similar) become `\u{202e}`, bytes that are not UTF-8 become U+FFFD. All other text is
+/// unchanged.
 std::string printable(std::string_view text);
 
-/// How many columns of a terminal `printable` text takes: accents none, East Asian signs and emoji two, the rest one.
+/// The number of terminal columns of `printable` text: combining marks take none, East Asian characters and emoji two,
+/// all others one.
 std::size_t display_columns(std::string_view text);
 
 }  // namespace graze::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as a field of the formats that reports are written in.
+// Quotes arbitrary bytes for the report formats.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace graze::io {
 /// A JSON string with its quotes; bytes that are not UTF-8 become U+FFFD.
 std::string json_string(std::string_view text);
 
-/// A field as RFC 4180 wants it: in quotes when it holds a separator, and quotes doubled.
+/// A CSV field (RFC 4180): in quotes, with inner quotes doubled, if it contains a separator.
 std::string csv_field(std::string_view text);
 
 }  // namespace graze::io

@@ -13,8 +13,8 @@ char lower(char letter) { return letter >= 'A' && letter <= 'Z' ? static_cast<ch
 
 }  // namespace
 
-// Optimal string alignment (Damerau 1964, Wagner and Fischer 1974): row i holds the distances of a's first i letters to
-// all beginnings of b; a swap looks back two rows.
+// Optimal string alignment (Damerau 1964, Wagner and Fischer 1974): row i holds the distances between the first i
+// letters of a and all prefixes of b; a swap uses the row before the last.
 std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit) {
   if (std::max(a.size(), b.size()) - std::min(a.size(), b.size()) > limit) return limit + 1;
   std::vector<std::size_t> before_last(b.size() + 1);

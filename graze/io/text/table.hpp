@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A table of words for people, its columns as wide as their widest word.
+// A text table for display, with columns as wide as their widest cell.
 #pragma once
 
 #include <cstddef>
@@ -15,17 +15,17 @@ namespace graze::io {
 /// Whether text is coloured with terminal codes.
 enum class Colours { off, on };
 
-/// A word of a table, fit to be shown (see `printable`), and the terminal code of its colour, if it has one.
+/// A table cell, already `printable`, and the terminal code of its colour, if it has one.
 struct TableCell {
   std::string text;
   std::string_view colour = {};
 };
 
-/// A row of a table has a cell for every column.
+/// A row has one cell for every column.
 using TableRow = std::vector<TableCell>;
 
-/// Writes rows as they come. Columns are as wide as the head and the first `rows_for_widths` rows need; these are held
-/// until there are so many, or `finish`, the others are not, and a wider word of theirs moves what is behind it.
+/// Writes rows as they arrive. The header and the first `rows_for_widths` rows determine the column widths; these rows
+/// are buffered until then or until `finish`. A wider cell in a later row shifts the rest of its row.
 class TableWriter {
  public:
   static constexpr std::size_t rows_for_widths = 10'000;
@@ -36,7 +36,7 @@ class TableWriter {
 
   void write(TableRow row);
 
-  /// To be called once, after the last row.
+  /// Call once, after the last row.
   void finish();
 
   /// Whether there was no row.
@@ -49,15 +49,15 @@ class TableWriter {
   std::ostream& out_;
   TableRow head_;
   Colours colours_;
-  std::vector<TableRow> rows_;       // until they are enough
-  std::vector<std::size_t> widths_;  // from then on
+  std::vector<TableRow> rows_;       // buffered rows
+  std::vector<std::size_t> widths_;  // set when buffering ends
   bool has_begun_ = false;
 };
 
-/// Writes the head, bold where there are colours, and the rows; the last column has no blanks behind it.
+/// Writes the header, bold with colours, and the rows; no blanks after the last column.
 void write_table(std::ostream& out, const TableRow& head, const std::vector<TableRow>& rows, Colours colours);
 
-/// A number as people read it: six digits.
+/// A number for display: six significant digits.
 std::string short_number(double number);
 
 /// "1, 2.5, -3"

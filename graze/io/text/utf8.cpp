@@ -16,8 +16,8 @@ unsigned byte_at(std::string_view text, std::size_t offset) { return static_cast
 
 bool is_between(unsigned byte, unsigned low, unsigned high) { return low <= byte && byte <= high; }
 
-/// What a sequence's first byte says: how long it is, and between which bounds the second byte lies. The bounds keep
-/// out overlong forms (E0, F0), surrogates (ED) and what lies above U+10FFFF (F4).
+/// What the first byte of a sequence determines: its length, and the bounds of the second byte. The bounds exclude
+/// overlong forms (E0, F0), surrogates (ED) and values above U+10FFFF (F4).
 struct Lead {
   std::size_t length = 0;
   unsigned second_low = 0x80;
@@ -36,7 +36,7 @@ Lead lead_of(unsigned byte) {
   return {};
 }
 
-/// The first offset from `offset` on that is not inside eight bytes of plain ASCII: most text passes here.
+/// The first position from `offset` on that is not within eight bytes of plain ASCII: a fast path for most text.
 std::size_t skip_ascii(std::string_view text, std::size_t offset) {
   constexpr std::uint64_t high_bits = 0x8080808080808080U;
   while (text.size() - offset >= sizeof(std::uint64_t)) {
@@ -101,7 +101,7 @@ void require_utf8(std::string_view text, const std::string& source, std::size_t 
   }
   const std::size_t first = std::min(invalid, zero);
   throw error_at(text, source, first,
-                 fmt::format("byte 0x{:02X} is not text in UTF-8; save the file as UTF-8", byte_at(text, first)),
+                 fmt::format("byte 0x{:02X} is not UTF-8 text; save the file as UTF-8", byte_at(text, first)),
                  first_line);
 }
 

@@ -29,7 +29,7 @@ std::optional<Packing> packing_named(std::string_view name) {
   return std::nullopt;
 }
 
-/// Four bytes each, the lowest first.
+/// Four bytes each, little endian.
 std::vector<std::uint32_t> gids_of_bytes(std::string_view bytes) {
   std::vector<std::uint32_t> gids(bytes.size() / 4);
   const auto byte = [&](std::size_t i) { return std::uint32_t{static_cast<unsigned char>(bytes[i])}; };
@@ -43,7 +43,7 @@ void count_unknown_format(std::string_view name, bool is_known, const TiledPlace
                           std::vector<Omission>& omissions) {
   const std::string what = fmt::format("tile layer in the format {}", in_quotes(name));
   const std::string why = fmt::format(
-      "{} does not unpack it; choose CSV, or base64 uncompressed, in Tiled's map "
+      "{} cannot decompress it; choose CSV, or base64 uncompressed, in Tiled's map "
       "properties (Tile Layer Format)",
       is_known ? "this build of graze" : "graze");
   count_omission(omissions, {what, Loss::shape, why}, place);
@@ -77,7 +77,7 @@ std::vector<std::uint32_t> tiled_gids_of_csv(std::string_view text, const TiledP
     skip_space();
     if (at == end) break;
     if (*at != ',') {
-      fail_at(place, fmt::format("behind tile {} of the data a comma is missing", gids.size()));
+      fail_at(place, fmt::format("a comma is missing after tile {} of the data", gids.size()));
     }
     ++at;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The fields that an element of XML and an object of JSON name alike. A `Node` has `file`, `offset()` and `place()`;
-// text_of(node, name), number_of(node, name) and index_of(node, name), which are found beside its type, give a field,
-// if there is one, and refuse one of another kind.
+// The fields that have the same names in Tiled's XML and JSON. A `Node` has `file`, `offset()` and `place()`. The
+// functions text_of(node, name), number_of(node, name) and index_of(node, name), declared beside its type, return a
+// field if it exists and refuse values of the wrong kind.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace graze::io {
 
-/// A whole number that may be negative, or 0 if there is none.
+/// An integer, or 0 if there is none.
 template <class Node>
 std::int32_t tiled_whole_of(const Node& node, const char* name) {
   const double number = number_of(node, name).value_or(0);
@@ -24,7 +24,7 @@ std::int32_t tiled_whole_of(const Node& node, const char* name) {
   return static_cast<std::int32_t>(number);
 }
 
-/// An object without its outline and its count of properties.
+/// Reads an object without its outline and its number of properties.
 template <class Node>
 TiledObject tiled_object_of(const Node& node) {
   TiledObject object;
@@ -42,7 +42,7 @@ TiledObject tiled_object_of(const Node& node) {
   return object;
 }
 
-/// A tileset without its tiles, its drawing offset and its grid.
+/// Reads a tileset without its tiles, drawing offset and grid.
 template <class Node>
 TiledTileset tiled_tileset_of(const Node& node) {
   TiledTileset tileset;
@@ -70,7 +70,7 @@ TiledGrid tiled_drawing_grid_of(const Node& node) {
   return tiled_drawing_grid(text_of(node, "orientation").value_or(""), size.x, size.y);
 }
 
-/// A layer without what it holds. What of it is not read is counted, but for its properties.
+/// Reads a layer without its content. What is not read is counted, except for its properties.
 template <class Node>
 TiledLayer tiled_layer_of(const Node& node, std::vector<Omission>& omissions) {
   TiledLayer layer;
@@ -83,7 +83,7 @@ TiledLayer tiled_layer_of(const Node& node, std::vector<Omission>& omissions) {
   return layer;
 }
 
-/// What a map says about its cells; refused where nothing can be placed on them.
+/// The grid of a map; refused if nothing can be placed on it.
 template <class Node>
 TiledGrid tiled_grid_of(const Node& map) {
   TiledGrid grid;

@@ -27,16 +27,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A path as the files write it, in UTF-8 on every system.
+/// Converts a path in a file, which is UTF-8 on every system.
 fs::path path_of(const std::string& text) { return {std::u8string(text.begin(), text.end())}; }
 
-/// The path as messages show it: whole, because its end is what tells files apart.
+/// The path for messages: not shortened, because its end distinguishes files.
 std::string name_of(const fs::path& path) {
   const std::u8string text = path.generic_u8string();
   return printable(std::string(text.begin(), text.end()));
 }
 
-/// Why a file cannot be read, or nothing. Devices and pipes are refused: they may never end.
+/// Why a file cannot be read, or nothing. Devices and pipes are refused, because reading them may never end.
 std::string_view difference(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -45,17 +45,17 @@ std::string_view difference(const fs::path& path) {
     return "there is no such file";
   if (status.type() == fs::file_type::directory) return "it is a folder";
   if (error || status.type() != fs::file_type::regular)
-    return "it is not a regular file, or a folder of its path is closed";
+    return "it is not a regular file, or a folder in its path is not accessible";
   return "";
 }
 
-/// A file that another one refers to; its text, or why it cannot be read, as a whole message.
+/// The text of a referenced file, or a complete message why it cannot be read.
 struct Reference {
   std::string text;
   std::string fault;
 };
 
-/// `role` says what the file is to be: "template".
+/// `role` is the expected kind of file: "template".
 Reference read_reference(const fs::path& path, std::string_view role, const TiledPlace& asker) {
   std::string_view reason = difference(path);
   Reference read;
@@ -72,24 +72,24 @@ Reference read_reference(const fs::path& path, std::string_view role, const Tile
   return read;
 }
 
-/// What `read` makes of a file that another one refers to; an error names that one, too.
+/// The result of `read` on a referenced file; errors also name the file that refers to it.
 template <class Read>
 auto read_for(const TiledPlace& asker, std::string_view role, const Read& read) {
   try {
     return read();
   } catch (const InputError& error) {
     const TextPosition position = position_of(asker.file.text, asker.offset);
-    throw InputError(fmt::format("{}; {} names it as a {} in line {}, column {}", error.what(), asker.file.name, role,
-                                 position.line, position.column));
+    throw InputError(fmt::format("{}; {} refers to it as a {} in line {}, column {}", error.what(), asker.file.name,
+                                 role, position.line, position.column));
   }
 }
 
-/// True for XML, false for JSON; refuses what begins like neither. `role` says what the file is to be: "template".
+/// True for XML, false for JSON; refuses everything else. `role` is the expected kind of file: "template".
 bool is_xml_reference(const TiledText& text, std::string_view role) {
   if (is_tiled_xml(text.text)) return true;
   const std::size_t first = text.text.find_first_not_of(" \t\r\n");
   if (first != std::string_view::npos && text.text[first] == '{') return false;
-  fail_at(text, 0, fmt::format("this is no Tiled {}: it begins with neither < (XML) nor {{ (JSON)", role));
+  fail_at(text, 0, fmt::format("this is not a Tiled {}: it begins with neither < (XML) nor {{ (JSON)", role));
 }
 
 TiledTileset parse_tileset(const TiledText& text) {
@@ -113,12 +113,12 @@ std::optional<TiledTileUse> tile_of(const TiledObject& object, const TiledScope&
   return found.tile;
 }
 
-/// Tiled writes a size of 0 for "as large as the tile", so it does not override.
+/// Tiled writes a size of 0 for "as large as the tile", so 0 does not override the template.
 std::optional<double> size_of(std::optional<double> own, std::optional<double> other) {
   return own.value_or(0) != 0 || !other ? own : other;
 }
 
-/// An object with the words of its template where it has none of its own.
+/// An object with the fields of its template where it has none of its own.
 TiledResolvedObject merged(const TiledResolvedObject& own, const TiledResolvedObject& base) {
   TiledResolvedObject result = own;
   TiledObject& object = result.object;
@@ -137,7 +137,7 @@ TiledResolvedObject merged(const TiledResolvedObject& own, const TiledResolvedOb
   return result;
 }
 
-/// Gives an object the size of its tile's picture where it has none.
+/// Sets the size of an object without one to that of its tile's image.
 void add_tile_size(TiledResolvedObject& resolved, const TiledScope& scope) {
   TiledObject& object = resolved.object;
   const Vec<2, double> picture = tiled_picture_size(*resolved.tile);
@@ -149,21 +149,21 @@ void add_tile_size(TiledResolvedObject& resolved, const TiledScope& scope) {
                       described(object)));
 }
 
-/// Refuses to open a template that is open already, or too many inside each other. `open`: each made from the next.
+/// Refuses to open a template that is already open, or too deeply nested templates. `open`: the chain of templates that
+/// are being read.
 void refuse_circle(const fs::path& path, const TiledObject& user, const TiledScope& scope,
                    const std::vector<fs::path>& open) {
   const auto again = std::find(open.begin(), open.end(), path);
   if (again != open.end()) {
     std::string chain;
     for (auto step = again; step != open.end(); ++step) chain += fmt::format("\"{}\" -> ", name_of(*step));
-    fail_at(
-        scope.file, user.offset,
-        fmt::format("the template includes itself: {}\"{}\"; an object in a template must not use that template again",
-                    chain, name_of(path)));
+    fail_at(scope.file, user.offset,
+            fmt::format("the template includes itself: {}\"{}\"; the object in a template must not use that template",
+                        chain, name_of(path)));
   }
   if (open.size() == TiledFiles::max_template_depth) {
     fail_at(scope.file, user.offset,
-            fmt::format("this template is made from a template, and so on, {} times; that is the limit",
+            fmt::format("templates are nested deeper than {} levels, the most that is allowed",
                         TiledFiles::max_template_depth));
   }
 }
@@ -185,7 +185,7 @@ TiledFoundTile find_tiled_tile(std::uint32_t gid, const std::vector<TiledTileset
   const std::uint32_t id = number - use.first_gid;
   const auto tile = tileset.tiles.find(id);
   if (tile != tileset.tiles.end()) return {&use, TiledTileUse{&tileset, &tile->second}};
-  // A collection lists all its tiles, with gaps in the numbers; the tiles of one image are counted.
+  // An image collection lists all its tiles, with gaps in their ids; the tiles of a single image are only counted.
   if (tileset.is_collection || id >= tileset.tile_count.value_or(tiled_gid_bits)) return {&use, std::nullopt};
   return {&use, TiledTileUse{&tileset, nullptr}};
 }

@@ -22,7 +22,7 @@
 namespace graze::io {
 namespace {
 
-/// A JSON value, with the file to name when it is wrong.
+/// A JSON value, and its file for error messages.
 struct Value {
   const TiledText& file;
   JsonValue json;
@@ -31,7 +31,7 @@ struct Value {
   TiledPlace place() const { return {file, offset()}; }
 };
 
-/// A field of an object that must be of some kind if it is there; `what` says which, for the message.
+/// A field of an object, which must be of some kind if it exists; `what` describes that kind in the message.
 template <class Accept>
 std::optional<Value> field_of(const Value& object, std::string_view name, std::string_view what, const Accept& accept) {
   const std::optional<JsonValue> field = object.json.find(name);
@@ -71,7 +71,7 @@ std::optional<std::uint32_t> index_of(const Value& object, std::string_view name
   return static_cast<std::uint32_t>(field->json.whole());
 }
 
-/// Calls `visit(element)` for each element of an array of objects, if the field is there.
+/// Calls `visit(element)` for each element of an array of objects, if the field exists.
 template <class Visit>
 void for_each_in(const Value& object, std::string_view name, const Visit& visit) {
   const std::optional<Value> array = field_of(object, name, JsonKind::array);
@@ -85,7 +85,7 @@ void for_each_in(const Value& object, std::string_view name, const Visit& visit)
   }
 }
 
-/// How many custom properties: Tiled writes an array of them, and wrote an object before version 1.2.
+/// The number of custom properties: an array, or an object before Tiled 1.2.
 std::size_t count_properties(const Value& object) {
   const std::optional<Value> properties = field_of(object, "properties", "an array", [](const JsonValue& value) {
     return value.kind() == JsonKind::array || value.kind() == JsonKind::object;
@@ -131,7 +131,7 @@ TiledObject object_of(const Value& value) {
   return object;
 }
 
-/// The size of a tile, of the part of the image that it shows, else of the whole image; and its collision shapes.
+/// The size of a tile (of the shown part of the image, otherwise of the whole image) and its collision shapes.
 TiledTile tile_of(const Value& value) {
   TiledTile tile;
   tile.width = number_of(value, "width");
@@ -149,7 +149,7 @@ void add_tile(const Value& value, std::uint32_t id, TiledTileset& tileset) {
   tileset.tiles.insert_or_assign(id, tile_of(value));
 }
 
-/// Tiles by their numbers as keys, as Tiled wrote them before version 1.2.
+/// Tiles keyed by their ids, as Tiled wrote them before version 1.2.
 void read_keyed_tiles(const Value& tiles, TiledTileset& tileset) {
   for (const JsonField tile : tiles.json.fields()) {
     std::uint32_t id = 0;
@@ -157,7 +157,7 @@ void read_keyed_tiles(const Value& tiles, TiledTileset& tileset) {
     const auto [end, error] = std::from_chars(tile.name.data(), last, id);
     if (error != std::errc() || end != last || tile.value.kind() != JsonKind::object) {
       fail_at(tiles.file, tile.offset,
-              fmt::format("{} is not the number of a tile, or holds no object", in_quotes(tile.name)));
+              fmt::format("{} is not a tile id, or its value is not an object", in_quotes(tile.name)));
     }
     add_tile({tiles.file, tile.value}, id, tileset);
   }
@@ -190,7 +190,7 @@ TiledTileset tileset_of(const Value& value) {
   return tileset;
 }
 
-/// The gids of an array of numbers.
+/// The gids in an array of numbers.
 std::vector<std::uint32_t> gids_of_array(const Value& array, std::uint64_t count, std::vector<Omission>& omissions) {
   std::vector<std::uint32_t> gids(array.json.packed().begin(), array.json.packed().end());
   if (gids.empty()) {
@@ -233,7 +233,7 @@ void read_tile_layer(const Value& value, TiledLayer& layer, TiledMap& map) {
   for_each_in(value, "chunks", [&](const Value& chunk) { read_cells(chunk, format, layer, map); });
 }
 
-/// Reads the layers of a map or group; `depth` counts the groups around them.
+/// Reads the layers of a map or group; `depth` is the number of enclosing groups.
 void read_layers(const Value& parent, std::size_t depth, std::vector<TiledLayer>& layers, TiledMap& map) {
   for_each_in(parent, "layers", [&](const Value& child) {
     const std::string kind = text_of(child, "type").value_or("");
@@ -255,7 +255,7 @@ void read_layers(const Value& parent, std::size_t depth, std::vector<TiledLayer>
   });
 }
 
-/// What kind of file an object is: what it says, or, as older files do not say it, what it holds.
+/// The kind of a file: as stated, or in older files, which do not state it, deduced from the content.
 std::string kind_of(const JsonValue& root) {
   if (const std::optional<JsonValue> type = root.find("type"); type && type->kind() == JsonKind::text) {
     return std::string(type->text());

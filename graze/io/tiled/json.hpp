@@ -6,7 +6,7 @@
 
 namespace graze::io {
 
-/// Reads a map in Tiled's JSON (.tmj). Throws InputError with the place of what is wrong.
+/// Reads a map in Tiled's JSON (.tmj). Throws InputError with the position of the fault.
 TiledMap read_tiled_json_map(const TiledText& file);
 
 /// The same from the file's text, parsed with the packed field "data".

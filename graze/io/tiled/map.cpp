@@ -30,14 +30,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A layer without groups around it: its path through them, and how far all of them shift it.
+/// A layer with its groups resolved: its path through them, and their total offset.
 struct PlacedLayer {
   TiledLayer* layer = nullptr;
   std::string name;
   Vec<2, double> shift = {0.0, 0.0};
 };
 
-/// The layers of objects and tiles, groups opened, in drawing order.
+/// The object and tile layers, with groups flattened, in drawing order.
 void collect(std::vector<TiledLayer>& layers, const std::string& path, const Vec<2, double>& shift,
              std::vector<PlacedLayer>& placed) {
   for (TiledLayer& layer : layers) {
@@ -47,8 +47,8 @@ void collect(std::vector<TiledLayer>& layers, const std::string& path, const Vec
   }
 }
 
-/// A name for each object: its own if no other has it, else the own name, "#" and the object's id; where a broken map
-/// has an id twice, "+" and a number follow.
+/// A name for each object: its own if no other object has it, otherwise its own name, "#" and the object's id; if a
+/// broken map has duplicate ids, "+" and a number follow.
 class UniqueNames {
  public:
   explicit UniqueNames(const std::vector<std::vector<TiledResolvedObject>>& objects) {
@@ -65,7 +65,7 @@ class UniqueNames {
 
   const std::unordered_set<std::string>& all() const { return taken_; }
 
-  /// The name of the next object, in the order given.
+  /// The name of the next object, in the given order.
   std::string next() { return std::move(names_[next_++]); }
 
  private:
@@ -136,8 +136,8 @@ class MapReader {
     }
     if (is_known_orientation(map_.grid.orientation)) return;
     const std::string what = fmt::format("{} projection of the map", map_.grid.orientation);
-    count_omission(result_.omissions, {what, Loss::precision, "graze does not know it; the map is read as orthogonal"},
-                   place_of(0));
+    count_omission(result_.omissions,
+                   {what, Loss::precision, "graze does not support it; the map is read as orthogonal"}, place_of(0));
   }
 
   void count_object_omissions(const TiledResolvedObject& resolved) {
@@ -149,7 +149,7 @@ class MapReader {
     }
   }
 
-  /// Adds an object to the scene, or to the omissions.
+  /// Adds an object to the scene, or counts it as an omission.
   void add_object(const TiledResolvedObject& resolved, const PlacedLayer& layer, std::string name) {
     count_object_omissions(resolved);
     const TiledObject& object = resolved.object;
@@ -162,7 +162,7 @@ class MapReader {
     });
   }
 
-  /// Adds what the tiles of a layer cover.
+  /// Adds the shapes of a layer's tiles.
   void add_tiles(const PlacedLayer& placed, TiledTileLayers& tile_layers) {
     TiledLayer& layer = *placed.layer;
     if (layer.cells.empty()) return;
@@ -172,13 +172,14 @@ class MapReader {
     });
   }
 
-  /// What the scene refuses becomes an error that names the place.
+  /// Turns the scene's exceptions into errors that name the position.
   template <class Add>
   void add_at(std::size_t offset, const std::string& what, const PlacedLayer& layer, const Add& add) {
     try {
       add();
     } catch (const std::invalid_argument&) {
-      fail_at(file_, offset, fmt::format("{} reaches beyond the largest number there is, about 1.8e308", what));
+      fail_at(file_, offset,
+              fmt::format("{} is too large: its coordinates exceed the largest number, about 1.8e308", what));
     } catch (const std::length_error&) {
       if (scene().layer_names().size() < max_layers) throw;
       fail_at(file_, offset,

@@ -10,12 +10,12 @@
 
 namespace graze::io {
 
-/// Reads the objects of a Tiled map, XML (.tmx) or JSON (.tmj), and the collision shapes of the tiles in its layers; y
-/// points down, lengths are pixels of the screen. External tilesets and templates are looked up relative to the file
-/// that names them, the map's from `folder`. Throws InputError.
+/// Reads the objects of a Tiled map, XML (.tmx) or JSON (.tmj), and the collision shapes of its tiles. y points down,
+/// and lengths are screen pixels. External tilesets and templates are resolved relative to the file that refers to
+/// them; those of the map from `folder`. Throws InputError.
 SceneFile parse_tiled_map(std::string_view text, const std::string& source, const std::filesystem::path& folder);
 
-/// The same from JSON, parsed with the packed field "data" (see JsonDocument). `text` is without byte order mark.
+/// The same from JSON, parsed with the packed field "data" (see JsonDocument). `text` has no byte order mark.
 SceneFile read_tiled_map(const JsonDocument& document, std::string_view text, const std::string& source,
                          const std::filesystem::path& folder);
 

@@ -12,7 +12,7 @@
 namespace graze::io {
 namespace {
 
-/// Runs by row, then column, of which none meet.
+/// Sorts runs by row, then column, and joins those that adjoin or overlap.
 void join_in_rows(std::vector<CellRun>& runs) {
   const auto before = [](const CellRun& a, const CellRun& b) {
     return std::tie(a.row, a.begin) < std::tie(b.row, b.begin);
@@ -34,9 +34,9 @@ void join_in_rows(std::vector<CellRun>& runs) {
 std::deque<CellRectangle> merged_cells(std::vector<CellRun> runs) {
   join_in_rows(runs);
   std::deque<CellRectangle> rectangles;
-  std::vector<std::size_t> above;  // rectangles that reach down to the row at hand, by column
-  std::vector<std::size_t> here;   // those that reach through it
-  std::size_t candidate = 0;       // in `above`: the first that does not begin before the run at hand
+  std::vector<std::size_t> above;  // rectangles that reach down to the current row, by column
+  std::vector<std::size_t> here;   // those that continue through it
+  std::size_t candidate = 0;       // in `above`: the first that does not begin before the current run
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const CellRun& run = runs[i];
     if (i == 0 || runs[i - 1].row != run.row) {

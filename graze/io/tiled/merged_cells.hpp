@@ -7,7 +7,7 @@
 
 namespace graze::io {
 
-/// Cells side by side in one row, from `begin` to before `end`.
+/// Adjacent cells of one row, from `begin` to before `end`.
 struct CellRun {
   std::int64_t row = 0;
   std::int64_t begin = 0;
@@ -26,9 +26,9 @@ struct CellRectangle {
   friend bool operator==(const CellRectangle&, const CellRectangle&) = default;
 };
 
-/// Rectangles that cover the cells of all runs, each cell once: runs that adjoin or overlap in a row become one, and
-/// those that begin and end alike in rows on top of each other a rectangle. By top, then begin. In a deque, as there
-/// may be millions, of which a reader can give up those that it has passed.
+/// Rectangles that cover the cells of all runs, each cell once: adjacent and overlapping runs in a row are joined, and
+/// runs with equal begin and end in consecutive rows form a rectangle. Sorted by top, then begin. A deque, so that a
+/// reader of millions of rectangles can release those that it has processed.
 std::deque<CellRectangle> merged_cells(std::vector<CellRun> runs);
 
 }  // namespace graze::io

@@ -51,11 +51,12 @@ std::optional<TiledAlignment> tiled_alignment(std::string_view name) {
 }
 
 void add_cells(TiledMap& map, std::uint64_t width, std::uint64_t height, const TiledPlace& place) {
-  // No overflow: both are below 2^32, and so is what has been counted.
+  // No overflow: both factors are below 2^32, and so is the count.
   map.cell_count += width * height;
   if (map.cell_count <= max_tiled_cells) return;
-  fail_at(place, fmt::format("with this one of {} x {} the packed tile layers of the map have {} cells; the most is {}",
-                             width, height, map.cell_count, max_tiled_cells));
+  fail_at(place,
+          fmt::format("with this one of {} x {} the compressed tile layers of the map have {} cells; the most is {}",
+                      width, height, map.cell_count, max_tiled_cells));
 }
 
 void require_sound(const TiledObject& object, const TiledText& file) {

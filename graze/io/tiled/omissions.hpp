@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a Tiled map can hold that the scene made of it does not have, or has not exactly.
+// What a Tiled map can contain that the resulting scene lacks or approximates.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@
 
 namespace graze::io {
 
-/// A kind of omission: what is counted, what the scene lacks by it, and why.
+/// A kind of omission: what is counted, what the scene lacks because of it, and why.
 struct OmissionKind {
   std::string_view what;
   Loss loss = Loss::none;
   std::string_view why;
 };
 
-/// Adds `count` to the omission of that kind; nothing when it is zero. The first one says where: at `place`.
+/// Adds `count` to the omission of that kind; does nothing for zero. The first call determines where: `place`.
 void count_omission(std::vector<Omission>& omissions, const OmissionKind& kind, const TiledPlace& place,
                     std::size_t count = 1);
 
@@ -29,13 +29,13 @@ inline constexpr OmissionKind object_class{"object class", Loss::none, "a scene 
 inline constexpr OmissionKind text_object{"text object", Loss::none, "its extent depends on a font"};
 inline constexpr OmissionKind image_layer{"image layer", Loss::none, "a picture has no shape"};
 inline constexpr OmissionKind layer_parallax{"layer parallax", Loss::precision,
-                                             "where the layer appears depends on the camera; its own place is read"};
-inline constexpr OmissionKind unknown_element{"unknown element", Loss::shape, "graze does not know it"};
-inline constexpr OmissionKind unknown_layer{"unknown layer", Loss::shape, "graze does not know this kind of layer"};
+                                             "its apparent position depends on the camera; its own position is read"};
+inline constexpr OmissionKind unknown_element{"unknown element", Loss::shape, "graze does not support it"};
+inline constexpr OmissionKind unknown_layer{"unknown layer", Loss::shape, "graze does not support this kind of layer"};
 inline constexpr OmissionKind ellipse{"ellipse drawn as a 64-gon", Loss::precision,
                                       "it is read up to 0.12 % of its radius smaller"};
 inline constexpr OmissionKind capsule{"capsule drawn as a polygon", Loss::precision,
-                                      "the map's projection makes another shape of it"};
+                                      "the map's projection distorts it"};
 inline constexpr OmissionKind large_polygon{"polygon of more than 10000 corners", Loss::shape,
                                             "cutting it would take too long; draw it as several polygons"};
 inline constexpr OmissionKind wild_polygon{"polygon that crosses itself too often", Loss::shape,

@@ -9,7 +9,7 @@ namespace {
 
 using Point = Vec<2, double>;
 
-/// Tiled halves lengths as whole numbers.
+/// Tiled halves lengths in integer arithmetic.
 double half(double length) { return std::trunc(length / 2); }
 
 }  // namespace
@@ -22,7 +22,7 @@ TiledProjection::TiledProjection(const TiledGrid& grid)
       cell_size_(grid.tile_width, grid.tile_height),
       pixels_per_cell_(cell_size_) {
   if (grid.orientation == "isometric") {
-    // A cell is tile_height pixels wide and high; its x axis goes down to the right, its y axis down to the left.
+    // A cell is tile_height pixels wide and high; its x axis points down to the right, its y axis down to the left.
     const double across = grid.tile_width / (2 * grid.tile_height);  // requires a height above 0
     linear_ = Mat<2, double>(Point(across, 0.5), Point(-across, 0.5));
     origin_ = Point(half(grid.height * grid.tile_width), 0.0);
@@ -35,14 +35,14 @@ TiledProjection::TiledProjection(const TiledGrid& grid)
 Point TiledProjection::corner_of_cell(std::int64_t x, std::int64_t y) const {
   if (is_staggered_) return corner_of_staggered_cell(x, y);
   if (grid_.orientation == "isometric") {
-    // `place` gives the top corner of the cell's diamond.
+    // `place` returns the top corner of the cell's diamond.
     return place(pixel_of_cell(x, y)) + Point(-grid_.tile_width / 2, grid_.tile_height);
   }
   return place(pixel_of_cell(x, y + 1));
 }
 
 /// Rows or columns overlap their neighbours by the slanted part of a cell, and every second one is shifted by half a
-/// cell. Staggered maps are hexagonal ones whose sides have no length.
+/// cell. Staggered maps are hexagonal ones with sides of zero length.
 Point TiledProjection::corner_of_staggered_cell(std::int64_t x, std::int64_t y) const {
   const Point side =
       is_hexagonal_ ? (grid_.staggers_x ? Point(grid_.hex_side, 0.0) : Point(0.0, grid_.hex_side)) : Point(0.0, 0.0);

@@ -17,8 +17,8 @@ namespace {
 using Point = Vec<2, double>;
 using Shape = AnyShape<2, double>;
 
-/// The object's box as it stands before it is turned about its anchor, which is the origin here. The drawing offset of
-/// a tile grows with its picture.
+/// The object's box before it is rotated about its anchor, which is the origin here. A tile's drawing offset scales
+/// with its image.
 Aabb<2, double> upright_box(const TiledResolvedObject& resolved, const TiledAlignment& usual_alignment) {
   const TiledObject& object = resolved.object;
   const Point size(object.width.value_or(0), object.height.value_or(0));
@@ -38,7 +38,7 @@ bool is_along_axes(const Mat<2, double>& linear) {
 
 bool is_mirrored(const Mat<2, double>& linear) { return linear[0].x * linear[1].y - linear[0].y * linear[1].x < 0; }
 
-/// The convex polygon of these corners; a segment or point when they span no area.
+/// The convex polygon of these corners; a segment or point if they span no area.
 Shape convex_shape(const std::vector<Point>& corners) {
   const auto flat = detail::ends_of_2d<double>(corners);
   if (!flat) return convex_hull<2, double>(corners);
@@ -57,8 +57,8 @@ Shape rectangle(const Aabb<2, double>& box, const TiledFrame& frame) {
                        frame.at(box.min + Point(0.0, size.y))});
 }
 
-/// The polygon of points on the rim of a box with round ends: `reach` is from the center to the centers of the ends,
-/// `radii` those of the ends.
+/// A polygon with corners on the outline of a box with round ends: `reach` is the vector from the centre to the centres
+/// of the ends, `radii` are those of the ends.
 Shape rounded(const Point& center, const Point& reach, const Point& radii, const TiledFrame& frame) {
   std::vector<Point> rim;
   rim.reserve(std::size_t{2} * tiled_ellipse_corners);
@@ -70,7 +70,7 @@ Shape rounded(const Point& center, const Point& reach, const Point& radii, const
   return convex_hull<2, double>(rim);
 }
 
-/// A disc, a polygon of corners on the rim, or a segment when there is no area.
+/// A disc, a polygon with corners on the ellipse, or a segment if the area is zero.
 TiledShape ellipse(const Aabb<2, double>& box, const TiledFrame& frame) {
   const Point size = box.max - box.min;
   if (size.x == 0 || size.y == 0) return {Segment<2, double>{frame.at(box.min), frame.at(box.max)}};
@@ -103,7 +103,7 @@ Shape polyline(const std::vector<Point>& points, const TiledFrame& frame) {
   return compound_of<2, double>(std::move(edges));
 }
 
-/// A convex polygon as convex_parts cuts it; a point or segment when it has no more corners than that.
+/// A convex polygon as returned by convex_parts; a point or segment if it has too few corners.
 Shape convex_part(const std::vector<Point>& corners, const TiledFrame& frame) {
   if (corners.size() == 1) return frame.at(corners[0]);
   if (corners.size() == 2) return Segment<2, double>{frame.at(corners[0]), frame.at(corners[1])};
@@ -124,7 +124,7 @@ TiledShape polygon(const std::vector<Point>& points, const TiledFrame& frame) {
   return {compound_of<2, double>(std::move(shapes))};
 }
 
-/// The shape of an object that stands in `box`, or has its points, about the place that `frame` puts at its origin.
+/// The shape of an object in `box`, or of its points, relative to the position that `frame` maps from the origin.
 TiledShape outlined(const TiledObject& object, const Aabb<2, double>& box, const TiledFrame& frame) {
   const bool is_empty = box.min == box.max;
   switch (object.outline.value_or(TiledOutline::rectangle)) {
@@ -146,7 +146,7 @@ TiledShape outlined(const TiledObject& object, const Aabb<2, double>& box, const
   return {std::nullopt, tiled_omission::unknown_element};
 }
 
-/// An object's own frame: turned about its place on the screen.
+/// An object's own frame: rotated about its screen position.
 TiledFrame frame_of(const TiledObject& object, const TiledProjection& projection) {
   const Mat<2, double> turn = rotation_matrix(object.rotation.value_or(0));
   const Point place = projection.place({object.x.value_or(0), object.y.value_or(0)});

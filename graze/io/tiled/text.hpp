@@ -7,7 +7,7 @@
 
 namespace graze::io {
 
-/// A file's text, without byte order mark, with the name that messages call it by.
+/// A file's text without byte order mark, and its name in messages.
 struct TiledText {
   std::string name;
   std::string_view text;

@@ -13,31 +13,31 @@
 
 namespace graze::io {
 
-/// The cells of a block in each direction.
+/// The width and height of a block, in cells.
 inline constexpr std::int64_t tile_block_side = 16;
 
-/// True when a rectangle of cells is no wider and no higher than a block.
+/// True if a rectangle of cells is no wider and no higher than a block.
 bool fits_tile_block(const CellRectangle& cells);
 
-/// One shape for all pieces that begin in the same block, and the cells that these cover, from the first to the last.
+/// One shape for all pieces that begin in the same block, and the range of cells that these cover.
 struct TileBlock {
   CellRectangle cells;
-  AnyShape<2, double> shape;  ///< A compound, unless there is but one piece.
+  AnyShape<2, double> shape;  ///< A compound, unless there is only one piece.
 };
 
-/// Gathers pieces of a tile layer by the block of cells in which their top left cell is. Blocks lie side by side, one
-/// of them begins at cell (0, 0).
+/// Groups pieces of a tile layer by the block that contains their top left cell. Blocks form a regular grid; one of
+/// them begins at cell (0, 0).
 class TileBlocks {
  public:
   void add(const CellRectangle& cells, AnyShape<2, double> shape);
 
-  /// Calls visit(block) for each block that has pieces, row by row, and forgets them. Pieces keep their order.
+  /// Calls visit(block) for each block with pieces, row by row, and removes them. The order of the pieces is kept.
   template <class Visit>
   void drain(const Visit& visit) {
     drain_to(blocks_.end(), visit);
   }
 
-  /// The same for the blocks above the one that holds a row of cells.
+  /// The same for the blocks above the one that contains a row of cells.
   template <class Visit>
   void drain_above(std::int64_t row, const Visit& visit) {
     if (!blocks_.empty() && blocks_.begin()->first.row < block_of(row)) {
@@ -72,7 +72,7 @@ class TileBlocks {
 
   Blocks blocks_;
   Place last_place_{};
-  Pieces* last_ = nullptr;  ///< Of the last piece: the next one is mostly in the same block.
+  Pieces* last_ = nullptr;  ///< Of the previous piece: the next one is usually in the same block.
 };
 
 }  // namespace graze::io

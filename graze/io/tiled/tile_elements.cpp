@@ -11,7 +11,7 @@
 namespace graze::io {
 namespace {
 
-/// One <tile> element: its gid as it is written, empty for none, and where it ends.
+/// One <tile> element: its gid as written (empty for none), and its end.
 struct TileElement {
   std::string_view gid;
   std::size_t end = 0;
@@ -22,7 +22,8 @@ std::size_t behind_blanks(std::string_view text, std::size_t at) {
   return at;
 }
 
-/// Behind `word` where the text goes on with it, else 0. A comparison of known length, as there are millions.
+/// The position after `word` if the text continues with it, otherwise 0. Compares a fixed length, because there are
+/// millions of tiles.
 template <std::size_t size>
 std::size_t behind(std::string_view text, std::size_t at, const char (&word)[size]) {
   constexpr std::size_t length = size - 1;
@@ -30,7 +31,7 @@ std::size_t behind(std::string_view text, std::size_t at, const char (&word)[siz
   return std::memcmp(text.data() + at, word, length) == 0 ? at + length : 0;
 }
 
-/// The element that begins at `at`, if it is a <tile> with nothing but a gid of digits.
+/// The element at `at`, if it is a <tile> with nothing but a gid of digits.
 std::optional<TileElement> tile_element_at(std::string_view text, std::size_t at) {
   const std::size_t name_end = behind(text, at, "<tile");
   if (name_end == 0) return std::nullopt;
@@ -47,8 +48,8 @@ std::optional<TileElement> tile_element_at(std::string_view text, std::size_t at
   return element.end == 0 ? std::nullopt : std::optional(element);
 }
 
-/// Calls `visit(element)` for each of the <tile> elements from `at` on, and returns where the first of another kind
-/// begins, or what else is there.
+/// Calls `visit(element)` for each consecutive <tile> element from `at` on, and returns the position of the first thing
+/// that is not one.
 template <class Visit>
 std::size_t for_each_tile(std::string_view text, std::size_t at, const Visit& visit) {
   for (at = behind_blanks(text, at);; at = behind_blanks(text, at)) {
@@ -59,13 +60,13 @@ std::size_t for_each_tile(std::string_view text, std::size_t at, const Visit& vi
   }
 }
 
-/// Shortens the elements from `begin` on, up to an end tag; returns where to go on.
+/// Shortens the elements from `begin` up to an end tag; returns the position to continue from.
 std::size_t shorten_row(std::string& xml, std::size_t begin) {
   const std::size_t end = for_each_tile(xml, begin, [](const TileElement&) {});
   if (xml.compare(end, 2, "</") != 0) return end;
   std::size_t out = begin;
   for_each_tile(xml, begin, [&](const TileElement& element) {
-    // What is written is shorter than the element that it comes from, so that it never reaches the next one.
+    // The output is shorter than the element that it replaces, so it never reaches the next one.
     if (element.gid.empty()) xml[out++] = '0';
     out = static_cast<std::size_t>(
         std::copy(element.gid.begin(), element.gid.end(), xml.begin() + static_cast<std::ptrdiff_t>(out)) -
@@ -87,7 +88,7 @@ std::size_t behind_tile_elements(std::string_view xml, std::size_t at) {
 void shorten_tile_elements(std::string& xml) {
   std::size_t at = 0;
   while ((at = xml.find("<tile", at)) != std::string::npos) {
-    // Only where the element before is an open <data> or <chunk>.
+    // Only if the preceding element is an open <data> or <chunk>.
     const std::size_t open = xml.rfind('<', at == 0 ? 0 : at - 1);
     const std::size_t close = open == std::string::npos ? open : xml.find('>', open);
     const bool is_first = close < at && behind_blanks(xml, close + 1) == at && xml[close - 1] != '/' &&

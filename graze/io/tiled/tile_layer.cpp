@@ -38,16 +38,16 @@ void extend_run(std::vector<CellRun>& runs, std::int64_t x, std::int64_t y) {
   }
 }
 
-/// The objects of one layer on their way into the scene.
+/// Collects the objects of one layer and adds them to the scene.
 class LayerWriter {
  public:
   LayerWriter(Scene<2, double>& scene, const std::string& name, const std::unordered_set<std::string>& taken)
       : scene_(scene), name_(name), taken_(taken) {}
 
-  /// From now on small pieces become one object for each block of cells, by `add_blocks`.
+  /// From now on, small pieces are joined into one object for each block of cells, by `add_blocks`.
   void gather_blocks() { gathers_ = true; }
 
-  /// The shapes of the tile in one cell, whose bottom left corner is `corner`.
+  /// The collision shapes of the tile in one cell, whose bottom left corner is `corner`.
   void add_cell(const TiledTileShapes& tile, std::int64_t x, std::int64_t y, const Point& corner) {
     for (std::size_t i = 0; i < tile.shapes.size(); ++i) {
       const std::string suffix = i == 0 ? "" : fmt::format("#{}", i + 1);
@@ -55,7 +55,7 @@ class LayerWriter {
     }
   }
 
-  /// Cells that are filled. No later rectangle begins in a row above: the blocks there are complete.
+  /// Completely covered cells. No later rectangle begins in a higher row, so the blocks there are complete.
   void add_rectangle(const CellRectangle& cells, const TiledProjection& projection, const Point& shift) {
     blocks_.drain_above(cells.top, [this](TileBlock block) { add_block(std::move(block)); });
     std::array<Point, 4> corners =
@@ -117,7 +117,7 @@ std::size_t TiledTileLayers::index_of(std::uint32_t gid) {
 template <class Visit>
 void TiledTileLayers::for_each_tile(const TiledLayer& layer, const Visit& visit) {
   for (const TiledCells& cells : layer.cells) {
-    std::uint32_t last_gid = 0;  // which is none
+    std::uint32_t last_gid = 0;  // no gid
     Entry* entry = nullptr;
     for (std::size_t i = 0; i < cells.gids.size(); ++i) {
       const std::uint32_t gid = cells.gids[i];
@@ -131,7 +131,7 @@ void TiledTileLayers::for_each_tile(const TiledLayer& layer, const Visit& visit)
 }
 
 void TiledTileLayers::add(const TiledPlacedTiles& tiles, Scene<2, double>& scene, std::vector<Omission>& omissions) {
-  std::vector<CellRun> runs;  // of cells that are filled
+  std::vector<CellRun> runs;  // of covered cells
   std::size_t shapes = 0;     // of all others
   for_each_tile(tiles.layer, [&](Entry& entry, std::int64_t x, std::int64_t y) {
     ++entry.count;
@@ -155,7 +155,7 @@ void TiledTileLayers::add(const TiledPlacedTiles& tiles, Scene<2, double>& scene
       writer.add_cell(entry.tile, x, y, projection_.corner_of_cell(x, y) + tiles.shift);
     });
   }
-  tiles.layer.cells = {};  // before there are many objects
+  tiles.layer.cells = {};  // freed before many objects are added
   for (; !rectangles.empty(); rectangles.pop_front()) {
     writer.add_rectangle(rectangles.front(), projection_, tiles.shift);
   }

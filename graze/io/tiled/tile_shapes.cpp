@@ -18,14 +18,14 @@ namespace {
 using Point = Vec<2, double>;
 using Shape = AnyShape<2, double>;
 
-// The upper bits of a gid. The third mirrors at the diagonal from the top left; on hexagonal maps it turns by 60
+// The upper bits of a gid. The third reflects at the diagonal from the top left; on hexagonal maps it rotates by 60
 // degrees, and the fourth by 120.
 constexpr std::uint32_t mirror_x_bit = 0x80000000U;
 constexpr std::uint32_t mirror_y_bit = 0x40000000U;
 constexpr std::uint32_t diagonal_bit = 0x20000000U;
 constexpr std::uint32_t turn_120_bit = 0x10000000U;
 
-/// How the picture of a tile is laid into its cell: turned, after it has been scaled, which is negative for mirrored.
+/// The transformation of a tile's image in its cell: scaled (negative for a reflection), then rotated.
 struct Lay {
   double degrees = 0;
   Point scale = {1.0, 1.0};
@@ -39,14 +39,14 @@ Lay lay_of(std::uint32_t gid, const Point& scale, const TiledProjection& project
     if ((gid & diagonal_bit) != 0) degrees += 60;
     if ((gid & turn_120_bit) != 0) degrees += 120;
   } else if ((gid & diagonal_bit) != 0) {
-    // Mirroring at the diagonal is a quarter turn after mirroring up and down.
+    // Reflection at the diagonal is a quarter turn after a vertical flip.
     degrees = 90;
     mirrors_x = std::exchange(mirrors_y, !mirrors_x);
   }
   return {degrees, {mirrors_x ? -scale.x : scale.x, mirrors_y ? -scale.y : scale.y}};
 }
 
-/// From the pixels of a tile's picture, y down from its top, to a cell whose bottom left corner is the origin.
+/// From the pixels of a tile's image, y down from its top, to a cell whose bottom left corner is the origin.
 TiledFrame picture_frame(const TiledTileUse& tile, const Point& picture, std::uint32_t gid,
                          const TiledProjection& projection) {
   const TiledTileset& tileset = *tile.tileset;
@@ -54,7 +54,7 @@ TiledFrame picture_frame(const TiledTileUse& tile, const Point& picture, std::ui
   Point scale = size / picture;
   if (tileset.keeps_aspect) scale = Point(std::min(scale.x, scale.y));
   const Lay lay = lay_of(gid, scale, projection);
-  // Tiles turn about the middle of their rectangle. One that lies on its side stands on the same corner.
+  // Tiles rotate about the centre of their rectangle. After a quarter turn, the same corner is kept in place.
   Point middle = Point(size.x / 2, -size.y / 2) + tileset.drawing_offset * scale;
   if (lay.degrees == 90) middle += (size.y - size.x) / 2;
   const Mat<2, double> turn = rotation_matrix(lay.degrees);
@@ -64,7 +64,7 @@ TiledFrame picture_frame(const TiledTileUse& tile, const Point& picture, std::ui
   return frame;
 }
 
-/// True when the shape is a box or polygon with these corners and no others.
+/// True if the shape is a box or polygon with exactly these corners.
 bool has_corners(const Shape& shape, const std::array<Point, 4>& corners) {
   std::vector<Point> own;
   if (const auto* box = std::get_if<Aabb<2, double>>(&shape)) {
@@ -85,7 +85,7 @@ TiledTileShapes tiled_tile_shapes(const TiledTileUse& tile, std::uint32_t gid, c
     result.omissions.assign(tile.tile->shapes.size(), tiled_omission::tile_without_size);
     return result;
   }
-  // Collision shapes are drawn on a grid of their own, which stands at the bottom of the picture if it is isometric.
+  // Collision shapes are drawn on their own grid, which is at the bottom of the image if it is isometric.
   TiledFrame frame = picture_frame(tile, picture, gid, projection);
   const TiledGrid& grid = tile.tileset->grid;
   const TiledProjection drawn_on(grid);

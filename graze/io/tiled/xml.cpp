@@ -26,14 +26,14 @@
 namespace graze::io {
 namespace {
 
-/// An element, with the file to name when it is wrong.
+/// An element, and its file for error messages.
 struct Element {
   const TiledText& file;
   pugi::xml_node node;
 
   std::string_view kind() const { return node.name(); }
 
-  /// pugixml knows where the name begins; the element begins one before.
+  /// pugixml gives the position of the name; the element begins one byte before.
   std::size_t offset() const {
     const std::ptrdiff_t name = node.offset_debug();
     return name > 0 ? static_cast<std::size_t>(name) - 1 : 0;
@@ -46,7 +46,7 @@ struct Element {
   explicit operator bool() const { return static_cast<bool>(node); }
 };
 
-/// Calls `visit(element)` for each element inside another, text and comments left out.
+/// Calls `visit(element)` for each child element, skipping text and comments.
 template <class Visit>
 void for_each_child(const Element& parent, const Visit& visit) {
   for (const pugi::xml_node node : parent.node.children()) {
@@ -66,7 +66,7 @@ std::optional<std::string> text_of(const Element& element, const char* name) {
   return std::string(attribute.value());
 }
 
-/// A decimal number that takes all of the text and is finite.
+/// A finite decimal number that spans the whole text.
 std::optional<double> parse_number(std::string_view text) {
   double value = 0;
   const char* end = text.data() + text.size();
@@ -149,7 +149,7 @@ TiledObject object_of(const Element& element, std::vector<Omission>& omissions) 
   return object;
 }
 
-/// The size of a tile, of the part of the image that it shows, else of the whole image; and its collision shapes.
+/// The size of a tile (of the shown part of the image, otherwise of the whole image) and its collision shapes.
 TiledTile tile_of(const Element& element) {
   TiledTile tile;
   const Element image = element.child("image");
@@ -157,7 +157,7 @@ TiledTile tile_of(const Element& element) {
   tile.height = number_of(element, "height");
   if (!tile.width) tile.width = number_of(image, "width");
   if (!tile.height) tile.height = number_of(image, "height");
-  std::vector<Omission> unknown;  // of the tileset's file, not of the map
+  std::vector<Omission> unknown;  // belongs to the tileset's file, not to the map
   for_each_child(element.child("objectgroup"), [&](const Element& child) {
     if (child.kind() == "object") tile.shapes.push_back(object_of(child, unknown));
   });
@@ -180,8 +180,8 @@ TiledTileset tileset_of(const Element& element) {
   return tileset;
 }
 
-/// The gids of <tile> elements, or of the numbers that stand for them since shorten_tile_elements; there may be fewer
-/// of them than cells.
+/// The gids of <tile> elements, or of the numbers that shorten_tile_elements puts in their place; there may be fewer of
+/// them than cells.
 std::vector<std::uint32_t> gids_of_elements(const Element& parent, std::uint64_t count) {
   std::vector<std::uint32_t> gids = tiled_gids_of_csv(parent.node.text().get(), parent.place());
   for_each_child(parent, [&](const Element& child) {
@@ -192,7 +192,7 @@ std::vector<std::uint32_t> gids_of_elements(const Element& parent, std::uint64_t
   return gids;
 }
 
-/// Reads the cells that <data> or <chunk> holds, which begin at (x, y) and are as many as `sized` says.
+/// Reads the cells of a <data> or <chunk> that begin at (x, y), as many as `sized` says.
 void read_cells(const Element& data, const Element& sized, const TiledDataFormat& format, TiledLayer& layer,
                 TiledMap& map) {
   TiledCells cells = tiled_cells_of(sized);
@@ -228,7 +228,7 @@ void read_objects(const Element& element, TiledLayer& layer, TiledMap& map) {
   });
 }
 
-/// Reads the layers of a map or group; `depth` counts the groups around them.
+/// Reads the layers of a map or group; `depth` is the number of enclosing groups.
 void read_layers(const Element& parent, std::size_t depth, std::vector<TiledLayer>& layers, TiledMap& map) {
   for_each_child(parent, [&](const Element& child) {
     const std::string_view kind = child.kind();
@@ -252,13 +252,13 @@ void read_layers(const Element& parent, std::size_t depth, std::vector<TiledLaye
   });
 }
 
-/// A file's elements, and the text that they lie in.
+/// A file's elements, and the text that contains them.
 struct ParsedXml {
   std::string buffer;
   pugi::xml_document document;
 };
 
-/// The outermost element of a file, which must be of the kind needed. `parsed` holds it.
+/// The root element of a file, which must be of the kind needed. `parsed` owns it.
 Element root_of(const TiledText& file, std::string_view needed, ParsedXml& parsed) {
   require_utf8(file.text, file.name);
   parsed.buffer = file.text;
@@ -303,7 +303,7 @@ TiledTemplate read_tiled_xml_template(const TiledText& file) {
   if (const Element tileset = root.child("tileset")) result.tileset = tileset_of(tileset);
   const Element object = root.child("object");
   if (!object) fail_at(file, root.offset(), "this template holds no <object>");
-  std::vector<Omission> unknown;  // of the template's file, not of the map
+  std::vector<Omission> unknown;  // belongs to the template's file, not to the map
   result.object = object_of(object, unknown);
   return result;
 }

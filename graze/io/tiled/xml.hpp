@@ -5,7 +5,7 @@
 
 namespace graze::io {
 
-/// Reads a map in Tiled's XML (.tmx). Throws InputError with the place of what is wrong.
+/// Reads a map in Tiled's XML (.tmx). Throws InputError with the position of the fault.
 TiledMap read_tiled_xml_map(const TiledText& file);
 
 /// Reads a tileset in Tiled's XML (.tsx). Throws InputError.

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::string_view xml_space = " \t\r\n";
 
-/// True for "#65" and "#x41" where the number is one of a character that XML allows.
+/// True for "#65" and "#x41" if the number is that of a character that XML allows.
 bool is_character_reference(std::string_view name) {
   if (!name.starts_with('#')) return false;
   const bool hexadecimal = name.starts_with("#x");
@@ -34,7 +34,7 @@ bool is_character_reference(std::string_view name) {
   return code <= 0xD7FF || (code >= 0xE000 && code <= 0xFFFD) || (code >= 0x10000 && code <= 0x10FFFF);
 }
 
-/// Goes through a text once, tag by tag. Where a tag or quotation does not end it stops: pugixml refuses that.
+/// Scans a text once, tag by tag. Stops at an unterminated tag or quotation, which pugixml reports.
 class XmlCheck {
  public:
   XmlCheck(std::string_view text, const std::string& source) : text_(text), source_(source) {}
@@ -45,7 +45,7 @@ class XmlCheck {
       const std::size_t tag = std::min(text_.find('<', at_), text_.size());
       check_text(at_, tag);
       if (tag == text_.size()) return;
-      // Of <tile gid="7"/> there are millions, in which nothing can be wrong.
+      // A fast path: <tile gid="7"/> occurs millions of times and has no faults.
       at_ = depth_ > 0 ? behind_tile_elements(text_, tag) : tag;
       if (at_ > tag) continue;
       const std::optional<std::size_t> end = pass_markup(tag);
@@ -69,13 +69,13 @@ class XmlCheck {
          fmt::format("the character U+{:04X} is not allowed in XML; remove it", static_cast<unsigned char>(*found)));
   }
 
-  /// Between two tags.
+  /// Checks the text between two tags.
   void check_text(std::size_t begin, std::size_t end) const {
     if (depth_ > 0) return check_references(begin, end);
     const std::size_t first = text_.find_first_not_of(xml_space, begin);
     if (first >= end) return;
     const std::string_view found = text_.substr(first, std::min<std::size_t>(end - first, 20));
-    fail(first, fmt::format("{} stands {} the root element, where XML allows no text; remove it",
+    fail(first, fmt::format("{} appears {} the root element, where XML allows no text; remove it",
                             in_quotes(found.substr(0, found.find_first_of("\r\n"))),
                             root_ == std::string_view::npos ? "before" : "after"));
   }
@@ -90,22 +90,22 @@ class XmlCheck {
       if (std::find(predefined.begin(), predefined.end(), name) != predefined.end()) continue;
       if (is_character_reference(name)) continue;
       if (name.empty() || name.find_first_of(" \t\r\n<\"'=") != std::string_view::npos) {
-        fail(i, "\"&\" begins a reference such as &lt; and this is none; write &amp; for the character itself");
+        fail(i, "\"&\" begins a reference such as &lt; but this is not one; write &amp; for the character itself");
       }
       fail(i,
-           fmt::format("the entity {} is not expanded: graze knows &lt; &gt; &amp; &apos; &quot; and numbers such as "
+           fmt::format("the entity {} is not supported: graze reads &lt; &gt; &amp; &apos; &quot; and numbers such as "
                        "&#65; only; write its text instead",
                        in_quotes(fmt::format("&{};", name))));
     }
   }
 
-  /// The end of the tag, comment, ... that begins at `begin`; none where there is no end.
+  /// The end of the tag, comment, ... that begins at `begin`; none if it is unterminated.
   std::optional<std::size_t> pass_markup(std::size_t begin) {
     const std::string_view rest = text_.substr(begin);
     if (rest.starts_with("<!--")) return behind("-->", begin + 4);
     if (rest.starts_with("<?")) return pass_instruction(begin);
     if (rest.starts_with("<![CDATA[")) {
-      if (depth_ == 0) fail(begin, "a CDATA section stands outside the root element; remove it");
+      if (depth_ == 0) fail(begin, "there is a CDATA section outside the root element; remove it");
       return behind("]]>", begin + 9);
     }
     if (rest.starts_with("<!")) return behind_declaration(begin);
@@ -123,12 +123,12 @@ class XmlCheck {
   std::optional<std::size_t> pass_instruction(std::size_t begin) const {
     const std::string_view target = text_.substr(begin + 2, text_.find_first_of(" \t\r\n?", begin + 2) - begin - 2);
     if (target == "xml" && begin != text_.find_first_not_of(xml_space)) {
-      fail(begin, "an XML declaration stands here, which may stand at the beginning of a file only; remove it");
+      fail(begin, "an XML declaration is only allowed at the beginning of a file; remove it");
     }
     return behind("?>", begin + 2);
   }
 
-  /// Behind a document type, which may hold declarations in brackets.
+  /// The position after a document type, which may contain declarations in brackets.
   std::optional<std::size_t> behind_declaration(std::size_t begin) const {
     int open = 0;
     for (std::size_t i = begin; i < text_.size(); ++i) {
@@ -142,7 +142,7 @@ class XmlCheck {
   std::optional<std::size_t> pass_start_tag(std::size_t begin) {
     std::size_t i = std::min(text_.find_first_of(" \t\r\n/>", begin + 1), text_.size());
     if (depth_ == 0 && root_ != std::string_view::npos) {
-      fail(begin, fmt::format("element {} is a second root; the first begins in line {}, and a file holds one",
+      fail(begin, fmt::format("element {} is a second root; the first begins in line {}, and a file has only one",
                               in_quotes(text_.substr(begin + 1, i - begin - 1)), position_of(text_, root_).line));
     }
     if (depth_ == 0) root_ = begin;
@@ -155,7 +155,7 @@ class XmlCheck {
         return next + 1;
       }
       if (text_[next] == '/') return text_.substr(next).starts_with("/>") ? std::optional(next + 2) : std::nullopt;
-      if (next == i) fail(i, "two attributes stand side by side without a blank between them; put one there");
+      if (next == i) fail(i, "there is no blank between two attributes; insert one");
       const std::optional<std::size_t> end = pass_attribute(next);
       if (!end) return std::nullopt;
       i = *end;
@@ -176,7 +176,7 @@ class XmlCheck {
     }
     attributes_.push_back(name);
     const std::size_t tag = text_.substr(0, end).find('<', quote);
-    if (tag != std::string_view::npos) fail(tag, "\"<\" stands in the value of an attribute; write &lt; instead");
+    if (tag != std::string_view::npos) fail(tag, "an attribute's value contains \"<\"; write &lt; instead");
     check_references(quote + 1, end);
     return end + 1;
   }
@@ -185,8 +185,8 @@ class XmlCheck {
   const std::string& source_;
   std::size_t at_ = 0;
   std::size_t depth_ = 0;
-  std::size_t root_ = std::string_view::npos;  ///< Where the root element begins, once it has been seen.
-  std::vector<std::string_view> attributes_;   ///< Of the tag at hand.
+  std::size_t root_ = std::string_view::npos;  ///< Position of the root element, once it has been found.
+  std::vector<std::string_view> attributes_;   ///< Of the current tag.
 };
 
 }  // namespace

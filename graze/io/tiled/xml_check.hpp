@@ -6,9 +6,9 @@
 
 namespace graze::io {
 
-/// Throws InputError for what makes a text no well-formed XML although pugixml accepts it: a second root element, text
-/// outside the root, an attribute that is given twice or not set apart, "<" in a value, an entity that XML does not
-/// define by itself, and control characters. Of a text that pugixml refuses it may find nothing: ask pugixml, too.
+/// Throws InputError for text that is not well-formed XML although pugixml accepts it: a second root element, text
+/// outside the root, attributes that are duplicate or not separated by blanks, "<" in a value, entities that XML does
+/// not define itself, and control characters. It may accept text that pugixml refuses, so use both.
 void require_well_formed_xml(std::string_view text, const std::string& source);
 
 }  // namespace graze::io

@@ -162,7 +162,7 @@ class Bench(CommandLineTest):
 
     def test_recordings_that_cannot_be_used_are_refused(self):
         whole = recording(MOVING)
-        for content, says in ((whole[:-32], "not complete"), (whole[:100], "begins with a head of 304"),
+        for content, says in ((whole[:-32], "not complete"), (whole[:100], "begins with a header of 304"),
                               (recording(MOVING, boxes=-3), "the number of boxes is -3"),
                               (recording([MOVING[0], [(0, 0, 1, 1), (5, 0, 4, 1), (0, 0, 1, 1)]]),
                                "frame 1, box 1: min_x is above max_x: 5 > 4"),

@@ -78,7 +78,7 @@ OTHER_CASES = {
     "template": ("t.tj", '{"type":"template","object":{"id":1}}', ["t.tj: this is a Tiled template, a single object;"]),
     "javascript": ("m.js", "(function(name,data){\n if(", ["m.js: this is a map that Tiled exported as JavaScript;"]),
     "utf-16": ("s.json", json.dumps(YARD).encode("utf-16"), ["s.json: this is UTF-16; save it as UTF-8"]),
-    "a log": ("s.log", '{"schema": "graze.log/1", "dimension": 2}\n{}', ["s.log: this is a query log; perform it by"]),
+    "a log": ("s.log", '{"schema": "graze.log/1", "dimension": 2}\n{}', ["s.log: this is a query log; run it with"]),
     "a report": ("r.csv", "a,b,relation\nx,y,touching\n", ["r.csv: this is a report of graze check; give the scene"]),
     "prose": ("prose.txt", "It was a dark and stormy night\n", ["prose.txt"]),
     "compressed": ("s.json.gz", gzip.compress(b"{}"), ["s.json.gz"]),

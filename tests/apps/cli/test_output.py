@@ -115,7 +115,7 @@ class Output(CommandLineTest):
         report = self.write("report", "precious")
         limit = {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (100000, 100000))}
         self.refused("check", "--format", "csv", "--output", report, self.many_boxes(1000), **limit,
-                     says=["report", "File too large", "what was there is unchanged"])
+                     says=["report", "File too large", "the target is unchanged"])
         self.assertEqual(report.read_text(), "precious")
         self.assert_no_litter("many.csv", "report")
 

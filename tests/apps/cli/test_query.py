@@ -146,7 +146,7 @@ class QueryOfALog(CommandLineTest):
         end = next(i for i, line in enumerate(lines) if line.startswith('{"call": "update"'))
         twice = self.write("twice.log", "\n".join(lines[:end] + lines[end - 2:end]) + "\n")
         self.refused("query", "--log", twice, *point,
-                     says=(f'twice.log: line {end + 1}: the log says that its scene took this "add", but a scene refuses it',
+                     says=(f'twice.log: line {end + 1}: the log says that its scene accepted this "add", but a scene refuses it',
                            'there is already an object "ball"', "must be as it was recorded"))
 
 

@@ -50,7 +50,7 @@ TEST(CsvRecords, OtherSeparatorsLeaveCommasInFields) {
   EXPECT_EQ(records.fields()[1].text, "c;d");
   CsvRecords wrong("\"a\"b;c\n", "a.csv", ';');
   EXPECT_EQ(error_of([&wrong] { wrong.next(); }),
-            "a.csv: line 1, column 4: text behind a closing quote; only a semicolon or the end of the line may follow");
+            "a.csv: line 1, column 4: text after a closing quote; only a semicolon or the end of the line may follow");
 }
 
 TEST(CsvRecords, BlankLinesArePassedOver) {
@@ -85,7 +85,7 @@ TEST(CsvRecords, FieldsKnowWhereTheyBegin) {
 TEST(CsvRecords, QuotesThatDoNotMatchAreNamed) {
   EXPECT_EQ(error_of([] { read("a,b\nc,\"d\ne,f"); }), "a.csv: line 2, column 3: this quote is never closed");
   EXPECT_EQ(error_of([] { read("a,\"b\"c\n"); }),
-            "a.csv: line 1, column 6: text behind a closing quote; only a comma or the end of the line may follow");
+            "a.csv: line 1, column 6: text after a closing quote; only a comma or the end of the line may follow");
   EXPECT_EQ(error_of([] { read("a,5\"\n"); }),
             "a.csv: line 1, column 4: a quote inside a field; put the whole field in quotes and write each quote in it "
             "twice");

@@ -111,14 +111,14 @@ TEST(CsvScene, WrongLinesAreNamed) {
       {"a,,2,3,4\n", "3: min_x is \"\", which is not a number"},
       {"a,1,2,3,4mm\n", "9: max_y is \"4mm\", which is not a number"},
       {"a,1,2,3,0x10\n", "9: max_y is \"0x10\", which is not a number"},
-      {"a,1,2,3,\"1,5\"\n", "9: max_y is \"1,5\", which is not a number; decimals stand behind a point"},
+      {"a,1,2,3,\"1,5\"\n", "9: max_y is \"1,5\", which is not a number; write decimals with a point"},
       {"a,1,2,3,++4\n", "9: max_y is \"++4\", which is not a number"},
       {"a,1,2,3,+-4\n", "9: max_y is \"+-4\", which is not a number"},
       {"a,1,2,3,+\n", "9: max_y is \"+\", which is not a number"},
       {"a,1,2,nan,4\n", "7: max_x is \"nan\"; it must be a finite number"},
       {"a,-inf,2,3,4\n", "3: min_x is \"-inf\"; it must be a finite number"},
       {"a,1,infinity,3,4\n", "5: min_y is \"infinity\"; it must be a finite number"},
-      {"a,1,2,1e999,4\n", "7: max_x is \"1e999\", beyond the largest number there is, about 1.8e308"},
+      {"a,1,2,1e999,4\n", "7: max_x is \"1e999\"; the largest number is about 1.8e308"},
       {"a,1,2,0.5,4\n", "3: min_x is above max_x: 1 > 0.5"},
   };
   for (const auto& [line, expected] : table) EXPECT_EQ(refusal(header + line), "a.csv: line 2, column " + expected);
@@ -181,7 +181,7 @@ TEST(CsvScene, SemicolonsTabsPlusSignsAndLinesThatEndWithCrAreUnderstood) {
   EXPECT_EQ(read_2d("layer\tx\ty\tradius\n\t1\t2\t3\n").size(), 1U) << "an empty first field";
   EXPECT_EQ(refusal("id,min_x,min_y,max_x,max_y\ra,1,x,3,4\r").find("a.csv: line 2, column 5: min_y"), 0U);
   EXPECT_EQ(refusal("id;min_x;min_y;max_x;max_y\na;0,5;0;1;1\n"),
-            "a.csv: line 2, column 3: min_x is \"0,5\", which is not a number; decimals stand behind a point");
+            "a.csv: line 2, column 3: min_x is \"0,5\", which is not a number; write decimals with a point");
 }
 
 TEST(CsvScene, ALastLineWithoutLineBreakIsDoubtful) {
@@ -190,7 +190,7 @@ TEST(CsvScene, ALastLineWithoutLineBreakIsDoubtful) {
   EXPECT_TRUE(warnings("id,min_x,min_y,max_x,max_y\ra,0,0,1,12\r").empty());
   ASSERT_EQ(warnings(header + "a,0,0,1,12").size(), 1U);
   EXPECT_EQ(warnings(header + "a,0,0,1,12").front(),
-            "a.csv: line 2, the last one, has no line break; if the file was cut off, its last field is not whole");
+            "a.csv: line 2, the last one, has no line break; if the file was cut off, its last field is incomplete");
 }
 
 TEST(CsvScene, ARepeatedIdIsNamedWithBothLines) {
@@ -207,7 +207,7 @@ TEST(CsvScene, ThereAreAtMost64Layers) {
 }
 
 TEST(CsvScene, TextThatIsNotUtf8IsRefused) {
-  EXPECT_EQ(refusal(header + "\xE9,1,2,3,4\n").find("a.csv: line 2, column 1: byte 0xE9 is not text in UTF-8"), 0U);
+  EXPECT_EQ(refusal(header + "\xE9,1,2,3,4\n").find("a.csv: line 2, column 1: byte 0xE9 is not UTF-8 text"), 0U);
 }
 
 TEST(CsvScene, TheExampleOfTheDocumentationIsRead) {

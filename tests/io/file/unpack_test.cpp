@@ -41,9 +41,9 @@ TEST(Unpack, DecodesBase64) {
 }
 
 TEST(Unpack, RefusesWhatIsNoBase64) {
-  EXPECT_EQ(fault_of(decoded_base64("Zm9v-")), "is no base64: its character 5 is none of A-Z, a-z, 0-9, + and /");
-  EXPECT_EQ(fault_of(decoded_base64("Zg==Zg==")), "is no base64: it goes on behind \"=\"");
-  EXPECT_EQ(fault_of(decoded_base64("Zm9vY")), "is no base64: it ends in the middle of a byte; is the file cut off?");
+  EXPECT_EQ(fault_of(decoded_base64("Zm9v-")), "is not base64: character 5 is not one of A-Z, a-z, 0-9, + and /");
+  EXPECT_EQ(fault_of(decoded_base64("Zg==Zg==")), "is not base64: it continues after \"=\"");
+  EXPECT_EQ(fault_of(decoded_base64("Zm9vY")), "is not base64: it ends in the middle of a byte; is the file cut off?");
 }
 
 TEST(Unpack, UnpacksWhatOthersHavePacked) {

@@ -94,14 +94,14 @@ TEST(JsonDocument, SyntaxErrorsHaveLineAndColumn) {
 TEST(JsonDocument, NanAndInfinityAreExplained) {
   for (const std::string_view word : {"NaN", "nan", "Infinity", "-Infinity", "inf", "+inf"}) {
     EXPECT_EQ(parse_error("[1,\n " + std::string(word) + "]"),
-              "a.json: line 2, column 2: NaN and infinity are not numbers that a scene or JSON can hold; "
+              "a.json: line 2, column 2: neither JSON nor a scene can hold NaN or infinity; "
               "give a finite number");
   }
 }
 
 TEST(JsonDocument, NumbersTooLargeForADoubleAreErrorsAndTooSmallOnesAreZero) {
   EXPECT_EQ(parse_error("[1,\n 1e999]"),
-            "a.json: line 2, column 2: \"1e999\" is beyond the largest number there is, about 1.8e308");
+            "a.json: line 2, column 2: \"1e999\" is too large; the largest number is about 1.8e308");
   EXPECT_EQ(parse_error("[-1e999]").find("a.json: line 1, column 2: \"-1e999\""), 0U);
   EXPECT_EQ(parse_error('[' + std::string(400, '9') + ']').find("a.json: line 1, column 2: \"999"), 0U);
   const JsonDocument document("[1e-999, 5e-324]", "a.json");
@@ -119,7 +119,7 @@ TEST(JsonDocument, NestingIsLimitedWithoutRecursion) {
   const std::size_t limit = JsonDocument::max_depth;
   EXPECT_NO_THROW(JsonDocument(std::string(limit, '[') + std::string(limit, ']'), "a.json"));
   const std::string message = parse_error(std::string(1000000, '['));
-  EXPECT_EQ(message, "a.json: line 1, column 129: nested deeper than 128 levels, which no scene needs");
+  EXPECT_EQ(message, "a.json: line 1, column 129: nested deeper than 128 levels, the most that is allowed");
 }
 
 TEST(JsonDocument, MayBeALaterLineOfItsSource) {
@@ -133,7 +133,7 @@ TEST(JsonDocument, MayBeALaterLineOfItsSource) {
 }
 
 TEST(JsonDocument, TextThatIsNotUtf8IsAnError) {
-  EXPECT_EQ(parse_error("[\"\xFF\"]").find("a.json: line 1, column 3: byte 0xFF is not text in UTF-8"), 0U);
+  EXPECT_EQ(parse_error("[\"\xFF\"]").find("a.json: line 1, column 3: byte 0xFF is not UTF-8 text"), 0U);
   EXPECT_EQ(parse_error(std::string("[1]\0", 4)).find("a.json: line 1, column 4: byte 0x00"), 0U);
 }
 

@@ -125,7 +125,7 @@ TEST(JsonSceneReader, OtherSchemasAreRefusedWithTheReason) {
        R"(a.json: line 1, column 12: "schema" is "graze.check/1", which is not a scene; a scene has "graze.scene/1")"},
       {R"({"schema": 1})", R"(a.json: line 1, column 12: "schema" must be a string, not a number)"},
       {R"({"dimension": 2})",
-       R"(a.json: line 1, column 1: there is no "schema"; a scene of graze has "schema": "graze.scene/1")"},
+       R"(a.json: line 1, column 1: there is no "schema"; a graze scene has "schema": "graze.scene/1")"},
       {"[]", "a.json: line 1, column 1: a scene is a JSON object, not an array"},
   };
   for (const auto& [text, expected] : table) EXPECT_EQ(refusal(text), expected) << text;

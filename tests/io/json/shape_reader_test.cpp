@@ -140,16 +140,16 @@ TEST(JsonShapeReader, WrongValuesAreNamed) {
       {R"({"type": "capsule", "a": [0, 0], "b": [0, 0], "radius": -0.5})",
        R"(: "radius" is -0.5; it must not be negative)"},
       {R"({"type": "ray", "origin": [0, 0], "direction": [0, -0.0]})",
-       R"(: "direction" is zero, which points nowhere; any other length will do)"},
+       R"(: "direction" is zero and so has no direction; any other length is allowed)"},
       {R"({"type": "plane", "normal": [0, 0], "offset": 1})",
-       R"(: "normal" is zero, which points nowhere; any other length will do)"},
+       R"(: "normal" is zero and so has no direction; any other length is allowed)"},
       {R"({"type": "half_space", "normal": [0, 0], "offset": 1})",
-       R"(: "normal" is zero, which points nowhere; any other length will do)"},
+       R"(: "normal" is zero and so has no direction; any other length is allowed)"},
       {R"({"type": "aabb", "min": [0, 5], "max": [1, 4]})", R"(: "min" is above "max" in coordinate 1: 5 > 4)"},
       {R"({"type": "aabb", "center": [0, 5], "half_extents": [1, -4]})",
        R"(: "half_extents" has -4 as coordinate 1; none may be negative)"},
       {R"({"type": "aabb", "center": [1e308, 0], "half_extents": [1e308, 0]})",
-       R"(: "half_extents" reaches beyond the largest number there is, about 1.8e308)"},
+       R"(: "half_extents" is too large: the box exceeds the largest number, about 1.8e308)"},
       {R"({"type": "aabb", "min": [0, 0], "half_extents": [1, 1]})",
        R"(: an aabb needs either "min" and "max" or "center" and "half_extents")"},
       {R"({"type": "aabb"})", R"(: an aabb needs either "min" and "max" or "center" and "half_extents")"},
@@ -163,7 +163,7 @@ TEST(JsonShapeReader, WrongValuesAreNamed) {
       {R"({"type": "obb", "center": [0, 0], "half_extents": [1, 1], "axes": [[1, 0], [0, 1, 0]]})",
        R"(: "axes"[1] has 3 numbers; this scene has dimension 2)"},
       {R"({"type": "obb", "center": [0, 0], "half_extents": [1, 1], "axes": [[1, 0], [0, 1]], "angle": 0})",
-       R"(: "angle" and "axes" say the same thing; give one of them)"},
+       R"(: "angle" and "axes" both give the rotation; give only one)"},
       {R"({"type": "obb", "center": [0, 0], "half_extents": [1, 1], "rotation": {}})",
        R"(: "rotation" belongs to dimension 3; in dimension 2 give "angle")"},
       {R"({"type": "polytope", "points": []})", R"(: "points" is empty; a polytope needs at least one point)"},
@@ -184,7 +184,7 @@ TEST(JsonShapeReader, WrongRotationsAreNamed) {
             R"(: "rotation" must be an object: {"axis": [x, y, z], "angle": degrees})");
   EXPECT_EQ(refusal<3>(begin + R"("rotation": {"axis": [0, 0, 1]}})"), R"(: a rotation needs the field "angle")");
   EXPECT_EQ(refusal<3>(begin + R"("rotation": {"axis": [0, 0, 0], "angle": 1}})"),
-            R"(: "axis" is zero, which points nowhere; any other length will do)");
+            R"(: "axis" is zero and so has no direction; any other length is allowed)");
   EXPECT_EQ(refusal<3>(begin + R"("rotation": {"axes": [0, 0, 1], "angle": 1}})"),
             R"(: unknown field "axes"; did you mean "axis"?)");
   EXPECT_EQ(refusal<3>(begin + R"("angle": 90})"),

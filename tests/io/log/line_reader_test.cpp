@@ -134,9 +134,9 @@ TEST(LogLineReader, SaysWhatIsWrongWithAnAnswer) {
   EXPECT_EQ(answer_refusal(R"({"count": 65, "digest": "xyz"})"),
             "log: line 9, column 25: \"digest\" is \"xyz\"; it must have 16 hexadecimal digits");
   EXPECT_EQ(answer_refusal(R"({"answer": [["befell", [0, 1]]]})"),
-            "log: line 9, column 14: \"befell\" is no part of an answer");
+            "log: line 9, column 14: \"befell\" is not valid in an answer");
   EXPECT_EQ(answer_refusal(R"({"answer": [[1e1, 1]]})"),
-            "log: line 9, column 13: a list of numbers is no part of an answer without an id before them");
+            "log: line 9, column 13: a list of numbers in an answer must begin with an id");
 }
 
 }  // namespace

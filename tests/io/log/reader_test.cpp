@@ -40,19 +40,20 @@ TEST(QueryLogReader, ReadsBothDimensionsAndNumberTypes) {
 }
 
 TEST(QueryLogReader, RefusesWhatIsNoLog) {
-  EXPECT_EQ(refusal_of(""), "log: this is empty; a log has at least its head");
+  EXPECT_EQ(refusal_of(""), "log: this is empty; a log has at least a header");
   EXPECT_EQ(refusal_of("[]"), "log: line 1, column 1: a log begins with a JSON object");
   EXPECT_EQ(refusal_of("{}"),
-            "log: line 1, column 1: there is no \"schema\"; a log of graze begins with {\"schema\": "
+            "log: line 1, column 1: there is no \"schema\"; a graze log begins with {\"schema\": "
             "\"graze.log/1\", \"dimension\": 2, \"numbers\": \"double\"}");
   EXPECT_EQ(refusal_of(R"({"schema": "graze.scene/1"})"),
-            "log: line 1, column 12: \"schema\" is \"graze.scene/1\", which is not a query log; this graze reads "
+            "log: line 1, column 12: \"schema\" is \"graze.scene/1\", which is not a query log; this version reads "
             "\"graze.log/1\"");
   EXPECT_EQ(refusal_of("{\n  \"schema\": \"graze.scene/1\",\n  \"dimension\": 2}"),
             "log: this is a scene, not a query log; graze simulate --log records one");
   EXPECT_EQ(refusal_of(std::string("\xFF\xFE{\0", 4)), "log: this is UTF-16; save it as UTF-8");
-  EXPECT_EQ(refusal_of(R"({"schema": "graze.log/2"})"),
-            "log: line 1, column 12: \"schema\" is \"graze.log/2\", another version; this graze reads \"graze.log/1\"");
+  EXPECT_EQ(
+      refusal_of(R"({"schema": "graze.log/2"})"),
+      "log: line 1, column 12: \"schema\" is \"graze.log/2\", another version; this version reads \"graze.log/1\"");
   EXPECT_EQ(refusal_of(R"({"schema": "graze.log/1", "dimension": 4, "numbers": "float"})"),
             "log: line 1, column 40: \"dimension\" is 4; it must be 2 or 3");
   EXPECT_EQ(refusal_of(R"({"schema": "graze.log/1", "dimension": 2, "numbers": "half"})"),
@@ -69,16 +70,16 @@ TEST(QueryLogReader, NamesTheLineThatIsCutOff) {
 
 TEST(QueryLogReader, WantsAnAnswerBehindEachCallButTheLast) {
   EXPECT_EQ(refusal_behind_head("{\"call\": \"update\"}\n{\"call\": \"pairs\"}\n"),
-            "log: line 3: the call in line 2 has no answer; only the last call may have none");
+            "log: line 3: the call in line 2 has no answer; only the last call may lack one");
   EXPECT_EQ(refusal_behind_head("{\"answer\": []}\n"),
-            "log: line 2: this answers no call; a call comes before each answer");
+            "log: line 2: this answer has no call; each answer must follow its call");
   EXPECT_EQ(refusal_behind_head(add_point + "{\"answer\": []}\n"),
             "log: line 3: the answer to \"add\" must be one id: {\"answer\": [[0, 1]]}");
 }
 
 TEST(QueryLogReader, RefusesIdsThatNeverExisted) {
   const std::string message =
-      "log: line 4: the id [7, 1] was given out by no line before, so this call cannot have "
+      "log: line 4: no earlier line returned the id [7, 1], so this call cannot have "
       "been answered";
   const std::string remove = R"({"call": "remove", "id": [7, 1]})"
                              "\n";

@@ -72,7 +72,8 @@ TEST(SceneAfter, ALogThatIsWrongIsRefusedWithItsLine) {
     ADD_FAILURE() << "a name was taken twice";
   } catch (const InputError& error) {
     const std::string what = error.what();
-    EXPECT_NE(what.find("yard.log: line 4: the log says that its scene took this \"add\""), std::string::npos) << what;
+    EXPECT_NE(what.find("yard.log: line 4: the log says that its scene accepted this \"add\""), std::string::npos)
+        << what;
     EXPECT_NE(what.find("ball"), std::string::npos) << what;
   }
 }

@@ -81,9 +81,9 @@ TEST(Utf8, BytesThatAreNoTextAreNamedWithTheirPlace) {
                   "d",
                   "a.csv");
             }),
-            "a.csv: line 2, column 2: byte 0xE9 is not text in UTF-8; save the file as UTF-8");
+            "a.csv: line 2, column 2: byte 0xE9 is not UTF-8 text; save the file as UTF-8");
   EXPECT_EQ(error_of([] { require_utf8(std::string_view("a\0b", 3), "a.csv"); }),
-            "a.csv: line 1, column 2: byte 0x00 is not text in UTF-8; save the file as UTF-8");
+            "a.csv: line 1, column 2: byte 0x00 is not UTF-8 text; save the file as UTF-8");
 }
 
 }  // namespace

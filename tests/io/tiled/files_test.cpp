@@ -207,8 +207,8 @@ TEST(TiledFiles, NamesWhoRefersToABrokenFile) {
   map.folder.write("a.tsx", "root:x:0:0\n");
   map.use_tileset(1, "a.tsx");
   EXPECT_EQ(map.error_of(with_gid(1)), (map.folder.path() / "a.tsx").string() +
-                                           ": line 1, column 1: this is no Tiled tileset: it begins with neither < "
-                                           "(XML) nor { (JSON); m.tmx names it as a "
+                                           ": line 1, column 1: this is not a Tiled tileset: it begins with neither < "
+                                           "(XML) nor { (JSON); m.tmx refers to it as a "
                                            "tileset in line 2, column 1");
 }
 
@@ -219,7 +219,7 @@ TEST(TiledFiles, RefusesAFileOfAnotherKind) {
       map.error_of(with_template("a.tsx")),
       (map.folder.path() / "a.tsx").string() +
           ": line 1, column 1: the file is a Tiled tileset, but a Tiled template is needed; check the reference to it; "
-          "m.tmx names it as a template in line 2, column 1");
+          "m.tmx refers to it as a template in line 2, column 1");
 }
 
 TEST(TiledFiles, RefusesATemplateThatIncludesItself) {
@@ -228,7 +228,7 @@ TEST(TiledFiles, RefusesATemplateThatIncludesItself) {
   const std::string self = map.quoted_path("self.tx");
   EXPECT_EQ(map.error_of(with_template("self.tx")),
             (map.folder.path() / "self.tx").string() + ": line 2, column 2: the template includes itself: " + self +
-                " -> " + self + "; an object in a template must not use that template again");
+                " -> " + self + "; the object in a template must not use that template");
 
   map.folder.write("a.tx", "<template><object template=\"t/b.tj\"/></template>");
   map.folder.write("t/b.tj", R"({"type": "template", "object": {"template": "../t/../a.tx"}})");
@@ -245,7 +245,7 @@ TEST(TiledFiles, LimitsHowManyTemplatesAreMadeFromEachOther) {
                      "<template><object template=\"t" + std::to_string(i + 1) + ".tx\"/></template>");
   }
   map.folder.write("t20.tx", "<template><object width=\"1\"/></template>");
-  EXPECT_NE(map.error_of(with_template("t0.tx")).find("16 times; that is the limit"), std::string::npos);
+  EXPECT_NE(map.error_of(with_template("t0.tx")).find("nested deeper than 16 levels"), std::string::npos);
   EXPECT_EQ(map.error_of(with_template("t5.tx")), "no error");
 }
 

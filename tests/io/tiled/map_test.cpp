@@ -137,7 +137,7 @@ TEST(Tiled, CountsWhatItDoesNotRead) {
   EXPECT_EQ(file.omissions[0].where, "m.tmx, line 6, column 33");
   EXPECT_EQ(
       file.omissions[0].why,
-      "graze does not unpack it; choose CSV, or base64 uncompressed, in Tiled's map properties (Tile Layer Format)");
+      "graze cannot decompress it; choose CSV, or base64 uncompressed, in Tiled's map properties (Tile Layer Format)");
   EXPECT_EQ(file.omissions[1].why, file.omissions[0].why) << "no build of graze does";
 }
 
@@ -237,7 +237,8 @@ TEST(Tiled, RefusesCoordinatesWhoseSumOverflows) {
   EXPECT_EQ(
       error_of(
           "<map><objectgroup>\n <object id=\"3\" x=\"1.7e308\" width=\"1.7e308\" height=\"1\"/></objectgroup></map>"),
-      "m.tmx: line 2, column 2: the object (id 3) reaches beyond the largest number there is, about 1.8e308");
+      "m.tmx: line 2, column 2: the object (id 3) is too large: its coordinates exceed the largest number, about "
+      "1.8e308");
   for (const char* outline : {R"(<polygon points="0,0 1.7e308,0 0,1"/>)", R"(<polyline points="0,0 1.7e308,0 0,1"/>)",
                               "<ellipse/>", "<capsule/>", "<point/>"}) {
     const std::string text = "<map><objectgroup offsetx=\"1.7e308\"><object x=\"1.7e308\" width=\"2\" height=\"1\">" +

@@ -62,7 +62,7 @@ TEST(TiledModel, LimitsHowManyCellsAMapHas) {
   EXPECT_EQ(error_of([&] {
               add_cells(map, 1, 1, {file, 7});
             }),
-            "level.tmx: line 2, column 2: with this one of 1 x 1 the packed tile layers of the map have 67108865 "
+            "level.tmx: line 2, column 2: with this one of 1 x 1 the compressed tile layers of the map have 67108865 "
             "cells; the most "
             "is 67108864");
   TiledMap other;
