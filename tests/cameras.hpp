@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What cameras see, for tests.
+// Frustums of cameras, for tests.
 #pragma once
 
 #include <ostream>
@@ -14,7 +14,7 @@
 
 namespace graze::test {
 
-/// A frustum with parallel near and far faces, of a camera with perspective or without, corners rounded to T. It may be
+/// A frustum with parallel near and far faces, of a camera with or without perspective, corners rounded to T. It may be
 /// flat, or a pyramid.
 template <Dim N, class T>
 Frustum<N, T> any_frustum(const Source<N, T>& from) {
@@ -23,7 +23,7 @@ Frustum<N, T> any_frustum(const Source<N, T>& from) {
   const double depth = static_cast<double>(*from.size);
   const double near_part = *rc::gen::element(0.0, 0.01, 0.5, 1.0);
   const bool has_perspective = *rc::gen::arbitrary<bool>();
-  Vec<N, double> slope(1.0);  // of the sides, in units of the depth
+  Vec<N, double> slope(1.0);  // of the sides, per unit of depth
   for (Dim i = 0; i + 1 < N; ++i) slope[i] = *rc::gen::element(0.0, 0.3, 1.0, 2.5);
   Frustum<N, T> frustum;
   for (std::size_t k = 0; k < frustum.corners.size(); ++k) {
@@ -36,7 +36,7 @@ Frustum<N, T> any_frustum(const Source<N, T>& from) {
   return frustum;
 }
 
-/// The hull of any eight points, in the plane of four: what nobody's camera sees.
+/// The hull of any eight points, in 2D of four: the frustum of no camera.
 template <Dim N, class T>
 Frustum<N, T> any_odd_frustum(const Source<N, T>& from) {
   Frustum<N, T> frustum;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Every shape, for property tests: a generator of random, often degenerate and often touching ones, and C++ source to
+// Every shape, for property tests: a generator of random shapes, often degenerate and often touching, and C++ source to
 // paste when a test fails. A new shape adds one Entry here, and one line in catalogue/instances.hpp.
-//
-//   const Sphere<2, float> sphere = *any<Sphere<2, float>>()          one shape by itself
-//   const auto [a, b] = *any_pair<Sphere<2, float>, Obb<2, float>>()  two that share numbers and points
-//   const AnyShape<3, double> shape = *any_shape<3, double>()         any of the types
+// const Sphere<2, float> sphere = *any<Sphere<2, float>>() a single shape
+// const auto [a, b] = *any_pair<Sphere<2, float>, Obb<2, float>>() two that share numbers and points
+// const AnyShape<3, double> shape = *any_shape<3, double>() any of the types
 #pragma once
 
 #include <array>
@@ -39,15 +38,15 @@ namespace graze::test {
 /// The four spaces, for TYPED_TEST_SUITE: a test body reads TypeParam::dimension and TypeParam::scalar.
 using Spaces = testing::Types<Space<2, float>, Space<3, float>, Space<2, double>, Space<3, double>>;
 
-/// What the catalogue knows of a type: its name and `draw(source)`, which makes a random valid value. Types that braces
-/// around the fields of their description do not make have `source(value)`, the expression that does. A convex shape
-/// has `point_in(shape, w)`: for each w with coordinates in [-1, 1] a point of the shape, up to rounding, found without
-/// `support`.
+/// The catalogue's entry for a type: its name and `draw(source)`, which returns a random valid value. Types that cannot
+/// be initialised by the fields of their description in braces have `source(value)`, the expression that creates them.
+/// Convex shapes have `point_in(shape, w)`: for each w with coordinates in [-1, 1] a point of the shape, up to
+/// rounding, calculated without `support`.
 template <class S>
 struct Entry;
 
-/// Gives an entry `any(source)`, the generator that calls `draw`. One `exec` for each type instead of a tower of maps
-/// and tuples: it compiles several times faster. `any<S>()` below compiles faster still.
+/// Gives an entry `any(source)`, the generator that calls `draw`. One `exec` for each type compiles several times
+/// faster than nested maps and tuples. `any<S>()` below compiles faster still.
 template <class S, Dim N, class T>
 struct Generated {
   static rc::Gen<S> any(const Source<N, T>& from) {
@@ -186,7 +185,7 @@ std::string to_source(const AnyShape<N, T>& shape) {
   return detail::visit([](const auto& held) { return to_source(held); }, shape);
 }
 
-/// No part to three parts of any type.
+/// Zero to three parts of any type.
 template <Dim N, class T>
 struct Entry<Compound<N, T>> : Generated<Compound<N, T>, N, T> {
   static constexpr std::string_view name = "Compound";
@@ -229,11 +228,11 @@ std::string to_source(const S& value) {
   }
 }
 
-/// The place of compounds in AnyShape: the last.
+/// The index of compounds in AnyShape: the last.
 template <Dim N, class T>
 inline constexpr std::size_t compound_index = std::variant_size_v<AnyShape<N, T>> - 1;
 
-/// Stands for any type where an index in AnyShape is asked for.
+/// Stands for any type where an index in AnyShape is expected.
 inline constexpr std::size_t any_type = std::variant_npos;
 
 /// A shape of the type at `index` in AnyShape.
@@ -246,7 +245,7 @@ AnyShape<N, T> draw_shape_at(std::size_t index, const Source<N, T>& from, int de
   Any shape;
   [&]<std::size_t... Indices>(std::index_sequence<Indices...>) {
     const auto draw = [&]<class S>(std::type_identity<S>) {
-      static_assert(Catalogued<S>, "a shape of AnyShape has no Entry: add one to tests/catalogue.hpp");
+      static_assert(Catalogued<S>, "an alternative of AnyShape has no Entry: add one to tests/catalogue.hpp");
       shape = Entry<S>::draw(from);
     };
     ((index == Indices ? draw(std::type_identity<std::variant_alternative_t<Indices, Any>>()) : void()), ...);
@@ -274,7 +273,7 @@ struct SpaceOf : ShapeTraits<S> {};
 template <Dim N, class T>
 struct SpaceOf<Pose<N, T>> : Space<N, T> {};
 
-/// A shape of any type, compounds with two levels included.
+/// A shape of any type, including compounds with two levels.
 template <Dim N, class T>
 rc::Gen<AnyShape<N, T>> any_shape() {
   return rc::gen::exec([] { return draw_shape<N, T>(draw_source<N, T>()); });
@@ -300,7 +299,7 @@ rc::Gen<Pose<N, T>> any_pose() {
 template <Dim N, class T>
 using AnyPair = std::pair<AnyShape<N, T>, AnyShape<N, T>>;
 
-/// Two shapes of the types at these places in AnyShape, made of the same kind of numbers.
+/// Two shapes of the types at these indices in AnyShape, made from the same kind of numbers.
 template <Dim N, class T>
 rc::Gen<AnyPair<N, T>> any_pair_at(std::size_t first, std::size_t second) {
   return rc::gen::exec([first, second] {
@@ -310,7 +309,7 @@ rc::Gen<AnyPair<N, T>> any_pair_at(std::size_t first, std::size_t second) {
   });
 }
 
-/// The place of a type in AnyShape; `any_type` for AnyShape itself.
+/// The index of a type in AnyShape; `any_type` for AnyShape itself.
 template <class S>
 inline constexpr std::size_t shape_index = [] {
   using Any = AnyShape<SpaceOf<S>::dimension, typename SpaceOf<S>::scalar>;
@@ -322,7 +321,7 @@ inline constexpr std::size_t shape_index = [] {
   (std::make_index_sequence<std::variant_size_v<Any>>());
 }();
 
-/// What a shape holds, or the shape itself.
+/// The held shape, or the shape itself.
 template <class S>
 const S& held(const AnyShape<SpaceOf<S>::dimension, typename SpaceOf<S>::scalar>& shape) {
   if constexpr (shape_index<S> == any_type) {
@@ -332,8 +331,8 @@ const S& held(const AnyShape<SpaceOf<S>::dimension, typename SpaceOf<S>::scalar>
   }
 }
 
-/// `*` draws a value, as it does from a generator. Shapes are drawn as AnyShape: RapidCheck's templates take the
-/// compiler a good part of a second for every type, and so they are needed once for each space.
+/// `*` draws a value, as from a generator. Shapes are drawn as AnyShape: RapidCheck's templates cost a good part of a
+/// second of compile time per type, so they are instantiated once for each space.
 template <class S>
 struct Drawing {
   S operator*() const {
@@ -360,14 +359,14 @@ Drawing<S> any() {
   return {};
 }
 
-/// Two shapes made of the same kind of numbers, which often share points: a fair part of them touch or overlap.
+/// Two shapes made from the same kind of numbers, which often share points: many of them touch or overlap.
 template <Catalogued A, Catalogued B>
 Drawing<std::pair<A, B>> any_pair() {
   return {};
 }
 
-/// Runs `property`, which draws its values by `*any_...()`, as RC_GTEST_PROP does, inside any test: in TYPED_TEST, for
-/// instance. A failure prints the smallest case found as C++ source.
+/// Runs `property`, which draws its values by `*any_...()`, like RC_GTEST_PROP, but inside any test, such as a
+/// TYPED_TEST. A failure prints the smallest case found as C++ source.
 #ifdef GRAZE_TEST_CATALOGUE
 void check_property(const std::function<void()>& property);
 #else
@@ -395,7 +394,7 @@ void check_every_type(Property property) {
 
 }  // namespace graze::test
 
-// Failure messages find these by the argument's namespace.
+// Failure messages find these by argument-dependent lookup.
 namespace graze {
 template <test::Catalogued S>
 std::ostream& operator<<(std::ostream& out, const S& value) {
@@ -410,7 +409,7 @@ std::ostream& operator<<(std::ostream& out, const graze::Vec<N, T>& value) {
 }
 }  // namespace glm
 
-// Compiled once in the library graze_test_catalogue; a test compiled without it compiles what it needs by itself.
+// Compiled once in the library graze_test_catalogue; a test without it compiles what it needs itself.
 #ifdef GRAZE_TEST_CATALOGUE
 #include "catalogue/instances.hpp"
 GRAZE_TEST_NUMBERS(extern)

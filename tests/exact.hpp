@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The oracle: exact_verdict(a, b) for any two shapes, on the sets exactly as stored, in rational numbers. It is
-// compiled once for each space, by exact.cpp.in: its templates take longer than the tests.
+// The oracle: exact_verdict(a, b) for any two shapes, on the sets exactly as stored, in rational numbers. Compiled once
+// for each space, by exact.cpp.in, because its templates compile more slowly than the tests.
 #pragma once
 
 #include <graze/math/vec.hpp>

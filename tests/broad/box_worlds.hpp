@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Worlds of boxes that have been hard for broad phases.
+// Sets of boxes that are difficult for broad phases.
 #pragma once
 
 #include <algorithm>
@@ -39,7 +39,7 @@ class Numbers {
   std::mt19937_64 engine_;
 };
 
-/// Along each axis of the smallest lattice with so many places.
+/// The number of positions along each axis of the smallest lattice with at least this many.
 template <Dim N>
 std::size_t side_of_lattice(std::size_t places) {
   std::size_t side = 1;
@@ -95,7 +95,7 @@ std::vector<BoxWorld<N, T>> box_worlds(std::size_t count, std::uint64_t seed) {
     return cube(center, 0);
   }));
   worlds.push_back(world("sizes of 1 at 1e7", [&](std::size_t) {
-    // Not by the center: in float half a unit is lost there.
+    // Not relative to the center: in float, half a unit would be lost there.
     const auto low = numbers.point<N, T>(1e7, 1e7 + side);
     return Aabb<N, T>{low, low + T(1)};
   }));
@@ -108,7 +108,7 @@ std::vector<BoxWorld<N, T>> box_worlds(std::size_t count, std::uint64_t seed) {
     if (i % 19 == 0) box = Aabb<N, T>::nothing();
     return box;
   }));
-  worlds.push_back(world("as large as numbers get", [&](std::size_t) {
+  worlds.push_back(world("the largest numbers", [&](std::size_t) {
     const double huge = static_cast<double>(std::numeric_limits<T>::max());
     return Aabb<N, T>::from_corners(numbers.point<N, T>(-huge / 2, huge / 2), numbers.point<N, T>(-huge / 2, huge / 2));
   }));

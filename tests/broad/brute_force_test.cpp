@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The judge of the other indexes is held to answers calculated by hand; spatial_index_laws.hpp has the rest.
+// BruteForce is the reference for the other indexes, so it is compared with answers calculated by hand;
+// spatial_index_laws.hpp has the rest.
 #include <utility>
 #include <vector>
 
@@ -18,7 +19,7 @@ struct Row {
   Key a = index.insert({{0, 0}, {1, 1}});
   Key b = index.insert({{1, 1}, {2, 2}});  // touches a
   Key c = index.insert({{4, 0}, {5, 3}});
-  Key d = index.insert({{4.5, 1}, {4.5, 1}});  // a point in c
+  Key d = index.insert({{4.5, 1}, {4.5, 1}});  // a point inside c
 };
 
 template <class R>
@@ -49,7 +50,7 @@ TEST(BruteForce, HitsByTheRaysEntry) {
   const Row row;
   std::vector<std::pair<Key, double>> hits;
   const auto note = [&hits](Key key, double t) { hits.emplace_back(key, t); };
-  row.index.ray_cast({{9, 1}, {-2, 0}}, note);  // meets a and b at their common corner
+  row.index.ray_cast({{9, 1}, {-2, 0}}, note);  // meets a and b at their shared corner
   EXPECT_EQ(hits, (std::vector<std::pair<Key, double>>{{row.c, 2}, {row.d, 2.25}, {row.b, 3.5}, {row.a, 4}}));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every Bvh's tree must be, whatever came before, and how much a walk through it looks at.
+// Checks the invariants of a Bvh's tree, and counts the nodes that a walk visits.
 #pragma once
 
 #include <algorithm>
@@ -22,25 +22,25 @@
 
 namespace graze::test {
 
-/// Walks through all nodes of a tree and notes the first thing that is wrong.
+/// Visits all nodes of a tree and records the first violation.
 template <Dim N, class T>
 class BvhInspection {
  public:
   using Tree = detail::BvhTree<N, T>;
   using Box = Aabb<N, T>;
 
-  /// The boxes that must be found, by slot, and their generations; who is in none has 0.
+  /// `expected` are the boxes in the tree, by slot; boxes without a generation in `generations` have 0.
   BvhInspection(const Tree& tree, const std::map<std::uint32_t, Box>& expected,
                 const std::map<std::uint32_t, std::uint32_t>& generations = {})
       : tree_(tree), expected_(expected), generations_(generations) {
     for (const detail::BvhName& name : tree.infinite()) {
-      expect(!is_valid(tree.box(name.slot)), "a finite box is in the list of the infinite");
+      expect(!is_valid(tree.box(name.slot)), "a finite box is in the list of infinite boxes");
       find(name);
     }
     if (!tree.root().is_none()) {
-      expect(tree.parent(tree.root()) == detail::no_box, "the root hangs somewhere");
+      expect(tree.parent(tree.root()) == detail::no_box, "the root has a parent");
       const std::uint32_t least = tree.root().is_leaf() ? 1 : 2;
-      expect(tree.count(tree.root()) >= least, "the root should not be there");
+      expect(tree.count(tree.root()) >= least, "the root should not exist");
       height_ = inspect(tree.root());
     }
     expect(found_.size() == expected.size(), "boxes are lost");
@@ -60,14 +60,16 @@ class BvhInspection {
   }
 
   void find(const detail::BvhName& name) {
-    expect(++found_[name.slot] == 1, "a box is there twice");
+    expect(++found_[name.slot] == 1, "a box is in the tree twice");
     const auto wanted = expected_.find(name.slot);
-    expect(wanted != expected_.end() && tree_.box(name.slot) == wanted->second, "a box is there that should not");
+    expect(wanted != expected_.end() && tree_.box(name.slot) == wanted->second,
+           "a box is in the tree that should not be");
     const auto generation = generations_.find(name.slot);
-    expect(name.generation == (generation == generations_.end() ? 0 : generation->second), "a box is of another time");
+    expect(name.generation == (generation == generations_.end() ? 0 : generation->second),
+           "a box has a wrong generation");
   }
 
-  /// How many levels there are from this node down.
+  /// The number of levels from this node down.
   std::size_t inspect(detail::BvhLink link) {
     ++nodes_;
     const detail::BvhNode<N, T>& node = tree_.node(link);
@@ -85,14 +87,14 @@ class BvhInspection {
       const Box box = detail::box_in(node.boxes, lane);
       if (link.is_leaf()) {
         find(node.name(lane));
-        expect(box == tree_.box(node.entries[lane]), "a box is another in its node");
+        expect(box == tree_.box(node.entries[lane]), "a box differs in its node");
         continue;
       }
       const auto child = detail::BvhLink::of_code(node.entries[lane]);
-      expect(tree_.parent(child) == link.index(), "a node does not know its parent");
+      expect(tree_.parent(child) == link.index(), "a node has a wrong parent");
       inspect_bounds(box, child);
       const std::size_t height = inspect(child);
-      expect(lane == 0 || height == below, "leaf nodes are not equally deep");
+      expect(lane == 0 || height == below, "leaf nodes have different depths");
       below = height;
     }
     return below + 1;
@@ -120,7 +122,7 @@ class BvhInspection {
   std::size_t nodes_ = 0;
 };
 
-/// A region that counts the nodes that are looked at, but for the root.
+/// A region that counts the visited nodes except the root.
 template <Dim N, class T>
 struct CountingRegion {
   static constexpr bool is_box = false;
@@ -136,7 +138,7 @@ struct CountingRegion {
   bool meets(const Aabb<N, T>& box) const { return boxes_overlap(region, box); }
 };
 
-/// What a query for a region costs, in nodes, and finds.
+/// The number of nodes visited by a query, and what it found.
 struct Effort {
   std::size_t looks = 0;
   std::size_t found = 0;
@@ -150,14 +152,14 @@ Effort effort_of(const detail::BvhTree<N, T>& tree, const Aabb<N, T>& region) {
   return {probe.looks + 1, found};
 }
 
-/// How many nodes are looked at to find the first box on a ray.
+/// The number of nodes visited to find the first box on a ray.
 template <Dim N>
 std::size_t looks_along(const detail::BvhTree<N, float>& tree, const Ray<N>& ray) {
   detail::BvhFirstWalk<N, float> walk{ray, detail::slabs_of(ray, 0), std::numeric_limits<double>::infinity(), {0, 0}};
   return detail::bvh_kernels<N, float>().find_first(tree.nodes(), tree.root(), walk);
 }
 
-/// Rays at some of the boxes, from beside all of them along an axis and from anywhere among them.
+/// Rays aimed at some of the boxes, from outside along an axis and from inside.
 template <Dim N>
 std::vector<Ray<N>> rays_at(const std::vector<Aabb<N>>& boxes, const Aabb<N>& bounds) {
   Numbers numbers(boxes.size());

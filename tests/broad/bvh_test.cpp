@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a Bvh has beyond other indexes. Its answers are held to BruteForce's in spatial_index_laws.hpp.
+// Features of Bvh beyond those of other indexes. spatial_index_laws.hpp compares its answers with those of BruteForce.
 #include <algorithm>
 #include <cstddef>
 #include <functional>
@@ -56,7 +56,7 @@ std::vector<Aabb<3>> some_boxes(std::size_t count, std::uint64_t seed) {
   return boxes;
 }
 
-/// The same questions, and the same answers.
+/// Asks both the same queries and expects the same answers.
 void expect_agreement(const Bvh<3>& bvh, const BruteForce<3>& judge, std::uint64_t seed) {
   test::Numbers numbers(seed);
   for (int question = 0; question < 40; ++question) {
@@ -167,7 +167,7 @@ TEST(Bvh, ABoxAssignedIsUpdatedAndErasedLikeAnyOther) {
   EXPECT_EQ(bvh.options().margin, 0.5);
 }
 
-/// As a game would have it for hours: come, move, go, ask; at last nothing is left.
+/// Like hours of a game: insert, move, erase and query, until nothing is left.
 TEST(Bvh, ASoakLosesNothingAndReturnsToZero) {
   Bvh<3> bvh({.margin = 0.2});
   BruteForce<3> judge;
@@ -230,7 +230,7 @@ TEST(Bvh, GroupsCountAndContainWhatIsInThem) {
     for (const Aabb<3>& box : worlds.front().boxes) tree.insert(box);
     const auto cells = cells_of(tree);
     std::vector<std::size_t> boxes_below(cells.size(), 0);
-    std::vector<std::size_t> open;  // groups that the next ones may belong to
+    std::vector<std::size_t> open;  // groups that the next ones may join
     for (std::size_t i = 0; i < cells.size(); ++i) {
       while (!open.empty() && cells[open.back()].depth >= cells[i].depth) open.pop_back();
       EXPECT_EQ(static_cast<std::size_t>(cells[i].depth), open.size());

@@ -11,7 +11,8 @@
 
 namespace graze::test {
 
-/// Every box is in one cell, within its bounds and all above it, and twice the size of the cell contains it.
+/// Every box is in one cell, inside its bounds and those of all ancestors, and the cell grown to twice its size
+/// contains it.
 template <Dim N, class T>
 void expect_sound(const detail::CellTree<N, T>& tree, const std::map<std::uint32_t, Aabb<N, T>>& expected) {
   using Tree = detail::CellTree<N, T>;

@@ -10,7 +10,7 @@
 
 namespace graze::test {
 
-/// Memory for lists of centers, with marks before and behind each that nobody may write to.
+/// Memory for lists of centers, with guard values before and after each that must not be overwritten.
 template <Dim N, class T>
 class CenterRoom {
  public:

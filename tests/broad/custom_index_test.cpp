@@ -19,7 +19,7 @@
 namespace graze::test::custom_index_test {
 namespace {
 
-/// Finds what does not end left of a region, by right sides in their order. Refuses boxes that are wider than `widest`.
+/// Finds the boxes that do not end left of a region, ordered by right sides. Rejects boxes wider than `widest`.
 template <Dim N, class T>
 class ByRightSide {
  public:
@@ -44,7 +44,7 @@ class ByRightSide {
   T widest_;
 };
 
-/// Finds nothing that it need not: a reach that is too small is seen.
+/// Finds no unnecessary boxes, so a reach that is too small is detected.
 template <Dim N, class T>
 class JustThese {
  public:
@@ -95,7 +95,7 @@ TEST(CustomIndex, ItsFinderHoldsWhatItHolds) {
   EXPECT_EQ(index.finder().size(), 0U);
 }
 
-/// What a region touches is said with the rounding of the larger of both: a finder has to hear of the largest box.
+/// Whether a region touches depends on the rounding of the larger object, so a finder must know the largest box.
 TEST(CustomIndex, FindsWhatTouchesByTheRoundingOfALargeBox) {
   const Capsule<2, double> region{{0, 0}, {-1.125, 2.75}, 1};
   std::size_t found_apart = 0;

@@ -47,7 +47,8 @@ TEST(Executor, TheSerialOneRunsInOrderOnTheCallingThread) {
 
 TEST(Executor, TwoThreadsReallyRunAtTheSameTime) {
   if (default_executor().concurrency() < 2) GTEST_SKIP() << "there is one core, or no oneTBB";
-  // Each task waits for the other: one thread alone would never end. Given up after a while, so that the test fails.
+  // Each task waits for the other, so a single thread would never end. The wait times out, so that the test fails
+  // instead.
   std::atomic<int> arrived = 0;
   std::atomic<int> met = 0;
   limited_executor(2)->parallel_for(2, [&](std::size_t /*i*/) {

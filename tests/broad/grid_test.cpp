@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a Grid has beyond other indexes. Its answers are held to BruteForce's in spatial_index_laws.hpp.
+// Features of Grid beyond those of other indexes. spatial_index_laws.hpp compares its answers with those of BruteForce.
 #include <algorithm>
 #include <cstddef>
 #include <limits>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A query of an index takes no memory from the heap, whatever the region and however much it finds. Nor does a ray that
-// meets fewer than a hundred boxes: what waits for its turn lies on the stack up to there. The nearest are given in a
-// vector. This program counts what is asked of operator new; answers are looked at elsewhere.
+// Queries of an index do not allocate, whatever the region and the number of hits. Nor does a ray that meets fewer than
+// a hundred boxes: its queue is on the stack up to that size. The nearest boxes are returned in a vector. This program
+// counts the calls of operator new; other tests compare answers.
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -26,11 +26,11 @@
 namespace graze::test::index_allocation_test {
 namespace {
 
-/// How many boxes a world has, and how often a list of 128 doubles its room until it has room for them and their cells.
+/// The number of boxes in a set, and how often a list of 128 doubles its capacity to hold them and their cells.
 constexpr std::size_t many = 2000;
 constexpr std::size_t growths = 5;
 
-/// Calls ask(index, boxes) for every world, with an index that holds its boxes.
+/// Calls ask(index, boxes) for every set, with an index that contains its boxes.
 template <class I>
 void in_every_world(const auto& ask) {
   using Box = typename I::Box;
@@ -44,7 +44,7 @@ void in_every_world(const auto& ask) {
   }
 }
 
-/// Rays from one box in so many to the next.
+/// Rays from one box in every so many to the next.
 template <Dim N, class T>
 std::vector<Ray<N, T>> rays_between(const std::vector<Aabb<N, T>>& boxes, std::size_t step) {
   std::vector<Ray<N, T>> rays;
@@ -55,7 +55,7 @@ std::vector<Ray<N, T>> rays_between(const std::vector<Aabb<N, T>>& boxes, std::s
   return rays;
 }
 
-/// To find all that meets a region, or the first.
+/// Finds all boxes that meet a region, or the first.
 template <class I, class R>
 void expect_none_asked(const I& index, const R& region) {
   std::size_t found = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sequences of operations on a spatial index, and the judge of them. A sequence is rows of numbers, so that a failing
-// one shrinks, prints, and can be pasted.
+// Sequences of operations on a spatial index, and the comparison with the reference. A sequence consists of rows of
+// numbers, so that a failing one shrinks, prints, and can be pasted.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@
 
 namespace graze::test {
 
-/// What to do, to which box, and six numbers to do it with.
+/// An operation, the box that it affects, and six numbers as parameters.
 using Step = std::vector<int>;
 
 inline rc::Gen<std::vector<Step>> any_steps() {
@@ -41,7 +41,7 @@ inline rc::Gen<std::vector<Step>> any_steps() {
   return rc::gen::scale(4.0, rc::gen::container<std::vector<Step>>(rc::gen::container<Step>(8, number)));
 }
 
-/// |(x - center) / radii| <= 1, as a user may write it who calculates in T.
+/// |(x - center) / radii| <= 1, as a user who calculates in T may write it.
 template <Dim N, class T>
 struct Egg {
   Vec<N, T> center;
@@ -54,7 +54,7 @@ Vec<N, T> support(const Egg<N, T>& egg, const std::type_identity_t<Vec<N, T>>& d
   return egg.center + egg.radii * scaled / std::sqrt(dot(scaled, scaled));
 }
 
-/// An index and BruteForce side by side, taken through the same steps.
+/// An index and BruteForce side by side, with the same operations.
 template <SpatialIndex I>
 class Trial {
  public:
@@ -62,7 +62,7 @@ class Trial {
   static constexpr Dim N = dimension_of<Box>;
   using T = scalar_of<Box>;
 
-  /// The unit of all lengths: 1 makes touching common, 0.1 rounds.
+  /// The unit of all lengths: 1 makes touching common, 0.1 causes rounding.
   Trial(I index, double unit) : index_(std::move(index)), unit_(unit) {}
 
   void run(const std::vector<Step>& steps) {
@@ -109,7 +109,7 @@ class Trial {
     return result;
   }
 
-  /// Mostly small, now and then huge, far off, a point, or with infinite sides.
+  /// Mostly small, sometimes huge, far away, a point, or with infinite sides.
   Box box_of(const Step& step) const {
     Box box{point(step, 2), point(step, 2)};
     for (Dim i = 0; i < N; ++i) box.max[i] += length(std::abs(step[static_cast<std::size_t>(7 - i)]) % 5);
@@ -129,7 +129,7 @@ class Trial {
     RC_ASSERT(index_.size() == judge_.size());
   }
 
-  /// Other boxes in the place of all, many at once where the index can: those it has, moved, and some more.
+  /// Replaces all boxes, in bulk if the index supports it: the existing ones, moved, and some more.
   void assign(const Step& step) {
     std::vector<Box> boxes;
     for (const auto& [key, expected] : keys_) boxes.push_back(judge_.box(expected));
@@ -158,7 +158,7 @@ class Trial {
     compare_query(Box::everything());
   }
 
-  /// One bad box among many changes nothing.
+  /// One invalid box among many changes nothing.
   void refuse_to_assign(std::vector<Box> boxes) {
     if (boxes.empty()) return;
     boxes[boxes.size() / 2].max[0] = std::numeric_limits<T>::quiet_NaN();
@@ -266,7 +266,7 @@ class Trial {
     return box;
   }
 
-  /// Along the last axis, turned about it in space, thrice as wide at its far end; one of size zero is a point.
+  /// Along the last axis, rotated about it in 3D, three times as wide at the far end; with size zero it is a point.
   static Frustum<N, T> frustum(const Vec<N, T>& eye, T size, int degrees) {
     const Mat<2, double> turn = rotation_matrix(degrees);
     Frustum<N, T> frustum;
@@ -343,7 +343,7 @@ class Trial {
   I index_;
   BruteForce<N, T> judge_;
   double unit_;
-  std::vector<std::pair<Key, Key>> keys_;  // the index's and the judge's
+  std::vector<std::pair<Key, Key>> keys_;  // the index's and the reference's
 };
 
 }  // namespace graze::test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Indexes that live on: random boxes come, move and go for as long as the environment says (GRAZE_TEST_SCALE multiplies
-// the number of operations), while every answer is compared with BruteForce's. Nothing is lost, and nothing stays.
+// Long-running indexes: random boxes are inserted, moved and erased for a number of operations (multiplied by
+// GRAZE_TEST_SCALE), while every answer is compared with BruteForce's. Nothing is lost, and nothing is left over.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -73,7 +73,7 @@ class Soak {
     if (operation % breath_ == breath_ - 1) end_breath();
   }
 
-  /// Mostly small; now and then a point, long, where others are, or with an infinite side.
+  /// Mostly small; sometimes a point, long, on top of others, or with an infinite side.
   Box any_box() {
     const double kind = chance();
     if (kind < 0.05 && !held_.empty()) return held_[pick()].box;
@@ -91,7 +91,7 @@ class Soak {
     require(same_key(held_.back().key, held_.back().judged));
   }
 
-  /// Most only drift.
+  /// Most boxes only drift.
   void update() {
     Held& held = held_[pick()];
     const Vec<N, T> way = numbers_.point<N, T>(-0.2, 0.2);
@@ -99,7 +99,7 @@ class Soak {
     index_.update(held.key, held.box);
     judge_.update(held.judged, held.box);
     require(index_.box(held.key) == held.box);
-    if (chance() < 0.2) compare(any_corner(held.box));  // where a change may be forgotten
+    if (chance() < 0.2) compare(any_corner(held.box));  // where a change may be overlooked
   }
 
   /// A finite corner of a box.
@@ -173,7 +173,7 @@ class Soak {
     compare_rays();
   }
 
-  /// Every box, every pair, and the memory.
+  /// Compares every box, every pair, and the memory.
   void compare_whole() {
     compare(Box::everything());
     require(found_.size() == held_.size());
@@ -201,8 +201,8 @@ class Soak {
     ++breaths_;
   }
 
-  /// Full or empty again, an index never holds more than in its first breath, but for room that doubles: each breath is
-  /// as deep as the first, or a little deeper.
+  /// Whether full or empty, an index never holds more memory than in its first cycle, apart from doubled capacity: each
+  /// cycle has as many boxes as the first, or slightly more.
   void check_memory() {
     if (breaths_ == 0) first_bytes_ = std::max(first_bytes_, index_.bytes());
     require(index_.bytes() <= 2 * first_bytes_);
@@ -216,7 +216,7 @@ class Soak {
   std::vector<Key> expected_;
   std::size_t breath_ = 0;
   std::size_t breaths_ = 0;
-  std::size_t first_bytes_ = 0;  // the most that were held in the first breath
+  std::size_t first_bytes_ = 0;  // the maximum in the first cycle
   bool is_right_ = true;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The cells: where they split and merge, and what becomes of what does not fit. Its answers are held to BruteForce's in
-// spatial_index_laws.hpp.
+// The cells: where they split and merge, and what happens to boxes that do not fit. spatial_index_laws.hpp compares
+// answers with those of BruteForce.
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -36,7 +36,7 @@ int depth_of(const std::vector<Cell2>& cells) {
   return depth;
 }
 
-/// A box of the given size at a place of a square lattice with so many places along its side.
+/// A box of the given size at a position of a square lattice with this many positions along its side.
 Aabb<2> at(int k, int side, float size = 0.25F) {
   const int column = k % side;
   const int row = k / side;
@@ -71,7 +71,7 @@ TEST(Orthtree, MergesCellsThatEmpty) {
 TEST(Orthtree, NeverGoesBeyondItsDepth) {
   for (const int max_depth : {0, 1, 3, 32}) {
     QuadTree<> tree({.capacity = 1, .max_depth = max_depth});
-    for (int k = 0; k < 100; ++k) tree.insert({{1, 1}, {1, 1}});  // nothing parts these
+    for (int k = 0; k < 100; ++k) tree.insert({{1, 1}, {1, 1}});  // nothing separates these
     for (int k = 0; k < 100; ++k) tree.insert(at(k, 10));
     for (int k = 0; k < 10; ++k) tree.insert(at(k, 1000, 1));
     EXPECT_LE(depth_of(cells_of(tree)), max_depth);
@@ -128,7 +128,7 @@ TEST(Orthtree, KeepsWhatIsFarOffOrInfiniteInAList) {
   const Key far = tree.insert({{1e30F, 1e30F}, {2e30F, 1e30F}});
   const Key strip = tree.insert({{-infinity, 3}, {infinity, 4}});
   EXPECT_EQ(tree.outside(), 2U);
-  EXPECT_GT(cells_of(tree).size(), 100U);  // the far one spoils nothing
+  EXPECT_GT(cells_of(tree).size(), 100U);  // the distant one does no harm
   EXPECT_EQ(count(tree, Vec<2>(1.5e30F, 1e30F)), 1U);
   EXPECT_EQ(tree.nearest({1e30F, 9e29F}, 1)[0].key, far);
   tree.update(far, at(5, 32));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much memory all pairs take beside the boxes and the list.
+// The memory that finding all pairs takes in addition to the boxes and the list.
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -25,10 +25,10 @@ double bytes_per_box(std::span<const Aabb<N, T>> boxes, const Executor& executor
   return static_cast<double>(finder.bytes()) / static_cast<double>(boxes.size());
 }
 
-/// A million, but where tests are to be short.
+/// A million, or fewer if tests are to be short.
 std::size_t many_boxes() { return test::soak_operations() < 20'000 ? 200'000 : 1'000'000; }
 
-/// Of fewer boxes each has a larger share of what does not depend on their number.
+/// With fewer boxes, the memory that does not depend on their number has a larger share.
 template <class T>
 void expect_at_most(double most, World world, const Executor& executor) {
   const MovingBoxes<3, T> boxes(world, many_boxes(), 1);
@@ -46,7 +46,7 @@ TEST(PairBytes, AreAtMost80ForEachOfAMillionBoxes) {
   }
 }
 
-/// With its thirteen pairs for each: they wait in the room for all until they are sorted.
+/// With thirteen pairs per box: they are stored in the output until they are sorted.
 TEST(PairBytes, AreAtMost80OfALatticeToo) {
   expect_at_most<float>(80, World::lattice, serial_executor());
   expect_at_most<double>(80, World::lattice, serial_executor());
@@ -58,7 +58,7 @@ TEST(PairBytes, AreNotManyMoreWithManyThreads) {
   expect_at_most<float>(80, World::brownian, sixteen);
 }
 
-/// As where the second of two threads comes late: half of the tasks in order, then the others.
+/// As if the second of two threads were late: runs half of the tasks in order, then the others.
 class LateExecutor final : public Executor {
  public:
   void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task) const override {
@@ -68,7 +68,7 @@ class LateExecutor final : public Executor {
   std::size_t concurrency() const override { return 2; }
 };
 
-/// The pairs are there twice then: in the lists of the tasks, and in one.
+/// The pairs exist twice then: in the lists of the tasks, and in one list.
 TEST(PairBytes, AreNotManyMoreWhereASecondThreadComesLate) {
   expect_at_most<float>(75, World::cluster, LateExecutor());
 }
@@ -78,14 +78,14 @@ TEST(PairBytes, StayFromFrameToFrame) {
   for (const PairOrder order : both_orders) {
     PairFinder<3, float> finder;
     const PairOptions options{.executor = &serial_executor(), .order = order};
-    for (int frame = 0; frame < 3; ++frame) finder.find(boxes.boxes(), options);  // two buffers change places
+    for (int frame = 0; frame < 3; ++frame) finder.find(boxes.boxes(), options);  // two buffers are swapped
     const std::size_t bytes = finder.bytes();
     for (int frame = 0; frame < 3; ++frame) finder.find(boxes.boxes(), options);
     EXPECT_EQ(finder.bytes(), bytes);
   }
 }
 
-/// Wherever they lie: in any order and on one thread that is where they were found.
+/// Unsorted and on one thread, pairs stay where they were found.
 TEST(PairBytes, AreWithoutThePairsThemselves) {
   const MovingBoxes<3, float> boxes(World::point, 3'000, 1);
   constexpr std::size_t pairs = 4'498'500;
@@ -93,11 +93,11 @@ TEST(PairBytes, AreWithoutThePairsThemselves) {
     PairFinder<3, float> finder;
     const PairOptions options{.executor = &serial_executor(), .order = PairOrder::any, .method = method};
     EXPECT_EQ(finder.find(boxes.boxes(), options).size(), pairs);
-    EXPECT_LE(finder.bytes(), pairs * sizeof(Pair) * 3 / 4) << name_of(method) << ": half of the list may be to spare";
+    EXPECT_LE(finder.bytes(), pairs * sizeof(Pair) * 3 / 4) << name_of(method) << ": half of the list may be unused";
     const std::size_t bytes = finder.bytes();
     finder.visit(
         boxes.boxes(), [](std::span<const Pair>) { return false; }, options);
-    EXPECT_GE(finder.bytes(), bytes + pairs * sizeof(Pair)) << "its list is memory to spare now";
+    EXPECT_GE(finder.bytes(), bytes + pairs * sizeof(Pair)) << "its list is unused memory now";
   }
 }
 

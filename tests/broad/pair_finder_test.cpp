@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a finder keeps from frame to frame must not show in its answers.
+// Data that a finder keeps between frames must not affect its answers.
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -23,8 +23,8 @@ namespace {
 template <Dim N, class T>
 using Frames = std::vector<std::vector<Aabb<N, T>>>;
 
-/// Frames in which all boxes move a little, with changes of every kind between: some jump, all are others, some become
-/// infinite, contain nothing, come or go.
+/// Frames in which all boxes move a little, with changes of every kind in between: some jump, all are replaced, some
+/// become infinite or empty, are added or removed.
 template <Dim N, class T>
 Frames<N, T> living_world(const std::vector<Aabb<N, T>>& first) {
   test::Numbers numbers(31);
@@ -108,7 +108,7 @@ TEST(PairFinder, FindsPairsInAnOrderThatDependsOnTheBoxesOfAllCallsAlone) {
   }
 }
 
-/// Boxes of side `side` at the points of a lattice, whose first is the last but that many.
+/// Boxes of side `side` at the points of a lattice, rotated so that the first is that many from the end.
 std::vector<Aabb<3, float>> lattice(std::uint32_t points, float side, std::uint32_t turned_by) {
   std::vector<Aabb<3, float>> boxes;
   for (std::uint32_t k = 0; k < points * points * points; ++k) {
@@ -120,7 +120,8 @@ std::vector<Aabb<3, float>> lattice(std::uint32_t points, float side, std::uint3
   return boxes;
 }
 
-/// Then most pairs wait in the memory of the last frame's pairs, by what these were: too few, too many, others.
+/// Most pairs are stored in the memory of the previous frame's pairs, according to their number and distribution: too
+/// few, too many, others.
 TEST(PairFinder, IsRightWhateverManyPairsOfTheLastFrameWere) {
   Frames<3, float> frames;
   for (const float side : {1.0F, 1.0F, 2.0F, 1.0F, 0.5F, 1.0F, 2.0F, 2.0F}) {
@@ -140,8 +141,8 @@ TEST(PairFinder, IsRightWhateverManyPairsOfTheLastFrameWere) {
   }
 }
 
-/// Several threads put together what they find while others are searching, in memory of which last frame's pairs tell
-/// how much there should be.
+/// Several threads concatenate their results while others are searching, in memory whose size is predicted from the
+/// previous frame.
 TEST(PairFinder, FindsManyPairsInTheSameOrderWithAnyNumberOfThreads) {
   Frames<3, float> frames;
   for (const float side : {1.0F, 1.0F, 2.0F, 0.5F, 1.0F}) frames.push_back(lattice(32, side, 0));
@@ -183,7 +184,7 @@ TEST(PairFinder, FindsAndVisitsInTurns) {
       finder.visit(all, add, {.method = method});
       std::sort(pairs.begin(), pairs.end());
       EXPECT_EQ(pairs, expected);
-      if (frame % 3 == 0) continue;  // two visits in turn as well
+      if (frame % 3 == 0) continue;  // also two visits in a row
       const std::span<const Pair> found = finder.find(all, {.method = method});
       EXPECT_TRUE(std::equal(found.begin(), found.end(), expected.begin(), expected.end()));
       pairs.clear();

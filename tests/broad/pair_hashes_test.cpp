@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pairs, and the order in which they are found, are the same for every compiler, machine and instruction set.
+// Pairs and their order are the same for every compiler, machine and instruction set.
 #include <cstdint>
 #include <span>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sets of boxes of every kind, and a coarse lattice where everything touches everything, by every method and in every
-// way to ask, against plain brute force; shrunk to the fewest boxes when they fail.
+// Compares every method and option with plain brute force, on sets of boxes of every kind and on a coarse lattice where
+// everything touches everything; failures shrink to the fewest boxes.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -24,7 +24,7 @@
 namespace graze::pair_laws_test {
 namespace {
 
-/// Boxes that are told when a law fails.
+/// Boxes that are printed when a law fails.
 template <Dim N, class T>
 struct Boxes {
   std::string world;
@@ -42,7 +42,7 @@ std::ostream& operator<<(std::ostream& out, const Boxes<N, T>& boxes) {
   return out;
 }
 
-/// One of the worlds, of some number of boxes. Where a law fails, boxes are left out as long as it does.
+/// One of the sets, with some number of boxes. If a law fails, boxes are removed as long as it does.
 template <Dim N, class T>
 rc::Gen<Boxes<N, T>> boxes_of_a_world() {
   const std::size_t worlds = test::box_worlds<N, T>(0, 0).size();
@@ -87,7 +87,7 @@ rc::Gen<Boxes<N, T>> boxes_on_a_lattice(int side) {
                       boxes_of<N, T>);
 }
 
-/// How the pairs are asked for.
+/// The options of a call.
 struct Way {
   PairMethod method;
   PairOrder order;
@@ -126,7 +126,7 @@ std::vector<Aabb<N, T>> grown(std::span<const Aabb<N, T>> boxes, double margin) 
   return larger;
 }
 
-/// What a finder says, in the order that it promises; sorted where it promises none.
+/// A finder's answer, in the order that it promises; sorted if it promises none.
 template <Dim N, class T>
 std::vector<Pair> found(std::span<const Aabb<N, T>> a, std::span<const Aabb<N, T>> b, const Way& way) {
   const test::ThreadExecutor executor(way.threads);

@@ -17,7 +17,7 @@
 namespace graze::pair_memory_test {
 namespace {
 
-/// Whether a call was given all the memory that it asked for, when it ends after so many requests.
+/// Whether a call succeeds if memory runs out after this many requests.
 bool has_enough(std::size_t grants, const auto& call) {
   test::heap_watch.grants_left = grants;
   bool enough = true;
@@ -30,7 +30,7 @@ bool has_enough(std::size_t grants, const auto& call) {
   return enough;
 }
 
-/// Wherever it did: what is kept of a call that failed must not pass for an answer.
+/// Wherever it fails: data from a failed call must not lead to wrong answers.
 TEST(PairMemory, ThatRanOutLeavesNothingToFindWrongPairsWith) {
   const std::vector<Aabb<3, float>> all = test::box_worlds<3, float>(900, 46).front().boxes;
   const std::span<const Aabb<3, float>> boxes = all;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every method on the boxes of two real chips, whose pairs were counted independently: cells of few sizes in rows, many
-// of which abut. The folder is named by GRAZE_SHARED_DATA, or is ../shared/data beside the project.
+// of which abut. The folder is in GRAZE_SHARED_DATA, or ../shared/data beside the project.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -64,7 +64,7 @@ class Chip {
     EXPECT_EQ(as_found, expected_) << name_of(method) << where << " in any order";
   }
 
-  /// Between the first third of the boxes and the rest: those pairs of all that lie on both sides.
+  /// Between the first third of the boxes and the rest: the pairs with a box in each.
   void expect_pairs_of_two_sets() const {
     const std::span<const Aabb<2, T>> all = boxes_;
     const std::size_t cut = all.size() / 3;

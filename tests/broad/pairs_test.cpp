@@ -56,7 +56,7 @@ TYPED_TEST(PairsTest, FindThePairsOfAHandMadeRow) {
 TYPED_TEST(PairsTest, TreeEqualsBruteForceInEveryWorld) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
-  PairFinder<N, T> finder;  // the same memory for all
+  PairFinder<N, T> finder;  // the same finder for all
   for (const std::size_t count : {0U, 1U, 2U, 9U, 64U, 65U, 700U, 2500U}) {
     for (const auto& world : test::box_worlds<N, T>(count, 20261121 + count)) {
       SCOPED_TRACE(world.name + ", " + std::to_string(count) + " boxes");
@@ -68,7 +68,7 @@ TYPED_TEST(PairsTest, TreeEqualsBruteForceInEveryWorld) {
   }
 }
 
-/// The pairs are the same, and in the same order, whoever finds them.
+/// The pairs and their order do not depend on the executor.
 template <Dim N, class T>
 void expect_same_from_everyone(const std::vector<Aabb<N, T>>& boxes) {
   const PairOptions as_found{.executor = &serial_executor(), .order = PairOrder::any, .method = PairMethod::tree};
@@ -97,11 +97,11 @@ TYPED_TEST(PairsTest, NeitherThreadsNorInstructionSetsChangeAnything) {
     SCOPED_TRACE(world.name);
     expect_same_from_everyone(world.boxes);
   }
-  // Enough for many tasks, of which each finds a part.
+  // Enough for many tasks, each of which finds a part.
   expect_same_from_everyone(test::box_worlds<N, T>(20'000, 18).front().boxes);
 }
 
-/// A crowd among boxes so far away that a grid over all has one cell for it.
+/// A cluster among boxes so far away that a grid over all has one cell for it.
 template <Dim N, class T>
 std::vector<Aabb<N, T>> cluster(std::size_t count) {
   test::Numbers numbers(23);
@@ -280,7 +280,7 @@ TYPED_TEST(PairsTest, ALatticeOnlyTouchesHoweverLargeItIs) {
   using T = typename TypeParam::scalar;
   constexpr std::size_t side = N == 2 ? 50 : 12;
   constexpr std::size_t count = N == 2 ? side * side : side * side * side;
-  // Along each axis 3 side - 2 ordered pairs of places at most one apart; each pair of boxes is in both orders.
+  // Along each axis 3 side - 2 ordered pairs of positions at most one apart; each pair of boxes is in both orders.
   constexpr std::size_t pairs = N == 2 ? (148 * 148 - count) / 2 : (34 * 34 * 34 - count) / 2;
   for (const auto& world : test::box_worlds<N, T>(count, 1)) {
     if (world.name != "a lattice that only touches") continue;
@@ -288,7 +288,7 @@ TYPED_TEST(PairsTest, ALatticeOnlyTouchesHoweverLargeItIs) {
   }
 }
 
-/// What a call is refused for.
+/// The message with which a call is rejected.
 std::string refusal_of(const auto& call) {
   try {
     call();
@@ -340,7 +340,7 @@ TEST(Pairs, AFinderSaysWhatItDidAndWhatItHolds) {
   EXPECT_EQ(finder.method(), PairMethod::dense);
   finder.find(test::box_worlds<2, float>(20'000, 1).front().boxes);
   EXPECT_EQ(finder.method(), PairMethod::tree);
-  EXPECT_GT(finder.bytes(), 20'000U * 20U);  // at the least a copy of the boxes and their ids
+  EXPECT_GT(finder.bytes(), 20'000U * 20U);  // at least a copy of the boxes and their ids
   PairFinder<2, float> moved = std::move(finder);
   EXPECT_EQ(moved.method(), PairMethod::tree);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether two manifolds are the same, to the bit.
+// Whether two manifolds are bit-identical.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace graze::test {
 
-/// Those of floats in double hold all of theirs.
+/// Compared in double, which represents floats exactly.
 inline bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof(a)) == 0; }
 
 template <class V>

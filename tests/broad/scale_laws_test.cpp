@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The law of scale for many: what is 2^k times as large has the same pairs, verdicts and hits, from the least numbers
-// to the largest ones, and batches still have the answers of single calls to the bit.
+// Scale invariance of batch queries: objects scaled by 2^k have the same pairs, verdicts and hits, from the smallest to
+// the largest numbers, and batches still give the answers of single calls bit for bit.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -36,7 +36,7 @@
 namespace graze::test::broad_scale_laws_test {
 namespace {
 
-/// Numbers up to 2^4 in size, in quarters, are exact times each of these.
+/// Numbers up to 2^4, in quarters, are exact when multiplied by these.
 template <class T>
 constexpr auto exponents() {
   if constexpr (std::is_same_v<T, float>) {
@@ -50,14 +50,14 @@ template <class Space>
 class ScaleLawOfMany : public testing::Test {};
 TYPED_TEST_SUITE(ScaleLawOfMany, Spaces);
 
-/// Shapes in small whole numbers two by two, and the pairs that they are, of every two types.
+/// Shapes with small integer coordinates, two of every pair of types, and their pairs.
 template <Dim N, class T>
 struct Cases {
   std::vector<AnyShape<N, T>> shapes;
   std::vector<Pair> pairs;
 };
 
-/// Those of which every number is exact at 2^exponent.
+/// Those whose numbers are all exact when scaled by 2^exponent.
 template <Dim N, class T>
 Cases<N, T> exact_cases(int exponent) {
   constexpr std::size_t types = std::variant_size_v<AnyShape<N, T>>;
@@ -150,7 +150,7 @@ TYPED_TEST(ScaleLawOfMany, HoldsForTheOverlappingPairsOfBoxes) {
   }
 }
 
-/// What a ray and a sphere meet in an index: boxes by their places, with the times.
+/// The boxes in an index that a ray and a sphere meet, by index, with their times.
 template <class Index>
 std::pair<std::vector<std::pair<std::size_t, double>>, std::vector<std::size_t>> met_in(
     const std::vector<typename Index::Box>& boxes, int exponent) {

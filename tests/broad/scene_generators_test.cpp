@@ -33,7 +33,7 @@ struct In {
 using Spaces = testing::Types<In<2, float>, In<3, float>, In<2, double>, In<3, double>>;
 TYPED_TEST_SUITE(WorldsTest, Spaces);
 
-/// How wide a box is along each axis, in double.
+/// The extents of a box along each axis, in double.
 template <Dim N, class T>
 Vec<N, double> widths(const Aabb<N, T>& box) {
   return wide<N, T>(box.max) - wide<N, T>(box.min);
@@ -137,7 +137,7 @@ TYPED_TEST(WorldsTest, MoveEveryBoxByATenthOfAUnitAtMostAndStayWithinTheirBounds
     SCOPED_TRACE(name_of(world));
     MovingBoxes<N, T> boxes(world, 300, 5);
     const Aabb<N, T> bounds = boxes.bounds();
-    // What rounding to T can add at either end of a step.
+    // The rounding to T at either end of a step.
     const double rounding = max_abs(wide<N, T>(bounds.max)) * static_cast<double>(std::numeric_limits<T>::epsilon());
     std::vector<Aabb<N, T>> before;
     for (int frame = 0; frame < 100; ++frame) {
@@ -159,7 +159,7 @@ TYPED_TEST(WorldsTest, EqualSeedsGiveEqualBoxesAndOtherSeedsGiveOthers) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
   for (const World world : all_worlds()) {
-    if (world == World::lattice) continue;  // it is random in its motion only
+    if (world == World::lattice) continue;  // only its motion is random
     MovingBoxes<N, T> first(world, 100, 7);
     MovingBoxes<N, T> second(world, 100, 7);
     const MovingBoxes<N, T> other(world, 100, 8);
@@ -185,7 +185,7 @@ TYPED_TEST(WorldsTest, BoxesAreThoseOfDoubleRounded) {
   }
 }
 
-/// The walls that hold the centers of a world, from what is known of its bounds.
+/// The walls that contain the centers of a scene, derived from its bounds.
 template <Dim N, class T>
 Vec<N, double> wall_widths(const MovingBoxes<N, T>& world) {
   Vec<N, double> largest(0.0);
@@ -234,7 +234,7 @@ TYPED_TEST(WorldsTest, HeavyHasBoxesOfAllSizesWhoseVolumesAddUp) {
   std::sort(sizes.begin(), sizes.end());
   EXPECT_GE(sizes.front(), 1 - 1e-3);
   EXPECT_LE(sizes.back(), 1000 * std::sqrt(static_cast<double>(N)));
-  // One in s is s times as large as its cube would be alone: the mean width is 1.27 in 2D, 1.5 in 3D.
+  // One in s is s times as large as its cube would be otherwise: the mean width is 1.27 in 2D, 1.5 in 3D.
   const double one = N == 2 ? 1.27 : 1.5;
   EXPECT_NEAR(sizes[thousands / 2], 2 * one, 0.3 * one);
   EXPECT_NEAR(sizes[thousands - thousands / 10], 10 * one, 1.5 * one);
@@ -296,8 +296,8 @@ TYPED_TEST(WorldsTest, LatticesTouchTheirNeighboursAndNoOthersForEver) {
   using T = typename TypeParam::scalar;
   constexpr std::size_t side = 12;
   constexpr std::size_t count = N == 2 ? side * side : side * side * side;
-  // Touching places are kings' moves: along each axis 3 side - 2 ordered pairs of numbers at most one apart; without
-  // the places themselves, and each pair once, (34^N - 12^N) / 2.
+  // Touching positions are kings' moves: along each axis 3 side - 2 ordered pairs of numbers at most one apart; without
+  // the positions themselves, and each pair once, (34^N - 12^N) / 2.
   constexpr std::size_t pairs = N == 2 ? 506 : 18788;
   MovingBoxes<N, T> world(World::lattice, count, 1);
   for (const Aabb<N, T>& box : world.boxes()) {
@@ -309,7 +309,7 @@ TYPED_TEST(WorldsTest, LatticesTouchTheirNeighboursAndNoOthersForEver) {
     }
     for (const Aabb<N, T>& box : world.boxes()) ASSERT_EQ(box.max, (Vec<N, T>(box.min + T(1))));
   }
-  // One more needs the next larger lattice; it begins another row.
+  // One more box needs the next larger lattice and starts another row.
   const MovingBoxes<N, T> larger(World::lattice, count + 1, 1);
   EXPECT_EQ(larger.boxes()[side].max[0] - larger.boxes()[0].min[0], T(side + 1));
 }
@@ -337,7 +337,7 @@ struct Golden {
 
 class WorldHashes : public testing::TestWithParam<Golden> {};
 
-/// After some steps, of boxes in float and in double.
+/// After some steps, with boxes in float and in double.
 template <Dim N>
 std::uint64_t moved_hash(World world) {
   MovingBoxes<N, float> narrow(world, 3000, 42);

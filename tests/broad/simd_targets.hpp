@@ -10,7 +10,7 @@
 
 namespace graze::test {
 
-/// The instruction sets of this machine that the kernels were compiled for, the best first, the last none at all.
+/// The instruction sets of this machine that the kernels were compiled for, the best first, the scalar one last.
 inline std::vector<std::int64_t> simd_targets() {
   std::vector<std::int64_t> targets;
   const std::int64_t all = hwy::SupportedTargets() & detail::block_kernel_targets();
@@ -18,7 +18,7 @@ inline std::vector<std::int64_t> simd_targets() {
   return targets;
 }
 
-/// While it lives, kernels are those of one instruction set.
+/// During its lifetime, kernels of one instruction set are used.
 class ForcedTarget {
  public:
   explicit ForcedTarget(std::int64_t target) { force(target); }

@@ -16,7 +16,7 @@
 namespace graze::sorted_pairs_test {
 namespace {
 
-/// All pairs, and the most that came at a time.
+/// All pairs, and the largest batch.
 struct Visited {
   std::vector<Pair> pairs;
   std::size_t most = 0;
@@ -66,7 +66,7 @@ TEST(SortedPairs, of_boxes_at_one_place_come_a_few_at_a_time) {
 }
 
 TEST(SortedPairs, grow_fewer_and_more_again_along_the_boxes) {
-  // A crowd, then boxes that touch nothing, then another crowd.
+  // A cluster, then boxes that touch nothing, then another cluster.
   std::vector<Aabb<2, double>> boxes(400, Aabb<2, double>{{0, 0}, {1, 1}});
   for (int i = 0; i < 3000; ++i) boxes.push_back({{10.0 + 2 * i, 0}, {11.0 + 2 * i, 1}});
   boxes.insert(boxes.end(), 400, Aabb<2, double>{{-5, 0}, {-4, 1}});

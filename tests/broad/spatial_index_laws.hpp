@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every index answers as BruteForce does, whatever came before, and refuses what it must. A new index adds one line to
-// Indexes.
+// Every index answers as BruteForce does after any sequence of calls, and rejects invalid input. A new index adds one
+// line to Indexes.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ using Indexes = testing::Types<  //
     Bvh<N, T>,                   //
     Grid<N, T>>;
 
-/// An index of that type; the number picks its settings. Small capacities make tall trees of a few boxes.
+/// An index of a type; the number selects its settings. Small capacities make tall trees of few boxes.
 template <class I>
 I index_number(int number) {
   if constexpr (requires { I(OrthtreeOptions{}); }) {
@@ -53,7 +53,7 @@ I index_number(int number) {
   }
 }
 
-/// What an exception says.
+/// The message of an exception.
 std::string message_of(const auto& call) {
   try {
     call();
@@ -63,7 +63,7 @@ std::string message_of(const auto& call) {
   return "no error";
 }
 
-/// The cube of size 1 at a place on the first axis.
+/// The cube of size 1 at a position on the first axis.
 template <class I>
 typename I::Box cube(int place) {
   typename I::Box box;
@@ -73,7 +73,7 @@ typename I::Box cube(int place) {
   return box;
 }
 
-/// Cubes in a row, two units from one to the next.
+/// Cubes in a row, at a distance of two units.
 template <class I>
 std::vector<Key> insert_row(I& index, int length) {
   std::vector<Key> keys;
@@ -98,7 +98,7 @@ TYPED_TEST_P(SpatialIndexLaws, AKeyIsAnErrorOnceItsBoxIsGoneOrInAnotherIndex) {
   const Key key = index.insert(cube<TypeParam>(0));
   index.erase(key);
   const Key newcomer = index.insert(cube<TypeParam>(7));
-  EXPECT_EQ(newcomer.index, key.index);  // the place is used again
+  EXPECT_EQ(newcomer.index, key.index);  // the slot is reused
   EXPECT_EQ(message_of([&] { index.update(key, cube<TypeParam>(1)); }),
             "SpatialIndex: the key (index 0, generation 1) names no box any more; it was erased");
   TypeParam other;
@@ -219,7 +219,7 @@ TYPED_TEST_P(SpatialIndexLaws, TheVisitorEndsAVisitAndItsExceptionPassesThrough)
   EXPECT_EQ(count(index, Box::everything()), 31U);
 }
 
-/// Every way to be called by an index for what it holds.
+/// Every way in which an index calls back with its boxes.
 template <class I>
 auto visits_of_all() {
   using Box = typename I::Box;
@@ -256,7 +256,7 @@ TYPED_TEST_P(SpatialIndexLaws, AVisitorThatChangesTheIndexIsAnError) {
     const Change& change = changing;  // Clang 14 captures no bindings
     for (const auto& visit : visits_of_all<TypeParam>()) {
       TypeParam index;
-      const std::vector<Key> keys = insert_row(index, 100);  // enough for cells
+      const std::vector<Key> keys = insert_row(index, 100);  // enough for several cells
       index.insert(cube<TypeParam>(0));                      // so that there is a pair
       EXPECT_EQ(message_of([&] { visit(index, [&] { change(index, keys[5]); }); }),
                 "SpatialIndex: a visitor changed the index that it visits; keep the keys and change it afterwards");
@@ -266,7 +266,7 @@ TYPED_TEST_P(SpatialIndexLaws, AVisitorThatChangesTheIndexIsAnError) {
   }
 }
 
-/// All that an index says of its boxes, in the order in which it says it.
+/// All that an index reports of its boxes, in order.
 template <class I>
 std::vector<std::pair<Key, double>> answers_of(const I& index) {
   using Box = typename I::Box;
@@ -291,7 +291,7 @@ TYPED_TEST_P(SpatialIndexLaws, ManyThreadsMayAskAtOnceAndHearTheSame) {
   for (std::size_t k = 0; k < keys.size(); k += 3) index.update(keys[k], cube<TypeParam>(static_cast<int>(k)));
   for (std::size_t k = 1; k < keys.size(); k += 7) index.erase(keys[k]);
   const auto expect_same = [](const TypeParam& reading) {
-    const auto expected = answers_of(TypeParam(reading));  // a copy's, so that nobody has asked this one before
+    const auto expected = answers_of(TypeParam(reading));  // from a copy, so that this index has not been queried yet
     std::vector<std::vector<std::pair<Key, double>>> heard(4);
     ThreadExecutor(heard.size()).parallel_for(heard.size(), [&](std::size_t k) { heard[k] = answers_of(reading); });
     EXPECT_GT(expected.size(), 500U);

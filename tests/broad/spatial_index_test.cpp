@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the indexes share. What they promise together is in spatial_index_laws.hpp.
+// Functions shared by the indexes. Their common contract is tested in spatial_index_laws.hpp.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -51,7 +51,7 @@ TEST(EntryOf, IsTheFirstPointOfTheBoxOnTheRay) {
   EXPECT_EQ(enter({{0, 1.5F}, {0.25F, 0}}, box), 4);
   EXPECT_EQ(enter({{2, 1.5F}, {0, 7}}, box), 0);               // from inside
   EXPECT_EQ(enter({{3, 5}, {0, -1}}, box), 3);                 // along a side
-  EXPECT_EQ(enter({{0, 0}, {3, 1}}, box), 1);                  // by a corner: (3, 1)
+  EXPECT_EQ(enter({{0, 0}, {3, 1}}, box), 1);                  // at a corner: (3, 1)
   EXPECT_EQ(enter({{0, 0}, {3, 0.999F}}, box), std::nullopt);  // just past it
   EXPECT_EQ(enter({{0, 1.5F}, {-1, 0}}, box), std::nullopt);   // behind
   EXPECT_EQ(enter({{3, 2}, {1, 1}}, box), 0);                  // leaves from a corner

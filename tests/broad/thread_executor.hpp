@@ -11,7 +11,7 @@
 
 namespace graze::test {
 
-/// So many threads, begun anew at each call, whatever the machine has.
+/// Starts this many threads for each call, whatever the machine has.
 class ThreadExecutor final : public Executor {
  public:
   explicit ThreadExecutor(std::size_t threads) : threads_(threads) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Many verdicts at once are those of single calls: for every pair of types, on cases of which verdicts are hard, with
-// every set of vector instructions that this machine has.
+// Batch verdicts equal those of single calls: for every pair of types, on hard cases, with every instruction set of
+// this machine.
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -25,7 +25,7 @@
 namespace graze::touching_pairs_test {
 namespace {
 
-/// Shapes two by two, and the pairs that they are.
+/// Shapes in twos, and their pairs.
 template <Dim N, class T>
 struct Cases {
   std::vector<AnyShape<N, T>> shapes;
@@ -85,7 +85,7 @@ TYPED_TEST(TouchingPairs, AreThoseOfSingleCallsForEveryTwoTypesAndInstructionSet
   }
 }
 
-/// Shapes of one type from the cases, next to each other.
+/// Shapes of one type from the cases, each paired with the next.
 template <class S, Dim N, class T>
 void expect_those_of_single_calls(const Cases<N, T>& cases) {
   std::vector<S> shapes;
@@ -135,7 +135,7 @@ TYPED_TEST(TouchingPairs, DoNotDependOnTheExecutor) {
   EXPECT_EQ(touching_pairs(cases.shapes, candidates), alone);
 }
 
-/// From some number on they are asked for ahead of their use, from behind the last whole group too.
+/// From some number on, shapes are prefetched, also for pairs after the last whole group.
 TEST(TouchingPairs, DoNotDependOnHowManyShapesThereAre) {
   std::vector<Obb<3>> boxes(40'000);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -157,7 +157,7 @@ TEST(TouchingPairs, DoNotDependOnHowManyShapesThereAre) {
   EXPECT_EQ(touching_pairs(std::vector<AnyShape<3>>(boxes.begin(), boxes.end()), candidates), expected);
 }
 
-/// More pairs than a task takes, and more that nearly touch than are looked at again in one go.
+/// More pairs than a task takes, and more undecided ones than are retried in one batch.
 TEST(TouchingPairs, AreThoseOfSingleCallsWhereManyNearlyTouch) {
   std::vector<Obb<3>> boxes(6000);
   for (std::size_t i = 0; i < boxes.size(); ++i) {

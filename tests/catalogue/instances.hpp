@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the catalogue compiles once: the same list declares it (LINKAGE is extern) and makes it (LINKAGE is empty),
-// hence the macros. To be included behind catalogue.hpp.
+// The instances that the catalogue compiles once: the same list declares them (LINKAGE is extern) and defines them
+// (LINKAGE is empty), hence the macros. Include it after catalogue.hpp.
 #pragma once
 
 #define GRAZE_TEST_NUMBERS(LINKAGE)                                                  \
@@ -13,7 +13,7 @@
   LINKAGE template rc::Shrinkable<int> graze::test::shrinking_to_simpler(int);       \
   LINKAGE template rc::Shrinkable<std::size_t> graze::test::shrinking_to_simpler(std::size_t);
 
-// What a space needs: what graze asks of any shape, and the generators with what they draw from.
+// The instances of a space: what graze needs of any shape, and the generators with their sources.
 #define GRAZE_TEST_SPACE(LINKAGE, N, T)                                                                                \
   LINKAGE template graze::Aabb<N, T> graze::bounds(const AnyShape<N, T>&);                                             \
   LINKAGE template std::string_view graze::defect(const AnyShape<N, T>&);                                              \

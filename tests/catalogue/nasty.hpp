@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers that callers should not send but do, put into every place of every shape.
+// Invalid and extreme numbers, substituted for every number of every shape.
 #pragma once
 
 #include <array>
@@ -48,7 +48,7 @@ void set_number(Mat<N, T>& field, Dim index, T value) {
   field[index / N][index % N] = value;
 }
 
-/// Replaces every number of `shape` in turn by every nasty value and compares `defect` with what is expected: one
+/// Replaces every number of `shape` in turn by every nasty value and compares `defect` with the expectation: one
 /// function of (value, index) for each field, in the fields' order. Counts the cases.
 template <class S, class... Expected>
 std::size_t expect_defects(const S& shape, const Expected&... expected) {
@@ -70,12 +70,12 @@ std::size_t expect_defects(const S& shape, const Expected&... expected) {
   return cases;
 }
 
-/// A field whose numbers must be finite, and may be anything else.
+/// A field whose numbers must only be finite.
 inline auto finite(std::string_view otherwise) {
   return [otherwise](auto value, Dim) { return std::isfinite(value) ? std::string_view() : otherwise; };
 }
 
-/// A size: finite, and not below zero (minus zero is not).
+/// A size: finite and not below zero (minus zero is not below).
 inline auto finite_size(std::string_view not_finite, std::string_view negative) {
   return [=](auto value, Dim) {
     if (!std::isfinite(value)) return not_finite;
@@ -83,7 +83,7 @@ inline auto finite_size(std::string_view not_finite, std::string_view negative) 
   };
 }
 
-/// A direction whose coordinates are zero but for one: finite, and that one not zero.
+/// A direction with one nonzero coordinate: finite, and that one must not become zero.
 inline auto direction_along(Dim axis, std::string_view not_finite, std::string_view zero) {
   return [=](auto value, Dim index) {
     if (!std::isfinite(value)) return not_finite;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random numbers, points, directions and rotations for tests: of one kind at a time, so that shapes made of them meet,
-// touch, coincide and degenerate often. All of them shrink to few and small decimals.
+// Random numbers, points, directions and rotations for tests: one kind at a time, so that shapes made from them often
+// meet, touch, coincide and degenerate. All of them shrink to few and short decimals.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 namespace graze::test {
 
 /// Numbers simpler than x, the simplest first: zero, fewer decimals, smaller, positive. None is longer or larger than
-/// x, so that shrinking ends.
+/// x, so shrinking terminates.
 template <class T>
 std::vector<T> simpler(T x) {
   std::vector<T> candidates;
@@ -42,7 +42,7 @@ rc::Shrinkable<T> shrinking_to_simpler(T value) {
   return rc::shrinkable::shrinkRecur(value, [](T x) { return rc::seq::fromContainer(simpler(x)); });
 }
 
-/// A generator of whatever `draw(random)` makes, regardless of RapidCheck's size, shrinking to simpler numbers.
+/// A generator of whatever `draw(random)` returns, regardless of RapidCheck's size, shrinking to simpler numbers.
 template <class T, class Draw>
 rc::Gen<T> drawn(Draw draw) {
   return [draw](const rc::Random& random, int) {
@@ -56,11 +56,11 @@ inline double between(rc::Random& random, double low, double high) {
   return low + (high - low) * (static_cast<double>(random.next() >> 11U) * 0x1p-53);
 }
 
-/// A uniform whole number in [low, high].
+/// A uniform integer in [low, high].
 inline double whole(rc::Random& random, int low, int high) { return std::floor(between(random, low, high + 1.0)); }
 
-/// A number of 2^low to 2^(high + 1), every power of two as likely as the next. No power function has a part in it:
-/// their last bits differ between machines, and with them what a seed leads to.
+/// A number from 2^low to 2^(high + 1), with every power of two equally likely. Power functions are avoided: their last
+/// bits differ between machines, and so would the cases of a seed.
 inline double of_any_magnitude(rc::Random& random, int low, int high) {
   const double exponent = whole(random, low, high);
   return std::ldexp(between(random, 1, 2), static_cast<int>(exponent));
@@ -69,23 +69,23 @@ inline double of_any_magnitude(rc::Random& random, int low, int high) {
 /// 1e-6 to 2e6.
 inline double of_any_magnitude(rc::Random& random) { return of_any_magnitude(random, -20, 20); }
 
-/// A uniform choice among `count` things, which shrinks to the first.
+/// A uniform index below `count`, which shrinks to the first.
 inline rc::Gen<std::size_t> choice(std::size_t count) {
   return drawn<std::size_t>([count](rc::Random& random) { return static_cast<std::size_t>(random.next() % count); });
 }
 
-/// The kinds of numbers a test case is made of; one case uses one kind throughout.
+/// The kinds of numbers in a test case; one case uses one kind throughout.
 enum class Kind {
-  grid,     ///< Small whole numbers: exact touching, many coincidences.
-  nudged,   ///< The same, some of them a few ulp off: almost touching.
+  grid,     ///< Small integers: exact touching, many coincidences.
+  nudged,   ///< The same, some of them off by a few ulp: almost touching.
   uniform,  ///< -10 to 10.
   scales,   ///< 1e-6 to 2e6, both signs.
   far,      ///< Within 10 of 1e6: small shapes far from the origin.
 };
 inline constexpr std::array<Kind, 5> kinds = {Kind::grid, Kind::nudged, Kind::uniform, Kind::scales, Kind::far};
 
-/// A whole number in [low, high], in about one case of two up to three ulp off; zero is off by an ulp of one, for
-/// denormal numbers are another matter.
+/// An integer in [low, high], in about half of the cases off by up to three ulp; zero by an ulp of one, because
+/// denormal numbers are a separate matter.
 template <class T>
 T nudged(rc::Random& random, int low, int high) {
   const T x = static_cast<T>(whole(random, low, high));
@@ -112,7 +112,7 @@ T draw_coordinate(Kind kind, rc::Random& random) {
   return T(0);
 }
 
-/// Zero in at least one case of five.
+/// Zero in at least one case in five.
 template <class T>
 T draw_size(Kind kind, rc::Random& random) {
   if (whole(random, 1, 5) == 1) return T(0);
@@ -128,7 +128,7 @@ T draw_size(Kind kind, rc::Random& random) {
   }
 }
 
-/// One coordinate of a direction: zero in one case of three, so that a direction along an axis is common.
+/// One coordinate of a direction: zero in one case in three, so that directions along axes are common.
 template <class T>
 T draw_slope(Kind kind, rc::Random& random) {
   if (whole(random, 1, 3) == 1) return T(0);
@@ -163,7 +163,7 @@ rc::Gen<std::vector<S>> some(std::size_t count, const rc::Gen<S>& any) {
   });
 }
 
-/// What the shapes of one test case are made of.
+/// The source of a test case's shapes.
 template <Dim N, class T>
 struct Source {
   rc::Gen<Vec<N, T>> point;
@@ -181,8 +181,8 @@ Source<N, T> source_of(Kind kind) {
                         [](const Vec<N, T>& direction) { return max_abs(direction) > T(0); })};
 }
 
-/// A source whose points are, in one case of two, one of two points or the middle between them: corners, centers and
-/// ends coincide, and three of them lie on a line.
+/// A source whose points are, in half of the cases, one of two points or their midpoint: corners, centers and ends
+/// coincide, and three of them are collinear.
 template <Dim N, class T>
 Source<N, T> sharing(const Source<N, T>& source, const Vec<N, T>& p, const Vec<N, T>& q) {
   const Vec<N, T> middle = p * T(0.5) + q * T(0.5);
@@ -192,8 +192,8 @@ Source<N, T> sharing(const Source<N, T>& source, const Vec<N, T>& p, const Vec<N
   return shared;
 }
 
-/// A source for one test case: its shapes share a kind of numbers, and often points. To be called where `*generator`
-/// may be.
+/// A source for one test case: its shapes share a kind of numbers, and often points. Call it where `*generator` is
+/// allowed.
 template <Dim N, class T>
 Source<N, T> draw_source() {
   const Source<N, T> source = source_of<N, T>(kinds[*choice(kinds.size())]);
@@ -209,7 +209,7 @@ Mat<N, T> rounded(const Mat<N, double>& matrix) {
   return result;
 }
 
-/// Quarter turns, almost quarter turns (1e-8 to 4e-6 radians off), and any turn. Whole numbers count quarter turns.
+/// Quarter turns, almost quarter turns (off by 1e-8 to 4e-6 radians), and any turn. Integers count quarter turns.
 inline rc::Gen<double> any_turn() {
   return drawn<double>([](rc::Random& random) {
     const double quarters = whole(random, -1, 2);
@@ -221,8 +221,8 @@ inline rc::Gen<double> any_turn() {
   });
 }
 
-/// Cosine and sine of a turn, with nothing but what every machine rounds alike. In between quarter turns it is of about
-/// that angle.
+/// Cosine and sine of a turn, with operations that every machine rounds alike. Between quarter turns, the angle is
+/// approximate.
 inline Vec<2, double> direction_of(double turn) {
   const double quarters = std::floor(turn + 0.5);
   const double half_tangent = (turn - quarters) * 0.828125;  // of an eighth of a turn: 0.414
@@ -232,8 +232,8 @@ inline Vec<2, double> direction_of(double turn) {
   return direction;
 }
 
-/// A proper rotation: exact to the last bit at quarter turns about the axes, else orthonormal up to rounding. In space
-/// Euler's angles about z, x, z: their quarter turns reach all 24 rotations of the cube.
+/// A proper rotation: exact at quarter turns about the axes, otherwise orthonormal up to rounding. In 3D by Euler
+/// angles about z, x, z: their quarter turns reach all 24 rotations of the cube.
 template <Dim N, class T>
 rc::Gen<Mat<N, T>> any_rotation() {
   return rc::gen::exec([] {

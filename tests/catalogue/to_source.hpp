@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers, vectors and matrices as C++ source that means exactly the same value.
+// Numbers, vectors and matrices as C++ source that denotes exactly the same value.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace graze::test {
 
-/// The shortest decimals that read back as the same number, as a literal of its type; INFINITY and NAN from <cmath>.
+/// The shortest decimal that reads back as the same number, as a literal of its type; INFINITY and NAN from <cmath>.
 template <std::floating_point T>
 std::string literal(T x) {
   if (std::isnan(x)) return "NAN";
@@ -29,7 +29,7 @@ std::string literal(T x) {
   return std::same_as<T, float> ? text + "F" : text;
 }
 
-/// A number or a list of values in braces, without the type's name: what stands inside a shape's braces.
+/// A number or a braced list of values, without the type's name: the content of a shape's braces.
 template <std::floating_point T>
 std::string initializer(T x) {
   return literal(x);

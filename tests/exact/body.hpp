@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a certificate sees of a shape: corners around a stored point, with a radius, or a level; all as stored, in
-// numbers that know how wrong they are.
+// A certificate's view of a shape: corners relative to a stored point, with a radius, or a plane; exactly as stored, in
+// numbers with error bounds.
 #pragma once
 
 #include <algorithm>
@@ -17,15 +17,15 @@
 namespace graze::test {
 
 enum class BodyForm {
-  hull,      ///< The hull of corners, widened by a radius.
-  ray,       ///< The hull of its origin and all multiples of a direction.
+  hull,      ///< The convex hull of corners, inflated by a radius.
+  ray,       ///< The convex hull of its origin and all positive multiples of a direction.
   plane,     ///< Where normal . x = offset.
   solid,     ///< Where normal . x <= offset.
-  not_seen,  ///< More than a certificate takes on.
+  not_seen,  ///< Not supported by certificates.
 };
 
-/// Corners are `anchor + corners[i]`: differences of two bodies, which is what verdicts depend on, lose nothing to a
-/// great distance from the origin.
+/// Corners are `anchor + corners[i]`: verdicts depend on differences of two bodies, which lose nothing far from the
+/// origin.
 template <std::size_t N>
 struct Body {
   static constexpr std::size_t most_corners = 8;
@@ -35,12 +35,13 @@ struct Body {
   std::array<EnclosedVec<N>, most_corners> corners{};
   std::size_t count = 0;
   double radius = 0;
-  EnclosedVec<N> way{};  ///< A ray's direction; the normal of a level.
-  double offset = 0;     ///< Of a level.
-  double size = 0;       ///< At least the largest coordinate that occurs in making a corner, radius included.
+  EnclosedVec<N> way{};  ///< A ray's direction; the normal of a plane.
+  double offset = 0;     ///< Of a plane.
+  /// An upper bound of the coordinates that occur in the calculation of a corner, including the radius.
+  double size = 0;
 };
 
-/// Fills bodies from shapes; one call for each type.
+/// Converts shapes to bodies; one overload for each type.
 template <Dim Dimension, class T>
 struct BodyMaker {
   static constexpr std::size_t N = static_cast<std::size_t>(Dimension);
@@ -61,7 +62,7 @@ struct BodyMaker {
     return body;
   }
 
-  /// With `reach`, how large the numbers were that the corner was made of.
+  /// `reach` bounds the numbers from which the corner was calculated.
   static void add(Made& body, const EnclosedVec<N>& corner, double reach = 0) {
     body.corners[body.count++] = corner;
     for (const Enclosed& x : corner) body.size = std::max(body.size, magnitude(x) + body.radius);
@@ -141,7 +142,7 @@ struct BodyMaker {
     return body;
   }
 
-  /// Others are not seen; compounds are taken part by part before.
+  /// Other types are not supported; compounds are split into parts before.
   template <class S>
   Made operator()(const S&) const {
     Made body;

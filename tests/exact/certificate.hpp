@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Quick proofs of how far apart two shapes are, or how deep they overlap: a direction proves that they come no nearer,
-// a point of each, or a simplex of differences around the origin, that they come that near. Both are found by a search
-// that is not trusted, and checked in numbers that carry a bound on their error. What they leave open is for
-// exact_verdict, which takes a hundred times longer.
+// Fast proofs of how far apart two shapes are, or how deep they overlap: a direction proves a lower bound of the
+// distance; a point of each, or a simplex of differences around the origin, an upper bound. Both are found by an
+// untrusted search, and verified in numbers with error bounds. exact_verdict decides the rest, which takes a hundred
+// times longer.
 #pragma once
 
 #include <limits>
@@ -13,16 +13,16 @@
 
 namespace graze::test {
 
-/// What is proved of a pair's gap: the distance, or minus the depth.
+/// Proved bounds of a pair's gap: the distance, or minus the depth.
 struct GapBounds {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  bool is_overlapping = false;   ///< Depth is more than zero.
+  bool is_overlapping = false;   ///< The depth is positive.
   bool may_be_parallel = false;  ///< Unbounded directions may be nearly parallel, see ExactVerdict.
-  double own_size = 0;           ///< At most the sizes of ExactVerdict.
+  double own_size = 0;           ///< At most the sizes in ExactVerdict.
   double largest = 0;
 
-  /// None if the bounds leave more than one.
+  /// None if the bounds permit more than one.
   std::optional<Relation> relation() const {
     if (low > 0) return Relation::apart;
     if (is_overlapping) return Relation::overlapping;
@@ -31,7 +31,7 @@ struct GapBounds {
   }
 };
 
-/// Bounds on the gap of two valid shapes, close enough to tell whether `claim` is right if that can be had.
+/// Bounds on the gap of two valid shapes, close enough to decide whether `claim` is right, if possible.
 template <Dim N, class T>
 GapBounds gap_bounds(const AnyShape<N, T>& a, const AnyShape<N, T>& b, Relation claim);
 

@@ -28,7 +28,7 @@ bool is_level_form(const Body<N>& body) {
   return body.form == BodyForm::plane || body.form == BodyForm::solid;
 }
 
-/// Whether the claim is proved, or `touching` stands for a gap or depth that is known well.
+/// Whether the claim is proved, or is `touching` and gap or depth are known well.
 inline bool is_enough(const GapBounds& bounds, Relation claim) {
   const std::optional<Relation> truth = bounds.relation();
   if (!truth || *truth == claim) return truth.has_value();
@@ -47,7 +47,7 @@ GapBounds body_bounds(const Body<N>& a, const Body<N>& b, Relation claim) {
   return is_enough(quick, claim) ? quick : HullCertificate<N, long double>(a, b).bounds(claim);
 }
 
-/// Any two parts that overlap do so for the whole; the gap is that of the nearest or deepest.
+/// If any two parts overlap, the whole does; the gap is that of the nearest or deepest parts.
 template <Dim N, class T>
 GapBounds bounds_of_parts(const Compound<N, T>& compound, const AnyShape<N, T>& shape, Relation claim) {
   GapBounds whole{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), false, false, 0, 0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The set of differences a - b of two convex hulls in whole numbers: its point nearest to the origin, whether the
-// origin is inside it, and how deep. Nothing is rounded, so every comparison is a proof.
+// The Minkowski difference a - b of two convex hulls in integers: its point nearest to the origin, whether the origin
+// is inside, and how deep. Nothing is rounded, so every comparison is a proof.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace graze::test {
 
-/// The difference of one corner of each.
+/// The difference of a corner of each.
 template <Dim N>
 struct CornerPair {
   std::size_t a;
@@ -25,7 +25,7 @@ struct CornerPair {
   IntegerVec<N> difference;
 };
 
-/// The point `sum / weight` (weight > 0) in the inside of the hull of `face`: the nearest one to the origin.
+/// The point `sum / weight` (weight > 0) in the relative interior of the hull of `face`, nearest to the origin.
 template <Dim N>
 struct NearestDifference {
   IntegerVec<N> sum;
@@ -38,7 +38,7 @@ class DifferenceSet {
  public:
   using Vector = IntegerVec<N>;
 
-  /// All coordinates times `unit`, the least power of two that makes them whole.
+  /// All coordinates times `unit`, the least power of two that makes them integers.
   DifferenceSet(const Solid<N>& a, const Solid<N>& b) {
     for (const Solid<N>* solid : {&a, &b}) {
       for (const auto* list : {&solid->corners, &solid->edges}) {
@@ -55,7 +55,7 @@ class DifferenceSet {
 
   const Integer& unit() const { return unit_; }
 
-  /// Grows a simplex of differences until no difference reaches below its nearest point's supporting plane.
+  /// Grows a simplex of differences until none is below the supporting plane of its nearest point.
   NearestDifference<N> nearest() const {
     std::vector<CornerPair<N>> simplex{pair(0, 0)};
     while (true) {
@@ -68,9 +68,9 @@ class DifferenceSet {
     }
   }
 
-  /// For a set that holds the origin, given by `nearest`: whether the origin is an inner point. The directions from the
-  /// origin into the set are spanned by those from the corners of one pair of the face into either hull, and by the
-  /// pair's own difference; the origin is on the border when they all lie on one side of a plane.
+  /// For a set that contains the origin, given by `nearest`: whether the origin is an interior point. The directions
+  /// from the origin into the set are spanned by those from the corners of one pair of the face into either hull, and
+  /// by the pair's own difference; the origin is on the boundary if they are all on one side of a plane.
   bool holds_origin_inside(const NearestDifference<N>& origin) const {
     const CornerPair<N>& at = origin.face.front();
     std::vector<Vector> ways{at.difference};
@@ -82,7 +82,7 @@ class DifferenceSet {
     return !is_flat(ways);
   }
 
-  /// The least distance from the origin, which the set holds, to a plane that bounds the set; every such plane is
+  /// The minimum distance from the origin, which is in the set, to a bounding plane of the set; every such plane is
   /// spanned by edges.
   double depth() const {
     if (is_flat(edges_)) return 0;
@@ -111,7 +111,7 @@ class DifferenceSet {
 
   CornerPair<N> pair(std::size_t a, std::size_t b) const { return {a, b, a_[a] - b_[b]}; }
 
-  /// The first corner that lies farthest along sign * direction.
+  /// The first corner that is farthest along sign * direction.
   static std::size_t extreme(const std::vector<Vector>& corners, const Vector& direction, int sign) {
     std::size_t best = 0;
     Integer best_height = sign * dot(corners[0], direction);
@@ -125,13 +125,13 @@ class DifferenceSet {
     return best;
   }
 
-  /// Whether `difference` lies on or above the plane through the point that faces the origin.
+  /// Whether `difference` is on or above the plane through the point that faces the origin.
   static bool is_above(const NearestDifference<N>& point, const Vector& difference) {
     return point.weight * dot(point.sum, difference) >= dot(point.sum, point.sum);
   }
 
-  /// The nearest point of a simplex: the foot of the origin's perpendicular on the one face that it is inside of and
-  /// that no other corner lies below.
+  /// The nearest point of a simplex: the projection of the origin to the one face that contains it in its interior and
+  /// has no other corner below.
   static NearestDifference<N> nearest_on(const std::vector<CornerPair<N>>& simplex) {
     for (unsigned chosen = 1; chosen < 1U << simplex.size(); ++chosen) {
       NearestDifference<N> candidate;
@@ -146,9 +146,9 @@ class DifferenceSet {
     throw std::logic_error("a simplex has a nearest point");
   }
 
-  /// Sets sum and weight to the foot of the origin's perpendicular on the face's span; false if the face is not
-  /// independent or the foot not inside it. With edges e_i = s_i - s_0 the foot is s_0 + sum of m_i e_i where
-  /// sum_j (e_i . e_j) m_j = -e_i . s_0, solved by Cramer's rule.
+  /// Sets sum and weight to the projection of the origin to the face's span; false if the face is not independent or
+  /// the projection is not inside it. With edges e_i = s_i - s_0 the projection is s_0 + sum of m_i e_i where sum_j
+  /// (e_i . e_j) m_j = -e_i . s_0, solved by Cramer's rule.
   static bool drop_perpendicular(NearestDifference<N>& candidate) {
     const std::size_t count = candidate.face.size() - 1;
     if (count > N) return false;
@@ -206,7 +206,7 @@ class DifferenceSet {
     return true;
   }
 
-  /// Whether the vectors span less than the whole space.
+  /// Whether the vectors do not span the whole space.
   static bool is_flat(const std::vector<Vector>& ways) {
     const std::vector<Vector> normals = normals_of(ways);
     if (normals.empty()) return true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Numbers that know how wrong they are: two doubles and a bound on what rounding has lost. Where nothing was lost, as
-// with small whole numbers, the bound is zero and the number exact; what it says of a sign is a proof either way.
+// Numbers with error bounds: two doubles and a bound on the rounding error. If nothing was rounded, as with small
+// integers, the bound is zero and the number exact. A certain sign is a proof either way.
 #pragma once
 
 #include <array>
@@ -10,18 +10,18 @@
 
 namespace graze::test {
 
-/// A number within `error` of high + low, where |low| is at most half an ulp of `high`. Nothing here traps: beyond the
-/// range of double the error becomes infinite or NaN, and every sign uncertain.
+/// A number within `error` of high + low, where |low| is at most half an ulp of `high`. Nothing traps: beyond the range
+/// of double the error becomes infinite or NaN, and every sign uncertain.
 struct Enclosed {
   double high = 0;
   double low = 0;
   double error = 0;
 };
 
-/// Bounds are enlarged by this after each few operations on them, all of positive numbers: more than their roundings.
+/// Bounds are multiplied by this after every few operations on positive numbers: more than their rounding errors.
 inline constexpr double outward = 1 + 64 * std::numeric_limits<double>::epsilon();
 
-/// Products smaller than this may lose digits to underflow, and as much is added to their error.
+/// Products smaller than this may underflow; this much is added to their error.
 inline constexpr double least_product = 0x1p-900;
 
 struct SumOfTwo {
@@ -36,8 +36,8 @@ inline SumOfTwo exact_sum(double a, double b) {
   return {sum, (a - (sum - part_of_b)) + (b - part_of_b)};
 }
 
-/// Dekker 1971, "A floating-point technique for extending the available precision", section 5: in halves of 26 bits
-/// every product is exact.
+/// Dekker 1971, "A floating-point technique for extending the available precision", section 5: products of halves with
+/// 26 bits are exact.
 inline SumOfTwo exact_product(double a, double b) {
   constexpr double splitter = 0x1p27 + 1;
   const double scaled_a = splitter * a;
@@ -52,7 +52,7 @@ inline SumOfTwo exact_product(double a, double b) {
 
 inline Enclosed enclosed(double x) { return {x, 0, 0}; }
 
-/// The stored number itself, taken as exact: for what needs no proof, such as a direction to look along.
+/// The stored number itself, as an exact one: for values that need no proof, such as a search direction.
 inline Enclosed taken_as_exact(const Enclosed& x) { return {x.high, x.low, 0}; }
 
 inline Enclosed operator-(const Enclosed& x) { return {-x.high, -x.low, x.error}; }
@@ -92,14 +92,14 @@ inline Enclosed operator*(const Enclosed& a, const Enclosed& b) {
   return result;
 }
 
-// ---- What is certain: all false where the bound does not allow to say
+// ---- Certain comparisons: false if the error bound leaves the result open
 
 inline bool is_surely_positive(const Enclosed& x) { return x.high + x.low > x.error * outward; }
 inline bool is_surely_negative(const Enclosed& x) { return is_surely_positive(-x); }
 inline bool is_surely_zero(const Enclosed& x) { return x.high == 0 && x.low == 0 && x.error == 0; }
 inline bool is_surely_not_negative(const Enclosed& x) { return x.error == 0 ? x.high >= 0 : is_surely_positive(x); }
 
-/// The numbers below and above in double; 0 for an exact 0.
+/// The bounding doubles below and above; 0 for an exact 0.
 inline double lower_bound(const Enclosed& x) {
   if (x.error == 0 && x.low == 0) return x.high;
   const double sum = x.high + (x.low - x.error * outward);
@@ -108,7 +108,7 @@ inline double lower_bound(const Enclosed& x) {
 
 inline double upper_bound(const Enclosed& x) { return -lower_bound(-x); }
 
-// ---- Without proof
+// ---- Approximate
 
 inline bool is_below_zero(const Enclosed& x) { return x.high < 0; }
 
@@ -117,7 +117,7 @@ Real rounded_to(const Enclosed& x) {
   return static_cast<Real>(x.high) + static_cast<Real>(x.low);
 }
 
-// ---- Vectors: their arithmetic is that of numbers.hpp
+// ---- Vectors, with the arithmetic of numbers.hpp
 
 template <std::size_t N>
 using EnclosedVec = std::array<Enclosed, N>;

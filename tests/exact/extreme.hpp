@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The corners of the convex hull of points in space, in whole numbers and by brute force: all planes through three of
-// the points, or in flat sets all lines through two, that have the others on one side.
+// The corners of the convex hull of 3D points, in integers and by brute force: all planes through three of the points,
+// or for flat sets all lines through two, with all others on one side.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace graze::test {
 
-/// Points times the least power of two that leaves no fractions.
+/// Points times the least power of two that makes them integers.
 template <class T>
 std::vector<IntegerVec<3>> whole_places(const std::vector<Vec<3, T>>& points) {
   Integer denominator = 1;
@@ -34,7 +34,7 @@ std::vector<IntegerVec<3>> whole_places(const std::vector<Vec<3, T>>& points) {
   return places;
 }
 
-/// The faces that support a point: it is a corner when their normals span what all points span.
+/// The faces that support a point: it is a corner if their normals span what all points span.
 class Supports {
  public:
   void add(const IntegerVec<3>& normal) {
@@ -65,11 +65,11 @@ inline void add_support(const std::vector<IntegerVec<3>>& places, const IntegerV
     if (height == 0) on_plane.push_back(i);
   }
   if (is_above && is_below) return;
-  if (!is_above && !is_below) return;  // the plane that all points are on
+  if (!is_above && !is_below) return;  // the plane that contains all points
   for (const std::size_t i : on_plane) supports[i].add(normal);
 }
 
-/// Of distinct points that span space, a plane or a line: the normals of a plane's lines are in the plane.
+/// For distinct points that span a volume, a plane or a line: the normals of a plane's lines are in the plane.
 inline std::vector<Supports> supports_of(const std::vector<IntegerVec<3>>& places, std::size_t dimensions,
                                          const IntegerVec<3>& plane_normal) {
   std::vector<Supports> supports(places.size());
@@ -92,7 +92,7 @@ inline std::vector<Supports> supports_of(const std::vector<IntegerVec<3>>& place
   return supports;
 }
 
-/// In lexicographic order, each once. Slow: for a dozen points.
+/// In lexicographic order, without duplicates. Slow: for up to a dozen points.
 template <class T>
 std::vector<Vec<3, T>> exact_corners(std::vector<Vec<3, T>> points) {
   std::sort(points.begin(), points.end(), detail::lexicographically_less<3, T>);

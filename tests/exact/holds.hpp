@@ -17,7 +17,7 @@ bool contains_exactly(const Sphere<N, T>& sphere, const Vec<N, T>& point);
 template <Dim N, class T>
 bool contains_exactly(const Obb<N, T>& box, const Vec<N, T>& point);
 
-/// Nothing is calculated.
+/// Comparisons only.
 template <Dim N, class T>
 bool contains_exactly(const Aabb<N, T>& box, const Vec<N, T>& point) {
   for (Dim i = 0; i < N; ++i) {

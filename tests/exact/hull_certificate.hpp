@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Certificates of two hulls or rays, by their set of differences D = core a - core b and the sum r of their radii.
-//
-//   apart         a direction n with n . d > r |n| for every corner d of D, and n . w >= 0 for a ray's direction w
-//   gap <= g      shares of some corners whose mean is at most r + g from the origin
-//   overlapping   the same with g < 0, or corners of D around the origin
-//   gap >= g      a direction n with n . d >= (r + g) |n|
+// Certificates for two hulls or rays, from their set of differences D = core a - core b and the sum r of their radii.
+// apart a direction n with n . d > r |n| for every corner d of D, and n . w >= 0 for a ray's direction w
+// gap <= g weights of some corners whose mean is at most r + g from the origin
+// overlapping the same with g < 0, or corners of D around the origin
+// gap >= g a direction n with n . d >= (r + g) |n|
 #pragma once
 
 #include <algorithm>
@@ -64,20 +63,20 @@ class HullCertificate {
  private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  /// Corners in double are this near to the true ones, relative to `scale_`, and so are their heights along a unit
-  /// vector: each is made of at most four numbers in four operations. With room for all that follows here.
+  /// The error of corners in double, relative to `scale_`, and of their heights along a unit vector: each is calculated
+  /// from at most four numbers in four operations. With a reserve for the subsequent operations here.
   static constexpr double coarse = 1e-13;
 
-  /// The cubes of anything larger are far from the least doubles.
+  /// The cubes of anything larger are far above the smallest doubles.
   static constexpr double least_scale = 1e-60;
 
-  /// The squares of anything longer are far from the least doubles.
+  /// The squares of anything longer are far above the smallest doubles.
   static constexpr double least_length = 1e-120;
 
-  /// How far off a place is that is next to another, relative to `scale_`.
+  /// The distance of a perturbed position, relative to `scale_`.
   static constexpr double beside = 0x1p-20;
 
-  /// A depth that small, relative to `scale_`, is looked at no longer.
+  /// Depths below this, relative to `scale_`, are not refined.
   static constexpr double settled = 0.05 * coarse;
 
   static GapBounds with_gap(double low, double high) {
@@ -94,7 +93,7 @@ class HullCertificate {
     return result;
   }
 
-  /// A second corner, far out on the ray: a part of it, for points and simplices. Directions are held to the whole ray.
+  /// Adds a second corner, far out on the ray, for points and simplices. Directions are compared with the whole ray.
   void cut(Corners& corners, const Way& way) {
     constexpr double far_out = 64;
     double largest = 0;
@@ -124,7 +123,7 @@ class HullCertificate {
     return length > least_length && least_ > 0;
   }
 
-  /// Whether no ray goes back along n.
+  /// Whether no ray has a component against n.
   static bool is_open(const Body<N>& body, const Point& n, double sign, double length) {
     if (body.form != BodyForm::ray) return true;
     double climb = 0;
@@ -147,7 +146,7 @@ class HullCertificate {
            std::all_of(shares.begin(), shares.end(), [margin](Real x) { return x < -margin; });
   }
 
-  // ---- In numbers that know their error
+  // ---- In numbers with error bounds
 
   EnclosedVec<N> difference(const std::array<std::size_t, 2>& pair) const {
     return a_.exact[pair[0]] - b_.exact[pair[1]];
@@ -171,7 +170,7 @@ class HullCertificate {
     return std::all_of(shares.begin(), shares.end(), is_surely_negative);
   }
 
-  /// What the point of the simplex that is nearest to the origin proves.
+  /// What the simplex's point nearest to the origin proves.
   GapBounds bounds_from_point(const Simplex& simplex) const {
     const std::array<EnclosedVec<N>, N + 1> x = differences(simplex);
     const Shares<Enclosed, N> shares = shares_of<Enclosed, N>(x, simplex.count);
@@ -206,7 +205,7 @@ class HullCertificate {
     return result;
   }
 
-  /// At right angles to the simplex, towards it from the target; in an edge's case as far as it can.
+  /// Perpendicular to the simplex, towards it from the target; approximately so for an edge in 3D.
   Way normal_of(const Simplex& simplex) const {
     const std::array<EnclosedVec<N>, N + 1> x = differences(simplex);
     EnclosedVec<N> from_target = x[0];
@@ -232,7 +231,7 @@ class HullCertificate {
     return heights;
   }
 
-  /// The lowest corner of a or, with sign -1, of minus b. Only those are looked at that double cannot exclude.
+  /// The lowest corner of a or, with sign -1, of minus b. Evaluates only those that double cannot exclude.
   static Enclosed lowest(const Corners& corners, std::size_t count, const Way& normal, const Heights& heights,
                          double doubt) {
     std::optional<Enclosed> result;
@@ -248,8 +247,8 @@ class HullCertificate {
     return body.form != BodyForm::ray || is_surely_not_negative(dot(body.way, normal) * enclosed(sign));
   }
 
-  /// A ray's edge is at right angles to its normal, up to rounding: leant towards the ray, by less than a hundred
-  /// digits could show, no ray goes back along it.
+  /// An edge's normal is perpendicular to a ray up to rounding: tilted slightly towards the ray, no ray has a component
+  /// against it.
   Way leant(const Way& normal) const {
     constexpr double very_little = 0x1p-92;
     Way result = normal;
@@ -312,7 +311,7 @@ class HullCertificate {
     if (along.low > result.low) result.low = along.low;
   }
 
-  // ---- Where the origin is on the border: what is true beside it holds there, too
+  // ---- If the origin is on the boundary: what holds for nearby positions holds there, too
 
   bool is_settled(const GapBounds& result) const {
     return result.low == result.high || (result.low > 0 && result.high < 2 * result.low + settled * scale_) ||
@@ -339,7 +338,7 @@ class HullCertificate {
       }
     }
     if (is_settled(result) || result.high != 0) return;
-    // A corner at the origin: in the midst of the normals there no other corner is as low.
+    // A corner at the origin: among the normals there, the middle one has no other corner as low.
     Way normal{};
     for (std::size_t i = 0; i < N; ++i) normal[i] = enclosed(static_cast<double>(middle[i]));
     raise_along(result, normal);
@@ -352,7 +351,7 @@ class HullCertificate {
     if (squared > 0) sum = sum + unit * (1 / std::sqrt(squared));
   }
 
-  /// From the middle of the differences to the origin.
+  /// From the center of the differences to the origin.
   Point outward_way() const {
     Point way{};
     for (std::size_t i = 0; i < a_.count; ++i) way = way - a_.near[i] * (1 / static_cast<Real>(a_.count));
@@ -360,7 +359,7 @@ class HullCertificate {
     return way;
   }
 
-  /// In few digits, so that what is made of it stays exact.
+  /// With few digits, so that results calculated from it are exact.
   static Point scaled_to(const Point& way, double length) {
     constexpr Real steps = 16;
     Real largest = 0;
@@ -374,7 +373,7 @@ class HullCertificate {
     return result;
   }
 
-  /// Whether the differences hold the corners of a small simplex around the origin.
+  /// Whether the set of differences contains a small simplex around the origin.
   bool holds_neighbourhood() const {
     for (const double step : {0x1p-12, 0x1p-24, 0x1p-36, 0x1p-44}) {
       if (holds_simplex(step * scale_)) return true;
@@ -426,7 +425,7 @@ class HullCertificate {
   Corners a_;
   Corners b_;
   Enclosed radius_;
-  double scale_ = 0;  ///< At least N times any coordinate of a difference, or of what it is made of.
+  double scale_ = 0;  ///< At least N times any coordinate of a difference, or of its operands.
   double least_ = 0;
 };
 

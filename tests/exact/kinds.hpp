@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which shapes the oracle takes apart, and which reach to infinity.
+// Which shapes the oracle splits into parts, and which are unbounded.
 #pragma once
 
 #include <graze/shape/any_shape.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Certificates with planes and half-spaces: no search, the heights of the corners over the level say it all.
+// Certificates with planes and half-spaces: the heights of the corners suffice, without a search.
 #pragma once
 
 #include <algorithm>
@@ -15,18 +15,18 @@
 
 namespace graze::test {
 
-/// Directions of which the sine may be less than this are left to the oracle, which has its own, smaller limit.
+/// If the sine between directions may be below this, the oracle decides, which has its own, smaller limit.
 inline constexpr double clearly_not_parallel = 1e-12;
 
-/// The lesser number, in doubt either.
+/// The smaller number, or either if uncertain.
 inline Enclosed lesser(const Enclosed& a, const Enclosed& b) {
   const Enclosed difference = taken_as_exact(a) - taken_as_exact(b);
   const Enclosed& less = difference.high <= 0 ? a : b;
   return {less.high, less.low, std::max(a.error, b.error)};
 }
 
-/// The gap of a set whose core comes as low as `height` over a level, in units of the normal's length, and that is
-/// `radius` larger than its core.
+/// The gap of a set whose core's lowest point is at `height`, in units of the normal's length, and that is inflated by
+/// `radius`.
 inline GapBounds bounds_of_height(const Enclosed& height, const Enclosed& unit_squared, const Enclosed& radius) {
   GapBounds bounds;
   const double least_unit = std::sqrt(lower_bound(unit_squared)) / outward;
@@ -67,13 +67,13 @@ Enclosed height_over(const Body<N>& level, const EnclosedVec<N>& anchor) {
   return dot(level.way, anchor) - enclosed(level.offset);
 }
 
-/// At most how far the level is from the origin.
+/// An upper bound of the plane's distance from the origin.
 template <std::size_t N>
 double least_distance_from_origin(const Body<N>& level) {
   return std::fabs(level.offset) / std::sqrt(upper_bound(dot(level.way, level.way))) / outward;
 }
 
-/// At most the largest coordinate of a body; of a ray, of its origin.
+/// An upper bound of the coordinates of a body; for a ray, of its origin.
 template <std::size_t N>
 double least_largest_coordinate(const Body<N>& body) {
   double largest = 0;
@@ -96,7 +96,7 @@ GapBounds bounds_over_level(const Body<N>& level, const Body<N>& body) {
     lowest = lowest ? lesser(*lowest, height) : height;
     lowest_below = lowest_below ? lesser(*lowest_below, -height) : -height;
   }
-  // The nearer side of a plane is the one on which less of the body lies.
+  // The nearer side of a plane is the one with less of the body.
   Enclosed gap = *lowest;
   if (level.form == BodyForm::plane) gap = -lesser(-*lowest, -*lowest_below);
   GapBounds bounds = bounds_of_height(gap, dot(level.way, level.way), enclosed(body.radius));
@@ -104,7 +104,7 @@ GapBounds bounds_over_level(const Body<N>& level, const Body<N>& body) {
   return bounds;
 }
 
-/// Whether a direction climbs over a level by a sine of more than `clearly_not_parallel`.
+/// Whether a direction rises from a plane with a sine of more than `clearly_not_parallel`.
 template <std::size_t N>
 bool is_clearly_climbing(const Enclosed& product, const EnclosedVec<N>& a, const EnclosedVec<N>& b) {
   const double lengths = std::sqrt(upper_bound(dot(a, a))) * std::sqrt(upper_bound(dot(b, b)));
@@ -125,7 +125,7 @@ GapBounds bounds_over_level_of_ray(const Body<N>& level, const Body<N>& ray) {
   if (is_falling && !is_plane) {
     bounds.is_overlapping = true;
   } else {
-    // The ray's heights begin or end at `start`; a flat one's are both.
+    // The ray's heights begin or end at `start`; for a parallel ray, both.
     Enclosed gap = start;
     if (is_plane && is_falling) gap = -start;
     if (is_plane && is_flat) gap = -lesser(start, -start);
@@ -165,8 +165,8 @@ GapBounds bounds_of_levels(const Body<N>& a, const Body<N>& b) {
   bounds.may_be_parallel = true;
   if (!is_surely_zero(squared_cross<N>(a.way, b.way))) return bounds;
   bounds.may_be_parallel = false;
-  // b's normal is c / s of a's, with c their product and s = a's squared length; so b lies at b.offset s / c, and
-  // (b.offset s - a.offset c) over a, in units of |c| / n times its normal.
+  // b's normal is c / s times a's, with c their dot product and s = a's squared length; so b's plane is at b.offset s /
+  // c, and (b.offset s - a.offset c) above a, in units of |c| / n times its normal.
   const Enclosed product = dot(a.way, b.way);
   const bool same_way = is_surely_positive(product);
   if (!same_way && !is_surely_negative(product)) return bounds;

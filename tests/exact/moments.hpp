@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Volume, centroid and inertia of the hull of points, in rational numbers: every line or plane through some of the
-// points that has the others on one side bounds a fan of simplices under it. For a dozen points.
+// Volume, centroid and inertia of the convex hull of points, in rational numbers: every line or plane through some of
+// the points with the others on one side contributes a fan of simplices. For up to a dozen points.
 #pragma once
 
 #include <algorithm>
@@ -25,8 +25,8 @@ struct ExactMoments {
   std::array<RationalVec<N>, size> second{};
 };
 
-/// Adds those of a simplex with one corner at the origin, whose `determinant` is N! times its volume. Over it the mean
-/// of x is the sum s of the other corners c over N + 1, and that of x x^T is (s s^T + sum of c c^T) / ((N + 1) (N +
+/// Adds those of a simplex with one corner at the origin, whose `determinant` is N! times its volume. The mean of x
+/// over it is the sum s of the other corners c over N + 1, and that of x x^T is (s s^T + sum of c c^T) / ((N + 1) (N +
 /// 2)).
 template <Dim N>
 void add_simplex(ExactMoments<N>& moments, const Rational& determinant,
@@ -46,8 +46,8 @@ void add_simplex(ExactMoments<N>& moments, const Rational& determinant,
   }
 }
 
-/// The same points in the order of a walk around them, seen against `normal`, without those between their neighbours.
-/// In the plane of two coordinates the chain of A. M. Andrew 1979, once along the lower and once along the upper side.
+/// The same points in order around a face, seen against `normal`, without collinear ones. In two coordinates, by the
+/// chain of A. M. Andrew 1979, once along the lower and once along the upper side.
 inline std::vector<RationalVec<3>> around_face(std::vector<RationalVec<3>> points, const RationalVec<3>& normal) {
   const std::size_t drop = normal[2] != 0 ? 2 : normal[1] != 0 ? 1 : 0;
   const std::size_t u = (drop + 1) % 3;
@@ -71,7 +71,7 @@ inline std::vector<RationalVec<3>> around_face(std::vector<RationalVec<3>> point
   return chain;
 }
 
-/// Of a hull in space whose points are seen from one of them. Each face once, by the points that are on it.
+/// The moments of a 3D hull, relative to one of its points. Each face once, with the points on it.
 inline ExactMoments<3> moments_of_hull(const std::vector<RationalVec<3>>& points) {
   ExactMoments<3> moments;
   std::set<std::vector<std::size_t>> seen;
@@ -103,7 +103,7 @@ inline ExactMoments<3> moments_of_hull(const std::vector<RationalVec<3>>& points
   return moments;
 }
 
-/// The same in the plane.
+/// The moments of a 2D hull.
 inline ExactMoments<2> moments_of_hull(const std::vector<RationalVec<2>>& points) {
   std::vector<RationalVec<3>> lifted;
   for (const RationalVec<2>& point : points) lifted.push_back({point[0], point[1], 0});
@@ -122,7 +122,7 @@ inline ExactMoments<2> moments_of_hull(const std::vector<RationalVec<2>>& points
   return moments;
 }
 
-/// Volume, centroid, and the integral of (x - centroid)(x - centroid)^T; nothing if there is no volume.
+/// Volume, centroid, and the integral of (x - centroid)(x - centroid)^T; none if there is no volume.
 template <Dim N>
 struct ExactMass {
   Rational volume = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where to look for a proof: the simplex of corner differences next to a target, found by Gilbert, Johnson and
-// Keerthi's walk (1988) in plain double or, where that loses its way, in long double. Nothing here proves anything; a
-// certificate checks what it is given.
+// Searches for a proof: the simplex of corner differences nearest to a target, by the algorithm of Gilbert, Johnson and
+// Keerthi (1988) in double or, if that fails, in long double. Nothing here is a proof; a certificate checks the result.
 #pragma once
 
 #include <array>
@@ -15,7 +14,7 @@
 
 namespace graze::test {
 
-/// The corners of one body of a pair, relative to one place for both, as proofs and as searches see them.
+/// The corners of one body of a pair, relative to a common position, as used by proofs and by searches.
 template <std::size_t N, class Real>
 struct Corners {
   std::array<EnclosedVec<N>, Body<N>::most_corners + 1> exact;
@@ -34,12 +33,12 @@ bool is_below_zero(Real x) {
   return x < 0;
 }
 
-/// Points whose barycentric shares are known as numbers in proportion to them.
+/// Points whose barycentric coordinates are known up to a common factor.
 template <class Number, std::size_t N>
 using Shares = std::array<Number, N + 1>;
 
-/// In proportion to the barycentric coordinates of the foot of the origin's perpendicular on the span of points; of N +
-/// 1 points, of the origin itself. All of them negated where the points go round the other way.
+/// Proportional to the barycentric coordinates of the projection of the origin to the span of points; for N + 1 points,
+/// of the origin itself. All are negated if the points have the opposite orientation.
 template <class Number, std::size_t N>
 Shares<Number, N> shares_of(const std::array<std::array<Number, N>, N + 1>& x, std::size_t count) {
   Shares<Number, N> shares{};
@@ -62,8 +61,7 @@ Shares<Number, N> shares_of(const std::array<std::array<Number, N>, N + 1>& x, s
   return shares;
 }
 
-/// At right angles to one to N points, towards them from a place: from the edges, of which less is lost than of the
-/// foot of a perpendicular.
+/// Perpendicular to one to N points, towards them from a position: from the edges, which loses less than a projection.
 template <class Number, std::size_t N>
 std::array<Number, N> normal_of(const std::array<std::array<Number, N>, N + 1>& x, std::size_t count,
                                 const std::array<Number, N>& from_place) {
@@ -80,17 +78,17 @@ std::array<Number, N> normal_of(const std::array<std::array<Number, N>, N + 1>& 
   return is_below_zero(dot(normal, from_place)) ? normal * Number{-1} : normal;
 }
 
-/// Corners of one body and of the other, `pairs[i]`, whose differences less the target are `x[i]`.
+/// Corners of one body and of the other, `pairs[i]`, whose differences minus the target are `x[i]`.
 template <std::size_t N, class Real>
 struct Simplex {
   std::array<std::array<std::size_t, 2>, N + 1> pairs{};
   std::array<std::array<Real, N>, N + 1> x{};
   std::size_t count = 0;
   std::array<Real, N> target{};
-  std::array<Real, N> normal{};  ///< From the target to the nearest point, of any length; zero if it is there.
+  std::array<Real, N> normal{};  ///< From the target to the nearest point, of any length; zero if they coincide.
   Real squared = std::numeric_limits<Real>::infinity();
 
-  /// As far as Real can tell.
+  /// As far as Real can decide.
   bool holds_target() const { return count == N + 1; }
 };
 
@@ -124,7 +122,7 @@ class NearestSearch {
   }
 
  private:
-  /// False if the pair is there already.
+  /// False if the pair is already in the simplex.
   bool add(Simplex& simplex, std::size_t on_a, std::size_t on_b) const {
     for (std::size_t i = 0; i < simplex.count; ++i) {
       if (simplex.pairs[i][0] == on_a && simplex.pairs[i][1] == on_b) return false;
@@ -148,7 +146,7 @@ class NearestSearch {
     return best;
   }
 
-  /// Of all faces with the newest corner whose inside holds the foot of the target's perpendicular the nearest one.
+  /// Among all faces with the newest corner whose interior contains the projection of the target, the nearest one.
   static Simplex nearest_face(const Simplex& simplex) {
     Simplex best;
     const unsigned newest = 1U << (simplex.count - 1);

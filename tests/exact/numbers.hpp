@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact numbers for the oracle. Every finite double is a whole number times a power of two, so nothing is lost.
+// Exact numbers for the oracle. Every finite double is an integer times a power of two, so nothing is lost.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ RationalVec<N> exact(const Vec<N, T>& v) {
   return result;
 }
 
-/// Fifty decimal digits, and exponents beyond need: for what is not a verdict but its measure.
+/// Fifty decimal digits and a huge exponent range: for magnitudes, not for verdicts.
 using Wide = boost::multiprecision::cpp_bin_float_50;
 
 inline Wide wide_of(const Rational& x) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Whether a translation parts two shapes, as stored: what judges the normal of a contact. Quickly, and for certain, by
-// the plane across the way that they go; and where that one leaves an overlap, by the oracle, on the shapes as moved.
+// Whether a translation separates two shapes, as stored: this tests the normal of a contact. First by the plane
+// perpendicular to the translation, which is fast and certain; if this leaves an overlap, by the oracle, on the moved
+// shapes.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +24,7 @@ namespace graze::test {
 template <class S>
 inline constexpr bool is_bounded_and_convex = !is_plane_or_half_space<S> && !is_ray<S> && !has_parts<S>;
 
-/// What the oracle takes a shape for; none for levels, rays and compounds.
+/// The oracle's form of a shape; none for planes, rays and compounds.
 template <Dim N, class T>
 std::optional<Solid<N>> bounded_solid(const AnyShape<N, T>& shape) {
   return std::visit(
@@ -37,8 +38,8 @@ std::optional<Solid<N>> bounded_solid(const AnyShape<N, T>& shape) {
       shape);
 }
 
-/// How far b goes along `way`, which need not be of length 1, until no point of it is before the last one of a;
-/// negative if a gap is there already. None for a direction of zero.
+/// How far b must move along `way`, which need not have length 1, until all of it is beyond the last point of a;
+/// negative if there already is a gap. None if the direction is zero.
 template <Dim N>
 std::optional<double> overlap_along(const Solid<N>& a, const Solid<N>& b, const Vec<N, double>& way) {
   const RationalVec<N> exact_way = exact(way);
@@ -51,8 +52,8 @@ std::optional<double> overlap_along(const Solid<N>& a, const Solid<N>& b, const 
   return static_cast<double>(Wide(of_cores + wide_of(a.radius + b.radius)));
 }
 
-/// How deep the shapes are in each other when b has gone by `way`, or less than `enough` if it is no more than that; 0
-/// where they are apart. None for levels, rays and compounds.
+/// How deep the shapes overlap after b has moved by `way`; may be any value below `enough` if it is no more than that;
+/// 0 if they are apart. None for planes, rays and compounds.
 template <Dim N, class T>
 std::optional<double> overlap_after(const AnyShape<N, T>& a, const AnyShape<N, T>& b, const Vec<N, double>& way,
                                     double enough) {

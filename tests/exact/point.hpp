@@ -8,8 +8,8 @@
 
 namespace graze::test {
 
-/// The distance, or minus the depth; for planes positive on the normal's side. Compounds are to be asked part by part:
-/// otherwise std::invalid_argument.
+/// The distance, or minus the depth; for planes positive on the normal's side. Throws std::invalid_argument for
+/// compounds, whose parts must be queried one by one.
 template <Dim N, class T>
 double exact_signed_distance(const AnyShape<N, T>& shape, const Vec<N, T>& point);
 
@@ -17,8 +17,7 @@ double exact_signed_distance(const AnyShape<N, T>& shape, const Vec<N, T>& point
 template <Dim N, class T>
 double exact_distance(const Vec<N, T>& a, const Vec<N, T>& b);
 
-/// How far `given` is from the point of the shape that is nearest to `point`, which the shape does not hold. Compounds
-/// as above.
+/// How far `given` is from the shape's point nearest to `point`, which must be outside. Compounds as above.
 template <Dim N, class T>
 double exact_miss(const AnyShape<N, T>& shape, const Vec<N, T>& point, const Vec<N, T>& given);
 

@@ -31,8 +31,7 @@ WideVec<N> wide_vector(const RationalVec<N>& v) {
   return result;
 }
 
-/// The nearest point of a convex solid that does not hold p: that of its core,
-/// and from there the radius towards p.
+/// The nearest point of a convex solid that does not contain p: that of its core, moved by the radius towards p.
 template <Dim N>
 WideVec<N> nearest_in(const Solid<N>& solid, const RationalVec<N>& p) {
   const DifferenceSet<N> differences(hull_of<N>({p}), solid);
@@ -44,7 +43,7 @@ WideVec<N> nearest_in(const Solid<N>& solid, const RationalVec<N>& p) {
   return on_core + off * Wide(wide_of(solid.radius) / sqrt(dot(off, off)));
 }
 
-/// The foot of the perpendicular on a plane.
+/// The projection to a plane.
 template <Dim N>
 WideVec<N> closest_on(const ExactLevel<N>& level, const RationalVec<N>& p) {
   const Rational height = dot(level.normal, p) - level.offset;
@@ -58,7 +57,7 @@ double signed_distance_of(const S& shape, const Vec<N, T>& point) {
     const Wide height = wide_of(dot(plane.normal, exact(point)) - plane.offset);
     return static_cast<double>(height / sqrt(wide_of(dot(plane.normal, plane.normal))));
   } else if constexpr (has_parts<S>) {
-    throw std::invalid_argument("the oracle is asked about the parts of a compound, one by one");
+    throw std::invalid_argument("query the parts of a compound one by one");
   } else {
     return simple_verdict(point, shape, Measure::depth).gap;
   }
@@ -71,7 +70,7 @@ WideVec<N> closest_point_of(const S& shape, const Vec<N, T>& point) {
   } else if constexpr (is_ray<S>) {
     return nearest_in<N>(solid_beside(shape, solid(point)), exact(point));
   } else if constexpr (has_parts<S>) {
-    throw std::invalid_argument("the oracle is asked about the parts of a compound, one by one");
+    throw std::invalid_argument("query the parts of a compound one by one");
   } else {
     return nearest_in<N>(solid(shape), exact(point));
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a ray enters a shape as stored. Of hulls in whole numbers: an entry is a point of a simplex of at most as many
-// corners as there are dimensions, so each such simplex is tried, and none is too thin. Of round shapes the roots in
+// Where a ray enters a shape as stored. For hulls, in integers: an entry point is in a simplex of at most as many
+// corners as there are dimensions, so all such simplices are tried, however thin. For round shapes, the roots have
 // fifty digits.
 #pragma once
 
@@ -24,10 +24,10 @@
 
 namespace graze::test {
 
-/// Linear equations in whole numbers, the right hand side in the last column.
+/// Linear equations in integers, with the right-hand side in the last column.
 using IntegerRows = std::vector<std::vector<Integer>>;
 
-/// The last unknown of equations that have one solution, if that has no negative number; else none. Bareiss 1968,
+/// The last unknown of equations with a unique solution, if no unknown is negative; otherwise none. Bareiss 1968,
 /// "Sylvester's identity and multistep integer-preserving Gaussian elimination": all divisions are exact.
 inline std::optional<Rational> last_of_solution(IntegerRows rows) {
   const std::size_t unknowns = rows.front().size() - 1;
@@ -55,8 +55,8 @@ inline std::optional<Rational> last_of_solution(IntegerRows rows) {
   return Rational(Integer(abs(rows[unknowns - 1][unknowns])), Integer(abs(pivot)));
 }
 
-/// The first place of a ray, as a multiple of its direction, in the hull of corners and all that can be reached from
-/// there along `ways`. The ray's origin is not in that set.
+/// The first position of a ray, as a multiple of its direction, in the Minkowski sum of a convex hull of corners and
+/// the cone of `ways`. The ray's origin must be outside.
 template <Dim N>
 class HullEntry {
  public:
@@ -83,7 +83,7 @@ class HullEntry {
  private:
   struct Generator {
     IntegerVec<N> place;
-    int weight;  ///< 0 of a way.
+    int weight;  ///< 0 for a direction.
   };
 
   void grow_unit(const Vector& v) {
@@ -106,7 +106,7 @@ class HullEntry {
     }
   }
 
-  /// The sum of shares of the chosen ones, less t times the direction, is the origin; the corners' shares are one.
+  /// The weighted sum of the chosen ones minus t times the direction is the origin; the corners' weights sum to one.
   void try_chosen() {
     IntegerRows rows;
     for (std::size_t axis = 0; axis <= static_cast<std::size_t>(N); ++axis) {
@@ -129,7 +129,7 @@ class HullEntry {
   std::optional<Rational> first_;
 };
 
-/// The lesser root of a t^2 + 2 b t + c = 0 with a > 0, if it is positive; without cancellation.
+/// The smaller root of a t^2 + 2 b t + c = 0 with a > 0, if it is positive; without cancellation.
 inline std::optional<Wide> first_root(const Rational& a, const Rational& b, const Rational& c) {
   const Rational discriminant = b * b - a * c;
   if (c <= 0 || b >= 0 || discriminant < 0) return std::nullopt;
@@ -140,7 +140,7 @@ inline void keep_lesser(std::optional<Wide>& first, const std::optional<Wide>& o
   if (other && (!first || *other < *first)) first = other;
 }
 
-/// Balls around both ends and the tube between.
+/// Spheres around both ends and the cylinder between.
 template <Dim N>
 std::optional<Wide> round_entry(const RationalVec<N>& origin, const RationalVec<N>& direction, const Solid<N>& solid) {
   std::optional<Wide> first;
@@ -160,14 +160,14 @@ std::optional<Wide> round_entry(const RationalVec<N>& origin, const RationalVec<
   const std::optional<Wide> tube = first_root(across_squared, squared * dot(off, direction) - start * along,
                                               squared * dot(off, off) - start * start - radius_squared * squared);
   if (!tube) return first;
-  // Next to the ends, where the digits might not suffice, the spheres are entered at the same place.
+  // Close to the ends, where the digits may not suffice, the spheres are entered at the same position.
   const Wide place = wide_of(start) + *tube * wide_of(along);
   if (place >= 0 && place <= wide_of(squared)) keep_lesser(first, tube);
   return first;
 }
 
-/// Where the ray first meets the shape, as a multiple of its direction, rounded once; 0 if it starts there, none if it
-/// does not meet it.
+/// Where the ray first meets the shape, as a multiple of its direction, rounded once; 0 if it starts inside, none if it
+/// misses.
 template <Dim N, class T>
 std::optional<double> exact_entry(const AnyShape<N, T>& shape, const Ray<N, T>& ray) {
   const RationalVec<N> origin = exact(ray.origin);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact touching of what lies along the axes: there barycentric shares may be rounded, but coordinates are not.
+// Exact touching of axis-aligned configurations: barycentric weights may be rounded, but coordinates are exact.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ bool none_is(const std::vector<EnclosedVec<N>>& corners, std::size_t axis, SignT
   return std::none_of(corners.begin(), corners.end(), [&](const EnclosedVec<N>& x) { return has_sign(x[axis]); });
 }
 
-/// Whether the hull of two or three corners, seen along all axes but i and j, surely holds the origin.
+/// Whether the hull of two or three corners, projected along all axes except i and j, certainly contains the origin.
 template <std::size_t N>
 bool holds_origin_in_plane(const std::vector<EnclosedVec<N>>& corners, std::size_t i, std::size_t j) {
   const auto turn = [&](std::size_t from, std::size_t to) {
@@ -33,10 +33,9 @@ bool holds_origin_in_plane(const std::vector<EnclosedVec<N>>& corners, std::size
          std::all_of(turns.begin(), turns.end(), is_surely_negative);
 }
 
-/// Whether the hull of a simplex's corners surely holds the origin. Where all of them lie on one side of a coordinate's
-/// zero, only those count that are zero there, and the coordinate is done with; what is left has at most two
-/// coordinates, or this does not know. Corners on either side of the only coordinate that is left have the origin
-/// between them.
+/// Whether the hull of a simplex's corners certainly contains the origin. If all corners are on one side of zero in a
+/// coordinate, only those at zero count, and the coordinate is settled; at most two coordinates may remain, otherwise
+/// the answer is unknown. If a single coordinate remains, the origin is between corners on either side.
 template <std::size_t N>
 bool holds_origin_on_axes(std::vector<EnclosedVec<N>> corners) {
   std::vector<std::size_t> axes;

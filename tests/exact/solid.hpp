@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The exact point sets of bounded shapes, as stored: the convex hull of corners, widened by a radius.
+// The exact point sets of bounded shapes, as stored: the convex hull of corners, inflated by a radius.
 #pragma once
 
 #include <array>
@@ -14,7 +14,8 @@
 
 namespace graze::test {
 
-/// Coordinates are whole numbers over powers of two. `edges` holds at least one vector along every edge of the hull.
+/// Coordinates are integers divided by powers of two. `edges` contains at least one vector along every edge of the
+/// hull.
 template <Dim N>
 struct Solid {
   std::vector<RationalVec<N>> corners;
@@ -22,7 +23,7 @@ struct Solid {
   Rational radius = 0;
 };
 
-/// The hull of points; every difference of two may be an edge.
+/// The convex hull of points; every difference of two may be an edge.
 template <Dim N>
 Solid<N> hull_of(std::vector<RationalVec<N>> corners, Rational radius = 0) {
   Solid<N> solid{std::move(corners), {}, std::move(radius)};

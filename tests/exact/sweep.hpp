@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a shape that moves passes by, exactly: how far it is from another at a time, and how deep in the other it has
-// been until then. All places that a convex shape comes by are one convex set, so the first touch needs no search: a
-// time is too early if the shape is apart then, and too late if what it has passed by overlaps.
+// The region swept by a moving shape, exactly: how far the shape is from another at a time, and the maximum depth until
+// then. The region swept by a convex shape is convex, so the first contact needs no search: a time is too early if the
+// shape is apart then, and too late if the swept region overlaps.
 #pragma once
 
 #include <optional>
@@ -28,7 +28,7 @@ Solid<N> moved_solid(Solid<N> solid, const RationalVec<N>& way) {
   return solid;
 }
 
-/// All that `solid` comes by along `way`.
+/// The region swept by `solid` along `way`.
 template <Dim N>
 Solid<N> swept_solid(Solid<N> solid, const RationalVec<N>& way) {
   const Solid<N> there = moved_solid<N>(solid, way);
@@ -37,7 +37,7 @@ Solid<N> swept_solid(Solid<N> solid, const RationalVec<N>& way) {
   return solid;
 }
 
-/// The verdict of a solid and a shape that is bounded and convex, or a plane or half-space; none for others.
+/// The verdict on a solid and a shape that is bounded and convex, or a plane or half-space; none for others.
 template <Dim N, class T>
 std::optional<ExactVerdict> solid_verdict_with(const Solid<N>& solid_a, const AnyShape<N, T>& b) {
   return std::visit(
@@ -54,13 +54,13 @@ std::optional<ExactVerdict> solid_verdict_with(const Solid<N>& solid_a, const An
       b);
 }
 
-/// Where a moving shape has come to.
+/// The progress of a moving shape.
 struct ExactPassage {
   ExactVerdict there;   ///< At the time.
-  ExactVerdict so_far;  ///< Of all places until then.
+  ExactVerdict so_far;  ///< For the region swept until then.
 };
 
-/// a has gone by motion * t. None unless a is bounded and convex, and b, too, or a plane or half-space.
+/// a has moved by motion * t. None unless a is bounded and convex, and so is b, or b is a plane or half-space.
 template <Dim N, class T>
 std::optional<ExactPassage> exact_passage(const AnyShape<N, T>& a, const Vec<N, T>& motion, double t,
                                           const AnyShape<N, T>& b) {

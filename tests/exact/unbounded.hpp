@@ -40,10 +40,10 @@ Rational largest_coordinate(const Solid<N>& solid) {
   return largest + solid.radius;
 }
 
-// ---- A ray, cut where nothing changes: the points of the other shape are nearest to the part kept.
+// ---- A ray, truncated without effect: the points of the other shape are nearest to the part that is kept.
 
 /// From the ray's origin to beyond `reach` times its direction; by a power of two, because the coordinates of solids
-/// are whole numbers over powers of two.
+/// are integers divided by powers of two.
 template <Dim N>
 Solid<N> cut_ray(const RationalVec<N>& origin, const RationalVec<N>& direction, const Rational& reach) {
   Rational cut = 1;
@@ -52,7 +52,7 @@ Solid<N> cut_ray(const RationalVec<N>& origin, const RationalVec<N>& direction, 
   return hull_of<N>({origin, origin + direction * cut});
 }
 
-/// Twice as far as the farthest place on the ray beside a corner, and farther than the corners lie from the origin, so
+/// Twice as far as the ray's farthest point closest to a corner, and farther than the corners are from the origin, so
 /// that the cut is no nearer than any side.
 template <Dim N, class T>
 Solid<N> solid_beside(const Ray<N, T>& ray, const Solid<N>& other) {
@@ -72,11 +72,11 @@ Solid<N> solid_beside(const Ray<N, T>& ray, const Solid<N>& other) {
   return cut_ray<N>(origin, direction, Rational(2 * reach));
 }
 
-/// The places nearest to each other on the lines of two rays, as multiples of the directions; none if parallel.
+/// The nearest points of the lines of two rays, as multiples of the directions; none if parallel.
 template <Dim N>
 std::optional<std::array<Rational, 2>> nearest_places(const RationalVec<N>& between, const RationalVec<N>& first,
                                                       const RationalVec<N>& second) {
-  // between + t second - s first is at right angles to both directions.
+  // between + t second - s first is perpendicular to both directions.
   const Rational a = dot(first, first);
   const Rational b = dot(first, second);
   const Rational c = dot(second, second);
@@ -87,7 +87,7 @@ std::optional<std::array<Rational, 2>> nearest_places(const RationalVec<N>& betw
   return std::array<Rational, 2>{(c * d - b * e) / determinant, (b * d - a * e) / determinant};
 }
 
-/// Two rays, cut beyond the origin of the other and beyond where their lines are nearest.
+/// Two rays, truncated beyond the other's origin and beyond the nearest points of their lines.
 template <Dim N, class T>
 std::array<Solid<N>, 2> cut_rays(const Ray<N, T>& a, const Ray<N, T>& b) {
   const RationalVec<N> first = exact(a.direction);
@@ -122,7 +122,7 @@ ExactLevel<N> level(const HalfSpace<N, T>& solid) {
   return {exact(solid.normal), exact(static_cast<double>(solid.offset)), true};
 }
 
-/// How high over a level a set reaches, in units of the normal; nothing means infinitely far.
+/// The heights of a set above a plane, in units of the normal; none means infinite.
 struct ExactHeights {
   std::optional<Rational> low;
   std::optional<Rational> high;
@@ -149,7 +149,7 @@ ExactHeights heights(const ExactLevel<N>& level, const Ray<N, T>& ray) {
   return result;
 }
 
-/// The verdict on a gap of `units` between cores, in units of sqrt(unit_squared), less a radius.
+/// The verdict for a gap of `units` between cores, in units of sqrt(unit_squared), less a radius.
 inline ExactVerdict verdict(const Rational& units, const Rational& unit_squared, const Rational& radius) {
   ExactVerdict result;
   const Rational reach_squared = radius * radius * unit_squared;
@@ -170,7 +170,7 @@ inline ExactVerdict always_overlapping() {
   return {Relation::overlapping, -std::numeric_limits<double>::infinity(), 0, 0, false};
 }
 
-/// How far a level is from the origin.
+/// The distance of a plane from the origin.
 template <Dim N>
 double distance_from_origin(const ExactLevel<N>& level) {
   return static_cast<double>(abs(wide_of(level.offset)) / sqrt(wide_of(dot(level.normal, level.normal))));
@@ -203,7 +203,7 @@ ExactVerdict level_verdict(const ExactLevel<N>& level, const Ray<N, T>& ray) {
   return result;
 }
 
-/// b as a multiple of a, and the square of what is left.
+/// b as a multiple of a, and the square of the remainder.
 template <Dim N>
 std::pair<Rational, Rational> compare_directions(const RationalVec<N>& a, const RationalVec<N>& b) {
   const Rational factor = dot(a, b) / dot(a, a);

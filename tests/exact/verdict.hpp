@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the oracle says of a pair, and what it is asked for.
+// The oracle's result for a pair, and which measures are requested.
 #pragma once
 
 #include <limits>
@@ -8,18 +8,19 @@
 
 namespace graze::test {
 
-/// An exact verdict, and how near to the border it is.
+/// An exact verdict, and how close it is to the border.
 struct ExactVerdict {
   Relation relation = Relation::apart;
   double gap = std::numeric_limits<double>::infinity();  ///< The distance, or minus the depth, rounded once.
   double own_size = 0;                                   ///< The largest coordinate of a difference of the two.
   double largest = 0;                                    ///< The largest coordinate of either.
-  bool is_nearly_parallel = false;  ///< Unbounded directions are not parallel, but rounding cannot tell.
+  /// Unbounded directions are not parallel, but indistinguishable from parallel after rounding.
+  bool is_nearly_parallel = false;
 };
 
-/// What to find out: depths and sizes take longer than distances.
+/// What to calculate: depths and sizes take longer than distances.
 enum class Measure {
-  distance,  ///< The sizes are left out, and for shapes that overlap the gap is any negative number.
+  distance,  ///< No sizes; for overlapping shapes, the gap is any negative number.
   depth,     ///< Everything.
 };
 

@@ -22,7 +22,7 @@
 
 namespace graze::test {
 
-/// The nearest points of the cores decide, or, where the cores meet, whether they do with depth.
+/// Decided by the nearest points of the cores or, if these intersect, by whether they overlap with depth.
 template <Dim N>
 ExactVerdict solid_verdict(const DifferenceSet<N>& differences, const Rational& reach, Measure measure) {
   const NearestDifference<N> nearest = differences.nearest();
@@ -60,7 +60,7 @@ ExactVerdict solid_verdict(const Solid<N>& a, const Solid<N>& b, Measure measure
   return result;
 }
 
-/// The verdict of two simple shapes of one space.
+/// The verdict on two simple shapes of one space.
 template <class A, class B>
 ExactVerdict simple_verdict(const A& a, const B& b, Measure measure) {
   if constexpr (is_plane_or_half_space<A> && is_plane_or_half_space<B>) {

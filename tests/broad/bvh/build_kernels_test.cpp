@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernels of every instruction set of this machine, and those for none at all, against plain loops, bit for bit.
+// Compares the kernels of every instruction set of this machine, and the scalar ones, with plain loops, bit for bit.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -85,7 +85,7 @@ TYPED_TEST(CenterKernelsTest, CentersAndTheirBoundsAreThoseOfTheBoxes) {
   }
 }
 
-/// Numbers that are hard to select from.
+/// Numbers that are difficult for selection.
 template <class T>
 std::vector<std::vector<T>> rows_of_numbers(std::size_t count) {
   test::Numbers random(count);
@@ -102,7 +102,8 @@ std::vector<std::vector<T>> rows_of_numbers(std::size_t count) {
   row([](std::size_t k) { return -static_cast<double>(k); });
   row([](std::size_t k) { return std::ldexp(1.0, static_cast<int>(k % 100)); });
   row([&](std::size_t k) { return (k % 2 == 0 ? 1 : -1) * static_cast<double>(std::numeric_limits<T>::max()); });
-  row([](std::size_t k) { return k % 16 == 8 ? 1e6 + static_cast<double>(k) : static_cast<double>(k); });  // as sampled
+  // at the sampled positions
+  row([](std::size_t k) { return k % 16 == 8 ? 1e6 + static_cast<double>(k) : static_cast<double>(k); });
   return rows;
 }
 

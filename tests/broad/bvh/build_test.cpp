@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which tree comes out; that it is one, bvh_tree_test.cpp says too.
+// Tests which tree is built; bvh_tree_test.cpp tests that it is valid.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -49,7 +49,7 @@ TEST(BvhPlan, HasAsFewNodesAsThereCanBeAndSharesEntriesEvenly) {
   }
 }
 
-/// A tree of its own.
+/// A tree with its own memory.
 template <Dim N, class T>
 struct Built {
   BvhPlan plan;
@@ -61,7 +61,7 @@ struct Built {
     build_bvh<N, T>(slots, 0, plan, {boxes.data(), nodes.data(), places.data()}, executor);
   }
 
-  /// To the last bit, that of lanes without an entry as well.
+  /// Bit-identical, including lanes without an entry.
   bool operator==(const Built& other) const {
     return nodes.size() == other.nodes.size() &&
            std::memcmp(nodes.data(), other.nodes.data(), nodes.size() * sizeof(nodes[0])) == 0 &&
@@ -92,7 +92,7 @@ TEST(BvhBuild, PartsWhatLiesApart) {
   EXPECT_EQ(tree.places[2].count, 2U);
 }
 
-/// What hangs where follows from the boxes and their slots.
+/// The structure follows from the boxes and their slots.
 template <Dim N, class T>
 void expect_the_same_tree(std::size_t count) {
   for (const auto& world : test::box_worlds<N, T>(count, 3)) {
@@ -119,7 +119,7 @@ class BuiltTree {
  public:
   BuiltTree(const Built<N, T>& tree, const std::vector<Aabb<N, T>>& boxes) : tree_(tree), boxes_(boxes) {}
 
-  /// Parts the boxes of nodes that are entries of one node by sorting, as the contract of build_bvh has it.
+  /// Splits the boxes of nodes that are entries of one node by sorting, according to the contract of build_bvh.
   void expect_parted(std::size_t level, std::size_t first, std::size_t last, Aabb<N, T> bounds) const {
     if (last - first == 1) return level > 0 ? expect_parted(level, first) : void();
     Dim axis = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernels of every instruction set of this machine, and those for none at all, against plain loops.
+// Compares the kernels of every instruction set of this machine, and the scalar ones, with plain loops.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -57,7 +57,7 @@ class BvhKernelsTest : public testing::Test {
     }
   }
 
-  /// Calls test(kernels, node, count, box near by) for each instruction set and node.
+  /// Calls test(kernels, node, count, nearby box) for each instruction set and node.
   template <class Test>
   void for_every_node(const Test& test) {
     ASSERT_EQ(test::simd_targets().size(), kernel_targets());
@@ -70,7 +70,7 @@ class BvhKernelsTest : public testing::Test {
     }
   }
 
-  /// How many sets these kernels have been compiled for, of those of this machine.
+  /// The number of this machine's instruction sets that the kernels are compiled for.
   static std::size_t kernel_targets() {
     return static_cast<std::size_t>(
         std::popcount(static_cast<std::uint64_t>(hwy::SupportedTargets() & bvh_kernel_targets())));
@@ -144,7 +144,7 @@ TYPED_TEST(BvhKernelsTest, LeastGrownIsTheFirstOfTheSmallestThatGrowLeast) {
   });
 }
 
-/// There is an answer even where growth has no number.
+/// There is an answer even if the growth overflows.
 TYPED_TEST(BvhKernelsTest, LeastGrownIsABoxEvenAmongTheLargest) {
   using T = typename TypeParam::scalar;
   constexpr Dim N = TypeParam::dimension;
@@ -159,7 +159,7 @@ TYPED_TEST(BvhKernelsTest, LeastGrownIsABoxEvenAmongTheLargest) {
   }
 }
 
-/// All that entry_of enters, no later, and little else.
+/// All boxes that entry_of enters, no later, and few others.
 TYPED_TEST(BvhKernelsTest, EnteredAreTheBoxesThatARayMayEnter) {
   using T = typename TypeParam::scalar;
   constexpr Dim N = TypeParam::dimension;
@@ -196,8 +196,8 @@ TYPED_TEST(BvhKernelsTest, EnteredAreTheBoxesThatARayMayEnter) {
   EXPECT_GT(all, 100U);
 }
 
-/// The first of all boxes on a ray, of equal ones that of the lowest slot, bit for bit: forwards and backwards, along
-/// axes, from inside and from afar, whatever the instruction set.
+/// The first of all boxes on a ray, ties to the lowest slot, bit for bit: forwards and backwards, along axes, from
+/// inside and from afar, for every instruction set.
 TYPED_TEST(BvhKernelsTest, TheFirstBoxOnARayIsThatOfBoxByBox) {
   using T = typename TypeParam::scalar;
   constexpr Dim N = TypeParam::dimension;
@@ -230,7 +230,7 @@ TYPED_TEST(BvhKernelsTest, TheFirstBoxOnARayIsThatOfBoxByBox) {
   EXPECT_GT(hits, 100U);
 }
 
-/// A tree's walks find the same, in the same order, whatever the instruction set.
+/// Walks of a tree find the same boxes in the same order with every instruction set.
 TYPED_TEST(BvhKernelsTest, WalksDoNotDependOnTheInstructionSet) {
   using T = typename TypeParam::scalar;
   constexpr Dim N = TypeParam::dimension;

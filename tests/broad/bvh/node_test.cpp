@@ -46,7 +46,7 @@ TEST(BvhNode, GrownBoxesContainTheBoxAndStayFinite) {
   EXPECT_EQ(grown_by(Aabb<2, double>{{0, 0}, {1, 1}}, largest).max, (Vec<2, double>(largest, largest)));
 }
 
-/// A root with two entries and six of each node below is the tallest tree.
+/// The tallest tree has a root with two entries and six in each node below.
 TEST(BvhNode, AsManyBoxesAsThereMayBeDoNotMakeATallerTree) {
   std::size_t height = 1;
   for (std::uint64_t boxes = 2; boxes * bvh_least <= bvh_most; boxes *= bvh_least) ++height;

@@ -17,7 +17,7 @@
 namespace graze::detail::bvh_part_test {
 namespace {
 
-/// The numbers of centers in the order along an axis, of equal ones that of their slots.
+/// The indices of centers in order along an axis, ties by slot.
 template <Dim N, class T>
 std::vector<std::uint32_t> sorted_along(const test::CenterRoom<N, T>& centers, std::size_t count, Dim axis) {
   std::vector<std::uint32_t> numbers(count);
@@ -30,14 +30,14 @@ std::vector<std::uint32_t> sorted_along(const test::CenterRoom<N, T>& centers, s
   return numbers;
 }
 
-/// Of numbers in two parts, those of each in ascending order.
+/// The numbers of each of two parts in ascending order.
 std::vector<std::uint32_t> in_their_order(std::vector<std::uint32_t> numbers, std::size_t lower) {
   std::sort(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(lower));
   std::sort(numbers.begin() + static_cast<std::ptrdiff_t>(lower), numbers.end());
   return numbers;
 }
 
-/// Centers with coordinates of so many kinds, whose slots come in no order.
+/// Centers with coordinates of a given number of distinct values, with shuffled slots.
 template <Dim N, class T>
 void expect_parts_as_sorted(std::size_t count, double kinds) {
   test::Numbers random(count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much a walk looks at, counted; what it finds is held to BruteForce in spatial_index_laws.hpp.
+// Counts the nodes that a walk visits; spatial_index_laws.hpp compares what it finds with BruteForce.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,8 +37,8 @@ BvhTree<N, T> row(std::uint32_t length) {
 
 constexpr std::uint32_t length = 1U << 14U;
 
-/// Nodes on the path to a box, and as many beside it whose bounds hold it too. A tree of so many boxes has at most six
-/// levels.
+/// Nodes on the path to a box, and as many beside it whose bounds contain it, too. A tree of this many boxes has at
+/// most six levels.
 constexpr std::size_t path = 2 * 6;
 
 TEST(BvhQuery, LooksAtOnePathForOneBox) {
@@ -71,7 +71,7 @@ TEST(BvhQuery, EndsWhenTheVisitorDoes) {
   EXPECT_LE(counting.looks, 4 * block_size);  // the children of one path
 }
 
-/// More than a walk has room for at once.
+/// More than a walk can store at once.
 TEST(BvhQuery, FindsAllOfManyOnce) {
   const BvhTree<2, float> tree = row<2, float>(length);
   std::vector<int> visits(length);
@@ -146,7 +146,7 @@ TEST(BvhQuery, LooksForTheNearestOnlyNearby) {
   }
 }
 
-/// With the directions that make trouble.
+/// With difficult directions.
 template <class T>
 Ray<3, T> nasty_ray(test::Numbers& numbers, double size) {
   constexpr T tiny = std::numeric_limits<T>::denorm_min();
@@ -160,7 +160,7 @@ Ray<3, T> nasty_ray(test::Numbers& numbers, double size) {
   return ray;
 }
 
-/// Numbers as large and as small as there are: what a ray enters is what entry_of says, of each box.
+/// The largest and smallest numbers: a ray enters exactly what entry_of reports for each box.
 template <class T>
 void expect_hits_as_box_by_box(double size, std::uint64_t seed) {
   test::Numbers numbers(seed);
@@ -199,7 +199,7 @@ TEST(BvhQuery, ARayEntersWhatItEntersBoxByBox) {
   for (const double size : {1.0, 1e-320, 1e-300, 1e150, 1e304, 1.7e307}) expect_hits_as_box_by_box<double>(size, 2);
 }
 
-/// The same of distances.
+/// The same for distances.
 template <class T>
 void expect_distances_as_box_by_box(double size, std::uint64_t seed) {
   test::Numbers numbers(seed);
@@ -229,8 +229,8 @@ TEST(BvhQuery, TheNearestAreThoseBoxByBox) {
   for (const double size : {1.0, 1e-320, 1e-160, 1e150, 1e304}) expect_distances_as_box_by_box<double>(size, 4);
 }
 
-/// Boxes on a lattice of a size, every third of them with a reach, some beside the tree: whatever is equally near, and
-/// where more of it is than a walk has room for, the lowest slots count.
+/// Boxes on a lattice, every third of them extended, some beside the tree: among equally near boxes, also if there are
+/// more than a walk can store, the lowest slots count.
 template <Dim N, class T>
 void expect_lowest_slots_of_equally_near(int size, T reach) {
   test::Numbers numbers(5);
@@ -260,7 +260,7 @@ void expect_lowest_slots_of_equally_near(int size, T reach) {
   }
 }
 
-/// Many in each place, and one in each place but as far away as others on the other side.
+/// Many boxes at each position, or one at each position but as far away as others on the opposite side.
 template <Dim N, class T>
 void expect_lowest_slots_of_equally_near() {
   expect_lowest_slots_of_equally_near<N, T>(6, 8);
@@ -279,12 +279,12 @@ TEST(BvhQuery, OfEquallyNearBoxesTheLowestSlotsAreFound) {
   }
 }
 
-/// Boxes at 1, 2, and so on, and some that are all where the last of the wanted is.
+/// Boxes at 1, 2, and so on, and some that share the position of the last wanted one.
 struct SharedLastPlace {
   std::uint32_t wanted;
   std::uint32_t sharing;
   std::uint32_t lowest;    // which of them has the lowest slot
-  bool is_first_infinite;  // and hence beside the tree
+  bool is_first_infinite;  // and is therefore beside the tree
 };
 
 template <Dim N, class T>

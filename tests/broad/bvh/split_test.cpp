@@ -49,8 +49,8 @@ TEST(BvhSplit, LeavesEnoughAndNotTooManyOnEitherSide) {
     for (std::uint32_t k = 0; k < count; ++k) {
       const auto place = static_cast<float>(k * k);
       cases[0].add({Aabb<3>{}, k});                                      // all equal
-      cases[1].add({{Vec<3>(k == 0 ? -most : 1.0F), Vec<3>(most)}, k});  // as large as there are numbers
-      cases[2].add({{Vec<3>(place), Vec<3>(place)}, count - k});         // ever farther
+      cases[1].add({{Vec<3>(k == 0 ? -most : 1.0F), Vec<3>(most)}, k});  // the largest numbers
+      cases[2].add({{Vec<3>(place), Vec<3>(place)}, count - k});         // increasing distances
     }
     for (Entries& entries : cases) {
       const std::uint32_t first = split_entries(entries);

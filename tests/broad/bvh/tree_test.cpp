@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What holds in the tree after any sequence of calls, how tall it gets and how good it stays.
+// Invariants of the tree after any sequence of calls, its height, and its quality over time.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -29,7 +29,7 @@ using Tree = BvhTree<2, float>;
 using Box = Aabb<2, float>;
 using Inspection = test::BvhInspection<2, float>;
 
-/// The unit square at a place; in space the unit cube, there on the floor.
+/// The unit square at a position; in 3D the unit cube on the floor.
 template <Dim N>
 Aabb<N> unit_cube(double x, double y) {
   Vec<N> low(0.0F);
@@ -40,7 +40,7 @@ Aabb<N> unit_cube(double x, double y) {
 
 Box unit_square(double x, double y) { return unit_cube<2>(x, y); }
 
-/// A tree and what it must hold.
+/// A tree and the boxes that it must contain.
 template <Dim N>
 struct HeldIn {
   BvhTree<N, float> tree;
@@ -125,7 +125,7 @@ TEST(BvhTree, BoundsDoNotChangeWhileBoxesStayWithinTheMargin) {
   ASSERT_EQ(held.inspect().height(), 2U);
   EXPECT_EQ(held.tree.bounds(), (Box{{-2, -2}, {198, 3}}));
   const std::vector<Box> before = leaf_bounds(held.tree);
-  held.set(0, unit_square(-2, 2));  // as far as it may
+  held.set(0, unit_square(-2, 2));  // to the limit
   EXPECT_EQ(leaf_bounds(held.tree), before);
   EXPECT_EQ(held.inspect().fault(), "");
   EXPECT_EQ(test::effort_of(held.tree, unit_square(-2, 2)).found, 1U);
@@ -140,7 +140,7 @@ TEST(BvhTree, BoundsShrinkWhenABoxHasShrunk) {
   for (std::uint32_t k = 1; k < 20; ++k) held.set(k, unit_square(10 * k, 0));
   held.set(0, {{0, 0}, {5, 100}});
   EXPECT_EQ(held.tree.bounds(), (Box{{-1, -1}, {192, 101}}));
-  held.set(0, {{0, 0}, {5, 98}});  // not worth a change
+  held.set(0, {{0, 0}, {5, 98}});  // no update needed
   EXPECT_EQ(held.tree.bounds(), (Box{{-1, -1}, {192, 101}}));
   held.set(0, {{0, 0}, {5, 50}});
   EXPECT_EQ(held.tree.bounds(), (Box{{-1, -1}, {192, 51}}));
@@ -156,12 +156,12 @@ TEST(BvhTree, GrowsBoundsNoFartherThanNumbersGo) {
   EXPECT_EQ(held.inspect().fault(), "");
 }
 
-// ---- How good it stays
+// ---- Quality
 
-/// So many hits of a ray are looked at.
+/// The number of hits of a ray that are compared.
 constexpr std::size_t first_hits = 20;
 
-/// The first hits by what the boxes say themselves.
+/// The first hits, calculated from the boxes themselves.
 template <Dim N>
 std::vector<BvhHit> hits_by_all(const HeldIn<N>& held, const Ray<N>& ray) {
   std::vector<BvhHit> hits;
@@ -184,12 +184,12 @@ std::vector<BvhHit> hits_by_tree(const BvhTree<N, float>& tree, const Ray<N>& ra
   return hits;
 }
 
-/// How many times as many nodes there are as in a tree whose nodes are full, if all have as few entries as they may.
+/// The ratio of the number of nodes to that of a tree with full nodes, if all have the minimum number of entries.
 constexpr double scarcely_filled = static_cast<double>(block_size) / bvh_least;
 
-/// Each box is found, each ray meets what it must, and neither looks at many more nodes than in a tree that was built
-/// at once, whose nodes are full: those of one that grew are by two thirds, but for sequences that leave each as soon
-/// as it is split.
+/// Each box is found, each ray finds what it must, and neither visits many more nodes than in a tree that was built in
+/// bulk, whose nodes are full: grown nodes are two thirds full, except for sequences that leave each node as soon as it
+/// is split.
 template <Dim N>
 void expect_as_good_as_new(const HeldIn<N>& held, double most = 2) {
   std::vector<Aabb<N>> boxes;
@@ -221,9 +221,9 @@ void expect_as_good_as_new(const HeldIn<N>& held, double most = 2) {
   EXPECT_LE(static_cast<double>(looks), scarcely_filled * static_cast<double>(fresh_looks));
 }
 
-// ---- Sequences that make other trees tall
+// ---- Sequences that make naive trees tall
 
-/// The height may be 1 + log(n / 2) / log(6), which the inspection sees to.
+/// The height may be 1 + log(n / 2) / log(6), which the inspection checks.
 template <Dim N>
 void expect_low_and_good(const HeldIn<N>& held, const std::string& sequence) {
   SCOPED_TRACE(sequence);
@@ -286,7 +286,7 @@ TEST(BvhTree, StaysLowAndGoodWhenOneSideIsErased) {
   }
 }
 
-/// Boxes in every third slot, built at once; every hundredth has an infinite side.
+/// Boxes in every third slot, built in bulk; every hundredth has an infinite side.
 Held held_at_once(std::uint32_t count) {
   Held held;
   std::vector<Box> boxes;
@@ -362,7 +362,7 @@ TEST(BvhTree, StaysAsGoodAsNewWhileEverythingJumpsAbout) {
   expect_as_good_as_new(held);
 }
 
-/// Nothing is lost, and nothing grows.
+/// Nothing is lost, and memory does not grow.
 template <Dim N>
 void erase_and_insert_all(std::uint32_t rounds) {
   constexpr std::uint32_t count = 256;
@@ -387,7 +387,7 @@ TEST(BvhTree, StaysAsGoodAsNewThroughAThousandRoundsOfErasingAndInserting) {
   erase_and_insert_all<3>(300);
 }
 
-/// Boxes that come, move and go for ever make neither the memory grow nor nodes go astray.
+/// Insertions, moves and removals forever neither increase the memory nor leak nodes.
 TEST(BvhTree, HoldsNoMoreAfterAHundredThousandCalls) {
   Held held(0.25);
   test::Numbers numbers(3);
@@ -414,7 +414,7 @@ TEST(BvhTree, HoldsNoMoreAfterAHundredThousandCalls) {
   EXPECT_EQ(held.tree.spare_nodes(), 0U);
 }
 
-/// A box comes and goes where a node is full, and where it has as few entries as it may.
+/// Boxes inserted and erased where a node is full, and where it has the minimum number of entries.
 TEST(BvhTree, IsSoundWhereNodesAreFullOrHaveJustEnough) {
   for (const std::uint32_t count : {1U, 2U, 6U, 7U, 16U, 17U, 18U, 96U, 97U, 256U, 257U, 258U}) {
     Held held;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What holds in GridCells after any sequence of calls; grid_test.cpp and spatial_index_laws.hpp have the rest.
+// Invariants of GridCells after any sequence of calls; grid_test.cpp and spatial_index_laws.hpp have the rest.
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -23,7 +23,7 @@ namespace {
 using Cells = GridCells<2, float>;
 using Box = Aabb<2, float>;
 
-/// Every box is in one cell, that of its center, which is as large as the box, and within the bounds of all above it.
+/// Every box is in one cell, that of its center, which is as large as the box, and inside the bounds of all ancestors.
 void expect_sound(const Cells& cells, const std::map<std::uint32_t, Box>& expected) {
   std::map<std::uint32_t, Box> found;
   std::size_t filled = 0;
@@ -88,7 +88,7 @@ RC_GTEST_PROP(GridCells, AreSoundAfterAnySequenceOfCalls, ()) {
   expect_sound(cells, boxes);
 }
 
-/// Hundreds of boxes, so that the cells' size is chosen anew, in worlds of every kind.
+/// Hundreds of boxes, so that the cell size is chosen again, in sets of every kind.
 TEST(GridCells, AreSoundInHardWorlds) {
   for (const auto& world : test::box_worlds<2, float>(700, 5)) {
     Cells cells({});
@@ -120,7 +120,7 @@ TEST(GridCells, ChooseTheirSizeByHowManyBoxesThereAre) {
     }
     EXPECT_GT(5000U, cells.filled());
     EXPECT_LT(5000U, 24 * cells.filled());
-    for (std::uint32_t slot = 0; slot < 5000; ++slot) {  // then half of them come much nearer
+    for (std::uint32_t slot = 0; slot < 5000; ++slot) {  // then half of them move much closer
       const Vec<2> point = numbers.point<2, float>(0, 1) * extent * (slot % 2 == 0 ? 1e-3F : 1.0F);
       cells.update(slot, {point, point});
     }
@@ -135,7 +135,7 @@ TEST(GridCells, RefuseOptionsBeyondTheirLimits) {
   EXPECT_NO_THROW(Cells({0x1p1000}));
 }
 
-/// Boxes that come, move and go for ever do not make the memory grow.
+/// Insertions, moves and removals forever do not increase the memory.
 TEST(GridCells, DoNotGrowWithTheNumberOfCalls) {
   Cells cells({2});
   const auto box = [](std::uint32_t slot, std::uint32_t round) {

@@ -54,7 +54,7 @@ TEST(GridTable, PreparesForMany) {
   EXPECT_EQ(table.find(groups[5].place, groups), no_index);
 }
 
-/// Neighbours, of which there are many, hardly ever share a hash.
+/// Neighbouring cells, which are common, rarely share a hash.
 TEST(GridTable, HashesTellNeighboursApart) {
   std::map<std::uint32_t, int> met;
   for (std::int64_t x = -20; x < 20; ++x) {
@@ -64,7 +64,7 @@ TEST(GridTable, HashesTellNeighboursApart) {
   }
   int most = 0;
   for (const auto& [hash, count] : met) most = count > most ? count : most;
-  EXPECT_GT(met.size(), 6000U);  // of 6400 in 65536 places, by chance 6098
+  EXPECT_GT(met.size(), 6000U);  // of 6400 in 65536 buckets; 6098 expected by chance
   EXPECT_LE(most, 5);
 }
 

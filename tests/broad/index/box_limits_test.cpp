@@ -24,7 +24,7 @@ struct Space {
 using Spaces = testing::Types<Space<2, float>, Space<3, float>, Space<2, double>, Space<3, double>>;
 TYPED_TEST_SUITE(BoxLimitsTest, Spaces);
 
-/// Coordinates from few, so that boxes touch, with what is at the ends of all numbers, and both zeros.
+/// Few distinct coordinates, so that boxes touch, with the extremes of all numbers and both zeros.
 TYPED_TEST(BoxLimitsTest, SaysWhatBoxesOverlapSays) {
   constexpr Dim N = TypeParam::N;
   using T = typename TypeParam::T;
@@ -55,7 +55,7 @@ TYPED_TEST(BoxLimitsTest, SaysWhatBoxesOverlapSays) {
   EXPECT_LT(met, 18'000);
 }
 
-/// Each side of a box decides alone.
+/// Each side of a box can decide alone.
 TYPED_TEST(BoxLimitsTest, EveryCoordinateCountsAndNoNumberMeetsNothing) {
   constexpr Dim N = TypeParam::N;
   using T = typename TypeParam::T;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the filter settles is settled rightly, and of a camera's frustum it settles all that matters.
+// What the filter decides is correct, and for a camera's frustum it decides everything that matters.
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -36,7 +36,7 @@ TEST(FrustumFilter, PartsBoxesBesideFacesAndEdges) {
     return filter.part(Box::from_center(center, V3(half)), 0);
   };
   EXPECT_FALSE(part({0, 0, 5}, 1));
-  EXPECT_TRUE(part({0, 0, 12}, 1));    // beyond the far plane, though only by the bounds of the box
+  EXPECT_TRUE(part({0, 0, 12}, 1));    // beyond the far plane, but only by the box's bounds
   EXPECT_FALSE(part({0, 0, 11}, 1));   // touches it
   EXPECT_TRUE(part({7.1, 0, 5}, 1));   // its nearest corner, (6.1, _, 6), is beside the plane x = z
   EXPECT_FALSE(part({6.9, 0, 5}, 1));  // (5.9, _, 6) is not
@@ -46,12 +46,12 @@ TEST(FrustumFilter, PartsBoxesBesideFacesAndEdges) {
 }
 
 TEST(FrustumFilter, PartsABoxThatOnlyAnEdgeParts) {
-  // Turned by an eighth about z: all |x| + |y| <= sqrt(2) z. Up to z = 6, x is below 8.5.
+  // Rotated by 45 degrees about z: |x| + |y| <= sqrt(2) z. Up to z = 6, x is below 8.5.
   Frustum<3, double> turned = upwards;
   const double root = std::sqrt(0.5);
   for (V3& corner : turned.corners) corner = {root * (corner.x - corner.y), root * (corner.x + corner.y), corner.z};
   const Box box{{10, -20, 0}, {30, 20, 6}};
-  // Some of it is behind the plane of every face, and within the bounds.
+  // Inside the bounds, and partly behind the plane of every face.
   ASSERT_FALSE(intersects(turned, box));
   EXPECT_TRUE(FrustumFilter<3>(turned).part(box, 0));
 }
@@ -65,7 +65,7 @@ TEST(FrustumFilter, FindsAPointThatIsShared) {
   EXPECT_TRUE(share({4.9, -4.9, 5}, 0.5));
   EXPECT_TRUE(share({5.4, 0, 5}, 0.5));  // its center is not inside
   EXPECT_FALSE(share({5.6, 0, 5}, 0.5));
-  EXPECT_FALSE(share({4.9, -4.9, 5}, 0));  // a point has no room for doubt
+  EXPECT_FALSE(share({4.9, -4.9, 5}, 0));  // a point leaves no margin
   EXPECT_FALSE(share({0, 0, 11}, 0.5));
 }
 
@@ -79,12 +79,12 @@ TEST(FrustumFilter, OfAPyramidAndOfAPointIsRightToo) {
   Frustum<3, double> point;
   point.corners.fill(V3(1, 2, 3));
   EXPECT_FALSE(FrustumFilter<3>(point).part(Box{{0, 0, 0}, {5, 5, 5}}, 0));
-  EXPECT_FALSE(FrustumFilter<3>(point).share_point(Box{{0, 0, 0}, {5, 5, 5}}, 1e-9));  // it does not know
+  EXPECT_FALSE(FrustumFilter<3>(point).share_point(Box{{0, 0, 0}, {5, 5, 5}}, 1e-9));  // undecided
   EXPECT_TRUE((RegionProbe<Frustum<3, double>>(point).meets(Box{{0, 0, 0}, {5, 5, 5}})));
   EXPECT_FALSE((RegionProbe<Frustum<3, double>>(point).meets(Box{{0, 0, 0}, {5, 5, 2.9}})));
 }
 
-/// The probe says what `intersects` says; the quick one passes no more boxes than are very nearly met.
+/// The probe agrees with `intersects`; the fast test accepts few boxes that are not nearly met.
 template <Dim N, class T>
 void check_probe(bool is_odd) {
   const test::Source<N, T> from = test::draw_source<N, T>();
@@ -112,7 +112,7 @@ TEST(FrustumFilter, LetsTheProbeSayWhatIntersectsSays) {
   }
 }
 
-/// On small whole numbers, where faces are flat: boxes that look as if they met do so up to the slack.
+/// With small integers, where faces are flat: boxes that seem to meet do so up to the slack.
 RC_GTEST_PROP(FrustumFilter, PartsAllThatACameraDoesNotSee, ()) {
   const auto whole = [] { return *rc::gen::inRange(-40, 41) / 4.0; };
   Frustum<3, double> frustum = upwards;

@@ -47,7 +47,7 @@ TEST(KeyTable, TakesTheSlotThatItPreparedAndUsesFreeOnesAgain) {
   KeyTable table;
   const Key prepared = table.prepare();
   EXPECT_EQ(prepared.index, 0U);
-  EXPECT_EQ(table.prepare(), prepared);  // nothing is taken yet
+  EXPECT_EQ(table.prepare(), prepared);  // nothing is occupied yet
   const Key first = table.take();
   EXPECT_EQ(first, prepared);
   const Key second = take(table);
@@ -74,7 +74,7 @@ TEST(KeyTable, KnowsItsOwnKeysAlone) {
   EXPECT_FALSE(table.contains({7, key.generation, key.owner}));
   table.release(0);
   EXPECT_FALSE(table.contains(key));
-  EXPECT_FALSE(table.contains({0, key.generation + 1, key.owner}));  // even: nobody was given it
+  EXPECT_FALSE(table.contains({0, key.generation + 1, key.owner}));  // even: never issued
   EXPECT_FALSE(table.is_taken(0));
   EXPECT_THROW(table.slot_of(key), std::out_of_range);
 }
@@ -250,10 +250,10 @@ TEST(KeyTable, RefusesAPlanThatIsNone) {
   EXPECT_NO_THROW(plan({{0, 1, 0}}, {{1, 2, 0}}));
   EXPECT_THROW(plan({{0, 1, 0}, {0, 3, 0}}, {}), std::invalid_argument);  // twice
   EXPECT_THROW(plan({{0, 1, 0}}, {{0, 2, 0}}), std::invalid_argument);    // taken and free
-  EXPECT_THROW(plan({{1, 1, 0}}, {}), std::invalid_argument);             // nobody has 0
+  EXPECT_THROW(plan({{1, 1, 0}}, {}), std::invalid_argument);             // generation 0 is never issued
   EXPECT_THROW(plan({{0, 2, 0}}, {}), std::invalid_argument);
   EXPECT_THROW(plan({}, {{0, 1, 0}}), std::invalid_argument);
-  EXPECT_THROW(plan({{0, KeyTable::used_up + 1, 0}}, {}), std::invalid_argument);  // given by nobody
+  EXPECT_THROW(plan({{0, KeyTable::used_up + 1, 0}}, {}), std::invalid_argument);  // never issued
   KeyTable used;
   take(used);
   used.release(0);

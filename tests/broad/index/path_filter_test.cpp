@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the filter of rays and segments says misses a box, does; and it says so of nearly all that do.
+// Whatever the filter of rays and segments rejects is a miss; it rejects nearly all misses.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -24,7 +24,7 @@ class PathFilterOf : public ::testing::Test {
     return static_cast<Number>(std::uniform_real_distribution<double>(-size, size)(engine_));
   }
 
-  /// One coordinate of four is zero.
+  /// One coordinate in four is zero.
   Vec<dimension, Number> vector(double size) {
     Vec<dimension, Number> v;
     for (Dim i = 0; i < dimension; ++i) v[i] = engine_() % 4 == 0 ? Number(0) : number(size);
@@ -84,7 +84,7 @@ TYPED_TEST(PathFilterOf, KnowsDirectionsOfAnySizeAndSegmentsOfNone) {
   EXPECT_FALSE((PathFilter<N>(Segment<N, T>{along * T(2), along * T(3)}).share_point(box, 0)));
 }
 
-/// The box around the end is met, and one a little beyond it is not; the bounds hold both ends.
+/// The box around the end is met, and one slightly beyond it is not; the bounds contain both ends.
 TYPED_TEST(PathFilterOf, KnowsWhereTheBeginningOfARayEnds) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A probe says what `intersects` says, and prunes nothing that it would say yes to.
+// A probe agrees with `intersects`, and prunes nothing that `intersects` accepts.
 #include <limits>
 #include <stdexcept>
 
@@ -39,7 +39,7 @@ void expect_sound(const R& region, const Aabb<dimension_of<R>, scalar_of<R>>& bo
   RC_ASSERT(boxes_overlap(probe.reach(detail::finite_size(larger)), larger));
 }
 
-/// No shape that touches a generous region is missed by its box.
+/// No shape that touches an inflated region has a box that is missed.
 template <class R, class S>
 void check_generous_region() {
   EXPECT_TRUE(rc::check([] {
@@ -57,7 +57,7 @@ TEST(Region, AGenerousOneIsMetByTheBoxesOfAllThatTouchesIt) {
   check_generous_region<Segment<2, double>, Ray<2, double>>();
   check_generous_region<Sphere<3, float>, Triangle<3, float>>();
   check_generous_region<Obb<3, double>, Obb<3, double>>();
-  // Just beyond rounding apart for boxes, and yet within the band of the pair.
+  // Separate by just more than the rounding of boxes, but within the band of the pair.
   const Segment<2, double> region{{-1, 0}, {0, 0}};
   const Ray<2, double> ray{{0x1p-52, 0}, {1, 0}};
   ASSERT_TRUE(intersects(region, ray));
@@ -140,7 +140,7 @@ TEST(Region, OfABoxWithInfiniteSidesThePartNearTheRegionCounts) {
     return RegionProbe<std::remove_cvref_t<decltype(region)>>(region).meets(quarter);
   };
   EXPECT_TRUE(meets(Sphere<2, double>{{0, 0}, 1.5}));
-  EXPECT_FALSE(meets(Sphere<2, double>{{0, 0}, 1.4}));  // though their boxes overlap
+  EXPECT_FALSE(meets(Sphere<2, double>{{0, 0}, 1.4}));  // although their boxes overlap
   EXPECT_TRUE(meets(Sphere<2, double>{{1e9, 1e9}, 1}));
   EXPECT_FALSE(meets(Aabb<2, double>::nothing()));
   EXPECT_TRUE(meets(Aabb<2, double>::everything()));

@@ -22,7 +22,7 @@ TEST(Buffer, StartsEmptyAndHoldsWhatWasAskedFor) {
   buffer.require(10);
   EXPECT_EQ(buffer.capacity(), 10U);
   EXPECT_EQ(buffer.bytes(), 40U);
-  buffer.require(3);  // there is room already
+  buffer.require(3);  // capacity suffices
   EXPECT_EQ(buffer.capacity(), 10U);
 }
 
@@ -33,7 +33,7 @@ TEST(Buffer, BeginsAtACacheLineOrALargePage) {
   Buffer<std::uint8_t> large;
   large.require(std::size_t{5} << 20U);
   EXPECT_EQ(reinterpret_cast<std::uintptr_t>(large.data()) % (1U << 21U), 0U);
-  large[(std::size_t{5} << 20U) - 1] = 7;  // the last byte is ours
+  large[(std::size_t{5} << 20U) - 1] = 7;  // the last byte is usable
   EXPECT_EQ(large[(std::size_t{5} << 20U) - 1], 7);
 }
 
@@ -83,7 +83,7 @@ TEST(BlankVector, BeginsAtACacheLineOrALargePage) {
   EXPECT_EQ(reinterpret_cast<std::uintptr_t>(small.data()) % 64, 0U);
   BlankVector<std::uint8_t> large(std::size_t{5} << 20U);
   EXPECT_EQ(reinterpret_cast<std::uintptr_t>(large.data()) % (1U << 21U), 0U);
-  large.back() = 7;  // the last byte is ours
+  large.back() = 7;  // the last byte is usable
   EXPECT_EQ(large.back(), 7);
 }
 

@@ -20,14 +20,14 @@ class KeptBlocksTest : public testing::Test {
 
   void* block(std::size_t i) { return &memory_[i]; }
 
-  /// Makes a block and gives it back.
+  /// Creates a block and returns it.
   void make(KeptBlocks& kept, std::size_t i, std::size_t bytes) {
     kept.note_new(bytes);
     kept.keep(block(i), bytes);
   }
 
  private:
-  std::array<char, 100> memory_{};  // addresses, no more
+  std::array<char, 100> memory_{};  // used only for addresses
 };
 
 TEST_F(KeptBlocksTest, GiveABlockToWhoNeedsJustAsMuch) {
@@ -52,7 +52,7 @@ TEST_F(KeptBlocksTest, HoldNoMoreThanTheyMay) {
   EXPECT_EQ(given_up, std::vector<void*>({block(0)}));
   make(kept, 1, 400);
   make(kept, 2, 500);
-  make(kept, 3, 501);  // the others give way, the oldest first
+  make(kept, 3, 501);  // the others are released, the oldest first
   EXPECT_EQ(given_up, std::vector<void*>({block(0), block(1), block(2)}));
   EXPECT_EQ(kept.bytes(), 501U);
   make(kept, 4, 499);
@@ -121,7 +121,7 @@ TEST_F(KeptBlocksTest, GiveUpAllAtTheEnd) {
 
 TEST_F(KeptBlocksTest, LendABlockToOneThreadAtATime) {
   KeptBlocks kept(1'000, 2, give_up);
-  std::array<int, 3> uses{};  // each written to by whoever has the block
+  std::array<int, 3> uses{};  // each is written to by the thread that has the block
   for (int& number : uses) {
     kept.note_new(sizeof(int));
     kept.keep(&number, sizeof(int));

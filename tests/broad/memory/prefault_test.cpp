@@ -35,7 +35,7 @@ TEST(Populate, LeavesWhatWasWritten) {
 
 #if defined(__linux__) && defined(MADV_POPULATE_WRITE)
 
-/// Memory that nobody has written to.
+/// Memory that has never been written.
 class FreshMemory {
  public:
   FreshMemory() : memory_(mmap(nullptr, large, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)) {}
@@ -63,7 +63,8 @@ TEST(Populate, FetchesAllWholePagesForTwoThreadsAndNoneForOne) {
   ASSERT_TRUE(memory.exists());
   prefault(memory.data(), large, serial_executor());
   EXPECT_EQ(memory.pages_in_memory(), 0U);
-  if (madvise(memory.data(), FreshMemory::page(), MADV_POPULATE_WRITE) != 0) GTEST_SKIP() << "this system cannot";
+  if (madvise(memory.data(), FreshMemory::page(), MADV_POPULATE_WRITE) != 0)
+    GTEST_SKIP() << "not supported on this system";
   prefault(memory.data() + 1, large - 2, test::ThreadExecutor(2));
   EXPECT_EQ(memory.pages_in_memory(), large / FreshMemory::page() - 1) << "the last page is not whole";
 }
@@ -71,9 +72,10 @@ TEST(Populate, FetchesAllWholePagesForTwoThreadsAndNoneForOne) {
 TEST(Populate, FetchesTheWholePagesOfAnyMemoryOnTheCallingThread) {
   const FreshMemory memory;
   ASSERT_TRUE(memory.exists());
-  if (madvise(memory.data(), FreshMemory::page(), MADV_POPULATE_WRITE) != 0) GTEST_SKIP() << "this system cannot";
+  if (madvise(memory.data(), FreshMemory::page(), MADV_POPULATE_WRITE) != 0)
+    GTEST_SKIP() << "not supported on this system";
   prefault(memory.data() + 1, FreshMemory::page());
-  EXPECT_EQ(memory.pages_in_memory(), 1U) << "no page is whole";
+  EXPECT_EQ(memory.pages_in_memory(), 1U) << "there is no whole page";
   prefault(memory.data() + 1, 3 * FreshMemory::page());
   EXPECT_EQ(memory.pages_in_memory(), 3U);
 }

@@ -33,7 +33,7 @@ TEST(ScratchArena, IsTakenPieceByPieceEachWithinWhatWasGivenAndApartFromTheOther
     while (std::byte* const one = lent.take()) taken.push_back(one);
     const std::size_t most = sizes[0] / piece + sizes[1] / piece;
     RC_ASSERT(taken.size() <= most);
-    RC_ASSERT(taken.size() + 2 >= most);  // the way to the first multiple takes one of each at most
+    RC_ASSERT(taken.size() + 2 >= most);  // alignment loses at most one piece of each
     std::sort(taken.begin(), taken.end());
     for (std::size_t k = 0; k < taken.size(); ++k) {
       RC_ASSERT(reinterpret_cast<std::uintptr_t>(taken[k]) % ScratchArena::alignment == 0);
@@ -58,7 +58,7 @@ TEST(ScratchArena, GivesNoPieceToTwoThreads) {
   std::vector<std::byte*> taken(2 * pieces);
   test::ThreadExecutor(4).parallel_for(taken.size(), [&](std::size_t k) { taken[k] = lent.take(); });
   const std::set<std::byte*> different(taken.begin(), taken.end());
-  EXPECT_EQ(different.size(), pieces + 1) << "with null, for those who came late";
+  EXPECT_EQ(different.size(), pieces + 1) << "null, when none was left";
 }
 
 }  // namespace

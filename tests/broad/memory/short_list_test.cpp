@@ -15,7 +15,7 @@ TEST(ShortList, GivesBackWhatWasPushedLastBeyondItsRoomToo) {
   EXPECT_EQ(list.size(), 100U);
   for (int k = 100; k-- > 0;) EXPECT_EQ(list.pop(), k);
   EXPECT_TRUE(list.empty());
-  list.push(7);  // after it has moved out of its room
+  list.push(7);  // after it has moved to the heap
   EXPECT_EQ(list.pop(), 7);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The walk to the boxes in a box with every instruction set of this machine, and with none at all, against a plain
-// loop; and how little it looks at.
+// Compares the walk to the boxes in a box, with every instruction set of this machine and without, with a plain loop;
+// and tests that it visits few others.
 #include <algorithm>
 #include <bit>
 #include <cstddef>
@@ -38,7 +38,7 @@ std::vector<std::uint32_t> first_slots(std::size_t count) {
   return slots;
 }
 
-/// All that is visited, or the first of it.
+/// All that is visited, or only the first part.
 template <Dim N, class T>
 std::vector<std::uint32_t> visited(const CellTree<N, T>& tree, const Aabb<N, T>& region, std::size_t most = 1U << 20U) {
   std::vector<std::uint32_t> slots;
@@ -70,7 +70,7 @@ class CellKernelsTest : public testing::Test {
     }
   }
 
-  /// What a region finds is what it should, in the same order whatever the instruction set.
+  /// A region finds the right boxes, in the same order with every instruction set.
   void expect_found(const Tree& tree, const std::vector<Box>& boxes, const std::vector<Box>& regions) {
     std::vector<std::vector<std::uint32_t>> found;
     for (const Box& region : regions) found.push_back(visited(tree, region));
@@ -114,7 +114,7 @@ TYPED_TEST(CellKernelsTest, FindsTheBoxesThatShareAPoint) {
   }
 }
 
-/// Places in blocks and cells are used again, and what was there meets nothing.
+/// Positions in blocks and cells are reused, and the previous content is never met.
 TYPED_TEST(CellKernelsTest, FindsThemAfterChangesToo) {
   using Shape = typename TestFixture::Box;
   using Number = typename TestFixture::T;
@@ -142,7 +142,7 @@ TYPED_TEST(CellKernelsTest, FindsThemAfterChangesToo) {
       if (random() % 2 == 0) {
         tree.insert(slot, boxes[slot]);
       } else {
-        boxes[slot] = no_entry<dimension, Number>();  // shares a point with none
+        boxes[slot] = no_entry<dimension, Number>();  // shares a point with no region
       }
       regions.push_back(some_box());
     }
@@ -160,7 +160,7 @@ TYPED_TEST(CellKernelsTest, FindsThemAfterChangesToo) {
   }
 }
 
-/// One chain of a thousand blocks, many times what a walk has room for; and a thousand cells of one box each.
+/// One chain of a thousand blocks, many times the capacity of a walk; and a thousand cells of one box each.
 TYPED_TEST(CellKernelsTest, GoesOnWhereItWasInterruptedAndStopsWhereItIsTold) {
   using Shape = typename TestFixture::Box;
   using Number = typename TestFixture::T;
@@ -192,7 +192,7 @@ TYPED_TEST(CellKernelsTest, FindsNothingWhereThereIsNothing) {
                      {{Point(nan), Point(nan)}, {Point(nan), Point(Number(5))}, {Point(Number(3)), Point(Number(4))}});
 }
 
-/// With counts that leave lanes over, and boxes whose centers are outside, infinite or no numbers.
+/// With counts that leave lanes unused, and boxes whose centers are outside, infinite or NaN.
 TYPED_TEST(CellKernelsTest, CodesAreThoseOfTheCenters) {
   using Number = typename TestFixture::T;
   constexpr Dim dimension = TestFixture::N;
@@ -260,8 +260,7 @@ TEST(CellKernels, LookAtLittleBesideWhatTheyFind) {
   }
   CellTree<2, float> tree({});
   tree.fill(boxes, first_slots(boxes.size()));
-  // Down to the center first, or to where there is nothing to find, or from group to group: that changes the order
-  // only.
+  // Descending to the center first, to an empty area, or group by group only changes the order.
   const auto way_to = [&tree](float x, float y) {
     return CellWay<2>::to_middle(Aabb<2, float>{{x, y}, {x, y}}, tree.code_scale());
   };

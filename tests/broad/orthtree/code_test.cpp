@@ -11,7 +11,7 @@
 namespace graze::detail::cell_code_test {
 namespace {
 
-/// Level by level a code names the child that a point is in.
+/// A code names, level by level, the child that contains a point.
 template <Dim N, class T>
 void expect_the_way_down(std::uint32_t seed) {
   std::mt19937 random(seed);
@@ -55,7 +55,7 @@ TEST(CellCode, IsThatOfAnOutermostCellForPointsOutside) {
   EXPECT_EQ(code_of(Vec<2>(std::numeric_limits<float>::quiet_NaN(), 7), scale), 0xAAAA'AAAAU);
 }
 
-/// So is one whose cells have no size in the numbers of the points.
+/// The same for a root whose cells are too small for the points' number type.
 TEST(CellCode, IsTheSameForAllWhereTheRootIsAPoint) {
   for (const double half : {0.0, 1e-60}) {
     CellPlace<3> root;

@@ -85,7 +85,7 @@ TEST(EntryPool, WritesWhatPassesBlockByBlock) {
   EXPECT_EQ(slots, (std::vector<std::uint32_t>{17, 19, 9, 11, 13, 15, 1, 3, 5, 7}));
 }
 
-/// For whoever looks at all places of a block.
+/// For readers of all positions of a block.
 TEST(EntryPool, HasBoxesThatMeetNothingWhereThereIsNoEntry) {
   Pool pool;
   EntryList list;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What holds in a CellTree that took in many boxes at once, then and after changes; what is found in it is held to
-// BruteForce by spatial_index_laws.hpp.
+// Invariants of a CellTree after bulk insertion and later changes; spatial_index_laws.hpp compares what is found in it
+// with BruteForce.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -23,7 +23,7 @@ namespace {
 template <Dim N, class T>
 using Boxes = std::vector<Aabb<N, T>>;
 
-/// Boxes in clusters, most of them small, some as large as the world, far off, equal or infinite.
+/// Boxes in clusters, most of them small, some as large as the world, far away, equal or infinite.
 template <Dim N, class T>
 Boxes<N, T> mixed_boxes(std::size_t count, std::uint32_t seed) {
   std::mt19937 random(seed);
@@ -78,7 +78,7 @@ RC_GTEST_PROP(CellFill, LeavesASoundTreeThatCanBeChanged, ()) {
   expect_sound_after_filling(options, mixed_boxes<3, double>(count, seed), seed);
 }
 
-/// How many boxes the fullest cell has, with those outside.
+/// The number of boxes in the fullest cell, including the list outside.
 template <Dim N, class T>
 std::size_t fullest(const CellTree<N, T>& tree) {
   using Tree = CellTree<N, T>;
@@ -113,7 +113,7 @@ TEST(CellFill, FillsNoCellBeyondItsCapacityWhereBoxesAreSmall) {
   EXPECT_LE(fullest(solid), 8U);
 }
 
-/// More than are sorted at a time, so that the levels below are sorted by themselves.
+/// More levels than are sorted at a time, so that the levels below are sorted separately.
 TEST(CellFill, SortsBelowWhatIsSortedAtATime) {
   Boxes<2, float> boxes = spread_boxes<2>(20'000, 4.0F);
   for (Aabb<2, float>& box : boxes) box.max = box.min + 0.001F;
@@ -124,7 +124,7 @@ TEST(CellFill, SortsBelowWhatIsSortedAtATime) {
   for (const std::uint32_t slot : {3U, 4U, 20'003U}) tree.erase(slot);
 }
 
-/// Beside a few far away the others need more levels than a code tells apart.
+/// With a few far away, the others need more levels than a code distinguishes.
 TEST(CellFill, PartsAClusterThatTheOthersMakeLookLikeAPoint) {
   Boxes<3, float> boxes = spread_boxes<3>(500, 100.0F);
   for (Aabb<3, float>& box : boxes) box.max = box.min + 0.01F;

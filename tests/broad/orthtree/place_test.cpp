@@ -44,7 +44,7 @@ TEST(CellPlace, ARootIsAsGoodAsAnotherThatIsNotMuchSmallerInIt) {
   EXPECT_TRUE(is_as_good(unit, unit));
   EXPECT_TRUE(is_as_good(unit, CellPlace<2>{{0.25, 0}, 0.75, 0, 0}));
   EXPECT_FALSE(is_as_good(unit, CellPlace<2>{{0.25, 0}, 0.8, 0, 0}));  // sticks out
-  EXPECT_FALSE(is_as_good(unit, CellPlace<2>{{0, 0}, 0.5, 0, 0}));     // half the size would do
+  EXPECT_FALSE(is_as_good(unit, CellPlace<2>{{0, 0}, 0.5, 0, 0}));     // half the size would suffice
 }
 
 TEST(RootPlace, IsAroundAllBoxesUnlessAFewAreTooFarOff) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a walk to the boxes in a box looks at, and that it keeps count where there are many; that it finds what it
-// should is in spatial_index_laws.hpp, too.
+// Tests what a walk to the boxes in a box visits, and that it handles many boxes; spatial_index_laws.hpp tests that it
+// finds the right ones, too.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace {
 
 using Box = Aabb<2, float>;
 
-/// A region that counts how many boxes and cells it is shown.
+/// A region that counts the boxes and cells that it tests.
 struct CountingProbe {
   Box region;
   mutable std::size_t boxes = 0;
@@ -33,7 +33,7 @@ struct CountingProbe {
   }
 };
 
-/// A lattice of a hundred by a hundred, a unit from one to the next.
+/// A lattice of a hundred by a hundred, with unit spacing.
 template <class Cells>
 Cells lattice() {
   Cells cells({});
@@ -72,7 +72,7 @@ TYPED_TEST(CellQuery, LooksAtLittleBesideWhatItFinds) {
   EXPECT_LT(probe.cells, 200U);
 }
 
-/// Many times what it keeps in mind at a time.
+/// Many times the capacity of its stack.
 TYPED_TEST(CellQuery, FindsEachOfThousandsOnceAndStopsWhereItIsTold) {
   const auto cells = lattice<TypeParam>();
   const CountingProbe all{Box::everything()};
@@ -84,7 +84,7 @@ TYPED_TEST(CellQuery, FindsEachOfThousandsOnceAndStopsWhereItIsTold) {
   }
 }
 
-/// Their places in blocks still hold what was there.
+/// Their positions in blocks still hold the previous content.
 TYPED_TEST(CellQuery, FindsNoneThatWasErased) {
   auto cells = lattice<TypeParam>();
   for (std::uint32_t slot = 0; slot < 10'000; ++slot) {

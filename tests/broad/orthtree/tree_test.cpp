@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What holds in a CellTree after any sequence of calls; orthtree_test.cpp and spatial_index_laws.hpp have the rest.
+// Invariants of a CellTree after any sequence of calls; orthtree_test.cpp and spatial_index_laws.hpp have the rest.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -69,7 +69,7 @@ TEST(CellTree, ForgetsEverythingWhenItIsEmpty) {
   EXPECT_FALSE(tree.has_root());
 }
 
-/// Boxes that come, move and go for ever do not make the memory grow.
+/// Insertions, moves and removals forever do not increase the memory.
 TEST(CellTree, DoesNotGrowWithTheNumberOfCalls) {
   Tree tree({4, 10});
   const auto box = [](std::uint32_t slot, std::uint32_t round) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How little of the cells a walk looks at; what it finds is in spatial_index_laws.hpp.
+// Tests that a walk visits few cells; spatial_index_laws.hpp tests what it finds.
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -16,7 +16,7 @@ namespace {
 
 using Box = Aabb<2, float>;
 
-/// Ten thousand boxes on a lattice, a unit from one to the next.
+/// Ten thousand boxes on a lattice with unit spacing.
 template <class Cells>
 Cells lattice() {
   Cells cells({});
@@ -28,7 +28,7 @@ Cells lattice() {
   return cells;
 }
 
-/// A region that counts how many boxes it is shown.
+/// A region that counts the boxes that it tests.
 struct CountingProbe {
   Box region;
   mutable std::size_t looks = 0;

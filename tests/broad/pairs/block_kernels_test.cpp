@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernels of every instruction set of this machine, and those for none at all, against plain loops, bit for bit.
+// Compares the kernels of every instruction set of this machine, and the scalar ones, with plain loops, bit for bit.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -82,7 +82,7 @@ TYPED_TEST(BlockKernelsTest, CellsAreThoseOfCentersAndUnusualBoxesAreToldApart) 
     for (const auto& box : world.boxes) {
       if (is_finite(box.min) && is_finite(box.max) && !is_nothing(box)) centers.grow(box.center());
     }
-    // Some centers lie beyond a grid over the middle of them.
+    // Some centers are outside of a grid over the middle of them.
     const Aabb<N, T> middle{centers.min * T(0.75) + centers.max * T(0.25),
                             centers.min * T(0.25) + centers.max * T(0.75)};
     for (const CellGrid<N, T>& grid : {grid_over(centers, 200), grid_over(middle, 200)}) {
@@ -121,7 +121,7 @@ TYPED_TEST(BlockKernelsTest, CentersAreBoundedAndSortedIntoCellsWhateverTheSizes
 TYPED_TEST(BlockKernelsTest, BlocksAreFilledInOrderGrownPaddedAndBounded) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
-  constexpr std::size_t block_count = 11;  // more than are put in order at a time
+  constexpr std::size_t block_count = 11;  // more than are stored at a time
   for (const auto& world : test::box_worlds<N, T>(block_count * block_size - 11, 6)) {
     SCOPED_TRACE(world.name);
     std::vector<std::uint16_t> order(world.boxes.size());
@@ -203,7 +203,7 @@ TYPED_TEST(BlockKernelsTest, ARefillRefusesWhatIsNoBox) {
       const Aabb<N, T> good = boxes[spoilt];
       boxes[spoilt].max[N - 1] = std::numeric_limits<T>::quiet_NaN();
       EXPECT_EQ(kernels.refill(boxes.data(), T(0), ids.data(), 2, blocks.data()), spoilt == 20) << spoilt;
-      boxes[spoilt].max[N - 1] = boxes[spoilt].min[N - 1] - T(0.125);  // a margin does not make it a box
+      boxes[spoilt].max[N - 1] = boxes[spoilt].min[N - 1] - T(0.125);  // a margin does not make it a valid box
       EXPECT_EQ(kernels.refill(boxes.data(), T(1), ids.data(), 2, blocks.data()), spoilt == 20) << spoilt;
       boxes[spoilt] = good;
     }

@@ -9,7 +9,7 @@
 namespace graze::detail::block_spread_test {
 namespace {
 
-/// Bounds of blocks, a lane each.
+/// Bounds of blocks, one per lane.
 std::vector<Block<2, float>> lanes_with(const std::vector<Vec<2>>& extents) {
   std::vector<Block<2, float>> above(extents.size() / block_size + 1);
   for (std::size_t k = 0; k < extents.size(); ++k) {
@@ -35,7 +35,7 @@ TEST(BlockSpread, GrowsAsBlocksReachFurtherButNotBeyondTheirNumber) {
   extents[0] = {4, 4};     // (2 + 1) * (1 + 1)
   extents[1] = {18, 36};   // (9 + 1) * (9 + 1)
   extents[2] = {2e5F, 4};  // more than there are
-  extents[3] = {0, 0};     // a point meets its own place alone
+  extents[3] = {0, 0};     // a point overlaps only its own position
   extents[4] = {std::numeric_limits<float>::infinity(), 0};
   const auto above = lanes_with(extents);
   BlockSpread<2, float> spread;

@@ -15,7 +15,7 @@
 namespace graze::detail::block_tree_test {
 namespace {
 
-/// The box in a lane, or nothing where there is none.
+/// The box in a lane, or an empty box if there is none.
 template <Dim N, class T>
 Aabb<N, T> lane_of(const Block<N, T>* blocks, std::size_t position) {
   const Block<N, T>& block = blocks[position / block_size];
@@ -56,7 +56,7 @@ TEST(BlockTree, HoldsEveryBoxOnceAndEveryLevelBoundsTheOneBelow) {
     for (const auto& world : test::box_worlds<3, float>(count, 21)) {
       if (count == 1 && world.name.find("empty") != std::string::npos) continue;
       SCOPED_TRACE(world.name + ", " + std::to_string(count));
-      solid.build(world.boxes, 0, default_executor());  // over and over in the same memory
+      solid.build(world.boxes, 0, default_executor());  // repeatedly in the same memory
       expect_sound(solid, world.boxes);
     }
     BlockTree<2, double> flat;
@@ -93,11 +93,11 @@ TEST(BlockTree, CanBeRaised) {
   tree.raise(5);
   EXPECT_EQ(tree.height(), 5U);
   expect_sound(tree, boxes);
-  tree.raise(3);  // is higher already
+  tree.raise(3);  // already higher
   EXPECT_EQ(tree.height(), 5U);
 }
 
-/// Moves every box a little, each on its own way.
+/// Moves every box a little, in its own direction.
 template <Dim N, class T>
 void stir(std::vector<Aabb<N, T>>& boxes, double step, test::Numbers& numbers) {
   for (Aabb<N, T>& box : boxes) {
@@ -153,7 +153,7 @@ TEST(BlockTree, DoesNotRefitWhatIsBetterSortedAnew) {
   others[777] = Aabb<3, float>::nothing();
   EXPECT_FALSE(tree.refit(others, 0, serial_executor()));
   tree.build(others, 0, serial_executor());
-  EXPECT_FALSE(tree.refit(others, 0, serial_executor())) << "what contains nothing may come back";
+  EXPECT_FALSE(tree.refit(others, 0, serial_executor())) << "empty boxes may become non-empty";
 }
 
 TEST(BlockTree, SlowDriftIsSortedAnewInTheEnd) {
@@ -184,7 +184,7 @@ TEST(BlockTree, NeighboursShareBlocks) {
     const Vec<3> side = bounds.max - bounds.min;
     volume += static_cast<double>(side.x) * static_cast<double>(side.y) * static_cast<double>(side.z);
   }
-  // Blocks of points that fill space would have its volume in all; twice as much is what a snake costs.
+  // Blocks of points that fill the cube would have its volume in total; twice as much is the cost of the curve.
   EXPECT_LT(volume, 2.0 * 60 * 60 * 60);
 }
 

@@ -96,7 +96,7 @@ TEST(CellGrid, RowsCanBeCutFinerWhereverTheyRun) {
   EXPECT_EQ(with_finer_rows(grid_over(line, 16), line, 8).cells[1], 128U);
   const Box point{{1, 1, 1}, {1, 1, 1}};
   EXPECT_EQ(with_finer_rows(grid_over(point, 16), point, 8).count(), 1U);
-  constexpr float tiny = 1e-37F;  // where the finer cells cannot be counted any more
+  constexpr float tiny = 1e-37F;  // where the finer cells can no longer be counted
   const Box speck{{0, 0, 0}, {tiny, tiny, tiny}};
   const auto cells = with_finer_rows(grid_over(speck, 32), speck, 8);
   EXPECT_LT(cell_of(speck.max, cells), cells.count());

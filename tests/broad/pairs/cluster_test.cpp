@@ -39,7 +39,7 @@ bool is_permutation_of_all(std::vector<std::uint32_t> order) {
   return true;
 }
 
-/// The mean side of the boxes around every `piece` points in a row.
+/// The mean side of the boxes around every `piece` consecutive points.
 template <Dim N>
 double mean_side(const std::vector<Vec<N, double>>& points, const std::vector<std::uint32_t>& order,
                  std::size_t piece) {
@@ -59,7 +59,7 @@ TEST(Crowd, OfEvenlySpreadPointsBecomesSmallPieces) {
   for (int i = 0; i < 20000; ++i) points.push_back(numbers.point<3, double>(0, 100));
   const auto order = sorted_crowd(points, 64);
   EXPECT_TRUE(is_permutation_of_all(order));
-  // Cubes that hold 64 of the 20,000 would have a side of 14.7; without an order it is 97.
+  // Cubes that contain 64 of the 20,000 points would have a side of 14.7; unsorted it is 97.
   EXPECT_LT(mean_side(points, order, 64), 30);
 }
 
@@ -67,7 +67,7 @@ TEST(Crowd, OfCloudsWithinCloudsBecomesSmallPiecesToo) {
   test::Numbers numbers(2);
   std::vector<Vec<3, double>> points;
   for (int i = 0; i < 20000; ++i) {
-    // Three scales: a hundred clouds in a corner of the world, and one point far away.
+    // Three scales: a hundred clusters in a corner, and one point far away.
     points.push_back(Vec<3, double>(i % 100) * 1e-3 + numbers.point<3, double>(-1e-7, 1e-7));
   }
   points.push_back(Vec<3, double>(1e6));
@@ -83,7 +83,7 @@ TEST(Crowd, OfEqualPointsKeepsItsOrder) {
 }
 
 TEST(Crowd, WhoseGridsNeverDivideItIsSortedAllTheSame) {
-  // Each point is a thousand times nearer to the origin than the one before: any grid has all but a few in one cell.
+  // Each point is a thousand times nearer to the origin than the previous one: any grid has almost all in one cell.
   std::vector<Vec<2, double>> points;
   for (int i = 0; i < 90; ++i) points.push_back(Vec<2, double>(std::pow(10.0, -3 * i), 0));
   const auto order = sorted_crowd(points, 4);

@@ -22,7 +22,7 @@
 namespace graze::detail::dense_search_test {
 namespace {
 
-/// Room in memory that is larger than it says.
+/// Output memory that is larger than it claims, with guard values.
 class MarkedRoom final : public PairSink {
  public:
   static constexpr Pair mark = {~0U, ~0U};
@@ -33,14 +33,14 @@ class MarkedRoom final : public PairSink {
   }
   bool appends() const override { return true; }
   const Pair* append(std::span<const Pair> /*pairs*/, std::size_t /*expected*/) override {
-    ADD_FAILURE() << "it counts beforehand";
+    ADD_FAILURE() << "it counts first";
     return nullptr;
   }
 
   std::vector<Pair> memory;
 };
 
-/// Threads, and how many tasks they were given.
+/// Counts the tasks that it runs.
 class CountingExecutor final : public Executor {
  public:
   explicit CountingExecutor(std::size_t threads) : threads_(threads) {}

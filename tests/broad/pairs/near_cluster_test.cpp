@@ -19,7 +19,7 @@ struct FarCenters {
   void prefetch(std::uint32_t /*i*/) const {}
 };
 
-/// Every third box of a world.
+/// Every third box of a set.
 template <class Boxes>
 std::vector<std::uint32_t> some_ids(const Boxes& boxes) {
   std::vector<std::uint32_t> ids;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernels of every instruction set of this machine, and those for none at all, against plain loops, bit for bit.
+// Compares the kernels of every instruction set of this machine, and the scalar ones, with plain loops, bit for bit.
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
@@ -48,7 +48,7 @@ TYPED_TEST(MeetKernelsTest, MeetingsAreThoseOfPlainLoops) {
   using T = typename TypeParam::scalar;
   constexpr std::uint32_t count = 5 * block_size - 3;
   for (const auto& world : test::box_worlds<N, T>(count, 7)) {
-    if (world.name.find("empty") != std::string::npos) continue;  // such boxes never come so far
+    if (world.name.find("empty") != std::string::npos) continue;  // empty boxes never get this far
     SCOPED_TRACE(world.name);
     std::vector<std::uint16_t> order(count);
     std::iota(order.begin(), order.end(), std::uint16_t{0});
@@ -74,7 +74,8 @@ TYPED_TEST(MeetKernelsTest, MeetingsAreThoseOfPlainLoops) {
       ASSERT_LE(found.size(), block_pairs_at_once);
       for (std::uint32_t i = 0; i < 5; ++i) {
         const auto itself = [i](const BlockPair& pair) { return pair.a == i && pair.b == i; };
-        EXPECT_EQ(std::count_if(found.begin(), found.end(), itself), 1) << "block " << i << " must meet itself";
+        EXPECT_EQ(std::count_if(found.begin(), found.end(), itself), 1)
+            << "block " << i << " must be compared with itself";
       }
       std::vector<Pair> pairs(found.size() * 256);
       const BlockLevel<N, T> level{blocks.data(), ids.data(), above.data()};
@@ -92,13 +93,13 @@ TYPED_TEST(MeetKernelsTest, BlocksBelowPairsOfBlocksAreThoseOfPlainLoopsWhetherB
   using T = typename TypeParam::scalar;
   constexpr std::uint32_t block_count = 12;
   constexpr std::uint32_t count = block_count * block_size - 5;
-  std::vector<BlockPair> meetings;  // more than are looked at in one go
+  std::vector<BlockPair> meetings;  // more than are compared in one batch
   for (std::uint32_t i = 0; i < block_count; ++i) {
     for (std::uint32_t j = i; j < block_count; ++j) meetings.push_back({i, j});
   }
   ASSERT_GT(meetings.size(), 2 * block_pairs_at_once);
   for (const auto& world : test::box_worlds<N, T>(count, 11)) {
-    if (world.name.find("empty") != std::string::npos) continue;  // such boxes never come so far
+    if (world.name.find("empty") != std::string::npos) continue;  // empty boxes never get this far
     std::vector<std::uint16_t> order(count);
     std::iota(order.begin(), order.end(), std::uint16_t{0});
     std::vector<Block<N, T>> blocks(block_count);
@@ -131,7 +132,7 @@ TYPED_TEST(MeetKernelsTest, BlocksBelowPairsOfBlocksAreThoseOfPlainLoopsWhetherB
   }
 }
 
-/// Boxes in blocks in their own order, with ids from `first_id` on.
+/// Boxes in blocks in their original order, with ids from `first_id` on.
 template <Dim N, class T>
 struct Filled {
   Filled(const std::vector<Aabb<N, T>>& boxes, std::uint32_t first_id)
@@ -153,7 +154,7 @@ TYPED_TEST(MeetKernelsTest, LargeBoxesMeetSmallOnesFromEitherSide) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
   test::Numbers numbers(5);
-  std::vector<Aabb<N, T>> large;  // nearly all touch the bounds of any block of small ones, few touch one of these
+  std::vector<Aabb<N, T>> large;  // nearly all touch the bounds of any block of small ones, but few touch its boxes
   std::vector<Aabb<N, T>> small;
   for (std::uint32_t k = 0; k < 3 * block_size - 2; ++k) {
     large.push_back(Aabb<N, T>::from_center(numbers.point<N, T>(-40, 40), Vec<N, T>(T(30))));

@@ -33,7 +33,7 @@ std::vector<Pair> bucket_of(const PairBuckets& buckets, std::size_t bucket, Pair
   return sorted(result);
 }
 
-/// Pairs whose first indices crowd in low buckets.
+/// Pairs whose first indices are concentrated in low buckets.
 std::vector<Pair> random_pairs(std::size_t count, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::vector<Pair> pairs;
@@ -60,7 +60,7 @@ void expect_held(PairBuckets& kept, std::size_t count, PairCode form) {
 }
 
 TEST(PairBuckets, HoldEachPairOnceInItsBucketHoweverItCame) {
-  PairBuckets kept;  // its memory serves for more pairs, then for fewer, in codes of both widths
+  PairBuckets kept;  // its memory is reused for more pairs, then for fewer, in codes of both widths
   for (const std::size_t count : {0U, 1U, 3U, 4U, 100U, 2'000U, 50'000U, 500U}) {
     expect_held<std::int32_t>(kept, count, {.row_bits = 6, .second_bits = 16});
     expect_held<std::int64_t>(kept, count, {.row_bits = 6, .second_bits = 32});

@@ -23,7 +23,7 @@ std::vector<Pair> counted_pairs(std::size_t count) {
   return pairs;
 }
 
-/// Appends pairs, `step` at a time, and says of each step how many are expected in all.
+/// Appends pairs, `step` at a time, and passes the expected total at each step.
 template <class Expect>
 std::vector<Pair> appended(std::span<const Pair> pairs, std::size_t step, const Expect& expected) {
   PairList list(serial_executor());
@@ -77,7 +77,7 @@ TEST(PairList, IsReachedInTurnsWhoeverPopulatesIt) {
       for (std::size_t k = 0; k < count; k += step) {
         const std::size_t end = std::min(count, k + step);
         list.reach(end);
-        if (k > 0) list.reach(k);  // which it has long been
+        if (k > 0) list.reach(k);  // already reached
         std::copy(pairs.data() + k, pairs.data() + end, out + k);
       }
       EXPECT_EQ(list.take(), pairs);
@@ -85,14 +85,14 @@ TEST(PairList, IsReachedInTurnsWhoeverPopulatesIt) {
   }
 }
 
-/// As who sorts pairs does: what waits in the room is written over from its beginning on, but not before its turn.
+/// Like sorting pairs: data stored in the list is overwritten from the beginning, but not before its turn.
 TEST(PairList, KeepsWhatWaitsInItUntilItIsReachedWhoeverPopulatesIt) {
   const test::ThreadExecutor two(2);
   for (const std::size_t count : {std::size_t{10}, std::size_t{70'000}, enough_to_populate}) {
     for (const Executor* executor : {&serial_executor(), static_cast<const Executor*>(&two)}) {
       PairList list(*executor);
       const std::span<Pair> ahead = list.ahead(count);
-      if (ahead.empty()) GTEST_SKIP() << "this vector's memory is watched";
+      if (ahead.empty()) GTEST_SKIP() << "writes to spare capacity are reported here";
       ASSERT_GE(ahead.size(), count);
       const std::vector<Pair> waiting = counted_pairs(count);
       std::copy(waiting.begin(), waiting.end(), ahead.begin());

@@ -57,7 +57,7 @@ TEST(PairMethods, WithASetOfNoneThereIsNothingToFind) {
   EXPECT_TRUE(overlapping_pairs(none, many).empty());
 }
 
-/// A region around each box, as queries have them: the k-th box and the k-th region always overlap.
+/// A region around each box, as in queries: the k-th box and the k-th region always overlap.
 TEST(PairMethods, SetsThatFollowEachOtherAreNoCrowd) {
   const std::vector<Aabb<3, float>> boxes = boxes_of(World::brownian, 20'000);
   std::vector<Aabb<3, float>> regions;
@@ -67,7 +67,7 @@ TEST(PairMethods, SetsThatFollowEachOtherAreNoCrowd) {
   EXPECT_FALSE((is_for_dense<3, float>(boxes, &around, 0.5)));
 }
 
-/// Clusters in turn: boxes whose numbers lie as far apart as any fixed stride may all be together.
+/// Clusters in turn: boxes at any fixed stride may belong to one cluster.
 TEST(PairMethods, BoxesInTurnAreNoCrowd) {
   for (std::size_t period = 200; period <= 1000; ++period) {
     std::vector<Aabb<3, float>> boxes;
@@ -79,7 +79,7 @@ TEST(PairMethods, BoxesInTurnAreNoCrowd) {
   }
 }
 
-/// Wherever the giants stand: one that happens to be in the sample stands for its own pairs alone.
+/// Wherever the giants are: one that happens to be sampled counts for its own pairs only.
 TEST(PairMethods, AFewGiantsAreNoCrowd) {
   const std::vector<Aabb<3, float>> dwarfs = boxes_of(World::brownian, 20'000);
   Aabb<3, float> all = Aabb<3, float>::nothing();

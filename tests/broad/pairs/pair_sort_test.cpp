@@ -17,7 +17,7 @@
 namespace graze::detail::pair_sort_test {
 namespace {
 
-/// Room that has nothing before or after it.
+/// Output memory that must not be accessed before its start or after its end.
 class ExactRoom final : public PairSink {
  public:
   Pair* all(std::size_t count) override {
@@ -30,7 +30,7 @@ class ExactRoom final : public PairSink {
   std::vector<Pair> pairs;
 };
 
-/// Sorts pieces, each as a thread of its own would bring it, into exact room.
+/// Sorts pieces, each as from a separate thread, into exactly sized memory.
 std::vector<Pair> sorted_by(PairSort& sort, std::span<const Pair> pairs, std::size_t pieces, const PairLimits& limits) {
   sort.begin(limits);
   {
@@ -124,7 +124,7 @@ TEST(PairSort, OfEveryoneWithEveryone) {
   expect_sorted(pairs, 400, 400);
 }
 
-/// Room of which a part is known beforehand, and whose neighbours are watched.
+/// Output memory that is partly known in advance, with guarded neighbours.
 class RoomAhead final : public PairSink {
  public:
   static constexpr Pair mark = {7, 3};
@@ -154,7 +154,7 @@ class RoomAhead final : public PairSink {
   std::vector<Pair> memory_;
 };
 
-/// Some partners for each of many, in an order as that in space.
+/// Some partners for each of many boxes, in an order like a spatial one.
 std::vector<Pair> crowded_pairs(std::uint32_t rows, std::uint32_t partners, std::uint32_t seed) {
   std::vector<Pair> pairs;
   for (std::uint32_t a = 0; a < rows; ++a) {
@@ -173,7 +173,7 @@ void add_in_pieces(PairSort& sort, std::span<const Pair> pairs, std::size_t sink
   }
 }
 
-/// Whatever was expected of them, and whatever memory there was.
+/// Whatever was forecast, and whatever memory is available.
 TEST(PairSort, OfPairsThatWaitInTheRoomForAllAndInMemoryThatIsLent) {
   EXPECT_TRUE(rc::check([] {
     const auto rows = *rc::gen::inRange<std::uint32_t>(1'000, 40'000);
@@ -223,18 +223,19 @@ TEST(PairSort, TakesLittleForPairsThatWaitInTheRoomForAll) {
     EXPECT_EQ(sort.count(), pairs.size());
     sort.sort(serial_executor(), room);
     bytes.push_back(static_cast<double>(sort.bytes()) / static_cast<double>(pairs.size()));
-    EXPECT_EQ(sort.last().count, 0U) << "nothing was before";
+    EXPECT_EQ(sort.last().count, 0U) << "there was no previous sort";
     sort.begin({rows + 20, rows + 20});
     forecast = sort.last();
     EXPECT_EQ(forecast.count, pairs.size());
   }
   EXPECT_GT(bytes[0], 4);
-  EXPECT_LT(bytes[1], 2) << "a pair, of which a seventh wait elsewhere, and chunks that are not full";
+  EXPECT_LT(bytes[1], 2) << "a pair, of which a seventh is stored elsewhere, and incomplete chunks";
 }
 
 TEST(PairSort, SaysWhatItNeedsInPassingToo) {
   std::vector<Pair> pairs;
-  for (std::uint32_t b = 0; b < 300'000; ++b) pairs.push_back({7, b});  // one bucket, whose pairs are sorted in memory
+  // a single bucket, whose pairs are sorted in temporary memory
+  for (std::uint32_t b = 0; b < 300'000; ++b) pairs.push_back({7, b});
   PairSort sort;
   sorted_by(sort, pairs, 1, {1'000, 300'000});
   const std::size_t with_many = sort.bytes();
@@ -262,7 +263,7 @@ TEST(PairSort, TakesNotMuchMoreThanThePairsNeedAlsoFromManyThreads) {
   }
 }
 
-/// On either side of where a pair of a bucket has no room in 31 bits.
+/// On either side of the limit where a pair of a bucket fits 31 bits.
 TEST(PairSort, OfAsManyIndicesAsCodesHaveRoomForAndMore) {
   for (const std::uint32_t limit : {(1U << 20U) - 1, 1U << 20U, (1U << 20U) + 1, (1U << 21U) + 1}) {
     std::mt19937 random(limit);

@@ -23,7 +23,7 @@ std::vector<Code> codes_of(const std::vector<Pair>& pairs, PairCode form) {
   return codes;
 }
 
-/// The greatest second index that codes of up to 32 rows have room for.
+/// The greatest second index that codes with up to 32 rows can hold.
 template <class Code>
 constexpr PairCode form_of{.row_bits = 5, .second_bits = sizeof(Code) == sizeof(std::int32_t) ? 26U : 32U};
 
@@ -122,7 +122,7 @@ TYPED_TEST(SortCodes, PutKeysOfVeryShortRowsInTheirPlacesAndLongerOnesWhereTheyB
                                               placed.data());
     for (std::size_t k = 0; k < placed.size(); ++k) {
       if (expected[k].a == first + long_row) {
-        placed[k] = expected[k];  // of a longer row: nothing is promised but that it stays within
+        placed[k] = expected[k];  // longer rows: only guaranteed to stay within range
       }
     }
     EXPECT_EQ(placed, expected) << hwy::TargetName(target);

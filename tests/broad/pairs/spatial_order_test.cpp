@@ -81,12 +81,12 @@ TEST(SpatialOrder, RunsOfEvenlySpreadBoxesAreCompact) {
     Rect<float> bounds = Rect<float>::nothing();
     for (std::size_t k = run.first; k < run.first + run.count; ++k) bounds.grow(boxes[spatial.order()[k]].center());
     const Vec<2> side = bounds.max - bounds.min;
-    // Three times what as many boxes take up, at the most: a run may turn a corner of the snake.
+    // At most three times the area of as many boxes: a run may turn a corner of the curve.
     EXPECT_LT(side.x * side.y, 3 * 100 * 100 * static_cast<float>(run.count) / 50'000);
   }
 }
 
-/// Where most boxes lie is found out from a few; the others are none the worse for it, and held as well.
+/// The bounds of most boxes are estimated from a few; the others do not suffer and are included.
 TEST(SpatialOrder, RunsAreCompactBesideAFewBoxesFarAway) {
   test::Numbers numbers(5);
   std::vector<Aabb<2, float>> boxes;
@@ -104,7 +104,7 @@ TEST(SpatialOrder, RunsAreCompactBesideAFewBoxesFarAway) {
     const Vec<2> side = bounds.max - bounds.min;
     if (side.x <= 100 && side.y <= 100) area += static_cast<double>(side.x) * static_cast<double>(side.y);
   }
-  // Any sixty-four of them in a cell of about 1,000 reach over nearly all of it: 200 squares each, not 10,000.
+  // Any sixty-four of them in a cell of about 1,000 would extend over nearly all of it: 200 squares each, not 10,000.
   EXPECT_LT(area / (50'000.0 / some), 600);
 }
 
@@ -114,7 +114,7 @@ TEST(SpatialOrder, SaysWhatItNeedsInPassingToo) {
   SpatialOrder<3, float> spatial;
   spatial.sort(boxes, serial_executor());
   const std::size_t without_crowds = spatial.bytes();
-  // Where a tenth lies far apart, all others are one crowd, whose boxes are copied.
+  // If a tenth is scattered far apart, all others are one cluster, whose boxes are copied.
   for (std::size_t k = 0; k < count; k += 10) {
     boxes[k].min *= 10'000.0F;
     boxes[k].max = boxes[k].min + 1.0F;

@@ -21,7 +21,7 @@
 namespace graze::detail::task_lists_test {
 namespace {
 
-/// A list that says whether it is still held.
+/// A list that knows whether it still exists.
 class List {
  public:
   List(std::vector<Pair> pairs, std::atomic<int>& held) : pairs_(std::move(pairs)), held_(held) { ++held_; }
@@ -35,7 +35,7 @@ class List {
   std::atomic<int>& held_;
 };
 
-/// Room that loses what was ahead where more is asked for, and wants to be told how far it is written to.
+/// Memory that loses its content when more is requested, and must be told how far it is written.
 class Room final : public PairSink {
  public:
   std::span<Pair> ahead(std::size_t expected) override {
@@ -117,11 +117,11 @@ TEST(TaskLists, AreTakenFromManyThreads) {
   }
 }
 
-/// Threads, one of which must not ask for others while it is in a task: it could be given a task that waits for it.
+/// Threads, which must not be requested from inside a task: one could receive a task that waits for this one.
 class FlatExecutor final : public Executor {
  public:
   void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task) const override {
-    EXPECT_FALSE(is_in_task) << "asked for by a task";
+    EXPECT_FALSE(is_in_task) << "requested by a task";
     threads_.parallel_for(count, [&task](std::size_t k) {
       is_in_task = true;
       task(k);
@@ -137,7 +137,7 @@ class FlatExecutor final : public Executor {
 
 TEST(TaskLists, MakeAListReadyWithoutTheOtherThreads) {
   constexpr std::size_t tasks = 5;
-  constexpr std::size_t of_each = 700'000;  // enough for all threads to make them ready together
+  constexpr std::size_t of_each = 700'000;  // enough for all threads to prefault together
   const FlatExecutor executor;
   std::atomic<int> held = 0;
   PairList room(executor);

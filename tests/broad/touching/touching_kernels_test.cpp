@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What kernels are sure of is true, which touching_pairs_test.cpp shows on hard cases; here: that they are sure of what
-// is not hard, so that the slow way is rarely taken.
+// touching_pairs_test.cpp tests on hard cases that certain verdicts are right; this tests that easy cases are certain,
+// so that the slow path is rare.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -22,7 +22,7 @@
 namespace graze::detail::touch_kernels_test {
 namespace {
 
-/// The share of pairs of neighbours that a kernel settles, the least of all instruction sets.
+/// The share of neighbouring pairs that a kernel decides, the minimum over all instruction sets.
 template <class A, class B>
 double settled_share(TouchKind kind, const std::vector<A>& a, const std::vector<B>& b) {
   using T = scalar_of<A>;
@@ -53,7 +53,7 @@ double settled_share(TouchKind kind, const std::vector<A>& a, const std::vector<
   return least;
 }
 
-/// Random shapes in a room where about half of the pairs meet.
+/// Random shapes in a volume where about half of the pairs meet.
 template <Dim N, class T>
 class Room {
  public:
@@ -126,8 +126,8 @@ TEST(TouchingKernels, SettleAllButAFewRandomPairsOfAThousand) {
   expect_most_settled<3, double>(0.997);
 }
 
-/// Crates turned alike, in a row, each a hundredth of its size into the next: no two edges cross, which leaves nine of
-/// fifteen axes without a meaning.
+/// Crates with equal orientation in a row, each overlapping the next by a hundredth of its size: no two edges cross, so
+/// nine of fifteen axes are degenerate.
 TEST(TouchingKernels, SettleCratesInARow) {
   std::vector<Obb<3>> crates;
   std::vector<Obb<3>> others;
@@ -141,7 +141,7 @@ TEST(TouchingKernels, SettleCratesInARow) {
   EXPECT_EQ(settled_share(TouchKind::obb_obb, crates, others), 1);
 }
 
-/// How many of the pairs a list's kernel leaves open. What it says is true.
+/// The number of pairs that a list's kernel leaves undecided. Certain verdicts must be right.
 template <Dim N, class T>
 std::size_t left_open(TouchListKernel<T> kernel, const std::vector<Obb<N, T>>& boxes, const std::vector<Pair>& pairs) {
   std::vector<GroupVerdict> verdicts(pairs.size() / touch_group);
@@ -162,7 +162,7 @@ std::size_t left_open(TouchListKernel<T> kernel, const std::vector<Obb<N, T>>& b
   return open;
 }
 
-/// The first leaves what is nearer to touching than the most skew of axes allows to say; the second hardly anything.
+/// The first leaves pairs that touch within the greatest skew of axes; the second leaves hardly any.
 template <Dim N, class T>
 void expect_two_kernels_for_oriented_boxes() {
   Room<N, T> room;
