@@ -40,7 +40,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The command line as it was given.
+/// The parsed command line.
 struct BenchArguments {
   std::optional<std::string> file;
   std::optional<std::string> world;
@@ -61,7 +61,7 @@ constexpr std::array<std::pair<std::string_view, PairOrder>, 2> orders{
 constexpr std::size_t usual_frames = 10;
 constexpr NumberRange thread_range{1, 1024};
 
-/// Above so many boxes a method runs only for those who ask for it by name: it would be seconds for a frame.
+/// Above this many boxes, a method runs only if it is requested by name, because a frame would take seconds.
 std::size_t usual_limit(PairMethod method) {
   switch (method) {
     case PairMethod::brute_force:
@@ -75,7 +75,7 @@ std::size_t usual_limit(PairMethod method) {
   return std::numeric_limits<std::size_t>::max();
 }
 
-/// What is to be measured, whatever the boxes are.
+/// What to measure, independent of the boxes.
 struct Plan {
   std::vector<PairMethod> methods;
   std::vector<PairMethod> by_name;
@@ -117,26 +117,26 @@ Plan plan_of(const BenchArguments& arguments) {
   return plan;
 }
 
-/// The pairs ascending, whatever the order they came in.
+/// The pairs in ascending order, whatever order they came in.
 std::vector<Pair> sorted(std::span<const Pair> pairs) {
   std::vector<Pair> result(pairs.begin(), pairs.end());
   std::sort(result.begin(), result.end());
   return result;
 }
 
-/// What two methods do not agree on; nothing when they do. Both lists are ascending.
+/// Describes the disagreement of two methods; nothing if they agree. Both lists are ascending.
 std::optional<std::string> difference(std::string_view name_a, std::span<const Pair> a, std::string_view name_b,
                                       std::span<const Pair> b) {
   const auto [in_a, in_b] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
   if (in_a == a.end() && in_b == b.end()) return std::nullopt;
   const bool only_in_a = in_b == b.end() || (in_a != a.end() && *in_a < *in_b);
   const Pair& pair = only_in_a ? *in_a : *in_b;
-  return fmt::format("the boxes {} and {} are a pair for {}, but not for {} ({} and {} pairs in all)", pair.a, pair.b,
-                     only_in_a ? name_a : name_b, only_in_a ? name_b : name_a, only_in_a ? a.size() : b.size(),
+  return fmt::format("the boxes {} and {} are a pair according to {}, but not to {} ({} and {} pairs in total)", pair.a,
+                     pair.b, only_in_a ? name_a : name_b, only_in_a ? name_b : name_a, only_in_a ? a.size() : b.size(),
                      only_in_a ? b.size() : a.size());
 }
 
-/// Runs all methods on one frame after the other and compares what they find.
+/// Runs all methods frame by frame and compares their results.
 template <Dim N, class T>
 class Measurement {
  public:
@@ -177,7 +177,8 @@ class Measurement {
     PairFinder<N, T> finder;
   };
 
-  /// One method on one frame. Its first call is not counted: it gets the memory that all others use again.
+  /// Measures one method on one frame. Its first call is not counted, because it allocates memory that later calls
+  /// reuse.
   std::span<const Pair> find(std::size_t i, std::span<const Aabb<N, T>> boxes, bool is_first) {
     Run& run = runs_[i];
     PairOptions options = plan_.options;
@@ -193,7 +194,7 @@ class Measurement {
     return pairs;
   }
 
-  /// Where no order is promised, pairs are sorted to be compared; where it is, they are taken at their word.
+  /// Where no order is promised, pairs are sorted before the comparison; where one is, they are compared as they are.
   std::vector<Pair> in_order(std::span<const Pair> pairs) const {
     return plan_.options.order == PairOrder::any ? sorted(pairs) : std::vector<Pair>(pairs.begin(), pairs.end());
   }
@@ -204,7 +205,7 @@ class Measurement {
   MemoryFloor floor_;
 };
 
-/// Measures so many frames; `boxes_of` is called once for each, in order.
+/// Measures that many frames; `boxes_of` is called once for each, in order.
 template <Dim N, class T>
 void measure_frames(const Plan& plan, BenchReport& report, std::size_t frames,
                     const std::function<std::span<const Aabb<N, T>>(std::size_t)>& boxes_of) {
@@ -219,7 +220,7 @@ void measure_frames(const Plan& plan, BenchReport& report, std::size_t frames,
   }
 }
 
-/// The same boxes again and again.
+/// Measures the same boxes repeatedly.
 template <Dim N>
 void measure_scene(const Plan& plan, BenchReport& report, const Scene<N, double>& scene) {
   std::vector<Aabb<N, double>> boxes;
@@ -246,7 +247,7 @@ void measure_recording(const Plan& plan, BenchReport& report, io::RecordingReade
 
 template <Dim N>
 void measure_world(const Plan& plan, BenchReport& report, const WorldArgument& world) {
-  Progress progress("making the boxes");
+  Progress progress("generating boxes");
   MovingBoxes<N, float> moving(world.world, world.count, *report.seed);
   progress.stop();
   report.boxes = world.count;
@@ -273,11 +274,11 @@ void measure_file(const Plan& plan, BenchReport& report, const std::string& name
 BenchReport measured(const BenchArguments& arguments, const Plan& plan) {
   if (arguments.file.has_value() == arguments.world.has_value()) {
     throw UsageError(arguments.file
-                         ? "a FILE and --generate are two sources of boxes; leave one of them out"
+                         ? "FILE and --generate cannot be combined; leave one of them out"
                          : "graze bench needs boxes: a FILE, or --generate with something like brownian:100k");
   }
   if (arguments.file && arguments.seed)
-    throw UsageError("--seed is for --generate; the boxes of a file are what they are");
+    throw UsageError("--seed requires --generate; the boxes of a file are not random");
   BenchReport report;
   report.order = arguments.order;
   report.threads = plan.options.executor->concurrency();
@@ -301,16 +302,16 @@ ExitCode run_bench(const BenchArguments& arguments) {
   const Plan plan = plan_of(arguments);
   const BenchReport report = measured(arguments, plan);
   for (const SkippedMethod& one : report.skipped) {
-    say(fmt::format("{} is left out: {}; --method {} runs it all the same", one.method, one.reason, one.method));
+    say(fmt::format("{} is skipped: {}; --method {} runs it anyway", one.method, one.reason, one.method));
   }
   write_output("-", [&](std::ostream& out) { write_bench_report(out, format, report, colours_for(Stream::output)); });
   return done;
 }
 
 constexpr const char* bench_footer =
-    R"(FILE is a scene, of which the boxes of its objects count, or a recording that ends in .aabbs.
-A world is made by --generate: brownian, heavy, cluster, line, plane, lattice, giants or
-point, after it a colon and the number of boxes, before it 2d: for the plane.
+    R"(FILE is a scene, whose objects' boxes are measured, or a recording that ends in .aabbs.
+--generate takes WORLD:COUNT, or 2d:WORLD:COUNT for 2D. WORLD is brownian, heavy, cluster, line,
+plane, lattice, giants or point; COUNT is the number of boxes.
 
 Examples:
   graze bench --generate brownian:1M
@@ -318,7 +319,7 @@ Examples:
   graze bench --order any --format json recording.aabbs
   graze bench --method tree --method brute_force level.tmx
 
-Exit codes: 0 done; 2 wrong usage; 3 bad input; 70 methods that do not agree)";
+Exit codes: 0 done; 2 wrong usage; 3 bad input; 70 the methods disagree)";
 
 }  // namespace
 
@@ -326,21 +327,19 @@ Command add_bench(CLI::App& program) {
   CLI::App* app = program.add_subcommand("bench", "Measure how fast all overlapping boxes are found");
   const auto arguments = std::make_shared<BenchArguments>();
   app->add_option("FILE", arguments->file, "Scene or recording, or - for a scene on the standard input")->type_name("");
-  app->add_option("--generate", arguments->world, "Take a made-up world, such as brownian:1M")
+  app->add_option("--generate", arguments->world, "Generate a world, such as brownian:1M")
       ->type_name("WORLD:COUNT")
       ->take_last();
-  app->add_option("--seed", arguments->seed, "Number of its random sequence, 1 if not given")
+  app->add_option("--seed", arguments->seed, "Seed of the random numbers, 1 by default")->type_name("N")->take_last();
+  app->add_option("--frames", arguments->frames, "Number of frames to measure; by default 10, or all of a recording")
       ->type_name("N")
       ->take_last();
-  app->add_option("--frames", arguments->frames, "Frames to measure: 10, or all of a recording, if not given")
-      ->type_name("N")
-      ->take_last();
-  app->add_option("--method", arguments->methods, "automatic (the default), another by its name, or all; repeatable")
+  app->add_option("--method", arguments->methods, "automatic (the default), the name of a method, or all; repeatable")
       ->type_name("NAME")
       ->delimiter(',')
       ->allow_extra_args(false);
   app->add_option("--order", arguments->order, "sorted (the default) or any")->type_name("ORDER")->take_last();
-  app->add_option("--threads", arguments->threads, "How many threads may be used; all cores if not given")
+  app->add_option("--threads", arguments->threads, "Maximum number of threads; all cores by default")
       ->type_name("N")
       ->take_last();
   app->add_option("--format", arguments->format, "table (the default), json or csv")->type_name("FORMAT")->take_last();

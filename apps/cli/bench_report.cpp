@@ -23,17 +23,17 @@ double median(std::vector<double> numbers) {
   return (numbers[(numbers.size() - 1) / 2] + numbers[numbers.size() / 2]) / 2;
 }
 
-/// What is shown of a method, in every format.
+/// The results of a method, as shown in every format.
 struct Row {
   std::string_view method;
   std::string_view chosen;
   double median;
   double fastest;
   double slowest;
-  std::size_t pairs;  ///< The mean over the frames, to the nearest whole number.
+  std::size_t pairs;  ///< The mean over all frames, rounded.
   std::size_t bytes;
   std::optional<double> per_box;   ///< Nanoseconds; none without boxes.
-  std::optional<double> to_floor;  ///< None where the floor is too short for the clock.
+  std::optional<double> to_floor;  ///< None if the floor is too short to measure.
 };
 
 std::size_t mean_pairs(const BenchReport& report) {
@@ -69,7 +69,7 @@ std::string title_of(const BenchReport& report) {
                      report.order, counted(report.threads, "thread", "threads"));
 }
 
-/// A number with so many digits behind the point, or a dash.
+/// A number with the given number of decimals, or a dash.
 std::string number(const std::optional<double>& value, int digits) {
   return value ? fmt::format("{:.{}f}", *value, digits) : "-";
 }
@@ -82,7 +82,7 @@ Cells cells_of(const Row& row) {
           fmt::format("{}", row.bytes), number(row.per_box, 1),  number(row.to_floor, 1)};
 }
 
-/// Words begin at the left of their column, numbers end at its right.
+/// Words are left-aligned, numbers right-aligned.
 void write_line(std::ostream& out, const Cells& cells, const std::array<std::size_t, 9>& columns) {
   constexpr std::size_t words = 2;
   std::string line;
@@ -125,7 +125,7 @@ void write_csv(std::ostream& out, const BenchReport& report) {
   }
 }
 
-/// To a millionth, which of milliseconds is a nanosecond.
+/// Rounded to a millionth: of milliseconds that is a nanosecond.
 double rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
 Json rounded(const std::optional<double>& value) { return value ? Json(rounded(*value)) : Json(nullptr); }

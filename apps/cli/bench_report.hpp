@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a benchmark found, written for people or for programs. The formats are documented in docs/cli.md.
+// The result of a benchmark, written for people or programs. docs/cli.md documents the formats.
 #pragma once
 
 #include <cstddef>
@@ -20,29 +20,29 @@ enum class BenchFormat { table, json, csv };
 /// One method over all frames.
 struct MethodResult {
   std::string_view method;
-  std::string_view chosen;           ///< The method it used in the last frame.
+  std::string_view chosen;           ///< The method that it used in the last frame.
   std::vector<double> milliseconds;  ///< One for each frame.
-  std::size_t bytes = 0;             ///< Memory held beside boxes and pairs, after the last frame.
+  std::size_t bytes = 0;             ///< Memory held in addition to boxes and pairs, after the last frame.
 };
 
-/// A method that was not run, and why.
+/// A method that was not run, and the reason.
 struct SkippedMethod {
   std::string_view method;
   std::string reason;
 };
 
 struct BenchReport {
-  std::string source;                 ///< The file's name or the world.
-  std::optional<std::uint64_t> seed;  ///< Of a world.
+  std::string source;                 ///< The name of the file or generated world.
+  std::optional<std::uint64_t> seed;  ///< The seed of a generated world.
   Dim dimension = 3;
   std::string_view scalar;
   std::size_t boxes = 0;
   std::size_t frames = 0;
   std::string_view order;
   std::size_t threads = 1;
-  std::vector<std::size_t> pairs;     ///< One number for each frame, on which all methods agree.
+  std::vector<std::size_t> pairs;     ///< One number for each frame, the same for all methods.
   std::vector<double> floor;          ///< Milliseconds, one for each frame (see MemoryFloor).
-  std::vector<MethodResult> methods;  ///< In the order in which they were asked for.
+  std::vector<MethodResult> methods;  ///< In the order in which they were requested.
   std::vector<SkippedMethod> skipped;
 };
 

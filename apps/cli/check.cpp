@@ -31,7 +31,7 @@ namespace {
 
 using io::ReportFormat;
 
-/// The command line as it was given.
+/// The parsed command line.
 struct CheckArguments {
   std::string scene;
   std::string format = "table";
@@ -48,17 +48,17 @@ constexpr std::array<std::pair<std::string_view, ReportFormat>, 4> check_formats
                                                                                   {"ndjson", ReportFormat::ndjson},
                                                                                   {"csv", ReportFormat::csv}}};
 
-/// Refuses a distance that is none, and what does not go together.
+/// Refuses an invalid distance, and options that exclude each other.
 void require_one_report(const CheckedPairs& pairs) {
   if (!pairs.within) return;
   if (!(*pairs.within >= 0 && std::isfinite(*pairs.within))) {
-    throw UsageError(fmt::format("--within {} is no distance; it must be 0 or more", *pairs.within));
+    throw UsageError(fmt::format("--within {} is not a valid distance; it must be 0 or more", *pairs.within));
   }
-  if (pairs.contacts) throw UsageError("--within tells distances and --contacts depths; give one of the two");
-  if (pairs.only_interior) throw UsageError("--within and --interior exclude each other; give one of the two");
+  if (pairs.contacts) throw UsageError("--within reports distances and --contacts depths; give only one of them");
+  if (pairs.only_interior) throw UsageError("--within and --interior exclude each other; give only one of them");
 }
 
-/// Refuses what would mix two outputs, or overwrite the scene with its report.
+/// Refuses targets that would mix two outputs, or overwrite the scene with its report.
 void require_separate_files(const CheckArguments& arguments) {
   const std::array<std::pair<std::string_view, const std::string*>, 3> outputs{
       {{"--output", &arguments.output},
@@ -79,20 +79,20 @@ void require_separate_files(const CheckArguments& arguments) {
   }
 }
 
-/// What needs the pairs beside the report.
+/// Collects the pairs for what needs them in addition to the report.
 struct Pictures {
   std::optional<HtmlReport> html;
-  std::vector<ObjectPair> touching;  // for the drawing
+  std::vector<ObjectPair> touching;  // for the picture
 };
 
-/// Writes the report while pairs are found, and gives them to the pictures that there are to be as well.
+/// Writes the report while pairs are found, and passes the pairs on to the picture and the page, if requested.
 void write_report(std::ostream& out, const CheckArguments& arguments, SceneCheck& check, Progress& progress,
                   Pictures& pictures) {
   const ReportFormat format = chosen("--format", arguments.format, check_formats);
   const bool on_terminal = is_standard_stream(arguments.output) && is_terminal(Stream::output);
   const auto colours = on_terminal ? colours_for(Stream::output) : io::Colours::off;
   const std::unique_ptr<io::ReportWriter> writer = io::begin_report(out, format, check.head(), colours);
-  if (on_terminal && format != ReportFormat::table) progress.stop();  // the pairs that come are progress enough
+  if (on_terminal && format != ReportFormat::table) progress.stop();  // printing pairs shows the progress
   const auto write = [&](const io::ReportedPair& pair, const ObjectPair& ids) {
     writer->write(pair);
     if (pictures.html) pictures.html->add(pair);
@@ -104,13 +104,13 @@ void write_report(std::ostream& out, const CheckArguments& arguments, SceneCheck
   out.flush();
 }
 
-/// Says the summary on the error stream, where the standard output does not show it.
+/// Prints the summary to the error stream, unless the report contains it.
 void say_summary(const CheckArguments& arguments, const SceneCheck& check) {
   const bool in_report = arguments.format == "table" || arguments.format == "json";
   if (!in_report || !is_standard_stream(arguments.output)) say(io::summary_line(check.head(), check.summary()));
 }
 
-/// Refuses to call a scene free of contacts of which a shape may be missing.
+/// Does not call a scene free of contacts if a shape may be missing.
 void require_all_shapes(const io::SceneFile& file) {
   std::vector<std::string> missing;
   for (const io::Omission& omission : io::missing_shapes(file.omissions))
@@ -123,7 +123,7 @@ void require_all_shapes(const io::SceneFile& file) {
 }
 
 ExitCode run_check(const CheckArguments& arguments) {
-  static_cast<void>(chosen("--format", arguments.format, check_formats));  // refused before anything is read
+  static_cast<void>(chosen("--format", arguments.format, check_formats));  // checked before anything is read
   require_one_report(arguments.pairs);
   require_separate_files(arguments);
   std::string page = arguments.html ? read_report_template() : "";
@@ -132,14 +132,14 @@ ExitCode run_check(const CheckArguments& arguments) {
   progress.stop();
   tell_omissions(file, arguments.strict);
 
-  Progress search_progress("looking for candidates");
+  Progress search_progress("searching for candidates");
   SceneCheck check(file, arguments.pairs, search_progress);
   Pictures pictures;
   if (arguments.html) pictures.html.emplace(std::move(page), check.head());
   write_output(arguments.output, [&](std::ostream& out) {
     write_report(out, arguments, check, search_progress, pictures);
     if (!out) return;
-    // Inside, so that a report in a file takes its place only when the picture and the page have been written as well.
+    // Written here, so that a report file replaces its target only after the picture and the page have been written.
     const Progress drawing("drawing the picture");
     if (arguments.svg) {
       write_output(*arguments.svg, [&](std::ostream& picture) { io::write_svg(picture, file, pictures.touching); });
@@ -156,9 +156,9 @@ ExitCode run_check(const CheckArguments& arguments) {
 }
 
 constexpr const char* check_footer =
-    R"(SCENE is a scene in graze's JSON or CSV, or a Tiled map (.tmx, .tmj); told apart
-by content. Pairs come in the scene's order. Shapes that touch without overlapping count.
-A pair with several contact points has a row for each of them in a table and in CSV.
+    R"(SCENE is a scene in graze's JSON or CSV, or a Tiled map (.tmx, .tmj), recognized
+by content. Pairs are in the scene's order. Shapes that touch without overlapping count.
+A table and CSV have a row for each contact point of a pair.
 
 Examples:
   graze check level.tmx
@@ -182,22 +182,21 @@ Command add_check(CLI::App& program) {
       ->type_name("FORMAT")
       ->take_last();
   app->add_flag("--interior", arguments->pairs.only_interior, "Report only pairs whose interiors overlap");
-  app->add_flag("--contacts", arguments->pairs.contacts,
-                "Tell how deep, along which normal and at which points pairs touch");
-  app->add_option("--within", arguments->pairs.within,
-                  "Report all pairs that are no farther apart than this, and how far")
+  app->add_flag("--contacts", arguments->pairs.contacts, "Report the depth, normal and contact points of each pair");
+  app->add_option("--within", arguments->pairs.within, "Report all pairs at most this far apart, and their distance")
       ->type_name("DISTANCE")
       ->take_last();
   app->add_option("--svg", arguments->svg, "Draw the scene and its contacts, - for the standard output")
       ->type_name("FILE")
       ->take_last();
-  app->add_option("--html", arguments->html, "Write a page that shows both in a browser, - for the standard output")
+  app->add_option("--html", arguments->html,
+                  "Write a page that shows the result in a browser, - for the standard output")
       ->type_name("FILE")
       ->take_last();
   app->add_option("--output", arguments->output, "Write the report to a file instead of the standard output")
       ->type_name("FILE")
       ->take_last();
-  app->add_flag("--fail-on-contact", arguments->fail_on_contact, "End with exit code 1 when a pair is reported");
+  app->add_flag("--fail-on-contact", arguments->fail_on_contact, "End with exit code 1 if a pair is reported");
   add_strict(*app, arguments->strict);
   app->footer(check_footer);
   return {app, [arguments] { return run_check(*arguments); }};

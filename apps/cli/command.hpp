@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the commands of the program have in common, and the door of each.
+// What the commands of the program have in common, and the functions that add them.
 #pragma once
 
 #include <functional>
@@ -8,23 +8,23 @@
 
 namespace graze::cli {
 
-/// What a process ends with. Documented in docs/cli.md.
+/// The exit codes of the program. docs/cli.md documents them.
 enum ExitCode : int {
   done = 0,
-  contact_found = 1,   ///< Only under --fail-on-contact.
-  answers_differ = 1,  ///< Of a log that is replayed.
+  contact_found = 1,   ///< Only with --fail-on-contact.
+  answers_differ = 1,  ///< When replaying a log.
   usage_error = 2,
   bad_input = 3,  ///< Or an output that cannot be written.
   internal_error = 70,
 };
 
-/// A subcommand: what it accepts, and what it does once its options have been read.
+/// A subcommand: its options, and the function to call once they have been parsed.
 struct Command {
   CLI::App* app = nullptr;
   std::function<ExitCode()> run;
 };
 
-/// Each adds its subcommand to the program.
+/// Each function adds its subcommand to the program.
 Command add_check(CLI::App& program);
 Command add_view(CLI::App& program);
 Command add_query(CLI::App& program);

@@ -26,7 +26,7 @@ void require_json_name(const std::string& output) {
   if (is_standard_stream(output)) return;
   if (file_ending(output) == ".json") return;
   throw UsageError("graze cannot write " + io::in_quotes(output) +
-                   "; it writes graze's JSON, to a name that ends in .json or to - for the standard output");
+                   "; it writes graze's JSON, so give a name that ends in .json, or - for the standard output");
 }
 
 ExitCode run_convert(const ConvertArguments& arguments) {
@@ -36,7 +36,7 @@ ExitCode run_convert(const ConvertArguments& arguments) {
   reading.stop();
   tell_omissions(file, arguments.strict);
   Progress writing("writing the scene");
-  if (is_standard_stream(arguments.output)) writing.stop();  // the data may be going to the same terminal
+  if (is_standard_stream(arguments.output)) writing.stop();  // the data may go to the same terminal
   write_output(arguments.output, [&](std::ostream& out) { io::write_json_scene(out, file); });
   return done;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors of either dimension as the lists of numbers that the command line and the reports have.
+// Converts between vectors of either dimension and the lists of numbers in command lines and reports.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace graze::cli {
 
-/// The N numbers from `first` on, which must be there.
+/// The N numbers from `first` on, which must exist.
 template <Dim N>
 Vec<N, double> vector_at(const std::vector<double>& numbers, std::size_t first) {
   Vec<N, double> v;

@@ -5,7 +5,7 @@
 
 namespace graze::cli {
 
-/// The ending of a file's name with its dot, in lower case: ".json"; empty when there is none.
+/// The extension of a file's name with its dot, in lower case: ".json"; empty if there is none.
 std::string file_ending(const std::string& name);
 
 }  // namespace graze::cli

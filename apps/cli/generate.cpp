@@ -31,7 +31,7 @@ namespace {
 
 enum class WorldFormat { csv, json, aabbs };
 
-/// The command line as it was given.
+/// The parsed command line.
 struct GenerateArguments {
   std::string world;
   std::string seed = "1";
@@ -40,7 +40,7 @@ struct GenerateArguments {
   std::optional<std::string> format;
 };
 
-/// What it asks for.
+/// What it requests.
 struct Order {
   WorldArgument world;
   std::uint64_t seed = 1;
@@ -52,7 +52,7 @@ struct Order {
 constexpr std::array<std::pair<std::string_view, WorldFormat>, 3> generate_formats{
     {{"csv", WorldFormat::csv}, {"json", WorldFormat::json}, {"aabbs", WorldFormat::aabbs}}};
 
-/// The format of --format, or the one that the file's name ends in; CSV for the standard output.
+/// The format given by --format, or by the file's extension; CSV for the standard output.
 WorldFormat format_of(const GenerateArguments& arguments) {
   std::optional<WorldFormat> asked;
   if (arguments.format) asked = chosen("--format", *arguments.format, generate_formats);
@@ -66,7 +66,7 @@ WorldFormat format_of(const GenerateArguments& arguments) {
   }
   if (asked) return *asked;
   throw UsageError("the name " + io::in_quotes(arguments.output) +
-                   " does not say what to write; let it end in .csv, .json or .aabbs, or add --format");
+                   " does not determine a format; give a name that ends in .csv, .json or .aabbs, or add --format");
 }
 
 std::size_t frames_of(const GenerateArguments& arguments, WorldFormat format) {
@@ -74,13 +74,14 @@ std::size_t frames_of(const GenerateArguments& arguments, WorldFormat format) {
     const std::size_t frames = read_number("--frames", arguments.frames.value_or("1"), frame_range);
     if (frames == 1) return 1;
     throw UsageError(
-        fmt::format("a scene in CSV or JSON has one frame, not {}; write a recording, to a name that ends in .aabbs or "
-                    "with --format aabbs",
+        fmt::format("a scene in CSV or JSON has one frame, not {}; for a recording, give a name that ends in .aabbs or "
+                    "add --format aabbs",
                     frames));
   }
   const std::size_t frames = read_number("--frames", arguments.frames.value_or("10"), frame_range);
   if (frames > 1) return frames;
-  throw UsageError("a recording needs 2 frames or more; for a single one write a scene, to a name in .csv or .json");
+  throw UsageError(
+      "a recording needs at least 2 frames; for a single one write a scene, to a name that ends in .csv or .json");
 }
 
 Order order_of(const GenerateArguments& arguments) {
@@ -92,14 +93,15 @@ Order order_of(const GenerateArguments& arguments) {
   order.output = arguments.output;
   const bool is_binary = order.format == WorldFormat::aabbs;
   if (is_binary && is_standard_stream(order.output) && is_terminal(Stream::output)) {
-    throw UsageError("a recording is not for a terminal; name a file with --output, or redirect the standard output");
+    throw UsageError(
+        "a recording cannot be printed on a terminal; name a file with --output, or redirect the standard output");
   }
   return order;
 }
 
 std::string name_of_box(std::size_t k) { return fmt::format("b{}", k); }
 
-/// One box in a line; numbers as the shortest text of the same double.
+/// One box per line; numbers as the shortest text that parses to the same double.
 template <Dim N>
 void write_csv(std::ostream& out, std::span<const Aabb<N, float>> boxes) {
   constexpr std::size_t block = 1U << 16U;
@@ -128,7 +130,7 @@ void write_json(std::ostream& out, std::span<const Aabb<N, float>> boxes) {
   io::write_json_scene(out, {std::move(scene), "", "", io::YAxis::up, {}});
 }
 
-/// A box in the three dimensions of a recording, flat in 2D.
+/// A box in the three dimensions of a recording; in 2D its z is 0.
 template <Dim N>
 Aabb<3, float> in_space(const Aabb<N, float>& box) {
   Aabb<3, float> result{Vec<3, float>(0.0F), Vec<3, float>(0.0F)};
@@ -152,10 +154,10 @@ void write_frames(std::ostream& out, const Order& order, MovingBoxes<N, float>& 
 
 template <Dim N>
 void write_world(const Order& order) {
-  Progress progress("making the boxes");
+  Progress progress("generating boxes");
   MovingBoxes<N, float> world(order.world.world, order.world.count, order.seed);
   progress.begin("writing the boxes", order.frames == 1 ? 0 : order.frames);
-  if (is_standard_stream(order.output)) progress.stop();  // the data may be going to the same terminal
+  if (is_standard_stream(order.output)) progress.stop();  // the data may go to the same terminal
   write_output(order.output, [&](std::ostream& out) {
     if (order.format == WorldFormat::csv) write_csv<N>(out, world.boxes());
     if (order.format == WorldFormat::json) write_json<N>(out, world.boxes());
@@ -174,8 +176,8 @@ ExitCode run_generate(const GenerateArguments& arguments) {
 }
 
 constexpr const char* generate_footer =
-    R"(WORLD is brownian, heavy, cluster, line, plane, lattice, giants or point, after it a colon
-and the number of boxes, before it 2d: for the plane. The same seed makes the same boxes.
+    R"(WORLD is NAME:COUNT, or 2d:NAME:COUNT for 2D. NAME is brownian, heavy, cluster, line, plane,
+lattice, giants or point; COUNT is the number of boxes. The same seed gives the same boxes.
 
 Examples:
   graze generate brownian:100k --output boxes.csv
@@ -187,19 +189,19 @@ Exit codes: 0 done; 2 wrong usage; 3 an output that cannot be written)";
 }  // namespace
 
 Command add_generate(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("generate", "Write a made-up world of boxes, or a recording of it in motion");
+  CLI::App* app = program.add_subcommand("generate", "Generate a world of boxes, or a recording of its motion");
   const auto arguments = std::make_shared<GenerateArguments>();
-  app->add_option("WORLD", arguments->world, "What to make, such as brownian:100k or 2d:heavy:1M")
+  app->add_option("WORLD", arguments->world, "World to generate, such as brownian:100k or 2d:heavy:1M")
       ->required()
       ->type_name("");
-  app->add_option("--seed", arguments->seed, "Number of the random sequence, 1 if not given")
+  app->add_option("--seed", arguments->seed, "Seed of the random numbers, 1 by default")->type_name("N")->take_last();
+  app->add_option("--frames", arguments->frames, "Number of frames in a recording, 10 by default")
       ->type_name("N")
       ->take_last();
-  app->add_option("--frames", arguments->frames, "Frames of a recording, 10 if not given")->type_name("N")->take_last();
   app->add_option("--output", arguments->output, "Write to a file instead of the standard output")
       ->type_name("FILE")
       ->take_last();
-  app->add_option("--format", arguments->format, "csv, json or aabbs; if not given, what the file's name ends in")
+  app->add_option("--format", arguments->format, "csv, json or aabbs; by default according to the name of the file")
       ->type_name("FORMAT")
       ->take_last();
   app->footer(generate_footer);

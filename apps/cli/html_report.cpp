@@ -25,12 +25,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In the template, the element that is to hold the data; it closes right behind.
+/// The template's element for the data; it is empty and is closed immediately.
 constexpr std::string_view data_place = R"(<script type="application/json" id="graze-report">)";
 
 constexpr const char* template_variable = "GRAZE_REPORT_TEMPLATE";
 
-/// The folder of the running program; empty where the system does not say.
+/// The folder of the running program; empty if the system does not report it.
 fs::path program_folder() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
@@ -45,8 +45,8 @@ std::vector<fs::path> places_to_look() {
           (folder / "../../web/viewer/report.html").lexically_normal()};
 }
 
-/// JSON that stands in an HTML page: "<" occurs in strings only, where its code means the same, and without it nothing
-/// ends the element or begins a comment.
+/// Escapes JSON for use in an HTML page: "<" occurs only in strings, where its escape means the same, and without "<"
+/// nothing can end the element or begin a comment.
 void write_for_html(std::ostream& out, std::string_view json) {
   for (std::size_t from = 0; from < json.size();) {
     const std::size_t next = std::min(json.find('<', from), json.size());
@@ -70,7 +70,7 @@ std::string read_report_template() {
     std::string page = io::read_whole_file(place, "the template");
     if (page.find(data_place) != std::string::npos) return page;
     throw io::InputError(
-        fmt::format("{} is no template of a report: it has no place for data; run `./dev web` to "
+        fmt::format("{} is not a report template: it has no place for data; run `./dev web` to "
                     "build one",
                     io::in_quotes(place.string())));
   }
@@ -80,7 +80,7 @@ std::string read_report_template() {
   }
   throw io::InputError(
       fmt::format("there is no template for HTML reports{}{}; run `./dev web` to build it, or name one "
-                  "in the environment as {}",
+                  "in the environment variable {}",
                   looked.empty() ? "" : " at ", looked, template_variable));
 }
 
@@ -97,7 +97,7 @@ void HtmlReport::finish(std::ostream& out, const io::SceneFile& file, const io::
   const std::string_view page = page_;
   const std::size_t place = page.find(data_place) + data_place.size();
   out << page.substr(0, place);
-  // The scene as text in a string: JavaScript's numbers would not hold all that its fields may.
+  // The scene is stored as text in a string, because JavaScript's numbers could not represent all its fields.
   write_for_html(out, fmt::format("{{\"source\": {},\n\"scene\": {}", io::json_string(io::file_name(file.source)),
                                   io::json_string(scene.view())));
   write_for_html(out, ",\n\"check\": ");

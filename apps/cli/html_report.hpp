@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A scene and what a check of it found, as one page that opens in a browser, from disk and without a network. The page
-// is the viewer with everything inlined, which `./dev web` builds; here its data are filled in. It names the scene's
-// file, not the folders it lies in: the page may be mailed.
+// A scene and the result of its check as a single page that works from disk, without a network. The page is the viewer
+// with everything inlined, which `./dev web` builds, plus the data. It contains the name of the scene's file but not
+// its folder, so it can be passed on.
 #pragma once
 
 #include <functional>
@@ -15,21 +15,21 @@
 
 namespace graze::cli {
 
-/// The page without data: the file that $GRAZE_REPORT_TEMPLATE names, else share/graze/report.html beside the folder of
-/// the installed program, else what `./dev web` has put into the build folder beside that of the program. Throws
-/// InputError that says where was looked, when there is none, and when what is there has no place for data.
+/// The page without data: the file named by $GRAZE_REPORT_TEMPLATE, otherwise share/graze/report.html beside the folder
+/// of the installed program, otherwise the one that `./dev web` builds, in the build folder beside that of the program.
+/// Throws InputError, naming the places that were searched, if none exists or it has no place for data.
 std::string read_report_template();
 
-/// Gathers what the check finds and writes the page.
+/// Collects the results of a check and writes the page.
 class HtmlReport {
  public:
-  /// `page` is a template as `read_report_template` gives it.
+  /// `page` is a template from `read_report_template`.
   HtmlReport(std::string page, io::ReportHead head);
 
   void add(const io::ReportedPair& pair) { writer_->write(pair); }
 
-  /// Writes the page, once, after the last pair. Whatever names hold, the browser takes it for data. Throws OutputError
-  /// for what JSON cannot hold: a name that is not UTF-8.
+  /// Writes the page, once, after the last pair. Names are escaped, whatever they contain. Throws OutputError for what
+  /// JSON cannot represent: a name that is not UTF-8.
   void finish(std::ostream& out, const io::SceneFile& file, const io::ReportSummary& summary);
 
  private:

@@ -57,8 +57,7 @@ Exit codes: 0 done; 2 wrong usage; 3 bad input, or an output that cannot be writ
 }  // namespace
 
 Command add_info(CLI::App& program) {
-  CLI::App* app =
-      program.add_subcommand("info", "Count what is in a scene: types, layers, bounds, sizes, what was not read");
+  CLI::App* app = program.add_subcommand("info", "Summarize a scene: types, layers, bounds, sizes, what was not read");
   const auto arguments = std::make_shared<InfoArguments>();
   app->add_option("SCENE", arguments->scene, "Scene file, or - for the standard input")->required()->type_name("");
   app->add_option("--format", arguments->format, "table (the default) or json")->type_name("FORMAT")->take_last();

@@ -61,7 +61,7 @@ void refuse_omissions(const io::SceneFile& file) {
   std::vector<std::string> facts = file.warnings;
   for (const io::Omission& omission : file.omissions) facts.push_back("not read: " + io::omission_text(omission));
   if (facts.empty()) return;
-  throw io::InputError(fmt::format("{}: refused, as --strict asks: {}", name_of(file), fmt::join(facts, "; ")));
+  throw io::InputError(fmt::format("{}: refused because of --strict: {}", name_of(file), fmt::join(facts, "; ")));
 }
 
 void say_warnings(const io::SceneFile& file) {
@@ -75,7 +75,7 @@ void tell_omissions(const io::SceneFile& file, bool strict) {
 }
 
 void add_strict(CLI::App& app, bool& strict) {
-  app.add_flag("--strict", strict, "Refuse a scene of which not everything is read");
+  app.add_flag("--strict", strict, "Refuse a scene that is not read completely");
 }
 
 }  // namespace graze::cli

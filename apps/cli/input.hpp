@@ -10,24 +10,25 @@
 
 namespace graze::cli {
 
-/// Reads a scene from a file, or for "-" from all of the standard input; there, relative references are looked up from
-/// the working directory. Throws InputError.
+/// Reads a scene from a file, or for "-" from the standard input; then relative references are resolved from the
+/// working directory. Throws InputError.
 io::SceneFile read_input(const std::string& name);
 
-/// Reads a query log from a file, or for "-" from all of the standard input. Throws InputError.
+/// Reads a query log from a file, or for "-" from the standard input. Throws InputError.
 io::AnyQueryLog read_log(const std::string& name);
 
-/// What messages call the file.
+/// The name of the file in messages.
 std::string name_of(const io::SceneFile& file);
 
-/// Throws InputError if the file holds what was not read, or something about it is doubtful: what --strict asks.
+/// Throws InputError if not everything in the file was read or something about it is suspicious, as required by
+/// --strict.
 void refuse_omissions(const io::SceneFile& file);
 
-/// Says on the error stream what is doubtful about the file.
+/// Prints the warnings about the file to the error stream.
 void say_warnings(const io::SceneFile& file);
 
-/// Says on the error stream what was not read and what is doubtful. With --strict, which is `strict`, both are errors:
-/// throws InputError.
+/// Prints omissions and warnings to the error stream. If `strict` (the option --strict), throws InputError for them
+/// instead.
 void tell_omissions(const io::SceneFile& file, bool strict);
 
 /// Adds the option --strict.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// graze on the command line: reads the arguments, runs one command, and turns whatever goes wrong into one line and an
-// exit code.
+// The command-line program graze: parses the arguments, runs one command, and turns errors into a one-line message and
+// an exit code.
 #include <algorithm>
 #include <array>
 #include <csignal>
@@ -39,7 +39,7 @@ Examples:
   graze generate 2d:heavy:100k --output boxes.csv
 
 Exit codes: 0 done; 1 contact found, with check --fail-on-contact, or answers differ, with replay;
-2 wrong usage; 3 bad input, or an output that cannot be written; 70 a fault of graze itself)";
+2 wrong usage; 3 bad input, or an output that cannot be written; 70 internal error)";
 
 void write_text(const std::string& text) {
   write_output("-", [&](std::ostream& out) { out << text << '\n'; });
@@ -52,12 +52,12 @@ std::string help_of(const CLI::App& app) {
 
 ExitCode refuse(const CLI::App& program, const UsageError& error) {
   say_error(error.what());
-  say(fmt::format("run `{} --help` to see what is possible", full_name(called(program))));
+  say(fmt::format("run `{} --help` for usage", full_name(called(program))));
   return usage_error;
 }
 
 ExitCode run(int argc, const char* const* argv) {
-  CLI::App program("Collision detection: what touches what in a scene", "graze");
+  CLI::App program("Collision detection for 2D and 3D scenes", "graze");
 
   const auto formatter = program.get_formatter();
   formatter->column_width(26);
@@ -95,14 +95,14 @@ ExitCode run(int argc, const char* const* argv) {
   }
 }
 
-/// Removes what is half written, and lets the signal end the program as it would have.
+/// Removes incomplete files and lets the signal end the program as usual.
 extern "C" void end_by_signal(int signal) {
   io::remove_temporary_files();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
 
-/// What is ignored, as under nohup, stays ignored.
+/// Ignored signals, as under nohup, stay ignored.
 void clean_up_on_signals() {
   for (const int number : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU}) {
     struct sigaction action {};
@@ -113,14 +113,14 @@ void clean_up_on_signals() {
   }
 }
 
-/// Dies as a program does whose reader has gone, so that a shell sees the usual code.
+/// Ends like a program whose reader has closed the pipe, so that a shell sees the usual code.
 [[noreturn]] void die_of_closed_pipe() {
   std::signal(SIGPIPE, SIG_DFL);
   std::raise(SIGPIPE);
   std::_Exit(128 + SIGPIPE);
 }
 
-/// Runs the program and says what went wrong.
+/// Runs the program and prints errors.
 ExitCode run_and_report(int argc, const char* const* argv) {
   try {
     return run(argc, argv);
@@ -137,7 +137,7 @@ ExitCode run_and_report(int argc, const char* const* argv) {
     say_error("out of memory; the scene is too large for this machine");
     return internal_error;
   } catch (const std::exception& error) {
-    say_error(fmt::format("a fault of graze itself, please report it: {}", error.what()));
+    say_error(fmt::format("internal error, please report it: {}", error.what()));
     return internal_error;
   }
 }
@@ -146,8 +146,8 @@ ExitCode run_and_report(int argc, const char* const* argv) {
 }  // namespace graze::cli
 
 int main(int argc, char** argv) {
-  // A write to a closed pipe, or beyond the largest size of a file, must come back as an error, which is said, and
-  // before which temporary files are removed.
+  // Writing to a closed pipe, or beyond the maximum size of a file, must return an error, so that it is reported and
+  // temporary files are removed.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   graze::cli::clean_up_on_signals();

@@ -10,7 +10,7 @@
 namespace graze::cli {
 namespace {
 
-/// The exclusive or of all bytes in eight lanes, of which compilers make vector instructions.
+/// The exclusive or of all bytes in eight lanes, which compilers vectorise.
 std::uint64_t fold(std::span<const std::byte> bytes) {
   std::array<std::uint64_t, 8> lanes{};
   while (bytes.size() >= sizeof lanes) {
@@ -34,7 +34,7 @@ double MemoryFloor::measure(std::span<const std::byte> boxes, std::size_t pairs)
     const auto value = static_cast<std::uint32_t>(fold(boxes));
     std::fill_n(pairs_.begin(), pairs, Pair{value, value});
     time = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    // Looked at, so that neither loop can be left out.
+    // Used, so that neither loop is optimised away.
     const volatile std::uint32_t seen = pairs == 0 ? value : pairs_[value % pairs].a;
     static_cast<void>(seen);
   }

@@ -9,14 +9,14 @@
 
 namespace graze::cli {
 
-/// What no method can beat: the time it takes to read all boxes once and to write all pairs once, on one thread.
+/// A lower bound for every method: the time to read all boxes once and to write all pairs once, on one thread.
 class MemoryFloor {
  public:
-  /// Milliseconds for boxes of these bytes and so many pairs; the median of a few tries.
+  /// Milliseconds for boxes of these bytes and that many pairs; the median of a few tries.
   double measure(std::span<const std::byte> boxes, std::size_t pairs);
 
  private:
-  std::vector<Pair> pairs_;  ///< Kept, so that its pages are there when they are written to.
+  std::vector<Pair> pairs_;  ///< Kept, so that its pages are already mapped when it is written.
 };
 
 }  // namespace graze::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How near two shapes of a scene are to each other: compiled by itself, because distance(AnyShape, AnyShape) meets
+// The distance of two shapes of a scene. A separate source file, because distance(AnyShape, AnyShape) instantiates
 // every pair of types.
 #pragma once
 
@@ -15,7 +15,7 @@ struct Nearness {
   Relation relation = Relation::apart;
   double distance = 0;
   Status status = Status::converged;
-  double error = 0;  ///< How far the distance may be off.
+  double error = 0;  ///< Bound on the error of the distance.
 };
 
 template <Dim N>

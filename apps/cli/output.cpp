@@ -23,7 +23,7 @@
 namespace graze::cli {
 namespace {
 
-/// A buffer before the standard output that says, unlike the library's, what went wrong with a write.
+/// A buffer for the standard output that, unlike the standard library's, reports why a write failed.
 class StandardOutput final : public std::streambuf {
  public:
   StandardOutput() { make_room(); }
@@ -46,7 +46,7 @@ class StandardOutput final : public std::streambuf {
   void write_out() {
     const char* next = pbase();
     const char* const end = pptr();
-    make_room();  // before a failure: what could not be written is not tried again
+    make_room();  // before a possible failure: bytes that could not be written are not written again
     while (next != end) {
       const ssize_t count = ::write(STDOUT_FILENO, next, static_cast<std::size_t>(end - next));
       if (count >= 0) {
@@ -86,7 +86,7 @@ void write_output(const std::string& target, const std::function<void(std::ostre
   }
   StandardOutput buffer;
   std::ostream out(&buffer);
-  out.exceptions(std::ios::badbit);  // makes the stream hand on what its buffer throws
+  out.exceptions(std::ios::badbit);  // makes the stream pass on the exceptions of its buffer
   write(out);
   out.flush();
 }

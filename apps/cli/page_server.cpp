@@ -21,22 +21,22 @@
 namespace graze::cli {
 namespace {
 
-/// More than any browser's request for a page has.
+/// Longer than any browser's request for a page.
 constexpr std::size_t longest_request = 65536;
 
-/// Whoever says nothing for so long keeps nobody else waiting.
+/// Clients that send nothing for this long are dropped, so that others need not wait.
 constexpr timeval patience{.tv_sec = 5, .tv_usec = 0};
 
 [[noreturn]] void refuse(std::string_view what) {
   throw io::OutputError(fmt::format("a page cannot be served on 127.0.0.1: {}: {}", what, std::strerror(errno)));
 }
 
-/// The system's interface takes addresses of every kind by a pointer to what they have in common.
+/// The socket interface takes addresses of every family by a pointer to their common part.
 sockaddr* general(sockaddr_in& address) {
   return reinterpret_cast<sockaddr*>(&address);  // NOLINT(cppcoreguidelines-pro-type-reinterpret-cast)
 }
 
-/// What a browser sends up to the empty line; less when it stops before or says too much.
+/// The request up to the empty line; less if the client stops early or sends too much.
 std::string read_request(int connection) {
   std::string request;
   std::array<char, 4096> block{};
@@ -53,7 +53,7 @@ void send_all(int connection, std::string_view text) {
   while (!text.empty()) {
     const ssize_t count = ::send(connection, text.data(), text.size(), MSG_NOSIGNAL);
     if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return;  // the browser has gone
+    if (count <= 0) return;  // the client has closed the connection
     text.remove_prefix(static_cast<std::size_t>(count));
   }
 }
@@ -65,7 +65,7 @@ std::string reply(std::string_view status, std::string_view type, std::string_vi
       status, type, body.size(), body);
 }
 
-/// The value of the header "Host", which HTTP spells in any case.
+/// The value of the header "Host"; HTTP header names are case-insensitive.
 std::string_view host_of(std::string_view request) {
   constexpr std::string_view name = "\r\nhost:";
   const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a + 32) : a) == b; };
@@ -117,7 +117,7 @@ void PageServer::answer(int connection) const {
   ::setsockopt(connection, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
   ::setsockopt(connection, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
   const std::string request = read_request(connection);
-  if (request.empty()) return;  // browsers open connections that they may need later
+  if (request.empty()) return;  // browsers open connections in advance
   send_all(connection, reply_to(request));
 }
 
@@ -128,9 +128,9 @@ std::string PageServer::reply_to(const std::string& request) const {
     return reply("403 Forbidden", text, "This page is shown at " + address() + " only.\n");
   }
   const std::string_view line = std::string_view(request).substr(0, request.find("\r\n"));
-  if (line.substr(0, 4) != "GET ") return reply("405 Method Not Allowed", text, "There is a page to GET.\n");
+  if (line.substr(0, 4) != "GET ") return reply("405 Method Not Allowed", text, "Only GET is supported.\n");
   const std::string_view target = line.substr(4, line.substr(4).find_first_of(" ?"));
-  if (target != "/") return reply("404 Not Found", text, "There is one page, at /\n");
+  if (target != "/") return reply("404 Not Found", text, "The only page is /\n");
   return reply("200 OK", "text/html", page_);
 }
 

@@ -6,11 +6,11 @@
 
 namespace graze::cli {
 
-/// Shows one page to browsers on this machine: HTTP on 127.0.0.1, one request after the other. Only requests that name
-/// this address are answered, so that a page from elsewhere cannot read it by giving its own name this address.
+/// Serves one page to browsers on this machine: HTTP on 127.0.0.1, one request at a time. Answers only requests whose
+/// host is this address, so that a foreign page cannot read the page by DNS rebinding.
 class PageServer {
  public:
-  /// Listens on a port that is free. Throws OutputError when the system refuses.
+  /// Listens on a free port. Throws OutputError if the system refuses.
   explicit PageServer(std::string page);
   ~PageServer();
 
@@ -20,7 +20,7 @@ class PageServer {
   /// "http://127.0.0.1:41234/"
   std::string address() const;
 
-  /// Answers requests until the process is ended.
+  /// Answers requests until the process ends.
   [[noreturn]] void serve();
 
  private:

@@ -22,7 +22,7 @@ namespace {
 constexpr std::chrono::milliseconds quiet_time{1000};
 constexpr std::chrono::milliseconds frame_time{100};
 
-/// The columns of the terminal behind the error stream; 80 when it does not say.
+/// The width of the error stream's terminal; 80 if it is unknown.
 std::size_t terminal_columns() {
   winsize size{};
   const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
@@ -62,7 +62,7 @@ void Progress::draw_until_stopped() {
   const auto is_stopped = [this] { return stopped_; };
   if (woken_.wait_for(lock, quiet_time, is_stopped)) return;
   do {
-    // The last column stays free: a sign in it would make some terminals wrap.
+    // The last column stays empty: some terminals wrap after writing to it.
     write_at_once(fmt::format("\r{:.{}}\x1b[K", line(), terminal_columns() - 1));
   } while (!woken_.wait_for(lock, frame_time, is_stopped));
   write_at_once("\r\x1b[K");

@@ -12,9 +12,9 @@
 
 namespace graze::cli {
 
-/// A line on the error stream that shows how far the work is; it appears after a second, on a terminal only, and is
-/// gone without a trace when the progress ends. A thread of its own draws it, so that it moves also while the work
-/// cannot say how far it is. One at a time; nothing else may be written to the terminal meanwhile.
+/// A progress line on the error stream, if that is a terminal; it appears after a second and is erased when the
+/// progress ends. A separate thread draws it, so that it also moves during work without progress reports. Only one may
+/// exist at a time, and nothing else may write to the terminal meanwhile.
 class Progress {
  public:
   /// Begins with work of unknown length.
@@ -24,13 +24,13 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// The next piece of work: of `total` steps, or of unknown length for 0.
+  /// Begins the next step of the work, with `total` items, or 0 if their number is unknown.
   void begin(std::string_view work, std::size_t total = 0);
 
-  /// So many steps of it are done.
+  /// Sets the number of completed items.
   void advance(std::size_t done) { done_.store(done, std::memory_order_relaxed); }
 
-  /// Takes the line away. Harmless when it is gone already.
+  /// Erases the line. May be called repeatedly.
   void stop();
 
  private:

@@ -38,7 +38,7 @@ namespace {
 using io::FoundDetail;
 using io::ReportFormat;
 
-/// The command line as it was given.
+/// The parsed command line.
 struct QueryArguments {
   std::optional<std::string> scene;
   std::optional<std::string> log;
@@ -48,7 +48,7 @@ struct QueryArguments {
   std::optional<std::string> box;
   std::optional<std::string> sphere;
   std::optional<std::string> ray;
-  std::optional<std::int64_t> nearest;  // signed, so that a negative one is seen
+  std::optional<std::int64_t> nearest;  // signed, so that negative numbers are detected
   std::optional<double> t_max;
   std::optional<std::string> layer;
   bool only_first = false;
@@ -60,14 +60,14 @@ constexpr std::array<std::pair<std::string_view, ReportFormat>, 4> query_formats
                                                                                   {"ndjson", ReportFormat::ndjson},
                                                                                   {"csv", ReportFormat::csv}}};
 
-/// Refuses no scene, two at once, and a log that the answer would overwrite.
+/// Refuses a missing or ambiguous source, and an output that would overwrite the log.
 void require_one_scene(const QueryArguments& arguments) {
   if (!arguments.scene && !arguments.log) {
-    throw UsageError("query needs SCENE, the scene to ask, or --log FILE, to ask what a log leaves behind");
+    throw UsageError("query needs a SCENE, or --log FILE for the scene at the end of a log");
   }
   if (arguments.scene && arguments.log) {
     throw UsageError("the scene " + io::in_quotes(*arguments.scene) + " and the log " + io::in_quotes(*arguments.log) +
-                     " are two to ask; give one of SCENE and --log");
+                     " cannot both be queried; give only one of SCENE and --log");
   }
   if (arguments.log && !is_standard_stream(arguments.output) && name_same_file(*arguments.log, arguments.output)) {
     throw UsageError("the log " + io::in_quotes(arguments.output) +
@@ -75,23 +75,23 @@ void require_one_scene(const QueryArguments& arguments) {
   }
 }
 
-/// Refuses no question, two at once, and what goes with another one.
+/// Refuses a missing or ambiguous question, and options that belong to another one.
 void require_one_question(const QueryArguments& arguments) {
   const int questions = int{arguments.point.has_value()} + int{arguments.box.has_value()} +
                         int{arguments.sphere.has_value()} + int{arguments.ray.has_value()};
   if (questions != 1) {
-    throw UsageError(questions == 0 ? "there is no question; give one of --point, --box, --sphere and --ray"
-                                    : "these are several questions; give one of --point, --box, --sphere and --ray");
+    throw UsageError(questions == 0 ? "no query is given; use one of --point, --box, --sphere and --ray"
+                                    : "several queries are given; use only one of --point, --box, --sphere and --ray");
   }
-  if (arguments.nearest && !arguments.point) throw UsageError("--nearest needs --point: nearest to what?");
+  if (arguments.nearest && !arguments.point) throw UsageError("--nearest needs --point");
   if (arguments.nearest && *arguments.nearest < 1) {
-    throw UsageError(fmt::format("--nearest {} is no number of objects; it must be 1 or more", *arguments.nearest));
+    throw UsageError(fmt::format("--nearest is {}; it must be 1 or more", *arguments.nearest));
   }
   if (arguments.t_max && !arguments.ray) throw UsageError("--t-max needs --ray");
   if (arguments.only_first && !arguments.ray) throw UsageError("--first needs --ray");
 }
 
-/// "1,2.5,-3" as numbers, so many of them.
+/// Parses "1,2.5,-3" as the given number of numbers.
 std::vector<double> numbers_in(const std::string& option, const std::string& text, std::size_t count,
                                const std::string& meaning) {
   std::vector<double> numbers;
@@ -101,7 +101,7 @@ std::vector<double> numbers_in(const std::string& option, const std::string& tex
     double number = 0;
     const auto [stop, error] = std::from_chars(at, end, number);
     if (error != std::errc() || (stop != end && *stop != ',')) {
-      throw UsageError(option + " " + io::in_quotes(text) + " is not a list of numbers with commas between them");
+      throw UsageError(option + " " + io::in_quotes(text) + " is not a comma-separated list of numbers");
     }
     numbers.push_back(number);
     if (stop == end) break;
@@ -114,7 +114,7 @@ std::vector<double> numbers_in(const std::string& option, const std::string& tex
   return numbers;
 }
 
-/// One question to a scene of either dimension.
+/// One query to a scene of either dimension.
 template <Dim N>
 class Query {
  public:
@@ -150,7 +150,7 @@ class Query {
 
   io::FoundObject found(const ObjectId& id, double number) const {
     const Object<N, double>& object = scene_.object(id);
-    // Files name all objects, a log those that its program named; of others it has the ids.
+    // All objects of a file have names, but not all of a log; those without one are shown by their ids.
     const bool has_name = !arguments_.log || !object.name.empty();
     return {has_name ? object.name : fmt::format("[{}, {}]", id.index, id.generation),
             type_name<N, double>(object.shape), number};
@@ -204,14 +204,15 @@ io::FoundReport answer(const QueryArguments& arguments, const std::string& sourc
   const auto start = std::chrono::steady_clock::now();
   try {
     Query<N>(arguments, scene).ask(report);
-  } catch (const std::invalid_argument& error) {  // a radius below zero, a ray without a direction, what is not finite
+  } catch (
+      const std::invalid_argument& error) {  // a negative radius, a ray of length zero, a number that is not finite
     throw UsageError(error.what());
   }
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }
 
-/// What is asked, and the file that it comes from.
+/// The query, and the file that it is about.
 struct Subject {
   std::string source;
   io::AnyScene scene;
@@ -254,9 +255,9 @@ ExitCode run_query(const QueryArguments& arguments) {
 }
 
 constexpr const char* query_footer =
-    R"(One question at a time. Objects come in the scene's order, the nearest by distance, hits
-of a ray by t, which counts in lengths of its direction. Shapes contain their surface.
-Instead of a SCENE, a query log can be asked: the scene that its calls leave behind.
+    R"(One query at a time. Objects are in the scene's order, the nearest objects by distance, ray
+hits by t, in multiples of the direction's length. Shapes contain their surface.
+Instead of SCENE, a query log can be given; then the scene at its end is queried.
 
 Examples:
   graze query level.tmx --point 120,64
@@ -270,23 +271,24 @@ Exit codes: 0 done; 2 wrong usage; 3 bad input, or an output that cannot be writ
 }  // namespace
 
 Command add_query(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("query", "Find the objects at a point, in a region, on a ray, or near");
+  CLI::App* app =
+      program.add_subcommand("query", "Find objects at a point, in a region, along a ray, or nearest to a point");
   const auto arguments = std::make_shared<QueryArguments>();
   const auto add = [app](const char* name, auto& value, const char* help, const char* type) {
     app->add_option(name, value, help)->type_name(type)->take_last();
   };
   app->add_option("SCENE", arguments->scene, "Scene file, or - for the standard input")->type_name("");
-  add("--log", arguments->log, "Instead of SCENE: a query log, whose end is asked", "FILE");
-  add("--point", arguments->point, "What contains this point", "X,Y[,Z]");
+  add("--log", arguments->log, "Instead of SCENE: a query log; queries the scene at its end", "FILE");
+  add("--point", arguments->point, "Objects that contain this point", "X,Y[,Z]");
   add("--nearest", arguments->nearest, "With --point: the K objects nearest to it", "K");
-  add("--box", arguments->box, "What touches the box between two corners", "CORNER,CORNER");
-  add("--sphere", arguments->sphere, "What touches this sphere, in 2D a circle", "CENTER,RADIUS");
-  add("--ray", arguments->ray, "What a ray hits, in order", "ORIGIN,DIRECTION");
+  add("--box", arguments->box, "Objects that touch the box between two corners", "CORNER,CORNER");
+  add("--sphere", arguments->sphere, "Objects that touch this sphere, in 2D a circle", "CENTER,RADIUS");
+  add("--ray", arguments->ray, "Objects that a ray hits, in order", "ORIGIN,DIRECTION");
   add("--t-max", arguments->t_max, "With --ray: no hit beyond this t; 1 for a segment", "T");
   app->add_flag("--first", arguments->only_first, "With --ray: only the first hit");
   add("--layer", arguments->layer, "Only objects on this layer", "NAME");
   add("--format", arguments->format, "table (the default), json, ndjson or csv", "FORMAT");
-  add("--output", arguments->output, "Write the answer to a file instead of the standard output", "FILE");
+  add("--output", arguments->output, "Write the result to a file instead of the standard output", "FILE");
   add_strict(*app, arguments->strict);
   app->footer(query_footer);
   return {app, [arguments] { return run_query(*arguments); }};

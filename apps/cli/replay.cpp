@@ -29,7 +29,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The command line as it was given.
+/// The parsed command line.
 struct ReplayArguments {
   std::string log;
   std::optional<std::string> format;
@@ -66,13 +66,13 @@ ExitCode shrink_log(const ReplayArguments& arguments, const io::QueryLog<N>& log
     return done;
   }
   write_output(arguments.output, [&](std::ostream& out) { io::write_query_log(out, *small); });
-  say(fmt::format("{} calls are left of {}, after {} tries", small->entries.size(), log.entries.size(), tries));
+  say(fmt::format("{} of {} calls are left after {} attempts", small->entries.size(), log.entries.size(), tries));
   return answers_differ;
 }
 
 ExitCode run_replay(const ReplayArguments& arguments) {
   if (arguments.shrink && arguments.format) {
-    throw UsageError("--format is for reports; what --shrink writes is a log");
+    throw UsageError("--format applies to reports, but --shrink writes a log");
   }
   if (!is_standard_stream(arguments.output) && name_same_file(arguments.log, arguments.output)) {
     throw UsageError("the log " + io::in_quotes(arguments.output) +
@@ -88,9 +88,9 @@ ExitCode run_replay(const ReplayArguments& arguments) {
 }
 
 constexpr const char* replay_footer =
-    R"(A log holds the calls on a scene and what it answered, as C++ programs record them and as
-`graze simulate` does when it is told to. They are performed again, and each answer is compared
-with the one in the log and with that of a scene that asks every object.
+    R"(A log contains the calls on a scene and its answers, recorded by a C++ program or by
+`graze simulate --log`. The calls are executed again, and each answer is compared with the
+one in the log and with that of a brute-force scene.
 
 Examples:
   graze replay yard.log
@@ -103,13 +103,13 @@ written)";
 }  // namespace
 
 Command add_replay(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("replay", "Perform recorded calls on a scene again, and compare the answers");
+  CLI::App* app = program.add_subcommand("replay", "Replay recorded calls on a scene and compare the answers");
   const auto arguments = std::make_shared<ReplayArguments>();
   const auto add = [app](const char* name, auto& value, const char* help, const char* type) {
     app->add_option(name, value, help)->type_name(type)->take_last();
   };
   app->add_option("LOG", arguments->log, "Query log, or - for the standard input")->required()->type_name("");
-  app->add_flag("--shrink", arguments->shrink, "Write the smallest log that still differs instead of a report");
+  app->add_flag("--shrink", arguments->shrink, "Instead of a report, write a minimal log that still differs");
   add("--format", arguments->format, "table (the default) or json", "FORMAT");
   add("--output", arguments->output, "Write to a file instead of the standard output", "FILE");
   app->footer(replay_footer);

@@ -34,7 +34,7 @@ PairDetail detail_of(const CheckedPairs& wanted) {
   return wanted.contacts ? PairDetail::contacts : PairDetail::none;
 }
 
-/// Candidates of a task, and a place for what is to be told of each.
+/// The candidates of a task, and space for their results.
 template <Dim N>
 struct Task {
   const Scene<N, double>& scene;
@@ -85,7 +85,7 @@ void tell(const Manifold<N, double>& touch, ReportedPair& pair) {
   pair.error = touch.error;
 }
 
-/// Adds where the pairs touch that were found.
+/// Adds the contacts of the pairs that were found.
 template <Dim N>
 void add_contacts(const Task<N>& task) {
   std::vector<std::size_t> places;
@@ -111,7 +111,7 @@ SceneCheck::SceneCheck(const io::SceneFile& file, const CheckedPairs& wanted, Pr
       file.scene);
 }
 
-/// What is to be told of each candidate, if it is one of those that were asked for.
+/// The result for each candidate that is to be reported.
 template <Dim N>
 std::vector<std::optional<ReportedPair>> SceneCheck::tested(const Scene<N, double>& scene,
                                                             std::span<const ObjectPair> candidates) const {
@@ -131,7 +131,7 @@ template <Dim N>
 void SceneCheck::search(const Scene<N, double>& scene, const OnPair& on_pair,
                         const std::function<bool()>& after_block) {
   Clock::time_point start = Clock::now();
-  progress_.begin("looking for candidates");
+  progress_.begin("searching for candidates");
   bool has_begun = false;
   const auto test = [&](std::span<const ObjectPair> candidates) {
     if (!has_begun) progress_.begin("testing pairs", scene.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The search for all pairs of a scene that touch, with its reports and the progress that a person sees.
+// The search for all touching pairs of a scene, with its reports and progress display.
 #pragma once
 
 #include <functional>
@@ -16,12 +16,12 @@
 
 namespace graze::cli {
 
-/// Which pairs are reported, and what of them. `contacts` and `only_interior` are about pairs that touch, so they do
-/// not go together with `within`.
+/// Which pairs are reported, and with which details. `contacts` and `only_interior` apply to touching pairs, so they
+/// exclude `within`.
 struct CheckedPairs {
-  bool only_interior = false;    ///< Only those whose interiors overlap.
-  bool contacts = false;         ///< With the points where they touch.
-  std::optional<double> within;  ///< All that are no farther apart than this, with their distance.
+  bool only_interior = false;    ///< Only pairs whose interiors overlap.
+  bool contacts = false;         ///< With the contact points.
+  std::optional<double> within;  ///< All pairs at most this far apart, with their distance.
 };
 
 class SceneCheck {
@@ -29,12 +29,12 @@ class SceneCheck {
   /// `file` and `progress` must outlive the check.
   SceneCheck(const io::SceneFile& file, const CheckedPairs& wanted, Progress& progress);
 
-  /// Takes a pair that was asked for: by name, with what is told of it, and by id.
+  /// Receives a pair to report: by name, with its details, and by id.
   using OnPair = std::function<void(const io::ReportedPair&, const ObjectPair&)>;
 
-  /// Finds the pairs and gives them to `on_pair` in order, of which none is kept. They come in blocks, and
-  /// `after_block` is called after each, so that whoever reads a report gets pairs while the search goes on, and so
-  /// that the time of the search is told from that of writing; false from it ends the search. To be called once.
+  /// Finds the pairs and passes them to `on_pair` in order, without storing them. They come in blocks, and
+  /// `after_block` is called after each, so that a report grows while the search runs and the time of the search is
+  /// measured without that of writing; the search ends if it returns false. Call once.
   void run(const OnPair& on_pair, const std::function<bool()>& after_block);
 
   const io::ReportHead& head() const { return head_; }

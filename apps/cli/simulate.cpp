@@ -32,40 +32,39 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The command line as it was given.
+/// The parsed command line.
 struct SimulateArguments {
   std::string scene;
   std::string output = "-";
   std::optional<std::string> log;
-  std::optional<std::int64_t> frames;  // signed, so that a negative one is seen
+  std::optional<std::int64_t> frames;  // signed, so that negative numbers are detected
   double seconds_per_frame = 1.0 / 60;
   bool strict = false;
 };
 
 void require_sensible(const SimulateArguments& arguments) {
-  if (!arguments.frames) throw UsageError("there is no --frames; say how many times the objects are to be moved");
+  if (!arguments.frames) throw UsageError("--frames is missing; give the number of times to move the objects");
   if (*arguments.frames < 1) {
-    throw UsageError(fmt::format("--frames {} is no number of frames; it must be 1 or more", *arguments.frames));
+    throw UsageError(fmt::format("--frames is {}; it must be 1 or more", *arguments.frames));
   }
   if (!(arguments.seconds_per_frame > 0 && std::isfinite(arguments.seconds_per_frame))) {
-    throw UsageError(
-        fmt::format("--seconds-per-frame {} is no length of time; it must be above 0", arguments.seconds_per_frame));
+    throw UsageError(fmt::format("--seconds-per-frame is {}; it must be above 0", arguments.seconds_per_frame));
   }
   if (!arguments.log) return;
   require_not_overwritten(arguments.scene, *arguments.log);
   if (name_same_file(*arguments.log, arguments.output)) {
-    throw UsageError("--log " + io::in_quotes(*arguments.log) + " is where the frames go; name another file");
+    throw UsageError("--log " + io::in_quotes(*arguments.log) + " is also the output of the frames; name another file");
   }
 }
 
-/// What is told when all is done.
+/// The final summary.
 struct Totals {
   std::size_t began = 0;
   std::size_t ended = 0;
-  double seconds = 0;  ///< To move and to find pairs, without reading and writing.
+  double seconds = 0;  ///< Time for moving and finding pairs, without reading and writing.
 };
 
-/// A scene whose objects move straight on: a Scene, or a RecordedScene.
+/// A scene whose objects move at constant velocity: a Scene, or a RecordedScene.
 template <class World, Dim N>
 class Simulation {
  public:
@@ -77,7 +76,7 @@ class Simulation {
     }
   }
 
-  /// Where things are in a frame is calculated from where they were in frame 0, so that no rounding adds up.
+  /// Every frame is calculated from frame 0, so that rounding errors do not accumulate.
   io::FrameReport frame(std::size_t number) {
     const Clock::time_point start = Clock::now();
     const double seconds = static_cast<double>(number) * seconds_per_frame_;
@@ -108,7 +107,7 @@ class Simulation {
         moves.push_back({mover.id, translated<N, double>(mover.shape, offset)});
       }
       scene_.move(moves);
-    } catch (const std::invalid_argument& refusal) {  // beyond all numbers
+    } catch (const std::invalid_argument& refusal) {  // out of range
       throw io::InputError(fmt::format("{}: in frame {}: {}", source_, number, refusal.what()));
     }
   }
@@ -127,13 +126,13 @@ class Simulation {
   Totals totals_;
 };
 
-/// Moves what is in a scene and writes all frames.
+/// Moves the objects of a scene and writes all frames.
 template <Dim N, class World>
 Totals move_and_write(const SimulateArguments& arguments, World& scene, const io::SceneFile& file, Progress& progress) {
   const auto frames = static_cast<std::size_t>(*arguments.frames);
   Simulation<World, N> simulation(scene, file, arguments.seconds_per_frame);
   write_output(arguments.output, [&](std::ostream& out) {
-    // Lines that come are progress enough.
+    // Printing the frames shows the progress.
     if (is_standard_stream(arguments.output) && is_terminal(Stream::output)) progress.stop();
     progress.begin("simulating", frames);
     for (const io::Omission& omission : io::missing_shapes(file.omissions)) out << io::omission_ndjson(omission);
@@ -146,7 +145,7 @@ Totals move_and_write(const SimulateArguments& arguments, World& scene, const io
   return simulation.totals();
 }
 
-/// The same, recorded if it is to be.
+/// The same, recorded if requested.
 template <Dim N>
 Totals simulate(const SimulateArguments& arguments, Scene<N, double>& scene, const io::SceneFile& file,
                 Progress& progress) {
@@ -181,8 +180,8 @@ ExitCode run_simulate(const SimulateArguments& arguments) {
 }
 
 constexpr const char* simulate_footer =
-    R"(Objects with a "velocity" in the scene file move straight on; nothing stops them. Frame 0 is the
-scene as it is. Each frame is a line of JSON: which pairs began to touch, and which no longer do.
+    R"(Objects with a "velocity" in the scene file move at that velocity; nothing stops them. Frame 0
+is the scene as read. Each frame is a line of JSON: the pairs that began and that ended to touch.
 
 Examples:
   graze simulate --frames 600 yard.json > events.ndjson
@@ -194,14 +193,14 @@ Exit codes: 0 done; 2 wrong usage; 3 bad input, or an output that cannot be writ
 }  // namespace
 
 Command add_simulate(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("simulate", "Move the objects of a scene and tell what begins to touch");
+  CLI::App* app = program.add_subcommand("simulate", "Move the objects of a scene and report which begin to touch");
   const auto arguments = std::make_shared<SimulateArguments>();
   const auto add = [app](const char* name, auto& value, const char* help, const char* type) {
     app->add_option(name, value, help)->type_name(type)->take_last();
   };
   app->add_option("SCENE", arguments->scene, "Scene file, or - for the standard input")->required()->type_name("");
-  add("--frames", arguments->frames, "How many times the objects are moved", "N");
-  add("--seconds-per-frame", arguments->seconds_per_frame, "How far apart frames are; 1/60 if left out", "SECONDS");
+  add("--frames", arguments->frames, "Number of times to move the objects", "N");
+  add("--seconds-per-frame", arguments->seconds_per_frame, "Time between frames, 1/60 by default", "SECONDS");
   add("--output", arguments->output, "Write the frames to a file instead of the standard output", "FILE");
   add("--log", arguments->log, "Record all calls on the scene, for graze replay", "FILE");
   add_strict(*app, arguments->strict);

@@ -16,7 +16,7 @@
 namespace graze::cli {
 namespace {
 
-/// The value of an environment variable; empty when it is not set.
+/// The value of an environment variable; empty if it is not set.
 std::string_view environment(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? std::string_view() : std::string_view(value);
@@ -43,7 +43,7 @@ void say_error(std::string_view message) {
 }
 
 void claim_standard_streams() {
-  // Opened the wrong way round: reading from the input and writing to the others must fail as they would have.
+  // Opened in the wrong direction: reading from the input and writing to the others must fail, as on closed streams.
   constexpr std::array<int, 3> modes{O_WRONLY, O_RDONLY, O_RDONLY};
   for (int number = 0; number < 3; ++number) {
     const bool closed = fcntl(number, F_GETFD) == -1 && errno == EBADF;

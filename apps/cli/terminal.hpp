@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The person at the terminal, if there is one.
+// The terminal, if the program runs on one.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace graze::cli {
 
-/// The stream that data goes to, and the one for talk.
+/// The streams for data and for messages.
 enum class Stream { output = 1, error = 2 };
 
-/// True when a person reads the stream on a terminal.
+/// True if the stream is a terminal.
 bool is_terminal(Stream stream);
 
-/// True when the stream is a terminal that moves its cursor: not TERM=dumb.
+/// True if the stream is a terminal that can move its cursor: not TERM=dumb.
 bool has_cursor(Stream stream);
 
-/// On for a terminal with a cursor, unless NO_COLOR is set and not empty (no-color.org).
+/// On for a terminal with a movable cursor, unless NO_COLOR is set and not empty (no-color.org).
 io::Colours colours_for(Stream stream);
 
 /// Writes "graze: MESSAGE" to the error stream, made printable; never fails.
@@ -27,11 +27,11 @@ void say(std::string_view message);
 /// The same for an error: "graze: error: MESSAGE".
 void say_error(std::string_view message);
 
-/// Writes lines of our own, as they are, to the error stream; never fails.
+/// Writes our own lines unchanged to the error stream; never fails.
 void say_text(const std::string& text);
 
-/// Opens standard streams that the caller has closed, in such a way that using them fails. Otherwise the next file
-/// opened would take their number, and what we say would end up in it.
+/// Opens standard streams that the caller has closed, in such a way that using them fails. Otherwise the next opened
+/// file would get their number and receive our messages.
 void claim_standard_streams();
 
 }  // namespace graze::cli

@@ -30,7 +30,7 @@ UsageError unknown_command(const CLI::App& program, const std::string& argument)
                                 io::did_you_mean(argument, known)));
 }
 
-/// The positional argument that is missing first.
+/// The first missing positional argument.
 std::string missing_argument(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     if (option->get_positional() && option->get_required() && option->count() == 0)
@@ -51,7 +51,7 @@ const CLI::App& called(const CLI::App& program) {
 }
 
 UsageError explained(const CLI::App& program, const CLI::ParseError& error) {
-  // An unknown option is the likelier mistake than what it leads to: a value that is missing, or one too many.
+  // An unknown option is a likelier mistake than its consequences, a missing value or a surplus argument.
   const CLI::App& command = called(program);
   for (const CLI::App* app : {&program, &command}) {
     for (const std::string& argument : app->remaining()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a user got wrong on the command line, in words that help.
+// Messages about wrong command lines.
 #pragma once
 
 #include <array>
@@ -16,22 +16,22 @@
 
 namespace graze::cli {
 
-/// A command line that cannot be followed. The message names the argument and what would be allowed.
+/// A command line that is not valid. The message names the argument and what is allowed.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Says what CLI11 did not like, naming the nearest known option or command.
+/// Describes an error that CLI11 found and suggests the nearest known option or command.
 UsageError explained(const CLI::App& program, const CLI::ParseError& error);
 
-/// The subcommand that was called, or the program when none was.
+/// The subcommand that was called, or the program if there was none.
 const CLI::App& called(const CLI::App& program);
 
 /// "graze check", or "graze" for the program itself.
 std::string full_name(const CLI::App& app);
 
-/// What the value of an option stands for. Throws UsageError with the nearest of the choices, or all of them.
+/// The meaning of an option's value. Throws UsageError with the nearest allowed value, or all of them.
 template <class Value, std::size_t Count>
 Value chosen(const std::string& option, std::string_view word,
              const std::array<std::pair<std::string_view, Value>, Count>& choices) {

@@ -21,16 +21,16 @@
 namespace graze::cli {
 namespace {
 
-/// The command line as it was given.
+/// The parsed command line.
 struct ViewArguments {
   std::string scene;
   std::optional<std::string> html;
   bool strict = false;
 };
 
-/// Checks the scene and writes the page; gives the sentence that sums up what was found.
+/// Checks the scene and writes the page; returns the summary sentence.
 std::string write_view(std::ostream& out, std::string page, const io::SceneFile& file) {
-  Progress progress("looking for candidates");
+  Progress progress("searching for candidates");
   SceneCheck check(file, {}, progress);
   HtmlReport report(std::move(page), check.head());
   check.run([&](const io::ReportedPair& pair, const ObjectPair&) { report.add(pair); }, [] { return true; });
@@ -43,7 +43,7 @@ std::string write_view(std::ostream& out, std::string page, const io::SceneFile&
 [[noreturn]] void serve(std::string page) {
   PageServer server(std::move(page));
   write_output("-", [&](std::ostream& out) { out << server.address() << '\n'; });
-  say("open this address in a browser; Ctrl+C ends the program");
+  say("open this address in a browser; press Ctrl+C to end the program");
   server.serve();
 }
 
@@ -66,9 +66,9 @@ ExitCode run_view(const ViewArguments& arguments) {
 }
 
 constexpr const char* view_footer =
-    R"(SCENE is a scene in graze's JSON or CSV, or a Tiled map (.tmx, .tmj); told apart
-by content. The page holds everything that it needs and opens without a network. Without
---html it is shown at an address of this machine only, until the program is ended.
+    R"(SCENE is a scene in graze's JSON or CSV, or a Tiled map (.tmx, .tmj), recognized
+by content. The page is self-contained and opens without a network. Without --html it is
+served at a local address until the program ends.
 
 Examples:
   graze view level.tmx
@@ -79,7 +79,7 @@ Exit codes: 0 done; 2 wrong usage; 3 bad input, or an output that cannot be writ
 }  // namespace
 
 Command add_view(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("view", "Show a scene and what touches what in the browser");
+  CLI::App* app = program.add_subcommand("view", "Show a scene and its contacts in the browser");
   const auto arguments = std::make_shared<ViewArguments>();
   app->add_option("SCENE", arguments->scene, "Scene file, or - for the standard input")->required()->type_name("");
   app->add_option("--html", arguments->html, "Write the page to a file, - for the standard output")

@@ -14,7 +14,7 @@
 namespace graze::cli {
 namespace {
 
-/// Pairs name boxes by 32 bits.
+/// Pairs refer to boxes by 32-bit indexes.
 constexpr NumberRange count_range{1, std::numeric_limits<std::uint32_t>::max()};
 
 World read_name(const std::string& name) {
@@ -36,7 +36,7 @@ std::vector<std::string> split(const std::string& text) {
   return parts;
 }
 
-/// What a suffix multiplies by; 0 when it is not known.
+/// The factor of a suffix; 0 if it is unknown.
 std::uint64_t factor_of(std::string_view suffix) {
   if (suffix.empty()) return 1;
   if (suffix == "k" || suffix == "K") return 1000;
@@ -51,7 +51,7 @@ WorldArgument read_world(const std::string& text) {
   const bool has_dimension = parts.size() > 1 && !world_named(parts.front()) && parts.front().size() == 2;
   if (has_dimension) {
     if (parts.front() != "2d" && parts.front() != "3d") {
-      throw UsageError(fmt::format("the dimension {} of {} is not known; write 2d: or 3d:, or nothing for 3d",
+      throw UsageError(fmt::format("the dimension {} of {} is not known; write 2d: or 3d:; 3d is the default",
                                    io::in_quotes(parts.front()), io::in_quotes(text)));
     }
     argument.dimension = parts.front() == "2d" ? 2 : 3;
@@ -59,9 +59,8 @@ WorldArgument read_world(const std::string& text) {
   }
   argument.world = read_name(parts.front());
   if (parts.size() != 2) {
-    throw UsageError(
-        fmt::format("the world {} needs its number of boxes and nothing else; write something like {}:100k",
-                    io::in_quotes(text), parts.front()));
+    throw UsageError(fmt::format("the world {} needs a number of boxes and nothing else, such as {}:100k",
+                                 io::in_quotes(text), parts.front()));
   }
   argument.count = read_number("the number of boxes", parts.back(), count_range);
   return argument;

@@ -120,8 +120,8 @@ class Bench(CommandLineTest):
         self.assertNotIn("brute_force", [method["method"] for method in report["methods"]])
         self.assertEqual(report["skipped"], [{"method": "brute_force", "reason": "10001 boxes are more than 10000"}])
         _, said = self.succeed("bench", "--generate", "brownian:10001", "--frames", "1", "--method", "all")
-        self.assertEqual(said, "graze: brute_force is left out: 10001 boxes are more than 10000; --method brute_force runs "
-                               "it all the same\n")
+        self.assertEqual(said, "graze: brute_force is skipped: 10001 boxes are more than 10000; --method brute_force runs "
+                               "it anyway\n")
         report = self.measured("--generate", "brownian:10001", "--frames", "1", "--method", "all,brute_force")
         self.assertIn("brute_force", [method["method"] for method in report["methods"]])
         self.assertEqual(report["skipped"], [])
@@ -175,7 +175,7 @@ class Bench(CommandLineTest):
     def test_there_must_be_one_source_of_boxes(self):
         self.refused("bench", code=2, says=["a FILE, or --generate", "brownian:100k"])
         self.refused("bench", self.yard(), "--generate", "line:5", code=2, says="leave one of them out")
-        self.refused("bench", self.yard(), "--seed", "3", code=2, says="--seed is for --generate")
+        self.refused("bench", self.yard(), "--seed", "3", code=2, says="--seed requires --generate")
 
     def test_worlds_that_are_not_understood_are_refused_with_the_way_out(self):
         for world, says in (("brownien:5", 'did you mean "brownian"?'), ("box:5", 'known: "brownian", "heavy"'),

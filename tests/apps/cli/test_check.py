@@ -207,11 +207,11 @@ class Check(CommandLineTest):
 
     def test_a_clearance_that_is_none_and_reports_that_exclude_each_other_are_refused(self):
         scene = self.yard()
-        self.refused("check", "--within", "-1", scene, code=2, says="--within -1 is no distance; it must be 0 or more")
+        self.refused("check", "--within", "-1", scene, code=2, says="--within -1 is not a valid distance; it must be 0 or more")
         self.refused("check", "--within", "inf", scene, code=2, says="it must be 0 or more")
         self.refused("check", "--within", "near", scene, code=2, says="--within")
-        self.refused("check", "--within", "1", "--contacts", scene, code=2, says="give one of the two")
-        self.refused("check", "--within", "1", "--interior", scene, code=2, says="give one of the two")
+        self.refused("check", "--within", "1", "--contacts", scene, code=2, says="give only one of them")
+        self.refused("check", "--within", "1", "--interior", scene, code=2, says="give only one of them")
 
     def test_contact_is_a_failure_only_when_asked(self):
         scene = self.yard()
@@ -315,7 +315,7 @@ class Check(CommandLineTest):
             with self.subTest(command[0]):
                 arguments = command[1:] if command[0] == "convert" else [*command[1:], extra]
                 said = self.refused(command[0], "--strict", *arguments,
-                                    says=['extra.csv: refused, as --strict asks: not read: 1 x column "colour"'])
+                                    says=['extra.csv: refused because of --strict: not read: 1 x column "colour"'])
                 self.assertEqual(said.count("\n"), 1)
         self.succeed("check", "--strict", self.yard())
         self.refused("check", "--strict", "-", input=extra.read_bytes(), says="standard input: refused")

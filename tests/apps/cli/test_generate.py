@@ -89,11 +89,11 @@ class Generate(CommandLineTest):
         self.succeed("generate", "line:3", "--format", "csv", "--output", self.folder / "W.CSV")
 
     def test_formats_that_do_not_fit_are_refused_with_the_way_out(self):
-        for arguments, says in ((("--output", "w.txt"), "let it end in .csv, .json or .aabbs, or add --format"),
+        for arguments, says in ((("--output", "w.txt"), "give a name that ends in .csv, .json or .aabbs, or add --format"),
                                 (("--output", "w"), "or add --format"),
                                 (("--output", "w.json", "--format", "csv"), "leave one of them out"),
                                 (("--format", "aabb"), 'did you mean "aabbs"?'),
-                                (("--frames", "2"), "with --format aabbs"),
+                                (("--frames", "2"), "add --format aabbs"),
                                 (("--frames", "2", "--output", "w.csv"), "a name that ends in .aabbs"),
                                 (("--frames", "1", "--output", "w.aabbs"), "for a single one write a scene"),
                                 (("--frames", "0", "--output", "w.aabbs"), "--frames is 0; it must be from 1"),

@@ -73,11 +73,11 @@ class Query(CommandLineTest):
 
     def test_what_cannot_be_asked_is_named(self):
         scene = self.yard()
-        self.wrong("there is no question", scene)
+        self.wrong("no query is given", scene)
         self.wrong("several questions", scene, "--point", "0,0", "--box", "0,0,1,1")
-        self.wrong("nearest to what?", scene, "--box", "0,0,1,1", "--nearest", "3")
+        self.wrong("--nearest needs --point", scene, "--box", "0,0,1,1", "--nearest", "3")
         for count in ("-3", "0"):
-            self.wrong(f"--nearest {count} is no number of objects", scene, "--point", "0,0", "--nearest", count)
+            self.wrong(f"--nearest is {count}; it must be 1 or more", scene, "--point", "0,0", "--nearest", count)
         self.wrong("--t-max needs --ray", scene, "--point", "0,0", "--t-max", "3")
         self.wrong("--first needs --ray", scene, "--point", "0,0", "--first")
         self.wrong('--point "0,0,0" has 3 numbers; it takes x,y', scene, "--point", "0,0,0")
@@ -136,10 +136,10 @@ class QueryOfALog(CommandLineTest):
     def test_wrong_usage_and_wrong_logs_are_refused(self):
         log = self.log()
         point = ("--point", "0,0")
-        self.refused("query", *point, code=2, says="query needs SCENE, the scene to ask, or --log FILE")
-        self.refused("query", self.yard(), "--log", log, *point, code=2, says="give one of SCENE and --log")
+        self.refused("query", *point, code=2, says="query needs a SCENE, or --log FILE")
+        self.refused("query", self.yard(), "--log", log, *point, code=2, says="give only one of SCENE and --log")
         self.refused("query", "--log", log, *point, "--output", log, code=2, says="would be overwritten")
-        self.refused("query", "--log", log, code=2, says="there is no question")
+        self.refused("query", "--log", log, code=2, says="no query is given")
         self.refused("query", "--log", self.yard(), *point, says='is "graze.scene/1", which is not a query log')
         self.refused("query", "--log", self.folder / "none.log", *point, says="there is no such file")
         lines = log.read_text().splitlines()

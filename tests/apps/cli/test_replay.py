@@ -66,7 +66,7 @@ class Replay(CommandLineTest):
         small = self.folder / "small.log"
         text, said = self.succeed("replay", "--shrink", "--output", small, self.wrong_log(), code=1)
         self.assertEqual(text, "")
-        self.assertRegex(said, r"\Agraze: 6 calls are left of 12, after \d+ tries\n\Z")
+        self.assertRegex(said, r"\Agraze: 6 of 12 calls are left after \d+ attempts\n\Z")
         calls = [json.loads(line).get("call") for line in small.read_text().splitlines()[1::2]]
         self.assertEqual(calls, ["add", "add", "move_many", "update", "move_many", "update"])  # post and ball
         self.assertIn("1 of 6 answers differs", self.succeed("replay", small, code=1)[0])
@@ -95,11 +95,11 @@ class Replay(CommandLineTest):
         log = self.log()
         self.refused("replay", code=2, says="needs LOG")
         self.refused("replay", log, "--format", "csv", code=2, says='--format "csv" is not known')
-        self.refused("replay", log, "--shrink", "--format", "json", code=2, says="what --shrink writes is a log")
+        self.refused("replay", log, "--shrink", "--format", "json", code=2, says="but --shrink writes a log")
         self.refused("replay", log, "--output", log, code=2, says="would be overwritten")
         scene = self.write("rolling.json", ROLLING)
         self.refused("simulate", scene, "--frames", "1", "--log", scene, code=2, says="would be overwritten")
-        self.refused("simulate", scene, "--frames", "1", "--log", "-", code=2, says="is where the frames go")
+        self.refused("simulate", scene, "--frames", "1", "--log", "-", code=2, says="is also the output of the frames")
 
     def test_nothing_of_the_progress_is_left_on_a_terminal(self):
         shown = Terminal([PROGRAM, "replay", str(self.log())], ("stdout", "stderr"), env=environment())

@@ -61,8 +61,8 @@ class Simulate(CommandLineTest):
 
     def test_nonsense_is_refused(self):
         scene = self.yard()
-        self.refused("simulate", scene, code=2, says="there is no --frames; say how many times")
-        self.refused("simulate", scene, "--frames", "0", code=2, says="--frames 0 is no number of frames; it must be 1 or more")
+        self.refused("simulate", scene, code=2, says="--frames is missing; give the number of times")
+        self.refused("simulate", scene, "--frames", "0", code=2, says="--frames is 0; it must be 1 or more")
         for time in ("0", "-1", "inf", "nan"):
             self.refused("simulate", scene, "--frames", "1", f"--seconds-per-frame={time}", code=2, says="it must be above 0")
 

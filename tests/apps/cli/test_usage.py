@@ -11,7 +11,7 @@ class Usage(CommandLineTest):
         """The program refuses, and points to the help of the program or `of` a command."""
         said = self.refused(*arguments, code=2, says=says)
         command = f"graze {of} --help" if of else "graze --help"
-        self.assertEqual(said.splitlines()[1:], [f"graze: run `{command}` to see what is possible"])
+        self.assertEqual(said.splitlines()[1:], [f"graze: run `{command}` for usage"])
 
     def test_an_unknown_command_names_the_nearest(self):
         self.refuse("chekc", "x.json", says='no command "chekc"; did you mean "check"?')

@@ -76,7 +76,7 @@ class Page(ViewTest):
         data = self.view(self.write("layers.tmx", IMAGE_LAYER))
         self.assertEqual([omission["what"] for omission in data["check"]["not_read"]], ["image layer"])
         self.refused("view", "--strict", "--html", self.folder / "none.html", self.folder / "layers.tmx", env=self.env(),
-                     says="refused, as --strict asks")
+                     says="refused because of --strict")
 
     def test_names_cannot_end_the_script_nor_begin_a_comment(self):
         name = "</script><script>alert(1)</script><!-- \u2028 \" \\"
