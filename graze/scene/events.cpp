@@ -13,7 +13,7 @@
 namespace graze {
 namespace {
 
-/// In this order pairs of the same places follow each other, whoever has been there.
+/// The order of pairs by slots only, whatever the generations of their objects.
 std::uint64_t places_of(const ObjectPair& pair) { return std::uint64_t{pair.a.index} << 32U | pair.b.index; }
 
 std::uint64_t places_of(const Pair& pair) { return std::uint64_t{pair.a} << 32U | pair.b; }
@@ -24,7 +24,7 @@ ObjectPair named(const Pair& pair, const detail::KeyTable& ids) {
   return {{a.index, a.generation, a.owner}, {b.index, b.generation, b.owner}};
 }
 
-/// Goes through the pairs that began and those that stayed as if they were one ascending list.
+/// Iterates over the pairs that began and those that stayed as one ascending list.
 class BothLists {
  public:
   explicit BothLists(const SceneEvents& events)
@@ -36,7 +36,7 @@ class BothLists {
     look_at_stayed();
   }
 
-  /// Beyond those of all pairs at the end.
+  /// Greater than that of every pair at the end.
   std::uint64_t places() const { return std::min(places_of_began_, places_of_stayed_); }
 
   const ObjectPair& operator*() const { return has_begun() ? *began_ : *stayed_; }
@@ -51,7 +51,8 @@ class BothLists {
     }
   }
 
-  /// Copies pairs as long as those that stayed, and none that began, are found in the same places. Returns how many.
+  /// Copies the pairs of `stayed` as long as `found` has the same slots and no pair of `began` comes first. Returns
+  /// their number.
   std::size_t copy_found(std::span<const Pair> found, ObjectPair* to) {
     const std::size_t most = std::min(found.size(), static_cast<std::size_t>(stayed_end_ - stayed_));
     std::size_t count = 0;
@@ -118,8 +119,8 @@ std::vector<ObjectPair> pairs_of(const SceneEvents& events) {
 
 namespace {
 
-/// Makes a list so long, whatever is in it then. It is not copied when it needs other memory, which is of large pages
-/// and holds a quarter more.
+/// Resizes a list without keeping its content: if it needs more memory, it is reallocated in large pages with a quarter
+/// to spare.
 void make_long(std::vector<ObjectPair>& pairs, std::size_t count) {
   if (pairs.capacity() < count) {
     pairs.clear();
@@ -128,8 +129,8 @@ void make_long(std::vector<ObjectPair>& pairs, std::size_t count) {
   pairs.resize(count);
 }
 
-/// Makes ids of the slots, which is all that the pairs say so far. What it takes lies anywhere in memory, and is asked
-/// for ahead.
+/// Replaces the slots, which is all that the pairs hold so far, by ids. The keys are anywhere in memory and are
+/// prefetched.
 void name_all(std::vector<ObjectPair>& pairs, const KeyTable& ids) {
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const ObjectPair& later = pairs[std::min(k + prefetch_distance, pairs.size() - 1)];
@@ -139,10 +140,10 @@ void name_all(std::vector<ObjectPair>& pairs, const KeyTable& ids) {
   }
 }
 
-/// A pair whose ids are still to be found.
+/// A pair that still lacks its generations and owners.
 ObjectPair nameless(const Pair& pair) { return {{pair.a, 0, 0}, {pair.b, 0, 0}}; }
 
-/// Most pairs stay, and are copied as they are.
+/// Slots have had one object only, so most pairs stay and are copied unchanged.
 void find_events_of_the_same(BothLists old, std::span<const Pair> found, const KeyTable& ids, NextEvents& next) {
   SceneEvents& events = next.events;
   std::size_t stayed = 0;
@@ -168,7 +169,7 @@ void find_events_of_the_same(BothLists old, std::span<const Pair> found, const K
   name_all(events.began, ids);
 }
 
-/// Each pair is written to the list of those that stayed, which goes on if it did.
+/// Branch-free: each pair is written to the list of those that stayed, and the end of the list advances if it did.
 void find_events_of_others(BothLists old, std::span<const Pair> found, const KeyTable& ids, NextEvents& next) {
   SceneEvents& events = next.events;
   std::size_t stayed = 0;
@@ -187,8 +188,8 @@ void find_events_of_others(BothLists old, std::span<const Pair> found, const Key
   events.stayed.resize(stayed);
 }
 
-/// Each pair of the last events is copied to what stays, which goes on if it does: so only what began or ends, which is
-/// little, is not guessed.
+/// Branch-free for most pairs: each is copied to the list of those that stayed, whose end advances if it did. Only
+/// pairs that begin or end, which are few, are mispredicted.
 void find_stayed_and_ended(const SceneEvents& last, const YoungMarks& young, const ListedPairs& pairs,
                            SceneEvents& events) {
   const std::uint32_t* const places = pairs.places_before.data();
@@ -221,7 +222,7 @@ void find_began(const ListedPairs& pairs, const KeyTable& ids, NextEvents& next)
   name_all(next.events.began, ids);
 }
 
-/// Makes the lists empty, but for what stays, whatever is in that, and the marks.
+/// Clears the lists, except that `stayed` and the marks are resized with unspecified content.
 void clear(NextEvents& next, std::size_t most_stay, std::size_t found) {
   next.events.began.clear();
   next.events.ended.clear();

@@ -23,7 +23,7 @@ void require(bool is_right, const char* fact) {
 
 bool is_on(LayerMask layers, Layer layer) { return (layers & only_layer(layer)) != 0; }
 
-/// How far a point is from a shape; 0 inside of solids.
+/// The distance of a point from a shape; 0 inside solids.
 template <Dim N, class T>
 T distance_between(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
   const T distance = signed_distance(shape, point);
@@ -132,7 +132,7 @@ std::vector<ObjectPair> PlainScene<N, T>::candidates(double margin) const {
   return result;
 }
 
-/// The boxes are looked at first: a thousand objects are half a million pairs.
+/// Tests the boxes first: a thousand objects are half a million pairs.
 template <Dim N, class T>
 std::vector<ObjectPair> PlainScene<N, T>::pairs() const {
   std::vector<ObjectPair> result = candidates();

@@ -17,7 +17,7 @@
 namespace graze {
 namespace {
 
-/// How many objects ahead of their move they are asked for.
+/// Prefetch distance, in objects, when many are moved.
 constexpr std::size_t moves_ahead = 8;
 
 /// 'object "sphere"' or 'the object', for messages.
@@ -29,7 +29,7 @@ template <Dim N, class T>
                               std::string(fault));
 }
 
-/// Whether `defect` would find something. Of boxes in a few steps: they move by the thousand.
+/// Whether `defect` would find a fault. A fast version for boxes, which are moved by the thousand.
 template <class S>
 bool is_faulty(const S& shape) {
   return !defect(shape).empty();
@@ -37,7 +37,7 @@ bool is_faulty(const S& shape) {
 
 template <Dim N, class T>
 bool is_faulty(const Aabb<N, T>& box) {
-  T sum = T(0);  // of zeros, unless a coordinate is infinite or NaN
+  T sum = T(0);  // a sum of zeros, unless a coordinate is infinite or NaN
   unsigned is_faulty = 0;
   for (Dim i = 0; i < N; ++i) {
     sum += (box.min[i] - box.min[i]) + (box.max[i] - box.max[i]);
@@ -46,7 +46,7 @@ bool is_faulty(const Aabb<N, T>& box) {
   return is_faulty != 0 || sum != T(0);
 }
 
-/// Whether a look at all of them together shows that none is faulty. Boxes alone have such a look.
+/// Whether a joint test of all shapes shows that none is faulty. Only boxes have such a test.
 template <class S>
 bool are_surely_sound(std::span<const S> /*shapes*/) {
   return false;
@@ -73,7 +73,7 @@ ObjectId Scene<N, T>::add(AnyShape<N, T> shape, ObjectOptions options) {
     throw std::length_error("Scene: it is full; it holds " + std::to_string(max_objects) + " objects at most");
   }
 
-  // Everything that can throw comes before the first change that would show.
+  // Everything that can throw comes before the first visible change.
   const std::uint32_t slot = ids_.prepare().index;
   const std::size_t slots = std::max<std::size_t>(slot + std::size_t{1}, objects_.size());
   index_.reserve(slots);
@@ -115,14 +115,14 @@ void Scene<N, T>::move(ObjectId id, AnyShape<N, T> shape) {
   note_moved(id.index, moved);
 }
 
-/// All of a move to a sound shape that can throw, but for copying a compound.
+/// Everything in a move to a valid shape that can throw, except copying a compound.
 template <Dim N, class T>
 void Scene<N, T>::prepare_move(ObjectId id) {
-  if (!this->contains(id)) this->object(id);  // which says what is wrong with the id
+  if (!this->contains(id)) this->object(id);  // throws with the reason
   objects_.change(id.index);
 }
 
-/// Whether `prepare_move` would surely have nothing to do for any of them.
+/// Whether `prepare_move` certainly has nothing to do for any of them.
 template <Dim N, class T>
 bool Scene<N, T>::are_ready_to_move(std::span<const ObjectId> ids) const {
   return objects_.is_all_own() && ids_.contains_all(ids);
@@ -149,19 +149,19 @@ void Scene<N, T>::put(std::uint32_t slot, const S& shape) noexcept {
   note_moved(slot, object);
 }
 
-/// Of an object that is a box.
+/// For an object that is a box.
 template <Dim N, class T>
 void Scene<N, T>::write_box(std::uint32_t slot, const Aabb<N, T>& box) noexcept {
   Object<N, T>& object = *objects_.own(slot);
   Aabb<N, T>* const held = std::get_if<Aabb<N, T>>(&object.shape);
 #ifdef __GNUC__
-  if (held == nullptr) __builtin_unreachable();  // so that nobody reads what type it is of
+  if (held == nullptr) __builtin_unreachable();  // so that the compiler omits the type check
 #endif
   *held = box;
   object.box = box;
 }
 
-/// The same in a few steps, which are by far the most common.
+/// The same for a box, in fewer steps: the most common case.
 template <Dim N, class T>
 void Scene<N, T>::put(std::uint32_t slot, const Aabb<N, T>& box) noexcept {
   if (!keeper_.is_box(slot)) return put<Aabb<N, T>>(slot, box);
@@ -180,7 +180,7 @@ void Scene<N, T>::put_all(std::span<const ObjectId> ids, std::span<const S> shap
   }
 }
 
-/// In a world of boxes alone, one list after the other, in still fewer steps.
+/// If all objects are boxes, one list after the other, in even fewer steps.
 template <Dim N, class T>
 void Scene<N, T>::put_all(std::span<const ObjectId> ids, std::span<const Aabb<N, T>> boxes) noexcept {
   if (!keeper_.holds_nothing_but_boxes(ids_.size())) return put_all<Aabb<N, T>>(ids, boxes);
@@ -196,7 +196,7 @@ void Scene<N, T>::put_all(std::span<const ObjectId> ids, std::span<const Aabb<N,
 
 template <Dim N, class T>
 void Scene<N, T>::move(std::span<const ObjectMove<N, T>> moves) {
-  // Of all types only compounds can fail to be copied: everything that can throw comes first.
+  // Only compounds can fail to be copied: everything that can throw comes first.
   std::vector<AnyShape<N, T>> compounds;
   for (const ObjectMove<N, T>& each : moves) {
     prepare_move(each.id, each.shape);
@@ -258,7 +258,7 @@ Layer Scene<N, T>::layer(std::string_view name) {
   return static_cast<Layer>(layer_names_.size() - 1);
 }
 
-/// What can fail comes before the first change that would show.
+/// Everything that can fail comes before the first visible change.
 template <Dim N, class T>
 const SceneEvents& Scene<N, T>::update(const Executor& executor) {
   if (keeper_.find(objects_, executor) == detail::PairPlan::mend) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the objects of a scene touch.
+// The contacts between the objects of a scene.
 #include <array>
 #include <cstddef>
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rays in a scene.
+// Ray casts against the objects of a scene.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -42,20 +42,21 @@ std::optional<ObjectHit<N, T>> SceneView<N, T>::ray_cast(const Ray<N, T>& ray, T
   std::optional<ObjectHit<N, T>> best;
   const auto try_object = [&](const ObjectId& id) {
     if (best && best->id == id) return;
-    // Not only up to the best hit: which of two nearly equal ones is first must not depend on which was found first.
+    // The limit is t_max, not the best hit so far: which of two nearly equal hits is first must not depend on their
+    // order here.
     const auto hit = graze::ray_cast(in_slot(id.index).shape, ray, t_max);
     if (!hit) return;
     const ObjectHit<N, T> found{id, *hit};
     if (!best || comes_first(found, *best)) best = found;
   };
-  // Boxes come in the order in which the ray enters them, so that most are never looked at.
+  // Boxes come in the order in which the ray enters them, so most are never visited.
   const detail::SlotIndex<N, T>& index = this->index();
   index.ray_cast(ray, [&](std::uint32_t slot, double t) {
     if (t > static_cast<double>(best ? best->hit.t : t_max)) return false;
     if ((layers & only_layer(in_slot(slot).layer)) != 0) try_object(id_of(slot));
     return true;
   });
-  // A ray may touch a shape up to rounding whose box it misses by as much.
+  // Because of rounding, a ray may touch a shape although it misses the shape's box.
   for (const ObjectId& id : near_way(ray, best ? best->hit.t : t_max, layers)) try_object(id);
   return best;
 }
@@ -71,7 +72,7 @@ std::vector<ObjectHit<N, T>> SceneView<N, T>::ray_cast_all(const Ray<N, T>& ray,
   return result;
 }
 
-// The last is what single_queries.hpp promises.
+// The explicit instantiation declared in single_queries.hpp.
 #define GRAZE_INSTANTIATE(N, T)                                                                              \
   template std::vector<ObjectId> SceneView<N, T>::near_way(const Ray<N, T>&, T, LayerMask) const;            \
   template std::optional<ObjectHit<N, T>> SceneView<N, T>::ray_cast(const Ray<N, T>&, T, LayerMask) const;   \

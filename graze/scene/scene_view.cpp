@@ -24,14 +24,14 @@ void require_region(std::string_view type, std::string_view fault) {
   throw std::invalid_argument("Scene: the region, a " + std::string(type) + ", " + std::string(fault));
 }
 
-/// How far a point is from a shape; 0 inside of solids.
+/// The distance of a point from a shape; 0 inside solids.
 template <Dim N, class T>
 T distance_from(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
   const T signed_value = signed_distance(shape, point);
   return std::holds_alternative<Plane<N, T>>(shape) ? std::fabs(signed_value) : std::max(T(0), signed_value);
 }
 
-/// Of a and b, the nearer one; of equal ones that with the lower id.
+/// The nearer of a and b; of equal ones the one with the lower id.
 template <class T>
 bool is_nearer(const NearObject<T>& a, const NearObject<T>& b) {
   return a.distance != b.distance ? a.distance < b.distance : a.id < b.id;
@@ -57,8 +57,8 @@ const Object<N, T>& SceneView<N, T>::object(ObjectId id) const {
   if (contains(id)) return in_slot(id.index);
   const std::string name =
       "Scene: the id (index " + std::to_string(id.index) + ", generation " + std::to_string(id.generation) + ") ";
-  if (id == ObjectId{}) throw std::out_of_range(name + "was made by default; only add gives ids");
-  if (id.owner != ids_.owner()) throw std::out_of_range(name + "was given by another scene");
+  if (id == ObjectId{}) throw std::out_of_range(name + "is default-constructed; only add returns ids");
+  if (id.owner != ids_.owner()) throw std::out_of_range(name + "belongs to another scene");
   throw std::out_of_range(name + "names no object any more; it was removed");
 }
 
@@ -156,8 +156,8 @@ std::vector<NearObject<T>> SceneView<N, T>::nearest(const Vec<N, T>& point, std:
   std::vector<NearObject<T>> result;
   if (count == 0) return result;
   const detail::SlotIndex<N, T>& index = this->index();
-  // Boxes come by distance, which is no more than that of what is in them: once the last of them is farther off than
-  // the last object wanted, no other can be nearer.
+  // Boxes come by distance, which is at most that of their objects: once the last box is farther away than the last
+  // object wanted, no other object can be nearer.
   for (std::size_t asked = 2 * std::min(count, size()) + 4;; asked *= 2) {
     const std::vector<Neighbour> boxes = index.nearest(point, std::min(asked, size()));
     result.clear();
@@ -170,10 +170,10 @@ std::vector<NearObject<T>> SceneView<N, T>::nearest(const Vec<N, T>& point, std:
     std::sort(result.begin(), result.end(), is_nearer<T>);
     if (result.size() > count) result.resize(count);
     if (asked >= size()) return result;
-    // Squares that overflow, or that are too small to tell, are in no order: then all boxes are asked for.
+    // Squared distances that overflow or underflow have no order: then all boxes are tested.
     const double squared = boxes.back().distance_squared;
     if (!(squared > 0x1p-960 && std::isfinite(squared))) continue;
-    // Rounded as distances are, so that one that is just as far is not left out.
+    // Rounded as distances are, so that an object at the same distance is not missed.
     const T reached = static_cast<T>(std::sqrt(squared));
     if (result.size() == count && reached > result.back().distance) return result;
   }
@@ -190,7 +190,7 @@ GRAZE_INSTANTIATE(2, double)
 GRAZE_INSTANTIATE(3, double)
 #undef GRAZE_INSTANTIATE
 
-// What single_queries.hpp promises.
+// The explicit instantiations declared in single_queries.hpp.
 #define GRAZE_INSTANTIATE(N, T)                                                  \
   template T signed_distance(const AnyShape<N, T>&, const Vec<N, T>&);           \
   template bool meets_inflated(const AnyShape<N, T>& region, const Aabb<N, T>&); \

@@ -16,8 +16,7 @@ PairOptions detail::candidate_options(double margin) {
   if (!(margin >= 0 && std::isfinite(margin))) {
     throw std::invalid_argument("Scene: the margin of candidates is negative or not finite");
   }
-  // Each box takes half of it; touching_bounds has room for the rounding of coordinates, the factor for that of
-  // margins.
+  // Each box is enlarged by half of it; touching_bounds covers the rounding of coordinates, the factor that of margins.
   return {.margin = margin * (0.5 + tolerance::convex_in<T>)};
 }
 

@@ -99,9 +99,9 @@ TEST(RecordedScene, WritesWhyACallWasRefused) {
   EXPECT_THROW(scene.ray_cast({{0, 0}, {1, 0}}, -1), std::invalid_argument);
   EXPECT_THROW(scene.candidates(std::numeric_limits<double>::infinity()), std::invalid_argument);
   EXPECT_EQ(log.str(), head + R"({"call": "remove", "id": null}
-{"refused": "Scene: the id (index 0, generation 0) was made by default; only add gives ids"}
+{"refused": "Scene: the id (index 0, generation 0) is default-constructed; only add returns ids"}
 {"call": "remove", "id": {"other_scene": [0, 1]}}
-{"refused": "Scene: the id (index 0, generation 1) was given by another scene"}
+{"refused": "Scene: the id (index 0, generation 1) belongs to another scene"}
 {"call": "add", "fault": "a sphere has a negative radius"}
 {"refused": "Scene: the object, a sphere, has a negative radius"}
 {"call": "ray_cast", "fault": "a t_max that is nan"}

@@ -100,9 +100,9 @@ TEST(Scene, AnIdThatIsNotOfThisSceneIsAnError) {
   EXPECT_FALSE(scene.contains(foreign));
   EXPECT_FALSE(scene.contains(ObjectId{}));
   EXPECT_EQ(message_of([&] { scene.object(foreign); }),
-            "Scene: the id (index 0, generation 1) was given by another scene");
+            "Scene: the id (index 0, generation 1) belongs to another scene");
   EXPECT_EQ(message_of([&] { scene.remove(ObjectId{}); }),
-            "Scene: the id (index 0, generation 0) was made by default; only add gives ids");
+            "Scene: the id (index 0, generation 0) is default-constructed; only add returns ids");
   const ObjectId gone = scene.add(Ball{});
   scene.remove(gone);
   EXPECT_EQ(message_of([&] { scene.move(gone, Ball{}); }),

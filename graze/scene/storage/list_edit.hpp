@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A long sorted list of which little changes.
+// Edits of long sorted lists with few changes.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace graze::detail {
 
-/// The first position from `from` on, up to `end`, whose item is not before `item`. Soon found where it is near.
+/// The first position in [from, end) whose item is not before `item`. Fast if it is near `from`.
 template <class Item>
 std::size_t position_of(std::span<const Item> list, const Item& item, std::size_t from, std::size_t end) {
   std::size_t step = 1;
@@ -23,16 +23,16 @@ std::size_t position_of(std::span<const Item> list, const Item& item, std::size_
   return static_cast<std::size_t>(std::lower_bound(first, last, item) - list.begin());
 }
 
-/// How some items are taken out of an ascending list and others put in: thought out first, which may fail, and then
-/// done in the list's own memory, which cannot. What lies between two changes is moved as a whole, and not at all where
-/// it stays in its place. Keeps its memory.
+/// A plan for removing items from an ascending list and inserting others. Planning may throw; applying the plan works
+/// within the list's memory and cannot. Items between two changes are moved as a block, and not at all if their
+/// position stays the same. Keeps its memory.
 template <class Item>
 class ListEdit {
  public:
   static_assert(std::is_trivially_copyable_v<Item>);
 
-  /// For a list from which the items at the positions `removed` are taken, ascending, and into which `added` are put,
-  /// ascending, none of which equals one that is left.
+  /// Plans for a list from which the items at the positions `removed`, ascending, are removed, and into which `added`,
+  /// ascending, are inserted; no added item equals a remaining one.
   void plan(std::span<const Item> list, std::span<const std::size_t> removed, std::span<const Item> added) {
     runs_.clear();
     places_.clear();
@@ -50,13 +50,13 @@ class ListEdit {
     }
   }
 
-  /// How many items the list will have. It must have the capacity.
+  /// The number of items after the edit; the list must have this capacity.
   std::size_t size() const { return size_; }
 
-  /// Changes the list that was planned for.
+  /// Edits the list for which the edit was planned.
   void apply(std::vector<Item>& list, std::span<const Item> added) const noexcept {
     if (list.size() < size_) list.resize(size_);
-    // A run that goes to the right comes after those behind it which do; one that goes to the left, after those before.
+    // Runs that move right are moved last to first, runs that move left first to last.
     for (std::size_t k = 0; k < runs_.size();) {
       const std::size_t first = k;
       while (k < runs_.size() && runs_[k].first < runs_[k].place) ++k;
@@ -68,14 +68,14 @@ class ListEdit {
   }
 
  private:
-  /// Items that stay together.
+  /// Consecutive items that stay together.
   struct Run {
     std::size_t first;
     std::size_t last;
-    std::size_t place;  // of the first, afterwards
+    std::size_t place;  // new position of the first
   };
 
-  /// Returns `last`.
+  /// Plans to keep items [first, last); returns `last`.
   std::size_t keep(std::size_t first, std::size_t last) {
     if (first < last && first != size_) runs_.push_back({first, last, size_});
     size_ += last - first;
@@ -92,8 +92,8 @@ class ListEdit {
     std::copy_backward(at(list, run.first), at(list, run.last), at(list, run.place + run.last - run.first));
   }
 
-  std::vector<Run> runs_;            // that move
-  std::vector<std::size_t> places_;  // of what is put in, afterwards
+  std::vector<Run> runs_;            // the runs that move
+  std::vector<std::size_t> places_;  // new positions of the added items
   std::size_t size_ = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the objects of a scene are: a spatial index that catches up with what has moved when it is asked.
+// A spatial index of a scene's objects that takes over changes when it is queried.
 #pragma once
 
 #include <algorithm>
@@ -27,15 +27,15 @@
 
 namespace graze::detail {
 
-/// The tree of a Bvh by the slots of objects, without keys. Each box is grown by what `relation` may forgive, so that
-/// no object is missed that an exact test would find.
+/// The tree of a Bvh by the slots of objects, without keys. Each box is enlarged by the tolerance of `relation`, so
+/// that no object is missed that an exact test would find.
 template <Dim N, class T>
 class SlotIndex {
  public:
-  /// How many slots hold something that has points.
+  /// The number of slots whose object contains points.
   std::size_t size() const { return size_; }
 
-  /// Takes over what the slot holds: a new object, a moved one, or none. What has no points is in no index.
+  /// Takes over the content of a slot: a new, moved or removed object. Objects without points are not in the index.
   void set(std::uint32_t slot, const std::optional<Object<N, T>>& object) {
     if (slot >= is_held_.size()) is_held_.resize(slot + std::size_t{1}, false);
     const bool has_points = object && !is_nothing(object->box);
@@ -51,7 +51,7 @@ class SlotIndex {
     is_held_[slot] = has_points;
   }
 
-  /// Asks for what `set` will read of a slot: first where it is, and when that is there, what it is among.
+  /// Prefetches what `set` will read of a slot: first its position in the tree and, once that is cached, its node.
   void prefetch_place(std::uint32_t slot) const {
     if (slot < is_held_.size() && is_held_[slot]) tree_.prefetch_place(slot);
   }
@@ -59,7 +59,7 @@ class SlotIndex {
     if (slot < is_held_.size() && is_held_[slot]) tree_.prefetch_node(slot);
   }
 
-  /// Takes over what all slots hold, into an index that holds nothing: sooner than one by one, and the better tree.
+  /// Fills an empty index with all slots: faster than one by one, and gives a better tree.
   void fill(const SharedSlots<Object<N, T>>& slots) {
     std::vector<Aabb<N, T>> boxes;
     std::vector<std::uint32_t> places;
@@ -77,7 +77,7 @@ class SlotIndex {
     size_ = places.size();
   }
 
-  /// visit(slot) for every box that meets the region, until it returns false if it returns anything.
+  /// Calls visit(slot) for every box that meets the region, until it returns false; it may return nothing.
   template <RegionIn<N, T> R, VisitorOf<std::uint32_t> Visit>
   void query(const R& region, Visit&& visit) const {
     visit_met(tree_, RegionProbe<R>(region), [&visit](const BvhName& name) {
@@ -90,13 +90,13 @@ class SlotIndex {
     });
   }
 
-  /// visit(slot, t) for every box that the ray enters, in order of t, equal ones by slot, until it returns false.
+  /// Calls visit(slot, t) for every box that the ray enters, by t, ties by slot, until it returns false.
   template <class Visit>
   void ray_cast(const Ray<N, T>& ray, const Visit& visit) const {
     visit_along(tree_, ray, [&visit](const BvhName& name, double t) { return visit(name.slot, t); });
   }
 
-  /// The k boxes nearest to the point, or all, by keys whose index is the slot.
+  /// The k boxes nearest to the point, or all if there are fewer; the index of each key is the slot.
   std::vector<Neighbour> nearest(const Vec<N, T>& point, std::size_t k) const {
     if (k == 0 || size_ == 0) return {};
     NearestKeys nearest(std::min(k, size_));
@@ -110,8 +110,8 @@ class SlotIndex {
   std::size_t size_ = 0;
 };
 
-/// A SlotIndex and what it does not know yet. Reading is safe from many threads at once, the first of which catches up;
-/// `note` and `share` are for one thread while none reads.
+/// A SlotIndex and a list of changes that it does not contain yet. Reading is thread-safe, and the first reader applies
+/// the changes; `note` and `share` need exclusive access.
 template <Dim N, class T>
 class ObjectIndex {
  public:
@@ -144,14 +144,14 @@ class ObjectIndex {
 
   ~ObjectIndex() = default;
 
-  /// Makes room for so many slots, so that `note` cannot fail.
+  /// Reserves memory for this many slots, so that `note` cannot fail.
   void reserve(std::size_t slots) {
     if (is_pending_.size() >= slots) return;
     pending_.reserve(2 * slots);
     is_pending_.resize(2 * slots, false);
   }
 
-  /// The slot's object has come, moved or gone.
+  /// The slot's object was added, moved or removed.
   void note(std::uint32_t slot) noexcept {
     if (is_pending_[slot]) return;
     is_pending_[slot] = true;
@@ -159,19 +159,19 @@ class ObjectIndex {
     is_current_.store(false, std::memory_order_relaxed);
   }
 
-  /// These objects have, of those in so many slots.
+  /// The same for these objects; `slots` is the number of slots.
   void note_all(std::span<const ObjectId> ids, std::size_t slots) noexcept {
-    if (pending_.size() == slots) return;  // where nobody has asked for long
+    if (pending_.size() == slots) return;  // the usual case if there are no queries
     for (const ObjectId& id : ids) note(id.index);
   }
 
-  /// The index of what the slots hold now.
+  /// The index with all changes applied.
   const SlotIndex<N, T>& over(const Slots& slots) const {
     if (!is_current_.load(std::memory_order_acquire)) catch_up(slots);
     return *index_;
   }
 
-  /// The index as it is now, for reading; this one goes on with a copy when something has moved.
+  /// A read-only copy of the current index; after further changes, this one continues with its own copy.
   ObjectIndex share(const Slots& slots) {
     over(slots);
     is_shared_ = true;
@@ -216,7 +216,7 @@ class ObjectIndex {
     }
   }
 
-  /// With more than one slot to be looked at for so many that are held, all are taken over anew.
+  /// If more than one of this many slots has changed, the index is rebuilt.
   static constexpr std::size_t filled_share = 4;
 
   mutable std::mutex catching_up_;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Many slots that can be shared with copies that stay as they are: whoever writes copies only what he writes to, and
-// what stands next to it.
+// Slots that can be shared with unchanging copies: writing copies only the chunk that is written to.
 #pragma once
 
 #include <algorithm>
@@ -16,12 +15,12 @@
 
 namespace graze::detail {
 
-/// Slots by number, each with an item or none, in chunks. `share` gives a copy at the price of a pointer for each
-/// chunk; after it, the first change to a chunk on this side copies that chunk. A copy that was shared is for reading
-/// alone: one thread may change the original while others read what was shared.
+/// Numbered slots, each with an item or none, stored in chunks. `share` returns a copy at the cost of a pointer for
+/// each chunk; afterwards the first change to a chunk on this side copies it. Shared copies are read-only: one thread
+/// may change the original while others read them.
 ///
-/// Chunks are made many at a time, as many as there are already, up to what fills a large page of the system: in such
-/// pages they are sooner found. What they hold together is given back when nobody has any of them.
+/// Chunks are allocated in groups, as many as exist already, up to the size of a large page, which reduces TLB misses.
+/// The memory of a group is freed when none of its chunks is in use.
 template <class Item>
 class SharedSlots {
  public:
@@ -30,7 +29,7 @@ class SharedSlots {
   SharedSlots& operator=(SharedSlots&&) noexcept = default;
   ~SharedSlots() = default;
 
-  /// A copy with nothing in common.
+  /// A copy that shares nothing.
   SharedSlots(const SharedSlots& other) : size_(other.size_), is_own_(other.is_own_.size(), true) {
     add_chunks(other.chunks_.size());
     for (std::size_t k = 0; k < chunks_.size(); ++k) *chunks_[k] = *other.chunks_[k];
@@ -47,31 +46,31 @@ class SharedSlots {
     return (*chunks_[slot / chunk_size])[slot % chunk_size];
   }
 
-  /// Asks for the first bytes of what a slot holds.
+  /// Prefetches the first bytes of a slot's content.
   template <std::size_t bytes>
   void prefetch_first_of(std::size_t slot) const {
     prefetch_first<bytes>(&(*chunks_[slot / chunk_size])[slot % chunk_size]);
   }
 
-  /// The slot, to be changed. May throw std::bad_alloc, or what copying an item throws, before anything has changed.
+  /// A slot for writing. May throw std::bad_alloc, or what copying an item throws, before anything has changed.
   std::optional<Item>& change(std::size_t slot) {
     if (!is_own_[slot / chunk_size]) copy_chunk(slot / chunk_size);
     return own(slot);
   }
 
-  /// Whether nobody else reads any slot, so that `change` copies nothing.
+  /// Whether no slot is shared, so that `change` copies nothing.
   bool is_all_own() const { return foreign_ == 0; }
 
-  /// A slot that was to be changed before, and was not shared since.
+  /// A slot for writing that `change` was called for, and that was not shared since.
   std::optional<Item>& own(std::size_t slot) { return (*chunks_[slot / chunk_size])[slot % chunk_size]; }
 
-  /// Sees to it that there are so many slots, new ones without an item.
+  /// Makes sure that this many slots exist; new ones have no item.
   void grow(std::size_t size) {
     while (chunks_.size() * chunk_size < size) add_chunks(std::clamp<std::size_t>(chunks_.size(), 1, most_in_slab));
     if (size > size_) size_ = size;
   }
 
-  /// What is here now, for reading.
+  /// A read-only copy of the current content.
   SharedSlots share() {
     SharedSlots copy;
     copy.chunks_ = chunks_;
@@ -89,7 +88,7 @@ class SharedSlots {
   static constexpr std::size_t most_in_slab = (std::size_t{2} << 20U) / sizeof(Chunk);
   static_assert(most_in_slab > 0);
 
-  /// Of one piece of memory for each few megabytes. May throw std::bad_alloc, before anything has changed.
+  /// Allocates one block of memory for each few megabytes. May throw std::bad_alloc, before anything has changed.
   void add_chunks(std::size_t count) {
     chunks_.reserve(chunks_.size() + count);
     is_own_.reserve(chunks_.size() + count);
@@ -102,7 +101,7 @@ class SharedSlots {
     is_own_.resize(chunks_.size(), true);
   }
 
-  /// In a function of its own: where nothing is shared, as mostly, `change` is a few steps.
+  /// A separate function, so that `change` is short in the common case, where nothing is shared.
   [[gnu::noinline]] void copy_chunk(std::size_t number) {
     chunks_[number] = std::make_shared<Chunk>(*chunks_[number]);
     is_own_[number] = true;
@@ -111,8 +110,8 @@ class SharedSlots {
 
   std::vector<std::shared_ptr<Chunk>> chunks_;
   std::size_t size_ = 0;
-  std::vector<bool> is_own_;  // by chunk: nobody else reads it
-  std::size_t foreign_ = 0;   // chunks that somebody else reads
+  std::vector<bool> is_own_;  // by chunk: not shared
+  std::size_t foreign_ = 0;   // number of shared chunks
 };
 
 }  // namespace graze::detail

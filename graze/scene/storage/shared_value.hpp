@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One value that can be shared with copies that stay as they are: whoever writes copies it first.
+// A value that can be shared with unchanging copies: writing copies it first.
 #pragma once
 
 #include <memory>
@@ -7,8 +7,8 @@
 
 namespace graze::detail {
 
-/// `share` gives a copy at the price of a pointer; the first change on this side afterwards copies the value. A copy
-/// that was shared is for reading alone: one thread may change the original while others read what was shared.
+/// `share` returns a copy at the cost of a pointer; the first change on this side afterwards copies the value. Shared
+/// copies are read-only: one thread may change the original while others read them.
 template <class Value>
 class SharedValue {
  public:
@@ -17,7 +17,7 @@ class SharedValue {
   SharedValue& operator=(SharedValue&&) noexcept = default;
   ~SharedValue() = default;
 
-  /// A copy with nothing in common.
+  /// A copy that shares nothing.
   SharedValue(const SharedValue& other) : value_(std::make_shared<Value>(*other.value_)) {}
 
   SharedValue& operator=(const SharedValue& other) {
@@ -28,7 +28,7 @@ class SharedValue {
   const Value& operator*() const { return *value_; }
   const Value* operator->() const { return value_.get(); }
 
-  /// The value, to be changed. May throw what copying it throws, before anything has changed.
+  /// The value for writing. May throw what copying it throws, before anything has changed.
   Value& change() {
     if (!is_own_) {
       value_ = std::make_shared<Value>(*value_);
@@ -37,8 +37,8 @@ class SharedValue {
     return *value_;
   }
 
-  /// Puts another value in the place of this one, which is handed out for `other` unless a copy goes on reading it:
-  /// then that is left empty. May throw std::bad_alloc, before anything has changed.
+  /// Replaces the value by another one. The old value is moved to `other` unless it is shared; then `other` is left
+  /// empty. May throw std::bad_alloc, before anything has changed.
   void exchange(Value& other) {
     if (is_own_) {
       std::swap(*value_, other);
@@ -50,7 +50,7 @@ class SharedValue {
     is_own_ = true;
   }
 
-  /// What is here now, for reading.
+  /// A read-only copy of the current value.
   SharedValue share() {
     is_own_ = false;
     return SharedValue(value_, false);
@@ -60,7 +60,7 @@ class SharedValue {
   SharedValue(std::shared_ptr<Value> value, bool is_own) : value_(std::move(value)), is_own_(is_own) {}
 
   std::shared_ptr<Value> value_;
-  bool is_own_ = true;  // nobody else reads it
+  bool is_own_ = true;  // not shared
 };
 
 }  // namespace graze::detail

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a scene asks of one object after the other. Each meets every type of shape in every space: compiled once, in
-// scene_ray.cpp and scene_view.cpp, for everyone who asks the same beside a scene.
+// Queries on single objects. Each instantiates code for every type of shape in every dimension and number type, so it
+// is compiled only once, in scene_ray.cpp and scene_view.cpp.
 #pragma once
 
 #include <optional>
@@ -27,8 +27,8 @@ extern template float signed_distance(const AnyShape<3, float>&, const Vec<3, fl
 extern template double signed_distance(const AnyShape<2, double>&, const Vec<2, double>&);
 extern template double signed_distance(const AnyShape<3, double>&, const Vec<3, double>&);
 
-/// Whether a region meets a box, or might if rounding had another last word: what SceneView::cull asks of the box of
-/// every object, which it takes from touching_bounds.
+/// Whether a region may meet a box, allowing for rounding: SceneView::cull calls it with the touching_bounds of every
+/// object.
 template <class R>
 bool meets_inflated(const R& region, const Aabb<dimension_of<R>, scalar_of<R>>& box) {
   return detail::RegionProbe<Inflated<R>>(Inflated<R>{region}).meets(box);

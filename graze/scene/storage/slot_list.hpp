@@ -10,8 +10,8 @@
 
 namespace graze::detail {
 
-/// Slots in the order in which they were added. There is room for as many as were asked for, in copies as well, so that
-/// to add one cannot fail.
+/// Slots in the order in which they were added. Memory is reserved in advance, in copies too, so that adding one cannot
+/// fail.
 class SlotList {
  public:
   SlotList() = default;
@@ -25,15 +25,15 @@ class SlotList {
   }
   ~SlotList() = default;
 
-  /// Makes room for so many in all. May throw.
+  /// Reserves memory for this many in total. May throw.
   void reserve(std::size_t room) {
     if (slots_.size() < room) slots_.resize(room);
   }
 
-  /// Room for it was made before.
+  /// Requires reserved memory.
   void add(std::uint32_t slot) noexcept { slots_[size_++] = slot; }
 
-  /// The last one is out.
+  /// Removes the last one.
   void drop_last() noexcept { --size_; }
 
   void clear() noexcept { size_ = 0; }
@@ -44,7 +44,7 @@ class SlotList {
   std::span<const std::uint32_t> all() const { return {slots_.data(), size_}; }
 
  private:
-  PageVector<std::uint32_t> slots_;  // of which the first size_ count
+  PageVector<std::uint32_t> slots_;  // only the first size_ are in use
   std::size_t size_ = 0;
 };
 

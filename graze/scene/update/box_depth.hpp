@@ -8,9 +8,8 @@
 
 namespace graze::detail {
 
-/// How far one of two boxes has to go along an axis, that along which it is least, until they only touch; less than
-/// zero where they are apart. Each difference is rounded once. Less than zero or NaN where one of them is
-/// Aabb::nothing(), and NaN nowhere else.
+/// The minimum distance that one of two boxes must move along an axis until they only touch; negative if they are
+/// apart. Each difference is rounded once. Negative or NaN if a box is Aabb::nothing(); otherwise never NaN.
 template <Dim N, class T>
 T box_depth(const Aabb<N, T>& a, const Aabb<N, T>& b) {
   T depth = std::min(a.max[0] - b.min[0], b.max[0] - a.min[0]);

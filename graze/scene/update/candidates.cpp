@@ -16,36 +16,36 @@
 namespace graze::detail {
 namespace {
 
-/// A room has space for so many steps as the longest that a box made in a frame, when all rooms are made anew,
+/// When all fat boxes are recalculated, their margin is this multiple of the longest step of a box in a frame,
 constexpr double steps_for_all = 2;
-/// but none where that would be more than this share of the mean side of a box: there would be too many candidates.
+/// but zero if that exceeds this share of the mean side of a box, because there would be too many candidates.
 constexpr double most_of_mean_side = 0.5;
 
-/// When a graph is made, and more than one in so many boxes have left their rooms, the rest will one by one: then all
-/// rooms have space for so many of their steps, as far as they are,
+/// When a graph is built and more than one in this many boxes have left their fat boxes, the others will follow one by
+/// one: then the margin of all is this multiple of the median step of those boxes,
 constexpr std::size_t least_share_of_strays = 256;
 constexpr double steps_in_graph = 2;
-/// but none where that would be more than this share of the mean side of a box.
+/// but not if that exceeds this share of the mean side of a box.
 constexpr double most_of_mean_side_in_graph = 0.25;
 
-/// When one box has left its room, the next one gets this share of the margin of the last, and so many times as much as
-/// the box went too far: of steps of equal length four in the long run.
+/// When a box has left its fat box, its next margin is this share of the previous one plus this multiple of the
+/// distance by which the box has left it: for steps of equal length, about four steps in the long run.
 constexpr double margin_kept = 0.75;
 constexpr double margin_missed = 2;
-/// At most this share of its longest side or of the mean side, whichever is longer; none where a step takes it there.
+/// At most this share of its longest side or of the mean side, whichever is longer; zero if a single step exceeds that.
 constexpr double most_of_side = 0.5;
 
-/// A list made with a margin that was used less often was not worth it.
+/// A list with a margin that was used fewer times than this was not worth it.
 constexpr std::size_t least_uses = 2;
 constexpr unsigned longest_pause = 64;
 
-/// Boxes whose sides are measured, or all if there are fewer.
+/// The number of boxes whose sides are measured; all if there are fewer.
 constexpr std::size_t least_sample = 512;
 
-/// Questions to the tree per task.
+/// Tree queries per task.
 constexpr std::size_t questions_in_task = 1024;
 
-/// How far a box is out of its room; less than zero where it is in, with an exact sign. Sides at infinity do not count.
+/// How far a box extends beyond its fat box; negative if it is inside, with an exact sign. Infinite sides do not count.
 template <Dim N, class T>
 T excess_of(const Aabb<N, T>& box, const Aabb<N, T>& room) {
   T excess = std::numeric_limits<T>::lowest();
@@ -58,7 +58,7 @@ T excess_of(const Aabb<N, T>& box, const Aabb<N, T>& room) {
   return excess;
 }
 
-/// Of all boxes.
+/// The largest excess of all boxes.
 template <Dim N, class T>
 T largest_excess(const Aabb<N, T>* boxes, const Aabb<N, T>* fat_boxes, std::size_t count) {
   T excess = std::numeric_limits<T>::lowest();
@@ -68,7 +68,7 @@ T largest_excess(const Aabb<N, T>* boxes, const Aabb<N, T>* fat_boxes, std::size
 
 #ifdef GRAZE_HAS_LANES
 
-/// By four coordinates at a time, of rows that are longer by one.
+/// The same with four coordinates at a time; the arrays must have one more element.
 float largest_excess(const Aabb<3, float>* boxes, const Aabb<3, float>* fat_boxes, std::size_t count) {
   Lanes below = Lanes{} + std::numeric_limits<float>::lowest();
   Lanes above = below;
@@ -76,14 +76,15 @@ float largest_excess(const Aabb<3, float>* boxes, const Aabb<3, float>* fat_boxe
     below = larger(four_at(&fat_boxes[i].min.x) - four_at(&boxes[i].min.x), below);
     above = larger(four_at(&boxes[i].max.x) - four_at(&fat_boxes[i].max.x), above);
   }
-  return largest_of_three(larger(below, above));  // the fourth is of no meaning
+  return largest_of_three(larger(below, above));  // the fourth lane has no meaning
 }
 
 float largest_excess(const Aabb<2, float>* boxes, const Aabb<2, float>* fat_boxes, std::size_t count) {
   Lanes below = Lanes{} + std::numeric_limits<float>::lowest();
   Lanes above = below;
   for (std::size_t i = 0; i < count; ++i) {
-    const Lanes difference = four_at(&fat_boxes[i].min.x) - four_at(&boxes[i].min.x);  // below twice, and minus above
+    const Lanes difference =
+        four_at(&fat_boxes[i].min.x) - four_at(&boxes[i].min.x);  // lanes 0, 1: below; lanes 2, 3: -above
     below = larger(difference, below);
     above = larger(-difference, above);
   }
@@ -154,7 +155,7 @@ bool Candidates<N, T>::is_at_home(std::uint32_t slot) const {
 
 // ---- The list
 
-/// Whether all boxes are in their rooms. Notes how far one has gone.
+/// Whether all boxes are inside their fat boxes. Notes the longest step.
 template <Dim N, class T>
 bool Candidates<N, T>::have_stayed(std::size_t slots) {
   const T excess = largest_excess(boxes_.data(), fat_boxes_.data(), slots);
@@ -162,8 +163,8 @@ bool Candidates<N, T>::have_stayed(std::size_t slots) {
   return !(excess > 0);
 }
 
-/// Of the rooms in the next list. Where one did not pay, there is none for a while, and for twice as long after each
-/// further time.
+/// The margin of the next list. After a margin that was not worth it, the margin is zero for a number of lists, which
+/// doubles each time.
 template <Dim N, class T>
 T Candidates<N, T>::margin_for_all() {
   if (margin_ > 0 && uses_ < least_uses) {
@@ -233,7 +234,7 @@ void Candidates<N, T>::make_list(std::size_t slots, T margin, const Executor& ex
 
 // ---- The graph
 
-/// Of the rooms of a graph made of this list, by the median of how far boxes have gone that are out of theirs.
+/// The margin for a graph built from this list: from the median step of the boxes that have left their fat boxes.
 template <Dim N, class T>
 T Candidates<N, T>::margin_for_graph(std::size_t slots) const {
   std::vector<T> steps;
@@ -281,7 +282,7 @@ T Candidates<N, T>::margin_for(std::uint32_t slot) const {
   return std::min(margin, most);
 }
 
-/// Makes a stray's room, and takes it into the tree.
+/// Recalculates the fat box of a stray and updates the tree.
 template <Dim N, class T>
 void Candidates<N, T>::place(std::uint32_t slot) {
   const bool is_there = !is_nothing(boxes_[slot]);
@@ -303,7 +304,7 @@ void Candidates<N, T>::place(std::uint32_t slot) {
   is_held_[slot] = is_there ? 1 : 0;
 }
 
-/// Of two strays, the one of the lower slot finds the other.
+/// Of a pair of strays, the one with the lower slot finds the other.
 template <Dim N, class T>
 void Candidates<N, T>::find_around_strays(const Executor& executor) {
   const std::size_t tasks = (strays_.size() + questions_in_task - 1) / questions_in_task;
@@ -325,8 +326,8 @@ void Candidates<N, T>::find_around_strays(const Executor& executor) {
   });
 }
 
-/// Takes over what was found around strays. Those that were candidates before are marked with a number of its own for
-/// each stray, and the marks of those that still are taken away.
+/// Merges what was found around strays into the graph. The previous candidates of each stray are marked with a number
+/// of its own; marks are cleared for those found again, and the rest are removed.
 template <Dim N, class T>
 void Candidates<N, T>::mend_graph() {
   std::size_t count = 0;
@@ -351,7 +352,7 @@ void Candidates<N, T>::mend_graph() {
   }
 }
 
-/// What throws leaves strays as strays, to be found by the next call, and a graph in which no other slots lack a pair.
+/// If it throws, strays remain strays, to be found by the next call, and the graph lacks no pair of other slots.
 template <Dim N, class T>
 void Candidates<N, T>::follow(std::span<const std::uint32_t> changed, const Executor& executor) {
   strays_.clear();

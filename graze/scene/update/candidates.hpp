@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which pairs of slots could touch, kept while boxes move a little.
+// The pairs of slots that could touch, kept while boxes move little.
 #pragma once
 
 #include <cstddef>
@@ -20,14 +20,13 @@
 
 namespace graze::detail {
 
-/// The boxes of slots, and the pairs of them that could touch. Each box has a room: the box as it was at some time,
-/// grown by a margin. A candidate is a pair of slots whose rooms overlap, or nearly, as touching_bounds has it, and
-/// whose filters admit each other; so as long as boxes stay within their rooms, all pairs that could touch are
-/// candidates (enlarged boxes: Catto 2019, "Dynamic bounding volume hierarchies"). How large rooms are depends on how
-/// far boxes have moved, and on nothing but what was noted.
+/// The boxes of slots, and the pairs of slots that could touch. Each box has a fat box: a previous state of the box
+/// enlarged by a margin. A candidate is a pair of slots whose filters admit each other and whose fat boxes overlap
+/// within touching_bounds. So as long as boxes stay inside their fat boxes, all pairs that could touch are candidates
+/// (Catto 2019, "Dynamic bounding volume hierarchies"). Margins depend only on how far boxes have moved, as noted here.
 ///
-/// Candidates are a list, for when most boxes move, or a graph, for when few do. Before the first call, and when one
-/// has thrown, they may be neither: then the next call finds them anew.
+/// Candidates are a list, for when most boxes move, or a graph, for when few do. Before the first call, and after a
+/// call that threw, they may be neither; the next call then finds them anew.
 template <Dim N, class T>
 class Candidates {
  public:
@@ -38,20 +37,20 @@ class Candidates {
   Candidates& operator=(Candidates&&) noexcept = default;
   ~Candidates() = default;
 
-  /// A copy knows the boxes, and the graph if there is one; a list it has to find again.
+  /// A copy contains the boxes, and the graph if there is one; it finds lists anew.
   Candidates(const Candidates& other);
   Candidates& operator=(const Candidates& other);
 
-  /// Makes room for so many slots, so that `put` and `move` cannot fail.
+  /// Reserves memory for this many slots, so that `put` and `move` cannot fail.
   void reserve(std::size_t slots);
 
-  /// Another object, or none, has come into the slot. The box of none is Box::nothing().
+  /// The slot has a new object, or none, whose box is Box::nothing().
   void put(std::uint32_t slot, const Box& box, const PairFilter& filter) noexcept;
 
-  /// The slot's object has another box.
+  /// The slot's object has moved.
   void move(std::uint32_t slot, const Box& box) noexcept { boxes_[slot] = box; }
 
-  /// These objects have, and each box has points.
+  /// The same for these objects, whose boxes are not empty.
   void move_all(std::span<const ObjectId> ids, std::span<const Box> boxes) noexcept {
     Box* const row = boxes_.data();
     const bool asks_ahead = boxes.size() * sizeof(Box) > bytes_near;
@@ -61,38 +60,38 @@ class Candidates {
     }
   }
 
-  /// The slots' boxes, and one more.
+  /// The slots' boxes, plus one more element.
   const Box* boxes() const { return boxes_.data(); }
   void prefetch_slot(std::uint32_t slot) const { prefetch(&boxes_[slot]); }
 
-  /// After `list` and `follow`: no coordinate of a box is farther from zero, infinite ones aside.
+  /// A bound on the magnitude of all finite coordinates of boxes. Valid after `list` and `follow`.
   T largest() const { return largest_; }
 
-  /// Whether the filters of the present objects admit each other.
+  /// Whether the filters of the two objects admit each other.
   bool is_admitted(const Pair& pair) const { return choosy_ == 0 || may_touch(filters_[pair.a], filters_[pair.b]); }
 
-  /// All candidates of the first `slots` slots, which must be all that hold anything, ascending. Among them may be some
-  /// that filters no longer admit: those of slots whose object has gone. They stay until the next call. Throws what the
-  /// executor and the memory throw. A graph is given up.
+  /// All candidates of the first `slots` slots, which must include all occupied ones, ascending. They may include pairs
+  /// of removed objects that filters no longer admit, until the next call. Throws what the executor and allocation
+  /// throw. Discards the graph.
   std::span<const Pair> list(std::size_t slots, const Executor& executor);
 
-  /// Of the last such list: greater than zero, and another for each that is not the same.
+  /// The number of the last such list: greater than zero, and different for each different list.
   std::uint64_t list_number() const { return list_number_; }
 
-  /// Makes the graph of the candidates, of which those in `touching`, ascending, touch. Throws as `list` does.
+  /// Builds the graph of the candidates, of which those in `touching`, ascending, touch. Throws like `list`.
   void link(std::size_t slots, std::span<const Pair> touching, const Executor& executor);
 
   bool is_linked() const { return form_ == Form::graph; }
 
-  /// Sees to it that the graph has all candidates, where no other slot than these has changed. Among its pairs may be
-  /// some that are none: which touch, or did, or which filters no longer admit. Throws as `list` does; the graph is
-  /// then still good for the next call.
+  /// Updates the graph to contain all candidates, provided that only these slots have changed. It may keep pairs that
+  /// are no longer candidates: those that touch or did touch, and those that filters no longer admit. Throws like
+  /// `list`; the graph is then still valid for the next call.
   void follow(std::span<const std::uint32_t> changed, const Executor& executor);
 
   PairGraph& graph() { return graph_; }
   const PairGraph& graph() const { return graph_; }
 
-  /// Takes a pair that no longer touches, by its number in the graph, for what it is now.
+  /// Updates a pair that no longer touches, by its number in the graph.
   void part(const Pair& pair, std::uint32_t edge) noexcept;
 
  private:
@@ -112,34 +111,34 @@ class Candidates {
 
   PageVector<Box> boxes_;           // by slot
   PageVector<Box> fat_boxes_;       // by slot
-  PageVector<T> margins_;           // by slot: of its room
+  PageVector<T> margins_;           // by slot: margin of its fat box
   PageVector<PairFilter> filters_;  // by slot
-  std::size_t choosy_ = 0;          // filters that do not admit all
+  std::size_t choosy_ = 0;          // number of filters that do not admit all
   T largest_ = 0;
-  T mean_side_ = 0;  // of boxes, at the last look at all of them
+  T mean_side_ = 0;  // mean side of boxes, when all were last measured
 
   Form form_ = Form::none;
 
   // The list.
-  bool has_new_ = false;     // an object has come since it was made
-  std::size_t uses_ = 0;     // how often it was wanted
-  T margin_ = 0;             // of the rooms that it was made with
-  T step_ = 0;               // the farthest that a box went after that, until it was wanted again
-  unsigned pause_ = 0;       // so many lists are made without a margin
-  unsigned next_pause_ = 1;  // if the next margin does not pay
+  bool has_new_ = false;     // an object was added since it was made
+  std::size_t uses_ = 0;     // how many times it was requested
+  T margin_ = 0;             // margin of the fat boxes when it was made
+  T step_ = 0;               // longest step of a box from then until the second request
+  unsigned pause_ = 0;       // this many more lists are made without a margin
+  unsigned next_pause_ = 1;  // the pause if the next margin is not worth it
   PairFinder<N, T> finder_;
-  PageVector<Box> reaches_;    // touching_bounds of rooms
-  PageVector<Pair> admitted_;  // where not all are
+  PageVector<Box> reaches_;    // touching_bounds of fat boxes
+  PageVector<Pair> admitted_;  // used if the filters do not admit all
   std::span<const Pair> list_;
   std::uint64_t list_number_ = 0;
 
   // The graph.
   PairGraph graph_;
-  BvhTree<N, T> tree_{0};      // of the rooms
-  PageVector<char> is_held_;   // by slot: its room is in the tree
-  PageVector<char> is_stray_;  // by slot: its candidates are not known
+  BvhTree<N, T> tree_{0};      // the fat boxes
+  PageVector<char> is_held_;   // by slot: its fat box is in the tree
+  PageVector<char> is_stray_;  // by slot: its candidates are unknown
   PageVector<std::uint32_t> strays_;
-  std::vector<std::vector<Pair>> found_;  // around the strays, by task
+  std::vector<std::vector<Pair>> found_;  // candidates of strays, by task
   PageVector<std::uint32_t> marks_;       // by slot: the last stray that has it as a candidate
   std::uint32_t mark_ = 0;
 };

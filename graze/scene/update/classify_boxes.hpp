@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pairs of a scene that need no exact test, by how deep their boxes are in each other.
+// The pairs of a scene that the depth of their boxes decides without an exact test.
 #pragma once
 
 #include <algorithm>
@@ -15,9 +15,9 @@
 
 namespace graze::detail {
 
-/// Notes of each pair whether its boxes overlap by more than `certain`, and are the shapes themselves: then they touch.
-/// Of the others lists those that are not as clearly apart, by their places, and returns how many. No branches on what
-/// is found.
+/// Notes for each pair whether its boxes overlap by more than `certain` and are the shapes themselves: then it touches.
+/// Lists the positions of all other pairs that are not as clearly apart, and returns their number. No data-dependent
+/// branches.
 template <Dim N, class T, class AreBoxes>
 // NOLINTNEXTLINE(readability-function-size): what it is told, and where it writes
 std::size_t classify_bounds(const Aabb<N, T>* boxes, std::span<const Pair> pairs, T certain, const AreBoxes& are_boxes,
@@ -27,7 +27,7 @@ std::size_t classify_bounds(const Aabb<N, T>* boxes, std::span<const Pair> pairs
     prefetch(&boxes[pairs[std::min(i + prefetch_distance, pairs.size() - 1)].b]);
     const T depth = box_depth(boxes[pairs[i].a], boxes[pairs[i].b]);
     const unsigned is_deep = (depth > certain ? 1U : 0U) & (are_boxes(pairs[i]) ? 1U : 0U);
-    const unsigned is_apart = depth >= -certain ? 0 : 1;  // NaN is of a box that contains nothing
+    const unsigned is_apart = depth >= -certain ? 0 : 1;  // NaN belongs to an empty box
     touches[i] = static_cast<char>(is_deep);
     open[count] = i;
     count += 1 - (is_deep | is_apart);
@@ -35,7 +35,7 @@ std::size_t classify_bounds(const Aabb<N, T>* boxes, std::span<const Pair> pairs
   return count;
 }
 
-/// The same where all boxes are the shapes themselves.
+/// The same if all boxes are the shapes themselves.
 template <Dim N, class T>
 // NOLINTNEXTLINE(readability-function-size): as above
 std::size_t classify_boxes(const Aabb<N, T>* boxes, std::size_t /*boxes_in_row*/, std::span<const Pair> pairs,
@@ -44,7 +44,7 @@ std::size_t classify_boxes(const Aabb<N, T>* boxes, std::size_t /*boxes_in_row*/
       boxes, pairs, certain, [](const Pair&) { return true; }, touches, open);
 }
 
-/// By vectors. The row of boxes is longer by one than the last that is named.
+/// With vectors. The array of boxes has one more element than those referred to.
 template <Dim N>
 // NOLINTNEXTLINE(readability-function-size): as above
 std::size_t classify_boxes(const Aabb<N, float>* boxes, std::size_t boxes_in_row, std::span<const Pair> pairs,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled once per instruction set: Highway includes this file anew for each.
+// Compiled once for each instruction set: Highway includes this file repeatedly.
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +21,7 @@ namespace {
 
 static_assert(room_behind_chosen >= lanes_of<std::uint32_t> && room_behind_chosen >= lanes_of<double>);
 
-/// Which of a block's marks are set.
+/// A bit mask of the marks in a block.
 HWY_INLINE std::uint32_t marked(const char* marks) {
   std::uint32_t bits = 0;
   for (std::uint32_t at = 0; at < block_size; at += lanes_of<std::uint8_t>) {
@@ -32,7 +32,7 @@ HWY_INLINE std::uint32_t marked(const char* marks) {
   return bits;
 }
 
-/// Writes the chosen of a block's numbers, which `numbers_at` gives by the vector, and some beyond; returns the end.
+/// Writes the selected numbers of a block, and some beyond; `numbers_at` returns a vector of them. Returns the end.
 template <class T, class NumbersAt>
 HWY_INLINE T* write_chosen(std::uint32_t chosen, const NumbersAt& numbers_at, T* to) {
   const Tag<T> d;
@@ -45,11 +45,12 @@ HWY_INLINE T* write_chosen(std::uint32_t chosen, const NumbersAt& numbers_at, T*
 }
 
 std::size_t choose(const Pair* pairs, const char* marks, std::size_t count, Pair* chosen, std::uint32_t* places) {
-  static_assert(sizeof(Pair) == sizeof(double));  // nobody calculates with it
+  static_assert(sizeof(Pair) == sizeof(double));  // never used in arithmetic
   const auto* const numbers = reinterpret_cast<const double*>(pairs);
   auto* pair_to = reinterpret_cast<double*>(chosen);
   std::uint32_t* place_to = places;
-  const auto first_places = hn::Iota(Tag<std::uint32_t>(), 0);  // of any other first GCC makes number by number
+  const auto first_places =
+      hn::Iota(Tag<std::uint32_t>(), 0);  // with any other start GCC generates the numbers one by one
   const std::size_t blocks = count / block_size * block_size;
   for (std::size_t k = 0; k < blocks; k += block_size) {
     const std::uint32_t bits = marked(marks + k);

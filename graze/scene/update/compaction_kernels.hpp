@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The loop that keeps some pairs of a list, once for every set of vector instructions that the compiler knows, as in
-// block_kernels.hpp.
+// The loop that selects pairs of a list, compiled once for each vector instruction set, as in block_kernels.hpp.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +9,12 @@
 
 namespace graze::detail {
 
-/// So much room for pairs, and places, is to be had behind those that are chosen.
+/// The output needs this much space after the selected pairs and positions.
 inline constexpr std::size_t room_behind_chosen = 16;
 
 struct CompactionKernels {
-  /// Writes the pairs whose mark is 1, not 0, in their order, and where in the list they are. Returns how many. No
-  /// branches on what is marked.
+  /// Writes the pairs whose mark is 1, not 0, in order, and their positions in the list. Returns their number. No
+  /// data-dependent branches.
   std::size_t (*choose)(const Pair* pairs, const char* marks, std::size_t count, Pair* chosen, std::uint32_t* places);
 };
 

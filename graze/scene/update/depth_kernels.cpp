@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled once per instruction set: Highway includes this file anew for each.
+// Compiled once for each instruction set: Highway includes this file repeatedly.
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +21,8 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 namespace {
 
-/// Of some pairs, a bit each: what is deeper than `certain`, and what is that or less deep than its negative, or NaN.
+/// One bit for each of some pairs: `deep` if its depth is above `certain`; `settled` if it is deep, below -certain, or
+/// NaN.
 struct DepthBits {
   std::uint32_t deep;
   std::uint32_t settled;
@@ -53,7 +54,7 @@ inline constexpr std::size_t pairs_at_once = 4;
 using Four = hn::FixedTag<float, 4>;
 using FourLanes = hn::Vec<Four>;
 
-/// A vector whose lanes 0 to 3 are one of each of four: the least of x and of y.
+/// A vector whose lane i is the minimum of x and y of the i-th argument.
 HWY_INLINE FourLanes least_of_first_two(FourLanes a, FourLanes b, FourLanes c, FourLanes d) {
   const Four tag;
   const auto low = hn::InterleaveLower(tag, a, b);
@@ -61,7 +62,7 @@ HWY_INLINE FourLanes least_of_first_two(FourLanes a, FourLanes b, FourLanes c, F
   return hn::Min(hn::ConcatLowerLower(tag, high, low), hn::ConcatUpperUpper(tag, high, low));
 }
 
-/// How deep the boxes of a pair are along each axis. The fourth lane is of whatever comes next.
+/// The depths of a pair's boxes along each axis. The fourth lane is unspecified.
 HWY_INLINE FourLanes along_axes(const Aabb<3, float>* boxes, const Pair& pair) {
   const Four d;
   const Aabb<3, float>& a = boxes[pair.a];
@@ -81,7 +82,7 @@ HWY_INLINE FourLanes four_depths(const Aabb<3, float>* boxes, const Pair* pairs)
   return hn::Min(least_of_first_two(first, second, third, fourth), hn::ConcatLowerLower(d, high_z, low_z));
 }
 
-/// The way from the max of a pair's first box to the min of the second, x and y, and back.
+/// The first box's max minus the second's min, x and y, and vice versa.
 HWY_INLINE FourLanes both_ways(const Aabb<2, float>* boxes, const Pair& pair) {
   const Four d;
   const auto a = hn::LoadU(d, &boxes[pair.a].min.x);
@@ -119,7 +120,7 @@ HWY_INLINE DepthBits next_depth_bits(const Aabb<N, float>* boxes, const Pair* pa
 
 #endif
 
-/// Writes as bytes, 0 or 1, what are bits, and lists the places of what is not settled. Most is.
+/// Stores bits as bytes, 0 or 1, and lists the positions of unsettled pairs, which are few.
 template <std::size_t count>
 HWY_INLINE std::size_t note(const DepthBits& bits, std::size_t place, char* touches, std::size_t* open) {
   static_assert(count == 1 || count == 4);

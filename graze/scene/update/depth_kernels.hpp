@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The loop that finds out how deep the boxes of pairs are in each other, once for every set of vector instructions that
-// the compiler knows, as in block_kernels.hpp.
+// The loop that calculates how deeply the boxes of pairs overlap, compiled once for each vector instruction set, as in
+// block_kernels.hpp.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,9 @@ namespace graze::detail {
 
 template <Dim N>
 struct DepthKernels {
-  /// Marks each pair by 1 if its box_depth is above `certain`, else by 0. Of the others lists those that are not below
-  /// its negative, by their places, and returns how many. The row of boxes is longer by one than the last that is
-  /// named; `boxes_in_row` says only how far apart they lie in memory.
+  /// Marks each pair by 1 if its box_depth is above `certain`, otherwise by 0. Lists the positions of the others that
+  /// are not below -certain, and returns their number. The array of boxes has one more element than those referred to;
+  /// `boxes_in_row` is its size, used only to decide about prefetching.
   std::size_t (*judge)(const Aabb<N, float>* boxes, std::size_t boxes_in_row, const Pair* pairs, std::size_t count,
                        float certain, char* touches, std::size_t* open);
 };

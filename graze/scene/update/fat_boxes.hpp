@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boxes grown by a margin, and by what touching may forgive, all at once.
+// Enlarges many boxes at once by a margin, and by the tolerance of touching.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +15,14 @@
 
 namespace graze::detail {
 
-/// Contains the box: a difference of floats is rounded, but not to the other side of one of them.
+/// Contains the box: the rounding of a difference never passes an operand.
 template <Dim N, class T>
 Aabb<N, T> fat_box_around(const Aabb<N, T>& box, T margin) {
   return {box.min - margin, box.max + margin};
 }
 
-/// Writes a room around each box, and what touching_bounds makes of it. Returns the largest finite coordinate of a
-/// room, without its sign.
+/// Writes the fat box of each box, and its touching_bounds. Returns the largest magnitude of the finite coordinates of
+/// fat boxes.
 template <Dim N, class T>
 T make_fat_boxes(const Aabb<N, T>* boxes, std::size_t count, T margin, Aabb<N, T>* fat_boxes, Aabb<N, T>* reaches) {
   T largest = 0;
@@ -35,7 +35,7 @@ T make_fat_boxes(const Aabb<N, T>* boxes, std::size_t count, T margin, Aabb<N, T
 
 #ifdef GRAZE_HAS_LANES
 
-/// So many boxes of floats, four numbers at a time. What is the same in each four is which of them are of a min.
+/// A block of float boxes, four numbers at a time. Which lanes belong to a min repeats periodically.
 template <Dim N>
 class FatBoxesOfBlock {
  public:
@@ -51,8 +51,8 @@ class FatBoxesOfBlock {
     }
   }
 
-  /// Writes rooms, and from them what they reach by a step of the bits of each number. Returns whether that is what
-  /// grow_for_touching does with each of them, as it does where no number is far smaller than another of the block.
+  /// Writes fat boxes, and their touching bounds by incrementing the bits of each number. Returns whether that equals
+  /// grow_for_touching, as it does unless a number is far smaller than another of the block.
   bool make(const Aabb<N, float>* boxes, Aabb<N, float>* fat_boxes, Aabb<N, float>* reaches, float& largest) const {
     Lanes near_zero = Lanes{} + std::numeric_limits<float>::max();
     Lanes size = {};

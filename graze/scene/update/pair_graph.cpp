@@ -30,7 +30,7 @@ void PairGraph::assign(std::span<const Pair> pairs, std::span<const Pair> touchi
 void PairGraph::reserve(std::size_t slots, std::size_t more) {
   if (first_.size() < slots) first_.resize(std::max(slots, 2 * first_.size()), none);
   const std::size_t wanted = size() + more;
-  if (wanted > most) throw std::length_error("Scene: more pairs touch than it can hold, which is 2^31 - 1");
+  if (wanted > most) throw std::length_error("Scene: more than 2^31 - 1 pairs touch, the most that it can store");
   if (edges_.capacity() < wanted) edges_.reserve(std::max(wanted, 2 * edges_.capacity()));
   spare_.reserve(edges_.capacity());
 }
@@ -48,7 +48,7 @@ void PairGraph::add(const Pair& pair) noexcept {
   hang(edge);
 }
 
-/// Before all others in the chains of its slots.
+/// Inserts an edge at the front of both chains.
 void PairGraph::hang(std::uint32_t edge) noexcept {
   for (std::uint32_t side = 0; side < 2; ++side) {
     std::uint32_t& first = first_[edges_[edge].slots[side]];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pairs of slots that come and go by themselves.
+// A set of pairs of slots with fast insertion and removal.
 #pragma once
 
 #include <algorithm>
@@ -15,33 +15,32 @@
 
 namespace graze::detail {
 
-/// A set of pairs in which each slot knows its own: pairs are the edges of a graph, and hang in a chain at both of
-/// their slots. To add one, or to take one out that was visited, takes the same time however many a slot has. Of each
-/// pair it is noted whether it touches.
+/// A set of pairs with access by slot: pairs are the edges of a graph, linked into a chain at each of their two slots.
+/// Adding a pair, or removing one that was visited, takes constant time. Each pair has a flag for touching.
 class PairGraph {
  public:
-  /// How many pairs it holds at most: so that both ends of each have a number of 32 bits.
+  /// The maximum number of pairs, so that both ends of each have a 32-bit number.
   static constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() / 2;
 
-  /// Holds these pairs, and those that touch, which may be among them; both ascending. Slots are below `slots`. Throws
-  /// as `reserve` does, and is then of no use.
+  /// Replaces the content by these pairs and those that touch, which may be among them; both ascending. Slots are below
+  /// `slots`. Throws like `reserve`; the graph is then unusable.
   void assign(std::span<const Pair> pairs, std::span<const Pair> touching, std::size_t slots);
 
-  /// Makes room for so many slots, and so many pairs more than there are, so that `add` cannot fail. Throws
-  /// std::bad_alloc, or std::length_error beyond `most`, before anything has changed that can be seen.
+  /// Reserves memory for this many slots and additional pairs, so that `add` cannot fail. Throws std::bad_alloc, or
+  /// std::length_error beyond `most`, before any visible change.
   void reserve(std::size_t slots, std::size_t more);
 
-  /// A pair that is not there yet, and does not touch.
+  /// Adds a pair that is not in the set and does not touch.
   void add(const Pair& pair) noexcept;
 
-  /// Takes out a pair by the number under which it was visited.
+  /// Removes a pair by the number with which it was visited.
   void remove(std::uint32_t edge) noexcept;
 
   /// Whether a pair touches, by its number.
   bool is_touching(std::uint32_t edge) const { return edges_[edge].is_touching; }
   void set_touching(std::uint32_t edge, bool is_touching) noexcept { edges_[edge].is_touching = is_touching; }
 
-  /// Calls visit(other slot, number of the pair) for every pair of a slot. It may take out the pair that it visits.
+  /// Calls visit(other slot, number of the pair) for every pair of a slot. The visitor may remove the visited pair.
   template <class Visit>
   void visit_pairs_of(std::uint32_t slot, const Visit& visit) const {
     if (slot >= first_.size()) return;
@@ -53,8 +52,8 @@ class PairGraph {
     }
   }
 
-  /// Calls visit(slot, other slot, number of the pair) for every pair of each of these slots. Goes along many chains at
-  /// the same time, so that what is next in one is fetched while others are looked at.
+  /// Calls visit(slot, other slot, number of the pair) for every pair of each of these slots. Follows many chains at
+  /// the same time, so that the next element of one is fetched while others are processed.
   template <class Visit>
   void visit_pairs_of_all(std::span<const std::uint32_t> slots, const Visit& visit) const {
     std::array<std::uint32_t, chains_at_once> ends;
@@ -87,7 +86,7 @@ class PairGraph {
     }
   }
 
-  /// Writes all pairs that touch, ascending, in the place of what the list held.
+  /// Replaces the list by all pairs that touch, ascending.
   void list_touching(BlankVector<Pair>& pairs) const;
 
   std::size_t size() const { return edges_.size() - spare_.size(); }
@@ -96,7 +95,7 @@ class PairGraph {
   static constexpr std::size_t chains_at_once = 32;
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-  /// Its ends are the numbers 2 * edge and 2 * edge + 1.
+  /// Its ends have the numbers 2 * edge and 2 * edge + 1.
   struct Edge {
     std::array<std::uint32_t, 2> slots;
     std::array<std::uint32_t, 2> next;      // ends, in the chain of each slot
@@ -106,9 +105,9 @@ class PairGraph {
 
   void hang(std::uint32_t edge) noexcept;
 
-  PageVector<std::uint32_t> first_;  // by slot: where its chain begins
+  PageVector<std::uint32_t> first_;  // by slot: the start of its chain
   PageVector<Edge> edges_;
-  PageVector<std::uint32_t> spare_;  // edges that hang nowhere; room for all
+  PageVector<std::uint32_t> spare_;  // unused edges; reserved for all
 };
 
 }  // namespace graze::detail

@@ -20,8 +20,8 @@
 namespace graze::detail {
 namespace {
 
-/// With more than one object changed of so many, all candidates are gone through: to look for those of an object costs
-/// far more than one of a list does.
+/// If more than one in this many objects has changed, all candidates are tested: finding those of one object costs far
+/// more than reading one from a list.
 constexpr std::size_t mended_share = 16;
 
 /// Exact tests per task.
@@ -35,7 +35,7 @@ void in_blocks(std::size_t count, const Executor& executor, const Work& work) {
   });
 }
 
-/// Where coordinates are so small that their steps are no longer a share of them, a box grows by one of these.
+/// For coordinates so small that rounding is not relative, a box grows by this.
 template <class T>
 constexpr T least_forgiven = 4 * std::numeric_limits<T>::denorm_min();
 
@@ -59,7 +59,7 @@ auto PairKeeper<N, T>::kind_of(const Object<N, T>& object) -> Kind {
   return {is_live, is_live && std::holds_alternative<Aabb<N, T>>(object.shape)};
 }
 
-/// What contains nothing is as good as gone, wherever its sides are.
+/// An object without points is treated as removed.
 template <Dim N, class T>
 void PairKeeper<N, T>::note_new(std::uint32_t slot, const Object<N, T>& object) noexcept {
   const Kind kind = kind_of(object);
@@ -118,14 +118,14 @@ bool PairKeeper<N, T>::have_all_changed(std::size_t slots) const {
 
 // ---- Exact tests
 
-/// By how much boxes overlap or are apart where `relation` has nothing to forgive.
+/// A bound on the depth beyond which boxes overlap or are apart regardless of the tolerance of `relation`.
 template <Dim N, class T>
 T PairKeeper<N, T>::certain_depth() const {
   const double share = 2 * (tolerance::box_slack + 4 * static_cast<double>(std::numeric_limits<T>::epsilon()));
   return round_up<T>(share * static_cast<double>(candidates_.largest())) + least_forgiven<T>;
 }
 
-/// Whether each pair touches.
+/// Determines whether each pair touches.
 template <Dim N, class T>
 void PairKeeper<N, T>::judge(std::span<const Pair> pairs, const Slots& slots, const Executor& executor) {
   touches_.resize(pairs.size());
@@ -152,7 +152,7 @@ void PairKeeper<N, T>::judge(std::span<const Pair> pairs, const Slots& slots, co
   });
 }
 
-// ---- Anew
+// ---- All candidates
 
 template <Dim N, class T>
 void PairKeeper<N, T>::find_anew(const Slots& slots, const Executor& executor) {
@@ -173,7 +173,8 @@ void PairKeeper<N, T>::find_anew(const Slots& slots, const Executor& executor) {
   if (!are_all_new) merge_with_unchanged();
 }
 
-/// Of those that were judged. Many more are near than touch: there is room for these alone.
+/// Selects the touching pairs of those that were tested. Far more are near than touch, so memory is allocated for these
+/// only.
 template <Dim N, class T>
 void PairKeeper<N, T>::keep_touching(std::span<const Pair> pairs) {
   const auto touching = static_cast<std::size_t>(std::count(touches_.begin(), touches_.end(), char{1}));
@@ -196,7 +197,7 @@ std::optional<ListedPairs> PairKeeper<N, T>::listed() const {
   return ListedPairs{found(), found_places_, places_, touches_.data(), touched_.data()};
 }
 
-/// Of what was found of changed objects, and what is known of the others.
+/// Merges the pairs found for changed objects with the known ones of the others.
 template <Dim N, class T>
 void PairKeeper<N, T>::merge_with_unchanged() {
   merged_.clear();
@@ -218,9 +219,9 @@ void PairKeeper<N, T>::list_pairs() {
   is_listed_ = true;
 }
 
-// ---- Around what has changed
+// ---- Candidates of changed objects
 
-/// The candidates of each changed slot.
+/// Collects the candidates of each changed slot.
 template <Dim N, class T>
 void PairKeeper<N, T>::gather_near() {
   const PairGraph& graph = candidates_.graph();
@@ -235,7 +236,7 @@ void PairKeeper<N, T>::gather_near() {
   });
 }
 
-/// What has begun and ended among the candidates of what has changed.
+/// Finds the pairs that began and ended among the candidates of changed slots.
 template <Dim N, class T>
 void PairKeeper<N, T>::compare_with_known() {
   for (std::size_t i = 0; i < near_.size(); ++i) {
@@ -267,7 +268,7 @@ void PairKeeper<N, T>::find_around_changed(const Slots& slots, const Executor& e
   compare_with_known();
 }
 
-// ---- An update
+// ---- Updates
 
 template <Dim N, class T>
 PairPlan PairKeeper<N, T>::find(const Slots& slots, const Executor& executor, PairPlan plan) {

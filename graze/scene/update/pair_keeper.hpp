@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pairs of a scene from update to update.
+// The touching pairs of a scene, kept from update to update.
 #pragma once
 
 #include <algorithm>
@@ -21,84 +21,84 @@
 
 namespace graze::detail {
 
-/// How an update looks for candidates. The pairs never depend on it.
+/// How an update searches for candidates. The resulting pairs never depend on it.
 enum class PairPlan {
   automatic,  ///< By the share of objects that have changed.
-  anew,       ///< A list of all candidates is gone through.
-  mend,       ///< Each changed object looks at its own candidates.
+  anew,       ///< Tests all candidates in a list.
+  mend,       ///< Tests the candidates of each changed object.
 };
 
-/// The touching pairs of slots, kept up to date. Exact tests are made for pairs of which one has changed; what was
-/// known of the others still holds. An update is `find`, which may fail, and `commit`, which cannot; in between the
-/// caller does what may fail on his side.
+/// The touching pairs of slots, kept up to date. Only pairs with a changed object are tested again. An update consists
+/// of `find`, which may fail, and `commit`, which cannot; in between, the caller does everything on its side that may
+/// fail.
 template <Dim N, class T>
 class PairKeeper {
  public:
   using Slots = SharedSlots<Object<N, T>>;
 
-  /// Makes room for so many slots, so that `note` cannot fail.
+  /// Reserves memory for this many slots, so that `note` cannot fail.
   void reserve(std::size_t slots);
 
-  /// An object has come into the slot.
+  /// An object was added in the slot.
   void note_new(std::uint32_t slot, const Object<N, T>& object) noexcept;
 
-  /// The slot's object has moved, or has another shape.
+  /// The slot's object has moved or has another shape.
   void note_moved(std::uint32_t slot, const Object<N, T>& object) noexcept;
 
-  /// Whether the slot's object was a box along the axes that has points when it was noted last.
+  /// Whether the slot's object was a nonempty Aabb when it was last noted.
   bool is_box(std::uint32_t slot) const { return kinds_[slot].is_box; }
 
-  /// What is such a box has moved, and still is.
+  /// A nonempty Aabb has moved, and is still one.
   void note_moved_box(std::uint32_t slot, const Aabb<N, T>& box) noexcept {
     candidates_.move(slot, box);
     set_changed(slot, Change::moved);
   }
 
-  /// Asks for what is written of a slot.
+  /// Prefetches what is written for a slot.
   void prefetch_slot(std::uint32_t slot) const { candidates_.prefetch_slot(slot); }
 
-  /// Whether each of so many objects, which are all that were noted, was a box along the axes with points in it.
+  /// Whether all objects, `count` in number and all of them noted, are nonempty Aabbs.
   bool holds_nothing_but_boxes(std::size_t objects) const { return live_ == objects && others_ == 0; }
 
-  /// Some of such boxes have moved, and still are.
+  /// Some such boxes have moved, and still are nonempty Aabbs.
   void note_moved_boxes(std::span<const ObjectId> ids, std::span<const Aabb<N, T>> boxes) noexcept;
 
-  /// The slot's object has gone.
+  /// The slot's object was removed.
   void note_gone(std::uint32_t slot) noexcept;
 
-  /// Finds what touches now by this plan, and returns which of the two it was. Throws what the executor and the memory
-  /// throw. Until `commit` nothing has changed that can be seen.
+  /// Finds the touching pairs with this plan, and returns which of the two was used. Throws what the executor and
+  /// allocation throw. Nothing visible changes before `commit`.
   PairPlan find(const Slots& slots, const Executor& executor, PairPlan plan = PairPlan::automatic);
 
-  /// After `mend`: the pairs that have begun and ended since the last update, ascending. One of which a slot has
-  /// another object now is in both if those in it touch as well.
+  /// After `mend`: the pairs that began and ended since the last update, ascending. A pair with a replaced object that
+  /// touches again is in both.
   std::span<const Pair> began() const { return {began_.data(), began_.size()}; }
   std::span<const Pair> ended() const { return {ended_.data(), ended_.size()}; }
 
   /// After `anew`: all pairs that touch, ascending.
   std::span<const Pair> found() const { return {found_.data(), found_.size()}; }
 
-  /// The same beside what touched at the last update, where all candidates were gone through then and now, and are the
-  /// same.
+  /// The same together with the pairs at the last update, if all candidates were tested both times and their lists are
+  /// equal.
   std::optional<ListedPairs> listed() const;
 
-  /// Takes over what was found. Between this and `find` nothing may be noted.
+  /// Takes over what was found. Nothing may be noted between `find` and this.
   void commit() noexcept;
 
   /// Whether nothing was noted since the last update.
   bool is_current() const { return changed_.empty(); }
 
  private:
-  /// What of an object is looked at before its shape.
+  /// Properties of an object that are tested before its shape.
   struct Kind {
-    bool is_live = false;  ///< There is one, and it has points.
-    bool is_box = false;   ///< It is a box along the axes, and nothing but that.
+    bool is_live = false;  ///< There is an object with points.
+    bool is_box = false;   ///< It is an Aabb.
   };
 
-  /// What became of a slot since the last update.
+  /// The change of a slot since the last update.
   enum class Change : std::uint8_t { none, moved, replaced };
 
-  /// A pair of which one has changed, that one first, its number in the graph, and whether it touched.
+  /// A pair with a changed slot, which comes first, its number in the graph, and whether it touched.
   struct NearPair {
     Pair pair;
     std::uint32_t edge;
@@ -131,14 +131,14 @@ class PairKeeper {
 
   Candidates<N, T> candidates_;
   PageVector<Kind> kinds_;  // by slot
-  std::size_t live_ = 0;    // kinds that are
-  std::size_t others_ = 0;  // and are no boxes
+  std::size_t live_ = 0;    // number of live kinds
+  std::size_t others_ = 0;  // number of live kinds other than boxes
 
-  // What touched at the last update, as a list, or as the graph of candidates has it, or both.
+  // The touching pairs at the last update, as a list, in the graph of candidates, or both.
   BlankVector<Pair> touching_;
   bool is_listed_ = true;
 
-  // Where the last update has gone through all candidates: the number of their list, or none, and what of it touched.
+  // If the last update tested all candidates: the number of their list, or none, and which of them touched.
   std::uint64_t list_ = no_list;
   BlankVector<std::uint32_t> places_;
   BlankVector<char> touched_;
@@ -146,11 +146,11 @@ class PairKeeper {
   SlotList changed_;
   PageVector<Change> changes_;  // by slot
 
-  // What the present update has found, and room for it.
+  // The results of the current update, and reserved memory.
   PairPlan plan_ = PairPlan::mend;
   BlankVector<Pair> found_;
-  std::uint64_t found_list_ = no_list;       // as list_
-  BlankVector<std::uint32_t> found_places_;  // as places_
+  std::uint64_t found_list_ = no_list;       // like list_
+  BlankVector<std::uint32_t> found_places_;  // like places_
   BlankVector<char> touches_;                // by candidate
   BlankVector<Pair> merged_;
   PageVector<NearPair> near_;
