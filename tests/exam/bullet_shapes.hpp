@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// graze's shapes as Bullet's, and where they are: boxes, triangles and hulls without margin, so that they are no larger
-// than they should be.
+// Converts graze's shapes to Bullet's, with their transforms: boxes, triangles and hulls without margin, so that they
+// have their exact size.
 #pragma once
 
 #include <memory>
@@ -18,7 +18,7 @@
 
 namespace graze::exam::bullet {
 
-/// One of Bullet's shapes, and where it is.
+/// One of Bullet's shapes and its transform.
 struct Body {
   std::unique_ptr<btConvexShape> shape;
   btTransform pose = btTransform::getIdentity();
@@ -26,14 +26,14 @@ struct Body {
 
 inline btVector3 vector(const Vec<3, float>& v) { return {v.x, v.y, v.z}; }
 
-/// Bullet's capsules stand along z.
+/// Bullet's capsules are parallel to z.
 inline btQuaternion turn_from_z(const Vec<3, float>& way) {
   const btVector3 direction = vector(way);
   if (direction.length2() == 0.0F) return btQuaternion::getIdentity();
   return shortestArcQuat({0, 0, 1}, direction.normalized());
 }
 
-/// The body of a shape; none of those that Bullet has no convex shape for.
+/// The body of a shape; none if Bullet has no convex shape for it.
 struct BodyOf {
   using Found = std::optional<Body>;
 

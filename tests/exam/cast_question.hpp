@@ -27,8 +27,8 @@
 
 namespace graze::exam {
 
-/// Whether the oracle can tell when shapes of these types meet: convex ones that are bounded, one of which may be a
-/// plane or a half-space.
+/// Whether the oracle can decide when shapes of these types meet: bounded convex ones, one of which may be a plane or a
+/// half-space.
 constexpr bool can_examine_casts(std::size_t a, std::size_t b) {
   constexpr std::array<bool, type_count> is_solid = {true,  true,  false, true, true, true,
                                                      false, false, true,  true, true, false};
@@ -37,7 +37,7 @@ constexpr bool can_examine_casts(std::size_t a, std::size_t b) {
   return is_solid[a] && (b == plane || b == half_space || (is_solid[b] && a <= b));
 }
 
-/// The longest side of the shape's bounds, if it has an end.
+/// The longest side of the shape's bounds, if bounded.
 template <Dim N, class T>
 double side_of(const AnyShape<N, T>& shape) {
   const Aabb<N, T> box = bounds(shape);
@@ -45,18 +45,18 @@ double side_of(const AnyShape<N, T>& shape) {
   return std::isfinite(side) ? side : 0;
 }
 
-/// The longest side of either, 1 if there is none: how far it is sensible to move.
+/// The longest side of either, 1 if there is none: a reasonable distance to move.
 template <Dim N, class T>
 double extent_of(const test::AnyPair<N, T>& pair) {
   const double extent = std::max(side_of<N, T>(pair.first), side_of<N, T>(pair.second));
   return extent > 0 ? extent : 1;
 }
 
-/// A motion that is fair to put to rivals, and what is true of it.
+/// A motion that is fair to rivals, and the truth about it.
 template <Dim N, class T>
 struct AskedCast {
   const test::Cast<N, T>& cast;
-  test::ExactVerdict whole;  ///< On all places that the shape comes by.
+  test::ExactVerdict whole;  ///< On the region swept by the shape.
   double own_size;
   double size;
 
@@ -132,8 +132,8 @@ class CastQuestion {
   }
 
  private:
-  /// Starts so far back that after half of its motion, or all of it, or some of it, `a` is where it is: together with
-  /// b, or just beside it. The way is often along an axis.
+  /// Starts so far back that after half, all or some of its motion, `a` is where it is: in contact with b, or just
+  /// beside it. The direction is often along an axis.
   Case cast_at(const test::AnyPair<N, T>& pair) {
     const double length = extent_of<N, T>(pair) * test::between(random_, 0.5, 3);
     const Vec<N, T> motion(test::any_way<N>(random_) * length);
@@ -145,7 +145,7 @@ class CastQuestion {
     return test::exact_passage<N, T>(cast.a, cast.motion, 1.0, cast.b)->so_far;
   }
 
-  /// How far apart the shapes are at t, if a has come near nothing before; else how deep it has been.
+  /// The distance of the shapes at t if a has not come close before; otherwise its previous depth.
   static double error_at(const Case& cast, double t) {
     if (!std::isfinite(t)) return std::numeric_limits<double>::infinity();
     const test::ExactPassage passage = *test::exact_passage<N, T>(cast.a, cast.motion, t, cast.b);

@@ -64,7 +64,7 @@ class ContactQuestion : public PairQuestion<N, T> {
   }
 
  private:
-  /// That of the depth, or what is left of the overlap after the move if that is more.
+  /// The error of the depth, or what is left of the overlap after the move if that is more.
   static double error_of(const Asked& asked, const Parting& answer) {
     if (!std::isfinite(answer.depth) || !is_finite(answer.normal)) return std::numeric_limits<double>::infinity();
     const double off = std::fabs(answer.depth + asked.truth.gap);

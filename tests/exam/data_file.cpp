@@ -24,7 +24,7 @@ namespace {
 
 using Row = nlohmann::ordered_json;
 
-/// Counts that are the same for all programs, and so are written once.
+/// Counts that are the same for all programs, so they are written once.
 constexpr std::array<std::string_view, 4> common_counts = {"measured", "touching", "points", "corners"};
 
 double rounded(double x, int digits) { return std::isfinite(x) ? std::stod(fmt::format("{:.{}g}", x, digits)) : x; }
@@ -115,7 +115,7 @@ Row total_row(Tally total) {
 }
 
 std::vector<Row> answers(const std::vector<Tally>& tallies) {
-  std::vector<Spaces> subjects;  // in the order in which they first come
+  std::vector<Spaces> subjects;  // in order of first occurrence
   for (const Tally& tally : tallies) {
     const auto is_same = [&](const Spaces& spaces) {
       return spaces[0]->question == tally.question && spaces[0]->subject == tally.subject;

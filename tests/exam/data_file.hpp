@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The results of the exam as JSON, one row a line, from which tools/exam_tables.py makes tables.
+// The results of the exam as JSON, one row per line, from which tools/exam_tables.py makes tables.
 #pragma once
 
 #include <string>

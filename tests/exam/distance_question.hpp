@@ -78,7 +78,7 @@ class DistanceQuestion : public PairQuestion<N, T> {
     return std::max(0.0, test::exact_verdict<N, T>(Any(Vec<N, T>(point)), shape, test::Measure::distance).gap);
   }
 
-  /// How far the points are from their shapes, or their own distance from the true one, whichever is more.
+  /// How far the points are from their shapes, or how far their distance is from the true one, whichever is more.
   static double error_of_points(const Asked& asked, const Separation& answer) {
     const double between = length(answer.point_b - answer.point_a);
     return std::max({off(answer.point_a, asked.pair.first), off(answer.point_b, asked.pair.second),

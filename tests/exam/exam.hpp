@@ -1,29 +1,26 @@
 // SPDX-License-Identifier: MIT
-// The loop that all questions share: draw cases, put them to graze, judge and count the answers, and put the cases to
+// The loop that all questions share: draw cases, pass them to graze, judge and count the answers, and pass the cases to
 // rivals. A question is a class such as those in *_question.hpp, with these members:
-//
-//   static constexpr std::string_view name;                its name in the data file
-//   static constexpr SpaceName space;
-//   static constexpr std::size_t Settings::* limit;        the number of cases
-//   static constexpr std::uint64_t seeds_apart;            keeps the cases of different questions apart
-//   static constexpr std::size_t variations;               of each case drawn, for graze alone
-//   static constexpr bool has_rivals;
-//   static std::vector<Subject> subjects();                what is asked about
-//   Question(const Subject&, std::uint64_t seed);
-//   using Case, Truth                                      what is drawn, and what the oracle says of it
-//   std::vector<Case> draw(std::size_t turn);              one case, or a few that belong together
-//   Case vary(const Case&);                                if there are variations
-//   Judged<Truth> judge(const Case&, Figures&);            asks graze and the oracle, and keeps graze's errors
-//   static std::string row(const Case&, const Truth&);     the regression row of a case that failed
-//
+// static constexpr std::string_view name; its name in the data file
+// static constexpr SpaceName space;
+// static constexpr std::size_t Settings::* limit; the number of cases
+// static constexpr std::uint64_t seeds_apart; makes cases of different questions differ
+// static constexpr std::size_t variations; of each case drawn, for graze alone
+// static constexpr bool has_rivals;
+// static std::vector<Subject> subjects(); what the question is about
+// Question(const Subject&, std::uint64_t seed);
+// using Case, Truth what is drawn, and the oracle's answer to it
+// std::vector<Case> draw(std::size_t turn); one case, or a few that belong together
+// Case vary(const Case&); if there are variations
+// Judged<Truth> judge(const Case&, Figures&); queries graze and the oracle, and records graze's errors
+// static std::string row(const Case&, const Truth&); the regression row of a case that failed
 // and, if there are rivals, these:
-//
-//   using Asked                                            a case with what is needed to judge answers to it
-//   static const Rival<...> rivals[];
-//   std::optional<Asked> asked(const Case&, const Truth&); none if the case is not fair to rivals
-//   static std::optional<Answer> ask(const Rival&, const Asked&);
-//   static Answer own_answer(const Asked&);                graze's
-//   static void mark(const Asked&, const Answer&, Figures&);  counts what is wrong with an answer
+// using Asked a case with what is needed to judge answers to it
+// static const Rival<...> rivals[];
+// std::optional<Asked> asked(const Case&, const Truth&); none if the case is not fair to rivals
+// static std::optional<Answer> ask(const Rival&, const Asked&);
+// static Answer own_answer(const Asked&); graze's
+// static void mark(const Asked&, const Answer&, Figures&); counts the errors of an answer
 #pragma once
 
 #include <chrono>
@@ -42,20 +39,20 @@
 
 namespace graze::exam {
 
-/// What a question is about: two types, one type, or a kind of points.
+/// The subject of a question: two types, one type, or a kind of points.
 struct Subject {
   std::size_t a = 0;  ///< Indices of types in AnyShape, or of a kind.
   std::size_t b = 0;
   std::string name;        ///< "obb, triangle".
   std::string task;        ///< "obb, triangle at a distance".
-  std::uint64_t seed = 0;  ///< Keeps the cases of different subjects apart.
+  std::uint64_t seed = 0;  ///< Makes cases of different subjects differ.
 };
 
 template <class Truth>
 struct Judged {
   Truth truth;
   test::Judgement judgement;
-  double hardness = 0;  ///< How near to a failure the case is; 0 where that is unknown.
+  double hardness = 0;  ///< How close the case is to a failure; 0 if unknown.
 };
 
 /// One question about one subject, in one space.
@@ -96,7 +93,7 @@ class Exam {
     return settings_.seconds <= 0 || passed.count() < settings_.seconds;
   }
 
-  /// Puts a case to graze; returns the truth.
+  /// Passes a case to graze; returns the truth.
   Truth put(const Case& put) {
     Judged<Truth> judged = question_.judge(put, tally_.own);
     const bool is_wrong = judged.judgement == test::Judgement::wrong;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// graze's shapes as FCL's, and where they are.
+// Converts graze's shapes to FCL's, with their transforms.
 #pragma once
 
 #include <fcl/geometry/shape/box.h>
@@ -18,7 +18,7 @@ fcl::Vector3<T> vector(const Vec<3, T>& v) {
   return {v.x, v.y, v.z};
 }
 
-/// One of FCL's shapes, and where it is.
+/// One of FCL's shapes and its transform.
 template <class Shape, class T>
 struct Placed {
   Shape shape;
@@ -50,7 +50,7 @@ auto placed(const Obb<3, T>& box) {
   return result;
 }
 
-/// FCL's capsules stand along z.
+/// FCL's capsules are parallel to z.
 template <class T>
 auto placed(const Capsule<3, T>& capsule) {
   const fcl::Vector3<T> way = vector<T>(capsule.b - capsule.a);

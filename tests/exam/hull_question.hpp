@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// convex_hull(points): which points are corners, on sets of up to twenty points of one kind, beside whole numbers.
+// convex_hull(points): which points are corners, for sets of up to twenty points of one kind, compared with integer
+// arithmetic.
 #pragma once
 
 #include <algorithm>
@@ -30,19 +31,19 @@
 
 namespace graze::exam {
 
-/// What the points of a set have to do with each other.
+/// How the points of a set are arranged.
 enum class HullKind {
   uniform,          ///< -10 to 10.
-  lattice,          ///< Whole numbers from 0 to 3: many points on faces and edges, some of them twice.
-  nearly_coplanar,  ///< Of a lattice on one or two planes in any direction, up to the rounding of the coordinates.
-  sphere,           ///< Around the origin at one distance, up to rounding: all are corners.
-  far,              ///< A lattice of steps of 0.1, up to rounding, a million units from the origin.
-  cube,             ///< A cube and points of its faces, all moved by up to three ulp.
+  lattice,          ///< Integers from 0 to 3: many points on faces and edges, some of them twice.
+  nearly_coplanar,  ///< Lattice points in one or two planes of any orientation, up to the rounding of the coordinates.
+  sphere,           ///< At equal distances from the origin, up to rounding: all are corners.
+  far,              ///< A lattice with steps of 0.1, up to rounding, a million units from the origin.
+  cube,             ///< A cube and points on its faces, all moved by up to three ulp.
 };
 inline constexpr std::array<std::string_view, 6> hull_kind_names = {"uniform", "lattice", "nearly coplanar",
                                                                     "sphere",  "far",     "cube"};
 
-/// Makes sets of one kind, the same ones for the same seed.
+/// Generates sets of one kind, the same ones for the same seed.
 template <Dim N, class T>
 class SetMaker {
  public:
@@ -107,7 +108,7 @@ class SetMaker {
   rc::Random random_;
 };
 
-/// Sets of points in lexicographic order, each point once.
+/// Sets of points in lexicographic order, without duplicates.
 template <Dim N>
 class PointSet {
  public:
@@ -122,7 +123,7 @@ class PointSet {
   const std::vector<Point>& points() const { return points_; }
   bool operator==(const PointSet& other) const { return points_ == other.points_; }
 
-  /// What is here and not in the other.
+  /// The points that are not in the other set.
   std::vector<Point> without(const PointSet& other) const {
     std::vector<Point> rest;
     std::set_difference(points_.begin(), points_.end(), other.points_.begin(), other.points_.end(),
@@ -143,11 +144,11 @@ test::Solid<N> solid_of(const std::vector<Vec<N, double>>& points) {
   return {std::move(corners), {}, 0};
 }
 
-/// A set of points, what is true of it, and what graze says.
+/// A set of points, its true corners, and graze's answer.
 template <Dim N>
 struct AskedHull {
   std::vector<Vec<N, double>> points;
-  PointSet<N> corners;  ///< By brute force in whole numbers.
+  PointSet<N> corners;  ///< By brute force in integers.
   PointSet<N> own;      ///< graze's.
 };
 
@@ -157,7 +158,7 @@ class HullQuestion {
   using Case = std::vector<Vec<N, T>>;
   using Truth = AskedHull<N>;
   using Asked = AskedHull<N>;
-  using Answer = std::optional<std::vector<std::size_t>>;  // their places; none if there is none
+  using Answer = std::optional<std::vector<std::size_t>>;  // their indices; none if there is none
   static constexpr std::string_view name = "convex_hull";
   static constexpr SpaceName space = space_name<N, T>();
   static constexpr std::size_t Settings::*limit = &Settings::hulls;
@@ -233,7 +234,7 @@ class HullQuestion {
     return result;
   }
 
-  /// In the plane those of a flat set in space.
+  /// In 2D, those of a flat set in 3D.
   static PointSet<N> true_corners(const std::vector<Vec<N, double>>& points) {
     if constexpr (N == 3) {
       return PointSet<N>(test::exact_corners(points));

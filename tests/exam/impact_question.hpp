@@ -34,14 +34,14 @@ Vec<N, T> middle_of(const AnyShape<N, T>& shape) {
   return box.min * T(0.5) + box.max * T(0.5);
 }
 
-/// Where two shapes are together, or just beside each other, and how they come there.
+/// Two shapes in contact, or just beside each other, and motions that bring them there.
 template <Dim N, class T>
 class MotionMaker {
  public:
   MotionMaker(const test::AnyPair<N, T>& pair, rc::Random& random) : random_(random), extent_(extent_of<N, T>(pair)) {}
 
-  /// The first shape is where it is after some of its way, or all of it. In one case of four nothing turns; in every
-  /// second one both turn as rivals can: by little, about their middles.
+  /// The first shape is at its given place after some or all of its motion. In one case in four nothing rotates; in
+  /// every second one both rotate as rivals support: by little, about their centers.
   test::Moving<N, T> make(const test::AnyPair<N, T>& pair) {
     const bool is_tame = test::whole(random_, 0, 1) == 0;
     most_turn_ = test::whole(random_, 0, 3) == 0 ? 0 : is_tame ? most_turn : 3;
@@ -79,13 +79,13 @@ class MotionMaker {
   double most_turn_ = 0;
 };
 
-/// Motions that are fair to put to rivals, and what is true of them: graze's answer, which is known to be right up to
-/// its error.
+/// Motions that are fair to rivals, and the truth about them: graze's answer, which is known to be right up to its
+/// error.
 template <Dim N, class T>
 struct AskedImpact {
   const test::Moving<N, T>& moving;
   const test::ImpactErrors& own;
-  double own_size;  ///< Of the shapes and their motions, wherever they are.
+  double own_size;  ///< Of the shapes and their motions, independent of position.
   double size;
   double least;  ///< The gap where they are nearest to each other or deepest.
 
@@ -164,12 +164,12 @@ class ImpactQuestion {
   }
 
  private:
-  /// Whether it turns as rivals can.
+  /// Whether it rotates as rivals support.
   static bool is_tame(const AnyShape<N, T>& shape, const Motion<N, T>& motion) {
     return dot(motion.angular, motion.angular) <= T(most_turn * most_turn) && motion.center == middle_of<N, T>(shape);
   }
 
-  /// How far apart the shapes are at t, if they have not met before; else how deep they have been in each other.
+  /// The distance of the shapes at t, if they have not met before; otherwise their previous depth.
   static double error_at(const Asked& asked, double t) {
     if (!(t >= 0 && t <= 1)) return std::numeric_limits<double>::infinity();
     const double gap = std::fabs(test::gap_at(asked.moving, t));

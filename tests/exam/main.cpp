@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // graze_exam: hard cases for every pair of types and every point query, for distances, contacts and rays, in four
-// spaces, put to graze, to the exact oracle and to other libraries. What was seen goes to standard output or a data
-// file, cases that fail to a file of regressions; the status is 1 if there were any.
+// spaces, for graze, the exact oracle and other libraries. Results go to standard output or a data file, failed cases
+// to a file of regressions; the exit status is 1 if there were any.
 #include <atomic>
 #include <cstddef>
 #include <cstdio>
@@ -23,7 +23,7 @@
 namespace graze::exam {
 namespace {
 
-/// One line that is written over, on a terminal only.
+/// One line that is overwritten, on a terminal only.
 class Progress {
  public:
   explicit Progress(std::size_t tasks) : tasks_(tasks) {}
@@ -46,7 +46,7 @@ class Progress {
   std::mutex one_at_a_time_;
 };
 
-/// Each task has a place of its own for its result, so that the data do not depend on the number of threads.
+/// Each task stores its result separately, so that the data do not depend on the number of threads.
 std::vector<Tally> run_all(const std::vector<Task>& tasks, std::size_t jobs) {
   std::vector<Tally> tallies(tasks.size());
   Progress progress(tasks.size());

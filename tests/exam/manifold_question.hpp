@@ -83,7 +83,7 @@ class ManifoldQuestion : public PairQuestion<N, T> {
     return farthest;
   }
 
-  /// How much farther a place is from a shape than it may be: a point of one shape is as far from the other as it is
+  /// How much farther a point is from a shape than it may be: a point of one shape is as far from the other as it is
   /// deep.
   static double beside(const PatchPoint& point, const Any& shape) {
     const Vec<N, T> place(point.place);

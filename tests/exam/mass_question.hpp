@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mass_properties(shape) of the solids that are hulls of a few corners, beside rational numbers.
+// mass_properties(shape) of the solids that are hulls of a few corners, compared with rational arithmetic.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ class MassQuestion {
   static constexpr std::size_t variations = 0;
   static constexpr bool has_rivals = false;
 
-  /// Boxes and polytopes, and in the plane triangles.
+  /// Boxes and polytopes, and in 2D triangles.
   static std::vector<Subject> subjects() {
     constexpr std::size_t aabb = 4;
     constexpr std::size_t obb = 5;
@@ -44,7 +44,7 @@ class MassQuestion {
 
   std::vector<Case> draw(std::size_t turn) { return {maker_.make(kind_of(turn)).front().first}; }
 
-  /// The errors are in epsilon of double: of a box that is as large as the shape, or as far from the origin.
+  /// The errors are in epsilon of double, relative to a box as large as the shape, or as far from the origin.
   static Judged<Truth> judge(const Case& shape, Figures& figures) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     const test::MassErrors errors = test::mass_errors<N, T>(shape);

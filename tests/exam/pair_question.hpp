@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the questions about pairs of types, or one type, have in common: subjects, cases, and which are fair to rivals.
+// The common parts of questions about pairs of types, or one type: subjects, cases, and which are fair to rivals.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ namespace graze::exam {
 
 inline constexpr std::size_t type_count = shape_type_names.size();
 
-/// Pairs of types for which `is_asked(a, b)`; `suffix` tells the tasks from those of other questions.
+/// Pairs of types for which `is_asked(a, b)`; `suffix` distinguishes the tasks from those of other questions.
 template <class IsAsked>
 std::vector<Subject> pair_subjects(std::string_view suffix, IsAsked is_asked) {
   std::vector<Subject> subjects;
@@ -56,10 +56,10 @@ std::vector<Subject> shape_subjects(std::string_view suffix, std::size_t b, IsAs
   return subjects;
 }
 
-/// Kinds of cases come in turn.
+/// Kinds of cases take turns.
 inline test::CaseKind kind_of(std::size_t turn) { return static_cast<test::CaseKind>(turn % test::case_kind_count); }
 
-/// Whether a rival means the same set by it: an oriented box whose axes are orthonormal up to 4 epsilon. graze takes
+/// Whether a rival takes it for the same set: an oriented box whose axes are orthonormal up to 4 epsilon. graze takes
 /// the stored axes as exact.
 template <Dim N, class T>
 bool is_rigid(const AnyShape<N, T>& shape) {
@@ -74,10 +74,10 @@ bool is_rigid(const AnyShape<N, T>& shape) {
   return orthonormality_error <= 4 * static_cast<double>(std::numeric_limits<T>::epsilon());
 }
 
-/// What everybody is given: a thousandth of a length, and what rounding the coordinates loses.
+/// The tolerance for all programs: a thousandth of a length, plus the rounding of the coordinates.
 inline constexpr double fair_share = 1e-3;
 
-/// What some answers are also counted by: a millionth of it.
+/// The tolerance of an additional count: a millionth.
 inline constexpr double fine_share = 1e-6;
 
 /// Counts an answer that is not the truth.
@@ -86,14 +86,14 @@ inline void count_verdict(bool truth, bool answer, Figures& figures) {
   figures.count("false_no", truth && !answer);
 }
 
-/// Counts the error of a number: whether it is more than `given`, and what share of `size` it is. An answer without a
-/// number, or one that is not judged because the truth is not clear, has the error 0.
+/// Counts the error of a number: whether it exceeds `given`, and its share of `size`. An answer without a number, or
+/// one that is not judged because the truth is not clear, has the error 0.
 inline void count_error(double error, double given, double size, Figures& figures) {
   figures.count("off", !(error <= given));
   figures.keep("worst", error == 0 ? 0 : error / size);
 }
 
-/// A pair that is fair to put to rivals, and what is true of it.
+/// A pair that is fair to rivals, and the truth about it.
 template <Dim N, class T>
 struct AskedPair {
   const test::AnyPair<N, T>& pair;
@@ -102,10 +102,10 @@ struct AskedPair {
   double size() const { return std::max(truth.own_size, truth.largest); }
   bool overlaps() const { return truth.relation == Relation::overlapping; }
 
-  /// Gap or depth are so large that all must see them.
+  /// Gap or depth are so large that every program must see them.
   bool is_clear() const { return truth.relation != Relation::touching && std::fabs(truth.gap) > fair_gap<T> * size(); }
 
-  /// What an answer may be off by: a share of the pair's own size, which planes and half-spaces do not have.
+  /// The tolerance of an answer: a share of the pair's own size, which excludes planes and half-spaces.
   double given(double share) const {
     const double own_size = truth.own_size > 0 ? truth.own_size : truth.largest;
     return share * own_size + fair_gap<T> * size();
@@ -120,7 +120,7 @@ struct AskedPair {
   }
 };
 
-/// Pairs of two types as cases, each of which is put to the oracle, with as many variations.
+/// Pairs of two types as cases, each of which is passed to the oracle, with as many variations.
 template <Dim N, class T>
 class PairQuestion {
  public:

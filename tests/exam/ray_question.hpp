@@ -24,7 +24,7 @@
 
 namespace graze::exam {
 
-/// A shape and a ray that are fair to put to rivals, and what is true of them.
+/// A shape and a ray that are fair to rivals, and the truth about them.
 template <Dim N, class T>
 struct AskedRay {
   const AnyShape<N, T>& shape;
@@ -33,7 +33,7 @@ struct AskedRay {
   std::optional<double> entry;
   double size;
   double way;    ///< The length of the ray's direction.
-  double reach;  ///< How long a ray may be that has to have an end.
+  double reach;  ///< The length of the ray for programs that need a finite one.
 
   bool hits() const { return truth.relation != Relation::apart; }
   bool is_clear() const { return truth.relation != Relation::touching && std::fabs(truth.gap) > fair_gap<T> * size; }
@@ -73,8 +73,8 @@ class RayQuestion : public PairQuestion<N, T> {
     return test::regression_row<N, T>("ray_cast", pair.first, pair.second, entry ? test::number_text(*entry) : "none");
   }
 
-  /// Rays that start well outside, because customs differ for the others, and that hit, if they do, within a thousand
-  /// times the largest coordinate, because some have to have an end.
+  /// Rays that start well outside, because conventions differ otherwise, and that hit, if at all, within a thousand
+  /// times the largest coordinate, because some programs need a finite ray.
   static std::optional<Asked> asked(const Case& pair, const Truth& truth) {
     constexpr double far_away = 1000;
     const auto& shape = pair.first;

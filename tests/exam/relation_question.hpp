@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// relation(a, b) in both orders, judged by a certificate where there is one, else by the oracle.
+// relation(a, b) in both orders, judged by a certificate if possible, otherwise by the oracle.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 
 namespace graze::exam {
 
-/// A pair as rivals are asked, for a yes or no.
+/// A pair as passed to rivals, for a yes or no.
 template <Dim N, class T>
 struct AskedVerdict {
   const test::AnyPair<N, T>& pair;
@@ -37,7 +37,7 @@ class RelationQuestion : public PairQuestion<N, T> {
   static constexpr std::string_view name = "relation";
   static constexpr std::size_t Settings::*limit = &Settings::cases;
   static constexpr std::uint64_t seeds_apart = 1000;
-  static constexpr std::size_t variations = 19;  // a case that was made with care is worth as many cheap relatives
+  static constexpr std::size_t variations = 19;  // a carefully constructed case is worth this many cheap variations
   static constexpr auto& rivals = verdict_rivals<T>;
 
   static std::vector<Subject> subjects() { return pair_subjects(""); }
@@ -103,7 +103,8 @@ class RelationQuestion : public PairQuestion<N, T> {
     return {judgement, truth.relation, has_gap ? test::relative_gap(truth, a_, b_) : 0};
   }
 
-  /// Whether everybody must see the gap or depth. With another claim than the truth the oracle gives gap and sizes.
+  /// Whether every program must see the gap or depth. The oracle calculates gap and sizes only if the claim differs
+  /// from the truth.
   static bool is_clear(const Case& pair) {
     const test::ExactVerdict truth = test::true_verdict<N, T>(pair.first, pair.second, Relation::touching);
     const double size = std::max(truth.own_size, truth.largest);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Other programs: what each answers to a question, and which programs have the question at all. Each is one file,
-// rival_<name>.cpp. A function returns none where its program has no test for these types.
+// Other programs: their answers to a question, and which programs support it. Each program is one file,
+// rival_<name>.cpp. A function returns none if its program has no test for these types.
 #pragma once
 
 #include <cstddef>
@@ -31,17 +31,17 @@ struct Rival {
   Function* answer;
 };
 
-/// What is asked of two shapes.
+/// A query on two shapes.
 template <class Answer, class T>
 using OfPair = std::optional<Answer>(const Solid3<T>& a, const Solid3<T>& b);
 
 // ---- Whether a and b share a point
 
-/// Bullet's narrow phase for convex pairs: btGjkPairDetector with EPA behind it, in float. Boxes, triangles and hulls
-/// without margin, so that they are no larger than they should be; the radius of spheres and capsules is theirs.
+/// Bullet's narrow phase for convex pairs: btGjkPairDetector with EPA, in float. Boxes, triangles and hulls without
+/// margin, so that they have their exact size; for spheres and capsules the margin is the radius.
 std::optional<bool> bullet_answer(const Solid3<float>& a, const Solid3<float>& b);
 
-/// FCL's fcl::collide with its own GJK; of triangles the tests that it uses for meshes.
+/// FCL's fcl::collide with its own GJK; for triangles the tests that it uses for meshes.
 std::optional<bool> fcl_answer(const Solid3<float>& a, const Solid3<float>& b);
 std::optional<bool> fcl_answer(const Solid3<double>& a, const Solid3<double>& b);
 
@@ -64,29 +64,28 @@ template <>
 inline constexpr Rival<OfPair<bool, double>> verdict_rivals<double>[] = {
     {"textbook", textbook_answer}, {"FCL", fcl_answer}, {"libccd", libccd_answer}, {"ODE", ode_answer}};
 
-// ---- How deep
+// ---- Depth
 
-/// What a program says of the contact of two shapes.
+/// A program's contact of two shapes.
 struct Parting {
   bool meets = false;
   double depth = 0;
-  Vec<3, double> normal = Vec<3, double>(0.0);  ///< From a to b, of length 1; only where they meet.
-  bool is_either_way = false;                   ///< It gives the normal in no certain direction: the better one counts.
+  Vec<3, double> normal = Vec<3, double>(0.0);  ///< From a to b, unit length; only if they overlap.
+  bool is_either_way = false;                   ///< The sign of the normal is unspecified: the better one counts.
 };
 
 /// btGjkPairDetector, as for verdicts.
 std::optional<Parting> bullet_parting(const Solid3<float>& a, const Solid3<float>& b);
 
-/// fcl::collide with contacts; of triangles the test for shapes, but not the one for two of them, whose depth is over
-/// their planes alone. Where its own GJK answers, depths come with either sign, and so do normals: they are taken
-/// without.
+/// fcl::collide with contacts; for triangles the test for shapes, but not the one for two of them, whose depth refers
+/// to their planes alone. Where its own GJK answers, depths and normals come with either sign, so signs are ignored.
 std::optional<Parting> fcl_parting(const Solid3<float>& a, const Solid3<float>& b);
 std::optional<Parting> fcl_parting(const Solid3<double>& a, const Solid3<double>& b);
 
 /// libccd's ccdGJKPenetration.
 std::optional<Parting> libccd_parting(const Solid3<double>& a, const Solid3<double>& b);
 
-/// The deepest of the contacts that ODE's dCollide gives.
+/// The deepest of the contacts from ODE's dCollide.
 std::optional<Parting> ode_parting(const Solid3<double>& a, const Solid3<double>& b);
 
 /// The formulas of textbook_depth.hpp.
@@ -102,19 +101,19 @@ template <>
 inline constexpr Rival<OfPair<Parting, double>> contact_rivals<double>[] = {
     {"textbook", textbook_parting}, {"FCL", fcl_parting}, {"libccd", libccd_parting}, {"ODE", ode_parting}};
 
-// ---- Where two shapes lie on each other. libccd gives one point, whatever the shapes.
+// ---- Manifolds. libccd returns one point for all shapes.
 
 /// One point of a contact.
 struct PatchPoint {
-  Vec<3, double> place = Vec<3, double>(0.0);  ///< Of one of the shapes, or between them.
+  Vec<3, double> place = Vec<3, double>(0.0);  ///< On one of the shapes, or between them.
   double depth = 0;
 };
 
 /// All points of a contact; none if the shapes are apart.
 using ContactPatch = std::vector<PatchPoint>;
 
-/// Bullet's btBoxBoxDetector for two boxes; of others the one point of btGjkPairDetector. Bullet gathers more of those
-/// from step to step.
+/// Bullet's btBoxBoxDetector for two boxes; for others the single point of btGjkPairDetector. Bullet accumulates more
+/// of them from step to step.
 std::optional<ContactPatch> bullet_patch(const Solid3<float>& a, const Solid3<float>& b);
 
 /// All contacts of fcl::collide, up to eight, as in fcl_parting.
@@ -133,12 +132,12 @@ template <>
 inline constexpr Rival<OfPair<ContactPatch, double>> manifold_rivals<double>[] = {{"FCL", fcl_patch},
                                                                                   {"ODE", ode_patch}};
 
-// ---- How far apart. libccd and ODE have no such question: they tell whether shapes meet, and how deep.
+// ---- Distance. libccd and ODE have no such query: they only tell whether shapes intersect, and how deep.
 
-/// What a program says of the distance of two shapes.
+/// A program's distance of two shapes.
 struct Separation {
   bool meets = false;
-  double distance = 0;                           ///< Only where they do not; NaN if it gave up.
+  double distance = 0;                           ///< Only if they are apart; NaN if the program gave up.
   Vec<3, double> point_a = Vec<3, double>(0.0);  ///< Of a, nearest to b.
   Vec<3, double> point_b = Vec<3, double>(0.0);
 };
@@ -146,13 +145,13 @@ struct Separation {
 /// btGjkPairDetector, as for verdicts.
 std::optional<Separation> bullet_separation(const Solid3<float>& a, const Solid3<float>& b);
 
-/// What fcl::distance asks for two shapes, with nearest points, by FCL's own GJK; of triangles its tests for them. Not
-/// of planes and half-spaces, which its GJK has no supports of.
+/// The function that fcl::distance uses for two shapes, with nearest points, by FCL's own GJK; for triangles its tests
+/// for them. Not for planes and half-spaces, for which its GJK has no support function.
 std::optional<Separation> fcl_separation(const Solid3<float>& a, const Solid3<float>& b);
 std::optional<Separation> fcl_separation(const Solid3<double>& a, const Solid3<double>& b);
 
-/// The same by the GJK that FCL has built on parts of libccd, which is its default. In float alone: in double, as
-/// Debian builds it, an assertion of that GJK ends the program among these cases.
+/// The same with the GJK that FCL builds on parts of libccd, its default. Only in float: in double, as Debian builds
+/// it, an assertion of that GJK ends the program for some of these cases.
 std::optional<Separation> fcl_separation_by_libccd(const Solid3<float>& a, const Solid3<float>& b);
 
 template <class T>
@@ -163,22 +162,22 @@ inline constexpr Rival<OfPair<Separation, float>> distance_rivals<float>[] = {
 template <>
 inline constexpr Rival<OfPair<Separation, double>> distance_rivals<double>[] = {{"FCL", fcl_separation}};
 
-// ---- Where a ray hits
+// ---- Ray casts
 
-/// What a program says of a ray.
+/// A program's result for a ray.
 struct RayVerdict {
   bool hits = false;
   double distance = 0;  ///< From the origin, only if it hits.
 };
 
-/// Of the ray up to a length of `reach` if it has to have an end.
+/// For the ray up to a length of `reach` if it must be finite.
 template <class T>
 using OfRay = std::optional<RayVerdict>(const Solid3<T>& shape, const Ray<3, T>& ray, double reach);
 
 /// Bullet's btCollisionWorld::rayTestSingle, shapes without margin as for verdicts.
 std::optional<RayVerdict> bullet_sight(const Solid3<float>& shape, const Ray<3, float>& ray, double reach);
 
-/// ODE's dCollide of a ray: spheres, boxes, capsules.
+/// ODE's dCollide for a ray: spheres, boxes, capsules.
 std::optional<RayVerdict> ode_sight(const Solid3<double>& shape, const Ray<3, double>& ray, double reach);
 
 /// The formulas of textbook_ray.hpp.
@@ -192,12 +191,12 @@ inline constexpr Rival<OfRay<float>> ray_rivals<float>[] = {{"textbook", textboo
 template <>
 inline constexpr Rival<OfRay<double>> ray_rivals<double>[] = {{"textbook", textbook_sight}, {"ODE", ode_sight}};
 
-// ---- When a shape that moves meets another. libccd and ODE have no such question.
+// ---- Shape casts. libccd and ODE have no such query.
 
-/// What a program says of a motion.
+/// A program's result for a motion.
 struct Meeting {
   bool hits = false;
-  double t = 0;  ///< From 0 to 1, only if it hits; NaN if it gave up.
+  double t = 0;  ///< From 0 to 1, only if it hits; NaN if the program gave up.
 };
 
 template <class T>
@@ -206,8 +205,9 @@ using OfMotion = std::optional<Meeting>(const Solid3<T>& a, const Vec<3, T>& mot
 /// Bullet's btContinuousConvexCollision, which its world's sweeps use, shapes without margin as for verdicts.
 std::optional<Meeting> bullet_meeting(const Solid3<float>& a, const Vec<3, float>& motion, const Solid3<float>& b);
 
-/// fcl::continuousCollide by conservative advancement, with FCL's own GJK; not of triangles, which it has in meshes
-/// alone, nor of planes and half-spaces. In double alone, as it is built: of float it would have to be compiled whole.
+/// fcl::continuousCollide by conservative advancement, with FCL's own GJK; not for triangles, which it supports only in
+/// meshes, nor for planes and half-spaces. Only in double, as it is built; the float version would have to be compiled
+/// completely.
 std::optional<Meeting> fcl_meeting(const Solid3<double>& a, const Vec<3, double>& motion, const Solid3<double>& b);
 
 template <class T>
@@ -217,9 +217,9 @@ inline constexpr Rival<OfMotion<float>> cast_rivals<float>[] = {{"Bullet", bulle
 template <>
 inline constexpr Rival<OfMotion<double>> cast_rivals<double>[] = {{"FCL", fcl_meeting}};
 
-// ---- When two shapes that move and turn meet: each about the middle of its bounds, by no more than `most_turn`.
+// ---- Times of impact with rotation: each about the center of its bounds, by no more than `most_turn`.
 
-/// Bullet turns bodies by an eighth of a turn at most.
+/// Bullet rotates bodies by at most 45 degrees.
 inline constexpr double most_turn = 0.75;
 
 template <class T>
@@ -228,8 +228,8 @@ using OfTurns = std::optional<Meeting>(const test::Moving<3, T>& moving);
 /// Bullet's btContinuousConvexCollision, as for casts.
 std::optional<Meeting> bullet_impact(const test::Moving<3, float>& moving);
 
-/// fcl::continuousCollide by conservative advancement along its motions between two poses, which turn about the middle
-/// of each shape, with FCL's own GJK; of what fcl_meeting has, in double alone, as it is built.
+/// fcl::continuousCollide by conservative advancement along its motions between two poses, which rotate about the
+/// center of each shape, with FCL's own GJK; for the same types as fcl_meeting, only in double, as it is built.
 std::optional<Meeting> fcl_impact(const test::Moving<3, double>& moving);
 
 template <class T>
@@ -239,16 +239,16 @@ inline constexpr Rival<OfTurns<float>> impact_rivals<float>[] = {{"Bullet", bull
 template <>
 inline constexpr Rival<OfTurns<double>> impact_rivals<double>[] = {{"FCL", fcl_impact}};
 
-// ---- Which points are corners of their convex hull: their places among the points. None if the program gives up.
+// ---- Which points are corners of their convex hull, as indices. None if the program gives up.
 
 template <Dim N>
 using OfPoints = std::optional<std::vector<std::size_t>>(const std::vector<Vec<N, double>>& points);
 
-/// qhull with its default options, which merge what is nearly coplanar. It gives up where all points are on a plane.
+/// qhull with its default options, which merge what is nearly coplanar. It gives up if all points are coplanar.
 std::optional<std::vector<std::size_t>> qhull_corners(const std::vector<Vec<2, double>>& points);
 std::optional<std::vector<std::size_t>> qhull_corners(const std::vector<Vec<3, double>>& points);
 
-/// Bullet's btConvexHullComputer, which works with whole numbers of a grid that it lays over the points.
+/// Bullet's btConvexHullComputer, which calculates in integers on a grid over the points.
 std::optional<std::vector<std::size_t>> bullet_corners(const std::vector<Vec<3, double>>& points);
 
 template <Dim N>

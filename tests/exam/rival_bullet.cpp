@@ -27,7 +27,7 @@ using bullet::Body;
 using bullet::BodyOf;
 using bullet::vector;
 
-/// Of a point of b's surface, or of the two nearest ones: distance, and the normal from b to a.
+/// Of the points nearest to each other: distance, the point on b's surface, and the normal from b to a.
 std::optional<btPointCollector> nearest_of(const Solid3<float>& a, const Solid3<float>& b) {
   const std::optional<Body> body_a = std::visit(BodyOf(), a);
   const std::optional<Body> body_b = std::visit(BodyOf(), b);
@@ -57,7 +57,7 @@ struct AllPoints : btDiscreteCollisionDetectorInterface::Result {
   ContactPatch patch;
 };
 
-/// When two bodies that go from their poses to others first meet.
+/// When two bodies that move between poses first meet.
 Meeting first_meeting(const Body& a, const btTransform& end_a, const Body& b, const btTransform& end_b) {
   btVoronoiSimplexSolver simplex;
   btGjkEpaPenetrationDepthSolver depth;
@@ -68,7 +68,7 @@ Meeting first_meeting(const Body& a, const btTransform& end_a, const Body& b, co
   return {result.m_fraction <= 1, static_cast<double>(result.m_fraction)};
 }
 
-/// The body of a shape with its origin, about which Bullet turns it, at a point.
+/// The body of a shape with its origin, about which Bullet rotates it, at a point.
 std::optional<Body> body_about(const Solid3<float>& shape, const Vec<3, float>& center) {
   std::optional<Body> body = std::visit(BodyOf(), test::moved<3, float>(shape, -center));
   if (body) body->pose.setOrigin(body->pose.getOrigin() + vector(center));

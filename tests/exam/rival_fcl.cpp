@@ -17,9 +17,9 @@
 namespace graze::exam {
 namespace {
 
-// Where FCL has no closed form it can use its own GJK or, by default, libccd's portal refinement. The latter has no
-// limit to its steps: among these cases it had not returned from a box and a triangle, in double, after more than a
-// minute. So it is its own GJK here.
+// Where FCL has no closed form, it can use its own GJK or, by default, libccd's portal refinement. The latter has no
+// iteration limit: for a box and a triangle among these cases, in double, it had not returned after more than a minute.
+// So its own GJK is used here.
 
 template <class T>
 bool meet(const Triangle<3, T>& a, const Triangle<3, T>& b) {

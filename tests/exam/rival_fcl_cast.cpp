@@ -22,7 +22,7 @@ namespace {
 
 using Pose3 = fcl::Transform3<double>;
 
-/// When two shapes on their ways first meet.
+/// When two moving shapes first meet.
 template <class First, class Second, class Way>
 Meeting meeting(const Placed<First, double>& a, const Way& way_a, const Placed<Second, double>& b, const Way& way_b) {
   constexpr std::size_t most_steps = 100;
@@ -35,7 +35,7 @@ Meeting meeting(const Placed<First, double>& a, const Way& way_a, const Placed<S
   return {result.is_collide, result.time_of_contact};
 }
 
-/// What `meet` says of both as FCL has them; none if it has not. It may give up with an exception.
+/// Calls `meet` for both shapes in FCL's form; none if unsupported. It may give up with an exception.
 template <class Meet>
 std::optional<Meeting> meeting_of(const Solid3<double>& a, const Solid3<double>& b, const Meet& meet) {
   try {
@@ -67,8 +67,8 @@ Glide glide(const Pose3& start, const Vec<3, double>& way) {
 
 using TurningWay = fcl::InterpMotion<double>;
 
-/// Of a shape about its own middle, which has to be named: what fcl::continuousCollide makes of poses alone turns about
-/// a point that nobody has set.
+/// Rotates a shape about its own center, which must be set: the motion that fcl::continuousCollide makes from poses
+/// alone rotates about an uninitialised point.
 TurningWay turning_way(const Pose3& start, const Motion<3, double>& motion) {
   fcl::Matrix3<double> end = start.linear();
   const fcl::Vector3<double> turn = vector(motion.angular);

@@ -23,7 +23,7 @@ Vec<3, double> wide_point(const fcl::Vector3<T>& v) {
   return {v[0], v[1], v[2]};
 }
 
-/// FCL's distance of shapes that meet is -1, or 0.
+/// FCL's distance of intersecting shapes is -1, or 0.
 template <class T>
 Separation separation(T distance, const fcl::Vector3<T>& on_a, const fcl::Vector3<T>& on_b) {
   return {distance <= 0, static_cast<double>(distance), wide_point(on_a), wide_point(on_b)};
@@ -86,7 +86,7 @@ std::optional<Separation> separation_of(const Solid3<T>& a, const Solid3<T>& b) 
       a, b);
 }
 
-/// Some of its steps throw where they come upon a simplex that they do not expect.
+/// Some of its steps throw if they reach an unexpected simplex.
 template <class Solver, class T>
 std::optional<Separation> answer(const Solid3<T>& a, const Solid3<T>& b) {
   try {

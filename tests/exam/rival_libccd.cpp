@@ -18,14 +18,14 @@ namespace {
 
 using Vec3 = Vec<3, double>;
 
-/// A hull of points, widened by a radius: what libccd's callbacks are given.
+/// A hull of points, inflated by a radius: the object passed to libccd's callbacks.
 struct Body {
   std::vector<Vec3> corners;
   double radius = 0;
-  mutable std::size_t asked = 0;  ///< How many supports were.
+  mutable std::size_t asked = 0;  ///< The number of support calls.
 };
 
-/// The way out of ccdGJKPenetration, whose EPA has no limit to its steps.
+/// Aborts ccdGJKPenetration, whose EPA has no iteration limit.
 struct GivesUp {};
 constexpr std::size_t most_asked = 20'000;
 
@@ -79,7 +79,7 @@ ccd_t settings_of_both() {
   CCD_INIT(&settings);
   settings.support1 = support;
   settings.support2 = support;
-  settings.max_iterations = 1000;  // by default it may go on for ever
+  settings.max_iterations = 1000;  // the default is unlimited
   return settings;
 }
 

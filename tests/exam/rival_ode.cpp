@@ -21,14 +21,13 @@ namespace {
 
 using Vec3 = Vec<3, double>;
 
-/// An assertion of ODE that failed, such as that of a normal for a sphere of radius zero: by default it ends the
-/// program.
+/// A failed assertion of ODE, such as that of a normal for a sphere of radius zero; by default it ends the program.
 struct Refusal {};
 
 // NOLINTNEXTLINE(cert-dcl50-cpp): what ODE calls
 void refuse(int, const char*, va_list) { throw Refusal(); }
 
-/// ODE keeps tables for the whole program, and some for each thread.
+/// ODE has tables for the program and for each thread.
 class Library {
  public:
   Library() {
@@ -76,7 +75,7 @@ struct GeometryOf {
     turn(geometry.get(), box.axes);
     return geometry;
   }
-  /// ODE's capsules stand along z, and their length is that of the axis.
+  /// ODE's capsules are parallel to z, and their length is that of the axis.
   Geometry operator()(const Capsule<3, double>& capsule) const {
     const Vec3 way = capsule.b - capsule.a;
     const double length = std::sqrt(dot(way, way));
@@ -88,7 +87,7 @@ struct GeometryOf {
     }
     return geometry;
   }
-  /// What ODE calls a plane is solid below. It makes the normal as long as it should be.
+  /// ODE's planes are solid below. It normalises the normal.
   Geometry operator()(const HalfSpace<3, double>& solid) const {
     const double length = std::sqrt(dot(solid.normal, solid.normal));
     const Vec3 normal = solid.normal / length;
@@ -100,10 +99,10 @@ struct GeometryOf {
   }
 };
 
-/// As many contacts as a pair of boxes can have.
+/// The maximum for a pair of boxes.
 constexpr int most_contacts = 8;
 
-/// How many contacts dCollide finds; none if it refuses.
+/// The number of contacts from dCollide; none if it refuses.
 std::optional<int> collide(const Geometry& a, const Geometry& b, std::array<dContactGeom, most_contacts>& contacts) {
   try {
     return dCollide(a.get(), b.get(), most_contacts, contacts.data(), sizeof(dContactGeom));
@@ -112,7 +111,7 @@ std::optional<int> collide(const Geometry& a, const Geometry& b, std::array<dCon
   }
 }
 
-/// The contacts of two shapes, at most that many; none if it has no test for them, or refuses.
+/// The contacts of two shapes, up to a maximum; none if it has no test for them, or refuses.
 std::optional<std::vector<dContactGeom>> contacts_of(const Solid3<double>& a, const Solid3<double>& b) {
   if (std::holds_alternative<HalfSpace<3, double>>(a) && std::holds_alternative<HalfSpace<3, double>>(b))
     return std::nullopt;
@@ -134,7 +133,7 @@ std::optional<Parting> ode_parting(const Solid3<double>& a, const Solid3<double>
   Parting deepest;
   for (const dContactGeom& contact : *contacts) {
     if (deepest.meets && contact.depth <= deepest.depth) continue;
-    // The normal is the way that a goes.
+    // The normal is the direction in which a moves.
     deepest = {true, contact.depth, -Vec3(contact.normal[0], contact.normal[1], contact.normal[2])};
   }
   return deepest;
@@ -156,7 +155,8 @@ std::optional<bool> ode_answer(const Solid3<double>& a, const Solid3<double>& b)
 }
 
 std::optional<RayVerdict> ode_sight(const Solid3<double>& shape, const Ray<3, double>& ray, double reach) {
-  if (std::holds_alternative<HalfSpace<3, double>>(shape)) return std::nullopt;  // of which it looks for the surface
+  // for which it searches for the surface
+  if (std::holds_alternative<HalfSpace<3, double>>(shape)) return std::nullopt;
   start_library();
   const Geometry body = std::visit(GeometryOf(), shape);
   if (!body) return std::nullopt;

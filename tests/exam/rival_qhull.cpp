@@ -21,7 +21,7 @@ struct CloseFile {
 /// A run of qhull.
 class Run {
  public:
-  /// Coordinates one point after the other. What it says of points that it cannot take is not shown.
+  /// `coordinates` are those of one point after another. qhull's error messages are suppressed.
   Run(std::vector<double>& coordinates, int dimension)
       : dimension_(static_cast<std::size_t>(dimension)), silence_(std::fopen("/dev/null", "w")) {
     qh_zero(&qh_, silence_.get());

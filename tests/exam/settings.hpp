@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the exam is asked to do, and where it keeps the cases that failed.
+// The options of the exam, and the file of cases that failed.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace graze::exam {
 
 struct Settings {
   std::size_t cases = 1'000'000;   ///< Per pair of types and space.
-  std::size_t points = 100'000;    ///< Cases per shape and space for point queries, all of them put to the oracle.
+  std::size_t points = 100'000;    ///< Cases per shape and space for point queries, all of them passed to the oracle.
   std::size_t contacts = 20'000;   ///< Contacts per pair of types and space, the same.
   std::size_t distances = 20'000;  ///< Distances, the same.
   std::size_t manifolds = 20'000;  ///< Manifolds, the same.
@@ -28,15 +28,15 @@ struct Settings {
   std::size_t hulls = 2'000;       ///< Sets of points per kind and space for convex_hull.
   std::size_t masses = 2'000;      ///< Shapes per type and space for mass_properties.
   std::uint64_t seed = 1;
-  double seconds = 0;  ///< Each pair stops after this; 0 for never.
+  double seconds = 0;  ///< Each pair stops after this time; 0 for never.
   std::string pairs;   ///< Only pairs whose name, such as "3D float obb, triangle", holds this.
   std::string output;  ///< The data file; standard output if empty.
   std::string regressions = "tests/exam/regressions.csv";
-  bool keeps_hardest = false;  ///< Adds the hardest case of each pair and shape to the regressions, though right.
+  bool keeps_hardest = false;  ///< Adds the hardest case of each pair and shape to the regressions, even if it passed.
   std::size_t jobs = 1;
 };
 
-/// How many cases there are of a question: an option of the command line, and a number in the data file.
+/// The number of cases of a question: an option of the command line, and a number in the data file.
 struct Limit {
   std::string_view name;
   std::size_t Settings::*number;
@@ -56,10 +56,10 @@ inline constexpr std::array<Limit, 10> limits = {{
     {"masses", &Settings::masses, "cases per shape and space for mass_properties"},
 }};
 
-/// What the command line asks for; or, where help was asked for and given or an error was reported, the exit status.
+/// The options, or the exit status if help was requested or an error was reported.
 std::variant<Settings, int> read_settings(int argc, const char* const* argv);
 
-/// Rows at the end of a file of regressions, none of them twice; the first one makes the file.
+/// Rows appended to a file of regressions, without duplicates; the first row creates the file.
 class RegressionLog {
  public:
   explicit RegressionLog(std::string path) : path_(std::move(path)) {
@@ -67,14 +67,14 @@ class RegressionLog {
     for (std::string line; std::getline(file, line);) rows_.insert(line);
   }
 
-  /// A case that failed.
+  /// Adds a case that failed.
   void add_failure(const std::string& row) {
     const std::lock_guard<std::mutex> lock(one_at_a_time_);
     ++failures_;
     write(row);
   }
 
-  /// A case that did not, but is worth keeping.
+  /// Adds a case that passed but is worth keeping.
   void add(const std::string& row) {
     const std::lock_guard<std::mutex> lock(one_at_a_time_);
     write(row);

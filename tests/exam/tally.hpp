@@ -32,7 +32,7 @@ inline std::string label(const SpaceName& space) {
 /// How a largest error is reported: one for all spaces, one each for float and double, or one for each space.
 enum class By { all, scalar, space };
 
-/// Figures of the same cases. Each is added in every case, also if it is zero, so that all subjects have the same ones.
+/// Figures of the same cases. Each is added in every case, even if it is zero, so that all subjects have the same ones.
 struct Figures {
   struct Share {
     std::size_t part = 0;
@@ -80,7 +80,7 @@ struct Tally {
   std::string subject;
   Figures own;  ///< graze's answers to all cases.
   std::map<std::string_view, Figures>
-      programs;  ///< All answers to the cases put to rivals, by name, graze's among them.
+      programs;  ///< All answers to the cases passed to rivals, by name, graze's among them.
 };
 
 }  // namespace graze::exam

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The tests that textbooks and tutorials give, written as they stand there: in the shapes' own number type, with the
-// usual constants. They are what graze is compared with, not what it uses.
-//
-//               sphere  aabb  obb  plane  triangle
-//   point         x      x     x
-//   segment                                   x
-//   sphere        x      x     x     x
-//   aabb                 x     x     x
-//   obb                        x     x
-//   triangle                                  x
+// The tests in textbooks and tutorials, as printed there: in the shapes' own number type, with the usual constants.
+// They are compared with graze, which does not use them.
+// sphere aabb obb plane triangle
+// point x x x
+// segment x
+// sphere x x x x
+// aabb x x x
+// obb x x
+// triangle x
 #pragma once
 
 #include <algorithm>
@@ -175,7 +174,7 @@ bool meet(const Segment<3, T>& segment, const Triangle<3, T>& triangle) {
   return t >= 0 && t <= 1;
 }
 
-/// The heights of a triangle's corners over a plane, those next to zero taken as zero.
+/// The heights of a triangle's corners above a plane; those close to zero are set to zero.
 template <class T>
 std::array<T, 3> heights(const Vec3<T>& normal, T offset, const std::array<Vec3<T>, 3>& corners) {
   constexpr T usual = T(1e-6);
@@ -192,8 +191,8 @@ bool all_on_one_side(const std::array<T, 3>& heights) {
   return heights[0] * heights[1] > 0 && heights[0] * heights[2] > 0;
 }
 
-/// Where a triangle that crosses the other's plane meets the line common to both planes: `places` are its corners'
-/// projections on an axis. The corner `i` that is alone on its side is an end of both crossing edges.
+/// Where a triangle that crosses the other's plane intersects the common line of both planes: `places` are its corners'
+/// projections to an axis. The corner `i` that is alone on its side is an end of both crossing edges.
 template <class T>
 std::pair<T, T> interval(const std::array<T, 3>& places, const std::array<T, 3>& heights) {
   std::size_t alone = 0;
@@ -261,7 +260,7 @@ bool coplanar_meet(const Vec3<T>& normal, const std::array<Vec3<T>, 3>& a, const
 }
 
 /// Moeller 1997, "A fast triangle-triangle intersection test": each against the other's plane, then the two intervals
-/// on the line common to both.
+/// on the common line.
 template <class T>
 bool meet(const Triangle<3, T>& a, const Triangle<3, T>& b) {
   const std::array<Vec3<T>, 3> corners_a{a.a, a.b, a.c};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Depth and normal as textbooks and tutorials have them, in the shapes' own number type: spheres and boxes among
-// themselves. What graze is compared with, not what it uses. The normal is the way out for the second shape.
+// Depth and normal as in textbooks and tutorials, in the shapes' own number type: for pairs of spheres and boxes. They
+// are compared with graze, which does not use them. The normal is the direction in which the second shape must move to
+// separate.
 #pragma once
 
 #include <algorithm>
@@ -74,7 +75,7 @@ std::optional<MinimumTranslation<T>> minimum_translation(const Aabb<3, T>& a, co
   return least;
 }
 
-/// The least overlap along fifteen axes (Gottschalk, Lin, Manocha 1996); cross products of parallel edges are left out.
+/// The least overlap along fifteen axes (Gottschalk, Lin, Manocha 1996); cross products of parallel edges are skipped.
 template <class T>
 std::optional<MinimumTranslation<T>> minimum_translation(const Obb<3, T>& a, const Obb<3, T>& b) {
   constexpr T usual = T(1e-6);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a ray enters, as textbooks and tutorials have it, in the shapes' own number type: the distance from the origin,
-// for a direction of length 1. What graze is compared with, not what it uses.
+// Where a ray enters, as in textbooks and tutorials, in the shapes' own number type: the distance from the origin, for
+// a unit direction. Compared with graze, which does not use it.
 #pragma once
 
 #include <cmath>
@@ -31,7 +31,7 @@ std::optional<T> entry(const Sphere<3, T>& sphere, const Vec3<T>& origin, const 
   return std::max(-b - std::sqrt(discriminant), T(0));
 }
 
-/// The way through one pair of planes, with the usual constant for rays along them.
+/// The interval between one pair of planes, with the usual constant for parallel rays.
 template <class T>
 bool cut_to_slab(T start, T step, T half, std::pair<T, T>& inside) {
   constexpr T usual = T(1e-6);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// contact(a, b) and closest_points(a, b) of any two shapes against the exact gap or depth, within the error they admit.
+// contact(a, b) and closest_points(a, b) of any two shapes against the exact gap or depth, within the error that they
+// report.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// convex_hull of any points, beside what must hold of one: its corners are points, none of them twice, every point is
-// in it up to rounding, and the hull of its corners has the same corners.
+// convex_hull of any points, against the properties of a hull: its corners are points, without duplicates, every point
+// is inside up to rounding, and the hull of its corners has the same corners.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A spatial index through any operations, beside BruteForce.
+// A spatial index with any operations, compared with BruteForce.
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a fuzzer's bytes stand for. Every sequence of bytes is some case, and a byte more or another one a case nearby.
+// Interprets a fuzzer's bytes. Every sequence of bytes is a case, and small changes give similar cases.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@
 
 namespace graze::test::fuzz {
 
-/// Reads bytes from the front; zeros when there are no more.
+/// Reads bytes from the front; zeros after the end.
 class Input {
  public:
   Input(const std::uint8_t* data, std::size_t size) : bytes_(data, size) {}
@@ -36,8 +36,8 @@ class Input {
   /// -128 to 127.
   int whole() { return static_cast<std::int8_t>(byte()); }
 
-  /// A multiple of an eighth within 10 of zero in most cases, so that things touch; such a number some steps of the
-  /// floats off; one of any magnitude; one that nobody should send; any bits.
+  /// Usually a multiple of an eighth from -10 to 10, so that things touch; such a number moved by some ulp; one of any
+  /// magnitude; an invalid one; any bits.
   template <class T>
   T number() {
     const T drawn = any_number<T>();
@@ -46,7 +46,7 @@ class Input {
     return drawn;
   }
 
-  /// Whether all numbers were of a magnitude for which the queries promise anything (query/relation.hpp).
+  /// Whether all numbers were in the range for which the queries guarantee results (query/relation.hpp).
   bool is_in_range() const { return is_in_range_; }
 
   template <Dim N, class T>
@@ -56,7 +56,7 @@ class Input {
     return result;
   }
 
-  /// All that is left, as text.
+  /// The rest, as text.
   std::string rest() {
     std::string text(bytes_.begin(), bytes_.end());
     bytes_ = {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All overlapping pairs by every method, in one thread and in several, in both orders, of boxes that move and of two
-// sets, beside the plain double loop. Boxes that are none are refused by all.
+// All overlapping pairs by every method, with one thread and several, in both orders, of moving boxes and of two sets,
+// compared with a double loop. All reject invalid boxes.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -27,7 +27,7 @@ namespace {
 
 using Box = Aabb<N, T>;
 
-/// What was found, or why it was refused.
+/// The pairs, or the message of the rejection.
 struct Answer {
   std::vector<Pair> pairs;
   std::string refusal;
@@ -46,7 +46,7 @@ Answer answer_of(const auto& ask) {
   return answer;
 }
 
-/// Many from few bytes: each group is a box, how often it is there, and how far from one to the next.
+/// Many boxes from few bytes: each group is a box, a count, and a displacement from one to the next.
 std::vector<Box> boxes_of(test::fuzz::Input& input) {
   std::vector<Box> boxes;
   for (std::size_t groups = input.below(12); groups > 0; --groups) {

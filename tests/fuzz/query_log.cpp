@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any text as a query log: it is refused in words, or read; what was read survives being written, and is replayed with
-// the answers that asking every object gives.
+// Any text as a query log: it is rejected with a message, or read; what was read can be written and read again, and its
+// replay gives the answers of querying every object.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

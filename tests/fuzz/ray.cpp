@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// ray_cast(shape, ray) of any shape against where the ray truly enters, within the error it admits. Of a ray that ends
-// somewhere the point that it hits is on the shape, within that error.
+// ray_cast(shape, ray) of any shape against the true entry, within the error that it reports. For a finite ray, the hit
+// point is on the shape, within that error.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

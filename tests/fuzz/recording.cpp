@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as a recording of boxes: it is refused in words, or read; what was read is written as it was.
+// Any bytes as a recording of boxes: they are rejected with a message, or read; what was read is written identically.
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -28,7 +28,8 @@ constexpr std::size_t place_of_counts = 256;
 constexpr std::size_t box_bytes = 32;
 constexpr std::size_t most_frames = 64;  // without boxes, a few bytes may stand for 2^31
 
-/// The bytes, as many as their head promises if that is few: hardly any change of a count would keep to it.
+/// The bytes, cut or extended to the size that the header promises if that is small: hardly any mutation of a count
+/// would otherwise match.
 std::string with_promised_size(std::string bytes) {
   if (bytes.size() < head_bytes) return bytes;
   std::uint32_t boxes = 0;
@@ -45,13 +46,13 @@ const test::ScratchFolder& folder() {
   return only;
 }
 
-/// A recording whose file holds these bytes, if they are one.
+/// A recording from a file with these bytes, if they are one.
 std::optional<io::RecordingReader> opened(const std::string& bytes) {
   folder().write("recording", bytes);
   return test::fuzz::read_or_refuse([] { return io::RecordingReader(folder().file("recording")); });
 }
 
-/// All frames, or the first of very many; none if one of them is refused.
+/// All frames, or the first of very many; none if one of them is rejected.
 template <Dim N>
 std::optional<Frames<N>> frames_of(io::RecordingReader& reader) {
   return test::fuzz::read_or_refuse([&] {
@@ -65,7 +66,7 @@ std::optional<Frames<N>> frames_of(io::RecordingReader& reader) {
 template <Dim N>
 std::string written(io::RecordingHead head, const Frames<N>& frames) {
   head.frames = frames.size();
-  if (head.scene.size() == 128) head.scene.pop_back();  // which others may write, and we do not
+  if (head.scene.size() == 128) head.scene.pop_back();  // which others may write, but we do not
   if (head.objects_type.size() == 128) head.objects_type.pop_back();
   std::ostringstream out;
   io::write_recording<N>(out, head, [&](std::size_t frame) { return std::span<const Aabb<N, float>>(frames[frame]); });
@@ -92,7 +93,7 @@ void check(io::RecordingReader& reader) {
 
 }  // namespace
 
-/// The first byte says whether the file has the size that its head promises, or any.
+/// The first byte selects whether the file has the size that its header promises, or any.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   test::fuzz::Input input(data, size);
   const bool is_whole = input.below(4) != 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// relation(a, b) of any two shapes: the same in both orders, and no further from the exact verdict than it may be. With
-// shapes that are none it has to come to an end.
+// relation(a, b) of any two shapes: the same in both orders, and within the documented band of the exact verdict. For
+// invalid shapes it must terminate.
 #include <cstddef>
 #include <cstdint>
 #include <ostream>

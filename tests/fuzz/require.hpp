@@ -6,7 +6,7 @@
 
 namespace graze::test::fuzz {
 
-/// Ends the program where a law does not hold, which the fuzzer takes for a find: it keeps the input. Says what it was
+/// Aborts the program if a law does not hold, which the fuzzer reports as a crash, keeping the input. Prints a message
 /// first: say(std::cerr).
 template <class Say>
 void require(bool holds, const Say& say) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A Scene through any calls, beside PlainScene: the same answers, and the same refusals.
+// A Scene with any calls, compared with PlainScene: the same answers and the same rejections.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -30,7 +30,7 @@ namespace {
 
 constexpr std::size_t most_calls = 80;
 
-/// Ids of two scenes are the same but for their owner.
+/// Ids of two scenes are equal except for their owner.
 bool same(const ObjectId& a, const ObjectId& b) { return a.index == b.index && a.generation == b.generation; }
 bool same(const ObjectPair& a, const ObjectPair& b) { return same(a.a, b.a) && same(a.b, b.b); }
 bool same(const NearObject<T>& a, const NearObject<T>& b) { return same(a.id, b.id) && a.distance == b.distance; }
@@ -50,7 +50,7 @@ bool same(const SceneEvents& a, const SceneEvents& b) {
   return same(a.began, b.began) && same(a.stayed, b.stayed) && same(a.ended, b.ended);
 }
 
-/// An answer, or the type of what was thrown.
+/// An answer, or the type of the exception.
 template <class Result>
 struct Outcome {
   std::optional<Result> result;
@@ -68,7 +68,7 @@ auto outcome_of(const Call& call) {
   return outcome;
 }
 
-/// What is asked of both.
+/// Both scenes, with the same calls.
 class Both {
  public:
   explicit Both(test::fuzz::Input& input) : input_(input) {}
@@ -109,7 +109,7 @@ class Both {
 
   AnyShape<N, T> shape() { return test::fuzz::any_shape<N, T>(input_); }
 
-  /// Of those that were ever held, the removed ones too; the default one where there was none.
+  /// One of all ids ever issued, including removed objects; the default id if there was none.
   Held pick() { return ever_held_.empty() ? Held{} : ever_held_[input_.below(ever_held_.size())]; }
 
   LayerMask layers() { return input_.below(4) == 0 ? only_layer(static_cast<Layer>(input_.below(3))) : all_layers; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any text as a scene in CSV: it is refused in words, or read; what was read survives being written.
+// Any text as a scene in CSV: it is rejected with a message, or read; what was read can be written and read again.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any text as a scene of our own format: it is refused in words, or read; what was read survives being written.
+// Any text as a scene in graze's own format: it is rejected with a message, or read; what was read can be written and
+// read again.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -18,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto file = test::fuzz::read_or_refuse([&] { return io::parse_json_scene(text, "scene"); });
   if (!file) return 0;
   test::fuzz::require_survival(*file);
-  // The door for all formats sees which one it is.
+  // The function for all formats recognises this one.
   const auto told = test::fuzz::read_or_refuse([&] { return io::parse_scene(text, "scene", "no folder"); });
   test::fuzz::require(told && test::fuzz::written(*told) == test::fuzz::written(*file), [&](std::ostream& out) {
     out << "a scene of ours is taken for one, but not\n" << text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes made of a fuzzer's bytes: of every type, valid or not.
+// Shapes from a fuzzer's bytes: of every type, valid or not.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 
 namespace graze::test::fuzz {
 
-/// A quarter turn in half of the cases, else any, about each axis; now and then nine numbers that need be nothing.
+/// A quarter turn in half of the cases, otherwise any, about each axis; sometimes nine arbitrary numbers.
 template <Dim N, class T>
 Mat<N, T> rotation(Input& input) {
   constexpr int wild = 15;
@@ -52,7 +52,7 @@ Mat<N, T> rotation(Input& input) {
   }
 }
 
-/// Up to so many points, of which some may be the same.
+/// Up to this many points, possibly with duplicates.
 template <Dim N, class T>
 std::vector<Vec<N, T>> points(Input& input, std::size_t most) {
   std::vector<Vec<N, T>> result(1 + input.below(most));
@@ -77,7 +77,7 @@ void fill(Input& input, S& shape) {
   detail::for_each_field(shape, [&](const auto&, auto& field) { set(field); });
 }
 
-/// Of numbers that are finite: convex_hull refuses others.
+/// From finite numbers: convex_hull rejects others.
 template <Dim N, class T>
 void fill(Input& input, Polytope<N, T>& polytope) {
   std::vector<Vec<N, T>> corners = points<N, T>(input, 10);
@@ -118,7 +118,7 @@ AnyShape<N, T> any_shape(Input& input, int depth) {
   return shape;
 }
 
-/// Two shapes of which a query promises something: valid, of numbers in its range.
+/// Two shapes for which queries guarantee results: valid, with numbers in range.
 template <Dim N, class T>
 struct ShapePair {
   AnyShape<N, T> a;

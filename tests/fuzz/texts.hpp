@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What everything that reads files keeps to, whatever it is given.
+// The laws for everything that reads files, for any input.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,8 @@
 
 namespace graze::test::fuzz {
 
-/// What `read` gives; none where it refuses with an InputError that can be shown. Any other exception is a find.
+/// The result of `read`; none if it rejects the input with an InputError that can be displayed. Any other exception is
+/// a failure.
 template <class Read>
 auto read_or_refuse(const Read& read) -> std::optional<decltype(read())> {
   try {
@@ -37,7 +38,7 @@ auto read_or_refuse(const Read& read) -> std::optional<decltype(read())> {
   }
 }
 
-/// What `read(text)` gives of a text that the library wrote, so that it can be read.
+/// The result of `read(text)` for a text that the library wrote, so it must be readable.
 template <class Read>
 auto read_again(const std::string& text, const Read& read) -> decltype(read(text)) {
   try {
@@ -54,7 +55,7 @@ inline std::string written(const io::SceneFile& file) {
   return out.str();
 }
 
-/// Whether a file gives the shape back bit for bit: polygons are rebuilt from their corners, which is exact for
+/// Whether a file preserves the shape bit for bit: polygons are rebuilt from their corners, which is exact for
 /// coordinates of magnitude 1e-140 to 1e140.
 template <Dim N>
 bool comes_back(const AnyShape<N, double>& shape) {
@@ -79,14 +80,14 @@ bool comes_back(const Scene<N, double>& scene) {
   return std::all_of(ids.begin(), ids.end(), [&](const ObjectId& id) { return comes_back<N>(scene.object(id).shape); });
 }
 
-/// Whether two ids say the same of two scenes.
+/// Whether two ids denote the same object of two scenes.
 inline bool same_id(const ObjectId& a, const ObjectId& b) { return a.index == b.index && a.generation == b.generation; }
 
 inline bool same_ids(const std::vector<ObjectId>& a, const std::vector<ObjectId>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_id);
 }
 
-/// Whether `b` is `a` after a file, which gives an object a name if it has none.
+/// Whether `b` equals `a` after a round trip through a file, which names objects without a name.
 template <Dim N>
 bool same_object(const Object<N, double>& a, const Object<N, double>& b) {
   return (a.name.empty() || a.name == b.name) && a.layer == b.layer && a.mask == b.mask && a.mobility == b.mobility &&
@@ -110,7 +111,8 @@ inline bool same_velocity(const io::ObjectVelocity& a, const io::ObjectVelocity&
   return same_id(a.id, b.id) && a.velocity == b.velocity;
 }
 
-/// A scene from a file of any format can be written in our own, is read back bit for bit, and written again as it was.
+/// A scene from a file of any format can be written in graze's own, is read back bit for bit, and is written
+/// identically again.
 inline void require_survival(const io::SceneFile& file) {
   for (const io::Omission& omission : file.omissions) {
     require(!omission.what.empty() && omission.count > 0,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Maps of Tiled with the files around them.
+// Tiled maps with the files that they refer to.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace graze::test::fuzz {
 
-/// The files that a text stands for: a line "=====" stands between one and the next.
+/// The files in a text, separated by lines "=====".
 inline std::vector<std::string_view> files_in(std::string_view text) {
   constexpr std::string_view line = "\n=====\n";
   constexpr std::size_t most = 4;
@@ -30,7 +30,7 @@ inline std::vector<std::string_view> files_in(std::string_view text) {
   return files;
 }
 
-/// The first file as a map; those behind it are called 1, 2 and 3 and may be its tilesets and templates.
+/// The first file is a map; the following ones are named 1, 2 and 3 and may be its tilesets and templates.
 inline void check_map(std::string_view text) {
   static const ScratchFolder folder("graze fuzz");
   static std::size_t there = 1;

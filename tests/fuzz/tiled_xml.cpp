@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any text as a map, tileset or template in Tiled's XML: it is refused in words, or read; what was read of a map
-// survives being written.
+// Any text as a map, tileset or template in Tiled's XML: it is rejected with a message, or read; what was read of a map
+// can be written and read again.
 #include <cstddef>
 #include <cstdint>
 #include <string>

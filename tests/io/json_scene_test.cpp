@@ -57,8 +57,8 @@ bool holds_polytope(const AnyShape<N, double>& shape) {
                      [](const Part<N, double>& part) { return holds_polytope<N>(part.shape); });
 }
 
-/// Valid shapes of wild numbers. Without polygons: where products of coordinates overflow, building one's hull a second
-/// time may give fewer corners.
+/// Valid shapes with extreme numbers. Without polygons: if products of coordinates overflow, rebuilding a hull may give
+/// fewer corners.
 template <Dim N>
 rc::Gen<AnyShape<N, double>> wild_shape() {
   const auto number = test::drawn<double>(wild_number);
@@ -139,7 +139,7 @@ TEST(JsonScene, TheExampleOfTheDocumentationIsRead) {
   EXPECT_EQ(pairs, (std::vector<std::pair<std::string, std::string>>{{"ground", "hero"}, {"crate", "hero"}}));
 }
 
-/// How long a scene of so many spheres takes to read.
+/// The time to read a scene of this many spheres.
 double seconds_to_read(int count) {
   std::string objects;
   for (int i = 0; i < count; ++i) {
@@ -155,8 +155,8 @@ double seconds_to_read(int count) {
 }
 
 TEST(JsonScene, EightTimesAsManyObjectsTakeAboutEightTimesAsLong) {
-  // Were it by the square, the large scene would take 64 times as long. How long depends on the machine, and on whether
-  // a sanitizer looks on: 4 microseconds to 0.2 milliseconds an object.
+  // If the time were quadratic, the large scene would take 64 times as long. It depends on the machine and on
+  // sanitizers: 4 microseconds to 0.2 milliseconds per object.
   const double few = seconds_to_read(5'000);
   EXPECT_LT(seconds_to_read(40'000), 32 * few + 0.5);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a JSON Schema (2020-12) allows, by the few keywords that the lines of a log need: so that tests hold the file to
-// the reader.
+// Validates by a JSON Schema (2020-12), with the few keywords that the lines of a log need, so that tests compare the
+// schema file with the reader.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,8 @@ class JsonSchema {
 
   explicit JsonSchema(Json document) : document_(std::move(document)) {}
 
-  /// Whether the definition of this name in the document allows the value. Throws std::runtime_error at a keyword that
-  /// this class does not know.
+  /// Whether the definition of this name in the document accepts the value. Throws std::runtime_error for a keyword
+  /// that this class does not support.
   bool definition_allows(const std::string& name, const Json& value) const {
     return allows(document_.at("$defs").at(name), value);
   }
@@ -37,7 +37,7 @@ class JsonSchema {
     return is_allowed;
   }
 
-  /// Whether the value meets what the schema says at one of its keywords.
+  /// Whether the value satisfies one keyword of the schema.
   bool meets(const Json& schema, const std::string& key, const Json& said, const Json& value) const {
     const auto is_met = [&](const Json& inner) { return allows(inner, value); };
     if (key == "description") return true;

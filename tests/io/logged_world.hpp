@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random lives of a scene, for the tests of query logs.
+// Random histories of a scene, for the tests of query logs.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace graze::io {
 
-/// Asks a scene all kinds of questions about random shapes.
+/// Sends a scene all kinds of queries about random shapes.
 template <Dim N, class T>
 void ask_at_random(const RecordedScene<N, T>& scene) {
   const AnyShape<N, T> region = *test::any_shape<N, T>();
@@ -52,7 +52,7 @@ void ask_at_random(const RecordedScene<N, T>& scene) {
   }
 }
 
-/// Adds, moves and removes objects at random; some calls are refused.
+/// Adds, moves and removes objects at random; some calls are rejected.
 template <Dim N, class T>
 void change_at_random(RecordedScene<N, T>& scene, std::vector<ObjectId>& ids) {
   const AnyShape<N, T> shape = *test::any_shape<N, T>();
@@ -65,7 +65,7 @@ void change_at_random(RecordedScene<N, T>& scene, std::vector<ObjectId>& ids) {
     ids.push_back(scene.add(shape, {name, layer, mask, 7, mobility}));
     return;
   }
-  const auto any_id = [&ids] { return ids[*rc::gen::inRange<std::size_t>(0, ids.size())]; };  // removed ones too
+  const auto any_id = [&ids] { return ids[*rc::gen::inRange<std::size_t>(0, ids.size())]; };  // including removed ones
   if (act < 5) {
     scene.move(any_id(), shape);
   } else if (act < 6) {
@@ -79,7 +79,7 @@ void change_at_random(RecordedScene<N, T>& scene, std::vector<ObjectId>& ids) {
   }
 }
 
-/// The log of such a life.
+/// The log of such a history.
 template <Dim N, class T>
 std::string random_log(int length) {
   std::ostringstream log;
@@ -88,7 +88,7 @@ std::string random_log(int length) {
   for (int i = 0; i < length; ++i) {
     try {
       change_at_random(scene, ids);
-    } catch (const std::logic_error&) {  // stands in the log
+    } catch (const std::logic_error&) {  // is recorded in the log
     }
     if (*rc::gen::inRange(0, 3) == 0) scene.update();
     if (*rc::gen::inRange(0, 2) == 0) ask_at_random(scene);

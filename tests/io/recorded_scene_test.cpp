@@ -55,8 +55,7 @@ TEST(RecordedScene, WritesEachCallAndItsAnswer) {
   EXPECT_EQ(scene.scene().size(), 1U);
 }
 
-// A crate that was turned has its corners in another order than the hull of them would: its contacts come in that
-// order.
+// The corners of a rotated crate are in another order than those of its hull would be; its contacts come in that order.
 TEST(RecordedScene, OfHullsThatWereMovedCanBeReplayed) {
   std::vector<Vec<3, double>> corners;
   for (int i = 0; i < 8; ++i) corners.emplace_back(i & 1, i >> 1 & 1, i >> 2);

@@ -60,7 +60,7 @@ std::string bytes_of(std::uint32_t bits) {
 
 std::string bytes_of(float number) { return bytes_of(std::bit_cast<std::uint32_t>(number)); }
 
-/// The text with other bytes at a place.
+/// The text with other bytes at a position.
 std::string with(std::string text, std::size_t place, const std::string& bytes) {
   return text.replace(place, bytes.size(), bytes);
 }
@@ -71,7 +71,7 @@ constexpr std::size_t place_of_boxes = 304;
 
 class Recording : public testing::Test {
  protected:
-  /// What the reader says about such a file, without its name.
+  /// The reader's message about such a file, without its name.
   template <Dim N = 3>
   std::string refusal(const std::string& text) const {
     folder_.write("r.aabbs", text);
@@ -189,7 +189,7 @@ TEST_F(Recording, NamesMayFillTheirPlace) {
   head.objects_type = std::string(127, 'o');
   folder_.write("r.aabbs", text_of_recording(head, two_frames()));
   EXPECT_EQ(RecordingReader(path()).head().scene, head.scene);
-  // A writer of others may leave no zero behind a name.
+  // Other programs may write no zero after a name.
   folder_.write("r.aabbs", with(text_of_recording(head, two_frames()), 127, "S"));
   EXPECT_EQ(RecordingReader(path()).head().scene, head.scene + "S");
   EXPECT_EQ(RecordingReader(path()).head().objects_type, head.objects_type);
@@ -264,7 +264,7 @@ TEST_F(Recording, FilesThatAreNoneAreRefused) {
 
 TEST_F(Recording, AFileThatShrinksMeanwhileIsRefused) {
   RecordingHead head = head_of_two();
-  head.boxes = 10000;  // more than a stream reads ahead
+  head.boxes = 10000;  // more than a stream buffers
   folder_.write("r.aabbs", text_of_recording<3>(head, Frames<3>(2, std::vector<Aabb<3, float>>(head.boxes))));
   RecordingReader reader(path());
   std::filesystem::resize_file(path(), 304 + 15000 * 32);

@@ -16,7 +16,7 @@
 namespace graze::io::scene_numbers_test {
 namespace {
 
-/// A world of a program in float: with a removed object, names, layers, masks, and numbers that no short decimal is.
+/// A program's scene in float: with a removed object, names, layers, masks, and numbers without a short decimal.
 Scene<3> world() {
   Scene<3> scene;
   const Layer walls = scene.layer("walls");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of scene files share.
+// Common helpers of the tests of scene files.
 #pragma once
 
 #include <cstdlib>
@@ -23,7 +23,7 @@ inline std::string scene_3d(const std::string& objects) {
   return R"({"schema": "graze.scene/1", "dimension": 3, "objects": [)" + objects + "]}";
 }
 
-/// The message of the InputError that a call ends with.
+/// The message of the InputError that a call throws.
 template <class Call>
 std::string error_of(const Call& call) {
   try {
@@ -35,7 +35,7 @@ std::string error_of(const Call& call) {
   return "";
 }
 
-/// A file of the project, which the tests find by GRAZE_ROOT.
+/// A file of the project, located by GRAZE_ROOT.
 inline std::filesystem::path project_file(const std::string& name) {
   const char* root = std::getenv("GRAZE_ROOT");
   return std::filesystem::path(root == nullptr ? "." : root) / name;
@@ -47,7 +47,7 @@ inline std::string text_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// What a page shows in its first code block of a language.
+/// The first code block of a language on a page.
 inline std::string code_block(const std::string& page, const std::string& language) {
   const std::string fence = "```" + language + "\n";
   const std::size_t begin = page.find(fence);

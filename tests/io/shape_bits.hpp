@@ -14,7 +14,8 @@
 
 namespace graze::io {
 
-/// The bits of a shape's type and of all its numbers, in order: two shapes are the same if and only if these are.
+/// The bits of a shape's type and of all its numbers, in order: two shapes are identical if and only if these are
+/// equal.
 using Bits = std::vector<std::uint64_t>;
 
 inline void append_bits(Bits& bits, double number) { bits.push_back(std::bit_cast<std::uint64_t>(number)); }

@@ -29,7 +29,7 @@ std::string text_of(const Log& log) {
   return out.str();
 }
 
-/// A scene of the library in which answers to rays lack the last object once three objects were removed.
+/// A scene in which answers to rays lack the last object once three objects were removed.
 class Forgetful final : public CallTarget<2> {
  public:
   LoggedAnswer perform(const LoggedCall<2>& call) override {
@@ -48,7 +48,7 @@ ReplayTargets<2> forgetful_targets() {
   return {[] { return std::make_unique<Forgetful>(); }, plain_scene_targets<2>(NumberType::double_precision)};
 }
 
-/// Forty objects on a line, of which many move and some go, and rays along the line.
+/// Forty objects on a line, of which many move and some are removed, and rays along the line.
 std::string long_life() {
   std::ostringstream text;
   World scene(text);
@@ -84,7 +84,7 @@ TEST(Shrink, FindsTheFewCallsThatAFaultNeeds) {
   ASSERT_EQ(report.differing, 1U);
   EXPECT_EQ(report.first.front().entry, small->entries.size() - 1);
   EXPECT_TRUE(report.first.front().is_from_judge);
-  EXPECT_FALSE(report.first.front().is_from_record);  // it is what the subject said
+  EXPECT_FALSE(report.first.front().is_from_record);  // it is the subject's answer
 }
 
 TEST(Shrink, MakesNumbersRounderAndForgetsNames) {
@@ -105,14 +105,14 @@ TEST(Shrink, LeavesAloneWhatDoesNotFail) {
   EXPECT_FALSE(shrunk(log, library_targets<2>(log.numbers)));
 }
 
-/// The log with a piece of it replaced by another.
+/// The log with a part of it replaced.
 Log altered(std::string text, const std::string& old_piece, const std::string& new_piece) {
   const std::size_t place = text.find(old_piece);
   EXPECT_NE(place, std::string::npos) << text;
   return log_of(text.replace(place, old_piece.size(), new_piece));
 }
 
-/// What shrinking with the library's own scene makes of a log that it contradicts.
+/// The result of shrinking a log that contradicts the library's own scene.
 std::string shrunk_text(const Log& log) {
   const ReplayTargets<2> targets = library_targets<2>(log.numbers);
   EXPECT_EQ(replay(log, targets).differing, 1U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads a picture back, for tests of what it shows.
+// Parses a picture, for tests of its content.
 #pragma once
 
 #include <sstream>

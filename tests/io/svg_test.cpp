@@ -21,7 +21,7 @@
 namespace graze::io::svg_test {
 namespace {
 
-/// The points that a drawn element goes through or, of discs and boxes, reaches.
+/// The points that a drawn element passes through or, for discs and boxes, its extreme points.
 std::vector<Vec<2, double>> points_of(const pugi::xml_node& element) {
   const auto value = [&element](const char* name) { return element.attribute(name).as_double(); };
   const std::string name = element.name();
@@ -61,8 +61,8 @@ void expect_inside(const pugi::xml_node& node, double width, double height) {
   }
 }
 
-/// What holds for every picture: it is well-formed, everything lies in it, every number is finite, every object is
-/// there.
+/// The laws of every picture: it is well-formed, everything is inside it, every number is finite, every object is
+/// present.
 SvgPicture checked(const std::string& text, std::size_t objects) {
   SvgPicture picture = parsed_picture(text);
   EXPECT_EQ(text.find("nan"), std::string::npos);
@@ -77,7 +77,7 @@ SvgPicture checked(const std::string& text, std::size_t objects) {
   return picture;
 }
 
-/// The titles of the objects that are marked as in a pair.
+/// The titles of the objects that are marked as part of a pair.
 std::vector<std::string> marked_titles(const SvgPicture& picture) {
   std::vector<std::string> titles;
   for (const pugi::xml_node& object : picture.by_id("objects").children()) {
@@ -256,7 +256,7 @@ TEST(Svg, survives_the_largest_and_smallest_numbers) {
     scene.add(Ray<2, double>{{size, 0}, {0, size}});
     const std::string text = svg_text<2>(scene, {});
     SCOPED_TRACE(size);
-    // Of 1e101 and more only the half-space is drawn: it passes the origin at a distance of 1 / sqrt(2).
+    // Beyond 1e101 only the half-space is drawn: it passes the origin at a distance of 1 / sqrt(2).
     checked(text, size < 1 ? 5 : 1);
     EXPECT_EQ(text.find("4 too far away to be drawn") != std::string::npos, size > 1);
   }

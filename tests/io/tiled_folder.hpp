@@ -9,7 +9,7 @@
 
 namespace graze::io {
 
-/// A folder of its own for a test, with a space and an umlaut in its name, gone when the test ends.
+/// A temporary folder for a test, with a space and an umlaut in its name.
 class TiledFolder : public test::ScratchFolder {
  public:
   TiledFolder() : ScratchFolder("graze h\xc3\xb6hle " + name_of_test()) {}

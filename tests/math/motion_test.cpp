@@ -19,7 +19,7 @@ TEST(Motion, RestsByDefault) {
 
 TEST(Motion, TurnsAboutItsCenterWhichGoesStraight) {
   const Motion<2, double> motion{{4, 0}, pi, {1, 1}};
-  const Pose<2, double> half = pose_at(motion, 0.5);  // the center at (3, 1), turned by a quarter
+  const Pose<2, double> half = pose_at(motion, 0.5);  // the center at (3, 1), rotated by a quarter turn
   const Vec<2, double> moved = transformed<2, double>({2, 1}, half);
   EXPECT_NEAR(moved.x, 3, 1e-15);
   EXPECT_NEAR(moved.y, 2, 1e-15);
@@ -37,7 +37,7 @@ void expect_near(const Pose<3, double>& found, const Pose<3, double>& expected, 
   }
 }
 
-/// The pose at the end of the motion between two, after that at the start.
+/// The pose at the end of the motion between two poses, applied after the one at the start.
 Pose<3, double> arrived(const Motion<3, double>& motion, const Pose<3, double>& start) {
   const Pose<3, double> way = pose_at(motion, 1);
   return {way.rotation * start.rotation, transformed<3, double>(start.position, way)};

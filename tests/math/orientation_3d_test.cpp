@@ -81,7 +81,7 @@ TYPED_TEST(Orientation3d, IsExactOnAGrid) {
   for (int i = 0; i < 600; ++i) expect_exact(point(), point(), point(), point());
 }
 
-// The rounded point of a plane is a hair off it, on either side.
+// The rounded point of a plane is slightly off it, on either side.
 TYPED_TEST(Orientation3d, IsExactAHairFromThePlane) {
   using T = TypeParam;
   for (const double far : {0.0, 1.0, 1e6}) {

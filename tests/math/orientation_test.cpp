@@ -28,7 +28,7 @@ int exact_orientation(const Vec<2, T>& a, const Vec<2, T>& b, const Vec<2, T>& c
   return determinant.sign();
 }
 
-/// The six orders of three points: the even ones turn one way, the odd ones the other.
+/// The six orders of three points: even permutations have one orientation, odd ones the other.
 template <class T>
 void assert_all_orders(const Vec<2, T>& a, const Vec<2, T>& b, const Vec<2, T>& c) {
   const int expected = exact_orientation(a, b, c);
@@ -88,7 +88,7 @@ TEST(Orientation, IsRightOnAGridOfNeighbouringDoubles) {
 
 TEST(Orientation, SurvivesDifferencesThatRound) {
   // The tiny coordinate vanishes beside the large ones in every difference, yet decides. Above the line means to the
-  // right of the way from (1e50, 1e50) to (-1e50, -1e50).
+  // right of the path from (1e50, 1e50) to (-1e50, -1e50).
   EXPECT_EQ(orientation(Vec<2, double>(0, 1e-100), Vec<2, double>(1e50, 1e50), Vec<2, double>(-1e50, -1e50)), -1);
   EXPECT_EQ(orientation(Vec<2, double>(0, -1e-100), Vec<2, double>(1e50, 1e50), Vec<2, double>(-1e50, -1e50)), 1);
   EXPECT_EQ(orientation(Vec<2, double>(0, 0), Vec<2, double>(1e50, 1e50), Vec<2, double>(-1e50, -1e50)), 0);

@@ -24,7 +24,7 @@ TEST(Pose, DefaultsToTheIdentity) {
 
 TEST(Pose, TurnsFirstAndMovesThen) {
   const Pose<2, double> pose{rotation_matrix(90), {10, 20}};
-  EXPECT_EQ(transformed(Vec<2, double>(3, 4), pose), (Vec<2, double>(6, 23)));  // (3, 4) turns to (-4, 3)
+  EXPECT_EQ(transformed(Vec<2, double>(3, 4), pose), (Vec<2, double>(6, 23)));  // (3, 4) is rotated to (-4, 3)
   EXPECT_EQ((rotated<2, double>(Vec<2, double>(3, 4), pose)), (Vec<2, double>(-4, 3)));
 }
 
@@ -50,7 +50,7 @@ TEST(Pose, RotatesEveryColumnOfAFrame) {
 }
 
 TEST(Pose, RoundsAFloatImageOnce) {
-  // 16777217 is no float; in float arithmetic 16777216 + 1 would stay 16777216, and the last 1 be lost again.
+  // 16777217 is not a float; in float arithmetic 16777216 + 1 would stay 16777216, and the last 1 would be lost again.
   const Pose<2, float> pose{Mat<2, float>({1, 0}, {1, 1}), {1, 0}};
   EXPECT_EQ(transformed(Vec<2, float>(16777216, 1), pose), (Vec<2, float>(16777218, 1)));
 }

@@ -151,7 +151,7 @@ TEST(Rotation, FromAQuaternionIsThatAboutItsAxis) {
     for (const double length : {1.0, -1.0, 3.5, 1e-300, -1e300, 0x1p-1060}) {
       const Vec<4, double> quaternion = Vec<4, double>(axis * half.y, half.x) * length;
       const Mat<3, double> found = rotation_from_quaternion(quaternion);
-      // The few bits of numbers next to zero are all that such a quaternion has.
+      // Subnormal numbers have few bits, so such a quaternion has no more.
       const double bound = std::fabs(length) < 1e-310 ? 1e-3 : 2e-15;
       EXPECT_LE(largest_difference(found, rotation_matrix(axis, degrees)), bound) << degrees << ' ' << length;
       EXPECT_LE(largest_difference(transpose(found) * found, Mat<3, double>(1.0)), 2e-15) << degrees << ' ' << length;

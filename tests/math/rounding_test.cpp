@@ -27,7 +27,7 @@ constexpr double huge = std::numeric_limits<double>::max();
 constexpr double tiny = std::numeric_limits<double>::denorm_min();
 constexpr double ulp = std::numeric_limits<double>::epsilon();
 
-/// Any finite double whose exponent lies in a range: all bits of the significand random, or only a few of them.
+/// Any finite double with an exponent in a range: all bits of the significand random, or only a few of them.
 rc::Gen<double> any_double(int min_exponent, int max_exponent) {
   return drawn<double>([=](rc::Random& random) {
     std::uint64_t bits = random.next() >> 12U;
@@ -38,7 +38,7 @@ rc::Gen<double> any_double(int min_exponent, int max_exponent) {
   });
 }
 
-/// Two numbers of comparable size, or not.
+/// Two numbers of similar size, or not.
 std::array<double, 2> two_numbers(int range) {
   const double a = *any_double(-range, range);
   const int exponent = std::ilogb(a);
@@ -119,7 +119,7 @@ TEST(Rounding, NextUpAndNextDownAreNeighboursAndInfinitiesStay) {
   EXPECT_EQ(next_down(-infinity), -infinity);
 }
 
-/// Any pattern of bits, which may be infinite or not a number.
+/// Any bit pattern, including infinities and NaN.
 template <class T, class Bits>
 void expect_neighbours_of(Bits bits) {
   const T x = std::bit_cast<T>(bits);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every tolerance has a reason; these tests hold it to that reason.
+// Every tolerance has a reason; these tests verify it.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -41,7 +41,7 @@ RC_GTEST_PROP(Tolerance, RoundingCoversATripleProductOfDifferences, ()) {
 }
 
 TEST(Tolerance, OrthonormalAcceptsAThousandFloatRotationsMultiplied) {
-  // The same one each time, so that its own error adds up.
+  // The same rotation each time, so that its own error accumulates.
   const Mat<3, float> step = Mat<3, float>(rotation_matrix(Vec<3, double>(1, 2, 3), 37));
   Mat<3, float> turned(1.0F);
   for (int i = 0; i < 1000; ++i) turned = step * turned;

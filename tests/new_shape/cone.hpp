@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The first of the three places: the header of a new shape, which is known by its support points alone.
+// The first of the three places: the header of a new shape, which is defined by its support function alone.
 #pragma once
 
 #include <cmath>
@@ -12,8 +12,8 @@
 
 namespace graze {
 
-/// The convex hull of a tip and of the disc of a radius around a base, at right angles to the axis between them. Where
-/// the two are equal it is a sphere.
+/// The convex hull of a tip and of a disc around a base, perpendicular to the axis between them. If the two coincide,
+/// it is a sphere.
 template <Dim N, class T = float>
 struct Cone {
   Vec<N, T> tip = unit_axis<N, T>(1);

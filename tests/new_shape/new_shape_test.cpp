@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What graze knows of a cone, of which it is told in three places: its header, the alternatives of AnyShape, and the
+// What graze supports for a cone, which is added in three places: its header, the alternatives of AnyShape, and the
 // entry of the catalogue below.
 #include <limits>
 #include <string>

@@ -84,7 +84,7 @@ TEST(JsonDocument, SyntaxErrorsHaveLineAndColumn) {
   EXPECT_EQ(parse_error("[1] x").find("a.json: line 1, column 5: this is not JSON: "), 0U);
   EXPECT_EQ(parse_error("[tru]").find("a.json: line 1, column 5: this is not JSON: invalid literal"), 0U);
   EXPECT_EQ(parse_error("[\"a\nb\"]").find("a.json: line 1, column 4: this is not JSON: invalid string: control"), 0U);
-  // The text that was read last is left out whole, also where it looks like the words behind it.
+  // The token that was read last is omitted completely, even if it looks like the following words.
   EXPECT_EQ(
       parse_error("[\"'; expected \xE2\x80\xAE\n"),
       "a.json: line 1, column 16: this is not JSON: invalid string: control character U+000A (LF) must be escaped "

@@ -12,7 +12,7 @@
 namespace graze::io::json_fields_test {
 namespace {
 
-/// Calls `ask` with the fields of an object, which stands as object 3 "sphere" in the messages.
+/// Calls `ask` with the fields of an object, which is object 3 "sphere" in messages.
 template <class Ask>
 auto with_fields(const std::string& text, const Ask& ask) {
   const JsonDocument document(text, "a.json");

@@ -27,7 +27,7 @@ std::string saved(const World& scene) {
 
 World loaded(const std::string& text) { return std::get<World>(parse_json_scene(text, "a.json").scene); }
 
-/// A scene with these fields beside the usual ones, and points with these ids.
+/// A scene with these fields in addition to the usual ones, and points with these ids.
 std::string with_ids(const std::string& fields, const std::vector<std::string>& ids) {
   std::string objects;
   for (const std::string& id : ids) {
@@ -129,7 +129,8 @@ TEST(JsonIds, APlaceIsUsedUpAtTheLastEvenGeneration) {
   EXPECT_EQ(scene.add(Vec<2, double>(0, 0)).index, 3U);
 }
 
-// Whatever came before: the same ids live, those of removed objects do not, and new objects get the same ids.
+// After any sequence of calls: the same ids are alive, those of removed objects are not, and new objects get the same
+// ids.
 RC_GTEST_PROP(JsonIds, LiveOnInASceneThatWasSaved, ()) {
   World scene;
   if (*rc::gen::inRange(0, 2) > 0) {

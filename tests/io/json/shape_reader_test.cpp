@@ -27,7 +27,7 @@ AnyShape<N, double> read(const std::string& text) {
   return read_json_shape<N>(document.root(), place, {});
 }
 
-/// What a refusal says behind file, place and object.
+/// The message of a rejection after file, position and object.
 template <Dim N>
 std::string refusal(const std::string& text) {
   const std::string message = error_of([&text] { read<N>(text); });

@@ -14,7 +14,7 @@ using Ball = Sphere<2, double>;
 
 constexpr ObjectId first{0, 1, logged_scene};
 
-/// What a target says of a small sphere and a large one, as a log has it.
+/// A target's answers about a small sphere and a large one, in the form of a log.
 std::vector<std::string> answers_of(const TargetMaker<2>& maker, double radius) {
   const auto target = maker();
   const AnyShape<2, double> sphere = Ball{{1, 0}, 1};
@@ -83,7 +83,7 @@ TEST(CallTarget, PerformsEveryKindOfCallOnAPlainScene) {
 TEST(CallTarget, KeepsNumbersInFloatWhereTheLogSaysSo) {
   const auto answers = answers_of(scene_targets<2>(NumberType::single_precision), 0.1);
   EXPECT_EQ(answers, answers_of(plain_scene_targets<2>(NumberType::single_precision), 0.1));
-  EXPECT_NE(answers, answers_of(scene_targets<2>(NumberType::double_precision), 0.1));  // another number
+  EXPECT_NE(answers, answers_of(scene_targets<2>(NumberType::double_precision), 0.1));  // a different number
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ Numbers up_to(int count) {
   return numbers;
 }
 
-/// Fails with lists that hold all of some numbers, with all that it is given.
+/// A test that fails for lists that contain all of some numbers, and records every list.
 auto needs(const std::set<int>& numbers) {
   return [numbers](const Numbers& some) {
     const bool fails = std::includes(some.begin(), some.end(), numbers.begin(), numbers.end());
@@ -58,7 +58,7 @@ TEST(Ddmin, TriesFew) {
 RC_GTEST_PROP(Ddmin, FindsAnyNumbers, (const std::set<std::uint8_t>& numbers)) {
   const std::set<int> needed(numbers.begin(), numbers.end());
   const Numbers found = ddmin(up_to(256), needs(needed));
-  RC_ASSERT(found.size() == std::max<std::size_t>(needed.size(), 1));  // a single item is not left out
+  RC_ASSERT(found.size() == std::max<std::size_t>(needed.size(), 1));  // a single item is never removed
   RC_ASSERT(std::includes(found.begin(), found.end(), needed.begin(), needed.end()));
 }
 

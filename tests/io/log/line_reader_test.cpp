@@ -15,7 +15,7 @@
 namespace graze::io::log_line_reader_test {
 namespace {
 
-/// What is read of a line, written again.
+/// Writes again what is read from a line.
 std::string call_again(const std::string& line) { return call_line(read_call<2>(JsonDocument(line, "log"))); }
 std::string answer_again(const std::string& line) { return answer_line(read_answer(JsonDocument(line, "log"))); }
 
@@ -79,7 +79,7 @@ bool is_answer(const std::string& line) {
   return true;
 }
 
-// Of how a number is written the schema knows nothing: it takes 1e1 for a whole number.
+// The schema does not constrain how a number is written: it accepts 1e1 as an integer.
 TEST(LogLineReader, ReadsTheAnswersThatTheJsonSchemaAllows) {
   const JsonSchema schema(nlohmann::json::parse(text_of(project_file("data/log.schema.json"))));
   const std::vector<std::string> parts = {"3",          "-3",     "0.5",  "\"nan\"", "\"ended\"",

@@ -71,7 +71,7 @@ Names keys_of(const nlohmann::json& object) {
 
 Names fields_of(const Call& call) { return keys_of(nlohmann::json::parse(call_line(call))); }
 
-/// With a shape that every kind of call can have but rays and points, which are asked with their own.
+/// With a shape that every kind of call accepts except rays and points, which have types of their own.
 Call plain_call(CallKind kind) {
   AnyShape<2, double> shape = Ball{{0, 0}, 1};
   if (kind == CallKind::nearest) shape = Vec<2, double>(0, 0);

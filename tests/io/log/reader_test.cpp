@@ -19,7 +19,7 @@ std::string refusal_of(const std::string& text) {
   return error_of([&text] { parse_query_log(text, "log"); });
 }
 
-/// What is wrong with a log that has the head and these lines.
+/// The error of a log with the header and these lines.
 std::string refusal_behind_head(const std::string& lines) { return refusal_of(head + lines); }
 
 TEST(QueryLogReader, ReadsCallsWithTheirAnswersAndLines) {

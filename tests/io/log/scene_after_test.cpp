@@ -20,7 +20,7 @@ const std::string sphere =
     R"({"call": "add", "name": "ball", "shape": {"type": "sphere", "center": [0, 0], "radius": 1}})"
     "\n{\"answer\": [[0, 1]]}\n";
 
-/// A program's own scene, recorded, with objects that come, move and go.
+/// A program's own scene, recorded, with objects that are added, moved and removed.
 TEST(SceneAfter, IsTheSceneThatWasRecorded) {
   std::ostringstream text;
   RecordedScene<2, float> recorded(text);

@@ -20,7 +20,7 @@ Entry add(const ObjectId& id) { return {{.kind = CallKind::add, .shapes = {Ball{
 TEST(SideBySide, FindsObjectsUnderTheIdsThatTheyHaveHere) {
   const std::set<ObjectId> names{a, b};
   SideBySide<2> run(library_targets<2>(NumberType::double_precision), names);
-  EXPECT_FALSE(run.perform({{.kind = CallKind::remove, .ids = {b}}, LoggedAnswer{}}));  // it is not here yet
+  EXPECT_FALSE(run.perform({{.kind = CallKind::remove, .ids = {b}}, LoggedAnswer{}}));  // it does not exist here yet
   ASSERT_TRUE(run.perform(add(b)));
   EXPECT_TRUE(run.was_added(b));
   EXPECT_FALSE(run.was_added(a));

@@ -86,7 +86,7 @@ TEST(Report, as_a_table_aligns_wide_and_escaped_names) {
   EXPECT_NE(text.find("\n\\x1b[1m  x  touching\n"), std::string::npos) << text;
 }
 
-/// The report of a scene in the plane with one pair, of which more is told.
+/// The report of a 2D scene with one pair, with details.
 std::string detailed(ReportFormat format, PairDetail detail, const ReportedPair& pair) {
   std::ostringstream out;
   const auto writer = begin_report(out, format, {"yard.json", 2, 3, detail});

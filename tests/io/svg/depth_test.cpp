@@ -27,7 +27,7 @@ TEST(SvgDepth, paints_what_is_behind_first) {
 }
 
 TEST(SvgDepth, puts_a_crate_on_the_floor_it_stands_on_also_at_its_far_end) {
-  const Layered crate = body({-9, 8, 0}, {-8, 9, 1});  // its middle is farther away than the floor's
+  const Layered crate = body({-9, 8, 0}, {-8, 9, 1});  // its center is farther away than the floor's
   const Layered floor = body({-10, -10, -1}, {10, 10, 0});
   EXPECT_EQ(order({crate, floor}), (Order{1, 0}));
 }
@@ -48,7 +48,7 @@ TEST(SvgDepth, puts_a_sheet_behind_what_is_on_the_viewers_side) {
 }
 
 TEST(SvgDepth, breaks_circles_and_loses_nothing) {
-  // Three beams, each over the next.
+  // Three beams, each above the next.
   const std::vector<Layered> beams = {body({-3, -1, 0}, {3, 0, 1}), body({-1, -3, 0.5}, {0, 3, 1.5}),
                                       body({-3, -3, -1}, {3, 3, 0.2}), body({-3, -1, 0}, {3, 0, 1})};
   Order found = order(beams);
@@ -72,7 +72,7 @@ TEST(SvgDepth, orders_a_hundred_thousand_things) {
 }
 
 RC_GTEST_PROP(SvgDepth, paints_every_thing_once_and_grid_boxes_in_a_correct_order, ()) {
-  // Boxes on a grid do not overlap, so a right order exists: whatever covers another comes later.
+  // Boxes on a grid do not overlap, so a correct order exists: whatever covers another comes later.
   const auto cells = *rc::gen::unique<std::vector<std::tuple<int, int, int>>>(
       rc::gen::tuple(rc::gen::inRange(0, 4), rc::gen::inRange(0, 4), rc::gen::inRange(0, 4)));
   std::vector<Layered> things;

@@ -15,7 +15,7 @@
 namespace graze::io::svg::svg_flat_test {
 namespace {
 
-/// The pieces that a shape is drawn with, in a scene that a box of 1080 x 540 frames: one pixel per unit, the origin at
+/// The elements that a shape is drawn with, in a scene framed by a box of 1080 x 540: one pixel per unit, the origin at
 /// (60, 648). Each as its element's name, its class and its numbers or path.
 std::vector<std::string> pieces(const AnyShape<2, double>& shape, YAxis y_axis = YAxis::up) {
   Scene<2, double> scene;

@@ -15,7 +15,7 @@ namespace {
 
 const Aabb<2, double> card{{0, 0}, {1000, 500}};
 
-/// Where the names ended up, as "name x y".
+/// The positions of the names, as "name x y".
 std::vector<std::string> places(const std::vector<Label>& labels) {
   const SvgPicture picture = parsed_fragment(placed_labels(labels, card));
   std::vector<std::string> result;
@@ -33,7 +33,7 @@ TEST(SvgLabels, stand_in_the_middle_of_a_box_that_is_large_enough) {
 }
 
 TEST(SvgLabels, stand_above_a_small_box) {
-  // 15 high, 4 off the box: its middle lies 11.5 above, the baseline 4 below that.
+  // Height 15, 4 above the box: its center is 11.5 above, the baseline 4 below that.
   EXPECT_EQ(places({{"crate", {{100, 100}, {110, 110}}}}), (Places{"crate 105 92.5"}));
 }
 

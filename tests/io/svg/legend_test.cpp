@@ -101,7 +101,7 @@ TEST(SvgLegend, stays_in_the_picture_with_large_counts) {
 }
 
 TEST(SvgLegend, bar_is_a_round_length) {
-  // One pixel per unit: of 200 pixels at most, 200 units.
+  // One pixel per unit; the maximum of 200 pixels is 200 units.
   const Frame frame = frame_around({{0, 0}, {1080, 540}});
   const std::array<Axis, 2> axes = {Axis{"x", {1, 0}}, Axis{"y", {0, 1}}};
   const SvgPicture picture = parsed_fragment(footer(frame, axes));

@@ -26,7 +26,7 @@ TEST(SvgPen, draws_an_outline_as_what_it_is) {
 }
 
 TEST(SvgPen, draws_a_capsule_with_its_half_circles_outside) {
-  // Below the axis to the right, around its end, above it to the left; "0 0 0": the short way, counter-clockwise as
+  // Below the axis to the right, around its end, above it to the left; "0 0 0": the short arc, counter-clockwise as
   // seen.
   EXPECT_EQ(drawn({{{0, 0}, {10, 0}}, 2}), R"(<path d="M60 650L70 650A2 2 0 0 0 70 646L60 646A2 2 0 0 0 60 650Z"/>)");
 }

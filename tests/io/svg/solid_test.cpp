@@ -13,9 +13,10 @@ namespace graze::io::svg::svg_solid_test {
 namespace {
 
 struct Painted {
-  std::vector<std::string> titles;                ///< In the order of painting.
-  std::vector<std::vector<std::string>> pieces;   ///< Of each: element and class.
-  std::vector<std::vector<std::size_t>> corners;  ///< Of each piece: how many numbers its path or disc has, by two.
+  std::vector<std::string> titles;               ///< In the order of painting.
+  std::vector<std::vector<std::string>> pieces;  ///< Of each object: element and class.
+  /// Of each element: the number of coordinate pairs of its path or disc.
+  std::vector<std::vector<std::size_t>> corners;
 };
 
 Painted painted(const Scene<3, double>& scene, const std::vector<ObjectPair>& touching = {},
@@ -57,7 +58,7 @@ TEST(SvgSolid, draws_every_type_of_shape) {
 }
 
 TEST(SvgSolid, draws_three_faces_of_a_box_the_upper_one_brightest) {
-  const Pieces faces = {"path l1", "path l3", "path l4"};  // turned along x, against y, along z
+  const Pieces faces = {"path l1", "path l3", "path l4"};  // perpendicular to x, against y, perpendicular to z
   EXPECT_EQ(pieces(Aabb<3, double>{{0, 0, 0}, {1, 1, 1}}), faces);
   const Obb<3, double> quarter_turn{{0, 0, 0}, {1, 1, 1}, rotation_matrix(Vec<3, double>(0, 0, 1), 90)};
   EXPECT_EQ(pieces(quarter_turn), (Pieces{"path l3", "path l1", "path l4"}));

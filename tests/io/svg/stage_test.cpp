@@ -52,7 +52,7 @@ TEST(SvgStage, takes_in_planes_beside_the_scene_where_they_are_nearest) {
   scene.add(Plane<2, double>{{0, 2}, 40});
   scene.add(Ray<2, double>{{-5, 5}, {-1, 0}});
   const Stage<2> stage = stage_of(scene);
-  // From the ray's origin (-5, 5) to the box (6, 6), and up to the plane y = 20 above the middle of both.
+  // From the ray's origin (-5, 5) to the box (6, 6), and up to the plane y = 20 above the center of both.
   EXPECT_EQ(stage.frame.center, (Vec<2, double>(0.5, 12)));
 }
 
@@ -90,7 +90,7 @@ TEST(SvgStage, draws_of_a_half_space_in_space_its_boundary_only) {
   scene.add(Aabb<3, double>{{-1, -1, 0}, {1, 1, 2}});
   scene.add(HalfSpace<3, double>{{0, 0, 1}, 0});
   const Stage<3> stage = stage_of(scene);
-  // The box reaches 1 from its middle; the sheet reaches 1.15 times as far, which makes sqrt(2) * 1.15 to each side.
+  // The box extends 1 from its center; the sheet 1.15 times as far, that is sqrt(2) * 1.15 to each side.
   const Aabb<2, double> floor = box_around(outline_on(stage, HalfSpace<3, double>{{0, 0, 1}, 0}));
   EXPECT_NEAR(floor.max.x, std::sqrt(2.0) * 1.15, 1e-12);
   EXPECT_NEAR(floor.max.y, std::sqrt(2.0 / 3.0) * 1.15, 1e-12);

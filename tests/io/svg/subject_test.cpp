@@ -10,8 +10,8 @@
 namespace graze::io::svg::svg_subject_test {
 namespace {
 
-/// Six spheres in a row, each of which touches the next but one and overlaps the next: "a", "b", one without a name,
-/// "c", "d", "e".
+/// Six spheres in a row, each of which overlaps the next and touches the one after: "a", "b", one without a name, "c",
+/// "d", "e".
 struct SvgSubject : ::testing::Test {
   SvgSubject() {
     for (const char* name : {"a", "b", "", "c", "d", "e"}) {

@@ -10,7 +10,7 @@ TEST(TextPosition, LinesAndColumnsCountFromOne) {
   const std::string_view text = "ab\ncd\r\n\ne";
   EXPECT_EQ(position_of(text, 0), (TextPosition{1, 1}));
   EXPECT_EQ(position_of(text, 1), (TextPosition{1, 2}));
-  EXPECT_EQ(position_of(text, 2), (TextPosition{1, 3}));  // the line break belongs to the line that it ends
+  EXPECT_EQ(position_of(text, 2), (TextPosition{1, 3}));  // a line break belongs to the line that it ends
   EXPECT_EQ(position_of(text, 3), (TextPosition{2, 1}));
   EXPECT_EQ(position_of(text, 7), (TextPosition{3, 1}));
   EXPECT_EQ(position_of(text, 8), (TextPosition{4, 1}));

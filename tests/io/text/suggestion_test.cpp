@@ -16,8 +16,8 @@ TEST(Suggestion, EditDistancesCountEachKindOfSlipOnce) {
   EXPECT_EQ(edit_distance("radius", "radius", 9), 0U);
   EXPECT_EQ(edit_distance("raduis", "radius", 9), 1U);   // swapped
   EXPECT_EQ(edit_distance("radus", "radius", 9), 1U);    // missing
-  EXPECT_EQ(edit_distance("radiuss", "radius", 9), 1U);  // one too many
-  EXPECT_EQ(edit_distance("redius", "radius", 9), 1U);   // another
+  EXPECT_EQ(edit_distance("radiuss", "radius", 9), 1U);  // one letter too many
+  EXPECT_EQ(edit_distance("redius", "radius", 9), 1U);   // a wrong letter
   EXPECT_EQ(edit_distance("RADIUS", "radius", 9), 0U);
   EXPECT_EQ(edit_distance("kitten", "sitting", 9), 3U);
   EXPECT_EQ(edit_distance("", "abc", 9), 3U);

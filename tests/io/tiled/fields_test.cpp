@@ -16,7 +16,7 @@
 namespace graze::io::tiled_fields_test {
 namespace {
 
-/// As XML and JSON give fields: numbers and texts by name.
+/// Fields as in XML and JSON: numbers and texts by name.
 struct Node {
   TiledText file{"m.tmx", "<map/>"};
   std::map<std::string, double, std::less<>> numbers = {};

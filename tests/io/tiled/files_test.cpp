@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view sheet =
     R"(<tileset tilewidth="32" tileheight="16" tilecount="8"><image source="i.png"/></tileset>)";
 
-/// Resolves one object that stands in "m.tmx" in the folder, with the tilesets given.
+/// Resolves one object of "m.tmx" in the folder, with the given tilesets.
 struct Fixture {
   TiledFolder folder;
   TiledText file{"m.tmx", "<map>\n<object/></map>"};
@@ -68,7 +68,7 @@ TEST(TiledFiles, FindsATilesTilesetAndSizeWhateverItsFlips) {
   map.folder.write("sets/a.tsx", sheet);
   map.folder.write("sets/b.tsj", R"({"type": "tileset", "tilewidth": 99, "tiles":
     [{"id": 40, "image": "x.png", "imagewidth": 5, "imageheight": 6}]})");
-  map.use_tileset(9, "sets/b.tsj");  // not in order of number
+  map.use_tileset(9, "sets/b.tsj");  // not in numeric order
   map.use_tileset(1, "sets/a.tsx");
   EXPECT_EQ(map.resolve(with_gid(8)).object.width, 32.0);
   EXPECT_EQ(map.resolve(with_gid(8)).object.height, 16.0);

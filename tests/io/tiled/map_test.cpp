@@ -149,7 +149,7 @@ TEST(Tiled, AnchorsTilesOfIsometricMapsAtTheMiddleOfTheirFoot) {
   EXPECT_EQ(box_of(read("<map orientation=\"staggered\"" + std::string(objects)), "tile"), (Box{{100, 44}, {108, 50}}));
 }
 
-/// A tileset of 16 x 16 tiles: 1 is full, 2 a slope up to the right, 3 two shapes, 4 without any.
+/// A tileset of 16 x 16 tiles: 1 is full, 2 slopes up to the right, 3 has two shapes, 4 has none.
 const std::string tiles = R"(<tileset firstgid="1" tilewidth="16" tileheight="16" tilecount="4">
   <tile id="0"><objectgroup><object width="16" height="16"/></objectgroup></tile>
   <tile id="1"><objectgroup><object x="0" y="16"><polygon points="0,0 16,0 16,-16"/></object></objectgroup></tile>
@@ -327,7 +327,7 @@ TEST(Tiled, ReadsTheSameSceneFromXmlAndJson) {
   EXPECT_EQ(box_of(xml, "#7"), (Box{{22, 56}, {70, 120}})) << "64 x 48 at (70, 88), hanging from its top, then turned";
 }
 
-// The bundled level and the real ones.
+// The bundled level and real ones.
 
 fs::path project_root() {
   const char* root = std::getenv("GRAZE_ROOT");
@@ -356,7 +356,7 @@ PairCounts count_pairs(const Scene<2, double>& scene) {
   return counts;
 }
 
-/// The scene with every box, turned or not, larger by `margin` on all sides.
+/// The scene with every box, rotated or not, larger by `margin` on all sides.
 Scene<2, double> inflated(const Scene<2, double>& scene, double margin) {
   Scene<2, double> result;
   for (const ObjectId id : scene.ids()) {

@@ -56,7 +56,7 @@ struct Cell {
   Point corner;
 };
 
-/// Bottom left corners by Tiled's renderers, for cells of 16 x 12.
+/// Bottom left corners according to Tiled's renderers, for cells of 16 x 12.
 void expect_corners(TiledGrid grid, const std::vector<Cell>& cells) {
   const TiledProjection projection(grid);
   for (const Cell& cell : cells) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests write down in XML and in JSON, and both readers must say of it.
+// The content of test files that exist in XML and in JSON, which both readers must return.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,7 @@ inline void expect_every_field(const TiledMap& map, const std::string& template_
   EXPECT_TRUE(map.omissions.empty());
 }
 
-/// A layer with an object of each outline.
+/// A layer with one object for each kind of outline.
 inline void expect_every_outline(const TiledMap& map) {
   using Points = std::vector<Vec<2, double>>;
   const std::vector<TiledObject>& objects = map.layers.at(0).objects;
@@ -51,7 +51,7 @@ inline void expect_every_outline(const TiledMap& map) {
   EXPECT_EQ(objects[6].outline, TiledOutline::text);
 }
 
-/// A tile layer without data, a group in a group, and what is not read.
+/// A tile layer without data, a nested group, and what is not read.
 inline void expect_groups(const TiledMap& map, const std::string& omissions) {
   ASSERT_EQ(map.layers.size(), 2U);
   EXPECT_TRUE(map.layers[0].cells.empty());

@@ -62,7 +62,7 @@ TiledShape with_points(TiledOutline outline, std::vector<Point> points, double r
   return shape_of(object);
 }
 
-/// The shape, which must be of this type.
+/// The shape, which must have this type.
 template <class Shape>
 Shape as(const TiledShape& read) {
   EXPECT_TRUE(read.shape && std::holds_alternative<Shape>(*read.shape))

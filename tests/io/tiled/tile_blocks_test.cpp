@@ -12,7 +12,7 @@ namespace {
 
 using Point = Vec<2, double>;
 
-/// A piece of so many cells, and a point by which to know it.
+/// A piece of this many cells, and a point that identifies it.
 struct Piece {
   CellRectangle cells;
   double x;

@@ -18,7 +18,7 @@ namespace {
 using Point = Vec<2, double>;
 using Box = Aabb<2, double>;
 
-/// A tileset of 8 x 8 tiles of which 1 is full, 2 has a box on its left, 3 nothing; a missing one from 10 on.
+/// A tileset of 8 x 8 tiles: 1 is full, 2 has a box on its left, 3 has nothing; a missing tileset from 10 on.
 struct Fixture {
   TiledText file{"m.tmx", "<map/>"};
   TiledTileset tileset;

@@ -41,7 +41,7 @@ IntegerPlane plane_of(const Points& points, double unit) {
   return {{IntegerPoint(points[0], unit), IntegerPoint(points[1], unit), IntegerPoint(points[2], unit)}, unit};
 }
 
-/// On which side of the plane of three points another one is, in units that leave room for all four.
+/// On which side of the plane of three points another one is, in units that fit all four.
 std::optional<int> side_of_plane(const Points& points, const V& origin) {
   double largest = max_abs(origin);
   for (const V& point : points) largest = std::max(largest, max_abs(point));
@@ -50,7 +50,7 @@ std::optional<int> side_of_plane(const Points& points, const V& origin) {
   return height ? std::optional<int>(ternary_sign(*height)) : std::nullopt;
 }
 
-/// At the ends of 64 bits, where another way begins.
+/// At the limits of 64 bits, where another method takes over.
 TEST(Rough, HasTheSignAndAboutTheSizeOfEveryNumber) {
   EXPECT_EQ(rough(0), 0);
   for (int bits = 0; bits < 126; ++bits) {
@@ -74,7 +74,7 @@ TEST(WholeDeterminant, HasTheSignThatRationalNumbersGive) {
     const V o = point() * size;
     const V a = point() * size;
     const V b = point() * size;
-    // All kinds of nearly flat ones, also all but on one line.
+    // All kinds of nearly flat ones, also nearly collinear.
     const V c = i % 3 == 0   ? point() * size
                 : i % 3 == 1 ? o + (a - o) * number(random) + (b - o) * number(random)
                              : o + (a - o) * number(random);
@@ -88,7 +88,7 @@ TEST(WholeDeterminant, HasTheSignThatRationalNumbersGive) {
   EXPECT_GT(counted, 2500);
 }
 
-// The largest numbers that fit, where a bit too many would turn a sign.
+// The largest numbers that fit, where an overflow would change a sign.
 TEST(WholeDeterminant, HasRoomForTheLargest) {
   constexpr double most = 0x1.fffffffffffffp60;
   std::mt19937_64 random(5);

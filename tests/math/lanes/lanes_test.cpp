@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What filters calculate with is what they would calculate one number after the other, to the bit.
+// The vector types of filters give what scalar code would, to the bit.
 #include <cmath>
 #include <cstddef>
 #include <limits>

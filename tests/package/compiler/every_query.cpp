@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Calls every public query, of every pair of shapes, so that a compiler which only reads the program (-fsyntax-only)
-// makes of each template what it would make of it for a user. Not run: the queries' own tests say what they answer.
+// Calls every public query, for every pair of shapes, so that a compiler that only checks syntax (-fsyntax-only)
+// instantiates each template as for a user. Not run: the queries' own tests check answers.
 #include <vector>
 
 #include <graze/query/bounding.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prints how many corners the hulls of points on planes and lines have that rounding has moved off them: numbers which
-// come out differently as soon as one product is not rounded.
+// Prints the number of corners of hulls of points on planes and lines, moved off them by rounding: these numbers change
+// as soon as one product is not rounded.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>

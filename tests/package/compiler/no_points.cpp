@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Asks for what is an error. With OWN_THROW errors go where this program wants them.
+// Causes an error. With OWN_THROW, errors are reported by this program's own macro.
 #ifdef OWN_THROW
 #include <cstdio>
 #include <cstdlib>
