@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Every shape, for property tests: a generator of random shapes, often degenerate and often touching, and C++ source to
 // paste when a test fails. A new shape adds one Entry here, and one line in catalogue/instances.hpp.
-// const Sphere<2, float> sphere = *any<Sphere<2, float>>() a single shape
-// const auto [a, b] = *any_pair<Sphere<2, float>, Obb<2, float>>() two that share numbers and points
-// const AnyShape<3, double> shape = *any_shape<3, double>() any of the types
+//
+//   const Sphere<2, float> sphere = *any<Sphere<2, float>>()          a single shape
+//   const auto [a, b] = *any_pair<Sphere<2, float>, Obb<2, float>>()  two that share numbers and points
+//   const AnyShape<3, double> shape = *any_shape<3, double>()         any of the types
 #pragma once
 
 #include <array>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Certificates for two hulls or rays, from their set of differences D = core a - core b and the sum r of their radii.
-// apart a direction n with n . d > r |n| for every corner d of D, and n . w >= 0 for a ray's direction w
-// gap <= g weights of some corners whose mean is at most r + g from the origin
-// overlapping the same with g < 0, or corners of D around the origin
-// gap >= g a direction n with n . d >= (r + g) |n|
+//
+//   apart         a direction n with n . d > r |n| for every corner d of D, and n . w >= 0 for a ray's direction w
+//   gap <= g      weights of some corners whose mean is at most r + g from the origin
+//   overlapping   the same with g < 0, or corners of D around the origin
+//   gap >= g      a direction n with n . d >= (r + g) |n|
 #pragma once
 
 #include <algorithm>

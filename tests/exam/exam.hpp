@@ -1,26 +1,29 @@
 // SPDX-License-Identifier: MIT
 // The loop that all questions share: draw cases, pass them to graze, judge and count the answers, and pass the cases to
 // rivals. A question is a class such as those in *_question.hpp, with these members:
-// static constexpr std::string_view name; its name in the data file
-// static constexpr SpaceName space;
-// static constexpr std::size_t Settings::* limit; the number of cases
-// static constexpr std::uint64_t seeds_apart; makes cases of different questions differ
-// static constexpr std::size_t variations; of each case drawn, for graze alone
-// static constexpr bool has_rivals;
-// static std::vector<Subject> subjects(); what the question is about
-// Question(const Subject&, std::uint64_t seed);
-// using Case, Truth what is drawn, and the oracle's answer to it
-// std::vector<Case> draw(std::size_t turn); one case, or a few that belong together
-// Case vary(const Case&); if there are variations
-// Judged<Truth> judge(const Case&, Figures&); queries graze and the oracle, and records graze's errors
-// static std::string row(const Case&, const Truth&); the regression row of a case that failed
+//
+//   static constexpr std::string_view name;                its name in the data file
+//   static constexpr SpaceName space;
+//   static constexpr std::size_t Settings::* limit;        the number of cases
+//   static constexpr std::uint64_t seeds_apart;            makes cases of different questions differ
+//   static constexpr std::size_t variations;               of each case drawn, for graze alone
+//   static constexpr bool has_rivals;
+//   static std::vector<Subject> subjects();                what the question is about
+//   Question(const Subject&, std::uint64_t seed);
+//   using Case, Truth                                      what is drawn, and the oracle's answer to it
+//   std::vector<Case> draw(std::size_t turn);              one case, or a few that belong together
+//   Case vary(const Case&);                                if there are variations
+//   Judged<Truth> judge(const Case&, Figures&);            queries graze and the oracle, and records graze's errors
+//   static std::string row(const Case&, const Truth&);     the regression row of a case that failed
+//
 // and, if there are rivals, these:
-// using Asked a case with what is needed to judge answers to it
-// static const Rival<...> rivals[];
-// std::optional<Asked> asked(const Case&, const Truth&); none if the case is not fair to rivals
-// static std::optional<Answer> ask(const Rival&, const Asked&);
-// static Answer own_answer(const Asked&); graze's
-// static void mark(const Asked&, const Answer&, Figures&); counts the errors of an answer
+//
+//   using Asked                                            a case with what is needed to judge answers to it
+//   static const Rival<...> rivals[];
+//   std::optional<Asked> asked(const Case&, const Truth&); none if the case is not fair to rivals
+//   static std::optional<Answer> ask(const Rival&, const Asked&);
+//   static Answer own_answer(const Asked&);                graze's
+//   static void mark(const Asked&, const Answer&, Figures&);  counts the errors of an answer
 #pragma once
 
 #include <chrono>

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The tests in textbooks and tutorials, as printed there: in the shapes' own number type, with the usual constants.
 // They are compared with graze, which does not use them.
-// sphere aabb obb plane triangle
-// point x x x
-// segment x
-// sphere x x x x
-// aabb x x x
-// obb x x
-// triangle x
+//
+//               sphere  aabb  obb  plane  triangle
+//   point         x      x     x
+//   segment                                   x
+//   sphere        x      x     x     x
+//   aabb                 x     x     x
+//   obb                        x     x
+//   triangle                                  x
 #pragma once
 
 #include <algorithm>

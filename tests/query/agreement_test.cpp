@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // relation(a, b) against the exact oracle: every pair of shape types, eight kinds of cases, four spaces. A verdict may
-// differ from the true one only where gap or depth are within the documented band, and `apart` and `overlapping` are
-// promises: only `touching` may stand for something else.
+// differ from the true one only if gap or depth are within the documented band, and `apart` and `overlapping` are
+// guaranteed: only `touching` may replace another verdict.
 //
-// GRAZE_TEST_SCALE multiplies the number of cases (default 1), GRAZE_TEST_SEED chooses others.
+// GRAZE_TEST_SCALE multiplies the number of cases (default 1), GRAZE_TEST_SEED selects others.
 #include <algorithm>
 #include <cstddef>
 #include <iostream>
@@ -25,17 +25,17 @@
 namespace graze::test::agreement_test {
 namespace {
 
-/// What a run has seen.
+/// Statistics of a run.
 struct Tally {
   std::size_t cases = 0;
   std::size_t hits = 0;
   std::size_t other_verdicts = 0;  ///< Within the band.
-  double worst = 0;                ///< The largest gap or depth called touching, in units of the band's size.
+  double worst = 0;                ///< The largest gap or depth with verdict touching, in units of the band's size.
   std::string worst_case;
   std::size_t failures = 0;
 };
 
-/// A run that has failed this often says no more.
+/// After this many failures, a run prints no more.
 constexpr std::size_t most_failures = 5;
 
 template <Dim N, class T>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// No query of two shapes takes memory from the heap: not for any two types, however many corners they have, users' own
-// among them, nor where shapes touch or lie in each other. This program counts what is asked of operator new; answers
-// are looked at elsewhere.
+// No query on two shapes allocates: for any two types, any number of corners, including user-defined shapes, apart,
+// touching or overlapping. This program counts the calls of operator new; other tests compare answers.
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -49,7 +48,7 @@
 namespace graze::test::allocation_test {
 namespace {
 
-/// Which queries have asked, of which types, how often.
+/// How often each query allocated, by its types.
 using Tally = std::map<std::string, std::size_t>;
 
 template <Dim N, class T>
@@ -61,7 +60,7 @@ std::string types_of(const AnyShape<N, T>& a, const AnyShape<N, T>& b) {
 template <Dim N, class T>
 class Counting {
  public:
-  /// Calls a query of two shapes, and notes if it takes memory.
+  /// Calls a query on two shapes, and records if it allocates.
   template <class Query>
   void call(const char* query, const AnyShape<N, T>& a, const AnyShape<N, T>& b, const Query& ask) {
     const std::size_t before = heap_watch.requests;
@@ -103,7 +102,7 @@ class AllocationIn : public testing::Test {
   using Number = typename Space::scalar;
   using Any = AnyShape<dimension, Number>;
 
-  /// Asks everything about two shapes.
+  /// Calls every query on two shapes.
   void ask(const Any& a, const Any& b) {
     const auto call = [&](const char* query, const auto& question) { counting_.call(query, a, b, question); };
     call("relation", [&] { return relation_of<dimension, Number>(a, b); });
@@ -146,7 +145,7 @@ TYPED_TEST(AllocationIn, IsNotNeededByAnyQueryOfTwoShapes) {
   this->expect_none(15'000);
 }
 
-/// A round polygon; in space the upright prism on it.
+/// A regular polygon; in 3D the prism on it.
 template <Dim N, class T>
 Polytope<N, T> round_polytope(std::size_t corners) {
   std::vector<Vec<N, T>> points;
@@ -195,7 +194,7 @@ Vec<N, T> support(const Egg<N, T>& egg, const std::type_identity_t<Vec<N, T>>& d
   return egg.center + egg.radii * scaled / std::sqrt(dot(scaled, scaled));
 }
 
-/// How often the queries of a user's shape and another take memory.
+/// How often queries on a user's shape and another allocate.
 template <class A, class B>
 std::size_t asked_by_queries_of(const A& a, const B& b) {
   constexpr Dim N = dimension_of<A>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all bounding volumes of points have in common.
+// The common contract of all bounding volumes of points.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -21,7 +21,7 @@
 namespace graze::bounding_test {
 namespace {
 
-/// The message with which a function refuses points, or nothing.
+/// The message with which a function rejects points, or an empty string.
 template <class Function>
 std::string refusal(Function function) {
   try {
@@ -32,7 +32,7 @@ std::string refusal(Function function) {
   return "";
 }
 
-/// The refusals of all bounding volumes, in the order of `names`.
+/// The rejections of all bounding volumes, in the order of `names`.
 constexpr std::array<const char*, 4> names = {"bounding_box", "bounding_sphere", "bounding_sphere_fast",
                                               "bounding_obb"};
 template <Dim N, class T>
@@ -102,7 +102,7 @@ TYPED_TEST(BoundingIn, TakesSpansAndVectorsAndWhatConvertsToASpan) {
   EXPECT_EQ(bounding_obb(span).half_extents, (bounding_obb<N, T>(array).half_extents));
 }
 
-// Both have helpers that ask what is farthest from a point, and once had one name for them.
+// Both have helpers for the farthest point, whose names once collided.
 TYPED_TEST(BoundingIn, LivesInOneProgramWithTheRelationsOfRays) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;

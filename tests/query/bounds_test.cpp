@@ -31,7 +31,7 @@ graze::Vec<2, T> support(const Ellipse<T>& ellipse, const graze::Vec<2, T>& dire
 
 }  // namespace own
 
-// A template with one parameter: the space is read off the support function.
+// A template with one parameter: the space follows from the support function.
 static_assert(graze::Convex<own::Ellipse<float>> && graze::Convex<own::Ellipse<double>>);
 
 namespace graze::bounds_test {
@@ -95,7 +95,7 @@ Extent extent(const Polytope<N, T>& polytope, Dim i) {
   return extent_of_points<N, T>(polytope.vertices(), i);
 }
 
-/// The box contains the extent, and each side that moves in by one number of its type and `slack` does not.
+/// The box contains the extent, but does not if a side is moved inward by one step of its type and `slack`.
 template <class T>
 void assert_tight(T low, T high, const Extent& exact, const Rational& slack) {
   RC_ASSERT(Rational(low) <= exact.low);
@@ -158,7 +158,7 @@ TYPED_TEST(BoundsIn, OfAPlaneAcrossAnAxisEncloseItsCrossingInAFewUlp) {
         RC_ASSERT(box.max[i] == infinity<T>);
       }
     }
-    // The half-space has the plane's box on the side its normal points to, and no end on the other.
+    // The half-space has the plane's box on the side its normal points to, and is unbounded on the other.
     Aabb<N, T> solid = box;
     (slope > T(0) ? solid.min : solid.max)[axis] = slope > T(0) ? -infinity<T> : infinity<T>;
     RC_ASSERT(bounds(HalfSpace<N, T>{plane.normal, plane.offset}) == solid);
@@ -200,13 +200,13 @@ TYPED_TEST(BoundsIn, OfTouchingContainTheBounds) {
   });
 }
 
-/// A coordinate with as many zero bits as it may: among them zeros, the least and the greatest, and infinity.
+/// A coordinate with any number of trailing zero bits: among them zeros, the smallest and the largest, and infinity.
 float drawn_side() {
   const float side = bit_cast<float>(*rc::gen::arbitrary<std::uint32_t>() & (~0U << *rc::gen::inRange(0U, 32U)));
   return std::isnan(side) ? 0 : side;
 }
 
-/// A coordinate about so many powers of two below 1: by a step of its bits or none.
+/// A coordinate about this many powers of two below 1, with or without one step of its bits.
 float side_below(int powers) {
   const float side = std::ldexp(*rc::gen::arbitrary<bool>() ? 1.0F : -1.5F, -powers);
   return std::nextafter(side, *rc::gen::element(0.0F, side, 9.0F));
@@ -254,7 +254,7 @@ TEST(Bounds, OfTheUnitSphereAreExact) {
 }
 
 TEST(Bounds, RoundOutwardInFloat) {
-  // 16777216 +- 1: the one below is a float, the one above lies between 16777216 and 16777218.
+  // 16777216 +- 1: the lower one is a float, the upper one is between 16777216 and 16777218.
   EXPECT_EQ(bounds(Circle<>{{16777216, 0}, 1}), (Rect<>{{16777215, -1}, {16777218, 1}}));
 }
 
@@ -283,7 +283,7 @@ TEST(Bounds, OfPlanesAndHalfSpacesAcrossAnAxis) {
 }
 
 TEST(Bounds, OfAPlaneWhoseCrossingIsNoNumberEncloseIt) {
-  // 1/3 lies between two neighbouring doubles.
+  // 1/3 is between two neighbouring doubles.
   const Rect<double> third = bounds(Plane<2, double>{{3, 0}, 1});
   EXPECT_LT(Rational(third.min.x), Rational(1, 3));
   EXPECT_GT(Rational(third.max.x), Rational(1, 3));
@@ -350,7 +350,7 @@ TEST(Bounds, OfTouchingGrowByTheCoordinatesOfPartsThatAnInfiniteBoxHides) {
     const Box box = touching_bounds(shape);
     EXPECT_LE(box.min.y, grown.min.y);
     EXPECT_GE(box.max.y, grown.max.y);
-    EXPECT_GE(box.min.y, 2 * grown.min.y);  // and not without end
+    EXPECT_GE(box.min.y, 2 * grown.min.y);  // and not unlimited
     EXPECT_EQ(touching_bounds(AnyShape<2, double>(shape)), box);
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pairs of shapes of which verdicts are hard, without end: eight kinds of cases for any two types, the same ones for
-// the same seed.
+// An unlimited supply of pairs of shapes with difficult verdicts: eight kinds of cases for any two types, the same ones
+// for the same seed.
 #pragma once
 
 #include <array>
@@ -30,13 +30,13 @@ namespace graze::test {
 
 enum class CaseKind {
   uniform,          ///< -10 to 10.
-  grid,             ///< Small whole numbers: exact touching, many coincidences.
+  grid,             ///< Small integers: exact touching, many coincidences.
   scales,           ///< 1e-6 to 1e6, both signs.
   far,              ///< Within 10 of 1e6.
-  shared_points,    ///< Shapes whose corners, centers and ends coincide or lie on a line.
-  border,           ///< Either side of the place, to the last bit, where graze's verdict changes.
-  nearly_parallel,  ///< The same, of edges that are parallel but for 1e-17 to 1e-6 radians (in float: 1e-9 to 1e-5).
-  flush_faces,      ///< Faces before each other, parallel but for a little: see FlushFaces.
+  shared_points,    ///< Shapes whose corners, centers and ends coincide or are collinear.
+  border,           ///< On either side of the position, to the last bit, where graze's verdict changes.
+  nearly_parallel,  ///< The same, for edges that are parallel up to 1e-17 to 1e-6 radians (in float: 1e-9 to 1e-5).
+  flush_faces,      ///< Faces opposite each other, almost parallel: see FlushFaces.
 };
 inline constexpr std::size_t case_kind_count = 8;
 inline constexpr std::array<std::string_view, case_kind_count> case_kind_names = {
@@ -45,14 +45,14 @@ inline constexpr std::array<std::string_view, case_kind_count> case_kind_names =
 /// RapidCheck's generators that call others share one stack among all threads.
 inline std::mutex generators_in_use;
 
-/// What a generator makes of a seed.
+/// The value of a generator for a seed.
 template <class S>
 S value_from(const rc::Gen<S>& generator, const rc::Random& random) {
   const std::lock_guard<std::mutex> lock(generators_in_use);
   return generator(random, 100).value();
 }
 
-/// Makes the cases of one pair of types, by their places in AnyShape.
+/// Generates the cases of one pair of types, by their indices in AnyShape.
 template <Dim N, class T>
 class CaseMaker {
  public:
@@ -96,7 +96,7 @@ class CaseMaker {
     return {std::move(first), draw(b_)};
   }
 
-  /// In two cases of three moved to have a point in common.
+  /// In two of three cases, moved to have a point in common.
   Pair draw_pair(Kind kind) {
     const Pair pair = draw_from(source_of<N, T>(kind));
     rc::Random random = random_.split();
@@ -110,8 +110,8 @@ class CaseMaker {
     return draw_from(sharing<N, T>(source, p, q));
   }
 
-  /// Shapes with edges along the axes or diagonals, turned together, and then one by very little. Boxes along the axes
-  /// stay what they are.
+  /// Shapes with edges along the axes or diagonals, rotated together, and then one by very little. AABBs are not
+  /// rotated.
   Pair nearly_parallel(rc::Random& random) {
     const auto [a, b] = draw_from(source_of<N, T>(Kind::grid));
     const double radians = std::pow(10, std::is_same_v<T, float> ? between(random, -9, -5) : between(random, -17, -6));
@@ -134,7 +134,7 @@ class CaseMaker {
     return transformed(shape, Pose<N, T>{rounded<N, T>(rotation), Vec<N, T>(T(0))});
   }
 
-  /// A box whose axes are as far from orthonormal as is valid, in one case of three.
+  /// In one case of three, a box whose axes are as far from orthonormal as is valid.
   static Any skewed(const Any& shape, rc::Random& random) {
     if (!std::holds_alternative<Obb<N, T>>(shape) || whole(random, 0, 2) != 0) return shape;
     Obb<N, T> box = std::get<Obb<N, T>>(shape);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cheap relatives of a hard case, each a case of its own: numbers of it moved by a few ulp or by many, one shape moved
-// by as little, both mirrored. A case that just touches has many that just do not.
+// Cheap variations of a difficult case, each a case of its own: numbers changed by a few ulp or by many, one shape
+// moved by as little, both mirrored. A case that just touches has many that just do not.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ class CaseVariations {
 
   explicit CaseVariations(std::uint64_t seed) : random_(seed) {}
 
-  /// One or two changes; the case itself if they would leave a shape that is not valid.
+  /// One or two changes; the case itself if they would make a shape invalid.
   Pair vary(const Pair& base) {
     Pair varied = base;
     const std::size_t changes = 1 + below(2);
@@ -42,7 +42,7 @@ class CaseVariations {
  private:
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(random_() % count); }
 
-  /// Five in eight changes nudge a number, two move a shape, one mirrors both.
+  /// Of eight changes, five nudge a number, two move a shape, one mirrors both.
   void change(Pair& pair) {
     const std::size_t choice = below(8);
     Any& either = below(2) == 0 ? pair.first : pair.second;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with shape_cast(a, motion, b), if anything: the time of the impact against what the oracle says of the
-// shapes then and of all that a has come by, against what shape_cast.hpp promises.
+// Finds errors of shape_cast(a, motion, b): compares the time of impact with the oracle's answers for the shapes at
+// that time and for the region swept by a, according to the contract of shape_cast.hpp.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@
 
 namespace graze::test {
 
-/// A shape, its motion, and what is in its way.
+/// A shape, its motion, and an obstacle.
 template <Dim N, class T>
 struct Cast {
   AnyShape<N, T> a;
@@ -37,20 +37,19 @@ struct Cast {
 /// The errors of one answer, in epsilon of double times the size that shape_cast.hpp names.
 struct CastErrors {
   Judgement judgement = Judgement::right;  ///< Never `within_band`.
-  std::string_view fault;                  ///< The first thing that is wrong; empty if nothing is.
-  double gap = 0;      ///< How far apart the shapes are at the impact, or how deep a has been in b before.
-  double claimed = 0;  ///< The error that comes with the impact.
+  std::string_view fault;                  ///< The first fault; empty if there is none.
+  double gap = 0;                          ///< The gap at the impact, or the previous depth of a in b.
+  double claimed = 0;                      ///< The error reported with the impact.
 };
 
-/// "A few epsilon" of sums of up to three coordinates each, where GJK says that it has converged; and what is passed by
-/// as if it were missed.
+/// "A few epsilon" of sums of up to three coordinates each, if GJK reports convergence; smaller contacts may be missed.
 inline constexpr double most_claimed_of_casts = 4096;
 inline constexpr double most_overlooked = 64;
 
 template <Dim N, class T>
 class CastJudge {
  public:
-  /// `start` is the verdict before anything moves, with gap and sizes. The cast is one that `exact_passage` knows.
+  /// `start` is the verdict before anything moves, with gap and sizes. `exact_passage` must support the cast.
   CastJudge(const Cast<N, T>& cast, const ExactVerdict& start)
       : cast_(cast), start_(start), size_(size_of_cast(cast, start)) {}
 
@@ -74,7 +73,7 @@ class CastJudge {
     return errors_;
   }
 
-  /// The largest coordinate that the promise names, with the motion.
+  /// The largest coordinate that the contract names, including the motion.
   static double size_of_cast(const Cast<N, T>& cast, const ExactVerdict& start) {
     const double size = documented_size(start.own_size, start.largest, cast.a.index(), cast.b.index());
     return std::max(size, start.own_size) + static_cast<double>(sum_abs(cast.motion));

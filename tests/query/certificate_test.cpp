@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The exam's certificates against the oracle that they save: whatever they prove is so, for every pair of types, on all
-// kinds of hard cases and on their variations; and they leave little open.
+// The exam's certificates against the oracle that they replace: whatever they prove is true, for every pair of types,
+// on all kinds of difficult cases and on their variations; and they leave little open.
 //
-// GRAZE_TEST_SCALE multiplies the number of cases (default 1), GRAZE_TEST_SEED chooses others.
+// GRAZE_TEST_SCALE multiplies the number of cases (default 1), GRAZE_TEST_SEED selects others.
 #include "exact/certificate.hpp"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ struct Count {
   std::size_t contradictions = 0;
 };
 
-/// Whether what is proved holds of the truth; the oracle rounds a gap once.
+/// Whether what is proved agrees with the truth; the oracle rounds a gap once.
 bool is_so(const GapBounds& proved, const ExactVerdict& truth) {
   const double rounding = 4 * std::numeric_limits<double>::epsilon() * std::fabs(truth.gap);
   const std::optional<Relation> relation = proved.relation();
@@ -47,7 +47,7 @@ bool is_so(const GapBounds& proved, const ExactVerdict& truth) {
   return proved.low <= truth.gap + rounding && proved.high >= truth.gap - rounding;
 }
 
-/// Whether the finding is the oracle's, and its gap no less than the true one.
+/// Whether the finding agrees with the oracle, and its gap is not below the true one.
 bool is_the_oracles(const Finding& finding, Relation claim, const ExactVerdict& truth, std::size_t a, std::size_t b) {
   const Judgement judgement = judge(claim, truth, a, b);
   if (judgement == Judgement::outside_range) return finding.judgement != Judgement::right;
@@ -95,7 +95,7 @@ TYPED_TEST_SUITE(Certificate, AllSpaces);
 TYPED_TEST(Certificate, NeverContradictsTheOracleAndLeavesLittleOpen) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
-  // Fewer than nine would say little of how much is left open.
+  // Fewer than nine would say little about how much is left open.
   const std::size_t turns = std::max<std::size_t>(9, number_of_cases(14));
   const std::uint64_t seed = seed_of_cases();
   Count all;

@@ -57,7 +57,7 @@ TEST(ClosestBoundaryPoint, FromOutsideAndOfSetsWithoutInsideIsTheClosestPoint) {
   expect<V2, V2>({1, 2}, {{{5, 5}, {1, 2}}});
 }
 
-// ---- Where several points are as near
+// ---- Several nearest points
 
 TEST(ClosestBoundaryPoint, FromTheCenterOfASphereIsInDirectionX) {
   // Scaling center - center to length r divides by zero.
@@ -73,7 +73,7 @@ TEST(ClosestBoundaryPoint, FromTheAxisOfACapsuleIsStraightAcross) {
   for (int i = 0; i <= 20; ++i) {
     const double share = i / 20.0;
     const D3 on_axis = orthonormality_error.a * (1 - share) +
-                       orthonormality_error.b * share;  // up to rounding that leans along the axis
+                       orthonormality_error.b * share;  // up to rounding, which tilts along the axis
     const D3 out = closest_boundary_point(orthonormality_error, on_axis) - on_axis;
     EXPECT_NEAR(std::sqrt(dot(out, out)), 1, 1e-14) << i;
     EXPECT_NEAR(dot(out, orthonormality_error.b - orthonormality_error.a), 0, 1e-14) << i;
@@ -86,7 +86,7 @@ TEST(ClosestBoundaryPoint, FromTheMiddleOfABoxIsOnTheFirstFace) {
   EXPECT_EQ(closest_boundary_point(Aabb<2>{{0, 0}, {4, 2}}, V2(1, 1)), V2(0, 1));
 }
 
-// ---- Compounds, users' shapes
+// ---- Compounds, user-defined shapes
 
 TEST(ClosestBoundaryPoint, OfACompoundIsThatOfThePartThatDecides) {
   const auto pair = compound_of<2, float>({Circle<>{{0, 0}, 1}, Rect<>{{4, 0}, {6, 2}}});

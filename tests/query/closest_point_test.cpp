@@ -73,13 +73,13 @@ TEST(ClosestPoint, OfACompoundIsThatOfItsNearestPart) {
   const auto pair = compound_of<2, float>({Circle<>{{0, 0}, 1}, compound_of<2, float>({Rect<>{{4, 0}, {5, 1}}})});
   expect<Compound<2, float>, V2>(pair, {{{2, 0}, {1, 0}}, {{3.5F, 0.5F}, {4, 0.5F}}, {{0.5F, 0}, {0.5F, 0}}});
   expect<AnyShape<2, float>, V2>(pair, {{{2, 0}, {1, 0}}});
-  // 1.5 from both: the first part answers.
+  // 1.5 from both: the first part decides.
   expect<Compound<2, float>, V2>(pair, {{{2.5F, 0}, {1, 0}}});
   const V2 none = closest_point(Compound<2, float>(), V2(1, 2));
   EXPECT_TRUE(std::isnan(none.x) && std::isnan(none.y));
 }
 
-// ---- What the usual recipes get wrong
+// ---- Errors of the usual methods
 
 TEST(ClosestPoint, InABoxClampsEachCoordinateAgainstItsOwnBounds) {
   // Clamping y and z against the bounds of x gives (1, 1, 1).
@@ -88,8 +88,8 @@ TEST(ClosestPoint, InABoxClampsEachCoordinateAgainstItsOwnBounds) {
 }
 
 TEST(ClosestPoint, FromTheCenterOfASphereIsTheCenter) {
-  // Scaling center - center to length r divides by zero; and like a box, a sphere
-  // answers an inner point with itself.
+  // Scaling center - center to length r divides by zero; and for an inner point, a sphere, like a box, returns the
+  // point itself.
   EXPECT_EQ(closest_point(Sphere<3>{{1, 2, 3}, 2}, V3(1, 2, 3)), V3(1, 2, 3));
   EXPECT_EQ(closest_point(Sphere<3>{{1, 2, 3}, 0}, V3(1, 2, 3)), V3(1, 2, 3));
   EXPECT_EQ(closest_point(Sphere<3>{{1, 2, 3}, 0}, V3(7, 2, 3)), V3(1, 2, 3));
@@ -122,7 +122,7 @@ TEST(ClosestPoint, OnBoxesOfZeroExtentStaysOnTheirFaceEdgeOrPoint) {
   EXPECT_EQ(closest_point(Aabb<3>{{1, 2, 3}, {1, 2, 3}}, V3(9, 9, 7)), V3(1, 2, 3));
 }
 
-// Was a hair off zero, and zero is the only coordinate that a line through the origin allows there.
+// The result was slightly off zero, and zero is the only coordinate that a line through the origin permits there.
 TEST(ClosestPoint, OfAPlaneThroughTheOriginIsOnItFromAHairAway) {
   for (const double height : {0x1p-52, 0x1p-60, 1e-200, 3e-16}) {
     for (const double length : {-2.9999999999999987, 1.0, 0.1, 7e5}) {
@@ -146,7 +146,7 @@ TEST(ClosestPoint, TakesNormalsAndDirectionsOfAnyLength) {
 // ---- Rounding
 
 TEST(ClosestPoint, OfASolidIsRoundedInward) {
-  // In about half of all directions the nearest float lies outside.
+  // In about half of all directions the nearest float is outside.
   const Sphere<3> sphere{{0.1F, 0.2F, 0.3F}, 1};
   for (int i = 0; i < 1000; ++i) {
     const double angle = 0.001 + i;
@@ -158,8 +158,7 @@ TEST(ClosestPoint, OfASolidIsRoundedInward) {
 }
 
 TEST(ClosestPoint, OfALongPolygonStaysNearThoughItIsRoundedInward) {
-  // Going towards the middle until inside would move along the edge by a
-  // thousand times the rounding.
+  // Moving towards the center until inside would move along the edge by a thousand times the rounding error.
   const Mat<2, double> turn = rotation_matrix(31);
   std::vector<V2> corners;
   for (const D2 corner : {D2(-1000, -1), D2(1000, -1), D2(1000, 1), D2(-1000, 1)}) corners.emplace_back(turn * corner);
@@ -213,7 +212,7 @@ TEST(ClosestPoint, OfASmallShapeIsRightFromFarAway) {
   }
 }
 
-// ---- Users' shapes
+// ---- User-defined shapes
 
 TEST(ClosestPoint, OfAUsersShapeIsFoundByItsSupportPoints) {
   const user::Cylinder<double> can{{0, 0, 0}, 1, 2};

@@ -67,7 +67,7 @@ TEST(ClosestPoints, OfPlanesAndHalfSpacesAreAsComputedByHand) {
   expect_closest(floor, hull, V3(0, 0, 2), V3(0, 0, 5));
 }
 
-// Shapes of the row reach from -1 to 1 on the x axis; unbounded ones from one side only.
+// Shapes of the row extend from -1 to 1 on the x axis; unbounded ones from one side only.
 TEST(ClosestPoints, OfEveryPairOfTypesInARowAreTheirEnds) {
   for (std::size_t a = 0; a < row_types; ++a) {
     for (std::size_t b = 0; b < row_types; ++b) {
@@ -148,7 +148,7 @@ TEST(ClosestPoints, OfUsersShapesAreFoundByGjk) {
   EXPECT_GT(to_ray.error, 1e-7);  // its support calculates in float
 }
 
-// Far from the origin doubles are 1e-7 apart, but what is calculated from them loses nothing.
+// Far from the origin doubles are 1e-7 apart, but results calculated from them lose nothing.
 TEST(ClosestPoints, FarFromTheOriginAreAsGoodAsNearIt) {
   const V3 far(0x1p30, -0x1p30, 0x1p30);
   const Segment<3, double> along{far + V3(-1, 0, 0), far + V3(1, 0, 0)};
@@ -158,7 +158,7 @@ TEST(ClosestPoints, FarFromTheOriginAreAsGoodAsNearIt) {
   EXPECT_LE(found.error, 1e-13);
 }
 
-// Once a plane that crosses another at almost no angle got a point that was 1e-9 beside it.
+// A plane that crosses another at a tiny angle once got a point 1e-9 beside it.
 TEST(ClosestPoints, OfNearlyParallelPlanesAreOnBoth) {
   const Plane<2, double> a{{-1.115586234173383, 1.6599600459417239}, -2};
   const Plane<2, double> b{{0.5577931262562497, -0.8299800168084045}, 0.9999999894411289};
@@ -167,7 +167,7 @@ TEST(ClosestPoints, OfNearlyParallelPlanesAreOnBoth) {
   EXPECT_NEAR(dot(b.normal, found.point_a), b.offset, 1e-14);
 }
 
-// One box ends a single bit before the other begins. Seen from the other's far corner, the bit is lost.
+// One box ends a single bit before the other begins. Relative to the other's far corner, the bit is lost.
 TEST(ClosestPoints, OfBoxesOneBitApartKnowTheBit) {
   const Aabb<2, double> above{{0, 1}, {0, 3}};
   const Aabb<2, double> below{{-2.286401304093366, -4}, {1.713598695906634, 0.9999999999999996}};
@@ -176,7 +176,7 @@ TEST(ClosestPoints, OfBoxesOneBitApartKnowTheBit) {
   EXPECT_EQ(found.normal, V2(0, -1));
 }
 
-// Of the sliver that GJK ended on, the common point was once 1e-5 beside the box.
+// For the sliver that GJK ended with, the common point was once 1e-5 beside the box.
 TEST(ClosestPoints, OfASliverAndABoxAreInBoth) {
   const Aabb<3, double> box{{-119670.40975183659, -0.07036795463211229, 0.05157870694539393},
                             {4744.089200361004, -0.001892105407816108, 1.17168655883947}};

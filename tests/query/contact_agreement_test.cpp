@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// contact(a, b) against the exact oracle: every pair of shape types, eight kinds of cases, four spaces. There is one
-// exactly where `relation` says that the shapes meet; the depth is within the error that comes with it, which is no
-// larger than documented; both points are in their shapes, and as far from each other as normal * depth; and moving b
-// by that leaves the shapes touching.
+// contact(a, b) against the exact oracle: every pair of shape types, eight kinds of cases, four spaces. A contact
+// exists exactly if `relation` says that the shapes intersect; the depth is within the reported error, which is at most
+// the documented one; both points are in their shapes, and differ by normal * depth; and moving b by that leaves the
+// shapes touching.
 //
-// GRAZE_TEST_SCALE multiplies the number of cases (default 1), GRAZE_TEST_SEED chooses others.
+// GRAZE_TEST_SCALE multiplies the number of cases (default 1), GRAZE_TEST_SEED selects others.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -33,14 +33,14 @@
 namespace graze::test::contact_agreement_test {
 namespace {
 
-/// What a run has seen: the largest errors, each in units of what it is relative to.
+/// Statistics of a run: the largest errors, each in units of the size that it is relative to.
 struct Tally {
   std::size_t cases = 0;
   std::size_t meeting = 0;
   double depth = 0;    ///< In epsilon of double of the documented size.
-  double claimed = 0;  ///< The same of the error that comes with the depth.
+  double claimed = 0;  ///< The same for the error reported with the depth.
   double points = 0;   ///< In epsilon of T of the points' coordinates and the pair's size.
-  double left = 0;     ///< What is left after the move, in epsilon of double of the largest coordinate.
+  double left = 0;     ///< The overlap left after the move, in epsilon of double of the largest coordinate.
   std::string worst_depth;
   std::string worst_points;
   std::string worst_left;
@@ -54,7 +54,7 @@ constexpr double most_claimed = 1024;
 constexpr double most_off = 16;
 constexpr double most_off_by_search = 1e7;  // of slivers, see closest_points.hpp
 
-/// A run that has failed this often says no more.
+/// After this many failures, a run prints no more.
 constexpr std::size_t most_failures = 5;
 
 template <Dim N, class T>
@@ -92,7 +92,7 @@ class PairCheck {
                   << to_source(exact_.point_b) << ", error " << exact_.error;
   }
 
-  /// Keeps the largest error of a kind, and the case.
+  /// Records the largest error of a kind, and the case.
   void keep(double error, double& largest, std::string& worst) {
     if (!(error > largest)) return;
     largest = error;
@@ -120,7 +120,7 @@ class PairCheck {
     expect(error <= (is_closed() ? most_error : most_error_by_search) * size + gap_of_search,
            "the depth is off by too much");
     keep(error / size, tally_.depth, tally_.worst_depth);
-    if (!is_closed()) return;  // what GJK can prove of slivers is less than what it finds
+    if (!is_closed()) return;  // for slivers, GJK proves less than it finds
     expect(exact_.error <= most_claimed * size, "too large an error is admitted");
     tally_.claimed = std::max(tally_.claimed, exact_.error / size);
   }
@@ -130,7 +130,7 @@ class PairCheck {
     return std::max(0.0, exact_verdict<N, T>(Any(point), shape, Measure::distance).gap);
   }
 
-  /// Both points are in their shapes, and apart by depth times normal.
+  /// Both points are in their shapes, and differ by depth times normal.
   void check_points() {
     const auto epsilon = static_cast<double>(std::numeric_limits<T>::epsilon());
     const double size = epsilon * std::max({max_abs(exact_.point_a), max_abs(exact_.point_b), size_}) + exact_.error +
@@ -142,7 +142,7 @@ class PairCheck {
     expect(std::fabs(dot(exact_.normal, exact_.normal) - 1) <= 4 * tolerance::epsilon, "the normal is not of length 1");
   }
 
-  /// The least translation leaves the shapes touching. In double alone, where it hardly rounds the shape's coordinates.
+  /// The minimum translation leaves the shapes touching. Only in double, which hardly rounds the shape's coordinates.
   void check_move() {
     if constexpr (std::is_same_v<T, double>) {
       const bool has_parts = std::holds_alternative<Compound<N, T>>(a_) || std::holds_alternative<Compound<N, T>>(b_);

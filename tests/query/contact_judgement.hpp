@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with a contact, if anything: its depth against the oracle's, and the overlap that is left when b has
-// gone that far along its normal, against what contact.hpp promises.
+// Finds errors of a contact: compares its depth with the oracle's, and checks the overlap that is left when b has moved
+// by the depth along the normal, according to the contract of contact.hpp.
 #pragma once
 
 #include <algorithm>
@@ -23,10 +23,10 @@ namespace graze::test {
 struct ContactErrors {
   Judgement judgement = Judgement::right;  ///< Never `within_band`: that is for touching alone.
   double depth = 0;                        ///< Of the depth, rounded to T.
-  double left = 0;                         ///< What is left of the overlap when b has gone by depth along the normal.
+  double left = 0;                         ///< The overlap left when b has moved by depth along the normal.
 };
 
-/// Rounding the normal to T turns it by no more than this, in epsilon of T: half an ulp of each coordinate.
+/// The largest rotation of a normal by rounding to T, in epsilon of T: half an ulp of each coordinate.
 inline constexpr double normal_rounding = 2;
 
 /// `truth` with gap and sizes.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Laws of contact(a, b) on random pairs of every type: what must not change it, what it must agree with, and what
-// nonsense may do. That it is right at all is for contact_agreement_test.cpp.
+// Laws of contact(a, b) on random pairs of every type: invariances, agreement with other queries, and invalid input.
+// contact_agreement_test.cpp tests its correctness.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -40,7 +40,7 @@ class ContactLaw : public ::testing::Test {
 
   static constexpr double epsilon = static_cast<double>(std::numeric_limits<T>::epsilon());
 
-  /// Two shapes, mostly placed together.
+  /// Two shapes, usually placed together.
   static Pair draw_two() {
     const Pair pair = *any_pair<Any, Any>();
     const std::uint64_t seed = *choice(std::size_t{1} << 31U);
@@ -48,7 +48,7 @@ class ContactLaw : public ::testing::Test {
     return seed % 4 == 0 ? pair : placed_together<N, T>(pair, random);
   }
 
-  /// What a pair's contact is rounded from; none if the shapes are apart.
+  /// The contact before rounding; none if the shapes are apart.
   static std::optional<detail::Penetration<N>> found(const Pair& pair) {
     return penetration_of<N, T>(pair.first, pair.second);
   }
@@ -59,7 +59,7 @@ class ContactLaw : public ::testing::Test {
     return contact ? contact->depth : 0.0;
   }
 
-  /// Logs a pair, to be pasted.
+  /// Logs a pair as C++ source.
   static void log(const Pair& pair) {
     RC_LOG() << to_source<N, T>(pair.first) << ", " << to_source<N, T>(pair.second) << ": " << depth(pair) << "\n";
   }
@@ -122,7 +122,7 @@ TYPED_TEST(ContactLaw, RigidMotionsChangeNoDepthBeyondRounding) {
     constexpr Dim dimension = TypeParam::dimension;
     using Number = typename TypeParam::scalar;
     const auto pair = TestFixture::draw_two();
-    // What is unbounded may meet far away, or not at all when it is turned by a rounding.
+    // Unbounded shapes may meet far away, or not at all if they are rotated by a rounding error.
     RC_PRE(TestFixture::is_bounded(pair.first) && TestFixture::is_bounded(pair.second));
     const auto pose = *any_pose<dimension, Number>();
     const AnyPair<dimension, Number> moved_pair(transformed(pair.first, pose), transformed(pair.second, pose));
@@ -177,7 +177,7 @@ TYPED_TEST(ContactLaw, TheOrderOfATrianglesCornersChangesNoDepthBeyondRounding) 
   });
 }
 
-// ---- Nonsense
+// ---- Invalid input
 
 TYPED_TEST(ContactLaw, NanAndExtremesGetAnAnswer) {
   constexpr Dim dimension = TypeParam::dimension;

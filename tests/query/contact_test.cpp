@@ -30,7 +30,7 @@ std::optional<Contact<N, double>> exchanged(std::optional<Contact<N, double>> co
   return contact;
 }
 
-/// The contact is where a's surface is `on_a`, `depth` deep in b along `normal`; and the same in the other order.
+/// The contact has a's surface point `on_a`, `depth` deep in b along `normal`; and the same in the other order.
 template <Dim N>
 void expect_contact(const AnyShape<N, double>& a, const AnyShape<N, double>& b, const Vec<N, double>& normal,
                     double depth, const Vec<N, double>& on_a) {
@@ -68,7 +68,7 @@ TEST(Contact, OfBoxesIsOutOfTheNearestFaceOrEdge) {
   const Obb<3, double> cube{{0, 0, 0}, {1, 1, 1}};
   const double half = std::sqrt(0.5);
   const Obb<3, double> on_edge{{0, 0, 2}, {1, 1, 1}, rotation_matrix(V3(1, 0, 0), 45)};
-  const auto on_face = contact(cube, on_edge);  // the edge along x of the upper one lies on the lower one's face
+  const auto on_face = contact(cube, on_edge);  // the edge along x of the upper one is on the lower one's face
   ASSERT_TRUE(on_face);
   EXPECT_NEAR(on_face->depth, 2 * half + 1 - 2, 1e-15);
   EXPECT_NEAR(length(on_face->normal - V3(0, 0, 1)), 0, 1e-15);
@@ -116,7 +116,7 @@ TEST(Contact, OfAFlatBoxIsOutOfItsFlatSide) {
   expect_contact<3>(V3(1, 1, 0), plate, {0, 0, 1}, 0, {1, 1, 0});
 }
 
-// Shapes of the row reach from -1 to 1 on the x axis; unbounded ones from one side only.
+// Shapes of the row extend from -1 to 1 on the x axis; unbounded ones from one side only.
 TEST(Contact, OfEveryPairOfTypesInARowIsBetweenTheirEnds) {
   for (std::size_t a = 0; a < row_types; ++a) {
     for (std::size_t b = 0; b < row_types; ++b) {
@@ -160,7 +160,7 @@ TEST(Contact, OfUsersShapesComesWithAnError) {
   EXPECT_LE(beside->error, 1e-5);
 }
 
-// Far from the origin doubles are 1e-7 apart, but what is calculated from them loses nothing.
+// Far from the origin doubles are 1e-7 apart, but results calculated from them lose nothing.
 TEST(Contact, FarFromTheOriginIsAsGoodAsNearIt) {
   const V3 far(0x1p30, -0x1p30, 0x1p30);
   const Capsule<3, double> along{far + V3(-1, 0, 0), far + V3(1, 0, 0), 3};

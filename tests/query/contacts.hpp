@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What graze says about the contact of any two shapes: compiled once for each space, by contacts.cpp.in, because
-// hundreds of pairs take their time.
+// graze's contacts of any two shapes: compiled once for each space, by contacts.cpp.in, because hundreds of pairs take
+// long to compile.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 #include <graze/query/cores/penetration.hpp>
 #include <graze/shape/any_shape.hpp>
 
-// Compiled there as well, for the other files of instances.
+// Also compiled there, for the other files of instances.
 namespace graze {
 extern template std::optional<detail::Penetration<2>> detail::penetration(const AnyShape<2, float>&,
                                                                           const AnyShape<2, float>&);
@@ -28,7 +28,7 @@ namespace graze::test {
 template <Dim N, class T>
 std::optional<Contact<N, T>> contact_of(const AnyShape<N, T>& a, const AnyShape<N, T>& b);
 
-/// What contact(a, b) rounds to T.
+/// contact(a, b) before it is rounded to T.
 template <Dim N, class T>
 std::optional<detail::Penetration<N>> penetration_of(const AnyShape<N, T>& a, const AnyShape<N, T>& b);
 

@@ -73,16 +73,16 @@ TEST(Contains, ForACompoundIsWhetherAnyPartDoes) {
 
 TEST(Contains, TakesAPointInBraces) { EXPECT_TRUE(contains(Sphere<3, double>{}, {0, 0, 1})); }
 
-// ---- What the usual recipes get wrong
+// ---- Errors of the usual methods
 
 TEST(Contains, CountsTheSurfaceOfASphere) {
-  EXPECT_TRUE(contains(Sphere<3>{{1, 2, 3}, 2}, V3(1, 2, 5)));  // length < radius says no
+  EXPECT_TRUE(contains(Sphere<3>{{1, 2, 3}, 2}, V3(1, 2, 5)));  // length < radius is false
   EXPECT_TRUE(contains(Sphere<3>{{1, 2, 3}, 3}, V3(2, 4, 5)));
   EXPECT_TRUE(contains(Sphere<3>{{1, 2, 3}, 0}, V3(1, 2, 3)));
 }
 
 TEST(Contains, FindsPointsOnAPlaneThoughRoundingPutsThemBesideIt) {
-  // 0.1 + 0.2 + 0.3, each rounded: dot(normal, p) == offset says no.
+  // 0.1 + 0.2 + 0.3, each rounded: dot(normal, p) == offset is false.
   const Plane<3> plane{{0.1F, 0.2F, 0.3F}, 0.6F};
   const V3 point(1, 1, 1);
   ASSERT_NE(dot(D3(plane.normal), D3(point)), static_cast<double>(plane.offset));
@@ -100,15 +100,13 @@ TEST(Contains, FindsPointsOnASegmentThoughRoundingPutsThemBesideIt) {
 }
 
 TEST(Contains, SeesAnglesToARayThatACosineInFloatCannot) {
-  // The cosine of 1e-4 is 1 in float: a dot product of unit vectors compared
-  // with 1 says that the point is on the ray.
+  // The cosine of 1e-4 is 1 in float: comparing the dot product of unit vectors with 1 accepts the point.
   const Ray<2> ray{{0, 0}, {1, 0}};
   const V2 beside(1, 1e-4F);
   ASSERT_EQ(dot(normalize(beside), ray.direction), 1.0F);
   EXPECT_FALSE(contains(ray, beside));
   EXPECT_TRUE(contains(ray, V2(1, 1e-7F)));
-  // And where the dot product of two rounded unit vectors is below 1, it is on
-  // the ray nevertheless.
+  // If the dot product of two rounded unit vectors is below 1, the point may be on the ray nevertheless.
   const Ray<3> orthonormality_error{{0, 0, 0}, {0.3F, 0.5F, 0.7F}};
   for (int i = 1; i <= 20; ++i)
     EXPECT_TRUE(contains(orthonormality_error, orthonormality_error.direction * static_cast<float>(i)));
@@ -123,7 +121,7 @@ TEST(Contains, ToleranceOfThinSetsGrowsWithTheCoordinates) {
   }
 }
 
-// ---- How right it is
+// ---- Accuracy
 
 /// The surface of each solid crosses the x axis at (1, 0).
 template <class T, class S>
@@ -154,7 +152,7 @@ TEST(Contains, DecidesBoxesAndPointsExactlyInDouble) {
 }
 
 TEST(Contains, TakesASolidThinnerThanTheNumbersResolveAsASurface) {
-  // No float lies in this capsule beside its ends.
+  // The only floats in this capsule are near its ends.
   const Capsule<2> hair{{1, 1}, {2, 4.0F / 3}, 1e-9F};
   EXPECT_TRUE(contains(hair, V2(1.3F, 1.1F)));
   EXPECT_FALSE(contains(hair, V2(1.3F, 1.10001F)));
@@ -170,15 +168,14 @@ TEST(Contains, TakesASolidThinnerThanTheNumbersResolveAsASurface) {
 }
 
 TEST(Contains, ToleratesNothingBesideTheSharpCornersOfSolids) {
-  // At its tip the triangle is as thin as one likes, but it is not a thin
-  // triangle.
+  // At its tip the triangle is arbitrarily thin, but it is not a thin triangle.
   const Triangle<2> sharp{{1, 0}, {0, 0.01F}, {0, -0.01F}};
   EXPECT_TRUE(contains(sharp, V2(1, 0)));
   EXPECT_FALSE(contains(sharp, V2(std::nextafter(1.0F, 2.0F), 0)));
   EXPECT_FALSE(contains(sharp, V2(1, 1e-7F)));
 }
 
-// ---- Users' shapes, nonsense, what does not compile
+// ---- User-defined shapes, invalid input, what does not compile
 
 TEST(Contains, WorksForAUsersShape) {
   const user::Cylinder<double> can{{0, 0, 0}, 1, 2};

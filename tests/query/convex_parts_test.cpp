@@ -39,7 +39,7 @@ bool strictly_convex(const Polygon& polygon) {
   return count > 2;
 }
 
-/// True when an edge of `a` has all of `b` on its outer side: of convex polygons that do not overlap, one has such an
+/// True if an edge of `a` has all of `b` on its outer side: for disjoint convex polygons, one of the two has such an
 /// edge.
 bool edge_separates(const Polygon& a, const Polygon& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -68,8 +68,8 @@ std::string pasteable(const Polygon& polygon) {
   return out.str();
 }
 
-/// What is wrong with a partition, in words; empty when nothing is. Equal area and no overlap among parts whose corners
-/// are corners of the polygon leave no room for a gap.
+/// The fault of a partition, or an empty string. Equal area and no overlap among parts whose corners are corners of the
+/// polygon exclude gaps.
 std::string fault(const Polygon& polygon, const Parts& parts) {
   double area = 0;
   for (const Polygon& part : parts) {
@@ -187,11 +187,11 @@ TEST(ConvexParts, RefusesCoordinatesThatAreNotFiniteOrOverflow) {
   const double huge = std::numeric_limits<double>::max();
   const std::optional<Parts> parts =
       convex_parts<double>(Polygon{{-huge, -huge}, {huge, -huge}, {0, 0}, {huge, huge}, {-huge, huge}});
-  EXPECT_TRUE(!parts || !parts->empty());  // products overflow: any answer, but an answer
+  EXPECT_TRUE(!parts || !parts->empty());  // products overflow: any answer is accepted
 }
 
 TEST(ConvexParts, DecidesByTheLastBit) {
-  // The middle of the upper edge is one ulp inside, exactly on, and one ulp outside the line between its neighbours.
+  // The midpoint of the upper edge is one ulp inside, exactly on, and one ulp outside the line between its neighbours.
   const double inside = std::nextafter(1.0, 0.0);
   const double outside = std::nextafter(1.0, 2.0);
   EXPECT_EQ(convex_parts<double>(Polygon{{0, 0}, {3, 0}, {3, 1}, {1, inside}, {0, 1}})->size(), 2u);
@@ -211,7 +211,8 @@ TEST(ConvexParts, WorksInFloat) {
   EXPECT_EQ(parts->size(), 2u);
 }
 
-/// A comb: `teeth` long teeth side by side. Every tooth makes two hollow corners and lies above all others' bases.
+/// A comb: `teeth` long teeth side by side. Every tooth makes two reflex corners and extends above the bases of all
+/// others.
 Polygon comb(int teeth) {
   Polygon polygon{{0, 0}, {4.0 * teeth, 0}};
   for (int i = teeth - 1; i >= 0; --i) {
@@ -229,7 +230,7 @@ TEST(ConvexParts, CutsACombIntoItsTeethAndItsBack) {
 }
 
 TEST(ConvexParts, FinishesOnThousandsOfHollowCorners) {
-  // A spiral of 4,000 corners, half of them hollow: one arm, out and back at a distance.
+  // A spiral of 4,000 corners, half of them reflex: one arm, out and back at a distance.
   Polygon polygon;
   for (int i = 0; i < 2000; ++i) {
     const double angle = 0.05 * i;
@@ -247,7 +248,7 @@ TEST(ConvexParts, FinishesOnThousandsOfHollowCorners) {
   EXPECT_NEAR(area, std::fabs(twice_area(polygon)), 1e-9 * area);
 }
 
-// Brute-force oracle of simplicity: each corner different, corners on no other edge, edges crossing nowhere.
+// Brute-force oracle of simplicity: corners are distinct and on no other edge, and edges do not cross.
 bool on_edge(const Point& a, const Point& b, const Point& point) {
   return turn(a, b, point) == 0 && dot(point - a, point - b) <= 0;
 }
@@ -273,7 +274,7 @@ RC_GTEST_PROP(ConvexParts, RefusesExactlyWhatIsNotSimple, ()) {
   // Distinct grid points in random order: about a third of these lists are simple.
   const auto count = *rc::gen::inRange<std::size_t>(3, 9);
   const auto cell =
-      rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 36));  // all of the grid from the first case on
+      rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 36));  // the whole grid from the first case on
   const auto cells = *rc::gen::unique<std::vector<int>>(count, cell).as("cells of a 6 x 6 grid");
   Polygon polygon;
   for (const int place : cells) polygon.emplace_back(place % 6, place / 6);
@@ -286,7 +287,7 @@ RC_GTEST_PROP(ConvexParts, RefusesExactlyWhatIsNotSimple, ()) {
 }
 
 RC_GTEST_PROP(ConvexParts, CoversStarShapedPolygons, ()) {
-  // Around the origin by angle, so always simple; radii jump, so many corners are hollow.
+  // Around the origin by angle, so always simple; radii jump, so many corners are reflex.
   const auto offsets = *rc::gen::container<std::vector<std::pair<int, int>>>(
       rc::gen::pair(rc::gen::inRange(-50, 50), rc::gen::inRange(-50, 50)));
   const auto angle = [](const Point& point) { return std::atan2(point.y, point.x); };

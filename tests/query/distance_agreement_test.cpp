@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // distance(a, b) and closest_points(a, b) against the exact oracle: every pair of shape types, eight kinds of cases,
-// four spaces. The distance is within the error that comes with it, which is no larger than documented; both points are
-// in their shapes, and as far from each other as the distance says.
+// four spaces. The distance is within the reported error, which is at most the documented one; both points are in their
+// shapes, and as far from each other as the distance says.
 //
-// GRAZE_TEST_SCALE multiplies the number of cases (default 1), GRAZE_TEST_SEED chooses others.
+// GRAZE_TEST_SCALE multiplies the number of cases (default 1), GRAZE_TEST_SEED selects others.
 #include <algorithm>
 #include <cstddef>
 #include <iostream>
@@ -26,7 +26,7 @@
 namespace graze::test::distance_agreement_test {
 namespace {
 
-/// What a run has seen: the largest errors, in the units of DistanceErrors.
+/// Statistics of a run: the largest errors, in the units of DistanceErrors.
 struct Tally {
   std::size_t cases = 0;
   std::size_t apart = 0;
@@ -38,10 +38,10 @@ struct Tally {
   std::size_t failures = 0;
 };
 
-/// A run that has failed this often says no more.
+/// After this many failures, a run prints no more.
 constexpr std::size_t most_failures = 5;
 
-/// Keeps the largest error of a kind, and the case.
+/// Records the largest error of a kind, and the case.
 template <Dim N, class T>
 void keep(double error, const AnyPair<N, T>& pair, double& largest, std::string& worst) {
   if (!(error > largest)) return;

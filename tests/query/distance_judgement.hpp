@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with closest_points(a, b) and distance(a, b), if anything: the distance against the oracle's and the
-// error that comes with it, the points against their shapes and each other, all against what closest_points.hpp
-// promises.
+// Finds errors of closest_points(a, b) and distance(a, b): compares the distance with the oracle's and the reported
+// error, and the points with their shapes and each other, according to the contract of closest_points.hpp.
 #pragma once
 
 #include <algorithm>
@@ -26,14 +25,14 @@ namespace graze::test {
 /// The errors of one answer.
 struct DistanceErrors {
   Judgement judgement = Judgement::right;  ///< Never `within_band`.
-  std::string_view fault;                  ///< The first thing that is wrong; empty if nothing is.
-  double distance = 0;                     ///< In epsilon of double of the documented size, of shapes that are apart.
-  double claimed = 0;                      ///< The same of the error that comes with the distance.
-  double points = 0;  ///< In epsilon of T of the points' coordinates and the pair's size, and the error.
+  std::string_view fault;                  ///< The first fault; empty if there is none.
+  double distance = 0;                     ///< In epsilon of double of the documented size, for shapes that are apart.
+  double claimed = 0;                      ///< The same for the error reported with the distance.
+  double points = 0;  ///< In epsilon of T of the points' coordinates and the pair's size, and the reported error.
 };
 
-/// "A few epsilon" of sizes that are sums of lengths, and those of up to three coordinates: what distances are off by,
-/// what they say that they may be, and points of closed forms and of GJK.
+/// "A few epsilon" of sizes that are sums of lengths, and of up to three coordinates: the limits of errors of
+/// distances, of reported errors, and of points of closed forms and of GJK.
 inline constexpr double most_error = 8;
 inline constexpr double most_error_of_gjk = 64;
 inline constexpr double most_claimed = 256;
@@ -79,7 +78,7 @@ class DistanceJudge {
     errors_.fault = fault;
   }
 
-  /// The distance before it is rounded to T. What `relation` calls touching may be apart by its band.
+  /// The distance before it is rounded to T. Shapes that `relation` calls touching may be apart by its band.
   void judge_distance() {
     const Proximity<N, double> wide = proximity_of<N, T>(a_, b_);
     const double error = std::fabs(wide.distance - std::max(0.0, truth_.gap));
@@ -94,13 +93,13 @@ class DistanceJudge {
     errors_.claimed = std::max(0.0, (wide.error - gap_of_gjk) / size);
   }
 
-  /// A ray is cut at the bounds of the other shape, which are rounded to T and may be much larger than the pair.
+  /// A ray is truncated at the bounds of the other shape, which are rounded to T and may be much larger than the pair.
   double size_of_cut() const {
     if (a_.index() != ray_type && b_.index() != ray_type) return 0;
     return tolerance::epsilon * static_cast<double>(std::numeric_limits<T>::epsilon()) * truth_.largest;
   }
 
-  /// Both points are in their shapes, and apart by distance times normal.
+  /// Both points are in their shapes, and differ by distance times normal.
   void judge_points() {
     const Vec<N, double> a = wide<N, T>(found_.point_a);
     const Vec<N, double> b = wide<N, T>(found_.point_b);

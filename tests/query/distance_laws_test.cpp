@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Laws of distance(a, b) and closest_points(a, b) on random pairs of every type: what must not change them, what they
-// must agree with, and what nonsense may do.
+// Laws of distance(a, b) and closest_points(a, b) on random pairs of every type: invariances, agreement with other
+// queries, and invalid input.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,7 +30,7 @@
 
 namespace graze::test::distance_laws_test {
 
-/// The core of a shape as nothing but a support function, so that no closed form is chosen for it.
+/// The core of a shape with only a support function, so that no closed form is selected for it.
 template <Dim N, class T>
 struct Disguise {
   AnyShape<N, T> shape;
@@ -76,7 +76,7 @@ class DistanceLaw : public ::testing::Test {
   static double of(const Pair& pair) { return static_cast<double>(distance_of<N, T>(pair.first, pair.second)); }
   static Proximity<N, T> closest(const Pair& pair) { return closest_points_of<N, T>(pair.first, pair.second); }
 
-  /// Two shapes, in one case of two placed together.
+  /// Two shapes, in half of the cases placed together.
   static Pair draw_two() {
     const Pair pair = *any_pair<Any, Any>();
     const std::uint64_t seed = *choice(std::size_t{1} << 31U);
@@ -84,7 +84,7 @@ class DistanceLaw : public ::testing::Test {
     return seed % 2 == 0 ? pair : placed_together<N, T>(pair, random);
   }
 
-  /// The largest coordinate that an answer is made of.
+  /// The largest coordinate from which an answer is calculated.
   static double size_of_answer(const Pair& pair) {
     const Proximity<N, T> found = closest(pair);
     if (std::isinf(found.distance)) return 0;
@@ -92,7 +92,7 @@ class DistanceLaw : public ::testing::Test {
                      static_cast<double>(max_abs(found.point_b)), static_cast<double>(found.distance)});
   }
 
-  /// Logs a pair, to be pasted.
+  /// Logs a pair as C++ source.
   static void log(const Pair& pair) {
     RC_LOG() << to_source<N, T>(pair.first) << ", " << to_source<N, T>(pair.second) << ": " << of(pair) << "\n";
   }
@@ -145,7 +145,7 @@ TYPED_TEST(DistanceLaw, ScalingByAPowerOfTwoScalesItExactly) {
     const double before = TestFixture::of(pair);
     const double after = TestFixture::of(
         {scaled<dimension, Number>(pair.first, factor), scaled<dimension, Number>(pair.second, factor)});
-    RC_PRE(before == 0 || std::min(before, after) > 1e-30);  // floats below lose bits
+    RC_PRE(before == 0 || std::min(before, after) > 1e-30);  // smaller floats lose bits
     TestFixture::log(pair);
     RC_ASSERT(after == before * static_cast<double>(factor));
   });
@@ -162,7 +162,7 @@ TYPED_TEST(DistanceLaw, RigidMotionsChangeNothingBeyondRounding) {
                         static_cast<double>(max_abs(pose.position));
     const Relation moved_relation = relation_of<dimension, Number>(moved_pair.first, moved_pair.second);
     const Relation relation = relation_of<dimension, Number>(pair.first, pair.second);
-    // What is unbounded may meet far away, or not at all when it is turned by a rounding.
+    // Unbounded shapes may meet far away, or not at all if they are rotated by a rounding error.
     const bool is_bounded = is_convex<dimension, Number>(pair.first) && is_convex<dimension, Number>(pair.second);
     RC_PRE(is_bounded || (relation == Relation::apart && moved_relation == Relation::apart));
     TestFixture::log(pair);
@@ -244,7 +244,7 @@ TYPED_TEST(DistanceLaw, TheOrderOfATrianglesCornersChangesNothingBeyondRounding)
   });
 }
 
-// ---- Nonsense
+// ---- Invalid input
 
 TYPED_TEST(DistanceLaw, NanAndExtremesGetAnAnswer) {
   constexpr Dim dimension = TypeParam::dimension;

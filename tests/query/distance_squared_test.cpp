@@ -75,7 +75,7 @@ TEST(DistanceSquared, OfTrianglesIsAsComputedByHand) {
   EXPECT_EQ(distance_squared(Segment<2, float>{{5, -3}, {5, 3}}, flat), 1);
 }
 
-// A foot outside of a needle is easily taken for one inside, and the way back to the needle is long.
+// A projection outside of a needle is easily taken for one inside, and the distance to the needle is long.
 TEST(DistanceSquared, OfANeedleIsMeasuredToOneOfItsPoints) {
   for (const double half_width : {1e-3, 1e-8, 1e-12, 1e-16, 0.0}) {
     const Triangle<3, double> needle{{0, 0, 0}, {1, half_width, 0}, {1, -half_width, 0}};
@@ -85,7 +85,7 @@ TEST(DistanceSquared, OfANeedleIsMeasuredToOneOfItsPoints) {
   }
 }
 
-// The square of the mutual perpendicular's length is above all doubles, or below.
+// The square of the common perpendicular's length is above all doubles, or below.
 TEST(DistanceSquared, OfVeryLargeAndVerySmallShapesIsThatOfMediumOnes) {
   for (const double size : {0x1p-460, 1.0, 0x1p460}) {
     const auto at = [size](double x, double y, double z) { return Vec<3, double>(x, y, z) * size; };
@@ -97,8 +97,8 @@ TEST(DistanceSquared, OfVeryLargeAndVerySmallShapesIsThatOfMediumOnes) {
   }
 }
 
-// Both crossed, and both were once given a distance of 2e-4 and more: the determinant of the two lines was mostly
-// rounding, so the crossing was taken to lie outside.
+// Both cross, and both once got a distance of 2e-4 and more: the determinant of the two lines was mostly rounding, so
+// the crossing was taken to be outside.
 TEST(DistanceSquared, OfSegmentsThatCrossAtAlmostNoAngleIsZero) {
   const Segment<2, float> small{{-0.27411723F, -0.003531331F}, {0.0023997936F, -0.0020539726F}};
   const Segment<2, float> large{{1732.4413F, -5.4925604F}, {-2665.351F, 8.444495F}};

@@ -31,7 +31,7 @@ TEST(Distance, OfShapesThatTouchOrOverlapIsZero) {
   EXPECT_EQ(distance(Rect<float>{{0, 0}, {1, 1}}, V2(1, 1)), 0.0F);
 }
 
-// Less than half of the least float, which rounds to zero; but they do not touch.
+// Less than half of the smallest float, which rounds to zero; but the shapes do not touch.
 TEST(Distance, OfShapesThatDoNotTouchIsNotZero) {
   const auto least = std::numeric_limits<float>::denorm_min();
   EXPECT_EQ(distance(V2(0, 0), Plane<2, float>{{4, 0}, least}), least);
@@ -42,10 +42,10 @@ TEST(Distance, IsInTheNumberTypeOfTheShapes) {
   static_assert(std::is_same_v<decltype(distance(Sphere<3, double>{}, V3{})), double>);
 }
 
-// glm::distance takes any two of one type, and is found for vectors and what is made of them.
+// glm::distance takes any two of one type, and is found by argument-dependent lookup for types made from vectors.
 TEST(Distance, OfPointsIsOurs) {
   EXPECT_EQ(distance(V2(0, 0), V2(3, 4)), 5.0F);
-  EXPECT_EQ(distance(V2(0, 0), V2(1e-30F, 0)), 1e-30F);  // GLM's squares it in float
+  EXPECT_EQ(distance(V2(0, 0), V2(1e-30F, 0)), 1e-30F);  // GLM's version squares it in float
 }
 
 TEST(Distance, OfAnyShapesIsThatOfWhatTheyHold) {

@@ -106,7 +106,7 @@ class EpaOfUsersShapes : public ::testing::Test {};
 using Numbers = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(EpaOfUsersShapes, Numbers);
 
-// Round shapes need as many faces as digits: the bounds enclose the depth, and 128 steps bring them this near.
+// Round shapes need as many faces as digits: the bounds enclose the depth, and 128 steps bring them this close.
 TYPED_TEST(EpaOfUsersShapes, EnclosesDepthsComputedByHand) {
   using T = TypeParam;
   const auto expect_enclosed = [](const EpaResult<3>& result, double expected) {

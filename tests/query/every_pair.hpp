@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cases of one kind for every pair of types, as many and from the seed that the environment asks for: GRAZE_TEST_SCALE
-// multiplies their number (default 1), GRAZE_TEST_SEED chooses others.
+// Cases of one kind for every pair of types, in the number and with the seed from the environment: GRAZE_TEST_SCALE
+// multiplies their number (default 1), GRAZE_TEST_SEED selects others.
 #pragma once
 
 #include <cmath>
@@ -25,12 +25,12 @@ inline std::uint64_t seed_of_cases() {
   return static_cast<std::uint64_t>(number_from_environment("GRAZE_TEST_SEED", 1));
 }
 
-/// So many times `usual`, and at least one.
+/// `usual` times the scale, and at least one.
 inline std::size_t number_of_cases(double usual) {
   return static_cast<std::size_t>(std::ceil(usual * number_from_environment("GRAZE_TEST_SCALE", 1)));
 }
 
-/// Calls check(pair) for the cases of `count` makings for each two types. `goes_on()` is asked before each making.
+/// Calls check(pair) for the cases of `count` draws for each pair of types. Calls `goes_on()` before each draw.
 template <Dim N, class T, class Check, class GoesOn>
 void for_each_case(CaseKind kind, std::size_t count, const Check& check, const GoesOn& goes_on) {
   constexpr std::size_t types = std::variant_size_v<AnyShape<N, T>>;

@@ -22,10 +22,10 @@ using Point = Vec<2, double>;
 using Polygon = std::vector<Point>;
 using Parts = std::vector<Polygon>;
 
-// Coordinates of polygons are small integers and those of probes small fractions, so that the oracle is exact.
+// Coordinates of polygons are small integers and those of probes small fractions, so the oracle is exact.
 double turn(const Point& a, const Point& b, const Point& c) { return cross_2d(b - a, c - a); }
 
-/// How often the polygon runs around a point that is not on it: crossings of the ray to the right.
+/// The winding number of the polygon around a point that is not on it: crossings of the ray to the right.
 int winding_number(const Polygon& polygon, const Point& point) {
   int winding = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -85,10 +85,10 @@ std::string pasteable(const Polygon& polygon) {
   return out.str();
 }
 
-/// What is wrong with the parts of a polygon within 0..size, in words; empty when nothing is. Probes stand on a lattice
-/// that is finer than the polygon's.
+/// The fault of the parts of a polygon within 0..size, or an empty string. Probes are on a lattice finer than the
+/// polygon's.
 std::string fault(const Polygon& polygon, const Parts& parts, double size, double step) {
-  constexpr double rounding = 1e-13;  // of coordinates up to 16, with room to spare
+  constexpr double rounding = 1e-13;  // for coordinates up to 16, with a reserve
   for (const Polygon& part : parts) {
     if (!is_convex(part)) return "not convex: " + pasteable(part);
   }
@@ -182,7 +182,7 @@ TEST(FilledParts, FillsTheMiddleOfAPentagram) {
   }
   const std::optional<Parts> parts = filled_parts<double>(star);
   ASSERT_TRUE(parts);
-  // Ten triangles from the middle, each with one corner of the star and one of the pentagon inside.
+  // Ten triangles from the center, each with one corner of the star and one of the pentagon inside.
   const double inner = 1 / (std::numbers::phi * std::numbers::phi);  // how far out the pentagon's corners are
   EXPECT_NEAR(sum_of_areas(*parts), 2 * 5 * inner * std::sin(std::numbers::pi / 5), 1e-14);
   const auto is_in = [&](const Point& point) {
@@ -261,7 +261,7 @@ RC_GTEST_PROP(FilledPartsLaws, AgreeWithTheWindingNumberOnAFineGrid, ()) {
 }
 
 RC_GTEST_PROP(FilledPartsLaws, HoldForAnyDoubles, ()) {
-  // Off any grid all crossings are rounded; the probes are the middles of random corners.
+  // Off any grid, so that all crossings are rounded; the probes are midpoints of random corners.
   const auto number = rc::gen::map(rc::gen::inRange(0, 1'000'000'007), [](int i) { return i * 1.6e-8; });
   const auto corner = rc::gen::apply([](double x, double y) { return Point(x, y); }, number, number);
   const Polygon polygon = *rc::gen::container<Polygon>(*rc::gen::inRange<std::size_t>(4, 40), corner);

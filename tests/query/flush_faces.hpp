@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pairs of shapes of which a face of one lies before a face of the other, parallel to it but for a tilt that squared
-// distances do not show.
+// Pairs of shapes with a face of one opposite a face of the other, parallel except for a tilt that squared distances do
+// not show.
 #pragma once
 
 #include <cmath>
@@ -25,7 +25,7 @@
 
 namespace graze::test {
 
-/// Makes a pair of two shapes of any types: polytopes, triangles and segments anew, all others are moved.
+/// Generates a pair of shapes of any types: polytopes, triangles and segments are new, all others are moved.
 template <Dim N, class T>
 class FlushFaces {
  public:
@@ -34,8 +34,8 @@ class FlushFaces {
 
   explicit FlushFaces(rc::Random& random) : random_(random) {}
 
-  /// With a gap or an overlap of 0.2 down to 2e-7; in two cases of three tilted by 1e-12 to 1e-6 radians (in float 1e-9
-  /// to 1e-5), and in one of two, of doubles, with 7 to 13 digits behind the point.
+  /// With a gap or an overlap of 0.2 down to 2e-7; in two of three cases tilted by 1e-12 to 1e-6 radians (in float 1e-9
+  /// to 1e-5); in half of the cases, for doubles, rounded to 7 to 13 decimal places.
   Pair make(const Pair& drawn) {
     const bool has_box =
         std::holds_alternative<Aabb<N, T>>(drawn.first) || std::holds_alternative<Aabb<N, T>>(drawn.second);
@@ -63,7 +63,7 @@ class FlushFaces {
     return std::isfinite(end) ? moved<N, T>(drawn, Vec<N, T>(unit_axis<N>(0)) * -end) : drawn;
   }
 
-  /// In one case of two on a lattice, so that feet of perpendiculars come to lie on the diagonals of faces.
+  /// In half of the cases on a lattice, so that perpendiculars may end on the diagonals of faces.
   Vec<N, T> in_plane() {
     Vec<N, double> point(0.0);
     const bool is_on_lattice = whole(random_, 0, 1) == 0;
@@ -106,7 +106,7 @@ class FlushFaces {
     return transformed(shape, Pose<N, T>{rounded<N, T>(rotation), Vec<N, T>(T(0))});
   }
 
-  /// As data that came with so many digits; not of floats, whose last bits are no digits.
+  /// Like data given with this many digits; not for floats, whose last bits are no digits.
   static Any rounded_to(double step, Any shape) {
     if (step == 0 || std::is_same_v<T, float>) return shape;
     for_each_vector<N, T>(shape, [step](Vec<N, T>& v) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two prisms in space of which an end of one lies before an end of the other, nearly parallel to it: what GJK finds
-// hard, without end, for tests of single types.
+// An unlimited supply of pairs of 3D prisms with an end of one opposite an end of the other, nearly parallel, which is
+// difficult for GJK; for tests of single types.
 #pragma once
 
 #include <cmath>
@@ -21,9 +21,9 @@ struct FlushPrisms {
   Vec<3, double> normal;  ///< Of the end of a, towards b.
 };
 
-/// The same for the same turn. Three to nine corners at each end, on a lattice in one case of two; the ends are `gap`
-/// apart (negative: in each other) and parallel but for 1e-12 to 1e-6 radians in one case of two and, in another one of
-/// two, for coordinates with 7 to 13 digits.
+/// The same for the same turn. Three to nine corners at each end, in half of the cases on a lattice; the ends are `gap`
+/// apart (negative: overlapping) and parallel except for 1e-12 to 1e-6 radians in half of the cases and, in another
+/// half, for coordinates with 7 to 13 digits.
 template <class T>
 FlushPrisms<T> flush_prisms(unsigned turn, double gap) {
   std::mt19937 engine(turn + 1);

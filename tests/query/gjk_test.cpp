@@ -98,7 +98,7 @@ TEST(Gjk, WithAThresholdStopsAsSoonAsItKnows) {
   EXPECT_EQ(near.iterations, 0);
 }
 
-// The first step is too small to make the distance smaller, but its direction leads to the right corner of the box.
+// The first step is too small to reduce the distance, but its direction leads to the right corner of the box.
 TEST(Gjk, IsNotStoppedByAStepTooSmallToMeasure) {
   const Aabb<3, float> box{{0.006993956F, -6949.267F, 0.0014318873F}, {300995.75F, 9.423732e-06F, 0.0030424062F}};
   const Triangle<3, float> triangle{{305732.03F, -33222.582F, -556.97394F},
@@ -122,7 +122,7 @@ TEST(Gjk, ConvergesWhereFacesAreNearlyParallel) {
   expect_flush_prisms_converge<float>();
 }
 
-// ---- Users' shapes
+// ---- User-defined shapes
 
 template <class T>
 class GjkOfUsersShapes : public ::testing::Test {};
@@ -193,7 +193,7 @@ TYPED_TEST(GjkAgreement, EnclosesTheExactDistanceOfPolytopes) {
   std::cout << "at most " << most << " steps for polytopes\n";
 }
 
-// The shortest way is as long as the rounding of its direction is at the far end of the hull.
+// The shortest vector is as long as the rounding error of its direction at the far end of the hull.
 TEST(Gjk, KnowsThePlaneThatPartsWhatIsNearlyTouching) {
   const Polytope<3, double> hull = convex_hull<3, double>(
       std::vector<Vec<3, double>>{{-2.9363806547327087, 4.741393265194742, -2.2128846683181322},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rays and segments that pass shapes of every type by a few ulp, near zero and far from it: all queries say the same of
-// whether they meet, and a finite t_max hides what lies beyond it and nothing else.
+// Rays and segments that pass shapes of every type by a few ulp, near zero and far from it: all queries agree whether
+// they hit, and a finite t_max hides exactly what is beyond it.
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -42,7 +42,7 @@ class GrazingRay : public ::testing::Test {
     RC_LOG() << to_source<dimension, Number>(shape) << ", " << to_source<dimension, Number>(path) << "\n";
   }
 
-  /// All that can be asked of a shape and a ray or a segment.
+  /// Calls all queries on a shape and a ray or a segment.
   static void expect_agreement(const Any& shape, const Any& path, bool is_met) {
     RC_ASSERT((relation_of<dimension, Number>(path, shape) != Relation::apart) == is_met);
     for (const bool turns : {false, true}) {
@@ -115,8 +115,8 @@ TYPED_TEST(GrazingRay, AFiniteTMaxHidesOnlyWhatIsBeyondIt) {
   });
 }
 
-/// What a ray up to t = 1 hits, a point that moves by its direction hits there; and only what it touches at the start
-/// or the end may be more.
+/// What a ray up to t = 1 hits, a point moving by its direction hits there; the cast may only hit more if it touches at
+/// the start or the end.
 TYPED_TEST(GrazingRay, AMovingPointHitsWhatTheRayDoes) {
   check_property([] {
     using T = typename TypeParam::scalar;

@@ -28,7 +28,7 @@ Vec<N, double> across(const Vec<N, double>& way, rc::Random& random) {
   return other - way * (dot(other, way) / dot(way, way));
 }
 
-/// A point of a shape, a direction in which little of the shape is near it, and a way past it.
+/// A point of a shape, a direction in which little of the shape is near it, and a direction past it.
 template <Dim N>
 struct Passage {
   Vec<N, double> point;
@@ -36,8 +36,8 @@ struct Passage {
   Vec<N, double> way;
 };
 
-/// The farthest point along a direction, and a way at right angles to that; of what has none, and in one case of two,
-/// the way between two points, often of one edge.
+/// The farthest point along a direction, and a perpendicular direction; if there is none, and in half of the cases, the
+/// vector between two points, often of one edge.
 template <Dim N, class T>
 Passage<N> passage_at(const AnyShape<N, T>& shape, rc::Random& random) {
   const Vec<N, double> outward = any_way<N>(random);
@@ -78,7 +78,7 @@ void for_rays_past_a_shape(const Check& check) {
   }
 }
 
-/// What a ray passes up to t = 1.
+/// The segment of a ray up to t = 1.
 template <Dim N, class T>
 Segment<N, T> beginning_of(const Ray<N, T>& ray) {
   return {ray.origin, ray.origin + ray.direction};

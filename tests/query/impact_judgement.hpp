@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with time_of_impact(a, motion_a, b, motion_b), if anything: what the oracle says of both shapes at the
-// impact and at many times before it, against what time_of_impact.hpp promises.
+// Finds errors of time_of_impact(a, motion_a, b, motion_b): compares with the oracle's answers for both shapes at the
+// impact and at many times before it, according to the contract of time_of_impact.hpp.
 #pragma once
 
 #include <algorithm>
@@ -28,15 +28,15 @@
 
 namespace graze::test {
 
-/// The errors of one answer, in the target of time_of_impact.hpp: 2^-36 of the pair's size and way.
+/// The errors of one answer, in units of the target of time_of_impact.hpp: 2^-36 of the pair's size and motion.
 struct ImpactErrors {
   Judgement judgement = Judgement::right;  ///< Never `within_band`.
-  std::string_view fault;                  ///< The first thing that is wrong; empty if nothing is.
+  std::string_view fault;                  ///< The first fault; empty if there is none.
   bool hits = false;
-  double t = 1;                ///< Of the impact, if it hits.
-  bool is_unfinished = false;  ///< The steps ended before.
-  double gap = 0;              ///< How far apart the shapes are at the impact.
-  double claimed = 0;          ///< The error that comes with an impact, of those that are finished.
+  double t = 1;                ///< Of the impact, if there is one.
+  bool is_unfinished = false;  ///< The steps ran out before.
+  double gap = 0;              ///< The gap at the impact.
+  double claimed = 0;          ///< The error reported with an impact, if it converged.
 };
 
 inline constexpr double impact_target = 0x1p-36;
@@ -58,7 +58,7 @@ class ImpactJudge {
     const std::optional<Impact<N, T>> impact = impact_of(moving_);
     errors_.hits = impact.has_value();
     if (impact) errors_.t = static_cast<double>(impact->t);
-    // Whether they rightly do is for the judges of verdicts.
+    // Other judges check whether they rightly intersect.
     if (relation_of<N, T>(moving_.a, moving_.b) != Relation::apart) {
       expect(impact && impact->t == T(0), "what meets at the start does so at 0");
       return errors_;
@@ -87,12 +87,12 @@ class ImpactJudge {
   }
 
   void judge_hit(const detail::CastHit<N>& cast_hit) {
-    constexpr double most_promised = 64;  // some epsilon of the largest coordinate, if that is more than the target
+    constexpr double most_promised = 64;  // a few epsilon of the largest coordinate, if that is more than the target
     const double gap = gap_at(moving_, cast_hit.t);
     const double unit = impact_target * size_;
     errors_.is_unfinished = cast_hit.status == Status::best_bound;
     expect(gap <= cast_hit.error + rounding_, "they are farther apart than is said");
-    // Two rays that are all but parallel may touch far from where they begin.
+    // Two nearly parallel rays may touch far from their origins.
     const bool are_rays = moving_.a.index() == ray_type && moving_.b.index() == ray_type;
     const double reached = are_rays ? impact_target * std::max(size_, max_abs(cast_hit.point)) : unit;
     expect(cast_hit.error <= most_promised * reached || errors_.is_unfinished, "too large an error is admitted");
@@ -114,7 +114,8 @@ ImpactErrors impact_errors(const Moving<N, T>& moving) {
   return ImpactJudge<N, T>(moving).run();
 }
 
-// ---- Rows of regressions.hpp: each shape is followed by the word `by`, its way, its turn and the center of that.
+// ---- Rows of regressions.hpp: each shape is followed by the word `by`, its translation, its rotation and the center
+// of that.
 
 template <Dim N, class T, class Take>
 void for_each_number_of(Motion<N, T>& motion, const Take& take) {

@@ -66,7 +66,7 @@ TEST(Intersects, IsRelationOtherThanApart) {
   expect_not_apart_law<Ray<3, double>, Triangle<3, double>>();
 }
 
-/// Of a ray the closed form is asked first.
+/// For a ray, the closed form is tried first.
 TEST(Intersects, TakesNothingThatIsNoNumberForMet) {
   const Triangle<3, double> triangle{{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}};
   const Ray<3, double> ray{{0, 0, 3}, {0.1, 0.1, -1}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The judges of contacts and rays themselves: what the oracle says of where a ray enters and of shapes that were moved,
-// by hand; and that answers a little wrong are found out.
+// The judges of contacts and rays themselves: the oracle's ray entries and moved shapes, by hand; and that slightly
+// wrong answers are detected.
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -92,7 +92,7 @@ TEST(OverlapAfter, TakesTheWayThatTheShapeGoes) {
   EXPECT_EQ((overlap_after<3, double>(a, b, {0.25, 0, 0}, 0)), 0.25);
   EXPECT_EQ((overlap_after<3, double>(a, b, {-0.25, 0, 0}, 0)), 0.75);
   EXPECT_EQ((overlap_after<3, double>(a, b, {0, 4, 0}, 0)), 0);
-  // A sphere that goes askew comes free of a corner before its plane is across the way.
+  // A sphere that moves obliquely is free of a corner before its plane is perpendicular to the direction.
   const Any3 sphere = Sphere<3, double>{{0.5, 0, 0}, 1};
   EXPECT_EQ((overlap_after<3, double>(Any3(Point3(0, 0, 0)), sphere, {0.5, 0, 0}, 0)), 0);
   EXPECT_EQ((overlap_after<3, double>(Any3(Point3(0, 0, 0)), sphere, {0, 1, 0}, 0)), 0);

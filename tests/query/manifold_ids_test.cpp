@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ids of contacts from frame to frame: what rests on something keeps them while it is nudged, hardly turned, or
-// moved together with what it rests on. No corner is near a side of the other shape, so that none crosses one.
+// Contact ids between frames: a resting object keeps them while it is nudged, slightly rotated, or moved together with
+// its support. No corner is near a side of the other shape, so none crosses one.
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -48,7 +48,7 @@ class Blocks {
   Blocks(const Vec<2, double>& place, double half, double bottom, double top)
       : place_(place), half_(half), bottom_(bottom), top_(top) {}
 
-  /// With the flat side of what has only one below, or above.
+  /// Shapes with only one flat side have it below, or above.
   std::vector<Any> all(bool is_flat_below) const {
     std::vector<Any> blocks = {box(), oriented(), capsule(), hull(), turned_hull(), drum()};
     blocks.push_back(triangle(is_flat_below));
@@ -69,7 +69,7 @@ class Blocks {
     return Capsule<N, T>{at(-1, 0, bottom_ + radius), at(1, 0, bottom_ + radius), static_cast<T>(radius)};
   }
 
-  /// All of whose corners share coordinates with others.
+  /// All corners share coordinates with others.
   Polytope<N, T> hull() const {
     std::vector<V> corners;
     for (const double height : {bottom_, top_}) {
@@ -80,7 +80,7 @@ class Blocks {
     return convex_hull<N, T>(corners);
   }
 
-  /// By what is a quarter up to rounding: corners share coordinates up to rounding.
+  /// Rotated by a quarter turn up to rounding: corners share coordinates up to rounding.
   Any turned_hull() const {
     if constexpr (N == 2) return hull();
     if constexpr (N == 3) {
@@ -90,7 +90,7 @@ class Blocks {
     }
   }
 
-  /// With more corners around than a patch has; in the plane with a blunt end.
+  /// With more corners than a patch has; in 2D with a blunt end.
   Any drum() const {
     std::vector<V> corners;
     for (int i = 0; i < 12; ++i) {
@@ -132,14 +132,14 @@ class ContactIds : public ::testing::Test {
   using Pair = Resting<N, T>;
   using Found = Manifold<N, T>;
 
-  /// Everything on everything, and on half a space.
+  /// Everything on everything, and on a half-space.
   static std::vector<Pair> resting() {
     std::vector<Any> below = Blocks<N, T>({0, 0}, 2, -1, 0).all(false);
     below.push_back(HalfSpace<N, T>{unit_axis<N, T>(N - 1), T(0)});
     std::vector<Pair> pairs;
     for (const Any& lower : below) {
       for (const Any& upper : Blocks<N, T>({0.3, 0}, 0.7, -0.01, 0.75).all(true)) {
-        // Two triangles in space that lie on each other have no depth.
+        // Two 3D triangles that lie on each other have no depth.
         const bool are_flat = N == 3 && is<Triangle<N, T>>(lower) && is<Triangle<N, T>>(upper);
         if (!are_flat) pairs.push_back({lower, upper});
       }
@@ -166,7 +166,7 @@ class ContactIds : public ::testing::Test {
     return middle;
   }
 
-  /// The upper shape after ways and turns that a solver leaves.
+  /// The upper shape after translations and rotations as from a solver step.
   static std::vector<Pair> next_frames(const Pair& pair) {
     constexpr auto ulp = static_cast<double>(std::numeric_limits<T>::epsilon());
     std::vector<Pair> frames;
@@ -182,7 +182,7 @@ class ContactIds : public ::testing::Test {
     return frames;
   }
 
-  /// Both shapes somewhere else.
+  /// Both shapes moved elsewhere.
   static std::vector<Pair> elsewhere(const Pair& pair) {
     std::vector<Pair> places;
     for (const double way : {0.37, -3.3}) {
@@ -219,7 +219,7 @@ class ContactIds : public ::testing::Test {
     return a.size == b.size && std::all_of(a.contacts().begin(), a.contacts().end(), has);
   }
 
-  /// Each id names the same point, which has not gone far.
+  /// Each id names the same point, which has not moved far.
   static void expect_same(const Pair& before, const Pair& after, double way) {
     const Found old_points = found(before);
     const Found new_points = found(after);
@@ -269,7 +269,7 @@ TYPED_TEST(ContactIds, StayWhileShapesThatWereMovedAreNudged) {
   }
 }
 
-// Boxes of one size, each exactly above the other, turned by an eighth: eight points as good as each other.
+// Boxes of one size, each exactly above the other, rotated by 45 degrees: eight equally good points.
 TEST(ContactIdsOfAStack, StayWhicheverIsFartherAlongAnAxis) {
   const Mat<3, double> eighth = rotation_matrix(Vec<3, double>(0, 0, 1), 45);
   const Polytope<3, double> hull = Blocks<3, double>({0, 0}, 1, -1, 1).hull();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with manifold(a, b), if anything: its contact against the oracle's, every point against both shapes and
-// the depth that it says, all against what manifold.hpp promises.
+// Finds errors of manifold(a, b): compares its contact with the oracle's, every point with both shapes and its depth,
+// according to the contract of manifold.hpp.
 #pragma once
 
 #include <algorithm>
@@ -28,9 +28,10 @@ namespace graze::test {
 /// The errors of one answer.
 struct ManifoldErrors {
   Judgement judgement = Judgement::right;  ///< Never `within_band`.
-  std::string_view fault;                  ///< The first thing that is wrong; empty if nothing is.
-  double depth = 0;   ///< Of the deepest point's, rounded to T, in epsilon of T times the size that contact.hpp names.
-  double points = 0;  ///< How far a point is from its shape, or the two of a pair from its depth: a share of the size.
+  std::string_view fault;                  ///< The first fault; empty if there is none.
+  /// The depth of the deepest point, rounded to T, in epsilon of T times the size that contact.hpp names.
+  double depth = 0;
+  double points = 0;  ///< How far a point is from its shape, or the two of a pair from its depth, relative to the size.
 };
 
 template <Dim N, class T>
@@ -67,7 +68,7 @@ class ManifoldJudge {
     errors_.fault = fault;
   }
 
-  /// What points and depths may be off by among shapes that are as large as `size`, down to the least number of T.
+  /// The tolerance of points and depths for shapes of size `size`, down to the smallest number of T.
   double allowed(double size) const {
     constexpr auto least = static_cast<double>(std::numeric_limits<T>::denorm_min());
     return 4 * (found_.error + least) + (16 * epsilon + 4 * tolerance::aligned) * size;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Laws of manifold(a, b): on random pairs of every type, on boxes that lie on each other against a dense sampling, and
-// from one frame to the next.
+// Laws of manifold(a, b): on random pairs of every type, on boxes that rest on each other against a dense sampling, and
+// between frames.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -35,7 +35,7 @@ class ManifoldLaw : public ::testing::Test {
 
   static constexpr double epsilon = static_cast<double>(std::numeric_limits<T>::epsilon());
 
-  /// Two shapes, mostly placed together.
+  /// Two shapes, usually placed together.
   static Pair draw_two() {
     const Pair pair = *any_pair<Any, Any>();
     const std::uint64_t seed = *choice(std::size_t{1} << 31U);
@@ -45,7 +45,7 @@ class ManifoldLaw : public ::testing::Test {
 
   static Manifold<N, T> found(const Pair& pair) { return manifold_of<N, T>(pair.first, pair.second); }
 
-  /// Logs a pair, to be pasted.
+  /// Logs a pair as C++ source.
   static void log(const Pair& pair) {
     RC_LOG() << to_source<N, T>(pair.first) << ", " << to_source<N, T>(pair.second) << "\n";
   }
@@ -128,13 +128,13 @@ TYPED_TEST(ManifoldLaw, NoIdIsThereTwice) {
   });
 }
 
-// ---- Boxes that lie on each other
+// ---- Boxes that rest on each other
 
 using V2 = Vec<2, double>;
 using V3 = Vec<3, double>;
 using Box = Obb<3, double>;
 
-/// A box on a table, somewhere and turned somehow.
+/// A box on a table, at any position and rotation.
 Box box_on_table(double degrees, const V2& place, double depth) {
   return {{place.x, place.y, 1.5 - depth}, {0.8, 0.6, 0.5}, rotation_matrix(V3(0, 0, 1), degrees)};
 }
@@ -153,7 +153,7 @@ double area_of(const Manifold<3, double>& manifold) {
   return 0.5 * std::fabs(sum.z);
 }
 
-/// How much of the table is under the box, counted in small squares.
+/// The area of the table under the box, counted in small squares.
 double sampled_area(const Box& box) {
   constexpr int steps = 400;
   int inside = 0;
@@ -191,13 +191,13 @@ std::vector<ContactId> ids_of(const Manifold<3, double>& manifold) {
   return ids;
 }
 
-/// The same motion for one frame, a little of everything.
+/// The same motion for one frame, some translation and rotation.
 Box nudged(const Box& box, double size) {
   const Mat<3, double> turn = rotation_matrix(V3(0.3, -0.5, 0.8), 40 * size);
   return {box.center + V3(0.7, -0.4, -0.3) * size, box.half_extents, turn * box.axes};
 }
 
-// Places and turns at which no corner is near a side, so that no motion as small as these changes the features.
+// Positions and rotations at which no corner is near a side, so that small motions do not change the features.
 TEST(ManifoldOfBoxes, KeepsItsIdsFromFrameToFrame) {
   for (const double degrees : {0.0, 12.0, 30.0, 45.0, 77.0}) {
     for (const V2 place : {V2(0, 0), V2(1.3, 0.1), V2(1.6, -0.7)}) {
@@ -212,7 +212,7 @@ TEST(ManifoldOfBoxes, KeepsItsIdsFromFrameToFrame) {
   }
 }
 
-// Sliding and sinking: what lies on what stays the same, though the points move.
+// Sliding and sinking: the features in contact stay the same, although the points move.
 TEST(ManifoldOfBoxes, KeepsItsIdsWhileItSlides) {
   const std::vector<ContactId> before = ids_of(manifold_of<3, double>(table, box_on_table(20, V2(0.5, 0), 0.01)));
   ASSERT_EQ(before.size(), 4U);

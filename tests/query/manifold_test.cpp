@@ -25,14 +25,14 @@ using Any3 = AnyShape<3, double>;
 Feature vertex(std::uint32_t index) { return {FeatureKind::vertex, index}; }
 Feature face(std::uint32_t index) { return {FeatureKind::face, index}; }
 
-/// A point on the surface of a, and how deep.
+/// A point on the surface of a, and its depth.
 template <Dim N>
 struct Expected {
   Vec<N, double> on_a;
   double depth;
 };
 
-/// These points in any order, and the same in the other order of shapes.
+/// Expects these points in any order, and the same in the other order of shapes.
 template <Dim N>
 void expect_manifold(const AnyShape<N, double>& a, const AnyShape<N, double>& b, const Vec<N, double>& normal,
                      const std::vector<Expected<N>>& points) {
@@ -74,7 +74,7 @@ TEST(Manifold, OfATiltedBoxReachesAsFarAsItOverlaps) {
   const double sine = 0.6;
   const double cosine = 0.8;
   const Mat<3, double> tilt(cosine, 0, -sine, 0, 1, 0, sine, 0, cosine);
-  // The lower corners are at (cosine - sine, -sine - cosine), relative to the center: so deep is its edge.
+  // The lower corners are at (cosine - sine, -sine - cosine), relative to the center: this is the depth of its edge.
   const Obb<3, double> tilted{{0, 0, 2.3}, {1, 1, 1}, tilt};
   const double depth = 1 - (2.3 - 1.4);
   expect_manifold<3>(Obb<3, double>{{0, 0, 0}, {3, 3, 1}}, tilted, {0, 0, 1},
@@ -127,7 +127,8 @@ TEST(Manifold, OfPolytopesAndTrianglesIsThatOfTheirFaces) {
   expect_manifold<3>(HalfSpace<3, double>{{0, 0, 2}, 2}, roof, {0, 0, 1}, corners);
 }
 
-// All that has a face, or a side, on a plane that is crossed from either side: the plane has no corners of its own.
+// Everything that has a face, or a side, on a plane that is crossed from either side: the plane has no corners of its
+// own.
 TEST(Manifold, OnAPlaneIsThatOfTheWholeFaceWhateverHasIt) {
   const std::vector<Expected<3>> corners{{{1, 1, 0}, 0.25}, {{3, 1, 0}, 0.25}, {{1, 2, 0}, 0.25}, {{3, 2, 0}, 0.25}};
   const Obb<3, double> crate{{2, 1.5, 0.75}, {1, 0.5, 1}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What graze says about the manifold of any two shapes: compiled once for each space, by manifolds.cpp.in, because
-// hundreds of pairs take their time.
+// graze's manifolds of any two shapes: compiled once for each space, by manifolds.cpp.in, because hundreds of pairs
+// take long to compile.
 #pragma once
 
 #include <graze/math/vec.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with mass_properties(shape), if anything, of shapes that are hulls of a few corners, beside rational
+// Finds errors of mass_properties(shape), for shapes that are hulls of a few corners, by comparison with rational
 // numbers.
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace graze::test {
 
-/// What mass_properties may be off by, of a box that is as large as the shape, or as far from the origin.
+/// The tolerance of mass_properties, relative to a box as large as the shape, or as far from the origin.
 inline constexpr double most_off_of_mass = 1e-14;
 
 inline double off_from(double answer, const Rational& truth) {
@@ -27,7 +27,7 @@ inline double off_from(double answer, const Rational& truth) {
   return std::fabs(to_double(exact(answer) - truth));
 }
 
-/// About the centroid: in the plane the trace of the second moments, in space that less the moments themselves.
+/// About the centroid: in 2D the trace of the second moments, in 3D the trace minus the moments themselves.
 inline double inertia_error(const Inertia<2>& inertia, const ExactMass<2>& truth) {
   return off_from(inertia, truth.second[0][0] + truth.second[1][1]);
 }
@@ -44,7 +44,7 @@ inline double inertia_error(const Inertia<3>& inertia, const ExactMass<3>& truth
   return worst;
 }
 
-/// The errors of one answer, of a box that is as large as the shape, or as far from the origin.
+/// The errors of one answer, relative to a box as large as the shape, or as far from the origin.
 struct MassErrors {
   double true_volume = 0;
   double volume = 0;
@@ -56,7 +56,7 @@ struct MassErrors {
   }
 };
 
-/// Of a shape that is the hull of its corners.
+/// For a shape that is the hull of its corners.
 template <Dim N, class T>
 MassErrors mass_errors(const AnyShape<N, T>& shape) {
   const double size = 2 * size_of<N, T>({shape, shape});

@@ -139,7 +139,7 @@ TEST(MassProperties, OfACompoundAreTheSumOfItsParts) {
   EXPECT_EQ(mass_properties(points).centroid, (Vec<2, double>{1, 2}));
 }
 
-/// Equal up to so much of what a box has that is as large as the shape is, or as far from the origin.
+/// Equal up to a share of the values of a box as large as the shape, or as far from the origin.
 template <Dim N>
 void expect_close(const MassProperties<N>& a, const MassProperties<N>& b, double size, double error) {
   const double volume = std::pow(size, N);
@@ -164,7 +164,7 @@ template <class Space>
 class MassPropertiesIn : public testing::Test {};
 TYPED_TEST_SUITE(MassPropertiesIn, test::Spaces);
 
-// A box is also the hull of its corners, and of these and any points within.
+// A box is also the hull of its corners, and of these and any points inside.
 TYPED_TEST(MassPropertiesIn, OfABoxAreThoseOfItsCornersHull) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
@@ -200,7 +200,7 @@ void expect_turned_with_shape() {
   const Aabb<N, double> box = bounds(shape);
   const Aabb<N, double> moved_box = bounds(moved);
   const double size = std::max(size_of(box), size_of(moved_box));
-  RC_PRE(std::isfinite(size));                                    // so it has an end
+  RC_PRE(std::isfinite(size));                                    // so it is bounded
   if (!std::isfinite(mass_properties(shape).centroid.x)) return;  // an empty compound
   expect_close(turned(mass_properties(shape), pose), mass_properties(moved), size, 1e-12);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The gap of two shapes that move and turn, at any time: as the oracle has it of where they are then, which is rounded
-// to double; and the least that is found until then.
+// The gap of two moving and rotating shapes at any time: the oracle's, for their positions rounded to double; and the
+// minimum found until then.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@
 
 namespace graze::test {
 
-/// Where a motion has brought a shape at t, up to rounding.
+/// A shape moved by a motion until t, up to rounding.
 template <Dim N, class T>
 AnyShape<N, double> place_at(const AnyShape<N, T>& shape, const Motion<N, T>& motion, double t) {
   using InDouble = AnyShape<N, double>;
@@ -54,7 +54,7 @@ AnyShape<N, double> place_at(const AnyShape<N, T>& shape, const Motion<N, T>& mo
       shape);
 }
 
-/// The largest coordinate of a shape, or of any part of it.
+/// The largest coordinate of a shape, or of any of its parts.
 template <Dim N, class T>
 double extent_of(const AnyShape<N, T>& shape) {
   double largest = size_of<N, T>({shape, shape});
@@ -64,7 +64,8 @@ double extent_of(const AnyShape<N, T>& shape) {
   return largest;
 }
 
-/// No coordinate on the way is larger. Far from the origin, poses are rounded by epsilon of that, and of every turn.
+/// An upper bound of all coordinates during the motion. Far from the origin, poses are rounded by epsilon of that, and
+/// of every rotation.
 template <Dim N, class T>
 double size_of_way(const Moving<N, T>& moving) {
   const auto of_motion = [](const Motion<N, T>& motion) {
@@ -74,14 +75,14 @@ double size_of_way(const Moving<N, T>& moving) {
          of_motion(moving.motion_b);
 }
 
-/// What `gap_at` may be off by.
+/// The error of `gap_at`.
 template <Dim N, class T>
 double rounding_of_way(const Moving<N, T>& moving) {
   return 64 * tolerance::epsilon * size_of_way(moving);
 }
 
-/// The exact gap at t, up to the rounding of both places. Zero for unbounded shapes that rounding cannot tell from
-/// parallel ones, whatever they do far away.
+/// The exact gap at t, up to the rounding of both poses. Zero for unbounded shapes that rounding cannot distinguish
+/// from parallel ones, whatever they do far away.
 template <Dim N, class T>
 double gap_at(const Moving<N, T>& moving, double t) {
   const ExactVerdict verdict = exact_verdict<N, double>(place_at<N, T>(moving.a, moving.motion_a, t),
@@ -89,8 +90,7 @@ double gap_at(const Moving<N, T>& moving, double t) {
   return verdict.is_nearly_parallel ? 0 : verdict.gap;
 }
 
-/// The least gap that is found between two times: of a few places on the way, and then around the nearest of these, by
-/// golden sections.
+/// The least gap found between two times: at a few samples, then around the nearest of these, by golden-section search.
 template <Dim N, class T>
 double least_gap(const Moving<N, T>& moving, double from, double to) {
   constexpr std::size_t places = 13;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Visits the vectors and numbers that a shape is made of, to change them.
+// Visits the vectors and numbers of a shape, to change them.
 #pragma once
 
 #include <utility>
@@ -17,8 +17,8 @@ namespace graze::test {
 
 using detail::FieldKind;
 
-/// Calls `visit(v)` for each vector that turns with the shape: corners, centers, axes, directions, normals. An
-/// axis-aligned box is left in order.
+/// Calls `visit(v)` for each vector that rotates with the shape: corners, centers, axes, directions, normals. An AABB
+/// keeps min below max.
 template <Dim N, class T, class Visit>
 void for_each_vector(AnyShape<N, T>& shape, const Visit& visit) {
   const auto in_field = [&]<class Field>(const Field&, auto& value) {
@@ -44,7 +44,8 @@ void for_each_vector(AnyShape<N, T>& shape, const Visit& visit) {
   }
 }
 
-/// Calls `visit(x)` for each number of a shape that is not a polytope or a compound, and whose kind of field `takes`.
+/// Calls `visit(x)` for each number of a shape that is not a polytope or a compound, if `takes` accepts its kind of
+/// field.
 template <Dim N, class T, class Visit, class Takes>
 void for_each_number_in(AnyShape<N, T>& shape, const Visit& visit, const Takes& takes) {
   const auto in_field = [&]<class Field>(const Field&, auto& value) {
@@ -55,14 +56,14 @@ void for_each_number_in(AnyShape<N, T>& shape, const Visit& visit, const Takes& 
   detail::visit([&](auto& held) { detail::for_each_field(held, in_field); }, shape);
 }
 
-/// The same of all fields.
+/// The same for all fields.
 template <Dim N, class T, class Visit>
 void for_each_number(AnyShape<N, T>& shape, const Visit& visit) {
   for_each_number_in<N, T>(shape, visit, [](FieldKind) { return true; });
 }
 
-/// The shape with every length replaced by change(length), polytopes and compounds too. Directions, normals and axes
-/// stay.
+/// The shape with every length replaced by change(length), also for polytopes and compounds. Directions, normals and
+/// axes are unchanged.
 template <Dim N, class T, class Change>
 AnyShape<N, T> with_lengths(AnyShape<N, T> shape, const Change& change) {
   if (const auto* polytope = std::get_if<Polytope<N, T>>(&shape)) {

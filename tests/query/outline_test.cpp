@@ -15,7 +15,7 @@
 
 namespace someone {
 
-/// A user's shape, known by its support function alone: an ellipse, larger along x.
+/// A user's shape, defined by its support function alone: an ellipse, larger along x.
 struct Ellipse {
   double a = 3;
   double b = 1;
@@ -203,7 +203,7 @@ Mat<3, double> any_rotation(std::integral_constant<Dim, 3>) {
   return rotation_matrix(any_vector<3>() + Vec<3, double>(0, 0, 11), any_number(0, 360));
 }
 
-/// The outline reaches exactly as far as the shape in every direction of the picture.
+/// The outline extends exactly as far as the shape in every direction of the picture.
 template <Dim N, class S>
 void check_reach(const S& shape, const View<N>& view, const std::string& name) {
   const Outline image = outline(shape, view);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What graze and what the oracle say about any two shapes: compiled once for each space, by pairs.cpp.in, because
-// hundreds of pairs take their time.
+// graze's and the oracle's answers for any two shapes: compiled once for each space, by pairs.cpp.in, because hundreds
+// of pairs take long to compile.
 #pragma once
 
 #include <graze/math/vec.hpp>
@@ -15,7 +15,7 @@ namespace graze::test {
 template <Dim N, class T>
 Relation relation_of(const AnyShape<N, T>& a, const AnyShape<N, T>& b);
 
-/// The true verdict on valid shapes, with gap and sizes if graze's `claim` is another.
+/// The true verdict on valid shapes, with gap and sizes if graze's `claim` differs.
 template <Dim N, class T>
 ExactVerdict true_verdict(const AnyShape<N, T>& a, const AnyShape<N, T>& b, Relation claim);
 

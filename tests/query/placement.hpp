@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Puts two shapes where verdicts are hard: together, or as far apart as makes them just touch.
+// Places two shapes where verdicts are difficult: together, or at a distance where they just touch.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 
 namespace graze::test {
 
-// ---- moved(shape, offset): the same shape elsewhere, up to rounding; it stays of its type.
+// ---- moved(shape, offset): the same shape elsewhere, up to rounding; it keeps its type.
 
 template <Dim N, class T>
 AnyShape<N, T> moved(AnyShape<N, T> shape, const Vec<N, T>& offset) {
@@ -45,7 +45,7 @@ AnyShape<N, T> moved(AnyShape<N, T> shape, const Vec<N, T>& offset) {
 
 // ---- A point of a shape, often on its surface, an edge or a corner, up to rounding.
 
-/// A share of a range: in one case of two one of its ends or the middle.
+/// A number in a range: in half of the cases one of its ends or the middle.
 inline double share(rc::Random& random, double low, double high) {
   const double choice = whole(random, 0, 5);
   if (choice == 0) return low;
@@ -106,7 +106,7 @@ struct PointOf {
   Point operator()(const Capsule<N, T>& capsule) const {
     return (*this)(axis(capsule)) + any_way<N>(random) * (static_cast<double>(capsule.radius) * share(random, 0, 1));
   }
-  /// Of any other the catalogue knows one.
+  /// For other shapes, the catalogue provides one.
   template <class S>
   Point operator()(const S& shape) const {
     Point place;
@@ -151,9 +151,9 @@ double size_of(const AnyPair<N, T>& pair) {
   return size;
 }
 
-/// The last place of b on a way out at which `meet(a, b)` says that they do, and the first at which they do not, found
-/// by bisection down to neighbouring numbers; then places farther in, where the band of rounding ends. Only the pair
-/// itself if they do not meet, or never part.
+/// The last position of b along a path at which `meet(a, b)` is true, and the first at which it is false, found by
+/// bisection down to neighbouring numbers; then positions farther inward, where the band of rounding ends. Only the
+/// pair itself if they do not meet, or never separate.
 template <Dim N, class T, class Meet>
 std::vector<AnyPair<N, T>> at_the_border(const AnyPair<N, T>& pair, const Vec<N, double>& way, const Meet& meet) {
   const auto at = [&](double t) { return AnyPair<N, T>{pair.first, moved<N, T>(pair.second, Vec<N, T>(way * t))}; };

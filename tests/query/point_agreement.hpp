@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Point queries of one shape against the exact oracle, and how far off they were at worst.
+// Point queries of one shape against the exact oracle, and their largest errors.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +22,8 @@
 
 namespace graze::test {
 
-/// In units of epsilon of T times the largest coordinate of shape, point and answer; those of needles, as far as they
-/// are longer than thick, apart.
+/// In units of epsilon of T times the largest coordinate of shape, point and answer; errors of needles, relative to
+/// their slenderness, are separate.
 struct WorstErrors {
   double forgiven = 0;
   double distance = 0;
@@ -49,7 +49,7 @@ void expect_exact_answers(const S& shape, const Vec<N, T>& point, WorstErrors& w
   worst.boundary = std::max(worst.boundary, errors.boundary / errors.slenderness);
 }
 
-/// Every type but compounds, which are their parts.
+/// Every type except compounds, which are their parts.
 template <Dim N, class T>
 void expect_exact_answers_of_every_type() {
   std::size_t index = 0;

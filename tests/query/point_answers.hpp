@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every point query at once, for any shape: compiled by point_answers.cpp.in,
-// because a dozen types of shapes take their time.
+// All point queries at once, for any shape: compiled by point_answers.cpp.in, because a dozen types of shapes take long
+// to compile.
 #pragma once
 
 #include <graze/math/vec.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How far the answers to point queries may be from the true ones, as contains.hpp, closest_point.hpp,
-// closest_boundary_point.hpp and signed_distance.hpp document it, and how far they are.
+// The permitted errors of point queries, as documented in contains.hpp, closest_point.hpp, closest_boundary_point.hpp
+// and signed_distance.hpp, and the actual ones.
 #pragma once
 
 #include <algorithm>
@@ -26,12 +26,12 @@ template <class T>
 struct PointBounds {
   static constexpr double ulp = static_cast<double>(std::numeric_limits<T>::epsilon());
 
-  /// "A few epsilon": what verdicts and depths calculated in double may be off by.
+  /// "A few epsilon": the permitted error of verdicts and depths calculated in double.
   static constexpr double band = 64 * tolerance::epsilon / ulp;
 
-  /// How far outside a point may be that `contains` holds to be in the shape: solids have a band in double, thin shapes
-  /// and thin solids the tolerance of T. Such a point's signed distance is zero or as far inside, and the nearest point
-  /// of the surface is anywhere within the same.
+  /// How far outside a point may be that `contains` reports as inside: solids have a band in double, thin shapes and
+  /// thin solids the tolerance of T. Such a point's signed distance is zero or as far inside, and the nearest point of
+  /// the surface is anywhere within the same distance.
   static constexpr double forgiven = std::max(tolerance::surface<T> / ulp, band);
 
   static constexpr double distance = band + 4;
@@ -39,10 +39,10 @@ struct PointBounds {
   static constexpr double boundary = band + 12;
 };
 
-/// A triangle or polytope this many times longer than thick has no corner that is sharper than about 20 degrees.
+/// A triangle or polytope with this ratio of length to thickness has no corner sharper than about 20 degrees.
 inline constexpr double most_blunt = 3;
 
-/// How many times longer than thick the hull of corners is; 1 for a blunt one, and for one so thin that `contains`
+/// The ratio of length to thickness of the hull of corners; 1 for a compact one, and for one so thin that `contains`
 /// takes it for as thick as its tolerance.
 template <Dim N, class T>
 double slenderness_of(const std::vector<Vec<N, T>>& corners) {
@@ -80,7 +80,7 @@ double slenderness_of(const std::vector<Vec<N, T>>& corners) {
   return is_blunt ? 1 : longest / least;
 }
 
-/// The same for shapes; 1 for those that the promise makes no exception of.
+/// The same for shapes; 1 for those without an exception in the contract.
 template <class S>
 double slenderness(const S&) {
   return 1;
@@ -104,15 +104,15 @@ double unit_of(const S& shape, const Vec<N, T>& point, const Vec<N, T>& answer) 
   return PointBounds<T>::ulp * largest;
 }
 
-/// What was found, errors in ulp.
+/// The results, errors in ulp.
 struct PointErrors {
   double truth = 0;             ///< The signed distance, in units of length.
-  bool is_held_rightly = true;  ///< `contains` misses no point of a solid, and passes none too far outside.
-  double forgiven = 0;          ///< By how much all that is said of a point is off that is outside and yet contained.
+  bool is_held_rightly = true;  ///< `contains` misses no point of a solid, and accepts none too far outside.
+  double forgiven = 0;          ///< The largest error of answers about a point that is outside and yet contained.
   double distance = 0;          ///< Of the others.
   double closest = 0;
   double boundary = 0;
-  double slenderness = 1;  ///< Two errors may be as many times larger: that of `closest` and of `boundary`.
+  double slenderness = 1;  ///< Two errors may be this many times larger: those of `closest` and of `boundary`.
 
   template <class T>
   bool are_within_bounds() const {
@@ -122,7 +122,7 @@ struct PointErrors {
   }
 };
 
-/// The errors of the answers about one point of a shape that is no compound.
+/// The errors of the answers about one point of a shape that is not a compound.
 template <class S, Dim N, class T>
 PointErrors point_errors(const S& shape, const Vec<N, T>& point, const PointAnswers<N, T>& given) {
   constexpr bool is_plane = std::is_same_v<S, Plane<N, T>>;

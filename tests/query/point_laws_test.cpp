@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Laws of contains, closest_point, closest_boundary_point and signed_distance
-// for every type of shape: how they agree with each other, and what must not
-// change them.
+// Laws of contains, closest_point, closest_boundary_point and signed_distance for every type of shape: how they agree
+// with each other, and invariances.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -28,7 +27,7 @@
 namespace graze::test::point_laws_test {
 namespace {
 
-/// The largest coordinate of a shape and a point, with those of parts whose bounds are lost in infinite ones.
+/// The largest coordinate of a shape and a point, including those of parts whose bounds are hidden by infinite ones.
 template <Dim N, class T>
 double whole_size_of(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
   double size = size_of<N, T>({shape, point});
@@ -41,7 +40,7 @@ double whole_size_of(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
   return size;
 }
 
-/// How many times further off answers may be next to a shape's sharp corners.
+/// The factor by which answers may be less accurate close to a shape's sharp corners.
 template <Dim N, class T>
 double sharpness_of(const AnyShape<N, T>& shape) {
   if (const auto* compound = std::get_if<Compound<N, T>>(&shape)) {
@@ -52,7 +51,7 @@ double sharpness_of(const AnyShape<N, T>& shape) {
   return detail::visit([](const auto& held) { return slenderness(held); }, shape);
 }
 
-/// What is allowed beside rounding to T: the tolerance of thin shapes, and the widest band in double.
+/// The tolerance in addition to rounding to T: that of thin shapes, and the widest band in double.
 template <Dim N, class T>
 double allowed(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
   const double size =
@@ -67,8 +66,7 @@ double length_between(const Vec<N, T>& a, const Vec<N, T>& b) {
   return std::sqrt(dot(between, between));
 }
 
-/// Whether the shape has an inside, so that the laws of solids hold; a compound
-/// when all its parts do.
+/// Whether the shape has an interior, so that the laws of solids hold; a compound if all its parts do.
 template <Dim N, class T>
 bool is_solid(const AnyShape<N, T>& shape) {
   if (const auto* compound = std::get_if<Compound<N, T>>(&shape)) {
@@ -94,8 +92,7 @@ class PointLaw : public ::testing::Test {
     return static_cast<double>(of(shape, point).distance);
   }
 
-  /// Calls `property(shape, point)` for shapes of every type; not for compounds
-  /// without parts.
+  /// Calls `property(shape, point)` for shapes of every type except compounds without parts.
   static void check(const std::function<void(const Any&, const Point&)>& property) {
     for (std::size_t type = 0; type < shape_type_names.size(); ++type) {
       check_property([type, &property] {
@@ -148,7 +145,7 @@ TYPED_TEST(PointLaw, NoPointOfTheShapeIsNearerThanTheDistance) {
     rc::Random random(*rc::gen::arbitrary<std::uint64_t>());
     const typename TestFixture::Point other(point_of<TestFixture::N, Number>(shape, random));
     double slack = allowed<TestFixture::N, Number>(shape, point) + allowed<TestFixture::N, Number>(shape, other);
-    // What is drawn of a plane is off it by the rounding of coordinates that the normal may leave out.
+    // A point drawn on a plane is off it by the rounding of coordinates, which the normal may ignore.
     if (std::holds_alternative<Plane<TestFixture::N, Number>>(shape)) {
       slack += std::fabs(exact_signed_distance<TestFixture::N, Number>(shape, other));
     }
@@ -202,7 +199,7 @@ TYPED_TEST(PointLaw, ACompoundIsItsNearestPart) {
   TestFixture::check([](const auto& shape, const auto& point) {
     using Number = typename TestFixture::T;
     const auto other = *any_shape<TestFixture::N, Number>();
-    // The sides of a plane are no inside, once it is a part.
+    // The sides of a plane have no sign once it is a part.
     const auto distance_of_part = [&](const auto& part) {
       const double distance = TestFixture::distance(part, point);
       return std::holds_alternative<Plane<TestFixture::N, Number>>(part) ? std::fabs(distance) : distance;

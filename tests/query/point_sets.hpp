@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sets of points that are hard to bound, and what "contains" means for them exactly.
+// Sets of points that are difficult to bound, and an exact "contains" for them.
 #pragma once
 
 #include <algorithm>
@@ -18,9 +18,9 @@
 
 namespace graze::test {
 
-/// What the points of a set have to do with each other.
+/// How the points of a set are arranged.
 enum class Arrangement {
-  any,          ///< Points of one kind of numbers, some of them the same or in the middle of two.
+  any,          ///< Points of one kind of numbers, some of them equal or midpoints of two.
   line,         ///< Steps along a line, up to the rounding of the coordinates.
   cospherical,  ///< All at one distance from a lattice point, exactly.
   cluster,      ///< A few steps of the number type around one point.
@@ -54,7 +54,7 @@ inline rc::Gen<double> any_fraction() {
   return rc::gen::noShrink(drawn<double>([](rc::Random& random) { return between(random, 0, 1); }));
 }
 
-/// One to `most` points of one arrangement, often some of them twice. To be called where `*generator` may be.
+/// One to `most` points of one arrangement, often with duplicates. Call it where `*generator` is allowed.
 template <Dim N, class T>
 std::vector<Vec<N, T>> draw_points(std::size_t most) {
   const auto arrangement = static_cast<Arrangement>(*choice(5));
@@ -91,7 +91,7 @@ bool contains_all(const Volume& volume, const std::vector<Vec<N, T>>& points) {
   return std::all_of(points.begin(), points.end(), [&](const Vec<N, T>& p) { return contains_exactly(volume, p); });
 }
 
-/// The largest absolute coordinate of points.
+/// The largest magnitude of a coordinate.
 template <Dim N, class T>
 double largest_coordinate(const std::vector<Vec<N, T>>& points) {
   double largest = 0;

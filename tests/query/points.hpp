@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A shape and a point where point queries are hard: on its surface, a few ulp
-// beside it, in its middle, at a corner, or far away.
+// A shape and a point where point queries are difficult: on its surface, a few ulp beside it, in its middle, at a
+// corner, or far away.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,7 @@ namespace graze::test {
 template <Dim N, class T>
 using ShapeAndPoint = std::pair<AnyShape<N, T>, Vec<N, T>>;
 
-/// `point`, a point of the shape, or one a few ulp beside that.
+/// `point`, a point of the shape, or one a few ulp beside it.
 template <Dim N, class T>
 Vec<N, T> placed_point(const AnyShape<N, T>& shape, const Vec<N, T>& point, std::uint64_t seed) {
   rc::Random random(seed);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What graze says about the distance of any two shapes: compiled once for each space, by proximities.cpp.in, because
-// hundreds of pairs take their time.
+// graze's distances of any two shapes: compiled once for each space, by proximities.cpp.in, because hundreds of pairs
+// take long to compile.
 #pragma once
 
 #include <graze/math/vec.hpp>
@@ -9,7 +9,7 @@
 #include <graze/query/simplex_cache.hpp>
 #include <graze/shape/any_shape.hpp>
 
-// Compiled there as well, for separation_test.cpp.
+// Also compiled there, for separation_test.cpp.
 namespace graze {
 extern template Proximity<2, double> detail::proximity(const AnyShape<2, float>&, const AnyShape<2, float>&,
                                                        SimplexCache<2>*);
@@ -31,7 +31,7 @@ Proximity<N, T> closest_points_of(const AnyShape<N, T>& a, const AnyShape<N, T>&
 template <Dim N, class T>
 T distance_of(const AnyShape<N, T>& a, const AnyShape<N, T>& b);
 
-/// What closest_points(a, b) rounds to T.
+/// closest_points(a, b) before it is rounded to T.
 template <Dim N, class T>
 Proximity<N, double> proximity_of(const AnyShape<N, T>& a, const AnyShape<N, T>& b);
 

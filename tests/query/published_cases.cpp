@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Asks graze the published cases: compiled once for all of their tables.
+// Evaluates the published cases: compiled once for all of their tables.
 #include "query/published_cases.hpp"
 
 #include <algorithm>
@@ -44,10 +44,10 @@ namespace graze::test {
 namespace {
 
 /// The usual error of an answer, in epsilon of its type times the largest number of the case: that of rounding a few
-/// numbers of the input to the type, and the answer.
+/// input numbers, and the answer.
 constexpr double usual_error = 4;
 
-/// The words of a text that are numbers.
+/// The numbers among the words of a text.
 std::vector<double> numbers_in(std::string_view text) {
   std::vector<double> numbers;
   std::istringstream words{std::string(text)};
@@ -121,7 +121,7 @@ class Asked {
     EXPECT_LE(max_abs(difference(given, vector_at<N, double>(answer_, at))), error) << given;
   }
 
-  /// What holds of every two shapes: the queries tell one story, in both orders.
+  /// Laws of any two shapes: the queries agree, in both orders.
   Relation story(const Any& a, const Any& b) const {
     const Relation relation = relation_of<N, T>(a, b);
     EXPECT_EQ((relation_of<N, T>(b, a)), relation);
@@ -146,7 +146,7 @@ class Asked {
     return relation;
   }
 
-  /// Moved by normal and depth, and a little more, the shapes do not overlap any more; a little less, they still do.
+  /// Moved by slightly more than normal times depth, the shapes do not overlap; by slightly less, they do.
   void parts(const Any& a, const Any& b, const Contact<N, T>& contact) const {
     EXPECT_NEAR(static_cast<double>(length_squared(wide<N, T>(contact.normal))), 1, 8 * epsilon_);
     const auto manifold = manifold_of<N, T>(a, b);
@@ -216,7 +216,7 @@ class Asked {
     if (answer_.size() > 1) expect_near(found->normal, 1, epsilon_);
   }
 
-  /// What stands before and behind "by".
+  /// The parts before and after "by".
   static std::pair<Any, std::vector<double>> moving(const std::string& text) {
     const std::size_t by = text.find(" by ");
     if (by == std::string::npos) throw std::runtime_error("published cases: nothing moves: " + text);
@@ -246,7 +246,8 @@ class Asked {
     ASSERT_TRUE(found && other);
     EXPECT_EQ(found->t, other->t);
     EXPECT_LE(static_cast<double>(found->t), answer_.at(0) + error_);
-    expect_near(static_cast<double>(found->t), answer_[0], 4 * (error_ + found->error));  // a way is at least a unit
+    // motions have at least unit length
+    expect_near(static_cast<double>(found->t), answer_[0], 4 * (error_ + found->error));
   }
 
   void cast() const {
@@ -319,8 +320,8 @@ class Asked {
 
   const PublishedCase& case_;
   std::vector<double> answer_;
-  double epsilon_;  ///< What is allowed of a number of size 1.
-  double error_;    ///< The same of a length.
+  double epsilon_;  ///< The tolerance for a number of size 1.
+  double error_;    ///< The tolerance for a length.
 };
 
 void expect_answer(const PublishedCase& c) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cases that others published: bugs in their trackers, and figures of their test suites. The numbers are theirs, the
-// answers were calculated anew, with fifty digits, from the decimals as they stand here.
+// Cases published by other projects: bugs in their trackers, and values of their test suites. The numbers are theirs;
+// the answers were recalculated with fifty digits from the decimals as given here.
 #pragma once
 
 #include <span>
@@ -15,25 +15,26 @@ namespace graze::test {
 ///   3D distance      a shape                 a shape          the distance [the nearest point of a, and of b]
 ///   3D depth         a shape                 a shape          the depth [the normal]
 ///   3D ray           a shape                 a ray, segment   none, or where it is entered [the normal]
-///   3D cast          a shape by its way      a shape          none, or the time of impact [the normal]
+///   3D cast          a shape by its motion   a shape          none, or the time of impact [the normal]
 ///   2D impact        a shape by its motion   the same         none, or the time of impact
 ///   3D point         a shape                 a point          the signed distance [the closest point]
 ///   3D hull          a polytope's points     -                the number of corners, the volume
 ///   3D sphere          a polytope's points     -                the radius of the smallest sphere, its center
 ///   3D mass          a shape                 -                volume, centroid
 ///
-/// Each is asked in float and in double, or as "3D double relation" in one of them: where the answer hangs on the last
-/// digits. A motion in the plane is the way, the turn and the center. Shapes are written as in query/regressions.hpp.
+/// Each is evaluated in float and in double, or as "3D double relation" in one of them if the answer depends on the
+/// last digits. A motion in 2D is the translation, the rotation and its center. Shapes are written as in
+/// query/regressions.hpp.
 struct PublishedCase {
-  const char* source;  ///< Where it is from, and what it is about or went wrong there.
+  const char* source;  ///< Its source, and the topic or the error there.
   const char* asked;
   const char* a;
   const char* b;
   const char* answer;
-  double slack = 1;  ///< How many times the usual error is allowed: for answers that magnify that of the input.
+  double slack = 1;  ///< Multiplies the permitted error: for answers that magnify the error of the input.
 };
 
-/// Asks graze, in both orders where there are two shapes, and whether all that it says of the case agrees.
+/// Evaluates graze, in both orders for two shapes, and checks that all its answers about the case agree.
 void expect_published(std::span<const PublishedCase> cases);
 
 }  // namespace graze::test

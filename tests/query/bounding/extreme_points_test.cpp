@@ -40,7 +40,7 @@ TYPED_TEST(ExtremePointsIn, ReachTheSidesOfTheBox) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
   test::check_property([] {
-    // Whole numbers: their differences from the first are exact.
+    // Integers: their differences from the first are exact.
     const std::vector<Vec<N, T>> points = *test::some<Vec<N, T>>(20, test::source_of<N, T>(test::Kind::grid).point);
     const auto indices = detail::extreme_points(std::span<const Vec<N, T>>(points));
     for (Dim i = 0; i < N; ++i) {

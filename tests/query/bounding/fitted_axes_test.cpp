@@ -30,7 +30,7 @@ Points corners_of_box(const Mat<3, double>& axes, const Vec<3, double>& half) {
 TEST(FittedAxes, MeasureBoxesByTheirSurface) {
   EXPECT_EQ(detail::surface_of({1, 2, 3}), 2 + 6 + 3);
   const Points corners = corners_of_box(Mat<3, double>(1.0), {0.5, 1, 1.5});
-  EXPECT_EQ(detail::surface_along(Mat<3, double>(1.0), corners), 2 + 6 + 3);  // of sides: a half
+  EXPECT_EQ(detail::surface_along(Mat<3, double>(1.0), corners), 2 + 6 + 3);  // of the sides: half
 }
 
 TEST(FittedAxes, StartFromAnEdgeAndANormal) {
@@ -53,7 +53,7 @@ TEST(FittedAxes, TurnAboutOneAxisUntilTheBoxFits) {
 }
 
 TEST(FittedAxes, OfADoubleTetrahedronLieOnItsFaces) {
-  // A corner of a cube: its longest edge is a diagonal of the cube's side, the best face one of its sides.
+  // A corner of a cube: its longest edge is a face diagonal of the cube, and the best face one of its faces.
   const Points points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   EXPECT_NEAR(detail::surface_along(detail::ditetrahedron_axes(points), points), 3, 1e-14);
 }

@@ -46,7 +46,7 @@ TEST(FlushRectangle, MinimisesWhatItIsAskedTo) {
 }
 
 TEST(FlushRectangle, KnowsTheDirectionOfTheShortestEdge) {
-  // A unit square but for one corner, cut off by an edge of about a step: the directions of all edges are right.
+  // A unit square with one corner cut off by an edge of about one step: the directions of all edges are right.
   const double tiny = std::numeric_limits<double>::denorm_min();
   EXPECT_EQ(detail::edge_direction(Vec<2, double>(0, 0), Vec<2, double>(2 * tiny, tiny)), (Vec<2, double>(1, 0.5)));
   EXPECT_EQ(detail::edge_direction(Vec<2, double>(1, 1), Vec<2, double>(1, 1 - 0x1p-53)), (Vec<2, double>(0, -1)));

@@ -23,7 +23,7 @@ std::vector<Vec<2, T>> corners_of(const std::vector<Vec<2, T>>& points) {
   return detail::hull_corners(std::span<const Vec<2, T>>(points), detail::local_frame(box));
 }
 
-/// What a convex polygon has as vertices.
+/// The vertices of a convex polygon.
 template <class T>
 std::vector<Vec<2, T>> vertices_of(const std::vector<Vec<2, T>>& points) {
   const Polytope<2, T> hull = convex_hull<2, T>(points);

@@ -20,8 +20,8 @@
 namespace graze::test::bounding_obb_test {
 namespace {
 
-/// The area of the smallest rectangle around points not all equal, exactly: of those with a side along the line through
-/// two of the points, the smallest that contains all.
+/// The area of the smallest rectangle around points that do not all coincide, exactly: among those with a side along
+/// the line through two of the points, the smallest that contains all.
 template <class T>
 Rational exact_least_area(const std::vector<Vec<2, T>>& points) {
   std::optional<Rational> least;
@@ -89,7 +89,7 @@ TEST(BoundingObb, OfATurnedRectangleIsThatRectangle) {
 }
 
 TEST(BoundingObb, OfATriangleLiesAlongASide) {
-  // Sides 3, 4, 5: along the legs the area is 12, and so it is along the hypotenuse, 5 * 2.4. The upright one it is.
+  // Sides 3, 4, 5: the area is 12 along the legs and along the hypotenuse, 5 * 2.4. The axis-aligned one is chosen.
   expect_upright(bounding_obb<2, double>({{0, 0}, {4, 0}, {0, 3}}), {2, 1.5}, {2, 1.5});
 }
 
@@ -221,7 +221,7 @@ TYPED_TEST(BoundingRectangleIn, HasTheLeastAreaUpToRounding) {
     const Aabb<2, T> range = bounding_box(points);
     const double size = detail::largest_side(range);
     if (size == 0) return;
-    // What the documentation allows half extents to grow by; they are at most the size themselves.
+    // The growth of half extents that the documentation permits; they are at most the size themselves.
     const double growth =
         2 * static_cast<double>(std::numeric_limits<T>::epsilon()) * (size + test::largest_coordinate(points)) +
         16 * tolerance::epsilon * size;

@@ -20,7 +20,7 @@
 namespace graze::test::bounding_sphere_test {
 namespace {
 
-/// The center of the sphere through affinely independent points within their span, in rational numbers: by
+/// The center of the sphere through affinely independent points within their affine hull, in rational numbers: by
 /// elimination of 2 e_i . sum x_j e_j = e_i . e_i. None for dependent points.
 template <Dim N>
 std::optional<RationalVec<N>> exact_center(const std::vector<RationalVec<N>>& corners) {
@@ -126,7 +126,8 @@ TEST(BoundingSphere, OfCosphericalPointsIsTheirSphere) {
 }
 
 TEST(BoundingSphere, OfANearlyRightTriangleIsPutRightThoughItsRadiusHardlyGrows) {
-  // The corner at the origin is 1.7e-4 outside of the sphere on the other two, which must grow by 1e-13 to hold it.
+  // The corner at the origin is 1.7e-4 outside of the sphere around the other two, which must grow by 1e-13 to contain
+  // it.
   const std::vector<Vec<3, double>> points{{0, 0, 111019}, {-1, 0, 2}, {0, 0, 0}, {189335, 0, 0.00033818384745664103}};
   EXPECT_NEAR(bounding_sphere(points).radius, 109741.69730657342, 1e-10);
 }
@@ -139,12 +140,12 @@ TEST(BoundingSphere, OfOnePointOrEqualPointsHasNoRadius) {
 TEST(BoundingSphere, OfPointsOneStepApartHoldsBoth) {
   const double next = std::nextafter(1e7, 2e7);
   const Sphere<3, double> sphere = bounding_sphere<3, double>({{1e7, 1e7, 1e7}, {next, 1e7, 1e7}});
-  EXPECT_EQ(sphere.radius, next - 1e7);  // the middle is no double: the center is one of the points
+  EXPECT_EQ(sphere.radius, next - 1e7);  // the midpoint is not a double: the center is one of the points
   EXPECT_TRUE(contains_exactly(sphere, {1e7, 1e7, 1e7}));
   EXPECT_TRUE(contains_exactly(sphere, {next, 1e7, 1e7}));
 }
 
-/// Six points within a few steps of each other: some centers of four of them are no numbers.
+/// Six points within a few steps of each other: some centers of four of them are NaN.
 TEST(BoundingSphere, OfPointsAFewStepsApartHoldsThemInAnyOrder) {
   constexpr double x = 0x1p-48;
   constexpr double y = 0x1p-44;
@@ -193,7 +194,7 @@ TEST(BoundingSphere, ThatNoNumberCanMeasureIsRefusedWithTheReason) {
   EXPECT_EQ(message_of(std::vector<Vec<3, double>>{{large, 0, 0}, {-large, 0, 0}}), expected);
 }
 
-/// What the documentation allows beyond the true minimum.
+/// What the documentation permits beyond the true minimum.
 template <Dim N, class T>
 double allowed_excess(const Sphere<N, T>& sphere) {
   const double radius = static_cast<double>(sphere.radius);

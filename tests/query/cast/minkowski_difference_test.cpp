@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sets of differences that shape_cast.hpp casts rays at: the closed forms against those made of support points.
+// The Minkowski differences that shape_cast.hpp casts rays at: closed forms against those from support points.
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -16,13 +16,13 @@ namespace {
 using Point = Vec<3, double>;
 using Box = Aabb<3, double>;
 
-/// The obstacle of any two cores, seen from zero.
+/// The difference of any two cores, relative to the origin.
 template <class A, class B>
 detail::MinkowskiDifference<3, double> generic(const A& a, const B& b, double radius) {
   return {detail::ConvexView<3>(a), detail::ConvexView<3>(b), Point(0.0), radius};
 }
 
-/// That both reach equally far in some directions.
+/// Checks that both reach equally far in some directions.
 template <class Closed, class Generic>
 void expect_same_set(const Closed& closed, const Generic& other) {
   for (const Point& direction : {Point(1, 0, 0), Point(0, -1, 0), Point(1, 2, -3), Point(-5, 1, 0.25)}) {
@@ -71,7 +71,7 @@ TEST(MinkowskiDifference, APathCrossesTheSidesOfABoxInOrder) {
   EXPECT_EQ(times({-1, 1}), (std::vector<double>{1}));
 }
 
-/// GJK and the closed form see a rounded box alike, wherever a sphere comes from.
+/// GJK and the closed form agree about a rounded box, from wherever a sphere comes.
 TEST(MinkowskiDifference, RaysMeetARoundedBoxWhereGjkFindsIt) {
   check_property([] {
     const std::uint64_t seed = *choice(std::size_t{1} << 31U);
@@ -92,7 +92,7 @@ TEST(MinkowskiDifference, RaysMeetARoundedBoxWhereGjkFindsIt) {
     const auto by_gjk = detail::hit_in_double(generic(start, box, radius), ray);
     RC_ASSERT(closed.has_value() == by_gjk.has_value());
     if (!closed) return;
-    // Along the normal they are as near as their errors say; t is less exact at a grazing angle.
+    // Along the normal they are as close as their errors say; t is less accurate at a grazing angle.
     const double steepness = std::fabs(dot(closed->normal, motion));
     RC_ASSERT(std::fabs(closed->t - by_gjk->t) * steepness <= 2 * (closed->error + by_gjk->error));
   });

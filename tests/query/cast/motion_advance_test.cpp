@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the way from one parting plane to the next rests on; time_of_impact_laws_test.cpp judges where it leads.
+// Tests the steps from one separating plane to the next; time_of_impact_laws_test.cpp tests where they lead.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -18,14 +18,14 @@ TEST(MotionAdvance, TheLeastBetweenTwoGapsIsThatOfTheParabola) {
   EXPECT_EQ(detail::least_between(1, 2, 0), 1);
   EXPECT_EQ(detail::least_between(2, 1, 0), 1);
   EXPECT_EQ(detail::least_between(1, 1, 2), 0.5);  // 1 - 2 s + 2 s^2 at s = 1/2
-  EXPECT_EQ(detail::least_between(4, 0, 1), 0);    // 4 - 5 s + s^2 falls all the way
+  EXPECT_EQ(detail::least_between(4, 0, 1), 0);    // 4 - 5 s + s^2 decreases over the whole interval
 }
 
 using Point = Vec<3, double>;
 using Box = Obb<3, double>;
 using Pair = detail::ConvexPair<3, double>;
 
-/// Two boxes that fly past each other, both turning.
+/// Two boxes that move past each other, both rotating.
 const Box a{{0, 0, 0}, {1, 0.5, 0.25}, rotation_matrix(Point(1, 2, 3), 40)};
 const Box b{{6, 1, 0}, {0.5, 2, 1}, rotation_matrix(Point(3, -1, 0), 70)};
 const Motion<3, double> motion_a{{8, 0, 1}, {0.5, -0.25, 1}, {0.5, 0, 0}};
@@ -72,7 +72,7 @@ TEST(MotionAdvance, APlaneIsKeptUntilLittleOfItsGapIsLeftAndNoLonger) {
   const detail::GapInTime<3, Pair> gap(pair, trajectory, parting.normal);
   constexpr int samples = 1000;
   for (int i = 0; i <= samples; ++i) EXPECT_GE(gap.at(trajectory.at(kept.t * i / samples)), goal) << i;
-  // What may be lost to the bend of the way is at most the half of the gap.
+  // At most half of the gap may be lost to the curvature of the path.
   const double lost = trajectory.bend * kept.t * kept.t / 2;
   EXPECT_LE(lost, parting.gap / 2);
 }

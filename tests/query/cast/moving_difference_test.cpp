@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The differences of shapes that move are those of the shapes where they have come to, and known ones are found again.
+// The differences of moving shapes are those of the shapes at their positions, and cached ones are found again.
 #include <algorithm>
 #include <cstddef>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The closed form of casts of boxes, capsules and spheres: touches that can be calculated by hand, and against the way
-// by GJK, which settles what it leaves open.
+// The closed form of casts of boxes, capsules and spheres: hits calculated by hand, and against GJK, which decides what
+// the closed form leaves open.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -21,7 +21,7 @@ namespace {
 
 using detail::RayVerdict;
 
-/// Two shapes that are apart, as the closed form sees them.
+/// Two shapes that are apart, in the form of the closed form.
 template <class A, class B>
 struct Flight {
   static constexpr Dim dimension = dimension_of<A>;
@@ -44,7 +44,7 @@ struct Flight {
     return detail::size_around_zero(core_a) + detail::size_around_zero(core_b) + radii.a + radii.b + sum_abs(motion);
   }
 
-  /// How far two cores, or a point and one, are from touching when they are widened.
+  /// The error of a contact between two cores, or a point and one, that are inflated.
   template <class C, class D>
   double gap(const C& c, const D& d, double radius) const {
     return std::sqrt(detail::closest_of_touching(c, d, size()).squared) - radius;
@@ -110,7 +110,7 @@ TEST(ZonotopeCast, FindsWhereCapsulesMeetCrossedInLineAndSideBySide) {
   EXPECT_TRUE(height >= 1 && height <= 3) << "anywhere along what both share";
 }
 
-/// A box that falls flat on another that is turned about the vertical, and a capsule along no edge.
+/// A box that lands flat on another rotated about the vertical, and a capsule parallel to no edge.
 TEST(ZonotopeCast, FindsAPointWhereShapesLieFlatOnEachOther) {
   const Obb<3, double> falling{{0.5, 0, 9}, {1, 1, 1}};
   const Capsule<3, double> log{{-2, -1, 9}, {2, 0.5, 9}, 1};
@@ -156,12 +156,12 @@ template <Dim N>
 void expect_same_strike(const detail::CastHit<N>& closed, const detail::CastHit<N>& by_gjk,
                         const Vec<N, double>& motion) {
   if (by_gjk.status != Status::converged) return;
-  // Along the normal they are as near as their errors say; t is less exact at a grazing angle.
+  // Along the normal they are as close as their errors say; t is less accurate at a grazing angle.
   const double steepness = std::min(dot(closed.normal, motion), dot(by_gjk.normal, motion));
   EXPECT_LE(std::fabs(closed.t - by_gjk.t) * steepness, 2 * (closed.error + by_gjk.error));
 }
 
-/// What is promised of a strike, as far as nearest points tell.
+/// Checks the contract of a hit, as far as nearest points tell.
 template <class A, class B>
 void expect_touch(const Flight<A, B>& flight, const detail::CastHit<dimension_of<A>>& cast_hit) {
   const auto a = flight.a_at(cast_hit.t);
@@ -189,8 +189,8 @@ void expect_agreement(const A& a, const Vec<dimension_of<A>, scalar_of<A>>& moti
   if (by_gjk) expect_same_strike(closed.cast_hit, *by_gjk, flight.motion);
 }
 
-/// The first shape is moved off, by up to a few times the size of both, and comes back: to where it was and on, past it
-/// at some distance, or in one case of four to where it was and no farther.
+/// The first shape is moved away, by up to a few times the size of both, and comes back: to its position and beyond,
+/// past it at some distance, or in one case of four to its position and no farther.
 template <Dim N, class T>
 struct Approach {
   Approach(const AnyPair<N, T>& pair, rc::Random& random) {
@@ -229,7 +229,7 @@ void expect_agreement_of_kind(CaseKind kind, int rounds) {
     }
   }
   EXPECT_GT(passing.settled, static_cast<std::size_t>(rounds) / 4);
-  // Of shapes in no special place nearly all are settled.
+  // For shapes in general position, nearly all are decided.
   if (kind == CaseKind::uniform) {
     EXPECT_LE(passing.open, (passing.open + passing.settled) / 20);
   }

@@ -36,7 +36,7 @@ TEST(RoundedZonotope, HasASizeThatNoPointIsBeyond) {
   }
 }
 
-/// The times of a point that moves to a cube from -1 to 1 around a center, with round edges or without.
+/// The times of a point that moves towards a cube from -1 to 1 around a center, with or without rounded edges.
 detail::AxisTimes<3> times_at_cube(const Point& center, const Point& motion, double radius) {
   const Aabb<3, double> cube{center - 1.0, center + 1.0};
   const auto solid = detail::difference_of(detail::zonotope(Point(0.0)), detail::zonotope(cube), radius);
@@ -74,7 +74,7 @@ TEST(AxisTimes, AreNeitherWhereThePointGrazes) {
 }
 
 TEST(AddAxes, SeesWhatOnlyTheProductOfTwoEdgesParts) {
-  // Two crossed needles pass each other at a distance of 1/2: their boxes along either's axes overlap.
+  // Two crossed needles pass each other at a distance of 1/2: their boxes along the axes of either overlap.
   const double root = std::sqrt(0.5);
   const Segment<3, double> up{{-root, 0, -root}, {root, 0, root}};
   const Segment<3, double> across{{3, -1, 0}, {3, 1, 0}};

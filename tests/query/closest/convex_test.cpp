@@ -53,7 +53,7 @@ TEST(SharesInSimplex, OfAFlatSimplexAreFinite) {
   expect_shares({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {1, 1, 1}, {0, 0, 0});
 }
 
-// A tetrahedron a million times longer than thick, and a point of it.
+// A tetrahedron a million times longer than thick, and a point in it.
 TEST(SharesInSimplex, OfASliverLeaveNothingOfThePoint) {
   const std::vector<V3> corners{{0, 0, 0}, {1e6, 1, 0}, {1e6, -1, 0.5}, {1e6, 0.25, -1}};
   const V3 point = 0.1 * corners[1] + 0.2 * corners[2] + 0.3 * corners[3];
@@ -93,7 +93,7 @@ TEST(ClosestOfConvex, FindsPointsOfCurvedShapes) {
   EXPECT_NEAR(found.closest.on_b.x, 7, 1e-6);
 }
 
-// What has no farthest point has no distance; but an answer it gets, and says what it is worth.
+// An object without farthest points has no distance; but the call returns, with a status.
 TEST(ClosestOfConvex, EndsForWhatIsNoShape) {
   const auto found = closest_of_convex(user::Chaos{}, octahedron({5, 0, 0}));
   EXPECT_TRUE(std::isfinite(found.closest.squared));

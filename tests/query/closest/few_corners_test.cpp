@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Few corners stand where a pose puts each, to the bit, and the farthest is the first that a plain search finds, or of
-// up to eight one that is as far up to its error, by vectors of any width.
+// Posed corners are bit-identical to those of a plain calculation, and the farthest is the first that a plain search
+// finds, or up to eight corners one that is as far up to its error, by vectors of any width.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -29,7 +29,7 @@ struct Case {
   std::vector<Point> directions;
 };
 
-/// Of coordinates on a lattice, or not: then several corners are farthest along an axis.
+/// With coordinates on a lattice, or not: on a lattice, several corners are farthest along an axis.
 template <class T>
 Case<T> draw(std::mt19937& engine) {
   const auto number = [&](double size) { return std::uniform_real_distribution<double>(-size, size)(engine); };

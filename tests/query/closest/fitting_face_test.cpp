@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The face that fits is the one that holds the nearest point, also where distances cannot tell it.
+// The fitting face contains the nearest point, even if distances cannot tell it.
 #include <cmath>
 #include <cstddef>
 #include <random>
@@ -29,7 +29,7 @@ template <Dim N>
 struct Row {
   std::vector<Vec<N, double>> points;
   Vec<N, double> nearest;
-  std::size_t face;  ///< The number of corners of the face that holds it.
+  std::size_t face;  ///< The number of corners of the face that contains it.
 };
 
 template <Dim N>
@@ -62,12 +62,12 @@ TEST(FittingFace, OfPointsThatCoincideIsOneOfThem) {
   expect_rows<3>({{{{1, 2, 2}, {1, 2, 2}, {1, 2, 2}}, {1, 2, 2}, 1}});
 }
 
-// A square folded by very little along a diagonal, which passes the foot of the origin so near that the triangles on
-// both sides of it are equally far away, to the last bit.
+// A square folded slightly along a diagonal, which passes the projection of the origin so closely that the triangles on
+// both sides are equally far away, to the last bit.
 TEST(FittingFace, OfASquareThatIsFoldedByLittleIsOnTheSideOfTheFoot) {
   for (const double height : {1.0, 1e-3, 1e-6}) {
     for (const double fold : {1e-6, 1e-8, 1e-10, 1e-12}) {
-      const double aside = 1e-9 + height * fold / 2;  // the second is how far the foot is from below the origin
+      const double aside = 1e-9 + height * fold / 2;  // the second is the horizontal offset of the projection
       const V3 shift(-aside, -aside, height);
       const V3 near_corner = V3(1, 1, fold) + shift;
       const FittingFace<3> found =
@@ -82,7 +82,7 @@ TEST(FittingFace, OfASquareThatIsFoldedByLittleIsOnTheSideOfTheFoot) {
   }
 }
 
-// A foot that is a hair outside makes no distance larger, and is outside.
+// A projection slightly outside does not increase the distance, but is outside.
 TEST(FittingFace, SaysHowFarTheFootIsOutside) {
   const FittingFace<3> found = fitting<3>({{1e-9, -1, 1}, {1e-9, 1, 1}, {1, 0, 1}});
   EXPECT_EQ(found.nearest.face.size, 3U) << "the edge does not have the last corner";
@@ -91,7 +91,7 @@ TEST(FittingFace, SaysHowFarTheFootIsOutside) {
   EXPECT_EQ(found.nearest.distance_squared, 1);
 }
 
-/// Whatever fits without misfit is what a search by distances finds.
+/// Whatever fits exactly is what a search by distances finds.
 TEST(FittingFace, IsTheNearestFaceOfRandomSimplices) {
   std::mt19937 engine(5);
   std::uniform_real_distribution<double> number(-1, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The nearest face is the one that a search among all of them finds, and its shares make the nearest point.
+// The nearest face is the one that a search among all of them finds, and its weights give the nearest point.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -20,7 +20,7 @@ Point nearest_on(const NearFace& face) {
   return face.size == 4 ? Point(0.0) : face.toward * (face.height / dot(face.toward, face.toward));
 }
 
-/// Ten thousand walks to the origin, as GJK makes them: of random points always one that leads nearer is added.
+/// Ten thousand walks to the origin, as in GJK: each step adds one of some random points that leads nearer.
 template <class Visit>
 void walk_to_origin(double size, double distance, const Visit& visit) {
   std::mt19937 engine(11);

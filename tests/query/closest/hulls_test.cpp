@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The quick way for two hulls says the same as the way of all convex shapes, or nothing; and so does it with whatever a
-// cache holds.
+// The fast method for two hulls agrees with the one for all convex shapes, or is undecided, with any content of a
+// cache.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -40,7 +40,7 @@ class Random {
             vector<T>(reach)};
   }
 
-  /// From a point to sixty, in space, on a plane or on a line; on a lattice so coarse that much is parallel, or not.
+  /// One to sixty points in 3D, in a plane or on a line; on a lattice so coarse that much is parallel, or not.
   template <class T>
   Polytope<3, T> hull() {
     const Vec<3, double> flat[] = {{1, 1, 1}, {1, 1, 1}, {1, 1, 0}, {1, 0, 0}};
@@ -65,12 +65,12 @@ void expect_points_apart(const A& a, const B& b, const Proximity<3, double>& fou
   const Vec<3, double> way = found.point_b - found.point_a;
   EXPECT_NEAR(std::sqrt(dot(way, way)), found.distance, slack);
   EXPECT_NEAR(dot(found.normal, way), found.distance, slack);
-  // Planes across the normal through the points part the hulls.
+  // Planes through the points, perpendicular to the normal, separate the hulls.
   EXPECT_LE(dot(found.normal, support(a, found.normal) - found.point_a), slack);
   EXPECT_GE(dot(found.normal, support(b, -found.normal) - found.point_b), -slack);
 }
 
-/// None if nothing is said.
+/// None if undecided.
 template <class A, class B>
 std::optional<Proximity<3, double>> proximity_of_hulls(const A& a, const B& b, SimplexCache<3>* cache) {
   Proximity<3, double> found;
@@ -109,7 +109,7 @@ template <class T>
 Tally compare_random_hulls(double reach, bool with_cache) {
   Random random(static_cast<unsigned>(reach) + (with_cache ? 100 : 0));
   Tally tally;
-  SimplexCache<3> kept;  // of other pairs each time
+  SimplexCache<3> kept;  // of a different pair each time
   SimplexCache<3>* const cache = with_cache ? &kept : nullptr;
   for (int i = 0; i < 2000 && !testing::Test::HasFailure(); ++i) {
     const Polytope<3, T> a = random.hull<T>();
@@ -136,7 +136,7 @@ TEST(ClosestHulls, AreAsThoseOfAllConvexShapes) {
   }
 }
 
-/// Round hulls, which are in no special place to each other.
+/// Round hulls in general position.
 Polytope<3, double> sphere(Random& random, std::size_t corners) {
   std::vector<Vec<3, double>> points(corners);
   for (auto& point : points) {
@@ -187,7 +187,7 @@ void expect_flush_ones() {
   EXPECT_LE(open, 9U) << "of thousands";
 }
 
-// The nearest face is known by the planes of faces alone: all distances next to it are the same.
+// The nearest face is determined by the planes of faces alone: all distances close to it are equal.
 TEST(ClosestHulls, AreFoundWhereFacesAreNearlyParallel) {
   expect_flush_ones<double>();
   expect_flush_ones<float>();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where nearly parallel segments are nearest, against the same formula in rational numbers.
+// The nearest points of nearly parallel segments, against the same formula in rational numbers.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -25,7 +25,7 @@ using Edge = Segment<3, double>;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Where a's line is nearest to b's, in lengths of a.
+/// The parameter of a's line nearest to b's, in lengths of a.
 Rational exact_place(const Edge& a, const Edge& b) {
   const RationalVec<3> v = exact(b.end) - exact(b.start);
   const RationalVec<3> normal = cross(exact(a.end) - exact(a.start), v);
@@ -51,7 +51,7 @@ struct Pair {
   Edge b;
 };
 
-/// Edges of about length 1 that are up to 1 apart and cross at this sine, seen along the way between them.
+/// Edges of about length 1 that are up to 1 apart and cross with this sine, as seen along their common perpendicular.
 Pair draw(Numbers& numbers, double sine) {
   const V3 way = numbers.vector();
   const V3 start = numbers.vector();

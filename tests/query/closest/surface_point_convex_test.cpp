@@ -16,7 +16,7 @@ namespace {
 
 using D3 = Vec<3, double>;
 
-/// A box with its corners alone, so that GJK and EPA have to find out.
+/// A box given by its corners, so that GJK and EPA are used.
 Polytope<3, double> hull_of_box(const Aabb<3, double>& box) {
   std::vector<D3> corners;
   for (const double x : {box.min.x, box.max.x}) {
@@ -40,8 +40,8 @@ TEST(SurfacePointConvex, OfTheHullOfABoxIsThatOfTheBox) {
 }
 
 TEST(SurfacePointConvex, FindsTheRightOneOfNearlyFlatFaces) {
-  // A roof of 1e-7: its two sides are nearly as near, but their nearest points
-  // are far apart. A distance to 1e-12 would not tell them apart.
+  // A roof with a height of 1e-7: its two sides are nearly equally near, but their nearest points are far apart. A
+  // distance accurate to 1e-12 would not distinguish them.
   const auto roof = convex_hull<3, double>(
       std::array{D3(-1, -1, 0), D3(1, -1, 0), D3(-1, 1, 0), D3(1, 1, 0), D3(0, -1, 1e-7), D3(0, 1, 1e-7)});
   const D3 point(0.5, 0, 1);

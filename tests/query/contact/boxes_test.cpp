@@ -34,7 +34,7 @@ TEST(BoxesSearch, FindsAFaceOrTheEdgesThatTheAxisBelongsTo) {
   EXPECT_EQ((*on_edges.edges)[1], 0);
 }
 
-// Up: a's face, b's face, and the edges along the two others of each; and the upright edges, which have no axis.
+// Up: a's face, b's face, and the edges along the other two of each; and the vertical edges, which have no axis.
 constexpr BoxesAxes up_axes = 1U << 2U | 1U << 5U | 1U << 6U | 1U << 7U | 1U << 9U | 1U << 10U | 1U << 14U;
 const Mat<3, double> whole_turn = rotation_matrix(V3(1, 2, 3), 50);
 
@@ -48,7 +48,7 @@ TEST(RepeatedAxes, AreNoneOfBoxesThatAreTurnedFreely) {
   EXPECT_EQ(repeated_axes(whole_turn, rotation_matrix(V3(1, 2, 2), 51)), 0U);
 }
 
-// Their cross product is as good as any direction.
+// Their cross product is an arbitrary direction.
 TEST(RepeatedAxes, AreNotAcrossEdgesThatAreNearlyParallel) {
   const BoxesAxes repeated = repeated_axes(whole_turn, whole_turn * rotation_matrix(V3(0, 0, 1), 1e-6));
   EXPECT_EQ(repeated & 1U << 6U, 0U);
@@ -56,7 +56,7 @@ TEST(RepeatedAxes, AreNotAcrossEdgesThatAreNearlyParallel) {
   EXPECT_NE(repeated & 1U << 7U, 0U);
 }
 
-// There the normal of a face is another direction than the edge across it.
+// In that case the normal of a face differs from the edge across it.
 TEST(RepeatedAxes, AreNoneOfAxesThatAreLessThanOrthonormal) {
   Mat<3, double> skewed(1.0);
   EXPECT_NE(repeated_axes(Mat<3, double>(1.0), skewed), 0U);
@@ -87,7 +87,7 @@ TEST(PenetrationOfBoxes, IsAtTheDeepestOfTheManifoldsPoints) {
   }
 }
 
-// The search with shortcuts is the search without.
+// The search with shortcuts equals the search without.
 TEST(BoxesSearch, IsTheLeastOfAllAxes) {
   test::check_property([] {
     const auto [a, b] = *test::any_pair<Box, Box>();

@@ -71,7 +71,7 @@ TEST(PenetrationOfConvex, WhereFacesAreNearlyParallelHasItsPointsAlongTheNormal)
   expect_points_along_the_normal<float>();
 }
 
-// A smooth shape has no last face: the bounds close in, and the error says how far.
+// A smooth shape has no last face: the bounds converge, and the error says how far.
 TEST(PenetrationOfConvex, OfUsersShapesComesWithHonestBounds) {
   const user::Ellipsoid<double> egg{{0, 0, 0}, {3, 2, 1}};
   const Penetration<3> found = penetration_of_convex(egg, V3(0, 0, 0.5));

@@ -23,8 +23,8 @@ TEST(CutForDepth, LeavesTheRayTwiceAsLongAsAnythingIsAway) {
   EXPECT_EQ(cut_for_depth(ray, V3(1, 0, 0)).end, V3(1, 1e-20, 0));
 }
 
-// A thin box, pierced a hundred times its own height below: out of the side is nearer than back along the ray. The cut
-// end, which is no end, must not be.
+// A thin box, pierced a hundred times its own height below: the shortest way out is through the side, not back along
+// the ray. The end where the ray is truncated must not matter.
 TEST(PenetrationOfSimple, OfARayThroughABoxLeadsToTheSide) {
   const Ray<3, double> ray{{0.5, 0, -100}, {0, 0, 1}};
   const Penetration<3> found = penetration_of_simple(ray, Aabb<3, double>{{-3, -4, 0}, {3, 4, 1}});

@@ -54,7 +54,7 @@ TEST(PenetrationOfRay, EndsAtItsOrigin) {
   expect_penetration<3>(penetration_of_ray(climbing, floor_plane), {0, 0, -1}, 3, {1, 2, -1});
   expect_penetration<3>(penetration_of_ray(climbing, ground), {0, 0, -1}, 3, {1, 2, -1});
   expect_penetration<3>(penetration_of_ray(Ray<3, double>{{0, 0, 1}, {1, 0, 0}}, ground), {0, 0, -1}, 1, {0, 0, 1});
-  // Beside the plane by what `relation` takes for touching.
+  // Off the plane by a distance that `relation` calls touching.
   expect_penetration<3>(penetration_of_ray(Ray<3, double>{{0, 0, 2 + 1e-15}, {1, 0, 0}}, floor_plane), {0, 0, -1}, 0,
                         {0, 0, 2});
 }

@@ -87,7 +87,7 @@ TEST(GrowingHull, OfACubeHasTheCubesHeights) {
   EXPECT_EQ(face->normal, V3(0, 0, -1));
 }
 
-/// The nearest face of the hull of all points, made anew; the first of several, from the first corner on.
+/// The nearest face of the hull of all points, rebuilt; the first of several, starting at the first corner.
 detail::HullFace<2> nearest_face_of(const std::vector<V2>& points) {
   const auto polygon = convex_hull<2, double>(points);
   const auto corners = polygon.vertices();
@@ -100,7 +100,7 @@ detail::HullFace<2> nearest_face_of(const std::vector<V2>& points) {
   return nearest;
 }
 
-/// Puts in points one by one; whole numbers, so that many coincide or lie on a line, or random ones.
+/// Adds points one by one; integers, so that many coincide or are collinear, or random ones.
 void expect_as_made_anew(bool whole_numbers) {
   check_property([whole_numbers] {
     const auto number = drawn<double>([whole_numbers](rc::Random& random) {
@@ -130,7 +130,7 @@ TEST(GrowingHull, OfThePlaneIsAsMadeAnewFromAllPoints) {
   expect_as_made_anew(false);
 }
 
-/// Points far out on a sphere, every one of them a corner, spread over it by the golden angle.
+/// Points on a large sphere, all of them corners, distributed by the golden angle.
 template <Dim N>
 Vec<N, double> far_corner(std::size_t i, std::size_t count) {
   const double angle = 2.399963229728653 * static_cast<double>(i);
@@ -170,7 +170,7 @@ TEST(GrowingHull, HasRoomForAsManyPointsAsItSays) {
   static_assert(sizeof(detail::GrowingHull<3>) < 14400);
 }
 
-/// Every point that was put in is inside, up to rounding: no face has it above.
+/// Every point that was added is inside, up to rounding: no face has it above.
 template <Dim N>
 void expect_inside() {
   check_property([] {

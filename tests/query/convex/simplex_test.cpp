@@ -25,7 +25,7 @@ template <Dim N>
 struct Row {
   std::vector<Vec<N, double>> points;
   Vec<N, double> nearest;
-  std::size_t face;  ///< The number of corners of the face that holds it.
+  std::size_t face;  ///< The number of corners of the face that contains it.
 };
 
 template <Dim N>
@@ -62,7 +62,7 @@ TEST(NearestToOrigin, OfPointsThatCoincideIsOneOfThem) {
   expect_rows<3>({{{{1, 2, 2}, {1, 2, 2}, {1, 2, 2}}, {1, 2, 2}, 1}, {{{0, 0, 0}, {0, 0, 0}}, {0, 0, 0}, 1}});
 }
 
-// The corners of a parallelogram, but for rounding, which puts each corner on the origin's side of the others' plane.
+// The corners of a parallelogram up to rounding, which puts each corner on the origin's side of the others' plane.
 TEST(NearestToOrigin, IsNotInsideFourPointsOfAPlane) {
   const std::vector<Vec<3, double>> corners = {{-1.0998810554725873, -0.037024804499777408, 1.732643681800659},
                                                {-1.4562714720618226, 0.51893114568603438, -3.4178124326249768},
@@ -73,7 +73,7 @@ TEST(NearestToOrigin, IsNotInsideFourPointsOfAPlane) {
   EXPECT_LT(found.face.size, 4U);
 }
 
-// A foot that leaned along the edge by the rounding of its place would claim to be nearer to one end.
+// A projection off along the edge by the rounding of its position would claim to be nearer to one end.
 TEST(FootOnLine, IsAtRightAnglesToTheEdgeHoweverNear) {
   const Vec<3, double> edge(0.7, -0.3, 0.9);
   const Vec<3, double> across = cross(edge, Vec<3, double>(0.1, 0.2, 0.4));

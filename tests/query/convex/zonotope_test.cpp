@@ -44,7 +44,7 @@ TEST(RelationOfZonotopes, KnowsFlatBoxes) {
 }
 
 TEST(RelationOfZonotopes, KnowsEdgesThatCross) {
-  // A cube on its edge under another that is turned against it: along z the edges meet at sqrt(2) + sqrt(2).
+  // A cube on its edge under another one rotated against it: along z the edges meet at sqrt(2) + sqrt(2).
   const Mat<3, double> on_edge = rotation_matrix(Vec<3, double>(1, 0, 0), 45);
   const Mat<3, double> crossed = rotation_matrix(Vec<3, double>(0, 1, 0), 45);
   const Obb<3, double> low{{0, 0, 0}, {1, 1, 1}, on_edge};
@@ -53,8 +53,8 @@ TEST(RelationOfZonotopes, KnowsEdgesThatCross) {
   EXPECT_EQ(relation_of(low, Obb<3, double>{{0, 0, 2 * std::sqrt(2.0)}, {1, 1, 1}, crossed}), Relation::touching);
 }
 
-// Two beams on their edges, one over the other, almost parallel: only the cross product of those edges parts them, and
-// a plain cross product is mostly rounding there.
+// Two beams on their edges, one above the other, almost parallel: only the cross product of those edges separates them,
+// and a plain cross product is mostly rounding there.
 TEST(RelationOfZonotopes, KnowsEdgesThatCrossAtAlmostNoAngle) {
   const Vec<3, double> tilt(3, -5, 7);
   const Mat<3, double> tilted = rotation_matrix(tilt, 40);

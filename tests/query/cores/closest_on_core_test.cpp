@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Feet on triangles and polygons that are long and thin, or seen from afar, against the oracle.
+// Projections to triangles and polygons that are long and thin, or far away, against the oracle.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,7 +42,7 @@ class Numbers {
   std::mt19937_64 engine_{7};
 };
 
-/// How far the foot is off, in epsilon of the largest coordinate.
+/// The error of the projection, in epsilon of the largest coordinate.
 double foot_error(const Triangle<3, double>& triangle, const D3& p) {
   double largest = max_abs(p);
   for (const D3& corner : triangle.vertices()) largest = std::max(largest, max_abs(corner));
@@ -83,8 +83,8 @@ TEST(ClosestOnCore, OnANeedleInSpaceIsRightToAFewUlpWhereverItIsSeenFrom) {
 }
 
 TEST(ClosestOnCore, OfNeedlesThatOnceHadItAWidthAwayOrAtTheOtherEnd) {
-  // The plane of the first was turned by the rounding of its edges; the feet on the edges of the second were as far
-  // away for all that their distances told; the third's point is near the line of an edge, and behind it.
+  // The plane of the first was rotated by the rounding of its edges; the projections to the edges of the second were
+  // equally far away as far as distances tell; the third's point is near the line of an edge, and behind it.
   const std::array<Needle, 3> needles = {{
       {{{-1.3628547356821441, -0.73907741331835841, -2.2332251308684317},
         {302.65205884602153, -196.34540069117796, 202.21576192904925},
@@ -123,8 +123,8 @@ TEST(ClosestOnCore, OfTrianglesThatAreLinesOrPointsIsThatOfTheirEdges) {
   EXPECT_EQ(detail::closest_on(point, D3(1, 2, 8)).off, D3(0, 0, 5));
 }
 
-/// A corner that is hardly one, at zero, with a point beyond the edge before it, next to the corner: feet there and on
-/// the corner are as far from it.
+/// A very blunt corner at zero, with a point beyond the edge before it, close to the corner: the projections to the
+/// edge and to the corner are equally far.
 TEST(ClosestOnCore, BesideABluntCornerOfAPolygonIsOnTheRightEdge) {
   const std::vector<D2> corners = {{-4, 1}, {-1, 0}, {0, 0}, {1, 0x1p-12}, {4, 2}};
   const Polytope<2, double> polygon = convex_hull<2, double>(corners);

@@ -18,7 +18,7 @@ using S3 = Segment<3, double>;
 using B3 = Aabb<3, double>;
 using T3 = Triangle<3, double>;
 
-/// An upright box as an oriented one.
+/// An AABB as an oriented box.
 Obb<3, double> as_obb(const B3& box) { return {box.center(), box.half_extents(), Mat<3, double>(1.0)}; }
 
 template <class A, class B>
@@ -55,7 +55,7 @@ TEST(ClosestOfApart, IsAsComputedByHand) {
   EXPECT_EQ(closest_of_apart(roof, B3{{-1, -1, -1}, {1, 1, 1}}, 20).squared, 4);  // along an edge
 }
 
-// The edges x and y of two boxes, each turned by 45 degrees about it.
+// The edges x and y of two boxes, each rotated by 45 degrees about it.
 TEST(ClosestOfApart, FindsTwoEdgesThatCross) {
   const double h = std::sqrt(0.5);
   const Obb<3, double> lower{{0, 0, 0}, {5, 1, 1}, Mat<3, double>(1, 0, 0, 0, h, h, 0, -h, h)};
@@ -65,8 +65,8 @@ TEST(ClosestOfApart, FindsTwoEdgesThatCross) {
   EXPECT_NEAR(length(pair.on_a - V3(0, 0, std::sqrt(2.0))), 0, 4e-15);
 }
 
-// The edges are parallel to faces of the other, which they cross without a corner above or below it: the nearest
-// points may be anywhere along the crossing, and rounding must not decide that no edge is foremost.
+// The edges are parallel to faces of the other, which they cross without a corner above or below it: the nearest points
+// may be anywhere along the crossing, and rounding must not decide that no edge is foremost.
 TEST(ClosestOfApart, FindsEdgesThatLieAboveFaces) {
   const B3 bar{{-5, -1, -1}, {5, 1, 1}};
   const B3 beam{{-1, -5, 3}, {1, 5, 5}};

@@ -43,7 +43,7 @@ TEST(FootOn, ATriangleOfThePlaneIsThePointItselfInside) {
   EXPECT_EQ(closest_on(Triangle<2, double>{{1, 1}, {1, 1}, {1, 1}}, V2(3, 2)).off, V2(2, 1));
 }
 
-// A foot outside of a needle is easily taken for one inside, and the way back to the needle is long.
+// A projection outside of a needle is easily taken for one inside, and the distance to the needle is long.
 TEST(FootOn, ANeedleIsOneOfItsPoints) {
   for (const double half_width : {1e-3, 1e-8, 1e-12, 1e-16, 0.0}) {
     const Triangle<3, double> needle{{0, 0, 0}, {1, half_width, 0}, {1, -half_width, 0}};

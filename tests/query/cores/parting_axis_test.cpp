@@ -42,7 +42,7 @@ TEST(Directions, OfEdgesAndFacesAreThoseOfTheCore) {
   EXPECT_EQ((face_directions(Segment<2, double>{{0, 0}, {2, 0}}).at(0)), V2(0, -2));
 }
 
-// A flat box still has all its axes: without its half edge across, no face would be found along it.
+// A flat box still has all its axes: without the half extent across, no face would be found along it.
 TEST(Directions, OfAFlatBoxAreItsAxes) {
   const Obb<3, double> plate{{0, 0, 0}, {1, 0, 1}, Mat<3, double>(0, 1, 0, -1, 0, 0, 0, 0, 1)};
   EXPECT_EQ(edge_directions(plate).at(1), V3(-1, 0, 0));
@@ -56,7 +56,7 @@ TEST(PartingAxis, IsANormalOfTheNearestFace) {
 }
 
 TEST(PartingAxis, MayBeTheCommonNormalOfTwoEdges) {
-  // Two roofs, the ridges across each other.
+  // Two roofs with crossing ridges.
   const Triangle<3, double> lower{{-2, 0, 0}, {2, 0, 0}, {0, 0, -9}};
   const Triangle<3, double> upper{{0, -2, -0.5}, {0, 2, -0.5}, {0, 0, 9}};
   expect_axis(lower, upper, V3(0, 0, 1), -0.5);

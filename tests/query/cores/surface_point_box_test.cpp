@@ -13,14 +13,13 @@ using D2 = Vec<2, double>;
 using D3 = Vec<3, double>;
 
 TEST(SurfacePointBox, AnObliqueBoxIsTakenAsStored) {
-  // The second axis leans by nearly all that is allowed: the box is a
-  // parallelogram.
+  // The second axis is tilted by nearly the maximum: the box is a parallelogram.
   const double lean = 0.9e-4;
   const Obb<2, double> box{{0, 0}, {1, 1}, {{1, 0}, {lean, 1}}};
   const auto corner = detail::surface_point(box, D2(5, 5));
   EXPECT_NEAR(max_abs(corner.point - D2(1 + lean, 1)), 0, 1e-15);
   const auto right = detail::surface_point(box, D2(5, 0));
-  // From (5, 0) straight to the leaning face, x = 1 + lean y.
+  // From (5, 0) perpendicular to the tilted face, x = 1 + lean y.
   const double y = lean * 4 / (1 + lean * lean);
   EXPECT_NEAR(max_abs(right.point - D2(1 + lean * y, y)), 0, 1e-15);
   EXPECT_NEAR(right.distance, 4 / std::sqrt(1 + lean * lean), 1e-15);

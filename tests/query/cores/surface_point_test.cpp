@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the four point queries are made of, where it is delicate. By hand and
-// against the oracle they are tested themselves.
+// Delicate cases of the functions under the four point queries, whose own tests compare with the oracle and with
+// results by hand.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -29,8 +29,7 @@ TEST(SurfacePoint, AcrossIsAtRightAnglesToAnyEdge) {
 }
 
 TEST(SurfacePoint, ANeedleTriangleIsHitOnItsFaceEdgesAndCorners) {
-  // A million times as long as wide, seen from a million times as high as it is
-  // wide.
+  // A million times as long as wide, seen from a height of a million times its width.
   const Triangle<3, double> needle{{0, 0, 0}, {1, 0, 0}, {1, 1e-6, 0}};
   const auto above = detail::surface_point(needle, D3(0.75, 5e-7, 1));
   EXPECT_NEAR(max_abs(above.point - D3(0.75, 5e-7, 0)), 0, 1e-16);
@@ -54,8 +53,7 @@ TEST(SurfacePoint, TheFootOnAPlaneIsAsExactAsItsOwnSize) {
 }
 
 TEST(SurfacePoint, APolygonKnowsItsInsideExactly) {
-  // The point is on the diagonal: exactly on an edge of the first triangle,
-  // whichever way it runs.
+  // The point is on the diagonal: exactly on an edge of the first triangle, whichever way it runs.
   const D2 p(0.1, 0.1);
   EXPECT_LE(detail::surface_point(Triangle<2, double>{{0, 0}, {1, 0}, {1, 1}}, p).distance, 0);
   EXPECT_LE(detail::surface_point(Triangle<2, double>{{0, 0}, {1, 1}, {1, 0}}, p).distance, 0);

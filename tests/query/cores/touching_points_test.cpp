@@ -46,7 +46,7 @@ TEST(ForemostFeature, IsACornerOrAnEdgeOrCannotBeTold) {
   expect_feature(box, V3(1, 0, 1), {V3(1, -2, 3), V3(1, 2, 3)});
   expect_feature(box, V3(0, 0, 1), {});
   const BoxFrame<2> flat = frame_of(Aabb<2, double>{{-1, 0}, {1, 0}});
-  expect_feature(flat, V2(1, 1), {V2(1, 0), V2(1, 0)});  // of no height: an edge that is a point
+  expect_feature(flat, V2(1, 1), {V2(1, 0), V2(1, 0)});  // no height: an edge that is a point
 }
 
 TEST(ClosestOfCrossing, IsNoneOfEdgesThatAreNearlyParallel) {
@@ -57,8 +57,8 @@ TEST(ClosestOfCrossing, IsNoneOfEdgesThatAreNearlyParallel) {
   EXPECT_FALSE(std::isfinite(closest_of_crossing({{-1, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}).squared));
 }
 
-/// Two cores moved so that they touch along the axis that parts them, and moved a little too far: the points found are
-/// as near to each other as those of the search among all, up to rounding, and lie on both.
+/// Two cores moved so that they touch along their separating axis, and slightly too far: the points found are as close
+/// to each other as those of an exhaustive search, up to rounding, and are on both.
 template <class A, class B>
 void expect_as_near_as_the_search() {
   test::check_property([] {
@@ -94,7 +94,7 @@ TEST(ClosestOfTouching, IsAsNearAsThatOfMeeting) {
   expect_as_near_as_the_search<V3, T3>();
 }
 
-/// A corner that alone is near the other core is the point, not one beside it.
+/// If only a corner is near the other core, it is the point, not one beside it.
 TEST(ClosestOfTouching, IsTheCornerThatTouches) {
   const O3 box{{0, 0, 2}, {1, 1, 1}, rotation_matrix(V3(1, 2, 0.5), 40)};
   const T3 ground{{-40, -30, 0}, {50, -30, 0}, {0, 60, 0}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The quick way of spheres, capsules and boxes in the plane against the way of all shapes.
+// The fast contact of 2D spheres, capsules and boxes against the general method.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,7 +34,7 @@ using Turned = Obb<2, T>;
 constexpr Feature vertex(std::uint32_t i) { return {FeatureKind::vertex, i}; }
 constexpr Feature flat_side(std::uint32_t i) { return {FeatureKind::edge, i}; }
 
-/// Of a look at two that meet, and what it has of a manifold.
+/// The fast contact of an overlapping pair, and its part of a manifold.
 struct Seen {
   Penetration<2> found;
   std::array<SurfacePair<2>, 2> points{};
@@ -104,7 +104,7 @@ TEST(SphereContact2d, IsApartWhereThatIsPlainAndNotKnownWhereItIsNot) {
   EXPECT_FALSE(find_fast_contact(Ball<double>{{1, 2}, 1}, Box<double>{{0, 1}, {4, 1}}, false).is_known) << "a flat box";
 }
 
-// ---- Against the way of all shapes
+// ---- Against the general method
 
 enum class Kind { any, grid, level, far, orthonormality_error };
 
@@ -160,9 +160,9 @@ Turned<T> as(const Turned<double>& s) {
   return {Vec<2, T>(s.center), Vec<2, T>(s.half_extents), Mat<2, T>(s.axes)};
 }
 
-/// Where another normal is as good, all that is known is the depth; and far from zero the way of all shapes, which
-/// rounds its point before it names it, may name a corner after its side. Of boxes with skew axes it may lay another
-/// side over the reference, of those that look at it as much up to the skew.
+/// If another normal is as good, only the depth is known. Far from zero the general method, which rounds its point
+/// before it names it, may name a corner after its side. For boxes with skew axes it may choose another incident side,
+/// among those that face the reference equally up to the skew.
 template <class A, class B>
 void expect_agreement(const A& a, const B& b, const Seen& look, Kind kind) {
   const WideManifold<2> plain = manifold_of_met(a, b);
@@ -229,7 +229,7 @@ void compare_all(Kind kind, double least_known) {
   compare<T, Turned<double>, Capsule3<double>>(kind, cases, known);
   compare<T, Box<double>, Turned<double>>(kind, cases, known);
   compare<T, Turned<double>, Turned<double>>(kind, cases, known);
-  // Of few cases fewer may happen to be: four deviations of a drawing by chance.
+  // Small samples may have fewer: permits four standard deviations.
   const double deviation = std::sqrt(least_known * (1 - least_known) * cases);
   EXPECT_GE(known, least_known * cases - 4 * deviation);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The quick way of a capsule and a box in space against the way of all shapes.
+// The fast contact of a 3D capsule and a box against the general method.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -115,7 +115,7 @@ TEST(CapsuleOnBox, IsNotKnownWhereItIsTooCloseToTell) {
       << "a flat box";
 }
 
-// ---- Against the way of all shapes
+// ---- Against the general method
 
 double share() { return static_cast<double>(*test::choice(1001)) / 1000; }
 V3 place() { return V3(share(), share(), share()) * 2.0 - 1.0; }
@@ -146,7 +146,7 @@ Drawn draw() {
   if (*test::choice(16) == 0) high = low;
   if (*test::choice(8) == 0) high = low + unit_axis<3>(static_cast<Dim>(*test::choice(3))) * share();
   double radius = *test::choice(8) == 0 ? 0 : share();
-  if (*test::choice(4) == 0) {  // as things that are stacked
+  if (*test::choice(4) == 0) {  // as for stacked objects
     const auto in_quarters = [](const V3& v) {
       return V3(std::round(4 * v.x), std::round(4 * v.y), std::round(4 * v.z)) / 4.0;
     };
@@ -172,14 +172,14 @@ void expect_near(const V& quick, const V& plain, double allowed) {
   RC_ASSERT(static_cast<double>(max_abs(quick - plain)) <= allowed);
 }
 
-/// The points over a face, one by one.
+/// Compares the points over a face one by one.
 void expect_the_same_pairs(const CapsuleLook& quick, const WideManifold<3>& plain, double allowed, double allowed_off,
                            double far) {
   std::array<SurfacePair<3>, 2> pairs;
   if (quick.put_points(pairs.data()) == 0) return;
   RC_ASSERT(plain.size == 2U);
   for (std::size_t i = 0; i < 2; ++i) {
-    // Where a side is passed at a small angle, both places are off by more than their depths there.
+    // If a side is passed at a small angle, both positions are off by more than their depths there.
     const double moved = length(pairs[i].point_b - plain.pairs[i].point_b);
     RC_ASSERT(std::fabs(pairs[i].depth - plain.pairs[i].depth) <= allowed + moved + tolerance::epsilon * far);
     expect_near(pairs[i].point_a, plain.pairs[i].point_a, allowed_off);
@@ -192,9 +192,9 @@ void expect_the_same_pairs(const CapsuleLook& quick, const WideManifold<3>& plai
 
 constexpr double least_turn = 3e-8;
 
-/// Next to the end of an axis the way of all shapes may find a place beside the nearest, of which rounding hides that
-/// it is farther: one that is off by x at right angles to the distance d makes that longer by x^2 / 2d. The quick one
-/// is not off.
+/// Close to the end of an axis, the general method may find a position beside the nearest one, because rounding hides
+/// that it is farther: an offset of x perpendicular to the distance d lengthens it by x^2 / 2d. The fast method is not
+/// affected.
 double hidden_turn(const Drawn& drawn, double depth) {
   const double distance = std::fabs(drawn.pill.radius - depth);
   const double hidden = 8 * tolerance::epsilon * (max_abs(drawn.box.half_extents) + distance);
@@ -228,28 +228,28 @@ void expect_the_same_answers() {
       RC_ASSERT(turned.points[i].id.a == same.points[i].id.b && turned.points[i].id.b == same.points[i].id.a);
       RC_ASSERT(turned.points[i].point_a == same.points[i].point_b);
     }
-    if (same.size != plain.size) {  // written down, two may be one
+    if (same.size != plain.size) {  // after rounding, two may coincide
       RC_ASSERT(same.size == 1 && plain.size == 2);
       expect_near(plain.pairs[0].point_a, plain.pairs[1].point_a, allowed);
     }
     const double allowed_off = allowed + hidden_turn(drawn, quick.found.depth) + tolerance::epsilon * drawn.far;
     const bool is_on_face = (quick.feature_a.kind == FeatureKind::face);
     if (is_on_face) expect_the_same_pairs(quick, plain, allowed, allowed_off, drawn.far);
-    if (!quick.is_single) return;  // of a capsule that lies flat any place is as deep
+    if (!quick.is_single) return;  // for a capsule that lies flat, any position is as deep
     RC_ASSERT(plain.size == 1U);
     const V3 way = V3(pill.b) - V3(pill.a);
     const bool is_one_place = std::fabs(dot(way, quick.found.normal)) > 1e-7 * max_abs(way) + allowed;
-    if (quick.feature_b.kind == FeatureKind::vertex && !is_one_place) return;  // along an edge, too
+    if (quick.feature_b.kind == FeatureKind::vertex && !is_one_place) return;  // also along an edge
     expect_near(quick.found.point_a, plain.found.point_a, allowed_off);
     expect_near(quick.found.point_b, plain.found.point_b, allowed_off);
-    if (drawn.far > 1) return;  // the way of all shapes loses edges and vertices to rounding
+    if (drawn.far > 1) return;  // the general method loses edges and vertices to rounding
     RC_ASSERT(plain.pairs[0].feature_a == quick.feature_a);
     RC_ASSERT(plain.pairs[0].feature_b == quick.feature_b);
   });
   EXPECT_GT(known, 0);
 }
 
-/// Boxes and capsules of about unit size that meet.
+/// Boxes and capsules of about unit size that overlap.
 template <class BoxType>
 double share_with_known_points() {
   std::mt19937 random(5);

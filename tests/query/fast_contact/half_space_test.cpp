@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The quick way of spheres, capsules and boxes on planes and half-spaces against the way of all convex shapes.
+// The fast contact of spheres, capsules and boxes with planes and half-spaces against the general method for convex
+// shapes.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -71,7 +72,7 @@ TEST(HalfSpaceContact, ABoxOnTheGroundStandsOnFourCorners) {
   }
 }
 
-// ---- Against the way of all convex shapes
+// ---- Against the general method for convex shapes
 
 double share() { return static_cast<double>(*test::choice(1001)) / 1000; }
 
@@ -158,7 +159,7 @@ void expect_the_same_answers() {
         return pair.feature_a == found.points[i].id.a && pair.feature_b == found.points[i].id.b;
       });
       if (same == plain.pairs.begin() + plain.size) {
-        RC_ASSERT(far > 1);  // there rounding decides which corners a patch has
+        RC_ASSERT(far > 1);  // far away, rounding decides which corners a patch has
         continue;
       }
       RC_ASSERT(max_abs(Vec<N, double>(found.points[i].point_b) - same->point_b) <= allowed + ulp * (far + 4));

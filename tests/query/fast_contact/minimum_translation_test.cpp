@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a segment in a box is out of it the soonest, by hand.
+// The minimum translation of a segment out of a box, by hand.
 #include <gtest/gtest.h>
 
 #include <graze/math/vec.hpp>
@@ -15,7 +15,7 @@ constexpr double noise = 1e-14;
 
 using one_pair::MinimumTranslation;
 
-/// Out of a box three long, two wide and one high from the middle.
+/// Out of a box of 3 x 2 x 1 around the origin.
 MinimumTranslation minimum_translation(const V3& start, const V3& end) {
   return {one_pair::WayPastBox{start, end - start, V3(3, 2, 1)}, doubt, noise, true};
 }

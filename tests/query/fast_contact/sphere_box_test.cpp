@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The quick way of a sphere and a box in space against the way of all shapes.
+// The fast contact of a 3D sphere and a box against the general method.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -62,14 +62,14 @@ TEST(BallOnBox, IsNotKnownWhereItIsTooCloseToTell) {
   const auto is_known = [](const Ball& sphere) { return find_fast_contact(sphere, brick, false).is_known; };
   EXPECT_FALSE(is_known({{0, 0, 2}, 1}));             // touches
   EXPECT_FALSE(is_known({{0, 0, 1}, 1}));             // its center on a face
-  EXPECT_FALSE(is_known({{3, 0, 1.5}, 1}));           // over the line between face and edge
-  EXPECT_FALSE(is_known({{0, 0, 0}, 1}));             // two faces are as near
-  EXPECT_FALSE(is_known({{2.5, 1.5, 0}, 1}));         // two faces are as near
-  EXPECT_FALSE(is_known({{0, 0, std::nan("")}, 1}));  // nonsense
+  EXPECT_FALSE(is_known({{3, 0, 1.5}, 1}));           // above the line between face and edge
+  EXPECT_FALSE(is_known({{0, 0, 0}, 1}));             // two faces are equally near
+  EXPECT_FALSE(is_known({{2.5, 1.5, 0}, 1}));         // two faces are equally near
+  EXPECT_FALSE(is_known({{0, 0, std::nan("")}, 1}));  // invalid
   EXPECT_FALSE(find_fast_contact(Ball{{0, 0, 0.5}, 1}, Box{{0, 0, 0}, {3, 2, 0}}, false).is_known);  // a flat box
 }
 
-// ---- Against the way of all shapes
+// ---- Against the general method
 
 double share() { return static_cast<double>(*test::choice(1001)) / 1000; }
 
@@ -102,7 +102,7 @@ Aabb<3, T> box_like(const Box& box, const Aabb<3, T>&) {
   return {Vec<3, T>(box.center - box.half_extents), Vec<3, T>(box.center + box.half_extents)};
 }
 
-/// The careful answers, without the quick way. A point of the box may be off by what its axes lack of right angles.
+/// The general answers, without the fast method. A point of the box may be off by the orthonormality error of its axes.
 template <class BoxType>
 void expect_the_same_answers() {
   using T = scalar_of<BoxType>;
@@ -129,7 +129,7 @@ void expect_the_same_answers() {
     expect_near(quick.found.point_b, plain.found.point_b, allowed_off + 1e-9 * plain.found.depth);
     RC_ASSERT(plain.size == 1U);
     RC_ASSERT(plain.pairs[0].feature_a == (Feature{FeatureKind::vertex, 0}));
-    // Far from the origin the way of all shapes loses edges and vertices to rounding.
+    // Far from the origin the general method loses edges and vertices to rounding.
     if (max_abs(wide_box.center) <= 1) RC_ASSERT(plain.pairs[0].feature_b == quick.feature_b);
     const auto turned = manifold(box, sphere);
     RC_ASSERT(turned.points[0].id == (ContactId{quick.feature_b, {FeatureKind::vertex, 0}}));

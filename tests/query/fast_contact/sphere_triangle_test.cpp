@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The quick way of a sphere and a triangle in space against the way of all shapes.
+// The fast contact of a 3D sphere and a triangle against the general method.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -55,7 +55,7 @@ TEST(BallOnTriangle, IsNotKnownWhereItIsTooCloseToTell) {
   EXPECT_FALSE(find_fast_contact(Ball{{2, -1e-9, 1}, 2}, roof, false).is_single) << "hardly beside the face";
 }
 
-// ---- Against the way of all shapes
+// ---- Against the general method
 
 double share() { return static_cast<double>(*test::choice(1001)) / 1000; }
 V3 place() { return V3(share(), share(), share()) * 2.0 - 1.0; }
@@ -93,7 +93,7 @@ void expect_the_same_answers() {
     RC_ASSERT(same.size == 1U && turned.size == 1U && plain.size == 1U);
     RC_ASSERT(turned.normal == -same.normal && turned.points[0].point_a == same.points[0].point_b);
     RC_ASSERT(turned.points[0].id.a == same.points[0].id.b);
-    if (!quick.is_single || far > 1) return;  // far from the origin rounding decides what a point lies on
+    if (!quick.is_single || far > 1) return;  // far from the origin, rounding decides on which feature a point is
     RC_ASSERT(plain.pairs[0].feature_a == quick.feature_a);
     RC_ASSERT(plain.pairs[0].feature_b == quick.feature_b);
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The quick way of spheres and capsules against the way of all shapes.
+// The fast contact of spheres and capsules against the general method.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -69,7 +69,7 @@ TEST(RoundTouch, IsNotKnownWhereItIsTooCloseToTell) {
       << "over an end, or not";
 }
 
-// ---- Against the way of all shapes
+// ---- Against the general method
 
 double share() { return static_cast<double>(*test::choice(1001)) / 1000; }
 
@@ -123,7 +123,7 @@ void expect_the_same_answers() {
     const WideManifold<N> plain = manifold_of_met(a, b);
     const double allowed = 4 * (quick.found.error + plain.found.error);
     RC_ASSERT(std::fabs(quick.found.depth - plain.found.depth) <= allowed);
-    // Next to the end of an axis the way of all shapes may be off by as much; the quick one is not.
+    // Close to the end of an axis the general method may be off by this much; the fast one is not.
     expect_near(quick.found.normal, plain.found.normal, 3e-8);
     const double allowed_off = allowed + 3e-8 + tolerance::epsilon * distance;
     expect_near(quick.found.point_a, plain.found.point_a, allowed_off);
@@ -137,7 +137,7 @@ void expect_the_same_answers() {
     }
     if (!quick.is_single) return;
     RC_ASSERT(plain.size == 1U);
-    if (distance > 1) return;  // the way of all shapes loses ends to rounding
+    if (distance > 1) return;  // the general method loses ends to rounding
     RC_ASSERT(plain.pairs[0].feature_a == quick.feature_a);
     RC_ASSERT(plain.pairs[0].feature_b == quick.feature_b);
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The manifold of two boxes along the axes against that of any two faces.
+// The manifold of two AABBs against that of any two faces.
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -28,7 +28,7 @@ TEST(AabbManifold, InSpaceIsTheRectangleThatTheFacesShare) {
     EXPECT_EQ(point.point_b.y, 0.75);
     EXPECT_TRUE(point.point_a.x == 8 || point.point_a.x == 10);
     EXPECT_TRUE(point.point_a.z == 2 || point.point_a.z == 4);
-    // The crate's corners at x = 8 lie on the floor's top; at x = 10 the floor's edge crosses two of the crate's.
+    // The crate's corners at x = 8 are on the floor's top; at x = 10 the floor's edge crosses two of the crate's.
     const bool is_corner = point.point_a.x == 8;
     EXPECT_EQ(point.id.a.kind, is_corner ? FeatureKind::face : FeatureKind::edge) << is_floor_first;
     EXPECT_EQ(point.id.b.kind, is_corner ? FeatureKind::vertex : FeatureKind::edge);
@@ -61,7 +61,7 @@ std::map<Ids, Vec<N, double>> points_by_id(const WideManifold<N>& manifold) {
   return result;
 }
 
-/// Coordinates that are often the same.
+/// Coordinates that often coincide.
 template <class T>
 T place(double far) {
   const double whole = static_cast<double>(*test::choice(5));

@@ -62,7 +62,7 @@ TEST(PatchOfPolytope, NamesItsCornersByTheirPlaces) {
   EXPECT_EQ(std::set<std::uint32_t>(patch.edges.begin(), patch.edges.begin() + 4).size(), 4U);
 }
 
-/// Those of the face, and of its corners and edges in order.
+/// The numbers of the face, its corners and its edges, in order.
 std::vector<std::uint32_t> numbers_of(const Patch<3>& patch) {
   std::vector<std::uint32_t> numbers{patch.face};
   numbers.insert(numbers.end(), patch.vertices.begin(), patch.vertices.begin() + patch.size);
@@ -171,7 +171,7 @@ double area_of(const Patch<3>& patch) {
   return std::fabs(dot(twice, patch.normal)) / 2;
 }
 
-/// Those of a regular octagon, or nearly so: 2 sqrt(2) is the largest area of eight corners in a circle.
+/// The corners of a regular octagon, or nearly so: 2 sqrt(2) is the largest area of eight corners in a circle.
 TEST(PatchOfPolytope, OfMoreThanEightCornersKeepsEightAllAround) {
   for (const std::size_t count : {9U, 40U, 127U, 128U, 129U, 130U, 1000U}) {
     const auto polytope = cone(count);
@@ -198,7 +198,7 @@ TEST(PatchOfPolytope, OfManyCornersIsTheSameWhateverThePose) {
   }
 }
 
-/// A wedge's face of 200 corners on an arc of one degree and one far off: fewer than eight are farthest.
+/// A wedge's face with 200 corners on an arc of one degree and one far away: fewer than eight are extreme.
 TEST(PatchOfPolytope, OfManyCornersKeepsNoneTwice) {
   std::vector<V3> wedge{{0, 0, -1}, {-2, 0, 0}};
   for (int i = 0; i < 200; ++i) {
@@ -221,7 +221,7 @@ TEST(PatchOfPolytope, InThePlaneIsAnEdge) {
   EXPECT_EQ(patch.normal, V2(1, 0));
   EXPECT_EQ(patch.corners[0], V2(3, -1));
   EXPECT_EQ(patch.corners[1], V2(3, 3));
-  // A corner that hardly turns ends no side: that of the contact may be before it or after it.
+  // A corner with a tiny angle ends no side: the contact's corner may be before it or after it.
   const auto bent = convex_hull<2, double>(std::vector<V2>{{0, 0}, {4, 0}, {4 + 1e-9, 2}, {4, 4}, {0, 4}});
   EXPECT_EQ(patch_of_polytope(bent, V2(0, 0), V2(1, 0)).corners[0], V2(4, 0));
   EXPECT_EQ(patch_of_polytope(bent, V2(0, 0), V2(1, 0)).corners[1], V2(4, 4));

@@ -77,13 +77,13 @@ TEST(PatchOf, ABoxOfThePlaneIsItsSide) {
   EXPECT_EQ(patch.vertices[1], 3U);
 }
 
-// Sides that look along the direction as much must not take turns from frame to frame.
+// Sides that face the direction equally must not alternate between frames.
 TEST(PatchOf, OfSidesThatLookAlongAsMuchIsTheFirst) {
   for (const double noise : {-1e-9, 0.0, 1e-9}) EXPECT_EQ(patch_of(box, V3(1, 1 + noise, 0)).face, 1U);
 }
 
 TEST(PatchOfTriangle, InThePlaneOfAFlatOneIsAllOfIt) {
-  // The third corner is in the middle of the other two, and the farthest along the direction is any of them.
+  // The third corner is the midpoint of the other two, and any of them is the farthest along the direction.
   const Triangle<2, double> flat{{-4, 0}, {4, 0}, {0, 0}};
   for (const V2 direction : {V2(0, 1), V2(0, -1), V2(1e-17, 1), V2(-1e-17, 1), V2(1, 0)}) {
     const Patch<2> patch = patch_of(flat, direction);
@@ -114,7 +114,7 @@ TEST(PatchOf, ATriangleOfThePlaneIsOneOfItsEdgesWhicheverWayRound) {
   }
 }
 
-// Seen along itself no side of a needle looks that way, and yet it is its end that is met.
+// Along the needle itself no side faces that direction, and yet its end is the contact.
 TEST(PatchOf, ANeedleEndOnIsASideWithItsEnd) {
   for (const double width : {0.0, 1e-9}) {
     const Triangle<2, double> needle{{0, 0}, {10, 0}, {9, width}};

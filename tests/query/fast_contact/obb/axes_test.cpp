@@ -37,7 +37,7 @@ TEST(ObbAxes, SayNothingOfBoxesThatTouchOrAreTooLargeOrTooSmall) {
   }
 }
 
-// To the bit, and never another verdict.
+// Bit-identical, and never another verdict.
 template <class T>
 void expect_no_axis_left_out() {
   test::check_property([] {

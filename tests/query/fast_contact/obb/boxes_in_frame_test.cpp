@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The quick way of a box along the axes and an oriented one against that of all boxes.
+// The fast contact of an AABB and an oriented box against the general method for boxes.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -48,7 +48,7 @@ TEST(SeenInOrder, HasTheOrientedBoxFirst) {
   }
 }
 
-// ---- Against the way of all boxes
+// ---- Against the general method for boxes
 
 enum class Kind { any, stacked, flat, far };
 

@@ -20,7 +20,7 @@ namespace {
 using V3 = Vec<3, double>;
 using Box = Obb<3, double>;
 
-/// A corner of the lower side of a box over the upper side of another, as SpanningChoice wants it.
+/// A corner of the lower side of a box above the upper side of another, in the form of SpanningChoice.
 struct Place {
   V3 point_a;
   double depth;

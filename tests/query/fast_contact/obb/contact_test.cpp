@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The quick way of two oriented boxes in space against the way of all boxes.
+// The fast contact of two 3D oriented boxes against the general method for boxes.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -72,7 +72,7 @@ TEST(CornerOverFace, IsTheDeepestOneIfItIsOverTheFace) {
   for (const V3& corner : corner_points(tilted(0))) {
     if (corner.z < lowest.z) lowest = corner;
   }
-  lowest.z += 1;  // seen from the table's middle
+  lowest.z += 1;  // seen from the table's center
   EXPECT_NEAR(length(plain(over.corner) - lowest), 0, 1e-14);
   EXPECT_NEAR(length(plain(over.on_face) - V3(lowest.x, lowest.y, 1)), 0, 1e-14);
   EXPECT_FALSE(corner_over_face(MeetingObbs(ObbsInFrame(table, tilted(4.5)), upward)).is_any);
@@ -81,7 +81,7 @@ TEST(CornerOverFace, IsTheDeepestOneIfItIsOverTheFace) {
   EXPECT_NEAR(length(plain(below.corner) + V3(0, 0, 1.5) - (lowest - V3(0, 0, 1))), 0, 1e-14);
 }
 
-// To the bit.
+// Bit-identical.
 void expect_what_the_search_finds(const Box& a, const Box& b, BoxesAxes axes) {
   const BoxSides<3> sides_a = sides_of(relative_to(a.center, a));
   const BoxSides<3> sides_b = sides_of(relative_to(a.center, b));
@@ -123,7 +123,7 @@ Mat<3, double> any_rotation() {
 
 enum class Kind { any, stacked, tilted, edges, concentric, flat, far };
 
-/// Two boxes, the first of which is at most about 1 large.
+/// Two boxes, the first of at most about size 1.
 std::pair<Box, Box> draw(Kind kind) {
   const auto share = [] { return static_cast<double>(*test::choice(1001)) / 1000; };
   const auto half = [&] { return V3(0.1 + share(), 0.1 + share(), 0.1 + share()); };
@@ -154,7 +154,8 @@ Obb<3, T> in_type(const Box& box) {
   return {Vec<3, T>(box.center), Vec<3, T>(box.half_extents), Mat<3, T>(box.axes)};
 }
 
-/// Points may be off by the tilt of faces that are taken to lie flat; where they are cut at so small an angle, by more.
+/// Points may be off by the tilt of faces that are taken to be flush; if they are clipped at such a small angle, by
+/// more.
 template <class T>
 double allowed_off(const Obb<3, T>& a, const Obb<3, T>& b, double error) {
   const auto coordinate = static_cast<double>(std::max(max_abs(a.center), max_abs(b.center)));
@@ -162,7 +163,7 @@ double allowed_off(const Obb<3, T>& a, const Obb<3, T>& b, double error) {
   return 8 * error + 4 * static_cast<double>(std::numeric_limits<T>::epsilon()) * (coordinate + size);
 }
 
-/// A corner of a face over a face, as SpanningChoice wants it: of the two boxes in the order of their contact.
+/// A corner of a face above a face, in the form of SpanningChoice, for the two boxes in the order of their contact.
 struct Corner {
   V3 point_a;
   V3 point_b;
@@ -170,7 +171,7 @@ struct Corner {
   ContactId id;
 };
 
-/// By the quick way, in its order. None if it leaves them to the other, or if no face carries points.
+/// By the fast method, in its order. None if it leaves them to the general one, or if no face is the reference face.
 std::vector<Corner> quick_corners(const MeetingObbs& met, const ReferenceFace& face) {
   std::vector<Corner> corners;
   if (!face.is_any) return corners;
@@ -187,7 +188,7 @@ std::vector<Corner> quick_corners(const MeetingObbs& met, const ReferenceFace& f
   return corners;
 }
 
-/// The same corners by the way of all boxes, brought into the order of the others, which names each once.
+/// The same corners by the general method, in the order of the fast one, which lists each once.
 std::vector<Corner> corners_in_order(const SurfacePairs<3>& pairs, const std::vector<Corner>& order) {
   std::vector<Corner> corners;
   for (const Corner& other : order) {
@@ -199,7 +200,7 @@ std::vector<Corner> corners_in_order(const SurfacePairs<3>& pairs, const std::ve
   return corners;
 }
 
-/// The ids of all, or of four of more.
+/// The ids of all, or of four if there are more.
 std::vector<ContactId> chosen_ids(const std::vector<Corner>& corners, const V3& normal) {
   std::vector<std::size_t> places;
   if (corners.size() > Manifold<3>::most_points) {
@@ -214,8 +215,8 @@ std::vector<ContactId> chosen_ids(const std::vector<Corner>& corners, const V3& 
   return ids;
 }
 
-/// The quick way has all corners of the other, and its choice is the other's among these. To the other's order of
-/// corners, and so to the one that it prefers of several that are as good, it is not bound.
+/// The fast method has all corners of the general one, and its choice is the same up to ties. It need not follow the
+/// other's order of corners, nor its preference among equally good ones.
 template <class T>
 void expect_the_same_manifold(Kind kind) {
   test::check_property([kind] {
@@ -262,8 +263,8 @@ void expect_the_same_manifold(Kind kind) {
   });
 }
 
-/// The same depth and normal to the bit. Of points that are as deep as each other either may be taken, so that the
-/// point need only be as deep as the contact.
+/// Bit-identical depth and normal. Of points that are equally deep either may be chosen, so the point need only be as
+/// deep as the contact.
 template <class T>
 void expect_the_same_contact(Kind kind) {
   test::check_property([kind] {
