@@ -11,7 +11,7 @@
 
 namespace graze::test {
 
-/// A folder of this process among the system's temporary ones, gone with what lies in it at the end.
+/// A temporary folder for this process, removed with its content at the end.
 class ScratchFolder {
  public:
   explicit ScratchFolder(const std::string& name)
@@ -30,7 +30,7 @@ class ScratchFolder {
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path file(const std::string& name) const { return path_ / name; }
 
-  /// Makes the folders of the file as well.
+  /// Creates the file's parent folders as well.
   void write(const std::string& name, std::string_view bytes) const {
     std::filesystem::create_directories(file(name).parent_path());
     std::ofstream(file(name), std::ios::binary) << bytes;

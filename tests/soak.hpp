@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long what lives on is exercised, and how full it is meanwhile.
+// How long soak tests run, and how full they are meanwhile.
 #pragma once
 
 #include <algorithm>
@@ -8,17 +8,17 @@
 
 namespace graze::test {
 
-/// 20,000, and so many times as many as GRAZE_TEST_SCALE says: 50 for a million. Never so few that a world stays small.
+/// 20,000, multiplied by GRAZE_TEST_SCALE: 50 for a million. Never so few that a set stays small.
 inline std::size_t soak_operations() {
   const char* const scale = std::getenv("GRAZE_TEST_SCALE");
   const double operations = 20'000 * (scale != nullptr ? std::strtod(scale, nullptr) : 1.0);
   return static_cast<std::size_t>(std::max(operations, 8'000.0));
 }
 
-/// In so many operations a world fills and is emptied: four times at least, and ever again in a longer life.
+/// The number of operations in which a set is filled and emptied once: at least four cycles, more in longer runs.
 constexpr std::size_t soak_breath(std::size_t operations) { return std::min<std::size_t>(operations / 4, 10'000); }
 
-/// How many things should be there at an operation: from none to `most` and back in each breath.
+/// The target size at an operation: from none to `most` and back in each cycle.
 constexpr std::size_t soak_target(std::size_t operation, std::size_t breath, std::size_t most) {
   const std::size_t phase = operation % breath;
   const std::size_t half = breath / 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compounds that have a part so far out on the way along which another is infinite that their box does not tell of it.
+// Compounds with a part so far out along a direction in which another is infinite that their box does not show it.
 #pragma once
 
 #include <vector>
@@ -24,7 +24,7 @@ Ray<N, T> along_x() {
   return {in_plane<N, T>(0, 0), in_plane<N, T>(1, 0)};
 }
 
-/// What touches that ray by the rounding of x = 1e33 alone: y is 1e17.
+/// A shape that touches that ray only by the rounding of x = 1e33: y is 1e17.
 template <Dim N, class T>
 std::vector<AnyShape<N, T>> far_shapes() {
   const Vec<N, T> start = in_plane<N, T>(1e33, 1e17);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Published cases: how deep two shapes are in each other. query/published_cases.hpp says how to read a row.
+// Published cases: the depth of overlapping shapes. query/published_cases.hpp describes the rows.
 #include <array>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Published cases: how far two shapes are apart. query/published_cases.hpp says how to read a row.
+// Published cases: the distance of two shapes. query/published_cases.hpp describes the rows.
 #include <array>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Published cases: hulls, smallest spheres and masses. query/published_cases.hpp says how to read a row.
+// Published cases: hulls, smallest spheres and masses. query/published_cases.hpp describes the rows.
 #include <array>
 
 #include <gtest/gtest.h>

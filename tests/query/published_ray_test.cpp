@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Published cases: where a ray or segment enters a shape. query/published_cases.hpp says how to read a row.
+// Published cases: where a ray or segment enters a shape. query/published_cases.hpp describes the rows.
 #include <array>
 
 #include <gtest/gtest.h>

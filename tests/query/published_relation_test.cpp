@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Published cases: whether two shapes meet. query/published_cases.hpp says how to read a row.
+// Published cases: whether two shapes intersect. query/published_cases.hpp describes the rows.
 #include <array>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Laws of ray_cast on random rays and shapes of every type: what it must agree with, and what must not change it.
+// Laws of ray_cast on random rays and shapes of every type: agreement with other queries, and invariances.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -44,7 +44,7 @@ class RayCastLaw : public ::testing::Test {
     Number t_max;
   };
 
-  /// In one case of two the ray starts at, or is aimed at, a point of the shape, often of an edge or a corner.
+  /// In half of the cases the ray starts at, or is aimed at, a point of the shape, often of an edge or a corner.
   static Case draw_case() {
     auto [shape, drawn] = *any_pair<Any, Ray<dimension, Number>>();
     Ray<dimension, Number> ray = drawn;
@@ -67,7 +67,7 @@ class RayCastLaw : public ::testing::Test {
     return wide<dimension, Number>(drawn.ray.origin) + wide<dimension, Number>(drawn.ray.direction) * t;
   }
 
-  /// What rounding to T, and what `signed_distance` itself may be off by.
+  /// The error from rounding to T and from `signed_distance` itself.
   static double slack_at(const Case& drawn, const RayHit<dimension, Number>& hit) {
     const auto far = static_cast<double>(max_abs(hit.point)) + size_of<dimension, Number>({drawn.shape, drawn.ray});
     return hit.error + 2 * epsilon * far;
@@ -125,7 +125,7 @@ TYPED_TEST(RayCastLaw, AHitIsWithinTheRayAndOnTheShape) {
       RC_LOG() << hit->t << " at " << to_source<N, T>(AnyShape<N, T>(hit->point)) << "\n";
       RC_ASSERT(hit->t >= T(0));
       RC_ASSERT(hit->t <= drawn.t_max);
-      // A ray in the plane of a flat shape may leave it by a rounding of T: then the error says by how much.
+      // A ray in the plane of a flat shape may leave it by a rounding error of T: then the error says by how much.
       RC_ASSERT(hit->status == Status::converged || hit->error > 0);
       RC_ASSERT(std::fabs(length(wide<N, T>(hit->normal)) - 1) < 4 * TestFixture::epsilon);
       const double height = height_of<N, T>(drawn.shape, wide<N, T>(hit->point));
@@ -155,7 +155,7 @@ TYPED_TEST(RayCastLaw, TheRayIsNowhereInsideBeforeTheEntryOrAfterTheExit) {
     if (!exit || !std::isfinite(exit->t)) return;
     auto whole = drawn;
     whole.t_max = TestFixture::infinity;
-    RC_ASSERT(TestFixture::cast(whole).has_value());  // by a rounding it may be after the exit
+    RC_ASSERT(TestFixture::cast(whole).has_value());  // a rounding error may move it past the exit
     const double past = TestFixture::slack_at(drawn, *exit);
     for (const double factor : {1.001, 1.5, 4.0}) {
       const double t = std::min(static_cast<double>(exit->t) * factor, static_cast<double>(drawn.t_max));
@@ -246,7 +246,7 @@ TYPED_TEST(RayCastLaw, TheExitIsTheEntryOfTheSegmentTurnedRound) {
     const auto back = hit_of<N, T>(drawn.shape, Segment<N, T>{segment.end, segment.start});
     if (!exit || !back) return;
     RC_LOG() << exit->t << " and back " << back->t << "\n";
-    // At a grazing angle they differ, but in between the surface is as near as the error says.
+    // At a grazing angle they differ, but in between the surface is as close as the error says.
     const auto one = static_cast<double>(exit->t);
     const double other = 1 - static_cast<double>(back->t);
     const double slack = exit->error + back->error + 4 * TestFixture::epsilon * size_of<N, T>({drawn.shape, segment});
@@ -292,7 +292,7 @@ TYPED_TEST(RayCastLaw, RigidMotionsChangeNothingBeyondRounding) {
     auto moved_case = drawn;
     moved_case.shape = transformed(drawn.shape, pose);
     moved_case.ray = transformed(drawn.ray, pose);
-    // What is only just touched may be missed when it is turned by a rounding, and then another part is hit.
+    // A bare touch may become a miss when rotated by a rounding error, and then another part is hit.
     RC_PRE((!std::holds_alternative<Compound<N, T>>(drawn.shape)));
     RC_PRE(N == 2 || (!std::holds_alternative<Polytope<N, T>>(drawn.shape)));
     RC_PRE((relation_of<N, T>(drawn.shape, drawn.ray) == Relation::overlapping));
@@ -301,7 +301,7 @@ TYPED_TEST(RayCastLaw, RigidMotionsChangeNothingBeyondRounding) {
     if (!hit || !moved_hit || hit->t == T(0) || moved_hit->t == T(0)) return;
     const Vec<N, double> way = wide<N, T>(drawn.ray.direction);
     const Vec<N, double> moved_way = wide<N, T>(moved_case.ray.direction);
-    // The first order of what a change of the surface along the normal does to t.
+    // The first-order change of t for a displacement of the surface along the normal.
     const double steepness = std::min(std::fabs(dot(wide<N, T>(hit->normal), way)),
                                       std::fabs(dot(wide<N, T>(moved_hit->normal), moved_way)));
     const double apart = std::fabs(static_cast<double>(hit->t) - static_cast<double>(moved_hit->t));

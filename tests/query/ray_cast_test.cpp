@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hits that can be calculated by hand, watertight meshes, a shape of one's own, and numbers that nobody should send.
+// Hits calculated by hand, watertight meshes, a user-defined shape, and invalid numbers.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -19,7 +19,7 @@
 
 namespace graze::test::ray_cast_test {
 
-/// A sphere that is known by its support points alone.
+/// A sphere defined by its support function alone.
 struct Blob {
   Vec<3, double> center;
   double radius;
@@ -45,7 +45,7 @@ struct Expected {
 
 void expect_hit(const std::optional<RayHit<3, double>>& hit, const Expected& expected, const std::string& what) {
   ASSERT_TRUE(hit.has_value()) << what;
-  const double off = 1e-15 + 2 * hit->error;  // no ray here meets a surface at less than 30 degrees
+  const double off = 1e-15 + 2 * hit->error;  // no ray here hits a surface at less than 30 degrees
   EXPECT_NEAR(hit->t, expected.t, off) << what;
   for (Dim i = 0; i < 3; ++i) {
     EXPECT_NEAR(hit->point[i], expected.point[i], off) << what;
@@ -152,14 +152,14 @@ TEST(RayCast, TakesDirectionsOfAnySize) {
       EXPECT_EQ(hit->normal, Point(-1, 0, 0));
     }
   }
-  // The last double above zero: t is too large for one, and the point is right.
+  // The smallest double above zero: t overflows, and the point is right.
   const auto far = ray_cast(box, Ray<3, double>{{-3, 0, 0}, {std::numeric_limits<double>::denorm_min(), 0, 0}});
   ASSERT_TRUE(far.has_value());
   EXPECT_EQ(far->t, infinity);
   EXPECT_EQ(far->point, Point(1, 0, 0));
 }
 
-/// Whoever wants no end may well give the largest number: its rounding must not find what the ray leaves behind.
+/// Users may give the largest number for an infinite ray: its rounding must not report shapes behind the ray.
 TEST(RayCast, GoesPastWhatLiesBehindItHoweverLateItEnds) {
   const Ray<3, double> ray{{-10, -10, -10}, {-9.875, -10, 5.875}};
   const Ray<3, float> narrow{{-10, -10, -10}, {-9.875F, -10, 5.875F}};
@@ -176,7 +176,7 @@ TEST(RayCast, GoesPastWhatLiesBehindItHoweverLateItEnds) {
 }
 
 TEST(RayCast, FindsASmallBallFarAway) {
-  // The half chord at 0.6 off the center is 0.8; b^2 - 4 a c in double would be rounding alone.
+  // The half chord at 0.6 from the center is 0.8; b^2 - 4 a c in double would be pure rounding.
   const Sphere<3, double> sphere{{1e9, 0, 0}, 1};
   const auto hit = ray_cast(sphere, Ray<3, double>{{0, 0.6, 0}, {1, 0, 0}});
   ASSERT_TRUE(hit.has_value());
@@ -200,8 +200,8 @@ TEST(RayCast, FindsAUsersShapeAndSaysHowWell) {
   EXPECT_NEAR(exit->t, 3.3, 1e-12);
 }
 
-/// Rays that miss by less than a verdict can tell, at angles at which Newton's method runs past: what they hit is where
-/// they come nearest, and the error is no less than the gap.
+/// Rays that miss by less than a verdict can tell, at angles at which Newton's method overshoots: the hit is at the
+/// nearest approach, and the error is at least the gap.
 TEST(RayCast, HitsWhatItOnlyNearlyTouchesWhereItIsNearest) {
   using Point2 = Vec<2, double>;
   struct Row {
@@ -229,9 +229,9 @@ TEST(RayCast, HitsWhatItOnlyNearlyTouchesWhereItIsNearest) {
   }
 }
 
-// ---- Closed meshes: rays at corners and edges from inside never slip through
+// ---- Closed meshes: rays from inside never escape through corners and edges
 
-/// The faces of a convex body, each seen counter-clockwise from outside.
+/// The faces of a convex body, each counter-clockwise as seen from outside.
 using Faces = std::vector<Triangle<3, float>>;
 
 Faces icosahedron(const Vec<3>& center, float size) {
@@ -295,7 +295,7 @@ TEST(RayCast, ARayExactlyThroughAnEdgeOrACornerHitsAllItsTriangles) {
   }
 }
 
-// ---- Nonsense
+// ---- Invalid input
 
 TEST(RayCast, IsOverBeforeItBegins) {
   EXPECT_FALSE(ray_cast(Sphere<3>{}, Ray<3>{{0, 0, 0}, {1, 0, 0}}, -1.0F).has_value());
@@ -338,8 +338,8 @@ TEST(RayCast, NanAndExtremesGetAnAnswer) {
   }
 }
 
-/// A path that ends at a plane, or a hair before it, where `relation` says that it touches: how near it is depends on
-/// the size of the numbers at its end, not at its origin.
+/// A path that ends at a plane, or slightly before it, where `relation` says that it touches: how close it is depends
+/// on the size of the numbers at its end, not at its origin.
 TEST(RayCast, ClaimsAtTheEndOfThePathNoMoreThanItKnowsThere) {
   struct Row {
     HalfSpace<2, double> solid;
@@ -365,7 +365,7 @@ TEST(RayCast, ClaimsAtTheEndOfThePathNoMoreThanItKnowsThere) {
   EXPECT_GT(hits, 2000U);
 }
 
-/// The same where it begins: a hair from the plane, nearer than rounding can tell there, and moving away.
+/// The same at its start: slightly off the plane, closer than rounding can tell there, and moving away.
 TEST(RayCast, ClaimsAtTheStartOfThePathNoMoreThanItKnowsThere) {
   const Plane<2, double> plane{{0.0004, 0}, 0.0004};
   for (const double side : {-1.0, 1.0}) {
@@ -375,7 +375,7 @@ TEST(RayCast, ClaimsAtTheStartOfThePathNoMoreThanItKnowsThere) {
       EXPECT_EQ(hit->t, 0);
       EXPECT_GE(hit->error, 0x1p-52);
     }
-    // At zero a hair can be told from nothing, and the path's far end is no reason not to.
+    // At zero a tiny gap is exact, and the path's far end does not change that.
     const Plane<2, double> through_zero{{0.0004, 0}, 0};
     for (const double t_max : {0.75, 1e9, infinity}) {
       EXPECT_FALSE(ray_cast(through_zero, Ray<2, double>{{side * 0x1p-53, 0}, {side, 0}}, t_max));
@@ -383,7 +383,7 @@ TEST(RayCast, ClaimsAtTheStartOfThePathNoMoreThanItKnowsThere) {
   }
   const auto inside = ray_cast(HalfSpace<2, double>{{1, 0}, 5}, Ray<2, double>{{0, 0}, {-1, 0}}, 0.75);
   ASSERT_TRUE(inside.has_value());
-  EXPECT_LT(inside->error, 1e-13);  // how deep it starts is no error
+  EXPECT_LT(inside->error, 1e-13);  // the depth at the start is no error
 }
 
 }  // namespace

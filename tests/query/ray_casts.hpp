@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What graze says about rays and any shape: compiled once for each space, by ray_casts.cpp.in.
+// graze's answers for rays and any shape: compiled once for each space, by ray_casts.cpp.in.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,8 @@ std::optional<RayHit<N, T>> hit_of(const AnyShape<N, T>& shape, const Segment<N,
 template <Dim N, class T>
 bool meet_as_held(const AnyShape<N, T>& shape, const Ray<N, T>& ray);
 
-/// The signed distance of a point in double: of a compound the least of its parts', of sets without thickness positive.
+/// The signed distance of a point in double: for a compound, the minimum over its parts; for sets without thickness,
+/// positive.
 template <Dim N, class T>
 double height_of(const AnyShape<N, T>& shape, const Vec<N, double>& point);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with a ray's hit, if anything: whether there is one, and how far its point is from where the ray truly
-// enters, against what ray_cast.hpp promises.
+// Finds errors of a ray's hit: whether there is one, and how far its point is from the true entry, according to the
+// contract of ray_cast.hpp.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 
 namespace graze::test {
 
-/// The signed distance of a point, of compounds that of the nearest part, and of planes never negative.
+/// The signed distance of a point; for compounds that of the nearest part, for planes never negative.
 template <Dim N, class T>
 double exact_height(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
   if (const auto* compound = std::get_if<Compound<N, T>>(&shape)) {
@@ -34,8 +34,8 @@ double exact_height(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
   return std::holds_alternative<Plane<N, T>>(shape) ? std::fabs(height) : height;
 }
 
-/// How wrong it is to say that a ray enters at `t` when it does at `entry`: the way between, or, where the ray grazes
-/// and so the way is long, the height of the point there or the depth of the ray before it. The points are rounded to
+/// The error of an entry at `t` when the true one is at `entry`: the distance between them or, for a grazing ray, where
+/// this is long, the height of the point above the surface or the depth of the ray before it. The points are rounded to
 /// T.
 template <Dim N, class T>
 double entry_error(const AnyShape<N, T>& shape, const Ray<N, T>& ray, double t, double entry) {
@@ -48,7 +48,7 @@ double entry_error(const AnyShape<N, T>& shape, const Ray<N, T>& ray, double t, 
   if (!is_finite(point)) return along;
   const double height = std::fabs(exact_height<N, T>(shape, point));
   if (t < entry) return std::min(along, height);  // before the entry the ray is nowhere inside
-  // Heights along the ray are convex: nowhere between is it twice as deep as in the middle.
+  // The height along the ray is convex, so the depth in between is at most twice the depth in the middle.
   const double depth_between = -2 * exact_height<N, T>(shape, place(0.5 * t + 0.5 * entry));
   return std::min(along, std::max(height, depth_between));
 }
@@ -59,7 +59,8 @@ struct RayErrors {
   double entry = 0;  ///< In epsilon of T times the largest coordinate of ray, point and shape.
 };
 
-/// `truth` with gap and sizes where it differs from the hit, `largest` a bound on the coordinates of ray and shape.
+/// `truth` with gap and sizes where it differs from the hit, `largest` an upper bound of the coordinates of ray and
+/// shape.
 template <Dim N, class T>
 RayErrors ray_errors(const AnyShape<N, T>& shape, const Ray<N, T>& ray, const ExactVerdict& truth, double largest,
                      const std::optional<RayHit<N, T>>& hit) {
@@ -80,14 +81,14 @@ RayErrors ray_errors(const AnyShape<N, T>& shape, const Ray<N, T>& ray, const Ex
   const auto t = static_cast<double>(hit->t);
   const std::optional<double> entry = is_met ? exact_entry<N, T>(shape, ray) : std::nullopt;
   if (is_met && (!entry || !std::isfinite(*entry))) return errors;
-  // What is only nearly touched has no entry, but the point is as near to it as the error says.
+  // A near touch has no entry, but the point is as close to the shape as the error says.
   const double error =
       entry ? entry_error<N, T>(shape, ray, t, *entry) : std::fabs(exact_height<N, T>(shape, hit->point));
   const auto epsilon = static_cast<double>(std::numeric_limits<T>::epsilon());
   const Vec<N, double> way = wide<N, T>(ray.direction) * t;
   const double size = std::max({largest, max_abs(way), static_cast<double>(max_abs(hit->point))});
   const double off_ray = length(wide<N, T>(ray.origin) + way - wide<N, T>(hit->point));
-  // The point and t are each rounded to T, and so is the place where the height is asked.
+  // The point and t are each rounded to T, and so is the point where the height is calculated.
   constexpr double roundings = 4;
   const double bound = hit->error + roundings * epsilon * size + static_cast<double>(std::numeric_limits<T>::min());
   if (!(error <= bound) || !(off_ray <= bound)) errors.judgement = Judgement::wrong;

@@ -44,9 +44,9 @@ struct Regression {
   std::string space;  ///< "3D float".
   std::string a;
   std::string b;
-  std::string expected;  ///< The relation's name, the signed distance, the distance, the gap, where the ray enters,
-                         ///< the relation of b and all that a comes by, whether what turns touches, or how many corners
-                         ///< there are.
+  /// The relation's name, the signed distance, the distance, the gap, where the ray enters, the relation of b and the
+  /// region swept by a, whether moving shapes touch, or the number of corners.
+  std::string expected;
 };
 
 /// "3D float".
@@ -93,7 +93,7 @@ Number read_number(std::istream& words) {
   return x;
 }
 
-/// The default of the type with this name.
+/// The default value of the type with this name.
 template <Dim N, class T>
 AnyShape<N, T> shape_named(std::string_view name) {
   AnyShape<N, T> shape;
@@ -150,7 +150,7 @@ std::string hull_row(const std::vector<Vec<N, T>>& points, std::size_t corners) 
   return regression_row<N, T>("convex_hull", compound_of<N, T>(parts), Compound<N, T>{}, std::to_string(corners));
 }
 
-/// The rows of a file; none if it does not exist. Lines that begin with # are comments.
+/// The rows of a file; none if it does not exist. Lines beginning with # are comments.
 inline std::vector<Regression> read_regressions(const std::string& path) {
   std::vector<Regression> rows;
   std::ifstream file(path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cases that the exam kept: those on which graze once failed, and the hardest of every pair that it did not.
+// The cases recorded by the exam: those on which graze once failed, and the hardest of every pair that passed.
 #include "query/regressions.hpp"
 
 #include <algorithm>
@@ -162,7 +162,7 @@ void expect_right_mass(const Regression& row) {
       << errors.volume << " (volume), " << errors.centroid << " (centroid), " << errors.inertia << " (inertia)";
 }
 
-/// Whether the row is of this space; then it is checked.
+/// Whether the row belongs to this space; if so, it is checked.
 template <Dim N, class T>
 bool is_checked(const Regression& row) {
   if (row.space != space_text<N, T>()) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Laws of relation(a, b) on random pairs of every type: what must not change the verdict, and what nonsense may do.
+// Laws of relation(a, b) on random pairs of every type: invariances, and invalid input.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,7 +33,7 @@ class RelationLaw : public ::testing::Test {
 
   static Relation of(const Pair& pair) { return relation_of<N, T>(pair.first, pair.second); }
 
-  /// Two shapes, in one case of two placed together.
+  /// Two shapes, in half of the cases placed together.
   static Pair draw_two() {
     const Pair pair = *any_pair<Any, Any>();
     const std::uint64_t seed = *choice(std::size_t{1} << 31U);
@@ -41,14 +41,14 @@ class RelationLaw : public ::testing::Test {
     return seed % 2 == 0 ? pair : placed_together<N, T>(pair, random);
   }
 
-  /// Whether the true gap or depth is so small that either claim may be made.
+  /// Whether the true gap or depth is so small that either verdict is permitted.
   static bool is_within_the_band(const Pair& pair, Relation claim) {
     const ExactVerdict truth = true_verdict<N, T>(pair.first, pair.second, claim);
     const double size = std::max(truth.own_size, truth.largest);
     return truth.is_nearly_parallel || std::fabs(truth.gap) <= 128 * std::numeric_limits<double>::epsilon() * size;
   }
 
-  /// The same verdict, or one that the band allows.
+  /// The same verdict, or one that the band permits.
   static void expect_same(const Pair& pair, const Pair& changed) {
     const Relation before = of(pair);
     const Relation after = of(changed);
@@ -103,7 +103,7 @@ TYPED_TEST(RelationLaw, ExactTranslationsChangeNothingBeyondRounding) {
   check_property([] {
     constexpr Dim dimension = TypeParam::dimension;
     using Number = typename TypeParam::scalar;
-    // Small whole numbers stay exact, however far they are moved by whole numbers.
+    // Small integers stay exact, however far they are moved by integers.
     const Source<dimension, Number> source = source_of<dimension, Number>(Kind::grid);
     const auto any = any_shape_from<dimension, Number>(source);
     const auto first = *any;
@@ -125,7 +125,7 @@ TYPED_TEST(RelationLaw, ACompoundIsItsClosestPart) {
   });
 }
 
-// ---- Nonsense
+// ---- Invalid input
 
 TYPED_TEST(RelationLaw, NanTouchesNothing) {
   constexpr Dim dimension = TypeParam::dimension;
@@ -153,7 +153,7 @@ TYPED_TEST(RelationLaw, InfinitiesAndExtremesGetAVerdict) {
   const std::array values = {Limits::infinity(), -Limits::infinity(),  Limits::max(),         Limits::lowest(),
                              Limits::min(),      Limits::denorm_min(), -Limits::denorm_min(), Number(0),
                              Number(-1),         Number(1e30),         Number(-1e-30)};
-  // What is valid, and within the promised range, keeps the law of swapping too.
+  // Valid shapes within the guaranteed range satisfy the symmetry law, too.
   const auto is_promised = [](const auto& shape, Number value) {
     const double size = std::fabs(static_cast<double>(value));
     return is_valid(shape) && (size == 0 || (size >= 1e-140 && size <= 1e140));

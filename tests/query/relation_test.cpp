@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // relation(a, b) by hand: every pair of types apart, touching, overlapping, contained, identical and degenerate, in
-// both orders, in four spaces. The oracle is asked too: it has to agree with the hand.
+// both orders, in four spaces. The oracle must agree as well.
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -42,7 +42,7 @@ class RelationTable : public ::testing::Test {
 
   static Any nothing() { return Compound<N, T>{}; }
 
-  /// The point at x = -1, as every type that can shrink to one.
+  /// The point at x = -1, as every type that can degenerate to one.
   static std::vector<Any> points() {
     using V = Vec<N, T>;
     const V p = unit_axis<N, T>(0) * T(-1);
@@ -57,7 +57,7 @@ class RelationTable : public ::testing::Test {
             compound_of<N, T>({p, Sphere<N, T>{p, T(0)}})};
   }
 
-  /// The segment from x = -1 to x = 1, as every type that can shrink to one.
+  /// The segment from x = -1 to x = 1, as every type that can degenerate to one.
   static std::vector<Any> segments() {
     using V = Vec<N, T>;
     const V x = unit_axis<N, T>(0);
@@ -76,20 +76,20 @@ class RelationTable : public ::testing::Test {
     return place;
   }
 
-  /// Whether a type has an inside.
+  /// Whether a type has an interior.
   static bool is_solid(std::size_t place) {
     const std::string_view name = shape_type_names[place];
     if (name == "triangle") return N == 2;
     return name != "point" && name != "segment" && name != "ray" && name != "plane";
   }
 
-  /// The verdict on two shapes of the row that have been pushed half a unit into each other along the x axis.
+  /// The verdict on two shapes of the row that overlap by half a unit along the x axis.
   static Relation when_pushed(std::size_t a, std::size_t b) {
     if (is_solid(a) || is_solid(b)) return Relation::overlapping;
     const std::string_view first = shape_type_names[a];
     const std::string_view second = shape_type_names[b];
     if (first == "plane" || second == "plane") {
-      // The plane at right angles to the axis cuts what lies along it; a point or another plane is now beside it.
+      // The plane perpendicular to the axis intersects what lies along it; a point or another plane is now beside it.
       const std::string_view other = first == "plane" ? second : first;
       return other == "plane" || other == "point" ? Relation::apart : Relation::overlapping;
     }
@@ -178,7 +178,7 @@ TYPED_TEST(RelationTable, ACompoundWithoutPartsIsApartFromEverything) {
   }
 }
 
-// ---- By hand, in the plane: numbers that float holds exactly.
+// ---- 2D, by hand: numbers that float represents exactly.
 
 template <class T>
 using Row2 = std::pair<std::pair<AnyShape<2, T>, AnyShape<2, T>>, Relation>;
@@ -191,7 +191,7 @@ std::vector<Row2<T>> rows_of_the_plane() {
   const auto touching = Relation::touching;
   const auto overlapping = Relation::overlapping;
   return {
-      // 3-4-5 triangles: the distance is 5 and exact.
+      // 3-4-5 triangles: the distance is exactly 5.
       {{Sphere<2, T>{{0, 0}, 2}, Sphere<2, T>{{3, 4}, 3}}, touching},
       {{Sphere<2, T>{{0, 0}, 2}, Sphere<2, T>{{3, 4}, T(2.875)}}, apart},
       {{Sphere<2, T>{{0, 0}, 2}, Sphere<2, T>{{3, 4}, T(3.125)}}, overlapping},
@@ -199,14 +199,14 @@ std::vector<Row2<T>> rows_of_the_plane() {
       {{Sphere<2, T>{{4, 5}, T(4.75)}, Aabb<2, T>{{-2, -1}, {1, 1}}}, apart},
       {{Capsule<2, T>{{3, 4}, {9, 9}, 5}, V{0, 0}}, touching},
       {{Capsule<2, T>{{3, 4}, {9, 9}, T(4.5)}, V{0, 0}}, apart},
-      // Crossing, meeting at a T, on one line.
+      // Crossing, T-shaped, collinear.
       {{Segment<2, T>{{0, 0}, {2, 2}}, Segment<2, T>{{0, 2}, {2, 0}}}, overlapping},
       {{Segment<2, T>{{0, 0}, {2, 2}}, Segment<2, T>{{1, 1}, {2, 0}}}, touching},
       {{Segment<2, T>{{0, 0}, {2, 2}}, Segment<2, T>{{T(1.25), 1}, {2, 0}}}, apart},
       {{Segment<2, T>{{0, 0}, {2, 2}}, Segment<2, T>{{1, 1}, {3, 3}}}, touching},
       {{Segment<2, T>{{0, 0}, {2, 2}}, Segment<2, T>{{3, 3}, {4, 4}}}, apart},
       {{Segment<2, T>{{0, 0}, {2, 2}}, Segment<2, T>{{0, 1}, {2, 3}}}, apart},
-      // Rays: crossing, behind, one line head-on, away, the same way, beside.
+      // Rays: crossing, behind, collinear head-on, away, in the same direction, side by side.
       {{Ray<2, T>{{0, 0}, {1, 1}}, Ray<2, T>{{4, 0}, {-1, 1}}}, overlapping},
       {{Ray<2, T>{{0, 0}, {1, 1}}, Ray<2, T>{{4, 0}, {1, -1}}}, apart},
       {{Ray<2, T>{{0, 0}, {1, 1}}, Ray<2, T>{{4, 4}, {1, -1}}}, touching},
@@ -217,7 +217,7 @@ std::vector<Row2<T>> rows_of_the_plane() {
       {{Ray<2, T>{{0, 5}, {3, -4}}, Segment<2, T>{{3, 1}, {9, 9}}}, touching},
       {{Ray<2, T>{{0, 5}, {3, -4}}, Segment<2, T>{{2, 1}, {9, 9}}}, overlapping},
       {{Ray<2, T>{{0, 5}, {-3, 4}}, Segment<2, T>{{2, 1}, {9, 9}}}, apart},
-      // Lines and half-planes at a slope.
+      // Sloped lines and half-planes.
       {{Plane<2, T>{{3, 4}, 25}, Sphere<2, T>{{0, 0}, 5}}, touching},
       {{Plane<2, T>{{3, 4}, 25}, Sphere<2, T>{{0, 0}, T(4.75)}}, apart},
       {{HalfSpace<2, T>{{-3, -4}, -25}, Capsule<2, T>{{0, 0}, {-4, 3}, 5}}, touching},
@@ -264,7 +264,7 @@ std::vector<std::pair<std::pair<AnyShape<3, T>, AnyShape<3, T>>, Relation>> rows
       {{Capsule<3, T>{{-1, 0, 0}, {1, 0, 0}, T(0.5)}, Capsule<3, T>{{0, -1, 1}, {0, 1, 1}, T(0.5)}}, touching},
       {{Capsule<3, T>{{-1, 0, 0}, {1, 0, 0}, T(0.5)}, Capsule<3, T>{{0, -1, 1}, {0, 1, 1}, T(0.25)}}, apart},
       {{Capsule<3, T>{{-1, 0, 0}, {1, 0, 0}, T(0.5)}, Segment<3, T>{{0, -1, T(0.25)}, {0, 1, T(0.25)}}}, overlapping},
-      // Through a triangle, into its edge, over it, in its plane.
+      // Through a triangle, at its edge, above it, in its plane.
       {{floor, Segment<3, T>{{1, 1, -1}, {1, 1, 1}}}, overlapping},
       {{floor, Segment<3, T>{{2, 2, -1}, {2, 2, 1}}}, touching},
       {{floor, Segment<3, T>{{3, 2, -1}, {3, 2, 1}}}, apart},
@@ -289,7 +289,7 @@ std::vector<std::pair<std::pair<AnyShape<3, T>, AnyShape<3, T>>, Relation>> rows
       {{Ray<3, T>{{-9, 0, 2}, {3, 0, 0}}, pyramid}, touching},
       {{Ray<3, T>{{-9, 0, T(2.5)}, {3, 0, 0}}, pyramid}, apart},
       {{Ray<3, T>{{-9, 0, 1}, {-3, 0, 0}}, pyramid}, apart},
-      // Planes and half-spaces at a slope.
+      // Sloped planes and half-spaces.
       {{Plane<3, T>{{2, 3, 6}, 49}, Sphere<3, T>{{0, 0, 0}, 7}}, touching},
       {{Plane<3, T>{{1, 2, 2}, 5}, Aabb<3, T>{{-1, -1, -1}, {1, 1, 1}}}, touching},
       {{Plane<3, T>{{1, 2, 2}, 6}, Aabb<3, T>{{-1, -1, -1}, {1, 1, 1}}}, apart},

@@ -18,7 +18,7 @@ namespace {
 
 using T3 = Triangle<3, double>;
 
-/// b moved so that a corner lies on one of a, up to a few roundings: where verdicts hang on the last bit.
+/// b moved so that a corner is on one of a, up to a few rounding errors: verdicts depend on the last bit.
 template <Dim N, class T>
 Triangle<N, T> nudged_onto(const Triangle<N, T>& a, const Triangle<N, T>& b) {
   const Vec<N, T> offset = a.a - b.b;
@@ -61,7 +61,7 @@ TEST(RelationTriangleLaw, TheOrderOfCornersAndArgumentsChangesNothing) {
   });
 }
 
-/// The closed form and the generic answer differ only where rounding may decide.
+/// The closed form and the generic answer differ only within rounding.
 template <class A, class B>
 void expect_generic_agrees() {
   check_property([] {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Boxes that rest on each other, tilted by next to nothing: the points of their manifold span all of what lies over the
-// other face, however much deeper one side of it is than the other.
+// Boxes that rest on each other with a tiny tilt: the points of their manifold span the whole overlap with the other
+// face, however much deeper one side of it is.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,7 +23,7 @@ using Box = Obb<3, double>;
 
 constexpr double radian = 180 / 3.14159265358979323846;
 
-/// From flush, up to rounding, to all that is taken to be.
+/// From flush up to rounding to the largest tilt that is taken for flush.
 constexpr std::array<double, 8> tilts = {0, 1e-15, 1e-12, 1e-10, 1e-8, 1e-7, 1e-6, 0.99e-5};
 
 template <Dim N>
@@ -62,7 +62,7 @@ double area_of(const Manifold<2, double>& manifold) {
                                            manifold.points[1].point - manifold.points[0].point));
 }
 
-/// Four points over all of the face; each where it says that it is, on both shapes but for a share of 1e-5 of the face.
+/// Four points that span the face, each on both shapes up to 1e-5 of the face.
 template <Dim N>
 void expect_rest(const Manifold<N, double>& manifold, double area, double size, const char* what, double tilt) {
   SCOPED_TRACE(::testing::Message() << what << " tilted by " << tilt);
@@ -72,7 +72,7 @@ void expect_rest(const Manifold<N, double>& manifold, double area, double size, 
     const Vec<N, double> rest = point.point_a - point.point_b - manifold.normal * point.depth;
     EXPECT_GE(point.depth, 0);
     EXPECT_LE(max_abs(rest), 64 * tolerance::epsilon * (max_abs(point.point) + size));
-    // From the lower one's upper side, which is at zero height.
+    // Height above the lower one's upper side, which is at zero.
     EXPECT_LE(std::fabs(point.point_a[N - 1]), 4 * tolerance::aligned * size + manifold.error);
   }
 }
@@ -81,7 +81,7 @@ class Stacks {
  public:
   double number(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
 
-  /// A box over one whose upper side is at zero height, sunk in by this at its lowest corner.
+  /// A box above one whose upper side is at zero height, with this depth at its lowest corner.
   Box above(const V3& half, double yaw, double tilt, double depth) {
     const double around = number(0, 6.28);
     Box box{
@@ -97,7 +97,7 @@ class Stacks {
   std::mt19937 random_{20261129};
 };
 
-/// Smaller boxes turned anyhow, and boxes of one size with their sides flush: the face that rests is the area.
+/// Smaller boxes with any rotation, and boxes of one size with their sides flush: the resting face is the area.
 TEST(RestingManifold, OfBoxesSpansTheFace) {
   Stacks stacks;
   for (const double tilt : tilts) {
@@ -146,14 +146,14 @@ TEST(RestingManifold, InThePlaneSpansTheSide) {
   }
 }
 
-/// What is tilted by more is cut where it leaves the other, and the other face's size counts where it is the smaller.
+/// Faces with a larger tilt are clipped where they separate, and the other face's size counts if it is smaller.
 TEST(RestingManifold, EndsWhereMoreIsHidden) {
   Stacks stacks;
   const V3 half(1, 1, 1);
   const Box below{V3(0, 0, -1), V3(5, 5, 1), Mat<3, double>(1.0)};
   const Manifold<3, double> leaning = manifold(below, stacks.above(half, 0, 1e-3, 1e-13));
   EXPECT_LT(area_of(leaning), 0.1);
-  // A pebble under the rim of a large plate: where the plate climbs over the pebble is seen by the pebble's size.
+  // A pebble under the rim of a large plate: the pebble's size determines the permitted tilt of the plate.
   const Box plate = stacks.above(V3(1000, 1000, 1), 0, 1e-3, 0);
   V3 corner = plate.center;
   for (Dim i = 0; i < 3; ++i) corner -= plate.axes[i] * std::copysign(plate.half_extents[i], plate.axes[i].z);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One shape of each type that reaches from x = -1 to x = 1 (unbounded ones: only to one side) and does so on the x
-// axis: whatever touches whatever, it does so at one known point.
+// One shape of each type that extends from x = -1 to x = 1 (unbounded ones: only on one side) on the x axis: any two of
+// them touch at one known point.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@
 
 namespace graze::test {
 
-/// The type with this place in AnyShape: a point at (side, 0), or a shape that ends at x = side, seen from the other
-/// side; `side` is 1 or -1. `size` scales it about the origin.
+/// The type with this index in AnyShape: a point at (side, 0), or a shape that ends at x = side; `side` is 1 or -1.
+/// `size` scales it about the origin.
 template <Dim N, class T>
 AnyShape<N, T> row_shape(std::size_t type, T side, T size = T(1)) {
   using V = Vec<N, T>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The law of scale: what is 2^k times as large has answers 2^k times as large, to the last bit, from the least
-// subnormal numbers to the largest ones. And what mixes all sizes has answers that are numbers and agree.
+// Scale invariance: shapes scaled by 2^k have answers scaled by 2^k, to the last bit, from the smallest subnormal
+// numbers to the largest ones. Mixed sizes give finite answers that agree.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -37,7 +37,7 @@ using Any = AnyShape<N, double>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Equal, or both NaN, as the points of what is infinitely far away.
+/// Equal, or both NaN, like the points at infinite distances.
 bool is_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 template <Dim N>
@@ -48,7 +48,7 @@ bool is_same(const Vec<N, double>& a, const Vec<N, double>& b) {
   return true;
 }
 
-/// A distance of what is apart is never zero.
+/// The distance of shapes that are apart is never zero.
 double scaled_distance(double distance, int exponent) {
   const double result = scaled(distance, exponent);
   return distance > 0 && result == 0 ? std::numeric_limits<double>::denorm_min() : result;
@@ -89,8 +89,7 @@ void expect_same_hit(const Found& hit, const Found& large, int exponent) {
   ASSERT_EQ(hit.has_value(), large.has_value());
   if (!hit) return;
   EXPECT_EQ(large->t, hit->t);
-  // The middle between two points is rounded where the least numbers are as far apart as it: by half a step in each
-  // half, and by one in their sum.
+  // Rounding of the midpoint of two points among the smallest numbers: half a step in each half, and one in their sum.
   const double steps = 2 * std::numeric_limits<double>::denorm_min();
   EXPECT_LE(max_abs(large->point - scaled<N, double>(hit->point, exponent)), exponent < -1000 ? steps : 0.0);
   EXPECT_EQ(large->normal, hit->normal);
@@ -121,8 +120,8 @@ void expect_same_way(const Any<N>& a, const Any<N>& b, int exponent) {
   }
 }
 
-/// Every pair of types in small whole numbers, which have few bits: most are still exact at 2^-1060. Of turned shapes,
-/// which are not, larger ones are asked for.
+/// Every pair of types with small integers, which have few bits: most are still exact at 2^-1060. Rotated shapes, which
+/// are not, use larger scales.
 template <Dim N>
 void expect_same_answers() {
   constexpr std::size_t types = std::variant_size_v<Any<N>>;

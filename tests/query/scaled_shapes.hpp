@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes that are 2^k times as large, for the law of scale.
+// Shapes scaled by 2^k, for the law of scale.
 #pragma once
 
 #include <cmath>
@@ -23,13 +23,13 @@ Vec<N, T> scaled(Vec<N, T> v, int exponent) {
   return v;
 }
 
-/// Every length times a power of two; directions stay.
+/// Every length times a power of two; directions are unchanged.
 template <Dim N, class T>
 AnyShape<N, T> scaled(const AnyShape<N, T>& shape, int exponent) {
   return with_lengths<N, T>(shape, [exponent](T x) { return scaled(x, exponent); });
 }
 
-/// Whether no number of a shape loses a bit on the way: the least ones have fewer.
+/// Whether no number of a shape loses a bit: the smallest ones have fewer.
 template <Dim N, class T>
 bool scales_exactly(const AnyShape<N, T>& shape, int exponent) {
   return detail::compare<N, T>(scaled<N, T>(scaled<N, T>(shape, exponent), -exponent), shape) == 0;

@@ -87,7 +87,7 @@ class SeparationLaw : public ::testing::Test {
   using T = typename SpaceType::scalar;
   using Any = AnyShape<N, T>;
 
-  /// Two shapes, mostly placed together.
+  /// Two shapes, usually placed together.
   static AnyPair<N, T> draw_two() {
     const AnyPair<N, T> pair = *any_pair<Any, Any>();
     const std::uint64_t seed = *choice(std::size_t{1} << 31U);
@@ -146,9 +146,10 @@ TYPED_TEST(SeparationLaw, MovingByItLeavesBothTouching) {
 TYPED_TEST(SeparationLaw, SwappedItIsTheSameTheOtherWayRound) {
   check_property([] {
     const auto [a, b] = TestFixture::draw_two();
-    RC_PRE(detail::compare(a, b) != 0);  // of two equal shapes none is the first
+    RC_PRE(detail::compare(a, b) != 0);  // of two equal shapes, none is the first
     const auto found = separation(a, b);
-    RC_PRE(found.distance < std::numeric_limits<typename TypeParam::scalar>::infinity());  // else its points are NaN
+    // otherwise its points are NaN
+    RC_PRE(found.distance < std::numeric_limits<typename TypeParam::scalar>::infinity());
     RC_ASSERT(separation(b, a) == detail::exchanged(found));
   });
 }

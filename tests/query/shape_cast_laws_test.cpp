@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Laws of shape_cast on random pairs of every type and random motions: what the exact oracle says of the shapes on
-// their way, what a cast must agree with, and what must not change it.
+// Laws of shape_cast on random pairs of every type and random motions: the exact oracle's answers during the motion,
+// agreement with other queries, and invariances.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -33,7 +33,7 @@
 namespace graze::test::shape_cast_laws_test {
 namespace {
 
-/// The same shape in double. Exact.
+/// The same shape in double, exactly.
 template <Dim N, class T>
 struct Widener {
   using Any = AnyShape<N, double>;
@@ -71,8 +71,8 @@ class ShapeCastLaw : public ::testing::Test {
     Any b;
   };
 
-  /// In three of four cases a point of a, often of an edge or a corner, is aimed at one of b, and comes there in the
-  /// middle of the way or at its end.
+  /// In three of four cases a point of a, often of an edge or a corner, is aimed at one of b, and reaches it in the
+  /// middle of the motion or at its end.
   static Case draw_case() {
     auto [a, b] = *any_pair<Any, Any>();
     Point motion = *any<Point>();
@@ -91,7 +91,7 @@ class ShapeCastLaw : public ::testing::Test {
     return found;
   }
 
-  /// The largest coordinate of a shape, or of any part of it.
+  /// The largest coordinate of a shape, or of any of its parts.
   static double extent(const Any& shape) {
     double largest = size_of<dimension, Number>({shape, shape});
     if (const auto* compound = std::get_if<Compound<dimension, Number>>(&shape)) {
@@ -100,13 +100,13 @@ class ShapeCastLaw : public ::testing::Test {
     return largest;
   }
 
-  /// The largest coordinate that there is on the way.
+  /// The largest coordinate during the motion.
   static double size(const Case& drawn) {
     return std::max(extent(drawn.a), extent(drawn.b)) + static_cast<double>(sum_abs(drawn.motion));
   }
 
-  /// The exact gap at t, negative if there is depth; right up to the rounding of the place there. Zero for unbounded
-  /// shapes that rounding cannot tell from parallel ones, whatever they do far away.
+  /// The exact gap at t, negative if there is depth, up to the rounding of the position. Zero for unbounded shapes that
+  /// rounding cannot distinguish from parallel ones, whatever they do far away.
   static double gap_at(const Case& drawn, double t) {
     const auto wide_a = detail::visit(Widener<dimension, Number>(), drawn.a);
     const auto wide_b = detail::visit(Widener<dimension, Number>(), drawn.b);
@@ -115,7 +115,7 @@ class ShapeCastLaw : public ::testing::Test {
     return verdict.is_nearly_parallel ? 0 : verdict.gap;
   }
 
-  /// What rounding the place of the first shape does to the gap.
+  /// The effect of rounding the first shape's position on the gap.
   static double place_error(const Case& drawn) { return 32 * tolerance::epsilon * size(drawn); }
 
   static bool is_level(const Any& shape) {
@@ -210,7 +210,7 @@ TYPED_TEST(ShapeCastLaw, TheNormalPartsTheShapesAtTheImpactAndIsNotAgainstTheMot
     const double from_a = TestFixture::height(drawn.a, found->normal) + dot(motion, found->normal) * found->t;
     const double to_b = -TestFixture::height(drawn.b, -found->normal);
     RC_LOG() << "gap along it " << to_b - from_a << "\n";
-    // Between cores that are as far apart as their radii, the normal is turned by as much as rounding moves them.
+    // If the cores are as far apart as their radii, rounding of their positions rotates the normal.
     const double rounding = found->error + TestFixture::place_error(drawn);
     const double radius = TestFixture::radius_of(drawn.a) + TestFixture::radius_of(drawn.b);
     const double turn = radius > 0 ? std::min(1.0, rounding / radius) : 0.0;
@@ -225,7 +225,7 @@ TYPED_TEST(ShapeCastLaw, ThePointIsOnBothShapes) {
     const auto drawn = TestFixture::draw_case();
     const auto found = TestFixture::cast_hit(drawn);
     if (!found || found->t == 0) return;
-    // Of slivers GJK may give a point beside them, see closest_points.hpp.
+    // For slivers, GJK may return a point beside them, see closest_points.hpp.
     const double slack = 4 * (found->error + TestFixture::place_error(drawn)) + 1e-9 * TestFixture::size(drawn);
     RC_LOG() << "point " << to_source<N, double>(AnyShape<N, double>(found->point)) << "\n";
     const Vec<N, double> on_a = found->point - wide<N, T>(drawn.motion) * found->t;
@@ -255,9 +255,9 @@ TYPED_TEST(ShapeCastLaw, SwappedShapesMoveTheOtherWayAndMeetAtTheSameTime) {
   });
 }
 
-/// In double it is the ray's hit. Rays in float are settled by filters with bounds of their own, by the sizes of what
-/// they see instead of the largest coordinates, so there the two hits are as near each other as both say: across the
-/// surface, for along it the way between them is longer the more grazing the ray is.
+/// In double it equals the ray's hit. Rays in float are decided by filters with error bounds of their own, based on
+/// local sizes instead of the largest coordinates, so there the two hits agree within their errors, measured across the
+/// surface, because along it a grazing ray has a longer distance.
 TYPED_TEST(ShapeCastLaw, APointIsCastAsARay) {
   check_property([] {
     constexpr Dim N = TypeParam::dimension;
@@ -318,7 +318,7 @@ TYPED_TEST(ShapeCastLaw, ACompoundTouchesWhenItsFirstPartDoes) {
     RC_ASSERT(first.has_value() == (one || two));
     if (!first) return;
     for (const auto& found : {one, two, first}) {
-      if (found && found->status == Status::best_bound) return;  // a bound may be better for a shorter way
+      if (found && found->status == Status::best_bound) return;  // a bound may be better for a shorter motion
     }
     const double never = 2;
     RC_ASSERT(first->t == std::min(one ? one->t : never, two ? two->t : never));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Casts that can be calculated by hand, in every pair of types, at the edges of touching, far and near, with shapes of
-// one's own, and with numbers that nobody should send.
+// Casts calculated by hand, for every pair of types, at the edge of touching, far and near, with user-defined shapes,
+// and with invalid numbers.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -43,7 +43,7 @@ void expect_impact(const Found& found, double t, const Point& point, const Point
   EXPECT_LT(found->error, 1e-12) << what;
 }
 
-// ---- Every two types of shapes, coming from both sides
+// ---- Every two types of shapes, from both sides
 
 template <Dim N, class T>
 void expect_every_pair_meets_after_three_units() {
@@ -51,7 +51,7 @@ void expect_every_pair_meets_after_three_units() {
   for (std::size_t a = 0; a < row_types; ++a) {
     for (std::size_t b = 0; b < row_types; ++b) {
       const std::string what = std::to_string(a) + " against " + std::to_string(b);
-      // They end at x = 1 and x = -1 where they stand; so a starts at -5 and has come to x = -2 at t = 1/2.
+      // They end at x = 1 and x = -1 initially; so a starts at -5 and reaches x = -2 at t = 1/2.
       const AnyShape<N, T> left = moved<N, T>(row_shape<N, T>(a, T(1)), unit_axis<N, T>(0) * T(-6));
       const AnyShape<N, T> right = moved<N, T>(row_shape<N, T>(b, T(-1)), unit_axis<N, T>(0) * T(-1));
       const auto found = impact_of<N, T>(left, way, right);
@@ -59,7 +59,7 @@ void expect_every_pair_meets_after_three_units() {
       const double off = 1e-15 + 2 * found->error + static_cast<double>(std::numeric_limits<T>::epsilon());
       EXPECT_NEAR(static_cast<double>(found->t), 0.5, off) << what;
       EXPECT_NEAR(static_cast<double>(found->point.x), -2, off) << what;
-      EXPECT_GT(found->normal.x, T(0.4)) << what;  // that of a corner may be turned
+      EXPECT_GT(found->normal.x, T(0.4)) << what;  // that of a corner may be tilted
       EXPECT_FALSE((impact_of<N, T>(left, way * T(0.49), right).has_value())) << what;
       EXPECT_FALSE((impact_of<N, T>(left, -way, right).has_value())) << what;
       EXPECT_TRUE((impact_of<N, T>(left, way * T(0.5), right).has_value())) << what << ", which ends there";
@@ -85,7 +85,7 @@ TEST(ShapeCast, FindsWhereABallTouchesABox) {
   const double root = std::sqrt(0.5);
   const double third = std::sqrt(1.0 / 3);
   expect_impact(shape_cast(sphere, {8, 0, 0}, box), 0.5, {0, 1, 1}, {1, 0, 0}, "a face");
-  // The center passes the edge along z at a height of 1/2 sqrt 2 over it: it is met 1/2 sqrt 2 before.
+  // The center passes the edge along z at a height of 1/2 sqrt 2 above it: it hits 1/2 sqrt 2 before.
   expect_impact(shape_cast(Ball{{-5, 2 + root, 1}, 1}, {10, 0, 0}, box), (5 - root) / 10, {0, 2, 1}, {root, -root, 0},
                 "an edge");
   expect_impact(shape_cast(Ball{{-5, 7, 7}, 1}, {10, -10, -10}, box), 0.5 - third / 10, {0, 2, 2},
@@ -150,7 +150,7 @@ TEST(ShapeCast, EndsWhereFacesAreNearlyParallel) {
 // ---- Touching
 
 TEST(ShapeCast, TouchesWhatItGrazesAndNothingBesideIt) {
-  // Sides that slide along each other in one plane touch as soon as one is beside the other.
+  // Sides that slide along each other in one plane touch as soon as they overlap along the motion.
   const Box box{{0, 0, 0}, {1, 1, 1}};
   for (const double gap : {0.0, 1e-9, 1e-3}) {
     const Box above{{-5, 1 + gap, 0}, {-4, 2 + gap, 1}};
@@ -225,7 +225,7 @@ TEST(ShapeCast, TakesMotionsOfAnySize) {
   }
 }
 
-// ---- Shapes of one's own, and what is none
+// ---- User-defined shapes, and invalid ones
 
 TEST(ShapeCast, CastsAShapeOfOnesOwn) {
   const user::Ellipsoid<double> egg{{0, 0, 0}, {1, 2, 3}};
@@ -234,7 +234,7 @@ TEST(ShapeCast, CastsAShapeOfOnesOwn) {
   ASSERT_TRUE(on_box.has_value() && on_egg.has_value());
   EXPECT_NEAR(on_box->t, 0.5, on_box->error);
   EXPECT_NEAR(on_egg->t, 0.5, on_egg->error);
-  for (Dim i = 0; i < 3; ++i) {  // where on a round surface, GJK knows to the root of that
+  for (Dim i = 0; i < 3; ++i) {  // GJK finds positions on a round surface up to the square root of its error
     EXPECT_NEAR(on_box->point[i], Point(5, 0, 0)[i], 1e-6);
     EXPECT_NEAR(on_egg->point[i], Point(0, -2, 0)[i], 1e-6);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What graze says about moving shapes of any two types: compiled once for each space, by shape_casts.cpp.in.
+// graze's casts of shapes of any two types: compiled once for each space, by shape_casts.cpp.in.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace graze::test {
 template <Dim N, class T>
 std::optional<Impact<N, T>> impact_of(const AnyShape<N, T>& a, const Vec<N, T>& motion, const AnyShape<N, T>& b);
 
-/// What that is rounded from.
+/// The same before rounding.
 template <Dim N, class T>
 std::optional<detail::CastHit<N>> cast_hit_of(const AnyShape<N, T>& a, const Vec<N, T>& motion,
                                               const AnyShape<N, T>& b);

@@ -78,14 +78,13 @@ TEST(SignedDistance, OfAPlaneHasTheSideOfItsNormalAndUnitsOfLength) {
 TEST(SignedDistance, OfACompoundIsTheLeastOfItsParts) {
   const auto pair = compound_of<2, float>({Circle<>{{0, 0}, 1}, compound_of<2, float>({Rect<>{{4, 0}, {6, 2}}})});
   expect<Compound<2, float>, V2>(pair, {{{2, 0}, 1}, {{3.5F, 1}, 0.5F}, {{0, 0.5F}, -0.5F}, {{5, 1}, -1}});
-  // Where parts overlap: the depth in the deepest, 1, though it is 2 to the
-  // surface of the whole.
+  // If parts overlap: the depth in the deepest, 1, although the surface of the union is 2 away.
   const auto bar = compound_of<2, float>({Rect<>{{0, 0}, {4, 2}}, Rect<>{{0, 2}, {4, 4}}, Rect<>{{0, 1}, {4, 3}}});
   expect<AnyShape<2, float>, V2>(bar, {{{2, 2}, -1}, {{7, 8}, 5}});
   EXPECT_EQ(signed_distance(Compound<2, float>(), V2(0, 0)), std::numeric_limits<float>::infinity());
 }
 
-// ---- How right it is
+// ---- Accuracy
 
 TEST(SignedDistance, IsZeroOrLessExactlyWhereASolidContains) {
   const Sphere<2> sphere{{0.1F, 0.2F}, 0.7F};
@@ -106,8 +105,7 @@ TEST(SignedDistance, NextToASurfaceIsNotLostInTheSizeOfTheShape) {
 }
 
 TEST(SignedDistance, ToAPlaneInDoubleIsRightWhereItsProductsCancel) {
-  // 0.1 * 3 - 0.3, each rounded: 2.8e-17 exactly, 5.6e-17 by product and
-  // difference.
+  // 0.1 * 3 - 0.3, each rounded: 2.8e-17 exactly, 5.6e-17 by product and difference.
   const Plane<2, double> plane{{0.1, 0}, 0.3};
   EXPECT_NEAR(signed_distance(plane, Vec<2, double>(3, 0)), 0x1p-55 / 0.1, 1e-30);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Laws of time_of_impact on random pairs and motions: what the exact oracle says of the shapes at the impact and at
-// many times before it.
+// Laws of time_of_impact on random pairs and motions: the exact oracle's answers at the impact and at many times before
+// it.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -22,7 +22,7 @@
 namespace graze::test::time_of_impact_laws_test {
 namespace {
 
-/// Plain turns of a few radians, about a center near the shapes.
+/// Rotations of a few radians, about a center near the shapes.
 inline double any_angle(rc::Random& random) { return between(random, -3, 3); }
 template <Dim N, class T>
 Turn<N, T> turn_about(rc::Random& random) {
@@ -44,8 +44,8 @@ class TimeOfImpactLaw : public ::testing::Test {
   using Point = Vec<dimension, Number>;
   using Case = Moving<dimension, Number>;
 
-  /// A point of a is aimed at one of b; one case of four stands still but for one of them, and in another nothing
-  /// turns.
+  /// A point of a is aimed at one of b; in one case of four only one of the shapes moves, and in another nothing
+  /// rotates.
   static Case draw_case() {
     auto [a, b] = *any_pair<Any, Any>();
     const std::uint64_t seed = *choice(std::size_t{1} << 31U);
@@ -111,9 +111,9 @@ TYPED_TEST(TimeOfImpactLaw, HalfTheMotionTakesTwiceTheTime) {
     }
     const auto found = cast_hit_of(drawn);
     const auto later = cast_hit_of(slower);
-    // The slower one's target is smaller, so it may be past what the other one takes for a touch.
+    // The slower one's tolerance is smaller, so it may be beyond what the other one takes for contact.
     if (!found || !later || found->t > 0.499) return;
-    // Both are as near to the touch as their errors say: at each one's time the other has touched, or is as near.
+    // Both are within their errors of contact: at each one's time the other has touched, or is as close.
     RC_LOG() << literal(found->t) << " and " << literal(later->t) << "\n";
     const double rounding = rounding_of_way(drawn);
     RC_ASSERT(gap_at(drawn, later->t / 2) <= later->error + rounding);

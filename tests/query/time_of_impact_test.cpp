@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Times of impact that can be calculated by hand, and what has gone wrong elsewhere.
+// Times of impact calculated by hand, and failures known from other libraries.
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -28,7 +28,7 @@ using Found = std::optional<Impact<3, double>>;
 constexpr double pi = 3.14159265358979323846;
 const Trajectory rest;
 
-/// `speed` is how fast the shapes approach when they touch: what the error, a length, makes of t.
+/// `speed` is the speed of approach at contact: the error, a length, divided by it is the error of t.
 void expect_impact(const Found& found, double t, const Point& normal, double speed, const std::string& what) {
   ASSERT_TRUE(found.has_value()) << what;
   EXPECT_EQ(found->status, Status::converged) << what;
@@ -50,8 +50,8 @@ TEST(TimeOfImpact, FindsWhenATurningRodStrikes) {
   EXPECT_FALSE(time_of_impact(capsule, quarter_turn, Ball{{0, -1.1, 0}, 1}, rest).has_value());
 }
 
-/// From a pose at the origin turned about x to one that is moved and turned by a third about the diagonal besides: the
-/// rod's other end goes round a circle in the plane x + y + z = 4 as the diagonal carries that along.
+/// From a pose at the origin rotated about x to one that is also moved and rotated by a third of a turn about the
+/// diagonal: the rod's other end describes a circle in the plane x + y + z = 4, carried along the diagonal.
 TEST(TimeOfImpact, OfTwoPosesIsThatOfTheMotionBetweenThem) {
   const Point diagonal(1, 1, 1);
   const Mat<3, double> before = rotation_matrix(Point(1, 0, 0), 40);
@@ -80,7 +80,7 @@ TEST(TimeOfImpact, FindsWhenATurningPlaneStrikes) {
 }
 
 TEST(TimeOfImpact, FindsWhenACornerOfATurningBoxStrikes) {
-  // A cube of half extent 1 turns by an eighth while it comes; its edge is foremost at the end of the turn.
+  // A cube of half extent 1 rotates by 45 degrees while it approaches; its edge is foremost at the end of the rotation.
   const Obb<3, double> box{{0, 0, 0}, {1, 1, 1}};
   const Trajectory trajectory{{4, 0, 0}, {0, 0, pi / 4}, {}};
   const double gap = 4;
@@ -97,7 +97,7 @@ TEST(TimeOfImpact, OfBothShapesOnlyTheRelativeMotionCounts) {
   const Ball target{{12, 0, 0}, 1};
   expect_impact(time_of_impact(sphere, {{8, 0, 0}, {}, {}}, target, {{-12, 0, 0}, {}, {}}), 0.5, {1, 0, 0}, 20, "both");
   EXPECT_FALSE(time_of_impact(sphere, {{8, 0, 0}, {}, {}}, target, {{8, 0, 0}, {}, {}}).has_value());
-  // Two boxes on one turning table never meet.
+  // Two boxes on one turntable never meet.
   const Trajectory table{{5, 0, 0}, {0, 0, 20}, {3, 3, 3}};
   const Obb<3, double> box{};
   const Obb<3, double> other{{2.001, 0, 0}, {1, 1, 1}};
@@ -120,7 +120,7 @@ TEST(TimeOfImpact, WithoutTurnsIsThatOfAShapeCast) {
 }
 
 TEST(TimeOfImpact, ABoxThatSpinsFastIsNotMissed) {
-  // A thin blade that turns ten times while it passes a sphere: a test of a few poses in between sees nothing.
+  // A thin blade that rotates ten times while it passes a sphere: testing a few poses in between finds nothing.
   const Obb<3, double> blade{{0, 0, 0}, {3, 0.01, 0.5}};
   const auto found = time_of_impact(blade, {{0, 0, 0}, {0, 0, 20 * pi}, {}}, Ball{{0, 2, 0}, 0.1}, rest);
   ASSERT_TRUE(found.has_value());
@@ -129,15 +129,16 @@ TEST(TimeOfImpact, ABoxThatSpinsFastIsNotMissed) {
   EXPECT_NEAR(found->t, (pi / 2 - std::asin(0.055)) / (20 * pi), 1e-10);
 }
 
-/// Elsewhere a bullet that starts beside a wall, or whose steps run out, has its tunnel; here the time at the limit is
-/// before the touch all the same, and the status says so.
+/// Other libraries tunnel if a bullet starts beside a wall, or when the steps run out; here the time is before the
+/// contact even then, and the status says so.
 TEST(TimeOfImpact, SaysWhatIsProvedWhenTheStepsRunOut) {
   const Obb<3, double> top{{0, 0, 0}, {1, 1, 1}};
   const auto found = time_of_impact(top, {{3, 0, 0}, {0, 0, 1e4}, {}}, Ball{{5, 0, 0}, 1}, rest);
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->status, Status::best_bound);
-  EXPECT_GE(found->t, (4 - std::sqrt(3.0)) / 3 - 1e-9);  // the spheres that they turn in touch
-  EXPECT_LE(found->t, (4 - std::sqrt(2.0)) / 3 + 1e-3);  // the edges strike as soon as they can, so often do they pass
+  EXPECT_GE(found->t, (4 - std::sqrt(3.0)) / 3 - 1e-9);  // their bounding spheres touch
+  // the edges hit as early as possible, because they pass so often
+  EXPECT_LE(found->t, (4 - std::sqrt(2.0)) / 3 + 1e-3);
   EXPECT_GT(found->error, 0);
 }
 
@@ -152,8 +153,8 @@ TEST(TimeOfImpact, CountsTouchesAtTheStartAndAtTheEnd) {
   EXPECT_FALSE(time_of_impact(sphere, rest, Ball{{2.001, 0, 0}, 1}, rest).has_value());
 }
 
-/// Nearer to each other, when the spheres that they turn in touch, than GJK can tell of coordinates of a million; and
-/// from the start.
+/// When their bounding spheres touch, they are closer than GJK can resolve at coordinates of a million; and from the
+/// start.
 TEST(TimeOfImpact, OfSmallThingsFarFromTheOriginHasANormal) {
   const Triangle<3, double> speck{{1e6, 1e6, 1e6}, {1e6, 1e6, 1e6}, {1e6, 1e6, 1e6}};
   const Trajectory flight{{80, 0, 0}, {0, 3, 0}, {1e6, 1e6, 1e6}};
@@ -186,7 +187,7 @@ TEST(TimeOfImpact, OfACompoundIsThatOfItsFirstPartToTouch) {
 }
 
 TEST(TimeOfImpact, OfARayCountsAllOfIt) {
-  // The sphere is 30 degrees wide on either side, as seen from the ray's origin.
+  // The sphere has an angular radius of 30 degrees, as seen from the ray's origin.
   const Ray<3, double> beam{{0, 0, 0}, {0.001, 0, 0}};
   const Ball sphere{{0, 1000, 0}, 500};
   const Trajectory quarter_turn{{}, {0, 0, pi / 2}, {}};
@@ -217,7 +218,7 @@ TEST(TimeOfImpact, OfParallelPlanesThatTurnAlikeIsThatOfTheirDistance) {
   EXPECT_LE(8 * found->t * std::cos(found->t), 4);
   EXPECT_NEAR(8 * found->t * std::cos(found->t), 4, found->error + 1e-12);
   EXPECT_FALSE(time_of_impact(left, turning, right, turning).has_value());
-  // As soon as they do not turn alike they meet, far away.
+  // As soon as they rotate differently they meet, far away.
   const auto at_once = time_of_impact(left, turning, right, rest);
   ASSERT_TRUE(at_once.has_value());
   EXPECT_EQ(at_once->t, 0);

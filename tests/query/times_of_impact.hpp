@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What graze says about shapes of any two types that move and turn: compiled once for each space, by
-// times_of_impact.cpp.in.
+// graze's times of impact of shapes of any two types: compiled once for each space, by times_of_impact.cpp.in.
 #pragma once
 
 #include <optional>
@@ -25,7 +24,7 @@ struct Moving {
 template <Dim N, class T>
 std::optional<Impact<N, T>> impact_of(const Moving<N, T>& moving);
 
-/// What that is rounded from, of shapes that are apart.
+/// The same before rounding, for shapes that are apart.
 template <Dim N, class T>
 std::optional<detail::CastHit<N>> cast_hit_of(const Moving<N, T>& moving);
 

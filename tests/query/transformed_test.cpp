@@ -22,7 +22,7 @@ double size_of(const S& shape, const Pose<N, T>& pose) {
   return static_cast<double>(std::max({max_abs(box.min), max_abs(box.max), max_abs(pose.position)}));
 }
 
-/// The motion that does `first`, then `second`.
+/// The composition of `first`, then `second`.
 template <Dim N, class T>
 Pose<N, T> composed(const Pose<N, T>& first, const Pose<N, T>& second) {
   return {rotated<N, T>(first.rotation, second), transformed(first.position, second)};
@@ -55,7 +55,7 @@ TEST(Transformed, LeavesACompoundWithoutPartsEmpty) {
   EXPECT_TRUE(transformed(Compound<3>{}, Pose<3>{{}, {1, 2, 3}}).parts.empty());
 }
 
-/// Upright boxes turn into oriented ones, and compounds may hold upright boxes.
+/// AABBs become oriented boxes, and compounds may contain AABBs.
 template <class S>
 inline constexpr bool becomes_another = false;
 template <Dim N, class T>

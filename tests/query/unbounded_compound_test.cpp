@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Queries that skip parts of compounds by their boxes, where the box of all does not tell how large the coordinates of
-// a part are: the answer is that of the parts, in both orders.
+// Queries that skip parts of compounds by their boxes, if the box of the whole does not show how large the coordinates
+// of a part are: the answer is that of the parts, in both orders.
 #include "../unbounded_compound.hpp"
 
 #include <algorithm>
@@ -35,8 +35,8 @@ class UnboundedCompound : public ::testing::Test {
 
   static Any ray() { return along_x<N, T>(); }
 
-  /// Calls check(far, a, b) for each far shape: a is it beside a plane, b the ray that it touches by rounding, each
-  /// also as a part of parts.
+  /// Calls check(far, a, b) for each far shape: a is the shape and a plane, b the ray that it touches by rounding, each
+  /// also as a nested part.
   static void for_each_case(const auto& check) {
     const Any ray_alone = compound_of<N, T>({ray()});
     for (const Any& far : far_shapes<N, T>()) {
@@ -104,7 +104,7 @@ class UnboundedCompound : public ::testing::Test {
 };
 TYPED_TEST_SUITE(UnboundedCompound, Spaces);
 
-// A point has to be nearer than rounding to a part that is as large as that: from x = -1e33 to 1e33, past the origin.
+// The point must be within the rounding error of a part of that size: from x = -1e33 to 1e33, past the origin.
 TYPED_TEST(UnboundedCompound, HoldsThePointsThatAPartOfPartsHolds) { TestFixture::expect_points_held(); }
 
 TYPED_TEST(UnboundedCompound, TouchesWhatAFarPartTouches) { TestFixture::for_each_case(TestFixture::expect_touch); }

@@ -34,14 +34,14 @@ double area(const Polygons& loops) {
   return sum;
 }
 
-/// The loop from its least corner on.
+/// The loop rotated to start at its least corner.
 Polygon from_least(Polygon loop) {
   const auto less = [](const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
   std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end(), less), loop.end());
   return loop;
 }
 
-/// How often the loops run round a point that is on none of them (Sunday 2001).
+/// The winding number of the loops around a point that is on none of them (Sunday 2001).
 int winding(const Polygons& loops, const Point& point) {
   int count = 0;
   for (const Polygon& loop : loops) {
@@ -95,7 +95,7 @@ TEST(UnionOutline, joins_what_overlaps_and_keeps_apart_what_does_not) {
   EXPECT_EQ(area(union_outline(Polygons{box(0, 0, 4, 4), box(0, 0, 4, 4)})), 16);
   EXPECT_EQ(area(union_outline(Polygons{box(0, 0, 4, 4), box(1, 1, 1, 1)})), 16);
   EXPECT_EQ(union_outline(Polygons{box(0, 0, 1, 1), box(2, 0, 1, 1)}).size(), 2U);
-  EXPECT_EQ(area(union_outline(Polygons{box(0, 0, 1, 1), box(1, 1, 1, 1)})), 2);  // a corner in common
+  EXPECT_EQ(area(union_outline(Polygons{box(0, 0, 1, 1), box(1, 1, 1, 1)})), 2);  // a shared corner
 }
 
 TEST(UnionOutline, takes_polygons_of_either_sense_and_leaves_out_what_has_no_area) {
@@ -127,7 +127,7 @@ TEST(UnionOutline, closes_gaps_of_rounding_far_from_the_origin) {
   }
 }
 
-/// Convex polygons of few, mostly equal coordinates: many edges in common, in part or in whole.
+/// Convex polygons with few distinct coordinates: many edges coincide, in part or completely.
 Polygons random_polygons(double scale) {
   Polygons polygons;
   const int count = *rc::gen::inRange(1, 9);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes as a user of graze would write them, in a namespace of their own: nothing but `support`, in their own numbers.
+// Shapes as a user of graze would write them, in a namespace of their own: only `support`, in their own number type.
 #pragma once
 
 #include <cmath>
@@ -21,7 +21,7 @@ graze::Vec<3, T> support(const Ellipsoid<T>& egg, const graze::Vec<3, T>& direct
   return egg.center + egg.radii * scaled / std::sqrt(dot(scaled, scaled));
 }
 
-/// The sum of (|x_i| / radii_i)^4 <= 1: a box with round edges. With q = 4/3, x_i = radii_i u_i^(1/3) / |u|_q^(1/3)
+/// The sum of (|x_i| / radii_i)^4 <= 1: a box with rounded edges. With q = 4/3, x_i = radii_i u_i^(1/3) / |u|_q^(1/3)
 /// where u = radii * direction.
 template <class T>
 struct Superellipsoid {
@@ -74,7 +74,7 @@ graze::Vec<3, T> support(const Cone<T>& hat, const graze::Vec<3, T>& direction) 
   return dot(tip, direction) > dot(rim, direction) ? tip : rim;
 }
 
-/// Not a shape at all: answers what it was told to, whatever the direction.
+/// Not a valid shape: returns a fixed answer for every direction.
 template <class T>
 struct Liar {
   graze::Vec<3, T> answer;
@@ -85,7 +85,7 @@ graze::Vec<3, T> support(const Liar<T>& liar, const graze::Vec<3, T>&) {
   return liar.answer;
 }
 
-/// Not a shape either: every answer is another point, none of them farthest.
+/// Not a valid shape either: every answer is another point, none of them farthest.
 struct Chaos {
   mutable unsigned state = 1;
 };

@@ -63,7 +63,7 @@ RC_GTEST_PROP(SceneEvents, AreTheDifferencesOfTwoSets,
   RC_ASSERT(events.ended == ended);
 }
 
-/// What touches in a world of eight places, from update to update, in which objects give way to others.
+/// The touching pairs in a scene of eight slots, from update to update, in which objects replace others.
 struct World {
   detail::KeyTable ids;
   SceneEvents events;
@@ -101,7 +101,7 @@ struct World {
   }
 };
 
-/// Which of the pairs that touched began.
+/// Which of the touching pairs began.
 detail::YoungMarks young_of(const SceneEvents& events) {
   detail::YoungMarks young;
   for (const ObjectPair& each : detail::pairs_of(events)) {
@@ -135,7 +135,7 @@ RC_GTEST_PROP(SceneEvents, AreTheSameFoundByWhatOfAListTouches, ()) {
     }
     const SceneEvents expected = events_between(detail::pairs_of(world.events), world.named(found));
     detail::NextEvents next;
-    next.events.began.resize(3);  // of older events
+    next.events.began.resize(3);  // of earlier events
     next.young.resize(40);
     detail::find_events(world.events, young, {found, places, places_before, touches.data(), touched.data()}, world.ids,
                         next);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Worlds in which many boxes move at once, beside one without an index, memory or lists.
+// Scenes in which many boxes move at once, compared with one without an index, memory or lists.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +18,7 @@
 namespace graze::moved_boxes_test {
 namespace {
 
-/// Without owners, which differ between two worlds.
+/// Without owners, which differ between two scenes.
 using PlainPair = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
 
 std::vector<PlainPair> plain(const std::vector<ObjectPair>& pairs) {
@@ -57,7 +57,7 @@ class TwoWorlds {
     plain_ids_.erase(plain_ids_.begin() + static_cast<std::ptrdiff_t>(k));
   }
 
-  /// All of them, each by a step of at most so much.
+  /// Moves all by a limited step.
   void move_all(T step) {
     std::vector<Box> boxes;
     for (const ObjectId& id : ids_) {
@@ -70,7 +70,7 @@ class TwoWorlds {
     for (std::size_t k = 0; k < ids_.size(); ++k) plain_.move(plain_ids_[k], boxes[k]);
   }
 
-  /// Some, in any order, perhaps one twice.
+  /// Moves some, in any order, possibly one twice.
   void move_some() {
     std::vector<ObjectId> ids;
     std::vector<Box> boxes;
@@ -102,7 +102,7 @@ class TwoWorlds {
 
   unsigned random() { return static_cast<unsigned>(random_()); }
 
-  /// Its sides are eighths, so that some only touch.
+  /// Its sides are multiples of an eighth, so that some only touch.
   Box some_box() {
     Box box;
     for (Dim i = 0; i < N; ++i) {
@@ -133,7 +133,7 @@ struct Space {
 using Spaces = testing::Types<Space<2, float>, Space<3, float>, Space<2, double>, Space<3, double>>;
 TYPED_TEST_SUITE(MovedBoxes, Spaces);
 
-/// Small steps, so that candidates serve for several frames; now and then something that ends that.
+/// Small steps, so that candidates remain valid for several frames; sometimes something invalidates them.
 TYPED_TEST(MovedBoxes, BeginStayAndEndAsInAWorldWithoutLists) {
   using T = typename TypeParam::T;
   TwoWorlds<TypeParam::N, T> worlds(7);
@@ -151,7 +151,7 @@ TYPED_TEST(MovedBoxes, BeginStayAndEndAsInAWorldWithoutLists) {
   worlds.expect_the_same_answer();
 }
 
-/// The same with a sphere among them, which is no box until it is moved to one.
+/// The same with a sphere among them, which is not a box until it is moved to one.
 TYPED_TEST(MovedBoxes, AreThoseOfAWorldThatHoldsMoreThanBoxes) {
   constexpr Dim N = TypeParam::N;
   using T = typename TypeParam::T;

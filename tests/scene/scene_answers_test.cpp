@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How long what a scene hands out is good: answers are values, which a loop may go through while it changes the scene;
-// references are good until the changes that scene.hpp names.
+// How long answers of a scene are valid: they are values, so a loop may change the scene while iterating over them;
+// references are valid until the changes that scene.hpp names.
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
@@ -28,14 +28,14 @@ Ids fill(World& scene, int count = 200) {
   return ids;
 }
 
-/// The ids that answers of each kind name.
+/// The ids in answers of each kind.
 ObjectId id_in(const ObjectId& id) { return id; }
 ObjectId id_in(const ObjectPair& pair) { return pair.a; }
 ObjectId id_in(const NearObject<double>& near) { return near.id; }
 ObjectId id_in(const ObjectHit<2, double>& hit) { return hit.id; }
 ObjectId id_in(const ObjectContact<2, double>& contact) { return contact.pair.a; }
 
-/// Moves what an answer names, removes it and adds others while the answer is gone through, which stays what it was.
+/// Moves and removes the objects in an answer and adds others while iterating over it; the answer must not change.
 void expect_to_stay_while_the_scene_changes(const auto& question) {
   World scene;
   fill(scene);
@@ -68,7 +68,7 @@ TEST(SceneAnswers, StayWhileTheLoopThroughThemMovesAddsAndRemoves) {
   expect_to_stay_while_the_scene_changes([](const World& scene) { return scene.ray_cast_all({{-9, 0.5}, {1, 0}}); });
 }
 
-/// Who removes both of every pair meets ids that are gone already: `contains` says so, and nothing else is removed.
+/// A loop that removes both objects of every pair meets removed ids: `contains` says so, and nothing else is removed.
 TEST(SceneAnswers, NameObjectsThatTheLoopHasRemovedByIdsThatAreStale) {
   World scene;
   const Ids ids = fill(scene, 10);
@@ -83,12 +83,12 @@ TEST(SceneAnswers, NameObjectsThatTheLoopHasRemovedByIdsThatAreStale) {
         continue;
       }
       scene.remove(id);
-      const ObjectId other = scene.add(Ball{{0, 900}, 0});  // in its place
+      const ObjectId other = scene.add(Ball{{0, 900}, 0});  // in its slot
       EXPECT_EQ(other.index, id.index);
       scene.move(other, Ball{{0, 901}, 0});
     }
   }
-  EXPECT_EQ(stale, 8U);  // of 9 pairs in a row all but the first have one of the pair before
+  EXPECT_EQ(stale, 8U);  // of 9 pairs in a row, all but the first share an object with the previous one
   EXPECT_EQ(scene.size(), 10U);
   for (const ObjectId id : ids) EXPECT_FALSE(scene.contains(id));
 }
@@ -118,7 +118,7 @@ TEST(SceneAnswers, EventsMayBeGoneThroughWhileTheLoopMovesAddsAndRemoves) {
   go_through(scene.events().stayed);
 }
 
-/// Whether the update mends what is known or finds all anew, and whether a snapshot shares the events.
+/// Whether the update repairs pairs or finds all again, and whether a snapshot shares the events.
 TEST(SceneAnswers, OfAnUpdateStayUntilTheNextOne) {
   World scene;
   const Ids ids = fill(scene);
@@ -138,7 +138,7 @@ TEST(SceneAnswers, OfAnUpdateStayUntilTheNextOne) {
   }
 }
 
-/// Updates, queries and snapshots leave objects where they are; so a reference may be read until the next change.
+/// Updates, queries and snapshots do not move objects in memory, so a reference is valid until the next change.
 TEST(SceneAnswers, AnObjectStaysWhereItIsUntilTheNextChange) {
   World scene;
   const Ids ids = fill(scene);
@@ -153,7 +153,7 @@ TEST(SceneAnswers, AnObjectStaysWhereItIsUntilTheNextChange) {
   EXPECT_EQ(std::get<Ball>(scene.object(ids[7]).shape).center, V2(14, 3));
 }
 
-/// Nothing that the scene does, up to its end, is seen in a snapshot, nor where its objects are.
+/// A snapshot and the addresses of its objects do not change, whatever the scene does, including its destruction.
 TEST(SceneAnswers, AnObjectOfASnapshotStaysAsLongAsTheSnapshot) {
   std::shared_ptr<const View> snapshot;
   Ids ids;

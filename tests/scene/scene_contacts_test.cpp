@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the objects of a scene touch, against asking for the manifold of every two of them.
+// The contacts of a scene, compared with the manifolds of every two objects.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -125,8 +125,8 @@ RC_GTEST_PROP(SceneContacts, AreTheManifoldsOfAllPairs3f, ()) { check_against_ev
 RC_GTEST_PROP(SceneContacts, AreTheManifoldsOfAllPairs2d, ()) { check_against_every_pair<2, double>(); }
 RC_GTEST_PROP(SceneContacts, AreTheManifoldsOfAllPairs3d, ()) { check_against_every_pair<3, double>(); }
 
-/// Towers of boxes that lie on each other, turned, every seventh anyhow. Where the first tower stands there is a shape
-/// of each type as well, some of which meet all towers.
+/// Towers of stacked boxes, rotated, every seventh arbitrarily. At the first tower there is also a shape of each type,
+/// some of which meet all towers.
 template <Dim N, class T>
 Scene<N, T> towers() {
   Scene<N, T> scene;
@@ -196,7 +196,7 @@ TEST(SceneContacts, ThrowWhatTheExecutorThrows) {
   EXPECT_THROW(scene.contacts(Broken()), std::runtime_error);
 }
 
-/// No two boxes that are as near as the margin along every axis are missed, however large the margin is for them.
+/// No two boxes within the margin along every axis are missed, however large the margin is.
 RC_GTEST_PROP(SceneContacts, CandidatesMissNoBoxesWithinTheMargin, ()) {
   const auto shapes =
       *test::some<AnyShape<2, float>>(8, test::any_shape_at<2, float>(test::shape_index<Aabb<2, float>>));

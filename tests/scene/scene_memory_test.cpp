@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a scene asks of the heap, and what becomes of it when there is no more. This program counts what each thread
-// asks of operator new, and can let it be refused.
+// Allocations of a scene, and its behaviour when they fail. This program counts each thread's calls of operator new,
+// and can make them fail.
 #include <cstddef>
 #include <cstdint>
 #include <new>
@@ -26,7 +26,7 @@ using Any = AnyShape<2, double>;
 using V2 = Vec<2, double>;
 using Ids = std::vector<ObjectId>;
 
-/// While it lives, this thread's requests are granted so many times, and refused from then on.
+/// During its lifetime, this number of this thread's allocations succeed, and then all fail.
 class ShortMemory {
  public:
   explicit ShortMemory(std::size_t grants) { test::heap_watch.grants_left = grants; }
@@ -35,8 +35,8 @@ class ShortMemory {
   ShortMemory& operator=(const ShortMemory&) = delete;
 };
 
-/// Acts on a scene, with memory that ends one request later each time, until it is enough: before that nothing has
-/// changed, and then all that would have with no end of memory. Returns how often it failed.
+/// Runs an operation on a scene with memory that runs out one allocation later each time, until it succeeds: on failure
+/// nothing may have changed, on success everything must be as with unlimited memory. Returns the number of failures.
 std::size_t expect_all_or_nothing(World& scene, const auto& act) {
   const auto before = test::ray_verdict_of(scene);
   World calm = scene;
@@ -54,7 +54,7 @@ std::size_t expect_all_or_nothing(World& scene, const auto& act) {
   }
 }
 
-/// Balls in a row that touch, or boxes, some with names too long for a string without memory of its own.
+/// Touching balls in a row, or boxes, some with names too long for the small-string optimisation.
 Ids fill(World& scene, int count) {
   const std::string start = "an object with quite a long name, number ";
   Ids ids;
@@ -71,7 +71,7 @@ Any pair_of_balls(double x) {
   return compound_of<2, double>(parts);
 }
 
-/// Everything that changes a scene, once each. Returns how often memory ran out.
+/// Runs every operation that changes a scene once. Returns how often memory ran out.
 std::size_t change_in_every_way(World& scene, const Ids& ids) {
   std::size_t failed = 0;
   const auto change = [&](const auto& act) { failed += expect_all_or_nothing(scene, act); };
@@ -90,7 +90,7 @@ std::size_t change_in_every_way(World& scene, const Ids& ids) {
   change([&](World& world) { world.update(serial_executor()); });
   change([&](World& world) { world.remove(ids[6]); });
   change([&](World& world) { world.remove(*world.find(name)); });
-  change([&](World& world) { world.add(Ball{{1, 0}, 1}); });  // in a place that is used again
+  change([&](World& world) { world.add(Ball{{1, 0}, 1}); });  // in a reused slot
   change([&](World& world) { world.update(serial_executor()); });
   return failed;
 }
@@ -102,7 +102,7 @@ TEST(SceneMemory, ThatRunsOutLeavesTheSceneAsItWas) {
   EXPECT_GT(change_in_every_way(scene, ids), 30U);
 }
 
-/// The same while a snapshot is kept, so that what changes is copied first.
+/// The same while a snapshot exists, so that chunks are copied before changes.
 TEST(SceneMemory, ThatRunsOutLeavesASceneWithSnapshotsAsItWas) {
   World scene;
   const Ids ids = fill(scene, 100);
@@ -136,7 +136,7 @@ TEST(SceneMemory, ThatRunsOutWhileTheSceneGrowsKeepsWhatWasThere) {
   EXPECT_EQ(scene.overlapping(Ball{{50, 0}, 2}).size(), 3U);
 }
 
-/// A query may have to catch up with what has moved; one that fails at that is asked again.
+/// A query may have to update the index; if that fails, it is repeated.
 TEST(SceneMemory, ThatRunsOutInAQueryChangesNoAnswer) {
   World scene;
   const Ids ids = fill(scene, 100);
@@ -180,7 +180,7 @@ TEST(SceneMemory, OfASnapshotIsNoneForTheObjectsUntilTheyChange) {
   for (std::size_t k = 0; k < count; ++k) {
     ids.push_back(scene.add(Ball{{static_cast<double>(k % 300), static_cast<double>(k / 300)}, 0.25}));
   }
-  scene.overlapping(Ball{});  // the index has caught up
+  scene.overlapping(Ball{});  // the index is up to date
   const std::size_t at_first = test::heap_watch.bytes;
   const auto snapshot = scene.snapshot();
   const std::size_t of_snapshot = test::heap_watch.bytes - at_first;
@@ -189,10 +189,10 @@ TEST(SceneMemory, OfASnapshotIsNoneForTheObjectsUntilTheyChange) {
   scene.move(ids[7], Ball{{0, 0}, 1});
   const std::size_t of_move = test::heap_watch.bytes - before_move;
   EXPECT_GT(of_move, 0U);
-  EXPECT_LT(of_move, 80 * sizeof(Object<2, double>));  // 64 of them, and what says so
+  EXPECT_LT(of_move, 80 * sizeof(Object<2, double>));  // 64 of them, and their bookkeeping
   const std::size_t before_next = test::heap_watch.bytes;
   scene.move(ids[8], Ball{{0, 0}, 1});
-  EXPECT_EQ(test::heap_watch.bytes, before_next);  // those are its own now
+  EXPECT_EQ(test::heap_watch.bytes, before_next);  // those are not shared any more
   EXPECT_EQ(snapshot->object(ids[8]).box.min, V2(7.75, -0.25));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rays in a scene, against casting at every object.
+// Rays in a scene, compared with casting at every object.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -90,8 +90,8 @@ void check_against_every_object() {
   if (first) RC_ASSERT(first->id == expected.front().id && first->hit.t == expected.front().hit.t);
 }
 
-/// A row of boxes that a ray passes at a corner each, as nearly as T has it: whatever t_max is, the hits up to there
-/// are found, and no others.
+/// A row of boxes that a ray passes at one corner each, as closely as T permits: for any t_max, exactly the hits up to
+/// it are found.
 template <Dim N, class T>
 void check_that_t_max_hides_only_what_is_beyond() {
   const auto seed = *rc::gen::arbitrary<std::uint32_t>();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a scene does not take in: faulty shapes of every type, and more objects than it can hold. Each refusal says the
-// fact, and nothing has changed.
+// Input that a scene rejects: invalid shapes of every type, and more objects than it can hold. Each message states the
+// fact, and nothing changes.
 #include <cstdint>
 #include <exception>
 #include <limits>
@@ -21,7 +21,7 @@
 namespace graze::scene_refusals_test {
 namespace {
 
-/// What the call throws, which is to be of that type.
+/// The message of the exception, which must have that type.
 template <class Error>
 std::string message_of(const auto& call) {
   try {
@@ -34,25 +34,25 @@ std::string message_of(const auto& call) {
   return "no error";
 }
 
-/// A shape that is not valid, and what is to be said of it.
+/// An invalid shape, and the expected message.
 template <Dim N, class T>
 struct Faulty {
   AnyShape<N, T> shape;
   std::string words;
 };
 
-/// Not a number in each field of every type that has fields, and what else can be wrong with them.
+/// NaN in each field of every type that has fields, and their other defects.
 template <Dim N, class T>
 std::vector<Faulty<N, T>> faulty_shapes() {
   constexpr T nan = std::numeric_limits<T>::quiet_NaN();
   constexpr T infinity = std::numeric_limits<T>::infinity();
   const Vec<N, T> zero(T(0));
   const Vec<N, T> one(T(1));
-  Vec<N, T> hole = one;  // the last coordinate is not a number
+  Vec<N, T> hole = one;  // the last coordinate is NaN
   hole[N - 1] = nan;
   Vec<N, T> endless = one;
   endless[N - 1] = -infinity;
-  Vec<N, T> below = one;  // in one coordinate alone
+  Vec<N, T> below = one;  // in one coordinate only
   below[N - 1] = T(-1);
   const Mat<N, T> straight(T(1));
   Mat<N, T> torn = straight;
@@ -102,7 +102,7 @@ template <class Space>
 class SceneRefusals : public testing::Test {};
 TYPED_TEST_SUITE(SceneRefusals, test::Spaces);
 
-/// Two that touch, one of them new since the last update, and a place to be used again.
+/// Two that touch, one of them new since the last update, and a slot to be reused.
 template <Dim N, class T>
 Scene<N, T> some_scene() {
   Scene<N, T> scene;
@@ -127,7 +127,7 @@ TYPED_TEST(SceneRefusals, AFaultyShapeIsNotAddedTheFactIsNamedAndNothingChanges)
     EXPECT_TRUE(test::ray_verdict_of(scene) == before) << faulty.words;
     EXPECT_EQ(scene.find("bad"), std::nullopt);
   }
-  // The next ids are those that would have come without all this.
+  // The next ids are those that would have been issued without the rejected calls.
   EXPECT_EQ(scene.add(Sphere<N, T>{}, {.name = "bad"}), (ObjectId{1, 3, before.ids[0].owner}));
   EXPECT_EQ(scene.add(Sphere<N, T>{}), (ObjectId{3, 1, before.ids[0].owner}));
 }
@@ -148,7 +148,7 @@ TYPED_TEST(SceneRefusals, NothingMovesToAFaultyShape) {
   }
 }
 
-/// A scene that is full sooner than others: nobody has memory for one that is full.
+/// A scene with a small limit, because a full one would need too much memory.
 class SmallScene : public Scene<2, double> {
  public:
   explicit SmallScene(std::uint32_t most) { this->SceneView<2, double>::ids_ = detail::KeyTable(most); }
@@ -169,7 +169,7 @@ TEST(SceneThatIsFull, RefusesOneMoreSaysSoAndChangesNothing) {
     EXPECT_EQ(scene.find("more"), std::nullopt);
   }
   EXPECT_EQ(max_objects, 536870912U);
-  scene.remove(first);  // which makes room for one
+  scene.remove(first);  // which makes space for one
   const ObjectId more = scene.add(Ball{}, {.name = "more"});
   EXPECT_EQ(more, (ObjectId{0, 3, first.owner}));
   EXPECT_THROW(scene.add(Ball{}), std::length_error);

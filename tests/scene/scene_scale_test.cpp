@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The law of scale for scenes: objects that are 2^k times as large have the same pairs, hits and neighbours, from the
-// least numbers to the largest ones.
+// Scale invariance of scenes: objects scaled by 2^k have the same pairs, hits and neighbours, from the smallest numbers
+// to the largest ones.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -73,7 +73,7 @@ std::vector<std::array<std::uint32_t, 2>> numbers_of(const std::vector<ObjectPai
   return numbers;
 }
 
-/// What a ray hits, by number, and when.
+/// The hits of a ray, by number, and their times.
 template <Dim N, class T>
 std::vector<std::pair<std::uint32_t, T>> hits_in(const Scene<N, T>& scene, int exponent) {
   std::vector<std::pair<std::uint32_t, T>> hits;
@@ -84,7 +84,7 @@ std::vector<std::pair<std::uint32_t, T>> hits_in(const Scene<N, T>& scene, int e
   return hits;
 }
 
-/// What is near a point, by number, and how far in units of 2^exponent.
+/// The objects near a point, by number, and their distances in units of 2^exponent.
 template <Dim N, class T>
 std::vector<std::pair<std::uint32_t, T>> near_in(const Scene<N, T>& scene, int exponent) {
   std::vector<std::pair<std::uint32_t, T>> near;
@@ -109,7 +109,7 @@ TYPED_TEST(SceneScale, PairsContactsAndHitsAreTheSameAtEitherEndOfTheNumbers) {
     Scene<N, T> large = scene_of<N, T>(shapes, exponent);
     EXPECT_EQ((numbers_of<N, T>(large.pairs())), pairs);
     EXPECT_EQ((hits_in<N, T>(large, exponent)), hits);
-    // Of the least numbers a distance has few bits, so that many are equal.
+    // Distances among the smallest numbers have few bits, so many are equal.
     if (exponent > -std::numeric_limits<T>::max_exponent + 20) {
       EXPECT_EQ((near_in<N, T>(large, exponent)), near);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that can be seen of a scene, to be compared with what is seen later.
+// The observable state of a scene, for comparison with a later one.
 #pragma once
 
 #include <string>
@@ -35,7 +35,7 @@ SceneSight<N, T> ray_verdict_of(const Scene<N, T>& scene) {
   verdict.vacant = scene.vacant_ids();
   for (const ObjectId id : verdict.ids) {
     const Object<N, T>& object = scene.object(id);
-    // A name that leads elsewhere is seen as well.
+    // Whether the name finds another object is part of the state.
     const bool is_found = object.name.empty() || scene.find(object.name) == id;
     verdict.objects.emplace_back(is_found ? object.name : "not found", object.box);
   }

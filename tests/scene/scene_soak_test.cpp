@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene that lives on: random objects come, move and go for as long as the environment says (GRAZE_TEST_SCALE
-// multiplies the number of operations), while every answer is compared with PlainScene's.
+// A long-running scene: random objects are added, moved and removed for a number of operations (multiplied by
+// GRAZE_TEST_SCALE), while every answer is compared with PlainScene's.
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
@@ -121,7 +121,7 @@ class SceneSoak {
     require(same_id(held_.back().id, held_.back().judged));
   }
 
-  /// One, or several at once.
+  /// Moves one, or several at once.
   void move() {
     if (chance() < 0.8) {
       const Held& held = held_[pick()];
@@ -141,7 +141,7 @@ class SceneSoak {
     judge_.move(judged);
   }
 
-  /// Several, which become shapes of one type.
+  /// Moves several, which become shapes of one type.
   void move_balls() {
     std::vector<ObjectId> ids;
     std::vector<Sphere<N, T>> spheres;
@@ -184,7 +184,7 @@ class SceneSoak {
     if (!expected.empty()) ++answered_;
   }
 
-  /// The scene, or a snapshot of it as it is now.
+  /// Queries the scene, or a snapshot of its current state.
   void ask() {
     if (chance() < 0.8) return ask(scene_);
     ask(*scene_.snapshot());
@@ -212,7 +212,7 @@ class SceneSoak {
     }
   }
 
-  /// What it hits first, and all.
+  /// Compares the first hit, and all hits.
   void cast_ray(const SceneView<N, T>& view, LayerMask layers) {
     const Ray<N, T> ray{place(), numbers_.point<N, T>(-1, 1)};
     const T t_max = chance() < 0.5 ? T(20) : std::numeric_limits<T>::infinity();
@@ -222,7 +222,7 @@ class SceneSoak {
     require(first ? !expected.empty() && same_hit(*first, expected.front()) : expected.empty());
   }
 
-  /// Also of those that have changed since the last update.
+  /// Also those of objects that have changed since the last update.
   void ask_for_pairs(const SceneView<N, T>& view) {
     const double margin = numbers_.between(0, 1);
     compare(view.candidates(margin), judge_.candidates(margin), same_pair);
@@ -239,7 +239,7 @@ class SceneSoak {
     return Sphere<N, T>{place(), length(world_size / 2)};
   }
 
-  /// Of a camera somewhere, any way up.
+  /// Of a camera anywhere, with any orientation.
   Frustum<N, T> any_frustum() {
     const T depth = length(12);
     const T slope = length(1);
@@ -259,7 +259,7 @@ class SceneSoak {
     kept_found_ = snapshot_->overlapping(Aabb<N, T>{Vec<N, T>(T(0)), Vec<N, T>(T(7))});
   }
 
-  /// It is as it was, whatever became of the scene.
+  /// It is unchanged, whatever happened to the scene.
   void check_snapshot() {
     if (!snapshot_) return;
     require(snapshot_->ids() == kept_ids_);
@@ -292,8 +292,8 @@ class SceneSoak {
   std::size_t breath_ = 0;
   std::size_t breaths_ = 0;
   std::size_t asked_ = 0;
-  std::size_t answered_ = 0;  // with anything
-  bool is_quick_ = false;     // updates come soon after each other, so that few objects have changed
+  std::size_t answered_ = 0;  // non-empty answers
+  bool is_quick_ = false;     // updates follow each other quickly, so few objects have changed
   bool is_right_ = true;
 };
 

@@ -83,7 +83,7 @@ TEST(Scene, AStaleIdIsAnErrorAndNeverAnotherObject) {
   const ObjectId first = scene.add(Ball{}, {.name = "first"});
   scene.remove(first);
   const ObjectId second = scene.add(Ball{}, {.name = "second"});
-  EXPECT_EQ(second.index, first.index);  // the place is used again
+  EXPECT_EQ(second.index, first.index);  // the slot is reused
   EXPECT_FALSE(scene.contains(first));
   EXPECT_THROW(scene.object(first), std::out_of_range);
   EXPECT_THROW(scene.remove(first), std::out_of_range);
@@ -179,7 +179,7 @@ TEST(Scene, ObjectsMoveToShapesOfOneTypeTogetherOrNotAtAll) {
   EXPECT_EQ(scene.update().began, (std::vector<ObjectPair>{{a, b}}));
 }
 
-/// Boxes are looked at together first: a faulty one is found wherever it is, and nothing has moved then.
+/// Boxes are validated together first: an invalid one is found wherever it is, and then nothing has moved.
 TEST(Scene, ManyBoxesMoveTogetherOrNotAtAll) {
   using Crate = Aabb<2, double>;
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -208,7 +208,8 @@ TEST(Scene, ManyBoxesMoveTogetherOrNotAtAll) {
   for (std::size_t k = 0; k < ids.size(); ++k) EXPECT_EQ(scene.object(ids[k]).box, places[k]);
 }
 
-/// Of what was a box a move takes fewer steps, after a snapshot as well, and where it was another shape in between.
+/// Moving an object that is already a box takes a shortcut, also after a snapshot, and if it was another shape in
+/// between.
 TEST(Scene, ManyBoxesMoveTogetherWhateverTheyWereAndWhoeverReads) {
   using Crate = Aabb<2, double>;
   World scene;
@@ -260,7 +261,7 @@ TEST(Scene, TellsWhatBeganWhatStaysAndWhatEnded) {
   EXPECT_EQ(scene.events().ended, (Pairs{{floor, sphere}}));
 }
 
-/// Runs so many tasks, and fails at the next.
+/// Runs this many tasks, and fails at the next.
 class FailingExecutor : public Executor {
  public:
   explicit FailingExecutor(std::size_t tasks) : tasks_(tasks) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Many threads ask a scene, or snapshots of it, everything at once, and hear what each would alone. ./dev test tsan
-// runs this under the thread sanitizer.
+// Many threads send all queries to a scene, or snapshots of it, at once, and get the answers of single-threaded calls.
+// ./dev test tsan runs this under the thread sanitizer.
 #include <atomic>
 #include <cstddef>
 #include <memory>
@@ -22,7 +22,7 @@
 namespace graze::scene_threads_test {
 namespace {
 
-/// The answers to one question of each kind, twice where there are two ways.
+/// The answers to one query of each kind, twice if there are two variants.
 template <Dim N, class T>
 struct Answers {
   std::size_t size;
@@ -55,7 +55,7 @@ Vec<N, T> place(double x, double y) {
   return point;
 }
 
-/// A pyramid, or triangle, without its top, upwards along the last axis.
+/// A truncated pyramid, or triangle, opening upwards along the last axis.
 template <Dim N, class T>
 Frustum<N, T> view() {
   Frustum<N, T> frustum;
@@ -67,7 +67,7 @@ Frustum<N, T> view() {
   return frustum;
 }
 
-/// Asks in an order that starts elsewhere for each thread, so that each question meets each other one.
+/// Each thread starts with another query, so that every query runs concurrently with every other one.
 template <Dim N, class T>
 Answers<N, T> ask(const SceneView<N, T>& scene, std::size_t start = 0) {
   Answers<N, T> all{};
@@ -109,7 +109,7 @@ Answers<N, T> ask(const SceneView<N, T>& scene, std::size_t start = 0) {
   return all;
 }
 
-/// Lets many threads begin at the same time, and waits for them.
+/// Starts many threads at the same time, and waits for them.
 void run_at_once(const auto& work) {
   std::atomic<std::size_t> arrived = 0;
   std::vector<std::thread> running;
@@ -123,7 +123,7 @@ void run_at_once(const auto& work) {
   for (std::thread& each : running) each.join();
 }
 
-/// Balls in a row on a floor, a box or a compound among them here and there.
+/// Balls in a row on a floor, with a few boxes and compounds.
 template <Dim N, class T>
 std::vector<ObjectId> fill(Scene<N, T>& scene) {
   std::vector<ObjectId> ids;
@@ -136,7 +136,7 @@ std::vector<ObjectId> fill(Scene<N, T>& scene) {
   return ids;
 }
 
-/// Some to one side and back, one to a shape of another type, one away, and one in its place.
+/// Moves some to one side and back, changes one to a shape of another type, removes one, and adds another in its slot.
 template <Dim N, class T>
 void stir(Scene<N, T>& scene, std::vector<ObjectId>& ids, int round) {
   for (int k = 2 + round; k < objects; k += 7) {
@@ -148,7 +148,7 @@ void stir(Scene<N, T>& scene, std::vector<ObjectId>& ids, int round) {
   ids[50] = scene.add(Sphere<N, T>{place<N, T>(50 - round, 0), T(1)});
 }
 
-/// That all answers say something: comparing nothing with nothing proves nothing.
+/// Checks that the answers are not empty, because comparing empty answers proves nothing.
 template <Dim N, class T>
 void expect_all_to_say_something(const Answers<N, T>& all) {
   EXPECT_EQ(all.size, static_cast<std::size_t>(objects));
@@ -170,7 +170,7 @@ template <class Space>
 class SceneOfMany : public testing::Test {};
 TYPED_TEST_SUITE(SceneOfMany, test::Spaces);
 
-/// Each may be the first that asks after a change, before or after an update: the index catches up once.
+/// Each may be the first query after a change, before or after an update: the index is updated once.
 TYPED_TEST(SceneOfMany, ThreadsMayAskEverythingAtOnce) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
@@ -188,7 +188,7 @@ TYPED_TEST(SceneOfMany, ThreadsMayAskEverythingAtOnce) {
   }
 }
 
-/// The present snapshot and one of each earlier state, all asked at once while the scene goes on.
+/// The current snapshot and one of each earlier state, all queried at once while the scene changes.
 TYPED_TEST(SceneOfMany, ThreadsMayAskSnapshotsOldAndNewEverythingWhileTheSceneMovesOn) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
@@ -226,7 +226,7 @@ TYPED_TEST(SceneOfMany, ThreadsMayAskSnapshotsOldAndNewEverythingWhileTheSceneMo
   EXPECT_FALSE((ask<N, T>(scene) == expected.back()));
 }
 
-/// A snapshot may be the last that knows a state, and whoever drops it last gives that back.
+/// A snapshot may be the last owner of a state, and whoever drops it last frees that.
 TEST(SceneOfSome, ThreadsMayKeepAndDropSnapshotsAsTheyLike) {
   using World = Scene<2, double>;
   World scene;

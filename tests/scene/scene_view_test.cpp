@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is asked of a scene, against asking every object.
+// Queries on a scene, compared with testing every object.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -108,7 +108,7 @@ TEST(SceneView, NonsenseIsRefused) {
   EXPECT_THROW(scene.nearest({nan, 0}, 0), std::invalid_argument);
 }
 
-// Each thread may be the first that asks after a change: the index catches up once.
+// Each thread may be the first to query after a change: the index is updated once.
 TEST(SceneView, ManyThreadsMayAskAtOnce) {
   World scene;
   std::vector<ObjectId> ids;
@@ -125,7 +125,7 @@ TEST(SceneView, ManyThreadsMayAskAtOnce) {
   }
 }
 
-// Readers keep a snapshot each while the scene goes on; an update uses the threads of oneTBB.
+// Each reader has a snapshot while the scene changes; an update uses the threads of oneTBB.
 TEST(SceneView, ThreadsMayReadASnapshotWhileTheSceneMovesOn) {
   World scene;
   std::vector<ObjectId> ids;
@@ -150,8 +150,8 @@ TEST(SceneView, ThreadsMayReadASnapshotWhileTheSceneMovesOn) {
   }
 }
 
-// The box of a compound with a plane among its parts is infinite, and does not tell how large the coordinates of
-// others are, by which `relation` forgives.
+// The box of a compound with a plane among its parts is infinite, and does not show how large the coordinates of others
+// are, which determine the band of `relation`.
 TEST(SceneView, FindsWhatTouchesAFarPartOfACompoundThatIsNotBounded) {
   using Any = AnyShape<2, double>;
   const Any ray = test::along_x<2, double>();
@@ -181,7 +181,7 @@ TEST(SceneView, FindsWhatTouchesAFarPartOfACompoundThatIsNotBounded) {
     const auto hit = graze::ray_cast(compound, way);
     ASSERT_TRUE(hit.has_value());
     EXPECT_EQ(scene.ray_cast_all(way), (std::vector<ObjectHit<2, double>>{{b, *graze::ray_cast(ray, way)}, {a, *hit}}));
-    // Mended, when one of many has moved.
+    // Repaired, because only one of many has moved.
     for (int k = 0; k < 40; ++k) scene.add(Ball{{-9.0 - 9 * k, 0}, 1});
     scene.move(a, Ball{{-9, 9}, 1});
     EXPECT_EQ(scene.update().ended, pairs);
@@ -190,7 +190,7 @@ TEST(SceneView, FindsWhatTouchesAFarPartOfACompoundThatIsNotBounded) {
   }
 }
 
-/// Of all objects those whose boxes meet the frustum, up to rounding, and no others.
+/// Exactly those objects whose boxes meet the frustum, up to rounding.
 template <Dim N, class T>
 void check_what_a_camera_sees(const Scene<N, T>& scene) {
   const Frustum<N, T> frustum = test::any_frustum<N, T>(test::draw_source<N, T>());

@@ -12,7 +12,7 @@
 namespace graze::visit_candidates_test {
 namespace {
 
-/// Boxes in a crowd, with gaps where some were removed, on layers of which two do not meet.
+/// Boxes in a cluster, with gaps where some were removed, on layers of which two do not collide.
 Scene<2, double> cluster() {
   Scene<2, double> scene;
   const Layer walls = scene.layer("walls");

@@ -45,7 +45,7 @@ TYPED_TEST(AnyShapeIn, EveryTypeIsValidByDefault) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
   test::for_each_shape_type<N, T>([]<class S>(std::type_identity<S>) {
-    if constexpr (!std::is_same_v<S, Vec<N, T>>) {  // GLM leaves a vector's numbers as they come
+    if constexpr (!std::is_same_v<S, Vec<N, T>>) {  // GLM does not initialise vectors
       EXPECT_TRUE(is_valid(AnyShape<N, T>(S{}))) << test::Entry<S>::name;
     }
   });
@@ -68,7 +68,7 @@ TYPED_TEST(AnyShapeIn, CatalogueMakesEveryTypeOfIt) {
   for (std::size_t type = 0; type < made.size(); ++type) EXPECT_GE(made[type], 10) << shape_type_names[type];
 }
 
-// The one macro: the text that is printed for a failing case must be the text that makes it, so it is compiled here.
+// The only macro: the text that is printed for a failing case must compile to that case, so it is compiled here.
 #define EXPECT_IS_ITS_OWN_SOURCE(...) EXPECT_EQ(test::to_source(__VA_ARGS__), #__VA_ARGS__)
 
 TEST(AnyShape, PrintsAsSourceThatMakesIt) {

@@ -50,9 +50,9 @@ TEST(ClipSpace, SeesANumberThatIsNotFiniteWhereverItIs) {
 }
 
 TEST(ClipSpace, FindsThePointThatPlanesShare) {
-  // 2 x = 3; x + y = 2 in the plane
+  // 2 x = 3; x + y = 2 in 2D
   EXPECT_EQ(meeting_point({ClipPlane<2>{{2, 0}, -3}, ClipPlane<2>{{1, 1}, -2}}), (Vec<2, double>(1.5, 0.5)));
-  // x = 4; y + z = 1; z = 3 in space, in two orders
+  // x = 4; y + z = 1; z = 3 in 3D, in two orders
   const ClipPlane<3> a{{1, 0, 0}, -4};
   const ClipPlane<3> b{{0, 1, 1}, -1};
   const ClipPlane<3> c{{0, 0, -2}, 6};

@@ -183,7 +183,7 @@ TYPED_TEST(ConvexMeshIn, IsLinkedAndHasTheVerticesOfThePolytope) {
   });
 }
 
-/// All vertices of a face are on one plane, and all others strictly inside of it: so neighbours are bent, too.
+/// All vertices of a face are coplanar, and all others strictly inside: so neighbouring faces are not coplanar.
 TYPED_TEST(ConvexMeshIn, HasFacesThatAreFlatAndStrictlyConvex) {
   using T = TypeParam;
   test::check_property([] {

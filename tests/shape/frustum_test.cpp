@@ -32,7 +32,7 @@ std::string message_of(const auto& call) {
   return "no error";
 }
 
-/// From (1, 2, 3) along x, with z upwards; so the right is -y.
+/// From (1, 2, 3) along x, with z upwards; so -y is to the right.
 const glm::dmat4 view = glm::lookAtRH(glm::dvec3(1, 2, 3), glm::dvec3(2, 2, 3), glm::dvec3(0, 0, 1));
 
 constexpr double right_angle = 1.5707963267948966;  // so that half the height is the depth, and half the width twice it
@@ -71,7 +71,7 @@ TEST(Frustum, IsTheSameByEveryDepthConvention) {
 
 TEST(Frustum, IsTheSameByALeftHandedProjection) {
   const glm::dmat4 left = glm::lookAtLH(glm::dvec3(1, 2, 3), glm::dvec3(2, 2, 3), glm::dvec3(0, 0, 1));
-  Frustum<3, double> mirrored = by_hand;  // its right is +y
+  Frustum<3, double> mirrored = by_hand;  // +y is to its right
   for (std::size_t k = 0; k < 8; k += 2) std::swap(mirrored.corners[k], mirrored.corners[k + 1]);
   expect_corners(frustum_of(glm::perspectiveLH_NO(right_angle, 2.0, 1.0, 10.0) * left), mirrored, 1e-13);
 }
@@ -160,7 +160,7 @@ TEST(Frustum, MovesItsCorners) {
   EXPECT_EQ(moved.corners, (Frustum<2, double>{{{{11, -1}, {11, 1}, {9, -1}, {9, 1}}}}.corners));
 }
 
-/// Gives its farthest corner, in every direction.
+/// Checks the farthest corner in every direction.
 template <Dim N, class T>
 void check_support() {
   const test::Source<N, T> from = test::draw_source<N, T>();
@@ -176,7 +176,7 @@ void check_support() {
 RC_GTEST_PROP(Frustum, IsSupportedByItsFarthestCorner2f, ()) { check_support<2, float>(); }
 RC_GTEST_PROP(Frustum, IsSupportedByItsFarthestCorner3d, ()) { check_support<3, double>(); }
 
-// Whether a point is seen is a matter of its clip coordinates, and of nothing else.
+// Whether a point is visible depends only on its clip coordinates.
 RC_GTEST_PROP(Frustum, HoldsWhatTheMatrixPutsOnTheScreen, ()) {
   const auto coordinate = [] { return *rc::gen::inRange(-1000, 1000) / 100.0; };
   const glm::dvec3 eye(coordinate(), coordinate(), coordinate());
@@ -185,7 +185,7 @@ RC_GTEST_PROP(Frustum, HoldsWhatTheMatrixPutsOnTheScreen, ()) {
   const glm::dmat4 matrix = glm::perspectiveRH_ZO(*rc::gen::element(0.5, 1.0, 2.0), 1.5, 0.5, 20.0) *
                             glm::lookAtRH(eye, eye + towards, glm::dvec3(0, 0, 1));
   const Frustum<3, double> frustum = frustum_of(matrix, {ClipDepth::zero_to_one});
-  // Half of the points by the corners, so that many are seen.
+  // Half of the points are near the corners, so that many are visible.
   V point(coordinate(), coordinate(), coordinate());
   if (*rc::gen::arbitrary<bool>()) {
     const auto& corners = frustum.corners;

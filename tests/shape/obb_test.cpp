@@ -26,8 +26,8 @@ TYPED_TEST_SUITE(ObbIn, test::Spaces);
 TYPED_TEST(ObbIn, NamesTheDefectOfEveryNumber) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
-  // One entry of the identity changes: on the diagonal only 1 and, a mirror, -1 leave it orthonormal; beside it only 0
-  // and what is next to nothing.
+  // One entry of the identity changes: on the diagonal only 1 and, as a reflection, -1 leave it orthonormal; elsewhere
+  // only 0 and tiny numbers.
   const auto axes = [](T value, Dim index) -> std::string_view {
     if (!std::isfinite(value)) return "has axes that are not finite";
     const bool diagonal = index / N == index % N;
@@ -137,7 +137,7 @@ TEST(Obb, HasACornerAsSupport) {
 }
 
 TEST(Obb, TakesTheAxesAsStored) {
-  // Off by 2e-5, as floats are after long use: the set is the one that the numbers say.
+  // Off by 2e-5, as floats after many rotations: the set is the one given by the numbers.
   const Obb<2, double> box{{0, 0}, {1, 1}, Mat<2, double>({1.00001, 0}, {0, 1})};
   EXPECT_TRUE(is_valid(box));
   EXPECT_EQ(support(box, {1, 1}), (Vec<2, double>(1.00001, 1)));

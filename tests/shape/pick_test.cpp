@@ -29,7 +29,7 @@ std::string message_of(const auto& call) {
   return "no error";
 }
 
-/// From (1, 2, 3) along x, with z upwards; so the right is -y.
+/// From (1, 2, 3) along x, with z upwards; so -y is to the right.
 const glm::dmat4 view = glm::lookAtRH(glm::dvec3(1, 2, 3), glm::dvec3(2, 2, 3), glm::dvec3(0, 0, 1));
 
 constexpr double right_angle = 1.5707963267948966;  // so that half the height is the depth, and half the width twice it
@@ -105,7 +105,7 @@ TEST(Pick, RefusesNonsense) {
             "pick_point: the point has a coordinate that is not finite");
 }
 
-// All of the ray is seen at the place that was picked, and deeper and deeper.
+// All points of the ray project to the picked position, with increasing depth.
 RC_GTEST_PROP(Pick, ARayIsSeenAsThePointThatWasPicked, ()) {
   const auto coordinate = [] { return *rc::gen::inRange(-1000, 1000) / 100.0; };
   const glm::dvec3 eye(coordinate(), coordinate(), coordinate());

@@ -183,7 +183,7 @@ TEST(Polytope, MovesInThePlaneWithoutTheCornersThatRoundingHides) {
   EXPECT_EQ(corners(transformed(hull, {Mat<2, double>(1), {0x1p52, 0}})),
             (std::vector<Vec<2, double>>{{0x1p52 - 1, 5}, {0x1p52, 0}, {0x1p52 + 4, 0}, {0x1p52 + 4, 4}}));
   EXPECT_EQ(corners(transformed(hull, {Mat<2, double>(1), {1e30, 1e30}})).size(), 1U);
-  const Pose<2, double> mirror{Mat<2, double>(-1, 0, 0, 1), {0, 0}};  // which is no pose, but is asked for all the same
+  const Pose<2, double> mirror{Mat<2, double>(-1, 0, 0, 1), {0, 0}};  // not a pose, but accepted
   EXPECT_EQ(corners(transformed(hull, mirror)),
             (std::vector<Vec<2, double>>{{1, 5}, {-4, 4}, {-4.125, 2}, {-4, 0}, {0, 0}}));
 }
@@ -194,7 +194,7 @@ TEST(Polytope, MovesInSpaceWithItsCorners) {
   ASSERT_EQ(corners(hull), (std::vector<Vec<3, double>>{{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {2, 0, 0}}));
   EXPECT_EQ(corners(transformed(hull, {rotation_matrix({0, 0, 1}, 90), {0, 0, 5}})),
             (std::vector<Vec<3, double>>{{0, 0, 5}, {0, 0, 6}, {-1, 0, 5}, {0, 2, 5}}));
-  // Two of them come to lie at one place.
+  // Two of them coincide afterwards.
   EXPECT_EQ(corners(transformed(hull, {Mat<3, double>(1), {1e30, 0, 0}})),
             (std::vector<Vec<3, double>>{{1e30, 0, 0}, {1e30, 0, 1}, {1e30, 1, 0}, {1e30, 0, 0}}));
   const Pose<3, double> too_far{Mat<3, double>(std::numeric_limits<double>::max()), {0, 0, 0}};
@@ -267,7 +267,7 @@ TYPED_TEST(PolygonIn, HullIsStrictlyConvexAndContainsItsPointsExactly) {
     const std::vector<Point> hull = corners(convex_hull<2, TypeParam>(points));
     for (const Point& corner : hull) RC_ASSERT(std::find(points.begin(), points.end(), corner) != points.end());
     if (hull.size() < 3) {
-      // A point or a segment: everything lies on the line between the ends, and within their box.
+      // A point or a segment: everything is on the line between the ends, and inside their box.
       for (const Point& point : points) {
         RC_ASSERT(area(hull.front(), hull.back(), point) == 0);
         RC_ASSERT(Rational(dot(wide<2, TypeParam>(point) - wide<2, TypeParam>(hull.front()),

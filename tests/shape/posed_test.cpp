@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A shape seen through a pose is the shape that was moved.
+// A shape with a pose behaves like the transformed shape.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -74,7 +74,8 @@ template <class Space>
 class PosedShape : public testing::Test {};
 TYPED_TEST_SUITE(PosedShape, test::Spaces);
 
-/// What `transformed` rounds to T, and rotations of T that are not quite rotations, make of lengths of this size.
+/// The error of lengths of this size from `transformed`, which rounds to T, and from rotations in T, which are not
+/// quite orthonormal.
 template <class T>
 double slack(double size) {
   return 1e4 * static_cast<double>(std::numeric_limits<T>::epsilon()) * size;
@@ -110,7 +111,7 @@ TYPED_TEST(PosedShape, AgreesWithTheShapeThatIsMoved) {
   test::check_every_type<N, T>([]<Convex S>(const S& shape) { agrees_with_the_moved_shape(shape); });
 }
 
-// GJK took the origin for a point between faces of a needle, which rounding had turned: they seemed to touch.
+// GJK once took the origin for a point between faces of a needle, which rounding had rotated: they seemed to touch.
 TEST(Posed, ASegmentFarFromANeedleIsFarFromIt) {
   const Posed<Segment<3, double>> seen{
       {{15101.34518096205, -0.016841509800271912, -27390.31435282771},

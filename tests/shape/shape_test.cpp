@@ -16,7 +16,7 @@
 
 namespace own {
 
-/// A square of side 2 around a point, in float: nothing but a support function.
+/// A square of side 2 around a point, in float: only a support function.
 struct Square {
   graze::Vec<2, float> center;
 };
@@ -24,7 +24,7 @@ graze::Vec<2, float> support(const Square& square, const graze::Vec<2, float>& d
   return square.center + graze::Vec<2, float>(direction.x > 0 ? 1 : -1, direction.y > 0 ? 1 : -1);
 }
 
-/// A stick along z, in double, that can say what is wrong with it.
+/// A stick along z, in double, with a `defect` function.
 struct Stick {
   double half_length;
 };
@@ -35,7 +35,7 @@ std::string_view defect(const Stick& stick) { return stick.half_length >= 0 ? ""
 
 struct NotAShape {};
 
-/// Its support gives a height, not a point.
+/// Its support returns a height, not a point.
 struct Crooked {};
 float support(const Crooked&, const graze::Vec<2, float>& direction) { return direction.x; }
 
@@ -99,7 +99,7 @@ TEST(Shape, IsValidAsksTheDefectOfAUsersTypeToo) {
   EXPECT_FALSE(is_valid(own::Stick{-1}));
 }
 
-/// The largest coordinate of a bounded shape: what its rounding errors are relative to.
+/// The largest coordinate of a bounded shape: its rounding errors are relative to it.
 template <class S>
 double size_of(const S& shape) {
   const auto box = bounds(shape);

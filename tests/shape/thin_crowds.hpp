@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points in space most of which are on a few lines or planes, up to the rounding of their coordinates.
+// 3D points most of which are on a few lines or planes, up to the rounding of their coordinates.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace graze::test {
 
-/// Where the points of a thin crowd are.
+/// Where the points of a thin cloud are.
 enum class ThinCrowd {
   lines,
   planes,
@@ -29,7 +29,7 @@ enum class ThinCrowd {
 };
 inline constexpr std::size_t thin_crowds = 7;
 
-/// A crowd as it is made: turned and moved, for axes hide rounding.
+/// A cloud after generation: rotated and moved, because axis alignment hides rounding.
 class ThinCrowdSource {
  public:
   ThinCrowdSource(ThinCrowd cluster, rc::Random& random)
@@ -88,7 +88,7 @@ class ThinCrowdSource {
   std::array<std::array<Vec<3, double>, 3>, 4> parts_;
 };
 
-/// Every eighth of the points, or so, is one of those before it.
+/// About one in eight of the points duplicates an earlier one.
 template <class T>
 std::vector<Vec<3, T>> thin_crowd(ThinCrowd cluster, std::size_t count, std::uint64_t seed) {
   rc::Random random(seed);

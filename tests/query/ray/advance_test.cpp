@@ -32,7 +32,7 @@ TEST(RayAdvance, StopsAtTheFaceAndKnowsItsNormal) {
   }
 }
 
-/// What goes through the middle of a face needs no confirmation; what meets an edge or a corner, or begins inside,
+/// A ray through the interior of a face needs no confirmation; one that meets an edge or a corner, or begins inside,
 /// does.
 TEST(RayAdvance, IsCertainOnlyWhereTheRayGoesThroughAFace) {
   EXPECT_TRUE(advance_to(pyramid(), Path<3>{{0, 0.25, 0}, {2, 0, 0}, infinity}).is_certain);
@@ -57,7 +57,7 @@ TEST(RayAdvance, StartsInsideAtZero) {
 }
 
 TEST(RayAdvance, GrazesARoundShape) {
-  // Newton's method at a double root: every step halves the way, and still it ends, at the shape.
+  // Newton's method at a double root: every step halves the distance, and still it terminates at the shape.
   const Capsule<3, double> capsule{{5, 0, -1}, {5, 0, 1}, 2};
   const RayFinding<3> found = advance_by_distance(capsule, Path<3>{{0, 2, 0}, {1, 0, 0}, infinity});
   EXPECT_NE(found.verdict, RayVerdict::misses);

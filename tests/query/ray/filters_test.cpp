@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the filter of a ray and a shape of any type says is what the careful way says: a hit where that has one, at a
-// place that differs by no more than both errors allow; and it settles nearly all usual rays. That a filter of boxes
-// and triangles in space says the same to the bit is tested beside it.
+// The filter for a ray and a shape of any type agrees with the general method: the same hits, at points that differ by
+// at most the sum of both errors; and it decides nearly all ordinary rays. The tests of the filters for 3D boxes and
+// triangles check that they agree to the bit.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -58,7 +58,7 @@ class Random {
   std::mt19937 engine_{20261126};
 };
 
-/// Where numbers come from: usual ones about a center, or few that coincide.
+/// A source of numbers: ordinary ones about a center, or few that coincide.
 struct Usual {
   Random& random;
   double unit = 1;
@@ -96,7 +96,7 @@ struct Nasty {
     return v;
   }
   double size() { return random.one_of(sizes); }
-  /// Along the coordinate axes, or by 3 : 4 : 5; mirrored, and not quite at right angles, at times.
+  /// Along the coordinate axes, or by 3 : 4 : 5; sometimes mirrored, and not quite perpendicular.
   template <Dim N>
   Mat<N, double> axes() {
     Mat<N, double> m(1.0);
@@ -219,7 +219,7 @@ class RayFilters : public ::testing::Test {
       ASSERT_FALSE(is_finite(hit.point));
       return;
     }
-    // A grazing ray's point may be anywhere along it where that is as near to the surface as the error says.
+    // A grazing ray's point may be anywhere along it where that is as close to the surface as the error says.
     const Vec<dimension, double> apart = wide<dimension, Number>(hit.point) - wide<dimension, Number>(careful->point);
     const double roundings = 4 * epsilon * static_cast<double>(max_abs(hit.point) + max_abs(ray.origin));
     ASSERT_LE(std::fabs(dot(apart, normal)), hit.error + careful->error + roundings);
@@ -259,8 +259,7 @@ TYPED_TEST(RayFilters, SettleUsualRaysAsTheCarefulWayDoes) {
   EXPECT_LT(counts.unclear, begins_inside_often ? 11000U : 800U);
 }
 
-/// Rays along axes and sides, at edges and corners, from on the shape, at flat shapes, with zero or next to nothing as
-/// a slope.
+/// Rays along axes and sides, at edges and corners, from the shape's surface, at flat shapes, with zero or tiny slopes.
 TYPED_TEST(RayFilters, SayNothingElseOfTheNasty) {
   constexpr Dim N = TestFixture::dimension;
   using T = typename TestFixture::Number;

@@ -57,7 +57,7 @@ TEST(RayPortal, SaysWhatIsMissedByFar) {
   EXPECT_FALSE(misses({{0, 0.25, 0.125}, {1, 0, 0}, 3.26}));
 }
 
-/// At an edge, at a corner, at the end, from a place on the surface or inside.
+/// At an edge, at a corner, at the end, from a point on the surface or inside.
 TEST(RayPortal, LeavesOpenWhatIsNearlySo) {
   for (const double off : {-0x1p-48, -0x1p-50, 0.0, 0x1p-50, 0x1p-48}) {
     EXPECT_FALSE(portal_of(pyramid(), {{0, 1 + off, 0.5}, {1, 0, 0}, infinity}).has_value()) << off;
@@ -117,7 +117,7 @@ class Random {
   std::mt19937 engine_{20261123};
 };
 
-/// Hulls of any shape, some of them nearly flat or far from zero; what is said must be what the exact oracle says.
+/// Hulls of any shape, some of them nearly flat or far from zero; decided answers must agree with the exact oracle.
 template <class T>
 void expect_exact_entries() {
   Random random;
@@ -159,8 +159,8 @@ void expect_exact_entries() {
 TEST(RayPortal, EntersWhereTheOracleDoesInFloat) { expect_exact_entries<float>(); }
 TEST(RayPortal, EntersWhereTheOracleDoesInDouble) { expect_exact_entries<double>(); }
 
-/// The first direction of the search is what is left of the vector to the middle of the box across the ray: here,
-/// rounding alone.
+/// The first direction of the search is the part of the vector to the box's center perpendicular to the ray: here, only
+/// rounding.
 TEST(RayPortal, HitsThroughTheMiddleOfTheBox) {
   Random random;
   std::size_t hits = 0;
@@ -183,7 +183,7 @@ TEST(RayPortal, HitsThroughTheMiddleOfTheBox) {
   EXPECT_GT(hits, 1000U);
 }
 
-/// GJK is slower and knows nothing of portals.
+/// GJK is slower and does not use portals.
 TEST(RayPortal, AgreesWithGjkOnRoundHullsOfAnyNumberOfCorners) {
   Random random;
   std::size_t settled = 0;

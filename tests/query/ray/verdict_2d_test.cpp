@@ -50,8 +50,7 @@ TEST(RaySightFlat, OfATriangleIsClearInsideOutsideAndInTime) {
   EXPECT_EQ(ray_verdict_of(triangle, path(Point(4, -1, -1), infinity)).touch.t, 1);
 }
 
-/// What is said to be missed is; but for the two ends of a path, which only ray_verdict_of looks at, the other way
-/// round too.
+/// A miss is reported exactly if there is one, except at the two ends of a path, which only ray_verdict_of considers.
 TEST(RaySightFlat, OfATriangleIsMissedJustWhereTheLinePassesIt) {
   const Triangle<3, double> triangle{{4, 0, 0}, {4, 3, 0}, {5, 0, 3}};
   int missed = 0;
@@ -88,8 +87,8 @@ TEST(RaySightFlat, OfAPolygonClipsByItsEdges) {
   EXPECT_EQ(verdict({-1, 0}, infinity).verdict, RayVerdict::misses);
 }
 
-/// The lower side is turned by 1e-8 against the path and crossed just after the left one, where the path is only 1e-12
-/// below it: nearer than the margin of verdicts, which moves that crossing by 7e-4.
+/// The lower side has an angle of 1e-8 to the path and is crossed just after the left one, where the path is only 1e-12
+/// below it: closer than the margin of verdicts, which moves that crossing by 7e-4.
 TEST(RaySightFlat, OfAPolygonIsWhereTheLastSideIsCrossedHoweverNearlyParallel) {
   const std::array<Vec<2, double>, 4> corners{{{2, 1e-12}, {4, -1.9999e-8}, {4, 1}, {2, 1}}};
   const RayFinding<2> hit = ray_verdict_of_polygon<double>(corners, 0, path(Vec<2, double>(1, 0), infinity));
@@ -109,8 +108,8 @@ TEST(RaySightFlat, OfATriangleWhosePlaneIsCrossedBesideAnEdgeIsLeftOpen) {
   EXPECT_FALSE(beside.is_touch_known);
 }
 
-/// The sides of its corner are nearly parallel to the path, which passes it by a rounding: where it crosses their lines
-/// is thousands of times farther from the corner than the error says.
+/// The sides at its corner are nearly parallel to the path, which passes it by a rounding error: its crossings with
+/// their lines are thousands of times farther from the corner than the error says.
 TEST(RaySightFlat, OfAPolygonWhoseCornerIsBarelyPassedIsLeftOpen) {
   const Vec<2, double> start(43.69407653808594, 1.1748249471118409e-06);
   const Triangle<2, double> needle{{0, 0}, {-219, 0}, {44, -12722}};

@@ -30,7 +30,7 @@ TEST(RaySightBox, IsClearBeyondRoundingAndUnclearWithin) {
   EXPECT_EQ(verdict(0, 1.999), RayVerdict::misses);
 }
 
-/// Rays to a lattice of points around the box and on it, some of them next to an edge by less than rounding.
+/// Rays to a lattice of points around the box and on it, some of them closer to an edge than rounding.
 TEST(RaySightBox, IsMissedJustWhereSightSaysSo) {
   const Box box{{4, -1, -1}, {6, 1, 1}};
   int missed = 0;
@@ -58,7 +58,8 @@ TEST(RaySightBox, OfAFlatBoxIsClearWhereItIsCrossed) {
   EXPECT_EQ(crossed.touch.point, Point(4, 0.5, 0));
 }
 
-/// A path that passes the side x = 4 a little below the box and enters through its bottom, which it climbs to slowly.
+/// A path that passes the side x = 4 slightly below the box and enters through its bottom, towards which it rises
+/// slowly.
 TEST(RaySightBox, EntersNextToAnEdgeThroughTheSideThatItComesToLast) {
   for (const double slope : {0x1p-1, 0x1p-5, 0x1p-9, 0x1p-13}) {
     for (const double below : {0x1p-30, 0x1p-38, 0x1p-40, 0x1p-42, 0x1p-44, 0x1p-48}) {
@@ -85,7 +86,7 @@ TEST(RaySightBox, RunsAlongASideWithEitherZero) {
   }
 }
 
-// Was put on the side across x as well, however far away that is.
+// The point was once put on the side perpendicular to x as well, however far away that is.
 TEST(RaySightBox, PutsAPointOnTheSideOfANormalAlongAnAxisAlone) {
   const Box box{{0, 0, 0}, {100, 1, 1}};
   Touch<3> touch;
@@ -105,7 +106,7 @@ TEST(RaySightBox, WorksInThePlane) {
 }
 
 TEST(RaySightBox, TakesAxesAsTheyAreStored) {
-  // The first axis leans: the box is all (u + v / 1024, v, w), and its side u = -1 is met where x = -1 + y / 1024.
+  // The first axis is tilted: the box is all (u + v / 1024, v, w), and its side u = -1 is hit where x = -1 + y / 1024.
   Mat<3, double> axes(1.0);
   axes[1] = Point(0x1p-10, 1, 0);
   const Obb<3, double> box{{4, 0, 0}, {1, 2, 1}, axes};

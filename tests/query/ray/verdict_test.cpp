@@ -54,7 +54,7 @@ TEST(RaySight, OfACapsuleMeetsTheTubeOrAnEnd) {
   EXPECT_EQ(tube.verdict, RayVerdict::hits);
   EXPECT_EQ(tube.touch.t, 9);
   EXPECT_EQ(tube.touch.normal, Point(-1, 0, 0));
-  // Through (10, 2.6, 0) parallel to x, seen from (0, 2.6, 0): 0.6 over the upper end's center, 0.8 before it.
+  // Through (10, 2.6, 0) parallel to x, seen from (0, 2.6, 0): 0.6 above the upper end's center, 0.8 before it.
   const Capsule<3, double> lower{{10, -4.6, 0}, {10, -0.6, 0}, 1};
   const RayFinding<3> end = ray_verdict_of(lower, path(Point(1, 0, 0), infinity));
   EXPECT_EQ(end.verdict, RayVerdict::hits);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The closed forms of segments, spheres, boxes and capsules. relation_test.cpp has every pair by hand,
-// agreement_test.cpp every pair against the oracle; here are the places where closed forms go wrong.
+// agreement_test.cpp every pair against the oracle; this tests cases where closed forms fail easily.
 #include <cmath>
 #include <tuple>
 
@@ -23,7 +23,7 @@ void expect(const A& a, const B& b, Relation expected) {
   EXPECT_EQ(name_of(truth.relation), name_of(expected)) << "oracle: " << to_source(a) << ", " << to_source(b);
 }
 
-// Was apart: the crossing of two almost parallel lines was lost in the rounding of a determinant.
+// Reported apart once: the crossing of two almost parallel lines was lost in the rounding of a determinant.
 TEST(RelationBounded, SegmentsThatCrossAtAlmostNoAngleOverlap) {
   const Segment<2, float> small{{-0.27411723F, -0.003531331F}, {0.0023997936F, -0.0020539726F}};
   const Capsule<2, float> large{{1732.4413F, -5.4925604F}, {-2665.351F, 8.444495F}, 0};
@@ -31,7 +31,7 @@ TEST(RelationBounded, SegmentsThatCrossAtAlmostNoAngleOverlap) {
   expect(small, axis(large), Relation::overlapping);
 }
 
-// Was apart by 7e-11: the segment's way past the box was calculated from zero, a million away.
+// Reported apart by 7e-11 once: the vector from the segment to the box was calculated from zero, a million away.
 TEST(RelationBounded, AnAabbAndACapsuleFarFromTheOriginAreAsExactAsNearIt) {
   expect(Aabb<2, double>{{999990.1721995814, 999997.2571762068}, {999991.5260422312, 1000007.6337609334}},
          Capsule<2, double>{
@@ -39,7 +39,7 @@ TEST(RelationBounded, AnAabbAndACapsuleFarFromTheOriginAreAsExactAsNearIt) {
          Relation::overlapping);
 }
 
-// Were overlapping: the edges of the box were built a million from zero.
+// Reported overlapping once: the edges of the box were calculated a million from zero.
 TEST(RelationBounded, AnObbAndACapsuleFarFromTheOriginAreAsExactAsNearIt) {
   expect(Obb<2, double>{{999992.5709829318, 999995.846026824},
                         {4.34504290484978, 3.5170529961203565},
@@ -84,7 +84,7 @@ TEST(RelationBounded, DeeplyCrossingThinShapesOverlap) {
   expect(Sphere<3, double>{{0.5, 0.5, 0.5}, 1e-18}, Aabb<3, double>{{-1, -1, -1}, {1, 1, 1}}, Relation::overlapping);
 }
 
-/// The closed form and the generic answer differ only where rounding may decide.
+/// The closed form and the generic answer differ only within rounding.
 template <class A, class B>
 void expect_generic_agrees() {
   check_property([] {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t seed = 20261121;
 
-/// Boxes and segments about a unit in size, near the origin.
+/// Boxes and segments of about unit size, near the origin.
 template <Dim N>
 class Maker {
  public:
@@ -43,7 +43,7 @@ class Maker {
 
   Segment<N, double> segment() { return {vector(2), vector(2)}; }
 
-  /// One in three is turned by less than 0.01, one in three has axes as far from orthonormal as is valid.
+  /// One in three is rotated by less than 0.01, one in three has axes as far from orthonormal as is valid.
   Obb<N, double> obb() {
     Obb<N, double> box{vector(1.5), abs(vector(1)), Mat<N, double>(1.0)};
     const int kind = std::uniform_int_distribution<int>(0, 2)(random_);
@@ -64,7 +64,7 @@ struct Tally {
   int answers = 0;
 };
 
-/// An answer of the filter is that of the careful form.
+/// A decided answer of the filter equals that of the exact form.
 template <class Box, class Other>
 void expect_agreement(const Box& box, const Other& other, Tally& tally) {
   const auto quick = detail::filter_of_box(box, other);
@@ -75,7 +75,7 @@ void expect_agreement(const Box& box, const Other& other, Tally& tally) {
   EXPECT_EQ(*quick, careful) << "case " << tally.cases;
 }
 
-/// The same with the other moved to where it just touches the box, and a little to and fro.
+/// The same with the other shape moved to where it just touches the box, and slightly off it.
 template <class Box, class Other, class Move>
 void expect_agreement_at_border(const Box& box, const Other& other, const Move& move, Tally& tally) {
   const auto meets = [&](double t) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// GJK and EPA as the judges of any two convex shapes. agreement_test.cpp has every pair against the oracle; here are
-// the cases that were once judged wrongly, users' shapes, and how shapes can touch.
+// GJK and EPA for any two convex shapes. agreement_test.cpp has every pair against the oracle; this has cases that once
+// failed, user-defined shapes, and the ways in which shapes can touch.
 #include <cmath>
 #include <vector>
 
@@ -23,8 +23,8 @@ void expect(const A& a, const B& b, Relation expected) {
   EXPECT_EQ(name_of(truth.relation), name_of(expected)) << "oracle: " << to_source(a) << ", " << to_source(b);
 }
 
-// Were touching, by gaps of 1e-8 of the size: the direction to a near edge was mostly rounding, so its supporting line
-// proved nothing. One of the orders was right, the other not.
+// Reported touching once, for gaps of 1e-8 of the size: the direction to a near edge was mostly rounding, so its
+// supporting line proved nothing. One order of arguments was right, the other was not.
 TEST(RelationOfConvex, SmallGapsBesideAnEdgeAreGaps) {
   expect(Vec<2, float>{-6.322878F, -0.09922283F},
          Triangle<2, float>{{-7.495305F, -5.9910636F}, {-6.218822F, 0.42369294F}, {6.2166533F, 10.421352F}},
@@ -41,14 +41,15 @@ TEST(RelationOfConvex, SmallGapsBesideAnEdgeAreGaps) {
       Relation::apart);
 }
 
-// Was touching, by a gap of 5e-4: beside a long edge a step of GJK was too small to measure, and taken for the last.
+// Reported touching once, for a gap of 5e-4: beside a long edge a step of GJK was too small to measure, and was taken
+// for the last.
 TEST(RelationOfConvex, GapsBesideLongEdgesAreGaps) {
   expect(Aabb<3, float>{{0.006993956F, -6949.267F, 0.0014318873F}, {300995.75F, 9.423732e-06F, 0.0030424062F}},
          Triangle<3, float>{{305732.03F, -33222.582F, -556.97394F},
                             {305732.03F, -24121.977F, -0.016510185F},
                             {300995.75F, -6949.2676F, 0.0018096385F}},
          Relation::apart);
-  // GJK's bounds stay apart here; the growing hull of EPA finds the plane between the two.
+  // GJK's bounds do not converge here; EPA's expanding hull finds the separating plane.
   expect(
       Obb<3, double>{{0.3559726824682347, 1928.308723330378, 5.646087751201691},
                      {0, 1.1119045197822864e-05, 0.003543851543096086},
@@ -61,7 +62,8 @@ TEST(RelationOfConvex, GapsBesideLongEdgesAreGaps) {
       Relation::apart);
 }
 
-// Were touching: the origin is inside the last tetrahedron, but so near to a thin face that GJK ended on the face.
+// Reported touching once: the origin is inside the last tetrahedron, but so close to a thin face that GJK ended on the
+// face.
 TEST(RelationOfConvex, SmallDepthsBehindAThinFaceAreDepths) {
   expect(Obb<3, float>{{3.9813945e-06F, -0.07550284F, 39.21928F},
                        {7.789901e-06F, 5.8892274e-05F, 7.388426e-05F},
@@ -77,7 +79,8 @@ TEST(RelationOfConvex, SmallDepthsBehindAThinFaceAreDepths) {
          Relation::overlapping);
 }
 
-// Was touching, by 4e-13: bounds that met up to 1e-12 of the distance were taken as an answer about the radius.
+// Reported touching once, for 4e-13: bounds that agreed up to 1e-12 of the distance were taken as an answer about the
+// radius.
 TEST(RelationOfConvex, TheRadiusIsComparedToTheLastDigit) {
   expect(Capsule<3, double>{{-0.19872602555168206, -2.2763909430828955, -0.8823560738265457},
                             {-2.7168528497628612, -0.3729717311400207, -0.6925335230195245},
@@ -94,7 +97,7 @@ TEST(RelationOfConvex, TheRadiusIsComparedToTheLastDigit) {
          Relation::overlapping);
 }
 
-// The first bounds are just beyond the resolution, and not yet beyond what a verdict wants to see.
+// The first bounds are just beyond the resolution, but not clear enough for a verdict.
 TEST(RelationOfConvex, BoundsThatLeaveTheVerdictOpenAreMadeCloser) {
   using V2 = Vec<2, double>;
   const Capsule<2, double> capsule{{1, -4}, {-3, -3.9999847412109375}, 1};
@@ -106,7 +109,7 @@ TEST(RelationOfConvex, BoundsThatLeaveTheVerdictOpenAreMadeCloser) {
 }
 
 TEST(RelationOfConvex, ASmallRadiusIsDepthEnoughThoughTheDistanceOfLongCoresIsHardToFind) {
-  // The capsule's axis begins in a corner of the thin box: the depth is the radius.
+  // The capsule's axis begins at a corner of the thin box: the depth is the radius.
   const Aabb<3, double> box{{0, 0, 0}, {0.0005111603167539062, 49, 1038}};
   const Capsule<3, double> capsule{
       {0.0005111603167539062, 49, 1038}, {-1.2, 51620, 4.45034418751834e-05}, 2.8768816333705592e-06};

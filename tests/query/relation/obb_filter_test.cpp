@@ -19,8 +19,8 @@ namespace {
 
 using Box = Obb<3, float>;
 
-/// Pairs of boxes that are turned freely, alike, by a little or not at all, with axes that are orthonormal or as skew
-/// as is valid, solid or flat.
+/// Pairs of boxes with arbitrary, equal, almost equal or no rotation, with axes that are orthonormal or as skew as is
+/// valid, solid or flat.
 class PairMaker {
  public:
   struct Two {
@@ -65,7 +65,7 @@ Relation careful(const Box& a, const Box& b) {
   return detail::relation_of_zonotopes(detail::zonotope(a), detail::zonotope(b));
 }
 
-/// How often the filter answered, which it must not do wrongly.
+/// How often the filter decided; it must not be wrong.
 struct Tally {
   int cases = 0;
   int answers = 0;
@@ -120,8 +120,7 @@ TEST(ObbFilter, SaysNothingWrongWhereBoxesTouch) {
   EXPECT_GT(tally.cases, 10000);
 }
 
-/// Boxes in stacks and rows are turned alike: what their parallel edges leave open must not send each pair to the
-/// second look.
+/// Boxes in stacks and rows have equal rotations: their parallel edges must not send each pair to the second stage.
 TEST(ObbFilter, SettlesBoxesThatAreTurnedAlike) {
   Box a{{1, 2, 3}, {1, 2, 0.5F}, Mat<3, float>(1)};
   const Mat<3, double> turn = rotation_matrix(Vec<3, double>(0.6, 0, 0.8), 40);

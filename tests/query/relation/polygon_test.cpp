@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A point against triangles and polytopes of the plane.
+// A point against 2D triangles and polytopes.
 #include <cmath>
 #include <vector>
 

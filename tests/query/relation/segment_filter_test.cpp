@@ -20,7 +20,7 @@ Vec<N, double> any_vector(std::mt19937& random) {
   return result;
 }
 
-/// An answer is that of the careful distance, at reaches from far to just beyond and within.
+/// A decided answer equals that of the exact distance, at reaches from far to just beyond and just within.
 template <Dim N>
 void check_against_distance() {
   std::mt19937 random(20261121);

@@ -17,7 +17,8 @@ Vec<3, T> any_vector(std::mt19937& random) {
   return {coordinate(random), coordinate(random), coordinate(random)};
 }
 
-/// Reaches from far to just beyond and within a distance. An answer is that of the exact comparison, up to rounding.
+/// Reaches from far to just beyond and just within a distance. A decided answer equals that of the exact comparison, up
+/// to rounding.
 template <class T, class Filter>
 void check_filter(double distance, const Filter& filter, int& answers) {
   for (const double off : {-1.0, -1e-3, -1e-5, -1e-7, -1e-9, -1e-12, 0.0, 1e-12, 1e-9, 1e-7, 1e-5, 1e-3, 1.0}) {

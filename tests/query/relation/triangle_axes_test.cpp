@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole verdicts are relation_triangle_test.cpp's; here is what each test of axes promises by itself.
+// relation_triangle_test.cpp tests whole verdicts; this tests the contract of each test of axes.
 #include <optional>
 #include <random>
 
@@ -35,7 +35,7 @@ TEST(Shadow, IsWhatAShapeCoversOfAnAxis) {
 }
 
 TEST(AccurateAxes, CannotTellPointsAndLinesApart) {
-  // All edges are parallel: only the distance tells.
+  // All edges are parallel: only the distance decides.
   const Segment<3, double> along{{-1, 0, 0}, {1, 0, 0}};
   const T3 beyond{{5, 0, 0}, {6, 0, 0}, {7, 0, 0}};
   EXPECT_EQ((detail::AccurateAxes<3, Segment<3, double>>(along, beyond, 1e-14).verdict()), Relation::touching);

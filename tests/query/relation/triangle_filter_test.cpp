@@ -38,7 +38,7 @@ TEST(TriangleFilter, KnowsTrianglesThatCrossOrMiss) {
   EXPECT_EQ(filter(floor_triangle, T3{{-1, 1, -1}, {-1, 1, 1}, {9, 1, 0.5}}), Relation::overlapping);
   EXPECT_EQ(filter(floor_triangle, T3{{3, 3, -1}, {3, 3, 1}, {9, 5, 1}}), Relation::apart);
   EXPECT_EQ(filter(floor_triangle, T3{{1, 1, 1}, {2, 1, 2}, {1, 2, 3}}), Relation::apart);
-  // Each cuts the other's plane, their boxes overlap, and the intervals on the common line miss each other.
+  // Each crosses the other's plane, their boxes overlap, and the intervals on the common line are disjoint.
   EXPECT_EQ(filter(floor_triangle, T3{{5, 1, -1}, {5, 1, 1}, {3.5, 2, 0.5}}), Relation::apart);
 }
 
@@ -119,13 +119,13 @@ TEST(TriangleFilter, SeldomLeavesPlainNumbersToTheCarefulForm) {
   EXPECT_GT(answers, 3 * cases * 9 / 10);
 }
 
-/// a moved so that its corner lies nearly on b's, then off by a few steps: where verdicts hang on the last bits.
+/// a moved so that its corner is nearly on b's, then off by a few steps: verdicts depend on the last bits.
 T3 nudged(const T3& a, const V3& onto, const V3& steps) {
   const V3 offset = (onto - a.a) + steps * (tolerance::epsilon * detail::extent_around_zero(a));
   return {a.a + offset, a.b + offset, a.c + offset};
 }
 
-/// Where it is not the boxes that part the two, exactly, quick and careful verdict are one.
+/// Unless the boxes separate the two exactly, the filter and the exact verdict agree.
 template <class S>
 void expect_careful_agrees(const T3& triangle, const S& other, Relation careful) {
   if (!boxes_overlap(detail::box_around(triangle), detail::box_around(other))) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The closed forms of triangles. relation_test.cpp has every pair by hand, agreement_test.cpp every pair against the
-// oracle, relation_triangle_laws_test.cpp the laws; here are the places where closed forms of triangles go wrong.
+// oracle, relation_triangle_laws_test.cpp the laws; this tests cases where closed forms of triangles fail easily.
 #include <array>
 #include <cmath>
 #include <utility>
@@ -111,8 +111,8 @@ TEST(RelationTriangle, ABoxMeetsItsFaceAndItsEdges) {
   expect(floor_triangle, Aabb<3, double>{{1, 1, -1}, {1, 1, 1}}, Relation::overlapping);
 }
 
-// The triangle's edge through (at, at, 0) passes the box' edge x = y = 1; neither the box' faces nor the triangle part
-// the two, only the cross product of these edges does.
+// The triangle's edge through (at, at, 0) passes the box's edge x = y = 1; neither the box's faces nor the triangle
+// separate the two, only the cross product of these edges does.
 TEST(RelationTriangle, ABoxBesideAnEdgeIsPartedByTheCrossProductOfEdges) {
   const Aabb<3, double> box{{-1, -1, -1}, {1, 1, 1}};
   const Obb<3, double> turned{{0, 0, 0}, {1, 1, 1}, Mat<3, double>(0, 1, 0, -1, 0, 0, 0, 0, 1)};
@@ -152,7 +152,7 @@ TEST(RelationTriangle, ATriangleInItsPlaneTouchesItAtMost) {
   expect(T3{V3(0.0), u, v}, T3{2.0 * u, 4.0 * u, 2.0 * v}, Relation::apart);
 }
 
-// Far beyond its tip a needle is within rounding of every plane along it.
+// Far beyond its tip, a needle is within rounding of every plane along it.
 TEST(RelationTriangle, ANeedleEndsAtItsTip) {
   for (const double half_width : {1e-6, 1e-11, 1e-14, 1e-18, 0.0}) {
     const T3 needle{{0, 0, 0}, {1, half_width, 0}, {1, -half_width, 0}};
@@ -209,7 +209,7 @@ TEST(RelationTriangle, ARayMeetsItFarAwayAndNotBehind) {
   expect(floor_triangle, Ray<3, double>{{9, 0, 0}, {-1, 0, 0}}, Relation::touching);
 }
 
-// Products of four sizes leave the range of double long before the promised sizes do.
+// Products of four sizes leave the range of double long before the guaranteed sizes do.
 TEST(RelationTriangle, EverySizeWithinThePromiseWillDo) {
   for (const double size : {0x1p-460, 0x1p-230, 1.0, 0x1p230, 0x1p460}) {
     const T3 triangle{floor_triangle.a * size, floor_triangle.b * size, floor_triangle.c * size};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The closed forms of rays, planes and half-spaces. relation_test.cpp has every pair by hand, agreement_test.cpp every
-// pair against the oracle; here are the places where closed forms go wrong.
+// pair against the oracle; this tests cases where closed forms fail easily.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -26,7 +26,8 @@ void expect(const A& a, const B& b, Relation expected) {
   EXPECT_EQ(name_of(truth.relation), name_of(expected)) << "oracle: " << to_source(a) << ", " << to_source(b);
 }
 
-// Was touching: the distance of the lines was compared without regard to how little their angle magnifies it.
+// Reported touching once: the distance of the lines was compared without regard to the amplification by their small
+// angle.
 TEST(RelationUnbounded, RaysThatPassAtAlmostNoAngleAreApart) {
   const Ray<3, double> along{{0, 0, 0}, {1, 0, 0}};
   expect(along, Ray<3, double>{{0, -1, 1e-10}, {1, 1e-5, 0}}, Relation::apart);
@@ -35,7 +36,7 @@ TEST(RelationUnbounded, RaysThatPassAtAlmostNoAngleAreApart) {
   expect(Ray<2, double>{{0, 0}, {1, 0}}, Ray<2, double>{{0, -1}, {-1, 1e-9}}, Relation::apart);
 }
 
-// Two million from zero the ray used to end where rounding put it; the pair itself is ten wide.
+// Two million from zero, the ray used to end at a rounded position; the pair itself is ten wide.
 TEST(RelationUnbounded, ARayFarFromTheOriginIsAsExactAsNearIt) {
   const Ray<2, double> ray{{1e6, 2e6}, {4, 3}};
   expect(ray, Sphere<2, double>{{1e6 + 1, 2e6 + 7}, 5 - 0x1p-36}, Relation::apart);
@@ -69,7 +70,7 @@ void with_nan_in_turn(const S& shape, const Check& check) {
   }
 }
 
-/// The heights of corners drop what is no number, but for their sum.
+/// Comparisons of the corners' heights ignore NaN, but their sum does not.
 TEST(RelationUnbounded, WhatHoldsNanIsApartFromPlanes) {
   const Plane<3, double> plane{{1, 2, 2}, 0.5};
   const HalfSpace<3, double> solid{{1, 2, 2}, 0.5};
@@ -99,8 +100,7 @@ TEST(RelationUnbounded, TheLengthOfDirectionsAndNormalsDoesNotMatter) {
   }
 }
 
-// Directions that are parallel but for rounding count as parallel: what they would meet is farther away than numbers
-// go.
+// Directions that are parallel up to rounding count as parallel: their intersection would be beyond all numbers.
 TEST(RelationUnbounded, DirectionsThatAreParallelUpToRoundingAreParallel) {
   const Plane<2, double> line{{0.6, 0.8}, 1};
   const Ray<2, double> beside{{0, 0}, {0.8, -0.6}};

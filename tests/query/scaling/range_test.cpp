@@ -55,7 +55,7 @@ TEST(Range, TheLeastNumbersAreKeptLargeEnoughToSquareWhileTheLargestAllow) {
   const Ball scaled = detail::scaled(sphere, *detail::scale_for(sphere));
   EXPECT_EQ(scaled.center.x / scaled.radius, 0x1p600);
   EXPECT_GE(scaled.radius * scaled.radius, std::numeric_limits<double>::min());
-  EXPECT_FALSE(detail::scale_for(scaled));  // once is enough
+  EXPECT_FALSE(detail::scale_for(scaled));  // once suffices
 }
 
 TEST(Range, NumbersThatAreTooFarApartCountAsZero) {
@@ -74,7 +74,7 @@ TEST(Range, DirectionsAreScaledByThemselves) {
   EXPECT_EQ(scaled.offset, std::ldexp(2.0, power->exponent()));
 }
 
-/// A shape of one's own: a sphere that calculates in double.
+/// A user-defined shape: a sphere that calculates in double.
 struct Bubble {
   double radius;
 };

@@ -15,7 +15,7 @@ namespace {
 
 using Numbers = std::vector<int>;
 
-/// The list after the edit, which must not fetch memory.
+/// The list after the edit, which must not allocate.
 Numbers edited(Numbers list, const std::vector<std::size_t>& removed, const Numbers& added) {
   ListEdit<int> edit;
   edit.plan(list, removed, added);

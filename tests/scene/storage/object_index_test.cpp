@@ -16,7 +16,7 @@ using Index = ObjectIndex<2, double>;
 using Slots = Index::Slots;
 using Box = Aabb<2, double>;
 
-/// Slots, and an index that is told of every change.
+/// Slots, and an index that is notified of every change.
 struct World {
   Slots slots;
   Index index;

@@ -50,8 +50,8 @@ TEST(SharedSlots, OnlyWhatIsWrittenToIsCopied) {
   slots.change(0) = near;
   const auto shared = slots.share();
   slots.change(1) = nullptr;
-  EXPECT_EQ(near.use_count(), 3);  // here, in the shared chunk, in the chunk that was written to
-  EXPECT_EQ(far.use_count(), 2);   // here, and in a chunk that both read
+  EXPECT_EQ(near.use_count(), 3);  // here, in the shared chunk, in the copied chunk
+  EXPECT_EQ(far.use_count(), 2);   // here, and in a chunk that both share
 }
 
 TEST(SharedSlots, AreAllOwnUntilSharedAndAgainWhenEachChunkWasCopied) {
@@ -80,7 +80,7 @@ TEST(SharedSlots, AnOrdinaryCopyGoesItsOwnWay) {
   EXPECT_EQ(copy[0], "two");
 }
 
-/// More than fit in one piece of memory.
+/// More than fit in one allocation.
 TEST(SharedSlots, ManyAreEachForThemselves) {
   constexpr std::size_t many = 200'000;
   SharedSlots<std::size_t> slots;
@@ -110,7 +110,7 @@ TEST(SharedSlots, WhatNobodyHasIsGone) {
   EXPECT_EQ(item.use_count(), 1);
 }
 
-// The oracle keeps every state that was shared as a plain vector.
+// The oracle keeps a copy of every shared state as a plain vector.
 RC_GTEST_PROP(SharedSlots, SharedStatesNeverChange, ()) {
   Slots slots;
   slots.grow(150);

@@ -36,7 +36,7 @@ TEST(SlotList, KeepsItsRoomWhenItIsCleared) {
   EXPECT_EQ(list.all().data(), place);
 }
 
-/// A vector's copy has room for what it holds and no more, so that to add to it could fail.
+/// A copied vector has no spare capacity, so adding to it could fail.
 TEST(SlotList, GivesItsRoomToCopies) {
   SlotList list;
   list.reserve(4);

@@ -12,7 +12,7 @@ TEST(BoxDepth, IsTheShortestWayOutOfEachOther) {
   const Aabb<2, double> box{{0, 0}, {4, 4}};
   EXPECT_EQ(box_depth(box, {{1, 3}, {9, 9}}), 1);      // along y
   EXPECT_EQ(box_depth(box, {{3.5, 1}, {9, 9}}), 0.5);  // along x
-  EXPECT_EQ(box_depth(box, {{1, 1}, {2, 2}}), 2);      // out of the side that is nearer
+  EXPECT_EQ(box_depth(box, {{1, 1}, {2, 2}}), 2);      // out of the nearer side
   EXPECT_EQ(box_depth({{1, 1}, {2, 2}}, box), 2);
   EXPECT_EQ(box_depth(box, {{4, 1}, {5, 2}}), 0);   // they only touch
   EXPECT_EQ(box_depth(box, {{7, 6}, {8, 8}}), -3);  // apart along both, farther along x

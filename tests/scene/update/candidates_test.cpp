@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Candidates from frame to frame against all pairs of boxes that overlap.
+// Candidates from frame to frame, compared with all pairs of overlapping boxes.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -22,7 +22,7 @@ namespace {
 constexpr PairFilter anyone = {};
 constexpr PairFilter wall = {.mobility = Mobility::fixed};
 
-/// What was noted, without any structure.
+/// What was recorded, in plain containers.
 template <Dim N, class T>
 struct World {
   using Box = Aabb<N, T>;
@@ -46,7 +46,7 @@ struct World {
     if (std::find(changed.begin(), changed.end(), slot) == changed.end()) changed.push_back(slot);
   }
 
-  /// The pairs that no one may miss, ascending.
+  /// The pairs that must be found, ascending.
   std::vector<Pair> needed() const {
     std::vector<Pair> pairs;
     for (std::uint32_t a = 0; a < boxes.size(); ++a) {
@@ -64,7 +64,7 @@ struct World {
     return {list.begin(), list.end()};
   }
 
-  /// What the graph holds, ascending; a pair that is in it twice is here twice.
+  /// The content of the graph, ascending; a pair that is in it twice appears twice.
   std::vector<Pair> linked(std::span<const Pair> touching = {}) {
     if (!candidates.is_linked()) candidates.link(boxes.size(), touching, serial_executor());
     candidates.follow(changed, serial_executor());
@@ -197,7 +197,7 @@ TEST(Candidates, TouchingPairsAreLinkedWhateverBecameOfTheirObjects) {
   EXPECT_EQ(world.linked(std::vector<Pair>{{0, 1}, {1, 2}}), (std::vector<Pair>{{0, 1}, {1, 2}}));
 }
 
-/// Refuses all work from some call on.
+/// Fails from some call on.
 class Broken final : public Executor {
  public:
   explicit Broken(int calls) : calls_(calls) {}
@@ -263,7 +263,7 @@ Aabb<N, T> moved(Aabb<N, T> box, int most) {
   return box;
 }
 
-/// Frames of few changes or many, small ones or large ones, one form or the other.
+/// Frames with few changes or many, small or large ones, one method or the other.
 template <Dim N, class T>
 void check_frames() {
   constexpr std::uint32_t slots = 24;

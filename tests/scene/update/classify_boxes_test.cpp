@@ -14,7 +14,7 @@
 namespace graze::detail {
 namespace {
 
-/// What is said of pairs of boxes, one of which may be no box.
+/// The verdicts on pairs of boxes, one of which may not be a valid box.
 struct Verdicts {
   std::vector<char> touches;
   std::vector<std::size_t> open;
@@ -22,7 +22,7 @@ struct Verdicts {
   friend bool operator==(const Verdicts&, const Verdicts&) = default;
 };
 
-/// One by one, along one axis after the other, by branches.
+/// Scalar code with branches, one axis after the other.
 template <Dim N, class T>
 Verdicts plain_verdicts(const std::vector<Aabb<N, T>>& boxes, const std::vector<Pair>& pairs, T certain) {
   Verdicts verdicts;
@@ -53,7 +53,7 @@ Verdicts verdicts_of(const std::vector<Aabb<N, T>>& boxes, const std::vector<Pai
   return verdicts;
 }
 
-/// Small integers, so that boxes often only touch; one box more than pairs name.
+/// Small integers, so that boxes often only touch; one more box than pairs name.
 template <Dim N, class T>
 std::vector<Aabb<N, T>> some_boxes() {
   const auto count = *rc::gen::inRange<std::size_t>(1, 40);

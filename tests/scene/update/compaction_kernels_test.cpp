@@ -49,7 +49,7 @@ TEST(CompactionKernels, KeepTheMarkedPairsAndTheirPlacesInOrder) {
   }
 }
 
-/// Signals among what is only moved: pairs whose bits are a NaN that traps.
+/// Signalling NaNs in moved data: pairs whose bits are such a NaN.
 TEST(CompactionKernels, MovePairsAsTheyAre) {
   const std::vector<Pair> pairs(16, Pair{1, 0x7FF00000U});
   const std::vector<char> marks(16, 1);

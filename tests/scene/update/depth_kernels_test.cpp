@@ -15,7 +15,7 @@
 namespace graze::detail::depth_kernels_test {
 namespace {
 
-/// Small integers, so that many boxes only touch; some without end, some that contain nothing; one more than is named.
+/// Small integers, so that many boxes only touch; some infinite, some empty; one more than is named.
 template <Dim N>
 std::vector<Aabb<N, float>> some_boxes(std::size_t count, std::mt19937& random) {
   std::vector<Aabb<N, float>> boxes(count + 1);
@@ -60,7 +60,7 @@ TYPED_TEST(DepthKernels, MarkWhatIsDeepAndListWhatIsNeitherDeepNorApart) {
     }
     for (const std::int64_t target : test::simd_targets()) {
       const test::ForcedTarget forced(target);
-      for (const std::size_t said_row : {row, std::size_t{1} << 20U}) {  // of the second it asks for boxes ahead
+      for (const std::size_t said_row : {row, std::size_t{1} << 20U}) {  // the second enables prefetching
         std::vector<char> touches(count + 1, 7);
         std::vector<std::size_t> open(count);
         open.resize(graze::detail::depth_kernels<N>().judge(boxes.data(), said_row, pairs.data(), count, certain,

@@ -12,7 +12,7 @@
 namespace graze::detail::rooms_test {
 namespace {
 
-/// Mostly of usual numbers; of all sizes where `is_wild`.
+/// Mostly ordinary numbers; all sizes if `is_wild`.
 template <Dim N, class T>
 std::vector<Aabb<N, T>> some_boxes(bool is_wild) {
   std::vector<Aabb<N, T>> boxes(*rc::gen::inRange<std::size_t>(0, 60));

@@ -34,7 +34,7 @@ std::vector<Pair> listed_touching(const PairGraph& graph) {
   return {pairs.begin(), pairs.end()};
 }
 
-/// The others by slot, and the numbers of their pairs.
+/// The partners by slot, with the numbers of their pairs.
 std::map<std::uint32_t, std::uint32_t> pairs_of(const PairGraph& graph, std::uint32_t slot) {
   std::map<std::uint32_t, std::uint32_t> pairs;
   graph.visit_pairs_of(slot, [&](std::uint32_t other, std::uint32_t edge) { pairs[other] = edge; });
@@ -72,7 +72,7 @@ TEST(PairGraph, NotesWhichPairsTouch) {
   EXPECT_EQ(listed_touching(graph), (std::vector<Pair>{{0, 1}, {2, 5}, {3, 4}}));
   graph.remove(pairs_of(graph, 3).at(4));
   graph.reserve(6, 1);
-  graph.add({3, 5});  // in the place of one that touched
+  graph.add({3, 5});  // in the position of one that touched
   EXPECT_EQ(listed_touching(graph), (std::vector<Pair>{{0, 1}, {2, 5}}));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Both ways of keeping pairs against all pairs, from update to update.
+// Both methods of maintaining pairs, compared with all pairs, from update to update.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +19,7 @@
 namespace graze::detail::pair_keeper_test {
 namespace {
 
-/// Slots with what an update needs of a scene.
+/// Slots with the data of a scene that an update needs.
 template <Dim N, class T>
 struct World {
   SharedSlots<Object<N, T>> slots;
@@ -53,7 +53,7 @@ struct World {
     return pairs;
   }
 
-  /// Both ways tell what touches now: one by a list, the other by what is new and what is over.
+  /// Both methods report the pairs that touch now: one by a list, the other by begin and end events.
   std::vector<Pair> update(PairPlan plan) {
     const PairPlan taken = keeper.find(slots, serial_executor(), plan);
     if (taken == PairPlan::anew) {
@@ -172,7 +172,7 @@ void check_every_plan() {
   }
 }
 
-/// Boxes and spheres on a walk of small steps, from time to time of a large one; all of them or few.
+/// Boxes and spheres on a random walk with small steps, sometimes a large one; all of them or few.
 template <Dim N, class T>
 void check_walk() {
   constexpr std::uint32_t count = 20;

@@ -24,7 +24,7 @@ NamesAndKinds fields_of() {
   });
 }
 
-/// Everything that is done to every field follows from these.
+/// All operations on fields follow from these.
 TEST(Description, SaysWhatEachFieldMeans) {
   constexpr auto point = FieldKind::point;
   constexpr auto length = FieldKind::length;

@@ -25,8 +25,7 @@ TEST(ShapeOrder, GoesByTheFirstFieldThatDiffers) {
   EXPECT_EQ(compare(Obb<2, float>{}, Obb<2, float>{{0, 0}, {1, 1}, {{0, 1}, {-1, 0}}}), 1);
 }
 
-// Which of two that stand on each other, or beside each other, comes first does not hang on the rounding of another
-// axis.
+// The order of two stacked or adjacent shapes does not depend on rounding along another axis.
 TEST(ShapeOrder, OfPlacesStaysWhereTheyAreNudged) {
   using V = Vec<3, double>;
   const V place(3, 5, 7);

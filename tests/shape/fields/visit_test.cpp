@@ -31,7 +31,7 @@ std::vector<AnyShape<N, T>> one_of_each() {
   return shapes;
 }
 
-/// Which of the shape's types this is.
+/// The index of this type among the shape's types.
 template <class S, class... Types>
 std::size_t place_of(const S&, const std::variant<Types...>&) {
   const std::array<bool, sizeof...(Types)> is_it{std::is_same_v<S, Types>...};
@@ -77,7 +77,7 @@ TEST(Visit, IsOfUseInConstantExpressions) {
   static_assert(detail::visit([](auto value) { return sizeof(value); }, held) == 1);
 }
 
-/// Cannot be made of a number: whoever tries leaves a variant without a value.
+/// Throws when constructed from a number, which leaves a variant valueless.
 struct Fragile {
   explicit Fragile(int) { throw std::runtime_error("broken"); }
   std::string large_enough_not_to_be_made_elsewhere_first;

@@ -30,7 +30,7 @@ TEST(HullBase, HasAsManyPointsAsTheirSpanHasDimensionsAndOneMore) {
 }
 
 TEST(HullBase, OfNearlyFlatPointsTakesOneThatIsOffForCertain) {
-  // Rounded, all are on the line x = y = z but for the second last one.
+  // After rounding, all but the second-last are on the line x = y = z.
   std::vector<V> points;
   for (int i = 0; i < 20; ++i) points.push_back(V(0.1) * static_cast<double>(i));
   points.emplace_back(1, 1, std::nextafter(1.0, 2.0));

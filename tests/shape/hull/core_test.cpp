@@ -30,8 +30,7 @@ class HullCoreOf : public testing::Test {
     return points;
   }
 
-  /// Of the hull of `count` of the points, how many of all of them the core holds. All that it holds are strictly
-  /// inside.
+  /// The share of all points that the core of `count` of them contains. All of these must be strictly inside the hull.
   static double share_held(const Points& points, std::size_t count) {
     const HullFrame<double> frame(points);
     std::vector<HullPoint> sample = all_points(frame);

@@ -40,7 +40,7 @@ void expect_as_plain(const std::vector<Vec<N, T>>& corners, const Vec<N, double>
 #endif
 }
 
-/// Coordinates of a coarse lattice are equal often, and so are heights.
+/// Coordinates on a coarse lattice are often equal, and so are heights.
 template <Dim N, class T>
 void search_random_corners(double step) {
   std::mt19937 engine(7);

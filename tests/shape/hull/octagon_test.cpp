@@ -18,7 +18,7 @@ namespace {
 template <class T>
 using Points = std::vector<Vec<2, T>>;
 
-/// The hull without any octagon.
+/// The hull without the octagon filter.
 template <class T>
 Points<T> plain_hull(Points<T> points) {
   sort_and_forget_duplicates<2, T>(points);
@@ -47,7 +47,7 @@ class HullOctagonOf : public testing::Test {
     return points;
   }
 
-  /// How many of the points the octagon holds, all of them strictly inside the hull, by exact orientation.
+  /// The share of points that the octagon contains; all must be strictly inside the hull, by exact orientation.
   static double share_held(const Points<T>& points) {
     const HullOctagon octagon = octagon_of(points);
     const Points<T> hull = plain_hull(points);

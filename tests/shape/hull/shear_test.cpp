@@ -34,7 +34,7 @@ std::array<std::uint32_t, 4> four_of(const std::vector<Vec<3, T>>& points, std::
   return {index(0), index(11), index(29), index(67)};
 }
 
-/// How many of the sides of planes through three points a frame hides from doubles.
+/// How many sides of planes through three points are uncertain in double in a frame.
 template <class T>
 std::size_t count_in_doubt(const HullFrame<T>& frame, const std::vector<Vec<3, T>>& points) {
   std::size_t count = 0;
@@ -80,7 +80,7 @@ class HullShearIn : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(HullShearIn, Scalars);
 
-/// Of planes seen in a sheared frame, heights beyond doubt have the right sign.
+/// Heights above planes in a sheared frame have the right sign if they are certain.
 template <class T>
 void expect_right_planes(const std::vector<Vec<3, T>>& points) {
   const HullFrame<T> frame = HullFrame<T>::sheared(points);
@@ -108,7 +108,7 @@ TYPED_TEST(HullShearIn, KeepsSidesOfPlanes) {
   });
 }
 
-// An affine map keeps the ratio of the volumes of any two tetrahedra.
+// An affine map preserves the ratio of the volumes of any two tetrahedra.
 TYPED_TEST(HullShearIn, IsExactUpToItsTolerance) {
   using T = TypeParam;
   test::check_property([] {
@@ -135,7 +135,7 @@ TYPED_TEST(HullShearIn, IsExactUpToItsTolerance) {
       largest = size;
       base = four_of(points, i);
     }
-    // Points that are flat, or whose rounding has a part in the units, have no such base.
+    // Flat points, or points whose units are affected by rounding, have no such base.
     if (largest < test::Rational(0x1p-10)) return;
     const test::Rational scale = volume(points, base) / volume(places, base);
     RC_ASSERT(scale > 0);

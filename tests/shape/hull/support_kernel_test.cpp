@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The place of the highest of eight or sixteen is the one that a plain search finds, and the lane of the highest that
-// of one which is as high up to its error, by vectors of any width.
+// The index of the highest of eight or sixteen is the one that a plain search finds, and the lane of the highest is
+// that of one which is as high up to its error, by vectors of any width.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +21,7 @@ namespace {
 
 using Sixteen = std::array<double, 16>;
 
-/// Eight by themselves, or met by the eight that come later.
+/// Eight heights, or combined with eight later ones.
 template <std::size_t lanes>
 [[gnu::always_inline]] inline std::uint32_t highest_of(const Sixteen& heights, bool all) {
   static constexpr Sixteen places = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
@@ -80,7 +80,7 @@ std::uint32_t lane_by_two(const std::array<double, 8>& heights) { return lane_of
 }
 #endif
 
-/// Of any size and sign, some of them equal, some higher than others by a few roundings.
+/// Of any magnitude and sign, some of them equal, some higher than others by a few rounding errors.
 std::array<double, 8> draw_close_heights(std::mt19937& engine) {
   const double size = std::ldexp(1.0, std::uniform_int_distribution<int>(-1074, 1000)(engine));
   const double middle = std::uniform_real_distribution<double>(-2, 2)(engine);
@@ -99,7 +99,7 @@ TEST(EightHeights, KnowALaneThatIsAsHighAsAny) {
     ASSERT_LT(lane, 8U);
     for (const double height : heights) {
       const double larger = std::max(std::fabs(height), std::fabs(heights[lane]));
-      // Below the least normal number the last bits are all there is.
+      // Below the smallest normal number there are no bits but the last ones.
       ASSERT_LE(height - heights[lane], lane_of_highest_error * std::max(larger, std::numeric_limits<double>::min()));
     }
 #ifdef GRAZE_HAS_WIDER_LANES

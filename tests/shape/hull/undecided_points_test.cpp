@@ -46,7 +46,7 @@ std::vector<std::uint32_t> corners_of_hull(const Quickhull<T>& hull) {
   return vertices;
 }
 
-/// The corners of the hull, in order, by a quickhull that decides each point exactly as it comes.
+/// The corners of the hull, in order, by a quickhull that decides each point exactly at once.
 template <class T>
 std::vector<Vec<3, T>> careful_vertices(const std::vector<Vec<3, T>>& points) {
   const HullFrame<T> frame{std::span<const Vec<3, T>>(points)};
@@ -66,7 +66,7 @@ std::vector<Vec<3, T>> vertices_of(const std::vector<Vec<3, T>>& points) {
   return sorted(points, hull_vertices(std::span<const Vec<3, T>>(points)));
 }
 
-/// The same by a hull that sifts doubts however few points there are.
+/// The same by a hull that sifts undecided points however few there are.
 template <class T>
 std::vector<Vec<3, T>> sifted_vertices(const std::vector<Vec<3, T>>& points) {
   const HullFrame<T> frame{std::span<const Vec<3, T>>(points)};
@@ -99,7 +99,7 @@ TEST(HullDoubts, AreNoneOnAGrid) {
   EXPECT_TRUE(Quickhull<float>(frame, all_points(frame)).aside().empty());
 }
 
-// One and a half million points would be in doubt about the side of each of as many edges.
+// Without this, one and a half million points would be undecided about each of as many edges.
 TEST(HullDoubts, AreNoneAtACornerOfManyFaces) {
   constexpr int count = 3000;
   std::vector<Vec<3, double>> cone(count, Vec<3, double>(0.1, 0.2, 3.3));
@@ -112,7 +112,7 @@ TEST(HullDoubts, AreNoneAtACornerOfManyFaces) {
   for (const auto& doubt : settle_clear(hull).undecided) EXPECT_GE(doubt.point, static_cast<std::uint32_t>(count));
 }
 
-/// A cone of so many faces, and as often a point at each of 27 places a hair apart around its tip.
+/// A cone with this many faces, and repeated points at 27 positions slightly apart around its tip.
 std::vector<Vec<3, double>> cone_with_blunt_tip(int faces, int repeats) {
   const Vec<3, double> tip(0.1, 0.2, 3.3);
   std::vector<Vec<3, double>> cone;
@@ -160,7 +160,7 @@ TEST(HullDoubts, PayToBeSiftedWhereMostPointsAreOnLines) {
   EXPECT_FALSE(pays(sphere));
 }
 
-// What is left of the hull before must not get into the next one.
+// Data of the previous hull must not affect the next one.
 TEST(HullDoubts, AreTheSameInMemoryThatHasBeenUsed) {
   HullMemory<double> used;
   for (std::size_t cluster = 0; cluster < test::thin_crowds; ++cluster) {
@@ -225,7 +225,7 @@ TYPED_TEST(HullDoubtsIn, AreSettledTheSameForMany) {
   }
 }
 
-// So many that they are sifted piece by piece, where that pays.
+// So many that they are sifted in pieces, if that pays.
 TYPED_TEST(HullDoubtsIn, AreSettledTheSameByPieces) {
   using T = TypeParam;
   for (const ThinCrowd cluster : {ThinCrowd::lines, ThinCrowd::cube_edges}) {

@@ -49,7 +49,7 @@ TEST(HullVertices, AreFewWhereThePointsAreFlat) {
             (Points{{0, 0, 5}, {0, 2, 5}, {2, 0, 5}, {2, 2, 5}}));
 }
 
-// The middle of the top sticks out by the least that a double can, or is level, or lies below.
+// The center of the top is one step of a double above, level, or below.
 TEST(HullVertices, KnowOneBit) {
   const auto count_with = [](double z) {
     return vertices_of(std::vector<Vec<3, double>>{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}, {4, 4, 1}, {2, 2, -3}, {1, 2, z}})
@@ -70,9 +70,9 @@ TEST(HullVertices, AreRightForTheLargestAndLeastDoubles) {
     points.push_back({size, size, 0});
     EXPECT_EQ(vertices_of(points), cube) << size;
   }
-  // A hair of a hair beside the middle of an edge counts as nothing.
+  // A position 1e-300 of the length beside the middle of an edge counts as zero.
   EXPECT_EQ(vertices_of(Points{{-1e200, 0, 0}, {1e200, 0, 0}, {0, 1e-100, 0}, {0, 0, 1e200}}).size(), 3U);
-  // This side of it all counts.
+  // Below that limit, everything counts.
   EXPECT_EQ(vertices_of(Points{{-1e80, 0, 0}, {1e80, 0, 0}, {0, -1e-89, 0}, {0, 0, 1e80}, {0, 1e80, 0}}).size(), 5U);
 }
 
@@ -81,7 +81,7 @@ class HullVerticesIn : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(HullVerticesIn, Scalars);
 
-/// Points on a plane or two parallel ones, up to the rounding of coordinates, some of them a few bits beside it.
+/// Points in one plane or two parallel ones, up to the rounding of coordinates, some of them off by a few bits.
 template <class T>
 std::vector<Vec<3, T>> draw_layers(std::size_t most) {
   const test::Source<3, T> source = test::draw_source<3, T>();
@@ -118,7 +118,7 @@ TYPED_TEST(HullVerticesIn, AreThoseOfTheExactHullOfLayers) {
   });
 }
 
-/// Where the points of a crowd come from.
+/// The distribution of the points.
 enum class Crowd { grid, sphere, box, needle };
 
 template <class T>
@@ -136,7 +136,7 @@ Vec<3, T> draw_member(Crowd cluster, rc::Random& random) {
   }
 }
 
-// Enough of them for what is deep inside to be dropped at a glance.
+// Enough of them for the filter of deep points to work.
 TYPED_TEST(HullVerticesIn, AreTheSameForManyPointsWithoutThoseInside) {
   using T = TypeParam;
   for (const Crowd cluster : {Crowd::grid, Crowd::sphere, Crowd::box, Crowd::needle}) {
@@ -144,7 +144,7 @@ TYPED_TEST(HullVerticesIn, AreTheSameForManyPointsWithoutThoseInside) {
     std::vector<Vec<3, T>> points;
     points.reserve(5000);
     for (int i = 0; i < 5000; ++i) points.push_back(draw_member<T>(cluster, random));
-    // A thousand at a time nothing is dropped.
+    // With a thousand at a time, nothing is filtered.
     std::vector<Vec<3, T>> expected;
     for (std::size_t first = 0; first < points.size(); first += 1000) {
       expected.insert(expected.end(), points.begin() + static_cast<std::ptrdiff_t>(first),

@@ -62,7 +62,7 @@ TEST(HullVisibility, IsNotClearWhereNothingIsInside) {
   EXPECT_FALSE(HullVisibility<double>(hull).is_clear());
 }
 
-// Whether a point is outside of a hull is told by the faces before it alone.
+// Whether a point is outside of a hull follows from the faces that it faces.
 TEST(HullVisibility, KnowsWhatIsOutside) {
   test::check_property([] {
     const auto cluster = static_cast<test::ThinCrowd>(*test::choice(test::thin_crowds));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the filter of a ray and a box says is what the careful way says, to the bit but for the error, which is rounded;
-// and it says something.
+// The filter for a ray and a box agrees with the general method, to the bit except for the error, which is rounded; and
+// it decides most cases.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -72,8 +72,8 @@ TEST(RayBoxFilter, SettlesUsualRaysAsTheCarefulWayDoes) {
   EXPECT_LT(counts.unclear, 10000U);  // which start inside
 }
 
-/// Rays along axes and sides, at edges and corners, from on the box, at flat boxes, with either zero, next to nothing
-/// or nothing at all as a slope.
+/// Rays along axes and sides, at edges and corners, from the box's surface, at flat boxes, with either zero, tiny
+/// slopes or no direction.
 TEST(RayBoxFilter, SaysNothingElseOfTheNasty) {
   Random random;
   Counts counts;

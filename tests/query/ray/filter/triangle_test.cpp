@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the filter of a ray and a triangle says is what the careful way says, to the bit but for the error, which is
-// rounded; and it tells most.
+// The filter for a ray and a triangle agrees with the general method, to the bit except for the error, which is
+// rounded; and it decides most cases.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -67,7 +67,7 @@ TEST(RayTriangleFilter, TellsMostRays) {
   EXPECT_GT(static_cast<double>(counts.told_hits), 0.9 * static_cast<double>(counts.hits));  // others are of needles
 }
 
-/// From a corner to next to the plane, that end next to the triangle or start there.
+/// From a corner to close to the plane, ending close to the triangle or starting there.
 TEST(RayTriangleFilter, SaysNothingElseOfRaysThatEndAtTheTriangle) {
   Random random;
   Counts counts;
@@ -85,7 +85,7 @@ TEST(RayTriangleFilter, SaysNothingElseOfRaysThatEndAtTheTriangle) {
   EXPECT_GT(counts.told_hits, 30000U);
 }
 
-/// At places of the edges, moved away from the triangle by next to nothing, from near and far: where float cannot tell.
+/// At points of the edges, moved slightly away from the triangle, from near and far: undecidable in float.
 TEST(RayTriangleFilter, NeverMissesWhatIsHitAtAnEdge) {
   Random random;
   Counts counts;
@@ -107,7 +107,7 @@ TEST(RayTriangleFilter, NeverMissesWhatIsHitAtAnEdge) {
   EXPECT_LT(counts.told_hits, counts.hits);
 }
 
-/// On a lattice, where many triangles are needles or no more than points, and rays run along them.
+/// On a lattice, where many triangles are needles or points, and rays run along them.
 TEST(RayTriangleFilter, SaysNothingElseOfTheDegenerate) {
   Random random;
   Counts counts;
