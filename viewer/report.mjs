@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Makes build/web/viewer/report.html of the built viewer: one page with styles, scripts and WebAssembly inlined, which opens
-// from disk, and an empty element for the data that `graze view` fills in.
+// Creates build/web/viewer/report.html from the built viewer: one page with inlined styles, scripts and WebAssembly,
+// which opens from disk, and an empty element for the data that `graze view` inserts.
 import { readFile, readdir, writeFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 
 const folder = fileURLToPath(new URL("../build/web/viewer/", import.meta.url));
 
-/** The one file among the assets that ends so. */
+/** The single asset with this ending. */
 async function asset(ending) {
   const found = (await readdir(`${folder}assets`)).filter((name) => name.endsWith(ending));
-  if (found.length !== 1) throw new Error(`one asset should end in ${ending}, but there are: ${found.join(", ")}`);
+  if (found.length !== 1) throw new Error(`exactly one asset should end in ${ending}, but found: ${found.join(", ")}`);
   return readFile(`${folder}assets/${found[0]}`);
 }
 
-/** Replaces exactly one piece of the page; what is put in is taken as it is. */
+/** Replaces exactly one match in the page; the replacement is inserted literally. */
 function replaced(page, pattern, text) {
   const count = [...page.matchAll(new RegExp(pattern, "g"))].length;
-  if (count !== 1) throw new Error(`${pattern} should be in index.html once, but is ${count} times`);
+  if (count !== 1) throw new Error(`${pattern} should match once in index.html, but matches ${count} times`);
   return page.replace(pattern, () => text);
 }
 
-// Within a script only these would be read as HTML; in JavaScript they can only stand in strings and patterns.
+// Only these would be parsed as HTML inside a script; in JavaScript they occur only in strings and patterns.
 const script = String(await asset(".js")).replaceAll("</script", "<\\/script").replaceAll("<!--", "\\x3c!--");
 const wasm = gzipSync(await asset(".wasm"), { level: 9 }).toString("base64");
 

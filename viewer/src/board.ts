@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The shapes of a chapter, in the plane or in space: an editor of those of either, and the switch between the two.
+// The shapes of a chapter: an editor for 2D and one for 3D, and the switch between them.
 import type { Shape } from "graze";
 
 import type { ChapterContext } from "./chapter";
@@ -17,22 +17,22 @@ import { numberOf, wordOf } from "./state";
 export type Dimension = 2 | 3;
 
 export interface BoardOptions {
-  /** The shapes that there are when a link says nothing else. */
+  /** The default shapes, if a link does not give others. */
   readonly usual: Readonly<Record<Dimension, string>>;
   readonly extent: Readonly<Record<Dimension, Extent>>;
   readonly addable: readonly ShapeType[];
-  /** Called after every change of a shape or of the selection, and when another part of the plane is seen. */
+  /** Called after every change of a shape or of the selection, and when a 2D view has moved. */
   readonly onChange: () => void;
-  /** Called after the stage was emptied and set up anew, for what else the chapter draws. */
+  /** Called after the stage was cleared and set up again, so that the chapter can add its own drawings. */
   readonly onOpen?: (kit: ShapeKit) => void;
-  /** Handles that belong to the chapter and not to a shape. */
+  /** Handles that belong to the chapter instead of a shape. */
   readonly ownHandles?: () => readonly AnyHandle[];
 }
 
 export class Board {
   readonly #context: ChapterContext;
   readonly #options: BoardOptions;
-  /** What a dimension held when it was left. */
+  /** The state of a dimension when it was last left. */
   readonly #kept: Partial<Record<Dimension, string>> = {};
   readonly #addRow = element("div", { class: "row" });
   #kit: ShapeKit;
@@ -64,14 +64,14 @@ export class Board {
     return this.#editor.shapes;
   }
 
-  /** What a link has to hold; the plane is what one says that says nothing. */
+  /** The parameters of a link; 2D is the default. */
   describe(parameters: URLSearchParams): void {
     if (this.dimension === 3) parameters.set("dimension", "3");
     parameters.set("shapes", textOfShapes(this.shapes));
     if (this.#editor.selected !== undefined) parameters.set("selected", String(this.#editor.selected));
   }
 
-  /** Lets the reader choose between 2D and 3D. */
+  /** A control to choose between 2D and 3D. */
   dimensionSwitch(): HTMLElement {
     return dimensionChoice([2, 3], this.dimension, (dimension) => this.#show(dimension));
   }
@@ -112,7 +112,7 @@ export class Board {
   }
 }
 
-/** What a link says. */
+/** The content of a link. */
 export function dimensionOf(parameters: URLSearchParams): Dimension {
   return wordOf(parameters, "dimension", ["2", "3"]) === "3" ? 3 : 2;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A chapter is one tab: what it shows on the stage, and what stands in the panel.
+// A chapter is one tab: its drawing on the stage and its panel.
 import type { Graze } from "graze";
 import type { Overlay } from "./overlay";
 import type { Stage } from "./stage";
@@ -9,22 +9,22 @@ export interface ChapterContext {
   readonly stage: Stage;
   readonly overlay: Overlay;
   readonly panel: HTMLElement;
-  /** What the link says. */
+  /** The parameters of the link. */
   readonly parameters: URLSearchParams;
   /** A line below the drawing. */
   readonly say: (caption: string) => void;
-  /** To be called when what `OpenChapter.parameters` gives has changed. */
+  /** Must be called when the result of `OpenChapter.parameters` has changed. */
   readonly changed: () => void;
 }
 
 export interface OpenChapter {
-  /** What a link has to hold to show the same again. */
+  /** The parameters that a link needs to show the same state again. */
   parameters(): URLSearchParams;
-  /** Keys that no control took; true if it was of use. */
+  /** Keys that no control has handled; returns true if the key was used. */
   onKey?(event: KeyboardEvent): boolean;
   /** A file that was dropped on the page or chosen. */
   onFiles?(files: readonly File[]): void;
-  /** Gives back what the engine holds. */
+  /** Frees what the engine holds. */
   close(): void;
 }
 

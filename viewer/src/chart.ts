@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The last times of a step as a line, beside the time that a picture has at 60 a second.
+// A chart of recent step times, with a line at the frame time of 60 frames per second.
 import { element } from "./dom";
 import { milliseconds } from "./numbers";
 
@@ -23,7 +23,7 @@ export class Chart {
     this.root.append(document.createElementNS(svg, "title"));
   }
 
-  /** The median of what was added last: one slow step does not change it. */
+  /** The median of the recent times, which a single slow step does not change. */
   get median(): number {
     const sorted = [...this.#times].sort((a, b) => a - b);
     return sorted[Math.floor(sorted.length / 2)] ?? 0;

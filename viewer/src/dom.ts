@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Elements of the page, made in one expression. Text is always set as text: names from files are never read as HTML.
+// Creates elements of the page in one expression. Text is always set as text: names from files are never parsed as
+// HTML.
 
 type Child = Node | string;
 type Attributes = Record<string, string | number | boolean | ((event: Event) => void)>;
 
-/** An element with attributes, listeners (`onclick`) and children. `false` leaves an attribute out. */
+/** An element with attributes, listeners (`onclick`) and children. `false` omits an attribute. */
 export function element<Tag extends keyof HTMLElementTagNameMap>(
   tag: Tag,
   attributes: Attributes = {},
@@ -20,7 +21,7 @@ export function element<Tag extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
-/** The element that the page is sure to have. */
+/** An element that the page must contain. */
 export function required<Type extends HTMLElement>(id: string, type: new () => Type): Type {
   const found = document.getElementById(id);
   if (!(found instanceof type)) throw new Error(`the page has no element #${id}`);

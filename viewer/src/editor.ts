@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Shapes in 2D or 3D that can be dragged, turned and resized, by pointer and by keyboard. The engine says what
-// is under the pointer.
+// Shapes in 2D or 3D that can be dragged, rotated and resized by pointer and keyboard. The engine determines what is
+// under the pointer.
 import type { Scene, Shape } from "graze";
 
 import type { ChapterContext } from "./chapter";
@@ -17,24 +17,24 @@ import type { Extent } from "./stage";
 import { under } from "./under";
 import { minus } from "./vectors";
 
-/** How far a turning handle stands from its shape, in pixels. */
+/** The distance of a rotation handle from its shape, in pixels. */
 const handleReach = 18;
-/** A press on the ground that moves farther than this moves the view, and the selection stays. */
+/** A press on the background that moves farther than this pans the view and keeps the selection. */
 const clickReach = 4;
 
 export interface EditorOptions {
   readonly kit: ShapeKit;
   readonly shapes: readonly Shape[];
-  /** The place of the shape that is selected, if there is such a one. */
+  /** The index of the selected shape, if any. */
   readonly selected: number;
-  /** Called after every change of a shape or of the selection, and when another part of the plane is seen. */
+  /** Called after every change of a shape or of the selection, and when a 2D view has moved. */
   readonly onChange: () => void;
-  /** Handles that belong to the chapter and not to a shape. */
+  /** Handles that belong to the chapter instead of a shape. */
   readonly ownHandles: () => readonly AnyHandle[];
 }
 
 export class Editor {
-  /** The shapes as the engine holds them; ids are those of `ids`, in the order of `shapes`. */
+  /** The shapes in the engine; their ids are `ids`, in the order of `shapes`. */
   readonly scene: Scene;
   #shapes: Shape[];
   #ids: number[];
@@ -67,7 +67,7 @@ export class Editor {
       this.#drawing.setPalette(stage.palette);
       this.#selection.setPalette(stage.palette);
     });
-    // In 3D the same is drawn wherever it is seen from, but for what has a size in pixels.
+    // In 3D the drawing is independent of the view, except for sizes in pixels.
     stage.onView(() => (stage.isFlat ? options.onChange() : this.#drawOver()));
     this.#listen();
   }
@@ -80,7 +80,7 @@ export class Editor {
     return this.#selected;
   }
 
-  /** The place in `shapes` of an object of the scene. */
+  /** The index in `shapes` of an object of the scene. */
   placeOf(id: number): number {
     return this.#ids.indexOf(id);
   }
@@ -129,7 +129,7 @@ export class Editor {
     this.#options.onChange();
   }
 
-  /** Draws the shapes in these paints, what is marked about them, and the handles of the selected one. */
+  /** Draws the shapes in these paints, their marks, and the handles of the selected one. */
   draw(paints: readonly Paint[], marks: () => readonly Mark[]): void {
     [this.#paints, this.#marks] = [paints, marks];
     const { stage, graze } = this.#context;
@@ -150,7 +150,7 @@ export class Editor {
     overlay.setHandles([...this.#handles(), ...this.#options.ownHandles()]);
   }
 
-  /** Keys of the selected shape; true if it was one. */
+  /** Handles keys for the selected shape; returns true if the key was used. */
   onKey(event: KeyboardEvent): boolean {
     const place = this.#selected;
     if (place === undefined) return false;
@@ -187,7 +187,7 @@ export class Editor {
     this.scene.delete();
   }
 
-  /** Points have no outline that could be seen. */
+  /** Points have no visible outline. */
   #pointMarks(paints: readonly Paint[]): Mark[] {
     return this.#shapes.flatMap((shape, place) => {
       if (shape.type === "ray") return [{ kind: "dot", at: [...shape.origin], tone: toneOf(paints[place]) } as const];
@@ -212,7 +212,7 @@ export class Editor {
     return place === undefined || shape === undefined ? grips : [...grips, ...this.#handlesOf(place, shape)];
   }
 
-  /** Its corners, ends and sides; in 3D also one for its size and those for turning it. */
+  /** Its corners, ends and sides; in 3D also handles for size and rotation. */
   #handlesOf(place: number, shape: Shape): AnyHandle[] {
     const { stage } = this.#context;
     const name = this.nameOf(place);
@@ -226,12 +226,12 @@ export class Editor {
     const grips = solidGripsOf(shape).map((grip): AnyHandle => ({
       key: keyOf(grip.name), label: `${name}: ${grip.name}`, at: grip.at, onMoveInSpace: (to) => replace(grip.move(to)),
     }));
-    // The shape itself can be dragged, and its grip moved by the keyboard.
+    // The shape itself can be dragged; its grip is for the keyboard.
     const handles = handlesOf(stage, { name, shape, middle: this.#kit.middleOf(shape), edit: replace }, this.#grasp);
     return [...grips, ...handles.filter((handle) => handle.key !== "move").map((handle) => ({ ...handle, key: keyOf(handle.key) }))];
   }
 
-  /** A small number that stays the shape's as long as it is there. */
+  /** A small number that identifies the shape during its lifetime. */
   #slotOf(place: number): number {
     return this.#context.graze.slotOf(this.#ids[place] ?? 0);
   }
@@ -286,7 +286,7 @@ function toneOf(paint: Paint | undefined): Mark["tone"] {
   return paint === Paint.touching ? "touching-line" : paint === Paint.found ? "answer" : "free-line";
 }
 
-/** A box that reaches beyond what is seen, so that the cut edge of a half-space is not. */
+/** A box larger than the view, so that the cut edge of a half-space is not visible. */
 function beyond(seen: Extent): { min: number[]; max: number[] } {
   const width = (seen.max[0] ?? 0) - (seen.min[0] ?? 0);
   const height = (seen.max[1] ?? 0) - (seen.min[1] ?? 0);

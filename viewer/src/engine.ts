@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// graze itself: the C++ library as WebAssembly. In a report of one file it is in the page, else it is fetched.
+// graze itself: the C++ library as WebAssembly. A report page contains it; otherwise it is fetched.
 import createGraze, { type Graze } from "graze";
 import wasmAddress from "graze/graze_wasm.wasm?url";
 
@@ -9,14 +9,14 @@ export async function loadEngine(): Promise<Graze> {
   return createGraze({ locateFile: () => wasmAddress });
 }
 
-/** Bytes that were compressed with gzip and written in base64. */
+/** Decodes base64 and decompresses gzip. */
 async function unpacked(base64: string): Promise<Uint8Array> {
   const packed = Uint8Array.from(atob(base64.trim()), (letter) => letter.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/** What the engine threw, in words. */
+/** The message of an exception from the engine. */
 export function messageOf(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a selected shape is moved, turned and resized by where it is held as the engine gives it: handles, and keys.
+// Moves, rotates and resizes a selected shape in the engine's representation: handles and keys.
 import type { Shape } from "graze";
 
 import type { SpaceHandle } from "./overlay";
@@ -7,29 +7,29 @@ import { movedBy, scaledAbout, turnedAbout } from "./shapes/solid_edit";
 import type { Stage } from "./stage";
 import { minus } from "./vectors";
 
-/** How far the handles for turning and resizing first stand from the middle, in pixels, and how near they may come. */
+/** The initial distance of the rotation and size handles from the centre, in pixels, and their minimum distance. */
 const reach = 46;
 const leastReach = 12;
 export const degreesOfKey = 5;
 export const factorOfKey = 1.08;
 
-/** Where the handles stand, which are left where they were let go. */
+/** The positions of the handles, which stay where they were released. */
 export class Grasp {
-  /** Of the handle for the size from the middle, in pixels. */
+  /** Distance of the size handle from the centre, in pixels. */
   distance = reach;
-  /** Of the handles for turning and for tilting from upright, clockwise in radians. */
+  /** Angles of the rotation and tilt handles from the vertical, clockwise in radians. */
   angles = { turn: 0, tilt: -Math.PI / 3 };
 }
 
 export interface HeldShape {
   readonly name: string;
   readonly shape: Shape;
-  /** What it turns about. */
+  /** The centre of rotation. */
   readonly middle: readonly number[];
   readonly edit: (shape: Shape) => void;
 }
 
-/** Turning is about the upright axis, tilting about the line of sight, so that the shape follows its handle. */
+/** Rotation is about the vertical axis, tilting about the line of sight, so that the shape follows its handle. */
 export function handlesOf(stage: Stage, held: HeldShape, grasp: Grasp): SpaceHandle[] {
   const { name, shape, middle, edit } = held;
   const [x, y] = stage.toPixels(middle);
@@ -64,7 +64,7 @@ export function handlesOf(stage: Stage, held: HeldShape, grasp: Grasp): SpaceHan
   return [move, ...(hasSize(shape) ? [size] : []), ...(hasAspects(shape) ? turns : [])];
 }
 
-/** Turns or resizes by a key; false if it is none of those. */
+/** Rotates or resizes by a key; returns false for other keys. */
 export function editByKey(stage: Stage, held: HeldShape, key: string): boolean {
   const { shape, middle, edit } = held;
   const turn = { "[": degreesOfKey, "]": -degreesOfKey }[key];
@@ -84,7 +84,7 @@ function hasSize(shape: Shape): boolean {
   return !["point", "ray", "plane", "half_space"].includes(shape.type);
 }
 
-/** Whether it looks another way when it is turned. */
+/** Whether rotation changes its appearance. */
 function hasAspects(shape: Shape): boolean {
   return !["point", "sphere", "aabb"].includes(shape.type);
 }

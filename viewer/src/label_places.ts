@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where labels go: beside the point they belong to, off handles, off each other and within the picture.
+// Places labels: beside their points, without covering handles or other labels, and inside the picture.
 import type { Point2 } from "./stage";
 
 /** In pixels of the stage, y down. */
@@ -11,7 +11,7 @@ interface Box {
 }
 
 const fontSize = 12.5;
-/** Of letters above the line they stand on, and below it. */
+/** Heights of letters above and below the baseline. */
 const [above, below] = [11, 4];
 const margin = 3;
 
@@ -28,8 +28,8 @@ export class LabelPlaces {
     [this.#taken, this.#width, this.#height] = [[...obstacles], width, height];
   }
 
-  /** Where the middle of the text's line goes, from then on taken: by the shift that is wished for, or beside the point
-   * where that is free; where nothing is, where least is in the way. */
+  /** Reserves and returns the centre of the text's line: at the requested shift, otherwise at a free position beside
+   * the point or, if none is free, the least obstructed one. */
   take(text: string, [x, y]: Point2, wished: Point2): Point2 {
     const half = widthOf(text) / 2 + margin;
     const boxAt = ([right, down]: Point2): Box => {
@@ -45,7 +45,7 @@ export class LabelPlaces {
     return [x + best[0], y + best[1]];
   }
 
-  /** The area that is taken, and what reaches out of the picture. */
+  /** The area that is already covered, plus what extends beyond the picture. */
   #cost(box: Box): number {
     const covered = this.#taken.reduce((sum, other) => sum + sharedArea(box, other), 0);
     const page = { left: 0, top: 0, right: this.#width, bottom: this.#height };

@@ -100,7 +100,7 @@ async function start(): Promise<void> {
   follow();
 }
 
-/** Files dropped anywhere on the page. */
+/** Accepts files dropped anywhere on the page. */
 function listenToFiles(onFiles: (files: readonly File[]) => void): void {
   const stage = required("stage", HTMLElement);
   const hasFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes("Files") ?? false;
@@ -120,7 +120,7 @@ function listenToFiles(onFiles: (files: readonly File[]) => void): void {
   });
 }
 
-/** True where letters and arrows have a meaning of their own. */
+/** True for elements in which letters and arrow keys have their own meaning. */
 function isTyping(target: EventTarget | null): boolean {
   return target instanceof HTMLInputElement || target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement;
 }

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Boxes that fly about in a larger box and bounce off its walls. They are moved here; what meets what is the engine's.
+// Boxes that move inside a larger box and bounce off its walls. They are moved here; the engine finds the overlaps.
 import { randomNumbers } from "./random";
 
 export interface World {
   readonly dimension: 2 | 3;
   readonly count: number;
   readonly seed: number;
-  /** About how many others a box overlaps, if they lie evenly. */
+  /** The approximate number of others that a box overlaps, if they are evenly distributed. */
   readonly crowd: number;
 }
 
 export class MovingBoxes {
   readonly dimension: 2 | 3;
-  /** The world reaches from -half to half along every axis. */
+  /** The world extends from -half to half along every axis. */
   readonly half = 1;
   #centers: Float32Array;
   #halves: Float32Array;
@@ -34,7 +34,7 @@ export class MovingBoxes {
     return this.#centers.length / this.dimension;
   }
 
-  /** Moves all by their velocities, and turns back those that have reached a wall. */
+  /** Moves all by their velocities and reverses those that have reached a wall. */
   step(seconds: number): void {
     const [centers, velocities] = [this.#centers, this.#velocities];
     for (let i = 0; i < centers.length; ++i) {
@@ -45,7 +45,7 @@ export class MovingBoxes {
     }
   }
 
-  /** Adds boxes like the others that fly in from a corner, all in one direction but for a spread. */
+  /** Adds similar boxes that fly in from a corner, in one direction with some spread. */
   throwIn(count: number): void {
     const added = count * this.dimension;
     const size = this.#halves.reduce((sum, half) => sum + half, 0) / Math.max(1, this.#halves.length);
@@ -60,7 +60,7 @@ export class MovingBoxes {
     this.#velocities = grown(this.#velocities, () => 0.6 + 0.5 * this.#random());
   }
 
-  /** The boxes as the engine has them: 2 N numbers each, min, then max. */
+  /** The boxes in the engine's layout: 2 N numbers each, min, then max. */
   write(boxes: Float32Array): void {
     const [n, centers, halves] = [this.dimension, this.#centers, this.#halves];
     for (let box = 0, from = 0, to = 0; box < centers.length / n; ++box, to += 2 * n) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Numbers as people read them.
+// Formats numbers for display.
 
-/** A measured length or angle: three significant digits or more, no exponent where none is needed. */
+/** A measured length or angle: at least three significant digits, no exponent unless necessary. */
 export function measure(value: number): string {
   if (value === 0) return "0";
   if (!Number.isFinite(value)) return String(value);
@@ -21,12 +21,12 @@ export function count(value: number): string {
   return String(value).replace(/\B(?=(\d{3})+$)/g, "\u202f");
 }
 
-/** Milliseconds, as finely as a browser's clock is worth. */
+/** Milliseconds, with the precision of a browser's clock. */
 export function milliseconds(value: number): string {
   return `${value.toFixed(value < 10 ? 2 : 1)} ms`;
 }
 
-/** A measured time in the unit that suits it. */
+/** A measured time in a suitable unit. */
 export function duration(value: number): string {
   return value < 0.1 ? `${(value * 1000).toFixed(value < 0.01 ? 1 : 0)} µs` : milliseconds(value);
 }
@@ -36,7 +36,7 @@ export function counted(value: number, noun: string): string {
   return `${count(value)} ${noun}${value === 1 ? "" : "s"}`;
 }
 
-/** Rounded so that a link stays short; what a link restores is what was rounded. */
+/** Rounded so that links stay short; a link restores the rounded value. */
 export function rounded(value: number): number {
   return Math.round(value * 1e4) / 1e4;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is drawn over the stage in lines of even width: answers, labels, and handles that a pointer or the arrow keys move.
+// What is drawn over the stage with constant line width: results, labels, and handles that the pointer or the arrow
+// keys move.
 import { aboutPoint, LabelPlaces } from "./label_places";
 import type { Point2, Stage } from "./stage";
 
@@ -20,7 +21,7 @@ export type Mark =
 interface HandleBase {
   readonly key: string;
   readonly label: string;
-  /** A grip is an invisible ring about a shape's centre, which only the keyboard needs. */
+  /** A grip is an invisible ring around a shape's centre, used only with the keyboard. */
   readonly kind?: "handle" | "grip";
   readonly onFocus?: () => void;
 }
@@ -30,7 +31,7 @@ export interface Handle extends HandleBase {
   readonly onMove: (to: Point2) => void;
 }
 
-/** A handle in 2D or 3D, where it moves as far from the eye as it is or, `isLevel`, as high. */
+/** A handle in 2D or 3D, where it keeps its distance from the camera or, if `isLevel`, its height. */
 export interface SpaceHandle extends HandleBase {
   readonly at: readonly number[];
   readonly isLevel?: boolean;
@@ -41,7 +42,7 @@ export type AnyHandle = Handle | SpaceHandle;
 
 const svg = "http://www.w3.org/2000/svg";
 
-/** Of what is seen of a handle, and of what a finger or a mouse may take hold of; in pixels. */
+/** The visible radius of a handle, and the radius that reacts to a finger or a mouse; in pixels. */
 const knobRadius = 6.5;
 const touchRadius = 16;
 const pointerRadius = 10;
@@ -80,7 +81,7 @@ export class Overlay {
     this.#drawMarks();
   }
 
-  /** Handles of the same key stay the same elements, so that a drag or the focus goes on. */
+  /** Handles with the same key keep their elements, so that a drag or the focus continues. */
   setHandles(handles: readonly AnyHandle[]): void {
     const wanted = new Set(handles.map((handle) => handle.key));
     for (const [key, { circle, knob }] of this.#handles) {
@@ -112,7 +113,7 @@ export class Overlay {
     this.#drawLabels();
   }
 
-  /** Labels give way to handles, and to the labels before them. */
+  /** Labels avoid handles and earlier labels. */
   #drawLabels(): void {
     const seen = [...this.#handles.values()].filter(({ handle }) => handle.kind !== "grip" && this.#stage.isBeforeEye(handle.at));
     const handles = seen.map(({ handle }) => aboutPoint(this.#stage.toPixels(handle.at), knobRadius + 3));
@@ -148,7 +149,7 @@ export class Overlay {
     return drawn;
   }
 
-  /** The parts of a line that lie before the eye. */
+  /** The parts of a line in front of the camera. */
   #runsOf(points: readonly (readonly number[])[]): (readonly (readonly number[])[])[] {
     if (points.every((point) => this.#stage.isBeforeEye(point))) return [points];
     return points.slice(1).flatMap((point, index) => {
@@ -166,7 +167,7 @@ export class Overlay {
     }
   }
 
-  /** A circle to take hold of, and the knob that is seen in its middle. */
+  /** A circle that reacts to the pointer, and a visible knob at its centre. */
   #makeHandle(handle: AnyHandle): PlacedHandle {
     const isGrip = handle.kind === "grip";
     const reach = isGrip || window.matchMedia("(pointer: coarse)").matches ? touchRadius : pointerRadius;
@@ -199,7 +200,7 @@ export class Overlay {
     return { handle, circle, knob };
   }
 
-  /** Where handles are close to each other, what is taken hold of is the nearest. */
+  /** If handles are close together, the nearest one is dragged. */
   #nearestTo(event: PointerEvent): SVGCircleElement | undefined {
     const { left, top } = this.#root.getBoundingClientRect();
     const distance = ({ handle }: PlacedHandle): number => {
@@ -216,7 +217,7 @@ export class Overlay {
   }
 }
 
-/** How high a point in 3D is above a level: a line straight down. Nothing in 2D. */
+/** Shows the height of a 3D point above a level by a vertical line; nothing in 2D. */
 export function plumb([x = 0, y = 0, z]: readonly number[], level: number): Mark[] {
   if (z === undefined) return [];
   const foot = [x, y, level];

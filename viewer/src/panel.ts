@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands beside the stage: words, controls and figures.
+// The panel beside the stage: text, controls and figures.
 import { element } from "./dom";
 
 export interface SliderOptions {
@@ -8,7 +8,7 @@ export interface SliderOptions {
   readonly most: number;
   readonly step?: number;
   readonly value: number;
-  /** Steps go by factors of ten instead of by equal amounts. */
+  /** Steps are multiplicative instead of additive. */
   readonly logarithmic?: boolean;
   readonly text?: (value: number) => string;
   readonly onInput: (value: number) => void;
@@ -55,7 +55,7 @@ export function choice<Word extends string>(
   return element("div", { class: "choice", role: "group", "aria-label": label }, ...buttons);
 }
 
-/** The choice between 2D and 3D, the usual one first. */
+/** The choice between 2D and 3D, the default first. */
 export function dimensionChoice(words: readonly [2 | 3, 2 | 3], chosen: 2 | 3, onChoose: (dimension: 2 | 3) => void): HTMLElement {
   const texts = words.map((word) => [String(word), `${word}D`] as const);
   return choice<string>("Dimension", texts, String(chosen), (word) => onChoose(word === "3" ? 3 : 2));
@@ -66,7 +66,7 @@ export function title(text: string): HTMLElement {
   return element("h1", {}, text);
 }
 
-/** A box to tick. */
+/** A checkbox. */
 export function toggle(label: string, on: boolean, onToggle: (on: boolean) => void): HTMLElement {
   const input = element("input", { type: "checkbox", checked: on });
   input.addEventListener("change", () => onToggle(input.checked));
@@ -81,17 +81,17 @@ export function row(...children: (Node | string)[]): HTMLElement {
   return element("div", { class: "row" }, ...children);
 }
 
-/** A heading with what belongs to it. */
+/** A heading and its content. */
 export function section(heading: string, ...children: (Node | string)[]): HTMLElement {
   return element("section", {}, element("h2", {}, heading), ...children);
 }
 
-/** Figures with names, each of which is written again whenever it changes. */
+/** Named figures that are updated in place. */
 export class Figures {
   readonly root = element("dl", { class: "figures" });
   readonly #values = new Map<string, HTMLElement>();
 
-  /** `id` is for whoever reads the page by program. */
+  /** `id` identifies the figure for tests. */
   set(id: string, label: string, value: string): void {
     let shown = this.#values.get(id);
     if (shown === undefined) {

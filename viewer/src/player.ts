@@ -3,7 +3,7 @@
 import { button, row } from "./panel";
 import type { Stage } from "./stage";
 
-/** Steps are this long in the world, however long they take to calculate. */
+/** The duration of a step in the world, independent of the time to calculate it. */
 export const stepSeconds = 1 / 60;
 
 export class Player {
@@ -14,7 +14,8 @@ export class Player {
   readonly #play: HTMLButtonElement;
   #isPlaying: boolean;
 
-  /** What moves by itself is still at first where the system asks for little motion. `single` is what the button for one step does; a step if left out. */
+  /** Animations start paused if the system requests reduced motion. `single` is called by the button for one step; by
+   * default it makes a step. */
   constructor(stage: Stage, isPlaying: boolean, step: () => void, single = step) {
     this.#stage = stage;
     this.#step = step;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-/** Numbers from 0 to below 1 that are the same in every browser: mulberry32 by Tommy Ettinger, public domain. */
+/** Numbers from 0 to below 1, the same in every browser: mulberry32 by Tommy Ettinger, public domain. */
 export function randomNumbers(seed: number): () => number {
   let state = seed >>> 0;
   return () => {

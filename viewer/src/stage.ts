@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The place where everything is drawn: one canvas, a flat view (orthographic, y up) and a deep one (perspective, z up).
+// The drawing area: one canvas with a 2D view (orthographic, y up) and a 3D view (perspective, z up).
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
@@ -8,12 +8,12 @@ import type { Palette, Theme } from "./theme";
 
 export type Point2 = readonly [number, number];
 
-/** The camera of a 3D view looks at the floor from so far above it at least: an angle in radians, and a share of the height
- * of what is shown. */
+/** The minimum height of the 3D camera above the floor: an elevation angle in radians, and a fraction of the height of
+ * the scene. */
 const leastAngle = 0.04;
 const leastHeight = 0.12;
 
-/** What a view shows when it opens, or after "fit": a box in 2D or 3D. */
+/** What a view shows initially and after "fit": a box in 2D or 3D. */
 export interface Extent {
   readonly min: readonly number[];
   readonly max: readonly number[];
@@ -21,9 +21,9 @@ export interface Extent {
 
 export class Stage {
   readonly canvas: HTMLCanvasElement;
-  /** What a chapter draws; emptied when the next one opens. */
+  /** The objects that a chapter draws; cleared when the next one opens. */
   readonly world = new THREE.Group();
-  /** Called whenever the view has moved, whatever is open; what lies over the drawing follows. */
+  /** Called whenever the view has moved, independent of the chapter, to update the overlay. */
   afterView: (() => void) | undefined;
 
   readonly #renderer: THREE.WebGLRenderer;
@@ -37,7 +37,7 @@ export class Stage {
   #extent: Extent = { min: [-1, -1], max: [1, 1] };
   #yDown = false;
   #queued = false;
-  /** Whether what is drawn has changed since its shadows were cast. */
+  /** Whether the scene has changed since its shadows were rendered. */
   #isChanged = true;
   #onFrame: ((now: number) => boolean) | undefined;
   #onView: (() => void)[] = [];
@@ -75,21 +75,21 @@ export class Stage {
     return this.#extent;
   }
 
-  /** What is unbounded is drawn there only. */
+  /** Unbounded shapes are drawn only inside this box. */
   isInExtent(point: readonly number[]): boolean {
     const { min, max } = this.#extent;
     const slack = 1e-6 * Math.max(...max.map((high, axis) => high - (min[axis] ?? 0)));
     return point.every((value, axis) => value >= (min[axis] ?? value) - slack && value <= (max[axis] ?? value) + slack);
   }
 
-  /** Takes away all that the last chapter drew and heard. */
+  /** Removes everything that the last chapter drew, and its listeners. */
   clear(): void {
     this.clearDrawing();
     this.#onFrame = undefined;
     this.canvas.style.cursor = "";
   }
 
-  /** Takes away what was drawn, and those who follow the view and the theme for its sake. */
+  /** Removes what was drawn, and the listeners to view and theme that belong to it. */
   clearDrawing(): void {
     this.world.traverse((object) => {
       if (object instanceof THREE.Mesh || object instanceof THREE.Line || object instanceof THREE.Points) {
@@ -102,7 +102,7 @@ export class Stage {
     this.#onTheme = [];
   }
 
-  /** Looks at a 2D world from above. */
+  /** Shows a 2D world. */
   showFlat(extent: Extent, yDown = false): void {
     this.#isFlat = true;
     this.#yDown = yDown;
@@ -111,7 +111,7 @@ export class Stage {
     this.fit();
   }
 
-  /** Looks at a 3D world from a corner; z is up, and the lower end of the extent the floor. */
+  /** Shows a 3D world from a corner; z is up, and the lower end of the extent is the floor. */
   showDeep(extent: Extent): void {
     this.#isFlat = false;
     this.#extent = extent;
@@ -119,7 +119,7 @@ export class Stage {
     this.fit();
   }
 
-  /** Shows all of the extent, or all of another one. */
+  /** Shows the whole extent, or another one. */
   fit(extent: Extent = this.#extent): void {
     const [minX = 0, minY = 0, minZ = 0] = extent.min;
     const [maxX = 0, maxY = 0, maxZ = 0] = extent.max;
@@ -132,18 +132,18 @@ export class Stage {
     this.#viewChanged();
   }
 
-  /** How many pixels a unit of the plane takes. */
+  /** Pixels per unit in 2D. */
   get pixelsPerUnit(): number {
     return (this.#flat.zoom * this.#height) / (this.#flat.top - this.#flat.bottom);
   }
 
-  /** The point of the plane under the pointer. */
+  /** The 2D point under the pointer. */
   planePoint(event: { clientX: number; clientY: number }): Point2 {
     const point = this.#normalised(event).unproject(this.#flat);
     return [point.x, point.y];
   }
 
-  /** The line of sight under the pointer, in space. */
+  /** The 3D line of sight under the pointer. */
   sightLine(event: { clientX: number; clientY: number }): { origin: THREE.Vector3; direction: THREE.Vector3 } {
     const caster = new THREE.Raycaster();
     const point = this.#normalised(event);
@@ -151,8 +151,8 @@ export class Stage {
     return caster.ray;
   }
 
-  /** The point under the pointer as far away as another: in space on the plane through it that faces the eye or, `level`, on
-   * the level one. Where that is seen from its edge, the other point itself. */
+  /** The point under the pointer at the same distance as another point: in 3D on the plane through it that faces the
+   * camera or, if `level`, on the horizontal one. If that plane is seen edge-on, the other point itself. */
   pointAt(event: { clientX: number; clientY: number }, through: readonly number[], level = false): number[] {
     if (this.#isFlat) return [...this.planePoint(event)];
     const place = new THREE.Vector3(through[0], through[1], through[2] ?? 0);
@@ -162,24 +162,24 @@ export class Stage {
     return (new THREE.Ray(origin, direction).intersectPlane(plane, new THREE.Vector3()) ?? place).toArray();
   }
 
-  /** The same for a place in pixels of the stage. */
+  /** The same for a position in pixels of the stage. */
   pointAtPixels([x, y]: Point2, through: readonly number[], level = false): number[] {
     const { left, top } = this.canvas.getBoundingClientRect();
     return this.pointAt({ clientX: left + x, clientY: top + y }, through, level);
   }
 
-  /** Where a point is seen, in pixels of the stage. */
+  /** The screen position of a point, in pixels of the stage. */
   toPixels(point: readonly number[]): Point2 {
     const seen = new THREE.Vector3(point[0], point[1], point[2] ?? 0).project(this.#camera);
     return [((seen.x + 1) / 2) * this.#width, ((1 - seen.y) / 2) * this.#height];
   }
 
-  /** Where the eye looks to, of length 1. */
+  /** The direction of view, of length 1. */
   get sight(): number[] {
     return this.#camera.getWorldDirection(new THREE.Vector3()).toArray();
   }
 
-  /** How long a pixel is at a point, in units of the world. */
+  /** The size of a pixel at a point, in world units. */
   lengthOfPixel(at: readonly number[]): number {
     if (this.#isFlat) return 1 / this.pixelsPerUnit;
     const height = 2 * Math.tan(THREE.MathUtils.degToRad(this.#deep.fov / 2)) * (this.#depthOf(at) + this.#deep.near);
@@ -190,7 +190,7 @@ export class Stage {
     return this.#isFlat || this.#depthOf(point) > 0;
   }
 
-  /** The part of a line that lies before the eye; nothing if none does. */
+  /** The part of a line in front of the camera; undefined if there is none. */
   partBeforeEye(a: readonly number[], b: readonly number[]): [readonly number[], readonly number[]] | undefined {
     if (this.#isFlat) return [a, b];
     const [depthA, depthB] = [this.#depthOf(a), this.#depthOf(b)];
@@ -201,7 +201,7 @@ export class Stage {
     return depthA > 0 ? [a, cut] : [cut, b];
   }
 
-  /** The part of the plane that is seen. */
+  /** The visible part of a 2D world. */
   seenPlane(): Extent {
     const a = new THREE.Vector3(-1, -1, 0).unproject(this.#flat);
     const b = new THREE.Vector3(1, 1, 0).unproject(this.#flat);
@@ -225,7 +225,7 @@ export class Stage {
     this.#viewChanged();
   }
 
-  /** Turns the view in space; moves it in the plane. Steps are in tenths of what is seen. */
+  /** Rotates a 3D view or pans a 2D view. Steps are tenths of the view. */
   nudge(right: number, up: number): void {
     const offset = this.#camera.position.clone().sub(this.#controls.target);
     if (this.#isFlat) {
@@ -244,13 +244,13 @@ export class Stage {
     this.#viewChanged();
   }
 
-  /** Called before each picture while something moves; it says whether there is a next one. */
+  /** Called before each frame of an animation; returns whether it continues. */
   animate(frame: (now: number) => boolean): void {
     this.#onFrame = frame;
     this.invalidate();
   }
 
-  /** Called when the view has moved or the canvas has another size. */
+  /** Called when the view or the size of the canvas has changed. */
   onView(listener: () => void): void {
     this.#onView.push(listener);
   }
@@ -259,7 +259,7 @@ export class Stage {
     this.#onTheme.push(listener);
   }
 
-  /** Draws again, soon and once, because what is drawn has changed. */
+  /** Requests one redraw because the scene has changed. */
   invalidate(): void {
     this.#isChanged = true;
     this.#drawSoon();
@@ -283,7 +283,7 @@ export class Stage {
     return this.#isFlat ? this.#flat : this.#deep;
   }
 
-  /** How far beyond the nearest that is drawn a point of space lies. */
+  /** The distance of a 3D point beyond the near plane. */
   #depthOf([x = 0, y = 0, z = 0]: readonly number[]): number {
     const sight = this.#deep.getWorldDirection(new THREE.Vector3());
     return new THREE.Vector3(x, y, z).sub(this.#deep.position).dot(sight) - this.#deep.near;
@@ -313,7 +313,7 @@ export class Stage {
     this.#flat.updateProjectionMatrix();
   }
 
-  /** As near as all corners of the extent are still seen. */
+  /** As close as possible with all corners of the extent visible. */
   #fitDeep(center: THREE.Vector3, size: THREE.Vector3): void {
     const radius = size.length() / 2 || 1;
     const back = new THREE.Vector3(-0.62, -0.92, 0.62).normalize();
@@ -366,7 +366,7 @@ export class Stage {
     this.#controls = this.#controlsFor(camera);
   }
 
-  /** What is asked of the camera from now on is asked of where it is, not of where the last picture was taken from. */
+  /** Updates the camera's matrices, which otherwise are those of the last frame, and notifies listeners. */
   #viewChanged(): void {
     if (!this.#isFlat) this.#stayAboveFloor();
     this.#camera.updateMatrixWorld();
@@ -375,7 +375,7 @@ export class Stage {
     this.#drawSoon();
   }
 
-  /** Lifts the camera, and what it looks at, where it was moved too low. */
+  /** Lifts the camera and its target if they were moved too low. */
   #stayAboveFloor(): void {
     const [floor = 0, top = 0] = [this.#extent.min[2], this.#extent.max[2]];
     const lift = floor + leastHeight * (top - floor) - this.#deep.position.z;

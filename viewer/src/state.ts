@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The address bar holds what is seen: #chapter?name=value&... . Opening such a link shows the same again.
+// The address bar contains the state of the view: #chapter?name=value&... . Opening such a link restores it.
 import { rounded } from "./numbers";
 
 export interface Place {
@@ -7,7 +7,7 @@ export interface Place {
   readonly parameters: URLSearchParams;
 }
 
-/** What the address says; the chapter is "" when it says nothing. */
+/** The content of the address; the chapter is "" if none is given. */
 export function readPlace(hash: string): Place {
   const text = hash.replace(/^#/, "");
   const question = text.indexOf("?");
@@ -15,7 +15,7 @@ export function readPlace(hash: string): Place {
   return { chapter: text.slice(0, question), parameters: new URLSearchParams(text.slice(question + 1)) };
 }
 
-/** The address of a place, with the marks that keep numbers legible left as they are. */
+/** The address of a state; characters that keep numbers readable are not escaped. */
 export function hashOf(place: Place): string {
   const query = place.parameters
     .toString()
@@ -25,12 +25,12 @@ export function hashOf(place: Place): string {
   return query === "" ? `#${place.chapter}` : `#${place.chapter}?${query}`;
 }
 
-/** Writes the address of what is seen, at most a few times a second: browsers refuse more. */
+/** Writes the state to the address at most a few times a second, because browsers refuse more. */
 export class AddressBar {
   #pending: number | undefined;
   #written = "";
 
-  /** True while the address is one that we wrote ourselves. */
+  /** True while the address is one that this class wrote. */
   isOwn(hash: string): boolean {
     return hash === this.#written;
   }
@@ -40,20 +40,20 @@ export class AddressBar {
     const before = location.hash;
     this.#pending = window.setTimeout(() => {
       this.#pending = undefined;
-      if (location.hash !== before) return; // the reader has gone elsewhere, and the page is about to hear of it
+      if (location.hash !== before) return; // the reader has navigated, and the page is about to be notified
       this.#written = hashOf(place());
       history.replaceState(null, "", this.#written);
     }, 250);
   }
 
-  /** Forgets what was to be written, because the reader has gone elsewhere. */
+  /** Discards a pending write, because the reader has navigated. */
   forget(): void {
     window.clearTimeout(this.#pending);
     this.#pending = undefined;
   }
 }
 
-/** A finite number from a link, kept within limits; the fallback when there is none. */
+/** A finite number from a link, clamped to limits; the fallback if there is none. */
 export function numberOf(parameters: URLSearchParams, name: string, limits: NumberLimits): number {
   const text = parameters.get(name);
   const value = text === null || text.trim() === "" ? Number.NaN : Number(text);
@@ -63,7 +63,7 @@ export function numberOf(parameters: URLSearchParams, name: string, limits: Numb
 
 const axes = ["x", "y", "z"] as const;
 
-/** A point of as many numbers as the usual one: x, y and z, each after a prefix, from a link. */
+/** A point with as many coordinates as the default: x, y and z, each after a prefix, from a link. */
 export function pointOf(parameters: URLSearchParams, prefix: string, usual: readonly number[]): readonly number[] {
   return usual.map((value, axis) => numberOf(parameters, `${prefix}${axes[axis] ?? ""}`, { least: -1e6, most: 1e6, usual: value }));
 }
@@ -78,7 +78,7 @@ export interface NumberLimits {
   readonly usual: number;
 }
 
-/** One of the known words from a link; the first of them when it says something else. */
+/** One of the known words from a link; the first of them for anything else. */
 export function wordOf<Word extends string>(
   parameters: URLSearchParams,
   name: string,

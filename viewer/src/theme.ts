@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Colours, light and dark, those of the pictures that `graze check --svg` draws: free shapes are blue-grey, overlapping ones
-// vermillion (Okabe and Ito, "Color Universal Design", 2008), touching ones a calmer green. Patterns tell them apart as well:
-// lines over what overlaps, dots over what touches.
+// Colours for light and dark mode, as in the pictures of `graze check --svg`: free shapes are blue-grey, overlapping
+// ones vermillion (Okabe and Ito, "Color Universal Design", 2008), touching ones a muted green. Patterns distinguish
+// them as well: hatching on overlapping and dots on touching shapes.
 
-/** The colours that are drawn in WebGL; style.css holds them for both themes, and those of the page beside them. */
+/** The colours used in WebGL; style.css defines them for both themes, together with those of the page. */
 const drawn = [
   "ground",
   "grid",
@@ -24,7 +24,7 @@ const drawn = [
 
 export type Palette = Readonly<Record<(typeof drawn)[number], string>>;
 
-/** Whether the ground is dark, where shadows have to be deeper and large areas paler. */
+/** Whether the background is dark; then shadows are darker and large areas paler. */
 export function isDark(palette: Palette): boolean {
   const [red = 0, green = 0, blue = 0] = [1, 3, 5].map((at) => Number.parseInt(palette.ground.slice(at, at + 2), 16));
   return red + green + blue < 384;
@@ -33,7 +33,7 @@ export function isDark(palette: Palette): boolean {
 type Mode = "light" | "dark";
 const storageKey = "graze-theme";
 
-/** The theme in use: the reader's switch, or what the system prefers. */
+/** The current theme: the reader's choice, or the system's preference. */
 export class Theme {
   #mode: Mode;
   #palette: Palette;
@@ -63,7 +63,7 @@ export class Theme {
     try {
       localStorage.setItem(storageKey, mode);
     } catch {
-      // A page opened from a file may have no storage; the switch then lasts as long as the page.
+      // A page opened from a file may have no storage; the choice then lasts as long as the page.
     }
     this.#use(mode);
   }

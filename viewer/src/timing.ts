@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Times of what takes less than a browser's clock resolves, which is a tenth of a millisecond.
+// Measures times below the resolution of a browser's clock, which is a tenth of a millisecond.
 
-/** Long enough to be measured to some percent, short enough not to be felt. */
+/** Long enough for an accuracy of a few percent, short enough not to be noticed. */
 const leastTotal = 2;
 const mostRepeats = 200;
 
-/** Milliseconds that an action takes, repeated until the clock can tell; the mean. It must change nothing. */
+/** The mean time of an action in milliseconds, repeated until it is measurable. The action must not change anything. */
 export function timeOf(action: () => void): number {
   const start = performance.now();
   let spent = 0;

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Which of a few shapes the pointer takes hold of, as the engine says.
+// Determines which shape is under the pointer, using the engine.
 import type { Scene, Shape } from "graze";
 
 import type { Stage } from "./stage";
 import { plus, times } from "./vectors";
 
-/** How near to a line or a point the pointer has to be to take hold of it, in pixels. */
+/** Lines and points react to the pointer within this distance, in pixels. */
 const reach = 7;
 
 export interface Under {
   readonly id: number;
-  /** The point that is held. */
+  /** The point of the shape under the pointer. */
   readonly at: readonly number[];
 }
 
-/** The topmost shape within reach of the pointer, in space the first on the line of sight; half-spaces and planes of space
- * only where nothing else is. */
+/** The topmost shape within reach of the pointer, in 3D the first on the line of sight; half-spaces and 3D planes only
+ * if there is nothing else. */
 export function under(stage: Stage, scene: Scene, event: { clientX: number; clientY: number }): Under | undefined {
   return stage.isFlat ? underInPlane(stage, scene, event) : underInSpace(stage, scene, event);
 }
@@ -38,7 +38,7 @@ function underInSpace(stage: Stage, scene: Scene, event: { clientX: number; clie
   return hit === undefined ? undefined : { id: hit.id, at: hit.point };
 }
 
-/** Lines and points, which no line of sight hits, are taken hold of where they are seen. */
+/** Lines and points, which a line of sight cannot hit, are tested in screen space. */
 function thinUnder(stage: Stage, scene: Scene, event: { clientX: number; clientY: number }): Under | undefined {
   const { left, top } = stage.canvas.getBoundingClientRect();
   const pointer = [event.clientX - left, event.clientY - top] as const;
@@ -57,7 +57,7 @@ function endsOf(shape: Shape): readonly number[][] {
   return shape.type === "ray" ? [Array.from(shape.origin), plus(Array.from(shape.origin), Array.from(shape.direction))] : [];
 }
 
-/** The point of a line that is seen within reach of the pointer; the share of the way is that of the picture. */
+/** The point of a line within reach of the pointer on screen; interpolated linearly in screen space. */
 function nearestAsSeen(stage: Stage, pointer: readonly [number, number], ends: readonly [number[], number[]]): number[] | undefined {
   const [from, to] = ends;
   if (!stage.isBeforeEye(from) || !stage.isBeforeEye(to)) return undefined;

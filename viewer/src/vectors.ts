@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors of two or of three numbers. Both sides of a sum have as many.
+// Vectors of two or three numbers. Both operands have the same length.
 
 export function plus<V extends readonly number[]>(a: V, b: V): V {
   return mapped(a, (value, axis) => value + (b[axis] ?? 0));
@@ -26,7 +26,7 @@ export function lengthOf(a: readonly number[]): number {
   return Math.hypot(...a);
 }
 
-/** As many numbers as before, which the type of a tuple does not know. */
+/** The type checker cannot tell that the length is unchanged. */
 function mapped<V extends readonly number[]>(a: V, map: (value: number, axis: number) => number): V {
   return a.map(map) as unknown as V;
 }

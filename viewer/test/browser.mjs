@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the viewer share: the built page on an address of this machine, a browser, and the program graze.
+// Shared by the tests of the viewer: the built page, served on this machine, a browser, and the program graze.
 import { execFileSync } from "node:child_process";
 import { existsSync, statSync } from "node:fs";
 import { readFile } from "node:fs/promises";
@@ -15,7 +15,7 @@ export const viewer = `${root}build/web/viewer/`;
 const browserProgram = process.env.GRAZE_BROWSER ?? "/usr/bin/chromium";
 const types = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm" };
 
-/** The program, to compare with: $GRAZE_PROGRAM, else the one that was built last of the usual ones. */
+/** The program to compare with: $GRAZE_PROGRAM, otherwise the most recently built one. */
 export function program() {
   const named = process.env.GRAZE_PROGRAM;
   const places = named === undefined ? ["release", "gcc", "debug"].map((name) => `${root}build/${name}/bin/graze`) : [named];
@@ -25,7 +25,7 @@ export function program() {
   return found;
 }
 
-/** What the program writes to the standard output. */
+/** The standard output of the program. */
 export function graze(...options) {
   const env = { ...process.env, GRAZE_REPORT_TEMPLATE: `${viewer}report.html` };
   return execFileSync(program(), options, { encoding: "utf8", env, maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"] });
@@ -56,7 +56,7 @@ export function openBrowser() {
   });
 }
 
-/** A page whose complaints and requests are written down. */
+/** A page whose errors and requests are recorded. */
 export async function openPage(browser, address, options = {}) {
   const page = await browser.newPage({ viewport: { width: 1000, height: 640 }, colorScheme: "light", ...options });
   const heard = { complaints: [], requests: [] };
@@ -70,17 +70,17 @@ export async function openPage(browser, address, options = {}) {
   return { page, heard };
 }
 
-/** What a figure of the panel says. */
+/** The text of a figure in the panel. */
 export function figure(page, id) {
   return page.locator(`#figure-${id}`).textContent();
 }
 
-/** A whole number as the page writes it, with thin spaces. */
+/** An integer as the page shows it, with thin spaces. */
 export async function numberIn(page, id) {
   return Number((await figure(page, id)).replaceAll(/\s/g, ""));
 }
 
-/** Where a handle of the overlay is on the page. */
+/** The position of an overlay handle on the page. */
 export async function placeOf(page, key) {
   const box = await page.locator(`#overlay circle[data-key="${key}"]`).boundingBox();
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
@@ -94,7 +94,7 @@ export async function drag(page, from, to) {
   await page.mouse.up();
 }
 
-/** The colour of a point of the page as it is seen: red, green, blue. */
+/** The colour of a pixel of the page: red, green, blue. */
 export async function colourAt(page, { x, y }) {
   const picture = (await page.screenshot({ clip: { x, y, width: 1, height: 1 } })).toString("base64");
   return page.evaluate(async (data) => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cookbook's links to the viewer: each names a tab, and that tab shows all that the link says.
+// The cookbook's links to the viewer: each names a tab, and opening it shows the state in the link.
 import assert from "node:assert/strict";
 import { readdir, readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
@@ -15,7 +15,7 @@ after(async () => {
   server?.close();
 });
 
-/** The links of the cookbook, as [page, what follows the address of the viewer]. */
+/** The links of the cookbook, as [page, text after the address of the viewer]. */
 async function links() {
   const folder = `${root}docs/cookbook/`;
   const found = [];
@@ -26,7 +26,7 @@ async function links() {
   return found;
 }
 
-/** What an address says: the tab, and each parameter with its words and its numbers, however these are written. */
+/** The content of an address: the tab, and for each parameter its words and numbers, independent of their notation. */
 function saidBy(hash) {
   const [tab, query = ""] = hash.slice(1).split("?");
   const parameters = [...new URLSearchParams(query)].map(([name, text]) => {
@@ -36,7 +36,7 @@ function saidBy(hash) {
   return { tab, parameters: new Map(parameters) };
 }
 
-test("every link of the cookbook opens its tab, which then says the same in the address", async () => {
+test("every link of the cookbook opens its tab, whose address then has the same content", async () => {
   const all = await links();
   assert.ok(all.length >= 30);
   const { page, heard } = await openPage(browser, server.address);

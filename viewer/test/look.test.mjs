@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What everybody can see and reach: contrast, headings, sizes, labels, and a camera that stays above the floor.
+// Appearance and accessibility: contrast, headings, sizes, labels, and a camera that stays above the floor.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 
@@ -21,7 +21,7 @@ const tabs = [
 ];
 const phone = { viewport: { width: 390, height: 760 }, hasTouch: true, isMobile: true };
 
-/** Runs a check on every tab, each on a page of its own. */
+/** Runs a check on every tab, each on a new page. */
 async function onEachTab(check, options) {
   for (const tab of tabs) {
     const { page } = await openPage(browser, `${server.address}${tab}`, options);
@@ -33,8 +33,8 @@ async function onEachTab(check, options) {
   }
 }
 
-/** In the page: every text of the header, the panel and the caption whose contrast with what is behind it is below 4.5
- * (WCAG 2, success criterion 1.4.3); disabled controls aside. */
+/** Runs in the page: finds every text of the header, the panel and the caption whose contrast with its background is
+ * below 4.5 (WCAG 2, success criterion 1.4.3), except disabled controls. */
 function textsOfLowContrast() {
   const channels = (colour) => {
     const context = Object.assign(document.createElement("canvas"), { width: 1, height: 1 }).getContext("2d");
@@ -66,7 +66,7 @@ function textsOfLowContrast() {
   return poor;
 }
 
-/** Also of tags under the pointer and in a chosen row. */
+/** Includes hovered tags and tags in a selected row. */
 async function checkContrast(page, tab) {
   assert.deepEqual(await page.evaluate(textsOfLowContrast), [], tab);
   const row = page.locator(".list button:is(.touching, .overlapping):visible").first();
@@ -77,14 +77,14 @@ async function checkContrast(page, tab) {
   assert.deepEqual(await page.evaluate(textsOfLowContrast), [], `${tab}, a chosen row`);
 }
 
-/** One heading of the first rank, and no rank is left out. */
+/** There is one first-level heading, and no level is skipped. */
 async function checkHeadings(page, tab) {
   const ranks = await page.locator("h1, h2, h3, h4").evaluateAll((all) => all.filter((one) => one.closest("dialog") === null).map((one) => Number(one.tagName[1])));
   assert.equal(ranks[0], 1, tab);
   assert.deepEqual(ranks.slice(1).filter((rank) => rank !== 2), [], tab);
 }
 
-/** Buttons of a choice keep to one line and to their panel, with all of their text. */
+/** The buttons of a choice stay on one line and inside their panel, with all of their text. */
 async function checkChoices(page, tab) {
   const broken = await page.locator(".choice").evaluateAll((choices) =>
     choices.filter((one) => one.getClientRects().length > 0).flatMap((one) => {
@@ -98,7 +98,7 @@ async function checkChoices(page, tab) {
   assert.deepEqual(broken, [], tab);
 }
 
-/** Labels lie off the handles and within the picture. */
+/** Labels do not cover handles and stay inside the picture. */
 async function checkLabels(page, tab) {
   const bad = await page.evaluate(() => {
     const stage = document.querySelector("#overlay").getBoundingClientRect();
@@ -113,7 +113,7 @@ async function checkLabels(page, tab) {
   assert.deepEqual(bad, [], tab);
 }
 
-/** What a finger is to reach is at least 32 pixels wide and high. */
+/** Touch targets are at least 32 pixels wide and high. */
 async function checkTargets(page, tab) {
   const small = await page.evaluate(() => {
     const targets = document.querySelectorAll("a, button, label, input:not([type=checkbox]):not([hidden]), #overlay [role=button]");
@@ -125,7 +125,7 @@ async function checkTargets(page, tab) {
   assert.deepEqual(small, [], tab);
 }
 
-test("in the light every text has a contrast of 4.5:1, ranks of headings are right, choices keep to a line and labels off handles", async () => {
+test("in light mode every text has a contrast of 4.5:1, heading levels are right, choices stay on one line and labels off handles", async () => {
   await onEachTab(async (page, tab) => {
     await checkHeadings(page, tab);
     await checkChoices(page, tab);
@@ -134,11 +134,11 @@ test("in the light every text has a contrast of 4.5:1, ranks of headings are rig
   });
 });
 
-test("in the dark every text has a contrast of 4.5:1", async () => {
+test("in dark mode every text has a contrast of 4.5:1", async () => {
   await onEachTab(checkContrast, { colorScheme: "dark" });
 });
 
-test("on a phone what is to be reached is 32 pixels wide and high, choices keep to a line and labels to the picture", async () => {
+test("on a phone touch targets are 32 pixels wide and high, choices stay on one line and labels inside the picture", async () => {
   await onEachTab(async (page, tab) => {
     await checkTargets(page, tab);
     await checkChoices(page, tab);
@@ -146,7 +146,7 @@ test("on a phone what is to be reached is 32 pixels wide and high, choices keep 
   }, phone);
 });
 
-test("nothing moves by itself where the system asks for little motion, until play is pressed", async () => {
+test("nothing moves if the system requests reduced motion, until play is pressed", async () => {
   for (const tab of ["#trees", "#broad-phase?count=300&crowd=3&play=yes"]) {
     const { page } = await openPage(browser, `${server.address}${tab}`, { reducedMotion: "reduce" });
     const shown = () => page.locator("#panel .figures").textContent();
@@ -160,10 +160,10 @@ test("nothing moves by itself where the system asks for little motion, until pla
   }
 });
 
-test("the camera stays above the floor, however it is dragged, moved and turned", async () => {
+test("the camera stays above the floor, however it is dragged, moved and rotated", async () => {
   const hash = "#rays?dimension=3&x=-2&y=-2.6&z=1&to-x=2&to-y=2.6&to-z=1&shapes=sphere:0,0,5,0.1";
   const { page } = await openPage(browser, `${server.address}${hash}`);
-  /** Of two points of the floor the nearer is seen lower, as long as the eye is above it. */
+  /** Of two points of the floor, the nearer one appears lower as long as the camera is above the floor. */
   const isAbove = async () => {
     const feet = await page.locator("#overlay .hollow").evaluateAll((dots) => dots.map((dot) => Number(dot.getAttribute("cy"))));
     assert.equal(feet.length, 2);
@@ -189,7 +189,7 @@ test("the camera stays above the floor, however it is dragged, moved and turned"
 });
 
 test("in 3D shapes cast shadows on the floor", async () => {
-  // The lamp is beyond (-0.35, -0.55, 0.75): the shadow of a sphere 1 above the floor lies (0.47, 0.73) beside it.
+  // The lamp is in direction (-0.35, -0.55, 0.75): the shadow of a sphere 1 above the floor is offset by (0.47, 0.73).
   const brightness = async (x, y) => {
     const { page } = await openPage(browser, `${server.address}#closest-points?dimension=3&show=nearest&shapes=sphere:0,0,1,0.8&x=${x}&y=${y}&z=0`);
     const { x: left, y: top } = await placeOf(page, "probe");

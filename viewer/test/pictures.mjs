@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Takes the pictures of docs/pictures/viewer_*.png: `npm run pictures`, then look at them.
+// Creates the pictures docs/pictures/viewer_*.png: run `npm run pictures` and check them.
 import { openBrowser, openPage, root, serveViewer } from "./browser.mjs";
 
-/** Where much is drawn, so that no picture has more than 200 kB. */
+/** Used for busy drawings, so that no picture exceeds 200 kB. */
 const small = { viewport: { width: 940, height: 600 } };
 
 const views = [

@@ -14,7 +14,7 @@ after(async () => {
   server?.close();
 });
 
-/** Runs a test on a page of its own, which must not complain. */
+/** Runs a test on a new page, which must not report errors. */
 async function on(hash, body, options) {
   const { page, heard } = await openPage(browser, `${server.address}${hash}`, options);
   try {
@@ -37,7 +37,7 @@ const chapters = ["intersections", "closest-points", "rays", "bounding-volumes",
 const twoCircles = "#intersections?shapes=sphere:-2,0,1;sphere:2,0,1";
 const isOrange = ([red, green, blue]) => red > 200 && red - blue > 60 && green > blue;
 
-test("every tab opens without complaints, fills the panel and asks nobody but its own address", async () => {
+test("every tab opens without errors, fills the panel and requests nothing from other hosts", async () => {
   await on("", async (page, heard) => {
     assert.deepEqual(await page.locator("#tabs a").evaluateAll((tabs) => tabs.map((tab) => tab.dataset.chapter)), chapters);
     for (const chapter of chapters) {
@@ -57,7 +57,7 @@ test("every tab opens without complaints, fills the panel and asks nobody but it
   });
 });
 
-test("a drag makes a pair overlap and turn orange, and dragging on parts it again", async () => {
+test("a drag makes a pair overlap and turn orange, and dragging further separates it again", async () => {
   await on(twoCircles, async (page) => {
     assert.equal(await figure(page, "pairs"), "0");
     const [left, right] = [await placeOf(page, "shape-0"), await placeOf(page, "shape-1")];
@@ -73,7 +73,7 @@ test("a drag makes a pair overlap and turn orange, and dragging on parts it agai
   });
 });
 
-test("circles that touch in a point count as a pair, with depth 0, and turn green, not orange", async () => {
+test("circles that touch at a point count as a pair with depth 0 and turn green, not orange", async () => {
   await on("#intersections?shapes=sphere:-1,0,1;sphere:1,0,1", async (page) => {
     assert.equal(await figure(page, "pairs"), "1");
     assert.match(await page.locator("#pairs").textContent(), /touching/);
@@ -84,7 +84,7 @@ test("circles that touch in a point count as a pair, with depth 0, and turn gree
   });
 });
 
-test("the link restores what is seen, also after a drag", async () => {
+test("the link restores the view, also after a drag", async () => {
   await on(twoCircles, async (page) => {
     const left = await placeOf(page, "shape-0");
     await drag(page, left, { x: left.x + 40, y: left.y - 60 });
@@ -100,7 +100,7 @@ test("the link restores what is seen, also after a drag", async () => {
   });
 });
 
-test("a link that is no scene opens the usual one", async () => {
+test("an invalid link opens the default scene", async () => {
   await on("#intersections?shapes=sphere:0,0,-1;nonsense", async (page) => {
     assert.equal(await figure(page, "objects"), "8");
   });
@@ -124,7 +124,7 @@ test("everything works from the keyboard: a chapter, a shape that moves and is r
   });
 });
 
-test("a link that is followed while the address is about to be written is not lost", async () => {
+test("a link followed while a write of the address is pending is not lost", async () => {
   await on("#intersections", async (page) => {
     await page.waitForTimeout(500); // until the address of what was opened is written
     const address = await page.evaluate(async () => {
@@ -158,7 +158,7 @@ test("a ray hits one wall first, and both in order", async () => {
   });
 });
 
-test("a moving circle stops where it first touches a wall, by itself and by turning", async () => {
+test("a moving circle stops at the first contact with a wall, with and without rotation", async () => {
   const wall = "shapes=aabb:2,-3,3,3&x=-2&y=0&to-x=4&to-y=0";
   await on(`#rays?mode=cast&moving=sphere&size=1&${wall}`, async (page) => {
     // The circle has radius 0.8: it touches after 3.2 of 6.
@@ -166,7 +166,7 @@ test("a moving circle stops where it first touches a wall, by itself and by turn
     assert.equal(await figure(page, "hits"), "1");
     await page.getByRole("slider", { name: "Size" }).fill("0.5");
     assert.equal(await figure(page, "t"), "0.6000");
-    await page.getByRole("slider", { name: "Rotation on the way" }).fill("180");
+    await page.getByRole("slider", { name: "Rotation along the path" }).fill("180");
     assert.equal(await figure(page, "t"), "0.6000");
     await page.getByRole("button", { name: "oriented box" }).first().click();
     await page.waitForFunction(() => document.querySelector("#figure-t").textContent !== "0.6000");
@@ -178,7 +178,7 @@ test("a moving circle stops where it first touches a wall, by itself and by turn
   });
 });
 
-test("in 3D a drag makes a pair overlap and turn orange, and the numbers are those of the textbook", async () => {
+test("in 3D a drag makes a pair overlap and turn orange, and the numbers are correct", async () => {
   const isWarm = ([red, green, blue]) => red - blue > 40 && green > blue;
   await on("#intersections?dimension=3&shapes=sphere:-1.5,0,1,1;sphere:1.5,0,1,1&selected=0", async (page) => {
     assert.equal(await figure(page, "pairs"), "0");
@@ -203,7 +203,7 @@ test("in 3D a drag makes a pair overlap and turn orange, and the numbers are tho
   });
 });
 
-test("in 3D a shape is moved, turned, tilted and resized by keys, and the link restores it", async () => {
+test("in 3D a shape is moved, rotated, tilted and resized by keys, and the link restores it", async () => {
   await on("#intersections?dimension=3&shapes=obb:0,0,1,1,0.6,0.4,0,0,0;half_space:0,0,1,0", async (page) => {
     const axes = () => Promise.all([1, 2, 3].map((axis) => figure(page, `axes-${axis}`)));
     const grip = page.locator('#overlay circle[data-key="shape-0"]');
@@ -244,7 +244,7 @@ test("in 3D a shape is moved, turned, tilted and resized by keys, and the link r
   });
 });
 
-test("in 3D rays stop, a lamp lights what it reaches, and what moves stops where it touches", async () => {
+test("in 3D rays stop, a lamp lights what it reaches, and a moving shape stops at its first contact", async () => {
   const walls = "shapes=aabb:1,-1,-1,2,1,1;sphere:4,0,0,1;sphere:0,5,0,1";
   await on(`#rays?dimension=3&mode=first&x=0&y=0&z=0&to-x=1&to-y=0&to-z=0&${walls}`, async (page) => {
     assert.equal(await figure(page, "t"), "1.000");
@@ -255,7 +255,7 @@ test("in 3D rays stop, a lamp lights what it reaches, and what moves stops where
     assert.equal(await page.locator("#caption").textContent(), "720 rays see 2 shapes");
     await follow(page, "#rays?dimension=3&mode=cast&moving=sphere&size=1&shapes=aabb:2,-3,-3,3,3,3&x=-2&y=0&z=1&to-x=4&to-y=0&to-z=1");
     assert.equal(await figure(page, "t"), "0.5333");
-    await page.getByRole("slider", { name: "Rotation on the way" }).fill("180");
+    await page.getByRole("slider", { name: "Rotation along the path" }).fill("180");
     assert.equal(await figure(page, "t"), "0.5333");
     await page.getByRole("button", { name: "oriented box" }).first().click();
     assert.match(await page.locator("#caption").textContent(), /^The oriented box touches box at t = 0\.\d+$/);
@@ -283,7 +283,7 @@ test("in 3D the distance of a point is signed, and points of bounding volumes ca
   });
 });
 
-test("bounding volumes of three points have the sizes of the textbook", async () => {
+test("bounding volumes of three points have the correct sizes", async () => {
   await on("#bounding-volumes?points=0,0;2,0;0,2", async (page) => {
     const area = async (id) => Number((await figure(page, id)).split(" ")[0]);
     assert.equal(await area("box"), 4);
@@ -292,7 +292,7 @@ test("bounding volumes of three points have the sizes of the textbook", async ()
   });
 });
 
-test("a quad tree is cut where capacity says, and a hierarchy finds the same boxes", async () => {
+test("a quad tree splits according to its capacity, and a hierarchy finds the same boxes", async () => {
   await on("#trees?play=no&count=200&capacity=32&depth=8&radius=0.5", async (page) => {
     const [coarse, found] = [await numberIn(page, "cells"), await numberIn(page, "found")];
     assert.ok(found > 0);
@@ -331,7 +331,7 @@ for (const dimension of [2, 3]) {
   });
 }
 
-test("the moving shape starts with a way across the others and something to touch", async () => {
+test("the moving shape starts with a path across the others and something to touch", async () => {
   for (const dimension of [2, 3]) {
     await on(`#rays?dimension=${dimension}`, async (page) => {
       await page.getByRole("button", { name: "Moving shape" }).click();
@@ -344,7 +344,7 @@ test("the moving shape starts with a way across the others and something to touc
   }
 });
 
-test("play goes on by itself and pauses", async () => {
+test("play runs by itself and pauses", async () => {
   await on("#broad-phase?count=300&crowd=3", async (page) => {
     const before = await numberIn(page, "pairs");
     await page.waitForFunction((old) => document.querySelector("#figure-pairs").textContent !== String(old), before);
@@ -355,7 +355,7 @@ test("play goes on by itself and pauses", async () => {
   });
 });
 
-test("a phone's width holds everything, in the dark too", async () => {
+test("everything fits the width of a phone, also in dark mode", async () => {
   const phone = { viewport: { width: 360, height: 740 }, colorScheme: "dark" };
   for (const chapter of chapters) {
     await on(`#${chapter}?play=no&dimension=3`, async (page) => {
@@ -366,7 +366,7 @@ test("a phone's width holds everything, in the dark too", async () => {
   }
 });
 
-test("a finger drags a shape in 3D, and turns the view beside it", async () => {
+test("a finger drags a shape in 3D, and rotates the view beside it", async () => {
   const phone = { viewport: { width: 390, height: 760 }, hasTouch: true, isMobile: true };
   await on("#intersections?dimension=3&shapes=sphere:-1.5,0,1,1;sphere:1.5,0,1,1", async (page) => {
     const session = await page.context().newCDPSession(page);

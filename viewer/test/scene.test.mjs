@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes from files, in the viewer and in reports of one file: what the page counts is what the program counts.
+// Scenes from files, in the viewer and in report pages: the page's counts equal the program's.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { once } from "node:events";
@@ -41,7 +41,7 @@ async function openScene(paths, body) {
   }
 }
 
-/** The boxes of a frame of a recording in the plane, as a table. */
+/** The boxes of a frame of a 2D recording, as a table. */
 function tableOf(bytes, frame) {
   const count = bytes.readInt32LE(256);
   const rows = Array.from({ length: count }, (_, i) => {
@@ -51,7 +51,7 @@ function tableOf(bytes, frame) {
   return ["id,min_x,min_y,max_x,max_y", ...rows].join("\n");
 }
 
-/** The page counts what `graze check` counts. */
+/** The page's counts equal those of `graze check`. */
 async function assertSameCounts(page, path) {
   const report = JSON.parse(graze("check", "--format", "json", path));
   assert.equal(await numberIn(page, "pairs"), report.summary.pairs);
@@ -71,7 +71,7 @@ for (const [name, [scene, ...others]] of Object.entries(files)) {
   });
 }
 
-// The limits are for a machine that draws without a graphics card and is busy with other things.
+// The limits are for a busy machine without a GPU.
 for (const world of ["2d:brownian:100k", "brownian:100k"]) {
   test(`a hundred thousand boxes, ${world}, open and stay usable, and their counts are those of the program`, { timeout: 240_000 }, async () => {
     const path = `${folder}boxes.csv`;
@@ -124,7 +124,7 @@ test("a recording opens, and every frame has the pairs that the program finds in
   });
 });
 
-test("a recording that is cut off is refused in words that help", async () => {
+test("a truncated recording is refused with a helpful message", async () => {
   const path = `${folder}cut.aabbs`;
   graze("generate", "2d:brownian:10", "--frames", "3", "--output", path);
   await writeFile(path, (await readFile(path)).subarray(0, 500));
@@ -136,7 +136,7 @@ test("a recording that is cut off is refused in words that help", async () => {
   });
 });
 
-test("objects with velocities touch frame by frame as graze simulate says", async () => {
+test("objects with velocities touch frame by frame as in graze simulate", async () => {
   const lines = graze("simulate", `${root}data/crossing.json`, "--frames", "200").trimEnd().split("\n").map((line) => JSON.parse(line));
   const { page, heard } = await openPage(browser, `${server.address}#scene?example=crossing&frame=169`);
   assert.equal(await numberIn(page, "pairs"), lines[169].touching);
@@ -153,7 +153,7 @@ test("objects with velocities touch frame by frame as graze simulate says", asyn
   await page.close();
 });
 
-test("a pair that is chosen in the list is selected in the scene, and so is what the search finds", async () => {
+test("a pair chosen in the list is selected in the scene, and so is a search result", async () => {
   await openScene([], async (page) => {
     await page.locator("#pair-list button").first().click();
     assert.equal(await page.locator("#inspector").count(), 2);
@@ -166,7 +166,7 @@ test("a pair that is chosen in the list is selected in the scene, and so is what
   });
 });
 
-test("an object in 3D is moved, resized and turned by handles and by keys, and what it touches follows", async () => {
+test("a 3D object is moved, resized and rotated by handles and keys, and its contacts are updated", async () => {
   const path = `${folder}space.json`;
   const objects = [
     { name: "ball", type: "sphere", center: [0, 0, 0], radius: 1 },
@@ -198,7 +198,7 @@ test("an object in 3D is moved, resized and turned by handles and by keys, and w
   });
 });
 
-test("an object that is pressed on the drawing is selected in the list", async () => {
+test("an object pressed in the drawing is selected in the list", async () => {
   const path = `${folder}two.json`;
   const box = (name, x) => ({ name, type: "aabb", min: [x, 0], max: [x + 1, 1] });
   await writeFile(path, JSON.stringify({ schema: "graze.scene/1", dimension: 2, objects: [box("left", 0), box("right", 3)] }));
@@ -210,7 +210,7 @@ test("an object that is pressed on the drawing is selected in the list", async (
   });
 });
 
-test("what is on a layer that is switched off is neither listed nor found, and a selection is zoomed to", async () => {
+test("objects on a hidden layer are neither listed nor found, and the view zooms to a selection", async () => {
   const path = `${folder}layers.json`;
   const box = (name, x, layer) => ({ name, type: "aabb", min: [x, 0], max: [x + 1, 1], layer });
   const objects = [box("crate", 0, "crates"), box("rock", 0.5, "rocks"), box("far rock", 30, "rocks")];
@@ -241,7 +241,7 @@ test("what is on a layer that is switched off is neither listed nor found, and a
   });
 });
 
-test("a bad file is refused in words that help, and what was shown stays", async () => {
+test("a bad file is refused with a helpful message, and the previous scene stays", async () => {
   const path = `${folder}bad.json`;
   const objects = [{ name: "ball", type: "sphere", center: [0, 0], raduis: 1 }];
   await writeFile(path, JSON.stringify({ schema: "graze.scene/1", dimension: 2, objects }));
@@ -254,7 +254,7 @@ test("a bad file is refused in words that help, and what was shown stays", async
   });
 });
 
-test("a report of one file opens from disk with nothing beside it, whatever names hold", async () => {
+test("a report page opens from disk without other files, whatever names contain", async () => {
   const name = "</script><script>window.broken=1</script><!--";
   const ball = (key, x) => ({ name: key, type: "sphere", center: [x, 0, 0], radius: 1, user: 9007199254740993 });
   const text = JSON.stringify({ schema: "graze.scene/1", dimension: 3, objects: [ball(name, 0), ball("b", 1), ball("c", 5)] });
@@ -271,7 +271,7 @@ test("a report of one file opens from disk with nothing beside it, whatever name
   await page.close();
 });
 
-test("a report that is mailed tells nothing of the folders it was made in", async () => {
+test("a report page does not reveal the folders in which it was made", async () => {
   const scene = `${folder}names.json`;
   graze("check", "--output", `${folder}names.txt`, "--html", `${folder}mailed.html`, scene);
   const page = await readFile(`${folder}mailed.html`, "utf8");
@@ -279,7 +279,7 @@ test("a report that is mailed tells nothing of the folders it was made in", asyn
   assert.ok(page.includes('"source": "names.json"'));
 });
 
-test("a served report is the same page, until the program is ended", async () => {
+test("a served report is the same page, until the program ends", async () => {
   const child = spawn(program(), ["view", `${root}data/workshop.json`], { env: { ...process.env, GRAZE_REPORT_TEMPLATE: `${viewer}report.html` } });
   try {
     const [line] = await once(child.stdout, "data");
@@ -292,7 +292,7 @@ test("a served report is the same page, until the program is ended", async () =>
   }
 });
 
-test("a report of check holds the pairs that were asked for", async () => {
+test("a report of check contains the requested pairs", async () => {
   const scene = `${root}data/platform_level.tmx`;
   const report = JSON.parse(graze("check", "--interior", "--format", "json", scene));
   graze("check", "--interior", "--output", `${folder}level.txt`, "--html", `${folder}level.html`, scene);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bounding volumes: the smallest circle, the quick one, the box and the oriented box of points, side by side.
+// Bounding volumes: the smallest and the fast bounding circle, the box and the oriented box of points, side by side.
 import type { Graze, Shape } from "graze";
 
 import type { Chapter, ChapterContext, OpenChapter } from "../chapter";
@@ -76,7 +76,7 @@ class Bounding implements OpenChapter {
     stage.onTheme(() => this.#draw());
   }
 
-  /** Points along a slanted line, so that volumes differ. */
+  /** Points along a slanted line, so that the volumes differ. */
   #scatter(count: number): number[][] {
     const random = randomNumbers(this.#seed);
     const bell = (): number => random() + random() + random() - 1.5;
@@ -183,7 +183,7 @@ function product(values: readonly number[]): number {
   return values.reduce((result, value) => result * value, 1);
 }
 
-/** The area or volume within the triangles of a drawing: signed cones from the origin. */
+/** The area or volume inside the triangles of a drawing: the sum of signed cones from the origin. */
 function enclosed(drawing: { positions: Float32Array; triangles: Uint32Array }, dimension: 2 | 3): number {
   const corner = (index: number): number[] => {
     const from = (drawing.triangles[index] ?? 0) * dimension;
@@ -198,7 +198,7 @@ function enclosed(drawing: { positions: Float32Array; triangles: Uint32Array }, 
   return Math.abs(sum);
 }
 
-/** The edges of a volume, those that follow one another as one line; a sphere, which has none, as three circles. */
+/** The edges of a volume, connected ones as one polyline; a sphere, which has no edges, as three circles. */
 function linesOf(graze: Graze, shape: Shape, dimension: 2 | 3, look: { tone: Tone; dashed: boolean }): Mark[] {
   if (shape.type === "sphere" && dimension === 3) return circlesOfSphere(shape.center, shape.radius, look);
   const { positions, lines } = graze.drawing(shape, { corners: 96 });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Broad phase at scale: all overlapping pairs among thousands of moving boxes, found anew in every step.
+// Broad phase at scale: all overlapping pairs among thousands of moving boxes, found from scratch in every step.
 import type { PairFinder, PairMethod } from "graze";
 
 import type { Chapter, ChapterContext, OpenChapter } from "../chapter";
@@ -89,7 +89,7 @@ class BroadPhase implements OpenChapter {
     this.#chart.clear();
   }
 
-  /** The world anew, after a control has changed. */
+  /** Recreates the world after a control has changed. */
   #restart(): void {
     this.#finder.delete();
     this.#begin();

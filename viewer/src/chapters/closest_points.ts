@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Shapes and closest points: where a shape is nearest to a point, how far that is, and, from inside, the way out.
+// Shapes and closest points: the point of a shape that is nearest to a query point, its distance and, from inside, the
+// shortest way out.
 import type { Shape } from "graze";
 
 import { Board } from "../board";
@@ -36,7 +37,7 @@ class ClosestPoints implements OpenChapter {
   readonly #board: Board;
   readonly #figures = new Figures();
   readonly #distances = element("ul", { class: "list", "aria-label": "Distances of the shapes" });
-  /** The point in 2D, and that in 3D. */
+  /** The query point in 2D and in 3D. */
   readonly #probes: Record<2 | 3, readonly number[]>;
   #shown: Shown;
 
@@ -73,7 +74,7 @@ class ClosestPoints implements OpenChapter {
   #handle(): SpaceHandle {
     return {
       key: "probe",
-      label: "The point that is asked about",
+      label: "The query point",
       at: this.#probe,
       onMoveInSpace: (to) => {
         this.#probes[this.#board.dimension] = to;
@@ -101,7 +102,7 @@ class ClosestPoints implements OpenChapter {
     this.#context.changed();
   }
 
-  /** Outside, both closest points are the same; inside, the point itself and the nearest one of the boundary. */
+  /** Outside, both closest points are equal; inside, they are the point itself and the nearest boundary point. */
   #marksOf(shape: Shape, distance: number): Mark[] {
     const { graze } = this.#context;
     const onBoundary = graze.closestBoundaryPoint(shape, this.#probe);
@@ -131,7 +132,7 @@ class ClosestPoints implements OpenChapter {
   }
 
   #fillPanel(): void {
-    const shown = choice<Shown>("Which shapes answer", [["all", "All shapes"], ["nearest", "The nearest"]], this.#shown, (word) => {
+    const shown = choice<Shown>("Shapes to query", [["all", "All shapes"], ["nearest", "The nearest"]], this.#shown, (word) => {
       this.#shown = word;
       this.#draw();
     });

@@ -8,5 +8,5 @@ import { rays } from "./rays";
 import { sceneView } from "./scene_view";
 import { trees } from "./trees";
 
-/** In the order of the tabs; the first opens by itself. */
+/** In the order of the tabs; the first is the default. */
 export const chapters: readonly Chapter[] = [intersections, closestPoints, rays, bounding, trees, broadPhase, sceneView];

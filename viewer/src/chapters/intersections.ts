@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Intersections: what touches what, how deep and which way out, and how far the rest is away.
+// Intersections: which shapes touch, their contact depths and normals, and the distances of all others.
 import type { Relation } from "graze";
 
 import { Board } from "../board";
@@ -35,7 +35,7 @@ const addable: readonly ShapeType[] = [
 
 type Shown = "contact" | "manifold" | "none";
 
-/** Two shapes that touch, by their places. */
+/** Two touching shapes, by index. */
 interface Pair {
   readonly a: number;
   readonly b: number;
@@ -79,7 +79,7 @@ class Intersections implements OpenChapter {
 
   #fillPanel(): void {
     const shown = choice<Shown>(
-      "What to draw where shapes touch",
+      "What to draw at contacts",
       [["contact", "Contact"], ["manifold", "Manifold"], ["none", "None"]],
       this.#shown,
       (word) => {
@@ -121,7 +121,7 @@ class Intersections implements OpenChapter {
     this.#context.changed();
   }
 
-  /** The pairs that the engine finds, by the places of their shapes. */
+  /** The pairs that the engine finds, by index of their shapes. */
   #pairs(): Pair[] {
     const { editor, shapes } = this.#board;
     const ids = editor.scene.pairs();
@@ -143,7 +143,7 @@ class Intersections implements OpenChapter {
     if (contact === null) return [];
     const from = contact.pointB;
     const dot: Mark = { kind: "dot", at: from, tone };
-    // Nothing parts lines that cross, however far they are moved.
+    // Crossing lines cannot be separated, however far they are moved.
     if (!Number.isFinite(contact.depth)) return [dot, { kind: "label", at: from, text: "∞", tone, shift: [0, -10] }];
     const depth = Math.max(contact.depth, 26 * stage.lengthOfPixel(from));
     const tip = plus(from, times(contact.normal, depth));

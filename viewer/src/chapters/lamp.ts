@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// A lamp that sends rays all round: in the plane what they reach is lit, in space the points where they end.
+// A lamp that casts rays in all directions: in 2D the area that they reach is lit, in 3D their end points.
 import * as THREE from "three";
 
 import { heading } from "../shapes/flat_shape";
 import type { Stage } from "../stage";
 import { lengthOf, minus, plus, times } from "../vectors";
 
-/** How large a point that is lit in space is drawn, in pixels. */
+/** The size of a lit point in 3D, in pixels. */
 const dotSize = 5;
-/** How far before its surface, so that it is seen whole, in parts of the size of the picture. */
+/** The offset of a lit point from its surface, so that it is not clipped, as a fraction of the size of the picture. */
 const lift = 0.004;
 const goldenAngle = 360 * (2 - (1 + Math.sqrt(5)) / 2);
 
-/** So many directions of length 1, evenly all round. In space they wind from the top to the bottom by golden angles. */
+/** Unit vectors, evenly distributed. In 3D they follow a spiral from top to bottom with golden-angle steps. */
 export function directionsAllRound(dimension: 2 | 3, count: number): (readonly number[])[] {
   return Array.from({ length: count }, (_, i) => {
     if (dimension === 2) return heading((360 * i) / count);
@@ -47,12 +47,12 @@ export class Lamp {
     this.#dots.visible = false;
   }
 
-  /** The part of the plane between the lamp and where its rays end, which are in order. */
+  /** The 2D area between the lamp and the ends of its rays, which are in angular order. */
   lightArea(lamp: readonly number[], rim: readonly (readonly number[])[]): void {
     this.#set(this.#area, rim.flatMap((point, i) => [...lamp, 0, ...point, 0, ...(rim[(i + 1) % rim.length] ?? point), 0]));
   }
 
-  /** The points of space where rays end. */
+  /** The 3D points where rays end. */
   lightPoints(hits: readonly { readonly point: readonly number[]; readonly normal: readonly number[] }[]): void {
     const { min, max } = this.#stage.extent;
     const height = lift * lengthOf(minus(max, min));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A shape that moves from one point to another, and may turn on its way: what it touches, when, and how that looks.
+// A shape that moves from one point to another and may rotate on the way: what it touches, when, and its drawing.
 import type { Impact, Shape } from "graze";
 
 import type { ChapterContext } from "../chapter";
@@ -10,18 +10,18 @@ import type { Mark } from "../overlay";
 import type { ShapeKit } from "../shapes/shape_kit";
 import { minus, plus, times } from "../vectors";
 
-/** The first is the usual one. */
+/** The first is the default. */
 export const movingTypes = ["obb", "sphere", "capsule", "polytope"] as const;
 export type MovingType = (typeof movingTypes)[number];
 
 export interface MovingLook {
   readonly type: MovingType;
   readonly size: number;
-  /** In degrees, over the whole way; in 3D about the upright axis. */
+  /** In degrees, over the whole path; in 3D about the vertical axis. */
   readonly turn: number;
 }
 
-/** Where the shape first touches another, of which this is the place among all. */
+/** The first contact with another shape, given by its index. */
 export interface CastHit {
   readonly place: number;
   readonly t: number;
@@ -29,7 +29,7 @@ export interface CastHit {
   readonly normal: readonly number[];
 }
 
-/** The shape is also drawn so often between its start and its end. */
+/** The number of intermediate positions that are drawn between start and end. */
 const shadows = 6;
 
 export class MovingShape {
@@ -58,7 +58,7 @@ export class MovingShape {
     this.#shadow.object.visible = false;
   }
 
-  /** What it touches on its way, the first first; `spent` is in milliseconds. */
+  /** The shapes that it touches, in order of time; `spent` is in milliseconds. */
   cast(look: MovingLook, from: readonly number[], to: readonly number[], shapes: readonly Shape[]): { impacts: CastHit[]; spent: number } {
     [this.#look, this.#from, this.#to] = [look, from, to];
     const start = performance.now();
@@ -69,7 +69,7 @@ export class MovingShape {
     return { impacts, spent };
   }
 
-  /** Draws it at its start, on its way to the first touch or to the end, and there. */
+  /** Draws it at its start, on the way to the first contact or to the end, and there. */
   draw(first: CastHit | undefined): void {
     const { graze } = this.#context;
     const end = first?.t ?? 1;
@@ -82,7 +82,7 @@ export class MovingShape {
     this.#shadow.object.visible = true;
   }
 
-  /** Its way, and where it first touches something. */
+  /** Its path, and its first contact. */
   marks(first: CastHit | undefined): Mark[] {
     const stop = this.#middleAt(first?.t ?? 1);
     const line: Mark = { kind: "line", points: [this.#from, stop], tone: "answer", thin: true };
@@ -106,7 +106,7 @@ export class MovingShape {
     return graze.timeOfImpact(this.#at(0), { linear, angular, center: this.#from }, shape);
   }
 
-  /** Where it is at a time from 0 to 1. */
+  /** Its position at a time from 0 to 1. */
   #at(t: number): Shape {
     const { make, middleOf, moved, turned, dimension } = this.#kit;
     const middle = this.#middleAt(t);

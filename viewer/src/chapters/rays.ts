@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rays and casts: what a ray hits first, all that it hits in order, what a lamp would light, and where a shape that moves
-// first touches something.
+// Rays and casts: the first hit of a ray, all hits in order, the area lit by a lamp, and the first contact of a moving
+// shape.
 import { Board } from "../board";
 import type { Chapter, ChapterContext, OpenChapter } from "../chapter";
 import { element } from "../dom";
@@ -28,7 +28,7 @@ const extent = {
   2: { min: [-5.4, -3.6], max: [5.4, 3.6] },
   3: { min: [-3, -3, -0.3], max: [3, 3, 2.4] },
 } as const;
-/** Of a ray a point nearby that it passes; of a moving shape a way across the others. */
+/** For a ray a nearby point that it passes; for a moving shape a path across the others. */
 const usualEnds = {
   ray: {
     2: { origin: [-3.4, -0.25], target: [-2.3, -0.15] },
@@ -55,7 +55,7 @@ interface Hit {
   readonly t: number;
 }
 
-/** Where a ray starts and a point that it passes, or where a shape starts and ends. */
+/** The start of a ray and a point that it passes, or the start and end of a moving shape. */
 interface Way {
   readonly origin: readonly number[];
   readonly target: readonly number[];
@@ -79,7 +79,7 @@ class Rays implements OpenChapter {
     const { parameters } = context;
     this.#mode = wordOf(parameters, "mode", ["first", "all", "fan", "cast"]);
     this.#ways = { ray: { ...usualEnds.ray }, cast: { ...usualEnds.cast } };
-    // A link says where the ray or the shape is that it shows, not the other.
+    // A link contains either the ray or the shape, whichever is shown.
     for (const dimension of [2, 3] as const) this.#ways[this.#wayKind][dimension] = wayOf(parameters, usualEnds[this.#wayKind][dimension]);
     this.#rays = Math.round(numberOf(parameters, "rays", fanLimits));
     this.#look = {
@@ -140,13 +140,13 @@ class Rays implements OpenChapter {
       onMoveInSpace: (to) => set({ origin: to, target: plus(to, minus(target, origin)) }),
     };
     const end: SpaceHandle = {
-      key: "target", label: isCast ? "End of its way" : "Direction of the ray", at: target,
+      key: "target", label: isCast ? "End of its path" : "Direction of the ray", at: target,
       onMoveInSpace: (to) => set({ origin, target: to }),
     };
     return this.#mode === "fan" ? [start] : [start, end];
   }
 
-  /** Beyond this nothing is seen. */
+  /** Nothing beyond this distance is visible. */
   #reach(): number {
     const { stage } = this.#context;
     const { min, max } = stage.isFlat ? stage.seenPlane() : stage.extent;
@@ -205,7 +205,7 @@ class Rays implements OpenChapter {
     this.#context.say(`${countText(this.#rays)} rays see ${new Set(hits.map((hit) => hit.place)).size} shapes`);
   }
 
-  /** What is hit lights up. */
+  /** Highlights what is hit. */
   #paint(hits: readonly { readonly place: number }[], marks: () => Mark[]): void {
     const { editor, shapes } = this.#board;
     const places = new Set(hits.map((hit) => hit.place));
@@ -221,7 +221,7 @@ class Rays implements OpenChapter {
     this.#figures.set("time", "Time of all rays", duration(spent));
   }
 
-  /** The shape at its start, on its way, and where it first touches something. */
+  /** The shape at its start, on its way, and at its first contact. */
   #drawCast(): void {
     const { editor, shapes } = this.#board;
     const { origin, target } = this.#way;
@@ -264,7 +264,7 @@ class Rays implements OpenChapter {
     ];
   }
 
-  /** To the left of the ray as it is seen, in pixels, for a number. */
+  /** The offset of a number from the ray, to its left on the screen, in pixels. */
   #beside(point: readonly number[], unit: readonly number[]): Point2 {
     const { stage } = this.#context;
     const step = times(unit, 10 * stage.lengthOfPixel(point));
@@ -325,12 +325,12 @@ class Rays implements OpenChapter {
     this.#castControls.replaceChildren(
       choice<MovingType>("The moving shape", movingTypes.map((word) => [word, names[word]] as const), type, (word) => change({ type: word })),
       slider({ label: "Size", least: sizeLimits.least, most: sizeLimits.most, step: 0.05, value: size, text: measure, onInput: (value) => change({ size: value }) }),
-      slider({ label: "Rotation on the way", least: turnLimits.least, most: turnLimits.most, step: 15, value: turn, text: (value) => `${value}°`, onInput: (value) => change({ turn: value }) }),
+      slider({ label: "Rotation along the path", least: turnLimits.least, most: turnLimits.most, step: 15, value: turn, text: (value) => `${value}°`, onInput: (value) => change({ turn: value }) }),
     );
   }
 }
 
-/** A ray needs a direction, and a shape that moves a way. */
+/** A ray needs a direction, and a moving shape needs a path. */
 function wayOf(parameters: URLSearchParams, ends: Way): Way {
   const way = { origin: pointOf(parameters, "", ends.origin), target: pointOf(parameters, "to-", ends.target) };
   if (lengthOf(minus(way.target, way.origin)) > 0) return way;

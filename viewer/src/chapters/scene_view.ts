@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scene view: a scene from a file, its objects and what touches what.
+// Scene view: a scene from a file, its objects and their contacts.
 import type { Shape } from "graze";
 
 import type { Chapter, ChapterContext, OpenChapter } from "../chapter";
@@ -18,9 +18,9 @@ import { VirtualList, type Row } from "../scene/virtual_list";
 import { numberOf } from "../state";
 import { between } from "../vectors";
 
-/** How near to an object the pointer has to be in 2D, in pixels. */
+/** The pointer selects objects within this distance in 2D, in pixels. */
 const pointerReach = 5;
-/** A press that moves farther than this turns the view and selects nothing. */
+/** A press that moves farther than this rotates the view and selects nothing. */
 const clickReach = 4;
 
 class SceneView implements OpenChapter {
@@ -103,7 +103,7 @@ class SceneView implements OpenChapter {
     this.#open(source);
   }
 
-  /** Shows a scene; what was shown before stays if the file is none. */
+  /** Shows a scene; the previous one stays if the file is not a scene. */
   #open(source: SceneSource): void {
     const { graze, stage, overlay } = this.#context;
     let model: SceneModel;
@@ -132,7 +132,7 @@ class SceneView implements OpenChapter {
     return held !== undefined && editByKey(this.#context.stage, held, key);
   }
 
-  /** The one object that is selected; nothing if it is unbounded, which is not edited. */
+  /** The only selected object; undefined if it is unbounded, because those cannot be edited. */
   #held(): HeldShape | undefined {
     const [place, more] = this.#selected;
     const model = this.#model;
@@ -143,7 +143,7 @@ class SceneView implements OpenChapter {
     return { name: model.objects[place]?.name ?? "", shape, middle, edit: (edited) => this.#edit(place, edited) };
   }
 
-  /** Gives an object another shape; one that the engine refuses leaves what was there. */
+  /** Changes the shape of an object; if the engine refuses the shape, the old one stays. */
   #edit(place: number, shape: Shape): void {
     const model = this.#model;
     if (model === undefined) return;
@@ -158,7 +158,7 @@ class SceneView implements OpenChapter {
     this.#showSelection(model);
   }
 
-  /** Shows a frame; one that is no good leaves what was there. */
+  /** Shows a frame; if it is invalid, the old one stays. */
   #showFrame(frame: number): void {
     const model = this.#model;
     if (model === undefined) return;
@@ -173,7 +173,7 @@ class SceneView implements OpenChapter {
     this.#showSelection(model);
   }
 
-  /** After the pairs have changed. */
+  /** Called when the pairs have changed. */
   #showPairs(): void {
     const model = this.#model;
     if (model === undefined) return;
@@ -216,7 +216,7 @@ class SceneView implements OpenChapter {
     );
   }
 
-  /** The lists hold what is seen and has the searched text in its name. */
+  /** Filters the lists by visibility and by the search text. */
   #filter(): void {
     const model = this.#model;
     if (model === undefined) return;
@@ -286,7 +286,7 @@ class SceneView implements OpenChapter {
     this.#context.changed();
   }
 
-  /** Names of what is selected, and the contact of a pair. */
+  /** The names of selected objects, and the contact of a selected pair. */
   #mark(): void {
     const model = this.#model;
     const drawing = this.#drawing;
@@ -305,7 +305,7 @@ class SceneView implements OpenChapter {
     this.#showHandles();
   }
 
-  /** One object that is selected can be taken hold of. */
+  /** A single selected object can be edited. */
   #showHandles(): void {
     const { stage, overlay } = this.#context;
     const held = this.#held();
@@ -340,7 +340,7 @@ class SceneView implements OpenChapter {
     );
   }
 
-  /** What is under the pointer: in 3D what the line of sight hits first, in 2D the smallest. */
+  /** The object under the pointer: in 3D the first on the line of sight, in 2D the smallest. */
   #under(event: PointerEvent): number | undefined {
     const model = this.#model;
     if (model === undefined) return undefined;

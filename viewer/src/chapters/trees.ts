@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Quad tree and octree: cells that divide where it is crowded, and what a query finds through them. A bounding volume
-// hierarchy is shown beside them.
+// Quad tree and octree: cells that split where boxes are dense, and what a query finds with them. A bounding volume
+// hierarchy is shown for comparison.
 import type { SpatialIndex } from "graze";
 
 import type { Chapter, ChapterContext, OpenChapter } from "../chapter";
@@ -112,7 +112,7 @@ class Trees implements OpenChapter {
     });
     stage.world.add(cloud.object, cells.object);
     [this.#cloud, this.#cells] = [cloud, cells];
-    // The cells reach farther than the boxes.
+    // The cells extend beyond the boxes.
     const far = isFlat ? 1.1 : 1.3;
     const extent = { min: [-far, -far, -far], max: [far, far, far] };
     if (isFlat) {
@@ -207,7 +207,7 @@ class Trees implements OpenChapter {
       this.#context.changed();
     };
     return [
-      { key: "center", label: "Middle of the query", at: center, onMove: (to) => changed({ center: to, radius }) },
+      { key: "center", label: "Center of the query", at: center, onMove: (to) => changed({ center: to, radius }) },
       {
         key: "radius", label: "Radius of the query", at: plus(center, [radius, 0]),
         onMove: (to) => changed({ center, radius: lengthOf(minus(to, center)) }),
@@ -262,7 +262,7 @@ class Trees implements OpenChapter {
   }
 }
 
-/** In space a handle stays at the height of zero. */
+/** In 3D a handle stays at height zero. */
 function levelled({ at, onMove, ...rest }: Handle): SpaceHandle {
   return { ...rest, at: [...at, 0], isLevel: true, onMoveInSpace: ([x = 0, y = 0]) => onMove([x, y]) };
 }

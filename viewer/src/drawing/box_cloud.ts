@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Very many boxes in one call to the graphics card. Their coordinates lie as the engine has them: min, then max.
+// Draws very many boxes in one draw call. Their coordinates are laid out as in the engine: min, then max.
 import * as THREE from "three";
 
 import type { Palette } from "../theme";
@@ -11,7 +11,7 @@ export interface BoxCloudLook {
   readonly fill: number;
   /** Opacity of the edges. */
   readonly edge: number;
-  /** Width of the edges, in pixels; 1.7 if left out. */
+  /** Width of the edges, in pixels; 1.7 by default. */
   readonly width?: number;
 }
 
@@ -53,20 +53,20 @@ const fragmentShader = /* glsl */ `
   varying vec3 vPlace;
   varying vec3 vNormal;
   varying float vPaint;
-  // How many pixels away the nearest edge of this face is.
+  // The distance to the nearest edge of this face, in pixels.
   float pixelsToEdge() {
     vec3 inside = min(vCorner, 1.0 - vCorner);
     vec3 pixels = inside / max(fwidth(vCorner), vec3(1e-6));
     pixels += step(vec3(0.5), abs(vNormal)) * 1e6;
     return min(pixels.x, min(pixels.y, pixels.z));
   }
-  // About how wide this face is seen; across it nothing changes, which counts as a factor of 1.
+  // The approximate width of this face on screen. The coordinate across the face does not change, so its factor is 1.
   float pixelsWide(vec3 perPixel) {
     vec3 wide = mix(1.0 / max(perPixel, vec3(1e-6)), vec3(1.0), step(vec3(0.5), abs(vNormal)));
     return sqrt(wide.x * wide.y * wide.z);
   }
   void main() {
-    // A box of a few pixels would be nothing but edges: it is filled in a colour between instead.
+    // A box of a few pixels would consist of edges only: it is filled with an intermediate colour instead.
     float fade = edgeWidth > 1.0 ? smoothstep(3.0, 16.0, pixelsWide(fwidth(vCorner))) : 1.0;
     float edge = fade * (1.0 - smoothstep(max(0.0, edgeWidth - 1.0), edgeWidth, pixelsToEdge()));
     vec3 fill = mix(fillOf(vPaint), strokeOf(vPaint), max(0.4 * (1.0 - fade), 0.6 * fade * pattern(vPaint)));
@@ -125,17 +125,17 @@ export class BoxCloud {
     return this.#paints.array.length;
   }
 
-  /** Where the boxes' coordinates go, 2 N numbers each; call `boxesChanged` afterwards. */
+  /** The array of the boxes' coordinates, 2 N numbers each; call `boxesChanged` after writing. */
   get boxes(): Float32Array {
     return this.#boxes.array as Float32Array;
   }
 
-  /** One paint for each box; call `paintsChanged` afterwards. */
+  /** One paint for each box; call `paintsChanged` after writing. */
   get paints(): Uint8Array {
     return this.#paints.array as Uint8Array;
   }
 
-  /** Makes room for so many boxes, whose coordinates are then to be set. */
+  /** Allocates arrays for this many boxes, whose coordinates must then be set. */
   resize(count: number): void {
     this.#boxes = new THREE.InstancedInterleavedBuffer(new Float32Array(count * 2 * this.#dimension), 2 * this.#dimension);
     this.#paints = new THREE.InstancedBufferAttribute(new Uint8Array(count), 1);

@@ -13,7 +13,7 @@ export function circleAbout(center: Point2, radius: number): Point2[] {
   return Array.from({ length: corners + 1 }, (_, i) => plus(center, times(heading((360 / corners) * i), radius)));
 }
 
-/** A sphere, which has no edges, as its three circles along the axes. */
+/** A sphere, which has no edges, as its three axis-aligned circles. */
 export function circlesOfSphere(center: Vector, radius: number, look: { tone: Tone; dashed?: boolean }): Mark[] {
   return [0, 1, 2].map((axis) => {
     const [first, second] = [(axis + 1) % 3, (axis + 2) % 3];

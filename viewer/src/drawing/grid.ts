@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The grid behind the shapes. In 2D it fills what is seen, and its step follows the zoom: 1, 2 or 5 times a power of ten. In
-// 3D it lies on the floor, which shapes cast shadows on.
+// The grid behind the shapes. In 2D it fills the view, and its step follows the zoom: 1, 2 or 5 times a power of ten.
+// In 3D it lies on the floor, which receives shadows.
 import * as THREE from "three";
 
 import type { Extent, Stage } from "../stage";
 import { isDark } from "../theme";
 import { shadowShader, shadowUniforms } from "./shadow";
 
-/** About so many pixels between two lines of the grid in 2D. */
+/** The approximate number of pixels between two grid lines in 2D. */
 const pixelsBetweenLines = 60;
 
 export class Grid {
@@ -17,7 +17,7 @@ export class Grid {
     new THREE.LineBasicMaterial({ vertexColors: true, depthWrite: false }),
   );
 
-  /** Lies behind all that the stage's world holds, until the stage is cleared. */
+  /** Drawn behind everything in the stage's world, until the stage is cleared. */
   constructor(stage: Stage, floor?: Extent) {
     this.#stage = stage;
     this.#lines.frustumCulled = false;
@@ -63,8 +63,7 @@ export class Grid {
   }
 }
 
-/** What is seen of the floor beside its grid: the shadows on it. They are deeper on a dark ground, where they would else be
- * hard to see. */
+/** The shadows on the floor. They are darker on a dark background, where they would otherwise be hard to see. */
 function shadedFloor(stage: Stage, { min, max }: Extent): THREE.Mesh {
   const [minX = 0, minY = 0, minZ = 0] = min;
   const [maxX = 0, maxY = 0] = max;
@@ -92,7 +91,7 @@ function shadedFloor(stage: Stage, { min, max }: Extent): THREE.Mesh {
   return mesh;
 }
 
-/** The least of 1, 2, 5, 10, ... (and their parts) that is no less than the step. */
+/** The smallest of 1, 2, 5, 10, ... (and decimal fractions) that is at least the step. */
 function niceStep(step: number): number {
   const power = 10 ** Math.floor(Math.log10(step));
   return power * ([1, 2, 5].find((factor) => factor * power >= step) ?? 10);

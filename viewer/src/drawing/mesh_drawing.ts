@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes of every kind as the engine says they look, all in one geometry: surfaces, and lines of even width.
+// Draws shapes of every kind as the engine provides them, all in one geometry: surfaces, and lines of constant width.
 import * as THREE from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
@@ -40,10 +40,10 @@ const fragmentShader = /* glsl */ `
   }
 `;
 
-/** Above so many lines they are drawn one pixel wide, which is much quicker. */
+/** More lines than this are drawn one pixel wide, which is much faster. */
 const mostWideLines = 20_000;
 
-/** Where the corners and lines of one shape lie among all. */
+/** The ranges of one shape's corners and lines in the shared arrays. */
 interface Span {
   readonly corner: number;
   readonly corners: number;
@@ -54,7 +54,7 @@ interface Span {
 export interface MeshLook {
   readonly fill: number;
   readonly lineWidth: number;
-  /** Lines are seen through what is before them. */
+  /** Lines are visible through objects in front of them. */
   readonly isSeenThrough?: boolean;
 }
 
@@ -76,7 +76,7 @@ export class MeshDrawing {
     this.#uniforms = { ...paintUniforms(palette), fillOpacity: { value: look.fill } };
   }
 
-  /** Shows these shapes, of which each may be of several drawings (the parts of a compound). */
+  /** Shows these shapes; each may have several drawings (the parts of a compound). */
   set(shapes: readonly (readonly Drawing[])[], paints: Uint8Array): void {
     this.clear();
     this.#paints = paints;
@@ -87,8 +87,8 @@ export class MeshDrawing {
     this.#paintLines();
   }
 
-  /** Shows these shapes, by their places among all, where they are now. False, and nothing is changed, if one now has
-   * another number of triangles or lines. */
+  /** Updates these shapes, given by index. Returns false without a change if one of them now has another number of
+   * triangles or lines. */
   replace(shapes: ReadonlyMap<number, readonly Drawing[]>): boolean {
     const surface = this.#surface?.geometry;
     const positions = surface?.getAttribute("position");
@@ -115,7 +115,7 @@ export class MeshDrawing {
     return true;
   }
 
-  /** One for each shape. Quick: no geometry is made again. */
+  /** One for each shape. Fast: no geometry is rebuilt. */
   setPaints(paints: Uint8Array): void {
     this.#paints = paints;
     const attribute = this.#surface?.geometry.getAttribute("paint");
@@ -221,7 +221,7 @@ export class MeshDrawing {
     return wide;
   }
 
-  /** The numbers of an attribute of all lines, six for each: of wide lines, or of thin ones. */
+  /** The line attribute's array, six numbers for each line, for wide or thin lines. */
   #lineBuffer(wide: string, thin: string): THREE.InterleavedBuffer | THREE.BufferAttribute | undefined {
     const lines = this.#lines;
     const attribute = lines?.geometry.getAttribute(lines instanceof LineSegments2 ? wide : thin);
@@ -246,9 +246,8 @@ export class MeshDrawing {
   }
 }
 
-/**
- * Flat faces where a drawing has edges; where it has none it is round, and corners get the mean of their triangles.
- */
+/** Faces are flat if a drawing has edges; without edges it is round, and corners get the average normal of their
+ * triangles. */
 function writeNormals(drawing: Drawing, positions: Float32Array, normals: Float32Array, first: number): void {
   const last = first + drawing.triangles.length;
   for (let corner = first; corner < last; corner += 3) writeFaceNormal(positions, normals, corner * 3);

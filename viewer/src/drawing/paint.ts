@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How things are coloured. A paint is a small number that goes to the graphics card with each object; what it looks like is
-// decided there, from the palette, so that lighting up an object or switching to dark moves no geometry.
+// Colours. A paint is a small number passed to the GPU with each object; shaders look up its appearance in the palette,
+// so that highlighting an object or switching to dark mode changes no geometry.
 import * as THREE from "three";
 
 import type { Relation } from "graze";
@@ -14,12 +14,12 @@ export type Paint = (typeof Paint)[keyof typeof Paint];
 
 export type PaintUniforms = Record<string, THREE.IUniform>;
 
-/** Of a shape whose closest pair is of this relation. */
+/** The paint of a shape by the relation of its closest pair. */
 export const paintOfRelation: Readonly<Record<Relation, Paint>> = {
   apart: Paint.free, touching: Paint.touching, overlapping: Paint.overlapping,
 };
 
-/** Of half-spaces, which go on beyond the picture and would outshine the rest. */
+/** For half-spaces, which extend beyond the picture and would dominate it. */
 const paler: Readonly<Partial<Record<Paint, Paint>>> = {
   [Paint.free]: Paint.ground, [Paint.touching]: Paint.touchingGround, [Paint.overlapping]: Paint.overlappingGround,
 };
@@ -28,7 +28,7 @@ export function paintOf(type: string, paint: Paint): Paint {
   return type === "half_space" ? (paler[paint] ?? paint) : paint;
 }
 
-/** The uniforms that every material of ours shares. */
+/** The uniforms that all our materials share. */
 export function paintUniforms(palette: Palette): PaintUniforms {
   const uniforms: PaintUniforms = { fills: { value: [] }, strokes: { value: [] }, paper: { value: null }, paperShare: { value: 0 }, ...shadowUniforms };
   setPalette(uniforms, palette);
@@ -45,14 +45,15 @@ export function setPalette(uniforms: PaintUniforms, palette: Palette): void {
   if (strokes !== undefined) strokes.value = colours(["free-line", "touching-line", "overlapping-line", "answer", "faint"]);
 }
 
-/** The colours of the lines of shapes, in the order of Paint. */
+/** The colours of shapes' lines, in the order of Paint. */
 export function strokeColours(palette: Palette): number[][] {
   const own = ["free-line", "touching-line", "overlapping-line", "answer", "faint", "ground"] as const;
   const grounds = ["free-line", "touching-line", "overlapping-line"] as const;
   return [...own, ...grounds].map((name) => new THREE.Color(palette[name]).toArray());
 }
 
-/** For vertex shaders: what is hidden goes where nothing is drawn. Half-spaces cast no shadow, which would fall on all. */
+/** For vertex shaders: moves hidden objects outside the clip volume. Half-spaces cast no shadow, which would cover
+ * everything. */
 export const placeShader = /* glsl */ `
   uniform float isShadowPass;
   vec4 seenPlace(vec3 place, float paint) {
@@ -61,7 +62,7 @@ export const placeShader = /* glsl */ `
   }
 `;
 
-/** Chosen by comparison: not every graphics card indexes arrays of uniforms by a computed number. */
+/** Chosen by comparison, because not every GPU supports dynamic indexing of uniform arrays. */
 export const paintShader = /* glsl */ `
   uniform vec3 fills[5];
   uniform vec3 strokes[5];
@@ -78,7 +79,7 @@ export const paintShader = /* glsl */ `
     float own = ownPaint(paint);
     return own < 0.5 ? strokes[0] : own < 1.5 ? strokes[1] : own < 2.5 ? strokes[2] : own < 3.5 ? strokes[3] : strokes[4];
   }
-  // Slanted lines over what overlaps, dots over what touches, fixed to the screen: seen without colour as well.
+  // Hatching on overlapping and dots on touching objects, fixed to the screen: also visible without colour.
   float pattern(float paint) {
     float own = ownPaint(paint);
     float strength = isGround(paint) ? 0.6 * (1.0 - paperShare) + 0.15 : 1.0;
@@ -88,7 +89,7 @@ export const paintShader = /* glsl */ `
     return 0.8 * strength * (1.0 - smoothstep(1.3, 2.1, length(cell)));
   }
   ${shadowShader}
-  // A sky that is brighter above, and a lamp whose light may be in the way of something.
+  // A sky that is brighter at the top, and a lamp whose light may be occluded.
   vec3 lit(vec3 colour, vec3 place, vec3 normal) {
     float sky = mix(0.5, 0.7, 0.5 + 0.5 * normal.z);
     float lamp = max(dot(normal, toLamp), 0.0);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Shadows of what is drawn in 3D: a picture of how far things are from a lamp far away, from which each point of a surface
-// learns whether something is before it. Taken again when what is drawn has changed, not when the view has.
+// Shadow mapping in 3D: a depth map of the scene as seen from a distant lamp, by which each point of a surface
+// determines whether it is in shadow. Rendered again only if the scene has changed, not if the view has.
 import * as THREE from "three";
 
 import type { Extent } from "../stage";
 
-/** Objects of this layer cast shadows. */
+/** Objects on this layer cast shadows. */
 const castingLayer = 1;
 const mapSize = 1024;
-/** More triangles would take longer than their shadows are worth. */
+/** With more triangles, rendering shadows would take too long. */
 const mostTriangles = 400_000;
 const toLamp = new THREE.Vector3(-0.35, -0.55, 0.75).normalize();
 
@@ -22,7 +22,7 @@ export const shadowUniforms = {
   toLamp: { value: toLamp },
 };
 
-/** For fragment shaders: the part of the lamp's light that reaches a point, soft at the edges of shadows. */
+/** For fragment shaders: the fraction of the lamp's light that reaches a point, soft at the edges of shadows. */
 export const shadowShader = /* glsl */ `
   uniform sampler2D shadowMap;
   uniform mat4 shadowMatrix;
@@ -51,7 +51,7 @@ export const shadowShader = /* glsl */ `
   }
 `;
 
-/** From now on the object casts a shadow, unless there are very many of its kind. */
+/** Makes the object cast a shadow, unless too many triangles do. */
 export function castsShadow(object: THREE.Object3D): void {
   object.layers.enable(castingLayer);
 }
@@ -67,13 +67,13 @@ export class Shadow {
     this.#camera.up.set(0, 0, 1);
   }
 
-  /** Takes the picture anew, of what lies in the extent. */
+  /** Renders the depth map of what lies in the extent. */
   cast(renderer: THREE.WebGLRenderer, scene: THREE.Scene, extent: Extent): void {
     const count = trianglesOf(scene);
     shadowUniforms.hasShadows.value = 0;
     if (count === 0 || count > mostTriangles) return;
     this.#aim(extent);
-    // What is drawn must not read the picture that it is drawn on.
+    // A material must not sample the render target that it is drawn to.
     shadowUniforms.shadowMap.value = null;
     shadowUniforms.isShadowPass.value = 1;
     renderer.setRenderTarget(this.#target);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files that are dropped on the page, and the scenes that come with it.
+// Files that are dropped on the page, and the scenes bundled with it.
 import levelMap from "../../../data/platform_level.tmx?raw";
 import levelProps from "../../../data/platform_props.tsx?raw";
 import levelTiles from "../../../data/platform_tiles.tsx?raw";
@@ -29,7 +29,7 @@ export const examples: Readonly<Record<string, SceneSource>> = {
 
 const scenes = /\.(json|csv|tmx|tmj|xml|aabbs)$/i;
 
-/** The scene among files that were dropped together; the others may be what a Tiled map refers to. */
+/** The scene among files that were dropped together; a Tiled map may refer to the others. */
 export async function sourceOf(files: readonly File[]): Promise<SceneSource> {
   const scene = files.find((file) => scenes.test(file.name)) ?? files[0];
   if (scene === undefined) throw new Error("no file was given");
@@ -43,7 +43,7 @@ export async function sourceOf(files: readonly File[]): Promise<SceneSource> {
   return { name: scene.name, content, files: Object.fromEntries(named) };
 }
 
-/** A dropped file has lost its folder: the paths by which the others call it. */
+/** The paths by which other files may refer to a dropped file, whose folder is unknown. */
 function pathsOf(name: string, text: string): string[] {
   const escaped = name.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
   const quoted = text.matchAll(new RegExp(`"((?:[^"\\n]*/)?${escaped})"`, "g"));
@@ -55,7 +55,7 @@ const report = document.getElementById("graze-report")?.textContent?.trim() ?? "
 /** True for a page that `graze view` or `graze check --html` wrote. */
 export const isReport = report !== "";
 
-/** The scene that such a page holds, with what was found in it. */
+/** The scene in such a page, with the result of its check. */
 export function reportedSource(): SceneSource {
   const data = JSON.parse(report) as { source: string; scene: string; check: CheckReport };
   return { name: data.source, content: data.scene, check: data.check };

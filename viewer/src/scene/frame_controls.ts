@@ -14,11 +14,11 @@ export class FrameControls {
   readonly #input: HTMLInputElement;
   readonly #frames: number;
   #perSecond: number = speeds.usual;
-  /** With the part of a frame that has passed. */
+  /** With the elapsed fraction of a frame. */
   #place = 0;
   #last: number | undefined;
 
-  /** Calls `onFrame` for every frame but the first that is shown. */
+  /** Calls `onFrame` for every frame that is shown except the first. */
   constructor(stage: Stage, timeline: Timeline, onFrame: (frame: number) => void) {
     this.#frames = timeline.frames;
     const bar = slider({
@@ -45,7 +45,7 @@ export class FrameControls {
     return this.#input.valueAsNumber;
   }
 
-  /** Shows the nearest frame that there is. */
+  /** Shows the nearest existing frame. */
   show(frame: number): void {
     const kept = Math.min(this.#frames - 1, Math.max(0, Math.round(frame)));
     if (kept === this.frame) return;
@@ -60,7 +60,7 @@ export class FrameControls {
     return true;
   }
 
-  /** So many frames on as the time since the last picture is worth; after the last one from the first again. */
+  /** Advances by the number of frames for the time since the last picture; restarts after the last one. */
   #advance(): void {
     const now = performance.now();
     const seconds = Math.min(0.25, (now - (this.#last ?? now)) / 1000);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers of one object, and what it touches.
+// The numbers of one object, and the objects that it touches.
 import type { Graze, Shape } from "graze";
 
 import { element } from "../dom";
@@ -7,7 +7,7 @@ import { measure, vector } from "../numbers";
 import { button, Figures, row } from "../panel";
 import type { SceneModel } from "./scene_model";
 
-/** Contacts are calculated for so many partners; more would not be read. */
+/** Contacts are calculated for this many partners; nobody would read more. */
 const mostContacts = 50;
 
 export interface InspectorActions {
@@ -50,7 +50,7 @@ export function inspect(graze: Graze, model: SceneModel, place: number, actions:
   );
 }
 
-/** The fields of a shape as people read them. */
+/** The fields of a shape, formatted for display. */
 export function numbersOf(shape: Shape): [string, string][] {
   if (shape.type === "compound") return [["parts", String(shape.parts.length)]];
   if (shape.type === "polytope") return [["corners", String(shape.points.length)]];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene on the stage: boxes along the axes as a cloud, which is quick for very many, everything else as meshes.
+// Draws a scene on the stage: axis-aligned boxes as a cloud, which is fast for very many, everything else as meshes.
 import type { Drawing, Graze } from "graze";
 
 import { BoxCloud } from "../drawing/box_cloud";
@@ -11,7 +11,7 @@ import type { Extent, Stage } from "../stage";
 import type { SceneModel } from "./scene_model";
 
 export class SceneDrawing {
-  /** A box about all that is bounded. */
+  /** A box around all bounded objects. */
   readonly extent: Extent;
   readonly #graze: Graze;
   readonly #stage: Stage;
@@ -43,7 +43,7 @@ export class SceneDrawing {
     stage.onTheme(() => [this.#cloud, this.#meshes, this.#selection].forEach((part) => part.setPalette(stage.palette)));
   }
 
-  /** Draws objects where they are now; all boxes are looked at in any case. */
+  /** Redraws objects at their current positions; boxes are always all updated. */
   move(places: ReadonlySet<number>): void {
     if (this.#boxPlaces.length > 0) {
       this.#cloud.boxes.set(this.#model.scene.boxes(this.#boxIds));
@@ -55,7 +55,7 @@ export class SceneDrawing {
     this.#stage.invalidate();
   }
 
-  /** Colours all anew: what is selected, hidden, touching. */
+  /** Recolours everything: selected, hidden, touching. */
   paint(selected: ReadonlySet<number>): void {
     const paints = this.#model.paints(selected);
     this.#cloud.paints.set(this.#boxPlaces.map((place) => paints[place] ?? 0));
@@ -66,7 +66,7 @@ export class SceneDrawing {
     this.#stage.invalidate();
   }
 
-  /** A box about an object, or as much of it as lies in the extent. */
+  /** A box around an object, clipped to the extent. */
   extentOf(place: number): Extent {
     const { min, max } = this.#model.scene.object(this.#model.id(place)).box;
     const clip = (values: readonly number[], usual: readonly number[]): number[] => {
@@ -98,7 +98,7 @@ export class SceneDrawing {
   }
 }
 
-/** What is bounded, and a little more, so that planes and half-spaces reach beyond it. */
+/** All bounded objects and a margin, so that planes and half-spaces extend beyond them. */
 function extentOf(model: SceneModel): Extent {
   const bounds = model.scene.info().bounds;
   if (bounds === null) return { min: Array(model.dimension).fill(-10) as number[], max: Array(model.dimension).fill(10) as number[] };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene from a file, with its pairs: what the lists, the inspector and the drawing have in common.
+// A scene from a file and its pairs: the model behind the lists, the inspector and the drawing.
 import type { CheckReport, Graze, Omission, Relation, Scene, SceneFiles, Shape } from "graze";
 
 import { Paint, paintOf, paintOfRelation } from "../drawing/paint";
@@ -9,7 +9,7 @@ export interface SceneSource {
   readonly name: string;
   readonly content: string | Uint8Array;
   readonly files?: SceneFiles;
-  /** What `graze check` found, where it is known already. */
+  /** The result of `graze check`, if it is already known. */
   readonly check?: CheckReport;
 }
 
@@ -25,7 +25,7 @@ export interface ListedPair {
   readonly relation: Relation;
 }
 
-/** What touches, and how it was found. */
+/** The touching pairs, and how they were found. */
 interface Found {
   readonly pairs: readonly ListedPair[];
   readonly candidates: number;
@@ -39,16 +39,16 @@ export class SceneModel {
   readonly ids: Float64Array;
   readonly layers: readonly string[];
   readonly hiddenLayers = new Set<string>();
-  /** What the file holds and graze did not read; of a report, what its check says. */
+  /** What the file contains that graze did not read; in a report page, the omissions listed in its check. */
   readonly omissions: readonly Omission[];
-  /** How the objects move, if they do. */
+  /** The motion of the objects, if they move. */
   readonly timeline: Timeline | undefined;
-  /** Of each object that of its closest pair. */
+  /** For each object the relation of its closest pair. */
   readonly #relations: Relation[];
   readonly #placesById: Map<number, number>;
   #found: Found;
 
-  /** Throws with the engine's message when the file is no scene. */
+  /** Throws with the engine's message if the file is not a scene. */
   constructor(graze: Graze, source: SceneSource) {
     const { scene, timeline } = opened(graze, source);
     this.scene = scene;
@@ -76,12 +76,12 @@ export class SceneModel {
     return this.#found.candidates;
   }
 
-  /** That finding the pairs took. */
+  /** The time for finding the pairs. */
   get seconds(): number {
     return this.#found.seconds;
   }
 
-  /** Moves the objects to where they are in a frame, and finds what touches there. */
+  /** Moves the objects to their positions in a frame and finds the touching pairs. */
   showFrame(frame: number): void {
     this.timeline?.show(frame);
     this.#found = this.#checked();
@@ -105,7 +105,7 @@ export class SceneModel {
     return id === null ? undefined : this.placeOf(id);
   }
 
-  /** Of its closest pair; "apart" if it is in none. */
+  /** The relation of its closest pair; "apart" if it is in none. */
   relationOf(place: number): Relation {
     return this.#relations[place] ?? "apart";
   }
@@ -127,7 +127,7 @@ export class SceneModel {
     });
   }
 
-  /** For questions to the scene: only what is seen. A scene that names no layers has none to ask for. */
+  /** The layers for queries: only the visible ones. Undefined for a scene without named layers. */
   seenLayers(): { layers?: number[] } {
     if (this.hiddenLayers.size === 0) return {};
     return { layers: [...this.scene.layerNames.keys()].filter((layer) => !this.hiddenLayers.has(this.scene.layerNames[layer] ?? "")) };
@@ -138,7 +138,7 @@ export class SceneModel {
     this.scene.delete();
   }
 
-  /** Puts another shape in the place of an object's, and finds what touches then. */
+  /** Replaces an object's shape and finds the touching pairs. */
   replace(place: number, shape: Shape): void {
     this.scene.move(this.id(place), shape);
     this.#found = this.#checked();
@@ -168,14 +168,14 @@ export class SceneModel {
   }
 }
 
-/** A scene, or a recording, which is known by its name: its bytes have no mark. */
+/** A scene, or a recording, which is recognised by its name because its content has no signature. */
 function opened(graze: Graze, { name, content, files }: SceneSource): { scene: Scene; timeline: Timeline | undefined } {
   if (/\.aabbs$/i.test(name) && typeof content !== "string") return openRecording(graze, content, name);
   const scene = graze.readScene(content, name, files ?? {});
   return { scene, timeline: timelineOf(scene) };
 }
 
-/** All names, types and layers at once: asking for each object by itself takes seconds for a large scene. */
+/** All names, types and layers at once: querying each object separately takes seconds for a large scene. */
 function listed(json: string): ListedObject[] {
   const document = JSON.parse(json) as { objects: { name?: string; type: string; layer?: string }[] };
   return document.objects.map((object, place) => ({

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Scenes in time: recordings of boxes, and scenes whose objects have velocities. Frame 0 is what the file says.
+// Motion in scenes: recordings of boxes, and scenes whose objects have velocities. Frame 0 is the content of the file.
 import type { Graze, Recording, Scene } from "graze";
 
-/** Objects that move straight on are shown for so many frames, each so many seconds after the one before. */
+/** The number of frames for objects with velocities, and the seconds between frames. */
 const framesOfVelocities = 601;
 const secondsPerFrame = 1 / 60;
 
 export interface Timeline {
   readonly frames: number;
-  /** The ids of the objects that move. */
+  /** The ids of the moving objects. */
   readonly movers: Float64Array;
-  /** What is to be said of a frame beside its number. */
+  /** Text shown beside the number of a frame. */
   timeOf(frame: number): string;
-  /** Moves the objects of the scene to where they are in a frame. Throws with the engine's message. */
+  /** Moves the objects of the scene to their positions in a frame. Throws with the engine's message. */
   show(frame: number): void;
   close(): void;
 }
 
-/** The scene of a recording's boxes, and how they move. */
+/** The scene of a recording's boxes, and their motion. */
 export function openRecording(graze: Graze, content: Uint8Array, name: string): { scene: Scene; timeline: Timeline } {
   const recording: Recording = graze.readRecording(content, name);
   const scene = new graze.Scene(recording.dimension);
@@ -38,7 +38,7 @@ export function openRecording(graze: Graze, content: Uint8Array, name: string): 
   }
 }
 
-/** How the objects of a scene move that have velocities; nothing if none has. */
+/** The motion of a scene's objects with velocities; undefined if none has one. */
 export function timelineOf(scene: Scene): Timeline | undefined {
   const movers = Float64Array.from(scene.velocities(), ({ id }) => id);
   if (movers.length === 0) return undefined;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A list of any length, of which only what is seen is in the page.
+// A list of any length, of which only the visible part is in the page.
 import type { Relation } from "graze";
 
 import { element } from "../dom";
@@ -7,13 +7,13 @@ import { element } from "../dom";
 export interface Row {
   readonly text: string;
   readonly tag: string;
-  /** Of the closest pair; "apart" for none. */
+  /** The relation of the closest pair; "apart" for none. */
   readonly relation: Relation;
   readonly isCurrent: boolean;
 }
 
 const rowHeight = 32;
-/** Browsers do not draw elements higher than some millions of pixels. */
+/** Browsers do not draw elements higher than several million pixels. */
 const mostRows = 200_000;
 
 export class VirtualList {
@@ -39,7 +39,7 @@ export class VirtualList {
     this.#draw();
   }
 
-  /** Draws what is seen again, because what `row` says has changed. */
+  /** Redraws the visible rows because the result of `row` has changed. */
   refresh(): void {
     this.#draw();
   }

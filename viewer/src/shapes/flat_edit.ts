@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Moving, turning and resizing shapes of the plane. What touches what is none of its business.
+// Moving, rotating and resizing 2D shapes. Collision detection happens elsewhere.
 import type { Point2 } from "../stage";
 import { dot, lengthOf, minus, plus, times } from "../vectors";
 import { heading, sideways, type FlatShape } from "./flat_shape";
 
-/** Where a shape is held: what it turns about. */
+/** The centre of rotation of a shape. */
 export function middleOf(shape: FlatShape): Point2 {
   switch (shape.type) {
     case "point":
@@ -24,7 +24,7 @@ export function middleOf(shape: FlatShape): Point2 {
   }
 }
 
-/** The points that a shape is made of. */
+/** The defining points of a shape. */
 function cornersOf(shape: FlatShape): readonly Point2[] {
   switch (shape.type) {
     case "segment":
@@ -51,7 +51,7 @@ export function moved(shape: FlatShape, by: Point2): FlatShape {
   return mapped(shape, (point) => plus(point, by), { degrees: 0, factor: 1 });
 }
 
-/** Turned about a point. A box along the axes stays along the axes, and only its middle moves. */
+/** Rotated about a point. An axis-aligned box stays axis-aligned, and only its centre moves. */
 export function turned(shape: FlatShape, degrees: number, about: Point2 = middleOf(shape)): FlatShape {
   const [right, up] = [heading(degrees), sideways(heading(degrees))];
   const turn = (vector: Point2): Point2 => plus(times(right, vector[0]), times(up, vector[1]));
@@ -66,14 +66,14 @@ export function turned(shape: FlatShape, degrees: number, about: Point2 = middle
   return mapped(shape, around, { degrees, factor: 1 });
 }
 
-/** Made larger or smaller about its middle. Half-spaces, lines and points have no size. */
+/** Scaled about its centre. Half-spaces, lines and points have no size. */
 export function resized(shape: FlatShape, factor: number): FlatShape {
   if (shape.type === "half_space" || shape.type === "plane" || shape.type === "ray") return shape;
   const about = middleOf(shape);
   return mapped(shape, (point) => plus(about, times(minus(point, about), factor)), { degrees: 0, factor });
 }
 
-/** Every point by the map; angles and lengths as the map, which keeps proportions, changes them. */
+/** Applies a map to every point; angles and lengths change according to the map, which is a similarity. */
 function mapped(
   shape: FlatShape,
   map: (point: Point2) => Point2,
@@ -108,14 +108,14 @@ function mapped(
   }
 }
 
-/** A place of a shape that can be taken hold of, and the shape that comes of moving it. */
+/** A draggable feature of a shape, and the shape that results from moving it. */
 export interface Grip {
   readonly name: string;
   readonly at: Point2;
   readonly move: (to: Point2) => FlatShape;
 }
 
-/** What can be taken hold of; `reach` is how far beside a shape its turning handle stands. */
+/** The draggable features; `reach` is the distance of the rotation handle from the shape. */
 export function gripsOf(shape: FlatShape, reach: number): Grip[] {
   const turning = (at: Point2): Grip => turningGrip(shape, at);
   switch (shape.type) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes of the plane that can be edited, each with one set of fields. All of them are shapes of the engine as they are.
+// 2D shapes that can be edited, each with one set of fields. All are also valid shapes of the engine.
 import type { Point2 } from "../stage";
 import { plus, times } from "../vectors";
 
@@ -17,7 +17,7 @@ export type FlatShape =
   | { readonly type: "polytope"; readonly points: readonly Point2[] }
   | { readonly type: "compound"; readonly parts: readonly FlatShape[] };
 
-/** Of the plane and of space. */
+/** The names of shapes in 2D and in 3D. */
 export type ShapeType = FlatShape["type"];
 
 export const flatNames: Readonly<Record<ShapeType, string>> = {
@@ -46,7 +46,7 @@ export function heading(degrees: number): Point2 {
   return [Math.cos(radians), Math.sin(radians)];
 }
 
-/** A circle without corners, a box and so on, of about the given size. */
+/** A new shape of about the given size; circles have no corners. */
 export function newFlatShape(type: ShapeType, at: Point2, size: number): FlatShape {
   const [x, y] = at;
   const on = (right: number, up: number): Point2 => [x + right * size, y + up * size];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an editor does with shapes, in the plane and in space.
+// The operations on shapes that an editor needs, for 2D and 3D.
 import type { Graze, Shape } from "graze";
 
 import type { Point2 } from "../stage";
@@ -12,14 +12,14 @@ import { newSolid, solidNames } from "./solid_shape";
 export interface ShapeKit {
   readonly dimension: 2 | 3;
   readonly names: Readonly<Record<ShapeType, string>>;
-  /** A new shape of about a size. */
+  /** A new shape of about this size. */
   readonly make: (type: ShapeType, at: readonly number[], size: number) => Shape;
-  /** Where a shape is held: what it turns about. */
+  /** The centre of rotation of a shape. */
   readonly middleOf: (shape: Shape) => readonly number[];
   readonly moved: (shape: Shape, by: readonly number[]) => Shape;
-  /** Turned in the plane, in space about an upright axis, through a point. */
+  /** Rotated about a point, in 3D about a vertical axis through it. */
   readonly turned: (shape: Shape, degrees: number, about: readonly number[]) => Shape;
-  /** Made larger or smaller about its middle. */
+  /** Scaled about its centre. */
   readonly resized: (shape: Shape, factor: number) => Shape;
 }
 
@@ -37,7 +37,7 @@ const flatKit: ShapeKit = {
   resized: (shape, factor) => resized(asFlat(shape), factor),
 };
 
-/** The shapes of the plane are all made with the fields that can be edited: by `newFlatShape`, or of a link. */
+/** All 2D shapes have the editable fields, because `newFlatShape` or a link created them. */
 export function asFlat(shape: Shape): FlatShape {
   return shape as FlatShape;
 }
@@ -46,7 +46,7 @@ function flat([x = 0, y = 0]: readonly number[]): Point2 {
   return [x, y];
 }
 
-/** In space the shapes are as the engine holds them: oriented boxes by their axes. */
+/** 3D shapes are in the engine's representation: oriented boxes by their axes. */
 function solidKit(graze: Graze): ShapeKit {
   const middle = (shape: Shape): number[] => middleOfSolid(graze, shape);
   return {
@@ -60,7 +60,7 @@ function solidKit(graze: Graze): ShapeKit {
   };
 }
 
-/** The middle of the box about it; of what is unbounded the point that it starts at, or is nearest to the origin. */
+/** The centre of its bounding box; for unbounded shapes the start, or the point nearest to the origin. */
 function middleOfSolid(graze: Graze, shape: Shape): number[] {
   if (shape.type === "ray") return Array.from(shape.origin);
   if (shape.type === "plane" || shape.type === "half_space") {

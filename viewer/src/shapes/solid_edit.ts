@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Moving, turning and resizing shapes as the engine gives them, in the plane and in space.
+// Moving, rotating and resizing shapes in the engine's representation, in 2D and 3D.
 import type { Shape, Vector } from "graze";
 import * as THREE from "three";
 
 import { dot, times } from "../vectors";
 
-/** How points, directions and lengths change. */
+/** The maps of points, directions and lengths. */
 interface Change {
   readonly point: (point: Vector) => number[];
   readonly direction: (direction: Vector) => number[];
@@ -18,16 +18,14 @@ export function movedBy(shape: Shape, offset: Vector): Shape {
   return changed(shape, { point: (point) => Array.from(point, (value, axis) => value + (offset[axis] ?? 0)), direction: kept, factor: 1 });
 }
 
-/** Made larger or smaller about a point. */
+/** Scaled about a point. */
 export function scaledAbout(shape: Shape, factor: number, about: Vector): Shape {
   const point = (from: Vector): number[] => Array.from(from, (value, axis) => (about[axis] ?? 0) + (value - (about[axis] ?? 0)) * factor);
   return changed(shape, { point, direction: kept, factor });
 }
 
-/**
- * Turned in the plane, in space about an axis of any length through a point, the upright one unless another is given. A box
- * along the axes stays along them.
- */
+/** Rotated, in 3D about an axis of any length through a point; the default is the vertical axis. An axis-aligned box
+ * stays axis-aligned. */
 export function turnedAbout(shape: Shape, degrees: number, about: Vector, axis: readonly number[] = [0, 0, 1]): Shape {
   if (shape.type === "aabb") return shape;
   const turn = new THREE.Quaternion().setFromAxisAngle(asSpatial(axis).normalize(), (degrees * Math.PI) / 180);
@@ -39,7 +37,7 @@ export function turnedAbout(shape: Shape, degrees: number, about: Vector, axis: 
   return changed(shape, { point, direction, factor: 1 });
 }
 
-/** What is unbounded has no size. */
+/** Unbounded shapes have no size. */
 function changed(shape: Shape, change: Change): Shape {
   const { point, direction, factor } = change;
   switch (shape.type) {

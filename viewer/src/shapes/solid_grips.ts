@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The corners, ends and sides by which a shape of space can be taken hold of.
+// The draggable corners, ends and sides of 3D shapes.
 import type { Shape, Vector } from "graze";
 
 import { dot, minus, plus, times } from "../vectors";
 
-/** A place of a shape, and the shape that comes of moving it. */
+/** A draggable feature of a shape, and the shape that results from moving it. */
 export interface SolidGrip {
   readonly name: string;
   readonly at: readonly number[];
   readonly move: (to: readonly number[]) => Shape;
 }
 
-/** None for what has no corners, ends or sides, nor for compounds. Oriented boxes are as the engine gives them, by axes. */
+/** None for shapes without corners, ends or sides, and for compounds. Oriented boxes are given by their axes, as in the
+ * engine. */
 export function solidGripsOf(shape: Shape): SolidGrip[] {
   switch (shape.type) {
     case "segment":
@@ -43,7 +44,7 @@ export function solidGripsOf(shape: Shape): SolidGrip[] {
   }
 }
 
-/** The corner that is moved may pass the other one. */
+/** The moved corner may pass the opposite one. */
 function cornerGrips(min: readonly number[], max: readonly number[]): SolidGrip[] {
   const between = (a: readonly number[], b: readonly number[]): Shape => ({
     type: "aabb",
@@ -56,7 +57,7 @@ function cornerGrips(min: readonly number[], max: readonly number[]): SolidGrip[
   ];
 }
 
-/** The middle of a face, which moves together with the one across from it. */
+/** The centre of a face; moving it keeps the opposite face in place. */
 function sideGrips(shape: Extract<Shape, { type: "obb" }>): SolidGrip[] {
   const center = Array.from(shape.center);
   return (shape.axes ?? []).map((vector, axis) => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes in 3D as they first appear when they are added.
+// The initial 3D shapes when they are added.
 import type { Shape } from "graze";
 
 import { plus, times } from "../vectors";
@@ -20,7 +20,7 @@ export const solidNames: Readonly<Record<ShapeType, string>> = {
   compound: "compound",
 };
 
-/** A sphere, a box and so on, of about the given size. What fills half of space lies below the others. */
+/** A new shape of about the given size. Half-spaces are placed below the other shapes. */
 export function newSolid(type: ShapeType, at: readonly number[], size: number): Shape {
   const on = (x: number, y: number, z: number): number[] => [...plus(at, times([x, y, z], size))];
   switch (type) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Shapes as text in a link: "sphere:0,1,0.5;segment:0,0,2,1" in the plane, with a third number for each point in space.
-// How an oriented box is turned is an angle in degrees in the plane, in space the axis as long as the angle.
+// Shapes as text in a link: "sphere:0,1,0.5;segment:0,0,2,1" in 2D, with a third number for each point in 3D. The
+// rotation of an oriented box is an angle in degrees in 2D, and in 3D an axis whose length is the angle.
 import type { Shape, Vector } from "graze";
 import * as THREE from "three";
 
@@ -14,7 +14,7 @@ export function textOfShapes(shapes: readonly Shape[]): string {
   return shapes.map(textOfShape).join(";");
 }
 
-/** Nothing if any of it is no shape: a link is followed wholly or not at all. */
+/** Undefined if any part is invalid: a link is applied completely or not at all. */
 export function shapesOfText(text: string, dimension: 2 | 3): Shape[] | undefined {
   const shapes = text.split(";").map((part) => shapeOfText(part, dimension));
   return shapes.every((shape) => shape !== undefined) ? shapes : undefined;
@@ -51,7 +51,7 @@ function numbersOf(shape: Exclude<Shape, { type: "compound" }>): number[] {
   }
 }
 
-/** The axis about which the world's axes turn into these, as long as the angle in degrees. */
+/** The rotation axis from the world's axes to these; its length is the angle in degrees. */
 function rotationOf(axes: readonly Vector[]): number[] {
   const [x, y, z] = axes.map((axis) => new THREE.Vector3().fromArray(Array.from(axis)));
   if (x === undefined || y === undefined || z === undefined) return [0, 0, 0];
@@ -62,7 +62,7 @@ function rotationOf(axes: readonly Vector[]): number[] {
   return sine > 0 ? times(axis, degrees / sine) : [0, 0, 0];
 }
 
-/** How many numbers a shape has; a polytope any number of points. */
+/** The number of numbers of a shape; a polytope has any number of points. */
 function lengthIn(type: ShapeType, dimension: 2 | 3): number {
   const points: Readonly<Partial<Record<ShapeType, number>>> = { point: 1, segment: 2, ray: 2, sphere: 1, aabb: 2, obb: 2, half_space: 1, plane: 1, triangle: 3, capsule: 2 };
   const more: Readonly<Partial<Record<ShapeType, number>>> = { sphere: 1, obb: dimension === 2 ? 1 : 3, half_space: 1, plane: 1, capsule: 1 };
@@ -83,7 +83,7 @@ function shapeOfText(text: string, dimension: 2 | 3): Shape | undefined {
   return isWhole && values.every(Number.isFinite) ? build(type, values, dimension) : undefined;
 }
 
-/** The shape of so many numbers as its type needs; nothing if they are against its rules. */
+/** The shape with these numbers; undefined if they violate its rules. */
 function build(type: Exclude<ShapeType, "compound">, values: readonly number[], dimension: 2 | 3): Shape | undefined {
   const point = (index: number): number[] => values.slice(dimension * index, dimension * (index + 1));
   const last = values.at(-1) ?? 0;
@@ -113,7 +113,7 @@ function build(type: Exclude<ShapeType, "compound">, values: readonly number[], 
   }
 }
 
-/** How a box is turned, of one number or of three. */
+/** The rotation of a box, from one number or three. */
 function turnOf(turn: readonly number[]): { angle: number } | { rotation: { axis: number[]; angle: number } } {
   const [angle = 0, ...rest] = turn;
   if (rest.length === 0) return { angle };
