@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# graze::zstd: the library Zstandard, by whatever name its own package offers it; where that has no files for CMake, its header
-# and library are looked for.
+# graze::zstd: the Zstandard library, under any of the target names of its own CMake package; without such a package,
+# its header and library are searched for.
 if(NOT TARGET graze::zstd)
   find_package(zstd CONFIG QUIET)
   foreach(target zstd::libzstd zstd::libzstd_shared zstd::libzstd_static)

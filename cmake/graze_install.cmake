@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-# What `cmake --install` puts where, and the package that `find_package(graze)` finds there. Each component has an export of
-# its own, so that graze::geometry can be had on a machine that has GLM and nothing else.
+# The files that `cmake --install` installs, and the package for `find_package(graze)`. Each component has its own
+# export, so that graze::geometry can be used on a machine that only has GLM.
 include(CMakePackageConfigHelpers)
 set(graze_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/graze")
 
-# A header directly in a layer's folder is public; of the internal ones in sub-folders only those are installed that a public
-# one includes.
+# Headers directly in a layer's folder are public; internal ones in sub-folders are only installed if a public one includes
+# them.
 if(TARGET graze_graze)
   file(GLOB open CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" graze/*.hpp graze/*/*.hpp)
   set(graze_arch)

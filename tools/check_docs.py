@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Checks that the documentation is true. The README and all pages in docs/ are read:
+"""Checks the README and all pages in docs/:
 
-- ```sh blocks are run, command by command; in ```console blocks the lines after "$ " are run, and what the page shows
-  below them is compared with the output, "..." standing for anything. All of it happens in a copy of the project, with the
-  program `graze` of the release build. `./dev COMMAND` is only looked up. What cannot be run is marked ```text.
-- A block below <!-- file: PATH --> is that file, one below <!-- from: PATH --> consecutive lines of it, one below
-  <!-- output: PATH --> what that program prints, which check_recipe.py compares.
-- Links to files and headings lead somewhere.
-- The tables of accuracy are those of docs/accuracy.json.
+- The commands in ```sh blocks are run. In ```console blocks the lines after "$ " are run, and their output is compared
+  with the lines below, in which "..." matches anything. Commands run in a copy of the project, with the program `graze`
+  of the release build. Of `./dev COMMAND` only the name is checked. Commands that cannot be run are in ```text blocks.
+- A block below <!-- file: PATH --> equals that file, one below <!-- from: PATH --> consecutive lines of it, and one
+  below <!-- output: PATH --> the output of that program, which check_recipe.py compares.
+- Links to files and headings have a target.
+- The tables of accuracy are generated from docs/accuracy.json.
 """
 
 import argparse
@@ -39,7 +39,7 @@ def without_license_line(text):
 
 
 def source_problem(root, block):
-    """What is wrong with a block that says which file it shows, or None."""
+    """A problem of a block that names the file it shows, or None."""
     kind, name = block.source
     if not (root / name).is_file():
         return f"shows {name}, which does not exist"
@@ -47,7 +47,7 @@ def source_problem(root, block):
         return None
     text = (root / name).read_text(encoding="utf-8")
     if kind == "file":
-        return None if block.code in (text, without_license_line(text)) else f"is not what {name} holds"
+        return None if block.code in (text, without_license_line(text)) else f"differs from {name}"
     lines, wanted = text.splitlines(), block.code.splitlines()
     for start in range(len(lines) - len(wanted) + 1):
         if textwrap.dedent("\n".join(lines[start : start + len(wanted)])) == textwrap.dedent("\n".join(wanted)):
@@ -56,7 +56,7 @@ def source_problem(root, block):
 
 
 def link_problem(root, path, pages, target):
-    """What is wrong with a link of the page `path`, or None. Links into the web are not followed."""
+    """A problem of a link on the page `path`, or None. External links are not followed."""
     if re.match(r"[a-z][a-z+.-]*:", target):
         return None
     name, _, fragment = unquote(target).partition("#")
@@ -90,13 +90,13 @@ def commands_of(block):
 
 
 def is_incomplete(command):
-    """True for a command that goes on in the next line: after a backslash, inside a loop, quotes or a here-document."""
+    """True for a command that continues on the next line: after a backslash, inside a loop, quotes or a here-document."""
     parsed = subprocess.run(["bash", "-n", "-c", command], capture_output=True, text=True, check=False)
     return command.endswith("\\") or parsed.returncode != 0 or "delimited by end-of-file" in parsed.stderr
 
 
 class Shell:
-    """Runs commands in a copy of the project, which is kept, so that what they build is only built once."""
+    """Runs commands in a copy of the project, which is kept, so that their builds are incremental."""
 
     def __init__(self, root, program, folder):
         self.folder = folder
@@ -107,7 +107,7 @@ class Shell:
         self._program = program
 
     def refresh(self):
-        """Makes the copy equal to the project again, but for its build folder."""
+        """Updates the copy from the project, except its build folder."""
         wanted = set(project_files(self._root, [""]))
         for path in project_files(self.folder, [""]) if self.folder.exists() else []:
             if path not in wanted:
@@ -124,13 +124,13 @@ class Shell:
         built.symlink_to(self._program)
 
     def problem(self, command, expected):
-        """What goes wrong when the command is run, or None."""
+        """Runs the command; returns a problem, or None."""
         if _NOT_FOR_A_TEST.search(command):
-            return f"cannot be tried by a test, mark its block ```text: {command}"
+            return f"cannot be run in a test, so mark its block ```text: {command}"
         if dev := _DEV.match(command.strip()):
             if dev[1] in self._dev_commands | {"--help"}:
                 return None
-            return f"./dev has no command '{dev[1]}', but: {', '.join(sorted(self._dev_commands))}"
+            return f"./dev has no command '{dev[1]}'; its commands are: {', '.join(sorted(self._dev_commands))}"
         try:
             done = subprocess.run(["bash", "-euo", "pipefail", "-c", command], cwd=self.folder, env=self._environment,
                                   stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=_TIMEOUT_SECONDS, check=False)
@@ -147,10 +147,10 @@ class Shell:
 
 
 def main():
-    parser = argparse.ArgumentParser(description="Checks that the documentation is true.")
-    parser.add_argument("--root", type=Path, default=ROOT, help="the project's folder")
+    parser = argparse.ArgumentParser(description="Checks the documentation.")
+    parser.add_argument("--root", type=Path, default=ROOT, help="root folder of the project")
     parser.add_argument("--program", type=Path, help="the program graze (default: build/release/bin/graze)")
-    parser.add_argument("--scratch", type=Path, help="where commands are run (default: build/docs)")
+    parser.add_argument("--scratch", type=Path, help="the folder in which commands are run (default: build/docs)")
     options = parser.parse_args()
     root = options.root.resolve()
     program = (options.program or root / "build" / "release" / "bin" / "graze").resolve()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Checks the shape of the house: who may include whom, that everything has its mirror test, that headers stand alone."""
+"""Checks the structure of the project: includes between layers, mirror tests, self-contained headers."""
 
 import argparse
 import re
@@ -10,9 +10,9 @@ from pathlib import Path
 from compile_headers import compile_headers
 from project_files import ROOT, includes, project_files
 
-# Lower ones first: a file includes its own layer and those before it. Folders outside of graze/ may include all of them.
+# Lowest first: a file includes its own layer and those before it. Folders outside graze/ may include all layers.
 LAYERS = ["math", "shape", "query", "broad", "scene", "io"]
-# graze::geometry: these need GLM alone, and reach it through one file.
+# graze::geometry: these layers need only GLM, and only one file includes it.
 GEOMETRY = LAYERS[:3]
 GLM_DOOR = Path("graze/math/vec.hpp")
 MAX_LINES = 450
@@ -20,63 +20,63 @@ MAX_LINES = 450
 SPDX = "SPDX-License-Identifier: MIT"
 SOURCES = [".hpp", ".cpp", ".cpp.in", ".py", ".sh", ".cmake", ".cmake.in", "CMakeLists.txt", "dev", ".ci/run"]
 
-# Headers, and sources of another name than their header, without a test file of their own: the test file that covers them,
-# and why it is another's. Parts of kernels (`-inl.hpp`) are tested where the kernels are.
+# Files without their own mirror test: the test file that covers them, and the reason. Parts of kernels (`-inl.hpp`) are
+# tested with the kernels.
 TESTED_ELSEWHERE = {
-    "graze/math/lanes/paired.hpp": ("tests/query/ray/filters_test.cpp", "what the filters of rays calculate with"),
+    "graze/math/lanes/paired.hpp": ("tests/query/ray/filters_test.cpp", "used by the ray filters"),
     "graze/math/platform/compiler.hpp": ("tests/package/test_compiler.py", "refuses compilers and flags"),
-    "graze/math/platform/has_lanes.hpp": ("tests/math/lanes/lanes_test.cpp", "two macros, for what is tested there"),
-    "graze/math/platform/throw.hpp": ("tests/package/test_compiler.py", "what errors become without exceptions"),
-    "graze/shape/fields/transformed.hpp": ("tests/query/transformed_test.cpp", "how every shape moves"),
+    "graze/math/platform/has_lanes.hpp": ("tests/math/lanes/lanes_test.cpp", "two macros that lanes.hpp uses"),
+    "graze/math/platform/throw.hpp": ("tests/package/test_compiler.py", "errors without exceptions"),
+    "graze/shape/fields/transformed.hpp": ("tests/query/transformed_test.cpp", "moves every shape"),
     "graze/shape/hull/flat_points.hpp": ("tests/shape/hull/vertices_test.cpp", "the corners of flat points"),
-    "graze/shape/hull/input.hpp": ("tests/shape/polytope_test.cpp", "what convex_hull refuses"),
+    "graze/shape/hull/input.hpp": ("tests/shape/polytope_test.cpp", "the arguments that convex_hull refuses"),
     "graze/shape/hull/lexicographic.hpp": ("tests/shape/polytope_test.cpp", "the order of a polytope's vertices"),
-    "graze/shape/hull/monotone_chain.hpp": ("tests/shape/polytope_test.cpp", "convex_hull in the plane"),
+    "graze/shape/hull/monotone_chain.hpp": ("tests/shape/polytope_test.cpp", "convex_hull in 2D"),
     "graze/shape/hull/quickhull.hpp": ("tests/shape/hull/faces_test.cpp", "the method behind hull_faces"),
-    "graze/query/cast/cast_hit.hpp": ("tests/query/shape_cast_test.cpp", "what shape_cast makes of rays"),
+    "graze/query/cast/cast_hit.hpp": ("tests/query/shape_cast_test.cpp", "shape_cast by a ray"),
     "graze/query/fast_contact/cores_2d.hpp":
-        ("tests/query/fast_contact/boxes_2d_test.cpp", "what a touch in the plane is calculated from"),
+        ("tests/query/fast_contact/boxes_2d_test.cpp", "used by 2D contacts"),
     "graze/query/fast_contact/fast_result.hpp":
-        ("tests/query/fast_contact/fast_contact_test.cpp", "a struct that every quick look fills"),
+        ("tests/query/fast_contact/fast_contact_test.cpp", "a struct that every fast contact fills"),
     "graze/query/fast_contact/one_pair.hpp":
         ("tests/query/fast_contact/sphere_box_test.cpp", "the numbers that fast contacts calculate with"),
     "graze/query/fast_contact/sphere_2d.hpp":
-        ("tests/query/fast_contact/boxes_2d_test.cpp", "compared there with all shapes, as the others"),
-    "graze/query/patch/of_shape.hpp": ("tests/query/manifold_test.cpp", "which patch is whose, for manifolds"),
-    "graze/query/ray/careful.hpp": ("tests/query/ray_cast_test.cpp", "ray_cast where no filter settles it"),
+        ("tests/query/fast_contact/boxes_2d_test.cpp", "compared there with all shapes"),
+    "graze/query/patch/of_shape.hpp": ("tests/query/manifold_test.cpp", "selects the patch of each shape"),
+    "graze/query/ray/careful.hpp": ("tests/query/ray_cast_test.cpp", "ray_cast where no filter decides"),
     "graze/query/ray/filter/capsule.hpp": ("tests/query/ray/filters_test.cpp", "one of the filters of rays"),
     "graze/query/ray/filter/obb.hpp": ("tests/query/ray/filters_test.cpp", "one of the filters of rays"),
     "graze/query/ray/filter/plane.hpp": ("tests/query/ray/filters_test.cpp", "one of the filters of rays"),
     "graze/query/ray/filter/polygon.hpp": ("tests/query/ray/filters_test.cpp", "one of the filters of rays"),
     "graze/query/ray/filter/rectangle.hpp": ("tests/query/ray/filters_test.cpp", "one of the filters of rays"),
-    "graze/query/ray/filter/slab.hpp": ("tests/query/ray/filter/box_test.cpp", "what the filters of boxes are made of"),
+    "graze/query/ray/filter/slab.hpp": ("tests/query/ray/filter/box_test.cpp", "used by the filters of boxes"),
     "graze/query/ray/filter/sphere.hpp": ("tests/query/ray/filters_test.cpp", "one of the filters of rays"),
-    "graze/query/ray/hit_lanes.hpp": ("tests/query/ray/filter/box_test.cpp", "writes what the filters of rays find"),
+    "graze/query/ray/hit_lanes.hpp": ("tests/query/ray/filter/box_test.cpp", "writes the results of the ray filters"),
     "graze/query/ray_hit.hpp":
-        ("tests/query/ray_cast_test.cpp", "structs without functions: what ray_cast is asked and gives"),
-    "graze/query/simplex_cache.hpp": ("tests/query/closest/hulls_test.cpp", "a struct, which the queries fill"),
-    "graze/query/status.hpp": ("tests/query/gjk_test.cpp", "an enum without functions: it is how gjk and epa end"),
+        ("tests/query/ray_cast_test.cpp", "structs without functions, for ray_cast"),
+    "graze/query/simplex_cache.hpp": ("tests/query/closest/hulls_test.cpp", "a struct that the queries fill"),
+    "graze/query/status.hpp": ("tests/query/gjk_test.cpp", "an enum without functions, returned by gjk and epa"),
     "graze/broad/executor/alone.cpp":
-        ("tests/broad/executor_test.cpp", "what executor.hpp promises, where there is no oneTBB"),
-    "graze/broad/executor/tbb.cpp": ("tests/broad/executor_test.cpp", "what executor.hpp promises, by oneTBB"),
-    "graze/broad/memory/prefetch.hpp": ("tests/broad/pairs/cluster_test.cpp", "changes nothing but the time"),
-    "graze/broad/pair.hpp": ("tests/broad/pairs_test.cpp", "a struct without functions: it is what overlapping_pairs gives"),
-    "graze/broad/pairs/bucket_sort.hpp": ("tests/broad/pairs/pair_sort_test.cpp", "what the sorting of pairs is made of"),
+        ("tests/broad/executor_test.cpp", "executor.hpp without oneTBB"),
+    "graze/broad/executor/tbb.cpp": ("tests/broad/executor_test.cpp", "executor.hpp with oneTBB"),
+    "graze/broad/memory/prefetch.hpp": ("tests/broad/pairs/cluster_test.cpp", "affects only the speed"),
+    "graze/broad/pair.hpp": ("tests/broad/pairs_test.cpp", "a struct without functions, returned by overlapping_pairs"),
+    "graze/broad/pairs/bucket_sort.hpp": ("tests/broad/pairs/pair_sort_test.cpp", "used by the sorting of pairs"),
     "graze/broad/pairs/pair_search.hpp": ("tests/broad/pairs_test.cpp", "the method behind overlapping_pairs"),
     "graze/broad/pairs/pair_sink.hpp":
-        ("tests/broad/pairs/dense_search_test.cpp", "a function's type, which both methods fill"),
+        ("tests/broad/pairs/dense_search_test.cpp", "a function type that both methods use"),
     "graze/broad/simd/block.hpp":
-        ("tests/broad/pairs/block_tree_test.cpp", "structs without functions: what the tree is made of"),
+        ("tests/broad/pairs/block_tree_test.cpp", "structs without functions, for the tree"),
     "graze/broad/simd/choice.hpp":
-        ("tests/broad/pairs/block_kernels_test.cpp", "one macro, whose sets the tests force one by one"),
-    "graze/broad/touching/manifolds.hpp": ("tests/broad/contacts_test.cpp", "instances of manifold(), which contacts calls"),
+        ("tests/broad/pairs/block_kernels_test.cpp", "one macro, whose values the tests force in turn"),
+    "graze/broad/touching/manifolds.hpp": ("tests/broad/contacts_test.cpp", "instances of manifold() for contacts"),
     "graze/broad/touching/manifolds_2d.cpp": ("tests/broad/contacts_test.cpp", "the same"),
     "graze/broad/touching/manifolds_3d.cpp": ("tests/broad/contacts_test.cpp", "the same"),
     "graze/broad/touching/pair_tasks.hpp":
-        ("tests/broad/touching_pairs_test.cpp", "what it refuses, and the same from any executor"),
+        ("tests/broad/touching_pairs_test.cpp", "invalid arguments, and equal results with any executor"),
     "graze/broad/touching/relations.hpp":
-        ("tests/broad/touching_pairs_test.cpp", "instances of relation(), for all who ask it"),
-    "graze/scene/storage/single_queries.hpp": ("tests/scene/plain_scene_test.cpp", "instances of what PlainScene asks"),
+        ("tests/broad/touching_pairs_test.cpp", "instances of relation()"),
+    "graze/scene/storage/single_queries.hpp": ("tests/scene/plain_scene_test.cpp", "instances of queries for PlainScene"),
 }
 
 
@@ -86,29 +86,29 @@ def layer_of(path):
 
 
 def is_public(path):
-    """Whether a header is public API: those directly in a layer's folder are, those in sub-folders are internal."""
+    """Whether a header is public API: directly in a layer's folder, not in a sub-folder."""
     return path.suffix == ".hpp" and path.parts[0] == "graze" and len(path.parts) <= 3
 
 
 def include_problem(root, path, name, quoted):
-    """What is wrong with `#include name` in the file `path`, or None."""
+    """A problem of `#include name` in the file `path`, or None."""
     layer = layer_of(path)
     if name.startswith("glm/") and path.parts[0] == "graze" and path != GLM_DOOR:
-        return f"includes GLM ({name}); only {GLM_DOOR} may, include that"
+        return f"includes GLM ({name}); only {GLM_DOOR} may; include that"
     if not name.startswith("graze/"):
         third_party = not quoted and ("/" in name or "." in name) and not name.startswith("glm/")
         if layer in GEOMETRY and third_party:
-            return f"includes {name}, but graze::geometry ({', '.join(GEOMETRY)}) may need GLM alone"
+            return f"includes {name}, but graze::geometry ({', '.join(GEOMETRY)}) may need only GLM"
         return None
     if not (root / name).is_file():
         return f"includes {name}, which does not exist"
     if path.parts[0] == "examples" and not is_public(Path(name)):
-        return f"includes {name}, which is internal; an example may use the public headers only"
+        return f"includes {name}, which is internal; an example may only use public headers"
     if layer is None:
         return None
     included = layer_of(Path(name))
     if included is None:
-        return f"includes {name}, which stands above every layer"
+        return f"includes {name}, which is above every layer"
     if LAYERS.index(included) > LAYERS.index(layer):
         return f"includes upwards: {name}; {layer} may include {', '.join(LAYERS[: LAYERS.index(layer) + 1])}"
     return None
@@ -127,7 +127,7 @@ def check_includes(root, sources):
 
 
 def check_public_headers(root, sources):
-    """A header that declares nothing for users belongs into a sub-folder."""
+    """A header without public declarations belongs in a sub-folder."""
     problems = []
     for path in sources:
         if layer_of(path) and is_public(path):
@@ -138,14 +138,14 @@ def check_public_headers(root, sources):
 
 
 def check_throws(root, sources):
-    """graze::geometry is also compiled without exceptions, so its headers throw by the macro that knows."""
+    """graze::geometry also compiles without exceptions, so its headers throw with a macro."""
     problems = []
     for path in sources:
         if layer_of(path) not in GEOMETRY or path.name == "throw.hpp":
             continue
         for number, line in enumerate((root / path).read_text(encoding="utf-8").splitlines(), 1):
             if not line.startswith("#") and re.search(r"\b(throw|try|catch)\b", line.split("//")[0]):
-                problems.append(f"{path}:{number}: throws or catches by itself; use GRAZE_THROW (math/platform/throw.hpp)")
+                problems.append(f"{path}:{number}: uses throw, try or catch; use GRAZE_THROW (math/platform/throw.hpp)")
     return problems
 
 
@@ -156,7 +156,7 @@ def check_text(root, sources):
         if not any(SPDX in line for line in lines[:2]):
             problems.append(f"{path}:1: the first line (the second after #!) must say {SPDX}")
         if len(lines) > MAX_LINES:
-            problems.append(f"{path}:{MAX_LINES + 1}: has {len(lines)} lines; split it by operation, {MAX_LINES} are the limit")
+            problems.append(f"{path}:{MAX_LINES + 1}: has {len(lines)} lines; split it by operation; the limit is {MAX_LINES}")
     return problems
 
 
@@ -168,9 +168,9 @@ def check_mirror_tests(root, sources, tested_elsewhere):
         test = Path("tests") / path.relative_to("graze").with_name(f"{path.stem}_test.cpp")
         other = tested_elsewhere.get(str(path.with_suffix(".hpp"))) or tested_elsewhere.get(str(path))
         if other and (root / test).is_file():
-            problems.append(f"tools/check_layers.py:1: {path} has {test} now; remove its row from TESTED_ELSEWHERE")
+            problems.append(f"tools/check_layers.py:1: {path} now has {test}; remove its row from TESTED_ELSEWHERE")
         elif other and not (root / other[0]).is_file():
-            problems.append(f"tools/check_layers.py:1: {path} is to be tested by {other[0]}, which does not exist")
+            problems.append(f"tools/check_layers.py:1: {path} should be tested by {other[0]}, which does not exist")
         elif not other and not (root / test).is_file():
             problems.append(f"{path}:1: has no mirror test; write {test}")
     known = {str(path) for path in layered}
@@ -181,8 +181,8 @@ def check_mirror_tests(root, sources, tested_elsewhere):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--root", type=Path, default=ROOT, help="the project's folder")
-    parser.add_argument("--compiler", default="g++", help="compiles the headers alone (default: g++)")
+    parser.add_argument("--root", type=Path, default=ROOT, help="root folder of the project")
+    parser.add_argument("--compiler", default="g++", help="the compiler for the check of headers (default: g++)")
     options = parser.parse_args()
     root = options.root.resolve()
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Checks that a page of the cookbook shows what its program does. The recipe NAME is
+"""Checks that a page of the cookbook shows the output of its program. The recipe NAME is
 
 - a program examples/cookbook/NAME.cpp, at most 60 lines of it, built as cookbook_NAME;
 - a picture docs/pictures/cookbook/NAME.svg, which the program draws, byte for byte;
@@ -25,7 +25,7 @@ _VIEWER = "../../viewer/index.html#"
 
 
 def run(program):
-    """What the program prints, and the picture that it draws. Raises RuntimeError when it fails."""
+    """The program's output and picture. Raises RuntimeError if it fails."""
     with tempfile.TemporaryDirectory(prefix="graze recipe ") as folder:
         picture = Path(folder) / "picture.svg"
         done = subprocess.run([program, picture], capture_output=True, text=True, timeout=_TIMEOUT_SECONDS, check=False)
@@ -49,10 +49,10 @@ def problems_of(root, name, program):
     problems = []
     lines = len((root / source).read_text(encoding="utf-8").splitlines())
     if lines > _MAX_LINES:
-        problems.append(f"{source} has {lines} lines; {_MAX_LINES} are the limit")
+        problems.append(f"{source} has {lines} lines; the limit is {_MAX_LINES}")
     printed, drawn = run(program)
     if drawn != (root / picture_path).read_bytes():
-        problems.append(f"{picture_path} is not what {name} draws; draw it anew: {program} {picture_path}")
+        problems.append(f"{picture_path} is not what {name} draws; update it by: {program} {picture_path}")
 
     page = read_page((root / page_path).read_text(encoding="utf-8"))
     blocks = {block.source: block for block in page.blocks if block.source}
@@ -60,13 +60,13 @@ def problems_of(root, name, program):
         problems.append(f"{page_path} does not show its program: <!-- file: {source} --> is missing")
     output = blocks.get(("output", str(source)))
     if output is None:
-        problems.append(f"{page_path} does not show what its program prints: <!-- output: {source} --> is missing")
+        problems.append(f"{page_path} does not show the output of its program: <!-- output: {source} --> is missing")
     elif output.code != printed:
         problems.append(f"{page_path}:{output.line}: shows another output\n{difference(output.code, printed)}")
     if f"../pictures/cookbook/{name}.svg" not in (target for _, target in page.links):
         problems.append(f"{page_path} does not show {picture_path}")
     if not any(target.startswith(_VIEWER) for _, target in page.links):
-        problems.append(f"{page_path} has no link to the viewer, which would begin with {_VIEWER}")
+        problems.append(f"{page_path} has no link to the viewer, which begins with {_VIEWER}")
     index = read_page((root / "docs/cookbook/README.md").read_text(encoding="utf-8"))
     if f"{name}.md" not in (target for _, target in index.links):
         problems.append(f"docs/cookbook/README.md does not link to {name}.md")
@@ -74,8 +74,8 @@ def problems_of(root, name, program):
 
 
 def main():
-    parser = argparse.ArgumentParser(description="Checks that a page of the cookbook shows what its program does.")
-    parser.add_argument("--root", type=Path, default=ROOT, help="the project's folder")
+    parser = argparse.ArgumentParser(description="Checks that a page of the cookbook shows the output of its program.")
+    parser.add_argument("--root", type=Path, default=ROOT, help="root folder of the project")
     parser.add_argument("program", type=Path, help="the built program, cookbook_NAME")
     options = parser.parse_args()
     name = options.program.stem.removeprefix("cookbook_")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Runs clang-tidy on the sources of the library and the program and on the examples that include all headers; on tests,
-benchmarks and recipes only when asked, for they are several times as many files. All batches (GRAZE_UNITY) of a target are
-looked at as one, and so are all examples, which reads their headers once for all. What was looked at is looked at again only
-when a file of it, something that it includes of the project, its command, or the configuration has changed."""
+"""Runs clang-tidy on the sources of the library and the program and on the examples, which include all headers; with
+--all also on tests, benchmarks and recipes, which are several times as many files. All batches (GRAZE_UNITY) of a target
+are checked as one unit, and so are all examples, so that their headers are parsed only once. A unit is checked again only
+if one of its files, a project file that it includes, its command or the configuration has changed."""
 
 import argparse
 import json
@@ -17,9 +17,9 @@ from pathlib import Path
 from content_cache import ContentCache, content_key
 from project_files import ROOT, includes, project_files
 
-# What the build that lint reads does not compile, and what does.
+# Folders that the lint build does not compile, and what compiles them.
 COMPILED_ELSEWHERE = {
-    "tests/fuzz": "Clang, which alone has libFuzzer: ./dev test asan",
+    "tests/fuzz": "Clang, because only it has libFuzzer: ./dev test asan",
     "bindings/wasm/src": "Emscripten, whose headers clang-tidy cannot read: ./dev web",
     "tests/package/compiler": "the tests of compilers and their options",
     "tests/package/consumer": "the tests of the installed package",
@@ -30,8 +30,7 @@ _FINDING = re.compile(r"^(/.*?):(\d+):(\d+): (warning|error): ", re.MULTILINE)
 
 @dataclass(frozen=True)
 class Unit:
-    """What is looked at at a time: the project's sources, how they are compiled, and the text that includes them, if it is
-    not the only one of them itself."""
+    """The sources of one clang-tidy run, their compiler options and, for several sources, the text that includes them."""
 
     sources: tuple
     flags: tuple
@@ -39,7 +38,7 @@ class Unit:
 
 
 def flags_of(command):
-    """The options of a compiler's command but for what it reads and writes."""
+    """The options of a compiler command without input and output files."""
     words = iter(shlex.split(command)[1:])
     flags = []
     for word in words:
@@ -51,16 +50,16 @@ def flags_of(command):
 
 
 def units_of(root, build):
-    """The units of the compile commands that hold the project's own sources."""
+    """The units with the project's own sources in the compile commands."""
     batches, programs, units = {}, {}, []
     for entry in json.loads((build / "compile_commands.json").read_text(encoding="utf-8")):
         file = Path(entry["file"])
         flags = flags_of(entry["command"])
         if file.is_relative_to(build) and file.parent.name == "Unity":
             included = [Path(name).relative_to(root) for _, name, _ in includes(file.read_text(encoding="utf-8"))]
-            # Tests are too many to be held in memory at once.
+            # There are too many tests for one unit in memory.
             batches.setdefault((flags, "" if is_looked_at_always(included[0]) else file), []).extend(included)
-        elif file.is_relative_to(root) and file.stem != "cmake_pch.hxx":  # what CMake makes of a template is there, too
+        elif file.is_relative_to(root) and file.stem != "cmake_pch.hxx":  # includes files that CMake generates from templates
             source = file.relative_to(root)
             if source.parts[0] == "examples":
                 programs.setdefault((flags, source.parent), []).append(source)
@@ -70,19 +69,19 @@ def units_of(root, build):
         units.append(Unit(tuple(sources), flags, "".join(f'#include "{root / source}"\n' for source in sources)))
     for (flags, _), sources in programs.items():
         text = "".join(f'#define main main_of_{source.stem}\n#include "{root / source}"\n#undef main\n' for source in sources)
-        # Only of `main` may the end be reached without a return; of others the compilers know.
+        # A renamed `main` may lack a return; the compilers check the other functions.
         units.append(Unit(tuple(sources), (*flags, "-Wno-return-type"), text))
     return units
 
 
 def is_looked_at_always(path):
-    """What others include or run. Headers that no source of the library includes are seen through the examples."""
+    """Library, program and examples. The examples include headers that no source of the library includes."""
     return path.parts[0] in ("graze", "apps") or path.parent == Path("examples")
 
 
 def configuration_for(root, build, path):
-    """The nearest configuration above a source: for one in a batch, clang-tidy would look above the batch, and for one that
-    CMake makes of a template not where the template is."""
+    """The nearest configuration above a source. clang-tidy itself would search above the batch or the generated file
+    instead of the source or its template."""
     place = root / path
     if place.is_relative_to(build):
         place = root / place.relative_to(build)
@@ -101,9 +100,9 @@ def findings(root, text):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--root", type=Path, default=ROOT, help="the project's folder")
-    parser.add_argument("--build", type=Path, help="where compile_commands.json is (default: build/lint)")
-    parser.add_argument("--all", action="store_true", help="tests, benchmarks and recipes too")
+    parser.add_argument("--root", type=Path, default=ROOT, help="root folder of the project")
+    parser.add_argument("--build", type=Path, help="the folder of compile_commands.json (default: build/lint)")
+    parser.add_argument("--all", action="store_true", help="also check tests, benchmarks and recipes")
     options = parser.parse_args()
     root = options.root.resolve()
     build = (options.build or root / "build" / "lint").resolve()
@@ -113,7 +112,7 @@ def main():
     units = units_of(root, build)
     checks = [(unit, content_key(root, unit.sources, version, configuration, unit.flags, unit.text)) for unit in units
               if options.all or any(map(is_looked_at_always, unit.sources))]
-    # The longest first, so that none is left to one processor at the end.
+    # The longest first, to balance the load at the end.
     checks.sort(key=lambda check: -len(check[0].sources))
 
     def tidy(unit):
@@ -123,8 +122,8 @@ def main():
             if unit.text:
                 file = Path(scratch) / "sources.cpp"
                 file.write_text(unit.text, encoding="utf-8")
-                command.append("--checks=-bugprone-suspicious-include")  # to include sources is its purpose
-            # The commands may be another compiler's, with warnings that clang has never heard of.
+                command.append("--checks=-bugprone-suspicious-include")  # a batch includes sources on purpose
+            # The commands may be for another compiler, with warnings that clang does not know.
             done = subprocess.run([*command, file, "--", *unit.flags, "-Wno-unknown-warning-option"], cwd=build,
                                   capture_output=True, text=True, check=False)
         return "" if done.returncode == 0 else done.stdout or done.stderr

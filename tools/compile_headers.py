@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Compiles every header alone and included twice: a header needs nothing before it, and guards itself."""
+"""Compiles every header alone and included twice, to check that it is self-contained and has an include guard."""
 
 import subprocess
 import tempfile
@@ -12,16 +12,16 @@ _FLAGS = ["-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Wpedantic", "-Wco
           "-ffp-contract=off", "-DGRAZE_NO_CONTRACTION", "-I."]
 
 
-# Headers that many others include, the largest first. Whoever includes one finds it compiled: all includes stand before any
-# code, so nothing comes to light later than without.
+# Headers that many others include, the largest first; precompiled. Includes come before all code, so precompiling hides no
+# errors.
 _SHARED = [Path("graze/shape/any_shape.hpp"), Path("graze/shape/polytope.hpp"), Path("graze/math/vec.hpp")]
 
 
 def _precompile(root, compiler, header, folder):
-    """Returns the file to `-include` in place of the header, and what the compiler said if it could not be made."""
+    """Returns the file to `-include` instead of the header, and the compiler's messages if precompiling failed."""
     folder.mkdir()
     named = folder / header.name
-    named.write_text(f"#include <{header}>\n", encoding="utf-8")  # its #pragma once has no place in a main file
+    named.write_text(f"#include <{header}>\n", encoding="utf-8")  # #pragma once causes a warning in a main file
     flags = [flag for flag in _FLAGS if flag != "-fsyntax-only"]
     done = subprocess.run([compiler, *flags, "-x", "c++-header", named, "-o", f"{named}.gch"], cwd=root, capture_output=True,
                           text=True, check=False)
@@ -29,12 +29,12 @@ def _precompile(root, compiler, header, folder):
 
 
 def _is_part(path):
-    """Whether a header beside it includes this file, into a namespace of its own: one source for one pair and for many."""
+    """Whether other files include this one into their own namespaces: one source for one pair and for many."""
     return path.parts[1] == "query" and path.stem.endswith("-inl")
 
 
 def compile_headers(root, compiler):
-    """Returns the problems as texts, and how many headers were looked at. Those that passed unchanged are not compiled again."""
+    """Returns the problems as texts and the number of headers. Unchanged headers that passed are not compiled again."""
     version = subprocess.run([compiler, "--version"], capture_output=True, text=True, check=True).stdout
     headers = [path for path in project_files(root, [".hpp"]) if path.parts[0] == "graze" and not _is_part(path)]
     checks = [(path, content_key(root, path, version, _FLAGS)) for path in headers]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Remembers which checks passed on which contents, so that a check is only repeated where something changed."""
+"""Stores which checks passed on which contents, so that a check is only repeated after a change."""
 
 import hashlib
 import os
@@ -17,12 +17,12 @@ class ContentCache:
         self._folder.mkdir(parents=True, exist_ok=True)
 
     def is_due(self, checks):
-        """Whether any of the checks, given as to `run`, has not passed yet."""
+        """Whether any of the checks, given as in `run`, has not passed yet."""
         return any(not (self._folder / key).exists() for _, key in checks)
 
     def run(self, checks, work):
-        """Calls `work(item)` in parallel for each (item, key) of `checks` whose key has not passed yet. `work` gives what
-        is wrong as a text, empty when nothing is. Returns the failed items with their texts, and how many calls it took."""
+        """Calls `work(item)` in parallel for each (item, key) of `checks` whose key has not passed yet. `work` returns a
+        description of the problem, or an empty text. Returns the failed items with their texts, and the number of calls."""
         due = [check for check in checks if self.is_due([check])]
         with ThreadPoolExecutor(os.cpu_count()) as threads:
             texts = list(threads.map(lambda check: work(check[0]), due))
@@ -33,7 +33,7 @@ class ContentCache:
 
 
 def content_key(root, paths, *settings):
-    """The hash of one or several source files, of all that they include of the project, and of the settings of the check."""
+    """The hash of one or several source files, the project files that they include, and the settings of the check."""
     digest = hashlib.sha256()
     for setting in settings:
         digest.update(str(setting).encode() + b"\0")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Makes tables of the data that ./dev exam writes.
+"""Creates tables from the data that ./dev exam writes.
 
-Prints them; or, with --write, puts those of docs/accuracy.json between the marks <!-- exam: NAME --> and <!-- exam: end --> of
-docs/accuracy.md and docs/accuracy_tables.md. check_docs.py fails where these hold anything else."""
+Prints them or, with --write, inserts the tables of docs/accuracy.json between the marks <!-- exam: NAME --> and
+<!-- exam: end --> in docs/accuracy.md and docs/accuracy_tables.md. check_docs.py fails if the pages differ."""
 
 import argparse
 import json
@@ -22,7 +22,7 @@ _MARKED = re.compile(r"(<!-- exam: (?!end)(.*?) -->\n)(.*?)(<!-- exam: end -->)"
 
 
 def error(x):
-    """An error in two digits; those without end are null in the data."""
+    """An error with two digits; infinite ones are null in the data."""
     return "inf" if x is None else "0" if x == 0 else f"{x:.2g}"
 
 
@@ -42,7 +42,7 @@ def over_spaces(name):
     return [(head, name, in_space(space)) for head, space in SPACES.items()]
 
 
-# graze's answers: the columns behind the subject, as heading, figure and how it is told.
+# graze's results: the columns after the subject, as heading, figure and format.
 ANSWERS = {
     "point": [("cases", "cases", str), ("held", "held", percent), ("wrong", "wrong", str), ("forgiven", "forgiven", by_scalar),
               ("`signed_distance`", "signed_distance", by_scalar), ("`closest_point`", "closest_point", by_scalar),
@@ -66,7 +66,7 @@ ANSWERS = {
                         ("volume", "volume", error), ("centroid", "centroid", error), ("inertia", "inertia", error)],
 }
 
-# All programs' answers: the figures common to them, and what a cell is.
+# The results of all programs: the common figures, and the content of a cell.
 _OFF = "{false_yes} + {false_no}, {off}, {worst}"
 _OFF_TWICE = "{false_yes} + {false_no}, {off} / {slightly_off}, {worst}"
 SIDE_BY_SIDE = {
@@ -134,7 +134,7 @@ def programs_table(rows, question):
     names = programs_of(rows)
     lines = []
     for one in rows:
-        subject = "**all that it has**" if one["subject"] == "all" else one["subject"]
+        subject = "**all**" if one["subject"] == "all" else one["subject"]
         lines.append([subject, str(one["cases"]), *(str(one[name]) for name in common),
                       *(program_cell(one["programs"].get(name), form) for name in names)])
     return table(["pair" if "," in rows[0]["subject"] else "shape", "cases", *common, *names], lines)
@@ -158,7 +158,7 @@ def hulls_table(rows):
 
 
 def wrong_share(rows, program):
-    """Of the answers of a program to one question in one space, which share was wrong: none if it was not asked."""
+    """The share of a program's wrong answers to one question in one space; None if it was not asked."""
     asked = [one for one in rows if program in one["programs"] and one["subject"] != "all"]
     figures = [one["programs"][program] for one in asked]
     if not asked:
@@ -181,7 +181,7 @@ def summary_table(data):
 
 
 def tables_of(data):
-    """All tables that the data have rows for, by name."""
+    """All tables for which the data have rows, by name."""
     tables = {"run": run_line(data), "summary": summary_table(data)}
     for question in ANSWERS:
         if rows := of(data["answers"], question=question):
@@ -197,12 +197,12 @@ def tables_of(data):
 
 
 def filled(text, tables):
-    """The page with each table between its marks; those that no table has stay as they are."""
+    """The page with each table between its marks; marks without a table stay unchanged."""
     return _MARKED.sub(lambda mark: f"{mark[1]}\n{tables[mark[2]]}\n{mark[4]}" if mark[2] in tables else mark[0], text)
 
 
 def problems(root):
-    """What is wrong with the pages of a project that has the data, as (page, line, text)."""
+    """The problems of the pages of a project that has the data, as (page, line, text)."""
     if not (root / DATA).is_file():
         return []
     tables = tables_of(json.loads((root / DATA).read_text(encoding="utf-8")))
@@ -214,18 +214,18 @@ def problems(root):
             if mark[2] not in tables:
                 found.append((page, line, f"{DATA} has nothing for <!-- exam: {mark[2]} -->"))
             elif mark[3] != f"\n{tables[mark[2]]}\n":
-                found.append((page, line, f"is not what {DATA} holds; run tools/exam_tables.py --write"))
+                found.append((page, line, f"differs from {DATA}; run tools/exam_tables.py --write"))
     return found
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("data", nargs="?", type=Path, help=f"what the exam has written (default: {DATA})")
-    parser.add_argument("--root", type=Path, default=ROOT, help="the project's folder")
-    parser.add_argument("--write", action="store_true", help="into the pages of the project")
+    parser.add_argument("data", nargs="?", type=Path, help=f"the output of the exam (default: {DATA})")
+    parser.add_argument("--root", type=Path, default=ROOT, help="root folder of the project")
+    parser.add_argument("--write", action="store_true", help="insert the tables into the pages of the project")
     options = parser.parse_args()
     if options.write and options.data:
-        parser.error(f"--write takes {DATA} alone; copy the data there")
+        parser.error(f"--write only takes {DATA}; copy the data there")
     tables = tables_of(json.loads((options.data or options.root / DATA).read_text(encoding="utf-8")))
     if not options.write:
         print("\n".join(f"### {name}\n\n{text}" for name, text in tables.items()), end="")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Writes the manual page and the shell completions of `graze` from its own --help, or checks that they are as it says.
+"""Writes the manual page and the shell completions of `graze` from its own --help, or checks that they match it.
 
 usage: python3 tools/make_manual.py [--check] [--program build/release/bin/graze]
 """
@@ -17,7 +17,7 @@ FOLDER = Path("apps/cli/share")
 
 
 class Help:
-    """What `graze COMMAND --help` says, by its parts."""
+    """The parts of the output of `graze COMMAND --help`."""
 
     def __init__(self, program, command):
         words = [program, *([command] if command else []), "--help"]
@@ -48,7 +48,7 @@ class Help:
 
 
 def choices_of(description):
-    """The words to choose from in 'table (the default), json, ndjson or csv', if that is all that it says."""
+    """The choices in a description like 'table (the default), json, ndjson or csv'; empty for any other description."""
     words = re.split(r",\s*|\s+or\s+", re.sub(r"\s*\(the default\)", "", description.split(";")[0]))
     return words if len(words) > 1 and all(re.fullmatch(r"[a-z_]+", word) for word in words) else []
 
@@ -174,7 +174,7 @@ _graze "$@"
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--program", type=Path, default=ROOT / "build/release/bin/graze", help="the program graze")
-    parser.add_argument("--check", action="store_true", help="write nothing; fail if a file is not what it would be")
+    parser.add_argument("--check", action="store_true", help="write nothing; fail if a file is out of date")
     options = parser.parse_args()
     program = options.program.resolve()
     commands = [name for name, _ in Help(program, None).tables["Commands"]]
@@ -189,7 +189,7 @@ def main():
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")
     if stale:
-        print(f"not what `graze --help` says: {', '.join(stale)}; run python3 tools/make_manual.py", file=sys.stderr)
+        print(f"out of date with `graze --help`: {', '.join(stale)}; run python3 tools/make_manual.py", file=sys.stderr)
     return 1 if stale else 0
 
 

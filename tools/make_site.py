@@ -3,8 +3,8 @@
 
 usage: python3 tools/make_site.py [--output build/site] [--viewer build/web/viewer]
 
-The reference comes from the headers that lie directly in a layer's folder and from EXPORTED, the pages from README.md, docs/
-and the other Markdown files that they link to. Every warning of Doxygen is an error. Without a built viewer its pages are left out.
+The reference comes from the headers directly in a layer's folder and from EXPORTED, the pages from README.md, docs/ and the
+other Markdown files that they link to. Every warning of Doxygen is an error. Without a built viewer its pages are omitted.
 """
 
 import argparse
@@ -37,7 +37,7 @@ _LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(<?([^)\s>]+)>?\)")
 
 
 def label_of(path, fragment=""):
-    """The name by which Doxygen knows a page, or a heading of it."""
+    """The name that Doxygen uses for a page or one of its headings."""
     label = re.sub(r"\W+", "_", str(path.with_suffix(""))).lower()
     return f"{label}-{fragment}" if fragment else label
 
@@ -51,10 +51,10 @@ class Site:
                                                    and path.parts[0] == "graze" and path.parts[1] in LAYERS),
                         *(Path("graze", name) for name in EXPORTED)]
         self.children = set()
-        self.copies = set()  # files that pages link to and that are no pages: the site has them as they are
+        self.copies = set()  # linked files that are not pages: copied unchanged
 
     def link(self, page, is_picture, text, target):
-        """A Markdown link of the page, as the site has it."""
+        """A Markdown link of the page, converted for the site."""
         if re.match(r"[a-z][a-z+.-]*:", target):
             return f"{'!' if is_picture else ''}[{text}]({target})"
         name, _, fragment = target.partition("#")
@@ -72,7 +72,7 @@ class Site:
         return f'<img src="files/{place}" alt="{text}"/>' if is_picture else f'<a href="files/{place}">{text}</a>'
 
     def page(self, path):
-        """The text of a page for Doxygen: labels for headings, and links that lead somewhere within the site."""
+        """The text of a page for Doxygen: headings with labels, and links converted to targets within the site."""
         lines, in_code, is_first = [], False, True
         for line in (self.root / path).read_text(encoding="utf-8").splitlines():
             if _FENCE.match(line):
@@ -113,7 +113,7 @@ class Site:
         return text + "".join(f"{name} = {' '.join(map(str, values))}\n" for name, values in settings.items())
 
     def write_header(self):
-        """Doxygen's own page header, with the button that switches between light and dark."""
+        """Doxygen's page header with a button that switches between light and dark."""
         header = self.source / "header.html"
         scratch = [self.source / name for name in ("footer.html", "style.css")]
         subprocess.run(["doxygen", "-w", "html", header, *scratch], check=True, capture_output=True)
@@ -123,7 +123,7 @@ class Site:
         header.write_text(text.replace("</head>", f"{script}</head>"), encoding="utf-8")
 
     def build(self):
-        """Returns what Doxygen complained of."""
+        """Returns the warnings of Doxygen."""
         shutil.rmtree(self.output, ignore_errors=True)
         self.output.mkdir(parents=True)
         self.write_sources()
@@ -145,7 +145,7 @@ def main():
     parser.add_argument("--viewer", type=Path, default=ROOT / "build/web/viewer", help="the built viewer (default: build/web/viewer)")
     options = parser.parse_args()
     if not shutil.which("doxygen") or not THEME.is_dir():
-        sys.exit("make_site: needs doxygen and doxygen-awesome-css, as Debian packages them")
+        sys.exit("make_site: needs doxygen and doxygen-awesome-css, as packaged by Debian")
     site = Site(ROOT, options.output.resolve(), options.viewer.resolve() if options.viewer.is_dir() else None)
     problems = site.build()
     for problem in problems:

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 """Writes data/workshop.json: a workshop of a few hundred shapes of every kind, in metres, z up.
 
-The room spans x 0..16 and y 0..12, open towards +x and -y, where an isometric picture is seen from. Who may touch whom:
-things at rest on furniture are not news, so stock does not ask about furniture or building; tools ask about everything;
-sensors ask about what can be carried. Run without arguments; the same bytes come out every time.
+The room spans x 0..16 and y 0..12, open towards +x and -y, the viewer's side in an isometric picture. Layers: stock does not
+touch furniture or building, because resting on them is normal; tools touch everything; sensors touch everything that can be
+carried. Run without arguments; the output is the same every time.
 """
 
 import argparse
@@ -25,7 +25,7 @@ MASKS = {
 
 
 def rounded(value):
-    """Numbers to a tenth of a millimetre, so that no rounding of a math library shows in the file."""
+    """Numbers rounded to a tenth of a millimetre, so that the file does not depend on the math library."""
     if isinstance(value, float):
         return round(value, 4) + 0.0
     if isinstance(value, (list, tuple)):
@@ -56,7 +56,7 @@ class Workshop:
         self.random = random.Random(seed)
         self.objects = []
         self.counts = {}
-        self.taken = []  # (x, y, radius) of what stands on the floor
+        self.taken = []  # (x, y, radius) of objects on the floor
 
     def add(self, layer, kind, shape):
         self.counts[kind] = self.counts.get(kind, 0) + 1
@@ -69,7 +69,7 @@ class Workshop:
         self.taken.append((x, y, radius))
 
     def free_place(self, radius):
-        """A place on the floor that keeps clear of all that stands there."""
+        """A free place on the floor."""
         while True:
             x, y = self.random.uniform(0.8, 15.2), self.random.uniform(0.8, 8.8)
             if all(math.hypot(x - a, y - b) > radius + r + 0.05 for a, b, r in self.taken):
@@ -165,7 +165,7 @@ def add_furniture(shop):
 
 
 def stone(shop, x, y, size):
-    """Points on a squashed ball, the lowest of them pulled down to the floor."""
+    """Points on a flattened sphere, the lowest of them moved to the floor."""
     points = []
     for _ in range(14):
         height, turn = shop.between(-1, 1), shop.between(0, 2 * math.pi)
@@ -256,7 +256,7 @@ def make_workshop():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--output", type=Path, default=ROOT / "data" / "workshop.json", help="where to write the scene")
+    parser.add_argument("--output", type=Path, default=ROOT / "data" / "workshop.json", help="the output file")
     options = parser.parse_args()
     options.output.write_text(make_workshop(), encoding="utf-8")
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The parts of a Markdown page that can be wrong: its code blocks, links and headings."""
+"""The parts of a Markdown page that are checked: code blocks, links and headings."""
 
 import re
 from dataclasses import dataclass
@@ -12,8 +12,8 @@ _HEADING = re.compile(r"^#{1,6}\s+(.*?)\s*#*$")
 
 @dataclass
 class Block:
-    """A fenced code block. `line` is that of its first line of code; `source` is what a comment right above the fence,
-    <!-- file: PATH -->, <!-- from: PATH --> or <!-- output: PATH -->, says that it shows."""
+    """A fenced code block. `line` is that of its first line of code; `source` is the content of a comment directly above,
+    <!-- file: PATH -->, <!-- from: PATH --> or <!-- output: PATH -->."""
 
     line: int
     language: str
@@ -29,7 +29,7 @@ class Page:
 
 
 def anchor_of(heading):
-    """The fragment by which web pages made from Markdown name a heading."""
+    """The URL fragment of a heading on web pages made from Markdown."""
     plain = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading).replace("`", "")
     return re.sub(r"[^\w\- ]", "", plain.lower()).replace(" ", "-")
 

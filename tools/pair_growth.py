@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""How what a box costs grows with the number of boxes, density and the spread of sizes: two tables in Markdown, of runs of
-`graze bench` on one thread. The first has nanoseconds for a box, of the fastest frame: other work only adds to it. The second
-has bytes for a box beside boxes and pairs."""
+"""Prints how the cost of a box grows with the number of boxes, their density and the spread of their sizes: two Markdown
+tables, from runs of `graze bench` on one thread. The first has nanoseconds per box in the fastest frame, which other load
+on the machine affects least. The second has bytes per box in addition to boxes and pairs."""
 
 import argparse
 import csv
@@ -29,10 +29,10 @@ def table(head, rows):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("graze", help="the program graze, of the preset release")
-    parser.add_argument("--counts", default="1000,10000,100000,1000000", help="of boxes, ascending (default: %(default)s)")
+    parser.add_argument("graze", help="the program graze, built with the preset release")
+    parser.add_argument("--counts", default="1000,10000,100000,1000000", help="numbers of boxes, ascending (default: %(default)s)")
     parser.add_argument("--worlds", default=",".join(WORLDS), help="default: %(default)s")
-    parser.add_argument("--frames", type=int, default=20, help="of a million boxes or fewer; a fourth of more (default: 20)")
+    parser.add_argument("--frames", type=int, default=20, help="frames for up to a million boxes; a quarter of them for more (default: 20)")
     options = parser.parse_args()
     counts = [int(count) for count in options.counts.split(",")]
     times = []

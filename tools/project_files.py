@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Which files belong to the project, and what they include of each other.
+"""Lists the files of the project and their includes.
 
-As a program: prints the files whose names end as one of the arguments says.
+As a program: prints the files whose names end with one of the arguments.
 """
 
 import os
@@ -18,9 +18,9 @@ _NOT_OURS = {"build", "__pycache__", "node_modules"}
 
 
 def project_files(root, suffixes):
-    """The paths, relative to `root` and sorted, of the files that end with one of `suffixes` (".hpp", "" for all) or have it
-    as their name ("CMakeLists.txt"): those that git tracks or would track, or, outside of a git checkout, all but build
-    folders and hidden ones."""
+    """The sorted paths, relative to `root`, of the files whose name ends with one of `suffixes` (".hpp", "" for all) or is
+    one of them ("CMakeLists.txt"): those that git tracks or does not ignore or, outside a git checkout, all except build
+    and hidden folders."""
     return [path for path in _all_files(Path(root)) if any(_matches(path, suffix) for suffix in suffixes)]
 
 

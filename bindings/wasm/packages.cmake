@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Answers find_package for Emscripten: there are no packages for it, but headers do not mind which machine installed them.
-# Each package's headers are reached through a link of their own, since the folder that they lie in also has the headers of
-# the machine's C library, which Emscripten must never see.
+# Implements find_package for Emscripten, for which no packages exist; header-only libraries work from any machine. Each
+# package's headers are reached through a separate link, because their folder also contains the headers of the host's C
+# library, which Emscripten must not use.
 set(GRAZE_HEADERS_FROM "/usr/include" CACHE PATH "Where the headers of the libraries that graze uses are installed")
 set(GRAZE_PUGIXML_SOURCE "" CACHE PATH "pugixml's source folder, that with pugixml.cpp")
 
@@ -13,8 +13,8 @@ function(graze_headers_of package target)
   file(MAKE_DIRECTORY "${folder}")
   foreach(name IN LISTS ARGN)
     if(NOT EXISTS "${GRAZE_HEADERS_FROM}/${name}")
-      message(FATAL_ERROR "${GRAZE_HEADERS_FROM}/${name} does not exist; install the headers of ${package}, or say by "
-                          "GRAZE_HEADERS_FROM where they are")
+      message(FATAL_ERROR "${GRAZE_HEADERS_FROM}/${name} does not exist; install the headers of ${package}, or set "
+                          "GRAZE_HEADERS_FROM to their folder")
     endif()
     file(CREATE_LINK "${GRAZE_HEADERS_FROM}/${name}" "${folder}/${name}" SYMBOLIC)
   endforeach()
@@ -46,10 +46,10 @@ macro(graze_provide_package method package)
     graze_headers_of(FastFloat FastFloat::fast_float fast_float)
   elseif("${package}" STREQUAL hwy)
     graze_headers_of(hwy hwy::hwy hwy)
-    # One instruction set, known when compiling: nothing is chosen at run time, and so nothing of Highway is linked.
+    # The instruction set is fixed at compile time, so Highway's run-time dispatch is not linked.
     set_property(TARGET hwy::hwy PROPERTY INTERFACE_COMPILE_DEFINITIONS HWY_COMPILE_ONLY_STATIC)
-    # The vectors are Highway's alone: em++ 3.1.6 makes others by itself out of doubles side by side, and of some of those
-    # code with another answer (two points that pass each other far apart then touched in time_of_impact, at -O2).
+    # All vector code is Highway's: em++ 3.1.6 vectorises adjacent doubles itself, sometimes incorrectly (at -O2,
+    # time_of_impact reported contact of two points that pass each other at a distance).
     set_property(TARGET hwy::hwy PROPERTY INTERFACE_COMPILE_OPTIONS -msimd128 -fno-slp-vectorize)
   elseif("${package}" STREQUAL pugixml)
     graze_compile_pugixml()

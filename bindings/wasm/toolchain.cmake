@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Emscripten's own toolchain file, wherever em++ is installed.
+# Includes Emscripten's own toolchain file, wherever em++ is installed.
 find_program(GRAZE_EMXX em++ REQUIRED)
 file(REAL_PATH "${GRAZE_EMXX}" graze_emxx)
 cmake_path(GET graze_emxx PARENT_PATH graze_emscripten)

@@ -45,17 +45,17 @@ class CheckDocs(TreeTest):
         self.assertEqual(self.check("```text\ngraze chekc x\n```\n")[0], 0)
 
     def test_commands_that_reach_beyond_the_project_are_refused(self):
-        self.assert_problem("```sh\nsudo apt-get install g++\n```\n", "README.md:2: cannot be tried by a test, mark its block ```text")
+        self.assert_problem("```sh\nsudo apt-get install g++\n```\n", "README.md:2: cannot be run in a test, so mark its block ```text")
 
     def test_dev_commands_are_looked_up_not_run(self):
         self.assertEqual(self.check("```sh\n./dev demo\n```\n")[0], 0)
-        self.assert_problem("```sh\n./dev dmeo\n```\n", "README.md:2: ./dev has no command 'dmeo', but: demo")
+        self.assert_problem("```sh\n./dev dmeo\n```\n", "README.md:2: ./dev has no command 'dmeo'; its commands are: demo")
 
     def test_a_block_that_shows_a_file_must_be_that_file(self):
         self.write("examples/one.cpp", "// SPDX-License-Identifier: MIT\n\nint main() {}\n")
         marker = "<!-- file: examples/one.cpp -->\n"
         self.assertEqual(self.check(f"{marker}```cpp\nint main() {{}}\n```\n")[0], 0)
-        self.assert_problem(f"{marker}```cpp\nint main() {{ }}\n```\n", "README.md:3: is not what examples/one.cpp holds")
+        self.assert_problem(f"{marker}```cpp\nint main() {{ }}\n```\n", "README.md:3: differs from examples/one.cpp")
         self.assert_problem("<!-- file: examples/two.cpp -->\n```cpp\n```\n", "shows examples/two.cpp, which does not exist")
 
     def test_a_block_may_show_a_part_of_a_file(self):

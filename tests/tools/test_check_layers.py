@@ -32,7 +32,7 @@ class CheckLayers(TreeTest):
         self.write("graze/graze.hpp", f"{LICENSE}#pragma once\n#include <graze/shape/sphere.hpp>\n")
         self.assertEqual(self.run_tool("check_layers.py")[0], 0)
         self.write_header("graze/shape/obb.hpp", "#include <graze/graze.hpp>\n")
-        self.assert_problem("graze/shape/obb.hpp:3: includes graze/graze.hpp, which stands above every layer")
+        self.assert_problem("graze/shape/obb.hpp:3: includes graze/graze.hpp, which is above every layer")
 
     def test_glm_has_one_door(self):
         self.write_header("graze/shape/obb.hpp", "#include <glm/vec3.hpp>\n")
@@ -44,7 +44,7 @@ class CheckLayers(TreeTest):
 
     def test_the_geometry_throws_by_the_macro(self):
         self.write_header("graze/shape/sphere.hpp", "inline void f() {}  // does not throw\ninline void g() { throw 1; }\n")
-        self.assert_problem("graze/shape/sphere.hpp:4: throws or catches by itself; use GRAZE_THROW")
+        self.assert_problem("graze/shape/sphere.hpp:4: uses throw, try or catch; use GRAZE_THROW")
         self.write_header("graze/shape/sphere.hpp", "inline void f() {}  // does not throw\n")
         self.assertEqual(self.run_tool("check_layers.py")[0], 0)
 

@@ -49,7 +49,7 @@ class CheckRecipe(TreeTest):
         self.write("docs/cookbook/two.md", PAGE.replace("1 = 2", "1 = 3"))
         self.assert_problem("docs/cookbook/two.md:12: shows another output")
         self.write("docs/cookbook/two.md", PAGE.replace("output:", "result:"))
-        self.assert_problem("does not show what its program prints")
+        self.assert_problem("does not show the output of its program")
 
     def test_the_page_must_show_the_program_and_its_picture(self):
         self.write("docs/cookbook/two.md", PAGE.replace("file:", "fill:"))
@@ -63,7 +63,7 @@ class CheckRecipe(TreeTest):
 
     def test_the_picture_must_be_what_the_program_draws(self):
         self.write("docs/pictures/cookbook/two.svg", "<svg></svg>")
-        self.assert_problem("docs/pictures/cookbook/two.svg is not what two draws; draw it anew")
+        self.assert_problem("docs/pictures/cookbook/two.svg is not what two draws; update it by")
 
     def test_the_index_must_link_to_the_page(self):
         self.write("docs/cookbook/README.md", "[One](one.md)\n")
@@ -71,7 +71,7 @@ class CheckRecipe(TreeTest):
 
     def test_a_program_is_short(self):
         self.write(SOURCE, LICENSE + "\n" * 60)
-        self.assert_problem("examples/cookbook/two.cpp has 61 lines; 60 are the limit")
+        self.assert_problem("examples/cookbook/two.cpp has 61 lines; the limit is 60")
 
     def test_what_is_missing_is_named(self):
         (self.tree / "docs/cookbook/two.md").unlink()

@@ -112,7 +112,7 @@ class DevTest(TreeTest):
         self.assertEqual(done.returncode, 1)
         self.assertIn("web: 1 of 4 tests failed", done.stderr)
         self.write_node(20, "")
-        self.assertIn("the tests of wasm did not come to an end", self.dev("web", "test").stderr)
+        self.assertIn("the tests of wasm did not finish", self.dev("web", "test").stderr)
 
 
 if __name__ == "__main__":
