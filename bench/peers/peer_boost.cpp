@@ -68,7 +68,7 @@ void enter_with(Entrants<N, T>& field, ListMemory memory) {
   entrant.name = "Boost.Geometry rtree";
   entrant.settings = "Boost " + std::to_string(BOOST_VERSION / 100'000) + "." +
                      std::to_string(BOOST_VERSION / 100 % 1000) +
-                     ", packed anew, 8 in a node, asked in the order of its leaves";
+                     ", packed anew, 8 in a node, queried in the order of its leaves";
   set_list_memory(entrant, memory);
   entrant.prepare = [memory](std::span<const Aabb<N, T>>) { return std::make_unique<PackedTree<N, T>>(memory); };
   field.push_back(std::move(entrant));

@@ -54,7 +54,7 @@ void enter_geos(Entrants<N, T>& field) {
       Entrant<N, T> entrant;
       entrant.name = "GEOS STRtree";
       entrant.settings =
-          "GEOS " GEOS_VERSION ", in double, packed anew, 10 in a node, asked in the order of its leaves";
+          "GEOS " GEOS_VERSION ", in double, packed anew, 10 in a node, queried in the order of its leaves";
       set_list_memory(entrant, memory);
       entrant.prepare = [memory](std::span<const Aabb<N, T>>) { return std::make_unique<StrTree<T>>(memory); };
       field.push_back(std::move(entrant));

@@ -52,15 +52,16 @@ std::string introduction(const Settings& settings) {
   const std::time_t now = std::time(nullptr);
   std::string text = "# Benchmarks: all overlapping pairs\n\n";
   text +=
-      "Every contestant gets the same boxes in the same run, frame by frame, and finds all overlapping pairs; "
-      "touching counts as overlapping. In every round, each contestant's answers to the first frame, which is not "
-      "timed, and to the last one, unless its time is up before, are compared with graze's, pair by pair. Times are "
-      "milliseconds per frame, from boxes to the list of pairs: the median, and half of the interquartile range, in "
-      "per cent. Generating boxes and comparing answers is not timed; what a library keeps between frames (a tree "
-      "whose boxes are moved, memory) is created before. All boxes have moved between two frames, except those from "
-      "files: for these, a kept tree needs no update. graze sorts its pairs unless told otherwise; the others return "
-      "them as they find them. If theirs are to be sorted as well, this is done by Highway's VQSort, the fastest sort "
-      "that was found. Only ratios within one run are meaningful: machines differ, and timings are noisy.\n\n";
+      "Every contestant gets the same boxes in the same run, frame by frame, and finds all overlapping pairs;\n"
+      "touching counts as overlapping. In every round, each contestant's answers to the first frame, which is not\n"
+      "timed, and to the last one, unless its time is up before, are compared with graze's, pair by pair. Times are\n"
+      "milliseconds per frame, from boxes to the list of pairs: the median, and half of the interquartile range, in\n"
+      "percent. Generating boxes and comparing answers is not timed; what a library keeps between frames (a tree\n"
+      "whose boxes are moved, memory) is created before. All boxes have moved between two frames, except those from\n"
+      "files: for these, a kept tree needs no update. graze sorts its pairs unless told otherwise; the others\n"
+      "return them in the order of discovery. Where their pairs are sorted too, this is done with Highway's VQSort,\n"
+      "the fastest sort that was found. Only ratios within one run are meaningful: machines differ, and timings are\n"
+      "noisy.\n\n";
   text += "| | |\n|---|---|\n";
   text += row({"Machine", fmt::format("{}, {} cores", processor(), std::thread::hardware_concurrency())});
   text += row({"Compiler", fmt::format("{}, {}", GRAZE_PEERS_COMPILER, GRAZE_PEERS_FLAGS)});
@@ -74,7 +75,7 @@ std::string introduction(const Settings& settings) {
 std::string contestants(const Outcome& outcome) {
   std::string text = "## Contestants\n\n";
   text +=
-      "The best settings that were found. The files in `bench/peers`, one for each library, state what else was "
+      "The best settings that were found. The files in `bench/peers`, one for each library, list what else was\n"
       "tried.\n\n";
   text += "| contestant | how |\n|---|---|\n";
   std::set<std::string> told;
@@ -100,24 +101,24 @@ struct Discipline {
 const std::array<Discipline, 5>& disciplines() {
   static const std::array<Discipline, 5> all{
       {{"graze PairFinder, any order", "Between frames",
-        "Equal terms: `PairFinder` keeps data from the previous frame and returns pairs as it finds them, as the peers "
-        "do. One thread.",
+        "Equal conditions: `PairFinder` keeps data from the previous frame and returns pairs in the order of\n"
+        "discovery, as the peers do. One thread.",
         Field::all, Finish::found},
        {"graze overlapping_pairs, any order", "Single call",
-        "Equal terms again: `overlapping_pairs` keeps nothing from the previous frame and allocates a new list, and so "
-        "do the peers in this table; pairs are unsorted. One thread.",
+        "Equal conditions: `overlapping_pairs` keeps nothing from the previous frame and allocates a new list, as the\n"
+        "peers in this table do; pairs are unsorted. One thread.",
         Field::from_nothing, Finish::found},
        {"graze PairFinder", "Between frames, sorted",
-        "Both return a sorted list: `PairFinder` by default, the peers by VQSort, in memory that is kept.", Field::all,
-        Finish::sorted},
+        "Both return a sorted list: `PairFinder` by default, the peers with VQSort, in memory that is reused.",
+        Field::all, Finish::sorted},
        {"graze overlapping_pairs", "Single call, sorted",
-        "The call with its defaults, compared with the peers that keep nothing from the previous frame; both return a "
+        "The call with its defaults, compared with the peers that keep nothing from the previous frame; both return a\n"
         "sorted list.",
         Field::from_nothing, Finish::sorted},
        {"graze overlapping_pairs", "Single sorting call against kept trees",
-        "Unequal terms, and the hardest: the call sorts, keeps nothing from the previous frame and allocates a new "
-        "list, while the fastest peer is usually one that keeps and refits its tree, does not sort, and keeps the "
-        "memory of its list.",
+        "Unequal conditions, to graze's disadvantage: the call sorts, keeps nothing from the previous frame and\n"
+        "allocates a new list, while the fastest peer is usually one that keeps and refits its tree, does not sort,\n"
+        "and reuses the memory of its list.",
         Field::all, Finish::found}}};
   return all;
 }
@@ -231,8 +232,8 @@ std::string table(const Outcome& outcome, const OwnTarget& target) {
     if (has_number) rows += row(cells);
   }
   if (rows.empty()) return "";
-  return fmt::format("### {}\n\n{} What misses that is marked with (!).\n\n{}{}\n", target.title, target.explanation,
-                     header, rows);
+  return fmt::format("### {}\n\n{} Values that miss it are marked with (!).\n\n{}{}\n", target.title,
+                     target.explanation, header, rows);
 }
 
 std::string own_targets(const Outcome& outcome, std::size_t threads) {
@@ -246,10 +247,12 @@ std::string own_targets(const Outcome& outcome, std::size_t threads) {
       const Timing* const two = heat == nullptr ? nullptr : timing_of(*heat, name + ", 2 threads");
       return one == nullptr || two == nullptr ? 0.0 : one->median / two->median;
     };
-    text += table(outcome, {"Two threads against one",
-                            "The ratio of one thread's time to two threads', for a million boxes. The target is at "
-                            "least 1.7, on an idle machine.",
-                            gain, [](double number) { return number >= least; }});
+    text += table(
+        outcome,
+        {"Two threads against one",
+         "The ratio of one thread's time to two threads', for a million boxes. The target is at least 1.7 on an idle\n"
+         "machine.",
+         gain, [](double number) { return number >= least; }});
   }
   constexpr double most = 2;
   const auto growth = [](const CourseResult& result, const std::string& name) {
@@ -268,8 +271,8 @@ std::string own_targets(const Outcome& outcome, std::size_t threads) {
 std::string targets(const Outcome& outcome) {
   std::string text = "## Ratio of the fastest peer's time to graze's\n\n";
   text +=
-      "The targets: 10 for brownian, cluster and lattice, 6 for heavy, line and giants, both from 100,000 to a million "
-      "boxes; 6 for files; 2 for everything else. A ratio below its target is followed by the target.\n\n";
+      "The targets: 10 for brownian, cluster and lattice, 6 for heavy, line and giants, both from 100,000 to a\n"
+      "million boxes; 6 for files; 2 for everything else. A ratio below its target is followed by the target.\n\n";
   for (const Discipline& discipline : disciplines()) {
     text += ratios(outcome, discipline) + under_target(outcome, discipline);
   }
