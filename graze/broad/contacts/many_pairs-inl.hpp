@@ -71,6 +71,7 @@ constexpr bool any_likely(Mask /*of_most*/) { return true; }
 
 HWY_INLINE Real fabs(Real v) { return hn::Abs(v); }
 HWY_INLINE Real sqrt(Real v) { return hn::Sqrt(v); }
+HWY_INLINE Real side_of(Real v) { return hn::CopySign(all(1.0), v); }
 HWY_INLINE Real copysign(Real magnitude, Real sign) { return hn::CopySign(magnitude, sign); }
 
 HWY_INLINE Real select(Mask mask, Real yes, Real no) { return hn::IfThenElse(mask, yes, no); }
@@ -81,6 +82,7 @@ HWY_INLINE Point select(Mask mask, const Point& yes, const Point& no) {
 HWY_INLINE Point2d select(Mask mask, const Point2d& yes, const Point2d& no) {
   return {{select(mask, yes[0], no[0]), select(mask, yes[1], no[1])}};
 }
+HWY_INLINE Point2d one_of(Mask mask, const Point2d& yes, const Point2d& no) { return select(mask, yes, no); }
 HWY_INLINE Real or_zero(Mask mask, Real number) { return hn::IfThenElseZero(mask, number); }
 template <class V>
 HWY_INLINE void take(Mask mask, const V& value, V& to) {
@@ -147,11 +149,12 @@ inline constexpr std::size_t first_of_2d = first_of_box + 64;
 using TouchedFeatures = std::array<Feature, first_of_2d + 8>;
 inline const TouchedFeatures& touched_features() {
   static const auto features = [] {
-    TouchedFeatures known{{one_pair::first_vertex, one_pair::second_vertex, one_pair::first_edge}};
+    TouchedFeatures known{{{FeatureKind::vertex, 0}, {FeatureKind::vertex, 1}, {FeatureKind::edge, 0}}};
     for (std::size_t bits = 0; bits < 64; ++bits) {
       const auto side = [bits](std::size_t i) { return (bits >> (3 + i) & 1U) != 0 ? 1.0 : -1.0; };
       const bool is_beyond[3] = {(bits & 1U) != 0, (bits & 2U) != 0, (bits & 4U) != 0};
-      known[first_of_box + bits] = one_pair::feature_of_box({side(0), side(1), side(2)}, is_beyond);
+      known[first_of_box + bits] =
+          one_pair::feature_of(one_pair::feature_of_box({side(0), side(1), side(2)}, is_beyond));
     }
     for (std::uint32_t number = 0; number < 4; ++number) {
       known[first_of_2d + number] = {FeatureKind::vertex, number};
@@ -181,6 +184,13 @@ HWY_INLINE FeatureName feature_of_side(Axis axis, Mask is_far, Mask is_along_las
   const Axis next = one_of_three(axis, all(1.0), all(2.0), all(0.0));
   const Axis last = one_of_three(axis, all(2.0), all(0.0), all(1.0));
   return feature_of_face(axis, is_far) + end_bits(select(is_along_last, last, next), is_at_far_end);
+}
+
+HWY_INLINE FeatureName corner_feature_2d(const Point2d& sides) {
+  return all(double{first_of_2d}) + (or_zero(sides[0] > 0.0, all(1.0)) + or_zero(sides[1] > 0.0, all(2.0)));
+}
+HWY_INLINE FeatureName side_feature_2d(Mask across_second, Real at) {
+  return all(double{first_of_2d + 4}) + (or_zero(across_second, all(2.0)) + or_zero(at > 0.0, all(1.0)));
 }
 
 #endif

@@ -36,7 +36,33 @@ struct FastContact2d : FastContact<2> {
   }
 };
 
-/// Two cores in the order of their contact, with so many axes each, one or two.
+using one_pair::Core2d;
+
+/// The feature of the side of a core across an axis, at its half edge or, with -1, against it.
+template <std::size_t axes>
+[[gnu::always_inline]] inline Feature side_feature(const Core2d<axes>& /*core*/, bool across_second, double at) {
+  return {FeatureKind::edge, axes == 2 ? (across_second ? 2U : 0U) | (at > 0 ? 1U : 0U) : 0U};
+}
+template <std::size_t axes>
+[[gnu::always_inline]] inline Feature corner_feature(const Core2d<axes>& /*core*/, const Vec<2, double>& sides) {
+  return {FeatureKind::vertex, (sides.x > 0 ? 1U : 0U) | (axes > 1 && sides.y > 0 ? 2U : 0U)};
+}
+/// Of the corner at one end of a side: `end` along the other axis.
+template <std::size_t axes>
+[[gnu::always_inline]] inline Feature corner_of_side(const Core2d<axes>& core, bool across_second, double at,
+                                                     double end) {
+  return corner_feature(core, across_second ? Vec<2, double>(end, at) : Vec<2, double>(at, end));
+}
+
+/// One of two that belong to the axes. Never by a place that is looked up: arrays would have to be in memory for it.
+template <class V>
+[[gnu::always_inline]] inline V of_axis(bool is_second, const V (&of_axes)[2]) {
+  return is_second ? of_axes[1] : of_axes[0];
+}
+
+/// Two cores in the order of their contact, with so many axes each, one or two. Written twice, here and for many pairs
+/// (broad/contacts/2d/boxes-inl.hpp): in one source, which has to choose where this has a branch, boxes took 1.15 times
+/// as long.
 template <std::size_t first_axes, std::size_t second_axes>
 class Contact2d {
  public:
@@ -156,7 +182,7 @@ class Contact2d {
   [[gnu::always_inline]] Cut cut_at_ends(const Side& own_side) const {
     const auto& own = this->own<of_first>();
     const auto& other = this->own<!of_first>();
-    const auto of = [](bool is_second, const auto& of_axes) { return Core2d<2>::of_axis(is_second, of_axes); };
+    const auto of = [](bool is_second, const auto& of_axes) { return of_axis(is_second, of_axes); };
     Cut cut;
     cut.own = own_side;
     cut.across_second = is_second_incident(other, own_side.up);
@@ -228,11 +254,11 @@ class Contact2d {
     const double gap = cut.above[0] + (cut.above[1] - cut.above[0]) * cut.share[i];
     const double depth = std::max(0.0, reach_ - gap);
     const bool is_at_corner = cut.is_cut[i] && !is_high;
-    const Feature of_own = is_at_corner ? own.corner_of_side(cut.own.across_second, cut.own.at, cut.along[i])
-                                        : own.side(cut.own.across_second, cut.own.at);
+    const Feature of_own = is_at_corner ? corner_of_side(own, cut.own.across_second, cut.own.at, cut.along[i])
+                                        : side_feature(own, cut.own.across_second, cut.own.at);
     const Feature of_other = is_high || cut.is_cut[i]
-                                 ? other.side(cut.across_second, cut.at)
-                                 : other.corner_of_side(cut.across_second, cut.at, i == 1 ? 1.0 : -1.0);
+                                 ? side_feature(other, cut.across_second, cut.at)
+                                 : corner_of_side(other, cut.across_second, cut.at, i == 1 ? 1.0 : -1.0);
     put_pair<of_first>(on_other + up * depth, on_other, depth, {of_own, of_other}, point);
   }
 
@@ -248,7 +274,7 @@ class Contact2d {
   }
 
   [[gnu::noinline]] void carry(bool across_second, FastContact2d& look) const {
-    const V normal = Core2d<2>::of_axis(across_second, first_.normal);
+    const V normal = of_axis(across_second, first_.normal);
     const double side = -std::copysign(1.0, dot(normal, up_));
     FastContact2d carried;
     over_side<true>({across_second, side, normal * side}, carried);
@@ -277,7 +303,7 @@ class Contact2d {
     const V normal = way * (1 / distance);
     put_found(depth, of_first ? normal : -normal, look);
     put_pair<of_first>(corner + normal * own.radius, corner + way - normal * other.radius, depth,
-                       {own.corner_feature(own_sides), other.corner_feature(other_sides)}, look.points[0]);
+                       {corner_feature(own, own_sides), corner_feature(other, other_sides)}, look.points[0]);
     look.size = 1;
     take_point(look, false);
   }
@@ -338,9 +364,11 @@ class Contact2d {
 
 template <class A, class B>
 [[gnu::always_inline]] inline FastContact2d fast_contact_2d(const A& first, const B& second, bool turns) {
-  const Vec<2, double> origin = origin_2d(first);
-  const auto core_of_first = core_2d(first, origin);
-  const auto core_of_second = core_2d(second, origin);
+  const auto of_first = one_pair::numbers_of(first);
+  const auto of_second = one_pair::numbers_of(second);
+  const Vec<2, double> origin = one_pair::origin_2d(of_first);
+  const auto core_of_first = one_pair::core_2d(of_first, origin);
+  const auto core_of_second = one_pair::core_2d(of_second, origin);
   return Contact2d(origin, core_of_first, core_of_second, turns).run();
 }
 

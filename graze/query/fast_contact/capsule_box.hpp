@@ -38,8 +38,9 @@ struct CapsuleLook : FastContact<3> {
     if (!one_pair::AxisOverFace(contact.over).put_points(ends)) return 0;
     for (std::size_t i = 0; i < 2; ++i) {
       const auto& [on_box, on_capsule, depth, of_box, of_capsule] = ends[i];
-      points[i] = {turns ? on_capsule : on_box, turns ? on_box : on_capsule, depth, turns ? of_capsule : of_box,
-                   turns ? of_box : of_capsule};
+      points[i] = {turns ? on_capsule : on_box, turns ? on_box : on_capsule, depth,
+                   one_pair::feature_of(turns ? of_capsule : of_box),
+                   one_pair::feature_of(turns ? of_box : of_capsule)};
     }
     return 2;
   }
@@ -54,7 +55,7 @@ struct CapsuleLook : FastContact<3> {
     if (contact.is_over) contact.point = contact.over.lowest_point();
     const auto& [on_box, on_capsule, depth, of_box, of_capsule] = contact.point;
     set(contact.normal, depth, on_box, on_capsule, turns);
-    set_features(of_box, of_capsule, turns);
+    set_features(one_pair::feature_of(of_box), one_pair::feature_of(of_capsule), turns);
   }
 };
 

@@ -22,7 +22,7 @@ using Mask = bool;
 using Axis = Dim;  ///< A number of each pair, from 0 to 2.
 using Point = Vec<3, double>;
 using Point2d = Vec<2, double>;
-using FeatureName = Feature;
+using FeatureName = std::uint32_t;  ///< As one number: what is written in parts waits where it is copied as a whole.
 
 using std::copysign;
 using std::fabs;
@@ -31,7 +31,7 @@ using std::sqrt;
 /// The same for all pairs.
 constexpr Real all(double value) { return value; }
 constexpr Mask all(bool value) { return value; }
-constexpr FeatureName all(const FeatureName& value) { return value; }
+constexpr FeatureName all(FeatureName value) { return value; }
 constexpr Axis axis_number(Dim i) { return i; }
 constexpr Mask is_axis(Axis axis, Dim i) { return axis == i; }
 template <class P>
@@ -67,6 +67,8 @@ constexpr Mask are_same(Mask a, Mask b) { return a == b; }
 [[gnu::always_inline]] inline Real min_of(Real a, Real b) { return std::min(a, b); }
 [[gnu::always_inline]] inline Real max_of(Real a, Real b) { return std::max(a, b); }
 
+[[gnu::always_inline]] inline Real side_of(Real v) { return std::copysign(1.0, v); }
+
 /// The number, or the axis, that is `turns` on from each pair's own.
 [[gnu::always_inline]] inline Real turned(const Point& v, Axis axis, Dim turns = 0) { return v[(axis + turns) % 3]; }
 template <class V>
@@ -91,32 +93,47 @@ template <class V>
 
 // ---- Features
 
-inline constexpr FeatureName first_vertex{FeatureKind::vertex, 0};
-inline constexpr FeatureName second_vertex{FeatureKind::vertex, 1};
-inline constexpr FeatureName first_edge{FeatureKind::edge, 0};
+constexpr FeatureName name_of(FeatureKind kind, std::uint32_t index) {
+  return static_cast<std::uint32_t>(kind) << 24U | index;
+}
+constexpr Feature feature_of(FeatureName name) { return {static_cast<FeatureKind>(name >> 24U), name & 0xffffffU}; }
+
+inline constexpr FeatureName first_vertex = name_of(FeatureKind::vertex, 0);
+inline constexpr FeatureName second_vertex = name_of(FeatureKind::vertex, 1);
+inline constexpr FeatureName first_edge = name_of(FeatureKind::edge, 0);
 
 /// That of a box that a place lies on, by the axes along which it is at the end.
 inline FeatureName feature_of_box(const Point& place, const Mask (&is_beyond)[3]) {
   const auto far = [&](Dim i) { return place[i] > 0 ? 1U : 0U; };
   const int count = (is_beyond[0] ? 1 : 0) + (is_beyond[1] ? 1 : 0) + (is_beyond[2] ? 1 : 0);
-  if (count == 3) return {FeatureKind::vertex, far(0) | far(1) << 1U | far(2) << 2U};
+  if (count == 3) return name_of(FeatureKind::vertex, far(0) | far(1) << 1U | far(2) << 2U);
   const Dim other = is_beyond[0] ? (is_beyond[1] ? 2 : 1) : 0;  // of an edge: along which it lies
   if (count == 2) {
     const Dim along = is_beyond[0] && is_beyond[2] ? 1 : other;
-    return {FeatureKind::edge, static_cast<std::uint32_t>(4 * along) + far((along + 1) % 3) + 2 * far((along + 2) % 3)};
+    return name_of(FeatureKind::edge,
+                   static_cast<std::uint32_t>(4 * along) + far((along + 1) % 3) + 2 * far((along + 2) % 3));
   }
   const Dim across = is_beyond[0] ? 0 : (is_beyond[1] ? 1 : 2);
-  return {FeatureKind::face, BoxFaceNumbers{across, far(across) != 0}.face()};
+  return name_of(FeatureKind::face, BoxFaceNumbers{across, far(across) != 0}.face());
 }
 
 inline FeatureName feature_of_face(Axis axis, Mask is_far) {
-  return {FeatureKind::face, BoxFaceNumbers{axis, is_far}.face()};
+  return name_of(FeatureKind::face, BoxFaceNumbers{axis, is_far}.face());
 }
 /// The edge of a face at its far or near end along the next axis, or along the last one.
 inline FeatureName feature_of_side(Axis axis, Mask is_far, Mask is_along_last, Mask is_at_far_end) {
   const BoxFaceNumbers face{axis, is_far};
-  if (is_along_last) return {FeatureKind::edge, face.edge(is_at_far_end ? 2 : 0)};
-  return {FeatureKind::edge, face.edge(is_at_far_end ? 1 : 3)};
+  if (is_along_last) return name_of(FeatureKind::edge, face.edge(is_at_far_end ? 2 : 0));
+  return name_of(FeatureKind::edge, face.edge(is_at_far_end ? 1 : 3));
+}
+
+/// Those of a box in 2D: the corner on these sides of the middle, and the side across an axis, at its half edge or,
+/// with -1, against it.
+[[gnu::always_inline]] inline FeatureName corner_feature_2d(const Point2d& sides) {
+  return name_of(FeatureKind::vertex, (sides.x > 0 ? 1U : 0U) | (sides.y > 0 ? 2U : 0U));
+}
+[[gnu::always_inline]] inline FeatureName side_feature_2d(Mask across_second, Real at) {
+  return name_of(FeatureKind::edge, (across_second ? 2U : 0U) | (at > 0 ? 1U : 0U));
 }
 
 }  // namespace graze::detail::one_pair

@@ -32,20 +32,20 @@ class SphereOnBox {
         off_(-box.center) {}
 
   [[gnu::always_inline]] RoundContact<Point> run() {
-    RoundContact<Point> contact;
-    contact.error = 2 * tolerance::rounding * whole_;
-    contact.is_single = all(true);
-    contact.of_first = all(first_vertex);
     Real moved = descend(all(true));
     // How far the axes may put the point wrong in the first round, as filter_of_sphere has it.
     const Real first_undecided = tolerance::box_filter * tolerance::orthonormal * whole_;
     const Real reach = sphere_.radius + (along ? doubt_ : first_undecided);
     const Mask is_far = dot(off_, off_) > reach * reach;
-    contact.is_apart = is_far;
-    contact.meets = all(false);
-    if (!any_likely(!is_far)) return contact;
+    const Real error = 2 * tolerance::rounding * whole_;
+    if (!any_likely(!is_far)) return no_contact<Point>(is_far, error);
     if constexpr (!along) descend_to_noise(moved);
     const Real squared = dot(off_, off_);
+    RoundContact<Point> contact;
+    contact.error = error;
+    contact.is_apart = all(false);
+    contact.is_single = all(true);
+    contact.of_first = all(first_vertex);
     const Mask is_outside = squared > margin_ * margin_;
     if (any_likely(is_outside)) touch_outside(sqrt(squared), contact);
     if (any(!is_outside)) touch_inside(!is_outside, contact);
@@ -120,7 +120,6 @@ class SphereOnBox {
     const Real place = turned(place_, axis);
     const Real doubt = 8 * tolerance::orthonormal * size_;
     take(pairs, least > margin_ && second - least > doubt && fabs(place) > margin_, contact.meets);
-    if (!any_likely(contact.meets)) return;
     const Point across = across_face(axis);
     const Real ahead = dot(across, box_.center);
     const Real gap = fabs(ahead) - reach_along(across, axis);

@@ -91,7 +91,7 @@ FastContact<3> find_fast_contact(const Sphere<3, T>& sphere, const Triangle<3, T
   constexpr double least_sine = 16 * tolerance::aligned;
   const Vec<3, double> turn = cross(face, contact.normal);
   contact.is_single = near.feature.kind == FeatureKind::face || dot(turn, turn) > least_sine * least_sine * squared;
-  contact.of_second = near.feature;
+  contact.of_second = one_pair::name_of(near.feature.kind, near.feature.index);
   return fast_contact_of(contact, turns);
 }
 

@@ -18,6 +18,13 @@ struct RoundContact {
   FeatureName of_second;
 };
 
+/// Of pairs none of which meets for certain.
+template <class P>
+[[gnu::always_inline]] inline RoundContact<P> no_contact(Mask is_apart, Real error) {
+  const P place = zero<P>();
+  return {is_apart, all(false), all(false), place, all(0.0), place, place, error, all(first_vertex), all(first_vertex)};
+}
+
 /// The nearest points of the cores of two round shapes, each seen from an origin near by.
 template <class P>
 struct NearCores {
@@ -41,8 +48,7 @@ template <class P>
   const Real doubt = tolerance::coarse * size;
   result.depth = reach - distance;
   result.is_apart = result.depth < -doubt;
-  const Mask is_normal_known = distance > tolerance::known_direction * near.size && squared > 0x1p-900;
-  result.meets = result.depth > doubt && is_normal_known;
+  result.meets = result.depth > doubt && distance > tolerance::known_direction * near.size && squared > 0x1p-900;
   result.is_single = all(true);
   result.normal = near.between * (1.0 / distance);
   result.on_first = near.first_origin + (near.on_first + result.normal * first_radius);
@@ -74,9 +80,7 @@ struct AxisFeature {
           !(is_start || is_end), is_start || is_end || (place > margin && place < 1 - margin)};
 }
 
-[[gnu::always_inline]] inline Real clamped_to_one(Real v) {
-  return select(v < 0.0, all(0.0), select(v > 1.0, all(1.0), v));
-}
+[[gnu::always_inline]] inline Real clamped_to_one(Real v) { return min_of(max_of(v, all(0.0)), all(1.0)); }
 
 template <class P>
 struct SphereNumbers {
@@ -113,8 +117,8 @@ template <class P>
       contact_of_cores<P>({sphere.center, zero<P>(), sphere.center, on_axis, on_axis, sum_abs(start) + sum_abs(end)},
                           sphere.radius, capsule.radius);
   const Mask is_long = whole > 0x1p-900;
-  result.is_apart = result.is_apart && is_long;
-  result.meets = result.meets && is_long;
+  result.is_apart = both_of(result.is_apart, is_long);
+  result.meets = both_of(result.meets, is_long);
   const AxisFeature of_capsule = feature_on_axis(place);
   result.is_single = of_capsule.is_known;
   if constexpr (std::is_same_v<P, Point2d>) {

@@ -35,10 +35,10 @@ template <class P>
   result.is_known = contact.is_apart || contact.meets;
   result.meets = contact.meets;
   result.is_single = contact.is_single;
-  result.found.error = contact.error;
-  if (!contact.meets) return result;
   result.set(contact.normal, contact.depth, contact.on_first, contact.on_second, turns);
-  result.set_features(contact.of_first, contact.of_second, turns);
+  result.feature_a = one_pair::feature_of(turns ? contact.of_second : contact.of_first);
+  result.feature_b = one_pair::feature_of(turns ? contact.of_first : contact.of_second);
+  result.found.error = contact.error;
   return result;
 }
 

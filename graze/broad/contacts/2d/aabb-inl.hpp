@@ -14,7 +14,7 @@
 #include <hwy/highway.h>
 
 #include <graze/broad/contacts/2d/boxes-inl.hpp>
-#include <graze/broad/contacts/2d/cores-inl.hpp>
+#include <graze/broad/contacts/2d/fast_contact_2d-inl.hpp>
 #include <graze/broad/contacts/manifold_lanes-inl.hpp>
 #include <graze/math/tolerance.hpp>
 
@@ -25,7 +25,7 @@ namespace graze::detail::HWY_NAMESPACE {
 /// Of two in the order of their contact.
 class AabbContact2d {
  public:
-  HWY_INLINE AabbContact2d(const AabbLanes2d& a, const AabbLanes2d& b) : a_(a), b_(b) {
+  HWY_INLINE AabbContact2d(const AabbNumbers2d& a, const AabbNumbers2d& b) : a_(a), b_(b) {
     const Doubles across_x = depth_along(0, is_far_);
     DoublesMask is_far_along_y;
     const Doubles across_y = depth_along(1, is_far_along_y);
@@ -37,7 +37,7 @@ class AabbContact2d {
   HWY_INLINE void run(FastContactLanes2d& look) const {
     look.is_clear =
         hn::And(hn::And(has_faces(a_), has_faces(b_)), hn::Lt(depth_, both(std::numeric_limits<double>::infinity())));
-    look.has_two = every_lane();
+    look.has_two = all(true);
     look.error = hn::Mul(both(tolerance::epsilon), depth_);
     const Doubles side = hn::IfThenElse(is_far_, both(1), both(-1));
     look.normal = placed(side, both(0));
@@ -70,7 +70,7 @@ class AabbContact2d {
     return min_of(ahead, behind);
   }
 
-  HWY_INLINE static DoublesMask has_faces(const AabbLanes2d& box) {
+  HWY_INLINE static DoublesMask has_faces(const AabbNumbers2d& box) {
     return hn::And(hn::Lt(box.min.at[0], box.max.at[0]), hn::Lt(box.min.at[1], box.max.at[1]));
   }
 
@@ -86,8 +86,8 @@ class AabbContact2d {
     return {{hn::IfThenElse(across_second_, on_other, on_axis), hn::IfThenElse(across_second_, on_axis, on_other)}};
   }
 
-  const AabbLanes2d& a_;
-  const AabbLanes2d& b_;
+  const AabbNumbers2d& a_;
+  const AabbNumbers2d& b_;
   DoublesMask across_second_;
   DoublesMask is_far_;
   Doubles depth_;

@@ -13,15 +13,13 @@
 
 #include <hwy/highway.h>
 
-#include <graze/broad/contacts/2d/cores-inl.hpp>
+#include <graze/broad/contacts/2d/fast_contact_2d-inl.hpp>
 #include <graze/broad/contacts/manifold_lanes-inl.hpp>
 #include <graze/math/tolerance.hpp>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
-
-HWY_INLINE DoublesMask every_lane() { return hn::Le(both(0), both(0)); }
 
 /// One point of a manifold, on the first core and on the second in the order of their contact; features by their places
 /// in `touched_features`.
@@ -44,7 +42,7 @@ struct FastContactLanes2d {
 
 /// A core of either kind in each lane.
 struct EitherCore {
-  CoreLanes2d<2> core;
+  Core2d<2> core;
   DoublesMask is_box;
 
   HWY_INLINE Doubles corner_feature(const Point2d& sides) const {
@@ -70,8 +68,7 @@ HWY_INLINE Point2d one_of_two(DoublesMask is_second, const Point2d (&of_axes)[2]
 template <std::size_t first_axes, std::size_t second_axes>
 class ContactLanes2d {
  public:
-  HWY_INLINE ContactLanes2d(const Point2d& origin, const CoreLanes2d<first_axes>& first,
-                            const CoreLanes2d<second_axes>& second)
+  HWY_INLINE ContactLanes2d(const Point2d& origin, const Core2d<first_axes>& first, const Core2d<second_axes>& second)
       : origin_(origin),
         first_(first),
         second_(second),
@@ -141,14 +138,14 @@ class ContactLanes2d {
   }
 
   HWY_INLINE static DoublesMask is_box(DoublesMask is_first) {
-    if constexpr (are_boxes) return every_lane();
+    if constexpr (are_boxes) return all(true);
     if constexpr (first_axes == 1 && second_axes == 1) return no_lane();
     return first_axes == 2 ? is_first : hn::Not(is_first);
   }
 
   template <std::size_t yes_axes, std::size_t no_axes>
-  HWY_INLINE static void choose(DoublesMask mask, const CoreLanes2d<yes_axes>& yes, const CoreLanes2d<no_axes>& no,
-                                CoreLanes2d<2>& to) {
+  HWY_INLINE static void choose(DoublesMask mask, const Core2d<yes_axes>& yes, const Core2d<no_axes>& no,
+                                Core2d<2>& to) {
     to.center = one_of(mask, yes.center, no.center);
     to.radius = hn::IfThenElse(mask, yes.radius, no.radius);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -194,7 +191,7 @@ class ContactLanes2d {
     const Cores cores = cores_by(own_is_first);
     Cut cut = cut_at_ends(cores, own_side);
     const Point2d up = one_of(is_against, -side_.up, side_.up);
-    DoublesMask is_over = every_lane();
+    DoublesMask is_over = all(true);
     if constexpr (!are_boxes) is_over = is_lowest_clear(cut);
     const DoublesMask is_on_side = on_side(cores, own_side, up, cut, look);
     look.has_two = is_over;
@@ -214,8 +211,8 @@ class ContactLanes2d {
   }
 
   HWY_INLINE Cut cut_at_ends(const Cores& cores, const Side& own_side) const {
-    const CoreLanes2d<2>& own = cores.own.core;
-    const CoreLanes2d<2>& other = cores.other.core;
+    const Core2d<2>& own = cores.own.core;
+    const Core2d<2>& other = cores.other.core;
     Cut cut;
     const auto looks = [&](std::size_t axis) HWY_ATTR { return hn::Abs(dot(other.normal[axis], own_side.up)); };
     cut.across_second =
@@ -311,8 +308,8 @@ class ContactLanes2d {
   /// Cores that are apart, nearest at a corner of each. Only in some lanes, and clear where that is.
   HWY_NOINLINE void between_corners(const Cores& cores, DoublesMask lanes, DoublesMask is_against,
                                     FastContactLanes2d& look) const {
-    const CoreLanes2d<2>& own = cores.own.core;
-    const CoreLanes2d<2>& other = cores.other.core;
+    const Core2d<2>& own = cores.own.core;
+    const Core2d<2>& other = cores.other.core;
     Point2d own_sides = own.sides_of(other.center);
     own_sides = own.sides_of(other.corner(other.sides_of(own.corner(own_sides))));
     const Point2d corner = own.corner(own_sides);
@@ -360,8 +357,8 @@ class ContactLanes2d {
   }
 
   Point2d origin_;
-  const CoreLanes2d<first_axes>& first_;
-  const CoreLanes2d<second_axes>& second_;
+  const Core2d<first_axes>& first_;
+  const Core2d<second_axes>& second_;
   Doubles size_;
   Doubles reach_;
   Doubles noise_;

@@ -17,7 +17,6 @@
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_WASM && HWY_HAVE_FLOAT64
 #define GRAZE_FLAT_LANES (HWY_MAX_BYTES >= 32 && HWY_NATIVE_FMA)
 #include <graze/broad/contacts/2d/contacts-inl.hpp>
-#include <graze/broad/contacts/2d/sphere-inl.hpp>
 #include <graze/broad/contacts/contact_groups-inl.hpp>
 #include <graze/broad/contacts/round_contacts-inl.hpp>
 #else
@@ -39,9 +38,9 @@ HWY_INLINE RoundContact<Point2d> sphere_contact_2d(const T* const* first, const 
   } else if constexpr (kind == Kind2d::sphere_capsule) {
     return contact_of(sphere, load_capsules<2>(second));
   } else if constexpr (kind == Kind2d::sphere_aabb) {
-    return SphereLanes2d(sphere, core_2d_of(AabbLanes2d(second), sphere.center)).run();
+    return SphereOnBox2d(sphere, core_2d(load_aabbs_2d(second), sphere.center)).run();
   } else {
-    return SphereLanes2d(sphere, core_2d_of(ObbLanes2d(second), sphere.center)).run();
+    return SphereOnBox2d(sphere, core_2d(load_obbs_2d(second), sphere.center)).run();
   }
 }
 

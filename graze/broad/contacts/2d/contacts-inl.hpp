@@ -16,7 +16,7 @@
 #include <graze/broad/contacts/2d/aabb-inl.hpp>
 #include <graze/broad/contacts/2d/boxes-inl.hpp>
 #include <graze/broad/contacts/2d/contact_kernels_2d.hpp>
-#include <graze/broad/contacts/2d/cores-inl.hpp>
+#include <graze/broad/contacts/2d/fast_contact_2d-inl.hpp>
 #include <graze/broad/contacts/fast_contact-inl.hpp>
 #include <graze/broad/contacts/manifold_lanes-inl.hpp>
 #include <graze/broad/contacts/manifold_points-inl.hpp>
@@ -73,17 +73,11 @@ class Contacts2d {
   Row<double> features_[2][2];
 };
 
-// ---- Where a pair is seen from, as origin_2d
-
-HWY_INLINE Point2d origin_2d_of(const CapsuleNumbers<Point2d>& capsule) { return capsule.start; }
-HWY_INLINE Point2d origin_2d_of(const ObbLanes2d& box) { return box.center; }
-HWY_INLINE Point2d origin_2d_of(const AabbLanes2d& box) { return box.min; }
-
 template <class T, class First, class Second>
 HWY_INLINE Contacts2d<T> contacts_2d_of(const First& first, const Second& second, std::uint32_t turned) {
-  const Point2d origin = origin_2d_of(first);
-  const auto core_of_first = core_2d_of(first, origin);
-  const auto core_of_second = core_2d_of(second, origin);
+  const Point2d origin = origin_2d(first);
+  const auto core_of_first = core_2d(first, origin);
+  const auto core_of_second = core_2d(second, origin);
   FastContactLanes2d look;
   ContactLanes2d(origin, core_of_first, core_of_second).run(look);
   return Contacts2d<T>(look, turned);
@@ -93,21 +87,21 @@ HWY_INLINE Contacts2d<T> contacts_2d_of(const First& first, const Second& second
 template <Kind2d kind, class T>
 HWY_INLINE Contacts2d<T> contacts_2d(const T* const* first, const T* const* second, std::uint32_t turned) {
   if constexpr (kind == Kind2d::obb_obb) {
-    return contacts_2d_of<T>(ObbLanes2d(first), ObbLanes2d(second), turned);
+    return contacts_2d_of<T>(load_obbs_2d(first), load_obbs_2d(second), turned);
   } else if constexpr (kind == Kind2d::aabb_aabb) {
-    const AabbLanes2d a(first);
-    const AabbLanes2d b(second);
+    const AabbNumbers2d a = load_aabbs_2d(first);
+    const AabbNumbers2d b = load_aabbs_2d(second);
     FastContactLanes2d look;
     AabbContact2d(a, b).run(look);
     return Contacts2d<T>(look, turned);
   } else if constexpr (kind == Kind2d::obb_aabb) {
-    return contacts_2d_of<T>(ObbLanes2d(first), AabbLanes2d(second), turned);
+    return contacts_2d_of<T>(load_obbs_2d(first), load_aabbs_2d(second), turned);
   } else {
     const CapsuleNumbers<Point2d> capsule = load_capsules<2>(second);
     if constexpr (kind == Kind2d::obb_capsule) {
-      return contacts_2d_of<T>(ObbLanes2d(first), capsule, turned);
+      return contacts_2d_of<T>(load_obbs_2d(first), capsule, turned);
     } else if constexpr (kind == Kind2d::aabb_capsule) {
-      return contacts_2d_of<T>(AabbLanes2d(first), capsule, turned);
+      return contacts_2d_of<T>(load_aabbs_2d(first), capsule, turned);
     } else {
       return contacts_2d_of<T>(load_capsules<2>(first), capsule, turned);
     }
