@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which way three points turn, on which side of a plane a point lies, and which of two products is larger: exactly,
-// also where rounding hides the answer.
+// The orientation of three points, the side of a plane on which a point lies, and the comparison of two products:
+// exactly, even if rounding hides the answer.
 #include <array>
 #include <cstdio>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The questions about two shapes: do they meet, how far apart are they, how deep in each other, and what does a ray
-// hit?
+// Queries on two shapes: whether they intersect, their distance, the depth of their overlap, and ray casts.
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -16,7 +15,7 @@ int main() {
   const float gap = graze::distance(pole, ball);
   std::printf("the ball is %g from the pole\n", static_cast<double>(gap));
 
-  // Overlapping: the way out. To move the ball by normal * depth leaves the two touching.
+  // Overlapping: the contact. Moving the ball by normal * depth leaves the two touching.
   const std::optional<graze::Contact<3>> contact = graze::contact(pole, near_ball);
   if (!contact) return 1;
   std::printf("the near ball is %g deep, along (%g, %g, %g)\n", static_cast<double>(contact->depth),
@@ -25,7 +24,7 @@ int main() {
   const graze::Sphere<3> pushed_ball{near_ball.center + contact->normal * contact->depth, near_ball.radius};
   std::printf("pushed out, it is %s\n", graze::name_of(graze::relation(pole, pushed_ball)).data());
 
-  // Both at once: one number that is negative inside.
+  // Both in one call: a number that is negative if they overlap.
   const float separation = graze::separation(pole, near_ball).distance;
 
   // A ray, and a segment that ends before the ball.

@@ -43,7 +43,7 @@ template <Dim N, class T>
 struct PairFinder<N, T>::State {
   detail::PairMethods<N, T> methods;
   detail::KeptPairSink room;
-  std::size_t given = 0;  // pairs, which lie in the memory of one of both
+  std::size_t given = 0;  // size of the last answer, which is in the memory of `methods` or `room`
 
   std::span<const Pair> find(std::span<const Aabb<N, T>> boxes_a, const std::span<const Aabb<N, T>>* boxes_b,
                              const PairOptions& options) {

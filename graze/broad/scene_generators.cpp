@@ -27,12 +27,12 @@ constexpr std::array<std::pair<std::string_view, World>, 8> names{{{"brownian", 
                                                                    {"giants", World::giants},
                                                                    {"point", World::point}}};
 
-/// Random numbers by splitmix64 (Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators"). All
-/// that is made of them uses + - * / and sqrt alone, which round alike everywhere; log, pow and the distributions of
-/// the standard library do not.
+/// Random numbers by splitmix64 (Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators").
+/// Everything derived from them uses only + - * / and sqrt, which round alike everywhere; log, pow and the
+/// distributions of the standard library do not.
 class Random {
  public:
-  /// Leaves in `state` where the next generator goes on.
+  /// Stores in `state` where the next generator continues.
   explicit Random(std::uint64_t& state) : state_(state) {}
 
   std::uint64_t bits() {
@@ -63,7 +63,7 @@ class Random {
   std::uint64_t& state_;
 };
 
-/// The cube root. std::cbrt differs in its last bit between systems. Newton's steps from above come down to it.
+/// The cube root. The last bits of std::cbrt differ between systems. Newton's method converges to the root from above.
 double cube_root(double x) {
   double root = std::max(x, 1.0);
   for (;;) {
@@ -85,7 +85,7 @@ Vec<2, double> half_extents_of_turned_square(Random& random) {
   return Vec<2, double>((std::fabs(point.x) + std::fabs(point.y)) / (2 * length));
 }
 
-/// Half the sums of the absolute rows of a rotation, by a quaternion that is uniform on its sphere (Marsaglia 1972,
+/// Half the row sums of the absolute values of a rotation, from a quaternion uniform on its sphere (Marsaglia 1972,
 /// "Choosing a point from the surface of a sphere").
 Vec<3, double> half_extents_of_turned_cube(Random& random) {
   const Vec<2, double> first = random.point_in_disc();
@@ -102,7 +102,7 @@ Vec<3, double> half_extents_of_turned_cube(Random& random) {
           half(2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y))};
 }
 
-/// Of the bounding box of a unit cube in a random orientation.
+/// The half extents of the bounding box of a unit cube in a random orientation.
 template <Dim N>
 Vec<N, double> turned_half_extents(Random& random) {
   if constexpr (N == 2) {
@@ -112,12 +112,13 @@ Vec<N, double> turned_half_extents(Random& random) {
   }
 }
 
-/// How many times the box of a turned unit cube fills the region where another one's center must be for the two to
-/// overlap: the mean of the product of (width of one + width of the other) over the axes; in 3D found by trial.
+/// The ratio of the region where another cube's center must be for two rotated unit cubes' boxes to overlap to the box
+/// itself: the mean of the product of (width of one + width of the other) over the axes; in 3D determined
+/// experimentally.
 template <Dim N>
 constexpr double reach = N == 2 ? 6.515 : 26.8;
 
-/// A world in the making.
+/// A scene under construction.
 template <Dim N>
 class WorldMaker {
  public:
@@ -147,7 +148,7 @@ class WorldMaker {
     return point;
   }
 
-  /// How wide a world is along each axis. A line has one unit for each box, a plane three square units.
+  /// The extent of a scene along each axis. A line has one unit for each box, a plane three square units.
   Vec<N, double> widths_of(World world) const {
     Vec<N, double> widths(0.0);
     if (world == World::brownian || world == World::giants) {
@@ -172,7 +173,7 @@ class WorldMaker {
     return volume;
   }
 
-  /// Pareto's law with exponent 1, cut off: each octave of sizes has half the boxes of the one below.
+  /// A truncated Pareto distribution with exponent 1: each octave of sizes has half the boxes of the one below.
   void spread_sizes() {
     for (MovingBody<N>& body : bodies_) body.half_extents *= 1 / random_.between(0.001, 1);
   }
@@ -197,7 +198,7 @@ class WorldMaker {
 
   static std::size_t cells(std::size_t side) { return N == 2 ? side * side : side * side * side; }
 
-  /// Place k of a lattice, row by row.
+  /// Position k of a lattice, row by row.
   static Vec<N, double> place_in_lattice(std::size_t k, std::size_t side) {
     Vec<N, double> place;
     for (Dim i = 0; i < N; ++i, k /= side) place[i] = static_cast<double>(k % side);
@@ -215,7 +216,7 @@ class WorldMaker {
       const double u = random_.fraction();
       const Cloud& cloud = clouds[static_cast<std::size_t>(u * u * static_cast<double>(clouds.size()))];
       for (Dim i = 0; i < N; ++i) {
-        // One by one: the order in which a sum calls its terms is the compiler's, and it shows in the last bit.
+        // Separate statements: a compiler may evaluate the calls in a sum in any order, which changes the last bit.
         double sum = random_.fraction();
         sum += random_.fraction();
         sum += random_.fraction();
@@ -224,10 +225,10 @@ class WorldMaker {
     }
   }
 
-  /// The square of a uniform number chooses a box's cloud, so that the first of K clouds has one box in sqrt(K), the
-  /// last one in 2 K. A cloud of m boxes has m * reach / 2 * (0.55 / width)^N pairs per box, as 0.55 / width is the
-  /// integral of the squared density along an axis. Its width makes that two, and is then varied. Clouds are at least
-  /// half a spacing apart, which is 20 widths.
+  /// The square of a uniform number selects a box's cluster, so that the first of K clusters has one box in sqrt(K),
+  /// the last one in 2 K. A cluster of m boxes has m * reach / 2 * (0.55 / width)^N pairs per box, as 0.55 / width is
+  /// the integral of the squared density along an axis. Its width makes that two, and is then varied. Clusters are at
+  /// least half a spacing apart, which is 20 widths.
   std::vector<Cloud> random_clouds() {
     const std::size_t clouds = std::max<std::size_t>(8, bodies_.size() / 10000);
     std::vector<Cloud> result(clouds);
@@ -257,8 +258,8 @@ class WorldMaker {
   Aabb<N, double> walls_;
 };
 
-/// A step of at most a tenth along each axis, in multiples of 2^-10, so that integer places stay exact also in float.
-/// It bounces off the walls; where they leave no room there is no step.
+/// A step of at most a tenth along each axis, in multiples of 2^-10, so that integer positions stay exact also in
+/// float. It is reflected by the walls; if these leave no space, there is no step.
 template <Dim N>
 void move(Vec<N, double>& place, const Aabb<N, double>& walls, Random& random) {
   for (Dim i = 0; i < N; ++i) {
@@ -269,7 +270,7 @@ void move(Vec<N, double>& place, const Aabb<N, double>& walls, Random& random) {
   }
 }
 
-/// What moves as one moves no further than one unit from where it was.
+/// Boxes that move together stay within one unit of their start.
 template <Dim N>
 Aabb<N, double> walls_of_offset() {
   return {Vec<N, double>(-1.0), Vec<N, double>(1.0)};

@@ -11,8 +11,8 @@ namespace graze {
 namespace detail {
 namespace {
 
-/// Searches for the pairs whose first box is in a range. Those of a part of the boxes are found between the range and
-/// all boxes from its first one on; among them are some with the boxes of the range the other way round.
+/// Finds the pairs whose first box is in a range: it searches between the range and all boxes from its first one on,
+/// and drops pairs in which the range's box is the second.
 template <Dim N, class T>
 class RangeSearch {
  public:
@@ -20,7 +20,7 @@ class RangeSearch {
     options_.order = PairOrder::sorted;
   }
 
-  /// How many pairs `find` would hold, or any number above `most` if they are more than that.
+  /// The number of pairs that `find` would hold, or any number above `most` if there are more.
   std::size_t count(std::size_t first, std::size_t last, std::size_t most) {
     std::size_t count = 0;
     const auto add = [&](std::span<const Pair> pairs) {
@@ -35,7 +35,7 @@ class RangeSearch {
     return count;
   }
 
-  /// The pairs, sorted; they stay until the next call.
+  /// The pairs, sorted; valid until the next call.
   std::span<const Pair> find(std::size_t first, std::size_t last) {
     if (is_all(first, last)) return finder_.find(boxes_, options_);
     pairs_.clear();
@@ -57,8 +57,8 @@ class RangeSearch {
 
 }  // namespace
 
-// Ranges are as long as their pairs allow: halved while they have too many, which a search stops to say as soon as it
-// knows, and doubled while they have few. A range of one box has at most as many pairs as there are boxes.
+// Ranges are as long as their numbers of pairs permit: halved while these are too large, where counting stops at the
+// limit, and doubled while they are small. A range of one box has at most as many pairs as there are boxes.
 template <Dim N, class T>
 void visit_sorted_pairs(std::span<const Aabb<N, T>> boxes, const PairVisitor& visit, const PairOptions& options,
                         std::size_t most) {
@@ -66,7 +66,7 @@ void visit_sorted_pairs(std::span<const Aabb<N, T>> boxes, const PairVisitor& vi
   RangeSearch<N, T> search(boxes, options);
   std::size_t length = boxes.size();
   std::size_t first = 0;
-  do {  // once even without boxes, for what is wrong with the options
+  do {  // once even without boxes, to validate the options
     const std::size_t last = std::min(boxes.size(), first + length);
     const std::size_t count = search.count(first, last, most);
     if (count > most) {

@@ -108,7 +108,7 @@ TEST(CustomIndex, FindsWhatTouchesByTheRoundingOfALargeBox) {
     EXPECT_EQ(count(index, region), count(judge, region)) << k;
     if (box.min[0] > detail::RegionProbe(region).reach(0).max[0]) found_apart += count(judge, region);
   }
-  EXPECT_GT(found_apart, 0U) << "or nothing was asked";
+  EXPECT_GT(found_apart, 0U) << "or nothing was queried";
 }
 
 TEST(CustomIndex, FindsTheNearestAtEveryScale) {

@@ -46,7 +46,7 @@ TEST(Executor, TheSerialOneRunsInOrderOnTheCallingThread) {
 }
 
 TEST(Executor, TwoThreadsReallyRunAtTheSameTime) {
-  if (default_executor().concurrency() < 2) GTEST_SKIP() << "there is one core, or no oneTBB";
+  if (default_executor().concurrency() < 2) GTEST_SKIP() << "a single core, or no oneTBB";
   // Each task waits for the other, so a single thread would never end. The wait times out, so that the test fails
   // instead.
   std::atomic<int> arrived = 0;

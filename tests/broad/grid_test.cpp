@@ -84,8 +84,7 @@ TEST(Grid, RefusesSettingsByName) {
     const Grid<2> grid({.smallest_cell = -2});
     FAIL() << "no error";
   } catch (const std::invalid_argument& error) {
-    EXPECT_EQ(std::string(error.what()),
-              "Grid: a smallest_cell of -2.000000 is no size; it must be a length up to 2^1000, or 0");
+    EXPECT_EQ(std::string(error.what()), "Grid: smallest_cell is -2.000000; it must be from 0 to 2^1000");
   }
 }
 

@@ -85,13 +85,13 @@ TEST(Orthtree, RefusesSettingsByName) {
     QuadTree<> tree({.capacity = 0});
     FAIL() << "no error";
   } catch (const std::invalid_argument& error) {
-    EXPECT_EQ(std::string(error.what()), "Orthtree: a capacity of 0 is too small; it must be at least 1");
+    EXPECT_EQ(std::string(error.what()), "Orthtree: capacity is 0; it must be at least 1");
   }
   try {
     Octree<double> tree({.max_depth = 40});
     FAIL() << "no error";
   } catch (const std::invalid_argument& error) {
-    EXPECT_EQ(std::string(error.what()), "Orthtree: a max_depth of 40 is not in 0 to 32");
+    EXPECT_EQ(std::string(error.what()), "Orthtree: max_depth is 40; it must be from 0 to 32");
   }
 }
 

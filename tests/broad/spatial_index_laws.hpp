@@ -104,9 +104,9 @@ TYPED_TEST_P(SpatialIndexLaws, AKeyIsAnErrorOnceItsBoxIsGoneOrInAnotherIndex) {
   TypeParam other;
   const Key foreign = other.insert(cube<TypeParam>(0));
   EXPECT_EQ(message_of([&] { index.erase(foreign); }),
-            "SpatialIndex: the key (index 0, generation 1) was given by another index");
+            "SpatialIndex: the key (index 0, generation 1) belongs to another index");
   EXPECT_EQ(message_of([&] { index.box(Key{}); }),
-            "SpatialIndex: the key (index 0, generation 0) was made by default; only insert gives keys");
+            "SpatialIndex: the key (index 0, generation 0) is default-constructed; only insert returns keys");
   for (const Key& bad : {key, foreign, Key{}}) {
     EXPECT_FALSE(index.contains(bad));
     EXPECT_THROW(index.update(bad, cube<TypeParam>(1)), std::out_of_range);

@@ -35,9 +35,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Polytope<N, T> hull;
   try {
     hull = convex_hull<N, T>(points);
-    test::fuzz::require(is_sound, [](std::ostream& out) { out << "points that are not finite have a hull"; });
+    test::fuzz::require(is_sound, [](std::ostream& out) { out << "points that are not finite were accepted"; });
   } catch (const std::invalid_argument&) {
-    test::fuzz::require(!is_sound, [](std::ostream& out) { out << "finite points are refused"; });
+    test::fuzz::require(!is_sound, [](std::ostream& out) { out << "finite points were rejected"; });
     return 0;
   }
   const auto say = [&](std::ostream& out) {

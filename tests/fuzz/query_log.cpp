@@ -71,10 +71,11 @@ void check_survival(const io::QueryLog<N>& log) {
   if (!comes_back(log)) return;
   require(log.numbers == again.numbers && std::equal(log.entries.begin(), log.entries.end(), again.entries.begin(),
                                                      again.entries.end(), same_entry<N>),
-          [&](std::ostream& out) { out << "calls and answers survive a file, but not in\n"
-                                       << text; });
+          [&](std::ostream& out) {
+            out << "calls and answers must be unchanged after writing and reading, except in\n" << text;
+          });
   require(written(again) == text, [&](std::ostream& out) {
-    out << "what was read back is written as it was, but not\n" << text;
+    out << "what was read back must be written identically, except\n" << text;
   });
 }
 
@@ -88,7 +89,7 @@ void check_replay(const io::QueryLog<N>& log) {
   const io::ReplayReport report = replayed(log);
   for (const io::ReplayDifference& each : report.first) {
     require(!each.is_from_judge, [&](std::ostream& out) {
-      out << "the scene says what every object says, but not of " << io::call_line(log.entries[each.entry].call)
+      out << "the scene must agree with its objects, but does not for " << io::call_line(log.entries[each.entry].call)
           << "\ngiven    " << io::answer_line(each.given) << "\nexpected " << io::answer_line(each.expected) << "\nin\n"
           << written(log);
     });
@@ -100,12 +101,12 @@ void check_replay(const io::QueryLog<N>& log) {
   if (log.entries.size() > most_calls_to_shrink) return;
   const std::optional<io::QueryLog<N>> small = io::shrunk(log, io::library_targets<N>(log.numbers));
   require(small.has_value() == (report.differing > 0), [&](std::ostream& stream) {
-    stream << "just what fails can be made small, but not\n" << written(log);
+    stream << "exactly the failing logs can be shrunk, except\n" << written(log);
   });
   if (!small) return;
   const std::string text = written(*small);
   require(replayed(parsed<N>(text)).differing > 0, [&](std::ostream& stream) {
-    stream << "small, it fails still, but not\n" << text << "of\n" << written(log);
+    stream << "the shrunk log must still fail, but does not:\n" << text << "of\n" << written(log);
   });
 }
 

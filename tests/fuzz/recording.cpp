@@ -81,14 +81,15 @@ void check(io::RecordingReader& reader) {
   reader.seek(last);
   std::vector<Aabb<N, float>> boxes;
   require(reader.next(boxes) && boxes == frames->back(),
-          [](std::ostream& out) { out << "a frame says the same in any order"; });
+          [](std::ostream& out) { out << "a frame must not depend on the order of reading"; });
   const std::string bytes = written<N>(reader.head(), *frames);
   std::optional<io::RecordingReader> again = opened(bytes);
-  require(again.has_value(), [](std::ostream& out) { out << "what was written is read"; });
+  require(again.has_value(), [](std::ostream& out) { out << "what was written must be readable"; });
   const std::optional<Frames<N>> frames_again = frames_of<N>(*again);
-  require(frames_again && *frames_again == *frames, [](std::ostream& out) { out << "boxes survive a file"; });
+  require(frames_again && *frames_again == *frames,
+          [](std::ostream& out) { out << "boxes must be unchanged after writing and reading"; });
   require(written<N>(again->head(), *frames_again) == bytes,
-          [](std::ostream& out) { out << "what was read back is written as it was"; });
+          [](std::ostream& out) { out << "what was read back must be written identically"; });
 }
 
 }  // namespace

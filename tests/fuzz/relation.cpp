@@ -26,8 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Relation swapped = test::relation_of<N, T>(pair.b, pair.a);
   if (!pair.is_judged) return 0;
   test::fuzz::require(claim == swapped, [&](std::ostream& out) {
-    out << "in both orders the same, but " << name_of(swapped) << " in the other than " << name_of(claim) << ": "
-        << pair;
+    out << "the other order gives " << name_of(swapped) << " instead of " << name_of(claim) << ": " << pair;
   });
   const test::ExactVerdict truth = test::true_verdict<N, T>(pair.a, pair.b, claim);
   const test::Judgement judgement = test::judge(claim, truth, pair.a.index(), pair.b.index());

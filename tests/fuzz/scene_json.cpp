@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // The function for all formats recognises this one.
   const auto told = test::fuzz::read_or_refuse([&] { return io::parse_scene(text, "scene", "no folder"); });
   test::fuzz::require(told && test::fuzz::written(*told) == test::fuzz::written(*file), [&](std::ostream& out) {
-    out << "a scene of ours is taken for one, but not\n" << text;
+    out << "a scene in graze's format must be recognised, except\n" << text;
   });
   return 0;
 }

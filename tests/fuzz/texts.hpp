@@ -33,7 +33,7 @@ auto read_or_refuse(const Read& read) -> std::optional<decltype(read())> {
   } catch (const io::InputError& error) {
     const std::string message = error.what();
     require(!message.empty() && io::printable(message) == message,
-            [&](std::ostream& out) { out << "what is refused is refused in words to be shown, but: " << message; });
+            [&](std::ostream& out) { out << "the message of a rejection must be displayable, but is: " << message; });
     return std::nullopt;
   }
 }
@@ -44,7 +44,9 @@ auto read_again(const std::string& text, const Read& read) -> decltype(read(text
   try {
     return read(text);
   } catch (const io::InputError& error) {
-    require(false, [&](std::ostream& out) { out << "what was written is read, but " << error.what() << "\n" << text; });
+    require(false, [&](std::ostream& out) {
+      out << "what was written must be readable, but " << error.what() << "\n" << text;
+    });
     throw;
   }
 }
@@ -97,7 +99,9 @@ bool same_object(const Object<N, double>& a, const Object<N, double>& b) {
 template <Dim N>
 void require_same_scene(const Scene<N, double>& read, const Scene<N, double>& again, const std::string& text) {
   const auto say = [&text](std::string_view what) {
-    return [&text, what](std::ostream& out) { out << what << " survive a file, but not in\n" << text; };
+    return [&text, what](std::ostream& out) {
+      out << what << " must be unchanged after writing and reading, except in\n" << text;
+    };
   };
   require(same_ids(read.ids(), again.ids()) && same_ids(read.vacant_ids(), again.vacant_ids()), say("ids"));
   const std::vector<ObjectId> ids = read.ids();
@@ -116,23 +120,24 @@ inline bool same_velocity(const io::ObjectVelocity& a, const io::ObjectVelocity&
 inline void require_survival(const io::SceneFile& file) {
   for (const io::Omission& omission : file.omissions) {
     require(!omission.what.empty() && omission.count > 0,
-            [](std::ostream& out) { out << "an omission says what was left out, and how often"; });
+            [](std::ostream& out) { out << "an omission must name what was omitted, and how often"; });
   }
   const std::string text = written(file);
   const io::SceneFile again = read_again(text, [](const std::string& of) { return io::parse_json_scene(of, "again"); });
   if (!std::visit([](const auto& scene) { return comes_back(scene); }, file.scene)) return;
   require(file.scene.index() == again.scene.index() && file.y_axis == again.y_axis, [&](std::ostream& out) {
-    out << "dimension and axis survive a file, but not in\n" << text;
+    out << "dimension and axis must be unchanged after writing and reading, except in\n" << text;
   });
   std::visit(
       [&](const auto& scene) { require_same_scene(scene, std::get<std::decay_t<decltype(scene)>>(again.scene), text); },
       file.scene);
   require(std::equal(file.velocities.begin(), file.velocities.end(), again.velocities.begin(), again.velocities.end(),
                      same_velocity),
-          [&](std::ostream& out) { out << "velocities survive a file, but not in\n"
-                                       << text; });
+          [&](std::ostream& out) {
+            out << "velocities must be unchanged after writing and reading, except in\n" << text;
+          });
   require(written(again) == text, [&](std::ostream& out) {
-    out << "what was read back is written as it was, but not\n" << text;
+    out << "what was read back must be written identically, except\n" << text;
   });
 }
 

@@ -61,11 +61,11 @@ class CastJudge {
     }
     const std::optional<Impact<N, T>> impact = impact_of<N, T>(cast_.a, cast_.motion, cast_.b);
     const std::optional<detail::CastHit<N>> cast_hit = cast_hit_of<N, T>(cast_.a, cast_.motion, cast_.b);
-    expect(impact.has_value() == cast_hit.has_value(), "it is rounded from something else");
+    expect(impact.has_value() == cast_hit.has_value(), "the rounded answer does not match");
     if (!impact || !cast_hit) {
       judge_miss();
     } else if (start_.relation != Relation::apart) {
-      expect(impact->t == T(0), "what meets at the start does so at 0");
+      expect(impact->t == T(0), "shapes that intersect at the start must have t = 0");
     } else {
       judge_hit(*cast_hit);
       expect(static_cast<double>(impact->t) <= cast_hit->t, "the time is not rounded down");
@@ -89,19 +89,19 @@ class CastJudge {
   void judge_miss() {
     const ExactPassage passage = *exact_passage<N, T>(cast_.a, cast_.motion, 1.0, cast_.b);
     const double depth = -passage.so_far.gap;
-    expect(depth <= most_overlooked * tolerance::epsilon * size_, "it goes through");
+    expect(depth <= most_overlooked * tolerance::epsilon * size_, "the shapes pass through each other");
   }
 
   void judge_hit(const detail::CastHit<N>& cast_hit) {
     const ExactPassage passage = *exact_passage<N, T>(cast_.a, cast_.motion, cast_hit.t, cast_.b);
     const double unit = tolerance::epsilon * size_;
-    expect(passage.there.gap <= cast_hit.error, "it is too early, or nothing is hit");
-    expect(-passage.so_far.gap <= cast_hit.error, "it is too late");
+    expect(passage.there.gap <= cast_hit.error, "the time is too early, or there is no hit");
+    expect(-passage.so_far.gap <= cast_hit.error, "the time is too late");
     expect(cast_hit.error <= most_claimed_of_casts * unit || cast_hit.status == Status::best_bound,
-           "too large an error is admitted");
+           "the reported error is too large");
     const bool meets_at_start = relation_of<N, T>(cast_.a, cast_.b) != Relation::apart;  // up to its band
     expect(std::fabs(dot(cast_hit.normal, cast_hit.normal) - 1) <= 16 * tolerance::epsilon || meets_at_start,
-           "the normal is not of length 1");
+           "the normal is not a unit vector");
     errors_.gap = std::max(passage.there.gap, -passage.so_far.gap) / unit;
     errors_.claimed = cast_hit.error / unit;
   }

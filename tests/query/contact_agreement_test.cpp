@@ -66,7 +66,7 @@ class PairCheck {
 
   void run() {
     const std::optional<Contact<N, T>> found = contact_of<N, T>(a_, b_);
-    expect(found.has_value() == (relation_of<N, T>(a_, b_) != Relation::apart), "the relation is another");
+    expect(found.has_value() == (relation_of<N, T>(a_, b_) != Relation::apart), "another relation");
     ++tally_.cases;
     if (!found) return;
     ++tally_.meeting;
@@ -104,7 +104,7 @@ class PairCheck {
     const bool is_same = swapped.normal == exact_.normal && swapped.depth == exact_.depth &&
                          swapped.point_a == exact_.point_a && swapped.point_b == exact_.point_b &&
                          swapped.error == exact_.error && swapped.status == exact_.status;
-    expect(is_same || to_source<N, T>(a_) == to_source<N, T>(b_), "it is another in the other order");
+    expect(is_same || to_source<N, T>(a_) == to_source<N, T>(b_), "another answer in the other order");
   }
 
   bool is_closed() const { return is_relative_to_own_size(a_.index(), b_.index()); }
@@ -121,7 +121,7 @@ class PairCheck {
            "the depth is off by too much");
     keep(error / size, tally_.depth, tally_.worst_depth);
     if (!is_closed()) return;  // for slivers, GJK proves less than it finds
-    expect(exact_.error <= most_claimed * size, "too large an error is admitted");
+    expect(exact_.error <= most_claimed * size, "the reported error is too large");
     tally_.claimed = std::max(tally_.claimed, exact_.error / size);
   }
 
@@ -139,7 +139,8 @@ class PairCheck {
     const double worst = std::max({off(found_.point_a, a_), off(found_.point_b, b_), max_abs(rest)}) / size;
     expect(worst <= (is_closed() ? most_off : most_off_by_search), "the points are off by " + literal(worst));
     keep(worst, tally_.points, tally_.worst_points);
-    expect(std::fabs(dot(exact_.normal, exact_.normal) - 1) <= 4 * tolerance::epsilon, "the normal is not of length 1");
+    expect(std::fabs(dot(exact_.normal, exact_.normal) - 1) <= 4 * tolerance::epsilon,
+           "the normal is not a unit vector");
   }
 
   /// The minimum translation leaves the shapes touching. Only in double, which hardly rounds the shape's coordinates.
@@ -179,7 +180,7 @@ class ContactAgreement : public ::testing::Test {
               << ", points by " << tally.points << ", moves by " << tally.left << "\n"
               << "the worst depth: " << tally.worst_depth << "\nthe worst points: " << tally.worst_points
               << "\nthe worst move: " << tally.worst_left << "\n";
-    EXPECT_GE(tally.meeting * 8, tally.cases) << "too few meet to prove anything";
+    EXPECT_GE(tally.meeting * 8, tally.cases) << "too few intersect to prove anything";
   }
 };
 

@@ -99,7 +99,7 @@ const std::vector<Example>& examples() {
   static const std::vector<Example> table = {
       {"triangle", {{0, 0}, {4, 0}, {0, 4}}, 1},
       {"square", {{0, 0}, {4, 0}, {4, 4}, {0, 4}}, 1},
-      {"square with middles of edges", {{0, 0}, {2, 0}, {4, 0}, {4, 2}, {4, 4}, {2, 4}, {0, 4}, {0, 2}}, 1},
+      {"square with midpoints of edges", {{0, 0}, {2, 0}, {4, 0}, {4, 2}, {4, 4}, {2, 4}, {0, 4}, {0, 2}}, 1},
       {"L", {{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}, 2},
       {"arrow head", {{0, 0}, {4, 2}, {0, 4}, {1, 2}}, 2},
       {"U", {{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}, 3},
@@ -173,7 +173,7 @@ TEST(ConvexParts, RefusesAnOutlineThatCrossesOrTouchesItself) {
       {"a corner on an edge", {{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}},
       {"a spike outward", {{0, 0}, {4, 0}, {8, 0}, {4, 0}, {4, 4}, {0, 4}}},
       {"a spike inward", {{0, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 1}, {2, 4}, {0, 4}}},
-      {"run round twice", {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {4, 0}, {4, 4}, {0, 4}}},
+      {"traversed twice", {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {4, 0}, {4, 4}, {0, 4}}},
       {"a hole joined by a bridge", {{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}, {3, 3}, {3, 6}, {6, 6}, {6, 3}, {3, 3}}},
   };
   for (const auto& [name, polygon] : refused) EXPECT_FALSE(convex_parts<double>(polygon)) << name;

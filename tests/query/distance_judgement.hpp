@@ -54,12 +54,12 @@ class DistanceJudge {
         is_closed_(is_relative_to_own_size(a.index(), b.index())) {}
 
   DistanceErrors run() {
-    expect(found_.relation == relation_of<N, T>(a_, b_), "the relation is another");
-    expect(distance_of<N, T>(a_, b_) == found_.distance, "distance() is another");
-    expect((found_.distance == T(0)) == (found_.relation != Relation::apart), "0 is for those that meet");
-    expect(std::isinf(found_.distance) == (truth_.gap == infinity), "what is nowhere is infinitely far away");
+    expect(found_.relation == relation_of<N, T>(a_, b_), "another relation");
+    expect(distance_of<N, T>(a_, b_) == found_.distance, "distance() differs");
+    expect((found_.distance == T(0)) == (found_.relation != Relation::apart), "the distance of separate shapes is 0");
+    expect(std::isinf(found_.distance) == (truth_.gap == infinity), "an empty shape must be infinitely far away");
     if (std::isinf(found_.distance)) return errors_;
-    expect(detail::exchanged(closest_points_of<N, T>(b_, a_)) == found_, "it is another in the other order");
+    expect(detail::exchanged(closest_points_of<N, T>(b_, a_)) == found_, "another answer in the other order");
     if (truth_.is_nearly_parallel || (truth_.gap > 0 && truth_.gap < least_size)) {
       if (errors_.fault.empty()) errors_.judgement = Judgement::outside_range;
       return errors_;
@@ -88,7 +88,7 @@ class DistanceJudge {
     const double gap_of_gjk = tolerance::gjk_relative_gap * wide.distance;
     expect(error <= (is_closed_ ? most_error : most_error_of_gjk) * size + gap_of_gjk,
            "the distance is off by too much");
-    expect(wide.error <= most_claimed * (size + size_of_cut()) + gap_of_gjk, "too large an error is admitted");
+    expect(wide.error <= most_claimed * (size + size_of_cut()) + gap_of_gjk, "the reported error is too large");
     errors_.distance = error / size;
     errors_.claimed = std::max(0.0, (wide.error - gap_of_gjk) / size);
   }
@@ -116,7 +116,7 @@ class DistanceJudge {
     const double squared = dot(normal, normal);
     const bool is_unit = std::fabs(squared - 1) <= 4 * epsilon;
     const bool may_be_zero = !is_apart || static_cast<double>(found_.distance) <= found_.error;
-    expect(is_unit || (squared == 0 && may_be_zero), "the normal is not of length 1");
+    expect(is_unit || (squared == 0 && may_be_zero), "the normal is not a unit vector");
   }
 
   /// How far a point is from a shape, exactly.

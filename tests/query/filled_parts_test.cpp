@@ -124,7 +124,7 @@ const std::vector<Example>& examples() {
   static const std::vector<Example> table = {
       {"bow tie", {{0, 0}, {4, 4}, {4, 0}, {0, 4}}, 16, 2},
       {"two squares that touch in a corner", {{0, 0}, {2, 0}, {2, 2}, {4, 2}, {4, 4}, {2, 4}, {2, 2}, {0, 2}}, 16, 2},
-      {"a square run around twice", {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {4, 0}, {4, 4}, {0, 4}}, 32, 1},
+      {"a square traversed twice", {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {4, 0}, {4, 4}, {0, 4}}, 32, 1},
       {"a square there and back", {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {0, 4}, {4, 4}, {4, 0}}, 0, 4},
       {"a hole on a bridge", {{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 0}, {2, 2}, {2, 6}, {6, 6}, {6, 2}, {2, 2}}, 96, 4},
       {"what looks like a hole but runs the same way",

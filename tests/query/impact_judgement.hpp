@@ -60,11 +60,11 @@ class ImpactJudge {
     if (impact) errors_.t = static_cast<double>(impact->t);
     // Other judges check whether they rightly intersect.
     if (relation_of<N, T>(moving_.a, moving_.b) != Relation::apart) {
-      expect(impact && impact->t == T(0), "what meets at the start does so at 0");
+      expect(impact && impact->t == T(0), "shapes that intersect at the start must have t = 0");
       return errors_;
     }
     const std::optional<detail::CastHit<N>> cast_hit = cast_hit_of(moving_);
-    expect(impact.has_value() == cast_hit.has_value(), "it is rounded from something else");
+    expect(impact.has_value() == cast_hit.has_value(), "the rounded answer does not match");
     judge_way(cast_hit ? cast_hit->t : 1.0);
     if (!impact || !cast_hit) return errors_;
     judge_hit(*cast_hit);
@@ -80,9 +80,9 @@ class ImpactJudge {
   }
 
   void judge_way(double end) {
-    expect(least_gap(moving_, 0, end) >= -rounding_, "they meet before");
+    expect(least_gap(moving_, 0, end) >= -rounding_, "the shapes meet before");
     for (const double share : {0.99, 0.9999, 1.0}) {
-      expect(gap_at(moving_, end * share) >= -rounding_, "they meet shortly before");
+      expect(gap_at(moving_, end * share) >= -rounding_, "the shapes meet shortly before");
     }
   }
 
@@ -91,13 +91,13 @@ class ImpactJudge {
     const double gap = gap_at(moving_, cast_hit.t);
     const double unit = impact_target * size_;
     errors_.is_unfinished = cast_hit.status == Status::best_bound;
-    expect(gap <= cast_hit.error + rounding_, "they are farther apart than is said");
+    expect(gap <= cast_hit.error + rounding_, "the gap exceeds the reported error");
     // Two nearly parallel rays may touch far from their origins.
     const bool are_rays = moving_.a.index() == ray_type && moving_.b.index() == ray_type;
     const double reached = are_rays ? impact_target * std::max(size_, max_abs(cast_hit.point)) : unit;
-    expect(cast_hit.error <= most_promised * reached || errors_.is_unfinished, "too large an error is admitted");
+    expect(cast_hit.error <= most_promised * reached || errors_.is_unfinished, "the reported error is too large");
     expect(std::fabs(dot(cast_hit.normal, cast_hit.normal) - 1) <= 16 * tolerance::epsilon,
-           "the normal is not of length 1");
+           "the normal is not a unit vector");
     if (errors_.is_unfinished) return;
     errors_.gap = std::max(0.0, gap) / unit;
     errors_.claimed = cast_hit.error / unit;

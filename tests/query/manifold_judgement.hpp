@@ -46,12 +46,12 @@ class ManifoldJudge {
   ManifoldErrors run() {
     const std::optional<Contact<N, T>> contact = contact_of<N, T>(a_, b_);
     const ContactErrors of_contact = contact_errors<N, T>(a_, b_, truth_, contact);
-    expect(contact.has_value() == (found_.size > 0), "there are points without a contact, or none of one");
+    expect(contact.has_value() == (found_.size > 0), "points without a contact, or a contact without points");
     expect(found_.size <= Manifold<N, T>::most_points, "there are too many points");
-    expect((manifold_of<N, T>(b_, a_).size == found_.size), "it has more or fewer points in the other order");
+    expect((manifold_of<N, T>(b_, a_).size == found_.size), "another number of points in the other order");
     expect(of_contact.judgement != Judgement::wrong, "the contact is wrong");
     if (!contact || !errors_.fault.empty()) return errors_;
-    expect(found_.normal == contact->normal, "the normal is not that of the contact");
+    expect(found_.normal == contact->normal, "the normal differs from the contact's");
     if (of_contact.judgement == Judgement::outside_range) errors_.judgement = Judgement::outside_range;
     if (errors_.judgement == Judgement::outside_range || std::isinf(contact->depth)) return errors_;
     judge_depth(static_cast<double>(contact->depth));
@@ -93,7 +93,7 @@ class ManifoldJudge {
         (wide<N, T>(point.point_a) - wide<N, T>(point.point_b)) - wide<N, T>(found_.normal) * depth;
     const double worst = std::max({off(point.point_a, a_), off(point.point_b, b_), max_abs(rest)});
     expect(depth >= 0, "a depth is negative");
-    expect(worst <= allowed(size), "a point is beside its shape, or not as deep as it says");
+    expect(worst <= allowed(size), "a point is off its shape, or has a wrong depth");
     errors_.points = std::max(errors_.points, worst / size);
   }
 

@@ -76,7 +76,7 @@ void expect_right_point(const Regression& row) {
               << " (closest point), " << errors.boundary << " (boundary point), times as long as thick "
               << errors.slenderness;
         } else {
-          ADD_FAILURE() << "compounds are their parts";
+          ADD_FAILURE() << "compounds are tested by their parts";
         }
       },
       any);
@@ -131,7 +131,7 @@ template <Dim N, class T>
 void expect_right_shape_cast(const Regression& row) {
   const Cast<N, T> cast = cast_from<N, T>(row);
   const std::optional<ExactPassage> passage = exact_passage<N, T>(cast.a, cast.motion, 1.0, cast.b);
-  ASSERT_TRUE(passage.has_value()) << "the oracle has no casts of these";
+  ASSERT_TRUE(passage.has_value()) << "the oracle does not support these casts";
   EXPECT_EQ(name_of(passage->so_far.relation), row.expected);
   const CastErrors errors = cast_errors<N, T>(cast, exact_verdict<N, T>(cast.a, cast.b));
   EXPECT_NE(errors.judgement, Judgement::wrong)

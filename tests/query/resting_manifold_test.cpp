@@ -112,7 +112,7 @@ TEST(RestingManifold, OfBoxesSpansTheFace) {
       const double size = max_abs(half);
       if (relation(below, above) == Relation::apart) continue;  // nearer than rounding
       expect_rest(manifold(below, above), area, size, "box on box", tilt);
-      expect_rest(manifold(aabb_of(below), above), area, size, "box on one along the axes", tilt);
+      expect_rest(manifold(aabb_of(below), above), area, size, "box on an aabb", tilt);
       expect_rest(manifold(polytope_of(below), polytope_of(above)), area, size, "polytope on polytope", tilt);
       expect_rest(manifold(aabb_of(below), polytope_of(above)), area, size, "polytope on box", tilt);
       expect_rest(manifold(HalfSpace<3, double>{{0, 0, 1}, 0}, above), area, size, "box on half-space", tilt);
@@ -138,7 +138,7 @@ TEST(RestingManifold, InThePlaneSpansTheSide) {
       if (relation(below, above) == Relation::apart) continue;
       const double size = max_abs(half);
       expect_rest(manifold(below, above), 2 * half.x, size, "box on box", tilt);
-      expect_rest(manifold(aabb_of(below), above), 2 * half.x, size, "box on one along the axes", tilt);
+      expect_rest(manifold(aabb_of(below), above), 2 * half.x, size, "box on an aabb", tilt);
       expect_rest(manifold(polytope_of(below), polytope_of(above)), 2 * half.x, size, "polygon on polygon", tilt);
       expect_rest(manifold(HalfSpace<2, double>{{0, 1}, 0}, above), 2 * half.x, size, "box on half-space", tilt);
       if (HasFailure()) return;

@@ -56,7 +56,7 @@ class SceneSoak {
     empty_all();
     ASSERT_TRUE(is_right_) << "when all objects were removed";
     EXPECT_GE(breaths_, 4U);
-    EXPECT_GE(answered_, asked_ / 3) << "of " << asked_ << " questions only so many found anything";
+    EXPECT_GE(answered_, asked_ / 3) << "of " << asked_ << " queries, too few had non-empty answers";
   }
 
  private:

@@ -60,8 +60,7 @@ template void require_boxes(std::span<const Aabb<3, double>>);
 template <Dim N, class T>
 BvhTree<N, T>::BvhTree(double margin) : margin_(margin) {
   if (!(margin >= 0) || std::isinf(margin)) {
-    throw std::invalid_argument("Bvh: a margin of " + std::to_string(margin) +
-                                " is not a length; it must be finite, 0 or more");
+    throw std::invalid_argument("Bvh: margin is " + std::to_string(margin) + "; it must be finite and not negative");
   }
 }
 

@@ -36,8 +36,7 @@ template <Dim N, class T>
 GridCells<N, T>::GridCells(const GridOptions& options) : options_(options), base_(lowest_grid_level), cells_(1) {
   const double least = options.smallest_cell;
   if (!(least >= 0 && least <= grid_size(highest_grid_level))) {
-    throw std::invalid_argument("Grid: a smallest_cell of " + std::to_string(least) +
-                                " is no size; it must be a length up to 2^1000, or 0");
+    throw std::invalid_argument("Grid: smallest_cell is " + std::to_string(least) + "; it must be from 0 to 2^1000");
   }
   base_ = std::max(base_, grid_level_of(least));
 }

@@ -87,9 +87,9 @@ void KeyTable::release_all() noexcept {
 }
 
 void KeyTable::plan(std::span<const Key> next, std::span<const Key> free) {
-  if (!generations_.empty()) throw std::logic_error("SpatialIndex: keys are planned before anything is inserted");
+  if (!generations_.empty()) throw std::logic_error("SpatialIndex: keys must be planned before anything is inserted");
   const std::size_t places = next.size() + free.size();
-  if (places > most_) throw std::length_error("SpatialIndex: more keys are planned than it holds");
+  if (places > most_) throw std::length_error("SpatialIndex: more keys are planned than it can hold");
   PageVector<std::uint32_t> generations(places);
   std::vector<bool> is_named(places, false);
   const auto enter = [&](const Key& key, unsigned last_bit, std::uint32_t generation) {
@@ -126,8 +126,8 @@ std::uint32_t KeyTable::slot_of(const Key& key) const {
   if (contains(key)) return key.index;
   const std::string name = "SpatialIndex: the key (index " + std::to_string(key.index) + ", generation " +
                            std::to_string(key.generation) + ") ";
-  if (key == Key{}) throw std::out_of_range(name + "was made by default; only insert gives keys");
-  if (key.owner != owner_) throw std::out_of_range(name + "was given by another index");
+  if (key == Key{}) throw std::out_of_range(name + "is default-constructed; only insert returns keys");
+  if (key.owner != owner_) throw std::out_of_range(name + "belongs to another index");
   throw std::out_of_range(name + "names no box any more; it was erased");
 }
 

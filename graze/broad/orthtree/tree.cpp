@@ -19,11 +19,10 @@ namespace graze::detail {
 
 template <Dim N, class T>
 CellTree<N, T>::CellTree(const OrthtreeOptions& options) : options_(options), places_(children, CellPlace<N>{}) {
-  if (options.capacity < 1)
-    throw std::invalid_argument("Orthtree: a capacity of 0 is too small; it must be at least 1");
+  if (options.capacity < 1) throw std::invalid_argument("Orthtree: capacity is 0; it must be at least 1");
   if (options.max_depth < 0 || options.max_depth > depth_limit) {
-    throw std::invalid_argument("Orthtree: a max_depth of " + std::to_string(options.max_depth) + " is not in 0 to " +
-                                std::to_string(depth_limit));
+    throw std::invalid_argument("Orthtree: max_depth is " + std::to_string(options.max_depth) +
+                                "; it must be from 0 to " + std::to_string(depth_limit));
   }
 }
 

@@ -104,7 +104,7 @@ TEST(BvhTree, RefusesAMarginThatIsNone) {
   try {
     Tree tree(-0.5);
   } catch (const std::invalid_argument& error) {
-    EXPECT_EQ(std::string(error.what()), "Bvh: a margin of -0.500000 is not a length; it must be finite, 0 or more");
+    EXPECT_EQ(std::string(error.what()), "Bvh: margin is -0.500000; it must be finite and not negative");
   }
 }
 
@@ -251,7 +251,7 @@ void insert_in_any_order() {
     const float place = std::ldexp(1.0F, static_cast<int>(k % 120));
     return Cube{Vec<N>(place), Vec<N>(place * 1.25F)};
   });
-  insert_all("to and fro", [](std::uint32_t k) { return unit_cube<N>(k % 2 == 0 ? 2.0 * k : -2.0 * k, 0); });
+  insert_all("back and forth", [](std::uint32_t k) { return unit_cube<N>(k % 2 == 0 ? 2.0 * k : -2.0 * k, 0); });
 }
 
 TEST(BvhTree, StaysLowAndGoodInAnyOrderOfInsertion) {
@@ -269,7 +269,7 @@ void move_all_to_one_side() {
   for (std::uint32_t k = 0; k < many; ++k) held.set(k, unit_cube<N>(1e5 + 2.0 * k, 0));
   expect_low_and_good(held, "all moved away in a row");
   for (std::uint32_t k = 0; k < many; ++k) held.set(k, unit_cube<N>(-7, -7));
-  expect_low_and_good(held, "all moved to one place");
+  expect_low_and_good(held, "all moved to one position");
 }
 
 TEST(BvhTree, StaysLowAndGoodWhenAllMoveToOneSide) {
@@ -282,7 +282,7 @@ TEST(BvhTree, StaysLowAndGoodWhenOneSideIsErased) {
   for (std::uint32_t k = 0; k < many; ++k) held.set(k, unit_square(2.0 * k, 0));
   for (std::uint32_t k = many; k-- > many / 64;) {
     held.erase(k);
-    if ((k & (k - 1)) == 0) expect_low_and_good(held, "erased from above to " + std::to_string(k));
+    if ((k & (k - 1)) == 0) expect_low_and_good(held, "erased from the top to " + std::to_string(k));
   }
 }
 

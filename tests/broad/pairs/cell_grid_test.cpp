@@ -75,7 +75,7 @@ TEST(CellGrid, TheSnakeVisitsEveryCellAndEachNextOneIsANeighbour) {
         const Vec<3> point(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, static_cast<float>(z) + 0.5F);
         const std::uint16_t cell = cell_of(point, grid);
         ASSERT_LT(cell, grid.count());
-        EXPECT_EQ(center[cell].x, -1) << "two places have cell " << cell;
+        EXPECT_EQ(center[cell].x, -1) << "two positions have cell " << cell;
         center[cell] = point;
       }
     }

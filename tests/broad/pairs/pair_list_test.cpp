@@ -61,7 +61,7 @@ TEST(PairList, HasRoomForAllAtOnceWhoeverPopulatesIt) {
       PairList list(*executor);
       std::copy(pairs.begin(), pairs.end(), list.all(count));
       EXPECT_EQ(list.take(), pairs);
-      EXPECT_TRUE(list.take().empty()) << "it has been given away";
+      EXPECT_TRUE(list.take().empty()) << "the list was moved out";
     }
   }
 }

@@ -78,7 +78,7 @@ TEST(NearlyParallel, ThePerpendicularIsWhereItIsInRationalNumbersDownToASineOf1e
     ++found;
   }
   EXPECT_GT(found, 1000U);
-  EXPECT_LE(worst, 1e-13) << "of the least nearly parallel, which take the other way; it was 0.3";
+  EXPECT_LE(worst, 1e-13) << "of the least parallel, which use the other method; it was 0.3";
 }
 
 TEST(NearlyParallel, WhatIsCutOffAtEndsIsAsFarAsTheOracleSays) {

@@ -22,7 +22,7 @@ TEST(Frame, GrowsByWhatIsBesideItsSpan) {
   detail::Frame<3> frame;
   EXPECT_TRUE(frame.add(V3(0, 2, 0), 0));
   EXPECT_FALSE(frame.add(V3(0, -5, 0), 0)) << "along the first";
-  EXPECT_FALSE(frame.add(V3(0, 3, 0.125), 0.25)) << "too short beside the first";
+  EXPECT_FALSE(frame.add(V3(0, 3, 0.125), 0.25)) << "too short compared with the first";
   EXPECT_TRUE(frame.add(V3(0, 3, 0.5), 0.25));
   EXPECT_FALSE(frame.is_full());
   EXPECT_TRUE(frame.add(V3(1, 7, 8), 0));
@@ -160,7 +160,7 @@ void expect_room() {
   EXPECT_FALSE(goes_on) << "it is full";
   const auto face = hull.nearest_face();
   ASSERT_TRUE(face);
-  EXPECT_GT(face->height, N == 2 ? 99.8 : 90.0) << "still nearly a ball";
+  EXPECT_GT(face->height, N == 2 ? 99.8 : 90.0) << "still nearly a sphere";
 }
 
 TEST(GrowingHull, HasRoomForAsManyPointsAsItSays) {

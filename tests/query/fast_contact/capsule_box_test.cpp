@@ -106,7 +106,7 @@ TEST(CapsuleOnBox, IsApartWherePlainToSee) {
 TEST(CapsuleOnBox, IsNotKnownWhereItIsTooCloseToTell) {
   const auto is_known = [](const Pill& pill) { return find_fast_contact(brick, pill, false).is_known; };
   EXPECT_FALSE(is_known({{0, 0, 2}, {0, 0, 5}, 1})) << "touches";
-  EXPECT_FALSE(is_known({{0, 0, 0}, {5, 0, 0}, 1})) << "as far from two faces";
+  EXPECT_FALSE(is_known({{0, 0, 0}, {5, 0, 0}, 1})) << "equally far from two faces";
   EXPECT_FALSE(is_known({{-9, 0, 0}, {9, 0, 0}, 1})) << "its axis in the middle of the box";
   EXPECT_FALSE(is_known({{-5, 0, 1.5}, {5, 0, 1.5 + 1e-12}, 1})) << "nearly level, and longer than the face";
   EXPECT_FALSE(is_known({{-5, 2, 1.5}, {5, 2, 1.5}, 1})) << "level above an edge";

@@ -52,7 +52,8 @@ TEST(HalfSpaceContact, IsNotKnownWhereItIsTooCloseToTell) {
   const Plane<3, double> plane = boundary(ground);
   EXPECT_FALSE(find_fast_contact(Sphere<3, double>{{0, 0, 2}, 1}, ground, false).is_known) << "touches";
   EXPECT_TRUE(find_fast_contact(Sphere<3, double>{{0, 0, 1}, 1}, ground, false).is_known);
-  EXPECT_FALSE(find_fast_contact(Sphere<3, double>{{0, 0, 1}, 1}, plane, false).is_known) << "either side is as near";
+  EXPECT_FALSE(find_fast_contact(Sphere<3, double>{{0, 0, 1}, 1}, plane, false).is_known)
+      << "both sides are equally near";
   EXPECT_FALSE(find_fast_contact(Sphere<3, double>{{0, 0, std::nan("")}, 1}, ground, false).is_known);
   EXPECT_FALSE(find_fast_contact(ground, Capsule<3, double>{{0, 0, 0}, {0, 0, std::nan("")}, 1}, false).is_known);
   EXPECT_FALSE(find_fast_contact(Aabb<3, double>{{0, 0, 0}, {1, 1, std::nan("")}}, ground, false).is_known);

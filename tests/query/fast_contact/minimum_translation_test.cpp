@@ -58,12 +58,12 @@ TEST(MinimumTranslation, IsTheFaceThatALevelSegmentIsUnder) {
   EXPECT_EQ(outward_of_face(way), V3(0, 0, 1));
   const MinimumTranslation along_edges = minimum_translation({-9, 1, 0.5}, {9, 1, 0.5});
   EXPECT_TRUE(along_edges.is_known && along_edges.is_face && along_edges.is_level);
-  EXPECT_FALSE(minimum_translation({-9, -1, 0.5}, {9, 1, 0.5 + 1e-9}).is_known) << "too close to level to tell";
+  EXPECT_FALSE(minimum_translation({-9, -1, 0.5}, {9, 1, 0.5 + 1e-9}).is_known) << "too close to level to decide";
 }
 
 TEST(MinimumTranslation, IsNotKnownWhereTwoAreAsGood) {
   EXPECT_FALSE(minimum_translation({0, 0, 0}, {1, 0, 0}).is_known) << "in the middle of two faces";
-  EXPECT_FALSE(minimum_translation({2.5, 0, 0.5}, {2.6, 0, 0.6}).is_known) << "as far from two faces that meet";
+  EXPECT_FALSE(minimum_translation({2.5, 0, 0.5}, {2.6, 0, 0.6}).is_known) << "equally far from two adjacent faces";
   EXPECT_FALSE(minimum_translation({0, -9, 0}, {0, 9, 1e-9}).is_known) << "through the middle";
 }
 

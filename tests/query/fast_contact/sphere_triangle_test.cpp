@@ -52,7 +52,7 @@ TEST(BallOnTriangle, IsNotKnownWhereItIsTooCloseToTell) {
   EXPECT_FALSE(is_known({{1, 1, std::nan("")}, 1}, roof));
   EXPECT_FALSE(is_known({{1, 0, 1}, 2}, Roof{{0, 0, 0}, {4, 0, 0}, {4, 0.1, 0}})) << "a needle";
   EXPECT_FALSE(is_known({{1, 0, 1}, 2}, Roof{{0, 0, 0}, {0, 0, 0}, {4, 0, 0}})) << "two corners at one place";
-  EXPECT_FALSE(find_fast_contact(Ball{{2, -1e-9, 1}, 2}, roof, false).is_single) << "hardly beside the face";
+  EXPECT_FALSE(find_fast_contact(Ball{{2, -1e-9, 1}, 2}, roof, false).is_single) << "barely beside the face";
 }
 
 // ---- Against the general method

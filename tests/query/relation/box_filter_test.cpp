@@ -125,9 +125,9 @@ void check_everything() {
     expect_agreement_at_border(a, segment, along(way), border);
     expect_agreement_at_border(b, segment, along(way), border);
   }
-  EXPECT_GT(uniform.answers, uniform.cases * 95 / 100) << "the filter leaves too much to the careful form";
+  EXPECT_GT(uniform.answers, uniform.cases * 95 / 100) << "the filter leaves too many undecided";
   EXPECT_GT(border.cases, 20000);
-  EXPECT_LT(border.answers, border.cases) << "at touch there is no quick answer";
+  EXPECT_LT(border.answers, border.cases) << "the filter must not decide touching shapes";
 }
 
 TEST(BoxFilter, AgreesWithTheCarefulFormWheneverItAnswersIn2D) { check_everything<2>(); }
