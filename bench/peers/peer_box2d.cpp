@@ -94,7 +94,8 @@ void enter_box2d(Entrants<N, T>& field) {
     entrant.name = "Box2D b2DynamicTree";
     entrant.keeps = true;
     entrant.settings = "Box2D " + std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) + "." +
-                       std::to_string(b2_version.revision) + ", the tree kept and its boxes moved, queried in its order";
+                       std::to_string(b2_version.revision) +
+                       ", the tree kept and its boxes moved, queried in its order";
     entrant.most_boxes = 1'000'000;
     entrant.why_no_more = "building the tree takes minutes";
     entrant.prepare = [](std::span<const Aabb<N, T>> boxes) { return std::make_unique<DynamicTree>(boxes); };

@@ -64,8 +64,9 @@ void enter_fcl(Entrants<N, T>& field) {
     Entrant<N, T> entrant;
     entrant.name = "FCL DynamicAABBTree_Array";
     entrant.keeps = true;
-    entrant.settings = "FCL " FCL_VERSION
-                       ", the tree kept and refitted; not rebalanced from the root, because its answers are wrong afterwards";
+    entrant.settings =
+        "FCL " FCL_VERSION
+        ", the tree kept and refitted; not rebalanced from the root, because its answers are wrong afterwards";
     entrant.prepare = [](std::span<const Aabb<N, T>> boxes) { return std::make_unique<DynamicTree<T>>(boxes); };
     field.push_back(std::move(entrant));
   }

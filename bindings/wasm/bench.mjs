@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How long one step of moving boxes takes in the module: node bindings/wasm/bench.mjs [BOXES [STEPS]]
-// A step moves every box, in JavaScript, and finds all overlapping pairs. Cubes of side 1 fill a tenth of a cube that they
-// bounce about in, each moving by at most 0.1 along each axis: the world "brownian" of `graze bench`.
+// Measures one step of moving boxes in the module: node bindings/wasm/bench.mjs [BOXES [STEPS]]. A step moves every
+// box, in JavaScript, and finds all overlapping pairs. Cubes of side 1 fill a tenth of a cube, in which they bounce
+// around, each moving by at most 0.1 along each axis: the world "brownian" of `graze bench`.
 import { loadGraze } from "./test/native.mjs";
 
 const [count, steps] = [10000, 300].map((usual, i) => Number(process.argv[2 + i] ?? usual));
@@ -13,7 +13,7 @@ const random = () => (seed = (seed * 16807) % 2147483647) / 2147483647;
 const places = Float32Array.from({ length: 3 * count }, () => random() * side);
 const speeds = Float32Array.from({ length: 3 * count }, () => (random() - 0.5) * 0.2);
 
-/** Moves all centers by a step. */
+/** Moves all centers by one step. */
 function move() {
   for (let i = 0; i < places.length; ++i) {
     places[i] += speeds[i];
@@ -31,7 +31,7 @@ function writeBoxes(boxes) {
   }
 }
 
-/** The median time of a step in milliseconds, after some to warm up. */
+/** The median time of a step in milliseconds, after some warm-up steps. */
 function timed(name, step) {
   const times = [];
   let pairs = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How long one query takes in the module, from plain objects to an answer: node bindings/wasm/bench_queries.mjs [ROUNDS]
-// Each query is asked about eight places of a shape in turn, and its answers are checked. Times are those of the quickest of many
-// short rounds, in microseconds: other work on the machine only adds to them. The row "far apart" is nearly all the bridge's: two
-// shapes are handed over, and one look at them says that they do not touch.
+// Measures one query in the module, from plain objects to the result: node bindings/wasm/bench_queries.mjs [ROUNDS].
+// Each query is called for eight positions of a shape in turn, and its results are checked. Times are those of the
+// fastest of many short rounds, in microseconds, because other load on the machine only adds to them. The row "far
+// apart" is almost entirely overhead: two shapes are passed, and one test shows that they do not touch.
 import assert from "node:assert/strict";
 
 import { loadGraze } from "./test/native.mjs";
@@ -13,7 +13,7 @@ const calls = 64;
 const variants = 8;
 const graze = await loadGraze();
 
-/** So many copies of a shape, each put a little farther along x, by an exact number. */
+/** Copies of a shape, each moved a little farther along x, by an exact number. */
 const copies = (make) => Array.from({ length: variants }, (_, i) => make(i / 64));
 
 const cube = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1, (i >> 1) & 1, i >> 2]);
@@ -37,10 +37,10 @@ const shapes = {
   "oriented box": [box3, 3], "box by rotation": [turned3, 3], "hull of 8": [hull3, 3], "compound of 2": [pair3, 3],
 };
 
-/** A polygon of 32 is a circle but for half a percent. */
+/** A polygon of 32 corners equals a circle up to half a percent. */
 const isNear = (value, wanted) => Math.abs(value - wanted) < 5e-3;
 
-/** A query: what is asked about a shape at x and one like it at x + 3 or x + 1.5, and whether an answer is right. */
+/** A query: its call for a shape at x and a similar one at x + 3 or x + 1.5, and a check of the result. */
 const pairQueries = {
   "far apart": [99, (a, b) => graze.relation(a, b), (answer) => answer === "apart"],
   intersects: [1.5, (a, b) => graze.intersects(a, b), (answer) => answer],

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Arguments on their way to C++: as numbers, one behind the other, in memory that both see. What cannot be written so, or
-// is refused by C++, goes as text, of which the library's reader says what is wrong.
+// Passes arguments to C++ as consecutive numbers in shared memory. Values that cannot be written like that, or that C++
+// refuses, are passed as text, for which the library's reader produces the error message.
 import { numbersOf } from "./core.js";
 import { dimensionOf, pointText, rayText, textOf } from "./text.js";
 
 /** In place of a dimension: this value cannot be written as numbers. */
 export const refused = -1;
 
-/** The fields that a type of record can have, and which sets of them make one. */
+/** The fields of a type of record, and the sets of them that are valid. */
 class RecordType {
   #bits = new Map([["type", 1]]);
   #forms = new Map();
@@ -26,7 +26,7 @@ class RecordType {
     this.#forms.set(mask, form);
   }
 
-  /** The form that a value has; undefined if it has none, or has no type but `needsType`. */
+  /** The form of a value; undefined if it has none, or lacks the type although `needsType`. */
   formOf(value, needsType) {
     if (typeof value !== "object" || value === null || Array.isArray(value)) return undefined;
     const names = Object.keys(value);
@@ -41,7 +41,7 @@ class RecordType {
 
 const fieldsOf = (kinds) => Object.entries(kinds).map(([name, kind]) => ({ name, kind }));
 
-/** The types of shapes, as C++ describes them. */
+/** The types of shapes, as described by C++. */
 class ShapeTypes {
   constructor(core) {
     const { mostDepth, ...described } = JSON.parse(core.module.shapeForms());
@@ -77,11 +77,9 @@ export class Arguments {
     this.#shapes = new ShapeTypes(core);
   }
 
-  /**
-   * Asks C++ about values: by `ask(dimension, place)`, which is told where they stand, and `read(result, reader, dimension)`,
-   * which makes the answer. `kinds` says how each is written. The dimension is that of the values, if none is given. A
-   * getter in a value may ask about others meanwhile: its arguments stand behind those that are written.
-   */
+  /** Passes values to C++: `ask(dimension, place)` gets their position in memory, and `read(result, reader, dimension)`
+   * creates the result. `kinds` determines how each value is written. The dimension is that of the values if none is
+   * given. A getter in a value may start another query; its arguments are placed after those already written. */
   ask(kinds, values, ask, read, dimension = 0) {
     const start = this.#place;
     try {
@@ -106,13 +104,13 @@ export class Arguments {
   }
 
   #copy(numbers) {
-    const kept = numbers.slice(); // an answer may move when room is made
+    const kept = numbers.slice(); // copied, because they may move when memory grows
     this.#makeRoom(kept.length);
     this.#numbers.set(kept, this.#place);
     this.#place += kept.length;
   }
 
-  /** Also when the module's memory has grown since: then the view of it has length 0. */
+  /** Creates a new view if the module's memory has grown, which sets the length of old views to 0. */
   #makeRoom(count) {
     if (this.#place + count <= this.#numbers.length) return;
     const { module } = this.#core;
@@ -126,8 +124,8 @@ export class Arguments {
     this.#numbers[this.#place++] = number;
   }
 
-  // Each of the following writes a value, and gives the dimension: the one given, or that of the value if that is 0, or
-  // `refused`. It looks at the value first, as a getter there may let the memory grow, and writes then.
+  // Each of the following functions writes a value and returns the dimension: the given one, that of the value if 0 was
+  // given, or `refused`. It reads the value before writing, because a getter may let the memory grow.
 
   number(value, n) {
     if (!Number.isFinite(value)) return refused;
@@ -159,7 +157,7 @@ export class Arguments {
     return found;
   }
 
-  // Lists, their count before them. Each has its own loop, as a function that is called for each element takes longer.
+  // Lists, preceded by their count. Each has its own loop, because calling a function for each element is slower.
 
   points(value, n) {
     if (!Array.isArray(value)) return refused;
@@ -192,7 +190,7 @@ export class Arguments {
     return this.#record(value, form, n, depth);
   }
 
-  /** Of a ray the type may be left out. */
+  /** A ray may omit its type. */
   ray(value, n) {
     if (value?.type !== undefined && value.type !== "ray") return refused;
     return this.#record(value, this.#shapes.types.get("ray").formOf(value, false), n, 0);
@@ -209,7 +207,7 @@ export class Arguments {
     return form.dimension === 0 || form.dimension === found ? found : refused;
   }
 
-  /** The shape that an answer says. */
+  /** Reads a shape from a result. */
   readShape(reader) {
     const { type, fields } = this.#shapes.forms[reader.dimension][reader.number()];
     const shape = { type };
@@ -226,13 +224,13 @@ export class Arguments {
   };
 }
 
-/** The numbers of a text, which C++ reads. */
+/** The numbers of a text, which C++ parses. */
 const spelled = (core, dimension, text, role) => {
   core.checked(core.module.spelledShape(dimension, text, role));
   return core.answer();
 };
 
-// How arguments are written: `write` as Arguments does, `spell` for what it refuses, which says what is wrong.
+// How arguments are passed: `write` as in Arguments; `spell` for refused ones, which produces the error message.
 
 export const shape = (role) => ({
   write: (args, value, n) => args.shape(value, n),

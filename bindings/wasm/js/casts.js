@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// When shapes that move first touch.
+// The first contact of moving shapes.
 import { refused, shape, vector } from "./arguments.js";
 import { finiteNumber, numbersOf } from "./core.js";
 
 const zeros = [null, null, [0, 0], [0, 0, 0]];
 
-/** The field of a motion that no motion has, if there is one. */
+/** An unknown field of a motion, if there is one. */
 const unknownField = (motion) =>
   Object.keys(motion).find((name) => name !== "linear" && name !== "angular" && name !== "center");
 
-/** The way of the center, the turn and the center in a row; what is left out is zero. */
+/** Translation, rotation and center as consecutive numbers; missing fields are zero. */
 const motion = (role) => ({
   write(args, value, n) {
     if (n === 0 || typeof value !== "object" || value === null || unknownField(value) !== undefined) return refused;

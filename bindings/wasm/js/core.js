@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The module that Emscripten made, with its errors and its memory.
+// The module created by Emscripten, with its errors and memory.
 
 const wasDeleted = "this object was deleted";
 
-/** Gives back what an object held when the object itself is gone. */
+/** Frees what an object held after garbage collection. */
 const forgotten = new FinalizationRegistry((handle) => handle.delete());
 
-/** What C++ says of a call: that it threw, or would not take the arguments as numbers. */
+/** The state of a call whose arguments C++ refused as numbers. */
 const refusedNumbers = 2;
 
 export class Core {
@@ -17,33 +17,33 @@ export class Core {
     this.#state = module.callStateAddress() / 4;
   }
 
-  /** The result of a call, unless C++ threw. */
+  /** The result of a call; throws if C++ threw. */
   checked(result) {
     if (this.module.HEAP32[this.#state] !== 0) throw new Error(this.module.takeError());
     return result;
   }
 
-  /** Whether C++ wants the arguments of the call as text. */
+  /** Whether C++ requires the arguments of the call as text. */
   wasRefused() {
     if (this.module.HEAP32[this.#state] !== refusedNumbers) return false;
     this.module.takeError();
     return true;
   }
 
-  /** The answer of a call, in place: good until the next one. */
+  /** The output of a call, in place; valid until the next call. */
   answer() {
     const { numbers, place, end } = this.reader(0);
     return numbers.subarray(place, end);
   }
 
-  /** The same, to be taken apart. */
+  /** The same, for parsing. */
   reader(dimension) {
     const words = this.module.HEAPU32;
     const first = words[this.#state + 1] / 8;
     return new Reader(this.module.HEAPF64, first, first + words[this.#state + 2], dimension);
   }
 
-  /** Hands numbers over, as doubles and one behind the other, or as floats. */
+  /** Passes numbers to C++, as consecutive doubles or as floats. */
   give(lists, asFloats = false) {
     const count = lists.reduce((sum, list) => sum + list.length, 0);
     const address = this.checked(this.module.inputAddress(count * (asFloats ? 4 : 8)));
@@ -56,10 +56,10 @@ export class Core {
   }
 }
 
-// Where the language has no `using` yet, compilers make code that looks for this symbol when it runs.
+// Where the language has no `using` yet, compiled code looks up this symbol at run time.
 if (Symbol.dispose === undefined) Object.defineProperty(Symbol, "dispose", { value: Symbol("Symbol.dispose") });
 
-/** Something that lives in the module's memory. */
+/** An object in the module's memory. */
 export class Held {
   #handle;
 
@@ -81,17 +81,17 @@ export class Held {
     this.#handle = null;
   }
 
-  /** For `using`; what was deleted stays deleted. */
+  /** For `using`; repeated calls have no effect. */
   [Symbol.dispose]() {
     if (this.#handle !== null) this.delete();
   }
 }
 
-/** Asks about one value of the dimension of what is held; `ask` is told where the value stands. */
+/** Queries about one value with the object's dimension; `ask` gets the value's position in memory. */
 export const askAbout = (held, kinds, value, ask, read = (result) => result) =>
   held.core.arguments.ask(kinds, [value], (dimension, place) => ask(place), read, held.dimension);
 
-/** How many rows of `width` numbers an array has. */
+/** The number of rows of `width` numbers in an array. */
 export function rowsOf(numbers, width, role) {
   if (!ArrayBuffer.isView(numbers) && !Array.isArray(numbers)) {
     throw new Error(`${role}: must be a Float32Array or Float64Array`);
@@ -100,17 +100,17 @@ export function rowsOf(numbers, width, role) {
   throw new Error(`${role}: ${numbers.length} numbers are not a multiple of ${width}`);
 }
 
-/** A count that C++ can hold. */
+/** A count that C++ can represent. */
 export function wholeNumber(value, role, least = 0) {
   if (Number.isInteger(value) && value >= least && value < 2 ** 31) return value;
   throw new Error(`${role}: ${value} is not a whole number of at least ${least}`);
 }
 
-/** A vector of so many finite numbers. */
+/** A vector of the given number of finite numbers. */
 export function numbersOf(vector, length, role) {
   const isRow = ArrayBuffer.isView(vector) || Array.isArray(vector);
   if (!isRow || vector.length !== length) {
-    throw new Error(`${role}: ${isRow ? `it has ${vector.length} numbers` : "it is no vector"}; it must have ${length}`);
+    throw new Error(`${role}: ${isRow ? `it has ${vector.length} numbers` : "it is not a vector"}; it must have ${length}`);
   }
   return Array.from(vector, (value) => finiteNumber(value, role));
 }
@@ -128,7 +128,7 @@ export function knownDimension(dimension) {
 
 export const statusOf = (number) => (number === 0 ? "converged" : "best_bound");
 
-/** Takes an answer apart from its front. */
+/** Parses an output from its start. */
 export class Reader {
   constructor(numbers, place, end, dimension) {
     this.numbers = numbers;
@@ -153,7 +153,7 @@ export class Reader {
       : [numbers[place], numbers[place + 1], numbers[place + 2]];
   }
 
-  /** So many numbers in place. */
+  /** A view of the next `count` numbers. */
   numbersAhead(count) {
     this.place += count;
     return this.numbers.subarray(this.place - count, this.place);
@@ -163,7 +163,7 @@ export class Reader {
     return { min: this.vector(), max: this.vector() };
   }
 
-  /** Where a ray meets something. */
+  /** Where a ray hits something. */
   hit() {
     return {
       t: this.number(),

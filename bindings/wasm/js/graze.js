@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// graze for JavaScript. graze.d.ts says what everything means.
+// graze for JavaScript. graze.d.ts documents the interface.
 import { Arguments } from "./arguments.js";
 import { casts } from "./casts.js";
 import { Core } from "./core.js";
@@ -10,10 +10,10 @@ import { queries } from "./queries.js";
 import { recordingParts } from "./recordings.js";
 import { sceneParts } from "./scene.js";
 
-/** Ids have 29 bits for the place. */
+/** Ids have 29 bits for the slot. */
 const places = 2 ** 29;
 
-/** Node reads files, and does not fetch them; its modules are named where no bundler for browsers looks for them. */
+/** Node reads files instead of fetching them; its modules are named so that bundlers for browsers do not find them. */
 async function readFromDisk() {
   const { readFile } = await import(/* @vite-ignore */ /* webpackIgnore: true */ ["node:fs", "promises"].join("/"));
   return readFile(new URL("graze_wasm.wasm", import.meta.url));

@@ -110,7 +110,7 @@ class SpatialIndex extends Held {
   }
 }
 
-/** A tree of cells; of what is not said, C++ knows the default. */
+/** A tree of cells; C++ supplies the defaults of missing options. */
 function makeOrthtree(core, dimension, { capacity, maxDepth } = {}) {
   const most = capacity === undefined ? 0 : wholeNumber(capacity, "capacity", 1);
   const depth = maxDepth === undefined ? -1 : wholeNumber(maxDepth, "maxDepth");

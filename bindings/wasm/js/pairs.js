@@ -8,7 +8,7 @@ function isSorted(order) {
   return order === "sorted";
 }
 
-/** Numbers that C++ sees as they are; plain arrays become doubles. */
+/** Typed arrays are passed unchanged; plain arrays are converted to doubles. */
 function isDouble(numbers) {
   return !(numbers instanceof Float32Array);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Questions about one shape or two.
+// Queries about one or two shapes.
 import { point, ray, shape } from "./arguments.js";
 import { knownDimension, rowsOf, statusOf } from "./core.js";
 import { dimensionOf } from "./text.js";
@@ -76,7 +76,7 @@ const pointReaders = {
   closestBoundaryPoint: readVector,
 };
 
-/** A function for each of the readers, by its name. */
+/** A function for each reader, by its name. */
 const functionsOf = (readers, make) =>
   Object.fromEntries(Object.entries(readers).map(([name, read]) => [name, make(name, read)]));
 
@@ -118,13 +118,13 @@ const shapeQueries = ({ module, arguments: args }) => ({
   },
 });
 
-/** As C++ counts them. */
+/** In the order of the C++ enumeration. */
 const boundingKinds = ["sphere", "sphere_fast", "box", "obb", "hull"];
 
 function pointQueries(core) {
   const bounding = (kind) => (points, dimension) => {
     const isInRow = ArrayBuffer.isView(points);
-    if (isInRow && dimension === undefined) throw new Error("points: coordinates in a row need a dimension");
+    if (isInRow && dimension === undefined) throw new Error("points: consecutive coordinates need a dimension");
     const n = knownDimension(dimension ?? dimensionOf(points));
     const wrong = isInRow ? undefined : points.find((point) => point.length !== n);
     if (wrong) throw new Error(`points: one has ${wrong.length} numbers; this set has dimension ${n}`);

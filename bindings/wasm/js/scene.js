@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes, made in memory or read from files.
+// Scenes, created in memory or read from files.
 import { point, ray, shape, shapes } from "./arguments.js";
 import { askAbout, finiteNumber, Held, knownDimension, Reader, rowsOf, statusOf, wholeNumber } from "./core.js";
 import { readContactId } from "./queries.js";
@@ -11,7 +11,7 @@ const aRegion = [shape("region")];
 const aRay = [ray];
 const aPoint = [point];
 
-/** What is said of an object beside its shape, as C++ reads it. */
+/** The options of an object, as C++ reads them. */
 function optionsText({ fixed, ...rest } = {}) {
   return textOf({ ...rest, fixed: fixed ? 1 : undefined }, "options");
 }
@@ -26,7 +26,7 @@ function layersOf(low, high) {
   return layers;
 }
 
-/** What changes a scene. */
+/** Methods that change a scene. */
 class ChangingScene extends Held {
   add(added, options) {
     const words = optionsText(options);
@@ -109,7 +109,7 @@ class ChangingScene extends Held {
   }
 }
 
-/** And what is asked of it. */
+/** Methods that query it. */
 class Scene extends ChangingScene {
   constructor(core, handle) {
     super(core, handle);
@@ -117,12 +117,12 @@ class Scene extends ChangingScene {
     Object.assign(this, { source, format, yAxis, dimension, omissions });
   }
 
-  /** Asks a question of C++. */
+  /** Sends a query to C++. */
   #ask(name, ...values) {
     return this.core.checked(this.core.module[`scene${name}`](this.handle, ...values));
   }
 
-  /** Asks one whose answer is a list of numbers. */
+  /** Sends a query whose result is a list of numbers. */
   #list(name, ...values) {
     this.#ask(name, ...values);
     return this.core.answer().slice();
@@ -228,7 +228,7 @@ class Scene extends ChangingScene {
     return this.#list("Boxes", ids?.length ?? 0, ids === undefined);
   }
 
-  /** Asks which objects on some layers a value concerns. */
+  /** Finds the objects on some layers for a value. */
   #askLayers(name, kinds, value, layers, read, ...values) {
     const among = layersText(layers);
     const ask = (place) => this.core.module[`scene${name}`](this.handle, place, among, ...values);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Values on their way to C++, which reads them as it reads scene files.
+// Values passed to C++ as text, which is read like scene files.
 
-/**
- * A value as JSON, but for what JSON.stringify would change without a word: negative zero keeps its sign, typed arrays are
- * arrays, and numbers that are not finite are an error.
- */
+/** A value as JSON, without the silent changes of JSON.stringify: negative zero keeps its sign, typed arrays become
+ * arrays, and numbers that are not finite are errors. */
 export function textOf(value, role, field = "") {
   if (typeof value === "number") {
     if (!Number.isFinite(value)) throw new Error(`${role}: ${field || "it"} is ${value}; numbers must be finite`);
@@ -22,7 +20,7 @@ export function textOf(value, role, field = "") {
   return JSON.stringify(value) ?? "null";
 }
 
-/** How many numbers the first vector within a value has; 0 if there is none. */
+/** The number of numbers in the first vector within a value; 0 if there is none. */
 function firstVector(value) {
   if (ArrayBuffer.isView(value)) return value.length;
   if (Array.isArray(value) && typeof value[0] === "number") return value.length;
@@ -34,7 +32,7 @@ function firstVector(value) {
   return 0;
 }
 
-/** The dimension that a question about these values has. Nonsense gets one too, which C++ then complains about. */
+/** The dimension of a query on these values. Invalid values get one too; C++ then reports the error. */
 export function dimensionOf(...values) {
   for (const value of values) {
     const length = firstVector(value);
@@ -43,14 +41,14 @@ export function dimensionOf(...values) {
   return 2;
 }
 
-/** A point as the shape that it is. */
+/** A point as a shape. */
 export const pointText = (point) => textOf({ type: "point", position: point }, "point");
 
-/** A ray whose type may be left out. */
+/** A ray that may omit its type. */
 export function rayText(ray) {
   if (ray?.type !== undefined && ray.type !== "ray") throw new Error(`ray: its type is ${ray.type}, not ray`);
   return textOf({ ...ray, type: "ray" }, "ray");
 }
 
-/** The names and numbers of layers, or nothing for all of them. */
+/** Layers by name and number; an empty text for all. */
 export const layersText = (layers) => (layers === undefined ? "" : textOf(layers, "layers"));

@@ -34,7 +34,7 @@ std::vector<double> argument_numbers;
 
 using detail::FieldKind;
 
-/// What a field holds, by the names of the methods in js/ that write and read it.
+/// The content of a field, by the names of the methods in js/ that write and read it.
 constexpr std::string_view kind_name(FieldKind kind) {
   switch (kind) {
     case FieldKind::length:
@@ -56,7 +56,7 @@ struct Field {
   std::string_view kind;
 };
 
-/// A set of fields that make a shape of a type, and what makes it.
+/// A set of fields that defines a shape of a type, and the function that creates it.
 template <Dim N>
 struct Form {
   std::string_view type;
@@ -76,8 +76,8 @@ void read(Arguments& in, Mat<N, double>& axes) {
   for (Dim i = 0; i < N; ++i) axes[i] = in.vector<N>();
 }
 
-/// Hulls of points that were given before: a program asks about the same polytopes again and again, and to find which
-/// points are corners takes longer than most questions. The hash of the numbers says in which few places to look.
+/// A cache of hulls: programs query the same polytopes repeatedly, and finding the vertices among the points takes
+/// longer than most queries. The hash of the numbers selects the few entries to compare.
 template <Dim N>
 class KnownHulls {
  public:
@@ -93,7 +93,7 @@ class KnownHulls {
   }
 
  private:
-  /// So that all of them together take a few megabytes at most.
+  /// Limits the total size to a few megabytes.
   static constexpr std::size_t most_numbers = 768;
   static constexpr std::size_t sets = 64;
   static constexpr std::size_t places_in_set = 4;
@@ -111,14 +111,14 @@ class KnownHulls {
 
   static std::uint64_t bits(double number) { return bit_cast<std::uint64_t>(number); }
 
-  /// By bits, as 0 and -0 are not the same corner; not by memcmp, as that of Emscripten goes byte by byte.
+  /// Bitwise, because 0 and -0 are different vertices; without memcmp, because Emscripten's compares bytes.
   static bool has_bits_of(const Known& known, std::span<const double> numbers) {
     return std::equal(known.numbers.begin(), known.numbers.end(), numbers.begin(), numbers.end(),
                       [](double a, double b) { return bits(a) == bits(b); });
   }
 
-  /// A multiplication for each number, in four rows of which none waits for another. What distinguishes simple numbers
-  /// are their upper bits, which multiplications do not carry down; so these are added to the lower ones first.
+  /// One multiplication for each number, in four independent chains. Simple numbers differ in their upper bits, which
+  /// multiplication does not carry down, so these are first added to the lower ones.
   static std::size_t hash_of(std::span<const double> numbers) {
     constexpr std::uint64_t factor = 0x9e3779b97f4a7c15U;
     const auto mixed = [](std::uint64_t hash, double number) {
@@ -136,7 +136,7 @@ class KnownHulls {
   }
 
   std::array<Known, sets * places_in_set> known_;
-  std::size_t next_ = 0;  ///< Counts replacements, which go round each set.
+  std::size_t next_ = 0;  ///< Counts replacements, which cycle through each set.
 };
 
 template <Dim N>
@@ -169,7 +169,7 @@ AnyShape<N, double> read_upright_obb(Arguments& in) {
   return Obb<N, double>{center, in.vector<N>()};
 }
 
-/// Turned by an angle or a rotation, in degrees.
+/// Rotated by an angle or a rotation, in degrees.
 template <Dim N>
 AnyShape<N, double> read_turned_obb(Arguments& in) {
   Obb<N, double> box = std::get<Obb<N, double>>(read_upright_obb<N>(in));
@@ -177,8 +177,8 @@ AnyShape<N, double> read_turned_obb(Arguments& in) {
     box.axes = rotation_matrix(in.number());
   } else {
     const auto axis = in.vector<3>();
-    if (max_abs(axis) == 0) throw Refused("is turned about an axis of length zero");
-    // Scaled first, so that the square of no axis over- or underflows.
+    if (max_abs(axis) == 0) throw Refused("is rotated about an axis of length zero");
+    // Scaled first, so that no square over- or underflows.
     box.axes = rotation_matrix(axis / max_abs(axis), in.number());
   }
   return box;
@@ -193,7 +193,7 @@ constexpr auto own_fields = detail::description_of<S>.apply([]<class... Fields>(
   return std::array{Field{own.name, kind_name(Fields::kind)}...};
 });
 
-/// A shape as graze itself says it.
+/// A shape in the library's representation.
 template <Dim N, class S>
 AnyShape<N, double> read_own(Arguments& in) {
   S shape;
@@ -232,7 +232,7 @@ std::string described_forms() {
   return text;
 }
 
-/// The forms of both dimensions, each by its number, and how deep compounds may be nested.
+/// The forms of both dimensions, each by its number, and the maximum nesting of compounds.
 std::string shape_forms() {
   return fmt::format(R"({{"2": [{}], "3": [{}], "mostDepth": {}}})", described_forms<2>(), described_forms<3>(),
                      io::max_compound_depth);
@@ -262,13 +262,13 @@ void put_value(const std::vector<Part<N, double>>& parts) {
   for (const Part<N, double>& part : parts) put_shape<N>(part.shape);
 }
 
-/// Room for so many numbers of arguments, those that are there kept.
+/// Makes room for this many numbers of arguments and keeps those already written.
 std::size_t argument_room(std::size_t count) {
   if (count > argument_numbers.size()) argument_numbers.resize(count);
   return reinterpret_cast<std::size_t>(argument_numbers.data());
 }
 
-/// The numbers of a shape that is given as text.
+/// The numbers of a shape given as text.
 void spelled_shape(int dimension, std::string text, std::string role) {
   in_dimension(dimension, [&](auto n) { put_shape<n>(shape_of<n>(text, role.c_str())); });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arguments as numbers, which JavaScript writes one behind the other into memory that both see (js/arguments.js).
+// Arguments as consecutive numbers, which JavaScript writes into shared memory (js/arguments.js).
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@
 
 namespace graze::wasm {
 
-/// Takes arguments from their front. What JavaScript wrote is trusted to be as long as it says.
+/// Reads arguments from their start. The lengths that JavaScript wrote are trusted.
 class Arguments {
  public:
-  /// Those that begin at a place in the memory for arguments.
+  /// Reads from a position in the argument memory.
   explicit Arguments(std::size_t place);
 
   double number() { return numbers_[place_++]; }
@@ -32,14 +32,14 @@ class Arguments {
     return vector;
   }
 
-  /// A form's number, then the numbers of its fields. Throws Refused for a shape that is not valid.
+  /// A form's number, then the numbers of its fields. Throws Refused for an invalid shape.
   template <Dim N>
   AnyShape<N, double> shape();
 
   template <Dim N>
   Ray<N, double> ray();
 
-  /// A count, then so many shapes.
+  /// A count, then that many shapes.
   template <Dim N>
   std::vector<AnyShape<N, double>> shapes();
 
@@ -48,7 +48,7 @@ class Arguments {
   std::size_t place_;
 };
 
-/// Puts a shape into the answer as Arguments reads it.
+/// Appends a shape to the output in the format that Arguments reads.
 template <Dim N>
 void put_shape(const AnyShape<N, double>& shape);
 

@@ -17,7 +17,7 @@
 namespace graze::wasm {
 namespace {
 
-/// A piece of input, so that the vector has the alignment of the largest number.
+/// An element of the input buffer, so that the vector is aligned for the largest type of number.
 struct alignas(16) Chunk {
   std::byte bytes[16];
 };
@@ -26,7 +26,7 @@ std::vector<Chunk> input_chunks;
 std::vector<double> answer_numbers;
 std::string error_message;
 
-/// What JavaScript looks at after a call.
+/// The state that JavaScript reads after a call.
 struct CallState {
   enum : std::uint32_t { good = 0, failed = 1, refused = 2 } end = good;
   const double* answer = nullptr;
@@ -41,7 +41,7 @@ std::size_t call_state_address() { return reinterpret_cast<std::size_t>(&call_st
 
 std::string version() { return GRAZE_VERSION; }
 
-/// The bytes that are allocated now.
+/// The number of bytes currently allocated.
 std::size_t used_bytes() { return static_cast<std::size_t>(mallinfo().uordblks); }
 
 std::string take_error() {
@@ -54,7 +54,7 @@ std::string take_error() {
 std::byte* reserve_input(std::size_t bytes) {
   const std::size_t chunks = (bytes + sizeof(Chunk) - 1) / sizeof(Chunk);
   if (chunks > input_chunks.size()) {
-    input_chunks = {};  // first, so that the old room can be used again
+    input_chunks = {};  // first, so that the old memory can be reused
     input_chunks.resize(chunks);
   }
   return reinterpret_cast<std::byte*>(input_chunks.data());
@@ -83,14 +83,14 @@ void keep_error(const std::exception& error) {
 double packed_id(std::uint32_t index, std::uint32_t generation) {
   const double id = index + places * generation;
   if (!(index < places && id < least_inexact)) {
-    throw std::length_error("the place of an object has been used more often than an id in JavaScript can say");
+    throw std::length_error("a slot was reused more often than an id in JavaScript can represent");
   }
   return id;
 }
 
 UnpackedId unpacked_id(double id) {
   if (!(id >= 0 && id < least_inexact && id == std::floor(id))) {
-    throw std::invalid_argument(fmt::format("an id is a whole number that graze gave out; {} is not", id));
+    throw std::invalid_argument(fmt::format("an id is an integer returned by graze; {} is not", id));
   }
   const double generation = std::floor(id / places);
   return {static_cast<std::uint32_t>(id - generation * places), static_cast<std::uint32_t>(generation)};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How values cross between JavaScript and C++. Numbers in bulk go through two buffers, which JavaScript reads and
-// writes in place; texts and single numbers are arguments and results; shapes are in arguments.hpp; what is thrown is
-// kept until JavaScript asks for it.
+// How values are passed between JavaScript and C++. Arrays of numbers use two buffers, which JavaScript reads and
+// writes in place; texts and single numbers are arguments and results; shapes are described in arguments.hpp;
+// exceptions are stored until JavaScript fetches them.
 #pragma once
 
 #include <cstddef>
@@ -17,29 +17,29 @@
 
 namespace graze::wasm {
 
-/// Room for so many bytes of numbers that JavaScript hands over, on a boundary of 16. What was there is lost.
+/// Memory for this many bytes of input from JavaScript, aligned to 16. Previous content is lost.
 std::byte* reserve_input(std::size_t bytes);
 
-/// The numbers that JavaScript handed over.
+/// The numbers that JavaScript has written.
 template <class T>
 std::span<const T> input(std::size_t count);
 
-/// The numbers of the answer being given; the next call of anything begins a new one.
+/// The numbers of the current output; the next call starts a new one.
 std::vector<double>& answer();
 
-/// Tells JavaScript where the answer is.
+/// Tells JavaScript the address of the output.
 void publish_answer();
 
-/// Keeps the message of an error for JavaScript to throw.
+/// Stores an error message for JavaScript to throw.
 void keep_error(const std::exception& error);
 
-/// Thrown where numbers are no valid shape: JavaScript hands the shape over again as text, of which the library's
-/// reader says what is wrong, and with which field.
+/// Thrown if numbers are not a valid shape: JavaScript then passes the shape again as text, so that the library's
+/// reader reports the fault and the field.
 struct Refused : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// A function as JavaScript may call it: begins a new answer, and what is thrown becomes a message.
+/// Wraps a function for calls from JavaScript: starts a new output and turns exceptions into messages.
 template <auto function>
 struct Guarded;
 
@@ -74,7 +74,7 @@ void put(const Aabb<N, double>& box) {
   put<N>(box.max);
 }
 
-/// Vector `index` of many in a row.
+/// Vector `index` of a consecutive array.
 template <Dim N>
 Vec<N, double> vector_at(std::span<const double> numbers, std::size_t index) {
   Vec<N, double> vector;
@@ -82,7 +82,7 @@ Vec<N, double> vector_at(std::span<const double> numbers, std::size_t index) {
   return vector;
 }
 
-/// Box `index` of many in a row, min before max.
+/// Box `index` of a consecutive array, min before max.
 template <Dim N>
 Aabb<N, double> box_at(std::span<const double> numbers, std::size_t index) {
   return {vector_at<N>(numbers, 2 * index), vector_at<N>(numbers, 2 * index + 1)};
@@ -96,12 +96,12 @@ auto in_dimension(int dimension, const Visit& visit) {
   throw std::invalid_argument("the dimension must be 2 or 3");
 }
 
-/// JavaScript has one type of number, whose integers are exact up to 2^53: 29 bits say the place of an object, the rest
-/// its generation. Within 4 GiB of memory no place is beyond that, and a place is used eight million times before its
-/// generation is; the owner is left out, as only one scene or index is asked about its ids.
+/// JavaScript has one type of number, which is exact for integers up to 2^53: 29 bits hold the slot of an object, the
+/// rest its generation. Within 4 GiB of memory, no slot exceeds that, and a slot can be reused eight million times. The
+/// owner is omitted, because ids are only passed to the scene or index that returned them.
 double packed_id(std::uint32_t index, std::uint32_t generation);
 
-/// The two numbers of an id. Throws std::invalid_argument for what is no whole number from 0 to 2^53 - 1.
+/// The two numbers of an id. Throws std::invalid_argument unless it is an integer from 0 to 2^53 - 1.
 struct UnpackedId {
   std::uint32_t index;
   std::uint32_t generation;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When shapes that move first touch. The answer is t, point, normal, status and error, or nothing if they do not touch.
+// The first contact of moving shapes. The output is t, point, normal, status and error, or empty without a contact.
 #include <cstddef>
 #include <optional>
 
@@ -37,7 +37,7 @@ void shape_cast_of(int dimension, std::size_t place) {
   });
 }
 
-/// The way of the center, the turn, and the center.
+/// The translation, the rotation and the center.
 template <Dim N>
 Motion<N, double> motion_in(Arguments& in) {
   Motion<N, double> motion;

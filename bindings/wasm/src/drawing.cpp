@@ -30,7 +30,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// The corners of an outline, its round ones cut into pieces.
+/// The corners of an outline, with arcs as polylines.
 std::vector<Vec<2, double>> corners_of(const Outline& outline, int circle) {
   std::vector<Vec<2, double>> corners;
   const std::size_t count = outline.core.size();
@@ -42,7 +42,7 @@ std::vector<Vec<2, double>> corners_of(const Outline& outline, int circle) {
     }
     const Vec<2, double> in = corner - outline.core[(i + count - 1) % count];
     const Vec<2, double> out = outline.core[(i + 1) % count] - corner;
-    const double first = count == 1 ? 0 : std::atan2(-in.x, in.y);  // of the outward normal (y, -x)
+    const double first = count == 1 ? 0 : std::atan2(-in.x, in.y);  // angle of the outward normal (y, -x)
     double last = count == 1 ? 2 * pi : std::atan2(-out.x, out.y);
     if (last < first) last += 2 * pi;
     const int steps = std::max(1, static_cast<int>(std::ceil((last - first) / (2 * pi) * circle)));
@@ -54,21 +54,21 @@ std::vector<Vec<2, double>> corners_of(const Outline& outline, int circle) {
   return corners;
 }
 
-/// Adds corners one after the other, and gives the place of the first.
+/// Adds consecutive corners and returns the index of the first.
 std::uint32_t add_corners(Drawing<2>& drawing, std::span<const Vec<2, double>> corners) {
   const auto first = static_cast<std::uint32_t>(drawing.corners.size());
   for (const Vec<2, double>& corner : corners) drawing.add(corner);
   return first;
 }
 
-/// Adds the area of a convex polygon, whose corners are there from the first on.
+/// Adds the area of a convex polygon whose corners are stored from `first` on.
 void add_area(Drawing<2>& drawing, std::uint32_t first, std::size_t count) {
   for (std::uint32_t i = 2; i < count; ++i) {
     drawing.triangles.insert(drawing.triangles.end(), {first, first + i - 1, first + i});
   }
 }
 
-/// Adds the lines from corner to corner and back to the first; of two corners the one between them.
+/// Adds the lines between consecutive corners and back to the first; for two corners one line.
 void add_ring(Drawing<2>& drawing, std::uint32_t first, std::size_t corners) {
   const auto count = static_cast<std::uint32_t>(corners);
   const std::uint32_t lines = count < 3 ? count / 2 : count;
@@ -85,7 +85,7 @@ void add_outline(Drawing<2>& drawing, const Outline& outline, int circle) {
   add_ring(drawing, first, corners.size());
 }
 
-/// Adds convex shapes as what they are together: the areas of all, and the outline of their union.
+/// Adds the union of convex shapes: all areas, and the outline of the union.
 void add_joined(Drawing<2>& drawing, std::span<const Outline> outlines, int circle) {
   std::vector<std::vector<Vec<2, double>>> polygons;
   for (const Outline& outline : outlines) {
@@ -100,8 +100,8 @@ void add_joined(Drawing<2>& drawing, std::span<const Outline> outlines, int circ
   }
 }
 
-/// Adds a sphere whose upper and lower half are drawn apart along `axis` from `a` to `b`: a capsule, or where both are
-/// one point a sphere.
+/// Adds a sphere whose upper and lower halves are moved apart along `axis` from `a` to `b`: a capsule, or a sphere if
+/// both points are equal.
 void add_round(Drawing<3>& drawing, const Capsule<3, double>& capsule, int circle) {
   const Vec<3, double> along = capsule.b - capsule.a;
   detail::Frame<3> frame;
@@ -127,7 +127,7 @@ void add_round(Drawing<3>& drawing, const Capsule<3, double>& capsule, int circl
   for (int ring = 0; ring + 1 < rings; ++ring) {
     for (int k = 0; k < circle; ++k) {
       const auto at = [&](int r, int c) { return first + static_cast<std::uint32_t>(r * circle + c % circle); };
-      // The first ring and the last are the poles.
+      // The first and the last ring are the poles.
       if (ring > 0) drawing.triangles.insert(drawing.triangles.end(), {at(ring, k), at(ring, k + 1), at(ring + 1, k)});
       if (ring + 2 < rings) {
         drawing.triangles.insert(drawing.triangles.end(), {at(ring, k + 1), at(ring + 1, k + 1), at(ring + 1, k)});
@@ -172,7 +172,7 @@ class Brush {
   static constexpr bool is_unbounded = std::is_same_v<S, Ray<N, double>> || std::is_same_v<S, Plane<N, double>> ||
                                        std::is_same_v<S, HalfSpace<N, double>>;
 
-  /// The outlines of the bounded parts at all depths; draws the others.
+  /// Collects the outlines of the bounded parts at all nesting levels; draws the others.
   void gather(const Compound<N, double>& compound, std::vector<Outline>& outlines) const {
     for (const Part<N, double>& part : compound.parts) {
       std::visit(
@@ -213,7 +213,7 @@ class Brush {
   void draw_solid(const Aabb<3, double>& box) const { draw_box(box); }
   void draw_solid(const Obb<3, double>& box) const { draw_box(box); }
 
-  /// Of any other the hull of support points in directions all around, up to two thousand.
+  /// For any other shape the hull of support points in all directions, up to two thousand.
   template <Convex S>
   void draw_solid(const S& shape) const {
     const int circle = std::min(options_.circle, 64);
@@ -249,8 +249,8 @@ Drawing<N> drawn(const AnyShape<N, double>& shape, const DrawingOptions<N>& opti
   return drawing;
 }
 
-/// The numbers of corners, of triangles' corners and of lines' ends, then all of them. The arguments are the shape and,
-/// if it is to be cut off, the box within which it stays.
+/// The numbers of corners, of triangle corners and of line ends, then all of them. The arguments are the shape and, if
+/// it is to be cut off, the box that limits it.
 void drawing_answer(int dimension, std::size_t place, bool is_cut, int circle) {
   in_dimension(dimension, [&](auto n) {
     Arguments in(place);

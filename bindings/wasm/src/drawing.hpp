@@ -12,29 +12,29 @@
 
 namespace graze::wasm {
 
-/// Triangles and lines name corners by their places.
+/// Triangles and lines refer to corners by index.
 template <Dim N>
 struct Drawing {
   std::vector<Vec<N, double>> corners;
   std::vector<std::uint32_t> triangles;  ///< Three each, counter-clockwise from outside.
   std::vector<std::uint32_t> lines;      ///< Two each.
 
-  /// Adds a corner and gives its place.
+  /// Adds a corner and returns its index.
   std::uint32_t add(const Vec<N, double>& corner) {
     corners.push_back(corner);
     return static_cast<std::uint32_t>(corners.size() - 1);
   }
 };
 
-/// How round shapes are cut into pieces, and unbounded ones cut off.
+/// The resolution of round shapes, and the box that cuts off unbounded ones.
 template <Dim N>
 struct DrawingOptions {
-  std::optional<Aabb<N, double>> within;  ///< Where there is none, unbounded shapes are not drawn.
-  int circle = 64;                        ///< Corners of a whole circle.
+  std::optional<Aabb<N, double>> within;  ///< Without it, unbounded shapes are not drawn.
+  int circle = 64;                        ///< Corners of a full circle.
 };
 
-/// In 2D filled shapes and their outlines, of a compound that of all its parts together; in 3D surfaces and edges. For
-/// pictures: right up to rounding, and round shapes lie inside of the true ones.
+/// In 2D filled shapes and their outlines, for a compound that of the union of its parts; in 3D surfaces and edges. For
+/// drawing only: accurate up to rounding, and round shapes are drawn slightly too small.
 Drawing<2> drawing_of(const AnyShape<2, double>& shape, const DrawingOptions<2>& options);
 Drawing<3> drawing_of(const AnyShape<3, double>& shape, const DrawingOptions<3>& options);
 

@@ -20,11 +20,11 @@ namespace {
 using Point = Vec<3, double>;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Of two triangles whose normals make an angle with a larger cosine, one tenth of a degree, the common edge is not
-/// drawn.
+/// The common edge of two triangles is not drawn if the angle between their normals is below a tenth of a degree, so
+/// that its cosine is larger than this.
 constexpr double flat_cosine = 1 - 1.5e-6;
 
-/// What is thinner than this part of its size is drawn flat.
+/// Hulls thinner than this fraction of their size are drawn flat.
 constexpr double flat_share = 1e-9;
 
 struct Face {
@@ -32,8 +32,7 @@ struct Face {
   Point normal;  // of length 1, outward
 };
 
-/// The hull of points, one point after the other: the faces that a point sees give way to a cone of faces from their
-/// rim.
+/// An incremental convex hull: the faces that a new point sees are replaced by a cone of faces from their border.
 class HullSurface {
  public:
   explicit HullSurface(std::span<const Point> points) : points_(points) {
@@ -46,21 +45,21 @@ class HullSurface {
     for (std::uint32_t i = 0; i < points_.size(); ++i) grow(i);
   }
 
-  /// None if the points lie in a plane.
+  /// None if the points are coplanar.
   const std::vector<Face>& faces() const { return faces_; }
 
-  /// At right angles to the plane that the points lie in, or zero if they lie on a line.
+  /// The normal of coplanar points; zero if they are collinear.
   const Point& flat_normal() const { return flat_normal_; }
 
  private:
-  /// The point that is farthest by some measure.
+  /// The point with the largest value of a measure.
   template <class Measure>
   std::uint32_t farthest(const Measure& measure) const {
     const auto less = [&](const Point& p, const Point& q) { return measure(p) < measure(q); };
     return static_cast<std::uint32_t>(std::max_element(points_.begin(), points_.end(), less) - points_.begin());
   }
 
-  /// Four points that are far from each other, the last behind the first three.
+  /// Four points far from each other; the last is behind the triangle of the first three.
   std::optional<std::array<std::uint32_t, 4>> tetrahedron() {
     const std::uint32_t a = 0;
     const auto from_a = [&](const Point& p) { return p - points_[a]; };
@@ -137,7 +136,7 @@ void add_flat_hull(Drawing<3>& drawing, std::span<const Point> points, const Poi
   view.right = frame.across();
   view.up = cross(up, view.right);
   std::vector<Point> around(points.begin(), points.end());
-  for (Point& point : around) point -= points.front();  // so that the plane goes through the origin
+  for (Point& point : around) point -= points.front();  // so that the plane contains the origin
   const Outline polygon = outline_of_hull<3>(around, view);
   std::vector<std::uint32_t> places;
   for (const Vec<2, double>& corner : polygon.core) {
@@ -145,7 +144,7 @@ void add_flat_hull(Drawing<3>& drawing, std::span<const Point> points, const Poi
   }
   for (std::size_t i = 0; i < places.size() && places.size() > 1; ++i) {
     if (i > 1) drawing.triangles.insert(drawing.triangles.end(), {places[0], places[i - 1], places[i]});
-    if (i + 1 == places.size() && i == 1) continue;  // the way back of a single line
+    if (i + 1 == places.size() && i == 1) continue;  // the return path of a single line
     drawing.lines.insert(drawing.lines.end(), {places[i], places[(i + 1) % places.size()]});
   }
 }

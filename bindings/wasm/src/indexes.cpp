@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Quad trees, octrees and bounding volume hierarchies, of either dimension behind one class.
+// Quad trees, octrees and bounding volume hierarchies, in either dimension, as one class.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -21,7 +21,7 @@ namespace {
 
 using AnyIndex = std::variant<QuadTree<double>, Octree<double>, Bvh<2, double>, Bvh<3, double>>;
 
-/// An index, and who gave out its keys, which JavaScript is not bothered with.
+/// An index, and the owner of its keys, which JavaScript does not see.
 struct Index {
   AnyIndex index;
   std::uint32_t owner = 0;
@@ -52,7 +52,7 @@ Index* make_bvh(int dimension, double margin) {
   });
 }
 
-/// Inserts the boxes of the input; the answer has their keys.
+/// Inserts the boxes of the input; the output contains their keys.
 void insert(Index& self, std::size_t count) {
   std::visit(
       [&](auto& index) {
@@ -71,14 +71,14 @@ void insert(Index& self, std::size_t count) {
       self.index);
 }
 
-/// The input holds keys, then as many boxes.
+/// The input contains keys, then as many boxes.
 void update(Index& self, std::size_t count) {
   std::visit(
       [&](auto& index) {
         constexpr Dim n = dimension_in<decltype(index)>;
         const auto numbers = input<double>(count * (1 + 2 * static_cast<std::size_t>(n)));
         const auto boxes = numbers.subspan(count);
-        for (std::size_t i = 0; i < count; ++i) {  // so that none has changed if one is refused
+        for (std::size_t i = 0; i < count; ++i) {  // so that nothing changes if one is refused
           index.box(self.key_of(numbers[i]));
           detail::require_box(box_at<n>(boxes, i));
         }
@@ -151,7 +151,7 @@ void pairs(Index& self) {
       self.index);
 }
 
-/// For each cell its box, depth, count and 1 for a leaf.
+/// For each cell its box, depth, count, and 1 for a leaf.
 void cells(Index& self) {
   std::visit(
       [](const auto& index) {

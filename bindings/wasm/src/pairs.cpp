@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All overlapping pairs of many boxes: from the input at once, and from boxes that stay in the module's memory. Then
-// the exact test of many pairs of shapes.
+// All overlapping pairs of many boxes: once from the input, or repeatedly from boxes in the module's memory. Also the
+// exact test of many pairs of shapes.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -24,7 +24,7 @@
 namespace graze::wasm {
 namespace {
 
-// JavaScript sees boxes as numbers in a row, and pairs as whole numbers of 32 bits.
+// JavaScript accesses boxes as consecutive numbers, and pairs as 32-bit integers.
 static_assert(sizeof(Aabb<2, float>) == 4 * sizeof(float) && sizeof(Aabb<3, double>) == 6 * sizeof(double));
 static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
 
@@ -42,7 +42,7 @@ PairOptions options_of(bool sorted, double margin, const std::string& method) {
   return {nullptr, sorted ? PairOrder::sorted : PairOrder::any, margin, *known};
 }
 
-/// How the pairs are to be found.
+/// The options of a search.
 struct Wanted {
   int dimension = 2;
   bool is_double = false;
@@ -65,7 +65,7 @@ std::vector<Pair> pairs_in_input(std::size_t count_a, double count_b, const Pair
 }
 
 /// Finds the pairs of the boxes in the input, among `count_a` of them or, if `count_b` is not negative, between those
-/// and so many behind them. Gives the number of pairs.
+/// and the following `count_b`. Returns the number of pairs.
 std::size_t overlapping_pairs_of(Wanted wanted, std::size_t count_a, double count_b) {
   found_at_once = {};
   const PairOptions options = options_of(wanted.sorted, wanted.margin, wanted.method);
@@ -76,14 +76,14 @@ std::size_t overlapping_pairs_of(Wanted wanted, std::size_t count_a, double coun
   return found_at_once.size();
 }
 
-/// The place of a shape that JavaScript names. Throws std::out_of_range as touching_pairs does.
+/// The index of a shape given by JavaScript. Throws std::out_of_range like touching_pairs.
 std::uint32_t place_of(double number, std::size_t shapes) {
   if (number >= 0 && number < static_cast<double>(shapes)) return static_cast<std::uint32_t>(number);
   throw std::out_of_range(fmt::format("candidates: there is no shape {}; there are {}", number, shapes));
 }
 
-/// Of the candidates, whose places are in the input, finds those that touch; the argument is the list of shapes. Gives
-/// the number of pairs.
+/// Finds the touching pairs among the candidates, whose indexes are in the input; the argument is the list of shapes.
+/// Returns the number of pairs.
 std::size_t touching_pairs_of(int dimension, std::size_t place, std::size_t count) {
   found_at_once = {};
   in_dimension(dimension, [&](auto n) {
@@ -109,7 +109,7 @@ struct Finder {
   std::span<const Pair> pairs;
 };
 
-/// A PairFinder and the boxes that it is asked about.
+/// A PairFinder and its boxes.
 class AnyPairFinder {
  public:
   AnyPairFinder(int dimension, bool is_double) {

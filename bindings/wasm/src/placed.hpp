@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes moved without being turned.
+// Translates shapes.
 #pragma once
 
 #include <variant>
@@ -10,8 +10,8 @@
 
 namespace graze::wasm {
 
-/// The shape with the center of its box, `box`, at a point; of spheres and oriented boxes the center itself, exactly.
-/// The box must be finite.
+/// The shape translated so that the center of its box, `box`, is at a point; for spheres and oriented boxes their own
+/// center, exactly. The box must be finite.
 template <Dim N>
 AnyShape<N, double> placed(const AnyShape<N, double>& shape, const Aabb<N, double>& box, const Vec<N, double>& point) {
   if (std::holds_alternative<Vec<N, double>>(shape)) return point;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Questions about one shape or two. Yes and no, and enumerations, are results; everything else is in the answer.
+// Queries about one or two shapes. Booleans and enumerations are return values; everything else is in the output.
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -32,7 +32,7 @@ void put_end(Status status, double error) {
   answer().push_back(error);
 }
 
-/// ask(a, b) with the two shapes that are the arguments.
+/// Calls ask(a, b) with two shapes from the arguments.
 template <class Ask>
 auto about_pair(int dimension, std::size_t place, const Ask& ask) {
   return in_dimension(dimension, [&](auto n) {
@@ -43,7 +43,7 @@ auto about_pair(int dimension, std::size_t place, const Ask& ask) {
   });
 }
 
-/// ask(shape, point) with arguments that are a point and a shape.
+/// Calls ask(shape, point) with a point and a shape from the arguments.
 template <class Ask>
 auto about_point(int dimension, std::size_t place, const Ask& ask) {
   return in_dimension(dimension, [&](auto n) {
@@ -54,7 +54,7 @@ auto about_point(int dimension, std::size_t place, const Ask& ask) {
   });
 }
 
-/// ask(shape) with the shape that is the argument.
+/// Calls ask(shape) with a shape from the arguments.
 template <class Ask>
 auto about_shape(int dimension, std::size_t place, const Ask& ask) {
   return in_dimension(dimension, [&](auto n) { return ask(Arguments(place).shape<n>()); });
@@ -87,7 +87,7 @@ void separation_of(int dimension, std::size_t place) {
   about_pair(dimension, place, [](const auto& a, const auto& b) { put_proximity(separation(a, b)); });
 }
 
-/// point, point_a, point_b, normal, depth, status, error; nothing if the shapes are apart
+/// point, point_a, point_b, normal, depth, status, error; empty if the shapes are apart
 void contact_of(int dimension, std::size_t place) {
   about_pair(dimension, place, []<Dim N>(const AnyShape<N, double>& a, const AnyShape<N, double>& b) {
     const auto found = contact(a, b);
@@ -126,7 +126,7 @@ void manifold_of(int dimension, std::size_t place) {
   });
 }
 
-/// t, point, normal, status, error; nothing if the ray, which comes before the shape, misses
+/// t, point, normal, status, error; empty if the ray, which precedes the shape, misses
 void ray_cast_of(int dimension, std::size_t place, double t_max, bool at_exit) {
   in_dimension(dimension, [&](auto n) {
     Arguments in(place);
@@ -170,7 +170,7 @@ void normalised(int dimension, std::size_t place) {
   about_shape(dimension, place, []<Dim N>(const AnyShape<N, double>& shape) { put_shape<N>(shape); });
 }
 
-/// As js/queries.js counts them.
+/// In the order of js/queries.js.
 enum class Bounding { sphere, sphere_fast, box, obb, hull };
 
 template <Dim N>
@@ -190,7 +190,7 @@ AnyShape<N, double> bounding(Bounding kind, const std::vector<Vec<N, double>>& p
   return convex_hull<N, double>(points);
 }
 
-/// The shape around the points of the input.
+/// A shape that bounds the points of the input.
 void bounding_of(int dimension, int kind, std::size_t count) {
   in_dimension(dimension, [&](auto n) {
     const std::span<const double> numbers = input<double>(count * static_cast<std::size_t>(n()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Recordings of moving boxes, read by the library's own reader from a file that is nothing but memory.
+// Recordings of moving boxes, read by the library's own reader from an in-memory file.
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -23,10 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// JavaScript sees boxes as numbers in a row.
+// JavaScript accesses boxes as consecutive numbers.
 static_assert(sizeof(Aabb<2, float>) == 4 * sizeof(float) && sizeof(Aabb<3, float>) == 6 * sizeof(float));
 
-/// A recording and the boxes of the frame that was asked for last.
+/// A recording and the boxes of the last requested frame.
 class RecordingHandle {
  public:
   RecordingHandle(const std::string& content, const std::string& name) : file_(name, content), reader_(file_.name()) {
@@ -50,7 +50,7 @@ class RecordingHandle {
   }
 
  private:
-  /// The file, in a folder of its own that is the current one until it is opened: messages call it by its name.
+  /// The file, in its own folder, which is the current one while it is opened, so that messages contain only its name.
   class File {
    public:
     File(const std::string& name, const std::string& content) : name_(fs::path(name).filename().string()) {
@@ -62,7 +62,7 @@ class RecordingHandle {
       std::ofstream out(name_, std::ios::binary);
       out << content;
       out.close();
-      if (!out) throw std::runtime_error("the recording cannot be kept: there is no memory for it");
+      if (!out) throw std::runtime_error("the recording cannot be stored: out of memory");
     }
     File(const File&) = delete;
     File& operator=(const File&) = delete;
@@ -88,7 +88,7 @@ RecordingHandle* read_recording(std::string content, std::string name) {
   return std::make_unique<RecordingHandle>(content, name).release();  // embind owns it
 }
 
-/// What it is called, and how many boxes and frames it has; the answer holds the world.
+/// Its names, and the numbers of boxes and frames; the output contains the world.
 std::string head(RecordingHandle& self) {
   const io::RecordingHead& head = self.head();
   for (const Vec<3, float>& corner : {head.world.min, head.world.max}) {

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the scene lies: so deep that the files that it calls "../../tiles.tsx" lie below `top` as well. It is the
+/// The folder of the scene: so deep that files that it refers to as "../../tiles.tsx" are still inside `top`. It is the
 /// current folder, so that messages show paths as they are in the scene.
 const fs::path top = "/scene";
 const fs::path folder = top / "1/2/3/4/5/6/7/8";
@@ -32,7 +32,7 @@ void add_scene_file(std::string path, std::string content) {
   std::ofstream out(place, std::ios::binary);
   out << content;
   out.close();
-  if (!out) throw std::runtime_error("files: " + io::in_quotes(path) + " cannot be kept");
+  if (!out) throw std::runtime_error("files: " + io::in_quotes(path) + " cannot be stored");
 }
 
 void remove_scene_files() {

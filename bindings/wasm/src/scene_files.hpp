@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files around a scene, in a file system that is nothing but memory.
+// The files that a scene refers to, in an in-memory file system.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace graze::wasm {
 
-/// Lays a file where a scene that is read next finds it. Throws std::invalid_argument for a path that is not relative,
-/// or leads far up.
+/// Stores a file where the next scene that is read finds it. Throws std::invalid_argument for a path that is not
+/// relative, or leads too far up.
 void add_scene_file(std::string path, std::string content);
 
 void remove_scene_files();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes: what is asked of them. scenes.cpp has what changes them.
+// Queries on scenes. scenes.cpp contains the functions that change them.
 #include <chrono>
 #include <cstddef>
 #include <sstream>
@@ -44,8 +44,8 @@ void put_feature(const Feature& feature) {
   answer().push_back(feature.index);
 }
 
-/// Column by column: the numbers of pairs and of their points; of each pair both ids, how many points it has, normal,
-/// status and error; of each point the point, that of a, that of b, the depth, and the id as of a single manifold.
+/// Column by column: the numbers of pairs and of points; for each pair both ids, its number of points, normal, status
+/// and error; for each point the point, those of a and b, the depth, and the id as for a single manifold.
 void contacts(SceneHandle& self) {
   self.visit([]<Dim N>(const Scene<N, double>& scene) {
     const std::vector<ObjectContact<N, double>> found = scene.contacts();
@@ -97,7 +97,7 @@ bool contains_id(SceneHandle& self, double id) {
   return self.visit([&](const auto& scene) { return scene.contains(self.id_of(id)); });
 }
 
-/// The boxes of the objects whose ids the input holds, or of all.
+/// The boxes of the objects whose ids the input contains, or of all.
 void boxes(SceneHandle& self, std::size_t count, bool all) {
   self.visit([&]<Dim N>(const Scene<N, double>& scene) {
     if (all) {
@@ -108,7 +108,7 @@ void boxes(SceneHandle& self, std::size_t count, bool all) {
   });
 }
 
-/// Name, layer, user and mobility as text; the box, the mask's lower and upper half, and the shape are the answer.
+/// Name, layer, user and mobility as text; the output contains the box, the mask's lower and upper half, and the shape.
 std::string object(SceneHandle& self, double id) {
   return self.visit([&]<Dim N>(const Scene<N, double>& scene) {
     const Object<N, double>& found = scene.object(self.id_of(id));
@@ -121,7 +121,7 @@ std::string object(SceneHandle& self, double id) {
   });
 }
 
-/// The ids and velocities of the objects that move by themselves.
+/// The ids and velocities of the objects with a velocity.
 void velocities(SceneHandle& self) {
   self.visit([&]<Dim N>(const Scene<N, double>& scene) {
     const auto* const movers = std::get_if<std::vector<Mover<N>>>(&self.movers);
@@ -141,7 +141,7 @@ void find(SceneHandle& self, std::string name) {
   });
 }
 
-/// What the scene is called, how it is to be seen, and its layers.
+/// The name of the scene, the direction of its y axis, and its layers.
 std::string head(SceneHandle& self) {
   return self.visit([&]<Dim N>(const Scene<N, double>& scene) {
     std::string layers;
@@ -206,7 +206,7 @@ void ray_cast_all(SceneHandle& self, std::size_t place, std::string layers, doub
   });
 }
 
-/// Calls found(pair, relation) for every pair that touches, or overlaps where only that is wanted.
+/// Calls found(pair, relation) for every pair that touches, or only for overlapping ones.
 template <Dim N, class Found>
 io::ReportSummary check(const Scene<N, double>& scene, bool only_interior, const Found& found) {
   using Clock = std::chrono::steady_clock;
@@ -263,8 +263,7 @@ std::string to_json(SceneHandle& self) {
   return out.str();
 }
 
-/// A method that only asks: embind wants each on the class of its own registration, hence functions that take the
-/// scene.
+/// A const method: embind requires methods of the registered class, hence functions that take the scene.
 template <auto question>
 constexpr auto asked = &Guarded<question>::call;
 

@@ -54,7 +54,7 @@ ObjectWords::ObjectWords(const std::string& text) {
       mask_ = read_layers(*mask, {"mask"}, place);
       has_mask_ = true;
     }
-    // JavaScript writes 1 for true and leaves out what is false: JSON's booleans are nothing that scene files know.
+    // JavaScript writes 1 for true and omits false, because scene files have no use for JSON's booleans.
     if (fields.find("fixed")) options_.mobility = Mobility::fixed;
   } catch (const io::InputError& error) {
     rethrow_without_place(error.what(), role);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes: what changes them. scene_questions.cpp has what is asked of them.
+// Functions that change scenes. scene_questions.cpp contains the queries.
 #include "scenes.hpp"
 
 #include <cmath>
@@ -53,7 +53,7 @@ SceneHandle* read_scene_text(std::string content, std::string name) {
   return handle.release();  // embind owns it
 }
 
-/// Adds all shapes or none; the answer has their ids.
+/// Adds all shapes or none; the output contains their ids.
 template <Dim N>
 void add_all(SceneHandle& self, Scene<N, double>& scene, std::vector<AnyShape<N, double>> shapes,
              const ObjectOptions& options) {
@@ -85,7 +85,7 @@ void add_many(SceneHandle& self, std::size_t place, std::string options) {
   });
 }
 
-/// How shapes of one type stand in the input.
+/// The layout of shapes of one type in the input.
 enum class Row { boxes, spheres };
 
 template <Dim N>
@@ -100,7 +100,7 @@ AnyShape<N, double> shape_in_row(Row row, std::span<const double> numbers, std::
   return Sphere<N, double>{vector_at<N>(own, 0), own.back()};
 }
 
-/// A defect is told with the place of its shape; Scene would not know it.
+/// Reports a defect with the index of its shape, which Scene would not know.
 template <Dim N>
 void require_valid_rows(Row row, std::span<const double> numbers, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -128,7 +128,7 @@ std::vector<Unposed<N>>& unposed_in(SceneHandle& self) {
   return std::get<std::vector<Unposed<N>>>(self.unposed);
 }
 
-/// What the object is without a pose: what it is now, unless the last that moved it was a pose.
+/// The shape of the object without a pose: its current shape, unless it was last moved by a pose.
 template <Dim N>
 const AnyShape<N, double>& unposed(SceneHandle& self, ObjectId id, const Object<N, double>& object) {
   std::vector<Unposed<N>>& all = unposed_in<N>(self);
@@ -138,7 +138,7 @@ const AnyShape<N, double>& unposed(SceneHandle& self, ObjectId id, const Object<
   return own.shape;
 }
 
-/// Moves objects otherwise than by a pose.
+/// Moves objects by other means than a pose.
 template <Dim N>
 void move_all(SceneHandle& self, Scene<N, double>& scene, std::span<const ObjectMove<N, double>> moves) {
   scene.move(moves);
@@ -155,8 +155,8 @@ void move_one(SceneHandle& self, double id, std::size_t place) {
   });
 }
 
-/// The moves of many objects: the input holds their ids, then so many numbers for each, of which
-/// next(id, object, numbers, place) makes the shape that it is now.
+/// The moves of many objects: the input contains their ids, then the given number of numbers for each, from which
+/// next(id, object, numbers, place) creates the new shape.
 template <Dim N, class Next>
 std::vector<ObjectMove<N, double>> moves_in_input(SceneHandle& self, const Scene<N, double>& scene, std::size_t count,
                                                   std::size_t width, const Next& next) {
@@ -209,7 +209,7 @@ void move_rows(SceneHandle& self, std::size_t count) {
   });
 }
 
-/// Where a mover is follows from where it was, so that no rounding adds up, as `graze simulate` has it.
+/// Positions are calculated from the initial ones, so that rounding errors do not accumulate, as in `graze simulate`.
 void move_to_time(SceneHandle& self, double seconds) {
   self.visit([&]<Dim N>(Scene<N, double>& scene) {
     std::vector<ObjectMove<N, double>> moves;

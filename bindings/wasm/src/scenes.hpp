@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene as JavaScript holds it.
+// A scene as held by JavaScript.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace graze::wasm {
 
-/// An object that moves by itself, as it was when its file was read.
+/// An object with a velocity, as it was when its file was read.
 template <Dim N>
 struct Mover {
   ObjectId id;
@@ -27,15 +27,15 @@ struct Mover {
   Vec<N, double> velocity;
 };
 
-/// What an object is before a pose turns and moves it.
+/// An object's shape before a pose rotates and moves it.
 template <Dim N>
 struct Unposed {
-  std::uint32_t generation = 0;  ///< Of the object that it is of; 0 for none.
+  std::uint32_t generation = 0;  ///< The generation of its object; 0 for none.
   AnyShape<N, double> shape = Vec<N, double>(0.0);
 };
 
-/// A scene of either dimension with what its file says around it, and who gave out its ids, which JavaScript is not
-/// bothered with.
+/// A scene of either dimension with what its file says in addition, and the owner of its ids, which JavaScript does not
+/// see.
 struct SceneHandle {
   io::SceneFile file;
   std::uint32_t owner = 0;
@@ -59,20 +59,20 @@ inline constexpr Dim dimension_in = 0;
 template <Dim N>
 inline constexpr Dim dimension_in<Scene<N, double>> = N;
 
-/// The dimension of the scene that a generic visitor was given.
+/// The dimension of the scene passed to a generic visitor.
 template <class S>
 inline constexpr Dim dimension_of_scene = dimension_in<std::remove_cvref_t<S>>;
 
 inline void put_id(ObjectId id) { answer().push_back(packed_id(id.index, id.generation)); }
 
-/// What a JSON text says of an object beside its shape, names of layers not looked up yet.
+/// The options of an object from JSON, before names of layers are looked up.
 class ObjectWords {
  public:
   /// Throws io::InputError.
   explicit ObjectWords(const std::string& text);
 
-  /// For this scene, in which layers of unknown names are made, unless the name of the object is taken already, of
-  /// which `add` will speak.
+  /// The options for this scene. Creates layers with unknown names, unless the name of the object is already taken,
+  /// which `add` then reports.
   template <Dim N>
   ObjectOptions in(Scene<N, double>& scene) const;
 
@@ -85,8 +85,8 @@ class ObjectWords {
   bool has_mask_ = false;
 };
 
-/// The mask of a JSON array of names and numbers of layers; all of them for an empty text. Throws std::invalid_argument
-/// for a name that is not among `names`, io::InputError for other nonsense.
+/// The mask of a JSON array of names and numbers of layers; all layers for an empty text. Throws std::invalid_argument
+/// for a name that is not in `names`, io::InputError for other faults.
 LayerMask mask_of_words(const std::string& text, const std::vector<std::string>& names);
 
 }  // namespace graze::wasm

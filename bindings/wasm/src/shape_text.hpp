@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes as JavaScript hands them over where it cannot write them as numbers (arguments.hpp): as JSON in the vocabulary
-// of scene files.
+// Shapes that JavaScript cannot pass as numbers (arguments.hpp): JSON in the format of scene files.
 #pragma once
 
 #include <string>
@@ -12,8 +11,8 @@
 
 namespace graze::wasm {
 
-/// The shape of a text; `role` names it in messages: "region". Throws io::InputError, whose message does not mention
-/// line and column, as nobody has seen the text.
+/// The shape in a text; `role` names it in messages: "region". Throws io::InputError whose message omits line and
+/// column, because the user has not seen the text.
 template <Dim N>
 AnyShape<N, double> shape_of(const std::string& text, const char* role);
 
@@ -21,8 +20,7 @@ AnyShape<N, double> shape_of(const std::string& text, const char* role);
 template <Dim N>
 std::vector<AnyShape<N, double>> shapes_of(const std::string& text);
 
-/// Throws io::InputError with the message, less line and column where it is about a text of one line that is called
-/// `role`.
+/// Throws io::InputError with the message, without the line and column of a one-line text named `role`.
 [[noreturn]] void rethrow_without_place(const std::string& message, std::string_view role);
 
 }  // namespace graze::wasm

@@ -48,7 +48,7 @@
 namespace graze::test {
 namespace {
 
-/// Numbers as JSON, each so that it reads back with every bit, and what JSON has no number for as text.
+/// Numbers as JSON that parse to the same bits; numbers that JSON cannot represent as text.
 class Numbers {
  public:
   void put(double number) {
@@ -79,7 +79,7 @@ class Numbers {
   std::string text_;
 };
 
-/// What is asked about together.
+/// The arguments of one line.
 template <Dim N>
 struct Case {
   AnyShape<N, double> a;
@@ -156,7 +156,7 @@ void put_impact(const std::optional<Impact<N, double>>& found, Numbers& out) {
   out.put(found->error);
 }
 
-/// The first shape moves along the ray's direction; then both move and turn. -1 for shapes that cannot.
+/// The first shape moves along the ray's direction; then both move and rotate. -1 for shapes that cannot.
 template <Dim N>
 void answer_casts(const Case<N>& asked, Numbers& out) {
   const Vec<N, double>& way = asked.ray.direction;
@@ -216,8 +216,7 @@ void write_pairs(const std::filesystem::path& folder) {
   write_bytes(folder / (name + ".pairs"), std::span<const Pair>(pairs));
 }
 
-/// Shapes of every type as they come, every two of which are a candidate that are not too far from each other in the
-/// row.
+/// Random shapes of every type; any two that are close in the list are a candidate.
 template <Dim N>
 void write_touching(std::ostream& out) {
   constexpr std::size_t types = std::variant_size_v<AnyShape<N, double>>;
@@ -247,8 +246,7 @@ void write_touching(std::ostream& out) {
                      list(touching_pairs<N, double>(shapes, candidates)));
 }
 
-/// The answers of an index about the boxes of a world that moved once: the places of keys, in the order in which they
-/// come.
+/// The results of an index for the boxes of a world that moved once: the indexes of keys, in order of discovery.
 template <class Index>
 std::string answers_of(Index index) {
   using Box = typename Index::Box;

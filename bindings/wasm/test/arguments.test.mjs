@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes reach C++ as numbers or, where that cannot be, as text: both say the same.
+// Shapes are passed to C++ as numbers or, if that is impossible, as text; both give the same results.
 import assert from "node:assert/strict";
 import { before, test } from "node:test";
 
@@ -13,7 +13,7 @@ before(async () => {
 
 const isMadeUp = (name) => name === "nothing";
 
-/** The same value, which goes as text, since it seems to have an unknown field when it is looked at for the first time. */
+/** The same value, passed as text, because it seems to have an unknown field on first access. */
 function asText(shape) {
   let isFirstLook = true;
   return new Proxy(shape, {
@@ -36,7 +36,7 @@ const random = () => (seed = (seed * 16807) % 2147483647) / 2147483647;
 const drawn = (n, size = 4) => Array.from({ length: n }, () => (random() - 0.5) * size);
 const positive = (n) => drawn(n).map(Math.abs);
 
-/** A shape of every form there is. */
+/** A shape of every form. */
 const forms = {
   point: (n) => ({ type: "point", position: drawn(n) }),
   segment: (n) => ({ type: "segment", start: drawn(n), end: drawn(n) }),
@@ -64,7 +64,7 @@ const forms = {
 const pairQueries = ["relation", "intersects", "distance", "closestPoints", "separation", "contact", "manifold"];
 const pointQueries = ["contains", "closestPoint", "closestBoundaryPoint", "signedDistance"];
 
-/** What is answered about two shapes by every query; `as` is done to the first argument of each. */
+/** The results of every query about two shapes; `as` is applied to the first argument of each. */
 function answersAbout(a, b, n, as) {
   const point = b.position ?? [1, -0, 0.5].slice(0, n);
   const ray = { origin: point, direction: [1, 2, 3].slice(0, n) };
@@ -79,7 +79,7 @@ function answersAbout(a, b, n, as) {
 }
 
 for (const n of [2, 3]) {
-  test(`numbers and text say the same of every two forms of shapes, bit for bit, in ${n}D`, () => {
+  test(`numbers and text give the same results for every two forms of shapes, bit for bit, in ${n}D`, () => {
     const names = Object.keys(forms);
     const seen = new Map();
     for (const first of names) {
@@ -96,7 +96,7 @@ for (const n of [2, 3]) {
   });
 }
 
-test("a shape comes back with every bit of its numbers", () => {
+test("a shape is returned with every bit of its numbers", () => {
   for (const numbers of [[-0, 0], [5e-324, -1.7976931348623157e308], [0.1, 1 / 3]]) {
     assert.deepStrictEqual(graze.normalised({ type: "point", position: numbers }).position, numbers);
   }
@@ -106,7 +106,7 @@ test("a shape comes back with every bit of its numbers", () => {
   }
 });
 
-test("fields may stand in any order, and those that are undefined are not there", () => {
+test("fields may be in any order, and undefined ones are ignored", () => {
   const wanted = graze.normalised({ type: "capsule", a: [0, 1], b: [2, 3], radius: 4 });
   assert.deepEqual(graze.normalised({ radius: 4, b: [2, 3], type: "capsule", a: [0, 1], c: undefined }), wanted);
   assert.deepEqual(graze.normalised({ type: "obb", center: [0, 1], half_extents: [1, 1], angle: undefined, axes: undefined }).axes,
@@ -120,7 +120,7 @@ test("fields may stand in any order, and those that are undefined are not there"
   assert.equal(graze.distance({ type: "sphere", center: [0n, 1n], radius: 2n }, { type: "point", position: [0, 6] }), 3);
 });
 
-test("shapes of many numbers have room", () => {
+test("shapes may have many numbers", () => {
   const around = Array.from({ length: 20000 }, (_, i) => [Math.cos(i), Math.sin(i), 0]);
   const hull = graze.normalised({ type: "polytope", points: [...around, [0, 0, 9]] });
   assert.ok(hull.points.length > 10000);
@@ -138,14 +138,14 @@ test("compounds may be nested as deep as in scene files", () => {
   assert.throws(() => graze.distance(nested(33), origin), /^Error: a: part 0, .*compounds are nested deeper than 32$/);
 });
 
-test("the dimension is that of the first vector, also behind a compound without parts", () => {
+test("the dimension is that of the first vector, also after a compound without parts", () => {
   const nothing = { type: "compound", parts: [] };
   assert.equal(graze.distance(nothing, { type: "point", position: [0, 0, 0] }), Infinity);
   assert.deepEqual(graze.bounds(nothing), { min: [Infinity, Infinity], max: [-Infinity, -Infinity] });
   assert.equal(graze.shapeCast(nothing, [1, 2, 3], nothing), null);
 });
 
-test("a getter may ask the module itself, and let its memory grow, while a question is put together", () => {
+test("a getter may call the module and let its memory grow while arguments are written", () => {
   const point = { type: "point", position: [0, 0, 7] };
   const finders = [];
   const greedy = {
@@ -169,7 +169,7 @@ test("a getter may ask the module itself, and let its memory grow, while a quest
   for (const finder of finders) finder.delete();
 });
 
-test("a getter that throws leaves no trace", () => {
+test("a getter that throws has no other effect", () => {
   const broken = {
     type: "sphere",
     center: [0, 0],
@@ -184,7 +184,7 @@ test("a getter that throws leaves no trace", () => {
 
 const point = { type: "point", position: [0, 0] };
 
-/** Shapes with a fault, and what is said of it. */
+/** Invalid shapes and their messages. */
 const faulty = [
   [null, "must be an object, not null"],
   [[1, 2], "must be an object, not an array"],
@@ -223,7 +223,7 @@ const faulty = [
     'part 1: "radius" is -2; it must not be negative'],
 ];
 
-test("what is wrong with a shape is said, with the field and the value", () => {
+test("errors of shapes name the field and the value", () => {
   for (const [shape, message] of faulty) {
     for (const ask of [graze.normalised, graze.bounds]) {
       assert.throws(() => ask(shape), { name: "Error", message: `shape: ${message}` });

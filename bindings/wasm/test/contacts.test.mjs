@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the objects of a scene touch, and objects that poses put there.
+// The contacts of a scene's objects, and objects moved by poses.
 import assert from "node:assert/strict";
 import { before, test } from "node:test";
 
@@ -15,7 +15,7 @@ let seed = 7;
 const random = () => (seed = (seed * 16807) % 2147483647) / 2147483647;
 const drawn = (n, size) => Array.from({ length: n }, () => random() * size);
 
-/** A crowd of shapes of every type that has an inside, and a floor. */
+/** Many shapes of every type with an interior, and a floor. */
 function crowd(n) {
   const shapes = Array.from({ length: 200 }, (_, i) => [
     () => ({ type: "sphere", center: drawn(n, 6), radius: 0.7 }),
@@ -67,11 +67,11 @@ test("a scene in which nothing touches has no contacts", () => {
   scene.delete();
 });
 
-/** The numbers of a shape but for rounding. */
+/** The numbers of a shape up to rounding. */
 const rounded = (shape) => JSON.parse(JSON.stringify(shape), (key, value) =>
   (typeof value === "number" ? Math.round(value * 1e12) / 1e12 + 0 : value));
 
-test("poses turn and move objects of every type, from what they were at first", () => {
+test("poses rotate and move objects of every type, starting from their initial shapes", () => {
   const scene = new graze.Scene(2);
   const shapes = [
     { type: "point", position: [1, 0] },
@@ -104,7 +104,7 @@ test("poses turn and move objects of every type, from what they were at first", 
   scene.delete();
 });
 
-test("poses in 3D take quaternions of any length but zero", () => {
+test("poses in 3D accept quaternions of any nonzero length", () => {
   const scene = new graze.Scene(3);
   const ids = scene.addMany([{ type: "obb", center: [1, 0, 0], half_extents: [1, 2, 3] }, { type: "point", position: [0, 0, 1] }]);
   // A third of a turn about the diagonal takes x to y, y to z and z to x.
@@ -126,7 +126,7 @@ test("poses in 3D take quaternions of any length but zero", () => {
   scene.delete();
 });
 
-test("a pose begins anew from where another method has put an object", () => {
+test("a pose starts from the shape that another method has set", () => {
   const scene = new graze.Scene(2);
   const ids = scene.addSpheres(new Float64Array([0, 0, 1]));
   const center = () => scene.object(ids[0]).shape.center;
@@ -155,7 +155,7 @@ test("a pose begins anew from where another method has put an object", () => {
   scene.delete();
 });
 
-test("poses that are none are refused, and nothing has moved", () => {
+test("invalid poses are refused, and nothing moves", () => {
   const flat = new graze.Scene(2);
   const ids = flat.addSpheres(new Float64Array([0, 0, 1, 5, 0, 1]));
   const refused = (call, message) => assert.throws(call, (error) => error instanceof Error && error.message === message);

@@ -25,7 +25,7 @@ function area(drawing) {
   return sum;
 }
 
-/** Positive, and right, only if the surface is closed and all triangles are counter-clockwise from outside. */
+/** Positive and correct only if the surface is closed and all triangles are counter-clockwise from outside. */
 function volume(drawing) {
   let sum = 0;
   for (let i = 0; i < drawing.triangles.length; i += 3) {
@@ -38,7 +38,7 @@ function volume(drawing) {
 const near = (value, expected, share = 1e-6) =>
   assert.ok(Math.abs(value - expected) <= share * Math.abs(expected), `${value} is not ${expected}`);
 
-test("shapes in the plane are filled, counter-clockwise", () => {
+test("2D shapes are filled, counter-clockwise", () => {
   near(area(graze.drawing({ type: "aabb", min: [1, 1], max: [3, 4] })), 6);
   near(area(graze.drawing({ type: "obb", center: [1, 1], half_extents: [1, 2], angle: 30 })), 8);
   near(area(graze.drawing({ type: "triangle", a: [0, 0], b: [0, 1], c: [1, 0] })), 0.5);
@@ -48,7 +48,7 @@ test("shapes in the plane are filled, counter-clockwise", () => {
   near(area(graze.drawing({ type: "polytope", points: [[0, 0], [2, 0], [2, 2], [0, 2], [1, 1]] })), 4);
 });
 
-test("solids have closed surfaces that look outward", () => {
+test("solids have closed surfaces that face outward", () => {
   near(volume(graze.drawing({ type: "aabb", min: [1, 1, 1], max: [3, 4, 2] })), 6);
   const rotation = { axis: [1, 2, 3], angle: 40 };
   near(volume(graze.drawing({ type: "obb", center: [1, 1, 5], half_extents: [1, 2, 3], rotation })), 48, 1e-5);
@@ -68,7 +68,7 @@ test("a box has twelve edges, a round shape has none, a pyramid eight", () => {
   assert.equal(edges({ type: "polytope", points: [[0, 0, 0], [2, 0, 0], [0, 2, 0], [2, 2, 0], [1, 1, 3]] }), 8);
 });
 
-test("flat and thin shapes in space are polygons, lines and points", () => {
+test("flat and thin 3D shapes are polygons, lines and points", () => {
   const parts = (shape) => {
     const { positions, triangles, lines } = graze.drawing(shape);
     return [positions.length / 3, triangles.length / 3, lines.length / 2];

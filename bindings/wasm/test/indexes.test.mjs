@@ -19,7 +19,7 @@ const makers = {
   Bvh3: () => new graze.Bvh(3, { margin: 0.5 }),
 };
 
-/** All cells in a row, as the native program writes them. */
+/** All cells as consecutive numbers, in the format of the native program. */
 function cellNumbers(index) {
   const { boxes, depths, counts, leaves } = index.cells();
   const width = 2 * index.dimension;
@@ -29,7 +29,7 @@ function cellNumbers(index) {
 }
 
 for (const [name, make] of Object.entries(makers)) {
-  test(`${name} answers about moved boxes as it does natively, in the same order, and has the same cells`, () => {
+  test(`${name} gives native results for moved boxes, in the same order, and has the same cells`, () => {
     const expected = native[name];
     const index = make();
     const keys = index.insertMany(Float64Array.from(expected.boxes));
@@ -46,7 +46,7 @@ for (const [name, make] of Object.entries(makers)) {
     index.delete();
   });
 
-  test(`${name} lives through a box's life`, () => {
+  test(`${name} inserts, moves and erases a box`, () => {
     const index = make();
     const at = (x) => ({ min: Array(index.dimension).fill(x), max: Array(index.dimension).fill(x + 1) });
     const key = index.insert(at(0));
@@ -75,12 +75,12 @@ for (const [name, make] of Object.entries(makers)) {
   });
 }
 
-test("options and keys that make no sense are refused", () => {
+test("invalid options and keys are refused", () => {
   assert.throws(() => new graze.QuadTree({ capacity: 0 }), /capacity: 0 is not a whole number of at least 1/);
   assert.throws(() => new graze.QuadTree({ maxDepth: 33 }), /max_depth/);
   assert.throws(() => new graze.Bvh(2, { margin: -1 }), /margin/);
   assert.throws(() => new graze.Bvh(4), /dimension/);
   const tree = new graze.QuadTree();
-  assert.throws(() => tree.erase(1.5), /an id is a whole number that graze gave out; 1.5 is not/);
+  assert.throws(() => tree.erase(1.5), /an id is an integer returned by graze; 1.5 is not/);
   assert.throws(() => tree.insert({ min: [0, 0, 0], max: [1, 1, 1] }), /in dimension 2/);
 });

@@ -16,7 +16,7 @@ before(async () => {
   graze = await loadGraze();
 });
 
-/** Uses a bit of everything, and gives it back, or leaves it to be found. */
+/** Uses every kind of object and deletes it, or leaves it to garbage collection. */
 function useEverything(givesBack) {
   const scene = new graze.Scene(3);
   scene.addSpheres(Float32Array.from({ length: 4000 }, (_, i) => (i % 4 === 3 ? 1 : (i * 7919) % 20)));
@@ -35,7 +35,7 @@ function useEverything(givesBack) {
   if (givesBack) for (const held of [scene, file, tree, bvh, finder]) held.delete();
 }
 
-test("what is deleted gives back its memory", () => {
+test("delete frees memory", () => {
   for (let i = 0; i < 3; ++i) useEverything(true);  // buffers are kept
   const before = graze.usedBytes;
   for (let i = 0; i < 20; ++i) useEverything(true);
@@ -43,7 +43,7 @@ test("what is deleted gives back its memory", () => {
   assert.ok(graze.memoryBytes > graze.usedBytes);
 });
 
-test("what is forgotten gives back its memory some time", async () => {
+test("garbage collection frees memory some time", async () => {
   setFlagsFromString("--expose-gc");
   const collect = runInNewContext("gc");
   useEverything(true);
@@ -57,7 +57,7 @@ test("what is forgotten gives back its memory some time", async () => {
   assert.equal(graze.usedBytes, before);
 });
 
-test("what is deleted says so when it is used", () => {
+test("using a deleted object throws", () => {
   const scene = new graze.Scene(2);
   scene.delete();
   for (const use of [() => scene.size, () => scene.update(), () => scene.delete(), () => scene.pairs()]) {
@@ -65,7 +65,7 @@ test("what is deleted says so when it is used", () => {
   }
 });
 
-test("what holds memory can be disposed of, as `using` does at the end of a block", () => {
+test("objects that hold memory can be disposed of, as `using` does at the end of a block", () => {
   const held = [new graze.Scene(2), new graze.QuadTree(), new graze.Bvh(3), new graze.PairFinder(2, 5)];
   for (const each of held) {
     each[Symbol.dispose]();
@@ -77,7 +77,7 @@ test("what holds memory can be disposed of, as `using` does at the end of a bloc
   scene[Symbol.dispose]();
 });
 
-test("a runtime without Symbol.dispose has it when the module is loaded", () => {
+test("a runtime without Symbol.dispose gets it when the module is loaded", () => {
   const program = `
     const { dispose, ...older } = Object.getOwnPropertyDescriptors(Symbol);
     globalThis.Symbol = Object.defineProperties((description) => dispose.value.constructor(description), older);

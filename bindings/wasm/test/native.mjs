@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where things are, and how they are compared. `./dev web test` says where the native programs are.
+// The locations of native programs, and comparisons. `./dev web test` sets the locations.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
@@ -16,11 +16,11 @@ const program = (variable, fallback) => {
   return path;
 };
 
-/** Runs the command line program on the arguments and gives what it prints. */
+/** Runs the command-line program with the arguments and returns its output. */
 export const graze = (...args) =>
   execFileSync(program("GRAZE_CLI", "build/gcc/bin/graze"), args, { cwd: root, encoding: "utf8", maxBuffer: 2 ** 30 });
 
-/** What the native library answers: a function that reads one of its files. */
+/** The results of the native library: a function that reads one of its files. */
 export function nativeAnswers() {
   const folder = mkdtempSync(join(tmpdir(), "graze-answers-"));
   process.on("exit", () => rmSync(folder, { recursive: true }));
@@ -28,13 +28,13 @@ export function nativeAnswers() {
   return (name) => readFileSync(join(folder, name));
 }
 
-/** Loads the module as it is packed. */
+/** Loads the packaged module. */
 export async function loadGraze() {
   const { createGraze } = await import(join(packageFolder, "graze.js"));
   return createGraze();
 }
 
-/** Two texts that are the same; of long ones an error shows the first line that differs. */
+/** Compares two texts; for long ones the error shows the first line that differs. */
 export function assertSameText(ours, native) {
   if (ours === native) return;
   const [a, b] = [ours.split("\n"), native.split("\n")];
@@ -44,7 +44,7 @@ export function assertSameText(ours, native) {
 
 const asText = (number) => (Number.isFinite(number) ? (Object.is(number, -0) ? "-0" : String(number)) : `"${number}"`);
 
-/** Two lists of numbers with the same bits; of NaN there is but one. Infinities of the native side are texts. */
+/** Compares two lists of numbers bit for bit, where all NaN are equal. Infinities in the native results are texts. */
 export function assertSameBits(ours, native, about) {
   const same = ours.length === native.length && native.every((value, i) => Object.is(ours[i], Number(value)));
   if (same) return;

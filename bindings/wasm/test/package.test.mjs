@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The package as npm packs it, and in a project of Vite: five lines that are not ours.
+// The package as packed by npm, and used in a Vite project.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { cpSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
@@ -35,7 +35,7 @@ test("the package has the version of the library", () => {
   assert.equal(JSON.parse(readFileSync(join(packageFolder, "package.json"))).version, version);
 });
 
-test("five lines in a project of Vite use it", async () => {
+test("a Vite project of five lines can use it", async () => {
   const { filename } = pack();
   const project = join(folder, "project");
   cpSync(fileURLToPath(new URL("vite", import.meta.url)), project, { recursive: true });

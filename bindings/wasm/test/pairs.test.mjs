@@ -12,7 +12,7 @@ before(async () => {
   native = nativeAnswers();
 });
 
-/** The numbers of a file, aligned. */
+/** The numbers in a file, aligned. */
 const numbersOf = (file, type) => new type(Uint8Array.from(native(file)).buffer);
 
 const spaces = [
@@ -25,7 +25,7 @@ const spaces = [
 for (const { dimension, scalar, type } of spaces) {
   const name = `pairs_${dimension}d_${scalar}`;
 
-  test(`100,000 boxes in ${dimension}D of type ${scalar} have the pairs that they have natively, in their order`, () => {
+  test(`100,000 boxes in ${dimension}D of type ${scalar} have the native pairs, in their order`, () => {
     const boxes = numbersOf(`${name}.boxes`, type);
     assert.equal(boxes.length, 100000 * 2 * dimension);
     const expected = numbersOf(`${name}.pairs`, Uint32Array);
@@ -33,7 +33,7 @@ for (const { dimension, scalar, type } of spaces) {
     assert.deepEqual(graze.overlappingPairs(boxes, dimension), expected);
   });
 
-  test(`a finder that boxes in ${dimension}D of type ${scalar} are written into finds the same`, () => {
+  test(`a finder finds the same pairs of boxes in ${dimension}D of type ${scalar}`, () => {
     const boxes = numbersOf(`${name}.boxes`, type);
     const finder = new graze.PairFinder(dimension, boxes.length / (2 * dimension), scalar);
     finder.boxes.set(boxes);
@@ -44,14 +44,14 @@ for (const { dimension, scalar, type } of spaces) {
 }
 
 for (const dimension of [2, 3]) {
-  test(`of many candidates in ${dimension}D those touch that touch natively`, () => {
+  test(`the touching pairs of many candidates in ${dimension}D are the native ones`, () => {
     const { shapes, candidates, touching } = JSON.parse(native(`touching_${dimension}d.json`));
     assert.ok(touching.length > 2000 && touching.length < 0.9 * candidates.length, `${touching.length}`);
     assert.deepEqual([...graze.touchingPairs(shapes, Uint32Array.from(candidates))], touching);
   });
 }
 
-test("candidates that name no shape are refused", () => {
+test("candidates with invalid indexes are refused", () => {
   const ball = { type: "sphere", center: [0, 0], radius: 1 };
   assert.throws(() => graze.touchingPairs([ball, ball], new Uint32Array([0, 2])), /^Error: candidates: there is no shape 2; there are 2$/);
   assert.throws(() => graze.touchingPairs([ball], new Uint32Array(3)), /3 numbers are not a multiple of 2/);
@@ -61,7 +61,7 @@ test("candidates that name no shape are refused", () => {
 
 const row = new Float32Array([0, 0, 1, 1, /**/ 1, 0, 2, 1, /**/ 2.5, 0, 3, 1]);
 
-test("every method finds the pairs of three boxes by hand, with and without a margin", () => {
+test("every method finds the known pairs of three boxes, with and without a margin", () => {
   for (const method of ["automatic", "brute_force", "dense", "tree"]) {
     assert.deepEqual([...graze.overlappingPairs(row, 2, { method })], [0, 1]);
     assert.deepEqual([...graze.overlappingPairs(row, 2, { method, margin: 0.25 })], [0, 1, 1, 2]);
@@ -72,7 +72,7 @@ test("pairs between two sets name the first set's box first", () => {
   assert.deepEqual([...graze.overlappingPairsBetween(row, row.slice(0, 4), 2)], [0, 0, 1, 0]);
 });
 
-test("boxes and pairs of a finder lie in the module's memory", () => {
+test("boxes and pairs of a finder are in the module's memory", () => {
   const finder = new graze.PairFinder(2, 3);
   const { boxes } = finder;
   boxes.set(row);
@@ -94,7 +94,7 @@ test("a finder keeps the boxes below its new count, and the view of them is new"
   assert.deepEqual([...finder.find()], [0, 1]);
 });
 
-test("nonsense is refused with a message", () => {
+test("invalid arguments are refused with a message", () => {
   const refused = (call, message) => assert.throws(call, (error) => error instanceof Error && message.test(error.message));
   refused(() => graze.overlappingPairs(new Float32Array([NaN, 0, 1, 1]), 2), /NaN|not a number/);
   refused(() => graze.overlappingPairs(row, 2, { margin: -1 }), /margin/);

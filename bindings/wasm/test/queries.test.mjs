@@ -74,13 +74,13 @@ function castAnswers(a, b, point, { direction }) {
   ];
 }
 
-test("every query answers about thousands of pairs of shapes as it does natively, bit for bit", () => {
+test("every query gives native results for thousands of pairs of shapes, bit for bit", () => {
   const lines = native("queries.ndjson").toString().trimEnd().split("\n");
   assert.ok(lines.length >= 2000);
   const seen = { apart: 0, touching: 0, overlapping: 0 };
   for (const line of lines) {
     const { a, b, point, ray, answers, casts } = JSON.parse(line);
-    // A compound without parts has no vectors to tell the dimension by.
+    // A compound without parts has no vectors that determine the dimension.
     if (!hasNumbers(a) && !hasNumbers(b)) continue;
     const ours = [...pairAnswers(a, b), ...shapeAnswers(a, point.position, ray)];
     const compared = hasNumbers(a) ? answers.length : answers.length - 2 * point.position.length;
@@ -111,7 +111,7 @@ test("contacts keep their ids while a box, or a hull of the same corners, slides
   }
 });
 
-test("shapes come back as graze holds them", () => {
+test("shapes are returned in the library's representation", () => {
   assert.deepEqual(graze.normalised({ type: "aabb", center: [1, 2], half_extents: [1, 0.5] }), {
     type: "aabb",
     min: [0, 1.5],
@@ -131,7 +131,7 @@ test("vectors may be typed arrays", () => {
   assert.equal(graze.distance(sphere, { type: "point", position: new Float64Array([1, 2, 6]) }), 2);
 });
 
-test("bounding volumes hold all points, however these are given", () => {
+test("bounding volumes contain all points, however these are given", () => {
   const square = [[0, 0], [4, 0], [4, 4], [0, 4]];
   const inRow = new Float32Array(square.flat());
   assert.deepEqual(graze.boundingSphere(square).center, [2, 2]);
@@ -142,7 +142,7 @@ test("bounding volumes hold all points, however these are given", () => {
   assert.deepEqual(graze.convexHull([...square, [2, 2]]).points, square);
 });
 
-test("errors are of type Error, with the library's message and without a place in a text that nobody wrote", () => {
+test("errors are of type Error, with the library's message and without a position in a text that nobody wrote", () => {
   const point = { type: "point", position: [0, 0] };
   const thrown = (call, message) => assert.throws(call, (error) => error instanceof Error && error.message === message);
   thrown(() => graze.distance({ type: "sphere", center: [0, 0], raduis: 1 }, point),
@@ -156,12 +156,12 @@ test("errors are of type Error, with the library's message and without a place i
   assert.throws(() => graze.relation(point, { type: "point", position: [0, 0, 0] }), /^Error: b: .*3 numbers/);
 });
 
-test("an error leaves no trace: the next call answers", () => {
+test("an error has no other effect: the next call works", () => {
   assert.throws(() => graze.distance(null, null), Error);
   assert.equal(graze.distance({ type: "point", position: [0, 0] }, { type: "point", position: [3, 4] }), 5);
 });
 
-test("a ball that flies at a wall touches it when its side does", () => {
+test("a ball that flies at a wall touches it with its side", () => {
   const ball = { type: "sphere", center: [0, 0], radius: 1 };
   const wall = { type: "aabb", min: [5, -3], max: [6, 3] };
   const { t, point, normal } = graze.shapeCast(ball, [8, 0], wall);
@@ -170,7 +170,7 @@ test("a ball that flies at a wall touches it when its side does", () => {
   assert.equal(graze.shapeCast(ball, [-8, 0], wall), null);
 });
 
-test("a plank that turns a quarter about its middle strikes what is beside it on the way", () => {
+test("a plank that rotates by 90 degrees about its center hits what is beside it", () => {
   const plank = { type: "obb", center: [0, 0], half_extents: [2, 0] };
   const nail = { type: "point", position: [0, 1] };
   const impact = graze.timeOfImpact(plank, { angular: Math.PI }, nail);
@@ -181,11 +181,11 @@ test("a plank that turns a quarter about its middle strikes what is beside it on
   assert.equal(graze.timeOfImpact(cross, { angular: Math.PI }, nail).t, impact.t);
 });
 
-test("motions that are none are refused with their name", () => {
+test("invalid motions are refused with their name", () => {
   const ball = { type: "sphere", center: [0, 0], radius: 1 };
   const refused = (call, message) => assert.throws(call, (error) => error instanceof Error && message.test(error.message));
   refused(() => graze.shapeCast(ball, [1, 2, 3], ball), /^motion: it has 3 numbers; it must have 2$/);
-  refused(() => graze.shapeCast(ball, 1, ball), /^motion: it is no vector; it must have 2$/);
+  refused(() => graze.shapeCast(ball, 1, ball), /^motion: it is not a vector; it must have 2$/);
   refused(() => graze.shapeCast(ball, [NaN, 0], ball), /^motion: it is NaN; numbers must be finite$/);
   refused(() => graze.timeOfImpact(ball, { linear: [1] }, ball), /^motionA\.linear: it has 1 numbers; it must have 2$/);
   refused(() => graze.timeOfImpact(ball, {}, ball, { turn: 1 }), /^motionB: unknown field "turn"; the fields are/);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The examples of the package's page print what they say they print.
+// The examples of the package's README print the output in their comments.
 import assert from "node:assert/strict";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -18,7 +18,7 @@ for (const [, title, code] of examples) {
     heading = title;
     continue;
   }
-  test(`README, ${heading}: what is printed is what the comments say`, async (context) => {
+  test(`README, ${heading}: the output equals the comments`, async (context) => {
     const folder = mkdtempSync(join(tmpdir(), "graze-readme-"));
     context.after(() => rmSync(folder, { recursive: true }));
     const file = join(folder, "example.mjs");

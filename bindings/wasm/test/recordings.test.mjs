@@ -22,7 +22,7 @@ function generated(world, frames) {
   return readFileSync(path);
 }
 
-/** The boxes of a frame as docs/cli.md says that they lie in a file. */
+/** The boxes of a frame in the file format of docs/cli.md. */
 function boxesIn(bytes, dimension, frame) {
   const numbers = new Float32Array(Uint8Array.from(bytes.subarray(304)).buffer);
   const count = bytes.readInt32LE(256);
@@ -33,7 +33,7 @@ function boxesIn(bytes, dimension, frame) {
 }
 
 for (const [dimension, world] of [[2, "2d:brownian:500"], [3, "brownian:5000"]]) {
-  test(`a recording in ${dimension}D holds the boxes of its file, frame by frame and in any order`, () => {
+  test(`a recording in ${dimension}D has the boxes of its file, frame by frame and in any order`, () => {
     const bytes = generated(world, 5);
     const recording = graze.readRecording(bytes, "r.aabbs");
     const { count, frames, source } = recording;
@@ -50,7 +50,7 @@ for (const [dimension, world] of [[2, "2d:brownian:500"], [3, "brownian:5000"]])
   });
 }
 
-test("files that are no whole recordings are refused as by the command line", () => {
+test("incomplete recordings are refused as by the command line", () => {
   const bytes = generated("brownian:100", 3);
   const refused = (content, message) => assert.throws(() => graze.readRecording(content, "cut.aabbs"), { message });
   refused(bytes.subarray(0, 100), /^cut\.aabbs: holds 100 bytes; a recording in Broadmark's format begins with a header of 304$/);
@@ -64,7 +64,7 @@ test("files that are no whole recordings are refused as by the command line", ()
   assert.throws(() => recording.boxes(-1), /frame: -1 is not a whole number/);
 });
 
-test("a recording that is deleted gives its memory back", () => {
+test("deleting a recording frees its memory", () => {
   const bytes = generated("brownian:5000", 8);
   const read = () => {
     const recording = graze.readRecording(bytes);

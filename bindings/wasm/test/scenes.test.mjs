@@ -31,7 +31,7 @@ const scenes = {
 const withoutTime = (report) => ({ ...report, summary: { ...report.summary, seconds: 0 } });
 
 for (const [path, load] of Object.entries(scenes)) {
-  test(`${path}: the check, the figures and the scene as JSON are those of the command line`, () => {
+  test(`${path}: the check, the statistics and the scene as JSON are those of the command line`, () => {
     const scene = load();
     assert.deepEqual(withoutTime(scene.check()), withoutTime(JSON.parse(cli("check", "--format", "json", path))));
     assert.deepEqual(withoutTime(scene.check({ interior: true })),
@@ -42,7 +42,7 @@ for (const [path, load] of Object.entries(scenes)) {
     scene.delete();
   });
 
-  test(`${path}: checkPairs says the same by id`, () => {
+  test(`${path}: checkPairs gives the same by id`, () => {
     const scene = load();
     const { pairs, summary } = scene.check();
     const { ids, relations, candidates } = scene.checkPairs();
@@ -72,7 +72,7 @@ test("a large generated scene in CSV is checked as by the command line", () => {
   assert.ok(scene.checkPairs().relations.length > 10000);
 });
 
-test("boxes that are turned by angles have the same axes, bit for bit", () => {
+test("boxes rotated by angles have the same axes, bit for bit", () => {
   const turned = (dimension, turn) => ({
     schema: "graze.scene/1",
     dimension,
@@ -91,7 +91,7 @@ test("boxes that are turned by angles have the same axes, bit for bit", () => {
   }
 });
 
-test("objects that have a velocity are, second by second, where graze simulate has them", () => {
+test("objects with a velocity have the positions of graze simulate, second by second", () => {
   const path = join(folder, "moving.json");
   const objects = Array.from({ length: 60 }, (_, i) => ({
     name: `o${i}`,
@@ -126,7 +126,7 @@ test("objects that have a velocity are, second by second, where graze simulate h
   scene.delete();
 });
 
-test("a scene's head is at hand", () => {
+test("a scene has the data of its header", () => {
   const scene = scenes["data/platform_level.tmx"]();
   assert.equal(scene.dimension, 2);
   assert.equal(scene.source, "data/platform_level.tmx");
@@ -155,7 +155,7 @@ test("files that cannot be read are refused as by the command line", () => {
   assert.match(refusal("{}", { "../../../../../../../../../../x": "" }), /at most eight folders up/);
 });
 
-test("files of one scene are not there for the next", () => {
+test("files of one scene do not exist for the next", () => {
   scenes["data/platform_level.tmx"]();
   assert.throws(() => graze.readScene(read("data/platform_level.tmx")), /there is no such file/);
 });
@@ -167,7 +167,7 @@ test("files above the scene are found", () => {
   assert.equal(graze.readScene(map, "m", files).size, scenes["data/platform_level.tmx"]().size);
 });
 
-test("a scene made in memory tells what begins, stays and ends", () => {
+test("a scene made in memory reports what begins, stays and ends", () => {
   const scene = new graze.Scene(2);
   const ball = scene.add({ type: "sphere", center: [0, 0], radius: 1 }, { name: "ball" });
   const [left, right] = scene.addBoxes(new Float64Array([-3, -1, -2, 1, /**/ 2, -1, 3, 1]), { fixed: true });
@@ -223,7 +223,7 @@ test("bulk moves: boxes, spheres, and shapes of every type", () => {
   assert.deepEqual([...scene.boxes(two)], [0, 0, 0, 1, 1, 1, 5, 5, 5, 6, 6, 6]);
 });
 
-test("an object says everything about itself", () => {
+test("an object has all its properties", () => {
   const scene = new graze.Scene(2);
   const id = scene.add({ type: "aabb", min: [0, 0], max: [1, 1] },
     { name: 'a "box"', layer: "walls", mask: ["player", 40], user: 2n ** 64n - 1n, fixed: true });
@@ -238,7 +238,7 @@ test("an object says everything about itself", () => {
   assert.equal(scene.layer("player"), 1);
 });
 
-test("what add refuses leaves the scene as it was", () => {
+test("a refused add does not change the scene", () => {
   const scene = new graze.Scene(2);
   const dot = { type: "point", position: [0, 0] };
   scene.add(dot, { name: "dot" });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What graze.d.ts promises is there.
+// Everything declared in graze.d.ts exists.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -15,7 +15,7 @@ function membersOf(name) {
   return [...body.matchAll(/^ {2}(?:readonly )?(\w+)(?=[(<:?])/gm)].map((match) => match[1]);
 }
 
-/** The names of an object's members, inherited ones too. */
+/** The names of an object's members, including inherited ones. */
 function membersAt(object) {
   const names = new Set();
   for (let at = object; at && at !== Object.prototype; at = Object.getPrototypeOf(at)) {
@@ -30,7 +30,7 @@ before(async () => {
   graze = await loadGraze();
 });
 
-/** A recording of one frame with one box, which is a point at zero. */
+/** A recording of one frame with one box, which is a point at the origin. */
 const oneBox = new Uint8Array(304 + 32);
 oneBox[256] = 1;
 
@@ -43,7 +43,7 @@ const objects = {
 };
 
 for (const [name, make] of Object.entries(objects)) {
-  test(`everything that the types say of ${name} is there`, () => {
+  test(`every declared member of ${name} exists`, () => {
     const wanted = membersOf(name);
     assert.ok(wanted.length > 5);
     const found = membersAt(make());
@@ -51,7 +51,7 @@ for (const [name, make] of Object.entries(objects)) {
   });
 }
 
-test("everything in the module has a type", () => {
+test("every member of the module has a type", () => {
   const known = new Set(membersOf("Graze"));
   assert.deepEqual(Object.keys(graze).filter((name) => !known.has(name)), []);
 });
