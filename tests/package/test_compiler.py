@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""graze::geometry with other compilers and flags than its own: it works, or one error says why not and what to do."""
+"""graze::geometry with other compilers and flags than its own: it works, or one error states the reason and the
+solution."""
 
 import os
 import re
@@ -25,7 +26,7 @@ IS_X86 = "__x86_64__" in said_by(COMPILER, "-dM", "-E", "-x", "c++", "/dev/null"
 
 
 def compile_text(text, *flags, compiler=COMPILER, standard="-std=c++20"):
-    """What the compiler says of a program; empty if it takes it."""
+    """The compiler's messages for a program; empty if it compiles."""
     done = subprocess.run([compiler, standard, "-fsyntax-only", f"-I{ROOT}", *flags, "-x", "c++", "-"], input=text, text=True,
                           capture_output=True, check=False)
     return done.stderr if done.returncode else ""
@@ -36,7 +37,7 @@ class Refused(unittest.TestCase):
         said = compile_text(f"#include <{header}>\n", *flags, **options)
         self.assertIn(reason, said, flags)
         self.assertEqual(len(re.findall(r"error: (?:#error )?graze needs", said)), 1, said)
-        self.assertLessEqual(said.count("error: "), 2, said)  # the second is the end of the compilation
+        self.assertLessEqual(said.count("error: "), 2, said)  # the second is "compilation terminated"
 
     def test_fast_math(self):
         for flags in (["-ffast-math"], ["-Ofast"], ["-O2", "-ffinite-math-only"]):
@@ -71,13 +72,13 @@ class Refused(unittest.TestCase):
             self.assert_refused(name, f"-D{name}")
 
     def test_macros_of_windows(self):
-        # Where no header of the standard library comes first: GCC's takes the macros back.
+        # If no standard header comes first: GCC's headers undefine the macros.
         self.assert_refused("define NOMINMAX before including windows.h", "-Dmin(a,b)=((a)<(b)?(a):(b))",
                             header="graze/math/platform/compiler.hpp")
 
 
 class EveryQuery(unittest.TestCase):
-    """Every header and every query, so that each template is read and made for a user's call."""
+    """Every header and every query, so that each template is instantiated as for a user's call."""
 
     text = (PROGRAMS / "every_query.cpp").read_text(encoding="utf-8")
 

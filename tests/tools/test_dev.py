@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""./dev in a tree of its own, with programs in place of CMake and what it builds that only say how they were called."""
+"""./dev in a tree of its own, where CMake and the built programs are replaced by programs that print how they were
+called."""
 
 import os
 import shutil

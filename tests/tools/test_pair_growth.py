@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""tools/pair_growth.py on a program that only says what graze bench would."""
+"""tools/pair_growth.py with a program that prints what graze bench would."""
 
 import subprocess
 import sys

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the tests of the command line share: running the program, files to run it on, a terminal to run it in."""
+"""Helpers for the tests of the command line: running the program, input files, and a terminal."""
 
 import contextlib
 import json
@@ -18,7 +18,7 @@ ROOT = Path(os.environ.get("GRAZE_ROOT", Path(__file__).resolve().parents[3]))
 PROGRAM = os.environ.get("GRAZE_CLI", str(ROOT / "build" / "release" / "bin" / "graze"))
 TIMEOUT_SECONDS = 60
 
-# Ball and crate overlap, the crate stands on the ground, the lamp hangs free.
+# Ball and crate overlap, the crate stands on the ground, the lamp touches nothing.
 YARD = {
     "schema": "graze.scene/1",
     "dimension": 2,
@@ -32,23 +32,23 @@ YARD = {
 YARD_PAIRS = [("ground", "crate", "touching"), ("ground", "ball", "touching"), ("crate", "ball", "overlapping")]
 
 
-# A map with nothing but an image layer, which is not read.
+# A map with only an image layer, which is not read.
 IMAGE_LAYER = """<map width="1" height="1" tilewidth="8" tileheight="8">
  <imagelayer name="sky"><image source="sky.png"/></imagelayer>
 </map>"""
 
-# Address sanitizers reserve terabytes of address space, so that their programs cannot be limited.
+# Address sanitizers reserve terabytes of address space, so the memory of such programs cannot be limited.
 CAN_BE_LIMITED = b"__asan_init" not in Path(PROGRAM).read_bytes() if Path(PROGRAM).is_file() else False
 
 
 def with_memory_of(mebibytes):
-    """An option for `run_graze`: the program cannot have more memory than that."""
+    """An option for `run_graze`: limits the memory of the program."""
     size = mebibytes << 20
     return {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_AS, (size, size))} if CAN_BE_LIMITED else {}
 
 
 def environment(**changes):
-    """The environment of a program that a person starts on an ordinary terminal."""
+    """The environment of a program started on an ordinary terminal."""
     result = {key: value for key, value in os.environ.items() if key not in ("NO_COLOR", "TERM")}
     result["TERM"] = "xterm-256color"
     result.update(changes)
@@ -56,7 +56,7 @@ def environment(**changes):
 
 
 def run_graze(*arguments, **options):
-    """Runs the program to its end; standard output and error come back as bytes."""
+    """Runs the program to its end; returns standard output and error as bytes."""
     options.setdefault("stdin", subprocess.DEVNULL if "input" not in options else None)
     if options["stdin"] is None:
         del options["stdin"]
@@ -68,7 +68,7 @@ def run_graze(*arguments, **options):
 
 
 class CommandLineTest(unittest.TestCase):
-    """A test with a folder of its own to work in."""
+    """A test with a working folder of its own."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="graze-cli-")
@@ -76,7 +76,7 @@ class CommandLineTest(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def write(self, name, content):
-        """A file of the folder: bytes as they are, text in UTF-8, anything else as JSON."""
+        """Writes a file in the folder: bytes unchanged, text in UTF-8, anything else as JSON."""
         path = self.folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         if not isinstance(content, (bytes, str)):
@@ -88,13 +88,13 @@ class CommandLineTest(unittest.TestCase):
         return self.write("yard.json", YARD)
 
     def succeed(self, *arguments, code=0, **options):
-        """Runs the program, which must end with `code`; gives standard output and error as text."""
+        """Runs the program, which must exit with `code`; returns standard output and error as text."""
         done = run_graze(*arguments, **options)
         self.assertEqual(done.returncode, code, done.stderr)
         return (done.stdout or b"").decode(), (done.stderr or b"").decode()
 
     def refused(self, *arguments, code=3, says=(), **options):
-        """Runs the program, which must refuse in one line that names the facts, and write no data."""
+        """Runs the program, which must print one line of error that names the facts, and write no data."""
         done = run_graze(*arguments, **options)
         said = (done.stderr or b"").decode()
         self.assertEqual(done.returncode, code, said)
@@ -105,17 +105,17 @@ class CommandLineTest(unittest.TestCase):
         return said
 
     def assert_no_litter(self, *expected):
-        """The folder holds exactly these files."""
+        """Asserts that the folder contains exactly these files."""
         found = sorted(str(path.relative_to(self.folder)) for path in self.folder.rglob("*") if path.is_file())
         self.assertEqual(found, sorted(expected))
 
 
 class Terminal:
-    """A pseudo-terminal: what a program wrote to it, and how it ended."""
+    """A pseudo-terminal: what a program wrote to it, and its exit status."""
 
     def __init__(self, command, streams, stdin=subprocess.DEVNULL, during=None, **options):
-        """`streams` of the command are the terminal ("stdout", "stderr"), others are pipes; `during` is called with the
-        process while it runs."""
+        """`streams` of the command are the terminal ("stdout", "stderr"), others are pipes; `during` is called with
+        the process while it runs."""
         primary, secondary = pty.openpty()
         pipes = {stream: secondary if stream in streams else subprocess.PIPE for stream in ("stdout", "stderr")}
         process = subprocess.Popen(command, stdin=stdin, **pipes, **options)
@@ -137,7 +137,7 @@ class Terminal:
             os.close(primary)
 
     def screen(self):
-        """What is left to see, with colours taken away and what was erased gone."""
+        """The visible text, without colours and erased parts."""
         lines = []
         for line in self.text.split("\n"):
             shown = ""
@@ -160,7 +160,7 @@ def _read_all(terminal, process):
             continue
         try:
             block = os.read(terminal, 65536)
-        except OSError:  # Linux says EIO when the other side is closed
+        except OSError:  # Linux reports EIO when the other side is closed
             break
         if not block:
             break

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""`graze bench`: what is measured, the formats, what is refused."""
+"""`graze bench`: measurements, formats and errors."""
 
 import csv
 import io

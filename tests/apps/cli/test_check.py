@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""`graze check`: the formats, what is reported, where to."""
+"""`graze check`: formats, content and destination of the report."""
 
 import csv
 import io
@@ -19,7 +19,7 @@ SPHERES_3D = {
 
 class Check(CommandLineTest):
     def pairs_of(self, report_format, *arguments, **options):
-        """What the program reports, read back from a format."""
+        """The program's report, parsed from a format."""
         text, _ = self.succeed("check", "--format", report_format, *arguments, **options)
         if report_format == "csv":
             rows = list(csv.reader(io.StringIO(text)))
@@ -134,7 +134,7 @@ class Check(CommandLineTest):
         self.assertEqual(rows[1][:10], ["s0", "s1", "touching", "0", "0.5", "0", "0", "1", "0", "0"])
 
     def test_contacts_of_many_boxes_are_those_of_each_pair_alone(self):
-        # A part of a compound is asked about alone, and boxes many at a time.
+        # Parts of compounds are tested one by one, and boxes in batches.
         boxes = [{"type": "obb", "center": [3 * (i // 40), 0, 0.95 * (i % 40)], "half_extents": [0.5, 0.5, 0.5],
                   "rotation": {"axis": [1, 2, 3] if i % 7 == 0 else [0, 0, 1], "angle": 37 * i}} for i in range(1200)]
         balls = [{"type": "sphere", "center": [3 * (i // 40), 0, 0.95 * (i % 40)], "radius": 0.4}
@@ -149,7 +149,7 @@ class Check(CommandLineTest):
         self.assertEqual(of_boxes, lines("parts.json", parts, balls))
 
     def test_what_has_not_converged_is_told_with_its_error(self):
-        # Of a ball in the middle of a hull with hundreds of faces, all as near, the search does not try each.
+        # For a ball in the center of a hull with hundreds of equally near faces, the search must not try each.
         golden = math.pi * (3 - 5**0.5)
         heights = [1 - 2 * (i + 0.5) / 400 for i in range(400)]
         points = [[(1 - z * z) ** 0.5 * math.cos(golden * i), (1 - z * z) ** 0.5 * math.sin(golden * i), z]

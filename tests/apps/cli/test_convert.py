@@ -28,7 +28,7 @@ class Convert(CommandLineTest):
         self.assertEqual(once.read_bytes(), twice.read_bytes())
 
     def test_input_and_output_may_be_the_same_file(self):
-        scene = self.write("boxes.json", "id,min_x,min_y,max_x,max_y\na,0,0,1,1\n")  # told by content, not by name
+        scene = self.write("boxes.json", "id,min_x,min_y,max_x,max_y\na,0,0,1,1\n")  # recognised by content, not by name
         self.succeed("convert", scene, scene)
         self.assertEqual(json.loads(scene.read_text())["objects"][0]["name"], "a")
         self.assert_no_litter("boxes.json")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""`graze generate`: worlds as scenes and as recordings."""
+"""`graze generate`: generated scenes as scene files and as recordings."""
 
 import csv
 import io

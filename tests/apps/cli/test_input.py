@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Input that cannot be used: exit code 3, one line that names the fact, no data, nothing lost."""
+"""Invalid input: exit code 3, one line that names the fact, no data, nothing lost."""
 
 import gzip
 import json
@@ -27,7 +27,7 @@ def map_with_object(attributes, before=""):
     return map_of(f'{before}<objectgroup><object id="7" {attributes}/></objectgroup>')
 
 
-# What is wrong: a file's name, its content, what the message must name.
+# Invalid inputs: a file's name, its content, and what the message must name.
 JSON_CASES = {
     "truncated json": ("s.json", json.dumps(YARD)[:-30], ["s.json", "line 1", "column"]),
     "unknown shape": ("s.json", scene_of(BALL | {"type": "spere"}), ["ball", '"spere"', '"sphere"']),
@@ -87,7 +87,7 @@ OTHER_CASES = {
 
 class Input(CommandLineTest):
     def assert_refused(self, scene, says):
-        """By every command, with the same line, and without touching what is there."""
+        """With every command, with the same message, and without changing existing files."""
         report, picture, converted = (self.write(name, "precious") for name in ("kept.txt", "kept.svg", "kept.json"))
         said = self.refused("check", "--output", report, "--svg", picture, scene, says=says)
         self.assertEqual(said.count("\n"), 1, said)
@@ -143,7 +143,7 @@ class Input(CommandLineTest):
         scene = self.yard()
         scene.chmod(0)
         options = {}
-        if os.geteuid() == 0:  # root may read every file: somebody else has to try, who may not reach the build folder
+        if os.geteuid() == 0:  # root can read every file, so another user must try, who may have no access to the build folder
             self.folder.chmod(0o755)
             options = {"program": shutil.copy(PROGRAM, self.folder), "user": 65534, "group": 65534, "extra_groups": []}
         self.refused("check", scene, says=["yard.json", "Permission denied"], **options)
@@ -166,7 +166,7 @@ class Input(CommandLineTest):
         ):
             with self.subTest(name):
                 scene = self.write(name, content)
-                text, _ = self.succeed("check", scene, **with_memory_of(mebibytes=512))  # 1e9 of anything would not fit
+                text, _ = self.succeed("check", scene, **with_memory_of(mebibytes=512))  # 1e9 of anything would exceed the limit
                 self.assertRegex(text, r"(?m)^0 pairs; 0 objects")
 
     def test_the_standard_input_is_refused_by_that_name(self):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Where data goes: whole files or none, full disks, closed pipes, streams that the caller has closed."""
+"""Output: complete files or none, full disks, closed pipes, closed streams."""
 
 import json
 import os
@@ -14,7 +14,7 @@ from graze_program import CAN_BE_LIMITED, PROGRAM, ROOT, TIMEOUT_SECONDS, Comman
 
 class Output(CommandLineTest):
     def many_boxes(self, count=150):
-        """All of them overlap each other: about 11,000 pairs, several times what a pipe holds."""
+        """Boxes that all overlap each other: about 11,000 pairs, several times the capacity of a pipe."""
         lines = "".join(f"box_{i},0,0,1,1\n" for i in range(count))
         return self.write("many.csv", "id,min_x,min_y,max_x,max_y\n" + lines)
 
@@ -44,7 +44,7 @@ class Output(CommandLineTest):
         self.assert_no_litter("many.csv", "report")
 
     def test_a_stream_begins_before_the_end_of_the_search(self):
-        # Of 50,000 boxes at one place there are more than 10^9 pairs, which nobody could wait for, or hold.
+        # 50,000 boxes at one position have more than 10^9 pairs, too many to wait for or to hold.
         scene = self.many_boxes(50000)
         for report_format in ("ndjson", "csv", "table"):
             with self.subTest(report_format):
@@ -55,7 +55,7 @@ class Output(CommandLineTest):
         self.assertEqual(json.loads(first), {"a": "box_0", "b": "box_1", "relation": "overlapping"})
 
     def most_memory_of(self, *arguments):
-        """The largest resident size of the program that it had, in bytes, and how many lines it wrote."""
+        """The program's peak resident size in bytes, and the number of lines that it wrote."""
         process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
                                    env=environment())
         with process.stdout:
@@ -68,7 +68,7 @@ class Output(CommandLineTest):
     def test_memory_does_not_grow_with_the_number_of_pairs(self):
         # Four million pairs would take 100 MB as candidates, and 600 MB as rows of a table.
         few = self.write("few.csv", self.many_boxes(200).read_bytes())
-        boxes = 2900 if CAN_BE_LIMITED else 400  # where memory is not measured, only that all lines come
+        boxes = 2900 if CAN_BE_LIMITED else 400  # if memory cannot be measured, only the number of lines is tested
         scene = self.many_boxes(boxes)
         for report_format in ("csv", "table"):
             with self.subTest(report_format):
@@ -79,7 +79,7 @@ class Output(CommandLineTest):
                     self.assertLess(large - small, 150 << 20)
 
     def write_slowly(self, **options):
-        """A run that would write for hours, once its temporary file is there."""
+        """A run that would write for hours, after its temporary file has been created."""
         report = self.write("report", "precious")
         process = subprocess.Popen([PROGRAM, "check", "--format", "csv", "--output", report, self.many_boxes(50000)],
                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, env=environment(), **options)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The progress line: on a terminal, for work of over a second, and gone at the end."""
+"""The progress line: on a terminal, for work that takes over a second, and erased at the end."""
 
 import json
 import os
@@ -14,7 +14,7 @@ ERASE = "\r\x1b[K"
 
 class Progress(CommandLineTest):
     def check_slow_input(self, seconds, streams, command=("check", "--format", "csv", "-"), **variables):
-        """Runs the program on a scene that comes after so many seconds."""
+        """Runs the program on a scene that arrives after this many seconds."""
 
         def feed(process):
             time.sleep(seconds)
@@ -82,7 +82,7 @@ class Progress(CommandLineTest):
         self.assertTrue(shown.screen().startswith("graze: error: standard input"), shown.screen())
 
     def test_the_search_shows_how_far_it_is(self):
-        # Polytopes that all overlap: many pairs that take a while each, the more the faster the program was built.
+        # Polytopes that all overlap: many pairs that take long each, more of them for faster builds.
         points = [[x, y, z + 0.1 * x * y] for x in (0, 1, 2) for y in (0, 1, 2) for z in (0, 1, 2)]
         for count in (100, 400, 1600, 6400):
             objects = [{"type": "polytope", "points": points} for _ in range(count)]

@@ -24,7 +24,7 @@ class Query(CommandLineTest):
         return [found["name"] for found in self.query(scene, *options)["found"]]
 
     def wrong(self, says, scene, *options):
-        """The command line is refused with these words."""
+        """Asserts that the command line is rejected with this message."""
         self.refused("query", scene, *options, code=2, says=says)
 
     def test_json_has_the_documented_fields(self):
@@ -44,7 +44,7 @@ class Query(CommandLineTest):
         scene = self.yard()
         self.assertEqual(self.names(scene, "--point", "1.8,1"), ["crate", "ball"])
         self.assertEqual(self.names(scene, "--point", "-3,-0.5"), ["ground"])
-        self.assertEqual(self.names(scene, "--box", "3,3,-3,2"), ["crate", "ball"])  # any two corners
+        self.assertEqual(self.names(scene, "--box", "3,3,-3,2"), ["crate", "ball"])  # any two opposite corners
         self.assertEqual(self.names(scene, "--sphere", "0,5,2.5"), ["lamp"])
         self.assertEqual(self.names(scene, "--sphere", "0,5,2.4"), [])
 
@@ -102,7 +102,7 @@ ROLLING = {
 
 class QueryOfALog(CommandLineTest):
     def log(self):
-        """The log of four frames, at whose end the ball is at 8, 1."""
+        """A log of four frames; at the end, the ball is at 8, 1."""
         path = self.folder / "rolling.log"
         self.succeed("simulate", self.write("rolling.json", ROLLING), "--frames", "4", "--seconds-per-frame", "1",
                      "--log", path, "--output", self.folder / "frames.ndjson")
@@ -123,7 +123,7 @@ class QueryOfALog(CommandLineTest):
     def test_what_is_asked_later_and_what_went_wrong_changes_nothing(self):
         text = self.log().read_text()
         text += '{"call": "remove", "id": [7, 1]}\n{"refused": "there is none"}\n{"call": "pairs"}\n{"answer": []}\n'
-        text += '{"call": "remove", "id": [1, 1]}\n'  # which the program did not survive
+        text += '{"call": "remove", "id": [1, 1]}\n'  # during which the program crashed
         log = self.write("more.log", text)
         self.assertEqual(self.ask(log, "--point", "8,1")["found"], [{"name": "ball", "type": "sphere"}])
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Known answers on real scenes, counted independently, and the time they take from start to end. The folder is named by
-GRAZE_SHARED_DATA, or is ../shared/data beside the project."""
+"""Known answers on real scenes, counted independently, and the total time they take. The folder is in
+GRAZE_SHARED_DATA, or ../shared/data beside the project."""
 
 import json
 import os
@@ -11,7 +11,7 @@ from pathlib import Path
 from graze_program import ROOT, CommandLineTest
 
 DATA = Path(os.environ.get("GRAZE_SHARED_DATA", ROOT.parent / "shared" / "data"))
-GENEROUS_SECONDS = 10  # a sanitizer's build on a busy machine; an ordinary one takes a tenth of a second
+GENEROUS_SECONDS = 10  # for a sanitizer's build on a busy machine; an ordinary one takes a tenth of a second
 
 # Scene, further arguments, pairs.
 KNOWN = [

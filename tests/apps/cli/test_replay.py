@@ -24,7 +24,7 @@ class Replay(CommandLineTest):
         return path
 
     def wrong_log(self):
-        """The same log, in which the ball has touched the post for longer than it did."""
+        """The same log, in which the ball has touched the post longer than it actually did."""
         text = self.log().read_text()
         self.assertIn('"began", [1, 1], [2, 1]', text)
         return self.write("wrong.log", text.replace('"began", [1, 1], [2, 1]', '"stayed", [1, 1], [2, 1]'))

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""`graze simulate`: where objects are in a frame, what is told of it, and what is refused."""
+"""`graze simulate`: the positions of objects in each frame, the report, and errors."""
 
 import json
 import unittest
 
 from graze_program import YARD, CommandLineTest
 
-# The ball flies to the crate, at x = 0 to 2, and through it.
+# The ball moves to the crate, at x = 0 to 2, and through it.
 FLIGHT = YARD | {
     "objects": [
         {"name": "crate", "type": "aabb", "min": [0, 0], "max": [2, 2]},
@@ -36,7 +36,7 @@ class Simulate(CommandLineTest):
     def test_rounding_does_not_add_up(self):
         frames = self.frames_of(self.write("flight.json", FLIGHT), "--frames", "200", "--seconds-per-frame", "0.01")
         (first,) = [frame["frame"] for frame in frames if frame["began"]]
-        self.assertEqual(first, 100)  # three units in a second: the ball touches the crate, not more
+        self.assertEqual(first, 100)  # three units in a second: the ball just touches the crate
 
     def test_what_touches_at_the_start_began_in_frame_0(self):
         frames = self.frames_of(self.yard(), "--frames", "1")

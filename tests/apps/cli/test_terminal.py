@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Colours: on a terminal only, and only for those who want them."""
+"""Colours: only on a terminal, and only if wanted."""
 
 import unittest
 

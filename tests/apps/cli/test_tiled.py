@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tiled's maps: what graze makes of them covers what an independent reader says, and what is not read is said."""
+"""Tiled's maps: graze's shapes cover what an independent reader says, and omissions are reported."""
 
 import array
 import base64
@@ -25,7 +25,7 @@ TILE_SHAPES = {
 
 
 def covers_shape(shape, x, y):
-    """Whether a shape of graze's JSON covers a point; those without area cover none."""
+    """Whether a shape of graze's JSON covers a point; shapes without area cover none."""
     kind = shape["type"]
     if kind == "aabb":
         return all(low <= value <= high for low, value, high in zip(shape["min"], (x, y), shape["max"]))
@@ -103,7 +103,8 @@ def random_map(draw, orientation):
 
 class TiledMaps(CommandLineTest):
     def compare(self, path, draw, samples):
-        """Compares all layers at random points, but for those that are too near to a rim, and says how many were covered."""
+        """Compares all layers at random points, except those too close to a boundary, and returns how many were
+        covered."""
         expected = tiled_reader.Map(path)
         scene = json.loads(self.succeed("convert", path, "-")[0])
         layers = scene.get("layers") or ["layer 0"]

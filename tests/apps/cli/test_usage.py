@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Mistakes on the command line: exit code 2, the nearest known word, and how to get help."""
+"""Usage errors: exit code 2, the most similar known word, and how to get help."""
 
 import unittest
 
@@ -8,7 +8,7 @@ from graze_program import CommandLineTest
 
 class Usage(CommandLineTest):
     def refuse(self, *arguments, says, of=""):
-        """The program refuses, and points to the help of the program or `of` a command."""
+        """Asserts that the program reports an error and refers to the help of the program or `of` a command."""
         said = self.refused(*arguments, code=2, says=says)
         command = f"graze {of} --help" if of else "graze --help"
         self.assertEqual(said.splitlines()[1:], [f"graze: run `{command}` for usage"])

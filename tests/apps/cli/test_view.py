@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""`graze view` and `graze check --html`: pages that hold a scene and its pairs, and the address that shows them."""
+"""`graze view` and `graze check --html`: pages that contain a scene and its pairs, and the address that shows them."""
 
 import http.client
 import json
@@ -23,7 +23,7 @@ class ViewTest(CommandLineTest):
         return environment(GRAZE_REPORT_TEMPLATE=str(template or self.template))
 
     def data_of(self, page):
-        """What the page holds, as a browser would read it: up to the first end of a script."""
+        """The data in the page as a browser would parse it: up to the first end of a script."""
         head, rest = page.split(PLACE)
         text, tail = rest.split("</script>", 1)
         self.assertEqual((head, tail), tuple(TEMPLATE.split(PLACE + "</script>")))
@@ -53,7 +53,7 @@ class Page(ViewTest):
 
     def test_it_tells_nothing_of_folders(self):
         page = self.folder / "page.html"
-        # Of the map something is not read, which may be said to be somewhere.
+        # Part of the map is not read, and this must be reported.
         for scene in (self.yard().resolve(), (ROOT / "data" / "platform_level.tmx").resolve()):
             for command in (("view",), ("check", "--output", self.folder / "report.txt")):
                 with self.subTest(scene=scene.name, command=command[0]):

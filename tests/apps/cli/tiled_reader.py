@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""An independent reader of Tiled's XML maps, for comparison: which points the objects and the tiles of each layer cover.
+"""An independent reader of Tiled's XML maps, for comparison: which points the objects and the tiles of each layer
+cover.
 
-It maps a point of the screen back into the pixels in which each shape was drawn, as Tiled's documentation and renderers
-place them, and asks there. It knows nothing of graze, makes no shapes and merges nothing."""
+It maps a point of the screen back into the pixels in which each shape was drawn, as Tiled's documentation and
+renderers place them, and tests it there. It does not use graze, creates no shapes and merges nothing."""
 
 import base64
 import gzip
@@ -72,7 +73,7 @@ def covers_outline(element, width, height, x, y):
 
 
 def grid_matrix(orientation, rows, width, height, skew=(0.0, 0.0)):
-    """From the pixels of objects to the screen."""
+    """Maps the pixels of objects to the screen."""
     if orientation == "isometric":
         return moved(rows * width // 2, 0) @ Affine(width / 2 / height, 0.5, -width / 2 / height, 0.5)
     if orientation == "oblique":
@@ -204,7 +205,8 @@ class Map:
         if tileset.keeps_aspect:
             grow = (min(grow),) * 2
         flip_x, flip_y, diagonal = gid >> 31 & 1, gid >> 30 & 1, gid >> 29 & 1
-        # About the middle of the picture: scale and mirror, then swap the axes or turn, then go to the cell.
+        # Relative to the center of the picture: scales and mirrors, then swaps the axes or rotates, then translates to
+        # the cell.
         middle = scaled(*grow)
         width, height = size
         if self.orientation == "hexagonal":
