@@ -7,7 +7,7 @@ import { movedBy, scaledAbout, turnedAbout } from "./shapes/solid_edit";
 import type { Stage } from "./stage";
 import { minus } from "./vectors";
 
-/** The initial distance of the rotation and size handles from the centre, in pixels, and their minimum distance. */
+/** The initial distance of the rotation and size handles from the center, in pixels, and their minimum distance. */
 const reach = 46;
 const leastReach = 12;
 export const degreesOfKey = 5;
@@ -15,7 +15,7 @@ export const factorOfKey = 1.08;
 
 /** The positions of the handles, which stay where they were released. */
 export class Grasp {
-  /** Distance of the size handle from the centre, in pixels. */
+  /** Distance of the size handle from the center, in pixels. */
   distance = reach;
   /** Angles of the rotation and tilt handles from the vertical, clockwise in radians. */
   angles = { turn: 0, tilt: -Math.PI / 3 };
@@ -24,7 +24,7 @@ export class Grasp {
 export interface HeldShape {
   readonly name: string;
   readonly shape: Shape;
-  /** The centre of rotation. */
+  /** The center of rotation. */
   readonly middle: readonly number[];
   readonly edit: (shape: Shape) => void;
 }

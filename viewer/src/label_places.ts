@@ -28,7 +28,7 @@ export class LabelPlaces {
     [this.#taken, this.#width, this.#height] = [[...obstacles], width, height];
   }
 
-  /** Reserves and returns the centre of the text's line: at the requested shift, otherwise at a free position beside
+  /** Reserves and returns the center of the text's line: at the requested shift, otherwise at a free position beside
    * the point or, if none is free, the least obstructed one. */
   take(text: string, [x, y]: Point2, wished: Point2): Point2 {
     const half = widthOf(text) / 2 + margin;

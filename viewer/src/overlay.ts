@@ -21,7 +21,7 @@ export type Mark =
 interface HandleBase {
   readonly key: string;
   readonly label: string;
-  /** A grip is an invisible ring around a shape's centre, used only with the keyboard. */
+  /** A grip is an invisible ring around a shape's center, used only with the keyboard. */
   readonly kind?: "handle" | "grip";
   readonly onFocus?: () => void;
 }
@@ -167,7 +167,7 @@ export class Overlay {
     }
   }
 
-  /** A circle that reacts to the pointer, and a visible knob at its centre. */
+  /** A circle that reacts to the pointer, and a visible knob at its center. */
   #makeHandle(handle: AnyHandle): PlacedHandle {
     const isGrip = handle.kind === "grip";
     const reach = isGrip || window.matchMedia("(pointer: coarse)").matches ? touchRadius : pointerRadius;

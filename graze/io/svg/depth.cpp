@@ -70,7 +70,7 @@ class DepthOrder {
     return rank_[a] < rank_[b];
   }
 
-  /// True if the box's centre lies on the viewer's side of the sheet.
+  /// True if the box's center lies on the viewer's side of the sheet.
   bool is_under(const Plane<3, double>& sheet, const Aabb<3, double>& box) const {
     const Plane<3, double> unit = unit_plane(sheet);
     const double height = dot(unit.normal, box.center()) - unit.offset;
@@ -138,7 +138,7 @@ class DepthOrder {
   std::span<const Layered> things_;
   View<3> view_;
   Vec<3, double> viewer_;
-  std::vector<std::uint32_t> by_depth_;  ///< Items from far to near, by their centres.
+  std::vector<std::uint32_t> by_depth_;  ///< Items from far to near, by their centers.
   std::vector<std::uint32_t> rank_;      ///< The position of each item in `by_depth_`.
   std::vector<Order> orders_;
 };

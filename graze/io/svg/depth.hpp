@@ -22,7 +22,7 @@ struct Layered {
 /// The painting order (Newell, Newell and Sancha 1972, for boxes): of two items that overlap on screen, the one behind
 /// comes first, decided along the axis on which their boxes are farthest apart; a sheet comes before everything on the
 /// viewer's side of it. Cycles are broken at their farthest item. Beyond tens of millions of comparisons, items are
-/// sorted by the depth of their centres alone.
+/// sorted by the depth of their centers alone.
 std::vector<std::size_t> back_to_front(std::span<const Layered> things, const View<3>& view);
 
 }  // namespace graze::io::svg

@@ -57,7 +57,7 @@ Shape rectangle(const Aabb<2, double>& box, const TiledFrame& frame) {
                        frame.at(box.min + Point(0.0, size.y))});
 }
 
-/// A polygon with corners on the outline of a box with round ends: `reach` is the vector from the centre to the centres
+/// A polygon with corners on the outline of a box with round ends: `reach` is the vector from the center to the centers
 /// of the ends, `radii` are those of the ends.
 Shape rounded(const Point& center, const Point& reach, const Point& radii, const TiledFrame& frame) {
   std::vector<Point> rim;

@@ -54,7 +54,7 @@ TiledFrame picture_frame(const TiledTileUse& tile, const Point& picture, std::ui
   Point scale = size / picture;
   if (tileset.keeps_aspect) scale = Point(std::min(scale.x, scale.y));
   const Lay lay = lay_of(gid, scale, projection);
-  // Tiles rotate about the centre of their rectangle. After a quarter turn, the same corner is kept in place.
+  // Tiles rotate about the center of their rectangle. After a quarter turn, the same corner is kept in place.
   Point middle = Point(size.x / 2, -size.y / 2) + tileset.drawing_offset * scale;
   if (lay.degrees == 90) middle += (size.y - size.x) / 2;
   const Mat<2, double> turn = rotation_matrix(lay.degrees);

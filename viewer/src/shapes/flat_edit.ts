@@ -4,7 +4,7 @@ import type { Point2 } from "../stage";
 import { dot, lengthOf, minus, plus, times } from "../vectors";
 import { heading, sideways, type FlatShape } from "./flat_shape";
 
-/** The centre of rotation of a shape. */
+/** The center of rotation of a shape. */
 export function middleOf(shape: FlatShape): Point2 {
   switch (shape.type) {
     case "point":
@@ -51,7 +51,7 @@ export function moved(shape: FlatShape, by: Point2): FlatShape {
   return mapped(shape, (point) => plus(point, by), { degrees: 0, factor: 1 });
 }
 
-/** Rotated about a point. An axis-aligned box stays axis-aligned, and only its centre moves. */
+/** Rotated about a point. An axis-aligned box stays axis-aligned, and only its center moves. */
 export function turned(shape: FlatShape, degrees: number, about: Point2 = middleOf(shape)): FlatShape {
   const [right, up] = [heading(degrees), sideways(heading(degrees))];
   const turn = (vector: Point2): Point2 => plus(times(right, vector[0]), times(up, vector[1]));
@@ -66,7 +66,7 @@ export function turned(shape: FlatShape, degrees: number, about: Point2 = middle
   return mapped(shape, around, { degrees, factor: 1 });
 }
 
-/** Scaled about its centre. Half-spaces, lines and points have no size. */
+/** Scaled about its center. Half-spaces, lines and points have no size. */
 export function resized(shape: FlatShape, factor: number): FlatShape {
   if (shape.type === "half_space" || shape.type === "plane" || shape.type === "ray") return shape;
   const about = middleOf(shape);

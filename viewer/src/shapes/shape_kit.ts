@@ -14,12 +14,12 @@ export interface ShapeKit {
   readonly names: Readonly<Record<ShapeType, string>>;
   /** A new shape of about this size. */
   readonly make: (type: ShapeType, at: readonly number[], size: number) => Shape;
-  /** The centre of rotation of a shape. */
+  /** The center of rotation of a shape. */
   readonly middleOf: (shape: Shape) => readonly number[];
   readonly moved: (shape: Shape, by: readonly number[]) => Shape;
   /** Rotated about a point, in 3D about a vertical axis through it. */
   readonly turned: (shape: Shape, degrees: number, about: readonly number[]) => Shape;
-  /** Scaled about its centre. */
+  /** Scaled about its center. */
   readonly resized: (shape: Shape, factor: number) => Shape;
 }
 
@@ -60,7 +60,7 @@ function solidKit(graze: Graze): ShapeKit {
   };
 }
 
-/** The centre of its bounding box; for unbounded shapes the start, or the point nearest to the origin. */
+/** The center of its bounding box; for unbounded shapes the start, or the point nearest to the origin. */
 function middleOfSolid(graze: Graze, shape: Shape): number[] {
   if (shape.type === "ray") return Array.from(shape.origin);
   if (shape.type === "plane" || shape.type === "half_space") {

@@ -57,7 +57,7 @@ function cornerGrips(min: readonly number[], max: readonly number[]): SolidGrip[
   ];
 }
 
-/** The centre of a face; moving it keeps the opposite face in place. */
+/** The center of a face; moving it keeps the opposite face in place. */
 function sideGrips(shape: Extract<Shape, { type: "obb" }>): SolidGrip[] {
   const center = Array.from(shape.center);
   return (shape.axes ?? []).map((vector, axis) => {
