@@ -220,7 +220,7 @@ def add_tools(shop):
         x, y = shop.free_place(0.4)
         shop.add("tools", "set square", {"type": "triangle", "a": [x, y, 0.02], "b": [x + 0.35, y + 0.05, 0.02],
                                          "c": [x, y + 0.3, 0.02]})
-    for x, y in ((2.2, 5.1), (9.4, 4.9), (12.6, 5.2)):  # three balls that were dropped where another lies
+    for x, y in ((2.2, 5.1), (9.4, 4.9), (12.6, 5.2)):  # three spheres that overlap another
         shop.add("tools", "spill", sphere([x, y, 0.15], 0.15))
         shop.add("tools", "spill", sphere([x + 0.2, y, 0.16], 0.12))
 

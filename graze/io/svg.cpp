@@ -71,7 +71,7 @@ std::string opening(const svg::Frame& frame) {
 std::string empty_note(const svg::Frame& frame, std::span<const Omission> omissions) {
   const Vec<2, double> middle = frame.card.center();
   const std::string_view why =
-      omissions.empty() ? "nothing to draw" : "nothing to draw: what the file holds was not read";
+      omissions.empty() ? "nothing to draw" : "nothing to draw: the content of the file was not read";
   return fmt::format("<text class=\"small\" x=\"{}\" y=\"{}\">{}</text>\n", svg::number(middle.x),
                      svg::number(middle.y), why);
 }

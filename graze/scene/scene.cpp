@@ -70,7 +70,7 @@ ObjectId Scene<N, T>::add(AnyShape<N, T> shape, ObjectOptions options) {
     throw std::invalid_argument("Scene: there is already an object \"" + options.name + "\"");
   }
   if (ids_.is_full()) {
-    throw std::length_error("Scene: it is full; it holds " + std::to_string(max_objects) + " objects at most");
+    throw std::length_error("Scene: full; it holds at most " + std::to_string(max_objects) + " objects");
   }
 
   // Everything that can throw comes before the first visible change.

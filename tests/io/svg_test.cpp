@@ -149,7 +149,7 @@ TEST(Svg, says_what_was_not_read_also_where_nothing_is_drawn) {
   write_svg(out, file, {});
   const SvgPicture picture = checked(out.str(), 0);
   EXPECT_STREQ(picture.by_id("omissions").last_child().value(), "not read: 2 x tile layer");
-  EXPECT_NE(out.str().find(">nothing to draw: what the file holds was not read<"), std::string::npos);
+  EXPECT_NE(out.str().find(">nothing to draw: the content of the file was not read<"), std::string::npos);
 }
 
 TEST(Svg, names_what_it_can_of_many_objects) {

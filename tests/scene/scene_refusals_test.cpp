@@ -164,7 +164,7 @@ TEST(SceneThatIsFull, RefusesOneMoreSaysSoAndChangesNothing) {
   const test::SceneSight<2, double> before = test::ray_verdict_of<2, double>(scene);
   for (int time = 0; time < 2; ++time) {
     EXPECT_EQ(message_of<std::length_error>([&] { scene.add(Ball{}, {.name = "more"}); }),
-              "Scene: it is full; it holds 536870912 objects at most");
+              "Scene: full; it holds at most 536870912 objects");
     EXPECT_TRUE((test::ray_verdict_of<2, double>(scene) == before));
     EXPECT_EQ(scene.find("more"), std::nullopt);
   }

@@ -71,7 +71,7 @@ std::vector<Key> KeyTable::keys_of(std::span<const std::uint32_t> slots) const {
 }
 
 void KeyTable::throw_full() const {
-  throw std::length_error("SpatialIndex: it is full; it holds " + std::to_string(most_) + " boxes at most");
+  throw std::length_error("SpatialIndex: full; it holds at most " + std::to_string(most_) + " boxes");
 }
 
 void KeyTable::release(std::uint32_t slot) noexcept {

@@ -24,8 +24,8 @@ void count_omission(std::vector<Omission>& omissions, const OmissionKind& kind, 
 
 namespace tiled_omission {
 
-inline constexpr OmissionKind custom_property{"custom property", Loss::none, "a scene has no place for it"};
-inline constexpr OmissionKind object_class{"object class", Loss::none, "a scene has no place for it"};
+inline constexpr OmissionKind custom_property{"custom property", Loss::none, "a scene cannot store it"};
+inline constexpr OmissionKind object_class{"object class", Loss::none, "a scene cannot store it"};
 inline constexpr OmissionKind text_object{"text object", Loss::none, "its extent depends on a font"};
 inline constexpr OmissionKind image_layer{"image layer", Loss::none, "a picture has no shape"};
 inline constexpr OmissionKind layer_parallax{"layer parallax", Loss::precision,

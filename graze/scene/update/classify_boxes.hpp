@@ -19,7 +19,7 @@ namespace graze::detail {
 /// Lists the positions of all other pairs that are not as clearly apart, and returns their number. No data-dependent
 /// branches.
 template <Dim N, class T, class AreBoxes>
-// NOLINTNEXTLINE(readability-function-size): what it is told, and where it writes
+// NOLINTNEXTLINE(readability-function-size): input and output arrays
 std::size_t classify_bounds(const Aabb<N, T>* boxes, std::span<const Pair> pairs, T certain, const AreBoxes& are_boxes,
                             char* touches, std::size_t* open) {
   std::size_t count = 0;

@@ -135,7 +135,7 @@ HWY_INLINE std::size_t note(const DepthBits& bits, std::size_t place, char* touc
 }
 
 template <Dim N>
-// NOLINTNEXTLINE(readability-function-size): what it is told, and where it writes
+// NOLINTNEXTLINE(readability-function-size): input and output arrays
 std::size_t judge(const Aabb<N, float>* boxes, std::size_t boxes_in_row, const Pair* pairs, std::size_t count,
                   float certain, char* touches, std::size_t* open) {
   const bool asks_ahead = boxes_in_row * sizeof *boxes > bytes_near;

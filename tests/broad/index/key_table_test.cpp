@@ -106,7 +106,7 @@ TEST(KeyTable, IsFullAtItsLimitAndRecovers) {
     table.prepare();
     FAIL() << "no error";
   } catch (const std::length_error& error) {
-    EXPECT_EQ(std::string(error.what()), "SpatialIndex: it is full; it holds 2 boxes at most");
+    EXPECT_EQ(std::string(error.what()), "SpatialIndex: full; it holds at most 2 boxes");
     EXPECT_TRUE(table.is_full());
   }
   EXPECT_EQ(table.size(), 2U);
