@@ -74,15 +74,15 @@ class Query(CommandLineTest):
     def test_what_cannot_be_asked_is_named(self):
         scene = self.yard()
         self.wrong("no query is given", scene)
-        self.wrong("several questions", scene, "--point", "0,0", "--box", "0,0,1,1")
+        self.wrong("several queries", scene, "--point", "0,0", "--box", "0,0,1,1")
         self.wrong("--nearest needs --point", scene, "--box", "0,0,1,1", "--nearest", "3")
         for count in ("-3", "0"):
             self.wrong(f"--nearest is {count}; it must be 1 or more", scene, "--point", "0,0", "--nearest", count)
         self.wrong("--t-max needs --ray", scene, "--point", "0,0", "--t-max", "3")
         self.wrong("--first needs --ray", scene, "--point", "0,0", "--first")
         self.wrong('--point "0,0,0" has 3 numbers; it takes x,y', scene, "--point", "0,0,0")
-        self.wrong("is not a list of numbers", scene, "--point", "0,x")
-        self.wrong("is not a list of numbers", scene, "--point", "0,")
+        self.wrong("is not a comma-separated list of numbers", scene, "--point", "0,x")
+        self.wrong("is not a comma-separated list of numbers", scene, "--point", "0,")
         self.wrong("negative radius", scene, "--sphere", "0,0,-1")
         self.wrong("direction", scene, "--ray", "0,0,0,0")
         self.wrong("t_max", scene, "--ray", "0,0,1,0", "--t-max", "-1")

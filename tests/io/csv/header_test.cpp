@@ -45,8 +45,8 @@ TEST(CsvHeader, TakesTheFirstKindThatHasAColumn) {
 
 TEST(CsvHeader, NamesWhatIsMissing) {
   EXPECT_EQ(error_of([] { header("a,b,c"); }),
-            "a.csv: line 1, column 1: there is no column \"min_x\"; boxes need min_x, min_y, max_x, max_y, circles x, "
-            "y, radius, capsules ax, ay, bx, by, radius, in 3D also those of z; id and layer are optional");
+            "a.csv: line 1, column 1: there is no column \"min_x\"; boxes need min_x, min_y, max_x, max_y; circles x, "
+            "y, radius; capsules ax, ay, bx, by, radius; in 3D also those of z; id and layer are optional");
   EXPECT_EQ(error_of([] { header("AX,AY,BX,BY,radius"); }),
             "a.csv: line 1, column 1: there is no column \"ax\"; is it the one called \"AX\"?");
 }
