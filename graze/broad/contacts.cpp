@@ -24,13 +24,13 @@ namespace graze {
 namespace detail {
 namespace {
 
-/// Candidates per task, each some hundredths of a microsecond.
+/// Candidates per task, each taking some hundredths of a microsecond.
 constexpr std::size_t candidates_per_task = 4096;
 
-/// Manifolds per task, each some hundredths of a microsecond or more: as many as a kernel takes in one go.
+/// Manifolds per task, each taking some hundredths of a microsecond or more: the maximum of a kernel's batch.
 constexpr std::size_t manifolds_per_task = most_obbs_to_contact;
 
-/// A pair that touches, and what is known of it if both are oriented boxes in space.
+/// A touching pair, and the axis test's result if both are 3D oriented boxes.
 struct TouchingPair {
   Pair pair;
   ObbsLook look;
@@ -46,7 +46,7 @@ bool is_obb(const AnyShape<N, T>& shape) {
   return std::holds_alternative<Obb<N, T>>(shape);
 }
 
-/// Where the box of a shape that is one lies.
+/// The address of the box in a shape that is one.
 template <Dim N, class T>
 const Obb<N, T>* obb_of(const AnyShape<N, T>& shape) {
   const auto* box = std::get_if<Obb<N, T>>(&shape);
@@ -54,7 +54,7 @@ const Obb<N, T>* obb_of(const AnyShape<N, T>& shape) {
   return box;
 }
 
-/// As look_at_boxes, of as many as a kernel takes in one go, at most.
+/// look_at_boxes for at most one batch.
 template <class T, class ShapesAt>
 void look_at_some_boxes(std::size_t count, const ShapesAt& shapes_at, ObbsLook* looks) {
   std::array<TwoObbs<T>, most_obbs_to_contact> boxes;
@@ -73,8 +73,8 @@ void look_at_some_boxes(std::size_t count, const ShapesAt& shapes_at, ObbsLook* 
   for (std::size_t i = 0; i < box_count; ++i) looks[places[i]] = found[i];
 }
 
-/// Looks at the axes of those of `count` pairs, shapes_at(0) ..., that are oriented boxes in space, and leaves the
-/// looks of the others as they are.
+/// Tests the axes of those of `count` pairs, shapes_at(0) ..., that are 3D oriented boxes; leaves the results of the
+/// others unchanged.
 template <Dim N, class T, class ShapesAt>
 void look_at_boxes(std::size_t count, const ShapesAt& shapes_at, ObbsLook* looks) {
   if constexpr (N == 3) {
@@ -86,8 +86,8 @@ void look_at_boxes(std::size_t count, const ShapesAt& shapes_at, ObbsLook* looks
   }
 }
 
-/// Which candidates of a task touch. Oriented boxes in space show it, nearly all, by the look at their axes that their
-/// contact needs.
+/// Which candidates of a task touch. For nearly all 3D oriented boxes, the axis test that their contact needs anyway
+/// decides.
 template <Dim N, class T>
 class CandidatesOfTask {
  public:
@@ -98,11 +98,11 @@ class CandidatesOfTask {
     judge_open();
   }
 
-  /// Writes those that touch to `out`, which has room for all, in their order. Returns how many.
+  /// Writes the touching pairs to `out`, which has space for all, in order. Returns their number.
   std::size_t keep_touching(TouchingPair* out) const {
     TouchingPair* end = out;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
-      end->pair = candidates_[i];  // one by one: of a whole struct GCC makes a copy first, read otherwise than written
+      end->pair = candidates_[i];  // member by member: GCC would copy the struct with other widths than it was written
       end->look = looks_[i];
       end += looks_[i].is_apart() ? 0 : 1;
     }
@@ -136,14 +136,14 @@ class CandidatesOfTask {
   std::array<ObbsLook, candidates_per_task> looks_{};
 };
 
-/// Pairs of spheres, capsules and boxes in space, but for those with an oriented box on another box, collected by kind
-/// for the kernels that write their manifolds.
+/// Collects 3D pairs of spheres, capsules and boxes, except an oriented box with another box, by kind for the kernels
+/// that write their manifolds.
 template <class T>
 class PrimitivePairs {
  public:
   using Shapes = ShapePair<3, T>;
 
-  /// False for others. At most as many as a task has.
+  /// False for other pairs. The capacity is one task.
   bool add(const Shapes& shapes, Manifold<3, T>* manifold, std::size_t place) {
     if (const auto* sphere = std::get_if<Sphere3>(shapes.a))
       return add_sphere(*sphere, *shapes.b, false, manifold, place);
@@ -161,7 +161,7 @@ class PrimitivePairs {
            add_alike<Aabb<3, T>>(PrimitiveKind::aabb_aabb, shapes, manifold, place);
   }
 
-  /// contact_one(place) for those that the kernels leave.
+  /// Calls contact_one(index) for the pairs that the kernels leave.
   template <class ContactOne>
   void contact(const ContactOne& contact_one) const {
     for (std::size_t kind = 0; kind < primitive_kinds; ++kind) {
@@ -206,7 +206,7 @@ class PrimitivePairs {
            add_to(PrimitiveKind::capsule_obb, std::get_if<Obb<3, T>>(&other));
   }
 
-  /// Two of the same kind, in the order of their contact.
+  /// Two shapes of the same kind, in the order of their contact.
   template <class S>
   bool add_alike(PrimitiveKind kind, const Shapes& shapes, Manifold<3, T>* manifold, std::size_t place) {
     const auto* a = std::get_if<S>(shapes.a);
@@ -217,7 +217,7 @@ class PrimitivePairs {
     return true;
   }
 
-  /// Where they begin: the struct holds nothing else.
+  /// The address of its numbers: the struct contains nothing else.
   template <class S>
   static const T* numbers(const S& shape) {
     static_assert(std::is_standard_layout_v<S> && sizeof(S) % sizeof(T) == 0);
@@ -233,10 +233,10 @@ class PrimitivePairs {
   std::array<List, primitive_kinds> lists_;
 };
 
-/// Writes the manifolds of a task's pairs, which touch: `count` of them, at most as many as a task has, that of
-/// shapes_at(i) to manifold_at(i), with what look_at(i) has shown. What kernels take in space, which is most of
-/// spheres, capsules and boxes, is collected for them; to take others of a kind together gains nothing, since a
-/// manifold takes far longer than it takes to find its kind.
+/// Writes the manifolds of a task's touching pairs: `count` of them, at most a task's worth. The one of shapes_at(i)
+/// goes to manifold_at(i); look_at(i) is the result of its axis test. 3D pairs that kernels support, which are most
+/// pairs of spheres, capsules and boxes, are collected for them. Grouping the others by kind gains nothing, since a
+/// manifold takes far longer than finding its kind.
 template <Dim N, class T, class ShapesAt, class LookAt, class ManifoldAt>
 void write_manifolds(std::size_t count, const ShapesAt& shapes_at, const LookAt& look_at,
                      const ManifoldAt& manifold_at) {

@@ -23,7 +23,7 @@ constexpr std::size_t pairs_in_task = 4096;
 /// Pairs of one kind that are collected before their kernel runs.
 constexpr std::size_t queue_size = 4 * touch_group;
 
-/// Up to this size all shapes may be in a core's own cache, where asking for them ahead takes more time than it saves.
+/// Up to this size all shapes may be in a core's own cache, where prefetching costs more than it saves.
 constexpr std::size_t cache_size = std::size_t{1} << 21U;
 
 /// No kernel.
@@ -37,11 +37,11 @@ constexpr std::size_t place_among(std::index_sequence<I...>) {
   return ((std::is_same_v<S, std::variant_alternative_t<I, Any>> ? I : 0) + ...);
 }
 
-/// The place of a type in AnyShape.
+/// The index of a type in AnyShape.
 template <class S, class Any>
 constexpr std::size_t place_of = place_among<S, Any>(std::make_index_sequence<std::variant_size_v<Any>>());
 
-/// The kernel of two types by their places in AnyShape, the lower first.
+/// The kernel of two types, given by their indices in AnyShape, the lower first.
 template <Dim N, class T>
 constexpr auto kinds_by_place() {
   using Any = AnyShape<N, T>;
@@ -69,15 +69,15 @@ constexpr auto kinds_by_place() {
   return kinds;
 }
 
-/// Where the numbers of a struct begin: it holds nothing but numbers.
+/// The address of the numbers of a struct that contains only numbers.
 template <class T, class S>
 const T* numbers_of(const S& shape) {
   static_assert(std::is_standard_layout_v<S> && std::is_trivially_copyable_v<S> && sizeof(S) % sizeof(T) == 0);
   return reinterpret_cast<const T*>(&shape);
 }
 
-/// Where the numbers of a sphere, box, oriented box or capsule begin: in truth at one place for all of them, so that
-/// nothing is left to choose.
+/// The address of the numbers of a sphere, box, oriented box or capsule; it is the same for all of them, so this
+/// compiles without a branch.
 template <Dim N, class T>
 const T* numbers_of_held(const AnyShape<N, T>& shape) {
   if (const auto* sphere = std::get_if<Sphere<N, T>>(&shape)) return numbers_of<T>(*sphere);
@@ -86,7 +86,7 @@ const T* numbers_of_held(const AnyShape<N, T>& shape) {
   return numbers_of<T>(*std::get_if<Capsule<N, T>>(&shape));
 }
 
-/// Collects pairs by kind, and has them judged by the vector.
+/// Collects pairs by kind, and decides them with vector kernels.
 template <Dim N, class T>
 class Judge {
  public:
@@ -107,7 +107,8 @@ class Judge {
         continue;
       }
       const std::array<const T*, 2> numbers{numbers_of_held<N, T>(a), numbers_of_held<N, T>(b)};
-      const std::size_t lower = b.index() < a.index() ? 1 : 0;  // an index and no branch, which would guess wrong
+      // an index instead of a branch, which would be mispredicted
+      const std::size_t lower = b.index() < a.index() ? 1 : 0;
       add(kind, numbers[lower], numbers[1 - lower], i);
     }
     for (std::uint8_t kind = 0; kind < touch_kinds; ++kind) flush(kind);
@@ -156,11 +157,11 @@ class Judge {
   std::array<Queue, touch_kinds> queues_;
 };
 
-/// The kernels of pairs of one type, one after the other.
+/// Runs the kernels for pairs of one type, one after the other.
 template <class T>
 struct ListKernels {
   TouchListKernel<T> of_all;
-  TouchListKernel<T> of_open = nullptr;  ///< For what the first has left open, if it can say more.
+  TouchListKernel<T> of_open = nullptr;  ///< For what the first leaves open, if it can decide more.
 };
 template <Dim N, class T>
 ListKernels<T> kernels_of(const TouchingKernels<T>& kernels, std::type_identity<Sphere<N, T>>) {
@@ -179,7 +180,7 @@ ListKernels<T> kernels_of(const TouchingKernels<T>& kernels, std::type_identity<
   return {kernels.of_capsules};
 }
 
-/// Asks for the shapes that come second. The first ones usually are in order.
+/// Prefetches the second shapes. The first ones usually are in order.
 template <class S>
 void fetch_shapes(std::span<const S> shapes, std::span<const Pair> pairs) {
   for (const Pair& pair : pairs) prefetch(&shapes[pair.b]);
@@ -200,7 +201,7 @@ class TaskOfOneType {
     judge_open();
   }
 
-  /// Writes those that touch to `out`, which has room for all, in their order. Returns how many.
+  /// Writes the touching pairs to `out`, which has space for all, in order. Returns their number.
   std::size_t keep_touching(Pair* out) const {
     const std::size_t groups = pairs_.size() / touch_group;
     std::size_t kept = kernels_.keep(pairs_.data(), verdicts_.data(), groups, out);
@@ -233,7 +234,7 @@ class TaskOfOneType {
     judge(judges_.of_all, padded.data(), touch_group, &verdicts_[whole / touch_group]);
   }
 
-  /// Collects what is open, and decides it by the other kernel or one by one.
+  /// Collects open pairs, and decides them by the other kernel or one by one.
   void judge_open() {
     std::array<std::uint32_t, queue_size> open;
     std::size_t count = 0;

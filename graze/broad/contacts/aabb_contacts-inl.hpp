@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The manifolds of many pairs of boxes along the coordinate axes, a lane for each: penetration_of_simple and
-// query/patch/aabb_manifold.hpp, to the bit. Included once for each instruction set, hence no ordinary guard.
+// The manifolds of many pairs of AABBs, one pair per lane: bit-identical to penetration_of_simple and
+// query/patch/aabb_manifold.hpp. Included once per instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_CONTACTS_AABB_CONTACTS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_AABB_CONTACTS_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_AABB_CONTACTS_INL_HPP
@@ -26,8 +26,8 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
-/// A corner of what two faces share, as bits: whose face it is (the axis by 32, 16 more if it looks the far way), the
-/// corner by 4, and 2 and 1 more if it lies at the face's own end along the next axis and along the last.
+/// A corner of the common part of two faces, as bits: whose face it is (the axis by 32, plus 16 if it is the far one),
+/// the corner by 4, plus 2 and 1 if it is at the face's own end along the next axis and along the last.
 inline constexpr std::size_t shared_corners = 96;
 inline const std::array<Feature, shared_corners>& features_of_shared() {
   static const auto features = [] {
@@ -41,7 +41,7 @@ inline const std::array<Feature, shared_corners>& features_of_shared() {
   return features;
 }
 
-/// A box' ends along each axis.
+/// A box's ends along each axis.
 struct AabbLanes {
   Point min;
   Point max;
@@ -63,11 +63,11 @@ struct AabbLanes {
   }
 };
 
-/// The axis across which two boxes are least deep.
+/// The axis of least depth of two boxes.
 struct LeastDepth {
   Doubles depth;
   Doubles axis;
-  DoublesMask is_far;  ///< The first box' far face, and the second one's near one.
+  DoublesMask is_far;  ///< The first box's far face, and the second one's near one.
 
   HWY_INLINE LeastDepth(const AabbLanes& a, const AabbLanes& b) : is_far(no_lane()) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -81,13 +81,13 @@ struct LeastDepth {
     }
   }
 
-  /// One of three numbers, that along this axis turned on by so many.
+  /// One of three numbers, `turns` after the one along this axis.
   HWY_INLINE Doubles along(const Point& v, std::size_t turns) const {
     return hn::IfThenElse(hn::Eq(axis, both(0)), v.at[turns],
                           hn::IfThenElse(hn::Eq(axis, both(1)), v.at[(1 + turns) % 3], v.at[(2 + turns) % 3]));
   }
 
-  /// The other way round: three numbers along the axis, the next and the last one.
+  /// The inverse: a point from the numbers along the axis, the next and the last one.
   HWY_INLINE Point placed(Doubles on_axis, Doubles on_next, Doubles on_last) const {
     const Point of{{on_axis, on_next, on_last}};
     const auto at = [&](std::size_t i) HWY_ATTR {
@@ -120,7 +120,7 @@ struct SharedLanes {
   }
 };
 
-/// The manifolds of a group of pairs in the order of their contact, to be written one by one.
+/// The manifolds of a group of pairs in their contact order, written one by one.
 template <class T>
 class AabbContacts {
  public:
@@ -141,7 +141,8 @@ class AabbContacts {
       const std::size_t up = corner >> 1U;
       const Point on_a = least.placed(of_a, x.end[right], y.end[up]);
       const Point on_b = least.placed(of_b, x.end[right], y.end[up]);
-      const Point middle = on_a * both(0.5) + on_b * both(0.5);  // halves first, as of manifolds that are not of obbs
+      // halves first, as in manifolds of other shapes than obbs
+      const Point middle = on_a * both(0.5) + on_b * both(0.5);
       points_[corner].set(on_a, on_b, middle, least.depth, turns);
       const Doubles by_reference = hn::Add(hn::Add(x.is_reference[right], x.is_reference[right]), y.is_reference[up]);
       const Doubles place = hn::Add(face, both(static_cast<double>(4 * corner)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The manifolds of many pairs of capsules and boxes in space. Included once for each instruction set, hence no ordinary
-// guard.
+// The manifolds of many pairs of 3D capsules and boxes. Included once per instruction set, so it has no ordinary
+// include guard.
 #if defined(GRAZE_BROAD_CONTACTS_CAPSULE_BOXES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_CAPSULE_BOXES_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_CAPSULE_BOXES_INL_HPP
@@ -24,13 +24,13 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
-/// The manifolds of a group of pairs of capsules and boxes, to be written one by one.
+/// The manifolds of a group of pairs of capsules and boxes, written one by one.
 template <class T>
 class CapsuleContacts {
  public:
   HWY_INLINE CapsuleContacts(const CapsuleAndBox& pair, CapsuleContact& contact, std::uint32_t turned)
       : turned_(turned) {
-    const Mask turns = hn::Not(mask_of(Tag<double>(), turned));  // what comes from the box, it is by nature
+    const Mask turns = hn::Not(mask_of(Tag<double>(), turned));  // the calculation goes from the box to the capsule
     rows_.set(contact.normal, contact.error, turns);
     Mask is_clear = contact.meets && is_usual_size(pair.size) && (contact.is_over || contact.is_single);
     if (any(contact.is_over)) {

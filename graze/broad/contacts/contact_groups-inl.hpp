@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Takes many pairs to a kernel, as many at once as there are lanes. Included once for each instruction set, hence no
-// ordinary guard.
+// Passes many pairs to a kernel in groups of one pair per lane. Included once per instruction set, so it has no
+// ordinary include guard.
 #if defined(GRAZE_BROAD_CONTACTS_CONTACT_GROUPS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_CONTACT_GROUPS_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_CONTACT_GROUPS_INL_HPP
@@ -21,8 +21,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 
-/// Writes the manifolds of pairs but for those that it leaves, as ContactKernel. contacts_of(first, second, turned)
-/// makes those of a group: of shapes whose numbers lie at these places, and with a bit for each that is turned.
+/// Writes the manifolds of the pairs that it does not leave, as a ContactKernel. contacts_of(first, second, turned)
+/// calculates those of a group: the arguments are the addresses of the shapes' numbers, and one bit per pair for
+/// `turned`.
 template <Dim N, class T, class ContactsOf>
 HWY_INLINE std::size_t contact_groups(std::span<const PrimitivesToContact<N, T>> pairs, std::uint32_t* left,
                                       const ContactsOf& contacts_of) {

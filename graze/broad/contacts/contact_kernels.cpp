@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled once per instruction set: Highway includes this file anew for each.
+// Compiled once per instruction set: Highway includes this file again for each.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,7 @@
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 
-// Vectors of two doubles gain nothing over single calls. Elsewhere all pairs are left.
+// Vectors of two doubles gain nothing over single calls; with them, all pairs are left.
 #undef GRAZE_PRIMITIVE_LANES
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_WASM && HWY_HAVE_FLOAT64
 #define GRAZE_PRIMITIVE_LANES (HWY_MAX_BYTES >= 32 && HWY_NATIVE_FMA)
@@ -31,7 +31,7 @@ namespace {
 
 #if GRAZE_PRIMITIVE_LANES
 
-/// The manifolds of a group of pairs, whose numbers lie at these places.
+/// The manifolds of a group of pairs, whose numbers are at these addresses.
 template <PrimitiveKind kind, class T>
 HWY_INLINE auto contacts_of_group(const T* const* first, const T* const* second, std::uint32_t turned) {
   if constexpr (kind == PrimitiveKind::aabb_aabb) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The manifolds of many pairs of spheres and capsules, of either and boxes, or of boxes along the axes, in space, that
-// touch, a lane for each, once for every set of vector instructions that the compiler knows: in double and operation by
-// operation what manifold(a, b) does, so that the answers are the same to the bit. A kernel leaves the pairs of which
-// not all is clear; which these are does not depend on the machine, but that those without vectors of four doubles
-// leave all.
+// The manifolds of many touching pairs of 3D spheres and capsules, of either with boxes, or of AABBs, one pair per
+// lane, compiled for each instruction set. They calculate in double with the operations of manifold(a, b), so the
+// answers are bit-identical. A kernel leaves pairs that are not certain; which these are does not depend on the
+// machine, except that machines without vectors of four doubles leave all.
 #pragma once
 
 #include <array>
@@ -29,9 +28,8 @@ enum class PrimitiveKind : std::uint8_t {
 };
 inline constexpr std::size_t primitive_kinds = 8;
 
-/// The numbers of two valid shapes that touch, and where their manifold goes. A sphere comes before others, and a
-/// capsule before boxes; of two capsules, or boxes, the one that does in the order of shapes of one type
-/// (shape/fields/shape_order.hpp).
+/// The numbers of two valid touching shapes, and where their manifold goes. A sphere comes first, then a capsule, then
+/// a box; two capsules or boxes are in the order of shapes of one type (shape/fields/shape_order.hpp).
 template <Dim N, class T>
 struct PrimitivesToContact {
   const T* first;
@@ -40,12 +38,12 @@ struct PrimitivesToContact {
   Manifold<N, T>* manifold;
 };
 
-/// Writes the manifolds of most pairs, which must be as they are made: what stays zero in them is not written. `left`,
-/// which has room for all, receives the places of the others; returns how many these are.
+/// Writes the manifolds of most pairs, which must be value-initialised, because zeros are not written. `left`, which
+/// has space for all, receives the indices of the other pairs; returns their number.
 template <Dim N, class T>
 using ContactKernel = std::size_t (*)(std::span<const PrimitivesToContact<N, T>> pairs, std::uint32_t* left);
 
-/// What kernels do where there are no vectors for them.
+/// The kernel for machines without suitable vectors.
 inline std::size_t leave_all(std::size_t count, std::uint32_t* left) {
   for (std::size_t i = 0; i < count; ++i) left[i] = static_cast<std::uint32_t>(i);
   return count;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How spheres, capsules and boxes in space touch each other, a lane for each pair, and their numbers as they lie in
-// memory. Included once for each instruction set, hence no ordinary guard.
+// Contacts of 3D spheres, capsules and boxes, one pair per lane, and loading their numbers. Included once per
+// instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_CONTACTS_FAST_CONTACT_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_FAST_CONTACT_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_FAST_CONTACT_INL_HPP
@@ -23,7 +23,7 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
-// Each after what it needs.
+// The order matters.
 // clang-format off
 #include <graze/query/fast_contact/spheres_and_capsules-inl.hpp>
 #include <graze/query/fast_contact/sphere_box-inl.hpp>
@@ -32,10 +32,11 @@ namespace graze::detail::HWY_NAMESPACE {
 #include <graze/query/fast_contact/capsule_box-inl.hpp>
 // clang-format on
 
-/// Where products of four such lengths stay in the range of double: others are left to the single query, which scales.
+/// Whether products of four such lengths stay in the range of double: other pairs are left to the single query, which
+/// scales.
 HWY_INLINE Mask is_usual_size(Real size) { return size > 0x1p-200 && size < 0x1p200; }
 
-/// The first numbers of the struct of each lane, in double.
+/// The first numbers of each lane's struct, in double.
 template <class T, std::size_t count>
 HWY_INLINE void load_wide(const T* const* rows, Real (&numbers)[count]) {
   if constexpr (std::is_same_v<T, double>) {
@@ -49,7 +50,7 @@ HWY_INLINE void load_wide(const T* const* rows, Real (&numbers)[count]) {
   }
 }
 
-/// A place whose coordinates begin there.
+/// A position from the coordinates at these addresses.
 template <Dim N>
 HWY_INLINE LaneVec<N, double> place_at(const Real* numbers) {
   if constexpr (N == 2) return {{numbers[0], numbers[1]}};
@@ -70,8 +71,8 @@ HWY_INLINE CapsuleNumbers<LaneVec<N, double>> load_capsules(const T* const* rows
   return {place_at<N>(numbers), place_at<N>(numbers + N), numbers[2 * N]};
 }
 
-/// Boxes seen from there, those `along` the axes or oriented ones. Written where they stay, number by number: rows of
-/// vectors that are copied go through memory.
+/// Boxes relative to a point, AABBs if `along`, otherwise oriented ones. Written in place, number by number: copies of
+/// rows of vectors go through memory.
 template <bool along, class T>
 HWY_INLINE void load_boxes_from(const Point& origin, const T* const* rows, BoxNumbers<along>& box) {
   if constexpr (along) {

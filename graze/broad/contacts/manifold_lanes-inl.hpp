@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vectors in double and oriented boxes, a lane for each pair, calculated with as PairedVec in math/lanes/lanes.hpp to
-// the bit: no product is added without being rounded first. Included once for each instruction set, hence no ordinary
-// guard.
+// Vectors in double and oriented boxes, one pair per lane, bit-identical to PairedVec in math/lanes/lanes.hpp: products
+// are rounded before they are added. Included once per instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_CONTACTS_MANIFOLD_LANES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_MANIFOLD_LANES_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_MANIFOLD_LANES_INL_HPP
@@ -34,11 +33,11 @@ struct alignas(64) Row {
   T of[pairs_at_once];
 };
 
-/// Bits of each pair, as long as its numbers: masks are few, and take long to be put aside.
+/// Bits of each pair, as wide as its numbers: there are few mask registers, and spilling them is slow.
 using BitsTag = hn::RebindToUnsigned<Tag<double>>;
 using Bits = hn::Vec<BitsTag>;
 
-/// Every bit in all lanes, for T as long as a lane: read, which takes less than to make them.
+/// A single bit in all lanes, for T as wide as a lane: loaded, which is faster than generating it.
 template <class T>
 struct alignas(64) BitsInLanes {
   static constexpr std::size_t count = 16;
@@ -54,7 +53,7 @@ struct alignas(64) BitsInLanes {
 template <class T>
 inline constexpr BitsInLanes<T> bits_in_lanes;
 
-/// A mask of bits, one for each lane.
+/// A bit mask, one bit per lane.
 template <class D>
 HWY_INLINE hn::Mask<D> mask_of(D d, std::uint32_t bits) {
   const std::uint64_t wide = bits;
@@ -68,15 +67,15 @@ HWY_INLINE DoublesMask has_bit(Bits bits, std::size_t place) {
 HWY_INLINE Bits bit_where(DoublesMask mask, std::size_t place) {
   return hn::IfThenElseZero(hn::RebindMask(BitsTag(), mask), bit_at(place));
 }
-/// The lowest of each pair.
+/// The lowest bit of each pair.
 HWY_INLINE Bits first_of(Bits bits) { return hn::And(bits, hn::Sub(hn::Zero(BitsTag()), bits)); }
 
 HWY_INLINE Doubles both(double value) { return hn::Set(Tag<double>(), value); }
-/// Of numbers that are whole, and not below zero.
+/// For non-negative integers.
 HWY_INLINE Bits whole(Doubles v) { return hn::BitCast(BitsTag(), hn::ConvertTo(hn::RebindToSigned<Tag<double>>(), v)); }
 HWY_INLINE DoublesMask no_lane() { return hn::Lt(both(0), both(0)); }
 
-/// As std::max and std::min, also of zeros of either sign.
+/// As std::max and std::min, also for zeros of either sign.
 HWY_INLINE Doubles max_of(Doubles a, Doubles b) { return hn::IfThenElse(hn::Lt(a, b), b, a); }
 HWY_INLINE Doubles min_of(Doubles a, Doubles b) { return hn::IfThenElse(hn::Lt(b, a), b, a); }
 HWY_INLINE Doubles sign_of(Doubles v) { return hn::CopySign(both(1), hn::Add(v, both(0))); }
@@ -105,7 +104,7 @@ HWY_INLINE Point one_of(const DoublesMask& mask, const Point& yes, const Point& 
            hn::IfThenElse(mask, yes.at[2], no.at[2])}};
 }
 
-/// Boxes as PairedBox of query/fast_contact/obb/faces.hpp.
+/// Boxes like PairedBox of query/fast_contact/obb/faces.hpp.
 struct BoxLanes {
   Point center;
   Point axes[3];
@@ -133,8 +132,8 @@ HWY_INLINE Doubles size_of(const BoxLanes& box) {
   return sum(along(0), along(1), along(2));
 }
 
-/// With the axes turned on so far that the one with this number, 0, 1 or 2, is the first.
-/// Written where it stays: what is returned to a member of a struct is copied, by an instruction for long rows.
+/// Rotates the axes so that the one with this number, 0, 1 or 2, is the first.
+/// Written in place: a returned struct would be copied, by an instruction for long rows.
 HWY_INLINE void turn_to(const BoxLanes& box, Doubles first, BoxLanes& result) {
   const DoublesMask is_second = hn::Eq(first, both(1));
   const DoublesMask is_third = hn::Eq(first, both(2));
@@ -157,7 +156,7 @@ HWY_INLINE BoxLanes turned_to(const BoxLanes& box, Doubles first) {
   return result;
 }
 
-/// Number k of eight rows of eight into out[k], by few moves: what load_struct does goes by blocks of two numbers.
+/// Transposes eight rows of eight into out[k], with few shuffles: load_struct uses blocks of two numbers.
 #if HWY_TARGET <= HWY_AVX3
 HWY_INLINE void transpose_eight(const __m512d (&rows)[8], Doubles* out) {
   __m512d pairs[8];  // of rows i and i + 1: numbers 0, 2, 4, 6 and 1, 3, 5, 7
@@ -240,7 +239,7 @@ struct BoxPair {
   BoxLanes box[2];
 };
 
-/// In the order of their contact, seen from the first one's center. Returns where that is.
+/// Puts the boxes in their contact order, relative to the first one's center. Returns that center.
 HWY_INLINE Point see_from_first(BoxPair& pair) {
   const Point origin = pair.box[0].center;
   pair.box[1].center = pair.box[1].center - origin;
@@ -248,7 +247,8 @@ HWY_INLINE Point see_from_first(BoxPair& pair) {
   return origin;
 }
 
-/// The gap on the normal of a box' first face, or on the cross product of the first edges of both, as MeetingObbs.
+/// The gap along the normal of a box's first face, or along the cross product of the first edges of both, as in
+/// MeetingObbs.
 struct AxisLanes {
   Point normal;
   Doubles gap;
@@ -265,7 +265,7 @@ HWY_INLINE AxisLanes axis_of_face(const BoxLanes& own, Dim axis, const BoxLanes&
   return {across * sign_of(ahead), hn::Sub(hn::Abs(ahead), reach)};
 }
 
-/// As AxisAcrossEdges, of boxes seen from the first one's center.
+/// As AxisAcrossEdges, for boxes relative to the first one's center.
 struct EdgesLanes {
   Point across;
   Doubles squared;
@@ -275,7 +275,7 @@ struct EdgesLanes {
   HWY_INLINE EdgesLanes(const BoxLanes& a, Dim i, const BoxLanes& b, Dim j)
       : EdgesLanes(a, i, b, j, cross(a.axes[i], b.axes[j])) {}
 
-  /// With the cross product at hand.
+  /// With a given cross product.
   HWY_INLINE EdgesLanes(const BoxLanes& a, Dim i, const BoxLanes& b, Dim j, const Point& product)
       : across(product), squared(dot(across, across)), ahead(dot(across, b.center)) {
     heights[0][0] = dot(across, a.half_edges[(i + 1) % 3]);
@@ -284,13 +284,13 @@ struct EdgesLanes {
     heights[1][1] = dot(across, b.half_edges[(j + 2) % 3]);
   }
 
-  /// As MeetingObbs has it.
+  /// As in MeetingObbs.
   HWY_INLINE AxisLanes axis() const {
     const Doubles inverse = hn::Div(both(1), hn::Sqrt(squared));
     return {across * hn::Mul(sign_of(ahead), inverse), hn::Mul(gap(), inverse)};
   }
 
-  /// Times the length.
+  /// Multiplied by the length.
   HWY_INLINE Doubles gap() const {
     const Doubles reach_a = hn::Add(hn::Abs(heights[0][0]), hn::Abs(heights[0][1]));
     const Doubles reach_b = hn::Add(hn::Abs(heights[1][0]), hn::Abs(heights[1][1]));

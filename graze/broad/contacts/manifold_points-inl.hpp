@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From what kernels have found of many pairs to their manifolds, rounded as ObbPoints of
-// query/fast_contact/obb/manifold.hpp. Included once for each instruction set, hence no ordinary guard.
+// Converts the results of kernels for many pairs to their manifolds, rounded as ObbPoints of
+// query/fast_contact/obb/manifold.hpp. Included once per instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_CONTACTS_MANIFOLD_POINTS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_MANIFOLD_POINTS_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_MANIFOLD_POINTS_INL_HPP
@@ -28,13 +28,13 @@ HWY_INLINE void store(Bits v, Row<std::uint64_t>& row) { hn::Store(v, BitsTag(),
 HWY_INLINE void store(Doubles v, Row<double>& row) { hn::Store(v, Tag<double>(), row.of); }
 HWY_INLINE void store(Doubles v, Row<float>& row) { hn::Store(narrowed(v), FloatTag(), row.of); }
 
-/// Never minus zero.
+/// Adding zero turns -0 into +0.
 HWY_INLINE void store_rounded(Doubles v, Row<double>& row) { hn::Store(hn::Add(v, both(0)), Tag<double>(), row.of); }
 HWY_INLINE void store_rounded(Doubles v, Row<float>& row) {
   hn::Store(hn::Add(narrowed(v), hn::Zero(FloatTag())), FloatTag(), row.of);
 }
 
-/// A contact point of each pair: three places and the depth.
+/// A contact point of each pair: three positions and the depth.
 template <class T, Dim N = 3>
 struct PointRows {
   using V = LaneVec<N, double>;
@@ -44,7 +44,7 @@ struct PointRows {
   Row<T> point_b[N];
   Row<T> depth;
 
-  /// `first` lies on the user's second box where `turns`.
+  /// `first` is on the user's second box if `turns`.
   HWY_INLINE void set(const V& first, const V& second, Doubles its_depth, DoublesMask turns) {
     set(first, second, (first + second) * both(0.5), its_depth, turns);
   }
@@ -77,7 +77,7 @@ struct PointRows<T, 3> {
   Row<T> ninth;
   Row<T> depth;
 
-  /// `first` lies on the user's second box where `turns`.
+  /// `first` is on the user's second box if `turns`.
   HWY_INLINE void set(const Point& first, const Point& second, Doubles its_depth, DoublesMask turns) {
     set(first, second, (first + second) * both(0.5), its_depth, turns);
   }
@@ -115,7 +115,7 @@ struct PointRows<T, 3> {
 };
 #endif
 
-/// What a manifold says but for its points.
+/// A manifold without its points.
 template <class T, Dim N = 3>
 struct ManifoldRows {
   Row<T> normal[N];
@@ -138,7 +138,7 @@ struct ManifoldRows {
   }
 };
 
-/// As a whole, what lies between its two numbers too: that takes half as long.
+/// Copied as a whole, including the padding, which takes half as long.
 HWY_INLINE void write_feature(const Feature& from, Feature& to) { std::memcpy(&to, &from, sizeof(to)); }
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The numbers of many pairs, a lane for each: what query/fast_contact/one_pair.hpp has for one, to the bit, and the
-// names of features as numbers. Included once for each instruction set, hence no ordinary guard.
+// The numbers of many pairs, one pair per lane: bit-identical to those for one pair in query/fast_contact/one_pair.hpp,
+// with features as numbers. Included once per instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_CONTACTS_MANY_PAIRS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_MANY_PAIRS_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_MANY_PAIRS_INL_HPP
@@ -25,12 +25,12 @@ namespace graze::detail::HWY_NAMESPACE {
 using Real = Doubles;
 using Mask = DoublesMask;
 using Point2d = LaneVec<2, double>;
-using FeatureName = Doubles;  ///< The feature's place in `touched_features`.
+using FeatureName = Doubles;  ///< The feature's index in `touched_features`.
 
-// ---- Numbers and masks. What two vectors have, Highway has
+// ---- Numbers and masks. Highway has the operations on two vectors.
 
 HWY_INLINE Real all(double value) { return hn::Set(Tag<double>(), value); }
-/// By what the compiler sees to be a constant.
+/// With a compile-time constant.
 HWY_INLINE Mask all(bool value) {
 #if HWY_TARGET <= HWY_AVX3
   return mask_of(Tag<double>(), value ? (1U << pairs_at_once) - 1 : 0);
@@ -51,7 +51,7 @@ HWY_INLINE Mask operator<(Real a, double b) { return a < all(b); }
 HWY_INLINE Mask operator>(Real a, double b) { return a > all(b); }
 HWY_INLINE Mask operator<=(Real a, double b) { return a <= all(b); }
 HWY_INLINE Mask operator>=(Real a, double b) { return a >= all(b); }
-/// What is not, which `&&` has an instruction for.
+/// A negated mask, for which `&&` has an instruction.
 struct NotMask {
   Mask mask;
   HWY_INLINE operator Mask() const { return hn::Not(mask); }
@@ -138,9 +138,9 @@ HWY_INLINE Point unit_point(Axis axis) { return placed(axis, all(1.0), all(0.0),
 
 // ---- Features
 
-/// Those that a point may lie on: of what is round those of one_pair.hpp, and of a sphere the first; then, by three
-/// bits for the axes along which it is at the box' end and three for on which side, those of feature_of_box; then the
-/// corners of a box in the plane, and its sides.
+/// The features that a point may be on: for round shapes those of one_pair.hpp, and for a sphere the first; then, with
+/// three bits for the axes along which it is at the box's end and three for the side, those of feature_of_box; then the
+/// corners of a 2D box, and its sides.
 inline constexpr double first_vertex = 0;
 inline constexpr double second_vertex = 1;
 inline constexpr double first_edge = 2;
@@ -172,7 +172,7 @@ HWY_INLINE FeatureName feature_of_box(const Point& place, const Mask (&is_beyond
   }
   return name;
 }
-/// The bits of being at an axis' end.
+/// The bits for being at an axis's end.
 HWY_INLINE Real end_bits(Axis axis, Mask is_far) {
   const Real bit = one_of_three(axis, all(1.0), all(2.0), all(4.0));
   return bit + or_zero(is_far, 8 * bit);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The manifolds of many pairs of an oriented box and one along the coordinate axes, by the kernels of oriented ones:
-// both as oriented boxes in double, seen from the oriented one's center as query/fast_contact/obb/boxes_in_frame.hpp
-// sees them, so that the answers are those of single calls to the bit.
+// The manifolds of many pairs of an oriented box and an AABB, by the kernels of oriented boxes: both as oriented boxes
+// in double, relative to the oriented one's center as in query/fast_contact/obb/boxes_in_frame.hpp, so that the answers
+// are bit-identical to single calls.
 #pragma once
 
 #include <algorithm>
@@ -24,11 +24,11 @@
 
 namespace graze::detail {
 
-/// A manifold that was found seen from `origin`, rounded as ObbPoints of query/fast_contact/obb/manifold.hpp. `to` is
-/// as it is made, or `from` itself.
+/// Rounds a manifold found relative to `origin`, as ObbPoints of query/fast_contact/obb/manifold.hpp. `to` is
+/// value-initialised, or `from` itself.
 template <class T>
 void move_manifold(const Manifold<3, double>& from, const Vec<3, double>& origin, Manifold<3, T>& to) {
-  const auto rounded = [](const Vec<3, double>& v) { return Vec<3, T>(v) + T(0); };  // never minus zero
+  const auto rounded = [](const Vec<3, double>& v) { return Vec<3, T>(v) + T(0); };  // adding zero turns -0 into +0
   for (std::size_t i = 0; i < from.size; ++i) {
     const ManifoldPoint<3, double>& found = from.points[i];
     const Vec<3, double> a = found.point_a + origin;
@@ -40,11 +40,11 @@ void move_manifold(const Manifold<3, double>& from, const Vec<3, double>& origin
   to.error = from.error;
 }
 
-/// Collects such pairs of a task, which touch.
+/// Collects the touching pairs of this kind of a task.
 template <class T>
 class MixedPairs {
  public:
-  /// False for others. At most as many as a kernel takes in one go.
+  /// False for other pairs. The capacity is one kernel batch.
   bool add(const ShapePair<3, T>& shapes, Manifold<3, T>* manifold, std::size_t place) {
     const auto* a = std::get_if<Obb<3, T>>(shapes.a);
     const auto* b = std::get_if<Obb<3, T>>(shapes.b);
@@ -54,7 +54,7 @@ class MixedPairs {
     return true;
   }
 
-  /// contact_one(place) for those that the kernels leave.
+  /// Calls contact_one(index) for the pairs that the kernels leave.
   template <class ContactOne>
   void contact(const ContactOne& contact_one) const {
     for (std::size_t from = 0; from < count_; from += at_once) {
@@ -63,7 +63,7 @@ class MixedPairs {
   }
 
  private:
-  static constexpr std::size_t at_once = 64;  ///< So few that what is made of them stays near.
+  static constexpr std::size_t at_once = 64;  ///< So few that their data stay in the cache.
 
   struct Kept {
     const Obb<3, T>* oriented;
@@ -73,7 +73,7 @@ class MixedPairs {
     bool is_turned;  ///< The oriented box is the second one.
   };
 
-  /// The manifolds as the kernels write them: where they go, if they are in double.
+  /// The manifolds as the kernels write them: directly to their destination if they are in double.
   struct Seen {
     std::array<Manifold<3, double>, std::is_same_v<T, double> ? 0 : at_once> manifolds;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The manifolds of many pairs that touch in one point: of spheres and capsules, or of spheres and boxes. Included once
-// for each instruction set, hence no ordinary guard.
+// The manifolds of many pairs that touch in one point: spheres and capsules, or spheres and boxes. Included once per
+// instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_CONTACTS_ROUND_CONTACTS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_ROUND_CONTACTS_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_ROUND_CONTACTS_INL_HPP
@@ -24,7 +24,7 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
-/// Of each lane's pair, as their numbers lie in memory.
+/// Loads each lane's pair from the addresses of their numbers.
 template <PrimitiveKind kind, class T>
 HWY_INLINE RoundContact<Point> contact_of(const T* const* first, const T* const* second) {
   if constexpr (kind == PrimitiveKind::sphere_sphere) {
@@ -45,7 +45,7 @@ HWY_INLINE RoundContact<Point> contact_of(const T* const* first, const T* const*
   }
 }
 
-/// The manifolds of a group of pairs, to be written one by one.
+/// The manifolds of a group of pairs, written one by one.
 template <class T, Dim N = 3>
 class RoundContacts {
  public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How boxes along the axes touch each other in the plane, a lane for each pair: penetration_of_simple and
-// query/patch/aabb_manifold.hpp, to the bit. Included once for each instruction set, hence no ordinary guard.
+// Contacts of 2D AABBs, one pair per lane: bit-identical to penetration_of_simple and query/patch/aabb_manifold.hpp.
+// Included once per instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_CONTACTS_2D_AABB_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_2D_AABB_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_2D_AABB_INL_HPP
@@ -22,7 +22,7 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
-/// Of two in the order of their contact.
+/// The contact of two boxes in their contact order.
 class AabbContact2d {
  public:
   HWY_INLINE AabbContact2d(const AabbNumbers2d& a, const AabbNumbers2d& b) : a_(a), b_(b) {
@@ -62,7 +62,7 @@ class AabbContact2d {
   }
 
  private:
-  /// And whether it is the first box' far side that is in the second one.
+  /// The depth along an axis, and whether the first box's far side is in the second one.
   HWY_INLINE Doubles depth_along(std::size_t axis, DoublesMask& is_far) const {
     const Doubles ahead = hn::Sub(a_.max.at[axis], b_.min.at[axis]);
     const Doubles behind = hn::Sub(b_.max.at[axis], a_.min.at[axis]);
@@ -74,12 +74,12 @@ class AabbContact2d {
     return hn::And(hn::Lt(box.min.at[0], box.max.at[0]), hn::Lt(box.min.at[1], box.max.at[1]));
   }
 
-  /// Whether an end of the second box is beyond the first one's, as shared_range has it.
+  /// Whether an end of the second box is beyond the first one's, as in shared_range.
   HWY_INLINE static DoublesMask is_beyond(std::size_t end, Doubles of_b, Doubles of_a, Doubles slack) {
     return end == 0 ? hn::Lt(of_b, hn::Sub(of_a, slack)) : hn::Gt(of_b, hn::Add(of_a, slack));
   }
 
-  /// The number along the axis of least depth, and that along the other one; and a place of such two.
+  /// The coordinate along the axis of least depth, and the one along the other axis; and a point from these two.
   HWY_INLINE Doubles across(const Point2d& v) const { return hn::IfThenElse(across_second_, v.at[1], v.at[0]); }
   HWY_INLINE Doubles along(const Point2d& v) const { return hn::IfThenElse(across_second_, v.at[0], v.at[1]); }
   HWY_INLINE Point2d placed(Doubles on_axis, Doubles on_other) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How capsules and boxes touch each other in the plane, a lane for each pair: Contact2d of
-// query/fast_contact/boxes_2d.hpp, to the bit. Included once for each instruction set, hence no ordinary guard.
+// Contacts of 2D capsules and boxes, one pair per lane: bit-identical to Contact2d of query/fast_contact/boxes_2d.hpp.
+// Included once per instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_CONTACTS_2D_BOXES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_2D_BOXES_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_2D_BOXES_INL_HPP
@@ -21,8 +21,8 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
-/// One point of a manifold, on the first core and on the second in the order of their contact; features by their places
-/// in `touched_features`.
+/// One point of a manifold, on the first core and on the second in their contact order; features as indices into
+/// `touched_features`.
 struct PointLanes2d {
   Point2d on_first;
   Point2d on_second;
@@ -51,7 +51,7 @@ struct EitherCore {
   HWY_INLINE Doubles side_feature(DoublesMask across_second, Doubles at) const {
     return hn::IfThenElse(is_box, side_feature_2d(across_second, at), both(first_of_2d + 4));
   }
-  /// Of the corner at one end of that side.
+  /// The feature of the corner at one end of a side.
   HWY_INLINE Doubles corner_of_side(DoublesMask across_second, Doubles at, Doubles end) const {
     return corner_feature({{hn::IfThenElse(across_second, end, at), hn::IfThenElse(across_second, at, end)}});
   }
@@ -64,7 +64,7 @@ HWY_INLINE Point2d one_of_two(DoublesMask is_second, const Point2d (&of_axes)[2]
   return one_of(is_second, of_axes[1], of_axes[0]);
 }
 
-/// Two cores in the order of their contact, with so many axes each, one or two, seen from `origin`.
+/// Two cores in their contact order, with one or two axes each, relative to `origin`.
 template <std::size_t first_axes, std::size_t second_axes>
 class ContactLanes2d {
  public:
@@ -99,14 +99,15 @@ class ContactLanes2d {
   static constexpr double least_share = tolerance::known_direction;
   static constexpr bool are_boxes = first_axes == 2 && second_axes == 2;
 
-  /// A side of a core: across which axis, at its half edge or, with -1, against it, and its normal.
+  /// A side of a core: the axis it is perpendicular to, whether it is at the half edge or, with -1, opposite, and its
+  /// normal.
   struct Side {
     DoublesMask across_second;
     Doubles at;
     Point2d up;
   };
 
-  /// The reference side and the other core's, as Contact2d has it.
+  /// The reference side and the incident side, as in Contact2d.
   struct Cut {
     DoublesMask across_second;
     Doubles at;
@@ -156,7 +157,7 @@ class ContactLanes2d {
     }
   }
 
-  // ---- The side on which the cores are least deep
+  // ---- The side with the least depth
 
   HWY_INLINE void find_side() {
     if constexpr (first_axes == 2) try_side(first_, second_, 0, true);
@@ -183,9 +184,10 @@ class ContactLanes2d {
     is_of_first_ = is_of_first ? hn::Or(is_of_first_, is_better) : hn::And(is_of_first_, not_better);
   }
 
-  // ---- What lies over the reference side
+  // ---- Clipping to the reference side
 
-  /// Puts the points, and takes away from what is clear. `is_against`: the side looks against the contact's.
+  /// Sets the points, and clears the `clear` mask where they are uncertain. `is_against`: the side faces against the
+  /// contact's normal.
   HWY_INLINE void over_sides(const Side& own_side, DoublesMask own_is_first, DoublesMask is_against,
                              FastContactLanes2d& look) const {
     const Cores cores = cores_by(own_is_first);
@@ -201,7 +203,7 @@ class ContactLanes2d {
     }
   }
 
-  /// The lowest place is an end that is clearly over the side; where both are as low, any place that is left.
+  /// The lowest point is an end that is clearly over the side; if both are equally low, any remaining point.
   HWY_INLINE DoublesMask is_lowest_clear(const Cut& cut) const {
     const Doubles rise = hn::Sub(cut.above[1], cut.above[0]);
     const Doubles lowest = hn::IfThenElse(hn::Lt(rise, both(0)), cut.along[1], cut.along[0]);
@@ -243,7 +245,7 @@ class ContactLanes2d {
     return cut;
   }
 
-  /// Returns where something is left of the side.
+  /// Returns where part of the side remains.
   HWY_INLINE DoublesMask on_side(const Cores& cores, const Side& own_side, const Point2d& up, Cut& cut,
                                  FastContactLanes2d& look) const {
     const DoublesMask is_beside = hn::Not(hn::Lt(cut.share[0], cut.share[1]));
@@ -284,7 +286,7 @@ class ContactLanes2d {
     put_pair(cores, on_other + up * depth, on_other, depth, of_own, of_other, point);
   }
 
-  // ---- Sides of the first core that look along the normal, too, carry the points, if not the contact
+  // ---- A side of the first core that also faces the normal carries the points, even if the contact is on another
 
   HWY_INLINE DoublesMask is_along_side(const Point2d& normal) const {
     constexpr double most = tolerance::aligned * tolerance::aligned;
@@ -305,7 +307,7 @@ class ContactLanes2d {
 
   // ---- Corners
 
-  /// Cores that are apart, nearest at a corner of each. Only in some lanes, and clear where that is.
+  /// Separate cores that are nearest at a corner of each. Only for some lanes, and certain only there.
   HWY_NOINLINE void between_corners(const Cores& cores, DoublesMask lanes, DoublesMask is_against,
                                     FastContactLanes2d& look) const {
     const Core2d<2>& own = cores.own.core;
@@ -323,7 +325,7 @@ class ContactLanes2d {
         hn::And(is_beyond(cores.own, own_sides, way, distance), is_beyond(cores.other, other_sides, -way, distance));
     const DoublesMask is_clear = hn::And(hn::And(is_apart, are_beyond), hn::Gt(depth, doubt_));
     look.is_clear = hn::And(look.is_clear, hn::Or(is_clear, hn::Not(lanes)));
-    // What is carried keeps the normal that it has.
+    // Manifold points keep the existing normal.
     look.normal = one_of(hn::AndNot(is_against, lanes), one_of(cores.own_is_first, normal, -normal), look.normal);
     PointLanes2d single;
     put_pair(cores, corner + normal * own.radius, (corner + way) - normal * other.radius, depth,

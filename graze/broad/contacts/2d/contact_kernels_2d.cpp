@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled once per instruction set: Highway includes this file anew for each.
+// Compiled once per instruction set: Highway includes this file again for each.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,7 +12,7 @@
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 
-// Vectors of two doubles gain nothing over single calls. Elsewhere all pairs are left.
+// Vectors of two doubles gain nothing over single calls; with them, all pairs are left.
 #undef GRAZE_FLAT_LANES
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_WASM && HWY_HAVE_FLOAT64
 #define GRAZE_FLAT_LANES (HWY_MAX_BYTES >= 32 && HWY_NATIVE_FMA)
@@ -29,7 +29,7 @@ namespace {
 
 #if GRAZE_FLAT_LANES
 
-/// Of a sphere and what is named second, as their numbers lie in memory.
+/// For a sphere and a second shape, from the addresses of their numbers.
 template <Kind2d kind, class T>
 HWY_INLINE RoundContact<Point2d> sphere_contact_2d(const T* const* first, const T* const* second) {
   const SphereNumbers<Point2d> sphere = load_spheres<2>(first);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The manifolds of many pairs of spheres, capsules and boxes in the plane that touch, a lane for each, once for every
-// set of vector instructions that the compiler knows: as contacts/contact_kernels.hpp has them in space.
+// The manifolds of many touching pairs of 2D spheres, capsules and boxes, one pair per lane, compiled for each
+// instruction set: the 2D counterpart of contacts/contact_kernels.hpp.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace graze::detail {
 
-/// Two of a kind are in the order of shapes of one type (shape/fields/shape_order.hpp), but for spheres.
+/// Two shapes of the same kind, except spheres, are in the order of shapes of one type (shape/fields/shape_order.hpp).
 enum class Kind2d : std::uint8_t {
   sphere_sphere,
   sphere_obb,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The manifolds of many pairs of capsules and boxes in the plane. Included once for each instruction set, hence no
-// ordinary guard.
+// The manifolds of many pairs of 2D capsules and boxes. Included once per instruction set, so it has no ordinary
+// include guard.
 #if defined(GRAZE_BROAD_CONTACTS_2D_CONTACTS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_2D_CONTACTS_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_2D_CONTACTS_INL_HPP
@@ -26,7 +26,7 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
-/// The manifolds of a group of pairs, to be written one by one.
+/// The manifolds of a group of pairs, written one by one.
 template <class T>
 class Contacts2d {
  public:
@@ -83,7 +83,7 @@ HWY_INLINE Contacts2d<T> contacts_2d_of(const First& first, const Second& second
   return Contacts2d<T>(look, turned);
 }
 
-/// Of shapes whose numbers lie at these places.
+/// For shapes whose numbers are at these addresses.
 template <Kind2d kind, class T>
 HWY_INLINE Contacts2d<T> contacts_2d(const T* const* first, const T* const* second, std::uint32_t turned) {
   if constexpr (kind == Kind2d::obb_obb) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The manifolds of many pairs of spheres, capsules and boxes in the plane: collected by kind for the kernels that write
-// them.
+// The manifolds of many pairs of 2D spheres, capsules and boxes: collected by kind for the kernels.
 #pragma once
 
 #include <array>
@@ -23,11 +22,11 @@
 
 namespace graze::detail {
 
-/// Collects such pairs of a task, which touch: at most `room`.
+/// Collects the touching pairs of these kinds of a task, at most `room`.
 template <class T, std::size_t room>
 class Pairs2d {
  public:
-  /// False for others.
+  /// False for other pairs.
   bool add(const ShapePair<2, T>& shapes, Manifold<2, T>* manifold, std::size_t place) {
     Named first = named(*shapes.a);
     Named second = named(*shapes.b);
@@ -45,7 +44,7 @@ class Pairs2d {
     return true;
   }
 
-  /// contact_one(place) for those that the kernels leave.
+  /// Calls contact_one(index) for the pairs that the kernels leave.
   template <class ContactOne>
   void contact(const ContactOne& contact_one) const {
     for (std::size_t kind = 0; kind < kinds_2d; ++kind) {
@@ -59,7 +58,7 @@ class Pairs2d {
   }
 
  private:
-  /// In the order in which their contacts name them, with other shapes last.
+  /// The order of shapes in contacts, with other shapes last.
   enum Rank : std::uint8_t { sphere, obb, aabb, capsule, other, ranks };
 
   struct Named {
@@ -94,14 +93,14 @@ class Pairs2d {
     return {other, nullptr};
   }
 
-  /// Where they begin: the struct holds nothing else.
+  /// The address of its numbers: the struct contains nothing else.
   template <class S>
   static const T* numbers(const S& shape) {
     static_assert(std::is_standard_layout_v<S> && sizeof(S) % sizeof(T) == 0);
     return reinterpret_cast<const T*>(&shape);
   }
 
-  /// Of two of a kind.
+  /// For two shapes of the same kind.
   static bool is_first(const Named& a, const Named& b) {
     const auto in_order = [&]<class S>(const S* first) {
       return is_in_order(*first, *reinterpret_cast<const S*>(b.numbers));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The cores of capsules and boxes in 2D and how spheres touch them, a lane for each pair, and their numbers as they lie
-// in memory. Included once for each instruction set, hence no ordinary guard.
+// The cores of 2D capsules and boxes and their contacts with spheres, one pair per lane, and loading their numbers.
+// Included once per instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_CONTACTS_2D_FAST_CONTACT_2D_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_2D_FAST_CONTACT_2D_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_2D_FAST_CONTACT_2D_INL_HPP

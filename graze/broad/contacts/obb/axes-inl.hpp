@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The axis of least depth of many pairs of oriented boxes: first which of the fifteen it can be, by a look in float as
-// query/fast_contact/obb/axes.hpp has it, then the choice among those as MeetingObbs makes it. Included once for each
-// instruction set, hence no ordinary guard.
+// The axis of least depth of many pairs of oriented boxes: first, candidates among the fifteen by a test in float as in
+// query/fast_contact/obb/axes.hpp, then the choice among them as in MeetingObbs. Included once per instruction set, so
+// it has no ordinary include guard.
 #if defined(GRAZE_BROAD_CONTACTS_OBB_AXES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_OBB_AXES_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_OBB_AXES_INL_HPP
@@ -27,10 +27,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 
-/// By right angles between edges of two boxes, bit 3 i + j for axis i of the first and j of the second, the axes that
-/// may be along a face that they are not the normal of. The normal across axis j of the second box is along one of the
-/// first box if two of that are at right angles to j; the axis across edges i and j is along one of either box if
-/// another edge of it is at right angles to the other's.
+/// Given the right angles between edges of two boxes (bit 3 i + j for axis i of the first and j of the second): the
+/// axes that may be parallel to a face's normal that is not their own. The normal across axis j of the second box is
+/// parallel to one of the first box if two of the latter's edges are perpendicular to j; the axis across edges i and j
+/// is parallel to a normal of either box if another edge of that box is perpendicular to the other's.
 inline constexpr auto axes_along_faces = [] {
   std::array<std::uint32_t, 512> result{};
   for (std::uint32_t found = 0; found < 512; ++found) {
@@ -49,20 +49,20 @@ inline constexpr auto axes_along_faces = [] {
   return result;
 }();
 
-/// What a look in float shows, a vector full of pairs at a time: the axes that the search may not leave out, by their
-/// places, as axes_of in query/fast_contact/obb/axes.hpp finds them, or a few more or less that do not matter for the
-/// same reason; and more, all of it as bits.
+/// The result of an axis test in float for a vector of pairs, as bits: the axes that the search must not skip, as
+/// axes_of in query/fast_contact/obb/axes.hpp finds them, or a few more or less that do not matter for the same reason;
+/// and further bits.
 class AxesLook {
  public:
   static constexpr std::uint32_t axes = (1U << 15U) - 1;
   static constexpr std::uint32_t overlapping = ObbsLook::overlapping;
   static constexpr std::uint32_t apart = ObbsLook::apart;
-  static constexpr int first_right_angle = 17;  ///< And those after it, as axes_along_faces has them.
+  static constexpr int first_right_angle = 17;  ///< And the subsequent bits, as in axes_along_faces.
 
   using BitsTag = hn::RebindToUnsigned<Tag<float>>;
   using Bits = hn::Vec<BitsTag>;
 
-  /// Of boxes near the origin.
+  /// For boxes near the origin.
   HWY_INLINE AxesLook(const LaneObb<3, float>& a, const LaneObb<3, float>& b)
       : view_(a, b),
         orthonormality_error_(hn::Add(hn::Max(orthonormality_error_of(a), orthonormality_error_of(b)),
@@ -81,7 +81,7 @@ class AxesLook {
     }
   }
 
-  /// Of each pair. No axes: nothing is known.
+  /// For each pair. Without axes, nothing is known.
   Bits bits() const { return bits_; }
 
  private:
@@ -91,7 +91,7 @@ class AxesLook {
     bits_ = hn::Or(bits_, hn::IfThenElseZero(hn::RebindMask(BitsTag(), where), hn::Set(BitsTag(), bit)));
   }
 
-  /// Returns the size of both.
+  /// Returns the size of both boxes.
   HWY_INLINE Lanes<float> find_face_gaps() {
     Lanes<float> size = all(0.0F);
     unrolled<3>([&](auto i) GRAZE_INLINE_LAMBDA {
@@ -151,8 +151,8 @@ class AxesLook {
     });
   }
 
-  /// Those edges that are at right angles to each other, or so nearly that they may be by the tolerance of manifolds
-  /// and how far axes may be from orthonormal.
+  /// Adds the edges that are perpendicular to each other, up to the tolerance of manifolds and the orthonormality error
+  /// of axes.
   HWY_INLINE void add_right_angles() {
     constexpr float most = 1e-3F;
     unrolled<9>([&](auto k) GRAZE_INLINE_LAMBDA {
@@ -198,7 +198,7 @@ HWY_INLINE Point cross_of_directions(const Point& a, const Point& b) {
   return one_of(hn::Gt(dot(product, product), least), product, accurate);
 }
 
-/// The search among several axes as MeetingObbs::search makes it, in the lanes that need one.
+/// The search among several axes like MeetingObbs::search, for the lanes that need one.
 class SearchLanes {
  public:
   HWY_INLINE SearchLanes(const BoxPair& pair, Bits candidates)
@@ -222,7 +222,7 @@ class SearchLanes {
   }
 
   Doubles place() const { return place_; }
-  /// Where the axis is across edges that are nearly parallel.
+  /// Whether the axis is across nearly parallel edges.
   DoublesMask is_open() const { return is_open_; }
 
  private:
@@ -253,7 +253,7 @@ class SearchLanes {
     is_open_ = hn::Or(is_open_, take_edges(place, known, hn::And(careful, hn::Gt(known.squared, both(0)))));
   }
 
-  /// Where they are better. What was taken before is forgotten.
+  /// Takes the edges' axis where it is better; the previous one is discarded there.
   HWY_INLINE DoublesMask take_edges(Dim place, const EdgesLanes& edges, DoublesMask tried) {
     const Doubles gap = edges.gap();
     const Doubles least = hn::Add(gap_, margin_);
@@ -279,7 +279,7 @@ class SearchLanes {
   DoublesMask is_open_;
 };
 
-/// How far axes are from orthonormal, as orthonormal_error.
+/// The orthonormality error of axes, as orthonormal_error.
 HWY_INLINE Doubles orthonormality_error_of_axes(const Point (&axes)[3]) {
   auto orthonormality_error = both(0);
   for (Dim i = 0; i < 3; ++i) {
@@ -289,7 +289,7 @@ HWY_INLINE Doubles orthonormality_error_of_axes(const Point (&axes)[3]) {
   return orthonormality_error;
 }
 
-/// As repeated_axes, of many pairs.
+/// repeated_axes, for many pairs.
 HWY_INLINE Bits repeated_axes(const Point (&a)[3], const Point (&b)[3]) {
   Doubles cosines[3][3];
   auto least = both(std::numeric_limits<double>::infinity());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// LaneChoice of query/fast_contact/obb/choice.hpp for many pairs at a time: four corners of more than four, by the same
-// calculations in float. Included once for each instruction set, hence no ordinary guard.
+// LaneChoice of query/fast_contact/obb/choice.hpp for many pairs: selects four of more corners, by the same
+// calculations in float. Included once per instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_CONTACTS_OBB_CHOICE_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_OBB_CHOICE_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_OBB_CHOICE_INL_HPP
@@ -25,7 +25,7 @@ namespace graze::detail::HWY_NAMESPACE {
 using FloatTag = hn::Rebind<float, Tag<double>>;
 HWY_INLINE hn::Vec<FloatTag> narrowed(Doubles v) { return hn::DemoteTo(FloatTag(), v); }
 
-/// Those of two groups, which fill a vector.
+/// The floats of two groups, which fill a vector.
 using TwoTag = hn::Repartition<float, Tag<double>>;
 using Floats = hn::Vec<TwoTag>;
 
@@ -34,13 +34,13 @@ HWY_INLINE Floats joined(Doubles first, Doubles second) {
   return hn::Combine(TwoTag(), narrowed(second), narrowed(first));
 }
 
-/// How the corners of a face over a face are measured in the incident one: as LaneChoice has it.
+/// How the corners of a face over a face are measured in the incident one, as in LaneChoice.
 struct MeasuresLanes {
   Doubles xx, yy, xy;
   Doubles area;
   Doubles sink[2];
 
-  /// `on_incident` where the points are laid on the second box.
+  /// `on_incident` where the points are on the second box.
   HWY_INLINE MeasuresLanes(const ClipLanes& clip, const FaceLanes& face, const Point& normal, DoublesMask on_incident) {
     const Doubles longest = max_of(dot(face.right, face.right), dot(face.up, face.up));
     const Doubles down = hn::Div(both(-1), hn::Sqrt(longest));
@@ -57,7 +57,7 @@ struct MeasuresLanes {
   }
 };
 
-/// Lines as bits, of the pairs of two groups.
+/// Lines as bits, for the pairs of two groups.
 using LinesTag = hn::RebindToUnsigned<TwoTag>;
 using Lines = hn::Vec<LinesTag>;
 
@@ -79,13 +79,13 @@ HWY_INLINE Bits widened(Lines both_groups, std::size_t group) {
       BitsTag(), group == 0 ? hn::LowerHalf(HalfLinesTag(), both_groups) : hn::UpperHalf(HalfLinesTag(), both_groups));
 }
 
-/// Without the first.
+/// All lines except the first.
 HWY_INLINE Lines but_the_first(Lines lines) { return hn::And(lines, hn::Sub(lines, hn::Set(LinesTag(), 1))); }
 HWY_INLINE hn::Mask<TwoTag> are_none(Lines lines) {
   return hn::RebindMask(TwoTag(), hn::Eq(lines, hn::Zero(LinesTag())));
 }
 HWY_INLINE Lines first_of(Lines lines) { return hn::And(lines, hn::Sub(hn::Zero(LinesTag()), lines)); }
-/// Corners that are left, seen from the first one; where none is, that one once more.
+/// The remaining corners, relative to the first one, which also replaces missing ones.
 struct CornersLanes {
   Doubles x[face_lines];
   Doubles y[face_lines];
@@ -102,10 +102,10 @@ struct CornersLanes {
   }
 };
 
-/// Of two groups of pairs, four corners of each.
+/// Selects four corners for each pair of two groups.
 class ChoiceLanes {
  public:
-  /// `left`: the lines where corners are.
+  /// `left`: the lines with corners.
   HWY_INLINE ChoiceLanes(Lines left, const ClipLanes& a, const MeasuresLanes& of_a, const ClipLanes& b,
                          const MeasuresLanes& of_b)
       : left_(left),
@@ -127,7 +127,7 @@ class ChoiceLanes {
   /// The lines of the four.
   Lines chosen() const { return chosen_; }
 
-  /// Not where corners are too nearly as good as each other to say which is the first of the best.
+  /// False where corners are too close to equally good to decide which is the first of the best.
   hn::Mask<TwoTag> is_clear() const { return is_clear_; }
 
  private:
@@ -192,8 +192,8 @@ class ChoiceLanes {
     return chosen;
   }
 
-  /// Whether one corner after the other, each taken if it is better by more than the slack, ends with that one: it is
-  /// better than all that are not as good as the best, and none is better than it.
+  /// Whether a sequential search, which takes each corner that is better by more than the slack, ends with this one: it
+  /// is better than all that are not as good as the best, and none is better than it.
   HWY_NOINLINE static hn::Mask<TwoTag> is_first_of_good(Lines chosen, const Values& values, Floats slack) {
     const Floats least = hn::Sub(largest(values), slack);
     const Floats value = LineOfEach<TwoTag>(chosen).of([&values](std::size_t s) { return values.at[s]; });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// FaceOverFace of query/fast_contact/obb/faces.hpp for many pairs at a time, to the bit. Included once for each
-// instruction set, hence no ordinary guard.
+// FaceOverFace of query/fast_contact/obb/faces.hpp for many pairs, bit-identical. Included once per instruction set, so
+// it has no ordinary include guard.
 #if defined(GRAZE_BROAD_CONTACTS_OBB_CLIP_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_OBB_CLIP_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_OBB_CLIP_INL_HPP
@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 
-/// A face as BoxFace: middle + x * right + y * up.
+/// A face like BoxFace: middle + x * right + y * up.
 struct FaceLanes {
   Point middle;
   Point right;
@@ -27,13 +27,13 @@ struct FaceLanes {
   Doubles half_up;
 };
 
-/// The contact's normal away from the reference face, and that face's own, which is equal to it but for 1e-5 at most.
+/// The contact's normal away from the reference face, and that face's own, which equals it up to 1e-5.
 struct UpwardLanes {
   Point up;
   Point normal;
 };
 
-/// A place in the incident face, in halves of its edges.
+/// A position in the incident face, in units of its half edges.
 struct Place {
   Doubles at[2];
 };
@@ -42,28 +42,28 @@ HWY_INLINE Place one_of(DoublesMask mask, const Place& yes, const Place& no) {
   return {{hn::IfThenElse(mask, yes.at[0], no.at[0]), hn::IfThenElse(mask, yes.at[1], no.at[1])}};
 }
 
-/// What is left of the incident faces.
+/// What remains of the incident faces.
 class ClipLanes {
  public:
-  /// Where rounding hides the way around, or the reference face is hardly one.
+  /// Whether rounding hides the orientation, or the reference face is nearly degenerate.
   DoublesMask is_open() const { return is_open_; }
 
-  /// Above the reference face.
+  /// The height above the reference face.
   HWY_INLINE Doubles height_of(Doubles x, Doubles y) const {
     return hn::Add(height_, hn::Add(hn::Mul(climb_[0], x), hn::Mul(climb_[1], y)));
   }
   Doubles climb(std::size_t k) const { return climb_[k]; }
 
-  /// The lines on which sides are left.
+  /// The lines on which sides remain.
   Bits left() const { return left_; }
   DoublesMask is_left(std::size_t line) const { return has_bit(left_, line); }
 
-  // Of the side on a line, if any is left: its start, one of the corners.
+  // For the side on a line, if any remains: its start, one of the corners.
 
   Doubles within(std::size_t line, std::size_t k) const { return start_[line].at[k]; }
   /// As line_pair.
   Bits lines(std::size_t line) const { return lines_[line]; }
-  /// As places_on_faces has it.
+  /// As in places_on_faces.
   Bits turns() const { return turns_; }
 
  private:
@@ -78,7 +78,8 @@ class ClipLanes {
   Bits lines_[face_lines];
 };
 
-/// Finds that. Not a ClipLanes itself: what stays takes a store, of which a machine makes few at a time.
+/// Calculates a ClipLanes. A separate class, because its members would be stored to memory if they were part of the
+/// result.
 class FaceClip {
  public:
   HWY_INLINE FaceClip(const FaceLanes& incident, const FaceLanes& reference, const UpwardLanes& upward, Doubles slack)
@@ -140,7 +141,7 @@ class FaceClip {
     climb_[1] = dot(rise, incident.up);
   }
 
-  /// So that x grows along the incident face's right, and both faces have one sense.
+  /// So that x grows along the incident face's right, and both faces have the same orientation.
   HWY_INLINE void turn_around() {
     const Doubles area = hn::Sub(hn::Mul(right_[0], up_side_[1]), hn::Mul(right_[1], up_side_[0]));
     inverse_area_ = hn::Div(both(1), hn::Abs(area));
@@ -154,8 +155,8 @@ class FaceClip {
     turns_ = hn::Or(bit_where(hn::Lt(turned[0], both(0)), 0), bit_where(hn::Lt(turned[1], both(0)), 1));
   }
 
-  /// A side of the incident face, and the lines where what is left of it starts and ends, as line_pair has that which
-  /// ends: those of the sides before it and its own where nothing is cut off, and below zero where nothing is left.
+  /// A side of the incident face, and the lines where its remaining part starts and ends, in the form of line_pair: the
+  /// previous side's and its own if nothing is cut off, negative if nothing remains.
   struct Edge {
     Place start;
     Place end;
@@ -168,7 +169,7 @@ class FaceClip {
   }
   HWY_INLINE static Doubles ending(std::size_t line) { return both(static_cast<double>(line_pair(line, 0))); }
 
-  /// Where sides enter the strips |x| <= 1 and |y| <= 1, and leave them.
+  /// Where sides enter and leave the strips |x| <= 1 and |y| <= 1.
   struct Direction {
     Doubles inverse[2];
     Doubles near[2];
@@ -185,7 +186,7 @@ class FaceClip {
     }
   };
 
-  /// As in FaceOverFace: only a corner that is out of a strip is cut off by it.
+  /// As in FaceOverFace: a strip cuts off only corners that are outside of it.
   struct Part {
     Doubles low;
     Doubles high;
@@ -246,10 +247,9 @@ class FaceClip {
     left_ = hn::Or(left_, bit_where(hn::Ge(edge.begins, both(0)), line));
   }
 
-  /// Those that lie in the incident face, farther from its sides than the slack: two sides of the reference face meet
-  /// there.
+  /// The corners of the reference face that are inside the incident face, farther from its sides than the slack.
   HWY_INLINE void find_corners_of_reference() {
-    Doubles by_right[2][2];  // y of the other face from x at -1 and 1, and x from y; of them less or more
+    Doubles by_right[2][2];  // y of the other face from x at -1 and 1, and x from y; the lesser and the greater of them
     Doubles by_up[2][2];
     unrolled<2>([&](auto k) GRAZE_INLINE_LAMBDA {
       const Doubles low = hn::Sub(both(-1), middle_[k]);
@@ -272,8 +272,8 @@ class FaceClip {
     corner(3, 0, 1);
   }
 
-  /// Calls use(edge, where) for the sides of the incident face that may leave through a line of the reference face, or
-  /// enter there. The first one's x grows, and the third one's falls.
+  /// Calls use(edge, where) for the sides of the incident face that may leave or enter through a line of the reference
+  /// face. The first one's x increases, and the third one's decreases.
   template <std::size_t line, bool leaving, class Use>
   HWY_INLINE void for_each_cut(const Use& use) const {
     unrolled<4>([&](auto e) GRAZE_INLINE_LAMBDA {
@@ -282,7 +282,7 @@ class FaceClip {
     });
   }
 
-  /// The side on a line of the reference face starts where one of the incident face leaves through it, or in a corner.
+  /// The side on a line of the reference face starts where one of the incident face leaves through it, or at a corner.
   template <std::size_t line>
   HWY_INLINE void put_side() {
     constexpr std::size_t corner = line - reference_lines;
@@ -324,7 +324,7 @@ class FaceClip {
     return end;
   }
 
-  /// Whether a corner is higher above the reference face than where all rests on it, as FaceOverFace::resting_height.
+  /// Whether a corner is too high above the reference face for resting, as in FaceOverFace::resting_height.
   HWY_INLINE DoublesMask is_high(const FaceLanes& incident, const FaceLanes& reference) const {
     const Doubles halves =
         min_of(hn::Add(incident.half_right, incident.half_up), hn::Add(reference.half_right, reference.half_up));
@@ -337,8 +337,8 @@ class FaceClip {
     return result;
   }
 
-  /// Leaves what is not above the reference face by more than the slack, in those lanes that need it. The side that
-  /// leads out ends where the new one starts, and the one that leads back starts where it ends.
+  /// Removes what is above the reference face by more than the slack, in the lanes that need it. The side that leads
+  /// out ends where the new one starts, and the one that leads back starts where it ends.
   HWY_INLINE void cut_top(DoublesMask needed) {
     const Place ends[top_line] = {edges_[0].end,    edges_[1].end,    edges_[2].end,    edges_[3].end,
                                   end_of_side<4>(), end_of_side<5>(), end_of_side<6>(), end_of_side<7>()};

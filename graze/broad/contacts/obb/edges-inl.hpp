@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The manifolds of many pairs of oriented boxes across an edge of each: quick_pair_on_edges of
-// query/fast_contact/obb/contact.hpp. Included once for each instruction set, hence no ordinary guard.
+// query/fast_contact/obb/contact.hpp. Included once per instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_CONTACTS_OBB_EDGES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_OBB_EDGES_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_OBB_EDGES_INL_HPP
@@ -22,12 +22,12 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
-/// Pairs in the order of their contact, whose axis is across an edge of each and not along a face.
+/// Pairs in their contact order, whose axis is across an edge of each and not parallel to a face normal.
 template <class T>
 struct EdgePairs {
   const T* const* first;
   const T* const* second;
-  Doubles edge_a;  ///< The axes along which they lie.
+  Doubles edge_a;  ///< The axes parallel to the edges.
   Doubles edge_b;
   DoublesMask turned;  ///< The first is the user's second.
 
@@ -71,9 +71,9 @@ class EdgeContacts {
                max_of(both(0), hn::Neg(found.gap)), turned);
   }
 
-  /// One bit for each pair of which not all is clear.
+  /// One bit for each uncertain pair.
   std::uint32_t open() const { return bits_of<double>(is_open_); }
-  /// And for each whose first box is the user's second.
+  /// One bit for each pair whose first box is the user's second.
   std::uint32_t turns() const { return bits_of<double>(turned_); }
 
   void write(std::size_t lane, bool turned, Manifold<3, T>& to) const {
@@ -87,7 +87,7 @@ class EdgeContacts {
   }
 
  private:
-  /// The edge along the first axis that is farthest along the direction in which heights times `side` are.
+  /// The edge along the first axis that is farthest along the direction of the heights times `side`.
   struct Farthest {
     Doubles number;
     Point middle;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The manifolds of many pairs of oriented boxes across a face of one of them, as manifold_of_met_obbs in
-// query/manifold.hpp makes them. Included once for each instruction set, hence no ordinary guard.
+// query/manifold.hpp. Included once per instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_CONTACTS_OBB_FACES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_OBB_FACES_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_OBB_FACES_INL_HPP
@@ -27,11 +27,10 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
-/// Beside the bits of an ObbsLook: the face that carries the points is the second box', which the axis is not the
-/// normal of.
+/// In addition to the bits of an ObbsLook: the reference face is on the second box, and the axis is not its normal.
 inline constexpr std::uint64_t carried_by_second = std::uint64_t{1} << 32U;
 
-/// As many pairs as are taken at once, with their looks and that bit.
+/// A group of pairs, with their axis tests and that bit.
 template <class T>
 struct PairGroup {
   const T* const* first;
@@ -39,7 +38,7 @@ struct PairGroup {
   const std::uint64_t* looks;
 };
 
-/// The looks of a group.
+/// The axis tests of a group.
 class LookLanes {
  public:
   HWY_INLINE explicit LookLanes(const std::uint64_t* looks)
@@ -47,9 +46,9 @@ class LookLanes {
         axis_(hn::ConvertTo(Tag<double>(), hn::BitCast(hn::RebindToSigned<Tag<double>>(),
                                                        hn::And(looks_, hn::Set(BitsTag(), ObbsLook::axis_bits))))) {}
 
-  /// By its place, as in BoxesAxes.
+  /// Its index, as in BoxesAxes.
   Doubles axis() const { return axis_; }
-  /// Three places are one row: the faces of the first box, those of the second, and the edges of the first.
+  /// Three indices make one row: the faces of the first box, those of the second, and the edges of the first.
   HWY_INLINE Doubles row() const { return hn::Floor(hn::Mul(hn::Add(axis_, both(0.5)), both(1.0 / 3))); }
   HWY_INLINE DoublesMask turned() const { return has_bits(ObbsLook::turned); }
   HWY_INLINE DoublesMask by_second() const { return has_bits(carried_by_second); }
@@ -63,16 +62,16 @@ class LookLanes {
   Doubles axis_;
 };
 
-/// Pairs whose axis is the normal of a face of the box `own`, which carries their points.
+/// Pairs whose axis is the normal of the reference face, on the box `own`.
 template <class T>
 struct FacePairs {
   const T* const* own;
   const T* const* other;
   Doubles axis;        ///< Of `own`.
-  DoublesMask of_b;    ///< `own` is the second in the order of the contact.
+  DoublesMask of_b;    ///< `own` is the second in the contact order.
   DoublesMask turned;  ///< The user's second box is the first in that order.
 
-  /// Of a group whose first boxes are those.
+  /// From a group whose first boxes have the reference face.
   HWY_INLINE explicit FacePairs(const PairGroup<T>& group) : own(group.first), other(group.second) {
     const LookLanes looks(group.looks);
     of_b = hn::Gt(looks.axis(), both(2));
@@ -81,8 +80,7 @@ struct FacePairs {
   }
 };
 
-/// Pairs in the order of their contact whose axis is another than the normal of the face that carries their points,
-/// which looks along it up to 1e-5.
+/// Pairs in their contact order whose axis is not the normal of the reference face, but parallel to it up to 1e-5.
 template <class T>
 struct CarriedPairs {
   const T* const* first;
@@ -90,7 +88,7 @@ struct CarriedPairs {
   DoublesMask is_on_edges;  ///< The axis is across edges along these axes.
   Doubles axis_a;
   Doubles axis_b;    ///< Or it is the normal across this one of the second box.
-  DoublesMask of_b;  ///< The second box carries the points.
+  DoublesMask of_b;  ///< The second box has the reference face.
   DoublesMask turned;
 
   HWY_INLINE explicit CarriedPairs(const PairGroup<T>& group) : first(group.first), second(group.second) {
@@ -109,7 +107,7 @@ HWY_INLINE DoublesMask may_be_aligned(const BoxLanes& box, const Point& directio
   return hn::Gt(hn::Max(hn::Max(cosine(0), cosine(1)), cosine(2)), both(1 - doubt_of_cosines));
 }
 
-/// The face of a box that looks most along a direction, as looking_face of query/fast_contact/obb/contact.hpp.
+/// The face of a box that faces a direction most, as looking_face of query/fast_contact/obb/contact.hpp.
 struct LookingFace {
   Doubles axis;
   DoublesMask is_far;
@@ -130,14 +128,14 @@ struct LookingFace {
   }
 };
 
-/// Its normal, of length 1.
+/// Its unit normal.
 HWY_INLINE Point outward_normal(const BoxLanes& box_from_face, const Point& direction) {
   const Point adjoint = cross(box_from_face.axes[1], box_from_face.axes[2]);
   const Point side = adjoint * hn::Div(both(1), hn::Sqrt(dot(adjoint, adjoint)));
   return one_of(hn::Lt(dot(side, direction), both(0)), side * both(-1), side);
 }
 
-/// Whether a face looks straight along a direction, as aligned_face of query/fast_contact/obb/contact.hpp says.
+/// Whether a face's normal is parallel to a direction, as in aligned_face of query/fast_contact/obb/contact.hpp.
 HWY_INLINE DoublesMask is_face_along(const BoxLanes& box, const Point& direction) {
   const DoublesMask may_be = may_be_aligned(box, direction);
   if (hn::AllFalse(Tag<double>(), may_be)) return may_be;
@@ -146,7 +144,7 @@ HWY_INLINE DoublesMask is_face_along(const BoxLanes& box, const Point& direction
   return hn::And(may_be, hn::Le(dot(turn, turn), both(tolerance::aligned * tolerance::aligned)));
 }
 
-/// The face across the first axis.
+/// The face perpendicular to the first axis.
 HWY_INLINE FaceLanes face_of(const BoxLanes& box, DoublesMask is_far) {
   const Doubles side = hn::IfThenElse(is_far, both(1), both(-1));
   return {box.center + box.half_edges[0] * side, box.half_edges[1], box.half_edges[2], box.half[1], box.half[2]};
@@ -157,17 +155,17 @@ HWY_INLINE Bits face_number(Doubles axis, DoublesMask is_far) {
   return whole(hn::Add(hn::Add(axis, axis), hn::IfThenElseZero(is_far, both(1))));
 }
 
-/// What is known of pairs before their faces are laid on each other.
+/// The data of pairs before their faces are clipped.
 struct CarriedLanes {
-  BoxLanes own;  ///< With the axis of the carrying face as the first.
+  BoxLanes own;  ///< With the axis of the reference face as the first.
   BoxLanes other;
   AxisLanes found;
   UpwardLanes upward;
   Doubles own_axis;
   DoublesMask is_far;
   Doubles size;
-  DoublesMask turned;  ///< The user's second box is the first in the order of the contact.
-  DoublesMask of_b;    ///< The second box in that order carries the points.
+  DoublesMask turned;  ///< The user's second box is the first in the contact order.
+  DoublesMask of_b;    ///< The second box in that order has the reference face.
   DoublesMask is_open;
   Point origin;  ///< The center of the first box in that order.
 };
@@ -176,7 +174,7 @@ HWY_INLINE Point upward_of(const Point& normal, DoublesMask of_b) {
   return normal * hn::IfThenElse(of_b, both(-1), both(1));
 }
 
-/// The axis of each pair, in boxes seen from the first one's center.
+/// The axis of each pair, for boxes relative to the first one's center.
 template <class T>
 HWY_INLINE AxisLanes axis_of_carried(const BoxPair& boxes, const CarriedPairs<T>& pairs) {
   const BoxLanes a = turned_to(boxes.box[0], pairs.axis_a);
@@ -188,8 +186,8 @@ HWY_INLINE AxisLanes axis_of_carried(const BoxPair& boxes, const CarriedPairs<T>
           hn::IfThenElse(on_edges, across_edges.gap, across_face.gap)};
 }
 
-/// Which box has a face along the axis of a pair and so carries the points: the first, or else, where the axis is
-/// across edges, the second.
+/// Which box has a face parallel to the axis of a pair, which becomes the reference face: the first, or else, if the
+/// axis is across edges, the second.
 class ReferenceBoxes {
  public:
   template <class T>
@@ -257,18 +255,18 @@ HWY_INLINE CarriedLanes carried_lanes(const CarriedPairs<T>& pairs) {
   return carried;
 }
 
-/// Where the carrying box has a face along the axis, as is_face_along says of it.
+/// Whether the reference box has a face parallel to the axis, as in is_face_along.
 HWY_INLINE DoublesMask are_carried(const CarriedLanes& carried) {
   const Point turn = carried.upward.normal - carried.upward.up;
   return hn::And(may_be_aligned(carried.own, carried.upward.up),
                  hn::Le(dot(turn, turn), both(tolerance::aligned * tolerance::aligned)));
 }
 
-/// A group of pairs, the other box' face of each laid on the carrying one.
+/// A group of pairs, whose incident faces are clipped to the reference faces.
 template <class T>
 class FaceContacts {
  public:
-  /// Before anything else.
+  /// Must be called first.
   HWY_INLINE void lay(const CarriedLanes& carried) {
     up_ = carried.upward.up;
     normal_ = carried.found.normal;
@@ -287,8 +285,8 @@ class FaceContacts {
     store(clip_.turns(), places_);
   }
 
-  /// All corners of each pair of two groups, or four of more. The groups may be the same one. A choice has little to do
-  /// and much to wait for: two take hardly longer than one.
+  /// Takes all corners of each pair of two groups, or selects four of more. The groups may be the same one. A selection
+  /// has short code with long latencies: two take hardly longer than one.
   HWY_INLINE static void choose(FaceContacts& a, FaceContacts& b) {
     Lines lines = joined(a.clip_.left(), b.clip_.left());
     Lines beyond = lines;
@@ -305,7 +303,7 @@ class FaceContacts {
     if (&a != &b) b.take(widened(lines, 1), widened(open, 1));
   }
 
-  /// Those that are chosen.
+  /// Sets the selected corners.
   HWY_INLINE void set_points() {
     Bits rest = chosen_;
     for (std::size_t k = 0; k < Manifold<3>::most_points; ++k) {
@@ -315,12 +313,12 @@ class FaceContacts {
     }
   }
 
-  /// One bit for each pair of which not all is clear.
+  /// One bit for each uncertain pair.
   std::uint32_t open() const { return bits_of<double>(is_open_); }
-  /// And for each whose face is of the user's second box.
+  /// One bit for each pair whose face is on the user's second box.
   std::uint32_t turns() const { return bits_of<double>(turns_); }
 
-  /// `turns` where the user's second box has the face.
+  /// `turns` if the user's second box has the face.
   void write(std::size_t lane, bool turns, Manifold<3, T>& to) const {
     const auto size = static_cast<std::size_t>(std::popcount(corners_[lane]));
     const std::size_t on_a = turns ? PlacesOnFaces::incident : PlacesOnFaces::reference;
@@ -347,7 +345,7 @@ class FaceContacts {
     is_open_ = hn::Or(is_open_, has_bit(open, 0));
   }
 
-  /// The corner on a line, if there is one.
+  /// Sets the corner on a line, if there is one.
   HWY_INLINE void set_point(std::size_t k, Bits line) {
     const LineOfEach<Tag<double>> corner(line);
     const Doubles within[2] = {corner.of([this](std::size_t s) { return clip_.within(s, 0); }),
@@ -368,7 +366,7 @@ class FaceContacts {
   FaceLanes incident_;
   ClipLanes clip_;
   DoublesMask is_open_;
-  Bits chosen_;  ///< The lines where corners are that are taken.
+  Bits chosen_;  ///< The lines with selected corners.
   ManifoldRows<T> rows_;
   PointRows<T> points_[Manifold<3>::most_points];
   alignas(64) std::uint64_t corners_[pairs_at_once];  ///< The same.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A number for each of the nine lines that bound a face over a face, of many pairs: one of all, and that of one line.
-// Included once for each instruction set, hence no ordinary guard.
+// A number for each of the nine lines that bound a clipped face, for many pairs: reductions over all lines, and
+// selection of one. Included once per instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_CONTACTS_OBB_LINES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_OBB_LINES_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_OBB_LINES_INL_HPP
@@ -19,8 +19,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 
-/// One of a number for each line, by an operation on two of them. By pairs, and pairs of pairs: what goes through all
-/// one after the other waits nine times.
+/// Reduces a number per line by a binary operation. Pairwise, then pairs of pairs: a sequential reduction has nine
+/// times the latency.
 template <class Operation, class Number>
 HWY_INLINE auto over_lines(const Operation& operation, const Number& number) {
   static_assert(face_lines == 9);
@@ -41,7 +41,7 @@ struct Largest {
     return hn::Max(a, b);
   }
 };
-/// Of bits.
+/// Bitwise.
 struct All {
   template <class V>
   HWY_INLINE V operator()(const V& a, const V& b) const {
@@ -49,8 +49,7 @@ struct All {
   }
 };
 
-/// A line of each pair, given as its bit: a number of each line becomes that of this one by a choice between two and
-/// two, by the bits of its place.
+/// Selects a line of each pair, given as its bit, by a tree of binary choices on the bits of its index.
 template <class NumberTag>
 class LineOfEach {
  public:

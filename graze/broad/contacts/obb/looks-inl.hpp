@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Looks at the axes of many pairs of oriented boxes: of each the one of least depth, and whether the boxes meet.
-// Included once for each instruction set, hence no ordinary guard.
+// Tests the axes of many pairs of oriented boxes: finds the axis of least depth of each, and whether the boxes overlap.
+// Included once per instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_CONTACTS_OBB_LOOKS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_OBB_LOOKS_INL_HPP
 #undef GRAZE_BROAD_CONTACTS_OBB_LOOKS_INL_HPP
@@ -35,7 +35,7 @@ const T* numbers_of(const Obb<3, T>& box) {
   return reinterpret_cast<const T*>(&box);
 }
 
-/// Bits of a group of pairs in the order of their contact: of those whose second box is the first in it.
+/// Bits of the pairs of a group whose second box is the first in the contact order.
 template <class T>
 HWY_NOINLINE std::uint32_t turned_of_ties(const T* const* first, const T* const* second, std::uint32_t ties) {
   std::uint32_t turned = 0;
@@ -47,7 +47,7 @@ HWY_NOINLINE std::uint32_t turned_of_ties(const T* const* first, const T* const*
   return turned;
 }
 
-/// The same by their centers, as compare of shape/fields/shape_order.hpp; by all numbers where these are level.
+/// The same by their centers, as compare of shape/fields/shape_order.hpp; by all numbers if these are level.
 template <class T>
 HWY_INLINE std::uint32_t turned_of(const Doubles* of_first, const Doubles* of_second, const T* const* first,
                                    const T* const* second) {
@@ -61,7 +61,7 @@ HWY_INLINE std::uint32_t turned_of(const Doubles* of_first, const Doubles* of_se
   return turned;
 }
 
-/// Exchanges those of two vectors.
+/// Swaps lanes of two vectors.
 template <class D, class V>
 HWY_INLINE void exchange_where(hn::Mask<D> mask, V& a, V& b) {
   const V first = hn::IfThenElse(mask, b, a);
@@ -69,7 +69,7 @@ HWY_INLINE void exchange_where(hn::Mask<D> mask, V& a, V& b) {
   a = first;
 }
 
-/// The boxes of pairs in the order of their contact.
+/// The boxes of pairs in their contact order.
 template <class T>
 struct BoxesInOrder {
   const T* const* a;
@@ -81,10 +81,10 @@ struct BoxesInOrder {
   bool is_turned(std::size_t lane) const { return (turned >> lane & 1U) != 0; }
 };
 
-/// The bits of pairs that are turned at all.
+/// The bits of pairs that are swapped.
 HWY_INLINE std::uint32_t turned_at_all(FirstBox first) { return first == FirstBox::in_order ? ~std::uint32_t{} : 0; }
 
-/// As many pairs as floats are in a vector, in the order of their contact, seen from the first boxes' centers.
+/// As many pairs as a vector has floats, in their contact order, relative to the first boxes' centers.
 template <class T>
 class PairsToLookAt;
 
@@ -109,7 +109,7 @@ class PairsToLookAt<float> {
     for (std::size_t k = 0; k < 15; ++k) exchange_where<Tag<float>>(mask, first_[k], second_[k]);
   }
 
-  /// One bit for each pair whose second box is the first in the order of the contact.
+  /// One bit for each pair whose second box is the first in the contact order.
   std::uint32_t turned() const { return turned_; }
 
   HWY_INLINE AxesLook look() const {
@@ -120,7 +120,7 @@ class PairsToLookAt<float> {
     return AxesLook(a, b);
   }
 
-  /// Axes are rounded to float: hardly any is another one's once more.
+  /// Axes are rounded to float, so hardly any repeats another.
   HWY_INLINE AxesLook::Bits distinct(AxesLook::Bits axes) const { return axes; }
 
  private:
@@ -154,12 +154,12 @@ class PairsToLookAt<double> {
     unrolled<12>([&](auto k) GRAZE_INLINE_LAMBDA { exchange_where<Tag<float>>(turned, a_[3 + k], b_[3 + k]); });
   }
 
-  /// One bit for each pair whose second box is the first in the order of the contact.
+  /// One bit for each pair whose second box is the first in the contact order.
   std::uint32_t turned() const { return turned_; }
 
   HWY_INLINE AxesLook look() const { return AxesLook(LaneObb<3, float>(a_), LaneObb<3, float>(b_)); }
 
-  /// Leaves out axes that are another one once more.
+  /// Removes repeated axes.
   HWY_NOINLINE AxesLook::Bits distinct(AxesLook::Bits axes) const {
     Bits repeated[2];
     const BoxesInOrder<double> boxes{first_, second_, turned_};
@@ -177,7 +177,7 @@ class PairsToLookAt<double> {
   }
 
  private:
-  /// Of a group, as floats: the boxes but for their centers, and the way from the first one's to the second one's.
+  /// A group in float: the boxes without their centers, and the vector from the first center to the second.
   struct Halves {
     hn::Vec<FloatTag> first[12];
     hn::Vec<FloatTag> second[12];
@@ -210,7 +210,7 @@ class PairsToLookAt<double> {
   std::uint32_t turned_;
 };
 
-/// Looks at many pairs, and puts those aside of which several axes may be that of least depth.
+/// Tests many pairs, and sets aside those with several candidates for the axis of least depth.
 template <class T>
 class LooksAtObbs {
  public:
@@ -222,8 +222,7 @@ class LooksAtObbs {
 
  private:
   static constexpr std::size_t at_once = lanes_of<float>;
-  /// Of so many pairs at once with several axes left it is asked which of these are one; fewer are put aside as they
-  /// are.
+  /// With at least this many ambiguous pairs, repeated axes are removed; fewer are set aside as they are.
   static constexpr int many_ties = at_once / 4;
   using LookTag = AxesLook::BitsTag;
   using LookBits = AxesLook::Bits;
@@ -269,7 +268,7 @@ class LooksAtObbs {
     return hn::Or(hn::Or(place, verdict), hn::Or(along, turns));
   }
 
-  /// The place of the lowest, or no_axis if there is none: the exponent of its bit as a float.
+  /// The index of the lowest bit, or no_axis if there is none: the exponent of the bit as a float.
   HWY_INLINE static LookBits place_of(LookBits axes) {
     const LookBits with_last = hn::Or(axes, all_bits(1U << ObbsLook::no_axis));
     const LookBits lowest = hn::And(with_last, hn::Sub(hn::Zero(LookTag()), with_last));
@@ -305,7 +304,7 @@ class LooksAtObbs {
     }
   }
 
-  /// Among the axes of the last pairs put aside.
+  /// Decides among the axes of the last pairs set aside.
   HWY_NOINLINE void choose() {
     const std::size_t count = std::min(pairs_at_once, ties_.count);
     const std::size_t from = ties_.count - count;
@@ -334,11 +333,11 @@ class LooksAtObbs {
     return hn::Or(axis, hn::ShiftLeft<24>(along));
   }
 
-  /// Pairs of which several axes may be that of least depth, their boxes in the order of their contact.
+  /// Pairs with several candidates for the axis of least depth, their boxes in their contact order.
   struct Ties {
     static constexpr std::size_t room = at_once + pairs_at_once;
 
-    /// The pair at `from` as often as the group that begins there has no more.
+    /// Repeats the pair at `from` to fill an incomplete group.
     HWY_INLINE void fill_group(std::size_t from) {
       for (std::size_t i = count; i < from + pairs_at_once; ++i) {
         first[i] = first[from];

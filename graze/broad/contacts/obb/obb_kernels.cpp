@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled once per instruction set: Highway includes this file anew for each.
+// Compiled once per instruction set: Highway includes this file again for each.
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -15,8 +15,8 @@
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 
-// Vectors of two doubles gain nothing over single calls, whose own are as long; and careful cross products are made by
-// instructions that round a product and a sum once. Elsewhere all pairs are left.
+// Vectors of two doubles gain nothing over single calls, which use the same; and accurate cross products need fused
+// multiply-add. Otherwise, all pairs are left.
 #undef GRAZE_MANIFOLD_LANES
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_WASM && HWY_HAVE_FLOAT64 && \
     defined(GRAZE_HAS_LANES)
@@ -39,8 +39,8 @@ void look_at_obbs(std::span<const TwoObbs<T>> pairs, FirstBox first, ObbsLook* l
   LooksAtObbs<T>(pairs, first, looks);
 }
 
-/// The manifolds of up to most_obbs_to_contact pairs: those across faces, then those across edges, then those whose
-/// axis is along another face, so that lanes have the same to do.
+/// The manifolds of up to most_obbs_to_contact pairs: first those across faces, then those across edges, then those
+/// whose axis is parallel to another face's normal, so that lanes run the same code.
 template <class T>
 class ContactBatch {
  public:
@@ -59,14 +59,14 @@ class ContactBatch {
   enum Kind : std::uint8_t {
     on_face,
     on_edges,
-    level,    ///< May be carried by another face, or else is one of the two above.
-    carried,  ///< By a face that the axis is not the normal of.
+    level,    ///< May have another reference face, otherwise one of the two above.
+    carried,  ///< The reference face's normal is not the axis.
     unknown,
     kinds
   };
 
-  /// Pairs of a kind: their boxes, where they are carried by a face, first the one that has it, else in the order of
-  /// their contact; and their looks.
+  /// Pairs of a kind: their boxes, the one with the reference face first or else in their contact order, and their axis
+  /// tests.
   struct List {
     static constexpr std::size_t room = most_obbs_to_contact + pairs_at_once;
 
@@ -84,7 +84,7 @@ class ContactBatch {
       ++count;
     }
 
-    /// The last pair once more where a group has no more.
+    /// Repeats the last pair to fill an incomplete group.
     void fill_last_group() {
       const std::size_t end = count;
       while (count % pairs_at_once != 0) add(first[end - 1], second[end - 1], looks[end - 1], pairs[end - 1]);
@@ -94,8 +94,8 @@ class ContactBatch {
     PairGroup<T> group(std::size_t from) const { return {&first[from], &second[from], &looks[from]}; }
   };
 
-  /// The kind of pairs by their axis, and 16 more if that may be along a face; and whether the other box is the first
-  /// in its list.
+  /// The kind of pairs by their axis, plus 16 if that may be parallel to a face normal; and whether the other box is
+  /// the first in its list.
   struct Sort {
     Kind kind;
     bool exchanged;
@@ -124,7 +124,8 @@ class ContactBatch {
     lists_[sort.kind].add(turned ? b : a, turned ? a : b, look, i);
   }
 
-  /// Those of a list. Functions of their own, or their many instructions would be there twice, and not stay near.
+  /// The pairs of a list. Separate functions, since their long code would otherwise be duplicated and evicted from the
+  /// instruction cache.
   template <class Lay>
   void contact_faces(List& list, const Lay& lay_group) {
     list.fill_last_group();
@@ -141,7 +142,7 @@ class ContactBatch {
     contacts.lay(carried_lanes(FacePairs<T>(group)));
   }
 
-  /// One group or two, from these places of the list on.
+  /// Writes one group or two, from these positions of the list on.
   HWY_INLINE void write_two(FaceContacts<T> (&contacts)[2], const std::size_t (&places)[2], std::size_t groups,
                             const List& list) {
     FaceContacts<T>::choose(contacts[0], contacts[groups - 1]);
@@ -153,7 +154,7 @@ class ContactBatch {
     write(contacts, list, from);
   }
 
-  /// Those of a group.
+  /// Writes those of a group.
   template <class Contacts>
   HWY_INLINE void write(const Contacts& contacts, const List& list, std::size_t from) {
     const std::uint32_t open = contacts.open();
@@ -177,8 +178,8 @@ class ContactBatch {
     }
   }
 
-  /// Of pairs whose axis may be along a face: those of groups that are all carried by their first boxes; the others are
-  /// sorted by what carries their points.
+  /// For pairs whose axis may be parallel to a face normal: handles groups whose reference faces are all on the first
+  /// boxes, and sorts the others by their reference faces.
   HWY_INLINE void contact_level() {
     for (std::size_t i = 0; i < lists_[unknown].count; ++i) left_[left_count_++] = lists_[unknown].pairs[i];
     List& list = lists_[level];
@@ -199,7 +200,7 @@ class ContactBatch {
     if (laid > 0) write_two(contacts, from, laid, list);
   }
 
-  /// Of pairs that are carried by the faces that their looks say. Unless that `is_known` returns false if not all are.
+  /// For pairs whose reference faces are given by their axis tests. If not `is_known`, returns false unless all are.
   HWY_NOINLINE static bool lay_carried(const PairGroup<T>& group, bool is_known, FaceContacts<T>& contacts) {
     const CarriedLanes lanes = carried_lanes(CarriedPairs<T>(group));
     if (!is_known && !hn::AllTrue(Tag<double>(), are_carried(lanes))) return false;

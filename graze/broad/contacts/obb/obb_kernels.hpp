@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The manifolds of many pairs of oriented boxes in space at a time, a lane for each, once for every set of vector
-// instructions that the compiler knows. First a look in float at their axes, which also says of most whether they meet,
-// all of it proved by a bound; then the contact of those that do, in double and operation by operation what
-// manifold(a, b) does, so that the answers are the same to the bit. A kernel leaves the pairs of which not all is
-// clear, and those that take a rare way; which these are may depend on the machine, but the answers never do.
+// The manifolds of many pairs of 3D oriented boxes, one pair per lane, compiled for each instruction set. First, a test
+// of their axes in float, which also decides for most pairs whether they overlap, proved by an error bound; then the
+// contacts of those that do, in double with the operations of manifold(a, b), so the answers are bit-identical. A
+// kernel leaves uncertain pairs and rare cases; which these are may depend on the machine, but the answers never do.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +23,7 @@ struct TwoObbs {
   const Obb<3, T>* b;
 };
 
-/// What a look at the fifteen axes of two oriented boxes shows, all of it as bits.
+/// The result of testing the fifteen axes of two oriented boxes, as bits.
 struct ObbsLook {
   static constexpr std::uint32_t no_axis = 15;
   static constexpr std::uint32_t axis_bits = 15;
@@ -35,19 +34,19 @@ struct ObbsLook {
 
   std::uint32_t bits = no_axis;
 
-  /// The axis of least depth by its place, as in BoxesAxes, if the boxes meet; or no_axis if it is not known.
+  /// The index of the axis of least depth, as in BoxesAxes, if the boxes overlap; no_axis if unknown.
   std::uint32_t axis() const { return bits & axis_bits; }
-  bool is_overlapping() const { return (bits & overlapping) != 0; }  ///< For certain; and so is the next.
+  bool is_overlapping() const { return (bits & overlapping) != 0; }  ///< Certain; so is the next.
   bool is_apart() const { return (bits & apart) != 0; }
-  /// False for certain: no face looks along the axis but one that it is the normal of.
+  /// If false, certainly no face is parallel to the axis except the one whose normal it is.
   bool may_be_along_face() const { return (bits & along_face) != 0; }
-  /// Whether the second box is the first in the order of their contact. Of meaning only where the axis is known.
+  /// Whether the second box is the first in their contact order. Valid only if the axis is known.
   bool is_turned() const { return (bits & turned) != 0; }
 
   friend bool operator==(const ObbsLook&, const ObbsLook&) = default;
 };
 
-/// Two that meet, what a look has shown, and where their manifold from a to b goes.
+/// Two overlapping boxes, the result of their axis test, and where their manifold from a to b goes.
 template <class T>
 struct ObbsToContact {
   TwoObbs<T> boxes;
@@ -55,19 +54,18 @@ struct ObbsToContact {
   Manifold<3, T>* manifold;
 };
 
-/// How many pairs a kernel takes in one go, at most.
+/// The maximum number of pairs in a kernel's batch.
 inline constexpr std::size_t most_obbs_to_contact = 256;
 
-/// Which box of a pair is the first in the order of their contact: that of is_in_order, or the one that is named first.
+/// Which box of a pair is the first in their contact order: that of is_in_order, or the first argument.
 enum class FirstBox : std::uint8_t { in_order, as_named };
 
-/// Looks at the axes of pairs that may be apart.
+/// Tests the axes of pairs that may be apart.
 template <class T>
 using AxisKernel = void (*)(std::span<const TwoObbs<T>> pairs, FirstBox first, ObbsLook* looks);
 
-/// Writes the manifolds of most pairs, which must be as they are made: what stays zero in them is not written. `left`,
-/// which has room for all, receives the places of the others, of whose manifolds nothing is written or what is of no
-/// meaning; returns how many these are.
+/// Writes the manifolds of most pairs, which must be value-initialised, because zeros are not written. `left`, which
+/// has space for all, receives the indices of the other pairs, whose manifolds are unspecified; returns their number.
 template <class T>
 using ManifoldKernel = std::size_t (*)(std::span<const ObbsToContact<T>> pairs, std::uint32_t* left);
 
@@ -80,8 +78,8 @@ struct ObbKernels {
 /// The kernels of one instruction set.
 using AllObbKernels = ScalarKernels<ObbKernels>;
 
-/// The kernels for this machine. Those without vectors of four doubles or more know nothing and leave all pairs.
-/// Instantiated for float and double.
+/// The kernels for this machine. Without vectors of four doubles, they decide nothing and leave all pairs. Instantiated
+/// for float and double.
 template <class T>
 const ObbKernels<T>& obb_kernels();
 
